@@ -1,0 +1,28 @@
+# Language level, warnings and sanitisers, in one place.
+set(CMAKE_CXX_STANDARD 17)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+
+if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(VTKNexrad_CCACHE ccache)
+mark_as_advanced(VTKNexrad_CCACHE)
+if(VTKNexrad_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER "${VTKNexrad_CCACHE}")
+endif()
+
+if(VTKNexrad_SANITIZE)
+  add_compile_options("-fsanitize=${VTKNexrad_SANITIZE}" -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
+  add_link_options("-fsanitize=${VTKNexrad_SANITIZE}")
+endif()
+
+# Targets of this project call this; code of other projects is not held to our warnings.
+function(nexrad_warnings target)
+  target_compile_options(${target} PRIVATE
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast>
+    $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${VTKNexrad_STRICT}>>:-Werror>)
+endfunction()

@@ -1,0 +1,25 @@
+include(GoogleTest)
+
+# nexrad_add_test(<name> SOURCES <file>... [LIBRARIES <target>...] [LABEL <label>] [TIMEOUT <s>])
+#
+# One GoogleTest program; CTest sees each of its tests. Labels: "quick" (the default), "display" needs
+# an X server, "slow" is left out of the sanitised run.
+function(nexrad_add_test name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT;LABEL" "SOURCES;LIBRARIES")
+  if(NOT arg_TIMEOUT)
+    set(arg_TIMEOUT 120)
+  endif()
+  if(NOT arg_LABEL)
+    set(arg_LABEL quick)
+  endif()
+  add_executable(${name} ${arg_SOURCES})
+  nexrad_warnings(${name})
+  target_link_libraries(${name} PRIVATE NexradTestSupport ${arg_LIBRARIES} GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE
+    NEXRAD_BASELINE_DIR="${CMAKE_SOURCE_DIR}/Testing/Baseline"
+    NEXRAD_TEST_OUTPUT_DIR="${CMAKE_BINARY_DIR}/Testing/Output")
+  gtest_discover_tests(${name}
+    DISCOVERY_MODE PRE_TEST
+    DISCOVERY_TIMEOUT 60
+    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS ${arg_LABEL})
+endfunction()

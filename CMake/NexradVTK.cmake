@@ -1,0 +1,25 @@
+# Finds VTK and builds the VTK modules of Source/IO, Source/Filters and Source/Rendering.
+find_package(VTK 9.1 REQUIRED COMPONENTS
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms CommonColor
+  FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersModeling
+  ImagingCore IOCore IOImage IOXML IOMovie IOOggTheora
+  InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
+  RenderingUI RenderingVolume RenderingVolumeOpenGL2
+  TestingCore TestingRendering vtksys)
+
+set(nexrad_module_files
+  "${CMAKE_SOURCE_DIR}/Source/IO/vtk.module"
+  "${CMAKE_SOURCE_DIR}/Source/Filters/vtk.module"
+  "${CMAKE_SOURCE_DIR}/Source/Rendering/vtk.module")
+vtk_module_scan(
+  MODULE_FILES ${nexrad_module_files}
+  PROVIDES_MODULES nexrad_modules
+  REQUIRES_MODULES nexrad_required
+  WANT_BY_DEFAULT ON
+  ENABLE_TESTS OFF)
+vtk_module_build(
+  MODULES ${nexrad_modules}
+  PACKAGE VTKNexrad
+  INSTALL_EXPORT VTKNexrad
+  INSTALL_HEADERS ON
+  TEST_DIRECTORY_NAME NONE)

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+/// The thesis's modified run-length code (Formulas T8). A literal v (0…127) is the byte 0x80 | v. A
+/// run of n equal v is the byte v and n as a 32-bit little-endian unsigned integer.
+
+/// Shortest run written as a run. The thesis writes every run of two or more; six is the first
+/// length at which the five bytes of a run are fewer than its literals.
+enum class RunLengthThreshold : std::uint32_t
+{
+  Thesis = 2,
+  Compact = 6
+};
+
+/// Encodes `count` codes. Throws Error when a code is above 127.
+std::vector<std::uint8_t> EncodeRunLength(
+  const std::uint8_t* codes, std::size_t count, RunLengthThreshold threshold);
+
+/// Decodes exactly `count` codes into `codes`. Throws Error, with the offset in the stream, for a
+/// run of 0, a stream that ends within a run or too early, a run beyond `count`, or bytes after the
+/// last code.
+void DecodeRunLength(
+  const std::uint8_t* stream, std::size_t length, std::uint8_t* codes, std::size_t count);
+
+} // namespace nexrad

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Geometry/GridSpecification.h"
+#include "Model/Moment.h"
+#include "Model/Time.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// What a voxel holds. The numbers are those of the `<NAME>_state` arrays.
+enum class VoxelState : std::uint8_t
+{
+  Echo = 0,
+  NoEcho = 1, ///< scanned, and nothing there
+  RangeFolded = 2,
+  NotScanned = 3 ///< no beam passed
+};
+
+/// One moment of several radars on one grid at one time.
+struct GriddedVolume
+{
+  GridSpecification grid;
+  Time time{};
+  MomentName moment = MomentName::REF;
+  std::string method;             ///< "thesis" or "beam"
+  std::vector<std::string> sites; ///< names of the radars that took part
+  bool synthetic = false;         ///< made from simulated files; pictures must say so
+  float fill = -33.0F;            ///< value where the state is NoEcho or NotScanned
+  std::vector<float> values;      ///< x fastest, then y, then z upward
+  std::vector<VoxelState> states;
+};
+
+} // namespace nexrad

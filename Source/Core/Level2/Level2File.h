@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Model/RadarVolume.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// What the reader may assume, and how much memory a file may take.
+struct Level2Options
+{
+  std::string siteName;             ///< replaces the name in the file when not empty
+  std::optional<Position> position; ///< replaces the position in the file
+  std::size_t maximumRecordBytes = std::size_t(64) << 20; ///< cap of one decompressed LDM record
+  std::size_t maximumFileBytes = std::size_t(1) << 30;    ///< cap of one decompressed file
+};
+
+/// Reads a Level II file, or a folder of real-time chunks, in any container that the archive uses
+/// (Documentation/Formats/level2.md lists them). Every ray that can be read is in the result; what
+/// is wrong is in `damage`, and a file without a single ray is a volume without sweeps. Throws
+/// Error when the path cannot be opened or a folder holds no chunk.
+RadarVolume ReadLevel2(const std::filesystem::path& path, const Level2Options& options = {});
+
+/// The same for bytes in memory; `name` stands for the path (the site's name may be taken from it).
+RadarVolume DecodeLevel2(
+  std::vector<std::uint8_t> bytes, const std::string& name, const Level2Options& options = {});
+
+/// True when the first bytes look like a Level II file or one of its containers: a volume header,
+/// an LDM record, gzip, bzip2 or compress. Reads no more than a few dozen bytes; false when the
+/// path cannot be read.
+bool LooksLikeLevel2(const std::filesystem::path& path);
+
+} // namespace nexrad

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace nexrad
+{
+
+/// The moments of a Level II ray.
+enum class MomentName : std::uint8_t
+{
+  REF, ///< reflectivity, dBZ
+  VEL, ///< radial velocity, m/s, away from the radar positive
+  SW,  ///< spectrum width, m/s
+  ZDR, ///< differential reflectivity, dB
+  PHI, ///< differential phase, degrees
+  RHO, ///< correlation coefficient, without dimension
+  CFP  ///< clutter filter power removed, dB
+};
+constexpr std::size_t MomentCount = 7;
+constexpr std::array<MomentName, MomentCount> AllMoments = {MomentName::REF, MomentName::VEL,
+  MomentName::SW, MomentName::ZDR, MomentName::PHI, MomentName::RHO, MomentName::CFP};
+
+/// "REF", "VEL", …: also the name of the moment's array in VTK.
+const char* ToString(MomentName name);
+/// Unit of the values: "dBZ", "m/s", "m/s", "dB", "degrees", "", "dB".
+const char* UnitOf(MomentName name);
+/// Empty when the text names no moment. Capital letters only.
+std::optional<MomentName> ParseMomentName(std::string_view text);
+
+/// What a gate holds. The numbers are those of the `<NAME>_state` arrays.
+enum class GateState : std::uint8_t
+{
+  Valid = 0,
+  BelowThreshold = 1, ///< scanned, and no echo above the noise (for CFP: a status code)
+  RangeFolded = 2,    ///< an echo whose range is ambiguous
+  NotSampled = 3      ///< the ray does not reach this gate, or lacks the moment
+};
+
+/// One moment along one ray: the words as the radar wrote them, converted when asked.
+/// It does not own the words; they belong to the RadarVolume that holds the ray.
+struct MomentRow
+{
+  const std::uint8_t* words = nullptr; ///< big-endian words of wordBits each
+  std::uint16_t gates = 0;             ///< number of gates; 0: the ray lacks the moment
+  std::uint8_t wordBits = 8;           ///< 8 or 16
+  std::uint8_t firstValue = 2;         ///< raw words below are codes (2; 8 for CFP)
+  std::int32_t firstGate = 0;   ///< m, slant range of the first gate's centre; may be negative
+  std::int32_t gateSpacing = 0; ///< m, between centres of gates
+  float scale = 1.0F;           ///< value = (raw - offset) / scale
+  float offset = 0.0F;
+
+  /// The word of a gate, gate < gates.
+  unsigned Raw(std::size_t gate) const
+  {
+    return wordBits == 16 ? static_cast<unsigned>(words[2 * gate] << 8 | words[2 * gate + 1])
+                          : words[gate];
+  }
+  GateState State(std::size_t gate) const
+  {
+    const unsigned raw = this->Raw(gate);
+    if (raw >= firstValue)
+    {
+      return GateState::Valid;
+    }
+    return raw == 1 && firstValue == 2 ? GateState::RangeFolded : GateState::BelowThreshold;
+  }
+  /// The value of a valid gate in the unit of the moment; without meaning for other gates.
+  float Value(std::size_t gate) const
+  {
+    return (static_cast<float>(this->Raw(gate)) - offset) / scale;
+  }
+};
+
+} // namespace nexrad

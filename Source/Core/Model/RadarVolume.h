@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Model/CoveragePattern.h"
+#include "Model/Moment.h"
+#include "Model/Site.h"
+#include "Model/Time.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One radial: what the antenna saw in one direction.
+struct Ray
+{
+  Time time{};                   ///< collection time, UTC
+  float azimuth = 0.0F;          ///< degrees clockwise from north, centre of the beam, 0…360
+  float elevation = 0.0F;        ///< degrees above the horizon, centre of the beam, −2…90
+  float nyquist = 0.0F;          ///< m/s, Nyquist velocity; 0 when the file has none
+  std::uint8_t radialStatus = 1; ///< 0 start of cut, 1 within, 2 end of cut, 3 start of volume, 4
+                                 ///< end of volume, 5 start of last cut
+  std::uint8_t elevationNumber = 0; ///< number of the cut in the coverage pattern, from 1
+  std::array<MomentRow, MomentCount> moments;
+
+  const MomentRow& Row(MomentName name) const { return moments[static_cast<std::size_t>(name)]; }
+  MomentRow& Row(MomentName name) { return moments[static_cast<std::size_t>(name)]; }
+};
+
+/// One antenna cut: the rays of one turn (or part of a turn), in the order scanned.
+struct Sweep
+{
+  int elevationNumber = 0; ///< number of the cut in the coverage pattern, from 1
+  std::vector<Ray> rays;   ///< never empty in a decoded volume
+
+  /// Mean elevation angle of the rays, degrees.
+  double MeanElevation() const;
+  /// True when some ray has gates of the moment.
+  bool Has(MomentName name) const;
+};
+
+/// Something wrong in a file. The rest of the file was read.
+struct Damage
+{
+  std::uint64_t offset = 0; ///< byte offset in the file as it is stored (not as decompressed)
+  std::string what;         ///< one line: what is wrong there
+};
+
+/// All that one Level II file, or one folder of chunks, holds. Rays point into `buffers`, which
+/// copies of the volume share; the words never move.
+struct RadarVolume
+{
+  std::string file; ///< path as the user gave it
+  Site site;
+  std::optional<int> coveragePatternNumber;       ///< VCP, from the rays, else from message 5
+  std::optional<CoveragePattern> coveragePattern; ///< message 5, when the file has one
+  std::optional<int> messageType;                 ///< 1 or 31; empty without rays
+  std::optional<Time> headerTime; ///< time in the volume header; may differ from the rays'
+  std::vector<Sweep> sweeps;      ///< in the order scanned
+  bool complete = false;          ///< an end-of-volume radial was read
+  std::vector<Damage> damage;
+  std::vector<std::string> notes; ///< worth knowing, and not damage
+  std::vector<std::shared_ptr<const std::vector<std::uint8_t>>> buffers; ///< decompressed records
+
+  std::size_t RayCount() const;
+  /// Times of the first and the last ray in the order scanned; empty without rays.
+  std::optional<Time> Start() const;
+  std::optional<Time> End() const;
+};
+
+/// Cuts a volume that holds several cycles under one header into one volume a cycle (a new one
+/// begins at a sweep whose first ray has radial status 3). A volume of one cycle comes back as it
+/// is.
+std::vector<RadarVolume> SplitCycles(const RadarVolume& volume);
+
+} // namespace nexrad

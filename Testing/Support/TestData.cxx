@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestData.h"
+
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
+
+namespace fs = std::filesystem;
+
+namespace nexrad::testing
+{
+
+std::optional<fs::path> TestDataFolder()
+{
+  const char* variable = std::getenv("NEXRAD_TEST_DATA");
+  const fs::path folder = variable != nullptr ? variable : NEXRAD_TEST_DATA_DEFAULT;
+  return fs::is_directory(folder / "level2") ? std::optional(folder) : std::nullopt;
+}
+
+TemporaryFolder::TemporaryFolder()
+{
+  std::string pattern = (fs::temp_directory_path() / "nexrad-test-XXXXXX").string();
+  if (mkdtemp(pattern.data()) == nullptr)
+  {
+    throw std::runtime_error("cannot make a temporary folder: " + pattern);
+  }
+  path = pattern;
+}
+
+TemporaryFolder::~TemporaryFolder()
+{
+  std::error_code ignored;
+  fs::remove_all(path, ignored);
+}
+
+} // namespace nexrad::testing
