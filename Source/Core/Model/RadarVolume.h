@@ -63,6 +63,7 @@ struct RadarVolume
   std::optional<Time> headerTime; ///< time in the volume header; may differ from the rays'
   std::vector<Sweep> sweeps;      ///< in the order scanned
   bool complete = false;          ///< an end-of-volume radial was read
+  bool synthetic = false;         ///< the file says that it was simulated (Level2/SyntheticMark.h)
   std::vector<Damage> damage;
   std::vector<std::string> notes; ///< worth knowing, and not damage
   std::vector<std::shared_ptr<const std::vector<std::uint8_t>>> buffers; ///< decompressed records
