@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace nexrad::application
+{
+namespace
+{
+
+// "nexrad3d grid": what the user called.
+std::string CalledName(const CLI::App& program)
+{
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? program.get_name()
+                        : program.get_name() + ' ' + chosen.front()->get_name();
+}
+
+// CLI11 says only that a command is missing, even when the first word is a misspelt one.
+std::string ExplainMissingCommand(const CLI::App& program)
+{
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands({}))
+  {
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  const auto unknown = program.remaining();
+  return (unknown.empty() ? "a command is missing" : "unknown command '" + unknown.front() + "'") +
+         "; the commands are " + names;
+}
+
+int ReportParseError(const CLI::App& program, const CLI::ParseError& error)
+{
+  if (error.get_exit_code() == 0)
+  {
+    return program.exit(error); // --help and --version print to standard output
+  }
+  std::string message =
+    program.get_subcommands().empty() ? ExplainMissingCommand(program) : error.what();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  std::cerr << CalledName(program) << ": " << message << " (see " << CalledName(program)
+            << " --help)\n";
+  return WrongUsage;
+}
+
+int RunAction(const CLI::App& program, const CommandAction& action)
+{
+  try
+  {
+    const int status = action();
+    // Standard output may be a full disk; what was printed counts only when it arrived.
+    if (!std::cout.flush())
+    {
+      std::cerr << CalledName(program) << ": cannot write to standard output\n";
+      return Failed;
+    }
+    return status;
+  }
+  catch (const std::bad_alloc&)
+  {
+    std::cerr << CalledName(program) << ": not enough memory\n";
+  }
+  catch (const std::exception& error)
+  {
+    std::cerr << CalledName(program) << ": " << error.what() << '\n';
+  }
+  return Failed;
+}
+
+} // namespace
+
+int RunProgram(int argc, const char* const* argv, const std::vector<AddCommand>& commands)
+{
+  CLI::App program("Weather radar volumes: from NEXRAD Level II files to a moving picture");
+  program.name("nexrad3d");
+  program.set_version_flag("--version", "nexrad3d " NEXRAD_VERSION);
+  program.require_subcommand(1);
+  program.footer("Exit status: 0 done; 1 failed; 2 wrong usage; 3 done, but some input was damaged "
+                 "or left out.");
+  CommandAction action;
+  for (const AddCommand add : commands)
+  {
+    add(program, action);
+  }
+  try
+  {
+    program.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return ReportParseError(program, error);
+  }
+  return RunAction(program, action);
+}
+
+} // namespace nexrad::application

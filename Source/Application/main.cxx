@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+
+int main(int argc, char** argv)
+{
+  using namespace nexrad::application;
+  return RunProgram(argc, argv, {});
+}
