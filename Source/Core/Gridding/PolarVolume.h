@@ -39,6 +39,7 @@ struct PolarVolume
   MomentName moment = MomentName::REF;
   Time start{};                   ///< first ray, of the whole volume
   Time end{};                     ///< last ray
+  bool synthetic = false;         ///< from a simulated file
   std::vector<PolarSweep> sweeps; ///< those that have the moment, in the order scanned
 };
 
