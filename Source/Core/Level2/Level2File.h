@@ -24,8 +24,9 @@ struct Level2Options
 
 /// Reads a Level II file, or a folder of real-time chunks, in any container that the archive uses
 /// (Documentation/Formats/level2.md lists them). Every ray that can be read is in the result; what
-/// is wrong is in `damage`, and a file without a single ray is a volume without sweeps. Throws
-/// Error when the path cannot be opened or a folder holds no chunk.
+/// is wrong is in `damage`, and a file without a single ray is a volume without sweeps. A folder
+/// that holds a single Level II file, whatever its name, is read as that file. Throws Error when
+/// the path cannot be opened or a folder holds neither.
 RadarVolume ReadLevel2(const std::filesystem::path& path, const Level2Options& options = {});
 
 /// The same for bytes in memory; `name` stands for the path (the site's name may be taken from it).

@@ -50,7 +50,8 @@ std::vector<RadarVolume> SplitCycles(const RadarVolume& volume)
   std::vector<RadarVolume> cycles;
   for (const Sweep& sweep : volume.sweeps)
   {
-    if (cycles.empty() || sweep.rays.front().radialStatus == startOfVolume)
+    if (cycles.empty() || sweep.rays.front().radialStatus == startOfVolume ||
+        sweep.elevationNumber < cycles.back().sweeps.back().elevationNumber)
     {
       cycles.push_back(common);
     }

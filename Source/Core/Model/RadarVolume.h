@@ -51,14 +51,22 @@ struct Damage
   std::string what;         ///< one line: what is wrong there
 };
 
+/// What the radar says of itself (message 2).
+struct RadarStatus
+{
+  int coveragePatternNumber = 0; ///< VCP; 0 when none was chosen
+  double softwareBuild = 0.0;    ///< of the radar's software, for example 19.1
+};
+
 /// All that one Level II file, or one folder of chunks, holds. Rays point into `buffers`, which
 /// copies of the volume share; the words never move.
 struct RadarVolume
 {
   std::string file; ///< path as the user gave it
   Site site;
-  std::optional<int> coveragePatternNumber;       ///< VCP, from the rays, else from message 5
+  std::optional<int> coveragePatternNumber; ///< VCP, from the rays, else from message 5, else 2
   std::optional<CoveragePattern> coveragePattern; ///< message 5, when the file has one
+  std::optional<RadarStatus> status;              ///< message 2, the last
   std::optional<int> messageType;                 ///< 1 or 31; empty without rays
   std::optional<Time> headerTime; ///< time in the volume header; may differ from the rays'
   std::vector<Sweep> sweeps;      ///< in the order scanned
@@ -75,8 +83,8 @@ struct RadarVolume
 };
 
 /// Cuts a volume that holds several cycles under one header into one volume a cycle (a new one
-/// begins at a sweep whose first ray has radial status 3). A volume of one cycle comes back as it
-/// is.
+/// begins at a sweep whose first ray has radial status 3, or whose cut number is lower than the
+/// last sweep's, because that ray may be missing). A volume of one cycle comes back as it is.
 std::vector<RadarVolume> SplitCycles(const RadarVolume& volume);
 
 } // namespace nexrad

@@ -1,0 +1,285 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Level2/Container.h"
+
+#include "Level2/Unlzw.h"
+
+#include <bzlib.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr int deepestNesting = 3;
+constexpr std::size_t stepBytes = std::size_t(1) << 16;
+constexpr std::size_t largestStepBytes = std::size_t(1) << 20;
+
+std::string TooLarge(std::size_t maximumBytes)
+{
+  return "more than " + std::to_string(maximumBytes) + " bytes when decompressed; the rest is left";
+}
+
+// The output of a decompressor: grows as bytes come, never past its cap.
+class GrowingOutput
+{
+public:
+  explicit GrowingOutput(std::size_t maximumBytes)
+    : maximum(maximumBytes)
+  {
+  }
+
+  // Room for the next step; none when the cap is reached.
+  std::size_t Prepare()
+  {
+    if (bytes.size() == used)
+    {
+      const std::size_t wanted = std::max(stepBytes, used * 2);
+      bytes.resize(std::min(wanted, maximum));
+    }
+    return std::min<std::size_t>(bytes.size() - used, std::numeric_limits<int>::max());
+  }
+  std::uint8_t* Next() { return bytes.data() + used; }
+  void Advance(std::size_t count) { used += count; }
+  std::size_t Used() const { return used; }
+  std::vector<std::uint8_t> Take()
+  {
+    bytes.resize(used);
+    bytes.shrink_to_fit();
+    return std::move(bytes);
+  }
+
+private:
+  std::vector<std::uint8_t> bytes;
+  std::size_t used = 0;
+  std::size_t maximum;
+};
+
+unsigned SmallCount(std::size_t count)
+{
+  return static_cast<unsigned>(std::min<std::size_t>(count, std::numeric_limits<int>::max()));
+}
+
+class GzipReader
+{
+public:
+  GzipReader(ByteView storedBytes, std::size_t maximumBytes)
+    : stored(storedBytes)
+    , maximum(maximumBytes)
+    , output(maximumBytes)
+  {
+    constexpr int gzipHeaderAndLargestWindow = 16 + MAX_WBITS;
+    inflateInit2(&stream, gzipHeaderAndLargestWindow);
+  }
+  ~GzipReader() { inflateEnd(&stream); }
+  GzipReader(const GzipReader&) = delete;
+  GzipReader& operator=(const GzipReader&) = delete;
+
+  Unpacked Run()
+  {
+    result.offsets.Add(0, 0);
+    while (result.problem.empty() && this->Step())
+    {
+    }
+    result.problemOffset = position;
+    result.bytes = output.Take();
+    return std::move(result);
+  }
+
+private:
+  // One step of output. False at the end.
+  bool Step()
+  {
+    const std::size_t room = std::min(output.Prepare(), stepBytes);
+    if (room == 0)
+    {
+      result.problem = TooLarge(maximum);
+      return false;
+    }
+    // zlib's interface takes input that it does not change as non-const.
+    stream.next_in = const_cast<Bytef*>(stored.Data() + position);
+    stream.avail_in = SmallCount(stored.Size() - position);
+    stream.next_out = output.Next();
+    stream.avail_out = static_cast<unsigned>(room);
+    const unsigned offered = stream.avail_in;
+    const int status = inflate(&stream, Z_NO_FLUSH);
+    position += offered - stream.avail_in;
+    output.Advance(room - stream.avail_out);
+    result.offsets.Add(output.Used(), position);
+    if (status == Z_STREAM_END)
+    {
+      return this->NextMember();
+    }
+    if (status != Z_OK)
+    {
+      result.problem = status == Z_BUF_ERROR
+                         ? "the gzip stream ends early"
+                         : std::string("the gzip stream is corrupt: ") +
+                             (stream.msg != nullptr ? stream.msg : "no reason given");
+    }
+    return status == Z_OK;
+  }
+  // Gzip files may be joined end to end.
+  bool NextMember()
+  {
+    if (DetectStream(stored.Sub(position)) == StreamFormat::Gzip)
+    {
+      return inflateReset(&stream) == Z_OK;
+    }
+    const ByteView rest = stored.Sub(position);
+    if (std::any_of(rest.Data(), rest.Data() + rest.Size(), [](auto byte) { return byte != 0; }))
+    {
+      result.problem = std::to_string(rest.Size()) + " bytes after the end of the gzip stream";
+    }
+    return false;
+  }
+
+  ByteView stored;
+  std::size_t maximum;
+  GrowingOutput output;
+  z_stream stream{};
+  std::size_t position = 0;
+  Unpacked result;
+};
+
+// A file of several bzip2 streams end to end, as parallel compressors write it.
+Unpacked UnpackBzip2(ByteView stored, std::size_t maximumBytes)
+{
+  Unpacked result;
+  std::size_t position = 0;
+  while (result.problem.empty() && stored.StartsWith("BZh", position))
+  {
+    Bunzipped part = DecompressBzip2(stored.Sub(position), maximumBytes - result.bytes.size());
+    result.offsets.Append(part.offsets, result.bytes.size(), position);
+    position += part.used;
+    result.problem = part.problem;
+    result.problemOffset = position;
+    if (result.bytes.empty())
+    {
+      result.bytes = std::move(part.bytes);
+    }
+    else
+    {
+      result.bytes.insert(result.bytes.end(), part.bytes.begin(), part.bytes.end());
+    }
+  }
+  if (result.problem.empty() && position < stored.Size())
+  {
+    result.problem =
+      std::to_string(stored.Size() - position) + " bytes after the end of the bzip2 stream";
+    result.problemOffset = position;
+  }
+  return result;
+}
+
+Unpacked Unpack(StreamFormat format, ByteView stored, std::size_t maximumBytes)
+{
+  switch (format)
+  {
+  case StreamFormat::Gzip:
+    return GzipReader(stored, maximumBytes).Run();
+  case StreamFormat::Bzip2:
+    return UnpackBzip2(stored, maximumBytes);
+  default:
+    return Unlzw(stored, maximumBytes);
+  }
+}
+
+std::string ExplainBzip2(int status)
+{
+  switch (status)
+  {
+  case BZ_OK:
+    return "the bzip2 stream ends early";
+  case BZ_DATA_ERROR_MAGIC:
+    return "no bzip2 stream";
+  case BZ_MEM_ERROR:
+    return "not enough memory for bzip2";
+  default:
+    return "the bzip2 stream is corrupt";
+  }
+}
+
+} // namespace
+
+StreamFormat DetectStream(ByteView bytes)
+{
+  if (bytes.StartsWith("\x1F\x8B"))
+  {
+    return StreamFormat::Gzip;
+  }
+  if (bytes.StartsWith("\x1F\x9D"))
+  {
+    return StreamFormat::Compress;
+  }
+  return bytes.StartsWith("BZh") ? StreamFormat::Bzip2 : StreamFormat::None;
+}
+
+Bunzipped DecompressBzip2(ByteView stored, std::size_t maximumBytes)
+{
+  Bunzipped result;
+  bz_stream stream{};
+  BZ2_bzDecompressInit(&stream, 0, 0);
+  result.offsets.Add(0, 0);
+  GrowingOutput output(maximumBytes);
+  int status = BZ_OK;
+  bool starved = false;
+  while (status == BZ_OK && !starved)
+  {
+    const auto room = static_cast<unsigned>(std::min(output.Prepare(), largestStepBytes));
+    if (room == 0)
+    {
+      result.problem = TooLarge(maximumBytes);
+      break;
+    }
+    // The interface takes input that it does not change as non-const chars.
+    stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(stored.Data() + result.used));
+    stream.avail_in = SmallCount(stored.Size() - result.used);
+    stream.next_out = reinterpret_cast<char*>(output.Next());
+    stream.avail_out = room;
+    const unsigned offered = stream.avail_in;
+    status = BZ2_bzDecompress(&stream);
+    result.used += offered - stream.avail_in;
+    output.Advance(room - stream.avail_out);
+    result.offsets.Add(output.Used(), result.used);
+    starved = stream.avail_in == 0 && stream.avail_out != 0;
+  }
+  BZ2_bzDecompressEnd(&stream);
+  if (status != BZ_STREAM_END && result.problem.empty())
+  {
+    result.problem = ExplainBzip2(status);
+  }
+  result.bytes = output.Take();
+  return result;
+}
+
+PlainFile OpenContainer(
+  std::vector<std::uint8_t> stored, std::size_t maximumBytes, std::vector<Damage>& damage)
+{
+  PlainFile file;
+  file.bytes = std::move(stored);
+  for (int depth = 0; depth < deepestNesting; ++depth)
+  {
+    const ByteView view(file.bytes.data(), file.bytes.size());
+    const StreamFormat format = DetectStream(view);
+    if (format == StreamFormat::None)
+    {
+      break;
+    }
+    Unpacked inner = Unpack(format, view, maximumBytes);
+    if (!inner.problem.empty())
+    {
+      damage.push_back({file.offsets.ToStored(inner.problemOffset), inner.problem});
+    }
+    inner.offsets.ComposeWith(file.offsets);
+    file.offsets = std::move(inner.offsets);
+    file.bytes = std::move(inner.bytes);
+  }
+  return file;
+}
+
+} // namespace nexrad

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Level2/FileDecoder.h"
+
+#include "Level2/Message1.h"
+#include "Level2/Message2.h"
+#include "Level2/Message31.h"
+#include "Level2/Message5.h"
+#include "Level2/ParallelBunzip.h"
+#include "Level2/VolumeHeader.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// Records decompress side by side, and a few at a time, so that the cap on a file's bytes is looked
+// at between them.
+constexpr std::size_t recordsAtOnce = 16;
+
+bool HasRecord(ByteView plain, std::size_t start)
+{
+  for (std::size_t offset = start; offset < plain.Size(); ++offset)
+  {
+    if (IsLdmRecord(plain, offset))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+FileDecoder::FileDecoder(VolumeAssembler& target, const Level2Options& options)
+  : assembler(target)
+  , maximumRecordBytes(options.maximumRecordBytes)
+  , budget(options.maximumFileBytes)
+{
+}
+
+bool FileDecoder::Spend(std::size_t bytes)
+{
+  const bool fits = bytes <= budget;
+  budget -= fits ? bytes : budget;
+  return fits;
+}
+
+void FileDecoder::Decode(std::vector<std::uint8_t> stored)
+{
+  if (stored.empty())
+  {
+    assembler.AddDamage(0, "the file is empty");
+    return;
+  }
+  std::vector<Damage> damage;
+  PlainFile file = OpenContainer(std::move(stored), budget, damage);
+  for (const Damage& entry : damage)
+  {
+    assembler.AddDamage(entry.offset, entry.what);
+  }
+  const auto buffer = std::make_shared<const std::vector<std::uint8_t>>(std::move(file.bytes));
+  const ByteView plain(buffer->data(), buffer->size());
+  const auto header = ParseVolumeHeader(plain);
+  if (header)
+  {
+    assembler.AddHeader(*header);
+  }
+  const std::size_t start = header ? VolumeHeader::bytes : 0;
+  if (!MessageStream::IsMessage(plain, start) && HasRecord(plain, start))
+  {
+    this->DecodeRecords(plain, start, file.offsets);
+    return;
+  }
+  this->Spend(plain.Size());
+  const std::size_t before = assembler.RayCount();
+  MessageStream stream(plain.Sub(start));
+  while (const auto message = stream.Next())
+  {
+    this->DecodeMessage(*message, file.offsets.ToStored(start + message->offset));
+  }
+  for (const StreamProblem& problem : stream.Problems())
+  {
+    assembler.AddDamage(file.offsets.ToStored(start + problem.offset), problem.what);
+  }
+  if (assembler.RayCount() > before)
+  {
+    assembler.AddBuffer(buffer);
+  }
+}
+
+void FileDecoder::DecodeRecords(ByteView plain, std::size_t start, const OffsetMap& offsets)
+{
+  std::vector<Damage> damage;
+  const std::vector<LdmRecord> records = FindLdmRecords(plain, start, damage);
+  for (const Damage& entry : damage)
+  {
+    assembler.AddDamage(offsets.ToStored(entry.offset), entry.what);
+  }
+  for (std::size_t first = 0; first < records.size(); first += recordsAtOnce)
+  {
+    const std::size_t last = std::min(first + recordsAtOnce, records.size());
+    std::vector<Bunzipped> contents =
+      BunzipInParallel({records.begin() + static_cast<std::ptrdiff_t>(first),
+                         records.begin() + static_cast<std::ptrdiff_t>(last)},
+        maximumRecordBytes);
+    for (std::size_t index = first; index < last; ++index)
+    {
+      const std::uint64_t offset = offsets.ToStored(records[index].offset);
+      Bunzipped& content = contents[index - first];
+      if (!this->Spend(content.bytes.size()))
+      {
+        assembler.AddDamage(offset, "the file is larger than its cap when decompressed; the rest "
+                                    "is left");
+        return;
+      }
+      this->DecodeRecord(std::move(content), offset);
+    }
+  }
+}
+
+void FileDecoder::DecodeRecord(Bunzipped&& content, std::uint64_t storedOffset)
+{
+  if (!content.problem.empty())
+  {
+    assembler.AddDamage(storedOffset, "compressed record: " + content.problem);
+  }
+  const auto buffer = std::make_shared<const std::vector<std::uint8_t>>(std::move(content.bytes));
+  const std::size_t before = assembler.RayCount();
+  MessageStream stream(ByteView(buffer->data(), buffer->size()));
+  while (const auto message = stream.Next())
+  {
+    this->DecodeMessage(*message, storedOffset);
+  }
+  for (const StreamProblem& problem : stream.Problems())
+  {
+    assembler.AddDamage(storedOffset,
+      "compressed record, its byte " + std::to_string(problem.offset) + ": " + problem.what);
+  }
+  if (assembler.RayCount() > before)
+  {
+    assembler.AddBuffer(buffer);
+  }
+}
+
+void FileDecoder::DecodeMessage(const Message& message, std::uint64_t storedOffset)
+{
+  switch (message.type)
+  {
+  case 1:
+  case 31:
+    this->DecodeRay(message, storedOffset);
+    break;
+  case 2:
+    if (const auto status = DecodeMessage2(message.body))
+    {
+      assembler.AddStatus(*status);
+    }
+    break;
+  case 5:
+    if (auto pattern = DecodeMessage5(message.body))
+    {
+      assembler.AddPattern(std::move(*pattern));
+    }
+    break;
+  default:
+    break; // maintenance data, clutter maps, console messages, …
+  }
+}
+
+void FileDecoder::DecodeRay(const Message& message, std::uint64_t storedOffset)
+{
+  try
+  {
+    if (message.cut)
+    {
+      assembler.AddDamage(storedOffset, "the stream ends in the middle of a ray's message");
+    }
+    DecodedRay ray =
+      message.type == 1 ? DecodeMessage1(message.body) : DecodeMessage31(message.body);
+    assembler.AddRay(std::move(ray), static_cast<int>(message.type), storedOffset);
+  }
+  catch (const MessageError& error)
+  {
+    assembler.AddDamage(storedOffset, error.what());
+  }
+  catch (const std::out_of_range&)
+  {
+    assembler.AddDamage(storedOffset, "a ray's message is too short");
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Level2/BigEndian.h"
+#include "Model/RadarVolume.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One bzip2 stream behind its length, as the Local Data Manager sends Level II.
+struct LdmRecord
+{
+  std::size_t offset = 0; ///< of the length, in the bytes that were searched
+  ByteView compressed;    ///< the stream without the length
+};
+
+/// True when a length and the beginning of a bzip2 stream stand at the offset.
+bool IsLdmRecord(ByteView bytes, std::size_t offset);
+
+/// The records from `start` on. The length of a record is the magnitude of a signed number (the
+/// last record's is negative). Where a length cannot be right, or bytes are no record, the search
+/// goes on at the next bzip2 stream, and the damage is added with its offset in `bytes`.
+std::vector<LdmRecord> FindLdmRecords(
+  ByteView bytes, std::size_t start, std::vector<Damage>& damage);
+
+} // namespace nexrad

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Level2/Level2File.h"
+
+#include "Level2/ChunkFolder.h"
+#include "Level2/Container.h"
+#include "Level2/FileDecoder.h"
+#include "Level2/LdmRecords.h"
+#include "Level2/VolumeAssembler.h"
+#include "Level2/VolumeHeader.h"
+#include "Model/Error.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace fs = std::filesystem;
+
+namespace nexrad
+{
+
+namespace
+{
+
+// The bytes of a file, at most `cap`: what a file says of its size, or a device that never ends,
+// takes no more memory than that.
+std::vector<std::uint8_t> ReadBytes(const fs::path& path, std::size_t cap)
+{
+  constexpr std::size_t stepBytes = std::size_t(1) << 20;
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  std::vector<std::uint8_t> bytes;
+  while (file && bytes.size() < cap)
+  {
+    const std::size_t used = bytes.size();
+    bytes.resize(std::min(used + std::max(stepBytes, used), cap));
+    file.read(reinterpret_cast<char*>(bytes.data() + used),
+      static_cast<std::streamsize>(bytes.size() - used));
+    bytes.resize(used + static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.is_open() || file.bad())
+  {
+    throw Error(path.string() + ": cannot read: " + std::strerror(errno != 0 ? errno : EIO));
+  }
+  return bytes;
+}
+
+void DecodeStored(std::vector<std::uint8_t>&& stored, const Level2Options& options,
+  VolumeAssembler& assembler, FileDecoder& decoder)
+{
+  if (stored.size() >= options.maximumFileBytes)
+  {
+    assembler.AddDamage(stored.size(), "the file is larger than its cap of " +
+                                         std::to_string(options.maximumFileBytes) +
+                                         " bytes; the rest is left");
+  }
+  decoder.Decode(std::move(stored));
+}
+
+// Numbers that lie between two chunks, or before the first.
+void NameMissingChunks(const Chunk& chunk, int expected, VolumeAssembler& assembler)
+{
+  if (chunk.number > expected)
+  {
+    const int missing = chunk.number - expected;
+    assembler.AddDamage(0,
+      std::to_string(missing) + (missing == 1 ? " chunk" : " chunks") + " missing before this one");
+  }
+}
+
+RadarVolume ReadChunks(
+  const fs::path& folder, const std::vector<Chunk>& chunks, const Level2Options& options)
+{
+  VolumeAssembler assembler(options);
+  FileDecoder decoder(assembler, options);
+  // A folder is one volume. Where it holds chunks of older ones too, the newest is wanted.
+  const std::string& newest = chunks.back().volume;
+  int expected = 1;
+  std::uint64_t size = 0;
+  for (const Chunk& chunk : chunks)
+  {
+    assembler.BeginPiece(chunk.path.filename().string());
+    if (chunk.volume != newest)
+    {
+      assembler.AddDamage(0, "a chunk of another volume, left out");
+      continue;
+    }
+    NameMissingChunks(chunk, expected, assembler);
+    expected = chunk.number + 1;
+    std::vector<std::uint8_t> bytes = ReadBytes(chunk.path, options.maximumFileBytes);
+    size = bytes.size();
+    DecodeStored(std::move(bytes), options, assembler, decoder);
+  }
+  return assembler.Finish(folder.string(), size);
+}
+
+// The only file of a folder, when it is a Level II file: a chunk that lost its name.
+std::optional<fs::path> FindOnlyFile(const fs::path& folder)
+{
+  const std::vector<fs::path> files(fs::directory_iterator{folder}, fs::directory_iterator{});
+  const bool alone = files.size() == 1 && LooksLikeLevel2(files.front());
+  return alone ? std::optional(files.front()) : std::nullopt;
+}
+
+RadarVolume ReadFolder(const fs::path& folder, const Level2Options& options)
+{
+  const std::vector<Chunk> chunks = ListChunks(folder);
+  if (!chunks.empty())
+  {
+    return ReadChunks(folder, chunks, options);
+  }
+  if (const auto file = FindOnlyFile(folder))
+  {
+    return ReadLevel2(*file, options);
+  }
+  throw Error(
+    folder.string() + ": holds no chunk of the real-time feed, named like 20210729-123848-001-S");
+}
+
+} // namespace
+
+RadarVolume ReadLevel2(const fs::path& path, const Level2Options& options)
+{
+  if (fs::is_directory(path))
+  {
+    return ReadFolder(path, options);
+  }
+  return DecodeLevel2(ReadBytes(path, options.maximumFileBytes), path.string(), options);
+}
+
+RadarVolume DecodeLevel2(
+  std::vector<std::uint8_t> bytes, const std::string& name, const Level2Options& options)
+{
+  VolumeAssembler assembler(options);
+  FileDecoder decoder(assembler, options);
+  const std::uint64_t size = bytes.size();
+  DecodeStored(std::move(bytes), options, assembler, decoder);
+  return assembler.Finish(name, size);
+}
+
+bool LooksLikeLevel2(const fs::path& path)
+{
+  std::array<std::uint8_t, VolumeHeader::bytes> start{};
+  std::ifstream file(path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(start.data()), start.size());
+  const ByteView view(start.data(), static_cast<std::size_t>(file.gcount()));
+  return IsVolumeHeader(view, 0) || IsLdmRecord(view, 0) ||
+         DetectStream(view) != StreamFormat::None;
+}
+
+} // namespace nexrad

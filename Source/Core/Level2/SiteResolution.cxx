@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Level2/SiteResolution.h"
+
+#include "Model/SiteTable.h"
+
+#include <cmath>
+#include <filesystem>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// A known site's name in a file's name, as in "KLOT19950413_132143.gz" or "Level2_KFTG_20150430".
+std::string FindNameInPath(const std::string& path)
+{
+  const std::string file = std::filesystem::path(path).filename().string();
+  for (std::size_t place = 0; place + 4 <= file.size(); ++place)
+  {
+    if (const KnownSite* site = FindSite(std::string_view(file).substr(place, 4)))
+    {
+      return site->name;
+    }
+  }
+  return {};
+}
+
+std::string ResolveName(
+  const SiteEvidence& evidence, const Level2Options& options, std::vector<std::string>& notes)
+{
+  if (!options.siteName.empty())
+  {
+    return options.siteName;
+  }
+  if (!evidence.headerName.empty())
+  {
+    return evidence.headerName;
+  }
+  if (!evidence.rayName.empty())
+  {
+    return evidence.rayName;
+  }
+  const std::string name = FindNameInPath(evidence.path);
+  notes.push_back(name.empty() ? "the site has no name, neither in the file nor in the file's name"
+                               : "the site's name, " + name + ", is from the file's name");
+  return name;
+}
+
+// Terminal Doppler radars: in the site table, or by their own coverage patterns.
+bool IsTerminalRadar(const RadarVolume& volume)
+{
+  constexpr int monitorPattern = 90;
+  constexpr int hazardPattern = 80;
+  const KnownSite* site = FindSite(volume.site.name);
+  return site != nullptr ? site->terminal
+                         : volume.coveragePatternNumber == monitorPattern ||
+                             volume.coveragePatternNumber == hazardPattern;
+}
+
+bool IsOnEarth(const Position& position)
+{
+  return std::isfinite(position.latitude) && std::isfinite(position.longitude) &&
+         std::abs(position.latitude) <= 90.0 && std::abs(position.longitude) <= 180.0 &&
+         (position.latitude != 0.0 || position.longitude != 0.0);
+}
+
+std::optional<Position> ConvertStored(const StoredPosition& stored, RadarVolume& volume)
+{
+  Position position{stored.latitude, stored.longitude, double(stored.siteHeight)};
+  if (std::abs(position.latitude) > 90.0)
+  {
+    position.latitude /= 1000.0;
+    position.longitude /= 1000.0;
+    volume.notes.push_back("the file has the site's position in thousandths of a degree");
+  }
+  if (!IsTerminalRadar(volume))
+  {
+    position.altitude += stored.feedhornHeight;
+  }
+  return IsOnEarth(position) ? std::optional(position) : std::nullopt;
+}
+
+} // namespace
+
+void ResolveSite(const SiteEvidence& evidence, const Level2Options& options, RadarVolume& volume)
+{
+  volume.site.name = ResolveName(evidence, options, volume.notes);
+  if (options.position)
+  {
+    volume.site.position = options.position;
+    return;
+  }
+  if (evidence.position)
+  {
+    volume.site.position = ConvertStored(*evidence.position, volume);
+  }
+  if (volume.site.position)
+  {
+    return;
+  }
+  if (const KnownSite* site = FindSite(volume.site.name))
+  {
+    volume.site.position = site->position;
+    volume.notes.push_back("the site's position is from the site table");
+  }
+  else
+  {
+    volume.notes.push_back("the site's position is unknown: neither in the file nor in the table");
+  }
+}
+
+} // namespace nexrad

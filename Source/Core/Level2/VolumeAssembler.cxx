@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Level2/VolumeAssembler.h"
+
+#include "Level2/SiteResolution.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double longestTurn = 400.0; // degrees in one sweep
+constexpr std::uint8_t startOfCut = 0;
+constexpr std::uint8_t startOfVolume = 3;
+constexpr std::uint8_t endOfVolume = 4;
+constexpr std::uint8_t startOfLastCut = 5;
+
+bool StartsCut(const Ray& ray)
+{
+  return ray.radialStatus == startOfCut || ray.radialStatus == startOfVolume ||
+         ray.radialStatus == startOfLastCut;
+}
+
+bool HasData(const Ray& ray)
+{
+  for (const MomentRow& row : ray.moments)
+  {
+    if (row.gates > 0)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
+
+VolumeAssembler::VolumeAssembler(Level2Options readOptions)
+  : options(std::move(readOptions))
+{
+}
+
+void VolumeAssembler::AddHeader(const VolumeHeader& header)
+{
+  headerName = header.siteName;
+  volume.headerTime = header.time;
+}
+
+void VolumeAssembler::AddPattern(CoveragePattern pattern)
+{
+  // A file of several cycles has one each; the first belongs to the first rays.
+  if (!volume.coveragePattern)
+  {
+    volume.coveragePattern = std::move(pattern);
+  }
+}
+
+void VolumeAssembler::AddBuffer(std::shared_ptr<const std::vector<std::uint8_t>> buffer)
+{
+  volume.buffers.push_back(std::move(buffer));
+}
+
+void VolumeAssembler::AddRay(DecodedRay&& decoded, int messageType, std::uint64_t offset)
+{
+  for (const std::string& problem : decoded.problems)
+  {
+    this->AddDamage(offset, problem);
+  }
+  if (!decoded.problems.empty() && !HasData(decoded.ray))
+  {
+    return;
+  }
+  if (this->BeginsSweep(decoded.ray))
+  {
+    this->FinishSweep(&decoded.ray);
+    volume.sweeps.emplace_back();
+    volume.sweeps.back().elevationNumber = decoded.ray.elevationNumber;
+    watch.Begin();
+  }
+  const bool allThere = watch.Missing() == 0;
+  watch.Add(decoded, offset);
+  missingPiece = allThere ? piece : missingPiece;
+  lastRayPiece = piece;
+  volume.complete = volume.complete || decoded.ray.radialStatus == endOfVolume;
+  if (!volume.coveragePatternNumber && decoded.coveragePatternNumber > 0)
+  {
+    volume.coveragePatternNumber = decoded.coveragePatternNumber;
+  }
+  rayName = rayName.empty() ? decoded.siteName : rayName;
+  position = position ? position : decoded.position;
+  volume.messageType = std::max(volume.messageType.value_or(0), messageType);
+  volume.sweeps.back().rays.push_back(decoded.ray);
+  ++rayCount;
+}
+
+bool VolumeAssembler::BeginsSweep(const Ray& ray)
+{
+  return volume.sweeps.empty() || volume.sweeps.back().elevationNumber != ray.elevationNumber ||
+         StartsCut(ray) || std::abs(watch.TurnTo(ray.azimuth)) > longestTurn;
+}
+
+// Says what is missing in the sweep that ends here. `next` is the first ray of the next sweep, or
+// nullptr at the end of the volume.
+void VolumeAssembler::FinishSweep(const Ray* next)
+{
+  if (volume.sweeps.empty())
+  {
+    return;
+  }
+  const std::size_t index = volume.sweeps.size() - 1;
+  const Sweep& sweep = volume.sweeps.back();
+  if (watch.Missing() > 0)
+  {
+    this->AddLine(
+      watch.MissingOffset(), missingPiece + watch.Describe(index, sweep.elevationNumber));
+  }
+  if (next == nullptr || !watch.IsCutOff())
+  {
+    return;
+  }
+  const std::string cut = "sweep " + std::to_string(index) + " (elevation number " +
+                          std::to_string(sweep.elevationNumber) + ")";
+  // The radar may break a cut off and scan it again; then nothing was lost.
+  if (next->elevationNumber == sweep.elevationNumber && StartsCut(*next))
+  {
+    volume.notes.push_back(cut + " was broken off and scanned again");
+  }
+  else
+  {
+    this->AddLine(watch.LastOffset(), lastRayPiece + "rays missing at the end of " + cut);
+  }
+}
+
+void VolumeAssembler::AddDamage(std::uint64_t offset, const std::string& what)
+{
+  this->AddLine(offset, piece + what);
+}
+
+void VolumeAssembler::AddLine(std::uint64_t offset, const std::string& line)
+{
+  if (!volume.damage.empty() && line == lastDamage)
+  {
+    ++repeated;
+    repeatedOffset = offset;
+    return;
+  }
+  this->FinishDamage();
+  volume.damage.push_back({offset, line});
+  lastDamage = line;
+}
+
+void VolumeAssembler::FinishDamage()
+{
+  if (repeated > 0)
+  {
+    volume.damage.back().what += " (and " + std::to_string(repeated) +
+                                 " more, the last at offset " + std::to_string(repeatedOffset) +
+                                 ")";
+  }
+  repeated = 0;
+}
+
+void VolumeAssembler::NoteTimes()
+{
+  constexpr auto usualDifference = std::chrono::seconds(10);
+  constexpr auto day = std::chrono::hours(24);
+  const auto start = volume.Start();
+  const auto end = volume.End();
+  if (!start || !end)
+  {
+    return;
+  }
+  if (volume.headerTime && std::chrono::abs(*volume.headerTime - *start) > usualDifference)
+  {
+    volume.notes.push_back("the header's time, " + FormatIso8601(*volume.headerTime) +
+                           ", is not that of the first ray, " + FormatIso8601(*start));
+  }
+  if (start->time_since_epoch() / day != end->time_since_epoch() / day)
+  {
+    volume.notes.push_back("the volume goes on past midnight UTC");
+  }
+}
+
+RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
+{
+  volume.file = name;
+  this->FinishSweep(nullptr);
+  if (volume.sweeps.empty())
+  {
+    this->AddDamage(size, "no ray can be read");
+  }
+  else if (!volume.complete)
+  {
+    this->AddDamage(size, "no end of volume: its last rays are missing");
+  }
+  this->FinishDamage();
+  if (piece.empty())
+  {
+    std::stable_sort(volume.damage.begin(), volume.damage.end(),
+      [](const Damage& first, const Damage& second) { return first.offset < second.offset; });
+  }
+  this->ChoosePattern();
+  ResolveSite({headerName, rayName, name, position}, options, volume);
+  this->NoteTimes();
+  return std::move(volume);
+}
+
+// The rays' own number came first; these are what is left when no ray has one.
+void VolumeAssembler::ChoosePattern()
+{
+  if (!volume.coveragePatternNumber)
+  {
+    if (volume.coveragePattern)
+    {
+      volume.coveragePatternNumber = volume.coveragePattern->number;
+    }
+    else if (volume.status && volume.status->coveragePatternNumber > 0)
+    {
+      volume.coveragePatternNumber = volume.status->coveragePatternNumber;
+    }
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Level2/DecodedRay.h"
+#include "Level2/Level2File.h"
+#include "Level2/SweepWatch.h"
+#include "Level2/VolumeHeader.h"
+#include "Model/RadarVolume.h"
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Makes a volume of the parts of a file, or of the files of a folder, as they come: rays into
+/// sweeps, damage into one list, and at the end what can only be known then.
+class VolumeAssembler
+{
+public:
+  explicit VolumeAssembler(Level2Options readOptions);
+
+  /// Damage is named with this in front from here on: the file's name in a folder of chunks.
+  void BeginPiece(const std::string& name) { piece = name + ": "; }
+  void AddHeader(const VolumeHeader& header);
+  /// `offset` is that of the message in the stored file.
+  void AddRay(DecodedRay&& decoded, int messageType, std::uint64_t offset);
+  void AddPattern(CoveragePattern pattern);
+  void AddStatus(const RadarStatus& status) { volume.status = status; }
+  /// The bytes that rays point into.
+  void AddBuffer(std::shared_ptr<const std::vector<std::uint8_t>> buffer);
+  /// Equal damage one after the other becomes one entry with a count.
+  void AddDamage(std::uint64_t offset, const std::string& what);
+
+  std::size_t RayCount() const { return rayCount; }
+
+  /// The volume. `name` is the path as the user gave it, `size` the bytes of the (last) stored
+  /// file.
+  RadarVolume Finish(const std::string& name, std::uint64_t size);
+
+private:
+  bool BeginsSweep(const Ray& ray);
+  void FinishSweep(const Ray* next);
+  void AddLine(std::uint64_t offset, const std::string& line);
+  void FinishDamage();
+  void ChoosePattern();
+  void NoteTimes();
+
+  Level2Options options;
+  RadarVolume volume;
+  std::string piece;        ///< "name: " of the file in hand; "" when it is the only one
+  std::string missingPiece; ///< the piece where the sweep's first missing ray should be
+  std::string lastRayPiece;
+  std::string headerName;
+  std::string rayName;
+  std::optional<StoredPosition> position;
+  SweepWatch watch;
+  std::size_t rayCount = 0;
+  std::size_t repeated = 0;         ///< how often the last damage came again
+  std::uint64_t repeatedOffset = 0; ///< where it came last
+  std::string lastDamage;
+};
+
+} // namespace nexrad
