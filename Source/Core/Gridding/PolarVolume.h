@@ -44,7 +44,8 @@ struct PolarVolume
 };
 
 /// Converts the words of one moment. A sweep whose rays differ in gate geometry gives one
-/// PolarSweep for each geometry; shorter rays are padded with NotSampled.
+/// PolarSweep for each geometry; shorter rays are padded with NotSampled, rays without the moment
+/// are left out.
 PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment);
 
 } // namespace nexrad

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Model/RadarVolume.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <cstddef>
+#include <iosfwd>
+#include <vector>
+
+namespace nexrad::application
+{
+
+/// A gate that the user asked for; each number counts from 0.
+struct GateRequest
+{
+  std::size_t sweep = 0;
+  std::size_t ray = 0;
+  std::size_t gate = 0;
+};
+
+/// What `info --json` prints of one file: the schema is in Documentation/User/info.md. Gates that
+/// the file does not have come back without moments.
+nlohmann::ordered_json MakeInfoJson(
+  const RadarVolume& volume, const std::vector<GateRequest>& requests);
+
+/// The same for people: a few lines on the file, a table of its sweeps, the gates, the notes.
+void PrintInfoTable(
+  const RadarVolume& volume, const std::vector<GateRequest>& requests, std::ostream& out);
+
+/// The ray, or nullptr when the volume has none of these numbers.
+const Ray* FindRay(const RadarVolume& volume, const GateRequest& request);
+
+} // namespace nexrad::application
