@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,5 +29,29 @@ std::vector<std::uint8_t> EncodeRunLength(
 /// last code.
 void DecodeRunLength(
   const std::uint8_t* stream, std::size_t length, std::uint8_t* codes, std::size_t count);
+
+/// The same for a stream that comes in pieces of any size.
+class RunLengthDecoder
+{
+public:
+  /// Decodes into `codes`, which has room for `count` and must outlive the decoder.
+  RunLengthDecoder(std::uint8_t* codes, std::size_t count);
+
+  /// Decodes the next bytes of the stream. Throws as DecodeRunLength does.
+  void Feed(const std::uint8_t* bytes, std::size_t size);
+  /// Throws Error when the stream ended too early.
+  void Finish() const;
+
+private:
+  void TakeByte(std::uint8_t byte);
+  void Append(std::uint8_t code, std::uint32_t length);
+
+  std::uint8_t* codes;
+  std::size_t count;
+  std::size_t decoded = 0;
+  std::uint64_t offset = 0;          // in the stream, of the byte to come
+  std::array<std::uint8_t, 5> run{}; // the bytes of a run that has begun
+  std::size_t runBytes = 0;          // how many of them are there
+};
 
 } // namespace nexrad

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/NxvHeader.h"
+
+#include "Codec/Deflate.h"
+#include "Geometry/Angles.h"
+#include "Model/Error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <utility>
+
+namespace nexrad
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+// Last key of the text; its CRC-32 covers the text before this.
+constexpr std::string_view checksumKey = ",\"header_crc32\":";
+
+constexpr std::array<std::pair<NxvStorage, const char*>, 3> storageNames = {
+  {{NxvStorage::RunLength, "rle"}, {NxvStorage::RunLengthDeflated, "rle+deflate"},
+    {NxvStorage::Deflated, "deflate"}}};
+
+constexpr std::array<std::pair<NxvType, const char*>, 3> typeNames = {
+  {{NxvType::UInt7, "uint7"}, {NxvType::UInt8, "uint8"}, {NxvType::Float32, "float32"}}};
+
+template <typename Names, typename Value>
+const char* NameOf(const Names& names, Value value)
+{
+  for (const auto& entry : names)
+  {
+    if (entry.first == value)
+    {
+      return entry.second;
+    }
+  }
+  return "";
+}
+
+template <typename Names>
+auto ValueOf(const Names& names, const std::string& key, const Json& name)
+{
+  for (const auto& entry : names)
+  {
+    if (name == entry.second)
+    {
+      return entry.first;
+    }
+  }
+  throw Error("header: " + key + " " + name.dump() + " is not known");
+}
+
+std::uint32_t Checksum(std::string_view text)
+{
+  return Crc32(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+}
+
+Json FormatArray(const NxvArray& array)
+{
+  return {{"name", array.name}, {"type", NameOf(typeNames, array.type)}, {"unit", array.unit},
+    {"offset", array.offset}, {"scale", array.scale}, {"fill", array.fill},
+    {"encoding", NameOf(storageNames, array.storage)}, {"length", array.length},
+    {"crc32", array.crc32}};
+}
+
+double FiniteNumber(const Json& value, const std::string& key)
+{
+  const double number = value.get<double>();
+  if (!std::isfinite(number))
+  {
+    throw Error("header: " + key + " is not a finite number");
+  }
+  return number;
+}
+
+// Something that a float must be able to hold, also after a scale was applied.
+double ModestNumber(const Json& value, const std::string& key)
+{
+  constexpr double limit = 1e30;
+  const double number = value.get<double>();
+  if (!(std::abs(number) <= limit))
+  {
+    throw Error("header: " + key + " " + value.dump() + " is out of range");
+  }
+  return number;
+}
+
+NxvArray ParseArray(const Json& json)
+{
+  NxvArray array;
+  array.name = json.at("name").get<std::string>();
+  array.type = ValueOf(typeNames, "type", json.at("type"));
+  array.unit = json.at("unit").get<std::string>();
+  array.offset = ModestNumber(json.at("offset"), "offset");
+  array.scale = ModestNumber(json.at("scale"), "scale");
+  array.fill = ModestNumber(json.at("fill"), "fill");
+  array.storage = ValueOf(storageNames, "encoding", json.at("encoding"));
+  if (!json.at("length").is_number_unsigned() || !json.at("crc32").is_number_unsigned())
+  {
+    throw Error(
+      "header: length and crc32 of array \"" + array.name + "\" must be whole numbers, 0 or more");
+  }
+  array.length = json.at("length").get<std::uint64_t>();
+  const auto crc = json.at("crc32").get<std::uint64_t>();
+  if (array.scale <= 0.0 || crc > std::numeric_limits<std::uint32_t>::max())
+  {
+    throw Error("header: array \"" + array.name + "\" has a scale or crc32 out of range");
+  }
+  array.crc32 = static_cast<std::uint32_t>(crc);
+  return array;
+}
+
+// "+key=number" among the words of a PROJ string.
+std::optional<double> ProjectionNumber(const std::string& projection, const std::string& key)
+{
+  std::istringstream words(projection);
+  const std::string prefix = "+" + key + "=";
+  for (std::string word; words >> word;)
+  {
+    double number = 0.0;
+    const char* const end = word.data() + word.size();
+    if (word.rfind(prefix, 0) == 0 &&
+        std::from_chars(word.data() + prefix.size(), end, number).ptr == end &&
+        std::isfinite(number))
+    {
+      return number;
+    }
+  }
+  return std::nullopt;
+}
+
+void ParseProjection(const std::string& projection, GridSpecification& grid)
+{
+  if (projection.find("+proj=longlat") != std::string::npos)
+  {
+    grid.axes = GridAxes::Geographic;
+    const auto middle = [&grid](std::size_t axis)
+    { return grid.origin[axis] + 0.5 * grid.spacing[axis] * (grid.dimensions[axis] - 1); };
+    grid.centreLongitude = std::round(AngleDifference(0.0, middle(0)) * 100.0) / 100.0;
+    grid.centreLatitude = std::round(middle(1) * 100.0) / 100.0;
+    return;
+  }
+  const auto latitude = ProjectionNumber(projection, "lat_0");
+  const auto longitude = ProjectionNumber(projection, "lon_0");
+  if (projection.find("+proj=aeqd") == std::string::npos || !latitude || !longitude ||
+      std::abs(*latitude) > 90.0)
+  {
+    throw Error("header: projection \"" + projection +
+                "\": must be +proj=aeqd with +lat_0 and +lon_0, or +proj=longlat");
+  }
+  grid.centreLatitude = *latitude;
+  grid.centreLongitude = *longitude;
+}
+
+GridSpecification ParseGrid(const Json& json)
+{
+  GridSpecification grid;
+  double voxels = 1.0;
+  for (const char* key : {"dimensions", "origin", "spacing"})
+  {
+    if (!json.at(key).is_array() || json.at(key).size() != 3)
+    {
+      throw Error(std::string("header: ") + key + " must be three numbers");
+    }
+  }
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const Json& dimension = json.at("dimensions")[axis];
+    const auto size = dimension.is_number_unsigned() ? dimension.get<std::uint64_t>() : 0;
+    voxels *= static_cast<double>(size);
+    if (size < 1 || voxels > std::numeric_limits<int>::max())
+    {
+      throw Error("header: dimensions " + json.at("dimensions").dump() +
+                  ": each must be 1 or more, and their product below 2^31");
+    }
+    grid.dimensions[axis] = static_cast<int>(size);
+    grid.origin[axis] = FiniteNumber(json.at("origin")[axis], "origin");
+    grid.spacing[axis] = FiniteNumber(json.at("spacing")[axis], "spacing");
+    if (grid.spacing[axis] <= 0.0)
+    {
+      throw Error("header: spacing " + json.at("spacing").dump() + ": must be above 0");
+    }
+  }
+  ParseProjection(json.at("projection").get<std::string>(), grid);
+  return grid;
+}
+
+// The arrays of a volume begin with its moment.
+void ParseArrays(const Json& json, NxvHeader& header)
+{
+  for (const Json& array : json)
+  {
+    header.arrays.push_back(ParseArray(array));
+  }
+  const auto moment = header.arrays.empty() ? std::nullopt : ParseMomentName(header.arrays[0].name);
+  if (!moment || header.arrays[0].type == NxvType::UInt8)
+  {
+    throw Error("header: the first of the arrays must be a moment, of type uint7 or float32");
+  }
+  header.volume.moment = *moment;
+  header.volume.fill = static_cast<float>(header.arrays[0].fill);
+  for (const NxvArray& array : header.arrays)
+  {
+    if ((array.type == NxvType::UInt7) == (array.storage == NxvStorage::Deflated))
+    {
+      throw Error(
+        "header: array \"" + array.name + "\": rle is for uint7, deflate for the other types");
+    }
+  }
+}
+
+NxvHeader ParseJson(const Json& json)
+{
+  NxvHeader header;
+  header.volume.grid = ParseGrid(json);
+  const auto text = json.at("time").get<std::string>();
+  const auto time = ParseIso8601(text);
+  if (!time)
+  {
+    throw Error("header: time \"" + text + "\" is not ISO 8601");
+  }
+  header.volume.time = *time;
+  header.volume.sites = json.at("sites").get<std::vector<std::string>>();
+  header.volume.method = json.at("method").get<std::string>();
+  header.volume.synthetic = json.value("synthetic", false);
+  ParseArrays(json.at("arrays"), header);
+  return header;
+}
+
+void VerifyChecksum(const std::string& text)
+{
+  const std::size_t key = text.rfind(checksumKey);
+  if (key == std::string::npos)
+  {
+    return; // other writers may leave it out
+  }
+  const std::string expected =
+    std::to_string(Checksum(std::string_view(text).substr(0, key))) + "}";
+  if (text.compare(key + checksumKey.size(), std::string::npos, expected) != 0)
+  {
+    throw Error("header: its CRC-32 is wrong");
+  }
+}
+
+} // namespace
+
+std::string FormatNxvHeader(const NxvHeader& header)
+{
+  const GriddedVolume& volume = header.volume;
+  Json json = {{"dimensions", volume.grid.dimensions}, {"origin", volume.grid.origin},
+    {"spacing", volume.grid.spacing}, {"projection", volume.grid.Projection()},
+    {"time", FormatIso8601(volume.time)}, {"sites", volume.sites}, {"method", volume.method},
+    {"synthetic", volume.synthetic}, {"arrays", Json::array()}};
+  for (const NxvArray& array : header.arrays)
+  {
+    json["arrays"].push_back(FormatArray(array));
+  }
+  std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  text.pop_back();
+  const std::string checksum = std::to_string(Checksum(text));
+  return text.append(checksumKey).append(checksum).append("}");
+}
+
+NxvHeader ParseNxvHeader(const std::string& text)
+{
+  VerifyChecksum(text);
+  try
+  {
+    return ParseJson(Json::parse(text));
+  }
+  catch (const Json::exception& problem)
+  {
+    throw Error(std::string("header: ") + problem.what());
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/GriddedVolume.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// How the bytes of one array of a volume file are made (Documentation/Formats/nxv.md).
+enum class NxvStorage
+{
+  RunLength,         ///< "rle"
+  RunLengthDeflated, ///< "rle+deflate"
+  Deflated           ///< "deflate"
+};
+
+/// What the bytes stand for when they are unpacked.
+enum class NxvType
+{
+  UInt7,  ///< "uint7", one code a voxel
+  UInt8,  ///< "uint8"
+  Float32 ///< "float32", little-endian
+};
+
+/// One entry of the header's `arrays`.
+struct NxvArray
+{
+  std::string name;
+  NxvType type = NxvType::UInt7;
+  std::string unit;
+  double offset = 0.0;
+  double scale = 1.0;
+  double fill = 0.0;
+  NxvStorage storage = NxvStorage::RunLength;
+  std::uint64_t length = 0; ///< bytes of the payload
+  std::uint32_t crc32 = 0;  ///< of the payload as it is stored
+};
+
+/// The header of a volume file.
+struct NxvHeader
+{
+  GriddedVolume volume; ///< without values and states
+  std::vector<NxvArray> arrays;
+};
+
+constexpr std::size_t NxvLargestHeader = std::size_t(1) << 20; ///< bytes
+
+/// The JSON text of a header, ending in the CRC-32 of what stands before it.
+std::string FormatNxvHeader(const NxvHeader& header);
+
+/// Reads the JSON text. Throws Error (without the file's name) when a key is missing, of the wrong
+/// type or out of range, or when the text differs from its CRC-32.
+NxvHeader ParseNxvHeader(const std::string& text);
+
+} // namespace nexrad

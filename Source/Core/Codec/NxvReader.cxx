@@ -1,0 +1,352 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/Deflate.h"
+#include "Codec/NxvFile.h"
+#include "Codec/NxvHeader.h"
+#include "Codec/Quantizer.h"
+#include "Codec/RunLength.h"
+#include "Model/Error.h"
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <functional>
+
+namespace fs = std::filesystem;
+
+namespace nexrad
+{
+
+namespace
+{
+
+using Bytes = std::vector<std::uint8_t>;
+using Receiver = std::function<void(const std::uint8_t*, std::size_t)>;
+
+constexpr std::size_t startSize = 8; // magic and header length
+
+// Within this file errors say where in the file; the functions at the end add which file.
+[[noreturn]] void Refuse(std::uint64_t offset, const std::string& what)
+{
+  throw Error("byte " + std::to_string(offset) + ": " + what);
+}
+
+template <typename Work>
+auto NamingTheFile(const fs::path& path, const Work& work)
+{
+  try
+  {
+    return work();
+  }
+  catch (const Error& problem)
+  {
+    throw Error(path.string() + ": " + problem.what());
+  }
+}
+
+// A file that is read in pieces, its length known from the start.
+class InputFile
+{
+public:
+  explicit InputFile(const fs::path& path)
+  {
+    std::error_code problem;
+    length = fs::file_size(path, problem);
+    if (problem)
+    {
+      throw Error("cannot be read: " + problem.message());
+    }
+    stream.open(path, std::ios::binary);
+    if (!stream)
+    {
+      throw Error(std::string("cannot be read: ") + std::strerror(errno));
+    }
+  }
+
+  std::uint64_t Length() const { return length; }
+
+  // Hands `size` bytes from `offset` on to the receiver, a piece at a time.
+  void Read(std::uint64_t offset, std::uint64_t size, const Receiver& receive)
+  {
+    std::array<char, 64 * 1024> buffer{};
+    stream.clear();
+    stream.seekg(static_cast<std::streamoff>(offset));
+    while (size > 0)
+    {
+      const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(size, buffer.size()));
+      if (!stream.read(buffer.data(), static_cast<std::streamsize>(piece)))
+      {
+        Refuse(offset, "cannot be read");
+      }
+      receive(reinterpret_cast<const std::uint8_t*>(buffer.data()), piece);
+      offset += piece;
+      size -= piece;
+    }
+  }
+
+  Bytes ReadAll(std::uint64_t offset, std::size_t size)
+  {
+    Bytes bytes;
+    bytes.reserve(size);
+    this->Read(offset, size,
+      [&bytes](const std::uint8_t* data, std::size_t count)
+      { bytes.insert(bytes.end(), data, data + count); });
+    return bytes;
+  }
+
+private:
+  std::uint64_t length = 0;
+  std::ifstream stream;
+};
+
+std::uint32_t LittleEndian(const std::uint8_t* bytes)
+{
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+// Header, and where the payloads begin.
+struct OpenedFile
+{
+  NxvHeader header;
+  std::uint64_t payloads = 0;
+};
+
+void CheckLengths(const InputFile& file, const OpenedFile& opened)
+{
+  std::uint64_t left = file.Length() - opened.payloads;
+  for (const NxvArray& array : opened.header.arrays)
+  {
+    if (array.length > left)
+    {
+      Refuse(file.Length() - left, "array \"" + array.name + "\" should have " +
+                                     std::to_string(array.length) + " bytes, the file has " +
+                                     std::to_string(left));
+    }
+    left -= array.length;
+  }
+  if (left != 0)
+  {
+    Refuse(file.Length() - left, std::to_string(left) + " bytes after the last array");
+  }
+}
+
+OpenedFile Open(InputFile& file)
+{
+  if (file.Length() < startSize)
+  {
+    Refuse(0, "too short for a volume file");
+  }
+  const Bytes start = file.ReadAll(0, startSize);
+  if (std::memcmp(start.data(), "NXV1", 4) != 0)
+  {
+    Refuse(0, "not a volume file: it must begin with NXV1");
+  }
+  const std::uint32_t headerLength = LittleEndian(start.data() + 4);
+  if (headerLength > NxvLargestHeader || headerLength > file.Length() - startSize)
+  {
+    Refuse(4, "a header of " + std::to_string(headerLength) + " bytes in a file of " +
+                std::to_string(file.Length()));
+  }
+  const Bytes text = file.ReadAll(startSize, headerLength);
+  OpenedFile opened;
+  try
+  {
+    opened.header = ParseNxvHeader(std::string(text.begin(), text.end()));
+  }
+  catch (const Error& problem)
+  {
+    Refuse(startSize, problem.what());
+  }
+  opened.payloads = startSize + headerLength;
+  CheckLengths(file, opened);
+  return opened;
+}
+
+void CheckChecksums(InputFile& file, const OpenedFile& opened)
+{
+  std::uint64_t offset = opened.payloads;
+  for (const NxvArray& array : opened.header.arrays)
+  {
+    std::uint32_t crc = 0;
+    file.Read(offset, array.length,
+      [&crc](const std::uint8_t* data, std::size_t size) { crc = Crc32(data, size, crc); });
+    if (crc != array.crc32)
+    {
+      Refuse(offset, "array \"" + array.name + "\": its CRC-32 is wrong");
+    }
+    offset += array.length;
+  }
+}
+
+void CheckMemory(const GridSpecification& grid, std::size_t maximumBytes)
+{
+  // A value, a state, and a code while it is decoded.
+  constexpr std::size_t bytesPerVoxel = sizeof(float) + sizeof(VoxelState) + 1;
+  if (grid.VoxelCount() > maximumBytes / bytesPerVoxel)
+  {
+    throw Error(std::to_string(grid.VoxelCount()) + " voxels need more memory than the " +
+                std::to_string(maximumBytes) + " bytes allowed");
+  }
+}
+
+// Inflates an array that must give exactly `size` bytes into `target`.
+void ReadDeflated(InputFile& file, std::uint64_t offset, const NxvArray& array,
+  std::uint8_t* target, std::size_t size)
+{
+  std::size_t filled = 0;
+  Inflater inflater(
+    [&](const std::uint8_t* data, std::size_t count)
+    {
+      if (count > size - filled)
+      {
+        throw Error("it holds more than " + std::to_string(size) + " bytes");
+      }
+      std::copy_n(data, count, target + filled);
+      filled += count;
+    });
+  file.Read(offset, array.length,
+    [&inflater](const std::uint8_t* data, std::size_t count) { inflater.Feed(data, count); });
+  inflater.Finish();
+  if (filled != size)
+  {
+    throw Error(
+      "it holds " + std::to_string(filled) + " bytes in place of " + std::to_string(size));
+  }
+}
+
+Bytes ReadCodes(InputFile& file, std::uint64_t offset, const NxvArray& array, std::size_t voxels)
+{
+  Bytes codes(voxels);
+  RunLengthDecoder decoder(codes.data(), codes.size());
+  const auto decode = [&decoder](const std::uint8_t* data, std::size_t size)
+  { decoder.Feed(data, size); };
+  if (array.storage == NxvStorage::RunLengthDeflated)
+  {
+    Inflater inflater(decode);
+    file.Read(offset, array.length,
+      [&inflater](const std::uint8_t* data, std::size_t size) { inflater.Feed(data, size); });
+    inflater.Finish();
+  }
+  else
+  {
+    file.Read(offset, array.length, decode);
+  }
+  decoder.Finish();
+  return codes;
+}
+
+void ReadMoment(InputFile& file, const OpenedFile& opened, GriddedVolume& volume)
+{
+  const NxvArray& array = opened.header.arrays[0];
+  const std::size_t voxels = volume.grid.VoxelCount();
+  if (array.type == NxvType::UInt7)
+  {
+    const Quantizer quantizer{array.offset, array.scale};
+    quantizer.DecodeAll(ReadCodes(file, opened.payloads, array, voxels), volume);
+    return;
+  }
+  volume.values.resize(voxels);
+  auto* const bytes = reinterpret_cast<std::uint8_t*>(volume.values.data());
+  ReadDeflated(file, opened.payloads, array, bytes, voxels * sizeof(float));
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    const std::uint32_t word = LittleEndian(bytes + i * sizeof(float));
+    std::memcpy(&volume.values[i], &word, sizeof(word));
+  }
+  // Without an array of states a voxel with the fill value is taken for not scanned.
+  volume.states.resize(voxels);
+  std::transform(volume.values.begin(), volume.values.end(), volume.states.begin(),
+    [&volume](float value)
+    { return value == volume.fill ? VoxelState::NotScanned : VoxelState::Echo; });
+}
+
+// Takes the states from their own array. With codes, it may only add what they cannot say.
+void ReadStates(InputFile& file, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume,
+  bool fromCodes)
+{
+  Bytes bytes(volume.grid.VoxelCount());
+  ReadDeflated(file, offset, array, bytes.data(), bytes.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+  {
+    const auto state = static_cast<VoxelState>(bytes[i]);
+    const bool folded = state == VoxelState::RangeFolded && volume.states[i] == VoxelState::NoEcho;
+    if (bytes[i] > static_cast<std::uint8_t>(VoxelState::NotScanned) ||
+        (fromCodes && state != volume.states[i] && !folded))
+    {
+      throw Error("state " + std::to_string(bytes[i]) + " of voxel " + std::to_string(i) +
+                  (fromCodes ? " contradicts its code" : " is not known"));
+    }
+    volume.states[i] = state;
+  }
+}
+
+GriddedVolume ReadVoxels(InputFile& file, OpenedFile& opened)
+{
+  GriddedVolume volume = std::move(opened.header.volume);
+  const std::vector<NxvArray>& arrays = opened.header.arrays;
+  const std::string stateName = arrays[0].name + "_state";
+  std::uint64_t offset = opened.payloads;
+  std::size_t index = 0;
+  try
+  {
+    ReadMoment(file, opened, volume);
+    for (; index < arrays.size(); ++index)
+    {
+      if (arrays[index].name == stateName && arrays[index].type == NxvType::UInt8)
+      {
+        ReadStates(file, offset, arrays[index], volume, arrays[0].type == NxvType::UInt7);
+      }
+      offset += arrays[index].length;
+    }
+  }
+  catch (const Error& problem)
+  {
+    Refuse(offset, "array \"" + arrays[index].name + "\": " + problem.what());
+  }
+  return volume;
+}
+
+} // namespace
+
+GriddedVolume ReadNxv(const fs::path& path, std::size_t maximumBytes)
+{
+  return NamingTheFile(path,
+    [&path, maximumBytes]
+    {
+      InputFile file(path);
+      OpenedFile opened = Open(file);
+      CheckMemory(opened.header.volume.grid, maximumBytes);
+      CheckChecksums(file, opened);
+      return ReadVoxels(file, opened);
+    });
+}
+
+GriddedVolume ReadNxvHeader(const fs::path& path)
+{
+  return NamingTheFile(path,
+    [&path]
+    {
+      InputFile file(path);
+      return Open(file).header.volume;
+    });
+}
+
+GriddedVolume ReadRaw(const fs::path& path, GriddedVolume description,
+  const NxvWriteOptions& options, std::size_t maximumBytes)
+{
+  const auto codes = NamingTheFile(path,
+    [&]
+    {
+      CheckMemory(description.grid, maximumBytes);
+      InputFile file(path);
+      NxvArray whole;
+      whole.length = file.Length();
+      return ReadCodes(file, 0, whole, description.grid.VoxelCount());
+    });
+  Quantizer{options.offset, options.scale, options.maximum}.DecodeAll(codes, description);
+  return description;
+}
+
+} // namespace nexrad

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/AtomicFile.h"
+#include "Codec/NxvFile.h"
+#include "Model/Error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <cerrno>
+#include <cstring>
+#include <exception>
+#include <fstream>
+
+namespace nexrad
+{
+
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+NxvSeries ParseSeries(const Json& json)
+{
+  if (json.at("file-series-version").get<std::string>().rfind("1.", 0) != 0)
+  {
+    throw Error("file-series-version " + json.at("file-series-version").dump() + ": must be 1.x");
+  }
+  NxvSeries series;
+  for (const Json& entry : json.at("files"))
+  {
+    series.emplace_back(entry.at("name").get<std::string>(), entry.at("time").get<double>());
+  }
+  return series;
+}
+
+} // namespace
+
+void WriteNxvSeries(const std::filesystem::path& path, const NxvSeries& series)
+{
+  Json json = {{"file-series-version", "1.0"}, {"files", Json::array()}};
+  for (const auto& [name, time] : series)
+  {
+    json["files"].push_back({{"name", name}, {"time", time}});
+  }
+  const std::string text = json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  WriteFileAtomically(path, text.data(), text.size());
+}
+
+NxvSeries ReadNxvSeries(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    throw Error(path.string() + ": cannot be read: " + std::strerror(errno));
+  }
+  try
+  {
+    return ParseSeries(Json::parse(file));
+  }
+  catch (const std::exception& problem)
+  {
+    // JSON's, ours, or the stream's own (a folder opens and then cannot be read).
+    throw Error(path.string() + ": not a series index: " + problem.what());
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/AtomicFile.h"
+#include "Codec/Deflate.h"
+#include "Codec/NxvFile.h"
+#include "Codec/NxvHeader.h"
+#include "Codec/Quantizer.h"
+#include "Codec/RunLength.h"
+#include "Model/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace nexrad
+{
+
+namespace
+{
+
+using Bytes = std::vector<std::uint8_t>;
+
+// A header that grows with the payloads that follow it.
+struct FileContent
+{
+  NxvHeader header;
+  std::vector<Bytes> payloads;
+
+  void Add(NxvArray array, Bytes payload)
+  {
+    array.length = payload.size();
+    array.crc32 = Crc32(payload.data(), payload.size());
+    header.arrays.push_back(std::move(array));
+    payloads.push_back(std::move(payload));
+  }
+};
+
+void AppendLittleEndian(Bytes& bytes, std::uint32_t word)
+{
+  for (unsigned shift = 0; shift < 32; shift += 8)
+  {
+    bytes.push_back(static_cast<std::uint8_t>(word >> shift));
+  }
+}
+
+Bytes FloatBytes(const std::vector<float>& values)
+{
+  Bytes bytes;
+  bytes.reserve(values.size() * sizeof(float));
+  for (const float value : values)
+  {
+    std::uint32_t word = 0;
+    std::memcpy(&word, &value, sizeof(word));
+    AppendLittleEndian(bytes, word);
+  }
+  return bytes;
+}
+
+Bytes StateBytes(const std::vector<VoxelState>& states)
+{
+  Bytes bytes(states.size());
+  std::transform(states.begin(), states.end(), bytes.begin(),
+    [](VoxelState state) { return static_cast<std::uint8_t>(state); });
+  return bytes;
+}
+
+NxvArray MomentArray(const GriddedVolume& volume)
+{
+  NxvArray array;
+  array.name = ToString(volume.moment);
+  array.unit = UnitOf(volume.moment);
+  array.fill = volume.fill;
+  return array;
+}
+
+void AddStates(FileContent& content, const Bytes& states)
+{
+  NxvArray array;
+  array.name = content.header.arrays[0].name + "_state";
+  array.type = NxvType::UInt8;
+  array.fill = static_cast<double>(VoxelState::NotScanned);
+  array.storage = NxvStorage::Deflated;
+  content.Add(array, DeflateBytes(states.data(), states.size()));
+}
+
+void AddFloats(FileContent& content, const GriddedVolume& volume)
+{
+  CheckVoxelCount(volume);
+  NxvArray array = MomentArray(volume);
+  array.type = NxvType::Float32;
+  array.storage = NxvStorage::Deflated;
+  const Bytes bytes = FloatBytes(volume.values);
+  content.Add(array, DeflateBytes(bytes.data(), bytes.size()));
+  AddStates(content, StateBytes(volume.states));
+}
+
+Bytes EncodeCodes(const Bytes& codes, const GriddedVolume& volume, const NxvWriteOptions& options)
+{
+  const bool thesisRuns = options.thesisRuns.value_or(volume.method == "thesis");
+  return EncodeRunLength(codes.data(), codes.size(),
+    thesisRuns ? RunLengthThreshold::Thesis : RunLengthThreshold::Compact);
+}
+
+// The states that the codes stand for, but range folded where the volume has it. The echoes that
+// became code 0 are no echo, with the array of states as without.
+Bytes StatesOfCodes(const Bytes& codes, const std::vector<VoxelState>& states)
+{
+  Bytes bytes(codes.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+  {
+    const bool folded = states[i] == VoxelState::RangeFolded;
+    bytes[i] =
+      static_cast<std::uint8_t>(folded ? VoxelState::RangeFolded : Quantizer::StateOf(codes[i]));
+  }
+  return bytes;
+}
+
+void AddCodes(FileContent& content, const GriddedVolume& volume, const NxvWriteOptions& options,
+  NxvStorage storage)
+{
+  const Quantizer quantizer{options.offset, options.scale, options.maximum};
+  const Bytes codes = quantizer.EncodeAll(volume);
+  NxvArray array = MomentArray(volume);
+  array.offset = options.offset;
+  array.scale = options.scale;
+  array.storage = storage;
+  Bytes stream = EncodeCodes(codes, volume, options);
+  content.Add(array, storage == NxvStorage::RunLengthDeflated
+                       ? DeflateBytes(stream.data(), stream.size())
+                       : std::move(stream));
+  const auto& states = volume.states;
+  if (std::find(states.begin(), states.end(), VoxelState::RangeFolded) != states.end())
+  {
+    AddStates(content, StatesOfCodes(codes, states));
+  }
+}
+
+GriddedVolume WithoutVoxels(const GriddedVolume& volume)
+{
+  GriddedVolume description;
+  description.grid = volume.grid;
+  description.time = volume.time;
+  description.moment = volume.moment;
+  description.method = volume.method;
+  description.sites = volume.sites;
+  description.synthetic = volume.synthetic;
+  description.fill = volume.fill;
+  return description;
+}
+
+void WriteContent(const std::filesystem::path& path, const FileContent& content)
+{
+  const std::string header = FormatNxvHeader(content.header);
+  if (header.size() > NxvLargestHeader)
+  {
+    throw Error(path.string() + ": the header would be longer than " +
+                std::to_string(NxvLargestHeader) + " bytes");
+  }
+  Bytes start = {'N', 'X', 'V', '1'};
+  AppendLittleEndian(start, static_cast<std::uint32_t>(header.size()));
+  AtomicFile file(path);
+  file.Write(start.data(), start.size());
+  file.Write(header.data(), header.size());
+  for (const Bytes& payload : content.payloads)
+  {
+    file.Write(payload.data(), payload.size());
+  }
+  file.Commit();
+}
+
+} // namespace
+
+void WriteNxv(
+  const std::filesystem::path& path, const GriddedVolume& volume, const NxvWriteOptions& options)
+{
+  if (!std::isfinite(volume.fill))
+  {
+    throw Error(path.string() + ": the fill value must be a finite number");
+  }
+  FileContent content;
+  content.header.volume = WithoutVoxels(volume);
+  const NxvEncoding usual =
+    volume.moment == MomentName::REF ? NxvEncoding::RunLength : NxvEncoding::Float;
+  switch (options.encoding.value_or(usual))
+  {
+  case NxvEncoding::RunLength:
+    AddCodes(content, volume, options, NxvStorage::RunLength);
+    break;
+  case NxvEncoding::RunLengthDeflated:
+    AddCodes(content, volume, options, NxvStorage::RunLengthDeflated);
+    break;
+  case NxvEncoding::Float:
+    AddFloats(content, volume);
+    break;
+  }
+  WriteContent(path, content);
+}
+
+void WriteRaw(
+  const std::filesystem::path& path, const GriddedVolume& volume, const NxvWriteOptions& options)
+{
+  const Quantizer quantizer{options.offset, options.scale, options.maximum};
+  const Bytes stream = EncodeCodes(quantizer.EncodeAll(volume), volume, options);
+  WriteFileAtomically(path, stream.data(), stream.size());
+}
+
+} // namespace nexrad

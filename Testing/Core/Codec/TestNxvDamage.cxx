@@ -1,0 +1,290 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/NxvFile.h"
+
+#include "Codec/Deflate.h"
+#include "Codec/NxvHeader.h"
+#include "Model/Error.h"
+#include "TestData.h"
+#include "VolumeMaker.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+#include <iterator>
+
+using namespace nexrad;
+using nexrad::testing::MakeGriddedVolume;
+using nexrad::testing::TemporaryFolder;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+std::string Content(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// A folder with one file in it that is written again and again.
+class Damaged
+{
+public:
+  const fs::path& Path() const { return path; }
+
+  void Write(const std::string& content) const
+  {
+    std::ofstream(path, std::ios::binary | std::ios::trunc) << content;
+  }
+
+  // The error of reading it, "" when it is read.
+  std::string ErrorOf(const std::string& content) const
+  {
+    this->Write(content);
+    try
+    {
+      last = ReadNxv(path);
+    }
+    catch (const Error& problem)
+    {
+      return problem.what();
+    }
+    return "";
+  }
+
+  const GriddedVolume& Last() const { return last; }
+
+private:
+  TemporaryFolder folder;
+  fs::path path = folder.Path() / "a.nxv";
+  mutable GriddedVolume last;
+};
+
+// A volume file whose header and payload can be set at will; CRC and lengths are right.
+std::string FileOf(NxvHeader header, const std::vector<std::string>& payloads)
+{
+  std::string end;
+  for (std::size_t i = 0; i < payloads.size(); ++i)
+  {
+    const auto* bytes = reinterpret_cast<const std::uint8_t*>(payloads[i].data());
+    header.arrays[i].length = payloads[i].size();
+    header.arrays[i].crc32 = Crc32(bytes, payloads[i].size());
+    end += payloads[i];
+  }
+  const std::string text = FormatNxvHeader(header);
+  std::string start = "NXV1";
+  for (unsigned shift = 0; shift < 32; shift += 8)
+  {
+    start.push_back(static_cast<char>(text.size() >> shift & 0xFF));
+  }
+  return start + text + end;
+}
+
+NxvHeader SmallHeader()
+{
+  NxvHeader header;
+  header.volume = MakeGriddedVolume({2, 2, 1});
+  header.arrays.resize(1);
+  header.arrays[0].name = "REF";
+  return header;
+}
+
+std::string Deflated(const std::string& text)
+{
+  const auto bytes = DeflateBytes(reinterpret_cast<const std::uint8_t*>(text.data()), text.size());
+  return {bytes.begin(), bytes.end()};
+}
+
+// Files of every encoding.
+std::vector<std::string> GoodFiles()
+{
+  const TemporaryFolder folder;
+  GriddedVolume volume = MakeGriddedVolume({3, 2, 2});
+  volume.states[1] = VoxelState::RangeFolded;
+  std::vector<std::string> files;
+  for (const auto encoding :
+    {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+  {
+    NxvWriteOptions options;
+    options.encoding = encoding;
+    WriteNxv(folder.Path() / "a.nxv", volume, options);
+    files.push_back(Content(folder.Path() / "a.nxv"));
+  }
+  return files;
+}
+
+} // namespace
+
+TEST(NxvDamage, EveryTruncationIsAnError)
+{
+  const Damaged file;
+  for (const std::string& content : GoodFiles())
+  {
+    for (std::size_t length = 0; length < content.size(); ++length)
+    {
+      const std::string error = file.ErrorOf(content.substr(0, length));
+      EXPECT_EQ(error.rfind(file.Path().string() + ": byte ", 0), 0u) << length << ": " << error;
+    }
+    EXPECT_EQ(file.ErrorOf(content), "");
+    EXPECT_NE(file.ErrorOf(content + "x"), "");
+  }
+}
+
+// The CRCs cover header and payloads: a flipped bit is found, or it changes nothing (it fell into
+// the name of the key that holds the header's own CRC).
+TEST(NxvDamage, EveryFlippedBitIsFoundOrHarmless)
+{
+  const Damaged file;
+  for (const std::string& content : GoodFiles())
+  {
+    ASSERT_EQ(file.ErrorOf(content), "");
+    const GriddedVolume good = file.Last();
+    std::size_t unnoticed = 0;
+    for (std::size_t bit = 0; bit < 8 * content.size(); ++bit)
+    {
+      std::string damaged = content;
+      damaged[bit / 8] = static_cast<char>(damaged[bit / 8] ^ (1 << bit % 8));
+      if (file.ErrorOf(damaged).empty())
+      {
+        ++unnoticed;
+        EXPECT_EQ(file.Last().values, good.values) << "bit " << bit;
+        EXPECT_EQ(file.Last().states, good.states) << "bit " << bit;
+        EXPECT_EQ(file.Last().grid.origin, good.grid.origin) << "bit " << bit;
+        EXPECT_EQ(file.Last().time, good.time) << "bit " << bit;
+        EXPECT_EQ(file.Last().sites, good.sites) << "bit " << bit;
+      }
+    }
+    EXPECT_LT(unnoticed, 8 * sizeof(",\"header_crc32\":"));
+  }
+}
+
+TEST(NxvDamage, StreamsThatDoNotFitTheGridAreErrors)
+{
+  const Damaged file;
+  const NxvHeader header = SmallHeader();
+  EXPECT_EQ(file.ErrorOf(FileOf(header, {"\x81\x82\x83\x84"})), "");
+  for (const std::string& stream : {std::string(), std::string("\x81\x82\x83"),
+         std::string("\x81\x82\x83\x84\x85"), std::string("\x05\x00\x00\x00\x00\x81\x81\x81", 8),
+         std::string("\x05\xFF\xFF\xFF\xFF", 5), std::string("\x05\x04\x00\x00", 4)})
+  {
+    const std::string error = file.ErrorOf(FileOf(header, {stream}));
+    EXPECT_NE(error.find("array \"REF\""), std::string::npos) << error;
+    EXPECT_NE(error.find("run-length stream"), std::string::npos) << error;
+  }
+}
+
+// 4 MiB of zeros deflate to a few KiB; no more than a piece of them may come out.
+TEST(NxvDamage, ADeflatedStreamCannotGrowBeyondTheGrid)
+{
+  const Damaged file;
+  const std::string bomb = Deflated(std::string(4 << 20, '\0'));
+  NxvHeader header = SmallHeader();
+  header.arrays[0].storage = NxvStorage::RunLengthDeflated;
+  EXPECT_NE(file.ErrorOf(FileOf(header, {bomb})), "");
+  header.arrays[0].type = NxvType::Float32;
+  header.arrays[0].storage = NxvStorage::Deflated;
+  EXPECT_NE(file.ErrorOf(FileOf(header, {bomb})).find("more than 16 bytes"), std::string::npos);
+  EXPECT_NE(file.ErrorOf(FileOf(header, {Deflated("short")})), "");
+  EXPECT_NE(file.ErrorOf(FileOf(header, {Deflated(std::string(16, 'x')) + "more"})), "");
+  EXPECT_NE(file.ErrorOf(FileOf(header, {"no deflated stream"})), "");
+  EXPECT_EQ(file.ErrorOf(FileOf(header, {Deflated(std::string(16, 'x'))})), "");
+}
+
+// Five bytes may stand for two billion voxels: that is no damage, but it needs leave.
+TEST(NxvDamage, AGridBeyondTheMemoryAllowedIsAnError)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.volume.grid.dimensions = {2048, 1024, 1023};
+  const std::string content = FileOf(header, {std::string("\x00\x00\x00\xE0\x7F", 5)});
+  EXPECT_NE(file.ErrorOf(content).find("more memory than"), std::string::npos);
+  EXPECT_EQ(ReadNxvHeader(file.Path()).grid.dimensions[0], 2048);
+  file.Write(FileOf(SmallHeader(), {"\x81\x82\x83\x84"}));
+  EXPECT_THROW(ReadNxv(file.Path(), 23), Error);
+  EXPECT_EQ(ReadNxv(file.Path(), 24).values.size(), 4u);
+}
+
+TEST(NxvDamage, StatesMayNotContradictTheCodes)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.arrays.resize(2);
+  header.arrays[1].name = "REF_state";
+  header.arrays[1].type = NxvType::UInt8;
+  header.arrays[1].storage = NxvStorage::Deflated;
+  const std::string codes = "\x80\x80\xA3\xFF"; // no echo, no echo, 35 dBZ, not scanned
+  const auto errorWith = [&](const std::string& states) {
+    return file.ErrorOf(FileOf(header, {codes, Deflated(states)}));
+  };
+  EXPECT_EQ(errorWith(std::string("\1\2\0\3", 4)), "");
+  EXPECT_EQ(file.Last().states[1], VoxelState::RangeFolded);
+  EXPECT_NE(errorWith(std::string("\1\1\2\3", 4)).find("voxel 2"), std::string::npos);
+  EXPECT_NE(errorWith(std::string("\1\1\0\2", 4)).find("voxel 3"), std::string::npos);
+  EXPECT_NE(errorWith(std::string("\1\4\0\3", 4)).find("voxel 1"), std::string::npos);
+}
+
+TEST(NxvDamage, AnArrayOfAnotherNameIsPassedOver)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.arrays.resize(2);
+  header.arrays[1].name = "REF_age";
+  header.arrays[1].type = NxvType::Float32;
+  header.arrays[1].storage = NxvStorage::Deflated;
+  EXPECT_EQ(
+    file.ErrorOf(FileOf(header, {"\x81\x82\x83\x84", Deflated(std::string(16, '\0'))})), "");
+}
+
+TEST(NxvDamage, HeadersOutOfRangeAreErrors)
+{
+  const Damaged file;
+  const auto errorAfter = [&file](const std::function<void(NxvHeader&)>& change)
+  {
+    NxvHeader header = SmallHeader();
+    change(header);
+    return file.ErrorOf(FileOf(header, {"\x81\x82\x83\x84"}));
+  };
+  const auto dimensions = [](std::array<int, 3> size)
+  { return [size](NxvHeader& header) { header.volume.grid.dimensions = size; }; };
+  EXPECT_EQ(errorAfter([](NxvHeader&) {}), "");
+  EXPECT_NE(errorAfter(dimensions({0, 2, 2})).find("dimensions"), std::string::npos);
+  EXPECT_NE(errorAfter(dimensions({-2, -2, 1})).find("dimensions"), std::string::npos);
+  EXPECT_NE(errorAfter(dimensions({65'536, 65'536, 1})).find("dimensions"), std::string::npos);
+  EXPECT_NE(errorAfter([](NxvHeader& header) { header.volume.grid.spacing[1] = 0.0; }), "");
+  EXPECT_NE(errorAfter([](NxvHeader& header) { header.volume.grid.centreLatitude = 91.0; }), "");
+  EXPECT_NE(errorAfter([](NxvHeader& header) { header.arrays[0].name = "XYZ"; }), "");
+  EXPECT_NE(errorAfter([](NxvHeader& header) { header.arrays[0].scale = 0.0; }), "");
+  EXPECT_NE(errorAfter([](NxvHeader& header) { header.arrays[0].fill = 1e300; }), "");
+  EXPECT_NE(
+    errorAfter([](NxvHeader& header) { header.arrays[0].storage = NxvStorage::Deflated; }), "");
+}
+
+TEST(NxvDamage, HeadersThatAreNoHeadersAreErrors)
+{
+  for (const std::string& text :
+    {std::string(), std::string("{"), std::string("[]"), std::string("{}"), std::string("null"),
+      std::string("\xFF\xFE"), std::string(100'000, '['), std::string("{\"dimensions\":\"all\"}"),
+      std::string("{\"dimensions\":[1,2]}"), std::string("{\"dimensions\":[1,2,1e400]}")})
+  {
+    EXPECT_THROW(ParseNxvHeader(text), Error) << text.substr(0, 40);
+  }
+}
+
+TEST(NxvDamage, NoFileIsOneClearLine)
+{
+  const TemporaryFolder folder;
+  try
+  {
+    ReadNxv(folder.Path() / "none.nxv");
+    FAIL();
+  }
+  catch (const Error& problem)
+  {
+    EXPECT_EQ(std::string(problem.what()),
+      (folder.Path() / "none.nxv").string() + ": cannot be read: No such file or directory");
+  }
+  EXPECT_THROW(ReadNxv(folder.Path()), Error);
+  EXPECT_THROW(ReadNxvHeader("/dev/null"), Error);
+}

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/NxvFile.h"
+
+#include "Codec/Quantizer.h"
+#include "Model/Error.h"
+#include "TestData.h"
+#include "VolumeMaker.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <random>
+
+using namespace nexrad;
+using nexrad::testing::MakeGriddedVolume;
+using nexrad::testing::TemporaryFolder;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+std::string Content(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+GriddedVolume RoundTrip(const GriddedVolume& volume, const NxvWriteOptions& options)
+{
+  const TemporaryFolder folder;
+  WriteNxv(folder.Path() / "a.nxv", volume, options);
+  return ReadNxv(folder.Path() / "a.nxv");
+}
+
+NxvWriteOptions With(NxvEncoding encoding)
+{
+  NxvWriteOptions options;
+  options.encoding = encoding;
+  return options;
+}
+
+// What a volume is after it went through the codes.
+GriddedVolume Quantized(const GriddedVolume& volume, const Quantizer& quantizer = {})
+{
+  GriddedVolume rounded = volume;
+  quantizer.DecodeAll(quantizer.EncodeAll(volume), rounded);
+  return rounded;
+}
+
+void ExpectSameVoxels(const GriddedVolume& actual, const GriddedVolume& expected)
+{
+  EXPECT_EQ(actual.values, expected.values);
+  EXPECT_EQ(actual.states, expected.states);
+}
+
+} // namespace
+
+TEST(NxvFile, TheHeaderComesBack)
+{
+  GriddedVolume volume = MakeGriddedVolume();
+  volume.synthetic = true;
+  const TemporaryFolder folder;
+  WriteNxv(folder.Path() / "a.nxv", volume);
+  for (const bool headerOnly : {true, false})
+  {
+    const fs::path path = folder.Path() / "a.nxv";
+    const GriddedVolume read = headerOnly ? ReadNxvHeader(path) : ReadNxv(path);
+    EXPECT_EQ(read.grid.dimensions, volume.grid.dimensions);
+    EXPECT_EQ(read.grid.origin, volume.grid.origin);
+    EXPECT_EQ(read.grid.spacing, volume.grid.spacing);
+    EXPECT_EQ(read.grid.axes, GridAxes::Projected);
+    EXPECT_EQ(read.grid.centreLatitude, 39.21);
+    EXPECT_EQ(read.grid.centreLongitude, -91.7);
+    EXPECT_EQ(read.time, volume.time);
+    EXPECT_EQ(read.moment, MomentName::REF);
+    EXPECT_EQ(read.method, "beam");
+    EXPECT_EQ(read.sites, volume.sites);
+    EXPECT_TRUE(read.synthetic);
+    EXPECT_EQ(read.fill, -33.0F);
+    EXPECT_EQ(read.values.empty(), headerOnly);
+  }
+}
+
+// Made as every writer may make it, byte for byte: 2 × 1 × 1 voxels, one not scanned, one 40 dBZ.
+// The payload is FF A8, its CRC-32 0AF0C457 by an independent program (Python's zlib).
+TEST(NxvFile, ReadsAFileMadeByHand)
+{
+  const std::string header =
+    R"({"dimensions":[2,1,1],"origin":[0,0,500],"spacing":[1000,1000,1000],)"
+    R"("projection":"+proj=aeqd +lat_0=39.2 +lon_0=-91.5 +datum=WGS84 +units=m +no_defs",)"
+    R"("time":"2006-03-12T18:00:00Z","sites":["KEAX"],"method":"thesis","arrays":[{"name":"REF",)"
+    R"("type":"uint7","unit":"dBZ","offset":0,"scale":1,"fill":0,"encoding":"rle","length":2,)"
+    R"("crc32":@CRC@}]})";
+  const TemporaryFolder folder;
+  const auto write = [&](const std::string& text)
+  {
+    std::ofstream file(folder.Path() / "hand.nxv", std::ios::binary);
+    file << "NXV1" << static_cast<char>(text.size() & 0xFF) << static_cast<char>(text.size() >> 8)
+         << '\0' << '\0' << text << "\xFF\xA8";
+  };
+  const auto withCrc = [&](const std::string& crc)
+  { return std::string(header).replace(header.find("@CRC@"), 5, crc); };
+  write(withCrc("183551063"));
+  const GriddedVolume volume = ReadNxv(folder.Path() / "hand.nxv");
+  EXPECT_EQ(volume.states, (std::vector<VoxelState>{VoxelState::NotScanned, VoxelState::Echo}));
+  EXPECT_EQ(volume.values, (std::vector<float>{0.0F, 40.0F}));
+  EXPECT_EQ(volume.grid.centreLatitude, 39.2);
+  EXPECT_FALSE(volume.synthetic);
+  write(withCrc("1"));
+  EXPECT_THROW(ReadNxv(folder.Path() / "hand.nxv"), Error);
+}
+
+TEST(NxvFile, CodesRoundTripToTheWholeDecibel)
+{
+  const GriddedVolume volume = MakeGriddedVolume();
+  for (const NxvEncoding encoding : {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated})
+  {
+    ExpectSameVoxels(RoundTrip(volume, With(encoding)), Quantized(volume));
+  }
+}
+
+TEST(NxvFile, FinerCodesRoundTrip)
+{
+  NxvWriteOptions options;
+  options.offset = -33.0;
+  options.scale = 0.5;
+  const GriddedVolume volume = MakeGriddedVolume();
+  ExpectSameVoxels(RoundTrip(volume, options), Quantized(volume, {-33.0, 0.5}));
+}
+
+TEST(NxvFile, FloatsAndStatesAreExact)
+{
+  GriddedVolume volume = MakeGriddedVolume();
+  volume.states[0] = VoxelState::RangeFolded;
+  ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::Float)), volume);
+}
+
+TEST(NxvFile, OtherMomentsAreFloatsByDefault)
+{
+  GriddedVolume volume = MakeGriddedVolume();
+  volume.moment = MomentName::VEL;
+  volume.values[0] = -21.5F;
+  const GriddedVolume read = RoundTrip(volume, {});
+  EXPECT_EQ(read.moment, MomentName::VEL);
+  ExpectSameVoxels(read, volume);
+}
+
+TEST(NxvFile, RangeFoldedSurvivesTheCodes)
+{
+  GriddedVolume volume = MakeGriddedVolume();
+  volume.states[1] = VoxelState::RangeFolded;
+  volume.states[3] = VoxelState::Echo;
+  volume.values[3] = -12.0F; // becomes no echo, with the array of states as without
+  GriddedVolume expected = Quantized(volume);
+  expected.states[1] = VoxelState::RangeFolded;
+  EXPECT_EQ(expected.states[3], VoxelState::NoEcho);
+  ExpectSameVoxels(RoundTrip(volume, {}), expected);
+}
+
+TEST(NxvFile, EmptyFullAndRandomVolumesRoundTrip)
+{
+  std::mt19937 random(11);
+  for (const auto& dimensions : {std::array<int, 3>{1, 1, 1}, {40, 30, 20}})
+  {
+    for (const int kind : {0, 1, 2, 3})
+    {
+      GriddedVolume volume = MakeGriddedVolume(dimensions);
+      for (std::size_t i = 0; i < volume.values.size(); ++i)
+      {
+        volume.states[i] = static_cast<VoxelState>(kind == 2 ? random() % 4 : kind);
+        volume.values[i] = volume.states[i] == VoxelState::Echo
+                             ? static_cast<float>(1 + random() % 80)
+                             : volume.fill;
+      }
+      for (const auto encoding :
+        {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+      {
+        ExpectSameVoxels(RoundTrip(volume, With(encoding)), volume);
+      }
+    }
+  }
+}
+
+TEST(NxvFile, TheThesisWritesRunsOfTwo)
+{
+  GriddedVolume volume = MakeGriddedVolume({3, 1, 1});
+  volume.states.assign(3, VoxelState::Echo);
+  volume.values = {30.0F, 30.0F, 40.0F};
+  const TemporaryFolder folder;
+  WriteRaw(folder.Path() / "beam", volume);
+  EXPECT_EQ(Content(folder.Path() / "beam"), std::string("\x9E\x9E\xA8"));
+  volume.method = "thesis";
+  WriteRaw(folder.Path() / "thesis", volume);
+  EXPECT_EQ(Content(folder.Path() / "thesis"), std::string("\x1E\2\0\0\0\xA8", 6));
+  EXPECT_EQ(Content(folder.Path() / "thesis"),
+    [&]
+    {
+      WriteNxv(folder.Path() / "a.nxv", volume);
+      const std::string whole = Content(folder.Path() / "a.nxv");
+      return whole.substr(whole.size() - 6);
+    }())
+    << "the payload of a volume file is the bare stream";
+}
+
+TEST(NxvFile, TheBareStreamRoundTrips)
+{
+  const GriddedVolume volume = MakeGriddedVolume();
+  const TemporaryFolder folder;
+  WriteRaw(folder.Path() / "bare", volume);
+  GriddedVolume description = volume;
+  description.values.clear();
+  description.states.clear();
+  ExpectSameVoxels(ReadRaw(folder.Path() / "bare", description), Quantized(volume));
+  description.grid.dimensions[0] += 1;
+  EXPECT_THROW(ReadRaw(folder.Path() / "bare", description), Error);
+  EXPECT_THROW(ReadRaw(folder.Path() / "bare", volume, {}, 100), Error);
+}
+
+TEST(NxvFile, GeographicAxesComeBack)
+{
+  GridRequest request;
+  request.axes = GridAxes::Geographic;
+  request.bounds = GeographicBounds{-96.0, 36.0, -88.0, 42.0};
+  request.dimensions = {3, 4, 5};
+  GriddedVolume volume = MakeGriddedVolume({3, 4, 5});
+  volume.grid = MakeGrid(request, {});
+  const GriddedVolume read = RoundTrip(volume, {});
+  EXPECT_EQ(read.grid.axes, GridAxes::Geographic);
+  EXPECT_EQ(read.grid.origin, volume.grid.origin);
+  EXPECT_EQ(read.grid.centreLatitude, volume.grid.centreLatitude);
+  EXPECT_EQ(read.grid.centreLongitude, volume.grid.centreLongitude);
+}
+
+TEST(NxvSeries, ComesBackInOrder)
+{
+  const TemporaryFolder folder;
+  const NxvSeries series = {
+    {"20060312T180000Z.nxv", 1142186400.0}, {"20060312T180500Z.nxv", 1142186700.25}};
+  WriteNxvSeries(folder.Path() / "day.nxv.series", series);
+  EXPECT_EQ(ReadNxvSeries(folder.Path() / "day.nxv.series"), series);
+}
+
+TEST(NxvSeries, RefusesWhatIsNone)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "bad.nxv.series";
+  for (const char* text : {"", "[]", "{}", "{\"file-series-version\":\"1.0\"}",
+         "{\"file-series-version\":\"2.0\",\"files\":[]}",
+         "{\"file-series-version\":\"1.0\",\"files\":[{\"name\":1,\"time\":2}]}",
+         "{\"file-series-version\":\"1.0\",\"files\":[{\"name\":\"a\"}]}",
+         "{\"file-series-version\":\"1.0\",\"files\":7}"})
+  {
+    std::ofstream(path) << text;
+    EXPECT_THROW(ReadNxvSeries(path), Error) << text;
+  }
+  EXPECT_THROW(ReadNxvSeries(folder.Path() / "none"), Error);
+  EXPECT_THROW(ReadNxvSeries(folder.Path()), Error);
+}

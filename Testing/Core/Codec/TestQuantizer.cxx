@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/Quantizer.h"
+
+#include "Model/Error.h"
+#include "VolumeMaker.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+using namespace nexrad;
+
+TEST(Quantizer, DefaultIsTheWholeDecibel)
+{
+  const Quantizer quantizer;
+  const auto code = [&quantizer](float value)
+  { return static_cast<int>(quantizer.Encode(value, VoxelState::Echo)); };
+  EXPECT_EQ(code(35.0F), 35);
+  EXPECT_EQ(code(35.49F), 35);
+  EXPECT_EQ(code(35.5F), 36);
+  EXPECT_EQ(code(80.0F), 80);
+  EXPECT_EQ(code(94.5F), 80) << "0 to 80 dBZ";
+  EXPECT_EQ(code(0.4F), 0);
+  EXPECT_EQ(code(-20.0F), 0) << "an echo at or below 0 dBZ is no echo";
+}
+
+TEST(Quantizer, StatesHaveCodes)
+{
+  const Quantizer quantizer;
+  EXPECT_EQ(quantizer.Encode(50.0F, VoxelState::NoEcho), 0);
+  EXPECT_EQ(quantizer.Encode(50.0F, VoxelState::RangeFolded), 0);
+  EXPECT_EQ(quantizer.Encode(50.0F, VoxelState::NotScanned), 127);
+  EXPECT_EQ(Quantizer::StateOf(0), VoxelState::NoEcho);
+  EXPECT_EQ(Quantizer::StateOf(1), VoxelState::Echo);
+  EXPECT_EQ(Quantizer::StateOf(126), VoxelState::Echo);
+  EXPECT_EQ(Quantizer::StateOf(127), VoxelState::NotScanned);
+}
+
+TEST(Quantizer, FinerCodesEndAt126)
+{
+  const Quantizer quantizer{-10.0, 0.5, 80.0};
+  EXPECT_EQ(quantizer.Encode(20.2F, VoxelState::Echo), 60);
+  EXPECT_FLOAT_EQ(quantizer.ValueOf(60), 20.0F);
+  EXPECT_EQ(quantizer.Encode(70.0F, VoxelState::Echo), 126);
+}
+
+TEST(Quantizer, NumbersThatAreNoneDoNoHarm)
+{
+  const Quantizer quantizer;
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(quantizer.Encode(std::nanf(""), VoxelState::Echo), 127);
+  EXPECT_EQ(quantizer.Encode(infinity, VoxelState::Echo), 80);
+  EXPECT_EQ(quantizer.Encode(-infinity, VoxelState::Echo), 0);
+}
+
+TEST(Quantizer, RefusesWhatCannotBeUsed)
+{
+  const GriddedVolume volume = nexrad::testing::MakeGriddedVolume();
+  EXPECT_THROW((Quantizer{0.0, 0.0}.EncodeAll(volume)), Error);
+  EXPECT_THROW((Quantizer{0.0, -1.0}.EncodeAll(volume)), Error);
+  EXPECT_THROW((Quantizer{std::nan(""), 1.0}.EncodeAll(volume)), Error);
+  GriddedVolume shorter = volume;
+  shorter.states.pop_back();
+  EXPECT_THROW(Quantizer{}.EncodeAll(shorter), Error);
+}
