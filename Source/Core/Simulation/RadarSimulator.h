@@ -10,9 +10,10 @@
 namespace nexrad
 {
 
-/// The coverage patterns that the simulator can scan (11, 12, 21, 31, 32, 121, 212, 215, …);
-/// nullptr for others.
+/// The coverage patterns that the simulator can scan (11, 12, 21, 31, 32, 35, 121, 212, 215), as
+/// message 5 of real files has them; nullptr for others.
 const CoveragePattern* FindCoveragePattern(int number);
+/// Their numbers, ascending.
 std::vector<int> KnownCoveragePatterns();
 
 struct SimulatorOptions
@@ -21,19 +22,27 @@ struct SimulatorOptions
   double effectiveRadiusFactor =
     4.0 / 3.0;             ///< refraction of the simulated atmosphere (Formulas B1)
   double beamWidth = 0.95; ///< degrees, between half-power points
-  double noise = 1.0;      ///< dB, standard deviation of a gate
+  double noise = 1.0;      ///< dB, standard deviation of a gate's reflectivity
   double sensitivity =
     -7.5;                 ///< dBZ, weakest echo seen at 50 km; it rises with 20·log10 of the range
   std::uint32_t seed = 1; ///< of the noise
 };
 
+/// Weakest reflectivity that the radar sees at a slant range in m, dBZ.
+double SensitivityAt(double range, const SimulatorOptions& options);
+
 /// Scans the field with one radar, one coverage pattern, from `start` on: each gate is the mean of
-/// the field over the beam and the gate's length at the ray's own time. Deterministic. Throws Error
-/// for an unknown pattern or a site without a position.
+/// the field over the beam and the gate's length at the ray's own time (BeamSampler). Velocity is
+/// the wind's component along the beam, folded at the Nyquist velocity; echoes of two pulses that
+/// overlie each other are range folded, unless one is 5 dB stronger. The volume is marked synthetic
+/// and has its coverage pattern. Deterministic: the noise of a gate depends on the seed, the site,
+/// `start` and the gate alone. Throws Error for an unknown pattern, a site without a position, or
+/// an option that is not above zero.
 RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePattern, Time start,
   const SimulatorOptions& options = {});
 
-/// Time from the start of one volume to the start of the next with that pattern.
+/// Time from the start of one volume to the start of the next with that pattern. Throws Error for
+/// an unknown pattern.
 Duration VolumePeriod(int coveragePattern);
 
 } // namespace nexrad

@@ -3,6 +3,8 @@
 
 #include "Geometry/GridSpecification.h"
 #include "Model/Time.h"
+#include "Simulation/StormLife.h"
+#include "Simulation/StormSnapshot.h"
 
 #include <array>
 #include <cstdint>
@@ -12,8 +14,14 @@ namespace nexrad
 {
 
 /// The synthetic storm day: an analytic reflectivity field of several supercells that are born,
-/// move, grow and decay over Missouri and Illinois on 2006-03-12. A closed form, so that every
-/// stage can be held against the truth anywhere at any time. All data made from it are SYNTHETIC.
+/// move, grow and decay over Missouri and Illinois on 2006-03-12, with weaker cells and rain areas
+/// between them. Activity is greatest from 18:00 to midnight UTC; other dates have the same day. A
+/// closed form, so that every stage can be held against the truth anywhere at any time. All data
+/// made from it are SYNTHETIC.
+///
+/// The field is defined in dBZ; where pieces of storms overlap the strongest counts. Near the
+/// ground there is a clear-air return everywhere, always below 0 dBZ. Documentation/Developer/
+/// simulation.md describes the storms.
 class StormField
 {
 public:
@@ -25,11 +33,21 @@ public:
   double Reflectivity(double longitude, double latitude, double height, Time time) const;
 
   /// Mean over the box of a voxel (mean of dBZ floored at `floor`, over a fixed lattice of
-  /// samples), dBZ.
+  /// 4 × 4 × 2 samples), dBZ.
   double MeanReflectivity(const GridSpecification& grid, const std::array<int, 3>& voxel, Time time,
     double floor = 0.0) const;
 
+  /// The same for the rows [beginRow, endRow) of a grid, all columns and heights: the value of
+  /// voxel (x, y, z) at index (z·(endRow − beginRow) + y − beginRow)·dimensions[0] + x. Ranges of
+  /// rows can be computed side by side.
+  std::vector<float> MeanReflectivityRows(
+    const GridSpecification& grid, int beginRow, int endRow, Time time, double floor = 0.0) const;
+
+  /// The field at one instant: the quick way to many points.
+  StormSnapshot At(Time time) const;
+
 private:
+  std::vector<StormLife> storms;
 };
 
 } // namespace nexrad

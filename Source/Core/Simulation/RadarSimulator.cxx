@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Simulation/RadarSimulator.h"
+
+#include "Model/Error.h"
+#include "Simulation/BeamSampler.h"
+#include "Simulation/CounterNoise.h"
+#include "Simulation/RayWords.h"
+#include "Simulation/ScanStrategy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double cutGap = 0.8;            // s between two cuts
+constexpr double volumeGap = 5.0;         // s between two volumes
+constexpr double azimuthJitter = 0.03;    // degrees, half the span
+constexpr double elevationJitter = 0.02;  // degrees, half the span
+constexpr double elevationSettle = 0.12;  // degrees that a cut begins too low or too high
+constexpr double raysToSettle = 15.0;     // rays over which that dies away
+constexpr double maximumElevation = 0.45; // degrees off the cut, within BeamSampler's margin
+
+const std::vector<ScanCut>& RequireStrategy(int pattern)
+{
+  const std::vector<ScanCut>* strategy = FindScanStrategy(pattern);
+  if (!strategy)
+  {
+    std::string known;
+    for (const int number : KnownCoveragePatterns())
+    {
+      known += (known.empty() ? "" : ", ") + std::to_string(number);
+    }
+    throw Error(
+      "coverage pattern " + std::to_string(pattern) + " cannot be simulated; known are " + known);
+  }
+  return *strategy;
+}
+
+void RequirePositive(double value, const char* name)
+{
+  if (!(value > 0.0))
+  {
+    throw Error(
+      "simulator: " + std::string(name) + " is " + std::to_string(value) + "; it must be above 0");
+  }
+}
+
+double CutDuration(const ScanCut& cut, const CutLayout& layout)
+{
+  return layout.rays * layout.raySpacing / cut.cut.azimuthRate;
+}
+
+std::uint64_t KeyOf(const std::string& name)
+{
+  std::uint64_t key = 0;
+  for (const char letter : name)
+  {
+    key = Mix(key, static_cast<unsigned char>(letter));
+  }
+  return key;
+}
+
+Time Later(Time start, double seconds)
+{
+  return start + Duration(std::llround(seconds * 1000.0));
+}
+
+double WrapAzimuth(double azimuth)
+{
+  return azimuth - 360.0 * std::floor(azimuth / 360.0);
+}
+
+// Scans one volume, cut after cut.
+class VolumeScan
+{
+public:
+  VolumeScan(const StormField& stormField, const Position& antenna, const SimulatorOptions& choices,
+    std::uint64_t volumeKey)
+    : field(stormField)
+    , position(antenna)
+    , options(choices)
+    , key(volumeKey)
+    , azimuth(360.0 * Uniform(volumeKey, 0))
+  {
+  }
+
+  // The next cut, from `start` on.
+  Sweep Scan(const ScanCut& cut, int number, Time start, RadarVolume& volume);
+
+private:
+  const StormField& field;
+  const Position& position;
+  const SimulatorOptions& options;
+  std::uint64_t key;
+  double azimuth; // degrees, where the next cut begins
+
+  Ray Aim(const ScanCut& cut, const CutLayout& layout, int number, int index, Time start) const;
+  void Measure(Ray& ray, const ScanCut& cut, const CutLayout& layout, BeamSampler& beam,
+    std::uint64_t rayKey, std::uint8_t* words);
+  std::vector<double> reflectivity; // of the ray in hand, kept to save its memory
+};
+
+// Where the antenna points, and when, in the middle of a ray.
+Ray VolumeScan::Aim(
+  const ScanCut& cut, const CutLayout& layout, int number, int index, Time start) const
+{
+  const std::uint64_t rayKey =
+    Mix(Mix(key, static_cast<std::uint64_t>(number)), static_cast<std::uint64_t>(index));
+  const double turned = (index + 0.5) * layout.raySpacing;
+  const double jitter = azimuthJitter * layout.raySpacing * (2.0 * Uniform(rayKey, 1U << 20) - 1.0);
+  const double settle =
+    elevationSettle * (2.0 * Uniform(key, static_cast<std::uint64_t>(number)) - 1.0);
+  const double wobble = elevationJitter * (2.0 * Uniform(rayKey, 2U << 20) - 1.0);
+  Ray ray;
+  ray.time = Later(start, turned / cut.cut.azimuthRate);
+  ray.azimuth = static_cast<float>(WrapAzimuth(azimuth + turned + jitter));
+  ray.elevation = static_cast<float>(
+    cut.cut.elevation + std::clamp(settle * std::exp(-index / raysToSettle) + wobble,
+                          -maximumElevation, maximumElevation));
+  ray.elevationNumber = static_cast<std::uint8_t>(number);
+  // Message 1 gives no Nyquist velocity in a surveillance cut.
+  const bool hasNyquist = layout.doppler.gates > 0 || options.superResolution;
+  ray.nyquist = hasNyquist ? static_cast<float>(NyquistVelocity(cut.unambiguousRange)) : 0.0F;
+  return ray;
+}
+
+void Describe(
+  MomentRow& row, const GateLayout& layout, const std::uint8_t* words, float scale, float offset)
+{
+  row.words = words;
+  row.gates = static_cast<std::uint16_t>(layout.gates);
+  row.firstGate = layout.firstGate;
+  row.gateSpacing = layout.gateSpacing;
+  row.scale = scale;
+  row.offset = offset;
+}
+
+void VolumeScan::Measure(Ray& ray, const ScanCut& cut, const CutLayout& layout, BeamSampler& beam,
+  std::uint64_t rayKey, std::uint8_t* words)
+{
+  const StormSnapshot snapshot = field.At(ray.time);
+  beam.Point(ray.azimuth, ray.elevation);
+  beam.Sample(snapshot, layout.echo, reflectivity);
+  const RayEcho echo{options, layout.echo, reflectivity, rayKey};
+  if (layout.reflectivity.gates > 0)
+  {
+    WriteReflectivityWords(echo, layout.reflectivity.gates, words);
+    Describe(
+      ray.Row(MomentName::REF), layout.reflectivity, words, ReflectivityScale, ReflectivityOffset);
+    words += layout.reflectivity.gates;
+  }
+  if (layout.doppler.gates > 0)
+  {
+    std::uint8_t* widths = words + layout.doppler.gates;
+    WriteDopplerWords(echo, layout.doppler, cut.unambiguousRange * 1000.0,
+      {ray.azimuth, ray.elevation}, beam, snapshot, words, widths);
+    Describe(ray.Row(MomentName::VEL), layout.doppler, words, DopplerScale, DopplerOffset);
+    Describe(ray.Row(MomentName::SW), layout.doppler, widths, DopplerScale, DopplerOffset);
+  }
+}
+
+Sweep VolumeScan::Scan(const ScanCut& cut, int number, Time start, RadarVolume& volume)
+{
+  const CutLayout layout = LayOut(cut, options.superResolution);
+  BeamSampler beam(position, cut.cut.elevation, layout.echo.Range(layout.echo.gates),
+    {options.effectiveRadiusFactor, options.beamWidth});
+  const auto rayBytes =
+    static_cast<std::size_t>(layout.reflectivity.gates + 2 * layout.doppler.gates);
+  const auto words =
+    std::make_shared<std::vector<std::uint8_t>>(rayBytes * static_cast<std::size_t>(layout.rays));
+  const std::uint64_t cutKey = Mix(key, static_cast<std::uint64_t>(number));
+
+  Sweep sweep;
+  sweep.elevationNumber = number;
+  for (int index = 0; index < layout.rays; ++index)
+  {
+    const auto place = static_cast<std::size_t>(index);
+    Ray ray = this->Aim(cut, layout, number, index, start);
+    this->Measure(ray, cut, layout, beam, Mix(cutKey, place), words->data() + place * rayBytes);
+    sweep.rays.push_back(ray);
+  }
+  volume.buffers.push_back(words);
+  azimuth = WrapAzimuth(azimuth + layout.rays * layout.raySpacing + cutGap * cut.cut.azimuthRate);
+  return sweep;
+}
+
+// Radial status: 3 and 4 at the ends of the volume, 0 and 2 at the ends of the other cuts.
+void MarkEnds(std::vector<Sweep>& sweeps)
+{
+  for (Sweep& sweep : sweeps)
+  {
+    sweep.rays.front().radialStatus = 0;
+    sweep.rays.back().radialStatus = 2;
+  }
+  sweeps.front().rays.front().radialStatus = 3;
+  sweeps.back().rays.back().radialStatus = 4;
+}
+
+// The pattern as message 5 describes it: without super-resolution where it is not scanned so.
+CoveragePattern PatternAsScanned(int number, const SimulatorOptions& options)
+{
+  CoveragePattern pattern = *FindCoveragePattern(number);
+  for (CoverageCut& cut : pattern.cuts)
+  {
+    cut.superResolution = cut.superResolution && options.superResolution;
+  }
+  return pattern;
+}
+
+} // namespace
+
+RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePattern, Time start,
+  const SimulatorOptions& options)
+{
+  const std::vector<ScanCut>& strategy = RequireStrategy(coveragePattern);
+  if (!site.position)
+  {
+    throw Error("simulator: site '" + site.name + "' has no position; give one, or a known site");
+  }
+  RequirePositive(options.effectiveRadiusFactor, "the effective radius factor");
+  RequirePositive(options.beamWidth, "the beam width");
+
+  RadarVolume volume;
+  volume.site = site;
+  volume.coveragePatternNumber = coveragePattern;
+  volume.coveragePattern = PatternAsScanned(coveragePattern, options);
+  volume.messageType = options.superResolution ? 31 : 1;
+  volume.headerTime = start;
+  volume.complete = true;
+  volume.synthetic = true;
+  const auto startCount = static_cast<std::uint64_t>(start.time_since_epoch().count());
+  VolumeScan scan(
+    field, *site.position, options, Mix(Mix(Mix(options.seed), KeyOf(site.name)), startCount));
+  double elapsed = 0.0;
+  int number = 0;
+  for (const ScanCut& cut : strategy)
+  {
+    volume.sweeps.push_back(scan.Scan(cut, ++number, Later(start, elapsed), volume));
+    elapsed += CutDuration(cut, LayOut(cut, options.superResolution)) + cutGap;
+  }
+  MarkEnds(volume.sweeps);
+  return volume;
+}
+
+Duration VolumePeriod(int coveragePattern)
+{
+  double seconds = volumeGap;
+  for (const ScanCut& cut : RequireStrategy(coveragePattern))
+  {
+    seconds += CutDuration(cut, LayOut(cut, false)) + cutGap;
+  }
+  return Duration(std::llround(seconds * 1000.0));
+}
+
+} // namespace nexrad

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace nexrad
+{
+
+/// A point of the storm day's local plane: m east and north of its reference point (StormPlane),
+/// m above mean sea level.
+struct PlanePoint
+{
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+};
+
+/// How an element's reflectivity changes with height.
+enum class VerticalProfile
+{
+  Tower,     ///< constant up to `level`, then falling with the square of the height above it
+  Layer,     ///< falling with the square of the height above or below `level`
+  Stratiform ///< constant below the melting level `level`, a bright band there, linear above
+};
+
+/// One piece of a storm at one instant, in closed form: a peak in dBZ, less a drop that grows with
+/// the normalised distance from a (tilted) axis, less a drop with height. A drop quadratic in dB is
+/// a Gaussian in Z. A supercell is made of about a dozen.
+struct StormElement
+{
+  double x = 0.0; ///< m, axis at height `level`
+  double y = 0.0;
+  double alongX = 1.0; ///< unit vector of the long half-axis
+  double alongY = 0.0;
+  double longAxis = 1.0;  ///< m, where the reflectivity has dropped by `edge`
+  double shortAxis = 1.0; ///< m
+  double tiltX = 0.0;     ///< m of shift of the axis a metre of height
+  double tiltY = 0.0;
+  double peak = 0.0;    ///< dBZ
+  double edge = 12.0;   ///< dB lost at one half-axis
+  bool plateau = false; ///< the drop grows with the fourth power, not the second: flat, steep edges
+  VerticalProfile profile = VerticalProfile::Tower;
+  double level = 0.0; ///< m, see VerticalProfile
+  double depth = 1.0; ///< m, height over which `profile` loses `fall`
+  double fall = 40.0; ///< dB
+
+  /// Reflectivity in dBZ before texture; below MinimumReflectivity it does not count as echo.
+  double Reflectivity(const PlanePoint& point) const;
+};
+
+/// Weakest reflectivity that the field has; what is weaker is no echo, dBZ.
+constexpr double MinimumReflectivity = -15.0;
+
+/// Most that the texture adds or takes away, dB.
+constexpr double TextureAmplitude = 3.5;
+
+/// An upright cylinder outside of which an element holds no echo.
+struct ElementBounds
+{
+  double x, y, radius; ///< m
+  double bottom, top;  ///< m above mean sea level
+};
+ElementBounds BoundsOf(const StormElement& element);
+
+} // namespace nexrad

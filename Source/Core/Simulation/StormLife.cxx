@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Simulation/StormLife.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double dayLength = 86'400.0;
+constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double meltingLevel = 2'900.0; // m above mean sea level
+constexpr double deadLoss = 70.0;        // dB below full strength at birth and death
+
+// Upper winds blow towards this bearing; anvils stretch and towers lean along it.
+constexpr double downshearBearing = 64.0 * degree;
+
+// Strength 0…1 at an age (0 at birth, 1 at death): quick growth, long maturity, quick decay.
+double Strength(double age)
+{
+  if (age <= 0.0 || age >= 1.0)
+  {
+    return 0.0;
+  }
+  const double fromMiddle = 2.0 * age - 1.0;
+  const double squared = fromMiddle * fromMiddle;
+  return 1.0 - squared * squared;
+}
+
+// Builds the elements of one storm at one instant: places are given along and to the left of the
+// direction downshear, in the storm's own lengths.
+class ElementBuilder
+{
+public:
+  ElementBuilder(const StormLife& life, double sinceMiddle, std::vector<StormElement>& result)
+    : storm(life)
+    , elements(result)
+    , centreX(life.x + life.east * sinceMiddle)
+    , centreY(life.y + life.north * sinceMiddle)
+  {
+  }
+
+  PlanePoint Place(double along, double left) const
+  {
+    const double ahead = along * storm.size;
+    const double aside = left * storm.size;
+    return {
+      centreX + alongX * ahead - alongY * aside, centreY + alongY * ahead + alongX * aside, 0.0};
+  }
+
+  // An element with its middle at a place, that much below full strength; the caller sets the rest.
+  StormElement& Add(double along, double left, double longAxis, double shortAxis, double strength)
+  {
+    StormElement element;
+    const PlanePoint place = this->Place(along, left);
+    element.x = place.x;
+    element.y = place.y;
+    element.alongX = alongX;
+    element.alongY = alongY;
+    element.longAxis = longAxis * storm.size;
+    element.shortAxis = shortAxis * storm.size;
+    element.peak = -deadLoss * (1.0 - strength);
+    elements.push_back(element);
+    return elements.back();
+  }
+
+private:
+  const StormLife& storm;
+  std::vector<StormElement>& elements;
+  double centreX;
+  double centreY;
+  const double alongX = std::sin(downshearBearing);
+  const double alongY = std::cos(downshearBearing);
+};
+
+void SetTower(StormElement& element, double peak, double shoulder, double top)
+{
+  element.peak += peak;
+  element.profile = VerticalProfile::Tower;
+  element.level = shoulder;
+  element.depth = top - shoulder;
+  element.fall = std::max(peak - 5.0, 10.0); // 5 dBZ at the top
+}
+
+void SetLayer(StormElement& element, double peak, double level, double depth)
+{
+  element.peak += peak;
+  element.profile = VerticalProfile::Layer;
+  element.level = level;
+  element.depth = depth;
+  element.fall = 22.0;
+}
+
+void SetStratiform(StormElement& element, double peak, double top)
+{
+  element.peak += peak;
+  element.plateau = true;
+  element.edge = 22.0;
+  element.profile = VerticalProfile::Stratiform;
+  element.level = meltingLevel;
+  element.depth = top - meltingLevel;
+  element.fall = peak; // 0 dBZ at the top
+}
+
+void Lean(StormElement& element, double slope)
+{
+  element.tiltX = slope * std::sin(downshearBearing);
+  element.tiltY = slope * std::cos(downshearBearing);
+}
+
+// A hook: small blobs along an arc that leaves the core on its right rear flank and curls round the
+// mesocyclone.
+void AddHook(ElementBuilder& builder, double peak, double strength)
+{
+  constexpr int blobs = 6;
+  constexpr double radius = 4'200.0;
+  constexpr double centreAlong = -6'500.0;
+  constexpr double centreLeft = -7'500.0;
+  for (int blob = 0; blob < blobs; ++blob)
+  {
+    const double angle = (70.0 + 44.0 * blob) * degree;
+    StormElement& element = builder.Add(centreAlong + radius * std::cos(angle),
+      centreLeft + radius * std::sin(angle), 2'000.0, 2'000.0, strength);
+    SetTower(element, peak - 9.0 - 1.5 * blob, 1'800.0, 5'500.0);
+  }
+}
+
+void AddSupercell(const StormLife& storm, double sinceMiddle, std::vector<StormElement>& elements,
+  std::vector<StormVortex>& vortices)
+{
+  const double age = 0.5 + sinceMiddle / storm.lifetime;
+  const double strength = Strength(age);
+  // The anvil and the rain behind the storm come later than the core, and outlive it.
+  const double lateStrength = Strength((age - 0.12) / 1.15);
+  const double peak = storm.peak;
+  ElementBuilder builder(storm, sinceMiddle, elements);
+
+  StormElement& core = builder.Add(0.0, 0.0, 7'000.0, 5'500.0, strength);
+  SetTower(core, peak, 4'500.0, storm.top);
+  Lean(core, 0.55);
+  // Echo aloft over the inflow on the right flank, with weak echo below it.
+  StormElement& overhang = builder.Add(-1'500.0, -7'500.0, 5'500.0, 4'500.0, strength);
+  SetLayer(overhang, peak - 9.0, 6'800.0, 2'600.0);
+  Lean(overhang, 0.3);
+  StormElement& forwardFlank = builder.Add(17'000.0, 3'500.0, 15'000.0, 9'000.0, strength);
+  SetTower(forwardFlank, peak - 19.0, 3'500.0, 0.75 * storm.top);
+  AddHook(builder, peak, strength);
+
+  const double spread = 0.45 + 0.55 * lateStrength;
+  StormElement& anvil =
+    builder.Add(48'000.0 * spread, 2'000.0, 62'000.0 * spread, 24'000.0 * spread, lateStrength);
+  SetLayer(anvil, 25.0, 0.72 * storm.top, 2'300.0);
+  anvil.plateau = true;
+  anvil.edge = 18.0;
+  StormElement& trailing = builder.Add(-34'000.0, 9'000.0, 27'000.0, 23'000.0, lateStrength);
+  SetStratiform(trailing, 28.0, 8'500.0);
+
+  const PlanePoint place = builder.Place(-6'500.0, -7'500.0);
+  vortices.push_back({place.x, place.y, 3'000.0, 24.0 * strength});
+}
+
+} // namespace
+
+void AddElements(const StormLife& storm, double seconds, std::vector<StormElement>& elements,
+  std::vector<StormVortex>& vortices)
+{
+  const double sinceMiddle = std::remainder(seconds - storm.middleTime, dayLength);
+  constexpr double longest = 0.8; // of a lifetime, from the middle to the end of what outlives it
+  if (std::abs(sinceMiddle) > longest * storm.lifetime)
+  {
+    return;
+  }
+  if (storm.kind == StormKind::Supercell)
+  {
+    AddSupercell(storm, sinceMiddle, elements, vortices);
+    return;
+  }
+  const double strength = Strength(0.5 + sinceMiddle / storm.lifetime);
+  ElementBuilder builder(storm, sinceMiddle, elements);
+  if (storm.kind == StormKind::Cell)
+  {
+    StormElement& cell = builder.Add(0.0, 0.0, 3'400.0, 2'800.0, strength);
+    SetTower(cell, storm.peak, 0.45 * storm.top, storm.top);
+    Lean(cell, 0.4);
+  }
+  else
+  {
+    SetStratiform(builder.Add(0.0, 0.0, 48'000.0, 26'000.0, strength), storm.peak, storm.top);
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Simulation/StormSnapshot.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+enum class StormKind
+{
+  Supercell,
+  Cell,    ///< an ordinary shower or thunderstorm
+  RainArea ///< stratiform rain
+};
+
+/// One storm from birth to death: it moves straight, and its strength follows its age.
+struct StormLife
+{
+  StormKind kind = StormKind::Cell;
+  double middleTime = 0.0;  ///< s after midnight UTC, half-way through its life
+  double lifetime = 3600.0; ///< s
+  double x = 0.0;           ///< m in the plane, at middleTime
+  double y = 0.0;
+  double east = 0.0; ///< m/s
+  double north = 0.0;
+  double peak = 50.0;   ///< dBZ at full strength
+  double size = 1.0;    ///< factor of all lengths
+  double top = 12000.0; ///< m above mean sea level
+};
+
+/// All storms of a day. Their times and places are spread evenly, so that the activity is much the
+/// same whatever the seed.
+std::vector<StormLife> MakeStormDay(std::uint32_t seed);
+
+/// Adds what a storm consists of at an instant (s after midnight UTC; the day repeats).
+void AddElements(const StormLife& storm, double seconds, std::vector<StormElement>& elements,
+  std::vector<StormVortex>& vortices);
+
+} // namespace nexrad

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Simulation/StormSnapshot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+constexpr double degree = pi / 180.0;
+constexpr double sphereRadius = 6'371'000.0; // m
+constexpr double referenceLatitude = 39.0;   // degrees
+constexpr double referenceLongitude = -91.5; // degrees
+constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+// Insects and eddies of the boundary layer: a weak return everywhere near the ground, seen by a
+// radar for some tens of kilometres. It stays below 0 dBZ, so that it is never a storm.
+constexpr double clearAirPeak = -5.0;    // dBZ
+constexpr double clearAirDepth = 1800.0; // m
+constexpr double clearAirFall = 8.0;     // dB lost at that height
+constexpr double clearAirTexture = 0.5;  // share of the storms' texture
+
+double ClearAir(double z)
+{
+  const double relative = z / clearAirDepth;
+  const double squared = relative * relative;
+  return clearAirPeak - clearAirFall * squared * squared;
+}
+
+// A wave of the texture: its direction and wavelength (as a wave vector, rad/m) and its amplitude.
+struct TextureWave
+{
+  double x, y, z;
+  double amplitude;
+};
+constexpr std::array<TextureWave, 3> textureWaves = {
+  {{2.0 * pi / 7'300.0, 2.0 * pi / 15'000.0, 4e-4, 0.9},
+    {-2.0 * pi / 21'000.0, 2.0 * pi / 8'900.0, -3e-4, 1.1},
+    {2.0 * pi / 19'000.0, -2.0 * pi / 23'000.0, 2e-4, 1.5}}};
+
+constexpr double textureEast = 14.0; // m/s
+constexpr double textureNorth = 12.0;
+
+// Phases of the waves after a drift of so many seconds. Each wave drifts a whole number of
+// wavelengths a day, so that the day repeats without a jump.
+std::array<double, textureWaves.size()> TexturePhases(double seconds)
+{
+  constexpr double dayLength = 86'400.0;
+  std::array<double, textureWaves.size()> phases{};
+  for (std::size_t index = 0; index < phases.size(); ++index)
+  {
+    const TextureWave& wave = textureWaves[index];
+    const double turns =
+      std::round((wave.x * textureEast + wave.y * textureNorth) * dayLength / (2.0 * pi));
+    phases[index] = -2.0 * pi * turns * seconds / dayLength;
+  }
+  return phases;
+}
+
+} // namespace
+
+PlanePoint StormPlane::FromGeographic(double longitude, double latitude, double height)
+{
+  static const double eastScale = std::cos(referenceLatitude * degree);
+  return {sphereRadius * eastScale * (longitude - referenceLongitude) * degree,
+    sphereRadius * (latitude - referenceLatitude) * degree, height};
+}
+
+double StormPlane::EastwardScale(double latitude)
+{
+  return std::cos(referenceLatitude * degree) / std::cos(latitude * degree);
+}
+
+StormSnapshot::StormSnapshot(
+  std::vector<StormElement> elementsNow, std::vector<StormVortex> vorticesNow, double seconds)
+  : elements(std::move(elementsNow))
+  , vortices(std::move(vorticesNow))
+  , texturePhases(TexturePhases(seconds))
+{
+  bounds.reserve(elements.size());
+  for (const StormElement& element : elements)
+  {
+    bounds.push_back(BoundsOf(element));
+  }
+}
+
+void StormSnapshot::FindElements(const ElementBounds& within, std::vector<int>& found) const
+{
+  found.clear();
+  for (std::size_t index = 0; index < bounds.size(); ++index)
+  {
+    const ElementBounds& bound = bounds[index];
+    const double east = bound.x - within.x;
+    const double north = bound.y - within.y;
+    const double reach = bound.radius + within.radius;
+    if (bound.bottom <= within.top && bound.top >= within.bottom &&
+        east * east + north * north <= reach * reach)
+    {
+      found.push_back(static_cast<int>(index));
+    }
+  }
+}
+
+double StormSnapshot::Texture(const PlanePoint& point) const
+{
+  double sum = 0.0;
+  for (std::size_t index = 0; index < textureWaves.size(); ++index)
+  {
+    const TextureWave& wave = textureWaves[index];
+    sum += wave.amplitude *
+           std::sin(wave.x * point.x + wave.y * point.y + wave.z * point.z + texturePhases[index]);
+  }
+  return sum;
+}
+
+double StormSnapshot::Reflectivity(const PlanePoint& point) const
+{
+  std::vector<int> candidates;
+  this->FindElements({point.x, point.y, 0.0, point.z, point.z}, candidates);
+  return this->Reflectivity(point, candidates);
+}
+
+double StormSnapshot::Reflectivity(
+  const PlanePoint& point, const std::vector<int>& candidates) const
+{
+  double strongest = nothing;
+  for (const int index : candidates)
+  {
+    strongest = std::max(strongest, elements[static_cast<std::size_t>(index)].Reflectivity(point));
+  }
+  const double clearAir = point.z < ClearAirTop() ? ClearAir(point.z) : nothing;
+  if (std::max(strongest, clearAir) < MinimumReflectivity)
+  {
+    return nothing;
+  }
+  const double texture = this->Texture(point);
+  return std::max(strongest < MinimumReflectivity ? nothing : strongest + texture,
+    clearAir + clearAirTexture * texture);
+}
+
+WindVector StormSnapshot::Wind(const PlanePoint& point) const
+{
+  // A hodograph that veers and strengthens with height: from the south-south-east at the ground,
+  // the south-west at 3 km, the west-south-west at 12 km.
+  const double height = std::clamp(point.z, 0.0, 14'000.0);
+  WindVector wind{-2.0 + 0.0038 * height, 8.0 + 0.0010 * height};
+  constexpr double farthest = 25'000.0;
+  for (const StormVortex& vortex : vortices)
+  {
+    const double east = point.x - vortex.x;
+    const double north = point.y - vortex.y;
+    const double squared = east * east + north * north;
+    if (squared < farthest * farthest)
+    {
+      const double scaled = squared / (vortex.radius * vortex.radius);
+      const double heights = height * height / (6500.0 * 6500.0);
+      const double turning =
+        2.0 * vortex.speed / (vortex.radius * (1.0 + scaled)) * std::exp(-heights * heights);
+      wind.east -= turning * north;
+      wind.north += turning * east;
+    }
+  }
+  return wind;
+}
+
+double StormSnapshot::ClearAirTop()
+{
+  static const double top =
+    clearAirDepth * std::pow((clearAirPeak - MinimumReflectivity) / clearAirFall, 0.25);
+  return top;
+}
+
+double StormSnapshot::ClearAirMaximum()
+{
+  return clearAirPeak + clearAirTexture * TextureAmplitude;
+}
+
+} // namespace nexrad
