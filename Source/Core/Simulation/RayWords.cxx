@@ -16,8 +16,8 @@ namespace
 constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double overlayThreshold = 5.0; // dB by which one of two overlaid echoes must be stronger
-constexpr double velocityNoise = 1.0;    // m/s, standard deviation
-constexpr double widthNoise = 0.7;       // m/s, standard deviation
+constexpr double velocityNoise = 1.2;    // m/s, standard deviation
+constexpr double widthNoise = 0.9;       // m/s, standard deviation
 
 constexpr std::uint8_t belowThreshold = 0;
 constexpr std::uint8_t rangeFolded = 1;

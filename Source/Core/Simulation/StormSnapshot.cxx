@@ -20,8 +20,8 @@ constexpr double nothing = -std::numeric_limits<double>::infinity();
 
 // Insects and eddies of the boundary layer: a weak return everywhere near the ground, seen by a
 // radar for some tens of kilometres. It stays below 0 dBZ, so that it is never a storm.
-constexpr double clearAirPeak = -5.0;    // dBZ
-constexpr double clearAirDepth = 1800.0; // m
+constexpr double clearAirPeak = -4.0;    // dBZ
+constexpr double clearAirDepth = 2100.0; // m
 constexpr double clearAirFall = 8.0;     // dB lost at that height
 constexpr double clearAirTexture = 0.5;  // share of the storms' texture
 
