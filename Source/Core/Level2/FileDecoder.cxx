@@ -6,6 +6,7 @@
 #include "Level2/Message31.h"
 #include "Level2/Message5.h"
 #include "Level2/ParallelBunzip.h"
+#include "Level2/SyntheticMark.h"
 #include "Level2/VolumeHeader.h"
 
 #include <algorithm>
@@ -166,8 +167,14 @@ void FileDecoder::DecodeMessage(const Message& message, std::uint64_t storedOffs
       assembler.AddPattern(std::move(*pattern));
     }
     break;
+  case SyntheticMarkMessageType:
+    if (IsSyntheticMark(message.type, message.body.Data(), message.body.Size()))
+    {
+      assembler.AddSyntheticMark();
+    }
+    break;
   default:
-    break; // maintenance data, clutter maps, console messages, …
+    break; // maintenance data, clutter maps, …
   }
 }
 

@@ -31,6 +31,8 @@ public:
   void AddRay(DecodedRay&& decoded, int messageType, std::uint64_t offset);
   void AddPattern(CoveragePattern pattern);
   void AddStatus(const RadarStatus& status) { volume.status = status; }
+  /// The file says that it was simulated.
+  void AddSyntheticMark() { volume.synthetic = true; }
   /// The bytes that rays point into.
   void AddBuffer(std::shared_ptr<const std::vector<std::uint8_t>> buffer);
   /// Equal damage one after the other becomes one entry with a count.
