@@ -204,15 +204,16 @@ void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
 {
   ratio[0] = ratio[1] = ratio[2] = 1.0;
   auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
-  if (image == nullptr || this->Parts->Window == nullptr)
+  GLint limit = 0;
+  glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
+  if (image == nullptr || limit <= 0)
   {
     return;
   }
-  const double limit = vtkTextureObject::GetMaximumTextureSize3D(this->Parts->Window);
   const auto size = vtkTextureSliceTexture::GetSize(image, this->CellFlag == 1);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    ratio[axis] = std::min(1.0, limit / std::max(1, size[axis]));
+    ratio[axis] = std::min(1.0, static_cast<double>(limit) / std::max(1, size[axis]));
   }
 }
 

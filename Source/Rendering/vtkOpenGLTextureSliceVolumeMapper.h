@@ -62,8 +62,8 @@ public:
   int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property) override;
 
   /**
-   * Factors that would make the input fit the largest 3-D texture; 1 where it fits already. The
-   * window of the last frame must be current.
+   * Factors that would make the input fit the largest 3-D texture; 1 where it fits already. An
+   * OpenGL context must be current.
    */
   void GetReductionRatio(double ratio[3]) override;
 

@@ -228,8 +228,11 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
             std::to_string(expected);
     return false;
   }
-  const unsigned char hidden =
-    cellData ? vtkDataSetAttributes::HIDDENCELL : vtkDataSetAttributes::HIDDENPOINT;
+  unsigned char hidden = vtkDataSetAttributes::HIDDENPOINT;
+  if (cellData)
+  {
+    hidden = vtkDataSetAttributes::HIDDENCELL;
+  }
   Texels texels;
   switch (scalars->GetDataType())
   {
