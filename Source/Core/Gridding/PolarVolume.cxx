@@ -80,6 +80,7 @@ PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment)
   polar.moment = moment;
   polar.start = volume.Start().value_or(Time{});
   polar.end = volume.End().value_or(Time{});
+  polar.synthetic = volume.synthetic;
   for (const Sweep& sweep : volume.sweeps)
   {
     for (const RayList& rays : GroupByGeometry(sweep, moment))
