@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Temporal/SiteSeries.h"
+
+#include "Model/Error.h"
+
+#include <algorithm>
+#include <future>
+#include <map>
+#include <thread>
+#include <utility>
+
+namespace nexrad
+{
+
+namespace
+{
+
+/// What one input file holds.
+struct ScannedFile
+{
+  std::vector<std::pair<Site, SeriesVolume>> volumes;
+  std::vector<InputProblem> problems;
+};
+
+/// Why a volume cannot be used; empty when it can.
+std::string ReasonToLeaveOut(const RadarVolume& volume, const SeriesOptions& options)
+{
+  if (volume.sweeps.empty())
+  {
+    return "no ray could be read: left out";
+  }
+  if (options.requirePosition && !volume.site.position)
+  {
+    return "the position of site \"" + volume.site.name + "\" is unknown: left out";
+  }
+  const auto hasMoment = [&](const Sweep& sweep) { return sweep.Has(*options.moment); };
+  if (options.moment && std::none_of(volume.sweeps.begin(), volume.sweeps.end(), hasMoment))
+  {
+    return std::string("no ray has ") + ToString(*options.moment) + ": left out";
+  }
+  return {};
+}
+
+SeriesVolume Describe(
+  const RadarVolume& volume, const std::filesystem::path& path, std::size_t cycle)
+{
+  SeriesVolume description;
+  description.file = path;
+  description.cycle = cycle;
+  description.start = *volume.Start();
+  description.end = *volume.End();
+  description.rays = volume.RayCount();
+  description.synthetic = volume.synthetic;
+  return description;
+}
+
+ScannedFile ScanFile(
+  const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
+{
+  ScannedFile scanned;
+  RadarVolume whole;
+  try
+  {
+    whole = ReadLevel2(path, options.level2);
+  }
+  catch (const Error& error)
+  {
+    // An error names its file already.
+    const std::string prefix = path.string() + ": ";
+    std::string what = error.what();
+    what = what.compare(0, prefix.size(), prefix) == 0 ? what.substr(prefix.size()) : what;
+    scanned.problems.push_back({path.string(), {}, what, true});
+    return scanned;
+  }
+  for (const Damage& damage : whole.damage)
+  {
+    scanned.problems.push_back({path.string(), damage.offset, damage.what, false});
+  }
+  const std::vector<RadarVolume> cycles = SplitCycles(whole);
+  for (std::size_t cycle = 0; cycle < cycles.size(); ++cycle)
+  {
+    const std::string reason = ReasonToLeaveOut(cycles[cycle], options);
+    if (!reason.empty())
+    {
+      scanned.problems.push_back({path.string(), {}, reason, true});
+      continue;
+    }
+    scanned.volumes.emplace_back(cycles[cycle].site, Describe(cycles[cycle], path, cycle));
+    if (visitor)
+    {
+      visitor(scanned.volumes.back().second, cycles[cycle]);
+    }
+  }
+  return scanned;
+}
+
+/// Files without a name of their site are told apart by its position.
+std::string GroupKey(const Site& site)
+{
+  if (!site.name.empty() || !site.position)
+  {
+    return site.name;
+  }
+  return std::to_string(site.position->latitude) + "," + std::to_string(site.position->longitude);
+}
+
+/// Sorts a site's volumes and drops the poorer of two with the same first ray.
+void SortVolumes(SiteSeries& series, std::vector<InputProblem>& problems)
+{
+  std::vector<SeriesVolume>& volumes = series.volumes;
+  std::stable_sort(volumes.begin(), volumes.end(),
+    [](const SeriesVolume& a, const SeriesVolume& b)
+    { return a.start != b.start ? a.start < b.start : a.rays > b.rays; });
+  std::vector<SeriesVolume> kept;
+  for (SeriesVolume& volume : volumes)
+  {
+    if (!kept.empty() && kept.back().start == volume.start)
+    {
+      problems.push_back({volume.file.string(), {},
+        "the same volume as " + kept.back().file.string() + ": left out", true});
+      continue;
+    }
+    kept.push_back(std::move(volume));
+  }
+  volumes = std::move(kept);
+}
+
+void Collect(SeriesScan& scan, const std::vector<ScannedFile>& files)
+{
+  std::map<std::string, SiteSeries> groups;
+  for (const ScannedFile& file : files)
+  {
+    scan.problems.insert(scan.problems.end(), file.problems.begin(), file.problems.end());
+    for (const auto& [site, volume] : file.volumes)
+    {
+      SiteSeries& group = groups[GroupKey(site)];
+      if (!group.site.position)
+      {
+        group.site = site;
+      }
+      group.volumes.push_back(volume);
+    }
+  }
+  for (auto& group : groups)
+  {
+    SortVolumes(group.second, scan.problems);
+    scan.sites.push_back(std::move(group.second));
+  }
+}
+
+} // namespace
+
+std::vector<Time> SiteSeries::Starts() const
+{
+  std::vector<Time> starts;
+  for (const SeriesVolume& volume : volumes)
+  {
+    starts.push_back(volume.start);
+  }
+  return starts;
+}
+
+std::optional<Time> SeriesScan::First() const
+{
+  std::optional<Time> first;
+  for (const SiteSeries& series : sites)
+  {
+    first = std::min(first.value_or(series.volumes.front().start), series.volumes.front().start);
+  }
+  return first;
+}
+
+std::optional<Time> SeriesScan::Last() const
+{
+  std::optional<Time> last;
+  for (const SiteSeries& series : sites)
+  {
+    for (const SeriesVolume& volume : series.volumes)
+    {
+      last = std::max(last.value_or(volume.end), volume.end);
+    }
+  }
+  return last;
+}
+
+std::vector<Position> SeriesScan::Positions() const
+{
+  std::vector<Position> positions;
+  for (const SiteSeries& series : sites)
+  {
+    if (series.site.position)
+    {
+      positions.push_back(*series.site.position);
+    }
+  }
+  return positions;
+}
+
+std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
+  const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
+{
+  const InputFiles found = FindInputFiles(inputs);
+  // Each decoding holds a whole volume in memory, so their number is bounded.
+  const std::size_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
+  std::vector<ScannedFile> files;
+  for (std::size_t begin = 0; begin < found.paths.size(); begin += workers)
+  {
+    if (progress && !progress(static_cast<double>(begin) / static_cast<double>(found.paths.size())))
+    {
+      return std::nullopt;
+    }
+    std::vector<std::future<ScannedFile>> running;
+    for (std::size_t i = begin; i < std::min(begin + workers, found.paths.size()); ++i)
+    {
+      running.push_back(std::async(std::launch::async, ScanFile, std::cref(found.paths[i]),
+        std::cref(options), std::cref(visitor)));
+    }
+    for (std::future<ScannedFile>& file : running)
+    {
+      files.push_back(file.get());
+    }
+  }
+  SeriesScan scan;
+  scan.problems = found.problems;
+  Collect(scan, files);
+  return scan;
+}
+
+} // namespace nexrad

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Level2/Level2File.h"
+#include "Model/Progress.h"
+#include "Model/RadarVolume.h"
+#include "Temporal/InputFiles.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One volume among the inputs: where it stands and when it was scanned. Its data are elsewhere.
+struct SeriesVolume
+{
+  std::filesystem::path file; ///< a Level II file or a chunk folder
+  std::size_t cycle = 0;      ///< which of the cycles in the file (SplitCycles), from 0
+  Time start{};               ///< first ray
+  Time end{};                 ///< last ray
+  std::size_t rays = 0;
+  bool synthetic = false; ///< made by the simulator
+};
+
+/// All volumes of one radar.
+struct SiteSeries
+{
+  Site site;
+  std::vector<SeriesVolume> volumes; ///< by start time, no two alike; never empty
+
+  std::vector<Time> Starts() const;
+};
+
+/// What is in a list of radar files of any number of sites.
+struct SeriesScan
+{
+  std::vector<SiteSeries> sites;      ///< by name
+  std::vector<InputProblem> problems; ///< in the order of the inputs
+
+  /// Times of the first and of the last ray of all volumes; empty without volumes.
+  std::optional<Time> First() const;
+  std::optional<Time> Last() const;
+  /// Positions of the sites that have one.
+  std::vector<Position> Positions() const;
+};
+
+struct SeriesOptions
+{
+  Level2Options level2;
+  std::optional<MomentName> moment; ///< a volume without it is left out
+  bool requirePosition = false;     ///< a volume of a site without a position is left out
+};
+
+/// Called for each volume while its data are in memory, from several threads at once.
+using VolumeVisitor = std::function<void(const SeriesVolume&, const RadarVolume&)>;
+
+/// Decodes each input once, a few at a time on as many threads, and says what volumes there are. A
+/// file belongs to the site that stands in it, whatever its name. Of two volumes of one site with
+/// the same first ray the one with more rays stays. Damage, and what was left out, is in
+/// `problems`; `progress` is called from this thread alone. Empty when `progress` asked to stop.
+/// Throws Error as FindInputFiles does.
+std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
+  const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
+  const Progress& progress = {});
+
+} // namespace nexrad
