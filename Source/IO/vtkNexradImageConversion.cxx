@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradImageConversion.h"
+
+#include "Gridding/GriddedVolume.h"
+#include "Model/Error.h"
+#include "vtkNexradFieldData.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkMatrix3x3.h"
+#include "vtkPointData.h"
+#include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace
+{
+
+std::string StateName(nexrad::MomentName moment)
+{
+  return std::string(nexrad::ToString(moment)) + "_state";
+}
+
+void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
+{
+  vtkNexradAddValues<vtkFloatArray, float>(field, "FillValue", {volume.fill});
+  vtkNexradAddTexts(field, "Projection", {volume.grid.Projection()});
+  vtkNexradAddValues<vtkDoubleArray, double>(
+    field, "ProjectionCenter", {volume.grid.centreLatitude, volume.grid.centreLongitude});
+  vtkNexradAddValues<vtkDoubleArray, double>(field, "TimeValue", {nexrad::ToSeconds(volume.time)});
+  vtkNexradAddTexts(field, "Sites", volume.sites);
+  vtkNexradAddTexts(field, "Method", {volume.method});
+  vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(
+    field, "Synthetic", {static_cast<unsigned char>(volume.synthetic ? 1 : 0)});
+}
+
+void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
+{
+  const auto count = static_cast<vtkIdType>(volume.values.size());
+  vtkNew<vtkFloatArray> values;
+  values->SetName(nexrad::ToString(volume.moment));
+  values->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), nexrad::UnitOf(volume.moment));
+  values->SetNumberOfTuples(count);
+  std::copy(volume.values.begin(), volume.values.end(), values->GetPointer(0));
+  vtkNew<vtkUnsignedCharArray> states;
+  states->SetName(StateName(volume.moment).c_str());
+  states->SetNumberOfTuples(count);
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(count);
+  for (vtkIdType i = 0; i < count; ++i)
+  {
+    const nexrad::VoxelState state = volume.states[static_cast<std::size_t>(i)];
+    states->SetValue(i, static_cast<unsigned char>(state));
+    const bool hidden = state == nexrad::VoxelState::NotScanned;
+    ghosts->SetValue(i, hidden ? static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT) : 0);
+  }
+  points->SetScalars(values);
+  points->AddArray(states);
+  points->AddArray(ghosts);
+}
+
+nexrad::MomentName FindMoment(vtkPointData* points)
+{
+  for (const nexrad::MomentName moment : nexrad::AllMoments)
+  {
+    if (points->GetArray(nexrad::ToString(moment)))
+    {
+      return moment;
+    }
+  }
+  throw nexrad::Error("the image has no array of a radar moment: it needs REF and REF_state");
+}
+
+template <class Array>
+Array* RequireArray(vtkImageData* image, const std::string& name)
+{
+  Array* array = Array::SafeDownCast(image->GetPointData()->GetArray(name.c_str()));
+  if (!array || array->GetNumberOfComponents() != 1 ||
+      array->GetNumberOfTuples() != image->GetNumberOfPoints())
+  {
+    vtkNew<Array> wanted;
+    throw nexrad::Error("the image's point array " + name + " must be of type " +
+                        wanted->GetDataTypeAsString() + " with one value a point");
+  }
+  return array;
+}
+
+nexrad::GridSpecification ImageToGrid(vtkImageData* image)
+{
+  if (!image->GetDirectionMatrix()->IsIdentity())
+  {
+    throw nexrad::Error("the image's axes are turned: a volume has x east, y north and z up");
+  }
+  nexrad::GridSpecification grid;
+  const int* extent = image->GetExtent();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    grid.dimensions[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    grid.spacing[axis] = image->GetSpacing()[axis];
+    grid.origin[axis] = image->GetOrigin()[axis] + extent[2 * axis] * grid.spacing[axis];
+  }
+  vtkFieldData* field = image->GetFieldData();
+  const std::vector<std::string> projection = vtkNexradGetTexts(field, "Projection");
+  const bool geographic =
+    !projection.empty() && projection[0].find("+proj=longlat") != std::string::npos;
+  grid.axes = geographic ? nexrad::GridAxes::Geographic : nexrad::GridAxes::Projected;
+  grid.centreLatitude = vtkNexradGetValue(field, "ProjectionCenter", 0).value_or(0.0);
+  grid.centreLongitude = vtkNexradGetValue(field, "ProjectionCenter", 1).value_or(0.0);
+  return grid;
+}
+
+} // namespace
+
+void vtkNexradGridToImage(const nexrad::GridSpecification& grid, vtkImageData* image)
+{
+  image->Initialize();
+  image->SetDimensions(grid.dimensions.data());
+  image->SetOrigin(grid.origin.data());
+  image->SetSpacing(grid.spacing.data());
+}
+
+void vtkNexradVolumeToImage(const nexrad::GriddedVolume& volume, vtkImageData* image)
+{
+  vtkNexradGridToImage(volume.grid, image);
+  AddPointData(volume, image->GetPointData());
+  AddFieldData(volume, image->GetFieldData());
+}
+
+nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
+{
+  nexrad::GriddedVolume volume;
+  volume.moment = FindMoment(image->GetPointData());
+  auto* values = RequireArray<vtkFloatArray>(image, nexrad::ToString(volume.moment));
+  auto* states = RequireArray<vtkUnsignedCharArray>(image, StateName(volume.moment));
+  volume.grid = ImageToGrid(image);
+  volume.values.assign(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfTuples());
+  volume.states.reserve(volume.values.size());
+  for (vtkIdType i = 0; i < states->GetNumberOfTuples(); ++i)
+  {
+    const unsigned char state = states->GetValue(i);
+    if (state > static_cast<unsigned char>(nexrad::VoxelState::NotScanned))
+    {
+      throw nexrad::Error("the image's point array " + StateName(volume.moment) + " holds " +
+                          std::to_string(state) + ": a state is 0 to 3");
+    }
+    volume.states.push_back(static_cast<nexrad::VoxelState>(state));
+  }
+  vtkFieldData* field = image->GetFieldData();
+  volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
+  volume.sites = vtkNexradGetTexts(field, "Sites");
+  const std::vector<std::string> method = vtkNexradGetTexts(field, "Method");
+  volume.method = method.empty() ? std::string() : method[0];
+  volume.synthetic = vtkNexradGetValue(field, "Synthetic").value_or(0.0) != 0.0;
+  volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));
+  return volume;
+}

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file   vtkNexradImageConversion.h
+ * @brief  a merged volume as the core knows it, and as vtkImageData, both ways
+ *
+ * The image of a merged volume of one moment, here REF. Point data:
+ *
+ * - `REF`, float32, the active scalars: values in the moment's unit; the fill value where there is
+ *   no echo and where nothing was scanned.
+ * - `REF_state`, uint8: 0 echo, 1 no echo, 2 range folded, 3 not scanned.
+ * - `vtkGhostType`, uint8: HIDDENPOINT where not scanned.
+ *
+ * Field data:
+ *
+ * - `FillValue`, float32.
+ * - `Projection`, string: what x and y are, as a PROJ string.
+ * - `ProjectionCenter`, float64, two components: latitude and longitude in degrees.
+ * - `TimeValue`, float64: seconds since 1970-01-01T00:00:00Z.
+ * - `Sites`, strings: names of the radars that took part.
+ * - `Method`, string: "thesis".
+ * - `Synthetic`, uint8: 1 when made from simulated files; pictures must say so.
+ *
+ * Points are the centres of the voxels. `TimeValue` is the name that VTK's XML readers take the
+ * time from.
+ */
+#ifndef vtkNexradImageConversion_h
+#define vtkNexradImageConversion_h
+
+#include "vtkNexradIOModule.h" // For export macro
+
+class vtkFieldData;
+class vtkImageData;
+
+namespace nexrad
+{
+struct GriddedVolume;
+struct GridSpecification;
+} // namespace nexrad
+
+/**
+ * Sets extent, origin and spacing of the image, without arrays.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradGridToImage(
+  const nexrad::GridSpecification& grid, vtkImageData* image);
+
+/**
+ * Fills the image from the volume.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradVolumeToImage(
+  const nexrad::GriddedVolume& volume, vtkImageData* image);
+
+/**
+ * The volume in an image that has the arrays above; `vtkGhostType` is not needed. Throws
+ * nexrad::Error, naming the array, for an image without them or with an array of another type or
+ * length, and for one whose axes are turned.
+ */
+VTKNEXRADIO_EXPORT nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image);
+
+#endif
+// VTK-HeaderTest-Exclude: vtkNexradImageConversion.h

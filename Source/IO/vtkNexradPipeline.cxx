@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradPipeline.h"
+
+#include "vtkAlgorithm.h"
+#include "vtkErrorCode.h"
+
+#include <filesystem>
+#include <fstream>
+#include <system_error>
+
+namespace
+{
+
+// The overload for int is the better match; it exists only where vtkAlgorithm has CheckAbort.
+template <class Algorithm>
+auto ShouldAbort(Algorithm* algorithm, int) -> decltype(algorithm->CheckAbort())
+{
+  return algorithm->CheckAbort();
+}
+
+template <class Algorithm>
+bool ShouldAbort(Algorithm* algorithm, long)
+{
+  return algorithm->GetAbortExecute() != 0;
+}
+
+} // namespace
+
+bool vtkNexradShouldAbort(vtkAlgorithm* algorithm)
+{
+  return ShouldAbort(algorithm, 0);
+}
+
+std::function<bool(double)> vtkNexradProgress(vtkAlgorithm* algorithm, double from, double to)
+{
+  constexpr double stepsInARun = 50.0;
+  return [algorithm, from, to, next = from](double done) mutable
+  {
+    const double progress = from + (to - from) * done;
+    if (progress >= next)
+    {
+      next = progress + 1.0 / stepsInARun;
+      algorithm->UpdateProgress(progress);
+    }
+    return !vtkNexradShouldAbort(algorithm);
+  };
+}
+
+unsigned long vtkNexradPathError(const char* path)
+{
+  if (!path || !*path)
+  {
+    return vtkErrorCode::NoFileNameError;
+  }
+  std::error_code failure;
+  const std::filesystem::file_status status = std::filesystem::status(path, failure);
+  if (!std::filesystem::exists(status))
+  {
+    return vtkErrorCode::FileNotFoundError;
+  }
+  if (!std::filesystem::is_directory(status) && !std::ifstream(path, std::ios::binary))
+  {
+    return vtkErrorCode::CannotOpenFileError;
+  }
+  return vtkErrorCode::NoError;
+}
+
+std::string vtkNexradPathErrorText(unsigned long code, const char* path)
+{
+  switch (code)
+  {
+  case vtkErrorCode::NoFileNameError:
+    return "no file name was set";
+  case vtkErrorCode::FileNotFoundError:
+    return std::string(path) + ": no such file or folder";
+  case vtkErrorCode::CannotOpenFileError:
+    return std::string(path) + ": the file cannot be opened";
+  default:
+    return {};
+  }
+}

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file   vtkNexradPipeline.h
+ * @brief  progress, abort and error codes, the same way in every class
+ *
+ * Plain functions for the readers, writers and filters of this project.
+ */
+#ifndef vtkNexradPipeline_h
+#define vtkNexradPipeline_h
+
+#include "vtkNexradIOModule.h" // For export macro
+
+#include <functional>
+#include <string>
+
+class vtkAlgorithm;
+
+/**
+ * Whether the algorithm was asked to stop: CheckAbort where VTK has it (which also looks at the
+ * algorithms downstream), else AbortExecute.
+ */
+VTKNEXRADIO_EXPORT bool vtkNexradShouldAbort(vtkAlgorithm* algorithm);
+
+/**
+ * A progress function (nexrad::Progress) that reports the share [from, to] of the algorithm's run
+ * in steps of a fiftieth and returns false when the algorithm should stop. Call it from the
+ * algorithm's own thread. It must not outlive the algorithm.
+ */
+VTKNEXRADIO_EXPORT std::function<bool(double)> vtkNexradProgress(
+  vtkAlgorithm* algorithm, double from = 0.0, double to = 1.0);
+
+/**
+ * The vtkErrorCode of a path that cannot be read as a radar file or volume: NoFileNameError,
+ * FileNotFoundError, CannotOpenFileError, or NoError when the path can be opened.
+ */
+VTKNEXRADIO_EXPORT unsigned long vtkNexradPathError(const char* path);
+
+/**
+ * One line for such an error code.
+ */
+VTKNEXRADIO_EXPORT std::string vtkNexradPathErrorText(unsigned long code, const char* path);
+
+#endif
+// VTK-HeaderTest-Exclude: vtkNexradPipeline.h

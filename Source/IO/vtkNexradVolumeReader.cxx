@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradVolumeReader.h"
+
+#include "Codec/NxvFile.h"
+#include "Model/Error.h"
+#include "Model/Progress.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradPipeline.h"
+
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+vtkStandardNewMacro(vtkNexradVolumeReader);
+
+/// The volumes that the file name stands for, by time, and the grid of the first.
+struct vtkNexradVolumeReader::Files
+{
+  std::vector<std::pair<double, std::filesystem::path>> Steps;
+  nexrad::GriddedVolume First; ///< without values
+
+  /// The latest at or before the time; before the first, the first.
+  const std::pair<double, std::filesystem::path>& At(double time) const
+  {
+    const auto next = std::upper_bound(Steps.begin(), Steps.end(), time,
+      [](double wanted, const auto& step) { return wanted < step.first; });
+    return next == Steps.begin() ? Steps.front() : *(next - 1);
+  }
+};
+
+namespace
+{
+
+bool IsIndex(const std::filesystem::path& path)
+{
+  return path.extension() == ".series";
+}
+
+bool SameGrid(const nexrad::GridSpecification& a, const nexrad::GridSpecification& b)
+{
+  return a.dimensions == b.dimensions && a.origin == b.origin && a.spacing == b.spacing;
+}
+
+} // namespace
+
+vtkNexradVolumeReader::vtkNexradVolumeReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkNexradVolumeReader::~vtkNexradVolumeReader()
+{
+  this->SetFileName(nullptr);
+}
+
+int vtkNexradVolumeReader::CanReadFile(const char* path)
+{
+  if (vtkNexradPathError(path) != vtkErrorCode::NoError || std::filesystem::is_directory(path))
+  {
+    return 0;
+  }
+  try
+  {
+    if (IsIndex(path))
+    {
+      return nexrad::ReadNxvSeries(path).empty() ? 0 : 1;
+    }
+  }
+  catch (const nexrad::Error&)
+  {
+    return 0;
+  }
+  std::array<char, 4> magic{};
+  std::ifstream(path, std::ios::binary).read(magic.data(), magic.size());
+  return std::string(magic.data(), magic.size()) == "NXV1" ? 1 : 0;
+}
+
+int vtkNexradVolumeReader::Fail(unsigned long code, const std::string& line)
+{
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< line);
+  return 0;
+}
+
+void vtkNexradVolumeReader::ReadHeader()
+{
+  this->Opened.reset();
+  auto files = std::make_unique<Files>();
+  const std::filesystem::path path = this->FileName;
+  if (this->RawStream)
+  {
+    nexrad::GridSpecification& grid = files->First.grid;
+    std::copy_n(this->RawDimensions, 3, grid.dimensions.begin());
+    std::copy_n(this->RawOrigin, 3, grid.origin.begin());
+    std::copy_n(this->RawSpacing, 3, grid.spacing.begin());
+    files->First.fill = 0.0F;
+    files->Steps.emplace_back(0.0, path);
+  }
+  else if (IsIndex(path))
+  {
+    for (const auto& [name, time] : nexrad::ReadNxvSeries(path))
+    {
+      files->Steps.emplace_back(time, path.parent_path() / name);
+    }
+    if (files->Steps.empty())
+    {
+      throw nexrad::Error(path.string() + ": the index names no file");
+    }
+    std::sort(files->Steps.begin(), files->Steps.end());
+    files->First = nexrad::ReadNxvHeader(files->Steps.front().second);
+  }
+  else
+  {
+    files->First = nexrad::ReadNxvHeader(path);
+    files->Steps.emplace_back(nexrad::ToSeconds(files->First.time), path);
+  }
+  this->Opened = std::move(files);
+}
+
+int vtkNexradVolumeReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  const unsigned long pathError = vtkNexradPathError(this->FileName);
+  if (pathError != vtkErrorCode::NoError)
+  {
+    return this->Fail(pathError, vtkNexradPathErrorText(pathError, this->FileName));
+  }
+  try
+  {
+    this->ReadHeader();
+  }
+  catch (const nexrad::Error& error)
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, error.what());
+  }
+  vtkInformation* info = output->GetInformationObject(0);
+  const nexrad::GridSpecification& grid = this->Opened->First.grid;
+  const int extent[6] = {
+    0, grid.dimensions[0] - 1, 0, grid.dimensions[1] - 1, 0, grid.dimensions[2] - 1};
+  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  info->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
+  info->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+  if (!this->RawStream)
+  {
+    std::vector<double> times;
+    for (const auto& step : this->Opened->Steps)
+    {
+      times.push_back(step.first);
+    }
+    const double range[2] = {times.front(), times.back()};
+    info->Set(
+      vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  }
+  return 1;
+}
+
+int vtkNexradVolumeReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  vtkInformation* info = output->GetInformationObject(0);
+  const auto& step =
+    info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
+      ? this->Opened->At(info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+      : this->Opened->Steps.front();
+  const nexrad::Progress progress = vtkNexradProgress(this);
+  vtkImageData* image = vtkImageData::GetData(output);
+  image->Initialize();
+  if (!progress(0.0))
+  {
+    return 1;
+  }
+  try
+  {
+    const nexrad::GriddedVolume volume = this->RawStream
+                                           ? nexrad::ReadRaw(step.second, this->Opened->First)
+                                           : nexrad::ReadNxv(step.second);
+    if (!SameGrid(volume.grid, this->Opened->First.grid))
+    {
+      throw nexrad::Error(
+        step.second.string() + ": its grid is not that of the first volume of the series");
+    }
+    if (progress(0.7))
+    {
+      vtkNexradVolumeToImage(volume, image);
+      image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.first);
+    }
+  }
+  catch (const nexrad::Error& error)
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, error.what());
+  }
+  return 1;
+}
+
+void vtkNexradVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "RawStream: " << this->RawStream << "\n";
+  os << indent << "RawDimensions: " << this->RawDimensions[0] << ", " << this->RawDimensions[1]
+     << ", " << this->RawDimensions[2] << "\n";
+  os << indent << "RawOrigin: " << this->RawOrigin[0] << ", " << this->RawOrigin[1] << ", "
+     << this->RawOrigin[2] << "\n";
+  os << indent << "RawSpacing: " << this->RawSpacing[0] << ", " << this->RawSpacing[1] << ", "
+     << this->RawSpacing[2] << "\n";
+}
