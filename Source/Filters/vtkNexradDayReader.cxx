@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradDayReader.h"
+
+#include "Geometry/GridSpecification.h"
+#include "Model/Error.h"
+#include "Temporal/PolarCache.h"
+#include "Temporal/SiteSeries.h"
+#include "Temporal/TimeMerge.h"
+#include "Temporal/VolumeSelection.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradPipeline.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
+
+#include <cmath>
+#include <tuple>
+
+vtkStandardNewMacro(vtkNexradDayReader);
+
+/// The scanned inputs, what they were scanned from, and the grid of the last information request.
+struct vtkNexradDayReader::Day
+{
+  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeUInt64>;
+
+  Day(Origin from, nexrad::MomentName moment, const nexrad::Level2Options& options)
+    : From(std::move(from))
+    , Cache(moment, static_cast<std::size_t>(std::get<vtkTypeUInt64>(From)), options)
+  {
+  }
+
+  Origin From;
+  nexrad::PolarCache Cache;
+  nexrad::SeriesScan Scan;
+  nexrad::GridSpecification Grid;
+};
+
+vtkNexradDayReader::vtkNexradDayReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkNexradDayReader::~vtkNexradDayReader() = default;
+
+void vtkNexradDayReader::AddFileName(const char* path)
+{
+  if (path && *path)
+  {
+    this->FileNames.emplace_back(path);
+    this->Modified();
+  }
+}
+
+void vtkNexradDayReader::ClearFileNames()
+{
+  if (!this->FileNames.empty())
+  {
+    this->FileNames.clear();
+    this->Modified();
+  }
+}
+
+int vtkNexradDayReader::GetNumberOfFileNames() const
+{
+  return static_cast<int>(this->FileNames.size());
+}
+
+const char* vtkNexradDayReader::GetFileName(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfFileNames()
+           ? this->FileNames[static_cast<std::size_t>(index)].c_str()
+           : nullptr;
+}
+
+vtkStringArray* vtkNexradDayReader::GetDamage()
+{
+  return this->Damage;
+}
+
+vtkStringArray* vtkNexradDayReader::GetLeftOut()
+{
+  return this->LeftOut;
+}
+
+vtkDoubleArray* vtkNexradDayReader::GetTimeSteps()
+{
+  return this->TimeSteps;
+}
+
+vtkStringArray* vtkNexradDayReader::GetSites()
+{
+  return this->Sites;
+}
+
+int vtkNexradDayReader::Scan()
+{
+  const Day::Origin from = {this->FileNames, this->Moment, this->SiteName, this->MemoryLimit};
+  if (this->Scanned && this->Scanned->From == from)
+  {
+    return 1;
+  }
+  this->Scanned.reset();
+  this->Damage->Initialize();
+  this->LeftOut->Initialize();
+  if (this->FileNames.empty())
+  {
+    return this->Fail(vtkErrorCode::NoFileNameError, "no file name was added");
+  }
+  this->AbortExecute = 0; // of an earlier run
+  nexrad::SeriesOptions options;
+  options.moment = this->CheckMoment();
+  options.requirePosition = true;
+  options.level2.siteName = this->SiteName;
+  auto day = std::make_unique<Day>(from, *options.moment, options.level2);
+  std::optional<nexrad::SeriesScan> scan;
+  try
+  {
+    scan = nexrad::ScanInputs(
+      {this->FileNames.begin(), this->FileNames.end()}, options,
+      [&day](const nexrad::SeriesVolume& key, const nexrad::RadarVolume& volume)
+      { day->Cache.Offer(key, volume); },
+      vtkNexradProgress(this));
+  }
+  catch (const nexrad::Error& error)
+  {
+    return this->Fail(vtkErrorCode::FileNotFoundError, error.what());
+  }
+  if (!scan)
+  {
+    return 1;
+  }
+  day->Scan = std::move(*scan);
+  this->Scanned = std::move(day);
+  this->ReportProblems();
+  if (this->Scanned->Scan.sites.empty())
+  {
+    this->Scanned.reset();
+    return this->Fail(vtkErrorCode::FileFormatError, "no ray could be read from any input");
+  }
+  return 1;
+}
+
+void vtkNexradDayReader::ReportProblems()
+{
+  for (const nexrad::InputProblem& problem : this->Scanned->Scan.problems)
+  {
+    this->Damage->InsertNextValue(problem.Line());
+    if (problem.leftOut)
+    {
+      this->LeftOut->InsertNextValue(problem.file);
+    }
+    vtkWarningMacro(<< problem.Line());
+  }
+  this->Sites->Initialize();
+  for (const nexrad::SiteSeries& series : this->Scanned->Scan.sites)
+  {
+    this->Sites->InsertNextValue(series.site.name);
+  }
+}
+
+void vtkNexradDayReader::MakeTimeSteps()
+{
+  const nexrad::SeriesScan& scan = this->Scanned->Scan;
+  const nexrad::Time first =
+    this->BeginTime > VTK_DOUBLE_MIN ? nexrad::FromSeconds(this->BeginTime) : *scan.First();
+  const nexrad::Time last =
+    this->EndTime < VTK_DOUBLE_MAX ? nexrad::FromSeconds(this->EndTime) : *scan.Last();
+  const auto step = std::llround(this->TimeStep * 1000.0);
+  const std::vector<nexrad::Time> steps =
+    nexrad::TimeSteps(first, last, nexrad::Duration(static_cast<nexrad::Duration::rep>(step)));
+  if (steps.empty())
+  {
+    throw nexrad::Error("no multiple of the time step lies from " + nexrad::FormatIso8601(first) +
+                        " to " + nexrad::FormatIso8601(last) +
+                        ": set a shorter step, or other begin and end times");
+  }
+  this->TimeSteps->Initialize();
+  for (const nexrad::Time time : steps)
+  {
+    this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));
+  }
+}
+
+int vtkNexradDayReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  try
+  {
+    if (!this->Scan())
+    {
+      return 0;
+    }
+    if (!this->Scanned)
+    {
+      return 1; // aborted
+    }
+    this->Scanned->Grid =
+      nexrad::MakeGrid(this->MakeGridRequest(), this->Scanned->Scan.Positions());
+    this->MakeTimeSteps();
+  }
+  catch (const nexrad::Error& error)
+  {
+    return this->Fail(vtkErrorCode::UserError, error.what());
+  }
+  vtkInformation* info = output->GetInformationObject(0);
+  this->SetOutputExtent(info);
+  info->Set(vtkDataObject::ORIGIN(), this->Scanned->Grid.origin.data(), 3);
+  info->Set(vtkDataObject::SPACING(), this->Scanned->Grid.spacing.data(), 3);
+  const vtkIdType count = this->TimeSteps->GetNumberOfValues();
+  const double range[2] = {this->TimeSteps->GetValue(0), this->TimeSteps->GetValue(count - 1)};
+  info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), this->TimeSteps->GetPointer(0),
+    static_cast<int>(count));
+  info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  return 1;
+}
+
+int vtkNexradDayReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  auto* image = vtkImageData::GetData(output);
+  image->Initialize();
+  if (!this->Scanned)
+  {
+    return 1; // the scan was aborted
+  }
+  vtkInformation* info = output->GetInformationObject(0);
+  const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
+                        ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
+                        : this->TimeSteps->GetValue(0);
+  try
+  {
+    const std::optional<nexrad::GriddedVolume> merged = nexrad::MergeSeries(this->Scanned->Scan,
+      this->Scanned->Cache, this->MakeMergeRequest(this->Scanned->Grid, time, this->MaximumGap),
+      vtkNexradProgress(this));
+    if (merged)
+    {
+      vtkNexradVolumeToImage(*merged, image);
+      image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    }
+  }
+  catch (const nexrad::Error& error)
+  {
+    return this->Fail(vtkErrorCode::UserError, error.what());
+  }
+  return 1;
+}
+
+void vtkNexradDayReader::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "TimeStep: " << this->TimeStep << "\n";
+  os << indent << "BeginTime: " << this->BeginTime << "\n";
+  os << indent << "EndTime: " << this->EndTime << "\n";
+  os << indent << "MaximumGap: " << this->MaximumGap << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "SiteName: " << this->SiteName << "\n";
+  os << indent << "FileNames:\n";
+  for (const std::string& name : this->FileNames)
+  {
+    os << indent.GetNextIndent() << name << "\n";
+  }
+  os << indent << "Sites: " << this->Sites->GetNumberOfValues() << "\n";
+  os << indent << "TimeSteps: " << this->TimeSteps->GetNumberOfValues() << "\n";
+  os << indent << "Damage: " << this->Damage->GetNumberOfValues() << " lines\n";
+}

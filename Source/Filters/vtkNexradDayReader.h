@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkNexradDayReader
+ * @brief   a merged volume at any time of a day, from the radars' files
+ *
+ * ```
+ *   KEAX  |--volume--||--volume--||--volume--|        files, grouped by the site in them
+ *   KLSX     |---volume---||---volume---|
+ *   steps      ^    ^    ^    ^    ^    ^             UTC multiples of TimeStep
+ * ```
+ *
+ * Inputs: Level II files, chunk folders and folders of files, of any number of radars. At a time,
+ * each radar takes part with its volumes that start just before (or at) and just after it, neither
+ * farther than MaximumGap; with one alone where the other is missing. A time in a gap of all radars
+ * gives a volume in which nothing is scanned.
+ *
+ * Output: a vtkImageData, the grid of vtkNexradGridAlgorithm about all radars of the inputs. The
+ * time steps are the multiples of TimeStep from the first ray to the last, or from BeginTime to
+ * EndTime; any other time can be asked for as well. Times are seconds since 1970-01-01T00:00:00Z.
+ * Without a requested time the output is that of the first time step.
+ *
+ * All files are decoded once to learn their times. Their rays stay in memory up to MemoryLimit;
+ * what does not fit is decoded again when it is needed.
+ *
+ * A damaged file gives warnings and still takes part with what can be read of it; a file that
+ * cannot be used is named and left out (GetDamage, GetLeftOut). Errors: NoFileNameError,
+ * FileNotFoundError (a path that does not exist, an empty folder), FileFormatError (no ray in any
+ * input), UserError (settings that cannot be met). Progress counts from 0 to 1 while the files are
+ * scanned, and again for each output. An aborted run leaves an empty output; Modified() makes it
+ * run again.
+ */
+#ifndef vtkNexradDayReader_h
+#define vtkNexradDayReader_h
+
+#include "vtkNew.h"                 // For members
+#include "vtkNexradFiltersModule.h" // For export macro
+#include "vtkNexradGridAlgorithm.h"
+
+#include <memory> // For members
+#include <string> // For members
+#include <vector> // For members
+
+class vtkDoubleArray;
+class vtkStringArray;
+
+class VTKNEXRADFILTERS_EXPORT vtkNexradDayReader : public vtkNexradGridAlgorithm
+{
+public:
+  static vtkNexradDayReader* New();
+  vtkTypeMacro(vtkNexradDayReader, vtkNexradGridAlgorithm);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The inputs: Level II files, chunk folders, and folders of files (read with their subfolders).
+   */
+  virtual void AddFileName(const char* path);
+  virtual void ClearFileNames();
+  int GetNumberOfFileNames() const;
+  const char* GetFileName(int index) const;
+  ///@}
+
+  ///@{
+  /**
+   * Distance between time steps in seconds, to the millisecond. 300 by default; more than 0.
+   */
+  vtkSetMacro(TimeStep, double);
+  vtkGetMacro(TimeStep, double);
+  ///@}
+
+  ///@{
+  /**
+   * First and last time that may be a time step, both inclusive. By default (VTK_DOUBLE_MIN and
+   * VTK_DOUBLE_MAX) those of the first and of the last ray.
+   */
+  vtkSetMacro(BeginTime, double);
+  vtkGetMacro(BeginTime, double);
+  vtkSetMacro(EndTime, double);
+  vtkGetMacro(EndTime, double);
+  ///@}
+
+  ///@{
+  /**
+   * A volume that starts farther from the time takes no part, in seconds. 900 by default.
+   */
+  vtkSetClampMacro(MaximumGap, double, 0.0, 1e9);
+  vtkGetMacro(MaximumGap, double);
+  ///@}
+
+  ///@{
+  /**
+   * Memory in bytes for the rays of volumes that were read. 1 GiB by default. The volumes about the
+   * time that is being made live beside it.
+   */
+  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
+  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  ///@}
+
+  ///@{
+  /**
+   * Name of the site in place of the one in the files, which then all count as that site's. Empty
+   * by default.
+   */
+  vtkSetMacro(SiteName, std::string);
+  vtkGetMacro(SiteName, std::string);
+  ///@}
+
+  /**
+   * After UpdateInformation: what was wrong in the inputs, one line each ("FILE: offset N: WHAT").
+   * The same lines come as warnings.
+   */
+  vtkStringArray* GetDamage();
+
+  /**
+   * After UpdateInformation: the paths of inputs that were left out, a part of those of GetDamage.
+   */
+  vtkStringArray* GetLeftOut();
+
+  /**
+   * After UpdateInformation: the time steps, and the names of the radars.
+   */
+  vtkDoubleArray* GetTimeSteps();
+  vtkStringArray* GetSites();
+
+protected:
+  vtkNexradDayReader();
+  ~vtkNexradDayReader() override;
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
+
+  double TimeStep = 300.0;
+  double BeginTime = VTK_DOUBLE_MIN;
+  double EndTime = VTK_DOUBLE_MAX;
+  double MaximumGap = 900.0;
+  vtkTypeUInt64 MemoryLimit = vtkTypeUInt64(1) << 30;
+  std::string SiteName;
+  std::vector<std::string> FileNames;
+
+private:
+  vtkNexradDayReader(const vtkNexradDayReader&) = delete;
+  void operator=(const vtkNexradDayReader&) = delete;
+
+  /**
+   * Learns the times of the inputs unless they are known. Returns 0 after an error; an abort leaves
+   * nothing scanned.
+   */
+  int Scan();
+  void ReportProblems();
+  void MakeTimeSteps();
+
+  vtkNew<vtkStringArray> Damage;
+  vtkNew<vtkStringArray> LeftOut;
+  vtkNew<vtkStringArray> Sites;
+  vtkNew<vtkDoubleArray> TimeSteps;
+  struct Day;
+  std::unique_ptr<Day> Scanned;
+};
+
+#endif

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradGridAlgorithm.h"
+
+#include "Geometry/GridSpecification.h"
+#include "Model/Error.h"
+#include "Model/Moment.h"
+#include "Temporal/TimeMerge.h"
+
+#include "vtkDataObject.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkNexradGridAlgorithm::vtkNexradGridAlgorithm() = default;
+
+vtkNexradGridAlgorithm::~vtkNexradGridAlgorithm() = default;
+
+void vtkNexradGridAlgorithm::SetMethod(int method)
+{
+  if (method != THESIS)
+  {
+    vtkErrorMacro("method " << method << " is unknown: it can be THESIS (" << THESIS << ")");
+    return;
+  }
+  if (this->Method != method)
+  {
+    this->Method = method;
+    this->Modified();
+  }
+}
+
+nexrad::MomentName vtkNexradGridAlgorithm::CheckMoment() const
+{
+  const std::optional<nexrad::MomentName> moment = nexrad::ParseMomentName(this->Moment);
+  if (moment != nexrad::MomentName::REF)
+  {
+    throw nexrad::Error(
+      "moment " + this->Moment +
+      (moment ? " cannot be merged by the thesis's method, which knows reflectivity alone: set REF"
+              : " is unknown: set REF"));
+  }
+  return *moment;
+}
+
+nexrad::GridRequest vtkNexradGridAlgorithm::MakeGridRequest() const
+{
+  nexrad::GridRequest request;
+  std::copy_n(this->Dimensions, 3, request.dimensions.begin());
+  request.range = this->Range;
+  request.bottom = this->HeightRange[0];
+  request.top = this->HeightRange[1];
+  if (this->UseGeographicBounds)
+  {
+    request.bounds = nexrad::GeographicBounds{this->GeographicBounds[0], this->GeographicBounds[1],
+      this->GeographicBounds[2], this->GeographicBounds[3]};
+  }
+  request.axes =
+    this->Axes == GEOGRAPHIC ? nexrad::GridAxes::Geographic : nexrad::GridAxes::Projected;
+  return request;
+}
+
+nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(
+  const nexrad::GridSpecification& grid, double time, double maximumGap) const
+{
+  nexrad::MergeRequest request;
+  request.grid = grid;
+  request.time = nexrad::FromSeconds(time);
+  request.maximumGap =
+    nexrad::Duration(static_cast<nexrad::Duration::rep>(std::llround(maximumGap * 1000.0)));
+  request.method = nexrad::MergeMethod::Thesis;
+  return request;
+}
+
+void vtkNexradGridAlgorithm::SetOutputExtent(vtkInformation* outputInformation) const
+{
+  const int extent[6] = {0, std::max(0, this->Dimensions[0] - 1), 0,
+    std::max(0, this->Dimensions[1] - 1), 0, std::max(0, this->Dimensions[2] - 1)};
+  outputInformation->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  vtkDataObject::SetPointDataActiveScalarInfo(outputInformation, VTK_FLOAT, 1);
+}
+
+int vtkNexradGridAlgorithm::Fail(unsigned long code, const std::string& line)
+{
+  this->SetErrorCode(code);
+  vtkErrorMacro(<< line);
+  return 0;
+}
+
+void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Dimensions: " << this->Dimensions[0] << ", " << this->Dimensions[1] << ", "
+     << this->Dimensions[2] << "\n";
+  os << indent << "Range: " << this->Range << "\n";
+  os << indent << "HeightRange: " << this->HeightRange[0] << ", " << this->HeightRange[1] << "\n";
+  os << indent << "UseGeographicBounds: " << this->UseGeographicBounds << "\n";
+  os << indent << "GeographicBounds: " << this->GeographicBounds[0] << ", "
+     << this->GeographicBounds[1] << ", " << this->GeographicBounds[2] << ", "
+     << this->GeographicBounds[3] << "\n";
+  os << indent << "Axes: " << this->Axes << "\n";
+  os << indent << "Moment: " << this->Moment << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+}

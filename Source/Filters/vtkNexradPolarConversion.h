@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file   vtkNexradPolarConversion.h
+ * @brief  from the readers' sweeps back to the rays that gridding takes
+ *
+ * The inverse of vtkNexradSweepConversion.h: times, angles and gate geometry come from the field
+ * data, so that nothing is lost on the way through the points' coordinates.
+ */
+#ifndef vtkNexradPolarConversion_h
+#define vtkNexradPolarConversion_h
+
+#include "Gridding/PolarVolume.h"
+
+#include <vector>
+
+class vtkPartitionedDataSetCollection;
+
+/**
+ * The volumes whose sweeps are in the collection: those of one site with one start time make one
+ * volume. Grids without the moment are passed over, and so are, in each grid, rays that it has no
+ * gate of. Throws nexrad::Error, naming the sweep and the array, for a grid with the moment that
+ * lacks its field data, or in which they do not fit its dimensions.
+ */
+std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(
+  vtkPartitionedDataSetCollection* sweeps, nexrad::MomentName moment);
+
+#endif
+// VTK-HeaderTest-Exclude: vtkNexradPolarConversion.h

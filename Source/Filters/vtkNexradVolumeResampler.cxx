@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradVolumeResampler.h"
+
+#include "Geometry/GridSpecification.h"
+#include "Model/Error.h"
+#include "Temporal/TimeMerge.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradPipeline.h"
+#include "vtkNexradPolarConversion.h"
+
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkObjectFactory.h"
+#include "vtkPartitionedDataSetCollection.h"
+
+vtkStandardNewMacro(vtkNexradVolumeResampler);
+
+vtkNexradVolumeResampler::vtkNexradVolumeResampler() = default;
+
+vtkNexradVolumeResampler::~vtkNexradVolumeResampler() = default;
+
+int vtkNexradVolumeResampler::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
+  return 1;
+}
+
+int vtkNexradVolumeResampler::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  this->SetOutputExtent(output->GetInformationObject(0));
+  return 1;
+}
+
+int vtkNexradVolumeResampler::RequestData(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  auto* image = vtkImageData::GetData(output);
+  image->Initialize();
+  try
+  {
+    const std::vector<nexrad::PolarVolume> volumes = vtkNexradSweepsToPolar(
+      vtkPartitionedDataSetCollection::GetData(input[0]), this->CheckMoment());
+    if (volumes.size() != 1)
+    {
+      throw nexrad::Error("the input holds " + std::to_string(volumes.size()) + " volumes with " +
+                          this->Moment + ": one is needed (vtkNexradSiteMerge takes several)");
+    }
+    const nexrad::PolarVolume& volume = volumes.front();
+    if (!volume.site.position)
+    {
+      throw nexrad::Error(
+        "the position of site \"" + volume.site.name + "\" is unknown: set it in the reader");
+    }
+    const double time = nexrad::ToSeconds(volume.start);
+    const nexrad::GridSpecification grid =
+      nexrad::MakeGrid(this->MakeGridRequest(), {*volume.site.position});
+    const std::optional<nexrad::GriddedVolume> gridded = nexrad::MergeVolumes(
+      {&volume}, this->MakeMergeRequest(grid, time, 0.0), vtkNexradProgress(this));
+    if (gridded)
+    {
+      vtkNexradVolumeToImage(*gridded, image);
+      image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+    }
+  }
+  catch (const nexrad::Error& error)
+  {
+    return this->Fail(vtkErrorCode::UserError, error.what());
+  }
+  return 1;
+}
+
+void vtkNexradVolumeResampler::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+}
