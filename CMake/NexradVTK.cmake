@@ -7,14 +7,10 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   RenderingUI RenderingVolume RenderingVolumeOpenGL2
   TestingCore TestingRendering vtksys)
 
-# A module is built from the day on which its folder holds a class.
-set(nexrad_module_files)
-foreach(module IN ITEMS IO Filters Rendering)
-  file(GLOB classes CONFIGURE_DEPENDS "${CMAKE_SOURCE_DIR}/Source/${module}/vtk*.cxx")
-  if(classes)
-    list(APPEND nexrad_module_files "${CMAKE_SOURCE_DIR}/Source/${module}/vtk.module")
-  endif()
-endforeach()
+set(nexrad_module_files
+  "${CMAKE_SOURCE_DIR}/Source/IO/vtk.module"
+  "${CMAKE_SOURCE_DIR}/Source/Filters/vtk.module"
+  "${CMAKE_SOURCE_DIR}/Source/Rendering/vtk.module")
 vtk_module_scan(
   MODULE_FILES ${nexrad_module_files}
   PROVIDES_MODULES nexrad_modules

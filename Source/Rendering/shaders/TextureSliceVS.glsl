@@ -1,0 +1,20 @@
+//VTK::System::Dec
+// SPDX-License-Identifier: BSD-3-Clause
+// A corner of a slice: from the volume's box (0 to 1 along each axis) to the screen and the texture.
+
+in vec3 boxPosition;
+in vec3 rayStep;
+
+uniform mat4 boxToClip;
+uniform vec3 textureScale;
+uniform vec3 textureBias;
+
+out vec3 textureCoordinate;
+out vec3 sampleStep;
+
+void main()
+{
+  gl_Position = boxToClip * vec4(boxPosition, 1.0);
+  textureCoordinate = boxPosition * textureScale + textureBias;
+  sampleStep = rayStep;
+}

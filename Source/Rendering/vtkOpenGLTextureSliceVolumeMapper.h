@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkOpenGLTextureSliceVolumeMapper
+ * @brief   Draws a volume as slices of a 3-D texture, parallel to the image plane
+ *
+ * A drop-in for vtkOpenGLGPUVolumeRayCastMapper that gives the same picture: the slices are drawn
+ * back to front, each sample coloured by the property's transfer functions, its opacity corrected
+ * for the distance between two samples along its own ray (which grows away from the centre of a
+ * perspective view), so that the picture does not depend on the number of slices. Blending is done
+ * in floating point.
+ *
+ * Input: a vtkImageData with one component of point or cell scalars of any number type, with any
+ * spacing, direction matrix and actor matrix. Points that vtkGhostType marks HIDDENPOINT (cells:
+ * HIDDENCELL) and scalars that are not finite contribute nothing; up to half a voxel from a visible
+ * point the picture is complete. Cropping, clipping planes, opaque geometry, a camera inside the
+ * volume, and final window and level work as in VTK's ray caster.
+ *
+ * Not supported, and refused by IsRenderSupported and with an error: blend modes other than
+ * composite, shading, gradient opacity, two-dimensional transfer functions, several components,
+ * masks, and volumes larger than the largest 3-D texture. A hardware selection does not see the
+ * volume. A 2-D image has no thickness and is an error.
+ */
+#ifndef vtkOpenGLTextureSliceVolumeMapper_h
+#define vtkOpenGLTextureSliceVolumeMapper_h
+
+#include "vtkGPUVolumeRayCastMapper.h"
+#include "vtkNexradRenderingModule.h" // for the export macro
+
+#include <memory> // for std::unique_ptr
+
+class vtkDataArray;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+
+class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper
+{
+public:
+  static vtkOpenGLTextureSliceVolumeMapper* New();
+  vtkTypeMacro(vtkOpenGLTextureSliceVolumeMapper, vtkGPUVolumeRayCastMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Slices between the nearest and the farthest point of the volume, 0 to 16384. 0 takes the
+   * spacing from the sample distance: SampleDistance, or with LockSampleDistanceToInputSpacing one
+   * that follows the voxels, or with AutoAdjustSampleDistances (on by default) the shortest edge of
+   * a voxel. Default: 256.
+   */
+  vtkSetClampMacro(NumberOfSlices, int, 0, 16384);
+  vtkGetMacro(NumberOfSlices, int);
+  ///@}
+
+  /**
+   * Slices that the last frame drew; 0 before the first.
+   */
+  int GetNumberOfDrawnSlices() const;
+
+  /**
+   * Whether this mapper can draw into that window with that property (which may be nullptr) and the
+   * mapper's present blend mode.
+   */
+  int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property) override;
+
+  /**
+   * Factors that would make the input fit the largest 3-D texture; 1 where it fits already. An
+   * OpenGL context must be current.
+   */
+  void GetReductionRatio(double ratio[3]) override;
+
+  ///@{
+  /**
+   * Called by VTK while it renders.
+   */
+  void GPURender(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
+
+protected:
+  vtkOpenGLTextureSliceVolumeMapper();
+  ~vtkOpenGLTextureSliceVolumeMapper() override;
+
+  ///@{
+  /**
+   * Parts of block-wise rendering, which only an AMR mapper asks for; they do nothing.
+   */
+  void PreRender(vtkRenderer*, vtkVolume*, double[6], double[2], int, unsigned int) override {}
+  void RenderBlock(vtkRenderer*, vtkVolume*, unsigned int) override {}
+  void PostRender(vtkRenderer*, int) override {}
+  ///@}
+
+  int NumberOfSlices = 256;
+
+private:
+  vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
+  void operator=(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
+
+  class Internals;
+  std::unique_ptr<Internals> Parts;
+
+  const char* FindUnsupported(vtkVolumeProperty* property);
+  double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
+  void RenderSlices(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
+    vtkImageData* image, vtkDataArray* scalars);
+};
+
+#endif

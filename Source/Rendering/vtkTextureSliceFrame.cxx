@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTextureSliceFrame.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkMatrix3x3.h"
+#include "vtkMatrix4x4.h"
+#include "vtkOpenGLCamera.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeMapper.h"
+
+#include <algorithm>
+#include <cmath>
+
+vtkTextureSliceFrame::vtkTextureSliceFrame() = default;
+vtkTextureSliceFrame::~vtkTextureSliceFrame() = default;
+
+void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolume* volume)
+{
+  int extent[6];
+  double spacing[3];
+  image->GetExtent(extent);
+  image->GetSpacing(spacing);
+  image->GetOrigin(this->Origin.data());
+
+  vtkNew<vtkMatrix4x4> boxToIndex;
+  vtkNew<vtkMatrix4x4> volumeToWorld;
+  volume->GetMatrix(volumeToWorld);
+  this->ShortestVoxelEdge = VTK_DOUBLE_MAX;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    const int intervals = extent[2 * axis + 1] - extent[2 * axis];
+    boxToIndex->SetElement(axis, axis, intervals);
+    boxToIndex->SetElement(axis, 3, extent[2 * axis]);
+    this->Origin[a] += extent[2 * axis] * spacing[axis];
+    this->Edge[a] = intervals * spacing[axis];
+    this->View.EdgeLength[a] = std::abs(this->Edge[a]);
+    // Point scalars sit at the centres of the outermost texels, cell scalars half a cell inside.
+    const double texels = intervals + (cellData ? 0 : 1);
+    this->TextureScale[a] = static_cast<float>(intervals / texels);
+    this->TextureBias[a] = static_cast<float>(cellData ? 0.0 : 0.5 / texels);
+
+    const double column = std::hypot(volumeToWorld->GetElement(0, axis),
+      volumeToWorld->GetElement(1, axis), volumeToWorld->GetElement(2, axis));
+    this->ShortestVoxelEdge = std::min(this->ShortestVoxelEdge, std::abs(spacing[axis]) * column);
+  }
+  vtkMatrix4x4::Multiply4x4(image->GetIndexToPhysicalMatrix(), boxToIndex, this->BoxToWorld);
+  vtkMatrix4x4::Multiply4x4(volumeToWorld, this->BoxToWorld, this->BoxToWorld);
+}
+
+void vtkTextureSliceFrame::SetCamera(vtkRenderer* renderer)
+{
+  auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());
+  vtkMatrix4x4* worldToCamera = nullptr;
+  vtkMatrix3x3* normals = nullptr;
+  vtkMatrix4x4* cameraToClip = nullptr;
+  vtkMatrix4x4* worldToClip = nullptr;
+  // These come column by column, ready for OpenGL.
+  camera->GetKeyMatrices(renderer, worldToCamera, normals, cameraToClip, worldToClip);
+
+  vtkNew<vtkMatrix4x4> boxColumns;
+  vtkMatrix4x4::Transpose(this->BoxToWorld, boxColumns);
+  vtkMatrix4x4::Multiply4x4(boxColumns, worldToClip, this->BoxToClip);
+
+  vtkNew<vtkMatrix4x4> boxToCamera;
+  vtkMatrix4x4::Multiply4x4(boxColumns, worldToCamera, boxToCamera);
+  boxToCamera->Transpose();
+  std::copy(boxToCamera->GetData(), boxToCamera->GetData() + 16, this->View.BoxToCamera.begin());
+  this->View.Parallel = camera->GetParallelProjection() != 0;
+  this->View.NearDepth = camera->GetClippingRange()[0];
+}
+
+void vtkTextureSliceFrame::SetCropping(const vtkTextureSliceCropping& cropping)
+{
+  this->View.Part = {0, 1, 0, 1, 0, 1};
+  this->CropTest = false;
+  if (!cropping.On)
+  {
+    return;
+  }
+  this->CropTest = cropping.RegionFlags != VTK_CROP_SUBVOLUME;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    double low = (cropping.Planes[2 * axis] - this->Origin[axis]) / this->Edge[axis];
+    double high = (cropping.Planes[2 * axis + 1] - this->Origin[axis]) / this->Edge[axis];
+    if (!this->CropTest)
+    {
+      const auto [lower, upper] = std::minmax(low, high); // a negative spacing swaps them
+      this->View.Part[2 * axis] = std::clamp(lower, 0.0, 1.0);
+      this->View.Part[2 * axis + 1] = std::clamp(upper, 0.0, 1.0);
+    }
+    this->CropLow[axis] =
+      static_cast<float>(low) * this->TextureScale[axis] + this->TextureBias[axis];
+    this->CropHigh[axis] =
+      static_cast<float>(high) * this->TextureScale[axis] + this->TextureBias[axis];
+  }
+}
+
+void vtkTextureSliceFrame::SetClippingPlanes(vtkPlaneCollection* planes)
+{
+  this->View.ClippingPlanes.clear();
+  const int count = planes != nullptr ? planes->GetNumberOfItems() : 0;
+  for (int i = 0; i < count; ++i)
+  {
+    vtkPlane* plane = planes->GetItem(i);
+    double normal[3];
+    double origin[3];
+    plane->GetNormal(normal);
+    plane->GetOrigin(origin);
+    const double world[4] = {normal[0], normal[1], normal[2],
+      -(normal[0] * origin[0] + normal[1] * origin[1] + normal[2] * origin[2])};
+    // A plane goes from world to box coordinates by the matrix that takes points from box to world.
+    std::array<double, 4> box{};
+    for (int column = 0; column < 4; ++column)
+    {
+      for (int row = 0; row < 4; ++row)
+      {
+        box[static_cast<std::size_t>(column)] +=
+          world[row] * this->BoxToWorld->GetElement(row, column);
+      }
+    }
+    this->View.ClippingPlanes.push_back(box);
+  }
+}
+
+bool vtkTextureSliceFrame::IsFlat() const
+{
+  return *std::min_element(this->View.EdgeLength.begin(), this->View.EdgeLength.end()) <= 0.0 ||
+         std::abs(this->BoxToWorld->Determinant()) <= 0.0;
+}

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the volume is, and where it is seen from: every coordinate system of one frame.
+#ifndef vtkTextureSliceFrame_h
+#define vtkTextureSliceFrame_h
+
+#include "vtkNew.h"
+#include "vtkTextureSliceGeometry.h"
+
+#include <array>
+
+class vtkImageData;
+class vtkMatrix4x4;
+class vtkPlaneCollection;
+class vtkRenderer;
+class vtkVolume;
+
+/// Cropping of a vtkVolumeMapper.
+struct vtkTextureSliceCropping
+{
+  bool On = false;
+  std::array<double, 6> Planes{}; ///< in data coordinates: lower x, upper x, lower y and so on
+  int RegionFlags = 0;            ///< one bit for each of the 27 regions
+};
+
+/**
+ * The box is the volume's bounds, 0 to 1 along each of its axes; data coordinates are the image's
+ * own, world coordinates those after the actor's matrix.
+ */
+class vtkTextureSliceFrame
+{
+public:
+  vtkTextureSliceFrame();
+  ~vtkTextureSliceFrame();
+
+  void SetVolume(vtkImageData* image, bool cellData, vtkVolume* volume);
+  void SetCamera(vtkRenderer* renderer);
+  void SetCropping(const vtkTextureSliceCropping& cropping);
+  /// Planes in world coordinates; nullptr means none.
+  void SetClippingPlanes(vtkPlaneCollection* planes);
+
+  /// Whether the volume has no extent along some axis.
+  bool IsFlat() const;
+
+  /// The view for the slices, without their number and distance. Valid after the setters above.
+  const vtkTextureSliceView& GetView() const { return this->View; }
+  /// Box to clip coordinates, column by column as OpenGL reads it.
+  vtkMatrix4x4* GetBoxToClip() { return this->BoxToClip; }
+  /// Box to texture coordinates: p * scale + bias (Formulas R2).
+  const std::array<float, 3>& GetTextureScale() const { return this->TextureScale; }
+  const std::array<float, 3>& GetTextureBias() const { return this->TextureBias; }
+
+  /// Whether samples must be tested against the cropping regions: the part alone does not do it.
+  bool NeedsCropTest() const { return this->CropTest; }
+  const std::array<float, 3>& GetCropLow() const { return this->CropLow; }
+  const std::array<float, 3>& GetCropHigh() const { return this->CropHigh; }
+
+  /// World length of the shortest edge of a voxel.
+  double GetShortestVoxelEdge() const { return this->ShortestVoxelEdge; }
+
+private:
+  vtkNew<vtkMatrix4x4> BoxToWorld;
+  vtkNew<vtkMatrix4x4> BoxToClip;
+  vtkTextureSliceView View;
+  std::array<double, 3> Origin{};
+  std::array<double, 3> Edge{}; ///< signed data length of the box's edges
+  std::array<float, 3> TextureScale{};
+  std::array<float, 3> TextureBias{};
+  bool CropTest = false;
+  std::array<float, 3> CropLow{};
+  std::array<float, 3> CropHigh{};
+  double ShortestVoxelEdge = 1.0;
+};
+
+#endif

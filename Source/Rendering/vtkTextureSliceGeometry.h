@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The polygons of the slices: planes of equal depth cut by the volume's box and by clipping planes.
+#ifndef vtkTextureSliceGeometry_h
+#define vtkTextureSliceGeometry_h
+
+#include "vtkNexradRenderingModule.h" // for the export macro
+
+#include <array>
+#include <vector>
+
+/**
+ * What decides where the slices lie. "Box" coordinates run from 0 to 1 along each axis of the
+ * volume; "data" lengths are those of the volume before its actor's matrix, as VTK's ray caster
+ * measures sample distances and the unit distance of opacity.
+ */
+struct vtkTextureSliceView
+{
+  /// Box to camera coordinates (x right, y up, the camera looks along -z), row by row.
+  std::array<double, 16> BoxToCamera{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1};
+  /// Data length of the box's edges; the sign does not matter.
+  std::array<double, 3> EdgeLength{1, 1, 1};
+  bool Parallel = false;
+  /// Depth of the near plane: no slice is nearer.
+  double NearDepth = 0.0;
+  /// The part of the box to draw: lower x, upper x, lower y and so on.
+  std::array<double, 6> Part{0, 1, 0, 1, 0, 1};
+  /// Planes in box coordinates; what has a*x + b*y + c*z + d < 0 is cut away.
+  std::vector<std::array<double, 4>> ClippingPlanes;
+  /// Slices between the nearest and the farthest point of the part; 0: from SampleDistance.
+  int NumberOfSlices = 256;
+  /// Data length between two slices along the axis of the view, used if NumberOfSlices is 0.
+  double SampleDistance = 1.0;
+};
+
+/**
+ * Triangles of all slices, the farthest slice first. A vertex is six floats: its position in box
+ * coordinates, then the vector (data lengths) from one slice to the next along the ray through it.
+ */
+class VTKNEXRADRENDERING_EXPORT vtkTextureSliceGeometry
+{
+public:
+  static constexpr int FloatsPerVertex = 6;
+  /// More slices than this are not drawn, however small the sample distance.
+  static constexpr int MaximumNumberOfSlices = 16384;
+
+  /**
+   * Cuts the slices. They lie in the middle of equal intervals of depth, so that n slices stand
+   * for exactly the depth of the part. None are left where the part is behind the near plane.
+   */
+  void Build(const vtkTextureSliceView& view);
+
+  const std::vector<float>& GetVertices() const { return this->Vertices; }
+  int GetNumberOfVertices() const
+  {
+    return static_cast<int>(this->Vertices.size()) / FloatsPerVertex;
+  }
+  /// Slices of the last Build.
+  int GetNumberOfSlices() const { return this->NumberOfSlices; }
+  /// Depth between two slices of the last Build, in the camera's (world) units.
+  double GetDepthStep() const { return this->DepthStep; }
+
+private:
+  std::vector<float> Vertices;
+  int NumberOfSlices = 0;
+  double DepthStep = 0.0;
+};
+
+#endif

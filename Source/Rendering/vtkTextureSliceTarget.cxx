@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTextureSliceTarget.h"
+
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureSliceOpenGL.h"
+
+#include "TextureSliceCompositeFS.h"
+
+/// OpenGL copies depth only between equal formats, so the target takes the window's.
+struct vtkTextureSliceTarget::DepthFormat
+{
+  int Bits = 0;
+  bool Float = false;
+  bool Stencil = false;
+
+  int Key() const { return this->Bits * 4 + (this->Float ? 2 : 0) + (this->Stencil ? 1 : 0); }
+  int VTKFormat() const
+  {
+    if (this->Float)
+    {
+      return vtkTextureObject::Float32;
+    }
+    return this->Bits == 16
+             ? vtkTextureObject::Fixed16
+             : (this->Bits == 32 ? vtkTextureObject::Fixed32 : vtkTextureObject::Fixed24);
+  }
+};
+
+vtkTextureSliceTarget::vtkTextureSliceTarget() = default;
+vtkTextureSliceTarget::~vtkTextureSliceTarget() = default;
+
+vtkTextureSliceTarget::DepthFormat vtkTextureSliceTarget::QueryDepthFormat()
+{
+  GLint bound = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
+  const GLenum depth = bound == 0 ? GL_DEPTH : GL_DEPTH_ATTACHMENT;
+  const GLenum stencil = bound == 0 ? GL_STENCIL : GL_STENCIL_ATTACHMENT;
+  const auto query = [](GLenum attachment, GLenum what)
+  {
+    GLint value = 0;
+    glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, what, &value);
+    return value;
+  };
+  const auto exists = [&](GLenum attachment)
+  { return query(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE; };
+
+  DepthFormat format;
+  if (exists(depth))
+  {
+    format.Bits = query(depth, GL_FRAMEBUFFER_ATTACHMENT_DEPTH_SIZE);
+    // The type of a combined depth and stencil attachment is asked for at the depth attachment.
+    format.Float = query(depth, GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+    format.Stencil = exists(stencil) && query(stencil, GL_FRAMEBUFFER_ATTACHMENT_STENCIL_SIZE) > 0;
+  }
+  return format;
+}
+
+bool vtkTextureSliceTarget::Resize(
+  vtkOpenGLRenderWindow* window, int width, int height, const DepthFormat& format)
+{
+  const auto w = static_cast<unsigned int>(width);
+  const auto h = static_cast<unsigned int>(height);
+  if (this->Color->GetHandle() != 0 && this->Color->GetContext() == window &&
+      this->Color->GetWidth() == w && this->Color->GetHeight() == h &&
+      this->DepthKey == format.Key())
+  {
+    return true;
+  }
+  for (vtkTextureObject* texture : {this->Color.Get(), this->Depth.Get()})
+  {
+    texture->SetContext(window);
+    texture->ResetFormatAndType();
+    texture->SetWrapS(vtkTextureObject::ClampToEdge);
+    texture->SetWrapT(vtkTextureObject::ClampToEdge);
+    texture->SetMinificationFilter(vtkTextureObject::Nearest);
+    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  }
+  this->DepthKey = format.Key();
+  return this->Color->Allocate2D(w, h, 4, VTK_FLOAT) &&
+         (format.Stencil ? this->Depth->AllocateDepthStencil(w, h)
+                         : this->Depth->AllocateDepth(w, h, format.VTKFormat()));
+}
+
+bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, std::string& error)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+
+  const DepthFormat format = this->QueryDepthFormat();
+  if (!this->Resize(window, width, height, format))
+  {
+    error = "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
+            std::to_string(height) + " pixels";
+    return false;
+  }
+
+  vtkOpenGLState* state = window->GetState();
+  GLint source = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  state->PushFramebufferBindings();
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  const char* reason = "";
+  if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+        vtkOpenGLFramebufferObject::GetDrawMode(), reason))
+  {
+    state->PopFramebufferBindings();
+    error = std::string("OpenGL cannot draw into a floating-point picture: ") + reason;
+    return false;
+  }
+
+  state->vtkglDisable(GL_SCISSOR_TEST);
+  state->vtkglViewport(0, 0, width, height);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  state->vtkglDepthMask(GL_TRUE);
+  if (format.Bits > 0)
+  {
+    state->vtkglClear(GL_COLOR_BUFFER_BIT);
+    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
+    state->vtkglBlitFramebuffer(left, bottom, left + width, bottom + height, 0, 0, width, height,
+      GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  }
+  else
+  {
+    state->vtkglClearDepth(1.0);
+    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+  }
+  state->vtkglDepthMask(GL_FALSE);
+  this->Window = window;
+  return true;
+}
+
+void vtkTextureSliceTarget::End()
+{
+  this->Window->GetState()->PopFramebufferBindings();
+}
+
+void vtkTextureSliceTarget::Composite(vtkRenderer* renderer, float scale, float bias)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (!this->Quad)
+  {
+    this->Quad =
+      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, TextureSliceCompositeFS, "");
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglViewport(left, bottom, width, height);
+  state->vtkglDisable(GL_DEPTH_TEST);
+
+  this->Color->Activate();
+  vtkShaderProgram* program = this->Quad->Program;
+  program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
+  program->SetUniformf("colorScale", scale);
+  program->SetUniformf("colorBias", bias);
+  this->Quad->Render();
+  this->Color->Deactivate();
+}
+
+void vtkTextureSliceTarget::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Quad.reset();
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->Color->ReleaseGraphicsResources(window);
+  this->Depth->ReleaseGraphicsResources(window);
+  this->Window = nullptr;
+}

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scalars of a volume as a 3-D texture.
+#ifndef vtkTextureSliceTexture_h
+#define vtkTextureSliceTexture_h
+
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkWindow;
+
+/**
+ * One component of scalars of any type, one texel for each point (or cell). Scalars of 8 and 16
+ * bits keep their size and all their values; float is uploaded as it is; wider types become float,
+ * spread over 0 to 1 so that large values keep their differences.
+ *
+ * Points that vtkGhostType hides (HIDDENPOINT, or HIDDENCELL of cells) and scalars that are not
+ * finite are masked: the texture then has a second component, 1 at visible points and 0 at hidden
+ * ones, where the first is 0 as well.
+ */
+class vtkTextureSliceTexture
+{
+public:
+  /**
+   * Uploads the scalars if they, the ghost array, the dimensions or the window changed.
+   * @return false, with one line in @a error, if the volume does not fit.
+   */
+  bool Update(vtkOpenGLRenderWindow* window, vtkImageData* image, vtkDataArray* scalars,
+    bool cellData, std::string& error);
+  void SetNearest(bool nearest);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  vtkTextureObject* GetTexture() { return this->Texture; }
+  /// Texels along each axis: points, or cells.
+  static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
+  /// Whether the second component is there.
+  bool IsMasked() const { return this->Masked; }
+  /// The scalar of a texel t (0 to 1 unless float): t * GetScale() + GetBias().
+  double GetScale() const { return this->Scale; }
+  double GetBias() const { return this->Bias; }
+  /// Least and greatest finite scalar.
+  const std::array<double, 2>& GetScalarRange() const { return this->ScalarRange; }
+
+private:
+  /// What the texture was made from; pointers are compared, never followed.
+  struct Source
+  {
+    const void* Scalars = nullptr;
+    vtkMTimeType ScalarsTime = 0;
+    const void* Ghosts = nullptr;
+    vtkMTimeType GhostsTime = 0;
+    std::array<int, 3> Size{0, 0, 0};
+    bool operator==(const Source& other) const
+    {
+      return this->Scalars == other.Scalars && this->ScalarsTime == other.ScalarsTime &&
+             this->Ghosts == other.Ghosts && this->GhostsTime == other.GhostsTime &&
+             this->Size == other.Size;
+    }
+  };
+  bool Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, int scalarType,
+    std::string& error);
+
+  vtkNew<vtkTextureObject> Texture;
+  bool Masked = false;
+  double Scale = 1.0;
+  double Bias = 0.0;
+  std::array<double, 2> ScalarRange{0.0, 1.0};
+  Source Last;
+  std::array<int, 5> Allocated{}; ///< size, scalar type and number of components
+};
+
+#endif

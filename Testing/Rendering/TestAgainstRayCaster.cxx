@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The slices beside VTK's own GPU ray caster: same volume, camera and distance between samples.
+#include "RenderingTest.h"
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkMatrix3x3.h"
+#include "vtkNew.h"
+#include "vtkOpenGLGPUVolumeRayCastMapper.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <array>
+#include <cmath>
+#include <iostream>
+#include <memory>
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+/// What a mean channel may differ by, of 255, over the pixels that either picture changes. The bar
+/// that the mapper must meet is 1.5; where both compute the same, far less is the rule.
+constexpr double Bar = 1.5;
+constexpr double Tolerance = 0.5;
+class AgainstRayCaster : public RenderingTest
+{
+protected:
+  void SetUp() override
+  {
+    RenderingTest::SetUp();
+    if (!IsSkipped() && !HasFatalFailure())
+    {
+      this->Stage = std::make_unique<Scene>();
+    }
+  }
+  void TearDown() override
+  {
+    this->Stage.reset();
+    RenderingTest::TearDown();
+  }
+
+  void UseStorm(int scalarType, int size = 48)
+  {
+    this->Input = MakeStorm(size, scalarType);
+    SetStormFunctions(this->Stage->GetProperty(), scalarType);
+  }
+
+  /// A view of the storm from above one corner.
+  void AimCamera(bool parallel)
+  {
+    vtkRenderer* renderer = this->Stage->GetRenderer();
+    vtkCamera* camera = renderer->GetActiveCamera();
+    camera->SetParallelProjection(parallel);
+    camera->SetFocalPoint(0.0, 0.0, 12.0);
+    camera->SetPosition(50.0, -90.0, 70.0);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    camera->SetParallelScale(36.0);
+    camera->SetViewAngle(36.0);
+    renderer->ResetCameraClippingRange(-80, 80, -80, 80, -80, 80);
+  }
+
+  /// Draws with both mappers, writes the pictures and their difference, and compares them.
+  void ExpectSamePicture(const std::string& name, double tolerance = Tolerance)
+  {
+    const Picture background = this->Stage->Draw(nullptr);
+    const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster.Get()));
+    const Picture actual = this->Stage->Draw(this->Configure(this->Slices.Get()));
+    WritePicture(expected, name + "-rays");
+    WritePicture(actual, name + "-slices");
+    WritePicture(DifferencePicture(actual, expected), name + "-difference");
+    const Difference difference = Compare(actual, expected, background);
+    std::cout << name << ": mean difference " << difference.Mean[0] << ' ' << difference.Mean[1]
+              << ' ' << difference.Mean[2] << " of 255, worst " << difference.Worst << ", over "
+              << difference.Pixels << " pixels, " << this->Slices->GetNumberOfDrawnSlices()
+              << " slices\n";
+    EXPECT_GT(difference.Pixels, 2000) << "the volume covers too little to compare";
+    EXPECT_LE(difference.LargestMean(), tolerance);
+  }
+
+  template <typename Mapper>
+  Mapper* Configure(Mapper* mapper)
+  {
+    mapper->SetInputData(this->Input);
+    mapper->AutoAdjustSampleDistancesOff();
+    mapper->SetSampleDistance(static_cast<float>(this->SampleDistance));
+    return mapper;
+  }
+
+  /**
+   * Where the ray caster must be told to cut so that it cuts at x. VTK 9.1 takes its texture
+   * coordinates, which have half a texel beyond the outermost points, for fractions of the box
+   * there: its cuts are displaced as if the volume were (n - 1)/n as large about its middle. The
+   * slices cut in the right place (AnalyticPictures.CutsAreExact).
+   */
+  double RayCasterCut(double x, int axis)
+  {
+    const double* bounds = this->Input->GetBounds();
+    const double middle = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+    const double points = this->Input->GetDimensions()[axis];
+    return middle + (x - middle) * (points - 1.0) / points;
+  }
+
+  void Crop(const std::array<double, 6>& planes, int flags)
+  {
+    std::array<double, 6> rayCasterPlanes;
+    for (int i = 0; i < 6; ++i)
+    {
+      const auto index = static_cast<std::size_t>(i);
+      rayCasterPlanes[index] = this->RayCasterCut(planes[index], i / 2);
+    }
+    this->RayCaster->CroppingOn();
+    this->RayCaster->SetCroppingRegionPlanes(rayCasterPlanes.data());
+    this->RayCaster->SetCroppingRegionFlags(flags);
+    this->Slices->CroppingOn();
+    this->Slices->SetCroppingRegionPlanes(planes.data());
+    this->Slices->SetCroppingRegionFlags(flags);
+  }
+
+  AgainstRayCaster() { this->Slices->SetNumberOfSlices(0); }
+
+  std::unique_ptr<Scene> Stage;
+  vtkSmartPointer<vtkImageData> Input;
+  double SampleDistance = 0.3;
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> RayCaster;
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> Slices;
+};
+
+} // namespace
+
+TEST_F(AgainstRayCaster, PerspectiveFloat)
+{
+  this->UseStorm(VTK_FLOAT);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-perspective-float");
+}
+
+TEST_F(AgainstRayCaster, ParallelFloat)
+{
+  this->UseStorm(VTK_FLOAT);
+  this->AimCamera(true);
+  this->ExpectSamePicture("storm-parallel-float");
+}
+
+TEST_F(AgainstRayCaster, PerspectiveBytes)
+{
+  this->UseStorm(VTK_UNSIGNED_CHAR);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-perspective-uint8", Bar);
+}
+
+TEST_F(AgainstRayCaster, NearestInterpolation)
+{
+  this->UseStorm(VTK_FLOAT, 24);
+  this->Stage->GetProperty()->SetInterpolationTypeToNearest();
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-nearest", Bar);
+}
+
+TEST_F(AgainstRayCaster, ActorMatrix)
+{
+  this->UseStorm(VTK_FLOAT);
+  this->Stage->GetVolume()->SetScale(1.0, 0.8, 2.0);
+  this->Stage->GetVolume()->RotateX(25.0);
+  this->Stage->GetVolume()->SetPosition(4.0, 0.0, -6.0);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-actor-matrix");
+}
+
+TEST_F(AgainstRayCaster, DirectionMatrix)
+{
+  this->UseStorm(VTK_FLOAT);
+  const double a = 0.5;
+  this->Input->SetDirectionMatrix(
+    std::cos(a), -std::sin(a), 0.0, std::sin(a), std::cos(a), 0.0, 0.0, 0.0, 1.0);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-direction-matrix");
+}
+
+TEST_F(AgainstRayCaster, OriginAndExtentThatDoNotStartAtZero)
+{
+  this->UseStorm(VTK_FLOAT);
+  int extent[6];
+  double origin[3];
+  double spacing[3];
+  this->Input->GetExtent(extent);
+  this->Input->GetOrigin(origin);
+  this->Input->GetSpacing(spacing);
+  this->Input->SetExtent(7, extent[1] + 7, -3, extent[3] - 3, 5, extent[5] + 5);
+  this->Input->SetOrigin(
+    origin[0] - 7 * spacing[0], origin[1] + 3 * spacing[1], origin[2] - 5 * spacing[2]);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-extent");
+}
+
+TEST_F(AgainstRayCaster, CellScalars)
+{
+  vtkSmartPointer<vtkImageData> points = MakeStorm(48, VTK_FLOAT);
+  SetStormFunctions(this->Stage->GetProperty(), VTK_FLOAT);
+  this->Input = vtkSmartPointer<vtkImageData>::New();
+  this->Input->SetOrigin(points->GetOrigin());
+  this->Input->SetSpacing(points->GetSpacing());
+  this->Input->SetDimensions(49, 49, 25);
+  this->Input->GetCellData()->SetScalars(points->GetPointData()->GetScalars());
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-cells");
+}
+
+TEST_F(AgainstRayCaster, CroppingToTheMiddle)
+{
+  this->UseStorm(VTK_FLOAT);
+  this->Crop({-20.0, 8.0, -25.0, 12.0, 2.0, 20.0}, VTK_CROP_SUBVOLUME);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-cropped", Bar);
+}
+
+TEST_F(AgainstRayCaster, CroppingToEightCorners)
+{
+  // The regions of the volume's corners alone: bits 0, 2, 6, 8 and the same above, 18 further.
+  this->UseStorm(VTK_FLOAT);
+  this->Crop({-14.0, -6.0, -12.0, -4.0, 5.0, 9.0}, 0x145 | (0x145 << 18));
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-corners", Bar);
+}
+
+TEST_F(AgainstRayCaster, ClippingPlane)
+{
+  // As many points along z as along x and y: else the displacement that RayCasterCut undoes also
+  // bends the ray caster's rays where the plane cuts them.
+  this->Input = MakeStorm(48, VTK_FLOAT, 48);
+  SetStormFunctions(this->Stage->GetProperty(), VTK_FLOAT);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(-6.0, -6.0, 0.0);
+  plane->SetNormal(-0.6, 0.8, 0.0);
+  vtkNew<vtkPlane> rayCasterPlane;
+  rayCasterPlane->SetOrigin(
+    this->RayCasterCut(-6.0, 0), this->RayCasterCut(-6.0, 1), this->RayCasterCut(0.0, 2));
+  rayCasterPlane->SetNormal(plane->GetNormal());
+  this->RayCaster->AddClippingPlane(rayCasterPlane);
+  this->Slices->AddClippingPlane(plane);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-clipped", Bar);
+}
+
+TEST_F(AgainstRayCaster, CameraInside)
+{
+  this->UseStorm(VTK_FLOAT);
+  vtkRenderer* renderer = this->Stage->GetRenderer();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(4.0, 2.0, 4.0);
+  camera->SetFocalPoint(-10.0, -6.0, 8.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(60.0);
+  camera->SetClippingRange(0.5, 200.0);
+  // The storm is opaque from here; VTK's rays stop one 255th short of that, at each channel's cost.
+  this->ExpectSamePicture("storm-inside", Bar);
+}
+
+TEST_F(AgainstRayCaster, FinalWindowAndLevel)
+{
+  this->UseStorm(VTK_FLOAT);
+  for (vtkGPUVolumeRayCastMapper* mapper :
+    {static_cast<vtkGPUVolumeRayCastMapper*>(this->RayCaster.Get()),
+      static_cast<vtkGPUVolumeRayCastMapper*>(this->Slices.Get())})
+  {
+    mapper->SetFinalColorWindow(0.7f);
+    mapper->SetFinalColorLevel(0.4f);
+  }
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-window-level");
+}
+
+TEST_F(AgainstRayCaster, DifferenceIsNoticed)
+{
+  // The measure itself: half of the opacity, or a camera turned by one degree, must not pass.
+  this->UseStorm(VTK_FLOAT);
+  this->AimCamera(false);
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster.Get()));
+  this->Stage->GetProperty()->SetScalarOpacityUnitDistance(2.0);
+  const Picture thinner = this->Stage->Draw(this->Configure(this->Slices.Get()));
+  EXPECT_GT(Compare(thinner, expected, background).LargestMean(), Tolerance);
+  this->Stage->GetProperty()->SetScalarOpacityUnitDistance(1.0);
+  this->Stage->GetRenderer()->GetActiveCamera()->Azimuth(1.0);
+  const Picture turned = this->Stage->Draw(this->Configure(this->Slices.Get()));
+  EXPECT_GT(Compare(turned, expected, background).LargestMean(), Tolerance);
+}

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pictures whose pixels can be worked out by hand: uniform cubes.
+#include "RenderingTest.h"
+#include "Scenes.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkMath.h"
+#include "vtkNew.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
+#include "vtkPlane.h"
+#include "vtkPlaneSource.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+#include <limits>
+#include <memory>
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+constexpr int Size = 128;        // pixels of the window along each side
+constexpr double Edge = 8.0;     // of the cube, from the origin on
+constexpr double Opacity = 0.12; // of one unit
+
+/// What a white volume of that opacity adds to a black pixel after a path of that length.
+double Brightness(double path)
+{
+  return 255.0 * (1.0 - std::pow(1.0 - Opacity, path));
+}
+
+class AnalyticPictures : public RenderingTest
+{
+protected:
+  void SetUp() override
+  {
+    RenderingTest::SetUp();
+    if (!IsSkipped() && !HasFatalFailure())
+    {
+      this->Start(0);
+    }
+  }
+  void TearDown() override
+  {
+    this->Stage.reset();
+    RenderingTest::TearDown();
+  }
+
+  void Start(int multiSamples)
+  {
+    this->Stage = std::make_unique<Scene>(Size, Size, multiSamples);
+    this->Input = MakeUniformCube(int(Edge) + 1, 1.0f);
+    this->Mapper->SetInputData(this->Input);
+    SetUniformFunctions(this->Stage->GetProperty(), Opacity);
+    this->LookAlongZ();
+  }
+
+  /// Face on from 20 above the middle of the upper face; the view is 10 high at the focal point.
+  void LookAlongZ()
+  {
+    vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+    camera->SetFocalPoint(Edge / 2, Edge / 2, Edge / 2);
+    camera->SetPosition(Edge / 2, Edge / 2, Edge + 20.0);
+    camera->SetViewUp(0.0, 1.0, 0.0);
+    camera->SetParallelScale(5.0);
+    camera->ParallelProjectionOn();
+    camera->SetClippingRange(1.0, 60.0);
+  }
+
+  void LookAlongX()
+  {
+    vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+    camera->SetPosition(Edge + 20.0, Edge / 2, Edge / 2);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+  }
+
+  Picture Draw() { return this->Stage->Draw(this->Mapper); }
+
+  /// Hides the points with x below 4 by a ghost array; their scalars are far off.
+  void HideLowX()
+  {
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfTuples(this->Input->GetNumberOfPoints());
+    for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); ++id)
+    {
+      const bool hidden = id % (int(Edge) + 1) < 4;
+      ghosts->SetValue(
+        id, hidden ? vtkDataSetAttributes::HIDDENPOINT : vtkDataSetAttributes::DUPLICATEPOINT);
+      if (hidden)
+      {
+        this->Input->GetPointData()->GetScalars()->SetComponent(id, 0, -1e30);
+      }
+    }
+    this->Input->GetPointData()->AddArray(ghosts);
+  }
+
+  std::unique_ptr<Scene> Stage;
+  vtkSmartPointer<vtkImageData> Input;
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> Mapper;
+};
+
+} // namespace
+
+TEST_F(AnalyticPictures, CubeFaceOnHasItsOpacityWhateverTheSliceCount)
+{
+  for (const int slices : {1, 64, 128, 256, 512, 1024, 4096})
+  {
+    this->Mapper->SetNumberOfSlices(slices);
+    const Picture picture = this->Draw();
+    EXPECT_EQ(this->Mapper->GetNumberOfDrawnSlices(), slices);
+    for (const double channel : PixelAt(picture, Size / 2, Size / 2))
+    {
+      EXPECT_NEAR(channel, Brightness(Edge), 1.0) << slices << " slices";
+    }
+    // The cube is 8 of the 10 units that the picture shows.
+    EXPECT_NEAR(PixelAt(picture, 15, Size / 2)[0], Brightness(Edge), 1.0);
+    EXPECT_EQ(PixelAt(picture, 11, Size / 2)[0], 0.0);
+  }
+}
+
+TEST_F(AnalyticPictures, UnitDistanceScalesTheOpacity)
+{
+  this->Stage->GetProperty()->SetScalarOpacityUnitDistance(2.5);
+  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(Edge / 2.5), 1.0);
+}
+
+TEST_F(AnalyticPictures, PerspectiveRaysHaveTheirOwnLength)
+{
+  // Formulas R1. From 20 above the upper face, a pixel p away from the middle of the picture looks
+  // p/64 * tan(half of the view angle) off the axis: its path through the cube is so much longer.
+  vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  camera->SetPosition(Edge / 2, Edge / 2, Edge + 3.0);
+  camera->SetViewAngle(50.0);
+  camera->SetClippingRange(0.5, 60.0);
+  const double slope = std::tan(vtkMath::RadiansFromDegrees(25.0)) / (Size / 2);
+  this->Mapper->SetNumberOfSlices(256);
+  const Picture picture = this->Draw();
+  for (const int offset : {0, 8, 16, 24})
+  {
+    const double tangent = (offset + 0.5) * slope; // pixels have their centre half a pixel off
+    const double path = Edge * std::sqrt(1.0 + 2.0 * tangent * tangent);
+    ASSERT_LT(tangent * (Edge + 3.0), Edge / 2) << "the ray must leave through the lower face";
+    EXPECT_NEAR(PixelAt(picture, 64 + offset, 64 + offset)[0], Brightness(path), 1.0) << offset;
+  }
+}
+
+TEST_F(AnalyticPictures, DiagonalPathAtManySlices)
+{
+  // Along the diagonal of two axes the middle ray is sqrt(2) edges long.
+  vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+  camera->SetPosition(Edge / 2 + 20.0, Edge / 2, Edge / 2 + 20.0);
+  for (const int slices : {256, 1024})
+  {
+    this->Mapper->SetNumberOfSlices(slices);
+    EXPECT_NEAR(PixelAt(this->Draw(), 63, 64)[0], Brightness(Edge * std::sqrt(2.0)), 2.0);
+  }
+}
+
+TEST_F(AnalyticPictures, OpaqueGeometryHidesWhatIsBehind)
+{
+  for (const int multiSamples : {0, 4})
+  {
+    // A blue square in the middle of the cube covers the picture's right half.
+    this->Start(multiSamples);
+    vtkNew<vtkPlaneSource> square;
+    square->SetOrigin(Edge / 2, -2.0, Edge / 2);
+    square->SetPoint1(Edge + 2.0, -2.0, Edge / 2);
+    square->SetPoint2(Edge / 2, Edge + 2.0, Edge / 2);
+    vtkNew<vtkPolyDataMapper> squareMapper;
+    squareMapper->SetInputConnection(square->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(squareMapper);
+    actor->GetProperty()->LightingOff();
+    actor->GetProperty()->SetColor(0.0, 0.0, 1.0);
+    this->Stage->GetRenderer()->AddActor(actor);
+
+    const Picture picture = this->Draw();
+    const Color behind = PixelAt(picture, 40, 64);
+    EXPECT_NEAR(behind[0], Brightness(Edge), 1.0);
+    const Color inFront = PixelAt(picture, 88, 64);
+    EXPECT_NEAR(inFront[0], Brightness(Edge / 2), 1.0) << multiSamples << " samples";
+    EXPECT_NEAR(inFront[2], 255.0, 1.0);
+    this->Stage->GetRenderer()->RemoveActor(actor);
+  }
+}
+
+TEST_F(AnalyticPictures, CameraInsideSeesFromTheNearPlaneOn)
+{
+  vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+  camera->ParallelProjectionOff();
+  camera->SetPosition(Edge / 2, Edge / 2, 6.0);
+  camera->SetFocalPoint(Edge / 2, Edge / 2, 0.0);
+  camera->SetClippingRange(0.5, 20.0);
+  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.5), 1.0);
+
+  // With the whole cube behind the camera nothing is left.
+  camera->SetPosition(Edge / 2, Edge / 2, -1.0);
+  camera->SetFocalPoint(Edge / 2, Edge / 2, -5.0);
+  EXPECT_EQ(PixelAt(this->Draw(), 64, 64)[0], 0.0);
+}
+
+TEST_F(AnalyticPictures, HiddenPointsContributeNothing)
+{
+  // Points 4 to 8 are visible: everything from x = 3.5 on, and no trace of the hidden scalars.
+  // Other ghost bits hide nothing.
+  this->HideLowX();
+  const double pixelsPerUnit = Size / 10.0;
+  const auto column = [&](double x) { return int(std::floor((x + 1.0) * pixelsPerUnit)); };
+  for (const bool nearest : {false, true})
+  {
+    this->Stage->GetProperty()->SetInterpolationType(
+      nearest ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
+    this->LookAlongZ();
+    const Picture above = this->Draw();
+    EXPECT_EQ(PixelAt(above, column(2.0), 64)[0], 0.0);
+    EXPECT_EQ(PixelAt(above, column(3.4), 64)[0], 0.0);
+    EXPECT_NEAR(PixelAt(above, column(3.65), 64)[0], Brightness(Edge), 1.0);
+    EXPECT_NEAR(PixelAt(above, column(7.9), 64)[0], Brightness(Edge), 1.0);
+
+    this->LookAlongX();
+    EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(4.5), 1.0);
+  }
+}
+
+TEST_F(AnalyticPictures, ScalarsThatAreNotFiniteContributeNothing)
+{
+  vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
+  for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+  {
+    if (id % (int(Edge) + 1) < 4)
+    {
+      scalars->SetComponent(id, 0, std::numeric_limits<double>::quiet_NaN());
+    }
+  }
+  this->LookAlongX();
+  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(4.5), 1.0);
+}
+
+TEST_F(AnalyticPictures, CutsAreExact)
+{
+  this->LookAlongX();
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(2.25, 0.0, 0.0);
+  plane->SetNormal(1.0, 0.0, 0.0);
+  this->Mapper->AddClippingPlane(plane);
+  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.75), 1.0);
+  this->Mapper->RemoveAllClippingPlanes();
+
+  this->Mapper->CroppingOn();
+  this->Mapper->SetCroppingRegionPlanes(1.25, 3.5, -1.0, 9.0, -1.0, 9.0);
+  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(2.25), 1.0);
+  // The regions below the lower and above the upper x plane, between the others: bits 12 and 14.
+  this->Mapper->SetCroppingRegionFlags((1 << 12) | (1 << 14));
+  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.75), 1.0);
+}
+
+TEST_F(AnalyticPictures, ViewportOffTheCorner)
+{
+  // The upper right quarter of the window alone is drawn into.
+  this->Stage->GetRenderer()->SetViewport(0.5, 0.5, 1.0, 1.0);
+  const Picture picture = this->Draw();
+  EXPECT_NEAR(PixelAt(picture, 96, 96)[0], Brightness(Edge), 1.0);
+  EXPECT_EQ(PixelAt(picture, 32, 96)[0], 0.0);
+  EXPECT_EQ(PixelAt(picture, 96, 32)[0], 0.0);
+}

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Windows come and go, inputs and functions change, requests are refused.
+#include "RenderingTest.h"
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolumeProperty.h"
+
+#include <memory>
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+constexpr double Edge = 8.0;
+
+class MapperLife : public RenderingTest
+{
+protected:
+  std::unique_ptr<Scene> MakeScene(double opacity = 0.12)
+  {
+    auto scene = std::make_unique<Scene>(64, 64);
+    SetUniformFunctions(scene->GetProperty(), opacity);
+    vtkCamera* camera = scene->GetRenderer()->GetActiveCamera();
+    camera->ParallelProjectionOn();
+    camera->SetFocalPoint(Edge / 2, Edge / 2, Edge / 2);
+    camera->SetPosition(Edge / 2, Edge / 2, 30.0);
+    camera->SetParallelScale(5.0);
+    camera->SetClippingRange(1.0, 60.0);
+    return scene;
+  }
+
+  double Middle(Scene& scene, vtkVolumeMapper* mapper)
+  {
+    return PixelAt(scene.Draw(mapper), 32, 32)[0];
+  }
+};
+
+constexpr double Expected = 255.0 * (1.0 - 0.3596345); // 0.88 to the power of 8
+
+} // namespace
+
+TEST_F(MapperLife, OneMapperInTwoWindows)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputData(MakeUniformCube(9, 1.0f));
+  auto first = this->MakeScene();
+  auto second = this->MakeScene();
+  EXPECT_NEAR(this->Middle(*first, mapper), Expected, 1.0);
+  EXPECT_NEAR(this->Middle(*second, mapper), Expected, 1.0);
+  EXPECT_NEAR(this->Middle(*first, mapper), Expected, 1.0);
+  first.reset();
+  EXPECT_NEAR(this->Middle(*second, mapper), Expected, 1.0);
+}
+
+TEST_F(MapperLife, MapperOutlivesItsWindowAndTheOtherWayRound)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputData(MakeUniformCube(9, 1.0f));
+  EXPECT_NEAR(this->Middle(*this->MakeScene(), mapper), Expected, 1.0);
+  auto scene = this->MakeScene();
+  {
+    vtkNew<vtkOpenGLTextureSliceVolumeMapper> shortLived;
+    shortLived->SetInputData(MakeUniformCube(9, 1.0f));
+    EXPECT_NEAR(this->Middle(*scene, shortLived), Expected, 1.0);
+  }
+  EXPECT_NEAR(this->Middle(*scene, mapper), Expected, 1.0);
+}
+
+TEST_F(MapperLife, ReleasedResourcesAreMadeAnew)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputData(MakeUniformCube(9, 1.0f));
+  auto scene = this->MakeScene();
+  for (int i = 0; i < 3; ++i)
+  {
+    EXPECT_NEAR(this->Middle(*scene, mapper), Expected, 1.0);
+    mapper->ReleaseGraphicsResources(scene->GetWindow());
+  }
+}
+
+TEST_F(MapperLife, WindowSizeInputAndFunctionsMayChange)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  vtkSmartPointer<vtkImageData> cube = MakeUniformCube(9, 1.0f);
+  mapper->SetInputData(cube);
+  auto scene = this->MakeScene();
+  EXPECT_NEAR(this->Middle(*scene, mapper), Expected, 1.0);
+
+  scene->GetWindow()->SetSize(96, 80);
+  EXPECT_NEAR(PixelAt(scene->Draw(mapper), 48, 40)[0], Expected, 1.0);
+
+  // The same function, changed in place.
+  scene->GetProperty()->GetScalarOpacity()->RemoveAllPoints();
+  scene->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 0.0);
+  scene->GetProperty()->GetScalarOpacity()->AddPoint(1.0, 1.0);
+  EXPECT_NEAR(PixelAt(scene->Draw(mapper), 48, 40)[0], 255.0, 1.0);
+
+  // The same array, changed in place.
+  cube->GetPointData()->GetScalars()->Fill(0.0);
+  cube->GetPointData()->GetScalars()->Modified();
+  cube->Modified();
+  EXPECT_EQ(PixelAt(scene->Draw(mapper), 48, 40)[0], 0.0);
+
+  // Another array of another size.
+  mapper->SetInputData(MakeUniformCube(5, 1.0f));
+  EXPECT_NEAR(PixelAt(scene->Draw(mapper), 40, 32)[0], 255.0, 1.0);
+}
+
+TEST_F(MapperLife, NativeRangeClampsTheScalar)
+{
+  // Scalars of 5 where the opacity ends at 1 with 0.12 and does not hold its last value beyond.
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputData(MakeUniformCube(9, 5.0f));
+  auto scene = this->MakeScene();
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.0);
+  opacity->AddPoint(1.0, 0.12);
+  opacity->ClampingOff();
+  scene->GetProperty()->SetScalarOpacity(opacity);
+  EXPECT_EQ(this->Middle(*scene, mapper), 0.0);
+  mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
+  EXPECT_NEAR(this->Middle(*scene, mapper), Expected, 1.0);
+}
+
+TEST_F(MapperLife, UnsupportedRequestsAreRefusedInOneLine)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputData(MakeUniformCube(9, 1.0f));
+  auto scene = this->MakeScene();
+  EXPECT_TRUE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
+
+  mapper->SetBlendModeToMaximumIntensity();
+  EXPECT_FALSE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
+  EXPECT_EQ(this->Middle(*scene, mapper), 0.0);
+  EXPECT_NE(this->TakeMessages().find("only composite blending is supported"), std::string::npos);
+
+  mapper->SetBlendModeToComposite();
+  scene->GetProperty()->ShadeOn();
+  EXPECT_FALSE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
+  EXPECT_EQ(this->Middle(*scene, mapper), 0.0);
+  EXPECT_NE(this->TakeMessages().find("shading is not supported"), std::string::npos);
+}
+
+TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  vtkNew<vtkImageData> rod;
+  rod->SetDimensions(40000, 2, 2);
+  rod->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+  rod->GetPointData()->GetScalars()->Fill(1.0);
+  mapper->SetInputData(rod);
+  auto scene = this->MakeScene();
+  this->Middle(*scene, mapper);
+  const std::string message = this->TakeMessages();
+  EXPECT_NE(message.find("40000 x 2 x 2"), std::string::npos) << message;
+  EXPECT_NE(message.find("at most"), std::string::npos) << message;
+  double ratio[3];
+  mapper->GetReductionRatio(ratio);
+  EXPECT_LT(ratio[0], 1.0);
+  EXPECT_EQ(ratio[1], 1.0);
+}
+
+TEST_F(MapperLife, FlatImageIsAnError)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  vtkNew<vtkImageData> flat;
+  flat->SetDimensions(9, 9, 1);
+  flat->AllocateScalars(VTK_FLOAT, 1);
+  flat->GetPointData()->GetScalars()->Fill(1.0);
+  mapper->SetInputData(flat);
+  auto scene = this->MakeScene();
+  this->Middle(*scene, mapper);
+  EXPECT_NE(this->TakeMessages().find("no thickness"), std::string::npos);
+}
