@@ -69,7 +69,6 @@ public:
   // Hands `size` bytes from `offset` on to the receiver, a piece at a time.
   void Read(std::uint64_t offset, std::uint64_t size, const Receiver& receive)
   {
-    std::array<char, 64 * 1024> buffer{};
     stream.clear();
     stream.seekg(static_cast<std::streamoff>(offset));
     while (size > 0)
@@ -98,6 +97,7 @@ public:
 private:
   std::uint64_t length = 0;
   std::ifstream stream;
+  std::array<char, 64 * 1024> buffer;
 };
 
 std::uint32_t LittleEndian(const std::uint8_t* bytes)
