@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+
+class vtkCamera;
+
+namespace nexrad::scene
+{
+
+/// From where the scene is looked at.
+struct CameraView
+{
+  double azimuth = 200.0; ///< degrees clockwise from north, from the domain's centre to the camera:
+                          ///< 180 looks north
+  double tilt = 35.0;     ///< degrees above the horizon, −90…90; 90 looks straight down
+  double zoom = 1.0;      ///< above 0; 1 shows the whole box, 2 half of it
+  bool parallel = false;  ///< parallel in place of perspective projection
+};
+
+/// The part of the picture that the scene may fill, each −1 (left, bottom) … 1 (right, top).
+struct PictureArea
+{
+  double left = -1.0;
+  double right = 1.0;
+  double bottom = -1.0;
+  double top = 1.0;
+};
+
+/// Points the camera so that a box (west, east, south, north, bottom, top) just fits the area of a
+/// picture whose width is `aspect` times its height.
+void PointCamera(vtkCamera* camera, const CameraView& view, const std::array<double, 6>& box,
+  double aspect, const PictureArea& area);
+
+/// The camera's right-hand direction, a unit vector on the ground.
+std::array<double, 2> RightOf(const CameraView& view);
+
+} // namespace nexrad::scene

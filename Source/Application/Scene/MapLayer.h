@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "SceneFrame.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+#include <vector>
+
+class vtkProp;
+
+namespace nexrad::scene
+{
+
+/// What lies on the ground under a volume: a dark plane, the map's lines cut at the domain's edge,
+/// and for each radar that the site table knows a marker with its name and rings of range.
+/// `ringSpacing` in m: rings at its multiples up to 230 km; 0 draws none. `textSize` in pixels.
+std::vector<vtkSmartPointer<vtkProp>> MakeMapLayer(
+  const SceneFrame& frame, const std::vector<std::string>& sites, double ringSpacing, int textSize);
+
+} // namespace nexrad::scene

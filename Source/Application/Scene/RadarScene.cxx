@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RadarScene.h"
+
+#include "ColourBar.h"
+#include "MapLayer.h"
+#include "Model/Error.h"
+#include "ScaleLayer.h"
+#include "SceneText.h"
+
+#include <vtkCamera.h>
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkPointData.h>
+#include <vtkRenderer.h>
+#include <vtkTextActor.h>
+#include <vtkTextProperty.h>
+#include <vtkVolume.h>
+#include <vtkVolumeMapper.h>
+#include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+constexpr Colour skyBottom = {0.030, 0.036, 0.046};
+constexpr Colour skyTop = {0.055, 0.070, 0.095};
+constexpr Colour titleColour = {0.95, 0.96, 0.98};
+constexpr Colour noteColour = {0.70, 0.74, 0.79};
+constexpr Colour warningColour = {1.0, 0.78, 0.10};
+
+// The colour bar stands to the right of this area, the captions above and below it.
+constexpr PictureArea sceneArea = {-0.90, 0.80, -0.86, 0.86};
+
+// "2010-09-11 01:20:00 UTC"
+std::string TimeText(const VolumeInformation& information)
+{
+  if (!information.time)
+  {
+    return "time unknown";
+  }
+  std::string text = FormatIso8601(*information.time).substr(0, 19);
+  text[10] = ' ';
+  return text + " UTC";
+}
+
+// What was done with what, broken into lines of a dozen sites.
+std::string SourceText(const VolumeInformation& information)
+{
+  std::string text = "Reflectivity";
+  if (!information.method.empty())
+  {
+    text += ", method " + information.method;
+  }
+  for (std::size_t i = 0; i < information.sites.size(); ++i)
+  {
+    text += (i % 12 == 0 ? "\n" : " ") + information.sites[i];
+  }
+  return text;
+}
+
+std::string ScaleText(double exaggeration)
+{
+  std::ostringstream stream;
+  stream << "Height above mean sea level, stretched " << exaggeration << " times";
+  return exaggeration == 1.0 ? "Height above mean sea level, to scale" : stream.str();
+}
+
+} // namespace
+
+RadarScene::RadarScene(const SceneOptions& sceneOptions)
+  : options(sceneOptions)
+{
+  renderer->SetBackground(skyBottom[0], skyBottom[1], skyBottom[2]);
+  renderer->SetBackground2(skyTop[0], skyTop[1], skyTop[2]);
+  renderer->GradientBackgroundOn();
+  volume->SetProperty(MakeVolumeProperty(options.colours));
+}
+
+RadarScene::~RadarScene() = default;
+
+int RadarScene::TextSize() const
+{
+  return std::max(9, size[1] / 45);
+}
+
+void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
+{
+  size = pictureSize;
+  this->DrawGround();
+  this->DrawScales();
+  this->DrawCaptions();
+  this->Aim();
+}
+
+void RadarScene::SetCamera(const CameraView& cameraView)
+{
+  view = cameraView;
+  this->DrawScales();
+  this->Aim();
+}
+
+void RadarScene::SetVolume(vtkImageData* data)
+{
+  if (data == nullptr || data->GetNumberOfPoints() == 0 ||
+      data->GetPointData()->GetScalars() == nullptr)
+  {
+    throw Error("the volume holds no voxels to draw");
+  }
+  const SceneFrame newFrame(data, options.exaggeration);
+  const bool sameGround = newFrame.Bounds() == frame.Bounds() && volume->GetMapper() != nullptr;
+  const std::vector<std::string> oldSites = information.sites;
+  frame = newFrame;
+  information = ReadVolumeInformation(data);
+
+  vtkNew<vtkImageData> placed;
+  placed->ShallowCopy(data);
+  frame.MoveToScene(placed);
+  if (!sameGround)
+  {
+    volume->SetMapper(MakeVolumeMapper(options.mapper, options.slices, placed->GetLength()));
+    renderer->AddVolume(volume);
+    this->DrawScales();
+    this->Aim();
+  }
+  volume->GetMapper()->SetInputDataObject(placed);
+  if (!sameGround || information.sites != oldSites)
+  {
+    this->DrawGround();
+  }
+  this->DrawCaptions();
+}
+
+void RadarScene::Replace(Props& group, Props replacement)
+{
+  for (const auto& prop : group)
+  {
+    renderer->RemoveViewProp(prop);
+  }
+  group = std::move(replacement);
+  for (const auto& prop : group)
+  {
+    renderer->AddViewProp(prop);
+  }
+}
+
+void RadarScene::DrawGround()
+{
+  this->Replace(
+    ground, MakeMapLayer(frame, information.sites, options.ringSpacing, this->TextSize()));
+}
+
+void RadarScene::DrawScales()
+{
+  this->Replace(scales, MakeScaleLayer(frame, view, this->TextSize()));
+}
+
+void RadarScene::DrawCaptions()
+{
+  const int letters = this->TextSize();
+  Props props = MakeColourBar(options.colours, size, letters);
+  const double line = 1.4 * letters / size[1];
+  const auto add = [&](const std::string& text, double x, double y, int height,
+                     const Colour& colour, LabelSide side)
+  {
+    const auto caption = MakeCaption(text, {x, y}, height, colour, side);
+    caption->GetTextProperty()->SetVerticalJustificationToTop();
+    props.push_back(caption);
+    return caption;
+  };
+  add(TimeText(information), 0.02, 0.975, letters * 3 / 2, titleColour, LabelSide::Right)
+    ->GetTextProperty()
+    ->BoldOn();
+  add(SourceText(information), 0.02, 0.975 - 1.7 * line, letters, noteColour, LabelSide::Right);
+  add(ScaleText(options.exaggeration), 0.02, 0.02 + line, letters, noteColour, LabelSide::Right);
+  if (information.synthetic)
+  {
+    add("SYNTHETIC", 0.5, 0.975, letters * 5 / 2, warningColour, LabelSide::Below)
+      ->GetTextProperty()
+      ->BoldOn();
+  }
+  this->Replace(captions, std::move(props));
+}
+
+void RadarScene::Aim()
+{
+  const double aspect = static_cast<double>(size[0]) / size[1];
+  PointCamera(renderer->GetActiveCamera(), view, frame.Bounds(), aspect, sceneArea);
+  renderer->ResetCameraClippingRange();
+}
+
+} // namespace nexrad::scene

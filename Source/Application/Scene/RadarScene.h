@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CameraView.h"
+#include "ColourTable.h"
+#include "SceneFrame.h"
+#include "VolumeInformation.h"
+#include "VolumeLook.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <vector>
+
+class vtkImageData;
+class vtkProp;
+class vtkRenderer;
+class vtkVolume;
+
+namespace nexrad::scene
+{
+
+/// What a scene shows beside the data.
+struct SceneOptions
+{
+  ColourTable colours = WeatherServiceColours();
+  double exaggeration = 8.0; ///< of heights; above 0
+  MapperChoice mapper = MapperChoice::TextureSlice;
+  int slices = 256;         ///< or samples along the longest ray; from 1 on
+  double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
+};
+
+/// A merged volume over its map, with colour bar, scales and captions. It fills a renderer and
+/// knows no window, so that pictures, movies and a viewer can share it.
+class RadarScene
+{
+public:
+  explicit RadarScene(const SceneOptions& options);
+  ~RadarScene();
+  RadarScene(const RadarScene&) = delete;
+  RadarScene& operator=(const RadarScene&) = delete;
+
+  /// The renderer to put into a window.
+  vtkRenderer* GetRenderer() { return renderer; }
+
+  /// Size of the picture in pixels; letters grow with its height.
+  void SetPictureSize(const std::array<int, 2>& size);
+  void SetCamera(const CameraView& view);
+
+  /// Shows a merged volume: vtkImageData in m (or degrees and m) with the moment as active scalars
+  /// and field data as the project's filters write them. It is not changed. Throws Error when it
+  /// has no voxels or no scalars.
+  void SetVolume(vtkImageData* volume);
+
+private:
+  using Props = std::vector<vtkSmartPointer<vtkProp>>;
+
+  void Replace(Props& group, Props replacement);
+  void DrawGround();
+  void DrawScales();
+  void DrawCaptions();
+  void Aim();
+  int TextSize() const;
+
+  SceneOptions options;
+  std::array<int, 2> size = {1280, 720};
+  CameraView view;
+  SceneFrame frame;
+  VolumeInformation information;
+  vtkNew<vtkRenderer> renderer;
+  vtkNew<vtkVolume> volume;
+  Props ground;
+  Props scales;
+  Props captions;
+};
+
+} // namespace nexrad::scene

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Geometry/GridSpecification.h"
+
+#include <array>
+#include <optional>
+
+class vtkImageData;
+
+namespace nexrad::scene
+{
+
+/// How a volume stands in the scene. Scene coordinates are km east and north of the projection's
+/// centre, and km above mean sea level times the vertical exaggeration, so that all three axes of
+/// the scene have one unit and no actor needs a matrix.
+class SceneFrame
+{
+public:
+  SceneFrame() = default;
+
+  /// The frame of a merged volume. `exaggeration` is above 0. A volume without a projection in its
+  /// field data has no map: HasMap is then false.
+  SceneFrame(vtkImageData* volume, double exaggeration);
+
+  /// Outer faces of the volume: west, east, south, north, bottom, top.
+  const std::array<double, 6>& Bounds() const { return bounds; }
+  double Exaggeration() const { return exaggeration; }
+
+  /// Scene height of a height in m above mean sea level.
+  double Height(double metres) const { return metres / 1000.0 * exaggeration; }
+
+  bool HasMap() const { return map.has_value(); }
+  /// Scene x and y of a longitude and latitude. Needs HasMap.
+  std::array<double, 2> Place(double longitude, double latitude) const;
+  /// Longitude and latitude of a scene point. Needs HasMap.
+  std::array<double, 2> Geographic(double x, double y) const;
+
+  /// Gives the volume the origin and spacing of the scene. The arrays stay shared.
+  void MoveToScene(vtkImageData* volume) const;
+
+private:
+  std::array<double, 6> bounds = {-1.0, 1.0, -1.0, 1.0, 0.0, 1.0};
+  std::array<double, 2> kilometres = {0.001, 0.001}; // of one unit of the volume's x and y
+  std::array<double, 2> centre = {0.0, 0.0};         // volume's x and y at the scene's origin
+  double exaggeration = 1.0;
+  std::optional<GridSpecification> map;
+};
+
+} // namespace nexrad::scene

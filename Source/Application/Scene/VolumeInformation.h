@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Model/Time.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace nexrad::scene
+{
+
+/// What the field data of a merged volume say about it.
+struct VolumeInformation
+{
+  std::optional<Time> time;
+  std::vector<std::string> sites;
+  std::string method;     ///< "thesis" or "beam", "" when unknown
+  std::string projection; ///< PROJ string of x and y, "" when unknown
+  bool synthetic = false; ///< made from simulated files
+};
+
+VolumeInformation ReadVolumeInformation(vtkImageData* volume);
+
+} // namespace nexrad::scene
