@@ -2,8 +2,20 @@
 #include "CommandLine.h"
 #include "InfoCommand.h"
 
+#ifdef NEXRAD_WITH_VTK
+#include "GridCommand.h"
+#include "RenderCommand.h"
+#endif
+
 int main(int argc, char** argv)
 {
   using namespace nexrad::application;
-  return RunProgram(argc, argv, {AddInfoCommand});
+  return RunProgram(argc, argv,
+    {
+      AddInfoCommand,
+#ifdef NEXRAD_WITH_VTK
+      AddGridCommand,
+      AddRenderCommand,
+#endif
+    });
 }

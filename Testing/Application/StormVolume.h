@@ -4,13 +4,12 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
-
 namespace nexrad::testing
 {
 
 /// A small merged volume over eastern Missouri as the project's filters make them: 48 × 48 × 16
-/// voxels of 10 km × 10 km × 1.25 km with a storm of 62 dBZ that stands 15 km high in the south west
-/// quarter, and the sites KLSX and KILX. Marked as synthetic when asked.
+/// voxels of 10 km × 10 km × 1.25 km with a storm of 62 dBZ that stands 15 km high in the south
+/// west quarter, and the sites KLSX and KILX. Marked as synthetic when asked.
 vtkSmartPointer<vtkImageData> MakeStormVolume(bool synthetic);
 
 } // namespace nexrad::testing

@@ -6,6 +6,7 @@
 #include "Model/Error.h"
 #include "ScaleLayer.h"
 #include "SceneText.h"
+#include "VolumeLook.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
@@ -76,6 +77,10 @@ std::string ScaleText(double exaggeration)
 RadarScene::RadarScene(const SceneOptions& sceneOptions)
   : options(sceneOptions)
 {
+  if (options.colours.empty())
+  {
+    options.colours = WeatherServiceColours();
+  }
   renderer->SetBackground(skyBottom[0], skyBottom[1], skyBottom[2]);
   renderer->SetBackground2(skyTop[0], skyTop[1], skyTop[2]);
   renderer->GradientBackgroundOn();

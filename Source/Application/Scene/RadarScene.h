@@ -2,10 +2,9 @@
 #pragma once
 
 #include "CameraView.h"
-#include "ColourTable.h"
 #include "SceneFrame.h"
+#include "SceneOptions.h"
 #include "VolumeInformation.h"
-#include "VolumeLook.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -20,16 +19,6 @@ class vtkVolume;
 
 namespace nexrad::scene
 {
-
-/// What a scene shows beside the data.
-struct SceneOptions
-{
-  ColourTable colours = WeatherServiceColours();
-  double exaggeration = 8.0; ///< of heights; above 0
-  MapperChoice mapper = MapperChoice::TextureSlice;
-  int slices = 256;         ///< or samples along the longest ray; from 1 on
-  double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
-};
 
 /// A merged volume over its map, with colour bar, scales and captions. It fills a renderer and
 /// knows no window, so that pictures, movies and a viewer can share it.

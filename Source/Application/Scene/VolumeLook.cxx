@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeLook.h"
 
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
+
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
@@ -25,8 +27,14 @@ constexpr OpacityNode opacityNodes[] = {{8.0, 0.006}, {15.0, 0.015}, {20.0, 0.02
 
 } // namespace
 
-vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice, int slices, double diagonal)
+vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, int slices, double diagonal)
 {
+  if (choice == MapperChoice::TextureSlice)
+  {
+    auto mapper = vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
+    mapper->SetNumberOfSlices(slices);
+    return mapper;
+  }
   auto mapper = vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
   mapper->SetAutoAdjustSampleDistances(0);
   mapper->SetSampleDistance(static_cast<float>(diagonal / slices));

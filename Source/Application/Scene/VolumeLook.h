@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ColourTable.h"
+#include "SceneOptions.h"
 
 #include <vtkSmartPointer.h>
 
@@ -10,13 +10,6 @@ class vtkVolumeProperty;
 
 namespace nexrad::scene
 {
-
-/// How the volume is drawn.
-enum class MapperChoice
-{
-  TextureSlice, ///< vtkOpenGLTextureSliceVolumeMapper
-  RayCast       ///< VTK's GPU ray caster, for comparison
-};
 
 /// A mapper of that kind. `slices`: number of slices, or of samples along the longest ray through
 /// the volume, whose length is `diagonal` in scene units.

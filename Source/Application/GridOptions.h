@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Geometry/GridSpecification.h"
+#include "Model/Moment.h"
+#include "Model/Time.h"
+
+#include <optional>
+#include <string>
+
+namespace CLI
+{
+class App;
+}
+
+namespace nexrad::application
+{
+
+/// What a user asks of merged volumes.
+struct GridOptions
+{
+  GridRequest grid;
+  Duration step = std::chrono::minutes(5);
+  std::optional<Time> begin; ///< in place of the first step at or after the first ray
+  std::optional<Time> end;   ///< in place of the last step at or before the last ray; inclusive
+  Duration maximumGap = std::chrono::minutes(15);
+  MomentName moment = MomentName::REF;
+  std::string method = "thesis";
+  std::string siteName; ///< in place of the names in the files; empty: as the files say
+};
+
+/// Adds the options of merging to a command, all in one group of its help. They store into
+/// `options`, which must outlive the parsing.
+void AddGridOptions(CLI::App& command, GridOptions& options);
+
+} // namespace nexrad::application

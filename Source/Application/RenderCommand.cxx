@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RenderCommand.h"
+
+#include "ProgressBar.h"
+#include "SceneLibrary.h"
+#include "UnitOptions.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace nexrad::application
+{
+namespace
+{
+
+struct RenderOptions
+{
+  scene::RenderRequest request;
+  bool quiet = false;
+};
+
+std::filesystem::path ParseOutput(const std::string& text)
+{
+  const std::filesystem::path path(text);
+  const std::string extension = path.extension().string();
+  if (extension != ".png" && extension != ".ogv" && extension != ".mp4")
+  {
+    throw Error(
+      "'" + text + "' is no picture or movie; write a name that ends in .png, .ogv or .mp4");
+  }
+  return path;
+}
+
+scene::MapperChoice ParseMapper(const std::string& text)
+{
+  if (text != "texture-slice" && text != "ray-cast")
+  {
+    throw Error("'" + text + "' is no mapper; write texture-slice or ray-cast");
+  }
+  return text == "ray-cast" ? scene::MapperChoice::RayCast : scene::MapperChoice::TextureSlice;
+}
+
+double ParseRingSpacing(const std::string& text)
+{
+  const double spacing = ParseLength(text);
+  if (spacing < 0.0 || (spacing > 0.0 && spacing < 1000.0))
+  {
+    throw Error("'" + text + "' is no distance of rings; write 1km or more, or 0 for none");
+  }
+  return spacing;
+}
+
+void AddCamera(CLI::App& command, scene::RenderRequest& request)
+{
+  constexpr char group[] = "Camera";
+  command
+    .add_option("--azimuth", request.camera.azimuth,
+      "Where the camera stands, degrees clockwise from north about the domain's centre: 180 looks "
+      "north")
+    ->capture_default_str()
+    ->check(CLI::Range(-3600.0, 3600.0))
+    ->group(group);
+  command
+    .add_option(
+      "--tilt", request.camera.tilt, "Camera above the horizon, degrees; 90 looks straight down")
+    ->capture_default_str()
+    ->check(CLI::Range(-90.0, 90.0))
+    ->group(group);
+  command
+    .add_option("--zoom", request.camera.zoom, "1 shows the whole domain, 2 half of its width")
+    ->capture_default_str()
+    ->check(CLI::Range(0.01, 1000.0))
+    ->group(group);
+  command
+    .add_flag("--parallel", request.camera.parallel, "Parallel in place of perspective projection")
+    ->group(group);
+}
+
+void AddLook(CLI::App& command, scene::RenderRequest& request)
+{
+  constexpr char group[] = "Picture";
+  AddParsedOption(command, "--size", request.size, ParsePictureSize, "WxH",
+    "Width and height in pixels", "1280x720")
+    ->group(group);
+  command
+    .add_option("--exaggeration", request.scene.exaggeration,
+      "Factor by which heights are stretched; the picture states it")
+    ->capture_default_str()
+    ->check(CLI::Range(0.1, 100.0))
+    ->group(group);
+  AddParsedOption(command, "--mapper", request.scene.mapper, ParseMapper, "NAME",
+    "texture-slice, or ray-cast: VTK's, for comparison", "texture-slice")
+    ->group(group);
+  command.add_option("--slices", request.scene.slices, "Slices, or samples along the longest ray")
+    ->capture_default_str()
+    ->check(CLI::Range(1, 16384))
+    ->group(group);
+  command
+    .add_option("--colours,--colors", request.colourTable,
+      "Colour table: a heading, then lines dBZ,#rrggbb (default: the weather service's)")
+    ->check(CLI::ExistingFile)
+    ->type_name("FILE")
+    ->group(group);
+  AddParsedOption(command, "--rings", request.scene.ringSpacing, ParseRingSpacing, "LENGTH",
+    "Rings of range about each radar at multiples of this, m or km; 0: none", "0")
+    ->group(group);
+}
+
+void AddMovie(CLI::App& command, scene::RenderRequest& request)
+{
+  constexpr char group[] = "Movie";
+  command.add_option("--fps", request.framesPerSecond, "Frames a second")
+    ->capture_default_str()
+    ->check(CLI::Range(1, 120))
+    ->group(group);
+  command.add_option("--frames", request.frames, "Number of frames; 0: one for each time")
+    ->capture_default_str()
+    ->check(CLI::Range(0, 100'000))
+    ->group(group);
+  command
+    .add_option("--turn", request.turn, "Degrees by which the camera goes round during the movie")
+    ->capture_default_str()
+    ->check(CLI::Range(-36'000.0, 36'000.0))
+    ->group(group);
+}
+
+int RunRender(RenderOptions& options)
+{
+  ProgressBar bar("drawing", options.quiet);
+  options.request.progress = [&bar](double fraction) { return bar.Update(fraction); };
+  const scene::RenderReport report = RenderWithLibrary(options.request);
+  bar.Clear();
+  if (!options.quiet)
+  {
+    for (const auto& path : report.outputs)
+    {
+      std::cout << path.string() << '\n';
+    }
+  }
+  for (const std::string& problem : report.problems)
+  {
+    std::cerr << problem << '\n';
+  }
+  return report.problems.empty() ? Done : DoneWithDamage;
+}
+
+} // namespace
+
+void AddRenderCommand(CLI::App& program, CommandAction& action)
+{
+  const auto options = std::make_shared<RenderOptions>();
+  scene::RenderRequest& request = options->request;
+  CLI::App* command =
+    program.add_subcommand("render", "Draw volumes, or radar files, as pictures or a movie");
+  command
+    ->add_option("input", request.inputs,
+      "Volumes (.nxv, .nxv.series, .vti, or folders of them), or radar files and folders of them")
+    ->required()
+    ->type_name("INPUT");
+  AddParsedOption(*command, "-o,--output", request.output, ParseOutput, "FILE",
+    "Picture (.png; one for each time, with the time in its name, when there are several) or movie "
+    "(.ogv, or .mp4 where ffmpeg is installed)")
+    ->required();
+  AddParsedOption(*command, "--time", request.time, ParseTime, "TIME",
+    "Draw this time alone, in UTC, as in 2006-03-12T18:00");
+  AddQuietOption(*command, options->quiet);
+  AddCamera(*command, request);
+  AddLook(*command, request);
+  AddMovie(*command, request);
+  AddGridOptions(*command, request.grid);
+  command->callback([options, &action] { action = [options] { return RunRender(*options); }; });
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/RenderRequest.h"
+
+namespace nexrad::application
+{
+
+/// Loads the library that draws, which brings VTK's rendering with it, and has it do the request.
+/// Throws Error when the library is not where the program was built or installed, and for what the
+/// drawing itself fails at.
+scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
+
+} // namespace nexrad::application

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "GridOptions.h"
+#include "Model/Progress.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nexrad::application
+{
+
+/// Files that merged volumes are written to.
+enum class VolumeFormat
+{
+  Nxv, ///< this project's compressed volumes (Documentation/Formats/nxv.md)
+  Vti  ///< VTK XML image data
+};
+
+/// Radar files to be merged, and where to.
+struct GridJob
+{
+  std::vector<std::filesystem::path> inputs;
+  std::filesystem::path folder; ///< made when it does not exist
+  VolumeFormat format = VolumeFormat::Nxv;
+  GridOptions options;
+};
+
+/// What WriteVolumes made.
+struct GridReport
+{
+  std::filesystem::path index;              ///< of the series
+  std::vector<std::filesystem::path> files; ///< one for each time
+  std::uintmax_t bytes = 0;                 ///< of the files together
+  std::vector<std::string> problems;        ///< inputs that were damaged or left out, a line each
+};
+
+/// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an
+/// index of them, volumes.nxv.series (or .vti, volumes.vti.series), in the form that ParaView uses
+/// for series. Each file appears whole or not at all; the index comes last. Throws Error when no
+/// input holds a ray or a file cannot be written.
+GridReport WriteVolumes(const GridJob& job, const Progress& progress = {});
+
+} // namespace nexrad::application

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "UnitOptions.h"
+
+#include "Model/Error.h"
+
+#include <gtest/gtest.h>
+
+using namespace nexrad;
+using namespace nexrad::application;
+
+TEST(UnitOptions, DurationsHaveUnits)
+{
+  using namespace std::chrono_literals;
+  EXPECT_EQ(ParseDuration("5min"), 5min);
+  EXPECT_EQ(ParseDuration("90"), 90s);
+  EXPECT_EQ(ParseDuration("90s"), 90s);
+  EXPECT_EQ(ParseDuration("1.5h"), 90min);
+  EXPECT_EQ(ParseDuration("1d"), 24h);
+  EXPECT_EQ(ParseDuration("0"), 0s);
+  EXPECT_EQ(ParseDuration("0.0004"), 0ms);
+  EXPECT_EQ(ParseDuration("0.0006"), 1ms);
+}
+
+TEST(UnitOptions, DurationsThatAreNone)
+{
+  for (const char* text : {"", "min", "5 min", "5minutes", "-5min", "5m", "1e3", "1.2.3s", "nan",
+         "inf", "99999999999d", "0x5"})
+  {
+    EXPECT_THROW(ParseDuration(text), Error) << text;
+  }
+}
+
+TEST(UnitOptions, LengthsAreMetres)
+{
+  EXPECT_EQ(ParseLength("230km"), 230'000.0);
+  EXPECT_EQ(ParseLength("500m"), 500.0);
+  EXPECT_EQ(ParseLength("0.5km"), 500.0);
+  EXPECT_EQ(ParseLength("-12"), -12.0);
+  for (const char* text : {"", "km", "230 km", "230nmi", "1e5", "--5km"})
+  {
+    EXPECT_THROW(ParseLength(text), Error) << text;
+  }
+}
+
+TEST(UnitOptions, OneUnitCountsForBothHeights)
+{
+  EXPECT_EQ(ParseHeightRange("0,20km"), std::make_pair(0.0, 20'000.0));
+  EXPECT_EQ(ParseHeightRange("1,20km"), std::make_pair(1'000.0, 20'000.0));
+  EXPECT_EQ(ParseHeightRange("500m,20km"), std::make_pair(500.0, 20'000.0));
+  EXPECT_EQ(ParseHeightRange("-100,15000"), std::make_pair(-100.0, 15'000.0));
+  for (const char* text : {"20km,0", "5km,5km", "5km", "0,10km,20km", ",20km", "0,", "0,high"})
+  {
+    EXPECT_THROW(ParseHeightRange(text), Error) << text;
+  }
+}
+
+TEST(UnitOptions, Dimensions)
+{
+  EXPECT_EQ(ParseDimensions("256x128x1"), (std::array<int, 3>{256, 128, 1}));
+  for (const char* text : {"", "256", "256x256", "256x256x128x1", "0x256x128", "-1x2x3", "2x2x2.5",
+         "256 x 256 x 128", "99999999999999999999x1x1", "axbxc", "2x2x"})
+  {
+    EXPECT_THROW(ParseDimensions(text), Error) << text;
+  }
+}
+
+TEST(UnitOptions, PictureSizes)
+{
+  EXPECT_EQ(ParsePictureSize("1280x720"), (std::array<int, 2>{1280, 720}));
+  for (const char* text : {"1280", "15x720", "1280x16385", "1280x720x3"})
+  {
+    EXPECT_THROW(ParsePictureSize(text), Error) << text;
+  }
+}
+
+TEST(UnitOptions, BoundsAreWestSouthEastNorth)
+{
+  const GeographicBounds bounds = ParseBounds("-97.5,36,-86,43");
+  EXPECT_EQ(bounds.west, -97.5);
+  EXPECT_EQ(bounds.south, 36.0);
+  EXPECT_EQ(bounds.east, -86.0);
+  EXPECT_EQ(bounds.north, 43.0);
+  for (const char* text : {"", "-97,36,-86", "-86,36,-97,43", "-97,43,-86,36", "-97,36,-97,43",
+         "-97,36,-86,91", "-97,36,-86,43,0", "west,south,east,north", "-97,36,,43"})
+  {
+    EXPECT_THROW(ParseBounds(text), Error) << text;
+  }
+}
+
+TEST(UnitOptions, ErrorsSayWhatWouldBeRight)
+{
+  try
+  {
+    ParseBounds("-86,36,-97,43");
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_STREQ(error.what(), "'-86,36,-97,43' is inside out; write west,south,east,north in "
+                               "degrees with west below east and south below north");
+  }
+}
