@@ -20,10 +20,11 @@ struct OpacityNode
   double opacity; // of unitDistance
 };
 constexpr double unitDistance = 5.0; // scene units: km along the ground
-// Chosen so that 80 km of scene through stratiform rain of 30 dBZ lets a third of the map through,
-// and 12 km through a core of 50 dBZ a tenth.
-constexpr OpacityNode opacityNodes[] = {{8.0, 0.006}, {15.0, 0.015}, {20.0, 0.028}, {30.0, 0.065},
-  {40.0, 0.25}, {50.0, 0.60}, {60.0, 0.85}, {75.0, 0.95}};
+// Chosen so that 40 km of scene (5 km of height, stretched 8 times) through rain of 20 dBZ hide
+// four tenths of the map, through 30 dBZ three quarters, and that 10 km through a core of 50 dBZ
+// look solid.
+constexpr OpacityNode opacityNodes[] = {{10.0, 0.025}, {20.0, 0.065}, {30.0, 0.16}, {40.0, 0.42},
+  {50.0, 0.78}, {60.0, 0.93}, {75.0, 0.98}};
 
 } // namespace
 
