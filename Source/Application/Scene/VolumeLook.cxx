@@ -21,10 +21,10 @@ struct OpacityNode
 };
 constexpr double unitDistance = 5.0; // scene units: km along the ground
 // Chosen so that 40 km of scene (5 km of height, stretched 8 times) through rain of 20 dBZ hide
-// four tenths of the map, through 30 dBZ three quarters, and that 10 km through a core of 50 dBZ
+// four tenths of the map, through 30 dBZ seven tenths, and that 10 km through a core of 50 dBZ
 // look solid.
-constexpr OpacityNode opacityNodes[] = {{10.0, 0.025}, {20.0, 0.065}, {30.0, 0.16}, {40.0, 0.42},
-  {50.0, 0.78}, {60.0, 0.93}, {75.0, 0.98}};
+constexpr OpacityNode opacityNodes[] = {{10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25},
+  {50.0, 0.75}, {60.0, 0.93}, {75.0, 0.98}};
 
 } // namespace
 
