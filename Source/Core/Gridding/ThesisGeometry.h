@@ -5,6 +5,7 @@
 #include "Model/Site.h"
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 namespace nexrad

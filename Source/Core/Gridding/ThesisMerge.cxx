@@ -282,10 +282,13 @@ GriddedVolume EmptyVolume(const std::vector<SiteBracket>& sites, const GridSpeci
   volume.fill = smallest;
   for (const SiteBracket& site : sites)
   {
+    for (const PolarVolume* side : {site.before, site.after})
+    {
+      volume.synthetic = volume.synthetic || (side != nullptr && side->synthetic);
+    }
     const PolarVolume& any = site.before != nullptr ? *site.before : *site.after;
     volume.sites.push_back(any.site.name);
     volume.moment = any.moment;
-    volume.synthetic = volume.synthetic || any.synthetic;
   }
   return volume;
 }

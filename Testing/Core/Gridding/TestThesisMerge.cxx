@@ -268,7 +268,9 @@ TEST(MergeThesis, SimulatedInputIsMarked)
 {
   PolarVolume only = MakeVolume(here, 0.0, {EastRay()});
   EXPECT_FALSE(Merge({{&only, nullptr}}, After(0.0)).synthetic);
+  const PolarVolume real = only;
   only.synthetic = true;
+  EXPECT_TRUE(Merge({{&real, &only}}, After(0.0)).synthetic);
   EXPECT_TRUE(Merge({{&only, nullptr}}, After(0.0)).synthetic);
 }
 
