@@ -58,9 +58,8 @@ public:
     window->MakeCurrent();
   }
 
-  bool Draw(vtkRenderer* renderer, double unitDistance, const vtkTextureSliceCropping& cropping,
-    std::string& error);
-  void Composite(vtkRenderer* renderer, float finalWindow, float finalLevel);
+  /// Draws the slices into the target. @return false with one line in @a error
+  bool Draw(vtkRenderer* renderer, double unitDistance, int cropFlags, std::string& error);
 };
 
 namespace
@@ -101,8 +100,8 @@ private:
 
 } // namespace
 
-bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(vtkRenderer* renderer, double unitDistance,
-  const vtkTextureSliceCropping& cropping, std::string& error)
+bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
+  vtkRenderer* renderer, double unitDistance, int cropFlags, std::string& error)
 {
   vtkTextureSliceUniforms uniforms;
   uniforms.BoxToClip = this->Frame.GetBoxToClip();
@@ -117,7 +116,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(vtkRenderer* renderer, d
   uniforms.CropTest = this->Frame.NeedsCropTest();
   uniforms.CropLow = this->Frame.GetCropLow();
   uniforms.CropHigh = this->Frame.GetCropHigh();
-  uniforms.CropFlags = cropping.RegionFlags;
+  uniforms.CropFlags = cropFlags;
 
   if (!this->Target.Begin(renderer, error))
   {
@@ -137,12 +136,6 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(vtkRenderer* renderer, d
     error = "OpenGL could not compile the shaders of the slices";
   }
   return drawn;
-}
-
-void vtkOpenGLTextureSliceVolumeMapper::Internals::Composite(
-  vtkRenderer* renderer, float finalWindow, float finalLevel)
-{
-  this->Target.Composite(renderer, 1.0f / finalWindow, 0.5f - finalLevel / finalWindow);
 }
 
 vtkOpenGLTextureSliceVolumeMapper::vtkOpenGLTextureSliceVolumeMapper()
@@ -231,10 +224,8 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance(
 
 void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
-  vtkVolumeProperty* property = volume->GetProperty();
-  if (const char* unsupported = this->FindUnsupported(property))
+  if (const char* unsupported = this->FindUnsupported(volume->GetProperty()))
   {
     vtkErrorMacro(<< unsupported);
     return;
@@ -255,43 +246,49 @@ void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolu
   // A selection pass paints identifiers, which a blended volume would spoil.
   if (renderer->GetSelector() == nullptr)
   {
-    this->RenderSlices(window, renderer, volume, image, scalars);
+    this->RenderSlices(renderer, volume, image, scalars);
   }
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkOpenGLRenderWindow* window,
-  vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image, vtkDataArray* scalars)
+bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
+  vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image)
 {
-  Internals& parts = *this->Parts;
-  const bool cellData = this->CellFlag == 1;
+  vtkTextureSliceFrame& frame = this->Parts->Frame;
+  frame.SetVolume(image, this->CellFlag == 1, volume);
+  if (frame.IsFlat())
+  {
+    vtkErrorMacro("the volume has no thickness: every axis needs at least two points and an "
+                  "invertible matrix");
+    return false;
+  }
   vtkTextureSliceCropping cropping;
   cropping.On = this->Cropping != 0;
   cropping.RegionFlags = this->CroppingRegionFlags;
   std::copy(this->CroppingRegionPlanes, this->CroppingRegionPlanes + 6, cropping.Planes.begin());
-  parts.Frame.SetVolume(image, cellData, volume);
-  if (parts.Frame.IsFlat())
-  {
-    vtkErrorMacro("the volume has no thickness: every axis needs at least two points and an "
-                  "invertible matrix");
-    return;
-  }
-  parts.Frame.SetCamera(renderer);
-  parts.Frame.SetCropping(cropping);
-  parts.Frame.SetClippingPlanes(this->GetClippingPlanes());
+  frame.SetCamera(renderer);
+  frame.SetCropping(cropping);
+  frame.SetClippingPlanes(this->GetClippingPlanes());
 
-  vtkTextureSliceView view = parts.Frame.GetView();
+  vtkTextureSliceView view = frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
-  view.SampleDistance = this->ChooseSampleDistance(image, parts.Frame.GetShortestVoxelEdge());
-  parts.Geometry.Build(view);
-  if (parts.Geometry.GetNumberOfVertices() == 0)
+  view.SampleDistance = this->ChooseSampleDistance(image, frame.GetShortestVoxelEdge());
+  this->Parts->Geometry.Build(view);
+  return this->Parts->Geometry.GetNumberOfVertices() > 0;
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(
+  vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image, vtkDataArray* scalars)
+{
+  if (!this->PlaceSlices(renderer, volume, image))
   {
     return;
   }
-
+  Internals& parts = *this->Parts;
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   parts.Use(window);
   vtkVolumeProperty* property = volume->GetProperty();
   std::string error;
-  if (!parts.Texture.Update(window, image, scalars, cellData, error))
+  if (!parts.Texture.Update(window, image, scalars, this->CellFlag == 1, error))
   {
     vtkErrorMacro(<< error);
     return;
@@ -302,12 +299,14 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkOpenGLRenderWindow* wind
               this->ScalarOpacityRangeType == NATIVE});
 
   const StateKeeper keeper(window->GetState());
-  if (!parts.Draw(renderer, property->GetScalarOpacityUnitDistance(0), cropping, error))
+  if (!parts.Draw(
+        renderer, property->GetScalarOpacityUnitDistance(0), this->CroppingRegionFlags, error))
   {
     vtkErrorMacro(<< error);
     return;
   }
-  parts.Composite(renderer, this->FinalColorWindow, this->FinalColorLevel);
+  parts.Target.Composite(
+    renderer, 1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -30,7 +30,6 @@
 
 class vtkDataArray;
 class vtkImageData;
-class vtkOpenGLRenderWindow;
 
 class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper
 {
@@ -99,8 +98,9 @@ private:
 
   const char* FindUnsupported(vtkVolumeProperty* property);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
-  void RenderSlices(vtkOpenGLRenderWindow* window, vtkRenderer* renderer, vtkVolume* volume,
-    vtkImageData* image, vtkDataArray* scalars);
+  bool PlaceSlices(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
+  void RenderSlices(
+    vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image, vtkDataArray* scalars);
 };
 
 #endif

@@ -70,13 +70,14 @@ bool vtkTextureSliceProgram::Upload(
   {
     return true;
   }
-  this->Program = program;
   this->VertexArray->ShaderProgramChanged();
   this->VertexArray->Bind();
-  return this->VertexArray->AddAttributeArray(
-           program, this->Vertices, "boxPosition", 0, stride, VTK_FLOAT, 3, false) &&
-         this->VertexArray->AddAttributeArray(
-           program, this->Vertices, "rayStep", 3 * sizeof(float), stride, VTK_FLOAT, 3, false);
+  const bool added = this->VertexArray->AddAttributeArray(
+                       program, this->Vertices, "boxPosition", 0, stride, VTK_FLOAT, 3, false) &&
+                     this->VertexArray->AddAttributeArray(program, this->Vertices, "rayStep",
+                       3 * sizeof(float), stride, VTK_FLOAT, 3, false);
+  this->Program = added ? program : nullptr;
+  return added;
 }
 
 bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,

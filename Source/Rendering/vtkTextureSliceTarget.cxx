@@ -86,6 +86,23 @@ bool vtkTextureSliceTarget::Resize(
                          : this->Depth->AllocateDepth(w, h, format.VTKFormat()));
 }
 
+bool vtkTextureSliceTarget::Attach(vtkOpenGLRenderWindow* window, std::string& error)
+{
+  this->Framebuffer->SetContext(window);
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Framebuffer->AddDepthAttachment(this->Depth);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  const char* reason = "";
+  if (vtkOpenGLFramebufferObject::GetFrameBufferStatus(
+        vtkOpenGLFramebufferObject::GetDrawMode(), reason))
+  {
+    return true;
+  }
+  error = std::string("OpenGL cannot draw into a floating-point picture: ") + reason;
+  return false;
+}
+
 bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, std::string& error)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
@@ -95,29 +112,20 @@ bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, std::string& error)
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
 
-  const DepthFormat format = this->QueryDepthFormat();
+  const DepthFormat format = QueryDepthFormat();
   if (!this->Resize(window, width, height, format))
   {
     error = "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
             std::to_string(height) + " pixels";
     return false;
   }
-
-  vtkOpenGLState* state = window->GetState();
   GLint source = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &source);
+  vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
-  this->Framebuffer->SetContext(window);
-  this->Framebuffer->Bind();
-  this->Framebuffer->AddColorAttachment(0, this->Color);
-  this->Framebuffer->AddDepthAttachment(this->Depth);
-  this->Framebuffer->ActivateDrawBuffer(0);
-  const char* reason = "";
-  if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(
-        vtkOpenGLFramebufferObject::GetDrawMode(), reason))
+  if (!this->Attach(window, error))
   {
     state->PopFramebufferBindings();
-    error = std::string("OpenGL cannot draw into a floating-point picture: ") + reason;
     return false;
   }
 
@@ -126,17 +134,12 @@ bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, std::string& error)
   state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT | (format.Bits > 0 ? 0 : GL_DEPTH_BUFFER_BIT));
   if (format.Bits > 0)
   {
-    state->vtkglClear(GL_COLOR_BUFFER_BIT);
     state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
     state->vtkglBlitFramebuffer(left, bottom, left + width, bottom + height, 0, 0, width, height,
       GL_DEPTH_BUFFER_BIT, GL_NEAREST);
-  }
-  else
-  {
-    state->vtkglClearDepth(1.0);
-    state->vtkglClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
   }
   state->vtkglDepthMask(GL_FALSE);
   this->Window = window;

@@ -48,6 +48,8 @@ private:
   static DepthFormat QueryDepthFormat();
   bool Resize(vtkOpenGLRenderWindow* window, int width, int height, const DepthFormat& format);
 
+  bool Attach(vtkOpenGLRenderWindow* window, std::string& error);
+
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;

@@ -200,8 +200,8 @@ std::array<int, 3> vtkTextureSliceTexture::GetSize(vtkImageData* image, bool cel
   return size;
 }
 
-bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData* image,
-  vtkDataArray* scalars, bool cellData, std::string& error)
+vtkTextureSliceTexture::Source vtkTextureSliceTexture::MakeSource(
+  vtkImageData* image, vtkDataArray* scalars, bool cellData)
 {
   vtkUnsignedCharArray* ghosts = FindGhosts(image, cellData);
   Source source;
@@ -210,24 +210,29 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   source.Ghosts = ghosts;
   source.GhostsTime = ghosts != nullptr ? ghosts->GetMTime() : 0;
   source.Size = GetSize(image, cellData);
+  return source;
+}
+
+bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData* image,
+  vtkDataArray* scalars, bool cellData, std::string& error)
+{
+  const Source source = MakeSource(image, scalars, cellData);
   if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
       source == this->Last)
   {
     return true;
   }
-  this->Last = Source();
-
-  scalars->GetFiniteRange(this->ScalarRange.data(), 0);
-  const auto count = static_cast<std::size_t>(scalars->GetNumberOfTuples());
-  const auto expected = static_cast<std::size_t>(source.Size[0]) *
-                        static_cast<std::size_t>(source.Size[1]) *
-                        static_cast<std::size_t>(source.Size[2]);
-  if (count != expected)
+  this->Last = Source(); // nothing, should an error leave the texture half made
+  const auto [nx, ny, nz] = source.Size;
+  const auto expected = static_cast<vtkIdType>(nx) * ny * nz;
+  if (scalars->GetNumberOfTuples() != expected)
   {
-    error = "the scalars have " + std::to_string(count) + " values, the image needs " +
-            std::to_string(expected);
+    error = "the scalars have " + std::to_string(scalars->GetNumberOfTuples()) +
+            " values, the image needs " + std::to_string(expected);
     return false;
   }
+
+  scalars->GetFiniteRange(this->ScalarRange.data(), 0);
   unsigned char hidden = vtkDataSetAttributes::HIDDENPOINT;
   if (cellData)
   {
@@ -237,7 +242,8 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   switch (scalars->GetDataType())
   {
     vtkTemplateMacro(texels = MakeTexels(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)),
-                       count, ghosts, hidden, this->ScalarRange, this->Masked));
+                       static_cast<std::size_t>(expected), FindGhosts(image, cellData), hidden,
+                       this->ScalarRange, this->Masked));
   default:
     error = std::string("scalars of type ") + scalars->GetDataTypeAsString() +
             " cannot be drawn: convert them to a number type";
@@ -249,8 +255,8 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   }
   this->Texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, source.Size[0], source.Size[1], source.Size[2],
-    this->Masked ? GL_RG : GL_RED, TexelType(texels.ScalarType), texels.Data);
+  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, nx, ny, nz, this->Masked ? GL_RG : GL_RED,
+    TexelType(texels.ScalarType), texels.Data);
   this->Texture->Deactivate();
   this->Scale = texels.Scale;
   this->Bias = texels.Bias;

@@ -63,6 +63,7 @@ private:
              this->Size == other.Size;
     }
   };
+  static Source MakeSource(vtkImageData* image, vtkDataArray* scalars, bool cellData);
   bool Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, int scalarType,
     std::string& error);
 
