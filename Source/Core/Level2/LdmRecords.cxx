@@ -32,6 +32,13 @@ bool IsPadding(ByteView rest)
   return std::all_of(rest.Data(), rest.Data() + rest.Size(), [](auto byte) { return byte == 0; });
 }
 
+// True when a stream of that length is followed by a record, by nothing, or by padding.
+bool IsRecordEnd(ByteView bytes, std::size_t stream, std::size_t length)
+{
+  return length > 0 && bytes.Has(stream, length) &&
+         (IsLdmRecord(bytes, stream + length) || IsPadding(bytes.Sub(stream + length)));
+}
+
 } // namespace
 
 bool IsLdmRecord(ByteView bytes, std::size_t offset)
@@ -58,23 +65,18 @@ std::vector<LdmRecord> FindLdmRecords(
       continue;
     }
     const std::int64_t stated = std::abs(std::int64_t(bytes.I32(position)));
-    const std::size_t available = bytes.Size() - position - lengthBytes;
+    const std::size_t stream = position + lengthBytes;
     auto length = static_cast<std::size_t>(stated);
-    const std::size_t end = position + lengthBytes + length;
-    if (length > available || (end < bytes.Size() && !IsLdmRecord(bytes, end)))
+    if (!IsRecordEnd(bytes, stream, length))
     {
-      // Either this length or what follows is wrong; a record that begins before its end tells.
-      const std::size_t next = FindNext(bytes, position + lengthBytes);
-      if (length > available || next < end)
-      {
-        length = next - position - lengthBytes;
-        damage.push_back(
-          {position, "the record should be " + std::to_string(stated) + " bytes long, but only " +
-                       std::to_string(length) + " are there"});
-      }
+      // The stream knows its own end; all bytes up to the next record may belong to it.
+      length = FindNext(bytes, stream) - stream;
+      damage.push_back(
+        {position, "the record says that it is " + std::to_string(stated) + " bytes long, but " +
+                     std::to_string(length) + " bytes are there"});
     }
-    records.push_back({position, bytes.Sub(position + lengthBytes, length)});
-    position += lengthBytes + length;
+    records.push_back({position, bytes.Sub(stream, length)});
+    position = stream + length;
   }
   return records;
 }

@@ -57,7 +57,7 @@ struct Header
   bool LengthMakesSense() const
   {
     const std::size_t bytes = this->MessageBytes();
-    return bytes > headerBytes - communicationBytes &&
+    return bytes >= headerBytes - communicationBytes &&
            (IsVariable() ? bytes <= longestMessageBytes : halfwords <= longestFramedHalfwords);
   }
   // Redundant channels are numbered 0 to 2; the open radar data acquisition adds 8.

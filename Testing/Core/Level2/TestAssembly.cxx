@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Level2/Level2File.h"
+#include "Model/Error.h"
+#include "Model/SiteTable.h"
+
+#include "Level2Bytes.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+RadarVolume Decode(const Bytes& bytes, const std::string& name = "file", Level2Options options = {})
+{
+  return DecodeLevel2(bytes, name, options);
+}
+
+RadarVolume DecodeRays(const std::vector<Bytes>& rays)
+{
+  return Decode(Join({MakeVolumeHeader(), Join(rays)}));
+}
+
+bool HasDamage(const RadarVolume& volume, const std::string& part)
+{
+  for (const Damage& damage : volume.damage)
+  {
+    if (damage.what.find(part) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+bool HasNote(const RadarVolume& volume, const std::string& part)
+{
+  for (const std::string& note : volume.notes)
+  {
+    if (note.find(part) != std::string::npos)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+void Write(const std::filesystem::path& path, const Bytes& bytes)
+{
+  std::ofstream(path, std::ios::binary)
+    .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+// The rays of a small volume in the container, behind its header.
+Bytes InRecords(unsigned messageType, std::size_t recordBytes)
+{
+  const Bytes volume = MakeSmallVolume(messageType);
+  std::vector<Bytes> parts = {{volume.begin(), volume.begin() + 24}};
+  for (std::size_t place = 24; place < volume.size(); place += recordBytes)
+  {
+    const std::size_t end = std::min(place + recordBytes, volume.size());
+    parts.push_back(MakeLdmRecord({volume.begin() + static_cast<std::ptrdiff_t>(place),
+                                    volume.begin() + static_cast<std::ptrdiff_t>(end)},
+      end == volume.size()));
+  }
+  return Join(parts);
+}
+
+} // namespace
+
+TEST(Assembly, ReadsEveryContainerAlike)
+{
+  for (const unsigned type : {1U, 31U})
+  {
+    const Bytes bare = MakeSmallVolume(type);
+    const std::size_t messageBytes = type == 1 ? 2432 : 227 * 2432; // message 31: one record
+    for (const Bytes& stored :
+      {bare, Gzip(bare), Bzip2(bare), Compress(bare), InRecords(type, messageBytes),
+        Gzip(InRecords(type, messageBytes)), Bzip2(InRecords(type, messageBytes))})
+    {
+      const RadarVolume volume = Decode(stored);
+      EXPECT_EQ(volume.RayCount(), 24U);
+      ASSERT_EQ(volume.sweeps.size(), 2U);
+      EXPECT_TRUE(volume.complete);
+      EXPECT_TRUE(volume.damage.empty()) << volume.damage.front().what;
+      EXPECT_EQ(volume.messageType, static_cast<int>(type));
+      EXPECT_EQ(volume.coveragePatternNumber, 21);
+      ASSERT_TRUE(volume.coveragePattern);
+      EXPECT_EQ(volume.coveragePattern->cuts.size(), 2U);
+      EXPECT_EQ(volume.sweeps[1].rays[11].Row(MomentName::REF).Raw(3), 66U);
+    }
+  }
+}
+
+TEST(Assembly, EmptyAndForeignFilesHaveNoSweeps)
+{
+  EXPECT_TRUE(HasDamage(Decode({}), "the file is empty"));
+  const RadarVolume foreign = Decode(Bytes(5000, 'x'));
+  EXPECT_TRUE(foreign.sweeps.empty());
+  EXPECT_TRUE(HasDamage(foreign, "no ray can be read"));
+  EXPECT_FALSE(foreign.messageType);
+  EXPECT_FALSE(foreign.Start());
+  EXPECT_THROW(ReadLevel2("/nonexistent/file"), Error);
+}
+
+TEST(Assembly, ASweepBeginsWhereTheDesignSays)
+{
+  RayPlan ray;
+  ray.status = 3;
+  std::vector<Bytes> rays = {MakeMessage31(ray)};
+  const auto add = [&](unsigned status, unsigned cut, double azimuth)
+  {
+    ray.status = status;
+    ray.cut = cut;
+    ray.azimuth = azimuth;
+    ++ray.number;
+    rays.push_back(MakeMessage31(ray));
+  };
+  add(1, 1, 46.0);
+  add(1, 2, 47.0); // the number changes
+  add(2, 2, 48.0);
+  add(0, 2, 49.0); // a cut starts
+  add(5, 2, 50.0); // the last cut starts
+  add(1, 2, 51.0);
+  const RadarVolume volume = DecodeRays(rays);
+  std::vector<std::size_t> counts;
+  for (const Sweep& sweep : volume.sweeps)
+  {
+    counts.push_back(sweep.rays.size());
+  }
+  EXPECT_EQ(counts, (std::vector<std::size_t>{2, 2, 1, 2}));
+}
+
+TEST(Assembly, ASweepEndsAfterMoreThan400Degrees)
+{
+  RayPlan ray;
+  std::vector<Bytes> rays;
+  for (int index = 0; index < 450; ++index)
+  {
+    ray.azimuth = index % 360;
+    ray.number = static_cast<unsigned>(index + 1);
+    rays.push_back(MakeMessage31(ray));
+  }
+  const RadarVolume volume = DecodeRays(rays);
+  ASSERT_EQ(volume.sweeps.size(), 2U);
+  EXPECT_EQ(volume.sweeps[0].rays.size(), 401U);
+}
+
+TEST(Assembly, SaysWhichRaysAreMissing)
+{
+  RayPlan ray;
+  ray.status = 3;
+  std::vector<Bytes> rays;
+  for (unsigned number = 1; number <= 20; ++number)
+  {
+    if (number < 6 || (number > 9 && number != 15))
+    {
+      ray.number = number;
+      ray.azimuth = number;
+      rays.push_back(MakeMessage31(ray));
+      ray.status = 1;
+    }
+  }
+  const RadarVolume volume = DecodeRays(rays);
+  EXPECT_TRUE(HasDamage(volume, "5 rays missing in sweep 0 (elevation number 1), in 2 gaps, the "
+                                "first between azimuth 5.00 and 10.00 degrees"));
+  EXPECT_TRUE(HasDamage(volume, "no end of volume"));
+  EXPECT_FALSE(volume.complete);
+}
+
+TEST(Assembly, ACutThatIsScannedAgainIsNoDamage)
+{
+  RayPlan ray;
+  ray.status = 3;
+  const Bytes brokenOff = MakeSweepBytes(31, ray, 30, 1);
+  ray.status = 0;
+  const RadarVolume volume = DecodeRays({brokenOff, MakeSweepBytes(31, ray, 40, 4)});
+  ASSERT_EQ(volume.sweeps.size(), 2U);
+  EXPECT_TRUE(volume.damage.empty());
+  EXPECT_TRUE(HasNote(volume, "sweep 0 (elevation number 1) was broken off and scanned again"));
+  // Another cut in its place means that rays were lost.
+  ray.cut = 2;
+  EXPECT_TRUE(HasDamage(
+    DecodeRays({brokenOff, MakeSweepBytes(31, ray, 40, 4)}), "rays missing at the end of sweep 0"));
+}
+
+TEST(Assembly, RaysOutsideTheirAnglesAreDamage)
+{
+  RayPlan ray;
+  ray.status = 3;
+  RayPlan wild = ray;
+  wild.elevation = 95.0;
+  wild.status = 1;
+  RayPlan end = ray;
+  end.status = 4;
+  end.number = 2;
+  const RadarVolume volume =
+    DecodeRays({MakeMessage31(ray), MakeMessage31(wild), MakeMessage31(wild), MakeMessage31(end)});
+  EXPECT_EQ(volume.RayCount(), 2U);
+  ASSERT_EQ(volume.damage.size(), 1U);
+  EXPECT_EQ(volume.damage[0].offset, 24 + MakeMessage31(ray).size());
+  EXPECT_NE(volume.damage[0].what.find("elevation is not within"), std::string::npos);
+  EXPECT_NE(volume.damage[0].what.find("(and 1 more"), std::string::npos);
+}
+
+TEST(Assembly, GoesOnBehindABadRecord)
+{
+  const Bytes volume = MakeSmallVolume(1);
+  const Bytes good = InRecords(1, 4 * 2432); // seven records
+  // Record 3 (rays 9 to 12, less the two messages in front) loses bytes in its middle.
+  std::size_t place = 24;
+  for (int record = 0; record < 2; ++record)
+  {
+    place += 4 + (std::size_t(good[place + 2]) << 8 | good[place + 3]);
+  }
+  Bytes bad = good;
+  for (std::size_t byte = place + 40; byte < place + 60; ++byte)
+  {
+    bad[byte] ^= 0x5A;
+  }
+  const RadarVolume decoded = Decode(bad);
+  EXPECT_EQ(decoded.RayCount(), 20U);
+  EXPECT_TRUE(decoded.complete);
+  ASSERT_FALSE(decoded.damage.empty());
+  EXPECT_EQ(decoded.damage[0].offset, place);
+  EXPECT_EQ(decoded.damage[0].what, "compressed record: the bzip2 stream is corrupt");
+  EXPECT_TRUE(HasDamage(decoded, "4 rays missing in sweep 0"));
+}
+
+TEST(Assembly, TheCapsHold)
+{
+  const Bytes large = Join({MakeVolumeHeader(), MakeLdmRecord(Bytes(200'000)),
+    MakeLdmRecord(MakeSweepBytes(1, {}, 12, 4), true)});
+  Level2Options options;
+  options.maximumRecordBytes = 100'000;
+  const RadarVolume cut = Decode(large, "file", options);
+  EXPECT_TRUE(HasDamage(cut, "more than 100000 bytes when decompressed"));
+  EXPECT_EQ(cut.RayCount(), 12U);
+  options.maximumFileBytes = 90'000;
+  EXPECT_TRUE(HasDamage(Decode(large, "file", options), "larger than its cap"));
+}
+
+TEST(Assembly, TakesTheNameFromWhereItIs)
+{
+  const auto named = [](const std::string& header, const std::string& inRays,
+                       const std::string& file, const std::string& option)
+  {
+    RayPlan ray;
+    ray.site = inRays;
+    Level2Options options;
+    options.siteName = option;
+    return Decode(Join({MakeVolumeHeader("AR2V0006", header), MakeMessage31(ray)}), file, options)
+      .site.name;
+  };
+  EXPECT_EQ(named("KLSX", "KTLX", "KEAX20060312", "KILX"), "KILX");
+  EXPECT_EQ(named("KLSX", "KTLX", "KEAX20060312", ""), "KLSX");
+  EXPECT_EQ(named("    ", "KTLX", "KEAX20060312", ""), "KTLX");
+  EXPECT_EQ(named("", "", "/data/KEAX20060312_1800.gz", ""), "KEAX");
+  EXPECT_EQ(named("", "", "Level2_KFTG_20150430", ""), "KFTG");
+  EXPECT_EQ(named("", "", "volume", ""), "");
+}
+
+TEST(Assembly, TheAntennasHeightCountsTheFeedhornButForTdwr)
+{
+  RayPlan ray;
+  const auto altitude = [&ray] { return DecodeRays({MakeMessage31(ray)}).site.position->altitude; };
+  EXPECT_EQ(altitude(), 390.0);
+  const Bytes terminal = Join({MakeVolumeHeader("AR2V0008", "TDAL"), MakeMessage31(ray)});
+  EXPECT_EQ(Decode(terminal).site.position->altitude, 370.0);
+  // A terminal radar that the table does not know shows itself by its pattern.
+  ray.pattern = 80;
+  EXPECT_EQ(Decode(Join({MakeVolumeHeader("AR2V0008", "TXXX"), MakeMessage31(ray)}))
+              .site.position->altitude,
+    370.0);
+}
+
+TEST(Assembly, PositionsInThousandthsAreNoted)
+{
+  RayPlan ray;
+  ray.latitude = 32926.0F;
+  ray.longitude = -96968.0F;
+  const RadarVolume volume = DecodeRays({MakeMessage31(ray)});
+  ASSERT_TRUE(volume.site.position);
+  EXPECT_DOUBLE_EQ(volume.site.position->latitude, 32.926);
+  EXPECT_DOUBLE_EQ(volume.site.position->longitude, -96.968);
+  EXPECT_TRUE(HasNote(volume, "thousandths"));
+}
+
+TEST(Assembly, PositionsComeFromTheTableOrTheOption)
+{
+  const Bytes bytes = MakeSmallVolume(1);
+  const RadarVolume fromTable = Decode(bytes);
+  ASSERT_TRUE(fromTable.site.position);
+  EXPECT_EQ(fromTable.site.position->latitude, FindSite("KTLX")->position.latitude);
+  EXPECT_TRUE(HasNote(fromTable, "site table"));
+  Level2Options options;
+  options.position = Position{1.0, 2.0, 3.0};
+  EXPECT_EQ(Decode(bytes, "file", options).site.position->altitude, 3.0);
+  options = {};
+  options.siteName = "ZZZZ";
+  EXPECT_FALSE(Decode(bytes, "file", options).site.position);
+}
+
+TEST(Assembly, NotesAHeaderOfAnotherTimeAndMidnight)
+{
+  RayPlan ray;
+  ray.milliseconds = 86'399'900;
+  RayPlan next = ray;
+  next.day += 1;
+  next.milliseconds = 100;
+  next.number = 2;
+  const RadarVolume volume = DecodeRays({MakeMessage31(ray), MakeMessage31(next)});
+  EXPECT_TRUE(HasNote(volume, "midnight"));
+  EXPECT_TRUE(HasNote(volume, "the header's time"));
+  EXPECT_EQ(*volume.End() - *volume.Start(), Duration(200));
+}
+
+TEST(Assembly, SeveralCyclesUnderOneHeaderComeApart)
+{
+  const Bytes once = MakeSmallVolume(31);
+  const Bytes twice = Join({once, {once.begin() + 24, once.end()}});
+  const RadarVolume volume = Decode(twice);
+  EXPECT_EQ(volume.sweeps.size(), 4U);
+  EXPECT_EQ(SplitCycles(volume).size(), 2U);
+  // Also where the ray that starts the second cycle is lost.
+  RayPlan ray;
+  ray.cut = 2;
+  RayPlan restart;
+  restart.number = 5;
+  EXPECT_EQ(SplitCycles(DecodeRays({MakeMessage31(ray), MakeMessage31(restart)})).size(), 2U);
+}
+
+TEST(ChunkFolders, AreReadInTheOrderOfTheirNumbers)
+{
+  const TemporaryFolder folder;
+  RayPlan ray;
+  ray.status = 3;
+  Write(folder.Path() / "20210729-123848-003-E", MakeLdmRecord(MakeSweepBytes(
+                                                   31,
+                                                   [&]
+                                                   {
+                                                     RayPlan last = ray;
+                                                     last.cut = 3;
+                                                     last.status = 0;
+                                                     return last;
+                                                   }(),
+                                                   5, 4)));
+  Write(folder.Path() / "20210729-123848-001-S",
+    Join({MakeVolumeHeader(), MakeLdmRecord(MakeMessage5(21, {0.5}))}));
+  Write(folder.Path() / "20210729-123848-002-I", MakeLdmRecord(MakeSweepBytes(31, ray, 5, 2)));
+  Write(folder.Path() / "notes.txt", {'x'});
+  const RadarVolume volume = ReadLevel2(folder.Path());
+  ASSERT_EQ(volume.sweeps.size(), 2U);
+  EXPECT_EQ(volume.sweeps[1].elevationNumber, 3);
+  EXPECT_TRUE(volume.damage.empty());
+  EXPECT_TRUE(volume.complete);
+
+  std::filesystem::remove(folder.Path() / "20210729-123848-002-I");
+  EXPECT_TRUE(
+    HasDamage(ReadLevel2(folder.Path()), "20210729-123848-003-E: 1 chunk missing before this one"));
+  Write(folder.Path() / "20200101-000000-001-S", MakeVolumeHeader());
+  EXPECT_TRUE(HasDamage(
+    ReadLevel2(folder.Path()), "20200101-000000-001-S: a chunk of another volume, left out"));
+}
+
+TEST(ChunkFolders, WithoutAChunkAreAnError)
+{
+  const TemporaryFolder folder;
+  EXPECT_THROW(ReadLevel2(folder.Path()), Error);
+  Write(folder.Path() / "alone", MakeSmallVolume(31));
+  EXPECT_EQ(ReadLevel2(folder.Path()).RayCount(), 24U);
+}
+
+TEST(LooksLikeLevel2, KnowsTheFirstBytes)
+{
+  const TemporaryFolder folder;
+  const auto looks = [&folder](const Bytes& bytes)
+  {
+    Write(folder.Path() / "file", bytes);
+    return LooksLikeLevel2(folder.Path() / "file");
+  };
+  const Bytes bare = MakeSmallVolume(1);
+  EXPECT_TRUE(looks(bare));
+  EXPECT_TRUE(looks(Join({MakeVolumeHeader("ARCHIVE2", ""), bare})));
+  EXPECT_TRUE(looks(Gzip(bare)));
+  EXPECT_TRUE(looks(Bzip2(bare)));
+  EXPECT_TRUE(looks(Compress(bare)));
+  EXPECT_TRUE(looks(MakeLdmRecord(bare)));
+  EXPECT_FALSE(looks({}));
+  EXPECT_FALSE(looks({'A', 'R', '2'}));
+  EXPECT_FALSE(looks(Bytes(100, 'x')));
+  EXPECT_FALSE(LooksLikeLevel2(folder.Path() / "absent"));
+  EXPECT_FALSE(LooksLikeLevel2(folder.Path()));
+}
