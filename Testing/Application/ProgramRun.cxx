@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProgramRun.h"
+
+#include "TestData.h"
+
+#include <fcntl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
+
+namespace nexrad::testing
+{
+
+namespace
+{
+
+std::string ReadAll(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+// In the child: files in place of the standard output and error, then the program. Returns only
+// when that failed.
+void Execute(
+  const std::vector<char*>& arguments, const std::string& output, const std::string& errors)
+{
+  const int outputFile = open(output.c_str(), O_WRONLY | O_CREAT, 0600);
+  const int errorFile = open(errors.c_str(), O_WRONLY | O_CREAT, 0600);
+  dup2(outputFile, STDOUT_FILENO);
+  dup2(errorFile, STDERR_FILENO);
+  execv(NEXRAD3D_PROGRAM, arguments.data());
+}
+
+} // namespace
+
+ProgramRun RunNexrad3d(const std::vector<std::string>& arguments)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.Path() / "output";
+  const std::string errors = folder.Path() / "errors";
+  std::vector<std::string> words = {NEXRAD3D_PROGRAM};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  std::vector<char*> pointers;
+  for (std::string& word : words)
+  {
+    pointers.push_back(word.data());
+  }
+  pointers.push_back(nullptr);
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    Execute(pointers, output, errors);
+    _exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) != child)
+  {
+    throw std::runtime_error("cannot run " NEXRAD3D_PROGRAM);
+  }
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadAll(output), ReadAll(errors)};
+}
+
+} // namespace nexrad::testing

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace nexrad::testing
+{
+
+/// What a run of the program left behind.
+struct ProgramRun
+{
+  int status = -1; ///< exit status; -1 when a signal ended it
+  std::string output;
+  std::string errors;
+};
+
+/// Runs the program nexrad3d of this build with these arguments, each passed as it is.
+ProgramRun RunNexrad3d(const std::vector<std::string>& arguments);
+
+} // namespace nexrad::testing
