@@ -4,7 +4,7 @@
 #include "Model/Error.h"
 
 #include <algorithm>
-#include <regex>
+#include <string>
 #include <system_error>
 #include <tuple>
 
@@ -13,16 +13,32 @@ namespace fs = std::filesystem;
 namespace nexrad
 {
 
+namespace
+{
+
+// '9' stands for any digit, '?' for anything; every other character for itself.
+bool Matches(const std::string& text, const std::string& pattern)
+{
+  return text.size() == pattern.size() &&
+         std::equal(text.begin(), text.end(), pattern.begin(),
+           [](char found, char wanted)
+           {
+             const bool digit = found >= '0' && found <= '9';
+             return wanted == '9' ? digit : wanted == '?' || found == wanted;
+           });
+}
+
+} // namespace
+
 std::optional<Chunk> ParseChunkName(const fs::path& path)
 {
-  static const std::regex pattern("([0-9]{8}-[0-9]{6})-([0-9]{3})-([SIE])");
   const std::string name = path.filename().string();
-  std::smatch parts;
-  if (!std::regex_match(name, parts, pattern))
+  const bool kindKnown = !name.empty() && std::string("SIE").find(name.back()) != std::string::npos;
+  if (!kindKnown || !Matches(name, "99999999-999999-999-?"))
   {
     return std::nullopt;
   }
-  return Chunk{path, parts[1], std::stoi(parts[2]), parts[3].str().front()};
+  return Chunk{path, name.substr(0, 15), std::stoi(name.substr(16, 3)), name.back()};
 }
 
 std::vector<Chunk> ListChunks(const fs::path& folder)
