@@ -9,6 +9,7 @@
 #include <cstring>
 #include <map>
 #include <stdexcept>
+#include <utility>
 
 namespace nexrad::testing
 {
@@ -320,41 +321,37 @@ Bytes Compress(const Bytes& content, unsigned maximumWidth)
 {
   constexpr unsigned clearCode = 256;
   CodeWriter codes;
-  std::map<Bytes, unsigned> table;
+  std::map<std::pair<unsigned, std::uint8_t>, unsigned> table; // a code and the byte behind it
   unsigned free = clearCode + 1;
-  const auto codeOf = [&table](const Bytes& text)
-  { return text.size() == 1 ? unsigned(text[0]) : table.at(text); };
-  Bytes text;
-  for (const std::uint8_t byte : content)
+  unsigned current = content.empty() ? 0 : content.front();
+  for (std::size_t place = 1; place < content.size(); ++place)
   {
-    Bytes longer = text;
-    longer.push_back(byte);
-    if (longer.size() == 1 || table.count(longer) > 0)
+    const auto longer = std::pair(current, content[place]);
+    if (const auto known = table.find(longer); known != table.end())
     {
-      text = std::move(longer);
+      current = known->second;
       continue;
     }
-    codes.Write(codeOf(text));
-    if (free < 1U << maximumWidth)
-    {
-      table[longer] = free++;
-      if (free > 1U << codes.width && codes.width < maximumWidth)
-      {
-        codes.SetWidth(codes.width + 1);
-      }
-    }
-    else
+    codes.Write(current);
+    current = content[place];
+    if (free == 1U << maximumWidth)
     {
       codes.Write(clearCode);
       codes.SetWidth(9);
       table.clear();
       free = clearCode + 1;
+      continue;
     }
-    text = {byte};
+    table[longer] = free++;
+    // The reader knows each entry one code later than the writer.
+    if (free > 1U << codes.width && codes.width < maximumWidth)
+    {
+      codes.SetWidth(codes.width + 1);
+    }
   }
-  if (!text.empty())
+  if (!content.empty())
   {
-    codes.Write(codeOf(text));
+    codes.Write(current);
   }
   return Join({{0x1F, 0x9D, static_cast<std::uint8_t>(0x80 | maximumWidth)}, codes.bytes});
 }
