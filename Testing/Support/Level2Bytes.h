@@ -93,7 +93,8 @@ Bytes Bzip2(const Bytes& content);
 Bytes Gzip(const Bytes& content);
 /// A bzip2 stream behind its length, negative for the last one.
 Bytes MakeLdmRecord(const Bytes& content, bool last = false);
-/// The Unix program compress, with codes of 9 to `maximumWidth` bits; clears its table when full.
+/// The Unix program compress, with codes of 9 to `maximumWidth` (10 to 16) bits; clears its table
+/// when full.
 Bytes Compress(const Bytes& content, unsigned maximumWidth = 16);
 
 } // namespace nexrad::testing
