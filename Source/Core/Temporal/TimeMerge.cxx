@@ -28,6 +28,16 @@ std::optional<GriddedVolume> MergeBrackets(
   return std::nullopt;
 }
 
+bool AnySynthetic(const std::vector<SiteBracket>& brackets)
+{
+  return std::any_of(brackets.begin(), brackets.end(),
+    [](const SiteBracket& each)
+    {
+      return (each.before != nullptr && each.before->synthetic) ||
+             (each.after != nullptr && each.after->synthetic);
+    });
+}
+
 /// The share [from, to] of a longer piece of work, as a piece of work of its own.
 Progress Share(const Progress& whole, double from, double to)
 {
@@ -83,7 +93,12 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>&
         bracket.after ? own[*bracket.after] : nullptr});
     }
   }
-  return MergeBrackets(brackets, request, progress);
+  std::optional<GriddedVolume> merged = MergeBrackets(brackets, request, progress);
+  if (merged)
+  {
+    merged->synthetic = AnySynthetic(brackets);
+  }
+  return merged;
 }
 
 std::optional<GriddedVolume> MergeSeries(

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Temporal/TimeMerge.h"
+
+#include "HandMadeVolume.h"
+#include "Model/Error.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace nexrad
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+using testing::ConstantVolume;
+using testing::TemporaryFolder;
+using testing::WriteLevel2;
+
+const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
+const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
+
+PolarVolume Polar(const Site& site, Time time, double reflectivity)
+{
+  return MakePolarVolume(
+    testing::MakeRadarVolume(ConstantVolume(site, time, reflectivity)), MomentName::REF);
+}
+
+MergeRequest Request(const std::vector<Position>& sites, Time time)
+{
+  GridRequest grid;
+  grid.dimensions = {32, 32, 8};
+  grid.range = 100'000.0;
+  MergeRequest request;
+  request.grid = MakeGrid(grid, sites);
+  request.time = time;
+  return request;
+}
+
+/// Smallest and largest value of the voxels with an echo.
+std::pair<float, float> EchoRange(const GriddedVolume& volume)
+{
+  std::pair<float, float> range = {1000.0F, -1000.0F};
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    if (volume.states[i] == VoxelState::Echo)
+    {
+      range.first = std::min(range.first, volume.values[i]);
+      range.second = std::max(range.second, volume.values[i]);
+    }
+  }
+  return range;
+}
+
+void ExpectEcho(const GriddedVolume& volume, float value)
+{
+  const auto [smallest, largest] = EchoRange(volume);
+  EXPECT_NEAR(smallest, value, 1e-3F);
+  EXPECT_NEAR(largest, value, 1e-3F);
+}
+
+TEST(TimeMerge, InterpolatesBetweenTheVolumesAboutTheTime)
+{
+  // In no order: 10, 20 and 40 dBZ at 18:00, 18:05 and 18:10.
+  const PolarVolume last = Polar(keax, start + 10min, 40.0);
+  const PolarVolume first = Polar(keax, start, 10.0);
+  const PolarVolume middle = Polar(keax, start + 5min, 20.0);
+  const std::vector<const PolarVolume*> volumes = {&last, &first, &middle};
+  const auto at = [&](Duration after)
+  { return *MergeVolumes(volumes, Request({*keax.position}, start + after)); };
+  ExpectEcho(at(0min), 10.0F);
+  ExpectEcho(at(2min), 14.0F);
+  ExpectEcho(at(5min), 20.0F);
+  ExpectEcho(at(9min), 36.0F);
+  ExpectEcho(at(20min), 40.0F);  // one side alone, unchanged
+  ExpectEcho(at(-10min), 10.0F); // likewise
+}
+
+TEST(TimeMerge, VolumesBeyondTheGapTakeNoPart)
+{
+  const PolarVolume volume = Polar(keax, start, 30.0);
+  MergeRequest request = Request({*keax.position}, start + 16min);
+  const auto none = MergeVolumes({&volume}, request);
+  ASSERT_TRUE(none);
+  EXPECT_TRUE(none->sites.empty());
+  EXPECT_TRUE(std::all_of(none->states.begin(), none->states.end(),
+    [](VoxelState state) { return state == VoxelState::NotScanned; }));
+  request.maximumGap = 16min;
+  ExpectEcho(*MergeVolumes({&volume}, request), 30.0F);
+}
+
+TEST(TimeMerge, EachSiteHasItsOwnBracket)
+{
+  const PolarVolume before = Polar(keax, start, 10.0);
+  const PolarVolume after = Polar(keax, start + 4min, 20.0);
+  const PolarVolume other = Polar(klsx, start + 1min, 50.0);
+  const auto merged = MergeVolumes(
+    {&other, &after, &before}, Request({*keax.position, *klsx.position}, start + 2min));
+  EXPECT_EQ(merged->sites, (std::vector<std::string>{"KEAX", "KLSX"}));
+  // The circles of 100 km do not meet: 310 km lie between the radars.
+  EXPECT_NEAR(EchoRange(*merged).first, 15.0F, 1e-3F);
+  EXPECT_NEAR(EchoRange(*merged).second, 50.0F, 1e-3F);
+}
+
+TEST(TimeMerge, SeriesGivesWhatTheVolumesGiveHoweverLittleMemoryItHas)
+{
+  const TemporaryFolder folder;
+  WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
+  WriteLevel2(folder.Path() / "2", {ConstantVolume(keax, start + 5min, 20.0)});
+  testing::HandMadeVolume simulated = ConstantVolume(keax, start + 10min, 40.0);
+  simulated.synthetic = true;
+  WriteLevel2(folder.Path() / "3", {simulated});
+  const std::size_t one = MemoryOf(Polar(keax, start, 10.0));
+  for (const std::size_t limit : {std::size_t(0), one + one / 2, 10 * one})
+  {
+    PolarCache cache(MomentName::REF, limit);
+    const auto scan = ScanInputs({folder.Path()}, {},
+      [&cache](const SeriesVolume& key, const RadarVolume& volume) { cache.Offer(key, volume); });
+    EXPECT_LE(cache.Used(), limit);
+    const auto at = [&](Duration after)
+    { return *MergeSeries(*scan, cache, Request(scan->Positions(), start + after)); };
+    ExpectEcho(at(2min), 14.0F);
+    ExpectEcho(at(9min), 36.0F);
+    EXPECT_FALSE(at(2min).synthetic);
+    EXPECT_TRUE(at(9min).synthetic);
+    EXPECT_LE(cache.Used(), limit);
+  }
+}
+
+TEST(TimeMerge, CacheNoticesAFileThatChanged)
+{
+  const TemporaryFolder folder;
+  const auto path = WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
+  const auto scan = ScanInputs({path});
+  PolarCache cache(MomentName::REF, 0);
+  EXPECT_EQ(cache.Get(scan->sites[0].volumes[0])->sweeps.size(), 1U);
+  WriteLevel2(path, {ConstantVolume(keax, start + 5min, 10.0)});
+  EXPECT_THROW(cache.Get(scan->sites[0].volumes[0]), Error);
+}
+
+TEST(TimeMerge, CacheKeepsTheVolumesUsedLast)
+{
+  const TemporaryFolder folder;
+  WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
+  WriteLevel2(folder.Path() / "2", {ConstantVolume(keax, start + 5min, 20.0)});
+  WriteLevel2(folder.Path() / "3", {ConstantVolume(keax, start + 10min, 30.0)});
+  const auto scan = ScanInputs({folder.Path()});
+  const std::vector<SeriesVolume>& volumes = scan->sites[0].volumes;
+  PolarCache cache(MomentName::REF, 2 * MemoryOf(Polar(keax, start, 10.0)));
+  const auto first = cache.Get(volumes[0]);
+  const auto second = cache.Get(volumes[1]);
+  EXPECT_EQ(cache.Get(volumes[0]), first);
+  cache.Get(volumes[2]); // drops the second
+  EXPECT_EQ(cache.Get(volumes[0]), first);
+  EXPECT_NE(cache.Get(volumes[1]), second);
+}
+
+TEST(TimeMerge, StopsWhenAskedTo)
+{
+  const PolarVolume volume = Polar(keax, start, 30.0);
+  EXPECT_FALSE(
+    MergeVolumes({&volume}, Request({*keax.position}, start), [](double) { return false; }));
+}
+
+TEST(TimeMerge, NamesOfMethods)
+{
+  EXPECT_EQ(ParseMergeMethod("thesis"), MergeMethod::Thesis);
+  EXPECT_FALSE(ParseMergeMethod("Thesis"));
+  EXPECT_STREQ(ToString(MergeMethod::Thesis), "thesis");
+}
+
+} // namespace
+} // namespace nexrad
