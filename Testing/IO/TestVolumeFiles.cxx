@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EventCounter.h"
+#include "TestData.h"
+
+#include "Gridding/GriddedVolume.h"
+#include "Model/Error.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradVolumeReader.h"
+#include "vtkNexradVolumeWriter.h"
+
+#include "vtkDataSetAttributes.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkFloatArray.h"
+#include "vtkImageAlgorithm.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkXMLImageDataReader.h"
+#include "vtkXMLImageDataWriter.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+namespace
+{
+
+using nexrad::GriddedVolume;
+using nexrad::VoxelState;
+using nexrad::testing::AnyHolds;
+using nexrad::testing::EventCounter;
+using nexrad::testing::TemporaryFolder;
+
+const nexrad::Time start = *nexrad::ParseIso8601("2006-03-12T18:00:00Z");
+
+/// 6 × 5 × 4 voxels of all states; the echoes count up from `first` dBZ.
+GriddedVolume MakeVolume(nexrad::Time time, float first = 10.0F)
+{
+  GriddedVolume volume;
+  volume.grid.dimensions = {6, 5, 4};
+  volume.grid.origin = {-1000.0, -2000.0, 500.0};
+  volume.grid.spacing = {400.0, 800.0, 1000.0};
+  volume.grid.centreLatitude = 38.76;
+  volume.grid.centreLongitude = -92.48;
+  volume.time = time;
+  volume.method = "thesis";
+  volume.sites = {"KEAX", "KLSX"};
+  volume.synthetic = true;
+  volume.fill = 0.0F;
+  for (std::size_t i = 0; i < volume.grid.VoxelCount(); ++i)
+  {
+    const auto state = static_cast<VoxelState>(i % 7 == 0 ? 3 : i % 5 == 0 ? 1 : 0);
+    volume.states.push_back(state);
+    volume.values.push_back(
+      state == VoxelState::Echo ? first + static_cast<float>(i % 50) : volume.fill);
+  }
+  return volume;
+}
+
+void ExpectSame(const GriddedVolume& volume, const GriddedVolume& expected)
+{
+  EXPECT_EQ(volume.grid.dimensions, expected.grid.dimensions);
+  EXPECT_EQ(volume.grid.origin, expected.grid.origin);
+  EXPECT_EQ(volume.grid.spacing, expected.grid.spacing);
+  EXPECT_EQ(volume.grid.Projection(), expected.grid.Projection());
+  EXPECT_EQ(volume.time, expected.time);
+  EXPECT_EQ(volume.method, expected.method);
+  EXPECT_EQ(volume.sites, expected.sites);
+  EXPECT_EQ(volume.synthetic, expected.synthetic);
+  EXPECT_EQ(volume.fill, expected.fill);
+  EXPECT_EQ(volume.values, expected.values);
+  EXPECT_EQ(volume.states, expected.states);
+}
+
+/// A source of three time steps, whose values tell the step.
+class StepSource : public vtkImageAlgorithm
+{
+public:
+  static StepSource* New();
+
+protected:
+  StepSource() { this->SetNumberOfInputPorts(0); }
+
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    vtkInformation* info = output->GetInformationObject(0);
+    const double steps[3] = {
+      nexrad::ToSeconds(start), nexrad::ToSeconds(start) + 300.0, nexrad::ToSeconds(start) + 600.0};
+    const int extent[6] = {0, 5, 0, 4, 0, 3};
+    info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), steps, 3);
+    const double range[2] = {steps[0], steps[2]};
+    info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+    return 1;
+  }
+
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override
+  {
+    const double time =
+      output->GetInformationObject(0)->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP());
+    const auto step = static_cast<float>((time - nexrad::ToSeconds(start)) / 300.0);
+    vtkNexradVolumeToImage(
+      MakeVolume(nexrad::FromSeconds(time), 10.0F + step), vtkImageData::GetData(output));
+    return 1;
+  }
+};
+vtkStandardNewMacro(StepSource);
+
+TEST(VolumeFiles, ImageHoldsWhatTheContractSays)
+{
+  const GriddedVolume volume = MakeVolume(start);
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  EXPECT_STREQ(image->GetPointData()->GetScalars()->GetName(), "REF");
+  EXPECT_EQ(image->GetScalarType(), VTK_FLOAT);
+  EXPECT_EQ(image->GetPointData()->GetArray("REF_state")->GetDataType(), VTK_UNSIGNED_CHAR);
+  vtkDataArray* ghosts = image->GetPointData()->GetArray("vtkGhostType");
+  EXPECT_EQ(ghosts->GetComponent(0, 0), vtkDataSetAttributes::HIDDENPOINT); // not scanned
+  EXPECT_EQ(ghosts->GetComponent(1, 0), 0.0);                               // an echo
+  EXPECT_EQ(ghosts->GetComponent(5, 0), 0.0);                               // no echo
+  EXPECT_EQ(image->GetPointData()->GetArray("REF_state")->GetComponent(5, 0), 1.0);
+  EXPECT_EQ(
+    image->GetFieldData()->GetArray("TimeValue")->GetComponent(0, 0), nexrad::ToSeconds(start));
+  double bounds[6];
+  image->GetBounds(bounds);
+  EXPECT_EQ(bounds[0], -1000.0);
+  EXPECT_EQ(bounds[5], 3500.0);
+  ExpectSame(vtkNexradImageToVolume(image), volume);
+}
+
+TEST(VolumeFiles, ImageWithoutTheArraysIsRefusedByName)
+{
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(2, 2, 2);
+  image->AllocateScalars(VTK_FLOAT, 1);
+  EXPECT_THROW(vtkNexradImageToVolume(image), nexrad::Error);
+  image->GetPointData()->GetScalars()->SetName("REF");
+  try
+  {
+    vtkNexradImageToVolume(image);
+    FAIL() << "an image without states was taken";
+  }
+  catch (const nexrad::Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("REF_state"), std::string::npos);
+  }
+}
+
+TEST(VolumeFiles, WhatIsWrittenIsRead)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "volume.nxv").string();
+  const GriddedVolume volume = MakeVolume(start);
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  vtkNew<vtkNexradVolumeWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(path.c_str());
+  for (const int encoding : {vtkNexradVolumeWriter::AUTOMATIC, vtkNexradVolumeWriter::RUN_LENGTH,
+         vtkNexradVolumeWriter::RUN_LENGTH_DEFLATED, vtkNexradVolumeWriter::FLOAT})
+  {
+    writer->SetEncoding(encoding);
+    ASSERT_EQ(writer->Write(), 1);
+    ASSERT_EQ(writer->GetNumberOfWrittenFiles(), 1);
+    EXPECT_EQ(vtkNexradVolumeReader::CanReadFile(path.c_str()), 1);
+    vtkNew<vtkNexradVolumeReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    ExpectSame(vtkNexradImageToVolume(reader->GetOutput()), volume);
+    EXPECT_EQ(reader->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
+      nexrad::ToSeconds(start));
+  }
+}
+
+TEST(VolumeFiles, SeriesIsWrittenAndReadStepByStep)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "storm.nxv.series").string();
+  vtkNew<StepSource> source;
+  vtkNew<vtkNexradVolumeWriter> writer;
+  writer->SetInputConnection(source->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  EXPECT_EQ(writer->GetNumberOfWrittenFiles(), 4);
+  EXPECT_TRUE(std::filesystem::exists(folder.Path() / "20060312T180500Z.nxv"));
+
+  EXPECT_EQ(vtkNexradVolumeReader::CanReadFile(path.c_str()), 1);
+  vtkNew<vtkNexradVolumeReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->UpdateInformation();
+  ASSERT_EQ(
+    reader->GetOutputInformation(0)->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 3);
+  const auto firstEcho = [&](double after)
+  {
+    reader->UpdateTimeStep(nexrad::ToSeconds(start) + after);
+    return reader->GetOutput()->GetPointData()->GetScalars()->GetComponent(1, 0);
+  };
+  EXPECT_EQ(firstEcho(0.0), 11.0);
+  EXPECT_EQ(firstEcho(300.0), 12.0);
+  EXPECT_EQ(firstEcho(600.0), 13.0);
+  EXPECT_EQ(firstEcho(599.0), 12.0);  // the latest at or before
+  EXPECT_EQ(firstEcho(-100.0), 11.0); // the first
+}
+
+TEST(VolumeFiles, BareStreamNeedsItsGrid)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "volume.raw").string();
+  vtkNew<vtkImageData> image;
+  const GriddedVolume volume = MakeVolume(start);
+  vtkNexradVolumeToImage(volume, image);
+  vtkNew<vtkNexradVolumeWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(path.c_str());
+  writer->RawStreamOn();
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkNexradVolumeReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->RawStreamOn();
+  reader->SetRawDimensions(6, 5, 4);
+  reader->Update();
+  EXPECT_EQ(vtkNexradImageToVolume(reader->GetOutput()).values, volume.values);
+  EXPECT_EQ(vtkNexradImageToVolume(reader->GetOutput()).states, volume.states);
+
+  vtkNew<EventCounter> events;
+  events->Observe(reader);
+  events->Observe(reader->GetExecutive());
+  reader->SetRawDimensions(6, 5, 5);
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileFormatError));
+  EXPECT_TRUE(AnyHolds(events->errors, path));
+}
+
+TEST(VolumeFiles, TimeSurvivesVtkXmlFiles)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "volume.vti").string();
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(MakeVolume(start), image);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(path.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkXMLImageDataReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  ExpectSame(vtkNexradImageToVolume(reader->GetOutput()), MakeVolume(start));
+}
+
+TEST(VolumeFiles, BrokenFilesAreErrors)
+{
+  const TemporaryFolder folder;
+  const std::string good = (folder.Path() / "volume.nxv").string();
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(MakeVolume(start), image);
+  vtkNew<vtkNexradVolumeWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(good.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  const std::string cut = (folder.Path() / "cut.nxv").string();
+  std::filesystem::copy(good, cut);
+  std::filesystem::resize_file(cut, std::filesystem::file_size(cut) - 1);
+  const std::string text = (folder.Path() / "text.nxv").string();
+  std::ofstream(text) << "no volume";
+  EXPECT_EQ(vtkNexradVolumeReader::CanReadFile(text.c_str()), 0);
+
+  vtkNew<vtkNexradVolumeReader> reader;
+  vtkNew<EventCounter> events;
+  events->Observe(reader);
+  events->Observe(reader->GetExecutive());
+  const auto codeOf = [&](const std::string& path)
+  {
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    EXPECT_TRUE(AnyHolds(events->errors, path));
+    return reader->GetErrorCode();
+  };
+  EXPECT_EQ(codeOf(cut), static_cast<unsigned long>(vtkErrorCode::FileFormatError));
+  EXPECT_EQ(codeOf(text), static_cast<unsigned long>(vtkErrorCode::FileFormatError));
+  EXPECT_EQ(codeOf((folder.Path() / "absent.nxv").string()),
+    static_cast<unsigned long>(vtkErrorCode::FileNotFoundError));
+}
+
+TEST(VolumeFiles, WriterFailsWithACodeAndLeavesNothing)
+{
+  const TemporaryFolder folder;
+  vtkNew<StepSource> source;
+  vtkNew<vtkNexradVolumeWriter> writer;
+  vtkNew<EventCounter> events;
+  events->Observe(writer);
+  events->Observe(writer->GetExecutive());
+  writer->SetInputConnection(source->GetOutputPort());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoFileNameError));
+  writer->SetFileName((folder.Path() / "no-such-folder/storm.nxv.series").c_str());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::CannotOpenFileError));
+  EXPECT_TRUE(AnyHolds(events->errors, "no-such-folder"));
+  EXPECT_TRUE(std::filesystem::is_empty(folder.Path()));
+}
+
+} // namespace
