@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EventCounter.h"
+#include "HandMadeVolume.h"
 #include "TestData.h"
 
 #include "vtkNexradDayReader.h"
+#include "vtkNexradImageConversion.h"
 
-#include "vtkDataArray.h"
+#include "Geometry/GridSpecification.h"
+#include "Gridding/GriddedVolume.h"
+#include "Gridding/ThesisMerge.h"
+#include "Level2/Level2File.h"
+
+#include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
-#include "vtkFieldData.h"
+#include "vtkImageChangeInformation.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkNew.h"
@@ -19,30 +26,272 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <sstream>
+
 namespace
 {
 
+using namespace std::chrono_literals;
+using nexrad::GriddedVolume;
+using nexrad::VoxelState;
+using nexrad::testing::AnyHolds;
+using nexrad::testing::ConstantVolume;
 using nexrad::testing::EventCounter;
+using nexrad::testing::WriteLevel2;
 
-void UseSmallGrid(vtkNexradDayReader* reader)
+const nexrad::Site keax = {"KEAX", nexrad::Position{38.81, -94.264, 333.0}};
+const nexrad::Site klsx = {"KLSX", nexrad::Position{38.699, -90.683, 220.0}};
+const nexrad::Time start = *nexrad::ParseIso8601("2006-03-12T18:00:00Z");
+
+/// KEAX with 10, 20 and 40 dBZ at 18:00, 18:06 and 18:12; KLSX with 50 dBZ at 18:03.
+class DayReader : public ::testing::Test
 {
-  reader->SetDimensions(64, 64, 16);
+protected:
+  DayReader()
+  {
+    WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
+    WriteLevel2(folder.Path() / "2",
+      {ConstantVolume(keax, start + 6min, 20.0), ConstantVolume(keax, start + 12min, 40.0)});
+    WriteLevel2(folder.Path() / "3", {ConstantVolume(klsx, start + 3min, 50.0)});
+    reader->AddFileName(folder.Path().c_str());
+    reader->SetDimensions(48, 24, 8);
+    reader->SetRange(100'000.0);
+    reader->SetTimeStep(60.0);
+    events->Observe(reader);
+    events->Observe(reader->GetExecutive());
+  }
+
+  GriddedVolume At(nexrad::Time time)
+  {
+    reader->UpdateInformation();
+    reader->UpdateTimeStep(nexrad::ToSeconds(time));
+    return vtkNexradImageToVolume(reader->GetOutput());
+  }
+
+  /// The value of all echoes on the western (KEAX) or eastern half; they must be alike.
+  static float EchoOf(const GriddedVolume& volume, bool west)
+  {
+    float found = -1.0F;
+    for (std::size_t i = 0; i < volume.values.size(); ++i)
+    {
+      const std::size_t x = i % static_cast<std::size_t>(volume.grid.dimensions[0]);
+      const bool inWest = 2 * x < static_cast<std::size_t>(volume.grid.dimensions[0]);
+      if (inWest == west && volume.states[i] == VoxelState::Echo)
+      {
+        EXPECT_TRUE(found < 0.0F || std::abs(found - volume.values[i]) < 1e-3F);
+        found = volume.values[i];
+      }
+    }
+    return found;
+  }
+
+  void ExpectFailure(unsigned long code, const std::string& text)
+  {
+    events->errors.clear();
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), code);
+    EXPECT_TRUE(AnyHolds(events->errors, text)) << text;
+  }
+
+  const nexrad::testing::TemporaryFolder folder;
+  vtkNew<vtkNexradDayReader> reader;
+  vtkNew<EventCounter> events;
+};
+
+TEST_F(DayReader, StepsAreMultiplesFromTheFirstRayToTheLast)
+{
+  reader->UpdateInformation();
+  // From 18:00:00 to 18:12:07.
+  ASSERT_EQ(reader->GetTimeSteps()->GetNumberOfValues(), 13);
+  EXPECT_EQ(reader->GetTimeSteps()->GetValue(0), nexrad::ToSeconds(start));
+  EXPECT_EQ(reader->GetTimeSteps()->GetValue(12), nexrad::ToSeconds(start + 12min));
+  vtkInformation* info = reader->GetOutputInformation(0);
+  EXPECT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 13);
+  EXPECT_EQ(
+    info->Get(vtkStreamingDemandDrivenPipeline::TIME_RANGE())[1], nexrad::ToSeconds(start + 12min));
+  ASSERT_EQ(reader->GetSites()->GetNumberOfValues(), 2);
+  EXPECT_EQ(reader->GetSites()->GetValue(0), "KEAX");
+
+  reader->SetBeginTime(nexrad::ToSeconds(start - 2min));
+  reader->SetEndTime(nexrad::ToSeconds(start + 1min));
+  reader->UpdateInformation();
+  ASSERT_EQ(reader->GetTimeSteps()->GetNumberOfValues(), 4); // both ends count
+  EXPECT_EQ(reader->GetTimeSteps()->GetValue(0), nexrad::ToSeconds(start - 2min));
 }
 
-TEST(DayReader, PublishesTheTimeStepsOfTheRun)
+TEST_F(DayReader, ChoosesTheVolumesAboutAnyTimeForEachSite)
+{
+  EXPECT_NEAR(EchoOf(this->At(start), true), 10.0F, 1e-3F);
+  EXPECT_NEAR(EchoOf(this->At(start + 3min), true), 15.0F, 1e-3F);
+  EXPECT_NEAR(EchoOf(this->At(start + 7min + 30s), true), 25.0F, 1e-3F); // no time step
+  EXPECT_NEAR(EchoOf(this->At(start + 20min), true), 40.0F, 1e-3F);      // beyond the last
+  EXPECT_NEAR(EchoOf(this->At(start + 7min), false), 50.0F, 1e-3F);
+  EXPECT_EQ(EchoOf(this->At(start + 20min), false), -1.0F); // farther than 15 minutes
+  const GriddedVolume volume = this->At(start + 7min);
+  EXPECT_EQ(volume.time, start + 7min);
+  EXPECT_EQ(volume.sites, (std::vector<std::string>{"KEAX", "KLSX"}));
+  EXPECT_EQ(volume.method, "thesis");
+  EXPECT_EQ(reader->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
+    nexrad::ToSeconds(start + 7min));
+  EXPECT_TRUE(events->errors.empty());
+}
+
+TEST_F(DayReader, AnswersTimesThroughThePipeline)
+{
+  vtkNew<vtkImageChangeInformation> downstream;
+  downstream->SetInputConnection(reader->GetOutputPort());
+  downstream->UpdateInformation();
+  vtkInformation* info = downstream->GetOutputInformation(0);
+  ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 13);
+  info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP(), nexrad::ToSeconds(start + 9min));
+  downstream->Update();
+  double range[2];
+  downstream->GetOutput()->GetPointData()->GetArray("REF")->GetRange(range);
+  EXPECT_NEAR(range[1], 50.0, 1e-3);
+  EXPECT_EQ(reader->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
+    nexrad::ToSeconds(start + 9min));
+}
+
+TEST_F(DayReader, OutputIsTheGridThatWasAskedFor)
+{
+  reader->UseGeographicBoundsOn();
+  reader->SetGeographicBounds(-95.0, 38.0, -90.0, 40.0);
+  reader->SetHeightRange(1000.0, 9000.0);
+  reader->SetAxesToGeographic();
+  reader->Update();
+  double bounds[6];
+  reader->GetOutput()->GetBounds(bounds);
+  // Points are the centres of voxels, half a spacing within the outer faces.
+  EXPECT_NEAR(bounds[0], -95.0 + 0.5 * 5.0 / 48, 1e-9);
+  EXPECT_NEAR(bounds[3], 40.0 - 0.5 * 2.0 / 24, 1e-9);
+  EXPECT_NEAR(bounds[4], 1500.0, 1e-9);
+  EXPECT_NEAR(bounds[5], 8500.0, 1e-9);
+}
+
+TEST_F(DayReader, LittleMemoryGivesTheSameVolumes)
+{
+  const GriddedVolume before = this->At(start + 5min);
+  reader->SetMemoryLimit(0);
+  const GriddedVolume after = this->At(start + 5min);
+  EXPECT_EQ(before.values, after.values);
+  EXPECT_EQ(before.states, after.states);
+}
+
+TEST_F(DayReader, ADamagedFileStillMakesTheDay)
+{
+  std::filesystem::resize_file(
+    folder.Path() / "3", std::filesystem::file_size(folder.Path() / "3") - 30'000);
+  std::ofstream(folder.Path() / "notes.txt") << "nothing of interest to a radar";
+  EXPECT_NEAR(EchoOf(this->At(start + 3min), false), 50.0F, 1e-3F);
+  EXPECT_TRUE(events->errors.empty());
+  EXPECT_TRUE(AnyHolds(events->warnings, (folder.Path() / "3").string() + ": offset"));
+  EXPECT_EQ(
+    reader->GetDamage()->GetNumberOfValues(), static_cast<vtkIdType>(events->warnings.size()));
+  ASSERT_EQ(reader->GetLeftOut()->GetNumberOfValues(), 1);
+  EXPECT_EQ(reader->GetLeftOut()->GetValue(0), (folder.Path() / "notes.txt").string());
+  reader->Modified();
+  reader->Update(); // known already: no second warning
+  EXPECT_EQ(
+    reader->GetDamage()->GetNumberOfValues(), static_cast<vtkIdType>(events->warnings.size()));
+}
+
+TEST_F(DayReader, RequestsThatCannotBeMetAreErrors)
+{
+  reader->SetTimeStep(0.0);
+  this->ExpectFailure(vtkErrorCode::UserError, "step");
+  reader->SetTimeStep(3600.0);
+  reader->SetBeginTime(nexrad::ToSeconds(start + 1min));
+  this->ExpectFailure(vtkErrorCode::UserError, "no multiple of the time step");
+  reader->SetBeginTime(VTK_DOUBLE_MIN);
+  reader->SetHeightRange(9000.0, 1000.0);
+  this->ExpectFailure(vtkErrorCode::UserError, "");
+  reader->SetHeightRange(0.0, 9000.0);
+  reader->SetMoment("VEL");
+  this->ExpectFailure(vtkErrorCode::UserError, "VEL");
+  reader->SetMoment("REF");
+  reader->SetMethod(7);
+  EXPECT_TRUE(AnyHolds(events->errors, "method 7 is unknown"));
+  EXPECT_EQ(reader->GetMethod(), static_cast<int>(vtkNexradDayReader::THESIS));
+  reader->ClearFileNames();
+  this->ExpectFailure(vtkErrorCode::NoFileNameError, "no file name");
+  reader->AddFileName((folder.Path() / "absent").c_str());
+  this->ExpectFailure(vtkErrorCode::FileNotFoundError, "absent: no such file or folder");
+}
+
+TEST_F(DayReader, ReportsProgressAndStopsWhenAsked)
+{
+  reader->Update();
+  EXPECT_GE(events->progress.size(), 2U);
+  EXPECT_TRUE(std::all_of(events->progress.begin(), events->progress.end(),
+    [](double each) { return each >= 0.0 && each <= 1.0; }));
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  const unsigned long tag = reader->AddObserver(vtkCommand::ProgressEvent, stop);
+  reader->Modified();
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), 0);
+  EXPECT_TRUE(events->errors.empty());
+  reader->RemoveObserver(tag);
+  reader->Modified();
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), 3);
+}
+
+TEST_F(DayReader, AScanThatWasStoppedStartsAgain)
+{
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback([](vtkObject* caller, unsigned long, void*, void*)
+    { static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1); });
+  const unsigned long tag = reader->AddObserver(vtkCommand::ProgressEvent, stop);
+  reader->Update();
+  EXPECT_TRUE(events->errors.empty());
+  EXPECT_EQ(reader->GetOutput()->GetNumberOfPoints(), 0);
+  reader->RemoveObserver(tag);
+  reader->Modified();
+  reader->Update();
+  EXPECT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), 3);
+}
+
+TEST_F(DayReader, PrintsItsState)
+{
+  std::ostringstream text;
+  reader->Print(text);
+  EXPECT_NE(text.str().find("TimeStep: 60"), std::string::npos);
+  EXPECT_NE(text.str().find("Dimensions: 48, 24, 8"), std::string::npos);
+}
+
+// The whole way on real files against the core's own: scan, choice of volumes and merge.
+TEST(DayReaderOnRealFiles, GivesTheMergeOfTheVolumesAboutTheTime)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path run = data / "level2/run-kbgm-20050821";
   vtkNew<vtkNexradDayReader> reader;
-  UseSmallGrid(reader);
-  reader->AddFileName((data / "level2/run-kbgm-20050821").c_str());
+  reader->SetDimensions(64, 64, 16);
+  reader->AddFileName(run.c_str());
   reader->UpdateInformation();
-  vtkDoubleArray* steps = reader->GetTimeSteps();
   // The rays run from 02:43:19 to 03:12:12: 02:45, 02:50, … 03:10.
-  ASSERT_EQ(steps->GetNumberOfValues(), 6);
-  EXPECT_EQ(steps->GetValue(0), 1124592300.0);
-  reader->Update();
-  vtkImageData* image = reader->GetOutput();
-  image->Print(std::cout);
+  ASSERT_EQ(reader->GetTimeSteps()->GetNumberOfValues(), 6);
+  const nexrad::Time time = *nexrad::ParseIso8601("2005-08-21T02:55:00Z");
+  EXPECT_EQ(reader->GetTimeSteps()->GetValue(2), nexrad::ToSeconds(time));
+  reader->UpdateTimeStep(nexrad::ToSeconds(time));
+  const GriddedVolume volume = vtkNexradImageToVolume(reader->GetOutput());
+
+  // 02:54:54 and 03:00:42 lie about 02:55.
+  const nexrad::PolarVolume before = nexrad::MakePolarVolume(
+    nexrad::ReadLevel2(run / "KBGM20050821_025458.gz"), nexrad::MomentName::REF);
+  const nexrad::PolarVolume after = nexrad::MakePolarVolume(
+    nexrad::ReadLevel2(run / "KBGM20050821_030047.gz"), nexrad::MomentName::REF);
+  nexrad::GridRequest request;
+  request.dimensions = {64, 64, 16};
+  const auto expected = nexrad::MergeThesis(
+    {{&before, &after}}, nexrad::MakeGrid(request, {*before.site.position}), time);
+  EXPECT_EQ(volume.values, expected->values);
+  EXPECT_EQ(volume.states, expected->states);
+  EXPECT_GT(std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo), 500);
 }
 
 } // namespace

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "EventCounter.h"
+#include "HandMadeVolume.h"
+#include "TestData.h"
+
+#include "vtkNexradDayReader.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradLevel2Reader.h"
+#include "vtkNexradSeriesReader.h"
+#include "vtkNexradSiteMerge.h"
+#include "vtkNexradVolumeResampler.h"
+
+#include "Gridding/GriddedVolume.h"
+
+#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+#include "vtkExecutive.h"
+#include "vtkFieldData.h"
+#include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
+#include "vtkPointData.h"
+#include "vtkSmartPointer.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace
+{
+
+using namespace std::chrono_literals;
+using nexrad::GriddedVolume;
+using nexrad::VoxelState;
+using nexrad::testing::AnyHolds;
+using nexrad::testing::EventCounter;
+
+void UseSmallGrid(vtkNexradGridAlgorithm* algorithm)
+{
+  algorithm->SetDimensions(48, 48, 12);
+}
+
+vtkSmartPointer<vtkNexradLevel2Reader> ReaderOf(const std::filesystem::path& path)
+{
+  auto reader = vtkSmartPointer<vtkNexradLevel2Reader>::New();
+  reader->SetFileName(path.c_str());
+  return reader;
+}
+
+void ExpectSame(vtkImageData* image, vtkImageData* expected)
+{
+  const GriddedVolume volume = vtkNexradImageToVolume(image);
+  const GriddedVolume truth = vtkNexradImageToVolume(expected);
+  EXPECT_EQ(volume.grid.origin, truth.grid.origin);
+  EXPECT_EQ(volume.grid.spacing, truth.grid.spacing);
+  EXPECT_EQ(volume.time, truth.time);
+  EXPECT_EQ(volume.sites, truth.sites);
+  EXPECT_EQ(volume.values, truth.values);
+  EXPECT_EQ(volume.states, truth.states);
+}
+
+// Rays that went through the sweeps' grids and back must merge to the very same numbers.
+TEST(SiteMerge, GivesWhatTheDayReaderGives)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path run = data / "level2/run-kbgm-20050821";
+  const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:55:00Z"));
+  vtkNew<vtkNexradDayReader> day;
+  UseSmallGrid(day);
+  day->AddFileName(run.c_str());
+  day->UpdateInformation();
+  day->UpdateTimeStep(time);
+
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(merge);
+  // In no order, and one more than is needed.
+  for (const char* name :
+    {"KBGM20050821_030047.gz", "KBGM20050821_024910.gz", "KBGM20050821_025458.gz"})
+  {
+    merge->AddInputConnection(ReaderOf(run / name)->GetOutputPort());
+  }
+  merge->SetTime(time);
+  merge->Update();
+  ExpectSame(merge->GetOutput(), day->GetOutput());
+  EXPECT_EQ(merge->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()), time);
+  vtkInformation* info = merge->GetOutputInformation(0);
+  ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 1);
+  EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[0], time);
+}
+
+TEST(SiteMerge, MergesSuperResolutionSitesAsTheDayReaderDoes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path set = data / "level2/multisite-20100911";
+  const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2010-09-11T01:20:00Z"));
+  vtkNew<vtkNexradDayReader> day;
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(day);
+  UseSmallGrid(merge);
+  day->SetMaximumGap(2700.0);
+  merge->SetMaximumGap(2700.0);
+  for (const char* name : {"KENX20100911_011108_V03.gz", "KTYX20100911_012210_V04.gz"})
+  {
+    day->AddFileName((set / name).c_str());
+    merge->AddInputConnection(ReaderOf(set / name)->GetOutputPort());
+  }
+  day->UpdateInformation();
+  day->UpdateTimeStep(time);
+  merge->SetTime(time);
+  merge->Update();
+  ExpectSame(merge->GetOutput(), day->GetOutput());
+  EXPECT_EQ(vtkNexradImageToVolume(merge->GetOutput()).sites.size(), 2U);
+}
+
+/// Hand-made volumes of one or two sites.
+class SiteMergeByHand : public ::testing::Test
+{
+protected:
+  vtkSmartPointer<vtkNexradLevel2Reader> Reader(
+    const nexrad::Site& site, nexrad::Time time, double reflectivity)
+  {
+    const auto path = folder.Path() / std::to_string(count++);
+    return ReaderOf(nexrad::testing::WriteLevel2(
+      path, {nexrad::testing::ConstantVolume(site, time, reflectivity)}));
+  }
+
+  static float LargestEcho(vtkImageData* image)
+  {
+    const GriddedVolume volume = vtkNexradImageToVolume(image);
+    return *std::max_element(volume.values.begin(), volume.values.end());
+  }
+
+  void ExpectFailure(vtkNexradGridAlgorithm* algorithm, const std::string& text)
+  {
+    vtkNew<EventCounter> events;
+    events->Observe(algorithm);
+    events->Observe(algorithm->GetExecutive());
+    algorithm->Update();
+    EXPECT_EQ(algorithm->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+    EXPECT_TRUE(AnyHolds(events->errors, text)) << text;
+  }
+
+  const nexrad::Site keax = {"KEAX", nexrad::Position{38.81, -94.264, 333.0}};
+  const nexrad::Site klsx = {"KLSX", nexrad::Position{38.699, -90.683, 220.0}};
+  const nexrad::Time start = *nexrad::ParseIso8601("2006-03-12T18:00:00Z");
+  const nexrad::testing::TemporaryFolder folder;
+  int count = 0;
+};
+
+TEST_F(SiteMergeByHand, FindsTheBracketsBySiteAndStartTime)
+{
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(merge);
+  merge->AddInputConnection(this->Reader(keax, start + 10min, 40.0)->GetOutputPort());
+  merge->AddInputConnection(this->Reader(keax, start, 10.0)->GetOutputPort());
+  merge->SetTime(nexrad::ToSeconds(start + 5min));
+  merge->Update();
+  EXPECT_NEAR(LargestEcho(merge->GetOutput()), 25.0F, 1e-3F);
+  merge->SetTime(nexrad::ToSeconds(start + 10min));
+  merge->Update();
+  EXPECT_NEAR(LargestEcho(merge->GetOutput()), 40.0F, 1e-3F);
+  merge->SetMaximumGap(60.0);
+  merge->SetTime(nexrad::ToSeconds(start + 5min));
+  merge->Update();
+  EXPECT_TRUE(vtkNexradImageToVolume(merge->GetOutput()).sites.empty());
+}
+
+TEST_F(SiteMergeByHand, TakesTheSeriesReadersSweepsOfSeveralSites)
+{
+  this->Reader(keax, start, 10.0);
+  this->Reader(klsx, start + 1min, 50.0);
+  vtkNew<vtkNexradSeriesReader> series;
+  series->AddFileName(folder.Path().c_str());
+  series->UpdateInformation();
+  series->UpdateTimeStep(nexrad::ToSeconds(start + 1min));
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(merge);
+  merge->AddInputDataObject(0, series->GetOutputDataObject(0));
+  merge->SetTime(nexrad::ToSeconds(start + 1min));
+  merge->Update();
+  EXPECT_EQ(
+    vtkNexradImageToVolume(merge->GetOutput()).sites, (std::vector<std::string>{"KEAX", "KLSX"}));
+}
+
+TEST_F(SiteMergeByHand, ResamplerGridsOneVolumeAtItsOwnTime)
+{
+  vtkNew<vtkNexradVolumeResampler> resampler;
+  UseSmallGrid(resampler);
+  resampler->SetInputConnection(this->Reader(keax, start, 30.0)->GetOutputPort());
+  resampler->Update();
+  const GriddedVolume volume = vtkNexradImageToVolume(resampler->GetOutput());
+  EXPECT_EQ(volume.time, start);
+  EXPECT_EQ(volume.sites, std::vector<std::string>{"KEAX"});
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    EXPECT_NEAR(volume.values[i], volume.states[i] == VoxelState::Echo ? 30.0F : 0.0F, 1e-3F);
+  }
+  EXPECT_GT(std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo), 100);
+  EXPECT_EQ(resampler->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
+    nexrad::ToSeconds(start));
+}
+
+TEST_F(SiteMergeByHand, CoordinatesOfTheSweepsDoNotMatter)
+{
+  const auto reader = this->Reader(keax, start, 30.0);
+  vtkNew<vtkNexradVolumeResampler> resampler;
+  UseSmallGrid(resampler);
+  resampler->SetInputConnection(reader->GetOutputPort());
+  resampler->Update();
+  const GriddedVolume local = vtkNexradImageToVolume(resampler->GetOutput());
+  reader->SetCoordinatesToGeographic();
+  resampler->Update();
+  EXPECT_EQ(vtkNexradImageToVolume(resampler->GetOutput()).values, local.values);
+}
+
+TEST_F(SiteMergeByHand, InputsThatCannotBeMergedAreErrors)
+{
+  const auto reader = this->Reader(keax, start, 30.0);
+  reader->Update();
+  vtkNew<vtkPartitionedDataSetCollection> stripped;
+  stripped->DeepCopy(reader->GetOutput());
+  stripped->GetPartitionedDataSet(0)->GetPartition(0)->GetFieldData()->RemoveArray("RayTime");
+  vtkNew<vtkNexradVolumeResampler> resampler;
+  UseSmallGrid(resampler);
+  resampler->SetInputDataObject(stripped);
+  this->ExpectFailure(resampler, "RayTime");
+
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(merge);
+  vtkNew<vtkPartitionedDataSetCollection> empty;
+  merge->SetInputDataObject(empty);
+  this->ExpectFailure(merge, "no input holds a sweep with REF");
+}
+
+} // namespace
