@@ -5,6 +5,7 @@
 #include <GeographicLib/GeodesicLine.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -18,8 +19,6 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double elevationMargin = 0.5; // degrees that a ray may lie off its cut
 constexpr double blockLength = 8'000.0; // m, over which storms are looked for at once
-
-const double root3 = std::sqrt(3.0);
 
 double ToZ(double decibel)
 {
@@ -52,10 +51,38 @@ double Evaluate(const std::array<double, Count>& differences, double position)
   return value;
 }
 
-PlanePoint Halfway(const PlanePoint& first, const PlanePoint& second)
+// A direction off the beam's middle, in standard deviations of the pattern, and its weight.
+struct QuadratureNode
 {
-  return {(first.x + second.x) / 2.0, (first.y + second.y) / 2.0, (first.z + second.z) / 2.0};
+  double position;
+  double weight;
+};
+constexpr double root3 = 1.7320508075688772;
+
+// The Gauss-Hermite rule of three nodes: for what is smooth across the beam.
+constexpr std::array<QuadratureNode, 3> smoothNodes = {
+  {{-root3, 1.0 / 6.0}, {0.0, 2.0 / 3.0}, {root3, 1.0 / 6.0}}};
+
+// Equal steps weighted with the pattern: storms are layered, so that the beam meets more change
+// upwards than sideways.
+constexpr double farthestNode = 2.4;
+std::array<QuadratureNode, 7> MakeLayerNodes()
+{
+  std::array<QuadratureNode, 7> nodes{};
+  double sum = 0.0;
+  for (std::size_t index = 0; index < nodes.size(); ++index)
+  {
+    const double position = farthestNode * (static_cast<double>(index) - 3.0) / 3.0;
+    nodes[index] = {position, std::exp(-position * position / 2.0)};
+    sum += nodes[index].weight;
+  }
+  for (QuadratureNode& node : nodes)
+  {
+    node.weight /= sum;
+  }
+  return nodes;
 }
+const std::array<QuadratureNode, 7> layerNodes = MakeLayerNodes();
 
 } // namespace
 
@@ -64,8 +91,8 @@ BeamSampler::BeamSampler(const Position& antenna, double cutElevation, double fa
   : site(antenna)
   , sigma(options.beamWidth / std::sqrt(16.0 * std::log(2.0)))
   , farthest(farthestRange)
-  , path(options.effectiveRadiusFactor, cutElevation - elevationMargin - 2.0 * sigma,
-      cutElevation + elevationMargin + 2.0 * sigma, farthestRange)
+  , path(options.effectiveRadiusFactor, cutElevation - elevationMargin - farthestNode * sigma,
+      cutElevation + elevationMargin + farthestNode * sigma, farthestRange)
 {
 }
 
@@ -91,7 +118,7 @@ BeamSampler::Track BeamSampler::TraceGround(double azimuth) const
 void BeamSampler::Point(double azimuth, double rayElevation)
 {
   elevation = rayElevation;
-  const double side = 2.0 * sigma / std::cos(elevation * degree);
+  const double side = root3 * sigma / std::cos(elevation * degree);
   tracks = {this->TraceGround(azimuth - side), this->TraceGround(azimuth),
     this->TraceGround(azimuth + side)};
 }
@@ -112,32 +139,64 @@ ElementBounds BeamSampler::BlockBounds(double nearest, double end) const
   constexpr double slack = 100.0; // m, for what curves between the ends
   const PlanePoint middle = this->Centre((nearest + end) / 2.0);
   const double stretch = StormPlane::EastwardScale(site.latitude + farthest / 111'000.0);
-  const double width = 2.0 * sigma * degree * end;
+  const double width = root3 * sigma * degree * end;
   ElementBounds bounds{
     middle.x, middle.y, std::max(stretch, 1.0) * ((end - nearest) / 2.0 + width) + slack, 0.0, 0.0};
-  const double low = elevation - root3 * sigma;
-  const double high = elevation + root3 * sigma;
+  const double low = elevation - farthestNode * sigma;
+  const double high = elevation + farthestNode * sigma;
   bounds.bottom =
     site.altitude - slack + std::min({path.At(nearest, low).height, path.At(end, low).height});
   bounds.top = site.altitude + slack + path.At(end, high).height;
   return bounds;
 }
 
-double BeamSampler::MeanZ(const StormSnapshot& snapshot, double range) const
+BeamSampler::GateTracks BeamSampler::TracksAt(double groundDistance) const
 {
-  const auto z = [this, &snapshot](const PlanePoint& point)
-  { return ToZ(snapshot.Reflectivity(point, candidates)); };
-
-  const PathPoint middle = path.At(range, elevation);
-  double rim = z(this->Place(tracks[0], middle)) + z(this->Place(tracks[2], middle));
-  for (const double side : {-root3, root3})
+  constexpr double step = 1'000.0; // m, over which a geodesic is straight
+  GateTracks straight{};
+  for (std::size_t side = 0; side < tracks.size(); ++side)
   {
-    const PathPoint point = path.At(range, elevation + side * sigma);
-    const PlanePoint centre = this->Place(tracks[1], point);
-    rim += z(Halfway(this->Place(tracks[0], point), centre)) +
-           z(Halfway(this->Place(tracks[2], point), centre));
+    const PlanePoint here = this->Place(tracks[side], {0.0, groundDistance});
+    const PlanePoint ahead = this->Place(tracks[side], {0.0, groundDistance + step});
+    straight[side] = {here, (ahead.x - here.x) / step, (ahead.y - here.y) / step};
   }
-  return z(this->Place(tracks[1], middle)) / 2.0 + rim / 12.0;
+  return straight;
+}
+
+double BeamSampler::MeanStormZ(const StormSnapshot& snapshot, double range, double offset) const
+{
+  const double middle = path.At(range, elevation).groundDistance;
+  const GateTracks straight = this->TracksAt(middle);
+  double mean = 0.0;
+  for (std::size_t up = 0; up < layerNodes.size(); ++up)
+  {
+    const double direction = elevation + layerNodes[up].position * sigma;
+    const std::array<PathPoint, 2> ends = {
+      path.At(range - offset, direction), path.At(range + offset, direction)};
+    for (std::size_t side = 0; side < straight.size(); ++side)
+    {
+      // The two ranges take turns, like the colours of a chessboard.
+      const PathPoint& point = ends[(up + side) % 2];
+      const double forward = point.groundDistance - middle;
+      const StraightTrack& track = straight[side];
+      const PlanePoint place{track.start.x + forward * track.x, track.start.y + forward * track.y,
+        point.height + site.altitude};
+      mean += layerNodes[up].weight * smoothNodes[side].weight *
+              ToZ(snapshot.Reflectivity(place, candidates));
+    }
+  }
+  return mean;
+}
+
+double BeamSampler::MeanClearAirZ(const StormSnapshot& snapshot, double range) const
+{
+  double mean = 0.0;
+  for (const QuadratureNode& up : smoothNodes)
+  {
+    const PathPoint point = path.At(range, elevation + up.position * sigma);
+    mean += up.weight * ToZ(snapshot.Reflectivity(this->Place(tracks[1], point), candidates));
+  }
+  return mean;
 }
 
 void BeamSampler::Sample(
@@ -145,7 +204,7 @@ void BeamSampler::Sample(
 {
   reflectivity.assign(static_cast<std::size_t>(layout.gates), nothing);
   const double half = layout.gateSpacing / 2.0;
-  const double gaussOffset = layout.gateSpacing > 500 ? half / root3 : 0.0;
+  const double gaussOffset = half / root3;
   const int blockGates = std::max(1, static_cast<int>(blockLength / layout.gateSpacing));
   for (int first = 0; first < layout.gates; first += blockGates)
   {
@@ -161,10 +220,8 @@ void BeamSampler::Sample(
     {
       // The antenna itself is the nearest that a gate reaches.
       const double range = std::max(layout.Range(gate), half);
-      const double z = gaussOffset > 0.0 ? (this->MeanZ(snapshot, range - gaussOffset) +
-                                             this->MeanZ(snapshot, range + gaussOffset)) /
-                                             2.0
-                                         : this->MeanZ(snapshot, range);
+      const double z = candidates.empty() ? this->MeanClearAirZ(snapshot, range)
+                                          : this->MeanStormZ(snapshot, range, gaussOffset);
       reflectivity[static_cast<std::size_t>(gate)] = z > 0.0 ? 10.0 * std::log10(z) : nothing;
     }
   }

@@ -22,9 +22,8 @@ struct BeamSamplerOptions
 /// Averages the storm field over the beam, gate by gate, in one cut of one radar.
 ///
 /// A gate is the mean of Z (linear, mm⁶/m³) weighted with the two-way pattern of a Gaussian beam,
-/// of standard deviation beamWidth/√(16 ln 2): a rule of seven directions that is exact for
-/// polynomials of the fifth degree (Stroud 1971, E2r2 5-1), at the two Gauss points of a gate
-/// longer than 500 m, or at the middle of a shorter one.
+/// of standard deviation beamWidth/√(16 ln 2), over seven elevations, three azimuths and the gate's
+/// two Gauss points. Where there is clear-air return alone, three elevations do.
 class BeamSampler
 {
 public:
@@ -50,19 +49,30 @@ private:
     std::array<double, nodes> x{};
     std::array<double, nodes> y{};
   };
+  // A track about one gate: a point, and the plane's change a metre onwards.
+  struct StraightTrack
+  {
+    PlanePoint start;
+    double x;
+    double y;
+  };
+  using GateTracks = std::array<StraightTrack, 3>;
 
   Position site;
   double sigma; // degrees, of the two-way pattern
   double farthest;
   RefractedPath path;
   double elevation = 0.0;        // degrees, of the ray
-  std::array<Track, 3> tracks{}; // left of the beam's middle, in its middle, right of it
+  std::array<Track, 3> tracks{}; // left of the beam, in its middle, right of it
   std::vector<int> candidates;
 
   Track TraceGround(double azimuth) const;
   PlanePoint Place(const Track& track, const PathPoint& point) const;
   ElementBounds BlockBounds(double nearest, double end) const;
-  double MeanZ(const StormSnapshot& snapshot, double range) const;
+  GateTracks TracksAt(double groundDistance) const;
+  /// Mean of Z over the beam and a gate: `offset` in m is that of the Gauss points from its middle.
+  double MeanStormZ(const StormSnapshot& snapshot, double range, double offset) const;
+  double MeanClearAirZ(const StormSnapshot& snapshot, double range) const;
 };
 
 } // namespace nexrad

@@ -184,25 +184,27 @@ const std::map<int, Strategy>& Strategies()
   return strategies;
 }
 
-// Message 1: reflectivity gates of 1 km in cuts up to an elevation, as real files have them.
-int LegacyGates(double elevation)
+// Message 1: gates of cuts below an elevation, as real files have them.
+struct LegacyLimit
 {
-  struct Limit
-  {
-    double elevation;
-    int gates;
-  };
-  constexpr Limit limits[] = {{1.4, 460}, {2.0, 356}, {2.8, 336}, {4.15, 268}, {5.6, 216},
-    {7.0, 176}, {8.2, 137}, {9.2, 127}, {11.0, 110}, {13.0, 100}, {14.3, 90}, {15.0, 85},
-    {18.0, 80}};
-  for (const Limit& limit : limits)
+  double elevation; // degrees
+  int gates;        // of 1 km, reflectivity
+  int dopplerGates; // of 250 m, velocity
+};
+
+LegacyLimit FindLegacyLimit(double elevation)
+{
+  constexpr LegacyLimit limits[] = {{1.4, 460, 920}, {2.0, 356, 920}, {2.8, 336, 920},
+    {4.15, 268, 920}, {5.6, 216, 860}, {7.0, 176, 700}, {8.2, 137, 548}, {9.2, 127, 508},
+    {11.0, 110, 440}, {13.0, 100, 400}, {14.3, 90, 360}, {15.0, 85, 340}, {18.0, 80, 320}};
+  for (const LegacyLimit& limit : limits)
   {
     if (elevation < limit.elevation)
     {
-      return limit.gates;
+      return limit;
     }
   }
-  return 70;
+  return {90.0, 70, 280};
 }
 
 // Message 31: gates of 250 m up to where the beam leaves 21 km above the antenna.
@@ -240,22 +242,23 @@ CutLayout LayOutFine(const ScanCut& cut)
 
 CutLayout LayOutLegacy(const ScanCut& cut)
 {
-  constexpr int mostDopplerGates = 920;
   const Waveform waveform = cut.cut.waveform;
-  int gates = LegacyGates(cut.cut.elevation);
+  LegacyLimit limit = FindLegacyLimit(cut.cut.elevation);
   CutLayout layout;
-  layout.echo = {gates, 0, 1'000};
+  layout.echo = {limit.gates, 0, 1'000};
   if (waveform == dopplerAlone)
   {
-    gates = std::min(gates, static_cast<int>(cut.unambiguousRange));
+    const auto range = static_cast<int>(cut.unambiguousRange);
+    limit.gates = std::min(limit.gates, range);
+    limit.dopplerGates = std::min(limit.dopplerGates, 4 * range);
   }
   if (waveform != doppler)
   {
-    layout.reflectivity = {gates, 0, 1'000};
+    layout.reflectivity = {limit.gates, 0, 1'000};
   }
   if (waveform != surveillance)
   {
-    layout.doppler = {std::min(4 * gates, mostDopplerGates), -375, 250};
+    layout.doppler = {limit.dopplerGates, -375, 250};
   }
   // Slow cuts overlap their beginning by some rays, fast and steep ones by fewer.
   layout.rays = 367 - static_cast<int>(cut.cut.elevation / 4.0);

@@ -11,7 +11,7 @@ namespace
 {
 
 constexpr double brightBandGain = 6.0;    // dB, of melting snow over the rain below it
-constexpr double brightBandDepth = 350.0; // m
+constexpr double brightBandDepth = 450.0; // m
 
 double StratiformDrop(const StormElement& element, double above)
 {

@@ -151,11 +151,11 @@ void AddSupercell(const StormLife& storm, double sinceMiddle, std::vector<StormE
 
   const double spread = 0.45 + 0.55 * lateStrength;
   StormElement& anvil =
-    builder.Add(48'000.0 * spread, 2'000.0, 62'000.0 * spread, 24'000.0 * spread, lateStrength);
-  SetLayer(anvil, 25.0, 0.72 * storm.top, 2'300.0);
+    builder.Add(48'000.0 * spread, 2'000.0, 66'000.0 * spread, 28'000.0 * spread, lateStrength);
+  SetLayer(anvil, 25.0, 0.7 * storm.top, 3'000.0);
   anvil.plateau = true;
   anvil.edge = 18.0;
-  StormElement& trailing = builder.Add(-34'000.0, 9'000.0, 27'000.0, 23'000.0, lateStrength);
+  StormElement& trailing = builder.Add(-34'000.0, 9'000.0, 32'000.0, 27'000.0, lateStrength);
   SetStratiform(trailing, 28.0, 8'500.0);
 
   const PlanePoint place = builder.Place(-6'500.0, -7'500.0);

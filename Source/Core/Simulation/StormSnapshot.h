@@ -64,7 +64,7 @@ private:
   std::vector<StormElement> elements;
   std::vector<ElementBounds> bounds;
   std::vector<StormVortex> vortices;
-  std::array<double, 3> texturePhases{}; // rad
+  std::array<double, 3> texturePhases{}; // turns
 
   double Texture(const PlanePoint& point) const;
 };

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Model/Error.h"
+#include "Model/SiteTable.h"
+#include "Simulation/BeamSampler.h"
+#include "Simulation/RadarSimulator.h"
+#include "Simulation/ScanStrategy.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace nexrad;
+
+namespace
+{
+
+const Time start = *ParseIso8601("2006-03-12T18:03:12.500");
+
+Site TestSite()
+{
+  return {"KLSX", FindSite("KLSX")->position};
+}
+
+// One scan for all tests: pattern 32 has the fewest cuts.
+const RadarVolume& Scanned()
+{
+  static const RadarVolume volume = ScanVolume(StormField(), TestSite(), 32, start);
+  return volume;
+}
+
+bool SameWords(const RadarVolume& first, const RadarVolume& second)
+{
+  return first.buffers.size() == second.buffers.size() &&
+         std::equal(first.buffers.begin(), first.buffers.end(), second.buffers.begin(),
+           [](const auto& one, const auto& other) { return *one == *other; });
+}
+
+std::string ScanError(const Site& site, int pattern, const SimulatorOptions& options = {})
+{
+  try
+  {
+    ScanVolume(StormField(), site, pattern, start, options);
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(RadarSimulator, IsDeterministic)
+{
+  SimulatorOptions otherSeed;
+  otherSeed.seed = 2;
+  EXPECT_TRUE(SameWords(Scanned(), ScanVolume(StormField(), TestSite(), 32, start)));
+  EXPECT_FALSE(SameWords(Scanned(), ScanVolume(StormField(), TestSite(), 32, start, otherSeed)));
+}
+
+TEST(RadarSimulator, MarksTheVolumeAndItsRays)
+{
+  const RadarVolume& volume = Scanned();
+  EXPECT_TRUE(volume.synthetic);
+  EXPECT_TRUE(volume.complete);
+  EXPECT_EQ(volume.coveragePatternNumber, 32);
+  ASSERT_EQ(volume.sweeps.size(), 7U);
+  EXPECT_EQ(volume.sweeps.front().rays.front().radialStatus, 3);
+  EXPECT_EQ(volume.sweeps.back().rays.back().radialStatus, 4);
+  Time before = start;
+  for (std::size_t cut = 0; cut < volume.sweeps.size(); ++cut)
+  {
+    const Sweep& sweep = volume.sweeps[cut];
+    EXPECT_NEAR(sweep.MeanElevation(), volume.coveragePattern->cuts[cut].elevation, 0.02);
+    for (const Ray& ray : sweep.rays)
+    {
+      EXPECT_GT(ray.time, before);
+      EXPECT_EQ(ray.elevationNumber, cut + 1);
+      EXPECT_GE(ray.azimuth, 0.0F);
+      EXPECT_LT(ray.azimuth, 360.0F);
+      before = ray.time;
+    }
+  }
+  EXPECT_LT(before, start + VolumePeriod(32));
+}
+
+TEST(RadarSimulator, SplitCutsShareTheMomentsAsMessage1Does)
+{
+  const RadarVolume& volume = Scanned();
+  EXPECT_TRUE(volume.sweeps[0].Has(MomentName::REF));
+  EXPECT_FALSE(volume.sweeps[0].Has(MomentName::VEL));
+  EXPECT_FALSE(volume.sweeps[1].Has(MomentName::REF));
+  EXPECT_TRUE(volume.sweeps[1].Has(MomentName::VEL));
+  EXPECT_TRUE(volume.sweeps[1].Has(MomentName::SW));
+  EXPECT_TRUE(volume.sweeps[4].Has(MomentName::REF));
+  EXPECT_TRUE(volume.sweeps[4].Has(MomentName::VEL));
+}
+
+// The words are the mean over the beam at the ray's own time, with 1 dB of noise.
+TEST(RadarSimulator, GatesAreTheFieldWithNoise)
+{
+  const StormField field;
+  const RadarVolume& volume = Scanned();
+  const std::vector<ScanCut>& cuts = *FindScanStrategy(32);
+  double sum = 0.0;
+  double squares = 0.0;
+  int count = 0;
+  for (const std::size_t cut : {0U, 2U, 4U, 6U})
+  {
+    const CutLayout layout = LayOut(cuts[cut], false);
+    BeamSampler beam(*TestSite().position, cuts[cut].cut.elevation, 461'000.0, {});
+    std::vector<double> truth;
+    for (std::size_t index = 0; index < volume.sweeps[cut].rays.size(); index += 7)
+    {
+      const Ray& ray = volume.sweeps[cut].rays[index];
+      const MomentRow& row = ray.Row(MomentName::REF);
+      beam.Point(ray.azimuth, ray.elevation);
+      beam.Sample(field.At(ray.time), layout.reflectivity, truth);
+      for (int gate = 1; gate < row.gates; ++gate)
+      {
+        const auto place = static_cast<std::size_t>(gate);
+        const double limit = SensitivityAt(layout.reflectivity.Range(gate), {});
+        if (row.State(place) == GateState::Valid && truth[place] > limit + 4.0)
+        {
+          const double error = row.Value(place) - truth[place];
+          EXPECT_LT(std::abs(error), 3.75); // the noise has bounds, the word half a quantum
+          sum += error;
+          squares += error * error;
+          ++count;
+        }
+        EXPECT_TRUE(row.State(place) == GateState::Valid || truth[place] < limit + 3.5);
+      }
+    }
+  }
+  ASSERT_GT(count, 3000);
+  const double mean = sum / count;
+  EXPECT_NEAR(mean, 0.0, 0.06);
+  EXPECT_NEAR(std::sqrt(squares / count - mean * mean), 1.01, 0.04); // with the quantum's 0.14
+}
+
+TEST(RadarSimulator, NothingIsWeakerThanTheSensitivity)
+{
+  EXPECT_NEAR(SensitivityAt(50'000.0, {}), -7.5, 1e-9);
+  EXPECT_NEAR(SensitivityAt(100'000.0, {}), -7.5 + 6.02, 0.01);
+  std::size_t valid = 0;
+  for (const Ray& ray : Scanned().sweeps[0].rays)
+  {
+    const MomentRow& row = ray.Row(MomentName::REF);
+    for (std::size_t gate = 1; gate < row.gates; ++gate)
+    {
+      if (row.State(gate) == GateState::Valid)
+      {
+        ++valid;
+        const double range = row.firstGate + 1000.0 * static_cast<double>(gate);
+        EXPECT_GE(row.Value(gate), SensitivityAt(range, {}) - 0.25);
+      }
+    }
+  }
+  EXPECT_GT(valid, 10'000U);
+}
+
+// Radial velocity against the wind along the beam, on rays that no second pulse disturbs.
+TEST(RadarSimulator, VelocityIsTheWindAlongTheBeamFoldedAtTheNyquistVelocity)
+{
+  const StormField field;
+  const RadarVolume& volume = Scanned();
+  BeamSampler beam(*TestSite().position, 3.516, 240'000.0, {});
+  double squares = 0.0;
+  int count = 0;
+  int folded = 0;
+  for (const Ray& ray : volume.sweeps[5].rays)
+  {
+    const MomentRow& row = ray.Row(MomentName::VEL);
+    const StormSnapshot snapshot = field.At(ray.time);
+    beam.Point(ray.azimuth, ray.elevation);
+    for (std::size_t gate = 10; gate < row.gates; gate += 5)
+    {
+      if (row.State(gate) != GateState::Valid)
+      {
+        continue;
+      }
+      const WindVector wind =
+        snapshot.Wind(beam.Centre(row.firstGate + 250.0 * static_cast<double>(gate)));
+      const double radians = ray.azimuth / 57.29577951;
+      const double radial = (wind.east * std::sin(radians) + wind.north * std::cos(radians)) *
+                            std::cos(ray.elevation / 57.29577951);
+      EXPECT_LE(std::abs(row.Value(gate)), ray.nyquist + 0.5);
+      const double error = std::remainder(row.Value(gate) - radial, 2.0 * ray.nyquist);
+      squares += error * error;
+      folded += std::abs(radial) > ray.nyquist ? 1 : 0;
+      ++count;
+    }
+  }
+  ASSERT_GT(count, 1000);
+  std::printf("%d velocities, %d of them folded\n", count, folded);
+  EXPECT_NEAR(std::sqrt(squares / count), 1.2, 0.15);
+}
+
+TEST(RadarSimulator, EchoesOfTwoPulsesAreRangeFolded)
+{
+  std::size_t folded = 0;
+  for (const Ray& ray : Scanned().sweeps[1].rays)
+  {
+    const MomentRow& velocity = ray.Row(MomentName::VEL);
+    const MomentRow& width = ray.Row(MomentName::SW);
+    for (std::size_t gate = 0; gate < velocity.gates; ++gate)
+    {
+      EXPECT_EQ(velocity.State(gate), width.State(gate));
+      folded += velocity.State(gate) == GateState::RangeFolded ? 1 : 0;
+    }
+  }
+  EXPECT_GT(folded, 500U);
+}
+
+TEST(RadarSimulator, WeakerRefractionMovesWhatIsSeen)
+{
+  SimulatorOptions quiet;
+  quiet.noise = 0.0;
+  SimulatorOptions weaker = quiet;
+  weaker.effectiveRadiusFactor = 1.0;
+  const RadarVolume standard = ScanVolume(StormField(), TestSite(), 32, start, quiet);
+  const RadarVolume higher = ScanVolume(StormField(), TestSite(), 32, start, weaker);
+  // Near the radar both beams are together, far away they are a kilometre and more apart.
+  std::size_t nearDifferences = 0;
+  std::size_t farDifferences = 0;
+  for (std::size_t index = 0; index < standard.sweeps[0].rays.size(); ++index)
+  {
+    const MomentRow& first = standard.sweeps[0].rays[index].Row(MomentName::REF);
+    const MomentRow& second = higher.sweeps[0].rays[index].Row(MomentName::REF);
+    for (std::size_t gate = 0; gate < first.gates; ++gate)
+    {
+      const int difference = static_cast<int>(first.Raw(gate)) - static_cast<int>(second.Raw(gate));
+      (gate < 20 ? nearDifferences : farDifferences) += std::abs(difference) > 2 ? 1 : 0;
+    }
+  }
+  EXPECT_LT(nearDifferences, 20U);
+  EXPECT_GT(farDifferences, 1000U);
+}
+
+TEST(RadarSimulator, SaysWhatItCannotScan)
+{
+  EXPECT_NE(ScanError(TestSite(), 99).find("known are 11, 12, 21"), std::string::npos);
+  EXPECT_NE(ScanError({"KXXX", {}}, 21).find("KXXX"), std::string::npos);
+  SimulatorOptions options;
+  options.beamWidth = 0.0;
+  EXPECT_NE(ScanError(TestSite(), 21, options).find("beam width"), std::string::npos);
+}

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Level2/Level2File.h"
+#include "Simulation/RadarSimulator.h"
+#include "Simulation/ScanStrategy.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace nexrad;
+
+namespace
+{
+
+// Compares the simulator's pattern with message 5 of a real file.
+void CompareWithMessage5(const std::filesystem::path& file, int number)
+{
+  const RadarVolume volume = ReadLevel2(file);
+  ASSERT_TRUE(volume.coveragePattern) << file;
+  ASSERT_EQ(volume.coveragePattern->number, number) << file;
+  const CoveragePattern* pattern = FindCoveragePattern(number);
+  ASSERT_NE(pattern, nullptr);
+  ASSERT_EQ(pattern->cuts.size(), volume.coveragePattern->cuts.size()) << number;
+  for (std::size_t index = 0; index < pattern->cuts.size(); ++index)
+  {
+    const CoverageCut& cut = pattern->cuts[index];
+    const CoverageCut& truth = volume.coveragePattern->cuts[index];
+    EXPECT_NEAR(cut.elevation, truth.elevation, 0.001) << number << " cut " << index;
+    EXPECT_EQ(cut.waveform, truth.waveform) << number << " cut " << index;
+    EXPECT_EQ(cut.superResolution, truth.superResolution) << number << " cut " << index;
+    EXPECT_NEAR(cut.azimuthRate, truth.azimuthRate, 0.001) << number << " cut " << index;
+  }
+}
+
+double SecondsOf(const Sweep& sweep)
+{
+  return ToSeconds(sweep.rays.back().time) - ToSeconds(sweep.rays.front().time);
+}
+
+// Compares gates, rays, velocities and durations with the sweeps of a real message 1 file.
+void CompareWithMessage1(const std::filesystem::path& file, int number)
+{
+  const RadarVolume volume = ReadLevel2(file);
+  const std::vector<ScanCut>& cuts = *FindScanStrategy(number);
+  ASSERT_EQ(volume.sweeps.size(), cuts.size()) << file;
+  for (std::size_t index = 0; index < cuts.size(); ++index)
+  {
+    const CutLayout layout = LayOut(cuts[index], false);
+    const Sweep& sweep = volume.sweeps[index];
+    const Ray& ray = sweep.rays[sweep.rays.size() / 2];
+    const std::string where = file.filename().string() + " cut " + std::to_string(index);
+    const MomentRow& reflectivity = ray.Row(MomentName::REF);
+    const MomentRow& velocity = ray.Row(MomentName::VEL);
+    EXPECT_EQ(layout.reflectivity.gates, reflectivity.gates) << where;
+    EXPECT_EQ(layout.doppler.gates, velocity.gates) << where;
+    if (velocity.gates > 0)
+    {
+      EXPECT_EQ(layout.doppler.firstGate, velocity.firstGate) << where;
+      EXPECT_EQ(layout.doppler.gateSpacing, velocity.gateSpacing) << where;
+      // The wavelengths of radars differ.
+      EXPECT_NEAR(NyquistVelocity(cuts[index].unambiguousRange) / ray.nyquist, 1.0, 0.05) << where;
+    }
+    EXPECT_NEAR(layout.rays, static_cast<double>(sweep.rays.size()), 3.0) << where;
+    const double duration = layout.rays * layout.raySpacing / cuts[index].cut.azimuthRate;
+    EXPECT_NEAR(duration / SecondsOf(sweep), 1.0, 0.06) << where;
+  }
+}
+
+} // namespace
+
+TEST(ScanStrategy, AgreesWithMessage5OfRealFiles)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path folder = data / "level2";
+  CompareWithMessage5(folder / "superres/example_nexrad_archive_msg31.bz2", 11);
+  CompareWithMessage5(folder / "multisite-20100911/KENX20100911_011108_V03.gz", 21);
+  CompareWithMessage5(folder / "superres/KDMX20250101_225441_V06", 31);
+  CompareWithMessage5(folder / "superres/KLSX20130206_175044_V06.gz", 32);
+  CompareWithMessage5(folder / "superres/KLOT20220317_000842_V06", 35);
+  CompareWithMessage5(folder / "multisite-20100911/KTYX20100911_012210_V04.gz", 121);
+  CompareWithMessage5(folder / "superres/KBLX20090603_004417_V03.gz", 212);
+  CompareWithMessage5(folder / "damaged/KJGX19700101_000000_V06", 215);
+}
+
+TEST(ScanStrategy, LaysGatesAsRealMessage1FilesDo)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path folder = data / "level2";
+  CompareWithMessage1(folder / "run-kbgm-20050821/KBGM20050821_024323.gz", 21);
+  CompareWithMessage1(folder / "pairs/KLIX20050828_180149.gz", 11);
+  CompareWithMessage1(folder / "legacy/KABR20050101_000745.gz", 32);
+}
+
+// Many rays of that file are missing; its gates and velocities are whole.
+TEST(ScanStrategy, Pattern12IsThatOfARealFile)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const RadarVolume volume = ReadLevel2(data / "level2/pairs/KBBX20060113_165921.gz");
+  const std::vector<ScanCut>& cuts = *FindScanStrategy(12);
+  ASSERT_EQ(volume.sweeps.size(), cuts.size());
+  for (std::size_t index = 0; index < cuts.size(); ++index)
+  {
+    const CutLayout layout = LayOut(cuts[index], false);
+    const Ray& ray = volume.sweeps[index].rays[50];
+    EXPECT_EQ(layout.reflectivity.gates, ray.Row(MomentName::REF).gates) << index;
+    EXPECT_EQ(layout.doppler.gates, ray.Row(MomentName::VEL).gates) << index;
+    EXPECT_NEAR(volume.sweeps[index].MeanElevation(), cuts[index].cut.elevation, 0.2) << index;
+  }
+}
+
+TEST(ScanStrategy, Message31CutsHaveFineGates)
+{
+  const std::vector<ScanCut>& cuts = *FindScanStrategy(212);
+  const CutLayout surveillance = LayOut(cuts[0], true);
+  EXPECT_EQ(surveillance.reflectivity.gates, 1832);
+  EXPECT_EQ(surveillance.reflectivity.firstGate, 2125);
+  EXPECT_EQ(surveillance.doppler.gates, 0);
+  EXPECT_EQ(surveillance.rays, 720);
+  const CutLayout doppler = LayOut(cuts[1], true);
+  EXPECT_EQ(doppler.reflectivity.gates, 1192);
+  EXPECT_EQ(doppler.doppler.gates, 1192);
+  const CutLayout high = LayOut(cuts.back(), true);
+  EXPECT_EQ(high.rays, 360);
+  EXPECT_NEAR(high.reflectivity.gates, 232, 10); // as the last cut of KBLX, 2009-06-03
+}
+
+TEST(ScanStrategy, KnowsThePatternsThatItNames)
+{
+  EXPECT_EQ(KnownCoveragePatterns(), (std::vector<int>{11, 12, 21, 31, 32, 35, 121, 212, 215}));
+  EXPECT_EQ(FindCoveragePattern(99), nullptr);
+  EXPECT_NEAR(ToSeconds(Time(VolumePeriod(21))), 347.0, 5.0); // the pace of KBGM, 2005-08-21
+}
