@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
 #include "InfoCommand.h"
+#include "SimulateCommand.h"
 
 #ifdef NEXRAD_WITH_VTK
 #include "GridCommand.h"
@@ -13,6 +14,7 @@ int main(int argc, char** argv)
   return RunProgram(argc, argv,
     {
       AddInfoCommand,
+      AddSimulateCommand,
 #ifdef NEXRAD_WITH_VTK
       AddGridCommand,
       AddRenderCommand,

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "CommandLine.h"
+#include "Level2/Level2File.h"
+#include "SimulateCommand.h"
+#include "Simulation/SimulatedDay.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <set>
+
+using namespace nexrad;
+using namespace nexrad::application;
+
+namespace
+{
+
+struct Outcome
+{
+  int status = 0;
+  std::string output;
+  std::string errors;
+};
+
+Outcome Simulate(const std::vector<std::string>& arguments)
+{
+  std::vector<const char*> argv = {"nexrad3d", "simulate"};
+  for (const std::string& argument : arguments)
+  {
+    argv.push_back(argument.c_str());
+  }
+  Outcome outcome;
+  ::testing::internal::CaptureStdout();
+  ::testing::internal::CaptureStderr();
+  outcome.status = RunProgram(static_cast<int>(argv.size()), argv.data(), {AddSimulateCommand});
+  outcome.output = ::testing::internal::GetCapturedStdout();
+  outcome.errors = ::testing::internal::GetCapturedStderr();
+  return outcome;
+}
+
+std::set<std::string> NamesIn(const std::filesystem::path& folder)
+{
+  std::set<std::string> names;
+  for (const auto& entry : std::filesystem::directory_iterator(folder))
+  {
+    names.insert(entry.path().filename().string());
+  }
+  return names;
+}
+
+std::string BytesOf(const std::filesystem::path& file)
+{
+  std::ifstream stream(file, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+}
+
+} // namespace
+
+TEST(SimulateCommand, WritesTheSameFilesEveryTime)
+{
+  const nexrad::testing::TemporaryFolder temporary;
+  const std::filesystem::path first = temporary.Path() / "first";
+  const std::filesystem::path second = temporary.Path() / "deep/second";
+  for (const auto& folder : {first, second})
+  {
+    const Outcome outcome =
+      Simulate({folder.string(), "--hours", "0.1", "--sites", "KLSX:32,KILX:21"});
+    EXPECT_EQ(outcome.status, Done) << outcome.errors;
+    EXPECT_EQ(outcome.errors, "");
+    EXPECT_NE(outcome.output.find("SYNTHETIC"), std::string::npos);
+  }
+  const std::set<std::string> names = NamesIn(first);
+  ASSERT_GE(names.size(), 1U);
+  EXPECT_EQ(names, NamesIn(second));
+  for (const std::string& name : names)
+  {
+    EXPECT_EQ(name.substr(4, 11), "20060312_18"); // the busy hour, not midnight
+    EXPECT_TRUE(BytesOf(first / name) == BytesOf(second / name)) << name;
+    const RadarVolume volume = ReadLevel2(first / name);
+    EXPECT_TRUE(volume.synthetic);
+    EXPECT_TRUE(volume.damage.empty());
+    EXPECT_EQ(volume.site.name, name.substr(0, 4));
+    EXPECT_TRUE(volume.coveragePatternNumber == 32 || volume.coveragePatternNumber == 21);
+  }
+}
+
+TEST(SimulateCommand, ObeysItsOptions)
+{
+  const nexrad::testing::TemporaryFolder temporary;
+  const Outcome outcome = Simulate({temporary.Path().string(), "--begin", "2006-03-12T06:00",
+    "--hours", "0.15", "--sites", "KEAX", "--vcp", "32", "--message-type", "31", "--container",
+    "gzip", "--seed", "7", "--refraction", "1.21", "--quiet"});
+  EXPECT_EQ(outcome.status, Done) << outcome.errors;
+  EXPECT_EQ(outcome.output, "");
+  const std::set<std::string> names = NamesIn(temporary.Path());
+  ASSERT_EQ(names.size(), 1U);
+  EXPECT_EQ(names.begin()->substr(0, 15), "KEAX20060312_06");
+  EXPECT_EQ(names.begin()->substr(19), "_V06.gz");
+  const RadarVolume volume = ReadLevel2(temporary.Path() / *names.begin());
+  EXPECT_EQ(volume.messageType, 31);
+  EXPECT_EQ(volume.coveragePatternNumber, 32);
+}
+
+TEST(SimulateCommand, NamesTheWrongOption)
+{
+  const nexrad::testing::TemporaryFolder temporary;
+  const std::string folder = temporary.Path().string();
+  const std::vector<std::pair<std::string, std::string>> wrong = {{"--hours", "0"},
+    {"--hours", "soon"}, {"--begin", "yesterday"}, {"--sites", "KZZZ"}, {"--sites", "KLSX:13"},
+    {"--sites", "KLSX,KLSX"}, {"--vcp", "99"}, {"--message-type", "2"}, {"--container", "zip"},
+    {"--seed", "-1"}, {"--refraction", "0"}};
+  for (const auto& [option, value] : wrong)
+  {
+    const Outcome outcome = Simulate({folder, option, value});
+    EXPECT_EQ(outcome.status, WrongUsage) << option << ' ' << value;
+    EXPECT_NE(outcome.errors.find(option), std::string::npos) << outcome.errors;
+    EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
+  }
+  EXPECT_TRUE(NamesIn(folder).empty());
+}
+
+TEST(SimulateCommand, SaysThatAFolderCannotBeMade)
+{
+  const nexrad::testing::TemporaryFolder temporary;
+  const std::filesystem::path file = temporary.Path() / "file";
+  std::ofstream(file) << "in the way";
+  const Outcome outcome = Simulate({file.string(), "--hours", "0.1"});
+  EXPECT_EQ(outcome.status, Failed);
+  EXPECT_NE(outcome.errors.find(file.string()), std::string::npos);
+  EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1);
+}
+
+TEST(SimulateCommand, APeriodWithoutAVolumeFails)
+{
+  SimulatedDayOptions day;
+  day.sites = {{"KEAX", 32}};
+  const Time justAfter = PlanSimulatedDay(day).front().start + std::chrono::seconds(2);
+  const nexrad::testing::TemporaryFolder temporary;
+  const Outcome outcome = Simulate({temporary.Path().string(), "--hours", "0.01", "--begin",
+    FormatIso8601(justAfter), "--sites", "KEAX:32"});
+  EXPECT_EQ(outcome.status, Failed);
+  EXPECT_NE(outcome.errors.find("no volume begins"), std::string::npos) << outcome.errors;
+}
