@@ -20,8 +20,8 @@ struct GateRequest
   std::size_t gate = 0;
 };
 
-/// What `info --json` prints of one file: the schema is in Documentation/User/info.md. Gates that
-/// the file does not have come back without moments.
+/// What `info --json` prints of one file: the schema is in Documentation/Formats/info.md. Gates
+/// that the file does not have come back without moments.
 nlohmann::ordered_json MakeInfoJson(
   const RadarVolume& volume, const std::vector<GateRequest>& requests);
 

@@ -14,6 +14,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -122,7 +123,8 @@ RadarVolume ReadFolder(const fs::path& folder, const Level2Options& options)
 
 RadarVolume ReadLevel2(const fs::path& path, const Level2Options& options)
 {
-  if (fs::is_directory(path))
+  std::error_code ignored; // opening the path will say what is wrong with it
+  if (fs::is_directory(path, ignored))
   {
     return ReadFolder(path, options);
   }

@@ -13,6 +13,9 @@ namespace nexrad
 namespace
 {
 
+// Twenty times as many as any volume has. Without a limit a few compressed megabytes of empty rays
+// would fill the memory.
+constexpr std::size_t mostRays = 300'000;
 constexpr double longestTurn = 400.0; // degrees in one sweep
 constexpr std::uint8_t startOfCut = 0;
 constexpr std::uint8_t startOfVolume = 3;
@@ -74,6 +77,11 @@ void VolumeAssembler::AddRay(DecodedRay&& decoded, int messageType, std::uint64_
   {
     return;
   }
+  if (rayCount == mostRays)
+  {
+    this->AddDamage(offset, "more than " + std::to_string(mostRays) + " rays; the rest is left");
+    return;
+  }
   if (this->BeginsSweep(decoded.ray))
   {
     this->FinishSweep(&decoded.ray);
@@ -115,8 +123,7 @@ void VolumeAssembler::FinishSweep(const Ray* next)
   const Sweep& sweep = volume.sweeps.back();
   if (watch.Missing() > 0)
   {
-    this->AddLine(
-      watch.MissingOffset(), missingPiece + watch.Describe(index, sweep.elevationNumber));
+    damage.Add(watch.MissingOffset(), missingPiece + watch.Describe(index, sweep.elevationNumber));
   }
   if (next == nullptr || !watch.IsCutOff())
   {
@@ -131,37 +138,13 @@ void VolumeAssembler::FinishSweep(const Ray* next)
   }
   else
   {
-    this->AddLine(watch.LastOffset(), lastRayPiece + "rays missing at the end of " + cut);
+    damage.Add(watch.LastOffset(), lastRayPiece + "rays missing at the end of " + cut);
   }
 }
 
 void VolumeAssembler::AddDamage(std::uint64_t offset, const std::string& what)
 {
-  this->AddLine(offset, piece + what);
-}
-
-void VolumeAssembler::AddLine(std::uint64_t offset, const std::string& line)
-{
-  if (!volume.damage.empty() && line == lastDamage)
-  {
-    ++repeated;
-    repeatedOffset = offset;
-    return;
-  }
-  this->FinishDamage();
-  volume.damage.push_back({offset, line});
-  lastDamage = line;
-}
-
-void VolumeAssembler::FinishDamage()
-{
-  if (repeated > 0)
-  {
-    volume.damage.back().what += " (and " + std::to_string(repeated) +
-                                 " more, the last at offset " + std::to_string(repeatedOffset) +
-                                 ")";
-  }
-  repeated = 0;
+  damage.Add(offset, piece + what);
 }
 
 void VolumeAssembler::NoteTimes()
@@ -197,15 +180,14 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   {
     this->AddDamage(size, "no end of volume: its last rays are missing");
   }
-  this->FinishDamage();
-  if (piece.empty())
-  {
-    std::stable_sort(volume.damage.begin(), volume.damage.end(),
-      [](const Damage& first, const Damage& second) { return first.offset < second.offset; });
-  }
+  volume.damage = damage.Take(piece.empty());
   this->ChoosePattern();
   ResolveSite({headerName, rayName, name, position}, options, volume);
   this->NoteTimes();
+  if (volume.synthetic)
+  {
+    volume.notes.push_back("SYNTHETIC: the file says that it was simulated");
+  }
   return std::move(volume);
 }
 

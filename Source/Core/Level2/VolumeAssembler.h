@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Level2/DamageList.h"
 #include "Level2/DecodedRay.h"
 #include "Level2/Level2File.h"
 #include "Level2/SweepWatch.h"
@@ -35,7 +36,6 @@ public:
   void AddSyntheticMark() { volume.synthetic = true; }
   /// The bytes that rays point into.
   void AddBuffer(std::shared_ptr<const std::vector<std::uint8_t>> buffer);
-  /// Equal damage one after the other becomes one entry with a count.
   void AddDamage(std::uint64_t offset, const std::string& what);
 
   std::size_t RayCount() const { return rayCount; }
@@ -47,8 +47,6 @@ public:
 private:
   bool BeginsSweep(const Ray& ray);
   void FinishSweep(const Ray* next);
-  void AddLine(std::uint64_t offset, const std::string& line);
-  void FinishDamage();
   void ChoosePattern();
   void NoteTimes();
 
@@ -60,11 +58,9 @@ private:
   std::string headerName;
   std::string rayName;
   std::optional<StoredPosition> position;
+  DamageList damage;
   SweepWatch watch;
   std::size_t rayCount = 0;
-  std::size_t repeated = 0;         ///< how often the last damage came again
-  std::uint64_t repeatedOffset = 0; ///< where it came last
-  std::string lastDamage;
 };
 
 } // namespace nexrad

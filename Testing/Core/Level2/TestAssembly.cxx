@@ -208,6 +208,18 @@ TEST(Assembly, RaysOutsideTheirAnglesAreDamage)
   EXPECT_NE(volume.damage[0].what.find("(and 1 more"), std::string::npos);
 }
 
+TEST(Assembly, TheListOfDamageStaysReadable)
+{
+  RayPlan high;
+  high.elevation = 95.0;
+  RayPlan astray;
+  astray.azimuth = 400.0;
+  const Bytes pair = Join({MakeMessage31(high), MakeMessage31(astray)});
+  const RadarVolume volume = DecodeRays(std::vector<Bytes>(600, pair));
+  EXPECT_EQ(volume.damage.size(), 1001U);
+  EXPECT_TRUE(HasDamage(volume, "201 more places are damaged, from here on"));
+}
+
 TEST(Assembly, GoesOnBehindABadRecord)
 {
   const Bytes volume = MakeSmallVolume(1);
