@@ -141,7 +141,7 @@ int vtkNexradDayReader::Scan()
   if (this->Scanned->Scan.sites.empty())
   {
     this->Scanned.reset();
-    return this->Fail(vtkErrorCode::FileFormatError, "no ray could be read from any input");
+    return this->Fail(vtkErrorCode::FileFormatError, "no input holds a volume that can be used");
   }
   return 1;
 }
@@ -180,7 +180,6 @@ void vtkNexradDayReader::MakeTimeSteps()
                         " to " + nexrad::FormatIso8601(last) +
                         ": set a shorter step, or other begin and end times");
   }
-  this->TimeSteps->Initialize();
   for (const nexrad::Time time : steps)
   {
     this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));
@@ -191,6 +190,7 @@ int vtkNexradDayReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  this->TimeSteps->Initialize();
   try
   {
     if (!this->Scan())
@@ -199,7 +199,7 @@ int vtkNexradDayReader::RequestInformation(
     }
     if (!this->Scanned)
     {
-      return 1; // aborted
+      return 1; // the scan was aborted
     }
     this->Scanned->Grid =
       nexrad::MakeGrid(this->MakeGridRequest(), this->Scanned->Scan.Positions());
@@ -224,13 +224,14 @@ int vtkNexradDayReader::RequestInformation(
 int vtkNexradDayReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
   auto* image = vtkImageData::GetData(output);
   image->Initialize();
-  if (!this->Scanned)
+  if (this->TimeSteps->GetNumberOfValues() == 0)
   {
-    return 1; // the scan was aborted
+    // The information request failed, and said why; or the scan was aborted.
+    return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
   }
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkInformation* info = output->GetInformationObject(0);
   const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                         ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())

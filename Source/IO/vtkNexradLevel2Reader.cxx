@@ -54,6 +54,7 @@ int vtkNexradLevel2Reader::ReadFile()
   const unsigned long pathError = vtkNexradPathError(this->FileName);
   if (pathError != vtkErrorCode::NoError)
   {
+    this->File.reset();
     return this->Fail(pathError, vtkNexradPathErrorText(pathError, this->FileName));
   }
   std::error_code ignored;
@@ -110,6 +111,10 @@ int vtkNexradLevel2Reader::RequestInformation(
 int vtkNexradLevel2Reader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
+  if (!this->File)
+  {
+    return 0; // the information request failed, and said why
+  }
   this->SetErrorCode(vtkErrorCode::NoError);
   auto* sweeps = vtkPartitionedDataSetCollection::GetData(output, 0);
   try

@@ -149,11 +149,12 @@ int vtkNexradSeriesReader::RequestInformation(
 int vtkNexradSeriesReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
-  this->SetErrorCode(vtkErrorCode::NoError);
   if (!this->Scanned)
   {
-    return 1; // the scan was aborted
+    // The scan failed, and said why; or it was aborted, and the output stays empty.
+    return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
   }
+  this->SetErrorCode(vtkErrorCode::NoError);
   vtkInformation* info = output->GetInformationObject(0);
   const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                         ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())

@@ -96,7 +96,6 @@ int vtkNexradVolumeReader::Fail(unsigned long code, const std::string& line)
 
 void vtkNexradVolumeReader::ReadHeader()
 {
-  this->Opened.reset();
   auto files = std::make_unique<Files>();
   const std::filesystem::path path = this->FileName;
   if (this->RawStream)
@@ -133,6 +132,7 @@ int vtkNexradVolumeReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  this->Opened.reset();
   const unsigned long pathError = vtkNexradPathError(this->FileName);
   if (pathError != vtkErrorCode::NoError)
   {
@@ -172,6 +172,10 @@ int vtkNexradVolumeReader::RequestInformation(
 int vtkNexradVolumeReader::RequestData(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
+  if (!this->Opened)
+  {
+    return 0; // the information request failed, and said why
+  }
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkInformation* info = output->GetInformationObject(0);
   const auto& step =

@@ -13,6 +13,7 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <filesystem>
 
@@ -106,6 +107,26 @@ void vtkNexradVolumeWriter::Fail(unsigned long code, const std::string& line)
   vtkErrorMacro(<< line);
 }
 
+void vtkNexradVolumeWriter::Begin()
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->Index.clear();
+  this->Written.clear();
+  this->Complete = false;
+}
+
+int vtkNexradVolumeWriter::Write()
+{
+  this->Begin();
+  this->Superclass::Write();
+  // When the input fails, the executive does not come back here.
+  if (!this->Complete && this->GetErrorCode() == vtkErrorCode::NoError && !this->AbortExecute)
+  {
+    this->Fail(vtkErrorCode::UserError, "the input could not be made: not all is written");
+  }
+  return this->Complete ? 1 : 0;
+}
+
 vtkTypeBool vtkNexradVolumeWriter::ProcessRequest(
   vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output)
 {
@@ -145,13 +166,11 @@ void vtkNexradVolumeWriter::ReadTimeSteps(vtkInformation* inputInformation)
 // One call a time step: the executive calls again as long as CONTINUE_EXECUTING is set.
 int vtkNexradVolumeWriter::WriteStep(vtkInformation* request)
 {
+  const std::size_t steps = this->IsSeries() ? std::max<std::size_t>(1, this->TimeSteps.size()) : 1;
   if (this->CurrentStep == 0)
   {
-    this->SetErrorCode(vtkErrorCode::NoError);
-    this->Index.clear();
-    this->Written.clear();
+    this->Begin();
   }
-  const std::size_t steps = this->IsSeries() ? std::max<std::size_t>(1, this->TimeSteps.size()) : 1;
   const bool goOn =
     vtkNexradProgress(this)(static_cast<double>(this->CurrentStep) / static_cast<double>(steps));
   if (goOn)
@@ -171,7 +190,8 @@ int vtkNexradVolumeWriter::WriteStep(vtkInformation* request)
   {
     this->WriteIndex();
   }
-  return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
+  this->Complete = goOn && this->GetErrorCode() == vtkErrorCode::NoError;
+  return 1; // Write tells the outcome; a failed request would print the executive's state as well
 }
 
 void vtkNexradVolumeWriter::WriteData()

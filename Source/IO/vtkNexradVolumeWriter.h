@@ -11,9 +11,10 @@
  * - anything else: the input as it is goes into that file.
  *
  * A file is written under a temporary name and renamed when it is whole. An error (a full disk, an
- * input without the arrays) stops the run: Write returns 0, the error code is set, and no index is
- * written; volumes of earlier steps stay. Error codes are NoFileNameError, OutOfDiskSpaceError,
- * CannotOpenFileError, and UserError for an input that cannot be written.
+ * input without the arrays or that cannot be made) stops the run: Write returns 0, the error code
+ * is set, and no index is written; volumes of earlier steps stay. So it is after an abort, without
+ * an error code. Error codes are NoFileNameError, OutOfDiskSpaceError, CannotOpenFileError, and
+ * UserError for an input that cannot be written.
  *
  * Source: Documentation/Formats/nxv.md.
  */
@@ -90,6 +91,11 @@ public:
   ///@}
 
   /**
+   * Writes. Returns 1 when all is written, else 0.
+   */
+  int Write() override;
+
+  /**
    * Paths of the files of the last run, the index last.
    */
   int GetNumberOfWrittenFiles() const;
@@ -115,6 +121,7 @@ private:
   void operator=(const vtkNexradVolumeWriter&) = delete;
 
   bool IsSeries() const;
+  void Begin();
   void ReadTimeSteps(vtkInformation* inputInformation);
   int WriteStep(vtkInformation* request);
   void WriteVolume(const nexrad::GriddedVolume& volume);
@@ -126,6 +133,7 @@ private:
   std::size_t CurrentStep = 0;
   std::vector<std::pair<std::string, double>> Index; ///< volumes written so far
   std::vector<std::string> Written;
+  bool Complete = false; ///< the last run wrote all that it had to
 };
 
 #endif

@@ -5,6 +5,8 @@
 
 #include "vtkNexradDayReader.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradVolumeReader.h"
+#include "vtkNexradVolumeWriter.h"
 
 #include "Geometry/GridSpecification.h"
 #include "Gridding/GriddedVolume.h"
@@ -202,6 +204,15 @@ TEST_F(DayReader, RequestsThatCannotBeMetAreErrors)
 {
   reader->SetTimeStep(0.0);
   this->ExpectFailure(vtkErrorCode::UserError, "step");
+  // Who asks again, downstream, is told so as well, and writes nothing.
+  vtkNew<vtkNexradVolumeWriter> writer;
+  events->Observe(writer);
+  events->Observe(writer->GetExecutive());
+  writer->SetInputConnection(reader->GetOutputPort());
+  writer->SetFileName((folder.Path() / "day.nxv.series").c_str());
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::UserError));
+  EXPECT_FALSE(std::filesystem::exists(folder.Path() / "day.nxv.series"));
   reader->SetTimeStep(3600.0);
   reader->SetBeginTime(nexrad::ToSeconds(start + 1min));
   this->ExpectFailure(vtkErrorCode::UserError, "no multiple of the time step");
@@ -254,6 +265,57 @@ TEST_F(DayReader, AScanThatWasStoppedStartsAgain)
   reader->Modified();
   reader->Update();
   EXPECT_EQ(reader->GetOutput()->GetPointData()->GetNumberOfArrays(), 3);
+}
+
+TEST_F(DayReader, ADayIsWrittenAndReadBack)
+{
+  const nexrad::testing::TemporaryFolder target;
+  const std::string path = (target.Path() / "day.nxv.series").string();
+  vtkNew<vtkNexradVolumeWriter> writer;
+  vtkNew<EventCounter> writing;
+  writing->Observe(writer);
+  writer->SetInputConnection(reader->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  writer->SetEncoding(vtkNexradVolumeWriter::FLOAT);
+  ASSERT_EQ(writer->Write(), 1);
+  EXPECT_EQ(writer->GetNumberOfWrittenFiles(), 14); // 13 steps and the index
+  EXPECT_GE(writing->progress.size(), 13U);
+  vtkNew<vtkNexradVolumeReader> volumes;
+  volumes->SetFileName(path.c_str());
+  volumes->UpdateInformation();
+  for (const nexrad::Duration after : {nexrad::Duration(1min), nexrad::Duration(9min)})
+  {
+    volumes->UpdateTimeStep(nexrad::ToSeconds(start + after));
+    const GriddedVolume expected = this->At(start + after);
+    const GriddedVolume volume = vtkNexradImageToVolume(volumes->GetOutput());
+    EXPECT_EQ(volume.time, start + after);
+    EXPECT_EQ(volume.values, expected.values);
+    EXPECT_EQ(volume.states, expected.states);
+    EXPECT_EQ(volume.sites, expected.sites);
+  }
+}
+
+TEST_F(DayReader, AStoppedWriterWritesNoIndex)
+{
+  const nexrad::testing::TemporaryFolder target;
+  const std::string path = (target.Path() / "day.nxv.series").string();
+  vtkNew<vtkNexradVolumeWriter> writer;
+  writer->SetInputConnection(reader->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  vtkNew<vtkCallbackCommand> stop;
+  stop->SetCallback(
+    [](vtkObject* caller, unsigned long, void*, void* progress)
+    {
+      if (*static_cast<double*>(progress) > 0.5)
+      {
+        static_cast<vtkAlgorithm*>(caller)->SetAbortExecute(1);
+      }
+    });
+  writer->AddObserver(vtkCommand::ProgressEvent, stop);
+  EXPECT_EQ(writer->Write(), 0);
+  EXPECT_EQ(writer->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  EXPECT_FALSE(std::filesystem::exists(path));
+  EXPECT_EQ(writer->GetNumberOfWrittenFiles(), 7);
 }
 
 TEST_F(DayReader, PrintsItsState)
