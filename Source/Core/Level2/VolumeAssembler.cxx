@@ -49,6 +49,7 @@ VolumeAssembler::VolumeAssembler(Level2Options readOptions)
 
 void VolumeAssembler::AddHeader(const VolumeHeader& header)
 {
+  hasHeader = true;
   headerName = header.siteName;
   volume.headerTime = header.time;
 }
@@ -174,7 +175,9 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   this->FinishSweep(nullptr);
   if (volume.sweeps.empty())
   {
-    this->AddDamage(size, "no ray can be read");
+    this->AddDamage(size, hasHeader ? "no ray can be read"
+                                    : "no ray can be read, and no volume header: is this a Level "
+                                      "II file?");
   }
   else if (!volume.complete)
   {

@@ -55,6 +55,7 @@ private:
   std::string piece;        ///< "name: " of the file in hand; "" when it is the only one
   std::string missingPiece; ///< the piece where the sweep's first missing ray should be
   std::string lastRayPiece;
+  bool hasHeader = false;
   std::string headerName;
   std::string rayName;
   std::optional<StoredPosition> position;
