@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -83,6 +84,8 @@ int RunProgram(int argc, const char* const* argv, const std::vector<AddCommand>&
   program.require_subcommand(1);
   program.footer("Exit status: 0 done; 1 failed; 2 wrong usage; 3 done, but some input was damaged "
                  "or left out.");
+  // A limit on the size of files shall be an error of writing, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
   CommandAction action;
   for (const AddCommand add : commands)
   {

@@ -7,6 +7,7 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkStringArray.h>
@@ -57,6 +58,8 @@ public:
     const Progress& progress)
   {
     messages.Watch(reader);
+    // It repeats each error of the reader with its own state.
+    messages.Watch(reader->GetExecutive());
     for (const std::filesystem::path& input : inputs)
     {
       reader->AddFileName(input.c_str());
@@ -64,7 +67,7 @@ public:
     this->Configure(options);
     const ProgressLink link(reader, progress);
     reader->UpdateInformation();
-    messages.ThrowFirstError();
+    this->ThrowFirstError();
     vtkDoubleArray* steps = reader->GetTimeSteps();
     for (vtkIdType i = 0; i < steps->GetNumberOfValues(); ++i)
     {
@@ -97,6 +100,20 @@ public:
   }
 
 private:
+  // An input that is damaged throughout explains why there is nothing to merge.
+  void ThrowFirstError() const
+  {
+    const std::vector<std::string> problems = this->Problems();
+    if (messages.Errors().empty() || problems.empty())
+    {
+      messages.ThrowFirstError();
+      return;
+    }
+    const std::size_t others = problems.size() - 1;
+    throw Error(messages.Errors().front() + ": " + problems.front() +
+                (others > 0 ? " (and " + std::to_string(others) + " more)" : ""));
+  }
+
   void Configure(const GridOptions& options)
   {
     reader->SetSiteName(options.siteName);

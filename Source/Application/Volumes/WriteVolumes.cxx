@@ -81,7 +81,6 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress)
   const Progress merging = [&progress](double fraction)
   { return !progress || progress(scanShare + (1.0 - scanShare) * fraction); };
   const auto series = OpenRadarFiles(job.inputs, job.options, scanning);
-  MakeFolder(job.folder);
   const bool nxv = job.format == VolumeFormat::Nxv;
   const std::string extension = nxv ? ".nxv" : ".vti";
   const std::vector<Time>& times = series->Times();
@@ -91,6 +90,10 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress)
   for (std::size_t i = 0; i < times.size(); ++i)
   {
     const auto volume = series->Load(i, Part(merging, i, times.size()));
+    if (i == 0)
+    {
+      MakeFolder(job.folder); // not earlier: a failure so far leaves nothing behind
+    }
     const fs::path path = job.folder / (FormatForFileName(times[i]) + extension);
     nxv ? WriteNxvFile(volume, path) : WriteVti(volume, path);
     anySite = anySite || !vtkNexradGetTexts(volume->GetFieldData(), "Sites").empty();
