@@ -95,7 +95,9 @@ public:
       waitpid(process, &status, 0);
       process = -1;
     }
-    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    // When the disk is full, ffmpeg complains and returns 0.
+    std::fseek(complaints, 0, SEEK_END);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0 && std::ftell(complaints) == 0;
   }
 
   std::string LastComplaint() const

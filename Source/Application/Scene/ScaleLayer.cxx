@@ -122,7 +122,7 @@ void AddGroundScale(Props& props, const SceneFrame& frame, const CameraView& vie
   lines.Add({at(0.0, 0.0), at(length, 0.0)});
   props.push_back(lines.MakeActor(textColour, 1.5));
   props.push_back(MakeLabel(
-    Number(length) + " km", at(length / 2.0, 0.6 * tick), textSize, textColour, LabelSide::Below));
+    Number(length) + " km", at(length / 2.0, 1.2 * tick), textSize, textColour, LabelSide::Below));
 }
 
 void AddNorth(Props& props, const SceneFrame& frame, int textSize)

@@ -7,7 +7,6 @@
 
 #include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
-#include <vtkExecutive.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkStringArray.h>
@@ -58,8 +57,6 @@ public:
     const Progress& progress)
   {
     messages.Watch(reader);
-    // It repeats each error of the reader with its own state.
-    messages.Watch(reader->GetExecutive());
     for (const std::filesystem::path& input : inputs)
     {
       reader->AddFileName(input.c_str());

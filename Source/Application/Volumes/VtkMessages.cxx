@@ -3,6 +3,8 @@
 
 #include "Model/Error.h"
 
+#include <vtkAlgorithm.h>
+#include <vtkExecutive.h>
 #include <vtkObject.h>
 
 #include <algorithm>
@@ -61,6 +63,11 @@ void VtkMessages::Watch(vtkObject* object)
   object->AddObserver(vtkCommand::ErrorEvent, observer);
   object->AddObserver(vtkCommand::WarningEvent, observer);
   watched.emplace_back(object);
+  // An algorithm's executive repeats the algorithm's error with a print of its own state.
+  if (auto* algorithm = vtkAlgorithm::SafeDownCast(object))
+  {
+    this->Watch(algorithm->GetExecutive());
+  }
 }
 
 const std::vector<std::string>& VtkMessages::Errors() const

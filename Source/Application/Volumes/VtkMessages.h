@@ -22,6 +22,7 @@ public:
   VtkMessages(const VtkMessages&) = delete;
   VtkMessages& operator=(const VtkMessages&) = delete;
 
+  /// Of an algorithm, its executive is watched as well.
   void Watch(vtkObject* object);
 
   /// The text alone, without VTK's file, line and class.
