@@ -1,15 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StormVolume.h"
 
-#include "Model/Time.h"
-
-#include <vtkDoubleArray.h>
-#include <vtkFieldData.h>
-#include <vtkFloatArray.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkPointData.h>
-#include <vtkStringArray.h>
+#include "vtkNexradImageConversion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,51 +22,38 @@ double Storm(double x, double y, double height)
   return height > 15.0 ? -33.0 : std::max({tower, veil, -33.0});
 }
 
-void AddNumber(vtkFieldData* fields, const char* name, double value)
-{
-  vtkNew<vtkDoubleArray> array;
-  array->SetName(name);
-  array->InsertNextValue(value);
-  fields->AddArray(array);
-}
-
-void AddTexts(vtkFieldData* fields, const char* name, std::initializer_list<const char*> texts)
-{
-  vtkNew<vtkStringArray> array;
-  array->SetName(name);
-  for (const char* text : texts)
-  {
-    array->InsertNextValue(text);
-  }
-  fields->AddArray(array);
-}
-
 } // namespace
+
+GriddedVolume MakeStorm(bool synthetic)
+{
+  GriddedVolume volume;
+  volume.grid.dimensions = {48, 48, 16};
+  volume.grid.spacing = {10'000.0, 10'000.0, 1'250.0};
+  volume.grid.origin = {-235'000.0, -235'000.0, 625.0};
+  volume.grid.centreLatitude = 39.0;
+  volume.grid.centreLongitude = -90.0;
+  volume.time = *ParseIso8601("2006-03-12T18:30");
+  volume.method = "thesis";
+  volume.sites = {"KLSX", "KILX"};
+  volume.synthetic = synthetic;
+  for (std::size_t i = 0; i < volume.grid.VoxelCount(); ++i)
+  {
+    const auto coordinate = [&](int axis, std::size_t index)
+    { return volume.grid.Coordinate(axis, static_cast<int>(index)) / 1000.0; };
+    const double dBZ =
+      Storm(coordinate(0, i % 48), coordinate(1, i / 48 % 48), coordinate(2, i / (48 * 48)));
+    const bool echo = dBZ > 0.0;
+    volume.values.push_back(echo ? static_cast<float>(dBZ) : volume.fill);
+    volume.states.push_back(echo ? VoxelState::Echo : VoxelState::NoEcho);
+  }
+  return volume;
+}
 
 vtkSmartPointer<vtkImageData> MakeStormVolume(bool synthetic)
 {
-  constexpr int size[] = {48, 48, 16};
-  constexpr double spacing[] = {10'000.0, 10'000.0, 1'250.0};
-  auto volume = vtkSmartPointer<vtkImageData>::New();
-  volume->SetDimensions(size);
-  volume->SetSpacing(spacing);
-  volume->SetOrigin(-235'000.0, -235'000.0, 625.0);
-  vtkNew<vtkFloatArray> values;
-  values->SetName("REF");
-  for (vtkIdType i = 0; i < volume->GetNumberOfPoints(); ++i)
-  {
-    const double* point = volume->GetPoint(i);
-    values->InsertNextValue(
-      static_cast<float>(Storm(point[0] / 1000.0, point[1] / 1000.0, point[2] / 1000.0)));
-  }
-  volume->GetPointData()->SetScalars(values);
-  vtkFieldData* fields = volume->GetFieldData();
-  AddTexts(fields, "Projection", {"+proj=aeqd +lat_0=39 +lon_0=-90 +datum=WGS84 +units=m"});
-  AddTexts(fields, "Sites", {"KLSX", "KILX"});
-  AddTexts(fields, "Method", {"thesis"});
-  AddNumber(fields, "TimeValue", ToSeconds(*ParseIso8601("2006-03-12T18:30")));
-  AddNumber(fields, "Synthetic", synthetic ? 1.0 : 0.0);
-  return volume;
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  vtkNexradVolumeToImage(MakeStorm(synthetic), image);
+  return image;
 }
 
 } // namespace nexrad::testing

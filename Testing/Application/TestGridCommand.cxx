@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/NxvFile.h"
+#include "ProgramRun.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <set>
+#include <string>
+#include <sys/resource.h>
+#include <vector>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+std::set<std::string> NamesIn(const fs::path& folder)
+{
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    names.insert(entry.path().filename());
+  }
+  return names;
+}
+
+// As long as this lives, no file may grow beyond a size: to the program a disk that is full.
+class FileSizeLimit
+{
+public:
+  explicit FileSizeLimit(rlim_t bytes)
+  {
+    getrlimit(RLIMIT_FSIZE, &before);
+    const rlimit limit = {bytes, before.rlim_max};
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~FileSizeLimit() { setrlimit(RLIMIT_FSIZE, &before); }
+  FileSizeLimit(const FileSizeLimit&) = delete;
+  FileSizeLimit& operator=(const FileSizeLimit&) = delete;
+
+private:
+  rlimit before{};
+};
+
+} // namespace
+
+// Five volumes from 02:43:19 to 03:12 UTC; the steps in between are multiples of five minutes.
+TEST(GridCommand, OneVolumeForEachStep)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const fs::path output = folder.Path() / "made" / "volumes";
+  const ProgramRun run = RunNexrad3d(
+    {"grid", data / "level2" / "run-kbgm-20050821", "-o", output, "--dims", "64x64x32"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");
+  const std::set<std::string> expected = {"20050821T024500Z.nxv", "20050821T025000Z.nxv",
+    "20050821T025500Z.nxv", "20050821T030000Z.nxv", "20050821T030500Z.nxv", "20050821T031000Z.nxv",
+    "volumes.nxv.series"};
+  EXPECT_EQ(NamesIn(output), expected);
+
+  const NxvSeries series = ReadNxvSeries(output / "volumes.nxv.series");
+  ASSERT_EQ(series.size(), 6U);
+  EXPECT_EQ(series[2].first, "20050821T025500Z.nxv");
+  EXPECT_EQ(FromSeconds(series[2].second), *ParseIso8601("2005-08-21T02:55"));
+
+  const GriddedVolume volume = ReadNxv(output / series[2].first);
+  EXPECT_EQ(volume.time, *ParseIso8601("2005-08-21T02:55"));
+  EXPECT_EQ(volume.grid.dimensions, (std::array<int, 3>{64, 64, 32}));
+  EXPECT_EQ(volume.sites, std::vector<std::string>{"KBGM"});
+  EXPECT_EQ(volume.method, "thesis");
+  EXPECT_FALSE(volume.synthetic);
+  // The radar stands at 42.20° N, 75.98° W; the box of 460 km lies about it.
+  EXPECT_NEAR(volume.grid.centreLatitude, 42.20, 0.011);
+  EXPECT_NEAR(volume.grid.centreLongitude, -75.98, 0.011);
+  EXPECT_NEAR(volume.grid.spacing[0] * 64, 460e3, 5e3);
+  EXPECT_NEAR(volume.grid.spacing[2], 625.0, 1e-9);
+}
+
+TEST(GridCommand, OptionsReachTheVolumes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "run-kbgm-20050821", "-o",
+    folder.Path(), "--dims", "20x10x5", "--bounds", "-77,41,-75,43", "--height", "1,11km",
+    "--begin", "2005-08-21T02:55", "--end", "2005-08-21T02:57", "--step", "60s", "--quiet"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.output, "");
+  const std::set<std::string> expected = {
+    "20050821T025500Z.nxv", "20050821T025600Z.nxv", "20050821T025700Z.nxv", "volumes.nxv.series"};
+  EXPECT_EQ(NamesIn(folder.Path()), expected);
+  const GriddedVolume volume = ReadNxv(folder.Path() / "20050821T025600Z.nxv");
+  EXPECT_EQ(volume.grid.dimensions, (std::array<int, 3>{20, 10, 5}));
+  EXPECT_NEAR(volume.grid.spacing[2], 2'000.0, 1e-9);
+  EXPECT_NEAR(volume.grid.origin[2], 2'000.0, 1e-9);
+  EXPECT_NEAR(volume.grid.centreLongitude, -76.0, 1e-9);
+}
+
+TEST(GridCommand, VtiOnRequest)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "run-kbgm-20050821", "-o",
+    folder.Path(), "--dims", "16x16x8", "--format", "vti", "--end", "2005-08-21T02:46"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  const std::set<std::string> expected = {"20050821T024500Z.vti", "volumes.vti.series"};
+  EXPECT_EQ(NamesIn(folder.Path()), expected);
+}
+
+TEST(GridCommand, DamageIsNamedAndTheDayStillMade)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const ProgramRun run =
+    RunNexrad3d({"grid", data / "level2" / "damaged" / "KILN20080107_173809.gz", "-o",
+      folder.Path() / "v", "--dims", "16x16x8", "--step", "5s"});
+  EXPECT_EQ(run.status, 3) << run.errors;
+  EXPECT_NE(run.errors.find("KILN20080107_173809.gz: offset "), std::string::npos) << run.errors;
+  EXPECT_TRUE(fs::exists(folder.Path() / "v" / "volumes.nxv.series"));
+}
+
+TEST(GridCommand, NoRayAtAllIsAFailureThatSaysWhy)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "damaged" / "KJKL_20240227_102059",
+    "-o", folder.Path() / "v", "--dims", "16x16x8"});
+  EXPECT_EQ(run.status, 1) << run.errors;
+  EXPECT_NE(run.errors.find("KJKL_20240227_102059: offset "), std::string::npos) << run.errors;
+  EXPECT_FALSE(fs::exists(folder.Path() / "v"));
+}
+
+TEST(GridCommand, TimesWithoutAnyRadarAreAFailure)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "run-kbgm-20050821", "-o",
+    folder.Path() / "v", "--dims", "16x16x8", "--begin", "2006-01-01", "--end", "2006-01-01"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.errors.find("--max-gap"), std::string::npos) << run.errors;
+  EXPECT_TRUE(NamesIn(folder.Path() / "v").empty());
+}
+
+TEST(GridCommand, AFullDiskLeavesNothingHalfWritten)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  for (const char* format : {"nxv", "vti"})
+  {
+    const TemporaryFolder folder;
+    const FileSizeLimit limit(2'000);
+    const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "run-kbgm-20050821", "-o",
+      folder.Path() / "v", "--dims", "64x64x32", "--format", format, "--end", "2005-08-21T02:46"});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_NE(run.errors.find("cannot be written"), std::string::npos) << run.errors;
+    EXPECT_TRUE(NamesIn(folder.Path() / "v").empty()) << format;
+  }
+}
+
+TEST(GridCommand, AFileInTheWayOfTheFolder)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "run-kbgm-20050821", "-o",
+    "/dev/null", "--dims", "16x16x8", "--end", "2005-08-21T02:46"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.errors.find("/dev/null"), std::string::npos) << run.errors;
+}

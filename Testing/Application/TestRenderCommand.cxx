@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/NxvFile.h"
+#include "ProgramRun.h"
+#include "StormVolume.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <string>
+#include <vector>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+constexpr char small[] = "320x180";
+
+// Three volumes five minutes apart, with their index.
+fs::path WriteStormSeries(const fs::path& folder)
+{
+  GriddedVolume volume = MakeStorm(true);
+  NxvSeries series;
+  for (int step = 0; step < 3; ++step)
+  {
+    const std::string name = FormatForFileName(volume.time) + ".nxv";
+    WriteNxv(folder / name, volume);
+    series.emplace_back(name, ToSeconds(volume.time));
+    volume.time += std::chrono::minutes(5);
+  }
+  WriteNxvSeries(folder / "volumes.nxv.series", series);
+  return folder / "volumes.nxv.series";
+}
+
+std::string Content(const fs::path& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(stream), {}};
+}
+
+std::set<std::string> NamesIn(const fs::path& folder)
+{
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    names.insert(entry.path().filename());
+  }
+  return names;
+}
+
+// Takes the display away, as it is on a machine without a screen.
+class NoDisplay
+{
+public:
+  NoDisplay()
+    : before(std::getenv("DISPLAY") == nullptr ? "" : std::getenv("DISPLAY"))
+  {
+    unsetenv("DISPLAY");
+  }
+  ~NoDisplay() { setenv("DISPLAY", before.c_str(), 1); }
+  NoDisplay(const NoDisplay&) = delete;
+  NoDisplay& operator=(const NoDisplay&) = delete;
+
+private:
+  std::string before;
+};
+
+} // namespace
+
+TEST(RenderCommand, OnePictureForEachTime)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormSeries(folder.Path());
+  fs::create_directory(folder.Path() / "out");
+  const ProgramRun run =
+    RunNexrad3d({"render", series, "-o", folder.Path() / "out" / "storm.png", "--size", small});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.errors, "");
+  const std::set<std::string> expected = {
+    "storm-20060312T183000Z.png", "storm-20060312T183500Z.png", "storm-20060312T184000Z.png"};
+  EXPECT_EQ(NamesIn(folder.Path() / "out"), expected);
+  for (const std::string& name : expected)
+  {
+    EXPECT_NE(run.output.find(name), std::string::npos);
+    EXPECT_EQ(Content(folder.Path() / "out" / name).substr(1, 3), "PNG");
+  }
+}
+
+TEST(RenderCommand, OneTimeAndTheCamera)
+{
+  const TemporaryFolder folder;
+  WriteStormSeries(folder.Path());
+  const auto draw = [&](const std::string& name, const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments = {"render", folder.Path(), "-o", folder.Path() / name,
+      "--size", small, "--time", "2006-03-12T18:35", "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    EXPECT_EQ(run.output, "");
+    return Content(folder.Path() / name);
+  };
+  const std::string first = draw("first.png", {});
+  EXPECT_EQ(first, draw("again.png", {}));
+  EXPECT_NE(first, draw("east.png", {"--azimuth", "90"}));
+  EXPECT_NE(first, draw("high.png", {"--tilt", "80"}));
+  EXPECT_NE(first, draw("near.png", {"--zoom", "2"}));
+  EXPECT_NE(first, draw("flat.png", {"--exaggeration", "2"}));
+  EXPECT_NE(first, draw("rings.png", {"--rings", "100km"}));
+  EXPECT_NE(first, draw("parallel.png", {"--parallel"}));
+}
+
+TEST(RenderCommand, Movies)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormSeries(folder.Path());
+  const ProgramRun run = RunNexrad3d({"render", series, "-o", folder.Path() / "storm.ogv", "--size",
+    small, "--frames", "4", "--turn", "90"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  const std::string movie = Content(folder.Path() / "storm.ogv");
+  EXPECT_EQ(movie.substr(0, 4), "OggS");
+  EXPECT_NE(movie.find("theora"), std::string::npos);
+  EXPECT_GT(movie.size(), 5'000U);
+}
+
+TEST(RenderCommand, Mp4NeedsFfmpegAndSaysSo)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormSeries(folder.Path());
+  const std::string path = std::getenv("PATH");
+  setenv("PATH", "/nonexistent", 1);
+  const ProgramRun run =
+    RunNexrad3d({"render", series, "-o", folder.Path() / "storm.mp4", "--size", small});
+  setenv("PATH", path.c_str(), 1);
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.errors.find("ffmpeg"), std::string::npos) << run.errors;
+  EXPECT_NE(run.errors.find(".ogv"), std::string::npos) << run.errors;
+  EXPECT_FALSE(fs::exists(folder.Path() / "storm.mp4"));
+}
+
+TEST(RenderCommand, RadarFilesAreMergedFirst)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const ProgramRun run =
+    RunNexrad3d({"render", data / "level2" / "run-kbgm-20050821", "-o", folder.Path() / "kbgm.png",
+      "--size", small, "--dims", "64x64x32", "--time", "2005-08-21T02:56:30"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(NamesIn(folder.Path()), std::set<std::string>{"kbgm.png"});
+}
+
+TEST(RenderCommand, FailuresAreOneLine)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormSeries(folder.Path());
+  std::ofstream(folder.Path() / "broken.nxv") << "NXV1 and nothing more";
+  std::ofstream(folder.Path() / "broken.vti") << "<VTKFile";
+  std::ofstream(folder.Path() / "colours.csv") << "dbz,colour\n5,#000000\n1,#ffffff\n";
+  fs::create_symlink("/dev/full", folder.Path() / "full.png");
+  const std::string png = folder.Path() / "x.png";
+  const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
+    {{folder.Path() / "none.nxv", "-o", png}, "none.nxv"},
+    {{folder.Path() / "broken.nxv", "-o", png}, "broken.nxv"},
+    {{folder.Path() / "broken.vti", "-o", png}, "broken.vti"},
+    {{series, "-o", png, "--time", "2006-03-12T18:36"}, "18:30"},
+    {{series, "-o", folder.Path() / "no" / "x.png", "--time", "2006-03-12T18:35"}, "no/x.png"},
+    {{series, "-o", folder.Path() / "no" / "x.ogv"}, "no/x.ogv"},
+    {{series, "-o", folder.Path() / "full.png", "--time", "2006-03-12T18:35"}, "full.png"},
+    {{series, "-o", png, "--colours", folder.Path() / "colours.csv"}, "line 3"},
+    {{series, "/dev/null", "-o", png}, "one or the other"}};
+  for (const auto& [options, words] : cases)
+  {
+    std::vector<std::string> arguments = {"render", "--size", small};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 1) << words;
+    EXPECT_NE(run.errors.find(words), std::string::npos) << words << " in: " << run.errors;
+    EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << run.errors;
+    EXPECT_FALSE(fs::exists(png));
+  }
+}
+
+TEST(RenderCommand, WithoutADisplayItSaysSo)
+{
+  const NoDisplay none;
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormSeries(folder.Path());
+  const ProgramRun run = RunNexrad3d({"render", series, "-o", folder.Path() / "x.png"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.errors.find("xvfb-run"), std::string::npos) << run.errors;
+  EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << run.errors;
+}

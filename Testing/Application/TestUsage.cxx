@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProgramRun.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+using namespace nexrad::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+using Arguments = std::vector<std::string>;
+
+// One line, which ends.
+bool IsOneLine(const std::string& text)
+{
+  return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1 && text.back() == '\n';
+}
+
+// Runs a command line that is wrong, and expects one line that contains `words`.
+void ExpectWrongUsage(const Arguments& arguments, const std::vector<std::string>& words)
+{
+  const ProgramRun run = RunNexrad3d(arguments);
+  EXPECT_EQ(run.status, 2) << run.errors;
+  EXPECT_EQ(run.output, "");
+  EXPECT_TRUE(IsOneLine(run.errors)) << run.errors;
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(run.errors.find(word), std::string::npos) << word << " in: " << run.errors;
+  }
+}
+
+void ExpectFailure(const Arguments& arguments, const std::vector<std::string>& words)
+{
+  const ProgramRun run = RunNexrad3d(arguments);
+  EXPECT_EQ(run.status, 1) << run.errors;
+  EXPECT_TRUE(IsOneLine(run.errors)) << run.errors;
+  for (const std::string& word : words)
+  {
+    EXPECT_NE(run.errors.find(word), std::string::npos) << word << " in: " << run.errors;
+  }
+}
+
+} // namespace
+
+TEST(Usage, HelpAndVersionAreNoFailure)
+{
+  EXPECT_EQ(RunNexrad3d({"--version"}).output.rfind("nexrad3d ", 0), 0U);
+  for (const Arguments& arguments :
+    {Arguments{"--help"}, {"info", "--help"}, {"grid", "--help"}, {"render", "--help"}})
+  {
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0);
+    EXPECT_EQ(run.errors, "");
+    EXPECT_NE(run.output.find("--help"), std::string::npos);
+  }
+}
+
+TEST(Usage, HelpHasUnitsAndDefaults)
+{
+  const std::string help = RunNexrad3d({"grid", "--help"}).output;
+  for (const char* text : {"--dims XxYxZ=256x256x128", "--step DURATION=5min",
+         "--max-gap DURATION=15min", "--range LENGTH=230km", "--height LOWER,UPPER=0,20km",
+         "--moment NAME=REF", "--method NAME=thesis", "--format NAME=nxv", "degrees", "km", "UTC"})
+  {
+    EXPECT_NE(help.find(text), std::string::npos) << text;
+  }
+}
+
+TEST(Usage, AWrongCommandNamesTheCommands)
+{
+  ExpectWrongUsage({}, {"a command is missing", "info", "grid", "render"});
+  ExpectWrongUsage({"gird"}, {"unknown command 'gird'", "grid"});
+}
+
+TEST(Usage, WrongOptionsAreNamed)
+{
+  ExpectWrongUsage({"grid"}, {"input"});
+  ExpectWrongUsage({"grid", "a"}, {"--output"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--frobnicate"}, {"--frobnicate"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--step"}, {"--step"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "0"}, {"--step", "above 0"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "5minutes"}, {"--step", "5min"});
+  ExpectWrongUsage(
+    {"grid", "a", "-o", "b", "--bounds", "-86,36,-97,43"}, {"--bounds", "inside out"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--height", "20km,0"}, {"--height", "inside out"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--range", "0"}, {"--range"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--dims", "0x256x128"}, {"--dims"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--begin", "yesterday"}, {"--begin", "UTC"});
+  ExpectWrongUsage(
+    {"grid", "a", "-o", "b", "--begin", "2006-03-12", "--end", "2006-03-11"}, {"--end", "--begin"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--bounds", "-97,36,-86,43", "--range", "5km"},
+    {"--range", "--bounds"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--moment", "VEL"}, {"--moment", "REF"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--method", "beam"}, {"--method", "thesis"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--format", "hdf"}, {"--format", "nxv", "vti"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--site", "ZZZZ"}, {"--site", "ZZZZ"});
+}
+
+TEST(Usage, WrongOptionsOfRenderAreNamed)
+{
+  ExpectWrongUsage({"render", "a", "-o", "b.gif"}, {"--output", ".png"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--size", "1280"}, {"--size", "1280x720"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--tilt", "91"}, {"--tilt", "90"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--zoom", "0"}, {"--zoom"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--exaggeration", "-1"}, {"--exaggeration"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--slices", "0"}, {"--slices", "1"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--mapper", "x"}, {"--mapper", "texture-slice"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--colours", "/none"}, {"--colours", "/none"});
+  ExpectWrongUsage({"render", "a", "-o", "b.ogv", "--fps", "0"}, {"--fps"});
+}
+
+TEST(Usage, InputsThatDoNotExist)
+{
+  const TemporaryFolder folder;
+  const std::string output = folder.Path() / "out";
+  const std::string none = folder.Path() / "none";
+  ExpectFailure({"grid", none, "-o", output}, {none});
+  fs::create_directory(folder.Path() / "empty");
+  ExpectFailure({"grid", folder.Path() / "empty", "-o", output}, {"empty"});
+  std::ofstream(folder.Path() / "text.txt") << "This is no radar file.";
+  ExpectFailure({"grid", folder.Path() / "text.txt", "-o", output}, {"text.txt"});
+  EXPECT_FALSE(fs::exists(output)) << "nothing was made, so no folder either";
+}
