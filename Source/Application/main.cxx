@@ -4,6 +4,7 @@
 #include "SimulateCommand.h"
 
 #ifdef NEXRAD_WITH_VTK
+#include "DemoCommand.h"
 #include "GridCommand.h"
 #include "RenderCommand.h"
 #endif
@@ -18,6 +19,7 @@ int main(int argc, char** argv)
 #ifdef NEXRAD_WITH_VTK
       AddGridCommand,
       AddRenderCommand,
+      AddDemoCommand,
 #endif
     });
 }

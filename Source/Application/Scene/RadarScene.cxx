@@ -35,8 +35,9 @@ constexpr Colour titleColour = {0.95, 0.96, 0.98};
 constexpr Colour noteColour = {0.70, 0.74, 0.79};
 constexpr Colour warningColour = {1.0, 0.78, 0.10};
 
-// The colour bar stands to the right of this area, the captions above and below it.
-constexpr PictureArea sceneArea = {-0.86, 0.80, -0.86, 0.82};
+// The colour bar stands to the right of this area; above and below it are the captions, the N and
+// the bar of length.
+constexpr PictureArea sceneArea = {-0.86, 0.80, -0.78, 0.77};
 
 // "2010-09-11 01:20:00 UTC"
 std::string TimeText(const VolumeInformation& information)
