@@ -18,7 +18,7 @@ TEST(DemoCommand, SimulatesMergesAndDraws)
   const TemporaryFolder folder;
   const fs::path output = folder.Path() / "demo";
   const ProgramRun run =
-    RunNexrad3d({"demo", output, "--length", "10min", "--dims", "48x48x16", "--size", "320x180"});
+    RunNexrad3d({"demo", output, "--length", "5min", "--dims", "48x48x16", "--size", "320x180"});
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(run.errors, "");
   for (const char* text :
@@ -31,7 +31,7 @@ TEST(DemoCommand, SimulatesMergesAndDraws)
     EXPECT_GT(fs::file_size(output / name), 3'000U) << name;
   }
   const NxvSeries series = ReadNxvSeries(output / "volumes" / "volumes.nxv.series");
-  ASSERT_GE(series.size(), 2U);
+  ASSERT_GE(series.size(), 1U);
   for (const auto& [name, seconds] : series)
   {
     const GriddedVolume volume = ReadNxv(output / "volumes" / name);
