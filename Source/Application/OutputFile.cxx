@@ -44,7 +44,7 @@ void WriteDirectly(
 } // namespace
 
 OutputFile::OutputFile(const fs::path& path)
-  : final(path)
+  : target(path)
 {
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
   if (!fs::is_directory(folder))
@@ -64,10 +64,10 @@ OutputFile::~OutputFile()
 void OutputFile::Commit()
 {
   std::error_code error;
-  fs::rename(temporary, final, error);
+  fs::rename(temporary, target, error);
   if (error)
   {
-    FailToWrite(final, error.value());
+    FailToWrite(target, error.value());
   }
 }
 

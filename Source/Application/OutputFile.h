@@ -25,7 +25,7 @@ public:
   void Commit();
 
 private:
-  std::filesystem::path final;
+  std::filesystem::path target;
   std::filesystem::path temporary;
 };
 

@@ -55,26 +55,17 @@ double ParseRingSpacing(const std::string& text)
 void AddCamera(CLI::App& command, scene::RenderRequest& request)
 {
   constexpr char group[] = "Camera";
-  command
-    .add_option("--azimuth", request.camera.azimuth,
-      "Where the camera stands, degrees clockwise from north about the domain's centre: 180 looks "
-      "north")
-    ->capture_default_str()
-    ->check(CLI::Range(-3600.0, 3600.0))
+  scene::CameraView& camera = request.camera;
+  AddNumberOption(command, "--azimuth", camera.azimuth, -3600.0, 3600.0, "DEGREES",
+    "Where the camera stands, clockwise from north about the domain's centre: 180 looks north")
     ->group(group);
-  command
-    .add_option(
-      "--tilt", request.camera.tilt, "Camera above the horizon, degrees; 90 looks straight down")
-    ->capture_default_str()
-    ->check(CLI::Range(-90.0, 90.0))
+  AddNumberOption(command, "--tilt", camera.tilt, -90.0, 90.0, "DEGREES",
+    "Height of the camera above the horizon; 90 looks straight down")
     ->group(group);
-  command
-    .add_option("--zoom", request.camera.zoom, "1 shows the whole domain, 2 half of its width")
-    ->capture_default_str()
-    ->check(CLI::Range(0.01, 1000.0))
+  AddNumberOption(command, "--zoom", camera.zoom, 0.01, 1000.0, "FACTOR",
+    "1 shows the whole domain, 2 half of its width")
     ->group(group);
-  command
-    .add_flag("--parallel", request.camera.parallel, "Parallel in place of perspective projection")
+  command.add_flag("--parallel", camera.parallel, "Parallel in place of perspective projection")
     ->group(group);
 }
 
@@ -84,23 +75,19 @@ void AddLook(CLI::App& command, scene::RenderRequest& request)
   AddParsedOption(command, "--size", request.size, ParsePictureSize, "WxH",
     "Width and height in pixels", "1280x720")
     ->group(group);
-  command
-    .add_option("--exaggeration", request.scene.exaggeration,
-      "Factor by which heights are stretched; the picture states it")
-    ->capture_default_str()
-    ->check(CLI::Range(0.1, 100.0))
+  AddNumberOption(command, "--exaggeration", request.scene.exaggeration, 0.1, 100.0, "FACTOR",
+    "How much heights are stretched; the picture states it")
     ->group(group);
   AddParsedOption(command, "--mapper", request.scene.mapper, ParseMapper, "NAME",
     "texture-slice, or ray-cast: VTK's, for comparison", "texture-slice")
     ->group(group);
-  command.add_option("--slices", request.scene.slices, "Slices, or samples along the longest ray")
-    ->capture_default_str()
-    ->check(CLI::Range(1, 16384))
+  AddNumberOption(command, "--slices", request.scene.slices, 1, 16384, "NUMBER",
+    "Slices, or samples along the longest ray")
     ->group(group);
   command
     .add_option("--colours,--colors", request.colourTable,
       "Colour table: a heading, then lines dBZ,#rrggbb (default: the weather service's)")
-    ->check(CLI::ExistingFile)
+    ->check(CLI::Validator(CLI::ExistingFile).description(""))
     ->type_name("FILE")
     ->group(group);
   AddParsedOption(command, "--rings", request.scene.ringSpacing, ParseRingSpacing, "LENGTH",
@@ -111,18 +98,13 @@ void AddLook(CLI::App& command, scene::RenderRequest& request)
 void AddMovie(CLI::App& command, scene::RenderRequest& request)
 {
   constexpr char group[] = "Movie";
-  command.add_option("--fps", request.framesPerSecond, "Frames a second")
-    ->capture_default_str()
-    ->check(CLI::Range(1, 120))
+  AddNumberOption(command, "--fps", request.framesPerSecond, 1, 120, "NUMBER", "Frames a second")
     ->group(group);
-  command.add_option("--frames", request.frames, "Number of frames; 0: one for each time")
-    ->capture_default_str()
-    ->check(CLI::Range(0, 100'000))
+  AddNumberOption(command, "--frames", request.frames, 0, 100'000, "NUMBER",
+    "Number of frames; 0: one for each time")
     ->group(group);
-  command
-    .add_option("--turn", request.turn, "Degrees by which the camera goes round during the movie")
-    ->capture_default_str()
-    ->check(CLI::Range(-36'000.0, 36'000.0))
+  AddNumberOption(command, "--turn", request.turn, -36'000.0, 36'000.0, "DEGREES",
+    "How far the camera goes round during the movie")
     ->group(group);
 }
 

@@ -49,6 +49,12 @@ CLI::Option* AddParsedOption(CLI::App& command, const std::string& name, Target&
   Value (*parse)(const std::string&), const std::string& unit, const std::string& description,
   const std::string& defaultText = "");
 
+/// An option that takes a number from `least` to `most`, both inclusive; what `value` holds is the
+/// default that the help text shows. `unit` is the placeholder there.
+template <typename Number>
+CLI::Option* AddNumberOption(CLI::App& command, const std::string& name, Number& value,
+  Number least, Number most, const std::string& unit, const std::string& description);
+
 } // namespace nexrad::application
 
 #include "UnitOptions.hxx"

@@ -5,6 +5,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <sstream>
+
 namespace nexrad::application
 {
 
@@ -33,6 +35,25 @@ CLI::Option* AddParsedOption(CLI::App& command, const std::string& name, Target&
     option->default_str(defaultText);
   }
   return option;
+}
+
+template <typename Number>
+CLI::Option* AddNumberOption(CLI::App& command, const std::string& name, Number& value,
+  Number least, Number most, const std::string& unit, const std::string& description)
+{
+  // Not CLI::Range, which lets NaN pass.
+  const auto check = [least, most](const std::string& text)
+  {
+    Number number{};
+    const bool right = CLI::detail::lexical_cast(text, number) && number >= least && number <= most;
+    std::ostringstream message;
+    message << "'" << text << "' is no number from " << least << " to " << most;
+    return right ? std::string() : message.str();
+  };
+  return command.add_option(name, value, description)
+    ->capture_default_str()
+    ->type_name(unit)
+    ->check(CLI::Validator(check, ""));
 }
 
 } // namespace nexrad::application

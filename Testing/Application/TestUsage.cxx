@@ -110,6 +110,7 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--size", "1280"}, {"--size", "1280x720"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--tilt", "91"}, {"--tilt", "90"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--zoom", "0"}, {"--zoom"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--zoom", "nan"}, {"--zoom", "0.01 to 1000"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--exaggeration", "-1"}, {"--exaggeration"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--slices", "0"}, {"--slices", "1"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--mapper", "x"}, {"--mapper", "texture-slice"});

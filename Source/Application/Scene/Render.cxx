@@ -4,6 +4,8 @@
 #include "Model/Error.h"
 #include "MovieWriter.h"
 #include "PictureWindow.h"
+#include "ProgressShare.h"
+#include "RadarScene.h"
 #include "Volumes/VolumeSeries.h"
 
 #include <vtkImageData.h>
@@ -18,18 +20,8 @@ namespace nexrad::scene
 namespace
 {
 
+using application::ShareOf;
 using application::VolumeSeries;
-
-// The share of the progress that belongs to one of several equal parts.
-Progress Part(const Progress& progress, std::size_t index, std::size_t count)
-{
-  if (!progress)
-  {
-    return {};
-  }
-  return [progress, index, count](double fraction)
-  { return progress((static_cast<double>(index) + fraction) / static_cast<double>(count)); };
-}
 
 std::unique_ptr<VolumeSeries> OpenInputs(const RenderRequest& request)
 {
@@ -44,7 +36,8 @@ std::unique_ptr<VolumeSeries> OpenInputs(const RenderRequest& request)
       grid.begin = grid.end = request.time;
       grid.step = Duration(1);
     }
-    return application::OpenRadarFiles(request.inputs, grid);
+    return application::OpenRadarFiles(
+      request.inputs, grid, ShareOf(request.progress, 0.0, application::scanShare));
   }
   if (count != static_cast<std::ptrdiff_t>(request.inputs.size()))
   {
@@ -103,9 +96,10 @@ void DrawPictures(const RenderRequest& request, VolumeSeries& series,
   RadarScene scene(OptionsOf(request));
   scene.SetCamera(request.camera);
   PictureWindow window(scene, request.size);
+  const Progress drawing = ShareOf(request.progress, application::scanShare, 1.0);
   for (std::size_t i = 0; i < chosen.size(); ++i)
   {
-    scene.SetVolume(series.Load(chosen[i], Part(request.progress, i, chosen.size())));
+    scene.SetVolume(series.Load(chosen[i], ShareOf(drawing, i, chosen.size())));
     const fs::path name = PictureName(request.output, series.Times()[chosen[i]], chosen.size() > 1);
     WritePng(window.Draw(), name);
     report.outputs.push_back(name);
@@ -126,12 +120,13 @@ void DrawMovie(const RenderRequest& request, VolumeSeries& series,
     request.frames > 0 ? static_cast<std::size_t>(request.frames) : chosen.size();
   RadarScene scene(OptionsOf(request));
   PictureWindow window(scene, request.size);
+  const Progress drawing = ShareOf(request.progress, application::scanShare, 1.0);
   const auto writer = MakeMovieWriter(request);
   std::size_t shown = series.Times().size(); // no volume yet
   for (std::size_t frame = 0; frame < frames; ++frame)
   {
     const std::size_t index = chosen[frame * chosen.size() / frames];
-    const Progress part = Part(request.progress, frame, frames);
+    const Progress part = ShareOf(drawing, frame, frames);
     if (index != shown)
     {
       scene.SetVolume(series.Load(index, part));

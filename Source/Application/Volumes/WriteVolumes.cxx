@@ -4,6 +4,7 @@
 #include "Codec/NxvFile.h"
 #include "Model/Error.h"
 #include "OutputFile.h"
+#include "ProgressShare.h"
 #include "VolumeSeries.h"
 #include "VtkMessages.h"
 #include "vtkNexradFieldData.h"
@@ -50,16 +51,6 @@ void WriteNxvFile(vtkImageData* volume, const fs::path& path)
   }
 }
 
-// The share of the progress that belongs to one of several equal parts.
-Progress Part(const Progress& progress, std::size_t index, std::size_t count)
-{
-  return [&progress, index, count](double fraction)
-  {
-    return !progress ||
-           progress((static_cast<double>(index) + fraction) / static_cast<double>(count));
-  };
-}
-
 void RemoveFiles(const std::vector<fs::path>& files)
 {
   for (const fs::path& file : files)
@@ -69,18 +60,12 @@ void RemoveFiles(const std::vector<fs::path>& files)
   }
 }
 
-// The first part of the progress, for finding out what the inputs hold.
-constexpr double scanShare = 0.3;
-
 } // namespace
 
 GridReport WriteVolumes(const GridJob& job, const Progress& progress)
 {
-  const auto scanning = [&progress](double fraction)
-  { return !progress || progress(scanShare * fraction); };
-  const Progress merging = [&progress](double fraction)
-  { return !progress || progress(scanShare + (1.0 - scanShare) * fraction); };
-  const auto series = OpenRadarFiles(job.inputs, job.options, scanning);
+  const auto series = OpenRadarFiles(job.inputs, job.options, ShareOf(progress, 0.0, scanShare));
+  const Progress merging = ShareOf(progress, scanShare, 1.0);
   const bool nxv = job.format == VolumeFormat::Nxv;
   const std::string extension = nxv ? ".nxv" : ".vti";
   const std::vector<Time>& times = series->Times();
@@ -89,7 +74,7 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress)
   bool anySite = false;
   for (std::size_t i = 0; i < times.size(); ++i)
   {
-    const auto volume = series->Load(i, Part(merging, i, times.size()));
+    const auto volume = series->Load(i, ShareOf(merging, i, times.size()));
     if (i == 0)
     {
       MakeFolder(job.folder); // not earlier: a failure so far leaves nothing behind
