@@ -18,7 +18,8 @@ namespace
 constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double elevationMargin = 0.5; // degrees that a ray may lie off its cut
-constexpr double blockLength = 8'000.0; // m, over which storms are looked for at once
+constexpr double partLength = 40'000.0; // m, over which storms are looked for first
+constexpr double blockLength = 4'000.0; // m, over which they are looked for among those
 
 double ToZ(double decibel)
 {
@@ -134,13 +135,13 @@ PlanePoint BeamSampler::Centre(double range) const
   return this->Place(tracks[1], path.At(range, elevation));
 }
 
-ElementBounds BeamSampler::BlockBounds(double nearest, double end) const
+Cylinder BeamSampler::Span(double nearest, double end) const
 {
   constexpr double slack = 100.0; // m, for what curves between the ends
   const PlanePoint middle = this->Centre((nearest + end) / 2.0);
   const double stretch = StormPlane::EastwardScale(site.latitude + farthest / 111'000.0);
   const double width = root3 * sigma * degree * end;
-  ElementBounds bounds{
+  Cylinder bounds{
     middle.x, middle.y, std::max(stretch, 1.0) * ((end - nearest) / 2.0 + width) + slack, 0.0, 0.0};
   const double low = elevation - farthestNode * sigma;
   const double high = elevation + farthestNode * sigma;
@@ -199,30 +200,46 @@ double BeamSampler::MeanClearAirZ(const StormSnapshot& snapshot, double range) c
   return mean;
 }
 
+void BeamSampler::SampleBlock(const StormSnapshot& snapshot, const GateLayout& layout, int first,
+  int end, std::vector<double>& reflectivity)
+{
+  const double half = layout.gateSpacing / 2.0;
+  const Cylinder reach =
+    this->Span(std::max(layout.Range(first) - half, 0.0), layout.Range(end - 1) + half);
+  snapshot.FindElements(reach, nearby, candidates);
+  if (candidates.empty() && reach.bottom > StormSnapshot::ClearAirTop())
+  {
+    return;
+  }
+  for (int gate = first; gate < end; ++gate)
+  {
+    // The antenna itself is the nearest that a gate reaches.
+    const double range = std::max(layout.Range(gate), half);
+    const double z = candidates.empty() ? this->MeanClearAirZ(snapshot, range)
+                                        : this->MeanStormZ(snapshot, range, half / root3);
+    reflectivity[static_cast<std::size_t>(gate)] = z > 0.0 ? 10.0 * std::log10(z) : nothing;
+  }
+}
+
 void BeamSampler::Sample(
   const StormSnapshot& snapshot, const GateLayout& layout, std::vector<double>& reflectivity)
 {
   reflectivity.assign(static_cast<std::size_t>(layout.gates), nothing);
-  const double half = layout.gateSpacing / 2.0;
-  const double gaussOffset = half / root3;
+  const int partGates = std::max(1, static_cast<int>(partLength / layout.gateSpacing));
   const int blockGates = std::max(1, static_cast<int>(blockLength / layout.gateSpacing));
-  for (int first = 0; first < layout.gates; first += blockGates)
+  for (int part = 0; part < layout.gates; part += partGates)
   {
-    const int last = std::min(first + blockGates, layout.gates) - 1;
-    const ElementBounds reach = this->BlockBounds(
-      std::max(layout.Range(first) - half, 0.0), std::max(layout.Range(last) + half, 0.0));
-    snapshot.FindElements(reach, candidates);
-    if (candidates.empty() && reach.bottom > StormSnapshot::ClearAirTop())
+    const int end = std::min(part + partGates, layout.gates);
+    const Cylinder reach =
+      this->Span(std::max(layout.Range(part) - layout.gateSpacing, 0.0), layout.Range(end));
+    snapshot.FindElements(reach, nearby);
+    if (nearby.empty() && reach.bottom > StormSnapshot::ClearAirTop())
     {
       continue;
     }
-    for (int gate = first; gate <= last; ++gate)
+    for (int first = part; first < end; first += blockGates)
     {
-      // The antenna itself is the nearest that a gate reaches.
-      const double range = std::max(layout.Range(gate), half);
-      const double z = candidates.empty() ? this->MeanClearAirZ(snapshot, range)
-                                          : this->MeanStormZ(snapshot, range, gaussOffset);
-      reflectivity[static_cast<std::size_t>(gate)] = z > 0.0 ? 10.0 * std::log10(z) : nothing;
+      this->SampleBlock(snapshot, layout, first, std::min(first + blockGates, end), reflectivity);
     }
   }
 }

@@ -64,11 +64,16 @@ private:
   RefractedPath path;
   double elevation = 0.0;        // degrees, of the ray
   std::array<Track, 3> tracks{}; // left of the beam, in its middle, right of it
-  std::vector<int> candidates;
+  std::vector<int> nearby;       // elements in reach of a part of the ray
+  std::vector<int> candidates;   // elements in reach of a few gates
 
   Track TraceGround(double azimuth) const;
   PlanePoint Place(const Track& track, const PathPoint& point) const;
-  ElementBounds BlockBounds(double nearest, double end) const;
+  /// What the beam fills between two ranges in m.
+  Cylinder Span(double nearest, double end) const;
+  /// The gates [first, end) of a layout, which the elements of `nearby` can reach.
+  void SampleBlock(const StormSnapshot& snapshot, const GateLayout& layout, int first, int end,
+    std::vector<double>& reflectivity);
   GateTracks TracksAt(double groundDistance) const;
   /// Mean of Z over the beam and a gate: `offset` in m is that of the Gauss points from its middle.
   double MeanStormZ(const StormSnapshot& snapshot, double range, double offset) const;

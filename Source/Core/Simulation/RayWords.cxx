@@ -19,6 +19,9 @@ constexpr double overlayThreshold = 5.0; // dB by which one of two overlaid echo
 constexpr double velocityNoise = 1.2;    // m/s, standard deviation
 constexpr double widthNoise = 0.9;       // m/s, standard deviation
 
+constexpr double sensitivityRange = 50'000.0; // m, where options give the sensitivity
+constexpr double nearestRange = 250.0;        // m, nearer gates count as there
+
 constexpr std::uint8_t belowThreshold = 0;
 constexpr std::uint8_t rangeFolded = 1;
 
@@ -32,61 +35,78 @@ std::uint8_t ToWord(double value, double scale, double offset)
   return static_cast<std::uint8_t>(std::clamp(std::lround(value * scale + offset), 2L, 255L));
 }
 
-double ReflectivityAt(const RayEcho& echo, double range)
+// Strength of the echoes of a ray at the receiver, in dB, by slant range: Z over the square of the
+// range, so that the weakest that can be seen is the same at all ranges.
+class ReceivedPower
 {
-  const double gate = (range - echo.layout.firstGate) / echo.layout.gateSpacing;
-  const long nearest = std::lround(gate);
-  if (nearest < 0 || nearest >= echo.layout.gates)
+public:
+  explicit ReceivedPower(const RayEcho& echo)
+    : layout(echo.layout)
+    , weakest(echo.options.sensitivity - 20.0 * std::log10(sensitivityRange))
+    , power(echo.reflectivity)
   {
-    return nothing;
-  }
-  const double here = echo.reflectivity[static_cast<std::size_t>(nearest)];
-  const long other = gate < static_cast<double>(nearest) ? nearest - 1 : nearest + 1;
-  if (other < 0 || other >= echo.layout.gates)
-  {
-    return here;
-  }
-  const double there = echo.reflectivity[static_cast<std::size_t>(other)];
-  const double share = std::abs(gate - static_cast<double>(nearest));
-  return std::isfinite(there) ? here + share * (there - here) : here;
-}
-
-// Strength of an echo at the receiver, dB; nothing where it is too weak to be seen.
-double ReceivedPower(const RayEcho& echo, double range)
-{
-  const double reflectivity = ReflectivityAt(echo, range);
-  return reflectivity < SensitivityAt(range, echo.options)
-           ? nothing
-           : reflectivity - 20.0 * std::log10(range);
-}
-
-// The strongest of the echoes that reach the receiver together with the one at `range`.
-double StrongestOverlay(const RayEcho& echo, double range, double unambiguousRange)
-{
-  const double farthest = echo.layout.Range(echo.layout.gates - 1);
-  double strongest = nothing;
-  double other = std::fmod(range, unambiguousRange);
-  for (; other <= farthest; other += unambiguousRange)
-  {
-    if (std::abs(other - range) > 1.0 && other > 0.0)
+    for (int gate = 0; gate < layout.gates; ++gate)
     {
-      strongest = std::max(strongest, ReceivedPower(echo, other));
+      double& value = power[static_cast<std::size_t>(gate)];
+      if (std::isfinite(value))
+      {
+        value -= 20.0 * std::log10(std::max(layout.Range(gate), nearestRange));
+      }
     }
   }
-  return strongest;
-}
+
+  /// Interpolated; nothing where the echo is too weak to be seen.
+  double At(double range) const
+  {
+    const double gate = (range - layout.firstGate) / layout.gateSpacing;
+    const int nearest = static_cast<int>(std::floor(gate + 0.5));
+    if (nearest < 0 || nearest >= layout.gates)
+    {
+      return nothing;
+    }
+    double here = power[static_cast<std::size_t>(nearest)];
+    const int other = gate < nearest ? nearest - 1 : nearest + 1;
+    if (other >= 0 && other < layout.gates)
+    {
+      const double there = power[static_cast<std::size_t>(other)];
+      here += std::isfinite(there) ? std::abs(gate - nearest) * (there - here) : 0.0;
+    }
+    return here < weakest ? nothing : here;
+  }
+
+  /// The strongest of the echoes that reach the receiver together with the one at `range`.
+  double StrongestOverlay(double range, double unambiguousRange) const
+  {
+    const double farthest = layout.Range(layout.gates - 1);
+    double strongest = nothing;
+    const double trip = std::floor(range / unambiguousRange);
+    for (double other = range - trip * unambiguousRange; other <= farthest;
+         other += unambiguousRange)
+    {
+      if (std::abs(other - range) > 1.0)
+      {
+        strongest = std::max(strongest, this->At(other));
+      }
+    }
+    return strongest;
+  }
+
+private:
+  const GateLayout& layout;
+  double weakest;
+  std::vector<double> power;
+};
 
 double Fold(double velocity, double nyquist)
 {
-  return std::remainder(velocity, 2.0 * nyquist);
+  return velocity - 2.0 * nyquist * std::floor(velocity / (2.0 * nyquist) + 0.5);
 }
 
 } // namespace
 
 double SensitivityAt(double range, const SimulatorOptions& options)
 {
-  constexpr double reference = 50'000.0; // m
-  return options.sensitivity + 20.0 * std::log10(std::max(range, 250.0) / reference);
+  return options.sensitivity + 20.0 * std::log10(std::max(range, nearestRange) / sensitivityRange);
 }
 
 void WriteReflectivityWords(const RayEcho& echo, int gates, std::uint8_t* words)
@@ -116,17 +136,18 @@ void WriteDopplerWords(const RayEcho& echo, const GateLayout& doppler, double un
   const double east = level * std::sin(direction.azimuth * degree);
   const double north = level * std::cos(direction.azimuth * degree);
   const double nyquist = NyquistVelocity(unambiguousRange / 1000.0);
+  const ReceivedPower received(echo);
   for (int gate = 0; gate < doppler.gates; ++gate)
   {
     const auto index = static_cast<std::size_t>(gate);
     velocityWords[index] = widthWords[index] = belowThreshold;
     const double range = doppler.Range(gate);
-    const double power = range > 0.0 ? ReceivedPower(echo, range) : nothing;
+    const double power = range > 0.0 ? received.At(range) : nothing;
     if (power == nothing)
     {
       continue;
     }
-    if (power < StrongestOverlay(echo, range, unambiguousRange) + overlayThreshold)
+    if (power < received.StrongestOverlay(range, unambiguousRange) + overlayThreshold)
     {
       velocityWords[index] = widthWords[index] = rangeFolded;
       continue;
@@ -134,8 +155,8 @@ void WriteDopplerWords(const RayEcho& echo, const GateLayout& doppler, double un
     const WindVector wind = snapshot.Wind(beam.Centre(range));
     const double velocity = east * wind.east + north * wind.north +
                             velocityNoise * Normal(echo.noiseKey, velocityStream + index);
-    // Strong echo is turbulent; the square root of the reflectivity's excess stands for that.
-    const double turbulence = std::sqrt(std::max(ReflectivityAt(echo, range), 0.0)) / 2.0;
+    // Strong echo is turbulent; the square root of its reflectivity stands for that.
+    const double turbulence = std::sqrt(std::max(power + 20.0 * std::log10(range), 0.0)) / 2.0;
     const double width = 1.5 + turbulence + widthNoise * Normal(echo.noiseKey, widthStream + index);
     velocityWords[index] = ToWord(Fold(velocity, nyquist), DopplerScale, DopplerOffset);
     widthWords[index] = ToWord(std::max(width, 0.0), DopplerScale, DopplerOffset);

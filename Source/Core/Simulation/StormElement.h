@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cmath>
+
 namespace nexrad
 {
 
@@ -12,6 +14,15 @@ struct PlanePoint
   double y = 0.0;
   double z = 0.0;
 };
+
+/// Weakest reflectivity that the field has; what is weaker is no echo, dBZ.
+constexpr double MinimumReflectivity = -15.0;
+
+/// Most that the texture adds or takes away, dB.
+constexpr double TextureAmplitude = 3.5;
+
+/// What the bright band adds to the rain below it, dB.
+constexpr double BrightBandGain = 6.0;
 
 /// How an element's reflectivity changes with height.
 enum class VerticalProfile
@@ -43,20 +54,49 @@ struct StormElement
   double fall = 40.0; ///< dB
 
   /// Reflectivity in dBZ before texture; below MinimumReflectivity it does not count as echo.
-  double Reflectivity(const PlanePoint& point) const;
+  double Reflectivity(const PlanePoint& point) const
+  {
+    const double above = point.z - level;
+    const double east = point.x - x - tiltX * above;
+    const double north = point.y - y - tiltY * above;
+    const double along = (east * alongX + north * alongY) / longAxis;
+    const double across = (north * alongX - east * alongY) / shortAxis;
+    const double distance = along * along + across * across;
+    const double value = peak - edge * (plateau ? distance * distance : distance);
+    // The vertical part is dearer, and adds at most the bright band.
+    return value + BrightBandGain < MinimumReflectivity ? value
+                                                        : value - this->VerticalDrop(point.z);
+  }
+
+private:
+  double VerticalDrop(double z) const;
 };
 
-/// Weakest reflectivity that the field has; what is weaker is no echo, dBZ.
-constexpr double MinimumReflectivity = -15.0;
+/// An upright cylinder, m in the plane and m above mean sea level.
+struct Cylinder
+{
+  double x, y, radius;
+  double bottom, top;
+};
 
-/// Most that the texture adds or takes away, dB.
-constexpr double TextureAmplitude = 3.5;
-
-/// An upright cylinder outside of which an element holds no echo.
+/// An upright box, turned along an element's axes, outside of which the element holds no echo.
 struct ElementBounds
 {
-  double x, y, radius; ///< m
-  double bottom, top;  ///< m above mean sea level
+  double x, y;           ///< m, middle
+  double alongX, alongY; ///< unit vector
+  double halfLength;     ///< m, along that; negative: the element holds no echo at all
+  double halfWidth;      ///< m, across
+  double bottom, top;    ///< m above mean sea level
+
+  /// False when no point of the cylinder lies in the box.
+  bool Touch(const Cylinder& cylinder) const
+  {
+    const double east = cylinder.x - x;
+    const double north = cylinder.y - y;
+    return bottom <= cylinder.top && top >= cylinder.bottom &&
+           std::abs(east * alongX + north * alongY) <= halfLength + cylinder.radius &&
+           std::abs(north * alongX - east * alongY) <= halfWidth + cylinder.radius;
+  }
 };
 ElementBounds BoundsOf(const StormElement& element);
 

@@ -30,7 +30,7 @@ void Place(Column& column, const GridSpecification& grid, const StormSnapshot& s
   int y, double bottom, double top)
 {
   std::size_t index = 0;
-  ElementBounds reach{0.0, 0.0, 0.0, bottom, top};
+  Cylinder reach{0.0, 0.0, 0.0, bottom, top};
   for (int row = 0; row < horizontalSamples; ++row)
   {
     const double gridY =
@@ -89,8 +89,10 @@ StormSnapshot StormField::At(Time time) const
   const std::int64_t sinceMidnight =
     ((time.time_since_epoch().count() % dayLength) + dayLength) % dayLength;
   const double seconds = static_cast<double>(sinceMidnight) / 1000.0;
+  constexpr std::size_t usualElements = 256;
   std::vector<StormElement> elements;
   std::vector<StormVortex> vortices;
+  elements.reserve(usualElements);
   for (const StormLife& storm : storms)
   {
     AddElements(storm, seconds, elements, vortices);

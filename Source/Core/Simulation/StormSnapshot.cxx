@@ -89,6 +89,10 @@ StormSnapshot::StormSnapshot(
   , vortices(std::move(vorticesNow))
   , texturePhases(TexturePhases(seconds))
 {
+  // A storm at its birth or its death is too weak to be seen.
+  const auto unseen = [](const StormElement& element)
+  { return element.peak + BrightBandGain < MinimumReflectivity; };
+  elements.erase(std::remove_if(elements.begin(), elements.end(), unseen), elements.end());
   bounds.reserve(elements.size());
   for (const StormElement& element : elements)
   {
@@ -96,19 +100,27 @@ StormSnapshot::StormSnapshot(
   }
 }
 
-void StormSnapshot::FindElements(const ElementBounds& within, std::vector<int>& found) const
+void StormSnapshot::FindElements(const Cylinder& within, std::vector<int>& found) const
 {
   found.clear();
   for (std::size_t index = 0; index < bounds.size(); ++index)
   {
-    const ElementBounds& bound = bounds[index];
-    const double east = bound.x - within.x;
-    const double north = bound.y - within.y;
-    const double reach = bound.radius + within.radius;
-    if (bound.bottom <= within.top && bound.top >= within.bottom &&
-        east * east + north * north <= reach * reach)
+    if (bounds[index].Touch(within))
     {
       found.push_back(static_cast<int>(index));
+    }
+  }
+}
+
+void StormSnapshot::FindElements(
+  const Cylinder& within, const std::vector<int>& among, std::vector<int>& found) const
+{
+  found.clear();
+  for (const int index : among)
+  {
+    if (bounds[static_cast<std::size_t>(index)].Touch(within))
+    {
+      found.push_back(index);
     }
   }
 }

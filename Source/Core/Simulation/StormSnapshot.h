@@ -45,7 +45,10 @@ public:
     std::vector<StormElement> elements, std::vector<StormVortex> vortices, double seconds);
 
   /// Numbers of the elements that can hold echo in a cylinder.
-  void FindElements(const ElementBounds& within, std::vector<int>& found) const;
+  void FindElements(const Cylinder& within, std::vector<int>& found) const;
+  /// Those of them that are among the elements found in a larger cylinder.
+  void FindElements(
+    const Cylinder& within, const std::vector<int>& among, std::vector<int>& found) const;
 
   /// dBZ; -infinity where there is no echo.
   double Reflectivity(const PlanePoint& point) const;

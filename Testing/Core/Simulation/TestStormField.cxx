@@ -339,13 +339,22 @@ TEST(StormElement, NothingReachesBeyondItsBounds)
   for (const StormElement& element : elements)
   {
     const ElementBounds bounds = BoundsOf(element);
-    for (int angle = 0; angle < 360; angle += 30)
+    for (double z = bounds.bottom; z <= bounds.top; z += 500.0)
     {
-      const double x = bounds.x + (bounds.radius + 10.0) * std::cos(angle / 57.29578);
-      const double y = bounds.y + (bounds.radius + 10.0) * std::sin(angle / 57.29578);
-      for (double z = bounds.bottom; z <= bounds.top; z += 500.0)
+      for (double share = -1.0; share <= 1.0; share += 0.25)
       {
-        EXPECT_LT(element.Reflectivity({x, y, z}), MinimumReflectivity);
+        for (const double side : {-1.0, 1.0})
+        {
+          const auto at = [&](double along, double across)
+          {
+            return element.Reflectivity({bounds.x + along * bounds.alongX - across * bounds.alongY,
+              bounds.y + along * bounds.alongY + across * bounds.alongX, z});
+          };
+          EXPECT_LT(
+            at(side * (bounds.halfLength + 10.0), share * bounds.halfWidth), MinimumReflectivity);
+          EXPECT_LT(
+            at(share * bounds.halfLength, side * (bounds.halfWidth + 10.0)), MinimumReflectivity);
+        }
       }
     }
     EXPECT_LT(element.Reflectivity({element.x, element.y, bounds.top + 10.0}), MinimumReflectivity);
