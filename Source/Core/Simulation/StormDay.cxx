@@ -34,9 +34,9 @@ struct Population
   double leastBearing, mostBearing; // degrees, where the storm moves to
 };
 constexpr Population populations[] = {
-  {StormKind::Supercell, 70, 9'000, 16'000, 55, 64, 0.85, 1.3, 12'000, 16'000, 15, 21, 45, 68},
+  {StormKind::Supercell, 86, 9'000, 16'000, 55, 64, 0.85, 1.3, 12'000, 16'000, 15, 21, 45, 68},
   {StormKind::Cell, 340, 2'400, 5'400, 36, 52, 0.7, 1.4, 6'000, 10'500, 18, 25, 36, 58},
-  {StormKind::RainArea, 30, 12'000, 24'000, 24, 32, 0.8, 1.3, 5'000, 6'500, 16, 22, 40, 60}};
+  {StormKind::RainArea, 32, 12'000, 24'000, 24, 32, 0.8, 1.3, 5'000, 6'500, 16, 22, 40, 60}};
 
 // Share of the day's storms whose middle lies before a time of day (0…1, 0…1): a steady rate and a
 // wave that is highest at 20:00 UTC, the afternoon of Missouri.
@@ -96,6 +96,12 @@ std::vector<StormLife> MakeStormDay(std::uint32_t seed)
       storm.peak = between(population.leastPeak, population.mostPeak);
       storm.size = between(population.leastSize, population.mostSize);
       storm.top = between(population.leastTop, population.mostTop);
+      constexpr double jitter = 40'000.0; // m
+      storm.x += between(-jitter, jitter);
+      storm.y += between(-jitter, jitter);
+      storm.downshear = between(52.0, 76.0) * degree;
+      storm.anvilLength = between(0.75, 1.25);
+      storm.trailingExtent = between(0.6, 1.35);
       storms.push_back(storm);
     }
   }

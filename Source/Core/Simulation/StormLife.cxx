@@ -15,9 +15,6 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double meltingLevel = 2'900.0; // m above mean sea level
 constexpr double deadLoss = 70.0;        // dB below full strength at birth and death
 
-// Upper winds blow towards this bearing; anvils stretch and towers lean along it.
-constexpr double downshearBearing = 64.0 * degree;
-
 // Strength 0…1 at an age (0 at birth, 1 at death): quick growth, long maturity, quick decay.
 double Strength(double age)
 {
@@ -40,6 +37,8 @@ public:
     , elements(result)
     , centreX(life.x + life.east * sinceMiddle)
     , centreY(life.y + life.north * sinceMiddle)
+    , alongX(std::sin(life.downshear))
+    , alongY(std::cos(life.downshear))
   {
   }
 
@@ -72,8 +71,8 @@ private:
   std::vector<StormElement>& elements;
   double centreX;
   double centreY;
-  const double alongX = std::sin(downshearBearing);
-  const double alongY = std::cos(downshearBearing);
+  double alongX;
+  double alongY;
 };
 
 void SetTower(StormElement& element, double peak, double shoulder, double top)
@@ -107,24 +106,24 @@ void SetStratiform(StormElement& element, double peak, double top)
 
 void Lean(StormElement& element, double slope)
 {
-  element.tiltX = slope * std::sin(downshearBearing);
-  element.tiltY = slope * std::cos(downshearBearing);
+  element.tiltX = slope * element.alongX;
+  element.tiltY = slope * element.alongY;
 }
 
 // A hook: small blobs along an arc that leaves the core on its right rear flank and curls round the
 // mesocyclone.
 void AddHook(ElementBuilder& builder, double peak, double strength)
 {
-  constexpr int blobs = 6;
+  constexpr int blobs = 11;
   constexpr double radius = 4'200.0;
   constexpr double centreAlong = -6'500.0;
   constexpr double centreLeft = -7'500.0;
   for (int blob = 0; blob < blobs; ++blob)
   {
-    const double angle = (70.0 + 44.0 * blob) * degree;
+    const double angle = (70.0 + 22.0 * blob) * degree;
     StormElement& element = builder.Add(centreAlong + radius * std::cos(angle),
       centreLeft + radius * std::sin(angle), 2'000.0, 2'000.0, strength);
-    SetTower(element, peak - 9.0 - 1.5 * blob, 1'800.0, 5'500.0);
+    SetTower(element, peak - 10.0 - 0.75 * blob, 1'800.0, 5'500.0);
   }
 }
 
@@ -150,13 +149,16 @@ void AddSupercell(const StormLife& storm, double sinceMiddle, std::vector<StormE
   AddHook(builder, peak, strength);
 
   const double spread = 0.45 + 0.55 * lateStrength;
+  const double length = spread * storm.anvilLength;
   StormElement& anvil =
-    builder.Add(48'000.0 * spread, 2'000.0, 66'000.0 * spread, 28'000.0 * spread, lateStrength);
+    builder.Add(48'000.0 * length, 2'000.0, 66'000.0 * length, 28'000.0 * spread, lateStrength);
   SetLayer(anvil, 25.0, 0.7 * storm.top, 3'000.0);
   anvil.plateau = true;
   anvil.edge = 18.0;
-  StormElement& trailing = builder.Add(-34'000.0, 9'000.0, 32'000.0, 27'000.0, lateStrength);
-  SetStratiform(trailing, 28.0, 8'500.0);
+  const double extent = storm.trailingExtent;
+  StormElement& trailing = builder.Add(
+    -34'000.0 * extent, 9'000.0 * extent, 32'000.0 * extent, 27'000.0 * extent, lateStrength);
+  SetStratiform(trailing, 22.0 + 6.0 * extent, 8'500.0);
 
   const PlanePoint place = builder.Place(-6'500.0, -7'500.0);
   vortices.push_back({place.x, place.y, 3'000.0, 24.0 * strength});

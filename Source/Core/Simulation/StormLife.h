@@ -29,6 +29,10 @@ struct StormLife
   double peak = 50.0;   ///< dBZ at full strength
   double size = 1.0;    ///< factor of all lengths
   double top = 12000.0; ///< m above mean sea level
+  // What makes one supercell unlike another.
+  double downshear = 1.117;    ///< rad, bearing along which its anvil stretches and its tower leans
+  double anvilLength = 1.0;    ///< factor
+  double trailingExtent = 1.0; ///< factor of the rain area behind it
 };
 
 /// All storms of a day. Their times and places are spread evenly, so that the activity is much the

@@ -21,7 +21,7 @@ constexpr double nothing = -std::numeric_limits<double>::infinity();
 // Insects and eddies of the boundary layer: a weak return everywhere near the ground, seen by a
 // radar for some tens of kilometres. It stays below 0 dBZ, so that it is never a storm.
 constexpr double clearAirPeak = -4.0;    // dBZ
-constexpr double clearAirDepth = 2100.0; // m
+constexpr double clearAirDepth = 1900.0; // m
 constexpr double clearAirFall = 8.0;     // dB lost at that height
 constexpr double clearAirTexture = 0.5;  // share of the storms' texture
 
@@ -39,9 +39,9 @@ struct TextureWave
   double amplitude;
 };
 constexpr std::array<TextureWave, 3> textureWaves = {
-  {{1.0 / 7'300.0, 1.0 / 15'000.0, 1.0 / 16'000.0, 0.9},
-    {-1.0 / 21'000.0, 1.0 / 8'900.0, -1.0 / 20'000.0, 1.1},
-    {1.0 / 19'000.0, -1.0 / 23'000.0, 1.0 / 30'000.0, 1.5}}};
+  {{1.0 / 31'000.0, -1.0 / 43'000.0, 1.0 / 30'000.0, 1.4},
+    {-1.0 / 37'000.0, 1.0 / 14'000.0, -1.0 / 20'000.0, 1.2},
+    {1.0 / 9'500.0, 1.0 / 17'000.0, 1.0 / 16'000.0, 0.9}}};
 
 // A wave of period 1 between -1 and 1, of parabolic arcs: as smooth as the texture needs to be, and
 // several times cheaper than a sine.
@@ -127,12 +127,16 @@ void StormSnapshot::FindElements(
 
 double StormSnapshot::Texture(const PlanePoint& point) const
 {
+  // Each wave bends the next, so that no pattern repeats before the eye.
+  constexpr double bend = 0.35; // turns
   double sum = 0.0;
+  double last = 0.0;
   for (std::size_t index = 0; index < textureWaves.size(); ++index)
   {
     const TextureWave& wave = textureWaves[index];
-    sum += wave.amplitude *
-           Wave(wave.x * point.x + wave.y * point.y + wave.z * point.z + texturePhases[index]);
+    last = Wave(
+      wave.x * point.x + wave.y * point.y + wave.z * point.z + texturePhases[index] + bend * last);
+    sum += wave.amplitude * last;
   }
   return sum;
 }

@@ -54,5 +54,10 @@ TEST(SimulatedFiles, SuperResolutionIsAsLargeAsKblx)
   NEXRAD_REQUIRE_TEST_DATA(data);
   const auto real = static_cast<double>(
     std::filesystem::file_size(data / "level2/superres/KBLX20090603_004417_V03.gz"));
-  EXPECT_NEAR(SizeOf("KLSX", 212, 31, Level2Container::Gzip) / real, 1.0, 0.3);
+  double mean = 0.0;
+  for (const char* site : {"KEAX", "KILX", "KLSX"})
+  {
+    mean += SizeOf(site, 212, 31, Level2Container::Gzip) / 3.0;
+  }
+  EXPECT_NEAR(mean / real, 1.0, 0.3);
 }
