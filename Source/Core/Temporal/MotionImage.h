@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/GriddedVolume.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace nexrad
+{
+
+/// The picture in which motion is looked for: the strongest echo of each column.
+struct MotionImage
+{
+  int columns = 0;
+  int rows = 0;
+  int scale = 1;                     ///< voxels of the grid along each side of a pixel
+  std::vector<float> values;         ///< dBZ, at least 0; no echo is 0
+  std::vector<std::uint8_t> scanned; ///< 0 where no voxel of the column was scanned
+
+  std::size_t Index(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  }
+  /// The place of the centre of a pixel (fractions count) in voxels of the grid along either axis.
+  double ToVoxel(double pixel) const { return (pixel + 0.5) * scale - 0.5; }
+};
+
+/// Column maximum of a volume, weak echo as 0 dBZ.
+MotionImage ColumnMaximum(const GriddedVolume& volume);
+
+/// Each pixel with its neighbours in the ratio 1 : 2 : 1 along both axes, where they were scanned:
+/// takes out what is too small to be followed.
+MotionImage Smooth(const MotionImage& image);
+
+/// Half as many pixels along both axes (rounded up), each the mean of those scanned among four.
+MotionImage Halve(const MotionImage& image);
+
+/// Value and slope at a place between pixels.
+struct ImageSample
+{
+  double value = 0.0;     ///< dBZ
+  double perColumn = 0.0; ///< dBZ a pixel
+  double perRow = 0.0;    ///< dBZ a pixel
+};
+
+/// Bilinear; empty outside the image and where one of the four pixels was not scanned.
+std::optional<ImageSample> SampleImage(const MotionImage& image, double column, double row);
+
+} // namespace nexrad
