@@ -55,8 +55,8 @@ LeaveOneOutScore ScoreTriples(
   return sum;
 }
 
-// `common` is the RMSE over the voxels that the linear result or the volume itself shows echo in:
-// the blur of the linear result makes its own set larger, with small differences in it.
+// In brackets, the squares as a mean over `common` voxels, those that the linear RMSE has: the
+// linear result blurs echo over more voxels than the other, with small differences in many of them.
 void PrintRow(const char* what, const char* way, const RebuildScore& score, std::size_t common)
 {
   std::printf("%-22s %-12s RMSE %5.2f dBZ (%5.2f over %zu)  CSI %.3f %.3f %.3f\n", what, way,
