@@ -16,48 +16,15 @@ namespace
 {
 
 constexpr int deepestNesting = 3;
-constexpr std::size_t stepBytes = std::size_t(1) << 16;
+// Decompressors write into a small window that stays in the processor's cache; from there the bytes
+// go to fresh memory once, which a vector that grows would fill with zeros first.
+constexpr std::size_t windowBytes = std::size_t(1) << 16;
 constexpr std::size_t largestStepBytes = std::size_t(1) << 20;
 
 std::string TooLarge(std::size_t maximumBytes)
 {
   return "more than " + std::to_string(maximumBytes) + " bytes when decompressed; the rest is left";
 }
-
-// The output of a decompressor: grows as bytes come, never past its cap.
-class GrowingOutput
-{
-public:
-  explicit GrowingOutput(std::size_t maximumBytes)
-    : maximum(maximumBytes)
-  {
-  }
-
-  // Room for the next step; none when the cap is reached.
-  std::size_t Prepare()
-  {
-    if (bytes.size() == used)
-    {
-      const std::size_t wanted = std::max(stepBytes, used * 2);
-      bytes.resize(std::min(wanted, maximum));
-    }
-    return std::min<std::size_t>(bytes.size() - used, std::numeric_limits<int>::max());
-  }
-  std::uint8_t* Next() { return bytes.data() + used; }
-  void Advance(std::size_t count) { used += count; }
-  std::size_t Used() const { return used; }
-  std::vector<std::uint8_t> Take()
-  {
-    bytes.resize(used);
-    bytes.shrink_to_fit();
-    return std::move(bytes);
-  }
-
-private:
-  std::vector<std::uint8_t> bytes;
-  std::size_t used = 0;
-  std::size_t maximum;
-};
 
 unsigned SmallCount(std::size_t count)
 {
@@ -70,8 +37,9 @@ public:
   GzipReader(ByteView storedBytes, std::size_t maximumBytes)
     : stored(storedBytes)
     , maximum(maximumBytes)
-    , output(maximumBytes)
+    , window(windowBytes)
   {
+    result.bytes.reserve(std::min(this->LikelySize(), maximum));
     constexpr int gzipHeaderAndLargestWindow = 16 + MAX_WBITS;
     inflateInit2(&stream, gzipHeaderAndLargestWindow);
   }
@@ -86,15 +54,29 @@ public:
     {
     }
     result.problemOffset = position;
-    result.bytes = output.Take();
     return std::move(result);
   }
 
 private:
+  // The end of the file states the size of the last member. It is believed only as far as radar
+  // data compress.
+  std::size_t LikelySize() const
+  {
+    constexpr std::size_t sizeBytes = 4;
+    constexpr std::size_t strongestCompression = 40;
+    if (stored.Size() < sizeBytes)
+    {
+      return 0;
+    }
+    const std::uint8_t* end = stored.Data() + stored.Size();
+    const std::size_t stated = std::size_t(end[-1]) << 24 | std::size_t(end[-2]) << 16 |
+                               std::size_t(end[-3]) << 8 | std::size_t(end[-4]);
+    return std::min(stated, strongestCompression * stored.Size());
+  }
   // One step of output. False at the end.
   bool Step()
   {
-    const std::size_t room = std::min(output.Prepare(), stepBytes);
+    const std::size_t room = std::min(maximum - result.bytes.size(), windowBytes);
     if (room == 0)
     {
       result.problem = TooLarge(maximum);
@@ -103,13 +85,13 @@ private:
     // zlib's interface takes input that it does not change as non-const.
     stream.next_in = const_cast<Bytef*>(stored.Data() + position);
     stream.avail_in = SmallCount(stored.Size() - position);
-    stream.next_out = output.Next();
+    stream.next_out = window.data();
     stream.avail_out = static_cast<unsigned>(room);
     const unsigned offered = stream.avail_in;
     const int status = inflate(&stream, Z_NO_FLUSH);
     position += offered - stream.avail_in;
-    output.Advance(room - stream.avail_out);
-    result.offsets.Add(output.Used(), position);
+    result.bytes.insert(result.bytes.end(), window.data(), stream.next_out);
+    result.offsets.Add(result.bytes.size(), position);
     if (status == Z_STREAM_END)
     {
       return this->NextMember();
@@ -140,7 +122,7 @@ private:
 
   ByteView stored;
   std::size_t maximum;
-  GrowingOutput output;
+  std::vector<std::uint8_t> window;
   z_stream stream{};
   std::size_t position = 0;
   Unpacked result;
@@ -153,7 +135,7 @@ Unpacked UnpackBzip2(ByteView stored, std::size_t maximumBytes)
   std::size_t position = 0;
   while (result.problem.empty() && stored.StartsWith("BZh", position))
   {
-    Bunzipped part = DecompressBzip2(stored.Sub(position), maximumBytes - result.bytes.size());
+    Bunzipped part = Bzip2Reader().Run(stored.Sub(position), maximumBytes - result.bytes.size());
     result.offsets.Append(part.offsets, result.bytes.size(), position);
     position += part.used;
     result.problem = part.problem;
@@ -219,18 +201,27 @@ StreamFormat DetectStream(ByteView bytes)
   return bytes.StartsWith("BZh") ? StreamFormat::Bzip2 : StreamFormat::None;
 }
 
-Bunzipped DecompressBzip2(ByteView stored, std::size_t maximumBytes)
+std::size_t Bzip2Reader::Room(std::size_t used, std::size_t maximumBytes)
+{
+  if (output.size() == used)
+  {
+    output.resize(std::max(windowBytes, used * 2));
+  }
+  return std::min({output.size(), maximumBytes, used + largestStepBytes}) - used;
+}
+
+Bunzipped Bzip2Reader::Run(ByteView stored, std::size_t maximumBytes)
 {
   Bunzipped result;
   bz_stream stream{};
   BZ2_bzDecompressInit(&stream, 0, 0);
   result.offsets.Add(0, 0);
-  GrowingOutput output(maximumBytes);
+  std::size_t used = 0;
   int status = BZ_OK;
   bool starved = false;
   while (status == BZ_OK && !starved)
   {
-    const auto room = static_cast<unsigned>(std::min(output.Prepare(), largestStepBytes));
+    const auto room = static_cast<unsigned>(this->Room(used, maximumBytes));
     if (room == 0)
     {
       result.problem = TooLarge(maximumBytes);
@@ -239,13 +230,13 @@ Bunzipped DecompressBzip2(ByteView stored, std::size_t maximumBytes)
     // The interface takes input that it does not change as non-const chars.
     stream.next_in = const_cast<char*>(reinterpret_cast<const char*>(stored.Data() + result.used));
     stream.avail_in = SmallCount(stored.Size() - result.used);
-    stream.next_out = reinterpret_cast<char*>(output.Next());
+    stream.next_out = reinterpret_cast<char*>(output.data() + used);
     stream.avail_out = room;
     const unsigned offered = stream.avail_in;
     status = BZ2_bzDecompress(&stream);
     result.used += offered - stream.avail_in;
-    output.Advance(room - stream.avail_out);
-    result.offsets.Add(output.Used(), result.used);
+    used += room - stream.avail_out;
+    result.offsets.Add(used, result.used);
     starved = stream.avail_in == 0 && stream.avail_out != 0;
   }
   BZ2_bzDecompressEnd(&stream);
@@ -253,7 +244,7 @@ Bunzipped DecompressBzip2(ByteView stored, std::size_t maximumBytes)
   {
     result.problem = ExplainBzip2(status);
   }
-  result.bytes = output.Take();
+  result.bytes.assign(output.data(), output.data() + used);
   return result;
 }
 

@@ -34,8 +34,19 @@ struct Bunzipped
   std::size_t used = 0;            ///< bytes of the input that belong to the stream
 };
 
-/// Decompresses one bzip2 stream, step by step, to at most `maximumBytes`.
-Bunzipped DecompressBzip2(ByteView stored, std::size_t maximumBytes);
+/// Decompresses bzip2 streams one after another. The memory that they come out into is kept between
+/// them, so that each result is allocated once, in its size.
+class Bzip2Reader
+{
+public:
+  /// Decompresses one stream, step by step, to at most `maximumBytes`.
+  Bunzipped Run(ByteView stored, std::size_t maximumBytes);
+
+private:
+  std::size_t Room(std::size_t used, std::size_t maximumBytes);
+
+  std::vector<std::uint8_t> output;
+};
 
 /// A file out of its compressed streams.
 struct PlainFile

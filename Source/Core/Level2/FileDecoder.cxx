@@ -18,10 +18,6 @@ namespace nexrad
 namespace
 {
 
-// Records decompress side by side, and a few at a time, so that the cap on a file's bytes is looked
-// at between them.
-constexpr std::size_t recordsAtOnce = 16;
-
 bool HasRecord(ByteView plain, std::size_t start)
 {
   for (std::size_t offset = start; offset < plain.Size(); ++offset)
@@ -101,26 +97,19 @@ void FileDecoder::DecodeRecords(ByteView plain, std::size_t start, const OffsetM
   {
     assembler.AddDamage(offsets.ToStored(entry.offset), entry.what);
   }
-  for (std::size_t first = 0; first < records.size(); first += recordsAtOnce)
+  const auto receive = [&](std::size_t index, Bunzipped&& content)
   {
-    const std::size_t last = std::min(first + recordsAtOnce, records.size());
-    std::vector<Bunzipped> contents =
-      BunzipInParallel({records.begin() + static_cast<std::ptrdiff_t>(first),
-                         records.begin() + static_cast<std::ptrdiff_t>(last)},
-        maximumRecordBytes);
-    for (std::size_t index = first; index < last; ++index)
+    const std::uint64_t offset = offsets.ToStored(records[index].offset);
+    if (!this->Spend(content.bytes.size()))
     {
-      const std::uint64_t offset = offsets.ToStored(records[index].offset);
-      Bunzipped& content = contents[index - first];
-      if (!this->Spend(content.bytes.size()))
-      {
-        assembler.AddDamage(offset, "the file is larger than its cap when decompressed; the rest "
-                                    "is left");
-        return;
-      }
-      this->DecodeRecord(std::move(content), offset);
+      assembler.AddDamage(offset, "the file is larger than its cap when decompressed; the rest "
+                                  "is left");
+      return false;
     }
-  }
+    this->DecodeRecord(std::move(content), offset);
+    return true;
+  };
+  BunzipInParallel(records, maximumRecordBytes, receive);
 }
 
 void FileDecoder::DecodeRecord(Bunzipped&& content, std::uint64_t storedOffset)

@@ -2,37 +2,151 @@
 #include "Level2/ParallelBunzip.h"
 
 #include <algorithm>
-#include <atomic>
-#include <future>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 namespace nexrad
 {
 
-std::vector<Bunzipped> BunzipInParallel(
-  const std::vector<LdmRecord>& records, std::size_t maximumRecordBytes)
+namespace
 {
-  std::vector<Bunzipped> results(records.size());
-  std::atomic<std::size_t> next{0};
-  const auto work = [&]
+
+// So many records decompress ahead of the one to be received: the receiver may stop because the
+// file is larger than its cap, and until then no more than these take memory.
+constexpr std::size_t recordsAhead = 16;
+
+class RecordQueue
+{
+public:
+  RecordQueue(const std::vector<LdmRecord>& all, std::size_t maximumBytes)
+    : records(all)
+    , maximumRecordBytes(maximumBytes)
+    , contents(all.size())
   {
-    for (std::size_t index = next++; index < records.size(); index = next++)
+  }
+  ~RecordQueue() { this->Stop(); }
+  RecordQueue(const RecordQueue&) = delete;
+  RecordQueue& operator=(const RecordQueue&) = delete;
+
+  void Start(std::size_t helpers)
+  {
+    for (std::size_t count = 0; count < helpers; ++count)
     {
-      results[index] = DecompressBzip2(records[index].compressed, maximumRecordBytes);
+      threads.emplace_back([this] { this->Help(); });
     }
-  };
+  }
+  // The content of the next record in order. While it is being made elsewhere, this thread makes
+  // others.
+  Bunzipped Take()
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    while (!contents[received] && !failure)
+    {
+      if (this->MayBegin())
+      {
+        this->MakeOne(lock, ownReader);
+      }
+      else
+      {
+        changed.wait(lock);
+      }
+    }
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
+    Bunzipped content = std::move(*contents[received]);
+    contents[received++].reset();
+    changed.notify_all();
+    return content;
+  }
+
+private:
+  bool MayBegin() const { return next < std::min(records.size(), received + recordsAhead); }
+
+  // Decompresses the next record without the lock.
+  void MakeOne(std::unique_lock<std::mutex>& lock, Bzip2Reader& reader)
+  {
+    const std::size_t index = next++;
+    lock.unlock();
+    Bunzipped content = reader.Run(records[index].compressed, maximumRecordBytes);
+    lock.lock();
+    contents[index] = std::move(content);
+    changed.notify_all();
+  }
+  void Help()
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    try
+    {
+      Bzip2Reader reader;
+      while (!stopped && next < records.size())
+      {
+        if (this->MayBegin())
+        {
+          this->MakeOne(lock, reader);
+        }
+        else
+        {
+          changed.wait(lock);
+        }
+      }
+    }
+    catch (...)
+    {
+      if (!lock.owns_lock())
+      {
+        lock.lock();
+      }
+      failure = std::current_exception();
+      changed.notify_all();
+    }
+  }
+  void Stop()
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      stopped = true;
+      changed.notify_all();
+    }
+    for (std::thread& thread : threads)
+    {
+      thread.join();
+    }
+  }
+
+  const std::vector<LdmRecord>& records;
+  const std::size_t maximumRecordBytes;
+  Bzip2Reader ownReader; // of the thread that receives
+
+  std::mutex mutex; // guards all that follows but the threads
+  std::condition_variable changed;
+  std::vector<std::optional<Bunzipped>> contents;
+  std::size_t next = 0;     // to be decompressed
+  std::size_t received = 0; // all before have been handed over
+  bool stopped = false;
+  std::exception_ptr failure;
+  std::vector<std::thread> threads;
+};
+
+} // namespace
+
+void BunzipInParallel(const std::vector<LdmRecord>& records, std::size_t maximumRecordBytes,
+  const RecordReceiver& receive)
+{
+  RecordQueue queue(records, maximumRecordBytes);
   const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::future<void>> helpers;
-  for (std::size_t count = 1; count < std::min(cores, records.size()); ++count)
+  queue.Start(std::min({cores, records.size(), recordsAhead}) - (records.empty() ? 0 : 1));
+  for (std::size_t index = 0; index < records.size(); ++index)
   {
-    helpers.push_back(std::async(std::launch::async, work));
+    if (!receive(index, queue.Take()))
+    {
+      return;
+    }
   }
-  work();
-  for (std::future<void>& helper : helpers)
-  {
-    helper.get(); // hands on what was thrown there
-  }
-  return results;
 }
 
 } // namespace nexrad

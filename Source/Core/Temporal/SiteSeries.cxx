@@ -4,6 +4,7 @@
 #include "Model/Error.h"
 
 #include <algorithm>
+#include <deque>
 #include <future>
 #include <map>
 #include <thread>
@@ -203,22 +204,29 @@ std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& i
   // Each decoding holds a whole volume in memory, so their number is bounded.
   const std::size_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
   std::vector<ScannedFile> files;
-  for (std::size_t begin = 0; begin < found.paths.size(); begin += workers)
+  std::deque<std::future<ScannedFile>> running;
+  const auto collectFirst = [&files, &running]
   {
-    if (progress && !progress(static_cast<double>(begin) / static_cast<double>(found.paths.size())))
+    files.push_back(running.front().get());
+    running.pop_front();
+  };
+  const auto count = static_cast<double>(found.paths.size());
+  for (const std::filesystem::path& path : found.paths)
+  {
+    if (running.size() == workers)
+    {
+      collectFirst();
+    }
+    if (progress && !progress(static_cast<double>(files.size()) / count))
     {
       return std::nullopt;
     }
-    std::vector<std::future<ScannedFile>> running;
-    for (std::size_t i = begin; i < std::min(begin + workers, found.paths.size()); ++i)
-    {
-      running.push_back(std::async(std::launch::async, ScanFile, std::cref(found.paths[i]),
-        std::cref(options), std::cref(visitor)));
-    }
-    for (std::future<ScannedFile>& file : running)
-    {
-      files.push_back(file.get());
-    }
+    running.push_back(std::async(
+      std::launch::async, ScanFile, std::cref(path), std::cref(options), std::cref(visitor)));
+  }
+  while (!running.empty())
+  {
+    collectFirst();
   }
   SeriesScan scan;
   scan.problems = found.problems;
