@@ -43,17 +43,18 @@ install_packages() {
     apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# build PRESET: configures, then builds what changed.
+# build PRESET [OPTION...]: configures, then builds what changed; the options go to cmake --build.
 build() {
-  local log="$project/build/configure-$1.log"
-  say "Building the $1 preset in build/$1"
+  local preset=$1 log="$project/build/configure-$1.log"
+  shift
+  say "Building the $preset preset in build/$preset"
   mkdir -p "$project/build"
   cd "$project"
-  cmake --preset "$1" -DPython3_EXECUTABLE=/usr/bin/python3 >"$log" 2>&1 || {
+  cmake --preset "$preset" -DPython3_EXECUTABLE=/usr/bin/python3 >"$log" 2>&1 || {
     cat "$log" >&2
     exit 1
   }
-  cmake --build --preset "$1"
+  cmake --build --preset "$preset" "$@"
 }
 
 # Runs a command with an X server: the one at hand, else a virtual one that ends with the command.
