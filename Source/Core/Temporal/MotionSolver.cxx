@@ -24,7 +24,7 @@ constexpr double kilometre = 1000.0;
 struct Match
 {
   double difference = 0.0; // dBZ²
-  double share = 0.0;      // of all pixels
+  double pixels = 0.0;     // compared
 };
 
 Match MatchAt(const MotionImage& before, const MotionImage& after, int dx, int dy)
@@ -57,8 +57,11 @@ Displacement SearchDisplacement(const MotionImage& before, const MotionImage& af
   const std::array<double, 2> voxel = VoxelExtent(grid, 0.5 * (grid.dimensions[1] - 1));
   const double width = voxel[0] * before.scale;
   const double depth = voxel[1] * before.scale;
-  const int mostX = std::min(static_cast<int>(farthest / width), before.columns - 1);
-  const int mostY = std::min(static_cast<int>(farthest / depth), before.rows - 1);
+  // Limited before it becomes a whole number: the farthest may be anything above 0.
+  const auto most = [farthest](double pixel, int pixels)
+  { return static_cast<int>(std::min(farthest / pixel, static_cast<double>(pixels - 1))); };
+  const int mostX = most(width, before.columns);
+  const int mostY = most(depth, before.rows);
   // No motion is the answer that any other must beat, so that two empty images stand still.
   const Match still = MatchAt(before, after, 0, 0);
   double least = still.difference;
@@ -68,7 +71,7 @@ Displacement SearchDisplacement(const MotionImage& before, const MotionImage& af
     for (int dx = -mostX; dx <= mostX; ++dx)
     {
       const Match match = MatchAt(before, after, dx, dy);
-      if (match.difference < least && match.share >= 0.5 * still.share)
+      if (match.difference < least && match.pixels >= 0.5 * still.pixels)
       {
         least = match.difference;
         best = {dx * width, dy * depth};

@@ -15,7 +15,8 @@ using Displacement = std::array<double, 2>;
 
 /// The displacement that, the same for all pixels, brings the second image closest to the first:
 /// the least mean square difference over the pixels that both have, of all whole pixels up to
-/// `farthest` m. Displacements that leave less than half of the pixels to compare do not count.
+/// `farthest` m. Displacements that leave less than half of what no displacement has to compare do
+/// not count.
 Displacement SearchDisplacement(const MotionImage& before, const MotionImage& after,
   const GridSpecification& grid, double farthest);
 

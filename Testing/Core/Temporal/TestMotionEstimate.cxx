@@ -193,6 +193,16 @@ TEST(MotionEstimate, KeepsToTheMaximumSpeed)
   }
 }
 
+TEST(MotionEstimate, NeedsNoMaximumSpeed)
+{
+  const TestStorm storm = {100e3, 128e3, {30.0, 0.0}};
+  const VolumePair pair = MakePair(squareGrid, {storm});
+  MotionOptions options;
+  options.maximumSpeed = std::numeric_limits<double>::infinity();
+  const MotionField field = EstimateMotion(pair.before, pair.after, options);
+  ExpectNear(FoundAt(field, storm, 2000.0), storm.velocity, 1.0);
+}
+
 TEST(MotionEstimate, WorksOnTheSmallestGrids)
 {
   for (const std::array<int, 3>& dimensions : {std::array<int, 3>{1, 1, 1}, {2, 1, 1}, {1, 5, 2}})
