@@ -26,3 +26,12 @@ function(nexrad_warnings target)
     $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast>
     $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${VTKNexrad_STRICT}>>:-Werror>)
 endfunction()
+
+# The same for a VTK module. VTK's type macro ends in "public:", so the semicolon that every VTK class
+# writes after it is one too many for -Wpedantic: in the module, and for those who include its classes.
+function(nexrad_module_warnings target)
+  nexrad_warnings(${target})
+  target_compile_options(${target} PRIVATE -Wno-pedantic)
+  get_target_property(folders ${target} INTERFACE_INCLUDE_DIRECTORIES)
+  set_property(TARGET ${target} PROPERTY INTERFACE_SYSTEM_INCLUDE_DIRECTORIES ${folders})
+endfunction()

@@ -7,8 +7,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace nexrad::testing
@@ -16,12 +14,6 @@ namespace nexrad::testing
 
 namespace
 {
-
-std::string ReadAll(const std::filesystem::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // In the child: files in place of the standard output and error, then the program. Returns only
 // when that failed.
@@ -61,7 +53,8 @@ ProgramRun RunNexrad3d(const std::vector<std::string>& arguments)
   {
     throw std::runtime_error("cannot run " NEXRAD3D_PROGRAM);
   }
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, ReadAll(output), ReadAll(errors)};
+  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, nexrad::testing::FileContent(output),
+    nexrad::testing::FileContent(errors)};
 }
 
 } // namespace nexrad::testing

@@ -13,18 +13,13 @@
 namespace fs = std::filesystem;
 using namespace nexrad;
 using namespace nexrad::application;
+using nexrad::testing::FileContent;
 using nexrad::testing::TemporaryFolder;
 
 namespace
 {
 
 const unsigned char bytes[] = {'r', 'a', 'd', 'a', 'r'};
-
-std::string Content(const fs::path& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
 
 std::ptrdiff_t EntriesOf(const fs::path& folder)
 {
@@ -39,7 +34,7 @@ TEST(OutputFile, WritesInPlaceOfAnOldFile)
   const fs::path path = folder.Path() / "file.png";
   std::ofstream(path) << "something longer than the new content";
   WriteFile(path, bytes, sizeof(bytes));
-  EXPECT_EQ(Content(path), "radar");
+  EXPECT_EQ(FileContent(path), "radar");
   EXPECT_EQ(EntriesOf(folder.Path()), 1);
 }
 

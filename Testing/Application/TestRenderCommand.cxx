@@ -9,7 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <set>
 #include <string>
 #include <vector>
@@ -37,12 +36,6 @@ fs::path WriteStormSeries(const fs::path& folder)
   }
   WriteNxvSeries(folder / "volumes.nxv.series", series);
   return folder / "volumes.nxv.series";
-}
-
-std::string Content(const fs::path& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), {}};
 }
 
 std::set<std::string> NamesIn(const fs::path& folder)
@@ -89,7 +82,7 @@ TEST(RenderCommand, OnePictureForEachTime)
   for (const std::string& name : expected)
   {
     EXPECT_NE(run.output.find(name), std::string::npos);
-    EXPECT_EQ(Content(folder.Path() / "out" / name).substr(1, 3), "PNG");
+    EXPECT_EQ(FileContent(folder.Path() / "out" / name).substr(1, 3), "PNG");
   }
 }
 
@@ -105,7 +98,7 @@ TEST(RenderCommand, OneTimeAndTheCamera)
     const ProgramRun run = RunNexrad3d(arguments);
     EXPECT_EQ(run.status, 0) << run.errors;
     EXPECT_EQ(run.output, "");
-    return Content(folder.Path() / name);
+    return FileContent(folder.Path() / name);
   };
   const std::string first = draw("first.png", {});
   EXPECT_EQ(first, draw("again.png", {}));
@@ -124,7 +117,7 @@ TEST(RenderCommand, Movies)
   const ProgramRun run = RunNexrad3d({"render", series, "-o", folder.Path() / "storm.ogv", "--size",
     small, "--frames", "4", "--turn", "90"});
   EXPECT_EQ(run.status, 0) << run.errors;
-  const std::string movie = Content(folder.Path() / "storm.ogv");
+  const std::string movie = FileContent(folder.Path() / "storm.ogv");
   EXPECT_EQ(movie.substr(0, 4), "OggS");
   EXPECT_NE(movie.find("theora"), std::string::npos);
   EXPECT_GT(movie.size(), 5'000U);

@@ -50,12 +50,6 @@ std::set<std::string> NamesIn(const std::filesystem::path& folder)
   return names;
 }
 
-std::string BytesOf(const std::filesystem::path& file)
-{
-  std::ifstream stream(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-}
-
 } // namespace
 
 TEST(SimulateCommand, WritesTheSameFilesEveryTime)
@@ -77,7 +71,9 @@ TEST(SimulateCommand, WritesTheSameFilesEveryTime)
   for (const std::string& name : names)
   {
     EXPECT_EQ(name.substr(4, 11), "20060312_18"); // the busy hour, not midnight
-    EXPECT_TRUE(BytesOf(first / name) == BytesOf(second / name)) << name;
+    EXPECT_TRUE(
+      nexrad::testing::FileContent(first / name) == nexrad::testing::FileContent(second / name))
+      << name;
     const RadarVolume volume = ReadLevel2(first / name);
     EXPECT_TRUE(volume.synthetic);
     EXPECT_TRUE(volume.damage.empty());

@@ -2,6 +2,8 @@
 #include "TestData.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -15,6 +17,12 @@ std::optional<fs::path> TestDataFolder()
   const char* variable = std::getenv("NEXRAD_TEST_DATA");
   const fs::path folder = variable != nullptr ? variable : NEXRAD_TEST_DATA_DEFAULT;
   return fs::is_directory(folder / "level2") ? std::optional(folder) : std::nullopt;
+}
+
+std::string FileContent(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 TemporaryFolder::TemporaryFolder()

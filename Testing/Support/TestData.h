@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace nexrad::testing
 {
@@ -10,6 +11,9 @@ namespace nexrad::testing
 /// Folder of the real radar files, or nothing when it does not exist. The environment variable
 /// NEXRAD_TEST_DATA names it, else the CMake variable of that name did.
 std::optional<std::filesystem::path> TestDataFolder();
+
+/// All bytes of a file; "" when it cannot be read.
+std::string FileContent(const std::filesystem::path& path);
 
 /// A fresh empty folder below the temporary folder, removed at the end of its life.
 class TemporaryFolder

@@ -11,10 +11,10 @@
 #include <sys/resource.h>
 
 #include <csignal>
-#include <fstream>
 #include <iterator>
 
 using namespace nexrad;
+using nexrad::testing::FileContent;
 using nexrad::testing::TemporaryFolder;
 
 namespace
@@ -26,12 +26,6 @@ std::size_t FilesIn(const fs::path& folder)
 {
   return static_cast<std::size_t>(
     std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
-}
-
-std::string Content(const fs::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
 }
 
 // While it lives, files of this process cannot grow beyond a size: the kernel's write fails in the
@@ -73,7 +67,7 @@ TEST(AtomicFile, AppearsWithCommitAlone)
     file.Write("two", 3);
     file.Commit();
   }
-  EXPECT_EQ(Content(folder.Path() / "a"), "onetwo");
+  EXPECT_EQ(FileContent(folder.Path() / "a"), "onetwo");
   EXPECT_EQ(FilesIn(folder.Path()), 1u);
 }
 
@@ -85,7 +79,7 @@ TEST(AtomicFile, WithoutCommitNothingStaysAndTheOldFileLives)
     AtomicFile file(folder.Path() / "a");
     file.Write("new", 3);
   }
-  EXPECT_EQ(Content(folder.Path() / "a"), "old");
+  EXPECT_EQ(FileContent(folder.Path() / "a"), "old");
   EXPECT_EQ(FilesIn(folder.Path()), 1u);
 }
 

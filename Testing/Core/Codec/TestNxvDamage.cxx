@@ -11,9 +11,9 @@
 
 #include <fstream>
 #include <functional>
-#include <iterator>
 
 using namespace nexrad;
+using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::TemporaryFolder;
 
@@ -21,12 +21,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string Content(const fs::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 // A folder with one file in it that is written again and again.
 class Damaged
@@ -112,7 +106,7 @@ std::vector<std::string> GoodFiles()
     NxvWriteOptions options;
     options.encoding = encoding;
     WriteNxv(folder.Path() / "a.nxv", volume, options);
-    files.push_back(Content(folder.Path() / "a.nxv"));
+    files.push_back(FileContent(folder.Path() / "a.nxv"));
   }
   return files;
 }

@@ -9,10 +9,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <random>
 
 using namespace nexrad;
+using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::TemporaryFolder;
 
@@ -20,12 +20,6 @@ namespace
 {
 
 namespace fs = std::filesystem;
-
-std::string Content(const fs::path& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
 
 GriddedVolume RoundTrip(const GriddedVolume& volume, const NxvWriteOptions& options)
 {
@@ -190,15 +184,15 @@ TEST(NxvFile, TheThesisWritesRunsOfTwo)
   volume.values = {30.0F, 30.0F, 40.0F};
   const TemporaryFolder folder;
   WriteRaw(folder.Path() / "beam", volume);
-  EXPECT_EQ(Content(folder.Path() / "beam"), std::string("\x9E\x9E\xA8"));
+  EXPECT_EQ(FileContent(folder.Path() / "beam"), std::string("\x9E\x9E\xA8"));
   volume.method = "thesis";
   WriteRaw(folder.Path() / "thesis", volume);
-  EXPECT_EQ(Content(folder.Path() / "thesis"), std::string("\x1E\2\0\0\0\xA8", 6));
-  EXPECT_EQ(Content(folder.Path() / "thesis"),
+  EXPECT_EQ(FileContent(folder.Path() / "thesis"), std::string("\x1E\2\0\0\0\xA8", 6));
+  EXPECT_EQ(FileContent(folder.Path() / "thesis"),
     [&]
     {
       WriteNxv(folder.Path() / "a.nxv", volume);
-      const std::string whole = Content(folder.Path() / "a.nxv");
+      const std::string whole = FileContent(folder.Path() / "a.nxv");
       return whole.substr(whole.size() - 6);
     }())
     << "the payload of a volume file is the bare stream";
