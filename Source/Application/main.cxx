@@ -4,6 +4,7 @@
 #include "SimulateCommand.h"
 
 #ifdef NEXRAD_WITH_VTK
+#include "BenchCommand.h"
 #include "DemoCommand.h"
 #include "GridCommand.h"
 #include "RenderCommand.h"
@@ -20,6 +21,7 @@ int main(int argc, char** argv)
       AddGridCommand,
       AddRenderCommand,
       AddDemoCommand,
+      AddBenchCommand,
 #endif
     });
 }

@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bench/BareDecompression.h"
+
+#include "Level2/Container.h"
+#include "Level2/LdmRecords.h"
+#include "Level2/VolumeHeader.h"
+#include "Model/Error.h"
+
+#include <bzlib.h>
+#include <zlib.h>
+
+#include <algorithm>
+#include <atomic>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+namespace nexrad::application
+{
+namespace
+{
+
+constexpr std::size_t largestFile = std::size_t(1) << 30; // decompressed bytes
+
+ByteView View(const std::vector<std::uint8_t>& bytes)
+{
+  return {bytes.data(), bytes.size()};
+}
+
+// The libraries take input that they do not change as non-const.
+char* InputOf(const std::uint8_t* bytes)
+{
+  return reinterpret_cast<char*>(const_cast<std::uint8_t*>(bytes));
+}
+
+void Bunzip(const std::uint8_t* from, std::size_t length, std::vector<std::uint8_t>& room)
+{
+  auto size = static_cast<unsigned>(room.size());
+  if (BZ2_bzBuffToBuffDecompress(reinterpret_cast<char*>(room.data()), &size, InputOf(from),
+        static_cast<unsigned>(length), 0, 0) != BZ_OK)
+  {
+    throw Error("a bzip2 stream came out otherwise than before");
+  }
+}
+
+} // namespace
+
+BareDecompression::BareDecompression(const std::filesystem::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  stored.assign(std::istreambuf_iterator<char>(file), {});
+  if (!file.is_open() || file.bad() || stored.empty())
+  {
+    throw Error(path.string() + ": cannot be read, or is empty");
+  }
+  try
+  {
+    this->OpenWrapper();
+    this->FindRecords();
+  }
+  catch (const Error& error)
+  {
+    throw Error(path.string() + ": " + error.what());
+  }
+}
+
+void BareDecompression::OpenWrapper()
+{
+  const StreamFormat format = DetectStream(View(stored));
+  if (format == StreamFormat::None)
+  {
+    return;
+  }
+  if (format == StreamFormat::Compress)
+  {
+    throw Error("is compressed with compress, which no library here decompresses");
+  }
+  std::vector<Damage> damage;
+  unwrapped = OpenContainer(stored, largestFile, damage).bytes;
+  if (!damage.empty())
+  {
+    throw Error("offset " + std::to_string(damage.front().offset) + ": " + damage.front().what);
+  }
+  wrapper = format == StreamFormat::Gzip ? Wrapper::Gzip : Wrapper::Bzip2;
+}
+
+void BareDecompression::FindRecords()
+{
+  const ByteView plain = View(wrapper == Wrapper::None ? stored : unwrapped);
+  const std::size_t start = ParseVolumeHeader(plain) ? VolumeHeader::bytes : 0;
+  if (!IsLdmRecord(plain, start))
+  {
+    return;
+  }
+  std::vector<Damage> damage;
+  for (const LdmRecord& record : FindLdmRecords(plain, start, damage))
+  {
+    const Bunzipped content = Bzip2Reader().Run(record.compressed, largestFile);
+    if (!content.problem.empty())
+    {
+      throw Error("offset " + std::to_string(record.offset) + ": " + content.problem);
+    }
+    largestRecord = std::max(largestRecord, content.bytes.size());
+    records.push_back({static_cast<std::size_t>(record.compressed.Data() - plain.Data()),
+      record.compressed.Size()});
+  }
+  if (!damage.empty())
+  {
+    throw Error("offset " + std::to_string(damage.front().offset) + ": " + damage.front().what);
+  }
+}
+
+void BareDecompression::Run()
+{
+  if (wrapper == Wrapper::Gzip)
+  {
+    this->InflateWrapper();
+  }
+  else if (wrapper == Wrapper::Bzip2)
+  {
+    Bunzip(stored.data(), stored.size(), unwrapped);
+  }
+  this->RunRecords();
+}
+
+void BareDecompression::InflateWrapper()
+{
+  constexpr int gzipHeaderAndLargestWindow = 16 + MAX_WBITS;
+  z_stream stream{};
+  inflateInit2(&stream, gzipHeaderAndLargestWindow);
+  stream.next_in = stored.data();
+  stream.avail_in = static_cast<unsigned>(stored.size());
+  stream.next_out = unwrapped.data();
+  stream.avail_out = static_cast<unsigned>(unwrapped.size());
+  // Members may stand end to end; the room is exactly what all of them need.
+  while (stream.avail_out > 0 && inflate(&stream, Z_FINISH) == Z_STREAM_END)
+  {
+    inflateReset(&stream);
+  }
+  const bool whole = stream.avail_out == 0;
+  inflateEnd(&stream);
+  if (!whole)
+  {
+    throw Error("a gzip stream came out otherwise than before");
+  }
+}
+
+void BareDecompression::RunRecords() const
+{
+  std::atomic<std::size_t> next{0};
+  const auto work = [this, &next]
+  {
+    Bytes room(largestRecord);
+    for (std::size_t index = next++; index < records.size(); index = next++)
+    {
+      const std::uint8_t* plain = wrapper == Wrapper::None ? stored.data() : unwrapped.data();
+      Bunzip(plain + records[index].offset, records[index].length, room);
+    }
+  };
+  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  std::vector<std::thread> helpers;
+  for (std::size_t count = 1; count < std::min(cores, records.size()); ++count)
+  {
+    helpers.emplace_back(work);
+  }
+  work();
+  for (std::thread& helper : helpers)
+  {
+    helper.join();
+  }
+}
+
+std::string BareDecompression::Describe() const
+{
+  const std::string wrapped = wrapper == Wrapper::None   ? ""
+                              : wrapper == Wrapper::Gzip ? "gzip"
+                                                         : "bzip2";
+  if (records.empty())
+  {
+    return wrapped.empty() ? "none" : wrapped;
+  }
+  return (wrapped.empty() ? "" : wrapped + ", ") + std::to_string(records.size()) +
+         (records.size() == 1 ? " record" : " records");
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nexrad::application
+{
+
+/// The compressed bytes of one Level II file, and nothing but their decompression: what a decoder's
+/// time is held against. zlib and libbz2 write into memory that is already there, and what comes
+/// out is thrown away.
+class BareDecompression
+{
+public:
+  /// Reads the file and finds its streams: gzip or bzip2 round the whole file, bzip2 records in it.
+  /// Throws Error for a file that cannot be read or is damaged; a stream that is not whole has no
+  /// time to compare with.
+  explicit BareDecompression(const std::filesystem::path& path);
+
+  /// Decompresses everything once. Records go to as many threads as the machine has cores, which
+  /// is what ReadLevel2 does; a stream round the file has one thread.
+  void Run();
+
+  /// True when there is something to decompress.
+  bool IsCompressed() const { return wrapper != Wrapper::None || !records.empty(); }
+  /// Number of bzip2 records.
+  std::size_t RecordCount() const { return records.size(); }
+  /// "gzip", "37 records", "gzip, 45 records", "bzip2", "none".
+  std::string Describe() const;
+  std::size_t StoredBytes() const { return stored.size(); }
+
+private:
+  enum class Wrapper
+  {
+    None,
+    Gzip,
+    Bzip2
+  };
+  using Bytes = std::vector<std::uint8_t>;
+  struct Record
+  {
+    std::size_t offset; ///< in the file without its wrapper
+    std::size_t length;
+  };
+
+  void OpenWrapper();
+  void FindRecords();
+  void InflateWrapper();
+  void RunRecords() const;
+
+  Bytes stored;
+  Wrapper wrapper = Wrapper::None;
+  Bytes unwrapped; ///< empty without a wrapper
+  std::vector<Record> records;
+  std::size_t largestRecord = 0; ///< decompressed bytes
+};
+
+} // namespace nexrad::application

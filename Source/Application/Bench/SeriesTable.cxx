@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bench/SeriesMeasurement.h"
+
+#include <cstdio>
+
+namespace nexrad::application
+{
+
+BenchTable MakeSeriesTable(const BenchRequest& request, const SeriesMeasurement& series)
+{
+  char megabytes[32];
+  std::snprintf(megabytes, sizeof megabytes, "%.1f", series.storedBytes / 1e6);
+  BenchTable table;
+  table.key = "series";
+  table.title = "All files to volume files, method " + request.options.method + ": " +
+                std::to_string(series.files) + " files" +
+                (series.bare ? ", " + std::string(megabytes) + " MB" : std::string()) +
+                (request.synthetic ? ", SYNTHETIC" : "");
+  table.columns = {{"dimensions", "voxels"}, {"volumes", "volumes"},
+    {"bare_s", "bare decompression, s", 2}, {"series_s", "all, s", 2}, {"ratio", "ratio", 2}};
+  for (const SeriesOfSize& size : series.sizes)
+  {
+    table.rows.push_back({FormatDimensions(size.dimensions), static_cast<double>(size.volumes),
+      series.bare ? BenchCell(*series.bare) : BenchCell(), size.seconds,
+      series.bare ? BenchCell(size.seconds.median / series.bare->median) : BenchCell()});
+  }
+  return table;
+}
+
+} // namespace nexrad::application

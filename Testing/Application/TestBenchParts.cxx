@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Bench/BareDecompression.h"
+#include "Bench/BenchTable.h"
+#include "Bench/Measurement.h"
+#include "Model/Error.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+#include <sstream>
+
+using namespace nexrad;
+using namespace nexrad::application;
+using namespace nexrad::testing;
+
+namespace
+{
+
+BenchTable SmallTable()
+{
+  BenchTable table;
+  table.title = "Two rows";
+  table.columns = {{"name", "name"}, {"time_s", "time, s", 2}, {"ratio", "ratio", 1}};
+  table.rows = {{std::string("short"), Measurement{1.234, 1.0, 2.0}, 0.25},
+    {std::string("a longer name"), std::monostate{}, 12.0}};
+  return table;
+}
+
+} // namespace
+
+TEST(Measurement, MedianAndExtremes)
+{
+  const Measurement odd = Summarize({3.0, 1.0, 8.0});
+  EXPECT_EQ(odd.median, 3.0);
+  EXPECT_EQ(odd.least, 1.0);
+  EXPECT_EQ(odd.most, 8.0);
+  EXPECT_EQ(Summarize({4.0, 1.0, 2.0, 8.0}).median, 3.0);
+  EXPECT_THROW(Summarize({}), Error);
+}
+
+TEST(Measurement, PiecesTakeTurns)
+{
+  std::string order;
+  const auto times = MeasureInTurn({[&] { order += 'a'; }, [&] { order += 'b'; }}, 3);
+  EXPECT_EQ(order, "abababab"); // the first round is not measured
+  ASSERT_EQ(times.size(), 2U);
+  EXPECT_LE(times[0].least, times[0].median);
+  EXPECT_LE(times[0].median, times[0].most);
+  order.clear();
+  MeasureInTurn({[&] { order += 'a'; }}, 2, false);
+  EXPECT_EQ(order, "aa");
+}
+
+TEST(BenchTable, PrintsAlignedColumns)
+{
+  std::ostringstream out;
+  PrintTable(SmallTable(), out);
+  EXPECT_EQ(out.str(), "Two rows\n"
+                       "  name                     time, s  ratio\n"
+                       "  short          1.23 (1.00..2.00)    0.2\n"
+                       "  a longer name                  -   12.0\n\n");
+}
+
+TEST(BenchTable, JsonKeepsWhatWasMeasured)
+{
+  const nlohmann::ordered_json json = MakeTableJson(SmallTable());
+  EXPECT_EQ(json["rows"][0]["time_s"]["median"], 1.234);
+  EXPECT_EQ(json["rows"][0]["time_s"]["most"], 2.0);
+  EXPECT_EQ(json["rows"][0]["ratio"], 0.25);
+  EXPECT_TRUE(json["rows"][1]["time_s"].is_null());
+}
+
+TEST(BareDecompression, FindsTheStreamsOfAFile)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  // The numbers of records are those that a list of the files names.
+  BareDecompression records(data / "level2" / "superres" / "KDMX20250101_225441_V06");
+  EXPECT_EQ(records.Describe(), "43 records");
+  records.Run();
+  BareDecompression nested(data / "level2" / "run-kbgm-20050821" / "KBGM20050821_024323.gz");
+  EXPECT_EQ(nested.Describe(), "gzip, 45 records");
+  nested.Run();
+  BareDecompression whole(data / "level2" / "superres" / "example_nexrad_archive_msg31.bz2");
+  EXPECT_EQ(whole.Describe(), "bzip2");
+  whole.Run();
+  whole.Run(); // again into the same memory
+}
+
+TEST(BareDecompression, RefusesWhatHasNoTimeToCompareWith)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  EXPECT_THROW(BareDecompression(data / "level2" / "damaged" / "KLRX20000125_180740.Z"), Error);
+  EXPECT_THROW(BareDecompression("/nonexistent"), Error);
+  const TemporaryFolder folder;
+  const auto cut = folder.Path() / "cut.gz";
+  std::ifstream from(data / "level2" / "legacy" / "KABR20050101_000745.gz", std::ios::binary);
+  std::string bytes(50'000, '\0');
+  from.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+  std::ofstream(cut, std::ios::binary) << bytes;
+  try
+  {
+    BareDecompression stream(cut);
+    ADD_FAILURE() << "a stream that ends early was taken";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("ends early"), std::string::npos) << error.what();
+  }
+}
