@@ -159,4 +159,24 @@ bool LooksLikeLevel2(const fs::path& path)
          DetectStream(view) != StreamFormat::None;
 }
 
+std::optional<Time> PeekHeaderTime(const fs::path& path)
+{
+  constexpr std::size_t peekedBytes = 4096; // enough of any stream but bzip2 for a header
+  std::error_code failure;
+  const bool isFolder = fs::is_directory(path, failure);
+  const std::vector<Chunk> chunks = isFolder ? ListChunks(path) : std::vector<Chunk>();
+  if (failure || (isFolder && chunks.empty()))
+  {
+    return std::nullopt;
+  }
+  std::vector<std::uint8_t> start(peekedBytes);
+  std::ifstream file(isFolder ? chunks.front().path : path, std::ios::binary);
+  file.read(reinterpret_cast<char*>(start.data()), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(file.gcount()));
+  std::vector<Damage> ignored; // the stream is cut, of course
+  const PlainFile plain = OpenContainer(std::move(start), VolumeHeader::bytes, ignored);
+  const auto header = ParseVolumeHeader(ByteView(plain.bytes.data(), plain.bytes.size()));
+  return header ? header->time : std::nullopt;
+}
+
 } // namespace nexrad

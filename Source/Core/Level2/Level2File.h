@@ -38,4 +38,9 @@ RadarVolume DecodeLevel2(
 /// path cannot be read.
 bool LooksLikeLevel2(const std::filesystem::path& path);
 
+/// The time in the volume header, from the first bytes of a file or of a folder's first chunk. It
+/// may differ from the rays' times. Empty when there is none, or it cannot be had without
+/// decompressing much.
+std::optional<Time> PeekHeaderTime(const std::filesystem::path& path);
+
 } // namespace nexrad

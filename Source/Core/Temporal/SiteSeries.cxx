@@ -2,9 +2,12 @@
 #include "Temporal/SiteSeries.h"
 
 #include "Model/Error.h"
+#include "Temporal/ScannedFile.h"
+#include "Temporal/SharedScan.h"
 
 #include <algorithm>
 #include <deque>
+#include <exception>
 #include <future>
 #include <map>
 #include <thread>
@@ -15,13 +18,6 @@ namespace nexrad
 
 namespace
 {
-
-/// What one input file holds.
-struct ScannedFile
-{
-  std::vector<std::pair<Site, SeriesVolume>> volumes;
-  std::vector<InputProblem> problems;
-};
 
 /// Why a volume cannot be used; empty when it can.
 std::string ReasonToLeaveOut(const RadarVolume& volume, const SeriesOptions& options)
@@ -93,6 +89,40 @@ ScannedFile ScanFile(
     }
   }
   return scanned;
+}
+
+/// Decodes files, a few at a time. Empty when `progress` asked to stop.
+std::optional<std::vector<ScannedFile>> ScanFiles(const std::vector<std::filesystem::path>& paths,
+  const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
+{
+  // Each decoding holds a whole volume in memory, so their number is bounded.
+  const std::size_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
+  std::vector<ScannedFile> files;
+  std::deque<std::future<ScannedFile>> running;
+  const auto collectFirst = [&files, &running]
+  {
+    files.push_back(running.front().get());
+    running.pop_front();
+  };
+  for (const std::filesystem::path& path : paths)
+  {
+    if (running.size() == workers)
+    {
+      collectFirst();
+    }
+    if (progress &&
+        !progress(static_cast<double>(files.size()) / static_cast<double>(paths.size())))
+    {
+      return std::nullopt;
+    }
+    running.push_back(std::async(
+      std::launch::async, ScanFile, std::cref(path), std::cref(options), std::cref(visitor)));
+  }
+  while (!running.empty())
+  {
+    collectFirst();
+  }
+  return files;
 }
 
 /// Files without a name of their site are told apart by its position.
@@ -200,38 +230,34 @@ std::vector<Position> SeriesScan::Positions() const
 std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
   const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
 {
-  const InputFiles found = FindInputFiles(inputs);
-  // Each decoding holds a whole volume in memory, so their number is bounded.
-  const std::size_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, 8U);
-  std::vector<ScannedFile> files;
-  std::deque<std::future<ScannedFile>> running;
-  const auto collectFirst = [&files, &running]
+  InputFiles found;
+  std::exception_ptr failure;
+  try
   {
-    files.push_back(running.front().get());
-    running.pop_front();
+    found = FindInputFiles(inputs);
+  }
+  catch (const Error&)
+  {
+    failure = std::current_exception(); // which other processes must be told of
+  }
+  const auto scan = [&](const std::vector<std::filesystem::path>& paths)
+  {
+    if (failure)
+    {
+      std::rethrow_exception(failure);
+    }
+    return ScanFiles(paths, options, visitor, progress);
   };
-  const auto count = static_cast<double>(found.paths.size());
-  for (const std::filesystem::path& path : found.paths)
+  const std::optional<std::vector<ScannedFile>> files =
+    options.share.count > 1 ? ScanTogether(found.paths, options.share, scan) : scan(found.paths);
+  if (!files)
   {
-    if (running.size() == workers)
-    {
-      collectFirst();
-    }
-    if (progress && !progress(static_cast<double>(files.size()) / count))
-    {
-      return std::nullopt;
-    }
-    running.push_back(std::async(
-      std::launch::async, ScanFile, std::cref(path), std::cref(options), std::cref(visitor)));
+    return std::nullopt;
   }
-  while (!running.empty())
-  {
-    collectFirst();
-  }
-  SeriesScan scan;
-  scan.problems = found.problems;
-  Collect(scan, files);
-  return scan;
+  SeriesScan result;
+  result.problems = found.problems;
+  Collect(result, *files);
+  return result;
 }
 
 } // namespace nexrad

@@ -49,11 +49,22 @@ struct SeriesScan
   std::vector<Position> Positions() const;
 };
 
+/// This process among several that scan one list of inputs together.
+struct ScanShare
+{
+  std::size_t rank = 0;  ///< of this process, from 0
+  std::size_t count = 1; ///< of processes
+  /// Hands `mine` to all processes, and returns what each handed over, in the order of their ranks.
+  /// All processes call it. Not needed by one alone.
+  std::function<std::vector<std::string>(const std::string& mine)> exchange;
+};
+
 struct SeriesOptions
 {
   Level2Options level2;
   std::optional<MomentName> moment; ///< a volume without it is left out
   bool requirePosition = false;     ///< a volume of a site without a position is left out
+  ScanShare share;                  ///< default: one process does all
 };
 
 /// Called for each volume while its data are in memory, from several threads at once.
@@ -64,6 +75,10 @@ using VolumeVisitor = std::function<void(const SeriesVolume&, const RadarVolume&
 /// the same first ray the one with more rays stays. Damage, and what was left out, is in
 /// `problems`; `progress` is called from this thread alone. Empty when `progress` asked to stop.
 /// Throws Error as FindInputFiles does.
+///
+/// Several processes scan a part each, of neighbouring times, so that a process finds most volumes
+/// of its part of the day among those that it visited. All get the same result: also when one of
+/// them fails or is asked to stop.
 std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
   const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
   const Progress& progress = {});
