@@ -3,9 +3,11 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms CommonColor
   FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersModeling
   ImagingCore IOCore IOImage IOXML IOMovie IOOggTheora
+  ParallelCore
   InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingUI RenderingVolume RenderingVolumeOpenGL2
-  TestingCore TestingRendering vtksys)
+  TestingCore TestingRendering vtksys
+  OPTIONAL_COMPONENTS ParallelMPI)
 
 set(nexrad_module_files
   "${CMAKE_SOURCE_DIR}/Source/IO/vtk.module"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
 
+#include "LaunchedProcess.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -36,6 +38,15 @@ std::string ExplainMissingCommand(const CLI::App& program)
          "; the commands are " + names;
 }
 
+// One line on standard error. Of several processes that were launched together, one speaks.
+void Complain(const CLI::App& program, const std::string& message)
+{
+  if (FindLaunchedProcess().IsFirst())
+  {
+    std::cerr << CalledName(program) << ": " << message << '\n';
+  }
+}
+
 int ReportParseError(const CLI::App& program, const CLI::ParseError& error)
 {
   if (error.get_exit_code() == 0)
@@ -45,8 +56,7 @@ int ReportParseError(const CLI::App& program, const CLI::ParseError& error)
   std::string message =
     program.get_subcommands().empty() ? ExplainMissingCommand(program) : error.what();
   std::replace(message.begin(), message.end(), '\n', ' ');
-  std::cerr << CalledName(program) << ": " << message << " (see " << CalledName(program)
-            << " --help)\n";
+  Complain(program, message + " (see " + CalledName(program) + " --help)");
   return WrongUsage;
 }
 
@@ -58,18 +68,18 @@ int RunAction(const CLI::App& program, const CommandAction& action)
     // Standard output may be a full disk; what was printed counts only when it arrived.
     if (!std::cout.flush())
     {
-      std::cerr << CalledName(program) << ": cannot write to standard output\n";
+      Complain(program, "cannot write to standard output");
       return Failed;
     }
     return status;
   }
   catch (const std::bad_alloc&)
   {
-    std::cerr << CalledName(program) << ": not enough memory\n";
+    Complain(program, "not enough memory");
   }
   catch (const std::exception& error)
   {
-    std::cerr << CalledName(program) << ": " << error.what() << '\n';
+    Complain(program, error.what());
   }
   return Failed;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridCommand.h"
 
+#include "JoinedProcesses.h"
 #include "ProgressBar.h"
 #include "UnitOptions.h"
 #include "Volumes/WriteVolumes.h"
@@ -32,10 +33,17 @@ VolumeFormat ParseFormat(const std::string& text)
 
 int RunGrid(const GridCommandOptions& options)
 {
-  ProgressBar bar("merging", options.quiet);
-  const GridReport report =
-    WriteVolumes(options.job, [&bar](double fraction) { return bar.Update(fraction); });
+  const JoinedProcesses joined;
+  const Processes processes = joined.Get();
+  ProgressBar bar("merging", options.quiet || !processes.IsFirst());
+  const GridReport report = WriteVolumes(
+    options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
   bar.Clear();
+  const int status = report.problems.empty() ? Done : DoneWithDamage;
+  if (!processes.IsFirst())
+  {
+    return status;
+  }
   if (!options.quiet)
   {
     std::cout << report.index.string() << ": " << report.files.size() << " volumes, "
@@ -45,7 +53,7 @@ int RunGrid(const GridCommandOptions& options)
   {
     std::cerr << problem << '\n';
   }
-  return report.problems.empty() ? Done : DoneWithDamage;
+  return status;
 }
 
 } // namespace

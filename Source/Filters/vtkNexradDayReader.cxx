@@ -7,6 +7,7 @@
 #include "Temporal/SiteSeries.h"
 #include "Temporal/TimeMerge.h"
 #include "Temporal/VolumeSelection.h"
+#include "vtkNexradExchange.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 
@@ -78,6 +79,20 @@ const char* vtkNexradDayReader::GetFileName(int index) const
            : nullptr;
 }
 
+void vtkNexradDayReader::SetController(vtkMultiProcessController* controller)
+{
+  if (this->Controller != controller)
+  {
+    this->Controller = controller;
+    this->Modified();
+  }
+}
+
+vtkMultiProcessController* vtkNexradDayReader::GetController() const
+{
+  return this->Controller;
+}
+
 vtkStringArray* vtkNexradDayReader::GetDamage()
 {
   return this->Damage;
@@ -117,6 +132,13 @@ int vtkNexradDayReader::Scan()
   options.moment = this->CheckMoment();
   options.requirePosition = true;
   options.level2.siteName = this->SiteName;
+  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  {
+    options.share.rank = static_cast<std::size_t>(this->Controller->GetLocalProcessId());
+    options.share.count = static_cast<std::size_t>(this->Controller->GetNumberOfProcesses());
+    options.share.exchange = [this](const std::string& mine)
+    { return vtkNexradExchange(this->Controller, mine); };
+  }
   auto day = std::make_unique<Day>(from, *options.moment, options.level2);
   std::optional<nexrad::SeriesScan> scan;
   try
@@ -263,6 +285,7 @@ void vtkNexradDayReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MaximumGap: " << this->MaximumGap << "\n";
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "SiteName: " << this->SiteName << "\n";
+  os << indent << "Controller: " << this->Controller << "\n";
   os << indent << "FileNames:\n";
   for (const std::string& name : this->FileNames)
   {

@@ -35,12 +35,14 @@
 #include "vtkNew.h"                 // For members
 #include "vtkNexradFiltersModule.h" // For export macro
 #include "vtkNexradGridAlgorithm.h"
+#include "vtkSmartPointer.h" // For members
 
 #include <memory> // For members
 #include <string> // For members
 #include <vector> // For members
 
 class vtkDoubleArray;
+class vtkMultiProcessController;
 class vtkStringArray;
 
 class VTKNEXRADFILTERS_EXPORT vtkNexradDayReader : public vtkNexradGridAlgorithm
@@ -105,6 +107,16 @@ public:
   vtkGetMacro(SiteName, std::string);
   ///@}
 
+  ///@{
+  /**
+   * Processes that read the same inputs together: each scans a part of them, and all know all. They
+   * must have the same settings, and update their information at the same time. None by default:
+   * this process reads everything.
+   */
+  virtual void SetController(vtkMultiProcessController* controller);
+  vtkMultiProcessController* GetController() const;
+  ///@}
+
   /**
    * After UpdateInformation: what was wrong in the inputs, one line each ("FILE: offset N: WHAT").
    * The same lines come as warnings.
@@ -150,6 +162,7 @@ private:
   void ReportProblems();
   void MakeTimeSteps();
 
+  vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkNew<vtkStringArray> Damage;
   vtkNew<vtkStringArray> LeftOut;
   vtkNew<vtkStringArray> Sites;

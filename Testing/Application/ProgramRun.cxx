@@ -24,17 +24,17 @@ void Execute(
   const int errorFile = open(errors.c_str(), O_WRONLY | O_CREAT, 0600);
   dup2(outputFile, STDOUT_FILENO);
   dup2(errorFile, STDERR_FILENO);
-  execv(NEXRAD3D_PROGRAM, arguments.data());
+  execv(arguments.front(), arguments.data());
 }
 
 } // namespace
 
-ProgramRun RunNexrad3d(const std::vector<std::string>& arguments)
+ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments)
 {
   const TemporaryFolder folder;
   const std::string output = folder.Path() / "output";
   const std::string errors = folder.Path() / "errors";
-  std::vector<std::string> words = {NEXRAD3D_PROGRAM};
+  std::vector<std::string> words = {program};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> pointers;
   for (std::string& word : words)
@@ -51,10 +51,20 @@ ProgramRun RunNexrad3d(const std::vector<std::string>& arguments)
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) != child)
   {
-    throw std::runtime_error("cannot run " NEXRAD3D_PROGRAM);
+    throw std::runtime_error("cannot run " + program);
   }
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, nexrad::testing::FileContent(output),
     nexrad::testing::FileContent(errors)};
+}
+
+std::string Nexrad3dPath()
+{
+  return NEXRAD3D_PROGRAM;
+}
+
+ProgramRun RunNexrad3d(const std::vector<std::string>& arguments)
+{
+  return RunProgram(Nexrad3dPath(), arguments);
 }
 
 } // namespace nexrad::testing

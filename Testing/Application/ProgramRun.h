@@ -15,6 +15,12 @@ struct ProgramRun
   std::string errors;
 };
 
+/// Runs a program with these arguments, each passed as it is.
+ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments);
+
+/// Where the program nexrad3d of this build stands.
+std::string Nexrad3dPath();
+
 /// Runs the program nexrad3d of this build with these arguments, each passed as it is.
 ProgramRun RunNexrad3d(const std::vector<std::string>& arguments);
 

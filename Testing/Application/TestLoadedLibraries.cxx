@@ -32,6 +32,15 @@ bool LoadsRendering(const std::string& report)
 
 } // namespace
 
+TEST(LoadedLibraries, NothingLoadsMpiWithoutMpiexec)
+{
+  const std::string info = LinkerReport({"info", "/dev/null"});
+  EXPECT_NE(info.find("calling init: "), std::string::npos) << "the linker reported nothing";
+  EXPECT_EQ(info.find("libmpi"), std::string::npos);
+  const std::string grid = LinkerReport({"grid", "/nonexistent", "-o", "/nonexistent"});
+  EXPECT_EQ(grid.find("libmpi"), std::string::npos);
+}
+
 TEST(LoadedLibraries, OnlyDrawingLoadsRendering)
 {
   const std::string info = LinkerReport({"info", "/dev/null"});

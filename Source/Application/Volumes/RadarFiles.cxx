@@ -8,6 +8,7 @@
 #include <vtkCallbackCommand.h>
 #include <vtkDoubleArray.h>
 #include <vtkImageData.h>
+#include <vtkMultiProcessController.h>
 #include <vtkNew.h>
 #include <vtkStringArray.h>
 
@@ -54,9 +55,10 @@ class RadarFiles : public VolumeSeries
 {
 public:
   RadarFiles(const std::vector<std::filesystem::path>& inputs, const GridOptions& options,
-    const Progress& progress)
+    const Progress& progress, const Processes& processes)
   {
     messages.Watch(reader);
+    reader->SetController(processes.Controller());
     for (const std::filesystem::path& input : inputs)
     {
       reader->AddFileName(input.c_str());
@@ -144,9 +146,9 @@ private:
 } // namespace
 
 std::unique_ptr<VolumeSeries> OpenRadarFiles(const std::vector<std::filesystem::path>& inputs,
-  const GridOptions& options, const Progress& progress)
+  const GridOptions& options, const Progress& progress, const Processes& processes)
 {
-  return std::make_unique<RadarFiles>(inputs, options, progress);
+  return std::make_unique<RadarFiles>(inputs, options, progress, processes);
 }
 
 } // namespace nexrad::application

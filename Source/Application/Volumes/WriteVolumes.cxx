@@ -60,41 +60,105 @@ void RemoveFiles(const std::vector<fs::path>& files)
   }
 }
 
-} // namespace
-
-GridReport WriteVolumes(const GridJob& job, const Progress& progress)
+// What one process makes.
+struct Block
 {
-  const auto series = OpenRadarFiles(job.inputs, job.options, ShareOf(progress, 0.0, scanShare));
-  const Progress merging = ShareOf(progress, scanShare, 1.0);
-  const bool nxv = job.format == VolumeFormat::Nxv;
-  const std::string extension = nxv ? ".nxv" : ".vti";
-  const std::vector<Time>& times = series->Times();
-  GridReport report;
-  NxvSeries index;
-  bool anySite = false;
-  for (std::size_t i = 0; i < times.size(); ++i)
+  std::vector<fs::path> files;
+  std::uintmax_t bytes = 0;
+  bool anySite = false; ///< some radar took part in a volume
+};
+
+fs::path PathOf(const GridJob& job, Time time)
+{
+  return job.folder /
+         (FormatForFileName(time) + (job.format == VolumeFormat::Nxv ? ".nxv" : ".vti"));
+}
+
+Block WriteBlock(
+  const GridJob& job, VolumeSeries& series, const Progress& progress, const Processes& processes)
+{
+  const auto [begin, end] = processes.Part(series.Times().size());
+  Block block;
+  for (std::size_t i = begin; i < end; ++i)
   {
-    const auto volume = series->Load(i, ShareOf(merging, i, times.size()));
-    if (i == 0)
+    const auto volume = series.Load(i, ShareOf(progress, i - begin, end - begin));
+    if (i == begin)
     {
       MakeFolder(job.folder); // not earlier: a failure so far leaves nothing behind
     }
-    const fs::path path = job.folder / (FormatForFileName(times[i]) + extension);
-    nxv ? WriteNxvFile(volume, path) : WriteVti(volume, path);
-    anySite = anySite || !vtkNexradGetTexts(volume->GetFieldData(), "Sites").empty();
-    report.bytes += fs::file_size(path);
-    report.files.push_back(path);
-    index.emplace_back(path.filename().string(), ToSeconds(times[i]));
+    const fs::path path = PathOf(job, series.Times()[i]);
+    job.format == VolumeFormat::Nxv ? WriteNxvFile(volume, path) : WriteVti(volume, path);
+    block.anySite = block.anySite || !vtkNexradGetTexts(volume->GetFieldData(), "Sites").empty();
+    block.bytes += fs::file_size(path);
+    block.files.push_back(path);
   }
-  if (!anySite)
+  return block;
+}
+
+// The blocks of all processes as one; the files are those of this process.
+Block AddUp(const Block& mine, const Processes& processes)
+{
+  Block all;
+  all.files = mine.files;
+  const std::string own = (mine.anySite ? "1" : "0") + std::to_string(mine.bytes);
+  for (const std::string& text : processes.Exchange(own))
   {
-    RemoveFiles(report.files);
+    all.anySite = all.anySite || text.front() == '1';
+    all.bytes += std::stoull(text.substr(1));
+  }
+  return all;
+}
+
+// The index of all volumes, whichever process made them.
+void WriteIndex(
+  const fs::path& path, const std::vector<fs::path>& files, const std::vector<Time>& times)
+{
+  NxvSeries index;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    index.emplace_back(files[i].filename().string(), ToSeconds(times[i]));
+  }
+  WriteNxvSeries(path, index);
+}
+
+} // namespace
+
+GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Processes& processes)
+{
+  std::unique_ptr<VolumeSeries> series;
+  Block block;
+  processes.Together(
+    [&]
+    {
+      series =
+        OpenRadarFiles(job.inputs, job.options, ShareOf(progress, 0.0, scanShare), processes);
+      block = WriteBlock(job, *series, ShareOf(progress, scanShare, 1.0), processes);
+    });
+  block = AddUp(block, processes);
+  const std::vector<Time>& times = series->Times();
+  if (!block.anySite)
+  {
+    RemoveFiles(block.files);
     throw Error("no radar has a volume within --max-gap of any time asked for, from " +
                 FormatIso8601(times.front()) + " to " + FormatIso8601(times.back()));
   }
-  report.index = job.folder / ("volumes" + extension + ".series");
-  WriteNxvSeries(report.index, index);
+  GridReport report;
+  for (const Time time : times)
+  {
+    report.files.push_back(PathOf(job, time));
+  }
+  report.bytes = block.bytes;
+  report.index =
+    job.folder / (job.format == VolumeFormat::Nxv ? "volumes.nxv.series" : "volumes.vti.series");
   report.problems = series->Problems();
+  processes.Together(
+    [&]
+    {
+      if (processes.IsFirst())
+      {
+        WriteIndex(report.index, report.files, times);
+      }
+    });
   return report;
 }
 

@@ -3,6 +3,7 @@
 
 #include "GridOptions.h"
 #include "Model/Progress.h"
+#include "Processes.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -39,8 +40,11 @@ struct GridReport
 
 /// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an
 /// index of them, volumes.nxv.series (or .vti, volumes.vti.series), in the form that ParaView uses
-/// for series. Each file appears whole or not at all; the index comes last. Throws Error when no
-/// input holds a ray or a file cannot be written.
-GridReport WriteVolumes(const GridJob& job, const Progress& progress = {});
+/// for series. Each file appears whole or not at all; the index comes last. Several processes make
+/// a part of the times each, with the same files as one alone; the first writes the index when all
+/// are done, and all get the same report. Throws Error when no input holds a ray or a file cannot
+/// be written: in all processes when it fails in one.
+GridReport WriteVolumes(
+  const GridJob& job, const Progress& progress = {}, const Processes& processes = Processes());
 
 } // namespace nexrad::application

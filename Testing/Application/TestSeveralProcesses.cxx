@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "ProgramRun.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <string>
+
+using namespace nexrad::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+// A test for each number of processes that mpiexec can start; without MPI there is nothing to test.
+class SeveralProcesses : public ::testing::Test
+{
+protected:
+  void SetUp() override
+  {
+    if (std::string(NEXRAD_MPIEXEC).empty())
+    {
+      GTEST_SKIP() << "mpiexec was not found, or VTK was built without MPI";
+    }
+    // Open MPI asks for this before it runs as root, or more processes than there are cores.
+    setenv("OMPI_ALLOW_RUN_AS_ROOT", "1", 1);
+    setenv("OMPI_ALLOW_RUN_AS_ROOT_CONFIRM", "1", 1);
+    setenv("OMPI_MCA_rmaps_base_oversubscribe", "1", 1);
+  }
+
+  static ProgramRun RunGrid(int processes, const std::vector<std::string>& arguments)
+  {
+    std::vector<std::string> words = {"-n", std::to_string(processes), Nexrad3dPath(), "grid"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    return RunProgram(NEXRAD_MPIEXEC, words);
+  }
+};
+
+// Names and bytes of all files in a folder.
+std::map<std::string, std::string> ContentOf(const fs::path& folder)
+{
+  std::map<std::string, std::string> content;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    content[entry.path().filename()] = FileContent(entry.path());
+  }
+  return content;
+}
+
+int CountOf(const std::string& part, const std::string& text)
+{
+  int count = 0;
+  for (std::size_t place = text.find(part); place != std::string::npos;
+       place = text.find(part, place + 1))
+  {
+    ++count;
+  }
+  return count;
+}
+
+} // namespace
+
+TEST_F(SeveralProcesses, MakeTheSameFilesAsOne)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto arguments = [&](const std::string& output)
+  {
+    return std::vector<std::string>{
+      data / "level2" / "run-kbgm-20050821", "-o", folder.Path() / output, "--dims", "48x48x24"};
+  };
+  std::vector<std::string> alone = arguments("alone");
+  alone.insert(alone.begin(), "grid");
+  ASSERT_EQ(RunNexrad3d(alone).status, 0);
+  const auto expected = ContentOf(folder.Path() / "alone");
+  ASSERT_EQ(expected.size(), 7U); // six times and the index
+  // Six times for four processes are not the same for each; nine have some without any.
+  for (const int processes : {2, 4, 9})
+  {
+    const std::string output = "by-" + std::to_string(processes);
+    const ProgramRun run = RunGrid(processes, arguments(output));
+    EXPECT_EQ(run.status, 0) << run.errors;
+    EXPECT_EQ(CountOf("6 volumes, ", run.output), 1) << run.output;
+    EXPECT_EQ(CountOf("\n", run.output), 1) << run.output;
+    EXPECT_TRUE(ContentOf(folder.Path() / output) == expected) << processes << " processes";
+  }
+}
+
+TEST_F(SeveralProcesses, DamageIsNamedOnce)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const ProgramRun run = RunGrid(2, {data / "level2" / "damaged" / "KILN20080107_173809.gz", "-o",
+                                      folder.Path() / "v", "--dims", "8x8x8", "--step", "5s"});
+  EXPECT_EQ(run.status, 3) << run.errors;
+  EXPECT_EQ(CountOf("no end of volume", run.errors), 1) << run.errors;
+}
+
+TEST_F(SeveralProcesses, AFailureInOneFailsAll)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  // A folder stands where the last process has to write a file.
+  fs::create_directories(folder.Path() / "v" / "20050821T031000Z.nxv" / "in the way");
+  const ProgramRun run = RunGrid(
+    3, {data / "level2" / "run-kbgm-20050821", "-o", folder.Path() / "v", "--dims", "16x16x8"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_EQ(CountOf("20050821T031000Z.nxv: cannot be written", run.errors), 1) << run.errors;
+  EXPECT_FALSE(fs::exists(folder.Path() / "v" / "volumes.nxv.series"));
+}
+
+TEST_F(SeveralProcesses, WhatIsWrongForAllIsSaidOnce)
+{
+  const ProgramRun missing = RunGrid(3, {"/nonexistent", "-o", "/nonexistent-too"});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_EQ(CountOf("no such file or folder", missing.errors), 1) << missing.errors;
+  const ProgramRun usage = RunGrid(3, {"/nonexistent", "-o", "/nonexistent-too", "--dims", "x"});
+  EXPECT_EQ(usage.status, 2);
+  EXPECT_EQ(CountOf("'x' is no size of a grid", usage.errors), 1) << usage.errors;
+}
