@@ -15,23 +15,6 @@
 namespace nexrad
 {
 
-namespace
-{
-
-bool HasRecord(ByteView plain, std::size_t start)
-{
-  for (std::size_t offset = start; offset < plain.Size(); ++offset)
-  {
-    if (IsLdmRecord(plain, offset))
-    {
-      return true;
-    }
-  }
-  return false;
-}
-
-} // namespace
-
 FileDecoder::FileDecoder(VolumeAssembler& target, const Level2Options& options)
   : assembler(target)
   , maximumRecordBytes(options.maximumRecordBytes)
@@ -67,7 +50,7 @@ void FileDecoder::Decode(std::vector<std::uint8_t> stored)
     assembler.AddHeader(*header);
   }
   const std::size_t start = header ? VolumeHeader::bytes : 0;
-  if (!MessageStream::IsMessage(plain, start) && HasRecord(plain, start))
+  if (!MessageStream::IsMessage(plain, start) && FindLdmRecord(plain, start) < plain.Size())
   {
     this->DecodeRecords(plain, start, file.offsets);
     return;

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <functional>
 #include <string>
+#include <string_view>
 
 namespace nexrad
 {
@@ -14,18 +16,7 @@ namespace
 constexpr std::size_t lengthBytes = 4;
 // "BZh", the block size as a digit, and the six bytes that begin a block.
 constexpr std::size_t signatureBytes = 10;
-
-std::size_t FindNext(ByteView bytes, std::size_t from)
-{
-  for (std::size_t offset = from; bytes.Has(offset, lengthBytes + signatureBytes); ++offset)
-  {
-    if (IsLdmRecord(bytes, offset))
-    {
-      return offset;
-    }
-  }
-  return bytes.Size();
-}
+constexpr std::string_view blockMagic = "1AY&SY";
 
 bool IsPadding(ByteView rest)
 {
@@ -46,7 +37,29 @@ bool IsLdmRecord(ByteView bytes, std::size_t offset)
   const std::size_t stream = offset + lengthBytes;
   return bytes.Has(offset, lengthBytes + signatureBytes) && bytes.StartsWith("BZh", stream) &&
          bytes.U8(stream + 3) >= '1' && bytes.U8(stream + 3) <= '9' &&
-         bytes.StartsWith("1AY&SY", stream + 4);
+         bytes.StartsWith(blockMagic.data(), stream + 4);
+}
+
+std::size_t FindLdmRecord(ByteView bytes, std::size_t from)
+{
+  // A whole file may be searched in vain, so the search leaps.
+  constexpr std::size_t magicPlace = lengthBytes + 4;
+  static const std::boyer_moore_horspool_searcher searcher(blockMagic.begin(), blockMagic.end());
+  const std::uint8_t* const end = bytes.Data() + bytes.Size();
+  const ByteView rest = bytes.Sub(from).Sub(magicPlace);
+  for (const std::uint8_t* place = rest.Data();; ++place)
+  {
+    place = std::search(place, end, searcher);
+    if (place == end)
+    {
+      return bytes.Size();
+    }
+    const auto offset = static_cast<std::size_t>(place - bytes.Data()) - magicPlace;
+    if (IsLdmRecord(bytes, offset))
+    {
+      return offset;
+    }
+  }
 }
 
 std::vector<LdmRecord> FindLdmRecords(
@@ -58,7 +71,7 @@ std::vector<LdmRecord> FindLdmRecords(
   {
     if (!IsLdmRecord(bytes, position))
     {
-      const std::size_t next = FindNext(bytes, position + 1);
+      const std::size_t next = FindLdmRecord(bytes, position + 1);
       damage.push_back(
         {position, std::to_string(next - position) + " bytes that are no compressed record"});
       position = next;
@@ -70,7 +83,7 @@ std::vector<LdmRecord> FindLdmRecords(
     if (!IsRecordEnd(bytes, stream, length))
     {
       // The stream knows its own end; all bytes up to the next record may belong to it.
-      length = FindNext(bytes, stream) - stream;
+      length = FindLdmRecord(bytes, stream) - stream;
       damage.push_back(
         {position, "the record says that it is " + std::to_string(stated) + " bytes long, but " +
                      std::to_string(length) + " bytes are there"});

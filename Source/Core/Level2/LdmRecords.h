@@ -20,6 +20,9 @@ struct LdmRecord
 /// True when a length and the beginning of a bzip2 stream stand at the offset.
 bool IsLdmRecord(ByteView bytes, std::size_t offset);
 
+/// Offset of the first record from `from` on; the size of the bytes when there is none.
+std::size_t FindLdmRecord(ByteView bytes, std::size_t from);
+
 /// The records from `start` on. The length of a record is the magnitude of a signed number (the
 /// last record's is negative). Where a length cannot be right, or bytes are no record, the search
 /// goes on at the next bzip2 stream, and the damage is added with its offset in `bytes`.
