@@ -9,17 +9,6 @@
 namespace nexrad
 {
 
-std::size_t MemoryOf(const PolarVolume& volume)
-{
-  std::size_t bytes = sizeof(PolarVolume);
-  for (const PolarSweep& sweep : volume.sweeps)
-  {
-    bytes += sizeof(PolarSweep) + sweep.rays.size() * sizeof(PolarRay) +
-             sweep.values.size() * sizeof(float) + sweep.states.size() * sizeof(GateState);
-  }
-  return bytes;
-}
-
 PolarCache::PolarCache(MomentName theMoment, std::size_t theLimit, Level2Options theOptions)
   : moment(theMoment)
   , limit(theLimit)
@@ -30,21 +19,25 @@ PolarCache::PolarCache(MomentName theMoment, std::size_t theLimit, Level2Options
 std::size_t PolarCache::Used() const
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  return used;
+  return packedBytes + recentBytes;
 }
 
 void PolarCache::Offer(const SeriesVolume& key, const RadarVolume& volume)
 {
-  if (this->Used() >= limit)
   {
-    return;
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (packedBytes >= this->PackedLimit())
+    {
+      return;
+    }
   }
-  this->Insert(key, std::make_shared<const PolarVolume>(MakePolarVolume(volume, moment)), false);
+  this->Insert(key, std::make_shared<const PackedPolarVolume>(MakePolarVolume(volume, moment)),
+    nullptr, false);
 }
 
 std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
 {
-  if (std::shared_ptr<const PolarVolume> kept = this->Find(key))
+  if (Volume kept = this->Find(key))
   {
     return kept;
   }
@@ -54,11 +47,11 @@ std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
     throw Error(key.file.string() + ": the file changed since it was first read; read it again");
   }
   auto volume = std::make_shared<const PolarVolume>(MakePolarVolume(cycles[key.cycle], moment));
-  this->Insert(key, volume, true);
+  this->Insert(key, std::make_shared<const PackedPolarVolume>(*volume), volume, true);
   return volume;
 }
 
-std::shared_ptr<const PolarVolume> PolarCache::Find(const SeriesVolume& key)
+PolarCache::Volume PolarCache::Find(const SeriesVolume& key)
 {
   const std::lock_guard<std::mutex> lock(mutex);
   const auto entry = std::find_if(entries.begin(), entries.end(),
@@ -68,23 +61,58 @@ std::shared_ptr<const PolarVolume> PolarCache::Find(const SeriesVolume& key)
     return nullptr;
   }
   entries.splice(entries.begin(), entries, entry);
-  return entry->volume;
+  Volume volume = entry->unpacked.lock();
+  if (!volume)
+  {
+    volume = std::make_shared<const PolarVolume>(entry->packed->Unpack());
+    entry->unpacked = volume;
+  }
+  this->KeepRecent(volume);
+  return volume;
 }
 
-void PolarCache::Insert(
-  const SeriesVolume& key, std::shared_ptr<const PolarVolume> volume, bool makeRoom)
+void PolarCache::Insert(const SeriesVolume& key, std::shared_ptr<const PackedPolarVolume> packed,
+  const Volume& unpacked, bool makeRoom)
 {
-  const std::size_t bytes = MemoryOf(*volume);
+  const std::size_t bytes = packed->Bytes();
   const std::lock_guard<std::mutex> lock(mutex);
-  while (makeRoom && bytes <= limit && used + bytes > limit)
+  while (makeRoom && bytes <= this->PackedLimit() && packedBytes + bytes > this->PackedLimit())
   {
-    used -= entries.back().bytes;
+    packedBytes -= entries.back().bytes;
     entries.pop_back();
   }
-  if (used + bytes <= limit)
+  if (packedBytes + bytes <= this->PackedLimit())
   {
-    entries.push_front({key.file, key.cycle, bytes, std::move(volume)});
-    used += bytes;
+    entries.push_front({key.file, key.cycle, bytes, std::move(packed), unpacked});
+    packedBytes += bytes;
+  }
+  if (unpacked)
+  {
+    this->KeepRecent(unpacked);
+  }
+}
+
+// Called with the lock.
+void PolarCache::KeepRecent(const Volume& volume)
+{
+  const auto known = std::find_if(
+    recent.begin(), recent.end(), [&volume](const Recent& each) { return each.volume == volume; });
+  if (known != recent.end())
+  {
+    recent.splice(recent.begin(), recent, known);
+    return;
+  }
+  const std::size_t bytes = MemoryOf(*volume);
+  const std::size_t room = limit - this->PackedLimit();
+  while (bytes <= room && recentBytes + bytes > room)
+  {
+    recentBytes -= recent.back().bytes;
+    recent.pop_back();
+  }
+  if (recentBytes + bytes <= room)
+  {
+    recent.push_front({volume, bytes});
+    recentBytes += bytes;
   }
 }
 

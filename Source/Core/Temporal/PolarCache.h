@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/PolarVolume.h"
+#include "Gridding/PackedPolarVolume.h"
 #include "Level2/Level2File.h"
 #include "Temporal/SiteSeries.h"
 
@@ -13,11 +13,9 @@
 namespace nexrad
 {
 
-/// Bytes that the rays of a volume take in memory.
-std::size_t MemoryOf(const PolarVolume& volume);
-
-/// Volumes as gridding needs them, kept up to a limit of memory. What is not in memory is decoded
-/// again from its file. Safe to call from several threads.
+/// Volumes as gridding needs them, kept up to a limit of memory: all of them packed in three
+/// quarters of it, and those that were used last as they are in the rest. What is not in memory is
+/// decoded again from its file. Safe to call from several threads.
 class PolarCache
 {
 public:
@@ -37,23 +35,35 @@ public:
   std::size_t Used() const;
 
 private:
+  using Volume = std::shared_ptr<const PolarVolume>;
   struct Entry
   {
     std::filesystem::path file;
     std::size_t cycle;
     std::size_t bytes;
-    std::shared_ptr<const PolarVolume> volume;
+    std::shared_ptr<const PackedPolarVolume> packed;
+    std::weak_ptr<const PolarVolume> unpacked; ///< while somebody has it
+  };
+  struct Recent
+  {
+    Volume volume;
+    std::size_t bytes;
   };
 
-  std::shared_ptr<const PolarVolume> Find(const SeriesVolume& key);
-  void Insert(const SeriesVolume& key, std::shared_ptr<const PolarVolume> volume, bool makeRoom);
+  std::size_t PackedLimit() const { return limit - limit / 4; }
+  Volume Find(const SeriesVolume& key);
+  void Insert(const SeriesVolume& key, std::shared_ptr<const PackedPolarVolume> packed,
+    const Volume& unpacked, bool makeRoom);
+  void KeepRecent(const Volume& volume);
 
   const MomentName moment;
   const std::size_t limit;
   const Level2Options options;
   mutable std::mutex mutex;
   std::list<Entry> entries; ///< the one used last stands first
-  std::size_t used = 0;
+  std::list<Recent> recent; ///< the same
+  std::size_t packedBytes = 0;
+  std::size_t recentBytes = 0;
 };
 
 } // namespace nexrad
