@@ -41,6 +41,9 @@ public:
   /// ground `groundDistance` m away (B1 solved for the height). Infinity where it never gets there.
   double HeightOver(double groundDistance, double elevation) const;
 
+  /// a_e = k·a, m.
+  double EffectiveRadius() const { return effectiveRadius; }
+
 private:
   double effectiveRadius; // m
 };

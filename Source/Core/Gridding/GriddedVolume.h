@@ -21,6 +21,17 @@ enum class VoxelState : std::uint8_t
   NotScanned = 3 ///< no beam passed
 };
 
+/// What stands behind each voxel of a merged volume, in the order of its values. Made on demand:
+/// all empty, or all of one size.
+struct VoxelCompanions
+{
+  std::vector<float> age; ///< s between the volume's time and the nearest ray that took part; 0
+                          ///< where not scanned
+  std::vector<std::uint8_t> radars;      ///< number of radars that scanned the voxel
+  std::vector<float> weight;             ///< sum of their weights
+  std::vector<std::uint8_t> nearestSite; ///< index in `sites` of the nearest of them; 255 for none
+};
+
 /// One moment of several radars on one grid at one time.
 struct GriddedVolume
 {
@@ -33,6 +44,7 @@ struct GriddedVolume
   float fill = -33.0F;            ///< value where the state is NoEcho or NotScanned
   std::vector<float> values;      ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;
+  VoxelCompanions companions; ///< of the method "beam", when asked for
 };
 
 } // namespace nexrad

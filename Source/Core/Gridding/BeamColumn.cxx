@@ -1,0 +1,437 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gridding/BeamColumn.h"
+
+#include "Geometry/Angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+double TangentOf(double elevation)
+{
+  return std::tan(elevation * RadiansPerDegree);
+}
+
+// Straight above the antenna every elevation is 90°; so near to it the beams' heights are none.
+constexpr float smallestHalfTangent = 1e-7F; // 2 m
+
+} // namespace
+
+std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beamWidth)
+{
+  const double half = 0.5 * beamWidth;
+  std::vector<TiltEdges> edges(tilts.size());
+  for (std::size_t i = 0; i < tilts.size(); ++i)
+  {
+    const double elevation = static_cast<double>(tilts[i].elevation);
+    edges[i].tangent = tilts[i].tangent;
+    edges[i].lower = static_cast<float>(TangentOf(elevation - half));
+    edges[i].upper = static_cast<float>(TangentOf(std::min(elevation + half, 89.9)));
+    if (i + 1 < tilts.size())
+    {
+      const double next = static_cast<double>(tilts[i + 1].elevation);
+      const double from = TangentOf(elevation);
+      const double middle = 0.5 * (from + TangentOf(next));
+      const double share = (std::atan(middle) / RadiansPerDegree - elevation) / (next - elevation);
+      edges[i].middle = static_cast<float>(TangentOf(0.5 * (elevation + next)));
+      edges[i].bend = static_cast<float>(4.0 * share - 2.0);
+      const double end = std::max(0.5, 1.0 - half / (next - elevation));
+      edges[i].endAbove = static_cast<float>(TangentOf(elevation + end * (next - elevation)));
+      edges[i].endBelow = static_cast<float>(TangentOf(next - end * (next - elevation)));
+      edges[i].endShare = static_cast<float>(end);
+    }
+  }
+  return edges;
+}
+
+SiteLevels::SiteLevels(
+  const GridSpecification& grid, double altitude, double effectiveRadius, double overlapLength)
+  : radius(static_cast<float>(effectiveRadius))
+  , bottom(static_cast<float>(grid.origin[2] - altitude))
+  , perMetre(static_cast<float>(1.0 / grid.spacing[2]))
+{
+  for (int level = 0; level < grid.dimensions[2]; ++level)
+  {
+    const double height = grid.Coordinate(2, level) - altitude;
+    const double part = overlapLength > 0.0 ? height / overlapLength : 0.0;
+    ratio.push_back(static_cast<float>(height / (effectiveRadius + height)));
+    weight.push_back(static_cast<float>(std::exp(-part * part)));
+  }
+}
+
+// Two neighbouring tilts over a column, or one tilt and the edge of its beam.
+struct BeamColumn::Gap
+{
+  const TiltSample* lower;
+  const TiltSample* upper;
+  const TiltEdges* edges = nullptr; // of the lower tilt, when there are two
+  float ratioFrom = 0.0F;           // h/(a_e + h) at the lower tilt
+  float perRatio = 0.0F;            // 1 / the same's difference to the upper tilt
+  int from = 0;                     // first level of the gap
+  int to = 0;                       // first level above it
+  int lowerEnd = 0;                 // first level half a beam width above the lower tilt
+  int upperBegin = 0;               // first level within half a beam width of the upper tilt
+  int middle = 0;                   // first level nearer to the upper tilt
+  int echoEnd = 0;                  // where the echo of one tilt ends, when one has none (G8)
+};
+
+BeamColumn::BeamColumn(
+  int levels, OverlapStrategy theStrategy, const ValueRule& theRule, bool withCompanions)
+  : levelCount(levels)
+  , strategy(theStrategy)
+  , rule(theRule)
+  , companions(withCompanions)
+{
+  const auto count = static_cast<std::size_t>(levels);
+  for (std::vector<float>* each : {&scanned, &echo, &sum, &ages, &weights, &shares, &values})
+  {
+    each->assign(count, 0.0F);
+  }
+  for (std::vector<std::uint8_t>* each : {&folded, &radars, &nearestSites})
+  {
+    each->assign(count, 0);
+  }
+  states.assign(count, VoxelState::NotScanned);
+}
+
+void BeamColumn::Clear()
+{
+  for (std::vector<float>* each : {&scanned, &echo, &sum})
+  {
+    std::fill(each->begin(), each->end(), 0.0F);
+  }
+  std::fill(folded.begin(), folded.end(), std::uint8_t(0));
+  if (companions)
+  {
+    std::fill(ages.begin(), ages.end(), 0.0F);
+    std::fill(radars.begin(), radars.end(), std::uint8_t(0));
+    std::fill(nearestSites.begin(), nearestSites.end(), NoSite);
+  }
+}
+
+void BeamColumn::Add(const SiteColumn& site)
+{
+  const std::vector<TiltEdges>& edges = *site.edges;
+  const SiteLevels& levels = *site.levels;
+  const float t = std::max(site.halfTangent, smallestHalfTangent);
+  const float sine = 2.0F * t / (1.0F + t * t);
+  const auto ratioAt = [t, sine](float tangent) { return (tangent + t) * sine; };
+  const auto levelAt = [this, &levels, &ratioAt](float tangent)
+  {
+    const float ratio = ratioAt(tangent);
+    // Nearly straight up the formula has no answer, and none is needed.
+    const float height = ratio < 0.1F ? levels.radius * ratio / (1.0F - ratio) : 1e6F;
+    const float level =
+      std::clamp((height - levels.bottom) * levels.perMetre, 0.0F, static_cast<float>(levelCount));
+    const int below = static_cast<int>(level);
+    return static_cast<float>(below) < level ? below + 1 : below;
+  };
+  static constexpr TiltSample nothing;
+  int from = levelAt(edges.front().lower);
+  int lowerEnd = 0;
+  for (std::size_t i = 0; i <= edges.size() && from < levelCount; ++i)
+  {
+    // The gap below tilt i: the first reaches down from it, the last up from the tilt before.
+    Gap gap{
+      i > 0 ? &site.samples[i - 1] : &nothing, i < edges.size() ? &site.samples[i] : &nothing};
+    gap.from = from;
+    gap.to = i < edges.size() ? std::max(from, levelAt(edges[i].tangent))
+                              : std::max(from, levelAt(edges.back().upper));
+    if (gap.from < gap.to &&
+        (gap.lower->state != VoxelState::NotScanned || gap.upper->state != VoxelState::NotScanned))
+    {
+      if (i > 0)
+      {
+        lowerEnd = levelAt(edges[i - 1].upper);
+      }
+      gap.lowerEnd = i > 0 ? lowerEnd : from;
+      gap.upperBegin = i < edges.size() ? levelAt(edges[i].lower) : gap.to;
+      gap.middle = gap.from;
+      if (i > 0 && i < edges.size())
+      {
+        gap.ratioFrom = ratioAt(edges[i - 1].tangent);
+        gap.perRatio = 1.0F / (ratioAt(edges[i].tangent) - gap.ratioFrom);
+        gap.edges = &edges[i - 1];
+        gap.middle = std::clamp(levelAt(edges[i - 1].middle), gap.from, gap.to);
+        const bool echoBelow = gap.lower->state == VoxelState::Echo;
+        const float end = echoBelow ? edges[i - 1].endAbove : edges[i - 1].endBelow;
+        gap.echoEnd = std::clamp(levelAt(end), gap.from, gap.to);
+      }
+      this->AddGap(site, gap);
+    }
+    from = gap.to;
+  }
+}
+
+void BeamColumn::AddGap(const SiteColumn& site, const Gap& gap)
+{
+  const VoxelState lower = gap.lower->state;
+  const VoxelState upper = gap.upper->state;
+  const bool measuredLower = lower == VoxelState::Echo || lower == VoxelState::NoEcho;
+  const bool measuredUpper = upper == VoxelState::Echo || upper == VoxelState::NoEcho;
+  if (measuredLower && measuredUpper)
+  {
+    if (lower == VoxelState::NoEcho && upper == VoxelState::NoEcho)
+    {
+      this->AddNone(site, gap, gap.from, gap.to);
+    }
+    else if (lower == upper && !rule.nearest)
+    {
+      this->AddEcho(site, gap, gap.from, gap.to, gap.lower->value, gap.upper->value);
+    }
+    else
+    {
+      this->AddEdge(site, gap);
+    }
+    return;
+  }
+  // What is not measured carries no weight: the other counts within half a beam width (G3).
+  if (lower == VoxelState::RangeFolded || upper == VoxelState::RangeFolded)
+  {
+    const bool foldedAlone = lower == VoxelState::NotScanned || upper == VoxelState::NotScanned;
+    const int from = foldedAlone && lower == VoxelState::NotScanned
+                       ? std::max(gap.from, gap.upperBegin)
+                       : gap.from;
+    const int to =
+      foldedAlone && upper == VoxelState::NotScanned ? std::min(gap.to, gap.lowerEnd) : gap.to;
+    this->AddFolded(from, to);
+  }
+  if (measuredLower)
+  {
+    this->AddState(site, gap, *gap.lower, gap.from, std::min(gap.to, gap.lowerEnd));
+  }
+  if (measuredUpper)
+  {
+    this->AddState(site, gap, *gap.upper, std::max(gap.from, gap.upperBegin), gap.to);
+  }
+}
+
+// Between an echo and none: reflectivity falls towards 0 dBZ, others end midway (Formulas G8).
+void BeamColumn::AddEdge(const SiteColumn& site, const Gap& gap)
+{
+  const bool echoBelow = gap.lower->state == VoxelState::Echo;
+  const float value = echoBelow ? gap.lower->value : gap.upper->value;
+  const float zero = rule.linear ? 1.0F : 0.0F;
+  const bool sameState = gap.lower->state == gap.upper->state; // of a moment that takes the nearest
+  if (sameState || !rule.zeroIsNone || value <= zero)
+  {
+    this->AddState(site, gap, *gap.lower, gap.from, gap.middle);
+    this->AddState(site, gap, *gap.upper, gap.middle, gap.to);
+    return;
+  }
+  const float beyond = value + (zero - value) / gap.edges->endShare;
+  if (echoBelow)
+  {
+    this->AddEcho(site, gap, gap.from, gap.echoEnd, value, beyond);
+    this->AddNone(site, gap, gap.echoEnd, gap.to);
+  }
+  else
+  {
+    this->AddNone(site, gap, gap.from, gap.echoEnd);
+    this->AddEcho(site, gap, gap.echoEnd, gap.to, beyond, value);
+  }
+}
+
+void BeamColumn::AddState(
+  const SiteColumn& site, const Gap& gap, const TiltSample& sample, int from, int to)
+{
+  if (sample.state == VoxelState::Echo)
+  {
+    this->AddEcho(site, gap, from, to, sample.value, sample.value);
+  }
+  else
+  {
+    this->AddNone(site, gap, from, to);
+  }
+}
+
+void BeamColumn::ShareLevels(const SiteColumn& site, const Gap& gap, int from, int to)
+{
+  const float* ratio = site.levels->ratio.data();
+  const float bend = gap.edges != nullptr ? gap.edges->bend : 0.0F;
+  float* share = shares.data();
+  for (int z = from; z < to; ++z)
+  {
+    const float linear = std::clamp((ratio[z] - gap.ratioFrom) * gap.perRatio, 0.0F, 1.0F);
+    share[z] = linear + bend * linear * (1.0F - linear);
+  }
+}
+
+void BeamColumn::WeighLevels(const SiteColumn& site, const Gap& gap, int from, int to)
+{
+  const float* ofLevel = site.levels->weight.data();
+  float* weight = weights.data();
+  const bool both = gap.lower->fade > 0.0F && gap.upper->fade > 0.0F;
+  const float lower =
+    site.weight * (both ? gap.lower->fade : std::max(gap.lower->fade, gap.upper->fade));
+  const float upper = both ? site.weight * gap.upper->fade : lower;
+  if (lower == upper)
+  {
+    for (int z = from; z < to; ++z)
+    {
+      weight[z] = lower * ofLevel[z];
+    }
+    return;
+  }
+  this->ShareLevels(site, gap, from, to);
+  for (int z = from; z < to; ++z)
+  {
+    weight[z] = (lower + shares[static_cast<std::size_t>(z)] * (upper - lower)) * ofLevel[z];
+  }
+}
+
+void BeamColumn::AddNone(const SiteColumn& site, const Gap& gap, int from, int to)
+{
+  this->WeighLevels(site, gap, from, to);
+  const bool nearestAlone = strategy == OverlapStrategy::Nearest;
+  const float* weight = weights.data();
+  float* all = scanned.data();
+  for (int z = from; z < to; ++z)
+  {
+    all[z] = nearestAlone && all[z] > 0.0F ? all[z] : all[z] + weight[z];
+  }
+  this->AddCompanions(site, gap, from, to);
+}
+
+void BeamColumn::AddEcho(
+  const SiteColumn& site, const Gap& gap, int from, int to, float lower, float upper)
+{
+  this->WeighLevels(site, gap, from, to);
+  float* value = values.data();
+  if (lower == upper)
+  {
+    std::fill(value + from, value + std::max(from, to), lower);
+  }
+  else
+  {
+    this->ShareLevels(site, gap, from, to);
+    const float difference =
+      rule.period > 0.0F ? std::remainder(upper - lower, rule.period) : upper - lower;
+    for (int z = from; z < to; ++z)
+    {
+      value[z] = lower + shares[static_cast<std::size_t>(z)] * difference;
+    }
+  }
+  this->AccumulateEcho(from, to);
+  this->AddCompanions(site, gap, from, to);
+}
+
+void BeamColumn::AccumulateEcho(int from, int to)
+{
+  const float* value = values.data();
+  const float* weight = weights.data();
+  float* all = scanned.data();
+  float* seen = echo.data();
+  float* total = sum.data();
+  if (strategy == OverlapStrategy::Maximum)
+  {
+    for (int z = from; z < to; ++z)
+    {
+      total[z] = seen[z] > 0.0F ? std::max(total[z], value[z]) : value[z];
+      seen[z] += weight[z];
+      all[z] += weight[z];
+    }
+    return;
+  }
+  const bool nearestAlone = strategy == OverlapStrategy::Nearest;
+  for (int z = from; z < to; ++z)
+  {
+    const float counted = nearestAlone && all[z] > 0.0F ? 0.0F : weight[z];
+    total[z] += counted * value[z];
+    seen[z] += counted;
+    all[z] += counted;
+  }
+}
+
+void BeamColumn::AddFolded(int from, int to)
+{
+  for (int z = from; z < to; ++z)
+  {
+    folded[static_cast<std::size_t>(z)] = 1;
+  }
+}
+
+void BeamColumn::AddCompanions(const SiteColumn& site, const Gap& gap, int from, int to)
+{
+  if (!companions)
+  {
+    return;
+  }
+  for (int z = from; z < to; ++z)
+  {
+    const auto at = static_cast<std::size_t>(z);
+    const bool upper = gap.lower->fade == 0.0F || (gap.upper->fade > 0.0F && z >= gap.middle);
+    const float age = upper ? gap.upper->age : gap.lower->age;
+    ages[at] = radars[at] == 0 ? age : std::min(ages[at], age);
+    nearestSites[at] = radars[at] == 0 ? static_cast<std::uint8_t>(std::min(site.site, NoSite - 1))
+                                       : nearestSites[at];
+    ++radars[at];
+  }
+}
+
+void BeamColumn::Finish(float fill)
+{
+  const float half = strategy == OverlapStrategy::Maximum ? 0.0F : 0.5F;
+  for (std::size_t z = 0; z < scanned.size(); ++z)
+  {
+    const bool isEcho = echo[z] > 0.0F && echo[z] >= half * scanned[z];
+    const float mean = strategy == OverlapStrategy::Maximum ? sum[z] : sum[z] / echo[z];
+    values[z] = isEcho ? mean : fill;
+    states[z] = isEcho              ? VoxelState::Echo
+                : scanned[z] > 0.0F ? VoxelState::NoEcho
+                : folded[z] != 0    ? VoxelState::RangeFolded
+                                    : VoxelState::NotScanned;
+  }
+  if (rule.linear || rule.period > 0.0F)
+  {
+    this->ConvertEchoes();
+  }
+}
+
+void BeamColumn::ConvertEchoes()
+{
+  for (std::size_t z = 0; z < values.size(); ++z)
+  {
+    if (states[z] == VoxelState::Echo)
+    {
+      const float turns = rule.linear ? 0.0F : std::floor(values[z] / rule.period);
+      values[z] = rule.linear ? 10.0F * std::log10(values[z]) : values[z] - turns * rule.period;
+    }
+  }
+}
+
+void BeamColumn::FillVertically()
+{
+  std::size_t next = 0; // lowest level not yet dealt with
+  for (std::size_t z = 0; z < states.size(); ++z)
+  {
+    if (states[z] == VoxelState::NotScanned)
+    {
+      continue;
+    }
+    for (std::size_t empty = next; empty < z; ++empty)
+    {
+      const bool lowest = next == 0;
+      const auto gap = static_cast<float>(z - next + 1);
+      const float part = lowest ? 1.0F : static_cast<float>(empty - next + 1) / gap;
+      this->FillVoxel(empty, lowest ? z : next - 1, z, part);
+    }
+    next = z + 1;
+  }
+}
+
+// The value `part` of the way from one known voxel to another; the nearer when one has none.
+void BeamColumn::FillVoxel(std::size_t at, std::size_t from, std::size_t to, float part)
+{
+  const bool bothEcho = states[from] == VoxelState::Echo && states[to] == VoxelState::Echo;
+  const std::size_t nearer = part < 0.5F ? from : to;
+  states[at] = states[nearer];
+  values[at] = bothEcho ? values[from] + part * (values[to] - values[from]) : values[nearer];
+}
+
+} // namespace nexrad

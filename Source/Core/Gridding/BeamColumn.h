@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/BeamSampling.h"
+#include "Gridding/GriddedVolume.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+/// What is made of a voxel that several radars scanned.
+enum class OverlapStrategy
+{
+  Mean,    ///< all count alike (Formulas W1)
+  Nearest, ///< the nearest radar alone (W2)
+  Maximum, ///< the largest value, echo when one radar sees any (W3)
+  Distance ///< by distance: exp(−(r/L)²) (W4)
+};
+
+/// A tilt as the vertical interpolation needs it: tangents of elevations, which are linear in
+/// h/(a_e + h) over a column (Formulas G7). The last four are of the gap to the next tilt.
+struct TiltEdges
+{
+  float tangent = 0.0F;  ///< of the tilt
+  float lower = 0.0F;    ///< half a beam width below it
+  float upper = 0.0F;    ///< half a beam width above it
+  float middle = 0.0F;   ///< midway in angle to the next tilt
+  float bend = 0.0F;     ///< turns a share of the tangent's way into a share of the angle's:
+                         ///< share + bend·share·(1 − share)
+  float endAbove = 0.0F; ///< where an echo of this tilt ends below a next one without (G8)
+  float endBelow = 0.0F; ///< where an echo of the next tilt ends above this one without
+  float endShare = 1.0F; ///< part of the way between the tilts that either end is from its echo
+};
+
+/// The edges of tilts in ascending order. Tilts and beam width in degrees.
+std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beamWidth);
+
+/// The levels of a grid as one radar sees them.
+struct SiteLevels
+{
+  SiteLevels(
+    const GridSpecification& grid, double altitude, double effectiveRadius, double overlapLength);
+
+  float radius = 0.0F;       ///< a_e, m
+  float bottom = 0.0F;       ///< m above the antenna, of the lowest level
+  float perMetre = 0.0F;     ///< levels in a metre
+  std::vector<float> ratio;  ///< h/(a_e + h) of each level
+  std::vector<float> weight; ///< exp(−(h/L)²) of each level; 1 without a length
+};
+
+/// One radar over one column.
+struct SiteColumn
+{
+  int site = 0;             ///< its number in the merge
+  float halfTangent = 0.0F; ///< ColumnDirection
+  float weight = 1.0F;      ///< of the radar at the column's foot
+  const SiteLevels* levels = nullptr;
+  const std::vector<TiltEdges>* edges = nullptr;
+  const TiltSample* samples = nullptr; ///< of each tilt
+};
+
+/// Puts together what the radars saw over one column of voxels: linear in the elevation angle
+/// between the tilts (Formulas G2, G3, G6), then the radars by a strategy (W1 to W8).
+class BeamColumn
+{
+public:
+  static constexpr std::uint8_t NoSite = 255;
+
+  BeamColumn(int levels, OverlapStrategy strategy, const ValueRule& rule, bool companions);
+
+  /// Forgets the column before.
+  void Clear();
+
+  /// Adds a radar. For Nearest, and for the nearest site among the companions, the radars must be
+  /// added in the order of their distances.
+  void Add(const SiteColumn& site);
+
+  /// Decides each voxel; then the results below hold.
+  void Finish(float fill);
+
+  /// Fills between and below what was scanned, as Formulas T7 does; after Finish.
+  void FillVertically();
+
+  const std::vector<float>& Values() const { return values; }
+  const std::vector<VoxelState>& States() const { return states; }
+  const std::vector<float>& Weights() const { return scanned; }
+  const std::vector<float>& Ages() const { return ages; }
+  const std::vector<std::uint8_t>& Radars() const { return radars; }
+  const std::vector<std::uint8_t>& NearestSites() const { return nearestSites; }
+
+private:
+  struct Gap;
+  void AddGap(const SiteColumn& site, const Gap& gap);
+  void AddEdge(const SiteColumn& site, const Gap& gap);
+  void AddNone(const SiteColumn& site, const Gap& gap, int from, int to);
+  void AddEcho(const SiteColumn& site, const Gap& gap, int from, int to, float lower, float upper);
+  void AccumulateEcho(int from, int to);
+  void AddFolded(int from, int to);
+  void AddState(const SiteColumn& site, const Gap& gap, const TiltSample& sample, int from, int to);
+  void ConvertEchoes();
+  void FillVoxel(std::size_t at, std::size_t from, std::size_t to, float part);
+  void AddCompanions(const SiteColumn& site, const Gap& gap, int from, int to);
+  void WeighLevels(const SiteColumn& site, const Gap& gap, int from, int to);
+  void ShareLevels(const SiteColumn& site, const Gap& gap, int from, int to);
+
+  const int levelCount;
+  const OverlapStrategy strategy;
+  const ValueRule rule;
+  const bool companions;
+  std::vector<float> scanned; // sum of the weights of the radars that scanned the voxel
+  std::vector<float> echo;    // of those that saw echo
+  std::vector<float> sum;     // of weight × value; for Maximum, the largest value
+  std::vector<std::uint8_t> folded;
+  std::vector<float> ages;
+  std::vector<std::uint8_t> radars;
+  std::vector<std::uint8_t> nearestSites;
+  std::vector<float> weights; // of the radar that is being added
+  std::vector<float> shares;  // of the upper tilt
+  std::vector<float> values;
+  std::vector<VoxelState> states;
+};
+
+} // namespace nexrad

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Geometry/Beam.h"
+#include "Gridding/BeamRows.h"
+#include "Gridding/BeamVolume.h"
+#include "Gridding/GriddedVolume.h"
+#include "Gridding/PolarVolume.h"
+#include "Model/Progress.h"
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace nexrad
+{
+
+struct BeamMergeOptions
+{
+  OverlapStrategy strategy = OverlapStrategy::Distance; ///< of REF and other moments that two
+                                                        ///< radars see alike; VEL, SW and PHI take
+                                                        ///< the nearest (Formulas W8)
+  double overlapLength = 100'000.0;                     ///< m, L of Formulas W4; above 0
+  Duration maximumGap = std::chrono::minutes(15); ///< a ray farther from the time does not count
+  double beamWidth = 0.95;                        ///< degrees (Formulas B4)
+  BeamModel beam = BeamModel();                   ///< path of the beams
+  bool linearReflectivity = false;                ///< interpolate Z in place of dBZ (Formulas G5)
+  bool fill = false;       ///< fill between and below what was scanned (Formulas T7)
+  bool companions = false; ///< make GriddedVolume::companions
+};
+
+/// Runs work over [0, count) in ranges [begin, end), any number of them at a time, and returns when
+/// all of it is done.
+using RangeLoop =
+  std::function<void(int count, const std::function<void(int begin, int end)>& work)>;
+
+/// A loop over `threads` threads of its own, this one included; at least 1.
+RangeLoop ThreadLoop(unsigned threads);
+
+/// The default method: merges volumes of any number of radars, as beams see the voxels of a grid.
+///
+/// For each column of voxels and each radar: every tilt sampled where it passes over the column
+/// (G2, G7), on the looks before and after the time, with each ray's own time (A1, A5); the voxels
+/// between the tilts linear in elevation angle, none farther than half a beam width above the
+/// highest or below the lowest (G3); then the radars together (W). What is not scanned, no echo and
+/// range folded stay apart (G6).
+///
+/// An object serves one run: it keeps the geometry of each radar on the grid, and the volumes of
+/// the last merge made ready, so that a run through the day prepares each volume once and holds
+/// about three of each radar. The result does not depend on the loop that runs the rows.
+class BeamMerger
+{
+public:
+  /// Throws Error for a grid without voxels, or an option that is out of its range.
+  BeamMerger(const GridSpecification& grid, const BeamMergeOptions& options = {});
+
+  /// The merge at a time. Of each radar the volumes about the time, in any order: the last one that
+  /// ended before it, those in progress, the first one after it; others make no difference but
+  /// cost time. All must hold the same moment. Without volumes no voxel is scanned. Empty when
+  /// `progress` asked to stop; it is called from this thread alone. Throws Error when a site has no
+  /// position or the moments differ.
+  std::optional<GriddedVolume> Merge(const std::vector<const PolarVolume*>& volumes, Time time,
+    const RangeLoop& loop = {}, const Progress& progress = {});
+
+  const GridSpecification& Grid() const { return grid; }
+  const BeamMergeOptions& Options() const { return options; }
+
+private:
+  // A volume made ready, and what tells it from others.
+  struct KeptVolume
+  {
+    std::size_t sweeps;
+    std::shared_ptr<const BeamVolume> volume;
+
+    bool IsMadeFrom(const PolarVolume& source) const;
+  };
+  struct KeptGeometry
+  {
+    Position position;
+    std::shared_ptr<const SiteGeometry> geometry;
+  };
+
+  void Prepare(const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop);
+  void FindGeometries(const RangeLoop& loop);
+  const SiteGeometry& GeometryOf(const Position& position) const;
+  GriddedVolume EmptyVolume(
+    const std::vector<MergeSite>& sites, MomentName moment, Time time) const;
+  std::vector<MergeSite> MakeSites(Time time) const;
+
+  const GridSpecification grid;
+  const BeamMergeOptions options;
+  std::vector<KeptGeometry> geometries;
+  std::vector<KeptVolume> kept; // in the order given
+};
+
+} // namespace nexrad

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gridding/BeamRows.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// Columns are merged in strips, so that whole cache lines of each level are written at a time, and
+// so that neighbouring columns look the same sweep up one after the other.
+constexpr int stripWidth = 16;
+
+// One strip's columns, level by level within a column.
+template <class Value>
+class Strip
+{
+public:
+  explicit Strip(std::size_t levelCount)
+    : levels(levelCount)
+    , values(levelCount * stripWidth)
+  {
+  }
+
+  void Set(int column, const std::vector<Value>& from)
+  {
+    std::copy(
+      from.begin(), from.end(), values.begin() + static_cast<std::ptrdiff_t>(levels) * column);
+  }
+
+  // Writes a level of the first `count` columns to where the first of them stands.
+  void Write(std::size_t level, int count, Value* to) const
+  {
+    const Value* from = values.data() + level;
+    for (int column = 0; column < count; ++column)
+    {
+      to[column] = from[static_cast<std::size_t>(column) * levels];
+    }
+  }
+
+private:
+  std::size_t levels;
+  std::vector<Value> values;
+};
+
+class StripMerger
+{
+public:
+  StripMerger(
+    const std::vector<MergeSite>& theSites, const RowOptions& theOptions, GriddedVolume& theVolume)
+    : sites(theSites)
+    , options(theOptions)
+    , volume(theVolume)
+    , levels(static_cast<std::size_t>(theVolume.grid.dimensions[2]))
+    , companions(!theVolume.companions.age.empty())
+    , column(theVolume.grid.dimensions[2], theOptions.strategy, theSites.front().context.rule,
+        companions)
+    , values(levels)
+    , states(levels)
+    , ages(companions ? levels : 0)
+    , weights(companions ? levels : 0)
+    , radars(companions ? levels : 0)
+    , nearestSites(companions ? levels : 0)
+    , samples(theSites.size())
+  {
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      samples[i].resize(sites[i].tilts.size() * stripWidth);
+    }
+  }
+
+  // Merges the columns x to x + count − 1 of a row.
+  void Merge(int x, int y, int count)
+  {
+    present.clear();
+    for (std::size_t i = 0; i < sites.size(); ++i)
+    {
+      this->Sample(i, x, y, count);
+    }
+    if (present.empty())
+    {
+      return;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      this->MergeColumn(x + i, y, i);
+    }
+    this->Write(x, y, count);
+  }
+
+private:
+  // A radar that sees columns of the strip.
+  struct Present
+  {
+    std::size_t site;
+    int begin; // first of its columns in the strip
+    int end;
+  };
+
+  void Sample(std::size_t number, int x, int y, int count)
+  {
+    const MergeSite& site = sites[number];
+    const SiteGeometry& geometry = *site.geometry;
+    const int begin = std::max(x, geometry.BeginX()) - x;
+    const int end = std::min(x + count, geometry.EndX()) - x;
+    if (y < geometry.BeginY() || y >= geometry.EndY() || begin >= end)
+    {
+      return;
+    }
+    const ColumnDirection* directions = geometry.Row(y) + (x - geometry.BeginX());
+    const auto nearer = [](const ColumnDirection& a, const ColumnDirection& b)
+    { return a.halfTangent < b.halfTangent; };
+    const auto* nearest = std::min_element(directions + begin, directions + end, nearer);
+    if (nearest->halfTangent > site.reach)
+    {
+      return;
+    }
+    present.push_back({number, begin, end});
+    const std::size_t tilts = site.tilts.size();
+    for (std::size_t tilt = 0; tilt < tilts; ++tilt)
+    {
+      TiltSample* to = samples[number].data() + tilt;
+      for (int i = begin; i < end; ++i)
+      {
+        to[static_cast<std::size_t>(i) * tilts] =
+          SampleTilt(site.tilts[tilt], directions[i], site.context);
+      }
+    }
+  }
+
+  void MergeColumn(int x, int y, int place)
+  {
+    column.Clear();
+    order.clear();
+    for (const Present& each : present)
+    {
+      if (place >= each.begin && place < each.end)
+      {
+        const SiteGeometry& geometry = *sites[each.site].geometry;
+        order.push_back({geometry.Row(y)[x - geometry.BeginX()].halfTangent, each.site});
+      }
+    }
+    std::sort(order.begin(), order.end());
+    for (const auto& [halfTangent, number] : order)
+    {
+      const MergeSite& site = sites[number];
+      SiteColumn seen;
+      seen.site = static_cast<int>(number);
+      seen.halfTangent = halfTangent;
+      seen.weight = this->WeightAt(site, halfTangent);
+      seen.levels = &site.levels;
+      seen.edges = &site.edges;
+      seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
+      column.Add(seen);
+    }
+    column.Finish(volume.fill);
+    if (options.fill)
+    {
+      column.FillVertically();
+    }
+    this->Keep(place);
+  }
+
+  // Formulas W4, the part of the distance along the ground; the heights' part is in the levels.
+  float WeightAt(const MergeSite& site, float halfTangent) const
+  {
+    if (options.strategy != OverlapStrategy::Distance)
+    {
+      return 1.0F;
+    }
+    const float chord = 2.0F * site.levels.radius * halfTangent /
+                        std::sqrt(1.0F + halfTangent * halfTangent) / options.overlapLength;
+    return std::exp(-chord * chord);
+  }
+
+  void Keep(int place)
+  {
+    values.Set(place, column.Values());
+    states.Set(place, column.States());
+    if (companions)
+    {
+      ages.Set(place, column.Ages());
+      weights.Set(place, column.Weights());
+      radars.Set(place, column.Radars());
+      nearestSites.Set(place, column.NearestSites());
+    }
+  }
+
+  void Write(int x, int y, int count) const
+  {
+    const auto width = static_cast<std::size_t>(volume.grid.dimensions[0]);
+    const auto plane = width * static_cast<std::size_t>(volume.grid.dimensions[1]);
+    std::size_t at = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
+    for (std::size_t level = 0; level < levels; ++level, at += plane)
+    {
+      values.Write(level, count, volume.values.data() + at);
+      states.Write(level, count, volume.states.data() + at);
+      if (companions)
+      {
+        ages.Write(level, count, volume.companions.age.data() + at);
+        weights.Write(level, count, volume.companions.weight.data() + at);
+        radars.Write(level, count, volume.companions.radars.data() + at);
+        nearestSites.Write(level, count, volume.companions.nearestSite.data() + at);
+      }
+    }
+  }
+
+  const std::vector<MergeSite>& sites;
+  const RowOptions& options;
+  GriddedVolume& volume;
+  const std::size_t levels;
+  const bool companions;
+  BeamColumn column;
+  Strip<float> values;
+  Strip<VoxelState> states;
+  Strip<float> ages;
+  Strip<float> weights;
+  Strip<std::uint8_t> radars;
+  Strip<std::uint8_t> nearestSites;
+  std::vector<std::vector<TiltSample>> samples; // of each site: tilts within columns
+  std::vector<Present> present;
+  std::vector<std::pair<float, std::size_t>> order; // distance and site
+};
+
+} // namespace
+
+void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, int beginRow,
+  int endRow, GriddedVolume& volume)
+{
+  if (sites.empty())
+  {
+    return;
+  }
+  StripMerger merger(sites, options, volume);
+  const int width = volume.grid.dimensions[0];
+  for (int y = beginRow; y < endRow; ++y)
+  {
+    for (int x = 0; x < width; x += stripWidth)
+    {
+      merger.Merge(x, y, std::min(stripWidth, width - x));
+    }
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/BeamColumn.h"
+#include "Gridding/BeamSampling.h"
+#include "Gridding/BeamTilts.h"
+#include "Gridding/GriddedVolume.h"
+#include "Gridding/SiteGeometry.h"
+
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One radar as it takes part in one merge.
+struct MergeSite
+{
+  std::string name;
+  const SiteGeometry* geometry;
+  SiteLevels levels;
+  std::vector<BeamTilt> tilts;  ///< never empty
+  std::vector<TiltEdges> edges; ///< of the tilts
+  SamplingContext context;
+  float reach = 0.0F; ///< tan(γ/2) of the farthest gate of any look: columns beyond are not seen
+};
+
+/// What is done with the radars.
+struct RowOptions
+{
+  OverlapStrategy strategy = OverlapStrategy::Distance;
+  float overlapLength = 100'000.0F; ///< m
+  bool fill = false;
+};
+
+/// Merges the rows [beginRow, endRow) of a grid: the columns (x, y) for all x and these y. `volume`
+/// has its grid, its fill value and arrays of full size, which hold the fill value and NotScanned;
+/// its companions are made when they have their size. Ranges of rows write apart from each other
+/// and can be run side by side.
+void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, int beginRow,
+  int endRow, GriddedVolume& volume);
+
+} // namespace nexrad

@@ -1,0 +1,316 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gridding/BeamSampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// What a look at a tilt has in a direction: as TiltSample, at the look's own time.
+struct Look
+{
+  VoxelState state = VoxelState::NotScanned;
+  float value = 0.0F;
+  float time = 0.0F; // s from the time of the merge
+};
+
+// Between two values, `share` of the way to the second.
+inline float Blend(float first, float second, float share, const ValueRule& rule)
+{
+  float difference = second - first;
+  if (rule.period > 0.0F)
+  {
+    difference = std::remainder(difference, rule.period);
+  }
+  return first + share * difference;
+}
+
+// The four gates about a point and how much each counts.
+struct Corners
+{
+  std::uint16_t codes[4];
+  float weights[4];
+};
+
+VoxelState StateOf(std::uint16_t code)
+{
+  switch (code)
+  {
+  case BeamSweep::NoEchoCode:
+    return VoxelState::NoEcho;
+  case BeamSweep::RangeFoldedCode:
+    return VoxelState::RangeFolded;
+  case BeamSweep::NotSampledCode:
+    return VoxelState::NotScanned;
+  default:
+    return VoxelState::Echo;
+  }
+}
+
+float ValueOf(std::uint16_t code, const BeamSweep& sweep, const ValueRule& rule)
+{
+  const float value = sweep.base + sweep.step * static_cast<float>(code);
+  return rule.linear ? std::exp2(value * 0.332192809F) : value; // 10^(v/10)
+}
+
+// Formulas G6; of reflectivity, where no echo counts as 0 dBZ, G8.
+void Decide(const Corners& corners, const BeamSweep& sweep, const ValueRule& rule, Look& look)
+{
+  float weights[4] = {0.0F, 0.0F, 0.0F, 0.0F}; // by state
+  float value = 0.0F;
+  constexpr auto echo = static_cast<std::size_t>(VoxelState::Echo);
+  for (int i = 0; i < 4; ++i)
+  {
+    const VoxelState state = StateOf(corners.codes[i]);
+    const float weight = corners.weights[i];
+    weights[static_cast<std::size_t>(state)] += weight;
+    if (state == VoxelState::Echo && weight > 0.0F)
+    {
+      const float own = ValueOf(corners.codes[i], sweep, rule);
+      value = weights[echo] > weight ? Blend(value, own, weight / weights[echo], rule) : own;
+    }
+  }
+  const float none = weights[static_cast<std::size_t>(VoxelState::NoEcho)];
+  const float folded = weights[static_cast<std::size_t>(VoxelState::RangeFolded)];
+  const float missing = weights[static_cast<std::size_t>(VoxelState::NotScanned)];
+  look.value = value;
+  if (none + weights[echo] > 0.0F)
+  {
+    const float zero = rule.linear ? 1.0F : 0.0F;
+    if (rule.zeroIsNone && weights[echo] > 0.0F && value > zero)
+    {
+      look.state = VoxelState::Echo;
+      look.value = zero + (value - zero) * weights[echo] / (none + weights[echo]);
+    }
+    else
+    {
+      look.state = none >= weights[echo] ? VoxelState::NoEcho : VoxelState::Echo;
+    }
+  }
+  else
+  {
+    look.state = folded >= missing ? VoxelState::RangeFolded : VoxelState::NotScanned;
+  }
+}
+
+// An entry of a sweep and how far a direction lies on the way to the next; entry −1: no ray there.
+struct RayPlace
+{
+  int entry;
+  float share;
+};
+
+inline RayPlace FindRays(const BeamSweep& sweep, float azimuth)
+{
+  int entry = sweep.firstEntries[static_cast<std::size_t>(azimuth * BeamSweep::BinsPerDegree)];
+  while (sweep.azimuths[static_cast<std::size_t>(entry) + 1] <= azimuth)
+  {
+    ++entry;
+  }
+  const auto at = static_cast<std::size_t>(entry);
+  const float from = azimuth - sweep.azimuths[at];
+  if (sweep.inverseGaps[at] > 0.0F)
+  {
+    return {entry, from * sweep.inverseGaps[at]};
+  }
+  if (from <= sweep.halfWidth)
+  {
+    return {entry, 0.0F};
+  }
+  return sweep.azimuths[at + 1] - azimuth <= sweep.halfWidth ? RayPlace{entry, 1.0F}
+                                                             : RayPlace{-1, 0.0F};
+}
+
+// Where a sweep passes over a column: the slant range, from the triangle of the antenna, the point
+// and the centre of the earth (Formulas G7).
+inline float RangeOver(const BeamSweep& sweep, const ColumnDirection& column, float radius)
+{
+  const float t = column.halfTangent;
+  return radius * 2.0F * t / (sweep.cosine * (1.0F - t * t) - 2.0F * sweep.sine * t);
+}
+
+// Beyond the last gate nothing was measured, but above the weather there is nothing either (G4).
+inline VoxelState BeyondReach(
+  const BeamSweep& sweep, const ColumnDirection& column, const SamplingContext& context)
+{
+  const float t = column.halfTangent;
+  const float height = (sweep.sine / sweep.cosine + t) * 2.0F * t / (1.0F + t * t);
+  return height > context.ceiling ? VoxelState::NoEcho : VoxelState::NotScanned;
+}
+
+inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& column,
+  const SamplingContext& context)
+{
+  Look look;
+  const RayPlace rays = FindRays(sweep, column.azimuth);
+  const float range = RangeOver(sweep, column, context.effectiveRadius);
+  const float place = (range - sweep.firstGate) * sweep.gatesPerMetre;
+  if (rays.entry < 0 || !(place >= -0.5F))
+  {
+    return look;
+  }
+  const auto entry = static_cast<std::size_t>(rays.entry);
+  look.time =
+    begin + sweep.times[entry] + rays.share * (sweep.times[entry + 1] - sweep.times[entry]);
+  const auto last = static_cast<float>(sweep.gates - 1);
+  if (place > last + 0.5F)
+  {
+    look.state = BeyondReach(sweep, column, context);
+    return look;
+  }
+  const float inside = std::min(std::max(place, 0.0F), last);
+  const int gate = static_cast<int>(inside);
+  const float along = inside - static_cast<float>(gate);
+  const std::uint16_t* first =
+    sweep.codes.data() + entry * sweep.Stride() + static_cast<std::size_t>(gate);
+  const std::uint16_t* second = first + sweep.Stride();
+  if ((first[0] | first[1] | second[0] | second[1]) == BeamSweep::NoEchoCode)
+  {
+    look.state = VoxelState::NoEcho;
+    return look;
+  }
+  const float across = context.rule.nearest ? std::floor(rays.share + 0.5F) : rays.share;
+  const float forth = context.rule.nearest ? std::floor(along + 0.5F) : along;
+  Decide({{first[0], first[1], second[0], second[1]},
+           {(1.0F - across) * (1.0F - forth), (1.0F - across) * forth, across * (1.0F - forth),
+             across * forth}},
+    sweep, context.rule, look);
+  return look;
+}
+
+// The nearer state where one of two sides must be chosen; else both echoes blended.
+Look BlendLooks(const Look& lower, const Look& upper, float share, const ValueRule& rule)
+{
+  if (lower.state == VoxelState::NotScanned || upper.state == VoxelState::NotScanned)
+  {
+    return {};
+  }
+  Look blended = share < 0.5F ? lower : upper;
+  blended.time = lower.time + share * (upper.time - lower.time);
+  if (lower.state == VoxelState::Echo && upper.state == VoxelState::Echo && !rule.nearest)
+  {
+    blended.value = Blend(lower.value, upper.value, share, rule);
+  }
+  return blended;
+}
+
+inline Look LookAt(
+  const TiltObservation& observation, const ColumnDirection& column, const SamplingContext& context)
+{
+  const Look lower = LookAt(*observation.lower, observation.lowerBegin, column, context);
+  if (observation.upper == nullptr)
+  {
+    return lower;
+  }
+  const Look upper = LookAt(*observation.upper, observation.upperBegin, column, context);
+  return BlendLooks(lower, upper, observation.shareOfUpper, context.rule);
+}
+
+// 1 up to two thirds of the largest gap, then down to 0 at the gap (Formulas A6).
+inline float FadeOf(float age, float gap)
+{
+  return std::clamp(3.0F * (1.0F - age / gap), 0.0F, 1.0F);
+}
+
+// Formulas A1, for values on either side of which one may be no echo.
+void BlendTimes(const Look& before, const Look& after, float share, const SamplingContext& context,
+  TiltSample& sample)
+{
+  const bool echoBefore = before.state == VoxelState::Echo;
+  const bool echoAfter = after.state == VoxelState::Echo;
+  const ValueRule& rule = context.rule;
+  const Look& nearer = share < 0.5F ? before : after;
+  if (echoBefore && echoAfter)
+  {
+    sample.state = VoxelState::Echo;
+    sample.value =
+      rule.nearest ? nearer.value : Blend(before.value, after.value, share, context.rule);
+    return;
+  }
+  const bool measured =
+    before.state != VoxelState::RangeFolded && after.state != VoxelState::RangeFolded;
+  if (measured && echoBefore != echoAfter && rule.zeroIsNone)
+  {
+    const float zero = rule.linear ? 1.0F : 0.0F;
+    sample.value = echoBefore ? before.value + share * (zero - before.value)
+                              : zero + share * (after.value - zero);
+    sample.state = sample.value > zero ? VoxelState::Echo : VoxelState::NoEcho;
+    return;
+  }
+  // A folded gate tells nothing: the other side stands alone.
+  const Look& told = measured ? nearer : before.state == VoxelState::RangeFolded ? after : before;
+  sample.state = told.state;
+  sample.value = told.value;
+}
+
+// The first look of a list that saw the column on its side of the time, within the gap.
+inline Look FindLook(const std::vector<TiltObservation>& observations,
+  const ColumnDirection& column, const SamplingContext& context, bool after)
+{
+  for (const TiltObservation& observation : observations)
+  {
+    const Look look = LookAt(observation, column, context);
+    if (look.state != VoxelState::NotScanned && (look.time > 0.0F) == after)
+    {
+      return std::abs(look.time) <= context.gap ? look : Look{};
+    }
+  }
+  return {};
+}
+
+// One look without its counterpart, as it is.
+TiltSample SampleOf(const Look& look, float gap)
+{
+  TiltSample sample;
+  sample.state = look.state;
+  sample.value = look.value;
+  sample.age = std::abs(look.time);
+  sample.fade = FadeOf(sample.age, gap);
+  return sample;
+}
+
+} // namespace
+
+ValueRule ValueRule::Of(MomentName moment, bool linearReflectivity)
+{
+  ValueRule rule;
+  rule.nearest = moment == MomentName::VEL;
+  rule.zeroIsNone = moment == MomentName::REF;
+  rule.linear = moment == MomentName::REF && linearReflectivity;
+  rule.period = moment == MomentName::PHI ? 360.0F : 0.0F;
+  return rule;
+}
+
+TiltSample SampleTilt(
+  const BeamTilt& tilt, const ColumnDirection& column, const SamplingContext& context)
+{
+  const Look before = FindLook(tilt.before, column, context, false);
+  const Look after = FindLook(tilt.after, column, context, true);
+  if (before.state == VoxelState::NotScanned || after.state == VoxelState::NotScanned)
+  {
+    const Look& alone = before.state == VoxelState::NotScanned ? after : before;
+    return alone.state == VoxelState::NotScanned ? TiltSample{} : SampleOf(alone, context.gap);
+  }
+  const float fadeBefore = FadeOf(-before.time, context.gap);
+  const float fadeAfter = FadeOf(after.time, context.gap);
+  TiltSample sample;
+  sample.age = std::min(-before.time, after.time);
+  sample.fade = std::max(fadeBefore, fadeAfter);
+  if (before.state == VoxelState::NoEcho && after.state == VoxelState::NoEcho)
+  {
+    sample.state = VoxelState::NoEcho;
+    return sample;
+  }
+  const float weightBefore = after.time * fadeBefore;
+  const float weightAfter = -before.time * fadeAfter;
+  const float sum = weightBefore + weightAfter;
+  const float share = sum > 0.0F ? weightAfter / sum : after.time < -before.time ? 1.0F : 0.0F;
+  BlendTimes(before, after, share, context, sample);
+  return sample;
+}
+
+} // namespace nexrad

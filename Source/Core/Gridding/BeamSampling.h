@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/BeamTilts.h"
+#include "Gridding/GriddedVolume.h"
+#include "Gridding/SiteGeometry.h"
+
+namespace nexrad
+{
+
+/// How values of a moment are put together.
+struct ValueRule
+{
+  bool nearest = false;    ///< take the nearest instead of interpolating
+  bool linear = false;     ///< values are interpolated as 10^(dBZ/10) (Formulas G5)
+  bool zeroIsNone = false; ///< no echo counts as 0 dBZ against an echo (Formulas G8, A1)
+  float period = 0.0F;     ///< of angles, in the moment's unit; 0: values are no angles
+
+  /// The rule of a moment: velocity takes the nearest (it is folded, and the Nyquist velocity
+  /// differs from cut to cut), differential phase is an angle, the others are interpolated.
+  static ValueRule Of(MomentName moment, bool linearReflectivity);
+};
+
+/// What one radar has at one place of one tilt at the time of the merge. `value` is without meaning
+/// unless the state is Echo.
+struct TiltSample
+{
+  VoxelState state = VoxelState::NotScanned;
+  float value = 0.0F;
+  float fade = 0.0F; ///< 0…1: how much the site counts, by the age of what it saw (Formulas A6)
+  float age = 0.0F;  ///< s between the time of the merge and the nearer of the rays used
+};
+
+/// What sampling needs to know beside the tilt.
+struct SamplingContext
+{
+  ValueRule rule;
+  float gap = 900.0F;              ///< s: rays farther from the time do not count
+  float effectiveRadius = 8.49e6F; ///< m
+  float ceiling = 0.002F; ///< h/(a_e + h) of the height above which nothing can be (Formulas G4)
+};
+
+/// Samples a tilt over a column: bilinear in azimuth and range on the last look at or before the
+/// time and on the first one after it, then linear in time (Formulas G2, G6, A1).
+TiltSample SampleTilt(
+  const BeamTilt& tilt, const ColumnDirection& column, const SamplingContext& context);
+
+} // namespace nexrad

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/BeamVolume.h"
+
+#include <vector>
+
+namespace nexrad
+{
+
+/// One look of a radar at one tilt: a sweep; or, where a volume has no sweep at the tilt but sweeps
+/// below and above it, these two in the ratio of the angles.
+struct TiltObservation
+{
+  const BeamSweep* lower = nullptr;
+  const BeamSweep* upper = nullptr; ///< nullptr: `lower` alone
+  float shareOfUpper = 0.0F;        ///< 0…1
+  float lowerBegin = 0.0F;          ///< s from the time of the merge to the first ray of `lower`
+  float upperBegin = 0.0F;          ///< the same of `upper`
+
+  float Begin() const; ///< s from the time of the merge, of the earliest ray
+  float End() const;   ///< of the latest ray
+};
+
+/// One elevation angle at which a radar looks about a time, and the looks at it.
+struct BeamTilt
+{
+  float elevation = 0.0F;              ///< degrees, mean over the sweeps
+  float tangent = 0.0F;                ///< of the elevation
+  std::vector<TiltObservation> before; ///< may hold rays at or before the time, the latest first
+  std::vector<TiltObservation> after;  ///< may hold rays after the time, the earliest first
+};
+
+/// The tilts of some volumes of one radar (Formulas A5), ascending. Repeated cuts are several looks
+/// at one tilt. When the pattern changes between the volumes, the tilts are those of all patterns,
+/// and a volume without a sweep at a tilt is interpolated there from its sweeps below and above, so
+/// that each tilt is seen before and after wherever the radar looked. Looks farther than `gap` from
+/// the time are left out, and tilts without a sweep of their own. The volumes must outlive the
+/// tilts.
+std::vector<BeamTilt> FindTilts(
+  const std::vector<const BeamVolume*>& volumes, Time time, Duration gap);
+
+} // namespace nexrad

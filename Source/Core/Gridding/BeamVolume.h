@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/PolarVolume.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One sweep as the merge by beams looks gates up: rays by azimuth, gates as words of 16 bits.
+///
+/// Rays stand in the order of their azimuths, with the last one repeated before the first (less
+/// 360°) and the first after the last (plus 360°), so that each direction lies between an entry and
+/// the next.
+struct BeamSweep
+{
+  static constexpr std::uint16_t NoEchoCode = 0;
+  static constexpr std::uint16_t RangeFoldedCode = 1;
+  static constexpr std::uint16_t NotSampledCode = 2;
+  static constexpr std::uint16_t FirstValueCode = 3;
+  static constexpr float BinsPerDegree = 2.0F;
+
+  float elevation = 0.0F;     ///< degrees, mean of the rays
+  float sine = 0.0F;          ///< of the elevation
+  float cosine = 1.0F;        ///< of the elevation
+  float firstGate = 0.0F;     ///< m, slant range of the first gate's centre
+  float gatesPerMetre = 0.0F; ///< 1 / spacing of the gates
+  int gates = 0;              ///< of each ray
+  float base = 0.0F;          ///< value = base + step × code, for codes from FirstValueCode
+  float step = 0.0F;
+  int elevationNumber = 0;
+  Time begin{}; ///< earliest ray
+  Time end{};   ///< latest ray
+
+  std::vector<float> azimuths;    ///< of the entries, degrees, ascending
+  std::vector<float> inverseGaps; ///< 1 / degrees from an entry to the next; 0 where the gap is too
+                                  ///< wide to interpolate across
+  std::vector<float> times;       ///< of the entries, s since `begin`
+  std::vector<std::uint32_t> firstEntries; ///< last entry at or before the start of each bin
+  std::vector<std::uint16_t> codes;        ///< entries × Stride(), the last gate of each repeated
+  float halfWidth = 0.0F; ///< degrees that a ray is wide to either side at the edge of a gap
+
+  std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
+  /// Outer edge of the last gate, m.
+  float Reach() const { return firstGate + (static_cast<float>(gates) - 0.5F) / gatesPerMetre; }
+};
+
+/// One moment of one volume, made ready for the merge by beams once a run.
+struct BeamVolume
+{
+  Site site;
+  MomentName moment = MomentName::REF;
+  Time start{}; ///< first ray
+  Time end{};   ///< last ray
+  bool synthetic = false;
+  std::vector<BeamSweep> sweeps; ///< in the order scanned
+
+  std::size_t MemoryBytes() const;
+};
+
+/// Elevations that differ by no more are one tilt, degrees. Neighbouring cuts of one pattern lie
+/// 0.4° apart or more, repeated ones within 0.1°.
+constexpr double SameTilt = 0.15;
+
+/// Makes a volume ready. Values are rounded to 1/65000 of the sweep's range of values. A gap
+/// between rays wider than one and a half times `beamWidth` (degrees) or the sweep's own spacing,
+/// whichever is larger, is not interpolated across. Of a split cut the reflectivity of the
+/// surveillance cut is kept: a sweep of REF is left out when another cut of the volume at the same
+/// tilt reaches a tenth farther or more. Sweeps without rays or gates are left out, and so are rays
+/// at the azimuth of a later one.
+BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth = 0.95);
+
+} // namespace nexrad

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// One radar at one time: what becomes of the gates.
+#include "BeamScene.h"
+#include "Gridding/Coverage.h"
+#include "Model/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+constexpr double halfWidth = 0.475; // degrees
+constexpr double edge = 0.002;      // degrees about a limit in which either side is right
+
+// Voxels of the scene over which every ray of its uniform sweeps has gates.
+bool IsInReach(const SeenVoxel& voxel)
+{
+  return voxel.groundDistance > 2'000.0 && voxel.groundDistance < 200'000.0;
+}
+
+std::size_t Count(const GriddedVolume& volume, VoxelState state)
+{
+  return static_cast<std::size_t>(std::count(volume.states.begin(), volume.states.end(), state));
+}
+
+} // namespace
+
+TEST(BeamMerge, LinearInElevationBetweenTheTiltsAndNotBeyondHalfABeam)
+{
+  const std::vector<double> tilts = {0.5, 1.5, 6.0, 14.0};
+  const std::vector<float> values = {20.0F, 40.0F, 30.0F, 55.0F};
+  std::vector<PolarSweep> sweeps;
+  for (std::size_t i = 0; i < tilts.size(); ++i)
+  {
+    sweeps.push_back(UniformSweep(static_cast<int>(i) + 1, tilts[i], values[i]));
+  }
+  const GriddedVolume volume = MergeAt({VolumeOf(sweeps)}, 0.0);
+  std::size_t between = 0;
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    if (!IsInReach(voxel))
+    {
+      return;
+    }
+    const VoxelState state = volume.states[voxel.index];
+    const double below = tilts.front() - halfWidth - voxel.elevation;
+    const double above = voxel.elevation - tilts.back() - halfWidth;
+    if (std::max(below, above) > edge)
+    {
+      ASSERT_EQ(state, VoxelState::NotScanned) << voxel.elevation; // the cone of silence too
+      ASSERT_EQ(volume.values[voxel.index], volume.fill);
+      return;
+    }
+    if (std::max(below, above) > -edge)
+    {
+      return;
+    }
+    ASSERT_EQ(state, VoxelState::Echo) << voxel.elevation;
+    double expected = static_cast<double>(values.back());
+    for (std::size_t i = tilts.size(); i-- > 0;)
+    {
+      const double next = i + 1 < tilts.size() ? tilts[i + 1] : 90.0;
+      const double step =
+        i + 1 < tilts.size() ? static_cast<double>(values[i + 1] - values[i]) : 0.0;
+      if (voxel.elevation < next)
+      {
+        const double share = std::max((voxel.elevation - tilts[i]) / (next - tilts[i]), 0.0);
+        expected = static_cast<double>(values[i]) + share * step;
+      }
+    }
+    ASSERT_NEAR(volume.values[voxel.index], expected, 0.05) << voxel.elevation;
+    ++between;
+  };
+  ForEachVoxel(volume.grid, centralSite, check);
+  EXPECT_GT(between, 50'000u);
+  EXPECT_EQ(volume.sites, std::vector<std::string>{"KTST"});
+  EXPECT_EQ(volume.method, "beam");
+}
+
+// A value that is linear in azimuth and in range comes out as such, with rays as uneven as 0.5° to
+// 1.4° apart.
+TEST(BeamMerge, BilinearInAzimuthAndRangeWithUnevenRays)
+{
+  PolarSweep sweep = UniformSweep(1, 1.0, 0.0F);
+  double azimuth = 0.3;
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    sweep.rays[ray].azimuth = azimuth;
+    azimuth += ray % 3 == 0 ? 1.4 : ray % 3 == 1 ? 0.5 : 1.1;
+    for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+    {
+      const double range = 1'000.0 * static_cast<double>(gate + 1);
+      SetGate(sweep, ray, gate,
+        static_cast<float>(10.0 + sweep.rays[ray].azimuth / 20.0 + range / 10'000.0));
+    }
+  }
+  ASSERT_LT(azimuth, 361.0);
+  const GriddedVolume volume = MergeAt({VolumeOf({sweep})}, 0.0);
+  const BeamModel beam;
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    const bool near = std::abs(voxel.elevation - 1.0) < halfWidth - edge;
+    if (IsInReach(voxel) && near && voxel.azimuth > 1.0 && voxel.azimuth < 359.0)
+    {
+      const double height = beam.HeightOver(voxel.groundDistance, 1.0);
+      const double range = beam.Look({height, voxel.groundDistance}).slantRange;
+      ASSERT_NEAR(volume.values[voxel.index], 10.0 + voxel.azimuth / 20.0 + range / 10'000.0, 0.01);
+    }
+  };
+  ForEachVoxel(volume.grid, centralSite, check);
+}
+
+// No rings, no stripes, no gaps, whatever the rays: every voxel that some beam saw has the value.
+TEST(BeamMerge, AConstantFieldComesOutConstantFromLegacyAndSuperResolutionTogether)
+{
+  const Position other = {39.6, -91.2, 350.0};
+  std::vector<PolarSweep> legacy;
+  std::vector<PolarSweep> fine;
+  int number = 0;
+  for (const double elevation : {0.5, 1.45, 2.4, 4.3, 9.9, 19.5})
+  {
+    ++number;
+    legacy.push_back(UniformSweep(number, elevation, 33.5F));
+    for (std::size_t i = 0; i < legacy.back().rays.size(); ++i)
+    {
+      legacy.back().rays[i].azimuth += 0.4 * std::sin(static_cast<double>(7 * i));
+    }
+    PolarSweep sweep = MakeSweep(number, elevation, 720, 920, 250.0);
+    SetAll(sweep, 33.5F);
+    for (PolarRay& ray : sweep.rays)
+    {
+      ray.time = sceneTime;
+    }
+    fine.push_back(sweep);
+  }
+  std::vector<PolarVolume> volumes = {VolumeOf(legacy), VolumeOf(fine, other)};
+  volumes[1].site.name = "KFIN";
+  GridSpecification grid = SceneGrid();
+  grid.dimensions[2] = 44; // 11 km: a field that is constant to 18 km and beyond is none (G4)
+  const GriddedVolume volume = MergeAt(volumes, 0.0, {}, grid);
+  // Beams a little narrower and shorter than they are: their very edges depend on rounding.
+  CoverageOptions options;
+  options.beamWidth = 0.94;
+  std::vector<PolarVolume> shorter = volumes;
+  for (PolarVolume& each : shorter)
+  {
+    for (PolarSweep& sweep : each.sweeps)
+    {
+      for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+      {
+        for (std::size_t gate = sweep.gates - 8; gate < sweep.gates; ++gate)
+        {
+          sweep.states[sweep.Index(ray, gate)] = GateState::NotSampled;
+        }
+      }
+    }
+  }
+  const auto seen = BeamCoverage({&shorter[0], &shorter[1]}, volume.grid, options);
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < seen.size(); ++i)
+  {
+    ASSERT_TRUE(seen[i] == 0 || volume.states[i] == VoxelState::Echo) << i;
+    if (volume.states[i] == VoxelState::Echo)
+    {
+      ASSERT_FLOAT_EQ(volume.values[i], 33.5F);
+    }
+    covered += seen[i];
+  }
+  EXPECT_GT(covered, 100'000u);
+}
+
+TEST(BeamMerge, ARayThatIsMissingLeavesAGapOfItsOwnWidth)
+{
+  PolarSweep sweep = UniformSweep(1, 1.0, 20.0F);
+  sweep.rays.resize(350); // 350° to 359° are missing
+  sweep.values.resize(350 * sweep.gates);
+  sweep.states.resize(350 * sweep.gates);
+  const GriddedVolume volume = MergeAt({VolumeOf({sweep})}, 0.0);
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    if (IsInReach(voxel) && std::abs(voxel.elevation - 1.0) < halfWidth - edge)
+    {
+      const bool missing = voxel.azimuth > 349.6 && voxel.azimuth < 359.4;
+      const bool atEdge = (voxel.azimuth > 349.4 && voxel.azimuth <= 349.6) ||
+                          (voxel.azimuth >= 359.4 && voxel.azimuth < 359.6);
+      const VoxelState expected = missing ? VoxelState::NotScanned : VoxelState::Echo;
+      ASSERT_TRUE(atEdge || volume.states[voxel.index] == expected) << voxel.azimuth;
+    }
+  };
+  ForEachVoxel(volume.grid, centralSite, check);
+}
+
+// Formulas G6: folded and unsampled gates carry no weight, and their states survive alone.
+TEST(BeamMerge, ThreeKindsOfNothingStayApart)
+{
+  PolarSweep sweep = MakeSweep(1, 1.0, 360, 230);
+  for (std::size_t ray = 0; ray < 360; ++ray)
+  {
+    sweep.rays[ray].time = sceneTime;
+    for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+    {
+      const GateState state = ray < 90    ? GateState::BelowThreshold
+                              : ray < 180 ? GateState::RangeFolded
+                              : ray < 270 ? GateState::NotSampled
+                                          : GateState::Valid;
+      sweep.states[sweep.Index(ray, gate)] = state;
+      sweep.values[sweep.Index(ray, gate)] = 25.0F;
+    }
+  }
+  const GriddedVolume volume = MergeAt({VolumeOf({sweep})}, 0.0);
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    const double quarter = std::fmod(voxel.azimuth, 90.0);
+    if (!IsInReach(voxel) || std::abs(voxel.elevation - 1.0) > halfWidth - edge || quarter < 1.0 ||
+        quarter > 88.0)
+    {
+      return;
+    }
+    const VoxelState expected = voxel.azimuth < 90.0    ? VoxelState::NoEcho
+                                : voxel.azimuth < 180.0 ? VoxelState::RangeFolded
+                                : voxel.azimuth < 270.0 ? VoxelState::NotScanned
+                                                        : VoxelState::Echo;
+    ASSERT_EQ(volume.states[voxel.index], expected) << voxel.azimuth;
+    const float value = expected == VoxelState::Echo ? 25.0F : volume.fill;
+    ASSERT_FLOAT_EQ(volume.values[voxel.index], value);
+  };
+  ForEachVoxel(volume.grid, centralSite, check);
+}
+
+// Formulas G8: from 40 dBZ at 1° to no echo at 3°, zero is reached half a beam before 3°.
+TEST(BeamMerge, AnEchoFallsToNoEchoBelowATiltWithoutOne)
+{
+  PolarSweep none = UniformSweep(2, 3.0, 0.0F);
+  none.states.assign(none.states.size(), GateState::BelowThreshold);
+  const auto sweeps = [&none](double echo)
+  {
+    std::vector<PolarSweep> both = {UniformSweep(1, echo, 40.0F), none};
+    return std::vector<PolarVolume>{VolumeOf(both)};
+  };
+  for (const double echo : {1.0, 5.0})
+  {
+    const GriddedVolume volume = MergeAt(sweeps(echo), 0.0);
+    const double end = 2.0 - halfWidth;
+    const auto check = [&](const SeenVoxel& voxel)
+    {
+      const double away = std::abs(voxel.elevation - echo);
+      const bool between = (voxel.elevation - echo) * (voxel.elevation - 3.0) < 0.0;
+      if (!IsInReach(voxel) || !between || std::abs(away - end) < edge)
+      {
+        return;
+      }
+      ASSERT_EQ(volume.states[voxel.index] == VoxelState::Echo, away < end) << voxel.elevation;
+      if (away < end)
+      {
+        ASSERT_NEAR(volume.values[voxel.index], 40.0 * (1.0 - away / end), 0.1);
+      }
+    };
+    ForEachVoxel(volume.grid, centralSite, check);
+  }
+}
+
+// Formulas G4: the steep cuts end early, above the weather.
+TEST(BeamMerge, BeyondTheLastGateThereIsNothingAbove18Kilometres)
+{
+  PolarSweep sweep = MakeSweep(1, 19.5, 360, 40); // 40 km, where the beam is 14 km high
+  for (PolarRay& ray : sweep.rays)
+  {
+    ray.time = sceneTime;
+  }
+  GridSpecification grid = SceneGrid();
+  grid.dimensions[2] = 120;
+  PolarSweep far = UniformSweep(2, 0.5, 20.0F); // the site reaches farther than this sweep
+  const GriddedVolume volume = MergeAt({VolumeOf({sweep, far})}, 0.0, {}, grid);
+  const BeamModel beam;
+  std::size_t high = 0;
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    const double height = beam.HeightOver(voxel.groundDistance, 19.5) + centralSite.altitude;
+    if (voxel.groundDistance > 42'000.0 && std::abs(voxel.elevation - 19.5) < halfWidth - edge)
+    {
+      const VoxelState expected = height > 18'000.0 ? VoxelState::NoEcho : VoxelState::NotScanned;
+      ASSERT_EQ(volume.states[voxel.index], expected) << height;
+      high += height > 18'000.0;
+    }
+  };
+  ForEachVoxel(grid, centralSite, check);
+  EXPECT_GT(high, 100u);
+}
+
+// Of a split cut the surveillance half counts, whose range is unambiguous.
+TEST(BeamMerge, ASplitCutTakesReflectivityFromItsSurveillanceHalf)
+{
+  PolarSweep doppler = MakeSweep(2, 1.02, 360, 150);
+  SetAll(doppler, 50.0F);
+  for (PolarRay& ray : doppler.rays)
+  {
+    ray.time = sceneTime + Duration(20'000);
+  }
+  const PolarSweep surveillance = UniformSweep(1, 1.0, 20.0F);
+  const auto largest = [](const GriddedVolume& volume)
+  { return *std::max_element(volume.values.begin(), volume.values.end()); };
+  EXPECT_FLOAT_EQ(largest(MergeAt({VolumeOf({surveillance, doppler})}, 30.0)), 20.0F);
+  // Without its other half it is better than nothing; and it is where velocity comes from.
+  EXPECT_FLOAT_EQ(largest(MergeAt({VolumeOf({doppler})}, 30.0)), 50.0F);
+  PolarVolume velocity = VolumeOf({surveillance, doppler});
+  velocity.moment = MomentName::VEL;
+  EXPECT_FLOAT_EQ(largest(MergeAt({velocity}, 30.0)), 50.0F);
+}
+
+TEST(BeamMerge, VelocityIsNeverMixedAndPhaseIsMixedOnTheCircle)
+{
+  const auto alternate = [](MomentName moment, float even, float odd)
+  {
+    PolarSweep sweep = UniformSweep(1, 1.0, even);
+    for (std::size_t ray = 1; ray < sweep.rays.size(); ray += 2)
+    {
+      for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+      {
+        SetGate(sweep, ray, gate, odd);
+      }
+    }
+    PolarVolume volume = VolumeOf({sweep});
+    volume.moment = moment;
+    return MergeAt({volume}, 0.0);
+  };
+  const GriddedVolume velocity = alternate(MomentName::VEL, -24.0F, 24.0F);
+  for (std::size_t i = 0; i < velocity.values.size(); ++i)
+  {
+    ASSERT_TRUE(velocity.states[i] != VoxelState::Echo || std::abs(velocity.values[i]) > 23.99F);
+  }
+  const GriddedVolume phase = alternate(MomentName::PHI, 350.0F, 10.0F);
+  for (std::size_t i = 0; i < phase.values.size(); ++i)
+  {
+    const float turned = std::remainder(phase.values[i], 360.0F);
+    ASSERT_TRUE(phase.states[i] != VoxelState::Echo || std::abs(turned) < 10.01F);
+    ASSERT_TRUE(
+      phase.states[i] != VoxelState::Echo || (phase.values[i] >= 0.0F && phase.values[i] < 360.0F));
+  }
+}
+
+TEST(BeamMerge, LinearReflectivityIsAnOption)
+{
+  const std::vector<PolarVolume> volumes = {
+    VolumeOf({UniformSweep(1, 1.0, 20.0F), UniformSweep(2, 3.0, 40.0F)})};
+  BeamMergeOptions options;
+  options.linearReflectivity = true;
+  const GriddedVolume volume = MergeAt(volumes, 0.0, options);
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    if (IsInReach(voxel) && voxel.elevation > 1.0 && voxel.elevation < 3.0)
+    {
+      const double share = (voxel.elevation - 1.0) / 2.0;
+      const double z = (1.0 - share) * 100.0 + share * 10'000.0;
+      ASSERT_NEAR(volume.values[voxel.index], 10.0 * std::log10(z), 0.05);
+    }
+  };
+  ForEachVoxel(volume.grid, centralSite, check);
+}
+
+TEST(BeamMerge, FillingIsAnOption)
+{
+  const std::vector<PolarVolume> volumes = {VolumeOf({UniformSweep(1, 2.0, 20.0F)})};
+  BeamMergeOptions options;
+  options.fill = true;
+  const GriddedVolume open = MergeAt(volumes, 0.0);
+  const GriddedVolume filled = MergeAt(volumes, 0.0, options);
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    if (IsInReach(voxel) && std::abs(voxel.elevation - 2.0 + halfWidth) > edge)
+    {
+      const bool below = voxel.elevation < 2.0 - halfWidth;
+      ASSERT_TRUE(!below || open.states[voxel.index] == VoxelState::NotScanned);
+      // Near the site no level lies in the beam, and there is nothing to fill with.
+      const bool seen = voxel.groundDistance > 20'000.0 && voxel.elevation < 2.4;
+      ASSERT_TRUE(!seen || filled.states[voxel.index] == VoxelState::Echo);
+      ASSERT_TRUE(!seen || std::abs(filled.values[voxel.index] - 20.0F) < 1e-3F);
+    }
+  };
+  ForEachVoxel(open.grid, centralSite, check);
+  EXPECT_GT(Count(filled, VoxelState::Echo), Count(open, VoxelState::Echo));
+}
+
+TEST(BeamMerge, SaysWhatIsWrong)
+{
+  BeamMerger merger(SceneGrid());
+  PolarVolume nowhere = VolumeOf({UniformSweep(1, 1.0, 20.0F)});
+  nowhere.site.position.reset();
+  EXPECT_THROW(merger.Merge({&nowhere}, sceneTime), Error);
+  const PolarVolume reflectivity = VolumeOf({UniformSweep(1, 1.0, 20.0F)});
+  PolarVolume velocity = reflectivity;
+  velocity.moment = MomentName::VEL;
+  EXPECT_THROW(merger.Merge({&reflectivity, &velocity}, sceneTime), Error);
+  BeamMergeOptions options;
+  options.overlapLength = 0.0;
+  EXPECT_THROW(BeamMerger(SceneGrid(), options), Error);
+  GridSpecification empty = SceneGrid();
+  empty.dimensions[2] = 0;
+  EXPECT_THROW(BeamMerger{empty}, Error);
+}
+
+TEST(BeamMerge, WithoutVolumesNothingIsScanned)
+{
+  const GriddedVolume volume = MergeAt({}, 0.0);
+  EXPECT_EQ(Count(volume, VoxelState::NotScanned), volume.grid.VoxelCount());
+  // Nor with sweeps that hold nothing.
+  const GriddedVolume hollow = MergeAt({VolumeOf({MakeSweep(1, 1.0, 1, 0)})}, 0.0);
+  EXPECT_EQ(Count(hollow, VoxelState::NotScanned), hollow.grid.VoxelCount());
+}
+
+TEST(BeamMerge, StopsWhenAskedTo)
+{
+  const PolarVolume volume = VolumeOf({UniformSweep(1, 1.0, 20.0F)});
+  BeamMerger merger(SceneGrid());
+  EXPECT_FALSE(merger.Merge({&volume}, sceneTime, {}, [](double) { return false; }));
+}
