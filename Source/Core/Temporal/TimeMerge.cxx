@@ -5,7 +5,6 @@
 #include "Temporal/VolumeSelection.h"
 
 #include <algorithm>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -17,25 +16,116 @@ namespace nexrad
 namespace
 {
 
-std::optional<GriddedVolume> MergeBrackets(
-  const std::vector<SiteBracket>& brackets, const MergeRequest& request, const Progress& progress)
+using VolumeList = std::vector<const PolarVolume*>;
+
+// The volumes of each site, by their starts. Sites without a name are told apart by where they
+// stand.
+std::vector<VolumeList> GroupBySite(const VolumeList& volumes)
 {
-  switch (request.method)
+  std::map<std::tuple<std::string, double, double>, VolumeList> sites;
+  for (const PolarVolume* volume : volumes)
   {
-  case MergeMethod::Thesis:
-    return MergeThesis(brackets, request.grid, request.time, progress);
+    const Position position =
+      volume->site.name.empty() ? volume->site.position.value_or(Position{}) : Position{};
+    sites[{volume->site.name, position.latitude, position.longitude}].push_back(volume);
   }
-  return std::nullopt;
+  std::vector<VolumeList> lists;
+  for (auto& site : sites)
+  {
+    std::stable_sort(site.second.begin(), site.second.end(),
+      [](const PolarVolume* a, const PolarVolume* b) { return a->start < b->start; });
+    lists.push_back(std::move(site.second));
+  }
+  return lists;
 }
 
-bool AnySynthetic(const std::vector<SiteBracket>& brackets)
+// Indices of the volumes of one site that take part. `starts` ascends.
+std::vector<std::size_t> ChooseVolumes(
+  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request)
 {
-  return std::any_of(brackets.begin(), brackets.end(),
-    [](const SiteBracket& each)
+  if (request.method == MergeMethod::Beam)
+  {
+    return FindVolumesAbout(starts, ends, request.time, request.maximumGap);
+  }
+  const VolumeBracket bracket = FindBracket(starts, request.time, request.maximumGap);
+  std::vector<std::size_t> chosen;
+  for (const std::optional<std::size_t>& index : {bracket.before, bracket.after})
+  {
+    if (index)
     {
-      return (each.before != nullptr && each.before->synthetic) ||
-             (each.after != nullptr && each.after->synthetic);
-    });
+      chosen.push_back(*index);
+    }
+  }
+  return chosen;
+}
+
+VolumeList ChooseVolumes(const VolumeList& own, const MergeRequest& request)
+{
+  std::vector<Time> starts;
+  std::vector<Time> ends;
+  for (const PolarVolume* volume : own)
+  {
+    starts.push_back(volume->start);
+    ends.push_back(volume->end);
+  }
+  VolumeList chosen;
+  for (const std::size_t index : ChooseVolumes(starts, ends, request))
+  {
+    chosen.push_back(own[index]);
+  }
+  return chosen;
+}
+
+std::optional<GriddedVolume> MergeByThesis(
+  const std::vector<VolumeList>& sites, const MergeRequest& request, const Progress& progress)
+{
+  std::vector<SiteBracket> brackets;
+  bool synthetic = false;
+  for (const VolumeList& chosen : sites)
+  {
+    SiteBracket bracket;
+    for (const PolarVolume* volume : chosen)
+    {
+      (volume->start <= request.time ? bracket.before : bracket.after) = volume;
+      synthetic = synthetic || volume->synthetic;
+    }
+    brackets.push_back(bracket);
+  }
+  std::optional<GriddedVolume> merged = MergeThesis(brackets, request.grid, request.time, progress);
+  if (merged)
+  {
+    merged->synthetic = synthetic;
+  }
+  return merged;
+}
+
+std::optional<GriddedVolume> MergeByBeam(const std::vector<VolumeList>& sites,
+  const MergeRequest& request, const Progress& progress, MergeRun* run)
+{
+  VolumeList volumes;
+  for (const VolumeList& chosen : sites)
+  {
+    volumes.insert(volumes.end(), chosen.begin(), chosen.end());
+  }
+  MergeRun once;
+  BeamMerger& merger = (run != nullptr ? *run : once).MergerFor(request);
+  return merger.Merge(volumes, request.time, request.loop, progress);
+}
+
+bool AreSame(const GridSpecification& a, const GridSpecification& b)
+{
+  return a.dimensions == b.dimensions && a.origin == b.origin && a.spacing == b.spacing &&
+         a.axes == b.axes && a.centreLatitude == b.centreLatitude &&
+         a.centreLongitude == b.centreLongitude;
+}
+
+bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
+{
+  return a.strategy == b.strategy && a.overlapLength == b.overlapLength &&
+         a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
+         a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
+         a.linearReflectivity == b.linearReflectivity && a.fill == b.fill &&
+         a.companions == b.companions;
 }
 
 /// The share [from, to] of a longer piece of work, as a piece of work of its own.
@@ -56,53 +146,53 @@ const char* ToString(MergeMethod method)
   {
   case MergeMethod::Thesis:
     return "thesis";
+  case MergeMethod::Beam:
+    return "beam";
   }
   return "";
 }
 
 std::optional<MergeMethod> ParseMergeMethod(std::string_view text)
 {
-  return text == ToString(MergeMethod::Thesis) ? std::optional<MergeMethod>(MergeMethod::Thesis)
-                                               : std::nullopt;
+  for (const MergeMethod method : {MergeMethod::Thesis, MergeMethod::Beam})
+  {
+    if (text == ToString(method))
+    {
+      return method;
+    }
+  }
+  return std::nullopt;
+}
+
+BeamMerger& MergeRun::MergerFor(const MergeRequest& request)
+{
+  BeamMergeOptions options = request.beam;
+  options.maximumGap = request.maximumGap;
+  if (!merger || !AreSame(merger->Grid(), request.grid) || !AreSame(merger->Options(), options))
+  {
+    merger = std::make_unique<BeamMerger>(request.grid, options);
+  }
+  return *merger;
 }
 
 std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
-  const MergeRequest& request, const Progress& progress)
+  const MergeRequest& request, const Progress& progress, MergeRun* run)
 {
-  // Sites without a name are told apart by where they stand.
-  std::map<std::tuple<std::string, double, double>, std::vector<const PolarVolume*>> sites;
-  for (const PolarVolume* volume : volumes)
+  std::vector<VolumeList> sites;
+  for (const VolumeList& own : GroupBySite(volumes))
   {
-    const Position position =
-      volume->site.name.empty() ? volume->site.position.value_or(Position{}) : Position{};
-    sites[{volume->site.name, position.latitude, position.longitude}].push_back(volume);
-  }
-  std::vector<SiteBracket> brackets;
-  for (auto& site : sites)
-  {
-    std::vector<const PolarVolume*>& own = site.second;
-    std::stable_sort(own.begin(), own.end(),
-      [](const PolarVolume* a, const PolarVolume* b) { return a->start < b->start; });
-    std::vector<Time> starts;
-    std::transform(own.begin(), own.end(), std::back_inserter(starts),
-      [](const PolarVolume* volume) { return volume->start; });
-    const VolumeBracket bracket = FindBracket(starts, request.time, request.maximumGap);
-    if (bracket.before || bracket.after)
+    VolumeList chosen = ChooseVolumes(own, request);
+    if (!chosen.empty())
     {
-      brackets.push_back({bracket.before ? own[*bracket.before] : nullptr,
-        bracket.after ? own[*bracket.after] : nullptr});
+      sites.push_back(std::move(chosen));
     }
   }
-  std::optional<GriddedVolume> merged = MergeBrackets(brackets, request, progress);
-  if (merged)
-  {
-    merged->synthetic = AnySynthetic(brackets);
-  }
-  return merged;
+  return request.method == MergeMethod::Thesis ? MergeByThesis(sites, request, progress)
+                                               : MergeByBeam(sites, request, progress, run);
 }
 
-std::optional<GriddedVolume> MergeSeries(
-  const SeriesScan& scan, PolarCache& cache, const MergeRequest& request, const Progress& progress)
+std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,
+  const MergeRequest& request, const Progress& progress, MergeRun* run)
 {
   // Reading is the first half of the progress when files must be decoded again.
   const Progress reading = Share(progress, 0.0, 0.5);
@@ -114,21 +204,22 @@ std::optional<GriddedVolume> MergeSeries(
       return std::nullopt;
     }
     const SiteSeries& series = scan.sites[i];
-    const VolumeBracket bracket = FindBracket(series.Starts(), request.time, request.maximumGap);
-    for (const std::optional<std::size_t>& index : {bracket.before, bracket.after})
+    std::vector<Time> ends;
+    for (const SeriesVolume& volume : series.volumes)
     {
-      if (index)
-      {
-        inUse.push_back(cache.Get(series.volumes[*index]));
-      }
+      ends.push_back(volume.end);
+    }
+    for (const std::size_t index : ChooseVolumes(series.Starts(), ends, request))
+    {
+      inUse.push_back(cache.Get(series.volumes[index]));
     }
   }
-  std::vector<const PolarVolume*> volumes;
+  VolumeList volumes;
   for (const std::shared_ptr<const PolarVolume>& volume : inUse)
   {
     volumes.push_back(volume.get());
   }
-  return MergeVolumes(volumes, request, Share(progress, 0.5, 1.0));
+  return MergeVolumes(volumes, request, Share(progress, 0.5, 1.0), run);
 }
 
 } // namespace nexrad

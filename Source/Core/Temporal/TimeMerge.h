@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Gridding/BeamMerge.h"
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/PolarVolume.h"
 #include "Model/Progress.h"
 #include "Temporal/PolarCache.h"
 #include "Temporal/SiteSeries.h"
 
+#include <memory>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -17,10 +19,11 @@ namespace nexrad
 /// How rays become voxels.
 enum class MergeMethod
 {
-  Thesis ///< Formulas T1–T7
+  Thesis, ///< Formulas T1–T7
+  Beam    ///< Formulas G, W and A: BeamMerger
 };
 
-/// "thesis".
+/// "thesis", "beam".
 const char* ToString(MergeMethod method);
 /// Empty when the text names no method.
 std::optional<MergeMethod> ParseMergeMethod(std::string_view text);
@@ -30,19 +33,34 @@ struct MergeRequest
 {
   GridSpecification grid;
   Time time{};
-  Duration maximumGap = std::chrono::minutes(15); ///< a volume that starts farther from `time` does
-                                                  ///< not count
-  MergeMethod method = MergeMethod::Thesis;
+  Duration maximumGap = std::chrono::minutes(15); ///< what was seen farther from `time` does not
+                                                  ///< count: for Thesis a volume, by its start; for
+                                                  ///< Beam a ray
+  MergeMethod method = MergeMethod::Beam;
+  BeamMergeOptions beam; ///< of Beam; its largest gap is not used
+  RangeLoop loop;        ///< runs Beam's rows; empty: on this thread
 };
 
-/// Merges volumes of any number of sites, in any order: for each site those just before (or at) and
-/// just after the time. A site with none in reach takes no part; without any, no voxel is scanned.
-/// Empty when `progress` asked to stop. Throws Error as the method does.
+/// What merges at several times of one grid share: the radars' geometry, and the volumes of the
+/// last one made ready. A run passes one object to all its merges, one after the other.
+class MergeRun
+{
+public:
+  /// The merger for the request's grid and options: the one before, when they are the same.
+  BeamMerger& MergerFor(const MergeRequest& request);
+
+private:
+  std::unique_ptr<BeamMerger> merger;
+};
+
+/// Merges volumes of any number of sites, in any order: for each site those about the time (for
+/// Thesis FindBracket, for Beam FindVolumesAbout). A site with none in reach takes no part; without
+/// any, no voxel is scanned. Empty when `progress` asked to stop. Throws Error as the method does.
 std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
-  const MergeRequest& request, const Progress& progress = {});
+  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
 
 /// The same for a scanned series: only the volumes about the time are brought into memory.
 std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,
-  const MergeRequest& request, const Progress& progress = {});
+  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
 
 } // namespace nexrad

@@ -25,6 +25,36 @@ VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration m
   return bracket;
 }
 
+std::vector<std::size_t> FindVolumesAbout(const std::vector<Time>& starts,
+  const std::vector<Time>& ends, Time time, Duration maximumGap)
+{
+  std::vector<std::size_t> about;
+  const auto next = static_cast<std::size_t>(
+    std::distance(starts.begin(), std::upper_bound(starts.begin(), starts.end(), time)));
+  std::optional<std::size_t> lastEnded;
+  for (std::size_t i = 0; i < next; ++i)
+  {
+    if (ends[i] > time)
+    {
+      about.push_back(i);
+    }
+    else if (!lastEnded || ends[i] >= ends[*lastEnded])
+    {
+      lastEnded = i;
+    }
+  }
+  if (lastEnded && time - ends[*lastEnded] <= maximumGap)
+  {
+    about.push_back(*lastEnded);
+  }
+  if (next < starts.size() && starts[next] - time <= maximumGap)
+  {
+    about.push_back(next);
+  }
+  std::sort(about.begin(), about.end());
+  return about;
+}
+
 std::vector<Time> TimeSteps(Time first, Time last, Duration step)
 {
   constexpr std::int64_t mostSteps = 1'000'000;

@@ -38,6 +38,7 @@ MergeRequest Request(const std::vector<Position>& sites, Time time)
   MergeRequest request;
   request.grid = MakeGrid(grid, sites);
   request.time = time;
+  request.method = MergeMethod::Thesis;
   return request;
 }
 
@@ -176,6 +177,55 @@ TEST(TimeMerge, CacheGivesAVolumeInUseToAllWhoAsk)
   EXPECT_EQ(cache.Get(volume), first);
 }
 
+// The same files by beams, each merge alone and all of a run with what they share.
+TEST(TimeMerge, BeamOfASeriesIsThatOfItsVolumes)
+{
+  const TemporaryFolder folder;
+  const std::vector<double> reflectivities = {10.0, 20.0, 40.0};
+  std::vector<PolarVolume> volumes;
+  for (std::size_t i = 0; i < reflectivities.size(); ++i)
+  {
+    const Time time = start + static_cast<int>(i) * 5min;
+    const auto path = WriteLevel2(
+      folder.Path() / std::to_string(i), {ConstantVolume(keax, time, reflectivities[i])});
+    volumes.push_back(MakePolarVolume(ReadLevel2(path), MomentName::REF));
+  }
+  const auto scan = ScanInputs({folder.Path()});
+  PolarCache cache(MomentName::REF, 0);
+  MergeRun run;
+  for (const Duration after : {Duration(2min), Duration(3min), Duration(7min), Duration(20min)})
+  {
+    MergeRequest request = Request({*keax.position}, start + after);
+    request.method = MergeMethod::Beam;
+    const auto alone = MergeVolumes({&volumes[2], &volumes[0], &volumes[1]}, request);
+    const auto ofRun = MergeSeries(*scan, cache, request, {}, &run);
+    EXPECT_EQ(alone->values, ofRun->values);
+    EXPECT_EQ(alone->states, ofRun->states);
+    EXPECT_EQ(ofRun->method, "beam");
+    // Rays take seconds after the volumes' starts: the values lag that much.
+    const double minutes = std::chrono::duration<double>(after).count() / 60.0;
+    const double expected =
+      minutes < 5.0 ? 10.0 + 2.0 * minutes : std::min(20.0 + 4.0 * (minutes - 5.0), 40.0);
+    const auto [smallest, largest] = EchoRange(*ofRun);
+    EXPECT_GT(smallest, expected - 3.0);
+    EXPECT_LE(largest, expected + 1e-3);
+  }
+}
+
+TEST(TimeMerge, ARunMakesANewMergerForOtherOptions)
+{
+  MergeRun run;
+  MergeRequest request = Request({*keax.position}, start);
+  const BeamMerger* first = &run.MergerFor(request);
+  EXPECT_EQ(&run.MergerFor(request), first);
+  request.time += 5min;
+  EXPECT_EQ(&run.MergerFor(request), first);
+  request.beam.fill = true;
+  EXPECT_TRUE(run.MergerFor(request).Options().fill);
+  request.grid.dimensions = {16, 16, 4};
+  EXPECT_EQ(run.MergerFor(request).Grid().dimensions[0], 16);
+}
+
 TEST(TimeMerge, StopsWhenAskedTo)
 {
   const PolarVolume volume = Polar(keax, start, 30.0);
@@ -186,8 +236,10 @@ TEST(TimeMerge, StopsWhenAskedTo)
 TEST(TimeMerge, NamesOfMethods)
 {
   EXPECT_EQ(ParseMergeMethod("thesis"), MergeMethod::Thesis);
+  EXPECT_EQ(ParseMergeMethod("beam"), MergeMethod::Beam);
   EXPECT_FALSE(ParseMergeMethod("Thesis"));
   EXPECT_STREQ(ToString(MergeMethod::Thesis), "thesis");
+  EXPECT_STREQ(ToString(MergeMethod::Beam), "beam");
 }
 
 } // namespace

@@ -59,6 +59,33 @@ TEST(FindBracket, WithoutVolumesThereIsNone)
   EXPECT_FALSE(bracket.before || bracket.after);
 }
 
+namespace
+{
+
+using Indices = std::vector<std::size_t>;
+
+const std::vector<Time> ends = {starts[0] + 280s, starts[1] + 280s, starts[2] + 280s};
+
+} // namespace
+
+TEST(FindVolumesAbout, AVolumeInProgressStandsBetweenItsNeighbours)
+{
+  EXPECT_EQ(FindVolumesAbout(starts, ends, starts[1] + 60s, 15min), (Indices{0, 1, 2}));
+  // Its last ray is in: what was before it matters no more.
+  EXPECT_EQ(FindVolumesAbout(starts, ends, ends[1], 15min), (Indices{1, 2}));
+  EXPECT_EQ(FindVolumesAbout(starts, ends, starts[0] - 60s, 15min), (Indices{0}));
+  EXPECT_EQ(FindVolumesAbout(starts, ends, ends[2] + 60s, 15min), (Indices{2}));
+  EXPECT_EQ(FindVolumesAbout({}, {}, starts[0], 15min), Indices{});
+}
+
+TEST(FindVolumesAbout, TheGapCountsFromTheNearerEndOfAVolume)
+{
+  EXPECT_EQ(FindVolumesAbout(starts, ends, ends[2] + 15min, 15min), (Indices{2}));
+  EXPECT_EQ(FindVolumesAbout(starts, ends, ends[2] + 15min + 1ms, 15min), Indices{});
+  EXPECT_EQ(FindVolumesAbout(starts, ends, starts[0] - 15min, 15min), (Indices{0}));
+  EXPECT_EQ(FindVolumesAbout(starts, ends, starts[0] - 15min - 1ms, 15min), Indices{});
+}
+
 TEST(TimeSteps, AreMultiplesOfTheStepInsideTheSpan)
 {
   const auto steps = TimeSteps(At("2006-03-12T18:00:01Z"), At("2006-03-12T18:15:00Z"), 5min);
