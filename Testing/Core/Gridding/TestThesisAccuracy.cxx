@@ -5,157 +5,21 @@
 #include "Codec/Deflate.h"
 #include "Codec/Quantizer.h"
 #include "Codec/RunLength.h"
-#include "Gridding/Coverage.h"
 #include "Gridding/ThesisMerge.h"
 #include "Gridding/TruthComparison.h"
-#include "Simulation/SimulatedDay.h"
-#include "Temporal/VolumeSelection.h"
+#include "ScannedDay.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
-#include <functional>
 #include <map>
 
 using namespace nexrad;
-using namespace std::chrono_literals;
+using namespace nexrad::testing;
 
 namespace
 {
-
-const Time evening = *ParseIso8601("2006-03-12T18:05:00Z");
-
-// The volumes of the three radars around a time, as gridding takes them.
-class ScannedDay
-{
-public:
-  explicit ScannedDay(Time time)
-  {
-    SimulatedDayOptions options;
-    options.begin = time - 15min;
-    options.length = 30min;
-    std::map<std::string, std::vector<SimulatedVolume>> plans;
-    for (const SimulatedVolume& volume : PlanSimulatedDay(options))
-    {
-      plans[volume.site.name].push_back(volume);
-    }
-    for (const auto& [name, plan] : plans)
-    {
-      this->AddSite(plan, time);
-    }
-  }
-
-  const StormField& Field() const { return field; }
-
-  std::vector<SiteBracket> Brackets() const
-  {
-    std::vector<SiteBracket> brackets;
-    for (std::size_t i = 0; i < volumes.size(); i += 2)
-    {
-      brackets.push_back({&volumes[i], &volumes[i + 1]});
-    }
-    return brackets;
-  }
-
-  std::vector<Position> Positions() const
-  {
-    std::vector<Position> positions;
-    for (const SiteBracket& bracket : this->Brackets())
-    {
-      positions.push_back(*bracket.before->site.position);
-    }
-    return positions;
-  }
-
-  std::vector<const PolarVolume*> Volumes() const
-  {
-    std::vector<const PolarVolume*> all;
-    for (const PolarVolume& volume : volumes)
-    {
-      all.push_back(&volume);
-    }
-    return all;
-  }
-
-  void ChangeRays(const std::function<void(PolarRay&)>& change)
-  {
-    for (PolarVolume& volume : volumes)
-    {
-      for (PolarSweep& sweep : volume.sweeps)
-      {
-        std::for_each(sweep.rays.begin(), sweep.rays.end(), change);
-      }
-    }
-  }
-
-private:
-  void AddSite(const std::vector<SimulatedVolume>& plan, Time time)
-  {
-    std::vector<Time> starts;
-    for (const SimulatedVolume& volume : plan)
-    {
-      starts.push_back(volume.start);
-    }
-    const VolumeBracket found = FindBracket(starts, time, 15min);
-    this->Scan(plan.at(found.before.value()));
-    this->Scan(plan.at(found.after.value()));
-  }
-
-  void Scan(const SimulatedVolume& plan)
-  {
-    const RadarVolume volume =
-      ScanVolume(field, plan.site, plan.coveragePattern, plan.start, SimulatorOptions{});
-    volumes.push_back(MakePolarVolume(volume, MomentName::REF));
-  }
-
-  StormField field;
-  std::vector<PolarVolume> volumes; // of each site the one before and the one after
-};
-
-// Scanning takes seconds: once for all tests of this program.
-const ScannedDay& Evening()
-{
-  static const ScannedDay day(evening);
-  return day;
-}
-
-GridSpecification GridOf(const ScannedDay& day, const std::array<int, 3>& dimensions)
-{
-  GridRequest request;
-  request.dimensions = dimensions;
-  return MakeGrid(request, day.Positions());
-}
-
-struct Truth
-{
-  GridSpecification grid;
-  std::vector<float> values;
-  std::vector<std::uint8_t> counts;
-};
-
-Truth TruthOn(const ScannedDay& day, const std::array<int, 3>& dimensions)
-{
-  Truth truth;
-  truth.grid = GridOf(day, dimensions);
-  truth.values = day.Field().MeanReflectivityRows(truth.grid, 0, dimensions[1], evening);
-  truth.counts = BeamCoverage(day.Volumes(), truth.grid);
-  return truth;
-}
-
-std::string ToText(const std::array<int, 3>& dimensions)
-{
-  return std::to_string(dimensions[0]) + "x" + std::to_string(dimensions[1]) + "x" +
-         std::to_string(dimensions[2]);
-}
-
-void Print(const char* method, const Truth& truth, const TruthScore& score)
-{
-  std::printf("%-8s %-12s RMSE %5.2f dBZ  bias %+5.2f dBZ  missed %6.3f %%  false %6.3f %%  "
-              "(%zu voxels, %zu with echo)\n",
-    method, ToText(truth.grid.dimensions).c_str(), score.rmse, score.bias,
-    100.0 * score.MissedFraction(), 100.0 * score.FalseFraction(), score.voxels, score.trueEcho);
-}
 
 // What a sound geometry keeps by a good margin.
 bool IsSound(const TruthScore& score)
@@ -171,8 +35,8 @@ class ThesisAccuracy : public ::testing::TestWithParam<std::array<int, 3>>
 
 TEST_P(ThesisAccuracy, FindsTheStormAgain)
 {
-  const Truth truth = TruthOn(Evening(), GetParam());
-  const auto volume = MergeThesis(Evening().Brackets(), truth.grid, evening);
+  const Truth truth = TruthOn(EveningDay(), GetParam());
+  const auto volume = MergeThesis(EveningDay().Brackets(), truth.grid, Evening());
   ASSERT_TRUE(volume);
   EXPECT_TRUE(volume->synthetic);
   const TruthScore score = CompareWithTruth(*volume, truth.values, truth.counts);
@@ -191,10 +55,10 @@ INSTANTIATE_TEST_SUITE_P(Grids, ThesisAccuracy,
 // The bounds are worth something: each of two plain mistakes breaks them.
 TEST(ThesisAccuracyBounds, SeeAzimuthsThatTurnTheWrongWay)
 {
-  ScannedDay mirrored = Evening();
+  ScannedDay mirrored = EveningDay();
   const Truth truth = TruthOn(mirrored, {128, 128, 64});
   mirrored.ChangeRays([](PolarRay& ray) { ray.azimuth = 360.0 - ray.azimuth; });
-  const auto volume = MergeThesis(mirrored.Brackets(), truth.grid, evening);
+  const auto volume = MergeThesis(mirrored.Brackets(), truth.grid, Evening());
   const TruthScore score = CompareWithTruth(*volume, truth.values, truth.counts);
   Print("mirrored", truth, score);
   EXPECT_FALSE(IsSound(score));
@@ -202,10 +66,10 @@ TEST(ThesisAccuracyBounds, SeeAzimuthsThatTurnTheWrongWay)
 
 TEST(ThesisAccuracyBounds, SeeAzimuthsThatCountFromTheEast)
 {
-  ScannedDay turned = Evening();
+  ScannedDay turned = EveningDay();
   const Truth truth = TruthOn(turned, {128, 128, 64});
   turned.ChangeRays([](PolarRay& ray) { ray.azimuth += 90.0; });
-  const auto volume = MergeThesis(turned.Brackets(), truth.grid, evening);
+  const auto volume = MergeThesis(turned.Brackets(), truth.grid, Evening());
   const TruthScore score = CompareWithTruth(*volume, truth.values, truth.counts);
   Print("turned", truth, score);
   EXPECT_FALSE(IsSound(score));
@@ -257,8 +121,8 @@ TEST(ThesisVolumes, SizesBesideTable44)
     "with states", "runs from 6", "deflated", "table 4.4");
   for (const auto& [dimensions, thesis] : table)
   {
-    const GridSpecification grid = GridOf(Evening(), dimensions);
-    const auto volume = MergeThesis(Evening().Brackets(), grid, evening);
+    const GridSpecification grid = GridOf(EveningDay(), dimensions);
+    const auto volume = MergeThesis(EveningDay().Brackets(), grid, Evening());
     ASSERT_TRUE(volume);
     const EncodedSizes sizes = SizesOf(*volume);
     const double saved =
