@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How long three radars take to merge at 18:00 UTC of the synthetic day, by dimensions, on two
+// threads, with their volumes in memory: the storm as scanned, and the same rays with an echo in
+// every gate. The geometry, and making the volumes ready, are measured apart: both come once a run.
+#include "Gridding/BeamMerge.h"
+#include "Simulation/SimulatedDay.h"
+#include "Temporal/VolumeSelection.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cmath>
+#include <map>
+
+using namespace nexrad;
+using namespace std::chrono_literals;
+
+namespace
+{
+
+const Time evening = *ParseIso8601("2006-03-12T18:00:00Z");
+
+std::vector<PolarVolume> ScanStorm()
+{
+  SimulatedDayOptions options;
+  options.begin = evening - 15min;
+  options.length = 30min;
+  std::map<std::string, std::vector<SimulatedVolume>> sites;
+  for (const SimulatedVolume& volume : PlanSimulatedDay(options))
+  {
+    sites[volume.site.name].push_back(volume);
+  }
+  const StormField field;
+  std::vector<PolarVolume> scanned;
+  for (const auto& site : sites)
+  {
+    std::vector<Time> starts;
+    std::vector<Time> ends;
+    for (const SimulatedVolume& volume : site.second)
+    {
+      starts.push_back(volume.start);
+      ends.push_back(volume.start + VolumePeriod(volume.coveragePattern));
+    }
+    for (const std::size_t index : FindVolumesAbout(starts, ends, evening, 15min))
+    {
+      const SimulatedVolume& each = site.second[index];
+      scanned.push_back(MakePolarVolume(
+        ScanVolume(field, each.site, each.coveragePattern, each.start), MomentName::REF));
+    }
+  }
+  return scanned;
+}
+
+// An echo in every gate, no two alike.
+std::vector<PolarVolume> FillWithEcho(std::vector<PolarVolume> volumes)
+{
+  for (PolarVolume& volume : volumes)
+  {
+    for (PolarSweep& sweep : volume.sweeps)
+    {
+      for (std::size_t i = 0; i < sweep.values.size(); ++i)
+      {
+        sweep.values[i] = 30.0F + 20.0F * std::sin(static_cast<float>(i % 10'007));
+        sweep.states[i] = GateState::Valid;
+      }
+    }
+  }
+  return volumes;
+}
+
+const std::vector<PolarVolume>& Storm()
+{
+  static const std::vector<PolarVolume> storm = ScanStorm();
+  return storm;
+}
+
+const std::vector<PolarVolume>& EchoEverywhere()
+{
+  static const std::vector<PolarVolume> echo = FillWithEcho(Storm());
+  return echo;
+}
+
+std::vector<const PolarVolume*> PointersTo(const std::vector<PolarVolume>& volumes)
+{
+  std::vector<const PolarVolume*> pointers;
+  for (const PolarVolume& volume : volumes)
+  {
+    pointers.push_back(&volume);
+  }
+  return pointers;
+}
+
+GridSpecification GridOf(int width)
+{
+  GridRequest request;
+  request.dimensions = {width, width, width / 2};
+  std::vector<Position> positions;
+  for (const PolarVolume& volume : Storm())
+  {
+    positions.push_back(*volume.site.position);
+  }
+  return MakeGrid(request, positions);
+}
+
+void MeasureMerge(benchmark::State& state, const std::vector<PolarVolume>& volumes)
+{
+  BeamMerger merger(GridOf(static_cast<int>(state.range(0))));
+  const std::vector<const PolarVolume*> pointers = PointersTo(volumes);
+  const RangeLoop loop = ThreadLoop(2);
+  merger.Merge(pointers, evening, loop); // makes the volumes and the geometry ready
+  for (auto iteration : state)
+  {
+    benchmark::DoNotOptimize(merger.Merge(pointers, evening, loop));
+  }
+}
+
+void MergeStorm(benchmark::State& state)
+{
+  MeasureMerge(state, Storm());
+}
+
+void MergeEchoEverywhere(benchmark::State& state)
+{
+  MeasureMerge(state, EchoEverywhere());
+}
+
+void GeometryOfThreeSites(benchmark::State& state)
+{
+  const GridSpecification grid = GridOf(static_cast<int>(state.range(0)));
+  std::map<std::string, Position> sites;
+  for (const PolarVolume& volume : Storm())
+  {
+    sites[volume.site.name] = *volume.site.position;
+  }
+  for (auto iteration : state)
+  {
+    for (const auto& site : sites)
+    {
+      benchmark::DoNotOptimize(SiteGeometry(grid, site.second, 480'000.0));
+    }
+  }
+}
+
+void PrepareOneVolume(benchmark::State& state)
+{
+  for (auto iteration : state)
+  {
+    benchmark::DoNotOptimize(PrepareBeamVolume(Storm().front()));
+  }
+}
+
+} // namespace
+
+BENCHMARK(MergeStorm)->Arg(128)->Arg(256)->Arg(512)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(MergeEchoEverywhere)
+  ->Arg(128)
+  ->Arg(256)
+  ->Arg(512)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK(GeometryOfThreeSites)->Arg(256)->Arg(512)->Unit(benchmark::kMillisecond);
+BENCHMARK(PrepareOneVolume)->Unit(benchmark::kMillisecond);
+
+BENCHMARK_MAIN();
