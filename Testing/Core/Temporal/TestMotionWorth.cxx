@@ -2,6 +2,7 @@
 // Formulas A4: what interpolation along the motion is worth beside the linear one, on the synthetic
 // day and on a run of real volumes. The middle one of each three volumes of a radar is left out and
 // rebuilt; the table is printed.
+#include "Gridding/BeamMerge.h"
 #include "Gridding/ThesisMerge.h"
 #include "Level2/Level2File.h"
 #include "Simulation/SimulatedDay.h"
@@ -24,23 +25,38 @@ using namespace std::chrono_literals;
 namespace
 {
 
-GriddedVolume GridAlone(const PolarVolume& volume, const std::array<int, 3>& dimensions)
+enum class Method
 {
-  GridRequest request;
-  request.dimensions = dimensions;
-  const GridSpecification grid = MakeGrid(request, {*volume.site.position});
-  return MergeThesis({{&volume, nullptr}}, grid, volume.start).value();
+  Thesis,
+  Beam
+};
+constexpr Method methods[] = {Method::Thesis, Method::Beam};
+
+std::string Describe(const char* site, Method method, int columns)
+{
+  return std::string(site) + (method == Method::Beam ? ", beam, " : ", thesis, ") +
+         std::to_string(columns);
+}
+
+// One volume on the grid, as it was scanned: what it holds is not moved to one time.
+GriddedVolume GridAlone(const PolarVolume& volume, const GridSpecification& grid, Method method)
+{
+  return method == Method::Beam ? BeamMerger(grid).Merge({&volume}, volume.start).value()
+                                : MergeThesis({{&volume, nullptr}}, grid, volume.start).value();
 }
 
 // Scores of all triples of consecutive volumes of one radar.
 LeaveOneOutScore ScoreTriples(
-  const std::vector<PolarVolume>& volumes, const std::array<int, 3>& dimensions)
+  const std::vector<PolarVolume>& volumes, const std::array<int, 3>& dimensions, Method method)
 {
+  GridRequest request;
+  request.dimensions = dimensions;
+  const GridSpecification grid = MakeGrid(request, {volumes.at(0).site.position.value()});
   std::vector<GriddedVolume> window;
   LeaveOneOutScore sum;
   for (const PolarVolume& volume : volumes)
   {
-    window.push_back(GridAlone(volume, dimensions));
+    window.push_back(GridAlone(volume, grid, method));
     if (window.size() > 3)
     {
       window.erase(window.begin());
@@ -97,14 +113,18 @@ class MotionWorth : public ::testing::TestWithParam<const char*>
 TEST_P(MotionWorth, OnTheSyntheticDay)
 {
   const StormField field;
-  const LeaveOneOutScore score = ScoreTriples(ScanHour(field, GetParam()), {128, 128, 64});
-  Print(GetParam(), score);
-  EXPECT_GT(score.linear.compared, 100'000u);
-  EXPECT_LT(score.alongMotion.Rmse(), 0.75 * score.linear.Rmse());
-  EXPECT_LT(score.alongMotion.squares, 0.75 * score.linear.squares);
-  for (std::size_t i = 0; i < RebuildScore::Thresholds.size(); ++i)
+  const std::vector<PolarVolume> volumes = ScanHour(field, GetParam());
+  for (const Method method : methods)
   {
-    EXPECT_GT(score.alongMotion.SuccessIndex(i), score.linear.SuccessIndex(i));
+    const LeaveOneOutScore score = ScoreTriples(volumes, {128, 128, 64}, method);
+    Print(Describe(GetParam(), method, 128), score);
+    EXPECT_GT(score.linear.compared, 100'000u);
+    EXPECT_LT(score.alongMotion.Rmse(), 0.75 * score.linear.Rmse());
+    EXPECT_LT(score.alongMotion.squares, 0.75 * score.linear.squares);
+    for (std::size_t i = 0; i < RebuildScore::Thresholds.size(); ++i)
+    {
+      EXPECT_GT(score.alongMotion.SuccessIndex(i), score.linear.SuccessIndex(i));
+    }
   }
 }
 
@@ -127,14 +147,17 @@ TEST(MotionWorthOf, ARealRun)
   {
     volumes.push_back(MakePolarVolume(ReadLevel2(file), MomentName::REF));
   }
-  for (const std::array<int, 3>& dimensions : {std::array<int, 3>{128, 128, 64}, {256, 256, 128}})
+  for (const Method method : methods)
   {
-    const LeaveOneOutScore score = ScoreTriples(volumes, dimensions);
-    Print("KBGM, " + std::to_string(dimensions[0]) + " columns", score);
-    EXPECT_GT(score.linear.compared, 100'000u);
-    EXPECT_LT(score.alongMotion.Rmse(), score.linear.Rmse());
-    EXPECT_LT(score.alongMotion.squares, score.linear.squares);
-    EXPECT_GT(score.alongMotion.SuccessIndex(0), score.linear.SuccessIndex(0));
-    EXPECT_GT(score.alongMotion.SuccessIndex(1), score.linear.SuccessIndex(1));
+    for (const int columns : {128, 256})
+    {
+      const LeaveOneOutScore score = ScoreTriples(volumes, {columns, columns, columns / 2}, method);
+      Print(Describe("KBGM", method, columns), score);
+      EXPECT_GT(score.linear.compared, 100'000u);
+      EXPECT_LT(score.alongMotion.Rmse(), score.linear.Rmse());
+      EXPECT_LT(score.alongMotion.squares, score.linear.squares);
+      EXPECT_GT(score.alongMotion.SuccessIndex(0), score.linear.SuccessIndex(0));
+      EXPECT_GT(score.alongMotion.SuccessIndex(1), score.linear.SuccessIndex(1));
+    }
   }
 }
