@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <limits>
 #include <random>
@@ -62,7 +63,8 @@ void ExpectSame(const PolarVolume& one, const PolarVolume& other)
     EXPECT_EQ(a.states, b.states);
     ASSERT_EQ(a.values.size(), b.values.size());
     // Bit by bit: NaN is not equal to itself.
-    EXPECT_EQ(std::memcmp(a.values.data(), b.values.data(), a.values.size() * sizeof(float)), 0);
+    EXPECT_TRUE(std::equal(a.values.begin(), a.values.end(), b.values.begin(),
+      [](const float& x, const float& y) { return std::memcmp(&x, &y, sizeof x) == 0; }));
   }
 }
 
