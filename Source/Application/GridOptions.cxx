@@ -2,6 +2,7 @@
 #include "GridOptions.h"
 
 #include "Model/SiteTable.h"
+#include "Temporal/TimeMerge.h"
 #include "UnitOptions.h"
 
 #include <CLI/CLI.hpp>
@@ -36,23 +37,18 @@ double ParseRange(const std::string& text)
 MomentName ParseMoment(const std::string& text)
 {
   const auto moment = ParseMomentName(text);
-  if (moment != MomentName::REF)
+  if (!moment)
   {
-    throw Error(
-      moment ? "the method 'thesis' merges REF alone" : "'" + text + "' is no moment; write REF");
+    throw Error("'" + text + "' is no moment; write REF, VEL, SW, ZDR, PHI, RHO or CFP");
   }
   return *moment;
 }
 
 std::string ParseMethod(const std::string& text)
 {
-  if (text == "beam")
+  if (!ParseMergeMethod(text))
   {
-    throw Error("'beam' does not exist yet; write thesis");
-  }
-  if (text != "thesis")
-  {
-    throw Error("'" + text + "' is no method; write thesis");
+    throw Error("'" + text + "' is no method; write beam or thesis");
   }
   return text;
 }
@@ -124,7 +120,7 @@ void AddGridOptions(CLI::App& command, GridOptions& options)
     command, "--moment", options.moment, ParseMoment, "NAME", "Moment to merge", "REF")
     ->group(group);
   AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
-    "How rays become voxels: thesis", "thesis")
+    "How rays become voxels: beam (between the beams), or thesis (its bin average)", "beam")
     ->group(group);
   AddParsedOption(command, "--site", options.siteName, ParseSite, "NAME",
     "All files are this radar's, whatever name stands in them")
@@ -135,6 +131,10 @@ void AddGridOptions(CLI::App& command, GridOptions& options)
     if (options.begin && options.end && *options.end < *options.begin)
     {
       throw CLI::ValidationError("--end", "lies before --begin");
+    }
+    if (options.method == ToString(MergeMethod::Thesis) && options.moment != MomentName::REF)
+    {
+      throw CLI::ValidationError("--moment", "the method 'thesis' merges REF alone");
     }
   };
   command.parse_complete_callback(check);

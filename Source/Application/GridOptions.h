@@ -25,7 +25,7 @@ struct GridOptions
   std::optional<Time> end;   ///< in place of the last step at or before the last ray; inclusive
   Duration maximumGap = std::chrono::minutes(15);
   MomentName moment = MomentName::REF;
-  std::string method = "thesis";
+  std::string method = "beam"; ///< a name that ParseMergeMethod knows
   std::string siteName; ///< in place of the names in the files; empty: as the files say
 };
 

@@ -40,6 +40,7 @@ struct vtkNexradDayReader::Day
   nexrad::PolarCache Cache;
   nexrad::SeriesScan Scan;
   nexrad::GridSpecification Grid;
+  nexrad::MergeRun Run;
 };
 
 vtkNexradDayReader::vtkNexradDayReader()
@@ -262,7 +263,7 @@ int vtkNexradDayReader::RequestData(
   {
     const std::optional<nexrad::GriddedVolume> merged = nexrad::MergeSeries(this->Scanned->Scan,
       this->Scanned->Cache, this->MakeMergeRequest(this->Scanned->Grid, time, this->MaximumGap),
-      vtkNexradProgress(this));
+      vtkNexradProgress(this), &this->Scanned->Run);
     if (merged)
     {
       vtkNexradVolumeToImage(*merged, image);

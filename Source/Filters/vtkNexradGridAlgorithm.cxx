@@ -8,10 +8,40 @@
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+
+namespace
+{
+
+nexrad::OverlapStrategy StrategyOf(int strategy)
+{
+  switch (strategy)
+  {
+  case vtkNexradGridAlgorithm::MEAN:
+    return nexrad::OverlapStrategy::Mean;
+  case vtkNexradGridAlgorithm::NEAREST:
+    return nexrad::OverlapStrategy::Nearest;
+  case vtkNexradGridAlgorithm::MAXIMUM:
+    return nexrad::OverlapStrategy::Maximum;
+  default:
+    return nexrad::OverlapStrategy::Distance;
+  }
+}
+
+void ParallelFor(int count, const std::function<void(int, int)>& work)
+{
+  constexpr vtkIdType grain = 4; // rows cost unlike, so small shares even out
+  const auto run = [&work](vtkIdType begin, vtkIdType end)
+  { work(static_cast<int>(begin), static_cast<int>(end)); };
+  vtkSMPTools::For(0, count, grain, run);
+}
+
+} // namespace
 
 vtkNexradGridAlgorithm::vtkNexradGridAlgorithm() = default;
 
@@ -19,9 +49,10 @@ vtkNexradGridAlgorithm::~vtkNexradGridAlgorithm() = default;
 
 void vtkNexradGridAlgorithm::SetMethod(int method)
 {
-  if (method != THESIS)
+  if (method != THESIS && method != BEAM)
   {
-    vtkErrorMacro("method " << method << " is unknown: it can be THESIS (" << THESIS << ")");
+    vtkErrorMacro("method " << method << " is unknown: it can be THESIS (" << THESIS
+                            << ") or BEAM (" << BEAM << ")");
     return;
   }
   if (this->Method != method)
@@ -34,12 +65,16 @@ void vtkNexradGridAlgorithm::SetMethod(int method)
 nexrad::MomentName vtkNexradGridAlgorithm::CheckMoment() const
 {
   const std::optional<nexrad::MomentName> moment = nexrad::ParseMomentName(this->Moment);
-  if (moment != nexrad::MomentName::REF)
+  if (!moment)
+  {
+    throw nexrad::Error(
+      "moment " + this->Moment + " is unknown: set REF, VEL, SW, ZDR, PHI, RHO or CFP");
+  }
+  if (this->Method == THESIS && *moment != nexrad::MomentName::REF)
   {
     throw nexrad::Error(
       "moment " + this->Moment +
-      (moment ? " cannot be merged by the thesis's method, which knows reflectivity alone: set REF"
-              : " is unknown: set REF"));
+      " cannot be merged by the thesis's method, which knows reflectivity alone: set REF");
   }
   return *moment;
 }
@@ -69,7 +104,13 @@ nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(
   request.time = nexrad::FromSeconds(time);
   request.maximumGap =
     nexrad::Duration(static_cast<nexrad::Duration::rep>(std::llround(maximumGap * 1000.0)));
-  request.method = nexrad::MergeMethod::Thesis;
+  request.method = this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam;
+  request.beam.strategy = StrategyOf(this->OverlapStrategy);
+  request.beam.overlapLength = this->OverlapLength;
+  request.beam.linearReflectivity = this->LinearReflectivity;
+  request.beam.fill = this->VerticalFill;
+  request.beam.companions = this->CompanionArrays;
+  request.loop = ParallelFor;
   return request;
 }
 
@@ -102,4 +143,9 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Axes: " << this->Axes << "\n";
   os << indent << "Moment: " << this->Moment << "\n";
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "OverlapStrategy: " << this->OverlapStrategy << "\n";
+  os << indent << "OverlapLength: " << this->OverlapLength << "\n";
+  os << indent << "LinearReflectivity: " << this->LinearReflectivity << "\n";
+  os << indent << "VerticalFill: " << this->VerticalFill << "\n";
+  os << indent << "CompanionArrays: " << this->CompanionArrays << "\n";
 }

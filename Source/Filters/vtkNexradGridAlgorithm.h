@@ -37,11 +37,27 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * THESIS: the bin average of Formulas T1 to T7, on reflectivity limited to 0 to 80 dBZ.
+   * THESIS: the bin average of Formulas T1 to T7, on reflectivity limited to 0 to 80 dBZ. BEAM:
+   * interpolation between the beams, each ray at its own time, with what was not scanned, what
+   * holds no echo and what is range folded kept apart (Formulas G, W and A).
    */
   enum MergeMethod
   {
-    THESIS = 0
+    THESIS = 0,
+    BEAM = 1
+  };
+
+  /**
+   * What becomes of a voxel that several radars scanned (Formulas W1 to W4). MEAN: all count alike.
+   * NEAREST: the nearest radar alone. MAXIMUM: the largest value. DISTANCE: weights that fall with
+   * the distance.
+   */
+  enum OverlapStrategyType
+  {
+    MEAN = 0,
+    NEAREST = 1,
+    MAXIMUM = 2,
+    DISTANCE = 3
   };
 
   /**
@@ -102,7 +118,8 @@ public:
 
   ///@{
   /**
-   * Name of the moment: "REF" (the default). THESIS knows no other.
+   * Name of the moment: "REF" (the default), "VEL", "SW", "ZDR", "PHI", "RHO" or "CFP". THESIS
+   * knows REF alone.
    */
   vtkSetMacro(Moment, std::string);
   vtkGetMacro(Moment, std::string);
@@ -110,11 +127,59 @@ public:
 
   ///@{
   /**
-   * The method, THESIS by default. An unknown one is refused with an error, and the method stays.
+   * The method, BEAM by default. An unknown one is refused with an error, and the method stays.
    */
   void SetMethod(int method);
   vtkGetMacro(Method, int);
   void SetMethodToThesis() { this->SetMethod(THESIS); }
+  void SetMethodToBeam() { this->SetMethod(BEAM); }
+  ///@}
+
+  ///@{
+  /**
+   * For BEAM: how radars that scanned the same voxel are put together. DISTANCE by default.
+   * Velocity, spectrum width and differential phase always take the nearest.
+   */
+  vtkSetClampMacro(OverlapStrategy, int, MEAN, DISTANCE);
+  vtkGetMacro(OverlapStrategy, int);
+  ///@}
+
+  ///@{
+  /**
+   * For BEAM and DISTANCE: the distance in metres at which a radar's weight has fallen to 1/e of
+   * that at the radar. 100 000 by default; must be above 0.
+   */
+  vtkSetMacro(OverlapLength, double);
+  vtkGetMacro(OverlapLength, double);
+  ///@}
+
+  ///@{
+  /**
+   * For BEAM: interpolate and average reflectivity as Z in place of dBZ. Off by default.
+   */
+  vtkSetMacro(LinearReflectivity, bool);
+  vtkGetMacro(LinearReflectivity, bool);
+  vtkBooleanMacro(LinearReflectivity, bool);
+  ///@}
+
+  ///@{
+  /**
+   * For BEAM: fill each column between and below what was scanned, as THESIS always does. Off by
+   * default.
+   */
+  vtkSetMacro(VerticalFill, bool);
+  vtkGetMacro(VerticalFill, bool);
+  vtkBooleanMacro(VerticalFill, bool);
+  ///@}
+
+  ///@{
+  /**
+   * For BEAM: add what stands behind each voxel, as the arrays `REF_age`, `REF_radars`,
+   * `REF_weight` and `REF_site` (vtkNexradImageConversion.h). Off by default.
+   */
+  vtkSetMacro(CompanionArrays, bool);
+  vtkGetMacro(CompanionArrays, bool);
+  vtkBooleanMacro(CompanionArrays, bool);
   ///@}
 
 protected:
@@ -151,7 +216,12 @@ protected:
   bool UseGeographicBounds = false;
   int Axes = PROJECTED;
   std::string Moment = "REF";
-  int Method = THESIS;
+  int Method = BEAM;
+  int OverlapStrategy = DISTANCE;
+  double OverlapLength = 100000.0;
+  bool LinearReflectivity = false;
+  bool VerticalFill = false;
+  bool CompanionArrays = false;
 
 private:
   vtkNexradGridAlgorithm(const vtkNexradGridAlgorithm&) = delete;

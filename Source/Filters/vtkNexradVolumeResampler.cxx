@@ -56,10 +56,11 @@ int vtkNexradVolumeResampler::RequestData(
         "the position of site \"" + volume.site.name + "\" is unknown: set it in the reader");
     }
     const double time = nexrad::ToSeconds(volume.start);
+    constexpr double wholeDay = 86400.0; // no ray of the volume is too far from its start
     const nexrad::GridSpecification grid =
       nexrad::MakeGrid(this->MakeGridRequest(), {*volume.site.position});
     const std::optional<nexrad::GriddedVolume> gridded = nexrad::MergeVolumes(
-      {&volume}, this->MakeMergeRequest(grid, time, 0.0), vtkNexradProgress(this));
+      {&volume}, this->MakeMergeRequest(grid, time, wholeDay), vtkNexradProgress(this));
     if (gridded)
     {
       vtkNexradVolumeToImage(*gridded, image);

@@ -63,6 +63,30 @@ void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
   points->AddArray(ghosts);
 }
 
+template <class Array, class Value>
+void AddCompanion(vtkPointData* points, const std::string& name, const std::vector<Value>& values)
+{
+  if (values.empty())
+  {
+    return;
+  }
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+  std::copy(values.begin(), values.end(), array->GetPointer(0));
+  points->AddArray(array);
+}
+
+void AddCompanions(const nexrad::GriddedVolume& volume, vtkPointData* points)
+{
+  const std::string moment = nexrad::ToString(volume.moment);
+  const nexrad::VoxelCompanions& companions = volume.companions;
+  AddCompanion<vtkFloatArray>(points, moment + "_age", companions.age);
+  AddCompanion<vtkUnsignedCharArray>(points, moment + "_radars", companions.radars);
+  AddCompanion<vtkFloatArray>(points, moment + "_weight", companions.weight);
+  AddCompanion<vtkUnsignedCharArray>(points, moment + "_site", companions.nearestSite);
+}
+
 nexrad::MomentName FindMoment(vtkPointData* points)
 {
   for (const nexrad::MomentName moment : nexrad::AllMoments)
@@ -127,6 +151,7 @@ void vtkNexradVolumeToImage(const nexrad::GriddedVolume& volume, vtkImageData* i
 {
   vtkNexradGridToImage(volume.grid, image);
   AddPointData(volume, image->GetPointData());
+  AddCompanions(volume, image->GetPointData());
   AddFieldData(volume, image->GetFieldData());
 }
 

@@ -10,6 +10,13 @@
  * - `REF_state`, uint8: 0 echo, 1 no echo, 2 range folded, 3 not scanned.
  * - `vtkGhostType`, uint8: HIDDENPOINT where not scanned.
  *
+ * On demand, of the method "beam":
+ *
+ * - `REF_age`, float32: seconds between the volume's time and the nearest ray that took part.
+ * - `REF_radars`, uint8: number of radars that scanned the voxel.
+ * - `REF_weight`, float32: sum of their weights.
+ * - `REF_site`, uint8: which of `Sites`, counted from 0, is the nearest of them; 255 for none.
+ *
  * Field data:
  *
  * - `FillValue`, float32.
@@ -17,7 +24,7 @@
  * - `ProjectionCenter`, float64, two components: latitude and longitude in degrees.
  * - `TimeValue`, float64: seconds since 1970-01-01T00:00:00Z.
  * - `Sites`, strings: names of the radars that took part.
- * - `Method`, string: "thesis".
+ * - `Method`, string: "thesis" or "beam".
  * - `Synthetic`, uint8: 1 when made from simulated files; pictures must say so.
  *
  * Points are the centres of the voxels. `TimeValue` is the name that VTK's XML readers take the

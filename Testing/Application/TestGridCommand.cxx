@@ -73,7 +73,7 @@ TEST(GridCommand, OneVolumeForEachStep)
   EXPECT_EQ(volume.time, *ParseIso8601("2005-08-21T02:55"));
   EXPECT_EQ(volume.grid.dimensions, (std::array<int, 3>{64, 64, 32}));
   EXPECT_EQ(volume.sites, std::vector<std::string>{"KBGM"});
-  EXPECT_EQ(volume.method, "thesis");
+  EXPECT_EQ(volume.method, "beam");
   EXPECT_FALSE(volume.synthetic);
   // The radar stands at 42.20° N, 75.98° W; the box of 460 km lies about it.
   EXPECT_NEAR(volume.grid.centreLatitude, 42.20, 0.011);

@@ -68,7 +68,7 @@ TEST(Usage, HelpHasUnitsAndDefaults)
   const std::string help = RunNexrad3d({"grid", "--help"}).output;
   for (const char* text : {"--dims XxYxZ=256x256x128", "--step DURATION=5min",
          "--max-gap DURATION=15min", "--range LENGTH=230km", "--height LOWER,UPPER=0,20km",
-         "--moment NAME=REF", "--method NAME=thesis", "--format NAME=nxv", "degrees", "km", "UTC"})
+         "--moment NAME=REF", "--method NAME=beam", "--format NAME=nxv", "degrees", "km", "UTC"})
   {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }
@@ -98,8 +98,10 @@ TEST(Usage, WrongOptionsAreNamed)
     {"grid", "a", "-o", "b", "--begin", "2006-03-12", "--end", "2006-03-11"}, {"--end", "--begin"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--bounds", "-97,36,-86,43", "--range", "5km"},
     {"--range", "--bounds"});
-  ExpectWrongUsage({"grid", "a", "-o", "b", "--moment", "VEL"}, {"--moment", "REF"});
-  ExpectWrongUsage({"grid", "a", "-o", "b", "--method", "beam"}, {"--method", "thesis"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--moment", "DBZ"}, {"--moment", "REF"});
+  ExpectWrongUsage(
+    {"grid", "a", "-o", "b", "--moment", "VEL", "--method", "thesis"}, {"--moment", "REF"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--method", "bin"}, {"--method", "beam", "thesis"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--format", "hdf"}, {"--format", "nxv", "vti"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--site", "ZZZZ"}, {"--site", "ZZZZ"});
 }

@@ -62,6 +62,7 @@ protected:
     reader->SetDimensions(48, 24, 8);
     reader->SetRange(100'000.0);
     reader->SetTimeStep(60.0);
+    reader->SetMethodToThesis(); // its times are those of whole volumes, which are round here
     events->Observe(reader);
     events->Observe(reader->GetExecutive());
   }
@@ -139,6 +140,45 @@ TEST_F(DayReader, ChoosesTheVolumesAboutAnyTimeForEachSite)
   EXPECT_EQ(reader->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),
     nexrad::ToSeconds(start + 7min));
   EXPECT_TRUE(events->errors.empty());
+}
+
+TEST_F(DayReader, TheDefaultMethodTakesEachRayAtItsOwnTime)
+{
+  vtkNew<vtkNexradDayReader> untouched;
+  EXPECT_EQ(untouched->GetMethod(), static_cast<int>(vtkNexradDayReader::BEAM));
+  reader->SetMethodToBeam();
+  // The rays are scanned within seconds of the volume's start, so values lag by a little.
+  const GriddedVolume volume = this->At(start + 3min);
+  EXPECT_EQ(volume.method, "beam");
+  EXPECT_EQ(volume.fill, -33.0F);
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const float value = volume.values[i];
+    const bool expected = std::abs(value - 50.0F) < 1e-3F || (value > 14.0F && value < 15.001F);
+    ASSERT_TRUE(volume.states[i] != VoxelState::Echo || expected) << value;
+  }
+  // Asked again, and after other times, the answer is the same.
+  this->At(start + 9min);
+  EXPECT_EQ(this->At(start + 3min).values, volume.values);
+}
+
+TEST_F(DayReader, CompanionArraysOnRequest)
+{
+  reader->SetMethodToBeam();
+  reader->UpdateInformation();
+  reader->UpdateTimeStep(nexrad::ToSeconds(start + 3min));
+  EXPECT_EQ(reader->GetOutput()->GetPointData()->GetArray("REF_age"), nullptr);
+  reader->CompanionArraysOn();
+  reader->UpdateTimeStep(nexrad::ToSeconds(start + 3min));
+  vtkPointData* points = reader->GetOutput()->GetPointData();
+  for (const char* name : {"REF_age", "REF_radars", "REF_weight", "REF_site"})
+  {
+    ASSERT_NE(points->GetArray(name), nullptr) << name;
+    EXPECT_EQ(
+      points->GetArray(name)->GetNumberOfTuples(), reader->GetOutput()->GetNumberOfPoints());
+  }
+  EXPECT_EQ(points->GetArray("REF_radars")->GetRange()[1], 1.0); // their circles do not meet
+  EXPECT_GT(points->GetArray("REF_age")->GetRange()[1], 100.0);
 }
 
 TEST_F(DayReader, AnswersTimesThroughThePipeline)
@@ -333,6 +373,7 @@ TEST(DayReaderOnRealFiles, GivesTheMergeOfTheVolumesAboutTheTime)
   const std::filesystem::path run = data / "level2/run-kbgm-20050821";
   vtkNew<vtkNexradDayReader> reader;
   reader->SetDimensions(64, 64, 16);
+  reader->SetMethodToThesis();
   reader->AddFileName(run.c_str());
   reader->UpdateInformation();
   // The rays run from 02:43:19 to 03:12:12: 02:45, 02:50, … 03:10.

@@ -154,6 +154,7 @@ protected:
 TEST_F(SiteMergeByHand, FindsTheBracketsBySiteAndStartTime)
 {
   vtkNew<vtkNexradSiteMerge> merge;
+  merge->SetMethodToThesis();
   UseSmallGrid(merge);
   merge->AddInputConnection(this->Reader(keax, start + 10min, 40.0)->GetOutputPort());
   merge->AddInputConnection(this->Reader(keax, start, 10.0)->GetOutputPort());
@@ -178,6 +179,7 @@ TEST_F(SiteMergeByHand, TakesTheSeriesReadersSweepsOfSeveralSites)
   series->UpdateInformation();
   series->UpdateTimeStep(nexrad::ToSeconds(start + 1min));
   vtkNew<vtkNexradSiteMerge> merge;
+  merge->SetMethodToThesis();
   UseSmallGrid(merge);
   merge->AddInputDataObject(0, series->GetOutputDataObject(0));
   merge->SetTime(nexrad::ToSeconds(start + 1min));
@@ -197,7 +199,8 @@ TEST_F(SiteMergeByHand, ResamplerGridsOneVolumeAtItsOwnTime)
   EXPECT_EQ(volume.sites, std::vector<std::string>{"KEAX"});
   for (std::size_t i = 0; i < volume.values.size(); ++i)
   {
-    EXPECT_NEAR(volume.values[i], volume.states[i] == VoxelState::Echo ? 30.0F : 0.0F, 1e-3F);
+    EXPECT_NEAR(
+      volume.values[i], volume.states[i] == VoxelState::Echo ? 30.0F : volume.fill, 1e-3F);
   }
   EXPECT_GT(std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo), 100);
   EXPECT_EQ(resampler->GetOutput()->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),

@@ -2,6 +2,7 @@
 #include "VolumeSeries.h"
 
 #include "Model/Error.h"
+#include "Temporal/TimeMerge.h"
 #include "VtkMessages.h"
 #include "vtkNexradDayReader.h"
 
@@ -125,7 +126,8 @@ private:
       reader->UseGeographicBoundsOn();
     }
     reader->SetMoment(ToString(options.moment));
-    reader->SetMethodToThesis();
+    const bool thesis = options.method == ToString(MergeMethod::Thesis);
+    reader->SetMethod(thesis ? vtkNexradDayReader::THESIS : vtkNexradDayReader::BEAM);
     reader->SetTimeStep(std::chrono::duration<double>(options.step).count());
     reader->SetMaximumGap(std::chrono::duration<double>(options.maximumGap).count());
     if (options.begin)
