@@ -2,13 +2,16 @@
 // How well the merge by beams finds the synthetic storm again, beside the thesis's method: the
 // table of Documentation/Developer/formulas.md, section E. The refraction of the simulated
 // atmosphere varies; the merges know of 4/3 alone.
+#include "Geometry/SiteGeoreference.h"
 #include "Gridding/BeamMerge.h"
 #include "ScannedDay.h"
 #include "StormFeatures.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
+#include <vector>
 
 using namespace nexrad;
 using namespace nexrad::testing;
@@ -48,7 +51,65 @@ void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions)
     CompareEchoTops(*thesis, truth).meanAbsoluteError);
 }
 
+// The same truth, of which only the columns count whose nearest radar is from `nearest` to
+// `farthest` m away.
+Truth OnlyAtDistance(const Truth& truth, const ScannedDay& day, double nearest, double farthest)
+{
+  Truth part = truth;
+  std::vector<SiteGeoreference> sites;
+  for (const Position& position : day.Positions())
+  {
+    sites.emplace_back(position);
+  }
+  const std::size_t columns = static_cast<std::size_t>(truth.grid.dimensions[0]) *
+                              static_cast<std::size_t>(truth.grid.dimensions[1]);
+  for (std::size_t column = 0; column < columns; ++column)
+  {
+    const auto x = static_cast<int>(column) % truth.grid.dimensions[0];
+    const auto y = static_cast<int>(column) / truth.grid.dimensions[0];
+    const auto place =
+      truth.grid.ToGeographic(truth.grid.Coordinate(0, x), truth.grid.Coordinate(1, y));
+    double distance = farthest;
+    for (const SiteGeoreference& site : sites)
+    {
+      distance = std::min(distance, site.Look(place[0], place[1]).groundDistance);
+    }
+    for (std::size_t i = column; distance < nearest || distance >= farthest; i += columns)
+    {
+      if (i >= part.counts.size())
+      {
+        break;
+      }
+      part.counts[i] = 0;
+    }
+  }
+  return part;
+}
+
 } // namespace
+
+// What limits it: the beams widen and the gaps between the tilts grow with the distance.
+TEST(BeamAccuracy, ByDistance)
+{
+  const ScannedDay& day = EveningDay();
+  const Truth truth = TruthOn(day, {128, 128, 64});
+  const auto thesis = MergeThesis(day.Brackets(), truth.grid, day.At());
+  const auto beam = BeamMerger(truth.grid).Merge(day.Volumes(), day.At(), ThreadLoop(2));
+  const std::vector<double> bounds = {0.0, 80e3, 160e3, 240e3, 500e3};
+  double before = 0.0;
+  for (std::size_t i = 0; i + 1 < bounds.size(); ++i)
+  {
+    const Truth part = OnlyAtDistance(truth, day, bounds[i], bounds[i + 1]);
+    std::printf("nearest radar %.0f to %.0f km away\n", bounds[i] / 1e3, bounds[i + 1] / 1e3);
+    const TruthScore old = CompareWithTruth(*thesis, part.values, part.counts);
+    const TruthScore now = CompareWithTruth(*beam, part.values, part.counts);
+    Print("thesis", part, old);
+    Print("beam", part, now);
+    EXPECT_LT(now.rmse, 0.75 * old.rmse);
+    EXPECT_GT(now.rmse, before);
+    before = now.rmse;
+  }
+}
 
 TEST(BeamAccuracy, At128)
 {
