@@ -30,7 +30,6 @@ public:
   /// Throws Error when the file cannot be read again.
   std::shared_ptr<const PolarVolume> Get(const SeriesVolume& key);
 
-  std::size_t Limit() const { return limit; }
   /// Bytes in memory now, at most the limit.
   std::size_t Used() const;
 
