@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
+#include "vtkCamera.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
+#include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceProgram.h"
+#include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTarget.h"
 #include "vtkTextureSliceTexture.h"
@@ -32,6 +36,7 @@ public:
   vtkTextureSliceTable Table;
   vtkTextureSliceFrame Frame;
   vtkTextureSliceGeometry Geometry;
+  vtkTextureSliceLights Lights;
   vtkTextureSliceTarget Target;
   vtkTextureSliceProgram Program;
   /// The window whose context owns the graphics resources.
@@ -59,7 +64,10 @@ public:
   }
 
   /// Draws the slices into the target. @return false with one line in @a error
-  bool Draw(vtkRenderer* renderer, double unitDistance, int cropFlags, std::string& error);
+  bool Draw(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error);
+  /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level
+  void Composite(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, float colorScale,
+    float colorBias);
 };
 
 namespace
@@ -98,27 +106,49 @@ private:
   vtkOpenGLState::ScopedglEnableDisable CullFace;
 };
 
+/// What the target holds before the first slice.
+float GetClearValue(int blendMode)
+{
+  // Extremes are 0 to 1: beyond that, there was no sample.
+  switch (blendMode)
+  {
+  case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+    return -1.0f;
+  case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+    return 2.0f;
+  default:
+    return 0.0f;
+  }
+}
+
+/// How a slice joins those behind it.
+void SetBlending(vtkOpenGLState* state, int blendMode)
+{
+  switch (blendMode)
+  {
+  case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
+    state->vtkglBlendEquation(GL_MAX);
+    break;
+  case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
+    state->vtkglBlendEquation(GL_MIN);
+    break;
+  case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
+  case vtkVolumeMapper::ADDITIVE_BLEND:
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
+    break;
+  default:
+    // Formulas T9, R3: associated colour, back to front.
+    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  }
+}
+
 } // namespace
 
 bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
-  vtkRenderer* renderer, double unitDistance, int cropFlags, std::string& error)
+  vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error)
 {
-  vtkTextureSliceUniforms uniforms;
-  uniforms.BoxToClip = this->Frame.GetBoxToClip();
-  uniforms.TextureScale = this->Frame.GetTextureScale();
-  uniforms.TextureBias = this->Frame.GetTextureBias();
-  uniforms.Volume = this->Texture.GetTexture();
-  uniforms.Masked = this->Texture.IsMasked();
-  uniforms.Table = this->Table.GetTexture();
-  uniforms.TableScale = this->Texture.GetScale() * this->Table.GetScale();
-  uniforms.TableBias = this->Texture.GetBias() * this->Table.GetScale() + this->Table.GetBias();
-  uniforms.UnitDistance = unitDistance;
-  uniforms.CropTest = this->Frame.NeedsCropTest();
-  uniforms.CropLow = this->Frame.GetCropLow();
-  uniforms.CropHigh = this->Frame.GetCropHigh();
-  uniforms.CropFlags = cropFlags;
-
-  if (!this->Target.Begin(renderer, error))
+  const int blendMode = uniforms.Features.BlendMode;
+  if (!this->Target.Begin(renderer, GetClearValue(blendMode), error))
   {
     return false;
   }
@@ -127,15 +157,32 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
-  // Formulas T9, R3: associated colour, back to front.
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  SetBlending(state, blendMode);
   const bool drawn = this->Program.Draw(this->Window, this->Geometry, uniforms);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
   this->Target.End();
   if (!drawn)
   {
     error = "OpenGL could not compile the shaders of the slices";
   }
   return drawn;
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::Internals::Composite(
+  vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, float colorScale, float colorBias)
+{
+  // Associated colour over the window.
+  this->Window->GetState()->vtkglBlendFuncSeparate(
+    GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  this->Table.GetTexture()->Activate();
+  this->Target.Composite(renderer, uniforms.Features.GetDefines(),
+    [&](vtkShaderProgram* program)
+    {
+      program->SetUniformf("colorScale", colorScale);
+      program->SetUniformf("colorBias", colorBias);
+      uniforms.SetTable(program);
+    });
+  this->Table.GetTexture()->Deactivate();
 }
 
 vtkOpenGLTextureSliceVolumeMapper::vtkOpenGLTextureSliceVolumeMapper()
@@ -157,40 +204,47 @@ int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
   return this->Parts->Geometry.GetNumberOfSlices();
 }
 
-const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(vtkVolumeProperty* property)
+vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
+  vtkVolumeProperty* property, int components)
 {
-  if (this->BlendMode != vtkVolumeMapper::COMPOSITE_BLEND)
-  {
-    return "only composite blending is supported: call SetBlendModeToComposite";
-  }
+  vtkTextureSliceRequest request;
+  request.Property = property;
+  request.BlendMode = this->BlendMode;
+  request.Components = components;
+  request.AverageRange = {this->AverageIPScalarRange[0], this->AverageIPScalarRange[1]};
+  request.NativeColor = this->ColorRangeType == NATIVE;
+  request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
+  request.NativeGradientOpacity = this->GradientOpacityRangeType == NATIVE;
+  return request;
+}
+
+const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
+  const vtkTextureSliceRequest& request)
+{
   if (this->MaskInput != nullptr)
   {
     return "a mask is not supported: call SetMaskInput with nullptr";
   }
-  if (property == nullptr)
-  {
-    return nullptr;
-  }
-  if (property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
-  {
-    return "only one-dimensional transfer functions are supported: use TF_1D";
-  }
-  if (property->GetShade(0) != 0)
-  {
-    return "shading is not supported: call ShadeOff on the volume's property";
-  }
-  if (property->HasGradientOpacity(0))
-  {
-    return "gradient opacity is not supported: call DisableGradientOpacityOn on the property";
-  }
-  return nullptr;
+  return request.FindUnsupported();
 }
 
 int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
   vtkRenderWindow* window, vtkVolumeProperty* property)
 {
+  // Without an input there is nothing to say about its components.
+  vtkDataArray* scalars = this->FindScalars();
+  const int components = scalars != nullptr ? scalars->GetNumberOfComponents() : 1;
   return vtkOpenGLRenderWindow::SafeDownCast(window) != nullptr &&
-         this->FindUnsupported(property) == nullptr;
+         this->FindUnsupported(this->MakeRequest(property, components)) == nullptr;
+}
+
+vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindScalars()
+{
+  vtkDataSet* input = this->GetInput(0);
+  int cellFlag = 0;
+  return input == nullptr ? nullptr
+                          : this->GetScalars(input, this->ScalarMode, this->ArrayAccessMode,
+                              this->ArrayId, this->ArrayName, cellFlag);
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
@@ -225,11 +279,6 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance(
 void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
-  if (const char* unsupported = this->FindUnsupported(volume->GetProperty()))
-  {
-    vtkErrorMacro(<< unsupported);
-    return;
-  }
   if (image == nullptr)
   {
     vtkErrorMacro("the input must be a vtkImageData");
@@ -237,16 +286,17 @@ void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolu
   }
   vtkDataArray* scalars = this->GetScalars(
     image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, this->CellFlag);
-  if (scalars->GetNumberOfComponents() != 1)
+  const vtkTextureSliceRequest request =
+    this->MakeRequest(volume->GetProperty(), scalars->GetNumberOfComponents());
+  if (const char* unsupported = this->FindUnsupported(request))
   {
-    vtkErrorMacro("the scalars have " << scalars->GetNumberOfComponents()
-                                      << " components, only 1 is supported");
+    vtkErrorMacro(<< unsupported);
     return;
   }
   // A selection pass paints identifiers, which a blended volume would spoil.
-  if (renderer->GetSelector() == nullptr)
+  if (renderer->GetSelector() == nullptr && this->PlaceSlices(renderer, volume, image))
   {
-    this->RenderSlices(renderer, volume, image, scalars);
+    this->RenderSlices(renderer, image, scalars, request);
   }
 }
 
@@ -276,37 +326,55 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
   return this->Parts->Geometry.GetNumberOfVertices() > 0;
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(
-  vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image, vtkDataArray* scalars)
+void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkImageData* image,
+  vtkDataArray* scalars, const vtkTextureSliceRequest& request)
 {
-  if (!this->PlaceSlices(renderer, volume, image))
-  {
-    return;
-  }
   Internals& parts = *this->Parts;
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   parts.Use(window);
-  vtkVolumeProperty* property = volume->GetProperty();
   std::string error;
   if (!parts.Texture.Update(window, image, scalars, this->CellFlag == 1, error))
   {
     vtkErrorMacro(<< error);
     return;
   }
-  parts.Texture.SetNearest(property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION);
-  parts.Table.Update(
-    window, {property, parts.Texture.GetScalarRange(), this->ColorRangeType == NATIVE,
-              this->ScalarOpacityRangeType == NATIVE});
+  // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
+  const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  parts.Texture.SetNearest(nearest);
+  parts.Table.Update(window, request.MakeRows(parts.Texture.GetComponents()), nearest);
+  parts.Lights.Update(renderer);
 
+  const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
   const StateKeeper keeper(window->GetState());
-  if (!parts.Draw(
-        renderer, property->GetScalarOpacityUnitDistance(0), this->CroppingRegionFlags, error))
+  if (!parts.Draw(renderer, uniforms, error))
   {
     vtkErrorMacro(<< error);
     return;
   }
-  parts.Target.Composite(
-    renderer, 1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
+  parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
+    0.5f - this->FinalColorLevel / this->FinalColorWindow);
+}
+
+vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
+  vtkRenderer* renderer, const vtkTextureSliceRequest& request)
+{
+  Internals& parts = *this->Parts;
+  vtkTextureSliceUniforms uniforms;
+  uniforms.Features = request.GetFeatures();
+  uniforms.Features.Masked = parts.Texture.IsMasked();
+  uniforms.Features.Cropped = parts.Frame.NeedsCropTest();
+  uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  if (request.IsShaded())
+  {
+    uniforms.Features.Lights = parts.Lights.CountForShader();
+  }
+  uniforms.Frame = &parts.Frame;
+  uniforms.Volume = parts.Texture.GetTexture();
+  uniforms.Table = &parts.Table;
+  uniforms.Lights = &parts.Lights;
+  uniforms.CropFlags = this->CroppingRegionFlags;
+  request.SetUniforms(parts.Texture.GetComponents(), uniforms);
+  return uniforms;
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -9,16 +9,22 @@
  * perspective view), so that the picture does not depend on the number of slices. Blending is done
  * in floating point.
  *
- * Input: a vtkImageData with one component of point or cell scalars of any number type, with any
- * spacing, direction matrix and actor matrix. Points that vtkGhostType marks HIDDENPOINT (cells:
- * HIDDENCELL) and scalars that are not finite contribute nothing; up to half a voxel from a visible
- * point the picture is complete. Cropping, clipping planes, opaque geometry, a camera inside the
- * volume, and final window and level work as in VTK's ray caster.
+ * Input: a vtkImageData with one to four components of point or cell scalars of any number type,
+ * with any spacing, direction matrix and actor matrix. Points that vtkGhostType marks HIDDENPOINT
+ * (cells: HIDDENCELL) and scalars that are not finite contribute nothing; up to half a voxel from a
+ * visible point the picture is complete. Components are independent (each with its own functions,
+ * material and weight) or dependent (2: value and opacity; 4: red, green, blue, opacity).
  *
- * Not supported, and refused by IsRenderSupported and with an error: blend modes other than
- * composite, shading, gradient opacity, two-dimensional transfer functions, several components,
- * masks, and volumes larger than the largest 3-D texture. A hardware selection does not see the
- * volume. A 2-D image has no thickness and is an error.
+ * Blend modes: composite, maximum, minimum, average, additive, isosurface. Light and gradient
+ * opacity as in VTK's ray caster; they count where places are shown (composite, isosurface), not in
+ * projections. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final
+ * window and level work as in VTK's ray caster.
+ *
+ * Not supported, and refused by IsRenderSupported and with an error: slice blending,
+ * two-dimensional transfer functions, masks, three dependent components, maximum or minimum of
+ * dependent components, isosurfaces of several components, four components with hidden points, and
+ * volumes larger than the largest 3-D texture. A hardware selection does not see the volume. A 2-D
+ * image has no thickness and is an error.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -30,6 +36,8 @@
 
 class vtkDataArray;
 class vtkImageData;
+struct vtkTextureSliceRequest;
+struct vtkTextureSliceUniforms;
 
 class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper
 {
@@ -96,11 +104,15 @@ private:
   class Internals;
   std::unique_ptr<Internals> Parts;
 
-  const char* FindUnsupported(vtkVolumeProperty* property);
+  vtkDataArray* FindScalars();
+  vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, int components);
+  const char* FindUnsupported(const vtkTextureSliceRequest& request);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
   bool PlaceSlices(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
-  void RenderSlices(
-    vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image, vtkDataArray* scalars);
+  void RenderSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
+    const vtkTextureSliceRequest& request);
+  vtkTextureSliceUniforms MakeUniforms(
+    vtkRenderer* renderer, const vtkTextureSliceRequest& request);
 };
 
 #endif

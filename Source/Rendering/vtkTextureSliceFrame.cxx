@@ -30,6 +30,8 @@ void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolu
   vtkNew<vtkMatrix4x4> volumeToWorld;
   volume->GetMatrix(volumeToWorld);
   this->ShortestVoxelEdge = VTK_DOUBLE_MAX;
+  const double meanSpacing =
+    (std::abs(spacing[0]) + std::abs(spacing[1]) + std::abs(spacing[2])) / 3.0;
   for (int axis = 0; axis < 3; ++axis)
   {
     const auto a = static_cast<std::size_t>(axis);
@@ -43,6 +45,9 @@ void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolu
     const double texels = intervals + (cellData ? 0 : 1);
     this->TextureScale[a] = static_cast<float>(intervals / texels);
     this->TextureBias[a] = static_cast<float>(cellData ? 0.0 : 0.5 / texels);
+    this->VoxelStep[a] =
+      static_cast<float>(1.0 / std::max(1, cellData ? intervals - 1 : intervals));
+    this->InverseAspect[a] = static_cast<float>(meanSpacing / (2.0 * spacing[axis]));
 
     const double column = std::hypot(volumeToWorld->GetElement(0, axis),
       volumeToWorld->GetElement(1, axis), volumeToWorld->GetElement(2, axis));
@@ -125,6 +130,49 @@ void vtkTextureSliceFrame::SetClippingPlanes(vtkPlaneCollection* planes)
     }
     this->View.ClippingPlanes.push_back(box);
   }
+}
+
+std::array<float, 3> vtkTextureSliceFrame::GetEdges() const
+{
+  return {static_cast<float>(this->Edge[0]), static_cast<float>(this->Edge[1]),
+    static_cast<float>(this->Edge[2])};
+}
+
+std::array<float, 3> vtkTextureSliceFrame::GetEyeInBox() const
+{
+  vtkNew<vtkMatrix4x4> cameraToBox;
+  vtkMatrix4x4::Invert(this->View.BoxToCamera.data(), cameraToBox->GetData());
+  return {static_cast<float>(cameraToBox->GetElement(0, 3)),
+    static_cast<float>(cameraToBox->GetElement(1, 3)),
+    static_cast<float>(cameraToBox->GetElement(2, 3))};
+}
+
+std::array<float, 16> vtkTextureSliceFrame::GetBoxToCameraColumns() const
+{
+  std::array<float, 16> columns{};
+  for (std::size_t i = 0; i < 16; ++i)
+  {
+    columns[i] = static_cast<float>(this->View.BoxToCamera[4 * (i % 4) + i / 4]);
+  }
+  return columns;
+}
+
+std::array<float, 9> vtkTextureSliceFrame::GetGradientToCameraColumns() const
+{
+  // Normals go the other way about: by the transposed matrix from camera to box coordinates, and
+  // from data to box lengths by the edges.
+  vtkNew<vtkMatrix4x4> cameraToBox;
+  vtkMatrix4x4::Invert(this->View.BoxToCamera.data(), cameraToBox->GetData());
+  std::array<float, 9> columns{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int row = 0; row < 3; ++row)
+    {
+      columns[static_cast<std::size_t>(3 * axis + row)] = static_cast<float>(
+        cameraToBox->GetElement(axis, row) * this->Edge[static_cast<std::size_t>(axis)]);
+    }
+  }
+  return columns;
 }
 
 bool vtkTextureSliceFrame::IsFlat() const

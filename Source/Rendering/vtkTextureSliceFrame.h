@@ -44,7 +44,7 @@ public:
   /// The view for the slices, without their number and distance. Valid after the setters above.
   const vtkTextureSliceView& GetView() const { return this->View; }
   /// Box to clip coordinates, column by column as OpenGL reads it.
-  vtkMatrix4x4* GetBoxToClip() { return this->BoxToClip; }
+  vtkMatrix4x4* GetBoxToClip() const { return this->BoxToClip; }
   /// Box to texture coordinates: p * scale + bias (Formulas R2).
   const std::array<float, 3>& GetTextureScale() const { return this->TextureScale; }
   const std::array<float, 3>& GetTextureBias() const { return this->TextureBias; }
@@ -53,6 +53,20 @@ public:
   bool NeedsCropTest() const { return this->CropTest; }
   const std::array<float, 3>& GetCropLow() const { return this->CropLow; }
   const std::array<float, 3>& GetCropHigh() const { return this->CropHigh; }
+
+  /// Signed data length of the box's edges.
+  std::array<float, 3> GetEdges() const;
+  /// Where the camera stands.
+  std::array<float, 3> GetEyeInBox() const;
+  /// One voxel along each axis as texture coordinates, as wide as VTK's ray caster takes it for
+  /// differences.
+  const std::array<float, 3>& GetVoxelStep() const { return this->VoxelStep; }
+  /// The mean spacing over twice the (signed) spacing along each axis.
+  const std::array<float, 3>& GetInverseAspect() const { return this->InverseAspect; }
+  /// Box to camera coordinates, and gradients in data coordinates to normals in camera
+  /// coordinates, column by column as OpenGL reads them.
+  std::array<float, 16> GetBoxToCameraColumns() const;
+  std::array<float, 9> GetGradientToCameraColumns() const;
 
   /// World length of the shortest edge of a voxel.
   double GetShortestVoxelEdge() const { return this->ShortestVoxelEdge; }
@@ -65,6 +79,8 @@ private:
   std::array<double, 3> Edge{}; ///< signed data length of the box's edges
   std::array<float, 3> TextureScale{};
   std::array<float, 3> TextureBias{};
+  std::array<float, 3> VoxelStep{};
+  std::array<float, 3> InverseAspect{};
   bool CropTest = false;
   std::array<float, 3> CropLow{};
   std::array<float, 3> CropHigh{};

@@ -1,43 +1,107 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceProgram.h"
 
-#include "vtkMatrix4x4.h"
 #include "vtkOpenGLBufferObject.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
+#include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpenGL.h"
+#include "vtkTextureSliceTable.h"
 
+#include "TextureSliceColoringFS.h"
 #include "TextureSliceFS.h"
+#include "TextureSliceLightingFS.h"
+#include "TextureSliceSamplingFS.h"
 #include "TextureSliceVS.h"
 
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <iterator>
 #include <string>
 
 namespace
 {
 
+std::vector<float> Gather(const std::vector<vtkTextureSliceSurface>& surfaces,
+  const std::function<float(const vtkTextureSliceSurface&)>& get)
+{
+  std::vector<float> values;
+  std::transform(surfaces.begin(), surfaces.end(), std::back_inserter(values), get);
+  return values;
+}
+
+void SetArray(vtkShaderProgram* program, const char* name, const std::vector<float>& values)
+{
+  program->SetUniform1fv(name, static_cast<int>(values.size()), values.data());
+}
+
 void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
 {
-  program->SetUniformMatrix("boxToClip", uniforms.BoxToClip);
-  program->SetUniform3f("textureScale", uniforms.TextureScale.data());
-  program->SetUniform3f("textureBias", uniforms.TextureBias.data());
+  const vtkTextureSliceFrame& frame = *uniforms.Frame;
+  program->SetUniformMatrix("boxToClip", frame.GetBoxToClip());
+  program->SetUniform3f("textureScale", frame.GetTextureScale().data());
+  program->SetUniform3f("textureBias", frame.GetTextureBias().data());
   program->SetUniformi("volumeTexture", uniforms.Volume->GetTextureUnit());
-  program->SetUniformi("transferTable", uniforms.Table->GetTextureUnit());
-  program->SetUniformf("tableScale", static_cast<float>(uniforms.TableScale));
-  program->SetUniformf("tableBias", static_cast<float>(uniforms.TableBias));
-  program->SetUniformf("inverseUnitDistance", static_cast<float>(1.0 / uniforms.UnitDistance));
-  if (uniforms.CropTest)
+  program->SetUniform4f("scalarScale", uniforms.ScalarScale.data());
+  program->SetUniform4f("scalarBias", uniforms.ScalarBias.data());
+  uniforms.SetTable(program);
+  SetArray(program, "inverseUnitDistance",
+    Gather(uniforms.Surfaces, [](const auto& surface) { return surface.InverseUnitDistance; }));
+  program->SetUniform3f("cropLow", frame.GetCropLow().data());
+  program->SetUniform3f("cropHigh", frame.GetCropHigh().data());
+  program->SetUniformi("cropFlags", uniforms.CropFlags);
+  program->SetUniform3f("voxelStep", frame.GetVoxelStep().data());
+  program->SetUniform3f("inverseAspect", frame.GetInverseAspect().data());
+  program->SetUniform2f("averageRange", uniforms.AverageRange.data());
+}
+
+void SetLight(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
+{
+  std::vector<float> material;
+  for (const vtkTextureSliceSurface& surface : uniforms.Surfaces)
   {
-    program->SetUniform3f("cropLow", uniforms.CropLow.data());
-    program->SetUniform3f("cropHigh", uniforms.CropHigh.data());
-    program->SetUniformi("cropFlags", uniforms.CropFlags);
+    material.insert(material.end(), surface.Material.begin(), surface.Material.end());
   }
+  program->SetUniform4fv("material", static_cast<int>(uniforms.Surfaces.size()), material.data());
+  uniforms.Lights->SetUniforms(program, *uniforms.Frame);
+}
+
+void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
+{
+  // The outermost samples may lie a rounding error beyond the box.
+  constexpr float margin = 1e-5f;
+  const vtkTextureSliceFrame& frame = *uniforms.Frame;
+  std::array<float, 3> low{};
+  std::array<float, 3> high{};
+  std::array<float, 3> stepToTexture{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    low[axis] = frame.GetTextureBias()[axis] - margin;
+    high[axis] = frame.GetTextureBias()[axis] + frame.GetTextureScale()[axis] + margin;
+    stepToTexture[axis] = frame.GetTextureScale()[axis] / std::abs(frame.GetEdges()[axis]);
+  }
+  program->SetUniform3f("boxLow", low.data());
+  program->SetUniform3f("boxHigh", high.data());
+  program->SetUniform3f("stepToTexture", stepToTexture.data());
+  SetArray(program, "isoValues", uniforms.IsoValues);
 }
 
 } // namespace
+
+void vtkTextureSliceUniforms::SetTable(vtkShaderProgram* program) const
+{
+  program->SetUniformi("transferTable", this->Table->GetTexture()->GetTextureUnit());
+  program->SetUniformf("tableScale", static_cast<float>(this->Table->GetScale()));
+  program->SetUniformf("tableBias", static_cast<float>(this->Table->GetBias()));
+  SetArray(program, "componentWeight",
+    Gather(this->Surfaces, [](const auto& surface) { return surface.Weight; }));
+}
 
 vtkTextureSliceProgram::vtkTextureSliceProgram()
 {
@@ -47,13 +111,16 @@ vtkTextureSliceProgram::vtkTextureSliceProgram()
 vtkTextureSliceProgram::~vtkTextureSliceProgram() = default;
 
 vtkShaderProgram* vtkTextureSliceProgram::Ready(
-  vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms)
+  vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const
 {
-  std::string defines;
-  defines += uniforms.Masked ? "#define TEXTURE_SLICE_MASKED\n" : "";
-  defines += uniforms.CropTest ? "#define TEXTURE_SLICE_CROPPED\n" : "";
   std::string fragmentShader = TextureSliceFS;
-  vtkShaderProgram::Substitute(fragmentShader, "//VTK::TextureSlice::Defines", defines);
+  for (const auto& [place, text] :
+    {std::pair("Defines", features.GetDefines()), {"Sampling", TextureSliceSamplingFS},
+      {"Lighting", TextureSliceLightingFS}, {"Coloring", TextureSliceColoringFS}})
+  {
+    vtkShaderProgram::Substitute(
+      fragmentShader, std::string("//VTK::TextureSlice::") + place, text);
+  }
   return window->GetShaderCache()->ReadyShaderProgram(TextureSliceVS, fragmentShader.c_str(), "");
 }
 
@@ -72,10 +139,14 @@ bool vtkTextureSliceProgram::Upload(
   }
   this->VertexArray->ShaderProgramChanged();
   this->VertexArray->Bind();
-  const bool added = this->VertexArray->AddAttributeArray(
-                       program, this->Vertices, "boxPosition", 0, stride, VTK_FLOAT, 3, false) &&
-                     this->VertexArray->AddAttributeArray(program, this->Vertices, "rayStep",
-                       3 * sizeof(float), stride, VTK_FLOAT, 3, false);
+  // Blend modes that do not ask how far apart the slices are have no rayStep.
+  const auto add = [&](const char* name, std::size_t offset)
+  {
+    return !program->IsAttributeUsed(name) ||
+           this->VertexArray->AddAttributeArray(
+             program, this->Vertices, name, static_cast<int>(offset), stride, VTK_FLOAT, 3, false);
+  };
+  const bool added = add("boxPosition", 0) && add("rayStep", 3 * sizeof(float));
   this->Program = added ? program : nullptr;
   return added;
 }
@@ -83,18 +154,26 @@ bool vtkTextureSliceProgram::Upload(
 bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   const vtkTextureSliceGeometry& geometry, const vtkTextureSliceUniforms& uniforms)
 {
-  vtkShaderProgram* program = this->Ready(window, uniforms);
+  vtkShaderProgram* program = this->Ready(window, uniforms.Features);
   if (program == nullptr || !this->Upload(program, geometry))
   {
     return false;
   }
   uniforms.Volume->Activate();
-  uniforms.Table->Activate();
+  uniforms.Table->GetTexture()->Activate();
   SetUniforms(program, uniforms);
+  if (uniforms.Features.Lights >= 0)
+  {
+    SetLight(program, uniforms);
+  }
+  if (uniforms.Features.IsoValues > 0)
+  {
+    SetSurfaces(program, uniforms);
+  }
   glDrawArrays(GL_TRIANGLES, 0, geometry.GetNumberOfVertices());
   this->VertexArray->Release();
   this->Vertices->Release();
-  uniforms.Table->Deactivate();
+  uniforms.Table->GetTexture()->Deactivate();
   uniforms.Volume->Deactivate();
   return true;
 }

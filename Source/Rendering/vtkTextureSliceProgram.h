@@ -4,33 +4,52 @@
 #define vtkTextureSliceProgram_h
 
 #include "vtkNew.h"
+#include "vtkTextureSliceFeatures.h"
 
 #include <array>
+#include <vector>
 
-class vtkMatrix4x4;
 class vtkOpenGLBufferObject;
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 class vtkTextureObject;
+class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
+class vtkTextureSliceLights;
+class vtkTextureSliceTable;
+
+/// How much of a light a component returns: vtkVolumeProperty's ambient, diffuse, specular and
+/// specular power.
+using vtkTextureSliceMaterial = std::array<float, 4>;
+
+/// How one component is coloured.
+struct vtkTextureSliceSurface
+{
+  float InverseUnitDistance = 1.0f; ///< one over the data length that its opacity stands for
+  float Weight = 1.0f;
+  vtkTextureSliceMaterial Material{};
+};
 
 /// Everything the shaders read in one frame.
 struct vtkTextureSliceUniforms
 {
-  vtkMatrix4x4* BoxToClip = nullptr; ///< column by column
-  std::array<float, 3> TextureScale{1, 1, 1};
-  std::array<float, 3> TextureBias{0, 0, 0};
+  vtkTextureSliceFeatures Features;
+  const vtkTextureSliceFrame* Frame = nullptr;
   vtkTextureObject* Volume = nullptr;
-  bool Masked = false; ///< the volume's second component is its mask
-  vtkTextureObject* Table = nullptr;
-  double TableScale = 1.0; ///< texel to table coordinate
-  double TableBias = 0.0;
-  double UnitDistance = 1.0; ///< data length that the table's opacity stands for
-  bool CropTest = false;
-  std::array<float, 3> CropLow{};
-  std::array<float, 3> CropHigh{};
+  /// Texel to 0 to 1 over the range of each component.
+  std::array<float, 4> ScalarScale{1, 1, 1, 1};
+  std::array<float, 4> ScalarBias{0, 0, 0, 0};
+  vtkTextureSliceTable* Table = nullptr;
+  std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
+  const vtkTextureSliceLights* Lights = nullptr;
   int CropFlags = 0;
+  std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are
+  std::vector<float> IsoValues;            ///< ascending, 0 to 1 as the scalars are
+
+  /// The table and the weights, which the last step of the extremes reads as well. The table must
+  /// be active.
+  void SetTable(vtkShaderProgram* program) const;
 };
 
 class vtkTextureSliceProgram
@@ -46,7 +65,8 @@ public:
   void ReleaseGraphicsResources();
 
 private:
-  vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
+  vtkShaderProgram* Ready(
+    vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const;
   bool Upload(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry);
 
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;

@@ -4,7 +4,6 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
-#include "vtkVolumeProperty.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,21 +16,34 @@ constexpr int MinimumWidth = 1024;
 constexpr int MaximumWidth = 16384;
 
 /// The scalars that the entries stand for, for a range that may be a single value.
-std::array<double, 2> EntryRange(const std::array<double, 2>& scalarRange)
+std::array<double, 2> EntryRange(const vtkTextureSliceDomain& domain)
 {
-  return scalarRange[0] < scalarRange[1]
-           ? scalarRange
-           : std::array<double, 2>{scalarRange[0], scalarRange[0] + 1.0};
+  const auto [low, high] = domain.Range;
+  return {low, low < high ? high : low + 1.0};
 }
 
-int ChooseWidth(
-  vtkOpenGLRenderWindow* window, vtkVolumeProperty* property, const std::array<double, 2>& range)
+int CountSamples(const vtkTextureSliceRow& row)
 {
-  int samples = property->GetScalarOpacity(0)->EstimateMinNumberOfSamples(range[0], range[1]);
-  if (property->GetColorChannels(0) == 3)
+  int samples = 0;
+  if (row.Opacity != nullptr)
   {
-    samples = std::max(
-      samples, property->GetRGBTransferFunction(0)->EstimateMinNumberOfSamples(range[0], range[1]));
+    const auto range = EntryRange(row.OpacityDomain);
+    samples = row.Opacity->EstimateMinNumberOfSamples(range[0], range[1]);
+  }
+  if (row.Color != nullptr)
+  {
+    const auto range = EntryRange(row.ColorDomain);
+    samples = std::max(samples, row.Color->EstimateMinNumberOfSamples(range[0], range[1]));
+  }
+  return samples;
+}
+
+int ChooseWidth(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows)
+{
+  int samples = 0;
+  for (const vtkTextureSliceRow& row : rows)
+  {
+    samples = std::max(samples, CountSamples(row));
   }
   int width = MinimumWidth;
   const int limit = std::min(MaximumWidth, vtkTextureObject::GetMaximumTextureSize(window));
@@ -42,90 +54,119 @@ int ChooseWidth(
   return width;
 }
 
-vtkMTimeType FunctionTime(vtkVolumeProperty* property)
+/// Calls put(i, scalar) for each of the entries, with the scalar that the function is asked for.
+template <typename Function, typename Put>
+void Sample(Function* function, const vtkTextureSliceDomain& domain, int width, Put put)
 {
-  vtkObject* color = property->GetColorChannels(0) == 1
-                       ? static_cast<vtkObject*>(property->GetGrayTransferFunction(0))
-                       : property->GetRGBTransferFunction(0);
-  return std::max(
-    {property->GetMTime(), color->GetMTime(), property->GetScalarOpacity(0)->GetMTime()});
+  const auto range = EntryRange(domain);
+  const double step = (range[1] - range[0]) / (width - 1);
+  double own[2];
+  function->GetRange(own);
+  for (int i = 0; i < width; ++i)
+  {
+    const double scalar = range[0] + i * step;
+    put(i, domain.Native ? std::clamp(scalar, own[0], own[1]) : scalar);
+  }
 }
 
-double Clamped(double scalar, bool native, const double range[2])
+void FillRow(const vtkTextureSliceRow& row, int width, float* entries)
 {
-  return native ? std::clamp(scalar, range[0], range[1]) : scalar;
+  std::fill(entries, entries + 4 * width, 1.0f);
+  if (row.Gray != nullptr)
+  {
+    Sample(row.Gray, row.ColorDomain, width,
+      [&](int i, double scalar)
+      { std::fill_n(entries + 4 * i, 3, static_cast<float>(row.Gray->GetValue(scalar))); });
+  }
+  else if (row.Color != nullptr)
+  {
+    Sample(row.Color, row.ColorDomain, width,
+      [&](int i, double scalar)
+      {
+        double rgb[3];
+        row.Color->GetColor(scalar, rgb);
+        std::copy(rgb, rgb + 3, entries + 4 * i);
+      });
+  }
+  if (row.Opacity != nullptr)
+  {
+    Sample(row.Opacity, row.OpacityDomain, width,
+      [&](int i, double scalar) {
+        entries[4 * i + 3] =
+          static_cast<float>(std::clamp(row.Opacity->GetValue(scalar), 0.0, 1.0));
+      });
+  }
 }
 
 } // namespace
 
-void vtkTextureSliceTable::Update(vtkOpenGLRenderWindow* window, const Request& request)
+vtkMTimeType vtkTextureSliceRow::GetTime() const
+{
+  vtkMTimeType time = 0;
+  for (vtkObject* function : {static_cast<vtkObject*>(this->Color),
+         static_cast<vtkObject*>(this->Gray), static_cast<vtkObject*>(this->Opacity)})
+  {
+    time = std::max(time, function != nullptr ? function->GetMTime() : 0);
+  }
+  return time;
+}
+
+bool vtkTextureSliceRow::IsLike(const vtkTextureSliceRow& other) const
+{
+  const auto same = [](const vtkTextureSliceDomain& a, const vtkTextureSliceDomain& b)
+  { return a.Range == b.Range && a.Native == b.Native; };
+  return this->Color == other.Color && this->Gray == other.Gray && this->Opacity == other.Opacity &&
+         same(this->ColorDomain, other.ColorDomain) &&
+         same(this->OpacityDomain, other.OpacityDomain);
+}
+
+void vtkTextureSliceTable::Update(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest)
 {
   this->Texture->SetContext(window);
-  if (this->NeedsUpdate(window, request))
+  if (this->NeedsUpdate(window, rows))
   {
-    const auto range = EntryRange(request.ScalarRange);
-    const int width = ChooseWidth(window, request.Property, range);
-    this->Fill(request, width);
+    this->Rows = rows;
+    const int width = ChooseWidth(window, rows);
+    this->Fill(width);
     this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
     this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    this->Texture->Create2DFromRaw(
-      static_cast<unsigned int>(width), 1, 4, VTK_FLOAT, this->Entries.data());
-    this->Last = request;
-    this->UpdateTime.Modified();
+    this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),
+      static_cast<unsigned int>(rows.size()), 4, VTK_FLOAT, this->Entries.data());
   }
-  // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
-  const int filter = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION
-                       ? vtkTextureObject::Nearest
-                       : vtkTextureObject::Linear;
+  const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
   this->Texture->SetMagnificationFilter(filter);
   this->Texture->SetMinificationFilter(filter);
 }
 
-bool vtkTextureSliceTable::NeedsUpdate(vtkOpenGLRenderWindow* window, const Request& request) const
+bool vtkTextureSliceTable::NeedsUpdate(
+  vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows) const
 {
+  vtkMTimeType time = 0;
+  for (const vtkTextureSliceRow& row : rows)
+  {
+    time = std::max(time, row.GetTime());
+  }
+  const auto like = [](const vtkTextureSliceRow& a, const vtkTextureSliceRow& b)
+  { return a.IsLike(b); };
   return this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
-         request.Property != this->Last.Property || request.ScalarRange != this->Last.ScalarRange ||
-         request.NativeColorRange != this->Last.NativeColorRange ||
-         request.NativeOpacityRange != this->Last.NativeOpacityRange ||
-         FunctionTime(request.Property) > this->UpdateTime.GetMTime();
+         time > this->RowsTime ||
+         !std::equal(rows.begin(), rows.end(), this->Rows.begin(), this->Rows.end(), like);
 }
 
-void vtkTextureSliceTable::Fill(const Request& request, int width)
+void vtkTextureSliceTable::Fill(int width)
 {
-  const auto range = EntryRange(request.ScalarRange);
-  const double step = (range[1] - range[0]) / (width - 1);
-  this->Scale = 1.0 / (step * width);
-  this->Bias = 0.5 / width - range[0] * this->Scale;
-
-  vtkVolumeProperty* property = request.Property;
-  vtkPiecewiseFunction* opacity = property->GetScalarOpacity(0);
-  const bool gray = property->GetColorChannels(0) == 1;
-  vtkPiecewiseFunction* grayColor = gray ? property->GetGrayTransferFunction(0) : nullptr;
-  vtkColorTransferFunction* rgbColor = gray ? nullptr : property->GetRGBTransferFunction(0);
-  double colorRange[2];
-  double opacityRange[2];
-  gray ? grayColor->GetRange(colorRange) : rgbColor->GetRange(colorRange);
-  opacity->GetRange(opacityRange);
-
-  this->Entries.resize(static_cast<std::size_t>(width) * 4);
-  float* entry = this->Entries.data();
-  for (int i = 0; i < width; ++i, entry += 4)
+  // The first and the last scalar lie at the centres of the outermost texels.
+  this->Scale = (width - 1.0) / width;
+  this->Bias = 0.5 / width;
+  this->RowsTime = 0;
+  this->Entries.resize(this->Rows.size() * static_cast<std::size_t>(width) * 4);
+  float* entries = this->Entries.data();
+  for (const vtkTextureSliceRow& row : this->Rows)
   {
-    const double scalar = range[0] + i * step;
-    const double colorScalar = Clamped(scalar, request.NativeColorRange, colorRange);
-    double rgb[3];
-    if (gray)
-    {
-      rgb[0] = rgb[1] = rgb[2] = grayColor->GetValue(colorScalar);
-    }
-    else
-    {
-      rgbColor->GetColor(colorScalar, rgb);
-    }
-    std::copy(rgb, rgb + 3, entry);
-    const double alpha =
-      opacity->GetValue(Clamped(scalar, request.NativeOpacityRange, opacityRange));
-    entry[3] = static_cast<float>(std::clamp(alpha, 0.0, 1.0));
+    this->RowsTime = std::max(this->RowsTime, row.GetTime());
+    FillRow(row, width, entries);
+    entries += static_cast<std::size_t>(width) * 4;
   }
 }
 

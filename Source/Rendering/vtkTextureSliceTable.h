@@ -1,59 +1,80 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Colour and opacity over the scalars, as one row of RGBA texels.
+// Colour and opacity over the scalars, as rows of RGBA texels.
 #ifndef vtkTextureSliceTable_h
 #define vtkTextureSliceTable_h
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
-#include "vtkTimeStamp.h"
+#include "vtkType.h"
 
 #include <array>
 #include <vector>
 
+class vtkColorTransferFunction;
 class vtkOpenGLRenderWindow;
-class vtkVolumeProperty;
+class vtkPiecewiseFunction;
 class vtkWindow;
 
+/// A function over the range of a component, and whether its own range clamps the scalar first
+/// (vtkGPUVolumeRayCastMapper::NATIVE).
+struct vtkTextureSliceDomain
+{
+  std::array<double, 2> Range{0.0, 1.0};
+  bool Native = false;
+};
+
+/// The functions of one row; pointers are compared and read, not kept alive.
+struct vtkTextureSliceRow
+{
+  /// Colour: one of the two, or neither for white.
+  vtkColorTransferFunction* Color = nullptr;
+  vtkPiecewiseFunction* Gray = nullptr;
+  vtkTextureSliceDomain ColorDomain;
+  /// nullptr: 1 everywhere.
+  vtkPiecewiseFunction* Opacity = nullptr;
+  vtkTextureSliceDomain OpacityDomain;
+
+  /// Time of the last change of the functions.
+  vtkMTimeType GetTime() const;
+  /// The functions and ranges are the same, changed or not.
+  bool IsLike(const vtkTextureSliceRow& other) const;
+};
+
 /**
- * The transfer functions of a volume property's first component. Entry i of n stands for the
- * scalar low + i*(high - low)/(n - 1); its colour is not yet multiplied with its opacity, which is
- * that of one unit distance.
+ * Rows of functions, all of one width. Entry i of n stands for the scalar
+ * low + i*(high - low)/(n - 1) of its domain; its colour is not yet multiplied with its opacity,
+ * which is that of one unit distance.
  */
 class vtkTextureSliceTable
 {
 public:
-  /// What the table is made from.
-  struct Request
-  {
-    vtkVolumeProperty* Property = nullptr;
-    /// The scalars' range: what the entries span.
-    std::array<double, 2> ScalarRange{0.0, 1.0};
-    /// Whether the functions' own ranges clamp the scalar first
-    /// (vtkGPUVolumeRayCastMapper::NATIVE).
-    bool NativeColorRange = false;
-    bool NativeOpacityRange = false;
-  };
-
-  /// Fills and uploads the table if the functions, the ranges or the window changed.
-  void Update(vtkOpenGLRenderWindow* window, const Request& request);
+  /**
+   * Fills and uploads the table if the functions, the ranges or the window changed.
+   * @param nearest whether entries are not interpolated.
+   */
+  void Update(
+    vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest);
   void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() { return this->Texture; }
-  /// Texture coordinate of a scalar s: s * GetScale() + GetBias() (Formulas R2).
+  int GetNumberOfRows() const { return static_cast<int>(this->Rows.size()); }
+  /// Texture coordinate of a scalar that is s of the way through its domain (0 to 1):
+  /// s * GetScale() + GetBias() (Formulas R2).
   double GetScale() const { return this->Scale; }
   double GetBias() const { return this->Bias; }
 
 private:
-  bool NeedsUpdate(vtkOpenGLRenderWindow* window, const Request& request) const;
-  void Fill(const Request& request, int width);
+  bool NeedsUpdate(
+    vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows) const;
+  void Fill(int width);
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
   double Scale = 1.0;
   double Bias = 0.0;
 
-  Request Last;
-  vtkTimeStamp UpdateTime;
+  std::vector<vtkTextureSliceRow> Rows; ///< what the texture was made from
+  vtkMTimeType RowsTime = 0;            ///< and when those were changed last
 };
 
 #endif

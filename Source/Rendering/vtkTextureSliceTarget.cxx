@@ -103,7 +103,7 @@ bool vtkTextureSliceTarget::Attach(vtkOpenGLRenderWindow* window, std::string& e
   return false;
 }
 
-bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, std::string& error)
+bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, float clearValue, std::string& error)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   int width = 0;
@@ -131,7 +131,7 @@ bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, std::string& error)
 
   state->vtkglDisable(GL_SCISSOR_TEST);
   state->vtkglViewport(0, 0, width, height);
-  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClearColor(clearValue, clearValue, clearValue, clearValue);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClear(GL_COLOR_BUFFER_BIT | (format.Bits > 0 ? 0 : GL_DEPTH_BUFFER_BIT));
@@ -151,18 +151,24 @@ void vtkTextureSliceTarget::End()
   this->Window->GetState()->PopFramebufferBindings();
 }
 
-void vtkTextureSliceTarget::Composite(vtkRenderer* renderer, float scale, float bias)
+void vtkTextureSliceTarget::ReadyQuad(vtkOpenGLRenderWindow* window, const std::string& defines)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (!this->Quad)
-  {
-    this->Quad =
-      std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, TextureSliceCompositeFS, "");
-  }
-  else
+  if (this->Quad && defines == this->QuadDefines)
   {
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+    return;
   }
+  std::string shader = TextureSliceCompositeFS;
+  vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Defines", defines);
+  this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), "");
+  this->QuadDefines = defines;
+}
+
+void vtkTextureSliceTarget::Composite(vtkRenderer* renderer, const std::string& defines,
+  const std::function<void(vtkShaderProgram*)>& setUniforms)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->ReadyQuad(window, defines);
   int width = 0;
   int height = 0;
   int left = 0;
@@ -175,8 +181,7 @@ void vtkTextureSliceTarget::Composite(vtkRenderer* renderer, float scale, float 
   this->Color->Activate();
   vtkShaderProgram* program = this->Quad->Program;
   program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
-  program->SetUniformf("colorScale", scale);
-  program->SetUniformf("colorBias", bias);
+  setUniforms(program);
   this->Quad->Render();
   this->Color->Deactivate();
 }

@@ -7,12 +7,14 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
 
+#include <functional>
 #include <memory>
 #include <string>
 
 class vtkOpenGLQuadHelper;
 class vtkOpenGLRenderWindow;
 class vtkRenderer;
+class vtkShaderProgram;
 class vtkWindow;
 
 /**
@@ -27,19 +29,21 @@ public:
   ~vtkTextureSliceTarget();
 
   /**
-   * Copies the depth of the framebuffer that is bound, clears the colour and directs drawing here.
-   * End must follow. @return false, with one line in @a error, if it cannot be made; then End must
-   * not follow.
+   * Copies the depth of the framebuffer that is bound, clears all channels of the colour to one
+   * value and directs drawing here. End must follow. @return false, with one line in @a error, if
+   * it cannot be made; then End must not follow.
    */
-  bool Begin(vtkRenderer* renderer, std::string& error);
+  bool Begin(vtkRenderer* renderer, float clearValue, std::string& error);
   /// Directs drawing back to where it went before Begin.
   void End();
 
   /**
    * Blends the picture over the renderer's viewport.
-   * @param scale, bias colour c becomes scale * c + bias * opacity (final window and level).
+   * @param defines the first lines of TextureSliceCompositeFS.
+   * @param setUniforms sets what that shader reads besides the picture.
    */
-  void Composite(vtkRenderer* renderer, float scale, float bias);
+  void Composite(vtkRenderer* renderer, const std::string& defines,
+    const std::function<void(vtkShaderProgram*)>& setUniforms);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 
@@ -53,7 +57,10 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
+  void ReadyQuad(vtkOpenGLRenderWindow* window, const std::string& defines);
+
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
+  std::string QuadDefines; ///< those that Quad was compiled with
   vtkOpenGLRenderWindow* Window = nullptr;
   int DepthKey = -1; ///< the depth format that Depth has
 };

@@ -27,28 +27,35 @@ struct Texels
   int ScalarType = VTK_FLOAT; ///< VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT or VTK_FLOAT
   const void* Data = nullptr; ///< the scalars themselves, or Storage
   std::vector<unsigned char> Storage;
-  double Scale = 1.0;
-  double Bias = 0.0;
+};
+
+/// The scalars of a volume, component after component of each point (or cell).
+template <typename Scalar>
+struct Tuples
+{
+  const Scalar* Data = nullptr;
+  std::size_t Count = 0;
+  std::size_t Components = 1;
 };
 
 /// 1 at visible places, 0 at hidden ones; empty if all are visible.
 template <typename Scalar>
 std::vector<std::uint8_t> MakeMask(
-  const Scalar* scalars, std::size_t count, vtkUnsignedCharArray* ghosts, unsigned char hiddenBit)
+  const Tuples<Scalar>& tuples, vtkUnsignedCharArray* ghosts, unsigned char hiddenBit)
 {
   std::vector<std::uint8_t> mask;
   const auto hide = [&](std::size_t i)
   {
     if (mask.empty())
     {
-      mask.assign(count, 1);
+      mask.assign(tuples.Count, 1);
     }
     mask[i] = 0;
   };
-  if (ghosts != nullptr && static_cast<std::size_t>(ghosts->GetNumberOfTuples()) == count)
+  if (ghosts != nullptr && static_cast<std::size_t>(ghosts->GetNumberOfTuples()) == tuples.Count)
   {
     const unsigned char* flags = ghosts->GetPointer(0);
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < tuples.Count; ++i)
     {
       if ((flags[i] & hiddenBit) != 0)
       {
@@ -58,112 +65,153 @@ std::vector<std::uint8_t> MakeMask(
   }
   if constexpr (std::is_floating_point_v<Scalar>)
   {
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < tuples.Count * tuples.Components; ++i)
     {
-      if (!std::isfinite(scalars[i]))
+      if (!std::isfinite(tuples.Data[i]))
       {
-        hide(i);
+        hide(i / tuples.Components);
       }
     }
   }
   return mask;
 }
 
-/// Scalars to texels; with a mask, pairs of texel and visibility.
+/// Scalars to texels by convert(scalar, component), each tuple followed by its visibility if there
+/// is a mask.
 template <typename Texel, typename Scalar, typename Convert>
-void Encode(const Scalar* scalars, std::size_t count, const std::vector<std::uint8_t>& mask,
-  Convert convert, Texels& texels)
+void Encode(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask, Convert convert,
+  Texels& texels)
 {
   // What OpenGL reads as 1.
   constexpr Texel visible =
     std::is_floating_point_v<Texel> ? Texel{1} : std::numeric_limits<Texel>::max();
-  texels.Storage.resize(count * (mask.empty() ? 1 : 2) * sizeof(Texel));
+  const std::size_t channels = tuples.Components + (mask.empty() ? 0 : 1);
+  texels.Storage.resize(tuples.Count * channels * sizeof(Texel));
   texels.Data = texels.Storage.data();
   auto* out = reinterpret_cast<Texel*>(texels.Storage.data());
-  if (mask.empty())
+  const Scalar* in = tuples.Data;
+  for (std::size_t i = 0; i < tuples.Count; ++i)
   {
-    std::transform(scalars, scalars + count, out, convert);
-    return;
-  }
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    *out++ = mask[i] != 0 ? convert(scalars[i]) : Texel{0};
-    *out++ = mask[i] != 0 ? visible : Texel{0};
+    const bool isVisible = mask.empty() || mask[i] != 0;
+    for (std::size_t c = 0; c < tuples.Components; ++c)
+    {
+      const Scalar scalar = *in++;
+      *out++ = isVisible ? convert(scalar, c) : Texel{0};
+    }
+    if (!mask.empty())
+    {
+      *out++ = isVisible ? visible : Texel{0};
+    }
   }
 }
 
 /// Texels of scalars whose type is theirs already; copied only to stand beside a mask.
 template <typename Scalar>
-void EncodeSame(
-  const Scalar* scalars, std::size_t count, const std::vector<std::uint8_t>& mask, Texels& texels)
+void EncodeSame(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask, Texels& texels)
 {
-  texels.Data = scalars;
+  texels.Data = tuples.Data;
   if (!mask.empty())
   {
     Encode<Scalar>(
-      scalars, count, mask, [](Scalar s) { return s; }, texels);
+      tuples, mask, [](Scalar s, std::size_t) { return s; }, texels);
   }
 }
 
+/// Integers of 8 and 16 bits: what is stored is the distance from the type's least value.
 template <typename Scalar>
-Texels MakeTexels(const Scalar* scalars, std::size_t count, const std::vector<std::uint8_t>& mask,
-  const std::array<double, 2>& range)
+void EncodeShort(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask,
+  std::vector<vtkTextureSliceComponent>& components, Texels& texels)
+{
+  using Texel = std::conditional_t<sizeof(Scalar) == 1, std::uint8_t, std::uint16_t>;
+  constexpr int lowest = std::numeric_limits<Scalar>::lowest();
+  texels.ScalarType = sizeof(Scalar) == 1 ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT;
+  for (vtkTextureSliceComponent& component : components)
+  {
+    component.Scale = std::numeric_limits<Texel>::max();
+    component.Bias = lowest;
+  }
+  if constexpr (lowest == 0)
+  {
+    EncodeSame(tuples, mask, texels);
+  }
+  else
+  {
+    Encode<Texel>(
+      tuples, mask, [](Scalar s, std::size_t) { return static_cast<Texel>(s - lowest); }, texels);
+  }
+}
+
+/// Types that a float cannot hold: each component's range is spread over 0 to 1.
+template <typename Scalar>
+void EncodeWide(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask,
+  std::vector<vtkTextureSliceComponent>& components, Texels& texels)
+{
+  for (vtkTextureSliceComponent& component : components)
+  {
+    const auto [low, high] = component.Range;
+    component.Scale = high > low ? high - low : 1.0;
+    component.Bias = low;
+  }
+  const auto convert = [&components](Scalar s, std::size_t c) {
+    return static_cast<float>((static_cast<double>(s) - components[c].Bias) / components[c].Scale);
+  };
+  Encode<float>(tuples, mask, convert, texels);
+}
+
+/// @param components their ranges are given, how texels become scalars is set.
+template <typename Scalar>
+Texels MakeTexels(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask,
+  std::vector<vtkTextureSliceComponent>& components)
 {
   Texels texels;
   if constexpr (std::is_integral_v<Scalar> && sizeof(Scalar) <= 2)
   {
-    using Texel = std::conditional_t<sizeof(Scalar) == 1, std::uint8_t, std::uint16_t>;
-    constexpr int lowest = std::numeric_limits<Scalar>::lowest();
-    texels.ScalarType = sizeof(Scalar) == 1 ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT;
-    texels.Scale = std::numeric_limits<Texel>::max();
-    texels.Bias = lowest;
-    if constexpr (lowest == 0)
-    {
-      EncodeSame(scalars, count, mask, texels);
-    }
-    else
-    {
-      Encode<Texel>(
-        scalars, count, mask, [](Scalar s) { return static_cast<Texel>(s - lowest); }, texels);
-    }
+    EncodeShort(tuples, mask, components, texels);
   }
   else if constexpr (std::is_same_v<Scalar, float>)
   {
-    EncodeSame(scalars, count, mask, texels);
+    EncodeSame(tuples, mask, texels);
   }
   else
   {
-    const double low = range[0];
-    const double width = range[1] > low ? range[1] - low : 1.0;
-    texels.Scale = width;
-    texels.Bias = low;
-    const auto convert = [low, width](Scalar s)
-    { return static_cast<float>((static_cast<double>(s) - low) / width); };
-    Encode<float>(scalars, count, mask, convert, texels);
+    EncodeWide(tuples, mask, components, texels);
   }
   return texels;
 }
 
 template <typename Scalar>
 Texels MakeTexels(const Scalar* scalars, std::size_t count, vtkUnsignedCharArray* ghosts,
-  unsigned char hiddenBit, const std::array<double, 2>& range, bool& masked)
+  unsigned char hiddenBit, std::vector<vtkTextureSliceComponent>& components, bool& masked)
 {
-  const auto mask = MakeMask(scalars, count, ghosts, hiddenBit);
+  const Tuples<Scalar> tuples{scalars, count, components.size()};
+  const auto mask = MakeMask(tuples, ghosts, hiddenBit);
   masked = !mask.empty();
-  return MakeTexels(scalars, count, mask, range);
+  return MakeTexels(tuples, mask, components);
 }
 
-unsigned int InternalFormat(int scalarType, bool masked)
+/// The format of a texture of 1 to 4 components.
+unsigned int InternalFormat(int scalarType, int channels)
 {
+  constexpr std::array<unsigned int, 4> bytes{GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
+  constexpr std::array<unsigned int, 4> shorts{GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
+  constexpr std::array<unsigned int, 4> floats{GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
+  const auto index = static_cast<std::size_t>(channels - 1);
   switch (scalarType)
   {
   case VTK_UNSIGNED_CHAR:
-    return masked ? GL_RG8 : GL_R8;
+    return bytes[index];
   case VTK_UNSIGNED_SHORT:
-    return masked ? GL_RG16 : GL_R16;
+    return shorts[index];
   default:
-    return masked ? GL_RG32F : GL_R32F;
+    return floats[index];
   }
+}
+
+/// The format of the texels that are handed over.
+unsigned int TexelFormat(int channels)
+{
+  constexpr std::array<unsigned int, 4> formats{GL_RED, GL_RG, GL_RGB, GL_RGBA};
+  return formats[static_cast<std::size_t>(channels - 1)];
 }
 
 unsigned int TexelType(int scalarType)
@@ -232,7 +280,11 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
     return false;
   }
 
-  scalars->GetFiniteRange(this->ScalarRange.data(), 0);
+  this->Components.assign(static_cast<std::size_t>(scalars->GetNumberOfComponents()), {});
+  for (std::size_t c = 0; c < this->Components.size(); ++c)
+  {
+    scalars->GetFiniteRange(this->Components[c].Range.data(), static_cast<int>(c));
+  }
   unsigned char hidden = vtkDataSetAttributes::HIDDENPOINT;
   if (cellData)
   {
@@ -243,10 +295,16 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   {
     vtkTemplateMacro(texels = MakeTexels(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)),
                        static_cast<std::size_t>(expected), FindGhosts(image, cellData), hidden,
-                       this->ScalarRange, this->Masked));
+                       this->Components, this->Masked));
   default:
     error = std::string("scalars of type ") + scalars->GetDataTypeAsString() +
             " cannot be drawn: convert them to a number type";
+    return false;
+  }
+  if (this->CountChannels() > 4)
+  {
+    error = "four components with hidden points, or with scalars that are not finite, are not "
+            "supported: leave out a component or the ghost array";
     return false;
   }
   if (!this->Allocate(window, source.Size, texels.ScalarType, error))
@@ -255,13 +313,16 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   }
   this->Texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, nx, ny, nz, this->Masked ? GL_RG : GL_RED,
+  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, nx, ny, nz, TexelFormat(this->CountChannels()),
     TexelType(texels.ScalarType), texels.Data);
   this->Texture->Deactivate();
-  this->Scale = texels.Scale;
-  this->Bias = texels.Bias;
   this->Last = source;
   return true;
+}
+
+int vtkTextureSliceTexture::CountChannels() const
+{
+  return static_cast<int>(this->Components.size()) + (this->Masked ? 1 : 0);
 }
 
 bool vtkTextureSliceTexture::Allocate(
@@ -272,11 +333,14 @@ bool vtkTextureSliceTexture::Allocate(
   {
     error = "the volume has " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
             std::to_string(size[2]) + " voxels, this OpenGL takes at most " +
-            std::to_string(limit) + " along an axis: resample it to fit";
+            std::to_string(limit) + " along an axis: resample it to " +
+            std::to_string(std::min(size[0], limit)) + " x " +
+            std::to_string(std::min(size[1], limit)) + " x " +
+            std::to_string(std::min(size[2], limit)) + " or less";
     return false;
   }
-  const int components = this->Masked ? 2 : 1;
-  const std::array<int, 5> wanted{size[0], size[1], size[2], scalarType, components};
+  const int channels = this->CountChannels();
+  const std::array<int, 5> wanted{size[0], size[1], size[2], scalarType, channels};
   if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
       wanted == this->Allocated)
   {
@@ -284,12 +348,12 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
-  this->Texture->SetInternalFormat(InternalFormat(scalarType, this->Masked));
+  this->Texture->SetInternalFormat(InternalFormat(scalarType, channels));
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
   if (!this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
-        static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), components,
+        static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels,
         scalarType, nullptr))
   {
     error = "OpenGL could not make a texture of " + std::to_string(size[0]) + " x " +

@@ -9,20 +9,30 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
 class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
+/// One component of the scalars.
+struct vtkTextureSliceComponent
+{
+  std::array<double, 2> Range{0.0, 1.0}; ///< least and greatest finite scalar
+  double Scale = 1.0;                    ///< the scalar of a texel t: t * Scale + Bias
+  double Bias = 0.0;
+};
+
 /**
- * One component of scalars of any type, one texel for each point (or cell). Scalars of 8 and 16
- * bits keep their size and all their values; float is uploaded as it is; wider types become float,
- * spread over 0 to 1 so that large values keep their differences.
+ * One to four components of scalars of any type, one texel for each point (or cell). Scalars of 8
+ * and 16 bits keep their size and all their values; float is uploaded as it is; wider types become
+ * float, spread over 0 to 1 so that large values keep their differences.
  *
- * Points that vtkGhostType hides (HIDDENPOINT, or HIDDENCELL of cells) and scalars that are not
- * finite are masked: the texture then has a second component, 1 at visible points and 0 at hidden
- * ones, where the first is 0 as well.
+ * Points that vtkGhostType hides (HIDDENPOINT, or HIDDENCELL of cells) and those with a scalar that
+ * is not finite are masked: the texture then has one more component, 1 at visible points and 0 at
+ * hidden ones, where the others are 0 as well. OpenGL's textures have four components at most, so
+ * four components of scalars cannot be masked.
  */
 class vtkTextureSliceTexture
 {
@@ -39,13 +49,10 @@ public:
   vtkTextureObject* GetTexture() { return this->Texture; }
   /// Texels along each axis: points, or cells.
   static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
-  /// Whether the second component is there.
+  /// Whether the component of the mask is there.
   bool IsMasked() const { return this->Masked; }
-  /// The scalar of a texel t (0 to 1 unless float): t * GetScale() + GetBias().
-  double GetScale() const { return this->Scale; }
-  double GetBias() const { return this->Bias; }
-  /// Least and greatest finite scalar.
-  const std::array<double, 2>& GetScalarRange() const { return this->ScalarRange; }
+  /// How a texel t (0 to 1 unless float) of each component becomes its scalar.
+  const std::vector<vtkTextureSliceComponent>& GetComponents() const { return this->Components; }
 
 private:
   /// What the texture was made from; pointers are compared, never followed.
@@ -64,16 +71,16 @@ private:
     }
   };
   static Source MakeSource(vtkImageData* image, vtkDataArray* scalars, bool cellData);
+  /// Components of the texture: those of the scalars, and the mask.
+  int CountChannels() const;
   bool Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, int scalarType,
     std::string& error);
 
   vtkNew<vtkTextureObject> Texture;
   bool Masked = false;
-  double Scale = 1.0;
-  double Bias = 0.0;
-  std::array<double, 2> ScalarRange{0.0, 1.0};
+  std::vector<vtkTextureSliceComponent> Components;
   Source Last;
-  std::array<int, 5> Allocated{}; ///< size, scalar type and number of components
+  std::array<int, 5> Allocated{}; ///< size, scalar type and number of the texture's components
 };
 
 #endif

@@ -1,141 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The slices beside VTK's own GPU ray caster: same volume, camera and distance between samples.
-#include "RenderingTest.h"
+#include "RayCasterComparison.h"
 #include "Scenes.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMath.h"
-#include "vtkMatrix3x3.h"
 #include "vtkNew.h"
-#include "vtkOpenGLGPUVolumeRayCastMapper.h"
-#include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
-#include <array>
 #include <cmath>
-#include <iostream>
-#include <memory>
-
-namespace
-{
 
 using namespace nexrad::testing;
-
-/// What a mean channel may differ by, of 255, over the pixels that either picture changes. The bar
-/// that the mapper must meet is 1.5; where both compute the same, far less is the rule.
-constexpr double Bar = 1.5;
-constexpr double Tolerance = 0.5;
-class AgainstRayCaster : public RenderingTest
-{
-protected:
-  void SetUp() override
-  {
-    RenderingTest::SetUp();
-    if (!IsSkipped() && !HasFatalFailure())
-    {
-      this->Stage = std::make_unique<Scene>();
-    }
-  }
-  void TearDown() override
-  {
-    this->Stage.reset();
-    RenderingTest::TearDown();
-  }
-
-  void UseStorm(int scalarType, int size = 48)
-  {
-    this->Input = MakeStorm(size, scalarType);
-    SetStormFunctions(this->Stage->GetProperty(), scalarType);
-  }
-
-  /// A view of the storm from above one corner.
-  void AimCamera(bool parallel)
-  {
-    vtkRenderer* renderer = this->Stage->GetRenderer();
-    vtkCamera* camera = renderer->GetActiveCamera();
-    camera->SetParallelProjection(parallel);
-    camera->SetFocalPoint(0.0, 0.0, 12.0);
-    camera->SetPosition(50.0, -90.0, 70.0);
-    camera->SetViewUp(0.0, 0.0, 1.0);
-    camera->SetParallelScale(36.0);
-    camera->SetViewAngle(36.0);
-    renderer->ResetCameraClippingRange(-80, 80, -80, 80, -80, 80);
-  }
-
-  /// Draws with both mappers, writes the pictures and their difference, and compares them.
-  void ExpectSamePicture(const std::string& name, double tolerance = Tolerance)
-  {
-    const Picture background = this->Stage->Draw(nullptr);
-    const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster.Get()));
-    const Picture actual = this->Stage->Draw(this->Configure(this->Slices.Get()));
-    WritePicture(expected, name + "-rays");
-    WritePicture(actual, name + "-slices");
-    WritePicture(DifferencePicture(actual, expected), name + "-difference");
-    const Difference difference = Compare(actual, expected, background);
-    std::cout << name << ": mean difference " << difference.Mean[0] << ' ' << difference.Mean[1]
-              << ' ' << difference.Mean[2] << " of 255, worst " << difference.Worst << ", over "
-              << difference.Pixels << " pixels, " << this->Slices->GetNumberOfDrawnSlices()
-              << " slices\n";
-    EXPECT_GT(difference.Pixels, 2000) << "the volume covers too little to compare";
-    EXPECT_LE(difference.LargestMean(), tolerance);
-  }
-
-  template <typename Mapper>
-  Mapper* Configure(Mapper* mapper)
-  {
-    mapper->SetInputData(this->Input);
-    mapper->AutoAdjustSampleDistancesOff();
-    mapper->SetSampleDistance(static_cast<float>(this->SampleDistance));
-    return mapper;
-  }
-
-  /**
-   * Where the ray caster must be told to cut so that it cuts at x. VTK 9.1 takes its texture
-   * coordinates, which have half a texel beyond the outermost points, for fractions of the box
-   * there: its cuts are displaced as if the volume were (n - 1)/n as large about its middle. The
-   * slices cut in the right place (AnalyticPictures.CutsAreExact).
-   */
-  double RayCasterCut(double x, int axis)
-  {
-    const double* bounds = this->Input->GetBounds();
-    const double middle = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
-    const double points = this->Input->GetDimensions()[axis];
-    return middle + (x - middle) * (points - 1.0) / points;
-  }
-
-  void Crop(const std::array<double, 6>& planes, int flags)
-  {
-    std::array<double, 6> rayCasterPlanes;
-    for (int i = 0; i < 6; ++i)
-    {
-      const auto index = static_cast<std::size_t>(i);
-      rayCasterPlanes[index] = this->RayCasterCut(planes[index], i / 2);
-    }
-    this->RayCaster->CroppingOn();
-    this->RayCaster->SetCroppingRegionPlanes(rayCasterPlanes.data());
-    this->RayCaster->SetCroppingRegionFlags(flags);
-    this->Slices->CroppingOn();
-    this->Slices->SetCroppingRegionPlanes(planes.data());
-    this->Slices->SetCroppingRegionFlags(flags);
-  }
-
-  AgainstRayCaster() { this->Slices->SetNumberOfSlices(0); }
-
-  std::unique_ptr<Scene> Stage;
-  vtkSmartPointer<vtkImageData> Input;
-  double SampleDistance = 0.3;
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> RayCaster;
-  vtkNew<vtkOpenGLTextureSliceVolumeMapper> Slices;
-};
-
-} // namespace
 
 TEST_F(AgainstRayCaster, PerspectiveFloat)
 {
@@ -268,13 +149,12 @@ TEST_F(AgainstRayCaster, CameraInside)
 TEST_F(AgainstRayCaster, FinalWindowAndLevel)
 {
   this->UseStorm(VTK_FLOAT);
-  for (vtkGPUVolumeRayCastMapper* mapper :
-    {static_cast<vtkGPUVolumeRayCastMapper*>(this->RayCaster.Get()),
-      static_cast<vtkGPUVolumeRayCastMapper*>(this->Slices.Get())})
-  {
-    mapper->SetFinalColorWindow(0.7f);
-    mapper->SetFinalColorLevel(0.4f);
-  }
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper)
+    {
+      mapper->SetFinalColorWindow(0.7f);
+      mapper->SetFinalColorLevel(0.4f);
+    });
   this->AimCamera(false);
   this->ExpectSamePicture("storm-window-level");
 }
@@ -285,12 +165,12 @@ TEST_F(AgainstRayCaster, DifferenceIsNoticed)
   this->UseStorm(VTK_FLOAT);
   this->AimCamera(false);
   const Picture background = this->Stage->Draw(nullptr);
-  const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster.Get()));
+  const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster));
   this->Stage->GetProperty()->SetScalarOpacityUnitDistance(2.0);
-  const Picture thinner = this->Stage->Draw(this->Configure(this->Slices.Get()));
+  const Picture thinner = this->Stage->Draw(this->Configure(this->Slices));
   EXPECT_GT(Compare(thinner, expected, background).LargestMean(), Tolerance);
   this->Stage->GetProperty()->SetScalarOpacityUnitDistance(1.0);
   this->Stage->GetRenderer()->GetActiveCamera()->Azimuth(1.0);
-  const Picture turned = this->Stage->Draw(this->Configure(this->Slices.Get()));
+  const Picture turned = this->Stage->Draw(this->Configure(this->Slices));
   EXPECT_GT(Compare(turned, expected, background).LargestMean(), Tolerance);
 }

@@ -15,6 +15,7 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeProperty.h"
 
+#include <cmath>
 #include <memory>
 
 namespace
@@ -140,16 +141,36 @@ TEST_F(MapperLife, UnsupportedRequestsAreRefusedInOneLine)
   auto scene = this->MakeScene();
   EXPECT_TRUE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
 
-  mapper->SetBlendModeToMaximumIntensity();
+  mapper->SetBlendModeToSlice();
   EXPECT_FALSE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
   EXPECT_EQ(this->Middle(*scene, mapper), 0.0);
-  EXPECT_NE(this->TakeMessages().find("only composite blending is supported"), std::string::npos);
+  EXPECT_NE(this->TakeMessages().find("slice blending is not supported"), std::string::npos);
 
+  // Three components without functions of their own mean nothing.
   mapper->SetBlendModeToComposite();
-  scene->GetProperty()->ShadeOn();
+  vtkNew<vtkImageData> colors;
+  colors->SetDimensions(3, 3, 3);
+  colors->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  colors->GetPointData()->GetScalars()->Fill(1.0);
+  mapper->SetInputData(colors);
+  EXPECT_TRUE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
+  scene->GetProperty()->IndependentComponentsOff();
   EXPECT_FALSE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
   EXPECT_EQ(this->Middle(*scene, mapper), 0.0);
-  EXPECT_NE(this->TakeMessages().find("shading is not supported"), std::string::npos);
+  EXPECT_NE(this->TakeMessages().find("component"), std::string::npos); // VTK's own words
+}
+
+TEST_F(MapperLife, FourComponentsCannotHideTheirPoints)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(3, 3, 3);
+  image->AllocateScalars(VTK_FLOAT, 4);
+  image->GetPointData()->GetScalars()->Fill(std::nan(""));
+  mapper->SetInputData(image);
+  auto scene = this->MakeScene();
+  this->Middle(*scene, mapper);
+  EXPECT_NE(this->TakeMessages().find("four components with hidden points"), std::string::npos);
 }
 
 TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
@@ -165,6 +186,7 @@ TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
   const std::string message = this->TakeMessages();
   EXPECT_NE(message.find("40000 x 2 x 2"), std::string::npos) << message;
   EXPECT_NE(message.find("at most"), std::string::npos) << message;
+  EXPECT_NE(message.find(" x 2 x 2 or less"), std::string::npos) << message;
   double ratio[3];
   mapper->GetReductionRatio(ratio);
   EXPECT_LT(ratio[0], 1.0);

@@ -3,14 +3,60 @@
 // Hands the finished volume (associated colour) to the window, with the final window and level.
 //VTK::Output::Dec
 
+// See vtkTextureSliceFeatures::GetDefines.
+//VTK::TextureSlice::Defines
+
 in vec2 texCoord;
 
 uniform sampler2D volumeImage;
 uniform float colorScale;
 uniform float colorBias;
 
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MINIMUM
+uniform sampler2D transferTable;
+uniform float tableScale;
+uniform float tableBias;
+uniform float componentWeight[TEXTURE_SLICE_COMPONENTS];
+
+// The picture holds the extremes of the scalars (0 to 1); where there are no samples, what it was
+// cleared with.
+vec4 PictureColor(vec4 extremes)
+{
+  if (extremes.x < -0.5 || extremes.x > 1.5)
+  {
+    return vec4(0.0);
+  }
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  {
+    vec4 color = texture(transferTable, vec2(extremes[i] * tableScale + tableBias,
+      (float(i) + 0.5) / float(TEXTURE_SLICE_ROWS)));
+    sum += componentWeight[i] * vec4(color.rgb * color.a, color.a);
+  }
+  return sum;
+}
+#elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
+// Red holds a sum, alpha the number of samples.
+vec4 PictureColor(vec4 sums)
+{
+  if (sums.a <= 0.0)
+  {
+    return vec4(0.0);
+  }
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
+  sums.r /= sums.a;
+#endif
+  return vec4(vec3(clamp(sums.r, 0.0, 1.0)), 1.0);
+}
+#else
+vec4 PictureColor(vec4 blended)
+{
+  return blended;
+}
+#endif
+
 void main()
 {
-  vec4 color = texture(volumeImage, texCoord);
+  vec4 color = PictureColor(texture(volumeImage, texCoord));
   gl_FragData[0] = vec4(color.rgb * colorScale + colorBias * color.a, color.a);
 }

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTextureSliceFeatures.h"
+
+#include "vtkVolumeMapper.h"
+
+namespace
+{
+
+void Define(std::string& defines, const char* name, int value)
+{
+  defines += std::string("#define TEXTURE_SLICE_") + name + ' ' + std::to_string(value) + '\n';
+}
+
+void DefineIf(bool condition, std::string& defines, const char* name)
+{
+  if (condition)
+  {
+    Define(defines, name, 1);
+  }
+}
+
+} // namespace
+
+std::string vtkTextureSliceFeatures::GetDefines() const
+{
+  std::string defines;
+  Define(defines, "COMPOSITE", vtkVolumeMapper::COMPOSITE_BLEND);
+  Define(defines, "MAXIMUM", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+  Define(defines, "MINIMUM", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND);
+  Define(defines, "AVERAGE", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND);
+  Define(defines, "ADDITIVE", vtkVolumeMapper::ADDITIVE_BLEND);
+  Define(defines, "ISOSURFACE", vtkVolumeMapper::ISOSURFACE_BLEND);
+  Define(defines, "BLEND", this->BlendMode);
+  Define(defines, "COMPONENTS", this->Components);
+  Define(defines, "FUNCTIONS", this->Functions);
+  Define(defines, "ROWS", this->CountRows());
+  DefineIf(this->Masked, defines, "MASKED");
+  DefineIf(this->Cropped, defines, "CROPPED");
+  DefineIf(this->Parallel, defines, "PARALLEL");
+  DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
+  DefineIf(this->GradientOpacity || this->Lights >= 0, defines, "GRADIENT");
+  if (this->Lights >= 0)
+  {
+    Define(defines, "LIGHTS", this->Lights);
+  }
+  if (this->IsoValues > 0)
+  {
+    Define(defines, "ISO_VALUES", this->IsoValues);
+  }
+  return defines;
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the shaders of one frame must be able to do.
+#ifndef vtkTextureSliceFeatures_h
+#define vtkTextureSliceFeatures_h
+
+#include <string>
+
+/// Each combination is a shader program of its own, which compiles only what it needs.
+struct vtkTextureSliceFeatures
+{
+  int BlendMode = 0; ///< vtkVolumeMapper::BlendModes
+  int Components = 1;
+  /// Sets of transfer functions: 1, or the number of components if each has its own.
+  int Functions = 1;
+  bool Masked = false;  ///< the volume's last component is its mask
+  bool Cropped = false; ///< samples must be tested against the cropping regions
+  bool Parallel = false;
+  bool GradientOpacity = false;
+  int Lights = -1; ///< -1: unlit; 0: a single headlight; else the number of lights
+  int IsoValues = 0;
+
+  /// Rows of the transfer table: functions, then their gradient opacities.
+  int CountRows() const { return this->Functions * (this->GradientOpacity ? 2 : 1); }
+  /// The first lines of the fragment shaders.
+  std::string GetDefines() const;
+};
+
+#endif

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTextureSliceRequest.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeMapper.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+
+/// VTK's ray caster spreads gradient opacity over a quarter of the scalars' range.
+constexpr double GradientRange = 0.25;
+
+double Width(const vtkTextureSliceComponent& component)
+{
+  return component.Range[1] > component.Range[0] ? component.Range[1] - component.Range[0] : 1.0;
+}
+
+/// Where a scalar lies in the component's range, 0 to 1 inside it.
+double Normalized(double scalar, const vtkTextureSliceComponent& component)
+{
+  return (scalar - component.Range[0]) / Width(component);
+}
+
+/// The scalar that is full red, green or blue where scalars are colours: VTK takes only bytes.
+constexpr double FullColor = 255.0;
+
+bool IsExtreme(int blendMode)
+{
+  return blendMode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ||
+         blendMode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
+}
+
+} // namespace
+
+const char* vtkTextureSliceRequest::FindUnsupported() const
+{
+  if (this->BlendMode < vtkVolumeMapper::COMPOSITE_BLEND ||
+      this->BlendMode > vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    return "slice blending is not supported: use the composite, maximum, minimum, average, "
+           "additive or isosurface blend mode";
+  }
+  if (this->Components < 1 || this->Components > 4)
+  {
+    return "the scalars must have 1 to 4 components";
+  }
+  if (this->Property == nullptr)
+  {
+    return nullptr;
+  }
+  if (this->Property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
+  {
+    return "only one-dimensional transfer functions are supported: use TF_1D";
+  }
+  const bool dependent = this->Components > 1 && !this->IsIndependent();
+  if (dependent && this->Components == 3)
+  {
+    return "three dependent components are not supported, only 2 (value, opacity) and 4 (RGBA): "
+           "call IndependentComponentsOn";
+  }
+  if (dependent && IsExtreme(this->BlendMode))
+  {
+    return "maximum and minimum of dependent components are not supported: call "
+           "IndependentComponentsOn";
+  }
+  if (this->Components > 1 && this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    return "isosurfaces of several components are not supported: choose one component";
+  }
+  return nullptr;
+}
+
+bool vtkTextureSliceRequest::IsIndependent() const
+{
+  return this->Property->GetIndependentComponents() != 0;
+}
+
+bool vtkTextureSliceRequest::ShowsPlaces() const
+{
+  return this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
+         this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
+}
+
+bool vtkTextureSliceRequest::IsShaded() const
+{
+  return this->ShowsPlaces() && this->Property->GetShade(0) != 0;
+}
+
+bool vtkTextureSliceRequest::HasGradientOpacity() const
+{
+  const int functions = this->IsIndependent() ? this->Components : 1;
+  bool has = false;
+  for (int i = 0; i < functions; ++i)
+  {
+    has = has || this->Property->HasGradientOpacity(i);
+  }
+  return has;
+}
+
+vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
+{
+  const bool isosurface = this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
+  vtkTextureSliceFeatures features;
+  features.BlendMode = this->BlendMode;
+  features.Components = this->Components;
+  features.Functions = this->IsIndependent() ? this->Components : 1;
+  features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
+  features.IsoValues =
+    isosurface ? this->Property->GetIsoSurfaceValues()->GetNumberOfContours() : 0;
+  return features;
+}
+
+vtkTextureSliceRow vtkTextureSliceRequest::MakeRow(int functions,
+  const vtkTextureSliceComponent& color, const vtkTextureSliceComponent& opacity) const
+{
+  vtkTextureSliceRow row;
+  if (this->Property->GetColorChannels(functions) == 1)
+  {
+    row.Gray = this->Property->GetGrayTransferFunction(functions);
+  }
+  else
+  {
+    row.Color = this->Property->GetRGBTransferFunction(functions);
+  }
+  row.ColorDomain = {color.Range, this->NativeColor};
+  row.Opacity = this->Property->GetScalarOpacity(functions);
+  row.OpacityDomain = {opacity.Range, this->NativeOpacity};
+  return row;
+}
+
+std::vector<vtkTextureSliceRow> vtkTextureSliceRequest::MakeRows(
+  const std::vector<vtkTextureSliceComponent>& components) const
+{
+  const vtkTextureSliceFeatures features = this->GetFeatures();
+  std::vector<vtkTextureSliceRow> rows;
+  for (int i = 0; i < features.Functions; ++i)
+  {
+    const auto& own = components[static_cast<std::size_t>(i)];
+    rows.push_back(this->MakeRow(i, own, features.Functions > 1 ? own : components.back()));
+  }
+  for (int i = 0; i < features.Functions && features.GradientOpacity; ++i)
+  {
+    vtkTextureSliceRow row;
+    const auto& range =
+      features.Functions > 1 ? components[static_cast<std::size_t>(i)] : components.back();
+    row.Opacity = this->Property->GetGradientOpacity(i);
+    row.OpacityDomain = {{0.0, GradientRange * Width(range)}, this->NativeGradientOpacity};
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<vtkTextureSliceSurface> vtkTextureSliceRequest::MakeSurfaces() const
+{
+  const bool own = this->GetFeatures().Functions > 1;
+  std::vector<vtkTextureSliceSurface> surfaces(static_cast<std::size_t>(this->Components));
+  for (int i = 0; i < this->Components; ++i)
+  {
+    const int functions = own ? i : 0;
+    vtkTextureSliceSurface& surface = surfaces[static_cast<std::size_t>(i)];
+    surface.InverseUnitDistance =
+      static_cast<float>(1.0 / this->Property->GetScalarOpacityUnitDistance(functions));
+    surface.Weight = own ? static_cast<float>(this->Property->GetComponentWeight(i)) : 1.0f;
+    surface.Material = {static_cast<float>(this->Property->GetAmbient(functions)),
+      static_cast<float>(this->Property->GetDiffuse(functions)),
+      static_cast<float>(this->Property->GetSpecular(functions)),
+      static_cast<float>(this->Property->GetSpecularPower(functions))};
+  }
+  return surfaces;
+}
+
+std::vector<float> vtkTextureSliceRequest::MakeIsoValues(
+  const vtkTextureSliceComponent& component) const
+{
+  vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
+  std::vector<float> values;
+  for (int i = 0; i < contours->GetNumberOfContours(); ++i)
+  {
+    values.push_back(static_cast<float>(Normalized(contours->GetValue(i), component)));
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+void vtkTextureSliceRequest::SetUniforms(
+  const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms) const
+{
+  const bool colors = this->Components == 4 && !this->IsIndependent();
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    vtkTextureSliceComponent target = components[c];
+    if (colors && c < 3)
+    {
+      target.Range = {0.0, FullColor};
+    }
+    uniforms.ScalarScale[c] = static_cast<float>(target.Scale / Width(target));
+    uniforms.ScalarBias[c] = static_cast<float>(Normalized(target.Bias, target));
+  }
+  uniforms.Surfaces = this->MakeSurfaces();
+  uniforms.IsoValues = this->MakeIsoValues(components[0]);
+  for (std::size_t i = 0; i < 2; ++i)
+  {
+    uniforms.AverageRange[i] = static_cast<float>(Normalized(this->AverageRange[i], components[0]));
+  }
+}

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What a mapper and a volume's property ask for, translated for the shaders.
+#ifndef vtkTextureSliceRequest_h
+#define vtkTextureSliceRequest_h
+
+#include "vtkTextureSliceFeatures.h"
+#include "vtkTextureSliceProgram.h"
+#include "vtkTextureSliceTable.h"
+#include "vtkTextureSliceTexture.h"
+
+#include <array>
+#include <vector>
+
+class vtkVolumeProperty;
+
+struct vtkTextureSliceRequest
+{
+  vtkVolumeProperty* Property = nullptr;
+  int BlendMode = 0; ///< vtkVolumeMapper::BlendModes
+  int Components = 1;
+  /// The scalars that an average counts.
+  std::array<double, 2> AverageRange{0.0, 1.0};
+  /// Whether the functions' own ranges clamp the scalar (vtkGPUVolumeRayCastMapper::NATIVE).
+  bool NativeColor = false;
+  bool NativeOpacity = false;
+  bool NativeGradientOpacity = false;
+
+  /// One line that says what cannot be drawn and what could, nullptr if everything can. The
+  /// property may be nullptr.
+  const char* FindUnsupported() const;
+  /// Whether each component has its own functions.
+  bool IsIndependent() const;
+  /// Whether samples are lit: only where a blend mode shows places, not projected scalars.
+  bool IsShaded() const;
+  /// What these ask of the shaders; what the frame and the texture add is left out.
+  vtkTextureSliceFeatures GetFeatures() const;
+  std::vector<vtkTextureSliceRow> MakeRows(
+    const std::vector<vtkTextureSliceComponent>& components) const;
+
+  /**
+   * Sets what follows from the request and the scalars: how texels become 0 to 1, surfaces, average
+   * range, iso-values.
+   */
+  void SetUniforms(const std::vector<vtkTextureSliceComponent>& components,
+    vtkTextureSliceUniforms& uniforms) const;
+
+private:
+  bool ShowsPlaces() const;
+  bool HasGradientOpacity() const;
+  vtkTextureSliceRow MakeRow(int functions, const vtkTextureSliceComponent& color,
+    const vtkTextureSliceComponent& opacity) const;
+  std::vector<vtkTextureSliceSurface> MakeSurfaces() const;
+  std::vector<float> MakeIsoValues(const vtkTextureSliceComponent& component) const;
+};
+
+#endif

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "RayCasterComparison.h"
+
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+
+#include <iostream>
+
+namespace nexrad::testing
+{
+
+AgainstRayCaster::AgainstRayCaster()
+{
+  this->Slices->SetNumberOfSlices(0);
+}
+
+void AgainstRayCaster::SetUp()
+{
+  RenderingTest::SetUp();
+  if (!IsSkipped() && !HasFatalFailure())
+  {
+    this->Stage = std::make_unique<Scene>();
+  }
+}
+
+void AgainstRayCaster::TearDown()
+{
+  this->Stage.reset();
+  RenderingTest::TearDown();
+}
+
+void AgainstRayCaster::UseStorm(int scalarType, int size)
+{
+  this->Input = MakeStorm(size, scalarType);
+  SetStormFunctions(this->Stage->GetProperty(), scalarType);
+}
+
+void AgainstRayCaster::AimCamera(bool parallel)
+{
+  vtkRenderer* renderer = this->Stage->GetRenderer();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetParallelProjection(parallel);
+  camera->SetFocalPoint(0.0, 0.0, 12.0);
+  camera->SetPosition(50.0, -90.0, 70.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetParallelScale(36.0);
+  camera->SetViewAngle(36.0);
+  renderer->ResetCameraClippingRange(-80, 80, -80, 80, -80, 80);
+}
+
+void AgainstRayCaster::ForBoth(const std::function<void(vtkGPUVolumeRayCastMapper*)>& set)
+{
+  set(this->RayCaster);
+  set(this->Slices);
+}
+
+void AgainstRayCaster::ExpectSamePicture(const std::string& name, double tolerance, double visible)
+{
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster));
+  const Picture actual = this->Stage->Draw(this->Configure(this->Slices));
+  WritePicture(expected, name + "-rays");
+  WritePicture(actual, name + "-slices");
+  WritePicture(DifferencePicture(actual, expected), name + "-difference");
+  const Difference difference = Compare(actual, expected, background);
+  const double brightest = Compare(actual, background, background).Worst;
+  std::cout << name << ": mean difference " << difference.Mean[0] << ' ' << difference.Mean[1]
+            << ' ' << difference.Mean[2] << " of 255, worst " << difference.Worst << ", over "
+            << difference.Pixels << " pixels, brightest " << brightest << ", "
+            << this->Slices->GetNumberOfDrawnSlices() << " slices\n";
+  EXPECT_GT(difference.Pixels, 2000) << "the volume covers too little to compare";
+  EXPECT_GT(brightest, visible) << "too little of the volume can be seen";
+  EXPECT_LE(difference.LargestMean(), tolerance);
+}
+
+vtkGPUVolumeRayCastMapper* AgainstRayCaster::Configure(vtkGPUVolumeRayCastMapper* mapper)
+{
+  mapper->SetInputData(this->Input);
+  mapper->AutoAdjustSampleDistancesOff();
+  mapper->SetSampleDistance(static_cast<float>(this->SampleDistance));
+  return mapper;
+}
+
+double AgainstRayCaster::RayCasterCut(double x, int axis)
+{
+  const double* bounds = this->Input->GetBounds();
+  const double middle = 0.5 * (bounds[2 * axis] + bounds[2 * axis + 1]);
+  const double points = this->Input->GetDimensions()[axis];
+  return middle + (x - middle) * (points - 1.0) / points;
+}
+
+void AgainstRayCaster::Crop(const std::array<double, 6>& planes, int flags)
+{
+  std::array<double, 6> rayCasterPlanes;
+  for (int i = 0; i < 6; ++i)
+  {
+    const auto index = static_cast<std::size_t>(i);
+    rayCasterPlanes[index] = this->RayCasterCut(planes[index], i / 2);
+  }
+  this->RayCaster->CroppingOn();
+  this->RayCaster->SetCroppingRegionPlanes(rayCasterPlanes.data());
+  this->RayCaster->SetCroppingRegionFlags(flags);
+  this->Slices->CroppingOn();
+  this->Slices->SetCroppingRegionPlanes(planes.data());
+  this->Slices->SetCroppingRegionFlags(flags);
+}
+
+} // namespace nexrad::testing

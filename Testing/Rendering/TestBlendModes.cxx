@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Every blend mode beside VTK's GPU ray caster.
+#include "RayCasterComparison.h"
+#include "Scenes.h"
+
+#include "vtkContourValues.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+class BlendModes : public AgainstRayCaster
+{
+protected:
+  void SetUp() override
+  {
+    AgainstRayCaster::SetUp();
+    if (this->Stage != nullptr)
+    {
+      this->UseStorm(VTK_FLOAT);
+      this->AimCamera(false);
+    }
+  }
+  void Use(vtkVolumeMapper::BlendModes mode)
+  {
+    this->ForBoth([mode](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendMode(mode); });
+  }
+  /// An opacity that grows with the scalar from the least one on.
+  void UseRamp(double least, double most)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(-33.0, least);
+    opacity->AddPoint(66.0, most);
+    this->Stage->GetProperty()->SetScalarOpacity(opacity);
+  }
+};
+
+} // namespace
+
+// The cores as bright discs on the flat colour of the anvils: no depth.
+TEST_F(BlendModes, Maximum)
+{
+  this->Use(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+  this->ExpectSamePicture("storm-maximum");
+}
+
+// The same from within the cropped middle: what is cut away does not count.
+TEST_F(BlendModes, MaximumOfTheCroppedMiddle)
+{
+  this->Use(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+  this->Crop({-20.0, 8.0, -25.0, 12.0, 2.0, 20.0}, VTK_CROP_SUBVOLUME);
+  this->ExpectSamePicture("storm-maximum-cropped", Bar);
+}
+
+// Everything is as bright as the least scalar on its ray: the whole box, faintly, darker rays none.
+TEST_F(BlendModes, Minimum)
+{
+  this->Use(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND);
+  this->UseRamp(0.3, 1.0);
+  this->ExpectSamePicture("storm-minimum");
+}
+
+// Grey: the mean over each ray, brightest through the towers.
+TEST_F(BlendModes, Average)
+{
+  this->Use(vtkVolumeMapper::AVERAGE_INTENSITY_BLEND);
+  this->UseRamp(0.2, 1.0);
+  this->ExpectSamePicture("storm-average");
+}
+
+// Grey: the mean of the echo alone, so the towers are no brighter than their shares of the ray;
+// rays without echo show nothing.
+TEST_F(BlendModes, AverageOfPartOfTheRange)
+{
+  this->Use(vtkVolumeMapper::AVERAGE_INTENSITY_BLEND);
+  this->UseRamp(0.2, 1.0);
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetAverageIPScalarRange(10.0, 100.0); });
+  this->ExpectSamePicture("storm-average-range", Bar);
+}
+
+// Grey: the sum over each ray, like an X-ray picture of the storm.
+TEST_F(BlendModes, Additive)
+{
+  this->Use(vtkVolumeMapper::ADDITIVE_BLEND);
+  this->UseRamp(0.0, 0.05);
+  this->ExpectSamePicture("storm-additive");
+}
+
+// Two shells, 25 and 45 dBZ, the inner one seen through the outer one.
+TEST_F(BlendModes, Isosurfaces)
+{
+  this->Use(vtkVolumeMapper::ISOSURFACE_BLEND);
+  this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 25.0);
+  this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(1, 45.0);
+  this->UseRamp(0.0, 0.8);
+  this->ExpectSamePicture("storm-isosurfaces", Bar);
+}
+
+// The same shells, lit.
+TEST_F(BlendModes, ShadedIsosurfaces)
+{
+  this->Use(vtkVolumeMapper::ISOSURFACE_BLEND);
+  this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 45.0);
+  this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(1, 25.0);
+  this->Stage->GetProperty()->ShadeOn();
+  this->UseRamp(0.0, 0.8);
+  this->ExpectSamePicture("storm-isosurfaces-shaded", Bar);
+}

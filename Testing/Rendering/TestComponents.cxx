@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Two to four components beside VTK's GPU ray caster.
+#include "RayCasterComparison.h"
+#include "Scenes.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+class Components : public AgainstRayCaster
+{
+protected:
+  void SetUp() override
+  {
+    AgainstRayCaster::SetUp();
+    if (this->Stage != nullptr)
+    {
+      this->AimCamera(false);
+    }
+  }
+
+  /// Component 0 is the storm (dBZ + 33, 0 to 100), the others are ramps along x, y and z, 0 to
+  /// 200.
+  void UseComponents(int count, int scalarType)
+  {
+    vtkSmartPointer<vtkImageData> storm = MakeStorm(48, VTK_UNSIGNED_CHAR);
+    this->Input = vtkSmartPointer<vtkImageData>::New();
+    this->Input->CopyStructure(storm);
+    this->Input->AllocateScalars(scalarType, count);
+    vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
+    const int* dimensions = storm->GetDimensions();
+    for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+    {
+      scalars->SetComponent(id, 0, storm->GetPointData()->GetScalars()->GetComponent(id, 0));
+      vtkIdType rest = id;
+      for (int c = 1; c < count; ++c)
+      {
+        scalars->SetComponent(
+          id, c, 200.0 * double(rest % dimensions[c - 1]) / (dimensions[c - 1] - 1));
+        rest /= dimensions[c - 1];
+      }
+    }
+  }
+  /// A component's functions: one colour, growing opaque between two scalars.
+  void SetFunctions(
+    int component, double red, double green, double blue, double from, double to, double opacity)
+  {
+    vtkNew<vtkColorTransferFunction> color;
+    color->AddRGBPoint(from, red, green, blue);
+    color->AddRGBPoint(to, 0.5 + 0.5 * red, 0.5 + 0.5 * green, blue);
+    vtkNew<vtkPiecewiseFunction> alpha;
+    alpha->AddPoint(from, 0.0);
+    alpha->AddPoint(to, opacity);
+    this->Stage->GetProperty()->SetColor(component, color);
+    this->Stage->GetProperty()->SetScalarOpacity(component, alpha);
+    this->Stage->GetProperty()->SetInterpolationTypeToLinear();
+  }
+  void UseIndependent(int count)
+  {
+    this->UseComponents(count, VTK_FLOAT);
+    this->SetFunctions(0, 1.0, 0.2, 0.1, 40.0, 90.0, 0.4);
+    this->SetFunctions(1, 0.1, 0.2, 1.0, 120.0, 200.0, 0.1);
+    if (count > 2)
+    {
+      this->SetFunctions(2, 0.1, 1.0, 0.2, 150.0, 200.0, 0.2);
+    }
+    if (count > 3)
+    {
+      this->SetFunctions(3, 1.0, 1.0, 0.1, 100.0, 200.0, 0.05);
+    }
+  }
+};
+
+} // namespace
+
+// A red storm in front of a blue haze that thickens to the east.
+TEST_F(Components, TwoIndependent)
+{
+  this->UseIndependent(2);
+  this->ExpectSamePicture("components-2", Bar);
+}
+
+// The haze counts half, and each component's opacity has its own unit distance.
+TEST_F(Components, TwoWeighted)
+{
+  this->UseIndependent(2);
+  this->Stage->GetProperty()->SetComponentWeight(1, 0.5);
+  this->Stage->GetProperty()->SetScalarOpacityUnitDistance(1, 2.0);
+  this->ExpectSamePicture("components-2-weighted");
+}
+
+// Red storm, blue haze to the east, green to the north.
+TEST_F(Components, ThreeIndependent)
+{
+  this->UseIndependent(3);
+  this->ExpectSamePicture("components-3", Bar);
+}
+
+// Yellow above as well.
+TEST_F(Components, FourIndependent)
+{
+  this->UseIndependent(4);
+  this->ExpectSamePicture("components-4", Bar);
+}
+
+// Each component is lit by its own gradient and material.
+TEST_F(Components, TwoIndependentShaded)
+{
+  this->UseIndependent(2);
+  this->Stage->GetProperty()->ShadeOn(0);
+  this->Stage->GetProperty()->ShadeOn(1);
+  this->Stage->GetProperty()->SetDiffuse(0, 1.0);
+  this->Stage->GetProperty()->SetAmbient(1, 0.6);
+  this->Stage->GetProperty()->SetSpecular(1, 0.0);
+  this->ExpectSamePicture("components-2-shaded");
+}
+
+// The colour of the storm, the opacity of the ramp: the storm fades to the west.
+TEST_F(Components, TwoDependent)
+{
+  this->UseComponents(2, VTK_FLOAT);
+  this->SetFunctions(0, 1.0, 0.2, 0.1, 0.0, 200.0, 0.05);
+  this->Stage->GetProperty()->IndependentComponentsOff();
+  this->ExpectSamePicture("components-value-opacity", Bar);
+}
+
+// Red, green and blue themselves, the fourth component being the opacity.
+TEST_F(Components, FourDependent)
+{
+  this->UseComponents(4, VTK_UNSIGNED_CHAR);
+  // VTK 9.1 looks the opacity up as if the fourth component spanned all bytes.
+  this->Input->GetPointData()->GetScalars()->SetComponent(0, 3, 0.0);
+  this->Input->GetPointData()->GetScalars()->SetComponent(1, 3, 255.0);
+  this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 255.0, 0.1);
+  this->Stage->GetProperty()->IndependentComponentsOff();
+  this->ExpectSamePicture("components-rgba", Bar);
+}
+
+// The brightest of each component, added by weight.
+TEST_F(Components, MaximumOfTwo)
+{
+  this->UseIndependent(2);
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMaximumIntensity(); });
+  this->Stage->GetProperty()->SetComponentWeight(1, 0.5);
+  this->ExpectSamePicture("components-maximum");
+}
+
+// Sums of both components.
+TEST_F(Components, AdditiveOfTwo)
+{
+  this->UseIndependent(2);
+  this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 100.0, 0.02);
+  this->SetFunctions(1, 1.0, 1.0, 1.0, 0.0, 200.0, 0.01);
+  this->ForBoth([](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAdditive(); });
+  this->Stage->GetProperty()->SetComponentWeight(1, 0.5);
+  this->ExpectSamePicture("components-additive");
+}
+
+// Means of both components.
+TEST_F(Components, AverageOfTwo)
+{
+  this->UseIndependent(2);
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAverageIntensity(); });
+  this->ExpectSamePicture("components-average", Tolerance, 5.0);
+}

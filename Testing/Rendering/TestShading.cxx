@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Light and gradient opacity beside VTK's GPU ray caster.
+#include "RayCasterComparison.h"
+#include "Scenes.h"
+
+#include "vtkImageData.h"
+#include "vtkLight.h"
+#include "vtkMath.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cmath>
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+class Shading : public AgainstRayCaster
+{
+protected:
+  void SetUp() override
+  {
+    AgainstRayCaster::SetUp();
+    if (this->Stage != nullptr)
+    {
+      this->UseStorm(VTK_FLOAT);
+      this->AimCamera(false);
+      this->Stage->GetProperty()->ShadeOn();
+    }
+  }
+  /// A storm as high as it is wide: VTK 9.1 stretches its normals by the edges of the volume where
+  /// there are other lights than a headlight, so only a cube can be compared.
+  void UseCube()
+  {
+    this->Input = MakeStorm(48, VTK_FLOAT, 48);
+    this->Input->SetSpacing(64.0 / 47, 64.0 / 47, 64.0 / 47);
+    this->Input->SetOrigin(-32.0, -32.0, -20.0);
+    // VTK 9.1's highlights of other lights than a headlight mirror the sample at a corner.
+    this->Stage->GetProperty()->SetSpecular(0.0);
+  }
+  void AddLight(double x, double y, double z, double red, double green, double blue)
+  {
+    vtkNew<vtkLight> light;
+    light->SetPosition(x, y, z);
+    light->SetFocalPoint(0.0, 0.0, 12.0);
+    light->SetColor(red, green, blue);
+    this->Stage->GetRenderer()->AddLight(light);
+    this->Last = light;
+  }
+  void UseGradientOpacity()
+  {
+    // The magnitude is that of neighbours' differences over the mean spacing, dBZ.
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(0.0, 0.0);
+    opacity->AddPoint(3.0, 0.2);
+    opacity->AddPoint(12.0, 1.0);
+    this->Stage->GetProperty()->SetGradientOpacity(opacity);
+  }
+
+  vtkSmartPointer<vtkLight> Last;
+};
+
+} // namespace
+
+// The storm lit from the eye: dark edges, a highlight in the middle of each tower.
+TEST_F(Shading, Headlight)
+{
+  this->Stage->GetProperty()->SetAmbient(0.2);
+  this->Stage->GetProperty()->SetDiffuse(0.9);
+  this->Stage->GetProperty()->SetSpecular(0.6);
+  this->Stage->GetProperty()->SetSpecularPower(8.0);
+  this->ExpectSamePicture("shaded-headlight");
+}
+
+// A parallel view of the same.
+TEST_F(Shading, HeadlightInAParallelView)
+{
+  this->Stage->GetProperty()->SetSpecular(0.4);
+  this->AimCamera(true);
+  this->ExpectSamePicture("shaded-parallel");
+}
+
+// Turned and stretched by its actor: the light still comes from the eye.
+TEST_F(Shading, HeadlightOnATurnedVolume)
+{
+  this->Stage->GetVolume()->SetScale(1.0, 0.8, 2.0);
+  this->Stage->GetVolume()->RotateX(25.0);
+  this->Stage->GetVolume()->SetPosition(4.0, 0.0, -6.0);
+  this->ExpectSamePicture("shaded-turned");
+}
+
+// Turned by the direction matrix of the image, beside the ray caster's picture of the same volume
+// turned by its actor: VTK 9.1 does not turn the gradient with the direction matrix.
+TEST_F(Shading, HeadlightOnATurnedImage)
+{
+  const Picture background = this->Stage->Draw(nullptr);
+  const double angle = 30.0;
+  this->Stage->GetVolume()->SetOrigin(this->Input->GetOrigin());
+  this->Stage->GetVolume()->RotateZ(angle);
+  const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster));
+  this->Stage->GetVolume()->SetOrientation(0.0, 0.0, 0.0);
+  const double c = std::cos(vtkMath::RadiansFromDegrees(angle));
+  const double s = std::sin(vtkMath::RadiansFromDegrees(angle));
+  this->Input->SetDirectionMatrix(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0);
+  const Picture actual = this->Stage->Draw(this->Configure(this->Slices));
+  const Difference difference = Compare(actual, expected, background);
+  EXPECT_GT(difference.Pixels, 10000);
+  EXPECT_LE(difference.LargestMean(), Tolerance);
+}
+
+// Integers, as most volumes are.
+TEST_F(Shading, HeadlightOnBytes)
+{
+  this->UseStorm(VTK_UNSIGNED_CHAR);
+  this->ExpectSamePicture("shaded-uint8", Bar);
+}
+
+// One side lit red from the west, the other blue from the south-east.
+TEST_F(Shading, ColouredLights)
+{
+  this->UseCube();
+  this->AddLight(-100.0, 0.0, 30.0, 1.0, 0.2, 0.1);
+  this->AddLight(80.0, -80.0, 10.0, 0.1, 0.3, 1.0);
+  this->ExpectSamePicture("shaded-coloured");
+}
+
+// A lamp near the taller tower, fading with distance, with a cone about it.
+TEST_F(Shading, SpotLight)
+{
+  this->UseCube();
+  this->AddLight(-10.0, -50.0, 40.0, 1.0, 1.0, 1.0);
+  this->Last->PositionalOn();
+  this->Last->SetConeAngle(35.0);
+  this->Last->SetExponent(2.0);
+  this->Last->SetAttenuationValues(0.5, 0.01, 0.0);
+  this->ExpectSamePicture("shaded-spot");
+}
+
+// Without the light on the back: only what faces the light is lit.
+TEST_F(Shading, OneSidedLight)
+{
+  this->UseCube();
+  this->Stage->GetRenderer()->TwoSidedLightingOff();
+  this->AddLight(-100.0, 0.0, 30.0, 1.0, 1.0, 1.0);
+  this->ExpectSamePicture("shaded-one-sided");
+}
+
+// Only edges are left: the storm as thin shells.
+TEST_F(Shading, GradientOpacity)
+{
+  this->Stage->GetProperty()->ShadeOff();
+  this->UseGradientOpacity();
+  this->ExpectSamePicture("gradient-opacity");
+}
+
+// The shells lit.
+TEST_F(Shading, GradientOpacityAndLight)
+{
+  this->UseGradientOpacity();
+  this->ExpectSamePicture("gradient-opacity-shaded");
+}
+
+// Light must change the picture, or the comparisons above say nothing.
+TEST_F(Shading, LightChangesThePicture)
+{
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture lit = this->Stage->Draw(this->Configure(this->Slices));
+  this->Stage->GetProperty()->ShadeOff();
+  const Picture unlit = this->Stage->Draw(this->Configure(this->Slices));
+  EXPECT_GT(Compare(lit, unlit, background).LargestMean(), 10.0);
+  this->UseGradientOpacity();
+  const Picture shells = this->Stage->Draw(this->Configure(this->Slices));
+  EXPECT_GT(Compare(shells, unlit, background).LargestMean(), 10.0);
+}
