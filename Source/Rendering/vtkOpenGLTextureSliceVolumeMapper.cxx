@@ -2,11 +2,13 @@
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
+#include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
@@ -16,6 +18,7 @@
 #include "vtkTextureSliceProgram.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceTable.h"
+#include "vtkTextureSliceTable2D.h"
 #include "vtkTextureSliceTarget.h"
 #include "vtkTextureSliceTexture.h"
 #include "vtkVolume.h"
@@ -34,6 +37,9 @@ class vtkOpenGLTextureSliceVolumeMapper::Internals
 public:
   vtkTextureSliceTexture Texture;
   vtkTextureSliceTable Table;
+  vtkTextureSliceTable2D Table2D;
+  vtkTextureSliceTexture Mask;
+  vtkTextureSliceTable LabelTable;
   vtkTextureSliceFrame Frame;
   vtkTextureSliceGeometry Geometry;
   vtkTextureSliceLights Lights;
@@ -46,6 +52,9 @@ public:
   {
     this->Texture.ReleaseGraphicsResources(window);
     this->Table.ReleaseGraphicsResources(window);
+    this->Table2D.ReleaseGraphicsResources(window);
+    this->Mask.ReleaseGraphicsResources(window);
+    this->LabelTable.ReleaseGraphicsResources(window);
     this->Target.ReleaseGraphicsResources(window);
     this->Program.ReleaseGraphicsResources();
     this->Window = nullptr;
@@ -63,6 +72,8 @@ public:
     window->MakeCurrent();
   }
 
+  /// Brings the tables of transfer functions up to date. @return false with one line in @a error
+  bool UpdateTables(const vtkTextureSliceRequest& request, bool nearest, std::string& error);
   /// Draws the slices into the target. @return false with one line in @a error
   bool Draw(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error);
   /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level
@@ -144,6 +155,20 @@ void SetBlending(vtkOpenGLState* state, int blendMode)
 
 } // namespace
 
+bool vtkOpenGLTextureSliceVolumeMapper::Internals::UpdateTables(
+  const vtkTextureSliceRequest& request, bool nearest, std::string& error)
+{
+  const auto& components = this->Texture.GetComponents();
+  const vtkTextureSliceFeatures features = request.GetFeatures();
+  this->Table.Update(this->Window, request.MakeRows(components), nearest);
+  if (features.Labels > 0)
+  {
+    this->LabelTable.Update(this->Window, request.MakeLabelRows(components), nearest);
+  }
+  return !features.Table2D ||
+         this->Table2D.Update(this->Window, request.MakeTables2D(), nearest, error);
+}
+
 bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error)
 {
@@ -215,15 +240,18 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   request.NativeColor = this->ColorRangeType == NATIVE;
   request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
   request.NativeGradientOpacity = this->GradientOpacityRangeType == NATIVE;
+  request.BinaryMask = this->MaskInput != nullptr && this->MaskType == BinaryMaskType;
+  request.LabelMap = this->MaskInput != nullptr && this->MaskType == LabelMapMaskType;
   return request;
 }
 
 const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
   const vtkTextureSliceRequest& request)
 {
-  if (this->MaskInput != nullptr)
+  if (this->Transfer2DYAxisArray != nullptr)
   {
-    return "a mask is not supported: call SetMaskInput with nullptr";
+    return "a second array for two-dimensional transfer functions is not supported: call "
+           "SetTransfer2DYAxisArray with nullptr";
   }
   return request.FindUnsupported();
 }
@@ -333,15 +361,15 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   parts.Use(window);
   std::string error;
-  if (!parts.Texture.Update(window, image, scalars, this->CellFlag == 1, error))
+  // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
+  const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  if (!parts.Texture.Update(window, image, scalars, this->CellFlag == 1, error) ||
+      !this->UpdateMask(image, error) || !parts.UpdateTables(request, nearest, error))
   {
     vtkErrorMacro(<< error);
     return;
   }
-  // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
-  const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
   parts.Texture.SetNearest(nearest);
-  parts.Table.Update(window, request.MakeRows(parts.Texture.GetComponents()), nearest);
   parts.Lights.Update(renderer);
 
   const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
@@ -353,6 +381,35 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   }
   parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
     0.5f - this->FinalColorLevel / this->FinalColorWindow);
+}
+
+bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::string& error)
+{
+  if (this->MaskInput == nullptr)
+  {
+    return true;
+  }
+  const bool cellData = this->CellFlag == 1;
+  vtkDataSetAttributes* attributes =
+    cellData ? static_cast<vtkDataSetAttributes*>(this->MaskInput->GetCellData())
+             : this->MaskInput->GetPointData();
+  vtkDataArray* values = attributes->GetScalars();
+  if (values == nullptr || values->GetDataType() != VTK_UNSIGNED_CHAR ||
+      values->GetNumberOfComponents() != 1 ||
+      vtkTextureSliceTexture::GetSize(this->MaskInput, cellData) !=
+        vtkTextureSliceTexture::GetSize(image, cellData))
+  {
+    error = std::string("the mask must have the dimensions of the volume and ") +
+            (cellData ? "cell" : "point") + " scalars of one unsigned char";
+    return false;
+  }
+  vtkTextureSliceTexture& mask = this->Parts->Mask;
+  if (!mask.Update(this->Parts->Window, this->MaskInput, values, cellData, error))
+  {
+    return false;
+  }
+  mask.SetNearest(true);
+  return true;
 }
 
 vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
@@ -371,6 +428,10 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Frame = &parts.Frame;
   uniforms.Volume = parts.Texture.GetTexture();
   uniforms.Table = &parts.Table;
+  uniforms.Table2D = &parts.Table2D;
+  uniforms.Mask = parts.Mask.GetTexture();
+  uniforms.LabelTable = &parts.LabelTable;
+  uniforms.LabelWeight = this->MaskBlendFactor;
   uniforms.Lights = &parts.Lights;
   uniforms.CropFlags = this->CroppingRegionFlags;
   request.SetUniforms(parts.Texture.GetComponents(), uniforms);

@@ -17,14 +17,16 @@
  *
  * Blend modes: composite, maximum, minimum, average, additive, isosurface. Light and gradient
  * opacity as in VTK's ray caster; they count where places are shown (composite, isosurface), not in
- * projections. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final
+ * projections. Two-dimensional transfer functions (scalar and gradient magnitude) in the composite
+ * mode. A mask of the volume's dimensions, one unsigned char each: binary, or labels with functions
+ * of their own. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final
  * window and level work as in VTK's ray caster.
  *
- * Not supported, and refused by IsRenderSupported and with an error: slice blending,
- * two-dimensional transfer functions, masks, three dependent components, maximum or minimum of
- * dependent components, isosurfaces of several components, four components with hidden points, and
- * volumes larger than the largest 3-D texture. A hardware selection does not see the volume. A 2-D
- * image has no thickness and is an error.
+ * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
+ * for two-dimensional functions, a label map with several components or two-dimensional functions,
+ * three dependent components, maximum or minimum of dependent components, isosurfaces of several
+ * components, four components with hidden points, and volumes larger than the largest 3-D texture.
+ * A hardware selection does not see the volume. A 2-D image has no thickness and is an error.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -33,6 +35,7 @@
 #include "vtkNexradRenderingModule.h" // for the export macro
 
 #include <memory> // for std::unique_ptr
+#include <string> // for errors
 
 class vtkDataArray;
 class vtkImageData;
@@ -111,6 +114,7 @@ private:
   bool PlaceSlices(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
   void RenderSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
     const vtkTextureSliceRequest& request);
+  bool UpdateMask(vtkImageData* image, std::string& error);
   vtkTextureSliceUniforms MakeUniforms(
     vtkRenderer* renderer, const vtkTextureSliceRequest& request);
 };

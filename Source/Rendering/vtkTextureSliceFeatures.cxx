@@ -38,7 +38,14 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->Cropped, defines, "CROPPED");
   DefineIf(this->Parallel, defines, "PARALLEL");
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
-  DefineIf(this->GradientOpacity || this->Lights >= 0, defines, "GRADIENT");
+  DefineIf(this->Table2D, defines, "TABLE_2D");
+  DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
+  DefineIf(this->BinaryMask, defines, "BINARY_MASK");
+  if (this->Labels > 0)
+  {
+    Define(defines, "LABELS", this->Labels);
+    Define(defines, "LABEL_ROWS", this->CountLabelRows());
+  }
   if (this->Lights >= 0)
   {
     Define(defines, "LIGHTS", this->Lights);

@@ -16,11 +16,17 @@ struct vtkTextureSliceFeatures
   bool Cropped = false; ///< samples must be tested against the cropping regions
   bool Parallel = false;
   bool GradientOpacity = false;
-  int Lights = -1; ///< -1: unlit; 0: a single headlight; else the number of lights
+  bool Table2D = false;    ///< functions over scalar and gradient magnitude
+  bool BinaryMask = false; ///< samples outside of the mask are left out
+  int Labels = 0;          ///< labels that have functions of their own
+  int Lights = -1;         ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
 
   /// Rows of the transfer table: functions, then their gradient opacities.
   int CountRows() const { return this->Functions * (this->GradientOpacity ? 2 : 1); }
+  /// Rows of the table of labels: functions, then their gradient opacities.
+  int CountLabelRows() const { return this->Labels * (this->GradientOpacity ? 2 : 1); }
+  bool HasMask() const { return this->BinaryMask || this->Labels > 0; }
   /// The first lines of the fragment shaders.
   std::string GetDefines() const;
 };

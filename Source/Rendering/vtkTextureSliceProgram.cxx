@@ -12,6 +12,7 @@
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceTable.h"
+#include "vtkTextureSliceTable2D.h"
 
 #include "TextureSliceColoringFS.h"
 #include "TextureSliceFS.h"
@@ -61,6 +62,28 @@ void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& unifo
   program->SetUniform2f("averageRange", uniforms.AverageRange.data());
 }
 
+void SetMaskAndTables(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
+{
+  const vtkTextureSliceFeatures& features = uniforms.Features;
+  if (features.Table2D)
+  {
+    program->SetUniformi("transferTable2D", uniforms.Table2D->GetTexture()->GetTextureUnit());
+    program->SetUniformf("table2DRows", static_cast<float>(uniforms.Table2D->GetNumberOfRows()));
+  }
+  if (features.HasMask())
+  {
+    program->SetUniformi("maskTexture", uniforms.Mask->GetTextureUnit());
+  }
+  if (features.Labels > 0)
+  {
+    vtkTextureSliceTable& table = *uniforms.LabelTable;
+    program->SetUniformi("labelTable", table.GetTexture()->GetTextureUnit());
+    program->SetUniformf("labelTableScale", static_cast<float>(table.GetScale()));
+    program->SetUniformf("labelTableBias", static_cast<float>(table.GetBias()));
+    program->SetUniformf("labelWeight", uniforms.LabelWeight);
+  }
+}
+
 void SetLight(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
 {
   std::vector<float> material;
@@ -93,6 +116,24 @@ void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceUniforms& unifo
 }
 
 } // namespace
+
+std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
+{
+  std::vector<vtkTextureObject*> textures{this->Volume, this->Table->GetTexture()};
+  if (this->Features.Table2D)
+  {
+    textures.push_back(this->Table2D->GetTexture());
+  }
+  if (this->Features.HasMask())
+  {
+    textures.push_back(this->Mask);
+  }
+  if (this->Features.Labels > 0)
+  {
+    textures.push_back(this->LabelTable->GetTexture());
+  }
+  return textures;
+}
 
 void vtkTextureSliceUniforms::SetTable(vtkShaderProgram* program) const
 {
@@ -159,9 +200,10 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   {
     return false;
   }
-  uniforms.Volume->Activate();
-  uniforms.Table->GetTexture()->Activate();
+  const std::vector<vtkTextureObject*> textures = uniforms.GetTextures();
+  std::for_each(textures.begin(), textures.end(), [](vtkTextureObject* t) { t->Activate(); });
   SetUniforms(program, uniforms);
+  SetMaskAndTables(program, uniforms);
   if (uniforms.Features.Lights >= 0)
   {
     SetLight(program, uniforms);
@@ -173,8 +215,7 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   glDrawArrays(GL_TRIANGLES, 0, geometry.GetNumberOfVertices());
   this->VertexArray->Release();
   this->Vertices->Release();
-  uniforms.Table->GetTexture()->Deactivate();
-  uniforms.Volume->Deactivate();
+  std::for_each(textures.rbegin(), textures.rend(), [](vtkTextureObject* t) { t->Deactivate(); });
   return true;
 }
 

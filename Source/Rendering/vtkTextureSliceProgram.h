@@ -18,6 +18,7 @@ class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
 class vtkTextureSliceLights;
 class vtkTextureSliceTable;
+class vtkTextureSliceTable2D;
 
 /// How much of a light a component returns: vtkVolumeProperty's ambient, diffuse, specular and
 /// specular power.
@@ -41,12 +42,18 @@ struct vtkTextureSliceUniforms
   std::array<float, 4> ScalarScale{1, 1, 1, 1};
   std::array<float, 4> ScalarBias{0, 0, 0, 0};
   vtkTextureSliceTable* Table = nullptr;
+  vtkTextureSliceTable2D* Table2D = nullptr;    ///< used if Features.Table2D
+  vtkTextureObject* Mask = nullptr;             ///< used if Features.HasMask()
+  vtkTextureSliceTable* LabelTable = nullptr;   ///< used if Features.Labels is above 0
+  float LabelWeight = 1.0f;                     ///< how much the label's functions count
   std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
   const vtkTextureSliceLights* Lights = nullptr;
   int CropFlags = 0;
   std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are
   std::vector<float> IsoValues;            ///< ascending, 0 to 1 as the scalars are
 
+  /// The textures that the features need.
+  std::vector<vtkTextureObject*> GetTextures() const;
   /// The table and the weights, which the last step of the extremes reads as well. The table must
   /// be active.
   void SetTable(vtkShaderProgram* program) const;

@@ -8,6 +8,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <set>
 
 namespace
 {
@@ -53,9 +54,17 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
   {
     return nullptr;
   }
-  if (this->Property->GetTransferFunctionMode() != vtkVolumeProperty::TF_1D)
+  const bool composite = this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
+  if (this->Has2D() && !composite)
   {
-    return "only one-dimensional transfer functions are supported: use TF_1D";
+    return "two-dimensional transfer functions are supported in the composite blend mode alone: "
+           "use "
+           "it or TF_1D";
+  }
+  if (this->LabelMap && (this->Components > 1 || this->Has2D()))
+  {
+    return "a label map is supported for one component with one-dimensional transfer functions "
+           "alone: call SetMaskInput with nullptr";
   }
   const bool dependent = this->Components > 1 && !this->IsIndependent();
   if (dependent && this->Components == 3)
@@ -80,6 +89,19 @@ bool vtkTextureSliceRequest::IsIndependent() const
   return this->Property->GetIndependentComponents() != 0;
 }
 
+bool vtkTextureSliceRequest::Has2D() const
+{
+  return this->Property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D;
+}
+
+int vtkTextureSliceRequest::CountLabels() const
+{
+  // Labels are known by their places in the colours of a picture: other modes have none.
+  const bool used = this->LabelMap && this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
+  const std::set<int> labels = used ? this->Property->GetLabelMapLabels() : std::set<int>();
+  return labels.empty() ? 0 : *labels.rbegin();
+}
+
 bool vtkTextureSliceRequest::ShowsPlaces() const
 {
   return this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
@@ -93,8 +115,12 @@ bool vtkTextureSliceRequest::IsShaded() const
 
 bool vtkTextureSliceRequest::HasGradientOpacity() const
 {
+  if (this->Has2D())
+  {
+    return false; // the functions know the gradient themselves
+  }
   const int functions = this->IsIndependent() ? this->Components : 1;
-  bool has = false;
+  bool has = this->CountLabels() > 0 && this->Property->HasLabelGradientOpacity();
   for (int i = 0; i < functions; ++i)
   {
     has = has || this->Property->HasGradientOpacity(i);
@@ -110,6 +136,9 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.Components = this->Components;
   features.Functions = this->IsIndependent() ? this->Components : 1;
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
+  features.Table2D = this->Has2D();
+  features.BinaryMask = this->BinaryMask;
+  features.Labels = this->CountLabels();
   features.IsoValues =
     isosurface ? this->Property->GetIsoSurfaceValues()->GetNumberOfContours() : 0;
   return features;
@@ -153,6 +182,42 @@ std::vector<vtkTextureSliceRow> vtkTextureSliceRequest::MakeRows(
     rows.push_back(row);
   }
   return rows;
+}
+
+std::vector<vtkTextureSliceRow> vtkTextureSliceRequest::MakeLabelRows(
+  const std::vector<vtkTextureSliceComponent>& components) const
+{
+  const vtkTextureSliceComponent& scalars = components.front();
+  const int labels = this->CountLabels();
+  std::vector<vtkTextureSliceRow> rows;
+  for (int label = 1; label <= labels; ++label)
+  {
+    vtkTextureSliceRow row;
+    row.Color = this->Property->GetLabelColor(label);
+    row.ColorDomain.Range = scalars.Range;
+    row.Opacity = this->Property->GetLabelScalarOpacity(label);
+    row.OpacityDomain.Range = scalars.Range;
+    rows.push_back(row);
+  }
+  for (int label = 1; label <= labels && this->HasGradientOpacity(); ++label)
+  {
+    vtkTextureSliceRow row;
+    row.Opacity = this->Property->GetLabelGradientOpacity(label);
+    row.OpacityDomain.Range = {0.0, GradientRange * Width(scalars)};
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+std::vector<vtkImageData*> vtkTextureSliceRequest::MakeTables2D() const
+{
+  const int functions = this->Has2D() ? this->GetFeatures().Functions : 0;
+  std::vector<vtkImageData*> tables;
+  for (int i = 0; i < functions; ++i)
+  {
+    tables.push_back(this->Property->GetTransferFunction2D(i));
+  }
+  return tables;
 }
 
 std::vector<vtkTextureSliceSurface> vtkTextureSliceRequest::MakeSurfaces() const

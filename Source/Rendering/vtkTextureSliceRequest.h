@@ -11,6 +11,7 @@
 #include <array>
 #include <vector>
 
+class vtkImageData;
 class vtkVolumeProperty;
 
 struct vtkTextureSliceRequest
@@ -24,6 +25,8 @@ struct vtkTextureSliceRequest
   bool NativeColor = false;
   bool NativeOpacity = false;
   bool NativeGradientOpacity = false;
+  bool BinaryMask = false; ///< there is a mask, and it says what is seen
+  bool LabelMap = false;   ///< there is a mask, and it says which functions hold
 
   /// One line that says what cannot be drawn and what could, nullptr if everything can. The
   /// property may be nullptr.
@@ -36,6 +39,11 @@ struct vtkTextureSliceRequest
   vtkTextureSliceFeatures GetFeatures() const;
   std::vector<vtkTextureSliceRow> MakeRows(
     const std::vector<vtkTextureSliceComponent>& components) const;
+  /// For the table of labels: from label 1 on.
+  std::vector<vtkTextureSliceRow> MakeLabelRows(
+    const std::vector<vtkTextureSliceComponent>& components) const;
+  /// One for each set of functions.
+  std::vector<vtkImageData*> MakeTables2D() const;
 
   /**
    * Sets what follows from the request and the scalars: how texels become 0 to 1, surfaces, average
@@ -47,6 +55,8 @@ struct vtkTextureSliceRequest
 private:
   bool ShowsPlaces() const;
   bool HasGradientOpacity() const;
+  bool Has2D() const;
+  int CountLabels() const;
   vtkTextureSliceRow MakeRow(int functions, const vtkTextureSliceComponent& color,
     const vtkTextureSliceComponent& opacity) const;
   std::vector<vtkTextureSliceSurface> MakeSurfaces() const;

@@ -21,14 +21,59 @@ float StepOpacity(float opacity, int component)
   return 1.0 - pow(1.0 - opacity, length(sampleStep) * inverseUnitDistance[component]);
 }
 
+#ifdef TEXTURE_SLICE_LABELS
+// Rows of colour and opacity, one for each label from 1 on; then, with gradient opacity, as many rows
+// of it.
+uniform sampler2D labelTable;
+uniform float labelTableScale;
+uniform float labelTableBias;
+// How much the label's functions count, the rest being the common ones.
+uniform float labelWeight;
+
+vec4 LookUpLabel(float scalar, int row)
+{
+  return texture(labelTable, vec2(scalar * labelTableScale + labelTableBias,
+    (float(row) + 0.5) / float(TEXTURE_SLICE_LABEL_ROWS)));
+}
+#endif
+
+#ifdef TEXTURE_SLICE_TABLE_2D
+// Colour and opacity over scalar (to the right) and gradient magnitude (up), all sets of functions
+// one above the other.
+uniform sampler2D transferTable2D;
+// Rows of one set.
+uniform float table2DRows;
+
+vec4 LookUp2D(float scalar, float gradient, int functions)
+{
+  float row = clamp(gradient * table2DRows, 0.5, table2DRows - 0.5);
+  return texture(transferTable2D,
+    vec2(scalar, row / table2DRows + float(functions)) / vec2(1.0, float(TEXTURE_SLICE_FUNCTIONS)));
+}
+#endif
+
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
-// Gradient opacity and light on a colour.
-vec4 Finish(vec4 color, vec4 scalars, int component)
+#ifdef TEXTURE_SLICE_GRADIENT_OPACITY
+// Label 0: the common functions.
+float GradientOpacity(float magnitude, int component, int label)
+{
+#ifdef TEXTURE_SLICE_LABELS
+  if (label > 0)
+  {
+    return LookUpLabel(magnitude, TEXTURE_SLICE_LABELS + label - 1).a;
+  }
+#endif
+  return LookUp(magnitude, TEXTURE_SLICE_FUNCTIONS + component).a;
+}
+#endif
+
+// Gradient opacity and light on the colour of one step.
+vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 {
 #ifdef TEXTURE_SLICE_GRADIENT
   vec4 gradient = Gradient(scalars, component);
 #ifdef TEXTURE_SLICE_GRADIENT_OPACITY
-  color.a *= LookUp(gradient.w, TEXTURE_SLICE_FUNCTIONS + component).a;
+  color.a *= GradientOpacity(gradient.w, component, label);
 #endif
 #ifdef TEXTURE_SLICE_LIGHTS
   color.rgb = clamp(Light(color.rgb, gradient.xyz, material[component]), 0.0, 1.0);
@@ -39,7 +84,27 @@ vec4 Finish(vec4 color, vec4 scalars, int component)
 #endif
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+// Colour of one step for a component that has functions of its own, or for a single set of functions.
+vec4 StepColor(vec4 color, vec4 scalars, int component, int label)
+{
+  if (color.a <= 0.0)
+  {
+    return vec4(0.0);
+  }
+  color.a = StepOpacity(color.a, component);
+  return Finish(color, scalars, component, label);
+}
+
 #if TEXTURE_SLICE_FUNCTIONS > 1
+vec4 Classify(vec4 scalars, int component)
+{
+#ifdef TEXTURE_SLICE_TABLE_2D
+  return LookUp2D(scalars[component], Gradient(scalars, component).w, component);
+#else
+  return LookUp(scalars[component], component);
+#endif
+}
+
 // Components that have their own functions: their colours are added by their weights.
 bool Gather(vec4 scalars, out vec4 gathered)
 {
@@ -47,9 +112,7 @@ bool Gather(vec4 scalars, out vec4 gathered)
   float total = 0.0;
   for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
   {
-    vec4 color = LookUp(scalars[i], i);
-    color.a = StepOpacity(color.a, i);
-    colors[i] = color.a > 0.0 ? Finish(color, scalars, i) : vec4(0.0);
+    colors[i] = StepColor(Classify(scalars, i), scalars, i, 0);
     total += colors[i].a * componentWeight[i];
   }
   gathered = vec4(0.0);
@@ -64,29 +127,40 @@ bool Gather(vec4 scalars, out vec4 gathered)
   return total > 0.0;
 }
 #else
+vec4 LookUpBoth(vec4 scalars, float scalar)
+{
+#ifdef TEXTURE_SLICE_TABLE_2D
+  return LookUp2D(scalar, Gradient(scalars, 0).w, 0);
+#else
+  return LookUp(scalar, 0);
+#endif
+}
+
 // Colour and opacity of a unit distance.
 vec4 Classify(vec4 scalars)
 {
 #if TEXTURE_SLICE_COMPONENTS == 1
-  return LookUp(scalars.x, 0);
+  return LookUpBoth(scalars, scalars.x);
 #elif TEXTURE_SLICE_COMPONENTS == 2
-  return vec4(LookUp(scalars.x, 0).rgb, LookUp(scalars.y, 0).a);
+  return vec4(LookUpBoth(scalars, scalars.x).rgb, LookUpBoth(scalars, scalars.y).a);
 #else
-  return vec4(clamp(scalars.rgb, 0.0, 1.0), LookUp(scalars.a, 0).a);
+  return vec4(clamp(scalars.rgb, 0.0, 1.0), LookUpBoth(scalars, scalars.a).a);
 #endif
 }
 
 bool Gather(vec4 scalars, out vec4 gathered)
 {
-  vec4 color = Classify(scalars);
-  if (color.a <= 0.0)
+  vec4 color = StepColor(Classify(scalars), scalars, 0, 0);
+#ifdef TEXTURE_SLICE_LABELS
+  int label = FetchLabel(textureCoordinate);
+  if (label > 0)
   {
-    return false;
+    vec4 labelled = StepColor(LookUpLabel(scalars.x, label - 1), scalars, 0, label);
+    color = mix(color, labelled, labelWeight);
   }
-  color.a = StepOpacity(color.a, 0);
-  color = Finish(color, scalars, 0);
+#endif
   gathered = vec4(color.rgb * color.a, color.a);
-  return true;
+  return color.a > 0.0;
 }
 #endif
 #endif
@@ -153,7 +227,7 @@ uniform vec3 boxHigh;
 vec4 SurfaceColor(float isoValue, vec4 scalars)
 {
   vec4 color = LookUp(isoValue, 0);
-  return color.a > 0.0 ? Finish(color, scalars, 0) : vec4(0.0);
+  return color.a > 0.0 ? Finish(color, scalars, 0, 0) : vec4(0.0);
 }
 
 // The surfaces between this sample and the one before it on the ray, the nearest first.

@@ -35,6 +35,12 @@ void main()
     discard;
   }
 #endif
+#ifdef TEXTURE_SLICE_BINARY_MASK
+  if (FetchLabel(textureCoordinate) == 0)
+  {
+    discard;
+  }
+#endif
   vec4 scalars;
   if (!FetchScalars(textureCoordinate, scalars))
   {

@@ -1,4 +1,4 @@
-// The scalars and their gradient.
+// The scalars and their gradient, and the mask.
 
 uniform sampler3D volumeTexture;
 
@@ -24,6 +24,21 @@ bool FetchScalars(vec3 at, out vec4 scalars)
   scalars = texel * scalarScale + scalarBias;
   return true;
 }
+
+#if defined TEXTURE_SLICE_BINARY_MASK || defined TEXTURE_SLICE_LABELS
+// 0 to 255 as 0 to 1.
+uniform sampler3D maskTexture;
+
+// 0: no label. Labels without functions beyond the last one are drawn like it.
+int FetchLabel(vec3 at)
+{
+  int label = int(texture(maskTexture, at).r * 255.0 + 0.5);
+#ifdef TEXTURE_SLICE_LABELS
+  label = min(label, TEXTURE_SLICE_LABELS);
+#endif
+  return label;
+}
+#endif
 
 #ifdef TEXTURE_SLICE_GRADIENT
 // One voxel along each axis, as texture coordinates.
