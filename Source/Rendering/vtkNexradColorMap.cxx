@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradColorMap.h"
+
+void vtkNexradColorMap::MakeColorNodesFromBins()
+{
+  for (std::size_t channel = 0; channel < 3; ++channel)
+  {
+    std::vector<Node>& nodes = this->Channels[channel];
+    nodes.clear();
+    for (std::size_t i = 0; i < this->Bins.size(); ++i)
+    {
+      const Bin& bin = this->Bins[i];
+      const double width = bin.To - bin.From;
+      const double lower = bin.Lower[channel];
+      const double upper = bin.Upper[channel];
+      if (bin.Lower == bin.Upper)
+      {
+        nodes.push_back({bin.From + 0.5 * width, lower});
+        continue;
+      }
+      const bool jumpsBelow = i > 0 && this->Bins[i - 1].Upper != bin.Lower;
+      const bool jumpsAbove = i + 1 < this->Bins.size() && this->Bins[i + 1].Lower != bin.Upper;
+      const double slope = (upper - lower) / width;
+      const double first = bin.From + (jumpsBelow ? 0.25 * width : 0.0);
+      const double last = bin.To - (jumpsAbove ? 0.25 * width : 0.0);
+      // The end of a ramp is the beginning of the next where they meet.
+      if (nodes.empty() || nodes.back()[0] < first)
+      {
+        nodes.push_back({first, lower + slope * (first - bin.From)});
+      }
+      nodes.push_back({last, lower + slope * (last - bin.From)});
+    }
+  }
+}

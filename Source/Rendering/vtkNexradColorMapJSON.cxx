@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// ParaView's colour maps.
+#include "vtkNexradColorMap.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+
+using Json = nlohmann::json;
+
+// Ours among ParaView's keys: the nodes of the splines, by channel, and the bins.
+constexpr const char* nodesKey = "vtkNexradNodes";
+constexpr const char* binsKey = "vtkNexradBins";
+constexpr std::array<const char*, 4> channelNames = {"red", "green", "blue", "opacity"};
+
+constexpr int samplesBetweenPoints = 8;
+
+// Numbers in groups of `width`, the first of each ascending. False when they are not that.
+bool ReadGroups(const Json& list, std::size_t width, std::vector<double>& numbers)
+{
+  if (!list.is_array() || list.empty() || list.size() % width != 0)
+  {
+    return false;
+  }
+  for (const Json& each : list)
+  {
+    if (!each.is_number())
+    {
+      return false;
+    }
+    numbers.push_back(each.get<double>());
+  }
+  for (std::size_t i = width; i < numbers.size(); i += width)
+  {
+    if (numbers[i] < numbers[i - width])
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+// Adds a node, unless one stands there: of two points at one place the later counts.
+void AddNode(std::vector<vtkNexradColorMap::Node>& nodes, double place, double value)
+{
+  const vtkNexradColorMap::Node node = {place, std::clamp(value, 0.0, 1.0)};
+  if (!nodes.empty() && nodes.back()[0] == place)
+  {
+    nodes.back() = node;
+  }
+  else
+  {
+    nodes.push_back(node);
+  }
+}
+
+void SetColorSpace(const std::string& space, vtkColorTransferFunction* function)
+{
+  if (space == "HSV")
+  {
+    function->SetColorSpaceToHSV();
+    function->HSVWrapOn();
+  }
+  else if (space == "Lab")
+  {
+    function->SetColorSpaceToLab();
+  }
+  else if (space == "CIEDE2000")
+  {
+    function->SetColorSpaceToLabCIEDE2000();
+  }
+  else if (space == "Diverging")
+  {
+    function->SetColorSpaceToDiverging();
+  }
+  else if (space == "Step")
+  {
+    function->SetColorSpaceToStep();
+  }
+}
+
+// Places of the points, and between them when the way from one to the next is not straight.
+std::vector<double> PlacesOf(const std::vector<double>& numbers, std::size_t width, bool between)
+{
+  std::vector<double> places;
+  for (std::size_t i = 0; i < numbers.size(); i += width)
+  {
+    if (between && i > 0)
+    {
+      for (int k = 1; k < samplesBetweenPoints; ++k)
+      {
+        const double share = static_cast<double>(k) / samplesBetweenPoints;
+        places.push_back(numbers[i - width] + share * (numbers[i] - numbers[i - width]));
+      }
+    }
+    places.push_back(numbers[i]);
+  }
+  return places;
+}
+
+bool ReadColors(const Json& source, vtkNexradColorMap& map)
+{
+  constexpr std::size_t width = 4;
+  std::vector<double> numbers;
+  if (!source.contains("RGBPoints") || !ReadGroups(source["RGBPoints"], width, numbers))
+  {
+    return false;
+  }
+  const std::string space = source.contains("ColorSpace") && source["ColorSpace"].is_string()
+                              ? source["ColorSpace"].get<std::string>()
+                              : "RGB";
+  vtkNew<vtkColorTransferFunction> function;
+  SetColorSpace(space, function);
+  for (std::size_t i = 0; i < numbers.size(); i += width)
+  {
+    function->AddRGBPoint(numbers[i], numbers[i + 1], numbers[i + 2], numbers[i + 3]);
+  }
+  for (const double place : PlacesOf(numbers, width, space != "RGB"))
+  {
+    std::array<double, 3> color{};
+    function->GetColor(place, color.data());
+    for (std::size_t channel = 0; channel < 3; ++channel)
+    {
+      AddNode(map.Channels[channel], place, color[channel]);
+    }
+  }
+  return true;
+}
+
+// Place, opacity, midpoint and sharpness of each point.
+bool ReadOpacities(const Json& source, vtkNexradColorMap& map)
+{
+  constexpr std::size_t width = 4;
+  std::vector<double> numbers;
+  if (!source.contains("Points") || source["Points"].is_null())
+  {
+    return true;
+  }
+  if (!ReadGroups(source["Points"], width, numbers))
+  {
+    return false;
+  }
+  vtkNew<vtkPiecewiseFunction> function;
+  bool straight = true;
+  for (std::size_t i = 0; i < numbers.size(); i += width)
+  {
+    const double midpoint = std::clamp(numbers[i + 2], 0.0, 1.0);
+    const double sharpness = std::clamp(numbers[i + 3], 0.0, 1.0);
+    function->AddPoint(numbers[i], numbers[i + 1], midpoint, sharpness);
+    straight = straight && midpoint == 0.5 && sharpness == 0.0;
+  }
+  for (const double place : PlacesOf(numbers, width, !straight))
+  {
+    AddNode(map.Channels[3], place, function->GetValue(place));
+  }
+  return true;
+}
+
+bool ReadOwnNodes(const Json& source, vtkNexradColorMap& map)
+{
+  for (std::size_t channel = 0; channel < channelNames.size(); ++channel)
+  {
+    const auto list = source.find(channelNames[channel]);
+    std::vector<double> numbers;
+    if (list == source.end() || (!list->empty() && !ReadGroups(*list, 2, numbers)))
+    {
+      return false;
+    }
+    for (std::size_t i = 0; i < numbers.size(); i += 2)
+    {
+      AddNode(map.Channels[channel], numbers[i], numbers[i + 1]);
+    }
+  }
+  return true;
+}
+
+bool ReadOwnBins(const Json& list, vtkNexradColorMap& map)
+{
+  constexpr std::size_t width = 8;
+  std::vector<double> numbers;
+  if (!ReadGroups(list, width, numbers))
+  {
+    return false;
+  }
+  for (auto at = numbers.begin(); at != numbers.end(); at += width)
+  {
+    if (!(at[0] < at[1]))
+    {
+      return false;
+    }
+    map.Bins.push_back({at[0], at[1], {at[2], at[3], at[4]}, {at[5], at[6], at[7]}});
+  }
+  return true;
+}
+
+} // namespace
+
+namespace vtkNexradColorMapText
+{
+
+std::string ParseJSON(const std::string& text, vtkNexradColorMap& map)
+{
+  const Json whole = Json::parse(text, nullptr, false);
+  if (whole.is_discarded())
+  {
+    return "this is not JSON; a colour map that ParaView exported would be right";
+  }
+  const Json& source = whole.is_array() && !whole.empty() ? whole.front() : whole;
+  if (!source.is_object())
+  {
+    return "this JSON holds no colour map; one that ParaView exported would be right";
+  }
+  if (source.contains("Name") && source["Name"].is_string())
+  {
+    map.Name = source["Name"].get<std::string>();
+  }
+  if (source.contains(nodesKey))
+  {
+    if (!source[nodesKey].is_object() || !ReadOwnNodes(source[nodesKey], map))
+    {
+      return std::string(nodesKey) + " must hold red, green, blue and opacity, each a list of " +
+             "ascending dBZ and values";
+    }
+    if (source.contains(binsKey) && !source[binsKey].empty() && !ReadOwnBins(source[binsKey], map))
+    {
+      return std::string(binsKey) + " must be a list of ascending ranges and two colours each";
+    }
+    return {};
+  }
+  if (!ReadColors(source, map))
+  {
+    return "RGBPoints must be a list of ascending values, each with red, green and blue";
+  }
+  if (!ReadOpacities(source, map))
+  {
+    return "Points must be a list of ascending values, each with opacity, midpoint and sharpness";
+  }
+  return {};
+}
+
+std::string FormatJSON(
+  const vtkNexradColorMap& map, const std::vector<std::array<double, 5>>& samples)
+{
+  Json result;
+  result["Name"] = map.Name;
+  result["ColorSpace"] = "RGB";
+  result["NanColor"] = {0.0, 0.0, 0.0};
+  for (const char* list : {"RGBPoints", "Points", binsKey})
+  {
+    result[list] = Json::array();
+  }
+  for (const std::array<double, 5>& sample : samples)
+  {
+    result["RGBPoints"].insert(
+      result["RGBPoints"].end(), {sample[0], sample[1], sample[2], sample[3]});
+    result["Points"].insert(result["Points"].end(), {sample[0], sample[4], 0.5, 0.0});
+  }
+  for (std::size_t channel = 0; channel < channelNames.size(); ++channel)
+  {
+    Json& list = result[nodesKey][channelNames[channel]] = Json::array();
+    for (const vtkNexradColorMap::Node& node : map.Channels[channel])
+    {
+      list.insert(list.end(), {node[0], node[1]});
+    }
+  }
+  for (const vtkNexradColorMap::Bin& bin : map.Bins)
+  {
+    result[binsKey].insert(
+      result[binsKey].end(), {bin.From, bin.To, bin.Lower[0], bin.Lower[1], bin.Lower[2],
+                               bin.Upper[0], bin.Upper[1], bin.Upper[2]});
+  }
+  return Json::array({result}).dump(2) + "\n";
+}
+
+} // namespace vtkNexradColorMapText

@@ -1,0 +1,467 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradTransferFunction.h"
+
+#include "vtkNexradColorMap.h"
+#include "vtkNexradTransferFunctionPresets.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
+#include "vtkObjectFactory.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+
+namespace
+{
+
+constexpr int numberOfChannels = 4;
+constexpr int piecesBetweenNodes = 16;
+
+using Node = vtkNexradColorMap::Node;
+using Nodes = std::vector<Node>;
+
+bool IsChannel(int channel)
+{
+  return channel >= 0 && channel < numberOfChannels;
+}
+
+bool IsBefore(const Node& node, double dBZ)
+{
+  return node[0] < dBZ;
+}
+
+bool IsAfter(double dBZ, const Node& node)
+{
+  return dBZ < node[0];
+}
+
+// The Cardinal tangent at a node: from its neighbour before to that after, or to the only one.
+double SlopeAt(const Nodes& nodes, std::size_t index)
+{
+  const Node& before = nodes[index > 0 ? index - 1 : 0];
+  const Node& after = nodes[std::min(index + 1, nodes.size() - 1)];
+  return (after[1] - before[1]) / (after[0] - before[0]);
+}
+
+// Formulas T10 between a node and the next. VTK's Kochanek spline has the same inner tangents, but
+// slopes at its ends that know nothing of the spacing, and a form whose rounding leaves traces of
+// opacity where there is none, which nothing could then skip as empty.
+double Hermite(const Nodes& nodes, std::size_t index, double dBZ)
+{
+  const Node& from = nodes[index];
+  const Node& to = nodes[index + 1];
+  const double width = to[0] - from[0];
+  const double t = (dBZ - from[0]) / width;
+  const double rest = 1.0 - t;
+  return (1.0 + 2.0 * t) * rest * rest * from[1] + t * t * (3.0 - 2.0 * t) * to[1] +
+         t * rest * width * (rest * SlopeAt(nodes, index) - t * SlopeAt(nodes, index + 1));
+}
+
+// The nodes' places of some channels, and evenly spaced ones between.
+std::vector<double> PlacesOf(const Nodes* from, int channels)
+{
+  std::vector<double> nodes;
+  for (int channel = 0; channel < channels; ++channel)
+  {
+    for (const Node& node : from[channel])
+    {
+      nodes.push_back(node[0]);
+    }
+  }
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::vector<double> places;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    for (int piece = 1; i > 0 && piece < piecesBetweenNodes; ++piece)
+    {
+      const double share = static_cast<double>(piece) / piecesBetweenNodes;
+      places.push_back(nodes[i - 1] + share * (nodes[i] - nodes[i - 1]));
+    }
+    places.push_back(nodes[i]);
+  }
+  return places;
+}
+
+std::string EndingOf(const char* path)
+{
+  return path != nullptr ? std::filesystem::path(path).extension().string() : std::string();
+}
+
+// What was there before stays until all is written.
+bool WriteWhole(const std::filesystem::path& path, const std::string& text)
+{
+  std::filesystem::path part = path;
+  part += ".part";
+  std::ofstream stream(part, std::ios::binary);
+  stream << text;
+  stream.close();
+  std::error_code failure;
+  if (stream)
+  {
+    std::filesystem::rename(part, path, failure);
+  }
+  if (!stream || failure)
+  {
+    std::error_code ignored;
+    std::filesystem::remove(part, ignored);
+    return false;
+  }
+  return true;
+}
+
+} // namespace
+
+struct vtkNexradTransferFunction::Internals
+{
+  vtkNexradColorMap Map;
+
+  Nodes& Channel(int channel) { return this->Map.Channels[static_cast<std::size_t>(channel)]; }
+
+  void Changed(int channel)
+  {
+    if (channel != OPACITY)
+    {
+      this->Map.Bins.clear();
+    }
+  }
+};
+
+vtkStandardNewMacro(vtkNexradTransferFunction);
+
+vtkNexradTransferFunction::vtkNexradTransferFunction()
+  : Internal(std::make_unique<Internals>())
+{
+  this->ApplyPreset(GetPresetName(0));
+}
+
+vtkNexradTransferFunction::~vtkNexradTransferFunction() = default;
+
+void vtkNexradTransferFunction::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  const char* names[numberOfChannels] = {"Red", "Green", "Blue", "Opacity"};
+  os << indent << "Name: " << this->Internal->Map.Name << '\n';
+  for (int channel = 0; channel < numberOfChannels; ++channel)
+  {
+    os << indent << names[channel] << " nodes: " << this->GetNumberOfNodes(channel) << '\n';
+  }
+  os << indent << "Bins: " << this->GetNumberOfBins() << '\n';
+}
+
+int vtkNexradTransferFunction::GetNumberOfNodes(int channel) const
+{
+  return IsChannel(channel) ? static_cast<int>(this->Internal->Channel(channel).size()) : 0;
+}
+
+bool vtkNexradTransferFunction::GetNode(int channel, int index, double node[2]) const
+{
+  if (index < 0 || index >= this->GetNumberOfNodes(channel))
+  {
+    return false;
+  }
+  const Node& found = this->Internal->Channel(channel)[static_cast<std::size_t>(index)];
+  std::copy(found.begin(), found.end(), node);
+  return true;
+}
+
+int vtkNexradTransferFunction::AddNode(int channel, double dBZ, double value)
+{
+  if (!IsChannel(channel) || !std::isfinite(dBZ) || !std::isfinite(value))
+  {
+    vtkErrorMacro("node of channel " << channel << " at " << dBZ << " dBZ with " << value
+                                     << ": the channel must be 0 to 3, the numbers finite");
+    return -1;
+  }
+  Nodes& nodes = this->Internal->Channel(channel);
+  auto at = std::lower_bound(nodes.begin(), nodes.end(), dBZ, IsBefore);
+  if (at == nodes.end() || (*at)[0] != dBZ)
+  {
+    at = nodes.insert(at, Node{});
+  }
+  *at = {dBZ, std::clamp(value, 0.0, 1.0)};
+  this->Internal->Changed(channel);
+  this->Modified();
+  return static_cast<int>(at - nodes.begin());
+}
+
+int vtkNexradTransferFunction::MoveNode(int channel, int index, double dBZ, double value)
+{
+  if (index < 0 || index >= this->GetNumberOfNodes(channel) || !std::isfinite(dBZ) ||
+      !std::isfinite(value))
+  {
+    vtkErrorMacro("node " << index << " of channel " << channel << " to " << dBZ << " dBZ with "
+                          << value << ": the node must exist, the numbers be finite");
+    return -1;
+  }
+  Nodes& nodes = this->Internal->Channel(channel);
+  const auto at = nodes.begin() + index;
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double least = at != nodes.begin() ? std::nextafter((*(at - 1))[0], infinity) : -infinity;
+  const double most = at + 1 != nodes.end() ? std::nextafter((*(at + 1))[0], -infinity) : infinity;
+  *at = {std::clamp(dBZ, least, most), std::clamp(value, 0.0, 1.0)};
+  this->Internal->Changed(channel);
+  this->Modified();
+  return index;
+}
+
+bool vtkNexradTransferFunction::RemoveNode(int channel, int index)
+{
+  if (index < 0 || index >= this->GetNumberOfNodes(channel))
+  {
+    return false;
+  }
+  Nodes& nodes = this->Internal->Channel(channel);
+  nodes.erase(nodes.begin() + index);
+  this->Internal->Changed(channel);
+  this->Modified();
+  return true;
+}
+
+void vtkNexradTransferFunction::RemoveAllNodes(int channel)
+{
+  if (this->GetNumberOfNodes(channel) > 0)
+  {
+    this->Internal->Channel(channel).clear();
+    this->Internal->Changed(channel);
+    this->Modified();
+  }
+}
+
+double vtkNexradTransferFunction::Evaluate(int channel, double dBZ)
+{
+  if (this->GetNumberOfNodes(channel) == 0 || std::isnan(dBZ))
+  {
+    return 0.0;
+  }
+  const Nodes& nodes = this->Internal->Channel(channel);
+  const auto next = std::upper_bound(nodes.begin(), nodes.end(), dBZ, IsAfter);
+  if (next == nodes.begin() || next == nodes.end())
+  {
+    return next == nodes.begin() ? nodes.front()[1] : nodes.back()[1];
+  }
+  const auto index = static_cast<std::size_t>(next - nodes.begin());
+  return std::clamp(Hermite(nodes, index - 1, dBZ), 0.0, 1.0);
+}
+
+void vtkNexradTransferFunction::GetRange(double range[2]) const
+{
+  double least = std::numeric_limits<double>::max();
+  double most = std::numeric_limits<double>::lowest();
+  for (const Nodes& nodes : this->Internal->Map.Channels)
+  {
+    if (!nodes.empty())
+    {
+      least = std::min(least, nodes.front()[0]);
+      most = std::max(most, nodes.back()[0]);
+    }
+  }
+  range[0] = least <= most ? least : 0.0;
+  range[1] = least <= most ? most : 0.0;
+}
+
+void vtkNexradTransferFunction::Rescale(double first, double last)
+{
+  double range[2];
+  this->GetRange(range);
+  if (!(first < last) || !std::isfinite(first) || !std::isfinite(last) || !(range[0] < range[1]))
+  {
+    vtkErrorMacro("rescale " << range[0] << " to " << range[1] << " dBZ to " << first << " to "
+                             << last << " dBZ: the first must be below the last in both");
+    return;
+  }
+  const double factor = (last - first) / (range[1] - range[0]);
+  const auto scale = [&](double& place) { place = first + factor * (place - range[0]); };
+  for (int channel = 0; channel < numberOfChannels; ++channel)
+  {
+    for (Node& node : this->Internal->Channel(channel))
+    {
+      scale(node[0]);
+    }
+  }
+  for (vtkNexradColorMap::Bin& bin : this->Internal->Map.Bins)
+  {
+    scale(bin.From);
+    scale(bin.To);
+  }
+  this->Modified();
+}
+
+void vtkNexradTransferFunction::FillColorFunction(vtkColorTransferFunction* function)
+{
+  function->RemoveAllPoints();
+  function->SetColorSpaceToRGB();
+  for (const double dBZ : PlacesOf(&this->Internal->Map.Channels[RED], 3))
+  {
+    function->AddRGBPoint(
+      dBZ, this->Evaluate(RED, dBZ), this->Evaluate(GREEN, dBZ), this->Evaluate(BLUE, dBZ));
+  }
+}
+
+void vtkNexradTransferFunction::FillOpacityFunction(vtkPiecewiseFunction* function)
+{
+  function->RemoveAllPoints();
+  for (const double dBZ : PlacesOf(&this->Internal->Map.Channels[OPACITY], 1))
+  {
+    function->AddPoint(dBZ, this->Evaluate(OPACITY, dBZ));
+  }
+}
+
+void vtkNexradTransferFunction::FillProperty(vtkVolumeProperty* property)
+{
+  vtkNew<vtkColorTransferFunction> color;
+  vtkNew<vtkPiecewiseFunction> opacity;
+  this->FillColorFunction(color);
+  this->FillOpacityFunction(opacity);
+  property->SetColor(color);
+  property->SetScalarOpacity(opacity);
+}
+
+int vtkNexradTransferFunction::GetNumberOfBins() const
+{
+  return static_cast<int>(this->Internal->Map.Bins.size());
+}
+
+bool vtkNexradTransferFunction::GetBin(
+  int index, double range[2], double lower[3], double upper[3]) const
+{
+  if (index < 0 || index >= this->GetNumberOfBins())
+  {
+    return false;
+  }
+  const vtkNexradColorMap::Bin& bin = this->Internal->Map.Bins[static_cast<std::size_t>(index)];
+  range[0] = bin.From;
+  range[1] = bin.To;
+  std::copy(bin.Lower.begin(), bin.Lower.end(), lower);
+  std::copy(bin.Upper.begin(), bin.Upper.end(), upper);
+  return true;
+}
+
+void vtkNexradTransferFunction::FillSteppedColorFunction(vtkColorTransferFunction* function)
+{
+  if (this->Internal->Map.Bins.empty())
+  {
+    this->FillColorFunction(function);
+    return;
+  }
+  function->RemoveAllPoints();
+  function->SetColorSpaceToRGB();
+  for (const vtkNexradColorMap::Bin& bin : this->Internal->Map.Bins)
+  {
+    // A bin holds its lower end, the next one its upper end.
+    const double end = std::nextafter(bin.To, bin.From);
+    function->AddRGBPoint(bin.From, bin.Lower[0], bin.Lower[1], bin.Lower[2]);
+    function->AddRGBPoint(end, bin.Upper[0], bin.Upper[1], bin.Upper[2]);
+  }
+}
+
+int vtkNexradTransferFunction::GetNumberOfPresets()
+{
+  return static_cast<int>(vtkNexradTransferFunctionPresetNames().size());
+}
+
+const char* vtkNexradTransferFunction::GetPresetName(int index)
+{
+  return index >= 0 && index < GetNumberOfPresets()
+           ? vtkNexradTransferFunctionPresetNames()[static_cast<std::size_t>(index)]
+           : nullptr;
+}
+
+bool vtkNexradTransferFunction::ApplyPreset(const char* name)
+{
+  if (name == nullptr || !vtkNexradTransferFunctionPreset(name, this->Internal->Map))
+  {
+    std::string names;
+    for (const char* each : vtkNexradTransferFunctionPresetNames())
+    {
+      names += (names.empty() ? "" : ", ") + std::string(each);
+    }
+    vtkErrorMacro(
+      "no preset is named '" << (name != nullptr ? name : "") << "'; there are: " << names);
+    return false;
+  }
+  this->Modified();
+  return true;
+}
+
+void vtkNexradTransferFunction::SetOpacityToIsoValues(
+  const double* values, int count, double opacity, double halfWidth)
+{
+  if (count < 1 || !(halfWidth > 0.0) || !(opacity >= 0.0 && opacity <= 1.0) ||
+      !std::all_of(values, values + count, [](double value) { return std::isfinite(value); }))
+  {
+    vtkErrorMacro("iso-values: give one or more finite ones, an opacity of 0 to 1 and a half width "
+                  "above 0 dBZ");
+    return;
+  }
+  this->Internal->Channel(OPACITY) =
+    vtkNexradIsoShells(std::vector<double>(values, values + count), opacity, halfWidth);
+  this->Internal->Changed(OPACITY);
+  this->Modified();
+}
+
+bool vtkNexradTransferFunction::ReadFile(const char* path)
+{
+  const std::string ending = EndingOf(path);
+  const auto parse = ending == ".json"  ? vtkNexradColorMapText::ParseJSON
+                     : ending == ".pal" ? vtkNexradColorMapText::ParsePalette
+                     : ending == ".csv" ? vtkNexradColorMapText::ParseTable
+                                        : nullptr;
+  if (parse == nullptr)
+  {
+    vtkErrorMacro(<< (path != nullptr ? path : "(no name)")
+                  << ": a colour map to read ends in .json, .pal or .csv");
+    return false;
+  }
+  std::ifstream stream(path, std::ios::binary);
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  vtkNexradColorMap map;
+  const std::string problem = stream ? parse(text, map) : "cannot be read";
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< path << ": " << problem);
+    return false;
+  }
+  if (map.Channels[OPACITY].empty())
+  {
+    map.Channels[OPACITY] = this->Internal->Channel(OPACITY);
+  }
+  if (map.Name.empty())
+  {
+    map.Name = std::filesystem::path(path).stem().string();
+  }
+  this->Internal->Map = std::move(map);
+  this->Modified();
+  return true;
+}
+
+bool vtkNexradTransferFunction::WriteFile(const char* path)
+{
+  const std::string ending = EndingOf(path);
+  if (ending != ".json" && ending != ".pal")
+  {
+    vtkErrorMacro(<< (path != nullptr ? path : "(no name)")
+                  << ": a colour map to write ends in .json or .pal");
+    return false;
+  }
+  std::vector<std::array<double, 5>> samples;
+  for (const double dBZ : PlacesOf(this->Internal->Map.Channels.data(), numberOfChannels))
+  {
+    samples.push_back({dBZ, this->Evaluate(RED, dBZ), this->Evaluate(GREEN, dBZ),
+      this->Evaluate(BLUE, dBZ), this->Evaluate(OPACITY, dBZ)});
+  }
+  const bool written = WriteWhole(
+    path, ending == ".json" ? vtkNexradColorMapText::FormatJSON(this->Internal->Map, samples)
+                            : vtkNexradColorMapText::FormatPalette(this->Internal->Map, samples));
+  if (!written)
+  {
+    vtkErrorMacro(<< path << ": cannot be written");
+  }
+  return written;
+}

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkNexradTransferFunction
+ * @brief   Colour and opacity of radar reflectivity as four splines
+ *
+ * Red, green, blue and opacity are cubic Hermite splines over dBZ with Cardinal tangents of tension
+ * 0 at nodes that need not be evenly spaced (Formulas T10): at a node the slope is that from the
+ * node before to the node after, at the first and last node that to the neighbour. Beyond the first
+ * and last node a channel keeps its value. Results are clamped to 0 to 1.
+ *
+ * A new object has the National Weather Service's reflectivity colours (Formulas R4), each colour's
+ * node in the middle of its 5 dBZ, and the opacity of the preset "all echo".
+ *
+ * Volume properties take it through FillProperty. Opacities are those of the property's unit
+ * distance.
+ */
+#ifndef vtkNexradTransferFunction_h
+#define vtkNexradTransferFunction_h
+
+#include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkObject.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkColorTransferFunction;
+class vtkPiecewiseFunction;
+class vtkVolumeProperty;
+
+class VTKNEXRADRENDERING_EXPORT vtkNexradTransferFunction : public vtkObject
+{
+public:
+  static vtkNexradTransferFunction* New();
+  vtkTypeMacro(vtkNexradTransferFunction, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  enum ChannelType
+  {
+    RED = 0,
+    GREEN = 1,
+    BLUE = 2,
+    OPACITY = 3
+  };
+
+  ///@{
+  /**
+   * The nodes of a channel in ascending order. AddNode replaces a node at the same dBZ; MoveNode
+   * keeps it between its neighbours. Values are clamped to 0 to 1. Returns the node's index, or -1
+   * (with an error) when there is no such channel or node or a number is not finite. Changing red,
+   * green or blue drops the bins.
+   */
+  int GetNumberOfNodes(int channel) const;
+  bool GetNode(int channel, int index, double node[2]) const;
+  int AddNode(int channel, double dBZ, double value);
+  int MoveNode(int channel, int index, double dBZ, double value);
+  bool RemoveNode(int channel, int index);
+  void RemoveAllNodes(int channel);
+  ///@}
+
+  /**
+   * Value of a channel, 0 to 1; 0 without nodes, and for what is not a number.
+   */
+  double Evaluate(int channel, double dBZ);
+
+  /**
+   * First and last node of all channels, dBZ; 0 and 0 without nodes.
+   */
+  void GetRange(double range[2]) const;
+
+  /**
+   * Stretches and shifts all nodes and bins so that the range becomes [first, last], first < last.
+   * For maps whose points lie between 0 and 1.
+   */
+  void Rescale(double first, double last);
+
+  ///@{
+  /**
+   * Puts the splines into VTK's functions, sixteen linear pieces between neighbouring nodes.
+   */
+  void FillColorFunction(vtkColorTransferFunction* function);
+  void FillOpacityFunction(vtkPiecewiseFunction* function);
+  ///@}
+
+  /**
+   * Gives a volume property both functions, for all components as one. Its unit distance,
+   * interpolation and shading stay.
+   */
+  void FillProperty(vtkVolumeProperty* property);
+
+  ///@{
+  /**
+   * The steps of a colour bar: each has a range in dBZ, a colour at its lower and one at its upper
+   * end (the same, or a ramp). None when the colours came from nodes.
+   */
+  int GetNumberOfBins() const;
+  bool GetBin(int index, double range[2], double lower[3], double upper[3]) const;
+  ///@}
+
+  /**
+   * The colours in steps, as a colour bar shows them; as FillColorFunction without bins.
+   */
+  void FillSteppedColorFunction(vtkColorTransferFunction* function);
+
+  ///@{
+  /**
+   * Presets: "all echo" (a veil that thickens into cores), "storm cores" (from 40 dBZ), "hail"
+   * (from 50 dBZ), "clear air" (−20 to 20 dBZ, in colours of its own below 5 dBZ), "iso-values"
+   * (thin shells at 20, 35 and 50 dBZ). A preset sets colours and opacity. Returns false, with an
+   * error that lists the names, when there is no such preset.
+   */
+  static int GetNumberOfPresets();
+  static const char* GetPresetName(int index); ///< nullptr for no such index
+  bool ApplyPreset(const char* name);
+  ///@}
+
+  /**
+   * Makes the opacity a thin shell about each of the values: `opacity` there, 0 from `halfWidth`
+   * dBZ away. Values in any order, farther apart than twice the half width (nearer ones are one
+   * shell); the colours stay.
+   */
+  void SetOpacityToIsoValues(
+    const double* values, int count, double opacity = 0.8, double halfWidth = 2.0);
+
+  ///@{
+  /**
+   * Reads or writes a colour map by the ending of its name: .json (ParaView's; the nodes come back
+   * as they were), .pal (GRLevelX tables, colours in bytes: the bins without opacity, or samples of
+   * the splines with it), .csv (read only: lines "dbz,#rrggbb" below a heading). A file without
+   * opacities leaves the opacity as it is. Returns false, with an error of one line that names the
+   * file and what is wrong; then nothing changed.
+   */
+  bool ReadFile(const char* path);
+  bool WriteFile(const char* path);
+  ///@}
+
+protected:
+  vtkNexradTransferFunction();
+  ~vtkNexradTransferFunction() override;
+
+private:
+  vtkNexradTransferFunction(const vtkNexradTransferFunction&) = delete;
+  void operator=(const vtkNexradTransferFunction&) = delete;
+
+  struct Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

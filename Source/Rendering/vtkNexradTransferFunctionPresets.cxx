@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradTransferFunctionPresets.h"
+
+#include <algorithm>
+#include <cstddef>
+
+namespace nexrad::embedded
+{
+extern const unsigned char reflectivityColours[];
+extern const std::size_t reflectivityColoursSize;
+} // namespace nexrad::embedded
+
+namespace
+{
+
+using Nodes = std::vector<vtkNexradColorMap::Node>;
+
+constexpr double shellOpacity = 0.8;
+constexpr double shellHalfWidth = 2.0; // dBZ
+
+// Opacities of 5 km of the scene of nexrad3d, whose heights are stretched eight times. Of "all
+// echo": 40 km of it (5 km of height) through rain of 20 dBZ hide four tenths of the map, through
+// 30 dBZ seven tenths, and 10 km through a core of 50 dBZ look solid.
+struct Preset
+{
+  const char* Name;
+  Nodes Opacity;
+  bool ClearAir;
+};
+
+const std::vector<Preset>& Presets()
+{
+  static const std::vector<Preset> presets = {
+    {"all echo",
+      {{5.0, 0.0}, {10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25}, {50.0, 0.75},
+        {60.0, 0.93}, {75.0, 0.98}},
+      false},
+    {"storm cores",
+      {{30.0, 0.0}, {35.0, 0.01}, {40.0, 0.05}, {45.0, 0.3}, {50.0, 0.75}, {60.0, 0.95},
+        {75.0, 0.98}},
+      false},
+    {"hail", {{45.0, 0.0}, {48.0, 0.01}, {50.0, 0.05}, {55.0, 0.5}, {60.0, 0.9}, {75.0, 0.98}},
+      false},
+    {"clear air",
+      {{-25.0, 0.0}, {-20.0, 0.02}, {-10.0, 0.06}, {0.0, 0.12}, {10.0, 0.2}, {20.0, 0.3},
+        {40.0, 0.5}},
+      true},
+    {"iso-values", vtkNexradIsoShells({20.0, 35.0, 50.0}, shellOpacity, shellHalfWidth), false}};
+  return presets;
+}
+
+// What clear air returns lies below the weather service's colours: a ramp of greys that turns
+// towards their first blue.
+void AddClearAirColors(vtkNexradColorMap& map)
+{
+  const vtkNexradColorMap::Color dark = {0.25, 0.25, 0.28};
+  const vtkNexradColorMap::Color light = {0.78, 0.80, 0.80};
+  const vtkNexradColorMap::Color pale = {0.55, 0.85, 0.90};
+  const double first = map.Bins.front().From;
+  map.Bins.insert(map.Bins.begin(), {{-30.0, -5.0, dark, light}, {-5.0, first, light, pale}});
+}
+
+void LoadWeatherServiceColors(vtkNexradColorMap& map)
+{
+  const std::string text(nexrad::embedded::reflectivityColours,
+    nexrad::embedded::reflectivityColours + nexrad::embedded::reflectivityColoursSize);
+  vtkNexradColorMapText::ParseTable(text, map);
+  // A table of colours says nothing of opacity.
+  map.Channels[3].clear();
+}
+
+} // namespace
+
+std::vector<vtkNexradColorMap::Node> vtkNexradIsoShells(
+  std::vector<double> values, double opacity, double halfWidth)
+{
+  std::sort(values.begin(), values.end());
+  Nodes nodes;
+  for (const double value : values)
+  {
+    if (!nodes.empty() && value - halfWidth <= nodes.back()[0])
+    {
+      nodes.pop_back();
+    }
+    else
+    {
+      nodes.push_back({value - halfWidth, 0.0});
+    }
+    nodes.push_back({value, opacity});
+    nodes.push_back({value + halfWidth, 0.0});
+  }
+  return nodes;
+}
+
+const std::vector<const char*>& vtkNexradTransferFunctionPresetNames()
+{
+  static const std::vector<const char*> names = []
+  {
+    std::vector<const char*> list;
+    for (const Preset& preset : Presets())
+    {
+      list.push_back(preset.Name);
+    }
+    return list;
+  }();
+  return names;
+}
+
+bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap& map)
+{
+  for (const Preset& preset : Presets())
+  {
+    if (name == preset.Name)
+    {
+      map = vtkNexradColorMap();
+      map.Name = name;
+      LoadWeatherServiceColors(map);
+      if (preset.ClearAir)
+      {
+        AddClearAirColors(map);
+        map.MakeColorNodesFromBins();
+      }
+      map.Channels[3] = preset.Opacity;
+      return true;
+    }
+  }
+  return false;
+}

@@ -1,0 +1,354 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Colour and opacity as splines, their presets and files.
+#include "vtkNexradTransferFunction.h"
+
+#include "EventCounter.h"
+#include "TestData.h"
+
+#include <vtkColorTransferFunction.h>
+#include <vtkNew.h>
+#include <vtkPiecewiseFunction.h>
+#include <vtkVolumeProperty.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+using nexrad::testing::AnyHolds;
+using nexrad::testing::EventCounter;
+using nexrad::testing::TemporaryFolder;
+using Function = vtkNexradTransferFunction;
+
+constexpr double byte = 255.0;
+
+void SetNodes(Function* function, int channel, const std::vector<std::array<double, 2>>& nodes)
+{
+  function->RemoveAllNodes(channel);
+  for (const auto& node : nodes)
+  {
+    function->AddNode(channel, node[0], node[1]);
+  }
+}
+
+std::filesystem::path WriteText(
+  const TemporaryFolder& folder, const std::string& name, const std::string& text)
+{
+  const std::filesystem::path path = folder.Path() / name;
+  std::ofstream(path) << text;
+  return path;
+}
+
+// The one line of the error that reading a text of that ending gives.
+std::string ErrorOf(const std::string& name, const std::string& text)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  vtkNew<EventCounter> events;
+  events->Observe(function);
+  const double before = function->Evaluate(Function::RED, 22.0);
+  EXPECT_FALSE(function->ReadFile(WriteText(folder, name, text).c_str()));
+  EXPECT_EQ(function->Evaluate(Function::RED, 22.0), before) << "a failed file changes nothing";
+  EXPECT_EQ(events->errors.size(), 1U);
+  return events->errors.empty() ? std::string() : events->errors.front();
+}
+
+bool Holds(const std::string& text, const std::string& part)
+{
+  return text.find(part) != std::string::npos;
+}
+
+} // namespace
+
+TEST(TransferFunction, FormulasT10)
+{
+  vtkNew<Function> function;
+  // Unevenly spaced: the slopes at 1 and 3 are (0.8 - 0) / 3 and (0.9 - 0.2) / 3. Midway,
+  // the Hermite form is the mean of the ends and (slope - slope) · width / 8.
+  SetNodes(function, Function::RED, {{0, 0.0}, {1, 0.2}, {3, 0.8}, {4, 0.9}});
+  EXPECT_NEAR(function->Evaluate(Function::RED, 2.0), 0.5 + (0.8 - 0.7) / 3.0 * 2.0 / 8.0, 1e-12);
+  // Slopes of 0 at both ends of [1, 3]: the smooth step.
+  SetNodes(function, Function::RED, {{0, 0}, {1, 1}, {3, 0}, {4, 1}});
+  EXPECT_NEAR(function->Evaluate(Function::RED, 1.5), 1.0 - 0.15625, 1e-12);
+}
+
+TEST(TransferFunction, PassesThroughItsNodesAndKeepsAStraightLineStraight)
+{
+  vtkNew<Function> function;
+  SetNodes(function, Function::OPACITY, {{-10, 0.1}, {0, 0.3}, {5, 0.4}, {25, 0.8}});
+  for (double dBZ = -10.0; dBZ <= 25.0; dBZ += 0.5)
+  {
+    EXPECT_NEAR(function->Evaluate(Function::OPACITY, dBZ), 0.3 + 0.02 * dBZ, 1e-12) << dBZ;
+  }
+  EXPECT_NEAR(function->Evaluate(Function::OPACITY, -90.0), 0.1, 1e-12);
+  EXPECT_NEAR(function->Evaluate(Function::OPACITY, 90.0), 0.8, 1e-12);
+}
+
+TEST(TransferFunction, ClampsWhereASplineSwings)
+{
+  vtkNew<Function> function;
+  SetNodes(function, Function::GREEN, {{0, 0}, {10, 0}, {20, 1}, {30, 1}});
+  // Without the clamp the spline lies 0.07 below 0 here and 0.07 above 1 there.
+  EXPECT_EQ(function->Evaluate(Function::GREEN, 5.0), 0.0);
+  EXPECT_EQ(function->Evaluate(Function::GREEN, 25.0), 1.0);
+  EXPECT_NEAR(function->Evaluate(Function::GREEN, 15.0), 0.5, 1e-12);
+}
+
+TEST(TransferFunction, OneNodeIsAConstantAndNoneIsNothing)
+{
+  vtkNew<Function> function;
+  SetNodes(function, Function::BLUE, {{20, 0.25}});
+  EXPECT_EQ(function->Evaluate(Function::BLUE, -5.0), 0.25);
+  function->RemoveAllNodes(Function::BLUE);
+  EXPECT_EQ(function->Evaluate(Function::BLUE, 20.0), 0.0);
+  EXPECT_EQ(function->Evaluate(Function::RED, std::numeric_limits<double>::quiet_NaN()), 0.0);
+}
+
+TEST(TransferFunction, NodesStayInOrder)
+{
+  vtkNew<Function> function;
+  function->RemoveAllNodes(Function::RED);
+  EXPECT_EQ(function->AddNode(Function::RED, 20, 0.2), 0);
+  EXPECT_EQ(function->AddNode(Function::RED, 10, 0.1), 0);
+  EXPECT_EQ(function->AddNode(Function::RED, 15, 7.0), 1);
+  EXPECT_EQ(function->AddNode(Function::RED, 15, 0.3), 1) << "replaced";
+  EXPECT_EQ(function->GetNumberOfNodes(Function::RED), 3);
+  EXPECT_EQ(function->MoveNode(Function::RED, 1, 99.0, -1.0), 1);
+  double node[2];
+  ASSERT_TRUE(function->GetNode(Function::RED, 1, node));
+  EXPECT_LT(node[0], 20.0);
+  EXPECT_NEAR(node[0], 20.0, 1e-9);
+  EXPECT_EQ(node[1], 0.0);
+  EXPECT_TRUE(function->RemoveNode(Function::RED, 1));
+  EXPECT_FALSE(function->RemoveNode(Function::RED, 2));
+  EXPECT_FALSE(function->GetNode(Function::RED, -1, node));
+  vtkNew<EventCounter> events;
+  events->Observe(function);
+  EXPECT_EQ(function->AddNode(4, 0.0, 0.0), -1);
+  EXPECT_EQ(function->AddNode(0, std::numeric_limits<double>::infinity(), 0.0), -1);
+  EXPECT_EQ(events->errors.size(), 2U);
+}
+
+TEST(TransferFunction, FormulasR4InTheMiddleOfEachStep)
+{
+  vtkNew<Function> function;
+  ASSERT_EQ(function->GetNumberOfBins(), 15);
+  // 20 up to 25 dBZ: #02fd02.
+  EXPECT_NEAR(function->Evaluate(Function::RED, 22.5), 2 / byte, 1e-12);
+  EXPECT_NEAR(function->Evaluate(Function::GREEN, 22.5), 253 / byte, 1e-12);
+  vtkNew<vtkColorTransferFunction> steps;
+  function->FillSteppedColorFunction(steps);
+  for (const double dBZ : {20.0, 20.1, 24.9, 24.999999})
+  {
+    EXPECT_NEAR(steps->GetGreenValue(dBZ), 253 / byte, 1e-9) << dBZ;
+  }
+  EXPECT_NEAR(steps->GetGreenValue(25.0), 197 / byte, 1e-9) << "#01c501";
+  function->AddNode(Function::RED, 33.0, 0.5);
+  EXPECT_EQ(function->GetNumberOfBins(), 0) << "the colours are no longer the table's";
+}
+
+TEST(TransferFunction, PropertiesFollowTheSplines)
+{
+  vtkNew<Function> function;
+  vtkNew<vtkVolumeProperty> property;
+  function->FillProperty(property);
+  for (double dBZ = -10.0; dBZ <= 90.0; dBZ += 0.37)
+  {
+    EXPECT_NEAR(property->GetRGBTransferFunction()->GetRedValue(dBZ),
+      function->Evaluate(Function::RED, dBZ), 0.006)
+      << dBZ;
+    EXPECT_NEAR(property->GetScalarOpacity()->GetValue(dBZ),
+      function->Evaluate(Function::OPACITY, dBZ), 0.004)
+      << dBZ;
+  }
+}
+
+TEST(TransferFunction, PresetsShowWhatTheirNamesSay)
+{
+  const auto opacity = [](const char* preset, double dBZ)
+  {
+    vtkNew<Function> function;
+    EXPECT_TRUE(function->ApplyPreset(preset));
+    return function->Evaluate(Function::OPACITY, dBZ);
+  };
+  EXPECT_EQ(Function::GetNumberOfPresets(), 5);
+  EXPECT_STREQ(Function::GetPresetName(0), "all echo");
+  EXPECT_EQ(Function::GetPresetName(5), nullptr);
+  EXPECT_GT(opacity("all echo", 15.0), 0.0);
+  EXPECT_EQ(opacity("all echo", 4.0), 0.0);
+  EXPECT_EQ(opacity("storm cores", 25.0), 0.0);
+  EXPECT_GT(opacity("storm cores", 52.0), 0.7);
+  EXPECT_EQ(opacity("hail", 44.0), 0.0);
+  EXPECT_GT(opacity("hail", 58.0), 0.7);
+  EXPECT_GT(opacity("clear air", -15.0), 0.0);
+  for (const double iso : {20.0, 35.0, 50.0})
+  {
+    EXPECT_EQ(opacity("iso-values", iso), 0.8);
+    EXPECT_EQ(opacity("iso-values", iso - 4.0), 0.0);
+  }
+  vtkNew<Function> function;
+  vtkNew<EventCounter> events;
+  events->Observe(function);
+  EXPECT_FALSE(function->ApplyPreset("rainbow"));
+  EXPECT_TRUE(AnyHolds(events->errors, "storm cores"));
+}
+
+TEST(TransferFunction, ShellsThatTouchAreOne)
+{
+  vtkNew<Function> function;
+  const std::array<double, 3> values = {45.0, 20.0, 21.0};
+  function->SetOpacityToIsoValues(values.data(), 3, 0.5, 2.0);
+  EXPECT_EQ(function->Evaluate(Function::OPACITY, 20.0), 0.5);
+  EXPECT_EQ(function->Evaluate(Function::OPACITY, 21.0), 0.5);
+  EXPECT_GE(function->Evaluate(Function::OPACITY, 20.5), 0.5);
+  EXPECT_EQ(function->Evaluate(Function::OPACITY, 45.0), 0.5);
+  EXPECT_EQ(function->Evaluate(Function::OPACITY, 30.0), 0.0);
+}
+
+TEST(TransferFunction, JSONComesBackAsItWas)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "map.json").string();
+  vtkNew<Function> written;
+  written->ApplyPreset("hail");
+  ASSERT_TRUE(written->WriteFile(path.c_str()));
+  vtkNew<Function> read;
+  ASSERT_TRUE(read->ReadFile(path.c_str()));
+  EXPECT_EQ(read->GetNumberOfBins(), 15);
+  for (int channel = Function::RED; channel <= Function::OPACITY; ++channel)
+  {
+    ASSERT_EQ(read->GetNumberOfNodes(channel), written->GetNumberOfNodes(channel));
+    for (double dBZ = 0.0; dBZ < 80.0; dBZ += 0.7)
+    {
+      EXPECT_EQ(read->Evaluate(channel, dBZ), written->Evaluate(channel, dBZ));
+    }
+  }
+}
+
+TEST(TransferFunction, ReadsWhatParaViewExports)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  ASSERT_TRUE(function->ReadFile(WriteText(folder, "map.json",
+    R"([{"ColorSpace":"RGB","Name":"two","NanColor":[1,1,0],
+         "RGBPoints":[0,0,0,0.5, 1,1,0.5,0.5],
+         "Points":[0,0,0.5,0, 1,0.6,0.5,0]}])")
+                                   .c_str()));
+  function->Rescale(0.0, 80.0);
+  EXPECT_NEAR(function->Evaluate(Function::RED, 20.0), 0.25, 1e-12);
+  EXPECT_NEAR(function->Evaluate(Function::GREEN, 40.0), 0.25, 1e-12);
+  EXPECT_NEAR(function->Evaluate(Function::BLUE, 33.0), 0.5, 1e-12);
+  EXPECT_NEAR(function->Evaluate(Function::OPACITY, 60.0), 0.45, 1e-12);
+}
+
+TEST(TransferFunction, OtherColourSpacesLookAsVTKDrawsThem)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  ASSERT_TRUE(function->ReadFile(WriteText(folder, "map.json",
+    R"({"ColorSpace":"Lab","RGBPoints":[0,0.2,0.3,0.75, 30,0.9,0.85,0.8, 60,0.7,0,0.15]})")
+                                   .c_str()));
+  vtkNew<vtkColorTransferFunction> expected;
+  expected->SetColorSpaceToLab();
+  expected->AddRGBPoint(0, 0.2, 0.3, 0.75);
+  expected->AddRGBPoint(30, 0.9, 0.85, 0.8);
+  expected->AddRGBPoint(60, 0.7, 0, 0.15);
+  for (double dBZ = 0.0; dBZ <= 60.0; dBZ += 0.9)
+  {
+    EXPECT_NEAR(function->Evaluate(Function::RED, dBZ), expected->GetRedValue(dBZ), 0.01) << dBZ;
+    EXPECT_NEAR(function->Evaluate(Function::BLUE, dBZ), expected->GetBlueValue(dBZ), 0.01) << dBZ;
+  }
+}
+
+TEST(TransferFunction, ReadsPalTables)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  // Descending order, a scale, a ramp with an end of its own, a comment behind a statement.
+  ASSERT_TRUE(function->ReadFile(WriteText(folder, "map.pal",
+    "Product: BR\nUnits: DBZ\nStep: 10\nScale: 2\nOffset: 10\nND: 0 0 0\n"
+    "SolidColor: 130 255 0 0 ; the top\n"
+    "Color: 90 0 0 0 0 255 0\n"
+    "\n color4: 50 0 0 255 51 0 0 0 51\n")
+                                   .c_str()));
+  ASSERT_EQ(function->GetNumberOfBins(), 3);
+  double range[2];
+  double lower[3];
+  double upper[3];
+  ASSERT_TRUE(function->GetBin(0, range, lower, upper));
+  EXPECT_EQ(range[0], 20.0);
+  EXPECT_EQ(range[1], 40.0);
+  EXPECT_EQ(lower[2], 1.0);
+  EXPECT_EQ(upper[2], 0.0);
+  ASSERT_TRUE(function->GetBin(2, range, lower, upper));
+  EXPECT_EQ(range[0], 60.0);
+  EXPECT_EQ(range[1], 80.0) << "as wide as the one before";
+  EXPECT_EQ(upper[0], 1.0);
+  EXPECT_NEAR(function->Evaluate(Function::RED, 70.0), 1.0, 1e-12) << "in the solid's middle";
+  EXPECT_NEAR(function->Evaluate(Function::GREEN, 55.0), 0.75, 1e-12)
+    << "in the ramp, near its jump";
+  EXPECT_NEAR(function->Evaluate(Function::OPACITY, 30.0), 0.2, 1e-12);
+}
+
+TEST(TransferFunction, PalTablesComeBackToAByte)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "map.pal").string();
+  vtkNew<Function> steps;
+  ASSERT_TRUE(steps->WriteFile(path.c_str()));
+  vtkNew<Function> read;
+  ASSERT_TRUE(read->ReadFile(path.c_str()));
+  EXPECT_EQ(read->GetNumberOfBins(), 15);
+  vtkNew<Function> splines;
+  SetNodes(splines, Function::RED, {{0, 0.1}, {30, 0.9}, {60, 0.2}});
+  ASSERT_TRUE(splines->WriteFile(path.c_str()));
+  vtkNew<Function> sampled;
+  ASSERT_TRUE(sampled->ReadFile(path.c_str()));
+  for (double dBZ = 0.0; dBZ < 75.0; dBZ += 0.7)
+  {
+    EXPECT_NEAR(read->Evaluate(Function::GREEN, dBZ), steps->Evaluate(Function::GREEN, dBZ), 1e-9);
+    EXPECT_NEAR(
+      sampled->Evaluate(Function::RED, dBZ), splines->Evaluate(Function::RED, dBZ), 0.004);
+    EXPECT_NEAR(
+      sampled->Evaluate(Function::OPACITY, dBZ), splines->Evaluate(Function::OPACITY, dBZ), 0.004);
+  }
+}
+
+TEST(TransferFunction, WrongFilesAreNamedInOneLine)
+{
+  EXPECT_PRED2(Holds, ErrorOf("a.json", "[1, 2"), "a.json: this is not JSON");
+  EXPECT_PRED2(Holds, ErrorOf("a.json", "[]"), "no colour map");
+  EXPECT_PRED2(Holds, ErrorOf("a.json", R"({"RGBPoints":[1,2,3]})"), "RGBPoints");
+  EXPECT_PRED2(Holds, ErrorOf("a.json", R"({"RGBPoints":[5,0,0,0, 1,0,0,0]})"), "ascending");
+  EXPECT_PRED2(
+    Holds, ErrorOf("a.json", R"({"RGBPoints":[1,0,0,0],"Points":[1,"x",0,0]})"), "Points");
+  EXPECT_PRED2(Holds, ErrorOf("a.json", R"({"vtkNexradNodes":[]})"), "red, green");
+  EXPECT_PRED2(Holds, ErrorOf("a.pal", "Color: 20 2 253\n"), "line 1");
+  EXPECT_PRED2(Holds, ErrorOf("a.pal", "Color: 20 2 253 256\n"), "0 to 255");
+  EXPECT_PRED2(Holds, ErrorOf("a.pal", "Scale: 0\n"), "line 1");
+  EXPECT_PRED2(Holds, ErrorOf("a.pal", "hello\n"), "no statement");
+  EXPECT_PRED2(Holds, ErrorOf("a.pal", ""), "two colours");
+  EXPECT_PRED2(Holds, ErrorOf("a.pal", "Color: 5 1 1 1\nColor: 5 2 2 2\n"), "same value");
+  EXPECT_PRED2(Holds, ErrorOf("a.csv", "dbz,rgb\n5,#000000\n5,#ffffff\n"), "line 3");
+  EXPECT_PRED2(Holds, ErrorOf("a.csv", "dbz,rgb\n5,#00000g\n"), "line 2");
+  EXPECT_PRED2(Holds, ErrorOf("a.txt", ""), ".json, .pal or .csv");
+}
+
+TEST(TransferFunction, AFileThatCannotBeWrittenIsAnError)
+{
+  vtkNew<Function> function;
+  vtkNew<EventCounter> events;
+  events->Observe(function);
+  EXPECT_FALSE(function->WriteFile("/nonexistent/map.json"));
+  EXPECT_FALSE(function->WriteFile("map.csv"));
+  EXPECT_FALSE(function->WriteFile(nullptr));
+  EXPECT_EQ(events->errors.size(), 3U);
+}
