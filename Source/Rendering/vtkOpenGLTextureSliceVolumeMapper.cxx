@@ -5,7 +5,9 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
@@ -17,10 +19,12 @@
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceProgram.h"
 #include "vtkTextureSliceRequest.h"
+#include "vtkTextureSliceResolution.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTable2D.h"
 #include "vtkTextureSliceTarget.h"
 #include "vtkTextureSliceTexture.h"
+#include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
@@ -43,6 +47,9 @@ public:
   vtkTextureSliceFrame Frame;
   vtkTextureSliceGeometry Geometry;
   vtkTextureSliceLights Lights;
+  vtkTextureSliceResolution Resolution;
+  /// Image sample distance of this frame.
+  double PixelSize = 1.0;
   vtkTextureSliceTarget Target;
   vtkTextureSliceProgram Program;
   /// The window whose context owns the graphics resources.
@@ -173,7 +180,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error)
 {
   const int blendMode = uniforms.Features.BlendMode;
-  if (!this->Target.Begin(renderer, GetClearValue(blendMode), error))
+  if (!this->Target.Begin(renderer, GetClearValue(blendMode), this->PixelSize, error))
   {
     return false;
   }
@@ -200,7 +207,12 @@ void vtkOpenGLTextureSliceVolumeMapper::Internals::Composite(
   this->Window->GetState()->vtkglBlendFuncSeparate(
     GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   this->Table.GetTexture()->Activate();
-  this->Target.Composite(renderer, uniforms.Features.GetDefines(),
+  // Between an extreme and no sample at all there is nothing.
+  const int blendMode = uniforms.Features.BlendMode;
+  const bool smooth = this->PixelSize != 1.0 &&
+                      blendMode != vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND &&
+                      blendMode != vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
+  this->Target.Composite(renderer, smooth, uniforms.Features.GetDefines(),
     [&](vtkShaderProgram* program)
     {
       program->SetUniformf("colorScale", colorScale);
@@ -321,11 +333,36 @@ void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolu
     vtkErrorMacro(<< unsupported);
     return;
   }
+  vtkInformation* keys = volume->GetPropertyKeys();
+  if (keys != nullptr && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  {
+    vtkErrorMacro("a render pass that changes the volume's shaders, such as depth peeling, is not "
+                  "supported: call SetUseDepthPeelingForVolumes(false) on the renderer");
+    return;
+  }
   // A selection pass paints identifiers, which a blended volume would spoil.
   if (renderer->GetSelector() == nullptr && this->PlaceSlices(renderer, volume, image))
   {
+    const double allowedTime = volume->GetAllocatedRenderTime();
+    this->Parts->PixelSize = this->ChooseImageSampleDistance(allowedTime);
+    vtkNew<vtkTimerLog> timer;
+    timer->StartTimer();
     this->RenderSlices(renderer, image, scalars, request);
+    if (this->AutoAdjustSampleDistances && vtkTextureSliceResolution::IsInteractive(allowedTime))
+    {
+      glFinish();
+      timer->StopTimer();
+      this->Parts->Resolution.Report(timer->GetElapsedTime());
+    }
   }
+}
+
+double vtkOpenGLTextureSliceVolumeMapper::ChooseImageSampleDistance(double allowedTime)
+{
+  return this->AutoAdjustSampleDistances
+           ? this->Parts->Resolution.Choose(
+               allowedTime, this->MinimumImageSampleDistance, this->MaximumImageSampleDistance)
+           : static_cast<double>(this->ImageSampleDistance);
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(

@@ -20,13 +20,23 @@
  * projections. Two-dimensional transfer functions (scalar and gradient magnitude) in the composite
  * mode. A mask of the volume's dimensions, one unsigned char each: binary, or labels with functions
  * of their own. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final
- * window and level work as in VTK's ray caster.
+ * window and level work as in VTK's ray caster; translucent geometry is behind the volume, peeled
+ * or not.
+ *
+ * ImageSampleDistance makes the picture coarser or finer than the window. With
+ * AutoAdjustSampleDistances (on by default) it is 1 in still pictures, and 1, 2, 5 or 10, between
+ * MinimumImageSampleDistance and MaximumImageSampleDistance, while the window's desired update rate
+ * asks for more than one frame a second.
+ *
+ * vtkTextureSliceObjectFactory puts this class wherever VTK makes a vtkGPUVolumeRayCastMapper.
  *
  * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
  * for two-dimensional functions, a label map with several components or two-dimensional functions,
  * three dependent components, maximum or minimum of dependent components, isosurfaces of several
  * components, four components with hidden points, and volumes larger than the largest 3-D texture.
- * A hardware selection does not see the volume. A 2-D image has no thickness and is an error.
+ * Depth peeling of volumes is refused when it is asked for. Jittering, UseDepthPass, RenderToImage,
+ * further inputs, user shaders and UseClippedVoxelIntensity are ignored. A hardware selection does
+ * not see the volume. A 2-D image has no thickness and is an error.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -110,6 +120,7 @@ private:
   vtkDataArray* FindScalars();
   vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, int components);
   const char* FindUnsupported(const vtkTextureSliceRequest& request);
+  double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
   bool PlaceSlices(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
   void RenderSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,

@@ -11,6 +11,9 @@
 
 #include "TextureSliceCompositeFS.h"
 
+#include <algorithm>
+#include <cmath>
+
 /// OpenGL copies depth only between equal formats, so the target takes the window's.
 struct vtkTextureSliceTarget::DepthFormat
 {
@@ -30,6 +33,35 @@ struct vtkTextureSliceTarget::DepthFormat
              : (this->Bits == 32 ? vtkTextureObject::Fixed32 : vtkTextureObject::Fixed24);
   }
 };
+
+namespace
+{
+
+/// Pixels of the picture for those of the window.
+unsigned int CountPixels(int pixels, double pixelSize)
+{
+  return static_cast<unsigned int>(std::max(1.0, std::ceil(pixels / pixelSize)));
+}
+
+/// Makes a texture ready to be allocated anew.
+void Prepare(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
+{
+  texture->SetContext(window);
+  texture->ResetFormatAndType();
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+}
+
+} // namespace
+
+bool vtkTextureSliceTarget::HasSize(
+  vtkTextureObject* texture, vtkOpenGLRenderWindow* window, const Size& size)
+{
+  return texture->GetHandle() != 0 && texture->GetContext() == window &&
+         texture->GetWidth() == size.Width && texture->GetHeight() == size.Height;
+}
 
 vtkTextureSliceTarget::vtkTextureSliceTarget() = default;
 vtkTextureSliceTarget::~vtkTextureSliceTarget() = default;
@@ -60,30 +92,26 @@ vtkTextureSliceTarget::DepthFormat vtkTextureSliceTarget::QueryDepthFormat()
   return format;
 }
 
-bool vtkTextureSliceTarget::Resize(
-  vtkOpenGLRenderWindow* window, int width, int height, const DepthFormat& format)
+bool vtkTextureSliceTarget::AllocateDepth(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
+  const Size& size, const DepthFormat& format)
 {
-  const auto w = static_cast<unsigned int>(width);
-  const auto h = static_cast<unsigned int>(height);
-  if (this->Color->GetHandle() != 0 && this->Color->GetContext() == window &&
-      this->Color->GetWidth() == w && this->Color->GetHeight() == h &&
-      this->DepthKey == format.Key())
+  Prepare(texture, window);
+  return format.Stencil ? texture->AllocateDepthStencil(size.Width, size.Height)
+                        : texture->AllocateDepth(size.Width, size.Height, format.VTKFormat());
+}
+
+bool vtkTextureSliceTarget::Resize(
+  vtkOpenGLRenderWindow* window, const Size& size, const DepthFormat& format)
+{
+  if (HasSize(this->Color, window, size) && this->DepthKey == format.Key())
   {
     return true;
   }
-  for (vtkTextureObject* texture : {this->Color.Get(), this->Depth.Get()})
-  {
-    texture->SetContext(window);
-    texture->ResetFormatAndType();
-    texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    texture->SetMinificationFilter(vtkTextureObject::Nearest);
-    texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  }
   this->DepthKey = format.Key();
-  return this->Color->Allocate2D(w, h, 4, VTK_FLOAT) &&
-         (format.Stencil ? this->Depth->AllocateDepthStencil(w, h)
-                         : this->Depth->AllocateDepth(w, h, format.VTKFormat()));
+  this->ResolvedDepth->ReleaseGraphicsResources(window); // it has the old format
+  Prepare(this->Color, window);
+  return this->Color->Allocate2D(size.Width, size.Height, 4, VTK_FLOAT) &&
+         AllocateDepth(this->Depth, window, size, format);
 }
 
 bool vtkTextureSliceTarget::Attach(vtkOpenGLRenderWindow* window, std::string& error)
@@ -103,20 +131,55 @@ bool vtkTextureSliceTarget::Attach(vtkOpenGLRenderWindow* window, std::string& e
   return false;
 }
 
-bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, float clearValue, std::string& error)
+bool vtkTextureSliceTarget::CopyDepth(vtkOpenGLRenderWindow* window, unsigned int source,
+  const std::array<int, 4>& viewport, const DepthFormat& format)
+{
+  const auto [left, bottom, width, height] = viewport;
+  const Size full{static_cast<unsigned int>(width), static_cast<unsigned int>(height)};
+  vtkOpenGLState* state = window->GetState();
+  const auto copy = [&](int x, int y, int toWidth, int toHeight)
+  {
+    state->vtkglBlitFramebuffer(
+      x, y, x + width, y + height, 0, 0, toWidth, toHeight, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  };
+  if (HasSize(this->Color, window, full))
+  {
+    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+    copy(left, bottom, width, height);
+    return true;
+  }
+  // OpenGL does not resolve samples and change the size in one step.
+  if (!HasSize(this->ResolvedDepth, window, full) &&
+      !AllocateDepth(this->ResolvedDepth, window, full, format))
+  {
+    return false;
+  }
+  this->ResolveFramebuffer->SetContext(window);
+  this->ResolveFramebuffer->Bind();
+  this->ResolveFramebuffer->AddDepthAttachment(this->ResolvedDepth);
+  this->ResolveFramebuffer->DeactivateDrawBuffers();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, source);
+  copy(left, bottom, width, height);
+  this->Framebuffer->Bind();
+  this->ResolveFramebuffer->Bind(GL_READ_FRAMEBUFFER);
+  copy(0, 0, static_cast<int>(this->Color->GetWidth()), static_cast<int>(this->Color->GetHeight()));
+  return true;
+}
+
+bool vtkTextureSliceTarget::Begin(
+  vtkRenderer* renderer, float clearValue, double pixelSize, std::string& error)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  int width = 0;
-  int height = 0;
-  int left = 0;
-  int bottom = 0;
+  std::array<int, 4> viewport{};
+  auto& [left, bottom, width, height] = viewport;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  const Size size{CountPixels(width, pixelSize), CountPixels(height, pixelSize)};
 
   const DepthFormat format = QueryDepthFormat();
-  if (!this->Resize(window, width, height, format))
+  if (!this->Resize(window, size, format))
   {
-    error = "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
-            std::to_string(height) + " pixels";
+    error = "OpenGL could not make a floating-point picture of " + std::to_string(size.Width) +
+            " x " + std::to_string(size.Height) + " pixels";
     return false;
   }
   GLint source = 0;
@@ -130,16 +193,17 @@ bool vtkTextureSliceTarget::Begin(vtkRenderer* renderer, float clearValue, std::
   }
 
   state->vtkglDisable(GL_SCISSOR_TEST);
-  state->vtkglViewport(0, 0, width, height);
+  state->vtkglViewport(0, 0, static_cast<int>(size.Width), static_cast<int>(size.Height));
   state->vtkglClearColor(clearValue, clearValue, clearValue, clearValue);
   state->vtkglColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   state->vtkglDepthMask(GL_TRUE);
   state->vtkglClear(GL_COLOR_BUFFER_BIT | (format.Bits > 0 ? 0 : GL_DEPTH_BUFFER_BIT));
-  if (format.Bits > 0)
+  if (format.Bits > 0 &&
+      !this->CopyDepth(window, static_cast<unsigned int>(source), viewport, format))
   {
-    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(source));
-    state->vtkglBlitFramebuffer(left, bottom, left + width, bottom + height, 0, 0, width, height,
-      GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    error = "OpenGL could not make a copy of the window's depth";
+    state->PopFramebufferBindings();
+    return false;
   }
   state->vtkglDepthMask(GL_FALSE);
   this->Window = window;
@@ -164,8 +228,8 @@ void vtkTextureSliceTarget::ReadyQuad(vtkOpenGLRenderWindow* window, const std::
   this->QuadDefines = defines;
 }
 
-void vtkTextureSliceTarget::Composite(vtkRenderer* renderer, const std::string& defines,
-  const std::function<void(vtkShaderProgram*)>& setUniforms)
+void vtkTextureSliceTarget::Composite(vtkRenderer* renderer, bool smooth,
+  const std::string& defines, const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->ReadyQuad(window, defines);
@@ -178,6 +242,9 @@ void vtkTextureSliceTarget::Composite(vtkRenderer* renderer, const std::string& 
   state->vtkglViewport(left, bottom, width, height);
   state->vtkglDisable(GL_DEPTH_TEST);
 
+  const int filter = smooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
+  this->Color->SetMinificationFilter(filter);
+  this->Color->SetMagnificationFilter(filter);
   this->Color->Activate();
   vtkShaderProgram* program = this->Quad->Program;
   program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
@@ -192,5 +259,7 @@ void vtkTextureSliceTarget::ReleaseGraphicsResources(vtkWindow* window)
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->Color->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);
+  this->ResolveFramebuffer->ReleaseGraphicsResources(window);
+  this->ResolvedDepth->ReleaseGraphicsResources(window);
   this->Window = nullptr;
 }

@@ -7,6 +7,7 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <string>
@@ -18,9 +19,10 @@ class vtkShaderProgram;
 class vtkWindow;
 
 /**
- * As large as the renderer's viewport: RGBA of 32-bit floats with associated colour (Formulas R3),
- * and the depth of the opaque geometry that the window holds already. 16-bit floats would stop
- * counting: at an opacity of one half, a slice that adds less than 1/4096 adds nothing.
+ * As large as the renderer's viewport, or coarser or finer: RGBA of 32-bit floats with associated
+ * colour (Formulas R3), and the depth of the opaque geometry that the window holds already. 16-bit
+ * floats would stop counting: at an opacity of one half, a slice that adds less than 1/4096 adds
+ * nothing.
  */
 class vtkTextureSliceTarget
 {
@@ -30,19 +32,22 @@ public:
 
   /**
    * Copies the depth of the framebuffer that is bound, clears all channels of the colour to one
-   * value and directs drawing here. End must follow. @return false, with one line in @a error, if
+   * value and directs drawing here. End must follow.
+   * @param pixelSize pixels of the viewport that one pixel of the picture stands for along an axis.
+   * @return false, with one line in @a error, if
    * it cannot be made; then End must not follow.
    */
-  bool Begin(vtkRenderer* renderer, float clearValue, std::string& error);
+  bool Begin(vtkRenderer* renderer, float clearValue, double pixelSize, std::string& error);
   /// Directs drawing back to where it went before Begin.
   void End();
 
   /**
    * Blends the picture over the renderer's viewport.
+   * @param smooth whether to interpolate between its pixels if it has another size.
    * @param defines the first lines of TextureSliceCompositeFS.
    * @param setUniforms sets what that shader reads besides the picture.
    */
-  void Composite(vtkRenderer* renderer, const std::string& defines,
+  void Composite(vtkRenderer* renderer, bool smooth, const std::string& defines,
     const std::function<void(vtkShaderProgram*)>& setUniforms);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -50,13 +55,25 @@ public:
 private:
   struct DepthFormat;
   static DepthFormat QueryDepthFormat();
-  bool Resize(vtkOpenGLRenderWindow* window, int width, int height, const DepthFormat& format);
-
+  /// Pixels.
+  struct Size
+  {
+    unsigned int Width = 0;
+    unsigned int Height = 0;
+  };
+  static bool HasSize(vtkTextureObject* texture, vtkOpenGLRenderWindow* window, const Size& size);
+  static bool AllocateDepth(vtkTextureObject* texture, vtkOpenGLRenderWindow* window,
+    const Size& size, const DepthFormat& format);
+  bool Resize(vtkOpenGLRenderWindow* window, const Size& size, const DepthFormat& format);
   bool Attach(vtkOpenGLRenderWindow* window, std::string& error);
+  bool CopyDepth(vtkOpenGLRenderWindow* window, unsigned int source,
+    const std::array<int, 4>& viewport, const DepthFormat& format);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkOpenGLFramebufferObject> ResolveFramebuffer;
+  vtkNew<vtkTextureObject> ResolvedDepth; ///< the viewport's, for a picture of another size
   void ReadyQuad(vtkOpenGLRenderWindow* window, const std::string& defines);
 
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;

@@ -7,6 +7,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
+#include "vtkImageResize.h"
 #include "vtkNew.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
@@ -65,6 +66,27 @@ TEST_F(AgainstRayCaster, DirectionMatrix)
     std::cos(a), -std::sin(a), 0.0, std::sin(a), std::cos(a), 0.0, 0.0, 0.0, 1.0);
   this->AimCamera(false);
   this->ExpectSamePicture("storm-direction-matrix");
+}
+
+TEST_F(AgainstRayCaster, MirroredActor)
+{
+  this->UseStorm(VTK_FLOAT);
+  this->Stage->GetVolume()->SetScale(-1.0, 1.0, 1.0);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-mirrored");
+}
+
+TEST_F(AgainstRayCaster, VoxelsOfVeryUnequalEdges)
+{
+  // 96 x 24 x 12 points over the same box: voxels of 0.7 x 2.8 x 2.2.
+  this->UseStorm(VTK_FLOAT);
+  vtkNew<vtkImageResize> resize;
+  resize->SetInputData(this->Input);
+  resize->SetOutputDimensions(96, 24, 12);
+  resize->Update();
+  this->Input = resize->GetOutput();
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-unequal-voxels");
 }
 
 TEST_F(AgainstRayCaster, OriginAndExtentThatDoNotStartAtZero)

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkTextureSliceObjectFactory
+ * @brief   Makes vtkGPUVolumeRayCastMapper::New give slices
+ *
+ * While an object of this class is registered, vtkGPUVolumeRayCastMapper::New makes a
+ * vtkOpenGLTextureSliceVolumeMapper, and so does everything that calls it, such as
+ * vtkSmartVolumeMapper. vtkOpenGLGPUVolumeRayCastMapper::New asks no factory and is left as it is.
+ *
+ * @code
+ * vtkTextureSliceObjectFactory::Register();
+ * vtkNew<vtkSmartVolumeMapper> mapper; // draws slices
+ * @endcode
+ */
+#ifndef vtkTextureSliceObjectFactory_h
+#define vtkTextureSliceObjectFactory_h
+
+#include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkObjectFactory.h"
+
+class VTKNEXRADRENDERING_EXPORT vtkTextureSliceObjectFactory : public vtkObjectFactory
+{
+public:
+  static vtkTextureSliceObjectFactory* New();
+  vtkTypeMacro(vtkTextureSliceObjectFactory, vtkObjectFactory);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * Registers a factory of this class, and takes it away again. The factory that was
+   * registered first wins in VTK, so Register switches vtkGPUVolumeRayCastMapper off in the
+   * factories that are there, and Unregister on again. Register is to be called when VTK's modules
+   * are loaded; calling it twice changes nothing.
+   */
+  static void Register();
+  static void Unregister();
+  ///@}
+
+  const char* GetVTKSourceVersion() override;
+  const char* GetDescription() override;
+
+protected:
+  vtkTextureSliceObjectFactory();
+  ~vtkTextureSliceObjectFactory() override = default;
+
+private:
+  vtkTextureSliceObjectFactory(const vtkTextureSliceObjectFactory&) = delete;
+  void operator=(const vtkTextureSliceObjectFactory&) = delete;
+};
+
+#endif

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The volume among surfaces, other volumes, renderers and factories, beside VTK's GPU ray caster.
+#include "RayCasterComparison.h"
+#include "Scenes.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkImageData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartVolumeMapper.h"
+#include "vtkSphereSource.h"
+#include "vtkTextureSliceObjectFactory.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+class GeometryBeside : public AgainstRayCaster
+{
+protected:
+  void SetUp() override
+  {
+    AgainstRayCaster::SetUp();
+    if (this->Stage != nullptr)
+    {
+      this->UseStorm(VTK_FLOAT);
+      this->AimCamera(false);
+    }
+  }
+  void AddSphere(double x, double y, double z, double radius, double opacity)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(x, y, z);
+    sphere->SetRadius(radius);
+    sphere->SetThetaResolution(40);
+    sphere->SetPhiResolution(40);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+    actor->GetProperty()->SetOpacity(opacity);
+    this->Stage->GetRenderer()->AddActor(actor);
+  }
+};
+
+} // namespace
+
+// Two white balls, one half sunk into the tall tower, one behind the storm.
+TEST_F(GeometryBeside, OpaqueSpheres)
+{
+  this->AddSphere(-12.0, -12.0, 8.0, 8.0, 1.0);
+  this->AddSphere(15.0, 30.0, 8.0, 10.0, 1.0);
+  this->ExpectSamePicture("spheres-opaque", Bar);
+}
+
+// Glass balls in front of the storm and in it: the volume is drawn over both.
+TEST_F(GeometryBeside, TranslucentSpheres)
+{
+  this->AddSphere(-12.0, -12.0, 8.0, 8.0, 0.4);
+  this->AddSphere(10.0, -30.0, 12.0, 8.0, 0.4);
+  this->ExpectSamePicture("spheres-translucent");
+}
+
+// The same with the balls peeled, and the volume left out of the peeling, as is VTK's default.
+TEST_F(GeometryBeside, TranslucentSpheresPeeled)
+{
+  this->AddSphere(-12.0, -12.0, 8.0, 8.0, 0.4);
+  this->AddSphere(10.0, -30.0, 12.0, 8.0, 0.4);
+  this->Stage->GetWindow()->SetAlphaBitPlanes(1);
+  this->Stage->GetRenderer()->SetUseDepthPeeling(1);
+  this->ExpectSamePicture("spheres-peeled");
+}
+
+TEST_F(GeometryBeside, PeelingOfVolumesIsRefused)
+{
+  this->AddSphere(-12.0, -12.0, 8.0, 8.0, 0.4);
+  this->Stage->GetWindow()->SetAlphaBitPlanes(1);
+  this->Stage->GetRenderer()->SetUseDepthPeeling(1);
+  this->Stage->GetRenderer()->SetUseDepthPeelingForVolumes(true);
+  this->Stage->Draw(this->Configure(this->Slices));
+  EXPECT_NE(this->TakeMessages().find("SetUseDepthPeelingForVolumes(false)"), std::string::npos);
+  this->Stage->GetRenderer()->SetUseDepthPeelingForVolumes(false);
+  this->Stage->Draw(this->Slices);
+}
+
+// The volume in two viewports of one window, seen from the front and from above.
+TEST_F(GeometryBeside, TwoViewports)
+{
+  vtkNew<vtkRenderer> right;
+  right->SetViewport(0.5, 0.0, 1.0, 1.0);
+  this->Stage->GetRenderer()->SetViewport(0.0, 0.0, 0.5, 1.0);
+  this->Stage->GetWindow()->AddRenderer(right);
+  right->AddVolume(this->Stage->GetVolume());
+  vtkCamera* camera = right->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 12.0);
+  camera->SetPosition(0.0, 0.0, 150.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  right->ResetCameraClippingRange(-80, 80, -80, 80, -80, 80);
+  this->ExpectSamePicture("two-viewports");
+}
+
+// A second storm beside the first, each with a mapper of its own.
+TEST_F(GeometryBeside, TwoVolumes)
+{
+  const auto draw = [&](vtkGPUVolumeRayCastMapper* first, vtkGPUVolumeRayCastMapper* second)
+  {
+    this->Configure(second);
+    vtkNew<vtkVolume> other;
+    other->SetMapper(second);
+    other->SetProperty(this->Stage->GetProperty());
+    other->SetPosition(70.0, 70.0, 0.0);
+    this->Stage->GetRenderer()->AddVolume(other);
+    Picture picture = this->Stage->Draw(this->Configure(first));
+    this->Stage->GetRenderer()->RemoveVolume(other);
+    return picture;
+  };
+  this->Stage->GetRenderer()->GetActiveCamera()->SetViewAngle(60.0);
+  this->Stage->GetRenderer()->ResetCameraClippingRange(-80, 180, -80, 180, -80, 80);
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture single = this->Stage->Draw(this->Configure(this->Slices));
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> otherRays;
+  const Picture expected = draw(this->RayCaster, otherRays);
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> otherSlices;
+  otherSlices->SetNumberOfSlices(0);
+  const Picture actual = draw(this->Slices, otherSlices);
+  EXPECT_LE(Compare(actual, expected, background).LargestMean(), Tolerance);
+  EXPECT_GT(Compare(actual, single, background).Pixels, Compare(single, single, background).Pixels);
+}
+
+// VTK's own choice of a mapper becomes the slices, and VTK's ray caster again.
+TEST_F(GeometryBeside, ObjectFactory)
+{
+  const Picture background = this->Stage->Draw(nullptr);
+  this->Slices->SetInputData(this->Input);
+  this->Slices->SetNumberOfSlices(256);
+  const Picture expected = this->Stage->Draw(this->Slices);
+
+  vtkTextureSliceObjectFactory::Register();
+  vtkTextureSliceObjectFactory::Register();
+  vtkNew<vtkGPUVolumeRayCastMapper> mapper;
+  EXPECT_TRUE(mapper->IsA("vtkOpenGLTextureSliceVolumeMapper"));
+  vtkNew<vtkSmartVolumeMapper> smart;
+  smart->SetInputData(this->Input);
+  smart->SetRequestedRenderModeToGPU();
+  const Picture picture = this->Stage->Draw(smart);
+  EXPECT_EQ(smart->GetLastUsedRenderMode(), vtkSmartVolumeMapper::GPURenderMode);
+  EXPECT_EQ(Compare(picture, expected, background).LargestMean(), 0.0);
+
+  vtkTextureSliceObjectFactory::Unregister();
+  vtkNew<vtkGPUVolumeRayCastMapper> own;
+  EXPECT_TRUE(own->IsA("vtkOpenGLGPUVolumeRayCastMapper"));
+}
