@@ -14,7 +14,8 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cstring>
+#include <cstdint>
+#include <type_traits>
 
 namespace
 {
@@ -63,28 +64,27 @@ void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
   points->AddArray(ghosts);
 }
 
-template <class Array, class Value>
-void AddCompanion(vtkPointData* points, const std::string& name, const std::vector<Value>& values)
-{
-  if (values.empty())
-  {
-    return;
-  }
-  vtkNew<Array> array;
-  array->SetName(name.c_str());
-  array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
-  std::copy(values.begin(), values.end(), array->GetPointer(0));
-  points->AddArray(array);
-}
+/// The VTK array for a vector of values.
+template <class Value>
+using ArrayOf = std::conditional_t<sizeof(Value) == 1, vtkUnsignedCharArray, vtkFloatArray>;
+template <class Values>
+using ArrayFor = ArrayOf<typename std::decay_t<Values>::value_type>;
 
 void AddCompanions(const nexrad::GriddedVolume& volume, vtkPointData* points)
 {
-  const std::string moment = nexrad::ToString(volume.moment);
-  const nexrad::VoxelCompanions& companions = volume.companions;
-  AddCompanion<vtkFloatArray>(points, moment + "_age", companions.age);
-  AddCompanion<vtkUnsignedCharArray>(points, moment + "_radars", companions.radars);
-  AddCompanion<vtkFloatArray>(points, moment + "_weight", companions.weight);
-  AddCompanion<vtkUnsignedCharArray>(points, moment + "_site", companions.nearestSite);
+  const auto add = [&](const char* name, const auto& values)
+  {
+    if (values.empty())
+    {
+      return;
+    }
+    vtkNew<ArrayFor<decltype(values)>> array;
+    array->SetName(nexrad::CompanionName(volume.moment, name).c_str());
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    points->AddArray(array);
+  };
+  nexrad::ForEachCompanion(volume.companions, add);
 }
 
 nexrad::MomentName FindMoment(vtkPointData* points)
@@ -111,6 +111,21 @@ Array* RequireArray(vtkImageData* image, const std::string& name)
                         wanted->GetDataTypeAsString() + " with one value a point");
   }
   return array;
+}
+
+// Those that the image has.
+void TakeCompanions(vtkImageData* image, nexrad::GriddedVolume& volume)
+{
+  const auto take = [&](const char* name, auto& values)
+  {
+    const std::string full = nexrad::CompanionName(volume.moment, name);
+    if (image->GetPointData()->HasArray(full.c_str()))
+    {
+      auto* array = RequireArray<ArrayFor<decltype(values)>>(image, full);
+      values.assign(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfTuples());
+    }
+  };
+  nexrad::ForEachCompanion(volume.companions, take);
 }
 
 nexrad::GridSpecification ImageToGrid(vtkImageData* image)
@@ -174,6 +189,7 @@ nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
     }
     volume.states.push_back(static_cast<nexrad::VoxelState>(state));
   }
+  TakeCompanions(image, volume);
   vtkFieldData* field = image->GetFieldData();
   volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
   volume.sites = vtkNexradGetTexts(field, "Sites");

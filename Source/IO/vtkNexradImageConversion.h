@@ -10,7 +10,7 @@
  * - `REF_state`, uint8: 0 echo, 1 no echo, 2 range folded, 3 not scanned.
  * - `vtkGhostType`, uint8: HIDDENPOINT where not scanned.
  *
- * On demand, of the method "beam":
+ * On demand, of the method "beam", what stands behind each voxel; 0 where not scanned:
  *
  * - `REF_age`, float32: seconds between the volume's time and the nearest ray that took part.
  * - `REF_radars`, uint8: number of radars that scanned the voxel.
@@ -57,9 +57,9 @@ VTKNEXRADIO_EXPORT void vtkNexradVolumeToImage(
   const nexrad::GriddedVolume& volume, vtkImageData* image);
 
 /**
- * The volume in an image that has the arrays above; `vtkGhostType` is not needed. Throws
- * nexrad::Error, naming the array, for an image without them or with an array of another type or
- * length, and for one whose axes are turned.
+ * The volume in an image that has the arrays above; `vtkGhostType` and the companions are not
+ * needed. Throws nexrad::Error, naming the array, for an image without them or with an array of
+ * another type or length, and for one whose axes are turned.
  */
 VTKNEXRADIO_EXPORT nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image);
 

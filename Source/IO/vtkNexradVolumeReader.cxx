@@ -7,6 +7,7 @@
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 
+#include "vtkDataArraySelection.h"
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
@@ -53,6 +54,19 @@ bool SameGrid(const nexrad::GridSpecification& a, const nexrad::GridSpecificatio
   return a.dimensions == b.dimensions && a.origin == b.origin && a.spacing == b.spacing;
 }
 
+nexrad::NxvReadOptions LeavingOut(vtkDataArraySelection* selection)
+{
+  nexrad::NxvReadOptions options;
+  for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
+  {
+    if (selection->GetArraySetting(i) == 0)
+    {
+      options.leaveOut.emplace_back(selection->GetArrayName(i));
+    }
+  }
+  return options;
+}
+
 } // namespace
 
 vtkNexradVolumeReader::vtkNexradVolumeReader()
@@ -63,6 +77,16 @@ vtkNexradVolumeReader::vtkNexradVolumeReader()
 vtkNexradVolumeReader::~vtkNexradVolumeReader()
 {
   this->SetFileName(nullptr);
+}
+
+vtkDataArraySelection* vtkNexradVolumeReader::GetCompanionSelection()
+{
+  return this->CompanionSelection;
+}
+
+vtkMTimeType vtkNexradVolumeReader::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->CompanionSelection->GetMTime());
 }
 
 int vtkNexradVolumeReader::CanReadFile(const char* path)
@@ -128,6 +152,28 @@ void vtkNexradVolumeReader::ReadHeader()
   this->Opened = std::move(files);
 }
 
+void vtkNexradVolumeReader::ListCompanions()
+{
+  std::vector<std::string> names;
+  if (!this->RawStream)
+  {
+    names = nexrad::ReadNxvCompanionNames(this->Opened->Steps.front().second);
+  }
+  // Names that are known keep what the user chose for them.
+  for (int i = this->CompanionSelection->GetNumberOfArrays(); i-- > 0;)
+  {
+    const std::string known = this->CompanionSelection->GetArrayName(i);
+    if (std::find(names.begin(), names.end(), known) == names.end())
+    {
+      this->CompanionSelection->RemoveArrayByIndex(i);
+    }
+  }
+  for (const std::string& name : names)
+  {
+    this->CompanionSelection->AddArray(name.c_str());
+  }
+}
+
 int vtkNexradVolumeReader::RequestInformation(
   vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
 {
@@ -141,6 +187,7 @@ int vtkNexradVolumeReader::RequestInformation(
   try
   {
     this->ReadHeader();
+    this->ListCompanions();
   }
   catch (const nexrad::Error& error)
   {
@@ -191,9 +238,9 @@ int vtkNexradVolumeReader::RequestData(
   }
   try
   {
-    const nexrad::GriddedVolume volume = this->RawStream
-                                           ? nexrad::ReadRaw(step.second, this->Opened->First)
-                                           : nexrad::ReadNxv(step.second);
+    const nexrad::GriddedVolume volume =
+      this->RawStream ? nexrad::ReadRaw(step.second, this->Opened->First)
+                      : nexrad::ReadNxv(step.second, LeavingOut(this->CompanionSelection));
     if (!SameGrid(volume.grid, this->Opened->First.grid))
     {
       throw nexrad::Error(
@@ -223,4 +270,6 @@ void vtkNexradVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
      << this->RawOrigin[2] << "\n";
   os << indent << "RawSpacing: " << this->RawSpacing[0] << ", " << this->RawSpacing[1] << ", "
      << this->RawSpacing[2] << "\n";
+  os << indent << "CompanionSelection:\n";
+  this->CompanionSelection->PrintSelf(os, indent.GetNextIndent());
 }

@@ -27,9 +27,12 @@
 #define vtkNexradVolumeReader_h
 
 #include "vtkImageAlgorithm.h"
+#include "vtkNew.h"            // For members
 #include "vtkNexradIOModule.h" // For export macro
 
 #include <memory> // For members
+
+class vtkDataArraySelection;
 
 class VTKNEXRADIO_EXPORT vtkNexradVolumeReader : public vtkImageAlgorithm
 {
@@ -59,6 +62,15 @@ public:
   vtkGetMacro(RawStream, bool);
   vtkBooleanMacro(RawStream, bool);
   ///@}
+
+  /**
+   * Which of the companion arrays (`REF_age`, `REF_radars`, `REF_weight`, `REF_site`) are read. It
+   * lists those of the file, of a series those of its first volume, once the information is up to
+   * date; all are on by default. The moment and its states are always read.
+   */
+  vtkDataArraySelection* GetCompanionSelection();
+
+  vtkMTimeType GetMTime() override;
 
   ///@{
   /**
@@ -93,7 +105,9 @@ private:
 
   int Fail(unsigned long code, const std::string& line);
   void ReadHeader();
+  void ListCompanions();
 
+  vtkNew<vtkDataArraySelection> CompanionSelection;
   struct Files;
   std::unique_ptr<Files> Opened;
 };

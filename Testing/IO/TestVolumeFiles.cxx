@@ -8,6 +8,7 @@
 #include "vtkNexradVolumeReader.h"
 #include "vtkNexradVolumeWriter.h"
 
+#include "vtkDataArraySelection.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
@@ -180,6 +181,90 @@ TEST(VolumeFiles, WhatIsWrittenIsRead)
   }
 }
 
+/// MakeVolume with companions, whose numbers need no rounding in a file.
+GriddedVolume MakeCompanionVolume()
+{
+  GriddedVolume volume = MakeVolume(start);
+  volume.method = "beam";
+  for (std::size_t i = 0; i < volume.grid.VoxelCount(); ++i)
+  {
+    const bool scanned = volume.states[i] != VoxelState::NotScanned;
+    volume.companions.age.push_back(scanned ? static_cast<float>(i) : 0.0F);
+    volume.companions.radars.push_back(static_cast<std::uint8_t>(scanned ? 1 + i % 2 : 0));
+    volume.companions.weight.push_back(scanned ? 0.25F : 0.0F);
+    volume.companions.nearestSite.push_back(
+      scanned ? static_cast<std::uint8_t>(i % 2) : nexrad::VoxelCompanions::NoSite);
+  }
+  return volume;
+}
+
+void ExpectSameCompanions(const GriddedVolume& volume, const GriddedVolume& expected)
+{
+  EXPECT_EQ(volume.companions.age, expected.companions.age);
+  EXPECT_EQ(volume.companions.radars, expected.companions.radars);
+  EXPECT_EQ(volume.companions.weight, expected.companions.weight);
+  EXPECT_EQ(volume.companions.nearestSite, expected.companions.nearestSite);
+}
+
+TEST(VolumeFiles, CompanionsAreWrittenAndReadAndCanBeLeftOut)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "volume.nxv").string();
+  const GriddedVolume volume = MakeCompanionVolume();
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  ExpectSameCompanions(vtkNexradImageToVolume(image), volume);
+  vtkNew<vtkNexradVolumeWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(path.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+
+  vtkNew<vtkNexradVolumeReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  ExpectSame(vtkNexradImageToVolume(reader->GetOutput()), volume);
+  ExpectSameCompanions(vtkNexradImageToVolume(reader->GetOutput()), volume);
+  EXPECT_STREQ(reader->GetOutput()->GetPointData()->GetScalars()->GetName(), "REF");
+  vtkDataArraySelection* selection = reader->GetCompanionSelection();
+  ASSERT_EQ(selection->GetNumberOfArrays(), 4);
+  EXPECT_STREQ(selection->GetArrayName(3), "REF_site");
+
+  selection->DisableArray("REF_age");
+  reader->Update();
+  vtkPointData* points = reader->GetOutput()->GetPointData();
+  EXPECT_FALSE(points->HasArray("REF_age"));
+  EXPECT_TRUE(points->HasArray("REF_radars"));
+  // A file without companions lists none.
+  const std::string plain = (folder.Path() / "plain.nxv").string();
+  vtkNexradVolumeToImage(MakeVolume(start), image);
+  writer->SetFileName(plain.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  reader->SetFileName(plain.c_str());
+  reader->Update();
+  EXPECT_EQ(selection->GetNumberOfArrays(), 0);
+  EXPECT_FALSE(reader->GetOutput()->GetPointData()->HasArray("REF_radars"));
+}
+
+TEST(VolumeFiles, CompanionsOfAnotherTypeAreRefusedByName)
+{
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(MakeVolume(start), image);
+  vtkNew<vtkFloatArray> radars;
+  radars->SetName("REF_radars");
+  radars->SetNumberOfTuples(image->GetNumberOfPoints());
+  radars->Fill(1.0);
+  image->GetPointData()->AddArray(radars);
+  try
+  {
+    vtkNexradImageToVolume(image);
+    FAIL() << "a number of radars that is no whole number was taken";
+  }
+  catch (const nexrad::Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("REF_radars"), std::string::npos);
+  }
+}
+
 TEST(VolumeFiles, SeriesIsWrittenAndReadStepByStep)
 {
   const TemporaryFolder folder;
@@ -239,12 +324,12 @@ TEST(VolumeFiles, BareStreamNeedsItsGrid)
   EXPECT_TRUE(AnyHolds(events->errors, path));
 }
 
-TEST(VolumeFiles, TimeSurvivesVtkXmlFiles)
+TEST(VolumeFiles, TimeAndCompanionsSurviveVtkXmlFiles)
 {
   const TemporaryFolder folder;
   const std::string path = (folder.Path() / "volume.vti").string();
   vtkNew<vtkImageData> image;
-  vtkNexradVolumeToImage(MakeVolume(start), image);
+  vtkNexradVolumeToImage(MakeCompanionVolume(), image);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
   writer->SetFileName(path.c_str());
@@ -252,7 +337,8 @@ TEST(VolumeFiles, TimeSurvivesVtkXmlFiles)
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  ExpectSame(vtkNexradImageToVolume(reader->GetOutput()), MakeVolume(start));
+  ExpectSame(vtkNexradImageToVolume(reader->GetOutput()), MakeCompanionVolume());
+  ExpectSameCompanions(vtkNexradImageToVolume(reader->GetOutput()), MakeCompanionVolume());
 }
 
 TEST(VolumeFiles, BrokenFilesAreErrors)

@@ -37,18 +37,30 @@ struct NxvWriteOptions
 /// Error when the file cannot be written; nothing half-written stays.
 ///
 /// The 7-bit codes keep three states: an echo, no echo, not scanned. When a voxel is range folded
-/// the states go into the file beside them as an array of their own.
+/// the states go into the file beside them as an array of their own. Companions follow when the
+/// volume has them: numbers and sites as they are; ages and weights in 255 steps, of 1 s and 0.01
+/// or as many more (2, 5, 10, … times) as the largest value needs, but exact when Float is asked
+/// for.
 void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
 
-/// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
-/// dimension, length, CRC or stream. `maximumBytes` bounds what the voxels may take in memory.
-/// Arrays beside the moment and its states are checked and passed over.
-GriddedVolume ReadNxv(
-  const std::filesystem::path& path, std::size_t maximumBytes = std::size_t(4) << 30);
+struct NxvReadOptions
+{
+  std::size_t maximumBytes = std::size_t(4) << 30; ///< what the voxels may take in memory
+  std::vector<std::string> leaveOut = {};          ///< names of companion arrays not to read
+};
 
-/// Reads the header alone: the same volume without values and states.
+/// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
+/// dimension, length, CRC or stream, and for a companion array of a wrong type or with a value that
+/// it cannot have. Arrays beside the moment, its states and its companions are checked and passed
+/// over.
+GriddedVolume ReadNxv(const std::filesystem::path& path, const NxvReadOptions& options = {});
+
+/// Reads the header alone: the same volume without values, states and companions.
 GriddedVolume ReadNxvHeader(const std::filesystem::path& path);
+
+/// Names of the companion arrays in the file, as `REF_age`, in the order of the file.
+std::vector<std::string> ReadNxvCompanionNames(const std::filesystem::path& path);
 
 /// Writes the moment's bare run-length stream (Formulas T8), without any header. `encoding` of the
 /// options has no effect. Range folded becomes no echo.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Codec/Deflate.h"
+#include "Codec/NxvCompanions.h"
 #include "Codec/NxvFile.h"
 #include "Codec/NxvHeader.h"
 #include "Codec/Quantizer.h"
@@ -12,6 +13,7 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <type_traits>
 
 namespace fs = std::filesystem;
 
@@ -180,15 +182,39 @@ void CheckChecksums(InputFile& file, const OpenedFile& opened)
   }
 }
 
-void CheckMemory(const GridSpecification& grid, std::size_t maximumBytes)
+void CheckMemory(
+  const GridSpecification& grid, std::size_t companionBytes, std::size_t maximumBytes)
 {
   // A value, a state, and a code while it is decoded.
-  constexpr std::size_t bytesPerVoxel = sizeof(float) + sizeof(VoxelState) + 1;
+  const std::size_t bytesPerVoxel = sizeof(float) + sizeof(VoxelState) + 1 + companionBytes;
   if (grid.VoxelCount() > maximumBytes / bytesPerVoxel)
   {
     throw Error(std::to_string(grid.VoxelCount()) + " voxels need more memory than the " +
                 std::to_string(maximumBytes) + " bytes allowed");
   }
+}
+
+bool IsWanted(
+  const NxvArray& array, MomentName moment, const char* companion, const NxvReadOptions& options)
+{
+  const auto& names = options.leaveOut;
+  return array.name == CompanionName(moment, companion) &&
+         std::find(names.begin(), names.end(), array.name) == names.end();
+}
+
+// Bytes that the companions of a voxel take in memory.
+std::size_t CompanionBytes(const NxvHeader& header, const NxvReadOptions& options)
+{
+  std::size_t bytes = 0;
+  const auto count = [&](const char* name, const auto& values)
+  {
+    const auto wanted = [&](const NxvArray& array)
+    { return IsWanted(array, header.volume.moment, name, options); };
+    const bool any = std::any_of(header.arrays.begin(), header.arrays.end(), wanted);
+    bytes += any ? sizeof(typename std::decay_t<decltype(values)>::value_type) : 0;
+  };
+  ForEachCompanion(header.volume.companions, count);
+  return bytes;
 }
 
 // Inflates an array that must give exactly `size` bytes into `target`.
@@ -237,6 +263,26 @@ Bytes ReadCodes(InputFile& file, std::uint64_t offset, const NxvArray& array, st
   return codes;
 }
 
+void ReadValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+  std::vector<std::uint8_t>& values, std::size_t voxels)
+{
+  values.resize(voxels);
+  ReadDeflated(file, offset, array, values.data(), voxels);
+}
+
+void ReadValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+  std::vector<float>& values, std::size_t voxels)
+{
+  values.resize(voxels);
+  auto* const bytes = reinterpret_cast<std::uint8_t*>(values.data());
+  ReadDeflated(file, offset, array, bytes, voxels * sizeof(float));
+  for (std::size_t i = 0; i < voxels; ++i)
+  {
+    const std::uint32_t word = LittleEndian(bytes + i * sizeof(float));
+    std::memcpy(&values[i], &word, sizeof(word));
+  }
+}
+
 void ReadMoment(InputFile& file, const OpenedFile& opened, GriddedVolume& volume)
 {
   const NxvArray& array = opened.header.arrays[0];
@@ -247,14 +293,7 @@ void ReadMoment(InputFile& file, const OpenedFile& opened, GriddedVolume& volume
     quantizer.DecodeAll(ReadCodes(file, opened.payloads, array, voxels), volume);
     return;
   }
-  volume.values.resize(voxels);
-  auto* const bytes = reinterpret_cast<std::uint8_t*>(volume.values.data());
-  ReadDeflated(file, opened.payloads, array, bytes, voxels * sizeof(float));
-  for (std::size_t i = 0; i < voxels; ++i)
-  {
-    const std::uint32_t word = LittleEndian(bytes + i * sizeof(float));
-    std::memcpy(&volume.values[i], &word, sizeof(word));
-  }
+  ReadValues(file, opened.payloads, array, volume.values, voxels);
   // Without an array of states a voxel with the fill value is taken for not scanned.
   volume.states.resize(voxels);
   std::transform(volume.values.begin(), volume.values.end(), volume.states.begin(),
@@ -282,7 +321,49 @@ void ReadStates(InputFile& file, std::uint64_t offset, const NxvArray& array, Gr
   }
 }
 
-GriddedVolume ReadVoxels(InputFile& file, OpenedFile& opened)
+// Numbers of radars and sites are what they are; ages and weights are exact, or codes.
+void ReadCompanionValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+  std::vector<std::uint8_t>& values, std::size_t voxels)
+{
+  if (array.type != NxvType::UInt8)
+  {
+    throw Error("its type must be uint8");
+  }
+  ReadValues(file, offset, array, values, voxels);
+}
+
+void ReadCompanionValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+  std::vector<float>& values, std::size_t voxels)
+{
+  if (array.type == NxvType::Float32)
+  {
+    ReadValues(file, offset, array, values, voxels);
+    return;
+  }
+  Bytes codes;
+  ReadCompanionValues(file, offset, array, codes, voxels);
+  values.resize(voxels);
+  std::transform(codes.begin(), codes.end(), values.begin(),
+    [&array](std::uint8_t code) { return static_cast<float>(array.offset + array.scale * code); });
+}
+
+// Reads the array when it is a companion of the volume that is wanted.
+void ReadCompanion(InputFile& file, std::uint64_t offset, const NxvArray& array,
+  const NxvReadOptions& options, GriddedVolume& volume)
+{
+  const auto read = [&](const char* name, auto& values)
+  {
+    if (!IsWanted(array, volume.moment, name, options))
+    {
+      return;
+    }
+    ReadCompanionValues(file, offset, array, values, volume.grid.VoxelCount());
+    CheckCompanion(name, values, volume.sites.size());
+  };
+  ForEachCompanion(volume.companions, read);
+}
+
+GriddedVolume ReadVoxels(InputFile& file, OpenedFile& opened, const NxvReadOptions& options)
 {
   GriddedVolume volume = std::move(opened.header.volume);
   const std::vector<NxvArray>& arrays = opened.header.arrays;
@@ -298,6 +379,7 @@ GriddedVolume ReadVoxels(InputFile& file, OpenedFile& opened)
       {
         ReadStates(file, offset, arrays[index], volume, arrays[0].type == NxvType::UInt7);
       }
+      ReadCompanion(file, offset, arrays[index], options, volume);
       offset += arrays[index].length;
     }
   }
@@ -310,16 +392,17 @@ GriddedVolume ReadVoxels(InputFile& file, OpenedFile& opened)
 
 } // namespace
 
-GriddedVolume ReadNxv(const fs::path& path, std::size_t maximumBytes)
+GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options)
 {
   return NamingTheFile(path,
-    [&path, maximumBytes]
+    [&path, &options]
     {
       InputFile file(path);
       OpenedFile opened = Open(file);
-      CheckMemory(opened.header.volume.grid, maximumBytes);
+      CheckMemory(
+        opened.header.volume.grid, CompanionBytes(opened.header, options), options.maximumBytes);
       CheckChecksums(file, opened);
-      return ReadVoxels(file, opened);
+      return ReadVoxels(file, opened, options);
     });
 }
 
@@ -333,13 +416,36 @@ GriddedVolume ReadNxvHeader(const fs::path& path)
     });
 }
 
+std::vector<std::string> ReadNxvCompanionNames(const fs::path& path)
+{
+  return NamingTheFile(path,
+    [&path]
+    {
+      InputFile file(path);
+      const NxvHeader header = Open(file).header;
+      std::vector<std::string> names;
+      for (const NxvArray& array : header.arrays)
+      {
+        const auto add = [&](const char* name, const auto&)
+        {
+          if (array.name == CompanionName(header.volume.moment, name))
+          {
+            names.push_back(array.name);
+          }
+        };
+        ForEachCompanion(header.volume.companions, add);
+      }
+      return names;
+    });
+}
+
 GriddedVolume ReadRaw(const fs::path& path, GriddedVolume description,
   const NxvWriteOptions& options, std::size_t maximumBytes)
 {
   const auto codes = NamingTheFile(path,
     [&]
     {
-      CheckMemory(description.grid, maximumBytes);
+      CheckMemory(description.grid, 0, maximumBytes);
       InputFile file(path);
       NxvArray whole;
       whole.length = file.Length();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Codec/AtomicFile.h"
 #include "Codec/Deflate.h"
+#include "Codec/NxvCompanions.h"
 #include "Codec/NxvFile.h"
 #include "Codec/NxvHeader.h"
 #include "Codec/Quantizer.h"
@@ -134,6 +135,83 @@ void AddCodes(FileContent& content, const GriddedVolume& volume, const NxvWriteO
   }
 }
 
+// The first of finest × 1, 2, 5, 10, … of which 255 reach the largest value.
+double RoundScale(const std::vector<float>& values, double finest)
+{
+  const double largest = static_cast<double>(*std::max_element(values.begin(), values.end()));
+  double decade = finest;
+  while (largest > 255.0 * 5.0 * decade)
+  {
+    decade *= 10.0;
+  }
+  return largest <= 255.0 * decade ? decade
+                                   : decade * (largest <= 255.0 * 2.0 * decade ? 2.0 : 5.0);
+}
+
+Bytes CodeBytes(const std::vector<float>& values, double scale)
+{
+  Bytes bytes(values.size());
+  std::transform(values.begin(), values.end(), bytes.begin(),
+    [scale](float value)
+    { return static_cast<std::uint8_t>(std::lround(static_cast<double>(value) / scale)); });
+  return bytes;
+}
+
+Bytes MakeCompanion(NxvArray& array, const std::vector<float>& values, bool exact)
+{
+  if (exact)
+  {
+    array.type = NxvType::Float32;
+    return FloatBytes(values);
+  }
+  array.scale = RoundScale(values, array.unit == "s" ? 1.0 : 0.01);
+  return CodeBytes(values, array.scale);
+}
+
+Bytes MakeCompanion(NxvArray&, const std::vector<std::uint8_t>& values, bool)
+{
+  return values;
+}
+
+template <class Values>
+void CheckCompanion(const GriddedVolume& volume, const std::string& companion, const Values& values)
+{
+  try
+  {
+    if (values.size() != volume.grid.VoxelCount())
+    {
+      throw Error(std::to_string(values.size()) + " values for " +
+                  std::to_string(volume.grid.VoxelCount()) + " voxels");
+    }
+    nexrad::CheckCompanion(companion, values, volume.sites.size());
+  }
+  catch (const Error& problem)
+  {
+    throw Error("array \"" + CompanionName(volume.moment, companion) + "\": " + problem.what());
+  }
+}
+
+void AddCompanions(FileContent& content, const GriddedVolume& volume, bool exact)
+{
+  const auto add = [&](const std::string& name, const auto& values)
+  {
+    if (values.empty())
+    {
+      return;
+    }
+    CheckCompanion(volume, name, values);
+    NxvArray array;
+    array.name = CompanionName(volume.moment, name);
+    array.type = NxvType::UInt8;
+    array.unit = name == "age" ? "s" : "";
+    array.fill = name == "site" ? VoxelCompanions::NoSite : 0.0;
+    array.storage = NxvStorage::Deflated;
+    const Bytes bytes = MakeCompanion(array, values, exact);
+    content.Add(array, DeflateBytes(bytes.data(), bytes.size()));
+  };
+  ForEachCompanion(volume.companions, add);
+}
+
 GriddedVolume WithoutVoxels(const GriddedVolume& volume)
 {
   GriddedVolume description;
@@ -192,6 +270,7 @@ void WriteNxv(
     AddFloats(content, volume);
     break;
   }
+  AddCompanions(content, volume, options.encoding == NxvEncoding::Float);
   WriteContent(path, content);
 }
 

@@ -67,7 +67,7 @@ struct SiteColumn
 class BeamColumn
 {
 public:
-  static constexpr std::uint8_t NoSite = 255;
+  static constexpr std::uint8_t NoSite = VoxelCompanions::NoSite;
 
   BeamColumn(int levels, OverlapStrategy strategy, const ValueRule& rule, bool companions);
 

@@ -22,15 +22,34 @@ enum class VoxelState : std::uint8_t
 };
 
 /// What stands behind each voxel of a merged volume, in the order of its values. Made on demand:
-/// all empty, or all of one size.
+/// each is empty, or has a value for every voxel. Voxels that no radar scanned have age, number and
+/// weight 0, also where a column was filled.
 struct VoxelCompanions
 {
+  static constexpr std::uint8_t NoSite = 255;
+
   std::vector<float> age; ///< s between the volume's time and the nearest ray that took part; 0
                           ///< where not scanned
   std::vector<std::uint8_t> radars;      ///< number of radars that scanned the voxel
   std::vector<float> weight;             ///< sum of their weights
-  std::vector<std::uint8_t> nearestSite; ///< index in `sites` of the nearest of them; 255 for none
+  std::vector<std::uint8_t> nearestSite; ///< index in `sites` of the nearest of them, or NoSite
 };
+
+/// Calls `visit(name, values)` for each companion array of `companions`, which may be const.
+template <class Companions, class Visit>
+void ForEachCompanion(Companions& companions, const Visit& visit)
+{
+  visit("age", companions.age);
+  visit("radars", companions.radars);
+  visit("weight", companions.weight);
+  visit("site", companions.nearestSite);
+}
+
+/// The name of a companion array in files and images: `REF_age` for "age".
+inline std::string CompanionName(MomentName moment, const std::string& companion)
+{
+  return std::string(ToString(moment)) + "_" + companion;
+}
 
 /// One moment of several radars on one grid at one time.
 struct GriddedVolume

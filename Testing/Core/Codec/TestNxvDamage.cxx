@@ -13,6 +13,7 @@
 #include <functional>
 
 using namespace nexrad;
+using nexrad::testing::AddCompanions;
 using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::TemporaryFolder;
@@ -93,7 +94,7 @@ std::string Deflated(const std::string& text)
   return {bytes.begin(), bytes.end()};
 }
 
-// Files of every encoding.
+// Files of every encoding, all but the first with companions, as codes and as floats.
 std::vector<std::string> GoodFiles()
 {
   const TemporaryFolder folder;
@@ -105,6 +106,10 @@ std::vector<std::string> GoodFiles()
   {
     NxvWriteOptions options;
     options.encoding = encoding;
+    if (encoding == NxvEncoding::RunLengthDeflated)
+    {
+      AddCompanions(volume);
+    }
     WriteNxv(folder.Path() / "a.nxv", volume, options);
     files.push_back(FileContent(folder.Path() / "a.nxv"));
   }
@@ -148,6 +153,8 @@ TEST(NxvDamage, AFlippedBitIsFoundOrHarmless)
         ++unnoticed;
         EXPECT_EQ(file.Last().values, good.values) << "byte " << byte;
         EXPECT_EQ(file.Last().states, good.states) << "byte " << byte;
+        EXPECT_EQ(file.Last().companions.age, good.companions.age) << "byte " << byte;
+        EXPECT_EQ(file.Last().companions.nearestSite, good.companions.nearestSite);
         EXPECT_EQ(file.Last().grid.origin, good.grid.origin) << "byte " << byte;
         EXPECT_EQ(file.Last().time, good.time) << "byte " << byte;
         EXPECT_EQ(file.Last().sites, good.sites) << "byte " << byte;
@@ -199,8 +206,8 @@ TEST(NxvDamage, AGridBeyondTheMemoryAllowedIsAnError)
   EXPECT_NE(file.ErrorOf(content).find("more memory than"), std::string::npos);
   EXPECT_EQ(ReadNxvHeader(file.Path()).grid.dimensions[0], 2048);
   file.Write(FileOf(SmallHeader(), {"\x81\x82\x83\x84"}));
-  EXPECT_THROW(ReadNxv(file.Path(), 23), Error);
-  EXPECT_EQ(ReadNxv(file.Path(), 24).values.size(), 4u);
+  EXPECT_THROW(ReadNxv(file.Path(), {23}), Error);
+  EXPECT_EQ(ReadNxv(file.Path(), {24}).values.size(), 4u);
 }
 
 TEST(NxvDamage, StatesMayNotContradictTheCodes)
@@ -225,13 +232,51 @@ TEST(NxvDamage, StatesMayNotContradictTheCodes)
 TEST(NxvDamage, AnArrayOfAnotherNameIsPassedOver)
 {
   const Damaged file;
-  NxvHeader header = SmallHeader();
-  header.arrays.resize(2);
-  header.arrays[1].name = "REF_age";
-  header.arrays[1].type = NxvType::Float32;
-  header.arrays[1].storage = NxvStorage::Deflated;
-  EXPECT_EQ(
-    file.ErrorOf(FileOf(header, {"\x81\x82\x83\x84", Deflated(std::string(16, '\0'))})), "");
+  for (const char* name : {"REF_quality", "VEL_age", "age"})
+  {
+    NxvHeader header = SmallHeader();
+    header.arrays.resize(2);
+    header.arrays[1].name = name;
+    header.arrays[1].type = NxvType::Float32;
+    header.arrays[1].storage = NxvStorage::Deflated;
+    EXPECT_EQ(file.ErrorOf(FileOf(header, {"\x81\x82\x83\x84", Deflated("anything")})), "");
+    EXPECT_TRUE(file.Last().companions.age.empty());
+  }
+}
+
+TEST(NxvDamage, CompanionsThatCannotBeAreErrors)
+{
+  const Damaged file;
+  const auto errorWith = [&](const std::string& name, NxvType type, const std::string& bytes)
+  {
+    NxvHeader header = SmallHeader(); // of two sites
+    header.arrays.resize(2);
+    header.arrays[1].name = name;
+    header.arrays[1].type = type;
+    header.arrays[1].storage = NxvStorage::Deflated;
+    return file.ErrorOf(FileOf(header, {"\x81\x82\x83\x84", Deflated(bytes)}));
+  };
+  const std::string ones("\0\0\x80\x3F\0\0\x80\x3F\0\0\x80\x3F\0\0\x80\x3F", 16);
+  for (const char* name : {"REF_age", "REF_weight"})
+  {
+    EXPECT_EQ(errorWith(name, NxvType::Float32, ones), "");
+    for (const std::string& bad : {std::string("\0\0\x80\xBF", 4), std::string("\0\0\xC0\x7F", 4),
+           std::string("\0\0\x80\x7F", 4)}) // −1, NaN, infinity
+    {
+      const std::string error =
+        errorWith(name, NxvType::Float32, std::string(ones).replace(8, 4, bad));
+      EXPECT_NE(error.find(std::string("array \"") + name), std::string::npos) << error;
+      EXPECT_NE(error.find("voxel 2"), std::string::npos) << error;
+    }
+    EXPECT_EQ(errorWith(name, NxvType::UInt8, "abcd"), ""); // codes
+    EXPECT_NE(errorWith(name, NxvType::Float32, "short"), "");
+    EXPECT_NE(errorWith(name, NxvType::Float32, ones + "more"), "");
+  }
+  EXPECT_EQ(errorWith("REF_radars", NxvType::UInt8, std::string("\0\1\2\7", 4)), "");
+  EXPECT_EQ(errorWith("REF_site", NxvType::UInt8, std::string("\0\1\xFF\1", 4)), "");
+  EXPECT_NE(errorWith("REF_site", NxvType::UInt8, std::string("\0\1\1\2", 4)).find("voxel 3"),
+    std::string::npos);
+  EXPECT_NE(errorWith("REF_site", NxvType::Float32, ones).find("must be uint8"), std::string::npos);
 }
 
 TEST(NxvDamage, HeadersOutOfRangeAreErrors)
