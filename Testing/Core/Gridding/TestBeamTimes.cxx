@@ -315,7 +315,7 @@ TEST(BeamOverlap, TheResultDoesNotDependOnHowTheRowsAreRun)
     }
   };
   const auto once = BeamMerger(SceneGrid()).Merge(pointers, sceneTime);
-  for (const RangeLoop& loop : {backwards, ThreadLoop(1), ThreadLoop(3)})
+  for (const RangeLoop& loop : {backwards, ThreadLoop(1), ThreadLoop(2), ThreadLoop(7)})
   {
     const auto again = BeamMerger(SceneGrid()).Merge(pointers, sceneTime, loop);
     EXPECT_EQ(again->values, once->values);
