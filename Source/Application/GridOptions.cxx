@@ -7,6 +7,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <utility>
+
 namespace nexrad::application
 {
 namespace
@@ -51,6 +53,31 @@ std::string ParseMethod(const std::string& text)
     throw Error("'" + text + "' is no method; write beam or thesis");
   }
   return text;
+}
+
+OverlapStrategy ParseOverlap(const std::string& text)
+{
+  constexpr std::pair<const char*, OverlapStrategy> names[] = {{"mean", OverlapStrategy::Mean},
+    {"nearest", OverlapStrategy::Nearest}, {"maximum", OverlapStrategy::Maximum},
+    {"distance", OverlapStrategy::Distance}};
+  for (const auto& [name, strategy] : names)
+  {
+    if (text == name)
+    {
+      return strategy;
+    }
+  }
+  throw Error("'" + text + "' is no strategy; write mean, nearest, maximum or distance");
+}
+
+double ParseOverlapLength(const std::string& text)
+{
+  const double length = ParseLength(text);
+  if (length < 1'000.0 || length > 1e6)
+  {
+    throw Error("'" + text + "' is no length of overlap; write 1km to 1000km, as in 100km");
+  }
+  return length;
 }
 
 std::string ParseSite(const std::string& text)
@@ -110,12 +137,8 @@ void AddDomain(CLI::App& command, GridOptions& options)
     ->group(group);
 }
 
-} // namespace
-
-void AddGridOptions(CLI::App& command, GridOptions& options)
+void AddMethod(CLI::App& command, GridOptions& options)
 {
-  AddTimes(command, options);
-  AddDomain(command, options);
   AddParsedOption(
     command, "--moment", options.moment, ParseMoment, "NAME", "Moment to merge", "REF")
     ->group(group);
@@ -125,19 +148,73 @@ void AddGridOptions(CLI::App& command, GridOptions& options)
   AddParsedOption(command, "--site", options.siteName, ParseSite, "NAME",
     "All files are this radar's, whatever name stands in them")
     ->group(group);
-  // Two options that contradict each other are wrong usage, found once both are known.
-  const auto check = [&options]
+}
+
+// What the method beam can do beside. The method thesis has none of it.
+constexpr const char* beamOptions[] = {
+  "--overlap", "--overlap-length", "--fill", "--linear-reflectivity", "--companions"};
+
+void AddBeam(CLI::App& command, GridOptions& options)
+{
+  AddParsedOption(command, "--overlap", options.overlap, ParseOverlap, "NAME",
+    "Where radars overlap: distance (the nearer counts more), nearest (alone), mean, or maximum",
+    "distance")
+    ->group(group);
+  AddParsedOption(command, "--overlap-length", options.overlapLength, ParseOverlapLength, "LENGTH",
+    "Distance at which a radar's weight has fallen to 1/e, m or km; of --overlap distance", "100km")
+    ->group(group);
+  command
+    .add_flag("--fill", options.fill,
+      "Fill each column between and below what was scanned (default: left open)")
+    ->group(group);
+  command
+    .add_flag("--linear-reflectivity", options.linearReflectivity,
+      "Interpolate and average Z (mm^6/m^3) in place of dBZ; of REF")
+    ->group(group);
+  command
+    .add_flag("--companions", options.companions,
+      "Add what stands behind each voxel: age in s, number of radars, weight, nearest site")
+    ->group(group);
+}
+
+// Options that contradict each other are wrong usage, found once all are known.
+void Check(const CLI::App& command, const GridOptions& options)
+{
+  if (options.begin && options.end && *options.end < *options.begin)
   {
-    if (options.begin && options.end && *options.end < *options.begin)
+    throw CLI::ValidationError("--end", "lies before --begin");
+  }
+  const bool thesis = options.method == ToString(MergeMethod::Thesis);
+  if (thesis && options.moment != MomentName::REF)
+  {
+    throw CLI::ValidationError("--moment", "the method 'thesis' merges REF alone");
+  }
+  for (const char* name : beamOptions)
+  {
+    if (thesis && command.count(name) > 0)
     {
-      throw CLI::ValidationError("--end", "lies before --begin");
+      throw CLI::ValidationError(name, "is of the method 'beam'; 'thesis' has no such choice");
     }
-    if (options.method == ToString(MergeMethod::Thesis) && options.moment != MomentName::REF)
-    {
-      throw CLI::ValidationError("--moment", "the method 'thesis' merges REF alone");
-    }
-  };
-  command.parse_complete_callback(check);
+  }
+  if (command.count("--overlap-length") > 0 && options.overlap != OverlapStrategy::Distance)
+  {
+    throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
+  }
+  if (options.linearReflectivity && options.moment != MomentName::REF)
+  {
+    throw CLI::ValidationError("--linear-reflectivity", "is of --moment REF alone");
+  }
+}
+
+} // namespace
+
+void AddGridOptions(CLI::App& command, GridOptions& options)
+{
+  AddTimes(command, options);
+  AddDomain(command, options);
+  AddMethod(command, options);
+  AddBeam(command, options);
+  command.parse_complete_callback([&command, &options] { Check(command, options); });
 }
 
 } // namespace nexrad::application

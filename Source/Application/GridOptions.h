@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Geometry/GridSpecification.h"
+#include "Gridding/BeamColumn.h"
 #include "Model/Moment.h"
 #include "Model/Time.h"
 
@@ -26,7 +27,14 @@ struct GridOptions
   Duration maximumGap = std::chrono::minutes(15);
   MomentName moment = MomentName::REF;
   std::string method = "beam"; ///< a name that ParseMergeMethod knows
-  std::string siteName; ///< in place of the names in the files; empty: as the files say
+  std::string siteName;        ///< in place of the names in the files; empty: as the files say
+
+  // What follows is of the method "beam".
+  OverlapStrategy overlap = OverlapStrategy::Distance;
+  double overlapLength = 100'000.0; ///< m, of OverlapStrategy::Distance; above 0
+  bool fill = false;                ///< fill columns between and below what was scanned
+  bool linearReflectivity = false;  ///< interpolate and average Z in place of dBZ; of REF
+  bool companions = false;          ///< add age, number of radars, weight and nearest site
 };
 
 /// Adds the options of merging to a command, all in one group of its help. They store into

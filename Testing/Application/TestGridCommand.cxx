@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <filesystem>
 #include <set>
 #include <string>
@@ -27,6 +28,21 @@ std::set<std::string> NamesIn(const fs::path& folder)
     names.insert(entry.path().filename());
   }
   return names;
+}
+
+// Three radars of New York at 01:15 UTC, which overlap: the start of a command line.
+std::vector<std::string> ThreeRadars(const fs::path& data, const fs::path& output)
+{
+  std::vector<std::string> arguments = {"grid"};
+  for (const char* name :
+    {"KBGM20100911_012056_V03.gz", "KENX20100911_011108_V03.gz", "KTYX20100911_012210_V04.gz"})
+  {
+    arguments.push_back(data / "level2" / "multisite-20100911" / name);
+  }
+  arguments.insert(
+    arguments.end(), {"-o", output, "--begin", "2010-09-11T01:15", "--end", "2010-09-11T01:15",
+                       "--bounds", "-77,41,-73,44", "--companions", "--quiet"});
+  return arguments;
 }
 
 // As long as this lives, no file may grow beyond a size: to the program a disk that is full.
@@ -99,6 +115,104 @@ TEST(GridCommand, OptionsReachTheVolumes)
   EXPECT_NEAR(volume.grid.spacing[2], 2'000.0, 1e-9);
   EXPECT_NEAR(volume.grid.origin[2], 2'000.0, 1e-9);
   EXPECT_NEAR(volume.grid.centreLongitude, -76.0, 1e-9);
+}
+
+TEST(GridCommand, CompanionsOnRequest)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto grid = [&](const std::string& name, const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments = {"grid", data / "level2" / "run-kbgm-20050821", "-o",
+      folder.Path() / name, "--dims", "32x32x16", "--begin", "2005-08-21T02:55", "--end",
+      "2005-08-21T02:55", "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return ReadNxv(folder.Path() / name / "20050821T025500Z.nxv");
+  };
+  EXPECT_TRUE(grid("plain", {}).companions.age.empty());
+  const GriddedVolume volume = grid("companions", {"--companions"});
+  const VoxelCompanions& companions = volume.companions;
+  ASSERT_EQ(companions.age.size(), volume.values.size());
+  std::size_t scanned = 0;
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const bool seen =
+      volume.states[i] == VoxelState::Echo || volume.states[i] == VoxelState::NoEcho;
+    ASSERT_EQ(companions.radars[i], seen ? 1 : 0);
+    ASSERT_EQ(companions.nearestSite[i], seen ? 0 : VoxelCompanions::NoSite);
+    ASSERT_TRUE(seen || companions.weight[i] == 0.0F);
+    ASSERT_LT(companions.age[i], 300.0F); // a volume every 350 s
+    scanned += seen;
+  }
+  EXPECT_GT(scanned, 2'000u);
+}
+
+// One radar has no overlap; that the strategies tell radars apart is BeamNetwork's subject.
+TEST(GridCommand, OptionsOfTheOverlapReachTheVolumes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto grid = [&](const std::string& name, const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments = ThreeRadars(data, folder.Path() / name);
+    arguments.insert(arguments.end(), {"--dims", "48x48x16"});
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return ReadNxv(folder.Path() / name / "20100911T011500Z.nxv");
+  };
+  const GriddedVolume distance = grid("distance", {});
+  const GriddedVolume mean = grid("mean", {"--overlap", "mean"});
+  const GriddedVolume nearest = grid("nearest", {"--overlap", "nearest"});
+  const GriddedVolume maximum = grid("maximum", {"--overlap", "maximum"});
+  const GriddedVolume shorter = grid("shorter", {"--overlap-length", "50km"});
+  const GriddedVolume filled = grid("filled", {"--fill"});
+  const GriddedVolume linear = grid("linear", {"--linear-reflectivity"});
+  std::size_t different = 0;
+  std::size_t addedByFilling = 0;
+  for (std::size_t i = 0; i < distance.values.size(); ++i)
+  {
+    const auto radars = static_cast<float>(distance.companions.radars[i]);
+    constexpr float rounding = 0.01F; // of both
+    ASSERT_LE(mean.companions.weight[i], radars + rounding);
+    ASSERT_LE(nearest.companions.weight[i], 1.0F);
+    ASSERT_LE(shorter.companions.weight[i], distance.companions.weight[i] + rounding);
+    const bool echo =
+      maximum.states[i] == VoxelState::Echo && nearest.states[i] == VoxelState::Echo;
+    ASSERT_TRUE(!echo || maximum.values[i] >= nearest.values[i]);
+    different += mean.values[i] != nearest.values[i];
+    addedByFilling +=
+      distance.states[i] == VoxelState::NotScanned && filled.states[i] != VoxelState::NotScanned;
+  }
+  EXPECT_GT(different, 100u);
+  EXPECT_GT(addedByFilling, 1'000u);
+  EXPECT_NE(linear.values, distance.values);
+}
+
+// VTK takes its way of threading from the environment, and no more threads than there are cores.
+TEST(GridCommand, TheFilesDoNotDependOnTheNumberOfThreads)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  std::string first;
+  const std::vector<std::pair<const char*, const char*>> ways = {
+    {"Sequential", "1"}, {"STDThread", "2"}, {"TBB", "2"}, {"TBB", "7"}};
+  for (const auto& [backend, threads] : ways)
+  {
+    setenv("VTK_SMP_BACKEND_IN_USE", backend, 1);
+    setenv("VTK_SMP_MAX_THREADS", threads, 1);
+    std::vector<std::string> arguments = ThreeRadars(data, folder.Path() / "v");
+    arguments.insert(arguments.end(), {"--dims", "64x64x32"});
+    const ProgramRun run = RunNexrad3d(arguments);
+    unsetenv("VTK_SMP_BACKEND_IN_USE");
+    unsetenv("VTK_SMP_MAX_THREADS");
+    ASSERT_EQ(run.status, 0) << run.errors;
+    const std::string content = FileContent(folder.Path() / "v" / "20100911T011500Z.nxv");
+    first = first.empty() ? content : first;
+    EXPECT_TRUE(content == first) << backend << ", " << threads << " threads";
+  }
 }
 
 TEST(GridCommand, VtiOnRequest)

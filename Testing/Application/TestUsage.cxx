@@ -68,7 +68,9 @@ TEST(Usage, HelpHasUnitsAndDefaults)
   const std::string help = RunNexrad3d({"grid", "--help"}).output;
   for (const char* text : {"--dims XxYxZ=256x256x128", "--step DURATION=5min",
          "--max-gap DURATION=15min", "--range LENGTH=230km", "--height LOWER,UPPER=0,20km",
-         "--moment NAME=REF", "--method NAME=beam", "--format NAME=nxv", "degrees", "km", "UTC"})
+         "--moment NAME=REF", "--method NAME=beam", "--format NAME=nxv", "--overlap NAME=distance",
+         "--overlap-length LENGTH=100km", "--fill", "--linear-reflectivity", "--companions",
+         "degrees", "km", "UTC"})
   {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }
@@ -104,6 +106,28 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage({"grid", "a", "-o", "b", "--method", "bin"}, {"--method", "beam", "thesis"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--format", "hdf"}, {"--format", "nxv", "vti"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--site", "ZZZZ"}, {"--site", "ZZZZ"});
+}
+
+TEST(Usage, WrongOptionsOfTheMethodBeamAreNamed)
+{
+  const auto expect = [](Arguments options, const std::vector<std::string>& words)
+  {
+    options.insert(options.begin(), {"grid", "a", "-o", "b"});
+    ExpectWrongUsage(options, words);
+  };
+  expect({"--overlap", "median"}, {"--overlap", "mean, nearest, maximum or distance"});
+  expect({"--overlap-length", "0"}, {"--overlap-length", "100km"});
+  expect({"--overlap-length", "far"}, {"--overlap-length", "km"});
+  expect({"--overlap", "mean", "--overlap-length", "50km"}, {"--overlap-length", "distance"});
+  expect({"--moment", "ZDR", "--linear-reflectivity"}, {"--linear-reflectivity", "REF"});
+  const std::vector<Arguments> ofBeam = {{"--overlap", "mean"}, {"--overlap-length", "50km"},
+    {"--fill"}, {"--linear-reflectivity"}, {"--companions"}};
+  for (Arguments options : ofBeam)
+  {
+    const std::string name = options.front();
+    options.insert(options.end(), {"--method", "thesis"});
+    expect(options, {name, "beam"});
+  }
 }
 
 TEST(Usage, WrongOptionsOfRenderAreNamed)

@@ -114,6 +114,30 @@ private:
                 (others > 0 ? " (and " + std::to_string(others) + " more)" : ""));
   }
 
+  static int StrategyOf(OverlapStrategy overlap)
+  {
+    switch (overlap)
+    {
+    case OverlapStrategy::Mean:
+      return vtkNexradDayReader::MEAN;
+    case OverlapStrategy::Nearest:
+      return vtkNexradDayReader::NEAREST;
+    case OverlapStrategy::Maximum:
+      return vtkNexradDayReader::MAXIMUM;
+    default:
+      return vtkNexradDayReader::DISTANCE;
+    }
+  }
+
+  void ConfigureBeam(const GridOptions& options)
+  {
+    reader->SetOverlapStrategy(StrategyOf(options.overlap));
+    reader->SetOverlapLength(options.overlapLength);
+    reader->SetVerticalFill(options.fill);
+    reader->SetLinearReflectivity(options.linearReflectivity);
+    reader->SetCompanionArrays(options.companions);
+  }
+
   void Configure(const GridOptions& options)
   {
     reader->SetSiteName(options.siteName);
@@ -128,6 +152,7 @@ private:
     reader->SetMoment(ToString(options.moment));
     const bool thesis = options.method == ToString(MergeMethod::Thesis);
     reader->SetMethod(thesis ? vtkNexradDayReader::THESIS : vtkNexradDayReader::BEAM);
+    this->ConfigureBeam(options);
     reader->SetTimeStep(std::chrono::duration<double>(options.step).count());
     reader->SetMaximumGap(std::chrono::duration<double>(options.maximumGap).count());
     if (options.begin)
