@@ -18,6 +18,7 @@ namespace
 struct RenderOptions
 {
   scene::RenderRequest request;
+  std::string array;
   bool quiet = false;
 };
 
@@ -50,6 +51,26 @@ double ParseRingSpacing(const std::string& text)
     throw Error("'" + text + "' is no distance of rings; write 1km or more, or 0 for none");
   }
   return spacing;
+}
+
+scene::PlanOptions ParsePlan(const std::string& text)
+{
+  scene::PlanOptions plan;
+  if (text == "composite" || text == "lowest")
+  {
+    plan.level = text == "lowest" ? scene::PlanLevel::Lowest : scene::PlanLevel::Composite;
+    return plan;
+  }
+  try
+  {
+    plan.level = scene::PlanLevel::Height;
+    plan.height = ParseLength(text);
+  }
+  catch (const Error&)
+  {
+    throw Error("'" + text + "' is no map; write composite, lowest, or a height as in 3km");
+  }
+  return plan;
 }
 
 void AddCamera(CLI::App& command, scene::RenderRequest& request)
@@ -93,6 +114,42 @@ void AddLook(CLI::App& command, scene::RenderRequest& request)
   AddParsedOption(command, "--rings", request.scene.ringSpacing, ParseRingSpacing, "LENGTH",
     "Rings of range about each radar at multiples of this, m or km; 0: none", "0")
     ->group(group);
+}
+
+void AddMap(CLI::App& command, RenderOptions& options)
+{
+  constexpr char group[] = "Map in place of the volume";
+  AddParsedOption(command, "--map", options.request.scene.plan, ParsePlan, "WHICH",
+    "Of each column the largest value (composite), the lowest that was scanned (lowest), or the "
+    "one at a height above mean sea level, m or km; seen from above, north up")
+    ->group(group);
+  command
+    .add_option("--array", options.array,
+      "With --map: what is drawn, as REF_age, REF_radars, REF_weight or REF_site (default: the "
+      "moment)")
+    ->type_name("NAME")
+    ->group(group);
+}
+
+// A map is looked at from above unless the user says otherwise.
+void FinishMap(const CLI::App& command, RenderOptions& options)
+{
+  scene::RenderRequest& request = options.request;
+  if (!request.scene.plan)
+  {
+    if (!options.array.empty())
+    {
+      throw CLI::ValidationError("--array", "is of --map; write --map composite as well");
+    }
+    return;
+  }
+  request.scene.plan->array = options.array;
+  const std::string moment = ToString(request.grid.moment);
+  const bool companion = !options.array.empty() && options.array != moment;
+  request.grid.companions = request.grid.companions || companion;
+  request.camera.parallel = true;
+  request.camera.azimuth = command.count("--azimuth") > 0 ? request.camera.azimuth : 180.0;
+  request.camera.tilt = command.count("--tilt") > 0 ? request.camera.tilt : 90.0;
 }
 
 void AddMovie(CLI::App& command, scene::RenderRequest& request)
@@ -150,9 +207,15 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
   AddQuietOption(*command, options->quiet);
   AddCamera(*command, request);
   AddLook(*command, request);
+  AddMap(*command, *options);
   AddMovie(*command, request);
   AddGridOptions(*command, request.grid);
-  command->callback([options, &action] { action = [options] { return RunRender(*options); }; });
+  const auto run = [options, command, &action]
+  {
+    FinishMap(*command, *options);
+    action = [options] { return RunRender(*options); };
+  };
+  command->callback(run);
 }
 
 } // namespace nexrad::application

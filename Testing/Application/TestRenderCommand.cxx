@@ -110,6 +110,34 @@ TEST(RenderCommand, OneTimeAndTheCamera)
   EXPECT_NE(first, draw("parallel.png", {"--parallel"}));
 }
 
+TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto draw = [&](const std::string& name, const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments = {"render", data / "level2" / "run-kbgm-20050821", "-o",
+      folder.Path() / name, "--size", small, "--dims", "32x32x16", "--time", "2005-08-21T02:55",
+      "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return FileContent(folder.Path() / name);
+  };
+  std::set<std::string> pictures;
+  for (const char* map : {"composite", "lowest", "3km"})
+  {
+    pictures.insert(draw("a.png", {"--map", map}));
+  }
+  // Radar files are merged with the companions that the picture needs.
+  for (const char* array : {"REF_age", "REF_radars", "REF_weight", "REF_site"})
+  {
+    pictures.insert(draw("b.png", {"--map", "3km", "--array", array}));
+  }
+  EXPECT_EQ(pictures.size(), 7u);
+  EXPECT_EQ(pictures.count(draw("c.png", {"--map", "3km", "--array", "REF"})), 1u);
+}
+
 TEST(RenderCommand, Movies)
 {
   const TemporaryFolder folder;
@@ -166,6 +194,9 @@ TEST(RenderCommand, FailuresAreOneLine)
     {{series, "-o", folder.Path() / "no" / "x.png", "--time", "2006-03-12T18:35"}, "no/x.png"},
     {{series, "-o", folder.Path() / "no" / "x.ogv"}, "no/x.ogv"},
     {{series, "-o", folder.Path() / "full.png", "--time", "2006-03-12T18:35"}, "full.png"},
+    {{series, "-o", png, "--time", "2006-03-12T18:35", "--map", "25km"}, "from 0 km to 20 km"},
+    {{series, "-o", png, "--time", "2006-03-12T18:35", "--map", "3km", "--array", "REF_age"},
+      "no array REF_age"},
     {{series, "-o", png, "--colours", folder.Path() / "colours.csv"}, "line 3"},
     {{series, "/dev/null", "-o", png}, "one or the other"}};
   for (const auto& [options, words] : cases)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PictureWindow.h"
+#include "PlanLayer.h"
 #include "RadarScene.h"
 #include "StormVolume.h"
 
 #include "Model/Error.h"
+#include "vtkNexradImageConversion.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -185,6 +187,44 @@ TEST(Scene, BothMappersDrawTheSameStorm)
     }
   }
   EXPECT_LT(sum / (3.0 * size[0] * size[1]), 1.0);
+}
+
+// A map of the composite, seen from above: flat colours of the table alone. The storm stands in the
+// south west quarter; where the volume was not scanned the ground is grey.
+TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
+{
+  SceneOptions options;
+  options.plan = PlanOptions();
+  const CameraView above = {180.0, 90.0, 1.0, true};
+  GriddedVolume storm = nexrad::testing::MakeStorm(false);
+  for (std::size_t i = 0; i < storm.values.size(); ++i)
+  {
+    if (i % 48 >= 36) // the eastern quarter
+    {
+      storm.states[i] = VoxelState::NotScanned;
+      storm.values[i] = storm.fill;
+    }
+  }
+  vtkNew<vtkImageData> volume;
+  vtkNexradVolumeToImage(storm, volume);
+  const auto picture = Draw(volume, "Composite", options, above);
+  const auto isColour = [](const Colour& colour)
+  {
+    return [colour](const std::array<int, 3>& rgb)
+    {
+      return rgb[0] == std::lround(255.0 * colour[0]) && rgb[1] == std::lround(255.0 * colour[1]) &&
+             rgb[2] == std::lround(255.0 * colour[2]);
+    };
+  };
+  // 360 pixels of height, of which the domain takes 278: a quarter of it is 70 wide.
+  const int grey = Count(picture, whole, isColour(notScannedColour));
+  EXPECT_GT(grey, 70 * 278 * 8 / 10);
+  EXPECT_LT(grey, 70 * 278);
+  const Colour core = WeatherServiceColours()[11].colour; // 60 to 65 dBZ, 4 voxels
+  EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, isColour(core)), 30);
+  // The echo of 35 dBZ and more covers a disc of a radius of 33 km or more: flat colours of bins.
+  EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, IsStrongEcho), 500);
+  EXPECT_EQ(Count(picture, {0.5, 0.75, 0.1, 0.9}, isColour(core)), 0);
 }
 
 TEST(Scene, AVolumeThatChangesIsDrawnAnew)

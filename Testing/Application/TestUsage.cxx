@@ -130,6 +130,13 @@ TEST(Usage, WrongOptionsOfTheMethodBeamAreNamed)
   }
 }
 
+TEST(Usage, WrongMapsAreNamed)
+{
+  ExpectWrongUsage(
+    {"render", "a", "-o", "b.png", "--map", "top"}, {"--map", "composite", "lowest", "3km"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--array", "REF_age"}, {"--array", "--map"});
+}
+
 TEST(Usage, WrongOptionsOfRenderAreNamed)
 {
   ExpectWrongUsage({"render", "a", "-o", "b.gif"}, {"--output", ".png"});

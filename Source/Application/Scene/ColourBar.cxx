@@ -13,8 +13,10 @@
 #include <vtkTextActor.h>
 #include <vtkUnsignedCharArray.h>
 
+#include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <string>
 
 namespace nexrad::scene
 {
@@ -23,23 +25,34 @@ namespace
 
 constexpr Colour textColour = {0.88, 0.90, 0.93};
 // Place of the bar in the picture, fractions.
-constexpr double left = 0.925;
-constexpr double right = 0.945;
+constexpr double barWidth = 0.02;
 constexpr double bottom = 0.10;
 constexpr double top = 0.88;
 
-vtkSmartPointer<vtkActor2D> MakeBoxes(const ColourTable& table, const std::array<int, 2>& size)
+// The bar's right edge: four letters and more stand beside it.
+double RightEdge(const std::array<int, 2>& size, int textSize)
+{
+  return 1.0 - std::max(0.055, 4.2 * textSize / size[0]);
+}
+
+double HeightOf(double bin, std::size_t bins)
+{
+  return bottom + (top - bottom) * bin / static_cast<double>(bins);
+}
+
+vtkSmartPointer<vtkActor2D> MakeBoxes(
+  const ColourTable& table, const std::array<int, 2>& size, double right)
 {
   vtkNew<vtkPoints> points;
   vtkNew<vtkCellArray> boxes;
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
-  const auto count = static_cast<double>(table.size());
+  const double left = right - barWidth;
   for (std::size_t i = 0; i < table.size(); ++i)
   {
     const auto bin = static_cast<double>(i);
-    const double low = size[1] * (bottom + (top - bottom) * bin / count);
-    const double high = size[1] * (bottom + (top - bottom) * (bin + 1.0) / count);
+    const double low = size[1] * HeightOf(bin, table.size());
+    const double high = size[1] * HeightOf(bin + 1.0, table.size());
     boxes->InsertNextCell(4);
     boxes->InsertCellPoint(points->InsertNextPoint(size[0] * left, low, 0.0));
     boxes->InsertCellPoint(points->InsertNextPoint(size[0] * right, low, 0.0));
@@ -61,23 +74,33 @@ vtkSmartPointer<vtkActor2D> MakeBoxes(const ColourTable& table, const std::array
   return actor;
 }
 
+std::string LabelOf(const ColourScale& scale, std::size_t bin)
+{
+  std::ostringstream label;
+  label << scale.bins[bin].from;
+  return scale.labels.empty() ? label.str() : scale.labels[bin];
+}
+
 } // namespace
 
-std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(
-  const ColourTable& table, const std::array<int, 2>& size, int textSize)
+double LeftOfColourBar(const std::array<int, 2>& size, int textSize)
 {
-  std::vector<vtkSmartPointer<vtkProp>> props = {MakeBoxes(table, size)};
-  const auto count = static_cast<double>(table.size());
-  for (std::size_t i = 0; i < table.size(); ++i)
+  return RightEdge(size, textSize) - barWidth;
+}
+
+std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(
+  const ColourScale& scale, const std::array<int, 2>& size, int textSize)
+{
+  const double right = RightEdge(size, textSize);
+  std::vector<vtkSmartPointer<vtkProp>> props = {MakeBoxes(scale.bins, size, right)};
+  for (std::size_t i = 0; i < scale.bins.size(); ++i)
   {
-    std::ostringstream label;
-    label << table[i].from;
-    const double height = bottom + (top - bottom) * static_cast<double>(i) / count;
-    props.push_back(
-      MakeCaption(label.str(), {right + 0.008, height}, textSize, textColour, LabelSide::Right));
+    const double bin = static_cast<double>(i) + (scale.labels.empty() ? 0.0 : 0.5);
+    props.push_back(MakeCaption(LabelOf(scale, i),
+      {right + 0.008, HeightOf(bin, scale.bins.size())}, textSize, textColour, LabelSide::Right));
   }
-  props.push_back(MakeCaption(
-    "dBZ", {left, top + 0.01 + 0.7 * textSize / size[1]}, textSize, textColour, LabelSide::Right));
+  props.push_back(MakeCaption(scale.unit, {right - barWidth, top + 0.01 + 0.7 * textSize / size[1]},
+    textSize, textColour, LabelSide::Right));
   return props;
 }
 

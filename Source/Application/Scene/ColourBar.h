@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ColourTable.h"
+#include "ColourScale.h"
 
 #include <vtkSmartPointer.h>
 
@@ -13,10 +13,13 @@ class vtkProp;
 namespace nexrad::scene
 {
 
-/// The colours of a table as a column of boxes at the right edge of a picture of that size in
-/// pixels, with the values at which they begin and the unit above. The boxes show the colours of
-/// the table exactly.
+/// The colours of a scale as a column of boxes at the right edge of a picture of that size in
+/// pixels, with the values at which they begin, or their labels, and the unit above. The boxes show
+/// the colours of the scale exactly.
 std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(
-  const ColourTable& table, const std::array<int, 2>& size, int textSize);
+  const ColourScale& scale, const std::array<int, 2>& size, int textSize);
+
+/// The bar's left edge as a fraction of the picture's width.
+double LeftOfColourBar(const std::array<int, 2>& size, int textSize);
 
 } // namespace nexrad::scene

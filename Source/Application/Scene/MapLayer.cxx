@@ -29,7 +29,6 @@ struct LineStyle
 // Indexed by MapLineKind.
 constexpr std::array<LineStyle, 3> lineStyles = {
   LineStyle{{0.62, 0.68, 0.74}, 2.0}, {{0.50, 0.55, 0.60}, 1.6}, {{0.235, 0.27, 0.305}, 1.0}};
-constexpr Colour groundColour = {0.075, 0.09, 0.11};
 constexpr Colour ringColour = {0.30, 0.42, 0.50};
 constexpr Colour markerColour = {1.0, 1.0, 1.0};
 constexpr double ringRange = 230'000.0; // m, of the WSR-88D's quantitative reflectivity
@@ -40,6 +39,7 @@ constexpr double degrees = 180.0 / 3.14159265358979323846;
 enum class Level
 {
   Ground = -2, // well below the lines: its depth varies within a pixel
+  Picture = -1,
   Counties = 0,
   States = 1,
   Countries = 2,
@@ -225,6 +225,11 @@ void AddSites(std::vector<vtkSmartPointer<vtkProp>>& props, const SceneFrame& fr
 }
 
 } // namespace
+
+double PictureHeight(const SceneFrame& frame)
+{
+  return HeightOf(frame, Level::Picture);
+}
 
 std::vector<vtkSmartPointer<vtkProp>> MakeMapLayer(
   const SceneFrame& frame, const std::vector<std::string>& sites, double ringSpacing, int textSize)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ColourTable.h"
 #include "SceneFrame.h"
 
 #include <vtkSmartPointer.h>
@@ -12,6 +13,11 @@ class vtkProp;
 
 namespace nexrad::scene
 {
+
+constexpr Colour groundColour = {0.075, 0.09, 0.11};
+
+/// The scene height of a picture that lies on the ground, under the map's lines.
+double PictureHeight(const SceneFrame& frame);
 
 /// What lies on the ground under a volume: a dark plane, the map's lines cut at the domain's edge,
 /// and for each radar that the site table knows a marker with its name and rings of range.

@@ -4,9 +4,11 @@
 #include "ColourBar.h"
 #include "MapLayer.h"
 #include "Model/Error.h"
+#include "PlanLayer.h"
 #include "ScaleLayer.h"
 #include "SceneText.h"
 #include "VolumeLook.h"
+#include "vtkNexradImageConversion.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
@@ -35,9 +37,12 @@ constexpr Colour titleColour = {0.95, 0.96, 0.98};
 constexpr Colour noteColour = {0.70, 0.74, 0.79};
 constexpr Colour warningColour = {1.0, 0.78, 0.10};
 
-// The colour bar stands to the right of this area; above and below it are the captions, the N and
-// the bar of length.
-constexpr PictureArea sceneArea = {-0.86, 0.80, -0.78, 0.77};
+// The captions, the N and the bar of length stand above and below this area, the colour bar to the
+// right of it.
+PictureArea SceneArea(const std::array<int, 2>& size, int textSize)
+{
+  return {-0.86, 2.0 * (LeftOfColourBar(size, textSize) - 0.025) - 1.0, -0.78, 0.77};
+}
 
 // "2010-09-11 01:20:00 UTC"
 std::string TimeText(const VolumeInformation& information)
@@ -52,9 +57,9 @@ std::string TimeText(const VolumeInformation& information)
 }
 
 // What was done with what, broken into lines of a dozen sites.
-std::string SourceText(const VolumeInformation& information)
+std::string SourceText(const std::string& title, const VolumeInformation& information)
 {
-  std::string text = "Reflectivity";
+  std::string text = title;
   if (!information.method.empty())
   {
     text += ", method " + information.method;
@@ -86,6 +91,8 @@ RadarScene::RadarScene(const SceneOptions& sceneOptions)
   renderer->SetBackground2(skyTop[0], skyTop[1], skyTop[2]);
   renderer->GradientBackgroundOn();
   volume->SetProperty(MakeVolumeProperty(options.colours));
+  scale = MomentScale(options.colours);
+  note = ScaleText(options.exaggeration);
 }
 
 RadarScene::~RadarScene() = default;
@@ -118,8 +125,12 @@ void RadarScene::SetVolume(vtkImageData* data)
   {
     throw Error("the volume holds no voxels to draw");
   }
-  const SceneFrame newFrame(data, options.exaggeration);
-  const bool sameGround = newFrame.Bounds() == frame.Bounds() && volume->GetMapper() != nullptr;
+  SceneFrame newFrame(data, options.exaggeration);
+  if (options.plan)
+  {
+    newFrame.Flatten();
+  }
+  const bool sameGround = newFrame.Bounds() == frame.Bounds() && !ground.empty();
   const std::vector<std::string> oldSites = information.sites;
   frame = newFrame;
   information = ReadVolumeInformation(data);
@@ -127,19 +138,43 @@ void RadarScene::SetVolume(vtkImageData* data)
   vtkNew<vtkImageData> placed;
   placed->ShallowCopy(data);
   frame.MoveToScene(placed);
+  if (options.plan)
+  {
+    this->DrawPlan(data, placed);
+  }
+  else
+  {
+    this->DrawVolume(placed, sameGround);
+  }
   if (!sameGround)
   {
-    volume->SetMapper(MakeVolumeMapper(options.mapper, options.slices, placed->GetLength()));
-    renderer->AddVolume(volume);
     this->DrawScales();
     this->Aim();
   }
-  volume->GetMapper()->SetInputDataObject(placed);
   if (!sameGround || information.sites != oldSites)
   {
     this->DrawGround();
   }
   this->DrawCaptions();
+}
+
+void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
+{
+  if (!sameMapper)
+  {
+    volume->SetMapper(MakeVolumeMapper(options.mapper, options.slices, placed->GetLength()));
+    renderer->AddVolume(volume);
+  }
+  volume->GetMapper()->SetInputDataObject(placed);
+}
+
+void RadarScene::DrawPlan(vtkImageData* data, vtkImageData* placed)
+{
+  const PlanView shown = MakePlanView(vtkNexradImageToVolume(data), *options.plan);
+  scale = ScaleFor(shown, options.plan->array, information.sites, options.colours);
+  const std::string key = PlanKey(shown);
+  note = shown.where + (key.empty() ? "" : "; " + key);
+  this->Replace(plan, {MakePlanLayer(shown, scale, placed, PictureHeight(frame))});
 }
 
 void RadarScene::Replace(Props& group, Props replacement)
@@ -169,7 +204,7 @@ void RadarScene::DrawScales()
 void RadarScene::DrawCaptions()
 {
   const int letters = this->TextSize();
-  Props props = MakeColourBar(options.colours, size, letters);
+  Props props = MakeColourBar(scale, size, letters);
   const double line = 1.4 * letters / size[1];
   const auto add = [&](const std::string& text, double x, double y, int height,
                      const Colour& colour, LabelSide side)
@@ -182,8 +217,9 @@ void RadarScene::DrawCaptions()
   add(TimeText(information), 0.02, 0.975, letters * 3 / 2, titleColour, LabelSide::Right)
     ->GetTextProperty()
     ->BoldOn();
-  add(SourceText(information), 0.02, 0.975 - 1.7 * line, letters, noteColour, LabelSide::Right);
-  add(ScaleText(options.exaggeration), 0.02, 0.02 + line, letters, noteColour, LabelSide::Right);
+  add(SourceText(scale.title, information), 0.02, 0.975 - 1.7 * line, letters, noteColour,
+    LabelSide::Right);
+  add(note, 0.02, 0.02 + line, letters, noteColour, LabelSide::Right);
   if (information.synthetic)
   {
     add("SYNTHETIC", 0.5, 0.975, letters * 5 / 2, warningColour, LabelSide::Below)
@@ -196,7 +232,8 @@ void RadarScene::DrawCaptions()
 void RadarScene::Aim()
 {
   const double aspect = static_cast<double>(size[0]) / size[1];
-  PointCamera(renderer->GetActiveCamera(), view, frame.Bounds(), aspect, sceneArea);
+  PointCamera(
+    renderer->GetActiveCamera(), view, frame.Bounds(), aspect, SceneArea(size, this->TextSize()));
   renderer->ResetCameraClippingRange();
 }
 

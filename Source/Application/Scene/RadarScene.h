@@ -2,6 +2,7 @@
 #pragma once
 
 #include "CameraView.h"
+#include "ColourScale.h"
 #include "SceneFrame.h"
 #include "SceneOptions.h"
 #include "VolumeInformation.h"
@@ -10,6 +11,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <string>
 #include <vector>
 
 class vtkImageData;
@@ -37,9 +39,10 @@ public:
   void SetPictureSize(const std::array<int, 2>& size);
   void SetCamera(const CameraView& view);
 
-  /// Shows a merged volume: vtkImageData in m (or degrees and m) with the moment as active scalars
-  /// and field data as the project's filters write them. It is not changed. Throws Error when it
-  /// has no voxels or no scalars.
+  /// Shows a merged volume, or the map of it that the options ask for: vtkImageData in m (or
+  /// degrees and m) with the moment as active scalars and field data as the project's filters write
+  /// them. It is not changed. Throws Error when it has no voxels or no scalars, and for a map that
+  /// it cannot give.
   void SetVolume(vtkImageData* volume);
 
 private:
@@ -48,6 +51,8 @@ private:
   void Replace(Props& group, Props replacement);
   void DrawGround();
   void DrawScales();
+  void DrawVolume(vtkImageData* placed, bool sameMapper);
+  void DrawPlan(vtkImageData* data, vtkImageData* placed);
   void DrawCaptions();
   void Aim();
   int TextSize() const;
@@ -59,6 +64,9 @@ private:
   VolumeInformation information;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkVolume> volume;
+  ColourScale scale;
+  std::string note; ///< what the heights are, or which voxels a map shows
+  Props plan;
   Props ground;
   Props scales;
   Props captions;

@@ -157,7 +157,8 @@ Props MakeScaleLayer(const SceneFrame& frame, const CameraView& view, int textSi
 {
   Props props;
   AddFrame(props, frame.Bounds());
-  if (std::abs(view.tilt) < steepTilt)
+  const bool flat = frame.Bounds()[5] <= frame.Bounds()[4];
+  if (std::abs(view.tilt) < steepTilt && !flat)
   {
     AddHeights(props, frame, view, textSize);
   }

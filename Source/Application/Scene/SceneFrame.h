@@ -36,6 +36,9 @@ public:
   /// Longitude and latitude of a scene point. Needs HasMap.
   std::array<double, 2> Geographic(double x, double y) const;
 
+  /// Takes the height out of the bounds, for a scene that is a map.
+  void Flatten() { bounds[5] = bounds[4]; }
+
   /// Gives the volume the origin and spacing of the scene. The arrays stay shared.
   void MoveToScene(vtkImageData* volume) const;
 

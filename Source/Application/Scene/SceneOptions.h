@@ -3,6 +3,9 @@
 
 #include "ColourTable.h"
 
+#include <optional>
+#include <string>
+
 namespace nexrad::scene
 {
 
@@ -13,6 +16,22 @@ enum class MapperChoice
   RayCast       ///< VTK's GPU ray caster, for comparison
 };
 
+/// Which voxel of each column a map shows.
+enum class PlanLevel
+{
+  Composite, ///< that of the largest value
+  Lowest,    ///< the lowest that was scanned
+  Height     ///< that at one height
+};
+
+/// A map in place of the volume.
+struct PlanOptions
+{
+  PlanLevel level = PlanLevel::Composite;
+  double height = 0.0; ///< m above mean sea level, of PlanLevel::Height
+  std::string array;   ///< which of the volume's arrays, as "REF_age"; empty: the moment
+};
+
 /// What a scene shows beside the data.
 struct SceneOptions
 {
@@ -21,6 +40,7 @@ struct SceneOptions
   MapperChoice mapper = MapperChoice::TextureSlice;
   int slices = 256;         ///< or samples along the longest ray; from 1 on
   double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
+  std::optional<PlanOptions> plan;
 };
 
 } // namespace nexrad::scene
