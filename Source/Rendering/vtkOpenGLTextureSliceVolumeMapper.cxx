@@ -4,6 +4,7 @@
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkObjectFactory.h"
@@ -203,9 +204,10 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
 void vtkOpenGLTextureSliceVolumeMapper::Internals::Composite(
   vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, float colorScale, float colorBias)
 {
-  // Associated colour over the window.
-  this->Window->GetState()->vtkglBlendFuncSeparate(
-    GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  // Associated colour over the window; identifiers as they are.
+  vtkOpenGLState* state = this->Window->GetState();
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->SetEnumState(GL_BLEND, !uniforms.Features.Selection);
   this->Table.GetTexture()->Activate();
   // Between an extreme and no sample at all there is nothing.
   const int blendMode = uniforms.Features.BlendMode;
@@ -217,6 +219,7 @@ void vtkOpenGLTextureSliceVolumeMapper::Internals::Composite(
     {
       program->SetUniformf("colorScale", colorScale);
       program->SetUniformf("colorBias", colorBias);
+      program->SetUniform3f("selectionColor", uniforms.SelectionColor.data());
       uniforms.SetTable(program);
     });
   this->Table.GetTexture()->Deactivate();
@@ -271,10 +274,12 @@ const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
 int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
   vtkRenderWindow* window, vtkVolumeProperty* property)
 {
-  // Without an input there is nothing to say about its components.
+  // Without an input there is nothing to say about it.
+  vtkDataSet* input = this->GetInput(0);
   vtkDataArray* scalars = this->FindScalars();
   const int components = scalars != nullptr ? scalars->GetNumberOfComponents() : 1;
-  return vtkOpenGLRenderWindow::SafeDownCast(window) != nullptr &&
+  return (input == nullptr || vtkImageData::SafeDownCast(input) != nullptr) &&
+         vtkOpenGLRenderWindow::SafeDownCast(window) != nullptr &&
          this->FindUnsupported(this->MakeRequest(property, components)) == nullptr;
 }
 
@@ -316,7 +321,7 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance(
            : static_cast<double>(this->SampleDistance);
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
+void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
   if (image == nullptr)
@@ -340,8 +345,7 @@ void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolu
                   "supported: call SetUseDepthPeelingForVolumes(false) on the renderer");
     return;
   }
-  // A selection pass paints identifiers, which a blended volume would spoil.
-  if (renderer->GetSelector() == nullptr && this->PlaceSlices(renderer, volume, image))
+  if (this->PlaceSlices(renderer, volume, image))
   {
     const double allowedTime = volume->GetAllocatedRenderTime();
     this->Parts->PixelSize = this->ChooseImageSampleDistance(allowedTime);
@@ -354,6 +358,22 @@ void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolu
       timer->StopTimer();
       this->Parts->Resolution.Report(timer->GetElapsedTime());
     }
+  }
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
+{
+  // Of a selection's passes, only the one that asks for props: voxels have no identifiers here.
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  if (selector == nullptr)
+  {
+    this->RenderVolume(renderer, volume);
+  }
+  else if (selector->GetCurrentPass() == vtkHardwareSelector::ACTOR_PASS)
+  {
+    selector->BeginRenderProp();
+    this->RenderVolume(renderer, volume);
+    selector->EndRenderProp();
   }
 }
 
@@ -404,6 +424,11 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
       !this->UpdateMask(image, error) || !parts.UpdateTables(request, nearest, error))
   {
     vtkErrorMacro(<< error);
+    return;
+  }
+  if (const char* unsupported = request.FindUnsupportedRange(parts.Texture.GetComponents()))
+  {
+    vtkErrorMacro(<< unsupported);
     return;
   }
   parts.Texture.SetNearest(nearest);
@@ -461,6 +486,11 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   if (request.IsShaded())
   {
     uniforms.Features.Lights = parts.Lights.CountForShader();
+  }
+  if (vtkHardwareSelector* selector = renderer->GetSelector())
+  {
+    uniforms.Features.Selection = true;
+    selector->GetPropColorValue(uniforms.SelectionColor.data());
   }
   uniforms.Frame = &parts.Frame;
   uniforms.Volume = parts.Texture.GetTexture();

@@ -33,10 +33,11 @@
  * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
  * for two-dimensional functions, a label map with several components or two-dimensional functions,
  * three dependent components, maximum or minimum of dependent components, isosurfaces of several
- * components, four components with hidden points, and volumes larger than the largest 3-D texture.
- * Depth peeling of volumes is refused when it is asked for. Jittering, UseDepthPass, RenderToImage,
- * further inputs, user shaders and UseClippedVoxelIntensity are ignored. A hardware selection does
- * not see the volume. A 2-D image has no thickness and is an error.
+ * components, averages of several components over part of the range, four components with hidden
+ * points, and volumes larger than the largest 3-D texture. Depth peeling of volumes is refused when
+ * it is asked for. Jittering, UseDepthPass, RenderToImage, further inputs, user shaders and
+ * UseClippedVoxelIntensity are ignored. A hardware selection finds the volume, not its voxels. A
+ * 2-D image has no thickness and is an error.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -123,6 +124,7 @@ private:
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
   bool PlaceSlices(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
+  void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
   void RenderSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
     const vtkTextureSliceRequest& request);
   bool UpdateMask(vtkImageData* image, std::string& error);

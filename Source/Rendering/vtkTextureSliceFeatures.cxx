@@ -41,6 +41,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->Table2D, defines, "TABLE_2D");
   DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");
+  DefineIf(this->Selection, defines, "SELECTION");
   if (this->Labels > 0)
   {
     Define(defines, "LABELS", this->Labels);

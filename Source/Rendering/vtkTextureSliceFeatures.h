@@ -19,6 +19,7 @@ struct vtkTextureSliceFeatures
   bool Table2D = false;    ///< functions over scalar and gradient magnitude
   bool BinaryMask = false; ///< samples outside of the mask are left out
   int Labels = 0;          ///< labels that have functions of their own
+  bool Selection = false;  ///< what is seen gets the one colour that a hardware selection asks for
   int Lights = -1;         ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
 

@@ -52,6 +52,8 @@ struct vtkTextureSliceUniforms
   std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are
   std::vector<float> IsoValues;            ///< ascending, 0 to 1 as the scalars are
 
+  std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
+
   /// The textures that the features need.
   std::vector<vtkTextureObject*> GetTextures() const;
   /// The table and the weights, which the last step of the extremes reads as well. The table must

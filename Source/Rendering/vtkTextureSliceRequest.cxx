@@ -84,6 +84,25 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
   return nullptr;
 }
 
+const char* vtkTextureSliceRequest::FindUnsupportedRange(
+  const std::vector<vtkTextureSliceComponent>& components) const
+{
+  // The picture holds one number of samples for all components.
+  const bool counted = std::all_of(components.begin(), components.end(),
+    [this](const vtkTextureSliceComponent& component)
+    {
+      return this->AverageRange[0] <= component.Range[0] &&
+             component.Range[1] <= this->AverageRange[1];
+    });
+  if (this->BlendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND && components.size() > 1 &&
+      this->IsIndependent() && !counted)
+  {
+    return "an average over part of the scalars' range is supported for one component alone: widen "
+           "AverageIPScalarRange";
+  }
+  return nullptr;
+}
+
 bool vtkTextureSliceRequest::IsIndependent() const
 {
   return this->Property->GetIndependentComponents() != 0;

@@ -31,6 +31,8 @@ struct vtkTextureSliceRequest
   /// One line that says what cannot be drawn and what could, nullptr if everything can. The
   /// property may be nullptr.
   const char* FindUnsupported() const;
+  /// The same for what only the scalars' ranges tell.
+  const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;
   /// Whether each component has its own functions.
   bool IsIndependent() const;
   /// Whether samples are lit: only where a blend mode shows places, not projected scalars.

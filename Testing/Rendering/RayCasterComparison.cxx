@@ -58,7 +58,8 @@ void AgainstRayCaster::ForBoth(const std::function<void(vtkGPUVolumeRayCastMappe
   set(this->Slices);
 }
 
-void AgainstRayCaster::ExpectSamePicture(const std::string& name, double tolerance, double visible)
+Picture AgainstRayCaster::ExpectSamePicture(
+  const std::string& name, double tolerance, double visible)
 {
   const Picture background = this->Stage->Draw(nullptr);
   const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster));
@@ -75,6 +76,13 @@ void AgainstRayCaster::ExpectSamePicture(const std::string& name, double toleran
   EXPECT_GT(difference.Pixels, 2000) << "the volume covers too little to compare";
   EXPECT_GT(brightest, visible) << "too little of the volume can be seen";
   EXPECT_LE(difference.LargestMean(), tolerance);
+  return actual;
+}
+
+void AgainstRayCaster::ExpectSamePictureAndBaseline(
+  const std::string& name, const std::string& baseline, double tolerance)
+{
+  EXPECT_LE(BaselineError(this->ExpectSamePicture(name, tolerance), baseline), BaselineTolerance);
 }
 
 vtkGPUVolumeRayCastMapper* AgainstRayCaster::Configure(vtkGPUVolumeRayCastMapper* mapper)

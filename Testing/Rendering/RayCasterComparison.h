@@ -39,9 +39,14 @@ protected:
   /**
    * Draws with both mappers, writes the pictures and their difference, and compares them. Fails if
    * fewer than 2000 pixels are covered, or none is brighter than @a visible of 255.
+   * @return what the slices drew
    */
-  void ExpectSamePicture(
+  Picture ExpectSamePicture(
     const std::string& name, double tolerance = Tolerance, double visible = 60.0);
+
+  /// The same, and compares the slices' picture with the baseline of that name too.
+  void ExpectSamePictureAndBaseline(
+    const std::string& name, const std::string& baseline, double tolerance = Tolerance);
 
   /// Hands a mapper the input and the sample distance.
   vtkGPUVolumeRayCastMapper* Configure(vtkGPUVolumeRayCastMapper* mapper);

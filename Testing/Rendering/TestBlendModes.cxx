@@ -46,7 +46,7 @@ protected:
 TEST_F(BlendModes, Maximum)
 {
   this->Use(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
-  this->ExpectSamePicture("storm-maximum");
+  this->ExpectSamePictureAndBaseline("storm-maximum", "Maximum");
 }
 
 // The same from within the cropped middle: what is cut away does not count.
@@ -89,7 +89,7 @@ TEST_F(BlendModes, Additive)
 {
   this->Use(vtkVolumeMapper::ADDITIVE_BLEND);
   this->UseRamp(0.0, 0.05);
-  this->ExpectSamePicture("storm-additive");
+  this->ExpectSamePictureAndBaseline("storm-additive", "Additive");
 }
 
 // Two shells, 25 and 45 dBZ, the inner one seen through the outer one.
@@ -110,5 +110,5 @@ TEST_F(BlendModes, ShadedIsosurfaces)
   this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(1, 25.0);
   this->Stage->GetProperty()->ShadeOn();
   this->UseRamp(0.0, 0.8);
-  this->ExpectSamePicture("storm-isosurfaces-shaded", Bar);
+  this->ExpectSamePictureAndBaseline("storm-isosurfaces-shaded", "IsosurfacesShaded", Bar);
 }

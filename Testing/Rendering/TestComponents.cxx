@@ -104,7 +104,7 @@ TEST_F(Components, TwoWeighted)
 TEST_F(Components, ThreeIndependent)
 {
   this->UseIndependent(3);
-  this->ExpectSamePicture("components-3", Bar);
+  this->ExpectSamePictureAndBaseline("components-3", "ThreeComponents", Bar);
 }
 
 // Yellow above as well.
@@ -175,4 +175,13 @@ TEST_F(Components, AverageOfTwo)
   this->ForBoth(
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAverageIntensity(); });
   this->ExpectSamePicture("components-average", Tolerance, 5.0);
+}
+
+TEST_F(Components, AverageOfPartOfTheRangeIsRefused)
+{
+  this->UseIndependent(2);
+  this->Slices->SetBlendModeToAverageIntensity();
+  this->Slices->SetAverageIPScalarRange(10.0, 1000.0);
+  this->Stage->Draw(this->Configure(this->Slices));
+  EXPECT_NE(this->TakeMessages().find("AverageIPScalarRange"), std::string::npos);
 }

@@ -4,7 +4,9 @@
 #include "Scenes.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
+#include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
@@ -132,6 +134,31 @@ TEST_F(GeometryBeside, TwoVolumes)
   const Picture actual = draw(this->Slices, otherSlices);
   EXPECT_LE(Compare(actual, expected, background).LargestMean(), Tolerance);
   EXPECT_GT(Compare(actual, single, background).Pixels, Compare(single, single, background).Pixels);
+}
+
+// A selection finds the storm where it can be seen, the ball before it, and nothing in the corner.
+TEST_F(GeometryBeside, HardwareSelection)
+{
+  this->AddSphere(10.0, -30.0, 12.0, 6.0, 1.0);
+  this->Stage->Draw(this->Configure(this->Slices));
+  vtkActor* sphere = this->Stage->GetRenderer()->GetActors()->GetLastActor();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(this->Stage->GetRenderer());
+  selector->SetArea(0, 0, 255, 255);
+  ASSERT_TRUE(selector->CaptureBuffers());
+  const auto propAt = [&](double x, double y, double z)
+  {
+    this->Stage->GetRenderer()->SetWorldPoint(x, y, z, 1.0);
+    this->Stage->GetRenderer()->WorldToDisplay();
+    const double* display = this->Stage->GetRenderer()->GetDisplayPoint();
+    const unsigned int pixel[2] = {
+      static_cast<unsigned int>(display[0]), static_cast<unsigned int>(display[1])};
+    return selector->GetPixelInformation(pixel).Prop;
+  };
+  EXPECT_EQ(propAt(-10.0, -6.0, 8.0), this->Stage->GetVolume()) << "the tall tower";
+  EXPECT_EQ(propAt(10.0, -30.0, 12.0), sphere);
+  EXPECT_EQ(propAt(-31.0, 31.0, 23.0), nullptr) << "clear air within the volume's box";
+  selector->ClearBuffers();
 }
 
 // VTK's own choice of a mapper becomes the slices, and VTK's ray caster again.

@@ -55,8 +55,22 @@ vec4 PictureColor(vec4 blended)
 }
 #endif
 
+#ifdef TEXTURE_SLICE_SELECTION
+uniform vec3 selectionColor;
+
+void main()
+{
+  // As in VTK's ray caster, what is fainter cannot be picked.
+  if (PictureColor(texture(volumeImage, texCoord)).a <= 3.0 / 255.0)
+  {
+    discard;
+  }
+  gl_FragData[0] = vec4(selectionColor, 1.0);
+}
+#else
 void main()
 {
   vec4 color = PictureColor(texture(volumeImage, texCoord));
   gl_FragData[0] = vec4(color.rgb * colorScale + colorBias * color.a, color.a);
 }
+#endif
