@@ -33,11 +33,11 @@
  * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
  * for two-dimensional functions, a label map with several components or two-dimensional functions,
  * three dependent components, maximum or minimum of dependent components, isosurfaces of several
- * components, averages of several components over part of the range, four components with hidden
- * points, and volumes larger than the largest 3-D texture. Depth peeling of volumes is refused when
- * it is asked for. Jittering, UseDepthPass, RenderToImage, further inputs, user shaders and
- * UseClippedVoxelIntensity are ignored. A hardware selection finds the volume, not its voxels. A
- * 2-D image has no thickness and is an error.
+ * components. Refused with an error when it is met: averages of several components over part of the
+ * range, four components with hidden points, volumes larger than the largest 3-D texture, depth
+ * peeling of volumes, and a 2-D image, which has no thickness. Jittering, UseDepthPass,
+ * RenderToImage, further inputs, user shaders and UseClippedVoxelIntensity are ignored. A hardware
+ * selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
