@@ -20,6 +20,20 @@ double TangentOf(double elevation)
 // Straight above the antenna every elevation is 90°; so near to it the beams' heights are none.
 constexpr float smallestHalfTangent = 1e-7F; // 2 m
 
+// Where the beams end below and above a tilt. Rays stray from their tilt; what a ray saw reaches
+// half a beam width to either side of it, and not of the tilt (Formulas G3).
+float LowerEdge(const TiltEdges& tilt, const TiltSample& sample)
+{
+  const bool seen = sample.state != VoxelState::NotScanned;
+  return tilt.lower + (seen ? tilt.perDegree * (sample.lowest - tilt.elevation) : 0.0F);
+}
+
+float UpperEdge(const TiltEdges& tilt, const TiltSample& sample)
+{
+  const bool seen = sample.state != VoxelState::NotScanned;
+  return tilt.upper + (seen ? tilt.perDegree * (sample.highest - tilt.elevation) : 0.0F);
+}
+
 } // namespace
 
 std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beamWidth)
@@ -29,7 +43,10 @@ std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beam
   for (std::size_t i = 0; i < tilts.size(); ++i)
   {
     const double elevation = static_cast<double>(tilts[i].elevation);
+    edges[i].elevation = tilts[i].elevation;
     edges[i].tangent = tilts[i].tangent;
+    edges[i].perDegree =
+      (1.0F + tilts[i].tangent * tilts[i].tangent) * static_cast<float>(RadiansPerDegree);
     edges[i].lower = static_cast<float>(TangentOf(elevation - half));
     edges[i].upper = static_cast<float>(TangentOf(std::min(elevation + half, 89.9)));
     if (i + 1 < tilts.size())
@@ -132,25 +149,25 @@ void BeamColumn::Add(const SiteColumn& site)
     return static_cast<float>(below) < level ? below + 1 : below;
   };
   static constexpr TiltSample nothing;
-  int from = levelAt(edges.front().lower);
+  const TiltSample* samples = site.samples;
+  int from = levelAt(LowerEdge(edges.front(), samples[0]));
   int lowerEnd = 0;
   for (std::size_t i = 0; i <= edges.size() && from < levelCount; ++i)
   {
     // The gap below tilt i: the first reaches down from it, the last up from the tilt before.
-    Gap gap{
-      i > 0 ? &site.samples[i - 1] : &nothing, i < edges.size() ? &site.samples[i] : &nothing};
+    Gap gap{i > 0 ? &samples[i - 1] : &nothing, i < edges.size() ? &samples[i] : &nothing};
     gap.from = from;
-    gap.to = i < edges.size() ? std::max(from, levelAt(edges[i].tangent))
-                              : std::max(from, levelAt(edges.back().upper));
+    gap.to = std::max(
+      from, levelAt(i < edges.size() ? edges[i].tangent : UpperEdge(edges.back(), samples[i - 1])));
     if (gap.from < gap.to &&
         (gap.lower->state != VoxelState::NotScanned || gap.upper->state != VoxelState::NotScanned))
     {
       if (i > 0)
       {
-        lowerEnd = levelAt(edges[i - 1].upper);
+        lowerEnd = levelAt(UpperEdge(edges[i - 1], samples[i - 1]));
       }
       gap.lowerEnd = i > 0 ? lowerEnd : from;
-      gap.upperBegin = i < edges.size() ? levelAt(edges[i].lower) : gap.to;
+      gap.upperBegin = i < edges.size() ? levelAt(LowerEdge(edges[i], samples[i])) : gap.to;
       gap.middle = gap.from;
       if (i > 0 && i < edges.size())
       {

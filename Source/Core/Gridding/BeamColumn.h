@@ -24,15 +24,17 @@ enum class OverlapStrategy
 /// h/(a_e + h) over a column (Formulas G7). The last four are of the gap to the next tilt.
 struct TiltEdges
 {
-  float tangent = 0.0F;  ///< of the tilt
-  float lower = 0.0F;    ///< half a beam width below it
-  float upper = 0.0F;    ///< half a beam width above it
-  float middle = 0.0F;   ///< midway in angle to the next tilt
-  float bend = 0.0F;     ///< turns a share of the tangent's way into a share of the angle's:
-                         ///< share + bend·share·(1 − share)
-  float endAbove = 0.0F; ///< where an echo of this tilt ends below a next one without (G8)
-  float endBelow = 0.0F; ///< where an echo of the next tilt ends above this one without
-  float endShare = 1.0F; ///< part of the way between the tilts that either end is from its echo
+  float elevation = 0.0F; ///< degrees, of the tilt
+  float tangent = 0.0F;   ///< of the tilt
+  float perDegree = 0.0F; ///< how much the tangent grows with the elevation there
+  float lower = 0.0F;     ///< half a beam width below the tilt
+  float upper = 0.0F;     ///< half a beam width above it
+  float middle = 0.0F;    ///< midway in angle to the next tilt
+  float bend = 0.0F;      ///< turns a share of the tangent's way into a share of the angle's:
+                          ///< share + bend·share·(1 − share)
+  float endAbove = 0.0F;  ///< where an echo of this tilt ends below a next one without (G8)
+  float endBelow = 0.0F;  ///< where an echo of the next tilt ends above this one without
+  float endShare = 1.0F;  ///< part of the way between the tilts that either end is from its echo
 };
 
 /// The edges of tilts in ascending order. Tilts and beam width in degrees.

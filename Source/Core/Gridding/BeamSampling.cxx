@@ -15,7 +15,8 @@ struct Look
 {
   VoxelState state = VoxelState::NotScanned;
   float value = 0.0F;
-  float time = 0.0F; // s from the time of the merge
+  float elevation = 0.0F; // degrees, of the nearest ray
+  float time = 0.0F;      // s from the time of the merge
 };
 
 // Between two values, `share` of the way to the second.
@@ -156,6 +157,7 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
   const auto entry = static_cast<std::size_t>(rays.entry);
   look.time =
     begin + sweep.times[entry] + rays.share * (sweep.times[entry + 1] - sweep.times[entry]);
+  look.elevation = sweep.elevations[rays.share < 0.5F ? entry : entry + 1];
   const auto last = static_cast<float>(sweep.gates - 1);
   if (place > last + 0.5F)
   {
@@ -191,6 +193,7 @@ Look BlendLooks(const Look& lower, const Look& upper, float share, const ValueRu
   }
   Look blended = share < 0.5F ? lower : upper;
   blended.time = lower.time + share * (upper.time - lower.time);
+  blended.elevation = lower.elevation + share * (upper.elevation - lower.elevation);
   if (lower.state == VoxelState::Echo && upper.state == VoxelState::Echo && !rule.nearest)
   {
     blended.value = Blend(lower.value, upper.value, share, rule);
@@ -268,6 +271,8 @@ TiltSample SampleOf(const Look& look, float gap)
   TiltSample sample;
   sample.state = look.state;
   sample.value = look.value;
+  sample.lowest = look.elevation;
+  sample.highest = look.elevation;
   sample.age = std::abs(look.time);
   sample.fade = FadeOf(sample.age, gap);
   return sample;
@@ -298,6 +303,8 @@ TiltSample SampleTilt(
   const float fadeBefore = FadeOf(-before.time, context.gap);
   const float fadeAfter = FadeOf(after.time, context.gap);
   TiltSample sample;
+  sample.lowest = std::min(before.elevation, after.elevation);
+  sample.highest = std::max(before.elevation, after.elevation);
   sample.age = std::min(-before.time, after.time);
   sample.fade = std::max(fadeBefore, fadeAfter);
   if (before.state == VoxelState::NoEcho && after.state == VoxelState::NoEcho)

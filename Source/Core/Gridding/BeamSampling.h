@@ -27,6 +27,8 @@ struct TiltSample
 {
   VoxelState state = VoxelState::NotScanned;
   float value = 0.0F;
+  float lowest = 0.0F;  ///< degrees, elevation of the nearest ray; of two looks, the lower one's
+  float highest = 0.0F; ///< degrees, the higher one's
   float fade = 0.0F; ///< 0…1: how much the site counts, by the age of what it saw (Formulas A6)
   float age = 0.0F;  ///< s between the time of the merge and the nearer of the rays used
 };

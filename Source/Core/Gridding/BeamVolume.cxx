@@ -76,7 +76,9 @@ void SetDirections(
   for (std::size_t i = 0; i < entries.size(); ++i)
   {
     to.azimuths.push_back(static_cast<float>(entries[i].azimuth));
-    const Duration since = source.rays[entries[i].ray].time - to.begin;
+    const PolarRay& ray = source.rays[entries[i].ray];
+    to.elevations.push_back(static_cast<float>(ray.elevation));
+    const Duration since = ray.time - to.begin;
     to.times.push_back(static_cast<float>(since.count()) / 1000.0F);
     const double gap =
       i + 1 < entries.size() ? entries[i + 1].azimuth - entries[i].azimuth : 2.0 * widest;
@@ -195,7 +197,7 @@ std::size_t BeamVolume::MemoryBytes() const
   std::size_t bytes = sizeof(BeamVolume);
   for (const BeamSweep& sweep : sweeps)
   {
-    bytes += sizeof(BeamSweep) + 3 * sweep.azimuths.size() * sizeof(float) +
+    bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
              sweep.firstEntries.size() * sizeof(std::uint32_t) +
              sweep.codes.size() * sizeof(std::uint16_t);
   }

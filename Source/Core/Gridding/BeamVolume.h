@@ -36,6 +36,7 @@ struct BeamSweep
   Time end{};   ///< latest ray
 
   std::vector<float> azimuths;    ///< of the entries, degrees, ascending
+  std::vector<float> elevations;  ///< of the entries, degrees
   std::vector<float> inverseGaps; ///< 1 / degrees from an entry to the next; 0 where the gap is too
                                   ///< wide to interpolate across
   std::vector<float> times;       ///< of the entries, s since `begin`

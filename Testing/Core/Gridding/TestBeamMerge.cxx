@@ -82,6 +82,36 @@ TEST(BeamMerge, LinearInElevationBetweenTheTiltsAndNotBeyondHalfABeam)
   EXPECT_EQ(volume.method, "beam");
 }
 
+// Rays stray from their tilt, most of all where a cut begins. What one of them saw counts, and what
+// none of them saw does not.
+TEST(BeamMerge, BeamsReachHalfABeamFromTheirOwnRaysElevations)
+{
+  PolarSweep sweep = UniformSweep(1, 1.0, 20.0F);
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    sweep.rays[ray].elevation += 0.15 * std::sin(0.7 * static_cast<double>(ray));
+  }
+  const PolarVolume source = VolumeOf({sweep});
+  const GriddedVolume volume = MergeAt({source}, 0.0);
+  CoverageOptions narrower;
+  narrower.beamWidth = 0.95 - edge;
+  CoverageOptions wider;
+  wider.beamWidth = 0.95 + edge;
+  const auto seen = BeamCoverage({&source}, volume.grid, narrower);
+  const auto touched = BeamCoverage({&source}, volume.grid, wider);
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    const double fromRay = std::fmod(voxel.azimuth, 1.0) - 0.5; // of the change from ray to ray
+    if (IsInReach(voxel) && std::abs(fromRay) > 0.01)
+    {
+      const bool scanned = volume.states[voxel.index] != VoxelState::NotScanned;
+      ASSERT_TRUE(scanned || seen[voxel.index] == 0) << voxel.azimuth << " " << voxel.elevation;
+      ASSERT_TRUE(!scanned || touched[voxel.index] == 1) << voxel.azimuth << " " << voxel.elevation;
+    }
+  };
+  ForEachVoxel(volume.grid, centralSite, check);
+}
+
 // A value that is linear in azimuth and in range comes out as such, with rays as uneven as 0.5° to
 // 1.4° apart.
 TEST(BeamMerge, BilinearInAzimuthAndRangeWithUnevenRays)
