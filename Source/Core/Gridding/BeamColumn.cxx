@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/BeamColumn.h"
 
-#include "Geometry/Angles.h"
+#include "Gridding/BeamSharpening.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,11 +11,6 @@ namespace nexrad
 
 namespace
 {
-
-double TangentOf(double elevation)
-{
-  return std::tan(elevation * RadiansPerDegree);
-}
 
 // Straight above the antenna every elevation is 90°; so near to it the beams' heights are none.
 constexpr float smallestHalfTangent = 1e-7F; // 2 m
@@ -35,36 +30,6 @@ float UpperEdge(const TiltEdges& tilt, const TiltSample& sample)
 }
 
 } // namespace
-
-std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beamWidth)
-{
-  const double half = 0.5 * beamWidth;
-  std::vector<TiltEdges> edges(tilts.size());
-  for (std::size_t i = 0; i < tilts.size(); ++i)
-  {
-    const double elevation = static_cast<double>(tilts[i].elevation);
-    edges[i].elevation = tilts[i].elevation;
-    edges[i].tangent = tilts[i].tangent;
-    edges[i].perDegree =
-      (1.0F + tilts[i].tangent * tilts[i].tangent) * static_cast<float>(RadiansPerDegree);
-    edges[i].lower = static_cast<float>(TangentOf(elevation - half));
-    edges[i].upper = static_cast<float>(TangentOf(std::min(elevation + half, 89.9)));
-    if (i + 1 < tilts.size())
-    {
-      const double next = static_cast<double>(tilts[i + 1].elevation);
-      const double from = TangentOf(elevation);
-      const double middle = 0.5 * (from + TangentOf(next));
-      const double share = (std::atan(middle) / RadiansPerDegree - elevation) / (next - elevation);
-      edges[i].middle = static_cast<float>(TangentOf(0.5 * (elevation + next)));
-      edges[i].bend = static_cast<float>(4.0 * share - 2.0);
-      const double end = std::max(0.5, 1.0 - half / (next - elevation));
-      edges[i].endAbove = static_cast<float>(TangentOf(elevation + end * (next - elevation)));
-      edges[i].endBelow = static_cast<float>(TangentOf(next - end * (next - elevation)));
-      edges[i].endShare = static_cast<float>(end);
-    }
-  }
-  return edges;
-}
 
 SiteLevels::SiteLevels(
   const GridSpecification& grid, double altitude, double effectiveRadius, double overlapLength)
@@ -135,6 +100,10 @@ void BeamColumn::Add(const SiteColumn& site)
 {
   const std::vector<TiltEdges>& edges = *site.edges;
   const SiteLevels& levels = *site.levels;
+  // Of what the radar measures, reflectivity in dBZ alone is known to be a mean of Z (Formulas G9).
+  const bool sharpen = rule.zeroIsNone && !rule.linear;
+  const TiltSample* samples =
+    sharpen && SharpenTilts(edges, site.samples, sharpened) ? sharpened.data() : site.samples;
   const float t = std::max(site.halfTangent, smallestHalfTangent);
   const float sine = 2.0F * t / (1.0F + t * t);
   const auto ratioAt = [t, sine](float tangent) { return (tangent + t) * sine; };
@@ -149,7 +118,6 @@ void BeamColumn::Add(const SiteColumn& site)
     return static_cast<float>(below) < level ? below + 1 : below;
   };
   static constexpr TiltSample nothing;
-  const TiltSample* samples = site.samples;
   int from = levelAt(LowerEdge(edges.front(), samples[0]));
   int lowerEnd = 0;
   for (std::size_t i = 0; i <= edges.size() && from < levelCount; ++i)

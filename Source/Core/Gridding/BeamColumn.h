@@ -3,6 +3,7 @@
 
 #include "Gridding/BeamSampling.h"
 #include "Gridding/GriddedVolume.h"
+#include "Gridding/TiltEdges.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -19,26 +20,6 @@ enum class OverlapStrategy
   Maximum, ///< the largest value, echo when one radar sees any (W3)
   Distance ///< by distance: exp(−(r/L)²) (W4)
 };
-
-/// A tilt as the vertical interpolation needs it: tangents of elevations, which are linear in
-/// h/(a_e + h) over a column (Formulas G7). The last four are of the gap to the next tilt.
-struct TiltEdges
-{
-  float elevation = 0.0F; ///< degrees, of the tilt
-  float tangent = 0.0F;   ///< of the tilt
-  float perDegree = 0.0F; ///< how much the tangent grows with the elevation there
-  float lower = 0.0F;     ///< half a beam width below the tilt
-  float upper = 0.0F;     ///< half a beam width above it
-  float middle = 0.0F;    ///< midway in angle to the next tilt
-  float bend = 0.0F;      ///< turns a share of the tangent's way into a share of the angle's:
-                          ///< share + bend·share·(1 − share)
-  float endAbove = 0.0F;  ///< where an echo of this tilt ends below a next one without (G8)
-  float endBelow = 0.0F;  ///< where an echo of the next tilt ends above this one without
-  float endShare = 1.0F;  ///< part of the way between the tilts that either end is from its echo
-};
-
-/// The edges of tilts in ascending order. Tilts and beam width in degrees.
-std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beamWidth);
 
 /// The levels of a grid as one radar sees them.
 struct SiteLevels
@@ -121,6 +102,7 @@ private:
   std::vector<std::uint8_t> nearestSites;
   std::vector<float> weights; // of the radar that is being added
   std::vector<float> shares;  // of the upper tilt
+  std::vector<TiltSample> sharpened;
   std::vector<float> values;
   std::vector<VoxelState> states;
 };

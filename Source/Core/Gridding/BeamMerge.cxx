@@ -236,7 +236,7 @@ std::vector<MergeSite> BeamMerger::MakeSites(Time time) const
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0),
       FindTilts(group.second, time, options.maximumGap), {}, ContextFor(any, options, radius),
       ReachOf(group.second, radius)};
-    site.edges = FindEdges(site.tilts, options.beamWidth);
+    site.edges = FindEdges(site.tilts, options.beamWidth, options.sharpen);
     if (!site.tilts.empty())
     {
       sites.push_back(std::move(site));

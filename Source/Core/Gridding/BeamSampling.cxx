@@ -14,6 +14,7 @@ namespace
 struct Look
 {
   VoxelState state = VoxelState::NotScanned;
+  bool assumed = false; // TiltSample::assumed
   float value = 0.0F;
   float elevation = 0.0F; // degrees, of the nearest ray
   float time = 0.0F;      // s from the time of the merge
@@ -162,6 +163,7 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
   if (place > last + 0.5F)
   {
     look.state = BeyondReach(sweep, column, context);
+    look.assumed = look.state == VoxelState::NoEcho;
     return look;
   }
   const float inside = std::min(std::max(place, 0.0F), last);
@@ -270,6 +272,7 @@ TiltSample SampleOf(const Look& look, float gap)
 {
   TiltSample sample;
   sample.state = look.state;
+  sample.assumed = look.assumed;
   sample.value = look.value;
   sample.lowest = look.elevation;
   sample.highest = look.elevation;
@@ -303,6 +306,7 @@ TiltSample SampleTilt(
   const float fadeBefore = FadeOf(-before.time, context.gap);
   const float fadeAfter = FadeOf(after.time, context.gap);
   TiltSample sample;
+  sample.assumed = before.assumed || after.assumed;
   sample.lowest = std::min(before.elevation, after.elevation);
   sample.highest = std::max(before.elevation, after.elevation);
   sample.age = std::min(-before.time, after.time);

@@ -26,6 +26,7 @@ struct ValueRule
 struct TiltSample
 {
   VoxelState state = VoxelState::NotScanned;
+  bool assumed = false; ///< no echo beyond the last gate, which nobody measured (Formulas G4)
   float value = 0.0F;
   float lowest = 0.0F;  ///< degrees, elevation of the nearest ray; of two looks, the lower one's
   float highest = 0.0F; ///< degrees, the higher one's

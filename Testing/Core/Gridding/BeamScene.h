@@ -68,6 +68,15 @@ inline GriddedVolume MergeAt(const std::vector<PolarVolume>& volumes, double sec
   return *merger.Merge(pointers, sceneTime + Duration(std::llround(seconds * 1000.0)));
 }
 
+/// The gates' own values at the tilts (no Formulas G9): where a test is about what lies between
+/// them.
+inline BeamMergeOptions AsMeasured()
+{
+  BeamMergeOptions options;
+  options.sharpen = false;
+  return options;
+}
+
 /// A voxel as a radar sees it, by exact geometry.
 struct SeenVoxel
 {

@@ -44,9 +44,9 @@ void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions)
   PrintFeatures(*thesis, truth);
   Print("beam", truth, now);
   PrintFeatures(*beam, truth);
-  EXPECT_LT(now.rmse, 0.6 * before.rmse);
+  EXPECT_LT(now.rmse, 0.5 * before.rmse);
   EXPECT_LT(now.FalseFraction(), 0.25 * before.FalseFraction());
-  EXPECT_LT(now.MissedFraction(), 0.02);
+  EXPECT_LT(now.MissedFraction(), 0.01);
   EXPECT_LT(CompareEchoTops(*beam, truth).meanAbsoluteError,
     CompareEchoTops(*thesis, truth).meanAbsoluteError);
 }
@@ -88,7 +88,8 @@ Truth OnlyAtDistance(const Truth& truth, const ScannedDay& day, double nearest, 
 
 } // namespace
 
-// What limits it: the beams widen and the gaps between the tilts grow with the distance.
+// What limits it: the beams widen and the gaps between the tilts grow with the distance. Near a
+// radar, where its cone of silence is left to others, the distance is not what counts.
 TEST(BeamAccuracy, ByDistance)
 {
   const ScannedDay& day = EveningDay();
@@ -105,8 +106,8 @@ TEST(BeamAccuracy, ByDistance)
     const TruthScore now = CompareWithTruth(*beam, part.values, part.counts);
     Print("thesis", part, old);
     Print("beam", part, now);
-    EXPECT_LT(now.rmse, 0.75 * old.rmse);
-    EXPECT_GT(now.rmse, before);
+    EXPECT_LT(now.rmse, 0.7 * old.rmse);
+    EXPECT_TRUE(i < 2 || now.rmse > 1.2 * before);
     before = now.rmse;
   }
 }

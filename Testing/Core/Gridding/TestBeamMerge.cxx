@@ -39,7 +39,7 @@ TEST(BeamMerge, LinearInElevationBetweenTheTiltsAndNotBeyondHalfABeam)
   {
     sweeps.push_back(UniformSweep(static_cast<int>(i) + 1, tilts[i], values[i]));
   }
-  const GriddedVolume volume = MergeAt({VolumeOf(sweeps)}, 0.0);
+  const GriddedVolume volume = MergeAt({VolumeOf(sweeps)}, 0.0, AsMeasured());
   std::size_t between = 0;
   const auto check = [&](const SeenVoxel& voxel)
   {
@@ -274,7 +274,7 @@ TEST(BeamMerge, AnEchoFallsToNoEchoBelowATiltWithoutOne)
   };
   for (const double echo : {1.0, 5.0})
   {
-    const GriddedVolume volume = MergeAt(sweeps(echo), 0.0);
+    const GriddedVolume volume = MergeAt(sweeps(echo), 0.0, AsMeasured());
     const double end = 2.0 - halfWidth;
     const auto check = [&](const SeenVoxel& voxel)
     {

@@ -140,7 +140,7 @@ TEST(BeamTimes, AChangeOfPatternMakesNoJump)
     scan(first, -720.0), scan(first, -360.0), scan(second, 0.0), scan(second, 400.0)};
   for (const double seconds : {-200.0, -20.0, 0.0, 50.0, 130.0, 250.0, 330.0, 420.0})
   {
-    const GriddedVolume volume = MergeAt(volumes, seconds);
+    const GriddedVolume volume = MergeAt(volumes, seconds, AsMeasured());
     const auto check = [&](const SeenVoxel& voxel)
     {
       if (voxel.groundDistance > 2'000.0 && voxel.elevation > 0.51 && voxel.elevation < 5.99)
