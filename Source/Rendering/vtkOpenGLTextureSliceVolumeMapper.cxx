@@ -345,7 +345,7 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkV
                   "supported: call SetUseDepthPeelingForVolumes(false) on the renderer");
     return;
   }
-  if (this->PlaceSlices(renderer, volume, image))
+  if (!request.IsEmpty() && this->PlaceSlices(renderer, volume, image))
   {
     const double allowedTime = volume->GetAllocatedRenderTime();
     this->Parts->PixelSize = this->ChooseImageSampleDistance(allowedTime);

@@ -103,6 +103,12 @@ const char* vtkTextureSliceRequest::FindUnsupportedRange(
   return nullptr;
 }
 
+bool vtkTextureSliceRequest::IsEmpty() const
+{
+  return this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
+         this->Property->GetIsoSurfaceValues()->GetNumberOfContours() == 0;
+}
+
 bool vtkTextureSliceRequest::IsIndependent() const
 {
   return this->Property->GetIndependentComponents() != 0;

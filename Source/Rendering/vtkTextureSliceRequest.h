@@ -33,6 +33,8 @@ struct vtkTextureSliceRequest
   const char* FindUnsupported() const;
   /// The same for what only the scalars' ranges tell.
   const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;
+  /// Whether nothing is to be seen: isosurfaces without values.
+  bool IsEmpty() const;
   /// Whether each component has its own functions.
   bool IsIndependent() const;
   /// Whether samples are lit: only where a blend mode shows places, not projected scalars.

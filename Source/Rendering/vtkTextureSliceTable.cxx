@@ -69,6 +69,53 @@ void Sample(Function* function, const vtkTextureSliceDomain& domain, int width, 
   }
 }
 
+/// How far entry i of a row is on its way from 0 to 1.
+float Ramp(int i, int width)
+{
+  return static_cast<float>(i) / static_cast<float>(width - 1);
+}
+
+void FillColor(
+  vtkColorTransferFunction* color, const vtkTextureSliceDomain& domain, int width, float* entries)
+{
+  Sample(color, domain, width,
+    [&](int i, double scalar)
+    {
+      double rgb[3];
+      color->GetColor(scalar, rgb);
+      std::copy(rgb, rgb + 3, entries + 4 * i);
+    });
+}
+
+void FillOpacity(
+  vtkPiecewiseFunction* opacity, const vtkTextureSliceDomain& domain, int width, float* entries)
+{
+  Sample(opacity, domain, width,
+    [&](int i, double scalar)
+    {
+      const double value = std::clamp(opacity->GetValue(scalar), 0.0, 1.0);
+      entries[4 * i + 3] = static_cast<float>(value);
+    });
+}
+
+/// As in VTK's ray caster, functions without points are ramps: black to white, clear to half
+/// opaque.
+void FillRamps(const vtkTextureSliceRow& row, int width, float* entries)
+{
+  constexpr float mostOpaque = 0.5f;
+  for (int i = 0; i < width; ++i)
+  {
+    if (row.Color != nullptr && row.Color->GetSize() == 0)
+    {
+      std::fill_n(entries + 4 * i, 3, Ramp(i, width));
+    }
+    if (row.Opacity != nullptr && row.Opacity->GetSize() == 0)
+    {
+      entries[4 * i + 3] = mostOpaque * Ramp(i, width);
+    }
+  }
+}
+
 void FillRow(const vtkTextureSliceRow& row, int width, float* entries)
 {
   std::fill(entries, entries + 4 * width, 1.0f);
@@ -80,22 +127,13 @@ void FillRow(const vtkTextureSliceRow& row, int width, float* entries)
   }
   else if (row.Color != nullptr)
   {
-    Sample(row.Color, row.ColorDomain, width,
-      [&](int i, double scalar)
-      {
-        double rgb[3];
-        row.Color->GetColor(scalar, rgb);
-        std::copy(rgb, rgb + 3, entries + 4 * i);
-      });
+    FillColor(row.Color, row.ColorDomain, width, entries);
   }
   if (row.Opacity != nullptr)
   {
-    Sample(row.Opacity, row.OpacityDomain, width,
-      [&](int i, double scalar) {
-        entries[4 * i + 3] =
-          static_cast<float>(std::clamp(row.Opacity->GetValue(scalar), 0.0, 1.0));
-      });
+    FillOpacity(row.Opacity, row.OpacityDomain, width, entries);
   }
+  FillRamps(row, width, entries);
 }
 
 } // namespace

@@ -5,10 +5,12 @@
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkImageResize.h"
 #include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
@@ -66,6 +68,24 @@ TEST_F(AgainstRayCaster, DirectionMatrix)
     std::cos(a), -std::sin(a), 0.0, std::sin(a), std::cos(a), 0.0, 0.0, 0.0, 1.0);
   this->AimCamera(false);
   this->ExpectSamePicture("storm-direction-matrix");
+}
+
+TEST_F(AgainstRayCaster, FunctionsWithoutPoints)
+{
+  // Ramps over the scalars: grey fog that is thinnest where there is no echo. The slices come
+  // first, because VTK's ray caster writes its ramps into the functions.
+  this->UseStorm(VTK_FLOAT);
+  this->AimCamera(false);
+  vtkVolumeProperty* property = this->Stage->GetProperty();
+  property->GetRGBTransferFunction()->RemoveAllPoints();
+  property->GetScalarOpacity()->RemoveAllPoints();
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture actual = this->Stage->Draw(this->Configure(this->Slices));
+  EXPECT_EQ(property->GetScalarOpacity()->GetSize(), 0);
+  const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster));
+  const Difference difference = Compare(actual, expected, background);
+  EXPECT_GT(difference.Pixels, 10000);
+  EXPECT_LE(difference.LargestMean(), Bar);
 }
 
 TEST_F(AgainstRayCaster, MirroredActor)

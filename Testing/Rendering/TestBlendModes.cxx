@@ -112,3 +112,11 @@ TEST_F(BlendModes, ShadedIsosurfaces)
   this->UseRamp(0.0, 0.8);
   this->ExpectSamePictureAndBaseline("storm-isosurfaces-shaded", "IsosurfacesShaded", Bar);
 }
+
+TEST_F(BlendModes, IsosurfacesWithoutValuesAreNothing)
+{
+  this->Slices->SetBlendModeToIsoSurface();
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture picture = this->Stage->Draw(this->Configure(this->Slices));
+  EXPECT_EQ(Compare(picture, background, background).Pixels, 0);
+}
