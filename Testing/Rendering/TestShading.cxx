@@ -3,6 +3,7 @@
 #include "RayCasterComparison.h"
 #include "Scenes.h"
 
+#include "vtkCamera.h"
 #include "vtkImageData.h"
 #include "vtkLight.h"
 #include "vtkLightKit.h"
@@ -173,6 +174,56 @@ TEST_F(Shading, GradientOpacityAndLight)
 {
   this->UseGradientOpacity();
   this->ExpectSamePicture("gradient-opacity-shaded");
+}
+
+// An opaque white block, no cube, whose scalar grows along x, seen from above in a parallel view. A
+// light that shines at 60 degrees to x returns cos 60 of itself; with the block turned by 25
+// degrees towards it, cos 35. Blinn's highlight of a light half-way between x and the view's
+// direction: the half-way vector is 67.5 degrees from x, so with a power of 2 cos^2(67.5) comes
+// back.
+TEST_F(Shading, LightOnABlockIsWhatGeometrySays)
+{
+  this->Input = vtkSmartPointer<vtkImageData>::New();
+  this->Input->SetDimensions(17, 5, 9);
+  this->Input->SetSpacing(1.0, 2.0, 0.5);
+  this->Input->SetOrigin(-8.0, -4.0, -2.0);
+  this->Input->AllocateScalars(VTK_FLOAT, 1);
+  auto* scalars = static_cast<float*>(this->Input->GetScalarPointer());
+  for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); ++id)
+  {
+    scalars[id] = static_cast<float>(id % 17);
+  }
+  SetUniformFunctions(this->Stage->GetProperty(), 0.95);
+  vtkVolumeProperty* property = this->Stage->GetProperty();
+  property->SetAmbient(0.0);
+  property->SetDiffuse(1.0);
+  property->SetSpecular(0.0);
+  vtkRenderer* renderer = this->Stage->GetRenderer();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(0.0, 0.0, 50.0);
+  camera->SetViewUp(0.0, 1.0, 0.0);
+  camera->SetParallelScale(6.0);
+  camera->SetClippingRange(10.0, 100.0);
+  vtkNew<vtkLight> light;
+  light->SetFocalPoint(0.0, 0.0, 0.0);
+  renderer->AddLight(light);
+  const auto middle = [&]
+  { return PixelAt(this->Stage->Draw(this->Configure(this->Slices)), 128, 128)[0]; };
+  const auto cosine = [](double degrees) { return std::cos(vtkMath::RadiansFromDegrees(degrees)); };
+
+  light->SetPosition(-cosine(60.0), -cosine(30.0), 0.0);
+  EXPECT_NEAR(middle(), 255.0 * cosine(60.0), 1.0);
+  this->Stage->GetVolume()->RotateZ(25.0);
+  EXPECT_NEAR(middle(), 255.0 * cosine(35.0), 1.0);
+  this->Stage->GetVolume()->RotateZ(-25.0);
+
+  property->SetDiffuse(0.0);
+  property->SetSpecular(1.0);
+  property->SetSpecularPower(2.0);
+  light->SetPosition(-1.0, 0.0, 1.0);
+  EXPECT_NEAR(middle(), 255.0 * cosine(67.5) * cosine(67.5), 1.0);
 }
 
 // Light must change the picture, or the comparisons above say nothing.
