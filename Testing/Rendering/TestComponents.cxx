@@ -66,6 +66,16 @@ protected:
     this->Stage->GetProperty()->SetScalarOpacity(component, alpha);
     this->Stage->GetProperty()->SetInterpolationTypeToLinear();
   }
+  /// Bytes that are colours and opacity.
+  void UseColours()
+  {
+    this->UseComponents(4, VTK_UNSIGNED_CHAR);
+    // VTK 9.1 looks the opacity up as if the fourth component spanned all bytes.
+    this->Input->GetPointData()->GetScalars()->SetComponent(0, 3, 0.0);
+    this->Input->GetPointData()->GetScalars()->SetComponent(1, 3, 255.0);
+    this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 255.0, 0.1);
+    this->Stage->GetProperty()->IndependentComponentsOff();
+  }
   void UseIndependent(int count)
   {
     this->UseComponents(count, VTK_FLOAT);
@@ -138,13 +148,53 @@ TEST_F(Components, TwoDependent)
 // Red, green and blue themselves, the fourth component being the opacity.
 TEST_F(Components, FourDependent)
 {
-  this->UseComponents(4, VTK_UNSIGNED_CHAR);
-  // VTK 9.1 looks the opacity up as if the fourth component spanned all bytes.
-  this->Input->GetPointData()->GetScalars()->SetComponent(0, 3, 0.0);
-  this->Input->GetPointData()->GetScalars()->SetComponent(1, 3, 255.0);
-  this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 255.0, 0.1);
-  this->Stage->GetProperty()->IndependentComponentsOff();
+  this->UseColours();
   this->ExpectSamePicture("components-rgba", Bar);
+}
+
+// The same fading storm, lit, where it is flat clear: the gradient is that of the value.
+TEST_F(Components, TwoDependentWithLightAndGradientOpacity)
+{
+  this->UseComponents(2, VTK_FLOAT);
+  this->SetFunctions(0, 1.0, 0.2, 0.1, 0.0, 200.0, 0.1);
+  vtkNew<vtkPiecewiseFunction> gradientOpacity;
+  gradientOpacity->AddPoint(0.0, 0.1);
+  gradientOpacity->AddPoint(10.0, 1.0);
+  this->Stage->GetProperty()->SetGradientOpacity(gradientOpacity);
+  this->Stage->GetProperty()->ShadeOn();
+  this->Stage->GetProperty()->IndependentComponentsOff();
+  this->ExpectSamePicture("components-value-opacity-lit", Bar);
+}
+
+// The coloured block, lit where its red changes.
+TEST_F(Components, FourDependentShaded)
+{
+  this->UseColours();
+  this->Stage->GetProperty()->ShadeOn();
+  this->Stage->GetProperty()->SetAmbient(0.5);
+  this->ExpectSamePicture("components-rgba-lit", Bar);
+}
+
+// Sum and mean of the value, by the opacity of the second component.
+TEST_F(Components, ProjectionsOfTwoDependent)
+{
+  this->UseComponents(2, VTK_FLOAT);
+  this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 200.0, 0.03);
+  this->Stage->GetProperty()->IndependentComponentsOff();
+  this->ForBoth([](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAdditive(); });
+  this->ExpectSamePicture("components-additive-dependent");
+  this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 200.0, 1.0);
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAverageIntensity(); });
+  this->ExpectSamePicture("components-average-dependent", Tolerance, 20.0);
+}
+
+// Scalars of 16 bits, signed.
+TEST_F(Components, TwoIndependentShorts)
+{
+  this->UseIndependent(2);
+  this->UseComponents(2, VTK_SHORT);
+  this->ExpectSamePicture("components-2-short", Bar);
 }
 
 // The brightest of each component, added by weight.

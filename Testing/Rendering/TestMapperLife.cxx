@@ -6,11 +6,13 @@
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkVolumeProperty.h"
@@ -158,6 +160,30 @@ TEST_F(MapperLife, UnsupportedRequestsAreRefusedInOneLine)
   EXPECT_FALSE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
   EXPECT_EQ(this->Middle(*scene, mapper), 0.0);
   EXPECT_NE(this->TakeMessages().find("component"), std::string::npos); // VTK's own words
+}
+
+TEST_F(MapperLife, RectilinearGridsAreRefused)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  vtkNew<vtkRectilinearGrid> grid;
+  grid->SetDimensions(3, 3, 3);
+  vtkNew<vtkFloatArray> coordinates;
+  for (const float x : {0.0f, 1.0f, 4.0f})
+  {
+    coordinates->InsertNextValue(x);
+  }
+  grid->SetXCoordinates(coordinates);
+  grid->SetYCoordinates(coordinates);
+  grid->SetZCoordinates(coordinates);
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetNumberOfTuples(27);
+  scalars->Fill(1.0);
+  grid->GetPointData()->SetScalars(scalars);
+  mapper->SetInputData(grid);
+  auto scene = this->MakeScene();
+  EXPECT_FALSE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
+  EXPECT_EQ(this->Middle(*scene, mapper), 0.0);
+  EXPECT_NE(this->TakeMessages().find("must be a vtkImageData"), std::string::npos);
 }
 
 TEST_F(MapperLife, FourComponentsCannotHideTheirPoints)
