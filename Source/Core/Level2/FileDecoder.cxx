@@ -18,6 +18,7 @@ namespace nexrad
 FileDecoder::FileDecoder(VolumeAssembler& target, const Level2Options& options)
   : assembler(target)
   , maximumRecordBytes(options.maximumRecordBytes)
+  , threads(options.threads)
   , budget(options.maximumFileBytes)
 {
 }
@@ -92,7 +93,7 @@ void FileDecoder::DecodeRecords(ByteView plain, std::size_t start, const OffsetM
     this->DecodeRecord(std::move(content), offset);
     return true;
   };
-  BunzipInParallel(records, maximumRecordBytes, receive);
+  BunzipInParallel(records, maximumRecordBytes, receive, threads);
 }
 
 void FileDecoder::DecodeRecord(Bunzipped&& content, std::uint64_t storedOffset)

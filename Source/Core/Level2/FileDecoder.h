@@ -35,6 +35,7 @@ private:
 
   VolumeAssembler& assembler;
   std::size_t maximumRecordBytes;
+  unsigned threads;   ///< that decompress records
   std::size_t budget; ///< decompressed bytes that the files may still take
 };
 

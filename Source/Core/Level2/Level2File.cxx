@@ -159,7 +159,7 @@ bool LooksLikeLevel2(const fs::path& path)
          DetectStream(view) != StreamFormat::None;
 }
 
-std::optional<Time> PeekHeaderTime(const fs::path& path)
+std::optional<VolumeHeader> PeekVolumeHeader(const fs::path& path)
 {
   constexpr std::size_t peekedBytes = 4096; // enough of any stream but bzip2 for a header
   std::error_code failure;
@@ -175,8 +175,7 @@ std::optional<Time> PeekHeaderTime(const fs::path& path)
   start.resize(static_cast<std::size_t>(file.gcount()));
   std::vector<Damage> ignored; // the stream is cut, of course
   const PlainFile plain = OpenContainer(std::move(start), VolumeHeader::bytes, ignored);
-  const auto header = ParseVolumeHeader(ByteView(plain.bytes.data(), plain.bytes.size()));
-  return header ? header->time : std::nullopt;
+  return ParseVolumeHeader(ByteView(plain.bytes.data(), plain.bytes.size()));
 }
 
 } // namespace nexrad

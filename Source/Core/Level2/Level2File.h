@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Level2/VolumeHeader.h"
 #include "Model/RadarVolume.h"
 
 #include <cstddef>
@@ -20,6 +21,7 @@ struct Level2Options
   std::optional<Position> position; ///< replaces the position in the file
   std::size_t maximumRecordBytes = std::size_t(64) << 20; ///< cap of one decompressed LDM record
   std::size_t maximumFileBytes = std::size_t(1) << 30;    ///< cap of one decompressed file
+  unsigned threads = 0; ///< that decompress the records of one file; 0: as many as there are cores
 };
 
 /// Reads a Level II file, or a folder of real-time chunks, in any container that the archive uses
@@ -38,9 +40,9 @@ RadarVolume DecodeLevel2(
 /// path cannot be read.
 bool LooksLikeLevel2(const std::filesystem::path& path);
 
-/// The time in the volume header, from the first bytes of a file or of a folder's first chunk. It
-/// may differ from the rays' times. Empty when there is none, or it cannot be had without
-/// decompressing much.
-std::optional<Time> PeekHeaderTime(const std::filesystem::path& path);
+/// The volume header, from the first bytes of a file or of a folder's first chunk. Its time may
+/// differ from the rays' times. Empty when there is none, or it cannot be had without decompressing
+/// much.
+std::optional<VolumeHeader> PeekVolumeHeader(const std::filesystem::path& path);
 
 } // namespace nexrad

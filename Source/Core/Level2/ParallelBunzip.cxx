@@ -135,11 +135,12 @@ private:
 } // namespace
 
 void BunzipInParallel(const std::vector<LdmRecord>& records, std::size_t maximumRecordBytes,
-  const RecordReceiver& receive)
+  const RecordReceiver& receive, unsigned threads)
 {
   RecordQueue queue(records, maximumRecordBytes);
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  queue.Start(std::min({cores, records.size(), recordsAhead}) - (records.empty() ? 0 : 1));
+  const unsigned cores = threads != 0 ? threads : std::thread::hardware_concurrency();
+  const std::size_t wanted = std::max(1U, cores);
+  queue.Start(std::min({wanted, records.size(), recordsAhead}) - (records.empty() ? 0 : 1));
   for (std::size_t index = 0; index < records.size(); ++index)
   {
     if (!receive(index, queue.Take()))

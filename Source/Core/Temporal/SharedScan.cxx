@@ -80,7 +80,8 @@ std::vector<std::size_t> OrderByTime(const std::vector<std::filesystem::path>& p
   std::vector<Time> times;
   for (const std::filesystem::path& path : paths)
   {
-    times.push_back(PeekHeaderTime(path).value_or(Time()));
+    const std::optional<VolumeHeader> header = PeekVolumeHeader(path);
+    times.push_back(header && header->time ? *header->time : Time());
   }
   std::vector<std::size_t> order(paths.size());
   std::iota(order.begin(), order.end(), std::size_t(0));

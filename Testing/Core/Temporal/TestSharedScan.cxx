@@ -205,21 +205,25 @@ TEST(SharedScan, RefusesBytesThatAreNoScan)
   EXPECT_TRUE(UnpackScannedFiles(PackScannedFiles({})).empty());
 }
 
-TEST(PeekHeaderTime, ReadsTheHeaderThroughItsContainers)
+TEST(PeekVolumeHeader, ReadsTheHeaderThroughItsContainers)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const auto level2 = data / "level2";
   // The times stand in the files' names, but for the milliseconds.
   const auto peek = [&level2](const char* file)
-  { return FormatIso8601(PeekHeaderTime(level2 / file).value_or(Time())).substr(0, 19); };
+  {
+    const std::optional<VolumeHeader> header = PeekVolumeHeader(level2 / file);
+    return FormatIso8601(header && header->time ? *header->time : Time()).substr(0, 19);
+  };
   EXPECT_EQ(peek("pairs/KVBX20190501_093433_V06"), "2019-05-01T09:34:33");
   EXPECT_EQ(peek("legacy/KABR20050101_000745.gz"), "2005-01-01T00:07:45");
   EXPECT_EQ(peek("run-kbgm-20050821/KBGM20050821_024323.gz"), "2005-08-21T02:43:23");
   EXPECT_EQ(peek("chunks/KLOT-20210729").substr(0, 10), "2021-07-29");
+  EXPECT_EQ(PeekVolumeHeader(level2 / "pairs/KVBX20190501_093433_V06")->siteName, "KVBX");
   // A record alone has no header; a bzip2 stream would have to be decompressed.
-  EXPECT_FALSE(PeekHeaderTime(level2 / "superres" / "example_nexrad_archive_msg31.bz2"));
-  EXPECT_FALSE(PeekHeaderTime("/nonexistent"));
-  EXPECT_FALSE(PeekHeaderTime(level2));
+  EXPECT_FALSE(PeekVolumeHeader(level2 / "superres" / "example_nexrad_archive_msg31.bz2"));
+  EXPECT_FALSE(PeekVolumeHeader("/nonexistent"));
+  EXPECT_FALSE(PeekVolumeHeader(level2));
 }
 
 } // namespace nexrad
