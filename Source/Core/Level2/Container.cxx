@@ -213,6 +213,20 @@ std::size_t Bzip2Reader::Room(std::size_t used, std::size_t maximumBytes)
 Bunzipped Bzip2Reader::Run(ByteView stored, std::size_t maximumBytes)
 {
   Bunzipped result;
+  if (const std::optional<std::size_t> used = fast.Run(stored, maximumBytes))
+  {
+    result.bytes.assign(fast.Output().begin(), fast.Output().end());
+    result.offsets = fast.Offsets();
+    result.used = *used;
+    return result;
+  }
+  return this->RunSlowly(stored, maximumBytes);
+}
+
+// By libbz2: gets out what can be had of a damaged stream, and says what is wrong with it.
+Bunzipped Bzip2Reader::RunSlowly(ByteView stored, std::size_t maximumBytes)
+{
+  Bunzipped result;
   bz_stream stream{};
   BZ2_bzDecompressInit(&stream, 0, 0);
   result.offsets.Add(0, 0);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Level2/BigEndian.h"
+#include "Level2/FastBunzip.h"
 #include "Level2/OffsetMap.h"
 #include "Model/RadarVolume.h"
 
@@ -43,9 +44,11 @@ public:
   Bunzipped Run(ByteView stored, std::size_t maximumBytes);
 
 private:
+  Bunzipped RunSlowly(ByteView stored, std::size_t maximumBytes);
   std::size_t Room(std::size_t used, std::size_t maximumBytes);
 
-  std::vector<std::uint8_t> output;
+  FastBunzip fast;
+  std::vector<std::uint8_t> output; // of what `fast` refuses
 };
 
 /// A file out of its compressed streams.
