@@ -5,24 +5,43 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <string>
 
 namespace nexrad
 {
 
+namespace
+{
+
+// The code of an echo.
+inline std::uint8_t CodeOf(float value, const Quantizer& quantizer)
+{
+  if (std::isnan(value))
+  {
+    return Quantizer::NotScannedCode;
+  }
+  const double limited = std::min(static_cast<double>(value), quantizer.maximum);
+  const double code = std::clamp((limited - quantizer.offset) / quantizer.scale, 0.0,
+    static_cast<double>(Quantizer::LargestCode));
+  // std::round, which costs a call, for what is not negative.
+  const auto below = static_cast<std::uint8_t>(code);
+  return code - below < 0.5 ? below : static_cast<std::uint8_t>(below + 1);
+}
+
+} // namespace
+
 std::uint8_t Quantizer::Encode(float value, VoxelState state) const
 {
-  if (state == VoxelState::NotScanned || (state == VoxelState::Echo && std::isnan(value)))
+  switch (state)
   {
+  case VoxelState::Echo:
+    return CodeOf(value, *this);
+  case VoxelState::NotScanned:
     return NotScannedCode;
-  }
-  if (state != VoxelState::Echo)
-  {
+  default:
     return NoEchoCode;
   }
-  const double limited = std::min(static_cast<double>(value), maximum);
-  const double code = std::round((limited - offset) / scale);
-  return static_cast<std::uint8_t>(std::clamp(code, 0.0, static_cast<double>(LargestCode)));
 }
 
 VoxelState Quantizer::StateOf(std::uint8_t code)
@@ -34,7 +53,7 @@ VoxelState Quantizer::StateOf(std::uint8_t code)
   return code == NoEchoCode ? VoxelState::NoEcho : VoxelState::Echo;
 }
 
-std::vector<std::uint8_t> Quantizer::EncodeAll(const GriddedVolume& volume) const
+void Quantizer::Check(const GriddedVolume& volume) const
 {
   if (!std::isfinite(offset) || !std::isfinite(scale) || scale <= 0.0 || std::isnan(maximum))
   {
@@ -42,12 +61,38 @@ std::vector<std::uint8_t> Quantizer::EncodeAll(const GriddedVolume& volume) cons
                 std::to_string(scale) + ": the scale must be above 0 and both finite");
   }
   CheckVoxelCount(volume);
+}
+
+std::vector<std::uint8_t> Quantizer::EncodeAll(const GriddedVolume& volume) const
+{
+  this->Check(volume);
   std::vector<std::uint8_t> codes(volume.values.size());
-  for (std::size_t i = 0; i < codes.size(); ++i)
-  {
-    codes[i] = this->Encode(volume.values[i], volume.states[i]);
-  }
+  this->EncodeSome(volume, 0, codes.size(), codes.data());
   return codes;
+}
+
+void Quantizer::EncodeSome(
+  const GriddedVolume& volume, std::size_t begin, std::size_t end, std::uint8_t* codes) const
+{
+  const VoxelState* const states = volume.states.data() + begin;
+  const float* const values = volume.values.data() + begin;
+  const std::size_t count = end - begin;
+  std::transform(states, states + count, codes,
+    [](VoxelState state) { return state == VoxelState::NotScanned ? NotScannedCode : NoEchoCode; });
+  // Few voxels hold an echo; the library looks for the next one many at a time.
+  const auto nextEcho = [&](std::size_t from)
+  {
+    const void* found =
+      std::memchr(states + from, static_cast<int>(VoxelState::Echo), count - from);
+    return found ? static_cast<std::size_t>(static_cast<const VoxelState*>(found) - states) : count;
+  };
+  for (std::size_t i = nextEcho(0); i < count; i = nextEcho(i))
+  {
+    for (; i < count && states[i] == VoxelState::Echo; ++i)
+    {
+      codes[i] = CodeOf(values[i], *this);
+    }
+  }
 }
 
 void Quantizer::DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const

@@ -34,6 +34,11 @@ struct Quantizer
   /// Codes of all voxels. Throws Error when offset, scale or maximum cannot be used, or when the
   /// volume has not as many values and states as voxels.
   std::vector<std::uint8_t> EncodeAll(const GriddedVolume& volume) const;
+  /// Throws as EncodeAll does.
+  void Check(const GriddedVolume& volume) const;
+  /// Codes of the voxels [begin, end) of a volume that Check let pass.
+  void EncodeSome(
+    const GriddedVolume& volume, std::size_t begin, std::size_t end, std::uint8_t* codes) const;
   /// Sets values and states of a volume from codes; voxels without echo get the volume's fill.
   void DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const;
 };

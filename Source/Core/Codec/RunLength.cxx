@@ -4,8 +4,10 @@
 #include "Model/Error.h"
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 #include <string>
+#include <utility>
 
 namespace nexrad
 {
@@ -29,37 +31,87 @@ void AppendRun(std::vector<std::uint8_t>& stream, std::uint8_t code, std::uint32
   }
 }
 
+// How many codes are equal to the first. Most runs are long: eight are looked at in one word.
+std::size_t RunLengthAt(const std::uint8_t* codes, std::size_t longest)
+{
+  std::uint64_t word = 0;
+  constexpr std::size_t wordBytes = sizeof(word);
+  const std::uint64_t equal = codes[0] * std::uint64_t(0x0101010101010101);
+  std::size_t length = 1;
+  while (length + wordBytes <= longest)
+  {
+    std::memcpy(&word, codes + length, wordBytes);
+    if (word != equal)
+    {
+      break;
+    }
+    length += wordBytes;
+  }
+  while (length < longest && codes[length] == codes[0])
+  {
+    ++length;
+  }
+  return length;
+}
+
 } // namespace
 
 std::vector<std::uint8_t> EncodeRunLength(
   const std::uint8_t* codes, std::size_t count, RunLengthThreshold threshold)
 {
-  std::vector<std::uint8_t> stream;
-  const auto shortest = static_cast<std::size_t>(threshold);
+  RunLengthEncoder encoder(threshold);
+  encoder.Feed(codes, count);
+  return encoder.Finish();
+}
+
+RunLengthEncoder::RunLengthEncoder(RunLengthThreshold threshold)
+  : shortest(static_cast<std::size_t>(threshold))
+{
+}
+
+void RunLengthEncoder::Feed(const std::uint8_t* codes, std::size_t count)
+{
   for (std::size_t begin = 0; begin < count;)
   {
-    const std::uint8_t code = codes[begin];
-    if (code >= literalBit)
+    const std::size_t more = RunLengthAt(codes + begin, count - begin);
+    if (codes[begin] != code)
     {
-      throw Error("code " + std::to_string(code) + " of voxel " + std::to_string(begin) +
-                  ": the run-length code holds 0 to 127");
+      this->PutRun();
+      code = codes[begin];
+      if (code >= literalBit)
+      {
+        throw Error("code " + std::to_string(code) + " of voxel " + std::to_string(fed) +
+                    ": the run-length code holds 0 to 127");
+      }
     }
-    const std::size_t longest =
-      std::min<std::size_t>(count - begin, std::numeric_limits<std::uint32_t>::max());
-    const auto* end = std::find_if(
-      codes + begin, codes + begin + longest, [code](std::uint8_t other) { return other != code; });
-    const auto length = static_cast<std::size_t>(end - (codes + begin));
-    if (length >= shortest)
+    length += more;
+    begin += more;
+  }
+}
+
+void RunLengthEncoder::PutRun()
+{
+  constexpr std::size_t longest = std::numeric_limits<std::uint32_t>::max();
+  fed += length;
+  while (length > 0)
+  {
+    const std::size_t piece = std::min(length, longest);
+    if (piece >= shortest)
     {
-      AppendRun(stream, code, static_cast<std::uint32_t>(length));
+      AppendRun(stream, code, static_cast<std::uint32_t>(piece));
     }
     else
     {
-      stream.insert(stream.end(), length, static_cast<std::uint8_t>(literalBit | code));
+      stream.insert(stream.end(), piece, static_cast<std::uint8_t>(literalBit | code));
     }
-    begin += length;
+    length -= piece;
   }
-  return stream;
+}
+
+std::vector<std::uint8_t> RunLengthEncoder::Finish()
+{
+  this->PutRun();
+  return std::move(stream);
 }
 
 void DecodeRunLength(

@@ -24,6 +24,27 @@ enum class RunLengthThreshold : std::uint32_t
 std::vector<std::uint8_t> EncodeRunLength(
   const std::uint8_t* codes, std::size_t count, RunLengthThreshold threshold);
 
+/// The same for codes that come in pieces of any size; runs cross the pieces.
+class RunLengthEncoder
+{
+public:
+  explicit RunLengthEncoder(RunLengthThreshold threshold);
+
+  /// Encodes the next codes. Throws Error when one is above 127.
+  void Feed(const std::uint8_t* codes, std::size_t count);
+  /// The stream; nothing is fed after it.
+  std::vector<std::uint8_t> Finish();
+
+private:
+  void PutRun();
+
+  const std::size_t shortest;
+  std::vector<std::uint8_t> stream;
+  std::uint8_t code = 0;  // of the run that has begun
+  std::size_t length = 0; // of it so far
+  std::size_t fed = 0;    // codes before it
+};
+
 /// Decodes exactly `count` codes into `codes`. Throws Error, with the offset in the stream, for a
 /// run of 0, a stream that ends within a run or too early, a run beyond `count`, or bytes after the
 /// last code.
