@@ -2,6 +2,7 @@
 #include "Gridding/PolarVolume.h"
 
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <map>
 #include <utility>
@@ -36,6 +37,50 @@ std::vector<RayList> GroupByGeometry(const Sweep& sweep, MomentName moment)
   return groups;
 }
 
+// What each word of 8 bits stands for: a sweep has hundreds of thousands of them.
+class WordMeanings
+{
+public:
+  void SetFor(const MomentRow& row)
+  {
+    if (known && like.scale == row.scale && like.offset == row.offset &&
+        like.firstValue == row.firstValue)
+    {
+      return;
+    }
+    known = true;
+    like = row;
+    for (std::size_t word = 0; word < values.size(); ++word)
+    {
+      const auto byte = static_cast<std::uint8_t>(word);
+      MomentRow one = row;
+      one.words = &byte;
+      one.wordBits = 8;
+      states[word] = one.State(0);
+      values[word] =
+        states[word] == GateState::Valid ? one.Value(0) : std::numeric_limits<float>::quiet_NaN();
+    }
+  }
+  float Value(std::uint8_t word) const { return values[word]; }
+  GateState State(std::uint8_t word) const { return states[word]; }
+
+private:
+  bool known = false;
+  MomentRow like;
+  std::array<float, 256> values;
+  std::array<GateState, 256> states;
+};
+
+void FillRayOfBytes(
+  const MomentRow& row, const WordMeanings& meanings, std::size_t start, PolarSweep& sweep)
+{
+  for (std::size_t gate = 0; gate < row.gates; ++gate)
+  {
+    sweep.states[start + gate] = meanings.State(row.words[gate]);
+    sweep.values[start + gate] = meanings.Value(row.words[gate]);
+  }
+}
+
 void FillRay(const MomentRow& row, std::size_t start, PolarSweep& sweep)
 {
   for (std::size_t gate = 0; gate < row.gates; ++gate)
@@ -64,9 +109,19 @@ PolarSweep MakeSweep(const RayList& rays, MomentName moment)
   const std::size_t count = rays.size() * sweep.gates;
   sweep.values.assign(count, std::numeric_limits<float>::quiet_NaN());
   sweep.states.assign(count, GateState::NotSampled);
+  WordMeanings meanings;
   for (std::size_t index = 0; index < rays.size(); ++index)
   {
-    FillRay(rays[index]->Row(moment), sweep.Index(index, 0), sweep);
+    const MomentRow& row = rays[index]->Row(moment);
+    if (row.wordBits == 8)
+    {
+      meanings.SetFor(row);
+      FillRayOfBytes(row, meanings, sweep.Index(index, 0), sweep);
+    }
+    else
+    {
+      FillRay(row, sweep.Index(index, 0), sweep);
+    }
   }
   return sweep;
 }
