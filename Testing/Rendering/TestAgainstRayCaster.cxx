@@ -188,6 +188,20 @@ TEST_F(AgainstRayCaster, CameraInside)
   this->ExpectSamePicture("storm-inside", Bar);
 }
 
+TEST_F(AgainstRayCaster, CameraInsideAStretchedVolume)
+{
+  this->UseStorm(VTK_FLOAT);
+  this->Stage->GetVolume()->SetScale(2.0, 0.5, 3.0);
+  vtkRenderer* renderer = this->Stage->GetRenderer();
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->SetPosition(20.0, 2.0, 20.0);
+  camera->SetFocalPoint(-20.0, -3.0, 24.0);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  camera->SetViewAngle(60.0);
+  camera->SetClippingRange(0.5, 300.0);
+  this->ExpectSamePicture("storm-inside-stretched", Bar);
+}
+
 TEST_F(AgainstRayCaster, FinalWindowAndLevel)
 {
   this->UseStorm(VTK_FLOAT);

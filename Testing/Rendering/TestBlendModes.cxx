@@ -49,6 +49,25 @@ TEST_F(BlendModes, Maximum)
   this->ExpectSamePictureAndBaseline("storm-maximum", "Maximum");
 }
 
+// The same from bytes and from signed shorts.
+TEST_F(BlendModes, MaximumOfIntegers)
+{
+  this->Use(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+  this->UseStorm(VTK_UNSIGNED_CHAR);
+  this->ExpectSamePicture("storm-maximum-uint8", Bar);
+  this->UseStorm(VTK_SHORT);
+  this->ExpectSamePicture("storm-maximum-int16", Bar);
+}
+
+// The same between voxels that are not interpolated: blocks.
+TEST_F(BlendModes, MaximumOfBlocks)
+{
+  this->UseStorm(VTK_FLOAT, 16);
+  this->Stage->GetProperty()->SetInterpolationTypeToNearest();
+  this->Use(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
+  this->ExpectSamePicture("storm-maximum-nearest", Bar);
+}
+
 // The same from within the cropped middle: what is cut away does not count.
 TEST_F(BlendModes, MaximumOfTheCroppedMiddle)
 {
