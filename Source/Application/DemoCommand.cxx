@@ -121,7 +121,7 @@ void DrawStage(const DemoOptions& options, scene::RenderRequest request, const s
 void DrawStages(const DemoOptions& options, const GridReport& volumes)
 {
   scene::RenderRequest picture;
-  picture.inputs = {volumes.files[volumes.files.size() / 2]};
+  picture.input.inputs = {volumes.files[volumes.files.size() / 2]};
   picture.size = options.size;
   picture.output = options.folder / "storms.png";
   DrawStage(options, picture, "picture");
@@ -135,7 +135,7 @@ void DrawStages(const DemoOptions& options, const GridReport& volumes)
   DrawStage(options, above, "picture");
 
   scene::RenderRequest movie;
-  movie.inputs = {volumes.index};
+  movie.input.inputs = {volumes.index};
   movie.size = {options.size[0] * 3 / 4, options.size[1] * 3 / 4};
   movie.output = options.folder / "storms.ogv";
   movie.frames = static_cast<int>(4 * volumes.files.size());

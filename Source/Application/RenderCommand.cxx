@@ -3,6 +3,7 @@
 
 #include "ProgressBar.h"
 #include "SceneLibrary.h"
+#include "SceneUsage.h"
 #include "UnitOptions.h"
 
 #include <CLI/CLI.hpp>
@@ -34,25 +35,6 @@ std::filesystem::path ParseOutput(const std::string& text)
   return path;
 }
 
-scene::MapperChoice ParseMapper(const std::string& text)
-{
-  if (text != "texture-slice" && text != "ray-cast")
-  {
-    throw Error("'" + text + "' is no mapper; write texture-slice or ray-cast");
-  }
-  return text == "ray-cast" ? scene::MapperChoice::RayCast : scene::MapperChoice::TextureSlice;
-}
-
-double ParseRingSpacing(const std::string& text)
-{
-  const double spacing = ParseLength(text);
-  if (spacing < 0.0 || (spacing > 0.0 && spacing < 1000.0))
-  {
-    throw Error("'" + text + "' is no distance of rings; write 1km or more, or 0 for none");
-  }
-  return spacing;
-}
-
 scene::PlanOptions ParsePlan(const std::string& text)
 {
   scene::PlanOptions plan;
@@ -71,49 +53,6 @@ scene::PlanOptions ParsePlan(const std::string& text)
     throw Error("'" + text + "' is no map; write composite, lowest, or a height as in 3km");
   }
   return plan;
-}
-
-void AddCamera(CLI::App& command, scene::RenderRequest& request)
-{
-  constexpr char group[] = "Camera";
-  scene::CameraView& camera = request.camera;
-  AddNumberOption(command, "--azimuth", camera.azimuth, -3600.0, 3600.0, "DEGREES",
-    "Where the camera stands, clockwise from north about the domain's centre: 180 looks north")
-    ->group(group);
-  AddNumberOption(command, "--tilt", camera.tilt, -90.0, 90.0, "DEGREES",
-    "Height of the camera above the horizon; 90 looks straight down")
-    ->group(group);
-  AddNumberOption(command, "--zoom", camera.zoom, 0.01, 1000.0, "FACTOR",
-    "1 shows the whole domain, 2 half of its width")
-    ->group(group);
-  command.add_flag("--parallel", camera.parallel, "Parallel in place of perspective projection")
-    ->group(group);
-}
-
-void AddLook(CLI::App& command, scene::RenderRequest& request)
-{
-  constexpr char group[] = "Picture";
-  AddParsedOption(command, "--size", request.size, ParsePictureSize, "WxH",
-    "Width and height in pixels", "1280x720")
-    ->group(group);
-  AddNumberOption(command, "--exaggeration", request.scene.exaggeration, 0.1, 100.0, "FACTOR",
-    "How much heights are stretched; the picture states it")
-    ->group(group);
-  AddParsedOption(command, "--mapper", request.scene.mapper, ParseMapper, "NAME",
-    "texture-slice, or ray-cast: VTK's, for comparison", "texture-slice")
-    ->group(group);
-  AddNumberOption(command, "--slices", request.scene.slices, 1, 16384, "NUMBER",
-    "Slices, or samples along the longest ray")
-    ->group(group);
-  command
-    .add_option("--colours,--colors", request.colourTable,
-      "Colour table: a heading, then lines dBZ,#rrggbb (default: the weather service's)")
-    ->check(CLI::Validator(CLI::ExistingFile).description(""))
-    ->type_name("FILE")
-    ->group(group);
-  AddParsedOption(command, "--rings", request.scene.ringSpacing, ParseRingSpacing, "LENGTH",
-    "Rings of range about each radar at multiples of this, m or km; 0: none", "0")
-    ->group(group);
 }
 
 void AddMap(CLI::App& command, RenderOptions& options)
@@ -144,9 +83,9 @@ void FinishMap(const CLI::App& command, RenderOptions& options)
     return;
   }
   request.scene.plan->array = options.array;
-  const std::string moment = ToString(request.grid.moment);
+  const std::string moment = ToString(request.input.grid.moment);
   const bool companion = !options.array.empty() && options.array != moment;
-  request.grid.companions = request.grid.companions || companion;
+  request.input.grid.companions = request.input.grid.companions || companion;
   request.camera.parallel = true;
   request.camera.azimuth = command.count("--azimuth") > 0 ? request.camera.azimuth : 180.0;
   request.camera.tilt = command.count("--tilt") > 0 ? request.camera.tilt : 90.0;
@@ -193,23 +132,17 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
   scene::RenderRequest& request = options->request;
   CLI::App* command =
     program.add_subcommand("render", "Draw volumes, or radar files, as pictures or a movie");
-  command
-    ->add_option("input", request.inputs,
-      "Volumes (.nxv, .nxv.series, .vti, or folders of them), or radar files and folders of them")
-    ->required()
-    ->type_name("INPUT");
+  AddInputOptions(*command, request.input);
   AddParsedOption(*command, "-o,--output", request.output, ParseOutput, "FILE",
     "Picture (.png; one for each time, with the time in its name, when there are several) or movie "
     "(.ogv, or .mp4 where ffmpeg is installed)")
     ->required();
-  AddParsedOption(*command, "--time", request.time, ParseTime, "TIME",
-    "Draw this time alone, in UTC, as in 2006-03-12T18:00");
   AddQuietOption(*command, options->quiet);
-  AddCamera(*command, request);
-  AddLook(*command, request);
+  AddCameraOptions(*command, request.camera);
+  AddLookOptions(*command, request.size, request.scene);
   AddMap(*command, *options);
   AddMovie(*command, request);
-  AddGridOptions(*command, request.grid);
+  AddGridOptions(*command, request.input.grid);
   const auto run = [options, command, &action]
   {
     FinishMap(*command, *options);

@@ -6,18 +6,33 @@
 
 namespace nexrad::application
 {
-
-scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request)
+namespace
 {
-  const auto render = reinterpret_cast<scene::RenderFunction>(
-    LoadProgramFunction("nexrad3d-scene.so", scene::renderFunctionName, "draws", "nexrad3d-scene"));
-  scene::RenderReport report;
-  render(&request, &report);
+
+template <typename Report, typename Request>
+Report RunInLibrary(const char* name, const Request& request)
+{
+  const auto work = reinterpret_cast<void (*)(const Request*, Report*)>(
+    LoadProgramFunction("nexrad3d-scene.so", name, "draws", "nexrad3d-scene"));
+  Report report;
+  work(&request, &report);
   if (!report.error.empty())
   {
     throw Error(report.error);
   }
   return report;
+}
+
+} // namespace
+
+scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request)
+{
+  return RunInLibrary<scene::RenderReport>(scene::renderFunctionName, request);
+}
+
+scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request)
+{
+  return RunInLibrary<scene::ViewReport>(scene::viewFunctionName, request);
 }
 
 } // namespace nexrad::application

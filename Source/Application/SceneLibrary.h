@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Scene/RenderRequest.h"
+#include "Scene/ViewRequest.h"
 
 namespace nexrad::application
 {
@@ -10,5 +11,6 @@ namespace nexrad::application
 /// Throws Error when the library is not where the program was built or installed, and for what the
 /// drawing itself fails at.
 scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
+scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request);
 
 } // namespace nexrad::application

@@ -8,6 +8,7 @@
 #include "DemoCommand.h"
 #include "GridCommand.h"
 #include "RenderCommand.h"
+#include "ViewCommand.h"
 #endif
 
 int main(int argc, char** argv)
@@ -20,6 +21,7 @@ int main(int argc, char** argv)
 #ifdef NEXRAD_WITH_VTK
       AddGridCommand,
       AddRenderCommand,
+      AddViewCommand,
       AddDemoCommand,
       AddBenchCommand,
 #endif

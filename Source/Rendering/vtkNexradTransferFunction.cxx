@@ -89,6 +89,13 @@ std::vector<double> PlacesOf(const Nodes* from, int channels)
   return places;
 }
 
+// Nothing up to a place; from there on the nodes as they are.
+void BeginAt(double first, Nodes& nodes)
+{
+  nodes.erase(nodes.begin(), std::upper_bound(nodes.begin(), nodes.end(), first, IsAfter));
+  nodes.insert(nodes.begin(), Node{first, 0.0});
+}
+
 std::string EndingOf(const char* path)
 {
   return path != nullptr ? std::filesystem::path(path).extension().string() : std::string();
@@ -431,6 +438,10 @@ bool vtkNexradTransferFunction::ReadFile(const char* path)
   if (map.Channels[OPACITY].empty())
   {
     map.Channels[OPACITY] = this->Internal->Channel(OPACITY);
+    if (!map.Bins.empty())
+    {
+      BeginAt(map.Bins.front().From, map.Channels[OPACITY]);
+    }
   }
   if (map.Name.empty())
   {

@@ -125,7 +125,8 @@ public:
    * Reads or writes a colour map by the ending of its name: .json (ParaView's; the nodes come back
    * as they were), .pal (GRLevelX tables, colours in bytes: the bins without opacity, or samples of
    * the splines with it), .csv (read only: lines "dbz,#rrggbb" below a heading). A file without
-   * opacities leaves the opacity as it is. Returns false, with an error of one line that names the
+   * opacities leaves the opacity as it is, but of a table nothing shows below its first step.
+   * Returns false, with an error of one line that names the
    * file and what is wrong; then nothing changed.
    */
   bool ReadFile(const char* path);

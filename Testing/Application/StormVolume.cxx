@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StormVolume.h"
 
+#include "Codec/NxvFile.h"
 #include "vtkNexradImageConversion.h"
 
 #include <algorithm>
@@ -22,9 +23,8 @@ double Storm(double x, double y, double height)
   return height > 15.0 ? -33.0 : std::max({tower, veil, -33.0});
 }
 
-} // namespace
-
-GriddedVolume MakeStorm(bool synthetic)
+// The storm after it has moved so many km to the east.
+GriddedVolume MakeStorm(bool synthetic, double east)
 {
   GriddedVolume volume;
   volume.grid.dimensions = {48, 48, 16};
@@ -41,7 +41,7 @@ GriddedVolume MakeStorm(bool synthetic)
     const auto coordinate = [&](int axis, std::size_t index)
     { return volume.grid.Coordinate(axis, static_cast<int>(index)) / 1000.0; };
     const double dBZ =
-      Storm(coordinate(0, i % 48), coordinate(1, i / 48 % 48), coordinate(2, i / (48 * 48)));
+      Storm(coordinate(0, i % 48) - east, coordinate(1, i / 48 % 48), coordinate(2, i / (48 * 48)));
     const bool echo = dBZ > 0.0;
     volume.values.push_back(echo ? static_cast<float>(dBZ) : volume.fill);
     volume.states.push_back(echo ? VoxelState::Echo : VoxelState::NoEcho);
@@ -49,11 +49,33 @@ GriddedVolume MakeStorm(bool synthetic)
   return volume;
 }
 
+} // namespace
+
+GriddedVolume MakeStorm(bool synthetic)
+{
+  return MakeStorm(synthetic, 0.0);
+}
+
 vtkSmartPointer<vtkImageData> MakeStormVolume(bool synthetic)
 {
   auto image = vtkSmartPointer<vtkImageData>::New();
   vtkNexradVolumeToImage(MakeStorm(synthetic), image);
   return image;
+}
+
+std::filesystem::path WriteStormFiles(const std::filesystem::path& folder, int steps)
+{
+  NxvSeries series;
+  for (int step = 0; step < steps; ++step)
+  {
+    GriddedVolume volume = MakeStorm(true, 20.0 * step);
+    volume.time += std::chrono::minutes(5 * step);
+    const std::string name = FormatForFileName(volume.time) + ".nxv";
+    WriteNxv(folder / name, volume);
+    series.emplace_back(name, ToSeconds(volume.time));
+  }
+  WriteNxvSeries(folder / "volumes.nxv.series", series);
+  return folder / "volumes.nxv.series";
 }
 
 } // namespace nexrad::testing

@@ -6,6 +6,8 @@
 #include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
+#include <filesystem>
+
 namespace nexrad::testing
 {
 
@@ -14,5 +16,9 @@ namespace nexrad::testing
 /// west quarter, and the sites KLSX and KILX. Marked as synthetic when asked.
 GriddedVolume MakeStorm(bool synthetic);
 vtkSmartPointer<vtkImageData> MakeStormVolume(bool synthetic);
+
+/// The same storm, marked as synthetic, at `steps` times five minutes apart, in which it moves 20
+/// km to the east from one to the next. Written to a folder as .nxv files; returns their index.
+std::filesystem::path WriteStormFiles(const std::filesystem::path& folder, int steps);
 
 } // namespace nexrad::testing

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ColourScale.h"
 #include "PlanView.h"
+#include "VolumeLook.h"
 
 #include "Model/Error.h"
+#include "vtkNexradTransferFunction.h"
 
 #include <gtest/gtest.h>
 
@@ -121,7 +123,7 @@ TEST(PlanView, AnArrayThatIsNotThereIsRefusedByName)
 TEST(ColourScale, AgesAreInMinutesUpToTheOldest)
 {
   const PlanView view = View(PlanLevel::Composite, "REF_age"); // to 131 s
-  const ColourScale scale = ScaleFor(view, "REF_age", {}, WeatherServiceColours());
+  const ColourScale scale = ScaleFor(view, "REF_age", {}, StepsOf(MakeLook({})));
   EXPECT_EQ(scale.unit, "min");
   ASSERT_EQ(scale.bins.size(), 11u); // of 0.2 minutes
   EXPECT_NEAR(scale.bins[1].from, 0.2, 1e-9);
@@ -134,7 +136,7 @@ TEST(ColourScale, AgesAreInMinutesUpToTheOldest)
 TEST(ColourScale, RadarsAndSitesHaveABoxEach)
 {
   const PlanView radars = View(PlanLevel::Composite, "REF_radars");
-  const ColourScale numbers = ScaleFor(radars, "REF_radars", {}, WeatherServiceColours());
+  const ColourScale numbers = ScaleFor(radars, "REF_radars", {}, StepsOf(MakeLook({})));
   EXPECT_EQ(numbers.labels, (std::vector<std::string>{"1", "2"}));
   EXPECT_EQ(FindBin(numbers, 1.0), 0);
   EXPECT_EQ(FindBin(numbers, 2.0), 1);
@@ -146,9 +148,9 @@ TEST(ColourScale, RadarsAndSitesHaveABoxEach)
 
 TEST(ColourScale, TheMomentKeepsItsTable)
 {
-  const ColourScale scale = ScaleFor(View(PlanLevel::Composite), "", {}, WeatherServiceColours());
+  const ColourScale scale = ScaleFor(View(PlanLevel::Composite), "", {}, StepsOf(MakeLook({})));
   EXPECT_EQ(scale.unit, "dBZ");
-  EXPECT_EQ(scale.bins.size(), WeatherServiceColours().size());
+  EXPECT_EQ(scale.bins.size(), StepsOf(MakeLook({})).size());
   EXPECT_EQ(FindBin(scale, 4.9), -1);
   EXPECT_EQ(FindBin(scale, 5.0), 0);
   EXPECT_EQ(FindBin(scale, 200.0), 14);

@@ -22,22 +22,6 @@ namespace
 
 constexpr char small[] = "320x180";
 
-// Three volumes five minutes apart, with their index.
-fs::path WriteStormSeries(const fs::path& folder)
-{
-  GriddedVolume volume = MakeStorm(true);
-  NxvSeries series;
-  for (int step = 0; step < 3; ++step)
-  {
-    const std::string name = FormatForFileName(volume.time) + ".nxv";
-    WriteNxv(folder / name, volume);
-    series.emplace_back(name, ToSeconds(volume.time));
-    volume.time += std::chrono::minutes(5);
-  }
-  WriteNxvSeries(folder / "volumes.nxv.series", series);
-  return folder / "volumes.nxv.series";
-}
-
 std::set<std::string> NamesIn(const fs::path& folder)
 {
   std::set<std::string> names;
@@ -70,7 +54,7 @@ private:
 TEST(RenderCommand, OnePictureForEachTime)
 {
   const TemporaryFolder folder;
-  const fs::path series = WriteStormSeries(folder.Path());
+  const fs::path series = WriteStormFiles(folder.Path(), 3);
   fs::create_directory(folder.Path() / "out");
   const ProgramRun run =
     RunNexrad3d({"render", series, "-o", folder.Path() / "out" / "storm.png", "--size", small});
@@ -89,7 +73,7 @@ TEST(RenderCommand, OnePictureForEachTime)
 TEST(RenderCommand, OneTimeAndTheCamera)
 {
   const TemporaryFolder folder;
-  WriteStormSeries(folder.Path());
+  WriteStormFiles(folder.Path(), 3);
   const auto draw = [&](const std::string& name, const std::vector<std::string>& options)
   {
     std::vector<std::string> arguments = {"render", folder.Path(), "-o", folder.Path() / name,
@@ -141,7 +125,7 @@ TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)
 TEST(RenderCommand, Movies)
 {
   const TemporaryFolder folder;
-  const fs::path series = WriteStormSeries(folder.Path());
+  const fs::path series = WriteStormFiles(folder.Path(), 3);
   const ProgramRun run = RunNexrad3d({"render", series, "-o", folder.Path() / "storm.ogv", "--size",
     small, "--frames", "4", "--turn", "90"});
   EXPECT_EQ(run.status, 0) << run.errors;
@@ -154,7 +138,7 @@ TEST(RenderCommand, Movies)
 TEST(RenderCommand, Mp4NeedsFfmpegAndSaysSo)
 {
   const TemporaryFolder folder;
-  const fs::path series = WriteStormSeries(folder.Path());
+  const fs::path series = WriteStormFiles(folder.Path(), 3);
   const std::string path = std::getenv("PATH");
   setenv("PATH", "/nonexistent", 1);
   const ProgramRun run =
@@ -180,7 +164,7 @@ TEST(RenderCommand, RadarFilesAreMergedFirst)
 TEST(RenderCommand, FailuresAreOneLine)
 {
   const TemporaryFolder folder;
-  const fs::path series = WriteStormSeries(folder.Path());
+  const fs::path series = WriteStormFiles(folder.Path(), 3);
   std::ofstream(folder.Path() / "broken.nxv") << "NXV1 and nothing more";
   std::ofstream(folder.Path() / "broken.vti") << "<VTKFile";
   std::ofstream(folder.Path() / "colours.csv") << "dbz,colour\n5,#000000\n1,#ffffff\n";
@@ -215,7 +199,7 @@ TEST(RenderCommand, WithoutADisplayItSaysSo)
 {
   const NoDisplay none;
   const TemporaryFolder folder;
-  const fs::path series = WriteStormSeries(folder.Path());
+  const fs::path series = WriteStormFiles(folder.Path(), 3);
   const ProgramRun run = RunNexrad3d({"render", series, "-o", folder.Path() / "x.png"});
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.errors.find("xvfb-run"), std::string::npos) << run.errors;

@@ -3,9 +3,11 @@
 #include "PlanLayer.h"
 #include "RadarScene.h"
 #include "StormVolume.h"
+#include "VolumeLook.h"
 
 #include "Model/Error.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradTransferFunction.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -110,7 +112,7 @@ TEST(Scene, ShowsStormMapAndColourBar)
 {
   const auto picture = Draw(MakeStormVolume(false), "Storm");
   EXPECT_GT(Count(picture, withoutBar, IsStrongEcho), 300);
-  for (const ColourBin& bin : WeatherServiceColours())
+  for (const ColourBin& bin : StepsOf(MakeLook({})))
   {
     const auto isBin = [&](const std::array<int, 3>& rgb)
     {
@@ -220,7 +222,7 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
   const int grey = Count(picture, whole, isColour(notScannedColour));
   EXPECT_GT(grey, 70 * 278 * 8 / 10);
   EXPECT_LT(grey, 70 * 278);
-  const Colour core = WeatherServiceColours()[11].colour; // 60 to 65 dBZ, 4 voxels
+  const Colour core = StepsOf(MakeLook({}))[11].colour; // 60 to 65 dBZ, 4 voxels
   EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, isColour(core)), 30);
   // The echo of 35 dBZ and more covers a disc of a radius of 33 km or more: flat colours of bins.
   EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, IsStrongEcho), 500);

@@ -298,6 +298,18 @@ TEST(TransferFunction, ReadsPalTables)
   EXPECT_NEAR(function->Evaluate(Function::OPACITY, 30.0), 0.2, 1e-12);
 }
 
+TEST(TransferFunction, NothingShowsBelowATableOfColours)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  const double before = function->Evaluate(Function::OPACITY, 60.0);
+  ASSERT_TRUE(function->ReadFile(
+    WriteText(folder, "map.csv", "dbz,colour\n30,#00ff00\n40,#ff0000\n").c_str()));
+  EXPECT_EQ(function->Evaluate(Function::OPACITY, 29.9), 0.0);
+  EXPECT_GT(function->Evaluate(Function::OPACITY, 35.0), 0.0);
+  EXPECT_EQ(function->Evaluate(Function::OPACITY, 60.0), before);
+}
+
 TEST(TransferFunction, PalTablesComeBackToAByte)
 {
   const TemporaryFolder folder;

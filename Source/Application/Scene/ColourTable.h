@@ -2,11 +2,7 @@
 #pragma once
 
 #include <array>
-#include <filesystem>
-#include <string>
 #include <vector>
-
-class vtkColorTransferFunction;
 
 namespace nexrad::scene
 {
@@ -23,23 +19,5 @@ struct ColourBin
 
 /// At least two bins, their values ascending.
 using ColourTable = std::vector<ColourBin>;
-
-/// Reads lines "dbz,#rrggbb" below a heading. `name` stands in the messages. Throws Error, naming
-/// the line, when a row is something else, values do not ascend, or rows are fewer than two.
-ColourTable ParseColourTable(const std::string& text, const std::string& name);
-
-/// The same for a file. Throws Error when it cannot be read.
-ColourTable ReadColourTable(const std::filesystem::path& path);
-
-/// The National Weather Service's colours of reflectivity (Formulas R4).
-const ColourTable& WeatherServiceColours();
-
-/// Width of the last bin, which has no successor: as wide as the one before it.
-double UpperEnd(const ColourTable& table);
-
-/// Colours between the bins' centres are linear, so that the volume shows no bands that
-/// interpolation between voxels would turn into noise; beyond the first and last centre they stay
-/// as they are.
-void FillSmooth(vtkColorTransferFunction* function, const ColourTable& table);
 
 } // namespace nexrad::scene

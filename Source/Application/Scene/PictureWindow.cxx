@@ -48,12 +48,16 @@ PictureWindow::~PictureWindow() = default;
 
 vtkSmartPointer<vtkImageData> PictureWindow::Draw()
 {
-  window->Render();
+  return GrabPicture(window);
+}
+
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window)
+{
   vtkNew<vtkWindowToImageFilter> grabber;
   grabber->SetInput(window);
   grabber->SetInputBufferTypeToRGB();
   grabber->ReadFrontBufferOff();
-  grabber->ShouldRerenderOff();
+  grabber->ShouldRerenderOn();
   grabber->Update();
   return grabber->GetOutput();
 }

@@ -34,6 +34,9 @@ private:
   vtkSmartPointer<vtkRenderWindow> window;
 };
 
+/// Draws a window and gives what it shows: red, green, blue, a byte each.
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
+
 /// Writes a picture as PNG, under a temporary name that is renamed at the end. Throws Error when
 /// the file cannot be written.
 void WritePng(vtkImageData* picture, const std::filesystem::path& path);

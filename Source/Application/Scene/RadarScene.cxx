@@ -9,6 +9,7 @@
 #include "SceneText.h"
 #include "VolumeLook.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradTransferFunction.h"
 
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
@@ -82,17 +83,14 @@ std::string ScaleText(double exaggeration)
 
 RadarScene::RadarScene(const SceneOptions& sceneOptions)
   : options(sceneOptions)
+  , look(MakeLook(sceneOptions))
 {
-  if (options.colours.empty())
-  {
-    options.colours = WeatherServiceColours();
-  }
   renderer->SetBackground(skyBottom[0], skyBottom[1], skyBottom[2]);
   renderer->SetBackground2(skyTop[0], skyTop[1], skyTop[2]);
   renderer->GradientBackgroundOn();
-  volume->SetProperty(MakeVolumeProperty(options.colours));
-  scale = MomentScale(options.colours);
+  volume->SetProperty(MakeVolumeProperty());
   note = ScaleText(options.exaggeration);
+  this->LookChanged();
 }
 
 RadarScene::~RadarScene() = default;
@@ -100,6 +98,31 @@ RadarScene::~RadarScene() = default;
 int RadarScene::TextSize() const
 {
   return std::max(9, size[1] / 45);
+}
+
+vtkNexradTransferFunction* RadarScene::Look()
+{
+  return look;
+}
+
+void RadarScene::LookChanged()
+{
+  look->FillProperty(volume->GetProperty());
+  steps = StepsOf(look);
+  if (!options.plan)
+  {
+    scale = MomentScale(steps);
+  }
+  this->DrawCaptions();
+}
+
+void RadarScene::SetSlices(int slices)
+{
+  options.slices = slices;
+  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  {
+    scene::SetSlices(mapper, slices, mapper->GetInput()->GetLength());
+  }
 }
 
 void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
@@ -162,16 +185,17 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 {
   if (!sameMapper)
   {
-    volume->SetMapper(MakeVolumeMapper(options.mapper, options.slices, placed->GetLength()));
+    volume->SetMapper(MakeVolumeMapper(options.mapper));
     renderer->AddVolume(volume);
   }
   volume->GetMapper()->SetInputDataObject(placed);
+  this->SetSlices(options.slices);
 }
 
 void RadarScene::DrawPlan(vtkImageData* data, vtkImageData* placed)
 {
   const PlanView shown = MakePlanView(vtkNexradImageToVolume(data), *options.plan);
-  scale = ScaleFor(shown, options.plan->array, information.sites, options.colours);
+  scale = ScaleFor(shown, options.plan->array, information.sites, steps);
   const std::string key = PlanKey(shown);
   note = shown.where + (key.empty() ? "" : "; " + key);
   this->Replace(plan, {MakePlanLayer(shown, scale, placed, PictureHeight(frame))});

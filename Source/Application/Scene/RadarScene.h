@@ -15,6 +15,7 @@
 #include <vector>
 
 class vtkImageData;
+class vtkNexradTransferFunction;
 class vtkProp;
 class vtkRenderer;
 class vtkVolume;
@@ -45,6 +46,14 @@ public:
   /// it cannot give.
   void SetVolume(vtkImageData* volume);
 
+  /// Colours and opacities; after a change of them LookChanged brings the scene up to date.
+  vtkNexradTransferFunction* Look();
+  void LookChanged();
+
+  /// Slices, or samples along the longest ray; at least 1.
+  int Slices() const { return options.slices; }
+  void SetSlices(int slices);
+
 private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
@@ -64,6 +73,8 @@ private:
   VolumeInformation information;
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkVolume> volume;
+  vtkSmartPointer<vtkNexradTransferFunction> look;
+  ColourTable steps; ///< of the look
   ColourScale scale;
   std::string note; ///< what the heights are, or which voxels a map shows
   Props plan;

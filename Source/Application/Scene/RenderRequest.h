@@ -2,13 +2,12 @@
 #pragma once
 
 #include "CameraView.h"
-#include "GridOptions.h"
+#include "InputSeries.h"
 #include "Model/Progress.h"
 #include "SceneOptions.h"
 
 #include <array>
 #include <filesystem>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,17 +17,14 @@ namespace nexrad::scene
 /// What the render command asks of the scene library.
 struct RenderRequest
 {
-  std::vector<std::filesystem::path> inputs; ///< volumes (.nxv, .nxv.series, .vti) or radar files
-  std::filesystem::path output;              ///< .png, .ogv or .mp4
-  std::array<int, 2> size = {1280, 720};     ///< pixels
+  InputRequest input;
+  std::filesystem::path output;          ///< .png, .ogv or .mp4
+  std::array<int, 2> size = {1280, 720}; ///< pixels
   CameraView camera;
-  SceneOptions scene;                ///< its colours are read from `colourTable`
-  std::filesystem::path colourTable; ///< empty: the weather service's
-  std::optional<Time> time;          ///< this time alone
-  int framesPerSecond = 8;           ///< of a movie
-  int frames = 0;                    ///< of a movie; 0: one for each time
-  double turn = 0.0;                 ///< degrees by which the camera goes round during a movie
-  application::GridOptions grid;     ///< for radar files
+  SceneOptions scene;
+  int framesPerSecond = 8; ///< of a movie
+  int frames = 0;          ///< of a movie; 0: one for each time
+  double turn = 0.0;       ///< degrees by which the camera goes round during a movie
   Progress progress;
 };
 

@@ -1,19 +1,37 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderRequest.h"
+#include "ViewRequest.h"
 
 #include <exception>
 
-/// The function that the program looks for in this library (RenderFunction). No exception may leave
-/// it: what went wrong is in `report->error`.
-extern "C" __attribute__((visibility("default"))) void nexrad3dRender(
-  const nexrad::scene::RenderRequest* request, nexrad::scene::RenderReport* report)
+namespace
+{
+
+// No exception may leave the library: what went wrong is in `report->error`.
+template <typename Report, typename Request>
+void Run(Report (*work)(const Request&), const Request* request, Report* report)
 {
   try
   {
-    *report = nexrad::scene::Render(*request);
+    *report = work(*request);
   }
   catch (const std::exception& error)
   {
     report->error = error.what();
   }
+}
+
+} // namespace
+
+/// The functions that the program looks for in this library (RenderFunction, ViewFunction).
+extern "C" __attribute__((visibility("default"))) void nexrad3dRender(
+  const nexrad::scene::RenderRequest* request, nexrad::scene::RenderReport* report)
+{
+  Run(nexrad::scene::Render, request, report);
+}
+
+extern "C" __attribute__((visibility("default"))) void nexrad3dView(
+  const nexrad::scene::ViewRequest* request, nexrad::scene::ViewReport* report)
+{
+  Run(nexrad::scene::View, request, report);
 }

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "ColourTable.h"
-
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -32,10 +31,17 @@ struct PlanOptions
   std::string array;   ///< which of the volume's arrays, as "REF_age"; empty: the moment
 };
 
+/// The presets of colour and opacity (vtkNexradTransferFunction), the default first.
+constexpr const char* presetNames[] = {
+  "all echo", "storm cores", "hail", "clear air", "iso-values"};
+
 /// What a scene shows beside the data.
 struct SceneOptions
 {
-  ColourTable colours;       ///< empty: the weather service's
+  std::string preset = presetNames[0];
+  std::filesystem::path
+    colours;                 ///< colours, and opacities if it has any, in place of the preset's:
+                             ///< a file that vtkNexradTransferFunction reads; empty: none
   double exaggeration = 8.0; ///< of heights; above 0
   MapperChoice mapper = MapperChoice::TextureSlice;
   int slices = 256;         ///< or samples along the longest ray; from 1 on

@@ -1,64 +1,97 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeLook.h"
 
+#include "Volumes/VtkMessages.h"
+#include "vtkNexradTransferFunction.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
-#include <vtkColorTransferFunction.h>
-#include <vtkNew.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
-#include <vtkPiecewiseFunction.h>
 #include <vtkVolumeProperty.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace nexrad::scene
 {
 namespace
 {
 
-struct OpacityNode
-{
-  double dBZ;
-  double opacity; // of unitDistance
-};
-constexpr double unitDistance = 5.0; // scene units: km along the ground
-// Chosen so that 40 km of scene (5 km of height, stretched 8 times) through rain of 20 dBZ hide
-// four tenths of the map, through 30 dBZ seven tenths, and that 10 km through a core of 50 dBZ
-// look solid.
-constexpr OpacityNode opacityNodes[] = {{10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25},
-  {50.0, 0.75}, {60.0, 0.93}, {75.0, 0.98}};
+constexpr double unitDistance = 5.0;  // scene units: km along the ground
+constexpr double stepOfSplines = 5.0; // dBZ, of a colour bar for colours that have no steps
 
 } // namespace
 
-vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, int slices, double diagonal)
+vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice)
 {
   if (choice == MapperChoice::TextureSlice)
   {
-    auto mapper = vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
-    mapper->SetNumberOfSlices(slices);
-    return mapper;
+    return vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
   }
   auto mapper = vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
   mapper->SetAutoAdjustSampleDistances(0);
-  mapper->SetSampleDistance(static_cast<float>(diagonal / slices));
   mapper->SetUseJittering(0);
   return mapper;
 }
 
-vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(const ColourTable& table)
+void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
 {
-  vtkNew<vtkColorTransferFunction> colours;
-  FillSmooth(colours, table);
-  vtkNew<vtkPiecewiseFunction> opacity;
-  opacity->AddPoint(table.front().from, 0.0);
-  for (const OpacityNode& node : opacityNodes)
+  if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
   {
-    if (node.dBZ > table.front().from)
-    {
-      opacity->AddPoint(node.dBZ, node.opacity);
-    }
+    slicer->SetNumberOfSlices(slices);
   }
+  else if (auto* caster = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper))
+  {
+    caster->SetSampleDistance(static_cast<float>(diagonal / slices));
+  }
+}
+
+vtkSmartPointer<vtkNexradTransferFunction> MakeLook(const SceneOptions& options)
+{
+  auto look = vtkSmartPointer<vtkNexradTransferFunction>::New();
+  application::VtkMessages messages;
+  messages.Watch(look);
+  look->ApplyPreset(options.preset.c_str());
+  if (!options.colours.empty())
+  {
+    look->ReadFile(options.colours.c_str());
+  }
+  messages.ThrowFirstError();
+  return look;
+}
+
+ColourTable StepsOf(vtkNexradTransferFunction* look)
+{
+  ColourTable table;
+  double range[2];
+  Colour lower{};
+  Colour upper{};
+  for (int i = 0; look->GetBin(i, range, lower.data(), upper.data()); ++i)
+  {
+    Colour mean{};
+    std::transform(lower.begin(), lower.end(), upper.begin(), mean.begin(),
+      [](double a, double b) { return 0.5 * (a + b); });
+    table.push_back({range[0], mean});
+  }
+  if (table.size() >= 2)
+  {
+    return table;
+  }
+  table.clear();
+  look->GetRange(range);
+  const double first = std::floor(range[0] / stepOfSplines) * stepOfSplines;
+  for (double from = first; table.size() < 2 || from < range[1]; from += stepOfSplines)
+  {
+    const double middle = from + 0.5 * stepOfSplines;
+    table.push_back({from, {look->Evaluate(vtkNexradTransferFunction::RED, middle),
+                             look->Evaluate(vtkNexradTransferFunction::GREEN, middle),
+                             look->Evaluate(vtkNexradTransferFunction::BLUE, middle)}});
+  }
+  return table;
+}
+
+vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty()
+{
   auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-  property->SetColor(colours);
-  property->SetScalarOpacity(opacity);
   property->SetScalarOpacityUnitDistance(unitDistance);
   property->SetInterpolationTypeToLinear();
   property->ShadeOff();

@@ -1,22 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "ColourTable.h"
 #include "SceneOptions.h"
 
 #include <vtkSmartPointer.h>
 
+class vtkNexradTransferFunction;
 class vtkVolumeMapper;
 class vtkVolumeProperty;
 
 namespace nexrad::scene
 {
 
-/// A mapper of that kind. `slices`: number of slices, or of samples along the longest ray through
-/// the volume, whose length is `diagonal` in scene units.
-vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, int slices, double diagonal);
+/// A mapper of that kind.
+vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice);
 
-/// Colours from the table, and an opacity that grows with the reflectivity: weak echo is a veil,
-/// cores are dense. Nothing shows below the table's first value.
-vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty(const ColourTable& table);
+/// Sets the number of slices, or of samples along the longest ray through the volume, whose length
+/// is `diagonal` in scene units.
+void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
+
+/// Colours and opacities as the options ask for. Throws Error for a preset that does not exist and
+/// a file that is no colour map.
+vtkSmartPointer<vtkNexradTransferFunction> MakeLook(const SceneOptions& options);
+
+/// The boxes of the look's colour bar: its own steps, or one for each 5 dBZ.
+ColourTable StepsOf(vtkNexradTransferFunction* look);
+
+/// A property for volumes whose colours and opacities come from a look; the opacities are those of
+/// 5 scene units (km along the ground).
+vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty();
 
 } // namespace nexrad::scene

@@ -127,6 +127,7 @@ public:
   }
 
   const std::vector<Time>& Times() const override { return times; }
+  bool CanLoadAhead() const override { return true; }
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress&) override
   {

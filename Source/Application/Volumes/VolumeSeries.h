@@ -32,6 +32,9 @@ public:
   /// cannot be read or made.
   virtual vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) = 0;
 
+  /// True when Load may run on another thread while nothing else is asked of the series.
+  virtual bool CanLoadAhead() const { return false; }
+
   /// Inputs that were damaged or left out so far, a line each.
   virtual std::vector<std::string> Problems() const { return {}; }
 };

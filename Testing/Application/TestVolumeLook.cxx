@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "TestData.h"
+#include "VolumeLook.h"
+
+#include "Model/Error.h"
+#include "vtkNexradTransferFunction.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::scene;
+using nexrad::testing::TemporaryFolder;
+
+// Formulas R4.
+TEST(VolumeLook, TheBarShowsTheWeatherServicesSteps)
+{
+  const ColourTable table = StepsOf(MakeLook({}));
+  ASSERT_EQ(table.size(), 15U);
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    EXPECT_EQ(table[i].from, 5.0 + 5.0 * static_cast<double>(i));
+  }
+  EXPECT_NEAR(table[0].colour[0], 0x04 / 255.0, 1e-12);
+  EXPECT_NEAR(table[0].colour[1], 0xe9 / 255.0, 1e-12);
+  EXPECT_NEAR(table[0].colour[2], 0xe7 / 255.0, 1e-12);
+  EXPECT_EQ(table[9].colour, (Colour{0xfd / 255.0, 0.0, 0.0}));
+}
+
+TEST(VolumeLook, ColoursWithoutStepsAreShownEveryFiveDecibels)
+{
+  const auto look = MakeLook({});
+  look->AddNode(vtkNexradTransferFunction::RED, 7.5, 0.25);
+  const ColourTable table = StepsOf(look);
+  EXPECT_EQ(table[0].from, 5.0);
+  EXPECT_EQ(table[0].colour[0], 0.25);
+  EXPECT_EQ(table[1].from, 10.0);
+}
+
+TEST(VolumeLook, TheProgramsPresetsAreThoseOfTheTransferFunction)
+{
+  ASSERT_EQ(
+    vtkNexradTransferFunction::GetNumberOfPresets(), static_cast<int>(std::size(presetNames)));
+  for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
+  {
+    EXPECT_STREQ(vtkNexradTransferFunction::GetPresetName(i), presetNames[i]);
+  }
+}
+
+TEST(VolumeLook, AWrongPresetOrFileIsAnError)
+{
+  SceneOptions options;
+  options.preset = "rainbow";
+  EXPECT_THROW(MakeLook(options), Error);
+  const TemporaryFolder folder;
+  options = {};
+  options.colours = folder.Path() / "my.csv";
+  std::ofstream(options.colours) << "dbz,colour\n5,#000000\n1,#ffffff\n";
+  try
+  {
+    MakeLook(options);
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("my.csv: line 3"), std::string::npos) << error.what();
+  }
+}
