@@ -80,6 +80,21 @@ double ParseOverlapLength(const std::string& text)
   return length;
 }
 
+MotionChoice ParseMotionChoice(const std::string& text)
+{
+  if (text == "none" || text == "estimated")
+  {
+    return {text == "none", std::nullopt};
+  }
+  if (text.find(',') == std::string::npos)
+  {
+    throw Error("'" + text +
+                "' is no motion; write estimated, none, or m/s towards east and north, as in "
+                "12,-7.5");
+  }
+  return {false, ParseMotion(text)};
+}
+
 std::string ParseSite(const std::string& text)
 {
   if (FindSite(text) == nullptr)
@@ -152,7 +167,7 @@ void AddMethod(CLI::App& command, GridOptions& options)
 
 // What the method beam can do beside. The method thesis has none of it.
 constexpr const char* beamOptions[] = {
-  "--overlap", "--overlap-length", "--fill", "--linear-reflectivity", "--companions"};
+  "--overlap", "--overlap-length", "--fill", "--linear-reflectivity", "--companions", "--motion"};
 
 void AddBeam(CLI::App& command, GridOptions& options)
 {
@@ -162,6 +177,11 @@ void AddBeam(CLI::App& command, GridOptions& options)
     ->group(group);
   AddParsedOption(command, "--overlap-length", options.overlapLength, ParseOverlapLength, "LENGTH",
     "Distance at which a radar's weight has fallen to 1/e, m or km; of --overlap distance", "100km")
+    ->group(group);
+  AddParsedOption(command, "--motion", options.motion, ParseMotionChoice, "MOTION",
+    "Echo between two looks of a radar moves: as estimated from reflectivity, with EAST,NORTH m/s, "
+    "or none (blended in place). Other moments than REF move only as given",
+    "estimated")
     ->group(group);
   command
     .add_flag("--fill", options.fill,

@@ -3,6 +3,7 @@
 
 #include "Geometry/GridSpecification.h"
 #include "Gridding/BeamColumn.h"
+#include "Gridding/MotionField.h"
 #include "Model/Moment.h"
 #include "Model/Time.h"
 
@@ -16,6 +17,13 @@ class App;
 
 namespace nexrad::application
 {
+
+/// Along which motion the method beam interpolates in time.
+struct MotionChoice
+{
+  bool none = false;             ///< linear in time
+  std::optional<Velocity> given; ///< in place of the motion found from reflectivity
+};
 
 /// What a user asks of merged volumes.
 struct GridOptions
@@ -35,6 +43,7 @@ struct GridOptions
   bool fill = false;                ///< fill columns between and below what was scanned
   bool linearReflectivity = false;  ///< interpolate and average Z in place of dBZ; of REF
   bool companions = false;          ///< add age, number of radars, weight and nearest site
+  MotionChoice motion;
 };
 
 /// Adds the options of merging to a command, all in one group of its help. They store into

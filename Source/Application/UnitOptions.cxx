@@ -100,6 +100,22 @@ std::optional<std::array<int, Count>> ParseCounts(const std::string& text, int l
   return counts;
 }
 
+// Bare numbers separated by commas; empty for any other text.
+std::vector<double> ParseNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  for (const std::string& part : Split(text, ','))
+  {
+    const auto quantity = SplitQuantity(part);
+    if (!quantity || !quantity->unit.empty())
+    {
+      return {};
+    }
+    numbers.push_back(quantity->number);
+  }
+  return numbers;
+}
+
 } // namespace
 
 Duration ParseDuration(const std::string& text)
@@ -171,17 +187,8 @@ std::array<int, 2> ParsePictureSize(const std::string& text)
 
 GeographicBounds ParseBounds(const std::string& text)
 {
-  const std::vector<std::string> parts = Split(text, ',');
-  std::vector<double> degrees;
-  for (const std::string& part : parts)
-  {
-    const auto quantity = SplitQuantity(part);
-    if (quantity && quantity->unit.empty())
-    {
-      degrees.push_back(quantity->number);
-    }
-  }
-  if (parts.size() != 4 || degrees.size() != 4)
+  const std::vector<double> degrees = ParseNumbers(text);
+  if (degrees.size() != 4)
   {
     throw Error("'" + text +
                 "' is no box; write west,south,east,north in degrees, as in "
@@ -201,6 +208,22 @@ GeographicBounds ParseBounds(const std::string& text)
                 "-90…90 degrees");
   }
   return bounds;
+}
+
+Velocity ParseMotion(const std::string& text)
+{
+  const std::vector<double> numbers = ParseNumbers(text);
+  if (numbers.size() != 2)
+  {
+    throw Error("'" + text + "' is no motion; write m/s towards east and north, as in 12,-7.5");
+  }
+  if (std::hypot(numbers[0], numbers[1]) > FastestEcho)
+  {
+    throw Error("'" + text +
+                "' is faster than any echo; write m/s towards east and north, of a "
+                "speed of at most 150 m/s");
+  }
+  return {numbers[0], numbers[1]};
 }
 
 Time ParseTime(const std::string& text)

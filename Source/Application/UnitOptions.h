@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Geometry/GridSpecification.h"
+#include "Gridding/MotionField.h"
 #include "Model/Time.h"
 
 #include <array>
@@ -38,6 +39,9 @@ std::array<int, 2> ParsePictureSize(const std::string& text);
 
 /// "west,south,east,north" in degrees. Refuses bounds inside out or off the globe.
 GeographicBounds ParseBounds(const std::string& text);
+
+/// "12,-7.5": m/s towards east and north. Refuses a speed above FastestEcho.
+Velocity ParseMotion(const std::string& text);
 
 /// A time in UTC as ParseIso8601 reads it.
 Time ParseTime(const std::string& text);

@@ -110,6 +110,13 @@ nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(
   request.beam.linearReflectivity = this->LinearReflectivity;
   request.beam.fill = this->VerticalFill;
   request.beam.companions = this->CompanionArrays;
+  request.interpolation = this->TimeInterpolation == LINEAR
+                            ? nexrad::TimeInterpolationMethod::Linear
+                            : nexrad::TimeInterpolationMethod::AlongMotion;
+  if (this->UseGivenMotion)
+  {
+    request.motion = nexrad::Velocity{this->GivenMotion[0], this->GivenMotion[1]};
+  }
   request.loop = ParallelFor;
   return request;
 }
@@ -145,6 +152,9 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "OverlapStrategy: " << this->OverlapStrategy << "\n";
   os << indent << "OverlapLength: " << this->OverlapLength << "\n";
+  os << indent << "TimeInterpolation: " << this->TimeInterpolation << "\n";
+  os << indent << "GivenMotion: " << this->GivenMotion[0] << ", " << this->GivenMotion[1] << "\n";
+  os << indent << "UseGivenMotion: " << this->UseGivenMotion << "\n";
   os << indent << "LinearReflectivity: " << this->LinearReflectivity << "\n";
   os << indent << "VerticalFill: " << this->VerticalFill << "\n";
   os << indent << "CompanionArrays: " << this->CompanionArrays << "\n";

@@ -61,6 +61,16 @@ public:
   };
 
   /**
+   * How the time between a radar's looks is filled. LINEAR: where they are (Formulas A1). MOTION:
+   * along the motion of the echo (A2a).
+   */
+  enum TimeInterpolationType
+  {
+    LINEAR = 0,
+    MOTION = 1
+  };
+
+  /**
    * PROJECTED: metres east and north of the domain's centre in the azimuthal equidistant
    * projection of WGS84. GEOGRAPHIC: degrees of longitude and latitude, as the thesis has them.
    */
@@ -155,6 +165,31 @@ public:
 
   ///@{
   /**
+   * For BEAM: interpolation in time. MOTION by default: along the motion that is found from the
+   * reflectivity of the volumes about the time, or along GivenMotion. Other moments than REF are
+   * interpolated linearly unless a motion is given.
+   */
+  vtkSetClampMacro(TimeInterpolation, int, LINEAR, MOTION);
+  vtkGetMacro(TimeInterpolation, int);
+  void SetTimeInterpolationToLinear() { this->SetTimeInterpolation(LINEAR); }
+  void SetTimeInterpolationToMotion() { this->SetTimeInterpolation(MOTION); }
+  ///@}
+
+  ///@{
+  /**
+   * For BEAM and MOTION: the motion of all echo in metres a second towards east and north, in place
+   * of the one that is found, when UseGivenMotion is on. 0, 0 and off by default. Its speed must be
+   * at most 150.
+   */
+  vtkSetVector2Macro(GivenMotion, double);
+  vtkGetVector2Macro(GivenMotion, double);
+  vtkSetMacro(UseGivenMotion, bool);
+  vtkGetMacro(UseGivenMotion, bool);
+  vtkBooleanMacro(UseGivenMotion, bool);
+  ///@}
+
+  ///@{
+  /**
    * For BEAM: interpolate and average reflectivity as Z in place of dBZ. Off by default.
    */
   vtkSetMacro(LinearReflectivity, bool);
@@ -219,6 +254,9 @@ protected:
   int Method = BEAM;
   int OverlapStrategy = DISTANCE;
   double OverlapLength = 100000.0;
+  int TimeInterpolation = MOTION;
+  double GivenMotion[2] = {0.0, 0.0};
+  bool UseGivenMotion = false;
   bool LinearReflectivity = false;
   bool VerticalFill = false;
   bool CompanionArrays = false;

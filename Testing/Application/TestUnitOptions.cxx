@@ -73,6 +73,17 @@ TEST(UnitOptions, PictureSizes)
   }
 }
 
+TEST(UnitOptions, MotionIsEastAndNorth)
+{
+  EXPECT_EQ(ParseMotion("12,-7.5").east, 12.0);
+  EXPECT_EQ(ParseMotion("12,-7.5").north, -7.5);
+  EXPECT_EQ(ParseMotion("-90,120").north, 120.0); // 150 m/s
+  for (const char* text : {"", "12", "12,", ",12", "1,2,3", "12 7", "12m/s,7m/s", "91,120"})
+  {
+    EXPECT_THROW(ParseMotion(text), Error) << text;
+  }
+}
+
 TEST(UnitOptions, BoundsAreWestSouthEastNorth)
 {
   const GeographicBounds bounds = ParseBounds("-97.5,36,-86,43");

@@ -70,7 +70,7 @@ TEST(Usage, HelpHasUnitsAndDefaults)
          "--max-gap DURATION=15min", "--range LENGTH=230km", "--height LOWER,UPPER=0,20km",
          "--moment NAME=REF", "--method NAME=beam", "--format NAME=nxv", "--overlap NAME=distance",
          "--overlap-length LENGTH=100km", "--fill", "--linear-reflectivity", "--companions",
-         "degrees", "km", "UTC"})
+         "--motion MOTION=estimated", "degrees", "km", "UTC"})
   {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }
@@ -104,6 +104,10 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage(
     {"grid", "a", "-o", "b", "--moment", "VEL", "--method", "thesis"}, {"--moment", "REF"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--method", "bin"}, {"--method", "beam", "thesis"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--motion", "fast"}, {"--motion", "none", "12,-7.5"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--motion", "90,-130"}, {"--motion", "150 m/s"});
+  ExpectWrongUsage(
+    {"grid", "a", "-o", "b", "--motion", "1,2", "--method", "thesis"}, {"--motion", "beam"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--format", "hdf"}, {"--format", "nxv", "vti"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--site", "ZZZZ"}, {"--site", "ZZZZ"});
 }

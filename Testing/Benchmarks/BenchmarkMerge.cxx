@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How long three radars take to merge at 18:00 UTC of the synthetic day, by dimensions, on two
 // threads, with their volumes in memory: the storm as scanned, and the same rays with an echo in
-// every gate. The geometry, and making the volumes ready, are measured apart: both come once a run.
+// every gate, both along the storm's motion and linear in time. The geometry, making the volumes
+// ready (once a run both), and finding the motion (once a step at most) are measured apart.
 #include "Gridding/BeamMerge.h"
 #include "Simulation/SimulatedDay.h"
+#include "Temporal/MotionTracker.h"
 #include "Temporal/VolumeSelection.h"
 
 #include <benchmark/benchmark.h>
@@ -101,26 +103,57 @@ GridSpecification GridOf(int width)
   return MakeGrid(request, positions);
 }
 
-void MeasureMerge(benchmark::State& state, const std::vector<PolarVolume>& volumes)
+void MeasureMerge(
+  benchmark::State& state, const std::vector<PolarVolume>& volumes, bool alongMotion)
 {
-  BeamMerger merger(GridOf(static_cast<int>(state.range(0))));
-  const std::vector<const PolarVolume*> pointers = PointersTo(volumes);
+  const GridSpecification grid = GridOf(static_cast<int>(state.range(0)));
   const RangeLoop loop = ThreadLoop(2);
-  merger.Merge(pointers, evening, loop); // makes the volumes and the geometry ready
+  const BeamVolumes storm = BeamMerger(grid).Prepare(PointersTo(Storm()));
+  const auto motion = alongMotion ? MotionTracker(grid).Find(storm, evening) : nullptr;
+  BeamMerger merger(grid);
+  const BeamVolumes ready = merger.Prepare(PointersTo(volumes));
+  merger.Merge(ready, evening, motion.get(), loop); // makes the geometry ready
   for (auto iteration : state)
   {
-    benchmark::DoNotOptimize(merger.Merge(pointers, evening, loop));
+    benchmark::DoNotOptimize(merger.Merge(ready, evening, motion.get(), loop));
   }
 }
 
 void MergeStorm(benchmark::State& state)
 {
-  MeasureMerge(state, Storm());
+  MeasureMerge(state, Storm(), true);
+}
+
+void MergeStormLinear(benchmark::State& state)
+{
+  MeasureMerge(state, Storm(), false);
 }
 
 void MergeEchoEverywhere(benchmark::State& state)
 {
-  MeasureMerge(state, EchoEverywhere());
+  MeasureMerge(state, EchoEverywhere(), true);
+}
+
+void MergeEchoEverywhereLinear(benchmark::State& state)
+{
+  MeasureMerge(state, EchoEverywhere(), false);
+}
+
+// With nothing kept from the step before: the images of all volumes, then the motion of three
+// pairs.
+void FindMotion(benchmark::State& state)
+{
+  const GridSpecification grid = GridOf(static_cast<int>(state.range(0)));
+  BeamMerger merger(grid);
+  const BeamVolumes ready = merger.Prepare(PointersTo(Storm()));
+  MotionTracker tracker(grid);
+  const RangeLoop loop = ThreadLoop(2);
+  tracker.Find(ready, evening, loop); // makes the geometry ready
+  for (auto iteration : state)
+  {
+    tracker.Find({}, evening, loop);
+    benchmark::DoNotOptimize(tracker.Find(ready, evening, loop));
+  }
 }
 
 void GeometryOfThreeSites(benchmark::State& state)
@@ -151,12 +184,19 @@ void PrepareOneVolume(benchmark::State& state)
 } // namespace
 
 BENCHMARK(MergeStorm)->Arg(128)->Arg(256)->Arg(512)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(MergeStormLinear)->Arg(256)->Arg(512)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(MergeEchoEverywhere)
   ->Arg(128)
   ->Arg(256)
   ->Arg(512)
   ->UseRealTime()
   ->Unit(benchmark::kMillisecond);
+BENCHMARK(MergeEchoEverywhereLinear)
+  ->Arg(256)
+  ->Arg(512)
+  ->UseRealTime()
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK(FindMotion)->Arg(256)->Arg(512)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(GeometryOfThreeSites)->Arg(256)->Arg(512)->Unit(benchmark::kMillisecond);
 BENCHMARK(PrepareOneVolume)->Unit(benchmark::kMillisecond);
 

@@ -92,6 +92,44 @@ TEST(SiteMerge, GivesWhatTheDayReaderGives)
   EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[0], time);
 }
 
+// The motion that is found, one that is given and none make three volumes; no speed is none.
+TEST(SiteMerge, MovesEchoAsAsked)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path run = data / "level2/run-kbgm-20050821";
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(merge);
+  merge->AddInputConnection(ReaderOf(run / "KBGM20050821_024910.gz")->GetOutputPort());
+  merge->AddInputConnection(ReaderOf(run / "KBGM20050821_030047.gz")->GetOutputPort());
+  merge->SetTime(nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:57:00Z")));
+  const auto valuesNow = [&merge]
+  {
+    merge->Update();
+    EXPECT_EQ(merge->GetErrorCode(), vtkErrorCode::NoError);
+    return vtkNexradImageToVolume(merge->GetOutput()).values;
+  };
+  EXPECT_EQ(merge->GetTimeInterpolation(), vtkNexradGridAlgorithm::MOTION);
+  const std::vector<float> found = valuesNow();
+  merge->SetTimeInterpolationToLinear();
+  const std::vector<float> linear = valuesNow();
+  EXPECT_NE(found, linear);
+  merge->SetGivenMotion(0.0, 0.0);
+  merge->UseGivenMotionOn();
+  merge->SetTimeInterpolationToMotion();
+  EXPECT_EQ(valuesNow(), linear);
+  merge->SetGivenMotion(20.0, 5.0);
+  const std::vector<float> given = valuesNow();
+  EXPECT_NE(given, linear);
+  EXPECT_NE(given, found);
+  vtkNew<EventCounter> events;
+  events->Observe(merge);
+  events->Observe(merge->GetExecutive());
+  merge->SetGivenMotion(200.0, 0.0);
+  merge->Update();
+  EXPECT_EQ(merge->GetErrorCode(), vtkErrorCode::UserError);
+  EXPECT_TRUE(AnyHolds(events->errors, "150 m/s"));
+}
+
 TEST(SiteMerge, MergesSuperResolutionSitesAsTheDayReaderDoes)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);

@@ -136,6 +136,15 @@ private:
     reader->SetVerticalFill(options.fill);
     reader->SetLinearReflectivity(options.linearReflectivity);
     reader->SetCompanionArrays(options.companions);
+    if (options.motion.none)
+    {
+      reader->SetTimeInterpolationToLinear();
+    }
+    if (const auto& given = options.motion.given)
+    {
+      reader->SetGivenMotion(given->east, given->north);
+      reader->UseGivenMotionOn();
+    }
   }
 
   void Configure(const GridOptions& options)

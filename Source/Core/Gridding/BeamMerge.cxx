@@ -72,6 +72,71 @@ float ReachOf(const std::vector<const BeamVolume*>& volumes, double effectiveRad
   return static_cast<float>(std::tan(0.5 * static_cast<double>(reach) / effectiveRadius));
 }
 
+// True when no later look of a list is needed wherever this one has gates: all of it lies on its
+// side of the time, in all directions.
+bool EndsTheSearch(const TiltObservation& observation, bool after)
+{
+  const std::vector<float>& gaps = observation.lower->inverseGaps;
+  const bool onItsSide = after ? observation.Begin() > 0.0F : observation.End() <= 0.0F;
+  return onItsSide && observation.upper == nullptr &&
+         std::all_of(gaps.begin(), gaps.end() - 1, [](float gap) { return gap > 0.0F; });
+}
+
+// Seconds from the time to the farthest ray of a list that may be needed.
+float LongestTime(const std::vector<TiltObservation>& observations, bool after)
+{
+  float longest = 0.0F;
+  float reach = 0.0F; // m, of what ended the search
+  for (const TiltObservation& observation : observations)
+  {
+    if (reach == 0.0F || observation.lower->Reach() > reach || observation.upper != nullptr)
+    {
+      longest = std::max(longest, after ? observation.End() : -observation.Begin());
+    }
+    if (EndsTheSearch(observation, after))
+    {
+      reach = std::max(reach, observation.lower->Reach());
+    }
+  }
+  return longest;
+}
+
+// Metres that echo may move between the time and any look of these tilts.
+double FarthestWay(const std::vector<BeamTilt>& tilts, const MotionField& motion)
+{
+  float longest = 0.0F; // s
+  for (const BeamTilt& tilt : tilts)
+  {
+    longest = std::max({longest, LongestTime(tilt.before, false), LongestTime(tilt.after, true)});
+  }
+  return motion.FastestSpeed() * static_cast<double>(longest);
+}
+
+std::vector<const VolumeComposite*> CompositesOf(const std::vector<const BeamVolume*>& volumes)
+{
+  std::vector<const VolumeComposite*> composites;
+  for (const BeamVolume* volume : volumes)
+  {
+    composites.push_back(&volume->composite);
+  }
+  return composites;
+}
+
+// A site's north in the directions of the grid's axes. On projected axes the meridians converge; by
+// how much, hardly changes over the reach of a radar.
+std::array<double, 2> NorthIn(const GridSpecification& grid, const Position& site)
+{
+  if (grid.axes == GridAxes::Geographic)
+  {
+    return {0.0, 1.0};
+  }
+  constexpr double way = 0.01; // degrees of latitude
+  const auto south = grid.FromGeographic(site.longitude, site.latitude - way);
+  const auto north = grid.FromGeographic(site.longitude, site.latitude + way);
+  const double length = std::hypot(north[0] - south[0], north[1] - south[1]);
+  return {(north[0] - south[0]) / length, (north[1] - south[1]) / length};
+}
+
 void RunInTurn(int count, const std::function<void(int, int)>& work)
 {
   work(0, count);
@@ -97,6 +162,19 @@ void CheckOptions(const GridSpecification& grid, const BeamMergeOptions& options
   {
     throw Error(
       "largest gap of " + std::to_string(options.maximumGap.count()) + " ms: must not be below 0");
+  }
+}
+
+void RequireSameMoment(const PolarVolume& volume, const PolarVolume& first)
+{
+  if (!volume.site.position)
+  {
+    throw Error("site \"" + volume.site.name + "\" has no position: it cannot be gridded");
+  }
+  if (volume.moment != first.moment)
+  {
+    throw Error(std::string("volumes of ") + ToString(first.moment) + " and of " +
+                ToString(volume.moment) + " cannot be merged into one: give one moment");
   }
 }
 
@@ -142,22 +220,15 @@ bool BeamMerger::KeptVolume::IsMadeFrom(const PolarVolume& source) const
          sweeps == source.sweeps.size();
 }
 
-void BeamMerger::Prepare(const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop)
+BeamVolumes BeamMerger::Prepare(
+  const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop)
 {
   std::vector<KeptVolume> next;
   std::vector<std::size_t> missing;
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
     const PolarVolume& source = *volumes[i];
-    if (!source.site.position)
-    {
-      throw Error("site \"" + source.site.name + "\" has no position: it cannot be gridded");
-    }
-    if (source.moment != volumes.front()->moment)
-    {
-      throw Error(std::string("volumes of ") + ToString(volumes.front()->moment) + " and of " +
-                  ToString(source.moment) + " cannot be merged into one: give one moment");
-    }
+    RequireSameMoment(source, *volumes.front());
     const auto found = std::find_if(kept.begin(), kept.end(),
       [&source](const KeptVolume& each) { return each.IsMadeFrom(source); });
     next.push_back({source.sweeps.size(), found != kept.end() ? found->volume : nullptr});
@@ -167,7 +238,8 @@ void BeamMerger::Prepare(const std::vector<const PolarVolume*>& volumes, const R
     }
   }
   // An exception must not leave a thread of the loop: what can be wrong was looked at above.
-  loop(static_cast<int>(missing.size()),
+  const RangeLoop& run = loop ? loop : RangeLoop(RunInTurn);
+  run(static_cast<int>(missing.size()),
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
@@ -178,16 +250,22 @@ void BeamMerger::Prepare(const std::vector<const PolarVolume*>& volumes, const R
       }
     });
   kept = std::move(next);
+  BeamVolumes ready;
+  for (const KeptVolume& each : kept)
+  {
+    ready.push_back(each.volume);
+  }
+  return ready;
 }
 
-void BeamMerger::FindGeometries(const RangeLoop& loop)
+void BeamMerger::FindGeometries(const BeamVolumes& volumes, const RangeLoop& loop)
 {
   const auto same = [](const Position& a, const Position& b)
   { return a.latitude == b.latitude && a.longitude == b.longitude; };
   std::vector<std::size_t> missing;
-  for (const KeptVolume& each : kept)
+  for (const std::shared_ptr<const BeamVolume>& volume : volumes)
   {
-    const Position& position = *each.volume->site.position;
+    const Position& position = *volume->site.position;
     const auto known = [&](const KeptGeometry& other) { return same(other.position, position); };
     if (std::none_of(geometries.begin(), geometries.end(), known))
     {
@@ -218,12 +296,13 @@ const SiteGeometry& BeamMerger::GeometryOf(const Position& position) const
   return *found->geometry;
 }
 
-std::vector<MergeSite> BeamMerger::MakeSites(Time time) const
+std::vector<MergeSite> BeamMerger::MakeSites(
+  const BeamVolumes& volumes, Time time, const MotionField* motion) const
 {
   std::map<SiteKey, std::vector<const BeamVolume*>> groups;
-  for (const KeptVolume& each : kept)
+  for (const std::shared_ptr<const BeamVolume>& volume : volumes)
   {
-    groups[KeyOf(each.volume->site)].push_back(each.volume.get());
+    groups[KeyOf(volume->site)].push_back(volume.get());
   }
   const double radius = options.beam.EffectiveRadius();
   std::vector<MergeSite> sites;
@@ -235,8 +314,13 @@ std::vector<MergeSite> BeamMerger::MakeSites(Time time) const
     MergeSite site{any.site.name, &this->GeometryOf(position),
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0),
       FindTilts(group.second, time, options.maximumGap), {}, ContextFor(any, options, radius),
-      ReachOf(group.second, radius)};
+      ReachOf(group.second, radius), {}, {}};
     site.edges = FindEdges(site.tilts, options.beamWidth, options.sharpen);
+    if (motion != nullptr)
+    {
+      site.north = NorthIn(grid, position);
+      site.mask = EchoMask(CompositesOf(group.second), radius, FarthestWay(site.tilts, *motion));
+    }
     if (!site.tilts.empty())
     {
       sites.push_back(std::move(site));
@@ -245,20 +329,17 @@ std::vector<MergeSite> BeamMerger::MakeSites(Time time) const
   return sites;
 }
 
-GriddedVolume BeamMerger::EmptyVolume(
-  const std::vector<MergeSite>& sites, MomentName moment, Time time) const
+GriddedVolume BeamMerger::EmptyVolume(const BeamVolumes& volumes, Time time) const
 {
   GriddedVolume volume;
   volume.grid = grid;
   volume.time = time;
-  volume.moment = moment;
   volume.method = "beam";
-  for (const MergeSite& site : sites)
+  for (const std::shared_ptr<const BeamVolume>& each : volumes)
   {
-    volume.sites.push_back(site.name);
+    volume.moment = each->moment;
+    volume.synthetic = volume.synthetic || each->synthetic;
   }
-  volume.synthetic = std::any_of(
-    kept.begin(), kept.end(), [](const KeptVolume& each) { return each.volume->synthetic; });
   const std::size_t count = grid.VoxelCount();
   volume.values.assign(count, volume.fill);
   volume.states.assign(count, VoxelState::NotScanned);
@@ -272,19 +353,27 @@ GriddedVolume BeamMerger::EmptyVolume(
   return volume;
 }
 
-std::optional<GriddedVolume> BeamMerger::Merge(const std::vector<const PolarVolume*>& volumes,
-  Time time, const RangeLoop& loop, const Progress& progress)
+std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time time,
+  const MotionField* motion, const RangeLoop& loop, const Progress& progress)
 {
+  if (motion != nullptr && !motion->Covers(grid))
+  {
+    throw Error("the motion must be that of the grid of the merge, or constant");
+  }
   const RangeLoop& run = loop ? loop : RangeLoop(RunInTurn);
-  this->Prepare(volumes, run);
-  this->FindGeometries(run);
-  const std::vector<MergeSite> sites = this->MakeSites(time);
-  const MomentName moment = volumes.empty() ? MomentName::REF : volumes.front()->moment;
-  GriddedVolume volume = this->EmptyVolume(sites, moment, time);
+  this->FindGeometries(volumes, run);
+  const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;
+  const std::vector<MergeSite> sites = this->MakeSites(volumes, time, moves ? motion : nullptr);
+  GriddedVolume volume = this->EmptyVolume(volumes, time);
+  for (const MergeSite& site : sites)
+  {
+    volume.sites.push_back(site.name);
+  }
   RowOptions rows;
-  rows.strategy = StrategyFor(moment, options.strategy);
+  rows.strategy = StrategyFor(volume.moment, options.strategy);
   rows.overlapLength = static_cast<float>(options.overlapLength);
   rows.fill = options.fill;
+  rows.motion = moves ? motion : nullptr;
   const int height = grid.dimensions[1];
   for (int band = 0; band < height; band += bandHeight)
   {
@@ -300,6 +389,12 @@ std::optional<GriddedVolume> BeamMerger::Merge(const std::vector<const PolarVolu
     return std::nullopt;
   }
   return volume;
+}
+
+std::optional<GriddedVolume> BeamMerger::Merge(const std::vector<const PolarVolume*>& volumes,
+  Time time, const RangeLoop& loop, const Progress& progress)
+{
+  return this->Merge(this->Prepare(volumes, loop), time, nullptr, loop, progress);
 }
 
 } // namespace nexrad

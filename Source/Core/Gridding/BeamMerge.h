@@ -40,6 +40,9 @@ using RangeLoop =
 /// A loop over `threads` threads of its own, this one included; at least 1.
 RangeLoop ThreadLoop(unsigned threads);
 
+/// Volumes made ready, which several may share.
+using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
+
 /// The default method: merges volumes of any number of radars, as beams see the voxels of a grid.
 ///
 /// For each column of voxels and each radar: every tilt sampled where it passes over the column
@@ -47,6 +50,9 @@ RangeLoop ThreadLoop(unsigned threads);
 /// between the tilts linear in elevation angle, none farther than half a beam width above the
 /// highest or below the lowest (G3); then the radars together (W). What is not scanned, no echo and
 /// range folded stay apart (G6).
+///
+/// With a motion, echo between two looks stands where it was at the time (A2a); without, the looks
+/// are blended where they are.
 ///
 /// An object serves one run: it keeps the geometry of each radar on the grid, and the volumes of
 /// the last merge made ready, so that a run through the day prepares each volume once and holds
@@ -57,11 +63,19 @@ public:
   /// Throws Error for a grid without voxels, or an option that is out of its range.
   BeamMerger(const GridSpecification& grid, const BeamMergeOptions& options = {});
 
+  /// Volumes made ready for a merge, those of the call before as they are. Throws Error when a site
+  /// has no position or the moments differ.
+  BeamVolumes Prepare(const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop = {});
+
   /// The merge at a time. Of each radar the volumes about the time, in any order: the last one that
   /// ended before it, those in progress, the first one after it; others make no difference but
-  /// cost time. All must hold the same moment. Without volumes no voxel is scanned. Empty when
-  /// `progress` asked to stop; it is called from this thread alone. Throws Error when a site has no
-  /// position or the moments differ.
+  /// cost time. All must hold the same moment. Without volumes no voxel is scanned. `motion`, of
+  /// the grid, may be nullptr. Empty when `progress` asked to stop; it is called from this thread
+  /// alone. Throws Error for a motion of another grid.
+  std::optional<GriddedVolume> Merge(const BeamVolumes& volumes, Time time,
+    const MotionField* motion, const RangeLoop& loop = {}, const Progress& progress = {});
+
+  /// The same of volumes that are not ready, without motion.
   std::optional<GriddedVolume> Merge(const std::vector<const PolarVolume*>& volumes, Time time,
     const RangeLoop& loop = {}, const Progress& progress = {});
 
@@ -83,12 +97,11 @@ private:
     std::shared_ptr<const SiteGeometry> geometry;
   };
 
-  void Prepare(const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop);
-  void FindGeometries(const RangeLoop& loop);
+  void FindGeometries(const BeamVolumes& volumes, const RangeLoop& loop);
   const SiteGeometry& GeometryOf(const Position& position) const;
-  GriddedVolume EmptyVolume(
-    const std::vector<MergeSite>& sites, MomentName moment, Time time) const;
-  std::vector<MergeSite> MakeSites(Time time) const;
+  std::vector<MergeSite> MakeSites(
+    const BeamVolumes& volumes, Time time, const MotionField* motion) const;
+  GriddedVolume EmptyVolume(const BeamVolumes& volumes, Time time) const;
 
   const GridSpecification grid;
   const BeamMergeOptions options;

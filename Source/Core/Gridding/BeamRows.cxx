@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/BeamRows.h"
 
+#include "Geometry/Angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,6 +48,20 @@ private:
   std::size_t levels;
   std::vector<Value> values;
 };
+
+// A motion in the grid's directions as a radar sees it over a column.
+ColumnMotion MotionSeenBy(
+  const MergeSite& site, const ColumnDirection& column, const Velocity& velocity)
+{
+  const double azimuth = static_cast<double>(column.azimuth) * RadiansPerDegree;
+  const double sine = std::sin(azimuth);
+  const double cosine = std::cos(azimuth);
+  const double north = site.north[0] * velocity.east + site.north[1] * velocity.north;
+  const double east = site.north[1] * velocity.east - site.north[0] * velocity.north;
+  const double diameter = 2.0 * static_cast<double>(site.context.effectiveRadius);
+  return {static_cast<float>((north * cosine + east * sine) / diameter),
+    static_cast<float>((east * cosine - north * sine) / diameter)};
+}
 
 class StripMerger
 {
@@ -120,6 +136,7 @@ private:
       return;
     }
     present.push_back({number, begin, end});
+    this->FindMotions(site, directions, x, y, begin, end);
     const std::size_t tilts = site.tilts.size();
     for (std::size_t tilt = 0; tilt < tilts; ++tilt)
     {
@@ -127,7 +144,24 @@ private:
       for (int i = begin; i < end; ++i)
       {
         to[static_cast<std::size_t>(i) * tilts] =
-          SampleTilt(site.tilts[tilt], directions[i], site.context);
+          SampleTilt(site.tilts[tilt], directions[i], site.context,
+            moving[static_cast<std::size_t>(i)] ? &motions[static_cast<std::size_t>(i)] : nullptr);
+      }
+    }
+  }
+
+  // The motion of those columns into or out of which echo may move.
+  void FindMotions(
+    const MergeSite& site, const ColumnDirection* directions, int x, int y, int begin, int end)
+  {
+    for (int i = begin; i < end; ++i)
+    {
+      moving[static_cast<std::size_t>(i)] =
+        options.motion != nullptr && site.mask.Holds(directions[i]);
+      if (moving[static_cast<std::size_t>(i)])
+      {
+        motions[static_cast<std::size_t>(i)] =
+          MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
       }
     }
   }
@@ -222,6 +256,8 @@ private:
   Strip<std::uint8_t> radars;
   Strip<std::uint8_t> nearestSites;
   std::vector<std::vector<TiltSample>> samples; // of each site: tilts within columns
+  std::array<ColumnMotion, stripWidth> motions;
+  std::array<bool, stripWidth> moving = {};
   std::vector<Present> present;
   std::vector<std::pair<float, std::size_t>> order; // distance and site
 };

@@ -4,9 +4,12 @@
 #include "Gridding/BeamColumn.h"
 #include "Gridding/BeamSampling.h"
 #include "Gridding/BeamTilts.h"
+#include "Gridding/EchoMask.h"
 #include "Gridding/GriddedVolume.h"
+#include "Gridding/MotionField.h"
 #include "Gridding/SiteGeometry.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -23,6 +26,8 @@ struct MergeSite
   std::vector<TiltEdges> edges; ///< of the tilts
   SamplingContext context;
   float reach = 0.0F; ///< tan(γ/2) of the farthest gate of any look: columns beyond are not seen
+  std::array<double, 2> north = {0.0, 1.0}; ///< the radar's north in the grid's directions
+  EchoMask mask;                            ///< where echo may move from or to, with a motion
 };
 
 /// What is done with the radars.
@@ -31,6 +36,7 @@ struct RowOptions
   OverlapStrategy strategy = OverlapStrategy::Distance;
   float overlapLength = 100'000.0F; ///< m
   bool fill = false;
+  const MotionField* motion = nullptr; ///< over the grid; without, linear in time
 };
 
 /// Merges the rows [beginRow, endRow) of a grid: the columns (x, y) for all x and these y. `volume`

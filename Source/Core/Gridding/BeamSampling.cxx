@@ -127,6 +127,13 @@ inline RayPlace FindRays(const BeamSweep& sweep, float azimuth)
                                                              : RayPlace{-1, 0.0F};
 }
 
+// s from the time of the merge at which a sweep, begun at `begin`, looked there.
+inline float TimeOf(const BeamSweep& sweep, float begin, const RayPlace& rays)
+{
+  const auto entry = static_cast<std::size_t>(rays.entry);
+  return begin + sweep.times[entry] + rays.share * (sweep.times[entry + 1] - sweep.times[entry]);
+}
+
 // Where a sweep passes over a column: the slant range, from the triangle of the antenna, the point
 // and the centre of the earth (Formulas G7).
 inline float RangeOver(const BeamSweep& sweep, const ColumnDirection& column, float radius)
@@ -156,8 +163,7 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
     return look;
   }
   const auto entry = static_cast<std::size_t>(rays.entry);
-  look.time =
-    begin + sweep.times[entry] + rays.share * (sweep.times[entry + 1] - sweep.times[entry]);
+  look.time = TimeOf(sweep, begin, rays);
   look.elevation = sweep.elevations[rays.share < 0.5F ? entry : entry + 1];
   const auto last = static_cast<float>(sweep.gates - 1);
   if (place > last + 0.5F)
@@ -252,8 +258,45 @@ void BlendTimes(const Look& before, const Look& after, float share, const Sampli
   sample.value = told.value;
 }
 
+// A sweep at the place where the echo of a column was at the time of its own rays.
+inline Look LookAlong(const BeamSweep& sweep, float begin, const ColumnDirection& column,
+  const ColumnMotion& motion, const SamplingContext& context)
+{
+  const RayPlace rays = FindRays(sweep, column.azimuth);
+  if (rays.entry < 0)
+  {
+    return {};
+  }
+  const float time = TimeOf(sweep, begin, rays);
+  const Look look = LookAt(sweep, begin, DirectionAt(column, motion, time), context);
+  // Across the seam, where the last ray of a sweep meets the first, the time is another.
+  constexpr float seam = 2.0F; // s, in which no echo moves as far as voxels are wide
+  return look.state == VoxelState::NotScanned || std::abs(look.time - time) < seam
+           ? look
+           : LookAt(sweep, begin, DirectionAt(column, motion, look.time), context);
+}
+
+inline Look LookAlong(const TiltObservation& observation, const ColumnDirection& column,
+  const ColumnMotion& motion, const SamplingContext& context)
+{
+  const Look lower = LookAlong(*observation.lower, observation.lowerBegin, column, motion, context);
+  if (observation.upper == nullptr)
+  {
+    return lower;
+  }
+  const Look upper = LookAlong(*observation.upper, observation.upperBegin, column, motion, context);
+  return BlendLooks(lower, upper, observation.shareOfUpper, context.rule);
+}
+
+// A look over the column, and of what.
+struct FoundLook
+{
+  Look look;
+  const TiltObservation* observation = nullptr;
+};
+
 // The first look of a list that saw the column on its side of the time, within the gap.
-inline Look FindLook(const std::vector<TiltObservation>& observations,
+inline FoundLook FindLook(const std::vector<TiltObservation>& observations,
   const ColumnDirection& column, const SamplingContext& context, bool after)
 {
   for (const TiltObservation& observation : observations)
@@ -261,10 +304,45 @@ inline Look FindLook(const std::vector<TiltObservation>& observations,
     const Look look = LookAt(observation, column, context);
     if (look.state != VoxelState::NotScanned && (look.time > 0.0F) == after)
     {
-      return std::abs(look.time) <= context.gap ? look : Look{};
+      return std::abs(look.time) <= context.gap ? FoundLook{look, &observation} : FoundLook{};
     }
   }
   return {};
+}
+
+inline bool TellsSomething(const Look& look)
+{
+  return look.state == VoxelState::Echo || look.state == VoxelState::NoEcho;
+}
+
+// Puts in place of two looks over a column those along the motion, where they are of help
+// (Formulas A2a).
+inline void FollowMotion(FoundLook& before, FoundLook& after, const ColumnDirection& column,
+  const ColumnMotion& motion, const SamplingContext& context)
+{
+  if (!TellsSomething(before.look) && !TellsSomething(after.look))
+  {
+    return;
+  }
+  const Look source = LookAlong(*before.observation, column, motion, context);
+  const Look target = LookAlong(*after.observation, column, motion, context);
+  if (TellsSomething(source) && TellsSomething(target))
+  {
+    before.look = source;
+    after.look = target;
+  }
+}
+
+// How much the look after counts between two (Formulas A1, A6). Where a sweep was in progress, a
+// look along the motion may be from just across the time.
+inline float ShareOfAfter(const Look& before, const Look& after, float gap)
+{
+  const float since = std::max(-before.time, 0.0F);
+  const float until = std::max(after.time, 0.0F);
+  const float weightBefore = until * FadeOf(since, gap);
+  const float weightAfter = since * FadeOf(until, gap);
+  const float sum = weightBefore + weightAfter;
+  return sum > 0.0F ? weightAfter / sum : until < since ? 1.0F : 0.0F;
 }
 
 // One look without its counterpart, as it is.
@@ -293,34 +371,51 @@ ValueRule ValueRule::Of(MomentName moment, bool linearReflectivity)
   return rule;
 }
 
-TiltSample SampleTilt(
-  const BeamTilt& tilt, const ColumnDirection& column, const SamplingContext& context)
+ColumnDirection DirectionAt(
+  const ColumnDirection& column, const ColumnMotion& motion, float seconds)
 {
-  const Look before = FindLook(tilt.before, column, context, false);
-  const Look after = FindLook(tilt.after, column, context, true);
-  if (before.state == VoxelState::NotScanned || after.state == VoxelState::NotScanned)
+  constexpr float degrees = 57.2957795F;
+  const float along = column.halfTangent + motion.away * seconds;
+  const float across = motion.clockwise * seconds;
+  const float turn = across / along;
+  // Far from the radar the turn is small: three terms of its series are off by 3e-5.
+  const float angle = along > 0.0F && std::abs(turn) < 0.3F
+                        ? turn * (1.0F - turn * turn * (1.0F / 3.0F - 0.2F * turn * turn))
+                        : std::atan2(across, along);
+  float azimuth = column.azimuth + degrees * angle;
+  azimuth = azimuth < 0.0F ? azimuth + 360.0F : azimuth;
+  azimuth = azimuth < 360.0F ? azimuth : azimuth - 360.0F;
+  return {azimuth, std::sqrt(along * along + across * across)};
+}
+
+TiltSample SampleTilt(const BeamTilt& tilt, const ColumnDirection& column,
+  const SamplingContext& context, const ColumnMotion* motion)
+{
+  FoundLook before = FindLook(tilt.before, column, context, false);
+  FoundLook after = FindLook(tilt.after, column, context, true);
+  if (before.observation == nullptr || after.observation == nullptr)
   {
-    const Look& alone = before.state == VoxelState::NotScanned ? after : before;
-    return alone.state == VoxelState::NotScanned ? TiltSample{} : SampleOf(alone, context.gap);
+    const FoundLook& alone = before.observation == nullptr ? after : before;
+    return alone.observation == nullptr ? TiltSample{} : SampleOf(alone.look, context.gap);
   }
-  const float fadeBefore = FadeOf(-before.time, context.gap);
-  const float fadeAfter = FadeOf(after.time, context.gap);
   TiltSample sample;
-  sample.assumed = before.assumed || after.assumed;
-  sample.lowest = std::min(before.elevation, after.elevation);
-  sample.highest = std::max(before.elevation, after.elevation);
-  sample.age = std::min(-before.time, after.time);
-  sample.fade = std::max(fadeBefore, fadeAfter);
-  if (before.state == VoxelState::NoEcho && after.state == VoxelState::NoEcho)
+  sample.lowest = std::min(before.look.elevation, after.look.elevation);
+  sample.highest = std::max(before.look.elevation, after.look.elevation);
+  sample.age = std::min(-before.look.time, after.look.time);
+  sample.fade =
+    std::max(FadeOf(-before.look.time, context.gap), FadeOf(after.look.time, context.gap));
+  if (motion != nullptr)
+  {
+    FollowMotion(before, after, column, *motion, context);
+  }
+  sample.assumed = before.look.assumed || after.look.assumed;
+  if (before.look.state == VoxelState::NoEcho && after.look.state == VoxelState::NoEcho)
   {
     sample.state = VoxelState::NoEcho;
     return sample;
   }
-  const float weightBefore = after.time * fadeBefore;
-  const float weightAfter = -before.time * fadeAfter;
-  const float sum = weightBefore + weightAfter;
-  const float share = sum > 0.0F ? weightAfter / sum : after.time < -before.time ? 1.0F : 0.0F;
-  BlendTimes(before, after, share, context, sample);
+  const float share = ShareOfAfter(before.look, after.look, context.gap);
+  BlendTimes(before.look, after.look, share, context, sample);
   return sample;
 }
 

@@ -194,7 +194,8 @@ bool IsDopplerHalf(const PolarSweep& sweep, const PolarVolume& volume)
 
 std::size_t BeamVolume::MemoryBytes() const
 {
-  std::size_t bytes = sizeof(BeamVolume);
+  std::size_t bytes = sizeof(BeamVolume) + composite.values.size() * sizeof(float) +
+                      composite.cells.size() * sizeof(VolumeComposite::Cell);
   for (const BeamSweep& sweep : sweeps)
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
@@ -220,6 +221,7 @@ BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth)
       prepared.sweeps.push_back(PrepareSweep(sweep, beamWidth));
     }
   }
+  prepared.composite = MakeComposite(prepared.sweeps);
   return prepared;
 }
 

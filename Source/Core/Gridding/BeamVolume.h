@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Gridding/PolarVolume.h"
+#include "Gridding/VolumeComposite.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -58,6 +59,7 @@ struct BeamVolume
   Time end{};   ///< last ray
   bool synthetic = false;
   std::vector<BeamSweep> sweeps; ///< in the order scanned
+  VolumeComposite composite;     ///< of the sweeps
 
   std::size_t MemoryBytes() const;
 };

@@ -2,7 +2,7 @@
 #include "Temporal/Advection.h"
 
 #include "Model/Error.h"
-#include "Temporal/MotionPair.h"
+#include "Temporal/VolumePair.h"
 
 #include <algorithm>
 #include <array>
@@ -158,18 +158,9 @@ float ShareOfAfter(const GriddedVolume& before, const GriddedVolume& after, Time
   return static_cast<float>(part / (ToSeconds(after.time) - ToSeconds(before.time)));
 }
 
-// A motion reaches over a grid when its last nodes stand at the last voxels; a constant one reaches
-// anywhere.
 void RequireMotion(const MotionField& motion, const GridSpecification& grid)
 {
-  bool fits = motion.velocities.size() == motion.lattice.NodeCount();
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    const double reach = motion.lattice.step[axis] * (motion.lattice.nodes[axis] - 1);
-    fits = fits &&
-           (motion.velocities.size() == 1 || std::abs(reach - (grid.dimensions[axis] - 1)) < 0.5);
-  }
-  if (!fits)
+  if (!motion.Covers(grid))
   {
     throw Error("interpolation in time: the motion must be that of the volumes' own grid");
   }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Gridding/GriddedVolume.h"
-#include "Temporal/MotionField.h"
+#include "Gridding/MotionField.h"
 
 namespace nexrad
 {

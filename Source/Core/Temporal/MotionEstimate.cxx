@@ -2,13 +2,10 @@
 #include "Temporal/MotionEstimate.h"
 
 #include "Model/Error.h"
-#include "Temporal/MotionImage.h"
-#include "Temporal/MotionPair.h"
 #include "Temporal/MotionSolver.h"
+#include "Temporal/VolumePair.h"
 
 #include <algorithm>
-#include <array>
-#include <vector>
 
 namespace nexrad
 {
@@ -16,67 +13,66 @@ namespace nexrad
 namespace
 {
 
-// Finer pixels show the noise of the radar rather than storms; coarser ones hide the storms.
-constexpr double finestPixel = 2'000.0;   // m
-constexpr double coarsestPixel = 8'000.0; // m
-constexpr int fewestPixels = 8;           // along an axis
-
-struct ImagePair
+void CheckOptions(const MotionOptions& options)
 {
-  MotionImage before;
-  MotionImage after;
-};
-
-ImagePair Halve(const ImagePair& pair)
-{
-  return {Halve(pair.before), Halve(pair.after)};
+  if (!(options.spacing > 0.0) || !(options.finestPixel > 0.0) || !(options.maximumSpeed > 0.0) ||
+      !(options.smoothness > 0.0))
+  {
+    throw Error("motion: the spacing, the finest pixel, the maximum speed and the smoothness must "
+                "be above 0");
+  }
 }
 
-// True while pixels of twice the size are no larger than the limit, and enough of them remain.
-bool CanHalve(const MotionImage& image, const GridSpecification& grid, double limit)
+// The images of a level, counted from the finest. What has fewer levels takes part in the coarser
+// ones with its coarsest.
+std::vector<ImagePair> ImagesOf(
+  const std::vector<MotionPair>& pairs, std::size_t level, double mean)
 {
-  const std::array<double, 2> voxel = VoxelExtent(grid, 0.5 * (grid.dimensions[1] - 1));
-  const double pixel = std::min(voxel[0], voxel[1]) * image.scale;
-  return pixel * 2.0 <= limit && std::min(image.columns, image.rows) >= 2 * fewestPixels;
-}
-
-// The images from fine to coarse.
-std::vector<ImagePair> Pyramid(const GriddedVolume& before, const GriddedVolume& after)
-{
-  ImagePair pair = {ColumnMaximum(before), ColumnMaximum(after)};
-  while (CanHalve(pair.before, before.grid, finestPixel))
+  std::vector<ImagePair> images;
+  for (const MotionPair& pair : pairs)
   {
-    pair = Halve(pair);
+    const std::size_t own = std::min(level, pair.before->size() - 1);
+    images.push_back({&pair.before->at(own), &pair.after->at(own), pair.seconds / mean});
   }
-  std::vector<ImagePair> levels = {{Smooth(pair.before), Smooth(pair.after)}};
-  while (CanHalve(levels.back().before, before.grid, coarsestPixel))
-  {
-    levels.push_back(Halve(levels.back()));
-  }
-  return levels;
+  return images;
 }
 
 } // namespace
 
 MotionField EstimateMotion(
+  const std::vector<MotionPair>& pairs, const GridSpecification& grid, const MotionOptions& options)
+{
+  CheckOptions(options);
+  if (pairs.empty())
+  {
+    return MotionField{};
+  }
+  double mean = 0.0; // s
+  std::size_t levels = 0;
+  for (const MotionPair& pair : pairs)
+  {
+    mean += pair.seconds / static_cast<double>(pairs.size());
+    levels = std::max(levels, pair.before->size());
+  }
+  const double farthest = options.maximumSpeed * mean;
+  MotionSolver solver(
+    grid, options, SearchDisplacement(ImagesOf(pairs, levels - 1, mean), grid, farthest), farthest);
+  for (std::size_t level = levels; level-- > 0;)
+  {
+    solver.Refine(ImagesOf(pairs, level, mean));
+  }
+  return solver.Motion(mean);
+}
+
+MotionField EstimateMotion(
   const GriddedVolume& before, const GriddedVolume& after, const MotionOptions& options)
 {
   RequirePair(before, after);
-  if (!(options.maximumSpeed > 0.0) || !(options.smoothness > 0.0))
-  {
-    throw Error("motion: the maximum speed and the smoothness must be above 0");
-  }
+  CheckOptions(options);
+  const MotionPyramid first = MakePyramid(ColumnMaximum(before), before.grid, options.finestPixel);
+  const MotionPyramid second = MakePyramid(ColumnMaximum(after), after.grid, options.finestPixel);
   const double seconds = ToSeconds(after.time) - ToSeconds(before.time);
-  const double farthest = options.maximumSpeed * seconds;
-  const std::vector<ImagePair> levels = Pyramid(before, after);
-  const ImagePair& coarsest = levels.back();
-  MotionSolver solver(before.grid, options,
-    SearchDisplacement(coarsest.before, coarsest.after, before.grid, farthest), farthest);
-  for (auto level = levels.rbegin(); level != levels.rend(); ++level)
-  {
-    solver.Refine(level->before, level->after);
-  }
-  return solver.Motion(seconds);
+  return EstimateMotion({{&first, &second, seconds}}, before.grid, options);
 }
 
 } // namespace nexrad

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Temporal/MotionImage.h"
 
+#include "Gridding/MotionField.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,12 +12,15 @@ namespace nexrad
 namespace
 {
 
-MotionImage EmptyImage(int columns, int rows, int scale)
+// Finer pixels show the noise of the radar rather than storms; coarser ones hide the storms.
+constexpr double coarsestPixel = 8'000.0; // m
+constexpr int fewestPixels = 8;           // along an axis
+
+MotionImage EmptyImage(int columns, int rows)
 {
   MotionImage image;
   image.columns = columns;
   image.rows = rows;
-  image.scale = scale;
   const auto pixels = static_cast<std::size_t>(columns) * static_cast<std::size_t>(rows);
   image.values.assign(pixels, 0.0F);
   image.scanned.assign(pixels, 0);
@@ -57,12 +62,20 @@ private:
   float weights = 0.0F;
 };
 
+// True while pixels of twice the size are no larger than the limit, and enough of them remain.
+bool CanHalve(const MotionImage& image, const GridSpecification& grid, double limit)
+{
+  const std::array<double, 2> voxel = VoxelExtent(grid, 0.5 * (grid.dimensions[1] - 1));
+  const double pixel = std::min(voxel[0] * image.scale[0], voxel[1] * image.scale[1]);
+  return pixel * 2.0 <= limit && std::min(image.columns, image.rows) >= 2 * fewestPixels;
+}
+
 } // namespace
 
 MotionImage ColumnMaximum(const GriddedVolume& volume)
 {
   const auto& dimensions = volume.grid.dimensions;
-  MotionImage image = EmptyImage(dimensions[0], dimensions[1], 1);
+  MotionImage image = EmptyImage(dimensions[0], dimensions[1]);
   const std::size_t pixels = image.values.size();
   for (std::size_t first = 0; first < volume.values.size(); first += pixels)
   {
@@ -81,7 +94,9 @@ MotionImage ColumnMaximum(const GriddedVolume& volume)
 
 MotionImage Smooth(const MotionImage& image)
 {
-  MotionImage smooth = EmptyImage(image.columns, image.rows, image.scale);
+  MotionImage smooth = EmptyImage(image.columns, image.rows);
+  smooth.first = image.first;
+  smooth.scale = image.scale;
   for (int row = 0; row < image.rows; ++row)
   {
     for (int column = 0; column < image.columns; ++column)
@@ -107,7 +122,9 @@ MotionImage Smooth(const MotionImage& image)
 
 MotionImage Halve(const MotionImage& image)
 {
-  MotionImage half = EmptyImage((image.columns + 1) / 2, (image.rows + 1) / 2, 2 * image.scale);
+  MotionImage half = EmptyImage((image.columns + 1) / 2, (image.rows + 1) / 2);
+  half.first = image.first;
+  half.scale = {2.0 * image.scale[0], 2.0 * image.scale[1]};
   for (int row = 0; row < half.rows; ++row)
   {
     for (int column = 0; column < half.columns; ++column)
@@ -124,6 +141,21 @@ MotionImage Halve(const MotionImage& image)
     }
   }
   return half;
+}
+
+MotionPyramid MakePyramid(const MotionImage& image, const GridSpecification& grid, double finest)
+{
+  MotionImage fine = image;
+  while (CanHalve(fine, grid, finest))
+  {
+    fine = Halve(fine);
+  }
+  MotionPyramid levels = {Smooth(fine)};
+  while (CanHalve(levels.back(), grid, coarsestPixel))
+  {
+    levels.push_back(Halve(levels.back()));
+  }
+  return levels;
 }
 
 std::optional<ImageSample> SampleImage(const MotionImage& image, double column, double row)

@@ -12,7 +12,7 @@ namespace
 
 // Gauss–Newton steps on each pair of images, and passes over the nodes in each step. The field is
 // near its solution from the image before, so that few are needed.
-constexpr int steps = 5;
+constexpr int steps = 3;
 constexpr int passes = 60;
 // A difference of this many dBZ is as likely growth or decay as motion.
 constexpr double tolerance = 10.0;
@@ -27,50 +27,85 @@ struct Match
   double pixels = 0.0;     // compared
 };
 
-Match MatchAt(const MotionImage& before, const MotionImage& after, int dx, int dy)
+Match MatchAt(const std::vector<ImagePair>& pairs, int columns, int rows)
 {
   double sum = 0.0;
   double compared = 0.0;
-  for (int row = std::max(0, -dy); row < before.rows - std::max(0, dy); ++row)
+  for (const ImagePair& pair : pairs)
   {
-    for (int column = std::max(0, -dx); column < before.columns - std::max(0, dx); ++column)
+    const MotionImage& before = *pair.before;
+    const MotionImage& after = *pair.after;
+    const int dx = static_cast<int>(std::lround(pair.part * columns));
+    const int dy = static_cast<int>(std::lround(pair.part * rows));
+    for (int row = std::max(0, -dy); row < before.rows - std::max(0, dy); ++row)
     {
-      const std::size_t from = before.Index(column, row);
-      const std::size_t to = after.Index(column + dx, row + dy);
-      if (before.scanned[from] != 0 && after.scanned[to] != 0)
+      for (int column = std::max(0, -dx); column < before.columns - std::max(0, dx); ++column)
       {
-        const double difference =
-          static_cast<double>(after.values[to]) - static_cast<double>(before.values[from]);
-        sum += difference * difference;
-        compared += 1.0;
+        const std::size_t from = before.Index(column, row);
+        const std::size_t to = after.Index(column + dx, row + dy);
+        if (before.scanned[from] != 0 && after.scanned[to] != 0)
+        {
+          const double difference =
+            static_cast<double>(after.values[to]) - static_cast<double>(before.values[from]);
+          sum += difference * difference;
+          compared += 1.0;
+        }
       }
     }
   }
   return {compared > 0.0 ? sum / compared : 0.0, compared};
 }
 
+// Marks what lies within `by` places of a mark along one axis: `count` places, `stride` apart.
+void Widen(
+  std::vector<std::uint8_t>& marks, std::size_t first, std::size_t stride, int count, int by)
+{
+  std::vector<int> marked;
+  for (int i = 0; i < count; ++i)
+  {
+    if (marks[first + static_cast<std::size_t>(i) * stride] != 0)
+    {
+      marked.push_back(i);
+    }
+  }
+  for (const int place : marked)
+  {
+    for (int i = std::max(place - by, 0); i <= std::min(place + by, count - 1); ++i)
+    {
+      marks[first + static_cast<std::size_t>(i) * stride] = 1;
+    }
+  }
+}
+
 } // namespace
 
-Displacement SearchDisplacement(const MotionImage& before, const MotionImage& after,
-  const GridSpecification& grid, double farthest)
+Displacement SearchDisplacement(
+  const std::vector<ImagePair>& pairs, const GridSpecification& grid, double farthest)
 {
   const std::array<double, 2> voxel = VoxelExtent(grid, 0.5 * (grid.dimensions[1] - 1));
-  const double width = voxel[0] * before.scale;
-  const double depth = voxel[1] * before.scale;
+  const double width = voxel[0] * pairs.front().before->scale[0];
+  const double depth = voxel[1] * pairs.front().before->scale[1];
+  int columns = 0;
+  int rows = 0;
+  for (const ImagePair& pair : pairs)
+  {
+    columns = std::max(columns, pair.before->columns);
+    rows = std::max(rows, pair.before->rows);
+  }
   // Limited before it becomes a whole number: the farthest may be anything above 0.
   const auto most = [farthest](double pixel, int pixels)
   { return static_cast<int>(std::min(farthest / pixel, static_cast<double>(pixels - 1))); };
-  const int mostX = most(width, before.columns);
-  const int mostY = most(depth, before.rows);
-  // No motion is the answer that any other must beat, so that two empty images stand still.
-  const Match still = MatchAt(before, after, 0, 0);
+  const int mostX = most(width, columns);
+  const int mostY = most(depth, rows);
+  // No motion is the answer that any other must beat, so that empty images stand still.
+  const Match still = MatchAt(pairs, 0, 0);
   double least = still.difference;
   Displacement best = {0.0, 0.0};
   for (int dy = -mostY; dy <= mostY; ++dy)
   {
     for (int dx = -mostX; dx <= mostX; ++dx)
     {
-      const Match match = MatchAt(before, after, dx, dy);
+      const Match match = MatchAt(pairs, dx, dy);
       if (match.difference < least && match.pixels >= 0.5 * still.pixels)
       {
         least = match.difference;
@@ -92,11 +127,22 @@ MotionSolver::MotionSolver(const GridSpecification& gridOfImages, const MotionOp
 {
 }
 
-void MotionSolver::Refine(const MotionImage& before, const MotionImage& after)
+void MotionSolver::Refine(const std::vector<ImagePair>& pairs)
 {
+  std::vector<Demand> counts(lattice.NodeCount());
+  std::vector<std::vector<EchoPixel>> pixels;
+  for (const ImagePair& pair : pairs)
+  {
+    this->CountPixels(*pair.before, counts);
+    pixels.push_back(this->FindEcho(pair));
+  }
   for (int step = 0; step < steps; ++step)
   {
-    const std::vector<Demand> demands = this->Demands(before, after);
+    std::vector<Demand> demands = counts;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      this->AddDemands(pairs[i], pixels[i], demands);
+    }
     this->FindPrevailing(demands);
     this->Solve(demands);
   }
@@ -125,45 +171,99 @@ Displacement MotionSolver::At(const MotionLattice::Corners& corners) const
   return sum;
 }
 
-// The two images are compared at the middle of the time between them, where the error of either
-// end of the displacement weighs the same.
-std::vector<MotionSolver::Demand> MotionSolver::Demands(
-  const MotionImage& before, const MotionImage& after) const
+std::vector<MotionSolver::EchoPixel> MotionSolver::FindEcho(const ImagePair& pair) const
 {
-  std::vector<Demand> demands(lattice.NodeCount());
-  for (int row = 0; row < before.rows; ++row)
+  const MotionImage& image = *pair.before;
+  std::vector<std::uint8_t> near(image.values.size());
+  for (std::size_t i = 0; i < near.size(); ++i)
   {
-    const std::array<double, 2> voxel = VoxelExtent(grid, before.ToVoxel(row));
-    const double width = voxel[0] * before.scale;
-    const double depth = voxel[1] * before.scale;
-    for (int column = 0; column < before.columns; ++column)
+    near[i] = image.values[i] > 0.0F || pair.after->values[i] > 0.0F ? 1 : 0;
+  }
+  // Half of the way, and a pixel beside it.
+  const auto reach = [&](double pixel, int pixels)
+  {
+    const double most = std::ceil(0.5 * pair.part * farthest / pixel) + 1.0;
+    return static_cast<int>(std::min(most, static_cast<double>(pixels)));
+  };
+  const std::array<double, 2> voxel = VoxelExtent(grid, 0.5 * (grid.dimensions[1] - 1));
+  const int columns = reach(voxel[0] * image.scale[0], image.columns);
+  const int rows = reach(voxel[1] * image.scale[1], image.rows);
+  const auto width = static_cast<std::size_t>(image.columns);
+  for (int row = 0; row < image.rows; ++row)
+  {
+    Widen(near, image.Index(0, row), 1, image.columns, columns);
+  }
+  for (int column = 0; column < image.columns; ++column)
+  {
+    Widen(near, image.Index(column, 0), width, image.rows, rows);
+  }
+  std::vector<EchoPixel> pixels;
+  for (int row = 0; row < image.rows; ++row)
+  {
+    for (int column = 0; column < image.columns; ++column)
     {
-      const auto corners = lattice.Around(before.ToVoxel(column), before.ToVoxel(row));
-      const Displacement moved = this->At(corners);
-      const double dx = 0.5 * moved[0] / width;
-      const double dy = 0.5 * moved[1] / depth;
-      const auto first = SampleImage(before, column - dx, row - dy);
-      const auto second = SampleImage(after, column + dx, row + dy);
-      const bool known = first && second;
-      const double difference = known ? second->value - first->value : 0.0;
-      const double x = known ? 0.5 * (first->perColumn + second->perColumn) / width : 0.0;
-      const double y = known ? 0.5 * (first->perRow + second->perRow) / depth : 0.0;
-      const double excess = difference / tolerance;
-      const double trust = 1.0 / ((1.0 + excess * excess) * (1.0 + excess * excess));
-      for (std::size_t i = 0; i < corners.node.size(); ++i)
+      if (near[image.Index(column, row)] != 0)
       {
-        Demand& demand = demands[corners.node[i]];
-        const double share = corners.share[i];
-        demand.xx += share * trust * x * x;
-        demand.xy += share * trust * x * y;
-        demand.yy += share * trust * y * y;
-        demand.x -= share * trust * x * difference;
-        demand.y -= share * trust * y * difference;
-        demand.pixels += share;
+        pixels.push_back(
+          {column, row, lattice.Around(image.ToVoxel(0, column), image.ToVoxel(1, row))});
       }
     }
   }
-  return demands;
+  return pixels;
+}
+
+// How many pixels each node answers for, with echo or without.
+void MotionSolver::CountPixels(const MotionImage& image, std::vector<Demand>& demands) const
+{
+  for (int row = 0; row < image.rows; ++row)
+  {
+    for (int column = 0; column < image.columns; ++column)
+    {
+      const auto corners = lattice.Around(image.ToVoxel(0, column), image.ToVoxel(1, row));
+      for (std::size_t i = 0; i < corners.node.size(); ++i)
+      {
+        demands[corners.node[i]].pixels += corners.share[i];
+      }
+    }
+  }
+}
+
+// The two images are compared at the middle of the time between them, where the error of either
+// end of the displacement weighs the same.
+void MotionSolver::AddDemands(
+  const ImagePair& pair, const std::vector<EchoPixel>& pixels, std::vector<Demand>& demands) const
+{
+  const MotionImage& before = *pair.before;
+  for (const EchoPixel& pixel : pixels)
+  {
+    const std::array<double, 2> voxel = VoxelExtent(grid, before.ToVoxel(1, pixel.row));
+    const double width = voxel[0] * before.scale[0];
+    const double depth = voxel[1] * before.scale[1];
+    const Displacement moved = this->At(pixel.corners);
+    const double dx = 0.5 * pair.part * moved[0] / width;
+    const double dy = 0.5 * pair.part * moved[1] / depth;
+    const auto first = SampleImage(before, pixel.column - dx, pixel.row - dy);
+    const auto second = SampleImage(*pair.after, pixel.column + dx, pixel.row + dy);
+    if (!first || !second)
+    {
+      continue;
+    }
+    const double difference = second->value - first->value;
+    const double x = 0.5 * pair.part * (first->perColumn + second->perColumn) / width;
+    const double y = 0.5 * pair.part * (first->perRow + second->perRow) / depth;
+    const double excess = difference / tolerance;
+    const double trust = 1.0 / ((1.0 + excess * excess) * (1.0 + excess * excess));
+    for (std::size_t i = 0; i < pixel.corners.node.size(); ++i)
+    {
+      Demand& demand = demands[pixel.corners.node[i]];
+      const double weight = pixel.corners.share[i] * trust;
+      demand.xx += weight * x * x;
+      demand.xy += weight * x * y;
+      demand.yy += weight * y * y;
+      demand.x -= weight * x * difference;
+      demand.y -= weight * y * difference;
+    }
+  }
 }
 
 // The mean over the nodes, each by how much the echo about it says. Without echo it stays.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Gridding/MotionField.h"
 #include "Temporal/MotionEstimate.h"
 #include "Temporal/MotionImage.h"
 
@@ -10,15 +11,23 @@
 namespace nexrad
 {
 
-/// m towards east and north, between the times of two volumes.
+/// m towards east and north, in the mean time between the images of the pairs.
 using Displacement = std::array<double, 2>;
 
-/// The displacement that, the same for all pixels, brings the second image closest to the first:
-/// the least mean square difference over the pixels that both have, of all whole pixels up to
-/// `farthest` m. Displacements that leave less than half of what no displacement has to compare do
-/// not count.
-Displacement SearchDisplacement(const MotionImage& before, const MotionImage& after,
-  const GridSpecification& grid, double farthest);
+/// Two images of the same size. Not owned.
+struct ImagePair
+{
+  const MotionImage* before = nullptr;
+  const MotionImage* after = nullptr;
+  double part = 1.0; ///< time between them, as a part of the mean over the pairs
+};
+
+/// The displacement that, the same for all pixels of all pairs, brings the second images closest to
+/// the first: the least mean square difference over the pixels that both have, of all whole pixels
+/// up to `farthest` m. Displacements that leave less than half of what no displacement has to
+/// compare do not count.
+Displacement SearchDisplacement(
+  const std::vector<ImagePair>& pairs, const GridSpecification& grid, double farthest);
 
 /// Displacements at the nodes of a lattice, improved image by image from coarse to fine.
 class MotionSolver
@@ -28,10 +37,10 @@ public:
   MotionSolver(const GridSpecification& grid, const MotionOptions& options,
     const Displacement& prevailing, double farthest);
 
-  /// Improves the displacements by what two images of the same size say (Gauss–Newton).
-  void Refine(const MotionImage& before, const MotionImage& after);
+  /// Improves the displacements by what the images say (Gauss–Newton).
+  void Refine(const std::vector<ImagePair>& pairs);
 
-  /// The displacements as motion.
+  /// The displacements as motion; `seconds` is the mean time.
   MotionField Motion(double seconds) const;
 
 private:
@@ -43,7 +52,18 @@ private:
     double pixels = 0.0;
   };
 
-  std::vector<Demand> Demands(const MotionImage& before, const MotionImage& after) const;
+  // A pixel about which one of two images has echo, or may have within the farthest way.
+  struct EchoPixel
+  {
+    int column;
+    int row;
+    MotionLattice::Corners corners;
+  };
+
+  std::vector<EchoPixel> FindEcho(const ImagePair& pair) const;
+  void CountPixels(const MotionImage& image, std::vector<Demand>& demands) const;
+  void AddDemands(const ImagePair& pair, const std::vector<EchoPixel>& pixels,
+    std::vector<Demand>& demands) const;
   void FindPrevailing(const std::vector<Demand>& demands);
   void Solve(const std::vector<Demand>& demands);
   void Relax(const std::vector<Demand>& demands, int column, int row);

@@ -2,9 +2,11 @@
 #include "Temporal/TimeMerge.h"
 
 #include "Gridding/ThesisMerge.h"
+#include "Model/Error.h"
 #include "Temporal/VolumeSelection.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <memory>
 #include <string>
@@ -108,8 +110,11 @@ std::optional<GriddedVolume> MergeByBeam(const std::vector<VolumeList>& sites,
     volumes.insert(volumes.end(), chosen.begin(), chosen.end());
   }
   MergeRun once;
-  BeamMerger& merger = (run != nullptr ? *run : once).MergerFor(request);
-  return merger.Merge(volumes, request.time, request.loop, progress);
+  MergeRun& shared = run != nullptr ? *run : once;
+  BeamMerger& merger = shared.MergerFor(request);
+  const BeamVolumes ready = merger.Prepare(volumes, request.loop);
+  const std::shared_ptr<const MotionField> motion = shared.MotionFor(ready, request);
+  return merger.Merge(ready, request.time, motion.get(), request.loop, progress);
 }
 
 bool AreSame(const GridSpecification& a, const GridSpecification& b)
@@ -126,6 +131,17 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
          a.linearReflectivity == b.linearReflectivity && a.fill == b.fill &&
          a.companions == b.companions;
+}
+
+void CheckMotion(const Velocity& motion)
+{
+  // Also refuses what is no number.
+  if (!(std::hypot(motion.east, motion.north) <= FastestEcho))
+  {
+    throw Error("motion of " + std::to_string(motion.east) + " m/s towards east and " +
+                std::to_string(motion.north) + " towards north: its speed must be at most " +
+                std::to_string(static_cast<int>(FastestEcho)) + " m/s");
+  }
 }
 
 /// The share [from, to] of a longer piece of work, as a piece of work of its own.
@@ -171,8 +187,26 @@ BeamMerger& MergeRun::MergerFor(const MergeRequest& request)
   if (!merger || !AreSame(merger->Grid(), request.grid) || !AreSame(merger->Options(), options))
   {
     merger = std::make_unique<BeamMerger>(request.grid, options);
+    tracker = std::make_unique<MotionTracker>(request.grid, options.beam);
   }
   return *merger;
+}
+
+std::shared_ptr<const MotionField> MergeRun::MotionFor(
+  const BeamVolumes& volumes, const MergeRequest& request)
+{
+  if (request.interpolation == TimeInterpolationMethod::Linear || volumes.empty())
+  {
+    return nullptr;
+  }
+  if (request.motion)
+  {
+    CheckMotion(*request.motion);
+    return std::make_shared<const MotionField>(MotionField::Constant(*request.motion));
+  }
+  return volumes.front()->moment == MomentName::REF
+           ? tracker->Find(volumes, request.time, request.loop)
+           : nullptr;
 }
 
 std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,

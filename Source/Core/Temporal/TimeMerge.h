@@ -5,6 +5,7 @@
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/PolarVolume.h"
 #include "Model/Progress.h"
+#include "Temporal/MotionTracker.h"
 #include "Temporal/PolarCache.h"
 #include "Temporal/SiteSeries.h"
 
@@ -28,6 +29,13 @@ const char* ToString(MergeMethod method);
 /// Empty when the text names no method.
 std::optional<MergeMethod> ParseMergeMethod(std::string_view text);
 
+/// How Beam fills the time between the looks of a radar.
+enum class TimeInterpolationMethod
+{
+  Linear,     ///< where they are (Formulas A1)
+  AlongMotion ///< along the motion of the echo (A2a), where it is known
+};
+
 /// One merged volume that is asked for.
 struct MergeRequest
 {
@@ -38,19 +46,30 @@ struct MergeRequest
                                                   ///< Beam a ray
   MergeMethod method = MergeMethod::Beam;
   BeamMergeOptions beam; ///< of Beam; its largest gap is not used
-  RangeLoop loop;        ///< runs Beam's rows; empty: on this thread
+  TimeInterpolationMethod interpolation = TimeInterpolationMethod::AlongMotion; ///< of Beam
+  std::optional<Velocity> motion; ///< for AlongMotion, in place of the one found from reflectivity,
+                                  ///< at most FastestEcho; without it other moments are
+                                  ///< interpolated linearly
+  RangeLoop loop;                 ///< runs Beam's rows; empty: on this thread
 };
 
-/// What merges at several times of one grid share: the radars' geometry, and the volumes of the
-/// last one made ready. A run passes one object to all its merges, one after the other.
+/// What merges at several times of one grid share: the radars' geometry, the volumes of the last
+/// one made ready, and what their motion was found from. A run passes one object to all its merges,
+/// one after the other; it changes no result.
 class MergeRun
 {
 public:
   /// The merger for the request's grid and options: the one before, when they are the same.
   BeamMerger& MergerFor(const MergeRequest& request);
 
+  /// The motion along which the request asks to interpolate between volumes that MergerFor's merger
+  /// made ready; nullptr for none.
+  std::shared_ptr<const MotionField> MotionFor(
+    const BeamVolumes& volumes, const MergeRequest& request);
+
 private:
   std::unique_ptr<BeamMerger> merger;
+  std::unique_ptr<MotionTracker> tracker; // for the merger's grid
 };
 
 /// Merges volumes of any number of sites, in any order: for each site those about the time (for

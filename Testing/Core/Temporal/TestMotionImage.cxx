@@ -43,8 +43,8 @@ TEST(MotionImage, HalvesByTheMeanOfWhatWasScanned)
   ASSERT_EQ(half.rows, 1);
   EXPECT_FLOAT_EQ(half.values[0], 20.0F); // 10, 20 and 30
   EXPECT_FLOAT_EQ(half.values[1], 45.0F); // 40 and 50; the image ends there
-  EXPECT_DOUBLE_EQ(half.ToVoxel(0), 0.5);
-  EXPECT_DOUBLE_EQ(half.ToVoxel(1), 2.5);
+  EXPECT_DOUBLE_EQ(half.ToVoxel(0, 0), 0.5);
+  EXPECT_DOUBLE_EQ(half.ToVoxel(1, 1), 2.5);
 }
 
 TEST(MotionImage, SmoothsInTheRatioOneTwoOne)

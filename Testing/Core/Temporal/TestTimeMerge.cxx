@@ -3,12 +3,14 @@
 
 #include "HandMadeVolume.h"
 #include "Model/Error.h"
+#include "MovingEcho.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 namespace nexrad
 {
@@ -209,6 +211,117 @@ TEST(TimeMerge, BeamOfASeriesIsThatOfItsVolumes)
     const auto [smallest, largest] = EchoRange(*ofRun);
     EXPECT_GT(smallest, expected - 3.0);
     EXPECT_LE(largest, expected + 1e-3);
+  }
+}
+
+namespace
+{
+
+// Two radars that scan moving storms for a quarter of an hour.
+std::vector<PolarVolume> ScanStorms(MomentName moment = MomentName::REF)
+{
+  testing::MovingEcho field;
+  field.storms = {{30e3, 40e3, 50.0}, {-60e3, -30e3, 45.0}, {-20e3, 60e3, 55.0}};
+  field.velocity = {20.0, 10.0};
+  std::vector<PolarVolume> volumes;
+  for (const double seconds : {0.0, 300.0, 600.0})
+  {
+    volumes.push_back(testing::ScanEcho(field, keax, start, seconds));
+    volumes.push_back(testing::ScanEcho(field, klsx, start, seconds + 80.0));
+  }
+  for (PolarVolume& volume : volumes)
+  {
+    volume.moment = moment;
+  }
+  return volumes;
+}
+
+std::vector<const PolarVolume*> PointersTo(const std::vector<PolarVolume>& volumes)
+{
+  std::vector<const PolarVolume*> pointers;
+  for (const PolarVolume& volume : volumes)
+  {
+    pointers.push_back(&volume);
+  }
+  return pointers;
+}
+
+MergeRequest BeamRequest(Duration after)
+{
+  MergeRequest request = Request({*keax.position, *klsx.position}, start + after);
+  request.grid.dimensions[2] = 4;
+  request.method = MergeMethod::Beam;
+  return request;
+}
+
+} // namespace
+
+// A run that comes to a time through others, as one process of several does not, and volumes in
+// another order, give the same bytes.
+TEST(TimeMerge, MotionDoesNotDependOnWhatWasMergedBefore)
+{
+  const std::vector<PolarVolume> volumes = ScanStorms();
+  std::vector<const PolarVolume*> pointers = PointersTo(volumes);
+  MergeRun run;
+  for (const Duration after : {Duration(4min), Duration(5min), Duration(8min), Duration(4min)})
+  {
+    const auto ofRun = MergeVolumes(pointers, BeamRequest(after), {}, &run);
+    const auto fresh = MergeVolumes(pointers, BeamRequest(after));
+    EXPECT_EQ(ofRun->values, fresh->values);
+    EXPECT_EQ(ofRun->states, fresh->states);
+    std::reverse(pointers.begin(), pointers.end());
+  }
+}
+
+TEST(TimeMerge, MotionIsTheDefaultAndCanBeGivenOrLeft)
+{
+  const std::vector<PolarVolume> volumes = ScanStorms();
+  MergeRequest request = BeamRequest(4min);
+  const auto found = MergeVolumes(PointersTo(volumes), request);
+  request.motion = Velocity{20.0, 10.0};
+  const auto given = MergeVolumes(PointersTo(volumes), request);
+  request.interpolation = TimeInterpolationMethod::Linear;
+  const auto linear = MergeVolumes(PointersTo(volumes), request);
+  // What is found is nearer to what is known than to nothing.
+  double ofFound = 0.0;
+  double ofLinear = 0.0;
+  for (std::size_t i = 0; i < given->values.size(); ++i)
+  {
+    if (given->states[i] == VoxelState::Echo)
+    {
+      const auto off = [&](const GriddedVolume& volume)
+      {
+        const bool echo = volume.states[i] == VoxelState::Echo;
+        return std::abs(static_cast<double>(given->values[i] - (echo ? volume.values[i] : 0.0F)));
+      };
+      ofFound += off(*found);
+      ofLinear += off(*linear);
+    }
+  }
+  EXPECT_GT(ofLinear, 100.0);
+  EXPECT_LT(ofFound, 0.1 * ofLinear);
+}
+
+TEST(TimeMerge, OtherMomentsMoveOnlyAsGiven)
+{
+  const std::vector<PolarVolume> volumes = ScanStorms(MomentName::ZDR);
+  MergeRequest request = BeamRequest(4min);
+  const auto alone = MergeVolumes(PointersTo(volumes), request);
+  request.interpolation = TimeInterpolationMethod::Linear;
+  EXPECT_EQ(MergeVolumes(PointersTo(volumes), request)->values, alone->values);
+  request.interpolation = TimeInterpolationMethod::AlongMotion;
+  request.motion = Velocity{20.0, 10.0};
+  EXPECT_NE(MergeVolumes(PointersTo(volumes), request)->values, alone->values);
+}
+
+TEST(TimeMerge, RefusesAMotionFasterThanAnyEcho)
+{
+  const std::vector<PolarVolume> volumes = ScanStorms();
+  MergeRequest request = BeamRequest(4min);
+  for (const double bad : {200.0, std::numeric_limits<double>::quiet_NaN()})
+  {
+    request.motion = Velocity{0.0, bad};
+    EXPECT_THROW(MergeVolumes(PointersTo(volumes), request), Error);
   }
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridMaker.h"
+#include "Gridding/MotionField.h"
 #include "Model/Error.h"
-#include "Temporal/MotionField.h"
 
 #include <gtest/gtest.h>
 

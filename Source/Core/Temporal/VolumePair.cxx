@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Temporal/MotionPair.h"
+#include "Temporal/VolumePair.h"
 
 #include "Model/Error.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Temporal/MotionField.h"
+#include "Gridding/MotionField.h"
 
 #include "Model/Error.h"
 
@@ -107,6 +107,31 @@ Velocity MotionField::At(double column, double row) const
     sum.north += corners.share[i] * node.north;
   }
   return sum;
+}
+
+double MotionField::FastestSpeed() const
+{
+  double fastest = 0.0;
+  for (const Velocity& velocity : velocities)
+  {
+    fastest = std::max(fastest, std::hypot(velocity.east, velocity.north));
+  }
+  return fastest;
+}
+
+bool MotionField::Covers(const GridSpecification& grid) const
+{
+  if (velocities.size() != lattice.NodeCount())
+  {
+    return false;
+  }
+  bool covers = true;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    const double reach = lattice.step[axis] * (lattice.nodes[axis] - 1);
+    covers = covers && std::abs(reach - (grid.dimensions[axis] - 1)) < 0.5;
+  }
+  return covers || velocities.size() == 1;
 }
 
 } // namespace nexrad

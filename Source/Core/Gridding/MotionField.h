@@ -17,6 +17,9 @@ struct Velocity
   double north = 0.0;
 };
 
+/// m/s: no motion that is given may be faster.
+constexpr double FastestEcho = 150.0;
+
 /// Width and depth in m of the voxels in a row of a grid; on geographic axes the width shrinks
 /// towards the poles. The row may be a fraction.
 std::array<double, 2> VoxelExtent(const GridSpecification& grid, double row);
@@ -55,6 +58,12 @@ struct MotionField
 
   /// Motion at a voxel; fractions count.
   Velocity At(double column, double row) const;
+
+  /// m/s, of the fastest node.
+  double FastestSpeed() const;
+  /// True when it reaches over the columns and rows of a grid: a constant one over any, another
+  /// when its last nodes stand at the last voxels.
+  bool Covers(const GridSpecification& grid) const;
 };
 
 } // namespace nexrad

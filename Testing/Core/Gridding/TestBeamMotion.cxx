@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Formulas A2a: the merge along a motion that is given, held against a synthetic field that moves.
+#include "BeamScene.h"
+#include "Model/Error.h"
+#include "MovingEcho.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+const Site site = {"KTST", centralSite};
+const Velocity velocity = {22.0, -12.0};
+
+// Storms east, north and west of the radar.
+MovingEcho TestField()
+{
+  MovingEcho field;
+  field.storms = {{60e3, 30e3, 50.0}, {-20e3, 55e3, 45.0}, {-50e3, -20e3, 55.0}};
+  field.velocity = velocity;
+  return field;
+}
+
+// Columns 2 km apart to 90 km from the radar, levels of 500 m.
+GridSpecification FineGrid()
+{
+  GridSpecification grid = SceneGrid();
+  grid.dimensions = {91, 91, 10};
+  grid.spacing = {2'000.0, 2'000.0, 500.0};
+  grid.origin = {-90'000.0, -90'000.0, 1'000.0};
+  return grid;
+}
+
+GriddedVolume MergeMoving(const std::vector<PolarVolume>& volumes, double seconds,
+  const MotionField* motion, const GridSpecification& grid = FineGrid(), const RangeLoop& loop = {})
+{
+  std::vector<const PolarVolume*> pointers;
+  for (const PolarVolume& volume : volumes)
+  {
+    pointers.push_back(&volume);
+  }
+  BeamMerger merger(grid);
+  const Time time = sceneTime + Duration(std::llround(seconds * 1000.0));
+  return *merger.Merge(merger.Prepare(pointers), time, motion, loop);
+}
+
+// Largest difference from the field in dBZ over the voxels between the tilts 0.5° and 6° where it
+// has 15 dBZ or more: its edge, which a threshold cuts, is no matter here.
+double LargestError(const GriddedVolume& volume, const MovingEcho& field, double seconds)
+{
+  double largest = 0.0;
+  std::size_t count = 0;
+  const auto compare = [&](const SeenVoxel& voxel)
+  {
+    const double azimuth = voxel.azimuth * RadiansPerDegree;
+    const double truth = field.At(
+      voxel.groundDistance * std::sin(azimuth), voxel.groundDistance * std::cos(azimuth), seconds);
+    if (truth >= 15.0 && voxel.elevation > 0.5 && voxel.elevation < 6.0)
+    {
+      ++count;
+      const bool echo = volume.states[voxel.index] == VoxelState::Echo;
+      const double found = echo ? static_cast<double>(volume.values[voxel.index]) : 0.0;
+      largest = std::max(largest, std::abs(found - truth));
+    }
+  };
+  ForEachVoxel(volume.grid, centralSite, compare);
+  EXPECT_GT(count, 300u);
+  return largest;
+}
+
+std::vector<PolarVolume> TwoVolumes(const ScanPlan& plan = {})
+{
+  const MovingEcho field = TestField();
+  return {
+    ScanEcho(field, site, sceneTime, -240.0, plan), ScanEcho(field, site, sceneTime, 60.0, plan)};
+}
+
+} // namespace
+
+// Between gates of 1 km and rays that are 1.2 km apart at 70 km, a storm of 55 dBZ that falls to
+// 1/e in 8 km is interpolated to 0.6 dBZ: h²/8 times its curvature, 2 · 55 dBZ / (8 km)², along
+// both axes. It moves by 25 m/s, and so by 1.5 to 6 km from the looks at it to the time.
+TEST(BeamMotion, EchoStandsWhereItWasAtTheTime)
+{
+  const std::vector<PolarVolume> volumes = TwoVolumes();
+  const MotionField motion = MotionField::Constant(velocity);
+  EXPECT_LT(LargestError(MergeMoving(volumes, 0.0, &motion), TestField(), 0.0), 0.8);
+  EXPECT_GT(LargestError(MergeMoving(volumes, 0.0, nullptr), TestField(), 0.0), 8.0);
+}
+
+// In the middle of a sweep, and of a volume: for half of the directions this sweep is the last
+// look, for the others the next one.
+TEST(BeamMotion, HoldsWhereASweepWasInProgress)
+{
+  const MovingEcho field = TestField();
+  ScanPlan plan;
+  plan.firstAzimuth = 250.0; // between them its seam goes through a storm
+  const std::vector<PolarVolume> volumes = {ScanEcho(field, site, sceneTime, -300.0, plan),
+    ScanEcho(field, site, sceneTime, -50.0, plan), ScanEcho(field, site, sceneTime, 200.0, plan)};
+  const MotionField motion = MotionField::Constant(velocity);
+  for (const double seconds : {-45.0, -10.0, 0.0, 3.0, 12.0})
+  {
+    EXPECT_LT(LargestError(MergeMoving(volumes, seconds, &motion), field, seconds), 0.9) << seconds;
+  }
+}
+
+// A tilt that the later pattern does not have is interpolated between two sweeps, minutes apart,
+// each of which is looked up where the echo was at its own time.
+TEST(BeamMotion, HoldsAcrossAChangeOfPattern)
+{
+  const MovingEcho field = TestField();
+  ScanPlan later;
+  later.tilts = {0.5, 1.9, 2.9, 3.9, 6.0};
+  later.secondsPerSweep = 40.0;
+  const std::vector<PolarVolume> volumes = {
+    ScanEcho(field, site, sceneTime, -150.0), ScanEcho(field, site, sceneTime, 20.0, later)};
+  const MotionField motion = MotionField::Constant(velocity);
+  EXPECT_LT(LargestError(MergeMoving(volumes, 0.0, &motion), field, 0.0), 1.0);
+}
+
+// The motion's lattice is that of the grid: east of the radar the storm moves north, west of it
+// south.
+TEST(BeamMotion, TakesTheMotionOfTheColumn)
+{
+  MovingEcho east;
+  east.storms = {{50e3, 0.0, 50.0}};
+  east.velocity = {0.0, 25.0};
+  MovingEcho west;
+  west.storms = {{-50e3, 0.0, 50.0}};
+  west.velocity = {0.0, -25.0};
+  std::vector<PolarVolume> volumes;
+  for (const double start : {-240.0, 60.0})
+  {
+    volumes.push_back(ScanEcho(east, site, sceneTime, start));
+    const PolarVolume other = ScanEcho(west, site, sceneTime, start);
+    for (std::size_t i = 0; i < other.sweeps.size(); ++i)
+    {
+      PolarSweep& sweep = volumes.back().sweeps[i];
+      const auto half = static_cast<std::ptrdiff_t>(sweep.values.size() / 2);
+      std::copy(other.sweeps[i].values.begin() + half, other.sweeps[i].values.end(),
+        sweep.values.begin() + half);
+      std::copy(other.sweeps[i].states.begin() + half, other.sweeps[i].states.end(),
+        sweep.states.begin() + half);
+    }
+  }
+  MotionField motion;
+  motion.lattice.nodes = {4, 2};
+  motion.lattice.step = {30.0, 90.0};
+  const Velocity north = {0.0, 25.0};
+  const Velocity south = {0.0, -25.0};
+  motion.velocities = {south, south, north, north, south, south, north, north};
+  const GriddedVolume merged = MergeMoving(volumes, 0.0, &motion);
+  EXPECT_LT(LargestError(merged, east, 0.0), 0.8);
+  EXPECT_LT(LargestError(merged, west, 0.0), 0.8);
+}
+
+// 20° east of the grid's centre the radar's north stands 12.7° to the left of the grid's. At 100
+// m/s a motion that is not turned puts each look 3 km off, to opposite sides; what of that does not
+// cancel is 3² · 55 dBZ / 8², 8 dBZ in the middle of a storm.
+TEST(BeamMotion, IsTurnedFromTheGridsDirectionsToTheRadars)
+{
+  MovingEcho field = TestField();
+  field.velocity = {0.0, 100.0};
+  GridSpecification grid = FineGrid();
+  grid.centreLongitude = centralSite.longitude - 20.0;
+  const auto centre = grid.FromGeographic(centralSite.longitude, centralSite.latitude);
+  grid.origin = {centre[0] - 90'000.0, centre[1] - 90'000.0, 1'000.0};
+  const auto above = grid.FromGeographic(centralSite.longitude, centralSite.latitude + 0.1);
+  const double turn = std::atan2(above[0] - centre[0], above[1] - centre[1]);
+  ASSERT_NEAR(turn / RadiansPerDegree, -12.7, 0.3);
+  const std::vector<PolarVolume> volumes = {
+    ScanEcho(field, site, sceneTime, -200.0), ScanEcho(field, site, sceneTime, 100.0)};
+  const MotionField turned =
+    MotionField::Constant({100.0 * std::sin(turn), 100.0 * std::cos(turn)});
+  EXPECT_LT(LargestError(MergeMoving(volumes, 0.0, &turned, grid), field, 0.0), 1.0);
+  const MotionField same = MotionField::Constant(field.velocity);
+  EXPECT_GT(LargestError(MergeMoving(volumes, 0.0, &same, grid), field, 0.0), 5.0);
+}
+
+TEST(BeamMotion, CountsInMetresOnGeographicAxes)
+{
+  GridSpecification grid = FineGrid();
+  grid.axes = GridAxes::Geographic;
+  grid.spacing = {0.022, 0.018, 500.0};
+  grid.origin = {centralSite.longitude - 45 * 0.022, centralSite.latitude - 45 * 0.018, 1'000.0};
+  const MotionField motion = MotionField::Constant(velocity);
+  EXPECT_LT(LargestError(MergeMoving(TwoVolumes(), 0.0, &motion, grid), TestField(), 0.0), 0.8);
+}
+
+TEST(BeamMotion, WithoutSpeedIsLinearToTheLastBit)
+{
+  const std::vector<PolarVolume> volumes = TwoVolumes();
+  const GriddedVolume linear = MergeMoving(volumes, 0.0, nullptr);
+  const MotionField still = MotionField::Constant({0.0, 0.0});
+  EXPECT_EQ(MergeMoving(volumes, 0.0, &still).values, linear.values);
+  // Still where the grid is looked at, though not beyond: the looks go all the same way.
+  MotionField almost;
+  almost.lattice.nodes = {2, 91};
+  almost.lattice.step = {90.0, 1.0};
+  almost.velocities.assign(182, Velocity{});
+  almost.velocities.back() = {10.0, 0.0};
+  const GriddedVolume merged = MergeMoving(volumes, 0.0, &almost);
+  const std::size_t row = 91;
+  for (std::size_t level = 0; level < 10; ++level)
+  {
+    const auto first = static_cast<std::ptrdiff_t>(level * row * row);
+    const auto end = first + static_cast<std::ptrdiff_t>(88 * row);
+    EXPECT_TRUE(std::equal(
+      merged.values.begin() + first, merged.values.begin() + end, linear.values.begin() + first));
+  }
+}
+
+TEST(BeamMotion, OneLookAloneStaysWhereItIs)
+{
+  const MovingEcho field = TestField();
+  const std::vector<PolarVolume> one = {ScanEcho(field, site, sceneTime, -240.0)};
+  const MotionField motion = MotionField::Constant(velocity);
+  const GriddedVolume moved = MergeMoving(one, 0.0, &motion);
+  const GriddedVolume linear = MergeMoving(one, 0.0, nullptr);
+  EXPECT_EQ(moved.values, linear.values);
+  EXPECT_EQ(moved.states, linear.states);
+}
+
+namespace
+{
+
+// Quarters of the circle of 40 dBZ, without echo, range folded, and not sampled, in this order.
+PolarVolume FourQuarters(double start)
+{
+  PolarVolume volume = ScanEcho({}, site, sceneTime, start);
+  for (PolarSweep& sweep : volume.sweeps)
+  {
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+    {
+      constexpr std::array<GateState, 4> states = {
+        GateState::Valid, GateState::BelowThreshold, GateState::RangeFolded, GateState::NotSampled};
+      for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+      {
+        sweep.states[sweep.Index(ray, gate)] = states[ray / 90];
+        sweep.values[sweep.Index(ray, gate)] = 40.0F;
+      }
+    }
+  }
+  return volume;
+}
+
+} // namespace
+
+// The looks go up to 5 km away, and no voxel becomes seen or unseen by that; what is folded at both
+// times stays so.
+TEST(BeamMotion, KeepsTheKindsOfNothingApart)
+{
+  const std::vector<PolarVolume> volumes = {FourQuarters(-240.0), FourQuarters(60.0)};
+  const MotionField motion = MotionField::Constant(velocity);
+  const GriddedVolume moved = MergeMoving(volumes, 0.0, &motion);
+  const GriddedVolume linear = MergeMoving(volumes, 0.0, nullptr);
+  std::array<std::size_t, 4> counts = {};
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < linear.states.size(); ++i)
+  {
+    const auto tells = [](VoxelState state)
+    { return state == VoxelState::Echo || state == VoxelState::NoEcho; };
+    ++counts[static_cast<std::size_t>(linear.states[i])];
+    changed += moved.states[i] != linear.states[i] ? 1 : 0;
+    if (tells(linear.states[i]))
+    {
+      ASSERT_TRUE(tells(moved.states[i]));
+    }
+    else
+    {
+      ASSERT_EQ(moved.states[i], linear.states[i]);
+    }
+  }
+  EXPECT_GT(*std::min_element(counts.begin(), counts.end()), 1'000u);
+  EXPECT_GT(changed, 10u); // along the border between echo and none
+}
+
+TEST(BeamMotion, VelocityIsNeverBlended)
+{
+  std::vector<PolarVolume> volumes = {FourQuarters(-240.0), FourQuarters(60.0)};
+  for (std::size_t i = 0; i < volumes.size(); ++i)
+  {
+    volumes[i].moment = MomentName::VEL;
+    for (PolarSweep& sweep : volumes[i].sweeps)
+    {
+      for (std::size_t j = 0; j < sweep.values.size(); ++j)
+      {
+        sweep.values[j] = (j / sweep.gates) % 2 == 0 ? 20.0F : -20.0F;
+      }
+    }
+  }
+  const MotionField motion = MotionField::Constant(velocity);
+  const GriddedVolume merged = MergeMoving(volumes, 0.0, &motion);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < merged.values.size(); ++i)
+  {
+    if (merged.states[i] == VoxelState::Echo)
+    {
+      ++count;
+      ASSERT_NEAR(std::abs(merged.values[i]), 20.0F, 1e-3F);
+    }
+  }
+  EXPECT_GT(count, 1'000u);
+}
+
+TEST(BeamMotion, TheResultDoesNotDependOnThreadsOrOrder)
+{
+  std::vector<PolarVolume> volumes = TwoVolumes();
+  const MotionField motion = MotionField::Constant(velocity);
+  const GriddedVolume once = MergeMoving(volumes, 0.0, &motion);
+  for (const unsigned threads : {1U, 2U, 7U})
+  {
+    const GriddedVolume again = MergeMoving(volumes, 0.0, &motion, FineGrid(), ThreadLoop(threads));
+    EXPECT_EQ(again.values, once.values);
+    EXPECT_EQ(again.states, once.states);
+  }
+  std::reverse(volumes.begin(), volumes.end());
+  EXPECT_EQ(MergeMoving(volumes, 0.0, &motion).values, once.values);
+}
+
+TEST(BeamMotion, RefusesTheMotionOfAnotherGrid)
+{
+  MotionField motion;
+  motion.lattice.nodes = {2, 2};
+  motion.lattice.step = {50.0, 90.0};
+  motion.velocities.assign(4, Velocity{});
+  EXPECT_THROW(MergeMoving(TwoVolumes(), 0.0, &motion), Error);
+}
+
+// Against sines and cosines in double precision.
+TEST(BeamMotion, DirectionsFollowTheMotion)
+{
+  constexpr double diameter = 2.0 * 8'494'666.7;
+  for (const double range : {500.0, 4e3, 30e3, 200e3})
+  {
+    for (const double azimuth : {0.0, 0.2, 90.0, 217.0, 359.9})
+    {
+      for (const double seconds : {-600.0, -30.0, 0.0, 250.0})
+      {
+        const ColumnDirection column = {
+          static_cast<float>(azimuth), static_cast<float>(range / diameter)};
+        const ColumnMotion motion = {
+          static_cast<float>(15.0 / diameter), static_cast<float>(-9.0 / diameter)};
+        const ColumnDirection moved = DirectionAt(column, motion, static_cast<float>(seconds));
+        const double away = range + 15.0 * seconds;
+        const double clockwise = -9.0 * seconds;
+        EXPECT_GE(moved.azimuth, 0.0F);
+        EXPECT_LT(moved.azimuth, 360.0F);
+        EXPECT_NEAR(static_cast<double>(moved.halfTangent) * diameter, std::hypot(away, clockwise),
+          0.001 * range + 0.5);
+        const double turned = azimuth + std::atan2(clockwise, away) / RadiansPerDegree;
+        EXPECT_NEAR(AngleDifference(turned, static_cast<double>(moved.azimuth)), 0.0, 0.003);
+      }
+    }
+  }
+}
