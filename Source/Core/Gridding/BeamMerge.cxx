@@ -51,6 +51,7 @@ SamplingContext ContextFor(
 {
   SamplingContext context;
   context.rule = ValueRule::Of(volume.moment, options.linearReflectivity);
+  context.ages = options.companions;
   context.gap = static_cast<float>(options.maximumGap.count()) / 1000.0F;
   context.effectiveRadius = static_cast<float>(effectiveRadius);
   const double ceiling = weatherCeiling - volume.site.position->altitude;
@@ -72,16 +73,6 @@ float ReachOf(const std::vector<const BeamVolume*>& volumes, double effectiveRad
   return static_cast<float>(std::tan(0.5 * static_cast<double>(reach) / effectiveRadius));
 }
 
-// True when no later look of a list is needed wherever this one has gates: all of it lies on its
-// side of the time, in all directions.
-bool EndsTheSearch(const TiltObservation& observation, bool after)
-{
-  const std::vector<float>& gaps = observation.lower->inverseGaps;
-  const bool onItsSide = after ? observation.Begin() > 0.0F : observation.End() <= 0.0F;
-  return onItsSide && observation.upper == nullptr &&
-         std::all_of(gaps.begin(), gaps.end() - 1, [](float gap) { return gap > 0.0F; });
-}
-
 // Seconds from the time to the farthest ray of a list that may be needed.
 float LongestTime(const std::vector<TiltObservation>& observations, bool after)
 {
@@ -93,7 +84,7 @@ float LongestTime(const std::vector<TiltObservation>& observations, bool after)
     {
       longest = std::max(longest, after ? observation.End() : -observation.Begin());
     }
-    if (EndsTheSearch(observation, after))
+    if (observation.IsWhole(after))
     {
       reach = std::max(reach, observation.lower->Reach());
     }
@@ -314,13 +305,15 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     MergeSite site{any.site.name, &this->GeometryOf(position),
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0),
       FindTilts(group.second, time, options.maximumGap), {}, ContextFor(any, options, radius),
-      ReachOf(group.second, radius), {}, {}};
+      ReachOf(group.second, radius), {}, {}, {}};
     site.edges = FindEdges(site.tilts, options.beamWidth, options.sharpen);
-    if (motion != nullptr)
+    for (const BeamTilt& tilt : site.tilts)
     {
-      site.north = NorthIn(grid, position);
-      site.mask = EchoMask(CompositesOf(group.second), radius, FarthestWay(site.tilts, *motion));
+      site.quiet.push_back(FindQuiet(tilt, site.context));
     }
+    const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
+    site.mask = EchoMask(CompositesOf(group.second), radius, way);
+    site.north = NorthIn(grid, position);
     if (!site.tilts.empty())
     {
       sites.push_back(std::move(site));

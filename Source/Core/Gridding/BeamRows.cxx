@@ -53,14 +53,15 @@ private:
 ColumnMotion MotionSeenBy(
   const MergeSite& site, const ColumnDirection& column, const Velocity& velocity)
 {
-  const double azimuth = static_cast<double>(column.azimuth) * RadiansPerDegree;
-  const double sine = std::sin(azimuth);
-  const double cosine = std::cos(azimuth);
-  const double north = site.north[0] * velocity.east + site.north[1] * velocity.north;
-  const double east = site.north[1] * velocity.east - site.north[0] * velocity.north;
+  const float azimuth = column.azimuth * static_cast<float>(RadiansPerDegree);
+  const float sine = std::sin(azimuth);
+  const float cosine = std::cos(azimuth);
   const double diameter = 2.0 * static_cast<double>(site.context.effectiveRadius);
-  return {static_cast<float>((north * cosine + east * sine) / diameter),
-    static_cast<float>((east * cosine - north * sine) / diameter)};
+  const auto north =
+    static_cast<float>((site.north[0] * velocity.east + site.north[1] * velocity.north) / diameter);
+  const auto east =
+    static_cast<float>((site.north[1] * velocity.east - site.north[0] * velocity.north) / diameter);
+  return {north * cosine + east * sine, east * cosine - north * sine};
 }
 
 class StripMerger
@@ -109,6 +110,13 @@ public:
   }
 
 private:
+  // What a radar has about a column: the highest sweep that holds something, and how that moves.
+  struct Surroundings
+  {
+    std::uint8_t top = 0;
+    ColumnMotion motion;
+  };
+
   // A radar that sees columns of the strip.
   struct Present
   {
@@ -136,7 +144,7 @@ private:
       return;
     }
     present.push_back({number, begin, end});
-    this->FindMotions(site, directions, x, y, begin, end);
+    this->LookAround(site, directions, x, y, begin, end);
     const std::size_t tilts = site.tilts.size();
     for (std::size_t tilt = 0; tilt < tilts; ++tilt)
     {
@@ -144,26 +152,37 @@ private:
       for (int i = begin; i < end; ++i)
       {
         to[static_cast<std::size_t>(i) * tilts] =
-          SampleTilt(site.tilts[tilt], directions[i], site.context,
-            moving[static_cast<std::size_t>(i)] ? &motions[static_cast<std::size_t>(i)] : nullptr);
+          this->SampleColumn(site, tilt, directions[i], surroundings[static_cast<std::size_t>(i)]);
       }
     }
   }
 
-  // The motion of those columns into or out of which echo may move.
-  void FindMotions(
+  // What is known of the columns before their tilts are looked up.
+  void LookAround(
     const MergeSite& site, const ColumnDirection* directions, int x, int y, int begin, int end)
   {
     for (int i = begin; i < end; ++i)
     {
-      moving[static_cast<std::size_t>(i)] =
-        options.motion != nullptr && site.mask.Holds(directions[i]);
-      if (moving[static_cast<std::size_t>(i)])
+      Surroundings& about = surroundings[static_cast<std::size_t>(i)];
+      about.top = site.mask.TopOver(directions[i]);
+      if (about.top > 0 && options.motion != nullptr)
       {
-        motions[static_cast<std::size_t>(i)] =
-          MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
+        about.motion = MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
       }
     }
+  }
+
+  TiltSample SampleColumn(const MergeSite& site, std::size_t tilt, const ColumnDirection& direction,
+    const Surroundings& about) const
+  {
+    const QuietTilt& quiet = site.quiet[tilt];
+    if (about.top >= quiet.elevation)
+    {
+      return SampleTilt(site.tilts[tilt], direction, site.context,
+        options.motion != nullptr ? &about.motion : nullptr);
+    }
+    const std::optional<TiltSample> known = SampleQuiet(quiet, direction, site.context);
+    return known ? *known : SampleTilt(site.tilts[tilt], direction, site.context);
   }
 
   void MergeColumn(int x, int y, int place)
@@ -256,8 +275,7 @@ private:
   Strip<std::uint8_t> radars;
   Strip<std::uint8_t> nearestSites;
   std::vector<std::vector<TiltSample>> samples; // of each site: tilts within columns
-  std::array<ColumnMotion, stripWidth> motions;
-  std::array<bool, stripWidth> moving = {};
+  std::array<Surroundings, stripWidth> surroundings;
   std::vector<Present> present;
   std::vector<std::pair<float, std::size_t>> order; // distance and site
 };

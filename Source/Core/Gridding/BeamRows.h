@@ -27,7 +27,8 @@ struct MergeSite
   SamplingContext context;
   float reach = 0.0F; ///< tan(γ/2) of the farthest gate of any look: columns beyond are not seen
   std::array<double, 2> north = {0.0, 1.0}; ///< the radar's north in the grid's directions
-  EchoMask mask;                            ///< where echo may move from or to, with a motion
+  std::vector<QuietTilt> quiet;             ///< of the tilts
+  EchoMask mask;                            ///< where echo is, or may move from or to
 };
 
 /// What is done with the radars.

@@ -259,15 +259,9 @@ void BlendTimes(const Look& before, const Look& after, float share, const Sampli
 }
 
 // A sweep at the place where the echo of a column was at the time of its own rays.
-inline Look LookAlong(const BeamSweep& sweep, float begin, const ColumnDirection& column,
-  const ColumnMotion& motion, const SamplingContext& context)
+inline Look LookAlong(const BeamSweep& sweep, float begin, float time,
+  const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context)
 {
-  const RayPlace rays = FindRays(sweep, column.azimuth);
-  if (rays.entry < 0)
-  {
-    return {};
-  }
-  const float time = TimeOf(sweep, begin, rays);
   const Look look = LookAt(sweep, begin, DirectionAt(column, motion, time), context);
   // Across the seam, where the last ray of a sweep meets the first, the time is another.
   constexpr float seam = 2.0F; // s, in which no echo moves as far as voxels are wide
@@ -276,16 +270,11 @@ inline Look LookAlong(const BeamSweep& sweep, float begin, const ColumnDirection
            : LookAt(sweep, begin, DirectionAt(column, motion, look.time), context);
 }
 
-inline Look LookAlong(const TiltObservation& observation, const ColumnDirection& column,
-  const ColumnMotion& motion, const SamplingContext& context)
+// When a sweep looked at a column; where it has no ray, at its beginning.
+inline float TimeOver(const BeamSweep& sweep, float begin, const ColumnDirection& column)
 {
-  const Look lower = LookAlong(*observation.lower, observation.lowerBegin, column, motion, context);
-  if (observation.upper == nullptr)
-  {
-    return lower;
-  }
-  const Look upper = LookAlong(*observation.upper, observation.upperBegin, column, motion, context);
-  return BlendLooks(lower, upper, observation.shareOfUpper, context.rule);
+  const RayPlace rays = FindRays(sweep, column.azimuth);
+  return rays.entry < 0 ? begin : TimeOf(sweep, begin, rays);
 }
 
 // A look over the column, and of what.
@@ -294,6 +283,21 @@ struct FoundLook
   Look look;
   const TiltObservation* observation = nullptr;
 };
+
+inline Look LookAlong(const FoundLook& found, const ColumnDirection& column,
+  const ColumnMotion& motion, const SamplingContext& context)
+{
+  const TiltObservation& of = *found.observation;
+  if (of.upper == nullptr)
+  {
+    return LookAlong(*of.lower, of.lowerBegin, found.look.time, column, motion, context);
+  }
+  const Look lower = LookAlong(
+    *of.lower, of.lowerBegin, TimeOver(*of.lower, of.lowerBegin, column), column, motion, context);
+  const Look upper = LookAlong(
+    *of.upper, of.upperBegin, TimeOver(*of.upper, of.upperBegin, column), column, motion, context);
+  return BlendLooks(lower, upper, of.shareOfUpper, context.rule);
+}
 
 // The first look of a list that saw the column on its side of the time, within the gap.
 inline FoundLook FindLook(const std::vector<TiltObservation>& observations,
@@ -324,8 +328,8 @@ inline void FollowMotion(FoundLook& before, FoundLook& after, const ColumnDirect
   {
     return;
   }
-  const Look source = LookAlong(*before.observation, column, motion, context);
-  const Look target = LookAlong(*after.observation, column, motion, context);
+  const Look source = LookAlong(before, column, motion, context);
+  const Look target = LookAlong(after, column, motion, context);
   if (TellsSomething(source) && TellsSomething(target))
   {
     before.look = source;
@@ -369,6 +373,63 @@ ValueRule ValueRule::Of(MomentName moment, bool linearReflectivity)
   rule.linear = moment == MomentName::REF && linearReflectivity;
   rule.period = moment == MomentName::PHI ? 360.0F : 0.0F;
   return rule;
+}
+
+QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
+{
+  QuietTilt quiet;
+  float lowest = tilt.elevation;
+  for (const std::vector<TiltObservation>* side : {&tilt.before, &tilt.after})
+  {
+    for (const TiltObservation& observation : *side)
+    {
+      lowest = std::min(lowest, observation.lower->elevation);
+    }
+  }
+  quiet.elevation = ElevationCode(lowest);
+  if (context.ages || tilt.before.empty() || tilt.after.empty())
+  {
+    return quiet;
+  }
+  const TiltObservation& before = tilt.before.front();
+  const TiltObservation& after = tilt.after.front();
+  if (!before.IsWhole(false) || !after.IsWhole(true) ||
+      FadeOf(-before.Begin(), context.gap) < 1.0F || FadeOf(after.End(), context.gap) < 1.0F)
+  {
+    return quiet;
+  }
+  quiet.before = before.lower;
+  quiet.after = after.lower;
+  constexpr float margin = 1e-5F; // what rounding may change of the place of a gate
+  const auto tangent = [&context](const BeamSweep& sweep, float range)
+  {
+    const float ground =
+      std::atan2(range * sweep.cosine, context.effectiveRadius + range * sweep.sine);
+    return std::tan(0.5F * ground);
+  };
+  const auto first = [&tangent](const BeamSweep& sweep)
+  { return tangent(sweep, std::max(0.0F, sweep.firstGate - 0.5F / sweep.gatesPerMetre)); };
+  quiet.nearest = (1.0F + margin) * std::max(first(*quiet.before), first(*quiet.after));
+  quiet.farthest = (1.0F - margin) * std::min(tangent(*quiet.before, quiet.before->Reach()),
+                                       tangent(*quiet.after, quiet.after->Reach()));
+  return quiet;
+}
+
+std::optional<TiltSample> SampleQuiet(
+  const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context)
+{
+  const float t = column.halfTangent;
+  const bool inside = t > quiet.nearest && t < quiet.farthest;
+  if (quiet.before == nullptr || (!inside && t < quiet.farthest) ||
+      (!inside && (BeyondReach(*quiet.before, column, context) != VoxelState::NoEcho ||
+                    BeyondReach(*quiet.after, column, context) != VoxelState::NoEcho)))
+  {
+    return std::nullopt;
+  }
+  TiltSample sample;
+  sample.state = VoxelState::NoEcho;
+  sample.fade = 1.0F;
+  return sample;
 }
 
 ColumnDirection DirectionAt(

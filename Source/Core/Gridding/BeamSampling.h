@@ -5,6 +5,8 @@
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/SiteGeometry.h"
 
+#include <optional>
+
 namespace nexrad
 {
 
@@ -52,8 +54,27 @@ struct SamplingContext
   ValueRule rule;
   float gap = 900.0F;              ///< s: rays farther from the time do not count
   float effectiveRadius = 8.49e6F; ///< m
+  bool ages = true;                ///< TiltSample::age is wanted
   float ceiling = 0.002F; ///< h/(a_e + h) of the height above which nothing can be (Formulas G4)
 };
+
+/// What a tilt has where no gate about a column holds anything but no echo, as far as one look
+/// before and one after the time say so in all directions, both young enough to count in full.
+struct QuietTilt
+{
+  const BeamSweep* before = nullptr; ///< nullptr: unknown
+  const BeamSweep* after = nullptr;
+  float nearest = 0.0F;       ///< tan(γ/2) from which both have gates
+  float farthest = 0.0F;      ///< and to which
+  std::uint8_t elevation = 0; ///< ElevationCode of the lowest sweep of any look
+};
+
+QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context);
+
+/// SampleTilt for a column about which no sweep as high as `quiet.elevation` holds anything but no
+/// echo; empty where it must be asked.
+std::optional<TiltSample> SampleQuiet(
+  const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context);
 
 /// Samples a tilt over a column: bilinear in azimuth and range on the last look at or before the
 /// time and on the first one after it, then linear in time (Formulas G2, G6, A1).

@@ -117,6 +117,13 @@ void AddObservation(BeamTilt& tilt, TiltObservation observation, Time time, floa
 
 } // namespace
 
+bool TiltObservation::IsWhole(bool after) const
+{
+  const std::vector<float>& gaps = lower->inverseGaps; // of the last entry there is none
+  return upper == nullptr && (after ? this->Begin() > 0.0F : this->End() <= 0.0F) &&
+         std::all_of(gaps.begin(), gaps.end() - 1, [](float gap) { return gap > 0.0F; });
+}
+
 float TiltObservation::Begin() const
 {
   return upper == nullptr ? lowerBegin : std::min(lowerBegin, upperBegin);

@@ -18,6 +18,9 @@ struct TiltObservation
   float lowerBegin = 0.0F;          ///< s from the time of the merge to the first ray of `lower`
   float upperBegin = 0.0F;          ///< the same of `upper`
 
+  /// True when its rays leave no gap and all lie on one side of the time, after it or not: where it
+  /// has a gate, no other look on that side is needed.
+  bool IsWhole(bool after) const;
   float Begin() const; ///< s from the time of the merge, of the earliest ray
   float End() const;   ///< of the latest ray
 };

@@ -195,7 +195,7 @@ bool IsDopplerHalf(const PolarSweep& sweep, const PolarVolume& volume)
 std::size_t BeamVolume::MemoryBytes() const
 {
   std::size_t bytes = sizeof(BeamVolume) + composite.values.size() * sizeof(float) +
-                      composite.cells.size() * sizeof(VolumeComposite::Cell);
+                      composite.cells.size() * (sizeof(VolumeComposite::Cell) + 1);
   for (const BeamSweep& sweep : sweeps)
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +

@@ -14,24 +14,23 @@ namespace
 
 constexpr int sectors = VolumeComposite::Sectors;
 
-// Marks what lies within `by` places of a mark, in a row that may close to a circle.
+// The largest within `by` places to either side, in a row that may close to a circle.
 void WidenRow(
   const std::vector<std::uint8_t>& from, int by, bool circle, std::vector<std::uint8_t>& to)
 {
   const int size = static_cast<int>(from.size());
   to.assign(from.size(), 0);
-  int reach = -1; // last place that the marks so far reach
   const int start = circle ? -by : 0;
-  for (int i = start; i < size + (circle ? by : 0); ++i)
+  const int end = circle ? size + by : size;
+  for (int i = start; i < end; ++i)
   {
-    const int place = circle ? (i + size) % size : i;
-    if (from[static_cast<std::size_t>(place)] != 0)
+    const std::uint8_t top = from[static_cast<std::size_t>((i + size) % size)];
+    if (top > 0)
     {
-      for (int j = std::max({i - by, reach + 1, 0}); j <= std::min(i + by, size - 1); ++j)
-      {
-        to[static_cast<std::size_t>(j)] = 1;
-      }
-      reach = std::max(reach, i + by);
+      const auto first = to.begin() + std::max(i - by, 0);
+      const auto last = to.begin() + std::min(i + by + 1, size);
+      std::transform(
+        first, last, first, [top](std::uint8_t other) { return std::max(other, top); });
     }
   }
 }
@@ -51,17 +50,16 @@ EchoMask::EchoMask(
   const double ringWidth = static_cast<double>(VolumeComposite::RingWidth);
   rings += static_cast<std::size_t>(std::ceil(distance / ringWidth)) + 2;
   ringsPerTangent = static_cast<float>(2.0 * effectiveRadius / ringWidth);
-  near.assign(rings * static_cast<std::size_t>(sectors), 0);
+  tops.assign(rings * static_cast<std::size_t>(sectors), 0);
   for (const VolumeComposite* composite : composites)
   {
     for (int sector = 0; sector < sectors; ++sector)
     {
       for (int ring = 0; ring < composite->rings; ++ring)
       {
-        const bool held =
-          composite->cells[composite->Index(sector, ring)] == VolumeComposite::Cell::Held;
-        near[static_cast<std::size_t>(sector) * rings + static_cast<std::size_t>(ring)] |=
-          held ? 1 : 0;
+        const std::size_t at =
+          static_cast<std::size_t>(sector) * rings + static_cast<std::size_t>(ring);
+        tops[at] = std::max(tops[at], composite->tops[composite->Index(sector, ring)]);
       }
     }
   }
@@ -90,7 +88,7 @@ void EchoMask::WidenRings(int by)
   std::vector<std::uint8_t> wide;
   for (std::size_t sector = 0; sector < static_cast<std::size_t>(sectors); ++sector)
   {
-    const auto first = near.begin() + static_cast<std::ptrdiff_t>(sector * rings);
+    const auto first = tops.begin() + static_cast<std::ptrdiff_t>(sector * rings);
     WidenRow({first, first + static_cast<std::ptrdiff_t>(rings)}, by, false, wide);
     std::copy(wide.begin(), wide.end(), first);
   }
@@ -102,12 +100,12 @@ void EchoMask::WidenSectors(std::size_t ring, int by)
   std::vector<std::uint8_t> wide;
   for (std::size_t sector = 0; sector < static_cast<std::size_t>(sectors); ++sector)
   {
-    circle.push_back(near[sector * rings + ring]);
+    circle.push_back(tops[sector * rings + ring]);
   }
   WidenRow(circle, by, true, wide);
   for (std::size_t sector = 0; sector < static_cast<std::size_t>(sectors); ++sector)
   {
-    near[sector * rings + ring] = wide[sector];
+    tops[sector * rings + ring] = wide[sector];
   }
 }
 

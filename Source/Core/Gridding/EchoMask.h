@@ -11,23 +11,27 @@
 namespace nexrad
 {
 
-/// The places about which one radar may have seen something but no echo, on any tilt and in any of
-/// some volumes. Errs to one side: where it holds nothing, every look at a gate within `distance` m
-/// finds no echo or was not scanned.
+/// The places about which one radar may have seen something but no echo, in any of some volumes,
+/// and up to which tilt. Errs to one side: above the elevation that it tells of a column, every
+/// look at a gate within `distance` m finds no echo or was not scanned.
 class EchoMask
 {
 public:
-  /// An empty mask holds everything.
+  /// An empty mask tells nothing: the highest elevation everywhere.
   EchoMask() = default;
   /// `effectiveRadius` in m, of the beams' path; `distance` in m, at least 0.
   EchoMask(
     const std::vector<const VolumeComposite*>& composites, double effectiveRadius, double distance);
 
-  bool Holds(const ColumnDirection& column) const
+  /// ElevationCode of the highest sweep that has something about a column; 0 for none.
+  std::uint8_t TopOver(const ColumnDirection& column) const
   {
     const auto ring = static_cast<std::size_t>(column.halfTangent * ringsPerTangent);
-    return ring >= rings ? near.empty()
-                         : near[static_cast<std::size_t>(column.azimuth) * rings + ring] != 0;
+    if (ring >= rings)
+    {
+      return tops.empty() ? 255 : 0;
+    }
+    return tops[static_cast<std::size_t>(column.azimuth) * rings + ring];
   }
 
 private:
@@ -37,7 +41,7 @@ private:
 
   std::size_t rings = 0;
   float ringsPerTangent = 0.0F;
-  std::vector<std::uint8_t> near; // rings × sectors, rings fastest
+  std::vector<std::uint8_t> tops; // rings × sectors, rings fastest
 };
 
 } // namespace nexrad

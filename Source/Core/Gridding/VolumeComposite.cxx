@@ -125,6 +125,11 @@ private:
       const auto cell =
         code == BeamSweep::NoEchoCode ? VolumeComposite::Cell::NoEcho : VolumeComposite::Cell::Held;
       composite.cells[first + ring] = std::max(composite.cells[first + ring], cell);
+      if (cell == VolumeComposite::Cell::Held)
+      {
+        composite.tops[first + ring] =
+          std::max(composite.tops[first + ring], ElevationCode(sweep.elevation));
+      }
       composite.values[first + ring] =
         std::max(composite.values[first + ring], this->ValueOf(code));
     }
@@ -148,6 +153,7 @@ VolumeComposite MakeComposite(const std::vector<BeamSweep>& sweeps)
   }
   const std::size_t size = composite.Index(VolumeComposite::Sectors, 0);
   composite.cells.assign(size, VolumeComposite::Cell::NotScanned);
+  composite.tops.assign(size, 0);
   composite.values.assign(size, 0.0F);
   for (const BeamSweep& sweep : sweeps)
   {

@@ -3,6 +3,7 @@
 
 #include "Model/Time.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,7 +29,9 @@ struct VolumeComposite
   };
 
   int rings = 0;
-  std::vector<Cell> cells;   ///< rings × sectors, rings fastest
+  std::vector<Cell> cells; ///< rings × sectors, rings fastest
+  std::vector<std::uint8_t>
+    tops; ///< ElevationCode of the highest sweep that makes the cell Held; else 0
   std::vector<float> values; ///< strongest echo in the moment's unit, at least 0; else 0
   float widestGap = 0.0F;    ///< degrees between neighbouring rays that are interpolated between
   double echoTime = 0.0;     ///< s since 1970, mean over the echo, each gate by its value
@@ -40,6 +43,12 @@ struct VolumeComposite
            static_cast<std::size_t>(ring);
   }
 };
+
+/// An elevation, degrees from −10 to 90, as a number above 0 that does not fall where it rises.
+inline std::uint8_t ElevationCode(float elevation)
+{
+  return static_cast<std::uint8_t>(std::clamp(2.0F * (elevation + 10.0F), 0.0F, 254.0F) + 1.0F);
+}
 
 /// The composite of sweeps of one moment.
 VolumeComposite MakeComposite(const std::vector<BeamSweep>& sweeps);

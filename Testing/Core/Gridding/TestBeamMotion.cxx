@@ -38,14 +38,15 @@ GridSpecification FineGrid()
 }
 
 GriddedVolume MergeMoving(const std::vector<PolarVolume>& volumes, double seconds,
-  const MotionField* motion, const GridSpecification& grid = FineGrid(), const RangeLoop& loop = {})
+  const MotionField* motion, const GridSpecification& grid = FineGrid(), const RangeLoop& loop = {},
+  const BeamMergeOptions& options = {})
 {
   std::vector<const PolarVolume*> pointers;
   for (const PolarVolume& volume : volumes)
   {
     pointers.push_back(&volume);
   }
-  BeamMerger merger(grid);
+  BeamMerger merger(grid, options);
   const Time time = sceneTime + Duration(std::llround(seconds * 1000.0));
   return *merger.Merge(merger.Prepare(pointers), time, motion, loop);
 }
@@ -322,6 +323,36 @@ TEST(BeamMotion, TheResultDoesNotDependOnThreadsOrOrder)
   }
   std::reverse(volumes.begin(), volumes.end());
   EXPECT_EQ(MergeMoving(volumes, 0.0, &motion).values, once.values);
+}
+
+// Where a mask says that there is no echo about a column, gates are not looked up. With ages asked
+// for they are, each of them: the voxels must be the same, in a volume and between volumes, with
+// patterns that change, and rays that are missing.
+TEST(BeamMotion, WhatIsPassedOverHoldsNothing)
+{
+  const MovingEcho field = TestField();
+  ScanPlan later;
+  later.tilts = {0.5, 1.9, 2.9, 3.9, 6.0, 19.5};
+  std::vector<PolarVolume> volumes = {ScanEcho(field, site, sceneTime, -300.0),
+    ScanEcho(field, site, sceneTime, -50.0), ScanEcho(field, site, sceneTime, 200.0, later)};
+  volumes[1].sweeps[2].rays.resize(300);
+  volumes[1].sweeps[2].values.resize(300 * later.gates);
+  volumes[1].sweeps[2].states.resize(300 * later.gates);
+  volumes[2].sweeps[0].states[volumes[2].sweeps[0].Index(20, 70)] = GateState::RangeFolded;
+  const MotionField motion = MotionField::Constant(velocity);
+  BeamMergeOptions withAges;
+  withAges.companions = true;
+  GridSpecification grid = SceneGrid(); // reaches beyond the last gates
+  for (const double seconds : {-20.0, 10.0, 120.0, 190.0})
+  {
+    for (const MotionField* each : {&motion, static_cast<const MotionField*>(nullptr)})
+    {
+      const GriddedVolume quick = MergeMoving(volumes, seconds, each, grid);
+      const GriddedVolume whole = MergeMoving(volumes, seconds, each, grid, {}, withAges);
+      EXPECT_EQ(quick.values, whole.values);
+      EXPECT_EQ(quick.states, whole.states);
+    }
+  }
 }
 
 TEST(BeamMotion, RefusesTheMotionOfAnotherGrid)

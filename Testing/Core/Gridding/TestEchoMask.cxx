@@ -80,14 +80,16 @@ TEST(VolumeComposite, WeighsTheTimeByTheEcho)
   EXPECT_NEAR(composite.echoTime - ToSeconds(sceneTime), 25.0, 0.5);
 }
 
-// One gate with echo at 60 km in the direction 300°: wherever a look within the distance of a
-// column could meet it, the mask holds the column; far from it, it does not.
+// Echo at 60 km in the direction 300°, on the two lower of three tilts: wherever a look within the
+// distance of a column could meet it, the mask has the tilt; far from it, it has none.
 TEST(EchoMask, HoldsWhatMayReachAColumn)
 {
   PolarSweep low = MakeSweep(1, 0.5, 360, 230);
-  PolarSweep high = MakeSweep(2, 19.5, 360, 70);
+  PolarSweep middle = MakeSweep(2, 2.4, 360, 230);
+  const PolarSweep high = MakeSweep(3, 19.5, 360, 70);
   SetGate(low, 300, 59, 30.0F);
-  const VolumeComposite composite = CompositeOf({low, high});
+  SetGate(middle, 300, 59, 30.0F);
+  const VolumeComposite composite = CompositeOf({low, middle, high});
   const double radius = BeamModel().EffectiveRadius();
   for (const double distance : {0.0, 4'000.0, 25'000.0, 80'000.0})
   {
@@ -108,12 +110,13 @@ TEST(EchoMask, HoldsWhatMayReachAColumn)
         if (way <= distance + 1'500.0) // the gate's own reach, and the ray's
         {
           ++held;
-          ASSERT_TRUE(mask.Holds(column)) << east << ' ' << north << ' ' << distance;
+          ASSERT_EQ(mask.TopOver(column), ElevationCode(2.4F))
+            << east << ' ' << north << ' ' << distance;
         }
         else if (way > 2.0 * distance + 90e3)
         {
           ++far;
-          ASSERT_FALSE(mask.Holds(column)) << east << ' ' << north << ' ' << distance;
+          ASSERT_EQ(mask.TopOver(column), 0) << east << ' ' << north << ' ' << distance;
         }
       }
     }
@@ -122,7 +125,18 @@ TEST(EchoMask, HoldsWhatMayReachAColumn)
   }
 }
 
-TEST(EchoMask, HoldsEverythingWhenEmpty)
+TEST(EchoMask, ElevationsHaveCodesInTheirOrder)
 {
-  EXPECT_TRUE(EchoMask().Holds({12.0F, 0.01F}));
+  EXPECT_GT(ElevationCode(-10.0F), 0);
+  for (float elevation = -10.0F; elevation < 90.0F; elevation += 0.05F)
+  {
+    EXPECT_LE(ElevationCode(elevation), ElevationCode(elevation + 0.05F));
+  }
+  EXPECT_LT(ElevationCode(19.0F), ElevationCode(19.6F));
+  EXPECT_LT(ElevationCode(0.5F), ElevationCode(1.4F));
+}
+
+TEST(EchoMask, TellsNothingWhenEmpty)
+{
+  EXPECT_EQ(EchoMask().TopOver({12.0F, 0.01F}), 255);
 }

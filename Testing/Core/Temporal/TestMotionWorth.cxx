@@ -4,6 +4,7 @@
 // rebuilt, from volumes on a grid (A2) and by the merge (A2a); the tables are printed.
 #include "Geometry/Angles.h"
 #include "Gridding/BeamMerge.h"
+#include "Gridding/SweepPairing.h"
 #include "Gridding/ThesisMerge.h"
 #include "Level2/Level2File.h"
 #include "Simulation/SimulatedDay.h"
@@ -78,7 +79,7 @@ const PolarSweep* SweepAt(const PolarVolume& volume, const PolarSweep& other)
   for (const PolarSweep& sweep : volume.sweeps)
   {
     if (sweep.elevationNumber == other.elevationNumber &&
-        std::abs(sweep.rays.front().elevation - other.rays.front().elevation) < SameTilt)
+        std::abs(MeanElevation(sweep) - MeanElevation(other)) < SameTilt)
     {
       return &sweep;
     }
