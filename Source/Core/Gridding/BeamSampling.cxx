@@ -134,6 +134,13 @@ inline float TimeOf(const BeamSweep& sweep, float begin, const RayPlace& rays)
   return begin + sweep.times[entry] + rays.share * (sweep.times[entry + 1] - sweep.times[entry]);
 }
 
+// Elevation of the nearer of two rays, degrees.
+inline float ElevationOf(const BeamSweep& sweep, const RayPlace& rays)
+{
+  return sweep
+    .elevations[static_cast<std::size_t>(rays.share < 0.5F ? rays.entry : rays.entry + 1)];
+}
+
 // Where a sweep passes over a column: the slant range, from the triangle of the antenna, the point
 // and the centre of the earth (Formulas G7).
 inline float RangeOver(const BeamSweep& sweep, const ColumnDirection& column, float radius)
@@ -164,7 +171,7 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
   }
   const auto entry = static_cast<std::size_t>(rays.entry);
   look.time = TimeOf(sweep, begin, rays);
-  look.elevation = sweep.elevations[rays.share < 0.5F ? entry : entry + 1];
+  look.elevation = ElevationOf(sweep, rays);
   const auto last = static_cast<float>(sweep.gates - 1);
   if (place > last + 0.5F)
   {
@@ -363,6 +370,9 @@ TiltSample SampleOf(const Look& look, float gap)
   return sample;
 }
 
+// What rounding may change of the place at which gates begin and end, as a part of it.
+constexpr float tangentMargin = 1e-5F;
+
 } // namespace
 
 ValueRule ValueRule::Of(MomentName moment, bool linearReflectivity)
@@ -400,7 +410,6 @@ QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
   }
   quiet.before = before.lower;
   quiet.after = after.lower;
-  constexpr float margin = 1e-5F; // what rounding may change of the place of a gate
   const auto tangent = [&context](const BeamSweep& sweep, float range)
   {
     const float ground =
@@ -409,9 +418,9 @@ QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
   };
   const auto first = [&tangent](const BeamSweep& sweep)
   { return tangent(sweep, std::max(0.0F, sweep.firstGate - 0.5F / sweep.gatesPerMetre)); };
-  quiet.nearest = (1.0F + margin) * std::max(first(*quiet.before), first(*quiet.after));
-  quiet.farthest = (1.0F - margin) * std::min(tangent(*quiet.before, quiet.before->Reach()),
-                                       tangent(*quiet.after, quiet.after->Reach()));
+  quiet.nearest = (1.0F + tangentMargin) * std::max(first(*quiet.before), first(*quiet.after));
+  quiet.farthest = (1.0F - tangentMargin) * std::min(tangent(*quiet.before, quiet.before->Reach()),
+                                              tangent(*quiet.after, quiet.after->Reach()));
   return quiet;
 }
 
@@ -420,14 +429,21 @@ std::optional<TiltSample> SampleQuiet(
 {
   const float t = column.halfTangent;
   const bool inside = t > quiet.nearest && t < quiet.farthest;
-  if (quiet.before == nullptr || (!inside && t < quiet.farthest) ||
-      (!inside && (BeyondReach(*quiet.before, column, context) != VoxelState::NoEcho ||
-                    BeyondReach(*quiet.after, column, context) != VoxelState::NoEcho)))
+  const bool nothingBeyond = t > quiet.farthest * (1.0F + 4.0F * tangentMargin) &&
+                             quiet.before != nullptr &&
+                             BeyondReach(*quiet.before, column, context) == VoxelState::NoEcho &&
+                             BeyondReach(*quiet.after, column, context) == VoxelState::NoEcho;
+  if (quiet.before == nullptr || !(inside || nothingBeyond))
   {
     return std::nullopt;
   }
+  const float before = ElevationOf(*quiet.before, FindRays(*quiet.before, column.azimuth));
+  const float after = ElevationOf(*quiet.after, FindRays(*quiet.after, column.azimuth));
   TiltSample sample;
   sample.state = VoxelState::NoEcho;
+  sample.assumed = !inside;
+  sample.lowest = std::min(before, after);
+  sample.highest = std::max(before, after);
   sample.fade = 1.0F;
   return sample;
 }
