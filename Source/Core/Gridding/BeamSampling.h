@@ -69,6 +69,7 @@ struct QuietTilt
   std::uint8_t elevation = 0; ///< ElevationCode of the lowest sweep of any look
 };
 
+/// Unknown too while TiltSample::age is wanted, which differs from ray to ray.
 QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context);
 
 /// SampleTilt for a column about which no sweep as high as `quiet.elevation` holds anything but no
