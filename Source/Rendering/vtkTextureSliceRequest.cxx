@@ -121,7 +121,7 @@ bool vtkTextureSliceRequest::Has2D() const
 
 int vtkTextureSliceRequest::CountLabels() const
 {
-  // Labels are known by their places in the colours of a picture: other modes have none.
+  // Labels choose the colour of a sample; projections show none.
   const bool used = this->LabelMap && this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
   const std::set<int> labels = used ? this->Property->GetLabelMapLabels() : std::set<int>();
   return labels.empty() ? 0 : *labels.rbegin();
