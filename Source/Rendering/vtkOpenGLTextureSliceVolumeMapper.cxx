@@ -14,9 +14,11 @@
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
 #include "vtkTextureSliceLights.h"
+#include "vtkTextureSliceOpaquePixels.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceProgram.h"
 #include "vtkTextureSliceRequest.h"
@@ -32,6 +34,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 vtkStandardNewMacro(vtkOpenGLTextureSliceVolumeMapper);
@@ -46,6 +49,7 @@ public:
   vtkTextureSliceTexture Mask;
   vtkTextureSliceTable LabelTable;
   vtkTextureSliceFrame Frame;
+  vtkTextureSliceEmptySpace EmptySpace;
   vtkTextureSliceGeometry Geometry;
   vtkTextureSliceLights Lights;
   vtkTextureSliceResolution Resolution;
@@ -53,6 +57,7 @@ public:
   double PixelSize = 1.0;
   vtkTextureSliceTarget Target;
   vtkTextureSliceProgram Program;
+  vtkTextureSliceOpaquePixels OpaquePixels;
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 
@@ -65,6 +70,7 @@ public:
     this->LabelTable.ReleaseGraphicsResources(window);
     this->Target.ReleaseGraphicsResources(window);
     this->Program.ReleaseGraphicsResources();
+    this->OpaquePixels.ReleaseGraphicsResources();
     this->Window = nullptr;
   }
 
@@ -82,6 +88,8 @@ public:
 
   /// Brings the tables of transfer functions up to date. @return false with one line in @a error
   bool UpdateTables(const vtkTextureSliceRequest& request, bool nearest, std::string& error);
+  /// Slices after which to look for opaque pixels; 0: never.
+  int ChooseGroup(const vtkTextureSliceUniforms& uniforms);
   /// Draws the slices into the target. @return false with one line in @a error
   bool Draw(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error);
   /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level
@@ -140,7 +148,7 @@ float GetClearValue(int blendMode)
   }
 }
 
-/// How a slice joins those behind it.
+/// How a slice joins those in front of it.
 void SetBlending(vtkOpenGLState* state, int blendMode)
 {
   switch (blendMode)
@@ -156,8 +164,8 @@ void SetBlending(vtkOpenGLState* state, int blendMode)
     state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
     break;
   default:
-    // Formulas T9, R3: associated colour, back to front.
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    // Formulas T9, R3: associated colour, front to back.
+    state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   }
 }
 
@@ -177,6 +185,30 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::UpdateTables(
          this->Table2D.Update(this->Window, request.MakeTables2D(), nearest, error);
 }
 
+int vtkOpenGLTextureSliceVolumeMapper::Internals::ChooseGroup(
+  const vtkTextureSliceUniforms& uniforms)
+{
+  const vtkTextureSliceFeatures& features = uniforms.Features;
+  const bool composite = features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
+  if (!composite && features.BlendMode != vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    return 0;
+  }
+  double mostOpacity = 0.0;
+  for (int i = 0; i < features.Functions; ++i)
+  {
+    const auto row = static_cast<std::size_t>(i);
+    const double steps =
+      this->Geometry.GetDataStep() * double(uniforms.Surfaces[row].InverseUnitDistance);
+    mostOpacity = std::max(
+      mostOpacity, 1.0 - std::pow(1.0 - this->Table.GetMostOpacity(row), steps)); // Formulas R1
+  }
+  // Opacities that are not those of the table may be anything.
+  const bool other = !composite || features.Table2D || features.Labels > 0;
+  return vtkTextureSliceOpaquePixels::ChooseGroup(
+    other ? 1.0 : mostOpacity, this->Geometry.GetNumberOfSlices());
+}
+
 bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error)
 {
@@ -191,7 +223,15 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
   SetBlending(state, blendMode);
-  const bool drawn = this->Program.Draw(this->Window, this->Geometry, uniforms);
+  const auto hideOpaque = [&](vtkOpenGLBufferObject* vertices, int first, int count)
+  {
+    this->Target.BeginDepthOnly();
+    this->OpaquePixels.Mark(
+      this->Window, vertices, first, count, this->Frame.GetBoxToClip(), this->Target.GetPicture());
+    this->Target.EndDepthOnly();
+  };
+  const bool drawn = this->Program.Draw(
+    this->Window, this->Geometry, uniforms, this->ChooseGroup(uniforms), hideOpaque);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   this->Target.End();
   if (!drawn)
@@ -345,19 +385,27 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkV
                   "supported: call SetUseDepthPeelingForVolumes(false) on the renderer");
     return;
   }
-  if (!request.IsEmpty() && this->PlaceSlices(renderer, volume, image))
+  if (request.IsEmpty())
   {
-    const double allowedTime = volume->GetAllocatedRenderTime();
-    this->Parts->PixelSize = this->ChooseImageSampleDistance(allowedTime);
-    vtkNew<vtkTimerLog> timer;
-    timer->StartTimer();
-    this->RenderSlices(renderer, image, scalars, request);
-    if (this->AutoAdjustSampleDistances && vtkTextureSliceResolution::IsInteractive(allowedTime))
-    {
-      glFinish();
-      timer->StopTimer();
-      this->Parts->Resolution.Report(timer->GetElapsedTime());
-    }
+    return;
+  }
+  this->Parts->Frame.SetVolume(image, this->CellFlag == 1, volume);
+  if (this->Parts->Frame.IsFlat())
+  {
+    vtkErrorMacro("the volume has no thickness: every axis needs at least two points and an "
+                  "invertible matrix");
+    return;
+  }
+  const double allowedTime = volume->GetAllocatedRenderTime();
+  this->Parts->PixelSize = this->ChooseImageSampleDistance(allowedTime);
+  vtkNew<vtkTimerLog> timer;
+  timer->StartTimer();
+  this->RenderSlices(renderer, image, scalars, request);
+  if (this->AutoAdjustSampleDistances && vtkTextureSliceResolution::IsInteractive(allowedTime))
+  {
+    glFinish();
+    timer->StopTimer();
+    this->Parts->Resolution.Report(timer->GetElapsedTime());
   }
 }
 
@@ -385,30 +433,37 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseImageSampleDistance(double allow
            : static_cast<double>(this->ImageSampleDistance);
 }
 
-bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
-  vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image)
+void vtkOpenGLTextureSliceVolumeMapper::SetUpFrame(vtkRenderer* renderer)
 {
-  vtkTextureSliceFrame& frame = this->Parts->Frame;
-  frame.SetVolume(image, this->CellFlag == 1, volume);
-  if (frame.IsFlat())
-  {
-    vtkErrorMacro("the volume has no thickness: every axis needs at least two points and an "
-                  "invertible matrix");
-    return false;
-  }
   vtkTextureSliceCropping cropping;
   cropping.On = this->Cropping != 0;
   cropping.RegionFlags = this->CroppingRegionFlags;
   std::copy(this->CroppingRegionPlanes, this->CroppingRegionPlanes + 6, cropping.Planes.begin());
+  vtkTextureSliceFrame& frame = this->Parts->Frame;
   frame.SetCamera(renderer);
   frame.SetCropping(cropping);
   frame.SetClippingPlanes(this->GetClippingPlanes());
+}
 
-  vtkTextureSliceView view = frame.GetView();
+bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
+  vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request)
+{
+  Internals& parts = *this->Parts;
+  parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable, &parts.Frame,
+    this->CroppingRegionFlags});
+  vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
-  view.SampleDistance = this->ChooseSampleDistance(image, frame.GetShortestVoxelEdge());
-  this->Parts->Geometry.Build(view);
-  return this->Parts->Geometry.GetNumberOfVertices() > 0;
+  view.SampleDistance = this->ChooseSampleDistance(image, parts.Frame.GetShortestVoxelEdge());
+  view.Occupancy = parts.EmptySpace.GetOccupancy();
+  view.Dense = parts.EmptySpace.GetDense();
+  if (view.Dense != nullptr)
+  {
+    view.DenseTransmittance = std::pow(1.0 - parts.Table.GetDenseOpacity(0),
+      1.0 / request.Property->GetScalarOpacityUnitDistance(0)); // Formulas R1
+  }
+  view.Viewport = vtkTextureSliceTarget::GetSize(renderer, parts.PixelSize);
+  parts.Geometry.Build(view);
+  return parts.Geometry.GetNumberOfVertices() > 0;
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkImageData* image,
@@ -432,6 +487,11 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
     return;
   }
   parts.Texture.SetNearest(nearest);
+  this->SetUpFrame(renderer);
+  if (!this->PlaceSlices(renderer, image, request))
+  {
+    return;
+  }
   parts.Lights.Update(renderer);
 
   const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);

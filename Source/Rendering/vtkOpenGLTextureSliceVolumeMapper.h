@@ -123,7 +123,9 @@ private:
   const char* FindUnsupported(const vtkTextureSliceRequest& request);
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
-  bool PlaceSlices(vtkRenderer* renderer, vtkVolume* volume, vtkImageData* image);
+  void SetUpFrame(vtkRenderer* renderer);
+  bool PlaceSlices(
+    vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
   void RenderSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
     const vtkTextureSliceRequest& request);

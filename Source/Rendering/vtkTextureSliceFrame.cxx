@@ -75,6 +75,9 @@ void vtkTextureSliceFrame::SetCamera(vtkRenderer* renderer)
   vtkMatrix4x4::Multiply4x4(boxColumns, worldToCamera, boxToCamera);
   boxToCamera->Transpose();
   std::copy(boxToCamera->GetData(), boxToCamera->GetData() + 16, this->View.BoxToCamera.begin());
+  vtkNew<vtkMatrix4x4> boxToClipRows;
+  vtkMatrix4x4::Transpose(this->BoxToClip, boxToClipRows);
+  std::copy(boxToClipRows->GetData(), boxToClipRows->GetData() + 16, this->View.BoxToClip.begin());
   this->View.Parallel = camera->GetParallelProjection() != 0;
   this->View.NearDepth = camera->GetClippingRange()[0];
 }

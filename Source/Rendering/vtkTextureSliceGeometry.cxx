@@ -1,20 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceGeometry.h"
 
+#include "vtkTextureSliceOpaquePixels.h"
+#include "vtkTextureSliceTiles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace
 {
 
-using Vector = std::array<double, 3>;
-using Plane = std::array<double, 4>;
-
-double Evaluate(const Plane& plane, const Vector& p)
-{
-  return plane[0] * p[0] + plane[1] * p[1] + plane[2] * p[2] + plane[3];
-}
+using vtkTextureSlice::ClipPolygon;
+using vtkTextureSlice::Evaluate;
+using vtkTextureSlice::Plane;
+using vtkTextureSlice::Polygon;
+using vtkTextureSlice::Vector;
 
 Vector Cross(const Vector& a, const Vector& b)
 {
@@ -69,29 +71,6 @@ std::vector<Plane> MakeLimits(const vtkTextureSliceView& view)
   return limits;
 }
 
-/// Sutherland and Hodgman: the part of a convex polygon on the positive side of a plane.
-void ClipPolygon(const std::vector<Vector>& polygon, const Plane& plane, std::vector<Vector>& kept)
-{
-  kept.clear();
-  for (std::size_t i = 0; i < polygon.size(); ++i)
-  {
-    const Vector& a = polygon[i];
-    const Vector& b = polygon[(i + 1) % polygon.size()];
-    const double valueA = Evaluate(plane, a);
-    const double valueB = Evaluate(plane, b);
-    if (valueA >= 0.0)
-    {
-      kept.push_back(a);
-    }
-    if ((valueA >= 0.0) != (valueB >= 0.0))
-    {
-      const double t = valueA / (valueA - valueB);
-      kept.push_back(
-        {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1]), a[2] + t * (b[2] - a[2])});
-    }
-  }
-}
-
 /// Makes the polygon of one depth after another, reusing its buffers.
 class Slicer
 {
@@ -113,27 +92,32 @@ public:
     this->Up = Cross(this->Normal, this->Right);
   }
 
-  const std::vector<Vector>& Cut(double depth)
+  const Polygon& Cut(double depth)
   {
-    // A square about the middle of the box, larger than its diagonal, at that depth.
-    const Vector middle{0.5, 0.5, 0.5};
-    const double offset = (depth - Evaluate(this->Depth, middle)) / this->GradientLength;
-    this->Polygon.clear();
+    // A square about the middle of the box, larger than its diagonal.
+    this->Current.clear();
     for (const auto& [r, u] : {std::pair(-1.0, -1.0), {1.0, -1.0}, {1.0, 1.0}, {-1.0, 1.0}})
     {
-      Vector corner;
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        corner[i] = middle[i] + offset * this->Normal[i] + r * this->Right[i] + u * this->Up[i];
-      }
-      this->Polygon.push_back(corner);
+      this->Current.push_back(this->GetPoint(depth, r, u));
     }
     for (const Plane& limit : this->Limits)
     {
-      ClipPolygon(this->Polygon, limit, this->Kept);
-      std::swap(this->Polygon, this->Kept);
+      ClipPolygon(this->Current, limit, this->Kept);
+      std::swap(this->Current, this->Kept);
     }
-    return this->Polygon;
+    return this->Current;
+  }
+
+  /// A point of the plane of that depth; (0, 0) is nearest to the middle of the box.
+  Vector GetPoint(double depth, double right, double up) const
+  {
+    Vector point{0.5, 0.5, 0.5};
+    const double offset = (depth - Evaluate(this->Depth, point)) / this->GradientLength;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      point[i] += offset * this->Normal[i] + right * this->Right[i] + up * this->Up[i];
+    }
+    return point;
   }
 
 private:
@@ -143,8 +127,8 @@ private:
   Vector Normal{};
   Vector Right{};
   Vector Up{};
-  std::vector<Vector> Polygon;
-  std::vector<Vector> Kept;
+  Polygon Current;
+  Polygon Kept;
 };
 
 /// Nearest and farthest depth of the part of the box in front of the near plane.
@@ -163,24 +147,148 @@ std::pair<double, double> DepthRange(const vtkTextureSliceView& view, const Plan
   return {std::max(nearest, view.NearDepth), farthest};
 }
 
+/// Data length of one unit of depth along the axis of the view.
+double DataLength(const vtkTextureSliceView& view, const Vector& direction)
+{
+  return Length({direction[0] * view.EdgeLength[0], direction[1] * view.EdgeLength[1],
+    direction[2] * view.EdgeLength[2]});
+}
+
 int CountSlices(const vtkTextureSliceView& view, double thickness, const Vector& direction)
 {
   if (view.NumberOfSlices > 0)
   {
     return std::min(view.NumberOfSlices, vtkTextureSliceGeometry::MaximumNumberOfSlices);
   }
-  const Vector dataDirection{direction[0] * view.EdgeLength[0], direction[1] * view.EdgeLength[1],
-    direction[2] * view.EdgeLength[2]};
-  const double count = std::ceil(thickness * Length(dataDirection) / view.SampleDistance);
+  const double count = std::ceil(thickness * DataLength(view, direction) / view.SampleDistance);
   return static_cast<int>(
     std::clamp(count, 1.0, double{vtkTextureSliceGeometry::MaximumNumberOfSlices}));
 }
+
+/// Dense bricks, if enough slices of them make the picture opaque soon enough to be worth it.
+vtkTextureSliceDensity MakeDensity(const vtkTextureSliceView& view, double dataStep, int slices)
+{
+  if (view.Dense == nullptr || view.DenseTransmittance >= 1.0)
+  {
+    return {};
+  }
+  const double steps = std::log(1.0 - vtkTextureSliceOpaquePixels::Opaque) /
+                       (dataStep * std::log(std::max(1e-300, view.DenseTransmittance)));
+  if (steps > 0.5 * slices)
+  {
+    return {};
+  }
+  return {view.Dense, static_cast<int>(std::max(1.0, std::ceil(steps)))};
+}
+
+/// From box coordinates to pixels of the viewport, and back in the plane of a slice.
+class Screen
+{
+public:
+  explicit Screen(const vtkTextureSliceView& view)
+    : View(view)
+  {
+  }
+
+  Vector ToPixels(const Vector& p) const
+  {
+    const auto& m = this->View.BoxToClip;
+    const double w = Evaluate({m[12], m[13], m[14], m[15]}, p);
+    return {0.5 * (1.0 + Evaluate({m[0], m[1], m[2], m[3]}, p) / w) * this->View.Viewport[0],
+      0.5 * (1.0 + Evaluate({m[4], m[5], m[6], m[7]}, p) / w) * this->View.Viewport[1], 0.0};
+  }
+
+  /// Depth is the same all over a slice: pixels are an affine function of the place in it.
+  void Place(const Slicer& slicer, double depth, const Polygon& outline,
+    vtkTextureSliceOnScreen& slice) const
+  {
+    const Vector middle = slicer.GetPoint(depth, 0.0, 0.0);
+    const Vector right = slicer.GetPoint(depth, 1.0, 0.0);
+    const Vector up = slicer.GetPoint(depth, 0.0, 1.0);
+    const Vector m = this->ToPixels(middle);
+    const Vector r = this->ToPixels(right);
+    const Vector u = this->ToPixels(up);
+    const double determinant = (r[0] - m[0]) * (u[1] - m[1]) - (r[1] - m[1]) * (u[0] - m[0]);
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const double alongRight = (right[i] - middle[i]) / determinant;
+      const double alongUp = (up[i] - middle[i]) / determinant;
+      slice.Right[i] = alongRight * (u[1] - m[1]) - alongUp * (r[1] - m[1]);
+      slice.Up[i] = alongUp * (r[0] - m[0]) - alongRight * (u[0] - m[0]);
+      slice.Origin[i] = middle[i] - m[0] * slice.Right[i] - m[1] * slice.Up[i];
+    }
+    slice.Outline.clear();
+    for (const Vector& corner : outline)
+    {
+      slice.Outline.push_back(this->ToPixels(corner));
+    }
+  }
+
+  static Vector ToBox(const vtkTextureSliceOnScreen& slice, const Vector& pixel)
+  {
+    Vector p;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      p[i] = slice.Origin[i] + pixel[0] * slice.Right[i] + pixel[1] * slice.Up[i];
+    }
+    return p;
+  }
+
+private:
+  const vtkTextureSliceView& View;
+};
+
+/// Writes polygons as triangles.
+class TriangleWriter
+{
+public:
+  TriangleWriter(
+    const vtkTextureSliceView& view, const Eye& eye, double depthStep, std::vector<float>& vertices)
+    : View(view)
+    , FromEye(eye)
+    , DepthStep(depthStep)
+    , Vertices(vertices)
+  {
+  }
+
+  void Add(const Polygon& polygon, double depth)
+  {
+    for (std::size_t i = 2; i < polygon.size(); ++i)
+    {
+      this->Add(polygon[0], depth);
+      this->Add(polygon[i - 1], depth);
+      this->Add(polygon[i], depth);
+    }
+  }
+
+private:
+  void Add(const Vector& p, double depth)
+  {
+    std::array<float, vtkTextureSliceGeometry::FloatsPerVertex> vertex;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      // In a perspective view the ray leaves the eye: it crosses one unit of depth faster the
+      // farther it points from the axis.
+      const double perDepth = this->View.Parallel ? this->FromEye.Direction[i]
+                                                  : (p[i] - this->FromEye.Position[i]) / depth;
+      vertex[i] = static_cast<float>(p[i]);
+      vertex[i + 3] = static_cast<float>(perDepth * this->DepthStep * this->View.EdgeLength[i]);
+    }
+    this->Vertices.insert(this->Vertices.end(), vertex.begin(), vertex.end());
+  }
+
+  const vtkTextureSliceView& View;
+  const Eye& FromEye;
+  double DepthStep;
+  std::vector<float>& Vertices;
+};
 
 } // namespace
 
 void vtkTextureSliceGeometry::Build(const vtkTextureSliceView& view)
 {
   this->Vertices.clear();
+  this->FirstVertices.clear();
   this->NumberOfSlices = 0;
   this->DepthStep = 0.0;
 
@@ -192,31 +300,39 @@ void vtkTextureSliceGeometry::Build(const vtkTextureSliceView& view)
   }
   this->NumberOfSlices = CountSlices(view, farthest - nearest, eye.Direction);
   this->DepthStep = (farthest - nearest) / this->NumberOfSlices;
+  this->DataStep = this->DepthStep * DataLength(view, eye.Direction);
 
   Slicer slicer(eye.Depth, MakeLimits(view));
-  const auto append = [&](const Vector& p, double depth)
+  TriangleWriter writer(view, eye, this->DepthStep, this->Vertices);
+  const Screen screen(view);
+  vtkTextureSliceOnScreen onScreen;
+  std::optional<vtkTextureSliceTiles> tiles;
+  if (view.Occupancy != nullptr)
   {
-    for (const double coordinate : p)
-    {
-      this->Vertices.push_back(static_cast<float>(coordinate));
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      // In a perspective view the ray leaves the eye: it crosses one unit of depth faster the
-      // farther it points from the axis.
-      const double perDepth = view.Parallel ? eye.Direction[i] : (p[i] - eye.Position[i]) / depth;
-      this->Vertices.push_back(static_cast<float>(perDepth * this->DepthStep * view.EdgeLength[i]));
-    }
-  };
+    tiles.emplace(
+      *view.Occupancy, view.Viewport, MakeDensity(view, this->DataStep, this->NumberOfSlices));
+  }
+  Polygon part;
   for (int slice = 0; slice < this->NumberOfSlices; ++slice)
   {
-    const double depth = farthest - (slice + 0.5) * this->DepthStep;
-    const std::vector<Vector>& polygon = slicer.Cut(depth);
-    for (std::size_t i = 2; i < polygon.size(); ++i)
+    this->FirstVertices.push_back(this->GetNumberOfVertices());
+    const double depth = nearest + (slice + 0.5) * this->DepthStep;
+    const Polygon& outline = slicer.Cut(depth);
+    if (!tiles)
     {
-      append(polygon[0], depth);
-      append(polygon[i - 1], depth);
-      append(polygon[i], depth);
+      writer.Add(outline, depth);
+      continue;
+    }
+    screen.Place(slicer, depth, outline, onScreen);
+    for (const Polygon& tile : tiles->Cover(onScreen))
+    {
+      part.clear();
+      for (const Vector& corner : tile)
+      {
+        part.push_back(Screen::ToBox(onScreen, corner));
+      }
+      writer.Add(part, depth);
     }
   }
+  this->FirstVertices.push_back(this->GetNumberOfVertices());
 }

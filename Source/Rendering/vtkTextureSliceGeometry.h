@@ -8,6 +8,8 @@
 #include <array>
 #include <vector>
 
+class vtkTextureSliceOccupancy;
+
 /**
  * What decides where the slices lie. "Box" coordinates run from 0 to 1 along each axis of the
  * volume; "data" lengths are those of the volume before its actor's matrix, as VTK's ray caster
@@ -30,11 +32,23 @@ struct vtkTextureSliceView
   int NumberOfSlices = 256;
   /// Data length between two slices along the axis of the view, used if NumberOfSlices is 0.
   double SampleDistance = 1.0;
+
+  /// Where there is something to see; nullptr: everywhere. The rest is needed only with it.
+  const vtkTextureSliceOccupancy* Occupancy = nullptr;
+  /// Where each sample is dense; nullptr: nowhere, as far as is known.
+  const vtkTextureSliceOccupancy* Dense = nullptr;
+  /// What a dense data length lets through.
+  double DenseTransmittance = 1.0;
+  /// Box to clip coordinates, row by row.
+  std::array<double, 16> BoxToClip{};
+  /// Width and height of the picture in pixels.
+  std::array<int, 2> Viewport{0, 0};
 };
 
 /**
- * Triangles of all slices, the farthest slice first. A vertex is six floats: its position in box
- * coordinates, then the vector (data lengths) from one slice to the next along the ray through it.
+ * Triangles of all slices, the nearest slice first; what is empty is left out in squares of pixels.
+ * A vertex is six floats: its position in box coordinates, then the vector (data lengths) from one
+ * slice to the next along the ray through it.
  */
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceGeometry
 {
@@ -50,6 +64,8 @@ public:
   void Build(const vtkTextureSliceView& view);
 
   const std::vector<float>& GetVertices() const { return this->Vertices; }
+  /// First vertex of each slice, and behind them the number of all vertices.
+  const std::vector<int>& GetFirstVertices() const { return this->FirstVertices; }
   int GetNumberOfVertices() const
   {
     return static_cast<int>(this->Vertices.size()) / FloatsPerVertex;
@@ -58,11 +74,15 @@ public:
   int GetNumberOfSlices() const { return this->NumberOfSlices; }
   /// Depth between two slices of the last Build, in the camera's (world) units.
   double GetDepthStep() const { return this->DepthStep; }
+  /// The same along the axis of the view as a data length.
+  double GetDataStep() const { return this->DataStep; }
 
 private:
   std::vector<float> Vertices;
+  std::vector<int> FirstVertices;
   int NumberOfSlices = 0;
   double DepthStep = 0.0;
+  double DataStep = 0.0;
 };
 
 #endif

@@ -192,8 +192,28 @@ bool vtkTextureSliceProgram::Upload(
   return added;
 }
 
+void vtkTextureSliceProgram::DrawGroups(vtkOpenGLRenderWindow* window,
+  const std::vector<int>& firstVertices, int group, const AfterGroup& afterGroup)
+{
+  const std::size_t slices = firstVertices.size() - 1;
+  const std::size_t step = group > 0 ? static_cast<std::size_t>(group) : slices;
+  for (std::size_t begin = 0; begin < slices; begin += step)
+  {
+    const std::size_t end = std::min(begin + step, slices);
+    glDrawArrays(GL_TRIANGLES, firstVertices[begin], firstVertices[end] - firstVertices[begin]);
+    const int lastSlice = firstVertices[end] - firstVertices[end - 1];
+    if (lastSlice > 0 && firstVertices[end] < firstVertices[slices])
+    {
+      afterGroup(this->Vertices, firstVertices[end - 1], lastSlice);
+      window->GetShaderCache()->ReadyShaderProgram(this->Program);
+      this->VertexArray->Bind();
+    }
+  }
+}
+
 bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
-  const vtkTextureSliceGeometry& geometry, const vtkTextureSliceUniforms& uniforms)
+  const vtkTextureSliceGeometry& geometry, const vtkTextureSliceUniforms& uniforms, int group,
+  const AfterGroup& afterGroup)
 {
   vtkShaderProgram* program = this->Ready(window, uniforms.Features);
   if (program == nullptr || !this->Upload(program, geometry))
@@ -212,7 +232,7 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   {
     SetSurfaces(program, uniforms);
   }
-  glDrawArrays(GL_TRIANGLES, 0, geometry.GetNumberOfVertices());
+  this->DrawGroups(window, geometry.GetFirstVertices(), group, afterGroup);
   this->VertexArray->Release();
   this->Vertices->Release();
   std::for_each(textures.rbegin(), textures.rend(), [](vtkTextureObject* t) { t->Deactivate(); });

@@ -7,6 +7,7 @@
 #include "vtkTextureSliceFeatures.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 class vtkOpenGLBufferObject;
@@ -67,9 +68,17 @@ public:
   vtkTextureSliceProgram();
   ~vtkTextureSliceProgram();
 
-  /// Draws all slices in one call. @return false if the shaders do not compile.
+  /// Called after a group of slices with the vertices of the last one: the buffer, the first and
+  /// their number.
+  using AfterGroup = std::function<void(vtkOpenGLBufferObject*, int, int)>;
+
+  /**
+   * Draws all slices, the nearest first.
+   * @param group slices after which @a afterGroup is called; 0: never.
+   * @return false if the shaders do not compile
+   */
   bool Draw(vtkOpenGLRenderWindow* window, const vtkTextureSliceGeometry& geometry,
-    const vtkTextureSliceUniforms& uniforms);
+    const vtkTextureSliceUniforms& uniforms, int group, const AfterGroup& afterGroup);
   /// The window that owns the resources must be current.
   void ReleaseGraphicsResources();
 
@@ -77,6 +86,8 @@ private:
   vtkShaderProgram* Ready(
     vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const;
   bool Upload(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry);
+  void DrawGroups(vtkOpenGLRenderWindow* window, const std::vector<int>& firstVertices, int group,
+    const AfterGroup& afterGroup);
 
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   vtkNew<vtkOpenGLBufferObject> Vertices;

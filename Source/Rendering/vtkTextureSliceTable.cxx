@@ -206,6 +206,40 @@ void vtkTextureSliceTable::Fill(int width)
     FillRow(row, width, entries);
     entries += static_cast<std::size_t>(width) * 4;
   }
+  this->IndexOpacities(static_cast<std::size_t>(width));
+  this->FillTime.Modified();
+}
+
+void vtkTextureSliceTable::IndexOpacities(std::size_t width)
+{
+  this->Visibilities.resize(this->Rows.size());
+  this->Thin.resize(this->Rows.size());
+  for (std::size_t row = 0; row < this->Rows.size(); ++row)
+  {
+    const float* opacities = this->Entries.data() + row * width * 4 + 3;
+    const auto dense = static_cast<float>(this->GetDenseOpacity(row));
+    this->Visibilities[row].Build(
+      opacities, width, 4, [](float opacity) { return opacity > 0.0f; });
+    this->Thin[row].Build(opacities, width, 4, [dense](float opacity) { return opacity < dense; });
+  }
+}
+
+double vtkTextureSliceTable::GetDenseOpacity(std::size_t row) const
+{
+  // Functions that show something solid have a plateau there, and it is what hides most.
+  constexpr double share = 0.999999;
+  return share * this->GetMostOpacity(row);
+}
+
+double vtkTextureSliceTable::GetMostOpacity(std::size_t row) const
+{
+  const std::size_t width = this->Entries.size() / this->Rows.size() / 4;
+  float most = 0.0f;
+  for (std::size_t i = row * width; i < (row + 1) * width; ++i)
+  {
+    most = std::max(most, this->Entries[4 * i + 3]);
+  }
+  return static_cast<double>(most);
 }
 
 void vtkTextureSliceTable::ReleaseGraphicsResources(vtkWindow* window)

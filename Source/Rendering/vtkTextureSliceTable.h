@@ -5,6 +5,8 @@
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureSliceVisibility.h"
+#include "vtkTimeStamp.h"
 #include "vtkType.h"
 
 #include <array>
@@ -58,6 +60,18 @@ public:
 
   vtkTextureObject* GetTexture() { return this->Texture; }
   int GetNumberOfRows() const { return static_cast<int>(this->Rows.size()); }
+  /// Where a row's opacity is above 0, over its domain as 0 to 1.
+  const vtkTextureSliceVisibility& GetVisibility(std::size_t row) const
+  {
+    return this->Visibilities[row];
+  }
+  /// Where a row's opacity is below its densest part's, GetDenseOpacity.
+  const vtkTextureSliceVisibility& GetThin(std::size_t row) const { return this->Thin[row]; }
+  double GetDenseOpacity(std::size_t row) const;
+  /// When the rows were filled last.
+  vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
+  /// The greatest opacity of a row.
+  double GetMostOpacity(std::size_t row) const;
   /// Texture coordinate of a scalar that is s of the way through its domain (0 to 1):
   /// s * GetScale() + GetBias() (Formulas R2).
   double GetScale() const { return this->Scale; }
@@ -67,9 +81,13 @@ private:
   bool NeedsUpdate(
     vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows) const;
   void Fill(int width);
+  void IndexOpacities(std::size_t width);
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
+  std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
+  std::vector<vtkTextureSliceVisibility> Thin;
+  vtkTimeStamp FillTime;
   double Scale = 1.0;
   double Bias = 0.0;
 

@@ -38,9 +38,9 @@ namespace
 {
 
 /// Pixels of the picture for those of the window.
-unsigned int CountPixels(int pixels, double pixelSize)
+int CountPixels(int pixels, double pixelSize)
 {
-  return static_cast<unsigned int>(std::max(1.0, std::ceil(pixels / pixelSize)));
+  return static_cast<int>(std::max(1.0, std::ceil(pixels / pixelSize)));
 }
 
 /// Makes a texture ready to be allocated anew.
@@ -166,6 +166,16 @@ bool vtkTextureSliceTarget::CopyDepth(vtkOpenGLRenderWindow* window, unsigned in
   return true;
 }
 
+std::array<int, 2> vtkTextureSliceTarget::GetSize(vtkRenderer* renderer, double pixelSize)
+{
+  int width = 0;
+  int height = 0;
+  int left = 0;
+  int bottom = 0;
+  renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  return {CountPixels(width, pixelSize), CountPixels(height, pixelSize)};
+}
+
 bool vtkTextureSliceTarget::Begin(
   vtkRenderer* renderer, float clearValue, double pixelSize, std::string& error)
 {
@@ -173,7 +183,8 @@ bool vtkTextureSliceTarget::Begin(
   std::array<int, 4> viewport{};
   auto& [left, bottom, width, height] = viewport;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
-  const Size size{CountPixels(width, pixelSize), CountPixels(height, pixelSize)};
+  const auto [columns, rows] = GetSize(renderer, pixelSize);
+  const Size size{static_cast<unsigned int>(columns), static_cast<unsigned int>(rows)};
 
   const DepthFormat format = QueryDepthFormat();
   if (!this->Resize(window, size, format))
@@ -208,6 +219,19 @@ bool vtkTextureSliceTarget::Begin(
   state->vtkglDepthMask(GL_FALSE);
   this->Window = window;
   return true;
+}
+
+void vtkTextureSliceTarget::BeginDepthOnly()
+{
+  this->DepthFramebuffer->SetContext(this->Window);
+  this->DepthFramebuffer->Bind();
+  this->DepthFramebuffer->AddDepthAttachment(this->Depth);
+  this->DepthFramebuffer->DeactivateDrawBuffers();
+}
+
+void vtkTextureSliceTarget::EndDepthOnly()
+{
+  this->Framebuffer->Bind();
 }
 
 void vtkTextureSliceTarget::End()
@@ -257,6 +281,7 @@ void vtkTextureSliceTarget::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Quad.reset();
   this->Framebuffer->ReleaseGraphicsResources(window);
+  this->DepthFramebuffer->ReleaseGraphicsResources(window);
   this->Color->ReleaseGraphicsResources(window);
   this->Depth->ReleaseGraphicsResources(window);
   this->ResolveFramebuffer->ReleaseGraphicsResources(window);

@@ -30,6 +30,9 @@ public:
   vtkTextureSliceTarget();
   ~vtkTextureSliceTarget();
 
+  /// Width and height of the picture for a renderer's viewport; see Begin.
+  static std::array<int, 2> GetSize(vtkRenderer* renderer, double pixelSize);
+
   /**
    * Copies the depth of the framebuffer that is bound, clears all channels of the colour to one
    * value and directs drawing here. End must follow.
@@ -38,6 +41,15 @@ public:
    * it cannot be made; then End must not follow.
    */
   bool Begin(vtkRenderer* renderer, float clearValue, double pixelSize, std::string& error);
+  ///@{
+  /**
+   * Between Begin and End: directs drawing to the depth alone, so that the picture can be read, and
+   * back to both.
+   */
+  void BeginDepthOnly();
+  void EndDepthOnly();
+  ///@}
+  vtkTextureObject* GetPicture() { return this->Color; }
   /// Directs drawing back to where it went before Begin.
   void End();
 
@@ -70,6 +82,7 @@ private:
     const std::array<int, 4>& viewport, const DepthFormat& format);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
+  vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
   vtkNew<vtkOpenGLFramebufferObject> ResolveFramebuffer;

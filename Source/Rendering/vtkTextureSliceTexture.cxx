@@ -52,7 +52,7 @@ std::vector<std::uint8_t> MakeMask(
     }
     mask[i] = 0;
   };
-  if (ghosts != nullptr && static_cast<std::size_t>(ghosts->GetNumberOfTuples()) == tuples.Count)
+  if (ghosts != nullptr)
   {
     const unsigned char* flags = ghosts->GetPointer(0);
     for (std::size_t i = 0; i < tuples.Count; ++i)
@@ -227,12 +227,15 @@ unsigned int TexelType(int scalarType)
   }
 }
 
+/// The ghost array; nullptr if there is none of one flag for each texel.
 vtkUnsignedCharArray* FindGhosts(vtkImageData* image, bool cellData)
 {
   vtkDataSetAttributes* attributes =
     cellData ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
-  return vtkUnsignedCharArray::SafeDownCast(
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
     attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  const vtkIdType texels = cellData ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  return ghosts != nullptr && ghosts->GetNumberOfTuples() == texels ? ghosts : nullptr;
 }
 
 } // namespace
@@ -316,6 +319,7 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, nx, ny, nz, TexelFormat(this->CountChannels()),
     TexelType(texels.ScalarType), texels.Data);
   this->Texture->Deactivate();
+  this->Bricks.Build({scalars, source.Size, cellData, FindGhosts(image, cellData), hidden});
   this->Last = source;
   return true;
 }

@@ -5,6 +5,7 @@
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureSliceBricks.h"
 #include "vtkType.h"
 
 #include <array>
@@ -49,6 +50,8 @@ public:
   vtkTextureObject* GetTexture() { return this->Texture; }
   /// Texels along each axis: points, or cells.
   static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
+  /// The scalars' ranges in small parts of the volume.
+  const vtkTextureSliceBricks& GetBricks() const { return this->Bricks; }
   /// Whether the component of the mask is there.
   bool IsMasked() const { return this->Masked; }
   /// How a texel t (0 to 1 unless float) of each component becomes its scalar.
@@ -77,6 +80,7 @@ private:
     std::string& error);
 
   vtkNew<vtkTextureObject> Texture;
+  vtkTextureSliceBricks Bricks;
   bool Masked = false;
   std::vector<vtkTextureSliceComponent> Components;
   Source Last;

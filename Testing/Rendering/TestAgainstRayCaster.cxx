@@ -202,6 +202,17 @@ TEST_F(AgainstRayCaster, CameraInsideAStretchedVolume)
   this->ExpectSamePicture("storm-inside-stretched", Bar);
 }
 
+TEST_F(AgainstRayCaster, OpaqueEverywhere)
+{
+  // Rays end early in both; here at 1023/1024, there at 254/255.
+  this->UseStorm(VTK_FLOAT);
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(0.0, 0.5);
+  this->Stage->GetProperty()->SetScalarOpacity(opacity);
+  this->AimCamera(false);
+  this->ExpectSamePicture("storm-opaque", Bar);
+}
+
 TEST_F(AgainstRayCaster, FinalWindowAndLevel)
 {
   this->UseStorm(VTK_FLOAT);

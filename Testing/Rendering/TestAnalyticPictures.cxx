@@ -131,6 +131,21 @@ TEST_F(AnalyticPictures, CubeFaceOnHasItsOpacityWhateverTheSliceCount)
   }
 }
 
+TEST_F(AnalyticPictures, OpaqueCubeIsWholeWhateverTheSliceCount)
+{
+  // 0.6 of a unit: after 8 units 0.07 % are missing. Rays end where less than 0.1 % is.
+  SetUniformFunctions(this->Stage->GetProperty(), 0.6);
+  for (const bool perspective : {false, true})
+  {
+    this->Stage->GetRenderer()->GetActiveCamera()->SetParallelProjection(!perspective);
+    for (const int slices : {40, 256, 1024})
+    {
+      this->Mapper->SetNumberOfSlices(slices);
+      EXPECT_NEAR(PixelAt(this->Draw(), Size / 2, Size / 2)[0], 254.8, 0.9) << slices << " slices";
+    }
+  }
+}
+
 TEST_F(AnalyticPictures, UnitDistanceScalesTheOpacity)
 {
   this->Stage->GetProperty()->SetScalarOpacityUnitDistance(2.5);

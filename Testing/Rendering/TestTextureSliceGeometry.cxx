@@ -99,22 +99,22 @@ TEST(TextureSliceGeometry, ClippingPlaneAndPartLeaveTheirShare)
   EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 0.125, 1e-5);
 }
 
-TEST(TextureSliceGeometry, SlicesComeFarthestFirstAtEqualDepths)
+TEST(TextureSliceGeometry, SlicesComeNearestFirstAtEqualDepths)
 {
   vtkTextureSliceView view = TurnedView(3.0);
   view.NumberOfSlices = 7;
   vtkTextureSliceGeometry geometry;
   geometry.Build(view);
-  double last = 1e9;
+  double last = 0.0;
   int slices = 0;
   for (std::size_t t = 0; t + 2 < std::size_t(geometry.GetNumberOfVertices()); t += 3)
   {
     const double depth = Depth(view, Point(geometry, t));
     EXPECT_NEAR(Depth(view, Point(geometry, t + 1)), depth, 1e-6);
     EXPECT_NEAR(Depth(view, Point(geometry, t + 2)), depth, 1e-6);
-    if (depth < last - 1e-5)
+    if (depth > last + 1e-5)
     {
-      EXPECT_TRUE(slices == 0 || std::abs(last - depth - geometry.GetDepthStep()) < 1e-5);
+      EXPECT_TRUE(slices == 0 || std::abs(depth - last - geometry.GetDepthStep()) < 1e-5);
       ++slices;
       last = depth;
     }

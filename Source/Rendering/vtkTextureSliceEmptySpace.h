@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What of a volume a request leaves invisible.
+#ifndef vtkTextureSliceEmptySpace_h
+#define vtkTextureSliceEmptySpace_h
+
+#include "vtkTextureSliceOccupancy.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <tuple>
+#include <vector>
+
+class vtkTextureSliceFrame;
+class vtkTextureSliceTable;
+class vtkTextureSliceTexture;
+struct vtkTextureSliceRequest;
+
+/**
+ * Marks the bricks of a volume that can add to the picture. Changes of the functions alone cost a
+ * look at each brick, not at each voxel.
+ */
+class vtkTextureSliceEmptySpace
+{
+public:
+  /// What decides on a brick.
+  struct Source
+  {
+    const vtkTextureSliceRequest* Request = nullptr;
+    const vtkTextureSliceTexture* Texture = nullptr;
+    const vtkTextureSliceTable* Table = nullptr;
+    const vtkTextureSliceTable* LabelTable = nullptr; ///< used where the request has labels
+    const vtkTextureSliceFrame* Frame = nullptr;      ///< knows the cropping planes
+    int CropFlags = 0;
+  };
+
+  /// Does nothing where nothing has changed.
+  void Update(const Source& source);
+
+  /// nullptr: every sample counts, whatever the transfer functions, as in an average.
+  const vtkTextureSliceOccupancy* GetOccupancy() const
+  {
+    return this->Skips ? &this->Occupancy : nullptr;
+  }
+
+  /// Bricks in which each sample has the opacity of the table's densest part; nullptr: not known.
+  const vtkTextureSliceOccupancy* GetDense() const
+  {
+    return this->HasDense ? &this->Dense : nullptr;
+  }
+
+private:
+  /// All that the answers depend on, the order that of MakeKey.
+  using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, std::string, bool,
+    std::array<float, 3>, std::array<float, 3>, int>;
+  static Key MakeKey(const Source& source);
+
+  void FindDense(const Source& source);
+  void FindVisible(const Source& source);
+  void HideCropped(const Source& source);
+
+  Key Last;
+  bool Skips = false;
+  vtkTextureSliceOccupancy Occupancy;
+  bool HasDense = false;
+  vtkTextureSliceOccupancy Dense;
+  std::vector<unsigned char> Visible; ///< not 0 where a brick counts
+};
+
+#endif

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Leaving out what is invisible changes no pixel: each picture beside the same one drawn with an
+// opacity of one in a billion where it was 0, which leaves nothing out.
+#include "RenderingTest.h"
+#include "Scenes.h"
+
+#include "vtkCamera.h"
+#include "vtkCellData.h"
+#include "vtkDataArray.h"
+#include "vtkDataSetAttributes.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkRenderer.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <memory>
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+class SkippedSpace : public RenderingTest
+{
+protected:
+  void SetUp() override
+  {
+    RenderingTest::SetUp();
+    if (IsSkipped() || HasFatalFailure())
+    {
+      return;
+    }
+    this->Stage = std::make_unique<Scene>(300, 220);
+    this->UseStorm(VTK_FLOAT);
+    vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+    camera->SetFocalPoint(0.0, 0.0, 12.0);
+    camera->SetPosition(50.0, -90.0, 70.0);
+    camera->SetViewUp(0.0, 0.0, 1.0);
+    this->Stage->GetRenderer()->ResetCameraClippingRange(-80, 80, -80, 80, -80, 80);
+  }
+  void TearDown() override
+  {
+    this->Stage.reset();
+    RenderingTest::TearDown();
+  }
+
+  void UseStorm(int scalarType)
+  {
+    this->Input = MakeStorm(50, scalarType, 31);
+    this->Mapper->SetInputData(this->Input);
+    SetStormFunctions(this->Stage->GetProperty(), scalarType);
+    this->Threshold = scalarType == VTK_FLOAT ? 15.0 : 15.0 + 33.0; // dBZ
+  }
+
+  Picture DrawWith(double opacityOfNothing)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(this->Threshold - 60.0, this->ShowsWeak ? 0.6 : opacityOfNothing);
+    opacity->AddPoint(this->Threshold, opacityOfNothing);
+    opacity->AddPoint(this->Threshold + 40.0, this->ShowsWeak ? opacityOfNothing : 0.6);
+    this->Stage->GetProperty()->SetScalarOpacity(opacity);
+    return this->Stage->Draw(this->Mapper);
+  }
+
+  /// Rounding may move a sample's place a little, where triangles interpolate it from other
+  /// corners.
+  void ExpectSamePicture(double worst = 1.0)
+  {
+    const Picture background = this->Stage->Draw(nullptr);
+    const Picture skipping = this->DrawWith(0.0);
+    const Picture whole = this->DrawWith(1e-9);
+    const Difference difference = Compare(skipping, whole, background);
+    EXPECT_GT(difference.Pixels, 2000);
+    EXPECT_LE(difference.Worst, worst);
+    EXPECT_LE(difference.LargestMean(), 0.02);
+  }
+
+  std::unique_ptr<Scene> Stage;
+  vtkSmartPointer<vtkImageData> Input;
+  double Threshold = 15.0;
+  bool ShowsWeak = false; ///< what is below the threshold, in place of what is above it
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> Mapper;
+};
+
+} // namespace
+
+TEST_F(SkippedSpace, Perspective)
+{
+  this->ExpectSamePicture();
+}
+
+TEST_F(SkippedSpace, ParallelBytes)
+{
+  this->UseStorm(VTK_UNSIGNED_CHAR);
+  this->Stage->GetRenderer()->GetActiveCamera()->ParallelProjectionOn();
+  this->Stage->GetRenderer()->GetActiveCamera()->SetParallelScale(30.0);
+  this->ExpectSamePicture();
+}
+
+TEST_F(SkippedSpace, NearestInterpolation)
+{
+  // A sample half-way between two voxels may fall to either.
+  this->Stage->GetProperty()->SetInterpolationTypeToNearest();
+  this->ExpectSamePicture(10.0);
+}
+
+TEST_F(SkippedSpace, CellScalars)
+{
+  vtkNew<vtkImageData> cells;
+  cells->SetOrigin(this->Input->GetOrigin());
+  cells->SetSpacing(this->Input->GetSpacing());
+  cells->SetDimensions(51, 51, 32);
+  cells->GetCellData()->SetScalars(this->Input->GetPointData()->GetScalars());
+  this->Mapper->SetInputData(cells);
+  this->ExpectSamePicture();
+}
+
+TEST_F(SkippedSpace, CameraInside)
+{
+  vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+  camera->SetPosition(4.0, 2.0, 4.0);
+  camera->SetFocalPoint(-10.0, -6.0, 8.0);
+  camera->SetViewAngle(70.0);
+  camera->SetClippingRange(0.5, 200.0);
+  this->ExpectSamePicture();
+}
+
+TEST_F(SkippedSpace, TurnedActorInPartOfTheWindow)
+{
+  this->Stage->GetVolume()->SetScale(1.0, -0.8, 1.5);
+  this->Stage->GetVolume()->RotateX(25.0);
+  this->Stage->GetRenderer()->SetViewport(0.2, 0.1, 0.93, 0.9);
+  this->ExpectSamePicture();
+}
+
+TEST_F(SkippedSpace, CropsClipsAndHiddenPoints)
+{
+  vtkNew<vtkUnsignedCharArray> ghosts;
+  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+  ghosts->SetNumberOfTuples(this->Input->GetNumberOfPoints());
+  ghosts->FillValue(0);
+  for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); id += 7)
+  {
+    ghosts->SetValue(id, vtkDataSetAttributes::HIDDENPOINT);
+  }
+  this->Input->GetPointData()->AddArray(ghosts);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(-6.0, -6.0, 0.0);
+  plane->SetNormal(-0.6, 0.8, 0.1);
+  this->Mapper->AddClippingPlane(plane);
+  this->Mapper->CroppingOn();
+  this->Mapper->SetCroppingRegionPlanes(-14.0, -6.0, -12.0, -4.0, 5.0, 9.0);
+  this->Mapper->SetCroppingRegionFlagsToInvertedFence();
+  this->ExpectSamePicture();
+}
+
+TEST_F(SkippedSpace, BehindAnOpaquePlateau)
+{
+  // All above 40 dBZ is opaque, the colours change behind it; in one of the pictures the plateau
+  // rises, so that no part of it is the densest.
+  const auto draw = [&](double atSixty)
+  {
+    vtkNew<vtkPiecewiseFunction> opacity;
+    opacity->AddPoint(15.0, 0.0);
+    opacity->AddPoint(25.0, 0.3);
+    opacity->AddPoint(40.0, 0.997);
+    opacity->AddPoint(60.0, atSixty);
+    this->Stage->GetProperty()->SetScalarOpacity(opacity);
+    return this->Stage->Draw(this->Mapper);
+  };
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture plateau = draw(0.997);
+  const Picture slope = draw(1.0);
+  const Difference difference = Compare(plateau, slope, background);
+  EXPECT_GT(difference.Pixels, 2000);
+  EXPECT_LE(difference.Worst, 3.0);
+  EXPECT_LE(difference.LargestMean(), 0.2);
+}
+
+TEST_F(SkippedSpace, Extremes)
+{
+  this->Mapper->SetBlendModeToMaximumIntensity();
+  this->ExpectSamePicture();
+  this->Mapper->SetBlendModeToMinimumIntensity();
+  this->ShowsWeak = true;
+  this->ExpectSamePicture();
+}
