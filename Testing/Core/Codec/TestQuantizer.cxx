@@ -6,10 +6,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
 
 using namespace nexrad;
+using Bytes = std::vector<std::uint8_t>;
 
 TEST(Quantizer, DefaultIsTheWholeDecibel)
 {
@@ -63,4 +67,27 @@ TEST(Quantizer, RefusesWhatCannotBeUsed)
   GriddedVolume shorter = volume;
   shorter.states.pop_back();
   EXPECT_THROW(Quantizer{}.EncodeAll(shorter), Error);
+}
+
+TEST(Quantizer, AllVoxelsAreRoundedAsEachIs)
+{
+  GriddedVolume volume = nexrad::testing::MakeGriddedVolume();
+  volume.grid.dimensions = {97, 11, 3};
+  volume.values.clear();
+  volume.states.clear();
+  std::mt19937 random(11);
+  Bytes expected;
+  while (expected.size() < volume.grid.VoxelCount())
+  {
+    // Sixteenths, so that halves are met exactly.
+    const float value = static_cast<float>(random() % 1'600) / 16.0F - 5.0F;
+    const auto state = static_cast<VoxelState>(random() % 4);
+    volume.values.push_back(value);
+    volume.states.push_back(state);
+    const float rounded = std::clamp(std::round(value), 0.0F, 80.0F);
+    expected.push_back(state == VoxelState::Echo         ? static_cast<std::uint8_t>(rounded)
+                       : state == VoxelState::NotScanned ? Quantizer::NotScannedCode
+                                                         : Quantizer::NoEchoCode);
+  }
+  EXPECT_EQ(Quantizer().EncodeAll(volume), expected);
 }

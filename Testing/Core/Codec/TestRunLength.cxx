@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 using namespace nexrad;
@@ -136,4 +137,27 @@ TEST(RunLengthT8, DamageIsNamedWithItsOffset)
 TEST(RunLengthT8, RefusesCodesOfEightBits)
 {
   EXPECT_THROW(Encode({1, 128}), Error);
+}
+
+TEST(RunLengthT8, PiecesGiveTheStreamOfTheWhole)
+{
+  std::mt19937 random(3);
+  Bytes codes;
+  while (codes.size() < 20'000)
+  {
+    codes.insert(codes.end(), 1 + random() % 40, static_cast<std::uint8_t>(random() % 128));
+  }
+  for (const auto threshold : {RunLengthThreshold::Thesis, RunLengthThreshold::Compact})
+  {
+    RunLengthEncoder encoder(threshold);
+    for (std::size_t begin = 0; begin < codes.size();)
+    {
+      const std::size_t size = std::min<std::size_t>(random() % 50, codes.size() - begin);
+      encoder.Feed(codes.data() + begin, size);
+      begin += size;
+    }
+    const Bytes stream = encoder.Finish();
+    EXPECT_EQ(stream, Encode(codes, threshold));
+    EXPECT_EQ(Decode(stream, codes.size()), codes);
+  }
 }
