@@ -195,14 +195,8 @@ void vtkNexradDayReader::MakeTimeSteps()
   const nexrad::Time last =
     this->EndTime < VTK_DOUBLE_MAX ? nexrad::FromSeconds(this->EndTime) : *scan.Last();
   const auto step = std::llround(this->TimeStep * 1000.0);
-  const std::vector<nexrad::Time> steps =
-    nexrad::TimeSteps(first, last, nexrad::Duration(static_cast<nexrad::Duration::rep>(step)));
-  if (steps.empty())
-  {
-    throw nexrad::Error("no multiple of the time step lies from " + nexrad::FormatIso8601(first) +
-                        " to " + nexrad::FormatIso8601(last) +
-                        ": set a shorter step, or other begin and end times");
-  }
+  const std::vector<nexrad::Time> steps = nexrad::AtLeastOneTimeStep(
+    first, last, nexrad::Duration(static_cast<nexrad::Duration::rep>(step)));
   for (const nexrad::Time time : steps)
   {
     this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));

@@ -70,12 +70,8 @@ nexrad::MomentName vtkNexradGridAlgorithm::CheckMoment() const
     throw nexrad::Error(
       "moment " + this->Moment + " is unknown: set REF, VEL, SW, ZDR, PHI, RHO or CFP");
   }
-  if (this->Method == THESIS && *moment != nexrad::MomentName::REF)
-  {
-    throw nexrad::Error(
-      "moment " + this->Moment +
-      " cannot be merged by the thesis's method, which knows reflectivity alone: set REF");
-  }
+  nexrad::RequireMoment(
+    this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam, *moment);
   return *moment;
 }
 

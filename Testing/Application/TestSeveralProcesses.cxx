@@ -112,6 +112,33 @@ TEST_F(SeveralProcesses, AFailureInOneFailsAll)
   EXPECT_FALSE(fs::exists(folder.Path() / "v" / "volumes.nxv.series"));
 }
 
+// What one process cannot do before it decodes its part, the others must hear of: they would wait
+// for it for ever.
+TEST_F(SeveralProcesses, AFailureOfOneBeforeTheFilesAreReadFailsAll)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const std::string good = data / "level2" / "run-kbgm-20050821";
+  const auto runWith = [&](const std::string& input, const std::vector<std::string>& options)
+  {
+    std::vector<std::string> words = {"-n", "2", Nexrad3dPath(), "grid", good, "-o",
+      folder.Path() / "v", "--dims", "8x8x8", ":", "-n", "1", Nexrad3dPath(), "grid", input, "-o",
+      folder.Path() / "v", "--dims", "8x8x8"};
+    words.insert(words.end(), options.begin(), options.end());
+    return RunProgram(NEXRAD_MPIEXEC, words);
+  };
+  const ProgramRun options = runWith(good, {"--end", "2000-01-01"});
+  EXPECT_EQ(options.status, 1);
+  EXPECT_EQ(CountOf("lies before the first", options.errors), 1) << options.errors;
+  const ProgramRun missing = runWith("/nonexistent", {});
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_EQ(CountOf("/nonexistent: no such file or folder", missing.errors), 1) << missing.errors;
+  const ProgramRun others = runWith(data / "level2" / "pairs", {});
+  EXPECT_EQ(others.status, 1);
+  EXPECT_EQ(CountOf("do not find the same input files", others.errors), 1) << others.errors;
+  EXPECT_FALSE(fs::exists(folder.Path() / "v"));
+}
+
 TEST_F(SeveralProcesses, WhatIsWrongForAllIsSaidOnce)
 {
   const ProgramRun missing = RunGrid(3, {"/nonexistent", "-o", "/nonexistent-too"});

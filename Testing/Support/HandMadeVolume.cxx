@@ -127,4 +127,30 @@ std::filesystem::path WriteLevel2(
   return path;
 }
 
+void SetHeaderTime(const std::filesystem::path& path, Time time)
+{
+  using namespace std::chrono_literals;
+  constexpr std::streamoff place = 12;
+  const auto sinceEpoch = time.time_since_epoch();
+  const auto days = static_cast<std::uint32_t>(sinceEpoch / 24h);
+  const auto rest = static_cast<std::uint32_t>((sinceEpoch - days * 24h) / 1ms);
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(place);
+  for (const std::uint32_t word : {days + 1, rest}) // day 1 is the first of January 1970
+  {
+    for (const int shift : {24, 16, 8, 0})
+    {
+      file.put(static_cast<char>(word >> shift));
+    }
+  }
+}
+
+void BlankHeaderName(const std::filesystem::path& path)
+{
+  constexpr std::streamoff place = 20;
+  std::fstream file(path, std::ios::in | std::ios::out | std::ios::binary);
+  file.seekp(place);
+  file << std::string(4, '\0');
+}
+
 } // namespace nexrad::testing

@@ -56,4 +56,8 @@ RadarVolume MakeRadarVolume(const HandMadeVolume& volume);
 std::filesystem::path WriteLevel2(
   const std::filesystem::path& path, const std::vector<HandMadeVolume>& cycles);
 
+/// Puts another time, or no name of a site, into the volume header of such a file.
+void SetHeaderTime(const std::filesystem::path& path, Time time);
+void BlankHeaderName(const std::filesystem::path& path);
+
 } // namespace nexrad::testing

@@ -26,7 +26,6 @@ public:
   std::size_t Count() const;
   /// True for the process that speaks to the user and writes what there is once.
   bool IsFirst() const { return this->Rank() == 0; }
-  vtkMultiProcessController* Controller() const { return controller; }
 
   /// The part [first, second) of `count` things that this process works on: neighbours, and as many
   /// as the others have, or one more.

@@ -3,7 +3,6 @@
 
 #include "GridOptions.h"
 #include "Model/Progress.h"
-#include "Processes.h"
 
 #include <vtkSmartPointer.h>
 
@@ -39,12 +38,10 @@ public:
   virtual std::vector<std::string> Problems() const { return {}; }
 };
 
-/// Merges radar files and folders of them. Several processes find out together what the files hold,
-/// and then each loads what it needs. Throws Error when no input holds a ray, or none at the times
-/// that the options name.
+/// Merges radar files and folders of them. Throws Error when no input holds a ray, or none at the
+/// times that the options name.
 std::unique_ptr<VolumeSeries> OpenRadarFiles(const std::vector<std::filesystem::path>& inputs,
-  const GridOptions& options, const Progress& progress = {},
-  const Processes& processes = Processes());
+  const GridOptions& options, const Progress& progress = {});
 
 /// True when a path names merged volumes: .nxv, .nxv.series, .vti, or a folder that holds .nxv or
 /// .vti files.

@@ -2,18 +2,14 @@
 #include "WriteVolumes.h"
 
 #include "Codec/NxvFile.h"
+#include "MergeRequests.h"
 #include "Model/Error.h"
-#include "OutputFile.h"
 #include "ProgressShare.h"
-#include "VolumeSeries.h"
-#include "VtkMessages.h"
-#include "vtkNexradFieldData.h"
-#include "vtkNexradVolumeWriter.h"
+#include "ScannedSteps.h"
+#include "StreamedSteps.h"
+#include "Temporal/SharedScan.h"
 
-#include <vtkFieldData.h>
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkXMLImageDataWriter.h>
+#include <algorithm>
 
 namespace fs = std::filesystem;
 
@@ -21,35 +17,6 @@ namespace nexrad::application
 {
 namespace
 {
-
-void WriteVti(vtkImageData* volume, const fs::path& path)
-{
-  vtkNew<vtkXMLImageDataWriter> writer;
-  VtkMessages messages;
-  messages.Watch(writer);
-  writer->SetInputData(volume);
-  // To memory first: VTK's writer leaves a cut file behind when the disk is full.
-  writer->WriteToOutputStringOn();
-  writer->Write();
-  messages.ThrowFirstError();
-  const std::string bytes = writer->GetOutputString();
-  WriteFile(path, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-}
-
-void WriteNxvFile(vtkImageData* volume, const fs::path& path)
-{
-  vtkNew<vtkNexradVolumeWriter> writer;
-  VtkMessages messages;
-  messages.Watch(writer);
-  writer->SetInputData(volume);
-  writer->SetFileName(path.c_str());
-  const bool written = writer->Write() != 0;
-  messages.ThrowFirstError();
-  if (!written)
-  {
-    throw Error(path.string() + ": cannot be written");
-  }
-}
 
 void RemoveFiles(const std::vector<fs::path>& files)
 {
@@ -60,7 +27,7 @@ void RemoveFiles(const std::vector<fs::path>& files)
   }
 }
 
-// What one process makes.
+// What one process makes, or all of them together.
 struct Block
 {
   std::vector<fs::path> files;
@@ -68,30 +35,30 @@ struct Block
   bool anySite = false; ///< some radar took part in a volume
 };
 
-fs::path PathOf(const GridJob& job, Time time)
-{
-  return job.folder /
-         (FormatForFileName(time) + (job.format == VolumeFormat::Nxv ? ".nxv" : ".vti"));
-}
+using Merge = std::function<std::optional<GriddedVolume>(
+  Time time, const Progress& progress, GriddedVolume memory)>;
 
-Block WriteBlock(
-  const GridJob& job, VolumeSeries& series, const Progress& progress, const Processes& processes)
+// Merges and writes the steps of this process.
+Block WriteBlock(const GridJob& job, const std::vector<Time>& times, const Merge& merge,
+  const Progress& progress, const Processes& processes)
 {
-  const auto [begin, end] = processes.Part(series.Times().size());
+  const auto [begin, end] = processes.Part(times.size());
+  StepWriter writer(job.folder, job.format);
   Block block;
+  GriddedVolume memory;
   for (std::size_t i = begin; i < end; ++i)
   {
-    const auto volume = series.Load(i, ShareOf(progress, i - begin, end - begin));
-    if (i == begin)
+    auto volume = merge(times[i], ShareOf(progress, i - begin, end - begin), std::move(memory));
+    if (!volume)
     {
-      MakeFolder(job.folder); // not earlier: a failure so far leaves nothing behind
+      throw Error("stopped before all volumes were made");
     }
-    const fs::path path = PathOf(job, series.Times()[i]);
-    job.format == VolumeFormat::Nxv ? WriteNxvFile(volume, path) : WriteVti(volume, path);
-    block.anySite = block.anySite || !vtkNexradGetTexts(volume->GetFieldData(), "Sites").empty();
-    block.bytes += fs::file_size(path);
-    block.files.push_back(path);
+    block.anySite = block.anySite || !volume->sites.empty();
+    memory = writer.Write(std::move(*volume));
   }
+  writer.Finish();
+  block.files = writer.Files();
+  block.bytes = writer.Bytes();
   return block;
 }
 
@@ -121,21 +88,11 @@ void WriteIndex(
   WriteNxvSeries(path, index);
 }
 
-} // namespace
-
-GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Processes& processes)
+// The rest, once all volumes are there.
+GridReport Conclude(const GridJob& job, const std::vector<Time>& times, const Block& mine,
+  const std::vector<InputProblem>& problems, const Processes& processes)
 {
-  std::unique_ptr<VolumeSeries> series;
-  Block block;
-  processes.Together(
-    [&]
-    {
-      series =
-        OpenRadarFiles(job.inputs, job.options, ShareOf(progress, 0.0, scanShare), processes);
-      block = WriteBlock(job, *series, ShareOf(progress, scanShare, 1.0), processes);
-    });
-  block = AddUp(block, processes);
-  const std::vector<Time>& times = series->Times();
+  const Block block = AddUp(mine, processes);
   if (!block.anySite)
   {
     RemoveFiles(block.files);
@@ -145,12 +102,13 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   GridReport report;
   for (const Time time : times)
   {
-    report.files.push_back(PathOf(job, time));
+    report.files.push_back(job.folder / VolumeFileName(time, job.format));
   }
   report.bytes = block.bytes;
   report.index =
     job.folder / (job.format == VolumeFormat::Nxv ? "volumes.nxv.series" : "volumes.vti.series");
-  report.problems = series->Problems();
+  std::transform(problems.begin(), problems.end(), std::back_inserter(report.problems),
+    [](const InputProblem& problem) { return problem.Line(); });
   processes.Together(
     [&]
     {
@@ -160,6 +118,135 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
       }
     });
   return report;
+}
+
+// What is known of the inputs before any is decoded.
+struct Inputs
+{
+  InputFiles found;
+  std::optional<std::vector<SiteOutline>> outline;
+};
+
+Inputs FindInputs(const GridJob& job, const Processes& processes)
+{
+  Inputs inputs;
+  processes.Together(
+    [&]
+    {
+      SeriesOptionsOf(job.options); // throws for what cannot be met, before anything is read
+      inputs.found = FindInputFiles(job.inputs);
+      inputs.outline = OutlineSeries(inputs.found.paths, job.options.siteName);
+    });
+  std::string names = inputs.outline ? "outlined" : "unknown";
+  for (const fs::path& path : inputs.found.paths)
+  {
+    names += '\n' + path.filename().string();
+  }
+  const std::vector<std::string> all = processes.Exchange(names);
+  if (std::any_of(all.begin(), all.end(), [&](const std::string& other) { return other != names; }))
+  {
+    throw Error("the processes do not find the same input files; all need the same folders");
+  }
+  return inputs;
+}
+
+// True when it is true in all processes.
+bool InAll(bool mine, const Processes& processes)
+{
+  const std::vector<std::string> all = processes.Exchange(mine ? "1" : "0");
+  return std::all_of(all.begin(), all.end(), [](const std::string& each) { return each == "1"; });
+}
+
+// What all processes decoded, in the order of the inputs.
+SeriesScan GatherScans(const Inputs& inputs, const StreamedSteps& steps, const Processes& processes)
+{
+  std::vector<ScannedFile> files(inputs.found.paths.size());
+  for (const std::string& message : processes.Exchange(PackScannedFiles(steps.Scanned())))
+  {
+    std::vector<ScannedFile> part = UnpackScannedFiles(message);
+    for (std::size_t i = 0; i < part.size(); ++i)
+    {
+      if (files[i].volumes.empty() && files[i].problems.empty())
+      {
+        files[i] = std::move(part[i]);
+      }
+    }
+  }
+  return CollectSeries(inputs.found.problems, files);
+}
+
+// Decodes, merges and writes side by side. Empty when the files' headers err, with nothing left
+// behind.
+std::optional<GridReport> WriteStreamed(
+  const GridJob& job, const Inputs& inputs, const Progress& progress, const Processes& processes)
+{
+  std::unique_ptr<StreamedSteps> steps;
+  bool planned = false;
+  processes.Together(
+    [&]
+    {
+      steps = std::make_unique<StreamedSteps>(inputs.found, *inputs.outline, job.options);
+      planned = steps->Plan();
+    });
+  if (!InAll(planned, processes))
+  {
+    return std::nullopt;
+  }
+  Block block;
+  processes.Together(
+    [&]
+    {
+      const auto [begin, end] = processes.Part(steps->Times().size());
+      if (begin < end)
+      {
+        steps->EndAt(steps->Times()[end - 1]);
+      }
+      const auto merge = [&](Time time, const Progress& share, GriddedVolume memory)
+      { return steps->Merge(time, share, std::move(memory)); };
+      block = WriteBlock(job, steps->Times(), merge, progress, processes);
+    });
+  const SeriesScan scan = GatherScans(inputs, *steps, processes);
+  if (!InAll(steps->IsAsIn(scan), processes))
+  {
+    RemoveFiles(block.files);
+    return std::nullopt;
+  }
+  return Conclude(job, steps->Times(), block, scan.problems, processes);
+}
+
+// Decodes all files first.
+GridReport WriteScanned(const GridJob& job, const Progress& progress, const Processes& processes)
+{
+  ScanShare share;
+  share.rank = processes.Rank();
+  share.count = processes.Count();
+  share.exchange = [&processes](const std::string& mine) { return processes.Exchange(mine); };
+  ScannedSteps steps(job.inputs, job.options, share, ShareOf(progress, 0.0, scanShare));
+  Block block;
+  processes.Together(
+    [&]
+    {
+      steps.Plan();
+      const auto merge = [&](Time time, const Progress& part, GriddedVolume)
+      { return steps.Merge(time, part); };
+      block = WriteBlock(job, steps.Times(), merge, ShareOf(progress, scanShare, 1.0), processes);
+    });
+  return Conclude(job, steps.Times(), block, steps.Problems(), processes);
+}
+
+} // namespace
+
+GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Processes& processes)
+{
+  const Inputs inputs = FindInputs(job, processes);
+  if (inputs.outline)
+  {
+    if (auto report = WriteStreamed(job, inputs, progress, processes))
+    {
+      return *report;
+    }
+  }
+  return WriteScanned(job, progress, processes);
 }
 
 } // namespace nexrad::application

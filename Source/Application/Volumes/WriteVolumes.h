@@ -4,6 +4,7 @@
 #include "GridOptions.h"
 #include "Model/Progress.h"
 #include "Processes.h"
+#include "StepWriter.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -12,13 +13,6 @@
 
 namespace nexrad::application
 {
-
-/// Files that merged volumes are written to.
-enum class VolumeFormat
-{
-  Nxv, ///< this project's compressed volumes (Documentation/Formats/nxv.md)
-  Vti  ///< VTK XML image data
-};
 
 /// Radar files to be merged, and where to.
 struct GridJob
@@ -40,10 +34,12 @@ struct GridReport
 
 /// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an
 /// index of them, volumes.nxv.series (or .vti, volumes.vti.series), in the form that ParaView uses
-/// for series. Each file appears whole or not at all; the index comes last. Several processes make
-/// a part of the times each, with the same files as one alone; the first writes the index when all
-/// are done, and all get the same report. Throws Error when no input holds a ray or a file cannot
-/// be written: in all processes when it fails in one.
+/// for series. Each file appears whole or not at all; the index comes last. Files are decoded and
+/// volumes written while others are merged, in memory that does not grow with the number of steps;
+/// files that no step needs are not decoded. Several processes make a part of the times each, with
+/// the same files as one alone; the first writes the index when all are done, and all get the same
+/// report. Throws Error when no input holds a ray or a file cannot be written: in all processes
+/// when it fails in one.
 GridReport WriteVolumes(
   const GridJob& job, const Progress& progress = {}, const Processes& processes = Processes());
 

@@ -322,9 +322,12 @@ std::vector<MergeSite> BeamMerger::MakeSites(
   return sites;
 }
 
-GriddedVolume BeamMerger::EmptyVolume(const BeamVolumes& volumes, Time time) const
+GriddedVolume BeamMerger::EmptyVolume(
+  const BeamVolumes& volumes, Time time, GriddedVolume memory) const
 {
   GriddedVolume volume;
+  volume.values = std::move(memory.values);
+  volume.states = std::move(memory.states);
   volume.grid = grid;
   volume.time = time;
   volume.method = "beam";
@@ -338,6 +341,7 @@ GriddedVolume BeamMerger::EmptyVolume(const BeamVolumes& volumes, Time time) con
   volume.states.assign(count, VoxelState::NotScanned);
   if (options.companions)
   {
+    volume.companions = std::move(memory.companions);
     volume.companions.age.assign(count, 0.0F);
     volume.companions.radars.assign(count, 0);
     volume.companions.weight.assign(count, 0.0F);
@@ -347,7 +351,7 @@ GriddedVolume BeamMerger::EmptyVolume(const BeamVolumes& volumes, Time time) con
 }
 
 std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time time,
-  const MotionField* motion, const RangeLoop& loop, const Progress& progress)
+  const MotionField* motion, const RangeLoop& loop, const Progress& progress, GriddedVolume memory)
 {
   if (motion != nullptr && !motion->Covers(grid))
   {
@@ -357,7 +361,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time 
   this->FindGeometries(volumes, run);
   const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;
   const std::vector<MergeSite> sites = this->MakeSites(volumes, time, moves ? motion : nullptr);
-  GriddedVolume volume = this->EmptyVolume(volumes, time);
+  GriddedVolume volume = this->EmptyVolume(volumes, time, std::move(memory));
   for (const MergeSite& site : sites)
   {
     volume.sites.push_back(site.name);

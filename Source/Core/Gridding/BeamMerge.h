@@ -71,9 +71,11 @@ public:
   /// ended before it, those in progress, the first one after it; others make no difference but
   /// cost time. All must hold the same moment. Without volumes no voxel is scanned. `motion`, of
   /// the grid, may be nullptr. Empty when `progress` asked to stop; it is called from this thread
-  /// alone. Throws Error for a motion of another grid.
+  /// alone. `memory` is a volume that is no longer needed: its arrays become those of the result.
+  /// Throws Error for a motion of another grid.
   std::optional<GriddedVolume> Merge(const BeamVolumes& volumes, Time time,
-    const MotionField* motion, const RangeLoop& loop = {}, const Progress& progress = {});
+    const MotionField* motion, const RangeLoop& loop = {}, const Progress& progress = {},
+    GriddedVolume memory = {});
 
   /// The same of volumes that are not ready, without motion.
   std::optional<GriddedVolume> Merge(const std::vector<const PolarVolume*>& volumes, Time time,
@@ -101,7 +103,7 @@ private:
   const SiteGeometry& GeometryOf(const Position& position) const;
   std::vector<MergeSite> MakeSites(
     const BeamVolumes& volumes, Time time, const MotionField* motion) const;
-  GriddedVolume EmptyVolume(const BeamVolumes& volumes, Time time) const;
+  GriddedVolume EmptyVolume(const BeamVolumes& volumes, Time time, GriddedVolume memory) const;
 
   const GridSpecification grid;
   const BeamMergeOptions options;

@@ -92,11 +92,11 @@ std::vector<std::size_t> OrderByTime(const std::vector<std::filesystem::path>& p
 
 // The scan of this process as a message. Whatever goes wrong becomes a message too: the others wait
 // for it.
-std::string ScanToMessage(const std::vector<std::filesystem::path>& paths, const FileScanner& scan)
+std::string ScanToMessage(const std::function<std::optional<std::vector<ScannedFile>>()>& scan)
 {
   try
   {
-    const auto files = scan(paths);
+    const auto files = scan();
     return files ? scanDone + PackScannedFiles(*files) : std::string(1, scanStopped);
   }
   catch (const std::exception& error)
@@ -110,14 +110,19 @@ std::string ScanToMessage(const std::vector<std::filesystem::path>& paths, const
 std::optional<std::vector<ScannedFile>> ScanTogether(
   const std::vector<std::filesystem::path>& paths, const ScanShare& share, const FileScanner& scan)
 {
-  const std::vector<std::size_t> order = OrderByTime(paths);
+  std::vector<std::size_t> order;
   const auto partBegin = [&](std::size_t rank) { return paths.size() * rank / share.count; };
-  std::vector<std::filesystem::path> own;
-  for (std::size_t place = partBegin(share.rank); place < partBegin(share.rank + 1); ++place)
+  const auto scanOwn = [&]
   {
-    own.push_back(paths[order[place]]);
-  }
-  const std::vector<std::string> messages = share.exchange(ScanToMessage(own, scan));
+    order = OrderByTime(paths);
+    std::vector<std::filesystem::path> own;
+    for (std::size_t place = partBegin(share.rank); place < partBegin(share.rank + 1); ++place)
+    {
+      own.push_back(paths[order[place]]);
+    }
+    return scan(own);
+  };
+  const std::vector<std::string> messages = share.exchange(ScanToMessage(scanOwn));
   std::vector<ScannedFile> files(paths.size());
   bool stopped = false;
   for (std::size_t rank = 0; rank < messages.size(); ++rank)

@@ -51,46 +51,6 @@ SeriesVolume Describe(
   return description;
 }
 
-ScannedFile ScanFile(
-  const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
-{
-  ScannedFile scanned;
-  RadarVolume whole;
-  try
-  {
-    whole = ReadLevel2(path, options.level2);
-  }
-  catch (const Error& error)
-  {
-    // An error names its file already.
-    const std::string prefix = path.string() + ": ";
-    std::string what = error.what();
-    what = what.compare(0, prefix.size(), prefix) == 0 ? what.substr(prefix.size()) : what;
-    scanned.problems.push_back({path.string(), {}, what, true});
-    return scanned;
-  }
-  for (const Damage& damage : whole.damage)
-  {
-    scanned.problems.push_back({path.string(), damage.offset, damage.what, false});
-  }
-  const std::vector<RadarVolume> cycles = SplitCycles(whole);
-  for (std::size_t cycle = 0; cycle < cycles.size(); ++cycle)
-  {
-    const std::string reason = ReasonToLeaveOut(cycles[cycle], options);
-    if (!reason.empty())
-    {
-      scanned.problems.push_back({path.string(), {}, reason, true});
-      continue;
-    }
-    scanned.volumes.emplace_back(cycles[cycle].site, Describe(cycles[cycle], path, cycle));
-    if (visitor)
-    {
-      visitor(scanned.volumes.back().second, cycles[cycle]);
-    }
-  }
-  return scanned;
-}
-
 /// Decodes files, a few at a time. Empty when `progress` asked to stop.
 std::optional<std::vector<ScannedFile>> ScanFiles(const std::vector<std::filesystem::path>& paths,
   const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
@@ -139,9 +99,7 @@ std::string GroupKey(const Site& site)
 void SortVolumes(SiteSeries& series, std::vector<InputProblem>& problems)
 {
   std::vector<SeriesVolume>& volumes = series.volumes;
-  std::stable_sort(volumes.begin(), volumes.end(),
-    [](const SeriesVolume& a, const SeriesVolume& b)
-    { return a.start != b.start ? a.start < b.start : a.rays > b.rays; });
+  std::stable_sort(volumes.begin(), volumes.end(), IsBefore);
   std::vector<SeriesVolume> kept;
   for (SeriesVolume& volume : volumes)
   {
@@ -156,8 +114,57 @@ void SortVolumes(SiteSeries& series, std::vector<InputProblem>& problems)
   volumes = std::move(kept);
 }
 
-void Collect(SeriesScan& scan, const std::vector<ScannedFile>& files)
+} // namespace
+
+bool IsBefore(const SeriesVolume& a, const SeriesVolume& b)
 {
+  return a.start != b.start ? a.start < b.start : a.rays > b.rays;
+}
+
+ScannedFile ScanFile(
+  const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
+{
+  ScannedFile scanned;
+  RadarVolume whole;
+  try
+  {
+    whole = ReadLevel2(path, options.level2);
+  }
+  catch (const Error& error)
+  {
+    // An error names its file already.
+    const std::string prefix = path.string() + ": ";
+    std::string what = error.what();
+    what = what.compare(0, prefix.size(), prefix) == 0 ? what.substr(prefix.size()) : what;
+    scanned.problems.push_back({path.string(), {}, what, true});
+    return scanned;
+  }
+  for (const Damage& damage : whole.damage)
+  {
+    scanned.problems.push_back({path.string(), damage.offset, damage.what, false});
+  }
+  const std::vector<RadarVolume> cycles = SplitCycles(whole);
+  for (std::size_t cycle = 0; cycle < cycles.size(); ++cycle)
+  {
+    const std::string reason = ReasonToLeaveOut(cycles[cycle], options);
+    if (!reason.empty())
+    {
+      scanned.problems.push_back({path.string(), {}, reason, true});
+      continue;
+    }
+    scanned.volumes.emplace_back(cycles[cycle].site, Describe(cycles[cycle], path, cycle));
+    if (visitor)
+    {
+      visitor(scanned.volumes.back().second, cycles[cycle]);
+    }
+  }
+  return scanned;
+}
+
+SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<ScannedFile>& files)
+{
+  SeriesScan scan;
+  scan.problems = std::move(problems);
   std::map<std::string, SiteSeries> groups;
   for (const ScannedFile& file : files)
   {
@@ -177,9 +184,8 @@ void Collect(SeriesScan& scan, const std::vector<ScannedFile>& files)
     SortVolumes(group.second, scan.problems);
     scan.sites.push_back(std::move(group.second));
   }
+  return scan;
 }
-
-} // namespace
 
 std::vector<Time> SiteSeries::Starts() const
 {
@@ -189,6 +195,16 @@ std::vector<Time> SiteSeries::Starts() const
     starts.push_back(volume.start);
   }
   return starts;
+}
+
+std::vector<Time> SiteSeries::Ends() const
+{
+  std::vector<Time> ends;
+  for (const SeriesVolume& volume : volumes)
+  {
+    ends.push_back(volume.end);
+  }
+  return ends;
 }
 
 std::optional<Time> SeriesScan::First() const
@@ -236,7 +252,7 @@ std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& i
   {
     found = FindInputFiles(inputs);
   }
-  catch (const Error&)
+  catch (const std::exception&)
   {
     failure = std::current_exception(); // which other processes must be told of
   }
@@ -254,10 +270,7 @@ std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& i
   {
     return std::nullopt;
   }
-  SeriesScan result;
-  result.problems = found.problems;
-  Collect(result, *files);
-  return result;
+  return CollectSeries(found.problems, *files);
 }
 
 } // namespace nexrad

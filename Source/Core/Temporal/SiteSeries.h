@@ -34,6 +34,7 @@ struct SiteSeries
   std::vector<SeriesVolume> volumes; ///< by start time, no two alike; never empty
 
   std::vector<Time> Starts() const;
+  std::vector<Time> Ends() const;
 };
 
 /// What is in a list of radar files of any number of sites.

@@ -41,26 +41,6 @@ std::vector<VolumeList> GroupBySite(const VolumeList& volumes)
   return lists;
 }
 
-// Indices of the volumes of one site that take part. `starts` ascends.
-std::vector<std::size_t> ChooseVolumes(
-  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request)
-{
-  if (request.method == MergeMethod::Beam)
-  {
-    return FindVolumesAbout(starts, ends, request.time, request.maximumGap);
-  }
-  const VolumeBracket bracket = FindBracket(starts, request.time, request.maximumGap);
-  std::vector<std::size_t> chosen;
-  for (const std::optional<std::size_t>& index : {bracket.before, bracket.after})
-  {
-    if (index)
-    {
-      chosen.push_back(*index);
-    }
-  }
-  return chosen;
-}
-
 VolumeList ChooseVolumes(const VolumeList& own, const MergeRequest& request)
 {
   std::vector<Time> starts;
@@ -130,7 +110,7 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
          a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
          a.linearReflectivity == b.linearReflectivity && a.fill == b.fill &&
-         a.companions == b.companions;
+         a.companions == b.companions && a.sharpen == b.sharpen;
 }
 
 void CheckMotion(const Velocity& motion)
@@ -180,6 +160,51 @@ std::optional<MergeMethod> ParseMergeMethod(std::string_view text)
   return std::nullopt;
 }
 
+void RequireMoment(MergeMethod method, MomentName moment)
+{
+  if (method == MergeMethod::Thesis && moment != MomentName::REF)
+  {
+    throw Error(
+      std::string("moment ") + ToString(moment) +
+      " cannot be merged by the thesis's method, which knows reflectivity alone: set REF");
+  }
+}
+
+ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request)
+{
+  PolarVolume polar = MakePolarVolume(volume, moment);
+  ReadyVolume ready;
+  if (request.method == MergeMethod::Beam)
+  {
+    ready.beam =
+      std::make_shared<const BeamVolume>(PrepareBeamVolume(polar, request.beam.beamWidth));
+  }
+  else
+  {
+    ready.polar = std::make_shared<const PolarVolume>(std::move(polar));
+  }
+  return ready;
+}
+
+std::vector<std::size_t> ChooseVolumes(
+  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request)
+{
+  if (request.method == MergeMethod::Beam)
+  {
+    return FindVolumesAbout(starts, ends, request.time, request.maximumGap);
+  }
+  const VolumeBracket bracket = FindBracket(starts, request.time, request.maximumGap);
+  std::vector<std::size_t> chosen;
+  for (const std::optional<std::size_t>& index : {bracket.before, bracket.after})
+  {
+    if (index)
+    {
+      chosen.push_back(*index);
+    }
+  }
+  return chosen;
+}
+
 BeamMerger& MergeRun::MergerFor(const MergeRequest& request)
 {
   BeamMergeOptions options = request.beam;
@@ -225,6 +250,29 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>&
                                                : MergeByBeam(sites, request, progress, run);
 }
 
+std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
+  const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory)
+{
+  if (request.method == MergeMethod::Beam)
+  {
+    BeamVolumes ready;
+    for (const ReadyVolume& volume : volumes)
+    {
+      ready.push_back(volume.beam);
+    }
+    BeamMerger& merger = run.MergerFor(request);
+    const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
+    return merger.Merge(
+      ready, request.time, motion.get(), request.loop, progress, std::move(memory));
+  }
+  VolumeList polar;
+  for (const ReadyVolume& volume : volumes)
+  {
+    polar.push_back(volume.polar.get());
+  }
+  return MergeVolumes(polar, request, progress, &run);
+}
+
 std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,
   const MergeRequest& request, const Progress& progress, MergeRun* run)
 {
@@ -238,12 +286,7 @@ std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cac
       return std::nullopt;
     }
     const SiteSeries& series = scan.sites[i];
-    std::vector<Time> ends;
-    for (const SeriesVolume& volume : series.volumes)
-    {
-      ends.push_back(volume.end);
-    }
-    for (const std::size_t index : ChooseVolumes(series.Starts(), ends, request))
+    for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
     {
       inUse.push_back(cache.Get(series.volumes[index]));
     }

@@ -36,6 +36,9 @@ enum class TimeInterpolationMethod
   AlongMotion ///< along the motion of the echo (A2a), where it is known
 };
 
+/// Throws Error when the method does not know the moment: Thesis knows REF alone.
+void RequireMoment(MergeMethod method, MomentName moment);
+
 /// One merged volume that is asked for.
 struct MergeRequest
 {
@@ -52,6 +55,22 @@ struct MergeRequest
                                   ///< interpolated linearly
   RangeLoop loop;                 ///< runs Beam's rows; empty: on this thread
 };
+
+/// A volume in the form that a method takes; the other is empty.
+struct ReadyVolume
+{
+  std::shared_ptr<const PolarVolume> polar; ///< for Thesis
+  std::shared_ptr<const BeamVolume> beam;   ///< for Beam
+};
+
+/// Makes one moment of a decoded volume ready for a request, whatever its time.
+ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request);
+
+/// Indices of the volumes of one site that a request takes, from their starts, which ascend, and
+/// ends: for Thesis FindBracket, for Beam FindVolumesAbout. A volume that started at or before the
+/// time and is not taken is not taken at any later time either.
+std::vector<std::size_t> ChooseVolumes(
+  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request);
 
 /// What merges at several times of one grid share: the radars' geometry, the volumes of the last
 /// one made ready, and what their motion was found from. A run passes one object to all its merges,
@@ -77,6 +96,11 @@ private:
 /// any, no voxel is scanned. Empty when `progress` asked to stop. Throws Error as the method does.
 std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
   const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
+
+/// The same for volumes made ready for this request, which have been chosen. `memory` is a volume
+/// that is no longer needed: its arrays become those of the result.
+std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
+  const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory = {});
 
 /// The same for a scanned series: only the volumes about the time are brought into memory.
 std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,

@@ -85,4 +85,15 @@ std::vector<Time> TimeSteps(Time first, Time last, Duration step)
   return steps;
 }
 
+std::vector<Time> AtLeastOneTimeStep(Time first, Time last, Duration step)
+{
+  std::vector<Time> steps = TimeSteps(first, last, step);
+  if (steps.empty())
+  {
+    throw Error("no multiple of the time step lies from " + FormatIso8601(first) + " to " +
+                FormatIso8601(last) + ": set a shorter step, or other begin and end times");
+  }
+  return steps;
+}
+
 } // namespace nexrad

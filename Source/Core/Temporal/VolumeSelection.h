@@ -34,4 +34,7 @@ std::vector<std::size_t> FindVolumesAbout(const std::vector<Time>& starts,
 /// steps would be more than a million.
 std::vector<Time> TimeSteps(Time first, Time last, Duration step);
 
+/// The same, for which no step at all is an Error as well.
+std::vector<Time> AtLeastOneTimeStep(Time first, Time last, Duration step);
+
 } // namespace nexrad

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StepWriter.h"
+
+#include "Codec/NxvFile.h"
+#include "OutputFile.h"
+#include "VtkMessages.h"
+#include "vtkNexradImageConversion.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkXMLImageDataWriter.h>
+
+namespace fs = std::filesystem;
+
+namespace nexrad::application
+{
+namespace
+{
+
+void WriteVti(const fs::path& path, const GriddedVolume& volume)
+{
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  VtkMessages messages;
+  messages.Watch(writer);
+  writer->SetInputData(image);
+  // To memory first: VTK's writer leaves a cut file behind when the disk is full.
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  messages.ThrowFirstError();
+  const std::string bytes = writer->GetOutputString();
+  WriteFile(path, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+}
+
+} // namespace
+
+fs::path VolumeFileName(Time time, VolumeFormat format)
+{
+  return FormatForFileName(time) + (format == VolumeFormat::Nxv ? ".nxv" : ".vti");
+}
+
+StepWriter::StepWriter(fs::path toFolder, VolumeFormat theFormat)
+  : folder(std::move(toFolder))
+  , format(theFormat)
+{
+}
+
+GriddedVolume StepWriter::TakeLast()
+{
+  if (!writing.valid())
+  {
+    return {};
+  }
+  GriddedVolume last = writing.get();
+  files.push_back(folder / VolumeFileName(last.time, format));
+  bytes += fs::file_size(files.back());
+  return last;
+}
+
+GriddedVolume StepWriter::Write(GriddedVolume volume)
+{
+  GriddedVolume last = this->TakeLast();
+  if (files.empty())
+  {
+    MakeFolder(folder); // not earlier: a failure so far leaves nothing behind
+  }
+  const auto write = [path = folder / VolumeFileName(volume.time, format), as = format](
+                       GriddedVolume&& one)
+  {
+    as == VolumeFormat::Nxv ? WriteNxv(path, one) : WriteVti(path, one);
+    return std::move(one);
+  };
+  writing = std::async(std::launch::async, write, std::move(volume));
+  return last;
+}
+
+void StepWriter::Finish()
+{
+  this->TakeLast();
+}
+
+} // namespace nexrad::application

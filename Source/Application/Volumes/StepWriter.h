@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/GriddedVolume.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <future>
+#include <vector>
+
+namespace nexrad::application
+{
+
+/// Files that merged volumes are written to.
+enum class VolumeFormat
+{
+  Nxv, ///< this project's compressed volumes (Documentation/Formats/nxv.md)
+  Vti  ///< VTK XML image data
+};
+
+/// "20060312T180500Z.nxv".
+std::filesystem::path VolumeFileName(Time time, VolumeFormat format);
+
+/// Writes volumes into a folder, each on a thread of its own while the next one is being made.
+class StepWriter
+{
+public:
+  StepWriter(std::filesystem::path folder, VolumeFormat format);
+  StepWriter(const StepWriter&) = delete;
+  StepWriter& operator=(const StepWriter&) = delete;
+
+  /// Begins to write a volume when the one before is there; makes the folder before the first.
+  /// Returns the volume before, whose arrays are free again. Throws Error when that could not be
+  /// written.
+  GriddedVolume Write(GriddedVolume volume);
+
+  /// Waits for the last one. Throws Error when it could not be written.
+  void Finish();
+
+  /// Those that are there, whole.
+  const std::vector<std::filesystem::path>& Files() const { return files; }
+  std::uintmax_t Bytes() const { return bytes; }
+
+private:
+  GriddedVolume TakeLast();
+
+  const std::filesystem::path folder;
+  const VolumeFormat format;
+  std::future<GriddedVolume> writing; // the volume comes back
+  std::vector<std::filesystem::path> files;
+  std::uintmax_t bytes = 0;
+};
+
+} // namespace nexrad::application

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "StreamedSteps.h"
+
+#include "MergeRequests.h"
+
+#include <algorithm>
+
+namespace nexrad::application
+{
+namespace
+{
+
+StreamWork WorkFor(const MergeRequest& request, MomentName moment)
+{
+  StreamWork work;
+  work.prepare = [request, moment](const RadarVolume& volume)
+  { return MakeReady(volume, moment, request); };
+  work.choose = [request](const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)
+  {
+    MergeRequest at = request;
+    at.time = time;
+    return ChooseVolumes(starts, ends, at);
+  };
+  return work;
+}
+
+SeriesOptions OneThreadAFile(SeriesOptions series)
+{
+  series.level2.threads = 1;
+  return series;
+}
+
+bool AreSame(const GridSpecification& a, const GridSpecification& b)
+{
+  return a.origin == b.origin && a.spacing == b.spacing && a.centreLatitude == b.centreLatitude &&
+         a.centreLongitude == b.centreLongitude;
+}
+
+// The first volume of some files, in their order; empty when there is none.
+template <class Iterator>
+std::optional<std::pair<Site, SeriesVolume>> FindVolume(
+  Iterator begin, Iterator end, VolumeStream& stream)
+{
+  for (Iterator file = begin; file != end; ++file)
+  {
+    const ScannedFile scanned = stream.Scan(file->index);
+    if (!scanned.volumes.empty())
+    {
+      return scanned.volumes.front();
+    }
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
+StreamedSteps::StreamedSteps(
+  const InputFiles& inputs, std::vector<SiteOutline> sites, const GridOptions& userOptions)
+  : options(userOptions)
+  , outline(std::move(sites))
+  , request(MergeRequestOf(options))
+  , stream(inputs.paths, outline, OneThreadAFile(SeriesOptionsOf(options)),
+      WorkFor(request, options.moment), ThreadCount())
+{
+}
+
+bool StreamedSteps::Plan()
+{
+  for (const SiteOutline& site : outline)
+  {
+    stream.Expect(site.files.front().index);
+    if (!options.end)
+    {
+      stream.Expect(site.files.back().index);
+    }
+  }
+  std::vector<Position> positions;
+  Time first = Time::max();
+  Time last = Time::min();
+  for (const SiteOutline& site : outline)
+  {
+    std::vector<OutlinedFile> asGiven = site.files;
+    std::sort(asGiven.begin(), asGiven.end(),
+      [](const OutlinedFile& a, const OutlinedFile& b) { return a.index < b.index; });
+    const auto known = FindVolume(asGiven.begin(), asGiven.end(), stream);
+    if (!known)
+    {
+      return false;
+    }
+    positions.push_back(*known->first.position);
+    if (!options.begin)
+    {
+      first =
+        std::min(first, FindVolume(site.files.begin(), site.files.end(), stream)->second.start);
+    }
+    if (!options.end)
+    {
+      last = std::max(last, FindVolume(site.files.rbegin(), site.files.rend(), stream)->second.end);
+    }
+  }
+  request.grid = MakeGrid(options.grid, positions);
+  times = TimeStepsOf(options, first, last);
+  return true;
+}
+
+std::optional<GriddedVolume> StreamedSteps::Merge(
+  Time time, const Progress& progress, GriddedVolume memory)
+{
+  const std::vector<ReadyVolume> volumes = stream.About(time);
+  request.time = time;
+  return MergeVolumes(volumes, request, progress, run, std::move(memory));
+}
+
+bool StreamedSteps::IsAsIn(const SeriesScan& scan) const
+{
+  return !scan.sites.empty() && stream.IsAsIn(scan) &&
+         AreSame(request.grid, MakeGrid(options.grid, scan.Positions())) &&
+         times == TimeStepsOf(options, *scan.First(), *scan.Last());
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files merged as they are decoded against the merge of files that were all scanned before.
+#include "Volumes/WriteVolumes.h"
+
+#include "Codec/NxvFile.h"
+#include "HandMadeVolume.h"
+#include "Model/Error.h"
+#include "TestData.h"
+#include "Volumes/ScannedSteps.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+using namespace nexrad;
+using namespace nexrad::application;
+using namespace nexrad::testing;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+/// Forty minutes of two radars whose circles overlap; each volume has a value of its own.
+class WritingVolumes : public ::testing::Test
+{
+protected:
+  WritingVolumes()
+  {
+    const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+    const Site near = {"KNEA", Position{38.9, -93.4, 300.0}};
+    for (int i = 0; i < 8; ++i)
+    {
+      this->Write("e" + std::to_string(i), keax, start + i * 5min, 10.0 + i);
+      this->Write("n" + std::to_string(i), near, start + i * 6min + 40s, 30.0 + i);
+    }
+    job.inputs = {folder.Path() / "in"};
+    job.options.grid.dimensions = {40, 24, 10};
+    job.options.grid.range = 100'000.0;
+    job.options.step = 3min;
+  }
+
+  void Write(const std::string& name, const Site& site, Time time, double value)
+  {
+    fs::create_directories(folder.Path() / "in");
+    files.push_back(WriteLevel2(folder.Path() / "in" / name, {ConstantVolume(site, time, value)}));
+  }
+
+  // The volume files, by their names, that a job makes.
+  std::map<std::string, std::string> Contents(const std::string& output)
+  {
+    job.folder = folder.Path() / output;
+    report = WriteVolumes(job);
+    std::map<std::string, std::string> contents;
+    for (const auto& entry : fs::directory_iterator(job.folder))
+    {
+      contents[entry.path().filename()] = FileContent(entry.path());
+    }
+    contents.erase("volumes.nxv.series");
+    return contents;
+  }
+
+  // The same by a scan.
+  std::map<std::string, std::string> Expected()
+  {
+    ScannedSteps steps(job.inputs, job.options, {}, {});
+    steps.Plan();
+    std::map<std::string, std::string> contents;
+    const fs::path file = folder.Path() / "one.nxv";
+    for (const Time time : steps.Times())
+    {
+      WriteNxv(file, *steps.Merge(time, {}));
+      contents[VolumeFileName(time, VolumeFormat::Nxv)] = FileContent(file);
+    }
+    return contents;
+  }
+
+  const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
+  const TemporaryFolder folder;
+  std::vector<fs::path> files;
+  GridJob job;
+  GridReport report;
+};
+
+} // namespace
+
+TEST_F(WritingVolumes, AsAScanWould)
+{
+  const auto expected = this->Expected();
+  ASSERT_EQ(expected.size(), 15U); // 18:00 to 18:42:47
+  EXPECT_TRUE(this->Contents("beam") == expected);
+  EXPECT_TRUE(report.problems.empty());
+  EXPECT_EQ(report.files.size(), 15U);
+  EXPECT_EQ(ReadNxv(report.files[5]).sites, (std::vector<std::string>{"KEAX", "KNEA"}));
+  job.options.method = "thesis";
+  EXPECT_TRUE(this->Contents("thesis") == this->Expected());
+  job.options.method = "beam";
+  job.options.begin = start + 10min;
+  job.options.end = start + 17min;
+  const auto part = this->Contents("part");
+  EXPECT_EQ(part.size(), 2U);
+  EXPECT_TRUE(part == this->Expected());
+}
+
+TEST_F(WritingVolumes, HeadersThatErrMakeNoDifference)
+{
+  const auto expected = this->Expected();
+  SetHeaderTime(files[4], start + 3h);
+  SetHeaderTime(files[9], start - 2h);
+  EXPECT_TRUE(this->Contents("err") == expected);
+  BlankHeaderName(files[1]);
+  EXPECT_TRUE(this->Contents("nameless") == expected);
+}
+
+TEST_F(WritingVolumes, WhatIsDamagedIsNamedInTheOrderOfTheInputs)
+{
+  fs::resize_file(files[6], fs::file_size(files[6]) - 30'000);
+  fs::resize_file(files[3], 30);
+  const auto expected = this->Expected();
+  EXPECT_TRUE(this->Contents("damaged") == expected);
+  const ScannedSteps steps(job.inputs, job.options, {}, {});
+  ASSERT_EQ(report.problems.size(), steps.Problems().size());
+  EXPECT_GE(report.problems.size(), 3U);
+  for (std::size_t i = 0; i < report.problems.size(); ++i)
+  {
+    EXPECT_EQ(report.problems[i], steps.Problems()[i].Line());
+  }
+}
+
+TEST_F(WritingVolumes, AStopLeavesNoIndex)
+{
+  job.folder = folder.Path() / "stopped";
+  const auto stop = [](double done) { return done < 0.5; };
+  EXPECT_THROW(WriteVolumes(job, stop), Error);
+  EXPECT_FALSE(fs::exists(job.folder / "volumes.nxv.series"));
+}
