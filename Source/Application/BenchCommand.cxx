@@ -156,8 +156,7 @@ int RunBench(const BenchOptions& options)
   const SeriesScan scan = ScanFiles(request);
   request.synthetic = AnySynthetic(scan);
   BenchReport report;
-  const std::vector<fs::path> files =
-    options.inputs.empty() ? FirstOfEachSite(scan) : request.files;
+  const std::vector<fs::path> files = request.synthetic ? FirstOfEachSite(scan) : request.files;
   report.tables.push_back(MakeDecodeTable(files, request.runs, report.problems));
   AddSeriesTables(request, scan, folder.Path(), report);
   const Machine machine = DescribeMachine();

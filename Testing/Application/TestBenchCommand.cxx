@@ -43,6 +43,10 @@ TEST(BenchCommand, MeasuresASeriesOfFiles)
   EXPECT_GT(sizes[1]["run_length_bytes_after"], 0.0);
   const Json& series = report["tables"]["series"]["rows"];
   EXPECT_EQ(series[1]["volumes"], 6.0); // 02:45 to 03:10
+  EXPECT_NEAR(series[1]["ratio"].get<double>(),
+    series[1]["series_s"]["median"].get<double>() / series[1]["bare_s"]["median"].get<double>(),
+    1e-9);
+  EXPECT_GT(series[1]["peak_mib"], 10.0); // two volumes and five of rays
 }
 
 TEST(BenchCommand, AFileThatIsNoSeriesIsStillDecoded)

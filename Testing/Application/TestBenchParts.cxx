@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/BareDecompression.h"
+#include "Bench/BareSeries.h"
 #include "Bench/BenchTable.h"
 #include "Bench/Measurement.h"
+#include "Bench/PeakMemory.h"
 #include "Model/Error.h"
 #include "TestData.h"
 
@@ -86,6 +88,45 @@ TEST(BareDecompression, FindsTheStreamsOfAFile)
   EXPECT_EQ(whole.Describe(), "bzip2");
   whole.Run();
   whole.Run(); // again into the same memory
+}
+
+TEST(BareDecompression, FilesOfASeriesAreReadAnewEachTime)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const auto folder = data / "level2" / "run-kbgm-20050821";
+  const std::vector<std::filesystem::path> files = {
+    folder / "KBGM20050821_024323.gz", folder / "KBGM20050821_025458.gz"};
+  BareSeries series(files, 2);
+  EXPECT_EQ(series.StoredBytes(), static_cast<double>(std::filesystem::file_size(files[0]) +
+                                                      std::filesystem::file_size(files[1])));
+  series.Run();
+  series.Run();
+  const TemporaryFolder changing;
+  const auto file = changing.Path() / "file";
+  std::filesystem::copy_file(files[0], file);
+  BareSeries changed({file}, 1);
+  std::filesystem::resize_file(file, 1'000);
+  EXPECT_THROW(changed.Run(), Error);
+  EXPECT_THROW(BareSeries({files[0], file}, 2), Error);
+}
+
+TEST(PeakMemory, SeesWhatIsUsedAndForgetsIt)
+{
+  if (!PeakMemory())
+  {
+    GTEST_SKIP() << "this system does not tell";
+  }
+  constexpr double large = 64e6;
+  RestartPeakMemory();
+  const double before = *PeakMemory();
+  {
+    // No shared pages of zeros: each page is written to.
+    const std::vector<char> used(static_cast<std::size_t>(large), 'x');
+    EXPECT_EQ(used.back(), 'x');
+  }
+  EXPECT_GT(*PeakMemory(), before + 0.9 * large);
+  RestartPeakMemory();
+  EXPECT_LT(*PeakMemory(), before + 0.5 * large);
 }
 
 TEST(BareDecompression, RefusesWhatHasNoTimeToCompareWith)

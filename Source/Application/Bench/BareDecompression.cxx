@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <atomic>
 #include <fstream>
-#include <iterator>
 #include <thread>
 
 namespace nexrad::application
@@ -43,16 +42,27 @@ void Bunzip(const std::uint8_t* from, std::size_t length, std::vector<std::uint8
   }
 }
 
-} // namespace
-
-BareDecompression::BareDecompression(const std::filesystem::path& path)
+std::vector<std::uint8_t> ReadBytes(const std::filesystem::path& path)
 {
+  std::error_code failure;
+  const std::uintmax_t size = std::filesystem::file_size(path, failure);
+  std::vector<std::uint8_t> bytes(failure ? 0 : size);
   std::ifstream file(path, std::ios::binary);
-  stored.assign(std::istreambuf_iterator<char>(file), {});
-  if (!file.is_open() || file.bad() || stored.empty())
+  file.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+  if (!file || bytes.empty())
   {
     throw Error(path.string() + ": cannot be read, or is empty");
   }
+  return bytes;
+}
+
+} // namespace
+
+BareDecompression::BareDecompression(const std::filesystem::path& file)
+  : path(file)
+  , stored(ReadBytes(file))
+{
+  storedBytes = stored.size();
   try
   {
     this->OpenWrapper();
@@ -61,6 +71,23 @@ BareDecompression::BareDecompression(const std::filesystem::path& path)
   catch (const Error& error)
   {
     throw Error(path.string() + ": " + error.what());
+  }
+}
+
+void BareDecompression::Unload()
+{
+  unwrappedBytes = unwrapped.size();
+  Bytes().swap(stored);
+  Bytes().swap(unwrapped);
+}
+
+void BareDecompression::Load()
+{
+  stored = ReadBytes(path);
+  unwrapped.resize(unwrappedBytes);
+  if (stored.size() != storedBytes)
+  {
+    throw Error(path.string() + ": the file changed since it was first read");
   }
 }
 
@@ -110,7 +137,7 @@ void BareDecompression::FindRecords()
   }
 }
 
-void BareDecompression::Run()
+void BareDecompression::Run(unsigned threads)
 {
   if (wrapper == Wrapper::Gzip)
   {
@@ -120,7 +147,7 @@ void BareDecompression::Run()
   {
     Bunzip(stored.data(), stored.size(), unwrapped);
   }
-  this->RunRecords();
+  this->RunRecords(threads);
 }
 
 void BareDecompression::InflateWrapper()
@@ -145,7 +172,7 @@ void BareDecompression::InflateWrapper()
   }
 }
 
-void BareDecompression::RunRecords() const
+void BareDecompression::RunRecords(unsigned threads) const
 {
   std::atomic<std::size_t> next{0};
   const auto work = [this, &next]
@@ -157,9 +184,10 @@ void BareDecompression::RunRecords() const
       Bunzip(plain + records[index].offset, records[index].length, room);
     }
   };
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+  const std::size_t wanted =
+    threads != 0 ? threads : std::max(1U, std::thread::hardware_concurrency());
   std::vector<std::thread> helpers;
-  for (std::size_t count = 1; count < std::min(cores, records.size()); ++count)
+  for (std::size_t count = 1; count < std::min(wanted, records.size()); ++count)
   {
     helpers.emplace_back(work);
   }

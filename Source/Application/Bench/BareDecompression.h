@@ -21,9 +21,13 @@ public:
   /// time to compare with.
   explicit BareDecompression(const std::filesystem::path& path);
 
-  /// Decompresses everything once. Records go to as many threads as the machine has cores, which
-  /// is what ReadLevel2 does; a stream round the file has one thread.
-  void Run();
+  /// Decompresses everything once. Records go to `threads` threads; 0: as many as the machine has
+  /// cores, which is what ReadLevel2 does. A stream round the file has one thread.
+  void Run(unsigned threads = 0);
+
+  /// Gives the memory of the file back, or reads it again. Load throws Error when the file changed.
+  void Unload();
+  void Load();
 
   /// True when there is something to decompress.
   bool IsCompressed() const { return wrapper != Wrapper::None || !records.empty(); }
@@ -31,7 +35,7 @@ public:
   std::size_t RecordCount() const { return records.size(); }
   /// "gzip", "37 records", "gzip, 45 records", "bzip2", "none".
   std::string Describe() const;
-  std::size_t StoredBytes() const { return stored.size(); }
+  std::size_t StoredBytes() const { return storedBytes; }
 
 private:
   enum class Wrapper
@@ -50,11 +54,14 @@ private:
   void OpenWrapper();
   void FindRecords();
   void InflateWrapper();
-  void RunRecords() const;
+  void RunRecords(unsigned threads) const;
 
+  std::filesystem::path path;
+  std::size_t storedBytes = 0;
   Bytes stored;
   Wrapper wrapper = Wrapper::None;
-  Bytes unwrapped; ///< empty without a wrapper
+  Bytes unwrapped;                ///< empty without a wrapper
+  std::size_t unwrappedBytes = 0; ///< while nothing is loaded
   std::vector<Record> records;
   std::size_t largestRecord = 0; ///< decompressed bytes
 };

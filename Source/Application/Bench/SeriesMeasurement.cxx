@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/SeriesMeasurement.h"
 
-#include "Bench/BareDecompression.h"
+#include "Bench/BareSeries.h"
+#include "Bench/PeakMemory.h"
 #include "Codec/NxvFile.h"
 #include "Model/Error.h"
+#include "Volumes/MergeRequests.h"
 #include "Volumes/WriteVolumes.h"
 
+#include <algorithm>
 #include <memory>
+#include <numeric>
 
 namespace fs = std::filesystem;
 
@@ -26,52 +30,60 @@ GridJob MakeJob(
   return job;
 }
 
-// Bare decompression of all files, one after another. Empty when one of them has no such time.
+// Bare decompression of all files on the threads that merging has. Empty when one of them has no
+// such time.
 std::function<void()> MakeBareWork(const std::vector<fs::path>& files, double& storedBytes)
 {
-  auto streams = std::make_shared<std::vector<BareDecompression>>();
   try
   {
-    for (const fs::path& file : files)
-    {
-      streams->emplace_back(file);
-    }
+    const auto series = std::make_shared<BareSeries>(files, ThreadCount());
+    storedBytes = series->StoredBytes();
+    return [series] { series->Run(); };
   }
   catch (const Error&)
   {
     return {}; // the table of decoding names the file
   }
-  for (const BareDecompression& stream : *streams)
-  {
-    storedBytes += static_cast<double>(stream.StoredBytes());
-  }
-  return [streams]
-  {
-    for (BareDecompression& stream : *streams)
-    {
-      stream.Run();
-    }
-  };
 }
 
+// What one size came to in all runs.
+struct Outcome
+{
+  GridReport report;
+  std::optional<double> peakBytes;
+
+  void Run(const GridJob& job)
+  {
+    RestartPeakMemory();
+    report = WriteVolumes(job);
+    const std::optional<double> peak = PeakMemory();
+    peakBytes = peak ? std::max(*peak, peakBytes.value_or(0.0)) : peak;
+  }
+};
+
+// Of a long series some tell enough, each reading and writing again.
 double MeanThesisBytes(const GridReport& report, const fs::path& folder)
 {
+  constexpr std::size_t enough = 48;
+  const std::size_t stride = (report.files.size() + enough - 1) / enough;
   const fs::path raw = folder / "thesis.raw";
   NxvWriteOptions options;
   options.thesisRuns = true;
-  double sum = 0.0;
-  for (const fs::path& file : report.files)
+  std::vector<double> sizes;
+  for (std::size_t i = 0; i < report.files.size(); i += stride)
   {
-    WriteRaw(raw, ReadNxv(file), options);
-    sum += static_cast<double>(fs::file_size(raw));
+    WriteRaw(raw, ReadNxv(report.files[i]), options);
+    sizes.push_back(static_cast<double>(fs::file_size(raw)));
   }
   fs::remove(raw);
-  return sum / static_cast<double>(report.files.size());
+  return std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
 }
 
-SeriesOfSize Describe(const GridReport& report, const GridJob& job, const Measurement& seconds)
+SeriesOfSize Describe(const Outcome& outcome, const GridJob& job, const Measurement& seconds)
 {
+  const GridReport& report = outcome.report;
   SeriesOfSize size;
+  size.peakBytes = outcome.peakBytes;
   size.dimensions = job.options.grid.dimensions;
   size.seconds = seconds;
   size.volumes = report.files.size();
@@ -87,11 +99,11 @@ SeriesMeasurement MeasureSeries(const BenchRequest& request, const fs::path& fol
   SeriesMeasurement series;
   series.files = request.files.size();
   std::vector<std::function<void()>> pieces;
-  std::vector<GridReport> reports(request.dimensions.size());
+  std::vector<Outcome> outcomes(request.dimensions.size());
   for (std::size_t index = 0; index < request.dimensions.size(); ++index)
   {
     const GridJob job = MakeJob(request, request.dimensions[index], folder);
-    pieces.push_back([job, &report = reports[index]] { report = WriteVolumes(job); });
+    pieces.push_back([job, &outcome = outcomes[index]] { outcome.Run(job); });
   }
   const std::function<void()> bare = MakeBareWork(request.files, series.storedBytes);
   if (bare)
@@ -100,10 +112,10 @@ SeriesMeasurement MeasureSeries(const BenchRequest& request, const fs::path& fol
   }
   // Each run is many files long: a run before them would warm nothing that lasts.
   const std::vector<Measurement> times = MeasureInTurn(pieces, request.runs, false);
-  for (std::size_t index = 0; index < reports.size(); ++index)
+  for (std::size_t index = 0; index < outcomes.size(); ++index)
   {
     const GridJob job = MakeJob(request, request.dimensions[index], folder);
-    series.sizes.push_back(Describe(reports[index], job, times[index]));
+    series.sizes.push_back(Describe(outcomes[index], job, times[index]));
     fs::remove_all(job.folder);
   }
   if (bare)

@@ -15,10 +15,11 @@ namespace nexrad::application
 struct SeriesOfSize
 {
   std::array<int, 3> dimensions;
-  Measurement seconds;      ///< from the radar files to the volume files and their index
-  std::size_t volumes = 0;  ///< that were made
-  double bytes = 0.0;       ///< of one volume file, the mean
-  double thesisBytes = 0.0; ///< of one volume in the thesis's code (Formulas T8), the mean
+  Measurement seconds;             ///< from the radar files to the volume files and their index
+  std::size_t volumes = 0;         ///< that were made
+  std::optional<double> peakBytes; ///< largest resident memory of the process meanwhile
+  double bytes = 0.0;              ///< of one volume file, the mean
+  double thesisBytes = 0.0;        ///< of one volume in the thesis's code (T8), the mean of some
 };
 
 /// The same files for several sizes, and their bare decompression, measured in turn.

@@ -17,12 +17,14 @@ BenchTable MakeSeriesTable(const BenchRequest& request, const SeriesMeasurement&
                 (series.bare ? ", " + std::string(megabytes) + " MB" : std::string()) +
                 (request.synthetic ? ", SYNTHETIC" : "");
   table.columns = {{"dimensions", "voxels"}, {"volumes", "volumes"},
-    {"bare_s", "bare decompression, s", 2}, {"series_s", "all, s", 2}, {"ratio", "ratio", 2}};
+    {"bare_s", "bare decompression, s", 2}, {"series_s", "all, s", 2}, {"ratio", "ratio", 2},
+    {"peak_mib", "peak memory, MiB", 0}};
   for (const SeriesOfSize& size : series.sizes)
   {
     table.rows.push_back({FormatDimensions(size.dimensions), static_cast<double>(size.volumes),
       series.bare ? BenchCell(*series.bare) : BenchCell(), size.seconds,
-      series.bare ? BenchCell(size.seconds.median / series.bare->median) : BenchCell()});
+      series.bare ? BenchCell(size.seconds.median / series.bare->median) : BenchCell(),
+      size.peakBytes ? BenchCell(*size.peakBytes / 1048576.0) : BenchCell()});
   }
   return table;
 }
