@@ -3,14 +3,15 @@
 // table of Documentation/Developer/formulas.md, section E. The refraction of the simulated
 // atmosphere varies; the merges know of 4/3 alone.
 #include "Geometry/SiteGeoreference.h"
-#include "Gridding/BeamMerge.h"
 #include "ScannedDay.h"
 #include "StormFeatures.h"
+#include "Temporal/TimeMerge.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cstdio>
+#include <optional>
 #include <vector>
 
 using namespace nexrad;
@@ -29,13 +30,22 @@ void PrintFeatures(const GriddedVolume& volume, const Truth& truth)
     cores.meanDistance);
 }
 
+// The method as it is by default, along the motion of the echo.
+std::optional<GriddedVolume> MergeBeam(const ScannedDay& day, const GridSpecification& grid)
+{
+  MergeRequest request;
+  request.grid = grid;
+  request.time = day.At();
+  request.loop = ThreadLoop(2);
+  return MergeVolumes(day.Volumes(), request);
+}
+
 // Both methods against the truth; the beams' must be better by what is written at the asserts.
 void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions)
 {
   const Truth truth = TruthOn(day, dimensions);
   const auto thesis = MergeThesis(day.Brackets(), truth.grid, day.At());
-  BeamMerger merger(truth.grid);
-  const auto beam = merger.Merge(day.Volumes(), day.At(), ThreadLoop(2));
+  const auto beam = MergeBeam(day, truth.grid);
   ASSERT_TRUE(thesis && beam);
   EXPECT_TRUE(beam->synthetic);
   const TruthScore before = CompareWithTruth(*thesis, truth.values, truth.counts);
@@ -95,7 +105,7 @@ TEST(BeamAccuracy, ByDistance)
   const ScannedDay& day = EveningDay();
   const Truth truth = TruthOn(day, {128, 128, 64});
   const auto thesis = MergeThesis(day.Brackets(), truth.grid, day.At());
-  const auto beam = BeamMerger(truth.grid).Merge(day.Volumes(), day.At(), ThreadLoop(2));
+  const auto beam = MergeBeam(day, truth.grid);
   const std::vector<double> bounds = {0.0, 80e3, 160e3, 240e3, 500e3};
   double before = 0.0;
   for (std::size_t i = 0; i + 1 < bounds.size(); ++i)
