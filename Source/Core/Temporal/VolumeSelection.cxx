@@ -25,8 +25,8 @@ VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration m
   return bracket;
 }
 
-std::vector<std::size_t> FindVolumesAbout(const std::vector<Time>& starts,
-  const std::vector<Time>& ends, Time time, Duration maximumGap)
+std::vector<std::size_t> FindVolumesAbout(
+  const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, Duration maximumGap)
 {
   std::vector<std::size_t> about;
   const auto next = static_cast<std::size_t>(

@@ -22,12 +22,12 @@ struct VolumeBracket
 /// exactly is `before`.
 VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration maximumGap);
 
-/// Indices of the volumes of one site that hold the rays just before and just after a time (Formulas
-/// A1): the last volume that ended at or before it, those in progress, and the first that starts
-/// after it; without those that lie farther than `maximumGap` from the time, whole. Ascending.
-/// `starts` and `ends` are of equal length; `starts` ascends.
-std::vector<std::size_t> FindVolumesAbout(const std::vector<Time>& starts,
-  const std::vector<Time>& ends, Time time, Duration maximumGap);
+/// Indices of the volumes of one site that hold the rays just before and just after a time
+/// (Formulas A1): the last volume that ended at or before it, those in progress, and the first that
+/// starts after it; without those that lie farther than `maximumGap` from the time, whole.
+/// Ascending. `starts` and `ends` are of equal length; `starts` ascends.
+std::vector<std::size_t> FindVolumesAbout(
+  const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, Duration maximumGap);
 
 /// The multiples of `step` since 1970-01-01 from the first at or after `first` to the last at or
 /// before `last`. Throws Error when the step is not positive, `last` lies before `first`, or the
