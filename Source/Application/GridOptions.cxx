@@ -160,14 +160,19 @@ void AddMethod(CLI::App& command, GridOptions& options)
   AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
     "How rays become voxels: beam (between the beams), or thesis (its bin average)", "beam")
     ->group(group);
+  AddParsedOption(command, "--memory", options.memory, ParseMemory, "SIZE",
+    "For rays that are kept for later steps when files are merged out of their order, MiB or GiB; "
+    "what does not fit is decoded again",
+    "1GiB")
+    ->group(group);
   AddParsedOption(command, "--site", options.siteName, ParseSite, "NAME",
     "All files are this radar's, whatever name stands in them")
     ->group(group);
 }
 
 // What the method beam can do beside. The method thesis has none of it.
-constexpr const char* beamOptions[] = {
-  "--overlap", "--overlap-length", "--fill", "--linear-reflectivity", "--companions", "--motion"};
+constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill",
+  "--linear-reflectivity", "--no-sharpening", "--companions", "--motion"};
 
 void AddBeam(CLI::App& command, GridOptions& options)
 {
@@ -190,6 +195,11 @@ void AddBeam(CLI::App& command, GridOptions& options)
   command
     .add_flag("--linear-reflectivity", options.linearReflectivity,
       "Interpolate and average Z (mm^6/m^3) in place of dBZ; of REF")
+    ->group(group);
+  command
+    .add_flag_callback(
+      "--no-sharpening", [&options] { options.sharpen = false; },
+      "Leave in the values what the width of the beam did to them; of REF")
     ->group(group);
   command
     .add_flag("--companions", options.companions,
@@ -223,6 +233,11 @@ void Check(const CLI::App& command, const GridOptions& options)
   if (options.linearReflectivity && options.moment != MomentName::REF)
   {
     throw CLI::ValidationError("--linear-reflectivity", "is of --moment REF alone");
+  }
+  if (!options.sharpen && (options.moment != MomentName::REF || options.linearReflectivity))
+  {
+    throw CLI::ValidationError(
+      "--no-sharpening", "is of --moment REF in dBZ; nothing else is sharpened");
   }
 }
 

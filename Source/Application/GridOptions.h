@@ -7,6 +7,7 @@
 #include "Model/Moment.h"
 #include "Model/Time.h"
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -36,12 +37,15 @@ struct GridOptions
   MomentName moment = MomentName::REF;
   std::string method = "beam"; ///< a name that ParseMergeMethod knows
   std::string siteName;        ///< in place of the names in the files; empty: as the files say
+  std::size_t memory = std::size_t(1) << 30; ///< bytes for rays that are kept, packed, for later
+                                             ///< steps; 0 keeps none
 
   // What follows is of the method "beam".
   OverlapStrategy overlap = OverlapStrategy::Distance;
   double overlapLength = 100'000.0; ///< m, of OverlapStrategy::Distance; above 0
   bool fill = false;                ///< fill columns between and below what was scanned
   bool linearReflectivity = false;  ///< interpolate and average Z in place of dBZ; of REF
+  bool sharpen = true;              ///< take the beam's width back from REF in dBZ (Formulas G9)
   bool companions = false;          ///< add age, number of radars, weight and nearest site
   MotionChoice motion;
 };

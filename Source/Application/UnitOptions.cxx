@@ -59,18 +59,35 @@ std::optional<double> LengthUnit(const std::string& unit)
   return unit == "km" ? std::optional(1000.0) : std::nullopt;
 }
 
-std::optional<double> DurationUnit(const std::string& unit)
+using UnitTable = std::vector<std::pair<std::string, double>>;
+
+// What one of a unit is; empty for a unit that the table does not have.
+std::optional<double> FindUnit(const UnitTable& units, const std::string& unit)
 {
-  static const std::vector<std::pair<std::string, double>> units = {
-    {"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
-  for (const auto& [name, seconds] : units)
+  for (const auto& [name, size] : units)
   {
     if (unit == name)
     {
-      return seconds;
+      return size;
     }
   }
   return std::nullopt;
+}
+
+// Seconds of one unit of time.
+std::optional<double> DurationUnit(const std::string& unit)
+{
+  static const UnitTable units = {
+    {"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+  return FindUnit(units, unit);
+}
+
+// Bytes of one unit of memory.
+std::optional<double> MemoryUnit(const std::string& unit)
+{
+  static const UnitTable units = {
+    {"", 1.0}, {"KiB", 1024.0}, {"MiB", 1024.0 * 1024.0}, {"GiB", 1024.0 * 1024.0 * 1024.0}};
+  return FindUnit(units, unit);
 }
 
 // Whole numbers separated by 'x', each within the limits; empty for any other text.
@@ -139,6 +156,18 @@ double ParseLength(const std::string& text)
     throw Error("'" + text + "' is no length; write a number and m or km, as in 230km");
   }
   return quantity->number * *unit;
+}
+
+std::size_t ParseMemory(const std::string& text)
+{
+  const auto quantity = SplitQuantity(text);
+  const auto unit = quantity ? MemoryUnit(quantity->unit) : std::nullopt;
+  constexpr double most = 1024.0 * 1024.0 * 1024.0 * 1024.0;
+  if (!unit || quantity->number < 0.0 || quantity->number * *unit > most)
+  {
+    throw Error("'" + text + "' is no size of memory; write a number and MiB or GiB, as in 512MiB");
+  }
+  return static_cast<std::size_t>(quantity->number * *unit);
 }
 
 std::pair<double, double> ParseHeightRange(const std::string& text)

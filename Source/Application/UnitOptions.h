@@ -6,6 +6,7 @@
 #include "Model/Time.h"
 
 #include <array>
+#include <cstddef>
 #include <string>
 #include <utility>
 
@@ -42,6 +43,9 @@ GeographicBounds ParseBounds(const std::string& text);
 
 /// "12,-7.5": m/s towards east and north. Refuses a speed above FastestEcho.
 Velocity ParseMotion(const std::string& text);
+
+/// "512MiB", "2GiB"; a bare number is bytes. Not negative, at most 1024 GiB.
+std::size_t ParseMemory(const std::string& text);
 
 /// A time in UTC as ParseIso8601 reads it.
 Time ParseTime(const std::string& text);

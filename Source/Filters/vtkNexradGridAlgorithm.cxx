@@ -104,6 +104,7 @@ nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(
   request.beam.strategy = StrategyOf(this->OverlapStrategy);
   request.beam.overlapLength = this->OverlapLength;
   request.beam.linearReflectivity = this->LinearReflectivity;
+  request.beam.sharpen = this->Sharpening;
   request.beam.fill = this->VerticalFill;
   request.beam.companions = this->CompanionArrays;
   request.interpolation = this->TimeInterpolation == LINEAR
@@ -152,6 +153,7 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "GivenMotion: " << this->GivenMotion[0] << ", " << this->GivenMotion[1] << "\n";
   os << indent << "UseGivenMotion: " << this->UseGivenMotion << "\n";
   os << indent << "LinearReflectivity: " << this->LinearReflectivity << "\n";
+  os << indent << "Sharpening: " << this->Sharpening << "\n";
   os << indent << "VerticalFill: " << this->VerticalFill << "\n";
   os << indent << "CompanionArrays: " << this->CompanionArrays << "\n";
 }

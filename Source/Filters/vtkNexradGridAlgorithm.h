@@ -190,6 +190,16 @@ public:
 
   ///@{
   /**
+   * For BEAM: take back from reflectivity in dBZ what the width of the beam did to it (Formulas
+   * G9). Off leaves the values as the radars measured them. On by default.
+   */
+  vtkSetMacro(Sharpening, bool);
+  vtkGetMacro(Sharpening, bool);
+  vtkBooleanMacro(Sharpening, bool);
+  ///@}
+
+  ///@{
+  /**
    * For BEAM: interpolate and average reflectivity as Z in place of dBZ. Off by default.
    */
   vtkSetMacro(LinearReflectivity, bool);
@@ -258,6 +268,7 @@ protected:
   double GivenMotion[2] = {0.0, 0.0};
   bool UseGivenMotion = false;
   bool LinearReflectivity = false;
+  bool Sharpening = true;
   bool VerticalFill = false;
   bool CompanionArrays = false;
 

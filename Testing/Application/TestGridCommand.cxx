@@ -170,6 +170,7 @@ TEST(GridCommand, OptionsOfTheOverlapReachTheVolumes)
   const GriddedVolume shorter = grid("shorter", {"--overlap-length", "50km"});
   const GriddedVolume filled = grid("filled", {"--fill"});
   const GriddedVolume linear = grid("linear", {"--linear-reflectivity"});
+  const GriddedVolume measured = grid("measured", {"--no-sharpening"});
   std::size_t different = 0;
   std::size_t addedByFilling = 0;
   for (std::size_t i = 0; i < distance.values.size(); ++i)
@@ -189,6 +190,8 @@ TEST(GridCommand, OptionsOfTheOverlapReachTheVolumes)
   EXPECT_GT(different, 100u);
   EXPECT_GT(addedByFilling, 1'000u);
   EXPECT_NE(linear.values, distance.values);
+  EXPECT_NE(measured.values, distance.values);
+  EXPECT_EQ(measured.companions.weight, distance.companions.weight) << "values alone are sharpened";
 }
 
 // VTK takes its way of threading from the environment, and no more threads than there are cores.

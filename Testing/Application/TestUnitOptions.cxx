@@ -42,6 +42,18 @@ TEST(UnitOptions, LengthsAreMetres)
   }
 }
 
+TEST(UnitOptions, MemoryIsBytes)
+{
+  EXPECT_EQ(ParseMemory("512MiB"), 536'870'912U);
+  EXPECT_EQ(ParseMemory("1.5GiB"), 1'610'612'736U);
+  EXPECT_EQ(ParseMemory("2KiB"), 2048U);
+  EXPECT_EQ(ParseMemory("0"), 0U);
+  for (const std::string text : {"", "1GB", "-1MiB", "much", "2000GiB", "1e30"})
+  {
+    EXPECT_THROW(ParseMemory(text), Error) << text;
+  }
+}
+
 TEST(UnitOptions, OneUnitCountsForBothHeights)
 {
   EXPECT_EQ(ParseHeightRange("0,20km"), std::make_pair(0.0, 20'000.0));

@@ -66,11 +66,12 @@ TEST(Usage, HelpAndVersionAreNoFailure)
 TEST(Usage, HelpHasUnitsAndDefaults)
 {
   const std::string help = RunNexrad3d({"grid", "--help"}).output;
-  for (const char* text : {"--dims XxYxZ=256x256x128", "--step DURATION=5min",
-         "--max-gap DURATION=15min", "--range LENGTH=230km", "--height LOWER,UPPER=0,20km",
-         "--moment NAME=REF", "--method NAME=beam", "--format NAME=nxv", "--overlap NAME=distance",
-         "--overlap-length LENGTH=100km", "--fill", "--linear-reflectivity", "--companions",
-         "--motion MOTION=estimated", "degrees", "km", "UTC"})
+  for (const char* text :
+    {"--dims XxYxZ=256x256x128", "--step DURATION=5min", "--max-gap DURATION=15min",
+      "--range LENGTH=230km", "--height LOWER,UPPER=0,20km", "--moment NAME=REF",
+      "--method NAME=beam", "--format NAME=nxv", "--overlap NAME=distance",
+      "--overlap-length LENGTH=100km", "--fill", "--linear-reflectivity", "--companions",
+      "--motion MOTION=estimated", "--memory SIZE=1GiB", "--no-sharpening", "degrees", "km", "UTC"})
   {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }
@@ -124,8 +125,11 @@ TEST(Usage, WrongOptionsOfTheMethodBeamAreNamed)
   expect({"--overlap-length", "far"}, {"--overlap-length", "km"});
   expect({"--overlap", "mean", "--overlap-length", "50km"}, {"--overlap-length", "distance"});
   expect({"--moment", "ZDR", "--linear-reflectivity"}, {"--linear-reflectivity", "REF"});
+  expect({"--moment", "ZDR", "--no-sharpening"}, {"--no-sharpening", "REF"});
+  expect({"--linear-reflectivity", "--no-sharpening"}, {"--no-sharpening", "dBZ"});
+  expect({"--memory", "lots"}, {"--memory", "512MiB"});
   const std::vector<Arguments> ofBeam = {{"--overlap", "mean"}, {"--overlap-length", "50km"},
-    {"--fill"}, {"--linear-reflectivity"}, {"--companions"}};
+    {"--fill"}, {"--linear-reflectivity"}, {"--no-sharpening"}, {"--companions"}};
   for (Arguments options : ofBeam)
   {
     const std::string name = options.front();

@@ -42,6 +42,7 @@ MergeRequest MergeRequestOf(const GridOptions& options)
   request.beam.overlapLength = options.overlapLength;
   request.beam.fill = options.fill;
   request.beam.linearReflectivity = options.linearReflectivity;
+  request.beam.sharpen = options.sharpen;
   request.beam.companions = options.companions;
   request.interpolation =
     options.motion.none ? TimeInterpolationMethod::Linear : TimeInterpolationMethod::AlongMotion;

@@ -9,8 +9,6 @@ namespace nexrad::application
 namespace
 {
 
-constexpr std::size_t memoryForRays = std::size_t(1) << 30; // bytes
-
 SeriesOptions Shared(SeriesOptions series, const ScanShare& share)
 {
   series.share = share;
@@ -35,7 +33,7 @@ ScannedSteps::ScannedSteps(const std::vector<std::filesystem::path>& inputs,
   const GridOptions& userOptions, const ScanShare& share, const Progress& progress)
   : options(userOptions)
   , request(MergeRequestOf(options))
-  , cache(options.moment, memoryForRays, SeriesOptionsOf(options).level2)
+  , cache(options.moment, options.memory, SeriesOptionsOf(options).level2)
 {
   const auto keep = [this](const SeriesVolume& key, const RadarVolume& volume)
   { cache.Offer(key, volume); };
