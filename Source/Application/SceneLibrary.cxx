@@ -35,4 +35,9 @@ scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request)
   return RunInLibrary<scene::ViewReport>(scene::viewFunctionName, request);
 }
 
+DrawingReport MeasureDrawingWithLibrary(const DrawingRequest& request)
+{
+  return RunInLibrary<DrawingReport>(measureDrawingFunctionName, request);
+}
+
 } // namespace nexrad::application

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Bench/DrawingTimes.h"
 #include "Scene/RenderRequest.h"
 #include "Scene/ViewRequest.h"
 
@@ -12,5 +13,6 @@ namespace nexrad::application
 /// drawing itself fails at.
 scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
 scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request);
+DrawingReport MeasureDrawingWithLibrary(const DrawingRequest& request);
 
 } // namespace nexrad::application

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "NoDisplay.h"
 #include "ProgramRun.h"
 #include "TestData.h"
 
@@ -15,10 +16,13 @@ TEST(BenchCommand, MeasuresASeriesOfFiles)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const ProgramRun run = RunNexrad3d({"bench", data / "level2" / "run-kbgm-20050821", "--dims",
-    "32x32x16", "--dims", "128x128x64", "--runs", "1", "--json"});
+    "32x32x16", "--dims", "128x128x64", "--runs", "1", "--json", "--only", "decode,grid,series"});
   ASSERT_EQ(run.status, 0) << run.errors;
   const Json report = Json::parse(run.output);
   EXPECT_FALSE(report["processor"].get<std::string>().empty());
+  EXPECT_GE(report["threads"], 1);
+  EXPECT_EQ(report["vtk"].get<std::string>().substr(0, 2), "9.");
+  EXPECT_TRUE(report["opengl"].is_null()); // nothing was drawn
   EXPECT_EQ(report["runs"], 1);
   EXPECT_EQ(report["synthetic"], false);
   const Json& decode = report["tables"]["decode"]["rows"];
@@ -53,7 +57,8 @@ TEST(BenchCommand, AFileThatIsNoSeriesIsStillDecoded)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const auto file = data / "level2" / "superres" / "example_nexrad_archive_msg31.bz2";
-  const ProgramRun run = RunNexrad3d({"bench", file, "--dims", "8x8x8", "--runs", "1"});
+  const ProgramRun run = RunNexrad3d(
+    {"bench", file, "--dims", "8x8x8", "--runs", "1", "--only", "decode", "--only", "grid"});
   EXPECT_EQ(run.status, 3);
   EXPECT_NE(run.output.find("example_nexrad_archive_msg31.bz2"), std::string::npos) << run.output;
   EXPECT_NE(run.errors.find("merging is not measured: "), std::string::npos) << run.errors;
@@ -72,4 +77,30 @@ TEST(BenchCommand, RefusesAMethodThatDoesNotExist)
   const ProgramRun run = RunNexrad3d({"bench", "--method", "magic"});
   EXPECT_EQ(run.status, 2);
   EXPECT_NE(run.errors.find("'magic' is no method"), std::string::npos) << run.errors;
+}
+
+TEST(BenchCommand, RefusesATableThatDoesNotExist)
+{
+  const ProgramRun run = RunNexrad3d({"bench", "--only", "grid,magic"});
+  EXPECT_EQ(run.status, 2);
+  EXPECT_NE(run.errors.find("magic"), std::string::npos) << run.errors;
+}
+
+TEST(BenchCommand, WithoutADisplayDrawingAloneIsLeftOut)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const NoDisplay none;
+  const auto folder = data / "level2" / "run-kbgm-20050821";
+  const ProgramRun both = RunNexrad3d(
+    {"bench", folder, "--dims", "16x16x8", "--runs", "1", "--only", "grid,drawing", "--json"});
+  EXPECT_EQ(both.status, 3);
+  EXPECT_NE(both.errors.find("drawing is not measured: no X display"), std::string::npos)
+    << both.errors;
+  EXPECT_EQ(both.errors.find('\n'), both.errors.size() - 1) << both.errors;
+  const Json tables = Json::parse(both.output)["tables"];
+  EXPECT_TRUE(tables.contains("grid"));
+  EXPECT_FALSE(tables.contains("rendering"));
+  const ProgramRun drawing =
+    RunNexrad3d({"bench", folder, "--dims", "16x16x8", "--runs", "1", "--only", "drawing"});
+  EXPECT_EQ(drawing.status, 1);
 }

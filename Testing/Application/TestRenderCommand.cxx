@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Codec/NxvFile.h"
+#include "NoDisplay.h"
 #include "ProgramRun.h"
 #include "StormVolume.h"
 #include "TestData.h"
@@ -31,23 +32,6 @@ std::set<std::string> NamesIn(const fs::path& folder)
   }
   return names;
 }
-
-// Takes the display away, as it is on a machine without a screen.
-class NoDisplay
-{
-public:
-  NoDisplay()
-    : before(std::getenv("DISPLAY") == nullptr ? "" : std::getenv("DISPLAY"))
-  {
-    unsetenv("DISPLAY");
-  }
-  ~NoDisplay() { setenv("DISPLAY", before.c_str(), 1); }
-  NoDisplay(const NoDisplay&) = delete;
-  NoDisplay& operator=(const NoDisplay&) = delete;
-
-private:
-  std::string before;
-};
 
 } // namespace
 

@@ -35,8 +35,9 @@ BenchTable MakeDecodeTable(
   table.key = "decode";
   table.title = "Decoding a file, all moments, and bare decompression of the same bytes on the "
                 "same threads";
-  table.columns = {{"file", "file"}, {"container", "container"}, {"stored_mb", "MB", 1},
-    {"bare_s", "bare, s", 4}, {"decode_s", "decode, s", 4}, {"ratio", "ratio", 2}};
+  table.columns = {NameColumn("file", "file"), GivenColumn("container", "container"),
+    GivenColumn("stored_mb", "MB", 1), {"bare_s", "bare, s", 4}, {"decode_s", "decode, s", 4},
+    {"ratio", "ratio", 2}};
   for (const std::filesystem::path& file : files)
   {
     try

@@ -98,8 +98,8 @@ BenchTable MakeGridTable(const BenchRequest& request, const SeriesScan& scan)
   table.key = "grid";
   table.title = "One merged volume, method " + request.options.method +
                 ", rays in memory; the first of a run also places the sites on the grid";
-  table.columns = {{"dimensions", "voxels"}, {"sites", "sites"}, {"first_s", "first, s", 3},
-    {"volume_s", "each further, s", 3}};
+  table.columns = {NameColumn("dimensions", "voxels"), NameColumn("sites", "sites"),
+    {"first_s", "first, s", 3}, {"volume_s", "each further, s", 3}};
   const Steps steps = FindMiddle(scan, request.options);
   GridOptions options = request.options;
   options.begin = steps.begin;

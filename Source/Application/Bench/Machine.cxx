@@ -1,6 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/Machine.h"
 
+#include "Volumes/MergeRequests.h"
+
+#include <vtkVersion.h>
+
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <fstream>
 #include <thread>
@@ -32,7 +38,54 @@ Machine DescribeMachine()
   Machine machine;
   machine.processor = FindProcessorName();
   machine.cores = std::max(1U, std::thread::hardware_concurrency());
+  machine.threads = ThreadCount();
   machine.build = "nexrad3d " NEXRAD_VERSION ", " NEXRAD_BUILD_TYPE ", " NEXRAD_COMPILER;
+  machine.vtk = vtkVersion::GetVTKVersion();
+  return machine;
+}
+
+std::string FormatMachine(const Machine& machine)
+{
+  std::string text = machine.processor + ", " + std::to_string(machine.cores) + " cores";
+  if (machine.threads != machine.cores)
+  {
+    text += " (" + std::to_string(machine.threads) + " threads used)";
+  }
+  text += "; " + machine.build + "; VTK " + machine.vtk;
+  if (machine.opengl)
+  {
+    text += "; OpenGL " + machine.opengl->version + ", " + machine.opengl->renderer;
+  }
+  return text;
+}
+
+void AddMachineJson(const Machine& machine, nlohmann::ordered_json& json)
+{
+  json["processor"] = machine.processor;
+  json["cores"] = machine.cores;
+  json["threads"] = machine.threads;
+  json["build"] = machine.build;
+  json["vtk"] = machine.vtk;
+  json["opengl"] = nullptr;
+  if (const auto& opengl = machine.opengl)
+  {
+    json["opengl"] = {
+      {"vendor", opengl->vendor}, {"renderer", opengl->renderer}, {"version", opengl->version}};
+  }
+}
+
+Machine ReadMachineJson(const nlohmann::ordered_json& json)
+{
+  Machine machine;
+  machine.processor = json.at("processor");
+  machine.cores = json.at("cores");
+  machine.threads = json.at("threads");
+  machine.build = json.at("build");
+  machine.vtk = json.at("vtk");
+  if (const auto& opengl = json.at("opengl"); !opengl.is_null())
+  {
+    machine.opengl = {opengl.at("vendor"), opengl.at("renderer"), opengl.at("version")};
+  }
   return machine;
 }
 

@@ -1,19 +1,42 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <nlohmann/json_fwd.hpp>
+
+#include <optional>
 #include <string>
 
 namespace nexrad::application
 {
 
+/// What OpenGL calls itself.
+struct OpenGLNames
+{
+  std::string vendor;
+  std::string renderer;
+  std::string version;
+};
+
 /// What the figures of a benchmark belong to.
 struct Machine
 {
-  std::string processor; ///< as the system names it; "unknown" where it does not
-  unsigned cores = 1;    ///< threads that the machine runs at a time
-  std::string build;     ///< version, build type, compiler
+  std::string processor;             ///< as the system names it; "unknown" where it does not
+  unsigned cores = 1;                ///< threads that the machine runs at a time
+  unsigned threads = 1;              ///< that the work was divided among
+  std::string build;                 ///< version, build type, compiler
+  std::string vtk;                   ///< version of VTK
+  std::optional<OpenGLNames> opengl; ///< where something was drawn
 };
 
+/// All but OpenGL, which only who draws learns.
 Machine DescribeMachine();
+
+/// "AMD EPYC, 2 cores; nexrad3d 0.1.0, Release, GNU 12.2.0; VTK 9.1.0; OpenGL llvmpipe".
+std::string FormatMachine(const Machine& machine);
+
+/// Adds the fields to a JSON object, and takes them from it. Reading throws nlohmann's exception
+/// for what is missing.
+void AddMachineJson(const Machine& machine, nlohmann::ordered_json& json);
+Machine ReadMachineJson(const nlohmann::ordered_json& json);
 
 } // namespace nexrad::application

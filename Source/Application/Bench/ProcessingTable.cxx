@@ -12,8 +12,9 @@ BenchTable MakeProcessingTable(const BenchRequest& request, const SeriesMeasurem
   table.key = "processing";
   table.title = "Thesis, table 4.1: from radar files to volume files, method " +
                 request.options.method + "; a day is " + "288 times a volume";
-  table.columns = {{"dimensions", "voxels"}, {"thesis_s_per_volume", "thesis, s a volume", 0},
-    {"s_per_volume", "here, s a volume", 3}, {"thesis_min_per_day", "thesis, min a day", 0},
+  table.columns = {NameColumn("dimensions", "voxels"),
+    GivenColumn("thesis_s_per_volume", "thesis, s a volume"),
+    {"s_per_volume", "here, s a volume", 3}, GivenColumn("thesis_min_per_day", "thesis, min a day"),
     {"min_per_day", "here, min a day", 2}};
   for (const SeriesOfSize& size : series.sizes)
   {

@@ -16,7 +16,7 @@ BenchTable MakeSeriesTable(const BenchRequest& request, const SeriesMeasurement&
                 std::to_string(series.files) + " files" +
                 (series.bare ? ", " + std::string(megabytes) + " MB" : std::string()) +
                 (request.synthetic ? ", SYNTHETIC" : "");
-  table.columns = {{"dimensions", "voxels"}, {"volumes", "volumes"},
+  table.columns = {NameColumn("dimensions", "voxels"), GivenColumn("volumes", "volumes"),
     {"bare_s", "bare decompression, s", 2}, {"series_s", "all, s", 2}, {"ratio", "ratio", 2},
     {"peak_mib", "peak memory, MiB", 0}};
   for (const SeriesOfSize& size : series.sizes)

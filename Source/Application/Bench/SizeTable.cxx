@@ -11,8 +11,9 @@ BenchTable MakeSizeTable(const SeriesMeasurement& series)
   table.key = "sizes";
   table.title = "Thesis, table 4.4: bytes of a volume before (one a voxel) and after compression; "
                 "here the mean of all volumes";
-  table.columns = {{"dimensions", "voxels"}, {"bytes_before", "before, B"},
-    {"thesis_bytes_after", "thesis, after, B"}, {"thesis_saved_percent", "thesis, saved %", 2},
+  table.columns = {NameColumn("dimensions", "voxels"), GivenColumn("bytes_before", "before, B"),
+    GivenColumn("thesis_bytes_after", "thesis, after, B"),
+    GivenColumn("thesis_saved_percent", "thesis, saved %", 2),
     {"run_length_bytes_after", "here, the thesis's code, B"}, {"nxv_bytes_after", "here, .nxv, B"},
     {"nxv_saved_percent", "here, saved %", 2}};
   for (const SeriesOfSize& size : series.sizes)

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "MeasureDrawing.h"
 #include "RenderRequest.h"
 #include "ViewRequest.h"
 
@@ -23,7 +24,7 @@ void Run(Report (*work)(const Request&), const Request* request, Report* report)
 
 } // namespace
 
-/// The functions that the program looks for in this library (RenderFunction, ViewFunction).
+/// The functions that the program looks for in this library.
 extern "C" __attribute__((visibility("default"))) void nexrad3dRender(
   const nexrad::scene::RenderRequest* request, nexrad::scene::RenderReport* report)
 {
@@ -34,4 +35,10 @@ extern "C" __attribute__((visibility("default"))) void nexrad3dView(
   const nexrad::scene::ViewRequest* request, nexrad::scene::ViewReport* report)
 {
   Run(nexrad::scene::View, request, report);
+}
+
+extern "C" __attribute__((visibility("default"))) void nexrad3dMeasureDrawing(
+  const nexrad::application::DrawingRequest* request, nexrad::application::DrawingReport* report)
+{
+  Run(nexrad::scene::MeasureDrawing, request, report);
 }
