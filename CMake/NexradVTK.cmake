@@ -1,4 +1,8 @@
 # Finds VTK and builds the VTK modules of Source/IO, Source/Filters and Source/Rendering.
+if(VTKNexrad_WRAP_PYTHON)
+  # The wrappers are for the Python that VTK's own are for: no other could load both.
+  set(nexrad_vtk_for_python Python WrappingPythonCore)
+endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms CommonColor
   FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersModeling
@@ -7,7 +11,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingUI RenderingVolume RenderingVolumeOpenGL2
   TestingCore TestingRendering vtksys
-  OPTIONAL_COMPONENTS ParallelMPI)
+  OPTIONAL_COMPONENTS ParallelMPI ${nexrad_vtk_for_python})
 
 set(nexrad_module_files
   "${CMAKE_SOURCE_DIR}/Source/IO/vtk.module"

@@ -11,6 +11,7 @@ packages=(
   libvtk9-dev libgeographiclib-dev zlib1g-dev libbz2-dev
   libcli11-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
+  python3-numpy python3-matplotlib
   xvfb xauth libgl1-mesa-dri
 )
 

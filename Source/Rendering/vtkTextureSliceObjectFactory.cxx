@@ -18,7 +18,7 @@ vtkObject* MakeSlices()
   return vtkOpenGLTextureSliceVolumeMapper::New();
 }
 
-/// The one that Register left, nullptr if there is none.
+/// The one that Activate left, nullptr if there is none.
 vtkObjectFactory* FindRegistered()
 {
   vtkObjectFactoryCollection* registered = vtkObjectFactory::GetRegisteredFactories();
@@ -40,17 +40,22 @@ vtkTextureSliceObjectFactory::vtkTextureSliceObjectFactory()
     Overridden, "vtkOpenGLTextureSliceVolumeMapper", "Slices of a 3-D texture", 1, MakeSlices);
 }
 
-void vtkTextureSliceObjectFactory::Register()
+void vtkTextureSliceObjectFactory::DisableOthers()
+{
+  vtkObjectFactory::SetAllEnableFlags(0, Overridden);
+}
+
+void vtkTextureSliceObjectFactory::Activate()
 {
   if (FindRegistered() == nullptr)
   {
-    vtkObjectFactory::SetAllEnableFlags(0, Overridden);
+    DisableOthers();
     vtkNew<vtkTextureSliceObjectFactory> factory;
     vtkObjectFactory::RegisterFactory(factory);
   }
 }
 
-void vtkTextureSliceObjectFactory::Unregister()
+void vtkTextureSliceObjectFactory::Deactivate()
 {
   if (vtkObjectFactory* factory = FindRegistered())
   {

@@ -8,7 +8,7 @@
  * vtkSmartVolumeMapper. vtkOpenGLGPUVolumeRayCastMapper::New asks no factory and is left as it is.
  *
  * @code
- * vtkTextureSliceObjectFactory::Register();
+ * vtkTextureSliceObjectFactory::Activate();
  * vtkNew<vtkSmartVolumeMapper> mapper; // draws slices
  * @endcode
  */
@@ -28,13 +28,19 @@ public:
   ///@{
   /**
    * Registers a factory of this class, and takes it away again. The factory that was
-   * registered first wins in VTK, so Register switches vtkGPUVolumeRayCastMapper off in the
-   * factories that are there, and Unregister on again. Register is to be called when VTK's modules
+   * registered first wins in VTK, so Activate switches vtkGPUVolumeRayCastMapper off in the
+   * factories that are there, and Deactivate on again. Activate is to be called when VTK's modules
    * are loaded; calling it twice changes nothing.
    */
-  static void Register();
-  static void Unregister();
+  static void Activate();
+  static void Deactivate();
   ///@}
+
+  /**
+   * The first half of Activate: switches vtkGPUVolumeRayCastMapper off in the factories that are
+   * registered. For those who let VTK register one of this class (VTK_AUTOLOAD_PATH).
+   */
+  static void DisableOthers();
 
   const char* GetVTKSourceVersion() override;
   const char* GetDescription() override;

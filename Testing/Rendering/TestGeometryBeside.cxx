@@ -169,8 +169,8 @@ TEST_F(GeometryBeside, ObjectFactory)
   this->Slices->SetNumberOfSlices(256);
   const Picture expected = this->Stage->Draw(this->Slices);
 
-  vtkTextureSliceObjectFactory::Register();
-  vtkTextureSliceObjectFactory::Register();
+  vtkTextureSliceObjectFactory::Activate();
+  vtkTextureSliceObjectFactory::Activate();
   vtkNew<vtkGPUVolumeRayCastMapper> mapper;
   EXPECT_TRUE(mapper->IsA("vtkOpenGLTextureSliceVolumeMapper"));
   vtkNew<vtkSmartVolumeMapper> smart;
@@ -180,7 +180,7 @@ TEST_F(GeometryBeside, ObjectFactory)
   EXPECT_EQ(smart->GetLastUsedRenderMode(), vtkSmartVolumeMapper::GPURenderMode);
   EXPECT_EQ(Compare(picture, expected, background).LargestMean(), 0.0);
 
-  vtkTextureSliceObjectFactory::Unregister();
+  vtkTextureSliceObjectFactory::Deactivate();
   vtkNew<vtkGPUVolumeRayCastMapper> own;
   EXPECT_TRUE(own->IsA("vtkOpenGLGPUVolumeRayCastMapper"));
 }

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Maps how high echo reaches: echo_tops.py VOLUME.nxv PICTURE.png [DBZ]
+
+The echo top is the height of the highest voxel with at least that reflectivity (18 dBZ by default),
+above mean sea level. It is known to half the distance between two levels.
+"""
+
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot
+import numpy
+import vtknexrad
+
+
+def echo_tops(volume, threshold):
+    """Heights in metres (y, x); NaN where no voxel reaches the threshold."""
+    reached = vtknexrad.array(volume, "REF") >= threshold  # (z, y, x)
+    height = vtknexrad.axes(volume)[2]
+    highest = reached.shape[0] - 1 - numpy.argmax(reached[::-1], axis=0)
+    return numpy.where(reached.any(axis=0), height[highest], numpy.nan)
+
+
+def main():
+    file, picture = sys.argv[1:3]
+    threshold = float(sys.argv[3]) if len(sys.argv) > 3 else 18.0
+
+    reader = vtknexrad.vtkNexradVolumeReader()
+    reader.SetFileName(file)
+    volume = vtknexrad.update(reader)
+    tops = echo_tops(volume, threshold)
+
+    east, north, _up = vtknexrad.axes(volume)
+    figure, plot = matplotlib.pyplot.subplots(figsize=(7, 6))
+    mesh = plot.pcolormesh(east / 1000.0, north / 1000.0, tops / 1000.0, shading="nearest",
+                           vmin=0.0, vmax=16.0)
+    figure.colorbar(mesh, label=f"top of {threshold:g} dBZ, km above mean sea level")
+    plot.set(xlabel="km east", ylabel="km north", aspect="equal",
+             title=f"Echo tops, {vtknexrad.time_steps(reader)[0]:%Y-%m-%d %H:%M} UTC")
+    figure.savefig(picture, dpi=100)
+    print(f"{numpy.isfinite(tops).sum()} columns, highest {numpy.nanmax(tops) / 1000.0:.1f} km")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Draws a merged volume, off screen: render_volume.py VOLUME.nxv PICTURE.png [PRESET]"""
+
+import sys
+
+import vtknexrad
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter)
+
+
+def main():
+    file, picture = sys.argv[1:3]
+    preset = sys.argv[3] if len(sys.argv) > 3 else "all echo"
+
+    reader = vtknexrad.vtkNexradVolumeReader()
+    reader.SetFileName(file)
+    vtknexrad.update(reader)  # an error in the file stops here, in one line
+
+    mapper = vtknexrad.vtkOpenGLTextureSliceVolumeMapper()
+    mapper.SetInputConnection(reader.GetOutputPort())
+    mapper.SetNumberOfSlices(256)
+
+    volume = vtkVolume()
+    volume.SetMapper(mapper)
+    volume.SetScale(1.0, 1.0, 8.0)  # heights stretched eight times
+    volume.GetProperty().SetScalarOpacityUnitDistance(5000.0)  # m
+    volume.GetProperty().SetInterpolationTypeToLinear()
+    look = vtknexrad.vtkNexradTransferFunction()
+    look.ApplyPreset(preset)
+    look.FillProperty(volume.GetProperty())
+
+    renderer = vtkRenderer()
+    renderer.AddVolume(volume)
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetSize(800, 600)
+    window.AddRenderer(renderer)
+    renderer.ResetCamera()
+    renderer.GetActiveCamera().Elevation(-50.0)
+    renderer.GetActiveCamera().Zoom(1.6)
+    renderer.ResetCameraClippingRange()
+    window.Render()
+
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    writer = vtkPNGWriter()
+    writer.SetFileName(picture)
+    writer.SetInputConnection(image.GetOutputPort())
+    writer.Write()
+
+
+if __name__ == "__main__":
+    main()

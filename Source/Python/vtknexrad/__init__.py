@@ -1,0 +1,21 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Weather radar volumes in VTK: NEXRAD Level II files to merged volumes and pictures.
+
+Readers and writers: vtkNexradLevel2Reader, vtkNexradSeriesReader, vtkNexradVolumeReader,
+vtkNexradVolumeWriter. Merging: vtkNexradDayReader, vtkNexradSiteMerge, vtkNexradVolumeResampler.
+Drawing: vtkOpenGLTextureSliceVolumeMapper, vtkNexradTransferFunction,
+vtkTextureSliceObjectFactory. They work beside VTK's own modules; help() of a class has its units,
+defaults and errors.
+
+Beside the classes, vtknexrad.data has what a script needs to get from them to numpy: update,
+time_steps, array, axes, sweep. They are names of vtknexrad as well.
+"""
+
+# Without these imports VTK's object factories have no OpenGL classes to give.
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
+import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
+
+from .vtkNexradIO import *  # noqa: F401,F403
+from .vtkNexradFilters import *  # noqa: F401,F403
+from .vtkNexradRendering import *  # noqa: F401,F403
+from .data import array, axes, sweep, time_steps, update  # noqa: F401

@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A few synthetic radar files, simulated once for all tests of a program."""
+
+import atexit
+import functools
+import glob
+import os
+import shutil
+import subprocess
+import tempfile
+
+
+@functools.lru_cache(maxsize=None)
+def folder():
+    """A folder that goes when the program ends."""
+    path = tempfile.mkdtemp(prefix="nexrad-python-")
+    atexit.register(shutil.rmtree, path)
+    return path
+
+
+@functools.lru_cache(maxsize=None)
+def files():
+    """Paths of 12 minutes of KLSX, from 18:00 UTC, in the order of time."""
+    radar = os.path.join(folder(), "files")
+    subprocess.run([os.environ["NEXRAD3D"], "simulate", radar, "--sites", "KLSX", "--hours", "0.2",
+                    "--quiet"], check=True)
+    paths = [path for path in glob.glob(os.path.join(radar, "**", "*"), recursive=True)
+             if os.path.isfile(path)]
+    return tuple(sorted(paths))

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""The examples of the user guide, each as a user runs it."""
+
+import glob
+import importlib.util
+import os
+import subprocess
+import sys
+import unittest
+
+import numpy
+import vtknexrad
+from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+import SyntheticFiles
+
+
+def example(name):
+    return os.path.join(os.environ["NEXRAD_EXAMPLES"], name + ".py")
+
+
+def run(name, *arguments):
+    """What the example prints. Its warnings are errors."""
+    done = subprocess.run([sys.executable, "-W", "error", example(name), *arguments],
+                          capture_output=True, text=True)
+    if done.returncode != 0 or done.stderr:
+        raise AssertionError(f"{name}: {done.returncode}\n{done.stderr}")
+    return done.stdout
+
+
+def picture_path(name):
+    return os.path.join(SyntheticFiles.folder(), name + ".png")
+
+
+def pixels(path):
+    """A picture's colours, one row a pixel."""
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    return vtk_to_numpy(vtknexrad.update(reader).GetPointData().GetScalars())
+
+
+def merged_volume():
+    """A volume of the merged series; merges at the first call."""
+    folder = os.path.join(SyntheticFiles.folder(), "day")
+    if not os.path.isdir(folder):
+        run("merge_day", folder, *SyntheticFiles.files())
+    return sorted(glob.glob(os.path.join(folder, "*.nxv")))[0]
+
+
+class Examples(unittest.TestCase):
+    def test_plot_sweep(self):
+        picture = picture_path("sweep")
+        said = run("plot_sweep", SyntheticFiles.files()[0], picture)
+        self.assertRegex(said, r"^36\d rays of \d+ gates, largest REF \d+\.\d\n$")
+        self.assertGreater(len(numpy.unique(pixels(picture), axis=0)), 50)
+
+    def test_merge_day(self):
+        volume = merged_volume()
+        reader = vtknexrad.vtkNexradVolumeReader()
+        reader.SetFileName(os.path.join(os.path.dirname(volume), "day.nxv.series"))
+        self.assertGreaterEqual(len(vtknexrad.time_steps(reader)), 2)
+        self.assertEqual(vtknexrad.update(reader).GetDimensions(), (128, 128, 64))
+
+    def test_render_volume(self):
+        picture = picture_path("volume")
+        run("render_volume", merged_volume(), picture, "storm cores")
+        self.assertGreater(len(numpy.unique(pixels(picture), axis=0)), 50)
+
+    def test_echo_tops(self):
+        picture = picture_path("tops")
+        said = run("echo_tops", merged_volume(), picture)
+        self.assertRegex(said, r"^\d+ columns, highest \d+\.\d km\n$")
+        self.assertGreater(len(numpy.unique(pixels(picture), axis=0)), 50)
+
+    def test_echo_tops_by_hand(self):
+        specification = importlib.util.spec_from_file_location("echo_tops", example("echo_tops"))
+        module = importlib.util.module_from_spec(specification)
+        specification.loader.exec_module(module)
+        values = numpy.full((4, 1, 3), -33.0, numpy.float32)
+        values[0, 0, 0] = 18.0  # the threshold counts, and the lowest level
+        values[1, 0, 1] = values[2, 0, 1] = 30.0
+        values[3, 0, 1] = 17.9
+        volume = vtkImageData()
+        volume.SetDimensions(3, 1, 4)
+        volume.SetOrigin(0.0, 0.0, 500.0)
+        volume.SetSpacing(1000.0, 1000.0, 1000.0)
+        scalars = numpy_to_vtk(values.ravel(), deep=True)
+        scalars.SetName("REF")
+        volume.GetPointData().SetScalars(scalars)
+        numpy.testing.assert_array_equal(module.echo_tops(volume, 18.0), [[500.0, 2500.0, numpy.nan]])
+
+    def test_slices_in_vtk(self):
+        picture = picture_path("slices")
+        run("slices_in_vtk", picture)
+        self.assertGreater(len(numpy.unique(pixels(picture), axis=0)), 50)
+
+
+if __name__ == "__main__":
+    unittest.main()
