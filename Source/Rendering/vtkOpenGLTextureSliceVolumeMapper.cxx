@@ -169,6 +169,27 @@ void SetBlending(vtkOpenGLState* state, int blendMode)
   }
 }
 
+/// Whether a volume of these dimensions has a thickness along each axis and fits a texture.
+bool CanHold(vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData)
+{
+  const int limit = vtkTextureObject::GetMaximumTextureSize3D(window); // -1: no context yet
+  const int* points = image->GetDimensions();
+  const auto [least, most] = std::minmax_element(points, points + 3);
+  return *least > 1 && (limit <= 0 || *most - (cellData ? 1 : 0) <= limit);
+}
+
+/// The ranges of the scalars alone, as far as a request needs to know them.
+std::vector<vtkTextureSliceComponent> FindRanges(vtkDataArray* scalars)
+{
+  std::vector<vtkTextureSliceComponent> components(
+    static_cast<std::size_t>(scalars->GetNumberOfComponents()));
+  for (std::size_t i = 0; i < components.size(); ++i)
+  {
+    scalars->GetFiniteRange(components[i].Range.data(), static_cast<int>(i));
+  }
+  return components;
+}
+
 } // namespace
 
 bool vtkOpenGLTextureSliceVolumeMapper::Internals::UpdateTables(
@@ -285,12 +306,16 @@ int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
 }
 
 vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
-  vtkVolumeProperty* property, int components)
+  vtkVolumeProperty* property, vtkDataArray* scalars)
 {
   vtkTextureSliceRequest request;
   request.Property = property;
   request.BlendMode = this->BlendMode;
-  request.Components = components;
+  if (scalars != nullptr)
+  {
+    request.Components = scalars->GetNumberOfComponents();
+    request.ScalarType = scalars->GetDataType();
+  }
   request.AverageRange = {this->AverageIPScalarRange[0], this->AverageIPScalarRange[1]};
   request.NativeColor = this->ColorRangeType == NATIVE;
   request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
@@ -314,22 +339,23 @@ const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
 int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
   vtkRenderWindow* window, vtkVolumeProperty* property)
 {
-  // Without an input there is nothing to say about it.
+  auto* openGLWindow = vtkOpenGLRenderWindow::SafeDownCast(window);
   vtkDataSet* input = this->GetInput(0);
-  vtkDataArray* scalars = this->FindScalars();
-  const int components = scalars != nullptr ? scalars->GetNumberOfComponents() : 1;
-  return (input == nullptr || vtkImageData::SafeDownCast(input) != nullptr) &&
-         vtkOpenGLRenderWindow::SafeDownCast(window) != nullptr &&
-         this->FindUnsupported(this->MakeRequest(property, components)) == nullptr;
-}
-
-vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindScalars()
-{
-  vtkDataSet* input = this->GetInput(0);
+  if (openGLWindow == nullptr || input == nullptr)
+  {
+    // Without an input there is nothing to say about it.
+    return openGLWindow != nullptr &&
+           this->FindUnsupported(this->MakeRequest(property, nullptr)) == nullptr;
+  }
+  auto* image = vtkImageData::SafeDownCast(input);
   int cellFlag = 0;
-  return input == nullptr ? nullptr
-                          : this->GetScalars(input, this->ScalarMode, this->ArrayAccessMode,
-                              this->ArrayId, this->ArrayName, cellFlag);
+  vtkDataArray* scalars = this->GetScalars(
+    input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
+  const vtkTextureSliceRequest request = this->MakeRequest(property, scalars);
+  return image != nullptr && CanHold(openGLWindow, image, cellFlag == 1) &&
+         this->FindUnsupported(request) == nullptr &&
+         (scalars == nullptr || property == nullptr ||
+           request.FindUnsupportedRange(FindRanges(scalars)) == nullptr);
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
@@ -371,8 +397,7 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkV
   }
   vtkDataArray* scalars = this->GetScalars(
     image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, this->CellFlag);
-  const vtkTextureSliceRequest request =
-    this->MakeRequest(volume->GetProperty(), scalars->GetNumberOfComponents());
+  const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
   if (const char* unsupported = this->FindUnsupported(request))
   {
     vtkErrorMacro(<< unsupported);

@@ -32,10 +32,11 @@
  *
  * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
  * for two-dimensional functions, a label map with several components or two-dimensional functions,
- * three dependent components, maximum or minimum of dependent components, isosurfaces of several
- * components. Refused with an error when it is met: averages of several components over part of the
- * range, four components with hidden points, volumes larger than the largest 3-D texture, depth
- * peeling of volumes, and a 2-D image, which has no thickness. Jittering, UseDepthPass,
+ * one or three dependent components, four that are not unsigned char, maximum or minimum of
+ * dependent components, isosurfaces of several components, averages of several components over part
+ * of the range, volumes larger than the largest 3-D texture, and a 2-D image, which has no
+ * thickness. Refused with an error when it is met: four components with hidden points, and depth
+ * peeling of volumes. Jittering, UseDepthPass,
  * RenderToImage, further inputs, user shaders and UseClippedVoxelIntensity are ignored. A hardware
  * selection finds the volume, not its voxels.
  */
@@ -77,8 +78,9 @@ public:
   int GetNumberOfDrawnSlices() const;
 
   /**
-   * Whether this mapper can draw into that window with that property (which may be nullptr) and the
-   * mapper's present blend mode.
+   * Whether this mapper can draw its present input into that window with that property (which may
+   * be nullptr) and its present settings. The largest texture is known once the window's context is
+   * current.
    */
   int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property) override;
 
@@ -118,8 +120,7 @@ private:
   class Internals;
   std::unique_ptr<Internals> Parts;
 
-  vtkDataArray* FindScalars();
-  vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, int components);
+  vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, vtkDataArray* scalars);
   const char* FindUnsupported(const vtkTextureSliceRequest& request);
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);

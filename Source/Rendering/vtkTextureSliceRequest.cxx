@@ -66,11 +66,15 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
     return "a label map is supported for one component with one-dimensional transfer functions "
            "alone: call SetMaskInput with nullptr";
   }
-  const bool dependent = this->Components > 1 && !this->IsIndependent();
-  if (dependent && this->Components == 3)
+  const bool dependent = !this->IsIndependent();
+  if (dependent && this->Components != 2 && this->Components != 4)
   {
-    return "three dependent components are not supported, only 2 (value, opacity) and 4 (RGBA): "
-           "call IndependentComponentsOn";
+    return "one or three dependent components are not supported, only 2 (value, opacity) and 4 "
+           "(RGBA): call IndependentComponentsOn";
+  }
+  if (dependent && this->Components == 4 && this->ScalarType != VTK_UNSIGNED_CHAR)
+  {
+    return "four dependent components must be unsigned char: call IndependentComponentsOn";
   }
   if (dependent && IsExtreme(this->BlendMode))
   {
@@ -212,22 +216,31 @@ std::vector<vtkTextureSliceRow> vtkTextureSliceRequest::MakeRows(
 std::vector<vtkTextureSliceRow> vtkTextureSliceRequest::MakeLabelRows(
   const std::vector<vtkTextureSliceComponent>& components) const
 {
+  // What a label has no function for is as it is without a label.
   const vtkTextureSliceComponent& scalars = components.front();
   const int labels = this->CountLabels();
   std::vector<vtkTextureSliceRow> rows;
   for (int label = 1; label <= labels; ++label)
   {
-    vtkTextureSliceRow row;
-    row.Color = this->Property->GetLabelColor(label);
-    row.ColorDomain.Range = scalars.Range;
-    row.Opacity = this->Property->GetLabelScalarOpacity(label);
-    row.OpacityDomain.Range = scalars.Range;
+    vtkTextureSliceRow row = this->MakeRow(0, scalars, scalars);
+    if (vtkColorTransferFunction* color = this->Property->GetLabelColor(label))
+    {
+      row.Gray = nullptr;
+      row.Color = color;
+      row.ColorDomain = {scalars.Range, false};
+    }
+    if (vtkPiecewiseFunction* opacity = this->Property->GetLabelScalarOpacity(label))
+    {
+      row.Opacity = opacity;
+      row.OpacityDomain = {scalars.Range, false};
+    }
     rows.push_back(row);
   }
   for (int label = 1; label <= labels && this->HasGradientOpacity(); ++label)
   {
+    vtkPiecewiseFunction* own = this->Property->GetLabelGradientOpacity(label);
     vtkTextureSliceRow row;
-    row.Opacity = this->Property->GetLabelGradientOpacity(label);
+    row.Opacity = own != nullptr ? own : this->Property->GetGradientOpacity(0);
     row.OpacityDomain.Range = {0.0, GradientRange * Width(scalars)};
     rows.push_back(row);
   }

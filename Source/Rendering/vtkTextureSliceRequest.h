@@ -8,6 +8,8 @@
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTexture.h"
 
+#include "vtkType.h"
+
 #include <array>
 #include <vector>
 
@@ -19,6 +21,7 @@ struct vtkTextureSliceRequest
   vtkVolumeProperty* Property = nullptr;
   int BlendMode = 0; ///< vtkVolumeMapper::BlendModes
   int Components = 1;
+  int ScalarType = VTK_FLOAT;
   /// The scalars that an average counts.
   std::array<double, 2> AverageRange{0.0, 1.0};
   /// Whether the functions' own ranges clamp the scalar (vtkGPUVolumeRayCastMapper::NATIVE).
