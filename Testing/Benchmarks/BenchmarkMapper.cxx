@@ -106,7 +106,7 @@ public:
   Contest(vtkImageData* image, int scalarType)
     : Image(image)
   {
-    this->Stage = std::make_unique<Scene>(796, 532);
+    this->Stage = std::make_unique<Scene>(796, 532, 0, false);
     this->Slicer->SetNumberOfSlices(Slices);
     this->Rays->AutoAdjustSampleDistancesOff();
     this->FixedPoint->AutoAdjustSampleDistancesOff();

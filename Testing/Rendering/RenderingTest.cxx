@@ -33,16 +33,21 @@ namespace fs = std::filesystem;
 namespace nexrad::testing
 {
 
-Scene::Scene(int width, int height, int multiSamples)
+Scene::Scene(int width, int height, int multiSamples, bool debugOutput)
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(multiSamples);
   this->Window->SetSize(width, height);
   this->Window->AddRenderer(this->Renderer);
   this->Renderer->AddVolume(this->Volume);
+  this->Watched = debugOutput && this->Messages.Watch(this->Window);
 }
 
-Scene::~Scene() = default;
+Scene::~Scene()
+{
+  this->Window->Finalize(); // releases what the volume holds there
+  EXPECT_EQ(this->Messages.Take(), "") << "while the window was closed";
+}
 
 vtkVolumeProperty* Scene::GetProperty()
 {
@@ -58,6 +63,7 @@ Picture Scene::Draw(vtkVolumeMapper* mapper)
   this->Volume->SetVisibility(mapper != nullptr);
   this->Window->Render();
   EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR)) << "after drawing a frame";
+  EXPECT_EQ(this->Messages.Take(), "") << "while a frame was drawn";
 
   const int* size = this->Window->GetSize();
   auto picture = Picture::New();
@@ -134,13 +140,21 @@ Picture DifferencePicture(const Picture& a, const Picture& b)
   return result;
 }
 
+Picture MovedPicture(const Picture& picture)
+{
+  auto moved = Picture::New();
+  moved->DeepCopy(picture);
+  auto* pixels = static_cast<unsigned char*>(moved->GetScalarPointer());
+  std::rotate(pixels, pixels + 3, pixels + 3 * moved->GetNumberOfPoints());
+  return moved;
+}
+
 double BaselineError(const Picture& picture, const std::string& name)
 {
-  const std::string written = WritePicture(picture, name);
   const fs::path baseline = fs::path(NEXRAD_BASELINE_DIR) / "Rendering" / (name + ".png");
   if (!fs::exists(baseline))
   {
-    std::cerr << "no baseline " << baseline << "; the picture is " << written << '\n';
+    std::cerr << "no baseline " << baseline << '\n';
     return std::numeric_limits<double>::infinity();
   }
   vtkNew<vtkPNGReader> reader;
@@ -154,6 +168,16 @@ double BaselineError(const Picture& picture, const std::string& name)
   difference->SetThreshold(2);
   difference->Update();
   return difference->GetThresholdedError();
+}
+
+void ExpectBaseline(const Picture& picture, const std::string& name)
+{
+  const std::string path = WritePicture(picture, name);
+  const double error = BaselineError(picture, name);
+  const double moved = BaselineError(MovedPicture(picture), name);
+  std::cout << name << ": error " << error << ", moved by a pixel " << moved << '\n';
+  EXPECT_LE(error, BaselineTolerance) << "the picture is " << path;
+  EXPECT_GT(moved, BaselineTolerance) << "a wrong picture passes";
 }
 
 /// Keeps VTK's messages in place of printing them.

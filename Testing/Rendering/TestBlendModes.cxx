@@ -81,7 +81,7 @@ TEST_F(BlendModes, Minimum)
 {
   this->Use(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND);
   this->UseRamp(0.3, 1.0);
-  this->ExpectSamePicture("storm-minimum");
+  this->ExpectSamePictureAndBaseline("storm-minimum", "Minimum");
 }
 
 // Grey: the mean over each ray, brightest through the towers.
@@ -89,7 +89,7 @@ TEST_F(BlendModes, Average)
 {
   this->Use(vtkVolumeMapper::AVERAGE_INTENSITY_BLEND);
   this->UseRamp(0.2, 1.0);
-  this->ExpectSamePicture("storm-average");
+  this->ExpectSamePictureAndBaseline("storm-average", "Average");
 }
 
 // Grey: the mean of the echo alone, so the towers are no brighter than their shares of the ray;

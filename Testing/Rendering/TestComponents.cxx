@@ -98,7 +98,7 @@ protected:
 TEST_F(Components, TwoIndependent)
 {
   this->UseIndependent(2);
-  this->ExpectSamePicture("components-2", Bar);
+  this->ExpectSamePictureAndBaseline("components-2", "TwoComponents", Bar);
 }
 
 // The haze counts half, and each component's opacity has its own unit distance.
@@ -121,7 +121,7 @@ TEST_F(Components, ThreeIndependent)
 TEST_F(Components, FourIndependent)
 {
   this->UseIndependent(4);
-  this->ExpectSamePicture("components-4", Bar);
+  this->ExpectSamePictureAndBaseline("components-4", "FourComponents", Bar);
 }
 
 // Each component is lit by its own gradient and material.
@@ -142,14 +142,14 @@ TEST_F(Components, TwoDependent)
   this->UseComponents(2, VTK_FLOAT);
   this->SetFunctions(0, 1.0, 0.2, 0.1, 0.0, 200.0, 0.05);
   this->Stage->GetProperty()->IndependentComponentsOff();
-  this->ExpectSamePicture("components-value-opacity", Bar);
+  this->ExpectSamePictureAndBaseline("components-value-opacity", "ValueAndOpacity", Bar);
 }
 
 // Red, green and blue themselves, the fourth component being the opacity.
 TEST_F(Components, FourDependent)
 {
   this->UseColours();
-  this->ExpectSamePicture("components-rgba", Bar);
+  this->ExpectSamePictureAndBaseline("components-rgba", "RGBA", Bar);
 }
 
 // The same fading storm, lit, where it is flat clear: the gradient is that of the value.

@@ -59,7 +59,7 @@ TEST_F(GeometryBeside, OpaqueSpheres)
 {
   this->AddSphere(-12.0, -12.0, 8.0, 8.0, 1.0);
   this->AddSphere(15.0, 30.0, 8.0, 10.0, 1.0);
-  this->ExpectSamePicture("spheres-opaque", Bar);
+  this->ExpectSamePictureAndBaseline("spheres-opaque", "OpaqueSpheres", Bar);
 }
 
 // Glass balls in front of the storm and in it: the volume is drawn over both.
@@ -67,7 +67,7 @@ TEST_F(GeometryBeside, TranslucentSpheres)
 {
   this->AddSphere(-12.0, -12.0, 8.0, 8.0, 0.4);
   this->AddSphere(10.0, -30.0, 12.0, 8.0, 0.4);
-  this->ExpectSamePicture("spheres-translucent");
+  this->ExpectSamePictureAndBaseline("spheres-translucent", "TranslucentSpheres");
 }
 
 // The same with the balls peeled, and the volume left out of the peeling, as is VTK's default.
@@ -105,7 +105,7 @@ TEST_F(GeometryBeside, TwoViewports)
   camera->SetPosition(0.0, 0.0, 150.0);
   camera->SetViewUp(0.0, 1.0, 0.0);
   right->ResetCameraClippingRange(-80, 80, -80, 80, -80, 80);
-  this->ExpectSamePicture("two-viewports");
+  this->ExpectSamePictureAndBaseline("two-viewports", "TwoViewports");
 }
 
 // A second storm beside the first, each with a mapper of its own.
@@ -144,7 +144,7 @@ TEST_F(GeometryBeside, HardwareSelection)
   vtkActor* sphere = this->Stage->GetRenderer()->GetActors()->GetLastActor();
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(this->Stage->GetRenderer());
-  selector->SetArea(0, 0, 255, 255);
+  selector->SetArea(0, 0, PictureSize - 1, PictureSize - 1);
   ASSERT_TRUE(selector->CaptureBuffers());
   const auto propAt = [&](double x, double y, double z)
   {

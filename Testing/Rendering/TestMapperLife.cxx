@@ -17,6 +17,12 @@
 #include "vtkRenderer.h"
 #include "vtkVolumeProperty.h"
 
+#if __has_include("vtk_glad.h")
+#include "vtk_glad.h"
+#else
+#include "vtk_glew.h"
+#endif
+
 #include <cmath>
 #include <memory>
 
@@ -52,6 +58,20 @@ protected:
 constexpr double Expected = 255.0 * (1.0 - 0.3596345); // 0.88 to the power of 8
 
 } // namespace
+
+// The detector itself: an error that is made on purpose must be reported, or its silence elsewhere
+// says nothing.
+TEST_F(MapperLife, OpenGLReportsErrors)
+{
+  auto scene = this->MakeScene();
+  ASSERT_TRUE(scene->HasDebugOutput()) << "OpenGL 4.3 is needed for the debug output";
+  scene->GetWindow()->MakeCurrent();
+  EXPECT_EQ(scene->GetMessages().Take(), "");
+  glEnable(GL_TEXTURE_MAX_LEVEL); // no capability
+  const std::string message = scene->GetMessages().Take();
+  EXPECT_NE(message.find("glEnable"), std::string::npos) << message;
+  EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_INVALID_ENUM));
+}
 
 TEST_F(MapperLife, OneMapperInTwoWindows)
 {

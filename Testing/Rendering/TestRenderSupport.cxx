@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// IsRenderSupported tells the truth: what it promises is drawn without a message, what it denies is
+// refused with one error and leaves the picture alone.
+#include "RenderingTest.h"
+
+#include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
+#include "vtkDataArray.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPointData.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <iostream>
+#include <memory>
+#include <string>
+
+namespace
+{
+
+using namespace nexrad::testing;
+
+/// What is asked for beside the blend mode and the components.
+enum Feature
+{
+  Nothing,
+  Light,
+  GradientOpacity,
+  Functions2D,
+  BinaryMask,
+  Labels,
+  SecondArray,
+  PartOfTheRange, ///< for an average
+  FeatureCount
+};
+
+struct Combination
+{
+  int BlendMode = 0;
+  int ScalarType = VTK_UNSIGNED_CHAR;
+  int Components = 1;
+  bool Independent = true;
+  Feature Asked = Nothing;
+
+  std::string Name() const
+  {
+    return "blend mode " + std::to_string(this->BlendMode) + ", " +
+           std::to_string(this->Components) +
+           (this->Independent ? " independent " : " dependent ") +
+           vtkImageScalarTypeNameMacro(this->ScalarType) + ", feature " +
+           std::to_string(this->Asked);
+  }
+};
+
+class RenderSupport : public RenderingTest
+{
+protected:
+  void SetUp() override
+  {
+    RenderingTest::SetUp();
+    if (!IsSkipped() && !HasFatalFailure())
+    {
+      this->Stage = std::make_unique<Scene>(16, 16);
+      vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+      camera->ParallelProjectionOn();
+      camera->SetFocalPoint(1.5, 1.5, 1.5);
+      camera->SetPosition(1.5, 1.5, 9.0);
+      camera->SetParallelScale(2.0);
+      camera->SetClippingRange(1.0, 20.0);
+      this->Background = this->Stage->Draw(nullptr);
+    }
+  }
+  void TearDown() override
+  {
+    this->Stage.reset();
+    RenderingTest::TearDown();
+  }
+
+  /// 4 x 4 x 4 points, scalars from 10 to 200 in every component.
+  static vtkSmartPointer<vtkImageData> MakeImage(int scalarType, int components)
+  {
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetDimensions(4, 4, 4);
+    image->AllocateScalars(scalarType, components);
+    vtkDataArray* scalars = image->GetPointData()->GetScalars();
+    for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        scalars->SetComponent(id, c, 10.0 + 190.0 * double(id) / 63.0);
+      }
+    }
+    return image;
+  }
+
+  /// White and half opaque, whatever the scalar.
+  static vtkSmartPointer<vtkVolumeProperty> MakeProperty(const Combination& combination)
+  {
+    auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+    property->SetIndependentComponents(combination.Independent);
+    property->SetInterpolationTypeToLinear();
+    for (int c = 0; c < 4; ++c)
+    {
+      vtkNew<vtkColorTransferFunction> color;
+      color->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+      vtkNew<vtkPiecewiseFunction> opacity;
+      opacity->AddPoint(0.0, 0.5);
+      property->SetColor(c, color);
+      property->SetScalarOpacity(c, opacity);
+      property->SetShade(c, combination.Asked == Light);
+      if (combination.Asked == GradientOpacity)
+      {
+        property->SetGradientOpacity(c, opacity);
+      }
+    }
+    property->GetIsoSurfaceValues()->SetValue(0, 100.0);
+    return property;
+  }
+
+  static void Add2D(vtkVolumeProperty* property)
+  {
+    vtkNew<vtkImageData> table;
+    table->SetDimensions(8, 8, 1);
+    table->AllocateScalars(VTK_FLOAT, 4);
+    table->GetPointData()->GetScalars()->Fill(0.5);
+    for (int c = 0; c < 4; ++c)
+    {
+      property->SetTransferFunction2D(c, table);
+    }
+    property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  }
+
+  static void AddMask(vtkGPUVolumeRayCastMapper* mapper, vtkVolumeProperty* property, bool labels)
+  {
+    vtkSmartPointer<vtkImageData> mask = MakeImage(VTK_UNSIGNED_CHAR, 1);
+    mask->GetPointData()->GetScalars()->Fill(labels ? 1.0 : 255.0);
+    mapper->SetMaskInput(mask);
+    labels ? mapper->SetMaskTypeToLabelMap() : mapper->SetMaskTypeToBinary();
+    property->SetLabelColor(1, property->GetRGBTransferFunction());
+    property->SetLabelScalarOpacity(1, property->GetScalarOpacity());
+  }
+
+  static void Ask(
+    Feature feature, vtkOpenGLTextureSliceVolumeMapper* mapper, vtkVolumeProperty* property)
+  {
+    switch (feature)
+    {
+    case Functions2D:
+      Add2D(property);
+      break;
+    case BinaryMask:
+    case Labels:
+      AddMask(mapper, property, feature == Labels);
+      break;
+    case SecondArray:
+      Add2D(property);
+      mapper->SetTransfer2DYAxisArray("another");
+      break;
+    case PartOfTheRange:
+      mapper->SetAverageIPScalarRange(50.0, 150.0);
+      break;
+    default:
+      break;
+    }
+  }
+
+  /// @return whether it is supported
+  bool ExpectTruth(const Combination& combination)
+  {
+    vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+    mapper->SetNumberOfSlices(8);
+    mapper->SetInputData(MakeImage(combination.ScalarType, combination.Components));
+    mapper->SetBlendMode(combination.BlendMode);
+    const auto property = MakeProperty(combination);
+    Ask(combination.Asked, mapper, property);
+    this->Stage->GetVolume()->SetProperty(property);
+    const bool promised = mapper->IsRenderSupported(this->Stage->GetWindow(), property) != 0;
+    this->ExpectPicture(promised, mapper, combination.Name());
+    return promised;
+  }
+
+  void ExpectPicture(bool promised, vtkVolumeMapper* mapper, const std::string& name)
+  {
+    const Picture picture = this->Stage->Draw(mapper);
+    const std::string messages = this->TakeMessages();
+    const int changed = Compare(picture, this->Background, this->Background).Pixels;
+    if (promised)
+    {
+      EXPECT_EQ(messages, "") << name << " is promised";
+      EXPECT_GT(changed, 50) << name << " is promised";
+    }
+    else
+    {
+      const std::size_t first = messages.find("ERROR:");
+      EXPECT_NE(first, std::string::npos) << name << " is denied";
+      EXPECT_EQ(messages.find("ERROR:", first + 1), std::string::npos) << name << messages;
+      EXPECT_EQ(changed, 0) << name << " is denied";
+    }
+  }
+
+  std::unique_ptr<Scene> Stage;
+  Picture Background;
+};
+
+} // namespace
+
+TEST_F(RenderSupport, IsWhatDrawingDoes)
+{
+  int promised = 0;
+  int denied = 0;
+  for (int mode = vtkVolumeMapper::COMPOSITE_BLEND; mode <= vtkVolumeMapper::SLICE_BLEND; ++mode)
+  {
+    for (int components = 1; components <= 5; ++components)
+    {
+      for (const bool independent : {true, false})
+      {
+        for (int feature = Nothing; feature < FeatureCount; ++feature)
+        {
+          const bool yes = this->ExpectTruth(
+            {mode, VTK_UNSIGNED_CHAR, components, independent, static_cast<Feature>(feature)});
+          yes ? ++promised : ++denied;
+        }
+        const bool yes = this->ExpectTruth({mode, VTK_FLOAT, components, independent, Nothing});
+        yes ? ++promised : ++denied;
+      }
+    }
+  }
+  std::cout << promised << " combinations promised and drawn, " << denied
+            << " denied and refused\n";
+  EXPECT_GT(promised, 150);
+  EXPECT_GT(denied, 100);
+}
+
+// An image of one layer, a volume larger than any texture.
+TEST_F(RenderSupport, KnowsTheDimensions)
+{
+  for (const auto& [x, z] : {std::pair(9, 1), std::pair(40000, 2)})
+  {
+    vtkNew<vtkImageData> image;
+    image->SetDimensions(x, 2, z);
+    image->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    image->GetPointData()->GetScalars()->Fill(1.0);
+    vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+    mapper->SetInputData(image);
+    const auto property = MakeProperty({});
+    this->Stage->GetVolume()->SetProperty(property);
+    EXPECT_FALSE(mapper->IsRenderSupported(this->Stage->GetWindow(), property));
+    this->ExpectPicture(false, mapper, std::to_string(x) + " x 2 x " + std::to_string(z));
+  }
+}
