@@ -5,6 +5,7 @@
 #include "BenchRuns.h"
 #include "Model/Error.h"
 #include "ProgressBar.h"
+#include "SceneUsage.h"
 #include "Temporal/TimeMerge.h"
 #include "UnitOptions.h"
 
@@ -77,11 +78,13 @@ void AddOptions(CLI::App& command, BenchOptions& options)
   AddDimensions(command, options.request);
   AddParsedOption(command, "--method", options.request.options.method, ParseMethod, "NAME",
     "How rays become voxels", options.request.options.method);
+  AddParsedOption(command, "--max-gap", options.request.options.maximumGap, ParseDuration,
+    "DURATION", "A site's volume farther than this from a time does not count", "15min");
   command
     .add_option("--only", options.only,
-      "These tables alone, as in grid,drawing (default: decode,grid,series,drawing)")
+      "These tables alone, as in grid,drawing (default: decode,grid,series,drawing); with --sheets "
+      "these sheets (default: resolution,slices,times,sweeps)")
     ->delimiter(',')
-    ->check(CLI::IsMember(std::vector<std::string>(std::begin(tableNames), std::end(tableNames))))
     ->allow_extra_args(false)
     ->type_name("NAMES");
   command.add_flag("--json", options.json, "Print JSON, units in the names (default: tables)");
@@ -93,17 +96,80 @@ void AddOptions(CLI::App& command, BenchOptions& options)
     ->type_name("A B");
 }
 
-// What the command line asks for, when it can be met.
-CommandAction ChooseWork(const std::shared_ptr<BenchOptions>& options)
+void AddSheets(CLI::App& command, scene::SheetRequest& request)
 {
-  if (!options->compare.empty())
+  constexpr char group[] = "Sheets of pictures in place of the tables";
+  command
+    .add_option("--sheets", request.folder,
+      "Draw the thesis's experiments into this folder: a sheet NAME.png and its numbers, NAME.json")
+    ->type_name("FOLDER")
+    ->group(group);
+  AddParsedOption(command, "--time", request.time, ParseTime, "TIME",
+    "What is drawn, in UTC (default: the middle of the files; the sheet of times has its own)")
+    ->group(group);
+  AddParsedOption(command, "--size", request.size, ParsePictureSize, "WxH",
+    "Width and height of each picture of a sheet in pixels", "796x532")
+    ->group(group);
+  AddCameraOptions(command, request.camera);
+}
+
+// Names of sheets where there are sheets, else of tables.
+template <std::size_t Count>
+void CheckNames(
+  const std::vector<std::string>& only, const char* const (&names)[Count], const std::string& what)
+{
+  std::string known;
+  for (const char* name : names)
   {
-    if (!options->inputs.empty())
-    {
-      throw CLI::ValidationError("--compare", "takes two files that --json wrote, and no INPUT");
-    }
-    return [options] { return RunBenchComparison(*options); };
+    known += (known.empty() ? "" : ", ") + std::string(name);
   }
+  for (const std::string& name : only)
+  {
+    if (std::find(std::begin(names), std::end(names), name) == std::end(names))
+    {
+      throw CLI::ValidationError("--only", "'" + name + "' is no " + what + "; there are " + known);
+    }
+  }
+}
+
+// Each of the options, if given, belongs to what is not asked for.
+void RefuseOptions(
+  const CLI::App& command, const std::vector<std::string>& names, const std::string& why)
+{
+  for (const std::string& name : names)
+  {
+    if (command.count(name) > 0)
+    {
+      throw CLI::ValidationError(name, why);
+    }
+  }
+}
+
+CommandAction ChooseComparison(const CLI::App& command, std::shared_ptr<const BenchOptions> options)
+{
+  RefuseOptions(command, {"input"}, "is not for --compare, which takes two files of --json");
+  RefuseOptions(command, {"--sheets"}, "draws; --compare measures and draws nothing");
+  return [options] { return RunBenchComparison(*options); };
+}
+
+CommandAction ChooseSheets(const CLI::App& command, std::shared_ptr<const BenchOptions> options)
+{
+  RefuseOptions(command, {"--hours", "--runs"}, "is of the tables; leave out --sheets");
+  CheckNames(options->only, scene::sheetNames, "sheet");
+  return [options] { return RunBenchSheets(*options); };
+}
+
+CommandAction ChooseTables(const CLI::App& command, std::shared_ptr<const BenchOptions> options)
+{
+  RefuseOptions(command, {"--time", "--size", "--azimuth", "--tilt", "--zoom", "--parallel"},
+    "is of --sheets FOLDER");
+  CheckNames(options->only, tableNames, "table");
+  return [options] { return RunBenchTables(*options); };
+}
+
+// What the command line asks for, when it can be met.
+CommandAction ChooseWork(const CLI::App& command, const std::shared_ptr<BenchOptions>& options)
+{
   if (options->request.dimensions.empty())
   {
     for (const ThesisFigures& figures : ThesisTables)
@@ -111,7 +177,9 @@ CommandAction ChooseWork(const std::shared_ptr<BenchOptions>& options)
       options->request.dimensions.push_back(figures.dimensions);
     }
   }
-  return [options] { return RunBenchTables(*options); };
+  return !options->compare.empty()         ? ChooseComparison(command, options)
+         : !options->sheets.folder.empty() ? ChooseSheets(command, options)
+                                           : ChooseTables(command, options);
 }
 
 } // namespace
@@ -123,7 +191,8 @@ void AddBenchCommand(CLI::App& program, CommandAction& action)
     "Measure decoding, merging and drawing on this machine, beside bare decompression, VTK's ray "
     "caster and the thesis's figures");
   AddOptions(*command, *options);
-  command->callback([options, &action] { action = ChooseWork(options); });
+  AddSheets(*command, options->sheets);
+  command->callback([command, options, &action] { action = ChooseWork(*command, options); });
 }
 
 } // namespace nexrad::application

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Bench/BenchRequest.h"
+#include "Experiments/SheetRequest.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -18,7 +19,8 @@ struct BenchOptions
   std::vector<std::filesystem::path> inputs; ///< empty: a series is simulated
   BenchRequest request;
   double hours = 0.5;                         ///< of the simulated series
-  std::vector<std::string> only;              ///< names among tableNames; empty: all
+  std::vector<std::string> only;              ///< names of tables, or of sheets; empty: all
+  scene::SheetRequest sheets;                 ///< of what the command line says of sheets alone
   std::vector<std::filesystem::path> compare; ///< two reports
   bool json = false;
   bool quiet = false;
@@ -29,6 +31,9 @@ constexpr const char* tableNames[] = {"decode", "grid", "series", "drawing"};
 
 /// Measures and prints the tables.
 int RunBenchTables(const BenchOptions& options);
+
+/// Draws sheets of pictures in place of the tables, and prints their numbers.
+int RunBenchSheets(const BenchOptions& options);
 
 /// Sets two reports side by side.
 int RunBenchComparison(const BenchOptions& options);

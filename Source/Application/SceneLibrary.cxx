@@ -40,4 +40,9 @@ DrawingReport MeasureDrawingWithLibrary(const DrawingRequest& request)
   return RunInLibrary<DrawingReport>(measureDrawingFunctionName, request);
 }
 
+scene::SheetReport DrawSheetsWithLibrary(const scene::SheetRequest& request)
+{
+  return RunInLibrary<scene::SheetReport>(scene::drawSheetsFunctionName, request);
+}
+
 } // namespace nexrad::application

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Bench/DrawingTimes.h"
+#include "Experiments/SheetRequest.h"
 #include "Scene/RenderRequest.h"
 #include "Scene/ViewRequest.h"
 
@@ -14,5 +15,6 @@ namespace nexrad::application
 scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
 scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request);
 DrawingReport MeasureDrawingWithLibrary(const DrawingRequest& request);
+scene::SheetReport DrawSheetsWithLibrary(const scene::SheetRequest& request);
 
 } // namespace nexrad::application

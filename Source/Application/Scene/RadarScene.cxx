@@ -105,6 +105,11 @@ vtkNexradTransferFunction* RadarScene::Look()
   return look;
 }
 
+void RadarScene::ShowVolume(bool shown)
+{
+  volume->SetVisibility(shown ? 1 : 0);
+}
+
 void RadarScene::LookChanged()
 {
   look->FillProperty(volume->GetProperty());

@@ -46,6 +46,9 @@ public:
   /// it cannot give.
   void SetVolume(vtkImageData* volume);
 
+  /// Hides the volume, and shows it again; the map and the letters stay.
+  void ShowVolume(bool shown);
+
   /// Colours and opacities; after a change of them LookChanged brings the scene up to date.
   vtkNexradTransferFunction* Look();
   void LookChanged();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasureDrawing.h"
 #include "RenderRequest.h"
+#include "SheetRequest.h"
 #include "ViewRequest.h"
 
 #include <exception>
@@ -41,4 +42,10 @@ extern "C" __attribute__((visibility("default"))) void nexrad3dMeasureDrawing(
   const nexrad::application::DrawingRequest* request, nexrad::application::DrawingReport* report)
 {
   Run(nexrad::scene::MeasureDrawing, request, report);
+}
+
+extern "C" __attribute__((visibility("default"))) void nexrad3dDrawSheets(
+  const nexrad::scene::SheetRequest* request, nexrad::scene::SheetReport* report)
+{
+  Run(nexrad::scene::DrawSheets, request, report);
 }

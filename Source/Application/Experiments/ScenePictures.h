@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "CameraView.h"
+#include "PictureWindow.h"
+#include "RadarScene.h"
+
+#include <array>
+
+namespace nexrad::scene
+{
+
+/// Pictures of merged volumes with their map and captions, and of the same without the volume.
+class ScenePictures
+{
+public:
+  /// Throws Error when there is no display.
+  ScenePictures(const CameraView& view, const std::array<int, 2>& size);
+
+  RadarScene& Scene() { return scene; }
+
+  vtkSmartPointer<vtkImageData> Draw() { return window.Draw(); }
+  vtkSmartPointer<vtkImageData> DrawWithoutVolume();
+
+private:
+  RadarScene scene;
+  PictureWindow window;
+};
+
+} // namespace nexrad::scene
