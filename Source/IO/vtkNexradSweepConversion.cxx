@@ -98,7 +98,9 @@ void AddMoment(const nexrad::Sweep& sweep, const vtkNexradGateGrid& gates,
   states->SetName((std::string(nexrad::ToString(moment)) + "_state").c_str());
   states->SetNumberOfTuples(grid->GetNumberOfPoints());
   states->FillValue(static_cast<unsigned char>(nexrad::GateState::NotSampled));
-  const vtkIdType rows = grid->GetDimensions()[1];
+  int dimensions[3];
+  grid->GetDimensions(dimensions);
+  const vtkIdType rows = dimensions[1];
   for (vtkIdType line = 0; line < rows; ++line)
   {
     const nexrad::MomentRow& row = RayOfRow(sweep, line).Row(moment);

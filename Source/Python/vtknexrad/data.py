@@ -90,7 +90,9 @@ def array(data_set, name="REF"):
         data = data_set.GetPointData()
         there = [data.GetArrayName(index) for index in range(data.GetNumberOfArrays())]
         raise KeyError(f"no array {name!r}; there are {', '.join(there) or 'none'}")
-    shape = data_set.GetDimensions()[::-1]
+    dimensions = [0, 0, 0]
+    data_set.GetDimensions(dimensions)
+    shape = tuple(reversed(dimensions))
     if shape[0] == 1:
         shape = shape[1:]
     return vtk_to_numpy(values).reshape(shape)
