@@ -333,6 +333,10 @@ const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
     return "a second array for two-dimensional transfer functions is not supported: call "
            "SetTransfer2DYAxisArray with nullptr";
   }
+  if (this->GetInputCount() > 1)
+  {
+    return "several volumes in one mapper are not supported: give each a mapper of its own";
+  }
   return request.FindUnsupported();
 }
 

@@ -31,14 +31,13 @@
  * vtkTextureSliceObjectFactory puts this class wherever VTK makes a vtkGPUVolumeRayCastMapper.
  *
  * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
- * for two-dimensional functions, a label map with several components or two-dimensional functions,
- * one or three dependent components, four that are not unsigned char, maximum or minimum of
- * dependent components, isosurfaces of several components, averages of several components over part
- * of the range, volumes larger than the largest 3-D texture, and a 2-D image, which has no
- * thickness. Refused with an error when it is met: four components with hidden points, and depth
- * peeling of volumes. Jittering, UseDepthPass,
- * RenderToImage, further inputs, user shaders and UseClippedVoxelIntensity are ignored. A hardware
- * selection finds the volume, not its voxels.
+ * for two-dimensional functions, several volumes in one mapper, a label map with several components
+ * or two-dimensional functions, one or three dependent components, four that are not unsigned char,
+ * maximum or minimum of dependent components, isosurfaces of several components, averages of
+ * several components over part of the range, volumes larger than the largest 3-D texture, and a 2-D
+ * image, which has no thickness. Refused with an error when it is met: four components with hidden
+ * points, and depth peeling of volumes. Jittering, UseDepthPass, RenderToImage, user shaders and
+ * UseClippedVoxelIntensity are ignored. A hardware selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h

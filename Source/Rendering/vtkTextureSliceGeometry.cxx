@@ -178,7 +178,8 @@ vtkTextureSliceDensity MakeDensity(const vtkTextureSliceView& view, double dataS
   {
     return {};
   }
-  return {view.Dense, static_cast<int>(std::max(1.0, std::ceil(steps)))};
+  // The first sample on a ray may stand for half a step.
+  return {view.Dense, static_cast<int>(std::max(1.0, std::ceil(steps + 0.5)))};
 }
 
 /// From box coordinates to pixels of the viewport, and back in the plane of a slice.

@@ -95,24 +95,32 @@ void SetLight(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms
   uniforms.Lights->SetUniforms(program, *uniforms.Frame);
 }
 
-void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
+/// The box, and the part of it that is drawn, as texture coordinates.
+void SetBox(vtkShaderProgram* program, const vtkTextureSliceFrame& frame)
 {
   // The outermost samples may lie a rounding error beyond the box.
   constexpr float margin = 1e-5f;
-  const vtkTextureSliceFrame& frame = *uniforms.Frame;
+  const auto& scale = frame.GetTextureScale();
+  const auto& bias = frame.GetTextureBias();
+  const auto& part = frame.GetView().Part;
   std::array<float, 3> low{};
   std::array<float, 3> high{};
+  std::array<float, 3> partLow{};
+  std::array<float, 3> partHigh{};
   std::array<float, 3> stepToTexture{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    low[axis] = frame.GetTextureBias()[axis] - margin;
-    high[axis] = frame.GetTextureBias()[axis] + frame.GetTextureScale()[axis] + margin;
-    stepToTexture[axis] = frame.GetTextureScale()[axis] / std::abs(frame.GetEdges()[axis]);
+    low[axis] = bias[axis] - margin;
+    high[axis] = bias[axis] + scale[axis] + margin;
+    partLow[axis] = bias[axis] + scale[axis] * static_cast<float>(part[2 * axis]);
+    partHigh[axis] = bias[axis] + scale[axis] * static_cast<float>(part[2 * axis + 1]);
+    stepToTexture[axis] = scale[axis] / std::abs(frame.GetEdges()[axis]);
   }
   program->SetUniform3f("boxLow", low.data());
   program->SetUniform3f("boxHigh", high.data());
+  program->SetUniform3f("partLow", partLow.data());
+  program->SetUniform3f("partHigh", partHigh.data());
   program->SetUniform3f("stepToTexture", stepToTexture.data());
-  SetArray(program, "isoValues", uniforms.IsoValues);
 }
 
 } // namespace
@@ -230,8 +238,9 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   }
   if (uniforms.Features.IsoValues > 0)
   {
-    SetSurfaces(program, uniforms);
+    SetArray(program, "isoValues", uniforms.IsoValues);
   }
+  SetBox(program, *uniforms.Frame);
   this->DrawGroups(window, geometry.GetFirstVertices(), group, afterGroup);
   this->VertexArray->Release();
   this->Vertices->Release();

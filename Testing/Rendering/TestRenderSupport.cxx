@@ -237,6 +237,18 @@ TEST_F(RenderSupport, IsWhatDrawingDoes)
   EXPECT_GT(denied, 100);
 }
 
+// Two volumes in one mapper.
+TEST_F(RenderSupport, KnowsTheInputs)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputDataObject(0, MakeImage(VTK_FLOAT, 1));
+  mapper->SetInputDataObject(1, MakeImage(VTK_FLOAT, 1));
+  const auto property = MakeProperty({});
+  this->Stage->GetVolume()->SetProperty(property);
+  EXPECT_FALSE(mapper->IsRenderSupported(this->Stage->GetWindow(), property));
+  this->ExpectPicture(false, mapper, "two inputs");
+}
+
 // An image of one layer, a volume larger than any texture.
 TEST_F(RenderSupport, KnowsTheDimensions)
 {

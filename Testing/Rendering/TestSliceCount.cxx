@@ -82,7 +82,7 @@ TEST_F(SliceCount, UniformCubeKeepsItsOpacity)
   camera->SetPosition(14.0, -11.0, 15.0);
   camera->SetViewUp(0.0, 0.0, 1.0);
   renderer->ResetCameraClippingRange(0.0, 8.0, 0.0, 8.0, 0.0, 8.0);
-  for (const double opacity : {0.02})
+  for (const double opacity : {0.02, 0.12, 0.5})
   {
     SetUniformFunctions(this->Stage->GetProperty(), opacity);
     for (const int slices : {64, 128, 512, 1024})

@@ -15,11 +15,37 @@ vec4 LookUp(float scalar, int row)
     vec2(scalar * tableScale + tableBias, (float(row) + 0.5) / float(TEXTURE_SLICE_ROWS)));
 }
 
+// From sampleStep to texture coordinates.
+uniform vec3 stepToTexture;
+
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
+// Where the part of the box that is drawn begins and ends.
+uniform vec3 partLow;
+uniform vec3 partHigh;
+
+// Slice distances that this sample stands for: half of one on either side. The first and the last
+// sample on a ray stand for all up to the face of the box, so that each ray has its exact length.
+float CountSteps()
+{
+  vec3 perStep = 1.0 / (sampleStep * stepToTexture + 1e-12); // not 0 along a face
+  vec3 toLow = (partLow - textureCoordinate) * perStep;
+  vec3 toHigh = (partHigh - textureCoordinate) * perStep;
+  vec3 entry = -min(toLow, toHigh);
+  vec3 exit = max(toLow, toHigh);
+  float before = min(min(entry.x, entry.y), entry.z);
+  float after = min(min(exit.x, exit.y), exit.z);
+  return (before < 1.0 ? before : 0.5) + (after < 1.0 ? after : 0.5);
+}
+#endif
+
 // Formulas R1: the opacity of a step is that of a unit distance to the power of their ratio.
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
 float StepOpacity(float opacity, int component)
 {
-  return 1.0 - pow(1.0 - opacity, length(sampleStep) * inverseUnitDistance[component]);
+  return 1.0 -
+    pow(1.0 - opacity, CountSteps() * length(sampleStep) * inverseUnitDistance[component]);
 }
+#endif
 
 #ifdef TEXTURE_SLICE_LABELS
 // Rows of colour and opacity, one for each label from 1 on; then, with gradient opacity, as many rows
@@ -179,7 +205,7 @@ bool Gather(vec4 scalars, out vec4 gathered)
 bool Gather(vec4 scalars, out vec4 gathered)
 {
   float sum = 0.0;
-  float steps = length(sampleStep);
+  float steps = CountSteps() * length(sampleStep);
 #if TEXTURE_SLICE_FUNCTIONS > 1
   for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
   {
@@ -218,8 +244,6 @@ bool Gather(vec4 scalars, out vec4 gathered)
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
 // The values, ascending, 0 to 1 as the scalars are.
 uniform float isoValues[TEXTURE_SLICE_ISO_VALUES];
-// From the vector to the next slice to texture coordinates.
-uniform vec3 stepToTexture;
 // Where the box begins and ends.
 uniform vec3 boxLow;
 uniform vec3 boxHigh;
