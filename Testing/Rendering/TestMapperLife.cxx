@@ -24,6 +24,7 @@
 #endif
 
 #include <cmath>
+#include <cstdlib>
 #include <memory>
 
 namespace
@@ -219,16 +220,22 @@ TEST_F(MapperLife, FourComponentsCannotHideTheirPoints)
   EXPECT_NE(this->TakeMessages().find("four components with hidden points"), std::string::npos);
 }
 
+// The error names the size of the volume, the limit, and a size that fits; that size is drawn.
 TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
 {
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
-  vtkNew<vtkImageData> rod;
-  rod->SetDimensions(40000, 2, 2);
-  rod->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  rod->GetPointData()->GetScalars()->Fill(1.0);
-  mapper->SetInputData(rod);
   auto scene = this->MakeScene();
-  this->Middle(*scene, mapper);
+  const auto draw = [&](int points)
+  {
+    vtkNew<vtkImageData> rod;
+    rod->SetDimensions(points, 2, 2);
+    rod->SetSpacing(Edge / (points - 1), Edge, Edge);
+    rod->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    rod->GetPointData()->GetScalars()->Fill(1.0);
+    mapper->SetInputData(rod);
+    return this->Middle(*scene, mapper);
+  };
+  EXPECT_EQ(draw(40000), 0.0);
   const std::string message = this->TakeMessages();
   EXPECT_NE(message.find("40000 x 2 x 2"), std::string::npos) << message;
   EXPECT_NE(message.find("at most"), std::string::npos) << message;
@@ -237,6 +244,11 @@ TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
   mapper->GetReductionRatio(ratio);
   EXPECT_LT(ratio[0], 1.0);
   EXPECT_EQ(ratio[1], 1.0);
+
+  const std::string before = "resample it to ";
+  const int fitting = std::atoi(message.c_str() + message.find(before) + before.size());
+  EXPECT_EQ(fitting, int(std::lround(40000 * ratio[0])));
+  EXPECT_NEAR(draw(fitting), Expected, 1.0);
 }
 
 TEST_F(MapperLife, FlatImageIsAnError)
