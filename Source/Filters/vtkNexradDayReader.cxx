@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradDayReader.h"
 
-#include "Geometry/GridSpecification.h"
+#include "Geometry/VoxelBlock.h"
 #include "Model/Error.h"
 #include "Temporal/PolarCache.h"
 #include "Temporal/SiteSeries.h"
 #include "Temporal/TimeMerge.h"
 #include "Temporal/VolumeSelection.h"
 #include "vtkNexradExchange.h"
+#include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 
@@ -94,6 +95,11 @@ vtkMultiProcessController* vtkNexradDayReader::GetController() const
   return this->Controller;
 }
 
+int vtkNexradDayReader::GetNumberOfDecodedFiles() const
+{
+  return this->Scanned ? static_cast<int>(this->Scanned->Cache.DecodedFiles()) : 0;
+}
+
 vtkStringArray* vtkNexradDayReader::GetDamage()
 {
   return this->Damage;
@@ -133,12 +139,18 @@ int vtkNexradDayReader::Scan()
   options.moment = this->CheckMoment();
   options.requirePosition = true;
   options.level2.siteName = this->SiteName;
-  if (this->Controller && this->Controller->GetNumberOfProcesses() > 1)
+  options.digests = true;
+  vtkMultiProcessController* controller = this->Controller;
+  if (!controller && this->UseGlobalController)
   {
-    options.share.rank = static_cast<std::size_t>(this->Controller->GetLocalProcessId());
-    options.share.count = static_cast<std::size_t>(this->Controller->GetNumberOfProcesses());
-    options.share.exchange = [this](const std::string& mine)
-    { return vtkNexradExchange(this->Controller, mine); };
+    controller = vtkMultiProcessController::GetGlobalController();
+  }
+  if (controller && controller->GetNumberOfProcesses() > 1)
+  {
+    options.share.rank = static_cast<std::size_t>(controller->GetLocalProcessId());
+    options.share.count = static_cast<std::size_t>(controller->GetNumberOfProcesses());
+    options.share.exchange = [controller](const std::string& mine)
+    { return vtkNexradExchange(controller, mine); };
   }
   auto day = std::make_unique<Day>(from, *options.moment, options.level2);
   std::optional<nexrad::SeriesScan> scan;
@@ -253,14 +265,21 @@ int vtkNexradDayReader::RequestData(
   const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                         ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                         : this->TimeSteps->GetValue(0);
+  const nexrad::GridSpecification& grid = this->Scanned->Grid;
+  const nexrad::VoxelBlock block = vtkNexradRequestedBlock(info, grid);
+  if (block.VoxelCount() == 0)
+  {
+    return 1;
+  }
   try
   {
     const std::optional<nexrad::GriddedVolume> merged = nexrad::MergeSeries(this->Scanned->Scan,
-      this->Scanned->Cache, this->MakeMergeRequest(this->Scanned->Grid, time, this->MaximumGap),
+      this->Scanned->Cache, this->MakeMergeRequest(grid, block, time, this->MaximumGap),
       vtkNexradProgress(this), &this->Scanned->Run);
     if (merged)
     {
       vtkNexradVolumeToImage(*merged, image);
+      vtkNexradPlaceBlock(grid, block, image);
       image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
     }
   }
@@ -281,6 +300,8 @@ void vtkNexradDayReader::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
   os << indent << "SiteName: " << this->SiteName << "\n";
   os << indent << "Controller: " << this->Controller << "\n";
+  os << indent << "UseGlobalController: " << this->UseGlobalController << "\n";
+  os << indent << "DecodedFiles: " << this->GetNumberOfDecodedFiles() << "\n";
   os << indent << "FileNames:\n";
   for (const std::string& name : this->FileNames)
   {

@@ -22,6 +22,12 @@
  * All files are decoded once to learn their times. Their rays stay in memory up to MemoryLimit;
  * what does not fit is decoded again when it is needed.
  *
+ * Several processes (SetController, UseGlobalController) scan a part of the files each, and tell
+ * one another what was in them: the times, how far each volume sees, and the picture of its echo in
+ * which motion is looked for. Then each makes the part of the volume that its pipeline asks for
+ * (UPDATE_EXTENT) without another word to the others, and decodes only the files of the radars that
+ * see something of that part. The parts together are, bit by bit, the volume of one process.
+ *
  * A damaged file gives warnings and still takes part with what can be read of it; a file that
  * cannot be used is named and left out (GetDamage, GetLeftOut). Errors: NoFileNameError,
  * FileNotFoundError (a path that does not exist, an empty folder), FileFormatError (no ray in any
@@ -117,6 +123,22 @@ public:
   vtkMultiProcessController* GetController() const;
   ///@}
 
+  ///@{
+  /**
+   * Where no controller is set, take vtkMultiProcessController::GetGlobalController() when the
+   * inputs are scanned. Off by default; the ParaView plugin switches it on.
+   */
+  vtkSetMacro(UseGlobalController, bool);
+  vtkGetMacro(UseGlobalController, bool);
+  vtkBooleanMacro(UseGlobalController, bool);
+  ///@}
+
+  /**
+   * How many files this process decoded for its outputs since the inputs were scanned. A file whose
+   * rays stayed in memory after the scan is not decoded again.
+   */
+  int GetNumberOfDecodedFiles() const;
+
   /**
    * After UpdateInformation: what was wrong in the inputs, one line each ("FILE: offset N: WHAT").
    * The same lines come as warnings.
@@ -148,6 +170,7 @@ protected:
   double MaximumGap = 900.0;
   vtkTypeUInt64 MemoryLimit = vtkTypeUInt64(1) << 30;
   std::string SiteName;
+  bool UseGlobalController = false;
   std::vector<std::string> FileNames;
 
 private:

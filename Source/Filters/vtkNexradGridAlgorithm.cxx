@@ -5,9 +5,11 @@
 #include "Model/Error.h"
 #include "Model/Moment.h"
 #include "Temporal/TimeMerge.h"
+#include "vtkNexradExtent.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
@@ -92,11 +94,12 @@ nexrad::GridRequest vtkNexradGridAlgorithm::MakeGridRequest() const
   return request;
 }
 
-nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(
-  const nexrad::GridSpecification& grid, double time, double maximumGap) const
+nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(const nexrad::GridSpecification& grid,
+  const nexrad::VoxelBlock& block, double time, double maximumGap) const
 {
   nexrad::MergeRequest request;
   request.grid = grid;
+  request.block = block;
   request.time = nexrad::FromSeconds(time);
   request.maximumGap =
     nexrad::Duration(static_cast<nexrad::Duration::rep>(std::llround(maximumGap * 1000.0)));
@@ -120,10 +123,24 @@ nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(
 
 void vtkNexradGridAlgorithm::SetOutputExtent(vtkInformation* outputInformation) const
 {
-  const int extent[6] = {0, std::max(0, this->Dimensions[0] - 1), 0,
-    std::max(0, this->Dimensions[1] - 1), 0, std::max(0, this->Dimensions[2] - 1)};
-  outputInformation->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  vtkNexradOfferExtent(outputInformation, this->Dimensions);
   vtkDataObject::SetPointDataActiveScalarInfo(outputInformation, VTK_FLOAT, 1);
+}
+
+int vtkNexradGridAlgorithm::RequestUpdateExtent(
+  vtkInformation*, vtkInformationVector** input, vtkInformationVector*)
+{
+  for (int port = 0; port < this->GetNumberOfInputPorts(); ++port)
+  {
+    for (int i = 0; i < input[port]->GetNumberOfInformationObjects(); ++i)
+    {
+      vtkInformation* info = input[port]->GetInformationObject(i);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER(), 0);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES(), 1);
+      info->Set(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_GHOST_LEVELS(), 0);
+    }
+  }
+  return 1;
 }
 
 int vtkNexradGridAlgorithm::Fail(unsigned long code, const std::string& line)

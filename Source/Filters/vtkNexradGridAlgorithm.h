@@ -13,6 +13,9 @@
  *      |  '--'        '--'    |                     their centres
  *      +----------------------+ HeightRange[0]
  * ```
+ *
+ * A pipeline may ask for any box of the voxels (UPDATE_EXTENT), as it does when several processes
+ * share the volume: only that is made, and each voxel is what it is in the whole.
  */
 #ifndef vtkNexradGridAlgorithm_h
 #define vtkNexradGridAlgorithm_h
@@ -28,6 +31,7 @@ enum class MomentName : unsigned char;
 struct GridRequest;
 struct GridSpecification;
 struct MergeRequest;
+struct VoxelBlock;
 } // namespace nexrad
 
 class VTKNEXRADFILTERS_EXPORT vtkNexradGridAlgorithm : public vtkImageAlgorithm
@@ -239,10 +243,18 @@ protected:
   nexrad::GridRequest MakeGridRequest() const;
 
   /**
-   * A request for the time, in seconds since 1970-01-01T00:00:00Z; `maximumGap` in seconds.
+   * A request for the block of the grid at the time, in seconds since 1970-01-01T00:00:00Z;
+   * `maximumGap` in seconds.
    */
-  nexrad::MergeRequest MakeMergeRequest(
-    const nexrad::GridSpecification& grid, double time, double maximumGap) const;
+  nexrad::MergeRequest MakeMergeRequest(const nexrad::GridSpecification& grid,
+    const nexrad::VoxelBlock& block, double time, double maximumGap) const;
+
+  /**
+   * Asks the inputs for all that they have, whatever part of the output is asked for: their sweeps
+   * cross it as they please.
+   */
+  int RequestUpdateExtent(
+    vtkInformation*, vtkInformationVector** input, vtkInformationVector*) override;
 
   /**
    * Sets the output's extent from Dimensions, where the sites are not known before the data are.

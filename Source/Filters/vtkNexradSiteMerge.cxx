@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSiteMerge.h"
 
-#include "Geometry/GridSpecification.h"
+#include "Geometry/VoxelBlock.h"
 #include "Model/Error.h"
 #include "Temporal/TimeMerge.h"
+#include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradPolarConversion.h"
@@ -90,16 +91,22 @@ int vtkNexradSiteMerge::RequestData(
     const std::vector<nexrad::PolarVolume> volumes = ReadInputs(input[0], this->CheckMoment());
     const nexrad::GridSpecification grid =
       nexrad::MakeGrid(this->MakeGridRequest(), PositionsOf(volumes));
+    const nexrad::VoxelBlock block = vtkNexradRequestedBlock(output->GetInformationObject(0), grid);
+    if (block.VoxelCount() == 0)
+    {
+      return 1;
+    }
     std::vector<const nexrad::PolarVolume*> chosen;
     for (const nexrad::PolarVolume& volume : volumes)
     {
       chosen.push_back(&volume);
     }
-    const std::optional<nexrad::GriddedVolume> merged = nexrad::MergeVolumes(
-      chosen, this->MakeMergeRequest(grid, this->Time, this->MaximumGap), vtkNexradProgress(this));
+    const std::optional<nexrad::GriddedVolume> merged = nexrad::MergeVolumes(chosen,
+      this->MakeMergeRequest(grid, block, this->Time, this->MaximumGap), vtkNexradProgress(this));
     if (merged)
     {
       vtkNexradVolumeToImage(*merged, image);
+      vtkNexradPlaceBlock(grid, block, image);
       image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), this->Time);
     }
   }

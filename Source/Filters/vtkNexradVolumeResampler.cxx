@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradVolumeResampler.h"
 
-#include "Geometry/GridSpecification.h"
+#include "Geometry/VoxelBlock.h"
 #include "Model/Error.h"
 #include "Temporal/TimeMerge.h"
+#include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradPolarConversion.h"
@@ -59,11 +60,17 @@ int vtkNexradVolumeResampler::RequestData(
     constexpr double wholeDay = 86400.0; // no ray of the volume is too far from its start
     const nexrad::GridSpecification grid =
       nexrad::MakeGrid(this->MakeGridRequest(), {*volume.site.position});
+    const nexrad::VoxelBlock block = vtkNexradRequestedBlock(output->GetInformationObject(0), grid);
+    if (block.VoxelCount() == 0)
+    {
+      return 1;
+    }
     const std::optional<nexrad::GriddedVolume> gridded = nexrad::MergeVolumes(
-      {&volume}, this->MakeMergeRequest(grid, time, wholeDay), vtkNexradProgress(this));
+      {&volume}, this->MakeMergeRequest(grid, block, time, wholeDay), vtkNexradProgress(this));
     if (gridded)
     {
       vtkNexradVolumeToImage(*gridded, image);
+      vtkNexradPlaceBlock(grid, block, image);
       image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
     }
   }

@@ -2,8 +2,10 @@
 #include "vtkNexradVolumeReader.h"
 
 #include "Codec/NxvFile.h"
+#include "Gridding/VolumePart.h"
 #include "Model/Error.h"
 #include "Model/Progress.h"
+#include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 
@@ -195,9 +197,7 @@ int vtkNexradVolumeReader::RequestInformation(
   }
   vtkInformation* info = output->GetInformationObject(0);
   const nexrad::GridSpecification& grid = this->Opened->First.grid;
-  const int extent[6] = {
-    0, grid.dimensions[0] - 1, 0, grid.dimensions[1] - 1, 0, grid.dimensions[2] - 1};
-  info->Set(vtkStreamingDemandDrivenPipeline::WHOLE_EXTENT(), extent, 6);
+  vtkNexradOfferExtent(info, grid.dimensions.data());
   info->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
   info->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
   vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
@@ -232,13 +232,15 @@ int vtkNexradVolumeReader::RequestData(
   const nexrad::Progress progress = vtkNexradProgress(this);
   vtkImageData* image = vtkImageData::GetData(output);
   image->Initialize();
-  if (!progress(0.0))
+  const nexrad::GridSpecification& grid = this->Opened->First.grid;
+  const nexrad::VoxelBlock block = vtkNexradRequestedBlock(info, grid);
+  if (block.VoxelCount() == 0 || !progress(0.0))
   {
     return 1;
   }
   try
   {
-    const nexrad::GriddedVolume volume =
+    nexrad::GriddedVolume volume =
       this->RawStream ? nexrad::ReadRaw(step.second, this->Opened->First)
                       : nexrad::ReadNxv(step.second, LeavingOut(this->CompanionSelection));
     if (!SameGrid(volume.grid, this->Opened->First.grid))
@@ -248,7 +250,8 @@ int vtkNexradVolumeReader::RequestData(
     }
     if (progress(0.7))
     {
-      vtkNexradVolumeToImage(volume, image);
+      vtkNexradVolumeToImage(nexrad::TakePart(std::move(volume), block), image);
+      vtkNexradPlaceBlock(grid, block, image);
       image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.first);
     }
   }

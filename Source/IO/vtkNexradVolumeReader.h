@@ -13,6 +13,9 @@
  * (or in degrees, when the volume was made so). vtkNexradImageConversion.h lists arrays and field
  * data.
  *
+ * A pipeline may ask for any box of the voxels (UPDATE_EXTENT). The file is decoded as a whole for
+ * it, since its runs cross rows, and the rest let go.
+ *
  * A .nxv file is one time step. An index gives the time steps of its files; a requested time shows
  * the latest volume at or before it (before the first, the first). All volumes of a series must
  * have the extent, origin and spacing of its first.

@@ -59,6 +59,12 @@ SamplingContext ContextFor(
   return context;
 }
 
+// tan(γ/2) at a slant range, or more.
+float HalfTangentAt(double slantRange, double effectiveRadius)
+{
+  return static_cast<float>(std::tan(0.5 * slantRange / effectiveRadius));
+}
+
 // tan(γ/2) at the end of the farthest gate.
 float ReachOf(const std::vector<const BeamVolume*>& volumes, double effectiveRadius)
 {
@@ -70,7 +76,7 @@ float ReachOf(const std::vector<const BeamVolume*>& volumes, double effectiveRad
       reach = std::max(reach, sweep.Reach());
     }
   }
-  return static_cast<float>(std::tan(0.5 * static_cast<double>(reach) / effectiveRadius));
+  return HalfTangentAt(static_cast<double>(reach), effectiveRadius);
 }
 
 // Seconds from the time to the farthest ray of a list that may be needed.
@@ -111,6 +117,27 @@ std::vector<const VolumeComposite*> CompositesOf(const std::vector<const BeamVol
     composites.push_back(&volume->composite);
   }
   return composites;
+}
+
+// The volumes of each radar.
+std::map<SiteKey, std::vector<const BeamVolume*>> GroupBySite(const BeamVolumes& volumes)
+{
+  std::map<SiteKey, std::vector<const BeamVolume*>> groups;
+  for (const std::shared_ptr<const BeamVolume>& volume : volumes)
+  {
+    groups[KeyOf(volume->site)].push_back(volume.get());
+  }
+  return groups;
+}
+
+std::vector<Position> PositionsOf(const BeamVolumes& volumes)
+{
+  std::vector<Position> positions;
+  for (const std::shared_ptr<const BeamVolume>& volume : volumes)
+  {
+    positions.push_back(*volume->site.position);
+  }
+  return positions;
 }
 
 // A site's north in the directions of the grid's axes. On projected axes the meridians converge; by
@@ -200,8 +227,37 @@ RangeLoop ThreadLoop(unsigned threads)
 BeamMerger::BeamMerger(const GridSpecification& theGrid, const BeamMergeOptions& theOptions)
   : grid(theGrid)
   , options(theOptions)
+  , block(VoxelBlock::Of(theGrid))
 {
   CheckOptions(grid, options);
+}
+
+void BeamMerger::SetBlock(const VoxelBlock& part)
+{
+  if (block != part)
+  {
+    PartOf(grid, part); // throws for what is no part of it
+    block = part;
+    geometries.clear();
+  }
+}
+
+std::vector<bool> BeamMerger::FindReaching(
+  const std::vector<SiteReach>& radars, const RangeLoop& loop)
+{
+  std::vector<Position> positions;
+  for (const SiteReach& radar : radars)
+  {
+    positions.push_back(radar.position);
+  }
+  this->FindGeometries(positions, loop ? loop : RangeLoop(RunInTurn));
+  std::vector<bool> reaching;
+  for (const SiteReach& radar : radars)
+  {
+    reaching.push_back(this->GeometryOf(radar.position).Nearest() <=
+                       HalfTangentAt(radar.reach, options.beam.EffectiveRadius()));
+  }
+  return reaching;
 }
 
 bool BeamMerger::KeptVolume::IsMadeFrom(const PolarVolume& source) const
@@ -249,14 +305,13 @@ BeamVolumes BeamMerger::Prepare(
   return ready;
 }
 
-void BeamMerger::FindGeometries(const BeamVolumes& volumes, const RangeLoop& loop)
+void BeamMerger::FindGeometries(const std::vector<Position>& positions, const RangeLoop& loop)
 {
   const auto same = [](const Position& a, const Position& b)
   { return a.latitude == b.latitude && a.longitude == b.longitude; };
   std::vector<std::size_t> missing;
-  for (const std::shared_ptr<const BeamVolume>& volume : volumes)
+  for (const Position& position : positions)
   {
-    const Position& position = *volume->site.position;
     const auto known = [&](const KeptGeometry& other) { return same(other.position, position); };
     if (std::none_of(geometries.begin(), geometries.end(), known))
     {
@@ -270,8 +325,8 @@ void BeamMerger::FindGeometries(const BeamVolumes& volumes, const RangeLoop& loo
       for (int i = begin; i < end; ++i)
       {
         KeptGeometry& to = geometries[missing[static_cast<std::size_t>(i)]];
-        to.geometry =
-          std::make_shared<const SiteGeometry>(grid, to.position, farthestGate, options.beam);
+        to.geometry = std::make_shared<const SiteGeometry>(
+          grid, to.position, farthestGate, options.beam, block);
       }
     });
 }
@@ -290,22 +345,23 @@ const SiteGeometry& BeamMerger::GeometryOf(const Position& position) const
 std::vector<MergeSite> BeamMerger::MakeSites(
   const BeamVolumes& volumes, Time time, const MotionField* motion) const
 {
-  std::map<SiteKey, std::vector<const BeamVolume*>> groups;
-  for (const std::shared_ptr<const BeamVolume>& volume : volumes)
-  {
-    groups[KeyOf(volume->site)].push_back(volume.get());
-  }
   const double radius = options.beam.EffectiveRadius();
   std::vector<MergeSite> sites;
-  for (const auto& group : groups)
+  int number = -1;
+  for (const auto& group : GroupBySite(volumes))
   {
+    ++number;
+    const std::vector<BeamTilt> tilts = FindTilts(group.second, time, options.maximumGap);
+    if (tilts.empty())
+    {
+      continue;
+    }
     const BeamVolume& any = *group.second.front();
     const Position& position = *any.site.position;
     const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
-    MergeSite site{any.site.name, &this->GeometryOf(position),
-      SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0),
-      FindTilts(group.second, time, options.maximumGap), {}, ContextFor(any, options, radius),
-      ReachOf(group.second, radius), {}, {}, {}};
+    MergeSite site{number, &this->GeometryOf(position),
+      SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
+      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}};
     site.edges = FindEdges(site.tilts, options.beamWidth, options.sharpen);
     for (const BeamTilt& tilt : site.tilts)
     {
@@ -314,10 +370,7 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
     site.mask = EchoMask(CompositesOf(group.second), radius, way);
     site.north = NorthIn(grid, position);
-    if (!site.tilts.empty())
-    {
-      sites.push_back(std::move(site));
-    }
+    sites.push_back(std::move(site));
   }
   return sites;
 }
@@ -328,7 +381,7 @@ GriddedVolume BeamMerger::EmptyVolume(
   GriddedVolume volume;
   volume.values = std::move(memory.values);
   volume.states = std::move(memory.states);
-  volume.grid = grid;
+  volume.grid = PartOf(grid, block);
   volume.time = time;
   volume.method = "beam";
   for (const std::shared_ptr<const BeamVolume>& each : volumes)
@@ -336,7 +389,11 @@ GriddedVolume BeamMerger::EmptyVolume(
     volume.moment = each->moment;
     volume.synthetic = volume.synthetic || each->synthetic;
   }
-  const std::size_t count = grid.VoxelCount();
+  for (const auto& group : GroupBySite(volumes))
+  {
+    volume.sites.push_back(group.second.front()->site.name);
+  }
+  const std::size_t count = block.VoxelCount();
   volume.values.assign(count, volume.fill);
   volume.states.assign(count, VoxelState::NotScanned);
   if (options.companions)
@@ -358,20 +415,18 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time 
     throw Error("the motion must be that of the grid of the merge, or constant");
   }
   const RangeLoop& run = loop ? loop : RangeLoop(RunInTurn);
-  this->FindGeometries(volumes, run);
+  this->FindGeometries(PositionsOf(volumes), run);
   const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;
   const std::vector<MergeSite> sites = this->MakeSites(volumes, time, moves ? motion : nullptr);
   GriddedVolume volume = this->EmptyVolume(volumes, time, std::move(memory));
-  for (const MergeSite& site : sites)
-  {
-    volume.sites.push_back(site.name);
-  }
   RowOptions rows;
+  rows.block = block;
+  rows.levels = grid.dimensions[2];
   rows.strategy = StrategyFor(volume.moment, options.strategy);
   rows.overlapLength = static_cast<float>(options.overlapLength);
   rows.fill = options.fill;
   rows.motion = moves ? motion : nullptr;
-  const int height = grid.dimensions[1];
+  const int height = block.Size(1);
   for (int band = 0; band < height; band += bandHeight)
   {
     if (progress && !progress(static_cast<double>(band) / height))
@@ -379,7 +434,11 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time 
       return std::nullopt;
     }
     run(std::min(bandHeight, height - band),
-      [&](int begin, int end) { MergeRows(sites, rows, band + begin, band + end, volume); });
+      [&](int begin, int end)
+      {
+        const int first = block.begin[1] + band;
+        MergeRows(sites, rows, first + begin, first + end, volume);
+      });
   }
   if (progress && !progress(1.0))
   {

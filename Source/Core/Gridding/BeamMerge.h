@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Geometry/Beam.h"
+#include "Geometry/VoxelBlock.h"
 #include "Gridding/BeamRows.h"
 #include "Gridding/BeamVolume.h"
 #include "Gridding/GriddedVolume.h"
@@ -40,6 +41,13 @@ using RangeLoop =
 /// A loop over `threads` threads of its own, this one included; at least 1.
 RangeLoop ThreadLoop(unsigned threads);
 
+/// A radar of which it is asked whether it sees anything of a block.
+struct SiteReach
+{
+  Position position;
+  double reach = 0.0; ///< m, slant range at which its farthest gate ends, or more
+};
+
 /// Volumes made ready, which several may share.
 using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
 
@@ -67,12 +75,21 @@ public:
   /// has no position or the moments differ.
   BeamVolumes Prepare(const std::vector<const PolarVolume*>& volumes, const RangeLoop& loop = {});
 
+  /// The part of the grid that is made from now on: all of it unless said. What is made of a voxel
+  /// does not depend on it. Throws Error as PartOf does.
+  void SetBlock(const VoxelBlock& part);
+
+  /// Of each radar, whether it can tell anything of the block: of one that cannot, volumes without
+  /// sweeps do as well in Merge.
+  std::vector<bool> FindReaching(const std::vector<SiteReach>& radars, const RangeLoop& loop = {});
+
   /// The merge at a time. Of each radar the volumes about the time, in any order: the last one that
   /// ended before it, those in progress, the first one after it; others make no difference but
   /// cost time. All must hold the same moment. Without volumes no voxel is scanned. `motion`, of
   /// the grid, may be nullptr. Empty when `progress` asked to stop; it is called from this thread
-  /// alone. `memory` is a volume that is no longer needed: its arrays become those of the result.
-  /// Throws Error for a motion of another grid.
+  /// alone. `memory` is a volume that is no longer needed: its arrays become those of the result. A
+  /// radar is named in the result also when none of its volumes has a sweep. Throws Error for a
+  /// motion of another grid.
   std::optional<GriddedVolume> Merge(const BeamVolumes& volumes, Time time,
     const MotionField* motion, const RangeLoop& loop = {}, const Progress& progress = {},
     GriddedVolume memory = {});
@@ -99,7 +116,7 @@ private:
     std::shared_ptr<const SiteGeometry> geometry;
   };
 
-  void FindGeometries(const BeamVolumes& volumes, const RangeLoop& loop);
+  void FindGeometries(const std::vector<Position>& positions, const RangeLoop& loop);
   const SiteGeometry& GeometryOf(const Position& position) const;
   std::vector<MergeSite> MakeSites(
     const BeamVolumes& volumes, Time time, const MotionField* motion) const;
@@ -107,8 +124,9 @@ private:
 
   const GridSpecification grid;
   const BeamMergeOptions options;
-  std::vector<KeptGeometry> geometries;
-  std::vector<KeptVolume> kept; // in the order given
+  VoxelBlock block;
+  std::vector<KeptGeometry> geometries; // over the block
+  std::vector<KeptVolume> kept;         // in the order given
 };
 
 } // namespace nexrad

@@ -72,10 +72,9 @@ public:
     : sites(theSites)
     , options(theOptions)
     , volume(theVolume)
-    , levels(static_cast<std::size_t>(theVolume.grid.dimensions[2]))
+    , levels(static_cast<std::size_t>(theOptions.levels))
     , companions(!theVolume.companions.age.empty())
-    , column(theVolume.grid.dimensions[2], theOptions.strategy, theSites.front().context.rule,
-        companions)
+    , column(theOptions.levels, theOptions.strategy, theSites.front().context.rule, companions)
     , values(levels)
     , states(levels)
     , ages(companions ? levels : 0)
@@ -129,17 +128,22 @@ private:
   {
     const MergeSite& site = sites[number];
     const SiteGeometry& geometry = *site.geometry;
-    const int begin = std::max(x, geometry.BeginX()) - x;
-    const int end = std::min(x + count, geometry.EndX()) - x;
+    int begin = std::max(x, geometry.BeginX()) - x;
+    int end = std::min(x + count, geometry.EndX()) - x;
     if (y < geometry.BeginY() || y >= geometry.EndY() || begin >= end)
     {
       return;
     }
     const ColumnDirection* directions = geometry.Row(y) + (x - geometry.BeginX());
-    const auto nearer = [](const ColumnDirection& a, const ColumnDirection& b)
-    { return a.halfTangent < b.halfTangent; };
-    const auto* nearest = std::min_element(directions + begin, directions + end, nearer);
-    if (nearest->halfTangent > site.reach)
+    while (begin < end && directions[begin].halfTangent > site.reach)
+    {
+      ++begin;
+    }
+    while (begin < end && directions[end - 1].halfTangent > site.reach)
+    {
+      --end;
+    }
+    if (begin == end)
     {
       return;
     }
@@ -193,8 +197,13 @@ private:
     {
       if (place >= each.begin && place < each.end)
       {
-        const SiteGeometry& geometry = *sites[each.site].geometry;
-        order.push_back({geometry.Row(y)[x - geometry.BeginX()].halfTangent, each.site});
+        const MergeSite& site = sites[each.site];
+        const SiteGeometry& geometry = *site.geometry;
+        const float halfTangent = geometry.Row(y)[x - geometry.BeginX()].halfTangent;
+        if (halfTangent <= site.reach)
+        {
+          order.push_back({halfTangent, each.site});
+        }
       }
     }
     std::sort(order.begin(), order.end());
@@ -202,7 +211,7 @@ private:
     {
       const MergeSite& site = sites[number];
       SiteColumn seen;
-      seen.site = static_cast<int>(number);
+      seen.site = site.number;
       seen.halfTangent = halfTangent;
       seen.weight = this->WeightAt(site, halfTangent);
       seen.levels = &site.levels;
@@ -245,10 +254,13 @@ private:
 
   void Write(int x, int y, int count) const
   {
-    const auto width = static_cast<std::size_t>(volume.grid.dimensions[0]);
-    const auto plane = width * static_cast<std::size_t>(volume.grid.dimensions[1]);
-    std::size_t at = static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x);
-    for (std::size_t level = 0; level < levels; ++level, at += plane)
+    const VoxelBlock& block = options.block;
+    const auto width = static_cast<std::size_t>(block.Size(0));
+    const auto plane = width * static_cast<std::size_t>(block.Size(1));
+    std::size_t at = static_cast<std::size_t>(y - block.begin[1]) * width +
+                     static_cast<std::size_t>(x - block.begin[0]);
+    for (auto level = static_cast<std::size_t>(block.begin[2]);
+         level < static_cast<std::size_t>(block.end[2]); ++level, at += plane)
     {
       values.Write(level, count, volume.values.data() + at);
       states.Write(level, count, volume.states.data() + at);
@@ -290,12 +302,12 @@ void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, i
     return;
   }
   StripMerger merger(sites, options, volume);
-  const int width = volume.grid.dimensions[0];
+  const int end = options.block.end[0];
   for (int y = beginRow; y < endRow; ++y)
   {
-    for (int x = 0; x < width; x += stripWidth)
+    for (int x = options.block.begin[0]; x < end; x += stripWidth)
     {
-      merger.Merge(x, y, std::min(stripWidth, width - x));
+      merger.Merge(x, y, std::min(stripWidth, end - x));
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Geometry/VoxelBlock.h"
 #include "Gridding/BeamColumn.h"
 #include "Gridding/BeamSampling.h"
 #include "Gridding/BeamTilts.h"
@@ -10,7 +11,6 @@
 #include "Gridding/SiteGeometry.h"
 
 #include <array>
-#include <string>
 #include <vector>
 
 namespace nexrad
@@ -19,7 +19,7 @@ namespace nexrad
 /// One radar as it takes part in one merge.
 struct MergeSite
 {
-  std::string name;
+  int number = 0; ///< among the radars of the merge, by which companions name it
   const SiteGeometry* geometry;
   SiteLevels levels;
   std::vector<BeamTilt> tilts;  ///< never empty
@@ -34,16 +34,18 @@ struct MergeSite
 /// What is done with the radars.
 struct RowOptions
 {
+  VoxelBlock block; ///< of the grid, that is made
+  int levels = 0;   ///< of the grid: a column is merged as a whole, whatever part of it is made
   OverlapStrategy strategy = OverlapStrategy::Distance;
   float overlapLength = 100'000.0F; ///< m
   bool fill = false;
   const MotionField* motion = nullptr; ///< over the grid; without, linear in time
 };
 
-/// Merges the rows [beginRow, endRow) of a grid: the columns (x, y) for all x and these y. `volume`
-/// has its grid, its fill value and arrays of full size, which hold the fill value and NotScanned;
-/// its companions are made when they have their size. Ranges of rows write apart from each other
-/// and can be run side by side.
+/// Merges the rows [beginRow, endRow) of a grid that the block has: its columns (x, y) for these y.
+/// `volume` has its fill value and arrays of the block's size, which hold the fill value and
+/// NotScanned; its companions are made when they have their size. Ranges of rows write apart from
+/// each other and can be run side by side. A voxel's value does not depend on the block.
 void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, int beginRow,
   int endRow, GriddedVolume& volume);
 

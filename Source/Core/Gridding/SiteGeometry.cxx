@@ -36,26 +36,38 @@ struct Offset
   double north = 0.0;
 };
 
-// Offsets at nodes that lie about 10 km apart over a box of columns, and bilinear between them.
+// A box of columns: first ≤ index < last.
+struct ColumnBox
+{
+  int first[2] = {0, 0};
+  int last[2] = {0, 0};
+
+  bool IsEmpty() const { return first[0] >= last[0] || first[1] >= last[1]; }
+};
+
+// Offsets at nodes that lie about 10 km apart over a box of columns, and bilinear between them. The
+// nodes are those of the whole box; only those about a part of it are computed.
 class OffsetLattice
 {
 public:
-  OffsetLattice(const GridSpecification& specification, const Position& site, const int (&first)[2],
-    const int (&last)[2])
+  OffsetLattice(const GridSpecification& specification, const Position& site, const ColumnBox& box,
+    const ColumnBox& part)
     : grid(specification)
   {
     const SiteGeoreference georeference(site);
     const double widest = grid.axes == GridAxes::Projected ? 10'000.0 : 0.1;
     for (int axis = 0; axis < 2; ++axis)
     {
-      const double length = grid.spacing[axis] * std::max(last[axis] - 1 - first[axis], 1);
+      const double length = grid.spacing[axis] * std::max(box.last[axis] - 1 - box.first[axis], 1);
       cells[axis] = std::max(1, static_cast<int>(std::ceil(length / widest)));
-      start[axis] = grid.Coordinate(axis, first[axis]);
+      start[axis] = grid.Coordinate(axis, box.first[axis]);
       step[axis] = length / cells[axis];
+      firstNode[axis] = this->Place(axis, grid.Coordinate(axis, part.first[axis])).first;
+      lastNode[axis] = this->Place(axis, grid.Coordinate(axis, part.last[axis] - 1)).first + 1;
     }
-    for (int y = 0; y <= cells[1]; ++y)
+    for (int y = firstNode[1]; y <= lastNode[1]; ++y)
     {
-      for (int x = 0; x <= cells[0]; ++x)
+      for (int x = firstNode[0]; x <= lastNode[0]; ++x)
       {
         nodes.push_back(this->Exact(georeference, start[0] + x * step[0], start[1] + y * step[1]));
       }
@@ -66,8 +78,9 @@ public:
   {
     const auto [column, right] = this->Place(0, x);
     const auto [row, up] = this->Place(1, y);
-    const auto width = static_cast<std::size_t>(cells[0] + 1);
-    const Offset* below = nodes.data() + row * width + column;
+    const auto width = static_cast<std::size_t>(lastNode[0] - firstNode[0] + 1);
+    const Offset* below = nodes.data() + static_cast<std::size_t>(row - firstNode[1]) * width +
+                          static_cast<std::size_t>(column - firstNode[0]);
     const Offset* above = below + width;
     const auto blend = [right = right, up = up](double a, double b, double c, double d)
     { return (1.0 - up) * (a + right * (b - a)) + up * (c + right * (d - c)); };
@@ -86,18 +99,20 @@ private:
   }
 
   // The cell and the part of it, from 0 to 1, at which a coordinate stands.
-  std::pair<std::size_t, double> Place(int axis, double coordinate) const
+  std::pair<int, double> Place(int axis, double coordinate) const
   {
     const double place = (coordinate - start[axis]) / step[axis];
     const double cell = std::clamp(std::floor(place), 0.0, static_cast<double>(cells[axis] - 1));
-    return {static_cast<std::size_t>(cell), place - cell};
+    return {static_cast<int>(cell), place - cell};
   }
 
   const GridSpecification& grid;
   int cells[2] = {1, 1};
   double start[2] = {0.0, 0.0};
   double step[2] = {1.0, 1.0};
-  std::vector<Offset> nodes;
+  int firstNode[2] = {0, 0};
+  int lastNode[2] = {0, 0};
+  std::vector<Offset> nodes; // from the first to the last along both axes, x fastest
 };
 
 ColumnDirection DirectionOf(const Offset& offset, double effectiveRadius)
@@ -109,27 +124,48 @@ ColumnDirection DirectionOf(const Offset& offset, double effectiveRadius)
     static_cast<float>(std::tan(0.5 * distance / effectiveRadius))};
 }
 
-} // namespace
-
-SiteGeometry::SiteGeometry(
-  const GridSpecification& grid, const Position& site, double reach, const BeamModel& beam)
+// The columns of a grid within a box round the circle of `reach` about a site.
+ColumnBox BoxAbout(const GridSpecification& grid, const Position& site, double reach)
 {
   const auto centre = grid.FromGeographic(site.longitude, site.latitude);
   const auto half = HalfBox(grid, site.latitude, reach);
+  ColumnBox box;
   for (int axis = 0; axis < 2; ++axis)
   {
     const double lowest = (centre[axis] - half[axis] - grid.origin[axis]) / grid.spacing[axis];
     const double highest = (centre[axis] + half[axis] - grid.origin[axis]) / grid.spacing[axis];
     const double size = grid.dimensions[axis];
-    begin[axis] = static_cast<int>(std::clamp(std::ceil(lowest), 0.0, size));
-    end[axis] = static_cast<int>(std::clamp(std::floor(highest) + 1.0, 0.0, size));
+    box.first[axis] = static_cast<int>(std::clamp(std::ceil(lowest), 0.0, size));
+    box.last[axis] = static_cast<int>(std::clamp(std::floor(highest) + 1.0, 0.0, size));
   }
-  if (begin[0] >= end[0] || begin[1] >= end[1])
+  return box;
+}
+
+ColumnBox PartWithin(const ColumnBox& box, const VoxelBlock& block)
+{
+  ColumnBox part;
+  for (std::size_t axis = 0; axis < 2; ++axis)
   {
-    std::copy(begin, begin + 2, end);
+    part.first[axis] = std::max(box.first[axis], block.begin[axis]);
+    part.last[axis] = std::min(box.last[axis], block.end[axis]);
+  }
+  return part;
+}
+
+} // namespace
+
+SiteGeometry::SiteGeometry(const GridSpecification& grid, const Position& site, double reach,
+  const BeamModel& beam, const std::optional<VoxelBlock>& block)
+{
+  const ColumnBox box = BoxAbout(grid, site, reach);
+  const ColumnBox part = PartWithin(box, block.value_or(VoxelBlock::Of(grid)));
+  if (part.IsEmpty())
+  {
     return;
   }
-  const OffsetLattice lattice(grid, site, begin, end);
+  std::copy(part.first, part.first + 2, begin);
+  std::copy(part.last, part.last + 2, end);
+  const OffsetLattice lattice(grid, site, box, part);
   columns.reserve(this->Width() * static_cast<std::size_t>(end[1] - begin[1]));
   for (int y = begin[1]; y < end[1]; ++y)
   {
@@ -137,6 +173,7 @@ SiteGeometry::SiteGeometry(
     {
       columns.push_back(DirectionOf(
         lattice.At(grid.Coordinate(0, x), grid.Coordinate(1, y)), beam.EffectiveRadius()));
+      nearest = std::min(nearest, columns.back().halfTangent);
     }
   }
 }

@@ -3,9 +3,12 @@
 
 #include "Geometry/Beam.h"
 #include "Geometry/GridSpecification.h"
+#include "Geometry/VoxelBlock.h"
 #include "Model/Site.h"
 
 #include <cstddef>
+#include <limits>
+#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -25,9 +28,10 @@ class SiteGeometry
 {
 public:
   /// Only the columns within `reach` m of the site along the ground are kept (and some beyond, for
-  /// what is kept is a box of columns).
+  /// what is kept is a box of columns), and of them only those of `block`; they are the same for
+  /// any block.
   SiteGeometry(const GridSpecification& grid, const Position& site, double reach,
-    const BeamModel& beam = BeamModel());
+    const BeamModel& beam = BeamModel(), const std::optional<VoxelBlock>& block = {});
 
   /// The box of columns kept: begin ≤ x < end, likewise y. Empty boxes have begin = end.
   int BeginX() const { return begin[0]; }
@@ -41,6 +45,9 @@ public:
     return columns.data() + static_cast<std::size_t>(y - begin[1]) * this->Width();
   }
 
+  /// The smallest halfTangent of the columns kept; infinity without any.
+  float Nearest() const { return nearest; }
+
   std::size_t MemoryBytes() const { return columns.size() * sizeof(ColumnDirection); }
 
 private:
@@ -48,6 +55,7 @@ private:
 
   int begin[2] = {0, 0};
   int end[2] = {0, 0};
+  float nearest = std::numeric_limits<float>::infinity();
   std::vector<ColumnDirection> columns; // x fastest
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nexrad
 {
@@ -16,6 +17,16 @@ namespace
 constexpr double earthRadius = 6'367'450.0; // m, Re of T1
 constexpr double latticeSpacing = 5'000.0;  // m
 constexpr double metresPerLatitude = earthRadius * RadiansPerDegree;
+
+// Horizontal place in cells from the grid's lower faces.
+std::array<double, 2> CellOf(
+  const GridSpecification& grid, const Position& site, double east, double north)
+{
+  const std::array<double, 2> place = ThesisGeographic(site, east, north);
+  const std::array<double, 2> point = grid.FromGeographic(place[0], place[1]);
+  return {(point[0] - grid.origin[0]) / grid.spacing[0] + 0.5,
+    (point[1] - grid.origin[1]) / grid.spacing[1] + 0.5};
+}
 
 } // namespace
 
@@ -42,8 +53,9 @@ std::array<double, 2> ThesisGeographic(const Position& site, double east, double
   return {site.longitude + east / metresPerLongitude, site.latitude + north / metresPerLatitude};
 }
 
-ThesisCells::ThesisCells(const GridSpecification& grid, const Position& site, double radius)
-  : dimensions(grid.dimensions)
+ThesisCells::ThesisCells(const GridSpecification& grid, const Position& site, double radius,
+  const std::optional<VoxelBlock>& part)
+  : block(part.value_or(VoxelBlock::Of(grid)))
   , bottom(grid.origin[2] - 0.5 * grid.spacing[2])
   , cellHeight(grid.spacing[2])
   , reach(std::clamp(radius, latticeSpacing, LargestRadius))
@@ -57,10 +69,7 @@ ThesisCells::ThesisCells(const GridSpecification& grid, const Position& site, do
     for (std::size_t column = 0; column < nodes; ++column)
     {
       const double east = static_cast<double>(column) / nodesPerMetre - reach;
-      const std::array<double, 2> place = ThesisGeographic(site, east, north);
-      const std::array<double, 2> point = grid.FromGeographic(place[0], place[1]);
-      lattice.push_back({(point[0] - grid.origin[0]) / grid.spacing[0] + 0.5,
-        (point[1] - grid.origin[1]) / grid.spacing[1] + 0.5});
+      lattice.push_back(CellOf(grid, site, east, north));
     }
   }
 }
@@ -95,16 +104,46 @@ std::ptrdiff_t ThesisCells::Find(const ThesisPoint& point) const
   const std::array<double, 2> cell = this->CellCoordinates(point.east, point.north);
   const double level = (point.altitude - bottom) / cellHeight;
   // Written so that NaN is outside too.
-  const bool inside = cell[0] >= 0.0 && cell[0] < dimensions[0] && cell[1] >= 0.0 &&
-                      cell[1] < dimensions[1] && level >= 0.0 && level < dimensions[2];
+  const bool inside = cell[0] >= block.begin[0] && cell[0] < block.end[0] &&
+                      cell[1] >= block.begin[1] && cell[1] < block.end[1] &&
+                      level >= block.begin[2] && level < block.end[2];
   if (!inside)
   {
     return -1;
   }
-  const auto x = static_cast<std::ptrdiff_t>(cell[0]);
-  const auto y = static_cast<std::ptrdiff_t>(cell[1]);
-  const auto z = static_cast<std::ptrdiff_t>(level);
-  return (z * dimensions[1] + y) * dimensions[0] + x;
+  const auto x = static_cast<std::ptrdiff_t>(cell[0]) - block.begin[0];
+  const auto y = static_cast<std::ptrdiff_t>(cell[1]) - block.begin[1];
+  const auto z = static_cast<std::ptrdiff_t>(level) - block.begin[2];
+  return (z * block.Size(1) + y) * block.Size(0) + x;
+}
+
+bool ThesisMayReach(
+  const GridSpecification& grid, const VoxelBlock& block, const Position& site, double radius)
+{
+  // The samples lie within the square of the site's flat map, whose edges become curves on the
+  // grid: their box, and a node's way more.
+  const double reach = std::clamp(radius, latticeSpacing, ThesisCells::LargestRadius);
+  const double margin = reach + latticeSpacing;
+  const int steps = static_cast<int>(std::ceil(2.0 * margin / latticeSpacing));
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  std::array<double, 2> least = {infinity, infinity};
+  std::array<double, 2> most = {-infinity, -infinity};
+  for (int i = 0; i <= steps; ++i)
+  {
+    const double along = -margin + 2.0 * margin * i / steps;
+    for (const auto& [east, north] : {std::pair(along, -margin), std::pair(along, margin),
+           std::pair(-margin, along), std::pair(margin, along)})
+    {
+      const std::array<double, 2> cell = CellOf(grid, site, east, north);
+      for (std::size_t axis = 0; axis < 2; ++axis)
+      {
+        least[axis] = std::min(least[axis], cell[axis]);
+        most[axis] = std::max(most[axis], cell[axis]);
+      }
+    }
+  }
+  return least[0] < block.end[0] && most[0] >= block.begin[0] && least[1] < block.end[1] &&
+         most[1] >= block.begin[1];
 }
 
 } // namespace nexrad

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "Geometry/GridSpecification.h"
+#include "Geometry/VoxelBlock.h"
 #include "Model/Site.h"
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -49,13 +51,14 @@ class ThesisCells
 {
 public:
   /// `radius` in m: samples farther east, west, north or south of the site belong to no cell. At
-  /// most LargestRadius is looked at.
-  ThesisCells(const GridSpecification& grid, const Position& site, double radius);
+  /// most LargestRadius is looked at. Only the cells of `block` are found; the default is all.
+  ThesisCells(const GridSpecification& grid, const Position& site, double radius,
+    const std::optional<VoxelBlock>& block = {});
 
   static constexpr double LargestRadius = 600'000.0; ///< m, beyond the range of every radar
 
-  /// Index of the voxel that holds the sample, or −1 outside the grid. On a face between two cells
-  /// it is the upper one.
+  /// Index among the block's voxels of the one that holds the sample, or −1 outside of it. On a
+  /// face between two cells it is the upper one.
   std::ptrdiff_t Find(const ThesisPoint& point) const;
 
   /// Horizontal place in cells from the grid's lower faces: 0.5 is the middle of the first cell.
@@ -63,7 +66,7 @@ public:
   std::array<double, 2> CellCoordinates(double east, double north) const;
 
 private:
-  std::array<int, 3> dimensions;
+  VoxelBlock block;
   double bottom;     // m, lower face
   double cellHeight; // m
   double reach;      // m, the lattice covers −reach…reach
@@ -71,5 +74,10 @@ private:
   std::size_t nodes;                          // along one side
   std::vector<std::array<double, 2>> lattice; // cell coordinates at the nodes, east fastest
 };
+
+/// Whether samples of a site within `radius` m may fall into a block. Errs to one side: without, no
+/// sample does.
+bool ThesisMayReach(
+  const GridSpecification& grid, const VoxelBlock& block, const Position& site, double radius);
 
 } // namespace nexrad

@@ -307,17 +307,18 @@ void SetStates(GriddedVolume& volume)
   }
 }
 
-// T1 to T6: the mean of all samples in each voxel, NaN without one; empty when asked to stop.
+// T1 to T6: the mean of all samples in each voxel of a block, NaN without one; empty when asked to
+// stop.
 std::optional<std::vector<float>> MeansOfSites(const std::vector<SiteBracket>& sites,
-  const GridSpecification& grid, Time time, const Progress& progress)
+  const GridSpecification& grid, const VoxelBlock& block, Time time, const Progress& progress)
 {
   constexpr double shareOfWork = 0.9; // the rest is the fill's
-  Accumulator accumulator(grid.VoxelCount());
+  Accumulator accumulator(block.VoxelCount());
   for (std::size_t i = 0; i < sites.size(); ++i)
   {
     const PolarVolume& any = sites[i].before != nullptr ? *sites[i].before : *sites[i].after;
     const std::vector<SweepTask> tasks = SweepsOf(sites[i]);
-    const ThesisCells cells(grid, *any.site.position, FarthestGate(tasks));
+    const ThesisCells cells(grid, *any.site.position, FarthestGate(tasks), block);
     const SweepDropper dropper(*any.site.position, cells, accumulator);
     const float share = ShareOfAfter(sites[i], time);
     for (std::size_t j = 0; j < tasks.size(); ++j)
@@ -337,24 +338,32 @@ std::optional<std::vector<float>> MeansOfSites(const std::vector<SiteBracket>& s
 } // namespace
 
 std::optional<GriddedVolume> MergeThesis(const std::vector<SiteBracket>& sites,
-  const GridSpecification& grid, Time time, const Progress& progress)
+  const GridSpecification& grid, Time time, const Progress& progress,
+  const std::optional<VoxelBlock>& block)
 {
   if (grid.VoxelCount() == 0)
   {
     throw Error("the grid has no voxels: each dimension must be 1 or more");
   }
   const std::vector<SiteBracket> present = PresentSites(sites);
-  auto means = MeansOfSites(present, grid, time, progress);
+  const VoxelBlock part = block.value_or(VoxelBlock::Of(grid));
+  GriddedVolume volume = EmptyVolume(present, PartOf(grid, part));
+  // The fill looks along whole columns.
+  const VoxelBlock columns = part.Columns(grid);
+  auto means = MeansOfSites(present, grid, columns, time, progress);
   if (!means)
   {
     return std::nullopt;
   }
-  GriddedVolume volume = EmptyVolume(present, grid);
+  const auto plane =
+    static_cast<std::size_t>(columns.Size(0)) * static_cast<std::size_t>(columns.Size(1));
+  FillColumns(*means, PartOf(grid, columns).dimensions, 0, plane);
+  const auto levelAt = [&](int level)
+  { return means->begin() + static_cast<std::ptrdiff_t>(plane) * level; };
+  means->erase(levelAt(part.end[2]), means->end());
+  means->erase(means->begin(), levelAt(part.begin[2]));
   volume.time = time;
   volume.values = std::move(*means);
-  const auto columns =
-    static_cast<std::size_t>(grid.dimensions[0]) * static_cast<std::size_t>(grid.dimensions[1]);
-  FillColumns(volume.values, grid.dimensions, 0, columns);
   SetStates(volume);
   if (progress && !progress(1.0))
   {

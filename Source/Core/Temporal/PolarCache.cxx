@@ -22,6 +22,12 @@ std::size_t PolarCache::Used() const
   return packedBytes + recentBytes;
 }
 
+std::size_t PolarCache::DecodedFiles() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  return decodedFiles;
+}
+
 void PolarCache::Offer(const SeriesVolume& key, const RadarVolume& volume)
 {
   {
@@ -40,6 +46,10 @@ std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
   if (Volume kept = this->Find(key))
   {
     return kept;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++decodedFiles;
   }
   const std::vector<RadarVolume> cycles = SplitCycles(ReadLevel2(key.file, options));
   if (key.cycle >= cycles.size() || cycles[key.cycle].Start() != key.start)

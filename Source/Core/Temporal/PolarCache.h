@@ -33,6 +33,12 @@ public:
   /// Bytes in memory now, at most the limit.
   std::size_t Used() const;
 
+  /// The moment of the volumes.
+  MomentName Moment() const { return moment; }
+
+  /// How many times Get decoded a file.
+  std::size_t DecodedFiles() const;
+
 private:
   using Volume = std::shared_ptr<const PolarVolume>;
   struct Entry
@@ -61,6 +67,7 @@ private:
   mutable std::mutex mutex;
   std::list<Entry> entries; ///< the one used last stands first
   std::list<Recent> recent; ///< the same
+  std::size_t decodedFiles = 0;
   std::size_t packedBytes = 0;
   std::size_t recentBytes = 0;
 };

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <cstring>
 #include <numeric>
 
 namespace nexrad
@@ -22,6 +23,27 @@ constexpr char scanDone = 'd';
 constexpr char scanStopped = 's';
 constexpr char scanFailed = 'f';
 
+Json PackDigest(const VolumeDigest& digest)
+{
+  std::vector<std::uint8_t> bytes(digest.picture.size() * sizeof(float));
+  std::memcpy(bytes.data(), digest.picture.data(), bytes.size());
+  return {{"reach", digest.reach}, {"rings", digest.rings}, {"echoTime", digest.echoTime},
+    {"echo", digest.echo}, {"picture", Json::binary(std::move(bytes))}};
+}
+
+VolumeDigest UnpackDigest(const Json& packed)
+{
+  VolumeDigest digest;
+  digest.reach = packed.at("reach");
+  digest.rings = packed.at("rings");
+  digest.echoTime = packed.at("echoTime");
+  digest.echo = packed.at("echo");
+  const Json::binary_t& bytes = packed.at("picture").get_binary();
+  digest.picture.resize(bytes.size() / sizeof(float));
+  std::memcpy(digest.picture.data(), bytes.data(), digest.picture.size() * sizeof(float));
+  return digest;
+}
+
 Json PackVolume(const Site& site, const SeriesVolume& volume)
 {
   Json packed = {{"site", site.name}, {"file", volume.file.string()}, {"cycle", volume.cycle},
@@ -32,6 +54,10 @@ Json PackVolume(const Site& site, const SeriesVolume& volume)
   {
     packed["position"] = {
       site.position->latitude, site.position->longitude, site.position->altitude};
+  }
+  if (volume.digest)
+  {
+    packed["digest"] = PackDigest(*volume.digest);
   }
   return packed;
 }
@@ -52,6 +78,10 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
   volume.end = Time(Duration(packed.at("end").get<Duration::rep>()));
   volume.rays = packed.at("rays");
   volume.synthetic = packed.at("synthetic");
+  if (packed.contains("digest"))
+  {
+    volume.digest = std::make_shared<const VolumeDigest>(UnpackDigest(packed.at("digest")));
+  }
   return {site, volume};
 }
 

@@ -153,6 +153,11 @@ ScannedFile ScanFile(
       continue;
     }
     scanned.volumes.emplace_back(cycles[cycle].site, Describe(cycles[cycle], path, cycle));
+    if (options.digests)
+    {
+      scanned.volumes.back().second.digest = std::make_shared<const VolumeDigest>(
+        MakeDigest(MakePolarVolume(cycles[cycle], *options.moment)));
+    }
     if (visitor)
     {
       visitor(scanned.volumes.back().second, cycles[cycle]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Gridding/VolumeDigest.h"
 #include "Level2/Level2File.h"
 #include "Model/Progress.h"
 #include "Model/RadarVolume.h"
@@ -9,6 +10,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,7 +26,8 @@ struct SeriesVolume
   Time start{};               ///< first ray
   Time end{};                 ///< last ray
   std::size_t rays = 0;
-  bool synthetic = false; ///< made by the simulator
+  bool synthetic = false;                     ///< made by the simulator
+  std::shared_ptr<const VolumeDigest> digest; ///< when it was asked for
 };
 
 /// All volumes of one radar.
@@ -65,7 +68,8 @@ struct SeriesOptions
   Level2Options level2;
   std::optional<MomentName> moment; ///< a volume without it is left out
   bool requirePosition = false;     ///< a volume of a site without a position is left out
-  ScanShare share;                  ///< default: one process does all
+  bool digests = false; ///< make the digests of the volumes, of `moment`, which must be set
+  ScanShare share;      ///< default: one process does all
 };
 
 /// Called for each volume while its data are in memory, from several threads at once.

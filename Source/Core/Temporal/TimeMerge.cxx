@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Temporal/TimeMerge.h"
 
+#include "Gridding/ThesisGeometry.h"
 #include "Gridding/ThesisMerge.h"
 #include "Model/Error.h"
 #include "Temporal/VolumeSelection.h"
@@ -73,7 +74,8 @@ std::optional<GriddedVolume> MergeByThesis(
     }
     brackets.push_back(bracket);
   }
-  std::optional<GriddedVolume> merged = MergeThesis(brackets, request.grid, request.time, progress);
+  std::optional<GriddedVolume> merged =
+    MergeThesis(brackets, request.grid, request.time, progress, request.block);
   if (merged)
   {
     merged->synthetic = synthetic;
@@ -81,20 +83,87 @@ std::optional<GriddedVolume> MergeByThesis(
   return merged;
 }
 
-std::optional<GriddedVolume> MergeByBeam(const std::vector<VolumeList>& sites,
-  const MergeRequest& request, const Progress& progress, MergeRun* run)
+std::optional<GriddedVolume> MergeByBeam(const VolumeList& volumes, const BeamVolumes& outlines,
+  const MergeRequest& request, const Progress& progress, MergeRun& run)
 {
-  VolumeList volumes;
-  for (const VolumeList& chosen : sites)
-  {
-    volumes.insert(volumes.end(), chosen.begin(), chosen.end());
-  }
-  MergeRun once;
-  MergeRun& shared = run != nullptr ? *run : once;
-  BeamMerger& merger = shared.MergerFor(request);
-  const BeamVolumes ready = merger.Prepare(volumes, request.loop);
-  const std::shared_ptr<const MotionField> motion = shared.MotionFor(ready, request);
+  BeamMerger& merger = run.MergerFor(request);
+  BeamVolumes ready = merger.Prepare(volumes, request.loop);
+  ready.insert(ready.end(), outlines.begin(), outlines.end());
+  const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
   return merger.Merge(ready, request.time, motion.get(), request.loop, progress);
+}
+
+// The volumes of one site of a series that a request takes.
+struct ChosenSite
+{
+  const SiteSeries* series;
+  std::vector<const SeriesVolume*> volumes;
+  bool reaches = true; // the block of the request, or it is not known
+};
+
+// Of sites whose digests tell how far they see, finds those that the request's block needs.
+void FindReaching(std::vector<ChosenSite>& sites, const MergeRequest& request, MergeRun& run)
+{
+  std::vector<ChosenSite*> asked;
+  std::vector<SiteReach> reaches;
+  for (ChosenSite& site : sites)
+  {
+    const auto known = [](const SeriesVolume* volume) { return volume->digest != nullptr; };
+    if (site.series->site.position && std::all_of(site.volumes.begin(), site.volumes.end(), known))
+    {
+      SiteReach reach{*site.series->site.position, 0.0};
+      for (const SeriesVolume* volume : site.volumes)
+      {
+        reach.reach = std::max(reach.reach, volume->digest->reach);
+      }
+      asked.push_back(&site);
+      reaches.push_back(reach);
+    }
+  }
+  std::vector<bool> found;
+  if (request.method == MergeMethod::Beam)
+  {
+    found = run.MergerFor(request).FindReaching(reaches, request.loop);
+  }
+  else
+  {
+    const VoxelBlock block = request.block.value_or(VoxelBlock::Of(request.grid));
+    for (const SiteReach& each : reaches)
+    {
+      found.push_back(ThesisMayReach(request.grid, block, each.position, each.reach));
+    }
+  }
+  for (std::size_t i = 0; i < asked.size(); ++i)
+  {
+    asked[i]->reaches = found[i];
+  }
+}
+
+std::vector<ChosenSite> ChooseSites(
+  const SeriesScan& scan, const MergeRequest& request, MergeRun& run)
+{
+  std::vector<ChosenSite> sites;
+  for (const SiteSeries& series : scan.sites)
+  {
+    ChosenSite site{&series, {}};
+    for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
+    {
+      site.volumes.push_back(&series.volumes[index]);
+    }
+    if (!site.volumes.empty())
+    {
+      sites.push_back(std::move(site));
+    }
+  }
+  FindReaching(sites, request, run);
+  return sites;
+}
+
+// Whether a request's merge searches reflectivity for its motion.
+bool LooksForMotion(const MergeRequest& request, MomentName moment)
+{
+  return request.method == MergeMethod::Beam && moment == MomentName::REF &&
+         request.interpolation == TimeInterpolationMethod::AlongMotion && !request.motion;
 }
 
 bool AreSame(const GridSpecification& a, const GridSpecification& b)
@@ -214,6 +283,7 @@ BeamMerger& MergeRun::MergerFor(const MergeRequest& request)
     merger = std::make_unique<BeamMerger>(request.grid, options);
     tracker = std::make_unique<MotionTracker>(request.grid, options.beam);
   }
+  merger->SetBlock(request.block.value_or(VoxelBlock::Of(request.grid)));
   return *merger;
 }
 
@@ -229,7 +299,7 @@ std::shared_ptr<const MotionField> MergeRun::MotionFor(
     CheckMotion(*request.motion);
     return std::make_shared<const MotionField>(MotionField::Constant(*request.motion));
   }
-  return volumes.front()->moment == MomentName::REF
+  return LooksForMotion(request, volumes.front()->moment)
            ? tracker->Find(volumes, request.time, request.loop)
            : nullptr;
 }
@@ -246,8 +316,17 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>&
       sites.push_back(std::move(chosen));
     }
   }
-  return request.method == MergeMethod::Thesis ? MergeByThesis(sites, request, progress)
-                                               : MergeByBeam(sites, request, progress, run);
+  if (request.method == MergeMethod::Thesis)
+  {
+    return MergeByThesis(sites, request, progress);
+  }
+  VolumeList chosen;
+  for (const VolumeList& own : sites)
+  {
+    chosen.insert(chosen.end(), own.begin(), own.end());
+  }
+  MergeRun once;
+  return MergeByBeam(chosen, {}, request, progress, run != nullptr ? *run : once);
 }
 
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
@@ -273,22 +352,67 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
   return MergeVolumes(polar, request, progress, &run);
 }
 
+std::shared_ptr<const BeamVolume> MergeRun::OutlineOf(
+  const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment)
+{
+  const bool pictured = LooksForMotion(request, moment);
+  outlines.erase(std::remove_if(outlines.begin(), outlines.end(),
+                   [](const Outline& each) { return each.volume.expired(); }),
+    outlines.end());
+  for (const Outline& each : outlines)
+  {
+    if (each.digest == volume.digest && each.pictured == pictured)
+    {
+      return each.volume.lock();
+    }
+  }
+  BeamVolume outline;
+  outline.site = site;
+  outline.moment = moment;
+  outline.start = volume.start;
+  outline.end = volume.end;
+  outline.synthetic = volume.synthetic;
+  if (pictured)
+  {
+    outline.composite = CompositeOf(*volume.digest);
+  }
+  auto made = std::make_shared<const BeamVolume>(std::move(outline));
+  outlines.push_back({volume.digest, pictured, made});
+  return made;
+}
+
 std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,
   const MergeRequest& request, const Progress& progress, MergeRun* run)
 {
+  MergeRun once;
+  MergeRun& shared = run != nullptr ? *run : once;
+  const std::vector<ChosenSite> sites = ChooseSites(scan, request, shared);
   // Reading is the first half of the progress when files must be decoded again.
   const Progress reading = Share(progress, 0.0, 0.5);
   std::vector<std::shared_ptr<const PolarVolume>> inUse;
-  for (std::size_t i = 0; i < scan.sites.size(); ++i)
+  BeamVolumes outlines;
+  for (std::size_t i = 0; i < sites.size(); ++i)
   {
-    if (reading && !reading(static_cast<double>(i) / static_cast<double>(scan.sites.size())))
+    if (reading && !reading(static_cast<double>(i) / static_cast<double>(sites.size())))
     {
       return std::nullopt;
     }
-    const SiteSeries& series = scan.sites[i];
-    for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
+    const Site& site = sites[i].series->site;
+    for (const SeriesVolume* volume : sites[i].volumes)
     {
-      inUse.push_back(cache.Get(series.volumes[index]));
+      if (sites[i].reaches)
+      {
+        inUse.push_back(cache.Get(*volume));
+      }
+      else if (request.method == MergeMethod::Beam)
+      {
+        outlines.push_back(shared.OutlineOf(site, *volume, request, cache.Moment()));
+      }
+      else
+      {
+        inUse.push_back(std::make_shared<const PolarVolume>(
+          PolarVolume{site, cache.Moment(), volume->start, volume->end, volume->synthetic, {}}));
+      }
     }
   }
   VolumeList volumes;
@@ -296,7 +420,10 @@ std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cac
   {
     volumes.push_back(volume.get());
   }
-  return MergeVolumes(volumes, request, Share(progress, 0.5, 1.0), run);
+  const Progress merging = Share(progress, 0.5, 1.0);
+  return request.method == MergeMethod::Beam
+           ? MergeByBeam(volumes, outlines, request, merging, shared)
+           : MergeVolumes(volumes, request, merging, &shared);
 }
 
 } // namespace nexrad

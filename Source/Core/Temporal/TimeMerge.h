@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Geometry/VoxelBlock.h"
 #include "Gridding/BeamMerge.h"
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/PolarVolume.h"
@@ -54,6 +55,7 @@ struct MergeRequest
                                   ///< at most FastestEcho; without it other moments are
                                   ///< interpolated linearly
   RangeLoop loop;                 ///< runs Beam's rows; empty: on this thread
+  std::optional<VoxelBlock> block; ///< the part of the grid that is made, as it is in the whole
 };
 
 /// A volume in the form that a method takes; the other is empty.
@@ -81,14 +83,27 @@ public:
   /// The merger for the request's grid and options: the one before, when they are the same.
   BeamMerger& MergerFor(const MergeRequest& request);
 
+  /// A volume without sweeps in place of one that tells nothing of the request's block: it takes
+  /// part in the search for motion by its digest.
+  std::shared_ptr<const BeamVolume> OutlineOf(
+    const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment);
+
   /// The motion along which the request asks to interpolate between volumes that MergerFor's merger
   /// made ready; nullptr for none.
   std::shared_ptr<const MotionField> MotionFor(
     const BeamVolumes& volumes, const MergeRequest& request);
 
 private:
+  struct Outline
+  {
+    std::shared_ptr<const VolumeDigest> digest;
+    bool pictured;                          // has the digest's picture
+    std::weak_ptr<const BeamVolume> volume; // as long as a merge or the tracker holds it
+  };
+
   std::unique_ptr<BeamMerger> merger;
   std::unique_ptr<MotionTracker> tracker; // for the merger's grid
+  std::vector<Outline> outlines;
 };
 
 /// Merges volumes of any number of sites, in any order: for each site those about the time (for
@@ -102,7 +117,8 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>&
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
   const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory = {});
 
-/// The same for a scanned series: only the volumes about the time are brought into memory.
+/// The same for a scanned series: only the volumes about the time are brought into memory, and of
+/// those with a digest only the ones that reach the request's block.
 std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,
   const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
 

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Pieces of a volume as the processes of a parallel pipeline ask for them: put together they are,
+// bit by bit, the volume of one process.
+#include "TestData.h"
+
+#include "vtkNexradDayReader.h"
+#include "vtkNexradLevel2Reader.h"
+#include "vtkNexradSiteMerge.h"
+#include "vtkNexradVolumeReader.h"
+#include "vtkNexradVolumeResampler.h"
+#include "vtkNexradVolumeWriter.h"
+
+#include "Geometry/SiteGeoreference.h"
+#include "Geometry/VoxelBlock.h"
+#include "Gridding/PolarVolume.h"
+#include "Level2/Level2File.h"
+
+#include "vtkDataArray.h"
+#include "vtkImageAlgorithm.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPointData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+const double multisiteTime = nexrad::ToSeconds(*nexrad::ParseIso8601("2010-09-11T01:20:00Z"));
+
+// The voxels of a piece against those at the same place of the whole, in all arrays.
+void ExpectPartOf(vtkImageData* piece, vtkImageData* whole, std::vector<bool>& covered)
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    EXPECT_EQ(piece->GetOrigin()[axis], whole->GetOrigin()[axis]);
+    EXPECT_EQ(piece->GetSpacing()[axis], whole->GetSpacing()[axis]);
+  }
+  const int* extent = piece->GetExtent();
+  const int arrays = whole->GetPointData()->GetNumberOfArrays();
+  ASSERT_EQ(piece->GetPointData()->GetNumberOfArrays(), arrays);
+  for (int i = 0; i < arrays; ++i)
+  {
+    vtkDataArray* expected = whole->GetPointData()->GetArray(i);
+    vtkDataArray* found = piece->GetPointData()->GetArray(expected->GetName());
+    ASSERT_NE(found, nullptr) << expected->GetName();
+    int differences = 0;
+    for (int z = extent[4]; z <= extent[5]; ++z)
+    {
+      for (int y = extent[2]; y <= extent[3]; ++y)
+      {
+        for (int x = extent[0]; x <= extent[1]; ++x)
+        {
+          int at[3] = {x, y, z};
+          covered[static_cast<std::size_t>(whole->ComputePointId(at))] = true;
+          differences += found->GetTuple1(piece->ComputePointId(at)) !=
+                         expected->GetTuple1(whole->ComputePointId(at));
+        }
+      }
+    }
+    EXPECT_EQ(differences, 0) << expected->GetName();
+  }
+}
+
+// The first algorithm makes the whole, the second one piece after the other. Neighbouring pieces
+// share a layer of points, since VTK shares out cells. `look` sees each piece.
+void ExpectPiecesMakeTheWhole(vtkImageAlgorithm* alone, vtkImageAlgorithm* inPieces, double time,
+  int pieces, const std::function<void(vtkImageAlgorithm*)>& look)
+{
+  alone->UpdateTimeStep(time);
+  vtkImageData* whole = alone->GetOutput();
+  ASSERT_GT(whole->GetNumberOfPoints(), 0);
+  std::vector<bool> covered(static_cast<std::size_t>(whole->GetNumberOfPoints()));
+  for (int piece = 0; piece < pieces; ++piece)
+  {
+    inPieces->UpdateTimeStep(time, piece, pieces);
+    vtkImageData* part = inPieces->GetOutput();
+    if (part->GetNumberOfPoints() > 0)
+    {
+      EXPECT_TRUE(pieces == 1 || part->GetNumberOfPoints() < whole->GetNumberOfPoints());
+      ExpectPartOf(part, whole, covered);
+    }
+    look(inPieces);
+  }
+  EXPECT_TRUE(std::all_of(covered.begin(), covered.end(), [](bool each) { return each; }));
+}
+
+void LookAway(vtkImageAlgorithm* /*piece*/) {}
+
+void SetMultisite(vtkNexradDayReader* reader, const std::filesystem::path& data)
+{
+  reader->AddFileName((data / "level2/multisite-20100911").c_str());
+  reader->SetDimensions(61, 47, 9);
+  reader->SetMaximumGap(2700.0);
+}
+
+// How many of the files see some column of the image, by exact geodesics.
+int FilesThatReach(vtkImageData* image, const std::vector<nexrad::PolarVolume>& volumes,
+  const nexrad::GridSpecification& grid)
+{
+  int count = 0;
+  for (const nexrad::PolarVolume& volume : volumes)
+  {
+    double reach = 0.0;
+    for (const nexrad::PolarSweep& sweep : volume.sweeps)
+    {
+      reach =
+        std::max(reach, sweep.firstGate + static_cast<double>(sweep.gates) * sweep.gateSpacing);
+    }
+    double nearest = std::numeric_limits<double>::infinity();
+    const nexrad::SiteGeoreference georeference(*volume.site.position);
+    const int* extent = image->GetExtent();
+    for (int y = extent[2]; y <= extent[3]; ++y)
+    {
+      for (int x = extent[0]; x <= extent[1]; ++x)
+      {
+        const auto place = grid.ToGeographic(grid.Coordinate(0, x), grid.Coordinate(1, y));
+        nearest = std::min(nearest, georeference.Look(place[0], place[1]).groundDistance);
+      }
+    }
+    count += nearest <= reach;
+  }
+  return count;
+}
+
+TEST(Pieces, OfEightRadarsMakeTheirMerge)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  std::vector<nexrad::PolarVolume> volumes;
+  std::vector<nexrad::Position> positions;
+  for (const auto& entry : std::filesystem::directory_iterator(data / "level2/multisite-20100911"))
+  {
+    volumes.push_back(
+      nexrad::MakePolarVolume(nexrad::ReadLevel2(entry.path()), nexrad::MomentName::REF));
+    positions.push_back(*volumes.back().site.position);
+  }
+  nexrad::GridRequest request;
+  request.dimensions = {61, 47, 9};
+  const nexrad::GridSpecification grid = nexrad::MakeGrid(request, positions);
+  vtkNew<vtkNexradDayReader> alone;
+  SetMultisite(alone, data);
+  vtkNew<vtkNexradDayReader> inPieces;
+  SetMultisite(inPieces, data);
+  for (const int pieces : {2, 4, 7})
+  {
+    ExpectPiecesMakeTheWhole(alone, inPieces, multisiteTime, pieces, LookAway);
+  }
+  // Without memory for rays, what is needed is decoded.
+  vtkNew<vtkNexradDayReader> forgetful;
+  SetMultisite(forgetful, data);
+  forgetful->SetMemoryLimit(0);
+  int before = 0;
+  std::vector<int> decoded;
+  const auto count = [&](vtkImageAlgorithm* reader)
+  {
+    decoded.push_back(forgetful->GetNumberOfDecodedFiles() - before);
+    before = forgetful->GetNumberOfDecodedFiles();
+    EXPECT_EQ(decoded.back(), FilesThatReach(reader->GetOutput(), volumes, grid));
+  };
+  ExpectPiecesMakeTheWhole(alone, forgetful, multisiteTime, 3, count);
+  // Not all of them everywhere: from KBUF to Maine it is too far, and from KCBW to Lake Erie.
+  EXPECT_LT(*std::min_element(decoded.begin(), decoded.end()), 8);
+}
+
+TEST(Pieces, OfAMergeAlongTheMotionWithCompanions)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:55:00Z"));
+  vtkNew<vtkNexradDayReader> alone;
+  vtkNew<vtkNexradDayReader> inPieces;
+  for (vtkNexradDayReader* reader : {alone.Get(), inPieces.Get()})
+  {
+    reader->AddFileName((data / "level2/run-kbgm-20050821").c_str());
+    reader->SetDimensions(31, 37, 11);
+    reader->CompanionArraysOn();
+  }
+  ExpectPiecesMakeTheWhole(alone, inPieces, time, 4, LookAway);
+  EXPECT_NE(alone->GetOutput()->GetPointData()->GetArray("REF_age"), nullptr);
+  alone->SetMethodToThesis();
+  inPieces->SetMethodToThesis();
+  ExpectPiecesMakeTheWhole(alone, inPieces, time, 3, LookAway);
+}
+
+TEST(Pieces, OfTheFiltersAndOfVolumeFiles)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path file = data / "level2/run-kbgm-20050821/KBGM20050821_025458.gz";
+  const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:56:00Z"));
+  vtkNew<vtkNexradLevel2Reader> sweeps;
+  sweeps->SetFileName(file.c_str());
+  vtkNew<vtkNexradSiteMerge> merged;
+  vtkNew<vtkNexradSiteMerge> mergedInPieces;
+  for (vtkNexradSiteMerge* merge : {merged.Get(), mergedInPieces.Get()})
+  {
+    merge->SetInputConnection(sweeps->GetOutputPort());
+    merge->SetDimensions(33, 29, 10);
+    merge->SetTime(time);
+  }
+  ExpectPiecesMakeTheWhole(merged, mergedInPieces, time, 3, LookAway);
+  vtkNew<vtkNexradVolumeResampler> resampled;
+  vtkNew<vtkNexradVolumeResampler> resampledInPieces;
+  for (vtkNexradVolumeResampler* resample : {resampled.Get(), resampledInPieces.Get()})
+  {
+    resample->SetInputConnection(sweeps->GetOutputPort());
+    resample->SetDimensions(33, 29, 10);
+    resample->CompanionArraysOn();
+  }
+  ExpectPiecesMakeTheWhole(resampled, resampledInPieces, time, 4, LookAway);
+
+  const nexrad::testing::TemporaryFolder folder;
+  const std::string path = folder.Path() / "volume.nxv";
+  vtkNew<vtkNexradVolumeWriter> writer;
+  writer->SetInputConnection(resampled->GetOutputPort());
+  writer->SetFileName(path.c_str());
+  ASSERT_EQ(writer->Write(), 1);
+  vtkNew<vtkNexradVolumeReader> read;
+  vtkNew<vtkNexradVolumeReader> readInPieces;
+  read->SetFileName(path.c_str());
+  readInPieces->SetFileName(path.c_str());
+  for (const int pieces : {2, 5})
+  {
+    ExpectPiecesMakeTheWhole(read, readInPieces, time, pieces, LookAway);
+  }
+}
+
+// More processes than there are cells to share out: some have nothing to do, and say nothing.
+TEST(Pieces, SomeOfThemMayBeEmpty)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  vtkNew<vtkNexradDayReader> alone;
+  vtkNew<vtkNexradDayReader> inPieces;
+  for (vtkNexradDayReader* reader : {alone.Get(), inPieces.Get()})
+  {
+    reader->AddFileName((data / "level2/run-kbgm-20050821/KBGM20050821_025458.gz").c_str());
+    reader->SetDimensions(3, 2, 1);
+  }
+  const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:55:00Z"));
+  int empty = 0;
+  ExpectPiecesMakeTheWhole(alone, inPieces, time, 6,
+    [&empty](vtkImageAlgorithm* each)
+    {
+      empty += each->GetOutput()->GetNumberOfPoints() == 0;
+      EXPECT_EQ(each->GetErrorCode(), 0UL);
+    });
+  EXPECT_EQ(empty, 4);
+}
+
+} // namespace
