@@ -149,6 +149,10 @@ int vtkNexradDayReader::Scan()
   {
     options.share.rank = static_cast<std::size_t>(controller->GetLocalProcessId());
     options.share.count = static_cast<std::size_t>(controller->GetNumberOfProcesses());
+    // VTK shares a volume out along its longest axis; of x and y alike, along y.
+    options.share.order = this->Dimensions[1] >= this->Dimensions[0]
+                            ? nexrad::ScanOrder::ByLatitude
+                            : nexrad::ScanOrder::ByLongitude;
     options.share.exchange = [controller](const std::string& mine)
     { return vtkNexradExchange(controller, mine); };
   }

@@ -105,6 +105,7 @@ int vtkNexradLevel2Reader::RequestInformation(
   vtkInformation* info = output->GetInformationObject(0);
   info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), &time, 1);
   info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
 
@@ -119,8 +120,8 @@ int vtkNexradLevel2Reader::RequestData(
   auto* sweeps = vtkPartitionedDataSetCollection::GetData(output, 0);
   try
   {
-    if (!vtkNexradAppendSweeps(
-          this->File->Volume, this->MakeSweepOptions(), sweeps, vtkNexradProgress(this)))
+    if (!vtkNexradAppendSweeps(this->File->Volume,
+          this->MakeSweepOptions(output->GetInformationObject(0)), sweeps, vtkNexradProgress(this)))
     {
       sweeps->Initialize();
       return 1;

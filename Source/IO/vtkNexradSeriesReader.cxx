@@ -143,6 +143,7 @@ int vtkNexradSeriesReader::RequestInformation(
   info->Set(
     vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
   info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+  info->Set(vtkAlgorithm::CAN_HANDLE_PIECE_REQUEST(), 1);
   return 1;
 }
 
@@ -162,7 +163,7 @@ int vtkNexradSeriesReader::RequestData(
   auto* sweeps = vtkPartitionedDataSetCollection::GetData(output, 0);
   try
   {
-    if (!this->ReadAt(time, sweeps))
+    if (!this->ReadAt(time, info, sweeps))
     {
       sweeps->Initialize();
       return 1;
@@ -177,10 +178,11 @@ int vtkNexradSeriesReader::RequestData(
   return 1;
 }
 
-int vtkNexradSeriesReader::ReadAt(double time, vtkPartitionedDataSetCollection* sweeps)
+int vtkNexradSeriesReader::ReadAt(
+  double time, vtkInformation* outputInformation, vtkPartitionedDataSetCollection* sweeps)
 {
   const nexrad::SeriesScan& scan = this->Scanned->Scan;
-  vtkNexradSweepOptions options = this->MakeSweepOptions();
+  vtkNexradSweepOptions options = this->MakeSweepOptions(outputInformation);
   const std::vector<nexrad::Position> positions = scan.Positions();
   if (!options.Center && !positions.empty())
   {

@@ -199,7 +199,9 @@ bool vtkNexradAppendSweeps(const nexrad::RadarVolume& volume, const vtkNexradSwe
     }
     const nexrad::Sweep& sweep = volume.sweeps[index];
     vtkNew<vtkPartitionedDataSet> grids;
-    for (const vtkNexradGateGrid& gates : vtkNexradLayOutSweep(sweep, options.Moments))
+    const bool wanted = output->GetNumberOfPartitionedDataSets() % options.Pieces == options.Piece;
+    for (const vtkNexradGateGrid& gates :
+      vtkNexradLayOutSweep(sweep, wanted ? options.Moments : std::vector<nexrad::MomentName>()))
     {
       const auto grid = MakeGrid(sweep, gates, placement);
       AddVolumeFieldData(volume, grid->GetFieldData());

@@ -53,6 +53,8 @@ struct vtkNexradSweepOptions
   double EffectiveRadiusFactor = 4.0 / 3.0;
   std::vector<nexrad::MomentName> Moments; ///< those wanted
   std::string NamePrefix;                  ///< before "Sweep 03 1.45 deg"
+  unsigned int Piece = 0;  ///< of Pieces: of each Pieces data sets in turn, this one is filled
+  unsigned int Pieces = 1; ///< at least 1; the others have no grids
 };
 
 /**

@@ -6,6 +6,8 @@
 
 #include "vtkDataArraySelection.h"
 #include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
 #include <algorithm>
@@ -48,7 +50,7 @@ nexrad::Level2Options vtkNexradSweepReader::MakeLevel2Options() const
   return options;
 }
 
-vtkNexradSweepOptions vtkNexradSweepReader::MakeSweepOptions()
+vtkNexradSweepOptions vtkNexradSweepReader::MakeSweepOptions(vtkInformation* outputInformation)
 {
   vtkNexradSweepOptions options;
   options.Coordinates = this->Coordinates == GEOGRAPHIC  ? vtkNexradCoordinates::Geographic
@@ -65,6 +67,15 @@ vtkNexradSweepOptions vtkNexradSweepReader::MakeSweepOptions()
     {
       options.Moments.push_back(moment);
     }
+  }
+  if (outputInformation->Has(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES()))
+  {
+    const int pieces =
+      outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+    const int piece =
+      outputInformation->Get(vtkStreamingDemandDrivenPipeline::UPDATE_PIECE_NUMBER());
+    options.Pieces = static_cast<unsigned int>(std::max(1, pieces));
+    options.Piece = static_cast<unsigned int>(std::max(0, piece));
   }
   return options;
 }

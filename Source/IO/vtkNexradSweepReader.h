@@ -5,6 +5,10 @@
  *
  * Which moments to read, in which coordinates, and what to assume of a site whose file does not
  * say it. See vtkNexradLevel2Reader for the output.
+ *
+ * Several processes of a parallel pipeline share the sweeps out among them in turn
+ * (UPDATE_PIECE_NUMBER): each has all data sets, and grids in those that are its own. Each decodes
+ * the files whole.
  */
 #ifndef vtkNexradSweepReader_h
 #define vtkNexradSweepReader_h
@@ -16,6 +20,7 @@
 #include <string> // For members
 
 class vtkDataArraySelection;
+class vtkInformation;
 class vtkStringArray;
 
 namespace nexrad
@@ -116,7 +121,7 @@ protected:
   ~vtkNexradSweepReader() override;
 
   nexrad::Level2Options MakeLevel2Options() const;
-  vtkNexradSweepOptions MakeSweepOptions();
+  vtkNexradSweepOptions MakeSweepOptions(vtkInformation* outputInformation);
 
   /**
    * Keeps the line and gives the warning.

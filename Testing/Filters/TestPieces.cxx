@@ -5,6 +5,7 @@
 
 #include "vtkNexradDayReader.h"
 #include "vtkNexradLevel2Reader.h"
+#include "vtkNexradSeriesReader.h"
 #include "vtkNexradSiteMerge.h"
 #include "vtkNexradVolumeReader.h"
 #include "vtkNexradVolumeResampler.h"
@@ -15,10 +16,14 @@
 #include "Gridding/PolarVolume.h"
 #include "Level2/Level2File.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"
 #include "vtkImageAlgorithm.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
 #include "vtkNew.h"
+#include "vtkPartitionedDataSet.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkPointData.h"
 
 #include <gtest/gtest.h>
@@ -26,6 +31,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <functional>
+#include <initializer_list>
 #include <limits>
 #include <string>
 #include <vector>
@@ -227,6 +233,43 @@ TEST(Pieces, OfTheFiltersAndOfVolumeFiles)
   for (const int pieces : {2, 5})
   {
     ExpectPiecesMakeTheWhole(read, readInPieces, time, pieces, LookAway);
+  }
+}
+
+// The sweeps of a file, each in one of the pieces, all named in all of them.
+TEST(Pieces, ShareTheSweepsOut)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path run = data / "level2/run-kbgm-20050821";
+  vtkNew<vtkNexradLevel2Reader> file;
+  file->SetFileName((run / "KBGM20050821_025458.gz").c_str());
+  vtkNew<vtkNexradSeriesReader> series;
+  series->AddFileName((run / "KBGM20050821_025458.gz").c_str());
+  for (vtkNexradSweepReader* reader : std::initializer_list<vtkNexradSweepReader*>{file, series})
+  {
+    const auto pointsOf = [reader](int piece, int pieces)
+    {
+      reader->UpdatePiece(piece, pieces, 0);
+      auto* sweeps = vtkPartitionedDataSetCollection::SafeDownCast(reader->GetOutputDataObject(0));
+      std::vector<vtkIdType> points;
+      for (unsigned int i = 0; i < sweeps->GetNumberOfPartitionedDataSets(); ++i)
+      {
+        EXPECT_TRUE(sweeps->GetMetaData(i)->Has(vtkCompositeDataSet::NAME()));
+        points.push_back(sweeps->GetPartitionedDataSet(i)->GetNumberOfPoints());
+      }
+      return points;
+    };
+    const std::vector<vtkIdType> whole = pointsOf(0, 1);
+    ASSERT_EQ(whole.size(), 11U);
+    std::vector<vtkIdType> together(whole.size(), 0);
+    for (int piece = 0; piece < 3; ++piece)
+    {
+      const std::vector<vtkIdType> own = pointsOf(piece, 3);
+      ASSERT_EQ(own.size(), whole.size());
+      EXPECT_GE(std::count(own.begin(), own.end(), 0), 7);
+      std::transform(own.begin(), own.end(), together.begin(), together.begin(), std::plus<>());
+    }
+    EXPECT_EQ(together, whole);
   }
 }
 

@@ -3,12 +3,14 @@
 
 #include "Level2/Level2File.h"
 #include "Model/Error.h"
+#include "Model/SiteTable.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <cstring>
 #include <numeric>
+#include <tuple>
 
 namespace nexrad
 {
@@ -104,20 +106,33 @@ InputProblem UnpackProblem(const Json& packed)
   return problem;
 }
 
-// Indices of the paths in the order of the times in the files' headers.
-std::vector<std::size_t> OrderByTime(const std::vector<std::filesystem::path>& paths)
+// Where a site stands along the axis of an order, degrees; 0 without one, or for an unknown site.
+double PlaceOf(const std::string& site, ScanOrder order)
 {
-  std::vector<Time> times;
+  const KnownSite* known = order == ScanOrder::ByTime ? nullptr : FindSite(site);
+  if (known == nullptr)
+  {
+    return 0.0;
+  }
+  return order == ScanOrder::ByLongitude ? known->position.longitude : known->position.latitude;
+}
+
+// Indices of the paths in the order of the places and times in the files' headers.
+std::vector<std::size_t> OrderByHeaders(
+  const std::vector<std::filesystem::path>& paths, ScanOrder order)
+{
+  std::vector<std::tuple<double, std::string, Time>> keys;
   for (const std::filesystem::path& path : paths)
   {
-    const std::optional<VolumeHeader> header = PeekVolumeHeader(path);
-    times.push_back(header && header->time ? *header->time : Time());
+    const VolumeHeader header = PeekVolumeHeader(path).value_or(VolumeHeader());
+    const std::string site = order == ScanOrder::ByTime ? std::string() : header.siteName;
+    keys.emplace_back(PlaceOf(site, order), site, header.time.value_or(Time()));
   }
-  std::vector<std::size_t> order(paths.size());
-  std::iota(order.begin(), order.end(), std::size_t(0));
-  std::stable_sort(order.begin(), order.end(),
-    [&times](std::size_t a, std::size_t b) { return times[a] < times[b]; });
-  return order;
+  std::vector<std::size_t> sorted(paths.size());
+  std::iota(sorted.begin(), sorted.end(), std::size_t(0));
+  std::stable_sort(sorted.begin(), sorted.end(),
+    [&keys](std::size_t a, std::size_t b) { return keys[a] < keys[b]; });
+  return sorted;
 }
 
 // The scan of this process as a message. Whatever goes wrong becomes a message too: the others wait
@@ -144,7 +159,7 @@ std::optional<std::vector<ScannedFile>> ScanTogether(
   const auto partBegin = [&](std::size_t rank) { return paths.size() * rank / share.count; };
   const auto scanOwn = [&]
   {
-    order = OrderByTime(paths);
+    order = OrderByHeaders(paths, share.order);
     std::vector<std::filesystem::path> own;
     for (std::size_t place = partBegin(share.rank); place < partBegin(share.rank + 1); ++place)
     {

@@ -16,9 +16,9 @@ namespace nexrad
 using FileScanner =
   std::function<std::optional<std::vector<ScannedFile>>(const std::vector<std::filesystem::path>&)>;
 
-/// Scans `paths` by several processes, each a part of neighbouring times by what the files' headers
-/// say, and gives each of them all files in the order of `paths`. Empty everywhere when one process
-/// was asked to stop. Throws Error everywhere when one of them fails.
+/// Scans `paths` by several processes, each a part of neighbouring times or sites by what the
+/// files' headers say, and gives each of them all files in the order of `paths`. Empty everywhere
+/// when one process was asked to stop. Throws Error everywhere when one of them fails.
 std::optional<std::vector<ScannedFile>> ScanTogether(
   const std::vector<std::filesystem::path>& paths, const ScanShare& share, const FileScanner& scan);
 

@@ -53,6 +53,14 @@ struct SeriesScan
   std::vector<Position> Positions() const;
 };
 
+/// What the files that one of several processes scans have in common.
+enum class ScanOrder
+{
+  ByTime,      ///< neighbouring times
+  ByLongitude, ///< neighbouring sites from west to east, and their times
+  ByLatitude   ///< neighbouring sites from south to north, and their times
+};
+
 /// This process among several that scan one list of inputs together.
 struct ScanShare
 {
@@ -61,6 +69,7 @@ struct ScanShare
   /// Hands `mine` to all processes, and returns what each handed over, in the order of their ranks.
   /// All processes call it. Not needed by one alone.
   std::function<std::vector<std::string>(const std::string& mine)> exchange;
+  ScanOrder order = ScanOrder::ByTime;
 };
 
 struct SeriesOptions
@@ -81,9 +90,9 @@ using VolumeVisitor = std::function<void(const SeriesVolume&, const RadarVolume&
 /// `problems`; `progress` is called from this thread alone. Empty when `progress` asked to stop.
 /// Throws Error as FindInputFiles does.
 ///
-/// Several processes scan a part each, of neighbouring times, so that a process finds most volumes
-/// of its part of the day among those that it visited. All get the same result: also when one of
-/// them fails or is asked to stop.
+/// Several processes scan a part each, of neighbouring times or sites, so that a process finds most
+/// volumes of its part of the day, or of the country, among those that it visited. All get the same
+/// result: also when one of them fails or is asked to stop.
 std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
   const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
   const Progress& progress = {});

@@ -4,11 +4,15 @@
 #include "HandMadeVolume.h"
 #include "Level2/Level2File.h"
 #include "Model/Error.h"
+#include "Model/SiteTable.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
+#include <cmath>
 #include <condition_variable>
 #include <future>
 #include <mutex>
@@ -150,6 +154,87 @@ TEST(SharedScan, PartsAreNeighboursInTime)
   const auto parts = ScanAsProcesses(2, scan);
   EXPECT_EQ(parts[0], (std::vector{paths[3], paths[1], paths[5]}));
   EXPECT_EQ(parts[1], (std::vector{paths[4], paths[2], paths[0]}));
+}
+
+TEST(SharedScan, PartsMayBeNeighbouringSites)
+{
+  const TemporaryFolder folder;
+  std::vector<std::filesystem::path> paths;
+  for (const char* const name :
+    {"KLSX", "KEAX", "KBGM", "KFWS"}) // far east and north, and far south
+  {
+    for (const char* const minute : {"10", "00"})
+    {
+      const Time start = *ParseIso8601(std::string("2006-03-12T18:") + minute + ":00Z");
+      const Site site = {name, FindSite(name)->position};
+      paths.push_back(WriteLevel2(
+        folder.Path() / (std::string(name) + minute), {ConstantVolume(site, start, 20.0)}));
+    }
+  }
+  const auto partsBy = [&paths](ScanOrder order)
+  {
+    const auto scan = [&paths, order](ScanShare share)
+    {
+      std::vector<std::string> own;
+      share.order = order;
+      ScanTogether(paths, share,
+        [&own](const std::vector<std::filesystem::path>& files)
+        {
+          for (const std::filesystem::path& file : files)
+          {
+            own.push_back(file.filename());
+          }
+          return std::vector<ScannedFile>(files.size());
+        });
+      return own;
+    };
+    return ScanAsProcesses(2, scan);
+  };
+  using Names = std::vector<std::string>;
+  const auto byLongitude = partsBy(ScanOrder::ByLongitude);
+  EXPECT_EQ(byLongitude[0], (Names{"KFWS00", "KFWS10", "KEAX00", "KEAX10"}));
+  EXPECT_EQ(byLongitude[1], (Names{"KLSX00", "KLSX10", "KBGM00", "KBGM10"}));
+  const auto byLatitude = partsBy(ScanOrder::ByLatitude);
+  EXPECT_EQ(byLatitude[0], (Names{"KFWS00", "KFWS10", "KLSX00", "KLSX10"}));
+  EXPECT_EQ(byLatitude[1], (Names{"KEAX00", "KEAX10", "KBGM00", "KBGM10"}));
+}
+
+TEST(SharedScan, DigestsReachAllProcesses)
+{
+  const TemporaryFolder folder;
+  const Time start = *ParseIso8601("2006-03-12T18:00Z");
+  for (const double value : {10.0, 20.5, 30.0})
+  {
+    WriteLevel2(folder.Path() / std::to_string(value),
+      {ConstantVolume(keax, start + Duration(std::llround(60'000.0 * value)), value)});
+  }
+  SeriesOptions options;
+  options.moment = MomentName::REF;
+  options.digests = true;
+  const SeriesScan alone = *ScanInputs({folder.Path()}, options);
+  const auto scan = [&](const ScanShare& share)
+  {
+    SeriesOptions own = options;
+    own.share = share;
+    return ScanInputs({folder.Path()}, own);
+  };
+  for (const auto& found : ScanAsProcesses(2, scan))
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const VolumeDigest& expected = *alone.sites[0].volumes[i].digest;
+      const VolumeDigest& digest = *found->sites.at(0).volumes.at(i).digest;
+      EXPECT_EQ(digest.reach, 100'000.0);
+      EXPECT_EQ(digest.reach, expected.reach);
+      EXPECT_EQ(digest.rings, expected.rings);
+      EXPECT_EQ(digest.echo, expected.echo);
+      EXPECT_EQ(digest.echoTime, expected.echoTime);
+      EXPECT_EQ(digest.picture, expected.picture);
+      EXPECT_NE(std::count(digest.picture.begin(), digest.picture.end(),
+                  static_cast<float>(std::array{10.0, 20.5, 30.0}[i])),
+        0);
+    }
+  }
 }
 
 TEST(SharedScan, OneFailureFailsAll)
