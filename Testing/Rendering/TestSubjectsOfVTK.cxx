@@ -23,6 +23,7 @@
 #include "vtkSphereSource.h"
 #include "vtkTextureSliceObjectFactory.h"
 #include "vtkTransform.h"
+#include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumePicker.h"
 #include "vtkVolumeProperty.h"
@@ -162,6 +163,25 @@ protected:
   void Use(vtkVolumeMapper::BlendModes mode)
   {
     this->ForBoth([mode](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendMode(mode); });
+  }
+
+  /// A label map of four stripes from west to east.
+  void UseLabelStripes(const std::array<unsigned char, 4>& labels)
+  {
+    auto mask = vtkSmartPointer<vtkImageData>::New();
+    mask->CopyStructure(this->Input);
+    mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
+    auto* label = static_cast<unsigned char*>(mask->GetScalarPointer());
+    for (vtkIdType id = 0; id < mask->GetNumberOfPoints(); ++id)
+    {
+      label[id] = labels[static_cast<std::size_t>(id % 48 / 12)];
+    }
+    this->ForBoth(
+      [&](vtkGPUVolumeRayCastMapper* mapper)
+      {
+        mapper->SetMaskInput(mask);
+        mapper->SetMaskTypeToLabelMap();
+      });
   }
 
   /// Draws what make() gives, once with VTK's factories as they are and once with slices.
@@ -429,24 +449,11 @@ TEST_F(SubjectsOfVTK, ChangedArray)
   EXPECT_EQ(Compare(again, storm, storm).Pixels, 0);
 }
 
-// Labels of the mask between those that have functions, and functions without a place.
+// A label between those that have functions is as if there were none, as in VTK 9.1. (VTK 9.3 gives
+// it the functions of the next label.)
 TEST_F(SubjectsOfVTK, LabelsWithoutFunctions)
 {
   this->Stage->GetProperty()->SetScalarOpacityUnitDistance(this->SampleDistance);
-  auto mask = vtkSmartPointer<vtkImageData>::New();
-  mask->CopyStructure(this->Input);
-  mask->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
-  auto* label = static_cast<unsigned char*>(mask->GetScalarPointer());
-  for (vtkIdType id = 0; id < mask->GetNumberOfPoints(); ++id)
-  {
-    label[id] = static_cast<unsigned char>(id % 48 / 12); // 0 to 3 from west to east
-  }
-  this->ForBoth(
-    [&](vtkGPUVolumeRayCastMapper* mapper)
-    {
-      mapper->SetMaskInput(mask);
-      mapper->SetMaskTypeToLabelMap();
-    });
   for (const int known : {1, 3})
   {
     vtkNew<vtkColorTransferFunction> color;
@@ -457,7 +464,14 @@ TEST_F(SubjectsOfVTK, LabelsWithoutFunctions)
     this->Stage->GetProperty()->SetLabelColor(known, color);
     this->Stage->GetProperty()->SetLabelScalarOpacity(known, opacity);
   }
+  this->UseLabelStripes({0, 1, 0, 3});
+  const Picture expected = this->Stage->Draw(this->Configure(this->Slices));
+  this->UseLabelStripes({0, 1, 2, 3});
+  const Picture actual = this->Stage->Draw(this->Slices);
+  EXPECT_EQ(Compare(actual, expected, expected).Pixels, 0);
+#if VTK_MAJOR_VERSION == 9 && VTK_MINOR_VERSION == 1
   this->ExpectSamePicture("subject-labels-unknown", Bar);
+#endif
 }
 
 // What slices have no use for is accepted and changes nothing.
@@ -532,7 +546,6 @@ TEST_F(SubjectsOfVTK, SmartVolumeMapper)
 {
   this->ExpectSameFromFactory(
     "subject-smart", [&] { return this->MakeSmart(); }, Tolerance);
-  this->Stage->GetProperty()->ShadeOn();
   this->ExpectSameFromFactory(
     "subject-smart-window-level",
     [&]
