@@ -19,6 +19,12 @@ void DefineIf(bool condition, std::string& defines, const char* name)
   }
 }
 
+/// What a vtkTextureSliceTable of so many rows is in the shader.
+const char* SamplerOf(int rows)
+{
+  return rows == 1 ? "sampler1D" : "sampler2D";
+}
+
 } // namespace
 
 std::string vtkTextureSliceFeatures::GetDefines() const
@@ -42,8 +48,11 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");
   DefineIf(this->Selection, defines, "SELECTION");
+  defines += std::string("#define TEXTURE_SLICE_TABLE ") + SamplerOf(this->CountRows()) + '\n';
   if (this->Labels > 0)
   {
+    defines +=
+      std::string("#define TEXTURE_SLICE_LABEL_TABLE ") + SamplerOf(this->CountLabelRows()) + '\n';
     Define(defines, "LABELS", this->Labels);
     Define(defines, "LABEL_ROWS", this->CountLabelRows());
   }

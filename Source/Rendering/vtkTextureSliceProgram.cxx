@@ -18,6 +18,7 @@
 #include "TextureSliceFS.h"
 #include "TextureSliceLightingFS.h"
 #include "TextureSliceSamplingFS.h"
+#include "TextureSliceTableFS.h"
 #include "TextureSliceVS.h"
 
 #include <algorithm>
@@ -52,8 +53,11 @@ void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& unifo
   program->SetUniform4f("scalarScale", uniforms.ScalarScale.data());
   program->SetUniform4f("scalarBias", uniforms.ScalarBias.data());
   uniforms.SetTable(program);
-  SetArray(program, "inverseUnitDistance",
-    Gather(uniforms.Surfaces, [](const auto& surface) { return surface.InverseUnitDistance; }));
+  const float inverseUnitDistance = uniforms.Surfaces.front().InverseUnitDistance;
+  program->SetUniformf("inverseUnitDistance", inverseUnitDistance);
+  SetArray(program, "unitDistanceRatio",
+    Gather(uniforms.Surfaces, [inverseUnitDistance](const auto& surface)
+      { return surface.InverseUnitDistance / inverseUnitDistance; }));
   program->SetUniform3f("cropLow", frame.GetCropLow().data());
   program->SetUniform3f("cropHigh", frame.GetCropHigh().data());
   program->SetUniformi("cropFlags", uniforms.CropFlags);
@@ -95,31 +99,39 @@ void SetLight(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms
   uniforms.Lights->SetUniforms(program, *uniforms.Frame);
 }
 
-/// The box, and the part of it that is drawn, as texture coordinates.
-void SetBox(vtkShaderProgram* program, const vtkTextureSliceFrame& frame)
+/// The box as texture coordinates, and the part of it that is drawn.
+void SetBox(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
 {
   // The outermost samples may lie a rounding error beyond the box.
   constexpr float margin = 1e-5f;
+  const vtkTextureSliceFrame& frame = *uniforms.Frame;
   const auto& scale = frame.GetTextureScale();
   const auto& bias = frame.GetTextureBias();
   const auto& part = frame.GetView().Part;
   std::array<float, 3> low{};
   std::array<float, 3> high{};
-  std::array<float, 3> partLow{};
-  std::array<float, 3> partHigh{};
+  std::array<float, 3> partMiddle{};
+  std::array<float, 3> partScale{};
+  std::array<float, 3> stepToPart{};
   std::array<float, 3> stepToTexture{};
+  const double inverseUnitDistance =
+    static_cast<double>(uniforms.Surfaces.front().InverseUnitDistance);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
+    const double size = part[2 * axis + 1] - part[2 * axis];
+    const double edge = std::abs(static_cast<double>(frame.GetEdges()[axis]));
     low[axis] = bias[axis] - margin;
     high[axis] = bias[axis] + scale[axis] + margin;
-    partLow[axis] = bias[axis] + scale[axis] * static_cast<float>(part[2 * axis]);
-    partHigh[axis] = bias[axis] + scale[axis] * static_cast<float>(part[2 * axis + 1]);
-    stepToTexture[axis] = scale[axis] / std::abs(frame.GetEdges()[axis]);
+    partMiddle[axis] = static_cast<float>(part[2 * axis] + 0.5 * size);
+    partScale[axis] = static_cast<float>(1.0 / size);
+    stepToPart[axis] = static_cast<float>(1.0 / (size * edge));
+    stepToTexture[axis] = scale[axis] / static_cast<float>(edge * inverseUnitDistance);
   }
   program->SetUniform3f("boxLow", low.data());
   program->SetUniform3f("boxHigh", high.data());
-  program->SetUniform3f("partLow", partLow.data());
-  program->SetUniform3f("partHigh", partHigh.data());
+  program->SetUniform3f("partMiddle", partMiddle.data());
+  program->SetUniform3f("partScale", partScale.data());
+  program->SetUniform3f("stepToPart", stepToPart.data());
   program->SetUniform3f("stepToTexture", stepToTexture.data());
 }
 
@@ -163,9 +175,9 @@ vtkShaderProgram* vtkTextureSliceProgram::Ready(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const
 {
   std::string fragmentShader = TextureSliceFS;
-  for (const auto& [place, text] :
-    {std::pair("Defines", features.GetDefines()), {"Sampling", TextureSliceSamplingFS},
-      {"Lighting", TextureSliceLightingFS}, {"Coloring", TextureSliceColoringFS}})
+  for (const auto& [place, text] : {std::pair("Defines", features.GetDefines()),
+         {"Sampling", TextureSliceSamplingFS}, {"Lighting", TextureSliceLightingFS},
+         {"Table", TextureSliceTableFS}, {"Coloring", TextureSliceColoringFS}})
   {
     vtkShaderProgram::Substitute(
       fragmentShader, std::string("//VTK::TextureSlice::") + place, text);
@@ -240,7 +252,7 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   {
     SetArray(program, "isoValues", uniforms.IsoValues);
   }
-  SetBox(program, *uniforms.Frame);
+  SetBox(program, uniforms);
   this->DrawGroups(window, geometry.GetFirstVertices(), group, afterGroup);
   this->VertexArray->Release();
   this->Vertices->Release();

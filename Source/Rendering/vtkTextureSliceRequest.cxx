@@ -188,6 +188,7 @@ vtkTextureSliceRow vtkTextureSliceRequest::MakeRow(int functions,
   row.ColorDomain = {color.Range, this->NativeColor};
   row.Opacity = this->Property->GetScalarOpacity(functions);
   row.OpacityDomain = {opacity.Range, this->NativeOpacity};
+  row.OpticalDepth = this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
   return row;
 }
 

@@ -136,6 +136,14 @@ void FillRow(const vtkTextureSliceRow& row, int width, float* entries)
   FillRamps(row, width, entries);
 }
 
+/// The optical depth t of an opacity a: a ray keeps 2^-t = 1 - a of its light (Formulas R1), so
+/// that n such distances have n times the depth. An opacity of 1 stays opaque over any step.
+double ToOpticalDepth(double opacity)
+{
+  constexpr double most = 1048576.0;
+  return std::clamp(-std::log2(1.0 - opacity), 0.0, most);
+}
+
 } // namespace
 
 vtkMTimeType vtkTextureSliceRow::GetTime() const
@@ -154,7 +162,7 @@ bool vtkTextureSliceRow::IsLike(const vtkTextureSliceRow& other) const
   const auto same = [](const vtkTextureSliceDomain& a, const vtkTextureSliceDomain& b)
   { return a.Range == b.Range && a.Native == b.Native; };
   return this->Color == other.Color && this->Gray == other.Gray && this->Opacity == other.Opacity &&
-         same(this->ColorDomain, other.ColorDomain) &&
+         this->OpticalDepth == other.OpticalDepth && same(this->ColorDomain, other.ColorDomain) &&
          same(this->OpacityDomain, other.OpacityDomain);
 }
 
@@ -167,10 +175,7 @@ void vtkTextureSliceTable::Update(
     this->Rows = rows;
     const int width = ChooseWidth(window, rows);
     this->Fill(width);
-    this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-    this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-    this->Texture->Create2DFromRaw(static_cast<unsigned int>(width),
-      static_cast<unsigned int>(rows.size()), 4, VTK_FLOAT, this->Entries.data());
+    this->Upload(static_cast<std::size_t>(width));
   }
   const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
   this->Texture->SetMagnificationFilter(filter);
@@ -214,9 +219,14 @@ void vtkTextureSliceTable::IndexOpacities(std::size_t width)
 {
   this->Visibilities.resize(this->Rows.size());
   this->Thin.resize(this->Rows.size());
+  this->MostOpacities.assign(this->Rows.size(), 0.0);
   for (std::size_t row = 0; row < this->Rows.size(); ++row)
   {
     const float* opacities = this->Entries.data() + row * width * 4 + 3;
+    for (std::size_t i = 0; i < width; ++i)
+    {
+      this->MostOpacities[row] = std::max(this->MostOpacities[row], double(opacities[4 * i]));
+    }
     const auto dense = static_cast<float>(this->GetDenseOpacity(row));
     this->Visibilities[row].Build(
       opacities, width, 4, [](float opacity) { return opacity > 0.0f; });
@@ -231,15 +241,33 @@ double vtkTextureSliceTable::GetDenseOpacity(std::size_t row) const
   return share * this->GetMostOpacity(row);
 }
 
-double vtkTextureSliceTable::GetMostOpacity(std::size_t row) const
+void vtkTextureSliceTable::Upload(std::size_t width)
 {
-  const std::size_t width = this->Entries.size() / this->Rows.size() / 4;
-  float most = 0.0f;
-  for (std::size_t i = row * width; i < (row + 1) * width; ++i)
+  for (std::size_t row = 0; row < this->Rows.size(); ++row)
   {
-    most = std::max(most, this->Entries[4 * i + 3]);
+    for (std::size_t i = row * width; this->Rows[row].OpticalDepth && i < (row + 1) * width; ++i)
+    {
+      float& alpha = this->Entries[4 * i + 3];
+      alpha = static_cast<float>(ToOpticalDepth(static_cast<double>(alpha)));
+    }
   }
-  return static_cast<double>(most);
+  const int dimensions = this->Rows.size() == 1 ? 1 : 2;
+  if (this->Texture->GetNumberOfDimensions() != dimensions)
+  {
+    this->Texture->ReleaseGraphicsResources(this->Texture->GetContext());
+  }
+  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  const auto columns = static_cast<unsigned int>(width);
+  if (dimensions == 1)
+  {
+    this->Texture->Create1DFromRaw(columns, 4, VTK_FLOAT, this->Entries.data());
+  }
+  else
+  {
+    this->Texture->Create2DFromRaw(
+      columns, static_cast<unsigned int>(this->Rows.size()), 4, VTK_FLOAT, this->Entries.data());
+  }
 }
 
 void vtkTextureSliceTable::ReleaseGraphicsResources(vtkWindow* window)

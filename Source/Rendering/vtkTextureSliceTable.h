@@ -35,6 +35,8 @@ struct vtkTextureSliceRow
   /// nullptr: 1 everywhere.
   vtkPiecewiseFunction* Opacity = nullptr;
   vtkTextureSliceDomain OpacityDomain;
+  /// Whether the texture holds optical depths in place of opacities.
+  bool OpticalDepth = false;
 
   /// Time of the last change of the functions.
   vtkMTimeType GetTime() const;
@@ -45,7 +47,7 @@ struct vtkTextureSliceRow
 /**
  * Rows of functions, all of one width. Entry i of n stands for the scalar
  * low + i*(high - low)/(n - 1) of its domain; its colour is not yet multiplied with its opacity,
- * which is that of one unit distance.
+ * which is that of one unit distance. A single row is a 1-D texture, several are a 2-D one.
  */
 class vtkTextureSliceTable
 {
@@ -71,7 +73,7 @@ public:
   /// When the rows were filled last.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
   /// The greatest opacity of a row.
-  double GetMostOpacity(std::size_t row) const;
+  double GetMostOpacity(std::size_t row) const { return this->MostOpacities[row]; }
   /// Texture coordinate of a scalar that is s of the way through its domain (0 to 1):
   /// s * GetScale() + GetBias() (Formulas R2).
   double GetScale() const { return this->Scale; }
@@ -82,11 +84,13 @@ private:
     vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows) const;
   void Fill(int width);
   void IndexOpacities(std::size_t width);
+  void Upload(std::size_t width);
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   std::vector<vtkTextureSliceVisibility> Thin;
+  std::vector<double> MostOpacities;
   vtkTimeStamp FillTime;
   double Scale = 1.0;
   double Bias = 0.0;

@@ -10,6 +10,7 @@
 #include "vtkTextureSliceOpenGL.h"
 
 #include "TextureSliceCompositeFS.h"
+#include "TextureSliceTableFS.h"
 
 #include <algorithm>
 #include <cmath>
@@ -248,6 +249,7 @@ void vtkTextureSliceTarget::ReadyQuad(vtkOpenGLRenderWindow* window, const std::
   }
   std::string shader = TextureSliceCompositeFS;
   vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Defines", defines);
+  vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Table", TextureSliceTableFS);
   this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), "");
   this->QuadDefines = defines;
 }

@@ -1,56 +1,47 @@
 // What a sample adds to the picture.
 
-// Rows of colour and opacity over 0 to 1, one for each set of functions; then, with gradient
-// opacity, as many rows of it.
-uniform sampler2D transferTable;
-// From 0 to 1 to the centres of the first and the last entry.
-uniform float tableScale;
-uniform float tableBias;
-uniform float inverseUnitDistance[TEXTURE_SLICE_COMPONENTS];
 uniform float componentWeight[TEXTURE_SLICE_COMPONENTS];
 
-vec4 LookUp(float scalar, int row)
-{
-  return texture(transferTable,
-    vec2(scalar * tableScale + tableBias, (float(row) + 0.5) / float(TEXTURE_SLICE_ROWS)));
-}
-
-// From sampleStep to texture coordinates.
-uniform vec3 stepToTexture;
+#if TEXTURE_SLICE_FUNCTIONS > 1
+// The unit distance of the first component over those of all.
+uniform float unitDistanceRatio[TEXTURE_SLICE_COMPONENTS];
+#endif
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
-// Where the part of the box that is drawn begins and ends.
-uniform vec3 partLow;
-uniform vec3 partHigh;
+// The sample and the vector to the next slice, where the part of the box that is drawn is -0.5 to 0.5
+// along each axis.
+in vec3 partPosition;
+in vec3 partStep;
 
 // Slice distances that this sample stands for: half of one on either side. The first and the last
 // sample on a ray stand for all up to the face of the box, so that each ray has its exact length.
 float CountSteps()
 {
-  vec3 perStep = 1.0 / (sampleStep * stepToTexture + 1e-12); // not 0 along a face
-  vec3 toLow = (partLow - textureCoordinate) * perStep;
-  vec3 toHigh = (partHigh - textureCoordinate) * perStep;
-  vec3 entry = -min(toLow, toHigh);
-  vec3 exit = max(toLow, toHigh);
+  vec3 perPart = 1.0 / (partStep + 1e-12); // not 0 along a face
+  vec3 fromMiddle = partPosition * perPart;
+  vec3 halfPart = abs(0.5 * perPart);
+  vec3 entry = halfPart + fromMiddle;
+  vec3 exit = halfPart - fromMiddle;
   float before = min(min(entry.x, entry.y), entry.z);
   float after = min(min(exit.x, exit.y), exit.z);
   return (before < 1.0 ? before : 0.5) + (after < 1.0 ? after : 0.5);
 }
-#endif
 
-// Formulas R1: the opacity of a step is that of a unit distance to the power of their ratio.
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
-float StepOpacity(float opacity, int component)
+// Unit distances that this sample stands for.
+float CountUnits(int component)
 {
-  return 1.0 -
-    pow(1.0 - opacity, CountSteps() * length(sampleStep) * inverseUnitDistance[component]);
+#if TEXTURE_SLICE_FUNCTIONS > 1
+  return CountSteps() * length(sampleStep) * unitDistanceRatio[component];
+#else
+  return CountSteps() * length(sampleStep);
+#endif
 }
 #endif
 
 #ifdef TEXTURE_SLICE_LABELS
 // Rows of colour and opacity, one for each label from 1 on; then, with gradient opacity, as many rows
 // of it.
-uniform sampler2D labelTable;
+uniform TEXTURE_SLICE_LABEL_TABLE labelTable;
 uniform float labelTableScale;
 uniform float labelTableBias;
 // How much the label's functions count, the rest being the common ones.
@@ -58,8 +49,8 @@ uniform float labelWeight;
 
 vec4 LookUpLabel(float scalar, int row)
 {
-  return texture(labelTable, vec2(scalar * labelTableScale + labelTableBias,
-    (float(row) + 0.5) / float(TEXTURE_SLICE_LABEL_ROWS)));
+  return LookUpRow(
+    labelTable, scalar * labelTableScale + labelTableBias, row, TEXTURE_SLICE_LABEL_ROWS);
 }
 #endif
 
@@ -110,6 +101,17 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 #endif
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+// Formulas R1: the opacity of a step, from the optical depth of a unit distance; two-dimensional
+// tables hold its opacity.
+float StepOpacity(float alpha, int component)
+{
+#ifdef TEXTURE_SLICE_TABLE_2D
+  return 1.0 - pow(1.0 - alpha, CountUnits(component));
+#else
+  return 1.0 - exp2(-alpha * CountUnits(component));
+#endif
+}
+
 // Colour of one step for a component that has functions of its own, or for a single set of functions.
 vec4 StepColor(vec4 color, vec4 scalars, int component, int label)
 {
@@ -162,7 +164,7 @@ vec4 LookUpBoth(vec4 scalars, float scalar)
 #endif
 }
 
-// Colour and opacity of a unit distance.
+// Colour and what StepOpacity takes.
 vec4 Classify(vec4 scalars)
 {
 #if TEXTURE_SLICE_COMPONENTS == 1
@@ -205,14 +207,13 @@ bool Gather(vec4 scalars, out vec4 gathered)
 bool Gather(vec4 scalars, out vec4 gathered)
 {
   float sum = 0.0;
-  float steps = CountSteps() * length(sampleStep);
 #if TEXTURE_SLICE_FUNCTIONS > 1
   for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
   {
-    sum += scalars[i] * LookUp(scalars[i], i).a * steps * inverseUnitDistance[i] * componentWeight[i];
+    sum += scalars[i] * LookUp(scalars[i], i).a * CountUnits(i) * componentWeight[i];
   }
 #else
-  sum = scalars.x * LookUp(scalars[TEXTURE_SLICE_COMPONENTS - 1], 0).a * steps * inverseUnitDistance[0];
+  sum = scalars.x * LookUp(scalars[TEXTURE_SLICE_COMPONENTS - 1], 0).a * CountUnits(0);
 #endif
   gathered = vec4(sum, 0.0, 0.0, 1.0);
   return true;
@@ -244,6 +245,8 @@ bool Gather(vec4 scalars, out vec4 gathered)
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
 // The values, ascending, 0 to 1 as the scalars are.
 uniform float isoValues[TEXTURE_SLICE_ISO_VALUES];
+// From sampleStep to texture coordinates.
+uniform vec3 stepToTexture;
 // Where the box begins and ends.
 uniform vec3 boxLow;
 uniform vec3 boxHigh;

@@ -13,9 +13,7 @@ uniform float colorScale;
 uniform float colorBias;
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MINIMUM
-uniform sampler2D transferTable;
-uniform float tableScale;
-uniform float tableBias;
+//VTK::TextureSlice::Table
 uniform float componentWeight[TEXTURE_SLICE_COMPONENTS];
 
 // The picture holds the extremes of the scalars (0 to 1); where there are no samples, what it was
@@ -29,8 +27,7 @@ vec4 PictureColor(vec4 extremes)
   vec4 sum = vec4(0.0);
   for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
   {
-    vec4 color = texture(transferTable, vec2(extremes[i] * tableScale + tableBias,
-      (float(i) + 0.5) / float(TEXTURE_SLICE_ROWS)));
+    vec4 color = LookUp(extremes[i], i);
     sum += componentWeight[i] * vec4(color.rgb * color.a, color.a);
   }
   return sum;

@@ -7,10 +7,12 @@
 //VTK::TextureSlice::Defines
 
 in vec3 textureCoordinate;
+// To the next slice along the ray, in the first component's unit distances.
 in vec3 sampleStep;
 
 //VTK::TextureSlice::Sampling
 //VTK::TextureSlice::Lighting
+//VTK::TextureSlice::Table
 //VTK::TextureSlice::Coloring
 
 #ifdef TEXTURE_SLICE_CROPPED

@@ -8,13 +8,23 @@ in vec3 rayStep;
 uniform mat4 boxToClip;
 uniform vec3 textureScale;
 uniform vec3 textureBias;
+uniform float inverseUnitDistance;
+
+// From the box to the part of it that is drawn, -0.5 to 0.5 along each axis; rayStep likewise.
+uniform vec3 partMiddle;
+uniform vec3 partScale;
+uniform vec3 stepToPart;
 
 out vec3 textureCoordinate;
 out vec3 sampleStep;
+out vec3 partPosition;
+out vec3 partStep;
 
 void main()
 {
   gl_Position = boxToClip * vec4(boxPosition, 1.0);
   textureCoordinate = boxPosition * textureScale + textureBias;
-  sampleStep = rayStep;
+  sampleStep = rayStep * inverseUnitDistance;
+  partPosition = (boxPosition - partMiddle) * partScale;
+  partStep = rayStep * stepToPart;
 }
