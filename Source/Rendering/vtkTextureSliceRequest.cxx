@@ -27,6 +27,21 @@ double Normalized(double scalar, const vtkTextureSliceComponent& component)
   return (scalar - component.Range[0]) / Width(component);
 }
 
+/// Whether a function is 1 whatever it is asked for.
+bool IsOneEverywhere(vtkPiecewiseFunction* function)
+{
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    double node[4]; // place, value, midpoint, sharpness
+    function->GetNodeValue(i, node);
+    if (node[1] != 1.0)
+    {
+      return false;
+    }
+  }
+  return function->GetSize() > 0 && function->GetClamping() != 0;
+}
+
 /// The scalar that is full red, green or blue where scalars are colours: VTK takes only bytes.
 constexpr double FullColor = 255.0;
 
@@ -152,7 +167,8 @@ bool vtkTextureSliceRequest::HasGradientOpacity() const
   bool has = this->CountLabels() > 0 && this->Property->HasLabelGradientOpacity();
   for (int i = 0; i < functions; ++i)
   {
-    has = has || this->Property->HasGradientOpacity(i);
+    has = has || (this->Property->HasGradientOpacity(i) &&
+                   !IsOneEverywhere(this->Property->GetGradientOpacity(i)));
   }
   return has;
 }

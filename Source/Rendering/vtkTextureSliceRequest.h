@@ -61,6 +61,8 @@ struct vtkTextureSliceRequest
 
 private:
   bool ShowsPlaces() const;
+  /// Whether a gradient opacity is other than 1 somewhere: VTK's fixed-point ray caster gives
+  /// properties one that is not.
   bool HasGradientOpacity() const;
   bool Has2D() const;
   int CountLabels() const;

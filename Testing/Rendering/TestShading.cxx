@@ -169,6 +169,24 @@ TEST_F(Shading, GradientOpacity)
   this->ExpectSamePictureAndBaseline("gradient-opacity", "GradientOpacity");
 }
 
+TEST_F(Shading, GradientOpacityOfOneChangesNothing)
+{
+  vtkVolumeProperty* property = this->Stage->GetProperty();
+  vtkGPUVolumeRayCastMapper* slices = this->Configure(this->Slices);
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture without = this->Stage->Draw(slices);
+  vtkPiecewiseFunction* opacity = property->GetGradientOpacity(); // made: 1 everywhere
+  const Difference made = Compare(this->Stage->Draw(slices), without, background);
+  EXPECT_GT(made.Pixels, 2000);
+  EXPECT_EQ(made.Worst, 0.0);
+  opacity->RemoveAllPoints();
+  opacity->AddPoint(2.0, 0.0);
+  opacity->AddPoint(6.0, 1.0);
+  EXPECT_GT(Compare(this->Stage->Draw(slices), without, background).LargestMean(), 1.0);
+  property->DisableGradientOpacityOn();
+  EXPECT_EQ(Compare(this->Stage->Draw(slices), without, background).Worst, 0.0);
+}
+
 // The same, lit.
 TEST_F(Shading, GradientOpacityAndLight)
 {
