@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceGeometry.h"
 
+#include "vtkSMPTools.h"
 #include "vtkTextureSliceOpaquePixels.h"
 #include "vtkTextureSliceTiles.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 namespace
 {
@@ -239,31 +239,32 @@ private:
   const vtkTextureSliceView& View;
 };
 
+} // namespace
+
 /// Writes polygons as triangles.
-class TriangleWriter
+class vtkTextureSliceGeometry::TriangleWriter
 {
 public:
-  TriangleWriter(
-    const vtkTextureSliceView& view, const Eye& eye, double depthStep, std::vector<float>& vertices)
+  TriangleWriter(const vtkTextureSliceView& view, const Eye& eye, double depthStep)
     : View(view)
     , FromEye(eye)
     , DepthStep(depthStep)
-    , Vertices(vertices)
   {
   }
 
-  void Add(const Polygon& polygon, double depth)
+  /// Appends a polygon in box coordinates.
+  void Add(const Polygon& polygon, double depth, std::vector<float>& vertices) const
   {
     for (std::size_t i = 2; i < polygon.size(); ++i)
     {
-      this->Add(polygon[0], depth);
-      this->Add(polygon[i - 1], depth);
-      this->Add(polygon[i], depth);
+      this->Add(polygon[0], depth, vertices);
+      this->Add(polygon[i - 1], depth, vertices);
+      this->Add(polygon[i], depth, vertices);
     }
   }
 
 private:
-  void Add(const Vector& p, double depth)
+  void Add(const Vector& p, double depth, std::vector<float>& vertices) const
   {
     std::array<float, vtkTextureSliceGeometry::FloatsPerVertex> vertex;
     for (std::size_t i = 0; i < 3; ++i)
@@ -275,16 +276,89 @@ private:
       vertex[i] = static_cast<float>(p[i]);
       vertex[i + 3] = static_cast<float>(perDepth * this->DepthStep * this->View.EdgeLength[i]);
     }
-    this->Vertices.insert(this->Vertices.end(), vertex.begin(), vertex.end());
+    vertices.insert(vertices.end(), vertex.begin(), vertex.end());
   }
 
   const vtkTextureSliceView& View;
   const Eye& FromEye;
   double DepthStep;
-  std::vector<float>& Vertices;
 };
 
-} // namespace
+/// A slice before it is divided.
+struct vtkTextureSliceGeometry::Placed
+{
+  double Depth = 0.0;
+  Polygon Outline;   ///< box coordinates
+  bool Whole = true; ///< not to be divided
+  vtkTextureSliceOnScreen OnScreen;
+};
+
+std::vector<vtkTextureSliceGeometry::Placed> vtkTextureSliceGeometry::PlaceSlices(
+  const vtkTextureSliceView& view, const Plane& depthPlane, double nearest, bool divides) const
+{
+  Slicer slicer(depthPlane, MakeLimits(view));
+  const Screen screen(view);
+  std::vector<Placed> slices(static_cast<std::size_t>(this->NumberOfSlices));
+  for (std::size_t i = 0; i < slices.size(); ++i)
+  {
+    Placed& slice = slices[i];
+    slice.Depth = nearest + (static_cast<double>(i) + 0.5) * this->DepthStep;
+    slice.Outline = slicer.Cut(slice.Depth);
+    if (view.Occupancy != nullptr)
+    {
+      screen.Place(slicer, slice.Depth, slice.Outline, slice.OnScreen);
+      const vtkTextureSlicePixels picture{0, 0, view.Viewport[0], view.Viewport[1]};
+      slice.Whole = !divides && vtkTextureSliceTiles::FindVisible(*view.Occupancy, slice.OnScreen,
+                                  picture) == vtkTextureSliceOccupancy::Share::Everything;
+    }
+  }
+  return slices;
+}
+
+void vtkTextureSliceGeometry::DivideSlices(const std::vector<Placed>& slices,
+  vtkTextureSliceTiles& tiles, const TriangleWriter& writer, Row& row)
+{
+  row.Vertices.clear();
+  row.Ends.clear();
+  Polygon part;
+  for (const Placed& slice : slices)
+  {
+    if (!slice.Whole)
+    {
+      for (const Polygon& tile : tiles.Cover(slice.OnScreen))
+      {
+        part.clear();
+        for (const Vector& corner : tile)
+        {
+          part.push_back(Screen::ToBox(slice.OnScreen, corner));
+        }
+        writer.Add(part, slice.Depth, row.Vertices);
+      }
+    }
+    row.Ends.push_back(row.Vertices.size());
+  }
+}
+
+void vtkTextureSliceGeometry::Join(const std::vector<Placed>& slices, const TriangleWriter& writer)
+{
+  for (std::size_t i = 0; i < slices.size(); ++i)
+  {
+    this->FirstVertices.push_back(this->GetNumberOfVertices());
+    if (slices[i].Whole)
+    {
+      writer.Add(slices[i].Outline, slices[i].Depth, this->Vertices);
+      continue;
+    }
+    for (const Row& row : this->Rows)
+    {
+      const auto begin = static_cast<std::ptrdiff_t>(i > 0 ? row.Ends[i - 1] : 0);
+      const auto end = static_cast<std::ptrdiff_t>(row.Ends[i]);
+      this->Vertices.insert(
+        this->Vertices.end(), row.Vertices.begin() + begin, row.Vertices.begin() + end);
+    }
+  }
+  this->FirstVertices.push_back(this->GetNumberOfVertices());
+}
 
 void vtkTextureSliceGeometry::Build(const vtkTextureSliceView& view)
 {
@@ -303,37 +377,26 @@ void vtkTextureSliceGeometry::Build(const vtkTextureSliceView& view)
   this->DepthStep = (farthest - nearest) / this->NumberOfSlices;
   this->DataStep = this->DepthStep * DataLength(view, eye.Direction);
 
-  Slicer slicer(eye.Depth, MakeLimits(view));
-  TriangleWriter writer(view, eye, this->DepthStep, this->Vertices);
-  const Screen screen(view);
-  vtkTextureSliceOnScreen onScreen;
-  std::optional<vtkTextureSliceTiles> tiles;
-  if (view.Occupancy != nullptr)
-  {
-    tiles.emplace(
-      *view.Occupancy, view.Viewport, MakeDensity(view, this->DataStep, this->NumberOfSlices));
-  }
-  Polygon part;
-  for (int slice = 0; slice < this->NumberOfSlices; ++slice)
-  {
-    this->FirstVertices.push_back(this->GetNumberOfVertices());
-    const double depth = nearest + (slice + 0.5) * this->DepthStep;
-    const Polygon& outline = slicer.Cut(depth);
-    if (!tiles)
+  const vtkTextureSliceDensity density = MakeDensity(view, this->DataStep, this->NumberOfSlices);
+  const std::vector<Placed> slices =
+    this->PlaceSlices(view, eye.Depth, nearest, density.Bricks != nullptr);
+  const auto divided = [](const Placed& slice) { return !slice.Whole; };
+  const int rows = std::any_of(slices.begin(), slices.end(), divided)
+                     ? (view.Viewport[1] - 1) / vtkTextureSliceTiles::LargestTile + 1
+                     : 0;
+  this->Rows.resize(static_cast<std::size_t>(rows));
+  const TriangleWriter writer(view, eye, this->DepthStep);
+  // What is in a row of tiles hides nothing in another.
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      writer.Add(outline, depth);
-      continue;
-    }
-    screen.Place(slicer, depth, outline, onScreen);
-    for (const Polygon& tile : tiles->Cover(onScreen))
-    {
-      part.clear();
-      for (const Vector& corner : tile)
+      for (vtkIdType row = begin; row < end; ++row)
       {
-        part.push_back(Screen::ToBox(onScreen, corner));
+        const int bottom = static_cast<int>(row) * vtkTextureSliceTiles::LargestTile;
+        const int top = std::min(bottom + vtkTextureSliceTiles::LargestTile, view.Viewport[1]);
+        vtkTextureSliceTiles tiles(*view.Occupancy, {0, bottom, view.Viewport[0], top}, density);
+        DivideSlices(slices, tiles, writer, this->Rows[static_cast<std::size_t>(row)]);
       }
-      writer.Add(part, depth);
-    }
-  }
-  this->FirstVertices.push_back(this->GetNumberOfVertices());
+    });
+  this->Join(slices, writer);
 }

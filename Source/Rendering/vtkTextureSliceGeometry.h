@@ -6,9 +6,11 @@
 #include "vtkNexradRenderingModule.h" // for the export macro
 
 #include <array>
+#include <cstddef>
 #include <vector>
 
 class vtkTextureSliceOccupancy;
+class vtkTextureSliceTiles;
 
 /**
  * What decides where the slices lie. "Box" coordinates run from 0 to 1 along each axis of the
@@ -78,6 +80,22 @@ public:
   double GetDataStep() const { return this->DataStep; }
 
 private:
+  class TriangleWriter;
+  struct Placed;
+  /// The vertices of one row of tiles, slice by slice.
+  struct Row
+  {
+    std::vector<float> Vertices;
+    std::vector<std::size_t> Ends; ///< floats up to the end of each slice
+  };
+  /// @param divides whether slices are divided that are visible as a whole.
+  std::vector<Placed> PlaceSlices(const vtkTextureSliceView& view,
+    const std::array<double, 4>& depthPlane, double nearest, bool divides) const;
+  static void DivideSlices(const std::vector<Placed>& slices, vtkTextureSliceTiles& tiles,
+    const TriangleWriter& writer, Row& row);
+  void Join(const std::vector<Placed>& slices, const TriangleWriter& writer);
+
+  std::vector<Row> Rows; ///< between frames, only their memory is kept
   std::vector<float> Vertices;
   std::vector<int> FirstVertices;
   int NumberOfSlices = 0;

@@ -4,67 +4,76 @@
 namespace
 {
 
-constexpr int Multiple = 64;
-
-std::size_t CountCells(int pixels)
+int CountSquares(int pixels, int size)
 {
-  return static_cast<std::size_t>(
-    (pixels + Multiple - 1) / Multiple * (Multiple / vtkTextureSliceOpaqueCells::CellSize));
+  return (pixels + size - 1) / size;
 }
 
 } // namespace
 
-vtkTextureSliceOpaqueCells::vtkTextureSliceOpaqueCells(const std::array<int, 2>& size, int needed)
-  : Needed(needed)
-  , Columns(CountCells(size[0]))
-  , Layers(CountCells(size[0]) * CountCells(size[1]), 0)
+vtkTextureSliceOpaqueCells::vtkTextureSliceOpaqueCells(
+  const vtkTextureSlicePixels& part, int needed)
+  : Part(part)
+  , Needed(needed)
 {
+  constexpr int largest = CellSize << (Levels - 1);
+  const int columns = CountSquares(part.Right - part.Left, largest);
+  const int rows = CountSquares(part.Top - part.Bottom, largest);
+  for (std::size_t level = 0; level < Levels; ++level)
+  {
+    const auto finer = static_cast<int>(Levels - 1 - level);
+    this->OpaqueIn[level].assign(static_cast<std::size_t>((columns << finer) * (rows << finer)), 0);
+  }
+  this->Layers.assign(this->OpaqueIn[0].size(), 0);
 }
 
-/// Calls visit(cell) until it returns false.
-template <typename Visit>
-void vtkTextureSliceOpaqueCells::ForEach(const vtkTextureSlicePixels& pixels, Visit visit) const
+std::size_t vtkTextureSliceOpaqueCells::GetLevel(const vtkTextureSlicePixels& square)
 {
-  for (int y = pixels.Bottom / CellSize; y < pixels.Top / CellSize; ++y)
+  std::size_t level = 0;
+  while (CellSize << level < square.Right - square.Left)
   {
-    for (int x = pixels.Left / CellSize; x < pixels.Right / CellSize; ++x)
+    ++level;
+  }
+  return level;
+}
+
+std::size_t vtkTextureSliceOpaqueCells::GetIndex(std::size_t level, int x, int y) const
+{
+  constexpr int largest = CellSize << (Levels - 1);
+  const auto shift = static_cast<int>(level);
+  const int columns = CountSquares(this->Part.Right - this->Part.Left, largest)
+                      << (Levels - 1 - level);
+  return static_cast<std::size_t>(((y - this->Part.Bottom) / CellSize >> shift) * columns +
+                                  ((x - this->Part.Left) / CellSize >> shift));
+}
+
+void vtkTextureSliceOpaqueCells::AddLayer(const vtkTextureSlicePixels& square)
+{
+  for (int y = square.Bottom; y < square.Top; y += CellSize)
+  {
+    for (int x = square.Left; x < square.Right; x += CellSize)
     {
-      if (!visit(static_cast<std::size_t>(y) * this->Columns + static_cast<std::size_t>(x)))
+      if (++this->Layers[this->GetIndex(0, x, y)] != this->Needed)
       {
-        return;
+        continue;
+      }
+      for (std::size_t level = 0; level < Levels; ++level)
+      {
+        ++this->OpaqueIn[level][this->GetIndex(level, x, y)];
       }
     }
   }
 }
 
-void vtkTextureSliceOpaqueCells::AddLayer(const vtkTextureSlicePixels& pixels)
+bool vtkTextureSliceOpaqueCells::AreAllOpaque(const vtkTextureSlicePixels& square) const
 {
-  this->ForEach(pixels,
-    [this](std::size_t cell)
-    {
-      this->Any = ++this->Layers[cell] >= this->Needed || this->Any;
-      return true;
-    });
+  const std::size_t level = GetLevel(square);
+  const int cells = 1 << (2 * level);
+  return this->OpaqueIn[level][this->GetIndex(level, square.Left, square.Bottom)] == cells;
 }
 
-bool vtkTextureSliceOpaqueCells::AreAllOpaque(const vtkTextureSlicePixels& pixels) const
+bool vtkTextureSliceOpaqueCells::IsAnyOpaque(const vtkTextureSlicePixels& square) const
 {
-  bool all = this->Any;
-  if (all)
-  {
-    this->ForEach(
-      pixels, [&](std::size_t cell) { return all = this->Layers[cell] >= this->Needed; });
-  }
-  return all;
-}
-
-bool vtkTextureSliceOpaqueCells::IsAnyOpaque(const vtkTextureSlicePixels& pixels) const
-{
-  bool none = true;
-  if (this->Any)
-  {
-    this->ForEach(
-      pixels, [&](std::size_t cell) { return none = this->Layers[cell] < this->Needed; });
-  }
-  return !none;
+  const std::size_t level = GetLevel(square);
+  return this->OpaqueIn[level][this->GetIndex(level, square.Left, square.Bottom)] > 0;
 }

@@ -20,7 +20,8 @@ struct vtkTextureSlicePixels
 
 /**
  * Cells of 8 x 8 pixels, and how many dense slices cover each. A cell that enough of them cover
- * is opaque. All pixels that it is asked about begin and end between cells.
+ * is opaque. It is asked about squares of 8, 16, 32 or 64 pixels, each aligned to its own size as
+ * counted from the lower left corner, and answers at once.
  */
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceOpaqueCells
 {
@@ -28,27 +29,28 @@ public:
   static constexpr int CellSize = 8;
 
   /**
-   * @param size width and height of the picture; it may be asked beyond, up to the next multiple of
-   * 64 pixels.
+   * @param part the pixels that it may be asked about; beyond, up to the next multiple of 64.
    * @param needed dense slices that make a pixel opaque.
    */
-  vtkTextureSliceOpaqueCells(const std::array<int, 2>& size, int needed);
+  vtkTextureSliceOpaqueCells(const vtkTextureSlicePixels& part, int needed);
 
-  /// Counts one more dense slice that covers all these pixels.
-  void AddLayer(const vtkTextureSlicePixels& pixels);
-  /// Whether all of these cells are opaque.
-  bool AreAllOpaque(const vtkTextureSlicePixels& pixels) const;
-  /// Whether one of these cells is opaque.
-  bool IsAnyOpaque(const vtkTextureSlicePixels& pixels) const;
+  /// Counts one more dense slice that covers all of a square.
+  void AddLayer(const vtkTextureSlicePixels& square);
+  /// Whether all cells of a square are opaque.
+  bool AreAllOpaque(const vtkTextureSlicePixels& square) const;
+  /// Whether one of them is opaque.
+  bool IsAnyOpaque(const vtkTextureSlicePixels& square) const;
 
 private:
-  template <typename Visit>
-  void ForEach(const vtkTextureSlicePixels& pixels, Visit visit) const;
+  static constexpr std::size_t Levels = 4;
+  static std::size_t GetLevel(const vtkTextureSlicePixels& square);
+  std::size_t GetIndex(std::size_t level, int x, int y) const;
 
+  vtkTextureSlicePixels Part;
   int Needed;
-  std::size_t Columns;
-  bool Any = false;
   std::vector<int> Layers;
+  /// Opaque cells in each square of 8, 16, 32 and 64 pixels.
+  std::array<std::vector<int>, Levels> OpaqueIn;
 };
 
 #endif

@@ -16,10 +16,39 @@ using Share = vtkTextureSliceOccupancy::Share;
 namespace
 {
 
-// Edges in pixels. Below, the triangles' own cost and the pixels that are shaded twice along their
-// diagonals outweigh what they leave out; above, tiles save nothing more.
-constexpr int LargestTile = 64;
-constexpr int SmallestTile = 8;
+// Edge in pixels, that of the blocks in which software renderers shade.
+constexpr int SmallestTile = 4;
+
+/// What drawing a rectangle costs, in shaded pixels: its own, those in blocks on the diagonal,
+/// which both triangles share, and the triangles' own cost, as measured with llvmpipe.
+double GetCost(const vtkTextureSlicePixels& rectangle)
+{
+  constexpr double perEdge = 2.0;
+  constexpr double perRectangle = 70.0;
+  const double width = rectangle.Right - rectangle.Left;
+  const double height = rectangle.Top - rectangle.Bottom;
+  return width * height + perEdge * std::max(width, height) + perRectangle;
+}
+
+vtkTextureSlicePixels Around(const vtkTextureSlicePixels& a, const vtkTextureSlicePixels& b)
+{
+  return {std::min(a.Left, b.Left), std::min(a.Bottom, b.Bottom), std::max(a.Right, b.Right),
+    std::max(a.Top, b.Top)};
+}
+
+/// Extends a by b if both are one rectangle.
+bool JoinPair(vtkTextureSlicePixels& a, const vtkTextureSlicePixels& b)
+{
+  const bool beside =
+    a.Bottom == b.Bottom && a.Top == b.Top && (a.Right == b.Left || b.Right == a.Left);
+  const bool above =
+    a.Left == b.Left && a.Right == b.Right && (a.Top == b.Bottom || b.Top == a.Bottom);
+  if (beside || above)
+  {
+    a = Around(a, b);
+  }
+  return beside || above;
+}
 
 /// The half-planes whose intersection is a convex polygon, whichever way round it is given.
 void FindSides(const Polygon& outline, std::vector<Plane>& sides)
@@ -78,68 +107,112 @@ Share FindShare(const std::vector<Plane>& sides, const vtkTextureSlicePixels& ti
   return share;
 }
 
-} // namespace
-
-vtkTextureSliceTiles::vtkTextureSliceTiles(const vtkTextureSliceOccupancy& occupancy,
-  const std::array<int, 2>& viewport, const vtkTextureSliceDensity& density)
-  : Occupancy(occupancy)
-  , Viewport(viewport)
-  , Density(density)
-  , Opaque(viewport, density.SlicesNeeded)
+/// The tiles of the largest size, as one rectangle, that an outline touches in a part of the
+/// picture.
+vtkTextureSlicePixels FindTiles(const Polygon& outline, const vtkTextureSlicePixels& part)
 {
-}
-
-vtkTextureSliceTiles::Rectangle vtkTextureSliceTiles::FindTiles() const
-{
-  Vector low{double(this->Viewport[0]), double(this->Viewport[1]), 0.0};
-  Vector high{0.0, 0.0, 0.0};
-  for (const Vector& corner : this->Slice->Outline)
+  const Vector first{double(part.Left), double(part.Bottom), 0.0};
+  const Vector last{double(part.Right), double(part.Top), 0.0};
+  Vector low = last;
+  Vector high = first;
+  for (const Vector& corner : outline)
   {
     for (std::size_t axis = 0; axis < 2; ++axis)
     {
-      low[axis] = std::max(0.0, std::min(low[axis], corner[axis]));
-      high[axis] = std::min(double(this->Viewport[axis]), std::max(high[axis], corner[axis]));
+      low[axis] = std::max(first[axis], std::min(low[axis], corner[axis]));
+      high[axis] = std::min(last[axis], std::max(high[axis], corner[axis]));
     }
   }
-  const auto down = [](double x)
-  { return static_cast<int>(std::floor(x / LargestTile)) * LargestTile; };
-  const auto up = [](double x)
-  { return static_cast<int>(std::ceil(x / LargestTile)) * LargestTile; };
+  constexpr int size = vtkTextureSliceTiles::LargestTile;
+  const auto down = [](double x) { return static_cast<int>(std::floor(x / size)) * size; };
+  const auto up = [](double x) { return static_cast<int>(std::ceil(x / size)) * size; };
   return {down(low[0]), down(low[1]), up(high[0]), up(high[1])};
+}
+
+bool IsEmpty(const vtkTextureSlicePixels& pixels)
+{
+  return pixels.Left >= pixels.Right || pixels.Bottom >= pixels.Top;
+}
+
+/// How much of the box around a rectangle of a slice touches bricks.
+Share FindIn(const vtkTextureSliceOccupancy& occupancy, const vtkTextureSliceOnScreen& slice,
+  const vtkTextureSlicePixels& pixels)
+{
+  Vector low;
+  Vector high;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto [left, right] =
+      std::minmax({pixels.Left * slice.Right[axis], pixels.Right * slice.Right[axis]});
+    const auto [bottom, top] =
+      std::minmax({pixels.Bottom * slice.Up[axis], pixels.Top * slice.Up[axis]});
+    low[axis] = slice.Origin[axis] + left + bottom;
+    high[axis] = slice.Origin[axis] + right + top;
+  }
+  return occupancy.Find(low, high);
+}
+
+/// That plane, seen from the other side, and so far away from it.
+Plane Opposite(const Plane& plane, double distance)
+{
+  return {-plane[0], -plane[1], -plane[2],
+    distance * std::hypot(plane[0], plane[1], plane[2]) - plane[3]};
+}
+
+} // namespace
+
+vtkTextureSliceTiles::vtkTextureSliceTiles(const vtkTextureSliceOccupancy& occupancy,
+  const vtkTextureSlicePixels& part, const vtkTextureSliceDensity& density)
+  : Occupancy(occupancy)
+  , Part(part)
+  , Density(density)
+  , Opaque(part, density.SlicesNeeded)
+{
+  const auto count = [](int pixels) { return (pixels + LargestTile - 1) / LargestTile; };
+  this->Runs.resize(
+    static_cast<std::size_t>(count(part.Right - part.Left) * count(part.Top - part.Bottom)));
+}
+
+Share vtkTextureSliceTiles::FindVisible(const vtkTextureSliceOccupancy& occupancy,
+  const vtkTextureSliceOnScreen& slice, const vtkTextureSlicePixels& picture)
+{
+  const Rectangle all = FindTiles(slice.Outline, picture);
+  return IsEmpty(all) ? Share::Nothing : FindIn(occupancy, slice, all);
 }
 
 const std::vector<Polygon>& vtkTextureSliceTiles::Cover(const vtkTextureSliceOnScreen& slice)
 {
   this->Parts.clear();
+  this->Rectangles.clear();
   this->Slice = &slice;
+  ++this->SliceNumber;
   FindSides(slice.Outline, this->Sides);
-  const Rectangle all = this->FindTiles();
-  if (all.Left >= all.Right || all.Bottom >= all.Top)
+  if (this->Density.Bricks != nullptr)
+  {
+    this->LastSides.push_front(this->Sides);
+    this->LastSides.resize(
+      std::min(this->LastSides.size(), std::size_t(this->Density.SlicesNeeded) + 1));
+  }
+  const Rectangle all = FindTiles(slice.Outline, this->Part);
+  if (IsEmpty(all) || this->Find(this->Occupancy, all) == Share::Nothing)
   {
     return this->Parts;
   }
-  const Share share = this->Find(this->Occupancy, all);
-  if (share == Share::Nothing)
+  for (int bottom = all.Bottom; bottom < all.Top; bottom += LargestTile)
   {
-    return this->Parts;
+    this->CoverRow(bottom, all.Left, all.Right);
   }
-  if (share == Share::Everything && !this->Opaque.IsAnyOpaque(all))
+  for (const Rectangle& rectangle : this->Rectangles)
   {
-    this->Add(all);
-  }
-  else
-  {
-    for (int bottom = all.Bottom; bottom < all.Top; bottom += LargestTile)
-    {
-      this->CoverRow(bottom, all.Left, all.Right);
-    }
+    const std::array<Vector, 4> corners = GetCorners(rectangle);
+    this->Add(Polygon(corners.begin(), corners.end()));
   }
   for (int bottom = all.Bottom; this->Density.Bricks != nullptr && bottom < all.Top;
        bottom += LargestTile)
   {
     for (int left = all.Left; left < all.Right; left += LargestTile)
     {
-      this->Thicken({left, bottom, left + LargestTile, bottom + LargestTile});
+      this->CountDense({left, bottom, left + LargestTile, bottom + LargestTile});
     }
   }
   return this->Parts;
@@ -148,108 +221,174 @@ const std::vector<Polygon>& vtkTextureSliceTiles::Cover(const vtkTextureSliceOnS
 Share vtkTextureSliceTiles::Find(
   const vtkTextureSliceOccupancy& occupancy, const Rectangle& tile) const
 {
-  Vector low;
-  Vector high;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const auto [left, right] =
-      std::minmax({tile.Left * this->Slice->Right[axis], tile.Right * this->Slice->Right[axis]});
-    const auto [bottom, top] =
-      std::minmax({tile.Bottom * this->Slice->Up[axis], tile.Top * this->Slice->Up[axis]});
-    low[axis] = this->Slice->Origin[axis] + left + bottom;
-    high[axis] = this->Slice->Origin[axis] + right + top;
-  }
-  return occupancy.Find(low, high);
+  return FindIn(occupancy, *this->Slice, tile);
 }
 
-void vtkTextureSliceTiles::Thicken(const Rectangle& tile)
+vtkTextureSliceTiles::Run& vtkTextureSliceTiles::GetRun(const Rectangle& tile)
 {
-  const Share inside = FindShare(this->Sides, tile);
-  if (inside == Share::Nothing || this->Opaque.AreAllOpaque(tile))
+  const int columns = (this->Part.Right - this->Part.Left + LargestTile - 1) / LargestTile;
+  return this
+    ->Runs[static_cast<std::size_t>((tile.Bottom - this->Part.Bottom) / LargestTile * columns +
+                                    (tile.Left - this->Part.Left) / LargestTile)];
+}
+
+bool vtkTextureSliceTiles::CutBehindDense(const Rectangle& tile)
+{
+  const Run& run = this->GetRun(tile);
+  if (run.Last != this->SliceNumber - 1 || run.Slices < this->Density.SlicesNeeded)
+  {
+    return false;
+  }
+  // A ray meets a convex volume once: between a slice that it crosses some way back and this one
+  // it has crossed them all, and the dense ones have made it opaque.
+  constexpr double margin = 0.125; // pixels: rasterization decides on those at the outline
+  const Plane* border = nullptr;
+  for (const Plane& side : this->LastSides.back())
+  {
+    const Plane outwards = Opposite(side, margin);
+    const std::array<Vector, 4> corners = GetCorners(tile);
+    const auto outside = std::count_if(corners.begin(), corners.end(),
+      [&](const Vector& corner) { return Evaluate(outwards, corner) >= 0.0; });
+    // Beyond two sides, what remains is not convex.
+    if (outside == 4 || (outside > 0 && border != nullptr))
+    {
+      return false;
+    }
+    border = outside > 0 ? &side : border;
+  }
+  if (border != nullptr)
+  {
+    const std::array<Vector, 4> corners = GetCorners(tile);
+    Polygon rest;
+    ClipPolygon(Polygon(corners.begin(), corners.end()), Opposite(*border, margin), rest);
+    this->Add(std::move(rest));
+  }
+  return true;
+}
+
+void vtkTextureSliceTiles::CountDense(const Rectangle& tile)
+{
+  if (this->Opaque.AreAllOpaque(tile))
   {
     return;
   }
   const Share dense = this->Find(*this->Density.Bricks, tile);
+  Run& run = this->GetRun(tile);
+  run.Slices = dense != Share::Everything          ? 0
+               : run.Last == this->SliceNumber - 1 ? run.Slices + 1
+                                                   : 1;
+  run.Last = this->SliceNumber;
+  this->Thicken(tile, dense);
+}
+
+void vtkTextureSliceTiles::Thicken(const Rectangle& tile, Share dense)
+{
+  if (dense == Share::Nothing || this->Opaque.AreAllOpaque(tile))
+  {
+    return;
+  }
+  const Share inside = FindShare(this->Sides, tile);
   if (dense == Share::Everything && inside == Share::Everything)
   {
     this->Opaque.AddLayer(tile);
   }
-  else if (dense != Share::Nothing && tile.Right - tile.Left > vtkTextureSliceOpaqueCells::CellSize)
+  else if (inside != Share::Nothing &&
+           tile.Right - tile.Left > vtkTextureSliceOpaqueCells::CellSize)
   {
     for (const Rectangle& quarter : GetQuarters(tile))
     {
-      this->Thicken(quarter);
+      this->Thicken(
+        quarter, dense == Share::Everything ? dense : this->Find(*this->Density.Bricks, quarter));
     }
   }
 }
 
 void vtkTextureSliceTiles::CoverRow(int bottom, int left, int right)
 {
-  // Tiles that are visible as a whole become one rectangle.
-  Rectangle run{left, bottom, left, bottom + LargestTile};
+  std::size_t last = this->Rectangles.size(); // the first rectangle of the tile before
   for (int x = left; x < right; x += LargestTile)
   {
-    const bool whole = this->Divide({x, bottom, x + LargestTile, bottom + LargestTile});
-    if (!whole)
+    const Rectangle tile{x, bottom, x + LargestTile, bottom + LargestTile};
+    if (this->CutBehindDense(tile))
     {
-      this->Add(run);
-      run.Left = x + LargestTile;
+      continue;
     }
-    run.Right = x + LargestTile;
+    const std::size_t begin = this->Rectangles.size();
+    this->Divide(tile);
+    if (this->Rectangles.size() == begin + 1 && begin == last + 1 &&
+        JoinPair(this->Rectangles[last], this->Rectangles[begin]))
+    {
+      this->Rectangles.pop_back();
+      continue;
+    }
+    last = begin;
   }
-  this->Add(run);
 }
 
-bool vtkTextureSliceTiles::Divide(const Rectangle& tile)
+double vtkTextureSliceTiles::Divide(const Rectangle& tile)
 {
+  if (this->Opaque.AreAllOpaque(tile))
+  {
+    return 0.0;
+  }
   const Share share = this->Find(this->Occupancy, tile);
-  const int size = tile.Right - tile.Left;
-  const bool hasCells = size >= vtkTextureSliceOpaqueCells::CellSize;
-  if (share == Share::Nothing || (hasCells && this->Opaque.AreAllOpaque(tile)))
+  if (share == Share::Nothing)
   {
-    return false;
+    return 0.0;
   }
-  const bool mixed = hasCells && this->Opaque.IsAnyOpaque(tile);
-  if ((share == Share::Everything && !mixed) || size < 2 * SmallestTile)
+  if ((share == Share::Everything && !this->Opaque.IsAnyOpaque(tile)) ||
+      tile.Right - tile.Left == SmallestTile)
   {
-    return true;
+    this->Rectangles.push_back(tile);
+    return GetCost(tile);
   }
-  const std::array<Rectangle, 4> quarters = GetQuarters(tile);
-  std::array<bool, 4> whole;
-  for (std::size_t i = 0; i < 4; ++i)
+  const std::size_t begin = this->Rectangles.size();
+  double cost = 0.0;
+  for (const Rectangle& quarter : GetQuarters(tile))
   {
-    whole[i] = this->Divide(quarters[i]);
+    cost += this->Divide(quarter);
   }
-  if (whole[0] && whole[1] && whole[2] && whole[3])
-  {
-    return true;
-  }
-  for (const std::size_t row : {std::size_t{0}, std::size_t{2}})
-  {
-    if (whole[row] && whole[row + 1])
-    {
-      this->Add({tile.Left, quarters[row].Bottom, tile.Right, quarters[row].Top});
-      whole[row] = whole[row + 1] = false;
-    }
-  }
-  for (std::size_t i = 0; i < 4; ++i)
-  {
-    if (whole[i])
-    {
-      this->Add(quarters[i]);
-    }
-  }
-  return false;
+  return this->Simplify(begin, cost);
 }
 
-void vtkTextureSliceTiles::Add(const Rectangle& rectangle)
+double vtkTextureSliceTiles::Simplify(std::size_t begin, double cost)
 {
-  if (rectangle.Left >= rectangle.Right)
+  std::vector<Rectangle>& all = this->Rectangles;
+  if (all.size() < begin + 2)
   {
-    return;
+    return cost;
   }
-  const std::array<Vector, 4> corners = GetCorners(rectangle);
-  Polygon part(corners.begin(), corners.end());
+  Rectangle around = all[begin];
+  for (std::size_t i = begin + 1; i < all.size(); ++i)
+  {
+    around = Around(around, all[i]);
+  }
+  if (GetCost(around) <= cost)
+  {
+    all.resize(begin);
+    all.push_back(around);
+    return GetCost(around);
+  }
+  constexpr std::size_t few = 12; // more have been joined as far as it goes, in smaller tiles
+  for (std::size_t i = begin; i < all.size() && all.size() - begin <= few; ++i)
+  {
+    for (std::size_t k = i + 1; k < all.size(); ++k)
+    {
+      const double apart = GetCost(all[i]) + GetCost(all[k]);
+      if (JoinPair(all[i], all[k]))
+      {
+        cost += GetCost(all[i]) - apart;
+        all[k] = all.back();
+        all.pop_back();
+        k = i;
+      }
+    }
+  }
+  return cost;
+}
+
+void vtkTextureSliceTiles::Add(Polygon part)
+{
   for (const Plane& side : this->Sides)
   {
     const auto outside = [&](const Vector& corner) { return Evaluate(side, corner) < 0.0; };

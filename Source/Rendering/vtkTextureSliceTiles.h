@@ -9,6 +9,7 @@
 #include "vtkTextureSlicePolygon.h"
 
 #include <array>
+#include <deque>
 #include <vector>
 
 /// A slice as the window sees it. Pixels are counted from the lower left corner of the picture;
@@ -32,39 +33,68 @@ struct vtkTextureSliceDensity
 /**
  * Divides a slice into squares of pixels, larger ones into smaller ones where they are visible in
  * part, and keeps those that touch visible bricks. Seams lie between pixels, never on a pixel's
- * centre: each pixel is drawn once, however the squares meet. Slices must come nearest first; where
- * dense ones have made the picture opaque, squares are left out.
+ * centre: each pixel is drawn once, however the squares meet. Slices must come nearest first and
+ * without gaps; where dense ones have made the picture opaque, squares are left out.
  */
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceTiles
 {
 public:
-  vtkTextureSliceTiles(const vtkTextureSliceOccupancy& occupancy,
-    const std::array<int, 2>& viewport, const vtkTextureSliceDensity& density = {});
+  /// Edge of the largest squares, in pixels.
+  static constexpr int LargestTile = 64;
+
+  /// @param part the pixels of the picture to cover; it begins at a multiple of LargestTile.
+  vtkTextureSliceTiles(const vtkTextureSliceOccupancy& occupancy, const vtkTextureSlicePixels& part,
+    const vtkTextureSliceDensity& density = {});
 
   /// The visible parts of a slice, convex polygons in pixels; valid until the next call.
   const std::vector<vtkTextureSlice::Polygon>& Cover(const vtkTextureSliceOnScreen& slice);
+
+  /// How much of a whole slice is visible, as far as the picture shows it.
+  static vtkTextureSliceOccupancy::Share FindVisible(const vtkTextureSliceOccupancy& occupancy,
+    const vtkTextureSliceOnScreen& slice, const vtkTextureSlicePixels& picture);
 
 private:
   using Rectangle = vtkTextureSlicePixels;
   using Share = vtkTextureSliceOccupancy::Share;
 
-  Rectangle FindTiles() const;
   Share Find(const vtkTextureSliceOccupancy& occupancy, const Rectangle& tile) const;
   void CoverRow(int bottom, int left, int right);
-  /// Adds the visible parts of a tile. @return whether all of it is to be drawn; it is not added
-  /// then
-  bool Divide(const Rectangle& tile);
-  void Add(const Rectangle& rectangle);
+  /// Adds rectangles around the visible parts of a tile. @return what they cost
+  double Divide(const Rectangle& tile);
+  /// Replaces the rectangles from that index on, which cost so much, by fewer if that is cheaper.
+  /// @return what they cost now
+  double Simplify(std::size_t begin, double cost);
+  void Add(vtkTextureSlice::Polygon part);
 
-  /// Counts the dense samples of a tile.
-  void Thicken(const Rectangle& tile);
+  /// Consecutive slices, dense all over a tile of the largest size.
+  struct Run
+  {
+    int Slices = 0;
+    int Last = -1; ///< the slice that it ends with
+  };
+  Run& GetRun(const Rectangle& tile);
+  /**
+   * Adds what is not hidden of a tile of the largest size, if it has been dense for so long that
+   * the outline of an earlier slice tells it.
+   * @return whether that is all there is to draw
+   */
+  bool CutBehindDense(const Rectangle& tile);
+  /// Counts the dense samples of a tile of the largest size.
+  void CountDense(const Rectangle& tile);
+  /// Counts the dense samples of the cells in a tile, of which so much is dense.
+  void Thicken(const Rectangle& tile, Share dense);
 
   const vtkTextureSliceOccupancy& Occupancy;
-  std::array<int, 2> Viewport;
+  Rectangle Part;
   vtkTextureSliceDensity Density;
   vtkTextureSliceOpaqueCells Opaque;
+  std::vector<Run> Runs; ///< one for each tile of the largest size
   const vtkTextureSliceOnScreen* Slice = nullptr;
+  int SliceNumber = -1;
   std::vector<vtkTextureSlice::Plane> Sides; ///< of the slice's outline
+  /// With density: the sides of this slice and of those before it, as many as are needed.
+  std::deque<std::vector<vtkTextureSlice::Plane>> LastSides;
+  std::vector<Rectangle> Rectangles;
   std::vector<vtkTextureSlice::Polygon> Parts;
   vtkTextureSlice::Polygon Kept;
 };

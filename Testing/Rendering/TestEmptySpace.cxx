@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 namespace
@@ -232,7 +233,7 @@ TEST(EmptySpace, TilesEndBehindDenseSlicesThatCoverThem)
   slice.Outline = {{0.0, 0.0, 0.0}, {250.0, 0.0, 0.0}, {250.0, 128.0, 0.0}, {0.0, 128.0, 0.0}};
   slice.Right = {1.0 / 256, 0.0, 0.0};
   slice.Up = {0.0, 1.0 / 128, 0.0};
-  vtkTextureSliceTiles tiles(everything, {256, 128}, {&dense, 3});
+  vtkTextureSliceTiles tiles(everything, {0, 0, 256, 128}, {&dense, 3});
   for (int layer = 0; layer < 6; ++layer)
   {
     slice.Origin = {0.0, 0.0, 0.1 * layer};
@@ -247,6 +248,42 @@ TEST(EmptySpace, TilesEndBehindDenseSlicesThatCoverThem)
     EXPECT_TRUE(covers(140.5, 60.5)) << "slice " << layer;
     EXPECT_TRUE(covers(249.5, 127.5)) << "slice " << layer;
   }
+}
+
+TEST(EmptySpace, DenseSlicesHideWhatIsBehindTheirOutline)
+{
+  // All of a block is dense, and three slices make a pixel opaque; it leans upwards, so that each
+  // slice shows a little more at its upper edge.
+  const vtkTextureSliceOccupancy everything;
+  vtkTextureSliceTiles tiles(everything, {0, 0, 256, 192}, {&everything, 3});
+  std::vector<int> layers(256 * 192, 0);
+  for (int number = 0; number < 24; ++number)
+  {
+    const double up = 5.31 * number;
+    vtkTextureSliceOnScreen slice;
+    slice.Outline = {{-9.1, up - 20.0, 0.0}, {230.4, up - 9.0, 0.0}, {240.7, up + 60.37, 0.0},
+      {10.3, up + 43.0, 0.0}};
+    slice.Right = {1.0 / 256, 0.0, 0.0};
+    slice.Up = {0.0, 1.0 / 192, 0.0};
+    slice.Origin = {0.0, 0.0, number / 24.0};
+    const std::vector<Polygon>& parts = tiles.Cover(slice);
+    for (std::size_t pixel = 0; pixel < layers.size(); ++pixel)
+    {
+      const double x = static_cast<double>(pixel % 256) + 0.5;
+      const double y = static_cast<double>(pixel / 256) + 0.5;
+      const auto covered = std::count_if(
+        parts.begin(), parts.end(), [&](const Polygon& part) { return Contains(part, x, y); });
+      const bool inOutline = Contains(slice.Outline, x, y);
+      ASSERT_LE(covered, inOutline ? 1 : 0) << "slice " << number << ", pixel " << x << ", " << y;
+      ASSERT_TRUE(covered == 1 || !inOutline || layers[pixel] >= 3)
+        << "slice " << number << ", pixel " << x << ", " << y;
+      layers[pixel] += int(covered);
+    }
+  }
+  const auto drawn = std::accumulate(layers.begin(), layers.end(), 0);
+  const auto visible = std::count_if(layers.begin(), layers.end(), [](int n) { return n > 0; });
+  // Three slices each, one more along outlines and in tiles at corners.
+  EXPECT_LT(drawn, 5 * visible);
 }
 
 TEST(EmptySpace, TilesCoverEachVisiblePixelOnce)
@@ -270,7 +307,7 @@ TEST(EmptySpace, TilesCoverEachVisiblePixelOnce)
   slice.Right = {0.0019, 0.0004, -0.0006};
   slice.Up = {-0.0003, 0.0026, -0.0014};
   const std::array<int, 2> viewport{480, 320};
-  vtkTextureSliceTiles tiles(occupancy, viewport);
+  vtkTextureSliceTiles tiles(occupancy, {0, 0, viewport[0], viewport[1]});
   const std::vector<Polygon>& parts = tiles.Cover(slice);
 
   int drawn = 0;
