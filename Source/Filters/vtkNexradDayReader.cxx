@@ -11,6 +11,7 @@
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
+#include "vtkNexradSeriesReader.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
@@ -29,11 +30,11 @@ vtkStandardNewMacro(vtkNexradDayReader);
 /// The scanned inputs, what they were scanned from, and the grid of the last information request.
 struct vtkNexradDayReader::Day
 {
-  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeUInt64>;
+  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64>;
 
   Day(Origin from, nexrad::MomentName moment, const nexrad::Level2Options& options)
     : From(std::move(from))
-    , Cache(moment, static_cast<std::size_t>(std::get<vtkTypeUInt64>(From)), options)
+    , Cache(moment, static_cast<std::size_t>(std::get<vtkTypeInt64>(From)), options)
   {
   }
 
@@ -79,6 +80,11 @@ const char* vtkNexradDayReader::GetFileName(int index) const
   return index >= 0 && index < this->GetNumberOfFileNames()
            ? this->FileNames[static_cast<std::size_t>(index)].c_str()
            : nullptr;
+}
+
+int vtkNexradDayReader::CanReadFile(const char* path)
+{
+  return vtkNexradSeriesReader::CanReadFile(path);
 }
 
 void vtkNexradDayReader::SetController(vtkMultiProcessController* controller)

@@ -68,6 +68,12 @@ public:
   const char* GetFileName(int index) const;
   ///@}
 
+  /**
+   * 1 when the path looks like a Level II file, one of its containers, a chunk folder, or a folder
+   * that holds such files; else 0.
+   */
+  static int CanReadFile(const char* path);
+
   ///@{
   /**
    * Distance between time steps in seconds, to the millisecond. 300 by default; more than 0.
@@ -100,8 +106,8 @@ public:
    * Memory in bytes for the rays of volumes that were read. 1 GiB by default. The volumes about the
    * time that is being made live beside it.
    */
-  vtkSetMacro(MemoryLimit, vtkTypeUInt64);
-  vtkGetMacro(MemoryLimit, vtkTypeUInt64);
+  vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
+  vtkGetMacro(MemoryLimit, vtkTypeInt64);
   ///@}
 
   ///@{
@@ -168,7 +174,7 @@ protected:
   double BeginTime = VTK_DOUBLE_MIN;
   double EndTime = VTK_DOUBLE_MAX;
   double MaximumGap = 900.0;
-  vtkTypeUInt64 MemoryLimit = vtkTypeUInt64(1) << 30;
+  vtkTypeInt64 MemoryLimit = vtkTypeInt64(1) << 30;
   std::string SiteName;
   bool UseGlobalController = false;
   std::vector<std::string> FileNames;

@@ -5,6 +5,7 @@
 #include "Level2/Level2File.h"
 #include "Model/Error.h"
 #include "Temporal/SiteSeries.h"
+#include "vtkNexradLevel2Reader.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradSweepConversion.h"
 
@@ -19,6 +20,7 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
 #include <set>
 #include <tuple>
 
@@ -69,6 +71,26 @@ const char* vtkNexradSeriesReader::GetFileName(int index) const
   return index >= 0 && index < this->GetNumberOfFileNames()
            ? this->FileNames[static_cast<std::size_t>(index)].c_str()
            : nullptr;
+}
+
+int vtkNexradSeriesReader::CanReadFile(const char* path)
+{
+  if (vtkNexradPathError(path) != vtkErrorCode::NoError)
+  {
+    return 0;
+  }
+  if (!std::filesystem::is_directory(path))
+  {
+    return vtkNexradLevel2Reader::CanReadFile(path);
+  }
+  try
+  {
+    return nexrad::FindInputFiles({path}).paths.empty() ? 0 : 1;
+  }
+  catch (const nexrad::Error&)
+  {
+    return 0; // an empty folder
+  }
 }
 
 int vtkNexradSeriesReader::Scan()

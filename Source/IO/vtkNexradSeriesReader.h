@@ -52,6 +52,12 @@ public:
   const char* GetFileName(int index) const;
   ///@}
 
+  /**
+   * 1 when the path looks like a Level II file, one of its containers, a chunk folder, or a folder
+   * that holds such files; else 0.
+   */
+  static int CanReadFile(const char* path);
+
 protected:
   vtkNexradSeriesReader();
   ~vtkNexradSeriesReader() override;

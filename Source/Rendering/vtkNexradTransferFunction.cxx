@@ -89,6 +89,23 @@ std::vector<double> PlacesOf(const Nodes* from, int channels)
   return places;
 }
 
+// What a file of samples holds: dBZ, red, green, blue, opacity.
+std::vector<std::array<double, 5>> SamplesOf(
+  vtkNexradTransferFunction* function, const vtkNexradColorMap& map)
+{
+  std::vector<std::array<double, 5>> samples;
+  for (const double dBZ : PlacesOf(map.Channels.data(), numberOfChannels))
+  {
+    std::array<double, 5>& sample = samples.emplace_back();
+    sample[0] = dBZ;
+    for (int channel = 0; channel < numberOfChannels; ++channel)
+    {
+      sample[static_cast<std::size_t>(channel) + 1] = function->Evaluate(channel, dBZ);
+    }
+  }
+  return samples;
+}
+
 // Nothing up to a place; from there on the nodes as they are.
 void BeginAt(double first, Nodes& nodes)
 {
@@ -452,6 +469,12 @@ bool vtkNexradTransferFunction::ReadFile(const char* path)
   return true;
 }
 
+std::string vtkNexradTransferFunction::FormatJSON()
+{
+  return vtkNexradColorMapText::FormatJSON(
+    this->Internal->Map, SamplesOf(this, this->Internal->Map));
+}
+
 bool vtkNexradTransferFunction::WriteFile(const char* path)
 {
   const std::string ending = EndingOf(path);
@@ -461,15 +484,11 @@ bool vtkNexradTransferFunction::WriteFile(const char* path)
                   << ": a colour map to write ends in .json or .pal");
     return false;
   }
-  std::vector<std::array<double, 5>> samples;
-  for (const double dBZ : PlacesOf(this->Internal->Map.Channels.data(), numberOfChannels))
-  {
-    samples.push_back({dBZ, this->Evaluate(RED, dBZ), this->Evaluate(GREEN, dBZ),
-      this->Evaluate(BLUE, dBZ), this->Evaluate(OPACITY, dBZ)});
-  }
-  const bool written = WriteWhole(
-    path, ending == ".json" ? vtkNexradColorMapText::FormatJSON(this->Internal->Map, samples)
-                            : vtkNexradColorMapText::FormatPalette(this->Internal->Map, samples));
+  const std::string text = ending == ".json"
+                             ? this->FormatJSON()
+                             : vtkNexradColorMapText::FormatPalette(
+                                 this->Internal->Map, SamplesOf(this, this->Internal->Map));
+  const bool written = WriteWhole(path, text);
   if (!written)
   {
     vtkErrorMacro(<< path << ": cannot be written");

@@ -21,6 +21,7 @@
 #include "vtkObject.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for the text of a file
 
 class vtkColorTransferFunction;
 class vtkPiecewiseFunction;
@@ -132,6 +133,11 @@ public:
   bool ReadFile(const char* path);
   bool WriteFile(const char* path);
   ///@}
+
+  /**
+   * The text that WriteFile puts into a .json file: a list of one colour map.
+   */
+  std::string FormatJSON();
 
 protected:
   vtkNexradTransferFunction();

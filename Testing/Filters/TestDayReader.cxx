@@ -104,6 +104,13 @@ protected:
   vtkNew<EventCounter> events;
 };
 
+TEST_F(DayReader, SaysWhatItCanRead)
+{
+  EXPECT_EQ(vtkNexradDayReader::CanReadFile((folder.Path() / "1").c_str()), 1);
+  EXPECT_EQ(vtkNexradDayReader::CanReadFile(folder.Path().c_str()), 1);
+  EXPECT_EQ(vtkNexradDayReader::CanReadFile((folder.Path() / "absent").c_str()), 0);
+}
+
 TEST_F(DayReader, StepsAreMultiplesFromTheFirstRayToTheLast)
 {
   reader->UpdateInformation();

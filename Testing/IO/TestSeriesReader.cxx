@@ -19,6 +19,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <filesystem>
 #include <fstream>
 
 namespace
@@ -134,6 +135,21 @@ TEST_F(SeriesReader, FailsWithoutAnyVolume)
   reader->AddFileName((folder.Path() / "notes.txt").c_str());
   reader->Update();
   EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileFormatError));
+}
+
+TEST_F(SeriesReader, SaysWhatItCanRead)
+{
+  const nexrad::testing::TemporaryFolder other;
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile(other.Path().c_str()), 0);
+  std::ofstream(other.Path() / "text") << "This is no radar file, and it never was one.";
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile(other.Path().c_str()), 0);
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile((other.Path() / "text").c_str()), 0);
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile((other.Path() / "absent").c_str()), 0);
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile(nullptr), 0);
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile((folder.Path() / "a").c_str()), 1);
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile(folder.Path().c_str()), 1);
+  std::filesystem::rename(folder.Path() / "a", other.Path() / "a");
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile(other.Path().c_str()), 1);
 }
 
 TEST_F(SeriesReader, StopsWhenAskedAndStartsAgain)

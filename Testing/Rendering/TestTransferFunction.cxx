@@ -220,6 +220,7 @@ TEST(TransferFunction, JSONComesBackAsItWas)
   vtkNew<Function> written;
   written->ApplyPreset("hail");
   ASSERT_TRUE(written->WriteFile(path.c_str()));
+  EXPECT_EQ(nexrad::testing::FileContent(path), written->FormatJSON());
   vtkNew<Function> read;
   ASSERT_TRUE(read->ReadFile(path.c_str()));
   EXPECT_EQ(read->GetNumberOfBins(), 15);
