@@ -1,0 +1,104 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""A session in ParaView: radar days as volumes, colours, time, an animation, and the state again.
+
+    pvpython paraview_session.py PLUGIN FOLDER OUTPUT       FOLDER holds the folders of radar files below
+    pvpython paraview_session.py PLUGIN OUTPUT              opens the state that the first run saved
+
+PLUGIN is the path of VTKNexrad.so. Every step is one that the menus have as well.
+"""
+
+import os
+import sys
+
+from paraview.simple import *
+
+RADARS, STORM = "multisite-20100911", "run-kbgm-20050821"
+UNIT_DISTANCE = 5000  # metres of echo that are as opaque as the colour map says
+
+
+def load_plugin(path):
+    LoadPlugin(path, remote=False, ns=globals())
+
+
+def open_day(folder, **settings):
+    """A folder stands for all files in it, of whatever radars."""
+    day = NEXRADRadarDay(FileNames=[folder], **settings)
+    day.UpdatePipelineInformation()
+    return day
+
+
+def show(day, view, representation, colours):
+    display = Show(day, view)
+    ColorBy(display, ("POINTS", "REF"))
+    for function in (GetColorTransferFunction("REF"), GetOpacityTransferFunction("REF")):
+        function.ApplyPreset(colours, False)
+    display.SetRepresentationType(representation)
+    display.ScalarOpacityUnitDistance = UNIT_DISTANCE
+    display.Scale = [1, 1, 10]  # storms are flat: ten times higher than they are
+    display.SetScalarBarVisibility(view, True)
+    return display
+
+
+def look_from_south(view):
+    ResetCamera(view)
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraFocalPoint = [0, 0, 40e3]
+    away = view.CameraParallelScale
+    view.CameraPosition = [-0.5 * away, -1.9 * away, 1.5 * away]
+
+
+def save_picture(view, output, name):
+    SaveScreenshot(os.path.join(output, name + ".png"), view)
+
+
+def several_radars(folder, output):
+    view = GetActiveViewOrCreate("RenderView")
+    view.ViewSize = [900, 600]
+    day = open_day(os.path.join(folder, RADARS), MaximumGap=2700)
+    show(day, view, "Volume (slices)", "NEXRAD clear air")
+    look_from_south(view)
+    GetAnimationScene().AnimationTime = day.TimestepValues[len(day.TimestepValues) // 2]
+    save_picture(view, output, "radars-slices")
+    Delete(day)
+
+
+def storm_in_time(folder, output):
+    view = GetActiveViewOrCreate("RenderView")
+    view.ViewSize = [900, 600]
+    day = open_day(os.path.join(folder, STORM))
+    display = show(day, view, "Volume (slices)", "NEXRAD all echo")
+    look_from_south(view)
+
+    scene = GetAnimationScene()
+    scene.UpdateAnimationUsingDataTimeSteps()
+    scene.GoToFirst()
+    save_picture(view, output, "storm-first")
+    scene.GoToNext()
+    scene.GoToNext()
+    save_picture(view, output, "storm-slices")
+    display.SetRepresentationType("Volume")
+    save_picture(view, output, "storm-paraview")
+
+    display.SetRepresentationType("Volume (slices)")
+    display.NumberOfSlices = 512
+    opacity = GetOpacityTransferFunction("REF")  # only what is above 35 dBZ: value, opacity, two of shape
+    opacity.Points = [35, 0, 0.5, 0, 40, 0.2, 0.5, 0, 55, 0.9, 0.5, 0]
+    save_picture(view, output, "storm-cores")
+
+    SaveState(os.path.join(output, "session.pvsm"))
+    SaveAnimation(os.path.join(output, "storm.ogv"), view, FrameRate=2)
+
+
+def again(output):
+    LoadState(os.path.join(output, "session.pvsm"))
+    SetActiveSource(list(GetSources().values())[0])
+    save_picture(GetRenderViews()[0], output, "storm-again")
+
+
+if __name__ == "__main__":
+    load_plugin(sys.argv[1])
+    if len(sys.argv) == 4:
+        several_radars(sys.argv[2], sys.argv[3])
+        storm_in_time(sys.argv[2], sys.argv[3])
+    else:
+        again(sys.argv[2])

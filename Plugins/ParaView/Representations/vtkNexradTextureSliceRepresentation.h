@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkNexradTextureSliceRepresentation
+ * @brief   ParaView's volume representation, drawn by vtkOpenGLTextureSliceVolumeMapper
+ *
+ * It has what ParaView's own volume representation has, for one vtkImageData with scalars of one
+ * component; for vectors choose a component with ParaView's Calculator first. Rectilinear grids,
+ * partitioned data, two-dimensional transfer functions of a second array, slice blending and
+ * volumetric shadows are ParaView's own representation's alone.
+ */
+#ifndef vtkNexradTextureSliceRepresentation_h
+#define vtkNexradTextureSliceRepresentation_h
+
+#include "vtkImageVolumeRepresentation.h"
+#include "vtkNexradRepresentationsModule.h" // For export macro
+
+class vtkOpenGLTextureSliceVolumeMapper;
+
+class VTKNEXRADREPRESENTATIONS_EXPORT vtkNexradTextureSliceRepresentation
+  : public vtkImageVolumeRepresentation
+{
+public:
+  static vtkNexradTextureSliceRepresentation* New();
+  vtkTypeMacro(vtkNexradTextureSliceRepresentation, vtkImageVolumeRepresentation);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * Slices between the nearest and the farthest point of the volume, 0 to 16384; 0 takes the
+   * distance from the voxels. 256 by default.
+   */
+  void SetNumberOfSlices(int slices);
+  int GetNumberOfSlices();
+
+  /**
+   * One of vtkVolumeMapper's blend modes, except slice blending. Composite by default. In place of
+   * the superclass's, which looks for mappers of other classes.
+   */
+  void SetBlendMode(int mode);
+
+  /**
+   * Screen pixels between two pixels of the picture, 1 (the default) to 10, in still pictures and
+   * in moving ones. When automatic (the default), moving pictures are made coarser as far as the
+   * frame rate asks for.
+   */
+  void SetImageSampleDistance(double pixels);
+  void SetAutoAdjustSampleDistances(bool automatic);
+
+  /**
+   * The mapper that draws.
+   */
+  vtkOpenGLTextureSliceVolumeMapper* GetSliceMapper();
+
+protected:
+  vtkNexradTextureSliceRepresentation();
+  ~vtkNexradTextureSliceRepresentation() override;
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+private:
+  vtkNexradTextureSliceRepresentation(const vtkNexradTextureSliceRepresentation&) = delete;
+  void operator=(const vtkNexradTextureSliceRepresentation&) = delete;
+};
+
+#endif
