@@ -30,7 +30,8 @@ CameraView ViewFrom(int side, int count)
   return view;
 }
 
-// What a new volume adds to a frame. One slice draws next to nothing.
+// What a new volume adds to a frame; never below 0, though noise can be. One slice draws next to
+// nothing.
 double UploadSeconds(VolumeStage& stage, MapperChoice mapper)
 {
   const CameraView view = ViewFrom(0, 1);
