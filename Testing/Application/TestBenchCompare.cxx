@@ -140,9 +140,19 @@ TEST(CompareReports, SaysWhatOneHasAlone)
   const Comparison comparison = CompareReports(a, b);
   const std::vector<std::string> expected = {
     "A measured 5 real files, B 6 SYNTHETIC files: the ratios compare different work",
-    "B has no row c in table decode", "B has no table rates", "A has no row b in table decode"};
+    "table decode: B has no row c", "B has no table rates", "table decode: A has no row b"};
   EXPECT_EQ(comparison.problems, expected);
   EXPECT_EQ(comparison.tables.size(), 1U);
+}
+
+TEST(CompareReports, NamesTheFirstOfManyMissingRows)
+{
+  const BenchReport a = MakeReport("A", 1.0);
+  BenchReport b = MakeReport("B", 2.0);
+  b.tables[0].rows.clear();
+  const Comparison comparison = CompareReports(a, b);
+  EXPECT_EQ(
+    comparison.problems, std::vector<std::string>{"table decode: B has no row a and 1 more"});
 }
 
 TEST(CompareReports, TheCommandComparesTwoFiles)

@@ -123,13 +123,20 @@ void NameMissing(const BenchReport& has, const BenchReport& lacks, const std::st
       problems.push_back(nameOfLacking + " has no table " + table.key);
       continue;
     }
+    std::vector<std::string> rows;
     for (const Cells& row : table.rows)
     {
       if (FindRow(*other, NameOf(table, row)) == nullptr)
       {
-        problems.push_back(
-          nameOfLacking + " has no row " + NameOf(table, row) + " in table " + table.key);
+        rows.push_back(NameOf(table, row));
       }
+    }
+    if (!rows.empty())
+    {
+      const std::string others =
+        rows.size() > 1 ? " and " + std::to_string(rows.size() - 1) + " more" : "";
+      problems.push_back(
+        "table " + table.key + ": " + nameOfLacking + " has no row " + rows.front() + others);
     }
   }
 }
