@@ -25,6 +25,7 @@ paraview_plugin_scan(
   HIDE_PLUGINS_FROM_CACHE ON)
 paraview_plugin_build(
   PLUGINS ${nexrad_paraview_plugins}
+  PLUGINS_COMPONENT paraview_plugins
   LIBRARY_DESTINATION "${CMAKE_INSTALL_LIBDIR}"
   LIBRARY_SUBDIRECTORY "${nexrad_plugins}"
   PLUGINS_FILE_NAME vtknexrad.paraview.xml

@@ -9,7 +9,7 @@ import unittest
 
 import Plugin
 
-PICTURES = ("radars-slices", "storm-first", "storm-slices", "storm-paraview", "storm-cores")
+PICTURES = ("radars-slices", "storm-sweeps", "storm-first", "storm-slices", "storm-paraview", "storm-cores")
 
 
 class Session(unittest.TestCase):

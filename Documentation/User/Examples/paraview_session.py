@@ -62,6 +62,25 @@ def several_radars(folder, output):
     Delete(day)
 
 
+def sweeps(folder, output):
+    view = GetActiveViewOrCreate("RenderView")
+    reader = NEXRADLevelIIReader(FileNames=[os.path.join(folder, STORM)])
+    reader.Moments = ["REF"]  # the other moments' gates are grids of their own, at the same places
+    view.ViewTime = reader.TimestepValues[1]
+    display = Show(reader, view)
+    ColorBy(display, ("POINTS", "REF"))
+    colours = GetColorTransferFunction("REF")
+    colours.ApplyPreset("NEXRAD all echo", False)
+    colours.NanOpacity = 0.0  # gates without echo
+    display.Scale = [1, 1, 10]
+    view.CameraViewUp = [0, 0, 1]
+    view.CameraFocalPoint = [-60e3, 0, 20e3]
+    view.CameraPosition = [-120e3, -420e3, 280e3]
+    save_picture(view, output, "storm-sweeps")
+    colours.NanOpacity = 1.0
+    Delete(reader)
+
+
 def storm_in_time(folder, output):
     view = GetActiveViewOrCreate("RenderView")
     view.ViewSize = [900, 600]
@@ -99,6 +118,7 @@ if __name__ == "__main__":
     load_plugin(sys.argv[1])
     if len(sys.argv) == 4:
         several_radars(sys.argv[2], sys.argv[3])
+        sweeps(sys.argv[2], sys.argv[3])
         storm_in_time(sys.argv[2], sys.argv[3])
     else:
         again(sys.argv[2])
