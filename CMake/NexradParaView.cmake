@@ -6,8 +6,8 @@ find_package(ParaView 5.11 REQUIRED COMPONENTS
 find_package(VTK REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   IOCore ParallelCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 vtksys
-  PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH
-  OPTIONAL_COMPONENTS glew opengl Python WrappingPythonCore)
+  OPTIONAL_COMPONENTS glew opengl Python WrappingPythonCore
+  PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
 
 # The folder that a user copies, or that ParaView looks into when it has the same prefix.
 set(nexrad_plugins "paraview-${ParaView_VERSION_MAJOR}.${ParaView_VERSION_MINOR}/plugins")

@@ -30,7 +30,7 @@ def make(group, name):
 
 def real_files(folder):
     """The files of a folder of level2/, in the order of their names; skips the test without them."""
-    root = os.environ.get("NEXRAD_TEST_DATA", "")
+    root = os.environ.get("NEXRAD_TEST_DATA") or os.environ.get("NEXRAD_DEFAULT_TEST_DATA", "")
     found = sorted(glob.glob(os.path.join(root, "level2", folder, "*")))
     if not found:
         raise unittest.SkipTest("real radar files not found: set NEXRAD_TEST_DATA")
