@@ -49,16 +49,15 @@ void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
   vtkNew<vtkUnsignedCharArray> states;
   states->SetName(StateName(volume.moment).c_str());
   states->SetNumberOfTuples(count);
+  std::transform(volume.states.begin(), volume.states.end(), states->GetPointer(0),
+    [](nexrad::VoxelState state) { return static_cast<unsigned char>(state); });
   vtkNew<vtkUnsignedCharArray> ghosts;
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfTuples(count);
-  for (vtkIdType i = 0; i < count; ++i)
-  {
-    const nexrad::VoxelState state = volume.states[static_cast<std::size_t>(i)];
-    states->SetValue(i, static_cast<unsigned char>(state));
-    const bool hidden = state == nexrad::VoxelState::NotScanned;
-    ghosts->SetValue(i, hidden ? static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT) : 0);
-  }
+  constexpr auto hidden = static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT);
+  std::transform(volume.states.begin(), volume.states.end(), ghosts->GetPointer(0),
+    [](nexrad::VoxelState state)
+    { return state == nexrad::VoxelState::NotScanned ? hidden : static_cast<unsigned char>(0); });
   points->SetScalars(values);
   points->AddArray(states);
   points->AddArray(ghosts);

@@ -35,6 +35,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkOpenGLTextureSliceVolumeMapper);
@@ -132,6 +133,20 @@ private:
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglEnableDisable CullFace;
 };
+
+/// The active scalars of the points, or of the cells; none without a value for each.
+std::optional<vtkTextureSliceScalars> FindActiveScalars(vtkImageData* image)
+{
+  const bool cellData = image->GetPointData()->GetScalars() == nullptr;
+  vtkDataArray* scalars =
+    cellData ? image->GetCellData()->GetScalars() : image->GetPointData()->GetScalars();
+  const vtkIdType texels = cellData ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  if (scalars == nullptr || scalars->GetNumberOfTuples() != texels)
+  {
+    return std::nullopt;
+  }
+  return vtkTextureSliceScalars::Find(image, scalars, cellData);
+}
 
 /// What the target holds before the first slice.
 float GetClearValue(int blendMode)
@@ -372,7 +387,7 @@ void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
   {
     return;
   }
-  const auto size = vtkTextureSliceTexture::GetSize(image, this->CellFlag == 1);
+  const auto size = vtkTextureSliceScalars::GetSize(image, this->CellFlag == 1);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     ratio[axis] = std::min(1.0, static_cast<double>(limit) / std::max(1, size[axis]));
@@ -391,16 +406,27 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance(
            : static_cast<double>(this->SampleDistance);
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
+vtkImageData* vtkOpenGLTextureSliceVolumeMapper::TakeInput(vtkDataArray*& scalars)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
   if (image == nullptr)
   {
     vtkErrorMacro("the input must be a vtkImageData");
+    return nullptr;
+  }
+  scalars = this->GetScalars(
+    image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, this->CellFlag);
+  return image;
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkDataArray* scalars = nullptr;
+  vtkImageData* image = this->TakeInput(scalars);
+  if (image == nullptr)
+  {
     return;
   }
-  vtkDataArray* scalars = this->GetScalars(
-    image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, this->CellFlag);
   const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
   if (const char* unsupported = this->FindUnsupported(request))
   {
@@ -499,13 +525,11 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   vtkDataArray* scalars, const vtkTextureSliceRequest& request)
 {
   Internals& parts = *this->Parts;
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  parts.Use(window);
   std::string error;
   // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
   const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
-  if (!parts.Texture.Update(window, image, scalars, this->CellFlag == 1, error) ||
-      !this->UpdateMask(image, error) || !parts.UpdateTables(request, nearest, error))
+  if (!this->Upload(renderer, image, scalars, error) ||
+      !parts.UpdateTables(request, nearest, error))
   {
     vtkErrorMacro(<< error);
     return;
@@ -524,7 +548,7 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   parts.Lights.Update(renderer);
 
   const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
-  const StateKeeper keeper(window->GetState());
+  const StateKeeper keeper(parts.Window->GetState());
   if (!parts.Draw(renderer, uniforms, error))
   {
     vtkErrorMacro(<< error);
@@ -532,6 +556,49 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   }
   parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
     0.5f - this->FinalColorLevel / this->FinalColorWindow);
+}
+
+bool vtkOpenGLTextureSliceVolumeMapper::Upload(
+  vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  this->Parts->Use(window);
+  return this->Parts->Texture.Update(window, image, scalars, this->CellFlag == 1, error) &&
+         this->UpdateMask(image, error);
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(vtkImageData* image, vtkImageData* before)
+{
+  const auto source = FindActiveScalars(image);
+  if (source)
+  {
+    const auto sourceBefore = before != nullptr ? FindActiveScalars(before) : std::nullopt;
+    vtkTextureSliceDigest::Prepare(
+      *source, sourceBefore ? vtkTextureSliceDigest::Find(*sourceBefore) : nullptr);
+  }
+}
+
+bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window == nullptr || !this->ValidateRender(renderer, volume))
+  {
+    return false;
+  }
+  window->Initialize(); // it may not have been drawn yet
+  vtkDataArray* scalars = nullptr;
+  vtkImageData* image = this->TakeInput(scalars);
+  if (image == nullptr)
+  {
+    return false;
+  }
+  std::string error;
+  if (!this->Upload(renderer, image, scalars, error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  return true;
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::string& error)
@@ -547,8 +614,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::str
   vtkDataArray* values = attributes->GetScalars();
   if (values == nullptr || values->GetDataType() != VTK_UNSIGNED_CHAR ||
       values->GetNumberOfComponents() != 1 ||
-      vtkTextureSliceTexture::GetSize(this->MaskInput, cellData) !=
-        vtkTextureSliceTexture::GetSize(image, cellData))
+      vtkTextureSliceScalars::GetSize(this->MaskInput, cellData) !=
+        vtkTextureSliceScalars::GetSize(image, cellData))
   {
     error = std::string("the mask must have the dimensions of the volume and ") +
             (cellData ? "cell" : "point") + " scalars of one unsigned char";

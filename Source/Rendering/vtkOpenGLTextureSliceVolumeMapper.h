@@ -84,6 +84,22 @@ public:
   int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property) override;
 
   /**
+   * Does beforehand what takes longest when scalars are drawn for the first time: finds their
+   * ranges and checksums, and if `before` was prepared, the volume that is drawn before this one,
+   * also the texels in which they differ. All this stays with the array (in its information) until
+   * it is drawn or changes. It needs no OpenGL: a program that plays a series may do it on the
+   * thread that reads the next volume. Takes the active scalars of the points, or of the cells.
+   */
+  static void PrepareScalars(vtkImageData* image, vtkImageData* before = nullptr);
+
+  /**
+   * Brings the input into texture memory now, rather than when it is drawn: as
+   * vtkOpenGLGPUVolumeRayCastMapper::PreLoadData. What is there already is left alone. False, with
+   * an error, when it cannot.
+   */
+  bool PreLoadData(vtkRenderer* renderer, vtkVolume* volume);
+
+  /**
    * Factors that would make the input fit the largest 3-D texture; 1 where it fits already. An
    * OpenGL context must be current.
    */
@@ -119,6 +135,7 @@ private:
   class Internals;
   std::unique_ptr<Internals> Parts;
 
+  vtkImageData* TakeInput(vtkDataArray*& scalars);
   vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, vtkDataArray* scalars);
   const char* FindUnsupported(const vtkTextureSliceRequest& request);
   double ChooseImageSampleDistance(double allowedTime);
@@ -129,6 +146,8 @@ private:
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
   void RenderSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
     const vtkTextureSliceRequest& request);
+  bool Upload(
+    vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);
   bool UpdateMask(vtkImageData* image, std::string& error);
   vtkTextureSliceUniforms MakeUniforms(
     vtkRenderer* renderer, const vtkTextureSliceRequest& request);

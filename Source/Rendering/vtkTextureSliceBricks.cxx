@@ -3,11 +3,10 @@
 
 #include "vtkDataArray.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
+#include "vtkTextureSliceRows.h"
 
 #include <algorithm>
-#include <cmath>
-#include <type_traits>
+#include <cstddef>
 
 namespace
 {
@@ -53,17 +52,20 @@ public:
     , Edge(edge)
     , Count(count)
     , Ranges(ranges)
-    , Scalars(static_cast<const Scalar*>(source.Scalars->GetVoidPointer(0)))
-    , Ghosts(source.Ghosts != nullptr ? source.Ghosts->GetPointer(0) : nullptr)
-    , Components(static_cast<std::size_t>(source.Scalars->GetNumberOfComponents()))
+    , Rows(source)
   {
   }
 
   void operator()(vtkIdType begin, vtkIdType end) const
   {
+    vtkTextureSlice::ColumnExtremes<Scalar> extremes(this->Rows.Length, this->Rows.Components);
+    std::vector<unsigned char> counts(this->Rows.Length);
     for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
     {
-      this->ScanRow(row % this->Count[1], row / this->Count[1]);
+      const std::array<int, 2> brick{row % this->Count[1], row / this->Count[1]};
+      extremes.Reset();
+      this->ScanRow(brick, extremes, counts);
+      this->SetRanges(brick, extremes);
     }
   }
 
@@ -77,64 +79,33 @@ private:
     return {std::max(0, first - before), std::min(this->Source.Size[axis], first + this->Edge + 1)};
   }
 
-  void ScanRow(int brickY, int brickZ) const
+  void ScanRow(const std::array<int, 2>& brick, vtkTextureSlice::ColumnExtremes<Scalar>& extremes,
+    std::vector<unsigned char>& counts) const
   {
-    const auto firstBrick = static_cast<std::size_t>(this->Count[0]) *
-                            static_cast<std::size_t>(brickZ * this->Count[1] + brickY);
-    Range* ranges = this->Ranges.data() + firstBrick * this->Components;
-    const Span z = this->Reach(brickZ, 2);
-    const Span y = this->Reach(brickY, 1);
+    const Span y = this->Reach(brick[0], 1);
+    const Span z = this->Reach(brick[1], 2);
     for (int k = z.Begin; k < z.End; ++k)
     {
       for (int j = y.Begin; j < y.End; ++j)
       {
-        const vtkIdType row =
-          (static_cast<vtkIdType>(k) * this->Source.Size[1] + j) * this->Source.Size[0];
-        for (int brick = 0; brick < this->Count[0]; ++brick)
-        {
-          const Span x = this->Reach(brick, 0);
-          this->Extend(ranges + static_cast<std::size_t>(brick) * this->Components,
-            static_cast<std::size_t>(row + x.Begin), static_cast<std::size_t>(row + x.End));
-        }
+        this->Rows.MarkVisible(j, k, 0, this->Rows.Length, counts.data());
+        extremes.Extend(this->Rows.GetScalars(j, k), counts.data());
       }
     }
   }
 
-  bool Counts(std::size_t id) const
+  void SetRanges(
+    const std::array<int, 2>& brick, const vtkTextureSlice::ColumnExtremes<Scalar>& extremes) const
   {
-    if constexpr (std::is_floating_point_v<Scalar>)
+    auto range = this->Ranges.begin() + static_cast<std::ptrdiff_t>(this->Rows.Components) *
+                                          this->Count[0] * (brick[1] * this->Count[1] + brick[0]);
+    for (int i = 0; i < this->Count[0]; ++i)
     {
-      const Scalar* tuple = this->Scalars + id * this->Components;
-      if (!std::all_of(tuple, tuple + this->Components, [](Scalar s) { return std::isfinite(s); }))
+      const Span x = this->Reach(i, 0);
+      for (std::size_t c = 0; c < this->Rows.Components; ++c, ++range)
       {
-        return false;
-      }
-    }
-    return this->Ghosts == nullptr || (this->Ghosts[id] & this->Source.HiddenBits) == 0;
-  }
-
-  /// Extends the ranges of a brick, one for each component, by texels of a row.
-  void Extend(Range* ranges, std::size_t begin, std::size_t end) const
-  {
-    for (std::size_t c = 0; c < this->Components; ++c)
-    {
-      Scalar low = std::numeric_limits<Scalar>::max();
-      Scalar high = std::numeric_limits<Scalar>::lowest();
-      bool any = false;
-      for (std::size_t id = begin; id < end; ++id)
-      {
-        if (this->Counts(id))
-        {
-          const Scalar scalar = this->Scalars[id * this->Components + c];
-          any = true;
-          low = std::min(low, scalar);
-          high = std::max(high, scalar);
-        }
-      }
-      if (any)
-      {
-        ranges[c].Low = std::min(ranges[c].Low, static_cast<double>(low));
-        ranges[c].High = std::max(ranges[c].High, static_cast<double>(high));
+        extremes.ExtendRange(
+          static_cast<std::size_t>(x.Begin), static_cast<std::size_t>(x.End), c, *range);
       }
     }
   }
@@ -143,9 +114,7 @@ private:
   int Edge;
   const std::array<int, 3>& Count;
   std::vector<Range>& Ranges;
-  const Scalar* Scalars;
-  const unsigned char* Ghosts;
-  std::size_t Components;
+  vtkTextureSlice::Rows<Scalar> Rows;
 };
 
 } // namespace

@@ -4,14 +4,12 @@
 #define vtkTextureSliceBricks_h
 
 #include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkTextureSliceScalars.h"
 #include "vtkTimeStamp.h"
 
 #include <array>
 #include <limits>
 #include <vector>
-
-class vtkDataArray;
-class vtkUnsignedCharArray;
 
 /**
  * A volume cut into small cubes of voxels (the last ones along an axis may be shorter), and for
@@ -30,16 +28,7 @@ public:
   };
 
   /// What the ranges are made from.
-  struct Source
-  {
-    vtkDataArray* Scalars = nullptr;
-    /// Texels along each axis: points, or cells.
-    std::array<int, 3> Size{};
-    bool CellData = false;
-    /// May be nullptr: nothing is hidden.
-    vtkUnsignedCharArray* Ghosts = nullptr;
-    unsigned char HiddenBits = 0;
-  };
+  using Source = vtkTextureSliceScalars;
 
   /// Goes once over all scalars, on several threads.
   void Build(const Source& source);

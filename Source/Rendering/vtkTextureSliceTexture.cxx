@@ -1,193 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceTexture.h"
 
-#include "vtkCellData.h"
 #include "vtkDataArray.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
-#include "vtkPointData.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdint>
-#include <limits>
 #include <type_traits>
-#include <vector>
+#include <utility>
 
 namespace
 {
-
-/// Texels as they go to OpenGL.
-struct Texels
-{
-  int ScalarType = VTK_FLOAT; ///< VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT or VTK_FLOAT
-  const void* Data = nullptr; ///< the scalars themselves, or Storage
-  std::vector<unsigned char> Storage;
-};
-
-/// The scalars of a volume, component after component of each point (or cell).
-template <typename Scalar>
-struct Tuples
-{
-  const Scalar* Data = nullptr;
-  std::size_t Count = 0;
-  std::size_t Components = 1;
-};
-
-/// 1 at visible places, 0 at hidden ones; empty if all are visible.
-template <typename Scalar>
-std::vector<std::uint8_t> MakeMask(
-  const Tuples<Scalar>& tuples, vtkUnsignedCharArray* ghosts, unsigned char hiddenBit)
-{
-  std::vector<std::uint8_t> mask;
-  const auto hide = [&](std::size_t i)
-  {
-    if (mask.empty())
-    {
-      mask.assign(tuples.Count, 1);
-    }
-    mask[i] = 0;
-  };
-  if (ghosts != nullptr)
-  {
-    const unsigned char* flags = ghosts->GetPointer(0);
-    for (std::size_t i = 0; i < tuples.Count; ++i)
-    {
-      if ((flags[i] & hiddenBit) != 0)
-      {
-        hide(i);
-      }
-    }
-  }
-  if constexpr (std::is_floating_point_v<Scalar>)
-  {
-    for (std::size_t i = 0; i < tuples.Count * tuples.Components; ++i)
-    {
-      if (!std::isfinite(tuples.Data[i]))
-      {
-        hide(i / tuples.Components);
-      }
-    }
-  }
-  return mask;
-}
-
-/// Scalars to texels by convert(scalar, component), each tuple followed by its visibility if there
-/// is a mask.
-template <typename Texel, typename Scalar, typename Convert>
-void Encode(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask, Convert convert,
-  Texels& texels)
-{
-  // What OpenGL reads as 1.
-  constexpr Texel visible =
-    std::is_floating_point_v<Texel> ? Texel{1} : std::numeric_limits<Texel>::max();
-  const std::size_t channels = tuples.Components + (mask.empty() ? 0 : 1);
-  texels.Storage.resize(tuples.Count * channels * sizeof(Texel));
-  texels.Data = texels.Storage.data();
-  auto* out = reinterpret_cast<Texel*>(texels.Storage.data());
-  const Scalar* in = tuples.Data;
-  for (std::size_t i = 0; i < tuples.Count; ++i)
-  {
-    const bool isVisible = mask.empty() || mask[i] != 0;
-    for (std::size_t c = 0; c < tuples.Components; ++c)
-    {
-      const Scalar scalar = *in++;
-      *out++ = isVisible ? convert(scalar, c) : Texel{0};
-    }
-    if (!mask.empty())
-    {
-      *out++ = isVisible ? visible : Texel{0};
-    }
-  }
-}
-
-/// Texels of scalars whose type is theirs already; copied only to stand beside a mask.
-template <typename Scalar>
-void EncodeSame(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask, Texels& texels)
-{
-  texels.Data = tuples.Data;
-  if (!mask.empty())
-  {
-    Encode<Scalar>(
-      tuples, mask, [](Scalar s, std::size_t) { return s; }, texels);
-  }
-}
-
-/// Integers of 8 and 16 bits: what is stored is the distance from the type's least value.
-template <typename Scalar>
-void EncodeShort(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask,
-  std::vector<vtkTextureSliceComponent>& components, Texels& texels)
-{
-  using Texel = std::conditional_t<sizeof(Scalar) == 1, std::uint8_t, std::uint16_t>;
-  constexpr int lowest = std::numeric_limits<Scalar>::lowest();
-  texels.ScalarType = sizeof(Scalar) == 1 ? VTK_UNSIGNED_CHAR : VTK_UNSIGNED_SHORT;
-  for (vtkTextureSliceComponent& component : components)
-  {
-    component.Scale = std::numeric_limits<Texel>::max();
-    component.Bias = lowest;
-  }
-  if constexpr (lowest == 0)
-  {
-    EncodeSame(tuples, mask, texels);
-  }
-  else
-  {
-    Encode<Texel>(
-      tuples, mask, [](Scalar s, std::size_t) { return static_cast<Texel>(s - lowest); }, texels);
-  }
-}
-
-/// Types that a float cannot hold: each component's range is spread over 0 to 1.
-template <typename Scalar>
-void EncodeWide(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask,
-  std::vector<vtkTextureSliceComponent>& components, Texels& texels)
-{
-  for (vtkTextureSliceComponent& component : components)
-  {
-    const auto [low, high] = component.Range;
-    component.Scale = high > low ? high - low : 1.0;
-    component.Bias = low;
-  }
-  const auto convert = [&components](Scalar s, std::size_t c) {
-    return static_cast<float>((static_cast<double>(s) - components[c].Bias) / components[c].Scale);
-  };
-  Encode<float>(tuples, mask, convert, texels);
-}
-
-/// @param components their ranges are given, how texels become scalars is set.
-template <typename Scalar>
-Texels MakeTexels(const Tuples<Scalar>& tuples, const std::vector<std::uint8_t>& mask,
-  std::vector<vtkTextureSliceComponent>& components)
-{
-  Texels texels;
-  if constexpr (std::is_integral_v<Scalar> && sizeof(Scalar) <= 2)
-  {
-    EncodeShort(tuples, mask, components, texels);
-  }
-  else if constexpr (std::is_same_v<Scalar, float>)
-  {
-    EncodeSame(tuples, mask, texels);
-  }
-  else
-  {
-    EncodeWide(tuples, mask, components, texels);
-  }
-  return texels;
-}
-
-template <typename Scalar>
-Texels MakeTexels(const Scalar* scalars, std::size_t count, vtkUnsignedCharArray* ghosts,
-  unsigned char hiddenBit, std::vector<vtkTextureSliceComponent>& components, bool& masked)
-{
-  const Tuples<Scalar> tuples{scalars, count, components.size()};
-  const auto mask = MakeMask(tuples, ghosts, hiddenBit);
-  masked = !mask.empty();
-  return MakeTexels(tuples, mask, components);
-}
 
 /// The format of a texture of 1 to 4 components.
 unsigned int InternalFormat(int scalarType, int channels)
@@ -227,110 +52,85 @@ unsigned int TexelType(int scalarType)
   }
 }
 
-/// The ghost array; nullptr if there is none of one flag for each texel.
-vtkUnsignedCharArray* FindGhosts(vtkImageData* image, bool cellData)
+/// Whether scalars of that number and type can become a texture.
+bool Check(const vtkTextureSliceScalars& source, std::string& error)
 {
-  vtkDataSetAttributes* attributes =
-    cellData ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  const vtkIdType texels = cellData ? image->GetNumberOfCells() : image->GetNumberOfPoints();
-  return ghosts != nullptr && ghosts->GetNumberOfTuples() == texels ? ghosts : nullptr;
+  const auto [nx, ny, nz] = source.Size;
+  const auto expected = static_cast<vtkIdType>(nx) * ny * nz;
+  if (source.Scalars->GetNumberOfTuples() != expected)
+  {
+    error = "the scalars have " + std::to_string(source.Scalars->GetNumberOfTuples()) +
+            " values, the image needs " + std::to_string(expected);
+    return false;
+  }
+  bool isNumber = false;
+  switch (source.Scalars->GetDataType())
+  {
+    vtkTemplateMacro(isNumber = std::is_arithmetic_v<VTK_TT>);
+  }
+  if (!isNumber)
+  {
+    error = std::string("scalars of type ") + source.Scalars->GetDataTypeAsString() +
+            " cannot be drawn: convert them to a number type";
+  }
+  return isNumber;
 }
 
 } // namespace
 
-std::array<int, 3> vtkTextureSliceTexture::GetSize(vtkImageData* image, bool cellData)
-{
-  std::array<int, 3> size;
-  image->GetDimensions(size.data());
-  for (int& texels : size)
-  {
-    texels -= cellData ? 1 : 0;
-  }
-  return size;
-}
-
-vtkTextureSliceTexture::Source vtkTextureSliceTexture::MakeSource(
-  vtkImageData* image, vtkDataArray* scalars, bool cellData)
-{
-  vtkUnsignedCharArray* ghosts = FindGhosts(image, cellData);
-  Source source;
-  source.Scalars = scalars;
-  source.ScalarsTime = scalars->GetMTime();
-  source.Ghosts = ghosts;
-  source.GhostsTime = ghosts != nullptr ? ghosts->GetMTime() : 0;
-  source.Size = GetSize(image, cellData);
-  return source;
-}
-
 bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData* image,
   vtkDataArray* scalars, bool cellData, std::string& error)
 {
-  const Source source = MakeSource(image, scalars, cellData);
-  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
-      source == this->Last)
+  const auto source = vtkTextureSliceScalars::Find(image, scalars, cellData);
+  const vtkTextureSliceDigest::Key key = vtkTextureSliceDigest::MakeKey(source);
+  const bool there = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
+  if (there && this->Digest != nullptr && key == this->Last)
   {
     return true;
   }
-  this->Last = Source(); // nothing, should an error leave the texture half made
-  const auto [nx, ny, nz] = source.Size;
-  const auto expected = static_cast<vtkIdType>(nx) * ny * nz;
-  if (scalars->GetNumberOfTuples() != expected)
+  // Nothing is known of the texture, should an error leave it half made.
+  const auto before = std::exchange(this->Digest, nullptr);
+  if (!Check(source, error))
   {
-    error = "the scalars have " + std::to_string(scalars->GetNumberOfTuples()) +
-            " values, the image needs " + std::to_string(expected);
     return false;
   }
-
-  this->Components.assign(static_cast<std::size_t>(scalars->GetNumberOfComponents()), {});
-  for (std::size_t c = 0; c < this->Components.size(); ++c)
-  {
-    scalars->GetFiniteRange(this->Components[c].Range.data(), static_cast<int>(c));
-  }
-  unsigned char hidden = vtkDataSetAttributes::HIDDENPOINT;
-  if (cellData)
-  {
-    hidden = vtkDataSetAttributes::HIDDENCELL;
-  }
-  Texels texels;
-  switch (scalars->GetDataType())
-  {
-    vtkTemplateMacro(texels = MakeTexels(static_cast<const VTK_TT*>(scalars->GetVoidPointer(0)),
-                       static_cast<std::size_t>(expected), FindGhosts(image, cellData), hidden,
-                       this->Components, this->Masked));
-  default:
-    error = std::string("scalars of type ") + scalars->GetDataTypeAsString() +
-            " cannot be drawn: convert them to a number type";
-    return false;
-  }
-  if (this->CountChannels() > 4)
+  const auto digest = vtkTextureSliceDigest::Get(source);
+  this->Texels = digest->GetTexels();
+  if (this->Texels.CountChannels() > 4)
   {
     error = "four components with hidden points, or with scalars that are not finite, are not "
             "supported: leave out a component or the ghost array";
     return false;
   }
-  if (!this->Allocate(window, source.Size, texels.ScalarType, error))
+  if (!this->Allocate(window, source.Size, error))
   {
     return false;
   }
-  this->Texture->Activate();
-  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexSubImage3D(GL_TEXTURE_3D, 0, 0, 0, 0, nx, ny, nz, TexelFormat(this->CountChannels()),
-    TexelType(texels.ScalarType), texels.Data);
-  this->Texture->Deactivate();
-  this->Bricks.Build({scalars, source.Size, cellData, FindGhosts(image, cellData), hidden});
-  this->Last = source;
+  this->Upload(window, digest->TakeChanges(source, there ? before : nullptr));
+  this->Digest = digest;
+  this->Last = key;
   return true;
 }
 
-int vtkTextureSliceTexture::CountChannels() const
+void vtkTextureSliceTexture::Upload(
+  vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes)
 {
-  return static_cast<int>(this->Components.size()) + (this->Masked ? 1 : 0);
+  const unsigned int format = TexelFormat(this->Texels.CountChannels());
+  const unsigned int type = TexelType(this->Texels.GetScalarType());
+  this->Texture->Activate();
+  window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+  changes.ForEach(
+    [&](const vtkTextureSliceBlocks::Box& box, const unsigned char* texels)
+    {
+      const auto& [begin, end] = box;
+      glTexSubImage3D(GL_TEXTURE_3D, 0, begin[0], begin[1], begin[2], end[0] - begin[0],
+        end[1] - begin[1], end[2] - begin[2], format, type, texels);
+    });
+  this->Texture->Deactivate();
 }
 
 bool vtkTextureSliceTexture::Allocate(
-  vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, int scalarType, std::string& error)
+  vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, std::string& error)
 {
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
   if (*std::max_element(size.begin(), size.end()) > limit)
@@ -343,7 +143,8 @@ bool vtkTextureSliceTexture::Allocate(
             std::to_string(std::min(size[2], limit)) + " or less";
     return false;
   }
-  const int channels = this->CountChannels();
+  const int channels = this->Texels.CountChannels();
+  const int scalarType = this->Texels.GetScalarType();
   const std::array<int, 5> wanted{size[0], size[1], size[2], scalarType, channels};
   if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
       wanted == this->Allocated)
@@ -378,4 +179,5 @@ void vtkTextureSliceTexture::SetNearest(bool nearest)
 void vtkTextureSliceTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
+  this->Digest = nullptr;
 }

@@ -4,9 +4,10 @@
 #define vtkTextureSliceTexture_h
 
 #include "vtkNew.h"
+#include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
-#include "vtkTextureSliceBricks.h"
-#include "vtkType.h"
+#include "vtkTextureSliceDigest.h"
+#include "vtkTextureSliceTexels.h"
 
 #include <array>
 #include <string>
@@ -17,18 +18,10 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
-/// One component of the scalars.
-struct vtkTextureSliceComponent
-{
-  std::array<double, 2> Range{0.0, 1.0}; ///< least and greatest finite scalar
-  double Scale = 1.0;                    ///< the scalar of a texel t: t * Scale + Bias
-  double Bias = 0.0;
-};
-
 /**
- * One to four components of scalars of any type, one texel for each point (or cell). Scalars of 8
- * and 16 bits keep their size and all their values; float is uploaded as it is; wider types become
- * float, spread over 0 to 1 so that large values keep their differences.
+ * One to four components of scalars of any type, one texel for each point (or cell), as
+ * vtkTextureSliceTexels encodes them. Of scalars that take the place of others of the same size and
+ * type, only the blocks that differ are uploaded.
  *
  * Points that vtkGhostType hides (HIDDENPOINT, or HIDDENCELL of cells) and those with a scalar that
  * is not finite are masked: the texture then has one more component, 1 at visible points and 0 at
@@ -48,42 +41,25 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() { return this->Texture; }
-  /// Texels along each axis: points, or cells.
-  static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
-  /// The scalars' ranges in small parts of the volume.
-  const vtkTextureSliceBricks& GetBricks() const { return this->Bricks; }
+  /// The scalars' ranges in small parts of the volume; after an Update without error.
+  const vtkTextureSliceBricks& GetBricks() const { return this->Digest->GetBricks(); }
   /// Whether the component of the mask is there.
-  bool IsMasked() const { return this->Masked; }
+  bool IsMasked() const { return this->Texels.IsMasked(); }
   /// How a texel t (0 to 1 unless float) of each component becomes its scalar.
-  const std::vector<vtkTextureSliceComponent>& GetComponents() const { return this->Components; }
+  const std::vector<vtkTextureSliceComponent>& GetComponents() const
+  {
+    return this->Texels.GetComponents();
+  }
 
 private:
-  /// What the texture was made from; pointers are compared, never followed.
-  struct Source
-  {
-    const void* Scalars = nullptr;
-    vtkMTimeType ScalarsTime = 0;
-    const void* Ghosts = nullptr;
-    vtkMTimeType GhostsTime = 0;
-    std::array<int, 3> Size{0, 0, 0};
-    bool operator==(const Source& other) const
-    {
-      return this->Scalars == other.Scalars && this->ScalarsTime == other.ScalarsTime &&
-             this->Ghosts == other.Ghosts && this->GhostsTime == other.GhostsTime &&
-             this->Size == other.Size;
-    }
-  };
-  static Source MakeSource(vtkImageData* image, vtkDataArray* scalars, bool cellData);
-  /// Components of the texture: those of the scalars, and the mask.
-  int CountChannels() const;
-  bool Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, int scalarType,
-    std::string& error);
+  bool Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, std::string& error);
+  void Upload(vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes);
 
   vtkNew<vtkTextureObject> Texture;
-  vtkTextureSliceBricks Bricks;
-  bool Masked = false;
-  std::vector<vtkTextureSliceComponent> Components;
-  Source Last;
+  vtkTextureSliceTexels Texels;
+  /// Of what is in the texture; nullptr: not known.
+  vtkSmartPointer<vtkTextureSliceDigest> Digest;
+  vtkTextureSliceDigest::Key Last;
   std::array<int, 5> Allocated{}; ///< size, scalar type and number of the texture's components
 };
 

@@ -186,6 +186,12 @@ void RadarScene::SetVolume(vtkImageData* data)
   this->DrawCaptions();
 }
 
+bool RadarScene::Upload()
+{
+  auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  return mapper != nullptr && scene::Upload(mapper, renderer, volume);
+}
+
 void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 {
   if (!sameMapper)

@@ -49,6 +49,10 @@ public:
   /// Hides the volume, and shows it again; the map and the letters stay.
   void ShowVolume(bool shown);
 
+  /// Brings the volume into texture memory now, rather than when it is drawn; the renderer must be
+  /// in a window. False when it cannot be drawn.
+  bool Upload();
+
   /// Colours and opacities; after a change of them LookChanged brings the scene up to date.
   vtkNexradTransferFunction* Look();
   void LookChanged();

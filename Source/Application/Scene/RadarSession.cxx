@@ -2,6 +2,7 @@
 #include "RadarSession.h"
 
 #include "Volumes/ReadAhead.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 
 #include <vtkImageData.h>
 
@@ -10,12 +11,41 @@
 namespace nexrad::scene
 {
 
+namespace
+{
+
+// What follows in playing, with what the slices need of it, while the step before is drawn.
+std::unique_ptr<application::VolumeSeries> PlayAhead(
+  std::unique_ptr<application::VolumeSeries> series, const std::vector<std::size_t>& steps,
+  const SceneOptions& options)
+{
+  application::ReadAheadOptions readAhead;
+  readAhead.order = steps;
+  if (options.mapper == MapperChoice::TextureSlice && !options.plan)
+  {
+    readAhead.prepare = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars;
+  }
+  return application::ReadAhead(std::move(series), std::move(readAhead));
+}
+
+} // namespace
+
 RadarSession::RadarSession(std::unique_ptr<application::VolumeSeries> source,
   std::vector<std::size_t> steps, const SceneOptions& options)
-  : series(application::ReadAhead(std::move(source)))
+  : series(PlayAhead(std::move(source), steps, options))
   , chosen(std::move(steps))
   , scene(options)
 {
+}
+
+bool RadarSession::Load(std::size_t step, const Progress& progress)
+{
+  if (shown != step && (loaded.first != step || !loaded.second))
+  {
+    loaded = {step, series->Load(chosen[step], progress)};
+    return loaded.second != nullptr;
+  }
+  return true;
 }
 
 bool RadarSession::Show(std::size_t step, const Progress& progress)
@@ -24,12 +54,11 @@ bool RadarSession::Show(std::size_t step, const Progress& progress)
   {
     return true;
   }
-  const vtkSmartPointer<vtkImageData> volume = series->Load(chosen[step], progress);
-  if (!volume)
+  if (!this->Load(step, progress))
   {
     return false;
   }
-  scene.SetVolume(volume);
+  scene.SetVolume(std::exchange(loaded.second, nullptr));
   shown = step;
   return true;
 }

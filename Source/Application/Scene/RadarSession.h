@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace nexrad::scene
@@ -38,10 +39,14 @@ public:
   /// the scene stays as it is. Throws Error when the volume cannot be loaded.
   bool Show(std::size_t step, const Progress& progress = {});
 
+  /// The first half of Show: loads the step, which Show then finds loaded.
+  bool Load(std::size_t step, const Progress& progress = {});
+
 private:
   std::unique_ptr<application::VolumeSeries> series;
   std::vector<std::size_t> chosen;
   std::optional<std::size_t> shown;
+  std::pair<std::size_t, vtkSmartPointer<vtkImageData>> loaded; ///< a step, until it is shown
   RadarScene scene;
 };
 

@@ -45,6 +45,16 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
   }
 }
 
+bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
+  {
+    return slicer->PreLoadData(renderer, volume);
+  }
+  auto* caster = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper);
+  return caster != nullptr && caster->PreLoadData(renderer, volume);
+}
+
 vtkSmartPointer<vtkNexradTransferFunction> MakeLook(const SceneOptions& options)
 {
   auto look = vtkSmartPointer<vtkNexradTransferFunction>::New();

@@ -7,6 +7,8 @@
 #include <vtkSmartPointer.h>
 
 class vtkNexradTransferFunction;
+class vtkRenderer;
+class vtkVolume;
 class vtkVolumeMapper;
 class vtkVolumeProperty;
 
@@ -19,6 +21,9 @@ vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice);
 /// Sets the number of slices, or of samples along the longest ray through the volume, whose length
 /// is `diagonal` in scene units.
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
+
+/// Brings the mapper's input into texture memory. False when it cannot.
+bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
 /// Colours and opacities as the options ask for. Throws Error for a preset that does not exist and
 /// a file that is no colour map.

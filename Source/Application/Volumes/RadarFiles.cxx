@@ -26,6 +26,7 @@ public:
   }
 
   const std::vector<Time>& Times() const override { return steps.Times(); }
+  bool CanLoadAhead() const override { return true; }
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
   {

@@ -58,17 +58,6 @@ vtkSmartPointer<vtkImageData> ReadVti(const fs::path& path)
   return reader->GetOutput();
 }
 
-vtkSmartPointer<vtkImageData> ReadVolume(const fs::path& path)
-{
-  if (EndsWith(path, ".vti"))
-  {
-    return ReadVti(path);
-  }
-  auto image = vtkSmartPointer<vtkImageData>::New();
-  vtkNexradVolumeToImage(ReadNxv(path), image);
-  return image;
-}
-
 // The time that a volume file states. A .vti has to be read for it.
 Time TimeOf(const fs::path& path)
 {
@@ -131,11 +120,20 @@ public:
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress&) override
   {
-    return ReadVolume(files[index].second);
+    const fs::path& path = files[index].second;
+    if (EndsWith(path, ".vti"))
+    {
+      return ReadVti(path);
+    }
+    read = ReadNxv(path, {}, std::move(read));
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    vtkNexradVolumeToImage(read, image);
+    return image;
   }
 
 private:
   TimedFiles files;
+  GriddedVolume read; // the last one: its memory serves the next
   std::vector<Time> times;
 };
 

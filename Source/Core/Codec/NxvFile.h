@@ -53,8 +53,9 @@ struct NxvReadOptions
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
 /// dimension, length, CRC or stream, and for a companion array of a wrong type or with a value that
 /// it cannot have. Arrays beside the moment, its states and its companions are checked and passed
-/// over.
-GriddedVolume ReadNxv(const std::filesystem::path& path, const NxvReadOptions& options = {});
+/// over. `memory` is a volume that is no longer needed: its arrays become those of the result.
+GriddedVolume ReadNxv(
+  const std::filesystem::path& path, const NxvReadOptions& options = {}, GriddedVolume memory = {});
 
 /// Reads the header alone: the same volume without values, states and companions.
 GriddedVolume ReadNxvHeader(const std::filesystem::path& path);

@@ -363,9 +363,12 @@ void ReadCompanion(InputFile& file, std::uint64_t offset, const NxvArray& array,
   ForEachCompanion(volume.companions, read);
 }
 
-GriddedVolume ReadVoxels(InputFile& file, OpenedFile& opened, const NxvReadOptions& options)
+GriddedVolume ReadVoxels(
+  InputFile& file, OpenedFile& opened, const NxvReadOptions& options, GriddedVolume& memory)
 {
   GriddedVolume volume = std::move(opened.header.volume);
+  volume.values = std::move(memory.values);
+  volume.states = std::move(memory.states);
   const std::vector<NxvArray>& arrays = opened.header.arrays;
   const std::string stateName = arrays[0].name + "_state";
   std::uint64_t offset = opened.payloads;
@@ -392,17 +395,17 @@ GriddedVolume ReadVoxels(InputFile& file, OpenedFile& opened, const NxvReadOptio
 
 } // namespace
 
-GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options)
+GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options, GriddedVolume memory)
 {
   return NamingTheFile(path,
-    [&path, &options]
+    [&path, &options, &memory]
     {
       InputFile file(path);
       OpenedFile opened = Open(file);
       CheckMemory(
         opened.header.volume.grid, CompanionBytes(opened.header, options), options.maximumBytes);
       CheckChecksums(file, opened);
-      return ReadVoxels(file, opened, options);
+      return ReadVoxels(file, opened, options, memory);
     });
 }
 

@@ -4,6 +4,7 @@
 #include "Model/Error.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -97,13 +98,20 @@ void Quantizer::EncodeSome(
 
 void Quantizer::DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const
 {
+  std::array<float, 256> values;
+  std::array<VoxelState, 256> states;
+  for (std::size_t code = 0; code < values.size(); ++code)
+  {
+    states[code] = StateOf(static_cast<std::uint8_t>(code));
+    values[code] = states[code] == VoxelState::Echo ? this->ValueOf(static_cast<std::uint8_t>(code))
+                                                    : volume.fill;
+  }
   volume.values.resize(codes.size());
   volume.states.resize(codes.size());
-  for (std::size_t i = 0; i < codes.size(); ++i)
-  {
-    volume.states[i] = StateOf(codes[i]);
-    volume.values[i] = volume.states[i] == VoxelState::Echo ? this->ValueOf(codes[i]) : volume.fill;
-  }
+  std::transform(codes.begin(), codes.end(), volume.values.begin(),
+    [&values](std::uint8_t code) { return values[code]; });
+  std::transform(codes.begin(), codes.end(), volume.states.begin(),
+    [&states](std::uint8_t code) { return states[code]; });
 }
 
 void CheckVoxelCount(const GriddedVolume& volume)

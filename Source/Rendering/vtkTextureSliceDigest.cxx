@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTextureSliceDigest.h"
+
+#include "vtkDataArray.h"
+#include "vtkInformation.h"
+#include "vtkInformationObjectBaseKey.h"
+#include "vtkObjectFactory.h"
+#include "vtkSMPTools.h"
+#include "vtkTextureSliceRows.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+vtkStandardNewMacro(vtkTextureSliceDigest);
+vtkInformationKeyMacro(vtkTextureSliceDigest, PREPARED, ObjectBase);
+
+namespace
+{
+
+using Range = vtkTextureSliceBricks::Range;
+
+/// What is found of the texels of one or more layers.
+struct Findings
+{
+  std::vector<Range> Ranges;
+  bool Invisible = false;
+
+  void Add(const Findings& other)
+  {
+    for (std::size_t c = 0; c < this->Ranges.size(); ++c)
+    {
+      this->Ranges[c].Low = std::min(this->Ranges[c].Low, other.Ranges[c].Low);
+      this->Ranges[c].High = std::max(this->Ranges[c].High, other.Ranges[c].High);
+    }
+    this->Invisible = this->Invisible || other.Invisible;
+  }
+};
+
+template <typename Scalar>
+Findings LookAtLayer(const vtkTextureSlice::Rows<Scalar>& rows, int height, int z)
+{
+  vtkTextureSlice::ColumnExtremes<Scalar> extremes(rows.Length, rows.Components);
+  std::vector<unsigned char> marks(rows.Length);
+  Findings found{std::vector<Range>(rows.Components)};
+  for (int y = 0; y < height; ++y)
+  {
+    rows.MarkFinite(y, z, 0, rows.Length, marks.data());
+    extremes.Extend(rows.GetScalars(y, z), marks.data());
+    if (!found.Invisible)
+    {
+      rows.MarkVisible(y, z, 0, rows.Length, marks.data());
+      found.Invisible = std::find(marks.begin(), marks.end(), 0) != marks.end();
+    }
+  }
+  for (std::size_t c = 0; c < rows.Components; ++c)
+  {
+    extremes.ExtendRange(0, rows.Length, c, found.Ranges[c]);
+  }
+  return found;
+}
+
+} // namespace
+
+vtkTextureSliceDigest::Key vtkTextureSliceDigest::MakeKey(const vtkTextureSliceScalars& source)
+{
+  return {source.Scalars, source.Scalars->GetMTime(), source.Ghosts,
+    source.Ghosts != nullptr ? source.Ghosts->GetMTime() : 0, source.Size, source.CellData};
+}
+
+void vtkTextureSliceDigest::Build(const vtkTextureSliceScalars& source)
+{
+  this->Made = MakeKey(source);
+  const auto components = static_cast<std::size_t>(source.Scalars->GetNumberOfComponents());
+  Findings all{std::vector<Range>(components)};
+  const auto look = [&](const auto& rows)
+  {
+    std::vector<Findings> layers(static_cast<std::size_t>(source.Size[2]));
+    vtkSMPTools::For(0, source.Size[2],
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        for (vtkIdType z = begin; z < end; ++z)
+        {
+          layers[static_cast<std::size_t>(z)] =
+            LookAtLayer(rows, source.Size[1], static_cast<int>(z));
+        }
+      });
+    for (const Findings& layer : layers)
+    {
+      all.Add(layer);
+    }
+  };
+  switch (source.Scalars->GetDataType())
+  {
+    vtkTemplateMacro(look(vtkTextureSlice::Rows<VTK_TT>(source)));
+  }
+  this->Texels = {source, all.Ranges, all.Invisible};
+  this->Bricks.Build(source);
+  this->Blocks.Build(source);
+}
+
+vtkSmartPointer<vtkTextureSliceDigest> vtkTextureSliceDigest::Prepare(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before)
+{
+  // The array makes its information when it is first asked, and counts as changed by that.
+  vtkInformation* information = source.Scalars->GetInformation();
+  auto digest = vtkSmartPointer<vtkTextureSliceDigest>::New();
+  digest->Build(source);
+  if (before != nullptr)
+  {
+    digest->PreparedOver = before->Made;
+    digest->Prepared = digest->MakeChanges(source, before);
+  }
+  information->Set(PREPARED(), digest);
+  return digest;
+}
+
+vtkSmartPointer<vtkTextureSliceDigest> vtkTextureSliceDigest::Find(
+  const vtkTextureSliceScalars& source)
+{
+  if (!source.Scalars->HasInformation())
+  {
+    return nullptr;
+  }
+  auto* prepared =
+    vtkTextureSliceDigest::SafeDownCast(source.Scalars->GetInformation()->Get(PREPARED()));
+  return prepared != nullptr && prepared->Made == MakeKey(source) ? prepared : nullptr;
+}
+
+vtkSmartPointer<vtkTextureSliceDigest> vtkTextureSliceDigest::Get(
+  const vtkTextureSliceScalars& source)
+{
+  auto digest = Find(source);
+  if (digest == nullptr)
+  {
+    digest = vtkSmartPointer<vtkTextureSliceDigest>::New();
+    digest->Build(source);
+  }
+  return digest;
+}
+
+vtkTextureSliceChanges vtkTextureSliceDigest::MakeChanges(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before) const
+{
+  const bool comparable = before != nullptr && this->Texels.IsLike(before->Texels);
+  vtkTextureSliceChanges changes;
+  changes.Build(
+    source, this->Texels, this->Blocks.FindChanges(comparable ? &before->Blocks : nullptr));
+  return changes;
+}
+
+vtkTextureSliceChanges vtkTextureSliceDigest::TakeChanges(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before)
+{
+  auto prepared = std::exchange(this->Prepared, std::nullopt);
+  if (prepared && before != nullptr && before->Made == this->PreparedOver)
+  {
+    return std::move(*prepared);
+  }
+  return this->MakeChanges(source, before);
+}

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The scalars of a volume, and what hides some of them.
+#ifndef vtkTextureSliceScalars_h
+#define vtkTextureSliceScalars_h
+
+#include <array>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkUnsignedCharArray;
+
+/// One texel for each point, or each cell.
+struct vtkTextureSliceScalars
+{
+  vtkDataArray* Scalars = nullptr;
+  /// Texels along each axis: points, or cells.
+  std::array<int, 3> Size{};
+  bool CellData = false;
+  /// May be nullptr: nothing is hidden.
+  vtkUnsignedCharArray* Ghosts = nullptr;
+  unsigned char HiddenBits = 0;
+
+  /// Texels along each axis.
+  static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
+  /// An array of an image, with the image's ghost array if that has one flag for each texel.
+  static vtkTextureSliceScalars Find(vtkImageData* image, vtkDataArray* scalars, bool cellData);
+};
+
+#endif

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Scalars as texels.
+#ifndef vtkTextureSliceTexels_h
+#define vtkTextureSliceTexels_h
+
+#include "vtkTextureSliceBlocks.h"
+#include "vtkTextureSliceBricks.h"
+#include "vtkTextureSliceScalars.h"
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+/// One component of the scalars.
+struct vtkTextureSliceComponent
+{
+  std::array<double, 2> Range{0.0, 1.0}; ///< least and greatest finite scalar
+  double Scale = 1.0;                    ///< the scalar of a texel t: t * Scale + Bias
+  double Bias = 0.0;
+};
+
+/**
+ * How scalars become texels. Scalars of 8 and 16 bits keep their size and all their values; float
+ * stays as it is; wider types become float, spread over 0 to 1 so that large values keep their
+ * differences. Where some are invisible, each texel has one more component, 1 where it is visible,
+ * else 0 as the others are then.
+ */
+class vtkTextureSliceTexels
+{
+public:
+  vtkTextureSliceTexels() = default;
+  /// @param ranges of the finite scalars of each component
+  vtkTextureSliceTexels(const vtkTextureSliceScalars& source,
+    const std::vector<vtkTextureSliceBricks::Range>& ranges, bool masked);
+
+  /// Of the source; VTK_VOID before there is one.
+  int GetSourceType() const { return this->SourceType; }
+  /// VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT or VTK_FLOAT.
+  int GetScalarType() const;
+  /// Whether the component of the mask is there.
+  bool IsMasked() const { return this->Masked; }
+  /// Of a texel: those of the scalars, and the mask.
+  int CountChannels() const
+  {
+    return static_cast<int>(this->Components.size()) + (this->Masked ? 1 : 0);
+  }
+  const std::vector<vtkTextureSliceComponent>& GetComponents() const { return this->Components; }
+
+  /// Whether the same scalars become the same texels.
+  bool IsLike(const vtkTextureSliceTexels& other) const;
+
+  using Box = vtkTextureSliceBlocks::Box;
+  /// Bytes that the texels of a box take.
+  std::size_t CountBytes(const Box& box) const;
+  /// Writes the texels of a box, x fastest.
+  void Encode(const vtkTextureSliceScalars& source, const Box& box, unsigned char* texels) const;
+
+private:
+  int SourceType = 0;
+  std::array<int, 3> Size{};
+  bool Masked = false;
+  std::vector<vtkTextureSliceComponent> Components;
+};
+
+#endif

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// What the steps of a series of volumes cost as it plays from disk, in the scene of `nexrad3d view`
+// with its default table, 796 x 532 pixels: t1, t2 and t3 of the thesis's table 4.2. Usage:
+// BenchmarkSeries [volumes ...]: .nxv files, an index or a folder of them. Without any, 24 volumes
+// of three simulated radars (SYNTHETIC), 256 x 256 x 128, five minutes apart.
+#include "Bench/Measurement.h"
+#include "Bench/WorkFolder.h"
+#include "Model/Error.h"
+#include "PictureWindow.h"
+#include "RadarSession.h"
+#include "SimulatedFiles.h"
+#include "StepTimes.h"
+#include "Volumes/WriteVolumes.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderWindow.h>
+
+#include <atomic>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <mutex>
+#include <numeric>
+#include <optional>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace
+{
+
+using namespace nexrad;
+using namespace nexrad::application;
+using namespace nexrad::scene;
+
+/// Times of loading, on whichever thread it happens.
+class LoadTimes
+{
+public:
+  void Begin() { ++this->Running; }
+  void End(double seconds)
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    this->Seconds.push_back(seconds);
+    --this->Running;
+  }
+  std::vector<double> Take()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    return std::exchange(this->Seconds, {});
+  }
+  void WaitUntilIdle() const
+  {
+    while (this->Running > 0)
+    {
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  }
+
+private:
+  std::atomic<int> Running{0};
+  std::mutex Mutex;
+  std::vector<double> Seconds;
+};
+
+/// The same series, whose loading is timed.
+class TimedSeries : public VolumeSeries
+{
+public:
+  TimedSeries(std::unique_ptr<VolumeSeries> source, LoadTimes& loadTimes)
+    : Source(std::move(source))
+    , Loads(loadTimes)
+  {
+  }
+  const std::vector<Time>& Times() const override { return this->Source->Times(); }
+  bool CanLoadAhead() const override { return this->Source->CanLoadAhead(); }
+  vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
+  {
+    this->Loads.Begin();
+    vtkSmartPointer<vtkImageData> volume;
+    this->Loads.End(SecondsOf([&] { volume = this->Source->Load(index, progress); }));
+    return volume;
+  }
+
+private:
+  std::unique_ptr<VolumeSeries> Source;
+  LoadTimes& Loads;
+};
+
+/// Seconds of all steps of a series.
+struct Play
+{
+  std::vector<double> Load;
+  std::vector<double> Upload;
+  std::vector<double> Draw;
+  std::vector<double> Still; ///< the same frames once more, with nothing else going on
+  std::vector<double> Ahead; ///< loading on its own thread
+  double Whole = 0.0;        ///< from the first step to the last
+};
+
+std::filesystem::path WriteSyntheticSeries(const std::filesystem::path& folder)
+{
+  SimulatedDayOptions day;
+  day.begin = *ParseIso8601("2006-03-12T17:00");
+  day.length = std::chrono::minutes(135);
+  GridJob job;
+  job.inputs = WriteSimulatedFiles(day, folder / "files").files;
+  job.folder = folder / "volumes";
+  job.options.begin = *ParseIso8601("2006-03-12T17:10");
+  job.options.end = *ParseIso8601("2006-03-12T19:05");
+  return WriteVolumes(job).index;
+}
+
+class Player
+{
+public:
+  Player(const std::vector<std::filesystem::path>& inputs, int slices)
+  {
+    SceneOptions options;
+    options.slices = slices;
+    auto series = std::make_unique<TimedSeries>(OpenVolumeFiles(inputs), this->Loads);
+    std::vector<std::size_t> all(series->Times().size());
+    std::iota(all.begin(), all.end(), std::size_t(0));
+    this->Session.emplace(std::move(series), std::move(all), options);
+    this->Window->SetOffScreenRendering(1);
+    this->Window->SetMultiSamples(0);
+    this->Window->SetSize(796, 532);
+    this->Window->AddRenderer(this->Session->Scene().GetRenderer());
+    this->Session->Scene().SetPictureSize({796, 532});
+    MeasureStep(*this->Session, 0, this->Window); // shaders, storage
+  }
+
+  std::size_t Count() const { return this->Session->Count(); }
+
+  Play Run()
+  {
+    Play play;
+    for (std::size_t step = 1; step < this->Count(); ++step)
+    {
+      this->Session->Show(step);
+      this->Loads.WaitUntilIdle();
+      MeasureFrame(this->Window);
+      play.Still.push_back(MeasureFrame(this->Window));
+    }
+    this->Session->Show(0);
+    MeasureFrame(this->Window);
+    this->Loads.Take();
+    play.Whole = SecondsOf([&] { this->Measure(play); });
+    play.Ahead = this->Loads.Take();
+    return play;
+  }
+
+private:
+  void Measure(Play& play)
+  {
+    for (std::size_t step = 1; step < this->Count(); ++step)
+    {
+      const StepTimes times = MeasureStep(*this->Session, step, this->Window);
+      play.Load.push_back(times.load);
+      play.Upload.push_back(times.upload);
+      play.Draw.push_back(times.draw);
+    }
+  }
+
+  LoadTimes Loads;
+  std::optional<RadarSession> Session;
+  vtkNew<vtkRenderWindow> Window;
+};
+
+double Sum(const std::vector<double>& seconds)
+{
+  return std::accumulate(seconds.begin(), seconds.end(), 0.0);
+}
+
+void Print(int slices, const Play& play)
+{
+  const auto median = [](const std::vector<double>& seconds)
+  { return 1000.0 * Summarize(seconds).median; };
+  const auto most = [](const std::vector<double>& seconds)
+  { return 1000.0 * Summarize(seconds).most; };
+  std::printf("| %d | %.1f (%.1f) | %.1f (%.1f) | %.1f | %.1f | %.3f | %.3f | %.1f | %.1f |\n",
+    slices, median(play.Load), most(play.Load), median(play.Upload), most(play.Upload),
+    median(play.Draw), median(play.Still), (Sum(play.Load) + Sum(play.Upload)) / Sum(play.Draw),
+    (Sum(play.Load) + Sum(play.Upload)) / Sum(play.Still), median(play.Ahead),
+    static_cast<double>(play.Draw.size()) / play.Whole);
+  std::fflush(stdout);
+}
+
+void Measure(std::vector<std::filesystem::path> inputs)
+{
+  RequireDisplay();
+  std::optional<WorkFolder> folder;
+  if (inputs.empty())
+  {
+    inputs = {WriteSyntheticSeries(folder.emplace().Path())};
+  }
+  std::printf(
+    "796 x 532 pixels, milliseconds, median (most) of the steps\n\n"
+    "| slices | t1, load | t2, upload | t3, draw | t3 of a still picture | (t1 + t2) / t3 "
+    "| / still | loading ahead | frames a second |\n"
+    "|---|---|---|---|---|---|---|---|---|\n");
+  for (const int slices : {64, 256, 1024})
+  {
+    Print(slices, Player(inputs, slices).Run());
+  }
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  try
+  {
+    Measure({argv + 1, argv + argc});
+  }
+  catch (const std::exception& error)
+  {
+    std::fprintf(stderr, "BenchmarkSeries: %s\n", error.what());
+    return 1;
+  }
+  return 0;
+}
