@@ -8,6 +8,7 @@
 #include "vtkTextureSliceScalars.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -49,9 +50,10 @@ public:
     this->MarkFinite(y, z, x, count, visible);
     if (const unsigned char* ghosts = this->GetGhosts(y, z, x))
     {
+      const unsigned char bits = this->HiddenBits;
       for (std::size_t i = 0; i < count; ++i)
       {
-        visible[i] &= (ghosts[i] & this->HiddenBits) == 0 ? 1 : 0;
+        visible[i] = (ghosts[i] & bits) == 0 ? visible[i] : 0;
       }
     }
   }
@@ -65,14 +67,12 @@ public:
     }
     if constexpr (std::is_floating_point_v<Scalar>)
     {
-      constexpr Scalar most = std::numeric_limits<Scalar>::max();
       const Scalar* scalars = this->GetScalars(y, z, x);
       for (std::size_t c = 0; c < this->Components; ++c)
       {
-        for (std::size_t i = 0; i < count; ++i)
-        {
-          finite[i] &= std::abs(scalars[i * this->Components + c]) <= most ? 1 : 0;
-        }
+        // A constant step lets the compiler take several texels at a time.
+        this->Components == 1 ? UnmarkInfinite(scalars, 1, count, finite)
+                              : UnmarkInfinite(scalars + c, this->Components, count, finite);
       }
     }
   }
@@ -82,6 +82,16 @@ public:
   const unsigned char HiddenBits;
 
 private:
+  static void UnmarkInfinite(
+    const Scalar* scalars, std::size_t step, std::size_t count, unsigned char* finite)
+  {
+    constexpr Scalar most = std::numeric_limits<Scalar>::max();
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      finite[i] = std::abs(scalars[i * step]) <= most ? finite[i] : 0;
+    }
+  }
+
   std::size_t Place(int x, int y, int z) const
   {
     return (static_cast<std::size_t>(z) * this->Height + static_cast<std::size_t>(y)) *
@@ -116,18 +126,11 @@ public:
   /// Takes the texels of a row in where `counts` is not 0.
   void Extend(const Scalar* row, const unsigned char* counts)
   {
-    Scalar* low = this->Low.data();
-    Scalar* high = this->High.data();
-    for (std::size_t i = 0; this->Components == 1 && i < this->Low.size(); ++i)
+    for (std::size_t c = 0; c < this->Components; ++c)
     {
-      low[i] = counts[i] != 0 && row[i] < low[i] ? row[i] : low[i];
-      high[i] = counts[i] != 0 && high[i] < row[i] ? row[i] : high[i];
-    }
-    for (std::size_t i = 0; this->Components != 1 && i < this->Low.size(); ++i)
-    {
-      const bool count = counts[i / this->Components] != 0;
-      low[i] = count && row[i] < low[i] ? row[i] : low[i];
-      high[i] = count && high[i] < row[i] ? row[i] : high[i];
+      // A constant step lets the compiler take several texels at a time.
+      this->Components == 1 ? this->ExtendComponent(row, counts, c, 1)
+                            : this->ExtendComponent(row, counts, c, this->Components);
     }
   }
 
@@ -147,6 +150,24 @@ public:
   }
 
 private:
+  void ExtendComponent(
+    const Scalar* row, const unsigned char* counts, std::size_t component, std::size_t step)
+  {
+    constexpr Scalar most = std::numeric_limits<Scalar>::max();
+    constexpr Scalar least = std::numeric_limits<Scalar>::lowest();
+    Scalar* low = this->Low.data() + component;
+    Scalar* high = this->High.data() + component;
+    const std::size_t count = this->Low.size() / this->Components;
+    for (std::size_t i = 0; i < count; ++i)
+    {
+      const Scalar scalar = row[i * step + component];
+      const Scalar forLow = counts[i] != 0 ? scalar : most;
+      const Scalar forHigh = counts[i] != 0 ? scalar : least;
+      low[i * step] = forLow < low[i * step] ? forLow : low[i * step];
+      high[i * step] = high[i * step] < forHigh ? forHigh : high[i * step];
+    }
+  }
+
   std::size_t Components;
   std::vector<Scalar> Low;
   std::vector<Scalar> High;

@@ -16,7 +16,7 @@ struct StepTimes
 {
   double load = 0.0;   ///< t1: until the volume is in memory; of one read ahead, the wait for it
   double upload = 0.0; ///< t2: until it is in texture memory
-  double draw = 0.0;   ///< t3: until the frame is drawn
+  double draw = 0.0;   ///< t3: until the frame is drawn, with the captions that change
 };
 
 /// Shows a step of the session in a window that holds its scene, and measures. Each part runs to
