@@ -35,7 +35,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 
 vtkStandardNewMacro(vtkOpenGLTextureSliceVolumeMapper);
@@ -133,20 +132,6 @@ private:
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglEnableDisable CullFace;
 };
-
-/// The active scalars of the points, or of the cells; none without a value for each.
-std::optional<vtkTextureSliceScalars> FindActiveScalars(vtkImageData* image)
-{
-  const bool cellData = image->GetPointData()->GetScalars() == nullptr;
-  vtkDataArray* scalars =
-    cellData ? image->GetCellData()->GetScalars() : image->GetPointData()->GetScalars();
-  const vtkIdType texels = cellData ? image->GetNumberOfCells() : image->GetNumberOfPoints();
-  if (scalars == nullptr || scalars->GetNumberOfTuples() != texels)
-  {
-    return std::nullopt;
-  }
-  return vtkTextureSliceScalars::Find(image, scalars, cellData);
-}
 
 /// What the target holds before the first slice.
 float GetClearValue(int blendMode)
@@ -567,15 +552,19 @@ bool vtkOpenGLTextureSliceVolumeMapper::Upload(
          this->UpdateMask(image, error);
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(vtkImageData* image, vtkImageData* before)
+vtkSmartPointer<vtkObject> vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
+  vtkImageData* image, vtkObject* before)
 {
-  const auto source = FindActiveScalars(image);
-  if (source)
+  const bool cellData = image->GetPointData()->GetScalars() == nullptr;
+  vtkDataArray* scalars =
+    cellData ? image->GetCellData()->GetScalars() : image->GetPointData()->GetScalars();
+  const vtkIdType texels = cellData ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  if (scalars == nullptr || scalars->GetNumberOfTuples() != texels)
   {
-    const auto sourceBefore = before != nullptr ? FindActiveScalars(before) : std::nullopt;
-    vtkTextureSliceDigest::Prepare(
-      *source, sourceBefore ? vtkTextureSliceDigest::Find(*sourceBefore) : nullptr);
+    return nullptr;
   }
+  return vtkTextureSliceDigest::Prepare(vtkTextureSliceScalars::Find(image, scalars, cellData),
+    vtkTextureSliceDigest::SafeDownCast(before));
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVolume* volume)

@@ -44,6 +44,7 @@
 
 #include "vtkGPUVolumeRayCastMapper.h"
 #include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkSmartPointer.h"          // for what is prepared
 
 #include <memory> // for std::unique_ptr
 #include <string> // for errors
@@ -85,12 +86,14 @@ public:
 
   /**
    * Does beforehand what takes longest when scalars are drawn for the first time: finds their
-   * ranges and checksums, and if `before` was prepared, the volume that is drawn before this one,
-   * also the texels in which they differ. All this stays with the array (in its information) until
-   * it is drawn or changes. It needs no OpenGL: a program that plays a series may do it on the
-   * thread that reads the next volume. Takes the active scalars of the points, or of the cells.
+   * ranges and checksums, and given what this function returned for the volume that is drawn before
+   * them, also encodes the texels that change. All this stays with the array (in its information)
+   * until it is drawn or changes. It needs no OpenGL, and touches no other image: a program that
+   * plays a series may do it on the thread that reads the next volume, before it hands the image
+   * on. Takes the active scalars of the points, or of the cells; nullptr where there are none.
    */
-  static void PrepareScalars(vtkImageData* image, vtkImageData* before = nullptr);
+  static vtkSmartPointer<vtkObject> PrepareScalars(
+    vtkImageData* image, vtkObject* before = nullptr);
 
   /**
    * Brings the input into texture memory now, rather than when it is drawn: as

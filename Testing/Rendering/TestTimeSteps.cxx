@@ -21,6 +21,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -229,11 +231,12 @@ TEST_F(TimeSteps, AnotherWindowKnowsNothing)
 TEST_F(TimeSteps, PreparedAhead)
 {
   std::vector<vtkSmartPointer<vtkImageData>> steps;
+  vtkSmartPointer<vtkObject> before;
   for (const int place : {4, 9, 14, 19, 24, 29})
   {
     steps.push_back(place == 14 ? MakeHidden(place, 4) : MakeStep(place));
-    vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
-      steps.back(), steps.size() > 1 ? steps[steps.size() - 2].Get() : nullptr);
+    before = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(steps.back(), before);
+    ASSERT_NE(before, nullptr);
   }
   for (const auto& step : steps)
   {
@@ -250,9 +253,9 @@ TEST_F(TimeSteps, PreparedForAnotherOrder)
   const auto first = MakeStep(4);
   const auto second = MakeStep(14);
   const auto third = MakeStep(24);
-  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(first);
-  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(second, first);
-  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(third, second);
+  auto before = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(first);
+  before = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(second, before);
+  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(third, before);
   this->ExpectStep(first, "as prepared");
   this->ExpectStep(third, "the second left out");
   this->ExpectStep(second, "back");
@@ -262,8 +265,8 @@ TEST_F(TimeSteps, ChangedAfterItWasPrepared)
 {
   const auto first = MakeStep(4);
   const auto second = MakeStep(14);
-  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(first);
-  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(second, first);
+  const auto before = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(first);
+  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(second, before);
   this->ExpectStep(first, "as prepared");
   ScalarsOf(second)->DeepCopy(ScalarsOf(MakeStep(28)));
   ScalarsOf(second)->Modified();
@@ -273,9 +276,9 @@ TEST_F(TimeSteps, ChangedAfterItWasPrepared)
 TEST_F(TimeSteps, PreparingNothingIsNoError)
 {
   vtkNew<vtkImageData> empty;
-  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(empty);
+  EXPECT_EQ(vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(empty), nullptr);
   const auto image = MakeStep(10);
-  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(image, empty);
+  vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(image, empty); // no answer of it
   this->ExpectStep(image, "prepared after nothing");
 }
 

@@ -14,7 +14,23 @@ namespace nexrad::scene
 namespace
 {
 
-// What follows in playing, with what the slices need of it, while the step before is drawn.
+// Does for each volume what the slices need of it before they are drawn.
+class Preparation
+{
+public:
+  void operator()(vtkImageData* volume, vtkImageData* before)
+  {
+    prepared = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
+      volume, before != nullptr && before == last ? prepared : nullptr);
+    last = volume;
+  }
+
+private:
+  vtkImageData* last = nullptr; // compared, never followed
+  vtkSmartPointer<vtkObject> prepared;
+};
+
+// What follows in playing, made ready while the step before is drawn.
 std::unique_ptr<application::VolumeSeries> PlayAhead(
   std::unique_ptr<application::VolumeSeries> series, const std::vector<std::size_t>& steps,
   const SceneOptions& options)
@@ -23,7 +39,7 @@ std::unique_ptr<application::VolumeSeries> PlayAhead(
   readAhead.order = steps;
   if (options.mapper == MapperChoice::TextureSlice && !options.plan)
   {
-    readAhead.prepare = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars;
+    readAhead.prepare = Preparation();
   }
   return application::ReadAhead(std::move(series), std::move(readAhead));
 }

@@ -16,7 +16,7 @@ struct ReadAheadOptions
   /// Bytes that the volumes loaded ahead may take together; but one is always held.
   std::size_t memory = std::size_t(256) << 20;
   /// Done with each volume on the thread that loaded it, and with the one before it in the order,
-  /// if that was loaded before it (else nullptr). May be empty.
+  /// if that was loaded before it (else nullptr); never by two threads at once. May be empty.
   std::function<void(vtkImageData* volume, vtkImageData* before)> prepare;
 };
 
