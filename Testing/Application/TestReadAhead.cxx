@@ -2,17 +2,23 @@
 #include "Volumes/ReadAhead.h"
 
 #include "Model/Error.h"
+#include "TestData.h"
 
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <filesystem>
 #include <memory>
 #include <numeric>
 #include <thread>
 #include <utility>
+#include <vector>
 
 using namespace nexrad;
 using namespace nexrad::application;
@@ -287,4 +293,32 @@ TEST(ReadAhead, ASeriesThatCannotIsLeftAlone)
   }
   EXPECT_EQ(loads.all, 2);
   EXPECT_EQ(loads.onOtherThreads, 0);
+}
+
+TEST(ReadAhead, RadarFilesMergeAheadToTheSameVolumes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  GridOptions grid;
+  grid.grid.dimensions = {32, 32, 16};
+  const std::vector<std::filesystem::path> inputs = {data / "level2" / "run-kbgm-20050821"};
+  const auto direct = OpenRadarFiles(inputs, grid);
+  ASSERT_GE(direct->Times().size(), 3U);
+  ReadAheadOptions options;
+  options.order = {0, 1, 2};
+  const auto ahead = ReadAhead(OpenRadarFiles(inputs, grid), options);
+  for (const std::size_t index : {0, 1, 2, 0, 2, 1})
+  {
+    const auto volume = ahead->Load(index, {});
+    const auto expected = direct->Load(index, {});
+    vtkDataArray* values = volume->GetPointData()->GetScalars();
+    vtkDataArray* expectedValues = expected->GetPointData()->GetScalars();
+    ASSERT_EQ(values->GetNumberOfTuples(), 32 * 32 * 16);
+    int different = 0;
+    for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+    {
+      different += values->GetTuple1(i) != expectedValues->GetTuple1(i) ? 1 : 0;
+    }
+    EXPECT_EQ(different, 0) << "volume " << index;
+  }
+  EXPECT_EQ(ahead->Problems(), direct->Problems());
 }
