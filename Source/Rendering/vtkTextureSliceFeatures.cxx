@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceFeatures.h"
 
+#include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
 
 namespace
@@ -18,6 +19,10 @@ void DefineIf(bool condition, std::string& defines, const char* name)
     Define(defines, name, 1);
   }
 }
+
+/// Highlights where the eye sees the light mirrored (Phong), as VTK draws them from 9.2 on, and not
+/// where the surface faces half-way between light and eye (Blinn).
+constexpr bool MirroredHighlights = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
 
 /// What a vtkTextureSliceTable of so many rows is in the shader.
 const char* SamplerOf(int rows)
@@ -59,6 +64,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   if (this->Lights >= 0)
   {
     Define(defines, "LIGHTS", this->Lights);
+    DefineIf(MirroredHighlights, defines, "MIRRORED_HIGHLIGHTS");
   }
   if (this->IsoValues > 0)
   {

@@ -11,6 +11,7 @@
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkUnsignedCharArray.h"
+#include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
@@ -149,9 +150,27 @@ Picture MovedPicture(const Picture& picture)
   return moved;
 }
 
+namespace
+{
+
+/// The baseline of that name; where highlights differ, that of mirrored ones.
+fs::path BaselinePath(const std::string& name)
+{
+  const fs::path folder = fs::path(NEXRAD_BASELINE_DIR) / "Rendering";
+  const fs::path mirrored = folder / (name + "-mirrored.png");
+  return HasMirroredHighlights() && fs::exists(mirrored) ? mirrored : folder / (name + ".png");
+}
+
+} // namespace
+
+bool HasMirroredHighlights()
+{
+  return VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
+}
+
 double BaselineError(const Picture& picture, const std::string& name)
 {
-  const fs::path baseline = fs::path(NEXRAD_BASELINE_DIR) / "Rendering" / (name + ".png");
+  const fs::path baseline = BaselinePath(name);
   if (!fs::exists(baseline))
   {
     std::cerr << "no baseline " << baseline << '\n';

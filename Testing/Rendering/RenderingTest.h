@@ -75,10 +75,14 @@ Picture DifferencePicture(const Picture& a, const Picture& b);
 /// The picture moved to the left by one pixel.
 Picture MovedPicture(const Picture& picture);
 
+/// Whether highlights are Phong's, as those of VTK 9.2 and later, in place of Blinn's.
+bool HasMirroredHighlights();
+
 /**
  * The error that VTK's image comparison finds between a picture and Testing/Baseline/Rendering;
  * pixels are compared in place. Channels that differ by up to 2 of 255 are forgiven; of the others,
- * what is beyond 2 is summed up, 3 x 255 being 1: a whole pixel. Infinity without a baseline.
+ * what is beyond 2 is summed up, 3 x 255 being 1: a whole pixel. Infinity without a baseline. Where
+ * highlights are mirrored, NAME-mirrored.png counts if it exists.
  */
 double BaselineError(const Picture& picture, const std::string& name);
 /// The largest BaselineError that passes.

@@ -8,23 +8,24 @@ uniform bool twoSided;
 uniform vec3 textureScale;
 uniform vec3 textureBias;
 
-// What a surface returns diffusely, and specularly, of a light.
-vec2 Reflect(vec3 normal, vec3 light, vec3 halfway, float power)
-{
-  float diffuse = dot(normal, light);
-  float specular = dot(normal, halfway);
-  if (twoSided)
-  {
-    diffuse = abs(diffuse);
-    specular = abs(specular);
-  }
-  return vec2(max(diffuse, 0.0), specular > 0.0 ? pow(specular, power) : 0.0);
-}
-
 vec3 UnitOrZero(vec3 v)
 {
   float size = length(v);
   return size > 0.0 ? v / size : vec3(0.0);
+}
+
+// What a surface returns diffusely, and specularly, of a light to an eye.
+vec2 Reflect(vec3 normal, vec3 light, vec3 eye, float power)
+{
+  float diffuse = dot(normal, light);
+#ifdef TEXTURE_SLICE_MIRRORED_HIGHLIGHTS
+  float specular = twoSided || diffuse > 0.0 ? dot(2.0 * diffuse * normal - light, eye) : 0.0;
+#else
+  float specular = dot(normal, UnitOrZero(light + eye));
+  specular = twoSided ? abs(specular) : specular;
+#endif
+  diffuse = twoSided ? abs(diffuse) : diffuse;
+  return vec2(max(diffuse, 0.0), specular > 0.0 ? pow(specular, power) : 0.0);
 }
 
 #if TEXTURE_SLICE_LIGHTS == 0
@@ -106,7 +107,7 @@ vec3 Light(vec3 color, vec3 gradient, vec4 surface)
   for (int light = 0; light < TEXTURE_SLICE_LIGHTS; ++light)
   {
     vec4 beam = Beam(light, place);
-    vec2 returned = Reflect(normal, beam.xyz, UnitOrZero(beam.xyz + away), surface.w) * beam.w;
+    vec2 returned = Reflect(normal, beam.xyz, away, surface.w) * beam.w;
     diffuse += returned.x * lightDiffuse[light];
     specular += returned.y * lightSpecular[light];
   }
