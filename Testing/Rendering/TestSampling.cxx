@@ -130,6 +130,19 @@ TEST_F(Sampling, InteractionMakesThePictureCoarse)
   EXPECT_EQ(Compare(this->Stage->Draw(this->Slices), still, background).LargestMean(), 0.0);
 }
 
+// Where two pixels a ray are the most, a rate that cannot be met leaves the picture of
+// CoarsePicture.
+TEST_F(Sampling, AutomaticAdjustmentGivesTheCoarsePicture)
+{
+  this->Stage->Draw(this->Configure(this->Slices));
+  this->Slices->SetNumberOfSlices(this->Slices->GetNumberOfDrawnSlices());
+  this->Slices->AutoAdjustSampleDistancesOn();
+  this->Slices->SetMaximumImageSampleDistance(2.0f);
+  this->Stage->GetWindow()->SetDesiredUpdateRate(1e6);
+  this->Stage->Draw(this->Slices); // the first one measures
+  ExpectBaseline(this->Stage->Draw(this->Slices), "ImageSampleDistance");
+}
+
 // A cube of 9 points, 8 across, face on: the number of slices follows by hand.
 TEST_F(Sampling, SampleDistanceGivesTheNumberOfSlices)
 {
