@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -65,7 +66,9 @@ TEST(Usage, HelpAndVersionAreNoFailure)
 
 TEST(Usage, HelpHasUnitsAndDefaults)
 {
-  const std::string help = RunNexrad3d({"grid", "--help"}).output;
+  // CLI11 writes a default as NAME=DEFAULT, from 2.4 on as NAME [DEFAULT].
+  const std::string help = std::regex_replace(
+    RunNexrad3d({"grid", "--help"}).output, std::regex(R"( \[([^\]\n]*)\])"), "=$1");
   for (const char* text :
     {"--dims XxYxZ=256x256x128", "--step DURATION=5min", "--max-gap DURATION=15min",
       "--range LENGTH=230km", "--height LOWER,UPPER=0,20km", "--moment NAME=REF",

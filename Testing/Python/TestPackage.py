@@ -116,7 +116,9 @@ class Arrays(unittest.TestCase):
         sweeps = vtknexrad.update(level2_reader(SyntheticFiles.files()[0]))
         grid = vtknexrad.sweep(sweeps, 0)
         values = vtknexrad.array(grid)
-        gates, rays, _ = grid.GetDimensions()
+        dimensions = [0, 0, 0]
+        grid.GetDimensions(dimensions)
+        gates, rays, _ = dimensions
         self.assertEqual(values.shape, (rays, gates))
         numpy.testing.assert_array_equal(values[0], values[-1])  # all the way round
         self.assertEqual(vtknexrad.array(grid, "REF_state").dtype, numpy.uint8)
