@@ -27,6 +27,16 @@ void AgainstRayCaster::SetUp()
   }
 }
 
+void StormAgainstRayCaster::SetUp()
+{
+  AgainstRayCaster::SetUp();
+  if (this->Stage != nullptr)
+  {
+    this->UseStorm(VTK_FLOAT);
+    this->AimCamera(false);
+  }
+}
+
 void AgainstRayCaster::TearDown()
 {
   this->Stage.reset();

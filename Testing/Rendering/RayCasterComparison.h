@@ -71,4 +71,11 @@ protected:
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> Slices;
 };
 
+/// The storm of floats, in perspective from above one corner.
+class StormAgainstRayCaster : public AgainstRayCaster
+{
+protected:
+  void SetUp() override;
+};
+
 } // namespace nexrad::testing

@@ -14,18 +14,9 @@ namespace
 
 using namespace nexrad::testing;
 
-class BlendModes : public AgainstRayCaster
+class BlendModes : public StormAgainstRayCaster
 {
 protected:
-  void SetUp() override
-  {
-    AgainstRayCaster::SetUp();
-    if (this->Stage != nullptr)
-    {
-      this->UseStorm(VTK_FLOAT);
-      this->AimCamera(false);
-    }
-  }
   void Use(vtkVolumeMapper::BlendModes mode)
   {
     this->ForBoth([mode](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendMode(mode); });

@@ -23,18 +23,9 @@ namespace
 
 using namespace nexrad::testing;
 
-class GeometryBeside : public AgainstRayCaster
+class GeometryBeside : public StormAgainstRayCaster
 {
 protected:
-  void SetUp() override
-  {
-    AgainstRayCaster::SetUp();
-    if (this->Stage != nullptr)
-    {
-      this->UseStorm(VTK_FLOAT);
-      this->AimCamera(false);
-    }
-  }
   void AddSphere(double x, double y, double z, double radius, double opacity)
   {
     vtkNew<vtkSphereSource> sphere;

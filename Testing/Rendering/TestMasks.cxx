@@ -18,16 +18,14 @@ namespace
 
 using namespace nexrad::testing;
 
-class Masks : public AgainstRayCaster
+class Masks : public StormAgainstRayCaster
 {
 protected:
   void SetUp() override
   {
-    AgainstRayCaster::SetUp();
+    StormAgainstRayCaster::SetUp();
     if (this->Stage != nullptr)
     {
-      this->UseStorm(VTK_FLOAT);
-      this->AimCamera(false);
       // VTK 9.1 does not correct the opacity of labels and of two-dimensional functions for the
       // distance between samples: it is right there only if that is the unit distance.
       this->Stage->GetProperty()->SetScalarOpacityUnitDistance(this->SampleDistance);

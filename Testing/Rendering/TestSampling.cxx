@@ -21,18 +21,9 @@ namespace
 
 using namespace nexrad::testing;
 
-class Sampling : public AgainstRayCaster
+class Sampling : public StormAgainstRayCaster
 {
 protected:
-  void SetUp() override
-  {
-    AgainstRayCaster::SetUp();
-    if (this->Stage != nullptr)
-    {
-      this->UseStorm(VTK_FLOAT);
-      this->AimCamera(false);
-    }
-  }
   void UseImageSampleDistance(float distance)
   {
     this->ForBoth(

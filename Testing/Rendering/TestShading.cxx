@@ -20,16 +20,14 @@ namespace
 
 using namespace nexrad::testing;
 
-class Shading : public AgainstRayCaster
+class Shading : public StormAgainstRayCaster
 {
 protected:
   void SetUp() override
   {
-    AgainstRayCaster::SetUp();
+    StormAgainstRayCaster::SetUp();
     if (this->Stage != nullptr)
     {
-      this->UseStorm(VTK_FLOAT);
-      this->AimCamera(false);
       this->Stage->GetProperty()->ShadeOn();
     }
   }

@@ -46,19 +46,9 @@ public:
   SlicesFromFactory& operator=(const SlicesFromFactory&) = delete;
 };
 
-class SubjectsOfVTK : public AgainstRayCaster
+class SubjectsOfVTK : public StormAgainstRayCaster
 {
 protected:
-  void SetUp() override
-  {
-    AgainstRayCaster::SetUp();
-    if (this->Stage != nullptr)
-    {
-      this->UseStorm(VTK_FLOAT);
-      this->AimCamera(false);
-    }
-  }
-
   /// From within the storm, towards the tall tower, lengths being multiplied by that scale.
   void AimFromInside(double scale = 1.0)
   {
