@@ -140,7 +140,7 @@ int vtkNexradDayReader::Scan()
   {
     return this->Fail(vtkErrorCode::NoFileNameError, "no file name was added");
   }
-  this->AbortExecute = 0; // of an earlier run
+  vtkNexradForgetAbort(this);
   nexrad::SeriesOptions options;
   options.moment = this->CheckMoment();
   options.requirePosition = true;
@@ -271,6 +271,7 @@ int vtkNexradDayReader::RequestData(
     return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
   }
   this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
   vtkInformation* info = output->GetInformationObject(0);
   const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                         ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())

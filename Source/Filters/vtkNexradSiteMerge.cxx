@@ -84,6 +84,7 @@ int vtkNexradSiteMerge::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
   auto* image = vtkImageData::GetData(output);
   image->Initialize();
   try

@@ -39,6 +39,7 @@ int vtkNexradVolumeResampler::RequestData(
   vtkInformation*, vtkInformationVector** input, vtkInformationVector* output)
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
   auto* image = vtkImageData::GetData(output);
   image->Initialize();
   try

@@ -117,6 +117,7 @@ int vtkNexradLevel2Reader::RequestData(
     return 0; // the information request failed, and said why
   }
   this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
   auto* sweeps = vtkPartitionedDataSetCollection::GetData(output, 0);
   try
   {

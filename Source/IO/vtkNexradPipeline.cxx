@@ -31,6 +31,11 @@ bool vtkNexradShouldAbort(vtkAlgorithm* algorithm)
   return ShouldAbort(algorithm, 0);
 }
 
+void vtkNexradForgetAbort(vtkAlgorithm* algorithm)
+{
+  algorithm->AbortExecute = 0;
+}
+
 std::function<bool(double)> vtkNexradProgress(vtkAlgorithm* algorithm, double from, double to)
 {
   constexpr double stepsInARun = 50.0;

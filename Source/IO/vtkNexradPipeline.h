@@ -22,6 +22,12 @@ class vtkAlgorithm;
 VTKNEXRADIO_EXPORT bool vtkNexradShouldAbort(vtkAlgorithm* algorithm);
 
 /**
+ * For the beginning of a run: forgets that an earlier one was asked to stop. VTK's executive does
+ * so itself up to 9.1.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradForgetAbort(vtkAlgorithm* algorithm);
+
+/**
  * A progress function (nexrad::Progress) that reports the share [from, to] of the algorithm's run
  * in steps of a fiftieth and returns false when the algorithm should stop. Call it from the
  * algorithm's own thread. It must not outlive the algorithm.

@@ -109,7 +109,7 @@ int vtkNexradSeriesReader::Scan()
   }
   auto series = std::make_unique<Series>();
   series->From = from;
-  this->AbortExecute = 0; // of an earlier run
+  vtkNexradForgetAbort(this);
   try
   {
     nexrad::SeriesOptions options;
@@ -178,6 +178,7 @@ int vtkNexradSeriesReader::RequestData(
     return this->GetErrorCode() == vtkErrorCode::NoError ? 1 : 0;
   }
   this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
   vtkInformation* info = output->GetInformationObject(0);
   const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                         ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())

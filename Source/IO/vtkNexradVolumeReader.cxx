@@ -224,6 +224,7 @@ int vtkNexradVolumeReader::RequestData(
     return 0; // the information request failed, and said why
   }
   this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
   vtkInformation* info = output->GetInformationObject(0);
   const auto& step =
     info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())

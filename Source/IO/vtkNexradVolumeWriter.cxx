@@ -110,6 +110,7 @@ void vtkNexradVolumeWriter::Fail(unsigned long code, const std::string& line)
 void vtkNexradVolumeWriter::Begin()
 {
   this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
   this->Index.clear();
   this->Written.clear();
   this->Complete = false;
