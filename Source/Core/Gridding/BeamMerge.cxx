@@ -292,8 +292,8 @@ BeamVolumes BeamMerger::Prepare(
       for (int i = begin; i < end; ++i)
       {
         const std::size_t which = missing[static_cast<std::size_t>(i)];
-        next[which].volume =
-          std::make_shared<const BeamVolume>(PrepareBeamVolume(*volumes[which], options.beamWidth));
+        next[which].volume = std::make_shared<const BeamVolume>(PrepareBeamVolume(
+          *volumes[which], options.beamWidth, options.sharpen && !options.linearReflectivity));
       }
     });
   kept = std::move(next);
@@ -361,11 +361,15 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
     MergeSite site{number, &this->GeometryOf(position),
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
-      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}};
-    site.edges = FindEdges(site.tilts, options.beamWidth, options.sharpen);
+      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}};
+    site.edges = FindEdges(site.tilts, options.beamWidth);
     for (const BeamTilt& tilt : site.tilts)
     {
       site.quiet.push_back(FindQuiet(tilt, site.context));
+    }
+    if (options.trend && any.moment == MomentName::REF && !options.linearReflectivity)
+    {
+      site.layers = GapLayers::Find(group.second, site.tilts, time);
     }
     const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
     site.mask = EchoMask(CompositesOf(group.second), radius, way);
@@ -425,6 +429,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time 
   rows.strategy = StrategyFor(volume.moment, options.strategy);
   rows.overlapLength = static_cast<float>(options.overlapLength);
   rows.fill = options.fill;
+  rows.trend = options.trend;
   rows.motion = moves ? motion : nullptr;
   const int height = block.Size(1);
   for (int band = 0; band < height; band += bandHeight)

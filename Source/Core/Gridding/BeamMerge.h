@@ -28,8 +28,10 @@ struct BeamMergeOptions
   double beamWidth = 0.95;                        ///< degrees (Formulas B4)
   BeamModel beam = BeamModel();                   ///< path of the beams
   bool linearReflectivity = false;                ///< interpolate Z in place of dBZ (Formulas G5)
-  bool sharpen = true;     ///< take the beam's width back from reflectivity in dBZ (Formulas G9)
-  bool fill = false;       ///< fill between and below what was scanned (Formulas T7)
+  bool sharpen = true; ///< take the beam's width back from reflectivity in dBZ (Formulas G9)
+  bool trend = true;   ///< between tilts, follow the tilts beyond (Formulas G10) and layers (G11);
+                       ///< else linear. Reflectivity in dBZ alone
+  bool fill = false;   ///< fill between and below what was scanned (Formulas T7)
   bool companions = false; ///< make GriddedVolume::companions
 };
 

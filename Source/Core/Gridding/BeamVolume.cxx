@@ -2,6 +2,8 @@
 #include "Gridding/BeamVolume.h"
 
 #include "Geometry/Angles.h"
+#include "Geometry/Beam.h"
+#include "Gridding/BeamSharpening.h"
 #include "Gridding/SweepPairing.h"
 
 #include <algorithm>
@@ -111,6 +113,8 @@ void SetScale(const PolarSweep& source, BeamSweep& to)
   }
   if (smallest <= largest)
   {
+    smallest -= SharpeningRange::Down;
+    largest += SharpeningRange::Up;
     to.step = (largest - smallest) / static_cast<float>(valueCodes);
     to.base = smallest - to.step * static_cast<float>(BeamSweep::FirstValueCode);
   }
@@ -196,6 +200,7 @@ std::size_t BeamVolume::MemoryBytes() const
 {
   std::size_t bytes = sizeof(BeamVolume) + composite.values.size() * sizeof(float) +
                       composite.cells.size() * (sizeof(VolumeComposite::Cell) + 1);
+  bytes += layers.MemoryBytes();
   for (const BeamSweep& sweep : sweeps)
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
@@ -205,7 +210,7 @@ std::size_t BeamVolume::MemoryBytes() const
   return bytes;
 }
 
-BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth)
+BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth, bool sharpen)
 {
   BeamVolume prepared;
   prepared.site = volume.site;
@@ -222,6 +227,14 @@ BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth)
     }
   }
   prepared.composite = MakeComposite(prepared.sweeps);
+  if (volume.moment == MomentName::REF)
+  {
+    prepared.layers = EchoLayers(prepared.sweeps, BeamModel().EffectiveRadius());
+    if (sharpen)
+    {
+      SharpenSweeps(prepared.sweeps, beamWidth);
+    }
+  }
   return prepared;
 }
 

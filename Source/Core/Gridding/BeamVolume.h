@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Gridding/EchoLayers.h"
 #include "Gridding/PolarVolume.h"
 #include "Gridding/VolumeComposite.h"
 
@@ -60,6 +61,7 @@ struct BeamVolume
   bool synthetic = false;
   std::vector<BeamSweep> sweeps; ///< in the order scanned
   VolumeComposite composite;     ///< of the sweeps
+  EchoLayers layers;             ///< of reflectivity; of other moments there are none
 
   std::size_t MemoryBytes() const;
 };
@@ -74,6 +76,7 @@ constexpr double SameTilt = 0.15;
 /// surveillance cut is kept: a sweep of REF is left out when another cut of the volume at the same
 /// tilt reaches a tenth farther or more. Sweeps without rays or gates are left out, and so are rays
 /// at the azimuth of a later one.
-BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth = 0.95);
+BeamVolume PrepareBeamVolume(
+  const PolarVolume& volume, double beamWidth = 0.95, bool sharpen = false);
 
 } // namespace nexrad

@@ -246,7 +246,7 @@ ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeR
   if (request.method == MergeMethod::Beam)
   {
     ready.beam =
-      std::make_shared<const BeamVolume>(PrepareBeamVolume(polar, request.beam.beamWidth));
+      std::make_shared<const BeamVolume>(PrepareBeamVolume(polar, request.beam.beamWidth, request.beam.sharpen && !request.beam.linearReflectivity));
   }
   else
   {

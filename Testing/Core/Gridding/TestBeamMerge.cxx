@@ -305,7 +305,7 @@ TEST(BeamMerge, BeyondTheLastGateThereIsNothingAbove18Kilometres)
   GridSpecification grid = SceneGrid();
   grid.dimensions[2] = 120;
   PolarSweep far = UniformSweep(2, 0.5, 20.0F); // the site reaches farther than this sweep
-  const GriddedVolume volume = MergeAt({VolumeOf({sweep, far})}, 0.0, {}, grid);
+  const GriddedVolume volume = MergeAt({VolumeOf({sweep, far})}, 0.0, AsMeasured(), grid);
   const BeamModel beam;
   std::size_t high = 0;
   const auto check = [&](const SeenVoxel& voxel)
