@@ -161,7 +161,7 @@ inline void AddCell(const SweepMeans& means, const SweepMeans::Cell& cell, float
   const ValueRule& rule, Tally& about)
 {
   constexpr float whole = 255.0F;
-  if (cell.missing == whole)
+  if (cell.missing == 255)
   {
     about.AddNothing(cell.code, weight);
     return;
@@ -222,6 +222,31 @@ inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azi
   Decide(about, rule, look);
 }
 
+// What a sweep has between two of its rays, at a place along them that is counted in gates.
+inline void LookAtGates(
+  const BeamSweep& sweep, const RayPlace& rays, float place, const ValueRule& rule, Look& look)
+{
+  const int gate = static_cast<int>(place);
+  const float along = place - static_cast<float>(gate);
+  const std::uint16_t* first = sweep.codes.data() +
+                               static_cast<std::size_t>(rays.entry) * sweep.Stride() +
+                               static_cast<std::size_t>(gate);
+  const std::uint16_t* second = first + sweep.Stride();
+  if ((first[0] | first[1] | second[0] | second[1]) == BeamSweep::NoEchoCode)
+  {
+    look.state = VoxelState::NoEcho;
+    return;
+  }
+  const float across = rule.nearest ? std::floor(rays.share + 0.5F) : rays.share;
+  const float forth = rule.nearest ? std::floor(along + 0.5F) : along;
+  Tally about;
+  AddGate(sweep, first[0], (1.0F - across) * (1.0F - forth), rule, about);
+  AddGate(sweep, first[1], (1.0F - across) * forth, rule, about);
+  AddGate(sweep, second[0], across * (1.0F - forth), rule, about);
+  AddGate(sweep, second[1], across * forth, rule, about);
+  Decide(about, rule, look);
+}
+
 inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& column,
   const SamplingContext& context)
 {
@@ -233,7 +258,6 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
   {
     return look;
   }
-  const auto entry = static_cast<std::size_t>(rays.entry);
   look.time = TimeOf(sweep, begin, rays);
   look.elevation = ElevationOf(sweep, rays);
   const auto last = static_cast<float>(sweep.gates - 1);
@@ -246,27 +270,11 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
   if (range < sweep.means.reach)
   {
     LookAtMeans(sweep.means, rays, column.azimuth, range, context.rule, look);
-    return look;
   }
-  const float inside = std::min(std::max(place, 0.0F), last);
-  const int gate = static_cast<int>(inside);
-  const float along = inside - static_cast<float>(gate);
-  const std::uint16_t* first =
-    sweep.codes.data() + entry * sweep.Stride() + static_cast<std::size_t>(gate);
-  const std::uint16_t* second = first + sweep.Stride();
-  if ((first[0] | first[1] | second[0] | second[1]) == BeamSweep::NoEchoCode)
+  else
   {
-    look.state = VoxelState::NoEcho;
-    return look;
+    LookAtGates(sweep, rays, std::min(std::max(place, 0.0F), last), context.rule, look);
   }
-  const float across = context.rule.nearest ? std::floor(rays.share + 0.5F) : rays.share;
-  const float forth = context.rule.nearest ? std::floor(along + 0.5F) : along;
-  Tally about;
-  AddGate(sweep, first[0], (1.0F - across) * (1.0F - forth), context.rule, about);
-  AddGate(sweep, first[1], (1.0F - across) * forth, context.rule, about);
-  AddGate(sweep, second[0], across * (1.0F - forth), context.rule, about);
-  AddGate(sweep, second[1], across * forth, context.rule, about);
-  Decide(about, context.rule, look);
   return look;
 }
 

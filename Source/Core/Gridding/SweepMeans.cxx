@@ -50,9 +50,8 @@ public:
   {
     const double spacing = 1.0 / static_cast<double>(sweep.gatesPerMetre);
     const double length = sweep.gates * spacing;
-    longer = side > 2.0 * spacing;
-    count = longer ? std::max(1, static_cast<int>(std::lround(length / CellWidth(side, spacing))))
-                   : sweep.gates;
+    count = std::max(1, static_cast<int>(std::lround(length / CellWidth(side, spacing))));
+    longer = count < sweep.gates;
     width = length / count;
     start = static_cast<double>(sweep.firstGate) - 0.5 * spacing;
   }
@@ -64,19 +63,21 @@ public:
     means.firstRing = static_cast<float>(start + 0.5 * width);
     means.ringsPerMetre = static_cast<float>(1.0 / width);
     means.reach = std::numeric_limits<float>::infinity();
+    std::size_t cells = 0;
     for (int ring = 0; ring < count; ++ring)
     {
       const double range = start + (ring + 0.5) * width;
       const int sectors = this->SectorsAt(range);
-      means.rings.push_back({0, sectors, static_cast<float>(sectors / fullCircle)});
+      means.rings.push_back(
+        {static_cast<std::uint32_t>(cells), sectors, static_cast<float>(sectors / fullCircle)});
+      cells += sectors > 0 ? static_cast<std::size_t>(sectors) + 2 : sweep.azimuths.size();
       if (sectors == 0 && !longer)
       {
         means.reach = static_cast<float>(range);
         break;
       }
     }
-    means.spread =
-      static_cast<float>(1.5 * std::hypot(longer ? width : 0.0, widestArc)); // from cell to cell
+    means.spread = static_cast<float>(1.5 * std::hypot(width, widestArc)); // from cell to cell
   }
 
 private:
@@ -258,6 +259,7 @@ std::vector<RayWidth> FindRayWidths(const BeamSweep& sweep)
   return widths;
 }
 
+// Fills the cells of rings that are placed.
 class SweepReducer
 {
 public:
@@ -266,9 +268,11 @@ public:
     , adder(theSweep, theRule)
     , means(theMeans)
     , rays(theSweep.azimuths.size() - 2)
-    , tallies(rays * theMeans.rings.size())
-    , widths(FindRayWidths(theSweep))
   {
+    const auto isDivided = [](const SweepMeans::Ring& ring) { return ring.sectors > 0; };
+    divided = static_cast<std::size_t>(
+      std::count_if(means.rings.begin(), means.rings.end(), isDivided)); // the inner ones
+    tallies.resize(rays * divided);
   }
 
   void Reduce(double gatesPerRing)
@@ -277,55 +281,67 @@ public:
     {
       this->AddRay(ray, gatesPerRing);
     }
+    const std::vector<RayWidth> widths = FindRayWidths(sweep);
     for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
     {
-      means.rings[ring].first = static_cast<std::uint32_t>(means.cells.size());
-      if (means.rings[ring].sectors > 0)
+      SweepMeans::Cell* cells = means.cells.data() + means.rings[ring].first;
+      std::size_t count = rays;
+      if (ring < divided)
       {
-        this->AppendSectors(ring);
+        count = static_cast<std::size_t>(means.rings[ring].sectors);
+        this->SetSectors(ring, widths, cells);
       }
-      else
-      {
-        this->AppendRays(ring);
-      }
+      cells[0] = cells[count];
+      cells[count + 1] = cells[1];
     }
-    means.cells.shrink_to_fit();
   }
 
 private:
-  // The parts of each ring along one ray.
+  // Of each ring the part along one ray.
   void AddRay(std::size_t ray, double gatesPerRing)
   {
     const std::uint16_t* codes = sweep.codes.data() + (ray + 1) * sweep.Stride();
-    const auto perRing = static_cast<float>(1.0 / gatesPerRing);
     for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
     {
-      Tally& tally = tallies[ring * rays + ray];
       const double begin = static_cast<double>(ring) * gatesPerRing;
       const double end = std::min(begin + gatesPerRing, static_cast<double>(sweep.gates));
-      for (auto gate = static_cast<std::size_t>(begin); static_cast<double>(gate) < end; ++gate)
+      const Tally tally = this->TallyOf(codes, begin, end);
+      if (ring < divided)
       {
-        const auto place = static_cast<double>(gate);
-        const double part = std::min(place + 1.0, end) - std::max(place, begin);
-        if (part > smallestPart)
-        {
-          adder.Add(codes[gate], static_cast<float>(part) * perRing, tally);
-        }
+        tallies[ring * rays + ray] = tally;
+      }
+      else if (tally.none < 1.0F) // else the cell is as it was made
+      {
+        means.cells[means.rings[ring].first + ray + 1] = adder.CellOf(tally, means);
       }
     }
   }
 
-  // The entries of the sweep: the last ray, all, the first again.
-  void AppendRays(std::size_t ring)
+  // The gates between two places along a ray, as parts of what lies between.
+  Tally TallyOf(const std::uint16_t* codes, double begin, double end) const
   {
-    for (std::size_t entry = 0; entry < rays + 2; ++entry)
+    const auto first = static_cast<std::size_t>(begin);
+    const auto last = static_cast<std::size_t>(std::ceil(end));
+    Tally tally;
+    if (std::all_of(codes + first, codes + last,
+          [](std::uint16_t code) { return code == BeamSweep::NoEchoCode; }))
     {
-      const std::size_t ray = (entry + rays - 1) % rays;
-      means.cells.push_back(adder.CellOf(tallies[ring * rays + ray], means));
+      tally.none = 1.0F;
+      return tally;
     }
+    for (std::size_t gate = first; gate < last; ++gate)
+    {
+      const auto place = static_cast<double>(gate);
+      const double part = std::min(place + 1.0, end) - std::max(place, begin);
+      if (part > smallestPart)
+      {
+        adder.Add(codes[gate], static_cast<float>(part / (end - begin)), tally);
+      }
+    }
+    return tally;
   }
 
-  void AppendSectors(std::size_t ring)
+  void SetSectors(std::size_t ring, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
   {
     const auto count = static_cast<std::size_t>(means.rings[ring].sectors);
     sectors.assign(count, Tally());
@@ -346,12 +362,10 @@ private:
         }
       }
     }
-    for (std::size_t sector = 0; sector < count + 2; ++sector)
+    for (std::size_t sector = 0; sector < count; ++sector)
     {
-      const std::size_t at = (sector + count - 1) % count;
-      Tally tally = sectors[at];
-      tally.missing += std::max(0.0F, 1.0F - covered[at]);
-      means.cells.push_back(adder.CellOf(tally, means));
+      sectors[sector].missing += std::max(0.0F, 1.0F - covered[sector]);
+      cells[sector + 1] = adder.CellOf(sectors[sector], means);
     }
   }
 
@@ -359,8 +373,8 @@ private:
   const GateAdder adder;
   SweepMeans& means;
   const std::size_t rays;
-  std::vector<Tally> tallies; // of each ring, by ray
-  const std::vector<RayWidth> widths;
+  std::size_t divided;        // rings that are divided into sectors
+  std::vector<Tally> tallies; // of each of them, by ray
   std::vector<Tally> sectors; // of one ring
   std::vector<float> covered; // parts of the sectors in which rays stand
 };
@@ -370,7 +384,9 @@ private:
 SweepMeans MakeSweepMeans(const BeamSweep& sweep, const ValueRule& rule, double side)
 {
   SweepMeans means;
-  if (rule.nearest || sweep.gates < 1 || !(side * static_cast<double>(sweep.gatesPerMetre) > 1.0))
+  constexpr double asLong = 1.0 + 1e-6; // as a gate, but for rounding
+  const double gatesPerSide = side * static_cast<double>(sweep.gatesPerMetre);
+  if (rule.nearest || sweep.gates < 1 || !(gatesPerSide > asLong))
   {
     return means;
   }
@@ -383,6 +399,10 @@ SweepMeans MakeSweepMeans(const BeamSweep& sweep, const ValueRule& rule, double 
   means.step = rule.period > 0.0F ? rule.period / angleCodes : sweep.step;
   means.base =
     rule.period > 0.0F ? -means.step * static_cast<float>(BeamSweep::FirstValueCode) : sweep.base;
+  const SweepMeans::Ring& last = means.rings.back();
+  const std::size_t ofLast =
+    last.sectors > 0 ? static_cast<std::size_t>(last.sectors) + 2 : sweep.azimuths.size();
+  means.cells.resize(last.first + ofLast);
   SweepReducer(sweep, rule, means).Reduce(plan.GatesPerRing());
   return means;
 }
