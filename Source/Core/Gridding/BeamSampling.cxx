@@ -193,7 +193,7 @@ inline CellPair FindCells(
     return {first + rays.entry, rays.share};
   }
   const float place = azimuth * ring.sectorsPerDegree + 0.5F;
-  const int sector = std::min(static_cast<int>(place), ring.sectors); // rounding may give one more
+  const int sector = static_cast<int>(place);
   return {first + sector, place - static_cast<float>(sector)};
 }
 

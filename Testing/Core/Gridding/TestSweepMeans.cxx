@@ -122,10 +122,10 @@ float SampleAt(const BeamSweep& sweep, double azimuth, double range)
   SamplingContext context;
   context.rule = ValueRule::Of(MomentName::REF, false);
   const double halfway = 0.5 * range / static_cast<double>(context.effectiveRadius);
-  const double turned = std::fmod(azimuth + 360.0, 360.0);
-  return SampleTilt(
-    tilt, {static_cast<float>(turned), static_cast<float>(std::tan(halfway))}, context)
-    .value;
+  const auto turned = static_cast<float>(azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+  const ColumnDirection column{
+    turned < 360.0F ? turned : 0.0F, static_cast<float>(std::tan(halfway))};
+  return SampleTilt(tilt, column, context).value;
 }
 
 } // namespace
