@@ -218,7 +218,7 @@ void BeamColumn::AddEdge(const SiteColumn& site, const Gap& gap)
   }
 }
 
-// Reflectivity between two tilts that both measured (Formulas G10, G11): above 0 dBZ it is an echo,
+// Reflectivity between two tilts that both measured (Formulas G11, G12): above 0 dBZ it is an echo,
 // and so it is wherever both tilts have one.
 void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
 {

@@ -32,7 +32,7 @@ struct SiteColumn
   const SiteLevels* levels = nullptr;
   const std::vector<TiltEdges>* edges = nullptr;
   const TiltSample* samples = nullptr; ///< of each tilt
-  /// Of the gap above each tilt but the last, how much its echo lies in layers, 0…1 (Formulas G11);
+  /// Of the gap above each tilt but the last, how much its echo lies in layers, 0…1 (Formulas G12);
   /// nullptr: not at all.
   const float* layerShares = nullptr;
   TiltLookup lookup; ///< needed where a share is above 0
@@ -45,7 +45,7 @@ class BeamColumn
 public:
   static constexpr std::uint8_t NoSite = VoxelCompanions::NoSite;
 
-  /// `trend`: reflectivity in dBZ is interpolated between tilts by G10 and G11, not linearly.
+  /// `trend`: reflectivity in dBZ is interpolated between tilts by G11 and G12, not linearly.
   BeamColumn(int levels, OverlapStrategy strategy, const ValueRule& rule, bool companions,
     bool trend = false);
 

@@ -109,6 +109,20 @@ double FarthestWay(const std::vector<BeamTilt>& tilts, const MotionField& motion
   return motion.FastestSpeed() * static_cast<double>(longest);
 }
 
+// Metres from a column within which gates may count in its sample, but for one gate or ray beside.
+double WidestSpread(const std::vector<const BeamVolume*>& volumes)
+{
+  float widest = 0.0F;
+  for (const BeamVolume* volume : volumes)
+  {
+    for (const BeamSweep& sweep : volume->sweeps)
+    {
+      widest = std::max(widest, sweep.means.spread);
+    }
+  }
+  return static_cast<double>(widest);
+}
+
 std::vector<const VolumeComposite*> CompositesOf(const std::vector<const BeamVolume*>& volumes)
 {
   std::vector<const VolumeComposite*> composites;
@@ -153,6 +167,16 @@ std::array<double, 2> NorthIn(const GridSpecification& grid, const Position& sit
   const auto north = grid.FromGeographic(site.longitude, site.latitude + way);
   const double length = std::hypot(north[0] - south[0], north[1] - south[1]);
   return {(north[0] - south[0]) / length, (north[1] - south[1]) / length};
+}
+
+// The shorter side of a voxel about a site, m.
+double VoxelSide(const GridSpecification& grid, const Position& site)
+{
+  const double y = grid.FromGeographic(site.longitude, site.latitude)[1];
+  const double row = (y - grid.origin[1]) / grid.spacing[1];
+  const std::array<double, 2> extent =
+    VoxelExtent(grid, std::clamp(row, 0.0, static_cast<double>(grid.dimensions[1] - 1)));
+  return std::min(extent[0], extent[1]);
 }
 
 void RunInTurn(int count, const std::function<void(int, int)>& work)
@@ -224,6 +248,23 @@ RangeLoop ThreadLoop(unsigned threads)
   };
 }
 
+BeamVolume PrepareForGrid(
+  const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
+{
+  const bool sharpen = options.sharpen && !options.linearReflectivity;
+  BeamVolume prepared = PrepareBeamVolume(volume, options.beamWidth, sharpen);
+  if (options.means && volume.site.position)
+  {
+    const ValueRule rule = ValueRule::Of(volume.moment, options.linearReflectivity);
+    const double side = VoxelSide(grid, *volume.site.position);
+    for (BeamSweep& sweep : prepared.sweeps)
+    {
+      sweep.means = MakeSweepMeans(sweep, rule, side);
+    }
+  }
+  return prepared;
+}
+
 BeamMerger::BeamMerger(const GridSpecification& theGrid, const BeamMergeOptions& theOptions)
   : grid(theGrid)
   , options(theOptions)
@@ -292,8 +333,8 @@ BeamVolumes BeamMerger::Prepare(
       for (int i = begin; i < end; ++i)
       {
         const std::size_t which = missing[static_cast<std::size_t>(i)];
-        next[which].volume = std::make_shared<const BeamVolume>(PrepareBeamVolume(
-          *volumes[which], options.beamWidth, options.sharpen && !options.linearReflectivity));
+        next[which].volume =
+          std::make_shared<const BeamVolume>(PrepareForGrid(*volumes[which], grid, options));
       }
     });
   kept = std::move(next);
@@ -372,7 +413,7 @@ std::vector<MergeSite> BeamMerger::MakeSites(
       site.layers = GapLayers::Find(group.second, site.tilts, time);
     }
     const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
-    site.mask = EchoMask(CompositesOf(group.second), radius, way);
+    site.mask = EchoMask(CompositesOf(group.second), radius, way + WidestSpread(group.second));
     site.north = NorthIn(grid, position);
     sites.push_back(std::move(site));
   }

@@ -229,7 +229,7 @@ private:
     this->Keep(place);
   }
 
-  // Formulas G11: how much the echo over a column lies in layers, and what is needed to follow
+  // Formulas G12: how much the echo over a column lies in layers, and what is needed to follow
   // them.
   void LookForLayers(const MergeSite& site, int x, int y, SiteColumn& seen)
   {

@@ -4,24 +4,12 @@
 #include "Gridding/BeamTilts.h"
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/SiteGeometry.h"
+#include "Gridding/ValueRule.h"
 
 #include <optional>
 
 namespace nexrad
 {
-
-/// How values of a moment are put together.
-struct ValueRule
-{
-  bool nearest = false;    ///< take the nearest instead of interpolating
-  bool linear = false;     ///< values are interpolated as 10^(dBZ/10) (Formulas G5)
-  bool zeroIsNone = false; ///< no echo counts as 0 dBZ against an echo (Formulas G8, A1)
-  float period = 0.0F;     ///< of angles, in the moment's unit; 0: values are no angles
-
-  /// The rule of a moment: velocity takes the nearest (it is folded, and the Nyquist velocity
-  /// differs from cut to cut), differential phase is an angle, the others are interpolated.
-  static ValueRule Of(MomentName moment, bool linearReflectivity);
-};
 
 /// What one radar has at one place of one tilt at the time of the merge. `value` is without meaning
 /// unless the state is Echo.

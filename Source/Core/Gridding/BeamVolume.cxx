@@ -205,7 +205,7 @@ std::size_t BeamVolume::MemoryBytes() const
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
              sweep.firstEntries.size() * sizeof(std::uint32_t) +
-             sweep.codes.size() * sizeof(std::uint16_t);
+             sweep.codes.size() * sizeof(std::uint16_t) + sweep.means.MemoryBytes();
   }
   return bytes;
 }

@@ -3,6 +3,7 @@
 
 #include "Gridding/EchoLayers.h"
 #include "Gridding/PolarVolume.h"
+#include "Gridding/SweepMeans.h"
 #include "Gridding/VolumeComposite.h"
 
 #include <cstddef>
@@ -45,6 +46,7 @@ struct BeamSweep
   std::vector<std::uint32_t> firstEntries; ///< last entry at or before the start of each bin
   std::vector<std::uint16_t> codes;        ///< entries × Stride(), the last gate of each repeated
   float halfWidth = 0.0F; ///< degrees that a ray is wide to either side at the edge of a gap
+  SweepMeans means;       ///< of the gates, for voxels coarser than these; may be empty
 
   std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
   /// Outer edge of the last gate, m.

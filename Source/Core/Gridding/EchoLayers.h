@@ -14,7 +14,7 @@ struct BeamSweep;
 
 /// Where the echo of one volume lies in layers, for each gap between neighbouring tilts: how much
 /// better the reflectivity of the two tilts agrees at equal height than straight above each other
-/// (Formulas G10). Cells of 5° of azimuth by 4 km along the ground.
+/// (Formulas G12). Cells of 5° of azimuth by 4 km along the ground.
 class EchoLayers
 {
 public:

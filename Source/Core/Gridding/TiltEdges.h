@@ -22,7 +22,7 @@ struct TiltEdges
                            ///< share + bend·share·(1 − share)
   float endAbove = 0.0F;   ///< where an echo of this tilt ends below a next one without (G8)
   float endBelow = 0.0F;   ///< where an echo of the next tilt ends above this one without
-  float trendBelow = 0.0F; ///< how much of the change from the tilt below counts in the gap (G10)
+  float trendBelow = 0.0F; ///< how much of the change from the tilt below counts in the gap (G11)
   float trendAbove = 0.0F; ///< likewise of the change beyond the next tilt
   float endShare = 1.0F;   ///< part of the way between the tilts that either end is from its echo
 };

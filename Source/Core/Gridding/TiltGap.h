@@ -34,13 +34,13 @@ struct TiltGap
   int to = 0;                                    ///< first level above it
 };
 
-/// Interpolates in elevation over the column: the four-point cubic (Formulas G10), between an echo
+/// Interpolates in elevation over the column: the four-point cubic (Formulas G11), between an echo
 /// and none about the line of G8. `shares` are the parts of the way in angle from the lower tilt to
 /// the upper one. Both arrays are indexed by level; levels from `from` to `to` − 1 are set.
 void InterpolateUpwards(const TiltGap& gap, const float* shares, float* values);
 
 /// Moves the values that InterpolateUpwards made towards those interpolated at constant height
-/// (Formulas G11): `share`, 0…1, is how much the echo lies in layers. `halfTangent` is the column's
+/// (Formulas G12): `share`, 0…1, is how much the echo lies in layers. `halfTangent` is the column's
 /// (ColumnDirection). Levels at which a tilt measured nothing at that height stay.
 void BlendLayers(const TiltGap& gap, float share, const SiteLevels& levels,
   const TiltLookup& lookup, float halfTangent, float* values);

@@ -179,7 +179,7 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
          a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
          a.linearReflectivity == b.linearReflectivity && a.fill == b.fill &&
-         a.companions == b.companions && a.sharpen == b.sharpen;
+         a.companions == b.companions && a.sharpen == b.sharpen && a.means == b.means;
 }
 
 void CheckMotion(const Velocity& motion)
@@ -246,7 +246,7 @@ ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeR
   if (request.method == MergeMethod::Beam)
   {
     ready.beam =
-      std::make_shared<const BeamVolume>(PrepareBeamVolume(polar, request.beam.beamWidth, request.beam.sharpen && !request.beam.linearReflectivity));
+      std::make_shared<const BeamVolume>(PrepareForGrid(polar, request.grid, request.beam));
   }
   else
   {

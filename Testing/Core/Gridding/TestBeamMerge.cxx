@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One radar at one time: what becomes of the gates.
 #include "BeamScene.h"
+#include "Geometry/Angles.h"
 #include "Gridding/Coverage.h"
 #include "Model/Error.h"
 
@@ -246,8 +247,11 @@ TEST(BeamMerge, ThreeKindsOfNothingStayApart)
   const auto check = [&](const SeenVoxel& voxel)
   {
     const double quarter = std::fmod(voxel.azimuth, 90.0);
-    if (!IsInReach(voxel) || std::abs(voxel.elevation - 1.0) > halfWidth - edge || quarter < 1.0 ||
-        quarter > 88.0)
+    // Voxels of 5 km are means of more than one gate and ray (G10), here of several kinds.
+    const double border = 1.0 + 4'500.0 / (voxel.groundDistance - 3'000.0) / RadiansPerDegree;
+    if (!IsInReach(voxel) || voxel.groundDistance < 6'000.0 ||
+        std::abs(voxel.elevation - 1.0) > halfWidth - edge || quarter < border ||
+        quarter > 89.0 - border)
     {
       return;
     }
