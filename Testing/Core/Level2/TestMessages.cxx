@@ -138,7 +138,7 @@ TEST(Message1, RefusesWhatIsNoRay)
     return DecodeMessage1(BodyOf(frame));
   };
   RayPlan plan;
-  plan.elevation = -3.0;
+  plan.elevation = -10.1;
   EXPECT_THROW(decode(plan), MessageError);
   plan.elevation = 91.0;
   EXPECT_THROW(decode(plan), MessageError);
@@ -270,7 +270,7 @@ TEST(Message31, RefusesWhatIsNoRay)
     EXPECT_THROW(decode(plan), MessageError) << angle;
   }
   RayPlan plan;
-  plan.elevation = -2.5;
+  plan.elevation = -10.1;
   EXPECT_THROW(decode(plan), MessageError);
   EXPECT_THROW(DecodeMessage31(View(Bytes(20))), std::exception);
 }
