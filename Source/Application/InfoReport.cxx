@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoReport.h"
 
+#include "Model/Elevation.h"
 #include "Model/MomentSummary.h"
+#include "Model/SiteTable.h"
+#include "Model/SweepWaveforms.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <optional>
 #include <ostream>
@@ -46,13 +50,27 @@ Json MakeMoment(const MomentSummary& summary, MomentName name)
   return moment;
 }
 
-Json MakeSweep(const Sweep& sweep, std::size_t index)
+// Rays that the merge takes for none of the cut's (Formulas Q7).
+std::size_t CountStrays(const Sweep& sweep, double beamWidth)
+{
+  const double elevation = sweep.MedianElevation();
+  return static_cast<std::size_t>(std::count_if(sweep.rays.begin(), sweep.rays.end(),
+    [&](const Ray& ray)
+    { return IsStray(static_cast<double>(ray.elevation), elevation, beamWidth); }));
+}
+
+Json MakeSweep(const Sweep& sweep, std::size_t index, double beamWidth)
 {
   const Ray& first = sweep.rays.front();
+  const std::string waveform = ToString(sweep.waveform);
   Json result = {{"index", index}, {"elevation_number", sweep.elevationNumber},
-    {"elevation_deg", sweep.MeanElevation()}, {"rays", sweep.rays.size()},
-    {"first_azimuth_deg", first.azimuth}, {"start", FormatIso8601(first.time)},
-    {"nyquist_m_s", first.nyquist}, {"moments", Json::object()}};
+    {"elevation_deg", sweep.MedianElevation()}, {"elevation_mean_deg", sweep.MeanElevation()},
+    {"waveform", waveform.empty() ? Json(nullptr) : Json(waveform)}, {"rays", sweep.rays.size()},
+    {"stray_rays", CountStrays(sweep, beamWidth)}, {"first_azimuth_deg", first.azimuth},
+    {"start", FormatIso8601(first.time)}, {"nyquist_m_s", first.nyquist},
+    {"unambiguous_range_m",
+      first.unambiguousRange > 0.0F ? Json(first.unambiguousRange) : Json(nullptr)},
+    {"moments", Json::object()}};
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
@@ -120,13 +138,36 @@ void PrintHead(const RadarVolume& volume, std::ostream& out)
   }
 }
 
+// The ICD's letters; "-" when unknown.
+const char* ShortNameOf(Waveform waveform)
+{
+  switch (waveform)
+  {
+  case Waveform::ContiguousSurveillance:
+    return "CS";
+  case Waveform::ContiguousDoppler:
+    return "CD/W";
+  case Waveform::ContiguousDopplerWithout:
+    return "CD/WO";
+  case Waveform::Batch:
+    return "B";
+  case Waveform::StaggeredPulsePair:
+    return "SPP";
+  case Waveform::Unknown:
+    break;
+  }
+  return "-";
+}
+
 void PrintSweep(const Sweep& sweep, std::size_t index, std::ostream& out)
 {
   const Ray& first = sweep.rays.front();
   out << std::fixed << std::setw(7) << index << std::setw(5) << sweep.elevationNumber
-      << std::setw(8) << std::setprecision(2) << sweep.MeanElevation() << std::setw(6)
+      << std::setw(8) << std::setprecision(2) << sweep.MedianElevation() << std::setw(6)
       << sweep.rays.size() << "  " << FormatIso8601(first.time).substr(11, 12) << std::setw(9)
-      << std::setprecision(1) << first.nyquist << "  ";
+      << std::setprecision(1) << first.nyquist << std::setw(7) << ShortNameOf(sweep.waveform)
+      << std::setw(6) << std::setprecision(0) << first.unambiguousRange / 1000.0F
+      << std::setprecision(1) << "  ";
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
@@ -177,9 +218,10 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
   {
     info["damage"].push_back({{"offset", damage.offset}, {"what", damage.what}});
   }
+  const double beamWidth = BeamWidthOf(volume.site);
   for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
   {
-    info["sweeps"].push_back(MakeSweep(volume.sweeps[index], index));
+    info["sweeps"].push_back(MakeSweep(volume.sweeps[index], index, beamWidth));
   }
   for (const GateRequest& request : requests)
   {
@@ -194,8 +236,8 @@ void PrintInfoTable(
   PrintHead(volume, out);
   if (!volume.sweeps.empty())
   {
-    out
-      << "  sweep  cut  elev.°  rays  start (UTC)   Nyq. m/s  moments: gates (lowest to highest)\n";
+    out << "  sweep  cut  elev.°  rays  start (UTC)   Nyq. m/s  wave    km  moments: gates (lowest "
+           "to highest)\n";
   }
   for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
   {

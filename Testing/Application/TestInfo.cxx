@@ -75,8 +75,10 @@ TEST(Info, PrintsTheSchema)
   EXPECT_EQ(info["damage"], Json::array());
   ASSERT_EQ(info["sweeps"].size(), 2U);
   EXPECT_EQ(info["sweeps"][1], Json::parse(R"({"index": 1, "elevation_number": 2,
-    "elevation_deg": 1.5, "rays": 12, "first_azimuth_deg": 45.0,
+    "elevation_deg": 1.5, "elevation_mean_deg": 1.5, "waveform": "contiguous surveillance",
+    "rays": 12, "stray_rays": 0, "first_azimuth_deg": 45.0,
     "start": "2005-08-21T02:43:20.671Z", "nyquist_m_s": 26.1200008392334,
+    "unambiguous_range_m": 148000.0,
     "moments": {"REF": {"gates": 5, "first_gate_m": 2125, "gate_spacing_m": 250, "valid": 36,
       "below_threshold": 12, "range_folded": 12, "min": -32.0, "max": 94.5,
       "mean": 20.833333333333332}}})"));

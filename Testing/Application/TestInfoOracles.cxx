@@ -150,7 +150,7 @@ private:
     {
       const std::size_t count = sweep["rays"];
       rays += count;
-      elevation += sweep["elevation_deg"].get<double>() * static_cast<double>(count);
+      elevation += sweep["elevation_mean_deg"].get<double>() * static_cast<double>(count);
     }
     this->Equal(rays, oracle["num_rays"], "rays");
     if (rays == 0)

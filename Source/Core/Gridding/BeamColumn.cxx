@@ -13,18 +13,21 @@ namespace
 // Straight above the antenna every elevation is 90°; so near to it the beams' heights are none.
 constexpr float smallestHalfTangent = 1e-7F; // 2 m
 
-// Where the beams end below and above a tilt. Rays stray from their tilt; what a ray saw reaches
-// half a beam width to either side of it, and not of the tilt (Formulas G3).
+// Where the beams end below and above a tilt. Rays lie beside their tilt; what a ray saw reaches
+// half a beam width to either side of it, and not of the tilt (Formulas G3). A tilt that holds
+// sweeps of several elevations keeps its own place within, so that no ray hides a neighbour.
 float LowerEdge(const TiltEdges& tilt, const TiltSample& sample)
 {
   const bool seen = sample.state != VoxelState::NotScanned;
-  return tilt.lower + (seen ? tilt.perDegree * (sample.lowest - tilt.elevation) : 0.0F);
+  const float beside = seen ? tilt.perDegree * (sample.lowest - tilt.elevation) : 0.0F;
+  return std::min(tilt.lower + beside, tilt.tangent);
 }
 
 float UpperEdge(const TiltEdges& tilt, const TiltSample& sample)
 {
   const bool seen = sample.state != VoxelState::NotScanned;
-  return tilt.upper + (seen ? tilt.perDegree * (sample.highest - tilt.elevation) : 0.0F);
+  const float beside = seen ? tilt.perDegree * (sample.highest - tilt.elevation) : 0.0F;
+  return std::max(tilt.upper + beside, tilt.tangent);
 }
 
 // An echo of 0 dBZ or less beside none: it would not differ from none where no echo counts as 0

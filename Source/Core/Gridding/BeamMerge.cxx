@@ -2,6 +2,7 @@
 #include "Gridding/BeamMerge.h"
 
 #include "Model/Error.h"
+#include "Model/SiteTable.h"
 
 #include <algorithm>
 #include <atomic>
@@ -195,9 +196,9 @@ void CheckOptions(const GridSpecification& grid, const BeamMergeOptions& options
     throw Error(
       "overlap length of " + std::to_string(options.overlapLength) + " m: must be above 0");
   }
-  if (!(options.beamWidth > 0.0 && options.beamWidth < 10.0))
+  if (options.beamWidth && !(*options.beamWidth > 0.0 && *options.beamWidth < 10.0))
   {
-    throw Error("beam width of " + std::to_string(options.beamWidth) +
+    throw Error("beam width of " + std::to_string(*options.beamWidth) +
                 " degrees: must be above 0 and below 10");
   }
   if (options.maximumGap < Duration::zero())
@@ -403,7 +404,8 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     MergeSite site{number, &this->GeometryOf(position),
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
       {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}};
-    site.edges = FindEdges(site.tilts, options.beamWidth);
+    const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
+    site.edges = FindEdges(site.tilts, beamWidth);
     for (const BeamTilt& tilt : site.tilts)
     {
       site.quiet.push_back(FindQuiet(tilt, site.context));

@@ -25,9 +25,9 @@ struct BeamMergeOptions
                                                         ///< the nearest (Formulas W8)
   double overlapLength = 100'000.0;                     ///< m, L of Formulas W4; above 0
   Duration maximumGap = std::chrono::minutes(15); ///< a ray farther from the time does not count
-  double beamWidth = 0.95;                        ///< degrees (Formulas B4)
-  BeamModel beam = BeamModel();                   ///< path of the beams
-  bool linearReflectivity = false;                ///< interpolate Z in place of dBZ (Formulas G5)
+  std::optional<double> beamWidth; ///< degrees; unless said, each radar's own (Formulas B4)
+  BeamModel beam = BeamModel();    ///< path of the beams
+  bool linearReflectivity = false; ///< interpolate Z in place of dBZ (Formulas G5)
   bool sharpen = true; ///< take the beam's width back from reflectivity in dBZ (Formulas G9)
   bool means = true;   ///< take means where voxels are coarser than gates (Formulas G10)
   bool trend = true;   ///< between tilts, follow the tilts beyond (Formulas G11) and layers (G12);

@@ -385,19 +385,28 @@ inline Look LookAlong(const FoundLook& found, const ColumnDirection& column,
   return BlendLooks(lower, upper, of.shareOfUpper, context.rule);
 }
 
-// The first look of a list that saw the column on its side of the time, within the gap.
+// The first look of a list that saw the column on its side of the time, within the gap. What is
+// assumed beyond the gates of one look gives way to what another measured.
 inline FoundLook FindLook(const std::vector<TiltObservation>& observations,
   const ColumnDirection& column, const SamplingContext& context, bool after)
 {
+  FoundLook assumed;
   for (const TiltObservation& observation : observations)
   {
     const Look look = LookAt(observation, column, context);
-    if (look.state != VoxelState::NotScanned && (look.time > 0.0F) == after)
+    if (look.state == VoxelState::NotScanned || (look.time > 0.0F) != after)
     {
-      return std::abs(look.time) <= context.gap ? FoundLook{look, &observation} : FoundLook{};
+      continue;
     }
+    const FoundLook found =
+      std::abs(look.time) <= context.gap ? FoundLook{look, &observation} : FoundLook{};
+    if (!look.assumed)
+    {
+      return found.observation != nullptr ? found : assumed;
+    }
+    assumed = assumed.observation != nullptr ? assumed : found;
   }
-  return {};
+  return assumed;
 }
 
 inline bool TellsSomething(const Look& look)

@@ -74,6 +74,12 @@ struct Beside
   const BeamSweep* above = nullptr;
 };
 
+// What is left of a cut when another one serves most of its directions.
+bool IsRemnant(const BeamSweep& other, const BeamSweep& sweep)
+{
+  return 5 * other.azimuths.size() < 2 * sweep.azimuths.size(); // half as many may be wider rays
+}
+
 // Of the sweeps on one side the nearest tilt, and of its cuts the one nearest in time.
 const BeamSweep* FindBeside(
   const std::vector<BeamSweep>& sweeps, const BeamSweep& sweep, float side)
@@ -87,7 +93,8 @@ const BeamSweep* FindBeside(
     const bool nearer = found == nullptr || away < nearest - same;
     const auto apart = [&sweep](const BeamSweep& each)
     { return std::abs((each.begin - sweep.begin).count()); };
-    if (away > same && (nearer || (away < nearest + same && apart(other) < apart(*found))))
+    if (away > same && !IsRemnant(other, sweep) &&
+        (nearer || (away < nearest + same && apart(other) < apart(*found))))
     {
       nearest = nearer ? away : nearest;
       found = &other;

@@ -28,7 +28,7 @@ constexpr std::size_t stepsPerRing = 2;
 constexpr std::ptrdiff_t sectorsBeside = 3; // 35° in all
 constexpr std::ptrdiff_t ringsBeside = 4;   // 36 km in all
 
-// One sweep of each tilt, the one that reaches farthest, ascending.
+// One sweep of each tilt, the one with the most gates, ascending.
 std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps)
 {
   std::vector<const BeamSweep*> sorted;
@@ -45,7 +45,7 @@ std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps
     {
       tilts.push_back(sweep);
     }
-    else if (sweep->Reach() > tilts.back()->Reach())
+    else if (sweep->codes.size() > tilts.back()->codes.size())
     {
       tilts.back() = sweep;
     }

@@ -2,10 +2,15 @@
 #include "Level2/VolumeAssembler.h"
 
 #include "Level2/SiteResolution.h"
+#include "Model/Elevation.h"
+#include "Model/SiteTable.h"
+#include "Model/SweepWaveforms.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace nexrad
 {
@@ -169,6 +174,37 @@ void VolumeAssembler::NoteTimes()
   }
 }
 
+// The decoder keeps rays that the antenna sent while it was not at its cut; the merge leaves them
+// out (Formulas Q7).
+void VolumeAssembler::NoteStrays()
+{
+  const double beamWidth = BeamWidthOf(volume.site);
+  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
+  {
+    const Sweep& sweep = volume.sweeps[index];
+    const double elevation = sweep.MedianElevation();
+    std::vector<float> strays;
+    for (const Ray& ray : sweep.rays)
+    {
+      if (IsStray(static_cast<double>(ray.elevation), elevation, beamWidth))
+      {
+        strays.push_back(ray.elevation);
+      }
+    }
+    if (!strays.empty())
+    {
+      const auto ends = std::minmax_element(strays.begin(), strays.end());
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(2) << "sweep " << index << " (elevation number "
+           << sweep.elevationNumber << ") has its elevation at " << elevation << " degrees, and "
+           << strays.size() << " of its " << sweep.rays.size()
+           << " rays farther from it than half a beam width, from " << *ends.first << " to "
+           << *ends.second << " degrees; the merge leaves them out";
+      volume.notes.push_back(text.str());
+    }
+  }
+}
+
 RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
 {
   volume.file = name;
@@ -186,7 +222,9 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   volume.damage = damage.Take(piece.empty());
   this->ChoosePattern();
   ResolveSite({headerName, rayName, name, position}, options, volume);
+  ResolveWaveforms(volume);
   this->NoteTimes();
+  this->NoteStrays();
   if (volume.synthetic)
   {
     volume.notes.push_back("SYNTHETIC: the file says that it was simulated");

@@ -326,26 +326,6 @@ TEST(BeamMerge, BeyondTheLastGateThereIsNothingAbove18Kilometres)
   EXPECT_GT(high, 100u);
 }
 
-// Of a split cut the surveillance half counts, whose range is unambiguous.
-TEST(BeamMerge, ASplitCutTakesReflectivityFromItsSurveillanceHalf)
-{
-  PolarSweep doppler = MakeSweep(2, 1.02, 360, 150);
-  SetAll(doppler, 50.0F);
-  for (PolarRay& ray : doppler.rays)
-  {
-    ray.time = sceneTime + Duration(20'000);
-  }
-  const PolarSweep surveillance = UniformSweep(1, 1.0, 20.0F);
-  const auto largest = [](const GriddedVolume& volume)
-  { return *std::max_element(volume.values.begin(), volume.values.end()); };
-  EXPECT_FLOAT_EQ(largest(MergeAt({VolumeOf({surveillance, doppler})}, 30.0)), 20.0F);
-  // Without its other half it is better than nothing; and it is where velocity comes from.
-  EXPECT_FLOAT_EQ(largest(MergeAt({VolumeOf({doppler})}, 30.0)), 50.0F);
-  PolarVolume velocity = VolumeOf({surveillance, doppler});
-  velocity.moment = MomentName::VEL;
-  EXPECT_FLOAT_EQ(largest(MergeAt({velocity}, 30.0)), 50.0F);
-}
-
 TEST(BeamMerge, VelocityIsNeverMixedAndPhaseIsMixedOnTheCircle)
 {
   const auto alternate = [](MomentName moment, float even, float odd)
