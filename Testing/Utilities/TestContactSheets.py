@@ -54,7 +54,8 @@ class ContactSheets(unittest.TestCase):
         shutil.move(self.simulate(self.folder("other"), "KILX"), chunks / "20060312-180000-001-S")
         (radar / "README").write_text("No radar file.\n")
 
-        done = run(radar, "-o", sheets, "--size", "200x176")
+        done = run(radar, "-o", sheets, "--size", "200x176", "--grid", "--no-sharpening",
+                   "--draw", "--preset 'clear air'")
 
         self.assertEqual(done.returncode, 3, done.stderr)
         names = sorted(path.name for path in sheets.glob("*.png"))
@@ -82,6 +83,13 @@ class ContactSheets(unittest.TestCase):
         for name, line in zip("ab", lines):
             self.assertIn(f"{radar}/{name}: left out: ", line)
             self.assertIn("no ray can be read", line)
+
+    def test_names_what_the_program_refuses(self):
+        radar = self.folder("radar")
+        self.simulate(radar, "KLSX")
+        done = run(radar, "-o", radar.parent / "sheets", "--draw", "--preset 'no such'", "--maps", "3km")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, "left out: .*no such")
 
     def test_wrong_usage_is_one_line(self):
         radar = self.folder("radar")
