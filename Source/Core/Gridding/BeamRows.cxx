@@ -180,13 +180,15 @@ private:
     const Surroundings& about) const
   {
     const QuietTilt& quiet = site.quiet[tilt];
+    const ColumnMotion* motion =
+      about.top > 0 && options.motion != nullptr ? &about.motion : nullptr;
     if (about.top >= quiet.elevation)
     {
-      return SampleTilt(site.tilts[tilt], direction, site.context,
-        options.motion != nullptr ? &about.motion : nullptr);
+      return SampleTilt(site.tilts, tilt, direction, site.context, motion);
     }
     const std::optional<TiltSample> known = SampleQuiet(quiet, direction, site.context);
-    return known ? *known : SampleTilt(site.tilts[tilt], direction, site.context);
+    // What lower tilts hold may still come to a look alone, which moves at its height.
+    return known ? *known : SampleTilt(site.tilts, tilt, direction, site.context, motion, true);
   }
 
   void MergeColumn(int x, int y, int place)
