@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoReport.h"
 
+#include "Counted.h"
 #include "Model/MomentSummary.h"
 
 #include <nlohmann/json.hpp>
@@ -46,13 +47,26 @@ Json MakeMoment(const MomentSummary& summary, MomentName name)
   return moment;
 }
 
+// A file that does not tell holds 0, which no radar has.
+Json NyquistOrNull(const Ray& ray)
+{
+  return ray.nyquist > 0.0F ? Json(ray.nyquist) : Json(nullptr);
+}
+
+std::string NyquistText(const Ray& ray)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << ray.nyquist;
+  return ray.nyquist > 0.0F ? text.str() : "-";
+}
+
 Json MakeSweep(const Sweep& sweep, std::size_t index)
 {
   const Ray& first = sweep.rays.front();
   Json result = {{"index", index}, {"elevation_number", sweep.elevationNumber},
     {"elevation_deg", sweep.MeanElevation()}, {"rays", sweep.rays.size()},
     {"first_azimuth_deg", first.azimuth}, {"start", FormatIso8601(first.time)},
-    {"nyquist_m_s", first.nyquist}, {"moments", Json::object()}};
+    {"nyquist_m_s", NyquistOrNull(first)}, {"moments", Json::object()}};
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
@@ -112,7 +126,7 @@ void PrintHead(const RadarVolume& volume, std::ostream& out)
   {
     out << "message " << *volume.messageType << ", ";
   }
-  out << volume.sweeps.size() << " sweeps, " << volume.RayCount() << " rays, "
+  out << Counted(volume.sweeps.size(), "sweep") << ", " << Counted(volume.RayCount(), "ray") << ", "
       << (volume.complete ? "complete" : "not complete") << '\n';
   if (const auto start = volume.Start())
   {
@@ -126,7 +140,7 @@ void PrintSweep(const Sweep& sweep, std::size_t index, std::ostream& out)
   out << std::fixed << std::setw(7) << index << std::setw(5) << sweep.elevationNumber
       << std::setw(8) << std::setprecision(2) << sweep.MeanElevation() << std::setw(6)
       << sweep.rays.size() << "  " << FormatIso8601(first.time).substr(11, 12) << std::setw(9)
-      << std::setprecision(1) << first.nyquist << "  ";
+      << NyquistText(first) << std::setprecision(1) << "  ";
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
@@ -186,6 +200,24 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
     info["gates"].push_back(MakeGate(volume, request));
   }
   return info;
+}
+
+void PrintInfoLine(const RadarVolume& volume, std::ostream& out)
+{
+  out << volume.file << ": ";
+  if (volume.sweeps.empty())
+  {
+    out << "no ray can be read\n";
+    return;
+  }
+  out << (volume.site.name.empty() ? "unnamed site" : volume.site.name) << ", "
+      << FormatIso8601(*volume.Start()) << " to " << FormatIso8601(*volume.End()) << ", ";
+  if (volume.coveragePatternNumber)
+  {
+    out << "VCP " << *volume.coveragePatternNumber << ", ";
+  }
+  out << Counted(volume.sweeps.size(), "sweep") << ", " << Counted(volume.RayCount(), "ray") << ", "
+      << (volume.complete ? "complete" : "not complete") << '\n';
 }
 
 void PrintInfoTable(

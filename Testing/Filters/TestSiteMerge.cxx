@@ -90,6 +90,15 @@ TEST(SiteMerge, GivesWhatTheDayReaderGives)
   vtkInformation* info = merge->GetOutputInformation(0);
   ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 1);
   EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[0], time);
+
+  const std::vector<float> speckled = vtkNexradImageToVolume(day->GetOutput()).values;
+  day->SetFewestNeighbours(6);
+  day->UpdateInformation();
+  day->UpdateTimeStep(time);
+  merge->SetFewestNeighbours(6);
+  merge->Update();
+  ExpectSame(merge->GetOutput(), day->GetOutput());
+  EXPECT_NE(vtkNexradImageToVolume(day->GetOutput()).values, speckled);
 }
 
 // The motion that is found, one that is given and none make three volumes; no speed is none.

@@ -3,6 +3,7 @@
 
 #include "Gridding/BeamMerge.h"
 #include "Temporal/MotionEstimate.h"
+#include "Temporal/VolumeSelection.h"
 
 #include <memory>
 #include <optional>
@@ -20,7 +21,7 @@ class MotionTracker
 {
 public:
   /// Two volumes farther apart tell nothing about motion.
-  static constexpr Duration LongestInterval = std::chrono::minutes(20);
+  static constexpr Duration LongestInterval = LongestMotionInterval;
 
   /// `beam` is the path of the beams. Throws Error for a grid without voxels.
   explicit MotionTracker(const GridSpecification& grid, const BeamModel& beam = BeamModel());
