@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoReport.h"
 
+#include "Counted.h"
 #include "Model/Elevation.h"
 #include "Model/MomentSummary.h"
 #include "Model/SiteTable.h"
@@ -50,6 +51,19 @@ Json MakeMoment(const MomentSummary& summary, MomentName name)
   return moment;
 }
 
+// A file that does not tell holds 0, which no radar has.
+Json NyquistOrNull(const Ray& ray)
+{
+  return ray.nyquist > 0.0F ? Json(ray.nyquist) : Json(nullptr);
+}
+
+std::string NyquistText(const Ray& ray)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << ray.nyquist;
+  return ray.nyquist > 0.0F ? text.str() : "-";
+}
+
 // Rays that the merge takes for none of the cut's (Formulas Q7).
 std::size_t CountStrays(const Sweep& sweep, double beamWidth)
 {
@@ -67,7 +81,7 @@ Json MakeSweep(const Sweep& sweep, std::size_t index, double beamWidth)
     {"elevation_deg", sweep.MedianElevation()}, {"elevation_mean_deg", sweep.MeanElevation()},
     {"waveform", waveform.empty() ? Json(nullptr) : Json(waveform)}, {"rays", sweep.rays.size()},
     {"stray_rays", CountStrays(sweep, beamWidth)}, {"first_azimuth_deg", first.azimuth},
-    {"start", FormatIso8601(first.time)}, {"nyquist_m_s", first.nyquist},
+    {"start", FormatIso8601(first.time)}, {"nyquist_m_s", NyquistOrNull(first)},
     {"unambiguous_range_m",
       first.unambiguousRange > 0.0F ? Json(first.unambiguousRange) : Json(nullptr)},
     {"moments", Json::object()}};
@@ -130,7 +144,7 @@ void PrintHead(const RadarVolume& volume, std::ostream& out)
   {
     out << "message " << *volume.messageType << ", ";
   }
-  out << volume.sweeps.size() << " sweeps, " << volume.RayCount() << " rays, "
+  out << Counted(volume.sweeps.size(), "sweep") << ", " << Counted(volume.RayCount(), "ray") << ", "
       << (volume.complete ? "complete" : "not complete") << '\n';
   if (const auto start = volume.Start())
   {
@@ -165,9 +179,8 @@ void PrintSweep(const Sweep& sweep, std::size_t index, std::ostream& out)
   out << std::fixed << std::setw(7) << index << std::setw(5) << sweep.elevationNumber
       << std::setw(8) << std::setprecision(2) << sweep.MedianElevation() << std::setw(6)
       << sweep.rays.size() << "  " << FormatIso8601(first.time).substr(11, 12) << std::setw(9)
-      << std::setprecision(1) << first.nyquist << std::setw(7) << ShortNameOf(sweep.waveform)
-      << std::setw(6) << std::setprecision(0) << first.unambiguousRange / 1000.0F
-      << std::setprecision(1) << "  ";
+      << NyquistText(first) << std::setw(7) << ShortNameOf(sweep.waveform) << std::setw(6)
+      << std::setprecision(0) << first.unambiguousRange / 1000.0F << std::setprecision(1) << "  ";
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
@@ -228,6 +241,24 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
     info["gates"].push_back(MakeGate(volume, request));
   }
   return info;
+}
+
+void PrintInfoLine(const RadarVolume& volume, std::ostream& out)
+{
+  out << volume.file << ": ";
+  if (volume.sweeps.empty())
+  {
+    out << "no ray can be read\n";
+    return;
+  }
+  out << (volume.site.name.empty() ? "unnamed site" : volume.site.name) << ", "
+      << FormatIso8601(*volume.Start()) << " to " << FormatIso8601(*volume.End()) << ", ";
+  if (volume.coveragePatternNumber)
+  {
+    out << "VCP " << *volume.coveragePatternNumber << ", ";
+  }
+  out << Counted(volume.sweeps.size(), "sweep") << ", " << Counted(volume.RayCount(), "ray") << ", "
+      << (volume.complete ? "complete" : "not complete") << '\n';
 }
 
 void PrintInfoTable(

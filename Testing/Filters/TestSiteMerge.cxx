@@ -90,6 +90,15 @@ TEST(SiteMerge, GivesWhatTheDayReaderGives)
   vtkInformation* info = merge->GetOutputInformation(0);
   ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 1);
   EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[0], time);
+
+  const std::vector<float> speckled = vtkNexradImageToVolume(day->GetOutput()).values;
+  day->SetFewestNeighbours(6);
+  day->UpdateInformation();
+  day->UpdateTimeStep(time);
+  merge->SetFewestNeighbours(6);
+  merge->Update();
+  ExpectSame(merge->GetOutput(), day->GetOutput());
+  EXPECT_NE(vtkNexradImageToVolume(day->GetOutput()).values, speckled);
 }
 
 // The Doppler halves of its split cuts reach as far as the others: waveforms and ranges must come

@@ -181,13 +181,15 @@ private:
     const Surroundings& about) const
   {
     const QuietTilt& quiet = site.quiet[tilt];
+    const ColumnMotion* motion =
+      about.top > 0 && options.motion != nullptr ? &about.motion : nullptr;
     if (about.top >= quiet.elevation)
     {
-      return SampleTilt(site.tilts[tilt], direction, site.context,
-        options.motion != nullptr ? &about.motion : nullptr);
+      return SampleTilt(site.tilts, tilt, direction, site.context, motion);
     }
     const std::optional<TiltSample> known = SampleQuiet(quiet, direction, site.context);
-    return known ? *known : SampleTilt(site.tilts[tilt], direction, site.context);
+    // What lower tilts hold may still come to a look alone, which moves at its height.
+    return known ? *known : SampleTilt(site.tilts, tilt, direction, site.context, motion, true);
   }
 
   void MergeColumn(int x, int y, int place)
@@ -244,9 +246,10 @@ private:
     if (std::any_of(layerShares.begin(), layerShares.end(), [](float each) { return each > 0.0F; }))
     {
       const bool moves = options.motion != nullptr;
-      motion = moves ? MotionSeenBy(site, direction, options.motion->At(x, y)) : ColumnMotion{};
+      columnMotion =
+        moves ? MotionSeenBy(site, direction, options.motion->At(x, y)) : ColumnMotion{};
       seen.layerShares = layerShares.data();
-      seen.lookup = {&site.tilts, &site.context, direction, moves ? &motion : nullptr};
+      seen.lookup = {&site.tilts, &site.context, direction, moves ? &columnMotion : nullptr};
     }
   }
 
@@ -314,7 +317,7 @@ private:
   std::vector<Present> present;
   std::vector<std::pair<float, std::size_t>> order; // distance and site
   std::vector<float> layerShares;                   // of the gaps of the site that is added
-  ColumnMotion motion;                              // over the column, as that site sees it
+  ColumnMotion columnMotion;                        // over the column, as that site sees it
 };
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nexrad
 {
@@ -432,6 +433,107 @@ inline void FollowMotion(FoundLook& before, FoundLook& after, const ColumnDirect
   }
 }
 
+// h/(a_e + h) of a beam over a column (Formulas G7).
+inline float RatioOver(float tangent, const ColumnDirection& column)
+{
+  const float t = column.halfTangent;
+  return (tangent + t) * 2.0F * t / (1.0F + t * t);
+}
+
+// The same the other way round: tan(elevation).
+inline float TangentTo(float ratio, const ColumnDirection& column)
+{
+  constexpr float smallestHalfTangent = 1e-7F; // straight above the antenna there is no answer
+  const float t = std::max(column.halfTangent, smallestHalfTangent);
+  return ratio * (1.0F + t * t) / (2.0F * t) - t;
+}
+
+// The look at a tilt about a column that was taken nearest in time to another, along the motion.
+Look LookAlongNear(const BeamTilt& tilt, float time, const ColumnDirection& column,
+  const ColumnMotion& motion, const SamplingContext& context)
+{
+  const FoundLook before = FindLook(tilt.before, column, context, false);
+  const FoundLook after = FindLook(tilt.after, column, context, true);
+  const auto apart = [time](const FoundLook& found)
+  {
+    return found.observation != nullptr ? std::abs(found.look.time - time)
+                                        : std::numeric_limits<float>::infinity();
+  };
+  const FoundLook& nearest = apart(after) < apart(before) ? after : before;
+  return nearest.observation == nullptr ? Look{} : LookAlong(nearest, column, motion, context);
+}
+
+// The neighbouring tilts about a height over a column, and how far it lies on the way to the upper
+// one.
+struct TiltPlace
+{
+  std::size_t lower;
+  std::size_t upper;
+  float share;
+};
+
+// Below the lowest tilt and above the highest these themselves, as long as they are not too far
+// off: over some kilometres echo changes more along the ground than with height.
+std::optional<TiltPlace> FindTiltPlace(const std::vector<BeamTilt>& tilts, float ratio,
+  const ColumnDirection& column, const SamplingContext& context)
+{
+  constexpr float farthest = 2'000.0F; // m
+  const float tangent = TangentTo(ratio, column);
+  const auto above = std::find_if(
+    tilts.begin(), tilts.end(), [tangent](const BeamTilt& tilt) { return tilt.tangent > tangent; });
+  const auto upper = static_cast<std::size_t>(above - tilts.begin());
+  if (upper > 0 && upper < tilts.size())
+  {
+    const float from = tilts[upper - 1].tangent;
+    return TiltPlace{upper - 1, upper, (tangent - from) / (tilts[upper].tangent - from)};
+  }
+  const std::size_t outermost = upper > 0 ? upper - 1 : upper;
+  const float off =
+    context.effectiveRadius * std::abs(RatioOver(tilts[outermost].tangent, column) - ratio);
+  return off <= farthest ? std::optional<TiltPlace>({outermost, outermost, 0.0F}) : std::nullopt;
+}
+
+// Puts in place of the only look over a column at a tilt what the radar saw at the look's time
+// where the column's echo was or will be, at the same height: without a look on the other side of
+// the time, nothing makes up for the slope of the tilt (Formulas A2a).
+void FollowMotionAlone(const std::vector<BeamTilt>& tilts, std::size_t tilt, Look& alone,
+  const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context)
+{
+  if (!TellsSomething(alone))
+  {
+    return;
+  }
+  const ColumnDirection source = DirectionAt(column, motion, alone.time);
+  const std::optional<TiltPlace> place =
+    FindTiltPlace(tilts, RatioOver(tilts[tilt].tangent, column), source, context);
+  if (!place)
+  {
+    return;
+  }
+  const Look lower = LookAlongNear(tilts[place->lower], alone.time, column, motion, context);
+  const Look upper = place->upper == place->lower
+                       ? lower
+                       : LookAlongNear(tilts[place->upper], alone.time, column, motion, context);
+  const Look& nearer = place->share < 0.5F ? lower : upper;
+  TiltSample moved;
+  if (TellsSomething(lower) && TellsSomething(upper))
+  {
+    BlendTimes(lower, upper, place->share, context, moved);
+  }
+  else
+  {
+    moved.state = nearer.state;
+    moved.value = nearer.value;
+  }
+  const bool echo = moved.state == VoxelState::Echo;
+  if (echo || (moved.state == VoxelState::NoEcho && alone.state == VoxelState::Echo))
+  {
+    alone.state = moved.state;
+    alone.value = moved.value;
+    alone.assumed = nearer.assumed && !echo;
+  }
+}
+
 // How much the look after counts between two (Formulas A1, A6). Where a sweep was in progress, a
 // look along the motion may be from just across the time.
 inline float ShareOfAfter(const Look& before, const Look& after, float gap)
@@ -543,14 +645,20 @@ ColumnDirection DirectionAt(
   return {azimuth, std::sqrt(along * along + across * across)};
 }
 
-TiltSample SampleTilt(const BeamTilt& tilt, const ColumnDirection& column,
-  const SamplingContext& context, const ColumnMotion* motion)
+TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
+  const ColumnDirection& column, const SamplingContext& context, const ColumnMotion* motion,
+  bool nothingAbout)
 {
+  const BeamTilt& tilt = tilts[number];
   FoundLook before = FindLook(tilt.before, column, context, false);
   FoundLook after = FindLook(tilt.after, column, context, true);
   if (before.observation == nullptr || after.observation == nullptr)
   {
-    const FoundLook& alone = before.observation == nullptr ? after : before;
+    FoundLook& alone = before.observation == nullptr ? after : before;
+    if (alone.observation != nullptr && motion != nullptr)
+    {
+      FollowMotionAlone(tilts, number, alone.look, column, *motion, context);
+    }
     return alone.observation == nullptr ? TiltSample{} : SampleOf(alone.look, context.gap);
   }
   TiltSample sample;
@@ -559,7 +667,7 @@ TiltSample SampleTilt(const BeamTilt& tilt, const ColumnDirection& column,
   sample.age = std::min(-before.look.time, after.look.time);
   sample.fade =
     std::max(FadeOf(-before.look.time, context.gap), FadeOf(after.look.time, context.gap));
-  if (motion != nullptr)
+  if (motion != nullptr && !nothingAbout)
   {
     FollowMotion(before, after, column, *motion, context);
   }

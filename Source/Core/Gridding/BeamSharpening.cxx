@@ -3,6 +3,7 @@
 
 #include "Gridding/BeamVolume.h"
 #include "Gridding/SweepPlaces.h"
+#include "Model/Elevation.h"
 
 #include <algorithm>
 #include <array>

@@ -4,6 +4,7 @@
 #include "Geometry/Angles.h"
 #include "Gridding/BeamVolume.h"
 #include "Gridding/SweepPlaces.h"
+#include "Model/Elevation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -79,7 +79,7 @@ float ChangeAt(const TiltGap& gap, float share, const SiteLevels& levels, const 
 
 TiltSample TiltLookup::At(std::size_t tilt, float halfTangent) const
 {
-  return SampleTilt((*tilts)[tilt], {column.azimuth, halfTangent}, *context, motion);
+  return SampleTilt(*tilts, tilt, {column.azimuth, halfTangent}, *context, motion);
 }
 
 void InterpolateUpwards(const TiltGap& gap, const float* shares, float* values)

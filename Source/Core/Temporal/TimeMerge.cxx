@@ -241,7 +241,7 @@ void RequireMoment(MergeMethod method, MomentName moment)
 
 ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request)
 {
-  PolarVolume polar = MakePolarVolume(volume, moment);
+  PolarVolume polar = MakeCleanVolume(volume, moment, request.quality);
   ReadyVolume ready;
   if (request.method == MergeMethod::Beam)
   {

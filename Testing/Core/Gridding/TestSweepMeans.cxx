@@ -125,7 +125,7 @@ float SampleAt(const BeamSweep& sweep, double azimuth, double range)
   const auto turned = static_cast<float>(azimuth < 0.0 ? azimuth + 360.0 : azimuth);
   const ColumnDirection column{
     turned < 360.0F ? turned : 0.0F, static_cast<float>(std::tan(halfway))};
-  return SampleTilt(tilt, column, context).value;
+  return SampleTilt({tilt}, 0, column, context).value;
 }
 
 } // namespace

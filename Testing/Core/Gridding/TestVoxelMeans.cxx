@@ -128,7 +128,7 @@ Scatter ScatterOf(const BeamSweep& sweep, const CellMeans& cells)
     const double distance = cells.Distance(cell);
     if (distance >= 20e3 && distance < 100e3 && sum.gates >= 8 && sum.Mean() >= 5.0)
     {
-      const TiltSample sample = SampleTilt(tilt, cells.Middle(cell), context);
+      const TiltSample sample = SampleTilt({tilt}, 0, cells.Middle(cell), context);
       const double value =
         sample.state == VoxelState::Echo ? std::max(0.0, static_cast<double>(sample.value)) : 0.0;
       scatter.Add(value - sum.Mean());
