@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/BeamColumn.h"
 
+#include "Gridding/TiltGap.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -155,7 +157,8 @@ void BeamColumn::AddGap(const SiteColumn& site, const Gap& gap)
   const bool measuredUpper = upper == VoxelState::Echo || upper == VoxelState::NoEcho;
   if (measuredLower && measuredUpper)
   {
-    const bool layers = trend && site.layerShares != nullptr && site.layerShares[gap.tilt] > 0.0F;
+    const bool layers =
+      trend && site.layers != nullptr && site.layers[gap.tilt] != EchoLayers::Changes{};
     if (lower == VoxelState::NoEcho && upper == VoxelState::NoEcho && !layers)
     {
       this->AddNone(site, gap, gap.from, gap.to);
@@ -226,12 +229,16 @@ void BeamColumn::AddEdge(const SiteColumn& site, const Gap& gap)
 void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
 {
   this->ShareLevels(site, gap, gap.from, gap.to);
-  const TiltGap between{site.edges, site.samples, gap.tilt, gap.from, gap.to};
-  InterpolateUpwards(between, shares.data(), values.data());
-  if (site.layerShares != nullptr && site.layerShares[gap.tilt] > 0.0F)
+  const TiltInterpolation upwards(
+    ValuesAbout(site.samples, site.edges->size(), gap.tilt), *gap.edges);
+  for (int level = gap.from; level < gap.to; ++level)
   {
-    BlendLayers(between, site.layerShares[gap.tilt], *site.levels, site.lookup, site.halfTangent,
-      values.data());
+    const auto at = static_cast<std::size_t>(level);
+    values[at] = upwards.At(shares[at]);
+    if (site.layers != nullptr)
+    {
+      values[at] += ChangeAt(site.layers[gap.tilt], shares[at]);
+    }
   }
   this->WeighLevels(site, gap, gap.from, gap.to);
   const bool both = gap.lower->state == VoxelState::Echo && gap.upper->state == VoxelState::Echo;

@@ -2,10 +2,10 @@
 #pragma once
 
 #include "Gridding/BeamSampling.h"
+#include "Gridding/EchoLayers.h"
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/SiteLevels.h"
 #include "Gridding/TiltEdges.h"
-#include "Gridding/TiltGap.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -32,10 +32,8 @@ struct SiteColumn
   const SiteLevels* levels = nullptr;
   const std::vector<TiltEdges>* edges = nullptr;
   const TiltSample* samples = nullptr; ///< of each tilt
-  /// Of the gap above each tilt but the last, how much its echo lies in layers, 0…1 (Formulas G12);
-  /// nullptr: not at all.
-  const float* layerShares = nullptr;
-  TiltLookup lookup; ///< needed where a share is above 0
+  /// What layers change in the gap above each tilt but the last (Formulas G12); nullptr: nothing.
+  const EchoLayers::Changes* layers = nullptr;
 };
 
 /// Puts together what the radars saw over one column of voxels: linear in the elevation angle

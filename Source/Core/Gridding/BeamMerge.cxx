@@ -412,7 +412,7 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     }
     if (options.trend && any.moment == MomentName::REF && !options.linearReflectivity)
     {
-      site.layers = GapLayers::Find(group.second, site.tilts, time);
+      site.layers = SiteLayers(group.second, site.tilts, time);
     }
     const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
     site.mask = EchoMask(CompositesOf(group.second), radius, way + WidestSpread(group.second));

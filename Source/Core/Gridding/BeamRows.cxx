@@ -231,26 +231,15 @@ private:
     this->Keep(place);
   }
 
-  // Formulas G12: how much the echo over a column lies in layers, and what is needed to follow
-  // them.
+  // Formulas G12: what layers of echo change over a column.
   void LookForLayers(const MergeSite& site, int x, int y, SiteColumn& seen)
   {
-    constexpr float least = 0.05F; // below, echo is interpolated straight up alone
     const ColumnDirection& direction = site.geometry->Row(y)[x - site.geometry->BeginX()];
-    layerShares.clear();
-    for (const GapLayers& gap : site.layers)
-    {
-      const float share = gap.ShareAt(direction);
-      layerShares.push_back(share < least ? 0.0F : share);
-    }
-    if (std::any_of(layerShares.begin(), layerShares.end(), [](float each) { return each > 0.0F; }))
-    {
-      const bool moves = options.motion != nullptr;
-      columnMotion =
-        moves ? MotionSeenBy(site, direction, options.motion->At(x, y)) : ColumnMotion{};
-      seen.layerShares = layerShares.data();
-      seen.lookup = {&site.tilts, &site.context, direction, moves ? &columnMotion : nullptr};
-    }
+    const bool moves = options.motion != nullptr;
+    const ColumnMotion motion =
+      moves ? MotionSeenBy(site, direction, options.motion->At(x, y)) : ColumnMotion{};
+    seen.layers =
+      site.layers.Find(direction, moves ? &motion : nullptr, layers) ? layers.data() : nullptr;
   }
 
   // Formulas W4, the part of the distance along the ground; the heights' part is in the levels.
@@ -316,8 +305,7 @@ private:
   std::array<Surroundings, stripWidth> surroundings;
   std::vector<Present> present;
   std::vector<std::pair<float, std::size_t>> order; // distance and site
-  std::vector<float> layerShares;                   // of the gaps of the site that is added
-  ColumnMotion columnMotion;                        // over the column, as that site sees it
+  std::vector<EchoLayers::Changes> layers;          // of the site that is added, by gap
 };
 
 } // namespace

@@ -6,10 +6,10 @@
 #include "Gridding/BeamSampling.h"
 #include "Gridding/BeamTilts.h"
 #include "Gridding/EchoMask.h"
-#include "Gridding/GapLayers.h"
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/MotionField.h"
 #include "Gridding/SiteGeometry.h"
+#include "Gridding/SiteLayers.h"
 
 #include <array>
 #include <vector>
@@ -29,7 +29,7 @@ struct MergeSite
   float reach = 0.0F; ///< tan(γ/2) of the farthest gate of any look: columns beyond are not seen
   std::array<double, 2> north = {0.0, 1.0}; ///< the radar's north in the grid's directions
   std::vector<QuietTilt> quiet;             ///< of the tilts
-  std::vector<GapLayers> layers;            ///< of the gaps above the tilts but the last
+  SiteLayers layers;                        ///< none unless they are followed
   EchoMask mask;                            ///< where echo is, or may move from or to
 };
 

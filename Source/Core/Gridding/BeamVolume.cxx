@@ -290,11 +290,11 @@ BeamVolume PrepareBeamVolume(
   prepared.composite = MakeComposite(prepared.sweeps);
   if (volume.moment == MomentName::REF)
   {
-    prepared.layers = EchoLayers(prepared.sweeps, BeamModel().EffectiveRadius());
     if (sharpen)
     {
       SharpenSweeps(prepared.sweeps, width);
     }
+    prepared.layers = EchoLayers(prepared.sweeps, width, BeamModel().EffectiveRadius());
   }
   return prepared;
 }

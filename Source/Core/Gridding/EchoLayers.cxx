@@ -2,13 +2,16 @@
 #include "Gridding/EchoLayers.h"
 
 #include "Geometry/Angles.h"
+#include "Geometry/Beam.h"
 #include "Gridding/BeamVolume.h"
-#include "Gridding/SweepPlaces.h"
+#include "Gridding/LayerShares.h"
+#include "Gridding/TiltEdges.h"
+#include "Gridding/TiltGap.h"
+#include "Gridding/TiltMeans.h"
 #include "Model/Elevation.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace nexrad
 {
@@ -16,18 +19,11 @@ namespace nexrad
 namespace
 {
 
-constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
-
-constexpr std::size_t sectors = 72;
-constexpr double ringWidth = 4'000.0;    // m
-constexpr double farthest = 300'000.0;   // m: beyond, the beam is wider than any layer
-constexpr std::size_t raysPerSector = 2; // directions and distances at which a cell is sampled
-constexpr std::size_t stepsPerRing = 2;
-
-// The differences are summed over so many cells about each, and over the gaps beside: whether echo
-// lies in layers is a matter of the weather and not of single gates.
-constexpr std::ptrdiff_t sectorsBeside = 3; // 35° in all
-constexpr std::ptrdiff_t ringsBeside = 4;   // 36 km in all
+constexpr std::size_t sectors = TiltMeans::Sectors;
+constexpr std::size_t rings = TiltMeans::Rings / 2;
+constexpr double ringWidth = 2.0 * TiltMeans::RingWidth;
+constexpr std::size_t knots = std::tuple_size_v<EchoLayers::Changes>;
+constexpr float perDecibel = 2.0F; // units of a stored change
 
 // One sweep of each tilt, the one with the most gates, ascending.
 std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps)
@@ -54,213 +50,250 @@ std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps
   return tilts;
 }
 
-// Slant range at which a sweep stands at a height h above the antenna.
-double RangeAtHeight(const BeamSweep& sweep, double height, double radius)
+// Where a point between two tilts is seen at its own height, in rings of TiltMeans.
+struct LevelPlaces
 {
-  const double rise = radius * static_cast<double>(sweep.sine);
-  return -rise + std::sqrt(rise * rise + 2.0 * radius * height + height * height);
-}
-
-// The gates at which one distance is compared: of the two tilts, over the place and at the height
-// in the middle between them.
-struct GatePlaces
-{
-  int lowerOver = -1;
-  int upperOver = -1;
-  int lowerLevel = -1;
-  int upperLevel = -1;
-
-  bool AllThere() const { return std::min({lowerOver, upperOver, lowerLevel, upperLevel}) >= 0; }
+  float over = 0.0F;    // the point itself
+  float nearer = 0.0F;  // the upper tilt
+  float farther = 0.0F; // the lower one
+  float way = 0.0F;     // from nearer to farther, 0…1
+  float part = 0.0F;    // how much the two count, by their distance
 };
 
-GatePlaces FindPlaces(
-  const BeamSweep& lower, const BeamSweep& upper, double distance, double radius)
+// Ground distance, m, at which a tilt stands at a height.
+double DistanceAtHeight(double elevation, double height, double radius)
 {
-  const double arc = distance / radius;
-  const double middle =
-    0.5 * static_cast<double>(lower.elevation + upper.elevation) * RadiansPerDegree;
-  const double height =
-    2.0 * radius * std::sin(middle + 0.5 * arc) * std::sin(0.5 * arc) / std::cos(middle + arc);
-  if (!(height > 0.0))
-  {
-    return {};
-  }
-  return {GateAt(lower, RangeOver(lower, arc, radius)),
-    GateAt(upper, RangeOver(upper, arc, radius)),
-    GateAt(lower, RangeAtHeight(lower, height, radius)),
-    GateAt(upper, RangeAtHeight(upper, height, radius))};
+  const double sine = std::sin(elevation * RadiansPerDegree);
+  const double rise = radius * sine;
+  const double range = -rise + std::sqrt(rise * rise + 2.0 * radius * height + height * height);
+  return radius * std::atan2(range * std::cos(elevation * RadiansPerDegree), radius + range * sine);
 }
 
-// Reflectivity of a gate, where no echo and echo below 0 dBZ count as 0; not-a-number where nothing
-// was measured.
-float ValueAt(const BeamSweep& sweep, int entry, int gate)
+LevelPlaces FindPlaces(double lower, double upper, double share, double distance, double radius)
 {
-  const std::uint16_t code =
-    sweep.codes[static_cast<std::size_t>(entry) * sweep.Stride() + static_cast<std::size_t>(gate)];
-  if (code == BeamSweep::NoEchoCode)
+  // Echo that far apart on either side says little of what lies between.
+  constexpr double full = 50'000.0; // m
+  const BeamModel beam(radius / 6'371'000.0);
+  const double height = beam.HeightOver(distance, lower + share * (upper - lower));
+  LevelPlaces places;
+  places.over = static_cast<float>(distance / TiltMeans::RingWidth);
+  if (!(height > 0.0 && std::isfinite(height)))
   {
-    return 0.0F;
+    return places;
   }
-  return code < BeamSweep::FirstValueCode
-           ? unknown
-           : std::max(0.0F, sweep.base + sweep.step * static_cast<float>(code));
+  const double nearer = DistanceAtHeight(upper, height, radius);
+  const double farther = DistanceAtHeight(lower, height, radius);
+  places.nearer = static_cast<float>(nearer / TiltMeans::RingWidth);
+  places.farther = static_cast<float>(farther / TiltMeans::RingWidth);
+  places.way = static_cast<float>((distance - nearer) / (farther - nearer));
+  const double near = std::min(1.0, full / (farther - nearer));
+  places.part = farther > nearer ? static_cast<float>(near * near) : 0.0F;
+  return places;
 }
 
-// Squared differences between two tilts, by cell.
-struct Differences
+// Works out the changes in one gap.
+class GapWork
 {
-  std::vector<float> vertical; // dB², straight above each other
-  std::vector<float> level;    // dB², at equal height
+public:
+  GapWork(const std::vector<TiltMeans>& theTilts, const std::vector<TiltEdges>& theEdges,
+    std::size_t theGap, double radius)
+    : tilts(theTilts)
+    , edges(theEdges)
+    , gap(theGap)
+  {
+    const auto lower = static_cast<double>(tilts[gap].Elevation());
+    const auto upper = static_cast<double>(tilts[gap + 1].Elevation());
+    for (std::size_t ring = 0; ring < rings; ++ring)
+    {
+      const double distance = (static_cast<double>(ring) + 0.5) * ringWidth;
+      for (std::size_t knot = 0; knot < knots; ++knot)
+      {
+        places.push_back(FindPlaces(lower, upper, ShareOf(knot), distance, radius));
+      }
+    }
+  }
+
+  static double ShareOf(std::size_t knot)
+  {
+    return static_cast<double>(knot + 1) / static_cast<double>(knots + 1);
+  }
+
+  // Writes the changes of one cell; false when there are none.
+  bool Change(std::size_t sector, std::size_t ring, float share, std::int8_t* to) const
+  {
+    const float over = places[ring * knots].over;
+    TiltGapValues column;
+    column.lower = tilts[gap].At(sector, over);
+    column.upper = tilts[gap + 1].At(sector, over);
+    if (std::isnan(column.lower + column.upper))
+    {
+      return false;
+    }
+    column.lowerEcho = column.lower > 0.0F;
+    column.upperEcho = column.upper > 0.0F;
+    if (gap > 0)
+    {
+      column.below = tilts[gap - 1].At(sector, over);
+    }
+    if (gap + 2 < tilts.size())
+    {
+      column.above = tilts[gap + 2].At(sector, over);
+    }
+    const TiltInterpolation upwards(column, edges[gap]);
+    bool any = false;
+    for (std::size_t knot = 0; knot < knots; ++knot)
+    {
+      const LevelPlaces& at = places[ring * knots + knot];
+      const float upper = tilts[gap + 1].At(sector, at.nearer);
+      const float level = upper + at.way * (tilts[gap].At(sector, at.farther) - upper);
+      const float straight = upwards.At(static_cast<float>(ShareOf(knot)));
+      const float change = share * at.part * (level - straight);
+      const bool known = at.part > 0.0F && !std::isnan(change);
+      to[knot] = known ? static_cast<std::int8_t>(
+                           std::clamp(std::round(perDecibel * change), -127.0F, 127.0F))
+                       : std::int8_t(0);
+      any = any || to[knot] != 0;
+    }
+    return any;
+  }
+
+private:
+  const std::vector<TiltMeans>& tilts;
+  const std::vector<TiltEdges>& edges;
+  const std::size_t gap;
+  std::vector<LevelPlaces> places; // rings × knots
 };
 
-Differences Compare(
-  const BeamSweep& lower, const BeamSweep& upper, std::size_t rings, double radius)
+std::vector<TiltEdges> EdgesOf(const std::vector<TiltMeans>& tilts, double beamWidth)
 {
-  Differences sums{std::vector<float>(sectors * rings), std::vector<float>(sectors * rings)};
-  std::vector<GatePlaces> places;
-  for (std::size_t step = 0; step < rings * stepsPerRing; ++step)
+  std::vector<BeamTilt> angles(tilts.size());
+  for (std::size_t i = 0; i < tilts.size(); ++i)
   {
-    const double distance = (static_cast<double>(step) + 0.5) * ringWidth / stepsPerRing;
-    places.push_back(FindPlaces(lower, upper, distance, radius));
+    angles[i].elevation = tilts[i].Elevation();
+    angles[i].tangent =
+      static_cast<float>(std::tan(static_cast<double>(tilts[i].Elevation()) * RadiansPerDegree));
   }
-  for (std::size_t ray = 0; ray < sectors * raysPerSector; ++ray)
-  {
-    const float azimuth =
-      (static_cast<float>(ray) + 0.5F) * 360.0F / static_cast<float>(sectors * raysPerSector);
-    const int lowerEntry = NearestEntry(lower, azimuth);
-    const int upperEntry = NearestEntry(upper, azimuth);
-    if (lowerEntry < 0 || upperEntry < 0)
-    {
-      continue;
-    }
-    for (std::size_t step = 0; step < places.size(); ++step)
-    {
-      const GatePlaces& at = places[step];
-      if (!at.AllThere())
-      {
-        continue;
-      }
-      const float vertical =
-        ValueAt(upper, upperEntry, at.upperOver) - ValueAt(lower, lowerEntry, at.lowerOver);
-      const float level =
-        ValueAt(upper, upperEntry, at.upperLevel) - ValueAt(lower, lowerEntry, at.lowerLevel);
-      if (!std::isnan(vertical + level))
-      {
-        const std::size_t cell = ray / raysPerSector * rings + step / stepsPerRing;
-        sums.vertical[cell] += vertical * vertical;
-        sums.level[cell] += level * level;
-      }
-    }
-  }
-  return sums;
-}
-
-// Sums over the cells about each cell.
-std::vector<float> SumAround(const std::vector<float>& from, std::size_t rings)
-{
-  std::vector<float> alongRings(from.size());
-  const auto count = static_cast<std::ptrdiff_t>(rings);
-  for (std::size_t sector = 0; sector < sectors; ++sector)
-  {
-    for (std::ptrdiff_t ring = 0; ring < count; ++ring)
-    {
-      const auto row = from.begin() + static_cast<std::ptrdiff_t>(sector * rings);
-      const auto begin = row + std::max<std::ptrdiff_t>(ring - ringsBeside, 0);
-      const auto end = row + std::min<std::ptrdiff_t>(ring + ringsBeside + 1, count);
-      float sum = 0.0F;
-      for (auto each = begin; each != end; ++each)
-      {
-        sum += *each;
-      }
-      alongRings[sector * rings + static_cast<std::size_t>(ring)] = sum;
-    }
-  }
-  std::vector<float> around(from.size());
-  for (std::size_t sector = 0; sector < sectors; ++sector)
-  {
-    for (std::ptrdiff_t off = -sectorsBeside; off <= sectorsBeside; ++off)
-    {
-      const auto other = (static_cast<std::ptrdiff_t>(sector + sectors) + off) %
-                         static_cast<std::ptrdiff_t>(sectors);
-      for (std::size_t ring = 0; ring < rings; ++ring)
-      {
-        around[sector * rings + ring] += alongRings[static_cast<std::size_t>(other) * rings + ring];
-      }
-    }
-  }
-  return around;
-}
-
-void AddTo(std::vector<float>& sums, const std::vector<float>& others)
-{
-  std::transform(sums.begin(), sums.end(), others.begin(), sums.begin(), std::plus<>());
-}
-
-// The errors of the two interpolations follow from these differences: on left-out tilts of real
-// volumes 0.42 of the difference straight up, 0.65 of that at equal height, with a correlation of
-// about one half. The share is the one of least squared error.
-std::uint8_t ShareOf(float vertical, float level)
-{
-  constexpr float ratio = 0.42F / 0.65F;
-  if (!(vertical > 0.0F))
-  {
-    return 0;
-  }
-  const float errors = level > 0.0F ? ratio * std::sqrt(vertical / level) : 1e6F;
-  const float share = errors * (errors - 0.5F) / (errors * (errors - 1.0F) + 1.0F);
-  return static_cast<std::uint8_t>(std::lround(255.0F * std::clamp(share, 0.0F, 1.0F)));
+  return FindEdges(angles, beamWidth);
 }
 
 } // namespace
 
-EchoLayers::EchoLayers(const std::vector<BeamSweep>& sweeps, double effectiveRadius)
-  : rings(static_cast<std::size_t>(farthest / ringWidth))
-  , ringsPerTangent(static_cast<float>(2.0 * effectiveRadius / ringWidth))
+EchoLayers::EchoLayers(
+  const std::vector<BeamSweep>& sweeps, double beamWidth, double effectiveRadius)
+  : ringsPerTangent(static_cast<float>(2.0 * effectiveRadius / ringWidth))
 {
-  const std::vector<const BeamSweep*> tilts = OneOfEachTilt(sweeps);
-  std::vector<Differences> differences;
-  for (std::size_t i = 0; i + 1 < tilts.size(); ++i)
+  constexpr float least = 0.05F; // a smaller share changes nothing that is seen
+  std::vector<TiltMeans> tilts;
+  for (const BeamSweep* sweep : OneOfEachTilt(sweeps))
   {
-    const Differences sums = Compare(*tilts[i], *tilts[i + 1], rings, effectiveRadius);
-    differences.push_back({SumAround(sums.vertical, rings), SumAround(sums.level, rings)});
+    tilts.emplace_back(*sweep, effectiveRadius);
   }
-  for (std::size_t i = 0; i < differences.size(); ++i)
+  const std::vector<TiltEdges> edges = EdgesOf(tilts, beamWidth);
+  const LayerShares shares(tilts, effectiveRadius);
+  for (std::size_t i = 0; i + 1 < tilts.size() && i < MostGaps; ++i)
   {
-    Differences pooled = differences[i];
-    for (const std::size_t beside : {i - 1, i + 1})
+    Gap gap{tilts[i].Elevation(), tilts[i + 1].Elevation(), {}};
+    const GapWork work(tilts, edges, i, effectiveRadius);
+    for (std::size_t sector = 0; sector < sectors; ++sector)
     {
-      if (beside < differences.size())
+      for (std::size_t ring = 0; ring < rings; ++ring)
       {
-        AddTo(pooled.vertical, differences[beside].vertical);
-        AddTo(pooled.level, differences[beside].level);
+        const float share = shares.At(i, sector, (static_cast<double>(ring) + 0.5) * ringWidth);
+        std::array<std::int8_t, knots> changes{};
+        if (share >= least && work.Change(sector, ring, share, changes.data()))
+        {
+          gap.changes.resize(sectors * rings * knots);
+          std::copy(changes.begin(), changes.end(),
+            gap.changes.begin() + static_cast<std::ptrdiff_t>((sector * rings + ring) * knots));
+        }
       }
     }
-    Gap gap{tilts[i]->elevation, tilts[i + 1]->elevation, {}};
-    gap.shares.resize(pooled.vertical.size());
-    std::transform(pooled.vertical.begin(), pooled.vertical.end(), pooled.level.begin(),
-      gap.shares.begin(), ShareOf);
     gaps.push_back(std::move(gap));
+  }
+  this->MarkGaps();
+}
+
+// A cell is marked when it or one beside it is changed, because changes are interpolated.
+void EchoLayers::MarkGaps()
+{
+  for (std::size_t number = 0; number < gaps.size(); ++number)
+  {
+    const std::vector<std::int8_t>& changes = gaps[number].changes;
+    if (changes.empty())
+    {
+      continue;
+    }
+    marks.resize(sectors * rings);
+    for (std::size_t cell = 0; cell < sectors * rings; ++cell)
+    {
+      const std::int8_t* of = changes.data() + cell * knots;
+      if (std::all_of(of, of + knots, [](std::int8_t change) { return change == 0; }))
+      {
+        continue;
+      }
+      const std::size_t ring = cell % rings;
+      for (const std::size_t turn : {sectors - 1, sectors, sectors + 1})
+      {
+        const std::size_t row = (cell / rings + turn) % sectors * rings;
+        for (std::size_t each = std::max<std::size_t>(ring, 1) - 1;
+             each < std::min(ring + 2, rings); ++each)
+        {
+          marks[row + each] |= std::uint32_t(1) << number;
+        }
+      }
+    }
   }
 }
 
-const EchoLayers::Gap* EchoLayers::FindGap(float elevation) const
+int EchoLayers::FindGap(float lower, float upper) const
 {
+  constexpr auto same = static_cast<float>(SameTilt);
   const auto found = std::find_if(gaps.begin(), gaps.end(),
-    [elevation](const Gap& gap) { return gap.lower <= elevation && elevation < gap.upper; });
-  return found != gaps.end() ? &*found : nullptr;
+    [lower, upper](const Gap& gap)
+    { return std::abs(gap.lower - lower) <= same && std::abs(gap.upper - upper) <= same; });
+  return found != gaps.end() && !found->changes.empty() ? static_cast<int>(found - gaps.begin())
+                                                        : -1;
 }
 
-float EchoLayers::ShareAt(const Gap& gap, const ColumnDirection& column) const
+std::uint32_t EchoLayers::GapsAt(const ColumnDirection& direction) const
 {
-  const auto ring = static_cast<std::size_t>(column.halfTangent * ringsPerTangent);
-  const auto sector =
-    static_cast<std::size_t>(column.azimuth * (static_cast<float>(sectors) / 360.0F));
-  return ring < rings ? static_cast<float>(gap.shares[sector * rings + ring]) / 255.0F : 0.0F;
+  const auto ring = static_cast<std::size_t>(direction.halfTangent * ringsPerTangent);
+  return marks.empty() || ring >= rings
+           ? 0
+           : marks[static_cast<std::size_t>(direction.azimuth) * rings + ring];
+}
+
+void EchoLayers::Add(int gap, const ColumnDirection& direction, float weight, Changes& to) const
+{
+  const float ringPlace = std::clamp(
+    direction.halfTangent * ringsPerTangent - 0.5F, 0.0F, static_cast<float>(rings) - 1.001F);
+  const float sectorPlace = direction.azimuth + static_cast<float>(sectors) - 0.5F;
+  const auto ring = static_cast<std::size_t>(ringPlace);
+  const auto sector = static_cast<std::size_t>(sectorPlace);
+  const float along = ringPlace - static_cast<float>(ring);
+  const float across = sectorPlace - static_cast<float>(sector);
+  const std::int8_t* changes = gaps[static_cast<std::size_t>(gap)].changes.data();
+  const std::int8_t* first = changes + (sector % sectors * rings + ring) * knots;
+  const std::int8_t* second = changes + ((sector + 1) % sectors * rings + ring) * knots;
+  for (std::size_t knot = 0; knot < knots; ++knot)
+  {
+    const auto on = [along, knot](const std::int8_t* ray)
+    {
+      const auto near = static_cast<float>(ray[knot]);
+      return near + along * (static_cast<float>(ray[knots + knot]) - near);
+    };
+    to[knot] += weight / perDecibel * (on(first) + across * (on(second) - on(first)));
+  }
 }
 
 std::size_t EchoLayers::MemoryBytes() const
 {
-  return gaps.size() * (sizeof(Gap) + sectors * rings);
+  std::size_t bytes = marks.size() * sizeof(std::uint32_t);
+  for (const Gap& gap : gaps)
+  {
+    bytes += sizeof(Gap) + gap.changes.size();
+  }
+  return bytes;
 }
 
 } // namespace nexrad

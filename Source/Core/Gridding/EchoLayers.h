@@ -3,6 +3,7 @@
 
 #include "Gridding/SiteGeometry.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -12,36 +13,46 @@ namespace nexrad
 
 struct BeamSweep;
 
-/// Where the echo of one volume lies in layers, for each gap between neighbouring tilts: how much
-/// better the reflectivity of the two tilts agrees at equal height than straight above each other
-/// (Formulas G12). Cells of 5° of azimuth by 4 km along the ground.
+/// What layers of echo change between the tilts of one volume of reflectivity (Formulas G12): where
+/// the tilts agree better at equal height than straight above each other, the echo between them
+/// is taken from equal height. Made once for a volume, in cells of 1° of azimuth by 2 km along the
+/// ground.
 class EchoLayers
 {
 public:
-  /// The gap between two neighbouring tilts.
-  struct Gap
-  {
-    float lower = 0.0F;               ///< degrees, elevation of the lower tilt
-    float upper = 0.0F;               ///< degrees, of the upper tilt
-    std::vector<std::uint8_t> shares; ///< 255 × the share, rings × sectors, rings fastest
-  };
+  /// dB, to be added to what the interpolation in elevation gives (Formulas G11) at a quarter, half
+  /// and three quarters of the way from a tilt to the next; nothing is added at the tilts.
+  using Changes = std::array<float, 3>;
+  /// Volumes have fewer gaps between tilts; what lies above is not changed.
+  static constexpr std::size_t MostGaps = 32;
 
   EchoLayers() = default;
-  /// The layers in sweeps of reflectivity, dBZ; `effectiveRadius` in m, of the beams' path.
-  EchoLayers(const std::vector<BeamSweep>& sweeps, double effectiveRadius);
+  /// `beamWidth` in degrees; `effectiveRadius` in m, of the beams' path. The sweeps are in dBZ.
+  EchoLayers(const std::vector<BeamSweep>& sweeps, double beamWidth, double effectiveRadius);
 
-  /// The gap of this volume that holds an elevation, degrees; nullptr when it lies in none.
-  const Gap* FindGap(float elevation) const;
+  /// The number of the gap between two neighbouring tilts, degrees; −1 when the volume has none.
+  int FindGap(float lower, float upper) const;
 
-  /// 0 where echo continues straight up, or where there is none, to 1 where it lies in layers.
-  float ShareAt(const Gap& gap, const ColumnDirection& column) const;
+  /// A bit for each gap in which something is changed in a direction or beside it.
+  std::uint32_t GapsAt(const ColumnDirection& direction) const;
+
+  /// Adds `weight` times the changes in a gap.
+  void Add(int gap, const ColumnDirection& direction, float weight, Changes& to) const;
 
   std::size_t MemoryBytes() const;
 
 private:
-  std::size_t rings = 0;
-  float ringsPerTangent = 0.0F; // rings in a unit of halfTangent
-  std::vector<Gap> gaps;        // ascending
+  struct Gap
+  {
+    float lower = 0.0F; // degrees
+    float upper = 0.0F;
+    std::vector<std::int8_t> changes; // half dB; rings × sectors × 3, the three fastest; or empty
+  };
+  void MarkGaps();
+
+  float ringsPerTangent = 0.0F;     // rings in a unit of halfTangent
+  std::vector<Gap> gaps;            // ascending
+  std::vector<std::uint32_t> marks; // of GapsAt
 };
 
 } // namespace nexrad

@@ -2,47 +2,49 @@
 #pragma once
 
 #include "Gridding/BeamSampling.h"
-#include "Gridding/SiteLevels.h"
 #include "Gridding/TiltEdges.h"
 
+#include <array>
 #include <cstddef>
+#include <limits>
 #include <vector>
 
 namespace nexrad
 {
 
-/// What one radar has on its tilts in the direction of a column, at any distance.
-struct TiltLookup
+/// Reflectivity over one place on two neighbouring tilts and the tilts beyond them, dBZ, in which
+/// no echo is 0 dBZ.
+struct TiltGapValues
 {
-  const std::vector<BeamTilt>* tilts = nullptr;
-  const SamplingContext* context = nullptr;
-  ColumnDirection column;
-  const ColumnMotion* motion = nullptr; ///< nullptr: linear in time
-
-  /// SampleTilt at another distance (ColumnDirection::halfTangent).
-  TiltSample At(std::size_t tilt, float halfTangent) const;
+  float below = std::numeric_limits<float>::quiet_NaN(); ///< of the tilt below the two;
+                                                         ///< not-a-number where it measured nothing
+  float lower = 0.0F;
+  float upper = 0.0F;
+  float above = std::numeric_limits<float>::quiet_NaN(); ///< of the tilt above the two, likewise
+  bool lowerEcho = false;
+  bool upperEcho = false;
 };
 
-/// The voxels of a column between two neighbouring tilts of one radar that both measured:
-/// reflectivity in dBZ, in which no echo counts as 0 dBZ.
-struct TiltGap
+/// What the tilts of a radar have over a column about the gap above the tilt `lower`.
+TiltGapValues ValuesAbout(const TiltSample* samples, std::size_t tilts, std::size_t lower);
+
+/// Interpolates in elevation (Formulas G11): the four-point cubic, between an echo and none about
+/// the line of G8. `edges` are those of the lower tilt; `share`, 0…1, is the part of the way in
+/// angle from the lower tilt to the upper one.
+class TiltInterpolation
 {
-  const std::vector<TiltEdges>* edges = nullptr; ///< of all tilts of the radar
-  const TiltSample* samples = nullptr;           ///< over the column, of all tilts
-  std::size_t lower = 0;                         ///< the lower of the two tilts
-  int from = 0;                                  ///< first level of the gap
-  int to = 0;                                    ///< first level above it
+public:
+  TiltInterpolation(const TiltGapValues& values, const TiltEdges& edges);
+
+  float At(float share) const { return from + share * perShare + curve * share * (1.0F - share); }
+
+private:
+  float from;
+  float perShare;
+  float curve; // four times what the tilts beyond add in the middle
 };
 
-/// Interpolates in elevation over the column: the four-point cubic (Formulas G11), between an echo
-/// and none about the line of G8. `shares` are the parts of the way in angle from the lower tilt to
-/// the upper one. Both arrays are indexed by level; levels from `from` to `to` − 1 are set.
-void InterpolateUpwards(const TiltGap& gap, const float* shares, float* values);
-
-/// Moves the values that InterpolateUpwards made towards those interpolated at constant height
-/// (Formulas G12): `share`, 0…1, is how much the echo lies in layers. `halfTangent` is the column's
-/// (ColumnDirection). Levels at which a tilt measured nothing at that height stay.
-void BlendLayers(const TiltGap& gap, float share, const SiteLevels& levels,
-  const TiltLookup& lookup, float halfTangent, float* values);
+/// What is `share` of the way through a gap whose changes (EchoLayers::Changes) are given.
+float ChangeAt(const std::array<float, 3>& changes, float share);
 
 } // namespace nexrad

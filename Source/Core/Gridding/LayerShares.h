@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/TiltMeans.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+/// How much the echo of a volume lies in layers, for each gap between neighbouring tilts (Formulas
+/// G12): from how much the two tilts differ straight above each other and at equal height, summed
+/// over 35° of azimuth, 36 km along the ground, and the gaps beside.
+class LayerShares
+{
+public:
+  /// Tilts in ascending order; `effectiveRadius` in m, of the beams' path.
+  LayerShares(const std::vector<TiltMeans>& tilts, double effectiveRadius);
+
+  /// 0 where echo continues straight up, or where there is none, to 1 where it lies in layers.
+  /// `sector` in degrees of azimuth, `distance` in m along the ground.
+  float At(std::size_t gap, std::size_t sector, double distance) const;
+
+private:
+  std::vector<std::vector<float>> shares; // of each gap, cells of 5° × 4 km
+};
+
+} // namespace nexrad

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/BeamSampling.h"
+#include "Gridding/BeamTilts.h"
+#include "Gridding/EchoLayers.h"
+
+#include <vector>
+
+namespace nexrad
+{
+
+/// The layers of echo that one radar saw about the time of a merge: those of its volumes, the
+/// nearer in time counting more, each where the echo over a column was at its time.
+class SiteLayers
+{
+public:
+  SiteLayers() = default;
+  /// `tilts` are those of the merge. The volumes must outlive the object.
+  SiteLayers(
+    const std::vector<const BeamVolume*>& volumes, const std::vector<BeamTilt>& tilts, Time time);
+
+  /// Finds the changes in the gap above each tilt but the last (EchoLayers); false when there are
+  /// none over the column. `motion` may be nullptr.
+  bool Find(const ColumnDirection& column, const ColumnMotion* motion,
+    std::vector<EchoLayers::Changes>& changes) const;
+
+private:
+  struct Part
+  {
+    const EchoLayers* layers;
+    float seconds;             // from the time of the merge to the middle of the volume
+    std::vector<int> gaps;     // of the volume, for each of the merge; −1 for none
+    std::vector<float> shares; // how much it counts in each
+  };
+  std::vector<Part> parts;
+  std::size_t gapCount = 0;
+};
+
+} // namespace nexrad

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gridding/TiltMeans.h"
+
+#include "Gridding/BeamVolume.h"
+#include "Gridding/SweepPlaces.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// The ring of each gate; TiltMeans::Rings where it lies beyond.
+std::vector<std::size_t> RingsOf(const BeamSweep& sweep, double radius)
+{
+  std::vector<std::size_t> rings;
+  for (int gate = 0; gate < sweep.gates; ++gate)
+  {
+    const double range = static_cast<double>(sweep.firstGate) +
+                         static_cast<double>(gate) / static_cast<double>(sweep.gatesPerMetre);
+    const double arc = std::atan2(
+      range * static_cast<double>(sweep.cosine), radius + range * static_cast<double>(sweep.sine));
+    const double ring = radius * arc / TiltMeans::RingWidth;
+    rings.push_back(ring >= 0.0 && ring < static_cast<double>(TiltMeans::Rings)
+                      ? static_cast<std::size_t>(ring)
+                      : TiltMeans::Rings);
+  }
+  return rings;
+}
+
+// The gates of the rays of one sector.
+class SectorSums
+{
+public:
+  void Add(const BeamSweep& sweep, std::size_t entry, const std::vector<std::size_t>& rings)
+  {
+    const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
+    for (std::size_t gate = 0; gate < rings.size(); ++gate)
+    {
+      const std::uint16_t code = codes[gate];
+      Sum& sum = sums[rings[gate]];
+      ++sum.gates;
+      if (code == BeamSweep::NoEchoCode || code >= BeamSweep::FirstValueCode)
+      {
+        ++sum.measured;
+        sum.value += code == BeamSweep::NoEchoCode
+                       ? 0.0F
+                       : std::max(0.0F, sweep.base + sweep.step * static_cast<float>(code));
+      }
+    }
+  }
+
+  // Rings narrower than the gates take the mean of the ring before.
+  void Write(std::vector<float>& means) const
+  {
+    float before = std::numeric_limits<float>::quiet_NaN();
+    for (std::size_t ring = 0; ring < TiltMeans::Rings; ++ring)
+    {
+      const Sum& sum = sums[ring];
+      const bool filled = sum.gates == 0 && ring + 1 < TiltMeans::Rings && sums[ring + 1].gates > 0;
+      const float mean = 2 * sum.measured > sum.gates ? sum.value / static_cast<float>(sum.measured)
+                                                      : std::numeric_limits<float>::quiet_NaN();
+      means.push_back(filled ? before : mean);
+      before = means.back();
+    }
+  }
+
+private:
+  struct Sum
+  {
+    int gates = 0;
+    int measured = 0;
+    float value = 0.0F;
+  };
+  std::array<Sum, TiltMeans::Rings + 1> sums;
+};
+
+} // namespace
+
+TiltMeans::TiltMeans(const BeamSweep& sweep, double effectiveRadius)
+  : elevation(sweep.elevation)
+{
+  const std::vector<std::size_t> rings = RingsOf(sweep, effectiveRadius);
+  std::size_t entry = 1; // the first repeats the last ray
+  means.reserve(Sectors * Rings);
+  for (std::size_t sector = 0; sector < Sectors; ++sector)
+  {
+    SectorSums sums;
+    const float end = static_cast<float>(sector + 1);
+    const std::size_t first = entry;
+    for (; entry + 1 < sweep.azimuths.size() && sweep.azimuths[entry] < end; ++entry)
+    {
+      sums.Add(sweep, entry, rings);
+    }
+    const int nearest = entry == first ? NearestEntry(sweep, end - 0.5F) : -1;
+    if (nearest >= 0)
+    {
+      sums.Add(sweep, static_cast<std::size_t>(nearest), rings);
+    }
+    sums.Write(means);
+  }
+}
+
+float TiltMeans::At(std::size_t sector, float place) const
+{
+  const float from = place - 0.5F;
+  if (!(from >= 0.0F && from < static_cast<float>(Rings - 1)))
+  {
+    return std::numeric_limits<float>::quiet_NaN();
+  }
+  const auto ring = static_cast<std::size_t>(from);
+  const float* row = means.data() + sector * Rings + ring;
+  return row[0] + (from - static_cast<float>(ring)) * (row[1] - row[0]);
+}
+
+} // namespace nexrad

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace nexrad
+{
+
+struct BeamSweep;
+
+/// The reflectivity of one tilt as means over cells of 1° of azimuth by 1 km along the ground, dBZ,
+/// in which no echo and echo below 0 dBZ count as 0 dBZ.
+class TiltMeans
+{
+public:
+  static constexpr std::size_t Sectors = 360;
+  static constexpr std::size_t Rings = 300;
+  static constexpr double RingWidth = 1000.0; ///< m
+
+  /// `effectiveRadius` in m, of the beam's path.
+  TiltMeans(const BeamSweep& sweep, double effectiveRadius);
+
+  float Elevation() const { return elevation; }
+  /// Not-a-number where half of the gates or more were not measured. `place` is the ground distance
+  /// in rings; between the rings' middles the means are interpolated.
+  float At(std::size_t sector, float place) const;
+
+private:
+  float elevation;          // degrees
+  std::vector<float> means; // rings fastest
+};
+
+} // namespace nexrad
