@@ -162,8 +162,11 @@ public:
   // Of a tally whose parts sum to 1.
   SweepMeans::Cell CellOf(const Tally& tally, const SweepMeans& means) const
   {
-    constexpr float whole = 255.0F;
     SweepMeans::Cell cell;
+    if (tally.echo + tally.folded + tally.missing <= 0.0F)
+    {
+      return cell;
+    }
     if (!(tally.echo + tally.none > 0.0F))
     {
       cell.code =
@@ -172,11 +175,11 @@ public:
       return cell;
     }
     // What was measured, and an echo, however small a part it is of the cell, is not lost.
-    const int echo = static_cast<int>(std::lround(whole * tally.echo));
-    cell.echo = static_cast<std::uint8_t>(std::clamp(echo, tally.echo > 0.0F ? 1 : 0, 255));
-    const int missing = static_cast<int>(std::lround(whole * (tally.folded + tally.missing)));
-    cell.missing =
-      static_cast<std::uint8_t>(std::clamp(missing, 0, std::min(254, 255 - cell.echo)));
+    const auto partOf = [](float share) { return static_cast<int>(255.0F * share + 0.5F); };
+    const int least = tally.echo > 0.0F ? 1 : 0;
+    cell.echo = static_cast<std::uint8_t>(std::clamp(partOf(tally.echo), least, 255));
+    cell.missing = static_cast<std::uint8_t>(
+      std::min({partOf(tally.folded + tally.missing), 254, 255 - cell.echo}));
     if (cell.echo > 0)
     {
       const float code = this->MeanCode(tally, means) + 0.5F;
@@ -321,7 +324,8 @@ private:
   Tally TallyOf(const std::uint16_t* codes, double begin, double end) const
   {
     const auto first = static_cast<std::size_t>(begin);
-    const auto last = static_cast<std::size_t>(std::ceil(end));
+    auto last = static_cast<std::size_t>(end);
+    last += static_cast<double>(last) < end ? 1 : 0;
     Tally tally;
     if (std::all_of(codes + first, codes + last,
           [](std::uint16_t code) { return code == BeamSweep::NoEchoCode; }))
@@ -349,14 +353,18 @@ private:
     const double perDegree = static_cast<double>(count) / fullCircle;
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
-      const double begin = widths[ray].begin * perDegree; // in sectors
-      const double end = widths[ray].end * perDegree;
-      for (double sector = std::floor(begin); sector < end; sector += 1.0)
+      // In sectors, from one turn before north on: never below 0.
+      const double begin = (widths[ray].begin + fullCircle) * perDegree;
+      const double end = (widths[ray].end + fullCircle) * perDegree;
+      for (auto sector = static_cast<std::size_t>(begin); static_cast<double>(sector) < end;
+           ++sector)
       {
-        const double part = std::min(sector + 1.0, end) - std::max(sector, begin);
+        const auto place = static_cast<double>(sector);
+        const double part = std::min(place + 1.0, end) - std::max(place, begin);
         if (part > smallestPart)
         {
-          const auto at = static_cast<std::size_t>(sector + static_cast<double>(count)) % count;
+          const std::size_t turned = sector < count ? sector : sector - count;
+          const std::size_t at = turned < count ? turned : turned - count;
           sectors[at].Add(tallies[ring * rays + ray], static_cast<float>(part));
           covered[at] += static_cast<float>(part);
         }
