@@ -272,51 +272,36 @@ public:
     , means(theMeans)
     , rays(theSweep.azimuths.size() - 2)
   {
-    const auto isDivided = [](const SweepMeans::Ring& ring) { return ring.sectors > 0; };
-    divided = static_cast<std::size_t>(
-      std::count_if(means.rings.begin(), means.rings.end(), isDivided)); // the inner ones
-    tallies.resize(rays * divided);
+    tallies.resize(rays);
   }
 
   void Reduce(double gatesPerRing)
   {
-    for (std::size_t ray = 0; ray < rays; ++ray)
-    {
-      this->AddRay(ray, gatesPerRing);
-    }
     const std::vector<RayWidth> widths = FindRayWidths(sweep);
-    for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
+    for (std::size_t number = 0; number < means.rings.size(); ++number)
     {
-      SweepMeans::Cell* cells = means.cells.data() + means.rings[ring].first;
-      std::size_t count = rays;
-      if (ring < divided)
+      const double begin = static_cast<double>(number) * gatesPerRing;
+      this->AddRays(begin, std::min(begin + gatesPerRing, static_cast<double>(sweep.gates)));
+      const SweepMeans::Ring& ring = means.rings[number];
+      SweepMeans::Cell* cells = means.cells.data() + ring.first;
+      if (ring.sectors > 0)
       {
-        count = static_cast<std::size_t>(means.rings[ring].sectors);
-        this->SetSectors(ring, widths, cells);
+        this->SetSectors(static_cast<std::size_t>(ring.sectors), widths, cells);
       }
-      cells[0] = cells[count];
-      cells[count + 1] = cells[1];
+      else
+      {
+        this->SetRays(cells);
+      }
     }
   }
 
 private:
-  // Of each ring the part along one ray.
-  void AddRay(std::size_t ray, double gatesPerRing)
+  // Of each ray the part between two places, in gates.
+  void AddRays(double begin, double end)
   {
-    const std::uint16_t* codes = sweep.codes.data() + (ray + 1) * sweep.Stride();
-    for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
+    for (std::size_t ray = 0; ray < rays; ++ray)
     {
-      const double begin = static_cast<double>(ring) * gatesPerRing;
-      const double end = std::min(begin + gatesPerRing, static_cast<double>(sweep.gates));
-      const Tally tally = this->TallyOf(codes, begin, end);
-      if (ring < divided)
-      {
-        tallies[ring * rays + ray] = tally;
-      }
-      else if (tally.none < 1.0F) // else the cell is as it was made
-      {
-        means.cells[means.rings[ring].first + ray + 1] = adder.CellOf(tally, means);
-      }
+      tallies[ray] = this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end);
     }
   }
 
@@ -345,9 +330,19 @@ private:
     return tally;
   }
 
-  void SetSectors(std::size_t ring, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
+  // The entries of the sweep: the last ray, all, the first again.
+  void SetRays(SweepMeans::Cell* cells) const
   {
-    const auto count = static_cast<std::size_t>(means.rings[ring].sectors);
+    for (std::size_t ray = 0; ray < rays; ++ray)
+    {
+      cells[ray + 1] = adder.CellOf(tallies[ray], means);
+    }
+    cells[0] = cells[rays];
+    cells[rays + 1] = cells[1];
+  }
+
+  void SetSectors(std::size_t count, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
+  {
     sectors.assign(count, Tally());
     covered.assign(count, 0.0F);
     const double perDegree = static_cast<double>(count) / fullCircle;
@@ -365,7 +360,7 @@ private:
         {
           const std::size_t turned = sector < count ? sector : sector - count;
           const std::size_t at = turned < count ? turned : turned - count;
-          sectors[at].Add(tallies[ring * rays + ray], static_cast<float>(part));
+          sectors[at].Add(tallies[ray], static_cast<float>(part));
           covered[at] += static_cast<float>(part);
         }
       }
@@ -375,15 +370,16 @@ private:
       sectors[sector].missing += std::max(0.0F, 1.0F - covered[sector]);
       cells[sector + 1] = adder.CellOf(sectors[sector], means);
     }
+    cells[0] = cells[count];
+    cells[count + 1] = cells[1];
   }
 
   const BeamSweep& sweep;
   const GateAdder adder;
   SweepMeans& means;
   const std::size_t rays;
-  std::size_t divided;        // rings that are divided into sectors
-  std::vector<Tally> tallies; // of each of them, by ray
-  std::vector<Tally> sectors; // of one ring
+  std::vector<Tally> tallies; // of one ring: its parts along the rays
+  std::vector<Tally> sectors; // and its sectors
   std::vector<float> covered; // parts of the sectors in which rays stand
 };
 
