@@ -158,22 +158,21 @@ inline void AddGate(
   about.AddEcho(Interpolated(value, rule), weight, rule);
 }
 
+// Weights of cells count in parts of 1/255, as the cells have them.
 inline void AddCell(const SweepMeans& means, const SweepMeans::Cell& cell, float weight,
   const ValueRule& rule, Tally& about)
 {
-  constexpr float whole = 255.0F;
   if (cell.missing == 255)
   {
-    about.AddNothing(cell.code, weight);
+    about.AddNothing(cell.code, 255.0F * weight);
     return;
   }
-  const float part = weight / whole;
   const int none = 255 - cell.missing - cell.echo;
-  about.none += part * static_cast<float>(none);
+  about.none += weight * static_cast<float>(none);
   if (cell.echo > 0)
   {
     const float value = means.base + means.step * static_cast<float>(cell.code);
-    about.AddEcho(Interpolated(value, rule), part * static_cast<float>(cell.echo), rule);
+    about.AddEcho(Interpolated(value, rule), weight * static_cast<float>(cell.echo), rule);
   }
 }
 
@@ -215,11 +214,26 @@ inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azi
     look.state = VoxelState::NoEcho;
     return;
   }
+  const SweepMeans::Cell cells[4] = {near.cells[0], near.cells[1], far.cells[0], far.cells[1]};
+  const float weights[4] = {(1.0F - near.share) * (1.0F - forth), near.share * (1.0F - forth),
+    (1.0F - far.share) * forth, far.share * forth};
+  const bool echoAlone = (cells[0].echo & cells[1].echo & cells[2].echo & cells[3].echo) == 255;
+  if (echoAlone && !rule.linear && rule.period == 0.0F)
+  {
+    float code = 0.0F;
+    for (int i = 0; i < 4; ++i)
+    {
+      code += weights[i] * static_cast<float>(cells[i].code);
+    }
+    look.state = VoxelState::Echo;
+    look.value = means.base + means.step * code;
+    return;
+  }
   Tally about;
-  AddCell(means, near.cells[0], (1.0F - near.share) * (1.0F - forth), rule, about);
-  AddCell(means, near.cells[1], near.share * (1.0F - forth), rule, about);
-  AddCell(means, far.cells[0], (1.0F - far.share) * forth, rule, about);
-  AddCell(means, far.cells[1], far.share * forth, rule, about);
+  for (int i = 0; i < 4; ++i)
+  {
+    AddCell(means, cells[i], weights[i], rule, about);
+  }
   Decide(about, rule, look);
 }
 

@@ -162,8 +162,11 @@ public:
   // Of a tally whose parts sum to 1.
   SweepMeans::Cell CellOf(const Tally& tally, const SweepMeans& means) const
   {
-    constexpr float whole = 255.0F;
     SweepMeans::Cell cell;
+    if (tally.echo + tally.folded + tally.missing <= 0.0F)
+    {
+      return cell;
+    }
     if (!(tally.echo + tally.none > 0.0F))
     {
       cell.code =
@@ -172,11 +175,11 @@ public:
       return cell;
     }
     // What was measured, and an echo, however small a part it is of the cell, is not lost.
-    const int echo = static_cast<int>(std::lround(whole * tally.echo));
-    cell.echo = static_cast<std::uint8_t>(std::clamp(echo, tally.echo > 0.0F ? 1 : 0, 255));
-    const int missing = static_cast<int>(std::lround(whole * (tally.folded + tally.missing)));
-    cell.missing =
-      static_cast<std::uint8_t>(std::clamp(missing, 0, std::min(254, 255 - cell.echo)));
+    const auto partOf = [](float share) { return static_cast<int>(255.0F * share + 0.5F); };
+    const int least = tally.echo > 0.0F ? 1 : 0;
+    cell.echo = static_cast<std::uint8_t>(std::clamp(partOf(tally.echo), least, 255));
+    cell.missing = static_cast<std::uint8_t>(
+      std::min({partOf(tally.folded + tally.missing), 254, 255 - cell.echo}));
     if (cell.echo > 0)
     {
       const float code = this->MeanCode(tally, means) + 0.5F;
@@ -269,51 +272,36 @@ public:
     , means(theMeans)
     , rays(theSweep.azimuths.size() - 2)
   {
-    const auto isDivided = [](const SweepMeans::Ring& ring) { return ring.sectors > 0; };
-    divided = static_cast<std::size_t>(
-      std::count_if(means.rings.begin(), means.rings.end(), isDivided)); // the inner ones
-    tallies.resize(rays * divided);
+    tallies.resize(rays);
   }
 
   void Reduce(double gatesPerRing)
   {
-    for (std::size_t ray = 0; ray < rays; ++ray)
-    {
-      this->AddRay(ray, gatesPerRing);
-    }
     const std::vector<RayWidth> widths = FindRayWidths(sweep);
-    for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
+    for (std::size_t number = 0; number < means.rings.size(); ++number)
     {
-      SweepMeans::Cell* cells = means.cells.data() + means.rings[ring].first;
-      std::size_t count = rays;
-      if (ring < divided)
+      const double begin = static_cast<double>(number) * gatesPerRing;
+      this->AddRays(begin, std::min(begin + gatesPerRing, static_cast<double>(sweep.gates)));
+      const SweepMeans::Ring& ring = means.rings[number];
+      SweepMeans::Cell* cells = means.cells.data() + ring.first;
+      if (ring.sectors > 0)
       {
-        count = static_cast<std::size_t>(means.rings[ring].sectors);
-        this->SetSectors(ring, widths, cells);
+        this->SetSectors(static_cast<std::size_t>(ring.sectors), widths, cells);
       }
-      cells[0] = cells[count];
-      cells[count + 1] = cells[1];
+      else
+      {
+        this->SetRays(cells);
+      }
     }
   }
 
 private:
-  // Of each ring the part along one ray.
-  void AddRay(std::size_t ray, double gatesPerRing)
+  // Of each ray the part between two places, in gates.
+  void AddRays(double begin, double end)
   {
-    const std::uint16_t* codes = sweep.codes.data() + (ray + 1) * sweep.Stride();
-    for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
+    for (std::size_t ray = 0; ray < rays; ++ray)
     {
-      const double begin = static_cast<double>(ring) * gatesPerRing;
-      const double end = std::min(begin + gatesPerRing, static_cast<double>(sweep.gates));
-      const Tally tally = this->TallyOf(codes, begin, end);
-      if (ring < divided)
-      {
-        tallies[ring * rays + ray] = tally;
-      }
-      else if (tally.none < 1.0F) // else the cell is as it was made
-      {
-        means.cells[means.rings[ring].first + ray + 1] = adder.CellOf(tally, means);
-      }
+      tallies[ray] = this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end);
     }
   }
 
@@ -321,7 +309,8 @@ private:
   Tally TallyOf(const std::uint16_t* codes, double begin, double end) const
   {
     const auto first = static_cast<std::size_t>(begin);
-    const auto last = static_cast<std::size_t>(std::ceil(end));
+    auto last = static_cast<std::size_t>(end);
+    last += static_cast<double>(last) < end ? 1 : 0;
     Tally tally;
     if (std::all_of(codes + first, codes + last,
           [](std::uint16_t code) { return code == BeamSweep::NoEchoCode; }))
@@ -341,23 +330,37 @@ private:
     return tally;
   }
 
-  void SetSectors(std::size_t ring, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
+  // The entries of the sweep: the last ray, all, the first again.
+  void SetRays(SweepMeans::Cell* cells) const
   {
-    const auto count = static_cast<std::size_t>(means.rings[ring].sectors);
+    for (std::size_t ray = 0; ray < rays; ++ray)
+    {
+      cells[ray + 1] = adder.CellOf(tallies[ray], means);
+    }
+    cells[0] = cells[rays];
+    cells[rays + 1] = cells[1];
+  }
+
+  void SetSectors(std::size_t count, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
+  {
     sectors.assign(count, Tally());
     covered.assign(count, 0.0F);
     const double perDegree = static_cast<double>(count) / fullCircle;
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
-      const double begin = widths[ray].begin * perDegree; // in sectors
-      const double end = widths[ray].end * perDegree;
-      for (double sector = std::floor(begin); sector < end; sector += 1.0)
+      // In sectors, from one turn before north on: never below 0.
+      const double begin = (widths[ray].begin + fullCircle) * perDegree;
+      const double end = (widths[ray].end + fullCircle) * perDegree;
+      for (auto sector = static_cast<std::size_t>(begin); static_cast<double>(sector) < end;
+           ++sector)
       {
-        const double part = std::min(sector + 1.0, end) - std::max(sector, begin);
+        const auto place = static_cast<double>(sector);
+        const double part = std::min(place + 1.0, end) - std::max(place, begin);
         if (part > smallestPart)
         {
-          const auto at = static_cast<std::size_t>(sector + static_cast<double>(count)) % count;
-          sectors[at].Add(tallies[ring * rays + ray], static_cast<float>(part));
+          const std::size_t turned = sector < count ? sector : sector - count;
+          const std::size_t at = turned < count ? turned : turned - count;
+          sectors[at].Add(tallies[ray], static_cast<float>(part));
           covered[at] += static_cast<float>(part);
         }
       }
@@ -367,15 +370,16 @@ private:
       sectors[sector].missing += std::max(0.0F, 1.0F - covered[sector]);
       cells[sector + 1] = adder.CellOf(sectors[sector], means);
     }
+    cells[0] = cells[count];
+    cells[count + 1] = cells[1];
   }
 
   const BeamSweep& sweep;
   const GateAdder adder;
   SweepMeans& means;
   const std::size_t rays;
-  std::size_t divided;        // rings that are divided into sectors
-  std::vector<Tally> tallies; // of each of them, by ray
-  std::vector<Tally> sectors; // of one ring
+  std::vector<Tally> tallies; // of one ring: its parts along the rays
+  std::vector<Tally> sectors; // and its sectors
   std::vector<float> covered; // parts of the sectors in which rays stand
 };
 
