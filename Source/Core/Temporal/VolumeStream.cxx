@@ -197,14 +197,14 @@ void VolumeStream::Begin(Time time)
 // chosen of those that started before it, as far as is known, else one.
 std::size_t VolumeStream::LaterNeeded(const SiteWindow& site, std::size_t end, Time time) const
 {
-  std::vector<TimeSpan> earlier;
-  const auto add = [&earlier, time](const std::vector<HeldVolume>& held)
+  std::vector<TimeSpan> startedSpans;
+  const auto add = [&startedSpans, time](const std::vector<HeldVolume>& held)
   {
     for (const HeldVolume& each : held)
     {
       if (each.volume.start <= time)
       {
-        earlier.push_back({each.volume.start, each.volume.end});
+        startedSpans.push_back({each.volume.start, each.volume.end});
       }
     }
   };
@@ -213,11 +213,11 @@ std::size_t VolumeStream::LaterNeeded(const SiteWindow& site, std::size_t end, T
   {
     add(files[site.outline.files[place].index].held);
   }
-  std::sort(earlier.begin(), earlier.end(),
+  std::sort(startedSpans.begin(), startedSpans.end(),
     [](const TimeSpan& a, const TimeSpan& b) { return a.first < b.first; });
   std::vector<Time> starts;
   std::vector<Time> ends;
-  for (const TimeSpan& each : earlier)
+  for (const TimeSpan& each : startedSpans)
   {
     starts.push_back(each.first);
     ends.push_back(each.last);
