@@ -222,11 +222,11 @@ GridReport WriteScanned(const GridJob& job, const Progress& progress, const Proc
   share.count = processes.Count();
   share.exchange = [&processes](const std::string& mine) { return processes.Exchange(mine); };
   ScannedSteps steps(job.inputs, job.options, share, ShareOf(progress, 0.0, scanShare));
+  processes.Together([&] { steps.Plan(); }); // nobody writes before all know what to write
   Block block;
   processes.Together(
     [&]
     {
-      steps.Plan();
       const auto merge = [&](Time time, const Progress& part, GriddedVolume)
       { return steps.Merge(time, part); };
       block = WriteBlock(job, steps.Times(), merge, ShareOf(progress, scanShare, 1.0), processes);

@@ -221,5 +221,7 @@ TEST(Despeckling, OfRealFilesTakesLittleOfStormsAndMuchOfSpeckle)
     return sum(removed) / sum(echo);
   };
   EXPECT_LT(shareOf("legacy/KTLX19990503_235621.gz", 4), 0.007);
+  EXPECT_LT(shareOf("legacy/KTLX19990503_235621.gz", 8), 0.025);
   EXPECT_GT(shareOf("superres/KDMX20250101_225441_V06", 4), 0.05);
+  EXPECT_GT(shareOf("superres/KDMX20250101_225441_V06", 8), 0.15);
 }

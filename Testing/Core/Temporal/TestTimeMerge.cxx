@@ -274,10 +274,15 @@ TEST(TimeMerge, MotionDoesNotDependOnWhatWasMergedBefore)
   }
 }
 
-TEST(TimeMerge, MotionIsTheDefaultAndCanBeGivenOrLeft)
+// Between the volumes, in the first one, and minutes before the first and after the last.
+class MotionAt : public ::testing::TestWithParam<Duration>
+{
+};
+
+TEST_P(MotionAt, IsTheDefaultAndCanBeGivenOrLeft)
 {
   const std::vector<PolarVolume> volumes = ScanStorms();
-  MergeRequest request = BeamRequest(4min);
+  MergeRequest request = BeamRequest(GetParam());
   const auto found = MergeVolumes(PointersTo(volumes), request);
   request.motion = Velocity{20.0, 10.0};
   const auto given = MergeVolumes(PointersTo(volumes), request);
@@ -302,6 +307,9 @@ TEST(TimeMerge, MotionIsTheDefaultAndCanBeGivenOrLeft)
   EXPECT_GT(ofLinear, 100.0);
   EXPECT_LT(ofFound, 0.1 * ofLinear);
 }
+
+INSTANTIATE_TEST_SUITE_P(TimeMerge, MotionAt,
+  ::testing::Values(Duration(-3min), Duration(20s), Duration(4min), Duration(15min)));
 
 TEST(TimeMerge, OtherMomentsMoveOnlyAsGiven)
 {
