@@ -106,8 +106,8 @@ TEST(StrayRays, NeitherMoveTheirCutNorHideTheOthers)
       const double top = echoTop + 1'000.0 + voxel.slantRange * 0.7 * pi / 180.0;
       high += state == VoxelState::Echo &&
               BeamModel().HeightOver(voxel.groundDistance, voxel.elevation) > top;
-      // Below the lowest tilt that is left nobody looked.
-      const bool seen = swinging == 1 || voxel.elevation > 0.9 - 0.475 + 0.01;
+      // Below the lowest tilt nobody looked where its own rays are left out.
+      const bool seen = swinging == 1 || voxel.elevation > 0.51;
       scanned += seen && truth != VoxelState::NotScanned;
       hidden += seen && truth != VoxelState::NotScanned && state == VoxelState::NotScanned;
       different += seen && truth != state;
