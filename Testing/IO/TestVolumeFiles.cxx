@@ -166,7 +166,8 @@ TEST(VolumeFiles, WhatIsWrittenIsRead)
   writer->SetInputData(image);
   writer->SetFileName(path.c_str());
   for (const int encoding : {vtkNexradVolumeWriter::AUTOMATIC, vtkNexradVolumeWriter::RUN_LENGTH,
-         vtkNexradVolumeWriter::RUN_LENGTH_DEFLATED, vtkNexradVolumeWriter::FLOAT})
+         vtkNexradVolumeWriter::RUN_LENGTH_DEFLATED, vtkNexradVolumeWriter::FLOAT,
+         vtkNexradVolumeWriter::RADAR_STEPS})
   {
     writer->SetEncoding(encoding);
     ASSERT_EQ(writer->Write(), 1);
