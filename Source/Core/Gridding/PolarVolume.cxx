@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/PolarVolume.h"
 
+#include "Model/MomentLimits.h"
+
 #include <algorithm>
 #include <array>
 #include <limits>
@@ -121,6 +123,11 @@ PolarSweep MakeSweep(const RayList& rays, MomentName moment)
     else
     {
       FillRay(row, sweep.Index(index, 0), sweep);
+    }
+    for (const std::size_t gate : ImpossibleGates(*rays[index], moment))
+    {
+      sweep.values[sweep.Index(index, gate)] = std::numeric_limits<float>::quiet_NaN();
+      sweep.states[sweep.Index(index, gate)] = GateState::NotSampled;
     }
   }
   return sweep;

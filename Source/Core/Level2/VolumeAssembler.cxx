@@ -2,6 +2,7 @@
 #include "Level2/VolumeAssembler.h"
 
 #include "Level2/SiteResolution.h"
+#include "Model/MomentLimits.h"
 
 #include <algorithm>
 #include <chrono>
@@ -187,6 +188,11 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   this->ChoosePattern();
   ResolveSite({headerName, rayName, name, position}, options, volume);
   this->NoteTimes();
+  const std::string impossible = DescribeImpossibleGates(volume.sweeps);
+  if (!impossible.empty())
+  {
+    volume.notes.push_back(impossible);
+  }
   if (volume.synthetic)
   {
     volume.notes.push_back("SYNTHETIC: the file says that it was simulated");
