@@ -177,7 +177,9 @@ constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill"
 void AddBeam(CLI::App& command, GridOptions& options)
 {
   AddParsedOption(command, "--overlap", options.overlap, ParseOverlap, "NAME",
-    "Where radars overlap: distance (the nearer counts more), nearest (alone), mean, or maximum",
+    "Where radars overlap: distance (the nearer counts more), nearest (alone; VEL always), mean, "
+    "or "
+    "maximum",
     "distance")
     ->group(group);
   AddParsedOption(command, "--overlap-length", options.overlapLength, ParseOverlapLength, "LENGTH",
@@ -230,6 +232,12 @@ void Check(const CLI::App& command, const GridOptions& options)
   {
     throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
   }
+  const bool nearest = options.overlap == OverlapStrategy::Nearest;
+  if (options.moment == MomentName::VEL && !nearest && command.count("--overlap") > 0)
+  {
+    throw CLI::ValidationError("--overlap",
+      "of --moment VEL is nearest: velocities towards several radars have no mean and no maximum");
+  }
   if (options.linearReflectivity && options.moment != MomentName::REF)
   {
     throw CLI::ValidationError("--linear-reflectivity", "is of --moment REF alone");
@@ -249,7 +257,15 @@ void AddGridOptions(CLI::App& command, GridOptions& options)
   AddDomain(command, options);
   AddMethod(command, options);
   AddBeam(command, options);
-  command.parse_complete_callback([&command, &options] { Check(command, options); });
+  command.parse_complete_callback(
+    [&command, &options]
+    {
+      Check(command, options);
+      if (options.moment == MomentName::VEL)
+      {
+        options.overlap = OverlapStrategy::Nearest;
+      }
+    });
 }
 
 } // namespace nexrad::application

@@ -110,6 +110,8 @@ TEST(Usage, WrongOptionsAreNamed)
     {"grid", "a", "-o", "b", "--code", "exact", "--format", "vti"}, {"--code", "nxv alone"});
   ExpectWrongUsage(
     {"grid", "a", "-o", "b", "--code", "thesis", "--moment", "VEL"}, {"--code", "REF alone"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--moment", "VEL", "--overlap", "mean"},
+    {"--overlap", "nearest", "no mean"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step"}, {"--step"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "0"}, {"--step", "above 0"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "5minutes"}, {"--step", "5min"});

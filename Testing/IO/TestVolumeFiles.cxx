@@ -137,6 +137,21 @@ TEST(VolumeFiles, ImageHoldsWhatTheContractSays)
   ExpectSame(vtkNexradImageToVolume(image), volume);
 }
 
+// No echo is a low reflectivity, but no velocity at all.
+TEST(VolumeFiles, WhereThereIsNoVelocityThePointIsHidden)
+{
+  GriddedVolume volume = MakeVolume(start);
+  volume.moment = nexrad::MomentName::VEL;
+  volume.states[1] = VoxelState::RangeFolded;
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  vtkDataArray* ghosts = image->GetPointData()->GetArray("vtkGhostType");
+  EXPECT_EQ(ghosts->GetComponent(0, 0), vtkDataSetAttributes::HIDDENPOINT); // not scanned
+  EXPECT_EQ(ghosts->GetComponent(1, 0), vtkDataSetAttributes::HIDDENPOINT); // range folded
+  EXPECT_EQ(ghosts->GetComponent(2, 0), 0.0);                               // an echo
+  EXPECT_EQ(ghosts->GetComponent(5, 0), vtkDataSetAttributes::HIDDENPOINT); // no echo
+}
+
 TEST(VolumeFiles, ImageWithoutTheArraysIsRefusedByName)
 {
   vtkNew<vtkImageData> image;
