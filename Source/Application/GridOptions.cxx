@@ -232,11 +232,12 @@ void Check(const CLI::App& command, const GridOptions& options)
   {
     throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
   }
-  const bool nearest = options.overlap == OverlapStrategy::Nearest;
-  if (options.moment == MomentName::VEL && !nearest && command.count("--overlap") > 0)
+  const bool seenUnlike = options.moment == MomentName::VEL || options.moment == MomentName::SW ||
+                          options.moment == MomentName::PHI;
+  if (seenUnlike && options.overlap != OverlapStrategy::Nearest && command.count("--overlap") > 0)
   {
     throw CLI::ValidationError("--overlap",
-      "of --moment VEL is nearest: velocities towards several radars have no mean and no maximum");
+      "of --moment VEL, SW and PHI is nearest alone: two radars do not see these alike");
   }
   if (options.linearReflectivity && options.moment != MomentName::REF)
   {
@@ -257,15 +258,7 @@ void AddGridOptions(CLI::App& command, GridOptions& options)
   AddDomain(command, options);
   AddMethod(command, options);
   AddBeam(command, options);
-  command.parse_complete_callback(
-    [&command, &options]
-    {
-      Check(command, options);
-      if (options.moment == MomentName::VEL)
-      {
-        options.overlap = OverlapStrategy::Nearest;
-      }
-    });
+  command.parse_complete_callback([&command, &options] { Check(command, options); });
 }
 
 } // namespace nexrad::application

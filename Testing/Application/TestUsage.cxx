@@ -111,7 +111,7 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage(
     {"grid", "a", "-o", "b", "--code", "thesis", "--moment", "VEL"}, {"--code", "REF alone"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--moment", "VEL", "--overlap", "mean"},
-    {"--overlap", "nearest", "no mean"});
+    {"--overlap", "nearest alone"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step"}, {"--step"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "0"}, {"--step", "above 0"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "5minutes"}, {"--step", "5min"});
