@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridCommand.h"
 
+#include "Counted.h"
 #include "JoinedProcesses.h"
 #include "ProgressBar.h"
 #include "UnitOptions.h"
@@ -74,8 +75,8 @@ int RunGrid(const GridCommandOptions& options)
   }
   if (!options.quiet)
   {
-    std::cout << report.index.string() << ": " << report.files.size() << " volumes, "
-              << report.bytes << " bytes\n";
+    std::cout << report.index.string() << ": " << Counted(report.files.size(), "volume") << ", "
+              << Counted(report.bytes, "byte") << '\n';
   }
   for (const std::string& problem : report.problems)
   {

@@ -109,7 +109,9 @@ std::string ParseSite(const std::string& text)
 void AddTimes(CLI::App& command, GridOptions& options)
 {
   AddParsedOption(command, "--step", options.step, ParseStep, "DURATION",
-    "Time between two volumes, in s, min, h or d; they stand at its multiples in UTC", "5min")
+    "Time between two volumes, in s, min, h or d; they stand at its multiples in UTC. Where it is "
+    "not given, one volume alone is made at its middle",
+    "5min")
     ->group(group);
   AddParsedOption(command, "--begin", options.begin, ParseTime, "TIME",
     "First time in UTC, as in 2006-03-12T18:00 (default: the first step after the first ray)")
@@ -128,7 +130,9 @@ void AddDomain(CLI::App& command, GridOptions& options)
     "Voxels to the east, to the north and upward", "256x256x128")
     ->group(group);
   CLI::Option* range = AddParsedOption(command, "--range", options.grid.range, ParseRange, "LENGTH",
-    "The domain holds the circle of this radius about each site, m or km", "230km");
+    "The domain holds the circle of this radius about each site, m or km. Where it is not given, "
+    "a terminal radar alone has its own",
+    "230km");
   CLI::Option* bounds = AddParsedOption(command, "--bounds", options.grid.bounds, ParseBounds,
     "W,S,E,N", "Outer faces of the domain in degrees, in place of --range");
   range->group(group);
@@ -159,6 +163,11 @@ void AddMethod(CLI::App& command, GridOptions& options)
     ->group(group);
   AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
     "How rays become voxels: beam (between the beams), or thesis (its bin average)", "beam")
+    ->group(group);
+  AddNumberOption(command, "--despeckle", options.despeckle, 0, MostNeighbours, "NUMBER",
+    "Take out gates of which fewer than this many of the 26 neighbours in ray, gate and tilt have "
+    "a "
+    "value; 0: none")
     ->group(group);
   AddParsedOption(command, "--memory", options.memory, ParseMemory, "SIZE",
     "For rays that are kept for later steps when files are merged out of their order, MiB or GiB; "
@@ -209,13 +218,14 @@ void AddBeam(CLI::App& command, GridOptions& options)
     ->group(group);
 }
 
-// Options that contradict each other are wrong usage, found once all are known.
-void Check(const CLI::App& command, const GridOptions& options)
+// Once all are known. Options that contradict each other are wrong usage.
+void Finish(const CLI::App& command, GridOptions& options)
 {
   if (options.begin && options.end && *options.end < *options.begin)
   {
     throw CLI::ValidationError("--end", "lies before --begin");
   }
+  options.ownRange = command.count("--range") > 0;
   const bool thesis = options.method == ToString(MergeMethod::Thesis);
   if (thesis && options.moment != MomentName::REF)
   {
@@ -258,7 +268,7 @@ void AddGridOptions(CLI::App& command, GridOptions& options)
   AddDomain(command, options);
   AddMethod(command, options);
   AddBeam(command, options);
-  command.parse_complete_callback([&command, &options] { Check(command, options); });
+  command.parse_complete_callback([&command, &options] { Finish(command, options); });
 }
 
 } // namespace nexrad::application

@@ -26,16 +26,22 @@ struct MotionChoice
   std::optional<Velocity> given; ///< in place of the motion found from reflectivity
 };
 
+/// Time between two volumes when nobody says otherwise.
+constexpr Duration DefaultStep = std::chrono::minutes(5);
+
 /// What a user asks of merged volumes.
 struct GridOptions
 {
   GridRequest grid;
-  Duration step = std::chrono::minutes(5);
-  std::optional<Time> begin; ///< in place of the first step at or after the first ray
-  std::optional<Time> end;   ///< in place of the last step at or before the last ray; inclusive
+  bool ownRange = false;        ///< the user gave grid.range; else SeriesScan::Range replaces it
+  std::optional<Duration> step; ///< empty: DefaultStep; of one volume alone, its middle
+  std::optional<Time> begin;    ///< in place of the first step at or after the first ray
+  std::optional<Time> end;      ///< in place of the last step at or before the last ray; inclusive
+  std::optional<Time> time;     ///< this time alone, between the first and the last ray
   Duration maximumGap = std::chrono::minutes(15);
   MomentName moment = MomentName::REF;
   std::string method = "beam"; ///< a name that ParseMergeMethod knows
+  int despeckle = 0;           ///< QualityOptions::neighbours
   std::string siteName;        ///< in place of the names in the files; empty: as the files say
   std::size_t memory = std::size_t(1) << 30; ///< bytes for rays that are kept, packed, for later
                                              ///< steps; 0 keeps none

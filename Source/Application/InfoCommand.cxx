@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoCommand.h"
 
+#include "Counted.h"
 #include "InfoReport.h"
 #include "Level2/Level2File.h"
 #include "Model/Error.h"
 #include "Model/SiteTable.h"
+#include "Temporal/InputFiles.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
+#include <system_error>
 #include <vector>
 
 namespace nexrad::application
@@ -107,11 +111,53 @@ bool NameMissingGates(const RadarVolume& volume, const std::vector<GateRequest>&
     {
       std::cerr << "nexrad3d info: --gate " << request.sweep << ',' << request.ray << ','
                 << request.gate << ": " << volume.file << " has no such ray; it has "
-                << volume.sweeps.size() << " sweeps, counted from 0\n";
+                << Counted(volume.sweeps.size(), "sweep") << ", counted from 0\n";
       missing = true;
     }
   }
   return missing;
+}
+
+// A file of the output, and how much is said of it.
+struct Subject
+{
+  std::string file;
+  bool ofFolder = false; // one of many: a line in the table
+};
+
+// Each argument, with the radar files in it in place of a folder that is none of chunks. What is
+// wrong with a folder is said, and the folder stays as what cannot be read. `leftOut` becomes true
+// for a file in a folder that is no radar file.
+std::vector<Subject> FindSubjects(const std::vector<std::string>& arguments, bool& leftOut)
+{
+  std::vector<Subject> subjects;
+  for (const std::string& argument : arguments)
+  {
+    std::error_code failure;
+    if (!std::filesystem::is_directory(argument, failure) || IsChunkFolder(argument))
+    {
+      subjects.push_back({argument});
+      continue;
+    }
+    try
+    {
+      const InputFiles found = FindInputFiles({argument});
+      for (const InputProblem& problem : found.problems)
+      {
+        std::cerr << problem.Line() << '\n';
+        leftOut = true;
+      }
+      for (const std::filesystem::path& path : found.paths)
+      {
+        subjects.push_back({path.string(), true});
+      }
+    }
+    catch (const Error&)
+    {
+      subjects.push_back({argument}); // reading it says why
+    }
+  }
+  return subjects;
 }
 
 int RunInfo(const InfoOptions& options)
@@ -134,15 +180,19 @@ int RunInfo(const InfoOptions& options)
   bool anyRay = false;
   bool anyDamage = false;
   bool missingGates = false;
-  for (const std::string& file : options.files)
+  for (const Subject& subject : FindSubjects(options.files, anyDamage))
   {
-    const RadarVolume volume = ReadOrExplain(file, readOptions);
+    const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
     anyRay = anyRay || !volume.sweeps.empty();
     anyDamage = anyDamage || !volume.damage.empty();
     missingGates = NameMissingGates(volume, requests) || missingGates;
     if (options.json)
     {
       report.push_back(MakeInfoJson(volume, requests));
+    }
+    else if (subject.ofFolder && requests.empty())
+    {
+      PrintInfoLine(volume, std::cout);
     }
     else
     {
@@ -164,7 +214,9 @@ void AddInfoCommand(CLI::App& program, CommandAction& action)
   const auto options = std::make_shared<InfoOptions>();
   CLI::App* command = program.add_subcommand("info",
     "Says what is in Level II files: site, position, VCP, times, sweeps, moments, gates, damage");
-  command->add_option("FILE", options->files, "Level II files, or folders of real-time chunks")
+  command
+    ->add_option("FILE", options->files,
+      "Level II files, folders of real-time chunks, or folders of files: a line for each file")
     ->required();
   command->add_flag("--json", options->json,
     "print JSON: metres, degrees, metres a second, UTC (default: a table)");

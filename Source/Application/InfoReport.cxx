@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InfoReport.h"
 
+#include "Counted.h"
+#include "Model/Elevation.h"
 #include "Model/MomentSummary.h"
+#include "Model/SiteTable.h"
+#include "Model/SweepWaveforms.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <optional>
 #include <ostream>
@@ -46,13 +51,40 @@ Json MakeMoment(const MomentSummary& summary, MomentName name)
   return moment;
 }
 
-Json MakeSweep(const Sweep& sweep, std::size_t index)
+// A file that does not tell holds 0, which no radar has.
+Json NyquistOrNull(const Ray& ray)
+{
+  return ray.nyquist > 0.0F ? Json(ray.nyquist) : Json(nullptr);
+}
+
+std::string NyquistText(const Ray& ray)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << ray.nyquist;
+  return ray.nyquist > 0.0F ? text.str() : "-";
+}
+
+// Rays that the merge takes for none of the cut's (Formulas Q7).
+std::size_t CountStrays(const Sweep& sweep, double beamWidth)
+{
+  const double elevation = sweep.MedianElevation();
+  return static_cast<std::size_t>(std::count_if(sweep.rays.begin(), sweep.rays.end(),
+    [&](const Ray& ray)
+    { return IsStray(static_cast<double>(ray.elevation), elevation, beamWidth); }));
+}
+
+Json MakeSweep(const Sweep& sweep, std::size_t index, double beamWidth)
 {
   const Ray& first = sweep.rays.front();
+  const std::string waveform = ToString(sweep.waveform);
   Json result = {{"index", index}, {"elevation_number", sweep.elevationNumber},
-    {"elevation_deg", sweep.MeanElevation()}, {"rays", sweep.rays.size()},
-    {"first_azimuth_deg", first.azimuth}, {"start", FormatIso8601(first.time)},
-    {"nyquist_m_s", first.nyquist}, {"moments", Json::object()}};
+    {"elevation_deg", sweep.MedianElevation()}, {"elevation_mean_deg", sweep.MeanElevation()},
+    {"waveform", waveform.empty() ? Json(nullptr) : Json(waveform)}, {"rays", sweep.rays.size()},
+    {"stray_rays", CountStrays(sweep, beamWidth)}, {"first_azimuth_deg", first.azimuth},
+    {"start", FormatIso8601(first.time)}, {"nyquist_m_s", NyquistOrNull(first)},
+    {"unambiguous_range_m",
+      first.unambiguousRange > 0.0F ? Json(first.unambiguousRange) : Json(nullptr)},
+    {"moments", Json::object()}};
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
@@ -112,7 +144,7 @@ void PrintHead(const RadarVolume& volume, std::ostream& out)
   {
     out << "message " << *volume.messageType << ", ";
   }
-  out << volume.sweeps.size() << " sweeps, " << volume.RayCount() << " rays, "
+  out << Counted(volume.sweeps.size(), "sweep") << ", " << Counted(volume.RayCount(), "ray") << ", "
       << (volume.complete ? "complete" : "not complete") << '\n';
   if (const auto start = volume.Start())
   {
@@ -120,13 +152,35 @@ void PrintHead(const RadarVolume& volume, std::ostream& out)
   }
 }
 
+// The ICD's letters; "-" when unknown.
+const char* ShortNameOf(Waveform waveform)
+{
+  switch (waveform)
+  {
+  case Waveform::ContiguousSurveillance:
+    return "CS";
+  case Waveform::ContiguousDoppler:
+    return "CD/W";
+  case Waveform::ContiguousDopplerWithout:
+    return "CD/WO";
+  case Waveform::Batch:
+    return "B";
+  case Waveform::StaggeredPulsePair:
+    return "SPP";
+  case Waveform::Unknown:
+    break;
+  }
+  return "-";
+}
+
 void PrintSweep(const Sweep& sweep, std::size_t index, std::ostream& out)
 {
   const Ray& first = sweep.rays.front();
   out << std::fixed << std::setw(7) << index << std::setw(5) << sweep.elevationNumber
-      << std::setw(8) << std::setprecision(2) << sweep.MeanElevation() << std::setw(6)
+      << std::setw(8) << std::setprecision(2) << sweep.MedianElevation() << std::setw(6)
       << sweep.rays.size() << "  " << FormatIso8601(first.time).substr(11, 12) << std::setw(9)
-      << std::setprecision(1) << first.nyquist << "  ";
+      << NyquistText(first) << std::setw(7) << ShortNameOf(sweep.waveform) << std::setw(6)
+      << std::setprecision(0) << first.unambiguousRange / 1000.0F << std::setprecision(1) << "  ";
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
@@ -177,9 +231,10 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
   {
     info["damage"].push_back({{"offset", damage.offset}, {"what", damage.what}});
   }
+  const double beamWidth = BeamWidthOf(volume.site);
   for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
   {
-    info["sweeps"].push_back(MakeSweep(volume.sweeps[index], index));
+    info["sweeps"].push_back(MakeSweep(volume.sweeps[index], index, beamWidth));
   }
   for (const GateRequest& request : requests)
   {
@@ -188,14 +243,32 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
   return info;
 }
 
+void PrintInfoLine(const RadarVolume& volume, std::ostream& out)
+{
+  out << volume.file << ": ";
+  if (volume.sweeps.empty())
+  {
+    out << "no ray can be read\n";
+    return;
+  }
+  out << (volume.site.name.empty() ? "unnamed site" : volume.site.name) << ", "
+      << FormatIso8601(*volume.Start()) << " to " << FormatIso8601(*volume.End()) << ", ";
+  if (volume.coveragePatternNumber)
+  {
+    out << "VCP " << *volume.coveragePatternNumber << ", ";
+  }
+  out << Counted(volume.sweeps.size(), "sweep") << ", " << Counted(volume.RayCount(), "ray") << ", "
+      << (volume.complete ? "complete" : "not complete") << '\n';
+}
+
 void PrintInfoTable(
   const RadarVolume& volume, const std::vector<GateRequest>& requests, std::ostream& out)
 {
   PrintHead(volume, out);
   if (!volume.sweeps.empty())
   {
-    out
-      << "  sweep  cut  elev.°  rays  start (UTC)   Nyq. m/s  moments: gates (lowest to highest)\n";
+    out << "  sweep  cut  elev.°  rays  start (UTC)   Nyq. m/s  wave    km  moments: gates (lowest "
+           "to highest)\n";
   }
   for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
   {

@@ -29,6 +29,9 @@ nlohmann::ordered_json MakeInfoJson(
 void PrintInfoTable(
   const RadarVolume& volume, const std::vector<GateRequest>& requests, std::ostream& out);
 
+/// The same in one line: name, site, times, VCP, numbers of sweeps and rays.
+void PrintInfoLine(const RadarVolume& volume, std::ostream& out);
+
 /// The ray, or nullptr when the volume has none of these numbers.
 const Ray* FindRay(const RadarVolume& volume, const GateRequest& request);
 

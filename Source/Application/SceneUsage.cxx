@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 
 #include <iterator>
+#include <locale>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -21,6 +23,20 @@ scene::MapperChoice ParseMapper(const std::string& text)
     throw Error("'" + text + "' is no mapper; write texture-slice or ray-cast");
   }
   return text == "ray-cast" ? scene::MapperChoice::RayCast : scene::MapperChoice::TextureSlice;
+}
+
+double ParseExaggeration(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double factor = 0.0;
+  stream >> factor;
+  if (!stream || stream.peek() != std::istringstream::traits_type::eof() || !(factor >= 0.1) ||
+      !(factor <= 100.0))
+  {
+    throw Error("'" + text + "' is no factor of heights; write a number from 0.1 to 100");
+  }
+  return factor;
 }
 
 double ParseRingSpacing(const std::string& text)
@@ -68,8 +84,9 @@ void AddLookOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOpt
   AddParsedOption(
     command, "--size", size, ParsePictureSize, "WxH", "Width and height in pixels", "1280x720")
     ->group(group);
-  AddNumberOption(command, "--exaggeration", options.exaggeration, 0.1, 100.0, "FACTOR",
-    "How much heights are stretched; the picture states it")
+  AddParsedOption(command, "--exaggeration", options.exaggeration, ParseExaggeration, "FACTOR",
+    "How much heights are stretched, 0.1 to 100; the picture states it (default: so much that the "
+    "domain stands a third as high as it is wide, 1 to 8)")
     ->group(group);
   AddParsedOption(command, "--mapper", options.mapper, ParseMapper, "NAME",
     "texture-slice, or ray-cast: VTK's, for comparison", "texture-slice")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulateCommand.h"
 
+#include "Counted.h"
 #include "Model/Error.h"
 #include "Model/SiteTable.h"
 #include "ProgressBar.h"
@@ -132,8 +133,8 @@ SimulatedDayOptions ResolveDay(const SimulateCommandOptions& options)
 void Print(
   const std::string& folder, const SimulatedDayOptions& day, const SimulationReport& report)
 {
-  std::cout << folder << ": SYNTHETIC storm day, " << report.files.size() << " files, "
-            << report.bytes << " bytes, " << FormatIso8601(report.begin) << " to "
+  std::cout << folder << ": SYNTHETIC storm day, " << Counted(report.files.size(), "file") << ", "
+            << Counted(report.bytes, "byte") << ", " << FormatIso8601(report.begin) << " to "
             << FormatIso8601(report.end) << '\n';
   for (const SimulatedSite& site : day.sites)
   {

@@ -49,16 +49,6 @@ std::vector<std::string> Split(const std::string& text, char separator)
   return parts;
 }
 
-// Metres of one unit of length.
-std::optional<double> LengthUnit(const std::string& unit)
-{
-  if (unit.empty() || unit == "m")
-  {
-    return 1.0;
-  }
-  return unit == "km" ? std::optional(1000.0) : std::nullopt;
-}
-
 using UnitTable = std::vector<std::pair<std::string, double>>;
 
 // What one of a unit is; empty for a unit that the table does not have.
@@ -72,6 +62,13 @@ std::optional<double> FindUnit(const UnitTable& units, const std::string& unit)
     }
   }
   return std::nullopt;
+}
+
+// Metres of one unit of length.
+std::optional<double> LengthUnit(const std::string& unit)
+{
+  static const UnitTable units = {{"m", 1.0}, {"km", 1000.0}};
+  return FindUnit(units, unit);
 }
 
 // Seconds of one unit of time.
@@ -150,6 +147,14 @@ Duration ParseDuration(const std::string& text)
 double ParseLength(const std::string& text)
 {
   const auto quantity = SplitQuantity(text);
+  if (quantity && quantity->unit.empty())
+  {
+    if (quantity->number == 0.0)
+    {
+      return 0.0;
+    }
+    throw Error("'" + text + "' has no unit; write " + text + "km or " + text + "m");
+  }
   const auto unit = quantity ? LengthUnit(quantity->unit) : std::nullopt;
   if (!unit)
   {
@@ -179,10 +184,14 @@ std::pair<double, double> ParseHeightRange(const std::string& text)
     throw Error("'" + text + "' is no range of heights; " + right);
   }
   const auto lower = SplitQuantity(parts[0]);
+  const auto upper = SplitQuantity(parts[1]);
+  if (lower && upper && lower->unit.empty() && upper->unit.empty())
+  {
+    throw Error("'" + text + "' has no unit; write " + text + "km or " + text + "m");
+  }
   const double top = ParseLength(parts[1]);
-  const double bottom = lower && lower->unit.empty()
-                          ? lower->number * *LengthUnit(SplitQuantity(parts[1])->unit)
-                          : ParseLength(parts[0]);
+  const bool shared = lower && lower->unit.empty();
+  const double bottom = ParseLength(shared ? parts[0] + upper->unit : parts[0]);
   if (bottom >= top)
   {
     throw Error("'" + text + "' is inside out; " + right);

@@ -25,10 +25,11 @@ namespace nexrad::application
 /// "5min", "90s", "2h", "1d", "1.5h"; a bare number is seconds. To the millisecond, not negative.
 Duration ParseDuration(const std::string& text);
 
-/// "230km", "500m", "-1km"; a bare number is metres. Result in m.
+/// "230km", "500m", "-1km", "0"; any other bare number is refused. Result in m.
 double ParseLength(const std::string& text);
 
-/// "0,20km": lower and upper height in m; a unit after the second number alone counts for both.
+/// "0,20km": lower and upper height in m; a unit after the second number alone counts for both, and
+/// one of them needs it.
 /// Refuses an upper height that is not above the lower one.
 std::pair<double, double> ParseHeightRange(const std::string& text);
 

@@ -30,11 +30,12 @@ vtkStandardNewMacro(vtkNexradDayReader);
 /// The scanned inputs, what they were scanned from, and the grid of the last information request.
 struct vtkNexradDayReader::Day
 {
-  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64>;
+  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64, int>;
 
-  Day(Origin from, nexrad::MomentName moment, const nexrad::Level2Options& options)
+  Day(Origin from, const nexrad::SeriesOptions& options)
     : From(std::move(from))
-    , Cache(moment, static_cast<std::size_t>(std::get<vtkTypeInt64>(From)), options)
+    , Cache(*options.moment, static_cast<std::size_t>(std::get<vtkTypeInt64>(From)), options.level2,
+        options.quality)
   {
   }
 
@@ -128,7 +129,8 @@ vtkStringArray* vtkNexradDayReader::GetSites()
 
 int vtkNexradDayReader::Scan()
 {
-  const Day::Origin from = {this->FileNames, this->Moment, this->SiteName, this->MemoryLimit};
+  const Day::Origin from = {
+    this->FileNames, this->Moment, this->SiteName, this->MemoryLimit, this->FewestNeighbours};
   if (this->Scanned && this->Scanned->From == from)
   {
     return 1;
@@ -145,6 +147,7 @@ int vtkNexradDayReader::Scan()
   options.moment = this->CheckMoment();
   options.requirePosition = true;
   options.level2.siteName = this->SiteName;
+  options.quality.neighbours = this->FewestNeighbours;
   options.digests = true;
   vtkMultiProcessController* controller = this->Controller;
   if (!controller && this->UseGlobalController)
@@ -162,7 +165,7 @@ int vtkNexradDayReader::Scan()
     options.share.exchange = [controller](const std::string& mine)
     { return vtkNexradExchange(controller, mine); };
   }
-  auto day = std::make_unique<Day>(from, *options.moment, options.level2);
+  auto day = std::make_unique<Day>(from, options);
   std::optional<nexrad::SeriesScan> scan;
   try
   {
@@ -212,13 +215,30 @@ void vtkNexradDayReader::ReportProblems()
 void vtkNexradDayReader::MakeTimeSteps()
 {
   const nexrad::SeriesScan& scan = this->Scanned->Scan;
-  const nexrad::Time first =
-    this->BeginTime > VTK_DOUBLE_MIN ? nexrad::FromSeconds(this->BeginTime) : *scan.First();
-  const nexrad::Time last =
-    this->EndTime < VTK_DOUBLE_MAX ? nexrad::FromSeconds(this->EndTime) : *scan.Last();
+  const bool fromBegin = !(this->BeginTime > VTK_DOUBLE_MIN);
+  const bool toEnd = !(this->EndTime < VTK_DOUBLE_MAX);
+  const nexrad::Time first = fromBegin ? *scan.First() : nexrad::FromSeconds(this->BeginTime);
+  const nexrad::Time last = toEnd ? *scan.Last() : nexrad::FromSeconds(this->EndTime);
+  const auto pause = nexrad::FindPause(scan.Spans(), first, last, nexrad::LongestPause);
+  if (pause && (fromBegin || toEnd))
+  {
+    throw nexrad::Error("nothing was scanned for days, from " +
+                        nexrad::FormatIso8601(pause->first) + " to " +
+                        nexrad::FormatIso8601(pause->last) + ": set BeginTime and EndTime");
+  }
   const auto step = std::llround(this->TimeStep * 1000.0);
-  const std::vector<nexrad::Time> steps = nexrad::AtLeastOneTimeStep(
-    first, last, nexrad::Duration(static_cast<nexrad::Duration::rep>(step)));
+  std::vector<nexrad::Time> steps =
+    nexrad::TimeSteps(first, last, nexrad::Duration(static_cast<nexrad::Duration::rep>(step)));
+  if (steps.empty() && fromBegin && toEnd)
+  {
+    steps.push_back(nexrad::MiddleTime(first, last));
+  }
+  if (steps.empty())
+  {
+    throw nexrad::Error("no multiple of the time step lies from " + nexrad::FormatIso8601(first) +
+                        " to " + nexrad::FormatIso8601(last) +
+                        ": set a shorter step, or other begin and end times");
+  }
   for (const nexrad::Time time : steps)
   {
     this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));

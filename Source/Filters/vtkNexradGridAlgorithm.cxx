@@ -104,6 +104,7 @@ nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(const nexrad::Grid
   request.maximumGap =
     nexrad::Duration(static_cast<nexrad::Duration::rep>(std::llround(maximumGap * 1000.0)));
   request.method = this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam;
+  request.quality.neighbours = this->FewestNeighbours;
   request.beam.strategy = StrategyOf(this->OverlapStrategy);
   request.beam.overlapLength = this->OverlapLength;
   request.beam.linearReflectivity = this->LinearReflectivity;
@@ -164,6 +165,7 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Axes: " << this->Axes << "\n";
   os << indent << "Moment: " << this->Moment << "\n";
   os << indent << "Method: " << this->Method << "\n";
+  os << indent << "FewestNeighbours: " << this->FewestNeighbours << "\n";
   os << indent << "OverlapStrategy: " << this->OverlapStrategy << "\n";
   os << indent << "OverlapLength: " << this->OverlapLength << "\n";
   os << indent << "TimeInterpolation: " << this->TimeInterpolation << "\n";

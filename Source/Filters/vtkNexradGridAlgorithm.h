@@ -151,6 +151,17 @@ public:
 
   ///@{
   /**
+   * Takes out gates whose value stands nearly alone, before anything is merged: those of which
+   * fewer than this many of the 26 neighbours in ray, gate and tilt have a value. Such a gate
+   * carries no weight, and does not say that there is no echo. 0…26; 0, which takes out none, by
+   * default.
+   */
+  vtkSetClampMacro(FewestNeighbours, int, 0, 26);
+  vtkGetMacro(FewestNeighbours, int);
+  ///@}
+
+  ///@{
+  /**
    * For BEAM: how radars that scanned the same voxel are put together. DISTANCE by default.
    * Velocity, spectrum width and differential phase always take the nearest.
    */
@@ -274,6 +285,7 @@ protected:
   int Axes = PROJECTED;
   std::string Moment = "REF";
   int Method = BEAM;
+  int FewestNeighbours = 0;
   int OverlapStrategy = DISTANCE;
   double OverlapLength = 100000.0;
   int TimeInterpolation = MOTION;

@@ -109,6 +109,16 @@ std::size_t SampledGates(vtkUnsignedCharArray* states, vtkIdType columns)
   return static_cast<std::size_t>(gates);
 }
 
+/// Of the cut; Unknown where the field data do not say, or have no such number.
+nexrad::Waveform WaveformOf(const SweepGrid& source)
+{
+  const double number = vtkNexradGetValue(source.Field, "Waveform").value_or(0.0);
+  const bool known =
+    number >= 1.0 && number <= static_cast<double>(nexrad::Waveform::StaggeredPulsePair);
+  return known ? static_cast<nexrad::Waveform>(static_cast<int>(number))
+               : nexrad::Waveform::Unknown;
+}
+
 nexrad::PolarSweep ToPolarSweep(const SweepGrid& source, nexrad::MomentName moment)
 {
   const std::string name = nexrad::ToString(moment);
@@ -118,6 +128,9 @@ nexrad::PolarSweep ToPolarSweep(const SweepGrid& source, nexrad::MomentName mome
   vtkDataArray* times = source.RayArray("RayTime", rays);
   vtkDataArray* azimuths = source.RayArray("RayAzimuth", rays);
   vtkDataArray* elevations = source.RayArray("RayElevation", rays);
+  vtkDataArray* ranges = source.Field->HasArray("UnambiguousRange")
+                           ? source.RayArray("UnambiguousRange", rays)
+                           : nullptr;
   int dimensions[3];
   source.Grid->GetDimensions(dimensions);
   if (rays > dimensions[1] || dimensions[2] != 1)
@@ -129,12 +142,17 @@ nexrad::PolarSweep ToPolarSweep(const SweepGrid& source, nexrad::MomentName mome
   sweep.firstGate = source.Value("GateGeometry", 0);
   sweep.gateSpacing = source.Value("GateGeometry", 1);
   sweep.gates = SampledGates(states, dimensions[0]);
+  sweep.waveform = WaveformOf(source);
   for (vtkIdType i = 0; i < rays; ++i)
   {
     const nexrad::PolarRay ray = {azimuths->GetComponent(i, 0), elevations->GetComponent(i, 0),
-      nexrad::FromSeconds(times->GetComponent(i, 0))};
+      nexrad::FromSeconds(times->GetComponent(i, 0)), ranges ? ranges->GetComponent(i, 0) : 0.0};
     const vtkIdType first = i * dimensions[0];
     AppendRay(sweep, ray, values->GetPointer(first), states->GetPointer(first));
+  }
+  if (moment == nexrad::MomentName::REF)
+  {
+    nexrad::LimitReach(sweep);
   }
   return sweep;
 }

@@ -3,6 +3,7 @@
 
 #include "Geometry/VoxelBlock.h"
 #include "Model/Error.h"
+#include "Quality/Despeckling.h"
 #include "Temporal/TimeMerge.h"
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
@@ -24,7 +25,8 @@ vtkStandardNewMacro(vtkNexradSiteMerge);
 namespace
 {
 
-std::vector<nexrad::PolarVolume> ReadInputs(vtkInformationVector* inputs, nexrad::MomentName moment)
+std::vector<nexrad::PolarVolume> ReadInputs(
+  vtkInformationVector* inputs, nexrad::MomentName moment, int fewestNeighbours)
 {
   std::vector<nexrad::PolarVolume> volumes;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
@@ -36,6 +38,10 @@ std::vector<nexrad::PolarVolume> ReadInputs(vtkInformationVector* inputs, nexrad
   if (volumes.empty())
   {
     throw nexrad::Error(std::string("no input holds a sweep with ") + nexrad::ToString(moment));
+  }
+  for (nexrad::PolarVolume& volume : volumes)
+  {
+    nexrad::Despeckle(volume, fewestNeighbours);
   }
   return volumes;
 }
@@ -89,7 +95,8 @@ int vtkNexradSiteMerge::RequestData(
   image->Initialize();
   try
   {
-    const std::vector<nexrad::PolarVolume> volumes = ReadInputs(input[0], this->CheckMoment());
+    const std::vector<nexrad::PolarVolume> volumes =
+      ReadInputs(input[0], this->CheckMoment(), this->FewestNeighbours);
     const nexrad::GridSpecification grid =
       nexrad::MakeGrid(this->MakeGridRequest(), PositionsOf(volumes));
     const nexrad::VoxelBlock block = vtkNexradRequestedBlock(output->GetInformationObject(0), grid);

@@ -3,6 +3,7 @@
 
 #include "Geometry/VoxelBlock.h"
 #include "Model/Error.h"
+#include "Quality/Despeckling.h"
 #include "Temporal/TimeMerge.h"
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
@@ -44,14 +45,15 @@ int vtkNexradVolumeResampler::RequestData(
   image->Initialize();
   try
   {
-    const std::vector<nexrad::PolarVolume> volumes = vtkNexradSweepsToPolar(
+    std::vector<nexrad::PolarVolume> volumes = vtkNexradSweepsToPolar(
       vtkPartitionedDataSetCollection::GetData(input[0]), this->CheckMoment());
     if (volumes.size() != 1)
     {
       throw nexrad::Error("the input holds " + std::to_string(volumes.size()) + " volumes with " +
                           this->Moment + ": one is needed (vtkNexradSiteMerge takes several)");
     }
-    const nexrad::PolarVolume& volume = volumes.front();
+    nexrad::PolarVolume& volume = volumes.front();
+    nexrad::Despeckle(volume, this->FewestNeighbours);
     if (!volume.site.position)
     {
       throw nexrad::Error(

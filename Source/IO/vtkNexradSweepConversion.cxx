@@ -78,6 +78,9 @@ void AddSweepFieldData(const nexrad::Sweep& sweep, std::size_t index,
     field, "RayElevation", sweep, [](const nexrad::Ray& ray) { return ray.elevation; });
   AddRayArray<vtkFloatArray>(
     field, "NyquistVelocity", sweep, [](const nexrad::Ray& ray) { return ray.nyquist; });
+  AddRayArray<vtkFloatArray>(
+    field, "UnambiguousRange", sweep, [](const nexrad::Ray& ray) { return ray.unambiguousRange; });
+  vtkNexradAddValues<vtkIntArray, int>(field, "Waveform", {static_cast<int>(sweep.waveform)});
 }
 
 /// Row `row` of a grid shows this ray: the row after the last ray shows the first again.
@@ -162,7 +165,7 @@ vtkNew<vtkStructuredGrid> MakeGrid(const nexrad::Sweep& sweep, const vtkNexradGa
 std::string SweepName(const nexrad::Sweep& sweep, std::size_t index, const std::string& prefix)
 {
   char text[64];
-  std::snprintf(text, sizeof text, "Sweep %02zu %.2f deg", index, sweep.MeanElevation());
+  std::snprintf(text, sizeof text, "Sweep %02zu %.2f deg", index, sweep.MedianElevation());
   return prefix + text;
 }
 

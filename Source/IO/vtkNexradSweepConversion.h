@@ -28,6 +28,10 @@
  * - `RayTime`, float64, a tuple for each ray: seconds since 1970-01-01T00:00:00Z.
  * - `RayAzimuth`, `RayElevation`, float32, a tuple for each ray: degrees.
  * - `NyquistVelocity`, float32, a tuple for each ray: m/s, 0 when unknown.
+ * - `UnambiguousRange`, float32, a tuple for each ray: m, 0 when unknown.
+ * - `Waveform`, int32: of the cut, as message 5 numbers it; 0 when unknown, 1 contiguous
+ *   surveillance, 2 contiguous Doppler, 3 contiguous Doppler without ambiguity resolution, 4 batch,
+ *   5 staggered pulse pair.
  *
  * A grid has one row more than rays when the first ray is repeated at its end.
  */

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Model/SiteTable.h"
 
+#include "HandMadeVolume.h"
 #include "Level2Bytes.h"
 #include "ProgramRun.h"
 #include "TestData.h"
@@ -75,8 +76,10 @@ TEST(Info, PrintsTheSchema)
   EXPECT_EQ(info["damage"], Json::array());
   ASSERT_EQ(info["sweeps"].size(), 2U);
   EXPECT_EQ(info["sweeps"][1], Json::parse(R"({"index": 1, "elevation_number": 2,
-    "elevation_deg": 1.5, "rays": 12, "first_azimuth_deg": 45.0,
+    "elevation_deg": 1.5, "elevation_mean_deg": 1.5, "waveform": "contiguous surveillance",
+    "rays": 12, "stray_rays": 0, "first_azimuth_deg": 45.0,
     "start": "2005-08-21T02:43:20.671Z", "nyquist_m_s": 26.1200008392334,
+    "unambiguous_range_m": 148000.0,
     "moments": {"REF": {"gates": 5, "first_gate_m": 2125, "gate_spacing_m": 250, "valid": 36,
       "below_threshold": 12, "range_folded": 12, "min": -32.0, "max": 94.5,
       "mean": 20.833333333333332}}})"));
@@ -188,6 +191,46 @@ TEST(Info, PrintsATableForPeople)
   {
     EXPECT_NE(output.find(part), std::string::npos) << part << " is not in\n" << output;
   }
+}
+
+// A folder of files is a line for each, in the order of their names; JSON has them all.
+TEST(Info, ListsTheFilesOfAFolder)
+{
+  const TemporaryFolder folder;
+  const std::string first = WriteFile(folder, "a", MakeSmallVolume(1));
+  const std::string second = WriteFile(folder, "b", MakeSmallVolume(31));
+  const ProgramRun run = RunNexrad3d({"info", folder.Path()});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(std::count(run.output.begin(), run.output.end(), '\n'), 2) << run.output;
+  EXPECT_EQ(run.output.rfind(first + ": KTLX, 2005-08-21T", 0), 0u) << run.output;
+  EXPECT_NE(run.output.find("\n" + second + ": KTLX"), std::string::npos) << run.output;
+  EXPECT_NE(run.output.find("VCP 21, 2 sweeps, 24 rays, complete\n"), std::string::npos);
+  const Json json = Json::parse(RunNexrad3d({"info", "--json", folder.Path()}).output);
+  ASSERT_EQ(json.size(), 2u);
+  EXPECT_EQ(json[1]["file"], second);
+  std::ofstream(folder.Path() / "notes.txt") << "no radar file\n";
+  const ProgramRun withNotes = RunNexrad3d({"info", folder.Path()});
+  EXPECT_EQ(withNotes.status, 3);
+  EXPECT_NE(withNotes.errors.find("notes.txt"), std::string::npos) << withNotes.errors;
+  const TemporaryFolder empty;
+  EXPECT_EQ(RunNexrad3d({"info", empty.Path()}).status, 1);
+}
+
+// One sweep of one ray; a file that has no Nyquist velocity does not have one of 0.
+TEST(Info, CountsOneAsOneAndKnowsWhatItDoesNotKnow)
+{
+  const TemporaryFolder folder;
+  HandMadeVolume volume = ConstantVolume(
+    {"KEAX", Position{38.81, -94.264, 333.0}}, *ParseIso8601("2006-03-12T18:00"), 20.0);
+  volume.sweeps[0].rays = 1;
+  volume.sweeps[0].turn = 1.0;
+  volume.sweeps[0].nyquist = 0.0F;
+  const std::string file = WriteLevel2(folder.Path() / "one", {volume});
+  const std::string table = RunNexrad3d({"info", file}).output;
+  EXPECT_NE(table.find("1 sweep, 1 ray, "), std::string::npos) << table;
+  EXPECT_NE(table.find("        -   REF"), std::string::npos) << table;
+  const Json info = Json::parse(RunNexrad3d({"info", "--json", file}).output)[0];
+  EXPECT_TRUE(info["sweeps"][0]["nyquist_m_s"].is_null());
 }
 
 TEST(Info, NamesTheDamageOfEveryDamagedFile)

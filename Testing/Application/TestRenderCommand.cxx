@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Codec/NxvFile.h"
+#include "HandMadeVolume.h"
 #include "NoDisplay.h"
 #include "ProgramRun.h"
 #include "StormVolume.h"
@@ -143,6 +144,30 @@ TEST(RenderCommand, RadarFilesAreMergedFirst)
       "--size", small, "--dims", "64x64x32", "--time", "2005-08-21T02:56:30"});
   EXPECT_EQ(run.status, 0) << run.errors;
   EXPECT_EQ(NamesIn(folder.Path()), std::set<std::string>{"kbgm.png"});
+}
+
+// One radar file is drawn without a word on times; a time at which nothing was scanned is named.
+TEST(RenderCommand, OneRadarFileIsDrawnAtItsMiddle)
+{
+  const TemporaryFolder folder;
+  const Site site = {"KEAX", Position{38.81, -94.264, 333.0}};
+  const std::string file = WriteLevel2(
+    folder.Path() / "one", {ConstantVolume(site, *ParseIso8601("2006-03-12T18:01:10"), 40.0)});
+  const std::string png = folder.Path() / "one.png";
+  const ProgramRun run =
+    RunNexrad3d({"render", file, "-o", png, "--size", small, "--dims", "32x32x16"});
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.output, png + "\n");
+  for (const char* time : {"2006-03-12T18:01:09", "2006-03-12T18:02", "2016-03-12"})
+  {
+    const ProgramRun outside = RunNexrad3d(
+      {"render", file, "-o", png, "--size", small, "--dims", "32x32x16", "--time", time});
+    EXPECT_EQ(outside.status, 1) << time;
+    EXPECT_NE(outside.errors.find("2006-03-12T18:01:10.000Z to 2006-03-12T18:01:17.180Z"),
+      std::string::npos)
+      << outside.errors;
+    EXPECT_EQ(outside.errors.find('\n'), outside.errors.size() - 1) << outside.errors;
+  }
 }
 
 TEST(RenderCommand, FailuresAreOneLine)

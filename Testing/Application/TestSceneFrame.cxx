@@ -29,6 +29,23 @@ TEST(SceneFrame, BoundsAreTheOuterFacesInKilometres)
   EXPECT_NEAR(frame.Height(10'000.0), 80.0, 1e-12);
 }
 
+// A third as high as it is wide, whatever the domain; at most as much as that of one radar.
+TEST(SceneFrame, HeightsAreStretchedByTheDomain)
+{
+  const auto volume = MakeStormVolume(false); // 480 km wide and 20 km high
+  const auto stretchOf = [&volume](double width, double height)
+  {
+    volume->SetSpacing(width / 48.0, width / 48.0, height / 16.0);
+    return DefaultExaggeration(volume);
+  };
+  EXPECT_EQ(stretchOf(480e3, 20e3), 8.0);
+  EXPECT_EQ(stretchOf(178e3, 20e3), 3.0);
+  EXPECT_EQ(stretchOf(120e3, 20e3), 2.0);
+  EXPECT_EQ(stretchOf(1400e3, 20e3), 8.0);
+  EXPECT_EQ(stretchOf(30e3, 20e3), 1.0);
+  EXPECT_EQ(stretchOf(120e3, 10e3), 4.0);
+}
+
 TEST(SceneFrame, PlacesAreKilometresFromTheCentre)
 {
   const SceneFrame frame(MakeStormVolume(false), 8.0);

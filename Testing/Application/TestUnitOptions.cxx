@@ -35,11 +35,31 @@ TEST(UnitOptions, LengthsAreMetres)
   EXPECT_EQ(ParseLength("230km"), 230'000.0);
   EXPECT_EQ(ParseLength("500m"), 500.0);
   EXPECT_EQ(ParseLength("0.5km"), 500.0);
-  EXPECT_EQ(ParseLength("-12"), -12.0);
-  for (const char* text : {"", "km", "230 km", "230nmi", "1e5", "--5km"})
+  EXPECT_EQ(ParseLength("-12m"), -12.0);
+  EXPECT_EQ(ParseLength("0"), 0.0);
+  for (const char* text : {"", "km", "230 km", "230nmi", "1e5", "--5km", "230", "-12", "0.5"})
   {
     EXPECT_THROW(ParseLength(text), Error) << text;
   }
+}
+
+// 230 could be kilometres to one and metres to another.
+TEST(UnitOptions, ALengthWithoutAUnitSaysWhatToWrite)
+{
+  const auto message = [](auto parse, const char* text)
+  {
+    try
+    {
+      parse(text);
+      return std::string();
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(message(ParseLength, "230"), "'230' has no unit; write 230km or 230m");
+  EXPECT_EQ(message(ParseHeightRange, "0,20"), "'0,20' has no unit; write 0,20km or 0,20m");
 }
 
 TEST(UnitOptions, MemoryIsBytes)
@@ -59,8 +79,9 @@ TEST(UnitOptions, OneUnitCountsForBothHeights)
   EXPECT_EQ(ParseHeightRange("0,20km"), std::make_pair(0.0, 20'000.0));
   EXPECT_EQ(ParseHeightRange("1,20km"), std::make_pair(1'000.0, 20'000.0));
   EXPECT_EQ(ParseHeightRange("500m,20km"), std::make_pair(500.0, 20'000.0));
-  EXPECT_EQ(ParseHeightRange("-100,15000"), std::make_pair(-100.0, 15'000.0));
-  for (const char* text : {"20km,0", "5km,5km", "5km", "0,10km,20km", ",20km", "0,", "0,high"})
+  EXPECT_EQ(ParseHeightRange("-100,15000m"), std::make_pair(-100.0, 15'000.0));
+  for (const char* text :
+    {"20km,0", "5km,5km", "5km", "0,10km,20km", ",20km", "0,", "0,high", "0,20", "1km,20"})
   {
     EXPECT_THROW(ParseHeightRange(text), Error) << text;
   }

@@ -102,6 +102,79 @@ TEST_F(WritingVolumes, AsAScanWould)
   EXPECT_TRUE(part == this->Expected());
 }
 
+// Without a time step: one volume at its middle, and so what has no multiple of 5 minutes.
+TEST_F(WritingVolumes, OneVolumeAloneIsMadeAtItsMiddle)
+{
+  job.options.step.reset();
+  for (const std::size_t file : {std::size_t(0), std::size_t(1)})
+  {
+    job.inputs = {files[file]};
+    const auto made = this->Contents("alone" + std::to_string(file));
+    EXPECT_TRUE(made == this->Expected());
+    ASSERT_EQ(made.size(), 1U);
+    // From 18:00:00 or 18:00:40 on, a ray each 20 ms.
+    EXPECT_EQ(made.begin()->first, file == 0 ? "20060312T180003Z.nxv" : "20060312T180043Z.nxv");
+  }
+  job.inputs = {files[1], files[0]};
+  EXPECT_EQ(this->Contents("two").begin()->first, "20060312T180000Z.nxv"); // a multiple
+  job.inputs = {files[1]};
+  job.options.step = 5min;
+  EXPECT_THROW(this->Contents("asked"), Error);
+}
+
+// Nobody wants the volumes of the years between two files.
+TEST_F(WritingVolumes, DaysWithoutARayAskForTheBegin)
+{
+  const Site site = {"KEAX", Position{38.81, -94.264, 333.0}};
+  this->Write("late", site, start + 24h * 365, 50.0);
+  for (const bool headersKnow : {true, false})
+  {
+    if (!headersKnow)
+    {
+      SetHeaderTime(files.back(), start + 20min);
+    }
+    try
+    {
+      this->Contents("years");
+      FAIL() << "made the years between";
+    }
+    catch (const Error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find("--begin"), std::string::npos) << error.what();
+    }
+    EXPECT_TRUE(!fs::exists(folder.Path() / "years") || fs::is_empty(folder.Path() / "years"));
+  }
+  job.options.end = start + 1h;
+  EXPECT_EQ(this->Contents("first").size(), 21U); // to 19:00
+  job.options.end.reset();
+  job.options.begin = start + 24h * 364;
+  EXPECT_NO_THROW(this->Contents("second"));
+}
+
+// The domain of a terminal radar alone is what it sees.
+TEST_F(WritingVolumes, OneTerminalRadarHasTheDomainOfItsReach)
+{
+  const Site terminal = {"TDAL", Position{32.926, -96.968, 190.0}};
+  files.push_back(WriteLevel2(folder.Path() / "terminal", {ConstantVolume(terminal, start, 20.0)}));
+  job.options = GridOptions();
+  job.options.grid.dimensions = {40, 24, 10};
+  const auto widthOf = [this](const std::vector<fs::path>& inputs)
+  {
+    job.inputs = inputs;
+    this->Contents("domain");
+    const GriddedVolume made = ReadNxv(report.files.front());
+    return made.grid.spacing[0] * made.grid.dimensions[0];
+  };
+  EXPECT_NEAR(widthOf({files.back()}), 200'000.0, 10.0); // 99.5 km, in whole km
+  EXPECT_NEAR(widthOf({files.front()}), 460'000.0, 10.0);
+  EXPECT_GT(widthOf({files.front(), files.back()}), 460'000.0);
+  job.options.grid.range = 50'000.0;
+  EXPECT_NEAR(widthOf({files.back()}), 100'000.0, 10.0);
+  job.options.grid.range = 230'000.0;
+  job.options.ownRange = true;
+  EXPECT_NEAR(widthOf({files.back()}), 460'000.0, 10.0);
+}
+
 TEST_F(WritingVolumes, HeadersThatErrMakeNoDifference)
 {
   const auto expected = this->Expected();

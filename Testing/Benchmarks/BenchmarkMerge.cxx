@@ -175,9 +175,10 @@ void GeometryOfThreeSites(benchmark::State& state)
 
 void PrepareOneVolume(benchmark::State& state)
 {
+  const GridSpecification grid = GridOf(256);
   for (auto iteration : state)
   {
-    benchmark::DoNotOptimize(PrepareBeamVolume(Storm().front()));
+    benchmark::DoNotOptimize(PrepareForGrid(Storm().front(), grid, {}));
   }
 }
 

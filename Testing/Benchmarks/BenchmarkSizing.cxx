@@ -101,10 +101,11 @@ void MeasureVolume(const char* file)
   const PolarVolume volume = ReadReflectivity(file);
   PrintTime("decode a file, one moment", Cost([file] { ReadReflectivity(file); }));
   PrintTime("make its digest", Cost([&volume] { MakeDigest(volume); }));
-  PrintTime("make it ready for merges", Cost([&volume] { PrepareBeamVolume(volume); }));
+  const GridSpecification grid = CountryGrid();
+  PrintTime("make it ready for merges", Cost([&] { PrepareForGrid(volume, grid, {}); }));
   PrintMemory("its rays, packed", PackedPolarVolume(volume).Bytes());
   PrintMemory("its rays, as read", MemoryOf(volume));
-  PrintMemory("its rays, ready for merges", PrepareBeamVolume(volume).MemoryBytes());
+  PrintMemory("its rays, ready for merges", PrepareForGrid(volume, grid, {}).MemoryBytes());
   PrintMemory("its digest", MakeDigest(volume).MemoryBytes());
 }
 

@@ -132,6 +132,26 @@ TEST_F(DayReader, StepsAreMultiplesFromTheFirstRayToTheLast)
   EXPECT_EQ(reader->GetTimeSteps()->GetValue(0), nexrad::ToSeconds(start - 2min));
 }
 
+TEST_F(DayReader, OneVolumeWithoutAMultipleOfTheStepIsMadeAtItsMiddle)
+{
+  reader->ClearFileNames();
+  reader->AddFileName((folder.Path() / "3").c_str()); // 18:03:00.000 to 18:03:07.180
+  reader->SetTimeStep(3600.0);
+  reader->UpdateInformation();
+  ASSERT_EQ(reader->GetTimeSteps()->GetNumberOfValues(), 1);
+  EXPECT_EQ(reader->GetTimeSteps()->GetValue(0), nexrad::ToSeconds(start + 3min + 3s));
+}
+
+TEST_F(DayReader, DaysWithoutARayAskForTheTimes)
+{
+  WriteLevel2(folder.Path() / "4", {ConstantVolume(klsx, start + 24h * 365, 50.0)});
+  reader->SetTimeStep(300.0);
+  this->ExpectFailure(vtkErrorCode::UserError, "BeginTime");
+  reader->SetEndTime(nexrad::ToSeconds(start + 10min));
+  reader->UpdateInformation();
+  EXPECT_EQ(reader->GetTimeSteps()->GetNumberOfValues(), 3);
+}
+
 TEST_F(DayReader, ChoosesTheVolumesAboutAnyTimeForEachSite)
 {
   EXPECT_NEAR(EchoOf(this->At(start), true), 10.0F, 1e-3F);
@@ -218,6 +238,25 @@ TEST_F(DayReader, OutputIsTheGridThatWasAskedFor)
   EXPECT_NEAR(bounds[3], 40.0 - 0.5 * 2.0 / 24, 1e-9);
   EXPECT_NEAR(bounds[4], 1500.0, 1e-9);
   EXPECT_NEAR(bounds[5], 8500.0, 1e-9);
+}
+
+// Every gate of these volumes has 8 neighbours, but those of the first and of the last range.
+TEST_F(DayReader, TakesOutGatesWithFewNeighbours)
+{
+  const auto echoes = [this](int fewest)
+  {
+    reader->SetFewestNeighbours(fewest);
+    const GriddedVolume volume = this->At(start + 3min);
+    return std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo);
+  };
+  const auto all = echoes(0);
+  EXPECT_GT(all, 500);
+  EXPECT_EQ(echoes(5), all);
+  EXPECT_LT(echoes(8), all);
+  EXPECT_GT(echoes(8), 0);
+  EXPECT_EQ(echoes(9), 0);
+  reader->SetFewestNeighbours(100);
+  EXPECT_EQ(reader->GetFewestNeighbours(), 26);
 }
 
 TEST_F(DayReader, LittleMemoryGivesTheSameVolumes)

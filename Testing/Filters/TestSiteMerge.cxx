@@ -90,6 +90,35 @@ TEST(SiteMerge, GivesWhatTheDayReaderGives)
   vtkInformation* info = merge->GetOutputInformation(0);
   ASSERT_EQ(info->Length(vtkStreamingDemandDrivenPipeline::TIME_STEPS()), 1);
   EXPECT_EQ(info->Get(vtkStreamingDemandDrivenPipeline::TIME_STEPS())[0], time);
+
+  const std::vector<float> speckled = vtkNexradImageToVolume(day->GetOutput()).values;
+  day->SetFewestNeighbours(6);
+  day->UpdateInformation();
+  day->UpdateTimeStep(time);
+  merge->SetFewestNeighbours(6);
+  merge->Update();
+  ExpectSame(merge->GetOutput(), day->GetOutput());
+  EXPECT_NE(vtkNexradImageToVolume(day->GetOutput()).values, speckled);
+}
+
+// The Doppler halves of its split cuts reach as far as the others: waveforms and ranges must come
+// through the grids as well.
+TEST(SiteMerge, LeavesDopplerHalvesOutAsTheDayReaderDoes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path file = data / "level2/legacy/KVWX_20050626_221551.gz";
+  const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2005-06-26T22:21:44Z"));
+  vtkNew<vtkNexradDayReader> day;
+  UseSmallGrid(day);
+  day->AddFileName(file.c_str());
+  day->UpdateInformation();
+  day->UpdateTimeStep(time);
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(merge);
+  merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
+  merge->SetTime(time);
+  merge->Update();
+  ExpectSame(merge->GetOutput(), day->GetOutput());
 }
 
 // The motion that is found, one that is given and none make three volumes; no speed is none.

@@ -47,7 +47,7 @@ Sweep MakeSweep(RadarVolume& volume, const HandMadeSweep& source, int number, Ti
     ray.azimuth =
       static_cast<float>(std::fmod(source.firstAzimuth + source.turn * index / source.rays, 360.0));
     ray.elevation = source.elevation;
-    ray.nyquist = 25.0F;
+    ray.nyquist = source.nyquist;
     ray.elevationNumber = static_cast<std::uint8_t>(number);
     for (const HandMadeMoment& moment : source.moments)
     {

@@ -30,6 +30,7 @@ struct HandMadeSweep
   int rays = 360;
   double firstAzimuth = 0.5; ///< degrees
   double turn = 360.0;       ///< degrees
+  float nyquist = 25.0F;     ///< m/s; 0: the file does not tell
   std::vector<HandMadeMoment> moments;
 };
 

@@ -188,6 +188,7 @@ Bytes MakeMessage1(const RayPlan& ray)
                         .U16(40, ray.width.empty() ? 0 : static_cast<unsigned>(widthPlace))
                         .U16(42, ray.velocityResolution)
                         .U16(44, ray.pattern)
+                        .U16(6, ray.range)
                         .U16(60, ray.nyquist)
                         .Put(refPlace, ray.ref)
                         .Put(velPlace, ray.vel)
@@ -203,8 +204,8 @@ Bytes MakeMessage2(int pattern, unsigned build)
 
 Bytes MakeMessage31(const RayPlan& ray)
 {
-  std::vector<Bytes> blocks = {
-    MakeVolumeBlock(ray), BlockWriter(20).Text(0, "RRAD").U16(16, ray.nyquist).Take()};
+  std::vector<Bytes> blocks = {MakeVolumeBlock(ray),
+    BlockWriter(20).Text(0, "RRAD").U16(6, ray.range).U16(16, ray.nyquist).Take()};
   for (const MomentPlan& moment : ray.moments)
   {
     blocks.push_back(MakeMomentBlock(moment));

@@ -61,6 +61,7 @@ struct RayPlan
   unsigned cut = 1;
   unsigned pattern = 21;
   unsigned nyquist = 2612;                          // 0.01 m/s
+  unsigned range = 1480;                            // 0.1 km, unambiguous
   Bytes ref = {0, 1, 2, 66, 255};                   // message 1
   Bytes vel = {0, 1, 2, 129, 255, 131};             // message 1
   Bytes width = {0, 1, 129, 130, 131, 132};         // message 1

@@ -89,8 +89,8 @@ BenchCell ThesisRate(const std::array<int, 3>& dimensions, int slices)
 DrawingRequest PrepareDrawing(
   const BenchRequest& request, const SeriesScan& scan, const std::filesystem::path& folder)
 {
-  const std::vector<Time> steps =
-    MiddleSteps(scan, request.options.step, static_cast<std::size_t>(request.runs) + 1);
+  const std::vector<Time> steps = MiddleSteps(
+    scan, request.options.step.value_or(DefaultStep), static_cast<std::size_t>(request.runs) + 1);
   DrawingRequest drawing;
   drawing.runs = request.runs;
   for (const ThesisFrameRates& rates : ThesisFrameRateTable)

@@ -23,7 +23,8 @@ struct Steps
 
 Steps FindMiddle(const SeriesScan& scan, const GridOptions& options)
 {
-  const std::vector<Time> times = TimeSteps(*scan.First(), *scan.Last(), options.step);
+  const std::vector<Time> times =
+    TimeSteps(*scan.First(), *scan.Last(), options.step.value_or(DefaultStep));
   if (times.size() < 2)
   {
     throw Error("the files reach over less than two time steps; give more of them");

@@ -54,7 +54,8 @@ SheetSource MakeSource(const SheetRequest& request)
   }
   source.synthetic = std::any_of(scan.sites.begin(), scan.sites.end(),
     [](const SiteSeries& site) { return site.volumes.front().synthetic; });
-  const std::vector<Time> steps = TimeSteps(*scan.First(), *scan.Last(), request.grid.step);
+  const Duration step = request.grid.step.value_or(application::DefaultStep);
+  const std::vector<Time> steps = TimeSteps(*scan.First(), *scan.Last(), step);
   const Time middle = *scan.First() + (*scan.Last() - *scan.First()) / 2;
   source.time = request.time.value_or(steps.empty() ? middle : steps[steps.size() / 2]);
   CheckTime(source);

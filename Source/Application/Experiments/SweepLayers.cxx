@@ -2,6 +2,7 @@
 #include "SweepLayers.h"
 
 #include "LineBuilder.h"
+#include "Model/Elevation.h"
 #include "SceneText.h"
 #include "Volumes/VtkMessages.h"
 #include "vtkNexradFieldData.h"
@@ -28,6 +29,8 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
+#include <vector>
 
 namespace nexrad::scene
 {
@@ -38,15 +41,15 @@ constexpr Colour ringColour = {0.45, 0.55, 0.62};
 constexpr Colour labelColour = {0.80, 0.85, 0.90};
 constexpr double sameElevation = 0.25; // degrees
 
-double MeanElevation(vtkStructuredGrid* grid)
+double ElevationOf(vtkStructuredGrid* grid)
 {
   vtkDataArray* elevations = grid->GetFieldData()->GetArray("RayElevation");
-  double sum = 0.0;
+  std::vector<double> angles;
   for (vtkIdType ray = 0; ray < elevations->GetNumberOfTuples(); ++ray)
   {
-    sum += elevations->GetComponent(ray, 0);
+    angles.push_back(elevations->GetComponent(ray, 0));
   }
-  return sum / static_cast<double>(elevations->GetNumberOfTuples());
+  return MedianOf(std::move(angles));
 }
 
 // How many gates of each ray are shown; rays of a sweep are alike.
@@ -91,7 +94,7 @@ void CountEchoes(SweepLayer& layer, double least)
 SweepLayer MakeLayer(vtkStructuredGrid* grid, const SweepReach& reach)
 {
   SweepLayer layer;
-  layer.elevation = MeanElevation(grid);
+  layer.elevation = ElevationOf(grid);
   layer.rays =
     static_cast<std::size_t>(grid->GetFieldData()->GetArray("RayElevation")->GetNumberOfTuples());
   const int gates = GatesWithin(grid, reach);

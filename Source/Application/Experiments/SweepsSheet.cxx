@@ -69,7 +69,7 @@ vtkSmartPointer<vtkImageData> DrawLayers(const std::vector<SweepLayer>& layers, 
   scene.SetVolume(domain);
   vtkNew<vtkColorTransferFunction> colours;
   scene.Look()->FillSteppedColorFunction(colours);
-  SweepStyle style{colours, least, SceneOptions().exaggeration};
+  SweepStyle style{colours, least, DefaultExaggeration(domain)};
   style.textSize = std::max(9, size[1] / 45);
   for (std::size_t i = 0; i < layers.size(); ++i)
   {

@@ -109,7 +109,8 @@ Sheet DrawTimesSheet(const SheetSource& source)
       {"cores_percent", "of 40 dBZ or more, %", 3}},
     {}};
   std::vector<SheetPanel> panels;
-  for (const std::size_t index : ChooseTimesOfDay(series->Times(), source.request.grid.step))
+  const Duration step = source.request.grid.step.value_or(application::DefaultStep);
+  for (const std::size_t index : ChooseTimesOfDay(series->Times(), step))
   {
     const Time time = series->Times()[index];
     const vtkSmartPointer<vtkImageData> volume = series->Load(index, {});

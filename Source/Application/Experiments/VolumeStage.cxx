@@ -63,7 +63,7 @@ VolumeStage::~VolumeStage() = default;
 
 void VolumeStage::SetVolume(vtkImageData* data)
 {
-  const SceneFrame frame(data, SceneOptions().exaggeration);
+  const SceneFrame frame(data, UsualExaggeration);
   placed = vtkSmartPointer<vtkImageData>::New();
   placed->ShallowCopy(data);
   frame.MoveToScene(placed);

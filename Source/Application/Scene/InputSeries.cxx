@@ -19,12 +19,7 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   if (count == 0)
   {
     application::GridOptions grid = request.grid;
-    if (request.time)
-    {
-      // Every millisecond is a step, so that the time itself is one.
-      grid.begin = grid.end = request.time;
-      grid.step = Duration(1);
-    }
+    grid.time = request.time;
     return application::OpenRadarFiles(
       request.inputs, grid, application::ShareOf(progress, 0.0, application::scanShare));
   }

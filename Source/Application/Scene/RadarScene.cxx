@@ -89,7 +89,6 @@ RadarScene::RadarScene(const SceneOptions& sceneOptions)
   renderer->SetBackground2(skyTop[0], skyTop[1], skyTop[2]);
   renderer->GradientBackgroundOn();
   volume->SetProperty(MakeVolumeProperty());
-  note = ScaleText(options.exaggeration);
   this->LookChanged();
 }
 
@@ -153,7 +152,9 @@ void RadarScene::SetVolume(vtkImageData* data)
   {
     throw Error("the volume holds no voxels to draw");
   }
-  SceneFrame newFrame(data, options.exaggeration);
+  SceneFrame newFrame(
+    data, options.exaggeration ? *options.exaggeration : DefaultExaggeration(data));
+  note = ScaleText(newFrame.Exaggeration());
   if (options.plan)
   {
     newFrame.Flatten();

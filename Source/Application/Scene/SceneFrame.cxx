@@ -5,6 +5,7 @@
 
 #include <vtkImageData.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -84,6 +85,18 @@ void SceneFrame::MoveToScene(vtkImageData* volume) const
   volume->SetOrigin((origin[0] - centre[0]) * kilometres[0],
     (origin[1] - centre[1]) * kilometres[1], origin[2] * vertical);
   volume->SetSpacing(spacing[0] * kilometres[0], spacing[1] * kilometres[1], spacing[2] * vertical);
+}
+
+double DefaultExaggeration(vtkImageData* volume)
+{
+  constexpr double heightToWidth = 0.35;
+  constexpr double least = 1.0;
+  const std::array<double, 6> box = SceneFrame(volume, 1.0).Bounds();
+  const double width = std::sqrt((box[1] - box[0]) * (box[3] - box[2]));
+  const double height = box[5] - box[4];
+  const double stretch = height > 0.0 ? heightToWidth * width / height : least;
+  const double rounded = stretch < 4.0 ? 0.5 * std::round(2.0 * stretch) : std::round(stretch);
+  return std::min(std::max(rounded, least), UsualExaggeration);
 }
 
 } // namespace nexrad::scene

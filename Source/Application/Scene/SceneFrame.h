@@ -50,4 +50,12 @@ private:
   std::optional<GridSpecification> map;
 };
 
+/// How much heights of wide domains are stretched when nobody says.
+constexpr double UsualExaggeration = 8.0;
+
+/// How much heights are stretched when nobody says: so much that the volume stands about a third as
+/// high as it is wide, but at least 1 time, and at most UsualExaggeration, which the default domain
+/// of one radar has, 460 km wide and 20 km high.
+double DefaultExaggeration(vtkImageData* volume);
+
 } // namespace nexrad::scene

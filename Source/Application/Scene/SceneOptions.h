@@ -42,9 +42,9 @@ struct SceneOptions
 {
   std::string preset; ///< one of presetNames; empty: the first of the moment that is shown
   std::filesystem::path
-    colours;                 ///< colours, and opacities if it has any, in place of the preset's:
-                             ///< a file that vtkNexradTransferFunction reads; empty: none
-  double exaggeration = 8.0; ///< of heights; above 0
+    colours; ///< colours, and opacities if it has any, in place of the preset's:
+             ///< a file that vtkNexradTransferFunction reads; empty: none
+  std::optional<double> exaggeration; ///< of heights; above 0; empty: DefaultExaggeration
   MapperChoice mapper = MapperChoice::TextureSlice;
   int slices = 256;         ///< or samples along the longest ray; from 1 on
   double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer.h"
 
+#include "Counted.h"
 #include "PictureWindow.h"
 #include "SceneText.h"
 #include "ViewerStyle.h"
@@ -290,7 +291,8 @@ void Viewer::DrawStatus()
   std::ostringstream text;
   text << "step " << session.Shown().value_or(0) + 1 << " of " << session.Count() << ", "
        << (playing ? "playing" : "paused") << ", " << options.interval.count() << " ms a step, "
-       << session.Scene().Slices() << " slices" << (message.empty() ? "" : "    ") << message;
+       << application::Counted(static_cast<std::uintmax_t>(session.Scene().Slices()), "slice")
+       << (message.empty() ? "" : "    ") << message;
   statusCaption->SetInput(text.str().c_str());
   const int letters = std::max(9, size[1] / 55);
   for (vtkTextActor* caption : {keysCaption.Get(), statusCaption.Get()})

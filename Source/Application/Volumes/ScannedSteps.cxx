@@ -33,7 +33,8 @@ ScannedSteps::ScannedSteps(const std::vector<std::filesystem::path>& inputs,
   const GridOptions& userOptions, const ScanShare& share, const Progress& progress)
   : options(userOptions)
   , request(MergeRequestOf(options))
-  , cache(options.moment, options.memory, SeriesOptionsOf(options).level2)
+  , cache(options.moment, options.memory, SeriesOptionsOf(options).level2,
+      SeriesOptionsOf(options).quality)
 {
   const auto keep = [this](const SeriesVolume& key, const RadarVolume& volume)
   { cache.Offer(key, volume); };
@@ -51,8 +52,8 @@ void ScannedSteps::Plan()
   {
     throw Error("no input holds a volume that can be used" + DescribeProblems(scan.problems));
   }
-  request.grid = MakeGrid(options.grid, scan.Positions());
-  times = TimeStepsOf(options, *scan.First(), *scan.Last());
+  request.grid = GridOf(options, scan.Positions(), scan.Range());
+  times = TimeStepsOf(options, scan);
 }
 
 std::optional<GriddedVolume> ScannedSteps::Merge(Time time, const Progress& progress)

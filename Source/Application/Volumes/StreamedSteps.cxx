@@ -36,6 +36,20 @@ bool AreSame(const GridSpecification& a, const GridSpecification& b)
          a.centreLongitude == b.centreLongitude;
 }
 
+// When the files' volumes began, as their headers say.
+std::vector<TimeSpan> HeaderTimes(const std::vector<SiteOutline>& outline)
+{
+  std::vector<TimeSpan> times;
+  for (const SiteOutline& site : outline)
+  {
+    for (const OutlinedFile& file : site.files)
+    {
+      times.push_back({file.time, file.time});
+    }
+  }
+  return times;
+}
+
 // The first volume of some files, in their order; empty when there is none.
 template <class Iterator>
 std::optional<std::pair<Site, SeriesVolume>> FindVolume(
@@ -66,6 +80,10 @@ StreamedSteps::StreamedSteps(
 
 bool StreamedSteps::Plan()
 {
+  if (options.time || FindPause(options, HeaderTimes(outline)))
+  {
+    return false; // whether it is so, all rays must tell
+  }
   for (const SiteOutline& site : outline)
   {
     stream.Expect(site.files.front().index);
@@ -77,6 +95,7 @@ bool StreamedSteps::Plan()
   std::vector<Position> positions;
   Time first = Time::max();
   Time last = Time::min();
+  double range = DefaultRange;
   for (const SiteOutline& site : outline)
   {
     std::vector<OutlinedFile> asGiven = site.files;
@@ -88,18 +107,20 @@ bool StreamedSteps::Plan()
       return false;
     }
     positions.push_back(*known->first.position);
-    if (!options.begin)
-    {
-      first =
-        std::min(first, FindVolume(site.files.begin(), site.files.end(), stream)->second.start);
-    }
+    const auto earliest = FindVolume(site.files.begin(), site.files.end(), stream);
+    range = RangeOf(earliest->first, earliest->second);
+    first = std::min(first, earliest->second.start);
     if (!options.end)
     {
       last = std::max(last, FindVolume(site.files.rbegin(), site.files.rend(), stream)->second.end);
     }
   }
-  request.grid = MakeGrid(options.grid, positions);
-  times = TimeStepsOf(options, first, last);
+  if (options.begin.value_or(first) > options.end.value_or(last))
+  {
+    return false;
+  }
+  request.grid = GridOf(options, positions, outline.size() == 1 ? range : DefaultRange);
+  times = TimeStepsOf(options, first, last, this->CountVolumes());
   return true;
 }
 
@@ -111,11 +132,18 @@ std::optional<GriddedVolume> StreamedSteps::Merge(
   return MergeVolumes(volumes, request, progress, run, std::move(memory));
 }
 
+// Of several files at least two.
+std::size_t StreamedSteps::CountVolumes()
+{
+  const bool alone = outline.size() == 1 && outline.front().files.size() == 1;
+  return alone ? stream.Scan(outline.front().files.front().index).volumes.size() : 2;
+}
+
 bool StreamedSteps::IsAsIn(const SeriesScan& scan) const
 {
   return !scan.sites.empty() && stream.IsAsIn(scan) &&
-         AreSame(request.grid, MakeGrid(options.grid, scan.Positions())) &&
-         times == TimeStepsOf(options, *scan.First(), *scan.Last());
+         AreSame(request.grid, GridOf(options, scan.Positions(), scan.Range())) &&
+         !FindPause(options, scan.Spans()) && times == TimeStepsOf(options, scan);
 }
 
 } // namespace nexrad::application

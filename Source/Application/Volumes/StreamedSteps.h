@@ -7,6 +7,7 @@
 #include "Temporal/TimeMerge.h"
 #include "Temporal/VolumeStream.h"
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -45,6 +46,8 @@ public:
   bool IsAsIn(const SeriesScan& scan) const;
 
 private:
+  std::size_t CountVolumes();
+
   const GridOptions options;
   const std::vector<SiteOutline> outline;
   MergeRequest request;

@@ -47,13 +47,17 @@ struct GridSpecification
   std::array<double, 2> FromGeographic(double longitude, double latitude) const;
 };
 
+/// m, to which the velocity of a weather radar of the network reaches; beyond, beams are too high
+/// to show much.
+constexpr double DefaultRange = 230'000.0;
+
 /// What a user asks for; the rest follows from the sites.
 struct GridRequest
 {
   std::array<int, 3> dimensions = {256, 256, 128};
-  double range = 230'000.0; ///< m, radius of the circle about each site that the box must hold
-  double bottom = 0.0;      ///< m above mean sea level, lower face
-  double top = 20'000.0;    ///< m above mean sea level, upper face
+  double range = DefaultRange; ///< m, radius of the circle about each site that the box must hold
+  double bottom = 0.0;         ///< m above mean sea level, lower face
+  double top = 20'000.0;       ///< m above mean sea level, upper face
   std::optional<GeographicBounds> bounds; ///< replaces the box about the sites
   GridAxes axes = GridAxes::Projected;
 };

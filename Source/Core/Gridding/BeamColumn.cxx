@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/BeamColumn.h"
 
-#include "Gridding/BeamSharpening.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -15,36 +13,32 @@ namespace
 // Straight above the antenna every elevation is 90°; so near to it the beams' heights are none.
 constexpr float smallestHalfTangent = 1e-7F; // 2 m
 
-// Where the beams end below and above a tilt. Rays stray from their tilt; what a ray saw reaches
-// half a beam width to either side of it, and not of the tilt (Formulas G3).
+// Where the beams end below and above a tilt. Rays lie beside their tilt; what a ray saw reaches
+// half a beam width to either side of it, and not of the tilt (Formulas G3). A tilt that holds
+// sweeps of several elevations keeps its own place within, so that no ray hides a neighbour.
 float LowerEdge(const TiltEdges& tilt, const TiltSample& sample)
 {
   const bool seen = sample.state != VoxelState::NotScanned;
-  return tilt.lower + (seen ? tilt.perDegree * (sample.lowest - tilt.elevation) : 0.0F);
+  const float beside = seen ? tilt.perDegree * (sample.lowest - tilt.elevation) : 0.0F;
+  return std::min(tilt.lower + beside, tilt.tangent);
 }
 
 float UpperEdge(const TiltEdges& tilt, const TiltSample& sample)
 {
   const bool seen = sample.state != VoxelState::NotScanned;
-  return tilt.upper + (seen ? tilt.perDegree * (sample.highest - tilt.elevation) : 0.0F);
+  const float beside = seen ? tilt.perDegree * (sample.highest - tilt.elevation) : 0.0F;
+  return std::max(tilt.upper + beside, tilt.tangent);
+}
+
+// An echo of 0 dBZ or less beside none: it would not differ from none where no echo counts as 0
+// dBZ.
+bool IsWeakEdge(const TiltSample& lower, const TiltSample& upper)
+{
+  return lower.state != upper.state &&
+         (lower.state == VoxelState::Echo ? lower : upper).value <= 0.0F;
 }
 
 } // namespace
-
-SiteLevels::SiteLevels(
-  const GridSpecification& grid, double altitude, double effectiveRadius, double overlapLength)
-  : radius(static_cast<float>(effectiveRadius))
-  , bottom(static_cast<float>(grid.origin[2] - altitude))
-  , perMetre(static_cast<float>(1.0 / grid.spacing[2]))
-{
-  for (int level = 0; level < grid.dimensions[2]; ++level)
-  {
-    const double height = grid.Coordinate(2, level) - altitude;
-    const double part = overlapLength > 0.0 ? height / overlapLength : 0.0;
-    ratio.push_back(static_cast<float>(height / (effectiveRadius + height)));
-    weight.push_back(static_cast<float>(std::exp(-part * part)));
-  }
-}
 
 // Two neighbouring tilts over a column, or one tilt and the edge of its beam.
 struct BeamColumn::Gap
@@ -60,14 +54,16 @@ struct BeamColumn::Gap
   int upperBegin = 0;               // first level within half a beam width of the upper tilt
   int middle = 0;                   // first level nearer to the upper tilt
   int echoEnd = 0;                  // where the echo of one tilt ends, when one has none (G8)
+  std::size_t tilt = 0;             // the lower one, when there are two
 };
 
-BeamColumn::BeamColumn(
-  int levels, OverlapStrategy theStrategy, const ValueRule& theRule, bool withCompanions)
+BeamColumn::BeamColumn(int levels, OverlapStrategy theStrategy, const ValueRule& theRule,
+  bool withCompanions, bool withTrend)
   : levelCount(levels)
   , strategy(theStrategy)
   , rule(theRule)
   , companions(withCompanions)
+  , trend(withTrend && theRule.zeroIsNone && !theRule.linear)
 {
   const auto count = static_cast<std::size_t>(levels);
   for (std::vector<float>* each : {&scanned, &echo, &sum, &ages, &weights, &shares, &values})
@@ -100,10 +96,7 @@ void BeamColumn::Add(const SiteColumn& site)
 {
   const std::vector<TiltEdges>& edges = *site.edges;
   const SiteLevels& levels = *site.levels;
-  // Of what the radar measures, reflectivity in dBZ alone is known to be a mean of Z (Formulas G9).
-  const bool sharpen = rule.zeroIsNone && !rule.linear;
-  const TiltSample* samples =
-    sharpen && SharpenTilts(edges, site.samples, sharpened) ? sharpened.data() : site.samples;
+  const TiltSample* samples = site.samples;
   const float t = std::max(site.halfTangent, smallestHalfTangent);
   const float sine = 2.0F * t / (1.0F + t * t);
   const auto ratioAt = [t, sine](float tangent) { return (tangent + t) * sine; };
@@ -142,6 +135,7 @@ void BeamColumn::Add(const SiteColumn& site)
         gap.ratioFrom = ratioAt(edges[i - 1].tangent);
         gap.perRatio = 1.0F / (ratioAt(edges[i].tangent) - gap.ratioFrom);
         gap.edges = &edges[i - 1];
+        gap.tilt = i - 1;
         gap.middle = std::clamp(levelAt(edges[i - 1].middle), gap.from, gap.to);
         const bool echoBelow = gap.lower->state == VoxelState::Echo;
         const float end = echoBelow ? edges[i - 1].endAbove : edges[i - 1].endBelow;
@@ -161,9 +155,14 @@ void BeamColumn::AddGap(const SiteColumn& site, const Gap& gap)
   const bool measuredUpper = upper == VoxelState::Echo || upper == VoxelState::NoEcho;
   if (measuredLower && measuredUpper)
   {
-    if (lower == VoxelState::NoEcho && upper == VoxelState::NoEcho)
+    const bool layers = trend && site.layerShares != nullptr && site.layerShares[gap.tilt] > 0.0F;
+    if (lower == VoxelState::NoEcho && upper == VoxelState::NoEcho && !layers)
     {
       this->AddNone(site, gap, gap.from, gap.to);
+    }
+    else if (trend && !IsWeakEdge(*gap.lower, *gap.upper))
+    {
+      this->AddTrend(site, gap);
     }
     else if (lower == upper && !rule.nearest)
     {
@@ -222,6 +221,36 @@ void BeamColumn::AddEdge(const SiteColumn& site, const Gap& gap)
   }
 }
 
+// Reflectivity between two tilts that both measured (Formulas G11, G12): above 0 dBZ it is an echo,
+// and so it is wherever both tilts have one.
+void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
+{
+  this->ShareLevels(site, gap, gap.from, gap.to);
+  const TiltGap between{site.edges, site.samples, gap.tilt, gap.from, gap.to};
+  InterpolateUpwards(between, shares.data(), values.data());
+  if (site.layerShares != nullptr && site.layerShares[gap.tilt] > 0.0F)
+  {
+    BlendLayers(between, site.layerShares[gap.tilt], *site.levels, site.lookup, site.halfTangent,
+      values.data());
+  }
+  this->WeighLevels(site, gap, gap.from, gap.to);
+  const bool both = gap.lower->state == VoxelState::Echo && gap.upper->state == VoxelState::Echo;
+  const auto isEcho = [this, both](int level)
+  { return both || values[static_cast<std::size_t>(level)] > 0.0F; };
+  for (int begin = gap.from; begin < gap.to;)
+  {
+    const bool echoes = isEcho(begin);
+    int end = begin + 1;
+    while (end < gap.to && isEcho(end) == echoes)
+    {
+      ++end;
+    }
+    echoes ? this->AccumulateEcho(begin, end) : this->AccumulateNone(begin, end);
+    begin = end;
+  }
+  this->AddCompanions(site, gap, gap.from, gap.to);
+}
+
 void BeamColumn::AddState(
   const SiteColumn& site, const Gap& gap, const TiltSample& sample, int from, int to)
 {
@@ -273,6 +302,12 @@ void BeamColumn::WeighLevels(const SiteColumn& site, const Gap& gap, int from, i
 void BeamColumn::AddNone(const SiteColumn& site, const Gap& gap, int from, int to)
 {
   this->WeighLevels(site, gap, from, to);
+  this->AccumulateNone(from, to);
+  this->AddCompanions(site, gap, from, to);
+}
+
+void BeamColumn::AccumulateNone(int from, int to)
+{
   const bool nearestAlone = strategy == OverlapStrategy::Nearest;
   const float* weight = weights.data();
   float* all = scanned.data();
@@ -280,7 +315,6 @@ void BeamColumn::AddNone(const SiteColumn& site, const Gap& gap, int from, int t
   {
     all[z] = nearestAlone && all[z] > 0.0F ? all[z] : all[z] + weight[z];
   }
-  this->AddCompanions(site, gap, from, to);
 }
 
 void BeamColumn::AddEcho(

@@ -3,7 +3,9 @@
 
 #include "Gridding/BeamSampling.h"
 #include "Gridding/GriddedVolume.h"
+#include "Gridding/SiteLevels.h"
 #include "Gridding/TiltEdges.h"
+#include "Gridding/TiltGap.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -21,19 +23,6 @@ enum class OverlapStrategy
   Distance ///< by distance: exp(−(r/L)²) (W4)
 };
 
-/// The levels of a grid as one radar sees them.
-struct SiteLevels
-{
-  SiteLevels(
-    const GridSpecification& grid, double altitude, double effectiveRadius, double overlapLength);
-
-  float radius = 0.0F;       ///< a_e, m
-  float bottom = 0.0F;       ///< m above the antenna, of the lowest level
-  float perMetre = 0.0F;     ///< levels in a metre
-  std::vector<float> ratio;  ///< h/(a_e + h) of each level
-  std::vector<float> weight; ///< exp(−(h/L)²) of each level; 1 without a length
-};
-
 /// One radar over one column.
 struct SiteColumn
 {
@@ -43,6 +32,10 @@ struct SiteColumn
   const SiteLevels* levels = nullptr;
   const std::vector<TiltEdges>* edges = nullptr;
   const TiltSample* samples = nullptr; ///< of each tilt
+  /// Of the gap above each tilt but the last, how much its echo lies in layers, 0…1 (Formulas G12);
+  /// nullptr: not at all.
+  const float* layerShares = nullptr;
+  TiltLookup lookup; ///< needed where a share is above 0
 };
 
 /// Puts together what the radars saw over one column of voxels: linear in the elevation angle
@@ -52,7 +45,9 @@ class BeamColumn
 public:
   static constexpr std::uint8_t NoSite = VoxelCompanions::NoSite;
 
-  BeamColumn(int levels, OverlapStrategy strategy, const ValueRule& rule, bool companions);
+  /// `trend`: reflectivity in dBZ is interpolated between tilts by G11 and G12, not linearly.
+  BeamColumn(int levels, OverlapStrategy strategy, const ValueRule& rule, bool companions,
+    bool trend = false);
 
   /// Forgets the column before.
   void Clear();
@@ -78,6 +73,8 @@ private:
   struct Gap;
   void AddGap(const SiteColumn& site, const Gap& gap);
   void AddEdge(const SiteColumn& site, const Gap& gap);
+  void AddTrend(const SiteColumn& site, const Gap& gap);
+  void AccumulateNone(int from, int to);
   void AddNone(const SiteColumn& site, const Gap& gap, int from, int to);
   void AddEcho(const SiteColumn& site, const Gap& gap, int from, int to, float lower, float upper);
   void AccumulateEcho(int from, int to);
@@ -93,6 +90,7 @@ private:
   const OverlapStrategy strategy;
   const ValueRule rule;
   const bool companions;
+  const bool trend;
   std::vector<float> scanned; // sum of the weights of the radars that scanned the voxel
   std::vector<float> echo;    // of those that saw echo
   std::vector<float> sum;     // of weight × value; for Maximum, the largest value
@@ -102,7 +100,6 @@ private:
   std::vector<std::uint8_t> nearestSites;
   std::vector<float> weights; // of the radar that is being added
   std::vector<float> shares;  // of the upper tilt
-  std::vector<TiltSample> sharpened;
   std::vector<float> values;
   std::vector<VoxelState> states;
 };

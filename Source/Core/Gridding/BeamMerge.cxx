@@ -2,6 +2,7 @@
 #include "Gridding/BeamMerge.h"
 
 #include "Model/Error.h"
+#include "Model/SiteTable.h"
 
 #include <algorithm>
 #include <atomic>
@@ -109,6 +110,20 @@ double FarthestWay(const std::vector<BeamTilt>& tilts, const MotionField& motion
   return motion.FastestSpeed() * static_cast<double>(longest);
 }
 
+// Metres from a column within which gates may count in its sample, but for one gate or ray beside.
+double WidestSpread(const std::vector<const BeamVolume*>& volumes)
+{
+  float widest = 0.0F;
+  for (const BeamVolume* volume : volumes)
+  {
+    for (const BeamSweep& sweep : volume->sweeps)
+    {
+      widest = std::max(widest, sweep.means.spread);
+    }
+  }
+  return static_cast<double>(widest);
+}
+
 std::vector<const VolumeComposite*> CompositesOf(const std::vector<const BeamVolume*>& volumes)
 {
   std::vector<const VolumeComposite*> composites;
@@ -155,6 +170,16 @@ std::array<double, 2> NorthIn(const GridSpecification& grid, const Position& sit
   return {(north[0] - south[0]) / length, (north[1] - south[1]) / length};
 }
 
+// The shorter side of a voxel about a site, m.
+double VoxelSide(const GridSpecification& grid, const Position& site)
+{
+  const double y = grid.FromGeographic(site.longitude, site.latitude)[1];
+  const double row = (y - grid.origin[1]) / grid.spacing[1];
+  const std::array<double, 2> extent =
+    VoxelExtent(grid, std::clamp(row, 0.0, static_cast<double>(grid.dimensions[1] - 1)));
+  return std::min(extent[0], extent[1]);
+}
+
 void RunInTurn(int count, const std::function<void(int, int)>& work)
 {
   work(0, count);
@@ -171,9 +196,9 @@ void CheckOptions(const GridSpecification& grid, const BeamMergeOptions& options
     throw Error(
       "overlap length of " + std::to_string(options.overlapLength) + " m: must be above 0");
   }
-  if (!(options.beamWidth > 0.0 && options.beamWidth < 10.0))
+  if (options.beamWidth && !(*options.beamWidth > 0.0 && *options.beamWidth < 10.0))
   {
-    throw Error("beam width of " + std::to_string(options.beamWidth) +
+    throw Error("beam width of " + std::to_string(*options.beamWidth) +
                 " degrees: must be above 0 and below 10");
   }
   if (options.maximumGap < Duration::zero())
@@ -222,6 +247,23 @@ RangeLoop ThreadLoop(unsigned threads)
       other.join();
     }
   };
+}
+
+BeamVolume PrepareForGrid(
+  const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
+{
+  const bool sharpen = options.sharpen && !options.linearReflectivity;
+  BeamVolume prepared = PrepareBeamVolume(volume, options.beamWidth, sharpen);
+  if (options.means && volume.site.position)
+  {
+    const ValueRule rule = ValueRule::Of(volume.moment, options.linearReflectivity);
+    const double side = VoxelSide(grid, *volume.site.position);
+    for (BeamSweep& sweep : prepared.sweeps)
+    {
+      sweep.means = MakeSweepMeans(sweep, rule, side);
+    }
+  }
+  return prepared;
 }
 
 BeamMerger::BeamMerger(const GridSpecification& theGrid, const BeamMergeOptions& theOptions)
@@ -293,7 +335,7 @@ BeamVolumes BeamMerger::Prepare(
       {
         const std::size_t which = missing[static_cast<std::size_t>(i)];
         next[which].volume =
-          std::make_shared<const BeamVolume>(PrepareBeamVolume(*volumes[which], options.beamWidth));
+          std::make_shared<const BeamVolume>(PrepareForGrid(*volumes[which], grid, options));
       }
     });
   kept = std::move(next);
@@ -361,14 +403,19 @@ std::vector<MergeSite> BeamMerger::MakeSites(
     const bool byDistance = StrategyFor(any.moment, options.strategy) == OverlapStrategy::Distance;
     MergeSite site{number, &this->GeometryOf(position),
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
-      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}};
-    site.edges = FindEdges(site.tilts, options.beamWidth, options.sharpen);
+      {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}};
+    const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
+    site.edges = FindEdges(site.tilts, beamWidth);
     for (const BeamTilt& tilt : site.tilts)
     {
       site.quiet.push_back(FindQuiet(tilt, site.context));
     }
+    if (options.trend && any.moment == MomentName::REF && !options.linearReflectivity)
+    {
+      site.layers = GapLayers::Find(group.second, site.tilts, time);
+    }
     const double way = motion != nullptr ? FarthestWay(site.tilts, *motion) : 0.0;
-    site.mask = EchoMask(CompositesOf(group.second), radius, way);
+    site.mask = EchoMask(CompositesOf(group.second), radius, way + WidestSpread(group.second));
     site.north = NorthIn(grid, position);
     sites.push_back(std::move(site));
   }
@@ -425,6 +472,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time 
   rows.strategy = StrategyFor(volume.moment, options.strategy);
   rows.overlapLength = static_cast<float>(options.overlapLength);
   rows.fill = options.fill;
+  rows.trend = options.trend;
   rows.motion = moves ? motion : nullptr;
   const int height = block.Size(1);
   for (int band = 0; band < height; band += bandHeight)

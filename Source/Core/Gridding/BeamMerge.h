@@ -25,11 +25,14 @@ struct BeamMergeOptions
                                                         ///< the nearest (Formulas W8)
   double overlapLength = 100'000.0;                     ///< m, L of Formulas W4; above 0
   Duration maximumGap = std::chrono::minutes(15); ///< a ray farther from the time does not count
-  double beamWidth = 0.95;                        ///< degrees (Formulas B4)
-  BeamModel beam = BeamModel();                   ///< path of the beams
-  bool linearReflectivity = false;                ///< interpolate Z in place of dBZ (Formulas G5)
-  bool sharpen = true;     ///< take the beam's width back from reflectivity in dBZ (Formulas G9)
-  bool fill = false;       ///< fill between and below what was scanned (Formulas T7)
+  std::optional<double> beamWidth; ///< degrees; unless said, each radar's own (Formulas B4)
+  BeamModel beam = BeamModel();    ///< path of the beams
+  bool linearReflectivity = false; ///< interpolate Z in place of dBZ (Formulas G5)
+  bool sharpen = true; ///< take the beam's width back from reflectivity in dBZ (Formulas G9)
+  bool means = true;   ///< take means where voxels are coarser than gates (Formulas G10)
+  bool trend = true;   ///< between tilts, follow the tilts beyond (Formulas G11) and layers (G12);
+                       ///< else linear. Reflectivity in dBZ alone
+  bool fill = false;   ///< fill between and below what was scanned (Formulas T7)
   bool companions = false; ///< make GriddedVolume::companions
 };
 
@@ -47,6 +50,11 @@ struct SiteReach
   Position position;
   double reach = 0.0; ///< m, slant range at which its farthest gate ends, or more
 };
+
+/// Makes a volume ready for merges onto a grid: PrepareBeamVolume, and the means of its gates over
+/// the grid's voxels.
+BeamVolume PrepareForGrid(
+  const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
 
 /// Volumes made ready, which several may share.
 using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
@@ -83,13 +91,13 @@ public:
   /// sweeps do as well in Merge.
   std::vector<bool> FindReaching(const std::vector<SiteReach>& radars, const RangeLoop& loop = {});
 
-  /// The merge at a time. Of each radar the volumes about the time, in any order: the last one that
-  /// ended before it, those in progress, the first one after it; others make no difference but
-  /// cost time. All must hold the same moment. Without volumes no voxel is scanned. `motion`, of
-  /// the grid, may be nullptr. Empty when `progress` asked to stop; it is called from this thread
-  /// alone. `memory` is a volume that is no longer needed: its arrays become those of the result. A
-  /// radar is named in the result also when none of its volumes has a sweep. Throws Error for a
-  /// motion of another grid.
+  /// The merge at a time, of volumes from Prepare or PrepareForGrid. Of each radar those about the
+  /// time, in any order: the last one that ended before it, those in progress, the first one after
+  /// it; others make no difference but cost time. All must hold the same moment. Without volumes no
+  /// voxel is scanned. `motion`, of the grid, may be nullptr. Empty when `progress` asked to stop;
+  /// it is called from this thread alone. `memory` is a volume that is no longer needed: its arrays
+  /// become those of the result. A radar is named in the result also when none of its volumes has a
+  /// sweep. Throws Error for a motion of another grid.
   std::optional<GriddedVolume> Merge(const BeamVolumes& volumes, Time time,
     const MotionField* motion, const RangeLoop& loop = {}, const Progress& progress = {},
     GriddedVolume memory = {});

@@ -74,7 +74,8 @@ public:
     , volume(theVolume)
     , levels(static_cast<std::size_t>(theOptions.levels))
     , companions(!theVolume.companions.age.empty())
-    , column(theOptions.levels, theOptions.strategy, theSites.front().context.rule, companions)
+    , column(theOptions.levels, theOptions.strategy, theSites.front().context.rule, companions,
+        theOptions.trend)
     , values(levels)
     , states(levels)
     , ages(companions ? levels : 0)
@@ -180,13 +181,15 @@ private:
     const Surroundings& about) const
   {
     const QuietTilt& quiet = site.quiet[tilt];
+    const ColumnMotion* motion =
+      about.top > 0 && options.motion != nullptr ? &about.motion : nullptr;
     if (about.top >= quiet.elevation)
     {
-      return SampleTilt(site.tilts[tilt], direction, site.context,
-        options.motion != nullptr ? &about.motion : nullptr);
+      return SampleTilt(site.tilts, tilt, direction, site.context, motion);
     }
     const std::optional<TiltSample> known = SampleQuiet(quiet, direction, site.context);
-    return known ? *known : SampleTilt(site.tilts[tilt], direction, site.context);
+    // What lower tilts hold may still come to a look alone, which moves at its height.
+    return known ? *known : SampleTilt(site.tilts, tilt, direction, site.context, motion, true);
   }
 
   void MergeColumn(int x, int y, int place)
@@ -217,6 +220,7 @@ private:
       seen.levels = &site.levels;
       seen.edges = &site.edges;
       seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
+      this->LookForLayers(site, x, y, seen);
       column.Add(seen);
     }
     column.Finish(volume.fill);
@@ -225,6 +229,28 @@ private:
       column.FillVertically();
     }
     this->Keep(place);
+  }
+
+  // Formulas G12: how much the echo over a column lies in layers, and what is needed to follow
+  // them.
+  void LookForLayers(const MergeSite& site, int x, int y, SiteColumn& seen)
+  {
+    constexpr float least = 0.05F; // below, echo is interpolated straight up alone
+    const ColumnDirection& direction = site.geometry->Row(y)[x - site.geometry->BeginX()];
+    layerShares.clear();
+    for (const GapLayers& gap : site.layers)
+    {
+      const float share = gap.ShareAt(direction);
+      layerShares.push_back(share < least ? 0.0F : share);
+    }
+    if (std::any_of(layerShares.begin(), layerShares.end(), [](float each) { return each > 0.0F; }))
+    {
+      const bool moves = options.motion != nullptr;
+      columnMotion =
+        moves ? MotionSeenBy(site, direction, options.motion->At(x, y)) : ColumnMotion{};
+      seen.layerShares = layerShares.data();
+      seen.lookup = {&site.tilts, &site.context, direction, moves ? &columnMotion : nullptr};
+    }
   }
 
   // Formulas W4, the part of the distance along the ground; the heights' part is in the levels.
@@ -290,6 +316,8 @@ private:
   std::array<Surroundings, stripWidth> surroundings;
   std::vector<Present> present;
   std::vector<std::pair<float, std::size_t>> order; // distance and site
+  std::vector<float> layerShares;                   // of the gaps of the site that is added
+  ColumnMotion columnMotion;                        // over the column, as that site sees it
 };
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "Gridding/BeamSampling.h"
 #include "Gridding/BeamTilts.h"
 #include "Gridding/EchoMask.h"
+#include "Gridding/GapLayers.h"
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/MotionField.h"
 #include "Gridding/SiteGeometry.h"
@@ -28,6 +29,7 @@ struct MergeSite
   float reach = 0.0F; ///< tan(γ/2) of the farthest gate of any look: columns beyond are not seen
   std::array<double, 2> north = {0.0, 1.0}; ///< the radar's north in the grid's directions
   std::vector<QuietTilt> quiet;             ///< of the tilts
+  std::vector<GapLayers> layers;            ///< of the gaps above the tilts but the last
   EchoMask mask;                            ///< where echo is, or may move from or to
 };
 
@@ -39,6 +41,7 @@ struct RowOptions
   OverlapStrategy strategy = OverlapStrategy::Distance;
   float overlapLength = 100'000.0F; ///< m
   bool fill = false;
+  bool trend = true;                   ///< BeamMergeOptions
   const MotionField* motion = nullptr; ///< over the grid; without, linear in time
 };
 

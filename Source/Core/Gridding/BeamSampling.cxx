@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace nexrad
 {
@@ -31,71 +32,58 @@ inline float Blend(float first, float second, float share, const ValueRule& rule
   return first + share * difference;
 }
 
-// The four gates about a point and how much each counts.
-struct Corners
+// From decibels to what is interpolated.
+inline float Interpolated(float value, const ValueRule& rule)
 {
-  std::uint16_t codes[4];
-  float weights[4];
-};
-
-VoxelState StateOf(std::uint16_t code)
-{
-  switch (code)
-  {
-  case BeamSweep::NoEchoCode:
-    return VoxelState::NoEcho;
-  case BeamSweep::RangeFoldedCode:
-    return VoxelState::RangeFolded;
-  case BeamSweep::NotSampledCode:
-    return VoxelState::NotScanned;
-  default:
-    return VoxelState::Echo;
-  }
-}
-
-float ValueOf(std::uint16_t code, const BeamSweep& sweep, const ValueRule& rule)
-{
-  const float value = sweep.base + sweep.step * static_cast<float>(code);
   return rule.linear ? std::exp2(value * 0.332192809F) : value; // 10^(v/10)
 }
 
-// Formulas G6; of reflectivity, where no echo counts as 0 dBZ, G8.
-void Decide(const Corners& corners, const BeamSweep& sweep, const ValueRule& rule, Look& look)
+// What lies about a point: weights by state, and the mean of the echoes.
+struct Tally
 {
-  float weights[4] = {0.0F, 0.0F, 0.0F, 0.0F}; // by state
+  float echo = 0.0F;
+  float none = 0.0F;
+  float folded = 0.0F;
+  float missing = 0.0F;
   float value = 0.0F;
-  constexpr auto echo = static_cast<std::size_t>(VoxelState::Echo);
-  for (int i = 0; i < 4; ++i)
+
+  void AddEcho(float own, float weight, const ValueRule& rule)
   {
-    const VoxelState state = StateOf(corners.codes[i]);
-    const float weight = corners.weights[i];
-    weights[static_cast<std::size_t>(state)] += weight;
-    if (state == VoxelState::Echo && weight > 0.0F)
+    echo += weight;
+    if (weight > 0.0F)
     {
-      const float own = ValueOf(corners.codes[i], sweep, rule);
-      value = weights[echo] > weight ? Blend(value, own, weight / weights[echo], rule) : own;
+      value = echo > weight ? Blend(value, own, weight / echo, rule) : own;
     }
   }
-  const float none = weights[static_cast<std::size_t>(VoxelState::NoEcho)];
-  const float folded = weights[static_cast<std::size_t>(VoxelState::RangeFolded)];
-  const float missing = weights[static_cast<std::size_t>(VoxelState::NotScanned)];
-  look.value = value;
-  if (none + weights[echo] > 0.0F)
+  void AddNothing(std::uint16_t code, float weight)
+  {
+    float& of = code == BeamSweep::NoEchoCode        ? none
+                : code == BeamSweep::RangeFoldedCode ? folded
+                                                     : missing;
+    of += weight;
+  }
+};
+
+// Formulas G6; of reflectivity, where no echo counts as 0 dBZ, G8.
+void Decide(const Tally& about, const ValueRule& rule, Look& look)
+{
+  look.value = about.value;
+  if (about.none + about.echo > 0.0F)
   {
     const float zero = rule.linear ? 1.0F : 0.0F;
-    if (rule.zeroIsNone && weights[echo] > 0.0F && value > zero)
+    if (rule.zeroIsNone && about.echo > 0.0F && about.value > zero)
     {
       look.state = VoxelState::Echo;
-      look.value = zero + (value - zero) * weights[echo] / (none + weights[echo]);
+      look.value = zero + (about.value - zero) * about.echo / (about.none + about.echo);
     }
     else
     {
-      look.state = none >= weights[echo] ? VoxelState::NoEcho : VoxelState::Echo;
+      look.state = about.none >= about.echo ? VoxelState::NoEcho : VoxelState::Echo;
     }
   }
   else
   {
-    look.state = folded >= missing ? VoxelState::RangeFolded : VoxelState::NotScanned;
+    look.state = about.folded >= about.missing ? VoxelState::RangeFolded : VoxelState::NotScanned;
   }
 }
 
@@ -158,6 +146,108 @@ inline VoxelState BeyondReach(
   return height > context.ceiling ? VoxelState::NoEcho : VoxelState::NotScanned;
 }
 
+inline void AddGate(
+  const BeamSweep& sweep, std::uint16_t code, float weight, const ValueRule& rule, Tally& about)
+{
+  if (code < BeamSweep::FirstValueCode)
+  {
+    about.AddNothing(code, weight);
+    return;
+  }
+  const float value = sweep.base + sweep.step * static_cast<float>(code);
+  about.AddEcho(Interpolated(value, rule), weight, rule);
+}
+
+inline void AddCell(const SweepMeans& means, const SweepMeans::Cell& cell, float weight,
+  const ValueRule& rule, Tally& about)
+{
+  constexpr float whole = 255.0F;
+  if (cell.missing == 255)
+  {
+    about.AddNothing(cell.code, weight);
+    return;
+  }
+  const float part = weight / whole;
+  const int none = 255 - cell.missing - cell.echo;
+  about.none += part * static_cast<float>(none);
+  if (cell.echo > 0)
+  {
+    const float value = means.base + means.step * static_cast<float>(cell.code);
+    about.AddEcho(Interpolated(value, rule), part * static_cast<float>(cell.echo), rule);
+  }
+}
+
+// The two cells of a ring between which a direction lies.
+struct CellPair
+{
+  const SweepMeans::Cell* cells;
+  float share; // of the second
+};
+
+inline CellPair FindCells(
+  const SweepMeans& means, std::size_t number, const RayPlace& rays, float azimuth)
+{
+  const SweepMeans::Ring& ring = means.rings[number];
+  const SweepMeans::Cell* first = means.cells.data() + ring.first;
+  if (ring.sectors == 0)
+  {
+    return {first + rays.entry, rays.share};
+  }
+  const float place = azimuth * ring.sectorsPerDegree + 0.5F;
+  const int sector = static_cast<int>(place);
+  return {first + sector, place - static_cast<float>(sector)};
+}
+
+// What a sweep has about a place where voxels are coarser than its gates or rays (Formulas G10).
+inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azimuth, float range,
+  const ValueRule& rule, Look& look)
+{
+  const auto last = static_cast<float>(means.rings.size() - 1);
+  const float place =
+    std::min(std::max((range - means.firstRing) * means.ringsPerMetre, 0.0F), last);
+  const auto ring = static_cast<std::size_t>(place);
+  const float forth = place - static_cast<float>(ring);
+  const CellPair near = FindCells(means, ring, rays, azimuth);
+  const CellPair far = forth > 0.0F ? FindCells(means, ring + 1, rays, azimuth) : near;
+  if (near.cells[0].IsNoEcho() && near.cells[1].IsNoEcho() && far.cells[0].IsNoEcho() &&
+      far.cells[1].IsNoEcho())
+  {
+    look.state = VoxelState::NoEcho;
+    return;
+  }
+  Tally about;
+  AddCell(means, near.cells[0], (1.0F - near.share) * (1.0F - forth), rule, about);
+  AddCell(means, near.cells[1], near.share * (1.0F - forth), rule, about);
+  AddCell(means, far.cells[0], (1.0F - far.share) * forth, rule, about);
+  AddCell(means, far.cells[1], far.share * forth, rule, about);
+  Decide(about, rule, look);
+}
+
+// What a sweep has between two of its rays, at a place along them that is counted in gates.
+inline void LookAtGates(
+  const BeamSweep& sweep, const RayPlace& rays, float place, const ValueRule& rule, Look& look)
+{
+  const int gate = static_cast<int>(place);
+  const float along = place - static_cast<float>(gate);
+  const std::uint16_t* first = sweep.codes.data() +
+                               static_cast<std::size_t>(rays.entry) * sweep.Stride() +
+                               static_cast<std::size_t>(gate);
+  const std::uint16_t* second = first + sweep.Stride();
+  if ((first[0] | first[1] | second[0] | second[1]) == BeamSweep::NoEchoCode)
+  {
+    look.state = VoxelState::NoEcho;
+    return;
+  }
+  const float across = rule.nearest ? std::floor(rays.share + 0.5F) : rays.share;
+  const float forth = rule.nearest ? std::floor(along + 0.5F) : along;
+  Tally about;
+  AddGate(sweep, first[0], (1.0F - across) * (1.0F - forth), rule, about);
+  AddGate(sweep, first[1], (1.0F - across) * forth, rule, about);
+  AddGate(sweep, second[0], across * (1.0F - forth), rule, about);
+  AddGate(sweep, second[1], across * forth, rule, about);
+  Decide(about, rule, look);
+}
+
 inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& column,
   const SamplingContext& context)
 {
@@ -169,7 +259,6 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
   {
     return look;
   }
-  const auto entry = static_cast<std::size_t>(rays.entry);
   look.time = TimeOf(sweep, begin, rays);
   look.elevation = ElevationOf(sweep, rays);
   const auto last = static_cast<float>(sweep.gates - 1);
@@ -179,23 +268,14 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
     look.assumed = look.state == VoxelState::NoEcho;
     return look;
   }
-  const float inside = std::min(std::max(place, 0.0F), last);
-  const int gate = static_cast<int>(inside);
-  const float along = inside - static_cast<float>(gate);
-  const std::uint16_t* first =
-    sweep.codes.data() + entry * sweep.Stride() + static_cast<std::size_t>(gate);
-  const std::uint16_t* second = first + sweep.Stride();
-  if ((first[0] | first[1] | second[0] | second[1]) == BeamSweep::NoEchoCode)
+  if (range < sweep.means.reach)
   {
-    look.state = VoxelState::NoEcho;
-    return look;
+    LookAtMeans(sweep.means, rays, column.azimuth, range, context.rule, look);
   }
-  const float across = context.rule.nearest ? std::floor(rays.share + 0.5F) : rays.share;
-  const float forth = context.rule.nearest ? std::floor(along + 0.5F) : along;
-  Decide({{first[0], first[1], second[0], second[1]},
-           {(1.0F - across) * (1.0F - forth), (1.0F - across) * forth, across * (1.0F - forth),
-             across * forth}},
-    sweep, context.rule, look);
+  else
+  {
+    LookAtGates(sweep, rays, std::min(std::max(place, 0.0F), last), context.rule, look);
+  }
   return look;
 }
 
@@ -306,19 +386,28 @@ inline Look LookAlong(const FoundLook& found, const ColumnDirection& column,
   return BlendLooks(lower, upper, of.shareOfUpper, context.rule);
 }
 
-// The first look of a list that saw the column on its side of the time, within the gap.
+// The first look of a list that saw the column on its side of the time, within the gap. What is
+// assumed beyond the gates of one look gives way to what another measured.
 inline FoundLook FindLook(const std::vector<TiltObservation>& observations,
   const ColumnDirection& column, const SamplingContext& context, bool after)
 {
+  FoundLook assumed;
   for (const TiltObservation& observation : observations)
   {
     const Look look = LookAt(observation, column, context);
-    if (look.state != VoxelState::NotScanned && (look.time > 0.0F) == after)
+    if (look.state == VoxelState::NotScanned || (look.time > 0.0F) != after)
     {
-      return std::abs(look.time) <= context.gap ? FoundLook{look, &observation} : FoundLook{};
+      continue;
     }
+    const FoundLook found =
+      std::abs(look.time) <= context.gap ? FoundLook{look, &observation} : FoundLook{};
+    if (!look.assumed)
+    {
+      return found.observation != nullptr ? found : assumed;
+    }
+    assumed = assumed.observation != nullptr ? assumed : found;
   }
-  return {};
+  return assumed;
 }
 
 inline bool TellsSomething(const Look& look)
@@ -341,6 +430,107 @@ inline void FollowMotion(FoundLook& before, FoundLook& after, const ColumnDirect
   {
     before.look = source;
     after.look = target;
+  }
+}
+
+// h/(a_e + h) of a beam over a column (Formulas G7).
+inline float RatioOver(float tangent, const ColumnDirection& column)
+{
+  const float t = column.halfTangent;
+  return (tangent + t) * 2.0F * t / (1.0F + t * t);
+}
+
+// The same the other way round: tan(elevation).
+inline float TangentTo(float ratio, const ColumnDirection& column)
+{
+  constexpr float smallestHalfTangent = 1e-7F; // straight above the antenna there is no answer
+  const float t = std::max(column.halfTangent, smallestHalfTangent);
+  return ratio * (1.0F + t * t) / (2.0F * t) - t;
+}
+
+// The look at a tilt about a column that was taken nearest in time to another, along the motion.
+Look LookAlongNear(const BeamTilt& tilt, float time, const ColumnDirection& column,
+  const ColumnMotion& motion, const SamplingContext& context)
+{
+  const FoundLook before = FindLook(tilt.before, column, context, false);
+  const FoundLook after = FindLook(tilt.after, column, context, true);
+  const auto apart = [time](const FoundLook& found)
+  {
+    return found.observation != nullptr ? std::abs(found.look.time - time)
+                                        : std::numeric_limits<float>::infinity();
+  };
+  const FoundLook& nearest = apart(after) < apart(before) ? after : before;
+  return nearest.observation == nullptr ? Look{} : LookAlong(nearest, column, motion, context);
+}
+
+// The neighbouring tilts about a height over a column, and how far it lies on the way to the upper
+// one.
+struct TiltPlace
+{
+  std::size_t lower;
+  std::size_t upper;
+  float share;
+};
+
+// Below the lowest tilt and above the highest these themselves, as long as they are not too far
+// off: over some kilometres echo changes more along the ground than with height.
+std::optional<TiltPlace> FindTiltPlace(const std::vector<BeamTilt>& tilts, float ratio,
+  const ColumnDirection& column, const SamplingContext& context)
+{
+  constexpr float farthest = 2'000.0F; // m
+  const float tangent = TangentTo(ratio, column);
+  const auto above = std::find_if(
+    tilts.begin(), tilts.end(), [tangent](const BeamTilt& tilt) { return tilt.tangent > tangent; });
+  const auto upper = static_cast<std::size_t>(above - tilts.begin());
+  if (upper > 0 && upper < tilts.size())
+  {
+    const float from = tilts[upper - 1].tangent;
+    return TiltPlace{upper - 1, upper, (tangent - from) / (tilts[upper].tangent - from)};
+  }
+  const std::size_t outermost = upper > 0 ? upper - 1 : upper;
+  const float off =
+    context.effectiveRadius * std::abs(RatioOver(tilts[outermost].tangent, column) - ratio);
+  return off <= farthest ? std::optional<TiltPlace>({outermost, outermost, 0.0F}) : std::nullopt;
+}
+
+// Puts in place of the only look over a column at a tilt what the radar saw at the look's time
+// where the column's echo was or will be, at the same height: without a look on the other side of
+// the time, nothing makes up for the slope of the tilt (Formulas A2a).
+void FollowMotionAlone(const std::vector<BeamTilt>& tilts, std::size_t tilt, Look& alone,
+  const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context)
+{
+  if (!TellsSomething(alone))
+  {
+    return;
+  }
+  const ColumnDirection source = DirectionAt(column, motion, alone.time);
+  const std::optional<TiltPlace> place =
+    FindTiltPlace(tilts, RatioOver(tilts[tilt].tangent, column), source, context);
+  if (!place)
+  {
+    return;
+  }
+  const Look lower = LookAlongNear(tilts[place->lower], alone.time, column, motion, context);
+  const Look upper = place->upper == place->lower
+                       ? lower
+                       : LookAlongNear(tilts[place->upper], alone.time, column, motion, context);
+  const Look& nearer = place->share < 0.5F ? lower : upper;
+  TiltSample moved;
+  if (TellsSomething(lower) && TellsSomething(upper))
+  {
+    BlendTimes(lower, upper, place->share, context, moved);
+  }
+  else
+  {
+    moved.state = nearer.state;
+    moved.value = nearer.value;
+  }
+  const bool echo = moved.state == VoxelState::Echo;
+  if (echo || (moved.state == VoxelState::NoEcho && alone.state == VoxelState::Echo))
+  {
+    alone.state = moved.state;
+    alone.value = moved.value;
+    alone.assumed = nearer.assumed && !echo;
   }
 }
 
@@ -374,16 +564,6 @@ TiltSample SampleOf(const Look& look, float gap)
 constexpr float tangentMargin = 1e-5F;
 
 } // namespace
-
-ValueRule ValueRule::Of(MomentName moment, bool linearReflectivity)
-{
-  ValueRule rule;
-  rule.nearest = moment == MomentName::VEL;
-  rule.zeroIsNone = moment == MomentName::REF;
-  rule.linear = moment == MomentName::REF && linearReflectivity;
-  rule.period = moment == MomentName::PHI ? 360.0F : 0.0F;
-  return rule;
-}
 
 QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context)
 {
@@ -465,14 +645,20 @@ ColumnDirection DirectionAt(
   return {azimuth, std::sqrt(along * along + across * across)};
 }
 
-TiltSample SampleTilt(const BeamTilt& tilt, const ColumnDirection& column,
-  const SamplingContext& context, const ColumnMotion* motion)
+TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
+  const ColumnDirection& column, const SamplingContext& context, const ColumnMotion* motion,
+  bool nothingAbout)
 {
+  const BeamTilt& tilt = tilts[number];
   FoundLook before = FindLook(tilt.before, column, context, false);
   FoundLook after = FindLook(tilt.after, column, context, true);
   if (before.observation == nullptr || after.observation == nullptr)
   {
-    const FoundLook& alone = before.observation == nullptr ? after : before;
+    FoundLook& alone = before.observation == nullptr ? after : before;
+    if (alone.observation != nullptr && motion != nullptr)
+    {
+      FollowMotionAlone(tilts, number, alone.look, column, *motion, context);
+    }
     return alone.observation == nullptr ? TiltSample{} : SampleOf(alone.look, context.gap);
   }
   TiltSample sample;
@@ -481,7 +667,7 @@ TiltSample SampleTilt(const BeamTilt& tilt, const ColumnDirection& column,
   sample.age = std::min(-before.look.time, after.look.time);
   sample.fade =
     std::max(FadeOf(-before.look.time, context.gap), FadeOf(after.look.time, context.gap));
-  if (motion != nullptr)
+  if (motion != nullptr && !nothingAbout)
   {
     FollowMotion(before, after, column, *motion, context);
   }

@@ -4,24 +4,14 @@
 #include "Gridding/BeamTilts.h"
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/SiteGeometry.h"
+#include "Gridding/ValueRule.h"
 
+#include <cstddef>
 #include <optional>
+#include <vector>
 
 namespace nexrad
 {
-
-/// How values of a moment are put together.
-struct ValueRule
-{
-  bool nearest = false;    ///< take the nearest instead of interpolating
-  bool linear = false;     ///< values are interpolated as 10^(dBZ/10) (Formulas G5)
-  bool zeroIsNone = false; ///< no echo counts as 0 dBZ against an echo (Formulas G8, A1)
-  float period = 0.0F;     ///< of angles, in the moment's unit; 0: values are no angles
-
-  /// The rule of a moment: velocity takes the nearest (it is folded, and the Nyquist velocity
-  /// differs from cut to cut), differential phase is an angle, the others are interpolated.
-  static ValueRule Of(MomentName moment, bool linearReflectivity);
-};
 
 /// What one radar has at one place of one tilt at the time of the merge. `value` is without meaning
 /// unless the state is Echo.
@@ -77,13 +67,19 @@ QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context);
 std::optional<TiltSample> SampleQuiet(
   const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context);
 
-/// Samples a tilt over a column: bilinear in azimuth and range on the last look at or before the
-/// time and on the first one after it, then linear in time (Formulas G2, G6, A1).
+/// Samples one of a radar's tilts over a column: bilinear in azimuth and range on the last look at
+/// or before the time and on the first one after it, then linear in time (Formulas G2, G6, A1).
 ///
 /// With a motion, the two looks go to where the column's echo was and will be, when both see
-/// something there (A2a): on the tilt, whose height there differs, but to opposite sides. Which
-/// looks they are, their age, and whether there is anything to tell, is decided over the column.
-TiltSample SampleTilt(const BeamTilt& tilt, const ColumnDirection& column,
-  const SamplingContext& context, const ColumnMotion* motion = nullptr);
+/// something there (A2a): on the tilt, whose height there differs, but to opposite sides. A look
+/// that has none on the other side of the time goes there as well, at the height over the column,
+/// between the neighbouring tilts; where these see nothing there, it stays. Which looks they are,
+/// their age, and whether there is anything to tell, is decided over the column.
+///
+/// `nothingAbout`: no look at the tilt finds anything but no echo as far from the column as echo
+/// may move, so that two looks need not be moved.
+TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
+  const ColumnDirection& column, const SamplingContext& context,
+  const ColumnMotion* motion = nullptr, bool nothingAbout = false);
 
 } // namespace nexrad

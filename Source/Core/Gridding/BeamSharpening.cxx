@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/BeamSharpening.h"
 
+#include "Gridding/BeamVolume.h"
+#include "Gridding/SweepPlaces.h"
+#include "Model/Elevation.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,9 +20,6 @@ namespace
 // beam's middle than two standard deviations.
 constexpr float steepestRise = 2.0F;
 constexpr float steepestFall = -6.0F; // the mean hardly changes any more
-
-// An echo between two weaker ones is taken to fill half the beam, not less: it may be clutter.
-constexpr float largestGain = 3.0F; // dB
 
 // What one side of the beam adds to the mean of Z, in parts of the Z in its middle, by the slope on
 // that side, in e-folds of Z a standard deviation of the pattern: exp(s²/2)·Φ(s), half where flat.
@@ -51,60 +52,160 @@ private:
 };
 const SideTable sideTable;
 
-// How much a tilt tells of the echo beside it, 0…1: what was not measured tells nothing, and what
-// is fading does so without a jump.
-float WorthOf(const TiltSample& sample)
+// In e-folds of Z a standard deviation of the two-way pattern, which is 0.285 of a beam width of
+// 0.95°. Differences over less than that are noise more than slope. Towards a tilt without echo the
+// echo ends half a beam width before it, but not before the middle (Formulas G8).
+float SlopeTo(const NeighbourEcho& neighbour, float value, float beamWidth)
 {
-  const bool measured = sample.state == VoxelState::Echo || sample.state == VoxelState::NoEcho;
-  return measured && !sample.assumed ? sample.fade : 0.0F;
-}
-
-// From an echo to a neighbouring tilt, in the unit of the table; flat where that tells nothing.
-float SlopeTo(const TiltSample& neighbour, float value, const TiltEdges& gap)
-{
-  const float step =
-    neighbour.state == VoxelState::Echo ? neighbour.value - value : -value / gap.endShare;
-  return WorthOf(neighbour) * gap.spread * step;
-}
-
-// The value of one tilt in the middle of the beam.
-float Sharpen(const std::vector<TiltEdges>& edges, const TiltSample* samples, std::size_t tilt)
-{
-  static constexpr TiltSample nothing;
-  const float value = samples[tilt].value;
-  const TiltSample& lower = tilt > 0 ? samples[tilt - 1] : nothing;
-  const TiltSample& upper = tilt + 1 < edges.size() ? samples[tilt + 1] : nothing;
-  const float below = SlopeTo(lower, value, edges[std::max<std::size_t>(tilt, 1) - 1]);
-  const float above = SlopeTo(upper, value, edges[tilt]);
-  if (below == 0.0F && above == 0.0F)
+  constexpr float perBeamWidth = 0.30028060F;      // 1/√(16 ln 2)
+  constexpr float naturalPerDecibel = 0.23025851F; // ln(10)/10
+  if (!neighbour.measured)
   {
-    return value;
+    return 0.0F;
   }
-  // What the beam's other half holds must be known before an echo is said not to fill the beam.
-  const float gain = largestGain * std::min(WorthOf(lower), WorthOf(upper));
-  return value - std::max(10.0F * std::log10(sideTable.At(below) + sideTable.At(above)), -gain);
+  const float spread = naturalPerDecibel * std::min(perBeamWidth * beamWidth / neighbour.gap, 1.0F);
+  const float end = std::max(0.5F, 1.0F - 0.5F * beamWidth / neighbour.gap);
+  return spread * (neighbour.value ? *neighbour.value - value : -value / end);
+}
+
+// The sweeps beside one in elevation.
+struct Beside
+{
+  const BeamSweep* below = nullptr;
+  const BeamSweep* above = nullptr;
+};
+
+// What is left of a cut when another one serves most of its directions.
+bool IsRemnant(const BeamSweep& other, const BeamSweep& sweep)
+{
+  return 5 * other.azimuths.size() < 2 * sweep.azimuths.size(); // half as many may be wider rays
+}
+
+// Of the sweeps on one side the nearest tilt, and of its cuts the one nearest in time.
+const BeamSweep* FindBeside(
+  const std::vector<BeamSweep>& sweeps, const BeamSweep& sweep, float side)
+{
+  constexpr auto same = static_cast<float>(SameTilt);
+  const BeamSweep* found = nullptr;
+  float nearest = 0.0F;
+  for (const BeamSweep& other : sweeps)
+  {
+    const float away = side * (other.elevation - sweep.elevation);
+    const bool nearer = found == nullptr || away < nearest - same;
+    const auto apart = [&sweep](const BeamSweep& each)
+    { return std::abs((each.begin - sweep.begin).count()); };
+    if (away > same && !IsRemnant(other, sweep) &&
+        (nearer || (away < nearest + same && apart(other) < apart(*found))))
+    {
+      nearest = nearer ? away : nearest;
+      found = &other;
+    }
+  }
+  return found;
+}
+
+// What a sweep beside has at the places of another's gates.
+class NeighbourSweep
+{
+public:
+  NeighbourSweep(const BeamSweep* beside, const BeamSweep& of)
+    : sweep(beside)
+  {
+    if (sweep != nullptr)
+    {
+      gap = std::abs(sweep->elevation - of.elevation);
+      gates = GatesOver(*sweep, of);
+    }
+  }
+
+  void TurnTo(float azimuth) { entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1; }
+
+  NeighbourEcho At(std::size_t gate) const
+  {
+    NeighbourEcho echo;
+    if (entry < 0 || gates[gate] < 0)
+    {
+      return echo;
+    }
+    const std::uint16_t code = sweep->codes[static_cast<std::size_t>(entry) * sweep->Stride() +
+                                            static_cast<std::size_t>(gates[gate])];
+    echo.gap = gap;
+    echo.measured = code == BeamSweep::NoEchoCode || code >= BeamSweep::FirstValueCode;
+    if (code >= BeamSweep::FirstValueCode)
+    {
+      echo.value = sweep->base + sweep->step * static_cast<float>(code);
+    }
+    return echo;
+  }
+
+private:
+  const BeamSweep* sweep;
+  float gap = 0.0F;
+  std::vector<int> gates; // by gate of the other sweep
+  int entry = -1;
+};
+
+// The codes of a sweep with its echo deconvolved.
+std::vector<std::uint16_t> Sharpen(
+  const BeamSweep& sweep, const std::vector<BeamSweep>& sweeps, float beamWidth)
+{
+  NeighbourSweep below(FindBeside(sweeps, sweep, -1.0F), sweep);
+  NeighbourSweep above(FindBeside(sweeps, sweep, 1.0F), sweep);
+  std::vector<std::uint16_t> codes = sweep.codes;
+  const auto first = static_cast<float>(BeamSweep::FirstValueCode);
+  for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
+  {
+    const float azimuth = sweep.azimuths[entry];
+    const float turned = azimuth < 0.0F     ? azimuth + 360.0F
+                         : azimuth < 360.0F ? azimuth
+                                            : azimuth - 360.0F;
+    below.TurnTo(turned);
+    above.TurnTo(turned);
+    std::uint16_t* ray = codes.data() + entry * sweep.Stride();
+    for (std::size_t gate = 0; gate < static_cast<std::size_t>(sweep.gates); ++gate)
+    {
+      const float value = sweep.base + sweep.step * static_cast<float>(ray[gate]);
+      if (ray[gate] >= BeamSweep::FirstValueCode && value > 0.0F)
+      {
+        const float sharpened = SharpenValue(value, below.At(gate), above.At(gate), beamWidth);
+        const float code = static_cast<float>(ray[gate]) + (sharpened - value) / sweep.step;
+        ray[gate] = static_cast<std::uint16_t>(std::clamp(std::round(code), first, 65'535.0F));
+      }
+    }
+    ray[sweep.gates] = ray[sweep.gates - 1];
+  }
+  return codes;
 }
 
 } // namespace
 
-bool SharpenTilts(const std::vector<TiltEdges>& edges, const TiltSample* samples,
-  std::vector<TiltSample>& sharpened)
+float SharpenValue(
+  float value, const NeighbourEcho& below, const NeighbourEcho& above, float beamWidth)
 {
-  const auto isSharpened = [](const TiltSample& sample)
-  { return sample.state == VoxelState::Echo && sample.value > 0.0F; };
-  if (std::none_of(samples, samples + edges.size(), isSharpened))
+  const float fall = SlopeTo(below, value, beamWidth);
+  const float rise = SlopeTo(above, value, beamWidth);
+  if (fall == 0.0F && rise == 0.0F)
   {
-    return false;
+    return value;
   }
-  sharpened.assign(samples, samples + edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i)
+  // What the beam's other half holds must be known before an echo is said not to fill the beam; and
+  // an echo between two weaker ones is taken to fill half the beam, not less: it may be clutter.
+  const float gain = below.measured && above.measured ? SharpeningRange::Up : 0.0F;
+  const float excess = 10.0F * std::log10(sideTable.At(fall) + sideTable.At(rise));
+  return value - std::max(excess, -gain);
+}
+
+void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth)
+{
+  std::vector<std::vector<std::uint16_t>> sharpened;
+  for (const BeamSweep& sweep : sweeps)
   {
-    if (isSharpened(samples[i]))
-    {
-      sharpened[i].value = Sharpen(edges, samples, i);
-    }
+    sharpened.push_back(Sharpen(sweep, sweeps, static_cast<float>(beamWidth)));
   }
-  return true;
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+  {
+    sweeps[i].codes = std::move(sharpened[i]);
+  }
 }
 
 } // namespace nexrad

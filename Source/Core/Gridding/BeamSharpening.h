@@ -1,25 +1,39 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/BeamSampling.h"
-#include "Gridding/TiltEdges.h"
-
+#include <optional>
 #include <vector>
 
 namespace nexrad
 {
 
-/// Takes back what the width of the beam did to reflectivity over one column (Formulas G9).
-///
-/// A gate is the mean of Z over the beam, so that the strongest echo in it outweighs the rest:
-/// above the top of a storm the beam still sees the storm, and a thin layer does not fill it. How
-/// much a value in dBZ is changed follows from how steeply the echo rises or falls to the
-/// neighbouring tilts. Values above 0 dBZ are changed alone; states stay, so that an echo may come
-/// out below 0 dBZ.
-///
-/// `samples` has one of each tilt. Returns true with the new samples in `sharpened`; false when no
-/// tilt has such an echo, and then `sharpened` means nothing.
-bool SharpenTilts(const std::vector<TiltEdges>& edges, const TiltSample* samples,
-  std::vector<TiltSample>& sharpened);
+struct BeamSweep;
+
+/// The reflectivity that the tilt beside an echo has over the same place.
+struct NeighbourEcho
+{
+  bool measured = false;      ///< it saw an echo or no echo
+  std::optional<float> value; ///< dBZ; empty: no echo
+  float gap = 0.0F;           ///< degrees between the two tilts
+};
+
+/// Deconvolves the reflectivity of one tilt in elevation (Formulas G9): the value, dBZ, in the
+/// middle of a beam of `beamWidth` degrees whose mean of Z is `value`, dBZ above 0. The slopes
+/// to the neighbouring tilts say how the echo changes within the beam.
+float SharpenValue(
+  float value, const NeighbourEcho& below, const NeighbourEcho& above, float beamWidth);
+
+/// Deconvolves all echo above 0 dBZ in the sweeps of one volume of reflectivity. The neighbouring
+/// tilts are the nearest below and above that are more than SameTilt away; of repeated cuts the
+/// one scanned nearest in time. States stay, so that an echo may come out below 0 dBZ. The sweeps'
+/// scale must leave room for values `SharpeningRange` beyond what they hold.
+void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth);
+
+/// How far a value can change, dB: downwards and upwards.
+struct SharpeningRange
+{
+  static constexpr float Down = 12.0F;
+  static constexpr float Up = 3.0F;
+};
 
 } // namespace nexrad

@@ -2,6 +2,7 @@
 #include "Gridding/BeamTilts.h"
 
 #include "Geometry/Angles.h"
+#include "Model/Elevation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -72,15 +73,19 @@ const BeamSweep* NearestInTime(const SweepList& sweeps, const BeamSweep& other)
     [&apart](const BeamSweep* a, const BeamSweep* b) { return apart(a) < apart(b); });
 }
 
-// What a volume without a sweep at a tilt has there, when it has sweeps on both sides of it.
+// What the sweeps of a volume below and above a tilt tell of it, when it has some on both sides.
 TiltObservation Between(const std::vector<TiltSweeps>& tilts, std::size_t tilt, std::size_t volume)
 {
-  std::size_t below = tilt;
+  if (tilt == 0 || tilt + 1 == tilts.size())
+  {
+    return {};
+  }
+  std::size_t below = tilt - 1;
   while (below > 0 && tilts[below].ofVolume[volume].empty())
   {
     --below;
   }
-  std::size_t above = tilt;
+  std::size_t above = tilt + 1;
   while (above + 1 < tilts.size() && tilts[above].ofVolume[volume].empty())
   {
     ++above;
@@ -113,6 +118,16 @@ void AddObservation(BeamTilt& tilt, TiltObservation observation, Time time, floa
   {
     tilt.after.push_back(observation);
   }
+}
+
+// The latest look before the time first, and the earliest after it.
+void SortByTime(BeamTilt& tilt)
+{
+  const auto earlier = [](const TiltObservation& a, const TiltObservation& b)
+  { return a.Begin() < b.Begin(); };
+  std::stable_sort(tilt.before.begin(), tilt.before.end(),
+    [&earlier](const auto& a, const auto& b) { return earlier(b, a); });
+  std::stable_sort(tilt.after.begin(), tilt.after.end(), earlier);
 }
 
 } // namespace
@@ -157,20 +172,23 @@ std::vector<BeamTilt> FindTilts(
     {
       continue;
     }
+    BeamTilt substitutes;
     for (std::size_t volume = 0; volume < volumes.size(); ++volume)
     {
+      const SweepList& own = groups[i].ofVolume[volume];
+      const bool strays =
+        std::any_of(own.begin(), own.end(), [](const BeamSweep* sweep) { return sweep->strays; });
       const TiltObservation between =
-        groups[i].ofVolume[volume].empty() ? Between(groups, i, volume) : TiltObservation{};
+        own.empty() || strays ? Between(groups, i, volume) : TiltObservation{};
       if (between.lower != nullptr)
       {
-        AddObservation(tilt, between, time, seconds);
+        AddObservation(own.empty() ? tilt : substitutes, between, time, seconds);
       }
     }
-    const auto earlier = [](const TiltObservation& a, const TiltObservation& b)
-    { return a.Begin() < b.Begin(); };
-    std::stable_sort(tilt.before.begin(), tilt.before.end(),
-      [&earlier](const auto& a, const auto& b) { return earlier(b, a); });
-    std::stable_sort(tilt.after.begin(), tilt.after.end(), earlier);
+    SortByTime(tilt);
+    SortByTime(substitutes);
+    tilt.before.insert(tilt.before.end(), substitutes.before.begin(), substitutes.before.end());
+    tilt.after.insert(tilt.after.end(), substitutes.after.begin(), substitutes.after.end());
     tilts.push_back(std::move(tilt));
   }
   return tilts;

@@ -30,16 +30,18 @@ struct BeamTilt
 {
   float elevation = 0.0F;              ///< degrees, mean over the sweeps
   float tangent = 0.0F;                ///< of the elevation
-  std::vector<TiltObservation> before; ///< may hold rays at or before the time, the latest first
+  std::vector<TiltObservation> before; ///< may hold rays at or before the time, in the order in
+                                       ///< which they are asked: the latest first
   std::vector<TiltObservation> after;  ///< may hold rays after the time, the earliest first
 };
 
 /// The tilts of some volumes of one radar (Formulas A5), ascending. Repeated cuts are several looks
 /// at one tilt. When the pattern changes between the volumes, the tilts are those of all patterns,
 /// and a volume without a sweep at a tilt is interpolated there from its sweeps below and above, so
-/// that each tilt is seen before and after wherever the radar looked. Looks farther than `gap` from
-/// the time are left out, and tilts without a sweep of their own. The volumes must outlive the
-/// tilts.
+/// that each tilt is seen before and after wherever the radar looked. The same is added behind all
+/// other looks for a volume whose sweep at the tilt has lost stray rays: it serves in their
+/// directions. Looks farther than `gap` from the time are left out, and tilts without a sweep of
+/// their own. The volumes must outlive the tilts.
 std::vector<BeamTilt> FindTilts(
   const std::vector<const BeamVolume*>& volumes, Time time, Duration gap);
 

@@ -2,7 +2,11 @@
 #include "Gridding/BeamVolume.h"
 
 #include "Geometry/Angles.h"
+#include "Geometry/Beam.h"
+#include "Gridding/BeamSharpening.h"
 #include "Gridding/SweepPairing.h"
+#include "Model/Elevation.h"
+#include "Model/SiteTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -23,11 +27,11 @@ struct SortedRay
   std::size_t ray;
 };
 
-std::vector<SortedRay> SortRays(const PolarSweep& sweep)
+std::vector<SortedRay> SortRays(const PolarSweep& sweep, const std::vector<std::size_t>& rays)
 {
   constexpr double sameAzimuth = 1e-3; // degrees
   std::vector<SortedRay> sorted;
-  for (std::size_t i = 0; i < sweep.rays.size(); ++i)
+  for (const std::size_t i : rays)
   {
     const double turned = std::fmod(sweep.rays[i].azimuth, 360.0);
     sorted.push_back({turned < 0.0 ? turned + 360.0 : turned, i});
@@ -111,6 +115,8 @@ void SetScale(const PolarSweep& source, BeamSweep& to)
   }
   if (smallest <= largest)
   {
+    smallest -= SharpeningRange::Down;
+    largest += SharpeningRange::Up;
     to.step = (largest - smallest) / static_cast<float>(valueCodes);
     to.base = smallest - to.step * static_cast<float>(BeamSweep::FirstValueCode);
   }
@@ -151,10 +157,12 @@ void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, B
   }
 }
 
-BeamSweep PrepareSweep(const PolarSweep& source, double beamWidth)
+// A sweep of some of the rays of `source`.
+BeamSweep PrepareSweep(
+  const PolarSweep& source, const std::vector<std::size_t>& rays, double beamWidth)
 {
   BeamSweep sweep;
-  const double elevation = MeanElevation(source);
+  const double elevation = MedianElevation(source);
   sweep.elevation = static_cast<float>(elevation);
   sweep.sine = static_cast<float>(std::sin(elevation * RadiansPerDegree));
   sweep.cosine = static_cast<float>(std::cos(elevation * RadiansPerDegree));
@@ -162,32 +170,76 @@ BeamSweep PrepareSweep(const PolarSweep& source, double beamWidth)
   sweep.gatesPerMetre = static_cast<float>(1.0 / source.gateSpacing);
   sweep.gates = static_cast<int>(source.gates);
   sweep.elevationNumber = source.elevationNumber;
-  const auto earlier = [](const PolarRay& a, const PolarRay& b) { return a.time < b.time; };
-  const auto times = std::minmax_element(source.rays.begin(), source.rays.end(), earlier);
-  sweep.begin = times.first->time;
-  sweep.end = times.second->time;
-  const std::vector<SortedRay> entries = CloseTheCircle(SortRays(source));
+  const auto earlier = [&source](std::size_t a, std::size_t b)
+  { return source.rays[a].time < source.rays[b].time; };
+  const auto times = std::minmax_element(rays.begin(), rays.end(), earlier);
+  sweep.begin = source.rays[*times.first].time;
+  sweep.end = source.rays[*times.second].time;
+  const std::vector<SortedRay> entries = CloseTheCircle(SortRays(source, rays));
   SetDirections(source, entries, beamWidth, sweep);
   SetCodes(source, entries, sweep);
   return sweep;
 }
 
-double ReachOf(const PolarSweep& sweep)
+// Whether reflectivity of a sweep comes from pulses that follow so closely that echo from beyond
+// their range falls on nearer gates, where another cut is to tell it.
+bool NeedsLongPulses(const PolarSweep& sweep, const Site& site)
 {
-  return sweep.firstGate + (static_cast<double>(sweep.gates) - 0.5) * sweep.gateSpacing;
+  return sweep.waveform == Waveform::ContiguousDoppler ||
+         (sweep.waveform == Waveform::ContiguousDopplerWithout && !IsTerminal(site));
 }
 
-// The Doppler half of a split cut: its pulses follow so closely that it sees less far.
-bool IsDopplerHalf(const PolarSweep& sweep, const PolarVolume& volume)
+// The half of a split cut that reflectivity is taken from; nullptr where the sweep is no Doppler
+// half, or has lost the other one.
+const PolarSweep* FindSurveillanceHalf(const PolarVolume& volume, std::size_t index)
 {
-  const auto isSurveillanceHalf = [&sweep](const PolarSweep& other)
+  const PolarSweep& sweep = volume.sweeps[index];
+  if (volume.moment != MomentName::REF || !NeedsLongPulses(sweep, volume.site))
   {
-    return other.elevationNumber != sweep.elevationNumber &&
-           std::abs(MeanElevation(other) - MeanElevation(sweep)) <= SameTilt &&
-           ReachOf(other) > 1.1 * ReachOf(sweep);
+    return nullptr;
+  }
+  const double elevation = MedianElevation(sweep);
+  for (std::size_t i = index; i-- > 0;)
+  {
+    const PolarSweep& before = volume.sweeps[i];
+    if (std::abs(MedianElevation(before) - elevation) > SameTilt)
+    {
+      return nullptr;
+    }
+    if (before.waveform == Waveform::ContiguousSurveillance || before.waveform == Waveform::Batch)
+    {
+      return &before;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::size_t> FindRaysOfCut(const PolarSweep& sweep, double beamWidth)
+{
+  const double elevation = MedianElevation(sweep);
+  std::vector<std::size_t> rays;
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    if (!IsStray(sweep.rays[ray].elevation, elevation, beamWidth))
+    {
+      rays.push_back(ray);
+    }
+  }
+  return rays;
+}
+
+// Leaves those rays of a Doppler half for which its surveillance half has none.
+void LeaveOutSeenTwice(const PolarSweep& sweep, const PolarSweep& surveillance, double beamWidth,
+  std::vector<std::size_t>& rays)
+{
+  const RayFinder finder(surveillance);
+  const double elevation = MedianElevation(surveillance);
+  const auto seen = [&](std::size_t ray)
+  {
+    const auto other = finder.Nearest(sweep.rays[ray].azimuth, beamWidth);
+    return other && !IsStray(surveillance.rays[*other].elevation, elevation, beamWidth);
   };
-  return volume.moment == MomentName::REF &&
-         std::any_of(volume.sweeps.begin(), volume.sweeps.end(), isSurveillanceHalf);
+  rays.erase(std::remove_if(rays.begin(), rays.end(), seen), rays.end());
 }
 
 } // namespace
@@ -196,32 +248,54 @@ std::size_t BeamVolume::MemoryBytes() const
 {
   std::size_t bytes = sizeof(BeamVolume) + composite.values.size() * sizeof(float) +
                       composite.cells.size() * (sizeof(VolumeComposite::Cell) + 1);
+  bytes += layers.MemoryBytes();
   for (const BeamSweep& sweep : sweeps)
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
              sweep.firstEntries.size() * sizeof(std::uint32_t) +
-             sweep.codes.size() * sizeof(std::uint16_t);
+             sweep.codes.size() * sizeof(std::uint16_t) + sweep.means.MemoryBytes();
   }
   return bytes;
 }
 
-BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth)
+BeamVolume PrepareBeamVolume(
+  const PolarVolume& volume, std::optional<double> beamWidth, bool sharpen)
 {
+  const double width = beamWidth.value_or(BeamWidthOf(volume.site));
   BeamVolume prepared;
   prepared.site = volume.site;
   prepared.moment = volume.moment;
   prepared.start = volume.start;
   prepared.end = volume.end;
   prepared.synthetic = volume.synthetic;
-  for (const PolarSweep& sweep : volume.sweeps)
+  for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
   {
-    const bool usable = !sweep.rays.empty() && sweep.gates > 0 && sweep.gateSpacing > 0.0;
-    if (usable && !IsDopplerHalf(sweep, volume))
+    const PolarSweep& sweep = volume.sweeps[i];
+    if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0))
     {
-      prepared.sweeps.push_back(PrepareSweep(sweep, beamWidth));
+      continue;
+    }
+    std::vector<std::size_t> rays = FindRaysOfCut(sweep, width);
+    const bool strays = rays.size() < sweep.rays.size();
+    if (const PolarSweep* surveillance = FindSurveillanceHalf(volume, i))
+    {
+      LeaveOutSeenTwice(sweep, *surveillance, width, rays);
+    }
+    if (!rays.empty())
+    {
+      prepared.sweeps.push_back(PrepareSweep(sweep, rays, width));
+      prepared.sweeps.back().strays = strays;
     }
   }
   prepared.composite = MakeComposite(prepared.sweeps);
+  if (volume.moment == MomentName::REF)
+  {
+    prepared.layers = EchoLayers(prepared.sweeps, BeamModel().EffectiveRadius());
+    if (sharpen)
+    {
+      SharpenSweeps(prepared.sweeps, width);
+    }
+  }
   return prepared;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Gridding/EchoLayers.h"
 #include "Gridding/PolarVolume.h"
+#include "Gridding/SweepMeans.h"
 #include "Gridding/VolumeComposite.h"
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -24,7 +27,7 @@ struct BeamSweep
   static constexpr std::uint16_t FirstValueCode = 3;
   static constexpr float BinsPerDegree = 2.0F;
 
-  float elevation = 0.0F;     ///< degrees, mean of the rays
+  float elevation = 0.0F;     ///< degrees, median of the rays (Formulas Q7)
   float sine = 0.0F;          ///< of the elevation
   float cosine = 1.0F;        ///< of the elevation
   float firstGate = 0.0F;     ///< m, slant range of the first gate's centre
@@ -33,8 +36,9 @@ struct BeamSweep
   float base = 0.0F;          ///< value = base + step × code, for codes from FirstValueCode
   float step = 0.0F;
   int elevationNumber = 0;
-  Time begin{}; ///< earliest ray
-  Time end{};   ///< latest ray
+  bool strays = false; ///< rays that stray from the cut were left out
+  Time begin{};        ///< earliest ray
+  Time end{};          ///< latest ray
 
   std::vector<float> azimuths;    ///< of the entries, degrees, ascending
   std::vector<float> elevations;  ///< of the entries, degrees
@@ -44,6 +48,7 @@ struct BeamSweep
   std::vector<std::uint32_t> firstEntries; ///< last entry at or before the start of each bin
   std::vector<std::uint16_t> codes;        ///< entries × Stride(), the last gate of each repeated
   float halfWidth = 0.0F; ///< degrees that a ray is wide to either side at the edge of a gap
+  SweepMeans means;       ///< of the gates, for voxels coarser than these; may be empty
 
   std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
   /// Outer edge of the last gate, m.
@@ -60,20 +65,24 @@ struct BeamVolume
   bool synthetic = false;
   std::vector<BeamSweep> sweeps; ///< in the order scanned
   VolumeComposite composite;     ///< of the sweeps
+  EchoLayers layers;             ///< of reflectivity; of other moments there are none
 
   std::size_t MemoryBytes() const;
 };
 
-/// Elevations that differ by no more are one tilt, degrees. Neighbouring cuts of one pattern lie
-/// 0.4° apart or more, repeated ones within 0.1°.
-constexpr double SameTilt = 0.15;
-
 /// Makes a volume ready. Values are rounded to 1/65000 of the sweep's range of values. A gap
-/// between rays wider than one and a half times `beamWidth` (degrees) or the sweep's own spacing,
-/// whichever is larger, is not interpolated across. Of a split cut the reflectivity of the
-/// surveillance cut is kept: a sweep of REF is left out when another cut of the volume at the same
-/// tilt reaches a tenth farther or more. Sweeps without rays or gates are left out, and so are rays
-/// at the azimuth of a later one.
-BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth = 0.95);
+/// between rays wider than one and a half times `beamWidth` (degrees; unless said, the radar's own,
+/// BeamWidthOf) or the sweep's own spacing, whichever is larger, is not interpolated across.
+///
+/// Left out are sweeps without rays or gates, rays that stray from their cut (Formulas Q7), rays at
+/// the azimuth of a later one, and of REF the Doppler half of a split cut in the directions in
+/// which its surveillance half has rays. The Doppler half is a contiguous Doppler cut after a
+/// surveillance or batch cut at the same tilt, with nothing but other cuts at that tilt between
+/// them. A terminal radar's cuts without ambiguity resolution are none: it repeats the lowest one
+/// each minute for its reflectivity.
+///
+/// `sharpen` deconvolves reflectivity in elevation (Formulas G9).
+BeamVolume PrepareBeamVolume(const PolarVolume& volume,
+  std::optional<double> beamWidth = std::nullopt, bool sharpen = false);
 
 } // namespace nexrad

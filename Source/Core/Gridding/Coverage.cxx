@@ -4,6 +4,7 @@
 #include "Geometry/SiteGeoreference.h"
 #include "Gridding/SweepPairing.h"
 #include "Model/Error.h"
+#include "Model/SiteTable.h"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,8 @@ public:
     const CoverageOptions& choices, std::vector<std::uint8_t>& marks)
     : volume(source)
     , grid(specification)
-    , options(choices)
+    , beam(choices.beam)
+    , beamWidth(choices.beamWidth.value_or(BeamWidthOf(source.site)))
     , altitude(source.site.position->altitude)
     , seen(marks)
   {
@@ -43,7 +45,7 @@ public:
   {
     for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
     {
-      const auto ray = finders[i].Nearest(column.direction.azimuth, options.beamWidth);
+      const auto ray = finders[i].Nearest(column.direction.azimuth, beamWidth);
       if (ray)
       {
         this->MarkRay(column, volume.sweeps[i], *ray);
@@ -54,11 +56,11 @@ public:
 private:
   void MarkRay(const Column& column, const PolarSweep& sweep, std::size_t ray) const
   {
-    const double half = 0.5 * options.beamWidth;
+    const double half = 0.5 * beamWidth;
     const double elevation = sweep.rays[ray].elevation;
     const double distance = column.direction.groundDistance;
-    const double low = options.beam.HeightOver(distance, elevation - half);
-    const double high = options.beam.HeightOver(distance, elevation + half);
+    const double low = beam.HeightOver(distance, elevation - half);
+    const double high = beam.HeightOver(distance, elevation + half);
     const auto plane =
       static_cast<std::size_t>(grid.dimensions[0]) * static_cast<std::size_t>(grid.dimensions[1]);
     for (int level = this->FirstLevel(low); level < grid.dimensions[2]; ++level)
@@ -68,7 +70,7 @@ private:
       {
         break;
       }
-      const double range = options.beam.Look({height, distance}).slantRange;
+      const double range = beam.Look({height, distance}).slantRange;
       if (IsSampled(sweep, ray, range))
       {
         seen[static_cast<std::size_t>(level) * plane + column.index] = 1;
@@ -92,8 +94,9 @@ private:
 
   const PolarVolume& volume;
   const GridSpecification& grid;
-  const CoverageOptions& options;
-  double altitude; // m above mean sea level, of the antenna
+  const BeamModel beam;
+  const double beamWidth; // degrees
+  double altitude;        // m above mean sea level, of the antenna
   std::vector<RayFinder> finders;
   std::vector<std::uint8_t>& seen;
 };

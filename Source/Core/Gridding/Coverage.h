@@ -6,6 +6,7 @@
 #include "Gridding/PolarVolume.h"
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace nexrad
@@ -14,8 +15,8 @@ namespace nexrad
 /// How beams are told from what they passed by.
 struct CoverageOptions
 {
-  double beamWidth = 0.95;      ///< degrees (Formulas B4)
-  BeamModel beam = BeamModel(); ///< path of the beams
+  std::optional<double> beamWidth; ///< degrees; unless said, each radar's own (Formulas B4)
+  BeamModel beam = BeamModel();    ///< path of the beams
 };
 
 /// Which voxels some beam saw: 1 where the centre of the voxel lies in a beam of some sweep of some

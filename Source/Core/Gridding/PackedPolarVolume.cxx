@@ -195,6 +195,7 @@ PackedPolarVolume::PackedPolarVolume(const PolarVolume& volume)
     empty.gateSpacing = sweep.gateSpacing;
     empty.gates = sweep.gates;
     empty.rays = sweep.rays;
+    empty.waveform = sweep.waveform;
   }
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/PolarVolume.h"
 
+#include "Model/Elevation.h"
 #include "Model/MomentLimits.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <utility>
@@ -96,9 +98,10 @@ void FillRay(const MomentRow& row, std::size_t start, PolarSweep& sweep)
   }
 }
 
-PolarSweep MakeSweep(const RayList& rays, MomentName moment)
+PolarSweep MakeSweep(const RayList& rays, Waveform waveform, MomentName moment)
 {
   PolarSweep sweep;
+  sweep.waveform = waveform;
   const MomentRow& first = rays.front()->Row(moment);
   sweep.elevationNumber = rays.front()->elevationNumber;
   sweep.firstGate = first.firstGate;
@@ -106,7 +109,7 @@ PolarSweep MakeSweep(const RayList& rays, MomentName moment)
   for (const Ray* ray : rays)
   {
     sweep.gates = std::max<std::size_t>(sweep.gates, ray->Row(moment).gates);
-    sweep.rays.push_back({ray->azimuth, ray->elevation, ray->time});
+    sweep.rays.push_back({ray->azimuth, ray->elevation, ray->time, ray->unambiguousRange});
   }
   const std::size_t count = rays.size() * sweep.gates;
   sweep.values.assign(count, std::numeric_limits<float>::quiet_NaN());
@@ -133,7 +136,71 @@ PolarSweep MakeSweep(const RayList& rays, MomentName moment)
   return sweep;
 }
 
+// The first gate whose centre lies beyond the unambiguous range of a ray; all of them without one.
+std::size_t GatesWithin(const PolarSweep& sweep, double unambiguousRange)
+{
+  if (!(unambiguousRange > 0.0))
+  {
+    return sweep.gates;
+  }
+  const double last = std::floor((unambiguousRange - sweep.firstGate) / sweep.gateSpacing);
+  return static_cast<std::size_t>(std::clamp(last + 1.0, 0.0, static_cast<double>(sweep.gates)));
+}
+
+// Cuts off what lies behind the first `gates` gates of each ray.
+void CutOff(PolarSweep& sweep, std::size_t gates)
+{
+  for (std::size_t ray = 1; ray < sweep.rays.size(); ++ray)
+  {
+    const auto from = static_cast<std::ptrdiff_t>(sweep.Index(ray, 0));
+    const auto to = static_cast<std::ptrdiff_t>(ray * gates);
+    const auto count = static_cast<std::ptrdiff_t>(gates);
+    std::copy_n(sweep.values.begin() + from, count, sweep.values.begin() + to);
+    std::copy_n(sweep.states.begin() + from, count, sweep.states.begin() + to);
+  }
+  sweep.gates = gates;
+  sweep.values.resize(sweep.rays.size() * gates);
+  sweep.states.resize(sweep.rays.size() * gates);
+}
+
 } // namespace
+
+void LimitReach(PolarSweep& sweep)
+{
+  if (sweep.waveform == Waveform::Batch || sweep.waveform == Waveform::Unknown ||
+      !(sweep.gateSpacing > 0.0))
+  {
+    return;
+  }
+  std::size_t sampled = 0;
+  bool changed = false;
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    const std::size_t within = GatesWithin(sweep, sweep.rays[ray].unambiguousRange);
+    sampled = std::max(sampled, within);
+    for (std::size_t gate = within; gate < sweep.gates; ++gate)
+    {
+      GateState& state = sweep.states[sweep.Index(ray, gate)];
+      changed = changed || state == GateState::BelowThreshold;
+      state = state == GateState::BelowThreshold ? GateState::NotSampled : state;
+      sampled = state == GateState::NotSampled ? sampled : std::max(sampled, gate + 1);
+    }
+  }
+  if (changed && sampled < sweep.gates)
+  {
+    CutOff(sweep, sampled);
+  }
+}
+
+double MedianElevation(const PolarSweep& sweep)
+{
+  std::vector<double> elevations;
+  for (const PolarRay& ray : sweep.rays)
+  {
+    elevations.push_back(ray.elevation);
+  }
+  return MedianOf(std::move(elevations));
+}
 
 PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment)
 {
@@ -147,7 +214,11 @@ PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment)
   {
     for (const RayList& rays : GroupByGeometry(sweep, moment))
     {
-      polar.sweeps.push_back(MakeSweep(rays, moment));
+      polar.sweeps.push_back(MakeSweep(rays, sweep.waveform, moment));
+      if (moment == MomentName::REF)
+      {
+        LimitReach(polar.sweeps.back());
+      }
     }
   }
   return polar;

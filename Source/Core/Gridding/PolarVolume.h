@@ -15,6 +15,7 @@ struct PolarRay
   double azimuth = 0.0;   ///< degrees clockwise from north
   double elevation = 0.0; ///< degrees
   Time time{};
+  double unambiguousRange = 0.0; ///< m; 0 when unknown
 };
 
 /// One moment of one sweep as numbers: rays × gates, gates fastest. All rays share one gate
@@ -28,6 +29,7 @@ struct PolarSweep
   std::vector<PolarRay> rays;
   std::vector<float> values; ///< unit of the moment; NaN where the state is not Valid
   std::vector<GateState> states;
+  Waveform waveform = Waveform::Unknown;
 
   std::size_t Index(std::size_t ray, std::size_t gate) const { return ray * gates + gate; }
 };
@@ -45,7 +47,19 @@ struct PolarVolume
 
 /// Converts the words of one moment. A sweep whose rays differ in gate geometry gives one
 /// PolarSweep for each geometry; shorter rays are padded with NotSampled, rays without the moment
-/// are left out.
+/// are left out. Of REF, LimitReach is applied to each sweep.
 PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment);
+
+/// Of a sweep of reflectivity, takes what lies beyond the unambiguous range of its ray for not
+/// scanned: a gate there that is below threshold becomes NotSampled. The pulses cannot tell that
+/// nothing is there: its echo comes back after the next pulse. A gate with a value stays, since the
+/// radar has moved it there from where it came back, and so does a folded one. Gates at the end of
+/// the rays that are NotSampled on all of them are cut off. Sweeps of batch cuts (whose
+/// reflectivity is that of long pulses, of a range that rays do not tell) and of unknown waveform
+/// stay as they are, and so do rays without a range.
+void LimitReach(PolarSweep& sweep);
+
+/// The elevation of a sweep: the median of its rays', degrees; 0 without rays (Formulas Q7).
+double MedianElevation(const PolarSweep& sweep);
 
 } // namespace nexrad

@@ -29,7 +29,7 @@ std::vector<SweepRank> RankSweeps(const PolarVolume& volume)
   std::vector<SweepRank> ranks;
   for (const PolarSweep& sweep : volume.sweeps)
   {
-    const double elevation = MeanElevation(sweep);
+    const double elevation = MedianElevation(sweep);
     const auto same = [elevation](const SweepRank& other)
     { return std::abs(other.elevation - elevation) <= 0.5 * sameElevation; };
     ranks.push_back({elevation, static_cast<int>(std::count_if(ranks.begin(), ranks.end(), same))});
@@ -44,16 +44,6 @@ double ToFullTurn(double azimuth)
 }
 
 } // namespace
-
-double MeanElevation(const PolarSweep& sweep)
-{
-  double sum = 0.0;
-  for (const PolarRay& ray : sweep.rays)
-  {
-    sum += ray.elevation;
-  }
-  return sweep.rays.empty() ? 0.0 : sum / static_cast<double>(sweep.rays.size());
-}
 
 std::vector<std::optional<std::size_t>> PairSweeps(
   const PolarVolume& before, const PolarVolume& after)

@@ -12,7 +12,7 @@ namespace nexrad
 {
 
 /// Which sweep of `after` answers to each sweep of `before` (Formulas T4): one of nearly the same
-/// mean elevation (within 0.3°). Of several, one with the same elevation number; then the one that
+/// elevation (within 0.3°). Of several, one with the same elevation number; then the one that
 /// is as many repetitions of its elevation into the volume; then the nearest elevation. Empty where
 /// there is none.
 std::vector<std::optional<std::size_t>> PairSweeps(
@@ -32,8 +32,5 @@ public:
 private:
   std::vector<std::pair<double, std::size_t>> rays; // azimuth 0…360 and index, ascending
 };
-
-/// Mean elevation of a sweep's rays, degrees; 0 without rays.
-double MeanElevation(const PolarSweep& sweep);
 
 } // namespace nexrad

@@ -17,16 +17,17 @@ double TangentOf(double elevation)
   return std::tan(elevation * RadiansPerDegree);
 }
 
-// Differences over less than the pattern's standard deviation are noise more than slope.
-float SpreadOver(double gap, double beamWidth)
+// In the middle of gaps of one width the cubic through four points is 1/16 of the differences
+// beyond away from the line between the two; there share·(1 − share) is 1/4. A slope over a
+// narrower gap is not carried farther than that gap.
+float TrendOver(double beyond, double gap)
 {
-  const double sigma = beamWidth / std::sqrt(16.0 * std::log(2.0)); // degrees
-  return static_cast<float>(std::log(10.0) / 10.0 * std::min(sigma / gap, 1.0));
+  return static_cast<float>(0.25 * std::min(1.0, gap / beyond));
 }
 
 } // namespace
 
-std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beamWidth, bool sharpen)
+std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beamWidth)
 {
   const double half = 0.5 * beamWidth;
   std::vector<TiltEdges> edges(tilts.size());
@@ -51,7 +52,16 @@ std::vector<TiltEdges> FindEdges(const std::vector<BeamTilt>& tilts, double beam
       edges[i].endAbove = static_cast<float>(TangentOf(elevation + end * (next - elevation)));
       edges[i].endBelow = static_cast<float>(TangentOf(next - end * (next - elevation)));
       edges[i].endShare = static_cast<float>(end);
-      edges[i].spread = sharpen ? SpreadOver(next - elevation, beamWidth) : 0.0F;
+      const double gap = next - elevation;
+      if (i > 0)
+      {
+        edges[i].trendBelow =
+          TrendOver(elevation - static_cast<double>(tilts[i - 1].elevation), gap);
+      }
+      if (i + 2 < tilts.size())
+      {
+        edges[i].trendAbove = TrendOver(static_cast<double>(tilts[i + 2].elevation) - next, gap);
+      }
     }
   }
   return edges;

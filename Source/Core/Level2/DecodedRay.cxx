@@ -25,9 +25,9 @@ void CheckRay(const Ray& ray)
   {
     throw MessageError("a ray whose azimuth is not within 0 to 360 degrees");
   }
-  if (!IsWithin(ray.elevation, -2.0F, 90.0F))
+  if (!IsWithin(ray.elevation, -10.0F, 90.0F))
   {
-    throw MessageError("a ray whose elevation is not within -2 to 90 degrees");
+    throw MessageError("a ray whose elevation is not within -10 to 90 degrees");
   }
   if (ray.elevationNumber < 1 || ray.elevationNumber > lastElevationNumber)
   {

@@ -9,6 +9,7 @@ namespace
 
 constexpr double degreesPerCode = 180.0 / 32768.0;
 constexpr double nyquistPerCode = 0.01; // m/s
+constexpr float rangePerCode = 100.0F;  // m
 
 struct MomentLayout
 {
@@ -71,6 +72,7 @@ DecodedRay DecodeMessage1(ByteView body)
   DecodedRay decoded;
   Ray& ray = decoded.ray;
   ray.time = CheckedTime(body.U16(4), body.U32(0));
+  ray.unambiguousRange = body.U16(6) * rangePerCode;
   ray.azimuth = static_cast<float>(body.U16(8) * degreesPerCode);
   decoded.azimuthNumber = body.U16(10);
   ray.elevation = DecodeElevation(body.U16(14));

@@ -25,12 +25,17 @@ constexpr unsigned overlayThreshold = 50;  // 0.1 dB
   throw Error("Level II encoder: message " + std::to_string(messageType) + " cannot hold " + what);
 }
 
-// The model keeps no unambiguous range: it follows from the Nyquist velocity. 0.1 km; 466 km, a
-// surveillance cut's, where there is none.
+// In 0.1 km. Where the ray has none it follows from the Nyquist velocity; a surveillance cut's, 466
+// km, where there is neither that nor velocity.
 unsigned UnambiguousRange(const Ray& ray)
 {
   constexpr unsigned surveillance = 4660;
-  if (!(ray.nyquist > 0.0F))
+  if (ray.unambiguousRange > 0.0F)
+  {
+    return static_cast<unsigned>(std::min(std::lround(ray.unambiguousRange / 100.0F), 65535L));
+  }
+  const bool doppler = ray.Row(MomentName::VEL).gates > 0 || ray.Row(MomentName::SW).gates > 0;
+  if (!doppler || !(ray.nyquist > 0.0F))
   {
     return surveillance;
   }

@@ -2,11 +2,16 @@
 #include "Level2/VolumeAssembler.h"
 
 #include "Level2/SiteResolution.h"
+#include "Model/Elevation.h"
 #include "Model/MomentLimits.h"
+#include "Model/SiteTable.h"
+#include "Model/SweepWaveforms.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace nexrad
 {
@@ -170,6 +175,37 @@ void VolumeAssembler::NoteTimes()
   }
 }
 
+// The decoder keeps rays that the antenna sent while it was not at its cut; the merge leaves them
+// out (Formulas Q7).
+void VolumeAssembler::NoteStrays()
+{
+  const double beamWidth = BeamWidthOf(volume.site);
+  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
+  {
+    const Sweep& sweep = volume.sweeps[index];
+    const double elevation = sweep.MedianElevation();
+    std::vector<float> strays;
+    for (const Ray& ray : sweep.rays)
+    {
+      if (IsStray(static_cast<double>(ray.elevation), elevation, beamWidth))
+      {
+        strays.push_back(ray.elevation);
+      }
+    }
+    if (!strays.empty())
+    {
+      const auto ends = std::minmax_element(strays.begin(), strays.end());
+      std::ostringstream text;
+      text << std::fixed << std::setprecision(2) << "sweep " << index << " (elevation number "
+           << sweep.elevationNumber << ") has its elevation at " << elevation << " degrees, and "
+           << strays.size() << " of its " << sweep.rays.size()
+           << " rays farther from it than half a beam width, from " << *ends.first << " to "
+           << *ends.second << " degrees; the merge leaves them out";
+      volume.notes.push_back(text.str());
+    }
+  }
+}
+
 RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
 {
   volume.file = name;
@@ -187,7 +223,9 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   volume.damage = damage.Take(piece.empty());
   this->ChoosePattern();
   ResolveSite({headerName, rayName, name, position}, options, volume);
+  ResolveWaveforms(volume);
   this->NoteTimes();
+  this->NoteStrays();
   const std::string impossible = DescribeImpossibleGates(volume.sweeps);
   if (!impossible.empty())
   {

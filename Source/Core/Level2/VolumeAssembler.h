@@ -49,6 +49,7 @@ private:
   void FinishSweep(const Ray* next);
   void ChoosePattern();
   void NoteTimes();
+  void NoteStrays();
 
   Level2Options options;
   RadarVolume volume;

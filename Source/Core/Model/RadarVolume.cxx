@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Model/RadarVolume.h"
 
+#include "Model/Elevation.h"
+
 #include <algorithm>
 
 namespace nexrad
@@ -14,6 +16,16 @@ double Sweep::MeanElevation() const
     sum += ray.elevation;
   }
   return rays.empty() ? 0.0 : sum / static_cast<double>(rays.size());
+}
+
+double Sweep::MedianElevation() const
+{
+  std::vector<double> elevations;
+  for (const Ray& ray : rays)
+  {
+    elevations.push_back(ray.elevation);
+  }
+  return MedianOf(std::move(elevations));
 }
 
 bool Sweep::Has(MomentName name) const

@@ -21,8 +21,11 @@ struct Ray
 {
   Time time{};                   ///< collection time, UTC
   float azimuth = 0.0F;          ///< degrees clockwise from north, centre of the beam, 0…360
-  float elevation = 0.0F;        ///< degrees above the horizon, centre of the beam, −2…90
+  float elevation = 0.0F;        ///< degrees above the horizon, centre of the beam, −10…90
   float nyquist = 0.0F;          ///< m/s, Nyquist velocity; 0 when the file has none
+  float unambiguousRange = 0.0F; ///< m, c·PRT/2: echo from beyond comes back after the next pulse.
+                                 ///< In a batch cut that of the pulses that measure velocity. 0
+                                 ///< when unknown
   std::uint8_t radialStatus = 1; ///< 0 start of cut, 1 within, 2 end of cut, 3 start of volume, 4
                                  ///< end of volume, 5 start of last cut
   std::uint8_t elevationNumber = 0; ///< number of the cut in the coverage pattern, from 1
@@ -35,11 +38,15 @@ struct Ray
 /// One antenna cut: the rays of one turn (or part of a turn), in the order scanned.
 struct Sweep
 {
-  int elevationNumber = 0; ///< number of the cut in the coverage pattern, from 1
-  std::vector<Ray> rays;   ///< never empty in a decoded volume
+  int elevationNumber = 0;               ///< number of the cut in the coverage pattern, from 1
+  std::vector<Ray> rays;                 ///< never empty in a decoded volume
+  Waveform waveform = Waveform::Unknown; ///< ResolveWaveforms sets it
 
-  /// Mean elevation angle of the rays, degrees.
+  /// Mean elevation angle of the rays, degrees; 0 without rays.
   double MeanElevation() const;
+  /// The elevation of the cut: the median of the rays' angles, degrees; 0 without rays (Formulas
+  /// Q7).
+  double MedianElevation() const;
   /// True when some ray has gates of the moment.
   bool Has(MomentName name) const;
 };

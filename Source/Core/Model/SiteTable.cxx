@@ -63,4 +63,17 @@ const KnownSite* FindSite(std::string_view name)
   return found != sites.end() && found->name == name ? &*found : nullptr;
 }
 
+bool IsTerminal(const Site& site)
+{
+  const KnownSite* known = FindSite(site.name);
+  return known != nullptr && known->terminal;
+}
+
+double BeamWidthOf(const Site& site)
+{
+  constexpr double terminalWidth = 0.55;
+  constexpr double usualWidth = 0.95;
+  return IsTerminal(site) ? terminalWidth : usualWidth;
+}
+
 } // namespace nexrad

@@ -26,4 +26,11 @@ const std::vector<KnownSite>& KnownSites();
 /// The radar of that identifier, or nullptr.
 const KnownSite* FindSite(std::string_view name);
 
+/// Whether a radar is a Terminal Doppler Weather Radar: the table says so of its name.
+bool IsTerminal(const Site& site);
+
+/// Width of a radar's beam between half-power points, degrees: 0.55 of a terminal radar, else 0.95
+/// (Formulas B4).
+double BeamWidthOf(const Site& site);
+
 } // namespace nexrad

@@ -123,6 +123,7 @@ Ray VolumeScan::Aim(
     cut.cut.elevation + std::clamp(settle * std::exp(-index / raysToSettle) + wobble,
                           -maximumElevation, maximumElevation));
   ray.elevationNumber = static_cast<std::uint8_t>(number);
+  ray.unambiguousRange = static_cast<float>(cut.unambiguousRange * 1000.0);
   // Message 1 gives no Nyquist velocity in a surveillance cut.
   const bool hasNyquist = layout.doppler.gates > 0 || options.superResolution;
   ray.nyquist = hasNyquist ? static_cast<float>(NyquistVelocity(cut.unambiguousRange)) : 0.0F;
@@ -177,6 +178,7 @@ Sweep VolumeScan::Scan(const ScanCut& cut, int number, Time start, RadarVolume& 
 
   Sweep sweep;
   sweep.elevationNumber = number;
+  sweep.waveform = cut.cut.waveform;
   for (int index = 0; index < layout.rays; ++index)
   {
     const auto place = static_cast<std::size_t>(index);

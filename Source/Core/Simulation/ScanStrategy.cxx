@@ -233,6 +233,12 @@ CutLayout LayOutFine(const ScanCut& cut)
   {
     layout.doppler = {std::min(gates, mostDopplerGates), firstGate, spacing};
   }
+  if (cut.cut.waveform == dopplerAlone)
+  {
+    // What comes back from beyond is not told from what is near: real files end there.
+    const int within = static_cast<int>((cut.unambiguousRange * 1000.0 - firstGate) / spacing) + 1;
+    layout.doppler.gates = std::min(layout.doppler.gates, within);
+  }
   if (cut.cut.waveform == doppler || cut.cut.waveform == dopplerAlone)
   {
     layout.reflectivity = layout.doppler;

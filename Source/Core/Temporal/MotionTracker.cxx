@@ -122,39 +122,52 @@ MotionTracker::MotionTracker(const GridSpecification& theGrid, const BeamModel& 
 std::vector<MotionTracker::Pair> MotionTracker::FindPairs(const BeamVolumes& volumes, Time time)
 {
   // Sites without a name are told apart by where they stand.
-  std::map<std::tuple<std::string, double, double>, Pair> sites;
+  std::map<std::tuple<std::string, double, double>, BeamVolumes> sites;
   for (const Volume& volume : volumes)
   {
-    const Position& position = *volume->site.position;
-    Pair& pair = sites[{volume->site.name, position.latitude, position.longitude}];
-    const Time middle = MiddleOf(*volume);
-    if (volume->composite.echo <= 0.0)
+    if (volume->composite.echo > 0.0)
     {
-      continue;
-    }
-    if (middle <= time && (!pair.before || MiddleOf(*pair.before) < middle))
-    {
-      pair.before = volume;
-    }
-    if (middle > time && (!pair.after || middle < MiddleOf(*pair.after)))
-    {
-      pair.after = volume;
+      const Position& position = *volume->site.position;
+      sites[{volume->site.name, position.latitude, position.longitude}].push_back(volume);
     }
   }
   std::vector<Pair> found;
   for (const auto& site : sites)
   {
-    const Pair& pair = site.second;
-    if (pair.before && pair.after)
+    if (const std::optional<Pair> pair = FindPair(site.second, time))
     {
-      const double seconds = pair.after->composite.echoTime - pair.before->composite.echoTime;
-      if (seconds > 0.0 && seconds <= std::chrono::duration<double>(LongestInterval).count())
-      {
-        found.push_back(pair);
-      }
+      found.push_back(*pair);
     }
   }
   return found;
+}
+
+// Of the volumes of one radar, all with echo.
+std::optional<MotionTracker::Pair> MotionTracker::FindPair(BeamVolumes own, Time time)
+{
+  std::sort(own.begin(), own.end(),
+    [](const Volume& a, const Volume& b)
+    { return std::make_pair(MiddleOf(*a), a->start) < std::make_pair(MiddleOf(*b), b->start); });
+  std::optional<Pair> nearest;
+  Duration least = Duration::max();
+  for (std::size_t i = 1; i < own.size(); ++i)
+  {
+    const Pair pair = {own[i - 1], own[i]};
+    const double seconds = pair.after->composite.echoTime - pair.before->composite.echoTime;
+    if (seconds <= 0.0 || seconds > std::chrono::duration<double>(LongestInterval).count())
+    {
+      continue;
+    }
+    // At the middle of a volume the later pair's motion begins.
+    const Duration away =
+      std::max({MiddleOf(*pair.before) - time, time - MiddleOf(*pair.after), Duration::zero()});
+    if (away <= least)
+    {
+      nearest = pair;
+      least = away;
+    }
+  }
+  return nearest;
 }
 
 const SiteGeometry& MotionTracker::GeometryOf(const Position& position)

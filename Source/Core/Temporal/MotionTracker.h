@@ -3,29 +3,31 @@
 
 #include "Gridding/BeamMerge.h"
 #include "Temporal/MotionEstimate.h"
+#include "Temporal/VolumeSelection.h"
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace nexrad
 {
 
 /// Finds the motion of the echo for the merges of one run (Formulas A3a): at a time, the one motion
-/// that fits the two volumes of each radar of which one lies before the time and the other after
-/// it, by their middles. Each volume's images are made once, and kept as long as the volume takes
-/// part; where the volumes are those of the call before, so is the motion. What is found depends on
-/// the volumes and the time alone.
+/// that fits two volumes of each radar: of neighbours with echo, those between whose middles the
+/// time lies, else those whose middles are nearest to it. Each volume's images are made once, and
+/// kept as long as the volume takes part; where the volumes are those of the call before, so is the
+/// motion. What is found depends on the volumes and the time alone.
 class MotionTracker
 {
 public:
   /// Two volumes farther apart tell nothing about motion.
-  static constexpr Duration LongestInterval = std::chrono::minutes(20);
+  static constexpr Duration LongestInterval = LongestMotionInterval;
 
   /// `beam` is the path of the beams. Throws Error for a grid without voxels.
   explicit MotionTracker(const GridSpecification& grid, const BeamModel& beam = BeamModel());
 
   /// The motion on the grid, from volumes of reflectivity about the time in any order; nullptr
-  /// where nothing is known: no radar has two volumes with echo about the time.
+  /// where nothing is known: no radar has two volumes with echo near enough to each other.
   std::shared_ptr<const MotionField> Find(
     const BeamVolumes& volumes, Time time, const RangeLoop& loop = {});
 
@@ -48,6 +50,7 @@ private:
   };
 
   static std::vector<Pair> FindPairs(const BeamVolumes& volumes, Time time);
+  static std::optional<Pair> FindPair(BeamVolumes own, Time time);
   void MakeImages(const BeamVolumes& volumes, const RangeLoop& loop);
   const SiteGeometry& GeometryOf(const Position& position);
   const MotionPyramid& ImagesOf(const Volume& volume) const;

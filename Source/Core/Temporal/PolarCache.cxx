@@ -9,10 +9,12 @@
 namespace nexrad
 {
 
-PolarCache::PolarCache(MomentName theMoment, std::size_t theLimit, Level2Options theOptions)
+PolarCache::PolarCache(MomentName theMoment, std::size_t theLimit, Level2Options theOptions,
+  const QualityOptions& theQuality)
   : moment(theMoment)
   , limit(theLimit)
   , options(std::move(theOptions))
+  , quality(theQuality)
 {
 }
 
@@ -37,8 +39,9 @@ void PolarCache::Offer(const SeriesVolume& key, const RadarVolume& volume)
       return;
     }
   }
-  this->Insert(key, std::make_shared<const PackedPolarVolume>(MakePolarVolume(volume, moment)),
-    nullptr, false);
+  this->Insert(key,
+    std::make_shared<const PackedPolarVolume>(MakeCleanVolume(volume, moment, quality)), nullptr,
+    false);
 }
 
 std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
@@ -56,7 +59,8 @@ std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
   {
     throw Error(key.file.string() + ": the file changed since it was first read; read it again");
   }
-  auto volume = std::make_shared<const PolarVolume>(MakePolarVolume(cycles[key.cycle], moment));
+  auto volume =
+    std::make_shared<const PolarVolume>(MakeCleanVolume(cycles[key.cycle], moment, quality));
   this->Insert(key, std::make_shared<const PackedPolarVolume>(*volume), volume, true);
   return volume;
 }

@@ -3,6 +3,7 @@
 
 #include "Gridding/PackedPolarVolume.h"
 #include "Level2/Level2File.h"
+#include "Quality/Despeckling.h"
 #include "Temporal/SiteSeries.h"
 
 #include <cstddef>
@@ -20,7 +21,8 @@ class PolarCache
 {
 public:
   /// `limit` in bytes; 0 keeps nothing. Volumes in use by a caller live on beside it.
-  PolarCache(MomentName moment, std::size_t limit, Level2Options options = {});
+  PolarCache(MomentName moment, std::size_t limit, Level2Options options = {},
+    const QualityOptions& quality = {});
 
   /// Keeps the volume when there is room for it without dropping another: during a scan the
   /// earliest volumes stay, which are those that a run through the day asks for first.
@@ -64,6 +66,7 @@ private:
   const MomentName moment;
   const std::size_t limit;
   const Level2Options options;
+  const QualityOptions quality;
   mutable std::mutex mutex;
   std::list<Entry> entries; ///< the one used last stands first
   std::list<Recent> recent; ///< the same

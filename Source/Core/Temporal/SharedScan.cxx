@@ -50,7 +50,7 @@ Json PackVolume(const Site& site, const SeriesVolume& volume)
 {
   Json packed = {{"site", site.name}, {"file", volume.file.string()}, {"cycle", volume.cycle},
     {"start", volume.start.time_since_epoch().count()},
-    {"end", volume.end.time_since_epoch().count()}, {"rays", volume.rays},
+    {"end", volume.end.time_since_epoch().count()}, {"rays", volume.rays}, {"reach", volume.reach},
     {"synthetic", volume.synthetic}};
   if (site.position)
   {
@@ -79,6 +79,7 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
   volume.start = Time(Duration(packed.at("start").get<Duration::rep>()));
   volume.end = Time(Duration(packed.at("end").get<Duration::rep>()));
   volume.rays = packed.at("rays");
+  volume.reach = packed.at("reach");
   volume.synthetic = packed.at("synthetic");
   if (packed.contains("digest"))
   {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Temporal/SiteSeries.h"
 
+#include "Geometry/GridSpecification.h"
 #include "Model/Error.h"
+#include "Model/SiteTable.h"
 #include "Temporal/ScannedFile.h"
 #include "Temporal/SharedScan.h"
 
 #include <algorithm>
+#include <cmath>
 #include <deque>
 #include <exception>
 #include <future>
@@ -38,8 +41,29 @@ std::string ReasonToLeaveOut(const RadarVolume& volume, const SeriesOptions& opt
   return {};
 }
 
-SeriesVolume Describe(
-  const RadarVolume& volume, const std::filesystem::path& path, std::size_t cycle)
+// Slant range to which half of the sweeps with the moment see, or farther, m.
+double ReachOf(const RadarVolume& volume, MomentName moment)
+{
+  std::vector<double> reaches;
+  for (const Sweep& sweep : volume.sweeps)
+  {
+    const MomentRow& row = sweep.rays.front().Row(moment);
+    if (row.gates > 0)
+    {
+      reaches.push_back(row.firstGate + (row.gates - 0.5) * row.gateSpacing);
+    }
+  }
+  if (reaches.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>((reaches.size() - 1) / 2);
+  std::nth_element(reaches.begin(), middle, reaches.end());
+  return *middle;
+}
+
+SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& path,
+  std::size_t cycle, MomentName moment)
 {
   SeriesVolume description;
   description.file = path;
@@ -47,6 +71,7 @@ SeriesVolume Describe(
   description.start = *volume.Start();
   description.end = *volume.End();
   description.rays = volume.RayCount();
+  description.reach = ReachOf(volume, moment);
   description.synthetic = volume.synthetic;
   return description;
 }
@@ -152,11 +177,12 @@ ScannedFile ScanFile(
       scanned.problems.push_back({path.string(), {}, reason, true});
       continue;
     }
-    scanned.volumes.emplace_back(cycles[cycle].site, Describe(cycles[cycle], path, cycle));
+    scanned.volumes.emplace_back(cycles[cycle].site,
+      Describe(cycles[cycle], path, cycle, options.moment.value_or(MomentName::REF)));
     if (options.digests)
     {
       scanned.volumes.back().second.digest = std::make_shared<const VolumeDigest>(
-        MakeDigest(MakePolarVolume(cycles[cycle], *options.moment)));
+        MakeDigest(MakeCleanVolume(cycles[cycle], *options.moment, options.quality)));
     }
     if (visitor)
     {
@@ -233,6 +259,34 @@ std::optional<Time> SeriesScan::Last() const
     }
   }
   return last;
+}
+
+std::vector<TimeSpan> SeriesScan::Spans() const
+{
+  std::vector<TimeSpan> spans;
+  for (const SiteSeries& series : sites)
+  {
+    for (const SeriesVolume& volume : series.volumes)
+    {
+      spans.push_back({volume.start, volume.end});
+    }
+  }
+  return spans;
+}
+
+double RangeOf(const Site& site, const SeriesVolume& volume)
+{
+  const KnownSite* known = FindSite(site.name);
+  const bool terminal = known != nullptr && known->terminal;
+  constexpr double kilometre = 1'000.0; // m, to whole ones outwards: the faces read well
+  return terminal && volume.reach > 0.0 ? kilometre * std::ceil(volume.reach / kilometre)
+                                        : DefaultRange;
+}
+
+double SeriesScan::Range() const
+{
+  return sites.size() == 1 ? RangeOf(sites.front().site, sites.front().volumes.front())
+                           : DefaultRange;
 }
 
 std::vector<Position> SeriesScan::Positions() const

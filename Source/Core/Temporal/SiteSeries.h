@@ -5,7 +5,9 @@
 #include "Level2/Level2File.h"
 #include "Model/Progress.h"
 #include "Model/RadarVolume.h"
+#include "Quality/Despeckling.h"
 #include "Temporal/InputFiles.h"
+#include "Temporal/VolumeSelection.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -26,6 +28,7 @@ struct SeriesVolume
   Time start{};               ///< first ray
   Time end{};                 ///< last ray
   std::size_t rays = 0;
+  double reach = 0.0; ///< m, slant range to which half of its sweeps of the moment see, or farther
   bool synthetic = false;                     ///< made by the simulator
   std::shared_ptr<const VolumeDigest> digest; ///< when it was asked for
 };
@@ -40,6 +43,10 @@ struct SiteSeries
   std::vector<Time> Ends() const;
 };
 
+/// Radius of the domain that shows what one radar sees, m: of a terminal radar the volume's reach,
+/// else DefaultRange.
+double RangeOf(const Site& site, const SeriesVolume& volume);
+
 /// What is in a list of radar files of any number of sites.
 struct SeriesScan
 {
@@ -49,6 +56,10 @@ struct SeriesScan
   /// Times of the first and of the last ray of all volumes; empty without volumes.
   std::optional<Time> First() const;
   std::optional<Time> Last() const;
+  /// From the first to the last ray of each volume.
+  std::vector<TimeSpan> Spans() const;
+  /// RangeOf a radar that is alone, and its first volume; of several DefaultRange. m
+  double Range() const;
   /// Positions of the sites that have one.
   std::vector<Position> Positions() const;
 };
@@ -76,6 +87,7 @@ struct SeriesOptions
 {
   Level2Options level2;
   std::optional<MomentName> moment; ///< a volume without it is left out
+  QualityOptions quality;           ///< of the volumes that the digests are of
   bool requirePosition = false;     ///< a volume of a site without a position is left out
   bool digests = false; ///< make the digests of the volumes, of `moment`, which must be set
   ScanShare share;      ///< default: one process does all

@@ -179,7 +179,7 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
          a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
          a.linearReflectivity == b.linearReflectivity && a.fill == b.fill &&
-         a.companions == b.companions && a.sharpen == b.sharpen;
+         a.companions == b.companions && a.sharpen == b.sharpen && a.means == b.means;
 }
 
 void CheckMotion(const Velocity& motion)
@@ -241,12 +241,12 @@ void RequireMoment(MergeMethod method, MomentName moment)
 
 ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request)
 {
-  PolarVolume polar = MakePolarVolume(volume, moment);
+  PolarVolume polar = MakeCleanVolume(volume, moment, request.quality);
   ReadyVolume ready;
   if (request.method == MergeMethod::Beam)
   {
     ready.beam =
-      std::make_shared<const BeamVolume>(PrepareBeamVolume(polar, request.beam.beamWidth));
+      std::make_shared<const BeamVolume>(PrepareForGrid(polar, request.grid, request.beam));
   }
   else
   {

@@ -6,6 +6,7 @@
 #include "Gridding/GriddedVolume.h"
 #include "Gridding/PolarVolume.h"
 #include "Model/Progress.h"
+#include "Quality/Despeckling.h"
 #include "Temporal/MotionTracker.h"
 #include "Temporal/PolarCache.h"
 #include "Temporal/SiteSeries.h"
@@ -49,7 +50,8 @@ struct MergeRequest
                                                   ///< count: for Thesis a volume, by its start; for
                                                   ///< Beam a ray
   MergeMethod method = MergeMethod::Beam;
-  BeamMergeOptions beam; ///< of Beam; its largest gap is not used
+  QualityOptions quality; ///< of volumes that MakeReady makes ready
+  BeamMergeOptions beam;  ///< of Beam; its largest gap is not used
   TimeInterpolationMethod interpolation = TimeInterpolationMethod::AlongMotion; ///< of Beam
   std::optional<Velocity> motion; ///< for AlongMotion, in place of the one found from reflectivity,
                                   ///< at most FastestEcho; without it other moments are

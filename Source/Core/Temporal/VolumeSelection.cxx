@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 
 namespace nexrad
 {
@@ -31,25 +32,44 @@ std::vector<std::size_t> FindVolumesAbout(
   std::vector<std::size_t> about;
   const auto next = static_cast<std::size_t>(
     std::distance(starts.begin(), std::upper_bound(starts.begin(), starts.end(), time)));
-  std::optional<std::size_t> lastEnded;
+  std::optional<std::size_t> last;       // of those that ended
+  std::optional<std::size_t> beforeLast; // the one that ended before it
   for (std::size_t i = 0; i < next; ++i)
   {
     if (ends[i] > time)
     {
       about.push_back(i);
     }
-    else if (!lastEnded || ends[i] >= ends[*lastEnded])
+    else if (!last || ends[i] >= ends[*last])
     {
-      lastEnded = i;
+      beforeLast = std::exchange(last, i);
+    }
+    else if (!beforeLast || ends[i] >= ends[*beforeLast])
+    {
+      beforeLast = i;
     }
   }
-  if (lastEnded && time - ends[*lastEnded] <= maximumGap)
+  const bool inProgress = !about.empty();
+  const bool after = next < starts.size() && starts[next] - time <= maximumGap;
+  const bool before = last && time - ends[*last] <= maximumGap;
+  if (before)
   {
-    about.push_back(*lastEnded);
+    about.push_back(*last);
+    const bool pair = after && starts[next] - starts[*last] <= LongestMotionInterval;
+    // A later bound would take back a volume that was not chosen at an earlier time.
+    if (!inProgress && !pair && beforeLast && ends[*last] - ends[*beforeLast] <= maximumGap)
+    {
+      about.push_back(*beforeLast);
+    }
   }
-  if (next < starts.size() && starts[next] - time <= maximumGap)
+  if (after)
   {
     about.push_back(next);
+    if (!inProgress && !before && next + 1 < starts.size() &&
+        starts[next + 1] - starts[next] <= LongestMotionInterval)
+    {
+      about.push_back(next + 1);
+    }
   }
   std::sort(about.begin(), about.end());
   return about;
@@ -85,15 +105,30 @@ std::vector<Time> TimeSteps(Time first, Time last, Duration step)
   return steps;
 }
 
-std::vector<Time> AtLeastOneTimeStep(Time first, Time last, Duration step)
+Time MiddleTime(Time first, Time last)
 {
-  std::vector<Time> steps = TimeSteps(first, last, step);
-  if (steps.empty())
+  const Time middle = first + (last - first) / 2;
+  return std::max(first, Time(std::chrono::floor<std::chrono::seconds>(middle)));
+}
+
+std::optional<TimeSpan> FindPause(
+  std::vector<TimeSpan> volumes, Time begin, Time end, Duration longest)
+{
+  const auto outside = [begin, end](const TimeSpan& volume)
+  { return volume.last < begin || volume.first > end; };
+  volumes.erase(std::remove_if(volumes.begin(), volumes.end(), outside), volumes.end());
+  std::sort(volumes.begin(), volumes.end(),
+    [](const TimeSpan& a, const TimeSpan& b) { return a.first < b.first; });
+  for (std::size_t i = 1; i < volumes.size(); ++i)
   {
-    throw Error("no multiple of the time step lies from " + FormatIso8601(first) + " to " +
-                FormatIso8601(last) + ": set a shorter step, or other begin and end times");
+    const Time last = volumes[i - 1].last;
+    if (volumes[i].first - last > longest)
+    {
+      return TimeSpan{last, volumes[i].first};
+    }
+    volumes[i].last = std::max(volumes[i].last, last);
   }
-  return steps;
+  return std::nullopt;
 }
 
 } // namespace nexrad

@@ -22,10 +22,15 @@ struct VolumeBracket
 /// exactly is `before`.
 VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration maximumGap);
 
+/// Two volumes farther apart tell nothing about the motion of echo between them (Formulas A3a).
+constexpr Duration LongestMotionInterval = std::chrono::minutes(20);
+
 /// Indices of the volumes of one site that hold the rays just before and just after a time
 /// (Formulas A1): the last volume that ended at or before it, those in progress, and the first that
-/// starts after it; without those that lie farther than `maximumGap` from the time, whole.
-/// Ascending. `starts` and `ends` are of equal length; `starts` ascends.
+/// starts after it; without those that lie farther than `maximumGap` from the time, whole. Where
+/// these tell nothing about motion, one more does (A3a): the volume before a last one, if it ended
+/// no more than `maximumGap` earlier, and the volume after a first one that is alone. Ascending.
+/// `starts` and `ends` are of equal length; `starts` ascends.
 std::vector<std::size_t> FindVolumesAbout(
   const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, Duration maximumGap);
 
@@ -34,7 +39,23 @@ std::vector<std::size_t> FindVolumesAbout(
 /// steps would be more than a million.
 std::vector<Time> TimeSteps(Time first, Time last, Duration step);
 
-/// The same, for which no step at all is an Error as well.
-std::vector<Time> AtLeastOneTimeStep(Time first, Time last, Duration step);
+/// Halfway between two times; to the whole second before it, unless that lies before `first`.
+Time MiddleTime(Time first, Time last);
+
+/// From the first to the last ray of a volume, or from one of these to the other.
+struct TimeSpan
+{
+  Time first{};
+  Time last{};
+};
+
+/// The first pause longer than `longest` between volumes, given in any order: from the last ray
+/// before it to the first one after it. Only volumes with rays from `begin` to `end` count.
+std::optional<TimeSpan> FindPause(
+  std::vector<TimeSpan> volumes, Time begin, Time end, Duration longest);
+
+/// A longer pause lies between volumes of different days, which nobody wants to merge at all the
+/// steps between them.
+constexpr Duration LongestPause = std::chrono::hours(24);
 
 } // namespace nexrad

@@ -193,20 +193,59 @@ void VolumeStream::Begin(Time time)
   std::stable_sort(order.begin(), order.end(), IsEarlier);
 }
 
-// Called with the lock. Asks for the files of a site that a time may need: all up to the first that
-// holds a later volume, and those whose headers have the same time as that one's. The place after
-// the last of them; empty while some are not there.
+// Called with the lock. How many volumes that start after a time it may need: two when none is
+// chosen of those that started before it, as far as is known, else one.
+std::size_t VolumeStream::LaterNeeded(const SiteWindow& site, std::size_t end, Time time) const
+{
+  std::vector<TimeSpan> startedSpans;
+  const auto add = [&startedSpans, time](const std::vector<HeldVolume>& held)
+  {
+    for (const HeldVolume& each : held)
+    {
+      if (each.volume.start <= time)
+      {
+        startedSpans.push_back({each.volume.start, each.volume.end});
+      }
+    }
+  };
+  add(site.held);
+  for (std::size_t place = site.next; place < end; ++place)
+  {
+    add(files[site.outline.files[place].index].held);
+  }
+  std::sort(startedSpans.begin(), startedSpans.end(),
+    [](const TimeSpan& a, const TimeSpan& b) { return a.first < b.first; });
+  std::vector<Time> starts;
+  std::vector<Time> ends;
+  for (const TimeSpan& each : startedSpans)
+  {
+    starts.push_back(each.first);
+    ends.push_back(each.last);
+  }
+  return work.choose(starts, ends, time).empty() ? 2 : 1;
+}
+
+// Called with the lock. Asks for the files of a site that a time may need: all up to those that
+// hold as many later volumes as are needed, and those whose headers have the same time as the last
+// one's. The place after the last of them; empty while some are not there.
 std::optional<std::size_t> VolumeStream::Demand(const SiteWindow& site, Time time)
 {
   const std::vector<OutlinedFile>& own = site.outline.files;
-  const auto heldLater = [time](const HeldVolume& held) { return held.volume.start > time; };
-  if (std::any_of(site.held.begin(), site.held.end(), heldLater))
+  const auto countLater = [time](const std::vector<HeldVolume>& held)
   {
-    return site.next;
-  }
+    return static_cast<std::size_t>(std::count_if(held.begin(), held.end(),
+      [time](const HeldVolume& each) { return each.volume.start > time; }));
+  };
+  std::size_t later = countLater(site.held);
+  const auto enough = [&](std::size_t end)
+  { return later > 0 && later >= this->LaterNeeded(site, end, time); };
   bool there = true;
-  std::optional<Time> last;
   std::size_t place = site.next;
+  std::optional<Time> last;
+  if (enough(place))
+  {
+    return place;
+  }
   for (; place < own.size() && !(last && own[place].time > *last); ++place)
   {
     const File& file = files[own[place].index];
@@ -216,9 +255,8 @@ std::optional<std::size_t> VolumeStream::Demand(const SiteWindow& site, Time tim
       this->Want(own[place].index);
       there = false;
     }
-    const bool isLater =
-      done ? std::any_of(file.held.begin(), file.held.end(), heldLater) : own[place].time > time;
-    last = last || !isLater ? last : std::optional(own[place].time);
+    later += done ? countLater(file.held) : own[place].time > time ? 1 : 0;
+    last = last || !enough(place + 1) ? last : std::optional(own[place].time);
     reached = std::max(reached, own[place].time);
   }
   return there ? std::optional(place) : std::nullopt;

@@ -108,6 +108,7 @@ private:
   void Decode(std::size_t index);
   void Want(std::size_t index);
   void Begin(Time time);
+  std::size_t LaterNeeded(const SiteWindow& site, std::size_t end, Time time) const;
   std::optional<std::size_t> Demand(const SiteWindow& site, Time time);
   void Take(SiteWindow& site, std::size_t end);
   void Choose(SiteWindow& site, Time time, std::vector<ReadyVolume>& chosen, Choice& choice);

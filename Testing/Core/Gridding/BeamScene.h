@@ -74,6 +74,7 @@ inline BeamMergeOptions AsMeasured()
 {
   BeamMergeOptions options;
   options.sharpen = false;
+  options.trend = false;
   return options;
 }
 

@@ -18,15 +18,15 @@ Time Evening()
   return *ParseIso8601("2006-03-12T18:05:00Z");
 }
 
-ScannedDay::ScannedDay(Time theTime, double theFactor)
+ScannedDay::ScannedDay(Time theTime, const SimulatorOptions& theOptions)
   : time(theTime)
-  , effectiveRadiusFactor(theFactor)
+  , options(theOptions)
 {
-  SimulatedDayOptions options;
-  options.begin = time - 15min;
-  options.length = 30min;
+  SimulatedDayOptions period;
+  period.begin = time - 15min;
+  period.length = 30min;
   std::map<std::string, std::vector<SimulatedVolume>> plans;
-  for (const SimulatedVolume& volume : PlanSimulatedDay(options))
+  for (const SimulatedVolume& volume : PlanSimulatedDay(period))
   {
     plans[volume.site.name].push_back(volume);
   }
@@ -46,8 +46,6 @@ void ScannedDay::AddSite(const std::vector<SimulatedVolume>& plan)
     ends.push_back(volume.start + VolumePeriod(volume.coveragePattern));
   }
   const VolumeBracket bracket = FindBracket(starts, time, 15min);
-  SimulatorOptions options;
-  options.effectiveRadiusFactor = effectiveRadiusFactor;
   Scanned site;
   for (const std::size_t index : FindVolumesAbout(starts, ends, time, 15min))
   {

@@ -22,8 +22,8 @@ Time Evening();
 class ScannedDay
 {
 public:
-  /// `effectiveRadiusFactor` is the refraction of the simulated atmosphere.
-  explicit ScannedDay(Time time, double effectiveRadiusFactor = 4.0 / 3.0);
+  /// `options` are those of the simulated radars and their atmosphere.
+  explicit ScannedDay(Time time, const SimulatorOptions& options = {});
 
   const StormField& Field() const { return field; }
   Time At() const { return time; }
@@ -50,7 +50,7 @@ private:
 
   StormField field;
   Time time;
-  double effectiveRadiusFactor;
+  SimulatorOptions options;
   std::vector<Scanned> sites;
 };
 

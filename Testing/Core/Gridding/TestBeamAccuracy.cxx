@@ -61,6 +61,13 @@ void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions)
     CompareEchoTops(*thesis, truth).meanAbsoluteError);
 }
 
+ScannedDay DayOfRefraction(double effectiveRadiusFactor)
+{
+  SimulatorOptions options;
+  options.effectiveRadiusFactor = effectiveRadiusFactor;
+  return ScannedDay(Evening(), options);
+}
+
 // The same truth, of which only the columns count whose nearest radar is from `nearest` to
 // `farthest` m away.
 Truth OnlyAtDistance(const Truth& truth, const ScannedDay& day, double nearest, double farthest)
@@ -134,10 +141,10 @@ TEST(BeamAccuracy, At256)
 
 TEST(BeamAccuracy, UnderARefractionOf121)
 {
-  Compare(ScannedDay(Evening(), 1.21), {128, 128, 64});
+  Compare(DayOfRefraction(1.21), {128, 128, 64});
 }
 
 TEST(BeamAccuracy, UnderARefractionOf15)
 {
-  Compare(ScannedDay(Evening(), 1.5), {128, 128, 64});
+  Compare(DayOfRefraction(1.5), {128, 128, 64});
 }

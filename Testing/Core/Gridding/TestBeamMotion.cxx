@@ -179,9 +179,12 @@ TEST(BeamMotion, IsTurnedFromTheGridsDirectionsToTheRadars)
     ScanEcho(field, site, sceneTime, -200.0), ScanEcho(field, site, sceneTime, 100.0)};
   const MotionField turned =
     MotionField::Constant({100.0 * std::sin(turn), 100.0 * std::cos(turn)});
-  EXPECT_LT(LargestError(MergeMoving(volumes, 0.0, &turned, grid), field, 0.0), 1.0);
+  // From one sweep to the next the storms move 2 km: that is no layer.
+  BeamMergeOptions options;
+  options.trend = false;
+  EXPECT_LT(LargestError(MergeMoving(volumes, 0.0, &turned, grid, {}, options), field, 0.0), 1.0);
   const MotionField same = MotionField::Constant(field.velocity);
-  EXPECT_GT(LargestError(MergeMoving(volumes, 0.0, &same, grid), field, 0.0), 5.0);
+  EXPECT_GT(LargestError(MergeMoving(volumes, 0.0, &same, grid, {}, options), field, 0.0), 5.0);
 }
 
 TEST(BeamMotion, CountsInMetresOnGeographicAxes)
@@ -217,15 +220,70 @@ TEST(BeamMotion, WithoutSpeedIsLinearToTheLastBit)
   }
 }
 
-TEST(BeamMotion, OneLookAloneStaysWhereItIs)
+// Before the first volume and after the last each tilt has one look, up to 300 s from the time. It
+// goes 7.5 km along the motion.
+TEST(BeamMotion, ALookAloneGoesAlongTheMotion)
 {
   const MovingEcho field = TestField();
-  const std::vector<PolarVolume> one = {ScanEcho(field, site, sceneTime, -240.0)};
   const MotionField motion = MotionField::Constant(velocity);
-  const GriddedVolume moved = MergeMoving(one, 0.0, &motion);
-  const GriddedVolume linear = MergeMoving(one, 0.0, nullptr);
-  EXPECT_EQ(moved.values, linear.values);
-  EXPECT_EQ(moved.states, linear.states);
+  for (const double start : {-300.0, 180.0})
+  {
+    const std::vector<PolarVolume> one = {ScanEcho(field, site, sceneTime, start)};
+    EXPECT_LT(LargestError(MergeMoving(one, 0.0, &motion), field, 0.0), 0.9) << start;
+    EXPECT_GT(LargestError(MergeMoving(one, 0.0, nullptr), field, 0.0), 20.0) << start;
+  }
+}
+
+namespace
+{
+
+// 45 dBZ at the antenna and 3 dB less each km above it, everywhere: so it stays however it moves.
+PolarVolume ScanLayers(double start)
+{
+  PolarVolume volume = ScanEcho({}, site, sceneTime, start);
+  for (PolarSweep& sweep : volume.sweeps)
+  {
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+    {
+      for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+      {
+        const double range = sweep.firstGate + sweep.gateSpacing * static_cast<double>(gate);
+        const double height = BeamModel().Locate(range, sweep.rays[ray].elevation).height;
+        sweep.states[sweep.Index(ray, gate)] = GateState::Valid;
+        sweep.values[sweep.Index(ray, gate)] = static_cast<float>(45.0 - 0.003 * height);
+      }
+    }
+  }
+  return volume;
+}
+
+} // namespace
+
+// 7.5 km farther out a tilt at 6° is 0.8 km higher, where it has 2.4 dB less.
+TEST(BeamMotion, ALookAloneKeepsItsHeight)
+{
+  const std::vector<PolarVolume> one = {ScanLayers(-300.0)};
+  const MotionField motion = MotionField::Constant(velocity);
+  BeamMergeOptions options;
+  options.sharpen = false;
+  const GriddedVolume moved = MergeMoving(one, 0.0, &motion, FineGrid(), {}, options);
+  const GriddedVolume linear = MergeMoving(one, 0.0, nullptr, FineGrid(), {}, options);
+  std::size_t count = 0;
+  double largest = 0.0;
+  const auto compare = [&](const SeenVoxel& voxel)
+  {
+    // Beyond the lowest and the highest tilt there is none from which what moved could come.
+    if (voxel.elevation > 1.4 && voxel.elevation < 4.3 && voxel.groundDistance > 15e3)
+    {
+      ++count;
+      ASSERT_EQ(moved.states[voxel.index], VoxelState::Echo);
+      largest = std::max(largest,
+        static_cast<double>(std::abs(moved.values[voxel.index] - linear.values[voxel.index])));
+    }
+  };
+  ForEachVoxel(moved.grid, centralSite, compare);
+  EXPECT_GT(count, 10'000u);
+  EXPECT_LT(largest, 0.4); // the tilts between which it is interpolated are 20 s apart
 }
 
 namespace
@@ -253,11 +311,19 @@ PolarVolume FourQuarters(double start)
 
 } // namespace
 
-// The looks go up to 5 km away, and no voxel becomes seen or unseen by that; what is folded at both
+// The looks go up to 5 km away, and no voxel becomes seen or unseen by that; what is folded at all
 // times stays so.
-TEST(BeamMotion, KeepsTheKindsOfNothingApart)
+class KindsOfNothing : public ::testing::TestWithParam<std::vector<double>>
 {
-  const std::vector<PolarVolume> volumes = {FourQuarters(-240.0), FourQuarters(60.0)};
+};
+
+TEST_P(KindsOfNothing, StayApart)
+{
+  std::vector<PolarVolume> volumes;
+  for (const double start : GetParam())
+  {
+    volumes.push_back(FourQuarters(start));
+  }
   const MotionField motion = MotionField::Constant(velocity);
   const GriddedVolume moved = MergeMoving(volumes, 0.0, &motion);
   const GriddedVolume linear = MergeMoving(volumes, 0.0, nullptr);
@@ -281,6 +347,10 @@ TEST(BeamMotion, KeepsTheKindsOfNothingApart)
   EXPECT_GT(*std::min_element(counts.begin(), counts.end()), 1'000u);
   EXPECT_GT(changed, 10u); // along the border between echo and none
 }
+
+INSTANTIATE_TEST_SUITE_P(OnOneSideOrBoth, KindsOfNothing,
+  ::testing::Values(
+    std::vector<double>{-240.0, 60.0}, std::vector<double>{-240.0}, std::vector<double>{180.0}));
 
 TEST(BeamMotion, VelocityIsNeverBlended)
 {
@@ -343,7 +413,7 @@ TEST(BeamMotion, WhatIsPassedOverHoldsNothing)
   BeamMergeOptions withAges;
   withAges.companions = true;
   GridSpecification grid = SceneGrid(); // reaches beyond the last gates
-  for (const double seconds : {-20.0, 10.0, 120.0, 190.0})
+  for (const double seconds : {-400.0, -250.0, -20.0, 10.0, 120.0, 190.0, 260.0, 500.0})
   {
     for (const MotionField* each : {&motion, static_cast<const MotionField*>(nullptr)})
     {

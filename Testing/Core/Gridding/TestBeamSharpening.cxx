@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas G9, against the mean over the beam by brute force.
 #include "BeamScene.h"
-#include "Geometry/Angles.h"
 #include "Gridding/BeamSharpening.h"
+#include "Gridding/BeamVolume.h"
 
 #include <gtest/gtest.h>
 
@@ -18,42 +18,31 @@ namespace
 
 constexpr double beamWidth = 0.95; // degrees
 
-std::vector<TiltEdges> EdgesOf(const std::vector<double>& elevations)
+NeighbourEcho Echo(double value)
 {
-  std::vector<BeamTilt> tilts;
-  for (const double elevation : elevations)
-  {
-    BeamTilt tilt;
-    tilt.elevation = static_cast<float>(elevation);
-    tilt.tangent = static_cast<float>(std::tan(elevation * RadiansPerDegree));
-    tilts.push_back(tilt);
-  }
-  return FindEdges(tilts, beamWidth, true);
+  NeighbourEcho echo;
+  echo.measured = true;
+  echo.value = static_cast<float>(value);
+  return echo;
 }
 
-TiltSample Echo(double value)
+NeighbourEcho NoEcho()
 {
-  TiltSample sample;
-  sample.state = VoxelState::Echo;
-  sample.value = static_cast<float>(value);
-  sample.fade = 1.0F;
-  return sample;
+  NeighbourEcho echo;
+  echo.measured = true;
+  return echo;
 }
 
-TiltSample Without(VoxelState state)
-{
-  TiltSample sample;
-  sample.state = state;
-  sample.fade = 1.0F;
-  return sample;
-}
+const NeighbourEcho unknown;
 
-double SharpenedAt(
-  std::size_t tilt, const std::vector<double>& elevations, const std::vector<TiltSample>& samples)
+// The value of the tilt in the middle of three.
+double SharpenedBetween(
+  double gapBelow, NeighbourEcho below, double value, NeighbourEcho above, double gapAbove)
 {
-  std::vector<TiltSample> sharpened;
-  const bool changed = SharpenTilts(EdgesOf(elevations), samples.data(), sharpened);
-  return static_cast<double>(changed ? sharpened[tilt].value : samples[tilt].value);
+  below.gap = static_cast<float>(gapBelow);
+  above.gap = static_cast<float>(gapAbove);
+  return static_cast<double>(
+    SharpenValue(static_cast<float>(value), below, above, static_cast<float>(beamWidth)));
 }
 
 // What a radar measures of a profile in dBZ over the angle from the middle of its beam: Z weighted
@@ -75,31 +64,28 @@ double MeanOverBeam(const std::function<double(double)>& profile)
 
 TEST(BeamSharpening, AStraightSlopeComesOutAsItWasBeforeTheBeam)
 {
-  const std::vector<double> elevations = {0.5, 1.5, 2.4, 3.4, 4.3};
   for (const double slope : {-14.0, -6.0, 6.0, 14.0}) // dB a degree
   {
-    const auto truth = [slope](double elevation) { return 35.0 + slope * (elevation - 2.4); };
-    std::vector<TiltSample> samples;
-    for (const double elevation : elevations)
+    const auto truth = [slope](double elevation) { return 35.0 + slope * elevation; };
+    const auto measured = [&truth](double elevation)
+    { return MeanOverBeam([&](double angle) { return truth(elevation + angle); }); };
+    for (const double gap : {0.9, 1.0, 1.7})
     {
-      samples.push_back(Echo(MeanOverBeam([&](double angle) { return truth(elevation + angle); })));
-    }
-    for (std::size_t tilt = 1; tilt + 1 < elevations.size(); ++tilt)
-    {
-      EXPECT_NEAR(SharpenedAt(tilt, elevations, samples), truth(elevations[tilt]), 0.02) << slope;
+      EXPECT_NEAR(
+        SharpenedBetween(gap, Echo(measured(-gap)), measured(0.0), Echo(measured(gap)), gap),
+        truth(0.0), 0.02)
+        << slope;
     }
   }
   // By hand: 10 dB a degree over a standard deviation of 0.95/√(16 ln 2) = 0.28527° is 0.65686
   // e-folds of Z, and exp(s²/2) of it 0.9369 dB.
-  EXPECT_NEAR(
-    SharpenedAt(1, {1.0, 2.0, 3.0}, {Echo(40.0), Echo(30.0), Echo(20.0)}), 30.0 - 0.937, 0.005);
+  EXPECT_NEAR(SharpenedBetween(1.0, Echo(40.0), 30.0, Echo(20.0), 1.0), 30.0 - 0.937, 0.005);
 }
 
 // Whatever stands on the two sides; towards no echo the line of G8, which ends half a beam before
 // the tilt without, and not before the middle.
 TEST(BeamSharpening, TakesBackTheMeanOverTwoStraightSides)
 {
-  const std::vector<double> elevations = {0.5, 1.45, 3.1};
   const double toLower = 0.95 * std::max(0.5, 1.0 - 0.475 / 0.95);
   const double toUpper = 1.65 * (1.0 - 0.475 / 1.65);
   for (const double value : {5.0, 22.0, 38.0})
@@ -118,9 +104,8 @@ TEST(BeamSharpening, TakesBackTheMeanOverTwoStraightSides)
         }
         const double excess =
           MeanOverBeam([&](double angle) { return angle < 0.0 ? -below * angle : above * angle; });
-        const double got = SharpenedAt(1, elevations,
-          {noneBelow ? Without(VoxelState::NoEcho) : Echo(lower), Echo(value),
-            noneAbove ? Without(VoxelState::NoEcho) : Echo(upper)});
+        const double got = SharpenedBetween(0.95, noneBelow ? NoEcho() : Echo(lower), value,
+          noneAbove ? NoEcho() : Echo(upper), 1.65);
         EXPECT_NEAR(got, value - std::max(excess, -3.0), 0.03) << lower << " " << upper;
       }
     }
@@ -129,30 +114,35 @@ TEST(BeamSharpening, TakesBackTheMeanOverTwoStraightSides)
 
 TEST(BeamSharpening, HasLimits)
 {
-  const std::vector<double> elevations = {1.0, 2.0, 3.0};
-  const TiltSample none = Without(VoxelState::NoEcho);
   // What one tilt alone sees fills half the beam.
-  EXPECT_NEAR(SharpenedAt(1, elevations, {none, Echo(50.0), none}), 53.0, 1e-4);
+  EXPECT_NEAR(SharpenedBetween(1.0, NoEcho(), 50.0, NoEcho(), 1.0), 53.0, 1e-4);
   // When one side is not known, nothing is said of how the beam is filled.
-  for (const VoxelState unknown : {VoxelState::NotScanned, VoxelState::RangeFolded})
-  {
-    EXPECT_EQ(SharpenedAt(1, elevations, {Without(unknown), Echo(50.0), none}), 50.0);
-  }
-  TiltSample assumed = none;
-  assumed.assumed = true;
-  EXPECT_EQ(SharpenedAt(1, elevations, {Echo(50.0), Echo(50.0), assumed}), 50.0);
-  EXPECT_EQ(SharpenedAt(0, elevations, {Echo(50.0), none, none}), 50.0);
-  EXPECT_EQ(SharpenedAt(2, elevations, {none, none, Echo(50.0)}), 50.0);
-  // A neighbour that fades away takes its part of the slope and of the gain with it.
-  TiltSample fading = none;
-  fading.fade = 1e-4F;
-  EXPECT_NEAR(SharpenedAt(1, elevations, {Echo(50.0), Echo(50.0), fading}), 50.0, 1e-2);
-  EXPECT_NEAR(SharpenedAt(1, elevations, {none, Echo(50.0), fading}), 50.0, 1e-2);
+  EXPECT_EQ(SharpenedBetween(1.0, unknown, 50.0, NoEcho(), 1.0), 50.0);
+  EXPECT_EQ(SharpenedBetween(1.0, Echo(50.0), 50.0, unknown, 1.0), 50.0);
   // An echo more than two standard deviations away is not seen: exp(2)·Φ(2) is 8.585 dB.
-  EXPECT_NEAR(SharpenedAt(1, elevations, {Echo(70.0), Echo(20.0), none}), 20.0 - 8.7, 0.15);
-  // Constant echo stays as it is to the last digit, and what is no more than 0 dBZ does.
-  EXPECT_EQ(SharpenedAt(1, elevations, {Echo(33.5), Echo(33.5), Echo(33.5)}), 33.5);
-  EXPECT_EQ(SharpenedAt(1, elevations, {Echo(30.0), Echo(-2.0), none}), -2.0);
+  EXPECT_NEAR(SharpenedBetween(1.0, Echo(70.0), 20.0, NoEcho(), 1.0), 20.0 - 8.7, 0.15);
+  // Constant echo stays as it is to the last digit.
+  EXPECT_EQ(SharpenedBetween(1.0, Echo(33.5), 33.5, Echo(33.5), 1.0), 33.5);
+}
+
+// The sweeps of a volume: each by its neighbours in elevation, of repeated cuts the nearest in
+// time.
+TEST(BeamSharpening, ChangesEachSweepByItsNeighbours)
+{
+  PolarVolume volume = VolumeOf({UniformSweep(1, 1.0, 40.0F), UniformSweep(2, 2.0, 30.0F),
+    UniformSweep(3, 3.0, 20.0F), UniformSweep(4, 1.0, 60.0F, 200.0)});
+  const auto valueOf = [](const BeamVolume& prepared, std::size_t sweep, std::size_t gate)
+  {
+    const BeamSweep& of = prepared.sweeps[sweep];
+    return of.base + of.step * static_cast<float>(of.codes[5 * of.Stride() + gate]);
+  };
+  const BeamVolume measured = PrepareBeamVolume(volume, beamWidth, false);
+  const BeamVolume sharpened = PrepareBeamVolume(volume, beamWidth, true);
+  EXPECT_NEAR(valueOf(measured, 1, 50), 30.0, 1e-3);
+  EXPECT_NEAR(valueOf(sharpened, 1, 50), 29.06, 0.01);
+  // Echo of 0 dBZ and less is left as it is.
+  SetAll(volume.sweeps[1], -2.0F);
+  EXPECT_NEAR(valueOf(PrepareBeamVolume(volume, beamWidth, true), 1, 50), -2.0, 1e-3);
 }
 
 // In the merge: the tilts' values are the sharpened ones, of reflectivity in dBZ, when asked for.

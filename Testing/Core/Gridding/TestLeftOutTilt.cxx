@@ -4,6 +4,7 @@
 #include "Geometry/Angles.h"
 #include "Gridding/BeamMerge.h"
 #include "Level2/Level2File.h"
+#include "Model/Elevation.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>

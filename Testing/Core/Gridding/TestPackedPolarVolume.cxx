@@ -31,12 +31,13 @@ PolarVolume OneSweep(
   volume.synthetic = true;
   PolarSweep& sweep = volume.sweeps.emplace_back();
   sweep.elevationNumber = 7;
+  sweep.waveform = Waveform::Batch;
   sweep.firstGate = -375.0;
   sweep.gateSpacing = 250.0;
   sweep.gates = values.size();
   for (std::size_t ray = 0; ray < rays; ++ray)
   {
-    sweep.rays.push_back({static_cast<double>(ray), 0.5, volume.start});
+    sweep.rays.push_back({static_cast<double>(ray), 0.5, volume.start, 148'000.0});
     sweep.values.insert(sweep.values.end(), values.begin(), values.end());
     sweep.states.insert(sweep.states.end(), states.begin(), states.end());
   }
@@ -56,6 +57,7 @@ void ExpectSame(const PolarVolume& one, const PolarVolume& other)
     const PolarSweep& a = one.sweeps[index];
     const PolarSweep& b = other.sweeps[index];
     EXPECT_EQ(a.elevationNumber, b.elevationNumber);
+    EXPECT_EQ(a.waveform, b.waveform);
     EXPECT_EQ(a.firstGate, b.firstGate);
     EXPECT_EQ(a.gateSpacing, b.gateSpacing);
     EXPECT_EQ(a.gates, b.gates);

@@ -208,6 +208,30 @@ TEST(Assembly, RaysOutsideTheirAnglesAreDamage)
   EXPECT_NE(volume.damage[0].what.find("(and 1 more"), std::string::npos);
 }
 
+// An encoder of the antenna can give them; the merge leaves them out.
+TEST(Assembly, RaysFarBelowTheirCutAreKept)
+{
+  RayPlan ray;
+  ray.status = 3;
+  RayPlan low = ray;
+  low.elevation = -9.5;
+  low.number = 2;
+  low.status = 1;
+  RayPlan end = ray;
+  end.status = 4;
+  end.number = 3;
+  for (const auto make : {MakeMessage1, MakeMessage31})
+  {
+    const RadarVolume volume = DecodeRays({make(ray), make(low), make(end)});
+    EXPECT_TRUE(volume.damage.empty());
+    ASSERT_EQ(volume.RayCount(), 3U);
+    EXPECT_NEAR(volume.sweeps[0].rays[1].elevation, -9.5, 0.045);
+    EXPECT_NEAR(volume.sweeps[0].MedianElevation(), 0.5, 0.045);
+    ASSERT_FALSE(volume.notes.empty());
+    EXPECT_NE(volume.notes.back().find("1 of its 3 rays farther"), std::string::npos);
+  }
+}
+
 TEST(Assembly, TheListOfDamageStaysReadable)
 {
   RayPlan high;

@@ -69,6 +69,7 @@ RadarVolume MakeVolume(int messageType, int rays, const AddMoments& addMoments)
       ray.azimuth = static_cast<float>(std::fmod(350.03 + index * 360.0 / rays, 360.0));
       ray.elevation = 0.47F + 0.001F * static_cast<float>(index % 20);
       ray.nyquist = cut == 1 ? 26.33F : 0.0F;
+      ray.unambiguousRange = cut == 1 ? 148'000.0F : 466'000.0F;
       ray.elevationNumber = static_cast<std::uint8_t>(cut + 1);
       addMoments(volume, ray, cut);
       sweep.rays.push_back(ray);
@@ -150,6 +151,7 @@ void ExpectSameRays(const RadarVolume& volume, const RadarVolume& expected, doub
       EXPECT_NEAR(std::remainder(ray.azimuth - truth.azimuth, 360.0), 0.0, angleError) << where;
       EXPECT_NEAR(ray.elevation, truth.elevation, angleError) << where;
       EXPECT_NEAR(ray.nyquist, truth.nyquist, 0.005) << where;
+      EXPECT_EQ(ray.unambiguousRange, truth.unambiguousRange) << where;
       EXPECT_EQ(ray.radialStatus, truth.radialStatus) << where;
       EXPECT_EQ(ray.elevationNumber, truth.elevationNumber) << where;
       for (const MomentName name : AllMoments)

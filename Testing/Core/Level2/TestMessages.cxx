@@ -71,6 +71,7 @@ TEST(Message1, ReadsARay)
   EXPECT_NEAR(ray.azimuth, 359.5, 0.05);
   EXPECT_NEAR(ray.elevation, -0.5, 0.05);
   EXPECT_FLOAT_EQ(ray.nyquist, 26.12F);
+  EXPECT_EQ(ray.unambiguousRange, 148'000.0F);
   EXPECT_EQ(ray.radialStatus, 1);
   EXPECT_EQ(ray.elevationNumber, 4);
   EXPECT_EQ(decoded.azimuthNumber, 365U);
@@ -137,7 +138,7 @@ TEST(Message1, RefusesWhatIsNoRay)
     return DecodeMessage1(BodyOf(frame));
   };
   RayPlan plan;
-  plan.elevation = -3.0;
+  plan.elevation = -10.1;
   EXPECT_THROW(decode(plan), MessageError);
   plan.elevation = 91.0;
   EXPECT_THROW(decode(plan), MessageError);
@@ -167,6 +168,7 @@ TEST(Message31, ReadsARayAndItsSite)
   EXPECT_EQ(decoded.ray.elevation, 19.5F);
   EXPECT_EQ(decoded.ray.radialStatus, 3);
   EXPECT_FLOAT_EQ(decoded.ray.nyquist, 26.12F);
+  EXPECT_EQ(decoded.ray.unambiguousRange, 148'000.0F);
   EXPECT_EQ(decoded.siteName, "KTLX");
   EXPECT_EQ(decoded.coveragePatternNumber, 21);
   ASSERT_TRUE(decoded.position);
@@ -268,7 +270,7 @@ TEST(Message31, RefusesWhatIsNoRay)
     EXPECT_THROW(decode(plan), MessageError) << angle;
   }
   RayPlan plan;
-  plan.elevation = -2.5;
+  plan.elevation = -10.1;
   EXPECT_THROW(decode(plan), MessageError);
   EXPECT_THROW(DecodeMessage31(View(Bytes(20))), std::exception);
 }

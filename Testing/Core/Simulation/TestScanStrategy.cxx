@@ -127,6 +127,26 @@ TEST(ScanStrategy, Message31CutsHaveFineGates)
   EXPECT_NEAR(high.reflectivity.gates, 232, 10); // as the last cut of KBLX, 2009-06-03
 }
 
+// Real files give no gate beyond: the pulses cannot tell what comes back from there.
+TEST(ScanStrategy, CutsWithoutAmbiguityResolutionEndAtTheirRange)
+{
+  for (const int number : KnownCoveragePatterns())
+  {
+    for (const ScanCut& cut : *FindScanStrategy(number))
+    {
+      for (const bool superResolution : {false, true})
+      {
+        const GateLayout gates = LayOut(cut, superResolution).reflectivity;
+        if (cut.cut.waveform == Waveform::ContiguousDopplerWithout)
+        {
+          EXPECT_LE(gates.Range(gates.gates - 1), cut.unambiguousRange * 1000.0)
+            << number << ' ' << cut.cut.elevation;
+        }
+      }
+    }
+  }
+}
+
 TEST(ScanStrategy, KnowsThePatternsThatItNames)
 {
   EXPECT_EQ(KnownCoveragePatterns(), (std::vector<int>{11, 12, 21, 31, 32, 35, 121, 212, 215}));

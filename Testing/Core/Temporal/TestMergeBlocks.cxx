@@ -156,6 +156,18 @@ TEST(MergeBlocks, PiecesOfAnyNumberMakeTheWhole)
   ExpectBlocksOfTheWhole(request, OddBlocks());
 }
 
+// The first volumes begin five minutes before noon, the last end two minutes after it.
+TEST(MergeBlocks, InTheFirstAndTheLastMinutes)
+{
+  for (const Duration after : {Duration(-290s), Duration(-200s), Duration(80s), Duration(4min)})
+  {
+    MergeRequest request = Request();
+    request.time = noon + after;
+    ExpectBlocksOfTheWhole(request, SplitAlong(request.grid, 0, 3));
+    ExpectBlocksOfTheWhole(request, OddBlocks());
+  }
+}
+
 TEST(MergeBlocks, WhateverTheMethodAsks)
 {
   const std::vector<VoxelBlock> blocks = OddBlocks();

@@ -7,6 +7,7 @@
 #include "Gridding/SweepPairing.h"
 #include "Gridding/ThesisMerge.h"
 #include "Level2/Level2File.h"
+#include "Model/Elevation.h"
 #include "Simulation/SimulatedDay.h"
 #include "Temporal/LeaveOneOut.h"
 #include "Temporal/MotionTracker.h"
@@ -79,7 +80,7 @@ const PolarSweep* SweepAt(const PolarVolume& volume, const PolarSweep& other)
   for (const PolarSweep& sweep : volume.sweeps)
   {
     if (sweep.elevationNumber == other.elevationNumber &&
-        std::abs(MeanElevation(sweep) - MeanElevation(other)) < SameTilt)
+        std::abs(MedianElevation(sweep) - MedianElevation(other)) < SameTilt)
     {
       return &sweep;
     }

@@ -87,7 +87,8 @@ std::string Describe(const SeriesScan& scan)
     {
       text += "  " + volume.file.string() + ' ' + std::to_string(volume.cycle) + ' ' +
               FormatIso8601(volume.start) + ' ' + FormatIso8601(volume.end) + ' ' +
-              std::to_string(volume.rays) + (volume.synthetic ? " synthetic\n" : "\n");
+              std::to_string(volume.rays) + ' ' + std::to_string(volume.reach) +
+              (volume.synthetic ? " synthetic\n" : "\n");
     }
   }
   for (const InputProblem& problem : scan.problems)

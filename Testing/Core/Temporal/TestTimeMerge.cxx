@@ -263,7 +263,8 @@ TEST(TimeMerge, MotionDoesNotDependOnWhatWasMergedBefore)
   const std::vector<PolarVolume> volumes = ScanStorms();
   std::vector<const PolarVolume*> pointers = PointersTo(volumes);
   MergeRun run;
-  for (const Duration after : {Duration(4min), Duration(5min), Duration(8min), Duration(4min)})
+  for (const Duration after : {Duration(20s), Duration(4min), Duration(11min), Duration(8min),
+         Duration(14min), Duration(4min)})
   {
     const auto ofRun = MergeVolumes(pointers, BeamRequest(after), {}, &run);
     const auto fresh = MergeVolumes(pointers, BeamRequest(after));

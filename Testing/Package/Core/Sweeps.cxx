@@ -17,7 +17,7 @@ int main(int argc, char* argv[])
     const nexrad::RadarVolume volume = nexrad::ReadLevel2(argv[1]);
     for (const nexrad::Sweep& sweep : volume.sweeps)
     {
-      std::cout << sweep.MeanElevation() << " degrees, " << sweep.rays.size() << " rays\n";
+      std::cout << sweep.MedianElevation() << " degrees, " << sweep.rays.size() << " rays\n";
     }
   }
   catch (const std::exception& error)

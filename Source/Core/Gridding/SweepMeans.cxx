@@ -1,0 +1,410 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Gridding/SweepMeans.h"
+
+#include "Geometry/Angles.h"
+#include "Gridding/BeamVolume.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double fullCircle = 360.0;    // degrees
+constexpr double fewestSectors = 12.0;  // of the rings about the radar itself
+constexpr float angleCodes = 65'000.0F; // in a period
+constexpr double turn = 2.0 * Pi;
+
+// Width of the cells between which is interpolated, for a mean over `side` of samples that are
+// means over `spacing` themselves (Formulas G10).
+double CellWidth(double side, double spacing)
+{
+  return side > 2.0 * spacing ? std::sqrt((side * side - spacing * spacing) / 3.0) : spacing;
+}
+
+// Degrees between neighbouring rays, as most of them stand.
+double RaySpacing(const BeamSweep& sweep)
+{
+  std::vector<float> gaps;
+  for (std::size_t entry = 0; entry + 1 < sweep.azimuths.size(); ++entry)
+  {
+    gaps.push_back(sweep.azimuths[entry + 1] - sweep.azimuths[entry]);
+  }
+  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
+  std::nth_element(gaps.begin(), middle, gaps.end());
+  return std::min(static_cast<double>(*middle), 2.0); // a single ray has no spacing of its own
+}
+
+// Places rings to the last gate where gates are put together; else as far as rays are, and one more
+// ring, which leads over to the gates beyond.
+class RingPlan
+{
+public:
+  RingPlan(const BeamSweep& theSweep, double theSide)
+    : sweep(theSweep)
+    , side(theSide)
+    , raySpacing(RaySpacing(theSweep) * RadiansPerDegree)
+  {
+    const double spacing = 1.0 / static_cast<double>(sweep.gatesPerMetre);
+    const double length = sweep.gates * spacing;
+    count = std::max(1, static_cast<int>(std::lround(length / CellWidth(side, spacing))));
+    longer = count < sweep.gates;
+    width = length / count;
+    start = static_cast<double>(sweep.firstGate) - 0.5 * spacing;
+  }
+
+  double GatesPerRing() const { return static_cast<double>(sweep.gates) / count; }
+
+  void PlaceIn(SweepMeans& means)
+  {
+    means.firstRing = static_cast<float>(start + 0.5 * width);
+    means.ringsPerMetre = static_cast<float>(1.0 / width);
+    means.reach = std::numeric_limits<float>::infinity();
+    std::size_t cells = 0;
+    for (int ring = 0; ring < count; ++ring)
+    {
+      const double range = start + (ring + 0.5) * width;
+      const int sectors = this->SectorsAt(range);
+      means.rings.push_back(
+        {static_cast<std::uint32_t>(cells), sectors, static_cast<float>(sectors / fullCircle)});
+      cells += sectors > 0 ? static_cast<std::size_t>(sectors) + 2 : sweep.azimuths.size();
+      if (sectors == 0 && !longer)
+      {
+        means.reach = static_cast<float>(range);
+        break;
+      }
+    }
+    means.spread = static_cast<float>(1.5 * std::hypot(width, widestArc)); // from cell to cell
+  }
+
+private:
+  // Of the ring about a slant range, m; 0: as many as rays.
+  int SectorsAt(double range)
+  {
+    const double ground = std::max(range * static_cast<double>(sweep.cosine), 0.0);
+    if (!(side > 2.0 * ground * raySpacing))
+    {
+      return 0;
+    }
+    const double round = turn * ground;
+    const double sectors =
+      std::max(fewestSectors, std::floor(round / CellWidth(side, ground * raySpacing)));
+    widestArc = std::max(widestArc, round / sectors);
+    return static_cast<int>(sectors);
+  }
+
+  const BeamSweep& sweep;
+  const double side;
+  const double raySpacing; // radians
+  bool longer;             // rings than gates
+  int count;               // of rings to the last gate
+  double width;            // m, of a ring
+  double start;            // m, slant range at which the first gate begins
+  double widestArc = 0.0;  // m, of a sector
+};
+
+// Parts of a cell by what its gates hold.
+struct Tally
+{
+  float echo = 0.0F;
+  float none = 0.0F;
+  float folded = 0.0F;
+  float missing = 0.0F;
+  float sum = 0.0F;  // over the echo: of codes, of Z, or of angles' cosines
+  float sine = 0.0F; // over the echo, of angles
+
+  void Add(const Tally& other, float weight)
+  {
+    echo += weight * other.echo;
+    none += weight * other.none;
+    folded += weight * other.folded;
+    missing += weight * other.missing;
+    sum += weight * other.sum;
+    sine += weight * other.sine;
+  }
+};
+
+// Less of a cell is none of it: what rounding leaves.
+constexpr double smallestPart = 1e-6;
+
+// Adds up gates, and makes the cell's value and shares of the sums.
+class GateAdder
+{
+public:
+  GateAdder(const BeamSweep& theSweep, const ValueRule& theRule)
+    : sweep(theSweep)
+    , rule(theRule)
+  {
+  }
+
+  void Add(std::uint16_t code, float weight, Tally& to) const
+  {
+    switch (code)
+    {
+    case BeamSweep::NoEchoCode:
+      to.none += weight;
+      return;
+    case BeamSweep::RangeFoldedCode:
+      to.folded += weight;
+      return;
+    case BeamSweep::NotSampledCode:
+      to.missing += weight;
+      return;
+    default:
+      to.echo += weight;
+      this->AddValue(code, weight, to);
+    }
+  }
+
+  // Of a tally whose parts sum to 1.
+  SweepMeans::Cell CellOf(const Tally& tally, const SweepMeans& means) const
+  {
+    constexpr float whole = 255.0F;
+    SweepMeans::Cell cell;
+    if (!(tally.echo + tally.none > 0.0F))
+    {
+      cell.code =
+        tally.folded >= tally.missing ? BeamSweep::RangeFoldedCode : BeamSweep::NotSampledCode;
+      cell.missing = 255;
+      return cell;
+    }
+    // What was measured, and an echo, however small a part it is of the cell, is not lost.
+    const int echo = static_cast<int>(std::lround(whole * tally.echo));
+    cell.echo = static_cast<std::uint8_t>(std::clamp(echo, tally.echo > 0.0F ? 1 : 0, 255));
+    const int missing = static_cast<int>(std::lround(whole * (tally.folded + tally.missing)));
+    cell.missing =
+      static_cast<std::uint8_t>(std::clamp(missing, 0, std::min(254, 255 - cell.echo)));
+    if (cell.echo > 0)
+    {
+      const float code = this->MeanCode(tally, means) + 0.5F;
+      constexpr auto first = static_cast<float>(BeamSweep::FirstValueCode);
+      cell.code = static_cast<std::uint16_t>(std::clamp(code, first, 65'535.0F));
+    }
+    return cell;
+  }
+
+private:
+  float DecibelsOf(std::uint16_t code) const
+  {
+    return sweep.base + sweep.step * static_cast<float>(code);
+  }
+
+  void AddValue(std::uint16_t code, float weight, Tally& to) const
+  {
+    if (rule.period > 0.0F)
+    {
+      const float angle = this->DecibelsOf(code) * static_cast<float>(turn) / rule.period;
+      to.sum += weight * std::cos(angle);
+      to.sine += weight * std::sin(angle);
+    }
+    else if (rule.linear)
+    {
+      to.sum += weight * std::pow(10.0F, 0.1F * this->DecibelsOf(code));
+    }
+    else
+    {
+      to.sum += weight * static_cast<float>(code);
+    }
+  }
+
+  float MeanCode(const Tally& tally, const SweepMeans& means) const
+  {
+    if (rule.period > 0.0F)
+    {
+      const float angle = std::atan2(tally.sine, tally.sum) / static_cast<float>(turn);
+      const float part = angle < 0.0F ? angle + 1.0F : angle;
+      return (part * rule.period - means.base) / means.step;
+    }
+    const float mean = tally.sum / tally.echo;
+    if (rule.linear)
+    {
+      return means.step > 0.0F ? (10.0F * std::log10(mean) - means.base) / means.step : 0.0F;
+    }
+    return mean;
+  }
+
+  const BeamSweep& sweep;
+  const ValueRule& rule;
+};
+
+// The directions for which a ray stands, degrees; they may reach across north.
+struct RayWidth
+{
+  double begin;
+  double end;
+};
+
+std::vector<RayWidth> FindRayWidths(const BeamSweep& sweep)
+{
+  const auto end = [&sweep](std::size_t entry, double side)
+  {
+    return static_cast<double>(sweep.azimuths[entry]) + side * static_cast<double>(sweep.halfWidth);
+  };
+  const auto middle = [&sweep](std::size_t entry)
+  {
+    return 0.5 * (static_cast<double>(sweep.azimuths[entry]) +
+                   static_cast<double>(sweep.azimuths[entry + 1]));
+  };
+  std::vector<RayWidth> widths;
+  for (std::size_t entry = 1; entry + 1 < sweep.azimuths.size(); ++entry)
+  {
+    const bool gapBefore = sweep.inverseGaps[entry - 1] <= 0.0F;
+    const bool gapAfter = sweep.inverseGaps[entry] <= 0.0F;
+    widths.push_back({gapBefore ? end(entry, -1.0) : middle(entry - 1),
+      gapAfter ? end(entry, 1.0) : middle(entry)});
+  }
+  return widths;
+}
+
+// Fills the cells of rings that are placed.
+class SweepReducer
+{
+public:
+  SweepReducer(const BeamSweep& theSweep, const ValueRule& theRule, SweepMeans& theMeans)
+    : sweep(theSweep)
+    , adder(theSweep, theRule)
+    , means(theMeans)
+    , rays(theSweep.azimuths.size() - 2)
+  {
+    const auto isDivided = [](const SweepMeans::Ring& ring) { return ring.sectors > 0; };
+    divided = static_cast<std::size_t>(
+      std::count_if(means.rings.begin(), means.rings.end(), isDivided)); // the inner ones
+    tallies.resize(rays * divided);
+  }
+
+  void Reduce(double gatesPerRing)
+  {
+    for (std::size_t ray = 0; ray < rays; ++ray)
+    {
+      this->AddRay(ray, gatesPerRing);
+    }
+    const std::vector<RayWidth> widths = FindRayWidths(sweep);
+    for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
+    {
+      SweepMeans::Cell* cells = means.cells.data() + means.rings[ring].first;
+      std::size_t count = rays;
+      if (ring < divided)
+      {
+        count = static_cast<std::size_t>(means.rings[ring].sectors);
+        this->SetSectors(ring, widths, cells);
+      }
+      cells[0] = cells[count];
+      cells[count + 1] = cells[1];
+    }
+  }
+
+private:
+  // Of each ring the part along one ray.
+  void AddRay(std::size_t ray, double gatesPerRing)
+  {
+    const std::uint16_t* codes = sweep.codes.data() + (ray + 1) * sweep.Stride();
+    for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
+    {
+      const double begin = static_cast<double>(ring) * gatesPerRing;
+      const double end = std::min(begin + gatesPerRing, static_cast<double>(sweep.gates));
+      const Tally tally = this->TallyOf(codes, begin, end);
+      if (ring < divided)
+      {
+        tallies[ring * rays + ray] = tally;
+      }
+      else if (tally.none < 1.0F) // else the cell is as it was made
+      {
+        means.cells[means.rings[ring].first + ray + 1] = adder.CellOf(tally, means);
+      }
+    }
+  }
+
+  // The gates between two places along a ray, as parts of what lies between.
+  Tally TallyOf(const std::uint16_t* codes, double begin, double end) const
+  {
+    const auto first = static_cast<std::size_t>(begin);
+    const auto last = static_cast<std::size_t>(std::ceil(end));
+    Tally tally;
+    if (std::all_of(codes + first, codes + last,
+          [](std::uint16_t code) { return code == BeamSweep::NoEchoCode; }))
+    {
+      tally.none = 1.0F;
+      return tally;
+    }
+    for (std::size_t gate = first; gate < last; ++gate)
+    {
+      const auto place = static_cast<double>(gate);
+      const double part = std::min(place + 1.0, end) - std::max(place, begin);
+      if (part > smallestPart)
+      {
+        adder.Add(codes[gate], static_cast<float>(part / (end - begin)), tally);
+      }
+    }
+    return tally;
+  }
+
+  void SetSectors(std::size_t ring, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
+  {
+    const auto count = static_cast<std::size_t>(means.rings[ring].sectors);
+    sectors.assign(count, Tally());
+    covered.assign(count, 0.0F);
+    const double perDegree = static_cast<double>(count) / fullCircle;
+    for (std::size_t ray = 0; ray < rays; ++ray)
+    {
+      const double begin = widths[ray].begin * perDegree; // in sectors
+      const double end = widths[ray].end * perDegree;
+      for (double sector = std::floor(begin); sector < end; sector += 1.0)
+      {
+        const double part = std::min(sector + 1.0, end) - std::max(sector, begin);
+        if (part > smallestPart)
+        {
+          const auto at = static_cast<std::size_t>(sector + static_cast<double>(count)) % count;
+          sectors[at].Add(tallies[ring * rays + ray], static_cast<float>(part));
+          covered[at] += static_cast<float>(part);
+        }
+      }
+    }
+    for (std::size_t sector = 0; sector < count; ++sector)
+    {
+      sectors[sector].missing += std::max(0.0F, 1.0F - covered[sector]);
+      cells[sector + 1] = adder.CellOf(sectors[sector], means);
+    }
+  }
+
+  const BeamSweep& sweep;
+  const GateAdder adder;
+  SweepMeans& means;
+  const std::size_t rays;
+  std::size_t divided;        // rings that are divided into sectors
+  std::vector<Tally> tallies; // of each of them, by ray
+  std::vector<Tally> sectors; // of one ring
+  std::vector<float> covered; // parts of the sectors in which rays stand
+};
+
+} // namespace
+
+SweepMeans MakeSweepMeans(const BeamSweep& sweep, const ValueRule& rule, double side)
+{
+  SweepMeans means;
+  constexpr double asLong = 1.0 + 1e-6; // as a gate, but for rounding
+  const double gatesPerSide = side * static_cast<double>(sweep.gatesPerMetre);
+  if (rule.nearest || sweep.gates < 1 || !(gatesPerSide > asLong))
+  {
+    return means;
+  }
+  RingPlan plan(sweep, side);
+  plan.PlaceIn(means);
+  if (means.rings.size() == 1 && means.reach < std::numeric_limits<float>::infinity())
+  {
+    return {}; // the gates serve everywhere
+  }
+  means.step = rule.period > 0.0F ? rule.period / angleCodes : sweep.step;
+  means.base =
+    rule.period > 0.0F ? -means.step * static_cast<float>(BeamSweep::FirstValueCode) : sweep.base;
+  const SweepMeans::Ring& last = means.rings.back();
+  const std::size_t ofLast =
+    last.sectors > 0 ? static_cast<std::size_t>(last.sectors) + 2 : sweep.azimuths.size();
+  means.cells.resize(last.first + ofLast);
+  SweepReducer(sweep, rule, means).Reduce(plan.GatesPerRing());
+  return means;
+}
+
+} // namespace nexrad

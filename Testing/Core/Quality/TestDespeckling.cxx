@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Formulas Q3, Q5: which gates despeckling takes out of hand-made sweeps and of a real file.
+#include "Gridding/BeamMerge.h"
+#include "Level2/Level2File.h"
+#include "Model/Error.h"
+#include "Quality/Despeckling.h"
+#include "SweepMaker.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <numeric>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+const Position position = {38.7, -92.0, 200.0};
+
+PolarVolume VolumeOf(std::vector<PolarSweep> sweeps)
+{
+  return MakeVolume(position, 0.0, std::move(sweeps));
+}
+
+std::vector<PolarSweep> ThreeTilts()
+{
+  return {MakeSweep(1, 0.5, 360, 100), MakeSweep(2, 1.5, 360, 100), MakeSweep(3, 2.4, 360, 100)};
+}
+
+using Counts = std::vector<std::size_t>;
+
+std::size_t Count(const PolarSweep& sweep, GateState state)
+{
+  return static_cast<std::size_t>(std::count(sweep.states.begin(), sweep.states.end(), state));
+}
+
+} // namespace
+
+TEST(Despeckling, TakesOutAGateAlone)
+{
+  std::vector<PolarSweep> sweeps = ThreeTilts();
+  SetGate(sweeps[1], 40, 50, 30.0F);
+  PolarVolume volume = VolumeOf(sweeps);
+  EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 1, 0}));
+  const std::size_t index = volume.sweeps[1].Index(40, 50);
+  EXPECT_EQ(volume.sweeps[1].states[index], GateState::NotSampled);
+  EXPECT_TRUE(std::isnan(volume.sweeps[1].values[index]));
+  EXPECT_EQ(Count(volume.sweeps[1], GateState::BelowThreshold), 35'999u);
+}
+
+TEST(Despeckling, CountsRaysGatesAndTilts)
+{
+  // A gate with a neighbour in each direction, and how far off the neighbour no longer counts.
+  struct Neighbour
+  {
+    std::size_t sweep, ray, gate;
+    bool counts;
+  };
+  for (const Neighbour& other :
+    {Neighbour{1, 41, 51, true}, Neighbour{1, 39, 50, true}, Neighbour{1, 40, 49, true},
+      Neighbour{1, 42, 50, false}, Neighbour{1, 40, 52, false}, Neighbour{0, 41, 49, true},
+      Neighbour{2, 40, 50, true}, Neighbour{2, 42, 50, false}, Neighbour{0, 40, 48, false}})
+  {
+    std::vector<PolarSweep> sweeps = ThreeTilts();
+    SetGate(sweeps[1], 40, 50, 30.0F);
+    SetGate(sweeps[other.sweep], other.ray, other.gate, 30.0F);
+    PolarVolume volume = VolumeOf(sweeps);
+    const Counts removed = Despeckle(volume, 1);
+    EXPECT_EQ(
+      std::accumulate(removed.begin(), removed.end(), std::size_t(0)), other.counts ? 0u : 2u)
+      << other.sweep << ' ' << other.ray << ' ' << other.gate;
+  }
+}
+
+// Tilts two apart are no neighbours.
+TEST(Despeckling, LooksAtTheNextTiltAlone)
+{
+  std::vector<PolarSweep> sweeps = ThreeTilts();
+  SetGate(sweeps[0], 40, 50, 30.0F);
+  SetGate(sweeps[2], 40, 50, 30.0F);
+  PolarVolume volume = VolumeOf(sweeps);
+  EXPECT_EQ(Despeckle(volume, 1), (Counts{1, 0, 1}));
+}
+
+TEST(Despeckling, GoesRoundTheCircleAndNotAcrossGaps)
+{
+  std::vector<PolarSweep> sweeps = ThreeTilts();
+  SetGate(sweeps[0], 0, 50, 30.0F);
+  SetGate(sweeps[0], 359, 50, 30.0F);
+  PolarVolume volume = VolumeOf(sweeps);
+  EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 0, 0}));
+  PolarSweep torn = MakeSweep(1, 0.5, 360, 100);
+  SetGate(torn, 100, 50, 30.0F);
+  SetGate(torn, 103, 50, 30.0F);
+  torn.rays.erase(torn.rays.begin() + 101, torn.rays.begin() + 103);
+  const auto from = static_cast<std::ptrdiff_t>(torn.Index(101, 0));
+  const auto to = static_cast<std::ptrdiff_t>(torn.Index(103, 0));
+  torn.values.erase(torn.values.begin() + from, torn.values.begin() + to);
+  torn.states.erase(torn.states.begin() + from, torn.states.begin() + to);
+  volume = VolumeOf({torn});
+  EXPECT_EQ(Despeckle(volume, 1), Counts{2});
+}
+
+// 3 × 3 gates in one sweep: the corners have 3 neighbours, the edges 5, the middle 8. What goes is
+// judged by the volume as it was, so that the middle stays.
+TEST(Despeckling, JudgesAllGatesByTheVolumeAsItWas)
+{
+  std::vector<PolarSweep> sweeps = ThreeTilts();
+  for (std::size_t ray = 200; ray < 203; ++ray)
+  {
+    for (std::size_t gate = 60; gate < 63; ++gate)
+    {
+      SetGate(sweeps[1], ray, gate, 30.0F);
+    }
+  }
+  for (const auto& [neighbours, removed] :
+    {std::pair(0, 0u), std::pair(3, 0u), std::pair(4, 4u), std::pair(6, 8u), std::pair(9, 9u)})
+  {
+    PolarVolume volume = VolumeOf(sweeps);
+    EXPECT_EQ(Despeckle(volume, neighbours)[1], removed) << neighbours;
+  }
+}
+
+// Rays of half a degree and gates of 250 m below rays of one degree and gates of 1 km; a cut that
+// is repeated, in which the echo is not.
+TEST(Despeckling, FindsTheNeighboursOfOtherResolutionsAndRepeatedCuts)
+{
+  PolarSweep fine = MakeSweep(1, 0.5, 720, 400, 250.0);
+  const PolarSweep again = MakeSweep(3, 0.52, 720, 400, 250.0);
+  PolarSweep coarse = MakeSweep(2, 1.5, 360, 100);
+  SetGate(fine, 300, 199, 30.0F); // 150°, 50 km
+  SetGate(coarse, 150, 49, 30.0F);
+  for (const std::vector<PolarSweep>& sweeps :
+    {std::vector<PolarSweep>{fine, coarse}, std::vector<PolarSweep>{fine, again, coarse},
+      std::vector<PolarSweep>{again, fine, coarse}})
+  {
+    PolarVolume volume = VolumeOf(sweeps);
+    const Counts removed = Despeckle(volume, 1);
+    EXPECT_EQ(std::accumulate(removed.begin(), removed.end(), std::size_t(0)), 0u);
+  }
+}
+
+TEST(Despeckling, RefusesNumbersThatNoGateHas)
+{
+  PolarVolume volume = VolumeOf(ThreeTilts());
+  EXPECT_THROW(Despeckle(volume, -1), Error);
+  EXPECT_THROW(Despeckle(volume, 27), Error);
+  EXPECT_EQ(Despeckle(volume, 26), (Counts{0, 0, 0}));
+}
+
+TEST(Despeckling, TakesSweepsWithoutRaysOrGatesAsTheyAre)
+{
+  PolarVolume volume = VolumeOf({PolarSweep{}, MakeSweep(1, 0.5, 1, 10), MakeSweep(2, 1.5, 2, 0)});
+  SetGate(volume.sweeps[1], 0, 5, 20.0F);
+  EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 1, 0}));
+}
+
+// What is taken out is no statement that there is nothing: echo of another radar keeps its value.
+TEST(Despeckling, LeavesThePlaceToAnotherRadar)
+{
+  std::vector<PolarSweep> echo = {MakeSweep(1, 0.5, 360, 100), MakeSweep(2, 1.5, 360, 100)};
+  SetAll(echo[0], 40.0F);
+  SetAll(echo[1], 40.0F);
+  for (PolarSweep& sweep : echo)
+  {
+    for (PolarRay& ray : sweep.rays)
+    {
+      ray.time = *ParseIso8601("2006-03-12T18:00Z");
+    }
+  }
+  PolarVolume full = VolumeOf(echo);
+  PolarVolume speckled = VolumeOf(echo);
+  speckled.site.name = "KTWO";
+  for (PolarSweep& sweep : speckled.sweeps)
+  {
+    std::fill(sweep.states.begin(), sweep.states.end(), GateState::NotSampled);
+    SetGate(sweep, 90, 50, 10.0F);
+  }
+  PolarVolume clean = speckled;
+  Despeckle(clean, 12);
+  GridSpecification grid;
+  grid.dimensions = {41, 41, 6};
+  grid.spacing = {1'000.0, 1'000.0, 250.0};
+  grid.origin = {30'000.0, -20'000.0, 500.0};
+  grid.centreLatitude = position.latitude;
+  grid.centreLongitude = position.longitude;
+  const auto alone = BeamMerger(grid).Merge({&full}, full.start);
+  const auto cleaned = BeamMerger(grid).Merge({&full, &clean}, full.start);
+  const auto spoilt = BeamMerger(grid).Merge({&full, &speckled}, full.start);
+  EXPECT_EQ(cleaned->values, alone->values);
+  EXPECT_NE(spoilt->values, alone->values);
+}
+
+// How much of the echo stands alone, by tilt, is printed: of a storm next to nothing, of the clear
+// air and snow of a super-resolution radar much.
+TEST(Despeckling, OfRealFilesTakesLittleOfStormsAndMuchOfSpeckle)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const auto shareOf = [&data](const char* file, int neighbours)
+  {
+    PolarVolume volume = MakePolarVolume(ReadLevel2(data / "level2" / file), MomentName::REF);
+    Counts echo;
+    for (const PolarSweep& sweep : volume.sweeps)
+    {
+      echo.push_back(Count(sweep, GateState::Valid));
+    }
+    const Counts removed = Despeckle(volume, neighbours);
+    std::printf("%s, fewer than %d neighbours\n", file, neighbours);
+    for (std::size_t i = 0; i < removed.size(); ++i)
+    {
+      std::printf("  %5.2f deg  %8zu of %8zu gates\n", volume.sweeps[i].rays.front().elevation,
+        removed[i], echo[i]);
+    }
+    const auto sum = [](const Counts& counts)
+    { return static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t(0))); };
+    std::printf("  all        %.2f %%\n", 100.0 * sum(removed) / sum(echo));
+    return sum(removed) / sum(echo);
+  };
+  EXPECT_LT(shareOf("legacy/KTLX19990503_235621.gz", 4), 0.007);
+  EXPECT_GT(shareOf("superres/KDMX20250101_225441_V06", 4), 0.05);
+}
