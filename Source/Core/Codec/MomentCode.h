@@ -12,7 +12,7 @@ namespace nexrad
 
 /// Codes of 8 or 16 bits for the voxels of a volume: 0 no echo, 1 not scanned, from 2 on an echo of
 /// offset + scale × code. The steps are those of the words of message 31 (ICD 2620002, table
-/// XVII-B), so that a merged value is off by at most half of what the radar tells apart. Range
+/// XVII-I), so that a merged value is off by at most half of what the radar tells apart. Range
 /// folded has no code of its own and becomes 0.
 struct MomentCode
 {
