@@ -225,12 +225,12 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   ResolveSite({headerName, rayName, name, position}, options, volume);
   ResolveWaveforms(volume);
   this->NoteTimes();
-  this->NoteStrays();
   const std::string impossible = DescribeImpossibleGates(volume.sweeps);
   if (!impossible.empty())
   {
     volume.notes.push_back(impossible);
   }
+  this->NoteStrays();
   if (volume.synthetic)
   {
     volume.notes.push_back("SYNTHETIC: the file says that it was simulated");
