@@ -11,6 +11,7 @@
 
 #include <iostream>
 #include <memory>
+#include <utility>
 
 namespace nexrad::application
 {
@@ -30,6 +31,33 @@ VolumeFormat ParseFormat(const std::string& text)
     throw Error("'" + text + "' is no format of volumes; write nxv or vti");
   }
   return text == "nxv" ? VolumeFormat::Nxv : VolumeFormat::Vti;
+}
+
+NxvEncoding ParseCode(const std::string& text)
+{
+  constexpr std::pair<const char*, NxvEncoding> names[] = {{"radar", NxvEncoding::RadarSteps},
+    {"thesis", NxvEncoding::RunLength}, {"exact", NxvEncoding::Float}};
+  for (const auto& [name, encoding] : names)
+  {
+    if (text == name)
+    {
+      return encoding;
+    }
+  }
+  throw Error("'" + text + "' is no code of volumes; write radar, thesis or exact");
+}
+
+// The codes of the thesis are whole dBZ.
+void CheckCode(const GridJob& job)
+{
+  if (job.nxv.encoding && job.format != VolumeFormat::Nxv)
+  {
+    throw CLI::ValidationError("--code", "is of --format nxv alone");
+  }
+  if (job.nxv.encoding == NxvEncoding::RunLength && job.options.moment != MomentName::REF)
+  {
+    throw CLI::ValidationError("--code", "'thesis' is of --moment REF alone");
+  }
 }
 
 int RunGrid(const GridCommandOptions& options)
@@ -75,9 +103,17 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
     ->type_name("DIR");
   AddParsedOption(*command, "--format", options->job.format, ParseFormat, "NAME",
     "nxv: compressed volumes of this project; vti: VTK XML image data", "nxv");
+  AddParsedOption(*command, "--code", options->job.nxv.encoding, ParseCode, "NAME",
+    "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), thesis (REF "
+    "alone, whole dBZ from 1 to 80), or exact (default: as --method, radar for beam)");
   AddQuietOption(*command, options->quiet);
   AddGridOptions(*command, options->job.options);
-  command->callback([options, &action] { action = [options] { return RunGrid(*options); }; });
+  command->callback(
+    [options, &action]
+    {
+      CheckCode(options->job);
+      action = [options] { return RunGrid(*options); };
+    });
 }
 
 } // namespace nexrad::application

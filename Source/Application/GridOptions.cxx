@@ -186,7 +186,9 @@ constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill"
 void AddBeam(CLI::App& command, GridOptions& options)
 {
   AddParsedOption(command, "--overlap", options.overlap, ParseOverlap, "NAME",
-    "Where radars overlap: distance (the nearer counts more), nearest (alone), mean, or maximum",
+    "Where radars overlap: distance (the nearer counts more), nearest (alone; VEL always), mean, "
+    "or "
+    "maximum",
     "distance")
     ->group(group);
   AddParsedOption(command, "--overlap-length", options.overlapLength, ParseOverlapLength, "LENGTH",
@@ -239,6 +241,13 @@ void Finish(const CLI::App& command, GridOptions& options)
   if (command.count("--overlap-length") > 0 && options.overlap != OverlapStrategy::Distance)
   {
     throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
+  }
+  const bool seenUnlike = options.moment == MomentName::VEL || options.moment == MomentName::SW ||
+                          options.moment == MomentName::PHI;
+  if (seenUnlike && options.overlap != OverlapStrategy::Nearest && command.count("--overlap") > 0)
+  {
+    throw CLI::ValidationError("--overlap",
+      "of --moment VEL, SW and PHI is nearest alone: two radars do not see these alike");
   }
   if (options.linearReflectivity && options.moment != MomentName::REF)
   {

@@ -59,7 +59,8 @@ void AddMap(CLI::App& command, RenderOptions& options)
 {
   constexpr char group[] = "Map in place of the volume";
   AddParsedOption(command, "--map", options.request.scene.plan, ParsePlan, "WHICH",
-    "Of each column the largest value (composite), the lowest that was scanned (lowest), or the "
+    "Of each column the largest value (composite; of VEL the fastest), the lowest that was scanned "
+    "(lowest), or the "
     "one at a height above mean sea level, m or km; seen from above, north up")
     ->group(group);
   command

@@ -94,10 +94,12 @@ void AddLookOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOpt
   AddNumberOption(command, "--slices", options.slices, 1, 16384, "NUMBER",
     "Slices, or samples along the longest ray")
     ->group(group);
-  command.add_option("--preset", options.preset, "Colours and opacities")
+  command
+    .add_option("--preset", options.preset,
+      "Colours and opacities: five of REF, then one of each other moment (default: the first of "
+      "the moment)")
     ->check(CLI::IsMember(
       std::vector<std::string>(std::begin(scene::presetNames), std::end(scene::presetNames))))
-    ->capture_default_str()
     ->group(group);
   command
     .add_option("--colours,--colors", options.colours,

@@ -55,9 +55,17 @@ void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
   ghosts->SetNumberOfTuples(count);
   constexpr auto hidden = static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT);
+  // No echo is a reflectivity below all others, and no value of any other moment: blended with it a
+  // velocity would seem to be another.
+  const bool isReflectivity = volume.moment == nexrad::MomentName::REF;
+  const auto isHidden = [isReflectivity](nexrad::VoxelState state)
+  {
+    return isReflectivity ? state == nexrad::VoxelState::NotScanned
+                          : state != nexrad::VoxelState::Echo;
+  };
   std::transform(volume.states.begin(), volume.states.end(), ghosts->GetPointer(0),
-    [](nexrad::VoxelState state)
-    { return state == nexrad::VoxelState::NotScanned ? hidden : static_cast<unsigned char>(0); });
+    [isHidden](nexrad::VoxelState state)
+    { return isHidden(state) ? hidden : static_cast<unsigned char>(0); });
   points->SetScalars(values);
   points->AddArray(states);
   points->AddArray(ghosts);

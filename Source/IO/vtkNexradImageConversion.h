@@ -8,7 +8,8 @@
  * - `REF`, float32, the active scalars: values in the moment's unit; the fill value where there is
  *   no echo and where nothing was scanned.
  * - `REF_state`, uint8: 0 echo, 1 no echo, 2 range folded, 3 not scanned.
- * - `vtkGhostType`, uint8: HIDDENPOINT where not scanned.
+ * - `vtkGhostType`, uint8: HIDDENPOINT where not scanned; of other moments than reflectivity, where
+ *   there is no echo and hence no value.
  *
  * On demand, of the method "beam", what stands behind each voxel; 0 where not scanned:
  *

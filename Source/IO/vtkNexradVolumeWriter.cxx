@@ -86,6 +86,9 @@ nexrad::NxvWriteOptions vtkNexradVolumeWriter::MakeOptions() const
   options.scale = this->CodeScale;
   switch (this->Encoding)
   {
+  case RADAR_STEPS:
+    options.encoding = nexrad::NxvEncoding::RadarSteps;
+    break;
   case RUN_LENGTH:
     options.encoding = nexrad::NxvEncoding::RunLength;
     break;

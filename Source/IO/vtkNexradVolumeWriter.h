@@ -43,16 +43,18 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * AUTOMATIC: RUN_LENGTH for reflectivity, FLOAT for the other moments. RUN_LENGTH: 7-bit codes in
-   * the thesis's stream as it stands. RUN_LENGTH_DEFLATED: the same, deflated. FLOAT: exact values
-   * and states, deflated.
+   * AUTOMATIC: RUN_LENGTH for volumes of the method "thesis", else RADAR_STEPS. RADAR_STEPS: codes
+   * of 8 or 16 bits in the steps in which the radar sends the moment (half dBZ from -32 to 94.5 for
+   * reflectivity), deflated. RUN_LENGTH: 7-bit codes in the thesis's stream as it stands.
+   * RUN_LENGTH_DEFLATED: the same, deflated. FLOAT: exact values and states, deflated.
    */
   enum EncodingType
   {
     AUTOMATIC = 0,
     RUN_LENGTH = 1,
     RUN_LENGTH_DEFLATED = 2,
-    FLOAT = 3
+    FLOAT = 3,
+    RADAR_STEPS = 4
   };
 
   ///@{
@@ -67,13 +69,14 @@ public:
   /**
    * How the values are stored. AUTOMATIC by default.
    */
-  vtkSetClampMacro(Encoding, int, AUTOMATIC, FLOAT);
+  vtkSetClampMacro(Encoding, int, AUTOMATIC, RADAR_STEPS);
   vtkGetMacro(Encoding, int);
   ///@}
 
   ///@{
   /**
-   * Width of a 7-bit code in the moment's unit (1 dBZ by default) and the value of code 0 (0).
+   * Of the two RUN_LENGTH encodings: width of a 7-bit code in the moment's unit (1 dBZ by default)
+   * and the value of code 0 (0).
    */
   vtkSetMacro(CodeScale, double);
   vtkGetMacro(CodeScale, double);

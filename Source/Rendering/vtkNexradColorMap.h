@@ -10,20 +10,21 @@
 /// Nodes of the four channels over the data, and the steps that a colour bar shows.
 struct vtkNexradColorMap
 {
-  /// Place (dBZ) and value (0 to 1).
+  /// Place (in the unit of the data) and value (0 to 1).
   using Node = std::array<double, 2>;
   using Color = std::array<double, 3>;
 
   /// One box of a colour bar: a colour from a value up to another, or a ramp of two colours.
   struct Bin
   {
-    double From = 0.0; ///< dBZ
-    double To = 0.0;   ///< dBZ, above From
+    double From = 0.0; ///< unit of the data
+    double To = 0.0;   ///< same unit, above From
     Color Lower{};
     Color Upper{};
   };
 
   std::string Name;
+  std::string Array = "REF"; ///< the moment whose values the places are
   /// Red, green, blue, opacity; places ascend within each. A file without opacities leaves the last
   /// one empty.
   std::array<std::vector<Node>, 4> Channels;

@@ -266,10 +266,32 @@ std::string ParsePalette(const std::string& text, vtkNexradColorMap& map)
   return Finish(statements, units, map);
 }
 
+namespace
+{
+
+// What such tables call the moment and its unit.
+std::string ProductOf(const std::string& array)
+{
+  constexpr const char* products[][2] = {{"REF", "Product: BR\nUnits: DBZ\nStep: 10\n"},
+    {"VEL", "Product: BV\nUnits: M/S\nStep: 10\n"}, {"SW", "Product: SW\nUnits: M/S\nStep: 2\n"},
+    {"ZDR", "Product: ZDR\nUnits: DB\nStep: 1\n"}, {"PHI", "Product: PHI\nUnits: DEG\nStep: 30\n"},
+    {"RHO", "Product: CC\nStep: 0.1\n"}, {"CFP", "Product: CFP\nUnits: DB\nStep: 10\n"}};
+  for (const auto& product : products)
+  {
+    if (array == product[0])
+    {
+      return product[1];
+    }
+  }
+  return "";
+}
+
+} // namespace
+
 std::string FormatPalette(
   const vtkNexradColorMap& map, const std::vector<std::array<double, 5>>& samples)
 {
-  std::string text = "; " + map.Name + "\nProduct: BR\nUnits: DBZ\nStep: 10\n";
+  std::string text = "; " + map.Name + "\n" + ProductOf(map.Array);
   for (const vtkNexradColorMap::Bin& bin : map.Bins)
   {
     if (bin.Lower == bin.Upper)

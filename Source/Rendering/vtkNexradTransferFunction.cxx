@@ -397,6 +397,26 @@ const char* vtkNexradTransferFunction::GetPresetName(int index)
            : nullptr;
 }
 
+const char* vtkNexradTransferFunction::GetPresetArray(int index)
+{
+  return index >= 0 && index < GetNumberOfPresets()
+           ? vtkNexradTransferFunctionPresetArrays()[static_cast<std::size_t>(index)]
+           : nullptr;
+}
+
+const char* vtkNexradTransferFunction::FindPreset(const char* array, int number)
+{
+  const std::string wanted = array != nullptr ? array : "";
+  for (int index = 0; index < GetNumberOfPresets(); ++index)
+  {
+    if (wanted == GetPresetArray(index) && number-- == 0)
+    {
+      return GetPresetName(index);
+    }
+  }
+  return nullptr;
+}
+
 bool vtkNexradTransferFunction::ApplyPreset(const char* name)
 {
   if (name == nullptr || !vtkNexradTransferFunctionPreset(name, this->Internal->Map))

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkNexradTransferFunction
- * @brief   Colour and opacity of radar reflectivity as four splines
+ * @brief   Colour and opacity of a radar moment as four splines
  *
- * Red, green, blue and opacity are cubic Hermite splines over dBZ with Cardinal tangents of tension
+ * Red, green, blue and opacity are cubic Hermite splines over the moment's values (dBZ for
+ * reflectivity, m/s for velocity, …) with Cardinal tangents of tension
  * 0 at nodes that need not be evenly spaced (Formulas T10): at a node the slope is that from the
  * node before to the node after, at the first and last node that to the neighbour. Beyond the first
  * and last node a channel keeps its value. Results are clamped to 0 to 1.
@@ -105,11 +106,18 @@ public:
   /**
    * Presets: "all echo" (a veil that thickens into cores), "storm cores" (from 40 dBZ), "hail"
    * (from 50 dBZ), "clear air" (−20 to 20 dBZ, in colours of its own below 5 dBZ), "iso-values"
-   * (thin shells at 20, 35 and 50 dBZ). A preset sets colours and opacity. Returns false, with an
-   * error that lists the names, when there is no such preset.
+   * (thin shells at 20, 35 and 50 dBZ) are for reflectivity. One each is for the other moments:
+   * "velocity" (m/s, green towards the radar, red away from it; the fast is opaque), "spectrum
+   * width" (m/s), "differential reflectivity" (dB), "differential phase" (degrees), "correlation
+   * coefficient" (0.2 to 1.05; the low is opaque), "clutter power" (dB). A preset sets colours and
+   * opacity. Returns false, with an error that lists the names, when there is no such preset.
    */
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index); ///< nullptr for no such index
+  /// Name of the array that a preset is for, as "REF" or "VEL"; nullptr for no such index.
+  static const char* GetPresetArray(int index);
+  /// Name of the number-th preset, from 0 on, for an array; nullptr when there is none.
+  static const char* FindPreset(const char* array, int number = 0);
   bool ApplyPreset(const char* name);
   ///@}
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTransferFunctionPresets.h"
 
+#include "vtkNexradMomentPresets.h"
+
 #include <algorithm>
 #include <cstddef>
 
@@ -101,9 +103,27 @@ const std::vector<const char*>& vtkNexradTransferFunctionPresetNames()
     {
       list.push_back(preset.Name);
     }
+    for (const vtkNexradMomentPreset& preset : vtkNexradMomentPresets())
+    {
+      list.push_back(preset.Name);
+    }
     return list;
   }();
   return names;
+}
+
+const std::vector<const char*>& vtkNexradTransferFunctionPresetArrays()
+{
+  static const std::vector<const char*> arrays = []
+  {
+    std::vector<const char*> list(Presets().size(), "REF");
+    for (const vtkNexradMomentPreset& preset : vtkNexradMomentPresets())
+    {
+      list.push_back(preset.Array);
+    }
+    return list;
+  }();
+  return arrays;
 }
 
 bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap& map)
@@ -121,6 +141,14 @@ bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap&
         map.MakeColorNodesFromBins();
       }
       map.Channels[3] = preset.Opacity;
+      return true;
+    }
+  }
+  for (const vtkNexradMomentPreset& preset : vtkNexradMomentPresets())
+  {
+    if (name == preset.Name)
+    {
+      map = vtkNexradMakeColorMap(preset);
       return true;
     }
   }

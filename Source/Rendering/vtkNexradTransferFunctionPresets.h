@@ -10,6 +10,9 @@
 /// Names of the presets, the default first.
 const std::vector<const char*>& vtkNexradTransferFunctionPresetNames();
 
+/// Names of the arrays that the presets are for, as "REF", in the same order.
+const std::vector<const char*>& vtkNexradTransferFunctionPresetArrays();
+
 /// A preset by its name; false when there is none of that name.
 bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap& map);
 

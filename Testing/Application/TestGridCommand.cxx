@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -250,6 +251,35 @@ TEST(GridCommand, NoRayAtAllIsAFailureThatSaysWhy)
   EXPECT_EQ(run.status, 1) << run.errors;
   EXPECT_NE(run.errors.find("KJKL_20240227_102059: offset "), std::string::npos) << run.errors;
   EXPECT_FALSE(fs::exists(folder.Path() / "v"));
+}
+
+// Winter clear air, most of it below 0 dBZ. In the thesis's code nine tenths of it are no echo.
+TEST(GridCommand, VolumesKeepWhatTheRadarMeasured)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto volumeIn = [&](const std::vector<std::string>& code)
+  {
+    const fs::path output = folder.Path() / (code.empty() ? "default" : code.back());
+    std::vector<std::string> arguments = {"grid",
+      data / "level2" / "superres" / "KDMX20250101_225441_V06", "-o", output, "--dims", "96x96x32",
+      "--end", "2025-01-01T22:55", "--quiet"};
+    arguments.insert(arguments.end(), code.begin(), code.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return ReadNxv(output / "20250101T225500Z.nxv");
+  };
+  const auto echoes = [](const GriddedVolume& volume)
+  { return std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo); };
+  const GriddedVolume exact = volumeIn({"--code", "exact"});
+  const GriddedVolume steps = volumeIn({});
+  ASSERT_GT(echoes(exact), 400);
+  EXPECT_EQ(steps.states, exact.states);
+  for (std::size_t i = 0; i < exact.values.size(); ++i)
+  {
+    ASSERT_NEAR(steps.values[i], exact.values[i], 0.2501F) << i;
+  }
+  EXPECT_LT(echoes(volumeIn({"--code", "thesis"})), echoes(exact) / 5);
 }
 
 TEST(GridCommand, TimesWithoutAnyRadarAreAFailure)

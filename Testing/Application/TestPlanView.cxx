@@ -113,6 +113,29 @@ TEST(PlanView, AFilledVoxelHasNothingBehindIt)
   EXPECT_EQ(MakePlanView(volume, {PlanLevel::Lowest, 0.0, "REF_age"}).states[0], open);
 }
 
+// The column in the west holds 50 above nothing and below 30.
+TEST(PlanView, ACompositeOfVelocitiesShowsTheFastest)
+{
+  GriddedVolume volume = FiveColumns();
+  volume.moment = MomentName::VEL;
+  volume.values[10] = -55.0F;
+  const PlanView view = MakePlanView(volume, {PlanLevel::Composite, 0.0, ""});
+  EXPECT_EQ(view.values[0], -55.0F);
+  EXPECT_EQ(view.values[1], -5.0F);
+  EXPECT_EQ(view.where, "Composite: where the column's speed is largest");
+}
+
+TEST(PlanView, ACompositeWithoutMeaningIsRefused)
+{
+  for (const MomentName moment : {MomentName::PHI, MomentName::RHO})
+  {
+    GriddedVolume volume = FiveColumns();
+    volume.moment = moment;
+    EXPECT_THROW(MakePlanView(volume, {PlanLevel::Composite, 0.0, ""}), Error);
+    EXPECT_EQ(MakePlanView(volume, {PlanLevel::Lowest, 0.0, ""}).values[0], 50.0F);
+  }
+}
+
 TEST(PlanView, AnArrayThatIsNotThereIsRefusedByName)
 {
   const std::string error = ErrorOf({PlanLevel::Composite, 0.0, "REF_weight"});
@@ -123,7 +146,8 @@ TEST(PlanView, AnArrayThatIsNotThereIsRefusedByName)
 TEST(ColourScale, AgesAreInMinutesUpToTheOldest)
 {
   const PlanView view = View(PlanLevel::Composite, "REF_age"); // to 131 s
-  const ColourScale scale = ScaleFor(view, "REF_age", {}, StepsOf(MakeLook({})));
+  const ColourScale scale =
+    ScaleFor(view, "REF_age", {}, MomentScale("REF", StepsOf(MakeLook({}))));
   EXPECT_EQ(scale.unit, "min");
   ASSERT_EQ(scale.bins.size(), 11u); // of 0.2 minutes
   EXPECT_NEAR(scale.bins[1].from, 0.2, 1e-9);
@@ -136,7 +160,8 @@ TEST(ColourScale, AgesAreInMinutesUpToTheOldest)
 TEST(ColourScale, RadarsAndSitesHaveABoxEach)
 {
   const PlanView radars = View(PlanLevel::Composite, "REF_radars");
-  const ColourScale numbers = ScaleFor(radars, "REF_radars", {}, StepsOf(MakeLook({})));
+  const ColourScale numbers =
+    ScaleFor(radars, "REF_radars", {}, MomentScale("REF", StepsOf(MakeLook({}))));
   EXPECT_EQ(numbers.labels, (std::vector<std::string>{"1", "2"}));
   EXPECT_EQ(FindBin(numbers, 1.0), 0);
   EXPECT_EQ(FindBin(numbers, 2.0), 1);
@@ -148,10 +173,35 @@ TEST(ColourScale, RadarsAndSitesHaveABoxEach)
 
 TEST(ColourScale, TheMomentKeepsItsTable)
 {
-  const ColourScale scale = ScaleFor(View(PlanLevel::Composite), "", {}, StepsOf(MakeLook({})));
+  const ColourScale scale =
+    ScaleFor(View(PlanLevel::Composite), "", {}, MomentScale("REF", StepsOf(MakeLook({}))));
   EXPECT_EQ(scale.unit, "dBZ");
   EXPECT_EQ(scale.bins.size(), StepsOf(MakeLook({})).size());
   EXPECT_EQ(FindBin(scale, 4.9), -1);
   EXPECT_EQ(FindBin(scale, 5.0), 0);
   EXPECT_EQ(FindBin(scale, 200.0), 14);
+}
+
+// Each was "Reflectivity, dBZ", and negative velocities had no colour.
+TEST(ColourScale, EveryMomentHasItsNameItsUnitAndAColourForEachValue)
+{
+  const auto scaleOf = [](const std::string& array)
+  { return MomentScale(array, StepsOf(MakeLook({}, array))); };
+  EXPECT_EQ(scaleOf("REF").title, "Reflectivity");
+  const ColourScale velocity = scaleOf("VEL");
+  EXPECT_EQ(velocity.title, "Radial velocity, positive away from the radar");
+  EXPECT_EQ(velocity.unit, "m/s");
+  EXPECT_EQ(FindBin(velocity, -63.5), 0);
+  EXPECT_EQ(velocity.bins[static_cast<std::size_t>(FindBin(velocity, -0.5))].from, -1.0);
+  EXPECT_EQ(velocity.bins[static_cast<std::size_t>(FindBin(velocity, -20.0))].from, -20.0);
+  EXPECT_EQ(scaleOf("SW").title, "Spectrum width");
+  EXPECT_EQ(scaleOf("ZDR").title, "Differential reflectivity");
+  EXPECT_EQ(scaleOf("ZDR").unit, "dB");
+  EXPECT_EQ(FindBin(scaleOf("ZDR"), -7.9), 0);
+  EXPECT_EQ(scaleOf("PHI").title, "Differential phase");
+  EXPECT_EQ(scaleOf("PHI").unit, "degrees");
+  EXPECT_EQ(scaleOf("RHO").title, "Correlation coefficient");
+  EXPECT_EQ(scaleOf("RHO").unit, "");
+  EXPECT_EQ(scaleOf("CFP").title, "Clutter filter power removed");
+  EXPECT_EQ(scaleOf("quality").title, "quality") << "an array of another name";
 }

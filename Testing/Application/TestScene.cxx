@@ -125,6 +125,36 @@ TEST(Scene, ShowsStormMapAndColourBar)
   }
 }
 
+// 20 m/s towards the radar in the west, away from it in the east, no echo elsewhere. The picture:
+// two slabs, one green and one red, and the bar from -50 to 50 m/s.
+TEST(Scene, VelocitiesOfBothSignsAreSeen)
+{
+  GriddedVolume volume = nexrad::testing::MakeStorm(false);
+  volume.moment = MomentName::VEL;
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const std::size_t column = i % 48;
+    const bool echo = i / (48 * 48) < 8 && (column / 12 == 1 || column / 12 == 2);
+    volume.states[i] = echo ? VoxelState::Echo : VoxelState::NoEcho;
+    volume.values[i] = !echo ? volume.fill : column < 24 ? -20.0F : 20.0F;
+  }
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  const auto isGreen = [](const std::array<int, 3>& rgb)
+  { return rgb[1] > 100 && rgb[1] > 2 * rgb[0] && rgb[1] > 2 * rgb[2]; };
+  const auto isRed = [](const std::array<int, 3>& rgb)
+  { return rgb[0] > 100 && rgb[0] > 2 * rgb[1] && rgb[0] > 2 * rgb[2]; };
+  const auto picture = Draw(image, "Velocity");
+  EXPECT_GT(Count(picture, withoutBar, isGreen), 2'000);
+  EXPECT_GT(Count(picture, withoutBar, isRed), 2'000);
+  // No echo has no velocity: the fill value is not drawn as 33 m/s.
+  volume.states.assign(volume.states.size(), VoxelState::NoEcho);
+  volume.values.assign(volume.values.size(), volume.fill);
+  vtkNexradVolumeToImage(volume, image);
+  const auto nothing = Draw(image, "VelocityOfNothing");
+  EXPECT_EQ(Count(nothing, withoutBar, isGreen), 0);
+}
+
 // The same without any echo: the map alone.
 TEST(Scene, WithoutEchoTheMapAloneIsLeft)
 {

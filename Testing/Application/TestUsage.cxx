@@ -105,6 +105,13 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage({"grid"}, {"input"});
   ExpectWrongUsage({"grid", "a"}, {"--output"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--frobnicate"}, {"--frobnicate"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--code", "raw"}, {"--code", "radar, thesis or exact"});
+  ExpectWrongUsage(
+    {"grid", "a", "-o", "b", "--code", "exact", "--format", "vti"}, {"--code", "nxv alone"});
+  ExpectWrongUsage(
+    {"grid", "a", "-o", "b", "--code", "thesis", "--moment", "VEL"}, {"--code", "REF alone"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--moment", "VEL", "--overlap", "mean"},
+    {"--overlap", "nearest alone"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step"}, {"--step"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "0"}, {"--step", "above 0"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "5minutes"}, {"--step", "5min"});

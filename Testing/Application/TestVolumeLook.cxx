@@ -50,6 +50,36 @@ TEST(VolumeLook, TheProgramsPresetsAreThoseOfTheTransferFunction)
   }
 }
 
+TEST(VolumeLook, EveryMomentHasItsOwnLook)
+{
+  EXPECT_EQ(StepsOf(MakeLook({}, "VEL")).front().from, -50.0);
+  EXPECT_EQ(StepsOf(MakeLook({}, "RHO")).back().from, 1.0);
+  EXPECT_EQ(StepsOf(MakeLook({}, "my own array")).front().from, 5.0) << "that of reflectivity";
+  SceneOptions options;
+  options.preset = "velocity";
+  EXPECT_EQ(StepsOf(MakeLook(options, "VEL")).front().from, -50.0);
+  try
+  {
+    MakeLook(options, "REF");
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_STREQ(error.what(), "--preset 'velocity' is of VEL, and REF is shown; write --preset "
+                               "'all echo' or leave it out");
+  }
+}
+
+TEST(VolumeLook, ColoursWithoutStepsHaveBoxesOfARoundWidth)
+{
+  const auto look = MakeLook({}, "RHO");
+  look->AddNode(vtkNexradTransferFunction::RED, 0.5, 0.25); // drops the steps
+  const ColourTable table = StepsOf(look);
+  ASSERT_GE(table.size(), 8U);
+  EXPECT_LE(table.size(), 16U);
+  EXPECT_NEAR(table[1].from - table[0].from, 0.1, 1e-12);
+}
+
 TEST(VolumeLook, AWrongPresetOrFileIsAnError)
 {
   SceneOptions options;

@@ -137,6 +137,21 @@ TEST(VolumeFiles, ImageHoldsWhatTheContractSays)
   ExpectSame(vtkNexradImageToVolume(image), volume);
 }
 
+// No echo is a low reflectivity, but no velocity at all.
+TEST(VolumeFiles, WhereThereIsNoVelocityThePointIsHidden)
+{
+  GriddedVolume volume = MakeVolume(start);
+  volume.moment = nexrad::MomentName::VEL;
+  volume.states[1] = VoxelState::RangeFolded;
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  vtkDataArray* ghosts = image->GetPointData()->GetArray("vtkGhostType");
+  EXPECT_EQ(ghosts->GetComponent(0, 0), vtkDataSetAttributes::HIDDENPOINT); // not scanned
+  EXPECT_EQ(ghosts->GetComponent(1, 0), vtkDataSetAttributes::HIDDENPOINT); // range folded
+  EXPECT_EQ(ghosts->GetComponent(2, 0), 0.0);                               // an echo
+  EXPECT_EQ(ghosts->GetComponent(5, 0), vtkDataSetAttributes::HIDDENPOINT); // no echo
+}
+
 TEST(VolumeFiles, ImageWithoutTheArraysIsRefusedByName)
 {
   vtkNew<vtkImageData> image;
@@ -166,7 +181,8 @@ TEST(VolumeFiles, WhatIsWrittenIsRead)
   writer->SetInputData(image);
   writer->SetFileName(path.c_str());
   for (const int encoding : {vtkNexradVolumeWriter::AUTOMATIC, vtkNexradVolumeWriter::RUN_LENGTH,
-         vtkNexradVolumeWriter::RUN_LENGTH_DEFLATED, vtkNexradVolumeWriter::FLOAT})
+         vtkNexradVolumeWriter::RUN_LENGTH_DEFLATED, vtkNexradVolumeWriter::FLOAT,
+         vtkNexradVolumeWriter::RADAR_STEPS})
   {
     writer->SetEncoding(encoding);
     ASSERT_EQ(writer->Write(), 1);

@@ -179,9 +179,9 @@ TEST(TransferFunction, PresetsShowWhatTheirNamesSay)
     EXPECT_TRUE(function->ApplyPreset(preset));
     return function->Evaluate(Function::OPACITY, dBZ);
   };
-  EXPECT_EQ(Function::GetNumberOfPresets(), 5);
+  EXPECT_EQ(Function::GetNumberOfPresets(), 11);
   EXPECT_STREQ(Function::GetPresetName(0), "all echo");
-  EXPECT_EQ(Function::GetPresetName(5), nullptr);
+  EXPECT_EQ(Function::GetPresetName(11), nullptr);
   EXPECT_GT(opacity("all echo", 15.0), 0.0);
   EXPECT_EQ(opacity("all echo", 4.0), 0.0);
   EXPECT_EQ(opacity("storm cores", 25.0), 0.0);
@@ -199,6 +199,62 @@ TEST(TransferFunction, PresetsShowWhatTheirNamesSay)
   events->Observe(function);
   EXPECT_FALSE(function->ApplyPreset("rainbow"));
   EXPECT_TRUE(AnyHolds(events->errors, "storm cores"));
+}
+
+TEST(TransferFunction, EveryMomentHasAPreset)
+{
+  for (const char* array : {"VEL", "SW", "ZDR", "PHI", "RHO", "CFP"})
+  {
+    const char* preset = Function::FindPreset(array);
+    ASSERT_NE(preset, nullptr) << array;
+    vtkNew<Function> function;
+    EXPECT_TRUE(function->ApplyPreset(preset)) << array;
+    EXPECT_GE(function->GetNumberOfBins(), 11) << array;
+    EXPECT_EQ(Function::FindPreset(array, 1), nullptr) << array;
+  }
+  EXPECT_STREQ(Function::FindPreset("REF"), "all echo");
+  EXPECT_STREQ(Function::FindPreset("REF", 4), "iso-values");
+  EXPECT_EQ(Function::FindPreset("REF", 5), nullptr);
+  EXPECT_EQ(Function::FindPreset("XYZ"), nullptr);
+  EXPECT_EQ(Function::FindPreset(nullptr), nullptr);
+  EXPECT_STREQ(Function::GetPresetArray(0), "REF");
+  EXPECT_EQ(Function::GetPresetArray(-1), nullptr);
+}
+
+// Green towards the radar, red away from it, grey between; the fast hides more than the slow.
+TEST(TransferFunction, VelocityDivergesAboutZero)
+{
+  vtkNew<Function> function;
+  ASSERT_TRUE(function->ApplyPreset("velocity"));
+  const auto value = [&](int channel, double speed) { return function->Evaluate(channel, speed); };
+  for (const double speed : {7.0, 12.0, 18.0, 23.0})
+  {
+    EXPECT_GT(value(Function::GREEN, -speed), 2.0 * value(Function::RED, -speed)) << speed;
+    EXPECT_GT(value(Function::RED, speed), 2.0 * value(Function::GREEN, speed)) << speed;
+    EXPECT_NEAR(value(Function::OPACITY, -speed), value(Function::OPACITY, speed), 1e-12);
+    EXPECT_GT(value(Function::OPACITY, speed), value(Function::OPACITY, speed - 5.0));
+  }
+  EXPECT_EQ(value(Function::RED, 0.0), value(Function::GREEN, 0.0));
+  EXPECT_EQ(value(Function::RED, 0.0), value(Function::BLUE, 0.0));
+}
+
+// Rain and snow lie near 1 and are told apart by hundredths; what is no weather lies lower and
+// shows.
+TEST(TransferFunction, CorrelationIsFineNearOneAndOpaqueWhereLow)
+{
+  vtkNew<Function> function;
+  ASSERT_TRUE(function->ApplyPreset("correlation coefficient"));
+  EXPECT_GT(function->Evaluate(Function::OPACITY, 0.7), 0.2);
+  EXPECT_LT(function->Evaluate(Function::OPACITY, 0.99), 0.02);
+  int fine = 0;
+  double range[2];
+  double lower[3];
+  double upper[3];
+  for (int i = 0; function->GetBin(i, range, lower, upper); ++i)
+  {
+    fine += range[1] - range[0] < 0.011 ? 1 : 0;
+  }
+  EXPECT_EQ(fine, 5); // 0.95 to 1
 }
 
 TEST(TransferFunction, ShellsThatTouchAreOne)

@@ -101,17 +101,23 @@ bool EndsWith(const std::string& text, const std::string& end)
 
 } // namespace
 
-ColourScale MomentScale(const ColourTable& table)
+ColourScale MomentScale(const std::string& array, const ColourTable& table)
 {
   ColourScale scale;
   scale.bins = table;
-  scale.unit = "dBZ";
-  scale.title = "Reflectivity";
+  scale.title = array;
+  if (const auto moment = ParseMomentName(array))
+  {
+    scale.unit = UnitOf(*moment);
+    scale.title = TitleOf(*moment);
+    scale.title += *moment == MomentName::VEL ? ", positive away from the radar" : "";
+    scale.openBelow = *moment != MomentName::REF;
+  }
   return scale;
 }
 
 ColourScale ScaleFor(const PlanView& view, const std::string& array,
-  const std::vector<std::string>& sites, const ColourTable& table)
+  const std::vector<std::string>& sites, const ColourScale& moment)
 {
   if (EndsWith(array, "_radars"))
   {
@@ -121,7 +127,7 @@ ColourScale ScaleFor(const PlanView& view, const std::string& array,
   {
     return SiteScale(sites);
   }
-  ColourScale scale = MomentScale(table);
+  ColourScale scale;
   if (EndsWith(array, "_age"))
   {
     scale.factor = 1.0 / 60.0;
@@ -135,6 +141,10 @@ ColourScale ScaleFor(const PlanView& view, const std::string& array,
     scale.unit = "weight";
     scale.title = "Sum of the radars' weights";
   }
+  else
+  {
+    return moment;
+  }
   return scale;
 }
 
@@ -142,7 +152,8 @@ int FindBin(const ColourScale& scale, double value)
 {
   const auto above = std::upper_bound(scale.bins.begin(), scale.bins.end(), value * scale.factor,
     [](double wanted, const ColourBin& bin) { return wanted < bin.from; });
-  return static_cast<int>(above - scale.bins.begin()) - 1;
+  const int bin = static_cast<int>(above - scale.bins.begin()) - 1;
+  return scale.openBelow ? std::max(bin, 0) : bin;
 }
 
 } // namespace nexrad::scene

@@ -13,7 +13,7 @@ using Colour = std::array<double, 3>;
 /// One colour, from a value up to that of the next bin.
 struct ColourBin
 {
-  double from = 0.0; ///< dBZ
+  double from = 0.0; ///< unit of what is shown
   Colour colour{};
 };
 

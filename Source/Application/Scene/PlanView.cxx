@@ -80,14 +80,21 @@ private:
     return folded;
   }
 
-  // The largest echo; without one the lowest.
+  // What a composite looks for: the strongest, of velocities the fastest either way.
+  float Strength(std::size_t voxel) const
+  {
+    const float value = volume.values[voxel];
+    return volume.moment == MomentName::VEL ? std::abs(value) : value;
+  }
+
+  // The strongest echo; without one the lowest.
   std::size_t Largest(std::size_t column) const
   {
     std::size_t best = this->Lowest(column);
     for (std::size_t voxel = column; voxel < columns * levels; voxel += columns)
     {
       const bool larger =
-        volume.states[best] != VoxelState::Echo || volume.values[voxel] > volume.values[best];
+        volume.states[best] != VoxelState::Echo || this->Strength(voxel) > this->Strength(best);
       best = volume.states[voxel] == VoxelState::Echo && larger ? voxel : best;
     }
     return best;
@@ -98,12 +105,24 @@ private:
   std::size_t levels;
 };
 
-std::string WhereText(const GridSpecification& grid, const PlanOptions& plan, int level)
+// The phase grows with range, and the correlation is near 1 in some voxel of nearly every column.
+void CheckComposite(MomentName moment)
 {
+  if (moment == MomentName::PHI || moment == MomentName::RHO)
+  {
+    throw Error("--map composite: the largest " + std::string(ToString(moment)) +
+                " of a column has no meaning; write --map lowest, or a height as in --map 3km");
+  }
+}
+
+std::string WhereText(const GriddedVolume& volume, const PlanOptions& plan, int level)
+{
+  const GridSpecification& grid = volume.grid;
   switch (plan.level)
   {
   case PlanLevel::Composite:
-    return "Composite: where the column's value is largest";
+    return volume.moment == MomentName::VEL ? "Composite: where the column's speed is largest"
+                                            : "Composite: where the column's value is largest";
   case PlanLevel::Lowest:
     return "At the lowest voxel of each column that was scanned";
   default:
@@ -170,6 +189,10 @@ std::vector<float> ValuesOf(
 
 PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan)
 {
+  if (plan.level == PlanLevel::Composite)
+  {
+    CheckComposite(volume.moment);
+  }
   const int level = plan.level == PlanLevel::Height ? LevelAt(volume.grid, plan.height) : 0;
   const ColumnWalk walk(volume);
   std::vector<std::size_t> voxels;
@@ -186,7 +209,7 @@ PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan)
   {
     view.states.push_back(moment ? volume.states[voxel] : StateOfCompanion(volume, voxel));
   }
-  view.where = WhereText(volume.grid, plan, level);
+  view.where = WhereText(volume, plan, level);
   return view;
 }
 

@@ -25,7 +25,8 @@ struct PlanView
 
 /// Takes one voxel of each column. Of a companion array (`plan.array`) the value that stands behind
 /// that voxel, so that a companion's map explains the moment's map of the same choice. Throws Error
-/// for an array that the volume does not have, naming those it has, and for a height outside it.
+/// for an array that the volume does not have, naming those it has, for a height outside it, and
+/// for a composite of PHI or RHO.
 PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan);
 
 } // namespace nexrad::scene

@@ -83,7 +83,7 @@ std::string ScaleText(double exaggeration)
 
 RadarScene::RadarScene(const SceneOptions& sceneOptions)
   : options(sceneOptions)
-  , look(MakeLook(sceneOptions))
+  , look(MakeLook(sceneOptions, ""))
 {
   renderer->SetBackground(skyBottom[0], skyBottom[1], skyBottom[2]);
   renderer->SetBackground2(skyTop[0], skyTop[1], skyTop[2]);
@@ -115,7 +115,7 @@ void RadarScene::LookChanged()
   steps = StepsOf(look);
   if (!options.plan)
   {
-    scale = MomentScale(steps);
+    scale = MomentScale(array, steps);
   }
   this->DrawCaptions();
 }
@@ -161,6 +161,7 @@ void RadarScene::SetVolume(vtkImageData* data)
   }
   const bool sameGround = newFrame.Bounds() == frame.Bounds() && !ground.empty();
   const std::vector<std::string> oldSites = information.sites;
+  this->FollowArray(data);
   frame = newFrame;
   information = ReadVolumeInformation(data);
 
@@ -187,6 +188,20 @@ void RadarScene::SetVolume(vtkImageData* data)
   this->DrawCaptions();
 }
 
+// The look of another moment, once its first volume comes. What was changed in the look of the same
+// moment stays.
+void RadarScene::FollowArray(vtkImageData* data)
+{
+  const char* name = data->GetPointData()->GetScalars()->GetName();
+  const std::string newArray = name != nullptr ? name : "";
+  if (newArray != array)
+  {
+    look = MakeLook(options, newArray);
+    array = newArray;
+    this->LookChanged();
+  }
+}
+
 bool RadarScene::Upload()
 {
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
@@ -207,7 +222,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 void RadarScene::DrawPlan(vtkImageData* data, vtkImageData* placed)
 {
   const PlanView shown = MakePlanView(vtkNexradImageToVolume(data), *options.plan);
-  scale = ScaleFor(shown, options.plan->array, information.sites, steps);
+  scale = ScaleFor(shown, options.plan->array, information.sites, MomentScale(array, steps));
   const std::string key = PlanKey(shown);
   note = shown.where + (key.empty() ? "" : "; " + key);
   this->Replace(plan, {MakePlanLayer(shown, scale, placed, PictureHeight(frame))});

@@ -53,7 +53,11 @@ public:
   /// in a window. False when it cannot be drawn.
   bool Upload();
 
-  /// Colours and opacities; after a change of them LookChanged brings the scene up to date.
+  /// Name of the array that is shown, as "REF"; empty before the first volume.
+  const std::string& Array() const { return array; }
+
+  /// Colours and opacities, those of another moment from the volume on that is the first of it;
+  /// after a change of them LookChanged brings the scene up to date.
   vtkNexradTransferFunction* Look();
   void LookChanged();
 
@@ -65,6 +69,7 @@ private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
   void Replace(Props& group, Props replacement);
+  void FollowArray(vtkImageData* data);
   void DrawGround();
   void DrawScales();
   void DrawVolume(vtkImageData* placed, bool sameMapper);
@@ -81,6 +86,7 @@ private:
   vtkNew<vtkRenderer> renderer;
   vtkNew<vtkVolume> volume;
   vtkSmartPointer<vtkNexradTransferFunction> look;
+  std::string array; ///< that is shown
   ColourTable steps; ///< of the look
   ColourScale scale;
   std::string note; ///< what the heights are, or which voxels a map shows

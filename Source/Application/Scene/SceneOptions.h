@@ -18,7 +18,7 @@ enum class MapperChoice
 /// Which voxel of each column a map shows.
 enum class PlanLevel
 {
-  Composite, ///< that of the largest value
+  Composite, ///< that of the largest value; of VEL, of the largest speed
   Lowest,    ///< the lowest that was scanned
   Height     ///< that at one height
 };
@@ -31,14 +31,16 @@ struct PlanOptions
   std::string array;   ///< which of the volume's arrays, as "REF_age"; empty: the moment
 };
 
-/// The presets of colour and opacity (vtkNexradTransferFunction), the default first.
-constexpr const char* presetNames[] = {
-  "all echo", "storm cores", "hail", "clear air", "iso-values"};
+/// The presets of colour and opacity (vtkNexradTransferFunction): of reflectivity, its default
+/// first, then one of each other moment.
+constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear air", "iso-values",
+  "velocity", "spectrum width", "differential reflectivity", "differential phase",
+  "correlation coefficient", "clutter power"};
 
 /// What a scene shows beside the data.
 struct SceneOptions
 {
-  std::string preset = presetNames[0];
+  std::string preset; ///< one of presetNames; empty: the first of the moment that is shown
   std::filesystem::path
     colours; ///< colours, and opacities if it has any, in place of the preset's:
              ///< a file that vtkNexradTransferFunction reads; empty: none

@@ -231,15 +231,28 @@ void Viewer::ScaleSlices(double factor)
 
 void Viewer::ApplyPreset(int number)
 {
-  vtkNexradTransferFunction* look = session.Scene().Look();
-  look->ApplyPreset(vtkNexradTransferFunction::GetPresetName(number));
-  session.Scene().LookChanged();
-  message = vtkNexradTransferFunction::GetPresetName(number);
+  const std::string& array = session.Scene().Array();
+  if (const char* preset = vtkNexradTransferFunction::FindPreset(array.c_str(), number))
+  {
+    session.Scene().Look()->ApplyPreset(preset);
+    session.Scene().LookChanged();
+    message = preset;
+  }
+  else
+  {
+    message = array + " has no preset " + std::to_string(number + 1);
+  }
   this->Draw();
 }
 
 void Viewer::MoveIsoValue(double by)
 {
+  if (session.Scene().Array() != "REF")
+  {
+    message = "iso-values are of REF alone";
+    this->Draw();
+    return;
+  }
   isoValue = std::clamp(isoValue + by, leastIsoValue, mostIsoValue);
   session.Scene().Look()->SetOpacityToIsoValues(&isoValue, 1);
   session.Scene().LookChanged();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeLook.h"
 
+#include "Model/Error.h"
 #include "Volumes/VtkMessages.h"
 #include "vtkNexradTransferFunction.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
@@ -10,14 +11,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace nexrad::scene
 {
 namespace
 {
 
-constexpr double unitDistance = 5.0;  // scene units: km along the ground
-constexpr double stepOfSplines = 5.0; // dBZ, of a colour bar for colours that have no steps
+constexpr double unitDistance = 5.0; // scene units: km along the ground
+
+// Width of the boxes of a colour bar for colours that have no steps.
+double StepOfSplines(double span)
+{
+  if (!(span > 0.0) || (span >= 20.0 && span <= 120.0))
+  {
+    return 5.0;
+  }
+  const double least = span / 15.0;
+  const double decade = std::pow(10.0, std::floor(std::log10(least)));
+  return least <= decade         ? decade
+         : least <= 2.0 * decade ? 2.0 * decade
+         : least <= 5.0 * decade ? 5.0 * decade
+                                 : 10.0 * decade;
+}
+
+// The array that a preset is for.
+std::string ArrayOf(const std::string& preset)
+{
+  for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
+  {
+    if (preset == vtkNexradTransferFunction::GetPresetName(i))
+    {
+      return vtkNexradTransferFunction::GetPresetArray(i);
+    }
+  }
+  return "";
+}
+
+// The preset that the options name, or the moment's own.
+std::string PresetFor(const SceneOptions& options, const std::string& array)
+{
+  const char* own = vtkNexradTransferFunction::FindPreset(array.c_str());
+  const std::string usual = own != nullptr ? own : presetNames[0];
+  if (options.preset.empty())
+  {
+    return usual;
+  }
+  const std::string meant = ArrayOf(options.preset);
+  if (!meant.empty() && own != nullptr && meant != array)
+  {
+    throw Error("--preset '" + options.preset + "' is of " + meant + ", and " + array +
+                " is shown; write --preset '" + usual + "' or leave it out");
+  }
+  return options.preset;
+}
 
 } // namespace
 
@@ -55,12 +102,13 @@ bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
   return caster != nullptr && caster->PreLoadData(renderer, volume);
 }
 
-vtkSmartPointer<vtkNexradTransferFunction> MakeLook(const SceneOptions& options)
+vtkSmartPointer<vtkNexradTransferFunction> MakeLook(
+  const SceneOptions& options, const std::string& array)
 {
   auto look = vtkSmartPointer<vtkNexradTransferFunction>::New();
   application::VtkMessages messages;
   messages.Watch(look);
-  look->ApplyPreset(options.preset.c_str());
+  look->ApplyPreset(PresetFor(options, array).c_str());
   if (!options.colours.empty())
   {
     look->ReadFile(options.colours.c_str());
@@ -88,10 +136,12 @@ ColourTable StepsOf(vtkNexradTransferFunction* look)
   }
   table.clear();
   look->GetRange(range);
-  const double first = std::floor(range[0] / stepOfSplines) * stepOfSplines;
-  for (double from = first; table.size() < 2 || from < range[1]; from += stepOfSplines)
+  const double step = StepOfSplines(range[1] - range[0]);
+  const double first = std::floor(range[0] / step);
+  for (double count = first; table.size() < 2 || count * step < range[1]; ++count)
   {
-    const double middle = from + 0.5 * stepOfSplines;
+    const double from = count * step;
+    const double middle = from + 0.5 * step;
     table.push_back({from, {look->Evaluate(vtkNexradTransferFunction::RED, middle),
                              look->Evaluate(vtkNexradTransferFunction::GREEN, middle),
                              look->Evaluate(vtkNexradTransferFunction::BLUE, middle)}});

@@ -6,6 +6,8 @@
 
 #include <vtkSmartPointer.h>
 
+#include <string>
+
 class vtkNexradTransferFunction;
 class vtkRenderer;
 class vtkVolume;
@@ -25,11 +27,14 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
 /// Brings the mapper's input into texture memory. False when it cannot.
 bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// Colours and opacities as the options ask for. Throws Error for a preset that does not exist and
-/// a file that is no colour map.
-vtkSmartPointer<vtkNexradTransferFunction> MakeLook(const SceneOptions& options);
+/// Colours and opacities as the options ask for, for the moment of that array ("REF"; the preset of
+/// any other array is that of reflectivity). Throws Error for a preset that does not exist or is of
+/// another moment, and a file that is no colour map.
+vtkSmartPointer<vtkNexradTransferFunction> MakeLook(
+  const SceneOptions& options, const std::string& array = "REF");
 
-/// The boxes of the look's colour bar: its own steps, or one for each 5 dBZ.
+/// The boxes of the look's colour bar: its own steps, or one for each 5 dBZ (another round width
+/// where the colours span less than 20 or more than 120).
 ColourTable StepsOf(vtkNexradTransferFunction* look);
 
 /// A property for volumes whose colours and opacities come from a look; the opacities are those of

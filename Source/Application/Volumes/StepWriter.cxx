@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StepWriter.h"
 
-#include "Codec/NxvFile.h"
 #include "OutputFile.h"
 #include "VtkMessages.h"
 #include "vtkNexradImageConversion.h"
@@ -40,9 +39,10 @@ fs::path VolumeFileName(Time time, VolumeFormat format)
   return FormatForFileName(time) + (format == VolumeFormat::Nxv ? ".nxv" : ".vti");
 }
 
-StepWriter::StepWriter(fs::path toFolder, VolumeFormat theFormat)
+StepWriter::StepWriter(fs::path toFolder, VolumeFormat theFormat, const NxvWriteOptions& nxvOptions)
   : folder(std::move(toFolder))
   , format(theFormat)
+  , nxv(nxvOptions)
 {
 }
 
@@ -65,10 +65,10 @@ GriddedVolume StepWriter::Write(GriddedVolume volume)
   {
     MakeFolder(folder); // not earlier: a failure so far leaves nothing behind
   }
-  const auto write = [path = folder / VolumeFileName(volume.time, format), as = format](
-                       GriddedVolume&& one)
+  const auto write = [path = folder / VolumeFileName(volume.time, format), as = format,
+                       options = nxv](GriddedVolume&& one)
   {
-    as == VolumeFormat::Nxv ? WriteNxv(path, one) : WriteVti(path, one);
+    as == VolumeFormat::Nxv ? WriteNxv(path, one, options) : WriteVti(path, one);
     return std::move(one);
   };
   writing = std::async(std::launch::async, write, std::move(volume));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Codec/NxvFile.h"
 #include "Gridding/GriddedVolume.h"
 
 #include <cstdint>
@@ -25,7 +26,8 @@ std::filesystem::path VolumeFileName(Time time, VolumeFormat format);
 class StepWriter
 {
 public:
-  StepWriter(std::filesystem::path folder, VolumeFormat format);
+  /// `nxv` is for VolumeFormat::Nxv.
+  StepWriter(std::filesystem::path folder, VolumeFormat format, const NxvWriteOptions& nxv);
   StepWriter(const StepWriter&) = delete;
   StepWriter& operator=(const StepWriter&) = delete;
 
@@ -46,6 +48,7 @@ private:
 
   const std::filesystem::path folder;
   const VolumeFormat format;
+  const NxvWriteOptions nxv;
   std::future<GriddedVolume> writing; // the volume comes back
   std::vector<std::filesystem::path> files;
   std::uintmax_t bytes = 0;

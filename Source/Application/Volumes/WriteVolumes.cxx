@@ -43,7 +43,7 @@ Block WriteBlock(const GridJob& job, const std::vector<Time>& times, const Merge
   const Progress& progress, const Processes& processes)
 {
   const auto [begin, end] = processes.Part(times.size());
-  StepWriter writer(job.folder, job.format);
+  StepWriter writer(job.folder, job.format, job.nxv);
   Block block;
   GriddedVolume memory;
   for (std::size_t i = begin; i < end; ++i)

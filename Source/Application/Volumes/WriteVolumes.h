@@ -20,6 +20,7 @@ struct GridJob
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path folder; ///< made when it does not exist
   VolumeFormat format = VolumeFormat::Nxv;
+  NxvWriteOptions nxv; ///< how VolumeFormat::Nxv stores the values
   GridOptions options;
 };
 

@@ -25,9 +25,13 @@ struct Deflater
 {
   z_stream state{};
 
-  Deflater()
+  explicit Deflater(DeflateSearch search)
   {
-    if (deflateInit(&state, Z_DEFAULT_COMPRESSION) != Z_OK)
+    constexpr int windowBits = 15;
+    constexpr int memoryLevel = 8;
+    const int strategy = search == DeflateSearch::Runs ? Z_RLE : Z_DEFAULT_STRATEGY;
+    if (deflateInit2(
+          &state, Z_DEFAULT_COMPRESSION, Z_DEFLATED, windowBits, memoryLevel, strategy) != Z_OK)
     {
       throw std::bad_alloc();
     }
@@ -39,9 +43,10 @@ struct Deflater
 
 } // namespace
 
-std::vector<std::uint8_t> DeflateBytes(const std::uint8_t* data, std::size_t size)
+std::vector<std::uint8_t> DeflateBytes(
+  const std::uint8_t* data, std::size_t size, DeflateSearch search)
 {
-  Deflater deflater;
+  Deflater deflater(search);
   z_stream& state = deflater.state;
   std::vector<std::uint8_t> compressed;
   std::array<std::uint8_t, outputSize> output{};

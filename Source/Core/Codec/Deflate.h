@@ -10,8 +10,16 @@
 namespace nexrad
 {
 
-/// Compresses bytes into one zlib stream (RFC 1950), level 6.
-std::vector<std::uint8_t> DeflateBytes(const std::uint8_t* data, std::size_t size);
+/// What DeflateBytes looks for in the bytes.
+enum class DeflateSearch
+{
+  Repeats, ///< any that come again; level 6
+  Runs     ///< runs of one byte alone: for codes of voxels in half the time, and no larger
+};
+
+/// Compresses bytes into one zlib stream (RFC 1950).
+std::vector<std::uint8_t> DeflateBytes(
+  const std::uint8_t* data, std::size_t size, DeflateSearch search = DeflateSearch::Repeats);
 
 /// Decompresses a zlib stream piece by piece, so that what comes out is checked before more is
 /// made: the receiver throws when it has had enough.

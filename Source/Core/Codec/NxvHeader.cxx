@@ -28,8 +28,8 @@ constexpr std::array<std::pair<NxvStorage, const char*>, 3> storageNames = {
   {{NxvStorage::RunLength, "rle"}, {NxvStorage::RunLengthDeflated, "rle+deflate"},
     {NxvStorage::Deflated, "deflate"}}};
 
-constexpr std::array<std::pair<NxvType, const char*>, 3> typeNames = {
-  {{NxvType::UInt7, "uint7"}, {NxvType::UInt8, "uint8"}, {NxvType::Float32, "float32"}}};
+constexpr std::array<std::pair<NxvType, const char*>, 4> typeNames = {{{NxvType::UInt7, "uint7"},
+  {NxvType::UInt8, "uint8"}, {NxvType::UInt16, "uint16"}, {NxvType::Float32, "float32"}}};
 
 template <typename Names, typename Value>
 const char* NameOf(const Names& names, Value value)
@@ -200,9 +200,9 @@ void ParseArrays(const Json& json, NxvHeader& header)
     header.arrays.push_back(ParseArray(array));
   }
   const auto moment = header.arrays.empty() ? std::nullopt : ParseMomentName(header.arrays[0].name);
-  if (!moment || header.arrays[0].type == NxvType::UInt8)
+  if (!moment)
   {
-    throw Error("header: the first of the arrays must be a moment, of type uint7 or float32");
+    throw Error("header: the first of the arrays must be a moment");
   }
   header.volume.moment = *moment;
   header.volume.fill = static_cast<float>(header.arrays[0].fill);

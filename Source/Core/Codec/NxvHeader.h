@@ -22,7 +22,8 @@ enum class NxvStorage
 enum class NxvType
 {
   UInt7,  ///< "uint7", one code a voxel
-  UInt8,  ///< "uint8"
+  UInt8,  ///< "uint8", one byte a voxel
+  UInt16, ///< "uint16", the lower bytes of all voxels, then the higher bytes of all
   Float32 ///< "float32", little-endian
 };
 

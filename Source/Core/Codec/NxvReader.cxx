@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Codec/Deflate.h"
+#include "Codec/MomentCode.h"
 #include "Codec/NxvCompanions.h"
 #include "Codec/NxvFile.h"
 #include "Codec/NxvHeader.h"
@@ -182,11 +183,10 @@ void CheckChecksums(InputFile& file, const OpenedFile& opened)
   }
 }
 
-void CheckMemory(
-  const GridSpecification& grid, std::size_t companionBytes, std::size_t maximumBytes)
+void CheckMemory(const GridSpecification& grid, std::size_t furtherBytes, std::size_t maximumBytes)
 {
-  // A value, a state, and a code while it is decoded.
-  const std::size_t bytesPerVoxel = sizeof(float) + sizeof(VoxelState) + 1 + companionBytes;
+  // A value, a state, and a byte of the code while it is decoded.
+  const std::size_t bytesPerVoxel = sizeof(float) + sizeof(VoxelState) + 1 + furtherBytes;
   if (grid.VoxelCount() > maximumBytes / bytesPerVoxel)
   {
     throw Error(std::to_string(grid.VoxelCount()) + " voxels need more memory than the " +
@@ -202,10 +202,11 @@ bool IsWanted(
          std::find(names.begin(), names.end(), array.name) == names.end();
 }
 
-// Bytes that the companions of a voxel take in memory.
-std::size_t CompanionBytes(const NxvHeader& header, const NxvReadOptions& options)
+// Bytes that a voxel takes in memory beside its value, its state, and a byte of its code while it
+// is decoded: those of its companions, and of a wider code.
+std::size_t FurtherBytes(const NxvHeader& header, const NxvReadOptions& options)
 {
-  std::size_t bytes = 0;
+  std::size_t bytes = header.arrays[0].type == NxvType::UInt16 ? 1 : 0;
   const auto count = [&](const char* name, const auto& values)
   {
     const auto wanted = [&](const NxvArray& array)
@@ -291,6 +292,14 @@ void ReadMoment(InputFile& file, const OpenedFile& opened, GriddedVolume& volume
   {
     const Quantizer quantizer{array.offset, array.scale};
     quantizer.DecodeAll(ReadCodes(file, opened.payloads, array, voxels), volume);
+    return;
+  }
+  if (array.type != NxvType::Float32)
+  {
+    const MomentCode code{array.type == NxvType::UInt8 ? 1U : 2U, array.offset, array.scale};
+    Bytes codes(code.bytes * voxels);
+    ReadDeflated(file, opened.payloads, array, codes.data(), codes.size());
+    code.DecodeAll(codes, volume);
     return;
   }
   ReadValues(file, opened.payloads, array, volume.values, voxels);
@@ -380,7 +389,7 @@ GriddedVolume ReadVoxels(
     {
       if (arrays[index].name == stateName && arrays[index].type == NxvType::UInt8)
       {
-        ReadStates(file, offset, arrays[index], volume, arrays[0].type == NxvType::UInt7);
+        ReadStates(file, offset, arrays[index], volume, arrays[0].type != NxvType::Float32);
       }
       ReadCompanion(file, offset, arrays[index], options, volume);
       offset += arrays[index].length;
@@ -403,7 +412,7 @@ GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options, Gridd
       InputFile file(path);
       OpenedFile opened = Open(file);
       CheckMemory(
-        opened.header.volume.grid, CompanionBytes(opened.header, options), options.maximumBytes);
+        opened.header.volume.grid, FurtherBytes(opened.header, options), options.maximumBytes);
       CheckChecksums(file, opened);
       return ReadVoxels(file, opened, options, memory);
     });

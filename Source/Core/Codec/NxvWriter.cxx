@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Codec/AtomicFile.h"
 #include "Codec/Deflate.h"
+#include "Codec/EchoVoxels.h"
+#include "Codec/MomentCode.h"
 #include "Codec/NxvCompanions.h"
 #include "Codec/NxvFile.h"
 #include "Codec/NxvHeader.h"
@@ -81,7 +83,7 @@ void AddStates(FileContent& content, const Bytes& states)
   array.type = NxvType::UInt8;
   array.fill = static_cast<double>(VoxelState::NotScanned);
   array.storage = NxvStorage::Deflated;
-  content.Add(array, DeflateBytes(states.data(), states.size()));
+  content.Add(array, DeflateBytes(states.data(), states.size(), DeflateSearch::Runs));
 }
 
 void AddFloats(FileContent& content, const GriddedVolume& volume)
@@ -114,8 +116,14 @@ Bytes EncodeRuns(
   return encoder.Finish();
 }
 
-// The states that the codes stand for, but range folded where the volume has it. The echoes that
-// became code 0 are no echo, with the array of states as without.
+// std::find would look at them one by one.
+bool HasRangeFolded(const std::vector<VoxelState>& states)
+{
+  return std::memchr(states.data(), static_cast<int>(VoxelState::RangeFolded), states.size());
+}
+
+// The states that the 7-bit codes stand for, but range folded where the volume has it. The echoes
+// that became code 0 are no echo, with the array of states as without.
 Bytes StatesOfCodes(const Bytes& codes, const std::vector<VoxelState>& states)
 {
   Bytes bytes(codes.size());
@@ -128,8 +136,8 @@ Bytes StatesOfCodes(const Bytes& codes, const std::vector<VoxelState>& states)
   return bytes;
 }
 
-void AddCodes(FileContent& content, const GriddedVolume& volume, const NxvWriteOptions& options,
-  NxvStorage storage)
+void AddRunLengths(FileContent& content, const GriddedVolume& volume,
+  const NxvWriteOptions& options, NxvStorage storage)
 {
   const Quantizer quantizer{options.offset, options.scale, options.maximum};
   NxvArray array = MomentArray(volume);
@@ -140,11 +148,33 @@ void AddCodes(FileContent& content, const GriddedVolume& volume, const NxvWriteO
   content.Add(array, storage == NxvStorage::RunLengthDeflated
                        ? DeflateBytes(stream.data(), stream.size())
                        : std::move(stream));
-  const auto& states = volume.states;
-  // std::find would look at them one by one.
-  if (std::memchr(states.data(), static_cast<int>(VoxelState::RangeFolded), states.size()))
+  if (HasRangeFolded(volume.states))
   {
-    AddStates(content, StatesOfCodes(quantizer.EncodeAll(volume), states));
+    AddStates(content, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
+  }
+}
+
+// An echo that is not a number has the code, and with it the state, of not scanned.
+void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
+{
+  const MomentCode code = MomentCode::Of(volume);
+  NxvArray array = MomentArray(volume);
+  array.type = code.bytes == 1 ? NxvType::UInt8 : NxvType::UInt16;
+  array.offset = code.offset;
+  array.scale = code.scale;
+  array.storage = NxvStorage::Deflated;
+  const Bytes codes = code.EncodeAll(volume);
+  content.Add(array, DeflateBytes(codes.data(), codes.size(), DeflateSearch::Runs));
+  if (HasRangeFolded(volume.states))
+  {
+    Bytes states = StateBytes(volume.states);
+    ForEachEcho(volume.states.data(), states.size(),
+      [&](std::size_t i)
+      {
+        states[i] = static_cast<std::uint8_t>(
+          std::isnan(volume.values[i]) ? VoxelState::NotScanned : VoxelState::Echo);
+      });
+    AddStates(content, states);
   }
 }
 
@@ -269,15 +299,18 @@ void WriteNxv(
   }
   FileContent content;
   content.header.volume = WithoutVoxels(volume);
-  const NxvEncoding usual =
-    volume.moment == MomentName::REF ? NxvEncoding::RunLength : NxvEncoding::Float;
+  const bool asTheThesis = volume.method == "thesis" && volume.moment == MomentName::REF;
+  const NxvEncoding usual = asTheThesis ? NxvEncoding::RunLength : NxvEncoding::RadarSteps;
   switch (options.encoding.value_or(usual))
   {
+  case NxvEncoding::RadarSteps:
+    AddRadarSteps(content, volume);
+    break;
   case NxvEncoding::RunLength:
-    AddCodes(content, volume, options, NxvStorage::RunLength);
+    AddRunLengths(content, volume, options, NxvStorage::RunLength);
     break;
   case NxvEncoding::RunLengthDeflated:
-    AddCodes(content, volume, options, NxvStorage::RunLengthDeflated);
+    AddRunLengths(content, volume, options, NxvStorage::RunLengthDeflated);
     break;
   case NxvEncoding::Float:
     AddFloats(content, volume);

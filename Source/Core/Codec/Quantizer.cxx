@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Codec/Quantizer.h"
 
+#include "Codec/EchoVoxels.h"
 #include "Model/Error.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <string>
 
 namespace nexrad
@@ -80,20 +80,7 @@ void Quantizer::EncodeSome(
   const std::size_t count = end - begin;
   std::transform(states, states + count, codes,
     [](VoxelState state) { return state == VoxelState::NotScanned ? NotScannedCode : NoEchoCode; });
-  // Few voxels hold an echo; the library looks for the next one many at a time.
-  const auto nextEcho = [&](std::size_t from)
-  {
-    const void* found =
-      std::memchr(states + from, static_cast<int>(VoxelState::Echo), count - from);
-    return found ? static_cast<std::size_t>(static_cast<const VoxelState*>(found) - states) : count;
-  };
-  for (std::size_t i = nextEcho(0); i < count; i = nextEcho(i))
-  {
-    for (; i < count && states[i] == VoxelState::Echo; ++i)
-    {
-      codes[i] = CodeOf(values[i], *this);
-    }
-  }
+  ForEachEcho(states, count, [&](std::size_t i) { codes[i] = CodeOf(values[i], *this); });
 }
 
 void Quantizer::DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const

@@ -2,6 +2,7 @@
 #include "Gridding/PolarVolume.h"
 
 #include "Model/Elevation.h"
+#include "Model/MomentLimits.h"
 
 #include <algorithm>
 #include <array>
@@ -125,6 +126,11 @@ PolarSweep MakeSweep(const RayList& rays, Waveform waveform, MomentName moment)
     else
     {
       FillRay(row, sweep.Index(index, 0), sweep);
+    }
+    for (const std::size_t gate : ImpossibleGates(*rays[index], moment))
+    {
+      sweep.values[sweep.Index(index, gate)] = std::numeric_limits<float>::quiet_NaN();
+      sweep.states[sweep.Index(index, gate)] = GateState::NotSampled;
     }
   }
   return sweep;

@@ -3,6 +3,7 @@
 
 #include "Level2/SiteResolution.h"
 #include "Model/Elevation.h"
+#include "Model/MomentLimits.h"
 #include "Model/SiteTable.h"
 #include "Model/SweepWaveforms.h"
 
@@ -224,6 +225,11 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   ResolveSite({headerName, rayName, name, position}, options, volume);
   ResolveWaveforms(volume);
   this->NoteTimes();
+  const std::string impossible = DescribeImpossibleGates(volume.sweeps);
+  if (!impossible.empty())
+  {
+    volume.notes.push_back(impossible);
+  }
   this->NoteStrays();
   if (volume.synthetic)
   {

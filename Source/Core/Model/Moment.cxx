@@ -11,10 +11,13 @@ struct MomentText
 {
   const char* name;
   const char* unit;
+  const char* title;
 };
 
-constexpr std::array<MomentText, MomentCount> momentTexts = {{{"REF", "dBZ"}, {"VEL", "m/s"},
-  {"SW", "m/s"}, {"ZDR", "dB"}, {"PHI", "degrees"}, {"RHO", ""}, {"CFP", "dB"}}};
+constexpr std::array<MomentText, MomentCount> momentTexts = {{{"REF", "dBZ", "Reflectivity"},
+  {"VEL", "m/s", "Radial velocity"}, {"SW", "m/s", "Spectrum width"},
+  {"ZDR", "dB", "Differential reflectivity"}, {"PHI", "degrees", "Differential phase"},
+  {"RHO", "", "Correlation coefficient"}, {"CFP", "dB", "Clutter filter power removed"}}};
 
 } // namespace
 
@@ -26,6 +29,11 @@ const char* ToString(MomentName name)
 const char* UnitOf(MomentName name)
 {
   return momentTexts[static_cast<std::size_t>(name)].unit;
+}
+
+const char* TitleOf(MomentName name)
+{
+  return momentTexts[static_cast<std::size_t>(name)].title;
 }
 
 std::optional<MomentName> ParseMomentName(std::string_view text)

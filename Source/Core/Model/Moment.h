@@ -29,6 +29,8 @@ constexpr std::array<MomentName, MomentCount> AllMoments = {MomentName::REF, Mom
 const char* ToString(MomentName name);
 /// Unit of the values: "dBZ", "m/s", "m/s", "dB", "degrees", "", "dB".
 const char* UnitOf(MomentName name);
+/// What the moment is called in words: "Reflectivity", "Radial velocity", …
+const char* TitleOf(MomentName name);
 /// Empty when the text names no moment. Capital letters only.
 std::optional<MomentName> ParseMomentName(std::string_view text);
 

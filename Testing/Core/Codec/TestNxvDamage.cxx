@@ -101,8 +101,8 @@ std::vector<std::string> GoodFiles()
   GriddedVolume volume = MakeGriddedVolume({3, 2, 2});
   volume.states[1] = VoxelState::RangeFolded;
   std::vector<std::string> files;
-  for (const auto encoding :
-    {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+  for (const auto encoding : {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated,
+         NxvEncoding::Float, NxvEncoding::RadarSteps})
   {
     NxvWriteOptions options;
     options.encoding = encoding;
@@ -227,6 +227,30 @@ TEST(NxvDamage, StatesMayNotContradictTheCodes)
   EXPECT_NE(errorWith(std::string("\1\1\2\3", 4)).find("voxel 2"), std::string::npos);
   EXPECT_NE(errorWith(std::string("\1\1\0\2", 4)).find("voxel 3"), std::string::npos);
   EXPECT_NE(errorWith(std::string("\1\4\0\3", 4)).find("voxel 1"), std::string::npos);
+}
+
+// Codes of one byte, and of two: lower bytes first.
+TEST(NxvDamage, DeflatedCodesThatDoNotFitAreErrors)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.arrays[0].storage = NxvStorage::Deflated;
+  header.arrays[0].type = NxvType::UInt8;
+  header.arrays[0].offset = header.arrays[0].fill = -33.0;
+  header.arrays[0].scale = 0.5;
+  EXPECT_EQ(file.ErrorOf(FileOf(header, {Deflated(std::string("\0\1\2\xFF", 4))})), "");
+  EXPECT_EQ(file.Last().states, (std::vector<VoxelState>{VoxelState::NoEcho, VoxelState::NotScanned,
+                                  VoxelState::Echo, VoxelState::Echo}));
+  EXPECT_EQ(file.Last().values, (std::vector<float>{-33.0F, -33.0F, -32.0F, 94.5F}));
+  EXPECT_NE(
+    file.ErrorOf(FileOf(header, {Deflated("abc")})).find("array \"REF\""), std::string::npos);
+  EXPECT_NE(file.ErrorOf(FileOf(header, {Deflated("abcde")})), "");
+  header.arrays[0].type = NxvType::UInt16;
+  const std::string words("\0\1\2\2\0\0\0\1", 8);
+  EXPECT_EQ(file.ErrorOf(FileOf(header, {Deflated(words)})), "");
+  EXPECT_EQ(file.Last().values, (std::vector<float>{-33.0F, -33.0F, -32.0F, 96.0F}));
+  EXPECT_NE(file.ErrorOf(FileOf(header, {Deflated(words.substr(4))})), "");
+  EXPECT_THROW(ReadNxv(file.Path(), {27}), Error) << "six bytes a voxel and the wider code";
 }
 
 TEST(NxvDamage, AnArrayOfAnotherNameIsPassedOver)

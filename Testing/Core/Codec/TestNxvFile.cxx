@@ -119,7 +119,7 @@ TEST(NxvFile, CodesRoundTripToTheWholeDecibel)
 
 TEST(NxvFile, FinerCodesRoundTrip)
 {
-  NxvWriteOptions options;
+  NxvWriteOptions options = With(NxvEncoding::RunLength);
   options.offset = -33.0;
   options.scale = 0.5;
   const GriddedVolume volume = MakeGriddedVolume();
@@ -133,14 +133,38 @@ TEST(NxvFile, FloatsAndStatesAreExact)
   ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::Float)), volume);
 }
 
-TEST(NxvFile, OtherMomentsAreFloatsByDefault)
+// Snow and clear air are weaker than 0 dBZ. The codes of whole dBZ made them no echo.
+TEST(NxvFile, WeakEchoesSurviveByDefault)
+{
+  GriddedVolume volume = MakeGriddedVolume({508, 1, 1}); // to 94.5 dBZ
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    volume.states[i] = i % 2 == 0 ? VoxelState::Echo : VoxelState::NotScanned;
+    volume.values[i] = i % 2 == 0 ? 0.25F * static_cast<float>(i) - 32.0F : volume.fill;
+  }
+  const GriddedVolume read = RoundTrip(volume, {});
+  EXPECT_EQ(read.states, volume.states);
+  for (std::size_t i = 0; i < volume.values.size(); i += 2)
+  {
+    EXPECT_NEAR(read.values[i], volume.values[i], 0.25F);
+  }
+  EXPECT_EQ(RoundTrip(read, {}).values, read.values);
+}
+
+TEST(NxvFile, OtherMomentsKeepTheStepsOfTheRadarByDefault)
 {
   GriddedVolume volume = MakeGriddedVolume();
   volume.moment = MomentName::VEL;
-  volume.values[0] = -21.5F;
-  const GriddedVolume read = RoundTrip(volume, {});
-  EXPECT_EQ(read.moment, MomentName::VEL);
-  ExpectSameVoxels(read, volume);
+  volume.states[0] = volume.states[3] = VoxelState::Echo;
+  for (const float fastest : {21.5F, 100.0F}) // in one byte, and in two
+  {
+    volume.values[0] = -fastest;
+    const GriddedVolume read = RoundTrip(volume, {});
+    EXPECT_EQ(read.moment, MomentName::VEL);
+    EXPECT_EQ(read.values[0], -fastest);
+    EXPECT_EQ(read.states, volume.states);
+    EXPECT_NEAR(read.values[3], volume.values[3], 0.25F);
+  }
 }
 
 TEST(NxvFile, RangeFoldedSurvivesTheCodes)
@@ -152,7 +176,13 @@ TEST(NxvFile, RangeFoldedSurvivesTheCodes)
   GriddedVolume expected = Quantized(volume);
   expected.states[1] = VoxelState::RangeFolded;
   EXPECT_EQ(expected.states[3], VoxelState::NoEcho);
-  ExpectSameVoxels(RoundTrip(volume, {}), expected);
+  ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::RunLength)), expected);
+  expected.states[3] = VoxelState::Echo;
+  expected.values[3] = -12.0F;
+  const GriddedVolume steps = RoundTrip(volume, {});
+  EXPECT_EQ(steps.states, expected.states);
+  EXPECT_EQ(steps.values[1], volume.fill);
+  EXPECT_EQ(steps.values[3], -12.0F);
 }
 
 TEST(NxvFile, EmptyFullAndRandomVolumesRoundTrip)
@@ -170,8 +200,8 @@ TEST(NxvFile, EmptyFullAndRandomVolumesRoundTrip)
                              ? static_cast<float>(1 + random() % 80)
                              : volume.fill;
       }
-      for (const auto encoding :
-        {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+      for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength,
+             NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
       {
         ExpectSameVoxels(RoundTrip(volume, With(encoding)), volume);
       }
@@ -183,8 +213,8 @@ TEST(NxvFile, CompanionsComeBack)
 {
   GriddedVolume volume = MakeGriddedVolume({40, 30, 20});
   AddCompanions(volume);
-  for (const auto encoding :
-    {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+  for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength,
+         NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
   {
     const GriddedVolume read = RoundTrip(volume, With(encoding));
     EXPECT_EQ(read.companions.radars, volume.companions.radars);

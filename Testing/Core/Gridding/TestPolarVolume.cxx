@@ -57,6 +57,19 @@ TEST(PolarVolume, ConvertsWordsToValuesAndStates)
   EXPECT_EQ(sweep.values[4], 94.5F);
 }
 
+// Such words stand at the edges of echo in files of 2005.
+TEST(PolarVolume, AWidthBelowZeroIsNotSampled)
+{
+  Ray ray = MakeRay(10.0F, 5, 0);
+  ray.Row(MomentName::SW) = ray.Row(MomentName::REF); // words 2 and 66 are -32 and 0
+  const PolarVolume polar = MakePolarVolume(MakeVolume({ray}), MomentName::SW);
+  const PolarSweep& sweep = polar.sweeps[0];
+  EXPECT_EQ(sweep.states[2], GateState::NotSampled);
+  EXPECT_TRUE(std::isnan(sweep.values[2]));
+  EXPECT_EQ(sweep.states[3], GateState::Valid);
+  EXPECT_EQ(sweep.values[3], 0.0F);
+}
+
 TEST(PolarVolume, ReadsWordsOfSixteenBits)
 {
   Ray ray = MakeRay(0.0F, 3, 2125);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Gridding/PolarVolume.h"
 #include "Level2/Level2File.h"
 #include "Model/MomentSummary.h"
 
@@ -160,4 +161,23 @@ TEST(RealFiles, MidnightAndTheHeadersTimeAreNotes)
   EXPECT_NE(notes("legacy/KTLX19990503_235621.gz").find("midnight"), std::string::npos);
   EXPECT_NE(notes("legacy/KVWX_20050626_221551.gz").find("header's time"), std::string::npos);
   EXPECT_EQ(notes("superres/KLSX20251229_065156_V06"), "");
+}
+
+// The file holds spectrum widths of -32.5 m/s: words that were halved at the edges of echo. They
+// stay what an independent decoder finds there; a note says so, and merging leaves them out.
+TEST(RealFiles, WidthsThatCannotBeAreNotedAndNotMerged)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const RadarVolume volume = ReadLevel2(data / "level2" / "legacy" / "KVWX_20050626_221551.gz");
+  EXPECT_EQ(Summarize(volume.sweeps[4], MomentName::SW).minimum, -32.5);
+  const auto isThatNote = [](const std::string& note)
+  { return note.rfind("3093 gates have a spectrum width below 0 m/s", 0) == 0; };
+  EXPECT_TRUE(std::any_of(volume.notes.begin(), volume.notes.end(), isThatNote));
+  for (const PolarSweep& sweep : MakePolarVolume(volume, MomentName::SW).sweeps)
+  {
+    for (std::size_t gate = 0; gate < sweep.values.size(); ++gate)
+    {
+      ASSERT_TRUE(sweep.states[gate] != GateState::Valid || sweep.values[gate] >= 0.0F) << gate;
+    }
+  }
 }

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Codec/MomentCode.h"
+
+#include "Codec/EchoVoxels.h"
+#include "Codec/Quantizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// value = (word − offset) / scale, as the data blocks of message 31 have it.
+struct RadarWords
+{
+  unsigned bytes;
+  double offset;
+  double scale;
+};
+
+// In the order of MomentName. ZDR in the finer steps of the two that radars use.
+constexpr std::array<RadarWords, MomentCount> radarWords = {{{1, 66.0, 2.0}, {1, 129.0, 2.0},
+  {1, 129.0, 2.0}, {2, 418.0, 32.0}, {2, 2.0, 2.8361}, {1, -60.5, 300.0}, {1, 8.0, 1.0}}};
+
+// Velocities of radars that send whole m/s reach to ±127 m/s.
+constexpr RadarWords wideVelocity = {2, 32768.0, 2.0};
+
+MomentCode CodeOf(const RadarWords& words)
+{
+  return {words.bytes, -words.offset / words.scale, 1.0 / words.scale};
+}
+
+unsigned LargestCode(unsigned bytes)
+{
+  return bytes == 1 ? 0xFFU : 0xFFFFU;
+}
+
+// Whether all echoes lie between the first and the last code, but for rounding.
+bool HoldsAll(const MomentCode& code, const GriddedVolume& volume)
+{
+  const double least = code.ValueOf(MomentCode::FirstEchoCode) - 0.5 * code.scale;
+  const double most = code.ValueOf(LargestCode(code.bytes)) + 0.5 * code.scale;
+  bool all = true;
+  ForEachEcho(volume.states.data(), volume.states.size(),
+    [&](std::size_t i)
+    {
+      const auto value = static_cast<double>(volume.values[i]);
+      all = all && !(value < least || value > most);
+    });
+  return all;
+}
+
+} // namespace
+
+MomentCode MomentCode::Of(const GriddedVolume& volume)
+{
+  CheckVoxelCount(volume);
+  const MomentCode code = CodeOf(radarWords[static_cast<std::size_t>(volume.moment)]);
+  const bool tooFast = volume.moment == MomentName::VEL && !HoldsAll(code, volume);
+  return tooFast ? CodeOf(wideVelocity) : code;
+}
+
+unsigned MomentCode::Encode(float value) const
+{
+  if (std::isnan(value))
+  {
+    return NotScannedCode;
+  }
+  const double code = std::clamp((static_cast<double>(value) - offset) / scale,
+    static_cast<double>(FirstEchoCode), static_cast<double>(LargestCode(bytes)));
+  return static_cast<unsigned>(code + 0.5);
+}
+
+VoxelState MomentCode::StateOf(unsigned code)
+{
+  switch (code)
+  {
+  case NoEchoCode:
+    return VoxelState::NoEcho;
+  case NotScannedCode:
+    return VoxelState::NotScanned;
+  default:
+    return VoxelState::Echo;
+  }
+}
+
+std::vector<std::uint8_t> MomentCode::EncodeAll(const GriddedVolume& volume) const
+{
+  CheckVoxelCount(volume);
+  const std::size_t count = volume.states.size();
+  std::vector<std::uint8_t> codes(bytes * count); // the higher bytes of the states are 0
+  std::transform(volume.states.begin(), volume.states.end(), codes.begin(),
+    [](VoxelState state)
+    {
+      return static_cast<std::uint8_t>(
+        state == VoxelState::NotScanned ? NotScannedCode : NoEchoCode);
+    });
+  std::uint8_t* const lower = codes.data();
+  std::uint8_t* const higher = bytes == 2 ? lower + count : nullptr;
+  ForEachEcho(volume.states.data(), count,
+    [&](std::size_t i)
+    {
+      const unsigned code = this->Encode(volume.values[i]);
+      lower[i] = static_cast<std::uint8_t>(code);
+      if (higher)
+      {
+        higher[i] = static_cast<std::uint8_t>(code >> 8);
+      }
+    });
+  return codes;
+}
+
+void MomentCode::DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const
+{
+  std::vector<float> values(LargestCode(bytes) + std::size_t(1));
+  for (unsigned code = 0; code < values.size(); ++code)
+  {
+    values[code] = StateOf(code) == VoxelState::Echo ? this->ValueOf(code) : volume.fill;
+  }
+  const std::size_t count = codes.size() / bytes;
+  volume.values.resize(count);
+  volume.states.resize(count);
+  const std::uint8_t* const lower = codes.data();
+  const std::uint8_t* const higher = bytes == 2 ? lower + count : nullptr;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const unsigned code = higher ? lower[i] | static_cast<unsigned>(higher[i]) << 8 : lower[i];
+    volume.values[i] = values[code];
+    volume.states[i] = StateOf(code);
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Gridding/GriddedVolume.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Codes of 8 or 16 bits for the voxels of a volume: 0 no echo, 1 not scanned, from 2 on an echo of
+/// offset + scale × code. The steps are those of the words of message 31 (ICD 2620002, table
+/// XVII-I), so that a merged value is off by at most half of what the radar tells apart. Range
+/// folded has no code of its own and becomes 0.
+struct MomentCode
+{
+  static constexpr unsigned NoEchoCode = 0;
+  static constexpr unsigned NotScannedCode = 1;
+  static constexpr unsigned FirstEchoCode = 2;
+
+  unsigned bytes = 1;    ///< of a code, 1 or 2
+  double offset = -33.0; ///< unit of the moment
+  double scale = 0.5;    ///< unit of the moment a code, above 0
+
+  /// The code for a volume's moment: REF −32…94.5 dBZ, VEL −63.5…63 m/s in 8 bits (in 16 when an
+  /// echo is faster, as radars with steps of 1 m/s have them), SW to 63 m/s, ZDR from −13 dB in 16
+  /// bits, PHI in 16 bits, RHO 0.2083…1.0517, CFP to 247 dB.
+  static MomentCode Of(const GriddedVolume& volume);
+
+  /// The code of an echo. What lies beyond the first or last code gets that: an echo stays an echo.
+  /// A value that is not a number counts as not scanned.
+  unsigned Encode(float value) const;
+  /// The state that a code stands for.
+  static VoxelState StateOf(unsigned code);
+  /// The value of an echo's code.
+  float ValueOf(unsigned code) const { return static_cast<float>(offset + scale * code); }
+
+  /// Codes of all voxels: a byte each, or the lower bytes of all and then the higher bytes of all.
+  /// Throws Error when the volume has not as many values and states as voxels.
+  std::vector<std::uint8_t> EncodeAll(const GriddedVolume& volume) const;
+  /// Sets values and states of a volume from what EncodeAll gives; voxels without echo get the
+  /// volume's fill.
+  void DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const;
+};
+
+} // namespace nexrad
