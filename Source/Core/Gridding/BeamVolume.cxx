@@ -215,7 +215,8 @@ BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth)
   prepared.synthetic = volume.synthetic;
   for (const PolarSweep& sweep : volume.sweeps)
   {
-    const bool usable = !sweep.rays.empty() && sweep.gates > 0 && sweep.gateSpacing > 0.0;
+    const bool usable =
+      !sweep.rays.empty() && sweep.gates > 0 && sweep.gateSpacing > 0.0 && ReachOf(sweep) > 0.0;
     if (usable && !IsDopplerHalf(sweep, volume))
     {
       prepared.sweeps.push_back(PrepareSweep(sweep, beamWidth));

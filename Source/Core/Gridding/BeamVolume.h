@@ -72,8 +72,8 @@ constexpr double SameTilt = 0.15;
 /// between rays wider than one and a half times `beamWidth` (degrees) or the sweep's own spacing,
 /// whichever is larger, is not interpolated across. Of a split cut the reflectivity of the
 /// surveillance cut is kept: a sweep of REF is left out when another cut of the volume at the same
-/// tilt reaches a tenth farther or more. Sweeps without rays or gates are left out, and so are rays
-/// at the azimuth of a later one.
+/// tilt reaches a tenth farther or more. Sweeps without rays or gates, or that end at or behind the
+/// antenna, are left out, and so are rays at the azimuth of a later one.
 BeamVolume PrepareBeamVolume(const PolarVolume& volume, double beamWidth = 0.95);
 
 } // namespace nexrad
