@@ -205,17 +205,19 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   volume.file = name;
   this->FinishSweep(nullptr);
   this->CheckRays();
+  volume.damage = damage.Take(piece.empty());
+  // After the others, so that it is there however many they are.
   if (volume.sweeps.empty())
   {
-    this->AddDamage(size, hasHeader ? "no ray can be read"
-                                    : "no ray can be read, and no volume header: is this a Level "
-                                      "II file?");
+    const char* what = hasHeader
+                         ? "no ray can be read"
+                         : "no ray can be read, and no volume header: is this a Level II file?";
+    volume.damage.push_back({size, piece + what});
   }
   else if (!volume.complete)
   {
-    this->AddDamage(size, "no end of volume: its last rays are missing");
+    volume.damage.push_back({size, piece + "no end of volume: its last rays are missing"});
   }
-  volume.damage = damage.Take(piece.empty());
   this->ChoosePattern();
   ResolveSite({headerName, rayName, name, position}, options, volume);
   this->NoteTimes();
