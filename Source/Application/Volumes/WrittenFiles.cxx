@@ -35,8 +35,9 @@ WrittenFiles& WrittenFiles::operator=(WrittenFiles&& other) noexcept
 fs::path WrittenFiles::PlaceFor(const fs::path& path)
 {
   std::error_code ignored;
-  return fs::exists(path, ignored) ? path.parent_path() / ("." + path.filename().string() + ".new")
-                                   : path;
+  return fs::is_regular_file(path, ignored)
+           ? path.parent_path() / ("." + path.filename().string() + ".new")
+           : path;
 }
 
 void WrittenFiles::Add(const fs::path& written, const fs::path& path)

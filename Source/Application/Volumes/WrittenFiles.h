@@ -20,7 +20,8 @@ public:
   WrittenFiles(const WrittenFiles&) = delete;
   WrittenFiles& operator=(const WrittenFiles&) = delete;
 
-  /// The path to write a file to that will be named `path`.
+  /// The path to write a file to that will be named `path`: beside a file that is there. (What else
+  /// may be there, as a folder, is for the writing to refuse.)
   static std::filesystem::path PlaceFor(const std::filesystem::path& path);
 
   /// The file is there, or will be, at the place for `path`.
