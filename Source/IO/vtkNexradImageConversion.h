@@ -46,6 +46,11 @@ struct GridSpecification;
 } // namespace nexrad
 
 /**
+ * Bytes that a voxel takes in the image of a volume without companions: value, state, ghost type.
+ */
+constexpr unsigned vtkNexradImageBytesPerVoxel = 6;
+
+/**
  * Sets extent, origin and spacing of the image, without arrays.
  */
 VTKNEXRADIO_EXPORT void vtkNexradGridToImage(

@@ -59,6 +59,7 @@ bool SameGrid(const nexrad::GridSpecification& a, const nexrad::GridSpecificatio
 nexrad::NxvReadOptions LeavingOut(vtkDataArraySelection* selection)
 {
   nexrad::NxvReadOptions options;
+  options.bytesBesides = vtkNexradImageBytesPerVoxel;
   for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
   {
     if (selection->GetArraySetting(i) == 0)

@@ -2,14 +2,18 @@
 // Files merged as they are decoded against the merge of files that were all scanned before.
 #include "Volumes/WriteVolumes.h"
 
+#include "Codec/Deflate.h"
 #include "Codec/NxvFile.h"
+#include "Codec/NxvHeader.h"
 #include "HandMadeVolume.h"
 #include "Model/Error.h"
 #include "TestData.h"
 #include "Volumes/ScannedSteps.h"
+#include "Volumes/VolumeSeries.h"
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 
 using namespace nexrad;
@@ -206,4 +210,80 @@ TEST_F(WritingVolumes, AStopLeavesNoIndex)
   const auto stop = [](double done) { return done < 0.5; };
   EXPECT_THROW(WriteVolumes(job, stop), Error);
   EXPECT_FALSE(fs::exists(job.folder / "volumes.nxv.series"));
+}
+
+// Before, the volumes of a run that failed took the place of older ones and were then removed.
+TEST_F(WritingVolumes, AFailureChangesNothingThatWasThere)
+{
+  job.options.end = start + 10min;
+  const auto before = this->Contents("kept");
+  ASSERT_EQ(before.size(), 4U);
+  const std::string index = FileContent(report.index);
+  job.options.method = "thesis";
+  job.options.maximumGap = 1s; // none of these steps is that near to a volume
+  job.options.begin = start + 3min;
+  job.options.end = start + 9min;
+  EXPECT_THROW(this->Contents("kept"), Error);
+  job.options.maximumGap = 15min;
+  const auto stop = [](double done) { return done < 0.5; };
+  EXPECT_THROW(WriteVolumes(job, stop), Error);
+  std::size_t kept = 0;
+  for (const auto& entry : fs::directory_iterator(job.folder))
+  {
+    const std::string name = entry.path().filename();
+    kept += before.count(name);
+    EXPECT_NE(name.front(), '.') << name;
+    if (before.count(name) > 0)
+    {
+      EXPECT_TRUE(FileContent(entry.path()) == before.at(name)) << name;
+    }
+  }
+  EXPECT_EQ(kept, before.size());
+  EXPECT_EQ(FileContent(report.index), index);
+}
+
+TEST_F(WritingVolumes, ARunThatSucceedsReplacesWhatWasThere)
+{
+  job.options.end = start + 10min;
+  const auto beam = this->Contents("replaced");
+  job.options.method = "thesis";
+  const auto expected = this->Contents("thesis");
+  EXPECT_FALSE(expected == beam);
+  EXPECT_TRUE(this->Contents("replaced") == expected);
+}
+
+// 681 million voxels in 500 bytes; the picture of them would take ten gigabytes.
+TEST(OpeningVolumes, AVolumeTooLargeToDrawIsRefused)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "cube.nxv";
+  NxvHeader header;
+  header.volume.grid.dimensions = {880, 880, 880};
+  header.volume.time = *ParseIso8601("2006-03-12T18:00:00Z");
+  header.volume.method = "beam";
+  NxvArray array;
+  array.name = "REF";
+  array.unit = "dBZ";
+  array.length = 5;
+  const std::string run("\0\0\xA8\x9E\x28", 5); // 681 472 000 times the code 0
+  array.crc32 = Crc32(reinterpret_cast<const std::uint8_t*>(run.data()), run.size());
+  header.arrays = {array};
+  const std::string text = FormatNxvHeader(header);
+  std::string start = "NXV1....";
+  for (unsigned byte = 0; byte < 4; ++byte)
+  {
+    start[4 + byte] = static_cast<char>(text.size() >> (8 * byte) & 0xFF);
+  }
+  std::ofstream(path, std::ios::binary) << start << text << run;
+  const auto series = OpenVolumeFiles({path});
+  try
+  {
+    series->Load(0, {});
+    FAIL();
+  }
+  catch (const Error& problem)
+  {
+    EXPECT_NE(std::string(problem.what()).find("681472000 voxels of 16 bytes"), std::string::npos)
+      << problem.what();
+  }
 }

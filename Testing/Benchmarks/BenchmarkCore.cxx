@@ -111,7 +111,8 @@ void UnpackRecords(benchmark::State& state)
 {
   const Bytes& file = FileIn(Level2Container::LdmBzip2);
   std::vector<Damage> damage;
-  const auto records = FindLdmRecords({file.data(), file.size()}, VolumeHeader::bytes, damage);
+  const auto records =
+    FindLdmRecords({file.data(), file.size()}, VolumeHeader::bytes, KeepIn(damage));
   for (auto _ : state)
   {
     BunzipInParallel(records, std::size_t(64) << 20,

@@ -120,7 +120,7 @@ void BareDecompression::FindRecords()
     return;
   }
   std::vector<Damage> damage;
-  for (const LdmRecord& record : FindLdmRecords(plain, start, damage))
+  for (const LdmRecord& record : FindLdmRecords(plain, start, KeepIn(damage)))
   {
     const Bunzipped content = Bzip2Reader().Run(record.compressed, largestFile);
     if (!content.problem.empty())

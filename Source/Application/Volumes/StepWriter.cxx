@@ -53,20 +53,21 @@ GriddedVolume StepWriter::TakeLast()
     return {};
   }
   GriddedVolume last = writing.get();
-  files.push_back(folder / VolumeFileName(last.time, format));
-  bytes += fs::file_size(files.back());
+  bytes += fs::file_size(place);
   return last;
 }
 
 GriddedVolume StepWriter::Write(GriddedVolume volume)
 {
   GriddedVolume last = this->TakeLast();
-  if (files.empty())
+  if (files.IsEmpty())
   {
     MakeFolder(folder); // not earlier: a failure so far leaves nothing behind
   }
-  const auto write = [path = folder / VolumeFileName(volume.time, format), as = format,
-                       options = nxv](GriddedVolume&& one)
+  const fs::path path = folder / VolumeFileName(volume.time, format);
+  place = WrittenFiles::PlaceFor(path);
+  files.Add(place, path); // now, so that it is not forgotten when the next step fails
+  const auto write = [path = place, as = format, options = nxv](GriddedVolume&& one)
   {
     as == VolumeFormat::Nxv ? WriteNxv(path, one, options) : WriteVti(path, one);
     return std::move(one);

@@ -3,11 +3,11 @@
 
 #include "Codec/NxvFile.h"
 #include "Gridding/GriddedVolume.h"
+#include "WrittenFiles.h"
 
 #include <cstdint>
 #include <filesystem>
 #include <future>
-#include <vector>
 
 namespace nexrad::application
 {
@@ -22,7 +22,8 @@ enum class VolumeFormat
 /// "20060312T180500Z.nxv".
 std::filesystem::path VolumeFileName(Time time, VolumeFormat format);
 
-/// Writes volumes into a folder, each on a thread of its own while the next one is being made.
+/// Writes volumes into a folder, each on a thread of its own while the next one is being made. A
+/// volume that was there before is not touched: see WrittenFiles.
 class StepWriter
 {
 public:
@@ -39,8 +40,8 @@ public:
   /// Waits for the last one. Throws Error when it could not be written.
   void Finish();
 
-  /// Those that are there, whole.
-  const std::vector<std::filesystem::path>& Files() const { return files; }
+  /// Hands over the files; after Finish.
+  WrittenFiles TakeFiles() { return std::move(files); }
   std::uintmax_t Bytes() const { return bytes; }
 
 private:
@@ -49,8 +50,9 @@ private:
   const std::filesystem::path folder;
   const VolumeFormat format;
   const NxvWriteOptions nxv;
+  WrittenFiles files;
+  std::filesystem::path place;        // of the volume that is being written
   std::future<GriddedVolume> writing; // the volume comes back
-  std::vector<std::filesystem::path> files;
   std::uintmax_t bytes = 0;
 };
 

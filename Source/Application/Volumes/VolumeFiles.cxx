@@ -74,6 +74,10 @@ Time TimeOf(const fs::path& path)
   return FromSeconds(*seconds);
 }
 
+// What drawing an image makes of a voxel: the words of its texture, before and behind their way to
+// the graphics memory.
+constexpr std::size_t pictureBytesPerVoxel = 4;
+
 using TimedFiles = std::vector<std::pair<Time, fs::path>>;
 
 void AddIndex(TimedFiles& files, const fs::path& index)
@@ -125,7 +129,9 @@ public:
     {
       return ReadVti(path);
     }
-    read = ReadNxv(path, {}, std::move(read));
+    NxvReadOptions options;
+    options.bytesBesides = vtkNexradImageBytesPerVoxel + pictureBytesPerVoxel;
+    read = ReadNxv(path, options, std::move(read));
     auto image = vtkSmartPointer<vtkImageData>::New();
     vtkNexradVolumeToImage(read, image);
     return image;

@@ -10,6 +10,7 @@
 #include "Temporal/SharedScan.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -18,19 +19,10 @@ namespace nexrad::application
 namespace
 {
 
-void RemoveFiles(const std::vector<fs::path>& files)
-{
-  for (const fs::path& file : files)
-  {
-    std::error_code ignored;
-    fs::remove(file, ignored);
-  }
-}
-
 // What one process makes, or all of them together.
 struct Block
 {
-  std::vector<fs::path> files;
+  WrittenFiles files;
   std::uintmax_t bytes = 0;
   bool anySite = false; ///< some radar took part in a volume
 };
@@ -57,16 +49,15 @@ Block WriteBlock(const GridJob& job, const std::vector<Time>& times, const Merge
     memory = writer.Write(std::move(*volume));
   }
   writer.Finish();
-  block.files = writer.Files();
   block.bytes = writer.Bytes();
+  block.files = writer.TakeFiles();
   return block;
 }
 
-// The blocks of all processes as one; the files are those of this process.
+// The blocks of all processes as one, without the files.
 Block AddUp(const Block& mine, const Processes& processes)
 {
   Block all;
-  all.files = mine.files;
   const std::string own = (mine.anySite ? "1" : "0") + std::to_string(mine.bytes);
   for (const std::string& text : processes.Exchange(own))
   {
@@ -89,13 +80,13 @@ void WriteIndex(
 }
 
 // The rest, once all volumes are there.
-GridReport Conclude(const GridJob& job, const std::vector<Time>& times, const Block& mine,
+GridReport Conclude(const GridJob& job, const std::vector<Time>& times, Block& mine,
   const std::vector<InputProblem>& problems, const Processes& processes)
 {
   const Block block = AddUp(mine, processes);
   if (!block.anySite)
   {
-    RemoveFiles(block.files);
+    mine.files.Remove();
     throw Error("no radar has a volume within --max-gap of any time asked for, from " +
                 FormatIso8601(times.front()) + " to " + FormatIso8601(times.back()));
   }
@@ -109,6 +100,7 @@ GridReport Conclude(const GridJob& job, const std::vector<Time>& times, const Bl
     job.folder / (job.format == VolumeFormat::Nxv ? "volumes.nxv.series" : "volumes.vti.series");
   std::transform(problems.begin(), problems.end(), std::back_inserter(report.problems),
     [](const InputProblem& problem) { return problem.Line(); });
+  processes.Together([&] { mine.files.Keep(); });
   processes.Together(
     [&]
     {
@@ -208,7 +200,7 @@ std::optional<GridReport> WriteStreamed(
   const SeriesScan scan = GatherScans(inputs, *steps, processes);
   if (!InAll(steps->IsAsIn(scan), processes))
   {
-    RemoveFiles(block.files);
+    block.files.Remove();
     return std::nullopt;
   }
   return Conclude(job, steps->Times(), block, scan.problems, processes);

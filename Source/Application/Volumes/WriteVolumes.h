@@ -35,7 +35,9 @@ struct GridReport
 
 /// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an
 /// index of them, volumes.nxv.series (or .vti, volumes.vti.series), in the form that ParaView uses
-/// for series. Each file appears whole or not at all; the index comes last. Files are decoded and
+/// for series. Each file appears whole or not at all; the index comes last. Volumes and index that
+/// were there before are replaced only when all new ones are there, so that a run which fails
+/// changes none of them. Files are decoded and
 /// volumes written while others are merged, in memory that does not grow with the number of steps;
 /// files that no step needs are not decoded. Several processes make a part of the times each, with
 /// the same files as one alone; the first writes the index when all are done, and all get the same

@@ -48,8 +48,10 @@ void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
 
 struct NxvReadOptions
 {
-  std::size_t maximumBytes = std::size_t(4) << 30; ///< what the voxels may take in memory
-  std::vector<std::string> leaveOut = {};          ///< names of companion arrays not to read
+  std::size_t maximumBytes = std::size_t(4) << 30; ///< what the voxels may take in memory, with
+                                                   ///< what the caller makes of them
+  std::size_t bytesBesides = 0; ///< that the caller makes of each voxel, as of an image or picture
+  std::vector<std::string> leaveOut = {}; ///< names of companion arrays not to read
 };
 
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,

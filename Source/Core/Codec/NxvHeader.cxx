@@ -2,6 +2,7 @@
 #include "Codec/NxvHeader.h"
 
 #include "Codec/Deflate.h"
+#include "Codec/JsonText.h"
 #include "Geometry/Angles.h"
 #include "Model/Error.h"
 
@@ -54,7 +55,7 @@ auto ValueOf(const Names& names, const std::string& key, const Json& name)
       return entry.first;
     }
   }
-  throw Error("header: " + key + " " + name.dump() + " is not known");
+  throw Error("header: " + key + " " + Excerpt(name.dump()) + " is not known");
 }
 
 std::uint32_t Checksum(std::string_view text)
@@ -87,7 +88,7 @@ double ModestNumber(const Json& value, const std::string& key)
   const double number = value.get<double>();
   if (!(std::abs(number) <= limit))
   {
-    throw Error("header: " + key + " " + value.dump() + " is out of range");
+    throw Error("header: " + key + " " + Excerpt(value.dump()) + " is out of range");
   }
   return number;
 }
@@ -177,7 +178,7 @@ GridSpecification ParseGrid(const Json& json)
     voxels *= static_cast<double>(size);
     if (size < 1 || voxels > std::numeric_limits<int>::max())
     {
-      throw Error("header: dimensions " + json.at("dimensions").dump() +
+      throw Error("header: dimensions " + Excerpt(json.at("dimensions").dump()) +
                   ": each must be 1 or more, and their product below 2^31");
     }
     grid.dimensions[axis] = static_cast<int>(size);
@@ -185,7 +186,7 @@ GridSpecification ParseGrid(const Json& json)
     grid.spacing[axis] = FiniteNumber(json.at("spacing")[axis], "spacing");
     if (grid.spacing[axis] <= 0.0)
     {
-      throw Error("header: spacing " + json.at("spacing").dump() + ": must be above 0");
+      throw Error("header: spacing " + Excerpt(json.at("spacing").dump()) + ": must be above 0");
     }
   }
   ParseProjection(json.at("projection").get<std::string>(), grid);
@@ -271,6 +272,7 @@ std::string FormatNxvHeader(const NxvHeader& header)
 NxvHeader ParseNxvHeader(const std::string& text)
 {
   VerifyChecksum(text);
+  RequireShallowJson(text);
   try
   {
     return ParseJson(Json::parse(text));

@@ -183,14 +183,16 @@ void CheckChecksums(InputFile& file, const OpenedFile& opened)
   }
 }
 
-void CheckMemory(const GridSpecification& grid, std::size_t furtherBytes, std::size_t maximumBytes)
+// `bytesBesides`: of each voxel, for its further arrays and for the caller.
+void CheckMemory(const GridSpecification& grid, std::size_t bytesBesides, std::size_t maximumBytes)
 {
-  // A value, a state, and a byte of the code while it is decoded.
-  const std::size_t bytesPerVoxel = sizeof(float) + sizeof(VoxelState) + 1 + furtherBytes;
+  // A value, a state, and a code while it is decoded.
+  const std::size_t bytesPerVoxel = sizeof(float) + sizeof(VoxelState) + 1 + bytesBesides;
   if (grid.VoxelCount() > maximumBytes / bytesPerVoxel)
   {
-    throw Error(std::to_string(grid.VoxelCount()) + " voxels need more memory than the " +
-                std::to_string(maximumBytes) + " bytes allowed");
+    throw Error(std::to_string(grid.VoxelCount()) + " voxels of " + std::to_string(bytesPerVoxel) +
+                " bytes need more memory than the " + std::to_string(maximumBytes) +
+                " bytes allowed");
   }
 }
 
@@ -411,8 +413,8 @@ GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options, Gridd
     {
       InputFile file(path);
       OpenedFile opened = Open(file);
-      CheckMemory(
-        opened.header.volume.grid, FurtherBytes(opened.header, options), options.maximumBytes);
+      CheckMemory(opened.header.volume.grid,
+        FurtherBytes(opened.header, options) + options.bytesBesides, options.maximumBytes);
       CheckChecksums(file, opened);
       return ReadVoxels(file, opened, options, memory);
     });

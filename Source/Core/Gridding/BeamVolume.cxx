@@ -242,6 +242,12 @@ void LeaveOutSeenTwice(const PolarSweep& sweep, const PolarSweep& surveillance, 
   rays.erase(std::remove_if(rays.begin(), rays.end(), seen), rays.end());
 }
 
+// Slant range at which the last gate ends, m.
+double ReachOf(const PolarSweep& sweep)
+{
+  return sweep.firstGate + (static_cast<double>(sweep.gates) - 0.5) * sweep.gateSpacing;
+}
+
 } // namespace
 
 std::size_t BeamVolume::MemoryBytes() const
@@ -271,7 +277,8 @@ BeamVolume PrepareBeamVolume(
   for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
   {
     const PolarSweep& sweep = volume.sweeps[i];
-    if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0))
+    if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0) ||
+        !(ReachOf(sweep) > 0.0))
     {
       continue;
     }

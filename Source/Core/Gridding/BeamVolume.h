@@ -74,7 +74,7 @@ struct BeamVolume
 /// between rays wider than one and a half times `beamWidth` (degrees; unless said, the radar's own,
 /// BeamWidthOf) or the sweep's own spacing, whichever is larger, is not interpolated across.
 ///
-/// Left out are sweeps without rays or gates, rays that stray from their cut (Formulas Q7), rays at
+/// Left out are sweeps without rays or gates or that end at or behind the antenna, rays that stray from their cut (Formulas Q7), rays at
 /// the azimuth of a later one, and of REF the Doppler half of a split cut in the directions in
 /// which its surveillance half has rays. The Doppler half is a contiguous Doppler cut after a
 /// surveillance or batch cut at the same tilt, with nothing but other cuts at that tilt between

@@ -13,12 +13,18 @@ namespace nexrad
 namespace
 {
 
+// None for a sweep that ends at or behind the antenna; else at least one, also straight up.
 int RingsOf(const BeamSweep& sweep)
 {
-  const double reach = std::max(0.0, static_cast<double>(sweep.Reach()));
+  const auto reach = static_cast<double>(sweep.Reach());
+  if (!(reach > 0.0))
+  {
+    return 0;
+  }
   const BeamModel beam;
   const double ground = beam.Locate(reach, static_cast<double>(sweep.elevation)).groundDistance;
-  return static_cast<int>(std::ceil(ground / static_cast<double>(VolumeComposite::RingWidth)));
+  return std::max(
+    1, static_cast<int>(std::ceil(ground / static_cast<double>(VolumeComposite::RingWidth))));
 }
 
 // Slant range, m, at which a sweep stands over a ground distance. In the standard atmosphere: the
@@ -157,7 +163,10 @@ VolumeComposite MakeComposite(const std::vector<BeamSweep>& sweeps)
   composite.values.assign(size, 0.0F);
   for (const BeamSweep& sweep : sweeps)
   {
-    SweepAdder(sweep, composite).AddAll();
+    if (RingsOf(sweep) > 0)
+    {
+      SweepAdder(sweep, composite).AddAll();
+    }
   }
   if (composite.echo > 0.0)
   {

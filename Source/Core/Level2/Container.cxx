@@ -132,10 +132,11 @@ private:
 Unpacked UnpackBzip2(ByteView stored, std::size_t maximumBytes)
 {
   Unpacked result;
+  Bzip2Reader reader; // one for all: a file may hold a stream every fourteen bytes
   std::size_t position = 0;
   while (result.problem.empty() && stored.StartsWith("BZh", position))
   {
-    Bunzipped part = Bzip2Reader().Run(stored.Sub(position), maximumBytes - result.bytes.size());
+    Bunzipped part = reader.Run(stored.Sub(position), maximumBytes - result.bytes.size());
     result.offsets.Append(part.offsets, result.bytes.size(), position);
     position += part.used;
     result.problem = part.problem;

@@ -312,8 +312,8 @@ private:
 };
 
 // The last column of a block and how often each byte occurs in it. Returns its size.
-std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::vector<std::uint8_t>& column,
-  std::array<std::uint32_t, 256>& counts)
+std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::size_t largest,
+  std::vector<std::uint8_t>& column, std::array<std::uint32_t, 256>& counts)
 {
   const unsigned endOfBlock = codes.byteCount + 1;
   std::array<std::uint8_t, 256> recent = codes.bytes;
@@ -323,7 +323,7 @@ std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::vector<std
   const auto endRun = [&]
   {
     const std::size_t length = run.Take();
-    if (length > column.size() - size)
+    if (length > largest - size)
     {
       Refuse();
     }
@@ -350,7 +350,7 @@ std::size_t ReadColumn(BitReader& bits, const BlockCodes& codes, std::vector<std
       {
         return size;
       }
-      if (size == column.size() || bits.Overrun())
+      if (size == largest || bits.Overrun())
       {
         Refuse();
       }
@@ -450,6 +450,7 @@ constexpr std::uint64_t endMark = 0x177245385090;
 struct FastBunzip::Memory
 {
   BlockCodes codes;
+  std::size_t largestBlock = 0;     // of the stream in hand; the memory may have room for more
   std::vector<std::uint8_t> column; // last column of the sorted rotations of a block
   std::vector<std::uint32_t> links; // of the first column: place of the next byte << 8, own byte
   std::vector<std::uint8_t> text;   // of a block, in which runs are still counted
@@ -462,9 +463,13 @@ struct FastBunzip::Memory
 
 void FastBunzip::Memory::Begin(std::size_t blockBytes)
 {
-  column.resize(blockBytes);
-  links.resize(blockBytes);
-  text.resize(blockBytes);
+  largestBlock = blockBytes;
+  if (column.size() < blockBytes)
+  {
+    column.resize(blockBytes);
+    links.resize(blockBytes);
+    text.resize(blockBytes);
+  }
   output.clear();
   offsets = OffsetMap();
   offsets.Add(0, 0);
@@ -483,7 +488,7 @@ void FastBunzip::Memory::ReadBlock(
   }
   ReadCodes(bits, codes);
   std::array<std::uint32_t, 256> counts;
-  const std::size_t size = ReadColumn(bits, codes, column, counts);
+  const std::size_t size = ReadColumn(bits, codes, largestBlock, column, counts);
   if (origin >= size || bits.Overrun())
   {
     Refuse();

@@ -58,14 +58,11 @@ void FileDecoder::Decode(std::vector<std::uint8_t> stored)
   }
   this->Spend(plain.Size());
   const std::size_t before = assembler.RayCount();
-  MessageStream stream(plain.Sub(start));
+  MessageStream stream(plain.Sub(start), [&](std::size_t offset, const std::string& what)
+    { assembler.AddDamage(file.offsets.ToStored(start + offset), what); });
   while (const auto message = stream.Next())
   {
     this->DecodeMessage(*message, file.offsets.ToStored(start + message->offset));
-  }
-  for (const StreamProblem& problem : stream.Problems())
-  {
-    assembler.AddDamage(file.offsets.ToStored(start + problem.offset), problem.what);
   }
   if (assembler.RayCount() > before)
   {
@@ -75,12 +72,9 @@ void FileDecoder::Decode(std::vector<std::uint8_t> stored)
 
 void FileDecoder::DecodeRecords(ByteView plain, std::size_t start, const OffsetMap& offsets)
 {
-  std::vector<Damage> damage;
-  const std::vector<LdmRecord> records = FindLdmRecords(plain, start, damage);
-  for (const Damage& entry : damage)
-  {
-    assembler.AddDamage(offsets.ToStored(entry.offset), entry.what);
-  }
+  const std::vector<LdmRecord> records = FindLdmRecords(plain, start,
+    [&](std::size_t offset, const std::string& what)
+    { assembler.AddDamage(offsets.ToStored(offset), what); });
   const auto receive = [&](std::size_t index, Bunzipped&& content)
   {
     const std::uint64_t offset = offsets.ToStored(records[index].offset);
@@ -104,15 +98,15 @@ void FileDecoder::DecodeRecord(Bunzipped&& content, std::uint64_t storedOffset)
   }
   const auto buffer = std::make_shared<const std::vector<std::uint8_t>>(std::move(content.bytes));
   const std::size_t before = assembler.RayCount();
-  MessageStream stream(ByteView(buffer->data(), buffer->size()));
+  MessageStream stream(ByteView(buffer->data(), buffer->size()),
+    [&](std::size_t offset, const std::string& what)
+    {
+      assembler.AddDamage(
+        storedOffset, "compressed record, its byte " + std::to_string(offset) + ": " + what);
+    });
   while (const auto message = stream.Next())
   {
     this->DecodeMessage(*message, storedOffset);
-  }
-  for (const StreamProblem& problem : stream.Problems())
-  {
-    assembler.AddDamage(storedOffset,
-      "compressed record, its byte " + std::to_string(problem.offset) + ": " + problem.what);
   }
   if (assembler.RayCount() > before)
   {

@@ -18,17 +18,82 @@ constexpr std::size_t lengthBytes = 4;
 constexpr std::size_t signatureBytes = 10;
 constexpr std::string_view blockMagic = "1AY&SY";
 
-bool IsPadding(ByteView rest)
+// The bytes without the zeros at their end.
+std::size_t SizeWithoutPadding(ByteView bytes)
 {
-  return std::all_of(rest.Data(), rest.Data() + rest.Size(), [](auto byte) { return byte == 0; });
+  std::size_t size = bytes.Size();
+  while (size > 0 && bytes.Data()[size - 1] == 0)
+  {
+    --size;
+  }
+  return size;
 }
 
-// True when a stream of that length is followed by a record, by nothing, or by padding.
-bool IsRecordEnd(ByteView bytes, std::size_t stream, std::size_t length)
+// Walks over records once; each step costs no more than the bytes that it passes.
+class RecordFinder
 {
-  return length > 0 && bytes.Has(stream, length) &&
-         (IsLdmRecord(bytes, stream + length) || IsPadding(bytes.Sub(stream + length)));
-}
+public:
+  RecordFinder(ByteView allBytes, const DamageReceiver& receiver)
+    : bytes(allBytes)
+    , used(SizeWithoutPadding(allBytes))
+    , report(receiver)
+  {
+  }
+
+  std::vector<LdmRecord> FindFrom(std::size_t position)
+  {
+    std::vector<LdmRecord> records;
+    while (position < used)
+    {
+      if (!IsLdmRecord(bytes, position))
+      {
+        const std::size_t next = FindLdmRecord(bytes, position + 1);
+        report(position, std::to_string(next - position) + " bytes that are no compressed record");
+        position = next;
+        continue;
+      }
+      if (records.size() == MostLdmRecords)
+      {
+        report(position,
+          "more than " + std::to_string(MostLdmRecords) + " compressed records; the rest is left");
+        break;
+      }
+      const std::size_t stream = position + lengthBytes;
+      const std::size_t length = this->LengthAt(position);
+      records.push_back({position, bytes.Sub(stream, length)});
+      position = stream + length;
+    }
+    return records;
+  }
+
+private:
+  // Bytes of the stream of the record at `position`.
+  std::size_t LengthAt(std::size_t position) const
+  {
+    const std::int64_t stated = std::abs(std::int64_t(bytes.I32(position)));
+    const std::size_t stream = position + lengthBytes;
+    if (this->IsRecordEnd(stream, static_cast<std::size_t>(stated)))
+    {
+      return static_cast<std::size_t>(stated);
+    }
+    // The stream knows its own end; all bytes up to the next record may belong to it.
+    const std::size_t length = FindLdmRecord(bytes, stream) - stream;
+    report(position, "the record says that it is " + std::to_string(stated) + " bytes long, but " +
+                       std::to_string(length) + " bytes are there");
+    return length;
+  }
+
+  // True when a stream of that length is followed by a record, by nothing, or by padding.
+  bool IsRecordEnd(std::size_t stream, std::size_t length) const
+  {
+    return length > 0 && bytes.Has(stream, length) &&
+           (IsLdmRecord(bytes, stream + length) || stream + length >= used);
+  }
+
+  ByteView bytes;
+  std::size_t used; // bytes before the padding at the end
+  const DamageReceiver& report;
+};
 
 } // namespace
 
@@ -63,35 +128,9 @@ std::size_t FindLdmRecord(ByteView bytes, std::size_t from)
 }
 
 std::vector<LdmRecord> FindLdmRecords(
-  ByteView bytes, std::size_t start, std::vector<Damage>& damage)
+  ByteView bytes, std::size_t start, const DamageReceiver& report)
 {
-  std::vector<LdmRecord> records;
-  std::size_t position = start;
-  while (position < bytes.Size() && !IsPadding(bytes.Sub(position)))
-  {
-    if (!IsLdmRecord(bytes, position))
-    {
-      const std::size_t next = FindLdmRecord(bytes, position + 1);
-      damage.push_back(
-        {position, std::to_string(next - position) + " bytes that are no compressed record"});
-      position = next;
-      continue;
-    }
-    const std::int64_t stated = std::abs(std::int64_t(bytes.I32(position)));
-    const std::size_t stream = position + lengthBytes;
-    auto length = static_cast<std::size_t>(stated);
-    if (!IsRecordEnd(bytes, stream, length))
-    {
-      // The stream knows its own end; all bytes up to the next record may belong to it.
-      length = FindLdmRecord(bytes, stream) - stream;
-      damage.push_back(
-        {position, "the record says that it is " + std::to_string(stated) + " bytes long, but " +
-                     std::to_string(length) + " bytes are there"});
-    }
-    records.push_back({position, bytes.Sub(stream, length)});
-    position = stream + length;
-  }
-  return records;
+  return RecordFinder(bytes, report).FindFrom(start);
 }
 
 } // namespace nexrad

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Level2/BigEndian.h"
-#include "Model/RadarVolume.h"
+#include "Level2/DamageList.h"
 
 #include <cstddef>
 #include <vector>
@@ -25,8 +25,13 @@ std::size_t FindLdmRecord(ByteView bytes, std::size_t from);
 
 /// The records from `start` on. The length of a record is the magnitude of a signed number (the
 /// last record's is negative). Where a length cannot be right, or bytes are no record, the search
-/// goes on at the next bzip2 stream, and the damage is added with its offset in `bytes`.
+/// goes on at the next bzip2 stream, and `report` takes the damage with its offset in `bytes`. At
+/// most MostLdmRecords; what is behind them is damage.
 std::vector<LdmRecord> FindLdmRecords(
-  ByteView bytes, std::size_t start, std::vector<Damage>& damage);
+  ByteView bytes, std::size_t start, const DamageReceiver& report);
+
+/// A thousand times as many as volumes have. Without a limit a small compressed file of empty
+/// records takes minutes.
+constexpr std::size_t MostLdmRecords = 100'000;
 
 } // namespace nexrad

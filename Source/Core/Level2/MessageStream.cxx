@@ -4,6 +4,7 @@
 #include "Level2/VolumeHeader.h"
 
 #include <algorithm>
+#include <string>
 
 namespace nexrad
 {
@@ -146,7 +147,7 @@ std::optional<Message> MessageStream::Next()
     }
     if (IsVolumeHeader(stream, position))
     {
-      problems.push_back({position, "another volume header in the middle of the volume"});
+      report(position, "another volume header in the middle of the volume");
       position += VolumeHeader::bytes;
       searchFrom = position;
     }
@@ -182,11 +183,11 @@ void MessageStream::SkipToNextMessage()
   const std::size_t next = FindMessage(stream, searchFrom);
   if (next < position)
   {
-    problems.push_back({next, "bytes are missing: the message before this one is cut short"});
+    report(next, "bytes are missing: the message before this one is cut short");
   }
   else if (!IsZero(stream.Sub(position, next - position)))
   {
-    problems.push_back({position, std::to_string(next - position) + " bytes that are no message"});
+    report(position, std::to_string(next - position) + " bytes that are no message");
   }
   position = next;
   searchFrom = next;

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "Level2/BigEndian.h"
+#include "Level2/DamageList.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <string>
-#include <vector>
+#include <utility>
 
 namespace nexrad
 {
@@ -21,28 +21,21 @@ struct Message
   bool cut = false;       ///< the stream ends before the message does
 };
 
-/// Something in a stream that is no message.
-struct StreamProblem
-{
-  std::size_t offset = 0; ///< in the stream
-  std::string what;
-};
-
 /// Cuts a stream into messages. Each stands behind twelve bytes of the old communication header, in
 /// frames of 2432 bytes; messages 29 and 31 are as long as they say. Bytes that are no message are
-/// passed over up to the next place where a message can begin, and remembered as a problem.
+/// passed over up to the next place where a message can begin, and reported with their offset in
+/// the stream.
 class MessageStream
 {
 public:
-  explicit MessageStream(ByteView bytes)
+  MessageStream(ByteView bytes, DamageReceiver receiver)
     : stream(bytes)
+    , report(std::move(receiver))
   {
   }
 
   /// The next message; empty at the end.
   std::optional<Message> Next();
-
-  const std::vector<StreamProblem>& Problems() const { return problems; }
 
   /// True when a message header that makes sense stands at the offset.
   static bool IsMessage(ByteView bytes, std::size_t offset);
@@ -54,7 +47,7 @@ private:
   ByteView stream;
   std::size_t position = 0;
   std::size_t searchFrom = 0; ///< a message whose frame is cut short may be followed from here
-  std::vector<StreamProblem> problems;
+  DamageReceiver report;
 };
 
 } // namespace nexrad

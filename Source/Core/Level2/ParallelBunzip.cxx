@@ -2,6 +2,7 @@
 #include "Level2/ParallelBunzip.h"
 
 #include <algorithm>
+#include <array>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
@@ -24,7 +25,6 @@ public:
   RecordQueue(const std::vector<LdmRecord>& all, std::size_t maximumBytes)
     : records(all)
     , maximumRecordBytes(maximumBytes)
-    , contents(all.size())
   {
   }
   ~RecordQueue() { this->Stop(); }
@@ -43,7 +43,7 @@ public:
   Bunzipped Take()
   {
     std::unique_lock<std::mutex> lock(mutex);
-    while (!contents[received] && !failure)
+    while (!this->Place(received) && !failure)
     {
       if (this->MayBegin())
       {
@@ -58,13 +58,16 @@ public:
     {
       std::rethrow_exception(failure);
     }
-    Bunzipped content = std::move(*contents[received]);
-    contents[received++].reset();
+    std::optional<Bunzipped>& place = this->Place(received++);
+    Bunzipped content = std::move(*place);
+    place.reset();
     changed.notify_all();
     return content;
   }
 
 private:
+  // No more than those ahead are in memory, so their places are used in turn.
+  std::optional<Bunzipped>& Place(std::size_t index) { return contents[index % recordsAhead]; }
   bool MayBegin() const { return next < std::min(records.size(), received + recordsAhead); }
 
   // Decompresses the next record without the lock.
@@ -74,7 +77,7 @@ private:
     lock.unlock();
     Bunzipped content = reader.Run(records[index].compressed, maximumRecordBytes);
     lock.lock();
-    contents[index] = std::move(content);
+    this->Place(index) = std::move(content);
     changed.notify_all();
   }
   void Help()
@@ -124,7 +127,7 @@ private:
 
   std::mutex mutex; // guards all that follows but the threads
   std::condition_variable changed;
-  std::vector<std::optional<Bunzipped>> contents;
+  std::array<std::optional<Bunzipped>, recordsAhead> contents;
   std::size_t next = 0;     // to be decompressed
   std::size_t received = 0; // all before have been handed over
   bool stopped = false;

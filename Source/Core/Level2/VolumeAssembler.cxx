@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Level2/VolumeAssembler.h"
 
+#include "Level2/MomentChecks.h"
+#include "Level2/RayTimes.h"
 #include "Level2/SiteResolution.h"
 #include "Model/Elevation.h"
 #include "Model/MomentLimits.h"
@@ -22,6 +24,8 @@ namespace
 // Twenty times as many as any volume has. Without a limit a few compressed megabytes of empty rays
 // would fill the memory.
 constexpr std::size_t mostRays = 300'000;
+// Thirty times as many as any file has. Each may be a cycle of its own, and so a volume.
+constexpr std::size_t mostSweeps = 2'000;
 constexpr double longestTurn = 400.0; // degrees in one sweep
 constexpr std::uint8_t startOfCut = 0;
 constexpr std::uint8_t startOfVolume = 3;
@@ -51,6 +55,12 @@ bool HasData(const Ray& ray)
 VolumeAssembler::VolumeAssembler(Level2Options readOptions)
   : options(std::move(readOptions))
 {
+}
+
+void VolumeAssembler::BeginPiece(const std::string& name)
+{
+  piece = name + ": ";
+  pieces.push_back(piece);
 }
 
 void VolumeAssembler::AddHeader(const VolumeHeader& header)
@@ -91,8 +101,15 @@ void VolumeAssembler::AddRay(DecodedRay&& decoded, int messageType, std::uint64_
   }
   if (this->BeginsSweep(decoded.ray))
   {
+    if (volume.sweeps.size() == mostSweeps)
+    {
+      this->AddDamage(
+        offset, "more than " + std::to_string(mostSweeps) + " sweeps; the rest is left");
+      return;
+    }
     this->FinishSweep(&decoded.ray);
     volume.sweeps.emplace_back();
+    places.emplace_back();
     volume.sweeps.back().elevationNumber = decoded.ray.elevationNumber;
     watch.Begin();
   }
@@ -109,6 +126,7 @@ void VolumeAssembler::AddRay(DecodedRay&& decoded, int messageType, std::uint64_
   position = position ? position : decoded.position;
   volume.messageType = std::max(volume.messageType.value_or(0), messageType);
   volume.sweeps.back().rays.push_back(decoded.ray);
+  places.back().push_back({offset, pieces.size() - 1});
   ++rayCount;
 }
 
@@ -152,6 +170,19 @@ void VolumeAssembler::FinishSweep(const Ray* next)
 void VolumeAssembler::AddDamage(std::uint64_t offset, const std::string& what)
 {
   damage.Add(offset, piece + what);
+}
+
+// What shows only beside the other rays.
+void VolumeAssembler::CheckRays()
+{
+  const auto report = [this](std::size_t sweep, std::size_t ray, const std::string& what)
+  {
+    const RayPlace& place = places[sweep][ray];
+    damage.Add(place.offset, pieces[place.piece] + what);
+  };
+  RemoveStrayCodings(volume, report);
+  CutWideRows(volume, report);
+  MendRayTimes(volume, report);
 }
 
 void VolumeAssembler::NoteTimes()
@@ -210,17 +241,20 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
 {
   volume.file = name;
   this->FinishSweep(nullptr);
+  this->CheckRays();
+  volume.damage = damage.Take(piece.empty());
+  // After the others, so that it is there however many they are.
   if (volume.sweeps.empty())
   {
-    this->AddDamage(size, hasHeader ? "no ray can be read"
-                                    : "no ray can be read, and no volume header: is this a Level "
-                                      "II file?");
+    const char* what = hasHeader
+                         ? "no ray can be read"
+                         : "no ray can be read, and no volume header: is this a Level II file?";
+    volume.damage.push_back({size, piece + what});
   }
   else if (!volume.complete)
   {
-    this->AddDamage(size, "no end of volume: its last rays are missing");
+    volume.damage.push_back({size, piece + "no end of volume: its last rays are missing"});
   }
-  volume.damage = damage.Take(piece.empty());
   this->ChoosePattern();
   ResolveSite({headerName, rayName, name, position}, options, volume);
   ResolveWaveforms(volume);

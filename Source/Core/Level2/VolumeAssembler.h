@@ -26,7 +26,7 @@ public:
   explicit VolumeAssembler(Level2Options readOptions);
 
   /// Damage is named with this in front from here on: the file's name in a folder of chunks.
-  void BeginPiece(const std::string& name) { piece = name + ": "; }
+  void BeginPiece(const std::string& name);
   void AddHeader(const VolumeHeader& header);
   /// `offset` is that of the message in the stored file.
   void AddRay(DecodedRay&& decoded, int messageType, std::uint64_t offset);
@@ -45,8 +45,16 @@ public:
   RadarVolume Finish(const std::string& name, std::uint64_t size);
 
 private:
+  /// Where a ray's message stands.
+  struct RayPlace
+  {
+    std::uint64_t offset;
+    std::size_t piece; ///< of `pieces`
+  };
+
   bool BeginsSweep(const Ray& ray);
   void FinishSweep(const Ray* next);
+  void CheckRays();
   void ChoosePattern();
   void NoteTimes();
   void NoteStrays();
@@ -63,6 +71,8 @@ private:
   DamageList damage;
   SweepWatch watch;
   std::size_t rayCount = 0;
+  std::vector<std::string> pieces = {""};    ///< all that `piece` was
+  std::vector<std::vector<RayPlace>> places; ///< of the rays, by sweep
 };
 
 } // namespace nexrad

@@ -91,7 +91,8 @@ struct RadarVolume
 
 /// Cuts a volume that holds several cycles under one header into one volume a cycle (a new one
 /// begins at a sweep whose first ray has radial status 3, or whose cut number is lower than the
-/// last sweep's, because that ray may be missing). A volume of one cycle comes back as it is.
+/// last sweep's, because that ray may be missing). Each keeps the buffers that its rays point into;
+/// damage and notes, which are the file's, stay with the first.
 std::vector<RadarVolume> SplitCycles(const RadarVolume& volume);
 
 } // namespace nexrad

@@ -65,6 +65,10 @@ public:
       return nothing;
     }
     double here = power[static_cast<std::size_t>(nearest)];
+    if (!std::isfinite(here))
+    {
+      return nothing; // whatever the neighbour holds: there is nothing to interpolate from
+    }
     const int other = gate < nearest ? nearest - 1 : nearest + 1;
     if (other >= 0 && other < layout.gates)
     {

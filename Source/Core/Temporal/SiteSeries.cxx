@@ -13,6 +13,7 @@
 #include <exception>
 #include <future>
 #include <map>
+#include <new>
 #include <thread>
 #include <utility>
 
@@ -146,7 +147,10 @@ bool IsBefore(const SeriesVolume& a, const SeriesVolume& b)
   return a.start != b.start ? a.start < b.start : a.rays > b.rays;
 }
 
-ScannedFile ScanFile(
+namespace
+{
+
+ScannedFile ScanWithinMemory(
   const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
 {
   ScannedFile scanned;
@@ -190,6 +194,24 @@ ScannedFile ScanFile(
     }
   }
   return scanned;
+}
+
+} // namespace
+
+ScannedFile ScanFile(
+  const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
+{
+  try
+  {
+    return ScanWithinMemory(path, options, visitor);
+  }
+  catch (const std::bad_alloc&)
+  {
+    ScannedFile scanned;
+    scanned.problems.push_back(
+      {path.string(), {}, "needs more memory than there is: left out", true});
+    return scanned;
+  }
 }
 
 SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<ScannedFile>& files)

@@ -2,6 +2,7 @@
 #include "Codec/NxvFile.h"
 
 #include "Codec/Deflate.h"
+#include "Codec/JsonText.h"
 #include "Codec/NxvHeader.h"
 #include "Model/Error.h"
 #include "TestData.h"
@@ -336,6 +337,57 @@ TEST(NxvDamage, HeadersThatAreNoHeadersAreErrors)
   {
     EXPECT_THROW(ParseNxvHeader(text), Error) << text.substr(0, 40);
   }
+}
+
+// Such a header was written out again for the message, one call within the other.
+TEST(NxvDamage, AHeaderTooDeepIsAnError)
+{
+  const std::string deep(80'000, '[');
+  const std::string text = "{\"dimensions\":" + deep + std::string(80'000, ']') + "}";
+  try
+  {
+    ParseNxvHeader(text);
+    FAIL();
+  }
+  catch (const Error& problem)
+  {
+    EXPECT_STREQ(problem.what(),
+      "byte 29 of the JSON text: lists and objects more than 16 deep within each other");
+  }
+  // Brackets in strings are letters.
+  EXPECT_THROW(ParseNxvHeader("{\"dimensions\":\"" + deep + "\"}"), Error);
+  RequireShallowJson("[\"" + deep + "\\\"[[\", 1]");
+}
+
+TEST(NxvDamage, AnErrorShowsNoMoreOfAValueThanFitsALine)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.volume.grid.dimensions = {0, 1, 1};
+  std::string text = FormatNxvHeader(header);
+  text.resize(text.rfind(",\"header_crc32\""));
+  text.insert(text.find("[0,1,1]") + 1, "\"" + std::string(1'000, 'x') + "\",");
+  text.replace(text.find(",0,1,1]"), 7, ",0,1]");
+  try
+  {
+    ParseNxvHeader(text + "}");
+    FAIL();
+  }
+  catch (const Error& problem)
+  {
+    EXPECT_LT(std::string(problem.what()).size(), 200U) << problem.what();
+  }
+}
+
+TEST(NxvDamage, WhatTheCallerMakesOfAVoxelCounts)
+{
+  const Damaged file;
+  file.Write(FileOf(SmallHeader(), {"\x81\x82\x83\x84"}));
+  NxvReadOptions options;
+  options.maximumBytes = 4 * 6;
+  EXPECT_NO_THROW(ReadNxv(file.Path(), options));
+  options.bytesBesides = 1;
+  EXPECT_THROW(ReadNxv(file.Path(), options), Error);
 }
 
 TEST(NxvDamage, NoFileIsOneClearLine)

@@ -2,6 +2,7 @@
 // What a volume holds above each place, and where something may move from or to.
 #include "BeamScene.h"
 #include "Geometry/Angles.h"
+#include "Gridding/BeamVolume.h"
 #include "Gridding/EchoMask.h"
 #include "Gridding/VolumeComposite.h"
 
@@ -36,6 +37,29 @@ TEST(VolumeComposite, HoldsTheStrongestEchoOfEachCell)
   EXPECT_EQ(composite.values[composite.Index(90, 31)], 0.0F);
   EXPECT_EQ(composite.cells[composite.Index(93, 30)], Cell::NoEcho);
   EXPECT_EQ(composite.cells[composite.Index(90, 114)], Cell::NoEcho);
+}
+
+// An empty composite was indexed.
+TEST(VolumeComposite, ASweepThatEndsBehindTheAntennaIsLeftOut)
+{
+  PolarSweep behind = MakeSweep(1, 0.5, 360, 4, 250.0);
+  behind.firstGate = -2'000.0;
+  SetAll(behind, 30.0F);
+  EXPECT_EQ(CompositeOf({behind}).rings, 0);
+  EXPECT_EQ(CompositeOf({behind, MakeSweep(2, 0.5, 360, 230)}).rings, 116);
+  BeamSweep empty;
+  empty.gatesPerMetre = 1.0F / 250.0F;
+  empty.azimuths = {-1.0F, 0.0F, 1.0F};
+  EXPECT_EQ(MakeComposite({empty}).rings, 0);
+}
+
+TEST(VolumeComposite, ASweepStraightUpHasARing)
+{
+  PolarSweep up = MakeSweep(1, 90.0, 360, 40);
+  SetAll(up, 30.0F);
+  const VolumeComposite composite = CompositeOf({up});
+  ASSERT_EQ(composite.rings, 1);
+  EXPECT_EQ(composite.cells[0], Cell::Held);
 }
 
 TEST(VolumeComposite, HoldsRaysOfHalfADegreeAndOfTwo)

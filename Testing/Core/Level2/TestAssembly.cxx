@@ -240,8 +240,9 @@ TEST(Assembly, TheListOfDamageStaysReadable)
   astray.azimuth = 400.0;
   const Bytes pair = Join({MakeMessage31(high), MakeMessage31(astray)});
   const RadarVolume volume = DecodeRays(std::vector<Bytes>(600, pair));
-  EXPECT_EQ(volume.damage.size(), 1001U);
-  EXPECT_TRUE(HasDamage(volume, "201 more places are damaged, from here on"));
+  EXPECT_EQ(volume.damage.size(), 1002U);
+  EXPECT_TRUE(HasDamage(volume, "200 more places are damaged, from here on"));
+  EXPECT_EQ(volume.damage.back().what, "no ray can be read");
 }
 
 TEST(Assembly, GoesOnBehindABadRecord)

@@ -174,7 +174,7 @@ TEST(LdmRecords, FindsThemByTheirLengths)
   const Bytes last = MakeLdmRecord(MakeText(2000), true);
   const Bytes file = Join({Bytes(24, 'h'), first, last, Bytes(100)});
   std::vector<Damage> damage;
-  const auto records = FindLdmRecords(View(file), 24, damage);
+  const auto records = FindLdmRecords(View(file), 24, KeepIn(damage));
   EXPECT_TRUE(damage.empty());
   ASSERT_EQ(records.size(), 2U);
   EXPECT_EQ(records[0].offset, 24U);
@@ -192,7 +192,7 @@ TEST(LdmRecords, FindsTheNextOneBehindAWrongLength)
     std::copy(
       wrong.begin(), wrong.end(), file.begin() + static_cast<std::ptrdiff_t>(record.size()));
     std::vector<Damage> damage;
-    const auto records = FindLdmRecords(View(file), 0, damage);
+    const auto records = FindLdmRecords(View(file), 0, KeepIn(damage));
     ASSERT_EQ(records.size(), 3U) << length;
     EXPECT_EQ(records[2].offset, 2 * record.size());
     ASSERT_FALSE(damage.empty()) << length;
@@ -204,7 +204,7 @@ TEST(LdmRecords, PassesOverBytesThatAreNone)
   const Bytes record = MakeLdmRecord(MakeText(1000));
   std::vector<Damage> damage;
   const Bytes file = Join({Bytes(77, 'x'), record});
-  ASSERT_EQ(FindLdmRecords(View(file), 0, damage).size(), 1U);
+  ASSERT_EQ(FindLdmRecords(View(file), 0, KeepIn(damage)).size(), 1U);
   ASSERT_EQ(damage.size(), 1U);
   EXPECT_EQ(damage[0].offset, 0U);
   EXPECT_EQ(damage[0].what, "77 bytes that are no compressed record");

@@ -143,7 +143,7 @@ TEST(FastBunzip, ReadsTheRecordsOfRealFiles)
   const std::string content = FileContent(data / "level2" / "superres" / "KDMX20250101_225441_V06");
   const Bytes file(content.begin(), content.end());
   std::vector<Damage> damage;
-  const auto records = FindLdmRecords(View(file), 24, damage);
+  const auto records = FindLdmRecords(View(file), 24, KeepIn(damage));
   ASSERT_EQ(records.size(), 43U);
   FastBunzip reader;
   Bytes room(cap);

@@ -40,9 +40,10 @@ std::vector<unsigned> Words(const MomentRow& row)
   return words;
 }
 
-std::vector<unsigned> TypesOf(const Bytes& bytes, std::vector<StreamProblem>* problems = nullptr)
+std::vector<unsigned> TypesOf(const Bytes& bytes, std::vector<Damage>* problems = nullptr)
 {
-  MessageStream stream(View(bytes));
+  std::vector<Damage> found;
+  MessageStream stream(View(bytes), KeepIn(found));
   std::vector<unsigned> types;
   while (const auto message = stream.Next())
   {
@@ -50,7 +51,7 @@ std::vector<unsigned> TypesOf(const Bytes& bytes, std::vector<StreamProblem>* pr
   }
   if (problems != nullptr)
   {
-    *problems = stream.Problems();
+    *problems = found;
   }
   return types;
 }
@@ -309,7 +310,7 @@ TEST(MessageStream, CutsFramesOfBothKinds)
 {
   const Bytes stream = Join({MakeMessage2(21, 1900), Bytes(2432), MakeMessage31({}),
     MakeMessage1({}), MakeFrame(18, {}), MakeMessage31({})});
-  std::vector<StreamProblem> problems;
+  std::vector<Damage> problems;
   EXPECT_EQ(TypesOf(stream, &problems), (std::vector<unsigned>{2, 31, 1, 18, 31}));
   EXPECT_TRUE(problems.empty());
 }
@@ -318,7 +319,7 @@ TEST(MessageStream, GoesOnBehindGarbage)
 {
   const Bytes stream =
     Join({MakeMessage1({}), Bytes(1001, 0x55), MakeMessage1({}), MakeMessage1({})});
-  std::vector<StreamProblem> problems;
+  std::vector<Damage> problems;
   EXPECT_EQ(TypesOf(stream, &problems), (std::vector<unsigned>{1, 1, 1}));
   ASSERT_EQ(problems.size(), 1U);
   EXPECT_EQ(problems[0].offset, 2432U);
@@ -329,7 +330,7 @@ TEST(MessageStream, GoesOnBehindAMessageThatIsCutShort)
 {
   Bytes shorter = MakeMessage1({});
   shorter.resize(1500);
-  std::vector<StreamProblem> problems;
+  std::vector<Damage> problems;
   const Bytes stream = Join({MakeMessage1({}), shorter, MakeMessage1({}), MakeMessage1({})});
   EXPECT_EQ(TypesOf(stream, &problems).size(), 4U);
   ASSERT_EQ(problems.size(), 1U);
@@ -338,7 +339,7 @@ TEST(MessageStream, GoesOnBehindAMessageThatIsCutShort)
 
 TEST(MessageStream, GoesOnBehindAnotherVolumeHeader)
 {
-  std::vector<StreamProblem> problems;
+  std::vector<Damage> problems;
   EXPECT_EQ(TypesOf(Join({MakeMessage1({}), MakeVolumeHeader(), MakeMessage1({})}), &problems),
     (std::vector<unsigned>{1, 1}));
   ASSERT_EQ(problems.size(), 1U);

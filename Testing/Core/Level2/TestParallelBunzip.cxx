@@ -32,7 +32,7 @@ struct ManyRecords
       file = Join({file, MakeLdmRecord(ContentOf(index))});
     }
     std::vector<Damage> damage;
-    records = FindLdmRecords({file.data(), file.size()}, 0, damage);
+    records = FindLdmRecords({file.data(), file.size()}, 0, KeepIn(damage));
   }
 
   Bytes file;

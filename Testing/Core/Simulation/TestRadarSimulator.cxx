@@ -198,6 +198,78 @@ TEST(RadarSimulator, VelocityIsTheWindAlongTheBeamFoldedAtTheNyquistVelocity)
   EXPECT_NEAR(std::sqrt(squares / count), 1.2, 0.15);
 }
 
+// Beside the edge of an echo 2 % of the gates had a width of -63.5 m/s and a velocity of no echo:
+// their power was interpolated from a gate without echo.
+TEST(RadarSimulator, NoWordStandsForWhatCannotBe)
+{
+  const StormField field;
+  std::size_t valid = 0;
+  for (int minute = 0; minute < 60; minute += 20)
+  {
+    const Time time = *ParseIso8601("2006-03-12T18:00:00") + std::chrono::minutes(minute);
+    for (const Sweep& sweep : ScanVolume(field, TestSite(), 21, time).sweeps)
+    {
+      for (const Ray& ray : sweep.rays)
+      {
+        const MomentRow& velocity = ray.Row(MomentName::VEL);
+        const MomentRow& width = ray.Row(MomentName::SW);
+        for (std::size_t gate = 0; gate < width.gates; ++gate)
+        {
+          ASSERT_EQ(velocity.State(gate), width.State(gate));
+          if (width.State(gate) == GateState::Valid)
+          {
+            ++valid;
+            ASSERT_GE(width.Value(gate), 0.0F);
+            ASSERT_LT(width.Value(gate), 15.0F);
+            ASSERT_LE(std::abs(velocity.Value(gate)), ray.nyquist + 0.5F);
+          }
+        }
+      }
+    }
+  }
+  EXPECT_GT(valid, 1'000'000U);
+}
+
+// Velocities beside gates without echo are those of the wind, and stand where the beam meets echo.
+TEST(RadarSimulator, VelocitiesAtTheEdgesOfEchoAreRight)
+{
+  constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
+  const StormField field;
+  const ScanCut& cut = (*FindScanStrategy(32))[1];
+  const CutLayout layout = LayOut(cut, false);
+  BeamSampler beam(*TestSite().position, cut.cut.elevation, 461'000.0, {});
+  std::vector<double> reflectivity;
+  std::size_t edges = 0;
+  for (const Ray& ray : Scanned().sweeps[1].rays)
+  {
+    const MomentRow& row = ray.Row(MomentName::VEL);
+    const StormSnapshot snapshot = field.At(ray.time);
+    beam.Point(ray.azimuth, ray.elevation);
+    beam.Sample(snapshot, layout.echo, reflectivity);
+    for (std::size_t gate = 1; gate + 1 < row.gates; ++gate)
+    {
+      const bool isEdge = row.State(gate - 1) == GateState::BelowThreshold ||
+                          row.State(gate + 1) == GateState::BelowThreshold;
+      if (row.State(gate) != GateState::Valid || !isEdge)
+      {
+        continue;
+      }
+      ++edges;
+      const double range = row.firstGate + double(row.gateSpacing) * static_cast<double>(gate);
+      const auto nearest = static_cast<std::size_t>(
+        std::floor((range - layout.echo.firstGate) / layout.echo.gateSpacing + 0.5));
+      ASSERT_TRUE(std::isfinite(reflectivity[nearest])) << range;
+      const WindVector wind = snapshot.Wind(beam.Centre(range));
+      const double azimuth = ray.azimuth * radiansPerDegree;
+      const double radial = std::cos(ray.elevation * radiansPerDegree) *
+                            (wind.east * std::sin(azimuth) + wind.north * std::cos(azimuth));
+      // The noise has bounds of 3.5 standard deviations of 1.2 m/s.
+      EXPECT_LT(std::abs(std::remainder(row.Value(gate) - radial, 2.0 * ray.nyquist)), 4.5);
+    }
+  }
+  EXPECT_GT(edges, 200U);
+}
+
 TEST(RadarSimulator, EchoesOfTwoPulsesAreRangeFolded)
 {
   std::size_t folded = 0;

@@ -9,6 +9,7 @@
 
 #include <fstream>
 #include <mutex>
+#include <new>
 
 namespace nexrad
 {
@@ -51,6 +52,28 @@ TEST(SiteSeries, GroupsByTheSiteInTheFileAndSortsByTime)
   EXPECT_EQ(scan->First(), At("2006-03-12T18:00:00Z"));
   EXPECT_EQ(scan->Last(), At("2006-03-12T18:05:00Z") + Duration(20 * 359));
   EXPECT_EQ(scan->Positions().size(), 2U);
+}
+
+// The rest of the day is made.
+TEST(SiteSeries, AFileThatNeedsTooMuchMemoryIsLeftOut)
+{
+  const TemporaryFolder folder;
+  WriteLevel2(folder.Path() / "a", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  WriteLevel2(folder.Path() / "b", {ConstantVolume(keax, At("2006-03-12T18:05:00Z"), 20.0)});
+  const auto visitor = [](const SeriesVolume& volume, const RadarVolume&)
+  {
+    if (volume.file.filename() == "a")
+    {
+      throw std::bad_alloc();
+    }
+  };
+  const auto scan = ScanInputs({folder.Path()}, {}, visitor);
+  ASSERT_TRUE(scan);
+  ASSERT_EQ(scan->problems.size(), 1U);
+  EXPECT_EQ(scan->problems[0].Line(),
+    (folder.Path() / "a").string() + ": needs more memory than there is: left out");
+  ASSERT_EQ(scan->sites.size(), 1U);
+  EXPECT_EQ(scan->sites[0].volumes.size(), 1U);
 }
 
 TEST(SiteSeries, SplitsAFileOfSeveralCycles)
