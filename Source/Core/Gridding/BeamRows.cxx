@@ -235,6 +235,10 @@ private:
   void LookForLayers(const MergeSite& site, int x, int y, SiteColumn& seen)
   {
     const ColumnDirection& direction = site.geometry->Row(y)[x - site.geometry->BeginX()];
+    if (!site.layers.AnyAt(direction))
+    {
+      return;
+    }
     const bool moves = options.motion != nullptr;
     const ColumnMotion motion =
       moves ? MotionSeenBy(site, direction, options.motion->At(x, y)) : ColumnMotion{};

@@ -153,8 +153,15 @@ std::vector<std::uint16_t> Sharpen(
   NeighbourSweep above(FindBeside(sweeps, sweep, 1.0F), sweep);
   std::vector<std::uint16_t> codes = sweep.codes;
   const auto first = static_cast<float>(BeamSweep::FirstValueCode);
+  // The first code above 0 dBZ.
+  const float zero = sweep.step > 0.0F ? std::floor(-sweep.base / sweep.step) + 1.0F : first;
+  const auto least = static_cast<std::uint16_t>(std::clamp(zero, first, 65'535.0F));
   for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
   {
+    if (LargestCode(sweep, entry) < BeamSweep::FirstValueCode)
+    {
+      continue;
+    }
     const float azimuth = sweep.azimuths[entry];
     const float turned = azimuth < 0.0F     ? azimuth + 360.0F
                          : azimuth < 360.0F ? azimuth
@@ -164,9 +171,9 @@ std::vector<std::uint16_t> Sharpen(
     std::uint16_t* ray = codes.data() + entry * sweep.Stride();
     for (std::size_t gate = 0; gate < static_cast<std::size_t>(sweep.gates); ++gate)
     {
-      const float value = sweep.base + sweep.step * static_cast<float>(ray[gate]);
-      if (ray[gate] >= BeamSweep::FirstValueCode && value > 0.0F)
+      if (ray[gate] >= least)
       {
+        const float value = sweep.base + sweep.step * static_cast<float>(ray[gate]);
         const float sharpened = SharpenValue(value, below.At(gate), above.At(gate), beamWidth);
         const float code = static_cast<float>(ray[gate]) + (sharpened - value) / sweep.step;
         ray[gate] = static_cast<std::uint16_t>(std::clamp(std::round(code), first, 65'535.0F));

@@ -196,7 +196,8 @@ EchoLayers::EchoLayers(
     const GapWork work(tilts, edges, i, effectiveRadius);
     for (std::size_t sector = 0; sector < sectors; ++sector)
     {
-      for (std::size_t ring = 0; ring < rings; ++ring)
+      const bool echo = tilts[i].HasEcho(sector) || tilts[i + 1].HasEcho(sector);
+      for (std::size_t ring = 0; echo && ring < rings; ++ring)
       {
         const float share = shares.At(i, sector, (static_cast<double>(ring) + 0.5) * ringWidth);
         std::array<std::int8_t, knots> changes{};
@@ -213,9 +214,11 @@ EchoLayers::EchoLayers(
   this->MarkGaps();
 }
 
-// A cell is marked when it or one beside it is changed, because changes are interpolated.
+// A cell is marked when something is changed within as far as echo moves in some minutes.
 void EchoLayers::MarkGaps()
 {
+  constexpr std::size_t sectorsBeside = 3;
+  constexpr std::size_t ringsBeside = 3;
   for (std::size_t number = 0; number < gaps.size(); ++number)
   {
     const std::vector<std::int8_t>& changes = gaps[number].changes;
@@ -223,22 +226,23 @@ void EchoLayers::MarkGaps()
     {
       continue;
     }
+    const std::uint32_t mark = std::uint32_t(1) << number;
     marks.resize(sectors * rings);
     for (std::size_t cell = 0; cell < sectors * rings; ++cell)
     {
       const std::int8_t* of = changes.data() + cell * knots;
-      if (std::all_of(of, of + knots, [](std::int8_t change) { return change == 0; }))
+      if (of[0] == 0 && of[1] == 0 && of[2] == 0)
       {
         continue;
       }
       const std::size_t ring = cell % rings;
-      for (const std::size_t turn : {sectors - 1, sectors, sectors + 1})
+      const std::size_t end = std::min(ring + ringsBeside + 1, rings);
+      for (std::size_t turn = sectors - sectorsBeside; turn <= sectors + sectorsBeside; ++turn)
       {
-        const std::size_t row = (cell / rings + turn) % sectors * rings;
-        for (std::size_t each = std::max<std::size_t>(ring, 1) - 1;
-             each < std::min(ring + 2, rings); ++each)
+        std::uint32_t* row = marks.data() + (cell / rings + turn) % sectors * rings;
+        for (std::size_t each = std::max(ring, ringsBeside) - ringsBeside; each < end; ++each)
         {
-          marks[row + each] |= std::uint32_t(1) << number;
+          row[each] |= mark;
         }
       }
     }

@@ -33,7 +33,7 @@ public:
   /// The number of the gap between two neighbouring tilts, degrees; −1 when the volume has none.
   int FindGap(float lower, float upper) const;
 
-  /// A bit for each gap in which something is changed in a direction or beside it.
+  /// A bit for each gap in which something is changed in a direction, or within 6 km and 3° of it.
   std::uint32_t GapsAt(const ColumnDirection& direction) const;
 
   /// Adds `weight` times the changes in a gap.

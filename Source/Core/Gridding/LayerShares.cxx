@@ -65,13 +65,19 @@ ComparedPlaces FindPlaces(double lower, double upper, double distance, double ra
 Differences Compare(const TiltMeans& lower, const TiltMeans& upper, double radius)
 {
   Differences sums{std::vector<float>(sectors * rings), std::vector<float>(sectors * rings)};
+  std::vector<ComparedPlaces> places;
   for (std::size_t step = 0; step < rings * stepsPerRing; ++step)
   {
     const double distance = (static_cast<double>(step) + 0.5) * ringWidth / stepsPerRing;
-    const ComparedPlaces at = FindPlaces(static_cast<double>(lower.Elevation()),
-      static_cast<double>(upper.Elevation()), distance, radius);
-    for (std::size_t ray = 1; ray < TiltMeans::Sectors; ray += 2)
+    places.push_back(FindPlaces(static_cast<double>(lower.Elevation()),
+      static_cast<double>(upper.Elevation()), distance, radius));
+  }
+  for (std::size_t ray = 1; ray < TiltMeans::Sectors; ray += 2)
+  {
+    const bool echo = lower.HasEcho(ray) || upper.HasEcho(ray);
+    for (std::size_t step = 0; echo && step < places.size(); ++step)
     {
+      const ComparedPlaces& at = places[step];
       const float vertical = upper.At(ray, at.over) - lower.At(ray, at.over);
       const float level = upper.At(ray, at.upper) - lower.At(ray, at.lower);
       if (!std::isnan(vertical + level))

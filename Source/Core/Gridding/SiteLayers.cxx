@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/SiteLayers.h"
 
+#include <algorithm>
+
 namespace nexrad
 {
 
@@ -30,6 +32,16 @@ SiteLayers::SiteLayers(
       part.shares[gap] /= sums[gap];
     }
   }
+  // A volume without layers counts in the sums, and need not be asked.
+  const auto changesNothing = [](const Part& part)
+  { return std::all_of(part.gaps.begin(), part.gaps.end(), [](int gap) { return gap < 0; }); };
+  parts.erase(std::remove_if(parts.begin(), parts.end(), changesNothing), parts.end());
+}
+
+bool SiteLayers::AnyAt(const ColumnDirection& column) const
+{
+  return std::any_of(parts.begin(), parts.end(),
+    [&column](const Part& part) { return part.layers->GapsAt(column) != 0; });
 }
 
 bool SiteLayers::Find(const ColumnDirection& column, const ColumnMotion* motion,
@@ -38,13 +50,13 @@ bool SiteLayers::Find(const ColumnDirection& column, const ColumnMotion* motion,
   bool any = false;
   for (const Part& part : parts)
   {
-    const ColumnDirection direction =
-      motion != nullptr ? DirectionAt(column, *motion, part.seconds) : column;
-    const std::uint32_t marked = part.layers->GapsAt(direction);
+    const std::uint32_t marked = part.layers->GapsAt(column);
     if (marked == 0)
     {
       continue;
     }
+    const ColumnDirection direction =
+      motion != nullptr ? DirectionAt(column, *motion, part.seconds) : column;
     if (!any)
     {
       changes.assign(gapCount, EchoLayers::Changes{});

@@ -20,6 +20,9 @@ public:
   SiteLayers(
     const std::vector<const BeamVolume*>& volumes, const std::vector<BeamTilt>& tilts, Time time);
 
+  /// False when there are no changes over a column, nor as near as echo moves.
+  bool AnyAt(const ColumnDirection& column) const;
+
   /// Finds the changes in the gap above each tilt but the last (EchoLayers); false when there are
   /// none over the column. `motion` may be nullptr.
   bool Find(const ColumnDirection& column, const ColumnMotion* motion,

@@ -4,6 +4,7 @@
 #include "Geometry/Beam.h"
 #include "Gridding/BeamVolume.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nexrad
@@ -24,6 +25,17 @@ int NearestEntry(const BeamSweep& sweep, float azimuth)
     return -1;
   }
   return static_cast<int>(to < from ? entry + 1 : entry);
+}
+
+std::uint16_t LargestCode(const BeamSweep& sweep, std::size_t entry)
+{
+  const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
+  std::uint16_t largest = 0;
+  for (std::size_t gate = 0; gate < sweep.Stride(); ++gate)
+  {
+    largest = std::max(largest, codes[gate]);
+  }
+  return largest;
 }
 
 int GateAt(const BeamSweep& sweep, double slantRange)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace nexrad
@@ -11,6 +13,10 @@ struct BeamSweep;
 /// The entry of a sweep nearest to an azimuth, 0 ≤ azimuth < 360 degrees; −1 where it has no ray
 /// there.
 int NearestEntry(const BeamSweep& sweep, float azimuth);
+
+/// The largest of the codes of an entry: NoEchoCode where it holds nothing but no echo, below
+/// FirstValueCode where it holds no value.
+std::uint16_t LargestCode(const BeamSweep& sweep, std::size_t entry);
 
 /// The gate of a sweep that holds a slant range, m; −1 where it has none.
 int GateAt(const BeamSweep& sweep, double slantRange);

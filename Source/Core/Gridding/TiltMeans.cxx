@@ -33,18 +33,25 @@ std::vector<std::size_t> RingsOf(const BeamSweep& sweep, double radius)
   return rings;
 }
 
+constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+
 // The gates of the rays of one sector.
 class SectorSums
 {
 public:
   void Add(const BeamSweep& sweep, std::size_t entry, const std::vector<std::size_t>& rings)
   {
+    ++rays;
+    if (LargestCode(sweep, entry) == BeamSweep::NoEchoCode)
+    {
+      ++quietRays;
+      return;
+    }
     const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
     for (std::size_t gate = 0; gate < rings.size(); ++gate)
     {
       const std::uint16_t code = codes[gate];
       Sum& sum = sums[rings[gate]];
-      ++sum.gates;
       if (code == BeamSweep::NoEchoCode || code >= BeamSweep::FirstValueCode)
       {
         ++sum.measured;
@@ -55,28 +62,34 @@ public:
     }
   }
 
-  // Rings narrower than the gates take the mean of the ring before.
-  void Write(std::vector<float>& means) const
+  // `gatesOf` are those of one ray in each ring. Rings narrower than the gates take the mean of the
+  // ring before. Returns whether any mean is above 0 dBZ.
+  bool Write(const std::vector<int>& gatesOf, std::vector<float>& means) const
   {
-    float before = std::numeric_limits<float>::quiet_NaN();
+    float before = unknown;
+    bool any = false;
     for (std::size_t ring = 0; ring < TiltMeans::Rings; ++ring)
     {
-      const Sum& sum = sums[ring];
-      const bool filled = sum.gates == 0 && ring + 1 < TiltMeans::Rings && sums[ring + 1].gates > 0;
-      const float mean = 2 * sum.measured > sum.gates ? sum.value / static_cast<float>(sum.measured)
-                                                      : std::numeric_limits<float>::quiet_NaN();
-      means.push_back(filled ? before : mean);
+      const int gates = gatesOf[ring];
+      const int measured = sums[ring].measured + quietRays * gates;
+      const bool between = gates == 0 && ring + 1 < TiltMeans::Rings && gatesOf[ring + 1] > 0;
+      const float mean =
+        2 * measured > rays * gates ? sums[ring].value / static_cast<float>(measured) : unknown;
+      means.push_back(between ? before : mean);
       before = means.back();
+      any = any || before > 0.0F;
     }
+    return any;
   }
 
 private:
   struct Sum
   {
-    int gates = 0;
     int measured = 0;
     float value = 0.0F;
   };
+  int rays = 0;
+  int quietRays = 0; // with nothing but no echo
   std::array<Sum, TiltMeans::Rings + 1> sums;
 };
 
@@ -86,6 +99,11 @@ TiltMeans::TiltMeans(const BeamSweep& sweep, double effectiveRadius)
   : elevation(sweep.elevation)
 {
   const std::vector<std::size_t> rings = RingsOf(sweep, effectiveRadius);
+  std::vector<int> gatesOf(Rings + 1, 0);
+  for (const std::size_t ring : rings)
+  {
+    ++gatesOf[ring];
+  }
   std::size_t entry = 1; // the first repeats the last ray
   means.reserve(Sectors * Rings);
   for (std::size_t sector = 0; sector < Sectors; ++sector)
@@ -102,7 +120,7 @@ TiltMeans::TiltMeans(const BeamSweep& sweep, double effectiveRadius)
     {
       sums.Add(sweep, static_cast<std::size_t>(nearest), rings);
     }
-    sums.Write(means);
+    echoes.push_back(sums.Write(gatesOf, means));
   }
 }
 

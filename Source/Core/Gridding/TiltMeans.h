@@ -25,10 +25,13 @@ public:
   /// Not-a-number where half of the gates or more were not measured. `place` is the ground distance
   /// in rings; between the rings' middles the means are interpolated.
   float At(std::size_t sector, float place) const;
+  /// False when all means of a sector are 0 dBZ or not-a-number.
+  bool HasEcho(std::size_t sector) const { return echoes[sector]; }
 
 private:
   float elevation;          // degrees
   std::vector<float> means; // rings fastest
+  std::vector<bool> echoes; // of each sector
 };
 
 } // namespace nexrad
