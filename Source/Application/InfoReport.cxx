@@ -57,11 +57,11 @@ Json NyquistOrNull(const Ray& ray)
   return ray.nyquist > 0.0F ? Json(ray.nyquist) : Json(nullptr);
 }
 
-std::string NyquistText(const Ray& ray)
+std::string KnownText(float value, int decimals)
 {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(1) << ray.nyquist;
-  return ray.nyquist > 0.0F ? text.str() : "-";
+  text << std::fixed << std::setprecision(decimals) << value;
+  return value > 0.0F ? text.str() : "-";
 }
 
 // Rays that the merge takes for none of the cut's (Formulas Q7).
@@ -179,8 +179,8 @@ void PrintSweep(const Sweep& sweep, std::size_t index, std::ostream& out)
   out << std::fixed << std::setw(7) << index << std::setw(5) << sweep.elevationNumber
       << std::setw(8) << std::setprecision(2) << sweep.MedianElevation() << std::setw(6)
       << sweep.rays.size() << "  " << FormatIso8601(first.time).substr(11, 12) << std::setw(9)
-      << NyquistText(first) << std::setw(7) << ShortNameOf(sweep.waveform) << std::setw(6)
-      << std::setprecision(0) << first.unambiguousRange / 1000.0F << std::setprecision(1) << "  ";
+      << KnownText(first.nyquist, 1) << std::setw(7) << ShortNameOf(sweep.waveform) << std::setw(6)
+      << KnownText(first.unambiguousRange / 1000.0F, 0) << std::setprecision(1) << "  ";
   for (const MomentName name : AllMoments)
   {
     const MomentSummary summary = Summarize(sweep, name);
