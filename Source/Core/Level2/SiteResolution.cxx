@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <filesystem>
+#include <string>
 
 namespace nexrad
 {
@@ -81,6 +82,38 @@ std::optional<Position> ConvertStored(const StoredPosition& stored, RadarVolume&
   return IsOnEarth(position) ? std::optional(position) : std::nullopt;
 }
 
+// Some files have a height in feet that was taken for metres and turned into metres once more: 171
+// m for KTYX, which stands at 563 m. Heights that contradict the site table in another way may be
+// of a radar that has moved.
+void CheckHeight(RadarVolume& volume)
+{
+  constexpr double tolerated = 100.0; // m, more than the height of a tower
+  constexpr double alike = 50.0;      // m, a tower and the rounding of the file
+  constexpr double metresPerFoot = 0.3048;
+  const KnownSite* known = FindSite(volume.site.name);
+  if (known == nullptr || !volume.site.position)
+  {
+    return;
+  }
+  double& height = volume.site.position->altitude;
+  const double listed = known->position.altitude;
+  if (std::abs(height - listed) <= tolerated)
+  {
+    return;
+  }
+  const bool isInFeetTwice = std::abs(height / metresPerFoot - listed) <= alike;
+  const auto inMetres = [](double value) { return std::to_string(std::lround(value)) + " m"; };
+  volume.notes.push_back(
+    "the antenna's height in the file, " + inMetres(height) + ", is not the site table's, " +
+    inMetres(listed) +
+    (isInFeetTwice ? ", but is it as feet turned into metres twice: the table's is used"
+                   : ": the file's is used"));
+  if (isInFeetTwice)
+  {
+    height = listed;
+  }
+}
+
 } // namespace
 
 void ResolveSite(const SiteEvidence& evidence, const Level2Options& options, RadarVolume& volume)
@@ -97,6 +130,7 @@ void ResolveSite(const SiteEvidence& evidence, const Level2Options& options, Rad
   }
   if (volume.site.position)
   {
+    CheckHeight(volume);
     return;
   }
   if (const KnownSite* site = FindSite(volume.site.name))

@@ -316,6 +316,32 @@ TEST(Assembly, TheAntennasHeightCountsTheFeedhornButForTdwr)
     370.0);
 }
 
+TEST(Assembly, HeightsInFeetAreFoundByTheSiteTable)
+{
+  // KTYX as its file of 2010-09-11 has it: the table has 563 m for the ground and 597.4 m for the
+  // antenna.
+  RayPlan ray;
+  ray.siteHeight = 171;
+  ray.feedhornHeight = 9;
+  const auto decode = [&ray](const char* site) {
+    return Decode(Join({MakeVolumeHeader("AR2V0004", site), MakeMessage31(ray)}));
+  };
+  const double listed = FindSite("KTYX")->position.altitude;
+  const RadarVolume inFeet = decode("KTYX");
+  EXPECT_EQ(inFeet.site.position->altitude, listed);
+  EXPECT_TRUE(HasNote(
+    inFeet, "height in the file, 180 m, is not the site table's, 597 m, but is it as feet"));
+  // The file has the last word otherwise, and small differences are no news.
+  ray.siteHeight = int(listed) + 150;
+  const RadarVolume moved = decode("KTYX");
+  EXPECT_EQ(moved.site.position->altitude, ray.siteHeight + 9.0);
+  EXPECT_TRUE(HasNote(moved, "the site table's, 597 m: the file's is used"));
+  ray.siteHeight = int(listed) + 80;
+  EXPECT_FALSE(HasNote(decode("KTYX"), "height"));
+  ray.siteHeight = 5000;
+  EXPECT_FALSE(HasNote(decode("KXXX"), "height"));
+}
+
 TEST(Assembly, PositionsInThousandthsAreNoted)
 {
   RayPlan ray;
