@@ -124,7 +124,7 @@ public:
     const float over = places[ring * knots].over;
     TiltGapValues column;
     column.lower = tilts[gap].At(sector, over);
-    column.upper = tilts[gap + 1].At(sector, over);
+    column.upper = this->UpperAt(sector, over);
     if (std::isnan(column.lower + column.upper))
     {
       return false;
@@ -158,6 +158,15 @@ public:
   }
 
 private:
+  // No echo beyond the last gate: a column counts that as a tilt where Formulas G4 allows it, and
+  // nowhere else is the change asked for.
+  float UpperAt(std::size_t sector, float place) const
+  {
+    const TiltMeans& upper = tilts[gap + 1];
+    const float mean = upper.At(sector, place);
+    return std::isnan(mean) && upper.Ends(place) ? 0.0F : mean;
+  }
+
   const std::vector<TiltMeans>& tilts;
   const std::vector<TiltEdges>& edges;
   const std::size_t gap;
