@@ -23,7 +23,8 @@ constexpr std::size_t sectors = TiltMeans::Sectors;
 constexpr std::size_t rings = TiltMeans::Rings / 2;
 constexpr double ringWidth = 2.0 * TiltMeans::RingWidth;
 constexpr std::size_t knots = std::tuple_size_v<EchoLayers::Changes>;
-constexpr float perDecibel = 2.0F; // units of a stored change
+constexpr float perDecibel = 2.0F;          // units of a stored change
+constexpr double weatherCeiling = 18'000.0; // m above the antenna, at most 3 km above that of G4
 
 // One sweep of each tilt, the one with the most gates, ascending.
 std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps)
@@ -100,6 +101,7 @@ public:
     : tilts(theTilts)
     , edges(theEdges)
     , gap(theGap)
+    , beam(radius / 6'371'000.0)
   {
     const auto lower = static_cast<double>(tilts[gap].Elevation());
     const auto upper = static_cast<double>(tilts[gap + 1].Elevation());
@@ -124,7 +126,7 @@ public:
     const float over = places[ring * knots].over;
     TiltGapValues column;
     column.lower = tilts[gap].At(sector, over);
-    column.upper = tilts[gap + 1].At(sector, over);
+    column.upper = this->UpperAt(sector, over);
     if (std::isnan(column.lower + column.upper))
     {
       return false;
@@ -158,9 +160,21 @@ public:
   }
 
 private:
+  // No echo beyond the last gate where the tilt is above the weather (Formulas G4).
+  float UpperAt(std::size_t sector, float place) const
+  {
+    const TiltMeans& upper = tilts[gap + 1];
+    const float mean = upper.At(sector, place);
+    const bool above = std::isnan(mean) && upper.Ends(place) &&
+                       beam.HeightOver(static_cast<double>(place) * TiltMeans::RingWidth,
+                         static_cast<double>(upper.Elevation())) > weatherCeiling;
+    return above ? 0.0F : mean;
+  }
+
   const std::vector<TiltMeans>& tilts;
   const std::vector<TiltEdges>& edges;
   const std::size_t gap;
+  const BeamModel beam;
   std::vector<LevelPlaces> places; // rings × knots
 };
 

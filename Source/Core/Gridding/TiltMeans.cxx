@@ -97,8 +97,10 @@ private:
 
 TiltMeans::TiltMeans(const BeamSweep& sweep, double effectiveRadius)
   : elevation(sweep.elevation)
+  , last(0.0F)
 {
   const std::vector<std::size_t> rings = RingsOf(sweep, effectiveRadius);
+  last = static_cast<float>(rings.empty() ? 0 : rings.back());
   std::vector<int> gatesOf(Rings + 1, 0);
   for (const std::size_t ring : rings)
   {

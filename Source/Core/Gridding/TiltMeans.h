@@ -25,11 +25,14 @@ public:
   /// Not-a-number where half of the gates or more were not measured. `place` is the ground distance
   /// in rings; between the rings' middles the means are interpolated.
   float At(std::size_t sector, float place) const;
+  /// Whether a ring about a place is the one of the tilt's last gate or farther.
+  bool Ends(float place) const { return place + 0.5F >= last; }
   /// False when all means of a sector are 0 dBZ or not-a-number.
   bool HasEcho(std::size_t sector) const { return echoes[sector]; }
 
 private:
   float elevation;          // degrees
+  float last;               // ring of the last gate
   std::vector<float> means; // rings fastest
   std::vector<bool> echoes; // of each sector
 };
