@@ -131,8 +131,8 @@ public:
     {
       return false;
     }
-    column.lowerEcho = column.lower > 0.0F;
-    column.upperEcho = column.upper > 0.0F;
+    column.lowerEcho = column.lower != 0.0F;
+    column.upperEcho = column.upper != 0.0F;
     if (gap > 0)
     {
       column.below = tilts[gap - 1].At(sector, over);

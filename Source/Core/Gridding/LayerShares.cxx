@@ -62,6 +62,13 @@ ComparedPlaces FindPlaces(double lower, double upper, double distance, double ra
     static_cast<float>(distance / TiltMeans::RingWidth), distanceAt(lower), distanceAt(upper)};
 }
 
+// Echo below 0 dBZ counts as none: its differences say little of where the weather is.
+float EchoAt(const TiltMeans& tilt, std::size_t sector, float place)
+{
+  const float value = tilt.At(sector, place);
+  return value < 0.0F ? 0.0F : value;
+}
+
 Differences Compare(const TiltMeans& lower, const TiltMeans& upper, double radius)
 {
   Differences sums{std::vector<float>(sectors * rings), std::vector<float>(sectors * rings)};
@@ -78,8 +85,8 @@ Differences Compare(const TiltMeans& lower, const TiltMeans& upper, double radiu
     for (std::size_t step = 0; echo && step < places.size(); ++step)
     {
       const ComparedPlaces& at = places[step];
-      const float vertical = upper.At(ray, at.over) - lower.At(ray, at.over);
-      const float level = upper.At(ray, at.upper) - lower.At(ray, at.lower);
+      const float vertical = EchoAt(upper, ray, at.over) - EchoAt(lower, ray, at.over);
+      const float level = EchoAt(upper, ray, at.upper) - EchoAt(lower, ray, at.lower);
       if (!std::isnan(vertical + level))
       {
         const std::size_t cell = ray / raysPerSector * rings + step / stepsPerRing;

@@ -55,9 +55,8 @@ public:
       if (code == BeamSweep::NoEchoCode || code >= BeamSweep::FirstValueCode)
       {
         ++sum.measured;
-        sum.value += code == BeamSweep::NoEchoCode
-                       ? 0.0F
-                       : std::max(0.0F, sweep.base + sweep.step * static_cast<float>(code));
+        sum.value +=
+          code == BeamSweep::NoEchoCode ? 0.0F : sweep.base + sweep.step * static_cast<float>(code);
       }
     }
   }

@@ -10,7 +10,7 @@ namespace nexrad
 struct BeamSweep;
 
 /// The reflectivity of one tilt as means over cells of 1° of azimuth by 1 km along the ground, dBZ,
-/// in which no echo and echo below 0 dBZ count as 0 dBZ.
+/// in which no echo counts as 0 dBZ. A mean of 0 dBZ is one without echo.
 class TiltMeans
 {
 public:
@@ -27,7 +27,7 @@ public:
   float At(std::size_t sector, float place) const;
   /// Whether a ring about a place is the one of the tilt's last gate or farther.
   bool Ends(float place) const { return place + 0.5F >= last; }
-  /// False when all means of a sector are 0 dBZ or not-a-number.
+  /// False when no mean of a sector is above 0 dBZ.
   bool HasEcho(std::size_t sector) const { return echoes[sector]; }
 
 private:
