@@ -32,6 +32,12 @@ float UpperEdge(const TiltEdges& tilt, const TiltSample& sample)
   return std::max(tilt.upper + beside, tilt.tangent);
 }
 
+// Whether layers change anything in the gap above a tilt.
+bool ChangedByLayers(const SiteColumn& site, std::size_t tilt)
+{
+  return site.layers != nullptr && site.layers[tilt] != EchoLayers::Changes{};
+}
+
 // An echo of 0 dBZ or less beside none: it would not differ from none where no echo counts as 0
 // dBZ.
 bool IsWeakEdge(const TiltSample& lower, const TiltSample& upper)
@@ -157,9 +163,8 @@ void BeamColumn::AddGap(const SiteColumn& site, const Gap& gap)
   const bool measuredUpper = upper == VoxelState::Echo || upper == VoxelState::NoEcho;
   if (measuredLower && measuredUpper)
   {
-    const bool layers =
-      trend && site.layers != nullptr && site.layers[gap.tilt] != EchoLayers::Changes{};
-    if (lower == VoxelState::NoEcho && upper == VoxelState::NoEcho && !layers)
+    if (lower == VoxelState::NoEcho && upper == VoxelState::NoEcho &&
+        !(trend && ChangedByLayers(site, gap.tilt)))
     {
       this->AddNone(site, gap, gap.from, gap.to);
     }
@@ -235,8 +240,12 @@ void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
   {
     const auto at = static_cast<std::size_t>(level);
     values[at] = upwards.At(shares[at]);
-    if (site.layers != nullptr)
+  }
+  if (ChangedByLayers(site, gap.tilt))
+  {
+    for (int level = gap.from; level < gap.to; ++level)
     {
+      const auto at = static_cast<std::size_t>(level);
       values[at] += ChangeAt(site.layers[gap.tilt], shares[at]);
     }
   }

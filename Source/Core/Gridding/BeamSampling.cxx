@@ -208,8 +208,9 @@ inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azi
   const float forth = place - static_cast<float>(ring);
   const CellPair near = FindCells(means, ring, rays, azimuth);
   const CellPair far = forth > 0.0F ? FindCells(means, ring + 1, rays, azimuth) : near;
-  if (near.cells[0].IsNoEcho() && near.cells[1].IsNoEcho() && far.cells[0].IsNoEcho() &&
-      far.cells[1].IsNoEcho())
+  // In one question, so that no cell waits for another to come from memory.
+  if ((near.cells[0].Word() | near.cells[1].Word() | far.cells[0].Word() | far.cells[1].Word()) ==
+      0)
   {
     look.state = VoxelState::NoEcho;
     return;
@@ -262,16 +263,16 @@ inline void LookAtGates(
   Decide(about, rule, look);
 }
 
-inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& column,
-  const SamplingContext& context)
+// Looks are filled where they stand, not handed on: `look` must be as it is made.
+inline void LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& column,
+  const SamplingContext& context, Look& look)
 {
-  Look look;
   const RayPlace rays = FindRays(sweep, column.azimuth);
   const float range = RangeOver(sweep, column, context.effectiveRadius);
   const float place = (range - sweep.firstGate) * sweep.gatesPerMetre;
   if (rays.entry < 0 || !(place >= -0.5F))
   {
-    return look;
+    return;
   }
   look.time = TimeOf(sweep, begin, rays);
   look.elevation = ElevationOf(sweep, rays);
@@ -280,9 +281,8 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
   {
     look.state = BeyondReach(sweep, column, context);
     look.assumed = look.state == VoxelState::NoEcho;
-    return look;
   }
-  if (range < sweep.means.reach)
+  else if (range < sweep.means.reach)
   {
     LookAtMeans(sweep.means, rays, column.azimuth, range, context.rule, look);
   }
@@ -290,7 +290,6 @@ inline Look LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& c
   {
     LookAtGates(sweep, rays, std::min(std::max(place, 0.0F), last), context.rule, look);
   }
-  return look;
 }
 
 // The nearer state where one of two sides must be chosen; else both echoes blended.
@@ -310,16 +309,28 @@ Look BlendLooks(const Look& lower, const Look& upper, float share, const ValueRu
   return blended;
 }
 
-inline Look LookAt(
+// What two sweeps tell of the tilt between them.
+Look LookBetween(
   const TiltObservation& observation, const ColumnDirection& column, const SamplingContext& context)
 {
-  const Look lower = LookAt(*observation.lower, observation.lowerBegin, column, context);
+  Look lower;
+  Look upper;
+  LookAt(*observation.lower, observation.lowerBegin, column, context, lower);
+  LookAt(*observation.upper, observation.upperBegin, column, context, upper);
+  return BlendLooks(lower, upper, observation.shareOfUpper, context.rule);
+}
+
+inline void LookAt(const TiltObservation& observation, const ColumnDirection& column,
+  const SamplingContext& context, Look& look)
+{
   if (observation.upper == nullptr)
   {
-    return lower;
+    LookAt(*observation.lower, observation.lowerBegin, column, context, look);
   }
-  const Look upper = LookAt(*observation.upper, observation.upperBegin, column, context);
-  return BlendLooks(lower, upper, observation.shareOfUpper, context.rule);
+  else
+  {
+    look = LookBetween(observation, column, context);
+  }
 }
 
 // 1 up to two thirds of the largest gap, then down to 0 at the gap (Formulas A6).
@@ -359,16 +370,21 @@ void BlendTimes(const Look& before, const Look& after, float share, const Sampli
   sample.value = told.value;
 }
 
-// A sweep at the place where the echo of a column was at the time of its own rays.
-inline Look LookAlong(const BeamSweep& sweep, float begin, float time,
-  const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context)
+// A sweep at the place where the echo of a column was at the time of its own rays. `look` must be
+// as it is made.
+inline void LookAlong(const BeamSweep& sweep, float begin, float time,
+  const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context,
+  Look& look)
 {
-  const Look look = LookAt(sweep, begin, DirectionAt(column, motion, time), context);
+  LookAt(sweep, begin, DirectionAt(column, motion, time), context, look);
   // Across the seam, where the last ray of a sweep meets the first, the time is another.
   constexpr float seam = 2.0F; // s, in which no echo moves as far as voxels are wide
-  return look.state == VoxelState::NotScanned || std::abs(look.time - time) < seam
-           ? look
-           : LookAt(sweep, begin, DirectionAt(column, motion, look.time), context);
+  const float found = look.time;
+  if (look.state != VoxelState::NotScanned && !(std::abs(found - time) < seam))
+  {
+    look = {};
+    LookAt(sweep, begin, DirectionAt(column, motion, found), context, look);
+  }
 }
 
 // When a sweep looked at a column; where it has no ray, at its beginning.
@@ -385,43 +401,63 @@ struct FoundLook
   const TiltObservation* observation = nullptr;
 };
 
-inline Look LookAlong(const FoundLook& found, const ColumnDirection& column,
+// As LookAlong, of two sweeps.
+Look LookAlongBetween(const TiltObservation& of, const ColumnDirection& column,
   const ColumnMotion& motion, const SamplingContext& context)
+{
+  Look lower;
+  Look upper;
+  LookAlong(*of.lower, of.lowerBegin, TimeOver(*of.lower, of.lowerBegin, column), column, motion,
+    context, lower);
+  LookAlong(*of.upper, of.upperBegin, TimeOver(*of.upper, of.upperBegin, column), column, motion,
+    context, upper);
+  return BlendLooks(lower, upper, of.shareOfUpper, context.rule);
+}
+
+inline void LookAlong(const FoundLook& found, const ColumnDirection& column,
+  const ColumnMotion& motion, const SamplingContext& context, Look& look)
 {
   const TiltObservation& of = *found.observation;
   if (of.upper == nullptr)
   {
-    return LookAlong(*of.lower, of.lowerBegin, found.look.time, column, motion, context);
+    LookAlong(*of.lower, of.lowerBegin, found.look.time, column, motion, context, look);
   }
-  const Look lower = LookAlong(
-    *of.lower, of.lowerBegin, TimeOver(*of.lower, of.lowerBegin, column), column, motion, context);
-  const Look upper = LookAlong(
-    *of.upper, of.upperBegin, TimeOver(*of.upper, of.upperBegin, column), column, motion, context);
-  return BlendLooks(lower, upper, of.shareOfUpper, context.rule);
+  else
+  {
+    look = LookAlongBetween(of, column, motion, context);
+  }
 }
 
 // The first look of a list that saw the column on its side of the time, within the gap. What is
-// assumed beyond the gates of one look gives way to what another measured.
-inline FoundLook FindLook(const std::vector<TiltObservation>& observations,
-  const ColumnDirection& column, const SamplingContext& context, bool after)
+// assumed beyond the gates of one look gives way to what another measured. `found` must be as it is
+// made.
+inline void FindLook(const std::vector<TiltObservation>& observations,
+  const ColumnDirection& column, const SamplingContext& context, bool after, FoundLook& found)
 {
   FoundLook assumed;
   for (const TiltObservation& observation : observations)
   {
-    const Look look = LookAt(observation, column, context);
-    if (look.state == VoxelState::NotScanned || (look.time > 0.0F) != after)
+    LookAt(observation, column, context, found.look);
+    const bool near = std::abs(found.look.time) <= context.gap;
+    if (found.look.state != VoxelState::NotScanned && (found.look.time > 0.0F) == after)
     {
-      continue;
+      if (!found.look.assumed && near)
+      {
+        found.observation = &observation;
+        return;
+      }
+      if (!found.look.assumed)
+      {
+        break;
+      }
+      if (near && assumed.observation == nullptr)
+      {
+        assumed = {found.look, &observation};
+      }
     }
-    const FoundLook found =
-      std::abs(look.time) <= context.gap ? FoundLook{look, &observation} : FoundLook{};
-    if (!look.assumed)
-    {
-      return found.observation != nullptr ? found : assumed;
-    }
-    assumed = assumed.observation != nullptr ? assumed : found;
+    found.look = {};
   }
-  return assumed;
+  found = assumed;
 }
 
 inline bool TellsSomething(const Look& look)
@@ -429,22 +465,19 @@ inline bool TellsSomething(const Look& look)
   return look.state == VoxelState::Echo || look.state == VoxelState::NoEcho;
 }
 
-// Puts in place of two looks over a column those along the motion, where they are of help
-// (Formulas A2a).
-inline void FollowMotion(FoundLook& before, FoundLook& after, const ColumnDirection& column,
-  const ColumnMotion& motion, const SamplingContext& context)
+// Looks along the motion in place of two over a column; false where they are of no help (Formulas
+// A2a). `source` and `target` must be as they are made.
+inline bool FollowMotion(const FoundLook& before, const FoundLook& after,
+  const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context,
+  Look& source, Look& target)
 {
   if (!TellsSomething(before.look) && !TellsSomething(after.look))
   {
-    return;
+    return false;
   }
-  const Look source = LookAlong(before, column, motion, context);
-  const Look target = LookAlong(after, column, motion, context);
-  if (TellsSomething(source) && TellsSomething(target))
-  {
-    before.look = source;
-    after.look = target;
-  }
+  LookAlong(before, column, motion, context, source);
+  LookAlong(after, column, motion, context, target);
+  return TellsSomething(source) && TellsSomething(target);
 }
 
 // h/(a_e + h) of a beam over a column (Formulas G7).
@@ -466,15 +499,22 @@ inline float TangentTo(float ratio, const ColumnDirection& column)
 Look LookAlongNear(const BeamTilt& tilt, float time, const ColumnDirection& column,
   const ColumnMotion& motion, const SamplingContext& context)
 {
-  const FoundLook before = FindLook(tilt.before, column, context, false);
-  const FoundLook after = FindLook(tilt.after, column, context, true);
+  FoundLook before;
+  FoundLook after;
+  FindLook(tilt.before, column, context, false, before);
+  FindLook(tilt.after, column, context, true, after);
   const auto apart = [time](const FoundLook& found)
   {
     return found.observation != nullptr ? std::abs(found.look.time - time)
                                         : std::numeric_limits<float>::infinity();
   };
   const FoundLook& nearest = apart(after) < apart(before) ? after : before;
-  return nearest.observation == nullptr ? Look{} : LookAlong(nearest, column, motion, context);
+  Look along;
+  if (nearest.observation != nullptr)
+  {
+    LookAlong(nearest, column, motion, context, along);
+  }
+  return along;
 }
 
 // The neighbouring tilts about a height over a column, and how far it lies on the way to the upper
@@ -664,8 +704,11 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
   bool nothingAbout)
 {
   const BeamTilt& tilt = tilts[number];
-  FoundLook before = FindLook(tilt.before, column, context, false);
-  FoundLook after = FindLook(tilt.after, column, context, true);
+  FoundLook before;
+  FoundLook after;
+  FindLook(tilt.before, column, context, false, before);
+  FindLook(tilt.after, column, context, true, after);
+  TiltSample sample;
   if (before.observation == nullptr || after.observation == nullptr)
   {
     FoundLook& alone = before.observation == nullptr ? after : before;
@@ -673,26 +716,31 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
     {
       FollowMotionAlone(tilts, number, alone.look, column, *motion, context);
     }
-    return alone.observation == nullptr ? TiltSample{} : SampleOf(alone.look, context.gap);
+    if (alone.observation != nullptr)
+    {
+      sample = SampleOf(alone.look, context.gap);
+    }
+    return sample;
   }
-  TiltSample sample;
   sample.lowest = std::min(before.look.elevation, after.look.elevation);
   sample.highest = std::max(before.look.elevation, after.look.elevation);
   sample.age = std::min(-before.look.time, after.look.time);
   sample.fade =
     std::max(FadeOf(-before.look.time, context.gap), FadeOf(after.look.time, context.gap));
-  if (motion != nullptr && !nothingAbout)
-  {
-    FollowMotion(before, after, column, *motion, context);
-  }
-  sample.assumed = before.look.assumed || after.look.assumed;
-  if (before.look.state == VoxelState::NoEcho && after.look.state == VoxelState::NoEcho)
+  Look source;
+  Look target;
+  const bool moved = motion != nullptr && !nothingAbout &&
+                     FollowMotion(before, after, column, *motion, context, source, target);
+  const Look& first = moved ? source : before.look;
+  const Look& second = moved ? target : after.look;
+  sample.assumed = first.assumed || second.assumed;
+  if (first.state == VoxelState::NoEcho && second.state == VoxelState::NoEcho)
   {
     sample.state = VoxelState::NoEcho;
     return sample;
   }
-  const float share = ShareOfAfter(before.look, after.look, context.gap);
-  BlendTimes(before.look, after.look, share, context, sample);
+  const float share = ShareOfAfter(first, second, context.gap);
+  BlendTimes(first, second, share, context, sample);
   return sample;
 }
 

@@ -176,7 +176,7 @@ std::vector<std::uint16_t> Sharpen(
         const float value = sweep.base + sweep.step * static_cast<float>(ray[gate]);
         const float sharpened = SharpenValue(value, below.At(gate), above.At(gate), beamWidth);
         const float code = static_cast<float>(ray[gate]) + (sharpened - value) / sweep.step;
-        ray[gate] = static_cast<std::uint16_t>(std::clamp(std::round(code), first, 65'535.0F));
+        ray[gate] = static_cast<std::uint16_t>(std::clamp(code, first, 65'535.0F) + 0.5F);
       }
     }
     ray[sweep.gates] = ray[sweep.gates - 1];

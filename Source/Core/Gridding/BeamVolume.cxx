@@ -141,19 +141,21 @@ void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, B
   const float stepsPerUnit = to.step > 0.0F ? 1.0F / to.step : 0.0F;
   const float offset = static_cast<float>(BeamSweep::FirstValueCode) + 0.5F;
   const float smallest = to.base + static_cast<float>(BeamSweep::FirstValueCode) * to.step;
-  to.codes.reserve(entries.size() * to.Stride());
+  to.codes.resize(entries.size() * to.Stride());
+  std::uint16_t* codes = to.codes.data();
   for (const SortedRay& entry : entries)
   {
+    const GateState* states = source.states.data() + source.Index(entry.ray, 0);
+    const float* values = source.values.data() + source.Index(entry.ray, 0);
     for (std::size_t gate = 0; gate < source.gates; ++gate)
     {
-      const std::size_t index = source.Index(entry.ray, gate);
-      const GateState state = source.states[index];
-      to.codes.push_back(
-        state == GateState::Valid
-          ? static_cast<std::uint16_t>(offset + stepsPerUnit * (source.values[index] - smallest))
-          : CodeOf(state));
+      codes[gate] =
+        states[gate] == GateState::Valid
+          ? static_cast<std::uint16_t>(offset + stepsPerUnit * (values[gate] - smallest))
+          : CodeOf(states[gate]);
     }
-    to.codes.push_back(to.codes.back());
+    codes[source.gates] = codes[source.gates - 1];
+    codes += to.Stride();
   }
 }
 

@@ -102,17 +102,9 @@ public:
     , edges(theEdges)
     , gap(theGap)
     , beam(radius / 6'371'000.0)
+    , effectiveRadius(radius)
+    , places(rings * knots)
   {
-    const auto lower = static_cast<double>(tilts[gap].Elevation());
-    const auto upper = static_cast<double>(tilts[gap + 1].Elevation());
-    for (std::size_t ring = 0; ring < rings; ++ring)
-    {
-      const double distance = (static_cast<double>(ring) + 0.5) * ringWidth;
-      for (std::size_t knot = 0; knot < knots; ++knot)
-      {
-        places.push_back(FindPlaces(lower, upper, ShareOf(knot), distance, radius));
-      }
-    }
   }
 
   static double ShareOf(std::size_t knot)
@@ -121,8 +113,9 @@ public:
   }
 
   // Writes the changes of one cell; false when there are none.
-  bool Change(std::size_t sector, std::size_t ring, float share, std::int8_t* to) const
+  bool Change(std::size_t sector, std::size_t ring, float share, std::int8_t* to)
   {
+    this->PlaceRing(ring);
     const float over = places[ring * knots].over;
     TiltGapValues column;
     column.lower = tilts[gap].At(sector, over);
@@ -171,11 +164,31 @@ private:
     return above ? 0.0F : mean;
   }
 
+  // Most rings have no cell that needs it.
+  void PlaceRing(std::size_t ring)
+  {
+    if (placed[ring])
+    {
+      return;
+    }
+    placed[ring] = true;
+    const auto lower = static_cast<double>(tilts[gap].Elevation());
+    const auto upper = static_cast<double>(tilts[gap + 1].Elevation());
+    const double distance = (static_cast<double>(ring) + 0.5) * ringWidth;
+    for (std::size_t knot = 0; knot < knots; ++knot)
+    {
+      places[ring * knots + knot] =
+        FindPlaces(lower, upper, ShareOf(knot), distance, effectiveRadius);
+    }
+  }
+
   const std::vector<TiltMeans>& tilts;
   const std::vector<TiltEdges>& edges;
   const std::size_t gap;
   const BeamModel beam;
-  std::vector<LevelPlaces> places; // rings × knots
+  const double effectiveRadius;    // m
+  std::vector<LevelPlaces> places; // rings × knots, of the rings that are placed
+  std::array<bool, rings> placed{};
 };
 
 std::vector<TiltEdges> EdgesOf(const std::vector<TiltMeans>& tilts, double beamWidth)
@@ -207,7 +220,7 @@ EchoLayers::EchoLayers(
   for (std::size_t i = 0; i + 1 < tilts.size() && i < MostGaps; ++i)
   {
     Gap gap{tilts[i].Elevation(), tilts[i + 1].Elevation(), {}};
-    const GapWork work(tilts, edges, i, effectiveRadius);
+    GapWork work(tilts, edges, i, effectiveRadius);
     for (std::size_t sector = 0; sector < sectors; ++sector)
     {
       const bool echo = tilts[i].HasEcho(sector) || tilts[i + 1].HasEcho(sector);

@@ -3,6 +3,7 @@
 
 #include "Geometry/Angles.h"
 #include "Gridding/BeamVolume.h"
+#include "Gridding/SweepPlaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -273,6 +274,10 @@ public:
     , rays(theSweep.azimuths.size() - 2)
   {
     tallies.resize(rays);
+    for (std::size_t ray = 0; ray < rays; ++ray)
+    {
+      held.push_back(this->FindHeld(ray));
+    }
   }
 
   void Reduce(double gatesPerRing)
@@ -296,12 +301,40 @@ public:
   }
 
 private:
+  // The gates of a ray from the first to the last that holds anything but no echo.
+  struct GateRange
+  {
+    double begin;
+    double end;
+  };
+
+  GateRange FindHeld(std::size_t ray) const
+  {
+    const std::uint16_t* codes = sweep.codes.data() + (ray + 1) * sweep.Stride();
+    std::ptrdiff_t end = LargestCode(sweep, ray + 1) == BeamSweep::NoEchoCode ? 0 : sweep.gates;
+    while (end > 0 && codes[end - 1] == BeamSweep::NoEchoCode)
+    {
+      --end;
+    }
+    std::ptrdiff_t begin = 0;
+    while (begin < end && codes[begin] == BeamSweep::NoEchoCode)
+    {
+      ++begin;
+    }
+    return {static_cast<double>(begin), static_cast<double>(end)};
+  }
+
   // Of each ray the part between two places, in gates.
   void AddRays(double begin, double end)
   {
+    Tally nothing;
+    nothing.none = 1.0F;
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
-      tallies[ray] = this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end);
+      const bool holds = begin < held[ray].end && end > held[ray].begin;
+      tallies[ray] = holds
+                       ? this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end)
+                       : nothing;
     }
   }
 
@@ -378,9 +411,10 @@ private:
   const GateAdder adder;
   SweepMeans& means;
   const std::size_t rays;
-  std::vector<Tally> tallies; // of one ring: its parts along the rays
-  std::vector<Tally> sectors; // and its sectors
-  std::vector<float> covered; // parts of the sectors in which rays stand
+  std::vector<GateRange> held; // of each ray
+  std::vector<Tally> tallies;  // of one ring: its parts along the rays
+  std::vector<Tally> sectors;  // and its sectors
+  std::vector<float> covered;  // parts of the sectors in which rays stand
 };
 
 } // namespace

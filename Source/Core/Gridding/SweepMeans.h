@@ -28,7 +28,12 @@ struct SweepMeans
     std::uint8_t echo = 0;
     std::uint8_t missing = 0;
 
-    bool IsNoEcho() const { return (code | echo | missing) == 0; }
+    /// All of it in one number, which is 0 for a cell of no echo alone.
+    std::uint32_t Word() const
+    {
+      return code | static_cast<std::uint32_t>(echo) << 16U |
+             static_cast<std::uint32_t>(missing) << 24U;
+    }
   };
 
   struct Ring

@@ -70,13 +70,4 @@ TiltInterpolation::TiltInterpolation(const TiltGapValues& values, const TiltEdge
   }
 }
 
-float ChangeAt(const std::array<float, 3>& changes, float share)
-{
-  const float place = 4.0F * share;
-  const auto before = static_cast<std::size_t>(std::clamp(place, 0.0F, 3.0F));
-  const float lower = before > 0 ? changes[before - 1] : 0.0F;
-  const float upper = before < 3 ? changes[before] : 0.0F;
-  return lower + (place - static_cast<float>(before)) * (upper - lower);
-}
-
 } // namespace nexrad

@@ -61,6 +61,9 @@ public:
     }
   }
 
+  // Whether there are rays, and none that holds anything.
+  bool IsQuiet() const { return rays > 0 && quietRays == rays; }
+
   // `gatesOf` are those of one ray in each ring. Rings narrower than the gates take the mean of the
   // ring before. Returns whether any mean is above 0 dBZ.
   bool Write(const std::vector<int>& gatesOf, std::vector<float>& means) const
@@ -107,6 +110,7 @@ TiltMeans::TiltMeans(const BeamSweep& sweep, double effectiveRadius)
   }
   std::size_t entry = 1; // the first repeats the last ray
   means.reserve(Sectors * Rings);
+  std::vector<float> quietRow; // what each sector has in which no ray holds anything
   for (std::size_t sector = 0; sector < Sectors; ++sector)
   {
     SectorSums sums;
@@ -121,7 +125,17 @@ TiltMeans::TiltMeans(const BeamSweep& sweep, double effectiveRadius)
     {
       sums.Add(sweep, static_cast<std::size_t>(nearest), rings);
     }
-    echoes.push_back(sums.Write(gatesOf, means));
+    if (!sums.IsQuiet())
+    {
+      echoes.push_back(sums.Write(gatesOf, means));
+      continue;
+    }
+    if (quietRow.empty())
+    {
+      sums.Write(gatesOf, quietRow);
+    }
+    means.insert(means.end(), quietRow.begin(), quietRow.end());
+    echoes.push_back(false);
   }
 }
 

@@ -3,6 +3,7 @@
 
 #include "Geometry/Beam.h"
 #include "Gridding/BeamVolume.h"
+#include "Gridding/SweepPlaces.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,8 +79,12 @@ private:
   void FindStrongest(std::size_t entry)
   {
     const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
-    strongest.clear();
     rayEcho = 0.0;
+    strongest.assign(gates.size() - 1, BeamSweep::NoEchoCode);
+    if (LargestCode(sweep, entry) == BeamSweep::NoEchoCode)
+    {
+      return;
+    }
     for (std::size_t ring = 0; ring + 1 < gates.size(); ++ring)
     {
       std::uint16_t most = 0;
@@ -87,7 +92,7 @@ private:
       {
         most = std::max(most, codes[gate]);
       }
-      strongest.push_back(most);
+      strongest[ring] = most;
       rayEcho += static_cast<double>(this->ValueOf(most));
     }
   }
