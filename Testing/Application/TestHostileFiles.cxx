@@ -24,7 +24,7 @@ namespace
 class MemoryLimit
 {
 public:
-  explicit MemoryLimit(rlim_t bytes)
+  explicit MemoryLimit([[maybe_unused]] rlim_t bytes)
   {
     getrlimit(RLIMIT_AS, &before);
 #ifndef __SANITIZE_ADDRESS__ // which reserves terabytes of addresses

@@ -74,15 +74,15 @@ struct BeamVolume
 /// between rays wider than one and a half times `beamWidth` (degrees; unless said, the radar's own,
 /// BeamWidthOf) or the sweep's own spacing, whichever is larger, is not interpolated across.
 ///
-/// Left out are sweeps without rays or gates or that end at or behind the antenna, rays that stray from their cut (Formulas Q7), rays at
-/// the azimuth of a later one, and of REF the Doppler half of a split cut in the directions in
-/// which its surveillance half has rays. The Doppler half is a contiguous Doppler cut after a
-/// surveillance or batch cut at the same tilt, with nothing but other cuts at that tilt between
-/// them. A terminal radar's cuts without ambiguity resolution are none: it repeats the lowest one
-/// each minute for its reflectivity.
+/// Left out are sweeps without rays or gates or that end at or behind the antenna, rays that stray
+/// from their cut (Formulas Q7), rays at the azimuth of a later one, and of REF the Doppler half of
+/// a split cut in the directions in which its surveillance half has rays. The Doppler half is a
+/// contiguous Doppler cut after a surveillance or batch cut at the same tilt, with nothing but
+/// other cuts at that tilt between them. A terminal radar's cuts without ambiguity resolution are
+/// none: it repeats the lowest one each minute for its reflectivity.
 ///
 /// `sharpen` deconvolves reflectivity in elevation (Formulas G9).
-BeamVolume PrepareBeamVolume(const PolarVolume& volume,
-  std::optional<double> beamWidth = std::nullopt, bool sharpen = false);
+BeamVolume PrepareBeamVolume(
+  const PolarVolume& volume, std::optional<double> beamWidth = std::nullopt, bool sharpen = false);
 
 } // namespace nexrad
