@@ -65,8 +65,25 @@ int RunGrid(const GridCommandOptions& options)
   const JoinedProcesses joined;
   const Processes processes = joined.Get();
   ProgressBar bar("merging", options.quiet || !processes.IsFirst());
-  const GridReport report = WriteVolumes(
-    options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
+  GridReport report;
+  try
+  {
+    report = WriteVolumes(
+      options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
+  }
+  catch (const Error& error)
+  {
+    if (processes.Count() == 1)
+    {
+      throw;
+    }
+    // Said before the processes part: mpiexec ends all of them when one has left with a failure.
+    if (processes.IsFirst())
+    {
+      std::cerr << "nexrad3d grid: " << error.what() << std::endl;
+    }
+    return Failed;
+  }
   bar.Clear();
   const int status = report.problems.empty() ? Done : DoneWithDamage;
   if (!processes.IsFirst())
