@@ -110,6 +110,7 @@ void CheckHeight(RadarVolume& volume)
                    : ": the file's is used"));
   if (isInFeetTwice)
   {
+    volume.storedAltitude = height;
     height = listed;
   }
 }

@@ -75,10 +75,12 @@ struct RadarVolume
   std::optional<CoveragePattern> coveragePattern; ///< message 5, when the file has one
   std::optional<RadarStatus> status;              ///< message 2, the last
   std::optional<int> messageType;                 ///< 1 or 31; empty without rays
-  std::optional<Time> headerTime; ///< time in the volume header; may differ from the rays'
-  std::vector<Sweep> sweeps;      ///< in the order scanned
-  bool complete = false;          ///< an end-of-volume radial was read
-  bool synthetic = false;         ///< the file says that it was simulated (Level2/SyntheticMark.h)
+  std::optional<Time> headerTime;       ///< time in the volume header; may differ from the rays'
+  std::optional<double> storedAltitude; ///< m, of the antenna as the file has it, where that cannot
+                                        ///< be and `site` has another; empty otherwise
+  std::vector<Sweep> sweeps;            ///< in the order scanned
+  bool complete = false;                ///< an end-of-volume radial was read
+  bool synthetic = false; ///< the file says that it was simulated (Level2/SyntheticMark.h)
   std::vector<Damage> damage;
   std::vector<std::string> notes; ///< worth knowing, and not damage
   std::vector<std::shared_ptr<const std::vector<std::uint8_t>>> buffers; ///< decompressed records

@@ -329,6 +329,7 @@ TEST(Assembly, HeightsInFeetAreFoundByTheSiteTable)
   const double listed = FindSite("KTYX")->position.altitude;
   const RadarVolume inFeet = decode("KTYX");
   EXPECT_EQ(inFeet.site.position->altitude, listed);
+  EXPECT_EQ(inFeet.storedAltitude, 180.0);
   EXPECT_TRUE(HasNote(
     inFeet, "height in the file, 180 m, is not the site table's, 597 m, but is it as feet"));
   // The file has the last word otherwise, and small differences are no news.
