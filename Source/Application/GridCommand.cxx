@@ -11,6 +11,7 @@
 
 #include <iostream>
 #include <memory>
+#include <optional>
 #include <utility>
 
 namespace nexrad::application
@@ -22,6 +23,9 @@ struct GridCommandOptions
 {
   GridJob job;
   bool quiet = false;
+  // Until the program has said what went wrong: mpiexec ends all processes as soon as one has left
+  // them with a failure.
+  std::optional<JoinedProcesses> joined;
 };
 
 VolumeFormat ParseFormat(const std::string& text)
@@ -60,30 +64,12 @@ void CheckCode(const GridJob& job)
   }
 }
 
-int RunGrid(const GridCommandOptions& options)
+int RunGrid(GridCommandOptions& options)
 {
-  const JoinedProcesses joined;
-  const Processes processes = joined.Get();
+  const Processes processes = options.joined.emplace().Get();
   ProgressBar bar("merging", options.quiet || !processes.IsFirst());
-  GridReport report;
-  try
-  {
-    report = WriteVolumes(
-      options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
-  }
-  catch (const Error& error)
-  {
-    if (processes.Count() == 1)
-    {
-      throw;
-    }
-    // Said before the processes part: mpiexec ends all of them when one has left with a failure.
-    if (processes.IsFirst())
-    {
-      std::cerr << "nexrad3d grid: " << error.what() << std::endl;
-    }
-    return Failed;
-  }
+  const GridReport report = WriteVolumes(
+    options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
   bar.Clear();
   const int status = report.problems.empty() ? Done : DoneWithDamage;
   if (!processes.IsFirst())

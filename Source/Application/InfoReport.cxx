@@ -2,14 +2,12 @@
 #include "InfoReport.h"
 
 #include "Counted.h"
-#include "Model/Elevation.h"
 #include "Model/MomentSummary.h"
 #include "Model/SiteTable.h"
 #include "Model/SweepWaveforms.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <iomanip>
 #include <optional>
 #include <ostream>
@@ -64,15 +62,6 @@ std::string KnownText(float value, int decimals)
   return value > 0.0F ? text.str() : "-";
 }
 
-// Rays that the merge takes for none of the cut's (Formulas Q7).
-std::size_t CountStrays(const Sweep& sweep, double beamWidth)
-{
-  const double elevation = sweep.MedianElevation();
-  return static_cast<std::size_t>(std::count_if(sweep.rays.begin(), sweep.rays.end(),
-    [&](const Ray& ray)
-    { return IsStray(static_cast<double>(ray.elevation), elevation, beamWidth); }));
-}
-
 Json MakeSweep(const Sweep& sweep, std::size_t index, double beamWidth)
 {
   const Ray& first = sweep.rays.front();
@@ -80,7 +69,7 @@ Json MakeSweep(const Sweep& sweep, std::size_t index, double beamWidth)
   Json result = {{"index", index}, {"elevation_number", sweep.elevationNumber},
     {"elevation_deg", sweep.MedianElevation()}, {"elevation_mean_deg", sweep.MeanElevation()},
     {"waveform", waveform.empty() ? Json(nullptr) : Json(waveform)}, {"rays", sweep.rays.size()},
-    {"stray_rays", CountStrays(sweep, beamWidth)}, {"first_azimuth_deg", first.azimuth},
+    {"stray_rays", sweep.StrayRays(beamWidth).size()}, {"first_azimuth_deg", first.azimuth},
     {"start", FormatIso8601(first.time)}, {"nyquist_m_s", NyquistOrNull(first)},
     {"unambiguous_range_m",
       first.unambiguousRange > 0.0F ? Json(first.unambiguousRange) : Json(nullptr)},

@@ -80,8 +80,8 @@ private:
   /**
    * Appends each site's latest sweeps. Returns 0 when it was aborted.
    */
-  int ReadAt(double time, vtkInformation* outputInformation,
-    class vtkPartitionedDataSetCollection* sweeps);
+  int ReadAt(
+    double time, vtkInformation* outputInformation, class vtkPartitionedDataSetCollection* sweeps);
 
   struct Series;
   std::unique_ptr<Series> Scanned;

@@ -65,4 +65,11 @@ double BeamModel::HeightOver(double groundDistance, double elevation) const
   return effectiveRadius * 2.0 * std::sin(angle + 0.5 * arc) * std::sin(0.5 * arc) / denominator;
 }
 
+double BeamModel::DistanceAt(double height, double elevation) const
+{
+  const double rise = effectiveRadius * std::sin(elevation * RadiansPerDegree);
+  const double d = height * (2.0 * effectiveRadius + height);
+  return this->Locate(std::sqrt(rise * rise + d) - rise, elevation).groundDistance;
+}
+
 } // namespace nexrad

@@ -41,6 +41,10 @@ public:
   /// ground `groundDistance` m away (B1 solved for the height). Infinity where it never gets there.
   double HeightOver(double groundDistance, double elevation) const;
 
+  /// Ground distance, m, at which a beam of `elevation` degrees reaches a height above the antenna,
+  /// m, at least 0 (B1 solved for the distance).
+  double DistanceAt(double height, double elevation) const;
+
   /// a_e = k·a, m.
   double EffectiveRadius() const { return effectiveRadius; }
 

@@ -246,7 +246,7 @@ void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
     for (int level = gap.from; level < gap.to; ++level)
     {
       const auto at = static_cast<std::size_t>(level);
-      values[at] += ChangeAt(site.layers[gap.tilt], shares[at]);
+      values[at] += EchoLayers::ChangeAt(site.layers[gap.tilt], shares[at]);
     }
   }
   this->WeighLevels(site, gap, gap.from, gap.to);

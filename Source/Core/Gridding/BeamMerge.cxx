@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/BeamMerge.h"
 
+#include "Gridding/BeamSharpening.h"
 #include "Model/Error.h"
 #include "Model/SiteTable.h"
 
@@ -47,6 +48,12 @@ OverlapStrategy StrategyFor(MomentName moment, OverlapStrategy wanted)
   }
 }
 
+// m above the antenna. Without a position there is no merge.
+double CeilingOver(const Site& site)
+{
+  return weatherCeiling - (site.position ? site.position->altitude : 0.0);
+}
+
 SamplingContext ContextFor(
   const BeamVolume& volume, const BeamMergeOptions& options, double effectiveRadius)
 {
@@ -55,7 +62,7 @@ SamplingContext ContextFor(
   context.ages = options.companions;
   context.gap = static_cast<float>(options.maximumGap.count()) / 1000.0F;
   context.effectiveRadius = static_cast<float>(effectiveRadius);
-  const double ceiling = weatherCeiling - volume.site.position->altitude;
+  const double ceiling = CeilingOver(volume.site);
   context.ceiling = static_cast<float>(ceiling / (effectiveRadius + ceiling));
   return context;
 }
@@ -252,8 +259,19 @@ RangeLoop ThreadLoop(unsigned threads)
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
 {
-  const bool sharpen = options.sharpen && !options.linearReflectivity;
-  BeamVolume prepared = PrepareBeamVolume(volume, options.beamWidth, sharpen);
+  const double beamWidth = options.beamWidth.value_or(BeamWidthOf(volume.site));
+  BeamVolume prepared = PrepareBeamVolume(volume, beamWidth);
+  // Of what the radar measures, reflectivity in dBZ alone is known to be a mean of Z.
+  const bool decibels = volume.moment == MomentName::REF && !options.linearReflectivity;
+  if (decibels && options.sharpen)
+  {
+    SharpenSweeps(prepared.sweeps, beamWidth, options.beam);
+  }
+  if (decibels && options.trend)
+  {
+    const double ceiling = CeilingOver(volume.site);
+    prepared.layers = EchoLayers(prepared.sweeps, beamWidth, options.beam, ceiling);
+  }
   if (options.means && volume.site.position)
   {
     const ValueRule rule = ValueRule::Of(volume.moment, options.linearReflectivity);

@@ -51,8 +51,8 @@ struct SiteReach
   double reach = 0.0; ///< m, slant range at which its farthest gate ends, or more
 };
 
-/// Makes a volume ready for merges onto a grid: PrepareBeamVolume, and the means of its gates over
-/// the grid's voxels.
+/// Makes a volume ready for merges onto a grid: PrepareBeamVolume, and what the options ask for of
+/// G9 (deconvolution in elevation), G10 (means over the grid's voxels) and G12 (layers).
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
 

@@ -68,13 +68,6 @@ float SlopeTo(const NeighbourEcho& neighbour, float value, float beamWidth)
   return spread * (neighbour.value ? *neighbour.value - value : -value / end);
 }
 
-// The sweeps beside one in elevation.
-struct Beside
-{
-  const BeamSweep* below = nullptr;
-  const BeamSweep* above = nullptr;
-};
-
 // What is left of a cut when another one serves most of its directions.
 bool IsRemnant(const BeamSweep& other, const BeamSweep& sweep)
 {
@@ -108,13 +101,13 @@ const BeamSweep* FindBeside(
 class NeighbourSweep
 {
 public:
-  NeighbourSweep(const BeamSweep* beside, const BeamSweep& of)
+  NeighbourSweep(const BeamSweep* beside, const BeamSweep& of, const BeamModel& beam)
     : sweep(beside)
   {
     if (sweep != nullptr)
     {
       gap = std::abs(sweep->elevation - of.elevation);
-      gates = GatesOver(*sweep, of);
+      gates = GatesOver(*sweep, of, beam);
     }
   }
 
@@ -146,11 +139,11 @@ private:
 };
 
 // The codes of a sweep with its echo deconvolved.
-std::vector<std::uint16_t> Sharpen(
-  const BeamSweep& sweep, const std::vector<BeamSweep>& sweeps, float beamWidth)
+std::vector<std::uint16_t> Sharpen(const BeamSweep& sweep, const std::vector<BeamSweep>& sweeps,
+  float beamWidth, const BeamModel& beam)
 {
-  NeighbourSweep below(FindBeside(sweeps, sweep, -1.0F), sweep);
-  NeighbourSweep above(FindBeside(sweeps, sweep, 1.0F), sweep);
+  NeighbourSweep below(FindBeside(sweeps, sweep, -1.0F), sweep, beam);
+  NeighbourSweep above(FindBeside(sweeps, sweep, 1.0F), sweep, beam);
   std::vector<std::uint16_t> codes = sweep.codes;
   const auto first = static_cast<float>(BeamSweep::FirstValueCode);
   // The first code above 0 dBZ.
@@ -202,12 +195,12 @@ float SharpenValue(
   return value - std::max(excess, -gain);
 }
 
-void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth)
+void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam)
 {
   std::vector<std::vector<std::uint16_t>> sharpened;
   for (const BeamSweep& sweep : sweeps)
   {
-    sharpened.push_back(Sharpen(sweep, sweeps, static_cast<float>(beamWidth)));
+    sharpened.push_back(Sharpen(sweep, sweeps, static_cast<float>(beamWidth), beam));
   }
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Geometry/Beam.h"
+
 #include <optional>
 #include <vector>
 
@@ -27,7 +29,7 @@ float SharpenValue(
 /// tilts are the nearest below and above that are more than SameTilt away; of repeated cuts the
 /// one scanned nearest in time. States stay, so that an echo may come out below 0 dBZ. The sweeps'
 /// scale must leave room for values `SharpeningRange` beyond what they hold.
-void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth);
+void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam);
 
 /// How far a value can change, dB: downwards and upwards.
 struct SharpeningRange

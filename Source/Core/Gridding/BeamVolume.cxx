@@ -2,7 +2,6 @@
 #include "Gridding/BeamVolume.h"
 
 #include "Geometry/Angles.h"
-#include "Geometry/Beam.h"
 #include "Gridding/BeamSharpening.h"
 #include "Gridding/SweepPairing.h"
 #include "Model/Elevation.h"
@@ -11,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nexrad
 {
@@ -65,9 +65,7 @@ double MedianGap(const std::vector<SortedRay>& entries)
   {
     gaps.push_back(entries[i + 1].azimuth - entries[i].azimuth);
   }
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  return *middle;
+  return MedianOf(std::move(gaps));
 }
 
 void SetDirections(
@@ -101,7 +99,8 @@ void SetDirections(
   }
 }
 
-void SetScale(const PolarSweep& source, BeamSweep& to)
+// Reflectivity has room for what SharpenSweeps makes of it.
+void SetScale(const PolarSweep& source, bool reflectivity, BeamSweep& to)
 {
   float smallest = std::numeric_limits<float>::max();
   float largest = std::numeric_limits<float>::lowest();
@@ -115,8 +114,8 @@ void SetScale(const PolarSweep& source, BeamSweep& to)
   }
   if (smallest <= largest)
   {
-    smallest -= SharpeningRange::Down;
-    largest += SharpeningRange::Up;
+    smallest -= reflectivity ? SharpeningRange::Down : 0.0F;
+    largest += reflectivity ? SharpeningRange::Up : 0.0F;
     to.step = (largest - smallest) / static_cast<float>(valueCodes);
     to.base = smallest - to.step * static_cast<float>(BeamSweep::FirstValueCode);
   }
@@ -137,7 +136,6 @@ std::uint16_t CodeOf(GateState state)
 
 void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, BeamSweep& to)
 {
-  SetScale(source, to);
   const float stepsPerUnit = to.step > 0.0F ? 1.0F / to.step : 0.0F;
   const float offset = static_cast<float>(BeamSweep::FirstValueCode) + 0.5F;
   const float smallest = to.base + static_cast<float>(BeamSweep::FirstValueCode) * to.step;
@@ -160,8 +158,8 @@ void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, B
 }
 
 // A sweep of some of the rays of `source`.
-BeamSweep PrepareSweep(
-  const PolarSweep& source, const std::vector<std::size_t>& rays, double beamWidth)
+BeamSweep PrepareSweep(const PolarSweep& source, const std::vector<std::size_t>& rays,
+  MomentName moment, double beamWidth)
 {
   BeamSweep sweep;
   const double elevation = MedianElevation(source);
@@ -179,6 +177,7 @@ BeamSweep PrepareSweep(
   sweep.end = source.rays[*times.second].time;
   const std::vector<SortedRay> entries = CloseTheCircle(SortRays(source, rays));
   SetDirections(source, entries, beamWidth, sweep);
+  SetScale(source, moment == MomentName::REF, sweep);
   SetCodes(source, entries, sweep);
   return sweep;
 }
@@ -266,8 +265,7 @@ std::size_t BeamVolume::MemoryBytes() const
   return bytes;
 }
 
-BeamVolume PrepareBeamVolume(
-  const PolarVolume& volume, std::optional<double> beamWidth, bool sharpen)
+BeamVolume PrepareBeamVolume(const PolarVolume& volume, std::optional<double> beamWidth)
 {
   const double width = beamWidth.value_or(BeamWidthOf(volume.site));
   BeamVolume prepared;
@@ -292,19 +290,11 @@ BeamVolume PrepareBeamVolume(
     }
     if (!rays.empty())
     {
-      prepared.sweeps.push_back(PrepareSweep(sweep, rays, width));
+      prepared.sweeps.push_back(PrepareSweep(sweep, rays, volume.moment, width));
       prepared.sweeps.back().strays = strays;
     }
   }
   prepared.composite = MakeComposite(prepared.sweeps);
-  if (volume.moment == MomentName::REF)
-  {
-    if (sharpen)
-    {
-      SharpenSweeps(prepared.sweeps, width);
-    }
-    prepared.layers = EchoLayers(prepared.sweeps, width, BeamModel().EffectiveRadius());
-  }
   return prepared;
 }
 

@@ -65,14 +65,15 @@ struct BeamVolume
   bool synthetic = false;
   std::vector<BeamSweep> sweeps; ///< in the order scanned
   VolumeComposite composite;     ///< of the sweeps
-  EchoLayers layers;             ///< of reflectivity; of other moments there are none
+  EchoLayers layers;             ///< of reflectivity, when PrepareForGrid was asked for them
 
   std::size_t MemoryBytes() const;
 };
 
-/// Makes a volume ready. Values are rounded to 1/65000 of the sweep's range of values. A gap
-/// between rays wider than one and a half times `beamWidth` (degrees; unless said, the radar's own,
-/// BeamWidthOf) or the sweep's own spacing, whichever is larger, is not interpolated across.
+/// Makes a volume ready. Values are rounded to 1/65000 of the sweep's range of values (of
+/// reflectivity with SharpeningRange about it). A gap between rays wider than one and a half times
+/// `beamWidth` (degrees; unless said, the radar's own, BeamWidthOf) or the sweep's own spacing,
+/// whichever is larger, is not interpolated across.
 ///
 /// Left out are sweeps without rays or gates or that end at or behind the antenna, rays that stray
 /// from their cut (Formulas Q7), rays at the azimuth of a later one, and of REF the Doppler half of
@@ -80,9 +81,7 @@ struct BeamVolume
 /// contiguous Doppler cut after a surveillance or batch cut at the same tilt, with nothing but
 /// other cuts at that tilt between them. A terminal radar's cuts without ambiguity resolution are
 /// none: it repeats the lowest one each minute for its reflectivity.
-///
-/// `sharpen` deconvolves reflectivity in elevation (Formulas G9).
 BeamVolume PrepareBeamVolume(
-  const PolarVolume& volume, std::optional<double> beamWidth = std::nullopt, bool sharpen = false);
+  const PolarVolume& volume, std::optional<double> beamWidth = std::nullopt);
 
 } // namespace nexrad

@@ -2,7 +2,6 @@
 #include "Gridding/EchoLayers.h"
 
 #include "Geometry/Angles.h"
-#include "Geometry/Beam.h"
 #include "Gridding/BeamVolume.h"
 #include "Gridding/LayerShares.h"
 #include "Gridding/TiltEdges.h"
@@ -23,8 +22,7 @@ constexpr std::size_t sectors = TiltMeans::Sectors;
 constexpr std::size_t rings = TiltMeans::Rings / 2;
 constexpr double ringWidth = 2.0 * TiltMeans::RingWidth;
 constexpr std::size_t knots = std::tuple_size_v<EchoLayers::Changes>;
-constexpr float perDecibel = 2.0F;          // units of a stored change
-constexpr double weatherCeiling = 18'000.0; // m above the antenna, at most 3 km above that of G4
+constexpr float perDecibel = 2.0F; // units of a stored change
 
 // One sweep of each tilt, the one with the most gates, ascending.
 std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps)
@@ -61,20 +59,11 @@ struct LevelPlaces
   float part = 0.0F;    // how much the two count, by their distance
 };
 
-// Ground distance, m, at which a tilt stands at a height.
-double DistanceAtHeight(double elevation, double height, double radius)
-{
-  const double sine = std::sin(elevation * RadiansPerDegree);
-  const double rise = radius * sine;
-  const double range = -rise + std::sqrt(rise * rise + 2.0 * radius * height + height * height);
-  return radius * std::atan2(range * std::cos(elevation * RadiansPerDegree), radius + range * sine);
-}
-
-LevelPlaces FindPlaces(double lower, double upper, double share, double distance, double radius)
+LevelPlaces FindPlaces(
+  double lower, double upper, double share, double distance, const BeamModel& beam)
 {
   // Echo that far apart on either side says little of what lies between.
   constexpr double full = 50'000.0; // m
-  const BeamModel beam(radius / 6'371'000.0);
   const double height = beam.HeightOver(distance, lower + share * (upper - lower));
   LevelPlaces places;
   places.over = static_cast<float>(distance / TiltMeans::RingWidth);
@@ -82,8 +71,8 @@ LevelPlaces FindPlaces(double lower, double upper, double share, double distance
   {
     return places;
   }
-  const double nearer = DistanceAtHeight(upper, height, radius);
-  const double farther = DistanceAtHeight(lower, height, radius);
+  const double nearer = beam.DistanceAt(height, upper);
+  const double farther = beam.DistanceAt(height, lower);
   places.nearer = static_cast<float>(nearer / TiltMeans::RingWidth);
   places.farther = static_cast<float>(farther / TiltMeans::RingWidth);
   places.way = static_cast<float>((distance - nearer) / (farther - nearer));
@@ -97,12 +86,12 @@ class GapWork
 {
 public:
   GapWork(const std::vector<TiltMeans>& theTilts, const std::vector<TiltEdges>& theEdges,
-    std::size_t theGap, double radius)
+    std::size_t theGap, const BeamModel& theBeam, double theCeiling)
     : tilts(theTilts)
     , edges(theEdges)
     , gap(theGap)
-    , beam(radius / 6'371'000.0)
-    , effectiveRadius(radius)
+    , beam(theBeam)
+    , ceiling(theCeiling)
     , places(rings * knots)
   {
   }
@@ -160,7 +149,7 @@ private:
     const float mean = upper.At(sector, place);
     const bool above = std::isnan(mean) && upper.Ends(place) &&
                        beam.HeightOver(static_cast<double>(place) * TiltMeans::RingWidth,
-                         static_cast<double>(upper.Elevation())) > weatherCeiling;
+                         static_cast<double>(upper.Elevation())) > ceiling;
     return above ? 0.0F : mean;
   }
 
@@ -177,8 +166,7 @@ private:
     const double distance = (static_cast<double>(ring) + 0.5) * ringWidth;
     for (std::size_t knot = 0; knot < knots; ++knot)
     {
-      places[ring * knots + knot] =
-        FindPlaces(lower, upper, ShareOf(knot), distance, effectiveRadius);
+      places[ring * knots + knot] = FindPlaces(lower, upper, ShareOf(knot), distance, beam);
     }
   }
 
@@ -186,7 +174,7 @@ private:
   const std::vector<TiltEdges>& edges;
   const std::size_t gap;
   const BeamModel beam;
-  const double effectiveRadius;    // m
+  const double ceiling;            // m above the antenna, above which there is no weather
   std::vector<LevelPlaces> places; // rings × knots, of the rings that are placed
   std::array<bool, rings> placed{};
 };
@@ -206,21 +194,21 @@ std::vector<TiltEdges> EdgesOf(const std::vector<TiltMeans>& tilts, double beamW
 } // namespace
 
 EchoLayers::EchoLayers(
-  const std::vector<BeamSweep>& sweeps, double beamWidth, double effectiveRadius)
-  : ringsPerTangent(static_cast<float>(2.0 * effectiveRadius / ringWidth))
+  const std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam, double ceiling)
+  : ringsPerTangent(static_cast<float>(2.0 * beam.EffectiveRadius() / ringWidth))
 {
   constexpr float least = 0.15F; // smaller shares are noise: echo without any order has 0.12
   std::vector<TiltMeans> tilts;
   for (const BeamSweep* sweep : OneOfEachTilt(sweeps))
   {
-    tilts.emplace_back(*sweep, effectiveRadius);
+    tilts.emplace_back(*sweep, beam);
   }
   const std::vector<TiltEdges> edges = EdgesOf(tilts, beamWidth);
-  const LayerShares shares(tilts, effectiveRadius);
+  const LayerShares shares(tilts, beam);
   for (std::size_t i = 0; i + 1 < tilts.size() && i < MostGaps; ++i)
   {
     Gap gap{tilts[i].Elevation(), tilts[i + 1].Elevation(), {}};
-    GapWork work(tilts, edges, i, effectiveRadius);
+    GapWork work(tilts, edges, i, beam, ceiling);
     for (std::size_t sector = 0; sector < sectors; ++sector)
     {
       const bool echo = tilts[i].HasEcho(sector) || tilts[i + 1].HasEcho(sector);
@@ -258,7 +246,7 @@ void EchoLayers::MarkGaps()
     for (std::size_t cell = 0; cell < sectors * rings; ++cell)
     {
       const std::int8_t* of = changes.data() + cell * knots;
-      if (of[0] == 0 && of[1] == 0 && of[2] == 0)
+      if (std::all_of(of, of + knots, [](std::int8_t change) { return change == 0; }))
       {
         continue;
       }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Geometry/Beam.h"
 #include "Gridding/SiteGeometry.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -27,8 +29,20 @@ public:
   static constexpr std::size_t MostGaps = 32;
 
   EchoLayers() = default;
-  /// `beamWidth` in degrees; `effectiveRadius` in m, of the beams' path. The sweeps are in dBZ.
-  EchoLayers(const std::vector<BeamSweep>& sweeps, double beamWidth, double effectiveRadius);
+  /// The sweeps are in dBZ. `beamWidth` in degrees; `ceiling` in m above the antenna, above which
+  /// there is no weather (Formulas G4).
+  EchoLayers(
+    const std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam, double ceiling);
+
+  /// What is `share` of the way, 0…1, through a gap of these changes, dB.
+  static float ChangeAt(const Changes& changes, float share)
+  {
+    const float place = 4.0F * share;
+    const auto before = static_cast<std::size_t>(std::clamp(place, 0.0F, 3.0F));
+    const float lower = before > 0 ? changes[before - 1] : 0.0F;
+    const float upper = before < 3 ? changes[before] : 0.0F;
+    return lower + (place - static_cast<float>(before)) * (upper - lower);
+  }
 
   /// The number of the gap between two neighbouring tilts, degrees; −1 when the volume has none.
   int FindGap(float lower, float upper) const;

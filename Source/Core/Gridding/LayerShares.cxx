@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/LayerShares.h"
 
-#include "Geometry/Angles.h"
-#include "Geometry/Beam.h"
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -41,25 +38,17 @@ struct ComparedPlaces
   float upper = -1.0F;
 };
 
-ComparedPlaces FindPlaces(double lower, double upper, double distance, double radius)
+ComparedPlaces FindPlaces(double lower, double upper, double distance, const BeamModel& beam)
 {
-  const BeamModel beam(radius / 6'371'000.0);
   const double height = beam.HeightOver(distance, 0.5 * (lower + upper));
   if (!(height > 0.0 && std::isfinite(height)))
   {
     return {};
   }
-  const auto distanceAt = [height, radius](double elevation)
-  {
-    const double sine = std::sin(elevation * RadiansPerDegree);
-    const double range = -radius * sine + std::sqrt(radius * radius * sine * sine +
-                                                    2.0 * radius * height + height * height);
-    const double arc =
-      std::atan2(range * std::cos(elevation * RadiansPerDegree), radius + range * sine);
-    return static_cast<float>(radius * arc / TiltMeans::RingWidth);
-  };
-  return {
-    static_cast<float>(distance / TiltMeans::RingWidth), distanceAt(lower), distanceAt(upper)};
+  const auto inRings = [](double metres)
+  { return static_cast<float>(metres / TiltMeans::RingWidth); };
+  return {inRings(distance), inRings(beam.DistanceAt(height, lower)),
+    inRings(beam.DistanceAt(height, upper))};
 }
 
 // Echo below 0 dBZ counts as none: its differences say little of where the weather is.
@@ -69,7 +58,7 @@ float EchoAt(const TiltMeans& tilt, std::size_t sector, float place)
   return value < 0.0F ? 0.0F : value;
 }
 
-Differences Compare(const TiltMeans& lower, const TiltMeans& upper, double radius)
+Differences Compare(const TiltMeans& lower, const TiltMeans& upper, const BeamModel& beam)
 {
   Differences sums{std::vector<float>(sectors * rings), std::vector<float>(sectors * rings)};
   std::vector<ComparedPlaces> places;
@@ -77,7 +66,7 @@ Differences Compare(const TiltMeans& lower, const TiltMeans& upper, double radiu
   {
     const double distance = (static_cast<double>(step) + 0.5) * ringWidth / stepsPerRing;
     places.push_back(FindPlaces(static_cast<double>(lower.Elevation()),
-      static_cast<double>(upper.Elevation()), distance, radius));
+      static_cast<double>(upper.Elevation()), distance, beam));
   }
   for (std::size_t ray = 1; ray < TiltMeans::Sectors; ray += 2)
   {
@@ -154,12 +143,12 @@ void AddTo(std::vector<float>& sums, const std::vector<float>& others)
 
 } // namespace
 
-LayerShares::LayerShares(const std::vector<TiltMeans>& tilts, double effectiveRadius)
+LayerShares::LayerShares(const std::vector<TiltMeans>& tilts, const BeamModel& beam)
 {
   std::vector<Differences> differences;
   for (std::size_t i = 0; i + 1 < tilts.size(); ++i)
   {
-    const Differences sums = Compare(tilts[i], tilts[i + 1], effectiveRadius);
+    const Differences sums = Compare(tilts[i], tilts[i + 1], beam);
     differences.push_back({SumAround(sums.vertical), SumAround(sums.level)});
   }
   for (std::size_t i = 0; i < differences.size(); ++i)

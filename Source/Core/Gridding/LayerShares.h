@@ -4,7 +4,6 @@
 #include "Gridding/TiltMeans.h"
 
 #include <cstddef>
-#include <cstdint>
 #include <vector>
 
 namespace nexrad
@@ -16,8 +15,8 @@ namespace nexrad
 class LayerShares
 {
 public:
-  /// Tilts in ascending order; `effectiveRadius` in m, of the beams' path.
-  LayerShares(const std::vector<TiltMeans>& tilts, double effectiveRadius);
+  /// Tilts in ascending order.
+  LayerShares(const std::vector<TiltMeans>& tilts, const BeamModel& beam);
 
   /// 0 where echo continues straight up, or where there is none, to 1 where it lies in layers.
   /// `sector` in degrees of azimuth, `distance` in m along the ground.

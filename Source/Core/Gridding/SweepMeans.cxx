@@ -4,9 +4,11 @@
 #include "Geometry/Angles.h"
 #include "Gridding/BeamVolume.h"
 #include "Gridding/SweepPlaces.h"
+#include "Model/Elevation.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nexrad
 {
@@ -29,14 +31,12 @@ double CellWidth(double side, double spacing)
 // Degrees between neighbouring rays, as most of them stand.
 double RaySpacing(const BeamSweep& sweep)
 {
-  std::vector<float> gaps;
+  std::vector<double> gaps;
   for (std::size_t entry = 0; entry + 1 < sweep.azimuths.size(); ++entry)
   {
-    gaps.push_back(sweep.azimuths[entry + 1] - sweep.azimuths[entry]);
+    gaps.push_back(static_cast<double>(sweep.azimuths[entry + 1] - sweep.azimuths[entry]));
   }
-  const auto middle = gaps.begin() + static_cast<std::ptrdiff_t>(gaps.size() / 2);
-  std::nth_element(gaps.begin(), middle, gaps.end());
-  return std::min(static_cast<double>(*middle), 2.0); // a single ray has no spacing of its own
+  return std::min(MedianOf(std::move(gaps)), 2.0); // a single ray has no spacing of its own
 }
 
 // Places rings to the last gate where gates are put together; else as far as rays are, and one more

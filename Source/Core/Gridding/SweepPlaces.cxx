@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/SweepPlaces.h"
 
-#include "Geometry/Beam.h"
 #include "Gridding/BeamVolume.h"
 
 #include <algorithm>
@@ -38,32 +37,31 @@ std::uint16_t LargestCode(const BeamSweep& sweep, std::size_t entry)
   return largest;
 }
 
-int GateAt(const BeamSweep& sweep, double slantRange)
+double RangeOf(const BeamSweep& sweep, int gate)
 {
-  const double place =
-    (slantRange - static_cast<double>(sweep.firstGate)) * static_cast<double>(sweep.gatesPerMetre);
-  return place >= -0.5 && place < sweep.gates - 0.5 ? static_cast<int>(std::lround(place)) : -1;
+  return static_cast<double>(sweep.firstGate) + gate / static_cast<double>(sweep.gatesPerMetre);
 }
 
-double RangeOver(const BeamSweep& sweep, double arc, double effectiveRadius)
+double RangeOver(const BeamSweep& sweep, double groundDistance, const BeamModel& beam)
 {
-  const double t = std::tan(0.5 * arc);
-  return effectiveRadius * 2.0 * t /
-         (static_cast<double>(sweep.cosine) * (1.0 - t * t) -
-           2.0 * static_cast<double>(sweep.sine) * t);
+  const double height = beam.HeightOver(groundDistance, static_cast<double>(sweep.elevation));
+  return beam.Look({height, groundDistance}).slantRange;
 }
 
-std::vector<int> GatesOver(const BeamSweep& sweep, const BeamSweep& other)
+std::vector<int> GatesOver(const BeamSweep& sweep, const BeamSweep& other, const BeamModel& beam)
 {
-  const double radius = BeamModel().EffectiveRadius();
+  const auto gateAt = [&sweep](double range)
+  {
+    const double place =
+      (range - static_cast<double>(sweep.firstGate)) * static_cast<double>(sweep.gatesPerMetre);
+    return place >= -0.5 && place < sweep.gates - 0.5 ? static_cast<int>(std::lround(place)) : -1;
+  };
   std::vector<int> gates;
   for (int gate = 0; gate < other.gates; ++gate)
   {
-    const double range = static_cast<double>(other.firstGate) +
-                         static_cast<double>(gate) / static_cast<double>(other.gatesPerMetre);
-    const double arc = std::atan2(
-      range * static_cast<double>(other.cosine), radius + range * static_cast<double>(other.sine));
-    gates.push_back(range > 0.0 ? GateAt(sweep, RangeOver(sweep, arc, radius)) : -1);
+    const double range = RangeOf(other, gate);
+    const BeamPoint point = beam.Locate(range, static_cast<double>(other.elevation));
+    gates.push_back(range > 0.0 ? gateAt(RangeOver(sweep, point.groundDistance, beam)) : -1);
   }
   return gates;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Geometry/Beam.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -18,15 +20,13 @@ int NearestEntry(const BeamSweep& sweep, float azimuth);
 /// FirstValueCode where it holds no value.
 std::uint16_t LargestCode(const BeamSweep& sweep, std::size_t entry);
 
-/// The gate of a sweep that holds a slant range, m; −1 where it has none.
-int GateAt(const BeamSweep& sweep, double slantRange);
+/// Slant range of the middle of a gate, m.
+double RangeOf(const BeamSweep& sweep, int gate);
 
-/// Slant range, m, at which a sweep stands over an arc γ (radians) along the ground, over an earth
-/// of `effectiveRadius` m (Formulas G7).
-double RangeOver(const BeamSweep& sweep, double arc, double effectiveRadius);
+/// Slant range, m, at which a sweep stands over a ground distance, m.
+double RangeOver(const BeamSweep& sweep, double groundDistance, const BeamModel& beam);
 
-/// For each gate of `other`, the gate of `sweep` over the same place; −1 where it has none. In the
-/// standard atmosphere: another refraction changes it by less than a gate.
-std::vector<int> GatesOver(const BeamSweep& sweep, const BeamSweep& other);
+/// For each gate of `other`, the gate of `sweep` over the same place; −1 where it has none.
+std::vector<int> GatesOver(const BeamSweep& sweep, const BeamSweep& other, const BeamModel& beam);
 
 } // namespace nexrad

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gridding/TiltGap.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace nexrad

@@ -4,11 +4,8 @@
 #include "Gridding/BeamSampling.h"
 #include "Gridding/TiltEdges.h"
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
-#include <vector>
 
 namespace nexrad
 {
@@ -44,15 +41,5 @@ private:
   float perShare;
   float curve; // four times what the tilts beyond add in the middle
 };
-
-/// What is `share` of the way through a gap whose changes (EchoLayers::Changes) are given.
-inline float ChangeAt(const std::array<float, 3>& changes, float share)
-{
-  const float place = 4.0F * share;
-  const auto before = static_cast<std::size_t>(std::clamp(place, 0.0F, 3.0F));
-  const float lower = before > 0 ? changes[before - 1] : 0.0F;
-  const float upper = before < 3 ? changes[before] : 0.0F;
-  return lower + (place - static_cast<float>(before)) * (upper - lower);
-}
 
 } // namespace nexrad

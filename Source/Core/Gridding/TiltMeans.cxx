@@ -16,16 +16,13 @@ namespace
 {
 
 // The ring of each gate; TiltMeans::Rings where it lies beyond.
-std::vector<std::size_t> RingsOf(const BeamSweep& sweep, double radius)
+std::vector<std::size_t> RingsOf(const BeamSweep& sweep, const BeamModel& beam)
 {
   std::vector<std::size_t> rings;
   for (int gate = 0; gate < sweep.gates; ++gate)
   {
-    const double range = static_cast<double>(sweep.firstGate) +
-                         static_cast<double>(gate) / static_cast<double>(sweep.gatesPerMetre);
-    const double arc = std::atan2(
-      range * static_cast<double>(sweep.cosine), radius + range * static_cast<double>(sweep.sine));
-    const double ring = radius * arc / TiltMeans::RingWidth;
+    const BeamPoint point = beam.Locate(RangeOf(sweep, gate), static_cast<double>(sweep.elevation));
+    const double ring = point.groundDistance / TiltMeans::RingWidth;
     rings.push_back(ring >= 0.0 && ring < static_cast<double>(TiltMeans::Rings)
                       ? static_cast<std::size_t>(ring)
                       : TiltMeans::Rings);
@@ -97,11 +94,11 @@ private:
 
 } // namespace
 
-TiltMeans::TiltMeans(const BeamSweep& sweep, double effectiveRadius)
+TiltMeans::TiltMeans(const BeamSweep& sweep, const BeamModel& beam)
   : elevation(sweep.elevation)
   , last(0.0F)
 {
-  const std::vector<std::size_t> rings = RingsOf(sweep, effectiveRadius);
+  const std::vector<std::size_t> rings = RingsOf(sweep, beam);
   last = static_cast<float>(rings.empty() ? 0 : rings.back());
   std::vector<int> gatesOf(Rings + 1, 0);
   for (const std::size_t ring : rings)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Geometry/Beam.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -18,8 +20,7 @@ public:
   static constexpr std::size_t Rings = 300;
   static constexpr double RingWidth = 1000.0; ///< m
 
-  /// `effectiveRadius` in m, of the beam's path.
-  TiltMeans(const BeamSweep& sweep, double effectiveRadius);
+  TiltMeans(const BeamSweep& sweep, const BeamModel& beam);
 
   float Elevation() const { return elevation; }
   /// Not-a-number where half of the gates or more were not measured. `place` is the ground distance

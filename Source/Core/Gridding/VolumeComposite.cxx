@@ -28,15 +28,6 @@ int RingsOf(const BeamSweep& sweep)
     1, static_cast<int>(std::ceil(ground / static_cast<double>(VolumeComposite::RingWidth))));
 }
 
-// Slant range, m, at which a sweep stands over a ground distance. In the standard atmosphere: the
-// rings are wider than the difference that another refraction makes.
-float RangeOver(const BeamSweep& sweep, double groundDistance)
-{
-  const BeamModel beam;
-  const double height = beam.HeightOver(groundDistance, static_cast<double>(sweep.elevation));
-  return static_cast<float>(beam.Look({height, groundDistance}).slantRange);
-}
-
 // Adds the rays of one sweep to a composite.
 class SweepAdder
 {
@@ -50,7 +41,9 @@ public:
     gates.push_back(0);
     for (int ring = 1; ring < rings; ++ring)
     {
-      const float range = RangeOver(sweep, ring * static_cast<double>(VolumeComposite::RingWidth));
+      // In the standard atmosphere: rings are wider than the difference that another one makes.
+      const auto range = static_cast<float>(
+        RangeOver(sweep, ring * static_cast<double>(VolumeComposite::RingWidth), BeamModel()));
       const float gate = std::max(0.0F, (range - sweep.firstGate) * sweep.gatesPerMetre);
       gates.push_back(std::min(static_cast<std::size_t>(std::ceil(gate)), last));
     }

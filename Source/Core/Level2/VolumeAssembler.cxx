@@ -4,7 +4,6 @@
 #include "Level2/MomentChecks.h"
 #include "Level2/RayTimes.h"
 #include "Level2/SiteResolution.h"
-#include "Model/Elevation.h"
 #include "Model/MomentLimits.h"
 #include "Model/SiteTable.h"
 #include "Model/SweepWaveforms.h"
@@ -214,24 +213,17 @@ void VolumeAssembler::NoteStrays()
   for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
   {
     const Sweep& sweep = volume.sweeps[index];
-    const double elevation = sweep.MedianElevation();
-    std::vector<float> strays;
-    for (const Ray& ray : sweep.rays)
-    {
-      if (IsStray(static_cast<double>(ray.elevation), elevation, beamWidth))
-      {
-        strays.push_back(ray.elevation);
-      }
-    }
+    const std::vector<const Ray*> strays = sweep.StrayRays(beamWidth);
     if (!strays.empty())
     {
-      const auto ends = std::minmax_element(strays.begin(), strays.end());
+      const auto ends = std::minmax_element(strays.begin(), strays.end(),
+        [](const Ray* a, const Ray* b) { return a->elevation < b->elevation; });
       std::ostringstream text;
       text << std::fixed << std::setprecision(2) << "sweep " << index << " (elevation number "
-           << sweep.elevationNumber << ") has its elevation at " << elevation << " degrees, and "
-           << strays.size() << " of its " << sweep.rays.size()
-           << " rays farther from it than half a beam width, from " << *ends.first << " to "
-           << *ends.second << " degrees; the merge leaves them out";
+           << sweep.elevationNumber << ") has its elevation at " << sweep.MedianElevation()
+           << " degrees, and " << strays.size() << " of its " << sweep.rays.size()
+           << " rays farther from it than half a beam width, from " << (*ends.first)->elevation
+           << " to " << (*ends.second)->elevation << " degrees; the merge leaves them out";
       volume.notes.push_back(text.str());
     }
   }

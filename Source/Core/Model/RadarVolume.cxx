@@ -30,6 +30,20 @@ double Sweep::MedianElevation() const
   return MedianOf(std::move(elevations));
 }
 
+std::vector<const Ray*> Sweep::StrayRays(double beamWidth) const
+{
+  const double elevation = this->MedianElevation();
+  std::vector<const Ray*> strays;
+  for (const Ray& ray : rays)
+  {
+    if (IsStray(static_cast<double>(ray.elevation), elevation, beamWidth))
+    {
+      strays.push_back(&ray);
+    }
+  }
+  return strays;
+}
+
 bool Sweep::Has(MomentName name) const
 {
   return std::any_of(

@@ -47,6 +47,8 @@ struct Sweep
   /// The elevation of the cut: the median of the rays' angles, degrees; 0 without rays (Formulas
   /// Q7).
   double MedianElevation() const;
+  /// The rays that stray from the cut (Formulas Q7); `beamWidth` in degrees.
+  std::vector<const Ray*> StrayRays(double beamWidth) const;
   /// True when some ray has gates of the moment.
   bool Has(MomentName name) const;
 };

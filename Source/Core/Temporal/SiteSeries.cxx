@@ -298,11 +298,9 @@ std::vector<TimeSpan> SeriesScan::Spans() const
 
 double RangeOf(const Site& site, const SeriesVolume& volume)
 {
-  const KnownSite* known = FindSite(site.name);
-  const bool terminal = known != nullptr && known->terminal;
   constexpr double kilometre = 1'000.0; // m, to whole ones outwards: the faces read well
-  return terminal && volume.reach > 0.0 ? kilometre * std::ceil(volume.reach / kilometre)
-                                        : DefaultRange;
+  return IsTerminal(site) && volume.reach > 0.0 ? kilometre * std::ceil(volume.reach / kilometre)
+                                                : DefaultRange;
 }
 
 double SeriesScan::Range() const

@@ -179,7 +179,8 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
          a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
          a.linearReflectivity == b.linearReflectivity && a.fill == b.fill &&
-         a.companions == b.companions && a.sharpen == b.sharpen && a.means == b.means;
+         a.companions == b.companions && a.sharpen == b.sharpen && a.means == b.means &&
+         a.trend == b.trend;
 }
 
 void CheckMotion(const Velocity& motion)

@@ -61,6 +61,19 @@ TEST(BeamB2, HeightOverIsB1AtThatDistance)
   EXPECT_EQ(beam.HeightOver(100'000.0, 90.0), std::numeric_limits<double>::infinity());
 }
 
+TEST(BeamB1, DistanceAtIsWhereTheBeamReachesTheHeight)
+{
+  const BeamModel beam;
+  for (const double elevation : {0.0, 0.5, 6.0, 19.5, 60.0, 90.0})
+  {
+    for (const double range : {250.0, 50'000.0, 230'000.0})
+    {
+      const BeamPoint point = beam.Locate(range, elevation);
+      EXPECT_NEAR(beam.DistanceAt(point.height, elevation), point.groundDistance, 1e-3);
+    }
+  }
+}
+
 TEST(Beam, RefusesAnEarthWithoutRadius)
 {
   EXPECT_THROW(BeamModel(0.0), Error);

@@ -136,13 +136,19 @@ TEST(BeamSharpening, ChangesEachSweepByItsNeighbours)
     const BeamSweep& of = prepared.sweeps[sweep];
     return of.base + of.step * static_cast<float>(of.codes[5 * of.Stride() + gate]);
   };
-  const BeamVolume measured = PrepareBeamVolume(volume, beamWidth, false);
-  const BeamVolume sharpened = PrepareBeamVolume(volume, beamWidth, true);
+  const auto sharpen = [](const PolarVolume& polar)
+  {
+    BeamVolume prepared = PrepareBeamVolume(polar, beamWidth);
+    SharpenSweeps(prepared.sweeps, beamWidth, BeamModel());
+    return prepared;
+  };
+  const BeamVolume measured = PrepareBeamVolume(volume, beamWidth);
+  const BeamVolume sharpened = sharpen(volume);
   EXPECT_NEAR(valueOf(measured, 1, 50), 30.0, 1e-3);
   EXPECT_NEAR(valueOf(sharpened, 1, 50), 29.06, 0.01);
   // Echo of 0 dBZ and less is left as it is.
   SetAll(volume.sweeps[1], -2.0F);
-  EXPECT_NEAR(valueOf(PrepareBeamVolume(volume, beamWidth, true), 1, 50), -2.0, 1e-3);
+  EXPECT_NEAR(valueOf(sharpen(volume), 1, 50), -2.0, 1e-3);
 }
 
 // In the merge: the tilts' values are the sharpened ones, of reflectivity in dBZ, when asked for.

@@ -97,15 +97,15 @@ TEST(TiltGap, TakesWhatIsMeasuredAlone)
   EXPECT_TRUE(std::isnan(ValuesAbout(samples.data(), samples.size(), 0).below));
 }
 
-TEST(TiltGap, AddsChangesThatVanishAtTheTilts)
+TEST(EchoLayers, AddChangesThatVanishAtTheTilts)
 {
-  const std::array<float, 3> changes = {4.0F, -2.0F, 6.0F};
-  EXPECT_FLOAT_EQ(ChangeAt(changes, 0.0F), 0.0F);
-  EXPECT_FLOAT_EQ(ChangeAt(changes, 0.125F), 2.0F);
-  EXPECT_FLOAT_EQ(ChangeAt(changes, 0.25F), 4.0F);
-  EXPECT_FLOAT_EQ(ChangeAt(changes, 0.375F), 1.0F);
-  EXPECT_FLOAT_EQ(ChangeAt(changes, 0.75F), 6.0F);
-  EXPECT_FLOAT_EQ(ChangeAt(changes, 1.0F), 0.0F);
+  const EchoLayers::Changes changes = {4.0F, -2.0F, 6.0F};
+  EXPECT_FLOAT_EQ(EchoLayers::ChangeAt(changes, 0.0F), 0.0F);
+  EXPECT_FLOAT_EQ(EchoLayers::ChangeAt(changes, 0.125F), 2.0F);
+  EXPECT_FLOAT_EQ(EchoLayers::ChangeAt(changes, 0.25F), 4.0F);
+  EXPECT_FLOAT_EQ(EchoLayers::ChangeAt(changes, 0.375F), 1.0F);
+  EXPECT_FLOAT_EQ(EchoLayers::ChangeAt(changes, 0.75F), 6.0F);
+  EXPECT_FLOAT_EQ(EchoLayers::ChangeAt(changes, 1.0F), 0.0F);
 }
 
 namespace
@@ -196,7 +196,8 @@ TEST(EchoLayers, LeaveColumnsOfEchoStandingStraight)
 // No one cell decides: what is added is the same whatever the block, and nothing without echo.
 TEST(EchoLayers, ChangeNothingWithoutEcho)
 {
-  const BeamVolume quiet = PrepareBeamVolume(Scan([](const BeamPoint&, double) { return -1.0; }));
+  const BeamVolume quiet =
+    PrepareForGrid(Scan([](const BeamPoint&, double) { return -1.0; }), SceneGrid(), {});
   for (float azimuth = 0.5F; azimuth < 360.0F; azimuth += 10.0F)
   {
     EXPECT_EQ(quiet.layers.GapsAt({azimuth, 0.005F}), 0U);
