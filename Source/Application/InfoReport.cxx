@@ -2,6 +2,7 @@
 #include "InfoReport.h"
 
 #include "Counted.h"
+#include "Model/MomentLimits.h"
 #include "Model/MomentSummary.h"
 #include "Model/SiteTable.h"
 #include "Model/SweepWaveforms.h"
@@ -13,6 +14,7 @@
 #include <ostream>
 #include <sstream>
 #include <string>
+#include <vector>
 
 namespace nexrad::application
 {
@@ -195,6 +197,18 @@ void PrintGate(const Json& gate, std::ostream& out)
   out << (gate["moments"].empty() ? " not in this file\n" : "\n");
 }
 
+// What reading noted, and what is found in the values by looking at all of them.
+std::vector<std::string> NotesOn(const RadarVolume& volume)
+{
+  std::vector<std::string> notes = volume.notes;
+  const std::string impossible = DescribeImpossibleGates(volume.sweeps);
+  if (!impossible.empty())
+  {
+    notes.push_back(impossible);
+  }
+  return notes;
+}
+
 } // namespace
 
 const Ray* FindRay(const RadarVolume& volume, const GateRequest& request)
@@ -215,7 +229,7 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
       position ? Json(volume.storedAltitude.value_or(position->altitude)) : Json(nullptr)},
     {"vcp", OrNull(volume.coveragePatternNumber)}, {"message_type", OrNull(volume.messageType)},
     {"start", TimeOrNull(volume.Start())}, {"end", TimeOrNull(volume.End())},
-    {"complete", volume.complete}, {"damage", Json::array()}, {"notes", volume.notes},
+    {"complete", volume.complete}, {"damage", Json::array()}, {"notes", NotesOn(volume)},
     {"sweeps", Json::array()}};
   for (const Damage& damage : volume.damage)
   {
@@ -268,7 +282,7 @@ void PrintInfoTable(
   {
     PrintGate(MakeGate(volume, request), out);
   }
-  for (const std::string& note : volume.notes)
+  for (const std::string& note : NotesOn(volume))
   {
     out << "  note: " << note << '\n';
   }

@@ -4,7 +4,6 @@
 #include "Level2/MomentChecks.h"
 #include "Level2/RayTimes.h"
 #include "Level2/SiteResolution.h"
-#include "Model/MomentLimits.h"
 #include "Model/SiteTable.h"
 #include "Model/SweepWaveforms.h"
 
@@ -251,11 +250,6 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   ResolveSite({headerName, rayName, name, position}, options, volume);
   ResolveWaveforms(volume);
   this->NoteTimes();
-  const std::string impossible = DescribeImpossibleGates(volume.sweeps);
-  if (!impossible.empty())
-  {
-    volume.notes.push_back(impossible);
-  }
   this->NoteStrays();
   if (volume.synthetic)
   {

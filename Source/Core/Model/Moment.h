@@ -72,10 +72,9 @@ struct MomentRow
     return raw == 1 && firstValue == 2 ? GateState::RangeFolded : GateState::BelowThreshold;
   }
   /// The value of a valid gate in the unit of the moment; without meaning for other gates.
-  float Value(std::size_t gate) const
-  {
-    return (static_cast<float>(this->Raw(gate)) - offset) / scale;
-  }
+  float Value(std::size_t gate) const { return this->ValueOf(this->Raw(gate)); }
+  /// The same of a word.
+  float ValueOf(unsigned raw) const { return (static_cast<float>(raw) - offset) / scale; }
 };
 
 } // namespace nexrad

@@ -2,7 +2,7 @@
 #include "Model/MomentLimits.h"
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <iterator>
 #include <limits>
 
@@ -21,24 +21,62 @@ struct Limits
   float most;
 };
 
-// Gates whose word is a value outside the limits. Nearly always there is none, which a loop without
-// branches finds out soonest.
+// The least and the largest of a row's words that are values; none when the least is above the
+// largest.
+struct WordRange
+{
+  unsigned least;
+  unsigned most;
+};
+
+// Every ray of every file is looked through: the loop has no branch, and the compiler can put words
+// side by side. The codes before the first value turn into the largest words.
+template <class Word, class WordAt>
+WordRange FindWordRange(std::size_t gates, Word firstValue, const WordAt& wordAt)
+{
+  Word least = std::numeric_limits<Word>::max();
+  Word most = 0;
+  for (std::size_t gate = 0; gate < gates; ++gate)
+  {
+    const Word word = wordAt(gate);
+    const auto place = static_cast<Word>(word - firstValue);
+    least = place < least ? place : least;
+    most = word > most ? word : most;
+  }
+  return {least + unsigned(firstValue), most};
+}
+
+WordRange FindWordRange(const MomentRow& row)
+{
+  const std::uint8_t* words = row.words;
+  if (row.wordBits == 16)
+  {
+    return FindWordRange<std::uint16_t>(row.gates, row.firstValue,
+      [words](std::size_t gate)
+      { return static_cast<std::uint16_t>(words[2 * gate] << 8 | words[2 * gate + 1]); });
+  }
+  return FindWordRange<std::uint8_t>(
+    row.gates, row.firstValue, [words](std::size_t gate) { return words[gate]; });
+}
+
+// Gates whose word is a value outside the limits. Nearly always there is none, as the ends of the
+// words tell: values rise or fall with them.
 std::vector<std::size_t> GatesOutside(const MomentRow& row, const Limits& limits)
 {
-  const auto isOutside = [&](std::size_t gate)
+  const auto isOutside = [&](unsigned word)
   {
-    const float value = row.Value(gate);
-    return row.Raw(gate) >= row.firstValue && (value < limits.least || value > limits.most);
+    const float value = row.ValueOf(word);
+    return value < limits.least || value > limits.most;
   };
-  bool any = false;
+  std::vector<std::size_t> outside;
+  const WordRange range = FindWordRange(row);
+  if (range.least > range.most || !(isOutside(range.least) || isOutside(range.most)))
+  {
+    return outside;
+  }
   for (std::size_t gate = 0; gate < row.gates; ++gate)
   {
-    any |= isOutside(gate);
-  }
-  std::vector<std::size_t> outside;
-  for (std::size_t gate = 0; any && gate < row.gates; ++gate)
-  {
-    if (isOutside(gate))
+    if (row.Raw(gate) >= row.firstValue && isOutside(row.Raw(gate)))
     {
       outside.push_back(gate);
     }
