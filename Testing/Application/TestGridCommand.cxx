@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Codec/NxvFile.h"
 #include "ProgramRun.h"
+#include "Temporal/InputFiles.h"
+#include "Temporal/TimeMerge.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -97,6 +100,37 @@ TEST(GridCommand, OneVolumeForEachStep)
   EXPECT_NEAR(volume.grid.centreLongitude, -75.98, 0.011);
   EXPECT_NEAR(volume.grid.spacing[0] * 64, 460e3, 5e3);
   EXPECT_NEAR(volume.grid.spacing[2], 625.0, 1e-9);
+}
+
+// A file that is decoded before the grid is known has no other voxels than one decoded after it,
+// and both those of a merge that has all files first. 0.25 dBZ is half a step of the code.
+TEST(GridCommand, StreamedVolumesAreThoseOfAScannedSeries)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const fs::path files = data / "level2" / "run-kbgm-20050821";
+  ASSERT_EQ(
+    RunNexrad3d({"grid", files, "-o", folder.Path(), "--dims", "64x64x32", "--quiet"}).status, 0);
+  SeriesOptions options;
+  options.moment = MomentName::REF;
+  const SeriesScan scan = *ScanInputs({files}, options);
+  PolarCache cache(MomentName::REF, std::size_t(1) << 30);
+  for (const auto& [name, time] : ReadNxvSeries(folder.Path() / "volumes.nxv.series"))
+  {
+    const GriddedVolume streamed = ReadNxv(folder.Path() / name);
+    MergeRequest request;
+    request.grid = streamed.grid;
+    request.time = streamed.time;
+    const GriddedVolume scanned = *MergeSeries(scan, cache, request);
+    ASSERT_EQ(streamed.states, scanned.states) << name;
+    float farthest = 0.0F;
+    for (std::size_t i = 0; i < scanned.values.size(); ++i)
+    {
+      const bool echo = scanned.states[i] == VoxelState::Echo;
+      farthest = std::max(farthest, echo ? std::abs(streamed.values[i] - scanned.values[i]) : 0.0F);
+    }
+    EXPECT_LT(farthest, 0.2501F) << name;
+  }
 }
 
 TEST(GridCommand, OptionsReachTheVolumes)

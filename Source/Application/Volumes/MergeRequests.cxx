@@ -15,7 +15,7 @@ namespace
 
 void RunRows(int count, const std::function<void(int, int)>& work)
 {
-  constexpr vtkIdType grain = 4; // rows cost unlike, so small shares even out
+  constexpr vtkIdType grain = 1; // what is done is large, and costs unlike
   const auto run = [&work](vtkIdType begin, vtkIdType end)
   { work(static_cast<int>(begin), static_cast<int>(end)); };
   vtkSMPTools::For(0, count, grain, run);

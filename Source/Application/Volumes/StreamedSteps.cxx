@@ -4,17 +4,25 @@
 #include "MergeRequests.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nexrad::application
 {
 namespace
 {
 
-StreamWork WorkFor(const MergeRequest& request, MomentName moment)
+StreamWork WorkFor(
+  const MergeRequest& request, MomentName moment, std::shared_ptr<const PlannedGrid> grid)
 {
   StreamWork work;
-  work.prepare = [request, moment](const RadarVolume& volume)
-  { return MakeReady(volume, moment, request); };
+  work.prepare = [request, moment, grid](const RadarVolume& volume)
+  {
+    MergeRequest onto = request;
+    const std::optional<GridSpecification> planned = grid->Get();
+    onto.grid = planned.value_or(request.grid);
+    onto.beam.means = request.beam.means && planned;
+    return MakeReady(volume, moment, onto);
+  };
   work.choose = [request](const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)
   {
     MergeRequest at = request;
@@ -68,13 +76,25 @@ std::optional<std::pair<Site, SeriesVolume>> FindVolume(
 
 } // namespace
 
+void PlannedGrid::Set(const GridSpecification& theGrid)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  grid = theGrid;
+}
+
+std::optional<GridSpecification> PlannedGrid::Get() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  return grid;
+}
+
 StreamedSteps::StreamedSteps(
   const InputFiles& inputs, std::vector<SiteOutline> sites, const GridOptions& userOptions)
   : options(userOptions)
   , outline(std::move(sites))
   , request(MergeRequestOf(options))
   , stream(inputs.paths, outline, OneThreadAFile(SeriesOptionsOf(options)),
-      WorkFor(request, options.moment), ThreadCount())
+      WorkFor(request, options.moment, plannedGrid), ThreadCount())
 {
 }
 
@@ -120,6 +140,7 @@ bool StreamedSteps::Plan()
     return false;
   }
   request.grid = GridOf(options, positions, outline.size() == 1 ? range : DefaultRange);
+  plannedGrid->Set(request.grid);
   times = TimeStepsOf(options, first, last, this->CountVolumes());
   return true;
 }

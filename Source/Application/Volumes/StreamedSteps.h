@@ -8,11 +8,26 @@
 #include "Temporal/VolumeStream.h"
 
 #include <cstddef>
+#include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
 namespace nexrad::application
 {
+
+/// A grid that becomes known while files are being decoded.
+class PlannedGrid
+{
+public:
+  void Set(const GridSpecification& grid);
+  /// Empty as long as it is not known.
+  std::optional<GridSpecification> Get() const;
+
+private:
+  mutable std::mutex mutex;
+  std::optional<GridSpecification> grid;
+};
 
 /// Merges radar files at time steps that ascend, while the files are decoded a little ahead of
 /// them. It trusts the files' headers where to look for volumes; IsAsIn tells afterwards whether
@@ -51,6 +66,7 @@ private:
   const GridOptions options;
   const std::vector<SiteOutline> outline;
   MergeRequest request;
+  const std::shared_ptr<PlannedGrid> plannedGrid = std::make_shared<PlannedGrid>();
   VolumeStream stream;
   MergeRun run;
   std::vector<Time> times;

@@ -24,7 +24,10 @@ constexpr double farthestGate = 480'000.0; // m
 constexpr double weatherCeiling = 18'000.0; // m above mean sea level (Formulas G4)
 
 // Rows between two reports of progress: few enough to stop soon, enough to share out.
-constexpr int bandHeight = 64;
+constexpr int bandHeight = 128;
+
+// Rows that a thread merges together: neighbours look the same gates up.
+constexpr int rowsTogether = 8;
 
 using SiteKey = std::tuple<std::string, double, double>;
 
@@ -187,6 +190,12 @@ double VoxelSide(const GridSpecification& grid, const Position& site)
   return std::min(extent[0], extent[1]);
 }
 
+// 0 for no means.
+double SideOfMeans(const Site& site, const GridSpecification& grid, const BeamMergeOptions& options)
+{
+  return options.means && site.position ? VoxelSide(grid, *site.position) : 0.0;
+}
+
 void RunInTurn(int count, const std::function<void(int, int)>& work)
 {
   work(0, count);
@@ -234,13 +243,12 @@ RangeLoop ThreadLoop(unsigned threads)
 {
   return [threads](int count, const std::function<void(int, int)>& work)
   {
-    constexpr int share = 4;
     std::atomic<int> next{0};
     const auto run = [&next, count, &work]
     {
-      for (int begin = next.fetch_add(share); begin < count; begin = next.fetch_add(share))
+      for (int each = next++; each < count; each = next++)
       {
-        work(begin, std::min(begin + share, count));
+        work(each, each + 1);
       }
     };
     std::vector<std::thread> others;
@@ -272,16 +280,25 @@ BeamVolume PrepareForGrid(
     const double ceiling = CeilingOver(volume.site);
     prepared.layers = EchoLayers(prepared.sweeps, beamWidth, options.beam, ceiling);
   }
-  if (options.means && volume.site.position)
-  {
-    const ValueRule rule = ValueRule::Of(volume.moment, options.linearReflectivity);
-    const double side = VoxelSide(grid, *volume.site.position);
-    for (BeamSweep& sweep : prepared.sweeps)
-    {
-      sweep.means = MakeSweepMeans(sweep, rule, side);
-    }
-  }
+  MakeMeans(grid, options, prepared);
   return prepared;
+}
+
+void MakeMeans(const GridSpecification& grid, const BeamMergeOptions& options, BeamVolume& volume)
+{
+  const ValueRule rule = ValueRule::Of(volume.moment, options.linearReflectivity);
+  volume.voxelSide = SideOfMeans(volume.site, grid, options);
+  for (BeamSweep& sweep : volume.sweeps)
+  {
+    sweep.means =
+      volume.voxelSide > 0.0 ? MakeSweepMeans(sweep, rule, volume.voxelSide) : SweepMeans();
+  }
+}
+
+bool HasMeans(
+  const BeamVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
+{
+  return volume.sweeps.empty() || volume.voxelSide == SideOfMeans(volume.site, grid, options);
 }
 
 BeamMerger::BeamMerger(const GridSpecification& theGrid, const BeamMergeOptions& theOptions)
@@ -499,11 +516,13 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time 
     {
       return std::nullopt;
     }
-    run(std::min(bandHeight, height - band),
+    const int bandEnd = std::min(band + bandHeight, height);
+    run((bandEnd - band + rowsTogether - 1) / rowsTogether,
       [&](int begin, int end)
       {
-        const int first = block.begin[1] + band;
-        MergeRows(sites, rows, first + begin, first + end, volume);
+        const int first = band + begin * rowsTogether;
+        const int last = std::min(band + end * rowsTogether, bandEnd);
+        MergeRows(sites, rows, block.begin[1] + first, block.begin[1] + last, volume);
       });
   }
   if (progress && !progress(1.0))

@@ -56,6 +56,13 @@ struct SiteReach
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
 
+/// Makes the means that the options ask for, over the voxels of a grid, in place of those that a
+/// volume has.
+void MakeMeans(const GridSpecification& grid, const BeamMergeOptions& options, BeamVolume& volume);
+/// True when a volume has these means, or needs none.
+bool HasMeans(
+  const BeamVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
+
 /// Volumes made ready, which several may share.
 using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
 

@@ -83,6 +83,7 @@ public:
     , radars(companions ? levels : 0)
     , nearestSites(companions ? levels : 0)
     , samples(theSites.size())
+    , surroundings(theSites.size())
   {
     for (std::size_t i = 0; i < sites.size(); ++i)
     {
@@ -110,10 +111,12 @@ public:
   }
 
 private:
-  // What a radar has about a column: the highest sweep that holds something, and how that moves.
+  // What a radar has about a column: the highest sweep that holds something, whether layers change
+  // anything, and how both move.
   struct Surroundings
   {
     std::uint8_t top = 0;
+    bool layers = false;
     ColumnMotion motion;
   };
 
@@ -149,7 +152,8 @@ private:
       return;
     }
     present.push_back({number, begin, end});
-    this->LookAround(site, directions, x, y, begin, end);
+    this->LookAround(number, directions, x, y, begin, end);
+    const std::array<Surroundings, stripWidth>& about = surroundings[number];
     const std::size_t tilts = site.tilts.size();
     for (std::size_t tilt = 0; tilt < tilts; ++tilt)
     {
@@ -157,20 +161,22 @@ private:
       for (int i = begin; i < end; ++i)
       {
         to[static_cast<std::size_t>(i) * tilts] =
-          this->SampleColumn(site, tilt, directions[i], surroundings[static_cast<std::size_t>(i)]);
+          this->SampleColumn(site, tilt, directions[i], about[static_cast<std::size_t>(i)]);
       }
     }
   }
 
   // What is known of the columns before their tilts are looked up.
   void LookAround(
-    const MergeSite& site, const ColumnDirection* directions, int x, int y, int begin, int end)
+    std::size_t number, const ColumnDirection* directions, int x, int y, int begin, int end)
   {
+    const MergeSite& site = sites[number];
     for (int i = begin; i < end; ++i)
     {
-      Surroundings& about = surroundings[static_cast<std::size_t>(i)];
+      Surroundings& about = surroundings[number][static_cast<std::size_t>(i)];
       about.top = site.mask.TopOver(directions[i]);
-      if (about.top > 0 && options.motion != nullptr)
+      about.layers = site.layers.AnyAt(directions[i]);
+      if ((about.top > 0 || about.layers) && options.motion != nullptr)
       {
         about.motion = MotionSeenBy(site, directions[i], options.motion->At(x + i, y));
       }
@@ -220,7 +226,7 @@ private:
       seen.levels = &site.levels;
       seen.edges = &site.edges;
       seen.samples = samples[number].data() + static_cast<std::size_t>(place) * site.tilts.size();
-      this->LookForLayers(site, x, y, seen);
+      seen.layers = this->FindLayers(number, x, y, place) ? layers.data() : nullptr;
       column.Add(seen);
     }
     column.Finish(volume.fill);
@@ -231,19 +237,17 @@ private:
     this->Keep(place);
   }
 
-  // Formulas G12: what layers of echo change over a column.
-  void LookForLayers(const MergeSite& site, int x, int y, SiteColumn& seen)
+  // Formulas G12: what layers of echo change over a column; false for nothing.
+  bool FindLayers(std::size_t number, int x, int y, int place)
   {
-    const ColumnDirection& direction = site.geometry->Row(y)[x - site.geometry->BeginX()];
-    if (!site.layers.AnyAt(direction))
+    const Surroundings& about = surroundings[number][static_cast<std::size_t>(place)];
+    if (!about.layers)
     {
-      return;
+      return false;
     }
-    const bool moves = options.motion != nullptr;
-    const ColumnMotion motion =
-      moves ? MotionSeenBy(site, direction, options.motion->At(x, y)) : ColumnMotion{};
-    seen.layers =
-      site.layers.Find(direction, moves ? &motion : nullptr, layers) ? layers.data() : nullptr;
+    const MergeSite& site = sites[number];
+    const ColumnDirection& direction = site.geometry->Row(y)[x - site.geometry->BeginX()];
+    return site.layers.Find(direction, options.motion != nullptr ? &about.motion : nullptr, layers);
   }
 
   // Formulas W4, the part of the distance along the ground; the heights' part is in the levels.
@@ -306,7 +310,7 @@ private:
   Strip<std::uint8_t> radars;
   Strip<std::uint8_t> nearestSites;
   std::vector<std::vector<TiltSample>> samples; // of each site: tilts within columns
-  std::array<Surroundings, stripWidth> surroundings;
+  std::vector<std::array<Surroundings, stripWidth>> surroundings; // of each site
   std::vector<Present> present;
   std::vector<std::pair<float, std::size_t>> order; // distance and site
   std::vector<EchoLayers::Changes> layers;          // of the site that is added, by gap
@@ -323,9 +327,10 @@ void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, i
   }
   StripMerger merger(sites, options, volume);
   const int end = options.block.end[0];
-  for (int y = beginRow; y < endRow; ++y)
+  // Rows within strips: what the sweeps have about a strip is still in the cache for the next row.
+  for (int x = options.block.begin[0]; x < end; x += stripWidth)
   {
-    for (int x = options.block.begin[0]; x < end; x += stripWidth)
+    for (int y = beginRow; y < endRow; ++y)
     {
       merger.Merge(x, y, std::min(stripWidth, end - x));
     }

@@ -134,9 +134,8 @@ void SortByTime(BeamTilt& tilt)
 
 bool TiltObservation::IsWhole(bool after) const
 {
-  const std::vector<float>& gaps = lower->inverseGaps; // of the last entry there is none
   return upper == nullptr && (after ? this->Begin() > 0.0F : this->End() <= 0.0F) &&
-         std::all_of(gaps.begin(), gaps.end() - 1, [](float gap) { return gap > 0.0F; });
+         lower->IsClosed();
 }
 
 float TiltObservation::Begin() const

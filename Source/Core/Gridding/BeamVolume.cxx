@@ -157,6 +157,16 @@ void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, B
   }
 }
 
+bool IsComplete(const BeamSweep& sweep)
+{
+  bool missing = false; // without a branch, because most sweeps are looked through to the end
+  for (const std::uint16_t code : sweep.codes)
+  {
+    missing |= code == BeamSweep::RangeFoldedCode || code == BeamSweep::NotSampledCode;
+  }
+  return !missing && sweep.IsClosed();
+}
+
 // A sweep of some of the rays of `source`.
 BeamSweep PrepareSweep(const PolarSweep& source, const std::vector<std::size_t>& rays,
   MomentName moment, double beamWidth)
@@ -179,6 +189,7 @@ BeamSweep PrepareSweep(const PolarSweep& source, const std::vector<std::size_t>&
   SetDirections(source, entries, beamWidth, sweep);
   SetScale(source, moment == MomentName::REF, sweep);
   SetCodes(source, entries, sweep);
+  sweep.complete = IsComplete(sweep);
   return sweep;
 }
 

@@ -6,6 +6,7 @@
 #include "Gridding/SweepMeans.h"
 #include "Gridding/VolumeComposite.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -36,20 +37,27 @@ struct BeamSweep
   float base = 0.0F;          ///< value = base + step × code, for codes from FirstValueCode
   float step = 0.0F;
   int elevationNumber = 0;
-  bool strays = false; ///< rays that stray from the cut were left out
-  Time begin{};        ///< earliest ray
-  Time end{};          ///< latest ray
+  bool strays = false;   ///< rays that stray from the cut were left out
+  bool complete = false; ///< the rays leave no gap, and all of their gates were measured
+  Time begin{};          ///< earliest ray
+  Time end{};            ///< latest ray
 
   std::vector<float> azimuths;    ///< of the entries, degrees, ascending
   std::vector<float> elevations;  ///< of the entries, degrees
   std::vector<float> inverseGaps; ///< 1 / degrees from an entry to the next; 0 where the gap is too
-                                  ///< wide to interpolate across
+                                  ///< wide to interpolate across, and for the last
   std::vector<float> times;       ///< of the entries, s since `begin`
   std::vector<std::uint32_t> firstEntries; ///< last entry at or before the start of each bin
   std::vector<std::uint16_t> codes;        ///< entries × Stride(), the last gate of each repeated
   float halfWidth = 0.0F; ///< degrees that a ray is wide to either side at the edge of a gap
   SweepMeans means;       ///< of the gates, for voxels coarser than these; may be empty
 
+  /// True when the rays leave no gap too wide to interpolate across.
+  bool IsClosed() const
+  {
+    return std::all_of(
+      inverseGaps.begin(), inverseGaps.end() - 1, [](float gap) { return gap > 0.0F; });
+  }
   std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
   /// Outer edge of the last gate, m.
   float Reach() const { return firstGate + (static_cast<float>(gates) - 0.5F) / gatesPerMetre; }
@@ -66,6 +74,7 @@ struct BeamVolume
   std::vector<BeamSweep> sweeps; ///< in the order scanned
   VolumeComposite composite;     ///< of the sweeps
   EchoLayers layers;             ///< of reflectivity, when PrepareForGrid was asked for them
+  double voxelSide = 0.0; ///< m, of the voxels for which the sweeps' means were made; 0: for none
 
   std::size_t MemoryBytes() const;
 };

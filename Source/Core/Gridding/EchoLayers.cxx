@@ -19,10 +19,10 @@ namespace
 {
 
 constexpr std::size_t sectors = TiltMeans::Sectors;
-constexpr std::size_t rings = TiltMeans::Rings / 2;
-constexpr double ringWidth = 2.0 * TiltMeans::RingWidth;
+constexpr std::size_t rings = EchoLayers::Rings;
+constexpr double ringWidth =
+  static_cast<double>(TiltMeans::Rings / rings) * TiltMeans::RingWidth; // m
 constexpr std::size_t knots = std::tuple_size_v<EchoLayers::Changes>;
-constexpr float perDecibel = 2.0F; // units of a stored change
 
 // One sweep of each tilt, the one with the most gates, ascending.
 std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps)
@@ -105,6 +105,13 @@ public:
   bool Change(std::size_t sector, std::size_t ring, float share, std::int8_t* to)
   {
     this->PlaceRing(ring);
+    const TiltMeans::Span below = tilts[gap].EchoIn(sector);
+    const TiltMeans::Span above = tilts[gap + 1].EchoIn(sector);
+    if (places[ring * knots + knots - 1].farther < std::min(below.begin, above.begin) ||
+        places[ring * knots].nearer > std::max(below.end, above.end))
+    {
+      return false; // without echo at any of the places
+    }
     const float over = places[ring * knots].over;
     TiltGapValues column;
     column.lower = tilts[gap].At(sector, over);
@@ -134,7 +141,7 @@ public:
       const float change = share * at.part * (level - straight);
       const bool known = at.part > 0.0F && !std::isnan(change);
       to[knot] = known ? static_cast<std::int8_t>(
-                           std::clamp(std::round(perDecibel * change), -127.0F, 127.0F))
+                           std::clamp(std::round(change / EchoLayers::Precision), -127.0F, 127.0F))
                        : std::int8_t(0);
       any = any || to[knot] != 0;
     }
@@ -191,6 +198,44 @@ std::vector<TiltEdges> EdgesOf(const std::vector<TiltMeans>& tilts, double beamW
   return FindEdges(angles, beamWidth);
 }
 
+// Marks of cells, by sector and ring, together with those as many rings to either side.
+std::vector<std::uint32_t> WidenRings(const std::vector<std::uint32_t>& marks)
+{
+  constexpr std::size_t beside = 3;
+  std::vector<std::uint32_t> widened(marks.size());
+  for (std::size_t first = 0; first < marks.size(); first += rings)
+  {
+    for (std::size_t ring = 0; ring < rings; ++ring)
+    {
+      const std::size_t end = std::min(ring + beside + 1, rings);
+      for (std::size_t each = std::max(ring, beside) - beside; each < end; ++each)
+      {
+        widened[first + ring] |= marks[first + each];
+      }
+    }
+  }
+  return widened;
+}
+
+// The same for sectors.
+std::vector<std::uint32_t> WidenSectors(const std::vector<std::uint32_t>& marks)
+{
+  constexpr std::size_t beside = 3;
+  std::vector<std::uint32_t> widened(marks.size());
+  for (std::size_t first = 0; first < marks.size(); first += rings)
+  {
+    for (std::size_t turn = sectors - beside; turn <= sectors + beside; ++turn)
+    {
+      const std::size_t from = (first / rings + turn) % sectors * rings;
+      for (std::size_t ring = 0; ring < rings; ++ring)
+      {
+        widened[first + ring] |= marks[from + ring];
+      }
+    }
+  }
+  return widened;
+}
+
 } // namespace
 
 EchoLayers::EchoLayers(
@@ -205,6 +250,7 @@ EchoLayers::EchoLayers(
   }
   const std::vector<TiltEdges> edges = EdgesOf(tilts, beamWidth);
   const LayerShares shares(tilts, beam);
+  std::vector<std::uint32_t> changed; // bits of gaps, by cell
   for (std::size_t i = 0; i + 1 < tilts.size() && i < MostGaps; ++i)
   {
     Gap gap{tilts[i].Elevation(), tilts[i + 1].Elevation(), {}};
@@ -212,13 +258,16 @@ EchoLayers::EchoLayers(
     for (std::size_t sector = 0; sector < sectors; ++sector)
     {
       const bool echo = tilts[i].HasEcho(sector) || tilts[i + 1].HasEcho(sector);
+      const float* row = shares.Row(i, sector);
       for (std::size_t ring = 0; echo && ring < rings; ++ring)
       {
-        const float share = shares.At(i, sector, (static_cast<double>(ring) + 0.5) * ringWidth);
+        const float share = row[ring * LayerShares::Rings / rings];
         std::array<std::int8_t, knots> changes{};
         if (share >= least && work.Change(sector, ring, share, changes.data()))
         {
           gap.changes.resize(sectors * rings * knots);
+          changed.resize(sectors * rings);
+          changed[sector * rings + ring] |= std::uint32_t(1) << i;
           std::copy(changes.begin(), changes.end(),
             gap.changes.begin() + static_cast<std::ptrdiff_t>((sector * rings + ring) * knots));
         }
@@ -226,42 +275,8 @@ EchoLayers::EchoLayers(
     }
     gaps.push_back(std::move(gap));
   }
-  this->MarkGaps();
-}
-
-// A cell is marked when something is changed within as far as echo moves in some minutes.
-void EchoLayers::MarkGaps()
-{
-  constexpr std::size_t sectorsBeside = 3;
-  constexpr std::size_t ringsBeside = 3;
-  for (std::size_t number = 0; number < gaps.size(); ++number)
-  {
-    const std::vector<std::int8_t>& changes = gaps[number].changes;
-    if (changes.empty())
-    {
-      continue;
-    }
-    const std::uint32_t mark = std::uint32_t(1) << number;
-    marks.resize(sectors * rings);
-    for (std::size_t cell = 0; cell < sectors * rings; ++cell)
-    {
-      const std::int8_t* of = changes.data() + cell * knots;
-      if (std::all_of(of, of + knots, [](std::int8_t change) { return change == 0; }))
-      {
-        continue;
-      }
-      const std::size_t ring = cell % rings;
-      const std::size_t end = std::min(ring + ringsBeside + 1, rings);
-      for (std::size_t turn = sectors - sectorsBeside; turn <= sectors + sectorsBeside; ++turn)
-      {
-        std::uint32_t* row = marks.data() + (cell / rings + turn) % sectors * rings;
-        for (std::size_t each = std::max(ring, ringsBeside) - ringsBeside; each < end; ++each)
-        {
-          row[each] |= mark;
-        }
-      }
-    }
-  }
+  // As far as echo moves in some minutes.
+  marks = WidenSectors(WidenRings(changed));
 }
 
 int EchoLayers::FindGap(float lower, float upper) const
@@ -274,34 +289,31 @@ int EchoLayers::FindGap(float lower, float upper) const
                                                         : -1;
 }
 
-std::uint32_t EchoLayers::GapsAt(const ColumnDirection& direction) const
-{
-  const auto ring = static_cast<std::size_t>(direction.halfTangent * ringsPerTangent);
-  return marks.empty() || ring >= rings
-           ? 0
-           : marks[static_cast<std::size_t>(direction.azimuth) * rings + ring];
-}
-
-void EchoLayers::Add(int gap, const ColumnDirection& direction, float weight, Changes& to) const
+EchoLayers::Place EchoLayers::FindPlace(const ColumnDirection& direction) const
 {
   const float ringPlace = std::clamp(
     direction.halfTangent * ringsPerTangent - 0.5F, 0.0F, static_cast<float>(rings) - 1.001F);
   const float sectorPlace = direction.azimuth + static_cast<float>(sectors) - 0.5F;
   const auto ring = static_cast<std::size_t>(ringPlace);
   const auto sector = static_cast<std::size_t>(sectorPlace);
-  const float along = ringPlace - static_cast<float>(ring);
-  const float across = sectorPlace - static_cast<float>(sector);
+  return {(sector % sectors * rings + ring) * knots,
+    ((sector + 1) % sectors * rings + ring) * knots, ringPlace - static_cast<float>(ring),
+    sectorPlace - static_cast<float>(sector)};
+}
+
+void EchoLayers::Add(int gap, const Place& place, float weight, Changes& to) const
+{
   const std::int8_t* changes = gaps[static_cast<std::size_t>(gap)].changes.data();
-  const std::int8_t* first = changes + (sector % sectors * rings + ring) * knots;
-  const std::int8_t* second = changes + ((sector + 1) % sectors * rings + ring) * knots;
+  const std::int8_t* first = changes + place.first;
+  const std::int8_t* second = changes + place.second;
   for (std::size_t knot = 0; knot < knots; ++knot)
   {
-    const auto on = [along, knot](const std::int8_t* ray)
+    const auto on = [&place, knot](const std::int8_t* ray)
     {
       const auto near = static_cast<float>(ray[knot]);
-      return near + along * (static_cast<float>(ray[knots + knot]) - near);
+      return near + place.along * (static_cast<float>(ray[knots + knot]) - near);
     };
-    to[knot] += weight / perDecibel * (on(first) + across * (on(second) - on(first)));
+    to[knot] += Precision * weight * (on(first) + place.across * (on(second) - on(first)));
   }
 }
 

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace nexrad
@@ -27,6 +28,8 @@ public:
   using Changes = std::array<float, 3>;
   /// Volumes have fewer gaps between tilts; what lies above is not changed.
   static constexpr std::size_t MostGaps = 32;
+  static constexpr std::size_t Rings = 150; ///< of 2 km
+  static constexpr float Precision = 0.5F;  ///< dB, of the changes
 
   EchoLayers() = default;
   /// The sweeps are in dBZ. `beamWidth` in degrees; `ceiling` in m above the antenna, above which
@@ -34,24 +37,58 @@ public:
   EchoLayers(
     const std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam, double ceiling);
 
-  /// What is `share` of the way, 0…1, through a gap of these changes, dB.
-  static float ChangeAt(const Changes& changes, float share)
+  /// The changes between two tilts.
+  class Curve
   {
-    const float place = 4.0F * share;
-    const auto before = static_cast<std::size_t>(std::clamp(place, 0.0F, 3.0F));
-    const float lower = before > 0 ? changes[before - 1] : 0.0F;
-    const float upper = before < 3 ? changes[before] : 0.0F;
-    return lower + (place - static_cast<float>(before)) * (upper - lower);
-  }
+  public:
+    explicit Curve(const Changes& changes)
+      : values{0.0F, changes[0], changes[1], changes[2], 0.0F}
+    {
+    }
+
+    /// What is changed `share` of the way, 0…1, from the lower tilt to the upper one, dB.
+    float At(float share) const
+    {
+      const float place = 4.0F * share;
+      const auto before = std::min(static_cast<std::size_t>(place), std::size_t(3));
+      return values[before] +
+             (place - static_cast<float>(before)) * (values[before + 1] - values[before]);
+    }
+
+  private:
+    std::array<float, 5> values;
+  };
 
   /// The number of the gap between two neighbouring tilts, degrees; −1 when the volume has none.
   int FindGap(float lower, float upper) const;
 
-  /// A bit for each gap in which something is changed in a direction, or within 6 km and 3° of it.
-  std::uint32_t GapsAt(const ColumnDirection& direction) const;
+  /// Bits for the gaps in which something is changed in a direction, or within 6 km and 3° of it.
+  std::uint32_t GapsAt(const ColumnDirection& direction) const
+  {
+    const std::size_t cell = this->CellAt(direction);
+    return cell < marks.size() ? marks[cell] : 0;
+  }
+  /// The cell of `Marks` in which a direction lies; more than there are beyond all cells.
+  std::size_t CellAt(const ColumnDirection& direction) const
+  {
+    const auto ring = static_cast<std::size_t>(direction.halfTangent * ringsPerTangent);
+    return ring < Rings ? static_cast<std::size_t>(direction.azimuth) * Rings + ring
+                        : std::numeric_limits<std::size_t>::max();
+  }
+  /// GapsAt by cell; empty when nothing is changed.
+  const std::vector<std::uint32_t>& Marks() const { return marks; }
 
+  /// The four cells about a direction.
+  struct Place
+  {
+    std::size_t first = 0;  ///< nearest sector before, of its changes
+    std::size_t second = 0; ///< nearest sector after
+    float along = 0.0F;     ///< how far on the way to the next ring, 0…1
+    float across = 0.0F;    ///< and from one sector to the other
+  };
+  Place FindPlace(const ColumnDirection& direction) const;
   /// Adds `weight` times the changes in a gap.
-  void Add(int gap, const ColumnDirection& direction, float weight, Changes& to) const;
+  void Add(int gap, const Place& place, float weight, Changes& to) const;
 
   std::size_t MemoryBytes() const;
 
@@ -60,9 +97,9 @@ private:
   {
     float lower = 0.0F; // degrees
     float upper = 0.0F;
-    std::vector<std::int8_t> changes; // half dB; rings × sectors × 3, the three fastest; or empty
+    std::vector<std::int8_t>
+      changes; // in Precision; rings × sectors × 3, the three fastest; or empty
   };
-  void MarkGaps();
 
   float ringsPerTangent = 0.0F;     // rings in a unit of halfTangent
   std::vector<Gap> gaps;            // ascending

@@ -36,12 +36,15 @@ SiteLayers::SiteLayers(
   const auto changesNothing = [](const Part& part)
   { return std::all_of(part.gaps.begin(), part.gaps.end(), [](int gap) { return gap < 0; }); };
   parts.erase(std::remove_if(parts.begin(), parts.end(), changesNothing), parts.end());
-}
-
-bool SiteLayers::AnyAt(const ColumnDirection& column) const
-{
-  return std::any_of(parts.begin(), parts.end(),
-    [&column](const Part& part) { return part.layers->GapsAt(column) != 0; });
+  for (const Part& part : parts)
+  {
+    const std::vector<std::uint32_t>& marks = part.layers->Marks();
+    anyIn.resize(std::max(anyIn.size(), marks.size()));
+    for (std::size_t cell = 0; cell < marks.size(); ++cell)
+    {
+      anyIn[cell] |= marks[cell] != 0 ? 1 : 0;
+    }
+  }
 }
 
 bool SiteLayers::Find(const ColumnDirection& column, const ColumnMotion* motion,
@@ -57,6 +60,7 @@ bool SiteLayers::Find(const ColumnDirection& column, const ColumnMotion* motion,
     }
     const ColumnDirection direction =
       motion != nullptr ? DirectionAt(column, *motion, part.seconds) : column;
+    const EchoLayers::Place place = part.layers->FindPlace(direction);
     if (!any)
     {
       changes.assign(gapCount, EchoLayers::Changes{});
@@ -67,7 +71,7 @@ bool SiteLayers::Find(const ColumnDirection& column, const ColumnMotion* motion,
       const int number = part.gaps[gap];
       if (number >= 0 && (marked >> number & 1U) != 0)
       {
-        part.layers->Add(number, direction, part.shares[gap], changes[gap]);
+        part.layers->Add(number, place, part.shares[gap], changes[gap]);
       }
     }
   }

@@ -21,7 +21,11 @@ public:
     const std::vector<const BeamVolume*>& volumes, const std::vector<BeamTilt>& tilts, Time time);
 
   /// False when there are no changes over a column, nor as near as echo moves.
-  bool AnyAt(const ColumnDirection& column) const;
+  bool AnyAt(const ColumnDirection& column) const
+  {
+    const std::size_t cell = parts.empty() ? anyIn.size() : parts.front().layers->CellAt(column);
+    return cell < anyIn.size() && anyIn[cell] != 0;
+  }
 
   /// Finds the changes in the gap above each tilt but the last (EchoLayers); false when there are
   /// none over the column. `motion` may be nullptr.
@@ -37,6 +41,7 @@ private:
     std::vector<float> shares; // how much it counts in each
   };
   std::vector<Part> parts;
+  std::vector<std::uint8_t> anyIn; // cells of EchoLayers in which any part changes something
   std::size_t gapCount = 0;
 };
 
