@@ -243,16 +243,31 @@ void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
   }
   if (ChangedByLayers(site, gap.tilt))
   {
+    const EchoLayers::Curve changes(site.layers[gap.tilt]);
     for (int level = gap.from; level < gap.to; ++level)
     {
       const auto at = static_cast<std::size_t>(level);
-      values[at] += EchoLayers::ChangeAt(site.layers[gap.tilt], shares[at]);
+      values[at] += changes.At(shares[at]);
     }
   }
   this->WeighLevels(site, gap, gap.from, gap.to);
-  const bool both = gap.lower->state == VoxelState::Echo && gap.upper->state == VoxelState::Echo;
-  const auto isEcho = [this, both](int level)
-  { return both || values[static_cast<std::size_t>(level)] > 0.0F; };
+  this->AccumulateTrend(gap);
+  this->AddCompanions(site, gap, gap.from, gap.to);
+}
+
+// What layers alone tell must be more than their changes are precise.
+void BeamColumn::AccumulateTrend(const Gap& gap)
+{
+  const bool below = gap.lower->state == VoxelState::Echo;
+  const bool above = gap.upper->state == VoxelState::Echo;
+  if (below && above)
+  {
+    this->AccumulateEcho(gap.from, gap.to);
+    return;
+  }
+  const float least = below || above ? 0.0F : EchoLayers::Precision;
+  const auto isEcho = [this, least](int level)
+  { return values[static_cast<std::size_t>(level)] > least; };
   for (int begin = gap.from; begin < gap.to;)
   {
     const bool echoes = isEcho(begin);
@@ -264,7 +279,6 @@ void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
     echoes ? this->AccumulateEcho(begin, end) : this->AccumulateNone(begin, end);
     begin = end;
   }
-  this->AddCompanions(site, gap, gap.from, gap.to);
 }
 
 void BeamColumn::AddState(

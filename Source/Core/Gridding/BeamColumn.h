@@ -72,6 +72,7 @@ private:
   void AddGap(const SiteColumn& site, const Gap& gap);
   void AddEdge(const SiteColumn& site, const Gap& gap);
   void AddTrend(const SiteColumn& site, const Gap& gap);
+  void AccumulateTrend(const Gap& gap);
   void AccumulateNone(int from, int to);
   void AddNone(const SiteColumn& site, const Gap& gap, int from, int to);
   void AddEcho(const SiteColumn& site, const Gap& gap, int from, int to, float lower, float upper);

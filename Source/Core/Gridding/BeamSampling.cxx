@@ -263,32 +263,60 @@ inline void LookAtGates(
   Decide(about, rule, look);
 }
 
-// Looks are filled where they stand, not handed on: `look` must be as it is made.
-inline void LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& column,
+// A place that a sweep passes, and the rays beside it; without a ray there is no place.
+struct SweepPlace
+{
+  RayPlace rays = {-1, 0.0F};
+  float range = 0.0F; // m, slant range
+  float gate = 0.0F;  // the same in gates
+};
+
+// When and with what beam a sweep looked at a column, and what is known of it without its gates:
+// where there are some, no echo. Looks are filled where they stand, not handed on: `look` must be
+// as it is made.
+inline SweepPlace FindPlace(const BeamSweep& sweep, float begin, const ColumnDirection& column,
   const SamplingContext& context, Look& look)
 {
-  const RayPlace rays = FindRays(sweep, column.azimuth);
-  const float range = RangeOver(sweep, column, context.effectiveRadius);
-  const float place = (range - sweep.firstGate) * sweep.gatesPerMetre;
-  if (rays.entry < 0 || !(place >= -0.5F))
+  SweepPlace place;
+  place.range = RangeOver(sweep, column, context.effectiveRadius);
+  place.gate = (place.range - sweep.firstGate) * sweep.gatesPerMetre;
+  if (!(place.gate >= -0.5F))
   {
-    return;
+    return place;
   }
-  look.time = TimeOf(sweep, begin, rays);
-  look.elevation = ElevationOf(sweep, rays);
-  const auto last = static_cast<float>(sweep.gates - 1);
-  if (place > last + 0.5F)
+  place.rays = FindRays(sweep, column.azimuth);
+  if (place.rays.entry < 0)
+  {
+    return place;
+  }
+  look.time = TimeOf(sweep, begin, place.rays);
+  look.elevation = ElevationOf(sweep, place.rays);
+  look.state = VoxelState::NoEcho;
+  if (place.gate > static_cast<float>(sweep.gates) - 0.5F)
   {
     look.state = BeyondReach(sweep, column, context);
     look.assumed = look.state == VoxelState::NoEcho;
+    place.rays.entry = -1;
   }
-  else if (range < sweep.means.reach)
+  return place;
+}
+
+inline void LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& column,
+  const SamplingContext& context, Look& look)
+{
+  const SweepPlace place = FindPlace(sweep, begin, column, context, look);
+  if (place.rays.entry < 0)
   {
-    LookAtMeans(sweep.means, rays, column.azimuth, range, context.rule, look);
+    return;
+  }
+  if (place.range < sweep.means.reach)
+  {
+    LookAtMeans(sweep.means, place.rays, column.azimuth, place.range, context.rule, look);
   }
   else
   {
-    LookAtGates(sweep, rays, std::min(std::max(place, 0.0F), last), context.rule, look);
+    const float last = static_cast<float>(sweep.gates - 1);
+    LookAtGates(sweep, place.rays, std::clamp(place.gate, 0.0F, last), context.rule, look);
   }
 }
 
@@ -428,16 +456,37 @@ inline void LookAlong(const FoundLook& found, const ColumnDirection& column,
   }
 }
 
+// How much of a look is to be found: all, or when and with what beam it was taken, and whether it
+// measured something, which needs no gates of a sweep that is complete.
+enum class LookDetail
+{
+  All,
+  Circumstances
+};
+
+inline bool IsKnownWithoutGates(const TiltObservation& observation)
+{
+  return observation.upper == nullptr && observation.lower->complete;
+}
+
 // The first look of a list that saw the column on its side of the time, within the gap. What is
 // assumed beyond the gates of one look gives way to what another measured. `found` must be as it is
 // made.
 inline void FindLook(const std::vector<TiltObservation>& observations,
-  const ColumnDirection& column, const SamplingContext& context, bool after, FoundLook& found)
+  const ColumnDirection& column, const SamplingContext& context, bool after, LookDetail detail,
+  FoundLook& found)
 {
   FoundLook assumed;
   for (const TiltObservation& observation : observations)
   {
-    LookAt(observation, column, context, found.look);
+    if (detail == LookDetail::Circumstances && IsKnownWithoutGates(observation))
+    {
+      FindPlace(*observation.lower, observation.lowerBegin, column, context, found.look);
+    }
+    else
+    {
+      LookAt(observation, column, context, found.look);
+    }
     const bool near = std::abs(found.look.time) <= context.gap;
     if (found.look.state != VoxelState::NotScanned && (found.look.time > 0.0F) == after)
     {
@@ -458,6 +507,17 @@ inline void FindLook(const std::vector<TiltObservation>& observations,
     found.look = {};
   }
   found = assumed;
+}
+
+// Looks at the gates that FindLook passed over.
+inline void Complete(
+  FoundLook& found, const ColumnDirection& column, const SamplingContext& context)
+{
+  if (found.observation != nullptr && IsKnownWithoutGates(*found.observation))
+  {
+    found.look = {};
+    LookAt(*found.observation, column, context, found.look);
+  }
 }
 
 inline bool TellsSomething(const Look& look)
@@ -501,8 +561,8 @@ Look LookAlongNear(const BeamTilt& tilt, float time, const ColumnDirection& colu
 {
   FoundLook before;
   FoundLook after;
-  FindLook(tilt.before, column, context, false, before);
-  FindLook(tilt.after, column, context, true, after);
+  FindLook(tilt.before, column, context, false, LookDetail::Circumstances, before);
+  FindLook(tilt.after, column, context, true, LookDetail::Circumstances, after);
   const auto apart = [time](const FoundLook& found)
   {
     return found.observation != nullptr ? std::abs(found.look.time - time)
@@ -706,12 +766,18 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
   const BeamTilt& tilt = tilts[number];
   FoundLook before;
   FoundLook after;
-  FindLook(tilt.before, column, context, false, before);
-  FindLook(tilt.after, column, context, true, after);
+  const bool follow = motion != nullptr && !nothingAbout;
+  const LookDetail detail = follow ? LookDetail::Circumstances : LookDetail::All;
+  FindLook(tilt.before, column, context, false, detail, before);
+  FindLook(tilt.after, column, context, true, detail, after);
   TiltSample sample;
   if (before.observation == nullptr || after.observation == nullptr)
   {
     FoundLook& alone = before.observation == nullptr ? after : before;
+    if (follow)
+    {
+      Complete(alone, column, context);
+    }
     if (alone.observation != nullptr && motion != nullptr)
     {
       FollowMotionAlone(tilts, number, alone.look, column, *motion, context);
@@ -729,8 +795,13 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
     std::max(FadeOf(-before.look.time, context.gap), FadeOf(after.look.time, context.gap));
   Look source;
   Look target;
-  const bool moved = motion != nullptr && !nothingAbout &&
-                     FollowMotion(before, after, column, *motion, context, source, target);
+  const bool moved =
+    follow && FollowMotion(before, after, column, *motion, context, source, target);
+  if (follow && !moved)
+  {
+    Complete(before, column, context);
+    Complete(after, column, context);
+  }
   const Look& first = moved ? source : before.look;
   const Look& second = moved ? target : after.look;
   sample.assumed = first.assumed || second.assumed;

@@ -52,20 +52,54 @@ private:
 };
 const SideTable sideTable;
 
-// In e-folds of Z a standard deviation of the two-way pattern, which is 0.285 of a beam width of
-// 0.95°. Differences over less than that are noise more than slope. Towards a tilt without echo the
-// echo ends half a beam width before it, but not before the middle (Formulas G8).
-float SlopeTo(const NeighbourEcho& neighbour, float value, float beamWidth)
+// What one side of a beam is known to hold: the slope of the echo there, 0 where nothing was
+// measured.
+struct BeamSide
 {
-  constexpr float perBeamWidth = 0.30028060F;      // 1/√(16 ln 2)
-  constexpr float naturalPerDecibel = 0.23025851F; // ln(10)/10
-  if (!neighbour.measured)
+  bool measured = false;
+  float slope = 0.0F;
+};
+
+// Slopes towards a tilt beside, in e-folds of Z a standard deviation of the two-way pattern, which
+// is 0.285 of a beam width of 0.95°. Differences over less than that are noise more than slope.
+// Towards a tilt without echo the echo ends half a beam width before it, but not before the middle
+// (Formulas G8).
+class SlopeScale
+{
+public:
+  SlopeScale() = default;
+  SlopeScale(float gap, float beamWidth)
+    : perDecibel(naturalPerDecibel * std::min(perBeamWidth * beamWidth / gap, 1.0F))
+    , perDecibelToNone(perDecibel / std::max(0.5F, 1.0F - 0.5F * beamWidth / gap))
   {
-    return 0.0F;
   }
-  const float spread = naturalPerDecibel * std::min(perBeamWidth * beamWidth / neighbour.gap, 1.0F);
-  const float end = std::max(0.5F, 1.0F - 0.5F * beamWidth / neighbour.gap);
-  return spread * (neighbour.value ? *neighbour.value - value : -value / end);
+
+  BeamSide TowardsEcho(float value, float neighbour) const
+  {
+    return {true, perDecibel * (neighbour - value)};
+  }
+  BeamSide TowardsNone(float value) const { return {true, -perDecibelToNone * value}; }
+
+private:
+  static constexpr float perBeamWidth = 0.30028060F;      // 1/√(16 ln 2)
+  static constexpr float naturalPerDecibel = 0.23025851F; // ln(10)/10
+  float perDecibel = 0.0F;
+  float perDecibelToNone = 0.0F;
+};
+
+float SharpenBetween(float value, const BeamSide& below, const BeamSide& above)
+{
+  if (below.slope == 0.0F && above.slope == 0.0F)
+  {
+    return value;
+  }
+  // What the beam's other half holds must be known before an echo is said not to fill the beam; and
+  // an echo between two weaker ones is taken to fill half the beam, not less: it may be clutter.
+  const float gain = below.measured && above.measured ? SharpeningRange::Up : 0.0F;
+  constexpr float decibelsPerDoubling = 3.01029996F;
+  const float excess =
+    decibelsPerDoubling * std::log2(sideTable.At(below.slope) + sideTable.At(above.slope));
+  return value - std::max(excess, -gain);
 }
 
 // What is left of a cut when another one serves most of its directions.
@@ -101,54 +135,58 @@ const BeamSweep* FindBeside(
 class NeighbourSweep
 {
 public:
-  NeighbourSweep(const BeamSweep* beside, const BeamSweep& of, const BeamModel& beam)
+  NeighbourSweep(
+    const BeamSweep* beside, const BeamSweep& of, float beamWidth, const BeamModel& beam)
     : sweep(beside)
   {
     if (sweep != nullptr)
     {
-      gap = std::abs(sweep->elevation - of.elevation);
+      scale = SlopeScale(std::abs(sweep->elevation - of.elevation), beamWidth);
       gates = GatesOver(*sweep, of, beam);
     }
   }
 
-  void TurnTo(float azimuth) { entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1; }
-
-  NeighbourEcho At(std::size_t gate) const
+  void TurnTo(float azimuth)
   {
-    NeighbourEcho echo;
-    if (entry < 0 || gates[gate] < 0)
+    const int entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1;
+    codes =
+      entry < 0 ? nullptr : sweep->codes.data() + static_cast<std::size_t>(entry) * sweep->Stride();
+  }
+
+  // The side of the beam towards this sweep, of an echo of `value` dBZ.
+  BeamSide At(std::size_t gate, float value) const
+  {
+    if (codes == nullptr || gates[gate] < 0)
     {
-      return echo;
+      return {};
     }
-    const std::uint16_t code = sweep->codes[static_cast<std::size_t>(entry) * sweep->Stride() +
-                                            static_cast<std::size_t>(gates[gate])];
-    echo.gap = gap;
-    echo.measured = code == BeamSweep::NoEchoCode || code >= BeamSweep::FirstValueCode;
+    const std::uint16_t code = codes[gates[gate]];
     if (code >= BeamSweep::FirstValueCode)
     {
-      echo.value = sweep->base + sweep->step * static_cast<float>(code);
+      return scale.TowardsEcho(value, sweep->base + sweep->step * static_cast<float>(code));
     }
-    return echo;
+    return code == BeamSweep::NoEchoCode ? scale.TowardsNone(value) : BeamSide{};
   }
 
 private:
   const BeamSweep* sweep;
-  float gap = 0.0F;
-  std::vector<int> gates; // by gate of the other sweep
-  int entry = -1;
+  SlopeScale scale;
+  std::vector<int> gates;               // by gate of the other sweep
+  const std::uint16_t* codes = nullptr; // of the ray that it is turned to; nullptr without one
 };
 
 // The codes of a sweep with its echo deconvolved.
 std::vector<std::uint16_t> Sharpen(const BeamSweep& sweep, const std::vector<BeamSweep>& sweeps,
   float beamWidth, const BeamModel& beam)
 {
-  NeighbourSweep below(FindBeside(sweeps, sweep, -1.0F), sweep, beam);
-  NeighbourSweep above(FindBeside(sweeps, sweep, 1.0F), sweep, beam);
+  NeighbourSweep below(FindBeside(sweeps, sweep, -1.0F), sweep, beamWidth, beam);
+  NeighbourSweep above(FindBeside(sweeps, sweep, 1.0F), sweep, beamWidth, beam);
   std::vector<std::uint16_t> codes = sweep.codes;
   const auto first = static_cast<float>(BeamSweep::FirstValueCode);
   // The first code above 0 dBZ.
   const float zero = sweep.step > 0.0F ? std::floor(-sweep.base / sweep.step) + 1.0F : first;
   const auto least = static_cast<std::uint16_t>(std::clamp(zero, first, 65'535.0F));
+  const float stepsPerDecibel = sweep.step > 0.0F ? 1.0F / sweep.step : 0.0F;
   for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
   {
     if (LargestCode(sweep, entry) < BeamSweep::FirstValueCode)
@@ -167,8 +205,8 @@ std::vector<std::uint16_t> Sharpen(const BeamSweep& sweep, const std::vector<Bea
       if (ray[gate] >= least)
       {
         const float value = sweep.base + sweep.step * static_cast<float>(ray[gate]);
-        const float sharpened = SharpenValue(value, below.At(gate), above.At(gate), beamWidth);
-        const float code = static_cast<float>(ray[gate]) + (sharpened - value) / sweep.step;
+        const float sharpened = SharpenBetween(value, below.At(gate, value), above.At(gate, value));
+        const float code = static_cast<float>(ray[gate]) + (sharpened - value) * stepsPerDecibel;
         ray[gate] = static_cast<std::uint16_t>(std::clamp(code, first, 65'535.0F) + 0.5F);
       }
     }
@@ -182,17 +220,16 @@ std::vector<std::uint16_t> Sharpen(const BeamSweep& sweep, const std::vector<Bea
 float SharpenValue(
   float value, const NeighbourEcho& below, const NeighbourEcho& above, float beamWidth)
 {
-  const float fall = SlopeTo(below, value, beamWidth);
-  const float rise = SlopeTo(above, value, beamWidth);
-  if (fall == 0.0F && rise == 0.0F)
+  const auto sideTowards = [value, beamWidth](const NeighbourEcho& neighbour)
   {
-    return value;
-  }
-  // What the beam's other half holds must be known before an echo is said not to fill the beam; and
-  // an echo between two weaker ones is taken to fill half the beam, not less: it may be clutter.
-  const float gain = below.measured && above.measured ? SharpeningRange::Up : 0.0F;
-  const float excess = 10.0F * std::log10(sideTable.At(fall) + sideTable.At(rise));
-  return value - std::max(excess, -gain);
+    if (!neighbour.measured)
+    {
+      return BeamSide{};
+    }
+    const SlopeScale scale(neighbour.gap, beamWidth);
+    return neighbour.value ? scale.TowardsEcho(value, *neighbour.value) : scale.TowardsNone(value);
+  };
+  return SharpenBetween(value, sideTowards(below), sideTowards(above));
 }
 
 void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam)

@@ -13,9 +13,8 @@ namespace
 
 constexpr std::size_t sectors = 72;
 constexpr std::size_t raysPerSector = TiltMeans::Sectors / sectors;
-constexpr double ringWidth = 4'000.0; // m
-constexpr auto rings = static_cast<std::size_t>(
-  static_cast<double>(TiltMeans::Rings) * TiltMeans::RingWidth / ringWidth);
+constexpr std::size_t rings = LayerShares::Rings;
+constexpr double ringWidth = LayerShares::RingWidth;
 constexpr std::size_t stepsPerRing = 2;
 
 // Whether echo lies in layers is a matter of the weather and not of single gates: the differences
@@ -70,10 +69,18 @@ Differences Compare(const TiltMeans& lower, const TiltMeans& upper, const BeamMo
   }
   for (std::size_t ray = 1; ray < TiltMeans::Sectors; ray += 2)
   {
-    const bool echo = lower.HasEcho(ray) || upper.HasEcho(ray);
-    for (std::size_t step = 0; echo && step < places.size(); ++step)
+    const TiltMeans::Span below = lower.EchoIn(ray);
+    const TiltMeans::Span above = upper.EchoIn(ray);
+    const float begin = std::min(below.begin, above.begin);
+    const float end = std::max(below.end, above.end);
+    for (std::size_t step = 0; step < places.size(); ++step)
     {
       const ComparedPlaces& at = places[step];
+      // The upper tilt is that high before the lower one is.
+      if (at.lower < begin || at.upper > end)
+      {
+        continue;
+      }
       const float vertical = EchoAt(upper, ray, at.over) - EchoAt(lower, ray, at.over);
       const float level = EchoAt(upper, ray, at.upper) - EchoAt(lower, ray, at.lower);
       if (!std::isnan(vertical + level))
@@ -170,10 +177,9 @@ LayerShares::LayerShares(const std::vector<TiltMeans>& tilts, const BeamModel& b
   }
 }
 
-float LayerShares::At(std::size_t gap, std::size_t sector, double distance) const
+const float* LayerShares::Row(std::size_t gap, std::size_t sector) const
 {
-  const auto ring = static_cast<std::size_t>(distance / ringWidth);
-  return ring < rings ? shares[gap][sector / raysPerSector * rings + ring] : 0.0F;
+  return shares[gap].data() + sector / raysPerSector * rings;
 }
 
 } // namespace nexrad

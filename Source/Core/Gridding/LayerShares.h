@@ -15,12 +15,15 @@ namespace nexrad
 class LayerShares
 {
 public:
+  static constexpr double RingWidth = 4.0 * TiltMeans::RingWidth; ///< m
+  static constexpr std::size_t Rings = TiltMeans::Rings / 4;
+
   /// Tilts in ascending order.
   LayerShares(const std::vector<TiltMeans>& tilts, const BeamModel& beam);
 
-  /// 0 where echo continues straight up, or where there is none, to 1 where it lies in layers.
-  /// `sector` in degrees of azimuth, `distance` in m along the ground.
-  float At(std::size_t gap, std::size_t sector, double distance) const;
+  /// The shares over a degree of azimuth, by ring along the ground: 0 where echo continues straight
+  /// up, or where there is none, to 1 where it lies in layers.
+  const float* Row(std::size_t gap, std::size_t sector) const;
 
 private:
   std::vector<std::vector<float>> shares; // of each gap, cells of 5° × 4 km

@@ -128,6 +128,8 @@ struct Tally
   }
 };
 
+const Tally noEcho = {0.0F, 1.0F};
+
 // Less of a cell is none of it: what rounding leaves.
 constexpr double smallestPart = 1e-6;
 
@@ -274,6 +276,7 @@ public:
     , rays(theSweep.azimuths.size() - 2)
   {
     tallies.resize(rays);
+    closed = sweep.IsClosed();
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
       held.push_back(this->FindHeld(ray));
@@ -286,7 +289,11 @@ public:
     for (std::size_t number = 0; number < means.rings.size(); ++number)
     {
       const double begin = static_cast<double>(number) * gatesPerRing;
-      this->AddRays(begin, std::min(begin + gatesPerRing, static_cast<double>(sweep.gates)));
+      const double end = std::min(begin + gatesPerRing, static_cast<double>(sweep.gates));
+      if (!this->AddRays(begin, end) && closed)
+      {
+        continue; // cells are made as no echo
+      }
       const SweepMeans::Ring& ring = means.rings[number];
       SweepMeans::Cell* cells = means.cells.data() + ring.first;
       if (ring.sectors > 0)
@@ -324,18 +331,20 @@ private:
     return {static_cast<double>(begin), static_cast<double>(end)};
   }
 
-  // Of each ray the part between two places, in gates.
-  void AddRays(double begin, double end)
+  // Of each ray the part between two places, in gates. False when all of it is no echo.
+  bool AddRays(double begin, double end)
   {
-    Tally nothing;
-    nothing.none = 1.0F;
+    bool any = false;
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
-      const bool holds = begin < held[ray].end && end > held[ray].begin;
-      tallies[ray] = holds
-                       ? this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end)
-                       : nothing;
+      tallies[ray] = noEcho;
+      if (begin < held[ray].end && end > held[ray].begin)
+      {
+        tallies[ray] = this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end);
+        any = any || tallies[ray].none < 1.0F;
+      }
     }
+    return any;
   }
 
   // The gates between two places along a ray, as parts of what lies between.
@@ -344,13 +353,12 @@ private:
     const auto first = static_cast<std::size_t>(begin);
     auto last = static_cast<std::size_t>(end);
     last += static_cast<double>(last) < end ? 1 : 0;
-    Tally tally;
     if (std::all_of(codes + first, codes + last,
           [](std::uint16_t code) { return code == BeamSweep::NoEchoCode; }))
     {
-      tally.none = 1.0F;
-      return tally;
+      return noEcho;
     }
+    Tally tally;
     for (std::size_t gate = first; gate < last; ++gate)
     {
       const auto place = static_cast<double>(gate);
@@ -393,7 +401,14 @@ private:
         {
           const std::size_t turned = sector < count ? sector : sector - count;
           const std::size_t at = turned < count ? turned : turned - count;
-          sectors[at].Add(tallies[ray], static_cast<float>(part));
+          if (tallies[ray].none < 1.0F)
+          {
+            sectors[at].Add(tallies[ray], static_cast<float>(part));
+          }
+          else
+          {
+            sectors[at].none += static_cast<float>(part);
+          }
           covered[at] += static_cast<float>(part);
         }
       }
@@ -411,6 +426,7 @@ private:
   const GateAdder adder;
   SweepMeans& means;
   const std::size_t rays;
+  bool closed;                 // no gap between rays is too wide
   std::vector<GateRange> held; // of each ray
   std::vector<Tally> tallies;  // of one ring: its parts along the rays
   std::vector<Tally> sectors;  // and its sectors

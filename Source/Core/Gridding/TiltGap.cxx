@@ -67,6 +67,10 @@ TiltInterpolation::TiltInterpolation(const TiltGapValues& values, const TiltEdge
     perShare = values.upper / edges.endShare;
     from = values.upper - perShare;
   }
+  else if (!values.lowerEcho && !values.upperEcho)
+  {
+    curve = 0.0F; // between two tilts without echo there is none
+  }
 }
 
 } // namespace nexrad

@@ -41,54 +41,71 @@ public:
     ++rays;
     if (LargestCode(sweep, entry) == BeamSweep::NoEchoCode)
     {
-      ++quietRays;
       return;
     }
+    quiet = false;
     const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
     for (std::size_t gate = 0; gate < rings.size(); ++gate)
     {
       const std::uint16_t code = codes[gate];
-      Sum& sum = sums[rings[gate]];
-      if (code == BeamSweep::NoEchoCode || code >= BeamSweep::FirstValueCode)
+      if (code == BeamSweep::NoEchoCode)
       {
-        ++sum.measured;
-        sum.value +=
-          code == BeamSweep::NoEchoCode ? 0.0F : sweep.base + sweep.step * static_cast<float>(code);
+        continue;
+      }
+      Sum& sum = sums[rings[gate]];
+      if (code >= BeamSweep::FirstValueCode)
+      {
+        sum.value += sweep.base + sweep.step * static_cast<float>(code);
+      }
+      else
+      {
+        ++sum.missing;
       }
     }
   }
 
   // Whether there are rays, and none that holds anything.
-  bool IsQuiet() const { return rays > 0 && quietRays == rays; }
+  bool IsQuiet() const { return rays > 0 && quiet; }
 
   // `gatesOf` are those of one ray in each ring. Rings narrower than the gates take the mean of the
-  // ring before. Returns whether any mean is above 0 dBZ.
-  bool Write(const std::vector<int>& gatesOf, std::vector<float>& means) const
+  // ring before. Returns between which places the means are above 0 dBZ.
+  TiltMeans::Span Write(const std::vector<int>& gatesOf, float* means) const
   {
+    TiltMeans::Span echo;
     float before = unknown;
-    bool any = false;
     for (std::size_t ring = 0; ring < TiltMeans::Rings; ++ring)
     {
-      const int gates = gatesOf[ring];
-      const int measured = sums[ring].measured + quietRays * gates;
-      const bool between = gates == 0 && ring + 1 < TiltMeans::Rings && gatesOf[ring + 1] > 0;
-      const float mean =
-        2 * measured > rays * gates ? sums[ring].value / static_cast<float>(measured) : unknown;
-      means.push_back(between ? before : mean);
-      before = means.back();
-      any = any || before > 0.0F;
+      const int gates = rays * gatesOf[ring];
+      const int measured = gates - sums[ring].missing;
+      const bool between =
+        gatesOf[ring] == 0 && ring + 1 < TiltMeans::Rings && gatesOf[ring + 1] > 0;
+      float mean = unknown;
+      if (2 * measured > gates)
+      {
+        // Most sums are 0, and need no division.
+        const float sum = sums[ring].value;
+        mean = sum == 0.0F ? 0.0F : sum / static_cast<float>(measured);
+      }
+      before = between ? before : mean;
+      means[ring] = before;
+      if (before > 0.0F)
+      {
+        const auto middle = static_cast<float>(ring) + 0.5F;
+        echo.begin = std::min(echo.begin, middle - 1.0F);
+        echo.end = middle + 1.0F;
+      }
     }
-    return any;
+    return echo;
   }
 
 private:
   struct Sum
   {
-    int measured = 0;
-    float value = 0.0F;
+    int missing = 0;    // gates that were not measured
+    float value = 0.0F; // of the others, dBZ, no echo as 0
   };
   int rays = 0;
-  int quietRays = 0; // with nothing but no echo
+  bool quiet = true; // no ray holds anything but no echo
   std::array<Sum, TiltMeans::Rings + 1> sums;
 };
 
@@ -106,7 +123,7 @@ TiltMeans::TiltMeans(const BeamSweep& sweep, const BeamModel& beam)
     ++gatesOf[ring];
   }
   std::size_t entry = 1; // the first repeats the last ray
-  means.reserve(Sectors * Rings);
+  means.resize(Sectors * Rings);
   std::vector<float> quietRow; // what each sector has in which no ray holds anything
   for (std::size_t sector = 0; sector < Sectors; ++sector)
   {
@@ -122,30 +139,20 @@ TiltMeans::TiltMeans(const BeamSweep& sweep, const BeamModel& beam)
     {
       sums.Add(sweep, static_cast<std::size_t>(nearest), rings);
     }
+    float* row = means.data() + sector * Rings;
     if (!sums.IsQuiet())
     {
-      echoes.push_back(sums.Write(gatesOf, means));
+      echoes.push_back(sums.Write(gatesOf, row));
       continue;
     }
     if (quietRow.empty())
     {
-      sums.Write(gatesOf, quietRow);
+      quietRow.resize(Rings);
+      sums.Write(gatesOf, quietRow.data());
     }
-    means.insert(means.end(), quietRow.begin(), quietRow.end());
-    echoes.push_back(false);
+    std::copy(quietRow.begin(), quietRow.end(), row);
+    echoes.push_back({});
   }
-}
-
-float TiltMeans::At(std::size_t sector, float place) const
-{
-  const float from = place - 0.5F;
-  if (!(from >= 0.0F && from < static_cast<float>(Rings - 1)))
-  {
-    return std::numeric_limits<float>::quiet_NaN();
-  }
-  const auto ring = static_cast<std::size_t>(from);
-  const float* row = means.data() + sector * Rings + ring;
-  return row[0] + (from - static_cast<float>(ring)) * (row[1] - row[0]);
 }
 
 } // namespace nexrad
