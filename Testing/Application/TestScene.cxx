@@ -145,8 +145,8 @@ TEST(Scene, VelocitiesOfBothSignsAreSeen)
   const auto isRed = [](const std::array<int, 3>& rgb)
   { return rgb[0] > 100 && rgb[0] > 2 * rgb[1] && rgb[0] > 2 * rgb[2]; };
   const auto picture = Draw(image, "Velocity");
-  EXPECT_GT(Count(picture, withoutBar, isGreen), 2'000);
-  EXPECT_GT(Count(picture, withoutBar, isRed), 2'000);
+  EXPECT_GT(Count(picture, withoutBar, isGreen), 10'000);
+  EXPECT_GT(Count(picture, withoutBar, isRed), 10'000);
   // No echo has no velocity: the fill value is not drawn as 33 m/s.
   volume.states.assign(volume.states.size(), VoxelState::NoEcho);
   volume.values.assign(volume.values.size(), volume.fill);

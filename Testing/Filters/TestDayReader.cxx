@@ -250,10 +250,10 @@ TEST_F(DayReader, TakesOutGatesWithFewNeighbours)
     return std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo);
   };
   const auto all = echoes(0);
-  EXPECT_GT(all, 500);
+  EXPECT_GT(all, 700);
   EXPECT_EQ(echoes(5), all);
   EXPECT_LT(echoes(8), all);
-  EXPECT_GT(echoes(8), 0);
+  EXPECT_GT(echoes(8), 700);
   EXPECT_EQ(echoes(9), 0);
   reader->SetFewestNeighbours(100);
   EXPECT_EQ(reader->GetFewestNeighbours(), 26);

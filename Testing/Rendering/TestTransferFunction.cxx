@@ -245,7 +245,7 @@ TEST(TransferFunction, CorrelationIsFineNearOneAndOpaqueWhereLow)
   vtkNew<Function> function;
   ASSERT_TRUE(function->ApplyPreset("correlation coefficient"));
   EXPECT_GT(function->Evaluate(Function::OPACITY, 0.7), 0.2);
-  EXPECT_LT(function->Evaluate(Function::OPACITY, 0.99), 0.02);
+  EXPECT_LT(function->Evaluate(Function::OPACITY, 0.99), 0.015);
   int fine = 0;
   double range[2];
   double lower[3];

@@ -36,14 +36,15 @@ struct SiteColumn
   const EchoLayers::Changes* layers = nullptr;
 };
 
-/// Puts together what the radars saw over one column of voxels: linear in the elevation angle
-/// between the tilts (Formulas G2, G3, G6), then the radars by a strategy (W1 to W8).
+/// Puts together what the radars saw over one column of voxels: first each radar between its tilts
+/// (Formulas G2, G3, G6), reflectivity in dBZ by G8, G11 and G12 and other moments linearly in the
+/// elevation angle; then the radars by a strategy (W1 to W8).
 class BeamColumn
 {
 public:
   static constexpr std::uint8_t NoSite = VoxelCompanions::NoSite;
 
-  /// `trend`: reflectivity in dBZ is interpolated between tilts by G11 and G12, not linearly.
+  /// `trend`: reflectivity in dBZ is interpolated between tilts by G11 and G12, else by G8 alone.
   BeamColumn(int levels, OverlapStrategy strategy, const ValueRule& rule, bool companions,
     bool trend = false);
 

@@ -31,7 +31,7 @@ struct BeamMergeOptions
   bool sharpen = true; ///< take the beam's width back from reflectivity in dBZ (Formulas G9)
   bool means = true;   ///< take means where voxels are coarser than gates (Formulas G10)
   bool trend = true;   ///< between tilts, follow the tilts beyond (Formulas G11) and layers (G12);
-                       ///< else linear. Reflectivity in dBZ alone
+                       ///< else G8 alone. Reflectivity in dBZ
   bool fill = false;   ///< fill between and below what was scanned (Formulas T7)
   bool companions = false; ///< make GriddedVolume::companions
 };
@@ -70,9 +70,9 @@ using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
 ///
 /// For each column of voxels and each radar: every tilt sampled where it passes over the column
 /// (G2, G7), on the looks before and after the time, with each ray's own time (A1, A5); the voxels
-/// between the tilts linear in elevation angle, none farther than half a beam width above the
-/// highest or below the lowest (G3); then the radars together (W). What is not scanned, no echo and
-/// range folded stay apart (G6).
+/// between the tilts, reflectivity in dBZ by G8, G11 and G12 and other moments linearly in the
+/// elevation angle, none farther than half a beam width above the highest or below the lowest (G3);
+/// then the radars together (W). What is not scanned, no echo and range folded stay apart (G6).
 ///
 /// With a motion, echo between two looks stands where it was at the time (A2a); without, the looks
 /// are blended where they are.

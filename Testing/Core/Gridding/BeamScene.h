@@ -68,8 +68,8 @@ inline GriddedVolume MergeAt(const std::vector<PolarVolume>& volumes, double sec
   return *merger.Merge(pointers, sceneTime + Duration(std::llround(seconds * 1000.0)));
 }
 
-/// The gates' own values at the tilts (no Formulas G9): where a test is about what lies between
-/// them.
+/// The gates' own values at the tilts (no Formulas G9) and straight lines between them (no G11 and
+/// G12).
 inline BeamMergeOptions AsMeasured()
 {
   BeamMergeOptions options;

@@ -40,8 +40,9 @@ std::optional<GriddedVolume> MergeBeam(const ScannedDay& day, const GridSpecific
   return MergeVolumes(day.Volumes(), request);
 }
 
-// Both methods against the truth; the beams' must be better by what is written at the asserts.
-void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions)
+// Both methods against the truth; that of the beams must have an RMSE of at most `largest`, in dBZ,
+// and be better by what is written at the asserts.
+void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions, double largest)
 {
   const Truth truth = TruthOn(day, dimensions);
   const auto thesis = MergeThesis(day.Brackets(), truth.grid, day.At());
@@ -54,9 +55,10 @@ void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions)
   PrintFeatures(*thesis, truth);
   Print("beam", truth, now);
   PrintFeatures(*beam, truth);
+  EXPECT_LE(now.rmse, largest);
   EXPECT_LT(now.rmse, 0.5 * before.rmse);
-  EXPECT_LT(now.FalseFraction(), 0.25 * before.FalseFraction());
-  EXPECT_LT(now.MissedFraction(), 0.01);
+  EXPECT_LT(now.FalseFraction(), 0.12 * before.FalseFraction());
+  EXPECT_LT(now.MissedFraction(), 0.006);
   EXPECT_LT(CompareEchoTops(*beam, truth).meanAbsoluteError,
     CompareEchoTops(*thesis, truth).meanAbsoluteError);
 }
@@ -131,20 +133,20 @@ TEST(BeamAccuracy, ByDistance)
 
 TEST(BeamAccuracy, At128)
 {
-  Compare(EveningDay(), {128, 128, 64});
+  Compare(EveningDay(), {128, 128, 64}, 3.34);
 }
 
 TEST(BeamAccuracy, At256)
 {
-  Compare(EveningDay(), {256, 256, 128});
+  Compare(EveningDay(), {256, 256, 128}, 3.30);
 }
 
 TEST(BeamAccuracy, UnderARefractionOf121)
 {
-  Compare(DayOfRefraction(1.21), {128, 128, 64});
+  Compare(DayOfRefraction(1.21), {128, 128, 64}, 3.37);
 }
 
 TEST(BeamAccuracy, UnderARefractionOf15)
 {
-  Compare(DayOfRefraction(1.5), {128, 128, 64});
+  Compare(DayOfRefraction(1.5), {128, 128, 64}, 3.88);
 }

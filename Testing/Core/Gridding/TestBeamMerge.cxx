@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 using namespace nexrad;
 using namespace nexrad::testing;
@@ -27,6 +28,52 @@ bool IsInReach(const SeenVoxel& voxel)
 std::size_t Count(const GriddedVolume& volume, VoxelState state)
 {
   return static_cast<std::size_t>(std::count(volume.states.begin(), volume.states.end(), state));
+}
+
+// A quarter of the rays each holds no echo, folded gates, gates that were not sampled, and 25 dBZ,
+// from 30° on, so that the borders pass voxels at all distances. A voxel farther from a border than
+// half the rays' spacing and than `border`, in m, is what its quarter is; a nearer one is like
+// either side.
+void ExpectFourQuarters(const BeamMergeOptions& options, double border)
+{
+  constexpr std::array<GateState, 4> gates = {
+    GateState::BelowThreshold, GateState::RangeFolded, GateState::NotSampled, GateState::Valid};
+  constexpr std::array<VoxelState, 4> voxels = {
+    VoxelState::NoEcho, VoxelState::RangeFolded, VoxelState::NotScanned, VoxelState::Echo};
+  PolarSweep sweep = UniformSweep(1, 1.0, 25.0F);
+  for (std::size_t ray = 0; ray < 360; ++ray)
+  {
+    const auto row = sweep.states.begin() + static_cast<std::ptrdiff_t>(sweep.Index(ray, 0));
+    std::fill_n(row, sweep.gates, gates[(ray + 330) % 360 / 90]);
+  }
+  const GriddedVolume volume = MergeAt({VolumeOf({sweep})}, 0.0, options);
+  std::size_t inside = 0;
+  const auto check = [&](const SeenVoxel& voxel)
+  {
+    // Nearer to the radar a ring of means has few cells.
+    if (!IsInReach(voxel) || voxel.groundDistance < 6'000.0 ||
+        std::abs(voxel.elevation - 1.0) > halfWidth - edge)
+    {
+      return;
+    }
+    const double turned = std::fmod(voxel.azimuth + 330.5, 360.0); // a border lies between two rays
+    const auto quarter = static_cast<std::size_t>(turned / 90.0);
+    const double after = turned - 90.0 * static_cast<double>(quarter);
+    const double angle = std::min(after, 90.0 - after);
+    const VoxelState state = volume.states[voxel.index];
+    const bool isNear = angle < 0.5 || voxel.groundDistance * angle * RadiansPerDegree < border;
+    const std::size_t beside = (quarter + (after < 45.0 ? 3 : 1)) % 4;
+    ASSERT_TRUE(state == voxels[quarter] || (isNear && state == voxels[beside]))
+      << voxel.azimuth << " " << voxel.groundDistance;
+    if (!isNear)
+    {
+      const float value = state == VoxelState::Echo ? 25.0F : volume.fill;
+      ASSERT_FLOAT_EQ(volume.values[voxel.index], value);
+      ++inside;
+    }
+  };
+  ForEachVoxel(volume.grid, centralSite, check);
+  EXPECT_GT(inside, 26'000u);
 }
 
 } // namespace
@@ -229,41 +276,16 @@ TEST(BeamMerge, ARayThatIsMissingLeavesAGapOfItsOwnWidth)
 // Formulas G6: folded and unsampled gates carry no weight, and their states survive alone.
 TEST(BeamMerge, ThreeKindsOfNothingStayApart)
 {
-  PolarSweep sweep = MakeSweep(1, 1.0, 360, 230);
-  for (std::size_t ray = 0; ray < 360; ++ray)
-  {
-    sweep.rays[ray].time = sceneTime;
-    for (std::size_t gate = 0; gate < sweep.gates; ++gate)
-    {
-      const GateState state = ray < 90    ? GateState::BelowThreshold
-                              : ray < 180 ? GateState::RangeFolded
-                              : ray < 270 ? GateState::NotSampled
-                                          : GateState::Valid;
-      sweep.states[sweep.Index(ray, gate)] = state;
-      sweep.values[sweep.Index(ray, gate)] = 25.0F;
-    }
-  }
-  const GriddedVolume volume = MergeAt({VolumeOf({sweep})}, 0.0);
-  const auto check = [&](const SeenVoxel& voxel)
-  {
-    const double quarter = std::fmod(voxel.azimuth, 90.0);
-    // Voxels of 5 km are means of more than one gate and ray (G10), here of several kinds.
-    const double border = 1.0 + 4'500.0 / (voxel.groundDistance - 3'000.0) / RadiansPerDegree;
-    if (!IsInReach(voxel) || voxel.groundDistance < 6'000.0 ||
-        std::abs(voxel.elevation - 1.0) > halfWidth - edge || quarter < border ||
-        quarter > 89.0 - border)
-    {
-      return;
-    }
-    const VoxelState expected = voxel.azimuth < 90.0    ? VoxelState::NoEcho
-                                : voxel.azimuth < 180.0 ? VoxelState::RangeFolded
-                                : voxel.azimuth < 270.0 ? VoxelState::NotScanned
-                                                        : VoxelState::Echo;
-    ASSERT_EQ(volume.states[voxel.index], expected) << voxel.azimuth;
-    const float value = expected == VoxelState::Echo ? 25.0F : volume.fill;
-    ASSERT_FLOAT_EQ(volume.values[voxel.index], value);
-  };
-  ForEachVoxel(volume.grid, centralSite, check);
+  BeamMergeOptions options;
+  options.means = false;
+  ExpectFourQuarters(options, 0.0);
+}
+
+// The same of voxels of 5 km that are means. Between two cells, each up to 2.83 km across, a mean
+// has parts of both.
+TEST(BeamMerge, ThreeKindsOfNothingStayApartInMeans)
+{
+  ExpectFourQuarters({}, 1.5 * std::sqrt((25.0 - 1.0) / 3.0) * 1000.0);
 }
 
 // Formulas G8: from 40 dBZ at 1° to no echo at 3°, zero is reached half a beam before 3°.

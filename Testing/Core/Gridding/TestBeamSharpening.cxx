@@ -73,13 +73,13 @@ TEST(BeamSharpening, AStraightSlopeComesOutAsItWasBeforeTheBeam)
     {
       EXPECT_NEAR(
         SharpenedBetween(gap, Echo(measured(-gap)), measured(0.0), Echo(measured(gap)), gap),
-        truth(0.0), 0.02)
+        truth(0.0), 0.0015)
         << slope;
     }
   }
   // By hand: 10 dB a degree over a standard deviation of 0.95/√(16 ln 2) = 0.28527° is 0.65686
   // e-folds of Z, and exp(s²/2) of it 0.9369 dB.
-  EXPECT_NEAR(SharpenedBetween(1.0, Echo(40.0), 30.0, Echo(20.0), 1.0), 30.0 - 0.937, 0.005);
+  EXPECT_NEAR(SharpenedBetween(1.0, Echo(40.0), 30.0, Echo(20.0), 1.0), 30.0 - 0.9369, 1e-4);
 }
 
 // Whatever stands on the two sides; towards no echo the line of G8, which ends half a beam before
@@ -106,7 +106,7 @@ TEST(BeamSharpening, TakesBackTheMeanOverTwoStraightSides)
           MeanOverBeam([&](double angle) { return angle < 0.0 ? -below * angle : above * angle; });
         const double got = SharpenedBetween(0.95, noneBelow ? NoEcho() : Echo(lower), value,
           noneAbove ? NoEcho() : Echo(upper), 1.65);
-        EXPECT_NEAR(got, value - std::max(excess, -3.0), 0.03) << lower << " " << upper;
+        EXPECT_NEAR(got, value - std::max(excess, -3.0), 0.003) << lower << " " << upper;
       }
     }
   }
@@ -119,8 +119,10 @@ TEST(BeamSharpening, HasLimits)
   // When one side is not known, nothing is said of how the beam is filled.
   EXPECT_EQ(SharpenedBetween(1.0, unknown, 50.0, NoEcho(), 1.0), 50.0);
   EXPECT_EQ(SharpenedBetween(1.0, Echo(50.0), 50.0, unknown, 1.0), 50.0);
-  // An echo more than two standard deviations away is not seen: exp(2)·Φ(2) is 8.585 dB.
-  EXPECT_NEAR(SharpenedBetween(1.0, Echo(70.0), 20.0, NoEcho(), 1.0), 20.0 - 8.7, 0.15);
+  // An echo more than two standard deviations away is not seen: exp(2)·Φ(2) is 7.221. On the other
+  // side, 20 dB lost over 0.525° are 2.503 e-folds over a standard deviation, and exp(2.503²/2)·
+  // Φ(−2.503) is 0.141. The sum is 8.670 dB.
+  EXPECT_NEAR(SharpenedBetween(1.0, Echo(70.0), 20.0, NoEcho(), 1.0), 20.0 - 8.670, 0.001);
   // Constant echo stays as it is to the last digit.
   EXPECT_EQ(SharpenedBetween(1.0, Echo(33.5), 33.5, Echo(33.5), 1.0), 33.5);
 }
@@ -144,11 +146,11 @@ TEST(BeamSharpening, ChangesEachSweepByItsNeighbours)
   };
   const BeamVolume measured = PrepareBeamVolume(volume, beamWidth);
   const BeamVolume sharpened = sharpen(volume);
-  EXPECT_NEAR(valueOf(measured, 1, 50), 30.0, 1e-3);
-  EXPECT_NEAR(valueOf(sharpened, 1, 50), 29.06, 0.01);
+  EXPECT_EQ(valueOf(measured, 1, 50), 30.0F);
+  EXPECT_NEAR(valueOf(sharpened, 1, 50), 30.0 - 0.9369, 1e-4);
   // Echo of 0 dBZ and less is left as it is.
   SetAll(volume.sweeps[1], -2.0F);
-  EXPECT_NEAR(valueOf(sharpen(volume), 1, 50), -2.0, 1e-3);
+  EXPECT_EQ(valueOf(sharpen(volume), 1, 50), -2.0F);
 }
 
 // In the merge: the tilts' values are the sharpened ones, of reflectivity in dBZ, when asked for.

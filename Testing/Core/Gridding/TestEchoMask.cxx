@@ -45,6 +45,7 @@ TEST(VolumeComposite, ASweepThatEndsBehindTheAntennaIsLeftOut)
   PolarSweep behind = MakeSweep(1, 0.5, 360, 4, 250.0);
   behind.firstGate = -2'000.0;
   SetAll(behind, 30.0F);
+  EXPECT_TRUE(PrepareBeamVolume(VolumeOf({behind})).sweeps.empty());
   EXPECT_EQ(CompositeOf({behind}).rings, 0);
   EXPECT_EQ(CompositeOf({behind, MakeSweep(2, 0.5, 360, 230)}).rings, 116);
   BeamSweep empty;

@@ -122,7 +122,7 @@ TEST(LeftOutTilt, IsForetoldBetterByTheMergeThanByNearestAndBarnes)
   for (const char* file : files)
   {
     volumes.push_back(Judge(data / "level2" / file));
-    EXPECT_GT(volumes.back().schemes[Beam].beam.gates, 2'000u) << file;
+    EXPECT_GT(volumes.back().schemes[Beam].beam.gates, 4'000u) << file;
   }
   std::printf("In the middle of the gate / over the beam, dB:\n");
   PrintTable("RMSE, 10 dBZ or more", volumes, &GateErrors::Rmse);
@@ -134,7 +134,7 @@ TEST(LeftOutTilt, IsForetoldBetterByTheMergeThanByNearestAndBarnes)
   { return MeanOf(volumes, scheme, judged, &GateErrors::Rmse); };
   for (const auto judged : {&SchemeErrors::point, &SchemeErrors::beam})
   {
-    EXPECT_LE(rmse(Beam, judged), 0.9 * std::min(rmse(Nearest, judged), rmse(Barnes, judged)));
+    EXPECT_LE(rmse(Beam, judged), 0.8 * std::min(rmse(Nearest, judged), rmse(Barnes, judged)));
     EXPECT_LT(rmse(Trend, judged), rmse(Measured, judged));
     EXPECT_LT(rmse(Beam, judged), rmse(Sharpened, judged));
   }
@@ -143,5 +143,5 @@ TEST(LeftOutTilt, IsForetoldBetterByTheMergeThanByNearestAndBarnes)
   const auto bias = [&volumes](GateErrors SchemeErrors::*judged)
   { return MeanOf(volumes, Beam, judged, &GateErrors::BiasOfEcho); };
   EXPECT_NEAR(bias(&SchemeErrors::point), 0.0, 0.2);
-  EXPECT_NEAR(bias(&SchemeErrors::beam), 0.0, 0.4);
+  EXPECT_NEAR(bias(&SchemeErrors::beam), 0.0, 0.2);
 }

@@ -82,6 +82,23 @@ TEST(PolarVolume, ReadsWordsOfSixteenBits)
   EXPECT_EQ(polar.sweeps[0].values[2], 95.0F);
 }
 
+// Formulas G13: no echo beyond the unambiguous range is not scanned. Of Doppler moments the radar
+// itself says where they end.
+TEST(PolarVolume, NoEchoBeyondTheUnambiguousRangeIsNotSampled)
+{
+  static constexpr std::uint8_t gates[] = {66, 0, 0, 0, 66}; // at 0 to 4 km
+  Ray ray = MakeRay(10.0F, 5, 0);
+  ray.Row(MomentName::REF).words = gates;
+  ray.Row(MomentName::SW) = ray.Row(MomentName::REF);
+  ray.unambiguousRange = 2'600.0F;
+  RadarVolume volume = MakeVolume({ray});
+  volume.sweeps[0].waveform = Waveform::ContiguousDoppler;
+  EXPECT_EQ(MakePolarVolume(volume, MomentName::REF).sweeps[0].states,
+    (std::vector<GateState>{GateState::Valid, GateState::BelowThreshold, GateState::BelowThreshold,
+      GateState::NotSampled, GateState::Valid}));
+  EXPECT_EQ(MakePolarVolume(volume, MomentName::SW).sweeps[0].states[3], GateState::BelowThreshold);
+}
+
 TEST(PolarVolume, PadsShorterRays)
 {
   const PolarVolume polar =

@@ -186,7 +186,7 @@ TEST(EchoLayers, FollowALayerFromTiltToTilt)
   const double linear = RmsErrorOf(layer, false);
   const double followed = RmsErrorOf(layer, true);
   std::printf("a layer: RMSE %.2f dBZ linear, %.2f dBZ followed\n", linear, followed);
-  EXPECT_LT(followed, 0.5 * linear);
+  EXPECT_LT(followed, 0.4 * linear);
 }
 
 // Columns of echo 12 km wide, from the ground to 12 km: nothing is taken from beside them.
@@ -200,7 +200,7 @@ TEST(EchoLayers, LeaveColumnsOfEchoStandingStraight)
   const double linear = RmsErrorOf(columns, false);
   const double followed = RmsErrorOf(columns, true);
   std::printf("columns: RMSE %.2f dBZ linear, %.2f dBZ followed\n", linear, followed);
-  EXPECT_LT(followed, 1.05 * linear);
+  EXPECT_LE(followed, linear);
 }
 
 // Faint echo is no more frequent than in a linear interpolation: what layers add between two tilts
@@ -238,5 +238,5 @@ TEST(EchoLayers, ChangeNothingWithoutEcho)
   {
     EXPECT_EQ(quiet.layers.GapsAt({azimuth, 0.005F}), 0U);
   }
-  EXPECT_LT(quiet.layers.MemoryBytes(), 10'000U);
+  EXPECT_LT(quiet.layers.MemoryBytes(), 500U);
 }

@@ -110,7 +110,7 @@ TEST(HostileBytes, RecordsWithoutEnd)
   EXPECT_EQ(reported, MostLdmRecords + 1);
   const RadarVolume volume = DecodeLevel2(stored, "file");
   EXPECT_TRUE(HasDamage(volume, "more than 100000 compressed records; the rest is left"));
-  EXPECT_LT(volume.damage.size(), 10U); // equal ones are counted
+  EXPECT_LT(volume.damage.size(), 6U); // equal ones are counted
 }
 
 // The stream keeps no list: each problem is reported before the next is looked for.

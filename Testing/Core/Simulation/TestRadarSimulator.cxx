@@ -267,7 +267,7 @@ TEST(RadarSimulator, VelocitiesAtTheEdgesOfEchoAreRight)
       EXPECT_LT(std::abs(std::remainder(row.Value(gate) - radial, 2.0 * ray.nyquist)), 4.5);
     }
   }
-  EXPECT_GT(edges, 200U);
+  EXPECT_GT(edges, 800U);
 }
 
 TEST(RadarSimulator, EchoesOfTwoPulsesAreRangeFolded)
