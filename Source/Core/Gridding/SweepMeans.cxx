@@ -283,27 +283,31 @@ public:
     }
   }
 
-  void Reduce(double gatesPerRing)
+  void Reduce(double theGatesPerRing)
   {
+    gatesPerRing = theGatesPerRing;
+    const auto first = std::find_if(means.rings.begin(), means.rings.end(),
+      [](const SweepMeans::Ring& ring) { return ring.sectors == 0; });
+    const auto sectorRings = static_cast<std::size_t>(first - means.rings.begin());
     const std::vector<RayWidth> widths = FindRayWidths(sweep);
-    for (std::size_t number = 0; number < means.rings.size(); ++number)
+    for (std::size_t number = 0; number < sectorRings; ++number)
     {
-      const double begin = static_cast<double>(number) * gatesPerRing;
-      const double end = std::min(begin + gatesPerRing, static_cast<double>(sweep.gates));
-      if (!this->AddRays(begin, end) && closed)
+      if (this->AddRays(number) || !closed) // else the cells are made as no echo
       {
-        continue; // cells are made as no echo
+        const SweepMeans::Ring& ring = means.rings[number];
+        this->SetSectors(
+          static_cast<std::size_t>(ring.sectors), widths, means.cells.data() + ring.first);
       }
-      const SweepMeans::Ring& ring = means.rings[number];
-      SweepMeans::Cell* cells = means.cells.data() + ring.first;
-      if (ring.sectors > 0)
-      {
-        this->SetSectors(static_cast<std::size_t>(ring.sectors), widths, cells);
-      }
-      else
-      {
-        this->SetRays(cells);
-      }
+    }
+    for (std::size_t ray = 0; ray < rays; ++ray)
+    {
+      this->SetRay(ray, sectorRings);
+    }
+    for (std::size_t number = sectorRings; number < means.rings.size(); ++number)
+    {
+      SweepMeans::Cell* cells = means.cells.data() + means.rings[number].first;
+      cells[0] = cells[rays];
+      cells[rays + 1] = cells[1];
     }
   }
 
@@ -331,18 +335,24 @@ private:
     return {static_cast<double>(begin), static_cast<double>(end)};
   }
 
-  // Of each ray the part between two places, in gates. False when all of it is no echo.
-  bool AddRays(double begin, double end)
+  // The part of a ray in a ring.
+  Tally TallyOf(std::size_t ray, std::size_t ring) const
+  {
+    const double begin = static_cast<double>(ring) * gatesPerRing;
+    const double end = std::min(begin + gatesPerRing, static_cast<double>(sweep.gates));
+    return begin < held[ray].end && end > held[ray].begin
+             ? this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end)
+             : noEcho;
+  }
+
+  // Of each ray the part in a ring. False when all of it is no echo.
+  bool AddRays(std::size_t ring)
   {
     bool any = false;
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
-      tallies[ray] = noEcho;
-      if (begin < held[ray].end && end > held[ray].begin)
-      {
-        tallies[ray] = this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end);
-        any = any || tallies[ray].none < 1.0F;
-      }
+      tallies[ray] = this->TallyOf(ray, ring);
+      any = any || tallies[ray].none < 1.0F;
     }
     return any;
   }
@@ -371,15 +381,17 @@ private:
     return tally;
   }
 
-  // The entries of the sweep: the last ray, all, the first again.
-  void SetRays(SweepMeans::Cell* cells) const
+  // The cells of a ray from a ring on, as far as it holds anything.
+  void SetRay(std::size_t ray, std::size_t firstRing)
   {
-    for (std::size_t ray = 0; ray < rays; ++ray)
+    const auto begin = static_cast<std::size_t>(held[ray].begin / gatesPerRing);
+    const auto end = std::min(
+      means.rings.size(), static_cast<std::size_t>(std::ceil(held[ray].end / gatesPerRing)));
+    for (std::size_t ring = std::max(begin, firstRing); ring < end; ++ring)
     {
-      cells[ray + 1] = adder.CellOf(tallies[ray], means);
+      means.cells[means.rings[ring].first + ray + 1] =
+        adder.CellOf(this->TallyOf(ray, ring), means);
     }
-    cells[0] = cells[rays];
-    cells[rays + 1] = cells[1];
   }
 
   void SetSectors(std::size_t count, const std::vector<RayWidth>& widths, SweepMeans::Cell* cells)
@@ -426,6 +438,7 @@ private:
   const GateAdder adder;
   SweepMeans& means;
   const std::size_t rays;
+  double gatesPerRing = 0.0;
   bool closed;                 // no gap between rays is too wide
   std::vector<GateRange> held; // of each ray
   std::vector<Tally> tallies;  // of one ring: its parts along the rays
