@@ -283,9 +283,9 @@ public:
     }
   }
 
-  void Reduce(double theGatesPerRing)
+  void Reduce(double gatesPerRing)
   {
-    gatesPerRing = theGatesPerRing;
+    this->WeighGates(gatesPerRing);
     const auto first = std::find_if(means.rings.begin(), means.rings.end(),
       [](const SweepMeans::Ring& ring) { return ring.sectors == 0; });
     const auto sectorRings = static_cast<std::size_t>(first - means.rings.begin());
@@ -315,9 +315,42 @@ private:
   // The gates of a ray from the first to the last that holds anything but no echo.
   struct GateRange
   {
-    double begin;
-    double end;
+    std::size_t begin;
+    std::size_t end;
   };
+
+  // The gates of a ring, the same of all rays; the weights are their parts of the ring.
+  struct RingGates
+  {
+    std::size_t begin;
+    std::size_t end;
+    const float* weights;
+  };
+
+  void WeighGates(double gatesPerRing)
+  {
+    const auto last = static_cast<double>(sweep.gates);
+    std::vector<std::size_t> firstWeights;
+    for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
+    {
+      const double begin = static_cast<double>(ring) * gatesPerRing;
+      const double end = std::min(begin + gatesPerRing, last);
+      ringGates.push_back(
+        {static_cast<std::size_t>(begin), static_cast<std::size_t>(begin), nullptr});
+      firstWeights.push_back(weights.size());
+      for (auto gate = static_cast<std::size_t>(begin); static_cast<double>(gate) < end; ++gate)
+      {
+        const auto place = static_cast<double>(gate);
+        const double part = std::min(place + 1.0, end) - std::max(place, begin);
+        weights.push_back(part > smallestPart ? static_cast<float>(part / (end - begin)) : 0.0F);
+        ringGates.back().end = gate + 1;
+      }
+    }
+    for (std::size_t ring = 0; ring < ringGates.size(); ++ring)
+    {
+      ringGates[ring].weights = weights.data() + firstWeights[ring];
+    }
+  }
 
   GateRange FindHeld(std::size_t ray) const
   {
@@ -332,17 +365,30 @@ private:
     {
       ++begin;
     }
-    return {static_cast<double>(begin), static_cast<double>(end)};
+    return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end)};
   }
 
   // The part of a ray in a ring.
   Tally TallyOf(std::size_t ray, std::size_t ring) const
   {
-    const double begin = static_cast<double>(ring) * gatesPerRing;
-    const double end = std::min(begin + gatesPerRing, static_cast<double>(sweep.gates));
-    return begin < held[ray].end && end > held[ray].begin
-             ? this->TallyOf(sweep.codes.data() + (ray + 1) * sweep.Stride(), begin, end)
-             : noEcho;
+    const RingGates& gates = ringGates[ring];
+    const std::uint16_t* codes = sweep.codes.data() + (ray + 1) * sweep.Stride();
+    if (gates.begin >= held[ray].end || gates.end <= held[ray].begin ||
+        std::all_of(codes + gates.begin, codes + gates.end,
+          [](std::uint16_t code) { return code == BeamSweep::NoEchoCode; }))
+    {
+      return noEcho;
+    }
+    Tally tally;
+    for (std::size_t gate = gates.begin; gate < gates.end; ++gate)
+    {
+      const float weight = gates.weights[gate - gates.begin];
+      if (weight > 0.0F)
+      {
+        adder.Add(codes[gate], weight, tally);
+      }
+    }
+    return tally;
   }
 
   // Of each ray the part in a ring. False when all of it is no echo.
@@ -357,40 +403,17 @@ private:
     return any;
   }
 
-  // The gates between two places along a ray, as parts of what lies between.
-  Tally TallyOf(const std::uint16_t* codes, double begin, double end) const
-  {
-    const auto first = static_cast<std::size_t>(begin);
-    auto last = static_cast<std::size_t>(end);
-    last += static_cast<double>(last) < end ? 1 : 0;
-    if (std::all_of(codes + first, codes + last,
-          [](std::uint16_t code) { return code == BeamSweep::NoEchoCode; }))
-    {
-      return noEcho;
-    }
-    Tally tally;
-    for (std::size_t gate = first; gate < last; ++gate)
-    {
-      const auto place = static_cast<double>(gate);
-      const double part = std::min(place + 1.0, end) - std::max(place, begin);
-      if (part > smallestPart)
-      {
-        adder.Add(codes[gate], static_cast<float>(part / (end - begin)), tally);
-      }
-    }
-    return tally;
-  }
-
   // The cells of a ray from a ring on, as far as it holds anything.
   void SetRay(std::size_t ray, std::size_t firstRing)
   {
-    const auto begin = static_cast<std::size_t>(held[ray].begin / gatesPerRing);
-    const auto end = std::min(
-      means.rings.size(), static_cast<std::size_t>(std::ceil(held[ray].end / gatesPerRing)));
-    for (std::size_t ring = std::max(begin, firstRing); ring < end; ++ring)
+    for (std::size_t ring = firstRing;
+         ring < means.rings.size() && ringGates[ring].begin < held[ray].end; ++ring)
     {
-      means.cells[means.rings[ring].first + ray + 1] =
-        adder.CellOf(this->TallyOf(ray, ring), means);
+      const Tally tally = this->TallyOf(ray, ring);
+      if (tally.none < 1.0F) // else the cell is made as no echo
+      {
+        means.cells[means.rings[ring].first + ray + 1] = adder.CellOf(tally, means);
+      }
     }
   }
 
@@ -438,7 +461,8 @@ private:
   const GateAdder adder;
   SweepMeans& means;
   const std::size_t rays;
-  double gatesPerRing = 0.0;
+  std::vector<float> weights;
+  std::vector<RingGates> ringGates;
   bool closed;                 // no gap between rays is too wide
   std::vector<GateRange> held; // of each ray
   std::vector<Tally> tallies;  // of one ring: its parts along the rays
