@@ -22,6 +22,7 @@ constexpr std::size_t sectors = TiltMeans::Sectors;
 constexpr std::size_t rings = EchoLayers::Rings;
 constexpr double ringWidth =
   static_cast<double>(TiltMeans::Rings / rings) * TiltMeans::RingWidth; // m
+constexpr std::size_t ringsPerShare = rings / LayerShares::Rings;
 constexpr std::size_t knots = std::tuple_size_v<EchoLayers::Changes>;
 
 // One sweep of each tilt, the one with the most gates, ascending.
@@ -257,11 +258,14 @@ EchoLayers::EchoLayers(
     GapWork work(tilts, edges, i, beam, ceiling);
     for (std::size_t sector = 0; sector < sectors; ++sector)
     {
-      const bool echo = tilts[i].HasEcho(sector) || tilts[i + 1].HasEcho(sector);
-      const float* row = shares.Row(i, sector);
-      for (std::size_t ring = 0; echo && ring < rings; ++ring)
+      if (!tilts[i].HasEcho(sector) && !tilts[i + 1].HasEcho(sector))
       {
-        const float share = row[ring * LayerShares::Rings / rings];
+        continue;
+      }
+      const float* row = shares.Row(i, sector);
+      for (std::size_t ring = 0; ring < rings; ++ring)
+      {
+        const float share = row[ring / ringsPerShare];
         std::array<std::int8_t, knots> changes{};
         if (share >= least && work.Change(sector, ring, share, changes.data()))
         {

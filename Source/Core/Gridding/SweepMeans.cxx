@@ -131,7 +131,7 @@ struct Tally
 const Tally noEcho = {0.0F, 1.0F};
 
 // Less of a cell is none of it: what rounding leaves.
-constexpr double smallestPart = 1e-6;
+constexpr float smallestPart = 1e-6F;
 
 // Adds up gates, and makes the cell's value and shares of the sums.
 class GateAdder
@@ -342,7 +342,9 @@ private:
       {
         const auto place = static_cast<double>(gate);
         const double part = std::min(place + 1.0, end) - std::max(place, begin);
-        weights.push_back(part > smallestPart ? static_cast<float>(part / (end - begin)) : 0.0F);
+        weights.push_back(part > static_cast<double>(smallestPart)
+                            ? static_cast<float>(part / (end - begin))
+                            : 0.0F);
         ringGates.back().end = gate + 1;
       }
     }
@@ -424,6 +426,10 @@ private:
     const double perDegree = static_cast<double>(count) / fullCircle;
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
+      if (closed && tallies[ray].none >= 1.0F)
+      {
+        continue; // where there are rays everywhere, what nothing else fills is no echo
+      }
       // In sectors, from one turn before north on: never below 0.
       const double begin = (widths[ray].begin + fullCircle) * perDegree;
       const double end = (widths[ray].end + fullCircle) * perDegree;
@@ -432,25 +438,20 @@ private:
       {
         const auto place = static_cast<double>(sector);
         const double part = std::min(place + 1.0, end) - std::max(place, begin);
-        if (part > smallestPart)
+        if (part > static_cast<double>(smallestPart))
         {
           const std::size_t turned = sector < count ? sector : sector - count;
           const std::size_t at = turned < count ? turned : turned - count;
-          if (tallies[ray].none < 1.0F)
-          {
-            sectors[at].Add(tallies[ray], static_cast<float>(part));
-          }
-          else
-          {
-            sectors[at].none += static_cast<float>(part);
-          }
+          sectors[at].Add(tallies[ray], static_cast<float>(part));
           covered[at] += static_cast<float>(part);
         }
       }
     }
     for (std::size_t sector = 0; sector < count; ++sector)
     {
-      sectors[sector].missing += std::max(0.0F, 1.0F - covered[sector]);
+      Tally& tally = sectors[sector];
+      const float rest = 1.0F - covered[sector];
+      (closed ? tally.none : tally.missing) += rest > smallestPart ? rest : 0.0F;
       cells[sector + 1] = adder.CellOf(sectors[sector], means);
     }
     cells[0] = cells[count];

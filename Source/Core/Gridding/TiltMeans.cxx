@@ -5,9 +5,9 @@
 #include "Gridding/SweepPlaces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace nexrad
 {
@@ -32,69 +32,82 @@ std::vector<std::size_t> RingsOf(const BeamSweep& sweep, const BeamModel& beam)
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-// The gates of the rays of one sector.
-class SectorSums
+// Means of one sector after the other.
+class SectorMeans
 {
 public:
-  void Add(const BeamSweep& sweep, std::size_t entry, const std::vector<std::size_t>& rings)
+  SectorMeans(const BeamSweep& theSweep, std::vector<std::size_t> ringOfGate)
+    : sweep(theSweep)
+    , rings(std::move(ringOfGate))
+    , gatesOf(TiltMeans::Rings + 1)
+    , sums(TiltMeans::Rings)
+  {
+    for (const std::size_t ring : rings)
+    {
+      ++gatesOf[ring];
+    }
+    float before = unknown;
+    for (std::size_t ring = 0; ring < TiltMeans::Rings; ++ring)
+    {
+      before = gatesOf[ring] > 0 ? 0.0F : this->IsBetween(ring) ? before : unknown;
+      quiet.push_back(before);
+    }
+  }
+
+  // Adds a ray of the sector.
+  void Add(std::size_t entry)
   {
     ++rays;
     if (LargestCode(sweep, entry) == BeamSweep::NoEchoCode)
     {
       return;
     }
-    quiet = false;
     const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
     for (std::size_t gate = 0; gate < rings.size(); ++gate)
     {
       const std::uint16_t code = codes[gate];
-      if (code == BeamSweep::NoEchoCode)
+      const std::size_t ring = rings[gate];
+      if (code == BeamSweep::NoEchoCode || ring >= TiltMeans::Rings)
       {
         continue;
       }
-      Sum& sum = sums[rings[gate]];
+      first = std::min(first, ring);
+      last = std::max(last, ring);
       if (code >= BeamSweep::FirstValueCode)
       {
-        sum.value += sweep.base + sweep.step * static_cast<float>(code);
+        sums[ring].value += sweep.base + sweep.step * static_cast<float>(code);
       }
       else
       {
-        ++sum.missing;
+        ++sums[ring].missing;
       }
     }
   }
 
-  // Whether there are rays, and none that holds anything.
-  bool IsQuiet() const { return rays > 0 && quiet; }
-
-  // `gatesOf` are those of one ray in each ring. Rings narrower than the gates take the mean of the
-  // ring before. Returns between which places the means are above 0 dBZ.
-  TiltMeans::Span Write(const std::vector<int>& gatesOf, float* means) const
+  // Writes the means of the rays that were added, and forgets these. Returns between which places
+  // the means are above 0 dBZ.
+  TiltMeans::Span Write(float* means)
   {
     TiltMeans::Span echo;
-    float before = unknown;
-    for (std::size_t ring = 0; ring < TiltMeans::Rings; ++ring)
+    std::copy(quiet.begin(), quiet.end(), means);
+    if (rays == 0)
     {
-      const int gates = rays * gatesOf[ring];
-      const int measured = gates - sums[ring].missing;
-      const bool between =
-        gatesOf[ring] == 0 && ring + 1 < TiltMeans::Rings && gatesOf[ring + 1] > 0;
-      float mean = unknown;
-      if (2 * measured > gates)
-      {
-        // Most sums are 0, and need no division.
-        const float sum = sums[ring].value;
-        mean = sum == 0.0F ? 0.0F : sum / static_cast<float>(measured);
-      }
-      before = between ? before : mean;
-      means[ring] = before;
-      if (before > 0.0F)
+      std::fill(means, means + TiltMeans::Rings, unknown);
+    }
+    for (std::size_t ring = first; ring <= last || this->IsBetween(ring); ++ring)
+    {
+      means[ring] = this->IsBetween(ring) ? means[ring - 1] : this->MeanOf(ring);
+      if (means[ring] > 0.0F)
       {
         const auto middle = static_cast<float>(ring) + 0.5F;
         echo.begin = std::min(echo.begin, middle - 1.0F);
         echo.end = middle + 1.0F;
       }
+      sums[ring] = {};
     }
+    rays = 0;
+    first = TiltMeans::Rings;
+    last = 0;
     return echo;
   }
 
@@ -104,9 +117,28 @@ private:
     int missing = 0;    // gates that were not measured
     float value = 0.0F; // of the others, dBZ, no echo as 0
   };
+
+  // Rings narrower than the gates take the mean of the ring before.
+  bool IsBetween(std::size_t ring) const
+  {
+    return ring + 1 < TiltMeans::Rings && gatesOf[ring] == 0 && gatesOf[ring + 1] > 0;
+  }
+
+  float MeanOf(std::size_t ring) const
+  {
+    const int gates = rays * gatesOf[ring];
+    const int measured = gates - sums[ring].missing;
+    return 2 * measured > gates ? sums[ring].value / static_cast<float>(measured) : unknown;
+  }
+
+  const BeamSweep& sweep;
+  const std::vector<std::size_t> rings; // of each gate
+  std::vector<int> gatesOf;             // of one ray in each ring
+  std::vector<float> quiet;             // means where no ray holds anything
+  std::vector<Sum> sums;                // of each ring; empty but from first to last
   int rays = 0;
-  bool quiet = true; // no ray holds anything but no echo
-  std::array<Sum, TiltMeans::Rings + 1> sums;
+  std::size_t first = TiltMeans::Rings;
+  std::size_t last = 0;
 };
 
 } // namespace
@@ -114,44 +146,26 @@ private:
 TiltMeans::TiltMeans(const BeamSweep& sweep, const BeamModel& beam)
   : elevation(sweep.elevation)
   , last(0.0F)
+  , means(Sectors * Rings)
 {
   const std::vector<std::size_t> rings = RingsOf(sweep, beam);
   last = static_cast<float>(rings.empty() ? 0 : rings.back());
-  std::vector<int> gatesOf(Rings + 1, 0);
-  for (const std::size_t ring : rings)
-  {
-    ++gatesOf[ring];
-  }
+  SectorMeans sums(sweep, rings);
   std::size_t entry = 1; // the first repeats the last ray
-  means.resize(Sectors * Rings);
-  std::vector<float> quietRow; // what each sector has in which no ray holds anything
   for (std::size_t sector = 0; sector < Sectors; ++sector)
   {
-    SectorSums sums;
     const float end = static_cast<float>(sector + 1);
     const std::size_t first = entry;
     for (; entry + 1 < sweep.azimuths.size() && sweep.azimuths[entry] < end; ++entry)
     {
-      sums.Add(sweep, entry, rings);
+      sums.Add(entry);
     }
     const int nearest = entry == first ? NearestEntry(sweep, end - 0.5F) : -1;
     if (nearest >= 0)
     {
-      sums.Add(sweep, static_cast<std::size_t>(nearest), rings);
+      sums.Add(static_cast<std::size_t>(nearest));
     }
-    float* row = means.data() + sector * Rings;
-    if (!sums.IsQuiet())
-    {
-      echoes.push_back(sums.Write(gatesOf, row));
-      continue;
-    }
-    if (quietRow.empty())
-    {
-      quietRow.resize(Rings);
-      sums.Write(gatesOf, quietRow.data());
-    }
-    std::copy(quietRow.begin(), quietRow.end(), row);
-    echoes.push_back({});
+    echoes.push_back(sums.Write(means.data() + sector * Rings));
   }
 }
 
