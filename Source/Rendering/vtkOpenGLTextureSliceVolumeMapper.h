@@ -4,7 +4,7 @@
  * @brief   Draws a volume as slices of a 3-D texture, parallel to the image plane
  *
  * A drop-in for vtkOpenGLGPUVolumeRayCastMapper that gives the same picture: the slices are drawn
- * back to front, each sample coloured by the property's transfer functions, its opacity corrected
+ * front to back, each sample coloured by the property's transfer functions, its opacity corrected
  * for the distance between two samples along its own ray (which grows away from the centre of a
  * perspective view), so that the picture does not depend on the number of slices. Blending is done
  * in floating point.
