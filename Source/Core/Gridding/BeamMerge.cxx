@@ -196,6 +196,25 @@ double SideOfMeans(const Site& site, const GridSpecification& grid, const BeamMe
   return options.means && site.position ? VoxelSide(grid, *site.position) : 0.0;
 }
 
+// The means that the options ask for, in place of those that a volume has.
+void MakeMeans(const GridSpecification& grid, const BeamMergeOptions& options, BeamVolume& volume)
+{
+  const ValueRule rule = ValueRule::Of(volume.moment, options.linearReflectivity);
+  volume.voxelSide = SideOfMeans(volume.site, grid, options);
+  for (BeamSweep& sweep : volume.sweeps)
+  {
+    sweep.means =
+      volume.voxelSide > 0.0 ? MakeSweepMeans(sweep, rule, volume.voxelSide) : SweepMeans();
+  }
+}
+
+// Whether a volume has these means, or needs none.
+bool HasMeans(
+  const BeamVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
+{
+  return volume.sweeps.empty() || volume.voxelSide == SideOfMeans(volume.site, grid, options);
+}
+
 void RunInTurn(int count, const std::function<void(int, int)>& work)
 {
   work(0, count);
@@ -284,23 +303,6 @@ BeamVolume PrepareForGrid(
   return prepared;
 }
 
-void MakeMeans(const GridSpecification& grid, const BeamMergeOptions& options, BeamVolume& volume)
-{
-  const ValueRule rule = ValueRule::Of(volume.moment, options.linearReflectivity);
-  volume.voxelSide = SideOfMeans(volume.site, grid, options);
-  for (BeamSweep& sweep : volume.sweeps)
-  {
-    sweep.means =
-      volume.voxelSide > 0.0 ? MakeSweepMeans(sweep, rule, volume.voxelSide) : SweepMeans();
-  }
-}
-
-bool HasMeans(
-  const BeamVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
-{
-  return volume.sweeps.empty() || volume.voxelSide == SideOfMeans(volume.site, grid, options);
-}
-
 BeamMerger::BeamMerger(const GridSpecification& theGrid, const BeamMergeOptions& theOptions)
   : grid(theGrid)
   , options(theOptions)
@@ -378,6 +380,34 @@ BeamVolumes BeamMerger::Prepare(
   for (const KeptVolume& each : kept)
   {
     ready.push_back(each.volume);
+  }
+  return ready;
+}
+
+BeamVolumes BeamMerger::WithMeans(const BeamVolumes& volumes)
+{
+  const auto isGone = [](const Remade& each) { return each.source.expired(); };
+  remade.erase(std::remove_if(remade.begin(), remade.end(), isGone), remade.end());
+  BeamVolumes ready = volumes;
+  for (std::shared_ptr<const BeamVolume>& volume : ready)
+  {
+    if (HasMeans(*volume, grid, options))
+    {
+      continue;
+    }
+    const auto found = std::find_if(remade.begin(), remade.end(),
+      [&volume](const Remade& each) { return each.source.lock() == volume; });
+    if (found == remade.end())
+    {
+      auto made = std::make_shared<BeamVolume>(*volume);
+      MakeMeans(grid, options, *made);
+      remade.push_back({volume, made});
+      volume = std::move(made);
+    }
+    else
+    {
+      volume = found->volume;
+    }
   }
   return ready;
 }
@@ -489,13 +519,14 @@ GriddedVolume BeamMerger::EmptyVolume(
   return volume;
 }
 
-std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& volumes, Time time,
+std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& given, Time time,
   const MotionField* motion, const RangeLoop& loop, const Progress& progress, GriddedVolume memory)
 {
   if (motion != nullptr && !motion->Covers(grid))
   {
     throw Error("the motion must be that of the grid of the merge, or constant");
   }
+  const BeamVolumes volumes = this->WithMeans(given);
   const RangeLoop& run = loop ? loop : RangeLoop(RunInTurn);
   this->FindGeometries(PositionsOf(volumes), run);
   const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;

@@ -56,13 +56,6 @@ struct SiteReach
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
 
-/// Makes the means that the options ask for, over the voxels of a grid, in place of those that a
-/// volume has.
-void MakeMeans(const GridSpecification& grid, const BeamMergeOptions& options, BeamVolume& volume);
-/// True when a volume has these means, or needs none.
-bool HasMeans(
-  const BeamVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
-
 /// Volumes made ready, which several may share.
 using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
 
@@ -98,7 +91,8 @@ public:
   /// sweeps do as well in Merge.
   std::vector<bool> FindReaching(const std::vector<SiteReach>& radars, const RangeLoop& loop = {});
 
-  /// The merge at a time, of volumes from Prepare or PrepareForGrid. Of each radar those about the
+  /// The merge at a time, of volumes from Prepare or PrepareForGrid; means that a volume lacks for
+  /// this grid are made here, and kept as long as the volume is held. Of each radar those about the
   /// time, in any order: the last one that ended before it, those in progress, the first one after
   /// it; others make no difference but cost time. All must hold the same moment. Without volumes no
   /// voxel is scanned. `motion`, of the grid, may be nullptr. Empty when `progress` asked to stop;
@@ -125,12 +119,19 @@ private:
 
     bool IsMadeFrom(const PolarVolume& source) const;
   };
+  // A volume that was made ready for other voxels, with the means for these.
+  struct Remade
+  {
+    std::weak_ptr<const BeamVolume> source; // as long as it is held elsewhere
+    std::shared_ptr<const BeamVolume> volume;
+  };
   struct KeptGeometry
   {
     Position position;
     std::shared_ptr<const SiteGeometry> geometry;
   };
 
+  BeamVolumes WithMeans(const BeamVolumes& volumes);
   void FindGeometries(const std::vector<Position>& positions, const RangeLoop& loop);
   const SiteGeometry& GeometryOf(const Position& position) const;
   std::vector<MergeSite> MakeSites(
@@ -142,6 +143,7 @@ private:
   VoxelBlock block;
   std::vector<KeptGeometry> geometries; // over the block
   std::vector<KeptVolume> kept;         // in the order given
+  std::vector<Remade> remade;
 };
 
 } // namespace nexrad

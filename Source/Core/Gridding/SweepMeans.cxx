@@ -324,33 +324,27 @@ private:
   {
     std::size_t begin;
     std::size_t end;
-    const float* weights;
+    std::size_t firstWeight;
   };
 
   void WeighGates(double gatesPerRing)
   {
     const auto last = static_cast<double>(sweep.gates);
-    std::vector<std::size_t> firstWeights;
     for (std::size_t ring = 0; ring < means.rings.size(); ++ring)
     {
       const double begin = static_cast<double>(ring) * gatesPerRing;
       const double end = std::min(begin + gatesPerRing, last);
-      ringGates.push_back(
-        {static_cast<std::size_t>(begin), static_cast<std::size_t>(begin), nullptr});
-      firstWeights.push_back(weights.size());
-      for (auto gate = static_cast<std::size_t>(begin); static_cast<double>(gate) < end; ++gate)
+      const auto first = static_cast<std::size_t>(begin);
+      RingGates gates{first, first, weights.size()};
+      for (; static_cast<double>(gates.end) < end; ++gates.end)
       {
-        const auto place = static_cast<double>(gate);
+        const auto place = static_cast<double>(gates.end);
         const double part = std::min(place + 1.0, end) - std::max(place, begin);
         weights.push_back(part > static_cast<double>(smallestPart)
                             ? static_cast<float>(part / (end - begin))
                             : 0.0F);
-        ringGates.back().end = gate + 1;
       }
-    }
-    for (std::size_t ring = 0; ring < ringGates.size(); ++ring)
-    {
-      ringGates[ring].weights = weights.data() + firstWeights[ring];
+      ringGates.push_back(gates);
     }
   }
 
@@ -384,7 +378,7 @@ private:
     Tally tally;
     for (std::size_t gate = gates.begin; gate < gates.end; ++gate)
     {
-      const float weight = gates.weights[gate - gates.begin];
+      const float weight = weights[gates.firstWeight + gate - gates.begin];
       if (weight > 0.0F)
       {
         adder.Add(codes[gate], weight, tally);
@@ -462,7 +456,7 @@ private:
   const GateAdder adder;
   SweepMeans& means;
   const std::size_t rays;
-  std::vector<float> weights;
+  std::vector<float> weights; // of the gates of each ring, one ring after the other
   std::vector<RingGates> ringGates;
   bool closed;                 // no gap between rays is too wide
   std::vector<GateRange> held; // of each ray

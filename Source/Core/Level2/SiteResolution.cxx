@@ -82,9 +82,9 @@ std::optional<Position> ConvertStored(const StoredPosition& stored, RadarVolume&
   return IsOnEarth(position) ? std::optional(position) : std::nullopt;
 }
 
-// Some files have a height in feet that was taken for metres and turned into metres once more: 171
-// m for KTYX, which stands at 563 m. Heights that contradict the site table in another way may be
-// of a radar that has moved.
+// Some files have a height in feet that was taken for metres and turned into metres once more: 180
+// m for KTYX, whose antenna stands at 597 m. Heights that contradict the site table in another way
+// may be of a radar that has moved.
 void CheckHeight(RadarVolume& volume)
 {
   constexpr double tolerated = 100.0; // m, more than the height of a tower

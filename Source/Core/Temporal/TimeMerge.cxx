@@ -338,7 +338,7 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
     BeamVolumes ready;
     for (const ReadyVolume& volume : volumes)
     {
-      ready.push_back(run.WithMeans(volume.beam, request));
+      ready.push_back(volume.beam);
     }
     BeamMerger& merger = run.MergerFor(request);
     const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
@@ -351,29 +351,6 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
     polar.push_back(volume.polar.get());
   }
   return MergeVolumes(polar, request, progress, &run);
-}
-
-std::shared_ptr<const BeamVolume> MergeRun::WithMeans(
-  const std::shared_ptr<const BeamVolume>& volume, const MergeRequest& request)
-{
-  if (HasMeans(*volume, request.grid, request.beam))
-  {
-    return volume;
-  }
-  remade.erase(std::remove_if(remade.begin(), remade.end(),
-                 [](const Remade& each) { return each.source.expired(); }),
-    remade.end());
-  for (const Remade& each : remade)
-  {
-    if (each.source.lock() == volume && HasMeans(*each.volume, request.grid, request.beam))
-    {
-      return each.volume;
-    }
-  }
-  auto made = std::make_shared<BeamVolume>(*volume);
-  MakeMeans(request.grid, request.beam, *made);
-  remade.push_back({volume, made});
-  return made;
 }
 
 std::shared_ptr<const BeamVolume> MergeRun::OutlineOf(

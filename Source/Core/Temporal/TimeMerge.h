@@ -67,8 +67,8 @@ struct ReadyVolume
   std::shared_ptr<const BeamVolume> beam;   ///< for Beam
 };
 
-/// Makes one moment of a decoded volume ready for a request, whatever its time. Where the grid of
-/// the request is not known yet, it asks for no means: merging makes them.
+/// Makes one moment of a decoded volume ready for a request, whatever its time. As long as the
+/// grid is not known, a request without means does: the merge makes what is missing.
 ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request);
 
 /// Indices of the volumes of one site that a request takes, from their starts, which ascend, and
@@ -96,16 +96,7 @@ public:
   std::shared_ptr<const MotionField> MotionFor(
     const BeamVolumes& volumes, const MergeRequest& request);
 
-  /// A volume with the means that a request needs: itself when it has them.
-  std::shared_ptr<const BeamVolume> WithMeans(
-    const std::shared_ptr<const BeamVolume>& volume, const MergeRequest& request);
-
 private:
-  struct Remade
-  {
-    std::weak_ptr<const BeamVolume> source; // as long as it is held elsewhere
-    std::shared_ptr<const BeamVolume> volume;
-  };
   struct Outline
   {
     std::shared_ptr<const VolumeDigest> digest;
@@ -116,7 +107,6 @@ private:
   std::unique_ptr<BeamMerger> merger;
   std::unique_ptr<MotionTracker> tracker; // for the merger's grid
   std::vector<Outline> outlines;
-  std::vector<Remade> remade; // volumes that were made ready for other voxels
 };
 
 /// Merges volumes of any number of sites, in any order: for each site those about the time (for
@@ -125,7 +115,7 @@ private:
 std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
   const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
 
-/// The same for volumes made ready for this request or one of another grid, which have been chosen.
+/// The same for volumes made ready for this request, or but for means, which have been chosen.
 /// `memory` is a volume that is no longer needed: its arrays become those of the result.
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
   const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory = {});
