@@ -3,11 +3,11 @@
 
 #include "Bench/ThesisFigures.h"
 #include "BenchRuns.h"
-#include "Model/Error.h"
 #include "ProgressBar.h"
 #include "SceneUsage.h"
-#include "Temporal/TimeMerge.h"
 #include "UnitOptions.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -20,13 +20,14 @@ namespace nexrad::application
 namespace
 {
 
-std::string ParseMethod(const std::string& text)
+MergeMethod ParseMethod(const std::string& text)
 {
-  if (!ParseMergeMethod(text))
+  const auto method = ParseMergeMethod(text);
+  if (!method)
   {
     throw Error("'" + text + "' is no method of merging; nexrad3d grid --help names them");
   }
-  return text;
+  return *method;
 }
 
 void AddInputs(CLI::App& command, BenchOptions& options)
@@ -77,7 +78,7 @@ void AddOptions(CLI::App& command, BenchOptions& options)
     ->capture_default_str();
   AddDimensions(command, options.request);
   AddParsedOption(command, "--method", options.request.options.method, ParseMethod, "NAME",
-    "How rays become voxels", options.request.options.method);
+    "How rays become voxels", ToString(options.request.options.method));
   AddParsedOption(command, "--max-gap", options.request.options.maximumGap, ParseDuration,
     "DURATION", "A site's volume farther than this from a time does not count", "15min");
   command

@@ -2,7 +2,7 @@
 #include "Bench/CompareReports.h"
 #include "BenchRuns.h"
 #include "Command.h"
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>
 

@@ -6,7 +6,7 @@
 #include "ProgressShare.h"
 #include "SceneLibrary.h"
 #include "SimulatedFiles.h"
-#include "Temporal/InputFiles.h"
+#include "nexrad/Series/InputFiles.h"
 
 #include <nlohmann/json.hpp>
 

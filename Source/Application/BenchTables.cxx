@@ -7,12 +7,12 @@
 #include "Bench/WorkFolder.h"
 #include "BenchRuns.h"
 #include "Command.h"
-#include "Model/Error.h"
 #include "ProgressBar.h"
 #include "SceneLibrary.h"
 #include "SimulatedFiles.h"
-#include "Temporal/InputFiles.h"
-#include "Temporal/SiteSeries.h"
+#include "nexrad/Series/InputFiles.h"
+#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>
 

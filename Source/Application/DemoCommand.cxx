@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DemoCommand.h"
 
-#include "Model/Error.h"
 #include "OutputFile.h"
 #include "ProgressBar.h"
 #include "SceneLibrary.h"
 #include "SimulatedFiles.h"
 #include "UnitOptions.h"
 #include "Volumes/WriteVolumes.h"
+#include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 

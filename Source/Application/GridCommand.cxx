@@ -2,6 +2,7 @@
 #include "GridCommand.h"
 
 #include "Counted.h"
+#include "GridOptions.h"
 #include "JoinedProcesses.h"
 #include "ProgressBar.h"
 #include "UnitOptions.h"

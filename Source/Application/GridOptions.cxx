@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridOptions.h"
 
-#include "Model/SiteTable.h"
-#include "Temporal/TimeMerge.h"
 #include "UnitOptions.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Model/SiteTable.h"
 
 #include <CLI/CLI.hpp>
 
@@ -46,13 +46,14 @@ MomentName ParseMoment(const std::string& text)
   return *moment;
 }
 
-std::string ParseMethod(const std::string& text)
+MergeMethod ParseMethod(const std::string& text)
 {
-  if (!ParseMergeMethod(text))
+  const auto method = ParseMergeMethod(text);
+  if (!method)
   {
     throw Error("'" + text + "' is no method; write beam or thesis");
   }
-  return text;
+  return *method;
 }
 
 OverlapStrategy ParseOverlap(const std::string& text)
@@ -80,19 +81,19 @@ double ParseOverlapLength(const std::string& text)
   return length;
 }
 
-MotionChoice ParseMotionChoice(const std::string& text)
+// Along which motion the method beam interpolates in time.
+void StoreMotion(const std::string& text, MergeOptions& options)
 {
-  if (text == "none" || text == "estimated")
-  {
-    return {text == "none", std::nullopt};
-  }
-  if (text.find(',') == std::string::npos)
+  const bool choice = text == "none" || text == "estimated";
+  if (!choice && text.find(',') == std::string::npos)
   {
     throw Error("'" + text +
                 "' is no motion; write estimated, none, or m/s towards east and north, as in "
                 "12,-7.5");
   }
-  return {false, ParseMotion(text)};
+  options.interpolation =
+    text == "none" ? TimeInterpolationMethod::Linear : TimeInterpolationMethod::AlongMotion;
+  options.motion = choice ? std::nullopt : std::optional(ParseMotion(text));
 }
 
 std::string ParseSite(const std::string& text)
@@ -106,7 +107,7 @@ std::string ParseSite(const std::string& text)
   return text;
 }
 
-void AddTimes(CLI::App& command, GridOptions& options)
+void AddTimes(CLI::App& command, MergeOptions& options)
 {
   AddParsedOption(command, "--step", options.step, ParseStep, "DURATION",
     "Time between two volumes, in s, min, h or d; they stand at its multiples in UTC. Where it is "
@@ -124,7 +125,7 @@ void AddTimes(CLI::App& command, GridOptions& options)
     ->group(group);
 }
 
-void AddDomain(CLI::App& command, GridOptions& options)
+void AddDomain(CLI::App& command, MergeOptions& options)
 {
   AddParsedOption(command, "--dims", options.grid.dimensions, ParseDimensions, "XxYxZ",
     "Voxels to the east, to the north and upward", "256x256x128")
@@ -156,7 +157,7 @@ void AddDomain(CLI::App& command, GridOptions& options)
     ->group(group);
 }
 
-void AddMethod(CLI::App& command, GridOptions& options)
+void AddMethod(CLI::App& command, MergeOptions& options)
 {
   AddParsedOption(
     command, "--moment", options.moment, ParseMoment, "NAME", "Moment to merge", "REF")
@@ -164,7 +165,7 @@ void AddMethod(CLI::App& command, GridOptions& options)
   AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
     "How rays become voxels: beam (between the beams), or thesis (its bin average)", "beam")
     ->group(group);
-  AddNumberOption(command, "--despeckle", options.despeckle, 0, MostNeighbours, "NUMBER",
+  AddNumberOption(command, "--despeckle", options.quality.neighbours, 0, MostNeighbours, "NUMBER",
     "Take out gates of which fewer than this many of the 26 neighbours in ray, gate and tilt have "
     "a "
     "value; 0: none")
@@ -183,50 +184,65 @@ void AddMethod(CLI::App& command, GridOptions& options)
 constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill",
   "--linear-reflectivity", "--no-sharpening", "--companions", "--motion"};
 
-void AddBeam(CLI::App& command, GridOptions& options)
+void AddBeam(CLI::App& command, MergeOptions& options)
 {
-  AddParsedOption(command, "--overlap", options.overlap, ParseOverlap, "NAME",
+  AddParsedOption(command, "--overlap", options.beam.strategy, ParseOverlap, "NAME",
     "Where radars overlap: distance (the nearer counts more), nearest (alone; VEL always), mean, "
     "or "
     "maximum",
     "distance")
     ->group(group);
-  AddParsedOption(command, "--overlap-length", options.overlapLength, ParseOverlapLength, "LENGTH",
+  AddParsedOption(command, "--overlap-length", options.beam.overlapLength, ParseOverlapLength,
+    "LENGTH",
     "Distance at which a radar's weight has fallen to 1/e, m or km; of --overlap distance", "100km")
     ->group(group);
-  AddParsedOption(command, "--motion", options.motion, ParseMotionChoice, "MOTION",
-    "Echo between two looks of a radar moves: as estimated from reflectivity, with EAST,NORTH m/s, "
-    "or none (blended in place). Other moments than REF move only as given",
-    "estimated")
+  const auto storeMotion = [&options](const std::string& text)
+  {
+    try
+    {
+      StoreMotion(text, options);
+    }
+    catch (const Error& error)
+    {
+      throw CLI::ValidationError("--motion", error.what());
+    }
+  };
+  command
+    .add_option_function<std::string>("--motion", storeMotion,
+      "Echo between two looks of a radar moves: as estimated from reflectivity, with EAST,NORTH "
+      "m/s, "
+      "or none (blended in place). Other moments than REF move only as given")
+    ->type_name("MOTION")
+    ->default_str("estimated")
+    ->expected(1)
     ->group(group);
   command
-    .add_flag("--fill", options.fill,
+    .add_flag("--fill", options.beam.fill,
       "Fill each column between and below what was scanned (default: left open)")
     ->group(group);
   command
-    .add_flag("--linear-reflectivity", options.linearReflectivity,
+    .add_flag("--linear-reflectivity", options.beam.linearReflectivity,
       "Interpolate and average Z (mm^6/m^3) in place of dBZ; of REF")
     ->group(group);
   command
     .add_flag_callback(
-      "--no-sharpening", [&options] { options.sharpen = false; },
+      "--no-sharpening", [&options] { options.beam.sharpen = false; },
       "Leave in the values what the width of the beam did to them; of REF")
     ->group(group);
   command
-    .add_flag("--companions", options.companions,
+    .add_flag("--companions", options.beam.companions,
       "Add what stands behind each voxel: age in s, number of radars, weight, nearest site")
     ->group(group);
 }
 
 // Once all are known. Options that contradict each other are wrong usage.
-void Finish(const CLI::App& command, GridOptions& options)
+void Finish(const CLI::App& command, MergeOptions& options)
 {
   if (options.begin && options.end && *options.end < *options.begin)
   {
     throw CLI::ValidationError("--end", "lies before --begin");
   }
-  options.ownRange = command.count("--range") > 0;
-  const bool thesis = options.method == ToString(MergeMethod::Thesis);
+  const bool thesis = options.method == MergeMethod::Thesis;
   if (thesis && options.moment != MomentName::REF)
   {
     throw CLI::ValidationError("--moment", "the method 'thesis' merges REF alone");
@@ -238,22 +254,24 @@ void Finish(const CLI::App& command, GridOptions& options)
       throw CLI::ValidationError(name, "is of the method 'beam'; 'thesis' has no such choice");
     }
   }
-  if (command.count("--overlap-length") > 0 && options.overlap != OverlapStrategy::Distance)
+  if (command.count("--overlap-length") > 0 && options.beam.strategy != OverlapStrategy::Distance)
   {
     throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
   }
   const bool seenUnlike = options.moment == MomentName::VEL || options.moment == MomentName::SW ||
                           options.moment == MomentName::PHI;
-  if (seenUnlike && options.overlap != OverlapStrategy::Nearest && command.count("--overlap") > 0)
+  if (seenUnlike && options.beam.strategy != OverlapStrategy::Nearest &&
+      command.count("--overlap") > 0)
   {
     throw CLI::ValidationError("--overlap",
       "of --moment VEL, SW and PHI is nearest alone: two radars do not see these alike");
   }
-  if (options.linearReflectivity && options.moment != MomentName::REF)
+  if (options.beam.linearReflectivity && options.moment != MomentName::REF)
   {
     throw CLI::ValidationError("--linear-reflectivity", "is of --moment REF alone");
   }
-  if (!options.sharpen && (options.moment != MomentName::REF || options.linearReflectivity))
+  if (!options.beam.sharpen &&
+      (options.moment != MomentName::REF || options.beam.linearReflectivity))
   {
     throw CLI::ValidationError(
       "--no-sharpening", "is of --moment REF in dBZ; nothing else is sharpened");
@@ -262,7 +280,7 @@ void Finish(const CLI::App& command, GridOptions& options)
 
 } // namespace
 
-void AddGridOptions(CLI::App& command, GridOptions& options)
+void AddGridOptions(CLI::App& command, MergeOptions& options)
 {
   AddTimes(command, options);
   AddDomain(command, options);

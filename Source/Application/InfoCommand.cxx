@@ -3,10 +3,10 @@
 
 #include "Counted.h"
 #include "InfoReport.h"
-#include "Level2/Level2File.h"
-#include "Model/Error.h"
-#include "Model/SiteTable.h"
-#include "Temporal/InputFiles.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Series/InputFiles.h"
+#include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>

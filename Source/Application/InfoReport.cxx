@@ -2,10 +2,10 @@
 #include "InfoReport.h"
 
 #include "Counted.h"
-#include "Model/MomentLimits.h"
-#include "Model/MomentSummary.h"
-#include "Model/SiteTable.h"
-#include "Model/SweepWaveforms.h"
+#include "nexrad/Model/MomentLimits.h"
+#include "nexrad/Model/MomentSummary.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Model/SweepWaveforms.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputFile.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 
 #include <cerrno>
 #include <cstdio>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/Progress.h"
+#include "nexrad/System/Progress.h"
 
 #include <cstddef>
 

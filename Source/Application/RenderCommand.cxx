@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderCommand.h"
 
+#include "GridOptions.h"
 #include "ProgressBar.h"
 #include "SceneLibrary.h"
 #include "SceneUsage.h"
@@ -86,7 +87,7 @@ void FinishMap(const CLI::App& command, RenderOptions& options)
   request.scene.plan->array = options.array;
   const std::string moment = ToString(request.input.grid.moment);
   const bool companion = !options.array.empty() && options.array != moment;
-  request.input.grid.companions = request.input.grid.companions || companion;
+  request.input.grid.beam.companions = request.input.grid.beam.companions || companion;
   request.camera.parallel = true;
   request.camera.azimuth = command.count("--azimuth") > 0 ? request.camera.azimuth : 180.0;
   request.camera.tilt = command.count("--tilt") > 0 ? request.camera.tilt : 90.0;

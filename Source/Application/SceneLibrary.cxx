@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneLibrary.h"
 
-#include "Model/Error.h"
 #include "ProgramLibrary.h"
+#include "nexrad/System/Error.h"
 
 namespace nexrad::application
 {

@@ -2,11 +2,11 @@
 #include "SimulateCommand.h"
 
 #include "Counted.h"
-#include "Model/Error.h"
-#include "Model/SiteTable.h"
 #include "ProgressBar.h"
 #include "SimulatedFiles.h"
 #include "UnitOptions.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 

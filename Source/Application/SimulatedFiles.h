@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/Progress.h"
-#include "Simulation/SimulatedDay.h"
+#include "nexrad/Simulation/SimulatedDay.h"
+#include "nexrad/System/Progress.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/GridSpecification.h"
-#include "Gridding/MotionField.h"
-#include "Model/Time.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Model/Time.h"
+#include "nexrad/Motion/MotionField.h"
 
 #include <array>
 #include <cstddef>

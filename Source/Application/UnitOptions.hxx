@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ViewCommand.h"
 
+#include "GridOptions.h"
 #include "ProgressBar.h"
 #include "SceneLibrary.h"
 #include "SceneUsage.h"

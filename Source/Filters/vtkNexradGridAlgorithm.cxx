@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradGridAlgorithm.h"
 
-#include "Geometry/GridSpecification.h"
-#include "Model/Error.h"
-#include "Model/Moment.h"
-#include "Temporal/TimeMerge.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Model/Moment.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
 
 #include "vtkDataObject.h"

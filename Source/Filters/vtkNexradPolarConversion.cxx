@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradPolarConversion.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 
 #include "vtkCompositeDataSet.h"

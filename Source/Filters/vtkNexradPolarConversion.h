@@ -9,7 +9,7 @@
 #ifndef vtkNexradPolarConversion_h
 #define vtkNexradPolarConversion_h
 
-#include "Gridding/PolarVolume.h"
+#include "nexrad/Polar/PolarVolume.h"
 
 #include <vector>
 

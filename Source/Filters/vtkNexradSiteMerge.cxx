@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSiteMerge.h"
 
-#include "Geometry/VoxelBlock.h"
-#include "Model/Error.h"
-#include "Quality/Despeckling.h"
-#include "Temporal/TimeMerge.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Quality/Despeckling.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradExtent.h"
 
-#include "Geometry/VoxelBlock.h"
+#include "nexrad/Grid/VoxelBlock.h"
 
 #include "vtkAlgorithm.h"
 #include "vtkImageData.h"

@@ -6,10 +6,10 @@
 #ifndef vtkNexradGatePlacement_h
 #define vtkNexradGatePlacement_h
 
-#include "Geometry/Beam.h"
-#include "Geometry/GridSpecification.h"
-#include "Geometry/SiteGeoreference.h"
-#include "Model/RadarVolume.h"
+#include "nexrad/Geometry/Beam.h"
+#include "nexrad/Geometry/SiteGeoreference.h"
+#include "nexrad/Grid/GridSpecification.h"
+#include "nexrad/Model/RadarVolume.h"
 
 #include <array>
 #include <cstddef>

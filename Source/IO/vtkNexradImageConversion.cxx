@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradImageConversion.h"
 
-#include "Gridding/GriddedVolume.h"
-#include "Model/Error.h"
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 
 #include "vtkDataSetAttributes.h"

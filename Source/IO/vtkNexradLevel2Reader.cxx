@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradLevel2Reader.h"
 
-#include "Level2/Level2File.h"
-#include "Model/Error.h"
-#include "Temporal/InputFiles.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Series/InputFiles.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradSweepConversion.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSeriesReader.h"
 
-#include "Geometry/GridSpecification.h"
-#include "Level2/Level2File.h"
-#include "Model/Error.h"
-#include "Temporal/SiteSeries.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradLevel2Reader.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradSweepConversion.h"

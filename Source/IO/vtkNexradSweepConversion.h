@@ -40,8 +40,8 @@
 
 #include "vtkNexradGatePlacement.h"
 
-#include "Model/Progress.h"
-#include "Model/RadarVolume.h"
+#include "nexrad/Model/RadarVolume.h"
+#include "nexrad/System/Progress.h"
 
 #include <array>
 #include <optional>

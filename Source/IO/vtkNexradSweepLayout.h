@@ -6,7 +6,7 @@
 #ifndef vtkNexradSweepLayout_h
 #define vtkNexradSweepLayout_h
 
-#include "Model/RadarVolume.h"
+#include "nexrad/Model/RadarVolume.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSweepReader.h"
 
-#include "Level2/Level2File.h"
+#include "nexrad/Level2/Level2File.h"
 #include "vtkNexradSweepConversion.h"
 
 #include "vtkDataArraySelection.h"

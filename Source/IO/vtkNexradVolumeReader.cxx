@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradVolumeReader.h"
 
-#include "Codec/NxvFile.h"
-#include "Gridding/VolumePart.h"
-#include "Model/Error.h"
-#include "Model/Progress.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/VolumePart.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/System/Progress.h"
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
@@ -49,11 +49,6 @@ namespace
 bool IsIndex(const std::filesystem::path& path)
 {
   return path.extension() == ".series";
-}
-
-bool SameGrid(const nexrad::GridSpecification& a, const nexrad::GridSpecification& b)
-{
-  return a.dimensions == b.dimensions && a.origin == b.origin && a.spacing == b.spacing;
 }
 
 nexrad::NxvReadOptions LeavingOut(vtkDataArraySelection* selection)
@@ -245,7 +240,7 @@ int vtkNexradVolumeReader::RequestData(
     nexrad::GriddedVolume volume =
       this->RawStream ? nexrad::ReadRaw(step.second, this->Opened->First)
                       : nexrad::ReadNxv(step.second, LeavingOut(this->CompanionSelection));
-    if (!SameGrid(volume.grid, this->Opened->First.grid))
+    if (volume.grid != this->Opened->First.grid)
     {
       throw nexrad::Error(
         step.second.string() + ": its grid is not that of the first volume of the series");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradVolumeWriter.h"
 
-#include "Codec/NxvFile.h"
-#include "Model/Error.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 

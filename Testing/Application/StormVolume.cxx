@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StormVolume.h"
 
-#include "Codec/NxvFile.h"
+#include "nexrad/Codec/NxvFile.h"
 #include "vtkNexradImageConversion.h"
 
 #include <algorithm>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/BenchReport.h"
 #include "Bench/CompareReports.h"
-#include "Model/Error.h"
 #include "ProgramRun.h"
 #include "TestData.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -4,8 +4,8 @@
 #include "Bench/BenchTable.h"
 #include "Bench/Measurement.h"
 #include "Bench/PeakMemory.h"
-#include "Model/Error.h"
 #include "TestData.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/NxvFile.h"
 #include "ProgramRun.h"
 #include "TestData.h"
+#include "nexrad/Codec/NxvFile.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/NxvFile.h"
 #include "ProgramRun.h"
-#include "Temporal/InputFiles.h"
-#include "Temporal/TimeMerge.h"
 #include "TestData.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/InputFiles.h"
 
 #include <gtest/gtest.h>
 

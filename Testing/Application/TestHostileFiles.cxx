@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program with files that were made to do harm, within a limit of memory. The folder is beside
 // the real files (NEXRAD_TEST_DATA/hostile); TestHostileBytes makes the like of them in code.
-#include "Model/Error.h"
 #include "ProgramRun.h"
 #include "TestData.h"
 #include "Volumes/VolumeSeries.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 #include <vtkImageData.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/SiteTable.h"
+#include "nexrad/Model/SiteTable.h"
 
 #include "HandMadeVolume.h"
 #include "Level2Bytes.h"

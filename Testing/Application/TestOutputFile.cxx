@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "OutputFile.h"
 
-#include "Model/Error.h"
 #include "TestData.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "PlanView.h"
 #include "VolumeLook.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradTransferFunction.h"
 
 #include <gtest/gtest.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/ReadAhead.h"
 
-#include "Model/Error.h"
 #include "TestData.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -47,7 +47,7 @@ struct Loads
   }
 };
 
-struct SeriesOptions
+struct CountedOptions
 {
   std::size_t count = 4;
   bool ahead = true;
@@ -61,7 +61,7 @@ struct SeriesOptions
 class CountedSeries : public VolumeSeries
 {
 public:
-  CountedSeries(const SeriesOptions& seriesOptions, Loads& counted)
+  CountedSeries(const CountedOptions& seriesOptions, Loads& counted)
     : options(seriesOptions)
     , times(options.count)
     , loads(counted)
@@ -106,12 +106,12 @@ private:
     return volume;
   }
 
-  SeriesOptions options;
+  CountedOptions options;
   std::vector<Time> times;
   Loads& loads;
 };
 
-std::unique_ptr<VolumeSeries> Series(Loads& loads, SeriesOptions options = {})
+std::unique_ptr<VolumeSeries> Series(Loads& loads, CountedOptions options = {})
 {
   if (options.readAhead.order.empty())
   {
@@ -157,7 +157,7 @@ TEST(ReadAhead, ASeriesThatPlaysOnIsLoadedOnAnotherThread)
 TEST(ReadAhead, HoldsNoMoreMemoryThanAllowed)
 {
   Loads loads;
-  SeriesOptions options;
+  CountedOptions options;
   options.count = 20;
   options.kibibytes = 1000;
   options.readAhead.memory = std::size_t(3500) << 10;
@@ -173,7 +173,7 @@ TEST(ReadAhead, HoldsNoMoreMemoryThanAllowed)
 TEST(ReadAhead, OneVolumeIsHeldAheadHoweverLarge)
 {
   Loads loads;
-  SeriesOptions options;
+  CountedOptions options;
   options.kibibytes = 1000;
   options.readAhead.memory = 0;
   const auto series = Series(loads, options);
@@ -186,7 +186,7 @@ TEST(ReadAhead, OneVolumeIsHeldAheadHoweverLarge)
 TEST(ReadAhead, FollowsTheOrder)
 {
   Loads loads;
-  SeriesOptions options;
+  CountedOptions options;
   options.count = 9;
   options.readAhead.order = {7, 2, 5};
   const auto series = Series(loads, options);
@@ -203,7 +203,7 @@ TEST(ReadAhead, PreparesEachVolumeAfterTheOneBeforeIt)
 {
   Loads loads;
   std::vector<std::pair<int, int>> prepared; // slices of the volume, and of the one before
-  SeriesOptions options;
+  CountedOptions options;
   options.readAhead.prepare = [&prepared](vtkImageData* volume, vtkImageData* before)
   { prepared.emplace_back(volume->GetDimensions()[2], before ? before->GetDimensions()[2] : 0); };
   {
@@ -223,7 +223,7 @@ TEST(ReadAhead, PreparesEachVolumeAfterTheOneBeforeIt)
 TEST(ReadAhead, WhatIsLoadedInVainIsStopped)
 {
   Loads loads;
-  SeriesOptions options;
+  CountedOptions options;
   options.slow = 1;
   const auto series = Series(loads, options);
   EXPECT_EQ(Slices(*series, 0), 1);
@@ -235,7 +235,7 @@ TEST(ReadAhead, WhatIsLoadedInVainIsStopped)
 TEST(ReadAhead, WhoeverWaitsIsToldHowFarItIsAndMayStop)
 {
   Loads loads;
-  SeriesOptions options;
+  CountedOptions options;
   options.slow = 1;
   const auto series = Series(loads, options);
   EXPECT_EQ(Slices(*series, 0), 1);
@@ -254,7 +254,7 @@ TEST(ReadAhead, WhoeverWaitsIsToldHowFarItIsAndMayStop)
 TEST(ReadAhead, AFailureIsToldWhenItsVolumeIsAskedFor)
 {
   Loads loads;
-  SeriesOptions options;
+  CountedOptions options;
   options.broken = 1;
   const auto series = Series(loads, options);
   EXPECT_EQ(Slices(*series, 0), 1);
@@ -271,7 +271,7 @@ TEST(ReadAhead, OneVolumeIsLoadedOnce)
 {
   Loads loads;
   {
-    SeriesOptions options;
+    CountedOptions options;
     options.readAhead.order = {2};
     const auto series = Series(loads, options);
     EXPECT_EQ(Slices(*series, 2), 3);
@@ -284,7 +284,7 @@ TEST(ReadAhead, ASeriesThatCannotIsLeftAlone)
 {
   Loads loads;
   {
-    SeriesOptions options;
+    CountedOptions options;
     options.ahead = false;
     const auto series = Series(loads, options);
     EXPECT_EQ(Slices(*series, 0), 1);
@@ -298,7 +298,7 @@ TEST(ReadAhead, ASeriesThatCannotIsLeftAlone)
 TEST(ReadAhead, RadarFilesMergeAheadToTheSameVolumes)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
-  GridOptions grid;
+  MergeOptions grid;
   grid.grid.dimensions = {32, 32, 16};
   const std::vector<std::filesystem::path> inputs = {data / "level2" / "run-kbgm-20050821"};
   const auto direct = OpenRadarFiles(inputs, grid);

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/NxvFile.h"
 #include "HandMadeVolume.h"
 #include "NoDisplay.h"
 #include "ProgramRun.h"
 #include "StormVolume.h"
 #include "TestData.h"
+#include "nexrad/Codec/NxvFile.h"
 
 #include <gtest/gtest.h>
 

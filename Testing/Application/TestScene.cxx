@@ -5,7 +5,7 @@
 #include "StormVolume.h"
 #include "VolumeLook.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradTransferFunction.h"
 

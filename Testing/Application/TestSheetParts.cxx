@@ -3,8 +3,8 @@
 #include "Sheets.h"
 #include "SweepLayers.h"
 
-#include "Level2/Level2File.h"
 #include "TestData.h"
+#include "nexrad/Level2/Level2File.h"
 
 #include <vtkImageData.h>
 #include <vtkStructuredGrid.h>

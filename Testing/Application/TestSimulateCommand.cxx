@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "CommandLine.h"
-#include "Level2/Level2File.h"
 #include "SimulateCommand.h"
-#include "Simulation/SimulatedDay.h"
 #include "TestData.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Simulation/SimulatedDay.h"
 
 #include <gtest/gtest.h>
 

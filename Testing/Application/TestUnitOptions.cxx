@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "UnitOptions.h"
 
-#include "Model/Error.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

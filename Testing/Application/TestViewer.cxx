@@ -6,7 +6,7 @@
 #include "TestData.h"
 #include "Viewer.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
 #include <vtkRenderWindow.h>

@@ -2,7 +2,7 @@
 #include "TestData.h"
 #include "VolumeLook.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradTransferFunction.h"
 
 #include <gtest/gtest.h>

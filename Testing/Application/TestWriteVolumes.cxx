@@ -2,14 +2,14 @@
 // Files merged as they are decoded against the merge of files that were all scanned before.
 #include "Volumes/WriteVolumes.h"
 
-#include "Codec/Deflate.h"
-#include "Codec/NxvFile.h"
-#include "Codec/NxvHeader.h"
 #include "HandMadeVolume.h"
-#include "Model/Error.h"
 #include "TestData.h"
-#include "Volumes/ScannedSteps.h"
 #include "Volumes/VolumeSeries.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Compression/Deflate.h"
+#include "nexrad/Merging/ScannedSteps.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ protected:
   // The same by a scan.
   std::map<std::string, std::string> Expected()
   {
-    ScannedSteps steps(job.inputs, job.options, {}, {});
+    ScannedSteps steps(job.inputs, job.options, {}, {}, {});
     steps.Plan();
     std::map<std::string, std::string> contents;
     const fs::path file = folder.Path() / "one.nxv";
@@ -96,9 +96,9 @@ TEST_F(WritingVolumes, AsAScanWould)
   EXPECT_TRUE(report.problems.empty());
   EXPECT_EQ(report.files.size(), 15U);
   EXPECT_EQ(ReadNxv(report.files[5]).sites, (std::vector<std::string>{"KEAX", "KNEA"}));
-  job.options.method = "thesis";
+  job.options.method = MergeMethod::Thesis;
   EXPECT_TRUE(this->Contents("thesis") == this->Expected());
-  job.options.method = "beam";
+  job.options.method = MergeMethod::Beam;
   job.options.begin = start + 10min;
   job.options.end = start + 17min;
   const auto part = this->Contents("part");
@@ -160,7 +160,7 @@ TEST_F(WritingVolumes, OneTerminalRadarHasTheDomainOfItsReach)
 {
   const Site terminal = {"TDAL", Position{32.926, -96.968, 190.0}};
   files.push_back(WriteLevel2(folder.Path() / "terminal", {ConstantVolume(terminal, start, 20.0)}));
-  job.options = GridOptions();
+  job.options = MergeOptions();
   job.options.grid.dimensions = {40, 24, 10};
   const auto widthOf = [this](const std::vector<fs::path>& inputs)
   {
@@ -175,7 +175,6 @@ TEST_F(WritingVolumes, OneTerminalRadarHasTheDomainOfItsReach)
   job.options.grid.range = 50'000.0;
   EXPECT_NEAR(widthOf({files.back()}), 100'000.0, 10.0);
   job.options.grid.range = 230'000.0;
-  job.options.ownRange = true;
   EXPECT_NEAR(widthOf({files.back()}), 460'000.0, 10.0);
 }
 
@@ -195,7 +194,7 @@ TEST_F(WritingVolumes, WhatIsDamagedIsNamedInTheOrderOfTheInputs)
   fs::resize_file(files[3], 30);
   const auto expected = this->Expected();
   EXPECT_TRUE(this->Contents("damaged") == expected);
-  const ScannedSteps steps(job.inputs, job.options, {}, {});
+  const ScannedSteps steps(job.inputs, job.options, {}, {}, {});
   ASSERT_EQ(report.problems.size(), steps.Problems().size());
   EXPECT_GE(report.problems.size(), 3U);
   for (std::size_t i = 0; i < report.problems.size(); ++i)
@@ -219,7 +218,7 @@ TEST_F(WritingVolumes, AFailureChangesNothingThatWasThere)
   const auto before = this->Contents("kept");
   ASSERT_EQ(before.size(), 4U);
   const std::string index = FileContent(report.index);
-  job.options.method = "thesis";
+  job.options.method = MergeMethod::Thesis;
   job.options.maximumGap = 1s; // none of these steps is that near to a volume
   job.options.begin = start + 3min;
   job.options.end = start + 9min;
@@ -246,7 +245,7 @@ TEST_F(WritingVolumes, ARunThatSucceedsReplacesWhatWasThere)
 {
   job.options.end = start + 10min;
   const auto beam = this->Contents("replaced");
-  job.options.method = "thesis";
+  job.options.method = MergeMethod::Thesis;
   const auto expected = this->Contents("thesis");
   EXPECT_FALSE(expected == beam);
   EXPECT_TRUE(this->Contents("replaced") == expected);

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Times of the core's kernels on synthetic files of KLSX, which are simulated once, in memory.
 // Usage: BenchmarkCore [options of Google Benchmark, for example --benchmark_filter=Decode]
-#include "Codec/NxvFile.h"
-#include "Codec/Quantizer.h"
-#include "Codec/RunLength.h"
-#include "Gridding/PolarVolume.h"
-#include "Gridding/ThesisMerge.h"
-#include "Level2/Level2File.h"
-#include "Level2/ParallelBunzip.h"
-#include "Level2/VolumeHeader.h"
-#include "Simulation/SimulatedDay.h"
 #include "TestData.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Codec/Quantizer.h"
+#include "nexrad/Codec/RunLength.h"
+#include "nexrad/Compression/ParallelBunzip.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Level2/Messages/VolumeHeader.h"
+#include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/Simulation/SimulatedDay.h"
+#include "nexrad/Thesis/ThesisMerge.h"
 
 #include <benchmark/benchmark.h>
 

@@ -3,10 +3,11 @@
 // threads, with their volumes in memory: the storm as scanned, and the same rays with an echo in
 // every gate, both along the storm's motion and linear in time. The geometry, making the volumes
 // ready (once a run both), and finding the motion (once a step at most) are measured apart.
-#include "Gridding/BeamMerge.h"
-#include "Simulation/SimulatedDay.h"
-#include "Temporal/MotionTracker.h"
-#include "Temporal/VolumeSelection.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Gridding/BeamMerge.h"
+#include "nexrad/Motion/MotionTracker.h"
+#include "nexrad/Series/VolumeSelection.h"
+#include "nexrad/Simulation/SimulatedDay.h"
 
 #include <benchmark/benchmark.h>
 

@@ -5,12 +5,12 @@
 // of three simulated radars (SYNTHETIC), 256 x 256 x 128, five minutes apart.
 #include "Bench/Measurement.h"
 #include "Bench/WorkFolder.h"
-#include "Model/Error.h"
 #include "PictureWindow.h"
 #include "RadarSession.h"
 #include "SimulatedFiles.h"
 #include "StepTimes.h"
 #include "Volumes/WriteVolumes.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -6,12 +6,13 @@
 //
 // The grid has 0.01° and 33 levels; the block that is merged is the box about all that the radar
 // sees. Times are those of one core, medians of five runs, of the processor's clock.
-#include "Gridding/BeamMerge.h"
-#include "Gridding/PackedPolarVolume.h"
-#include "Gridding/VolumeDigest.h"
-#include "Level2/Level2File.h"
-#include "Model/Error.h"
-#include "Temporal/MotionTracker.h"
+#include "nexrad/Beams/VolumeDigest.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Gridding/BeamMerge.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Motion/MotionTracker.h"
+#include "nexrad/Polar/PackedPolarVolume.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 
 #include "vtkImageData.h"

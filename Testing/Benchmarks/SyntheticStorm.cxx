@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SyntheticStorm.h"
 
-#include "Geometry/GridSpecification.h"
-#include "Model/SiteTable.h"
-#include "Model/Time.h"
-#include "Simulation/SimulatedDay.h"
-#include "Simulation/StormField.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Model/Time.h"
+#include "nexrad/Simulation/SimulatedDay.h"
+#include "nexrad/Simulation/StormField.h"
 
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"

@@ -6,7 +6,7 @@
 
 #include "vtkNexradDayReader.h"
 
-#include "Model/Time.h"
+#include "nexrad/Model/Time.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"

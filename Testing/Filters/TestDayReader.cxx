@@ -8,10 +8,10 @@
 #include "vtkNexradVolumeReader.h"
 #include "vtkNexradVolumeWriter.h"
 
-#include "Geometry/GridSpecification.h"
-#include "Gridding/GriddedVolume.h"
-#include "Gridding/ThesisMerge.h"
-#include "Level2/Level2File.h"
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Thesis/ThesisMerge.h"
 
 #include "vtkCallbackCommand.h"
 #include "vtkDataObject.h"

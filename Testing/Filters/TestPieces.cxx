@@ -11,10 +11,11 @@
 #include "vtkNexradVolumeResampler.h"
 #include "vtkNexradVolumeWriter.h"
 
-#include "Geometry/SiteGeoreference.h"
-#include "Geometry/VoxelBlock.h"
-#include "Gridding/PolarVolume.h"
-#include "Level2/Level2File.h"
+#include "nexrad/Geometry/SiteGeoreference.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Polar/PolarVolume.h"
 
 #include "vtkCompositeDataSet.h"
 #include "vtkDataArray.h"

@@ -10,7 +10,7 @@
 #include "vtkNexradSiteMerge.h"
 #include "vtkNexradVolumeResampler.h"
 
-#include "Gridding/GriddedVolume.h"
+#include "nexrad/Grid/GriddedVolume.h"
 
 #include "vtkDataObject.h"
 #include "vtkErrorCode.h"

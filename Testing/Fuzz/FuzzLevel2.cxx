@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Feeds bytes to the Level II decoder and looks at all that comes out. With clang it is a libFuzzer
 // target (-fsanitize=fuzzer); MutationDriver.cxx runs it without.
-#include "Gridding/PolarVolume.h"
-#include "Level2/Level2File.h"
-#include "Model/MomentSummary.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Model/MomentSummary.h"
+#include "nexrad/Polar/PolarVolume.h"
 
 #include <cstddef>
 #include <cstdint>

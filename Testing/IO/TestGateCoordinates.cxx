@@ -4,7 +4,7 @@
 #include "SweepAccess.h"
 #include "TestData.h"
 
-#include "Geometry/GridSpecification.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "vtkNexradLevel2Reader.h"
 
 #include "vtkErrorCode.h"

@@ -4,7 +4,7 @@
 #include "SweepAccess.h"
 #include "TestData.h"
 
-#include "Level2/Level2File.h"
+#include "nexrad/Level2/Level2File.h"
 #include "vtkNexradLevel2Reader.h"
 
 #include "vtkCallbackCommand.h"

@@ -2,8 +2,8 @@
 #include "EventCounter.h"
 #include "TestData.h"
 
-#include "Gridding/GriddedVolume.h"
-#include "Model/Error.h"
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradVolumeReader.h"
 #include "vtkNexradVolumeWriter.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "HandMadeVolume.h"
 
-#include "Level2/Level2Encoder.h"
+#include "nexrad/Level2/Encoding/Level2Encoder.h"
 
 #include <cmath>
 #include <fstream>

@@ -2,10 +2,10 @@
 // A synthetic field of echo that moves, and radars that scan it ray by ray, each at its own time.
 #pragma once
 
-#include "Geometry/Angles.h"
-#include "Geometry/Beam.h"
-#include "Gridding/MotionField.h"
-#include "Gridding/PolarVolume.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Geometry/Beam.h"
+#include "nexrad/Motion/MotionField.h"
+#include "nexrad/Polar/PolarVolume.h"
 
 #include <cmath>
 #include <functional>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/BareDecompression.h"
 
-#include "Level2/Container.h"
-#include "Level2/LdmRecords.h"
-#include "Level2/VolumeHeader.h"
-#include "Model/Error.h"
+#include "nexrad/Compression/Container.h"
+#include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/Messages/VolumeHeader.h"
+#include "nexrad/System/Error.h"
 
 #include <bzlib.h>
 #include <zlib.h>

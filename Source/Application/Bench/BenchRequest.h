@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "GridOptions.h"
+#include "nexrad/Merging/MergeOptions.h"
 
 #include <array>
 #include <filesystem>
@@ -17,7 +17,7 @@ struct BenchRequest
   std::vector<std::filesystem::path> files; ///< radar files
   bool synthetic = false;                   ///< some of the files are simulated
   std::vector<std::array<int, 3>> dimensions;
-  GridOptions options; ///< of merging; the dimensions in it are not looked at
+  MergeOptions options; ///< of merging; the dimensions in it are not looked at
   int runs = 3;
 };
 

@@ -2,8 +2,8 @@
 #include "Bench/DecodeTable.h"
 
 #include "Bench/BareDecompression.h"
-#include "Level2/Level2File.h"
-#include "Model/Error.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/System/Error.h"
 
 namespace nexrad::application
 {

@@ -2,9 +2,9 @@
 #include "Bench/DrawingTables.h"
 
 #include "Bench/ThesisFigures.h"
-#include "Model/Error.h"
-#include "Temporal/VolumeSelection.h"
 #include "Volumes/WriteVolumes.h"
+#include "nexrad/Series/VolumeSelection.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 

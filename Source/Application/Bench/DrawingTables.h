@@ -4,7 +4,7 @@
 #include "Bench/BenchRequest.h"
 #include "Bench/BenchTable.h"
 #include "Bench/DrawingTimes.h"
-#include "Temporal/SiteSeries.h"
+#include "nexrad/Series/SiteSeries.h"
 
 #include <filesystem>
 #include <vector>

@@ -3,7 +3,7 @@
 
 #include "Bench/Machine.h"
 #include "Bench/Measurement.h"
-#include "Model/Progress.h"
+#include "nexrad/System/Progress.h"
 
 #include <array>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/GridTable.h"
 
-#include "Model/Error.h"
-#include "Temporal/VolumeSelection.h"
 #include "Volumes/VolumeSeries.h"
+#include "nexrad/Series/VolumeSelection.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
 
@@ -21,7 +21,7 @@ struct Steps
   Time end;
 };
 
-Steps FindMiddle(const SeriesScan& scan, const GridOptions& options)
+Steps FindMiddle(const SeriesScan& scan, const MergeOptions& options)
 {
   const std::vector<Time> times =
     TimeSteps(*scan.First(), *scan.Last(), options.step.value_or(DefaultStep));
@@ -75,7 +75,7 @@ struct GridTimes
 
 // Merges the two steps by turns: neither is at hand from the merge before.
 GridTimes MeasureGrid(
-  const std::vector<std::filesystem::path>& files, const GridOptions& options, int runs)
+  const std::vector<std::filesystem::path>& files, const MergeOptions& options, int runs)
 {
   const auto series = OpenRadarFiles(files, options);
   GridTimes times;
@@ -97,12 +97,12 @@ BenchTable MakeGridTable(const BenchRequest& request, const SeriesScan& scan)
 {
   BenchTable table;
   table.key = "grid";
-  table.title = "One merged volume, method " + request.options.method +
+  table.title = std::string("One merged volume, method ") + ToString(request.options.method) +
                 ", rays in memory; the first of a run also places the sites on the grid";
   table.columns = {NameColumn("dimensions", "voxels"), NameColumn("sites", "sites"),
     {"first_s", "first, s", 3}, {"volume_s", "each further, s", 3}};
   const Steps steps = FindMiddle(scan, request.options);
-  GridOptions options = request.options;
+  MergeOptions options = request.options;
   options.begin = steps.begin;
   options.end = steps.end;
   for (const std::array<int, 3>& dimensions : request.dimensions)

@@ -3,7 +3,7 @@
 
 #include "Bench/BenchRequest.h"
 #include "Bench/BenchTable.h"
-#include "Temporal/SiteSeries.h"
+#include "nexrad/Series/SiteSeries.h"
 
 namespace nexrad::application
 {

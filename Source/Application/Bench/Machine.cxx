@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/Machine.h"
 
-#include "Volumes/MergeRequests.h"
+#include "Volumes/SmpLoop.h"
 
 #include <vtkVersion.h>
 

@@ -11,7 +11,8 @@ BenchTable MakeProcessingTable(const BenchRequest& request, const SeriesMeasurem
   BenchTable table;
   table.key = "processing";
   table.title = "Thesis, table 4.1: from radar files to volume files, method " +
-                request.options.method + "; a day is " + "288 times a volume";
+                std::string(ToString(request.options.method)) + "; a day is " +
+                "288 times a volume";
   table.columns = {NameColumn("dimensions", "voxels"),
     GivenColumn("thesis_s_per_volume", "thesis, s a volume"),
     {"s_per_volume", "here, s a volume", 3}, GivenColumn("thesis_min_per_day", "thesis, min a day"),

@@ -3,10 +3,10 @@
 
 #include "Bench/BareSeries.h"
 #include "Bench/PeakMemory.h"
-#include "Codec/NxvFile.h"
-#include "Model/Error.h"
-#include "Volumes/MergeRequests.h"
+#include "Volumes/SmpLoop.h"
 #include "Volumes/WriteVolumes.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <memory>

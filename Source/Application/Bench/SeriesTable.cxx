@@ -12,8 +12,8 @@ BenchTable MakeSeriesTable(const BenchRequest& request, const SeriesMeasurement&
   std::snprintf(megabytes, sizeof megabytes, "%.1f", series.storedBytes / 1e6);
   BenchTable table;
   table.key = "series";
-  table.title = "All files to volume files, method " + request.options.method + ": " +
-                std::to_string(series.files) + " files" +
+  table.title = std::string("All files to volume files, method ") +
+                ToString(request.options.method) + ": " + std::to_string(series.files) + " files" +
                 (series.bare ? ", " + std::string(megabytes) + " MB" : std::string()) +
                 (request.synthetic ? ", SYNTHETIC" : "");
   table.columns = {NameColumn("dimensions", "voxels"), GivenColumn("volumes", "volumes"),

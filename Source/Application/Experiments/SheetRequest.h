@@ -3,8 +3,8 @@
 
 #include "Bench/BenchTable.h"
 #include "CameraView.h"
-#include "GridOptions.h"
-#include "Model/Progress.h"
+#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/System/Progress.h"
 
 #include <array>
 #include <filesystem>
@@ -23,7 +23,7 @@ constexpr const char* sheetNames[] = {"resolution", "slices", "times", "sweeps"}
 struct SheetRequest
 {
   std::vector<std::filesystem::path> files;
-  application::GridOptions grid;              ///< of merging; its dimensions are not looked at
+  MergeOptions grid;                          ///< of merging; its dimensions are not looked at
   std::vector<std::array<int, 3>> dimensions; ///< of the sheet of resolutions; not empty. The
                                               ///< middle one is that of the other sheets
   std::optional<Time> time;             ///< of all sheets but that of times; empty: in the middle

@@ -2,11 +2,11 @@
 #include "Sheets.h"
 
 #include "Bench/BenchRequest.h"
-#include "Model/Error.h"
 #include "OutputFile.h"
 #include "PictureWindow.h"
 #include "ProgressShare.h"
-#include "Temporal/VolumeSelection.h"
+#include "nexrad/Series/VolumeSelection.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
 
@@ -21,8 +21,6 @@ namespace nexrad::scene
 {
 namespace
 {
-
-using application::GridOptions;
 
 // In the order of sheetNames.
 constexpr Sheet (*drawers[])(const SheetSource&) = {
@@ -54,7 +52,7 @@ SheetSource MakeSource(const SheetRequest& request)
   }
   source.synthetic = std::any_of(scan.sites.begin(), scan.sites.end(),
     [](const SiteSeries& site) { return site.volumes.front().synthetic; });
-  const Duration step = request.grid.step.value_or(application::DefaultStep);
+  const Duration step = request.grid.step.value_or(DefaultStep);
   const std::vector<Time> steps = TimeSteps(*scan.First(), *scan.Last(), step);
   const Time middle = *scan.First() + (*scan.Last() - *scan.First()) / 2;
   source.time = request.time.value_or(steps.empty() ? middle : steps[steps.size() / 2]);
@@ -83,7 +81,7 @@ bool IsWanted(const SheetRequest& request, const std::string& name)
 }
 
 std::unique_ptr<application::VolumeSeries> Merge(
-  const SheetSource& source, const std::array<int, 3>& dimensions, GridOptions options)
+  const SheetSource& source, const std::array<int, 3>& dimensions, MergeOptions options)
 {
   options.grid.dimensions = dimensions;
   return application::OpenRadarFiles(source.request.files, options);
@@ -94,7 +92,7 @@ std::unique_ptr<application::VolumeSeries> Merge(
 std::unique_ptr<application::VolumeSeries> SheetSource::MergeAtTime(
   const std::array<int, 3>& dimensions) const
 {
-  GridOptions options = request.grid;
+  MergeOptions options = request.grid;
   options.begin = options.end = time;
   options.step = Duration(1); // every millisecond is a step, so that the time itself is one
   return Merge(*this, dimensions, options);

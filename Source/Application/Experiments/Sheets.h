@@ -3,8 +3,8 @@
 
 #include "Bench/BenchTable.h"
 #include "SheetRequest.h"
-#include "Temporal/SiteSeries.h"
 #include "Volumes/VolumeSeries.h"
+#include "nexrad/Series/SiteSeries.h"
 
 #include <vtkSmartPointer.h>
 

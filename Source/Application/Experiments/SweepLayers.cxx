@@ -2,9 +2,9 @@
 #include "SweepLayers.h"
 
 #include "LineBuilder.h"
-#include "Model/Elevation.h"
 #include "SceneText.h"
 #include "Volumes/VtkMessages.h"
+#include "nexrad/Model/Elevation.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradLevel2Reader.h"
 

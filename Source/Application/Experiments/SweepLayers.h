@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Temporal/SiteSeries.h"
+#include "nexrad/Series/SiteSeries.h"
 
 #include <vtkSmartPointer.h>
 

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/Error.h"
 #include "PictureSheet.h"
 #include "ScenePictures.h"
 #include "Sheets.h"
 #include "SweepLayers.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradTransferFunction.h"
 

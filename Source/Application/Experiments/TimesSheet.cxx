@@ -109,7 +109,7 @@ Sheet DrawTimesSheet(const SheetSource& source)
       {"cores_percent", "of 40 dBZ or more, %", 3}},
     {}};
   std::vector<SheetPanel> panels;
-  const Duration step = source.request.grid.step.value_or(application::DefaultStep);
+  const Duration step = source.request.grid.step.value_or(DefaultStep);
   for (const std::size_t index : ChooseTimesOfDay(series->Times(), step))
   {
     const Time time = series->Times()[index];

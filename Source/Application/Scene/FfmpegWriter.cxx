@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MovieWriter.h"
 
-#include "Model/Error.h"
 #include "OutputFile.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
 

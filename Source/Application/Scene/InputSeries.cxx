@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "InputSeries.h"
 
-#include "Model/Error.h"
 #include "ProgressShare.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 
@@ -18,7 +18,7 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   const auto count = std::count_if(request.inputs.begin(), request.inputs.end(), holdsVolumes);
   if (count == 0)
   {
-    application::GridOptions grid = request.grid;
+    MergeOptions grid = request.grid;
     grid.time = request.time;
     return application::OpenRadarFiles(
       request.inputs, grid, application::ShareOf(progress, 0.0, application::scanShare));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "GridOptions.h"
-#include "Model/Progress.h"
 #include "Volumes/VolumeSeries.h"
+#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/System/Progress.h"
 
 #include <filesystem>
 #include <memory>
@@ -18,7 +18,7 @@ struct InputRequest
 {
   std::vector<std::filesystem::path> inputs; ///< volumes (.nxv, .nxv.series, .vti) or radar files
   std::optional<Time> time;                  ///< this time alone
-  application::GridOptions grid;             ///< for radar files; its begin and end for both
+  MergeOptions grid;                         ///< for radar files; its begin and end for both
 };
 
 /// Opens the inputs. Throws Error when volumes and radar files are mixed, and as the two kinds do.

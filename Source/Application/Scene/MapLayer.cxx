@@ -3,8 +3,9 @@
 
 #include "LineBuilder.h"
 #include "MapLines.h"
-#include "Model/SiteTable.h"
 #include "SceneText.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Model/SiteTable.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/GriddedVolume.h"
 #include "SceneOptions.h"
+#include "nexrad/Grid/GriddedVolume.h"
 
 #include <cstddef>
 #include <string>

@@ -3,11 +3,11 @@
 
 #include "ColourBar.h"
 #include "MapLayer.h"
-#include "Model/Error.h"
 #include "PlanLayer.h"
 #include "ScaleLayer.h"
 #include "SceneText.h"
 #include "VolumeLook.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradTransferFunction.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/GridSpecification.h"
+#include "nexrad/Grid/GridSpecification.h"
 
 #include <array>
 #include <optional>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StepTimes.h"
 
-#include "Model/Error.h"
 #include "RadarSession.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkRenderWindow.h>
 

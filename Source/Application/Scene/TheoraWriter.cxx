@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MovieWriter.h"
 
-#include "Model/Error.h"
 #include "OutputFile.h"
 #include "Volumes/VtkMessages.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

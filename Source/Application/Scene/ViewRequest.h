@@ -3,8 +3,8 @@
 
 #include "CameraView.h"
 #include "InputSeries.h"
-#include "Model/Progress.h"
 #include "SceneOptions.h"
+#include "nexrad/System/Progress.h"
 
 #include <array>
 #include <filesystem>

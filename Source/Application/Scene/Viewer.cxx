@@ -6,7 +6,7 @@
 #include "SceneText.h"
 #include "ViewerStyle.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradTransferFunction.h"
 
 #include <vtkCallbackCommand.h>

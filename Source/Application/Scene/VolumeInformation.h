@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/Time.h"
+#include "nexrad/Model/Time.h"
 
 #include <optional>
 #include <string>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeLook.h"
 
-#include "Model/Error.h"
 #include "Volumes/VtkMessages.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradTransferFunction.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 

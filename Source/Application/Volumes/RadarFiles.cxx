@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeSeries.h"
 
-#include "Model/Error.h"
-#include "ScannedSteps.h"
+#include "SmpLoop.h"
+#include "nexrad/Merging/ScannedSteps.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 
 #include <vtkImageData.h>
@@ -18,9 +19,9 @@ namespace
 class RadarFiles : public VolumeSeries
 {
 public:
-  RadarFiles(const std::vector<std::filesystem::path>& inputs, const GridOptions& options,
+  RadarFiles(const std::vector<std::filesystem::path>& inputs, const MergeOptions& options,
     const Progress& progress)
-    : steps(inputs, options, {}, progress)
+    : steps(inputs, options, SmpLoop(), {}, progress)
   {
     steps.Plan();
   }
@@ -55,7 +56,7 @@ private:
 } // namespace
 
 std::unique_ptr<VolumeSeries> OpenRadarFiles(const std::vector<std::filesystem::path>& inputs,
-  const GridOptions& options, const Progress& progress)
+  const MergeOptions& options, const Progress& progress)
 {
   return std::make_unique<RadarFiles>(inputs, options, progress);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Codec/NxvFile.h"
-#include "Gridding/GriddedVolume.h"
 #include "WrittenFiles.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/GriddedVolume.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeSeries.h"
 
-#include "Codec/NxvFile.h"
-#include "Model/Error.h"
 #include "VtkMessages.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradImageConversion.h"
 

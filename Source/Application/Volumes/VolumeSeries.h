@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "GridOptions.h"
-#include "Model/Progress.h"
+#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/System/Progress.h"
 
 #include <vtkSmartPointer.h>
 
@@ -41,7 +41,7 @@ public:
 /// Merges radar files and folders of them. Throws Error when no input holds a ray, or none at the
 /// times that the options name.
 std::unique_ptr<VolumeSeries> OpenRadarFiles(const std::vector<std::filesystem::path>& inputs,
-  const GridOptions& options, const Progress& progress = {});
+  const MergeOptions& options, const Progress& progress = {});
 
 /// True when a path names merged volumes: .nxv, .nxv.series, .vti, or a folder that holds .nxv or
 /// .vti files.

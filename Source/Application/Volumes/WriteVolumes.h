@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "GridOptions.h"
-#include "Model/Progress.h"
 #include "Processes.h"
 #include "StepWriter.h"
+#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/System/Progress.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -21,7 +21,7 @@ struct GridJob
   std::filesystem::path folder; ///< made when it does not exist
   VolumeFormat format = VolumeFormat::Nxv;
   NxvWriteOptions nxv; ///< how VolumeFormat::Nxv stores the values
-  GridOptions options;
+  MergeOptions options;
 };
 
 /// What WriteVolumes made.

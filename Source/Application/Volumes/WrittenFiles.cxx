@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WrittenFiles.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 
 #include <system_error>
 #include <utility>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/MomentCode.h"
+#include "nexrad/Codec/MomentCode.h"
 
-#include "Codec/EchoVoxels.h"
-#include "Codec/Quantizer.h"
+#include "nexrad/Codec/EchoVoxels.h"
+#include "nexrad/Codec/Quantizer.h"
 
 #include <algorithm>
 #include <array>

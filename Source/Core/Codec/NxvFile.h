@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/GriddedVolume.h"
+#include "nexrad/Grid/GriddedVolume.h"
 
 #include <cstddef>
 #include <filesystem>

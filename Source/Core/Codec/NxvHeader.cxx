@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/NxvHeader.h"
+#include "nexrad/Codec/NxvHeader.h"
 
-#include "Codec/Deflate.h"
-#include "Codec/JsonText.h"
-#include "Geometry/Angles.h"
-#include "Model/Error.h"
+#include "nexrad/Codec/JsonText.h"
+#include "nexrad/Compression/Deflate.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>
 

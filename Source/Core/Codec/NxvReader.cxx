@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/Deflate.h"
-#include "Codec/MomentCode.h"
-#include "Codec/NxvCompanions.h"
-#include "Codec/NxvFile.h"
-#include "Codec/NxvHeader.h"
-#include "Codec/Quantizer.h"
-#include "Codec/RunLength.h"
-#include "Model/Error.h"
+#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/NxvCompanions.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Codec/Quantizer.h"
+#include "nexrad/Codec/RunLength.h"
+#include "nexrad/Compression/Deflate.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <array>

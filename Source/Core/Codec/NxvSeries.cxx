@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/AtomicFile.h"
-#include "Codec/NxvFile.h"
-#include "Model/Error.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/System/AtomicFile.h"
+#include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>
 

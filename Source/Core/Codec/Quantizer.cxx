@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/Quantizer.h"
+#include "nexrad/Codec/Quantizer.h"
 
-#include "Codec/EchoVoxels.h"
-#include "Model/Error.h"
+#include "nexrad/Codec/EchoVoxels.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <array>

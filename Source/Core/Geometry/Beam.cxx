@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Geometry/Beam.h"
+#include "nexrad/Geometry/Beam.h"
 
-#include "Geometry/Angles.h"
-#include "Model/Error.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/System/Error.h"
 
 #include <cmath>
 #include <limits>

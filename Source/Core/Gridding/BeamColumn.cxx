@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gridding/BeamColumn.h"
+#include "nexrad/Gridding/BeamColumn.h"
 
-#include "Gridding/TiltGap.h"
+#include "nexrad/Beams/TiltGap.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/BeamSampling.h"
-#include "Gridding/EchoLayers.h"
-#include "Gridding/GriddedVolume.h"
-#include "Gridding/SiteLevels.h"
-#include "Gridding/TiltEdges.h"
+#include "nexrad/Beams/EchoLayers.h"
+#include "nexrad/Beams/TiltEdges.h"
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/SiteLevels.h"
+#include "nexrad/Gridding/BeamSampling.h"
 
 #include <cstddef>
 #include <cstdint>

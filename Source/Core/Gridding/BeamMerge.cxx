@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gridding/BeamMerge.h"
+#include "nexrad/Gridding/BeamMerge.h"
 
-#include "Gridding/BeamSharpening.h"
-#include "Model/Error.h"
-#include "Model/SiteTable.h"
+#include "nexrad/Beams/BeamSharpening.h"
+#include "nexrad/Model/SiteKey.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <map>
-#include <thread>
-#include <tuple>
 
 namespace nexrad
 {
@@ -28,15 +26,6 @@ constexpr int bandHeight = 128;
 
 // Rows that a thread merges together: neighbours look the same gates up.
 constexpr int rowsTogether = 8;
-
-using SiteKey = std::tuple<std::string, double, double>;
-
-// Sites without a name are told apart by where they stand.
-SiteKey KeyOf(const Site& site)
-{
-  const Position position = site.name.empty() ? *site.position : Position{};
-  return {site.name, position.latitude, position.longitude};
-}
 
 OverlapStrategy StrategyFor(MomentName moment, OverlapStrategy wanted)
 {
@@ -165,6 +154,16 @@ std::vector<Position> PositionsOf(const BeamVolumes& volumes)
   return positions;
 }
 
+std::vector<TiltAngle> AnglesOf(const std::vector<BeamTilt>& tilts)
+{
+  std::vector<TiltAngle> angles;
+  for (const BeamTilt& tilt : tilts)
+  {
+    angles.push_back({tilt.elevation, tilt.tangent});
+  }
+  return angles;
+}
+
 // A site's north in the directions of the grid's axes. On projected axes the meridians converge; by
 // how much, hardly changes over the reach of a radar.
 std::array<double, 2> NorthIn(const GridSpecification& grid, const Position& site)
@@ -215,11 +214,6 @@ bool HasMeans(
   return volume.sweeps.empty() || volume.voxelSide == SideOfMeans(volume.site, grid, options);
 }
 
-void RunInTurn(int count, const std::function<void(int, int)>& work)
-{
-  work(0, count);
-}
-
 void CheckOptions(const GridSpecification& grid, const BeamMergeOptions& options)
 {
   if (grid.VoxelCount() == 0)
@@ -257,31 +251,6 @@ void RequireSameMoment(const PolarVolume& volume, const PolarVolume& first)
 }
 
 } // namespace
-
-RangeLoop ThreadLoop(unsigned threads)
-{
-  return [threads](int count, const std::function<void(int, int)>& work)
-  {
-    std::atomic<int> next{0};
-    const auto run = [&next, count, &work]
-    {
-      for (int each = next++; each < count; each = next++)
-      {
-        work(each, each + 1);
-      }
-    };
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < threads; ++i)
-    {
-      others.emplace_back(run);
-    }
-    run();
-    for (std::thread& other : others)
-    {
-      other.join();
-    }
-  };
-}
 
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
@@ -329,7 +298,7 @@ std::vector<bool> BeamMerger::FindReaching(
   {
     positions.push_back(radar.position);
   }
-  this->FindGeometries(positions, loop ? loop : RangeLoop(RunInTurn));
+  this->FindGeometries(positions, loop);
   std::vector<bool> reaching;
   for (const SiteReach& radar : radars)
   {
@@ -364,8 +333,7 @@ BeamVolumes BeamMerger::Prepare(
     }
   }
   // An exception must not leave a thread of the loop: what can be wrong was looked at above.
-  const RangeLoop& run = loop ? loop : RangeLoop(RunInTurn);
-  run(static_cast<int>(missing.size()),
+  RunLoop(loop, static_cast<int>(missing.size()),
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
@@ -426,7 +394,7 @@ void BeamMerger::FindGeometries(const std::vector<Position>& positions, const Ra
       geometries.push_back({position, nullptr});
     }
   }
-  loop(static_cast<int>(missing.size()),
+  RunLoop(loop, static_cast<int>(missing.size()),
     [&](int begin, int end)
     {
       for (int i = begin; i < end; ++i)
@@ -470,7 +438,7 @@ std::vector<MergeSite> BeamMerger::MakeSites(
       SiteLevels(grid, position.altitude, radius, byDistance ? options.overlapLength : 0.0), tilts,
       {}, ContextFor(any, options, radius), ReachOf(group.second, radius), {}, {}, {}, {}};
     const double beamWidth = options.beamWidth.value_or(BeamWidthOf(any.site));
-    site.edges = FindEdges(site.tilts, beamWidth);
+    site.edges = FindEdges(AnglesOf(site.tilts), beamWidth);
     for (const BeamTilt& tilt : site.tilts)
     {
       site.quiet.push_back(FindQuiet(tilt, site.context));
@@ -527,8 +495,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& given, Time ti
     throw Error("the motion must be that of the grid of the merge, or constant");
   }
   const BeamVolumes volumes = this->WithMeans(given);
-  const RangeLoop& run = loop ? loop : RangeLoop(RunInTurn);
-  this->FindGeometries(PositionsOf(volumes), run);
+  this->FindGeometries(PositionsOf(volumes), loop);
   const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;
   const std::vector<MergeSite> sites = this->MakeSites(volumes, time, moves ? motion : nullptr);
   GriddedVolume volume = this->EmptyVolume(volumes, time, std::move(memory));
@@ -548,7 +515,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& given, Time ti
       return std::nullopt;
     }
     const int bandEnd = std::min(band + bandHeight, height);
-    run((bandEnd - band + rowsTogether - 1) / rowsTogether,
+    RunLoop(loop, (bandEnd - band + rowsTogether - 1) / rowsTogether,
       [&](int begin, int end)
       {
         const int first = band + begin * rowsTogether;

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/Beam.h"
-#include "Geometry/VoxelBlock.h"
-#include "Gridding/BeamRows.h"
-#include "Gridding/BeamVolume.h"
-#include "Gridding/GriddedVolume.h"
-#include "Gridding/PolarVolume.h"
-#include "Model/Progress.h"
+#include "nexrad/Beams/BeamVolume.h"
+#include "nexrad/Geometry/Beam.h"
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Gridding/BeamRows.h"
+#include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/System/Progress.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>
 #include <functional>
@@ -36,14 +37,6 @@ struct BeamMergeOptions
   bool companions = false; ///< make GriddedVolume::companions
 };
 
-/// Runs work over [0, count) in ranges [begin, end), any number of them at a time, and returns when
-/// all of it is done.
-using RangeLoop =
-  std::function<void(int count, const std::function<void(int begin, int end)>& work)>;
-
-/// A loop over `threads` threads of its own, this one included; at least 1.
-RangeLoop ThreadLoop(unsigned threads);
-
 /// A radar of which it is asked whether it sees anything of a block.
 struct SiteReach
 {
@@ -55,9 +48,6 @@ struct SiteReach
 /// G9 (deconvolution in elevation), G10 (means over the grid's voxels) and G12 (layers).
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
-
-/// Volumes made ready, which several may share.
-using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
 
 /// The default method: merges volumes of any number of radars, as beams see the voxels of a grid.
 ///

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gridding/BeamRows.h"
+#include "nexrad/Gridding/BeamRows.h"
 
-#include "Geometry/Angles.h"
+#include "nexrad/Geometry/Angles.h"
 
 #include <algorithm>
 #include <array>

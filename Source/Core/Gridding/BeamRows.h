@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/VoxelBlock.h"
-#include "Gridding/BeamColumn.h"
-#include "Gridding/BeamSampling.h"
-#include "Gridding/BeamTilts.h"
-#include "Gridding/EchoMask.h"
-#include "Gridding/GriddedVolume.h"
-#include "Gridding/MotionField.h"
-#include "Gridding/SiteGeometry.h"
-#include "Gridding/SiteLayers.h"
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/SiteGeometry.h"
+#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Gridding/BeamColumn.h"
+#include "nexrad/Gridding/BeamSampling.h"
+#include "nexrad/Gridding/BeamTilts.h"
+#include "nexrad/Gridding/EchoMask.h"
+#include "nexrad/Gridding/SiteLayers.h"
+#include "nexrad/Motion/MotionField.h"
 
 #include <array>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gridding/BeamSampling.h"
+#include "nexrad/Gridding/BeamSampling.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/BeamTilts.h"
-#include "Gridding/GriddedVolume.h"
-#include "Gridding/SiteGeometry.h"
-#include "Gridding/ValueRule.h"
+#include "nexrad/Grid/SiteGeometry.h"
+#include "nexrad/Gridding/BeamTilts.h"
+#include "nexrad/Gridding/TiltSample.h"
+#include "nexrad/Polar/ValueRule.h"
 
 #include <cstddef>
 #include <optional>
@@ -12,19 +12,6 @@
 
 namespace nexrad
 {
-
-/// What one radar has at one place of one tilt at the time of the merge. `value` is without meaning
-/// unless the state is Echo.
-struct TiltSample
-{
-  VoxelState state = VoxelState::NotScanned;
-  bool assumed = false; ///< no echo beyond the last gate, which nobody measured (Formulas G4)
-  float value = 0.0F;
-  float lowest = 0.0F;  ///< degrees, elevation of the nearest ray; of two looks, the lower one's
-  float highest = 0.0F; ///< degrees, the higher one's
-  float fade = 0.0F; ///< 0…1: how much the site counts, by the age of what it saw (Formulas A6)
-  float age = 0.0F;  ///< s between the time of the merge and the nearer of the rays used
-};
 
 /// How fast the echo over a column moves as the radar sees it, in terms of ColumnDirection.
 struct ColumnMotion

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gridding/BeamTilts.h"
+#include "nexrad/Gridding/BeamTilts.h"
 
-#include "Geometry/Angles.h"
-#include "Model/Elevation.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Model/Elevation.h"
 
 #include <algorithm>
 #include <cmath>

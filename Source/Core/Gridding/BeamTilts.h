@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/BeamVolume.h"
+#include "nexrad/Beams/BeamVolume.h"
 
 #include <vector>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gridding/EchoMask.h"
+#include "nexrad/Gridding/EchoMask.h"
 
-#include "Geometry/Angles.h"
+#include "nexrad/Geometry/Angles.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/SiteGeometry.h"
-#include "Gridding/VolumeComposite.h"
+#include "nexrad/Beams/VolumeComposite.h"
+#include "nexrad/Grid/SiteGeometry.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gridding/SiteLayers.h"
+#include "nexrad/Gridding/SiteLayers.h"
 
 #include <algorithm>
 

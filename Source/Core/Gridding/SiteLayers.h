@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/BeamSampling.h"
-#include "Gridding/BeamTilts.h"
-#include "Gridding/EchoLayers.h"
+#include "nexrad/Beams/EchoLayers.h"
+#include "nexrad/Gridding/BeamSampling.h"
+#include "nexrad/Gridding/BeamTilts.h"
 
 #include <vector>
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/FileDecoder.h"
+#include "nexrad/Level2/FileDecoder.h"
 
-#include "Level2/Message1.h"
-#include "Level2/Message2.h"
-#include "Level2/Message31.h"
-#include "Level2/Message5.h"
-#include "Level2/ParallelBunzip.h"
-#include "Level2/SyntheticMark.h"
-#include "Level2/VolumeHeader.h"
+#include "nexrad/Compression/ParallelBunzip.h"
+#include "nexrad/Level2/Messages/Message1.h"
+#include "nexrad/Level2/Messages/Message2.h"
+#include "nexrad/Level2/Messages/Message31.h"
+#include "nexrad/Level2/Messages/Message5.h"
+#include "nexrad/Level2/Messages/SyntheticMark.h"
+#include "nexrad/Level2/Messages/VolumeHeader.h"
 
 #include <algorithm>
 #include <stdexcept>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Level2/BigEndian.h"
-#include "Level2/Container.h"
-#include "Level2/LdmRecords.h"
-#include "Level2/MessageStream.h"
-#include "Level2/VolumeAssembler.h"
+#include "nexrad/Compression/BigEndian.h"
+#include "nexrad/Compression/Container.h"
+#include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/Messages/MessageStream.h"
+#include "nexrad/Level2/VolumeAssembler.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/Level2File.h"
+#include "nexrad/Level2/Level2File.h"
 
-#include "Level2/ChunkFolder.h"
-#include "Level2/Container.h"
-#include "Level2/FileDecoder.h"
-#include "Level2/LdmRecords.h"
-#include "Level2/VolumeAssembler.h"
-#include "Level2/VolumeHeader.h"
-#include "Model/Error.h"
+#include "nexrad/Compression/Container.h"
+#include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/ChunkFolder.h"
+#include "nexrad/Level2/FileDecoder.h"
+#include "nexrad/Level2/Messages/VolumeHeader.h"
+#include "nexrad/Level2/VolumeAssembler.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/MomentChecks.h"
+#include "nexrad/Level2/MomentChecks.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/RayTimes.h"
+#include "nexrad/Level2/RayTimes.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Level2/MomentChecks.h"
-#include "Model/RadarVolume.h"
+#include "nexrad/Level2/MomentChecks.h"
+#include "nexrad/Model/RadarVolume.h"
 
 namespace nexrad
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/SiteResolution.h"
+#include "nexrad/Level2/SiteResolution.h"
 
-#include "Model/SiteTable.h"
+#include "nexrad/Model/SiteTable.h"
 
 #include <cmath>
 #include <filesystem>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Level2/DecodedRay.h"
-#include "Level2/Level2File.h"
-#include "Model/RadarVolume.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Level2/Messages/DecodedRay.h"
+#include "nexrad/Model/RadarVolume.h"
 
 #include <optional>
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/SweepWatch.h"
+#include "nexrad/Level2/SweepWatch.h"
 
 #include <cmath>
 #include <cstdio>

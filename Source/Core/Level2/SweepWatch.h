@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Level2/DecodedRay.h"
+#include "nexrad/Level2/Messages/DecodedRay.h"
 
 #include <cstddef>
 #include <cstdint>

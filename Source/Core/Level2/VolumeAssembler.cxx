@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/VolumeAssembler.h"
+#include "nexrad/Level2/VolumeAssembler.h"
 
-#include "Level2/MomentChecks.h"
-#include "Level2/RayTimes.h"
-#include "Level2/SiteResolution.h"
-#include "Model/SiteTable.h"
-#include "Model/SweepWaveforms.h"
+#include "nexrad/Level2/MomentChecks.h"
+#include "nexrad/Level2/RayTimes.h"
+#include "nexrad/Level2/SiteResolution.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Model/SweepWaveforms.h"
 
 #include <algorithm>
 #include <chrono>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Level2/DamageList.h"
-#include "Level2/DecodedRay.h"
-#include "Level2/Level2File.h"
-#include "Level2/SweepWatch.h"
-#include "Level2/VolumeHeader.h"
-#include "Model/RadarVolume.h"
+#include "nexrad/Compression/DamageList.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Level2/Messages/DecodedRay.h"
+#include "nexrad/Level2/Messages/VolumeHeader.h"
+#include "nexrad/Level2/SweepWatch.h"
+#include "nexrad/Model/RadarVolume.h"
 
 #include <cstdint>
 #include <memory>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/Elevation.h"
+#include "nexrad/Model/Elevation.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/Moment.h"
+#include "nexrad/Model/Moment.h"
 
 namespace nexrad
 {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/MomentSummary.h"
+#include "nexrad/Model/MomentSummary.h"
 
 #include <algorithm>
 #include <cstdint>

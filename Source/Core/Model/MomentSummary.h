@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/RadarVolume.h"
+#include "nexrad/Model/RadarVolume.h"
 
 #include <cstddef>
 

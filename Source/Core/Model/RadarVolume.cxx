@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/RadarVolume.h"
+#include "nexrad/Model/RadarVolume.h"
 
-#include "Model/Elevation.h"
+#include "nexrad/Model/Elevation.h"
 
 #include <algorithm>
 #include <functional>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/CoveragePattern.h"
-#include "Model/Moment.h"
-#include "Model/Site.h"
-#include "Model/Time.h"
+#include "nexrad/Model/CoveragePattern.h"
+#include "nexrad/Model/Moment.h"
+#include "nexrad/Model/Site.h"
+#include "nexrad/Model/Time.h"
 
 #include <array>
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/SiteTable.h"
+#include "nexrad/Model/SiteTable.h"
 
-#include "Model/Embedded.h"
+#include "nexrad/System/Embedded.h"
 
 #include <algorithm>
 #include <sstream>

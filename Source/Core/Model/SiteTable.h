@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/Site.h"
+#include "nexrad/Model/Site.h"
 
 #include <string>
 #include <string_view>

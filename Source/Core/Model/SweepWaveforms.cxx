@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/SweepWaveforms.h"
+#include "nexrad/Model/SweepWaveforms.h"
 
-#include "Model/Elevation.h"
-#include "Model/SiteTable.h"
+#include "nexrad/Model/Elevation.h"
+#include "nexrad/Model/SiteTable.h"
 
 #include <cmath>
 

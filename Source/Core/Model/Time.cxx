@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/Time.h"
+#include "nexrad/Model/Time.h"
 
 #include <array>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Quality/Despeckling.h"
+#include "nexrad/Quality/Despeckling.h"
 
-#include "Geometry/Angles.h"
-#include "Gridding/BeamVolume.h"
-#include "Model/Elevation.h"
-#include "Model/Error.h"
+#include "nexrad/Beams/BeamVolume.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Model/Elevation.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <array>

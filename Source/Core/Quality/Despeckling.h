@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gridding/PolarVolume.h"
+#include "nexrad/Polar/PolarVolume.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/Site.h"
-#include "Simulation/RefractedPath.h"
-#include "Simulation/ScanStrategy.h"
-#include "Simulation/StormSnapshot.h"
+#include "nexrad/Model/Site.h"
+#include "nexrad/Simulation/RefractedPath.h"
+#include "nexrad/Simulation/ScanStrategy.h"
+#include "nexrad/Simulation/StormSnapshot.h"
 
 #include <array>
 #include <vector>

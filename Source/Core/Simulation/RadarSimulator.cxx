@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/RadarSimulator.h"
+#include "nexrad/Simulation/RadarSimulator.h"
 
-#include "Model/Error.h"
-#include "Simulation/BeamSampler.h"
-#include "Simulation/CounterNoise.h"
-#include "Simulation/RayWords.h"
-#include "Simulation/ScanStrategy.h"
+#include "nexrad/Simulation/BeamSampler.h"
+#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/RayWords.h"
+#include "nexrad/Simulation/ScanStrategy.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <cmath>

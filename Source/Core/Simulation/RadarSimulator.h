@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/RadarVolume.h"
-#include "Simulation/StormField.h"
+#include "nexrad/Model/RadarVolume.h"
+#include "nexrad/Simulation/StormField.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/RayWords.h"
+#include "nexrad/Simulation/RayWords.h"
 
-#include "Simulation/CounterNoise.h"
+#include "nexrad/Simulation/CounterNoise.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Simulation/BeamSampler.h"
-#include "Simulation/RadarSimulator.h"
+#include "nexrad/Simulation/BeamSampler.h"
+#include "nexrad/Simulation/RadarSimulator.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/ScanStrategy.h"
+#include "nexrad/Simulation/ScanStrategy.h"
 
-#include "Simulation/RadarSimulator.h"
+#include "nexrad/Simulation/RadarSimulator.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Model/CoveragePattern.h"
+#include "nexrad/Model/CoveragePattern.h"
 
 #include <cstdint>
 #include <vector>

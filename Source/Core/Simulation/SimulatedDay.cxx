@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/SimulatedDay.h"
+#include "nexrad/Simulation/SimulatedDay.h"
 
-#include "Model/Error.h"
-#include "Model/SiteTable.h"
-#include "Simulation/CounterNoise.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <set>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Level2/Level2Encoder.h"
-#include "Simulation/RadarSimulator.h"
+#include "nexrad/Level2/Encoding/Level2Encoder.h"
+#include "nexrad/Simulation/RadarSimulator.h"
 
 #include <cstdint>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/StormLife.h"
+#include "nexrad/Simulation/StormLife.h"
 
-#include "Simulation/CounterNoise.h"
+#include "nexrad/Simulation/CounterNoise.h"
 
 #include <cmath>
 

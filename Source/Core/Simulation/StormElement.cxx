@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/StormElement.h"
+#include "nexrad/Simulation/StormElement.h"
 
 #include <algorithm>
 #include <cmath>

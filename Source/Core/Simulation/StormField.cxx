@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/StormField.h"
+#include "nexrad/Simulation/StormField.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Geometry/GridSpecification.h"
-#include "Model/Time.h"
-#include "Simulation/StormLife.h"
-#include "Simulation/StormSnapshot.h"
+#include "nexrad/Grid/GridSpecification.h"
+#include "nexrad/Model/Time.h"
+#include "nexrad/Simulation/StormLife.h"
+#include "nexrad/Simulation/StormSnapshot.h"
 
 #include <array>
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/StormLife.h"
+#include "nexrad/Simulation/StormLife.h"
 
 #include <algorithm>
 #include <cmath>

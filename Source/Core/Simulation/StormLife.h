@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Simulation/StormSnapshot.h"
+#include "nexrad/Simulation/StormSnapshot.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Simulation/StormSnapshot.h"
+#include "nexrad/Simulation/StormSnapshot.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Simulation/StormElement.h"
+#include "nexrad/Simulation/StormElement.h"
 
 #include <array>
 #include <vector>

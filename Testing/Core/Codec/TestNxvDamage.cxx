@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/NxvFile.h"
+#include "nexrad/Codec/NxvFile.h"
 
-#include "Codec/Deflate.h"
-#include "Codec/JsonText.h"
-#include "Codec/NxvHeader.h"
-#include "Model/Error.h"
 #include "TestData.h"
 #include "VolumeMaker.h"
+#include "nexrad/Codec/JsonText.h"
+#include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Compression/Deflate.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

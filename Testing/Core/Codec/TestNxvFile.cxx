@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/NxvFile.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/MakeGrid.h"
 
-#include "Codec/Quantizer.h"
-#include "Model/Error.h"
 #include "TestData.h"
 #include "VolumeMaker.h"
+#include "nexrad/Codec/Quantizer.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Codec/RunLength.h"
+#include "nexrad/Codec/RunLength.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Geometry/Beam.h"
+#include "nexrad/Geometry/Beam.h"
 
-#include "Model/Error.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

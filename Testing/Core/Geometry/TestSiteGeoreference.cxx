@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Geometry/SiteGeoreference.h"
+#include "nexrad/Geometry/SiteGeoreference.h"
 
 #include <gtest/gtest.h>
 

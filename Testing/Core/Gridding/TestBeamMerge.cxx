@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One radar at one time: what becomes of the gates.
 #include "BeamScene.h"
-#include "Geometry/Angles.h"
-#include "Gridding/Coverage.h"
-#include "Model/Error.h"
+#include "Coverage.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

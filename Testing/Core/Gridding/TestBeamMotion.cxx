@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas A2a: the merge along a motion that is given, held against a synthetic field that moves.
 #include "BeamScene.h"
-#include "Model/Error.h"
 #include "MovingEcho.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a volume holds above each place, and where something may move from or to.
 #include "BeamScene.h"
-#include "Geometry/Angles.h"
-#include "Gridding/BeamVolume.h"
-#include "Gridding/EchoMask.h"
-#include "Gridding/VolumeComposite.h"
+#include "nexrad/Beams/BeamVolume.h"
+#include "nexrad/Beams/VolumeComposite.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Gridding/EchoMask.h"
 
 #include <gtest/gtest.h>
 

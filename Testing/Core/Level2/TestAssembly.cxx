@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/Level2File.h"
-#include "Model/Error.h"
-#include "Model/SiteTable.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/System/Error.h"
 
 #include "Level2Bytes.h"
 #include "TestData.h"

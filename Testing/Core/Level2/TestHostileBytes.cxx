@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Small files that would take minutes or gigabytes if the reader trusted them. What took minutes
 // exceeds the limit of time that CTest sets for a test.
-#include "Level2/LdmRecords.h"
-#include "Level2/Level2File.h"
-#include "Level2/MessageStream.h"
+#include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Level2/Messages/MessageStream.h"
 
 #include "Level2Bytes.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/Message1.h"
-#include "Level2/Message2.h"
-#include "Level2/Message31.h"
-#include "Level2/Message5.h"
-#include "Level2/MessageStream.h"
+#include "nexrad/Level2/Messages/Message1.h"
+#include "nexrad/Level2/Messages/Message2.h"
+#include "nexrad/Level2/Messages/Message31.h"
+#include "nexrad/Level2/Messages/Message5.h"
+#include "nexrad/Level2/Messages/MessageStream.h"
 
 #include "Level2Bytes.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/Level2File.h"
+#include "nexrad/Level2/Level2File.h"
 
 #include "TestData.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One wrong bit in one ray, found by what the other rays say.
-#include "Level2/Level2File.h"
+#include "nexrad/Level2/Level2File.h"
 
 #include "Level2Bytes.h"
 #include "TestData.h"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Gridding/PolarVolume.h"
-#include "Level2/Level2File.h"
-#include "Model/MomentLimits.h"
-#include "Model/MomentSummary.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Model/MomentLimits.h"
+#include "nexrad/Model/MomentSummary.h"
+#include "nexrad/Polar/PolarVolume.h"
 
 #include "TestData.h"
 

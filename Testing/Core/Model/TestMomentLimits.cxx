@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/MomentLimits.h"
+#include "nexrad/Model/MomentLimits.h"
 
 #include <gtest/gtest.h>
 

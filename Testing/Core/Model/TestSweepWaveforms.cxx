@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/Elevation.h"
-#include "Model/SiteTable.h"
-#include "Model/SweepWaveforms.h"
+#include "nexrad/Model/Elevation.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Model/SweepWaveforms.h"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas Q3, Q5: which gates despeckling takes out of hand-made sweeps and of a real file.
-#include "Gridding/BeamMerge.h"
-#include "Level2/Level2File.h"
-#include "Model/Error.h"
-#include "Quality/Despeckling.h"
 #include "SweepMaker.h"
 #include "TestData.h"
+#include "nexrad/Gridding/BeamMerge.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Quality/Despeckling.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Geometry/Beam.h"
-#include "Model/SiteTable.h"
-#include "Simulation/BeamSampler.h"
-#include "Simulation/StormField.h"
+#include "nexrad/Geometry/Beam.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Simulation/BeamSampler.h"
+#include "nexrad/Simulation/StormField.h"
 
 #include <GeographicLib/Geodesic.hpp>
 #include <gtest/gtest.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Model/Error.h"
-#include "Model/SiteTable.h"
-#include "Simulation/BeamSampler.h"
-#include "Simulation/RadarSimulator.h"
-#include "Simulation/ScanStrategy.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Simulation/BeamSampler.h"
+#include "nexrad/Simulation/RadarSimulator.h"
+#include "nexrad/Simulation/ScanStrategy.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/Level2File.h"
-#include "Simulation/RadarSimulator.h"
-#include "Simulation/ScanStrategy.h"
 #include "TestData.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Simulation/RadarSimulator.h"
+#include "nexrad/Simulation/ScanStrategy.h"
 
 #include <gtest/gtest.h>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Level2/Level2File.h"
-#include "Model/Error.h"
-#include "Simulation/SimulatedDay.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Simulation/SimulatedDay.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Simulated files beside real ones of the same kind: they must be about as large.
-#include "Level2/Level2File.h"
-#include "Simulation/SimulatedDay.h"
 #include "TestData.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Simulation/SimulatedDay.h"
 
 #include <gtest/gtest.h>
 

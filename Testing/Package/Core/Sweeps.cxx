@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Prints the elevation angle and the number of rays of each sweep: Sweeps FILE
-#include <Level2/Level2File.h>
+#include <nexrad/Level2/Level2File.h>
 
 #include <exception>
 #include <iostream>

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Beams/BeamSharpening.h"
+
+#include "nexrad/Beams/BeamSweep.h"
+#include "nexrad/Beams/SweepPlaces.h"
+#include "nexrad/Model/Elevation.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// Beyond, the pattern is no Gaussian any more: an echo is not taken to come from farther off the
+// beam's middle than two standard deviations.
+constexpr float steepestRise = 2.0F;
+constexpr float steepestFall = -6.0F; // the mean hardly changes any more
+
+// What one side of the beam adds to the mean of Z, in parts of the Z in its middle, by the slope on
+// that side, in e-folds of Z a standard deviation of the pattern: exp(s²/2)·Φ(s), half where flat.
+class SideTable
+{
+public:
+  SideTable()
+  {
+    for (std::size_t i = 0; i < sides.size(); ++i)
+    {
+      const double slope = static_cast<double>(steepestFall) + static_cast<double>(i) / perUnit;
+      sides[i] = static_cast<float>(
+        std::exp(0.5 * slope * slope) * 0.5 * std::erfc(-slope / std::sqrt(2.0)));
+    }
+  }
+
+  float At(float slope) const
+  {
+    const float place =
+      (std::clamp(slope, steepestFall, steepestRise) - steepestFall) * static_cast<float>(perUnit);
+    const auto before = std::min(static_cast<std::size_t>(place), sides.size() - 2);
+    return sides[before] +
+           (place - static_cast<float>(before)) * (sides[before + 1] - sides[before]);
+  }
+
+private:
+  static constexpr int perUnit = 32;
+  static constexpr int units = 8; // from the steepest fall to the steepest rise
+  std::array<float, units * perUnit + 1> sides{};
+};
+const SideTable sideTable;
+
+// What one side of a beam is known to hold: the slope of the echo there, 0 where nothing was
+// measured.
+struct BeamSide
+{
+  bool measured = false;
+  float slope = 0.0F;
+};
+
+// Slopes towards a tilt beside, in e-folds of Z a standard deviation of the two-way pattern, which
+// is 0.285 of a beam width of 0.95°. Differences over less than that are noise more than slope.
+// Towards a tilt without echo the echo ends half a beam width before it, but not before the middle
+// (Formulas G8).
+class SlopeScale
+{
+public:
+  SlopeScale() = default;
+  SlopeScale(float gap, float beamWidth)
+    : perDecibel(naturalPerDecibel * std::min(perBeamWidth * beamWidth / gap, 1.0F))
+    , perDecibelToNone(perDecibel / std::max(0.5F, 1.0F - 0.5F * beamWidth / gap))
+  {
+  }
+
+  BeamSide TowardsEcho(float value, float neighbour) const
+  {
+    return {true, perDecibel * (neighbour - value)};
+  }
+  BeamSide TowardsNone(float value) const { return {true, -perDecibelToNone * value}; }
+
+private:
+  static constexpr float perBeamWidth = 0.30028060F;      // 1/√(16 ln 2)
+  static constexpr float naturalPerDecibel = 0.23025851F; // ln(10)/10
+  float perDecibel = 0.0F;
+  float perDecibelToNone = 0.0F;
+};
+
+float SharpenBetween(float value, const BeamSide& below, const BeamSide& above)
+{
+  if (below.slope == 0.0F && above.slope == 0.0F)
+  {
+    return value;
+  }
+  // What the beam's other half holds must be known before an echo is said not to fill the beam; and
+  // an echo between two weaker ones is taken to fill half the beam, not less: it may be clutter.
+  const float gain = below.measured && above.measured ? SharpeningRange::Up : 0.0F;
+  constexpr float decibelsPerDoubling = 3.01029996F;
+  const float excess =
+    decibelsPerDoubling * std::log2(sideTable.At(below.slope) + sideTable.At(above.slope));
+  return value - std::max(excess, -gain);
+}
+
+// What is left of a cut when another one serves most of its directions.
+bool IsRemnant(const BeamSweep& other, const BeamSweep& sweep)
+{
+  return 5 * other.azimuths.size() < 2 * sweep.azimuths.size(); // half as many may be wider rays
+}
+
+// Of the sweeps on one side the nearest tilt, and of its cuts the one nearest in time.
+const BeamSweep* FindBeside(
+  const std::vector<BeamSweep>& sweeps, const BeamSweep& sweep, float side)
+{
+  constexpr auto same = static_cast<float>(SameTilt);
+  const BeamSweep* found = nullptr;
+  float nearest = 0.0F;
+  for (const BeamSweep& other : sweeps)
+  {
+    const float away = side * (other.elevation - sweep.elevation);
+    const bool nearer = found == nullptr || away < nearest - same;
+    const auto apart = [&sweep](const BeamSweep& each)
+    { return std::abs((each.begin - sweep.begin).count()); };
+    if (away > same && !IsRemnant(other, sweep) &&
+        (nearer || (away < nearest + same && apart(other) < apart(*found))))
+    {
+      nearest = nearer ? away : nearest;
+      found = &other;
+    }
+  }
+  return found;
+}
+
+// What a sweep beside has at the places of another's gates.
+class NeighbourSweep
+{
+public:
+  NeighbourSweep(
+    const BeamSweep* beside, const BeamSweep& of, float beamWidth, const BeamModel& beam)
+    : sweep(beside)
+  {
+    if (sweep != nullptr)
+    {
+      scale = SlopeScale(std::abs(sweep->elevation - of.elevation), beamWidth);
+      gates = GatesOver(*sweep, of, beam);
+    }
+  }
+
+  void TurnTo(float azimuth)
+  {
+    const int entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1;
+    codes =
+      entry < 0 ? nullptr : sweep->codes.data() + static_cast<std::size_t>(entry) * sweep->Stride();
+  }
+
+  // The side of the beam towards this sweep, of an echo of `value` dBZ.
+  BeamSide At(std::size_t gate, float value) const
+  {
+    if (codes == nullptr || gates[gate] < 0)
+    {
+      return {};
+    }
+    const std::uint16_t code = codes[gates[gate]];
+    if (code >= BeamSweep::FirstValueCode)
+    {
+      return scale.TowardsEcho(value, sweep->base + sweep->step * static_cast<float>(code));
+    }
+    return code == BeamSweep::NoEchoCode ? scale.TowardsNone(value) : BeamSide{};
+  }
+
+private:
+  const BeamSweep* sweep;
+  SlopeScale scale;
+  std::vector<int> gates;               // by gate of the other sweep
+  const std::uint16_t* codes = nullptr; // of the ray that it is turned to; nullptr without one
+};
+
+// The codes of a sweep with its echo deconvolved.
+std::vector<std::uint16_t> Sharpen(const BeamSweep& sweep, const std::vector<BeamSweep>& sweeps,
+  float beamWidth, const BeamModel& beam)
+{
+  NeighbourSweep below(FindBeside(sweeps, sweep, -1.0F), sweep, beamWidth, beam);
+  NeighbourSweep above(FindBeside(sweeps, sweep, 1.0F), sweep, beamWidth, beam);
+  std::vector<std::uint16_t> codes = sweep.codes;
+  const auto first = static_cast<float>(BeamSweep::FirstValueCode);
+  // The first code above 0 dBZ.
+  const float zero = sweep.step > 0.0F ? std::floor(-sweep.base / sweep.step) + 1.0F : first;
+  const auto least = static_cast<std::uint16_t>(std::clamp(zero, first, 65'535.0F));
+  const float stepsPerDecibel = sweep.step > 0.0F ? 1.0F / sweep.step : 0.0F;
+  for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
+  {
+    if (LargestCode(sweep, entry) < BeamSweep::FirstValueCode)
+    {
+      continue;
+    }
+    const float azimuth = sweep.azimuths[entry];
+    const float turned = azimuth < 0.0F     ? azimuth + 360.0F
+                         : azimuth < 360.0F ? azimuth
+                                            : azimuth - 360.0F;
+    below.TurnTo(turned);
+    above.TurnTo(turned);
+    std::uint16_t* ray = codes.data() + entry * sweep.Stride();
+    for (std::size_t gate = 0; gate < static_cast<std::size_t>(sweep.gates); ++gate)
+    {
+      if (ray[gate] >= least)
+      {
+        const float value = sweep.base + sweep.step * static_cast<float>(ray[gate]);
+        const float sharpened = SharpenBetween(value, below.At(gate, value), above.At(gate, value));
+        const float code = static_cast<float>(ray[gate]) + (sharpened - value) * stepsPerDecibel;
+        ray[gate] = static_cast<std::uint16_t>(std::clamp(code, first, 65'535.0F) + 0.5F);
+      }
+    }
+    ray[sweep.gates] = ray[sweep.gates - 1];
+  }
+  return codes;
+}
+
+} // namespace
+
+float SharpenValue(
+  float value, const NeighbourEcho& below, const NeighbourEcho& above, float beamWidth)
+{
+  const auto sideTowards = [value, beamWidth](const NeighbourEcho& neighbour)
+  {
+    if (!neighbour.measured)
+    {
+      return BeamSide{};
+    }
+    const SlopeScale scale(neighbour.gap, beamWidth);
+    return neighbour.value ? scale.TowardsEcho(value, *neighbour.value) : scale.TowardsNone(value);
+  };
+  return SharpenBetween(value, sideTowards(below), sideTowards(above));
+}
+
+void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam)
+{
+  std::vector<std::vector<std::uint16_t>> sharpened;
+  for (const BeamSweep& sweep : sweeps)
+  {
+    sharpened.push_back(Sharpen(sweep, sweeps, static_cast<float>(beamWidth), beam));
+  }
+  for (std::size_t i = 0; i < sweeps.size(); ++i)
+  {
+    sweeps[i].codes = std::move(sharpened[i]);
+  }
+}
+
+} // namespace nexrad

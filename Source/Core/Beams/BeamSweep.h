@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Beams/SweepMeans.h"
+#include "nexrad/Model/Time.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One sweep as the merge by beams looks gates up: rays by azimuth, gates as words of 16 bits.
+///
+/// Rays stand in the order of their azimuths, with the last one repeated before the first (less
+/// 360°) and the first after the last (plus 360°), so that each direction lies between an entry and
+/// the next.
+struct BeamSweep
+{
+  static constexpr std::uint16_t NoEchoCode = 0;
+  static constexpr std::uint16_t RangeFoldedCode = 1;
+  static constexpr std::uint16_t NotSampledCode = 2;
+  static constexpr std::uint16_t FirstValueCode = 3;
+  static constexpr float BinsPerDegree = 2.0F;
+
+  float elevation = 0.0F;     ///< degrees, median of the rays (Formulas Q7)
+  float sine = 0.0F;          ///< of the elevation
+  float cosine = 1.0F;        ///< of the elevation
+  float firstGate = 0.0F;     ///< m, slant range of the first gate's centre
+  float gatesPerMetre = 0.0F; ///< 1 / spacing of the gates
+  int gates = 0;              ///< of each ray
+  float base = 0.0F;          ///< value = base + step × code, for codes from FirstValueCode
+  float step = 0.0F;
+  int elevationNumber = 0;
+  bool strays = false;   ///< rays that stray from the cut were left out
+  bool complete = false; ///< the rays leave no gap, and all of their gates were measured
+  Time begin{};          ///< earliest ray
+  Time end{};            ///< latest ray
+
+  std::vector<float> azimuths;    ///< of the entries, degrees, ascending
+  std::vector<float> elevations;  ///< of the entries, degrees
+  std::vector<float> inverseGaps; ///< 1 / degrees from an entry to the next; 0 where the gap is too
+                                  ///< wide to interpolate across, and for the last
+  std::vector<float> times;       ///< of the entries, s since `begin`
+  std::vector<std::uint32_t> firstEntries; ///< last entry at or before the start of each bin
+  std::vector<std::uint16_t> codes;        ///< entries × Stride(), the last gate of each repeated
+  float halfWidth = 0.0F; ///< degrees that a ray is wide to either side at the edge of a gap
+  SweepMeans means;       ///< of the gates, for voxels coarser than these; may be empty
+
+  /// True when the rays leave no gap too wide to interpolate across.
+  bool IsClosed() const
+  {
+    return std::all_of(
+      inverseGaps.begin(), inverseGaps.end() - 1, [](float gap) { return gap > 0.0F; });
+  }
+  std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
+  /// Outer edge of the last gate, m.
+  float Reach() const { return firstGate + (static_cast<float>(gates) - 0.5F) / gatesPerMetre; }
+};
+
+} // namespace nexrad

@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Beams/BeamVolume.h"
+
+#include "nexrad/Beams/BeamSharpening.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Model/Elevation.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Polar/SweepPairing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr std::size_t valueCodes = 65'000;
+
+// A ray's place in the sweep and its azimuth, 0…360.
+struct SortedRay
+{
+  double azimuth;
+  std::size_t ray;
+};
+
+std::vector<SortedRay> SortRays(const PolarSweep& sweep, const std::vector<std::size_t>& rays)
+{
+  constexpr double sameAzimuth = 1e-3; // degrees
+  std::vector<SortedRay> sorted;
+  for (const std::size_t i : rays)
+  {
+    const double turned = std::fmod(sweep.rays[i].azimuth, 360.0);
+    sorted.push_back({turned < 0.0 ? turned + 360.0 : turned, i});
+  }
+  // Of two rays in one direction the later comes first, and stays.
+  const auto before = [&sweep](const SortedRay& a, const SortedRay& b)
+  {
+    return a.azimuth != b.azimuth ? a.azimuth < b.azimuth
+                                  : sweep.rays[a.ray].time > sweep.rays[b.ray].time;
+  };
+  std::sort(sorted.begin(), sorted.end(), before);
+  const auto same = [](const SortedRay& a, const SortedRay& b)
+  { return b.azimuth - a.azimuth < sameAzimuth; };
+  sorted.erase(std::unique(sorted.begin(), sorted.end(), same), sorted.end());
+  return sorted;
+}
+
+// Rays and what of them stands before the first and after the last.
+std::vector<SortedRay> CloseTheCircle(const std::vector<SortedRay>& rays)
+{
+  std::vector<SortedRay> entries = {{rays.back().azimuth - 360.0, rays.back().ray}};
+  entries.insert(entries.end(), rays.begin(), rays.end());
+  entries.push_back({rays.front().azimuth + 360.0, rays.front().ray});
+  return entries;
+}
+
+double MedianGap(const std::vector<SortedRay>& entries)
+{
+  std::vector<double> gaps;
+  for (std::size_t i = 0; i + 1 < entries.size(); ++i)
+  {
+    gaps.push_back(entries[i + 1].azimuth - entries[i].azimuth);
+  }
+  return MedianOf(std::move(gaps));
+}
+
+void SetDirections(
+  const PolarSweep& source, const std::vector<SortedRay>& entries, double beamWidth, BeamSweep& to)
+{
+  // A sweep of one ray has no spacing of its own.
+  const double spacing = std::max(beamWidth, std::min(MedianGap(entries), 2.0));
+  const double widest = 1.5 * spacing;
+  to.halfWidth = static_cast<float>(0.5 * spacing);
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    to.azimuths.push_back(static_cast<float>(entries[i].azimuth));
+    const PolarRay& ray = source.rays[entries[i].ray];
+    to.elevations.push_back(static_cast<float>(ray.elevation));
+    const Duration since = ray.time - to.begin;
+    to.times.push_back(static_cast<float>(since.count()) / 1000.0F);
+    const double gap =
+      i + 1 < entries.size() ? entries[i + 1].azimuth - entries[i].azimuth : 2.0 * widest;
+    to.inverseGaps.push_back(gap <= widest ? static_cast<float>(1.0 / gap) : 0.0F);
+  }
+  std::uint32_t entry = 0;
+  const int bins = static_cast<int>(360.0F * BeamSweep::BinsPerDegree);
+  for (int bin = 0; bin < bins; ++bin)
+  {
+    const float start = static_cast<float>(bin) / BeamSweep::BinsPerDegree;
+    while (to.azimuths[entry + 1U] <= start)
+    {
+      ++entry;
+    }
+    to.firstEntries.push_back(entry);
+  }
+}
+
+// Reflectivity has room for what SharpenSweeps makes of it.
+void SetScale(const PolarSweep& source, bool reflectivity, BeamSweep& to)
+{
+  float smallest = std::numeric_limits<float>::max();
+  float largest = std::numeric_limits<float>::lowest();
+  for (std::size_t i = 0; i < source.values.size(); ++i)
+  {
+    if (source.states[i] == GateState::Valid)
+    {
+      smallest = std::min(smallest, source.values[i]);
+      largest = std::max(largest, source.values[i]);
+    }
+  }
+  if (smallest <= largest)
+  {
+    smallest -= reflectivity ? SharpeningRange::Down : 0.0F;
+    largest += reflectivity ? SharpeningRange::Up : 0.0F;
+    to.step = (largest - smallest) / static_cast<float>(valueCodes);
+    to.base = smallest - to.step * static_cast<float>(BeamSweep::FirstValueCode);
+  }
+}
+
+std::uint16_t CodeOf(GateState state)
+{
+  switch (state)
+  {
+  case GateState::BelowThreshold:
+    return BeamSweep::NoEchoCode;
+  case GateState::RangeFolded:
+    return BeamSweep::RangeFoldedCode;
+  default:
+    return BeamSweep::NotSampledCode;
+  }
+}
+
+void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, BeamSweep& to)
+{
+  const float stepsPerUnit = to.step > 0.0F ? 1.0F / to.step : 0.0F;
+  const float offset = static_cast<float>(BeamSweep::FirstValueCode) + 0.5F;
+  const float smallest = to.base + static_cast<float>(BeamSweep::FirstValueCode) * to.step;
+  to.codes.resize(entries.size() * to.Stride());
+  std::uint16_t* codes = to.codes.data();
+  for (const SortedRay& entry : entries)
+  {
+    const GateState* states = source.states.data() + source.Index(entry.ray, 0);
+    const float* values = source.values.data() + source.Index(entry.ray, 0);
+    for (std::size_t gate = 0; gate < source.gates; ++gate)
+    {
+      codes[gate] =
+        states[gate] == GateState::Valid
+          ? static_cast<std::uint16_t>(offset + stepsPerUnit * (values[gate] - smallest))
+          : CodeOf(states[gate]);
+    }
+    codes[source.gates] = codes[source.gates - 1];
+    codes += to.Stride();
+  }
+}
+
+bool IsComplete(const BeamSweep& sweep)
+{
+  bool missing = false; // without a branch, because most sweeps are looked through to the end
+  for (const std::uint16_t code : sweep.codes)
+  {
+    missing |= code == BeamSweep::RangeFoldedCode || code == BeamSweep::NotSampledCode;
+  }
+  return !missing && sweep.IsClosed();
+}
+
+// A sweep of some of the rays of `source`.
+BeamSweep PrepareSweep(const PolarSweep& source, const std::vector<std::size_t>& rays,
+  MomentName moment, double beamWidth)
+{
+  BeamSweep sweep;
+  const double elevation = MedianElevation(source);
+  sweep.elevation = static_cast<float>(elevation);
+  sweep.sine = static_cast<float>(std::sin(elevation * RadiansPerDegree));
+  sweep.cosine = static_cast<float>(std::cos(elevation * RadiansPerDegree));
+  sweep.firstGate = static_cast<float>(source.firstGate);
+  sweep.gatesPerMetre = static_cast<float>(1.0 / source.gateSpacing);
+  sweep.gates = static_cast<int>(source.gates);
+  sweep.elevationNumber = source.elevationNumber;
+  const auto earlier = [&source](std::size_t a, std::size_t b)
+  { return source.rays[a].time < source.rays[b].time; };
+  const auto times = std::minmax_element(rays.begin(), rays.end(), earlier);
+  sweep.begin = source.rays[*times.first].time;
+  sweep.end = source.rays[*times.second].time;
+  const std::vector<SortedRay> entries = CloseTheCircle(SortRays(source, rays));
+  SetDirections(source, entries, beamWidth, sweep);
+  SetScale(source, moment == MomentName::REF, sweep);
+  SetCodes(source, entries, sweep);
+  sweep.complete = IsComplete(sweep);
+  return sweep;
+}
+
+// Whether reflectivity of a sweep comes from pulses that follow so closely that echo from beyond
+// their range falls on nearer gates, where another cut is to tell it.
+bool NeedsLongPulses(const PolarSweep& sweep, const Site& site)
+{
+  return sweep.waveform == Waveform::ContiguousDoppler ||
+         (sweep.waveform == Waveform::ContiguousDopplerWithout && !IsTerminal(site));
+}
+
+// The half of a split cut that reflectivity is taken from; nullptr where the sweep is no Doppler
+// half, or has lost the other one.
+const PolarSweep* FindSurveillanceHalf(const PolarVolume& volume, std::size_t index)
+{
+  const PolarSweep& sweep = volume.sweeps[index];
+  if (volume.moment != MomentName::REF || !NeedsLongPulses(sweep, volume.site))
+  {
+    return nullptr;
+  }
+  const double elevation = MedianElevation(sweep);
+  for (std::size_t i = index; i-- > 0;)
+  {
+    const PolarSweep& before = volume.sweeps[i];
+    if (std::abs(MedianElevation(before) - elevation) > SameTilt)
+    {
+      return nullptr;
+    }
+    if (before.waveform == Waveform::ContiguousSurveillance || before.waveform == Waveform::Batch)
+    {
+      return &before;
+    }
+  }
+  return nullptr;
+}
+
+std::vector<std::size_t> FindRaysOfCut(const PolarSweep& sweep, double beamWidth)
+{
+  const double elevation = MedianElevation(sweep);
+  std::vector<std::size_t> rays;
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    if (!IsStray(sweep.rays[ray].elevation, elevation, beamWidth))
+    {
+      rays.push_back(ray);
+    }
+  }
+  return rays;
+}
+
+// Leaves those rays of a Doppler half for which its surveillance half has none.
+void LeaveOutSeenTwice(const PolarSweep& sweep, const PolarSweep& surveillance, double beamWidth,
+  std::vector<std::size_t>& rays)
+{
+  const RayFinder finder(surveillance);
+  const double elevation = MedianElevation(surveillance);
+  const auto seen = [&](std::size_t ray)
+  {
+    const auto other = finder.Nearest(sweep.rays[ray].azimuth, beamWidth);
+    return other && !IsStray(surveillance.rays[*other].elevation, elevation, beamWidth);
+  };
+  rays.erase(std::remove_if(rays.begin(), rays.end(), seen), rays.end());
+}
+
+// Slant range at which the last gate ends, m.
+double ReachOf(const PolarSweep& sweep)
+{
+  return sweep.firstGate + (static_cast<double>(sweep.gates) - 0.5) * sweep.gateSpacing;
+}
+
+} // namespace
+
+std::size_t BeamVolume::MemoryBytes() const
+{
+  std::size_t bytes = sizeof(BeamVolume) + composite.values.size() * sizeof(float) +
+                      composite.cells.size() * (sizeof(VolumeComposite::Cell) + 1);
+  bytes += layers.MemoryBytes();
+  for (const BeamSweep& sweep : sweeps)
+  {
+    bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
+             sweep.firstEntries.size() * sizeof(std::uint32_t) +
+             sweep.codes.size() * sizeof(std::uint16_t) + sweep.means.MemoryBytes();
+  }
+  return bytes;
+}
+
+BeamVolume PrepareBeamVolume(const PolarVolume& volume, std::optional<double> beamWidth)
+{
+  const double width = beamWidth.value_or(BeamWidthOf(volume.site));
+  BeamVolume prepared;
+  prepared.site = volume.site;
+  prepared.moment = volume.moment;
+  prepared.start = volume.start;
+  prepared.end = volume.end;
+  prepared.synthetic = volume.synthetic;
+  for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
+  {
+    const PolarSweep& sweep = volume.sweeps[i];
+    if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0) ||
+        !(ReachOf(sweep) > 0.0))
+    {
+      continue;
+    }
+    std::vector<std::size_t> rays = FindRaysOfCut(sweep, width);
+    const bool strays = rays.size() < sweep.rays.size();
+    if (const PolarSweep* surveillance = FindSurveillanceHalf(volume, i))
+    {
+      LeaveOutSeenTwice(sweep, *surveillance, width, rays);
+    }
+    if (!rays.empty())
+    {
+      prepared.sweeps.push_back(PrepareSweep(sweep, rays, volume.moment, width));
+      prepared.sweeps.back().strays = strays;
+    }
+  }
+  prepared.composite = MakeComposite(prepared.sweeps);
+  return prepared;
+}
+
+} // namespace nexrad

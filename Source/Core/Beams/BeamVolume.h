@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Beams/BeamSweep.h"
+#include "nexrad/Beams/EchoLayers.h"
+#include "nexrad/Beams/VolumeComposite.h"
+#include "nexrad/Polar/PolarVolume.h"
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One moment of one volume, made ready for the merge by beams once a run.
+struct BeamVolume
+{
+  Site site;
+  MomentName moment = MomentName::REF;
+  Time start{}; ///< first ray
+  Time end{};   ///< last ray
+  bool synthetic = false;
+  std::vector<BeamSweep> sweeps; ///< in the order scanned
+  VolumeComposite composite;     ///< of the sweeps
+  EchoLayers layers;             ///< of reflectivity, when PrepareForGrid was asked for them
+  double voxelSide = 0.0; ///< m, of the voxels for which the sweeps' means were made; 0: for none
+
+  std::size_t MemoryBytes() const;
+};
+
+/// Volumes made ready, which several may share.
+using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
+
+/// Makes a volume ready. Values are rounded to 1/65000 of the sweep's range of values (of
+/// reflectivity with SharpeningRange about it). A gap between rays wider than one and a half times
+/// `beamWidth` (degrees; unless said, the radar's own, BeamWidthOf) or the sweep's own spacing,
+/// whichever is larger, is not interpolated across.
+///
+/// Left out are sweeps without rays or gates or that end at or behind the antenna, rays that stray
+/// from their cut (Formulas Q7), rays at the azimuth of a later one, and of REF the Doppler half of
+/// a split cut in the directions in which its surveillance half has rays. The Doppler half is a
+/// contiguous Doppler cut after a surveillance or batch cut at the same tilt, with nothing but
+/// other cuts at that tilt between them. A terminal radar's cuts without ambiguity resolution are
+/// none: it repeats the lowest one each minute for its reflectivity.
+BeamVolume PrepareBeamVolume(
+  const PolarVolume& volume, std::optional<double> beamWidth = std::nullopt);
+
+} // namespace nexrad

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Beams/TiltEdges.h"
+
+#include "nexrad/Geometry/Angles.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+double TangentOf(double elevation)
+{
+  return std::tan(elevation * RadiansPerDegree);
+}
+
+// In the middle of gaps of one width the cubic through four points is 1/16 of the differences
+// beyond away from the line between the two; there share·(1 − share) is 1/4. A slope over a
+// narrower gap is not carried farther than that gap.
+float TrendOver(double beyond, double gap)
+{
+  return static_cast<float>(0.25 * std::min(1.0, gap / beyond));
+}
+
+} // namespace
+
+std::vector<TiltEdges> FindEdges(const std::vector<TiltAngle>& tilts, double beamWidth)
+{
+  const double half = 0.5 * beamWidth;
+  std::vector<TiltEdges> edges(tilts.size());
+  for (std::size_t i = 0; i < tilts.size(); ++i)
+  {
+    const double elevation = static_cast<double>(tilts[i].elevation);
+    edges[i].elevation = tilts[i].elevation;
+    edges[i].tangent = tilts[i].tangent;
+    edges[i].perDegree =
+      (1.0F + tilts[i].tangent * tilts[i].tangent) * static_cast<float>(RadiansPerDegree);
+    edges[i].lower = static_cast<float>(TangentOf(elevation - half));
+    edges[i].upper = static_cast<float>(TangentOf(std::min(elevation + half, 89.9)));
+    if (i + 1 < tilts.size())
+    {
+      const double next = static_cast<double>(tilts[i + 1].elevation);
+      const double from = TangentOf(elevation);
+      const double middle = 0.5 * (from + TangentOf(next));
+      const double share = (std::atan(middle) / RadiansPerDegree - elevation) / (next - elevation);
+      edges[i].middle = static_cast<float>(TangentOf(0.5 * (elevation + next)));
+      edges[i].bend = static_cast<float>(4.0 * share - 2.0);
+      const double end = std::max(0.5, 1.0 - half / (next - elevation));
+      edges[i].endAbove = static_cast<float>(TangentOf(elevation + end * (next - elevation)));
+      edges[i].endBelow = static_cast<float>(TangentOf(next - end * (next - elevation)));
+      edges[i].endShare = static_cast<float>(end);
+      const double gap = next - elevation;
+      if (i > 0)
+      {
+        edges[i].trendBelow =
+          TrendOver(elevation - static_cast<double>(tilts[i - 1].elevation), gap);
+      }
+      if (i + 2 < tilts.size())
+      {
+        edges[i].trendAbove = TrendOver(static_cast<double>(tilts[i + 2].elevation) - next, gap);
+      }
+    }
+  }
+  return edges;
+}
+
+} // namespace nexrad

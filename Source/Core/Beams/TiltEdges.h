@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+namespace nexrad
+{
+
+/// The elevation of a tilt.
+struct TiltAngle
+{
+  float elevation = 0.0F; ///< degrees
+  float tangent = 0.0F;   ///< of the elevation
+};
+
+/// A tilt as the vertical interpolation needs it: tangents of elevations, which are linear in
+/// h/(a_e + h) over a column (Formulas G7). The last seven are of the gap to the next tilt.
+struct TiltEdges
+{
+  float elevation = 0.0F;  ///< degrees, of the tilt
+  float tangent = 0.0F;    ///< of the tilt
+  float perDegree = 0.0F;  ///< how much the tangent grows with the elevation there
+  float lower = 0.0F;      ///< half a beam width below the tilt
+  float upper = 0.0F;      ///< half a beam width above it
+  float middle = 0.0F;     ///< midway in angle to the next tilt
+  float bend = 0.0F;       ///< turns a share of the tangent's way into a share of the angle's:
+                           ///< share + bend·share·(1 − share)
+  float endAbove = 0.0F;   ///< where an echo of this tilt ends below a next one without (G8)
+  float endBelow = 0.0F;   ///< where an echo of the next tilt ends above this one without
+  float trendBelow = 0.0F; ///< how much of the change from the tilt below counts in the gap (G11)
+  float trendAbove = 0.0F; ///< likewise of the change beyond the next tilt
+  float endShare = 1.0F;   ///< part of the way between the tilts that either end is from its echo
+};
+
+/// The edges of tilts, which ascend. `beamWidth` in degrees.
+std::vector<TiltEdges> FindEdges(const std::vector<TiltAngle>& tilts, double beamWidth);
+
+} // namespace nexrad

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Beams/VolumeDigest.h"
+
+#include "nexrad/Beams/BeamVolume.h"
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr float notScanned = -1.0F;
+constexpr int longestRun = 1 << 23; // a float still counts in ones
+
+float ValueOf(const VolumeComposite& composite, std::size_t cell)
+{
+  return composite.cells[cell] == VolumeComposite::Cell::NotScanned ? notScanned
+                                                                    : composite.values[cell];
+}
+
+std::vector<float> PackPicture(const VolumeComposite& composite)
+{
+  std::vector<float> picture;
+  const std::size_t count = composite.cells.size();
+  for (std::size_t cell = 0; cell < count;)
+  {
+    const float value = ValueOf(composite, cell);
+    int run = 1;
+    while (run < longestRun && cell + static_cast<std::size_t>(run) < count &&
+           ValueOf(composite, cell + static_cast<std::size_t>(run)) == value)
+    {
+      ++run;
+    }
+    if (run > 1)
+    {
+      picture.push_back(-static_cast<float>(run));
+    }
+    picture.push_back(value);
+    cell += static_cast<std::size_t>(run);
+  }
+  return picture;
+}
+
+// The cells of a composite, one after the other.
+class CellWriter
+{
+public:
+  explicit CellWriter(VolumeComposite& target)
+    : composite(target)
+  {
+  }
+
+  void Write(float value, std::size_t count)
+  {
+    if (count > composite.cells.size() - next)
+    {
+      throw Error("the picture of a volume has more cells than its rings");
+    }
+    const auto cell = value < 0.0F   ? VolumeComposite::Cell::NotScanned
+                      : value > 0.0F ? VolumeComposite::Cell::Held
+                                     : VolumeComposite::Cell::NoEcho;
+    const auto from = static_cast<std::ptrdiff_t>(next);
+    std::fill_n(composite.cells.begin() + from, count, cell);
+    std::fill_n(composite.values.begin() + from, count, std::max(0.0F, value));
+    next += count;
+  }
+
+  bool AtEnd() const { return next == composite.cells.size(); }
+
+private:
+  VolumeComposite& composite;
+  std::size_t next = 0;
+};
+
+} // namespace
+
+VolumeDigest MakeDigest(const PolarVolume& volume)
+{
+  VolumeDigest digest;
+  for (const PolarSweep& sweep : volume.sweeps)
+  {
+    digest.reach = std::max(
+      digest.reach, sweep.firstGate + static_cast<double>(sweep.gates) * sweep.gateSpacing);
+  }
+  if (volume.moment == MomentName::REF)
+  {
+    const VolumeComposite composite = PrepareBeamVolume(volume).composite;
+    digest.rings = composite.rings;
+    digest.echoTime = composite.echoTime;
+    digest.echo = composite.echo;
+    digest.picture = PackPicture(composite);
+  }
+  return digest;
+}
+
+VolumeComposite CompositeOf(const VolumeDigest& digest)
+{
+  VolumeComposite composite;
+  composite.rings = digest.rings;
+  composite.echoTime = digest.echoTime;
+  composite.echo = digest.echo;
+  const std::size_t size = composite.Index(VolumeComposite::Sectors, 0);
+  composite.cells.assign(size, VolumeComposite::Cell::NotScanned);
+  composite.tops.assign(size, 0);
+  composite.values.assign(size, 0.0F);
+  CellWriter writer(composite);
+  std::size_t count = 1;
+  for (const float word : digest.picture)
+  {
+    if (word <= -2.0F)
+    {
+      count = static_cast<std::size_t>(-word);
+      continue;
+    }
+    writer.Write(word, count);
+    count = 1;
+  }
+  if (!writer.AtEnd())
+  {
+    throw Error("the picture of a volume has fewer cells than its rings");
+  }
+  return composite;
+}
+
+} // namespace nexrad

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Compression/BigEndian.h"
+#include "nexrad/Compression/OffsetMap.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Decompresses whole bzip2 streams in about half of libbz2's time where they hold long runs, as
+/// records of radar data do: a run is linked as one piece, and checksums take eight bytes at a
+/// time. Anything unusual or wrong is left to libbz2, which can say what it is. Which bytes come
+/// out does not depend on who decompresses: the checksums of the stream vouch for them.
+///
+/// ```
+///   bits ──Huffman──▶ symbols ──move to front, runs──▶ column ──links──▶ text ──runs──▶ bytes
+/// ```
+///
+/// The memory is kept between streams: 6 bytes for each of a block, which has at most 900 000.
+class FastBunzip
+{
+public:
+  FastBunzip();
+  ~FastBunzip();
+  FastBunzip(const FastBunzip&) = delete;
+  FastBunzip& operator=(const FastBunzip&) = delete;
+
+  /// Decompresses one stream to at most `maximumBytes`. Bytes of the input that belong to it; empty
+  /// when the stream is not whole and correct, is longer than that, or has randomised blocks, which
+  /// no compressor has written for long.
+  std::optional<std::size_t> Run(ByteView stored, std::size_t maximumBytes);
+
+  /// What came out of the last stream, and where its blocks end in the input.
+  const std::vector<std::uint8_t>& Output() const;
+  const OffsetMap& Offsets() const;
+
+private:
+  struct Memory;
+  const std::unique_ptr<Memory> memory;
+};
+
+} // namespace nexrad

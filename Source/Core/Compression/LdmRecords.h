@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Compression/BigEndian.h"
+#include "nexrad/Compression/DamageList.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One bzip2 stream behind its length, as the Local Data Manager sends Level II.
+struct LdmRecord
+{
+  std::size_t offset = 0; ///< of the length, in the bytes that were searched
+  ByteView compressed;    ///< the stream without the length
+};
+
+/// True when a length and the beginning of a bzip2 stream stand at the offset.
+bool IsLdmRecord(ByteView bytes, std::size_t offset);
+
+/// Offset of the first record from `from` on; the size of the bytes when there is none.
+std::size_t FindLdmRecord(ByteView bytes, std::size_t from);
+
+/// The records from `start` on. The length of a record is the magnitude of a signed number (the
+/// last record's is negative). Where a length cannot be right, or bytes are no record, the search
+/// goes on at the next bzip2 stream, and `report` takes the damage with its offset in `bytes`. At
+/// most MostLdmRecords; what is behind them is damage.
+std::vector<LdmRecord> FindLdmRecords(
+  ByteView bytes, std::size_t start, const DamageReceiver& report);
+
+/// A thousand times as many as volumes have. Without a limit a small compressed file of empty
+/// records takes minutes.
+constexpr std::size_t MostLdmRecords = 100'000;
+
+} // namespace nexrad

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Grid/SiteGeometry.h"
+
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Geometry/SiteGeoreference.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// Half the sides of a box in the grid's units that holds the circle of `reach` about a latitude.
+std::array<double, 2> HalfBox(const GridSpecification& grid, double latitude, double reach)
+{
+  if (grid.axes == GridAxes::Projected)
+  {
+    // Away from its centre the projection stretches across the line to it: 11 % at 5000 km.
+    constexpr double stretch = 1.15;
+    return {stretch * reach, stretch * reach};
+  }
+  constexpr double metresPerDegree = 110'500.0; // the least on WGS84
+  const double north = reach / metresPerDegree;
+  const double farthest = std::min(std::abs(latitude) + north, 89.0);
+  return {north / std::cos(farthest * RadiansPerDegree), north};
+}
+
+// Metres east and north of the site, which vary smoothly over a grid, unlike the azimuth.
+struct Offset
+{
+  double east = 0.0;
+  double north = 0.0;
+};
+
+// A box of columns: first ≤ index < last.
+struct ColumnBox
+{
+  int first[2] = {0, 0};
+  int last[2] = {0, 0};
+
+  bool IsEmpty() const { return first[0] >= last[0] || first[1] >= last[1]; }
+};
+
+// Offsets at nodes that lie about 10 km apart over a box of columns, and bilinear between them. The
+// nodes are those of the whole box; only those about a part of it are computed.
+class OffsetLattice
+{
+public:
+  OffsetLattice(const GridSpecification& specification, const Position& site, const ColumnBox& box,
+    const ColumnBox& part)
+    : grid(specification)
+  {
+    const SiteGeoreference georeference(site);
+    const double widest = grid.axes == GridAxes::Projected ? 10'000.0 : 0.1;
+    for (int axis = 0; axis < 2; ++axis)
+    {
+      const double length = grid.spacing[axis] * std::max(box.last[axis] - 1 - box.first[axis], 1);
+      cells[axis] = std::max(1, static_cast<int>(std::ceil(length / widest)));
+      start[axis] = grid.Coordinate(axis, box.first[axis]);
+      step[axis] = length / cells[axis];
+      firstNode[axis] = this->Place(axis, grid.Coordinate(axis, part.first[axis])).first;
+      lastNode[axis] = this->Place(axis, grid.Coordinate(axis, part.last[axis] - 1)).first + 1;
+    }
+    for (int y = firstNode[1]; y <= lastNode[1]; ++y)
+    {
+      for (int x = firstNode[0]; x <= lastNode[0]; ++x)
+      {
+        nodes.push_back(this->Exact(georeference, start[0] + x * step[0], start[1] + y * step[1]));
+      }
+    }
+  }
+
+  Offset At(double x, double y) const
+  {
+    const auto [column, right] = this->Place(0, x);
+    const auto [row, up] = this->Place(1, y);
+    const auto width = static_cast<std::size_t>(lastNode[0] - firstNode[0] + 1);
+    const Offset* below = nodes.data() + static_cast<std::size_t>(row - firstNode[1]) * width +
+                          static_cast<std::size_t>(column - firstNode[0]);
+    const Offset* above = below + width;
+    const auto blend = [right = right, up = up](double a, double b, double c, double d)
+    { return (1.0 - up) * (a + right * (b - a)) + up * (c + right * (d - c)); };
+    return {blend(below[0].east, below[1].east, above[0].east, above[1].east),
+      blend(below[0].north, below[1].north, above[0].north, above[1].north)};
+  }
+
+private:
+  Offset Exact(const SiteGeoreference& georeference, double x, double y) const
+  {
+    const auto place = grid.ToGeographic(x, y);
+    const GroundDirection direction = georeference.Look(place[0], place[1]);
+    const double azimuth = direction.azimuth * RadiansPerDegree;
+    return {
+      direction.groundDistance * std::sin(azimuth), direction.groundDistance * std::cos(azimuth)};
+  }
+
+  // The cell and the part of it, from 0 to 1, at which a coordinate stands.
+  std::pair<int, double> Place(int axis, double coordinate) const
+  {
+    const double place = (coordinate - start[axis]) / step[axis];
+    const double cell = std::clamp(std::floor(place), 0.0, static_cast<double>(cells[axis] - 1));
+    return {static_cast<int>(cell), place - cell};
+  }
+
+  const GridSpecification& grid;
+  int cells[2] = {1, 1};
+  double start[2] = {0.0, 0.0};
+  double step[2] = {1.0, 1.0};
+  int firstNode[2] = {0, 0};
+  int lastNode[2] = {0, 0};
+  std::vector<Offset> nodes; // from the first to the last along both axes, x fastest
+};
+
+ColumnDirection DirectionOf(const Offset& offset, double effectiveRadius)
+{
+  const double distance = std::hypot(offset.east, offset.north);
+  const double azimuth = std::atan2(offset.east, offset.north) / RadiansPerDegree;
+  const auto turned = static_cast<float>(azimuth < 0.0 ? azimuth + 360.0 : azimuth);
+  return {turned < 360.0F ? turned : 0.0F,
+    static_cast<float>(std::tan(0.5 * distance / effectiveRadius))};
+}
+
+// The columns of a grid within a box round the circle of `reach` about a site.
+ColumnBox BoxAbout(const GridSpecification& grid, const Position& site, double reach)
+{
+  const auto centre = grid.FromGeographic(site.longitude, site.latitude);
+  const auto half = HalfBox(grid, site.latitude, reach);
+  ColumnBox box;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    const double lowest = (centre[axis] - half[axis] - grid.origin[axis]) / grid.spacing[axis];
+    const double highest = (centre[axis] + half[axis] - grid.origin[axis]) / grid.spacing[axis];
+    const double size = grid.dimensions[axis];
+    box.first[axis] = static_cast<int>(std::clamp(std::ceil(lowest), 0.0, size));
+    box.last[axis] = static_cast<int>(std::clamp(std::floor(highest) + 1.0, 0.0, size));
+  }
+  return box;
+}
+
+ColumnBox PartWithin(const ColumnBox& box, const VoxelBlock& block)
+{
+  ColumnBox part;
+  for (std::size_t axis = 0; axis < 2; ++axis)
+  {
+    part.first[axis] = std::max(box.first[axis], block.begin[axis]);
+    part.last[axis] = std::min(box.last[axis], block.end[axis]);
+  }
+  return part;
+}
+
+} // namespace
+
+SiteGeometry::SiteGeometry(const GridSpecification& grid, const Position& site, double reach,
+  const BeamModel& beam, const std::optional<VoxelBlock>& block)
+{
+  const ColumnBox box = BoxAbout(grid, site, reach);
+  const ColumnBox part = PartWithin(box, block.value_or(VoxelBlock::Of(grid)));
+  if (part.IsEmpty())
+  {
+    return;
+  }
+  std::copy(part.first, part.first + 2, begin);
+  std::copy(part.last, part.last + 2, end);
+  const OffsetLattice lattice(grid, site, box, part);
+  columns.reserve(this->Width() * static_cast<std::size_t>(end[1] - begin[1]));
+  for (int y = begin[1]; y < end[1]; ++y)
+  {
+    for (int x = begin[0]; x < end[0]; ++x)
+    {
+      columns.push_back(DirectionOf(
+        lattice.At(grid.Coordinate(0, x), grid.Coordinate(1, y)), beam.EffectiveRadius()));
+      nearest = std::min(nearest, columns.back().halfTangent);
+    }
+  }
+}
+
+} // namespace nexrad

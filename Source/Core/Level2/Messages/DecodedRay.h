@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Model/RadarVolume.h"
+
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Why a message gives no ray: one line without the place.
+class MessageError : public std::runtime_error
+{
+public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Where a radar stands, as the volume block of message 31 has it.
+struct StoredPosition
+{
+  double latitude = 0.0;  ///< degrees; TDWR may write thousandths of a degree
+  double longitude = 0.0; ///< the same, east positive
+  int siteHeight = 0;     ///< m above mean sea level
+  int feedhornHeight = 0; ///< m above the ground; TDWR repeats the site height here
+};
+
+/// A ray with what its message says besides.
+struct DecodedRay
+{
+  Ray ray;                                ///< its words lie in the message
+  unsigned azimuthNumber = 0;             ///< number of the ray in its cut, from 1
+  int coveragePatternNumber = 0;          ///< VCP; 0 when the message has none
+  std::string siteName;                   ///< "" in message 1
+  std::optional<StoredPosition> position; ///< message 31
+  std::vector<std::string> problems;      ///< what is wrong with moments that were left out
+};
+
+/// Checks what every ray must have; throws MessageError when the angles are not finite or outside
+/// their ranges (Ray), the cut's number is not 1…32, or the radial status is unknown.
+void CheckRay(const Ray& ray);
+
+/// The instant of a ray. Throws MessageError when the day or the time of day cannot be.
+Time CheckedTime(std::uint32_t day, std::uint32_t milliseconds);
+
+} // namespace nexrad

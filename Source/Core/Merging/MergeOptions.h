@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/SiteSeries.h"
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Time between two volumes when nobody says otherwise.
+constexpr Duration DefaultStep = std::chrono::minutes(5);
+
+/// What a user asks of merged volumes.
+struct MergeOptions : MergeRules
+{
+  GridRequest grid;             ///< without a range: SeriesScan::Range
+  std::optional<Duration> step; ///< empty: DefaultStep; of one volume alone, its middle
+  std::optional<Time> begin;    ///< in place of the first step at or after the first ray
+  std::optional<Time> end;      ///< in place of the last step at or before the last ray; inclusive
+  std::optional<Time> time;     ///< this time alone, between the first and the last ray
+  MomentName moment = MomentName::REF;
+  std::string siteName; ///< in place of the names in the files; empty: as the files say
+  std::size_t memory = std::size_t(1) << 30; ///< bytes for rays that are kept for later steps; 0
+                                             ///< keeps none
+};
+
+/// What options ask of a scan. Throws Error for a moment that the method does not know.
+SeriesOptions SeriesOptionsOf(const MergeOptions& options);
+
+/// The merges that options ask for, but for grid and time. `loop` runs their rows.
+MergeRequest MergeRequestOf(const MergeOptions& options, const RangeLoop& loop);
+
+/// The grid that options name, about radars whose own domain has a radius of `range` m.
+GridSpecification GridOf(
+  const MergeOptions& options, const std::vector<Position>& positions, double range);
+
+/// The time steps between the first and the last ray of `volumes` volumes, or those that the
+/// options name. Throws Error when there is none.
+std::vector<Time> TimeStepsOf(
+  const MergeOptions& options, Time firstRay, Time lastRay, std::size_t volumes);
+
+/// A pause of days between volumes, of which the options do not say at which side of it to begin or
+/// to end.
+std::optional<TimeSpan> FindPause(
+  const MergeOptions& options, const std::vector<TimeSpan>& volumes);
+
+/// The time steps of all volumes of a scan. Throws Error also for a pause of days, and for a time
+/// alone at which nothing was scanned.
+std::vector<Time> TimeStepsOf(const MergeOptions& options, const SeriesScan& scan);
+
+} // namespace nexrad

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Gridding/BeamMerge.h"
+#include "nexrad/Model/Moment.h"
+#include "nexrad/Motion/MotionField.h"
+#include "nexrad/Quality/Despeckling.h"
+
+#include <optional>
+#include <string_view>
+
+namespace nexrad
+{
+
+/// How rays become voxels.
+enum class MergeMethod
+{
+  Thesis, ///< Formulas T1–T7
+  Beam    ///< Formulas G, W and A: BeamMerger
+};
+
+/// "thesis", "beam".
+const char* ToString(MergeMethod method);
+/// Empty when the text names no method.
+std::optional<MergeMethod> ParseMergeMethod(std::string_view text);
+
+/// How Beam fills the time between the looks of a radar.
+enum class TimeInterpolationMethod
+{
+  Linear,     ///< where they are (Formulas A1)
+  AlongMotion ///< along the motion of the echo (A2a), where it is known
+};
+
+/// How volumes are merged, whatever the grid and the time.
+struct MergeRules
+{
+  MergeMethod method = MergeMethod::Beam;
+  Duration maximumGap = std::chrono::minutes(15); ///< what was seen farther from the time does not
+                                                  ///< count: for Thesis a volume, by its start; for
+                                                  ///< Beam a ray
+  QualityOptions quality;                         ///< of volumes that MakeReady makes ready
+  BeamMergeOptions beam;                          ///< of Beam; its largest gap is not used
+  TimeInterpolationMethod interpolation = TimeInterpolationMethod::AlongMotion; ///< of Beam
+  std::optional<Velocity> motion; ///< for AlongMotion, in place of the one found from reflectivity,
+                                  ///< at most FastestEcho; without it other moments are
+                                  ///< interpolated linearly
+};
+
+/// Throws Error when the method does not know the moment: Thesis knows REF alone.
+void RequireMoment(MergeMethod method, MomentName moment);
+
+} // namespace nexrad

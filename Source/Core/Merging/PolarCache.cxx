@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Merging/PolarCache.h"
+
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace nexrad
+{
+
+PolarCache::PolarCache(MomentName theMoment, std::size_t theLimit, Level2Options theOptions,
+  const QualityOptions& theQuality)
+  : moment(theMoment)
+  , limit(theLimit)
+  , options(std::move(theOptions))
+  , quality(theQuality)
+{
+}
+
+std::size_t PolarCache::Used() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  return packedBytes + recentBytes;
+}
+
+std::size_t PolarCache::DecodedFiles() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  return decodedFiles;
+}
+
+void PolarCache::Offer(const SeriesVolume& key, const RadarVolume& volume)
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    if (packedBytes >= this->PackedLimit())
+    {
+      return;
+    }
+  }
+  this->Insert(key,
+    std::make_shared<const PackedPolarVolume>(MakeCleanVolume(volume, moment, quality)), nullptr,
+    false);
+}
+
+std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
+{
+  if (Volume kept = this->Find(key))
+  {
+    return kept;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++decodedFiles;
+  }
+  const std::vector<RadarVolume> cycles = SplitCycles(ReadLevel2(key.file, options));
+  if (key.cycle >= cycles.size() || cycles[key.cycle].Start() != key.start)
+  {
+    throw Error(key.file.string() + ": the file changed since it was first read; read it again");
+  }
+  auto volume =
+    std::make_shared<const PolarVolume>(MakeCleanVolume(cycles[key.cycle], moment, quality));
+  this->Insert(key, std::make_shared<const PackedPolarVolume>(*volume), volume, true);
+  return volume;
+}
+
+PolarCache::Volume PolarCache::Find(const SeriesVolume& key)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto entry = std::find_if(entries.begin(), entries.end(),
+    [&key](const Entry& each) { return each.cycle == key.cycle && each.file == key.file; });
+  if (entry == entries.end())
+  {
+    return nullptr;
+  }
+  entries.splice(entries.begin(), entries, entry);
+  Volume volume = entry->unpacked.lock();
+  if (!volume)
+  {
+    volume = std::make_shared<const PolarVolume>(entry->packed->Unpack());
+    entry->unpacked = volume;
+  }
+  this->KeepRecent(volume);
+  return volume;
+}
+
+void PolarCache::Insert(const SeriesVolume& key, std::shared_ptr<const PackedPolarVolume> packed,
+  const Volume& unpacked, bool makeRoom)
+{
+  const std::size_t bytes = packed->Bytes();
+  const std::lock_guard<std::mutex> lock(mutex);
+  while (makeRoom && bytes <= this->PackedLimit() && packedBytes + bytes > this->PackedLimit())
+  {
+    packedBytes -= entries.back().bytes;
+    entries.pop_back();
+  }
+  if (packedBytes + bytes <= this->PackedLimit())
+  {
+    entries.push_front({key.file, key.cycle, bytes, std::move(packed), unpacked});
+    packedBytes += bytes;
+  }
+  if (unpacked)
+  {
+    this->KeepRecent(unpacked);
+  }
+}
+
+// Called with the lock.
+void PolarCache::KeepRecent(const Volume& volume)
+{
+  const auto known = std::find_if(
+    recent.begin(), recent.end(), [&volume](const Recent& each) { return each.volume == volume; });
+  if (known != recent.end())
+  {
+    recent.splice(recent.begin(), recent, known);
+    return;
+  }
+  const std::size_t bytes = MemoryOf(*volume);
+  const std::size_t room = limit - this->PackedLimit();
+  while (bytes <= room && recentBytes + bytes > room)
+  {
+    recentBytes -= recent.back().bytes;
+    recent.pop_back();
+  }
+  if (recentBytes + bytes <= room)
+  {
+    recent.push_front({volume, bytes});
+    recentBytes += bytes;
+  }
+}
+
+} // namespace nexrad

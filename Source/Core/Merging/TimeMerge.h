@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Merging/MergeRules.h"
+#include "nexrad/Merging/PolarCache.h"
+#include "nexrad/Motion/MotionTracker.h"
+#include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/System/Progress.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace nexrad
+{
+
+/// One merged volume that is asked for.
+struct MergeRequest : MergeRules
+{
+  GridSpecification grid;
+  Time time{};
+  RangeLoop loop;                  ///< runs Beam's rows; empty: on this thread
+  std::optional<VoxelBlock> block; ///< the part of the grid that is made, as it is in the whole
+};
+
+/// A volume in the form that a method takes; the other is empty.
+struct ReadyVolume
+{
+  std::shared_ptr<const PolarVolume> polar; ///< for Thesis
+  std::shared_ptr<const BeamVolume> beam;   ///< for Beam
+};
+
+/// Makes one moment of a decoded volume ready for a request, whatever its time. As long as the
+/// grid is not known, a request without means does: the merge makes what is missing.
+ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request);
+
+/// Indices of the volumes of one site that a request takes, from their starts, which ascend, and
+/// ends: for Thesis FindBracket, for Beam FindVolumesAbout. A volume that started at or before the
+/// time and is not taken is not taken at any later time either.
+std::vector<std::size_t> ChooseVolumes(
+  const std::vector<Time>& starts, const std::vector<Time>& ends, const MergeRequest& request);
+
+/// What merges at several times of one grid share: the radars' geometry, the volumes of the last
+/// one made ready, and what their motion was found from. A run passes one object to all its merges,
+/// one after the other; it changes no result.
+class MergeRun
+{
+public:
+  /// The merger for the request's grid and options: the one before, when they are the same.
+  BeamMerger& MergerFor(const MergeRequest& request);
+
+  /// A volume without sweeps in place of one that tells nothing of the request's block: it takes
+  /// part in the search for motion by its digest.
+  std::shared_ptr<const BeamVolume> OutlineOf(
+    const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment);
+
+  /// The motion along which the request asks to interpolate between volumes that MergerFor's merger
+  /// made ready; nullptr for none.
+  std::shared_ptr<const MotionField> MotionFor(
+    const BeamVolumes& volumes, const MergeRequest& request);
+
+private:
+  struct Outline
+  {
+    std::shared_ptr<const VolumeDigest> digest;
+    bool pictured;                          // has the digest's picture
+    std::weak_ptr<const BeamVolume> volume; // as long as a merge or the tracker holds it
+  };
+
+  std::unique_ptr<BeamMerger> merger;
+  std::unique_ptr<MotionTracker> tracker; // for the merger's grid
+  std::vector<Outline> outlines;
+};
+
+/// Merges volumes of any number of sites, in any order: for each site those about the time (for
+/// Thesis FindBracket, for Beam FindVolumesAbout). A site with none in reach takes no part; without
+/// any, no voxel is scanned. Empty when `progress` asked to stop. Throws Error as the method does.
+std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>& volumes,
+  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
+
+/// The same for volumes made ready for this request, or but for means, which have been chosen.
+/// `memory` is a volume that is no longer needed: its arrays become those of the result.
+std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
+  const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory = {});
+
+/// The same for a scanned series: only the volumes about the time are brought into memory, and of
+/// those with a digest only the ones that reach the request's block.
+std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,
+  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
+
+} // namespace nexrad

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Beams/BeamVolume.h"
+#include "nexrad/Motion/MotionEstimate.h"
+#include "nexrad/System/RangeLoop.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Finds the motion of the echo for the merges of one run (Formulas A3a): at a time, the one motion
+/// that fits two volumes of each radar: of neighbours with echo, those between whose middles the
+/// time lies, else those whose middles are nearest to it. Each volume's images are made once, and
+/// kept as long as the volume takes part; where the volumes are those of the call before, so is the
+/// motion. What is found depends on the volumes and the time alone.
+class MotionTracker
+{
+public:
+  /// `beam` is the path of the beams. Throws Error for a grid without voxels.
+  explicit MotionTracker(const GridSpecification& grid, const BeamModel& beam = BeamModel());
+
+  /// The motion on the grid, from volumes of reflectivity about the time in any order; nullptr
+  /// where nothing is known: no radar has two volumes with echo near enough to each other.
+  std::shared_ptr<const MotionField> Find(
+    const BeamVolumes& volumes, Time time, const RangeLoop& loop = {});
+
+private:
+  using Volume = std::shared_ptr<const BeamVolume>;
+  struct Pair
+  {
+    Volume before;
+    Volume after;
+  };
+  struct KeptPyramid
+  {
+    Volume volume;
+    MotionPyramid images;
+  };
+  struct KeptGeometry
+  {
+    Position position;
+    SiteGeometry geometry; // on the images' pixels
+  };
+
+  static std::vector<Pair> FindPairs(const BeamVolumes& volumes, Time time);
+  static std::optional<Pair> FindPair(BeamVolumes own, Time time);
+  void MakeImages(const BeamVolumes& volumes, const RangeLoop& loop);
+  const SiteGeometry& GeometryOf(const Position& position);
+  const MotionPyramid& ImagesOf(const Volume& volume) const;
+
+  const GridSpecification grid;
+  const GridSpecification pixels; // the same box in pixels of the images
+  const BeamModel beam;
+  MotionOptions options;
+  std::vector<KeptGeometry> geometries;
+  std::vector<KeptPyramid> kept;
+  std::vector<Pair> pairs; // of the call before
+  std::shared_ptr<const MotionField> motion;
+};
+
+} // namespace nexrad

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Polar/SweepPairing.h"
+
+#include "nexrad/Geometry/Angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <iterator>
+#include <tuple>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double sameElevation = 0.3; // degrees; neighbouring cuts lie at least 0.4° apart
+
+// What tells a sweep from the others of its volume.
+struct SweepRank
+{
+  double elevation = 0.0;
+  int repetition = 0; // earlier sweeps of the volume at the same elevation
+};
+
+std::vector<SweepRank> RankSweeps(const PolarVolume& volume)
+{
+  std::vector<SweepRank> ranks;
+  for (const PolarSweep& sweep : volume.sweeps)
+  {
+    const double elevation = MedianElevation(sweep);
+    const auto same = [elevation](const SweepRank& other)
+    { return std::abs(other.elevation - elevation) <= 0.5 * sameElevation; };
+    ranks.push_back({elevation, static_cast<int>(std::count_if(ranks.begin(), ranks.end(), same))});
+  }
+  return ranks;
+}
+
+double ToFullTurn(double azimuth)
+{
+  const double turned = std::fmod(azimuth, 360.0);
+  return turned < 0.0 ? turned + 360.0 : turned;
+}
+
+} // namespace
+
+std::vector<std::optional<std::size_t>> PairSweeps(
+  const PolarVolume& before, const PolarVolume& after)
+{
+  const std::vector<SweepRank> ranksBefore = RankSweeps(before);
+  const std::vector<SweepRank> ranksAfter = RankSweeps(after);
+  std::vector<std::optional<std::size_t>> pairs(before.sweeps.size());
+  for (std::size_t i = 0; i < before.sweeps.size(); ++i)
+  {
+    // Smaller is better, compared from the first item on.
+    std::tuple<bool, int, double> best;
+    for (std::size_t j = 0; j < after.sweeps.size(); ++j)
+    {
+      const double apart = std::abs(ranksBefore[i].elevation - ranksAfter[j].elevation);
+      if (apart > sameElevation || after.sweeps[j].rays.empty())
+      {
+        continue;
+      }
+      const auto candidate =
+        std::make_tuple(before.sweeps[i].elevationNumber != after.sweeps[j].elevationNumber,
+          std::abs(ranksBefore[i].repetition - ranksAfter[j].repetition), apart);
+      if (!pairs[i] || candidate < best)
+      {
+        pairs[i] = j;
+        best = candidate;
+      }
+    }
+  }
+  return pairs;
+}
+
+RayFinder::RayFinder(const PolarSweep& sweep)
+{
+  rays.reserve(sweep.rays.size());
+  for (std::size_t i = 0; i < sweep.rays.size(); ++i)
+  {
+    rays.emplace_back(ToFullTurn(sweep.rays[i].azimuth), i);
+  }
+  std::sort(rays.begin(), rays.end());
+}
+
+std::optional<std::size_t> RayFinder::Nearest(double azimuth, double tolerance) const
+{
+  if (rays.empty())
+  {
+    return std::nullopt;
+  }
+  const double wanted = ToFullTurn(azimuth);
+  const auto next =
+    std::lower_bound(rays.begin(), rays.end(), std::make_pair(wanted, std::size_t(0)));
+  const auto& above = next == rays.end() ? rays.front() : *next;
+  const auto& below = next == rays.begin() ? rays.back() : *std::prev(next);
+  const double toAbove = std::abs(AngleDifference(wanted, above.first));
+  const double toBelow = std::abs(AngleDifference(wanted, below.first));
+  if (std::min(toAbove, toBelow) > tolerance)
+  {
+    return std::nullopt;
+  }
+  return toBelow <= toAbove ? below.second : above.second;
+}
+
+} // namespace nexrad

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Series/InputFiles.h"
+
+#include "nexrad/Level2/ChunkFolder.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+#include <set>
+#include <system_error>
+
+namespace nexrad
+{
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+std::vector<fs::path> SortedEntries(const fs::path& folder)
+{
+  std::error_code failure;
+  std::vector<fs::path> entries;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
+  {
+    if (entry->path().filename().string().front() != '.')
+    {
+      entries.push_back(entry->path());
+    }
+  }
+  if (failure)
+  {
+    throw Error(folder.string() + ": the folder cannot be read: " + failure.message());
+  }
+  std::sort(entries.begin(), entries.end());
+  return entries;
+}
+
+class Finder
+{
+public:
+  void AddInput(const fs::path& input)
+  {
+    std::error_code failure;
+    const fs::file_status status = fs::status(input, failure);
+    if (!fs::exists(status))
+    {
+      throw Error(input.string() + ": no such file or folder");
+    }
+    if (!fs::is_directory(status))
+    {
+      this->Add(input);
+      return;
+    }
+    const std::size_t seenBefore = this->seen;
+    this->AddFolder(input, 0);
+    if (this->seen == seenBefore)
+    {
+      throw Error(input.string() + ": the folder holds no file");
+    }
+  }
+
+  InputFiles found;
+
+private:
+  // Deep enough for an archive's year/month/day/site, and an end to links that lead back up.
+  static constexpr int MaximumDepth = 16;
+
+  void AddFolder(const fs::path& folder, int depth)
+  {
+    if (IsChunkFolder(folder))
+    {
+      ++this->seen;
+      this->Add(folder);
+      return;
+    }
+    for (const fs::path& entry : SortedEntries(folder))
+    {
+      std::error_code failure;
+      if (fs::is_directory(entry, failure))
+      {
+        if (depth < MaximumDepth)
+        {
+          this->AddFolder(entry, depth + 1);
+        }
+        continue;
+      }
+      ++this->seen;
+      if (LooksLikeLevel2(entry))
+      {
+        this->Add(entry);
+      }
+      else
+      {
+        this->found.problems.push_back({entry.string(), {}, "not a Level II file: left out", true});
+      }
+    }
+  }
+
+  void Add(const fs::path& path)
+  {
+    std::error_code failure;
+    const fs::path canonical = fs::canonical(path, failure);
+    if (this->known.insert(failure ? path : canonical).second)
+    {
+      this->found.paths.push_back(path);
+    }
+  }
+
+  std::set<fs::path> known;
+  std::size_t seen = 0;
+};
+
+} // namespace
+
+std::string InputProblem::Line() const
+{
+  return file + (offset ? ": offset " + std::to_string(*offset) : std::string()) + ": " + what;
+}
+
+bool IsChunkFolder(const fs::path& path)
+{
+  std::error_code failure;
+  if (!fs::is_directory(path, failure))
+  {
+    return false;
+  }
+  fs::directory_iterator entry(path, failure);
+  for (const fs::directory_iterator end; !failure && entry != end; entry.increment(failure))
+  {
+    if (ParseChunkName(entry->path()))
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+InputFiles FindInputFiles(const std::vector<fs::path>& inputs)
+{
+  Finder finder;
+  for (const fs::path& input : inputs)
+  {
+    finder.AddInput(input);
+  }
+  return finder.found;
+}
+
+} // namespace nexrad

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Model/Time.h"
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Indices of the volumes of one site just before (or at) and just after a time.
+struct VolumeBracket
+{
+  std::optional<std::size_t> before;
+  std::optional<std::size_t> after;
+};
+
+/// Finds the bracket of `time` among the nominal times of a site's volumes (Formulas T4). `starts`
+/// ascends. A volume farther than `maximumGap` from `time` does not count. A volume at `time`
+/// exactly is `before`.
+VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration maximumGap);
+
+/// Indices of the volumes of one site that hold the rays just before and just after a time
+/// (Formulas A1): the last volume that ended at or before it, those in progress, and the first that
+/// starts after it; without those that lie farther than `maximumGap` from the time, whole. Where
+/// these tell nothing about motion, one more does (A3a): the volume before a last one, if it ended
+/// no more than `maximumGap` earlier, and the volume after a first one that is alone. Ascending.
+/// `starts` and `ends` are of equal length; `starts` ascends.
+std::vector<std::size_t> FindVolumesAbout(
+  const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, Duration maximumGap);
+
+/// The multiples of `step` since 1970-01-01 from the first at or after `first` to the last at or
+/// before `last`. Throws Error when the step is not positive, `last` lies before `first`, or the
+/// steps would be more than a million.
+std::vector<Time> TimeSteps(Time first, Time last, Duration step);
+
+/// Halfway between two times; to the whole second before it, unless that lies before `first`.
+Time MiddleTime(Time first, Time last);
+
+/// From the first to the last ray of a volume, or from one of these to the other.
+struct TimeSpan
+{
+  Time first{};
+  Time last{};
+};
+
+/// The first pause longer than `longest` between volumes, given in any order: from the last ray
+/// before it to the first one after it. Only volumes with rays from `begin` to `end` count.
+std::optional<TimeSpan> FindPause(
+  std::vector<TimeSpan> volumes, Time begin, Time end, Duration longest);
+
+/// A longer pause lies between volumes of different days, which nobody wants to merge at all the
+/// steps between them.
+constexpr Duration LongestPause = std::chrono::hours(24);
+
+} // namespace nexrad

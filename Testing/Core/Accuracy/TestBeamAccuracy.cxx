@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How well the merge by beams finds the synthetic storm again, beside the thesis's method: the
+// table of Documentation/Developer/formulas.md, section E. The refraction of the simulated
+// atmosphere varies; the merges know of 4/3 alone.
+#include "ScannedDay.h"
+#include "StormFeatures.h"
+#include "nexrad/Geometry/SiteGeoreference.h"
+#include "nexrad/Merging/TimeMerge.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <optional>
+#include <vector>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+void PrintFeatures(const GriddedVolume& volume, const Truth& truth)
+{
+  const EchoTopScore tops = CompareEchoTops(volume, truth);
+  const CoreScore cores = CompareCores(volume, truth);
+  std::printf("         echo tops %+5.0f m, off by %4.0f m (%zu columns)  cores %zu of %zu, off by "
+              "%4.0f m\n",
+    tops.meanError, tops.meanAbsoluteError, tops.columns, cores.found, cores.cores,
+    cores.meanDistance);
+}
+
+// The method as it is by default, along the motion of the echo.
+std::optional<GriddedVolume> MergeBeam(const ScannedDay& day, const GridSpecification& grid)
+{
+  MergeRequest request;
+  request.grid = grid;
+  request.time = day.At();
+  request.loop = ThreadLoop(2);
+  return MergeVolumes(day.Volumes(), request);
+}
+
+// Both methods against the truth; that of the beams must have an RMSE of at most `largest`, in dBZ,
+// and be better by what is written at the asserts.
+void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions, double largest)
+{
+  const Truth truth = TruthOn(day, dimensions);
+  const auto thesis = MergeThesis(day.Brackets(), truth.grid, day.At());
+  const auto beam = MergeBeam(day, truth.grid);
+  ASSERT_TRUE(thesis && beam);
+  EXPECT_TRUE(beam->synthetic);
+  const TruthScore before = CompareWithTruth(*thesis, truth.values, truth.counts);
+  const TruthScore now = CompareWithTruth(*beam, truth.values, truth.counts);
+  Print("thesis", truth, before);
+  PrintFeatures(*thesis, truth);
+  Print("beam", truth, now);
+  PrintFeatures(*beam, truth);
+  EXPECT_LE(now.rmse, largest);
+  EXPECT_LT(now.rmse, 0.5 * before.rmse);
+  EXPECT_LT(now.FalseFraction(), 0.12 * before.FalseFraction());
+  EXPECT_LT(now.MissedFraction(), 0.006);
+  EXPECT_LT(CompareEchoTops(*beam, truth).meanAbsoluteError,
+    CompareEchoTops(*thesis, truth).meanAbsoluteError);
+}
+
+ScannedDay DayOfRefraction(double effectiveRadiusFactor)
+{
+  SimulatorOptions options;
+  options.effectiveRadiusFactor = effectiveRadiusFactor;
+  return ScannedDay(Evening(), options);
+}
+
+// The same truth, of which only the columns count whose nearest radar is from `nearest` to
+// `farthest` m away.
+Truth OnlyAtDistance(const Truth& truth, const ScannedDay& day, double nearest, double farthest)
+{
+  Truth part = truth;
+  std::vector<SiteGeoreference> sites;
+  for (const Position& position : day.Positions())
+  {
+    sites.emplace_back(position);
+  }
+  const std::size_t columns = static_cast<std::size_t>(truth.grid.dimensions[0]) *
+                              static_cast<std::size_t>(truth.grid.dimensions[1]);
+  for (std::size_t column = 0; column < columns; ++column)
+  {
+    const auto x = static_cast<int>(column) % truth.grid.dimensions[0];
+    const auto y = static_cast<int>(column) / truth.grid.dimensions[0];
+    const auto place =
+      truth.grid.ToGeographic(truth.grid.Coordinate(0, x), truth.grid.Coordinate(1, y));
+    double distance = farthest;
+    for (const SiteGeoreference& site : sites)
+    {
+      distance = std::min(distance, site.Look(place[0], place[1]).groundDistance);
+    }
+    for (std::size_t i = column; distance < nearest || distance >= farthest; i += columns)
+    {
+      if (i >= part.counts.size())
+      {
+        break;
+      }
+      part.counts[i] = 0;
+    }
+  }
+  return part;
+}
+
+} // namespace
+
+// What limits it: the beams widen and the gaps between the tilts grow with the distance. Near a
+// radar, where its cone of silence is left to others, the distance is not what counts.
+TEST(BeamAccuracy, ByDistance)
+{
+  const ScannedDay& day = EveningDay();
+  const Truth truth = TruthOn(day, {128, 128, 64});
+  const auto thesis = MergeThesis(day.Brackets(), truth.grid, day.At());
+  const auto beam = MergeBeam(day, truth.grid);
+  const std::vector<double> bounds = {0.0, 80e3, 160e3, 240e3, 500e3};
+  double before = 0.0;
+  for (std::size_t i = 0; i + 1 < bounds.size(); ++i)
+  {
+    const Truth part = OnlyAtDistance(truth, day, bounds[i], bounds[i + 1]);
+    std::printf("nearest radar %.0f to %.0f km away\n", bounds[i] / 1e3, bounds[i + 1] / 1e3);
+    const TruthScore old = CompareWithTruth(*thesis, part.values, part.counts);
+    const TruthScore now = CompareWithTruth(*beam, part.values, part.counts);
+    Print("thesis", part, old);
+    Print("beam", part, now);
+    EXPECT_LT(now.rmse, 0.7 * old.rmse);
+    EXPECT_TRUE(i < 2 || now.rmse > 1.2 * before);
+    before = now.rmse;
+  }
+}
+
+TEST(BeamAccuracy, At128)
+{
+  Compare(EveningDay(), {128, 128, 64}, 3.34);
+}
+
+TEST(BeamAccuracy, At256)
+{
+  Compare(EveningDay(), {256, 256, 128}, 3.30);
+}
+
+TEST(BeamAccuracy, UnderARefractionOf121)
+{
+  Compare(DayOfRefraction(1.21), {128, 128, 64}, 3.37);
+}
+
+TEST(BeamAccuracy, UnderARefractionOf15)
+{
+  Compare(DayOfRefraction(1.5), {128, 128, 64}, 3.88);
+}

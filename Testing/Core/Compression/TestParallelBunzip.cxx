@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Compression/ParallelBunzip.h"
+
+#include "Level2Bytes.h"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+constexpr std::size_t recordCount = 60;
+constexpr std::size_t cap = std::size_t(1) << 20;
+
+// What stands in record `index`: its number, so often that later records may be quicker to open.
+Bytes ContentOf(std::size_t index)
+{
+  return Bytes(index % 7 * 30'000 + 1, static_cast<std::uint8_t>(index));
+}
+
+// Records end to end, with those who find them.
+struct ManyRecords
+{
+  ManyRecords()
+  {
+    for (std::size_t index = 0; index < recordCount; ++index)
+    {
+      file = Join({file, MakeLdmRecord(ContentOf(index))});
+    }
+    std::vector<Damage> damage;
+    records = FindLdmRecords({file.data(), file.size()}, 0, KeepIn(damage));
+  }
+
+  Bytes file;
+  std::vector<LdmRecord> records;
+};
+
+} // namespace
+
+TEST(BunzipInParallel, HandsOverEachRecordInOrder)
+{
+  const ManyRecords many;
+  ASSERT_EQ(many.records.size(), recordCount);
+  std::size_t expected = 0;
+  const auto receive = [&expected](std::size_t index, Bunzipped&& content)
+  {
+    EXPECT_EQ(index, expected++);
+    EXPECT_EQ(content.problem, "");
+    EXPECT_EQ(content.bytes, ContentOf(index));
+    return true;
+  };
+  BunzipInParallel(many.records, cap, receive);
+  EXPECT_EQ(expected, recordCount);
+}
+
+TEST(BunzipInParallel, StopsWhenTheReceiverHasEnough)
+{
+  const ManyRecords many;
+  std::size_t received = 0;
+  const auto receive = [&received](std::size_t, Bunzipped&&) { return ++received < 3; };
+  BunzipInParallel(many.records, cap, receive);
+  EXPECT_EQ(received, 3U);
+}
+
+TEST(BunzipInParallel, HandsOnWhatTheReceiverThrows)
+{
+  const ManyRecords many;
+  const auto receive = [](std::size_t index, Bunzipped&&) -> bool
+  {
+    if (index == 5)
+    {
+      throw std::runtime_error("the fifth");
+    }
+    return true;
+  };
+  EXPECT_THROW(BunzipInParallel(many.records, cap, receive), std::runtime_error);
+}
+
+TEST(BunzipInParallel, OneBrokenRecordLeavesTheOthersWhole)
+{
+  ManyRecords many;
+  const std::size_t broken = 10;
+  const auto stream = many.records[broken].compressed;
+  const auto place = static_cast<std::size_t>(stream.Data() - many.file.data());
+  many.file[place + stream.Size() / 2] ^= 0xFF;
+  const auto receive = [](std::size_t index, Bunzipped&& content)
+  {
+    EXPECT_EQ(content.problem.empty(), index != broken) << index;
+    EXPECT_TRUE(index == broken || content.bytes == ContentOf(index)) << index;
+    return true;
+  };
+  BunzipInParallel(many.records, cap, receive);
+}
+
+TEST(BunzipInParallel, NoRecordsAreNothingToDo)
+{
+  BunzipInParallel({}, cap,
+    [](std::size_t, Bunzipped&&)
+    {
+      ADD_FAILURE();
+      return true;
+    });
+}

@@ -1,0 +1,347 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Parts of a merged volume, made one by one: together they are, bit by bit, the volume made at
+// once.
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Merging/TimeMerge.h"
+
+#include "HandMadeVolume.h"
+#include "MovingEcho.h"
+#include "TestData.h"
+#include "nexrad/Grid/VolumePart.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <string>
+
+namespace nexrad
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+using namespace nexrad::testing;
+
+const Time noon = *ParseIso8601("2006-03-12T12:00:00Z");
+const Position middle = {38.7, -92.0, 200.0};
+
+// Two radars 90 km apart and a third 330 km from the first, each with a volume before noon and one
+// after it; storms between them that move.
+const std::vector<PolarVolume>& ThreeRadars()
+{
+  static const std::vector<PolarVolume> volumes = []
+  {
+    MovingEcho field;
+    field.storms = {{-40e3, 10e3, 55.0}, {20e3, -30e3, 45.0}, {70e3, 40e3, 50.0},
+      {130e3, -10e3, 40.0}, {260e3, 20e3, 52.0}};
+    field.velocity = {17.0, -6.0};
+    ScanPlan plan;
+    plan.rays = 180;
+    std::vector<PolarVolume> scanned;
+    const double eastOf[] = {0.0, 90e3, 330e3};
+    const char* names[] = {"KAAA", "KBBB", "KCCC"};
+    for (int i = 0; i < 3; ++i)
+    {
+      GridSpecification flat;
+      flat.centreLatitude = middle.latitude;
+      flat.centreLongitude = middle.longitude;
+      const auto place = flat.ToGeographic(eastOf[i], 0.0);
+      const Site site = {names[i], Position{place[1], place[0], 200.0 + 40.0 * i}};
+      for (const double seconds : {-310.0 + 20.0 * i, -10.0 + 20.0 * i})
+      {
+        scanned.push_back(ScanEcho(field, site, noon, seconds, plan, eastOf[i]));
+      }
+    }
+    return scanned;
+  }();
+  return volumes;
+}
+
+// Odd in every direction, and wider than what the radars see.
+GridSpecification OddGrid(GridAxes axes = GridAxes::Projected)
+{
+  GridSpecification grid;
+  grid.dimensions = {117, 41, 13};
+  grid.axes = axes;
+  grid.centreLatitude = middle.latitude;
+  grid.centreLongitude = middle.longitude;
+  const bool projected = axes == GridAxes::Projected;
+  grid.origin = {projected ? -200e3 : -94.3, projected ? -120e3 : 37.6, 300.0};
+  grid.spacing = {projected ? 6.1e3 : 0.07, projected ? 6.3e3 : 0.06, 710.0};
+  return grid;
+}
+
+MergeRequest Request(const GridSpecification& grid = OddGrid())
+{
+  MergeRequest request;
+  request.grid = grid;
+  request.time = noon;
+  return request;
+}
+
+std::vector<const PolarVolume*> PointersTo(const std::vector<PolarVolume>& volumes)
+{
+  std::vector<const PolarVolume*> pointers;
+  for (const PolarVolume& volume : volumes)
+  {
+    pointers.push_back(&volume);
+  }
+  return pointers;
+}
+
+// The grid in `parts` along an axis, as even as it goes.
+std::vector<VoxelBlock> SplitAlong(const GridSpecification& grid, std::size_t axis, int parts)
+{
+  std::vector<VoxelBlock> blocks;
+  for (int part = 0; part < parts; ++part)
+  {
+    VoxelBlock block = VoxelBlock::Of(grid);
+    block.begin[axis] = grid.dimensions[axis] * part / parts;
+    block.end[axis] = grid.dimensions[axis] * (part + 1) / parts;
+    blocks.push_back(block);
+  }
+  return blocks;
+}
+
+// Blocks inside the grid, a single voxel, and one that no radar sees.
+std::vector<VoxelBlock> OddBlocks()
+{
+  return {{{3, 5, 2}, {18, 20, 9}}, {{17, 0, 0}, {33, 41, 13}}, {{60, 20, 6}, {61, 21, 7}},
+    {{116, 0, 0}, {117, 3, 13}}};
+}
+
+void ExpectSame(const GriddedVolume& part, const GriddedVolume& expected)
+{
+  EXPECT_EQ(part.grid.dimensions, expected.grid.dimensions);
+  EXPECT_EQ(part.grid.origin, expected.grid.origin);
+  EXPECT_TRUE(part.values == expected.values);
+  EXPECT_TRUE(part.states == expected.states);
+  EXPECT_TRUE(part.companions.age == expected.companions.age);
+  EXPECT_TRUE(part.companions.radars == expected.companions.radars);
+  EXPECT_TRUE(part.companions.weight == expected.companions.weight);
+  EXPECT_TRUE(part.companions.nearestSite == expected.companions.nearestSite);
+  EXPECT_EQ(part.sites, expected.sites);
+  EXPECT_EQ(part.fill, expected.fill);
+}
+
+// Makes the blocks one by one, in one run and each in a run of its own.
+void ExpectBlocksOfTheWhole(MergeRequest request, const std::vector<VoxelBlock>& blocks)
+{
+  const std::vector<const PolarVolume*> volumes = PointersTo(ThreeRadars());
+  request.block.reset();
+  const GriddedVolume whole = *MergeVolumes(volumes, request);
+  ASSERT_GT(std::count(whole.states.begin(), whole.states.end(), VoxelState::Echo), 500);
+  MergeRun run;
+  for (const VoxelBlock& block : blocks)
+  {
+    SCOPED_TRACE(std::to_string(block.begin[0]) + "," + std::to_string(block.begin[1]) + "," +
+                 std::to_string(block.begin[2]));
+    request.block = block;
+    const GriddedVolume expected = TakePart(whole, block);
+    ExpectSame(*MergeVolumes(volumes, request, {}, &run), expected);
+    ExpectSame(*MergeVolumes(volumes, request), expected);
+  }
+}
+
+TEST(MergeBlocks, PiecesOfAnyNumberMakeTheWhole)
+{
+  const MergeRequest request = Request();
+  for (const int parts : {2, 3, 4, 7})
+  {
+    ExpectBlocksOfTheWhole(request, SplitAlong(request.grid, 0, parts));
+  }
+  ExpectBlocksOfTheWhole(request, SplitAlong(request.grid, 1, 3));
+  ExpectBlocksOfTheWhole(request, SplitAlong(request.grid, 2, 3));
+  ExpectBlocksOfTheWhole(request, OddBlocks());
+}
+
+// The first volumes begin five minutes before noon, the last end two minutes after it.
+TEST(MergeBlocks, InTheFirstAndTheLastMinutes)
+{
+  for (const Duration after : {Duration(-290s), Duration(-200s), Duration(80s), Duration(4min)})
+  {
+    MergeRequest request = Request();
+    request.time = noon + after;
+    ExpectBlocksOfTheWhole(request, SplitAlong(request.grid, 0, 3));
+    ExpectBlocksOfTheWhole(request, OddBlocks());
+  }
+}
+
+TEST(MergeBlocks, WhateverTheMethodAsks)
+{
+  const std::vector<VoxelBlock> blocks = OddBlocks();
+  for (const OverlapStrategy strategy : {OverlapStrategy::Mean, OverlapStrategy::Nearest,
+         OverlapStrategy::Maximum, OverlapStrategy::Distance})
+  {
+    MergeRequest request = Request();
+    request.beam.strategy = strategy;
+    request.beam.companions = true;
+    ExpectBlocksOfTheWhole(request, blocks);
+  }
+  MergeRequest filled = Request();
+  filled.beam.fill = true;
+  ExpectBlocksOfTheWhole(filled, blocks);
+  MergeRequest measured = Request();
+  measured.beam.sharpen = false;
+  measured.beam.linearReflectivity = true;
+  ExpectBlocksOfTheWhole(measured, blocks);
+  MergeRequest linear = Request();
+  linear.interpolation = TimeInterpolationMethod::Linear;
+  ExpectBlocksOfTheWhole(linear, blocks);
+  MergeRequest given = Request();
+  given.motion = Velocity{12.0, 3.0};
+  ExpectBlocksOfTheWhole(given, blocks);
+  ExpectBlocksOfTheWhole(Request(OddGrid(GridAxes::Geographic)), blocks);
+  MergeRequest thesis = Request();
+  thesis.method = MergeMethod::Thesis;
+  ExpectBlocksOfTheWhole(thesis, blocks);
+  ExpectBlocksOfTheWhole(thesis, SplitAlong(thesis.grid, 2, 3));
+}
+
+TEST(MergeBlocks, ABlockMustLieInTheGrid)
+{
+  for (const VoxelBlock& wrong : {VoxelBlock{{0, 0, 0}, {118, 41, 13}},
+         VoxelBlock{{-1, 0, 0}, {10, 10, 10}}, VoxelBlock{{5, 5, 5}, {5, 10, 10}}})
+  {
+    for (const MergeMethod method : {MergeMethod::Beam, MergeMethod::Thesis})
+    {
+      MergeRequest request = Request();
+      request.method = method;
+      request.block = wrong;
+      EXPECT_THROW(MergeVolumes(PointersTo(ThreeRadars()), request), Error);
+    }
+  }
+}
+
+TEST(MergeBlocks, ADigestKeepsWhatTheSearchForMotionLooksAt)
+{
+  for (const PolarVolume& volume : ThreeRadars())
+  {
+    const VolumeDigest digest = MakeDigest(volume);
+    EXPECT_EQ(digest.reach, 141'000.0);
+    EXPECT_LT(digest.MemoryBytes(), 40'000u);
+    const VolumeComposite expected = PrepareBeamVolume(volume).composite;
+    const VolumeComposite found = CompositeOf(digest);
+    ASSERT_EQ(found.cells.size(), expected.cells.size());
+    EXPECT_EQ(found.rings, expected.rings);
+    EXPECT_EQ(found.values, expected.values);
+    EXPECT_EQ(found.echo, expected.echo);
+    EXPECT_EQ(found.echoTime, expected.echoTime);
+    for (std::size_t i = 0; i < found.cells.size(); ++i)
+    {
+      const auto none = VolumeComposite::Cell::NotScanned;
+      ASSERT_EQ(found.cells[i] == none, expected.cells[i] == none);
+    }
+  }
+  VolumeDigest torn = MakeDigest(ThreeRadars().front());
+  torn.rings -= 1;
+  EXPECT_THROW(CompositeOf(torn), Error);
+  torn.rings += 2;
+  EXPECT_THROW(CompositeOf(torn), Error);
+}
+
+// Radars in a row, 400 km between neighbours, each with volumes before and after the time: what a
+// block needs is told by circles about them of 101 km.
+class RowOfRadars : public ::testing::Test
+{
+protected:
+  RowOfRadars()
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const Site site = {std::string("K") + std::string(3, static_cast<char>('A' + i)),
+        Position{38.7, -100.0 + 4.6 * i, 300.0}};
+      HandMadeVolume before = ConstantVolume(site, noon - 4min, 20.0);
+      HandMadeVolume after = ConstantVolume(site, noon + 1min, 20.0);
+      // A sector of stronger echo that turns by 9° between the two.
+      const auto sector = [](int from)
+      {
+        return [from](int ray, int gate)
+        {
+          return ReflectivityWord(
+            ray >= from && ray < from + 40 && gate > 30 && gate < 70 ? 45.0 : 10.0);
+        };
+      };
+      before.sweeps[0].moments[0].word = sector(100);
+      after.sweeps[0].moments[0].word = sector(109);
+      WriteLevel2(folder.Path() / (site.name + "1"), {before});
+      WriteLevel2(folder.Path() / (site.name + "2"), {after});
+    }
+    options.moment = MomentName::REF;
+    options.digests = true;
+    scan = *ScanInputs({folder.Path()}, options);
+    GridRequest grid;
+    grid.dimensions = {123, 21, 7};
+    grid.range = 120'000.0;
+    grid.top = 7'000.0;
+    request.grid = MakeGrid(grid, scan.Positions());
+    request.time = noon;
+  }
+
+  GriddedVolume Make(std::optional<VoxelBlock> block, std::size_t files, MergeRun* run = nullptr)
+  {
+    PolarCache cache(MomentName::REF, 0);
+    request.block = block;
+    const GriddedVolume made = *MergeSeries(scan, cache, request, {}, run);
+    EXPECT_EQ(cache.DecodedFiles(), files);
+    return made;
+  }
+
+  const TemporaryFolder folder;
+  SeriesOptions options;
+  SeriesScan scan;
+  MergeRequest request;
+};
+
+TEST_F(RowOfRadars, ABlockIsMadeFromTheFilesOfTheRadarsThatReachIt)
+{
+  request.beam.companions = true;
+  for (const MergeMethod method : {MergeMethod::Beam, MergeMethod::Thesis})
+  {
+    request.method = method;
+    const GriddedVolume whole = this->Make(std::nullopt, 8);
+    EXPECT_EQ(whole.sites.size(), 4u);
+    MergeRun run;
+    for (const VoxelBlock& block : SplitAlong(request.grid, 0, 4))
+    {
+      ExpectSame(this->Make(block, 2, &run), TakePart(whole, block));
+    }
+    // Between two radars nothing is seen, and no file is needed.
+    const int gap = request.grid.dimensions[0] / 3;
+    const VoxelBlock nothing = {{gap - 10, 0, 0}, {gap - 8, 21, 7}};
+    const GriddedVolume empty = this->Make(nothing, 0, &run);
+    ExpectSame(empty, TakePart(whole, nothing));
+    EXPECT_EQ(std::count(empty.states.begin(), empty.states.end(), VoxelState::NotScanned), 294);
+  }
+}
+
+// The motion over a block is found from all radars: the others' pictures are not for nothing.
+TEST_F(RowOfRadars, TheMotionIsThatOfAllRadars)
+{
+  const VoxelBlock block = SplitAlong(request.grid, 0, 4).front();
+  const GriddedVolume right = this->Make(block, 2);
+  for (SiteSeries& site : scan.sites)
+  {
+    for (SeriesVolume& volume : site.volumes)
+    {
+      VolumeDigest blind = *volume.digest;
+      blind.echo = 0.0;
+      volume.digest = std::make_shared<const VolumeDigest>(blind);
+    }
+  }
+  EXPECT_TRUE(this->Make(block, 2).values != right.values);
+}
+
+TEST_F(RowOfRadars, WithoutDigestsEveryRadarIsAsked)
+{
+  const VoxelBlock block = SplitAlong(request.grid, 0, 4).front();
+  const GriddedVolume few = this->Make(block, 2);
+  options.digests = false;
+  scan = *ScanInputs({folder.Path()}, options);
+  ExpectSame(this->Make(block, 8), few);
+}
+
+} // namespace
+} // namespace nexrad

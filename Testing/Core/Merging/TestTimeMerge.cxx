@@ -1,0 +1,369 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Merging/TimeMerge.h"
+
+#include "HandMadeVolume.h"
+#include "MovingEcho.h"
+#include "TestData.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <chrono>
+#include <limits>
+
+namespace nexrad
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+using testing::ConstantVolume;
+using testing::TemporaryFolder;
+using testing::WriteLevel2;
+
+const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
+const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
+
+PolarVolume Polar(const Site& site, Time time, double reflectivity)
+{
+  return MakePolarVolume(
+    testing::MakeRadarVolume(ConstantVolume(site, time, reflectivity)), MomentName::REF);
+}
+
+MergeRequest Request(const std::vector<Position>& sites, Time time)
+{
+  GridRequest grid;
+  grid.dimensions = {32, 32, 8};
+  grid.range = 100'000.0;
+  MergeRequest request;
+  request.grid = MakeGrid(grid, sites);
+  request.time = time;
+  request.method = MergeMethod::Thesis;
+  return request;
+}
+
+/// Smallest and largest value of the voxels with an echo.
+std::pair<float, float> EchoRange(const GriddedVolume& volume)
+{
+  std::pair<float, float> range = {1000.0F, -1000.0F};
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    if (volume.states[i] == VoxelState::Echo)
+    {
+      range.first = std::min(range.first, volume.values[i]);
+      range.second = std::max(range.second, volume.values[i]);
+    }
+  }
+  return range;
+}
+
+void ExpectEcho(const GriddedVolume& volume, float value)
+{
+  const auto [smallest, largest] = EchoRange(volume);
+  EXPECT_NEAR(smallest, value, 1e-3F);
+  EXPECT_NEAR(largest, value, 1e-3F);
+}
+
+TEST(TimeMerge, InterpolatesBetweenTheVolumesAboutTheTime)
+{
+  // In no order: 10, 20 and 40 dBZ at 18:00, 18:05 and 18:10.
+  const PolarVolume last = Polar(keax, start + 10min, 40.0);
+  const PolarVolume first = Polar(keax, start, 10.0);
+  const PolarVolume middle = Polar(keax, start + 5min, 20.0);
+  const std::vector<const PolarVolume*> volumes = {&last, &first, &middle};
+  const auto at = [&](Duration after)
+  { return *MergeVolumes(volumes, Request({*keax.position}, start + after)); };
+  ExpectEcho(at(0min), 10.0F);
+  ExpectEcho(at(2min), 14.0F);
+  ExpectEcho(at(5min), 20.0F);
+  ExpectEcho(at(9min), 36.0F);
+  ExpectEcho(at(20min), 40.0F);  // one side alone, unchanged
+  ExpectEcho(at(-10min), 10.0F); // likewise
+}
+
+TEST(TimeMerge, VolumesBeyondTheGapTakeNoPart)
+{
+  const PolarVolume volume = Polar(keax, start, 30.0);
+  MergeRequest request = Request({*keax.position}, start + 16min);
+  const auto none = MergeVolumes({&volume}, request);
+  ASSERT_TRUE(none);
+  EXPECT_TRUE(none->sites.empty());
+  EXPECT_TRUE(std::all_of(none->states.begin(), none->states.end(),
+    [](VoxelState state) { return state == VoxelState::NotScanned; }));
+  request.maximumGap = 16min;
+  ExpectEcho(*MergeVolumes({&volume}, request), 30.0F);
+}
+
+TEST(TimeMerge, EachSiteHasItsOwnBracket)
+{
+  const PolarVolume before = Polar(keax, start, 10.0);
+  const PolarVolume after = Polar(keax, start + 4min, 20.0);
+  const PolarVolume other = Polar(klsx, start + 1min, 50.0);
+  const auto merged = MergeVolumes(
+    {&other, &after, &before}, Request({*keax.position, *klsx.position}, start + 2min));
+  EXPECT_EQ(merged->sites, (std::vector<std::string>{"KEAX", "KLSX"}));
+  // The circles of 100 km do not meet: 310 km lie between the radars.
+  EXPECT_NEAR(EchoRange(*merged).first, 15.0F, 1e-3F);
+  EXPECT_NEAR(EchoRange(*merged).second, 50.0F, 1e-3F);
+}
+
+TEST(TimeMerge, SeriesGivesWhatTheVolumesGiveHoweverLittleMemoryItHas)
+{
+  const TemporaryFolder folder;
+  WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
+  WriteLevel2(folder.Path() / "2", {ConstantVolume(keax, start + 5min, 20.0)});
+  testing::HandMadeVolume simulated = ConstantVolume(keax, start + 10min, 40.0);
+  simulated.synthetic = true;
+  WriteLevel2(folder.Path() / "3", {simulated});
+  const std::size_t one = MemoryOf(Polar(keax, start, 10.0));
+  for (const std::size_t limit : {std::size_t(0), one + one / 2, 10 * one})
+  {
+    PolarCache cache(MomentName::REF, limit);
+    const auto scan = ScanInputs({folder.Path()}, {},
+      [&cache](const SeriesVolume& key, const RadarVolume& volume) { cache.Offer(key, volume); });
+    EXPECT_LE(cache.Used(), limit);
+    const auto at = [&](Duration after)
+    { return *MergeSeries(*scan, cache, Request(scan->Positions(), start + after)); };
+    ExpectEcho(at(2min), 14.0F);
+    ExpectEcho(at(9min), 36.0F);
+    EXPECT_FALSE(at(2min).synthetic);
+    EXPECT_TRUE(at(9min).synthetic);
+    EXPECT_LE(cache.Used(), limit);
+  }
+}
+
+TEST(TimeMerge, CacheNoticesAFileThatChanged)
+{
+  const TemporaryFolder folder;
+  const auto path = WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
+  const auto scan = ScanInputs({path});
+  PolarCache cache(MomentName::REF, 0);
+  EXPECT_EQ(cache.Get(scan->sites[0].volumes[0])->sweeps.size(), 1U);
+  WriteLevel2(path, {ConstantVolume(keax, start + 5min, 10.0)});
+  EXPECT_THROW(cache.Get(scan->sites[0].volumes[0]), Error);
+}
+
+TEST(TimeMerge, CacheKeepsTheVolumesUsedLast)
+{
+  const TemporaryFolder folder;
+  WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
+  WriteLevel2(folder.Path() / "2", {ConstantVolume(keax, start + 5min, 20.0)});
+  WriteLevel2(folder.Path() / "3", {ConstantVolume(keax, start + 10min, 30.0)});
+  const auto scan = ScanInputs({folder.Path()});
+  const std::vector<SeriesVolume>& volumes = scan->sites[0].volumes;
+  // Room for two packed volumes, and for none as it is.
+  PolarCache cache(MomentName::REF, 3 * PackedPolarVolume(Polar(keax, start, 10.0)).Bytes());
+  for (const std::size_t index : {0, 1, 0, 2}) // the third drops the second
+  {
+    cache.Get(volumes[index]);
+  }
+  for (const SeriesVolume& volume : volumes)
+  {
+    std::filesystem::remove(volume.file);
+  }
+  EXPECT_EQ(cache.Get(volumes[0])->sweeps[0].values[0], 10.0F);
+  EXPECT_EQ(cache.Get(volumes[2])->sweeps[0].values[0], 30.0F);
+  EXPECT_THROW(cache.Get(volumes[1]), Error);
+}
+
+TEST(TimeMerge, CacheGivesAVolumeInUseToAllWhoAsk)
+{
+  const TemporaryFolder folder;
+  WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
+  const auto scan = ScanInputs({folder.Path()});
+  const SeriesVolume& volume = scan->sites[0].volumes[0];
+  PolarCache cache(MomentName::REF, 2 * PackedPolarVolume(Polar(keax, start, 10.0)).Bytes());
+  const auto first = cache.Get(volume);
+  EXPECT_EQ(cache.Get(volume), first);
+}
+
+// The same files by beams, each merge alone and all of a run with what they share.
+TEST(TimeMerge, BeamOfASeriesIsThatOfItsVolumes)
+{
+  const TemporaryFolder folder;
+  const std::vector<double> reflectivities = {10.0, 20.0, 40.0};
+  std::vector<PolarVolume> volumes;
+  for (std::size_t i = 0; i < reflectivities.size(); ++i)
+  {
+    const Time time = start + static_cast<int>(i) * 5min;
+    const auto path = WriteLevel2(
+      folder.Path() / std::to_string(i), {ConstantVolume(keax, time, reflectivities[i])});
+    volumes.push_back(MakePolarVolume(ReadLevel2(path), MomentName::REF));
+  }
+  const auto scan = ScanInputs({folder.Path()});
+  PolarCache cache(MomentName::REF, 0);
+  MergeRun run;
+  for (const Duration after : {Duration(2min), Duration(3min), Duration(7min), Duration(20min)})
+  {
+    MergeRequest request = Request({*keax.position}, start + after);
+    request.method = MergeMethod::Beam;
+    const auto alone = MergeVolumes({&volumes[2], &volumes[0], &volumes[1]}, request);
+    const auto ofRun = MergeSeries(*scan, cache, request, {}, &run);
+    EXPECT_EQ(alone->values, ofRun->values);
+    EXPECT_EQ(alone->states, ofRun->states);
+    EXPECT_EQ(ofRun->method, "beam");
+    // Rays take seconds after the volumes' starts: the values lag that much.
+    const double minutes = std::chrono::duration<double>(after).count() / 60.0;
+    const double expected =
+      minutes < 5.0 ? 10.0 + 2.0 * minutes : std::min(20.0 + 4.0 * (minutes - 5.0), 40.0);
+    const auto [smallest, largest] = EchoRange(*ofRun);
+    EXPECT_GT(smallest, expected - 3.0);
+    EXPECT_LE(largest, expected + 1e-3);
+  }
+}
+
+namespace
+{
+
+// Two radars that scan moving storms for a quarter of an hour.
+std::vector<PolarVolume> ScanStorms(MomentName moment = MomentName::REF)
+{
+  testing::MovingEcho field;
+  field.storms = {{30e3, 40e3, 50.0}, {-60e3, -30e3, 45.0}, {-20e3, 60e3, 55.0}};
+  field.velocity = {20.0, 10.0};
+  std::vector<PolarVolume> volumes;
+  for (const double seconds : {0.0, 300.0, 600.0})
+  {
+    volumes.push_back(testing::ScanEcho(field, keax, start, seconds));
+    volumes.push_back(testing::ScanEcho(field, klsx, start, seconds + 80.0));
+  }
+  for (PolarVolume& volume : volumes)
+  {
+    volume.moment = moment;
+  }
+  return volumes;
+}
+
+std::vector<const PolarVolume*> PointersTo(const std::vector<PolarVolume>& volumes)
+{
+  std::vector<const PolarVolume*> pointers;
+  for (const PolarVolume& volume : volumes)
+  {
+    pointers.push_back(&volume);
+  }
+  return pointers;
+}
+
+MergeRequest BeamRequest(Duration after)
+{
+  MergeRequest request = Request({*keax.position, *klsx.position}, start + after);
+  request.grid.dimensions[2] = 4;
+  request.method = MergeMethod::Beam;
+  return request;
+}
+
+} // namespace
+
+// A run that comes to a time through others, as one process of several does not, and volumes in
+// another order, give the same bytes.
+TEST(TimeMerge, MotionDoesNotDependOnWhatWasMergedBefore)
+{
+  const std::vector<PolarVolume> volumes = ScanStorms();
+  std::vector<const PolarVolume*> pointers = PointersTo(volumes);
+  MergeRun run;
+  for (const Duration after : {Duration(20s), Duration(4min), Duration(11min), Duration(8min),
+         Duration(14min), Duration(4min)})
+  {
+    const auto ofRun = MergeVolumes(pointers, BeamRequest(after), {}, &run);
+    const auto fresh = MergeVolumes(pointers, BeamRequest(after));
+    EXPECT_EQ(ofRun->values, fresh->values);
+    EXPECT_EQ(ofRun->states, fresh->states);
+    std::reverse(pointers.begin(), pointers.end());
+  }
+}
+
+// Between the volumes, in the first one, and minutes before the first and after the last.
+class MotionAt : public ::testing::TestWithParam<Duration>
+{
+};
+
+TEST_P(MotionAt, IsTheDefaultAndCanBeGivenOrLeft)
+{
+  const std::vector<PolarVolume> volumes = ScanStorms();
+  MergeRequest request = BeamRequest(GetParam());
+  const auto found = MergeVolumes(PointersTo(volumes), request);
+  request.motion = Velocity{20.0, 10.0};
+  const auto given = MergeVolumes(PointersTo(volumes), request);
+  request.interpolation = TimeInterpolationMethod::Linear;
+  const auto linear = MergeVolumes(PointersTo(volumes), request);
+  // What is found is nearer to what is known than to nothing.
+  double ofFound = 0.0;
+  double ofLinear = 0.0;
+  for (std::size_t i = 0; i < given->values.size(); ++i)
+  {
+    if (given->states[i] == VoxelState::Echo)
+    {
+      const auto off = [&](const GriddedVolume& volume)
+      {
+        const bool echo = volume.states[i] == VoxelState::Echo;
+        return std::abs(static_cast<double>(given->values[i] - (echo ? volume.values[i] : 0.0F)));
+      };
+      ofFound += off(*found);
+      ofLinear += off(*linear);
+    }
+  }
+  EXPECT_GT(ofLinear, 100.0);
+  EXPECT_LT(ofFound, 0.1 * ofLinear);
+}
+
+INSTANTIATE_TEST_SUITE_P(TimeMerge, MotionAt,
+  ::testing::Values(Duration(-3min), Duration(20s), Duration(4min), Duration(15min)));
+
+TEST(TimeMerge, OtherMomentsMoveOnlyAsGiven)
+{
+  const std::vector<PolarVolume> volumes = ScanStorms(MomentName::ZDR);
+  MergeRequest request = BeamRequest(4min);
+  const auto alone = MergeVolumes(PointersTo(volumes), request);
+  request.interpolation = TimeInterpolationMethod::Linear;
+  EXPECT_EQ(MergeVolumes(PointersTo(volumes), request)->values, alone->values);
+  request.interpolation = TimeInterpolationMethod::AlongMotion;
+  request.motion = Velocity{20.0, 10.0};
+  EXPECT_NE(MergeVolumes(PointersTo(volumes), request)->values, alone->values);
+}
+
+TEST(TimeMerge, RefusesAMotionFasterThanAnyEcho)
+{
+  const std::vector<PolarVolume> volumes = ScanStorms();
+  MergeRequest request = BeamRequest(4min);
+  for (const double bad : {200.0, std::numeric_limits<double>::quiet_NaN()})
+  {
+    request.motion = Velocity{0.0, bad};
+    EXPECT_THROW(MergeVolumes(PointersTo(volumes), request), Error);
+  }
+}
+
+TEST(TimeMerge, ARunMakesANewMergerForOtherOptions)
+{
+  MergeRun run;
+  MergeRequest request = Request({*keax.position}, start);
+  const BeamMerger* first = &run.MergerFor(request);
+  EXPECT_EQ(&run.MergerFor(request), first);
+  request.time += 5min;
+  EXPECT_EQ(&run.MergerFor(request), first);
+  request.beam.fill = true;
+  EXPECT_TRUE(run.MergerFor(request).Options().fill);
+  request.grid.dimensions = {16, 16, 4};
+  EXPECT_EQ(run.MergerFor(request).Grid().dimensions[0], 16);
+}
+
+TEST(TimeMerge, StopsWhenAskedTo)
+{
+  const PolarVolume volume = Polar(keax, start, 30.0);
+  EXPECT_FALSE(
+    MergeVolumes({&volume}, Request({*keax.position}, start), [](double) { return false; }));
+}
+
+TEST(TimeMerge, NamesOfMethods)
+{
+  EXPECT_EQ(ParseMergeMethod("thesis"), MergeMethod::Thesis);
+  EXPECT_EQ(ParseMergeMethod("beam"), MergeMethod::Beam);
+  EXPECT_FALSE(ParseMergeMethod("Thesis"));
+  EXPECT_STREQ(ToString(MergeMethod::Thesis), "thesis");
+  EXPECT_STREQ(ToString(MergeMethod::Beam), "beam");
+}
+
+} // namespace
+} // namespace nexrad

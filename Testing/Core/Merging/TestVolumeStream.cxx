@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Merging/VolumeStream.h"
+
+#include "HandMadeVolume.h"
+#include "TestData.h"
+#include "nexrad/Series/VolumeSelection.h"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <fstream>
+#include <mutex>
+#include <stdexcept>
+
+namespace nexrad
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+using testing::ConstantVolume;
+using testing::SetHeaderTime;
+using testing::TemporaryFolder;
+using testing::WriteLevel2;
+
+const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
+const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
+
+/// Three hours of two radars, a volume every 5 and every 6 minutes, and what a stream does to them.
+class VolumeStreaming : public ::testing::Test
+{
+protected:
+  VolumeStreaming()
+  {
+    this->Write(keax, "e", 5min);
+    this->Write(klsx, "l", 6min);
+    request.maximumGap = 15min;
+  }
+
+  void Write(const Site& site, const std::string& name, Duration period)
+  {
+    for (Duration after = 0min; after < 3h; after += period)
+    {
+      const auto path = folder.Path() / (name + std::to_string(after / 1min));
+      paths.push_back(WriteLevel2(path, {ConstantVolume(site, start + after, 20.0)}));
+    }
+  }
+
+  StreamWork Work()
+  {
+    StreamWork work;
+    work.prepare = [this](const RadarVolume& volume)
+    {
+      ReadyVolume ready = MakeReady(volume, MomentName::REF, request);
+      const std::lock_guard<std::mutex> lock(mutex);
+      ++decoded;
+      made.emplace_back(ready.beam);
+      return ready;
+    };
+    work.choose = [this](const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)
+    { return FindVolumesAbout(starts, ends, time, request.maximumGap); };
+    return work;
+  }
+
+  std::unique_ptr<VolumeStream> Open(unsigned threads = 2)
+  {
+    const auto outline = OutlineSeries(paths);
+    EXPECT_TRUE(outline);
+    SeriesOptions options;
+    options.moment = MomentName::REF;
+    return std::make_unique<VolumeStream>(paths, *outline, options, this->Work(), threads);
+  }
+
+  // All files, once they are as the test wants them.
+  const SeriesScan& Scan()
+  {
+    if (!scan)
+    {
+      scan = ScanInputs({folder.Path()});
+    }
+    return *scan;
+  }
+
+  // Sites and starts of the volumes about a time, by a scan of all files.
+  std::vector<std::string> Expected(Time time)
+  {
+    std::vector<std::string> names;
+    for (const SiteSeries& site : this->Scan().sites)
+    {
+      const auto about = FindVolumesAbout(site.Starts(), site.Ends(), time, request.maximumGap);
+      for (const std::size_t index : about)
+      {
+        names.push_back(site.site.name + FormatIso8601(site.volumes[index].start));
+      }
+    }
+    return names;
+  }
+
+  static std::vector<std::string> Names(const std::vector<ReadyVolume>& volumes)
+  {
+    std::vector<std::string> names;
+    for (const ReadyVolume& volume : volumes)
+    {
+      names.push_back(volume.beam->site.name + FormatIso8601(volume.beam->start));
+    }
+    return names;
+  }
+
+  std::size_t Alive()
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return static_cast<std::size_t>(
+      std::count_if(made.begin(), made.end(), [](const auto& each) { return !each.expired(); }));
+  }
+
+  const TemporaryFolder folder;
+  std::vector<std::filesystem::path> paths;
+  MergeRequest request;
+  std::optional<SeriesScan> scan;
+  std::mutex mutex;
+  std::size_t decoded = 0;
+  std::vector<std::weak_ptr<const BeamVolume>> made;
+};
+
+TEST_F(VolumeStreaming, GivesWhatAScanWouldAndHoldsLittle)
+{
+  for (const unsigned threads : {1U, 3U})
+  {
+    decoded = 0;
+    made.clear();
+    const auto stream = this->Open(threads);
+    // From before the first volume to after the last, with steps shorter and longer than volumes.
+    for (const Duration after : {Duration(-20min), Duration(-10min), Duration(0min), Duration(3s),
+           Duration(4min), Duration(7min), Duration(20min), Duration(65min), Duration(66min),
+           Duration(119min), Duration(179min), Duration(190min), Duration(200min)})
+    {
+      EXPECT_EQ(Names(stream->About(start + after)), this->Expected(start + after))
+        << after / 1s << " s";
+      // One in progress, one before, one after of each radar, and three ahead on each thread with
+      // the one that it decodes.
+      EXPECT_LE(this->Alive(), 2U * 3U + threads * 4U) << after / 1s << " s";
+    }
+    EXPECT_EQ(decoded, paths.size()); // each once
+    EXPECT_TRUE(stream->IsAsIn(this->Scan()));
+  }
+}
+
+TEST_F(VolumeStreaming, BeginsInTheMiddleAndEndsThere)
+{
+  const auto stream = this->Open();
+  stream->EndAt(start + 100min);
+  EXPECT_EQ(Names(stream->About(start + 95min)), this->Expected(start + 95min));
+  EXPECT_EQ(Names(stream->About(start + 100min)), this->Expected(start + 100min));
+  EXPECT_LE(decoded, 12U); // of 66
+}
+
+TEST_F(VolumeStreaming, ScansAFileOnRequestAndKeepsItForItsTime)
+{
+  const auto stream = this->Open();
+  const ScannedFile last = stream->Scan(35); // KEAX at 20:55
+  ASSERT_EQ(last.volumes.size(), 1U);
+  EXPECT_EQ(last.volumes[0].second.start, start + 175min);
+  for (Duration after = 0min; after <= 180min; after += 10min)
+  {
+    EXPECT_EQ(Names(stream->About(start + after)), this->Expected(start + after));
+  }
+  EXPECT_EQ(decoded, paths.size());
+  EXPECT_EQ(stream->Scanned()[35].volumes.size(), 1U);
+}
+
+TEST_F(VolumeStreaming, NoticesAHeaderThatHidesAVolume)
+{
+  // The header of KEAX at 18:30 puts it an hour later.
+  SetHeaderTime(paths[6], start + 90min);
+  const auto stream = this->Open();
+  stream->About(start + 20min);
+  EXPECT_TRUE(stream->IsAsIn(this->Scan()));
+  stream->About(start + 32min);
+  EXPECT_FALSE(stream->IsAsIn(this->Scan()));
+}
+
+TEST_F(VolumeStreaming, HeadersMayErrByLessThanAVolume)
+{
+  for (std::size_t index = 0; index < paths.size(); ++index)
+  {
+    const Duration period = index < 36 ? 5min : 6min;
+    const Time own = start + period * static_cast<int>(index < 36 ? index : index - 36);
+    SetHeaderTime(paths[index], own + (index % 2 == 0 ? 40s : -50s));
+  }
+  const auto stream = this->Open();
+  for (Duration after = 30s; after < 3h; after += 90s)
+  {
+    EXPECT_EQ(Names(stream->About(start + after)), this->Expected(start + after));
+  }
+  EXPECT_TRUE(stream->IsAsIn(this->Scan()));
+}
+
+TEST_F(VolumeStreaming, OfTwoCopiesTheFullerStays)
+{
+  testing::HandMadeVolume half = ConstantVolume(keax, start + 30min, 20.0);
+  half.sweeps[0].rays = 180;
+  half.sweeps[0].turn = 180.0;
+  paths.insert(paths.begin(), WriteLevel2(folder.Path() / "another", {half}));
+  const auto stream = this->Open();
+  const auto volumes = stream->About(start + 31min);
+  EXPECT_EQ(Names(volumes), this->Expected(start + 31min));
+  EXPECT_EQ(volumes[0].beam->sweeps[0].azimuths.size(), 362U);
+  EXPECT_TRUE(stream->IsAsIn(this->Scan()));
+}
+
+TEST_F(VolumeStreaming, ADamagedFileIsAGapAndNamed)
+{
+  std::filesystem::resize_file(paths[2], 30); // its header alone
+  const auto stream = this->Open();
+  EXPECT_EQ(Names(stream->About(start + 11min)), this->Expected(start + 11min));
+  const auto scanned = stream->Scanned();
+  ASSERT_FALSE(scanned[2].problems.empty());
+  EXPECT_TRUE(scanned[2].problems.back().leftOut);
+}
+
+TEST_F(VolumeStreaming, HandsOnWhatPreparingThrows)
+{
+  StreamWork work = this->Work();
+  work.prepare = [](const RadarVolume&) -> ReadyVolume { throw std::runtime_error("no room"); };
+  SeriesOptions options;
+  VolumeStream stream(paths, *OutlineSeries(paths), options, work, 2);
+  EXPECT_THROW(stream.About(start), std::runtime_error);
+  EXPECT_THROW(stream.Scan(0), std::runtime_error);
+}
+
+TEST(SeriesOutline, HeadersTellSiteAndTime)
+{
+  const TemporaryFolder folder;
+  const auto later = WriteLevel2(folder.Path() / "a", {ConstantVolume(keax, start + 5min, 20.0)});
+  const auto first = WriteLevel2(folder.Path() / "b", {ConstantVolume(keax, start, 20.0)});
+  const auto other = WriteLevel2(folder.Path() / "c", {ConstantVolume(klsx, start, 20.0)});
+  const auto outline = OutlineSeries({later, first, other});
+  ASSERT_TRUE(outline);
+  ASSERT_EQ(outline->size(), 2U);
+  EXPECT_EQ(outline->at(0).name, "KEAX");
+  ASSERT_EQ(outline->at(0).files.size(), 2U);
+  EXPECT_EQ(outline->at(0).files[0].index, 1U);
+  EXPECT_EQ(outline->at(0).files[0].time, start);
+  EXPECT_EQ(outline->at(0).files[1].index, 0U);
+  const auto renamed = OutlineSeries({later, first, other}, "KABC");
+  ASSERT_EQ(renamed->size(), 1U);
+  EXPECT_EQ(renamed->at(0).name, "KABC");
+  std::ofstream(folder.Path() / "text") << "no header";
+  EXPECT_FALSE(OutlineSeries({later, folder.Path() / "text"}));
+  EXPECT_FALSE(OutlineSeries({folder.Path() / "absent"}));
+}
+
+} // namespace
+} // namespace nexrad

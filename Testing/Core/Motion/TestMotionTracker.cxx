@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Formulas A3a: the motion that is found from what radars scanned, held against that of synthetic
+// storms.
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Motion/MotionTracker.h"
+
+#include "MovingEcho.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+using namespace std::chrono_literals;
+
+namespace
+{
+
+const Time zero = *ParseIso8601("2006-03-12T18:00:00Z");
+const Site west = {"KWST", Position{38.7, -92.0, 200.0}};
+const Site east = {"KEST", Position{38.7, -91.0, 300.0}};
+constexpr double apart = 87e3; // m, the eastern radar from the western one
+
+MovingEcho TestField(const Velocity& velocity)
+{
+  MovingEcho field;
+  field.storms = {{20e3, 40e3, 50.0}, {-60e3, -30e3, 45.0}, {70e3, -40e3, 55.0},
+    {110e3, 50e3, 48.0}, {150e3, -10e3, 52.0}};
+  field.velocity = velocity;
+  return field;
+}
+
+std::shared_ptr<const BeamVolume> Ready(const PolarVolume& volume)
+{
+  return std::make_shared<const BeamVolume>(PrepareBeamVolume(volume));
+}
+
+// Of each radar three volumes, 250 s apart; the eastern one looks 100 s later.
+BeamVolumes Scan(const MovingEcho& field)
+{
+  BeamVolumes volumes;
+  for (const double start : {-320.0, -70.0, 180.0})
+  {
+    volumes.push_back(Ready(ScanEcho(field, west, zero, start)));
+    volumes.push_back(Ready(ScanEcho(field, east, zero, start + 100.0, {}, apart, 0.0)));
+  }
+  return volumes;
+}
+
+GridSpecification TestGrid()
+{
+  GridRequest request;
+  request.dimensions = {96, 80, 4};
+  request.range = 130'000.0;
+  return MakeGrid(request, {*west.position, *east.position});
+}
+
+void ExpectSame(const MotionField& a, const MotionField& b)
+{
+  ASSERT_EQ(a.velocities.size(), b.velocities.size());
+  for (std::size_t i = 0; i < a.velocities.size(); ++i)
+  {
+    ASSERT_EQ(a.velocities[i].east, b.velocities[i].east);
+    ASSERT_EQ(a.velocities[i].north, b.velocities[i].north);
+  }
+}
+
+} // namespace
+
+TEST(MotionTracker, FindsOneMotionForTwoRadars)
+{
+  for (const Velocity& velocity : {Velocity{18.0, 7.0}, Velocity{-9.0, -14.0}, Velocity{0.0, 30.0}})
+  {
+    MotionTracker tracker(TestGrid());
+    const auto motion = tracker.Find(Scan(TestField(velocity)), zero);
+    ASSERT_TRUE(motion);
+    EXPECT_TRUE(motion->Covers(TestGrid()));
+    for (const Velocity& found : motion->velocities)
+    {
+      EXPECT_NEAR(found.east, velocity.east, 1.5);
+      EXPECT_NEAR(found.north, velocity.north, 1.5);
+    }
+  }
+}
+
+TEST(MotionTracker, IsStillWhereNothingMoves)
+{
+  MotionTracker tracker(TestGrid());
+  const auto motion = tracker.Find(Scan(TestField({0.0, 0.0})), zero);
+  ASSERT_TRUE(motion);
+  EXPECT_LT(motion->FastestSpeed(), 0.05);
+}
+
+// A run that starts in the middle of the day finds what one finds that has come there.
+TEST(MotionTracker, DependsOnTheVolumesAndTheTimeAlone)
+{
+  BeamVolumes volumes = Scan(TestField({18.0, 7.0}));
+  MotionTracker run(TestGrid());
+  const auto first = run.Find(volumes, zero - 60s);
+  const auto second = run.Find(volumes, zero + 100s, ThreadLoop(7));
+  EXPECT_NE(first, second); // other volumes stand about the time
+  std::reverse(volumes.begin(), volumes.end());
+  const auto again = run.Find(volumes, zero - 60s, ThreadLoop(2));
+  ExpectSame(*first, *again);
+  ExpectSame(*second, *MotionTracker(TestGrid()).Find(volumes, zero + 100s));
+}
+
+TEST(MotionTracker, KeepsTheMotionWhileTheVolumesStay)
+{
+  const BeamVolumes volumes = Scan(TestField({18.0, 7.0}));
+  MotionTracker run(TestGrid());
+  const auto first = run.Find(volumes, zero);
+  EXPECT_EQ(run.Find(volumes, zero + 10s), first);
+}
+
+// Before the middles of the first volumes, and after those of the last, no motion is known: the
+// nearest that is known serves.
+TEST(MotionTracker, TheNearestMotionServesBeyondTheMiddles)
+{
+  BeamVolumes volumes = Scan(TestField({18.0, 7.0}));
+  const auto first = MotionTracker(TestGrid()).Find(volumes, zero - 100s);
+  const auto last = MotionTracker(TestGrid()).Find(volumes, zero + 200s);
+  ASSERT_TRUE(first && last);
+  for (const Duration early : {Duration(-200s), Duration(-300s), Duration(-600s)})
+  {
+    const auto found = MotionTracker(TestGrid()).Find(volumes, zero + early);
+    ASSERT_TRUE(found) << early / 1s;
+    ExpectSame(*found, *first);
+  }
+  std::reverse(volumes.begin(), volumes.end());
+  for (const Duration late : {Duration(260s), Duration(400s), Duration(900s)})
+  {
+    const auto found = MotionTracker(TestGrid()).Find(volumes, zero + late);
+    ASSERT_TRUE(found) << late / 1s;
+    ExpectSame(*found, *last);
+  }
+}
+
+// Volumes that lie too far apart tell nothing about the motion between them; their neighbours do.
+TEST(MotionTracker, TheNearestMotionServesWhereARadarMissedVolumes)
+{
+  const MovingEcho field = TestField({18.0, 7.0});
+  BeamVolumes volumes;
+  for (const double start : {-1'200.0, -900.0, 600.0, 900.0})
+  {
+    volumes.push_back(Ready(ScanEcho(field, west, zero, start)));
+  }
+  for (const Duration time : {Duration(-600s), Duration(300s)})
+  {
+    const auto motion = MotionTracker(TestGrid()).Find(volumes, zero + time);
+    ASSERT_TRUE(motion) << time / 1s;
+    const std::size_t from = time < Duration::zero() ? 0 : 2;
+    const auto expected =
+      MotionTracker(TestGrid()).Find({volumes[from], volumes[from + 1]}, zero + time);
+    ASSERT_TRUE(expected);
+    ExpectSame(*motion, *expected);
+  }
+}
+
+TEST(MotionTracker, KnowsNothingWithoutTwoVolumesWithEchoNearEachOther)
+{
+  const MovingEcho field = TestField({18.0, 7.0});
+  const auto volume = Ready(ScanEcho(field, west, zero, -320.0));
+  const auto late = Ready(ScanEcho(field, west, zero, 1'000.0));
+  const auto empty = Ready(ScanEcho({}, west, zero, 100.0));
+  MotionTracker tracker(TestGrid());
+  EXPECT_FALSE(tracker.Find({}, zero));
+  EXPECT_FALSE(tracker.Find({volume}, zero));
+  EXPECT_FALSE(tracker.Find({volume, late}, zero)); // 22 minutes apart
+  EXPECT_FALSE(tracker.Find({volume, empty}, zero));
+  const auto after = Ready(ScanEcho(field, west, zero, 100.0));
+  EXPECT_TRUE(tracker.Find({volume, after}, zero));
+}
+
+// A radar outside the grid has nothing to say, and does no harm.
+TEST(MotionTracker, TakesNoHarmFromARadarOutsideTheGrid)
+{
+  const MovingEcho field = TestField({18.0, 7.0});
+  BeamVolumes volumes = Scan(field);
+  const auto known = MotionTracker(TestGrid()).Find(volumes, zero);
+  const Site far = {"KABC", Position{20.0, -60.0, 0.0}};
+  volumes.insert(volumes.begin(), Ready(ScanEcho(field, far, zero, -320.0)));
+  volumes.push_back(Ready(ScanEcho(field, far, zero, 100.0)));
+  const auto motion = MotionTracker(TestGrid()).Find(volumes, zero);
+  ASSERT_TRUE(motion);
+  EXPECT_NEAR(motion->At(40.0, 40.0).east, known->At(40.0, 40.0).east, 0.3);
+  EXPECT_NEAR(motion->At(40.0, 40.0).north, known->At(40.0, 40.0).north, 0.3);
+}

@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Series/SharedScan.h"
+
+#include "HandMadeVolume.h"
+#include "TestData.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cmath>
+#include <condition_variable>
+#include <future>
+#include <mutex>
+
+namespace nexrad
+{
+namespace
+{
+
+using testing::ConstantVolume;
+using testing::TemporaryFolder;
+using testing::WriteLevel2;
+
+const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+
+// Stands for processes: each thread hands its bytes over and waits for those of the others.
+class Meeting
+{
+public:
+  explicit Meeting(std::size_t count)
+    : parts(count)
+  {
+  }
+
+  ScanShare Share(std::size_t rank)
+  {
+    return {rank, parts.size(),
+      [this, rank](const std::string& mine)
+      {
+        std::unique_lock<std::mutex> lock(mutex);
+        parts[rank] = mine;
+        ++arrived;
+        changed.notify_all();
+        changed.wait(lock, [this] { return arrived == parts.size(); });
+        return parts;
+      }};
+  }
+
+private:
+  std::mutex mutex;
+  std::condition_variable changed;
+  std::vector<std::string> parts;
+  std::size_t arrived = 0;
+};
+
+// Runs a scan as `count` processes would; what came out in each.
+template <typename Scan>
+auto ScanAsProcesses(std::size_t count, const Scan& scan)
+{
+  using Result = decltype(scan(ScanShare()));
+  Meeting meeting(count);
+  std::vector<std::future<Result>> running;
+  for (std::size_t rank = 0; rank < count; ++rank)
+  {
+    running.push_back(std::async(std::launch::async, scan, meeting.Share(rank)));
+  }
+  std::vector<Result> results;
+  for (std::future<Result>& process : running)
+  {
+    results.push_back(process.get());
+  }
+  return results;
+}
+
+std::string Describe(const SeriesScan& scan)
+{
+  std::string text;
+  for (const SiteSeries& series : scan.sites)
+  {
+    text += series.site.name + " at " + std::to_string(series.site.position->longitude) + '\n';
+    for (const SeriesVolume& volume : series.volumes)
+    {
+      text += "  " + volume.file.string() + ' ' + std::to_string(volume.cycle) + ' ' +
+              FormatIso8601(volume.start) + ' ' + FormatIso8601(volume.end) + ' ' +
+              std::to_string(volume.rays) + ' ' + std::to_string(volume.reach) +
+              (volume.synthetic ? " synthetic\n" : "\n");
+    }
+  }
+  for (const InputProblem& problem : scan.problems)
+  {
+    text += problem.Line() + (problem.leftOut ? " (left out)\n" : "\n");
+  }
+  return text;
+}
+
+} // namespace
+
+TEST(SharedScan, AllProcessesKnowWhatOneAloneWouldFind)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  // Damaged files, files without rays, several sites, several cycles in one file.
+  const std::vector<std::filesystem::path> inputs = {
+    data / "level2" / "damaged", data / "level2" / "pairs", data / "level2" / "run-kbgm-20050821"};
+  const auto alone = ScanInputs(inputs);
+  const std::string expected = Describe(*alone);
+  ASSERT_NE(expected.find("KBGM at -75."), std::string::npos) << expected;
+  ASSERT_NE(expected.find("(left out)"), std::string::npos) << expected;
+  std::atomic<int> visits{0};
+  const auto scan = [&](const ScanShare& share)
+  {
+    SeriesOptions options;
+    options.share = share;
+    return ScanInputs(
+      inputs, options, [&visits](const SeriesVolume&, const RadarVolume&) { ++visits; });
+  };
+  for (const auto& found : ScanAsProcesses(3, scan))
+  {
+    EXPECT_EQ(Describe(*found), expected);
+  }
+  // Each volume is in the memory of one process, which decoded it.
+  int volumes = 0;
+  for (const SiteSeries& series : alone->sites)
+  {
+    volumes += static_cast<int>(series.volumes.size());
+  }
+  EXPECT_EQ(visits, volumes);
+}
+
+TEST(SharedScan, PartsAreNeighboursInTime)
+{
+  const TemporaryFolder folder;
+  std::vector<std::filesystem::path> paths;
+  for (const char* const minute : {"50", "10", "40", "00", "30", "20"})
+  {
+    const Time start = *ParseIso8601(std::string("2006-03-12T18:") + minute + ":00Z");
+    paths.push_back(WriteLevel2(
+      folder.Path() / (std::string("at-") + minute), {ConstantVolume(keax, start, 20.0)}));
+  }
+  const auto scan = [&paths](const ScanShare& share)
+  {
+    std::vector<std::filesystem::path> own;
+    ScanTogether(paths, share,
+      [&own](const std::vector<std::filesystem::path>& files)
+      {
+        own = files;
+        return std::vector<ScannedFile>(files.size());
+      });
+    return own;
+  };
+  const auto parts = ScanAsProcesses(2, scan);
+  EXPECT_EQ(parts[0], (std::vector{paths[3], paths[1], paths[5]}));
+  EXPECT_EQ(parts[1], (std::vector{paths[4], paths[2], paths[0]}));
+}
+
+TEST(SharedScan, PartsMayBeNeighbouringSites)
+{
+  const TemporaryFolder folder;
+  std::vector<std::filesystem::path> paths;
+  for (const char* const name :
+    {"KLSX", "KEAX", "KBGM", "KFWS"}) // far east and north, and far south
+  {
+    for (const char* const minute : {"10", "00"})
+    {
+      const Time start = *ParseIso8601(std::string("2006-03-12T18:") + minute + ":00Z");
+      const Site site = {name, FindSite(name)->position};
+      paths.push_back(WriteLevel2(
+        folder.Path() / (std::string(name) + minute), {ConstantVolume(site, start, 20.0)}));
+    }
+  }
+  const auto partsBy = [&paths](ScanOrder order)
+  {
+    const auto scan = [&paths, order](ScanShare share)
+    {
+      std::vector<std::string> own;
+      share.order = order;
+      ScanTogether(paths, share,
+        [&own](const std::vector<std::filesystem::path>& files)
+        {
+          for (const std::filesystem::path& file : files)
+          {
+            own.push_back(file.filename());
+          }
+          return std::vector<ScannedFile>(files.size());
+        });
+      return own;
+    };
+    return ScanAsProcesses(2, scan);
+  };
+  using Names = std::vector<std::string>;
+  const auto byLongitude = partsBy(ScanOrder::ByLongitude);
+  EXPECT_EQ(byLongitude[0], (Names{"KFWS00", "KFWS10", "KEAX00", "KEAX10"}));
+  EXPECT_EQ(byLongitude[1], (Names{"KLSX00", "KLSX10", "KBGM00", "KBGM10"}));
+  const auto byLatitude = partsBy(ScanOrder::ByLatitude);
+  EXPECT_EQ(byLatitude[0], (Names{"KFWS00", "KFWS10", "KLSX00", "KLSX10"}));
+  EXPECT_EQ(byLatitude[1], (Names{"KEAX00", "KEAX10", "KBGM00", "KBGM10"}));
+}
+
+TEST(SharedScan, DigestsReachAllProcesses)
+{
+  const TemporaryFolder folder;
+  const Time start = *ParseIso8601("2006-03-12T18:00Z");
+  for (const double value : {10.0, 20.5, 30.0})
+  {
+    WriteLevel2(folder.Path() / std::to_string(value),
+      {ConstantVolume(keax, start + Duration(std::llround(60'000.0 * value)), value)});
+  }
+  SeriesOptions options;
+  options.moment = MomentName::REF;
+  options.digests = true;
+  const SeriesScan alone = *ScanInputs({folder.Path()}, options);
+  const auto scan = [&](const ScanShare& share)
+  {
+    SeriesOptions own = options;
+    own.share = share;
+    return ScanInputs({folder.Path()}, own);
+  };
+  for (const auto& found : ScanAsProcesses(2, scan))
+  {
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      const VolumeDigest& expected = *alone.sites[0].volumes[i].digest;
+      const VolumeDigest& digest = *found->sites.at(0).volumes.at(i).digest;
+      EXPECT_EQ(digest.reach, 100'000.0);
+      EXPECT_EQ(digest.reach, expected.reach);
+      EXPECT_EQ(digest.rings, expected.rings);
+      EXPECT_EQ(digest.echo, expected.echo);
+      EXPECT_EQ(digest.echoTime, expected.echoTime);
+      EXPECT_EQ(digest.picture, expected.picture);
+      EXPECT_NE(std::count(digest.picture.begin(), digest.picture.end(),
+                  static_cast<float>(std::array{10.0, 20.5, 30.0}[i])),
+        0);
+    }
+  }
+}
+
+TEST(SharedScan, OneFailureFailsAll)
+{
+  const TemporaryFolder folder;
+  const auto path = WriteLevel2(
+    folder.Path() / "a", {ConstantVolume(keax, *ParseIso8601("2006-03-12T18:00Z"), 20.0)});
+  // The second process does not see the file.
+  const auto scan = [&](const ScanShare& share)
+  {
+    SeriesOptions options;
+    options.share = share;
+    try
+    {
+      ScanInputs({share.rank == 1 ? folder.Path() / "missing" : path}, options);
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string("done");
+  };
+  for (const std::string& outcome : ScanAsProcesses(3, scan))
+  {
+    EXPECT_NE(outcome.find("missing: no such file or folder"), std::string::npos);
+  }
+}
+
+TEST(SharedScan, OneThatIsStoppedStopsAll)
+{
+  const TemporaryFolder folder;
+  std::vector<std::filesystem::path> paths;
+  for (const char* const name : {"a", "b", "c"})
+  {
+    paths.push_back(WriteLevel2(
+      folder.Path() / name, {ConstantVolume(keax, *ParseIso8601("2006-03-12T18:00Z"), 20.0)}));
+  }
+  const auto scan = [&](const ScanShare& share)
+  {
+    SeriesOptions options;
+    options.share = share;
+    return ScanInputs(paths, options, {}, [&share](double) { return share.rank != 2; }).has_value();
+  };
+  for (const bool finished : ScanAsProcesses(3, scan))
+  {
+    EXPECT_FALSE(finished);
+  }
+}
+
+TEST(SharedScan, RefusesBytesThatAreNoScan)
+{
+  EXPECT_THROW(UnpackScannedFiles("nonsense"), Error);
+  EXPECT_TRUE(UnpackScannedFiles(PackScannedFiles({})).empty());
+}
+
+TEST(PeekVolumeHeader, ReadsTheHeaderThroughItsContainers)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const auto level2 = data / "level2";
+  // The times stand in the files' names, but for the milliseconds.
+  const auto peek = [&level2](const char* file)
+  {
+    const std::optional<VolumeHeader> header = PeekVolumeHeader(level2 / file);
+    return FormatIso8601(header && header->time ? *header->time : Time()).substr(0, 19);
+  };
+  EXPECT_EQ(peek("pairs/KVBX20190501_093433_V06"), "2019-05-01T09:34:33");
+  EXPECT_EQ(peek("legacy/KABR20050101_000745.gz"), "2005-01-01T00:07:45");
+  EXPECT_EQ(peek("run-kbgm-20050821/KBGM20050821_024323.gz"), "2005-08-21T02:43:23");
+  EXPECT_EQ(peek("chunks/KLOT-20210729").substr(0, 10), "2021-07-29");
+  EXPECT_EQ(PeekVolumeHeader(level2 / "pairs/KVBX20190501_093433_V06")->siteName, "KVBX");
+  // A record alone has no header; a bzip2 stream would have to be decompressed.
+  EXPECT_FALSE(PeekVolumeHeader(level2 / "superres" / "example_nexrad_archive_msg31.bz2"));
+  EXPECT_FALSE(PeekVolumeHeader("/nonexistent"));
+  EXPECT_FALSE(PeekVolumeHeader(level2));
+}
+
+} // namespace nexrad

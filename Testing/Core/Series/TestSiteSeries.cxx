@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Series/SiteSeries.h"
+
+#include "HandMadeVolume.h"
+#include "TestData.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <mutex>
+#include <new>
+
+namespace nexrad
+{
+namespace
+{
+
+using testing::ConstantVolume;
+using testing::TemporaryFolder;
+using testing::WriteLevel2;
+
+const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
+
+Time At(const char* text)
+{
+  return *ParseIso8601(text);
+}
+
+void WriteText(const std::filesystem::path& path, const std::string& text)
+{
+  std::ofstream(path) << text;
+}
+
+TEST(SiteSeries, GroupsByTheSiteInTheFileAndSortsByTime)
+{
+  const TemporaryFolder folder;
+  // The names say nothing true: neither the site nor the order.
+  WriteLevel2(folder.Path() / "KLSX_a", {ConstantVolume(keax, At("2006-03-12T18:05:00Z"), 20.0)});
+  WriteLevel2(folder.Path() / "KLSX_b", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  WriteLevel2(folder.Path() / "KLSX_c", {ConstantVolume(klsx, At("2006-03-12T18:02:00Z"), 20.0)});
+  const auto scan = ScanInputs({folder.Path()});
+  ASSERT_TRUE(scan);
+  EXPECT_TRUE(scan->problems.empty());
+  ASSERT_EQ(scan->sites.size(), 2U);
+  EXPECT_EQ(scan->sites[0].site.name, "KEAX");
+  EXPECT_EQ(scan->sites[1].site.name, "KLSX");
+  ASSERT_EQ(scan->sites[0].volumes.size(), 2U);
+  EXPECT_EQ(scan->sites[0].volumes[0].file.filename(), "KLSX_b");
+  EXPECT_EQ(scan->sites[0].volumes[0].rays, 360U);
+  EXPECT_EQ(scan->First(), At("2006-03-12T18:00:00Z"));
+  EXPECT_EQ(scan->Last(), At("2006-03-12T18:05:00Z") + Duration(20 * 359));
+  EXPECT_EQ(scan->Positions().size(), 2U);
+}
+
+// The rest of the day is made.
+TEST(SiteSeries, AFileThatNeedsTooMuchMemoryIsLeftOut)
+{
+  const TemporaryFolder folder;
+  WriteLevel2(folder.Path() / "a", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  WriteLevel2(folder.Path() / "b", {ConstantVolume(keax, At("2006-03-12T18:05:00Z"), 20.0)});
+  const auto visitor = [](const SeriesVolume& volume, const RadarVolume&)
+  {
+    if (volume.file.filename() == "a")
+    {
+      throw std::bad_alloc();
+    }
+  };
+  const auto scan = ScanInputs({folder.Path()}, {}, visitor);
+  ASSERT_TRUE(scan);
+  ASSERT_EQ(scan->problems.size(), 1U);
+  EXPECT_EQ(scan->problems[0].Line(),
+    (folder.Path() / "a").string() + ": needs more memory than there is: left out");
+  ASSERT_EQ(scan->sites.size(), 1U);
+  EXPECT_EQ(scan->sites[0].volumes.size(), 1U);
+}
+
+TEST(SiteSeries, SplitsAFileOfSeveralCycles)
+{
+  const TemporaryFolder folder;
+  const Time first = At("2006-03-12T18:00:00Z");
+  const Time second = At("2006-03-12T18:05:00Z");
+  const auto path = WriteLevel2(
+    folder.Path() / "two", {ConstantVolume(keax, first, 20.0), ConstantVolume(keax, second, 30.0)});
+  const auto scan = ScanInputs({path});
+  ASSERT_EQ(scan->sites.size(), 1U);
+  ASSERT_EQ(scan->sites[0].volumes.size(), 2U);
+  EXPECT_EQ(scan->sites[0].Starts(), (std::vector<Time>{first, second}));
+  EXPECT_EQ(scan->sites[0].volumes[1].cycle, 1U);
+}
+
+TEST(SiteSeries, KeepsTheFullerOfTwoCopies)
+{
+  const TemporaryFolder folder;
+  const Time start = At("2006-03-12T18:00:00Z");
+  testing::HandMadeVolume half = ConstantVolume(keax, start, 20.0);
+  half.sweeps[0].rays = 180;
+  half.sweeps[0].turn = 180.0;
+  WriteLevel2(folder.Path() / "a-half", {half});
+  WriteLevel2(folder.Path() / "b-whole", {ConstantVolume(keax, start, 20.0)});
+  const auto scan = ScanInputs({folder.Path()});
+  ASSERT_EQ(scan->sites[0].volumes.size(), 1U);
+  EXPECT_EQ(scan->sites[0].volumes[0].file.filename(), "b-whole");
+  ASSERT_EQ(scan->problems.size(), 1U);
+  EXPECT_TRUE(scan->problems[0].leftOut);
+  EXPECT_NE(scan->problems[0].Line().find("a-half: the same volume as"), std::string::npos);
+}
+
+TEST(SiteSeries, NamesWhatIsDamagedOrLeftOut)
+{
+  const TemporaryFolder folder;
+  const auto path =
+    WriteLevel2(folder.Path() / "whole", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  // Cut off in mid-stream: the rays before the cut take part.
+  std::filesystem::copy(path, folder.Path() / "cut");
+  std::filesystem::resize_file(
+    folder.Path() / "cut", std::filesystem::file_size(folder.Path() / "cut") - 30'000);
+  WriteText(folder.Path() / "notes.txt", "nothing of interest to a radar");
+  WriteText(folder.Path() / ".hidden", "passed over");
+  const auto scan = ScanInputs({folder.Path() / "cut", folder.Path() / "notes.txt"});
+  ASSERT_EQ(scan->sites.size(), 1U);
+  EXPECT_LT(scan->sites[0].volumes[0].rays, 360U);
+  EXPECT_GT(scan->sites[0].volumes[0].rays, 100U);
+  ASSERT_GE(scan->problems.size(), 2U);
+  EXPECT_TRUE(scan->problems.front().offset);
+  EXPECT_FALSE(scan->problems.front().leftOut);
+  EXPECT_TRUE(scan->problems.back().leftOut);
+
+  const InputFiles found = FindInputFiles({folder.Path()});
+  EXPECT_EQ(found.paths.size(), 2U);
+  ASSERT_EQ(found.problems.size(), 1U);
+  EXPECT_EQ(found.problems[0].Line(),
+    (folder.Path() / "notes.txt").string() + ": not a Level II file: left out");
+}
+
+TEST(SiteSeries, LeavesOutVolumesThatCannotBeUsed)
+{
+  const TemporaryFolder folder;
+  const auto path =
+    WriteLevel2(folder.Path() / "whole", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  SeriesOptions options;
+  options.moment = MomentName::ZDR;
+  const auto scan = ScanInputs({path}, options);
+  EXPECT_TRUE(scan->sites.empty());
+  EXPECT_FALSE(scan->First());
+  ASSERT_EQ(scan->problems.size(), 1U);
+  EXPECT_EQ(scan->problems[0].what, "no ray has ZDR: left out");
+}
+
+TEST(SiteSeries, RefusesMissingPathsAndEmptyFolders)
+{
+  const TemporaryFolder folder;
+  try
+  {
+    FindInputFiles({folder.Path() / "absent"});
+    FAIL() << "a missing path was taken";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_EQ(error.what(), (folder.Path() / "absent").string() + ": no such file or folder");
+  }
+  EXPECT_THROW(FindInputFiles({folder.Path()}), Error);
+}
+
+TEST(SiteSeries, FindsFoldersWithinFoldersAndChunkFolders)
+{
+  const TemporaryFolder folder;
+  std::filesystem::create_directories(folder.Path() / "2006/03");
+  const Time start = At("2006-03-12T18:00:00Z");
+  WriteLevel2(folder.Path() / "2006/03/file", {ConstantVolume(keax, start, 20.0)});
+  std::filesystem::create_directories(folder.Path() / "chunks");
+  WriteText(folder.Path() / "chunks/20210729-123848-001-S", "x");
+  WriteText(folder.Path() / "chunks/20210729-123848-002-I", "x");
+  EXPECT_TRUE(IsChunkFolder(folder.Path() / "chunks"));
+  EXPECT_FALSE(IsChunkFolder(folder.Path() / "2006"));
+  const InputFiles found = FindInputFiles({folder.Path(), folder.Path() / "2006/../2006/03/file"});
+  ASSERT_EQ(found.paths.size(), 2U); // a path given twice counts once
+  EXPECT_EQ(found.paths[0].filename(), "file");
+  EXPECT_EQ(found.paths[1].filename(), "chunks");
+}
+
+TEST(SiteSeries, StopsWhenAskedTo)
+{
+  const TemporaryFolder folder;
+  const auto path =
+    WriteLevel2(folder.Path() / "whole", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  EXPECT_FALSE(ScanInputs({path}, {}, {}, [](double) { return false; }));
+}
+
+TEST(SiteSeries, ShowsEachVolumeToTheVisitor)
+{
+  const TemporaryFolder folder;
+  for (const int minute : {10, 11, 12, 13, 14})
+  {
+    const std::string text = "2006-03-12T18:" + std::to_string(minute) + ":00Z";
+    WriteLevel2(
+      folder.Path() / std::to_string(minute), {ConstantVolume(keax, At(text.c_str()), 20.0)});
+  }
+  std::mutex mutex;
+  std::size_t rays = 0;
+  ScanInputs({folder.Path()}, {},
+    [&](const SeriesVolume& key, const RadarVolume& volume)
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      EXPECT_EQ(key.start, volume.Start());
+      rays += volume.RayCount();
+    });
+  EXPECT_EQ(rays, 5U * 360U);
+}
+
+} // namespace
+} // namespace nexrad

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/System/AtomicFile.h"
+
+#include "TestData.h"
+#include "VolumeMaker.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <sys/resource.h>
+
+#include <csignal>
+#include <iterator>
+
+using namespace nexrad;
+using nexrad::testing::FileContent;
+using nexrad::testing::TemporaryFolder;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+std::size_t FilesIn(const fs::path& folder)
+{
+  return static_cast<std::size_t>(
+    std::distance(fs::directory_iterator(folder), fs::directory_iterator()));
+}
+
+// While it lives, files of this process cannot grow beyond a size: the kernel's write fails in the
+// middle, as it does on a full disk.
+class SmallDisk
+{
+public:
+  explicit SmallDisk(rlim_t bytes)
+    : signalBefore(std::signal(SIGXFSZ, SIG_IGN))
+  {
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit limit = before;
+    limit.rlim_cur = bytes;
+    setrlimit(RLIMIT_FSIZE, &limit);
+  }
+  ~SmallDisk()
+  {
+    setrlimit(RLIMIT_FSIZE, &before);
+    std::signal(SIGXFSZ, signalBefore);
+  }
+  SmallDisk(const SmallDisk&) = delete;
+  SmallDisk& operator=(const SmallDisk&) = delete;
+
+private:
+  rlimit before{};
+  void (*signalBefore)(int);
+};
+
+} // namespace
+
+TEST(AtomicFile, AppearsWithCommitAlone)
+{
+  const TemporaryFolder folder;
+  {
+    AtomicFile file(folder.Path() / "a");
+    file.Write("one", 3);
+    EXPECT_FALSE(fs::exists(folder.Path() / "a"));
+    EXPECT_EQ(FilesIn(folder.Path()), 1u) << "the temporary file, beside its target";
+    file.Write("two", 3);
+    file.Commit();
+  }
+  EXPECT_EQ(FileContent(folder.Path() / "a"), "onetwo");
+  EXPECT_EQ(FilesIn(folder.Path()), 1u);
+}
+
+TEST(AtomicFile, WithoutCommitNothingStaysAndTheOldFileLives)
+{
+  const TemporaryFolder folder;
+  WriteFileAtomically(folder.Path() / "a", "old", 3);
+  {
+    AtomicFile file(folder.Path() / "a");
+    file.Write("new", 3);
+  }
+  EXPECT_EQ(FileContent(folder.Path() / "a"), "old");
+  EXPECT_EQ(FilesIn(folder.Path()), 1u);
+}
+
+TEST(AtomicFile, AFullDiskLeavesNothing)
+{
+  const TemporaryFolder folder;
+  const std::string content(20'000, 'x');
+  const SmallDisk disk(8'192);
+  EXPECT_THROW(WriteFileAtomically(folder.Path() / "a", content.data(), content.size()), Error);
+  EXPECT_EQ(FilesIn(folder.Path()), 0u);
+}
+
+TEST(AtomicFile, AFullDiskLeavesTheOldVolume)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "a.nxv";
+  const GriddedVolume old = nexrad::testing::MakeGriddedVolume();
+  WriteNxv(path, old);
+  const SmallDisk disk(8'192);
+  try
+  {
+    WriteNxv(path, nexrad::testing::MakeGriddedVolume({50, 50, 20}));
+    FAIL() << "the volume does not fit";
+  }
+  catch (const Error& problem)
+  {
+    EXPECT_EQ(problem.what(), path.string() + ": cannot be written: File too large");
+  }
+  EXPECT_EQ(ReadNxv(path).grid.dimensions, old.grid.dimensions);
+  EXPECT_EQ(FilesIn(folder.Path()), 1u);
+}
+
+TEST(AtomicFile, RefusesFoldersAndDevices)
+{
+  const TemporaryFolder folder;
+  EXPECT_THROW(AtomicFile(folder.Path() / "none" / "a"), Error);
+  EXPECT_THROW(AtomicFile{folder.Path()}, Error);
+  EXPECT_THROW(AtomicFile("/dev/full"), Error);
+  EXPECT_EQ(FilesIn(folder.Path()), 0u);
+}
