@@ -4,6 +4,7 @@
 #include "LaunchedProcess.h"
 #include "Parallel/JoinFunction.h"
 #include "ProgramLibrary.h"
+#include "vtkNexradProcesses.h"
 
 #include <vtkMultiProcessController.h>
 
@@ -27,6 +28,11 @@ JoinedProcesses::~JoinedProcesses()
     controller->Finalize();
     controller->Delete();
   }
+}
+
+Processes JoinedProcesses::Get() const
+{
+  return vtkNexradProcessesOf(controller);
 }
 
 } // namespace nexrad::application

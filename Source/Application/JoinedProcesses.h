@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Volumes/Processes.h"
+#include "nexrad/System/Processes.h"
 
 class vtkMultiProcessController;
 
@@ -19,7 +19,7 @@ public:
   JoinedProcesses(const JoinedProcesses&) = delete;
   JoinedProcesses& operator=(const JoinedProcesses&) = delete;
 
-  Processes Get() const { return Processes(controller); }
+  Processes Get() const;
 
 private:
   vtkMultiProcessController* controller = nullptr;

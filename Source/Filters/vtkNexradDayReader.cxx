@@ -1,18 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradDayReader.h"
 
-#include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Grid/VoxelBlock.h"
-#include "nexrad/Merging/PolarCache.h"
-#include "nexrad/Merging/TimeMerge.h"
-#include "nexrad/Series/SiteSeries.h"
-#include "nexrad/Series/VolumeSelection.h"
+#include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/Series/InputError.h"
 #include "nexrad/System/Error.h"
-#include "vtkNexradExchange.h"
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
+#include "vtkNexradProcesses.h"
 #include "vtkNexradSeriesReader.h"
+#include "vtkNexradThreads.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
@@ -23,28 +21,19 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
-#include <cmath>
+#include <set>
 #include <tuple>
 
 vtkStandardNewMacro(vtkNexradDayReader);
 
-/// The scanned inputs, what they were scanned from, and the grid of the last information request.
+/// What merges the inputs, and the settings that it cannot change.
 struct vtkNexradDayReader::Day
 {
   using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64, int>;
 
-  Day(Origin from, const nexrad::SeriesOptions& options)
-    : From(std::move(from))
-    , Cache(*options.moment, static_cast<std::size_t>(std::get<vtkTypeInt64>(From)), options.level2,
-        options.quality)
-  {
-  }
-
   Origin From;
-  nexrad::PolarCache Cache;
-  nexrad::SeriesScan Scan;
-  nexrad::GridSpecification Grid;
-  nexrad::MergeRun Run;
+  nexrad::SeriesMerger Merger;
+  std::set<std::string> Reported; ///< lines of problems
 };
 
 vtkNexradDayReader::vtkNexradDayReader()
@@ -105,7 +94,7 @@ vtkMultiProcessController* vtkNexradDayReader::GetController() const
 
 int vtkNexradDayReader::GetNumberOfDecodedFiles() const
 {
-  return this->Scanned ? static_cast<int>(this->Scanned->Cache.DecodedFiles()) : 0;
+  return this->Opened ? static_cast<int>(this->Opened->Merger.DecodedFiles()) : 0;
 }
 
 vtkStringArray* vtkNexradDayReader::GetDamage()
@@ -128,121 +117,81 @@ vtkStringArray* vtkNexradDayReader::GetSites()
   return this->Sites;
 }
 
-int vtkNexradDayReader::Scan()
+nexrad::MergeOptions vtkNexradDayReader::MakeDayOptions() const
 {
-  const Day::Origin from = {
-    this->FileNames, this->Moment, this->SiteName, this->MemoryLimit, this->FewestNeighbours};
-  if (this->Scanned && this->Scanned->From == from)
+  nexrad::MergeOptions options = this->MakeMergeOptions();
+  options.maximumGap = nexrad::DurationOf(this->MaximumGap);
+  options.step = nexrad::DurationOf(this->TimeStep);
+  options.atLeastOne = true;
+  if (this->BeginTime > VTK_DOUBLE_MIN)
   {
-    return 1;
+    options.begin = nexrad::FromSeconds(this->BeginTime);
   }
-  this->Scanned.reset();
-  this->Damage->Initialize();
-  this->LeftOut->Initialize();
-  if (this->FileNames.empty())
+  if (this->EndTime < VTK_DOUBLE_MAX)
   {
-    return this->Fail(vtkErrorCode::NoFileNameError, "no file name was added");
+    options.end = nexrad::FromSeconds(this->EndTime);
   }
-  vtkNexradForgetAbort(this);
-  nexrad::SeriesOptions options;
-  options.moment = this->CheckMoment();
-  options.requirePosition = true;
-  options.level2.siteName = this->SiteName;
-  options.quality.neighbours = this->FewestNeighbours;
-  options.digests = true;
+  options.memory = static_cast<std::size_t>(this->MemoryLimit);
+  options.siteName = this->SiteName;
+  return options;
+}
+
+nexrad::MergerSetup vtkNexradDayReader::MakeSetup() const
+{
   vtkMultiProcessController* controller = this->Controller;
   if (!controller && this->UseGlobalController)
   {
     controller = vtkMultiProcessController::GetGlobalController();
   }
-  if (controller && controller->GetNumberOfProcesses() > 1)
+  nexrad::MergerSetup setup;
+  setup.loop = vtkNexradRangeLoop();
+  setup.threads = vtkNexradThreadCount();
+  setup.anyOrder = true;
+  setup.processes = vtkNexradProcessesOf(controller);
+  // The pipeline may ask one process alone for an output, which then must know all volumes.
+  setup.scanFirst = setup.processes.Count() > 1;
+  // VTK shares a volume out along its longest axis; of x and y alike, along y.
+  setup.order = this->Dimensions[1] >= this->Dimensions[0] ? nexrad::ScanOrder::ByLatitude
+                                                           : nexrad::ScanOrder::ByLongitude;
+  return setup;
+}
+
+bool vtkNexradDayReader::Open()
+{
+  const nexrad::MergeOptions options = this->MakeDayOptions();
+  const Day::Origin from = {
+    this->FileNames, this->Moment, this->SiteName, this->MemoryLimit, this->FewestNeighbours};
+  if (this->Opened && this->Opened->From == from)
   {
-    options.share.rank = static_cast<std::size_t>(controller->GetLocalProcessId());
-    options.share.count = static_cast<std::size_t>(controller->GetNumberOfProcesses());
-    // VTK shares a volume out along its longest axis; of x and y alike, along y.
-    options.share.order = this->Dimensions[1] >= this->Dimensions[0]
-                            ? nexrad::ScanOrder::ByLatitude
-                            : nexrad::ScanOrder::ByLongitude;
-    options.share.exchange = [controller](const std::string& mine)
-    { return vtkNexradExchange(controller, mine); };
+    return this->Opened->Merger.SetOptions(options, vtkNexradProgress(this));
   }
-  auto day = std::make_unique<Day>(from, options);
-  std::optional<nexrad::SeriesScan> scan;
-  try
+  this->Damage->Initialize();
+  this->LeftOut->Initialize();
+  this->Opened = std::unique_ptr<Day>(new Day{from,
+    nexrad::SeriesMerger(
+      {this->FileNames.begin(), this->FileNames.end()}, options, this->MakeSetup()),
+    {}});
+  if (!this->Opened->Merger.Open(vtkNexradProgress(this)))
   {
-    scan = nexrad::ScanInputs(
-      {this->FileNames.begin(), this->FileNames.end()}, options,
-      [&day](const nexrad::SeriesVolume& key, const nexrad::RadarVolume& volume)
-      { day->Cache.Offer(key, volume); },
-      vtkNexradProgress(this));
+    this->Opened.reset();
+    return false;
   }
-  catch (const nexrad::Error& error)
-  {
-    return this->Fail(vtkErrorCode::FileNotFoundError, error.what());
-  }
-  if (!scan)
-  {
-    return 1;
-  }
-  day->Scan = std::move(*scan);
-  this->Scanned = std::move(day);
-  this->ReportProblems();
-  if (this->Scanned->Scan.sites.empty())
-  {
-    this->Scanned.reset();
-    return this->Fail(vtkErrorCode::FileFormatError, "no input holds a volume that can be used");
-  }
-  return 1;
+  return true;
 }
 
 void vtkNexradDayReader::ReportProblems()
 {
-  for (const nexrad::InputProblem& problem : this->Scanned->Scan.problems)
+  for (const nexrad::InputProblem& problem : this->Opened->Merger.Problems())
   {
-    this->Damage->InsertNextValue(problem.Line());
-    if (problem.leftOut)
+    if (this->Opened->Reported.insert(problem.Line()).second)
     {
-      this->LeftOut->InsertNextValue(problem.file);
+      this->Damage->InsertNextValue(problem.Line());
+      if (problem.leftOut)
+      {
+        this->LeftOut->InsertNextValue(problem.file);
+      }
+      vtkWarningMacro(<< problem.Line());
     }
-    vtkWarningMacro(<< problem.Line());
-  }
-  this->Sites->Initialize();
-  for (const nexrad::SiteSeries& series : this->Scanned->Scan.sites)
-  {
-    this->Sites->InsertNextValue(series.site.name);
-  }
-}
-
-void vtkNexradDayReader::MakeTimeSteps()
-{
-  const nexrad::SeriesScan& scan = this->Scanned->Scan;
-  const bool fromBegin = !(this->BeginTime > VTK_DOUBLE_MIN);
-  const bool toEnd = !(this->EndTime < VTK_DOUBLE_MAX);
-  const nexrad::Time first = fromBegin ? *scan.First() : nexrad::FromSeconds(this->BeginTime);
-  const nexrad::Time last = toEnd ? *scan.Last() : nexrad::FromSeconds(this->EndTime);
-  const auto pause = nexrad::FindPause(scan.Spans(), first, last, nexrad::LongestPause);
-  if (pause && (fromBegin || toEnd))
-  {
-    throw nexrad::Error("nothing was scanned for days, from " +
-                        nexrad::FormatIso8601(pause->first) + " to " +
-                        nexrad::FormatIso8601(pause->last) + ": set BeginTime and EndTime");
-  }
-  const auto step = std::llround(this->TimeStep * 1000.0);
-  std::vector<nexrad::Time> steps =
-    nexrad::TimeSteps(first, last, nexrad::Duration(static_cast<nexrad::Duration::rep>(step)));
-  if (steps.empty() && fromBegin && toEnd)
-  {
-    steps.push_back(nexrad::MiddleTime(first, last));
-  }
-  if (steps.empty())
-  {
-    throw nexrad::Error("no multiple of the time step lies from " + nexrad::FormatIso8601(first) +
-                        " to " + nexrad::FormatIso8601(last) +
-                        ": set a shorter step, or other begin and end times");
-  }
-  for (const nexrad::Time time : steps)
-  {
-    this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));
   }
 }
 
@@ -251,28 +200,45 @@ int vtkNexradDayReader::RequestInformation(
 {
   this->SetErrorCode(vtkErrorCode::NoError);
   this->TimeSteps->Initialize();
+  this->Sites->Initialize();
+  if (this->FileNames.empty())
+  {
+    this->Opened.reset();
+    return this->Fail(vtkErrorCode::NoFileNameError, "no file name was added");
+  }
+  vtkNexradForgetAbort(this);
   try
   {
-    if (!this->Scan())
+    if (!this->Open())
     {
-      return 0;
+      return 1; // it was aborted
     }
-    if (!this->Scanned)
-    {
-      return 1; // the scan was aborted
-    }
-    this->Scanned->Grid =
-      nexrad::MakeGrid(this->MakeGridRequest(), this->Scanned->Scan.Positions());
-    this->MakeTimeSteps();
+  }
+  catch (const nexrad::InputError& error)
+  {
+    this->Opened.reset();
+    return this->Fail(
+      error.isMissing ? vtkErrorCode::FileNotFoundError : vtkErrorCode::FileFormatError,
+      error.what());
   }
   catch (const nexrad::Error& error)
   {
     return this->Fail(vtkErrorCode::UserError, error.what());
   }
+  this->ReportProblems();
+  const nexrad::SeriesMerger& merger = this->Opened->Merger;
+  for (const nexrad::Time time : merger.Times())
+  {
+    this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));
+  }
+  for (const std::string& site : merger.Sites())
+  {
+    this->Sites->InsertNextValue(site);
+  }
   vtkInformation* info = output->GetInformationObject(0);
   this->SetOutputExtent(info);
-  info->Set(vtkDataObject::ORIGIN(), this->Scanned->Grid.origin.data(), 3);
-  info->Set(vtkDataObject::SPACING(), this->Scanned->Grid.spacing.data(), 3);
+  info->Set(vtkDataObject::ORIGIN(), merger.Grid().origin.data(), 3);
+  info->Set(vtkDataObject::SPACING(), merger.Grid().spacing.data(), 3);
   const vtkIdType count = this->TimeSteps->GetNumberOfValues();
   const double range[2] = {this->TimeSteps->GetValue(0), this->TimeSteps->GetValue(count - 1)};
   info->Set(vtkStreamingDemandDrivenPipeline::TIME_STEPS(), this->TimeSteps->GetPointer(0),
@@ -297,7 +263,7 @@ int vtkNexradDayReader::RequestData(
   const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                         ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
                         : this->TimeSteps->GetValue(0);
-  const nexrad::GridSpecification& grid = this->Scanned->Grid;
+  const nexrad::GridSpecification grid = this->Opened->Merger.Grid();
   const nexrad::VoxelBlock block = vtkNexradRequestedBlock(info, grid);
   if (block.VoxelCount() == 0)
   {
@@ -305,9 +271,9 @@ int vtkNexradDayReader::RequestData(
   }
   try
   {
-    const std::optional<nexrad::GriddedVolume> merged = nexrad::MergeSeries(this->Scanned->Scan,
-      this->Scanned->Cache, this->MakeMergeRequest(grid, block, time, this->MaximumGap),
-      vtkNexradProgress(this), &this->Scanned->Run);
+    const std::optional<nexrad::GriddedVolume> merged =
+      this->Opened->Merger.Merge(nexrad::FromSeconds(time), vtkNexradProgress(this), block);
+    this->ReportProblems();
     if (merged)
     {
       vtkNexradVolumeToImage(*merged, image);

@@ -21,8 +21,11 @@
  * BeginTime or EndTime must say what is meant (UserError). Times are seconds since
  * 1970-01-01T00:00:00Z. Without a requested time the output is that of the first time step.
  *
- * All files are decoded once to learn their times. Their rays stay in memory up to MemoryLimit;
- * what does not fit is decoded again when it is needed.
+ * The headers of the files tell which of them lie about a time, so that only those are decoded for
+ * an output; for the time steps one or two files of each radar are. Rays stay in memory up to
+ * MemoryLimit; what does not fit is decoded again when it is needed. Where the headers do not tell,
+ * or a file turns out to hold another radar's rays or those of another time than its header says,
+ * all files are decoded first.
  *
  * Several processes (SetController, UseGlobalController) scan a part of the files each, and tell
  * one another what was in them: the times, how far each volume sees, and the picture of its echo in
@@ -52,6 +55,11 @@
 class vtkDoubleArray;
 class vtkMultiProcessController;
 class vtkStringArray;
+
+namespace nexrad
+{
+struct MergerSetup;
+}
 
 class VTKNEXRADFILTERS_EXPORT vtkNexradDayReader : public vtkNexradGridAlgorithm
 {
@@ -142,19 +150,20 @@ public:
   ///@}
 
   /**
-   * How many files this process decoded for its outputs since the inputs were scanned. A file whose
-   * rays stayed in memory after the scan is not decoded again.
+   * How many times this process decoded a file for its outputs. A file whose rays are still in
+   * memory is not decoded again. Of several processes, the files that they scan together do not
+   * count.
    */
   int GetNumberOfDecodedFiles() const;
 
   /**
-   * After UpdateInformation: what was wrong in the inputs, one line each ("FILE: offset N: WHAT").
+   * What was wrong in the inputs that were decoded so far, one line each ("FILE: offset N: WHAT").
    * The same lines come as warnings.
    */
   vtkStringArray* GetDamage();
 
   /**
-   * After UpdateInformation: the paths of inputs that were left out, a part of those of GetDamage.
+   * The paths of inputs that were left out so far, a part of those of GetDamage.
    */
   vtkStringArray* GetLeftOut();
 
@@ -185,13 +194,14 @@ private:
   vtkNexradDayReader(const vtkNexradDayReader&) = delete;
   void operator=(const vtkNexradDayReader&) = delete;
 
+  nexrad::MergeOptions MakeDayOptions() const;
+  nexrad::MergerSetup MakeSetup() const;
   /**
-   * Learns the times of the inputs unless they are known. Returns 0 after an error; an abort leaves
-   * nothing scanned.
+   * Finds the files, or sets the options of those that are known. False after an abort. Throws
+   * nexrad::Error.
    */
-  int Scan();
+  bool Open();
   void ReportProblems();
-  void MakeTimeSteps();
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkNew<vtkStringArray> Damage;
@@ -199,7 +209,7 @@ private:
   vtkNew<vtkStringArray> Sites;
   vtkNew<vtkDoubleArray> TimeSteps;
   struct Day;
-  std::unique_ptr<Day> Scanned;
+  std::unique_ptr<Day> Opened;
 };
 
 #endif

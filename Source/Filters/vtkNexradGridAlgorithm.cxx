@@ -2,20 +2,18 @@
 #include "vtkNexradGridAlgorithm.h"
 
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
+#include "vtkNexradThreads.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 
 namespace
 {
@@ -33,14 +31,6 @@ nexrad::OverlapStrategy StrategyOf(int strategy)
   default:
     return nexrad::OverlapStrategy::Distance;
   }
-}
-
-void ParallelFor(int count, const std::function<void(int, int)>& work)
-{
-  constexpr vtkIdType grain = 1; // what is done is large, and costs unlike
-  const auto run = [&work](vtkIdType begin, vtkIdType end)
-  { work(static_cast<int>(begin), static_cast<int>(end)); };
-  vtkSMPTools::For(0, count, grain, run);
 }
 
 } // namespace
@@ -94,31 +84,38 @@ nexrad::GridRequest vtkNexradGridAlgorithm::MakeGridRequest() const
   return request;
 }
 
-nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(const nexrad::GridSpecification& grid,
-  const nexrad::VoxelBlock& block, double time, double maximumGap) const
+nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
 {
-  nexrad::MergeRequest request;
-  request.grid = grid;
-  request.block = block;
-  request.time = nexrad::FromSeconds(time);
-  request.maximumGap =
-    nexrad::Duration(static_cast<nexrad::Duration::rep>(std::llround(maximumGap * 1000.0)));
-  request.method = this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam;
-  request.quality.neighbours = this->FewestNeighbours;
-  request.beam.strategy = StrategyOf(this->OverlapStrategy);
-  request.beam.overlapLength = this->OverlapLength;
-  request.beam.linearReflectivity = this->LinearReflectivity;
-  request.beam.sharpen = this->Sharpening;
-  request.beam.fill = this->VerticalFill;
-  request.beam.companions = this->CompanionArrays;
-  request.interpolation = this->TimeInterpolation == LINEAR
+  nexrad::MergeOptions options;
+  options.moment = this->CheckMoment();
+  options.grid = this->MakeGridRequest();
+  options.method = this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam;
+  options.quality.neighbours = this->FewestNeighbours;
+  options.beam.strategy = StrategyOf(this->OverlapStrategy);
+  options.beam.overlapLength = this->OverlapLength;
+  options.beam.linearReflectivity = this->LinearReflectivity;
+  options.beam.sharpen = this->Sharpening;
+  options.beam.fill = this->VerticalFill;
+  options.beam.companions = this->CompanionArrays;
+  options.interpolation = this->TimeInterpolation == LINEAR
                             ? nexrad::TimeInterpolationMethod::Linear
                             : nexrad::TimeInterpolationMethod::AlongMotion;
   if (this->UseGivenMotion)
   {
-    request.motion = nexrad::Velocity{this->GivenMotion[0], this->GivenMotion[1]};
+    options.motion = nexrad::Velocity{this->GivenMotion[0], this->GivenMotion[1]};
   }
-  request.loop = ParallelFor;
+  return options;
+}
+
+nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(const nexrad::GridSpecification& grid,
+  const nexrad::VoxelBlock& block, double time, double maximumGap) const
+{
+  nexrad::MergeRequest request =
+    nexrad::MergeRequestOf(this->MakeMergeOptions(), vtkNexradRangeLoop());
+  request.grid = grid;
+  request.block = block;
+  request.time = nexrad::FromSeconds(time);
+  request.maximumGap = nexrad::DurationOf(maximumGap);
   return request;
 }
 

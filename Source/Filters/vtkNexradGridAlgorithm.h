@@ -29,6 +29,7 @@ namespace nexrad
 {
 enum class MomentName : unsigned char;
 struct GridRequest;
+struct MergeOptions;
 struct GridSpecification;
 struct MergeRequest;
 struct VoxelBlock;
@@ -252,6 +253,11 @@ protected:
   nexrad::MomentName CheckMoment() const;
 
   nexrad::GridRequest MakeGridRequest() const;
+
+  /**
+   * What the properties ask of merged volumes. Throws nexrad::Error as CheckMoment does.
+   */
+  nexrad::MergeOptions MakeMergeOptions() const;
 
   /**
    * A request for the block of the grid at the time, in seconds since 1970-01-01T00:00:00Z;

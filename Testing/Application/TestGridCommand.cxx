@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "DirectMerge.h"
 #include "ProgramRun.h"
 #include "TestData.h"
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Series/InputFiles.h"
 
 #include <gtest/gtest.h>
@@ -111,17 +111,13 @@ TEST(GridCommand, StreamedVolumesAreThoseOfAScannedSeries)
   const fs::path files = data / "level2" / "run-kbgm-20050821";
   ASSERT_EQ(
     RunNexrad3d({"grid", files, "-o", folder.Path(), "--dims", "64x64x32", "--quiet"}).status, 0);
-  SeriesOptions options;
-  options.moment = MomentName::REF;
-  const SeriesScan scan = *ScanInputs({files}, options);
-  PolarCache cache(MomentName::REF, std::size_t(1) << 30);
+  MergeOptions options;
+  options.grid.dimensions = {64, 64, 32};
+  const DirectMerge direct({files}, options);
   for (const auto& [name, time] : ReadNxvSeries(folder.Path() / "volumes.nxv.series"))
   {
     const GriddedVolume streamed = ReadNxv(folder.Path() / name);
-    MergeRequest request;
-    request.grid = streamed.grid;
-    request.time = streamed.time;
-    const GriddedVolume scanned = *MergeSeries(scan, cache, request);
+    const GriddedVolume scanned = direct.At(streamed.time);
     ASSERT_EQ(streamed.states, scanned.states) << name;
     float farthest = 0.0F;
     for (std::size_t i = 0; i < scanned.values.size(); ++i)

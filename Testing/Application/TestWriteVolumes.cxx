@@ -2,13 +2,13 @@
 // Files merged as they are decoded against the merge of files that were all scanned before.
 #include "Volumes/WriteVolumes.h"
 
+#include "DirectMerge.h"
 #include "HandMadeVolume.h"
 #include "TestData.h"
 #include "Volumes/VolumeSeries.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Compression/Deflate.h"
-#include "nexrad/Merging/ScannedSteps.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -64,16 +64,15 @@ protected:
     return contents;
   }
 
-  // The same by a scan.
+  // The same from all files at once.
   std::map<std::string, std::string> Expected()
   {
-    ScannedSteps steps(job.inputs, job.options, {}, {}, {});
-    steps.Plan();
+    const DirectMerge direct(job.inputs, job.options);
     std::map<std::string, std::string> contents;
     const fs::path file = folder.Path() / "one.nxv";
-    for (const Time time : steps.Times())
+    for (const Time time : direct.Times())
     {
-      WriteNxv(file, *steps.Merge(time, {}));
+      WriteNxv(file, direct.At(time));
       contents[VolumeFileName(time, VolumeFormat::Nxv)] = FileContent(file);
     }
     return contents;
@@ -194,12 +193,12 @@ TEST_F(WritingVolumes, WhatIsDamagedIsNamedInTheOrderOfTheInputs)
   fs::resize_file(files[3], 30);
   const auto expected = this->Expected();
   EXPECT_TRUE(this->Contents("damaged") == expected);
-  const ScannedSteps steps(job.inputs, job.options, {}, {}, {});
-  ASSERT_EQ(report.problems.size(), steps.Problems().size());
+  const std::vector<InputProblem> problems = DirectMerge(job.inputs, job.options).Scan().problems;
+  ASSERT_EQ(report.problems.size(), problems.size());
   EXPECT_GE(report.problems.size(), 3U);
   for (std::size_t i = 0; i < report.problems.size(); ++i)
   {
-    EXPECT_EQ(report.problems[i], steps.Problems()[i].Line());
+    EXPECT_EQ(report.problems[i], problems[i].Line());
   }
 }
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeSeries.h"
 
-#include "SmpLoop.h"
-#include "nexrad/Merging/ScannedSteps.h"
+#include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradThreads.h"
 
 #include <vtkImageData.h>
 
@@ -16,22 +16,34 @@ namespace nexrad::application
 namespace
 {
 
+MergerSetup SetupForAnyOrder()
+{
+  MergerSetup setup;
+  setup.loop = vtkNexradRangeLoop();
+  setup.threads = vtkNexradThreadCount();
+  setup.anyOrder = true;
+  return setup;
+}
+
 class RadarFiles : public VolumeSeries
 {
 public:
   RadarFiles(const std::vector<std::filesystem::path>& inputs, const MergeOptions& options,
     const Progress& progress)
-    : steps(inputs, options, SmpLoop(), {}, progress)
+    : merger(inputs, options, SetupForAnyOrder())
   {
-    steps.Plan();
+    if (!merger.Open(progress))
+    {
+      throw Error("stopped before the inputs were read");
+    }
   }
 
-  const std::vector<Time>& Times() const override { return steps.Times(); }
+  const std::vector<Time>& Times() const override { return merger.Times(); }
   bool CanLoadAhead() const override { return true; }
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
   {
-    const std::optional<GriddedVolume> volume = steps.Merge(steps.Times()[index], progress);
+    const std::optional<GriddedVolume> volume = merger.Merge(merger.Times()[index], progress);
     if (!volume)
     {
       return nullptr;
@@ -44,13 +56,15 @@ public:
   std::vector<std::string> Problems() const override
   {
     std::vector<std::string> lines;
-    std::transform(steps.Problems().begin(), steps.Problems().end(), std::back_inserter(lines),
-      [](const InputProblem& problem) { return problem.Line(); });
+    for (const InputProblem& problem : merger.Problems())
+    {
+      lines.push_back(problem.Line());
+    }
     return lines;
   }
 
 private:
-  ScannedSteps steps;
+  SeriesMerger merger;
 };
 
 } // namespace

@@ -2,12 +2,10 @@
 #include "WriteVolumes.h"
 
 #include "ProgressShare.h"
-#include "SmpLoop.h"
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Merging/ScannedSteps.h"
-#include "nexrad/Merging/StreamedSteps.h"
-#include "nexrad/Series/SharedScan.h"
+#include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradThreads.h"
 
 #include <algorithm>
 #include <utility>
@@ -27,20 +25,23 @@ struct Block
   bool anySite = false; ///< some radar took part in a volume
 };
 
-using Merge = std::function<std::optional<GriddedVolume>(
-  Time time, const Progress& progress, GriddedVolume memory)>;
-
 // Merges and writes the steps of this process.
-Block WriteBlock(const GridJob& job, const std::vector<Time>& times, const Merge& merge,
-  const Progress& progress, const Processes& processes)
+Block WriteBlock(
+  const GridJob& job, SeriesMerger& merger, const Progress& progress, const Processes& processes)
 {
+  const std::vector<Time>& times = merger.Times();
   const auto [begin, end] = processes.Part(times.size());
+  if (begin < end)
+  {
+    merger.EndAt(times[end - 1]);
+  }
   StepWriter writer(job.folder, job.format, job.nxv);
   Block block;
   GriddedVolume memory;
   for (std::size_t i = begin; i < end; ++i)
   {
-    auto volume = merge(times[i], ShareOf(progress, i - begin, end - begin), std::move(memory));
+    auto volume =
+      merger.Merge(times[i], ShareOf(progress, i - begin, end - begin), {}, std::move(memory));
     if (!volume)
     {
       throw Error("stopped before all volumes were made");
@@ -112,134 +113,37 @@ GridReport Conclude(const GridJob& job, const std::vector<Time>& times, Block& m
   return report;
 }
 
-// What is known of the inputs before any is decoded.
-struct Inputs
+void RequireDone(bool done)
 {
-  InputFiles found;
-  std::optional<std::vector<SiteOutline>> outline;
-};
-
-Inputs FindInputs(const GridJob& job, const Processes& processes)
-{
-  Inputs inputs;
-  processes.Together(
-    [&]
-    {
-      SeriesOptionsOf(job.options); // throws for what cannot be met, before anything is read
-      inputs.found = FindInputFiles(job.inputs);
-      inputs.outline = OutlineSeries(inputs.found.paths, job.options.siteName);
-    });
-  std::string names = inputs.outline ? "outlined" : "unknown";
-  for (const fs::path& path : inputs.found.paths)
+  if (!done)
   {
-    names += '\n' + path.filename().string();
+    throw Error("stopped before all inputs were read");
   }
-  const std::vector<std::string> all = processes.Exchange(names);
-  if (std::any_of(all.begin(), all.end(), [&](const std::string& other) { return other != names; }))
-  {
-    throw Error("the processes do not find the same input files; all need the same folders");
-  }
-  return inputs;
-}
-
-// True when it is true in all processes.
-bool InAll(bool mine, const Processes& processes)
-{
-  const std::vector<std::string> all = processes.Exchange(mine ? "1" : "0");
-  return std::all_of(all.begin(), all.end(), [](const std::string& each) { return each == "1"; });
-}
-
-// What all processes decoded, in the order of the inputs.
-SeriesScan GatherScans(const Inputs& inputs, const StreamedSteps& steps, const Processes& processes)
-{
-  std::vector<ScannedFile> files(inputs.found.paths.size());
-  for (const std::string& message : processes.Exchange(PackScannedFiles(steps.Scanned())))
-  {
-    std::vector<ScannedFile> part = UnpackScannedFiles(message);
-    for (std::size_t i = 0; i < part.size(); ++i)
-    {
-      if (files[i].volumes.empty() && files[i].problems.empty())
-      {
-        files[i] = std::move(part[i]);
-      }
-    }
-  }
-  return CollectSeries(inputs.found.problems, files);
-}
-
-// Decodes, merges and writes side by side. Empty when the files' headers err, with nothing left
-// behind.
-std::optional<GridReport> WriteStreamed(
-  const GridJob& job, const Inputs& inputs, const Progress& progress, const Processes& processes)
-{
-  std::unique_ptr<StreamedSteps> steps;
-  bool planned = false;
-  processes.Together(
-    [&]
-    {
-      steps = std::make_unique<StreamedSteps>(
-        inputs.found, *inputs.outline, job.options, SmpLoop(), ThreadCount());
-      planned = steps->Plan();
-    });
-  if (!InAll(planned, processes))
-  {
-    return std::nullopt;
-  }
-  Block block;
-  processes.Together(
-    [&]
-    {
-      const auto [begin, end] = processes.Part(steps->Times().size());
-      if (begin < end)
-      {
-        steps->EndAt(steps->Times()[end - 1]);
-      }
-      const auto merge = [&](Time time, const Progress& share, GriddedVolume memory)
-      { return steps->Merge(time, share, std::move(memory)); };
-      block = WriteBlock(job, steps->Times(), merge, progress, processes);
-    });
-  const SeriesScan scan = GatherScans(inputs, *steps, processes);
-  if (!InAll(steps->IsAsIn(scan), processes))
-  {
-    block.files.Remove();
-    return std::nullopt;
-  }
-  return Conclude(job, steps->Times(), block, scan.problems, processes);
-}
-
-// Decodes all files first.
-GridReport WriteScanned(const GridJob& job, const Progress& progress, const Processes& processes)
-{
-  ScanShare share;
-  share.rank = processes.Rank();
-  share.count = processes.Count();
-  share.exchange = [&processes](const std::string& mine) { return processes.Exchange(mine); };
-  ScannedSteps steps(job.inputs, job.options, SmpLoop(), share, ShareOf(progress, 0.0, scanShare));
-  processes.Together([&] { steps.Plan(); }); // nobody writes before all know what to write
-  Block block;
-  processes.Together(
-    [&]
-    {
-      const auto merge = [&](Time time, const Progress& part, GriddedVolume)
-      { return steps.Merge(time, part); };
-      block = WriteBlock(job, steps.Times(), merge, ShareOf(progress, scanShare, 1.0), processes);
-    });
-  return Conclude(job, steps.Times(), block, steps.Problems(), processes);
 }
 
 } // namespace
 
 GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Processes& processes)
 {
-  const Inputs inputs = FindInputs(job, processes);
-  if (inputs.outline)
+  MergerSetup setup;
+  setup.loop = vtkNexradRangeLoop();
+  setup.threads = vtkNexradThreadCount();
+  setup.processes = processes;
+  SeriesMerger merger(job.inputs, job.options, setup);
+  RequireDone(merger.Open(ShareOf(progress, 0.0, scanShare)));
+  for (;;)
   {
-    if (auto report = WriteStreamed(job, inputs, progress, processes))
+    Block block;
+    const double from = merger.IsScanned() ? scanShare : 0.0;
+    processes.Together(
+      [&] { block = WriteBlock(job, merger, ShareOf(progress, from, 1.0), processes); });
+    if (merger.Confirm())
     {
-      return *report;
+      return Conclude(job, merger.Times(), block, merger.Problems(), processes);
     }
+    block.files.Remove();
+    RequireDone(merger.Scan(ShareOf(progress, 0.0, scanShare)));
   }
-  return WriteScanned(job, progress, processes);
 }
 
 } // namespace nexrad::application

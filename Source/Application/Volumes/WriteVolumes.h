@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Processes.h"
 #include "StepWriter.h"
 #include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
 
 #include <cstdint>

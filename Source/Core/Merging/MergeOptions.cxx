@@ -49,7 +49,7 @@ std::vector<Time> TimeStepsOf(
     return {MiddleTime(first, last)};
   }
   std::vector<Time> steps = TimeSteps(first, last, options.step.value_or(DefaultStep));
-  if (steps.empty() && asScanned)
+  if (steps.empty() && (asScanned || (options.atLeastOne && !options.begin && !options.end)))
   {
     return {MiddleTime(first, last)};
   }
@@ -75,14 +75,15 @@ std::vector<Time> TimeStepsOf(const MergeOptions& options, const SeriesScan& sca
   const Time last = *scan.Last();
   if (options.time && (*options.time < first || *options.time > last))
   {
-    throw Error("--time " + FormatIso8601(*options.time) + ": the inputs hold rays from " +
+    throw Error("time " + FormatIso8601(*options.time) + ": the inputs hold rays from " +
                 FormatIso8601(first) + " to " + FormatIso8601(last) + "; take a time from these");
   }
   const std::vector<TimeSpan> spans = scan.Spans();
   if (const std::optional<TimeSpan> pause = FindPause(options, spans))
   {
     throw Error("nothing was scanned for days, from " + FormatIso8601(pause->first) + " to " +
-                FormatIso8601(pause->last) + ": say with --begin or --end what to merge");
+                FormatIso8601(pause->last) +
+                ": set where to begin or to end (--begin or --end, BeginTime or EndTime)");
   }
   return TimeStepsOf(options, first, last, spans.size());
 }

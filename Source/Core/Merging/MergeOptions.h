@@ -24,6 +24,7 @@ struct MergeOptions : MergeRules
   std::optional<Time> begin;    ///< in place of the first step at or after the first ray
   std::optional<Time> end;      ///< in place of the last step at or before the last ray; inclusive
   std::optional<Time> time;     ///< this time alone, between the first and the last ray
+  bool atLeastOne = false; ///< where no step lies between the first and the last ray: their middle
   MomentName moment = MomentName::REF;
   std::string siteName; ///< in place of the names in the files; empty: as the files say
   std::size_t memory = std::size_t(1) << 30; ///< bytes for rays that are kept for later steps; 0

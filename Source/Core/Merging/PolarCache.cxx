@@ -1,133 +1,77 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/PolarCache.h"
 
-#include "nexrad/System/Error.h"
+#include "nexrad/Polar/PackedPolarVolume.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace nexrad
 {
 
-PolarCache::PolarCache(MomentName theMoment, std::size_t theLimit, Level2Options theOptions,
-  const QualityOptions& theQuality)
-  : moment(theMoment)
-  , limit(theLimit)
-  , options(std::move(theOptions))
-  , quality(theQuality)
+PolarCache::PolarCache(std::size_t theLimit)
+  : limit(theLimit)
 {
 }
 
-std::size_t PolarCache::Used() const
+// Called with the lock.
+std::list<PolarCache::Entry>::iterator PolarCache::Place(const SeriesVolume& key)
 {
+  return std::find_if(entries.begin(), entries.end(),
+    [&key](const Entry& each) { return each.cycle == key.cycle && each.file == key.file; });
+}
+
+bool PolarCache::Offer(const SeriesVolume& key, const Volume& volume)
+{
+  const std::size_t bytes = MemoryOf(*volume);
   const std::lock_guard<std::mutex> lock(mutex);
-  return packedBytes + recentBytes;
+  if (used + bytes > limit || this->Place(key) != entries.end())
+  {
+    return false;
+  }
+  entries.push_front({key.file, key.cycle, volume, bytes});
+  used += bytes;
+  return true;
 }
 
-std::size_t PolarCache::DecodedFiles() const
+void PolarCache::Keep(const SeriesVolume& key, const Volume& volume)
 {
+  const std::size_t bytes = MemoryOf(*volume);
   const std::lock_guard<std::mutex> lock(mutex);
-  return decodedFiles;
-}
-
-void PolarCache::Offer(const SeriesVolume& key, const RadarVolume& volume)
-{
+  if (bytes > limit || this->Place(key) != entries.end())
   {
-    const std::lock_guard<std::mutex> lock(mutex);
-    if (packedBytes >= this->PackedLimit())
-    {
-      return;
-    }
+    return;
   }
-  this->Insert(key,
-    std::make_shared<const PackedPolarVolume>(MakeCleanVolume(volume, moment, quality)), nullptr,
-    false);
-}
-
-std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
-{
-  if (Volume kept = this->Find(key))
+  while (used + bytes > limit)
   {
-    return kept;
+    used -= entries.back().bytes;
+    entries.pop_back();
   }
-  {
-    const std::lock_guard<std::mutex> lock(mutex);
-    ++decodedFiles;
-  }
-  const std::vector<RadarVolume> cycles = SplitCycles(ReadLevel2(key.file, options));
-  if (key.cycle >= cycles.size() || cycles[key.cycle].Start() != key.start)
-  {
-    throw Error(key.file.string() + ": the file changed since it was first read; read it again");
-  }
-  auto volume =
-    std::make_shared<const PolarVolume>(MakeCleanVolume(cycles[key.cycle], moment, quality));
-  this->Insert(key, std::make_shared<const PackedPolarVolume>(*volume), volume, true);
-  return volume;
+  entries.push_front({key.file, key.cycle, volume, bytes});
+  used += bytes;
 }
 
 PolarCache::Volume PolarCache::Find(const SeriesVolume& key)
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  const auto entry = std::find_if(entries.begin(), entries.end(),
-    [&key](const Entry& each) { return each.cycle == key.cycle && each.file == key.file; });
+  const auto entry = this->Place(key);
   if (entry == entries.end())
   {
     return nullptr;
   }
   entries.splice(entries.begin(), entries, entry);
-  Volume volume = entry->unpacked.lock();
-  if (!volume)
-  {
-    volume = std::make_shared<const PolarVolume>(entry->packed->Unpack());
-    entry->unpacked = volume;
-  }
-  this->KeepRecent(volume);
-  return volume;
+  return entries.front().volume;
 }
 
-void PolarCache::Insert(const SeriesVolume& key, std::shared_ptr<const PackedPolarVolume> packed,
-  const Volume& unpacked, bool makeRoom)
+bool PolarCache::HasRoom() const
 {
-  const std::size_t bytes = packed->Bytes();
   const std::lock_guard<std::mutex> lock(mutex);
-  while (makeRoom && bytes <= this->PackedLimit() && packedBytes + bytes > this->PackedLimit())
-  {
-    packedBytes -= entries.back().bytes;
-    entries.pop_back();
-  }
-  if (packedBytes + bytes <= this->PackedLimit())
-  {
-    entries.push_front({key.file, key.cycle, bytes, std::move(packed), unpacked});
-    packedBytes += bytes;
-  }
-  if (unpacked)
-  {
-    this->KeepRecent(unpacked);
-  }
+  return used < limit;
 }
 
-// Called with the lock.
-void PolarCache::KeepRecent(const Volume& volume)
+std::size_t PolarCache::Used() const
 {
-  const auto known = std::find_if(
-    recent.begin(), recent.end(), [&volume](const Recent& each) { return each.volume == volume; });
-  if (known != recent.end())
-  {
-    recent.splice(recent.begin(), recent, known);
-    return;
-  }
-  const std::size_t bytes = MemoryOf(*volume);
-  const std::size_t room = limit - this->PackedLimit();
-  while (bytes <= room && recentBytes + bytes > room)
-  {
-    recentBytes -= recent.back().bytes;
-    recent.pop_back();
-  }
-  if (recentBytes + bytes <= room)
-  {
-    recent.push_front({volume, bytes});
-    recentBytes += bytes;
-  }
+  const std::lock_guard<std::mutex> lock(mutex);
+  return used;
 }
 
 } // namespace nexrad

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Level2/Level2File.h"
-#include "nexrad/Polar/PackedPolarVolume.h"
-#include "nexrad/Quality/Despeckling.h"
+#include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Series/SiteSeries.h"
 
 #include <cstddef>
+#include <filesystem>
 #include <list>
 #include <memory>
 #include <mutex>
@@ -14,65 +13,48 @@
 namespace nexrad
 {
 
-/// Volumes as gridding needs them, kept up to a limit of memory: all of them packed in three
-/// quarters of it, and those that were used last as they are in the rest. What is not in memory is
-/// decoded again from its file. Safe to call from several threads.
+/// Volumes that were decoded, kept up to a limit of memory for the times that may ask for them
+/// again. Safe to call from several threads.
 class PolarCache
 {
 public:
+  using Volume = std::shared_ptr<const PolarVolume>;
+
   /// `limit` in bytes; 0 keeps nothing. Volumes in use by a caller live on beside it.
-  PolarCache(MomentName moment, std::size_t limit, Level2Options options = {},
-    const QualityOptions& quality = {});
+  explicit PolarCache(std::size_t limit);
 
-  /// Keeps the volume when there is room for it without dropping another: during a scan the
-  /// earliest volumes stay, which are those that a run through the day asks for first.
-  void Offer(const SeriesVolume& key, const RadarVolume& volume);
+  /// Keeps a volume when there is room for it without dropping another: during a scan the earliest
+  /// volumes stay, which are those that a run through the day asks for first. False when there is
+  /// none.
+  bool Offer(const SeriesVolume& key, const Volume& volume);
 
-  /// The volume, from memory or from its file; then the volumes longest unused make room for it.
-  /// Throws Error when the file cannot be read again.
-  std::shared_ptr<const PolarVolume> Get(const SeriesVolume& key);
+  /// Keeps a volume; those that were not asked for longest make room for it.
+  void Keep(const SeriesVolume& key, const Volume& volume);
 
-  /// Bytes in memory now, at most the limit.
+  /// The volume, or nullptr when it is not kept.
+  Volume Find(const SeriesVolume& key);
+
+  /// True when Offer has room for something.
+  bool HasRoom() const;
+
+  /// Bytes that the volumes take, at most the limit.
   std::size_t Used() const;
 
-  /// The moment of the volumes.
-  MomentName Moment() const { return moment; }
-
-  /// How many times Get decoded a file.
-  std::size_t DecodedFiles() const;
-
 private:
-  using Volume = std::shared_ptr<const PolarVolume>;
   struct Entry
   {
     std::filesystem::path file;
     std::size_t cycle;
-    std::size_t bytes;
-    std::shared_ptr<const PackedPolarVolume> packed;
-    std::weak_ptr<const PolarVolume> unpacked; ///< while somebody has it
-  };
-  struct Recent
-  {
     Volume volume;
     std::size_t bytes;
   };
 
-  std::size_t PackedLimit() const { return limit - limit / 4; }
-  Volume Find(const SeriesVolume& key);
-  void Insert(const SeriesVolume& key, std::shared_ptr<const PackedPolarVolume> packed,
-    const Volume& unpacked, bool makeRoom);
-  void KeepRecent(const Volume& volume);
+  std::list<Entry>::iterator Place(const SeriesVolume& key);
 
-  const MomentName moment;
   const std::size_t limit;
-  const Level2Options options;
-  const QualityOptions quality;
   mutable std::mutex mutex;
-  std::list<Entry> entries; ///< the one used last stands first
-  std::list<Recent> recent; ///< the same
-  std::size_t decodedFiles = 0;
-  std::size_t packedBytes = 0;
-  std::size_t recentBytes = 0;
+  std::list<Entry> entries; ///< the one asked for last stands first
+  std::size_t used = 0;
 };
 
 } // namespace nexrad

@@ -80,80 +80,13 @@ std::optional<GriddedVolume> MergeByThesis(
   return merged;
 }
 
-std::optional<GriddedVolume> MergeByBeam(const VolumeList& volumes, const BeamVolumes& outlines,
-  const MergeRequest& request, const Progress& progress, MergeRun& run)
+std::optional<GriddedVolume> MergeByBeam(
+  const VolumeList& volumes, const MergeRequest& request, const Progress& progress, MergeRun& run)
 {
   BeamMerger& merger = run.MergerFor(request);
-  BeamVolumes ready = merger.Prepare(volumes, request.loop);
-  ready.insert(ready.end(), outlines.begin(), outlines.end());
+  const BeamVolumes ready = merger.Prepare(volumes, request.loop);
   const std::shared_ptr<const MotionField> motion = run.MotionFor(ready, request);
   return merger.Merge(ready, request.time, motion.get(), request.loop, progress);
-}
-
-// The volumes of one site of a series that a request takes.
-struct ChosenSite
-{
-  const SiteSeries* series;
-  std::vector<const SeriesVolume*> volumes;
-  bool reaches = true; // the block of the request, or it is not known
-};
-
-// Of sites whose digests tell how far they see, finds those that the request's block needs.
-void FindReaching(std::vector<ChosenSite>& sites, const MergeRequest& request, MergeRun& run)
-{
-  std::vector<ChosenSite*> asked;
-  std::vector<SiteReach> reaches;
-  for (ChosenSite& site : sites)
-  {
-    const auto known = [](const SeriesVolume* volume) { return volume->digest != nullptr; };
-    if (site.series->site.position && std::all_of(site.volumes.begin(), site.volumes.end(), known))
-    {
-      SiteReach reach{*site.series->site.position, 0.0};
-      for (const SeriesVolume* volume : site.volumes)
-      {
-        reach.reach = std::max(reach.reach, volume->digest->reach);
-      }
-      asked.push_back(&site);
-      reaches.push_back(reach);
-    }
-  }
-  std::vector<bool> found;
-  if (request.method == MergeMethod::Beam)
-  {
-    found = run.MergerFor(request).FindReaching(reaches, request.loop);
-  }
-  else
-  {
-    const VoxelBlock block = request.block.value_or(VoxelBlock::Of(request.grid));
-    for (const SiteReach& each : reaches)
-    {
-      found.push_back(ThesisMayReach(request.grid, block, each.position, each.reach));
-    }
-  }
-  for (std::size_t i = 0; i < asked.size(); ++i)
-  {
-    asked[i]->reaches = found[i];
-  }
-}
-
-std::vector<ChosenSite> ChooseSites(
-  const SeriesScan& scan, const MergeRequest& request, MergeRun& run)
-{
-  std::vector<ChosenSite> sites;
-  for (const SiteSeries& series : scan.sites)
-  {
-    ChosenSite site{&series, {}};
-    for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
-    {
-      site.volumes.push_back(&series.volumes[index]);
-    }
-    if (!site.volumes.empty())
-    {
-      sites.push_back(std::move(site));
-    }
-  }
-  FindReaching(sites, request, run);
-  return sites;
 }
 
 // Whether a request's merge searches reflectivity for its motion.
@@ -184,32 +117,16 @@ void CheckMotion(const Velocity& motion)
   }
 }
 
-/// The share [from, to] of a longer piece of work, as a piece of work of its own.
-Progress Share(const Progress& whole, double from, double to)
-{
-  if (!whole)
-  {
-    return {};
-  }
-  return [whole, from, to](double done) { return whole(from + (to - from) * done); };
-}
-
 } // namespace
 
-ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request)
+ReadyVolume MakeReady(const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request)
 {
-  PolarVolume polar = MakeCleanVolume(volume, moment, request.quality);
-  ReadyVolume ready;
-  if (request.method == MergeMethod::Beam)
+  if (request.method == MergeMethod::Thesis)
   {
-    ready.beam =
-      std::make_shared<const BeamVolume>(PrepareForGrid(polar, request.grid, request.beam));
+    return {volume, nullptr};
   }
-  else
-  {
-    ready.polar = std::make_shared<const PolarVolume>(std::move(polar));
-  }
-  return ready;
+  return {nullptr,
+    std::make_shared<const BeamVolume>(PrepareForGrid(*volume, request.grid, request.beam))};
 }
 
 std::vector<std::size_t> ChooseVolumes(
@@ -283,7 +200,7 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>&
     chosen.insert(chosen.end(), own.begin(), own.end());
   }
   MergeRun once;
-  return MergeByBeam(chosen, {}, request, progress, run != nullptr ? *run : once);
+  return MergeByBeam(chosen, request, progress, run != nullptr ? *run : once);
 }
 
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
@@ -309,78 +226,39 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
   return MergeVolumes(polar, request, progress, &run);
 }
 
-std::shared_ptr<const BeamVolume> MergeRun::OutlineOf(
+ReadyVolume MergeRun::WithoutSweeps(
   const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment)
 {
+  if (request.method == MergeMethod::Thesis)
+  {
+    return {std::make_shared<const PolarVolume>(
+              PolarVolume{site, moment, volume.start, volume.end, volume.synthetic, {}}),
+      nullptr};
+  }
   const bool pictured = LooksForMotion(request, moment);
-  outlines.erase(std::remove_if(outlines.begin(), outlines.end(),
-                   [](const Outline& each) { return each.volume.expired(); }),
-    outlines.end());
-  for (const Outline& each : outlines)
+  sweepless.erase(std::remove_if(sweepless.begin(), sweepless.end(),
+                    [](const SweeplessVolume& each) { return each.volume.expired(); }),
+    sweepless.end());
+  for (const SweeplessVolume& each : sweepless)
   {
     if (each.digest == volume.digest && each.pictured == pictured)
     {
-      return each.volume.lock();
+      return {nullptr, each.volume.lock()};
     }
   }
-  BeamVolume outline;
-  outline.site = site;
-  outline.moment = moment;
-  outline.start = volume.start;
-  outline.end = volume.end;
-  outline.synthetic = volume.synthetic;
+  BeamVolume without;
+  without.site = site;
+  without.moment = moment;
+  without.start = volume.start;
+  without.end = volume.end;
+  without.synthetic = volume.synthetic;
   if (pictured)
   {
-    outline.composite = CompositeOf(*volume.digest);
+    without.composite = CompositeOf(*volume.digest);
   }
-  auto made = std::make_shared<const BeamVolume>(std::move(outline));
-  outlines.push_back({volume.digest, pictured, made});
-  return made;
-}
-
-std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,
-  const MergeRequest& request, const Progress& progress, MergeRun* run)
-{
-  MergeRun once;
-  MergeRun& shared = run != nullptr ? *run : once;
-  const std::vector<ChosenSite> sites = ChooseSites(scan, request, shared);
-  // Reading is the first half of the progress when files must be decoded again.
-  const Progress reading = Share(progress, 0.0, 0.5);
-  std::vector<std::shared_ptr<const PolarVolume>> inUse;
-  BeamVolumes outlines;
-  for (std::size_t i = 0; i < sites.size(); ++i)
-  {
-    if (reading && !reading(static_cast<double>(i) / static_cast<double>(sites.size())))
-    {
-      return std::nullopt;
-    }
-    const Site& site = sites[i].series->site;
-    for (const SeriesVolume* volume : sites[i].volumes)
-    {
-      if (sites[i].reaches)
-      {
-        inUse.push_back(cache.Get(*volume));
-      }
-      else if (request.method == MergeMethod::Beam)
-      {
-        outlines.push_back(shared.OutlineOf(site, *volume, request, cache.Moment()));
-      }
-      else
-      {
-        inUse.push_back(std::make_shared<const PolarVolume>(
-          PolarVolume{site, cache.Moment(), volume->start, volume->end, volume->synthetic, {}}));
-      }
-    }
-  }
-  VolumeList volumes;
-  for (const std::shared_ptr<const PolarVolume>& volume : inUse)
-  {
-    volumes.push_back(volume.get());
-  }
-  const Progress merging = Share(progress, 0.5, 1.0);
-  return request.method == MergeMethod::Beam
-           ? MergeByBeam(volumes, outlines, request, merging, shared)
-           : MergeVolumes(volumes, request, merging, &shared);
+  auto made = std::make_shared<const BeamVolume>(std::move(without));
+  sweepless.push_back({volume.digest, pictured, made});
+  return {nullptr, made};
 }
 
 } // namespace nexrad

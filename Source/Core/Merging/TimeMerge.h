@@ -4,7 +4,6 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Merging/MergeRules.h"
-#include "nexrad/Merging/PolarCache.h"
 #include "nexrad/Motion/MotionTracker.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Series/SiteSeries.h"
@@ -33,9 +32,10 @@ struct ReadyVolume
   std::shared_ptr<const BeamVolume> beam;   ///< for Beam
 };
 
-/// Makes one moment of a decoded volume ready for a request, whatever its time. As long as the
-/// grid is not known, a request without means does: the merge makes what is missing.
-ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request);
+/// Makes a volume ready for a request, whatever its time. As long as the grid is not known, a
+/// request without means does: the merge makes what is missing.
+ReadyVolume MakeReady(
+  const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request);
 
 /// Indices of the volumes of one site that a request takes, from their starts, which ascend, and
 /// ends: for Thesis FindBracket, for Beam FindVolumesAbout. A volume that started at or before the
@@ -52,9 +52,10 @@ public:
   /// The merger for the request's grid and options: the one before, when they are the same.
   BeamMerger& MergerFor(const MergeRequest& request);
 
-  /// A volume without sweeps in place of one that tells nothing of the request's block: it takes
-  /// part in the search for motion by its digest.
-  std::shared_ptr<const BeamVolume> OutlineOf(
+  /// A volume without sweeps in place of one that sees nothing of the request's block. It takes
+  /// part in the search for motion by what the volume's digest says; in Thesis it names the radar
+  /// alone.
+  ReadyVolume WithoutSweeps(
     const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment);
 
   /// The motion along which the request asks to interpolate between volumes that MergerFor's merger
@@ -63,7 +64,7 @@ public:
     const BeamVolumes& volumes, const MergeRequest& request);
 
 private:
-  struct Outline
+  struct SweeplessVolume
   {
     std::shared_ptr<const VolumeDigest> digest;
     bool pictured;                          // has the digest's picture
@@ -72,7 +73,7 @@ private:
 
   std::unique_ptr<BeamMerger> merger;
   std::unique_ptr<MotionTracker> tracker; // for the merger's grid
-  std::vector<Outline> outlines;
+  std::vector<SweeplessVolume> sweepless;
 };
 
 /// Merges volumes of any number of sites, in any order: for each site those about the time (for
@@ -85,10 +86,5 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>&
 /// `memory` is a volume that is no longer needed: its arrays become those of the result.
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
   const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory = {});
-
-/// The same for a scanned series: only the volumes about the time are brought into memory, and of
-/// those with a digest only the ones that reach the request's block.
-std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cache,
-  const MergeRequest& request, const Progress& progress = {}, MergeRun* run = nullptr);
 
 } // namespace nexrad

@@ -151,4 +151,9 @@ Time FromSeconds(double seconds)
   return Time(Duration(std::llround(seconds * 1000.0)));
 }
 
+Duration DurationOf(double seconds)
+{
+  return Duration(static_cast<Duration::rep>(std::llround(seconds * 1000.0)));
+}
+
 } // namespace nexrad

@@ -33,5 +33,7 @@ std::optional<Time> ParseIso8601(std::string_view text);
 /// VTK's time value: seconds since 1970-01-01T00:00:00Z, exact to the millisecond.
 double ToSeconds(Time time);
 Time FromSeconds(double seconds);
+/// A duration of so many seconds, to the millisecond.
+Duration DurationOf(double seconds);
 
 } // namespace nexrad

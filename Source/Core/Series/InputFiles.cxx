@@ -3,7 +3,7 @@
 
 #include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/Level2File.h"
-#include "nexrad/System/Error.h"
+#include "nexrad/Series/InputError.h"
 
 #include <algorithm>
 #include <set>
@@ -31,7 +31,7 @@ std::vector<fs::path> SortedEntries(const fs::path& folder)
   }
   if (failure)
   {
-    throw Error(folder.string() + ": the folder cannot be read: " + failure.message());
+    throw InputError(folder.string() + ": the folder cannot be read: " + failure.message(), true);
   }
   std::sort(entries.begin(), entries.end());
   return entries;
@@ -46,7 +46,7 @@ public:
     const fs::file_status status = fs::status(input, failure);
     if (!fs::exists(status))
     {
-      throw Error(input.string() + ": no such file or folder");
+      throw InputError(input.string() + ": no such file or folder", true);
     }
     if (!fs::is_directory(status))
     {
@@ -57,7 +57,7 @@ public:
     this->AddFolder(input, 0);
     if (this->seen == seenBefore)
     {
-      throw Error(input.string() + ": the folder holds no file");
+      throw InputError(input.string() + ": the folder holds no file", true);
     }
   }
 

@@ -35,7 +35,8 @@ bool IsChunkFolder(const std::filesystem::path& path);
 
 /// Replaces each folder by the files in it and in its folders, in the order of their names; a chunk
 /// folder stays one path. Files whose name begins with a dot are passed over. A path that is given
-/// twice counts once. Throws Error for a path that does not exist and for a folder without a file.
+/// twice counts once. Throws InputError for a path that does not exist and for a folder without a
+/// file.
 InputFiles FindInputFiles(const std::vector<std::filesystem::path>& inputs);
 
 } // namespace nexrad

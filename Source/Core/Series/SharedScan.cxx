@@ -154,21 +154,22 @@ std::string ScanToMessage(const std::function<std::optional<std::vector<ScannedF
 } // namespace
 
 std::optional<std::vector<ScannedFile>> ScanTogether(
-  const std::vector<std::filesystem::path>& paths, const ScanShare& share, const FileScanner& scan)
+  const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder scanOrder,
+  const FileScanner& scan)
 {
   std::vector<std::size_t> order;
-  const auto partBegin = [&](std::size_t rank) { return paths.size() * rank / share.count; };
   const auto scanOwn = [&]
   {
-    order = OrderByHeaders(paths, share.order);
+    order = OrderByHeaders(paths, scanOrder);
     std::vector<std::filesystem::path> own;
-    for (std::size_t place = partBegin(share.rank); place < partBegin(share.rank + 1); ++place)
+    const auto [begin, end] = processes.Part(paths.size());
+    for (std::size_t place = begin; place < end; ++place)
     {
       own.push_back(paths[order[place]]);
     }
     return scan(own);
   };
-  const std::vector<std::string> messages = share.exchange(ScanToMessage(scanOwn));
+  const std::vector<std::string> messages = processes.Exchange(ScanToMessage(scanOwn));
   std::vector<ScannedFile> files(paths.size());
   bool stopped = false;
   for (std::size_t rank = 0; rank < messages.size(); ++rank)
@@ -182,13 +183,14 @@ std::optional<std::vector<ScannedFile>> ScanTogether(
     const std::vector<ScannedFile> part = outcome == scanDone
                                             ? UnpackScannedFiles(messages[rank].substr(1))
                                             : std::vector<ScannedFile>();
-    if (outcome == scanDone && part.size() != partBegin(rank + 1) - partBegin(rank))
+    const auto [begin, end] = processes.PartOf(paths.size(), rank);
+    if (outcome == scanDone && part.size() != end - begin)
     {
       throw Error("the processes do not find the same input files; all need the same folders");
     }
     for (std::size_t index = 0; index < part.size(); ++index)
     {
-      files.at(order.at(partBegin(rank) + index)) = part[index];
+      files.at(order.at(begin + index)) = part[index];
     }
   }
   return stopped ? std::nullopt : std::optional(files);

@@ -20,7 +20,8 @@ using FileScanner =
 /// files' headers say, and gives each of them all files in the order of `paths`. Empty everywhere
 /// when one process was asked to stop. Throws Error everywhere when one of them fails.
 std::optional<std::vector<ScannedFile>> ScanTogether(
-  const std::vector<std::filesystem::path>& paths, const ScanShare& share, const FileScanner& scan);
+  const std::vector<std::filesystem::path>& paths, const Processes& processes, ScanOrder order,
+  const FileScanner& scan);
 
 /// What a process tells the others of the files that it scanned, as bytes.
 std::string PackScannedFiles(const std::vector<ScannedFile>& files);

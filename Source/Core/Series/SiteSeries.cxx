@@ -174,14 +174,20 @@ ScannedFile ScanWithinMemory(
     }
     scanned.volumes.emplace_back(cycles[cycle].site,
       Describe(cycles[cycle], path, cycle, options.moment.value_or(MomentName::REF)));
+    std::shared_ptr<const PolarVolume> clean;
+    if (options.moment && (options.digests || visitor))
+    {
+      clean = std::make_shared<const PolarVolume>(
+        MakeCleanVolume(cycles[cycle], *options.moment, options.quality));
+    }
     if (options.digests)
     {
-      scanned.volumes.back().second.digest = std::make_shared<const VolumeDigest>(
-        MakeDigest(MakeCleanVolume(cycles[cycle], *options.moment, options.quality)));
+      scanned.volumes.back().second.digest =
+        std::make_shared<const VolumeDigest>(MakeDigest(*clean));
     }
     if (visitor)
     {
-      visitor(scanned.volumes.back().second, cycles[cycle]);
+      visitor(scanned.volumes.back().second, cycles[cycle], clean);
     }
   }
   return scanned;
@@ -335,7 +341,9 @@ std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& i
     return ScanFiles(paths, options, visitor, progress);
   };
   const std::optional<std::vector<ScannedFile>> files =
-    options.share.count > 1 ? ScanTogether(found.paths, options.share, scan) : scan(found.paths);
+    options.processes.Count() > 1
+      ? ScanTogether(found.paths, options.processes, options.order, scan)
+      : scan(found.paths);
   if (!files)
   {
     return std::nullopt;

@@ -8,6 +8,7 @@
 #include "nexrad/Quality/Despeckling.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/VolumeSelection.h"
+#include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
 
 #include <cstddef>
@@ -73,29 +74,21 @@ enum class ScanOrder
   ByLatitude   ///< neighbouring sites from south to north, and their times
 };
 
-/// This process among several that scan one list of inputs together.
-struct ScanShare
-{
-  std::size_t rank = 0;  ///< of this process, from 0
-  std::size_t count = 1; ///< of processes
-  /// Hands `mine` to all processes, and returns what each handed over, in the order of their ranks.
-  /// All processes call it. Not needed by one alone.
-  std::function<std::vector<std::string>(const std::string& mine)> exchange;
-  ScanOrder order = ScanOrder::ByTime;
-};
-
 struct SeriesOptions
 {
   Level2Options level2;
   std::optional<MomentName> moment; ///< a volume without it is left out
-  QualityOptions quality;           ///< of the volumes that the digests are of
+  QualityOptions quality;           ///< of the volumes that visitors and digests are made of
   bool requirePosition = false;     ///< a volume of a site without a position is left out
   bool digests = false; ///< make the digests of the volumes, of `moment`, which must be set
-  ScanShare share;      ///< default: one process does all
+  Processes processes;  ///< that scan the inputs together
+  ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
 };
 
-/// Called for each volume while its data are in memory, from several threads at once.
-using VolumeVisitor = std::function<void(const SeriesVolume&, const RadarVolume&)>;
+/// Called for each volume while its data are in memory, from several threads at once. The last is
+/// the moment of the options after quality control, nullptr without a moment.
+using VolumeVisitor = std::function<void(
+  const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)>;
 
 /// Decodes each input once, a few at a time on as many threads, and says what volumes there are. A
 /// file belongs to the site that stands in it, whatever its name. Of two volumes of one site with

@@ -2,7 +2,8 @@
 // Parts of a merged volume, made one by one: together they are, bit by bit, the volume made at
 // once.
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Merging/SeriesMerger.h"
 
 #include "HandMadeVolume.h"
 #include "MovingEcho.h"
@@ -269,78 +270,85 @@ protected:
       WriteLevel2(folder.Path() / (site.name + "1"), {before});
       WriteLevel2(folder.Path() / (site.name + "2"), {after});
     }
-    options.moment = MomentName::REF;
-    options.digests = true;
-    scan = *ScanInputs({folder.Path()}, options);
-    GridRequest grid;
-    grid.dimensions = {123, 21, 7};
-    grid.range = 120'000.0;
-    grid.top = 7'000.0;
-    request.grid = MakeGrid(grid, scan.Positions());
-    request.time = noon;
+    options.grid.dimensions = {123, 21, 7};
+    options.grid.range = 120'000.0;
+    options.grid.top = 7'000.0;
+    options.memory = 0;
   }
 
-  GriddedVolume Make(std::optional<VoxelBlock> block, std::size_t files, MergeRun* run = nullptr)
+  // How the pieces of a pipeline are merged: all files are scanned first.
+  std::unique_ptr<SeriesMerger> Open(bool scanFirst = true)
   {
-    PolarCache cache(MomentName::REF, 0);
-    request.block = block;
-    const GriddedVolume made = *MergeSeries(scan, cache, request, {}, run);
-    EXPECT_EQ(cache.DecodedFiles(), files);
+    MergerSetup setup;
+    setup.anyOrder = true;
+    setup.scanFirst = scanFirst;
+    auto merger =
+      std::make_unique<SeriesMerger>(std::vector{folder.Path()}, options, std::move(setup));
+    EXPECT_TRUE(merger->Open());
+    merger->EndAt(noon); // nothing is decoded ahead
+    return merger;
+  }
+
+  static GriddedVolume Make(
+    SeriesMerger& merger, std::optional<VoxelBlock> block, std::size_t files)
+  {
+    const std::size_t before = merger.DecodedFiles();
+    const GriddedVolume made = *merger.Merge(noon, {}, block);
+    EXPECT_EQ(merger.DecodedFiles() - before, files);
     return made;
   }
 
   const TemporaryFolder folder;
-  SeriesOptions options;
-  SeriesScan scan;
-  MergeRequest request;
+  MergeOptions options;
 };
 
 TEST_F(RowOfRadars, ABlockIsMadeFromTheFilesOfTheRadarsThatReachIt)
 {
-  request.beam.companions = true;
+  options.beam.companions = true;
   for (const MergeMethod method : {MergeMethod::Beam, MergeMethod::Thesis})
   {
-    request.method = method;
-    const GriddedVolume whole = this->Make(std::nullopt, 8);
+    options.method = method;
+    const GriddedVolume whole = Make(*this->Open(), std::nullopt, 8);
     EXPECT_EQ(whole.sites.size(), 4u);
-    MergeRun run;
-    for (const VoxelBlock& block : SplitAlong(request.grid, 0, 4))
+    const auto merger = this->Open();
+    for (const VoxelBlock& block : SplitAlong(merger->Grid(), 0, 4))
     {
-      ExpectSame(this->Make(block, 2, &run), TakePart(whole, block));
+      ExpectSame(Make(*merger, block, 2), TakePart(whole, block));
     }
     // Between two radars nothing is seen, and no file is needed.
-    const int gap = request.grid.dimensions[0] / 3;
+    const int gap = merger->Grid().dimensions[0] / 3;
     const VoxelBlock nothing = {{gap - 10, 0, 0}, {gap - 8, 21, 7}};
-    const GriddedVolume empty = this->Make(nothing, 0, &run);
+    const GriddedVolume empty = Make(*merger, nothing, 0);
     ExpectSame(empty, TakePart(whole, nothing));
     EXPECT_EQ(std::count(empty.states.begin(), empty.states.end(), VoxelState::NotScanned), 294);
   }
 }
 
-// The motion over a block is found from all radars: the others' pictures are not for nothing.
+// The motion over a block is found from all radars: where the others are left out, it is another.
 TEST_F(RowOfRadars, TheMotionIsThatOfAllRadars)
 {
-  const VoxelBlock block = SplitAlong(request.grid, 0, 4).front();
-  const GriddedVolume right = this->Make(block, 2);
-  for (SiteSeries& site : scan.sites)
-  {
-    for (SeriesVolume& volume : site.volumes)
-    {
-      VolumeDigest blind = *volume.digest;
-      blind.echo = 0.0;
-      volume.digest = std::make_shared<const VolumeDigest>(blind);
-    }
-  }
-  EXPECT_TRUE(this->Make(block, 2).values != right.values);
+  const auto merger = this->Open();
+  const VoxelBlock block = SplitAlong(merger->Grid(), 0, 4).front();
+  const GriddedVolume right = Make(*merger, block, 2);
+  MergeRequest request = MergeRequestOf(options, {});
+  request.grid = merger->Grid();
+  request.time = noon;
+  request.block = block;
+  const PolarVolume before = MakePolarVolume(ReadLevel2(folder.Path() / "KAAA1"), MomentName::REF);
+  const PolarVolume after = MakePolarVolume(ReadLevel2(folder.Path() / "KAAA2"), MomentName::REF);
+  EXPECT_TRUE(MergeVolumes({&before, &after}, request)->values != right.values);
 }
 
-TEST_F(RowOfRadars, WithoutDigestsEveryRadarIsAsked)
+// Without a scan it is not known how far the radars see.
+TEST_F(RowOfRadars, WithoutAScanEveryRadarIsAsked)
 {
-  const VoxelBlock block = SplitAlong(request.grid, 0, 4).front();
-  const GriddedVolume few = this->Make(block, 2);
-  options.digests = false;
-  scan = *ScanInputs({folder.Path()}, options);
-  ExpectSame(this->Make(block, 8), few);
+  const auto merger = this->Open();
+  const VoxelBlock block = SplitAlong(merger->Grid(), 0, 4).front();
+  const auto byHeaders = this->Open(false);
+  EXPECT_FALSE(byHeaders->IsScanned());
+  EXPECT_EQ(byHeaders->Grid(), merger->Grid());
+  ExpectSame(*byHeaders->Merge(noon, {}, block), *merger->Merge(noon, {}, block));
+  EXPECT_EQ(byHeaders->DecodedFiles(), 8u);
 }
 
 } // namespace

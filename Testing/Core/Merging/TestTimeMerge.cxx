@@ -110,114 +110,6 @@ TEST(TimeMerge, EachSiteHasItsOwnBracket)
   EXPECT_NEAR(EchoRange(*merged).second, 50.0F, 1e-3F);
 }
 
-TEST(TimeMerge, SeriesGivesWhatTheVolumesGiveHoweverLittleMemoryItHas)
-{
-  const TemporaryFolder folder;
-  WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
-  WriteLevel2(folder.Path() / "2", {ConstantVolume(keax, start + 5min, 20.0)});
-  testing::HandMadeVolume simulated = ConstantVolume(keax, start + 10min, 40.0);
-  simulated.synthetic = true;
-  WriteLevel2(folder.Path() / "3", {simulated});
-  const std::size_t one = MemoryOf(Polar(keax, start, 10.0));
-  for (const std::size_t limit : {std::size_t(0), one + one / 2, 10 * one})
-  {
-    PolarCache cache(MomentName::REF, limit);
-    const auto scan = ScanInputs({folder.Path()}, {},
-      [&cache](const SeriesVolume& key, const RadarVolume& volume) { cache.Offer(key, volume); });
-    EXPECT_LE(cache.Used(), limit);
-    const auto at = [&](Duration after)
-    { return *MergeSeries(*scan, cache, Request(scan->Positions(), start + after)); };
-    ExpectEcho(at(2min), 14.0F);
-    ExpectEcho(at(9min), 36.0F);
-    EXPECT_FALSE(at(2min).synthetic);
-    EXPECT_TRUE(at(9min).synthetic);
-    EXPECT_LE(cache.Used(), limit);
-  }
-}
-
-TEST(TimeMerge, CacheNoticesAFileThatChanged)
-{
-  const TemporaryFolder folder;
-  const auto path = WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
-  const auto scan = ScanInputs({path});
-  PolarCache cache(MomentName::REF, 0);
-  EXPECT_EQ(cache.Get(scan->sites[0].volumes[0])->sweeps.size(), 1U);
-  WriteLevel2(path, {ConstantVolume(keax, start + 5min, 10.0)});
-  EXPECT_THROW(cache.Get(scan->sites[0].volumes[0]), Error);
-}
-
-TEST(TimeMerge, CacheKeepsTheVolumesUsedLast)
-{
-  const TemporaryFolder folder;
-  WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
-  WriteLevel2(folder.Path() / "2", {ConstantVolume(keax, start + 5min, 20.0)});
-  WriteLevel2(folder.Path() / "3", {ConstantVolume(keax, start + 10min, 30.0)});
-  const auto scan = ScanInputs({folder.Path()});
-  const std::vector<SeriesVolume>& volumes = scan->sites[0].volumes;
-  // Room for two packed volumes, and for none as it is.
-  PolarCache cache(MomentName::REF, 3 * PackedPolarVolume(Polar(keax, start, 10.0)).Bytes());
-  for (const std::size_t index : {0, 1, 0, 2}) // the third drops the second
-  {
-    cache.Get(volumes[index]);
-  }
-  for (const SeriesVolume& volume : volumes)
-  {
-    std::filesystem::remove(volume.file);
-  }
-  EXPECT_EQ(cache.Get(volumes[0])->sweeps[0].values[0], 10.0F);
-  EXPECT_EQ(cache.Get(volumes[2])->sweeps[0].values[0], 30.0F);
-  EXPECT_THROW(cache.Get(volumes[1]), Error);
-}
-
-TEST(TimeMerge, CacheGivesAVolumeInUseToAllWhoAsk)
-{
-  const TemporaryFolder folder;
-  WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
-  const auto scan = ScanInputs({folder.Path()});
-  const SeriesVolume& volume = scan->sites[0].volumes[0];
-  PolarCache cache(MomentName::REF, 2 * PackedPolarVolume(Polar(keax, start, 10.0)).Bytes());
-  const auto first = cache.Get(volume);
-  EXPECT_EQ(cache.Get(volume), first);
-}
-
-// The same files by beams, each merge alone and all of a run with what they share.
-TEST(TimeMerge, BeamOfASeriesIsThatOfItsVolumes)
-{
-  const TemporaryFolder folder;
-  const std::vector<double> reflectivities = {10.0, 20.0, 40.0};
-  std::vector<PolarVolume> volumes;
-  for (std::size_t i = 0; i < reflectivities.size(); ++i)
-  {
-    const Time time = start + static_cast<int>(i) * 5min;
-    const auto path = WriteLevel2(
-      folder.Path() / std::to_string(i), {ConstantVolume(keax, time, reflectivities[i])});
-    volumes.push_back(MakePolarVolume(ReadLevel2(path), MomentName::REF));
-  }
-  const auto scan = ScanInputs({folder.Path()});
-  PolarCache cache(MomentName::REF, 0);
-  MergeRun run;
-  for (const Duration after : {Duration(2min), Duration(3min), Duration(7min), Duration(20min)})
-  {
-    MergeRequest request = Request({*keax.position}, start + after);
-    request.method = MergeMethod::Beam;
-    const auto alone = MergeVolumes({&volumes[2], &volumes[0], &volumes[1]}, request);
-    const auto ofRun = MergeSeries(*scan, cache, request, {}, &run);
-    EXPECT_EQ(alone->values, ofRun->values);
-    EXPECT_EQ(alone->states, ofRun->states);
-    EXPECT_EQ(ofRun->method, "beam");
-    // Rays take seconds after the volumes' starts: the values lag that much.
-    const double minutes = std::chrono::duration<double>(after).count() / 60.0;
-    const double expected =
-      minutes < 5.0 ? 10.0 + 2.0 * minutes : std::min(20.0 + 4.0 * (minutes - 5.0), 40.0);
-    const auto [smallest, largest] = EchoRange(*ofRun);
-    EXPECT_GT(smallest, expected - 3.0);
-    EXPECT_LE(largest, expected + 1e-3);
-  }
-}
-
-namespace
-{
-
 // Two radars that scan moving storms for a quarter of an hour.
 std::vector<PolarVolume> ScanStorms(MomentName moment = MomentName::REF)
 {
@@ -254,8 +146,6 @@ MergeRequest BeamRequest(Duration after)
   request.method = MergeMethod::Beam;
   return request;
 }
-
-} // namespace
 
 // A run that comes to a time through others, as one process of several does not, and volumes in
 // another order, give the same bytes.

@@ -37,7 +37,7 @@ public:
   {
   }
 
-  ScanShare Share(std::size_t rank)
+  Processes At(std::size_t rank)
   {
     return {rank, parts.size(),
       [this, rank](const std::string& mine)
@@ -62,12 +62,12 @@ private:
 template <typename Scan>
 auto ScanAsProcesses(std::size_t count, const Scan& scan)
 {
-  using Result = decltype(scan(ScanShare()));
+  using Result = decltype(scan(Processes()));
   Meeting meeting(count);
   std::vector<std::future<Result>> running;
   for (std::size_t rank = 0; rank < count; ++rank)
   {
-    running.push_back(std::async(std::launch::async, scan, meeting.Share(rank)));
+    running.push_back(std::async(std::launch::async, scan, meeting.At(rank)));
   }
   std::vector<Result> results;
   for (std::future<Result>& process : running)
@@ -111,12 +111,13 @@ TEST(SharedScan, AllProcessesKnowWhatOneAloneWouldFind)
   ASSERT_NE(expected.find("KBGM at -75."), std::string::npos) << expected;
   ASSERT_NE(expected.find("(left out)"), std::string::npos) << expected;
   std::atomic<int> visits{0};
-  const auto scan = [&](const ScanShare& share)
+  const auto scan = [&](const Processes& processes)
   {
     SeriesOptions options;
-    options.share = share;
-    return ScanInputs(
-      inputs, options, [&visits](const SeriesVolume&, const RadarVolume&) { ++visits; });
+    options.processes = processes;
+    return ScanInputs(inputs, options,
+      [&visits](const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)
+      { ++visits; });
   };
   for (const auto& found : ScanAsProcesses(3, scan))
   {
@@ -141,10 +142,10 @@ TEST(SharedScan, PartsAreNeighboursInTime)
     paths.push_back(WriteLevel2(
       folder.Path() / (std::string("at-") + minute), {ConstantVolume(keax, start, 20.0)}));
   }
-  const auto scan = [&paths](const ScanShare& share)
+  const auto scan = [&paths](const Processes& processes)
   {
     std::vector<std::filesystem::path> own;
-    ScanTogether(paths, share,
+    ScanTogether(paths, processes, ScanOrder::ByTime,
       [&own](const std::vector<std::filesystem::path>& files)
       {
         own = files;
@@ -174,11 +175,10 @@ TEST(SharedScan, PartsMayBeNeighbouringSites)
   }
   const auto partsBy = [&paths](ScanOrder order)
   {
-    const auto scan = [&paths, order](ScanShare share)
+    const auto scan = [&paths, order](Processes processes)
     {
       std::vector<std::string> own;
-      share.order = order;
-      ScanTogether(paths, share,
+      ScanTogether(paths, processes, order,
         [&own](const std::vector<std::filesystem::path>& files)
         {
           for (const std::filesystem::path& file : files)
@@ -213,10 +213,10 @@ TEST(SharedScan, DigestsReachAllProcesses)
   options.moment = MomentName::REF;
   options.digests = true;
   const SeriesScan alone = *ScanInputs({folder.Path()}, options);
-  const auto scan = [&](const ScanShare& share)
+  const auto scan = [&](const Processes& processes)
   {
     SeriesOptions own = options;
-    own.share = share;
+    own.processes = processes;
     return ScanInputs({folder.Path()}, own);
   };
   for (const auto& found : ScanAsProcesses(2, scan))
@@ -244,13 +244,13 @@ TEST(SharedScan, OneFailureFailsAll)
   const auto path = WriteLevel2(
     folder.Path() / "a", {ConstantVolume(keax, *ParseIso8601("2006-03-12T18:00Z"), 20.0)});
   // The second process does not see the file.
-  const auto scan = [&](const ScanShare& share)
+  const auto scan = [&](const Processes& processes)
   {
     SeriesOptions options;
-    options.share = share;
+    options.processes = processes;
     try
     {
-      ScanInputs({share.rank == 1 ? folder.Path() / "missing" : path}, options);
+      ScanInputs({processes.Rank() == 1 ? folder.Path() / "missing" : path}, options);
     }
     catch (const Error& error)
     {
@@ -273,11 +273,12 @@ TEST(SharedScan, OneThatIsStoppedStopsAll)
     paths.push_back(WriteLevel2(
       folder.Path() / name, {ConstantVolume(keax, *ParseIso8601("2006-03-12T18:00Z"), 20.0)}));
   }
-  const auto scan = [&](const ScanShare& share)
+  const auto scan = [&](const Processes& processes)
   {
     SeriesOptions options;
-    options.share = share;
-    return ScanInputs(paths, options, {}, [&share](double) { return share.rank != 2; }).has_value();
+    options.processes = processes;
+    return ScanInputs(paths, options, {}, [&processes](double) { return processes.Rank() != 2; })
+      .has_value();
   };
   for (const bool finished : ScanAsProcesses(3, scan))
   {

@@ -60,7 +60,8 @@ TEST(SiteSeries, AFileThatNeedsTooMuchMemoryIsLeftOut)
   const TemporaryFolder folder;
   WriteLevel2(folder.Path() / "a", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
   WriteLevel2(folder.Path() / "b", {ConstantVolume(keax, At("2006-03-12T18:05:00Z"), 20.0)});
-  const auto visitor = [](const SeriesVolume& volume, const RadarVolume&)
+  const auto visitor =
+    [](const SeriesVolume& volume, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)
   {
     if (volume.file.filename() == "a")
     {
@@ -199,11 +200,15 @@ TEST(SiteSeries, ShowsEachVolumeToTheVisitor)
   }
   std::mutex mutex;
   std::size_t rays = 0;
-  ScanInputs({folder.Path()}, {},
-    [&](const SeriesVolume& key, const RadarVolume& volume)
+  SeriesOptions options;
+  options.moment = MomentName::REF;
+  ScanInputs({folder.Path()}, options,
+    [&](const SeriesVolume& key, const RadarVolume& volume,
+      const std::shared_ptr<const PolarVolume>& clean)
     {
       const std::lock_guard<std::mutex> lock(mutex);
       EXPECT_EQ(key.start, volume.Start());
+      EXPECT_EQ(clean->start, volume.Start());
       rays += volume.RayCount();
     });
   EXPECT_EQ(rays, 5U * 360U);

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SmpLoop.h"
+#include "vtkNexradThreads.h"
 
-#include <vtkSMPTools.h>
+#include "vtkSMPTools.h"
 
 #include <algorithm>
 
-namespace nexrad::application
-{
-
-RangeLoop SmpLoop()
+std::function<void(int, const std::function<void(int, int)>&)> vtkNexradRangeLoop()
 {
   return [](int count, const std::function<void(int, int)>& work)
   {
@@ -19,9 +16,7 @@ RangeLoop SmpLoop()
   };
 }
 
-unsigned ThreadCount()
+unsigned vtkNexradThreadCount()
 {
   return static_cast<unsigned>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
 }
-
-} // namespace nexrad::application

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Merging/VolumeStream.h"
+#include "nexrad/Merging/VolumeLoader.h"
 
 #include "HandMadeVolume.h"
 #include "TestData.h"
 #include "nexrad/Series/VolumeSelection.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -28,10 +29,10 @@ const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
 const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
 
 /// Three hours of two radars, a volume every 5 and every 6 minutes, and what a stream does to them.
-class VolumeStreaming : public ::testing::Test
+class VolumeLoading : public ::testing::Test
 {
 protected:
-  VolumeStreaming()
+  VolumeLoading()
   {
     this->Write(keax, "e", 5min);
     this->Write(klsx, "l", 6min);
@@ -47,12 +48,12 @@ protected:
     }
   }
 
-  StreamWork Work()
+  LoaderWork Work()
   {
-    StreamWork work;
-    work.prepare = [this](const RadarVolume& volume)
+    LoaderWork work;
+    work.prepare = [this](const std::shared_ptr<const PolarVolume>& volume)
     {
-      ReadyVolume ready = MakeReady(volume, MomentName::REF, request);
+      ReadyVolume ready = MakeReady(volume, request);
       const std::lock_guard<std::mutex> lock(mutex);
       ++decoded;
       made.emplace_back(ready.beam);
@@ -63,13 +64,15 @@ protected:
     return work;
   }
 
-  std::unique_ptr<VolumeStream> Open(unsigned threads = 2)
+  std::unique_ptr<VolumeLoader> Open(
+    unsigned threads = 2, const std::shared_ptr<PolarCache>& cache = nullptr)
   {
-    const auto outline = OutlineSeries(paths);
-    EXPECT_TRUE(outline);
+    const auto headers = OutlineSeries(paths);
+    EXPECT_TRUE(headers);
     SeriesOptions options;
     options.moment = MomentName::REF;
-    return std::make_unique<VolumeStream>(paths, *outline, options, this->Work(), threads);
+    return std::make_unique<VolumeLoader>(
+      SeriesFiles{paths, *headers, {}}, options, this->Work(), cache, threads);
   }
 
   // All files, once they are as the test wants them.
@@ -123,64 +126,121 @@ protected:
   std::vector<std::weak_ptr<const BeamVolume>> made;
 };
 
-TEST_F(VolumeStreaming, GivesWhatAScanWouldAndHoldsLittle)
+TEST_F(VolumeLoading, GivesWhatAScanWouldAndHoldsLittle)
 {
   for (const unsigned threads : {1U, 3U})
   {
     decoded = 0;
     made.clear();
-    const auto stream = this->Open(threads);
+    const auto loader = this->Open(threads);
     // From before the first volume to after the last, with steps shorter and longer than volumes.
     for (const Duration after : {Duration(-20min), Duration(-10min), Duration(0min), Duration(3s),
            Duration(4min), Duration(7min), Duration(20min), Duration(65min), Duration(66min),
            Duration(119min), Duration(179min), Duration(190min), Duration(200min)})
     {
-      EXPECT_EQ(Names(stream->About(start + after)), this->Expected(start + after))
+      EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after))
         << after / 1s << " s";
       // One in progress, one before, one after of each radar, and three ahead on each thread with
       // the one that it decodes.
       EXPECT_LE(this->Alive(), 2U * 3U + threads * 4U) << after / 1s << " s";
     }
-    EXPECT_EQ(decoded, paths.size()); // each once
-    EXPECT_TRUE(stream->IsAsIn(this->Scan()));
+    EXPECT_LE(decoded,
+      paths.size()); // each once, and those between two times that neither needs not at all
+    EXPECT_TRUE(loader->IsAsIn(this->Scan()));
   }
 }
 
-TEST_F(VolumeStreaming, BeginsInTheMiddleAndEndsThere)
+TEST_F(VolumeLoading, BeginsInTheMiddleAndEndsThere)
 {
-  const auto stream = this->Open();
-  stream->EndAt(start + 100min);
-  EXPECT_EQ(Names(stream->About(start + 95min)), this->Expected(start + 95min));
-  EXPECT_EQ(Names(stream->About(start + 100min)), this->Expected(start + 100min));
+  const auto loader = this->Open();
+  loader->EndAt(start + 100min);
+  EXPECT_EQ(Names(*loader->About(start + 95min)), this->Expected(start + 95min));
+  EXPECT_EQ(Names(*loader->About(start + 100min)), this->Expected(start + 100min));
   EXPECT_LE(decoded, 12U); // of 66
 }
 
-TEST_F(VolumeStreaming, ScansAFileOnRequestAndKeepsItForItsTime)
+TEST_F(VolumeLoading, ScansAFileOnRequestAndKeepsItForItsTime)
 {
-  const auto stream = this->Open();
-  const ScannedFile last = stream->Scan(35); // KEAX at 20:55
+  const auto loader = this->Open();
+  const ScannedFile last = loader->Scan(35); // KEAX at 20:55
   ASSERT_EQ(last.volumes.size(), 1U);
   EXPECT_EQ(last.volumes[0].second.start, start + 175min);
   for (Duration after = 0min; after <= 180min; after += 10min)
   {
-    EXPECT_EQ(Names(stream->About(start + after)), this->Expected(start + after));
+    EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after));
   }
   EXPECT_EQ(decoded, paths.size());
-  EXPECT_EQ(stream->Scanned()[35].volumes.size(), 1U);
+  EXPECT_EQ(loader->Known()[35]->volumes.size(), 1U);
 }
 
-TEST_F(VolumeStreaming, NoticesAHeaderThatHidesAVolume)
+TEST_F(VolumeLoading, TimesMayComeInAnyOrder)
+{
+  for (const bool cached : {false, true})
+  {
+    decoded = 0;
+    const auto cache = cached ? std::make_shared<PolarCache>(std::size_t(1) << 30) : nullptr;
+    const auto loader = this->Open(2, cache);
+    for (const Duration after : {Duration(120min), Duration(10min), Duration(175min),
+           Duration(119min), Duration(121min), Duration(11min), Duration(-5min), Duration(60min)})
+    {
+      EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after))
+        << after / 1s << " s";
+      EXPECT_LE(this->Alive(), 2U * 3U + 2U * 4U + 2U) << after / 1s << " s";
+    }
+    EXPECT_TRUE(loader->IsAsIn(this->Scan()));
+    EXPECT_FALSE(loader->HeadersErr());
+    if (cached)
+    {
+      EXPECT_LE(loader->DecodedFiles(), paths.size()); // each once at most
+    }
+  }
+}
+
+TEST_F(VolumeLoading, AFileThatChangedIsAnError)
+{
+  const auto loader = this->Open(1);
+  loader->EndAt(start);
+  loader->About(start);
+  loader->About(start + 60min);
+  WriteLevel2(paths[0], {ConstantVolume(keax, start + 1min, 20.0)});
+  EXPECT_THROW(loader->About(start), Error);
+}
+
+TEST_F(VolumeLoading, StopsWhenAsked)
+{
+  const auto loader = this->Open(1);
+  EXPECT_FALSE(loader->About(start, {}, [](double) { return false; }));
+  EXPECT_EQ(Names(*loader->About(start)), this->Expected(start));
+}
+
+TEST_F(VolumeLoading, SitesThatAreNotWantedAreNotDecoded)
+{
+  const auto loader = this->Open(1);
+  for (Duration after = 0min; after < 60min; after += 5min)
+  {
+    loader->About(start + after, {true, false});
+  }
+  const auto known = loader->Known();
+  EXPECT_TRUE(std::none_of(
+    known.begin() + 36, known.end(), [](const auto& file) { return file.has_value(); }));
+  EXPECT_TRUE(known[11]);
+}
+
+TEST_F(VolumeLoading, NoticesAHeaderThatHidesAVolume)
 {
   // The header of KEAX at 18:30 puts it an hour later.
   SetHeaderTime(paths[6], start + 90min);
-  const auto stream = this->Open();
-  stream->About(start + 20min);
-  EXPECT_TRUE(stream->IsAsIn(this->Scan()));
-  stream->About(start + 32min);
-  EXPECT_FALSE(stream->IsAsIn(this->Scan()));
+  const auto loader = this->Open();
+  loader->About(start + 20min);
+  EXPECT_TRUE(loader->IsAsIn(this->Scan()));
+  EXPECT_FALSE(loader->HeadersErr());
+  loader->About(start + 32min);
+  EXPECT_FALSE(loader->IsAsIn(this->Scan()));
+  loader->About(start + 90min); // which needs the file
+  EXPECT_TRUE(loader->HeadersErr());
 }
 
-TEST_F(VolumeStreaming, HeadersMayErrByLessThanAVolume)
+TEST_F(VolumeLoading, HeadersMayErrByLessThanAVolume)
 {
   for (std::size_t index = 0; index < paths.size(); ++index)
   {
@@ -188,45 +248,46 @@ TEST_F(VolumeStreaming, HeadersMayErrByLessThanAVolume)
     const Time own = start + period * static_cast<int>(index < 36 ? index : index - 36);
     SetHeaderTime(paths[index], own + (index % 2 == 0 ? 40s : -50s));
   }
-  const auto stream = this->Open();
+  const auto loader = this->Open();
   for (Duration after = 30s; after < 3h; after += 90s)
   {
-    EXPECT_EQ(Names(stream->About(start + after)), this->Expected(start + after));
+    EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after));
   }
-  EXPECT_TRUE(stream->IsAsIn(this->Scan()));
+  EXPECT_TRUE(loader->IsAsIn(this->Scan()));
 }
 
-TEST_F(VolumeStreaming, OfTwoCopiesTheFullerStays)
+TEST_F(VolumeLoading, OfTwoCopiesTheFullerStays)
 {
   testing::HandMadeVolume half = ConstantVolume(keax, start + 30min, 20.0);
   half.sweeps[0].rays = 180;
   half.sweeps[0].turn = 180.0;
   paths.insert(paths.begin(), WriteLevel2(folder.Path() / "another", {half}));
-  const auto stream = this->Open();
-  const auto volumes = stream->About(start + 31min);
+  const auto loader = this->Open();
+  const auto volumes = *loader->About(start + 31min);
   EXPECT_EQ(Names(volumes), this->Expected(start + 31min));
   EXPECT_EQ(volumes[0].beam->sweeps[0].azimuths.size(), 362U);
-  EXPECT_TRUE(stream->IsAsIn(this->Scan()));
+  EXPECT_TRUE(loader->IsAsIn(this->Scan()));
 }
 
-TEST_F(VolumeStreaming, ADamagedFileIsAGapAndNamed)
+TEST_F(VolumeLoading, ADamagedFileIsAGapAndNamed)
 {
   std::filesystem::resize_file(paths[2], 30); // its header alone
-  const auto stream = this->Open();
-  EXPECT_EQ(Names(stream->About(start + 11min)), this->Expected(start + 11min));
-  const auto scanned = stream->Scanned();
-  ASSERT_FALSE(scanned[2].problems.empty());
-  EXPECT_TRUE(scanned[2].problems.back().leftOut);
+  const auto loader = this->Open();
+  EXPECT_EQ(Names(*loader->About(start + 11min)), this->Expected(start + 11min));
+  const auto known = loader->Known();
+  ASSERT_TRUE(known[2]);
+  ASSERT_FALSE(known[2]->problems.empty());
+  EXPECT_TRUE(known[2]->problems.back().leftOut);
 }
 
-TEST_F(VolumeStreaming, HandsOnWhatPreparingThrows)
+TEST_F(VolumeLoading, HandsOnWhatPreparingThrows)
 {
-  StreamWork work = this->Work();
-  work.prepare = [](const RadarVolume&) -> ReadyVolume { throw std::runtime_error("no room"); };
-  SeriesOptions options;
-  VolumeStream stream(paths, *OutlineSeries(paths), options, work, 2);
-  EXPECT_THROW(stream.About(start), std::runtime_error);
-  EXPECT_THROW(stream.Scan(0), std::runtime_error);
+  LoaderWork work = this->Work();
+  work.prepare = [](const std::shared_ptr<const PolarVolume>&) -> ReadyVolume
+  { throw std::runtime_error("no room"); };
+  VolumeLoader loader({paths, *OutlineSeries(paths), {}}, {}, work, nullptr, 2);
+  EXPECT_THROW(loader.About(start), std::runtime_error);
+  EXPECT_THROW(loader.Scan(0), std::runtime_error);
 }
 
 TEST(SeriesOutline, HeadersTellSiteAndTime)

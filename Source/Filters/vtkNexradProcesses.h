@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
- * Bytes from every process to every process.
+ * The processes of a controller as the core sees them.
  */
-#ifndef vtkNexradExchange_h
-#define vtkNexradExchange_h
+#ifndef vtkNexradProcesses_h
+#define vtkNexradProcesses_h
 
+#include "nexrad/System/Processes.h"
 #include "vtkMultiProcessController.h"
 
 #include <cstddef>
@@ -35,6 +36,20 @@ inline std::vector<std::string> vtkNexradExchange(
       all.substr(static_cast<std::size_t>(offsets[rank]), static_cast<std::size_t>(lengths[rank])));
   }
   return parts;
+}
+
+/**
+ * The processes of a controller, which is not owned; without one this process alone.
+ */
+inline nexrad::Processes vtkNexradProcessesOf(vtkMultiProcessController* controller)
+{
+  if (!controller)
+  {
+    return {};
+  }
+  return {static_cast<std::size_t>(controller->GetLocalProcessId()),
+    static_cast<std::size_t>(controller->GetNumberOfProcesses()),
+    [controller](const std::string& mine) { return vtkNexradExchange(controller, mine); }};
 }
 
 #endif

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Merging/SeriesMerger.h"
+
+#include "nexrad/Series/InputError.h"
+#include "nexrad/Series/SharedScan.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/Thesis/ThesisGeometry.h"
+
+#include <algorithm>
+#include <map>
+#include <mutex>
+#include <utility>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// An input that is damaged throughout explains why there is nothing to merge.
+std::string DescribeProblems(const std::vector<InputProblem>& problems)
+{
+  if (problems.empty())
+  {
+    return {};
+  }
+  const std::size_t others = problems.size() - 1;
+  return ": " + problems.front().Line() +
+         (others > 0 ? " (and " + std::to_string(others) + " more)" : "");
+}
+
+// When the files' volumes began, as their headers say.
+std::vector<TimeSpan> HeaderTimes(const std::vector<SiteOutline>& headers)
+{
+  std::vector<TimeSpan> times;
+  for (const SiteOutline& site : headers)
+  {
+    for (const OutlinedFile& file : site.files)
+    {
+      times.push_back({file.time, file.time});
+    }
+  }
+  return times;
+}
+
+// What the first of some files that holds a volume holds; empty when none does.
+template <class Iterator>
+std::vector<std::pair<Site, SeriesVolume>> FindVolumes(
+  Iterator begin, Iterator end, VolumeLoader& loader)
+{
+  for (Iterator file = begin; file != end; ++file)
+  {
+    ScannedFile scanned = loader.Scan(file->index);
+    if (!scanned.volumes.empty())
+    {
+      return std::move(scanned.volumes);
+    }
+  }
+  return {};
+}
+
+SeriesOptions OneThreadAFile(SeriesOptions series)
+{
+  series.level2.threads = 1;
+  return series;
+}
+
+} // namespace
+
+/// Where the radars are, and when they scanned.
+struct SeriesMerger::Extent
+{
+  std::vector<Site> sites;
+  Time first = Time::max();
+  Time last = Time::min();
+  double range = DefaultRange; ///< m, of a radar that is alone
+  std::size_t volumes = 2;     ///< 1, or more
+};
+
+/// The merges' request, whose grid becomes known while files are being decoded.
+class SeriesMerger::SharedRequest
+{
+public:
+  explicit SharedRequest(const MergeRequest& theRequest)
+    : request(theRequest)
+  {
+    request.beam.means = false; // until the grid is known; the merge makes what is missing
+  }
+
+  void Set(const MergeRequest& known)
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    request = known;
+  }
+
+  MergeRequest Get() const
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return request;
+  }
+
+private:
+  mutable std::mutex mutex;
+  MergeRequest request;
+};
+
+SeriesMerger::SeriesMerger(std::vector<std::filesystem::path> theInputs,
+  const MergeOptions& theOptions, MergerSetup theSetup)
+  : inputs(std::move(theInputs))
+  , setup(std::move(theSetup))
+  , options(theOptions)
+  , cache(setup.anyOrder ? std::make_shared<PolarCache>(options.memory) : nullptr)
+{
+}
+
+SeriesMerger::~SeriesMerger() = default;
+
+bool SeriesMerger::Open(const Progress& progress)
+{
+  this->FindFiles();
+  if (!setup.scanFirst)
+  {
+    bool opened = false;
+    setup.processes.Together([&] { opened = this->OpenByHeaders(); });
+    if (setup.processes.InAll(opened))
+    {
+      return true;
+    }
+  }
+  return this->Scan(progress);
+}
+
+bool SeriesMerger::SetOptions(const MergeOptions& theOptions, const Progress& progress)
+{
+  options = theOptions;
+  if (scan)
+  {
+    setup.processes.Together([&] { this->PlanByScan(); });
+    return true;
+  }
+  bool opened = false;
+  setup.processes.Together([&] { opened = this->OpenByHeaders(); });
+  return setup.processes.InAll(opened) || this->Scan(progress);
+}
+
+void SeriesMerger::FindFiles()
+{
+  setup.processes.Together(
+    [&]
+    {
+      SeriesOptionsOf(options); // throws for what cannot be met, before anything is read
+      found = FindInputFiles(inputs);
+      headers = OutlineSeries(found.paths, options.siteName);
+    });
+  std::string names = headers ? "told by headers" : "unknown";
+  for (const std::filesystem::path& path : found.paths)
+  {
+    names += '\n' + path.filename().string();
+  }
+  const std::vector<std::string> all = setup.processes.Exchange(names);
+  if (std::any_of(all.begin(), all.end(), [&](const std::string& other) { return other != names; }))
+  {
+    throw Error("the processes do not find the same input files; all need the same folders");
+  }
+}
+
+SeriesFiles SeriesMerger::FilesByHeaders() const
+{
+  return {
+    found.paths, *headers, loader ? loader->Known() : std::vector<std::optional<ScannedFile>>()};
+}
+
+SeriesFiles SeriesMerger::FilesByScan() const
+{
+  SeriesFiles files{found.paths, {}, {}};
+  files.known.resize(found.paths.size());
+  std::map<std::filesystem::path, std::size_t> indices;
+  for (std::size_t index = 0; index < found.paths.size(); ++index)
+  {
+    indices.emplace(found.paths[index], index);
+  }
+  for (const SiteSeries& series : scan->sites)
+  {
+    SiteOutline site{series.site.name, {}};
+    for (const SeriesVolume& volume : series.volumes)
+    {
+      const std::size_t index = indices.at(volume.file);
+      if (!files.known[index])
+      {
+        files.known[index].emplace();
+        site.files.push_back({index, volume.start});
+      }
+      files.known[index]->volumes.emplace_back(series.site, volume);
+    }
+    files.sites.push_back(std::move(site));
+  }
+  return files;
+}
+
+void SeriesMerger::MakeLoader(SeriesFiles files)
+{
+  LoaderWork work;
+  work.prepare = [shared = planned](const std::shared_ptr<const PolarVolume>& volume)
+  { return MakeReady(volume, shared->Get()); };
+  work.choose = [rules = request](
+                  const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)
+  {
+    MergeRequest at = rules;
+    at.time = time;
+    return ChooseVolumes(starts, ends, at);
+  };
+  decodedBefore += loader ? loader->DecodedFiles() : 0;
+  loader = std::make_unique<VolumeLoader>(
+    std::move(files), OneThreadAFile(SeriesOptionsOf(options)), work, cache, setup.threads);
+}
+
+// From one file of each site or two. Empty when a site has none that can be used.
+std::optional<SeriesMerger::Extent> SeriesMerger::FindExtent()
+{
+  const bool needsLast = !options.end || options.time;
+  for (const SiteOutline& site : *headers)
+  {
+    loader->Expect(site.files.front().index);
+    if (needsLast)
+    {
+      loader->Expect(site.files.back().index);
+    }
+  }
+  Extent extent;
+  for (const SiteOutline& site : *headers)
+  {
+    // A scan takes the position that the first of the inputs gives.
+    std::vector<OutlinedFile> asGiven = site.files;
+    std::sort(asGiven.begin(), asGiven.end(),
+      [](const OutlinedFile& a, const OutlinedFile& b) { return a.index < b.index; });
+    const auto known = FindVolumes(asGiven.begin(), asGiven.end(), *loader);
+    if (known.empty())
+    {
+      return std::nullopt;
+    }
+    extent.sites.push_back(known.front().first);
+    const auto earliest = FindVolumes(site.files.begin(), site.files.end(), *loader);
+    extent.range = RangeOf(earliest.front().first, earliest.front().second);
+    for (const auto& [of, volume] : earliest)
+    {
+      extent.first = std::min(extent.first, volume.start);
+    }
+    if (needsLast)
+    {
+      for (const auto& [of, volume] : FindVolumes(site.files.rbegin(), site.files.rend(), *loader))
+      {
+        extent.last = std::max(extent.last, volume.end);
+      }
+    }
+  }
+  const bool alone = headers->size() == 1 && headers->front().files.size() == 1;
+  extent.volumes = alone ? loader->Scan(headers->front().files.front().index).volumes.size() : 2;
+  return extent;
+}
+
+// False when the rays of these files say otherwise than the headers; then all files must be
+// scanned.
+bool SeriesMerger::OpenByHeaders()
+{
+  if (!headers || FindPause(options, HeaderTimes(*headers)))
+  {
+    return false; // whether it is so, all rays must tell
+  }
+  request = MergeRequestOf(options, setup.loop);
+  planned = std::make_shared<SharedRequest>(request);
+  this->MakeLoader(this->FilesByHeaders());
+  const std::optional<Extent> extent = this->FindExtent();
+  if (!extent || options.begin.value_or(extent->first) > options.end.value_or(extent->last) ||
+      (options.time && (*options.time < extent->first || *options.time > extent->last)))
+  {
+    return false;
+  }
+  this->Plan(*extent);
+  return true;
+}
+
+void SeriesMerger::Plan(const Extent& extent)
+{
+  std::vector<Position> positions;
+  for (const Site& site : extent.sites)
+  {
+    positions.push_back(*site.position);
+  }
+  request.grid = GridOf(options, positions, extent.sites.size() == 1 ? extent.range : DefaultRange);
+  planned->Set(request);
+  times = TimeStepsOf(options, extent.first, extent.last, extent.volumes);
+  sites.clear();
+  for (const Site& site : extent.sites)
+  {
+    sites.push_back(site.name);
+  }
+}
+
+bool SeriesMerger::Scan(const Progress& progress)
+{
+  if (!cache)
+  {
+    cache = std::make_shared<PolarCache>(options.memory);
+  }
+  SeriesOptions series = SeriesOptionsOf(options);
+  series.processes = setup.processes;
+  series.order = setup.order;
+  series.digests = setup.scanFirst;
+  const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
+                      const PolarCache::Volume& volume) { cache->Offer(key, volume); };
+  scan = ScanInputs(inputs, series, keep, progress);
+  if (!scan)
+  {
+    return false;
+  }
+  setup.processes.Together([&] { this->PlanByScan(); });
+  return true;
+}
+
+void SeriesMerger::PlanByScan()
+{
+  if (scan->sites.empty())
+  {
+    throw InputError(
+      "no input holds a volume that can be used" + DescribeProblems(scan->problems), false);
+  }
+  request = MergeRequestOf(options, setup.loop);
+  request.grid = GridOf(options, scan->Positions(), scan->Range());
+  planned = std::make_shared<SharedRequest>(request);
+  planned->Set(request);
+  this->MakeLoader(this->FilesByScan());
+  times = TimeStepsOf(options, *scan);
+  sites.clear();
+  for (const SiteSeries& series : scan->sites)
+  {
+    sites.push_back(series.site.name);
+  }
+}
+
+std::vector<InputProblem> SeriesMerger::Problems() const
+{
+  if (scan)
+  {
+    return scan->problems;
+  }
+  return gathered ? gathered->problems : this->Collect(loader->Known()).problems;
+}
+
+std::size_t SeriesMerger::DecodedFiles() const
+{
+  return decodedBefore + (loader ? loader->DecodedFiles() : 0);
+}
+
+void SeriesMerger::EndAt(Time time)
+{
+  loader->EndAt(time);
+}
+
+// Of radars whose digests tell how far they see, those that see the block, in the order of the
+// scan; empty: all.
+std::vector<bool> SeriesMerger::FindReaching()
+{
+  if (!scan || !setup.scanFirst || !request.block)
+  {
+    return {};
+  }
+  std::vector<SiteReach> reaches;
+  for (const SiteSeries& series : scan->sites)
+  {
+    SiteReach reach{*series.site.position, 0.0};
+    for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
+    {
+      reach.reach = std::max(reach.reach, series.volumes[index].digest->reach);
+    }
+    reaches.push_back(reach);
+  }
+  if (request.method == MergeMethod::Beam)
+  {
+    return run.MergerFor(request).FindReaching(reaches, request.loop);
+  }
+  std::vector<bool> reaching;
+  for (const SiteReach& each : reaches)
+  {
+    reaching.push_back(ThesisMayReach(request.grid, *request.block, each.position, each.reach));
+  }
+  return reaching;
+}
+
+// The volumes of the other radars.
+void SeriesMerger::AddSweepless(
+  const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes)
+{
+  for (std::size_t site = 0; site < reaching.size(); ++site)
+  {
+    const SiteSeries& series = scan->sites[site];
+    if (!reaching[site])
+    {
+      for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
+      {
+        volumes.push_back(
+          run.WithoutSweeps(series.site, series.volumes[index], request, options.moment));
+      }
+    }
+  }
+}
+
+std::optional<GriddedVolume> SeriesMerger::Merge(
+  Time time, const Progress& progress, const std::optional<VoxelBlock>& block, GriddedVolume memory)
+{
+  request.time = time;
+  request.block = block;
+  const std::vector<bool> reaching = this->FindReaching();
+  std::optional<std::vector<ReadyVolume>> volumes = loader->About(time, reaching, progress);
+  if (volumes && setup.anyOrder && !scan && loader->HeadersErr())
+  {
+    if (!this->Scan(progress))
+    {
+      return std::nullopt;
+    }
+    return this->Merge(time, progress, block, std::move(memory));
+  }
+  if (!volumes)
+  {
+    return std::nullopt;
+  }
+  this->AddSweepless(reaching, *volumes);
+  return MergeVolumes(*volumes, request, progress, run, std::move(memory));
+}
+
+SeriesScan SeriesMerger::Collect(const std::vector<std::optional<ScannedFile>>& known) const
+{
+  std::vector<ScannedFile> files;
+  for (const std::optional<ScannedFile>& file : known)
+  {
+    files.push_back(file.value_or(ScannedFile()));
+  }
+  return CollectSeries(found.problems, files);
+}
+
+// What all processes decoded.
+SeriesScan SeriesMerger::Gather() const
+{
+  std::vector<std::optional<ScannedFile>> known = loader->Known();
+  if (setup.processes.Count() > 1)
+  {
+    std::vector<ScannedFile> own;
+    for (const std::optional<ScannedFile>& file : known)
+    {
+      own.push_back(file.value_or(ScannedFile()));
+    }
+    for (const std::string& message : setup.processes.Exchange(PackScannedFiles(own)))
+    {
+      std::vector<ScannedFile> part = UnpackScannedFiles(message);
+      for (std::size_t i = 0; i < part.size(); ++i)
+      {
+        if (!known[i] && !(part[i].volumes.empty() && part[i].problems.empty()))
+        {
+          known[i] = std::move(part[i]);
+        }
+      }
+    }
+  }
+  return this->Collect(known);
+}
+
+bool SeriesMerger::Confirm()
+{
+  if (scan)
+  {
+    return true;
+  }
+  gathered = this->Gather();
+  const bool asIn = !gathered->sites.empty() && loader->IsAsIn(*gathered) &&
+                    request.grid == GridOf(options, gathered->Positions(), gathered->Range()) &&
+                    !FindPause(options, gathered->Spans()) &&
+                    times == TimeStepsOf(options, *gathered);
+  return setup.processes.InAll(asIn);
+}
+
+} // namespace nexrad

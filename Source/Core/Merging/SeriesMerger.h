@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Merging/PolarCache.h"
+#include "nexrad/Merging/VolumeLoader.h"
+#include "nexrad/System/Processes.h"
+#include "nexrad/System/Progress.h"
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// How a SeriesMerger works; it changes no volume.
+struct MergerSetup
+{
+  RangeLoop loop;       ///< merges rows; empty: on the calling thread
+  unsigned threads = 1; ///< that decode files
+  /// Times are asked for in any order: volumes are kept for them in MergeOptions::memory. Else they
+  /// are expected to ascend, and no volume is kept.
+  bool anyOrder = false;
+  Processes processes; ///< that merge the same inputs together; all call what says so
+  /// Decode all files in Open, each process a part of them, so that all processes know all volumes
+  /// and nothing is exchanged later. Then a block is merged from the radars that see it: the others
+  /// take part in the search for motion without being decoded.
+  bool scanFirst = false;
+  ScanOrder order = ScanOrder::ByTime; ///< of the parts of processes that scan first
+};
+
+/// Merges the files of any number of radars at any times: the one way from files to merged volumes.
+///
+/// Which files lie about a time is taken from the times in their headers, so that the first volume
+/// is there before the day is decoded; where the headers do not tell, all files are scanned first.
+/// What is merged at a time, the rays decide. A header that errs may hide a volume. Whoever merges
+/// a whole run asks Confirm afterwards, and begins again when it says no; at single times, Merge
+/// scans all files as soon as a file turns out to lie elsewhere than its header says.
+class SeriesMerger
+{
+public:
+  /// Reads nothing yet.
+  SeriesMerger(
+    std::vector<std::filesystem::path> inputs, const MergeOptions& options, MergerSetup setup = {});
+  ~SeriesMerger();
+
+  /// Finds the files and the radars, the grid and the time steps. Decodes one or two files of each
+  /// radar, or all files where headers do not tell enough. All processes call it. False when
+  /// `progress` asked to stop. Throws Error, in all processes, when no input holds a volume that
+  /// can be used, and for options that cannot be met.
+  bool Open(const Progress& progress = {});
+
+  /// The same with other options for the same files, of which the moment, the quality control, the
+  /// name of the site and the memory must be those of before. What was decoded stays.
+  bool SetOptions(const MergeOptions& options, const Progress& progress = {});
+
+  // After Open.
+  const GridSpecification& Grid() const { return request.grid; }
+  const std::vector<Time>& Times() const { return times; }
+  /// Names of the radars, ascending.
+  const std::vector<std::string>& Sites() const { return sites; }
+  /// What was wrong in the inputs that were decoded so far, in their order.
+  std::vector<InputProblem> Problems() const;
+  /// True when all files were decoded to learn what they hold.
+  bool IsScanned() const { return scan.has_value(); }
+  /// How many times a file was decoded for a volume.
+  std::size_t DecodedFiles() const;
+
+  /// The last time that will be asked for, before the first is.
+  void EndAt(Time time);
+
+  /// The merged volume at a time, or a block of it. The arrays of `memory` are used again. Empty
+  /// when `progress` asked to stop. Throws Error when it cannot be made.
+  std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
+    const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
+
+  /// True when grid, time steps and the volumes that were merged are those that a scan of all files
+  /// leads to, as far as all processes have decoded them. All processes call it.
+  bool Confirm();
+
+  /// Decodes all files to learn what they hold; from then on nothing depends on headers. All
+  /// processes call it. False when `progress` asked to stop. Throws Error as Open does.
+  bool Scan(const Progress& progress = {});
+
+private:
+  struct Extent;
+  class SharedRequest;
+
+  void FindFiles();
+  bool OpenByHeaders();
+  std::optional<Extent> FindExtent();
+  void Plan(const Extent& extent);
+  void PlanByScan();
+  void MakeLoader(SeriesFiles files);
+  SeriesFiles FilesByHeaders() const;
+  SeriesFiles FilesByScan() const;
+  SeriesScan Collect(const std::vector<std::optional<ScannedFile>>& known) const;
+  SeriesScan Gather() const;
+  std::vector<bool> FindReaching();
+  void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
+
+  const std::vector<std::filesystem::path> inputs;
+  const MergerSetup setup;
+  MergeOptions options;
+  MergeRequest request;
+  InputFiles found;
+  std::optional<std::vector<SiteOutline>> headers; ///< of the files; empty when they do not tell
+  std::optional<SeriesScan> scan;                  ///< of all files
+  std::optional<SeriesScan> gathered; ///< of the files that any process decoded; after Confirm
+  std::shared_ptr<PolarCache> cache;
+  std::shared_ptr<SharedRequest> planned;
+  std::unique_ptr<VolumeLoader> loader;
+  std::size_t decodedBefore = 0; ///< by loaders before this one
+  MergeRun run;
+  std::vector<Time> times;
+  std::vector<std::string> sites;
+};
+
+} // namespace nexrad

@@ -1,0 +1,525 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Merging/VolumeLoader.h"
+
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// So many files of each site that began before a time are looked at: one in progress, one that
+// ended, and one more because a header's time is not that of the first ray.
+constexpr std::size_t filesBefore = 3;
+
+// So many files a thread are decoded ahead of what was asked for: enough that no thread waits while
+// a volume is merged, few enough to need little memory.
+constexpr std::size_t filesAhead = 3;
+
+// A header's time is within seconds of the first ray's in the files of the archive.
+constexpr Duration largestHeaderError = std::chrono::minutes(10);
+
+bool IsEarlier(const OutlinedFile& a, const OutlinedFile& b)
+{
+  return a.time < b.time;
+}
+
+} // namespace
+
+VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderWork theWork,
+  std::shared_ptr<PolarCache> theCache, unsigned threadCount)
+  : paths(std::move(series.paths))
+  , options(std::move(theOptions))
+  , work(std::move(theWork))
+  , cache(std::move(theCache))
+  , files(paths.size())
+{
+  for (std::size_t index = 0; index < paths.size(); ++index)
+  {
+    indices.emplace(paths[index], index);
+  }
+  for (std::size_t site = 0; site < series.sites.size(); ++site)
+  {
+    sites.push_back({std::move(series.sites[site]), {}});
+    for (const OutlinedFile& file : sites.back().outline.files)
+    {
+      files[file.index].site = site;
+      order.push_back(file);
+    }
+  }
+  for (std::size_t index = 0; index < series.known.size(); ++index)
+  {
+    if (series.known[index])
+    {
+      files[index].known = true;
+      files[index].scanned = std::move(*series.known[index]);
+      this->Learn(sites[files[index].site], files[index].scanned);
+    }
+  }
+  std::stable_sort(order.begin(), order.end(), IsEarlier);
+  for (unsigned count = 0; count < std::max(1U, threadCount); ++count)
+  {
+    threads.emplace_back([this] { this->Work(); });
+  }
+}
+
+VolumeLoader::~VolumeLoader()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    stopped = true;
+    changed.notify_all();
+  }
+  for (std::thread& thread : threads)
+  {
+    thread.join();
+  }
+}
+
+void VolumeLoader::Work()
+{
+  std::unique_lock<std::mutex> lock(mutex);
+  while (!stopped && !failure)
+  {
+    const std::optional<std::size_t> index = this->NextFile();
+    if (!index)
+    {
+      changed.wait(lock);
+      continue;
+    }
+    files[*index].state = State::Running;
+    ScannedFile scanned = files[*index].scanned;
+    lock.unlock();
+    try
+    {
+      std::vector<HeldVolume> held = this->Load(*index, scanned);
+      lock.lock();
+      this->Keep(*index, std::move(scanned), std::move(held));
+    }
+    catch (...)
+    {
+      lock.lock();
+      failure = failure ? failure : std::current_exception();
+    }
+    changed.notify_all();
+  }
+}
+
+// Called with the lock. What somebody waits for comes first, then what stands next in time.
+std::optional<std::size_t> VolumeLoader::NextFile()
+{
+  while (!wanted.empty())
+  {
+    const std::size_t index = wanted.front();
+    wanted.pop_front();
+    files[index].asked = false;
+    if (files[index].state == State::Waiting)
+    {
+      return index;
+    }
+  }
+  if (!reached)
+  {
+    return std::nullopt;
+  }
+  auto ahead = std::upper_bound(order.begin(), order.end(), OutlinedFile{0, *reached}, IsEarlier);
+  for (std::size_t count = 0; count < filesAhead * threads.size() && ahead != order.end();
+       ++count, ++ahead)
+  {
+    const File& file = files[ahead->index];
+    if (ahead->time <= lastTime && file.state == State::Waiting && this->IsWanted(file.site))
+    {
+      return ahead->index;
+    }
+  }
+  return std::nullopt;
+}
+
+// Called without the lock. Takes the volumes of a file from the cache, or else decodes it.
+std::vector<VolumeLoader::HeldVolume> VolumeLoader::Load(std::size_t index, ScannedFile& scanned)
+{
+  std::vector<HeldVolume> held;
+  if (cache)
+  {
+    for (const auto& [site, volume] : scanned.volumes)
+    {
+      if (const PolarCache::Volume kept = cache->Find(volume))
+      {
+        held.push_back({volume, work.prepare(kept)});
+      }
+    }
+    if (!held.empty() && held.size() == scanned.volumes.size())
+    {
+      return held;
+    }
+    held.clear();
+  }
+  const auto hold = [&](const SeriesVolume& description, const RadarVolume&,
+                      const std::shared_ptr<const PolarVolume>& polar)
+  {
+    if (cache)
+    {
+      cache->Keep(description, polar);
+    }
+    held.push_back({description, work.prepare(polar)});
+  };
+  ++decodedFiles;
+  ScannedFile found = ScanFile(paths[index], options, hold);
+  for (const auto& [site, volume] : scanned.volumes)
+  {
+    const auto same = [&volume = volume](const HeldVolume& each)
+    { return each.volume.cycle == volume.cycle && each.volume.start == volume.start; };
+    if (std::none_of(held.begin(), held.end(), same))
+    {
+      throw Error(
+        paths[index].string() + ": the file changed since it was first read; read it again");
+    }
+  }
+  scanned = std::move(found);
+  return held;
+}
+
+// Called with the lock.
+void VolumeLoader::Keep(std::size_t index, ScannedFile scanned, std::vector<HeldVolume> held)
+{
+  File& file = files[index];
+  file.state = State::Done;
+  file.held = std::move(held);
+  file.asked = false;
+  if (!file.known)
+  {
+    file.known = true;
+    file.scanned = std::move(scanned);
+    this->Learn(sites[file.site], file.scanned);
+  }
+}
+
+// Called with the lock. Of two volumes with the same first ray the one with more rays stays, as in
+// a scan.
+void VolumeLoader::Learn(SiteFiles& site, const ScannedFile& scanned)
+{
+  for (const auto& [of, volume] : scanned.volumes)
+  {
+    site.volumes.push_back(volume);
+  }
+  std::sort(site.volumes.begin(), site.volumes.end(),
+    [this](const SeriesVolume& a, const SeriesVolume& b)
+    { return IsBefore(a, b) || (!IsBefore(b, a) && indices.at(a.file) < indices.at(b.file)); });
+  const auto same = [](const SeriesVolume& a, const SeriesVolume& b) { return a.start == b.start; };
+  site.volumes.erase(
+    std::unique(site.volumes.begin(), site.volumes.end(), same), site.volumes.end());
+}
+
+// Called with the lock.
+void VolumeLoader::Want(std::size_t index)
+{
+  if (files[index].state == State::Waiting && !files[index].asked)
+  {
+    files[index].asked = true;
+    wanted.push_back(index);
+  }
+}
+
+// Called with the lock.
+bool VolumeLoader::IsWanted(std::size_t site) const
+{
+  return wantedSites.empty() || wantedSites[site];
+}
+
+// Called with the lock. False when `progress` asked to stop.
+bool VolumeLoader::WaitFor(
+  std::unique_lock<std::mutex>& lock, const std::function<bool()>& there, const Progress& progress)
+{
+  constexpr auto patience = std::chrono::milliseconds(50);
+  while (!failure && !there())
+  {
+    changed.notify_all(); // there may be something new to decode
+    if (!progress)
+    {
+      changed.wait(lock);
+      continue;
+    }
+    changed.wait_for(lock, patience);
+    lock.unlock();
+    const bool goOn = progress(0.0); // how much is left, is not known
+    lock.lock();
+    if (!goOn)
+    {
+      return false;
+    }
+  }
+  if (failure)
+  {
+    std::rethrow_exception(failure);
+  }
+  return true;
+}
+
+void VolumeLoader::EndAt(Time time)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  lastTime = time;
+}
+
+void VolumeLoader::Expect(std::size_t index)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  this->Want(index);
+  changed.notify_all();
+}
+
+ScannedFile VolumeLoader::Scan(std::size_t index)
+{
+  std::unique_lock<std::mutex> lock(mutex);
+  const auto known = [&]
+  {
+    if (!files[index].known)
+    {
+      this->Want(index);
+    }
+    return files[index].known;
+  };
+  this->WaitFor(lock, known);
+  return files[index].scanned;
+}
+
+// Called with the lock. How many volumes that start after a time it may need: two when none is
+// chosen of those that started before it, as far as is known, else one.
+std::size_t VolumeLoader::LaterNeeded(const SiteFiles& site, Time time) const
+{
+  std::vector<Time> starts;
+  std::vector<Time> ends;
+  for (const SeriesVolume& volume : site.volumes)
+  {
+    if (volume.start <= time)
+    {
+      starts.push_back(volume.start);
+      ends.push_back(volume.end);
+    }
+  }
+  return work.choose(starts, ends, time).empty() ? 2 : 1;
+}
+
+// Called with the lock. Asks for the files about a time of which it is not known what they hold.
+// Before the time these are filesBefore files with a volume that started by then. After it, all up
+// to those that hold as many later volumes as are needed, and those whose headers have the same
+// time as the last one's. True when nothing had to be asked for.
+bool VolumeLoader::KnowsAbout(const SiteFiles& site, Time time)
+{
+  const std::vector<OutlinedFile>& own = site.outline.files;
+  const auto isLater = [time](const auto& each) { return each.second.start > time; };
+  bool there = true;
+  std::size_t later = 0;
+  const auto look = [&](const OutlinedFile& each, std::size_t unknownLater)
+  {
+    const File& file = files[each.index];
+    const std::vector<std::pair<Site, SeriesVolume>>& volumes = file.scanned.volumes;
+    const auto fileLater =
+      static_cast<std::size_t>(std::count_if(volumes.begin(), volumes.end(), isLater));
+    later += file.known ? fileLater : unknownLater;
+    if (!file.known)
+    {
+      this->Want(each.index);
+      there = false;
+    }
+    return !file.known || fileLater < volumes.size(); // may hold a volume that started
+  };
+  const auto next = static_cast<std::size_t>(
+    std::upper_bound(own.begin(), own.end(), OutlinedFile{0, time}, IsEarlier) - own.begin());
+  std::size_t started = 0;
+  for (std::size_t place = next; place > 0 && started < filesBefore; --place)
+  {
+    started += look(own[place - 1], 0) ? 1 : 0;
+  }
+  const std::size_t needed = this->LaterNeeded(site, time);
+  std::optional<Time> last = later >= needed ? std::optional(time) : std::nullopt;
+  for (std::size_t place = next; place < own.size() && !(last && own[place].time > *last); ++place)
+  {
+    look(own[place], 1);
+    last = !last && later >= needed ? std::optional(own[place].time) : last;
+    reached = std::max(reached.value_or(own[place].time), own[place].time);
+  }
+  return there;
+}
+
+// Called with the lock. The volumes of a site that a time needs, of those that are known.
+std::vector<const SeriesVolume*> VolumeLoader::Choose(const SiteFiles& site, Time time) const
+{
+  std::vector<Time> starts;
+  std::vector<Time> ends;
+  for (const SeriesVolume& volume : site.volumes)
+  {
+    starts.push_back(volume.start);
+    ends.push_back(volume.end);
+  }
+  std::vector<const SeriesVolume*> chosen;
+  for (const std::size_t index : work.choose(starts, ends, time))
+  {
+    chosen.push_back(&site.volumes[index]);
+  }
+  return chosen;
+}
+
+// Called with the lock. nullptr when the volume is not held.
+VolumeLoader::HeldVolume* VolumeLoader::FindHeld(const SeriesVolume& volume)
+{
+  std::vector<HeldVolume>& held = files[indices.at(volume.file)].held;
+  const auto found = std::find_if(held.begin(), held.end(),
+    [&volume](const HeldVolume& each) { return each.volume.cycle == volume.cycle; });
+  return found == held.end() ? nullptr : &*found;
+}
+
+// Called with the lock. The volumes that a time needs; empty, and asked for, while some are not
+// there.
+std::optional<std::vector<const SeriesVolume*>> VolumeLoader::Demand(Time time)
+{
+  reached = time;
+  bool known = true;
+  for (std::size_t site = 0; site < sites.size(); ++site)
+  {
+    known = (!this->IsWanted(site) || this->KnowsAbout(sites[site], time)) && known;
+  }
+  if (!known)
+  {
+    return std::nullopt;
+  }
+  std::vector<const SeriesVolume*> needed;
+  bool there = true;
+  for (std::size_t site = 0; site < sites.size(); ++site)
+  {
+    const std::vector<const SeriesVolume*> own =
+      this->IsWanted(site) ? this->Choose(sites[site], time) : std::vector<const SeriesVolume*>();
+    for (const SeriesVolume* volume : own)
+    {
+      needed.push_back(volume);
+      if (this->FindHeld(*volume) == nullptr)
+      {
+        File& file = files[indices.at(volume->file)];
+        file.state = file.state == State::Done ? State::Waiting : file.state;
+        this->Want(indices.at(volume->file));
+        there = false;
+      }
+    }
+  }
+  return there ? std::optional(needed) : std::nullopt;
+}
+
+std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
+  Time time, const std::vector<bool>& ofSites, const Progress& progress)
+{
+  std::unique_lock<std::mutex> lock(mutex);
+  wantedSites = ofSites;
+  std::optional<std::vector<const SeriesVolume*>> needed;
+  const auto allThere = [&]
+  {
+    needed = this->Demand(time);
+    return needed.has_value();
+  };
+  if (!this->WaitFor(lock, allThere, progress))
+  {
+    return std::nullopt;
+  }
+  std::vector<ReadyVolume> volumes;
+  Choice& choice = choices[time];
+  choice.clear();
+  for (const SeriesVolume* volume : *needed)
+  {
+    HeldVolume& held = *this->FindHeld(*volume);
+    held.used = true;
+    volumes.push_back(held.ready);
+    choice.emplace_back(volume->file, volume->cycle);
+  }
+  this->Release(time, *needed);
+  changed.notify_all(); // more may be decoded ahead
+  return volumes;
+}
+
+// Called with the lock. Drops what the time did not need, unless it is waiting for its first use
+// after the time.
+void VolumeLoader::Release(Time time, const std::vector<const SeriesVolume*>& needed)
+{
+  const auto isNeeded = [&needed](const HeldVolume& held)
+  {
+    return std::any_of(needed.begin(), needed.end(),
+      [&held](const SeriesVolume* volume)
+      { return volume->cycle == held.volume.cycle && volume->file == held.volume.file; });
+  };
+  for (File& file : files)
+  {
+    const bool held = !file.held.empty();
+    file.held.erase(std::remove_if(file.held.begin(), file.held.end(),
+                      [&](const HeldVolume& each)
+                      { return (each.used || each.volume.start <= time) && !isNeeded(each); }),
+      file.held.end());
+    if (held && file.held.empty())
+    {
+      file.state = State::Waiting;
+    }
+  }
+}
+
+std::vector<std::optional<ScannedFile>> VolumeLoader::Known() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  std::vector<std::optional<ScannedFile>> known;
+  for (const File& file : files)
+  {
+    known.push_back(file.known ? std::optional(file.scanned) : std::nullopt);
+  }
+  return known;
+}
+
+bool VolumeLoader::HeadersErr() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  for (const SiteFiles& site : sites)
+  {
+    Time latest = Time::min();
+    for (const OutlinedFile& each : site.outline.files)
+    {
+      for (const auto& [of, volume] : files[each.index].scanned.volumes)
+      {
+        const Duration error = volume.start - each.time;
+        const bool first = &volume == &files[each.index].scanned.volumes.front().second;
+        if (volume.start < latest || (!of.name.empty() && of.name != site.outline.name) ||
+            (first && (error > largestHeaderError || -error > largestHeaderError)))
+        {
+          return true;
+        }
+        latest = volume.start;
+      }
+    }
+  }
+  return false;
+}
+
+bool VolumeLoader::IsAsIn(const SeriesScan& scan) const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  for (const auto& [time, choice] : choices)
+  {
+    Choice expected;
+    for (const SiteSeries& series : scan.sites)
+    {
+      for (const std::size_t index : work.choose(series.Starts(), series.Ends(), time))
+      {
+        expected.emplace_back(series.volumes[index].file, series.volumes[index].cycle);
+      }
+    }
+    Choice own = choice;
+    std::sort(own.begin(), own.end());
+    std::sort(expected.begin(), expected.end());
+    if (own != expected)
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+} // namespace nexrad

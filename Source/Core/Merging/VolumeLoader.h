@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Merging/PolarCache.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/ScannedFile.h"
+#include "nexrad/Series/SeriesOutline.h"
+
+#include <atomic>
+#include <condition_variable>
+#include <cstddef>
+#include <deque>
+#include <exception>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace nexrad
+{
+
+/// What a VolumeLoader does with the volumes.
+struct LoaderWork
+{
+  /// Makes a volume ready. Called from several threads at once.
+  std::function<ReadyVolume(const std::shared_ptr<const PolarVolume>&)> prepare;
+  /// Which of a site's volumes are needed at a time, from their starts, which ascend, and ends.
+  std::function<std::vector<std::size_t>(
+    const std::vector<Time>& starts, const std::vector<Time>& ends, Time time)>
+    choose;
+};
+
+/// The files of a series, by radar and time.
+struct SeriesFiles
+{
+  std::vector<std::filesystem::path> paths;
+  std::vector<SiteOutline> sites; ///< by name
+  std::vector<std::optional<ScannedFile>>
+    known; ///< what each path holds, where that is known; may be empty
+};
+
+/// The volumes about any time, made ready for a merge. Files are decoded on threads of their own:
+/// those that a time needs, and a few that follow it.
+///
+/// What is needed at a time is decided by the rays of the files about it; which files lie about it,
+/// by the times that SeriesFiles has for them. Where these are those of the files' headers, a
+/// header that errs may hide a volume: IsAsIn and HeadersErr find that out. What a time needs does
+/// not depend on the times asked for before. When times ascend, each file is decoded once, and
+/// memory does not grow with the length of the day; when they do not, a file is taken from the
+/// cache, or decoded again.
+class VolumeLoader
+{
+public:
+  /// `options` are those of a scan of the files; `cache` keeps volumes for times in any order, and
+  /// may be nullptr. `threads` decode, at least 1.
+  VolumeLoader(SeriesFiles files, SeriesOptions options, LoaderWork work,
+    std::shared_ptr<PolarCache> cache, unsigned threads);
+  ~VolumeLoader();
+  VolumeLoader(const VolumeLoader&) = delete;
+  VolumeLoader& operator=(const VolumeLoader&) = delete;
+
+  /// The last time that will be asked for, if it is known before the first: files that begin later
+  /// are not decoded ahead.
+  void EndAt(Time time);
+
+  /// Begins to decode a file, by its index in the paths, for which Scan will ask.
+  void Expect(std::size_t index);
+
+  /// What a file holds, by its index in the paths. Its volumes are held for the first time that may
+  /// need them. Throws what decoding threw, but for what is wrong in a file.
+  ScannedFile Scan(std::size_t index);
+
+  /// The volumes that are needed at a time, of the sites that `wanted` names (all when it is
+  /// empty), by site and start. Empty when `progress`, called from this thread alone, asked to
+  /// stop. Throws what decoding threw, but for what is wrong in a file.
+  std::optional<std::vector<ReadyVolume>> About(
+    Time time, const std::vector<bool>& wanted = {}, const Progress& progress = {});
+
+  /// What each path holds, as far as it is known.
+  std::vector<std::optional<ScannedFile>> Known() const;
+
+  /// How many times a file was decoded.
+  std::size_t DecodedFiles() const { return decodedFiles; }
+
+  /// True when the rays of some file decoded so far are another radar's than its header says, or do
+  /// not begin near the header's time, in the order of the headers.
+  bool HeadersErr() const;
+
+  /// True when at each time so far the choice was the one that a scan of all files leads to.
+  bool IsAsIn(const SeriesScan& scan) const;
+
+private:
+  struct HeldVolume
+  {
+    SeriesVolume volume;
+    ReadyVolume ready;
+    bool used = false; ///< some time needed it
+  };
+  enum class State
+  {
+    Waiting,
+    Running,
+    Done
+  };
+  struct File
+  {
+    State state = State::Waiting;
+    bool asked = false;   ///< it is in `wanted`
+    bool known = false;   ///< what it holds is known
+    std::size_t site = 0; ///< in `sites`
+    ScannedFile scanned;
+    std::vector<HeldVolume> held;
+  };
+  struct SiteFiles
+  {
+    SiteOutline outline;
+    std::vector<SeriesVolume> volumes; ///< of the files that are known, by start, no two alike
+  };
+  using Choice = std::vector<std::pair<std::filesystem::path, std::size_t>>; ///< file and cycle
+
+  void Work();
+  std::optional<std::size_t> NextFile();
+  std::vector<HeldVolume> Load(std::size_t index, ScannedFile& scanned);
+  void Keep(std::size_t index, ScannedFile scanned, std::vector<HeldVolume> held);
+  void Learn(SiteFiles& site, const ScannedFile& scanned);
+  void Want(std::size_t index);
+  bool IsWanted(std::size_t site) const;
+  std::size_t LaterNeeded(const SiteFiles& site, Time time) const;
+  bool KnowsAbout(const SiteFiles& site, Time time);
+  std::vector<const SeriesVolume*> Choose(const SiteFiles& site, Time time) const;
+  HeldVolume* FindHeld(const SeriesVolume& volume);
+  std::optional<std::vector<const SeriesVolume*>> Demand(Time time);
+  void Release(Time time, const std::vector<const SeriesVolume*>& needed);
+  bool WaitFor(std::unique_lock<std::mutex>& lock, const std::function<bool()>& there,
+    const Progress& progress = {});
+
+  const std::vector<std::filesystem::path> paths;
+  const SeriesOptions options;
+  const LoaderWork work;
+  const std::shared_ptr<PolarCache> cache;
+  std::map<std::filesystem::path, std::size_t> indices;
+  std::atomic<std::size_t> decodedFiles{0};
+
+  mutable std::mutex mutex; // guards all that follows but the threads
+  std::condition_variable changed;
+  std::vector<File> files; // by index
+  std::vector<SiteFiles> sites;
+  std::deque<std::size_t> wanted;  // to be decoded first
+  std::vector<bool> wantedSites;   // by the last time; empty: all
+  std::vector<OutlinedFile> order; // all, by time
+  std::optional<Time> reached;     // latest header's time of the files that the last time needed
+  Time lastTime = Time::max();     // that will be asked for
+  bool stopped = false;
+  std::exception_ptr failure;
+  std::map<Time, Choice> choices;
+  std::vector<std::thread> threads;
+};
+
+} // namespace nexrad

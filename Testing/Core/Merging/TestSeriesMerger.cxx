@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Merging/SeriesMerger.h"
+
+#include "DirectMerge.h"
+#include "HandMadeVolume.h"
+#include "TestData.h"
+#include "nexrad/Series/InputError.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace nexrad
+{
+namespace
+{
+
+using namespace std::chrono_literals;
+using testing::ConstantVolume;
+using testing::DirectMerge;
+using testing::SetHeaderTime;
+using testing::TemporaryFolder;
+using testing::WriteLevel2;
+
+const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
+const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
+
+/// An hour of two radars, a volume every 5 and every 6 minutes, each with a value of its own.
+class MergingASeries : public ::testing::Test
+{
+protected:
+  MergingASeries()
+  {
+    for (int i = 0; i < 12; ++i)
+    {
+      this->Write(keax, "e", start + i * 5min, 10.0 + i);
+    }
+    for (int i = 0; i < 10; ++i)
+    {
+      this->Write(klsx, "l", start + i * 6min, 30.0 + i);
+    }
+    options.grid.dimensions = {24, 12, 4};
+    options.grid.range = 100'000.0;
+    options.step = 4min;
+  }
+
+  void Write(const Site& site, const std::string& name, Time time, double value)
+  {
+    const auto path = folder.Path() / (name + FormatForFileName(time));
+    paths.push_back(WriteLevel2(path, {ConstantVolume(site, time, value)}));
+  }
+
+  SeriesMerger InAnyOrder() const
+  {
+    MergerSetup setup;
+    setup.threads = 2;
+    setup.anyOrder = true;
+    return {{folder.Path()}, options, setup};
+  }
+
+  void ExpectAsDirect(SeriesMerger& merger, Time time) const
+  {
+    const DirectMerge direct({folder.Path()}, options);
+    const GriddedVolume expected = direct.At(time);
+    const std::optional<GriddedVolume> made = merger.Merge(time);
+    ASSERT_TRUE(made);
+    EXPECT_TRUE(made->values == expected.values) << FormatIso8601(time);
+    EXPECT_TRUE(made->states == expected.states) << FormatIso8601(time);
+    EXPECT_EQ(made->sites, expected.sites);
+  }
+
+  const TemporaryFolder folder;
+  std::vector<std::filesystem::path> paths;
+  MergeOptions options;
+};
+
+TEST_F(MergingASeries, BeginsWithoutDecodingTheDay)
+{
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  EXPECT_FALSE(merger.IsScanned());
+  EXPECT_EQ(merger.DecodedFiles(), 4U); // the first and the last file of each radar
+  EXPECT_EQ(merger.Sites(), (std::vector<std::string>{"KEAX", "KLSX"}));
+  const DirectMerge direct({folder.Path()}, options);
+  EXPECT_EQ(merger.Times(), direct.Times());
+  merger.EndAt(start + 8min);
+  this->ExpectAsDirect(merger, start + 8min);
+  EXPECT_LE(merger.DecodedFiles(), 12U); // of 22
+}
+
+TEST_F(MergingASeries, AnyOrderOfTimesGivesTheSame)
+{
+  for (const MergeMethod method : {MergeMethod::Beam, MergeMethod::Thesis})
+  {
+    options.method = method;
+    SeriesMerger merger = this->InAnyOrder();
+    ASSERT_TRUE(merger.Open());
+    for (const Duration after : {Duration(40min), Duration(8min), Duration(9min), Duration(-5min),
+           Duration(56min), Duration(8min)})
+    {
+      this->ExpectAsDirect(merger, start + after);
+    }
+    EXPECT_LE(merger.DecodedFiles(), paths.size()); // the memory keeps all of them
+    EXPECT_TRUE(merger.Confirm());
+  }
+}
+
+TEST_F(MergingASeries, LittleMemoryGivesTheSame)
+{
+  options.memory = 0;
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  for (const Duration after : {Duration(40min), Duration(8min), Duration(40min)})
+  {
+    this->ExpectAsDirect(merger, start + after);
+  }
+}
+
+TEST_F(MergingASeries, OtherOptionsKeepWhatWasDecoded)
+{
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  merger.EndAt(start + 20min);
+  this->ExpectAsDirect(merger, start + 20min);
+  const std::size_t decoded = merger.DecodedFiles();
+  options.grid.dimensions = {20, 10, 3};
+  options.beam.fill = true;
+  options.step = 10min;
+  ASSERT_TRUE(merger.SetOptions(options));
+  EXPECT_EQ(merger.Times().size(), 6U);
+  merger.EndAt(start + 20min);
+  this->ExpectAsDirect(merger, start + 20min);
+  EXPECT_EQ(merger.DecodedFiles(), decoded);
+}
+
+TEST_F(MergingASeries, WithoutHeadersAllIsScanned)
+{
+  std::ofstream(folder.Path() / "notes.txt") << "no header, and no radar file";
+  std::filesystem::resize_file(paths[5], 10);
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  this->ExpectAsDirect(merger, start + 20min);
+  EXPECT_FALSE(merger.Problems().empty());
+}
+
+TEST_F(MergingASeries, AHeaderThatErrsIsFoundOut)
+{
+  SetHeaderTime(paths[4], start + 48min); // KEAX at 18:20
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  EXPECT_FALSE(merger.IsScanned());
+  this->ExpectAsDirect(merger, start + 48min); // which decodes the file
+  EXPECT_TRUE(merger.IsScanned());
+  this->ExpectAsDirect(merger, start + 20min);
+}
+
+TEST_F(MergingASeries, ARunIsNotConfirmedWhenAHeaderHidAVolume)
+{
+  SetHeaderTime(paths[4], start + 48min);
+  SeriesMerger merger({folder.Path()}, options);
+  ASSERT_TRUE(merger.Open());
+  for (const Time time : merger.Times())
+  {
+    merger.Merge(time);
+  }
+  EXPECT_FALSE(merger.Confirm());
+  ASSERT_TRUE(merger.Scan());
+  for (const Time time : merger.Times())
+  {
+    this->ExpectAsDirect(merger, time);
+  }
+  EXPECT_TRUE(merger.Confirm());
+}
+
+TEST_F(MergingASeries, OneTimeNeedsItsFilesAlone)
+{
+  options.step.reset();
+  options.time = start + 21min;
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  EXPECT_FALSE(merger.IsScanned());
+  EXPECT_EQ(merger.Times(), std::vector<Time>{start + 21min});
+  this->ExpectAsDirect(merger, start + 21min);
+  options.time = start + 3h;
+  try
+  {
+    this->InAnyOrder().Open();
+    FAIL();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("18:00:00.000Z to "), std::string::npos);
+  }
+}
+
+TEST_F(MergingASeries, StopsWhenAsked)
+{
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  EXPECT_FALSE(merger.Merge(start + 20min, [](double) { return false; }));
+  this->ExpectAsDirect(merger, start + 20min);
+  SeriesMerger scanning = this->InAnyOrder();
+  ASSERT_TRUE(scanning.Open());
+  EXPECT_FALSE(scanning.Scan([](double) { return false; }));
+}
+
+TEST_F(MergingASeries, InputsThatCannotBeUsedAreNamed)
+{
+  const auto open = [this](const std::filesystem::path& input)
+  {
+    SeriesMerger merger({input}, options);
+    merger.Open();
+  };
+  const auto text = folder.Path() / "text";
+  std::ofstream(text) << "no radar file";
+  EXPECT_THROW(open(text), InputError);
+  EXPECT_THROW(open(folder.Path() / "absent"), InputError);
+}
+
+} // namespace
+} // namespace nexrad

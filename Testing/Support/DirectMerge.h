@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Merging/MergeOptions.h"
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+namespace nexrad::testing
+{
+
+/// Merged volumes made in the plainest way: all files are decoded first, and every volume is handed
+/// to each merge, which chooses among them. What the other ways are held against.
+class DirectMerge
+{
+public:
+  DirectMerge(const std::vector<std::filesystem::path>& inputs, const MergeOptions& options);
+
+  const SeriesScan& Scan() const { return scan; }
+  std::vector<Time> Times() const { return TimeStepsOf(options, scan); }
+  GriddedVolume At(Time time) const;
+
+private:
+  const MergeOptions options;
+  std::vector<std::shared_ptr<const PolarVolume>> volumes;
+  SeriesScan scan;
+};
+
+} // namespace nexrad::testing
