@@ -11,7 +11,7 @@
 #include "SceneLibrary.h"
 #include "SimulatedFiles.h"
 #include "nexrad/Series/InputFiles.h"
-#include "nexrad/Series/SiteSeries.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SimulatedFiles.h"
 
+#include "nexrad/System/ThreadGroup.h"
+
 #include "OutputFile.h"
 
 #include <algorithm>
 #include <exception>
 #include <mutex>
-#include <thread>
 
 namespace fs = std::filesystem;
 
@@ -52,16 +53,11 @@ private:
 
 void FileFactory::Run()
 {
-  const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-  std::vector<std::thread> threads;
-  for (std::size_t index = 1; index < std::min(cores, volumes.size()); ++index)
   {
-    threads.emplace_back([this] { this->Work(); });
-  }
-  this->Work();
-  for (std::thread& thread : threads)
-  {
-    thread.join();
+    const std::size_t wanted =
+      std::min<std::size_t>(CoreCount(), std::max<std::size_t>(1, volumes.size()));
+    const ThreadGroup helpers(wanted - 1, [this] { this->Work(); });
+    this->Work();
   }
   if (failure)
   {

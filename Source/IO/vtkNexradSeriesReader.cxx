@@ -3,6 +3,7 @@
 
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Level2/Level2File.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/SiteSeries.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradLevel2Reader.h"

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DirectMerge.h"
 
+#include "nexrad/Series/ScanInputs.h"
+
 #include <mutex>
 
 namespace nexrad::testing

@@ -5,6 +5,7 @@
 #include "OutputFile.h"
 #include "PictureWindow.h"
 #include "ProgressShare.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Compression/ParallelBunzip.h"
 
+#include "nexrad/System/ThreadGroup.h"
+
 #include <algorithm>
 #include <array>
 #include <condition_variable>
 #include <exception>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 namespace nexrad
 {
@@ -33,10 +34,7 @@ public:
 
   void Start(std::size_t helpers)
   {
-    for (std::size_t count = 0; count < helpers; ++count)
-    {
-      threads.emplace_back([this] { this->Help(); });
-    }
+    threads.Start(helpers, [this] { this->Help(); });
   }
   // The content of the next record in order. While it is being made elsewhere, this thread makes
   // others.
@@ -115,10 +113,7 @@ private:
       stopped = true;
       changed.notify_all();
     }
-    for (std::thread& thread : threads)
-    {
-      thread.join();
-    }
+    threads.Join();
   }
 
   const std::vector<LdmRecord>& records;
@@ -132,7 +127,7 @@ private:
   std::size_t received = 0; // all before have been handed over
   bool stopped = false;
   std::exception_ptr failure;
-  std::vector<std::thread> threads;
+  ThreadGroup threads;
 };
 
 } // namespace
@@ -141,8 +136,7 @@ void BunzipInParallel(const std::vector<LdmRecord>& records, std::size_t maximum
   const RecordReceiver& receive, unsigned threads)
 {
   RecordQueue queue(records, maximumRecordBytes);
-  const unsigned cores = threads != 0 ? threads : std::thread::hardware_concurrency();
-  const std::size_t wanted = std::max(1U, cores);
+  const std::size_t wanted = threads != 0 ? threads : CoreCount();
   queue.Start(std::min({wanted, records.size(), recordsAhead}) - (records.empty() ? 0 : 1));
   for (std::size_t index = 0; index < records.size(); ++index)
   {

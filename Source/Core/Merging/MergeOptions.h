@@ -3,6 +3,7 @@
 
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/ScannedFile.h"
 #include "nexrad/Series/SiteSeries.h"
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 #include "nexrad/Merging/SeriesMerger.h"
 
 #include "nexrad/Series/InputError.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
@@ -30,12 +31,12 @@ std::string DescribeProblems(const std::vector<InputProblem>& problems)
 }
 
 // When the files' volumes began, as their headers say.
-std::vector<TimeSpan> HeaderTimes(const std::vector<SiteOutline>& headers)
+std::vector<TimeSpan> HeaderTimes(const std::vector<SiteFileList>& headers)
 {
   std::vector<TimeSpan> times;
-  for (const SiteOutline& site : headers)
+  for (const SiteFileList& site : headers)
   {
-    for (const OutlinedFile& file : site.files)
+    for (const TimedFile& file : site.files)
     {
       times.push_back({file.time, file.time});
     }
@@ -150,7 +151,7 @@ void SeriesMerger::FindFiles()
     {
       SeriesOptionsOf(options); // throws for what cannot be met, before anything is read
       found = FindInputFiles(inputs);
-      headers = OutlineSeries(found.paths, options.siteName);
+      headers = ListByHeaders(found.paths, options.siteName);
     });
   std::string names = headers ? "told by headers" : "unknown";
   for (const std::filesystem::path& path : found.paths)
@@ -181,7 +182,7 @@ SeriesFiles SeriesMerger::FilesByScan() const
   }
   for (const SiteSeries& series : scan->sites)
   {
-    SiteOutline site{series.site.name, {}};
+    SiteFileList site{series.site.name, {}};
     for (const SeriesVolume& volume : series.volumes)
     {
       const std::size_t index = indices.at(volume.file);
@@ -218,7 +219,7 @@ void SeriesMerger::MakeLoader(SeriesFiles files)
 std::optional<SeriesMerger::Extent> SeriesMerger::FindExtent()
 {
   const bool needsLast = !options.end || options.time;
-  for (const SiteOutline& site : *headers)
+  for (const SiteFileList& site : *headers)
   {
     loader->Expect(site.files.front().index);
     if (needsLast)
@@ -227,12 +228,12 @@ std::optional<SeriesMerger::Extent> SeriesMerger::FindExtent()
     }
   }
   Extent extent;
-  for (const SiteOutline& site : *headers)
+  for (const SiteFileList& site : *headers)
   {
     // A scan takes the position that the first of the inputs gives.
-    std::vector<OutlinedFile> asGiven = site.files;
+    std::vector<TimedFile> asGiven = site.files;
     std::sort(asGiven.begin(), asGiven.end(),
-      [](const OutlinedFile& a, const OutlinedFile& b) { return a.index < b.index; });
+      [](const TimedFile& a, const TimedFile& b) { return a.index < b.index; });
     const auto known = FindVolumes(asGiven.begin(), asGiven.end(), *loader);
     if (known.empty())
     {

@@ -108,8 +108,8 @@ private:
   MergeOptions options;
   MergeRequest request;
   InputFiles found;
-  std::optional<std::vector<SiteOutline>> headers; ///< of the files; empty when they do not tell
-  std::optional<SeriesScan> scan;                  ///< of all files
+  std::optional<std::vector<SiteFileList>> headers; ///< of the files; empty when they do not tell
+  std::optional<SeriesScan> scan;                   ///< of all files
   std::optional<SeriesScan> gathered; ///< of the files that any process decoded; after Confirm
   std::shared_ptr<PolarCache> cache;
   std::shared_ptr<SharedRequest> planned;

@@ -24,7 +24,7 @@ constexpr std::size_t filesAhead = 3;
 // A header's time is within seconds of the first ray's in the files of the archive.
 constexpr Duration largestHeaderError = std::chrono::minutes(10);
 
-bool IsEarlier(const OutlinedFile& a, const OutlinedFile& b)
+bool IsEarlier(const TimedFile& a, const TimedFile& b)
 {
   return a.time < b.time;
 }
@@ -32,11 +32,12 @@ bool IsEarlier(const OutlinedFile& a, const OutlinedFile& b)
 } // namespace
 
 VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderWork theWork,
-  std::shared_ptr<PolarCache> theCache, unsigned threadCount)
+  std::shared_ptr<PolarCache> theCache, unsigned theThreadCount)
   : paths(std::move(series.paths))
   , options(std::move(theOptions))
   , work(std::move(theWork))
   , cache(std::move(theCache))
+  , threadCount(std::max(1U, theThreadCount))
   , files(paths.size())
 {
   for (std::size_t index = 0; index < paths.size(); ++index)
@@ -46,7 +47,7 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
   for (std::size_t site = 0; site < series.sites.size(); ++site)
   {
     sites.push_back({std::move(series.sites[site]), {}});
-    for (const OutlinedFile& file : sites.back().outline.files)
+    for (const TimedFile& file : sites.back().list.files)
     {
       files[file.index].site = site;
       order.push_back(file);
@@ -62,10 +63,7 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
     }
   }
   std::stable_sort(order.begin(), order.end(), IsEarlier);
-  for (unsigned count = 0; count < std::max(1U, threadCount); ++count)
-  {
-    threads.emplace_back([this] { this->Work(); });
-  }
+  threads.Start(threadCount, [this] { this->Work(); });
 }
 
 VolumeLoader::~VolumeLoader()
@@ -75,10 +73,7 @@ VolumeLoader::~VolumeLoader()
     stopped = true;
     changed.notify_all();
   }
-  for (std::thread& thread : threads)
-  {
-    thread.join();
-  }
+  threads.Join();
 }
 
 void VolumeLoader::Work()
@@ -127,8 +122,8 @@ std::optional<std::size_t> VolumeLoader::NextFile()
   {
     return std::nullopt;
   }
-  auto ahead = std::upper_bound(order.begin(), order.end(), OutlinedFile{0, *reached}, IsEarlier);
-  for (std::size_t count = 0; count < filesAhead * threads.size() && ahead != order.end();
+  auto ahead = std::upper_bound(order.begin(), order.end(), TimedFile{0, *reached}, IsEarlier);
+  for (std::size_t count = 0; count < filesAhead * threadCount && ahead != order.end();
        ++count, ++ahead)
   {
     const File& file = files[ahead->index];
@@ -311,11 +306,11 @@ std::size_t VolumeLoader::LaterNeeded(const SiteFiles& site, Time time) const
 // time as the last one's. True when nothing had to be asked for.
 bool VolumeLoader::KnowsAbout(const SiteFiles& site, Time time)
 {
-  const std::vector<OutlinedFile>& own = site.outline.files;
+  const std::vector<TimedFile>& own = site.list.files;
   const auto isLater = [time](const auto& each) { return each.second.start > time; };
   bool there = true;
   std::size_t later = 0;
-  const auto look = [&](const OutlinedFile& each, std::size_t unknownLater)
+  const auto look = [&](const TimedFile& each, std::size_t unknownLater)
   {
     const File& file = files[each.index];
     const std::vector<std::pair<Site, SeriesVolume>>& volumes = file.scanned.volumes;
@@ -330,7 +325,7 @@ bool VolumeLoader::KnowsAbout(const SiteFiles& site, Time time)
     return !file.known || fileLater < volumes.size(); // may hold a volume that started
   };
   const auto next = static_cast<std::size_t>(
-    std::upper_bound(own.begin(), own.end(), OutlinedFile{0, time}, IsEarlier) - own.begin());
+    std::upper_bound(own.begin(), own.end(), TimedFile{0, time}, IsEarlier) - own.begin());
   std::size_t started = 0;
   for (std::size_t place = next; place > 0 && started < filesBefore; --place)
   {
@@ -480,13 +475,13 @@ bool VolumeLoader::HeadersErr() const
   for (const SiteFiles& site : sites)
   {
     Time latest = Time::min();
-    for (const OutlinedFile& each : site.outline.files)
+    for (const TimedFile& each : site.list.files)
     {
       for (const auto& [of, volume] : files[each.index].scanned.volumes)
       {
         const Duration error = volume.start - each.time;
         const bool first = &volume == &files[each.index].scanned.volumes.front().second;
-        if (volume.start < latest || (!of.name.empty() && of.name != site.outline.name) ||
+        if (volume.start < latest || (!of.name.empty() && of.name != site.list.name) ||
             (first && (error > largestHeaderError || -error > largestHeaderError)))
         {
           return true;

@@ -3,8 +3,9 @@
 
 #include "nexrad/Merging/PolarCache.h"
 #include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/FileList.h"
 #include "nexrad/Series/ScannedFile.h"
-#include "nexrad/Series/SeriesOutline.h"
+#include "nexrad/System/ThreadGroup.h"
 
 #include <atomic>
 #include <condition_variable>
@@ -17,7 +18,6 @@
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -39,7 +39,7 @@ struct LoaderWork
 struct SeriesFiles
 {
   std::vector<std::filesystem::path> paths;
-  std::vector<SiteOutline> sites; ///< by name
+  std::vector<SiteFileList> sites; ///< by name
   std::vector<std::optional<ScannedFile>>
     known; ///< what each path holds, where that is known; may be empty
 };
@@ -118,7 +118,7 @@ private:
   };
   struct SiteFiles
   {
-    SiteOutline outline;
+    SiteFileList list;
     std::vector<SeriesVolume> volumes; ///< of the files that are known, by start, no two alike
   };
   using Choice = std::vector<std::pair<std::filesystem::path, std::size_t>>; ///< file and cycle
@@ -143,6 +143,7 @@ private:
   const SeriesOptions options;
   const LoaderWork work;
   const std::shared_ptr<PolarCache> cache;
+  const unsigned threadCount;
   std::map<std::filesystem::path, std::size_t> indices;
   std::atomic<std::size_t> decodedFiles{0};
 
@@ -150,15 +151,15 @@ private:
   std::condition_variable changed;
   std::vector<File> files; // by index
   std::vector<SiteFiles> sites;
-  std::deque<std::size_t> wanted;  // to be decoded first
-  std::vector<bool> wantedSites;   // by the last time; empty: all
-  std::vector<OutlinedFile> order; // all, by time
-  std::optional<Time> reached;     // latest header's time of the files that the last time needed
-  Time lastTime = Time::max();     // that will be asked for
+  std::deque<std::size_t> wanted; // to be decoded first
+  std::vector<bool> wantedSites;  // by the last time; empty: all
+  std::vector<TimedFile> order;   // all, by time
+  std::optional<Time> reached;    // latest header's time of the files that the last time needed
+  Time lastTime = Time::max();    // that will be asked for
   bool stopped = false;
   std::exception_ptr failure;
   std::map<Time, Choice> choices;
-  std::vector<std::thread> threads;
+  ThreadGroup threads;
 };
 
 } // namespace nexrad

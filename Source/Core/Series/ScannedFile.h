@@ -1,14 +1,46 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Model/RadarVolume.h"
+#include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/Quality/Despeckling.h"
 #include "nexrad/Series/SiteSeries.h"
+#include "nexrad/System/Processes.h"
 
 #include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
 namespace nexrad
 {
+
+/// What the files that one of several processes scans have in common.
+enum class ScanOrder
+{
+  ByTime,      ///< neighbouring times
+  ByLongitude, ///< neighbouring sites from west to east, and their times
+  ByLatitude   ///< neighbouring sites from south to north, and their times
+};
+
+struct SeriesOptions
+{
+  Level2Options level2;
+  std::optional<MomentName> moment; ///< a volume without it is left out
+  QualityOptions quality;           ///< of the volumes that visitors and digests are made of
+  bool requirePosition = false;     ///< a volume of a site without a position is left out
+  bool digests = false; ///< make the digests of the volumes, of `moment`, which must be set
+  Processes processes;  ///< that scan the inputs together
+  ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
+};
+
+/// Called for each volume while its data are in memory, from several threads at once. The last is
+/// the moment of the options after quality control, nullptr without a moment.
+using VolumeVisitor = std::function<void(
+  const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)>;
 
 /// What one input file holds.
 struct ScannedFile

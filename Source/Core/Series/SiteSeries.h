@@ -3,17 +3,12 @@
 
 #include "nexrad/Beams/VolumeDigest.h"
 #include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Level2/Level2File.h"
-#include "nexrad/Model/RadarVolume.h"
-#include "nexrad/Quality/Despeckling.h"
+#include "nexrad/Model/Site.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/VolumeSelection.h"
-#include "nexrad/System/Processes.h"
-#include "nexrad/System/Progress.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -65,42 +60,5 @@ struct SeriesScan
   /// Positions of the sites that have one.
   std::vector<Position> Positions() const;
 };
-
-/// What the files that one of several processes scans have in common.
-enum class ScanOrder
-{
-  ByTime,      ///< neighbouring times
-  ByLongitude, ///< neighbouring sites from west to east, and their times
-  ByLatitude   ///< neighbouring sites from south to north, and their times
-};
-
-struct SeriesOptions
-{
-  Level2Options level2;
-  std::optional<MomentName> moment; ///< a volume without it is left out
-  QualityOptions quality;           ///< of the volumes that visitors and digests are made of
-  bool requirePosition = false;     ///< a volume of a site without a position is left out
-  bool digests = false; ///< make the digests of the volumes, of `moment`, which must be set
-  Processes processes;  ///< that scan the inputs together
-  ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
-};
-
-/// Called for each volume while its data are in memory, from several threads at once. The last is
-/// the moment of the options after quality control, nullptr without a moment.
-using VolumeVisitor = std::function<void(
-  const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)>;
-
-/// Decodes each input once, a few at a time on as many threads, and says what volumes there are. A
-/// file belongs to the site that stands in it, whatever its name. Of two volumes of one site with
-/// the same first ray the one with more rays stays. Damage, and what was left out, is in
-/// `problems`; `progress` is called from this thread alone. Empty when `progress` asked to stop.
-/// Throws Error as FindInputFiles does.
-///
-/// Several processes scan a part each, of neighbouring times or sites, so that a process finds most
-/// volumes of its part of the day, or of the country, among those that it visited. All get the same
-/// result: also when one of them fails or is asked to stop.
-std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
-  const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
-  const Progress& progress = {});
 
 } // namespace nexrad

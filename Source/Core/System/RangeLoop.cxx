@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/System/RangeLoop.h"
 
+#include "nexrad/System/ThreadGroup.h"
+
 #include <atomic>
-#include <thread>
-#include <vector>
 
 namespace nexrad
 {
@@ -20,16 +20,8 @@ RangeLoop ThreadLoop(unsigned threads)
         work(each, each + 1);
       }
     };
-    std::vector<std::thread> others;
-    for (unsigned i = 1; i < threads; ++i)
-    {
-      others.emplace_back(run);
-    }
+    const ThreadGroup others(threads - 1, run);
     run();
-    for (std::thread& other : others)
-    {
-      other.join();
-    }
   };
 }
 

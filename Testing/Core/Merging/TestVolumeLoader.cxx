@@ -3,6 +3,7 @@
 
 #include "HandMadeVolume.h"
 #include "TestData.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 
@@ -67,7 +68,7 @@ protected:
   std::unique_ptr<VolumeLoader> Open(
     unsigned threads = 2, const std::shared_ptr<PolarCache>& cache = nullptr)
   {
-    const auto headers = OutlineSeries(paths);
+    const auto headers = ListByHeaders(paths);
     EXPECT_TRUE(headers);
     SeriesOptions options;
     options.moment = MomentName::REF;
@@ -285,31 +286,31 @@ TEST_F(VolumeLoading, HandsOnWhatPreparingThrows)
   LoaderWork work = this->Work();
   work.prepare = [](const std::shared_ptr<const PolarVolume>&) -> ReadyVolume
   { throw std::runtime_error("no room"); };
-  VolumeLoader loader({paths, *OutlineSeries(paths), {}}, {}, work, nullptr, 2);
+  VolumeLoader loader({paths, *ListByHeaders(paths), {}}, {}, work, nullptr, 2);
   EXPECT_THROW(loader.About(start), std::runtime_error);
   EXPECT_THROW(loader.Scan(0), std::runtime_error);
 }
 
-TEST(SeriesOutline, HeadersTellSiteAndTime)
+TEST(FileList, HeadersTellSiteAndTime)
 {
   const TemporaryFolder folder;
   const auto later = WriteLevel2(folder.Path() / "a", {ConstantVolume(keax, start + 5min, 20.0)});
   const auto first = WriteLevel2(folder.Path() / "b", {ConstantVolume(keax, start, 20.0)});
   const auto other = WriteLevel2(folder.Path() / "c", {ConstantVolume(klsx, start, 20.0)});
-  const auto outline = OutlineSeries({later, first, other});
-  ASSERT_TRUE(outline);
-  ASSERT_EQ(outline->size(), 2U);
-  EXPECT_EQ(outline->at(0).name, "KEAX");
-  ASSERT_EQ(outline->at(0).files.size(), 2U);
-  EXPECT_EQ(outline->at(0).files[0].index, 1U);
-  EXPECT_EQ(outline->at(0).files[0].time, start);
-  EXPECT_EQ(outline->at(0).files[1].index, 0U);
-  const auto renamed = OutlineSeries({later, first, other}, "KABC");
+  const auto list = ListByHeaders({later, first, other});
+  ASSERT_TRUE(list);
+  ASSERT_EQ(list->size(), 2U);
+  EXPECT_EQ(list->at(0).name, "KEAX");
+  ASSERT_EQ(list->at(0).files.size(), 2U);
+  EXPECT_EQ(list->at(0).files[0].index, 1U);
+  EXPECT_EQ(list->at(0).files[0].time, start);
+  EXPECT_EQ(list->at(0).files[1].index, 0U);
+  const auto renamed = ListByHeaders({later, first, other}, "KABC");
   ASSERT_EQ(renamed->size(), 1U);
   EXPECT_EQ(renamed->at(0).name, "KABC");
   std::ofstream(folder.Path() / "text") << "no header";
-  EXPECT_FALSE(OutlineSeries({later, folder.Path() / "text"}));
-  EXPECT_FALSE(OutlineSeries({folder.Path() / "absent"}));
+  EXPECT_FALSE(ListByHeaders({later, folder.Path() / "text"}));
+  EXPECT_FALSE(ListByHeaders({folder.Path() / "absent"}));
 }
 
 } // namespace

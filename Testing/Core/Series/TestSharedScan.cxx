@@ -5,6 +5,7 @@
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/SiteTable.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>

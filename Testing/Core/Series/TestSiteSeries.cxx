@@ -3,6 +3,7 @@
 
 #include "HandMadeVolume.h"
 #include "TestData.h"
+#include "nexrad/Series/ScanInputs.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Series/SeriesOutline.h"
+#include "nexrad/Series/FileList.h"
 
 #include "nexrad/Level2/Level2File.h"
 
@@ -9,10 +9,10 @@
 namespace nexrad
 {
 
-std::optional<std::vector<SiteOutline>> OutlineSeries(
+std::optional<std::vector<SiteFileList>> ListByHeaders(
   const std::vector<std::filesystem::path>& paths, const std::string& siteName)
 {
-  std::map<std::string, SiteOutline> sites;
+  std::map<std::string, SiteFileList> sites;
   for (std::size_t index = 0; index < paths.size(); ++index)
   {
     const std::optional<VolumeHeader> header = PeekVolumeHeader(paths[index]);
@@ -21,18 +21,18 @@ std::optional<std::vector<SiteOutline>> OutlineSeries(
     {
       return std::nullopt;
     }
-    SiteOutline& site = sites[name];
+    SiteFileList& site = sites[name];
     site.name = name;
     site.files.push_back({index, *header->time});
   }
-  std::vector<SiteOutline> outline;
+  std::vector<SiteFileList> list;
   for (auto& [name, site] : sites)
   {
     std::stable_sort(site.files.begin(), site.files.end(),
-      [](const OutlinedFile& a, const OutlinedFile& b) { return a.time < b.time; });
-    outline.push_back(std::move(site));
+      [](const TimedFile& a, const TimedFile& b) { return a.time < b.time; });
+    list.push_back(std::move(site));
   }
-  return outline;
+  return list;
 }
 
 } // namespace nexrad

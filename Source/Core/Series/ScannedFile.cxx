@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Series/ScannedFile.h"
+
+#include "nexrad/Model/SiteKey.h"
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+#include <map>
+#include <new>
+#include <string>
+
+namespace nexrad
+{
+
+namespace
+{
+
+/// Why a volume cannot be used; empty when it can.
+std::string ReasonToLeaveOut(const RadarVolume& volume, const SeriesOptions& options)
+{
+  if (volume.sweeps.empty())
+  {
+    return "no ray could be read: left out";
+  }
+  if (options.requirePosition && !volume.site.position)
+  {
+    return "the position of site \"" + volume.site.name + "\" is unknown: left out";
+  }
+  const auto hasMoment = [&](const Sweep& sweep) { return sweep.Has(*options.moment); };
+  if (options.moment && std::none_of(volume.sweeps.begin(), volume.sweeps.end(), hasMoment))
+  {
+    return std::string("no ray has ") + ToString(*options.moment) + ": left out";
+  }
+  return {};
+}
+
+// Slant range to which half of the sweeps with the moment see, or farther, m.
+double ReachOf(const RadarVolume& volume, MomentName moment)
+{
+  std::vector<double> reaches;
+  for (const Sweep& sweep : volume.sweeps)
+  {
+    const MomentRow& row = sweep.rays.front().Row(moment);
+    if (row.gates > 0)
+    {
+      reaches.push_back(row.firstGate + (row.gates - 0.5) * row.gateSpacing);
+    }
+  }
+  if (reaches.empty())
+  {
+    return 0.0;
+  }
+  const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>((reaches.size() - 1) / 2);
+  std::nth_element(reaches.begin(), middle, reaches.end());
+  return *middle;
+}
+
+SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& path,
+  std::size_t cycle, MomentName moment)
+{
+  SeriesVolume description;
+  description.file = path;
+  description.cycle = cycle;
+  description.start = *volume.Start();
+  description.end = *volume.End();
+  description.rays = volume.RayCount();
+  description.reach = ReachOf(volume, moment);
+  description.synthetic = volume.synthetic;
+  return description;
+}
+
+/// Sorts a site's volumes and drops the poorer of two with the same first ray.
+void SortVolumes(SiteSeries& series, std::vector<InputProblem>& problems)
+{
+  std::vector<SeriesVolume>& volumes = series.volumes;
+  std::stable_sort(volumes.begin(), volumes.end(), IsBefore);
+  std::vector<SeriesVolume> kept;
+  for (SeriesVolume& volume : volumes)
+  {
+    if (!kept.empty() && kept.back().start == volume.start)
+    {
+      problems.push_back({volume.file.string(), {},
+        "the same volume as " + kept.back().file.string() + ": left out", true});
+      continue;
+    }
+    kept.push_back(std::move(volume));
+  }
+  volumes = std::move(kept);
+}
+
+ScannedFile ScanWithinMemory(
+  const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
+{
+  ScannedFile scanned;
+  RadarVolume whole;
+  try
+  {
+    whole = ReadLevel2(path, options.level2);
+  }
+  catch (const Error& error)
+  {
+    // An error names its file already.
+    const std::string prefix = path.string() + ": ";
+    std::string what = error.what();
+    what = what.compare(0, prefix.size(), prefix) == 0 ? what.substr(prefix.size()) : what;
+    scanned.problems.push_back({path.string(), {}, what, true});
+    return scanned;
+  }
+  for (const Damage& damage : whole.damage)
+  {
+    scanned.problems.push_back({path.string(), damage.offset, damage.what, false});
+  }
+  const std::vector<RadarVolume> cycles = SplitCycles(whole);
+  for (std::size_t cycle = 0; cycle < cycles.size(); ++cycle)
+  {
+    const std::string reason = ReasonToLeaveOut(cycles[cycle], options);
+    if (!reason.empty())
+    {
+      scanned.problems.push_back({path.string(), {}, reason, true});
+      continue;
+    }
+    scanned.volumes.emplace_back(cycles[cycle].site,
+      Describe(cycles[cycle], path, cycle, options.moment.value_or(MomentName::REF)));
+    std::shared_ptr<const PolarVolume> clean;
+    if (options.moment && (options.digests || visitor))
+    {
+      clean = std::make_shared<const PolarVolume>(
+        MakeCleanVolume(cycles[cycle], *options.moment, options.quality));
+    }
+    if (options.digests)
+    {
+      scanned.volumes.back().second.digest =
+        std::make_shared<const VolumeDigest>(MakeDigest(*clean));
+    }
+    if (visitor)
+    {
+      visitor(scanned.volumes.back().second, cycles[cycle], clean);
+    }
+  }
+  return scanned;
+}
+
+} // namespace
+
+bool IsBefore(const SeriesVolume& a, const SeriesVolume& b)
+{
+  return a.start != b.start ? a.start < b.start : a.rays > b.rays;
+}
+
+ScannedFile ScanFile(
+  const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
+{
+  try
+  {
+    return ScanWithinMemory(path, options, visitor);
+  }
+  catch (const std::bad_alloc&)
+  {
+    ScannedFile scanned;
+    scanned.problems.push_back(
+      {path.string(), {}, "needs more memory than there is: left out", true});
+    return scanned;
+  }
+}
+
+SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<ScannedFile>& files)
+{
+  SeriesScan scan;
+  scan.problems = std::move(problems);
+  std::map<SiteKey, SiteSeries> groups;
+  for (const ScannedFile& file : files)
+  {
+    scan.problems.insert(scan.problems.end(), file.problems.begin(), file.problems.end());
+    for (const auto& [site, volume] : file.volumes)
+    {
+      SiteSeries& group = groups[KeyOf(site)];
+      if (!group.site.position)
+      {
+        group.site = site;
+      }
+      group.volumes.push_back(volume);
+    }
+  }
+  for (auto& group : groups)
+  {
+    SortVolumes(group.second, scan.problems);
+    scan.sites.push_back(std::move(group.second));
+  }
+  return scan;
+}
+
+} // namespace nexrad
