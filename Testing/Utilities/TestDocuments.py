@@ -20,6 +20,7 @@ FOLDERS = "Source|Testing|Utilities|Documentation|Data|Plugins|CMake"
 NAMED_FILE = re.compile(rf"(?:{FOLDERS})/[\w./-]*")
 # The name, as a command line or a sentence has it, and what follows up to the end of the command.
 COMMAND = re.compile(r"(?:^|[\s/])nexrad3d +([a-z]+)\b([^\n|&#`]*)")
+NAMED_ROW = re.compile(r"Formulas ([A-Z]\d+[a-z]?)\b")
 OPTION = re.compile(r"(?<![\w-])--[a-z][a-z-]*")
 
 
@@ -91,6 +92,15 @@ class Documents(unittest.TestCase):
 
     def test_commands(self):
         self.each(lambda document: wrong_commands(document.read_text()))
+
+    def test_rows_of_the_formulas(self):
+        """Each row that a comment names ("Formulas B2") is there."""
+        text = (ROOT / "Documentation" / "Developer" / "formulas.md").read_text()
+        rows = set(re.findall(r"^(?:\| |### )([A-Z]\d+[a-z]?)\b", text, re.MULTILINE))
+        named = {row for folder in ("Source", "Testing") for file in (ROOT / folder).rglob("*")
+                 if file.suffix in (".h", ".cxx", ".glsl") for row in NAMED_ROW.findall(file.read_text())}
+        self.assertGreater(len(named), 30)
+        self.assertEqual(sorted(named - rows), [])
 
     def test_user_guide_is_in_order(self):
         """Each page leads to the next one."""
