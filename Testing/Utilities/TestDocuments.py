@@ -93,6 +93,14 @@ class Documents(unittest.TestCase):
     def test_commands(self):
         self.each(lambda document: wrong_commands(document.read_text()))
 
+    def test_pages_begin_with_what_they_are_for(self):
+        """A heading, then a paragraph: no list, table, picture or second heading."""
+        for document in documents():
+            with self.subTest(str(document.relative_to(ROOT))):
+                heading, _, rest = document.read_text().partition("\n")
+                self.assertRegex(heading, r"^# \S")
+                self.assertRegex(rest.lstrip(), r"^[A-Z`][^|!]")
+
     def test_rows_of_the_formulas(self):
         """Each row that a comment names ("Formulas B2") is there."""
         text = (ROOT / "Documentation" / "Developer" / "formulas.md").read_text()
