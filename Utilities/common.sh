@@ -15,17 +15,20 @@ packages=(
   xvfb xauth libgl1-mesa-dri
 )
 
+# missing_packages PACKAGE...: those that are not installed.
 missing_packages() {
   local package
-  for package in "${packages[@]}"; do
+  for package in "$@"; do
     dpkg-query -W -f '${db:Status-Status}\n' "$package" 2>/dev/null | grep -qx installed ||
       printf '%s ' "$package"
   done
 }
 
+# install_packages [PACKAGE...]: installs what is missing of these packages, by default of all that a build needs.
 install_packages() {
   local missing as_root=()
-  missing=$(missing_packages)
+  [ $# -gt 0 ] || set -- "${packages[@]}"
+  missing=$(missing_packages "$@")
   if [ -z "$missing" ]; then
     say "Packages: all that is needed is installed"
     return

@@ -9,7 +9,7 @@ class App;
 }
 
 /// The program nexrad3d. Each command adds itself to the command line in a function
-/// Add<Name>Command(CLI::App&, CommandAction&) declared in <Name>Command.h, and main.cxx lists
+/// `Add<Name>Command(CLI::App&, CommandAction&)` declared in `<Name>Command.h`, and main.cxx lists
 /// these functions.
 namespace nexrad::application
 {

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Maps how high echo reaches: echo_tops.py VOLUME.nxv PICTURE.png [DBZ]
+"""Draws a map of the heights of echo tops: echo_tops.py VOLUME.nxv PICTURE.png [DBZ]
 
 The echo top is the height of the highest voxel with at least that reflectivity (18 dBZ by default),
-above mean sea level. It is known to half the distance between two levels.
+above mean sea level. Its error is up to half the distance between two levels of voxels.
 """
 
 import sys

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A session in ParaView: radar days as volumes, colours, time, an animation, and the state again.
+"""A session in ParaView: shows radar days as volumes, writes an animation, saves the state and opens it again.
 
-    pvpython paraview_session.py PLUGIN FOLDER OUTPUT       FOLDER holds the folders of radar files below
+    pvpython paraview_session.py PLUGIN FOLDER OUTPUT       FOLDER contains the folders RADARS and STORM
     pvpython paraview_session.py PLUGIN OUTPUT              opens the state that the first run saved
 
-PLUGIN is the path of VTKNexrad.so. Every step is one that the menus have as well.
+PLUGIN is the path of VTKNexrad.so. The menus of ParaView have every step as well.
 """
 
 import os
@@ -13,7 +13,7 @@ import sys
 from paraview.simple import *
 
 RADARS, STORM = "multisite-20100911", "run-kbgm-20050821"
-UNIT_DISTANCE = 5000  # metres of echo that are as opaque as the colour map says
+UNIT_DISTANCE = 5000  # m, the unit distance of the opacities in the colour map
 
 
 def load_plugin(path):
@@ -21,7 +21,7 @@ def load_plugin(path):
 
 
 def open_day(folder, **settings):
-    """A folder stands for all files in it, of whatever radars."""
+    """Opens all files of a folder, of any number of radars, as one source."""
     day = NEXRADRadarDay(FileNames=[folder], **settings)
     day.UpdatePipelineInformation()
     return day
@@ -34,7 +34,7 @@ def show(day, view, representation, colours):
         function.ApplyPreset(colours, False)
     display.SetRepresentationType(representation)
     display.ScalarOpacityUnitDistance = UNIT_DISTANCE
-    display.Scale = [1, 1, 10]  # storms are flat: ten times higher than they are
+    display.Scale = [1, 1, 10]  # heights stretched ten times
     display.SetScalarBarVisibility(view, True)
     return display
 
@@ -65,7 +65,7 @@ def several_radars(folder, output):
 def sweeps(folder, output):
     view = GetActiveViewOrCreate("RenderView")
     reader = NEXRADLevelIIReader(FileNames=[os.path.join(folder, STORM)])
-    reader.Moments = ["REF"]  # the other moments' gates are grids of their own, at the same places
+    reader.Moments = ["REF"]  # moments with other gates are separate grids at the same places
     view.ViewTime = reader.TimestepValues[1]
     display = Show(reader, view)
     ColorBy(display, ("POINTS", "REF"))
@@ -100,7 +100,7 @@ def storm_in_time(folder, output):
 
     display.SetRepresentationType("Volume (slices)")
     display.NumberOfSlices = 512
-    opacity = GetOpacityTransferFunction("REF")  # only what is above 35 dBZ: value, opacity, two of shape
+    opacity = GetOpacityTransferFunction("REF")  # shows echo above 35 dBZ: value, opacity, midpoint, sharpness
     opacity.Points = [35, 0, 0.5, 0, 40, 0.2, 0.5, 0, 55, 0.9, 0.5, 0]
     save_picture(view, output, "storm-cores")
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The slice mapper in a script without any radar: slices_in_vtk.py PICTURE.png
+"""Draws a volume without radar data by slices: slices_in_vtk.py PICTURE.png
 
-After Activate, whatever asks VTK for a vtkGPUVolumeRayCastMapper gets slices: the script says
-nothing of them below.
+After Activate, VTK creates the texture-slice mapper wherever a vtkGPUVolumeRayCastMapper is requested.
+The script below does not name the mapper.
 """
 
 import sys

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How well the merge by beams finds the synthetic storm again, beside the thesis's method: the
-// table of Documentation/Developer/formulas.md, section E. The refraction of the simulated
-// atmosphere varies; the merges know of 4/3 alone.
+// Compares the method `beam` and the thesis's method with the synthetic storm: the table of
+// Documentation/Developer/experiments.md. The refraction of the simulated atmosphere varies; the
+// merges assume 4/3.
 #include "ScannedDay.h"
 #include "StormFeatures.h"
 #include "nexrad/Geometry/SiteGeoreference.h"
