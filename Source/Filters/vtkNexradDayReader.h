@@ -27,11 +27,11 @@
  * or a file turns out to hold another radar's rays or those of another time than its header says,
  * all files are decoded first.
  *
- * Several processes (SetController, UseGlobalController) scan a part of the files each, and tell
- * one another what was in them: the times, how far each volume sees, and the picture of its echo in
- * which motion is looked for. Then each makes the part of the volume that its pipeline asks for
- * (UPDATE_EXTENT) without another word to the others, and decodes only the files of the radars that
- * see something of that part. The parts together are, bit by bit, the volume of one process.
+ * Several processes (SetController, UseGlobalController) scan a part of the files each, and
+ * exchange once what the files hold: the times, how far each volume sees, and a summary of its echo
+ * for the motion estimate. Then each makes the part of the volume that its pipeline asks for
+ * (UPDATE_EXTENT), and decodes only the files of the radars that reach that part; no process waits
+ * for another any more. The parts together are, bit by bit, the volume of one process.
  *
  * A damaged file gives warnings and still takes part with what can be read of it; a file that
  * cannot be used is named and left out (GetDamage, GetLeftOut). Errors: NoFileNameError,

@@ -66,8 +66,8 @@ public:
   };
 
   /**
-   * How the time between a radar's looks is filled. LINEAR: where they are (Formulas A1). MOTION:
-   * along the motion of the echo (A2a).
+   * Interpolation between two observations of a radar. LINEAR: without a shift (Formulas A1).
+   * MOTION: along the motion of the echo (A2a).
    */
   enum TimeInterpolationType
   {
@@ -235,7 +235,7 @@ public:
 
   ///@{
   /**
-   * For BEAM: add what stands behind each voxel, as the arrays `REF_age`, `REF_radars`,
+   * For BEAM: add the ancillary arrays `REF_age`, `REF_radars`,
    * `REF_weight` and `REF_site` (vtkNexradImageConversion.h). Off by default.
    */
   vtkSetMacro(CompanionArrays, bool);

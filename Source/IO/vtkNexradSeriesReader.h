@@ -9,7 +9,7 @@
  *   steps ^  ^         ^   ^      ^               the starts of all volumes
  * ```
  *
- * The files are grouped by the site that stands in each, whatever their names. The time steps are
+ * The files are grouped by the site named in each file, whatever their names. The time steps are
  * the times of the first rays of all volumes, in seconds since 1970-01-01T00:00:00Z; a file with
  * several cycles counts as several volumes. The output at a time holds, for each site, the sweeps
  * of its latest volume that starts at or before that time; a site that has not begun is absent. So

@@ -14,8 +14,8 @@ simple.LoadPlugin(os.environ["NEXRAD_PLUGIN"], remote=False, ns=vars(simple))
 
 SOURCES = {
     "NexradRadarDay": "vtkNexradDayReader",
-    "NexradLevel2Reader": "vtkNexradSeriesReader",
-    "NexradLevel2Volume": "vtkNexradLevel2Reader",
+    "NexradLevel2Series": "vtkNexradSeriesReader",
+    "NexradLevel2Reader": "vtkNexradLevel2Reader",
 }
 FILTERS = {
     "NexradVolumeResampler": "vtkNexradVolumeResampler",

@@ -84,7 +84,7 @@ class Settings(unittest.TestCase):
                         self.assertRegex(text, UNITS)
 
     def test_every_proxy_is_a_name_of_paraview_simple(self):
-        for name in ("NEXRADRadarDay", "NEXRADLevelIIReader", "NEXRADLevelIIVolume",
+        for name in ("NEXRADRadarDay", "NEXRADLevelIISeries", "NEXRADLevelIIReader",
                      "NEXRADVolumeResampler", "NEXRADSiteMerge", "NEXRADVolumeReader"):
             self.assertTrue(hasattr(simple, name), name)
 

@@ -68,14 +68,14 @@ class Sweeps(PipelineTest):
         reader = vtknexrad.vtkNexradSeriesReader()
         for path in SyntheticFiles.files():
             reader.AddFileName(path)
-        proxy = simple.NEXRADLevelIIReader(FileNames=list(SyntheticFiles.files()))
+        proxy = simple.NEXRADLevelIISeries(FileNames=list(SyntheticFiles.files()))
         self.assertEqual(list(proxy.TimestepValues), time_steps(reader))
         self.assertGreater(len(proxy.TimestepValues), 1)
         for time in proxy.TimestepValues:
             self.assertSameSweeps(Plugin.fetch(proxy, time), vtknexrad.update(reader, time))
 
     def test_moments_can_be_chosen(self):
-        proxy = simple.NEXRADLevelIIReader(FileNames=list(SyntheticFiles.files()[:1]))
+        proxy = simple.NEXRADLevelIISeries(FileNames=list(SyntheticFiles.files()[:1]))
         self.assertEqual(list(proxy.Moments), ["REF", "VEL", "SW", "ZDR", "PHI", "RHO", "CFP"])
         proxy.Moments = ["VEL"]
         arrays = {name for sweep in sweeps_of(Plugin.fetch(proxy)) for name in sweep[3]}
@@ -88,7 +88,7 @@ class Sweeps(PipelineTest):
             reader = vtknexrad.vtkNexradLevel2Reader()
             reader.SetFileName(path)
             reader.SetCoordinates(number)
-            proxy = simple.NEXRADLevelIIVolume(FileName=path, Coordinates=text)
+            proxy = simple.NEXRADLevelIIReader(FileName=path, Coordinates=text)
             self.assertSameSweeps(Plugin.fetch(proxy), vtknexrad.update(reader))
 
     def test_sites_are_told_apart_by_what_stands_in_the_files(self):
@@ -96,7 +96,7 @@ class Sweeps(PipelineTest):
         with tempfile.TemporaryDirectory() as folder:
             for i, path in enumerate(files):
                 os.symlink(path, os.path.join(folder, f"file{i}"))
-            proxy = simple.NEXRADLevelIIReader(FileNames=[folder])
+            proxy = simple.NEXRADLevelIISeries(FileNames=[folder])
             names = {sweep[0][:4] for sweep in
                      sweeps_of(Plugin.fetch(proxy, proxy.TimestepValues[-1]))}
         self.assertEqual(names, {os.path.basename(path)[:4] for path in files})
@@ -148,7 +148,7 @@ class Merging(PipelineTest):
         resampler.SetDimensions(*GRID)
         resampler.SetMethodToThesis()
         proxy = simple.NEXRADVolumeResampler(
-            Input=simple.NEXRADLevelIIVolume(FileName=path), Dimensions=GRID, Method="Thesis")
+            Input=simple.NEXRADLevelIIReader(FileName=path), Dimensions=GRID, Method="Thesis")
         self.assertSameVolume(Plugin.fetch(proxy), vtknexrad.update(resampler))
 
     def test_site_merge_is_the_radar_day(self):
@@ -156,7 +156,7 @@ class Merging(PipelineTest):
         day = simple.NEXRADRadarDay(FileNames=files, Dimensions=GRID, MaximumGap=3600)
         time = day.TimestepValues[len(day.TimestepValues) // 2]
         merge = simple.NEXRADSiteMerge(
-            Input=[simple.NEXRADLevelIIVolume(FileName=path) for path in files],
+            Input=[simple.NEXRADLevelIIReader(FileName=path) for path in files],
             Dimensions=GRID, MaximumGap=3600, Time=time)
         self.assertSameVolume(Plugin.fetch(merge), Plugin.fetch(day, time))
 
@@ -197,7 +197,7 @@ class Files(PipelineTest):
 class OpenDialog(unittest.TestCase):
     """Which readers ParaView offers for a file: it asks by name, then the reader by content."""
 
-    level2 = {"NexradLevel2Reader", "NexradLevel2Volume", "NexradRadarDay"}
+    level2 = {"NexradLevel2Series", "NexradLevel2Reader", "NexradRadarDay"}
 
     def offered(self, path):
         factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
@@ -232,7 +232,7 @@ class OpenDialog(unittest.TestCase):
 
     def test_folder_of_files_is_for_the_readers_of_many(self):
         folder = os.path.dirname(SyntheticFiles.files()[0])
-        self.assertEqual(self.offered(folder), {"NexradLevel2Reader", "NexradRadarDay"})
+        self.assertEqual(self.offered(folder), {"NexradLevel2Series", "NexradRadarDay"})
         with tempfile.TemporaryDirectory() as empty:
             self.assertEqual(self.offered(empty), set())
 

@@ -64,7 +64,7 @@ def several_radars(folder, output):
 
 def sweeps(folder, output):
     view = GetActiveViewOrCreate("RenderView")
-    reader = NEXRADLevelIIReader(FileNames=[os.path.join(folder, STORM)])
+    reader = NEXRADLevelIISeries(FileNames=[os.path.join(folder, STORM)])
     reader.Moments = ["REF"]  # moments with other gates are separate grids at the same places
     view.ViewTime = reader.TimestepValues[1]
     display = Show(reader, view)

@@ -21,7 +21,7 @@ enum class VoxelState : std::uint8_t
   NotScanned = 3 ///< no beam passed
 };
 
-/// What stands behind each voxel of a merged volume, in the order of its values. Made on demand:
+/// The ancillary arrays of a merged volume, in the order of its values. They are made on demand:
 /// each is empty, or has a value for every voxel. Voxels that no radar scanned have age, number and
 /// weight 0, also where a column was filled.
 struct VoxelCompanions

@@ -98,7 +98,7 @@ float LongestTime(const std::vector<TiltObservation>& observations, bool after)
   return longest;
 }
 
-// Metres that echo may move between the time and any look of these tilts.
+// Metres that echo may move between the time and any observation of these tilts.
 double FarthestWay(const std::vector<BeamTilt>& tilts, const MotionField& motion)
 {
   float longest = 0.0F; // s

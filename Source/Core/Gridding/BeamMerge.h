@@ -29,15 +29,16 @@ struct BeamMergeOptions
   std::optional<double> beamWidth; ///< degrees; unless said, each radar's own (Formulas B4)
   BeamModel beam = BeamModel();    ///< path of the beams
   bool linearReflectivity = false; ///< interpolate Z in place of dBZ (Formulas G5)
-  bool sharpen = true; ///< take the beam's width back from reflectivity in dBZ (Formulas G9)
-  bool means = true;   ///< take means where voxels are coarser than gates (Formulas G10)
-  bool trend = true;   ///< between tilts, follow the tilts beyond (Formulas G11) and layers (G12);
-                       ///< else G8 alone. Reflectivity in dBZ
-  bool fill = false;   ///< fill between and below what was scanned (Formulas T7)
+  bool sharpen =
+    true; ///< deconvolve the beam width in elevation (Formulas G9); of reflectivity in dBZ
+  bool means = true; ///< take means where voxels are coarser than gates (Formulas G10)
+  bool trend = true; ///< between tilts, follow the tilts beyond (Formulas G11) and layers (G12);
+                     ///< else G8 alone. Reflectivity in dBZ
+  bool fill = false; ///< fill between and below what was scanned (Formulas T7)
   bool companions = false; ///< make GriddedVolume::companions
 };
 
-/// A radar of which it is asked whether it sees anything of a block.
+/// Position and reach of a radar, from which follows whether it reaches a block.
 struct SiteReach
 {
   Position position;
@@ -49,16 +50,18 @@ struct SiteReach
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
 
-/// The default method: merges volumes of any number of radars, as beams see the voxels of a grid.
+/// The default method: merges volumes of any number of radars on a grid by the geometry of their
+/// beams.
 ///
-/// For each column of voxels and each radar: every tilt sampled where it passes over the column
-/// (G2, G7), on the looks before and after the time, with each ray's own time (A1, A5); the voxels
-/// between the tilts, reflectivity in dBZ by G8, G11 and G12 and other moments linearly in the
-/// elevation angle, none farther than half a beam width above the highest or below the lowest (G3);
-/// then the radars together (W). What is not scanned, no echo and range folded stay apart (G6).
+/// For each column of voxels and each radar: every tilt is sampled where it passes over the column
+/// (G2, G7), in the observations before and after the time, with each ray's own time (A1, A5); the
+/// voxels between the tilts, reflectivity in dBZ by G8, G11 and G12 and other moments linearly in
+/// the elevation angle, none farther than half a beam width above the highest or below the lowest
+/// (G3); then the radars together (W). What is not scanned, no echo and range folded stay apart
+/// (G6).
 ///
-/// With a motion, echo between two looks stands where it was at the time (A2a); without, the looks
-/// are blended where they are.
+/// With a motion, both observations are shifted along it to the time (A2a) and then blended;
+/// without, they are blended without a shift.
 ///
 /// An object serves one run: it keeps the geometry of each radar on the grid, and the volumes of
 /// the last merge made ready, so that a run through the day prepares each volume once and holds
@@ -77,8 +80,8 @@ public:
   /// does not depend on it. Throws Error as PartOf does.
   void SetBlock(const VoxelBlock& part);
 
-  /// Of each radar, whether it can tell anything of the block: of one that cannot, volumes without
-  /// sweeps do as well in Merge.
+  /// Of each radar, whether it reaches the block. Of one that does not, volumes without sweeps give
+  /// the same result in Merge.
   std::vector<bool> FindReaching(const std::vector<SiteReach>& radars, const RangeLoop& loop = {});
 
   /// The merge at a time, of volumes from Prepare or PrepareForGrid; means that a volume lacks for

@@ -26,7 +26,8 @@ struct MergeSite
   std::vector<BeamTilt> tilts;  ///< never empty
   std::vector<TiltEdges> edges; ///< of the tilts
   SamplingContext context;
-  float reach = 0.0F; ///< tan(γ/2) of the farthest gate of any look: columns beyond are not seen
+  float reach =
+    0.0F; ///< tan(γ/2) of the farthest gate of any observation; columns beyond it are not scanned
   std::array<double, 2> north = {0.0, 1.0}; ///< the radar's north in the grid's directions
   std::vector<QuietTilt> quiet;             ///< of the tilts
   SiteLayers layers;                        ///< none unless they are followed

@@ -35,15 +35,16 @@ struct SamplingContext
   float ceiling = 0.002F; ///< h/(a_e + h) of the height above which nothing can be (Formulas G4)
 };
 
-/// What a tilt has where no gate about a column holds anything but no echo, as far as one look
-/// before and one after the time say so in all directions, both young enough to count in full.
+/// The sample of a tilt over columns about which no gate holds anything but no echo. It follows
+/// from one observation before and one after the time, both complete in azimuth and near enough in
+/// time to count in full.
 struct QuietTilt
 {
   const BeamSweep* before = nullptr; ///< nullptr: unknown
   const BeamSweep* after = nullptr;
   float nearest = 0.0F;       ///< tan(γ/2) from which both have gates
   float farthest = 0.0F;      ///< and to which
-  std::uint8_t elevation = 0; ///< ElevationCode of the lowest sweep of any look
+  std::uint8_t elevation = 0; ///< ElevationCode of the lowest sweep of any observation
 };
 
 /// Unknown too while TiltSample::age is wanted, which differs from ray to ray.
@@ -54,17 +55,19 @@ QuietTilt FindQuiet(const BeamTilt& tilt, const SamplingContext& context);
 std::optional<TiltSample> SampleQuiet(
   const QuietTilt& quiet, const ColumnDirection& column, const SamplingContext& context);
 
-/// Samples one of a radar's tilts over a column: bilinear in azimuth and range on the last look at
-/// or before the time and on the first one after it, then linear in time (Formulas G2, G6, A1).
+/// Samples one of a radar's tilts over a column: bilinear in azimuth and range in the last
+/// observation at or before the time and in the first one after it, then linear in time (Formulas
+/// G2, G6, A1).
 ///
-/// With a motion, the two looks go to where the column's echo was and will be, when both see
-/// something there (A2a): on the tilt, whose height there differs, but to opposite sides. A look
-/// that has none on the other side of the time goes there as well, at the height over the column,
-/// between the neighbouring tilts; where these see nothing there, it stays. Which looks they are,
-/// their age, and whether there is anything to tell, is decided over the column.
+/// With a motion, both observations are sampled where the column's echo was and will be, when both
+/// have an echo or no echo there (A2a). They are sampled on the tilt, whose height differs there,
+/// but to opposite sides. An observation without one on the other side of the time is sampled there
+/// as well, at the height over the column, between the neighbouring tilts; where these have neither
+/// echo nor no echo, it is sampled over the column. Which observations are used, and their age,
+/// follows from the column itself.
 ///
-/// `nothingAbout`: no look at the tilt finds anything but no echo as far from the column as echo
-/// may move, so that two looks need not be moved.
+/// `nothingAbout`: no observation of the tilt has anything but no echo within the distance that
+/// echo may move, so that none needs to be shifted.
 TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
   const ColumnDirection& column, const SamplingContext& context,
   const ColumnMotion* motion = nullptr, bool nothingAbout = false);

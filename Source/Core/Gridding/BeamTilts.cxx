@@ -104,7 +104,7 @@ TiltObservation Between(const std::vector<TiltSweeps>& tilts, std::size_t tilt, 
   return observation;
 }
 
-// Puts a look among those before and after the time, unless all of it is too far away.
+// Puts an observation among those before and after the time, unless all of it is too far away.
 void AddObservation(BeamTilt& tilt, TiltObservation observation, Time time, float gap)
 {
   observation.lowerBegin = SecondsFrom(time, observation.lower->begin);
@@ -120,7 +120,7 @@ void AddObservation(BeamTilt& tilt, TiltObservation observation, Time time, floa
   }
 }
 
-// The latest look before the time first, and the earliest after it.
+// The latest observation before the time first, and the earliest after it.
 void SortByTime(BeamTilt& tilt)
 {
   const auto earlier = [](const TiltObservation& a, const TiltObservation& b)

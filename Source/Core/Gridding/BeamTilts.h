@@ -8,8 +8,8 @@
 namespace nexrad
 {
 
-/// One look of a radar at one tilt: a sweep; or, where a volume has no sweep at the tilt but sweeps
-/// below and above it, these two in the ratio of the angles.
+/// One observation of a tilt: a sweep; or, where a volume has no sweep at the tilt but sweeps below
+/// and above it, these two, weighted by the angles.
 struct TiltObservation
 {
   const BeamSweep* lower = nullptr;
@@ -19,29 +19,30 @@ struct TiltObservation
   float upperBegin = 0.0F;          ///< the same of `upper`
 
   /// True when its rays leave no gap and all lie on one side of the time, after it or not: where it
-  /// has a gate, no other look on that side is needed.
+  /// has a gate, no other observation on that side is needed.
   bool IsWhole(bool after) const;
   float Begin() const; ///< s from the time of the merge, of the earliest ray
   float End() const;   ///< of the latest ray
 };
 
-/// One elevation angle at which a radar looks about a time, and the looks at it.
+/// One elevation angle that a radar observed about a time, and the observations of it.
 struct BeamTilt
 {
   float elevation = 0.0F;              ///< degrees, mean over the sweeps
   float tangent = 0.0F;                ///< of the elevation
-  std::vector<TiltObservation> before; ///< may hold rays at or before the time, in the order in
-                                       ///< which they are asked: the latest first
+  std::vector<TiltObservation> before; ///< may hold rays at or before the time, the latest first:
+                                       ///< they are used in this order
   std::vector<TiltObservation> after;  ///< may hold rays after the time, the earliest first
 };
 
-/// The tilts of some volumes of one radar (Formulas A5), ascending. Repeated cuts are several looks
-/// at one tilt. When the pattern changes between the volumes, the tilts are those of all patterns,
-/// and a volume without a sweep at a tilt is interpolated there from its sweeps below and above, so
-/// that each tilt is seen before and after wherever the radar looked. The same is added behind all
-/// other looks for a volume whose sweep at the tilt has lost stray rays: it serves in their
-/// directions. Looks farther than `gap` from the time are left out, and tilts without a sweep of
-/// their own. The volumes must outlive the tilts.
+/// The tilts of some volumes of one radar (Formulas A5), ascending. Repeated cuts are several
+/// observations of one tilt. When the pattern changes between the volumes, the tilts are those of
+/// all patterns, and a volume without a sweep at a tilt is interpolated there from its sweeps below
+/// and above, so that each tilt has observations before and after the time wherever the radar
+/// scanned. For a volume whose sweep at the tilt lost stray rays, the same interpolation is added
+/// after all other observations: it replaces the rays that were left out. Observations farther than
+/// `gap` from the time are left out, and so are tilts without a sweep of their own. The volumes
+/// must outlive the tilts.
 std::vector<BeamTilt> FindTilts(
   const std::vector<const BeamVolume*>& volumes, Time time, Duration gap);
 

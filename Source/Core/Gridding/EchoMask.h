@@ -11,13 +11,13 @@
 namespace nexrad
 {
 
-/// The places about which one radar may have seen something but no echo, in any of some volumes,
-/// and up to which tilt. Errs to one side: above the elevation that it tells of a column, every
-/// look at a gate within `distance` m finds no echo or was not scanned.
+/// The places about which any of some volumes of one radar has gates other than no echo, and up to
+/// which tilt. It may name too many places, never too few: above the elevation that it gives for a
+/// column, every gate within `distance` m is no echo or was not scanned.
 class EchoMask
 {
 public:
-  /// An empty mask tells nothing: the highest elevation everywhere.
+  /// An empty mask excludes nothing: it gives the highest elevation everywhere.
   EchoMask() = default;
   /// `effectiveRadius` in m, of the beams' path; `distance` in m, at least 0.
   EchoMask(

@@ -10,8 +10,9 @@
 namespace nexrad
 {
 
-/// The layers of echo that one radar saw about the time of a merge: those of its volumes, the
-/// nearer in time counting more, each where the echo over a column was at its time.
+/// The corrections for layered echo (EchoLayers) of one radar's volumes about the time of a merge.
+/// Volumes nearer in time count more; each is taken where the echo over a column was at the
+/// volume's time.
 class SiteLayers
 {
 public:
@@ -20,7 +21,7 @@ public:
   SiteLayers(
     const std::vector<const BeamVolume*>& volumes, const std::vector<BeamTilt>& tilts, Time time);
 
-  /// False when there are no changes over a column, nor as near as echo moves.
+  /// False when no change lies over a column or within the distance that echo moves.
   bool AnyAt(const ColumnDirection& column) const
   {
     const std::size_t cell = parts.empty() ? anyIn.size() : parts.front().layers->CellAt(column);

@@ -16,7 +16,8 @@ struct TiltSample
   VoxelState state = VoxelState::NotScanned;
   bool assumed = false; ///< no echo beyond the last gate, which nobody measured (Formulas G4)
   float value = 0.0F;
-  float lowest = 0.0F;  ///< degrees, elevation of the nearest ray; of two looks, the lower one's
+  float lowest =
+    0.0F; ///< degrees, elevation of the nearest ray; of two observations, the lower one's
   float highest = 0.0F; ///< degrees, the higher one's
   float fade = 0.0F; ///< 0…1: how much the site counts, by the age of what it saw (Formulas A6)
   float age = 0.0F;  ///< s between the time of the merge and the nearer of the rays used

@@ -24,11 +24,11 @@ const char* ToString(MergeMethod method);
 /// Empty when the text names no method.
 std::optional<MergeMethod> ParseMergeMethod(std::string_view text);
 
-/// How Beam fills the time between the looks of a radar.
+/// How Beam interpolates between two observations of a radar.
 enum class TimeInterpolationMethod
 {
-  Linear,     ///< where they are (Formulas A1)
-  AlongMotion ///< along the motion of the echo (A2a), where it is known
+  Linear,     ///< without a shift (Formulas A1)
+  AlongMotion ///< each shifted along the motion of the echo (A2a), where that is known
 };
 
 /// How volumes are merged, whatever the grid and the time.

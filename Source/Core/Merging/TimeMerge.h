@@ -52,9 +52,8 @@ public:
   /// The merger for the request's grid and options: the one before, when they are the same.
   BeamMerger& MergerFor(const MergeRequest& request);
 
-  /// A volume without sweeps in place of one that sees nothing of the request's block. It takes
-  /// part in the search for motion by what the volume's digest says; in Thesis it names the radar
-  /// alone.
+  /// A volume without sweeps, for a radar that does not reach the request's block. It takes part in
+  /// the motion estimate by the volume's digest; in Thesis it only names the radar.
   ReadyVolume WithoutSweeps(
     const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment);
 

@@ -11,11 +11,11 @@ namespace nexrad
 /// of the echo (A2). The volumes and the motion are not owned and must outlive the object.
 ///
 /// States: two echoes blend; an echo and no echo blend as if no echo were 0 dBZ, and 0 dBZ or less
-/// is then no echo. Range folded and not scanned tell nothing: the other time counts unchanged, and
-/// a voxel about which neither time tells anything is range folded where either is, else not
-/// scanned. Along the motion, the four voxels about each displaced place are blended by the same
-/// rules. A displaced place with less than half of its weight in voxels that tell something, or
-/// outside the grid, is no help: that voxel is interpolated linearly.
+/// is then no echo. A voxel that is range folded or not scanned at one time takes the other time's
+/// value unchanged; at both times, it is range folded where either is, else not scanned. Along the
+/// motion, the four voxels about each displaced place are blended by the same rules. Where less
+/// than half of their weight is echo or no echo, or the place lies outside the grid, the voxel is
+/// interpolated linearly.
 class TimeInterpolation
 {
 public:

@@ -12,8 +12,8 @@
 namespace nexrad
 {
 
-/// The picture in which motion is looked for: the strongest echo of each column, over all of a grid
-/// or a part of it.
+/// Column maxima for the motion estimate: the strongest echo of each column, over all of a grid or
+/// a part of it.
 struct MotionImage
 {
   int columns = 0;
@@ -49,7 +49,7 @@ MotionImage Halve(const MotionImage& image);
 /// An image and its halves, from fine to coarse; at least one.
 using MotionPyramid = std::vector<MotionImage>;
 
-/// What motion is looked for in: the image in pixels of at most `finest` m (as near as halving
+/// The images of the motion estimate: the image in pixels of at most `finest` m (as near as halving
 /// gets, and no finer than it comes), smoothed, and its halves up to 8 km. `grid` is what the image
 /// counts its voxels in.
 MotionPyramid MakePyramid(const MotionImage& image, const GridSpecification& grid, double finest);

@@ -6,7 +6,7 @@
 namespace nexrad
 {
 
-/// Two volumes of one radar farther apart tell nothing about the motion of echo between them
+/// Longest time between two volumes of one radar from which the motion of the echo is estimated
 /// (Formulas A3a).
 constexpr Duration LongestMotionInterval = std::chrono::minutes(20);
 

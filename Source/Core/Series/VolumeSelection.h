@@ -25,9 +25,9 @@ VolumeBracket FindBracket(const std::vector<Time>& starts, Time time, Duration m
 /// Indices of the volumes of one site that hold the rays just before and just after a time
 /// (Formulas A1): the last volume that ended at or before it, those in progress, and the first that
 /// starts after it; without those that lie farther than `maximumGap` from the time, whole. Where
-/// these tell nothing about motion, one more does (A3a): the volume before a last one, if it ended
-/// no more than `maximumGap` earlier, and the volume after a first one that is alone. Ascending.
-/// `starts` and `ends` are of equal length; `starts` ascends.
+/// the motion cannot be estimated from these, one more is added (A3a): the volume before a last
+/// one, if it ended no more than `maximumGap` earlier, or the volume after a first one that is
+/// alone. Ascending. `starts` and `ends` are of equal length; `starts` ascends.
 std::vector<std::size_t> FindVolumesAbout(
   const std::vector<Time>& starts, const std::vector<Time>& ends, Time time, Duration maximumGap);
 
@@ -51,8 +51,8 @@ struct TimeSpan
 std::optional<TimeSpan> FindPause(
   std::vector<TimeSpan> volumes, Time begin, Time end, Duration longest);
 
-/// A longer pause lies between volumes of different days, which nobody wants to merge at all the
-/// steps between them.
+/// Volumes with a longer pause between them are taken for those of different days: nobody wants the
+/// time steps between them.
 constexpr Duration LongestPause = std::chrono::hours(24);
 
 } // namespace nexrad
