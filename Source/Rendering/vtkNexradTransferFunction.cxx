@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTransferFunction.h"
 
-#include "vtkNexradColorMap.h"
+#include "vtkNexradColorMapJSON.h"
+#include "vtkNexradColorMapPalette.h"
 #include "vtkNexradTransferFunctionPresets.h"
 
 #include "vtkColorTransferFunction.h"
