@@ -184,16 +184,6 @@ void CheckMotion(const Velocity& motion)
   }
 }
 
-/// The share [from, to] of a longer piece of work, as a piece of work of its own.
-Progress Share(const Progress& whole, double from, double to)
-{
-  if (!whole)
-  {
-    return {};
-  }
-  return [whole, from, to](double done) { return whole(from + (to - from) * done); };
-}
-
 } // namespace
 
 ReadyVolume MakeReady(const RadarVolume& volume, MomentName moment, const MergeRequest& request)
@@ -345,7 +335,7 @@ std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cac
   MergeRun& shared = run != nullptr ? *run : once;
   const std::vector<ChosenSite> sites = ChooseSites(scan, request, shared);
   // Reading is the first half of the progress when files must be decoded again.
-  const Progress reading = Share(progress, 0.0, 0.5);
+  const Progress reading = ShareOf(progress, 0.0, 0.5);
   std::vector<std::shared_ptr<const PolarVolume>> inUse;
   BeamVolumes outlines;
   for (std::size_t i = 0; i < sites.size(); ++i)
@@ -377,7 +367,7 @@ std::optional<GriddedVolume> MergeSeries(const SeriesScan& scan, PolarCache& cac
   {
     volumes.push_back(volume.get());
   }
-  const Progress merging = Share(progress, 0.5, 1.0);
+  const Progress merging = ShareOf(progress, 0.5, 1.0);
   return request.method == MergeMethod::Beam
            ? MergeByBeam(volumes, outlines, request, merging, shared)
            : MergeVolumes(volumes, request, merging, &shared);
