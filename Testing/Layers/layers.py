@@ -176,3 +176,17 @@ def check_exceptions(root):
     files = sources_without_header(root)
     return [f"{pattern}: no source needs this exception; take it out of Testing/Layers/layers.py"
             for pattern in NO_HEADER if not any(fnmatch.fnmatchcase(file, pattern) for file in files)]
+
+
+def check_vtk_components(root):
+    """What CMake looks for in VTK is what some target links."""
+    root = pathlib.Path(root)
+    text = (root / "CMake/NexradVTK.cmake").read_text(encoding="utf-8")
+    found = re.search(r"find_package\(VTK [0-9.]+ REQUIRED COMPONENTS(.*?)OPTIONAL_COMPONENTS", text, re.DOTALL)
+    if found is None:
+        raise ValueError("CMake/NexradVTK.cmake looks for no components of VTK")
+    lists = [path for top in ("Source", "Testing") for name in ("CMakeLists.txt", "vtk.module")
+             for path in (root / top).rglob(name)]
+    linked = set(re.findall(r"VTK::(\w+)", "\n".join(path.read_text(encoding="utf-8") for path in lists)))
+    return [f"CMake/NexradVTK.cmake: looks for {name}, which no target links"
+            for name in found.group(1).split() if name not in linked]
