@@ -20,7 +20,7 @@ struct VolumesOfSize
   std::vector<std::filesystem::path> files;
 };
 
-/// What drawing is measured with. The scene library does it.
+/// What drawing is measured with (DrawingLibrary.h does it).
 struct DrawingRequest
 {
   std::vector<VolumesOfSize> volumes;
