@@ -2,13 +2,39 @@
 include(CMakePackageConfigHelpers)
 set(nexrad_package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/VTKNexrad")
 
+# nexrad_vtk_components(<module> <variable>): the libraries of VTK that a module and those below it link, which a
+# program must find that links the module.
+function(nexrad_vtk_components module variable)
+  get_target_property(libraries ${module} LINK_LIBRARIES)
+  set(components "")
+  foreach(library IN LISTS libraries)
+    if(library IN_LIST nexrad_modules)
+      nexrad_vtk_components(${library} below)
+      list(APPEND components ${below})
+    elseif(library MATCHES "^VTK::")
+      get_target_property(type ${library} TYPE)
+      if(NOT type STREQUAL "INTERFACE_LIBRARY") # VTK's own libraries bring what has only headers
+        string(REGEX REPLACE "^VTK::" "" component "${library}")
+        list(APPEND components ${component})
+      endif()
+    endif()
+  endforeach()
+  list(REMOVE_DUPLICATES components)
+  set(${variable} ${components} PARENT_SCOPE)
+endfunction()
+
 set(nexrad_package_components Core)
+set(nexrad_package_vtk "")
 if(VTKNexrad_BUILD_VTK)
-  list(APPEND nexrad_package_components IO Filters Rendering)
-  set(nexrad_package_vtk ${nexrad_required})
-  list(TRANSFORM nexrad_package_vtk REPLACE "^VTK::" "")
-  list(JOIN nexrad_package_vtk " " nexrad_package_vtk)
+  foreach(module IN LISTS nexrad_modules)
+    string(REGEX REPLACE "^VTKNexrad::" "" component "${module}")
+    list(APPEND nexrad_package_components ${component})
+    nexrad_vtk_components(${module} libraries)
+    list(JOIN libraries " " libraries)
+    string(APPEND nexrad_package_vtk "set(_nexrad_vtk_${component} ${libraries})\n")
+  endforeach()
 endif()
+list(JOIN nexrad_package_components " " nexrad_package_components)
 
 install(EXPORT VTKNexradCore
   NAMESPACE VTKNexrad::

@@ -3,14 +3,15 @@ if(VTKNexrad_WRAP_PYTHON)
   # The wrappers are for the Python that VTK's own are for: no other could load both.
   set(nexrad_vtk_for_python Python WrappingPythonCore)
 endif()
+# What the modules, the program and the tests link.
 find_package(VTK 9.1 REQUIRED COMPONENTS
-  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms CommonColor
-  FiltersCore FiltersGeneral FiltersGeometry FiltersSources FiltersModeling
-  ImagingCore IOCore IOImage IOXML IOMovie IOOggTheora
+  CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
+  FiltersCore FiltersExtraction FiltersSources
+  ImagingCore IOCore IOImage IOXML IOOggTheora
   ParallelCore
-  InteractionStyle RenderingAnnotation RenderingCore RenderingFreeType RenderingOpenGL2
+  InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingUI RenderingVolume RenderingVolumeOpenGL2
-  TestingCore TestingRendering vtksys
+  vtksys
   OPTIONAL_COMPONENTS ParallelMPI ${nexrad_vtk_for_python})
 
 set(nexrad_module_files

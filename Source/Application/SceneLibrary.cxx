@@ -1,48 +1,25 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "SceneLibrary.h"
 
-#include "ProgramLibrary.h"
-#include "nexrad/System/Error.h"
+#include "LibraryCall.h"
 
 namespace nexrad::application
 {
 namespace
 {
 
-template <typename Report, typename Request>
-Report RunInLibrary(const char* name, const Request& request)
-{
-  const auto work = reinterpret_cast<void (*)(const Request*, Report*)>(
-    LoadProgramFunction("nexrad3d-scene.so", name, "draws", "nexrad3d-scene"));
-  Report report;
-  work(&request, &report);
-  if (!report.error.empty())
-  {
-    throw Error(report.error);
-  }
-  return report;
-}
+constexpr LibraryName library = {"nexrad3d-scene.so", "draws", "nexrad3d-scene"};
 
 } // namespace
 
 scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request)
 {
-  return RunInLibrary<scene::RenderReport>(scene::renderFunctionName, request);
+  return CallLibrary<scene::RenderReport>(library, scene::renderFunctionName, request);
 }
 
 scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request)
 {
-  return RunInLibrary<scene::ViewReport>(scene::viewFunctionName, request);
-}
-
-DrawingReport MeasureDrawingWithLibrary(const DrawingRequest& request)
-{
-  return RunInLibrary<DrawingReport>(measureDrawingFunctionName, request);
-}
-
-scene::SheetReport DrawSheetsWithLibrary(const scene::SheetRequest& request)
-{
-  return RunInLibrary<scene::SheetReport>(scene::drawSheetsFunctionName, request);
+  return CallLibrary<scene::ViewReport>(library, scene::viewFunctionName, request);
 }
 
 } // namespace nexrad::application

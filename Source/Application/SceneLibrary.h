@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Bench/DrawingTimes.h"
-#include "Experiments/SheetRequest.h"
 #include "Scene/RenderRequest.h"
 #include "Scene/ViewRequest.h"
 
@@ -14,7 +12,5 @@ namespace nexrad::application
 /// drawing itself fails at.
 scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
 scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request);
-DrawingReport MeasureDrawingWithLibrary(const DrawingRequest& request);
-scene::SheetReport DrawSheetsWithLibrary(const scene::SheetRequest& request);
 
 } // namespace nexrad::application

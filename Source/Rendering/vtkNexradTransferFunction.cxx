@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTransferFunction.h"
 
-#include "vtkNexradColorMap.h"
+#include "vtkNexradColorMapJSON.h"
+#include "vtkNexradColorMapPalette.h"
 #include "vtkNexradTransferFunctionPresets.h"
 
 #include "vtkColorTransferFunction.h"
@@ -10,7 +11,10 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
+#include <vtksys/SystemInformation.hxx>
+
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -118,11 +122,14 @@ std::string EndingOf(const char* path)
   return path != nullptr ? std::filesystem::path(path).extension().string() : std::string();
 }
 
-// What was there before stays until all is written.
+// What was there before stays until all is written. (This module does without Core and its
+// AtomicFile.)
 bool WriteWhole(const std::filesystem::path& path, const std::string& text)
 {
+  static std::atomic<unsigned> count{0}; // of the threads that write to one folder
   std::filesystem::path part = path;
-  part += ".part";
+  part += ".part-" + std::to_string(vtksys::SystemInformation().GetProcessId()) + "-" +
+          std::to_string(count++);
   std::ofstream stream(part, std::ios::binary);
   stream << text;
   stream.close();

@@ -38,18 +38,6 @@ TEST(OutputFile, WritesInPlaceOfAnOldFile)
   EXPECT_EQ(EntriesOf(folder.Path()), 1);
 }
 
-TEST(OutputFile, WithoutCommitNothingStays)
-{
-  const TemporaryFolder folder;
-  {
-    const OutputFile file(folder.Path() / "movie.ogv");
-    EXPECT_EQ(file.TemporaryPath().extension(), ".ogv");
-    std::ofstream(file.TemporaryPath()) << "half";
-    EXPECT_EQ(EntriesOf(folder.Path()), 1);
-  }
-  EXPECT_EQ(EntriesOf(folder.Path()), 0);
-}
-
 TEST(OutputFile, AFullDiskIsAnError)
 {
   EXPECT_THROW(WriteFile("/dev/full", bytes, sizeof(bytes)), Error);

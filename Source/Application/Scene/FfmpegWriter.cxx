@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MovieWriter.h"
 
-#include "OutputFile.h"
+#include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
@@ -195,7 +195,7 @@ private:
 
   std::filesystem::path name;
   // The process is destroyed, and has ended, before its unfinished file is removed.
-  application::OutputFile file;
+  AtomicFile file;
   FfmpegProcess process;
 };
 

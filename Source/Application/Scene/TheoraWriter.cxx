@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MovieWriter.h"
 
-#include "OutputFile.h"
 #include "Volumes/VtkMessages.h"
+#include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
@@ -101,7 +101,7 @@ private:
   }
 
   std::filesystem::path name;
-  application::OutputFile file;
+  AtomicFile file;
   vtkNew<vtkOggTheoraWriter> writer;
   application::VtkMessages messages;
   bool started = false;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "WrittenFiles.h"
 
+#include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 
 #include <system_error>
@@ -35,9 +36,7 @@ WrittenFiles& WrittenFiles::operator=(WrittenFiles&& other) noexcept
 fs::path WrittenFiles::PlaceFor(const fs::path& path)
 {
   std::error_code ignored;
-  return fs::is_regular_file(path, ignored)
-           ? path.parent_path() / ("." + path.filename().string() + ".new")
-           : path;
+  return fs::is_regular_file(path, ignored) ? TemporaryPathFor(path) : path;
 }
 
 void WrittenFiles::Add(const fs::path& written, const fs::path& path)

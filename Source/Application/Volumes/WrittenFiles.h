@@ -8,8 +8,8 @@ namespace nexrad::application
 {
 
 /// Files that a run writes. What was there before stays as it is until the run has succeeded: a
-/// file that would take the place of one is written beside it, as ".NAME.new", and renamed by Keep.
-/// Without Keep, what stands beside others is removed; files that took nobody's place stay.
+/// file that would take the place of one is written beside it under a hidden name, and renamed by
+/// Keep. Without Keep, what stands beside others is removed; files that took nobody's place stay.
 class WrittenFiles
 {
 public:

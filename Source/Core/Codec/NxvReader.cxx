@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Codec/NxvReader.h"
+
 #include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvCompanions.h"
-#include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Codec/RunLength.h"

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Codec/NxvSeries.h"
+
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Quality/Despeckling.h"
 
-#include "nexrad/Beams/BeamVolume.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/System/Error.h"

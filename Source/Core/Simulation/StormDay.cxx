@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/StormLife.h"
+#include "nexrad/Simulation/StormDay.h"
 
 #include "nexrad/Simulation/CounterNoise.h"
 

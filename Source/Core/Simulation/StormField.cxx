@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/StormField.h"
 
+#include "nexrad/Simulation/StormDay.h"
+
 #include <algorithm>
 #include <cmath>
 

@@ -3,7 +3,6 @@
 
 #include "nexrad/Simulation/StormSnapshot.h"
 
-#include <cstdint>
 #include <vector>
 
 namespace nexrad
@@ -34,10 +33,6 @@ struct StormLife
   double anvilLength = 1.0;    ///< factor
   double trailingExtent = 1.0; ///< factor of the rain area behind it
 };
-
-/// All storms of a day. Their times and places are spread evenly, so that the activity is much the
-/// same whatever the seed.
-std::vector<StormLife> MakeStormDay(std::uint32_t seed);
 
 /// Adds what a storm consists of at an instant (s after midnight UTC; the day repeats).
 void AddElements(const StormLife& storm, double seconds, std::vector<StormElement>& elements,

@@ -17,23 +17,16 @@ namespace fs = std::filesystem;
 namespace nexrad
 {
 
-namespace
-{
-
-// Unique among the processes (by number) and the threads (by count) that write to one folder.
-fs::path TemporaryName(const fs::path& target)
+fs::path TemporaryPathFor(const fs::path& path)
 {
   static std::atomic<unsigned> count{0};
-  fs::path name = target;
-  name += ".part-" + std::to_string(getpid()) + "-" + std::to_string(count++);
-  return name;
+  const std::string part = ".part-" + std::to_string(getpid()) + "-" + std::to_string(count++);
+  return path.parent_path() / ("." + path.stem().string() + part + path.extension().string());
 }
-
-} // namespace
 
 AtomicFile::AtomicFile(const fs::path& path)
   : target(path)
-  , temporary(TemporaryName(path))
+  , temporary(TemporaryPathFor(path))
 {
   std::error_code ignored;
   const fs::file_status status = fs::status(target, ignored);

@@ -36,34 +36,4 @@ struct vtkNexradColorMap
   void MakeColorNodesFromBins();
 };
 
-/// Reads and writes the text of colour maps. A reader returns an empty string, or says what is
-/// wrong and what would be right; then the map is of no use. Numbers are read the same in any
-/// locale.
-namespace vtkNexradColorMapText
-{
-
-/// ParaView's JSON (an array of maps, of which the first is taken, or one map). RGBPoints, and
-/// Points for the opacity, become nodes; colour spaces other than RGB, and opacities with midpoints
-/// or sharpness, are sampled eight times between points. Nodes written by FormatJSON come back as
-/// they were.
-std::string ParseJSON(const std::string& text, vtkNexradColorMap& map);
-
-/// The same as ParaView reads it, sampled finely enough to look alike, with the nodes themselves
-/// under a key that ParaView passes over. `samples`: dBZ, red, green, blue, opacity.
-std::string FormatJSON(
-  const vtkNexradColorMap& map, const std::vector<std::array<double, 5>>& samples);
-
-/// A .pal table of GRLevelX and its kin: Color, Color4, SolidColor, SolidColor4, Scale, Offset;
-/// other statements are passed over.
-std::string ParsePalette(const std::string& text, vtkNexradColorMap& map);
-
-/// The bins as a .pal table; without bins, ramps between the samples.
-std::string FormatPalette(
-  const vtkNexradColorMap& map, const std::vector<std::array<double, 5>>& samples);
-
-/// Lines "dbz,#rrggbb" below a heading: the colour from that value up to the next.
-std::string ParseTable(const std::string& text, vtkNexradColorMap& map);
-
-} // namespace vtkNexradColorMapText
-
 #endif

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// ParaView's colour maps.
-#include "vtkNexradColorMap.h"
+#include "vtkNexradColorMapJSON.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkNew.h"

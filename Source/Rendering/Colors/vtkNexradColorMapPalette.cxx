@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// .pal tables and plain tables of colours.
-#include "vtkNexradColorMap.h"
+#include "vtkNexradColorMapPalette.h"
 
 #include <algorithm>
 #include <cctype>

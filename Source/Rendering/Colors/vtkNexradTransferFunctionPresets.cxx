@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTransferFunctionPresets.h"
 
+#include "vtkNexradColorMapPalette.h"
 #include "vtkNexradMomentPresets.h"
 
 #include <algorithm>

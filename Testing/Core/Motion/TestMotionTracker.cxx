@@ -173,6 +173,30 @@ TEST(MotionTracker, KnowsNothingWithoutTwoVolumesWithEchoNearEachOther)
   EXPECT_TRUE(tracker.Find({volume, after}, zero));
 }
 
+// A site's name tells it from others; a file may store its position rounded, or after the antenna
+// moved.
+TEST(MotionTracker, ARadarIsTheSameWhenItsStoredPositionDiffersALittle)
+{
+  const Velocity velocity = {18.0, 7.0};
+  const MovingEcho field = TestField(velocity);
+  Site moved = west;
+  moved.position->latitude += 0.0005; // 56 m
+  moved.position->altitude += 10.0;
+  const auto before = Ready(ScanEcho(field, west, zero, -320.0));
+  const auto after = Ready(ScanEcho(field, moved, zero, 100.0));
+  const auto motion = MotionTracker(TestGrid()).Find({before, after}, zero);
+  ASSERT_TRUE(motion);
+  for (const Velocity& found : motion->velocities)
+  {
+    EXPECT_NEAR(found.east, velocity.east, 1.5);
+    EXPECT_NEAR(found.north, velocity.north, 1.5);
+  }
+  Site other = moved;
+  other.name = "KABC";
+  const auto ofOther = Ready(ScanEcho(field, other, zero, 100.0));
+  EXPECT_FALSE(MotionTracker(TestGrid()).Find({before, ofOther}, zero));
+}
+
 // A radar outside the grid has nothing to say, and does no harm.
 TEST(MotionTracker, TakesNoHarmFromARadarOutsideTheGrid)
 {

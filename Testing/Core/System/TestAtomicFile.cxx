@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 
 #include <csignal>
+#include <fstream>
 #include <iterator>
 
 using namespace nexrad;
@@ -80,6 +81,39 @@ TEST(AtomicFile, WithoutCommitNothingStaysAndTheOldFileLives)
     file.Write("new", 3);
   }
   EXPECT_EQ(FileContent(folder.Path() / "a"), "old");
+  EXPECT_EQ(FilesIn(folder.Path()), 1u);
+}
+
+// As writers of movies do, who choose the format by the extension.
+TEST(AtomicFile, TakesWhatWritesItselfByName)
+{
+  const TemporaryFolder folder;
+  {
+    const AtomicFile file(folder.Path() / "movie.ogv");
+    EXPECT_EQ(file.TemporaryPath().extension(), ".ogv");
+    EXPECT_EQ(file.TemporaryPath().parent_path(), folder.Path());
+    EXPECT_EQ(file.TemporaryPath().filename().string().front(), '.'); // no listing takes it
+    std::ofstream(file.TemporaryPath()) << "half";
+  }
+  EXPECT_EQ(FilesIn(folder.Path()), 0u);
+  AtomicFile file(folder.Path() / "movie.ogv");
+  std::ofstream(file.TemporaryPath()) << "whole";
+  file.Commit();
+  EXPECT_EQ(FileContent(folder.Path() / "movie.ogv"), "whole");
+  EXPECT_EQ(FilesIn(folder.Path()), 1u);
+}
+
+TEST(AtomicFile, TwoOfOneNameDoNotMeet)
+{
+  const TemporaryFolder folder;
+  AtomicFile first(folder.Path() / "a");
+  AtomicFile second(folder.Path() / "a");
+  first.Write("first", 5);
+  second.Write("second", 6);
+  second.Commit();
+  EXPECT_EQ(FileContent(folder.Path() / "a"), "second");
+  first.Commit();
+  EXPECT_EQ(FileContent(folder.Path() / "a"), "first");
   EXPECT_EQ(FilesIn(folder.Path()), 1u);
 }
 

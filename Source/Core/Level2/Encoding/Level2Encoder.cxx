@@ -2,7 +2,8 @@
 #include "nexrad/Level2/Encoding/Level2Encoder.h"
 
 #include "nexrad/Level2/Encoding/BigEndianWriter.h"
-#include "nexrad/Level2/Encoding/MessageWriter.h"
+#include "nexrad/Level2/Encoding/MetadataWriter.h"
+#include "nexrad/Level2/Encoding/RadialWriter.h"
 #include "nexrad/System/Error.h"
 
 #include <array>

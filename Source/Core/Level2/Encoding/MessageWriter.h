@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Model/RadarVolume.h"
+#include "nexrad/Model/Time.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -29,18 +30,5 @@ MessageBytes WrapMessage(
 
 /// Bytes that every message except 31 takes.
 constexpr std::size_t MessageFrameBytes = 2432;
-
-/// The metadata that begins a file: 134 frames, of which the last hold the mark of a synthetic
-/// volume, message 5 and message 2; the others are empty.
-std::vector<MessageBytes> WriteMetadata(const RadarVolume& volume, Time start);
-
-/// One ray as message 1 (`sequence` counts the messages, `index` the rays of the sweep, from 0).
-/// Throws Error for what message 1 cannot hold.
-MessageBytes WriteMessage1(
-  const RadarVolume& volume, const Ray& ray, unsigned index, unsigned sequence);
-
-/// One ray as message 31. Throws Error for what it cannot hold, and without a position.
-MessageBytes WriteMessage31(
-  const RadarVolume& volume, const Sweep& sweep, unsigned index, unsigned sequence);
 
 } // namespace nexrad

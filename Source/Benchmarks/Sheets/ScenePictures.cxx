@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Sheets/ScenePictures.h"
+
+#include <vtkImageData.h>
+
+namespace nexrad::scene
+{
+
+ScenePictures::ScenePictures(const CameraView& view, const std::array<int, 2>& size)
+  : scene(SceneOptions())
+  , window(scene, size)
+{
+  scene.SetCamera(view);
+}
+
+vtkSmartPointer<vtkImageData> ScenePictures::DrawWithoutVolume()
+{
+  scene.ShowVolume(false);
+  auto picture = window.Draw();
+  scene.ShowVolume(true);
+  return picture;
+}
+
+} // namespace nexrad::scene

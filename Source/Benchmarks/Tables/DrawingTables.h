@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Frames/DrawingTimes.h"
+#include "Report/BenchTable.h"
+#include "Tables/BenchRequest.h"
+#include "nexrad/Series/SiteSeries.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace nexrad::application
+{
+
+/// What to measure drawing with: of each of the request's sizes one volume more than runs, one
+/// after the other in the middle of the series, written below `folder`. Throws Error when the files
+/// reach over less than two time steps, or cannot be merged or written.
+DrawingRequest PrepareDrawing(
+  const BenchRequest& request, const SeriesScan& scan, const std::filesystem::path& folder);
+
+/// The thesis's table 4.2: t1, t2, t3 at 256 slices and their sum, in ms, with its figures and
+/// those of VTK's GPU ray caster.
+BenchTable MakeRenderingTable(const DrawingReport& report, bool synthetic);
+
+/// The thesis's table 4.3: t3 and frames a second by size and number of slices.
+BenchTable MakeFrameRateTable(const DrawingReport& report, bool synthetic);
+
+} // namespace nexrad::application

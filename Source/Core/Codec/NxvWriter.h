@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Grid/GriddedVolume.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace nexrad
+{
+
+/// How the moment is stored in a volume file.
+enum class NxvEncoding
+{
+  RadarSteps,        ///< codes of 8 or 16 bits in the radar's own steps (MomentCode.h), deflated
+  RunLength,         ///< 7-bit codes, the thesis's stream as it stands
+  RunLengthDeflated, ///< the same, deflated
+  Float              ///< exact float32 and the states, deflated
+};
+
+struct NxvWriteOptions
+{
+  /// Default: RunLength for REF of the method "thesis", else RadarSteps.
+  std::optional<NxvEncoding> encoding;
+  /// Write every run from two on, not from six on. Default: true for the method "thesis".
+  std::optional<bool> thesisRuns;
+
+  // Of the 7-bit codes.
+  double offset = 0.0;   ///< value = offset + scale × code; codes 0…126
+  double scale = 1.0;    ///< dBZ a code
+  double maximum = 80.0; ///< dBZ; what is above is stored as this. The codes end at 126 as well
+};
+
+/// Writes one volume (Documentation/Formats/nxv.md) under a temporary name and renames it. Throws
+/// Error when the file cannot be written; nothing half-written stays.
+///
+/// All codes keep three states: an echo, no echo, not scanned. When a voxel is range folded
+/// the states go into the file beside them as an array of their own. Companions follow when the
+/// volume has them: numbers and sites as they are; ages and weights in 255 steps, of 1 s and 0.01
+/// or as many more (2, 5, 10, … times) as the largest value needs, but exact when Float is asked
+/// for.
+void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
+  const NxvWriteOptions& options = {});
+
+/// Writes the moment's bare run-length stream (Formulas T8), without any header. `encoding` of the
+/// options has no effect. Range folded becomes no echo.
+void WriteRaw(const std::filesystem::path& path, const GriddedVolume& volume,
+  const NxvWriteOptions& options = {});
+
+} // namespace nexrad
