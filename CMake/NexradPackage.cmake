@@ -4,7 +4,7 @@ set(nexrad_package_folder "${CMAKE_INSTALL_LIBDIR}/cmake/VTKNexrad")
 
 set(nexrad_package_components Core)
 if(VTKNexrad_BUILD_VTK)
-  list(APPEND nexrad_package_components IO Filters Rendering)
+  list(APPEND nexrad_package_components IO Filters Rendering Scene)
   set(nexrad_package_vtk ${nexrad_required})
   list(TRANSFORM nexrad_package_vtk REPLACE "^VTK::" "")
   list(JOIN nexrad_package_vtk " " nexrad_package_vtk)

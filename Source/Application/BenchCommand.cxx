@@ -3,9 +3,9 @@
 
 #include "Bench/ThesisFigures.h"
 #include "BenchRuns.h"
-#include "ProgressBar.h"
-#include "SceneUsage.h"
-#include "UnitOptions.h"
+#include "Options/DrawingOptions.h"
+#include "Options/UnitOptions.h"
+#include "Output/ProgressBar.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/System/Error.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/CompareReports.h"
 #include "BenchRuns.h"
-#include "Command.h"
+#include "Commands/Command.h"
 #include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/WorkFolder.h"
 #include "BenchRuns.h"
-#include "Command.h"
-#include "ProgressBar.h"
-#include "ProgressShare.h"
-#include "SceneLibrary.h"
-#include "SimulatedFiles.h"
+#include "Commands/Command.h"
+#include "Commands/SimulatedFiles.h"
+#include "Libraries/SceneLibrary.h"
+#include "Output/ProgressBar.h"
 #include "nexrad/Series/InputFiles.h"
+#include "nexrad/System/ProgressShare.h"
 
 #include <nlohmann/json.hpp>
 

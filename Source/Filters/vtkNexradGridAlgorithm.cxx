@@ -6,16 +6,15 @@
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
+#include "vtkNexradSmpLoop.h"
 
 #include "vtkDataObject.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkSMPTools.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 namespace
 {
@@ -33,14 +32,6 @@ nexrad::OverlapStrategy StrategyOf(int strategy)
   default:
     return nexrad::OverlapStrategy::Distance;
   }
-}
-
-void ParallelFor(int count, const std::function<void(int, int)>& work)
-{
-  constexpr vtkIdType grain = 1; // what is done is large, and costs unlike
-  const auto run = [&work](vtkIdType begin, vtkIdType end)
-  { work(static_cast<int>(begin), static_cast<int>(end)); };
-  vtkSMPTools::For(0, count, grain, run);
 }
 
 } // namespace
@@ -118,7 +109,7 @@ nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(const nexrad::Grid
   {
     request.motion = nexrad::Velocity{this->GivenMotion[0], this->GivenMotion[1]};
   }
-  request.loop = ParallelFor;
+  request.loop = vtkNexradSmpLoop();
   return request;
 }
 

@@ -5,9 +5,10 @@
 // of three simulated radars (SYNTHETIC), 256 x 256 x 128, five minutes apart.
 #include "Bench/Measurement.h"
 #include "Bench/WorkFolder.h"
-#include "PictureWindow.h"
-#include "RadarSession.h"
-#include "SimulatedFiles.h"
+#include "Commands/SimulatedFiles.h"
+#include "Drawing/PictureWindow.h"
+#include "Scene/RadarSession.h"
+#include "Scene/Series/VolumeFiles.h"
 #include "StepTimes.h"
 #include "Volumes/WriteVolumes.h"
 #include "nexrad/System/Error.h"

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/GridTable.h"
 
-#include "Volumes/VolumeSeries.h"
+#include "nexrad/Merging/ScannedSteps.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradSmpLoop.h"
 
 #include <vtkImageData.h>
+#include <vtkNew.h>
 
 #include <algorithm>
 
@@ -77,15 +80,21 @@ struct GridTimes
 GridTimes MeasureGrid(
   const std::vector<std::filesystem::path>& files, const MergeOptions& options, int runs)
 {
-  const auto series = OpenRadarFiles(files, options);
+  ScannedSteps steps(files, options, vtkNexradSmpLoop(), {}, {});
+  steps.Plan();
+  const auto merge = [&steps](std::size_t step)
+  {
+    vtkNew<vtkImageData> image;
+    vtkNexradVolumeToImage(*steps.Merge(steps.Times()[step], {}), image);
+  };
   GridTimes times;
-  times.first = SecondsOf([&] { series->Load(0, {}); });
-  series->Load(1, {});
+  times.first = SecondsOf([&] { merge(0); });
+  merge(1);
   std::vector<double> next;
   for (int run = 0; run < runs; ++run)
   {
-    next.push_back(SecondsOf([&] { series->Load(0, {}); }));
-    next.push_back(SecondsOf([&] { series->Load(1, {}); }));
+    next.push_back(SecondsOf([&] { merge(0); }));
+    next.push_back(SecondsOf([&] { merge(1); }));
   }
   times.next = Summarize(next);
   return times;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Bench/Machine.h"
 
-#include "Volumes/SmpLoop.h"
+#include "vtkNexradSmpLoop.h"
 
 #include <vtkVersion.h>
 
@@ -38,7 +38,7 @@ Machine DescribeMachine()
   Machine machine;
   machine.processor = FindProcessorName();
   machine.cores = std::max(1U, std::thread::hardware_concurrency());
-  machine.threads = ThreadCount();
+  machine.threads = vtkNexradThreadCount();
   machine.build = "nexrad3d " NEXRAD_VERSION ", " NEXRAD_BUILD_TYPE ", " NEXRAD_COMPILER;
   machine.vtk = vtkVersion::GetVTKVersion();
   return machine;

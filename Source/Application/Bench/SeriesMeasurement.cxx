@@ -3,10 +3,10 @@
 
 #include "Bench/BareSeries.h"
 #include "Bench/PeakMemory.h"
-#include "Volumes/SmpLoop.h"
 #include "Volumes/WriteVolumes.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradSmpLoop.h"
 
 #include <algorithm>
 #include <memory>
@@ -36,7 +36,7 @@ std::function<void()> MakeBareWork(const std::vector<fs::path>& files, double& s
 {
   try
   {
-    const auto series = std::make_shared<BareSeries>(files, ThreadCount());
+    const auto series = std::make_shared<BareSeries>(files, vtkNexradThreadCount());
     storedBytes = series->StoredBytes();
     return [series] { series->Run(); };
   }

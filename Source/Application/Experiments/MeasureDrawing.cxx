@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MeasureDrawing.h"
 
-#include "ProgressShare.h"
+#include "Scene/Series/VolumeFiles.h"
 #include "VolumeStage.h"
-#include "Volumes/VolumeSeries.h"
+#include "nexrad/System/ProgressShare.h"
 
 #include <vtkImageData.h>
 #include <vtkVolumeMapper.h>
@@ -19,7 +19,6 @@ using application::DrawingOfSize;
 using application::DrawingRequest;
 using application::FrameTimes;
 using application::Measurement;
-using application::ShareOf;
 
 // From one of `count` sides, 20° from the vertical.
 CameraView ViewFrom(int side, int count)
@@ -44,7 +43,7 @@ double UploadSeconds(VolumeStage& stage, MapperChoice mapper)
 void MeasureLoading(
   VolumeStage& stage, const application::VolumesOfSize& volumes, int runs, DrawingOfSize& times)
 {
-  const auto series = application::OpenVolumeFiles(volumes.files);
+  const auto series = OpenVolumeFiles(volumes.files);
   std::vector<double> read;
   std::vector<double> slicing;
   std::vector<double> rayCasting;

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Bench/BenchTable.h"
-#include "CameraView.h"
+#include "Scene/Frame/CameraView.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/System/Progress.h"
 

@@ -2,11 +2,12 @@
 #include "Sheets.h"
 
 #include "Bench/BenchRequest.h"
-#include "OutputFile.h"
-#include "PictureWindow.h"
-#include "ProgressShare.h"
+#include "Drawing/PictureWindow.h"
+#include "Output/OutputFile.h"
+#include "Scene/Series/RadarFiles.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/ProgressShare.h"
 
 #include <vtkImageData.h>
 
@@ -80,17 +81,16 @@ bool IsWanted(const SheetRequest& request, const std::string& name)
          std::find(request.only.begin(), request.only.end(), name) != request.only.end();
 }
 
-std::unique_ptr<application::VolumeSeries> Merge(
+std::unique_ptr<VolumeSeries> Merge(
   const SheetSource& source, const std::array<int, 3>& dimensions, MergeOptions options)
 {
   options.grid.dimensions = dimensions;
-  return application::OpenRadarFiles(source.request.files, options);
+  return OpenRadarFiles(source.request.files, options);
 }
 
 } // namespace
 
-std::unique_ptr<application::VolumeSeries> SheetSource::MergeAtTime(
-  const std::array<int, 3>& dimensions) const
+std::unique_ptr<VolumeSeries> SheetSource::MergeAtTime(const std::array<int, 3>& dimensions) const
 {
   MergeOptions options = request.grid;
   options.begin = options.end = time;
@@ -98,8 +98,7 @@ std::unique_ptr<application::VolumeSeries> SheetSource::MergeAtTime(
   return Merge(*this, dimensions, options);
 }
 
-std::unique_ptr<application::VolumeSeries> SheetSource::MergeAllSteps(
-  const std::array<int, 3>& dimensions) const
+std::unique_ptr<VolumeSeries> SheetSource::MergeAllSteps(const std::array<int, 3>& dimensions) const
 {
   return Merge(*this, dimensions, request.grid);
 }

@@ -2,9 +2,9 @@
 #include "VolumeStage.h"
 
 #include "Bench/Measurement.h"
-#include "PictureWindow.h"
-#include "SceneFrame.h"
-#include "VolumeLook.h"
+#include "Drawing/PictureWindow.h"
+#include "Scene/Frame/SceneFrame.h"
+#include "Scene/VolumeAppearance.h"
 #include "vtkNexradTransferFunction.h"
 
 #include <vtkCamera.h>
@@ -50,7 +50,7 @@ VolumeStage::VolumeStage(const std::array<int, 2>& pictureSize)
     mappers[static_cast<std::size_t>(choice)] = MakeVolumeMapper(choice);
   }
   volume->SetProperty(MakeVolumeProperty());
-  MakeLook(options)->FillProperty(volume->GetProperty());
+  MakeTransferFunction(options)->FillProperty(volume->GetProperty());
   renderer->AddVolume(volume);
   window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);

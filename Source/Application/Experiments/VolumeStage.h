@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Bench/Machine.h"
-#include "CameraView.h"
-#include "SceneOptions.h"
+#include "Scene/Frame/CameraView.h"
+#include "Scene/SceneOptions.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>

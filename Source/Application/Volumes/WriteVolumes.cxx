@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WriteVolumes.h"
+#include "Volumes/WriteVolumes.h"
 
-#include "ProgressShare.h"
-#include "SmpLoop.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/ScannedSteps.h"
 #include "nexrad/Merging/StreamedSteps.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/ProgressShare.h"
+#include "vtkNexradSmpLoop.h"
 
 #include <algorithm>
 #include <utility>
@@ -178,7 +178,7 @@ std::optional<GridReport> WriteStreamed(
     [&]
     {
       steps = std::make_unique<StreamedSteps>(
-        inputs.found, *inputs.outline, job.options, SmpLoop(), ThreadCount());
+        inputs.found, *inputs.outline, job.options, vtkNexradSmpLoop(), vtkNexradThreadCount());
       planned = steps->Plan();
     });
   if (!InAll(planned, processes))
@@ -214,7 +214,8 @@ GridReport WriteScanned(const GridJob& job, const Progress& progress, const Proc
   share.rank = processes.Rank();
   share.count = processes.Count();
   share.exchange = [&processes](const std::string& mine) { return processes.Exchange(mine); };
-  ScannedSteps steps(job.inputs, job.options, SmpLoop(), share, ShareOf(progress, 0.0, scanShare));
+  ScannedSteps steps(
+    job.inputs, job.options, vtkNexradSmpLoop(), share, ShareOf(progress, 0.0, scanShare));
   processes.Together([&] { steps.Plan(); }); // nobody writes before all know what to write
   Block block;
   processes.Together(

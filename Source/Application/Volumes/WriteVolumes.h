@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Processes.h"
-#include "StepWriter.h"
+#include "Parallel/Processes.h"
+#include "Volumes/StepWriter.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/System/Progress.h"
 

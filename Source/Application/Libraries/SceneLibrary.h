@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Bench/DrawingTimes.h"
+#include "Drawing/RenderRequest.h"
+#include "Drawing/ViewRequest.h"
+#include "Experiments/SheetRequest.h"
+
+namespace nexrad::application
+{
+
+/// Loads the library that draws, which brings VTK's rendering with it, and has it do the request.
+/// Throws Error when the library is not where the program was built or installed, and for what the
+/// drawing itself fails at.
+scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
+scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request);
+DrawingReport MeasureDrawingWithLibrary(const DrawingRequest& request);
+scene::SheetReport DrawSheetsWithLibrary(const scene::SheetRequest& request);
+
+} // namespace nexrad::application
