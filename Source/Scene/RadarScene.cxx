@@ -12,10 +12,13 @@
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradTransferFunction.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCamera.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkPointData.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderer.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -39,6 +42,9 @@ constexpr Colour skyTop = {0.055, 0.070, 0.095};
 constexpr Colour titleColour = {0.95, 0.96, 0.98};
 constexpr Colour noteColour = {0.70, 0.74, 0.79};
 constexpr Colour warningColour = {1.0, 0.78, 0.10};
+
+// The ground is drawn a little lower than mean sea level, in scene units.
+constexpr double groundHeight = -0.0032;
 
 // The captions, the N and the bar of length stand above and below this area, the colour bar to the
 // right of it.
@@ -72,6 +78,21 @@ std::string SourceText(const std::string& title, const VolumeInformation& inform
     text += (i % 12 == 0 ? "\n" : " ") + information.sites[i];
   }
   return text;
+}
+
+void RequireVoxels(vtkImageData* data)
+{
+  if (data == nullptr || data->GetNumberOfPoints() == 0 ||
+      data->GetPointData()->GetScalars() == nullptr)
+  {
+    throw Error("the volume holds no voxels to draw");
+  }
+}
+
+std::string ArrayOf(vtkImageData* data)
+{
+  const char* name = data->GetPointData()->GetScalars()->GetName();
+  return name != nullptr ? name : "";
 }
 
 std::string ScaleText(double exaggeration)
@@ -172,13 +193,19 @@ void RadarScene::SetCamera(const CameraView& cameraView)
   this->Aim();
 }
 
+void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
+{
+  RequireVoxels(data);
+  MakeTransferFunction(options, ArrayOf(data));
+  if (options.plan)
+  {
+    MakePlanView(vtkNexradImageToVolume(data), *options.plan);
+  }
+}
+
 void RadarScene::SetVolume(vtkImageData* data)
 {
-  if (data == nullptr || data->GetNumberOfPoints() == 0 ||
-      data->GetPointData()->GetScalars() == nullptr)
-  {
-    throw Error("the volume holds no voxels to draw");
-  }
+  RequireVoxels(data);
   std::optional<PlanView> planView;
   if (options.plan)
   {
@@ -224,8 +251,7 @@ void RadarScene::SetVolume(vtkImageData* data)
 // moment stay as they were changed.
 void RadarScene::FollowArray(vtkImageData* data)
 {
-  const char* name = data->GetPointData()->GetScalars()->GetName();
-  const std::string newArray = name != nullptr ? name : "";
+  const std::string newArray = ArrayOf(data);
   if (newArray != array)
   {
     transferFunction = MakeTransferFunction(options, newArray);
@@ -269,6 +295,21 @@ void RadarScene::Replace(Props& group, Props replacement)
   for (const auto& prop : group)
   {
     renderer->AddViewProp(prop);
+  }
+  this->OrderProps();
+}
+
+// Lines and letters that lie over each other are drawn in one order, whatever was replaced last.
+void RadarScene::OrderProps()
+{
+  vtkPropCollection* props = renderer->GetViewProps();
+  for (const Props* group : {&scales, &ground, &captions})
+  {
+    for (const auto& prop : *group)
+    {
+      props->RemoveItem(prop);
+      props->AddItem(prop);
+    }
   }
 }
 
@@ -316,7 +357,29 @@ void RadarScene::Aim()
   const double aspect = static_cast<double>(size[0]) / size[1];
   PointCamera(
     renderer->GetActiveCamera(), view, frame.Bounds(), aspect, SceneArea(size, this->TextSize()));
-  renderer->ResetCameraClippingRange();
+  this->FitClippingRange();
+}
+
+// From the volume and its scales, which hold the rest: the ground may still be that of another
+// volume, and a picture must not depend on it.
+void RadarScene::FitClippingRange()
+{
+  vtkBoundingBox box;
+  for (const Props& group : {Props{volume.Get()}, plan, scales})
+  {
+    for (const auto& prop : group)
+    {
+      const double* bounds = prop->GetBounds();
+      if (bounds != nullptr && vtkMath::AreBoundsInitialized(bounds))
+      {
+        box.AddBounds(bounds);
+      }
+    }
+  }
+  double bounds[6];
+  box.GetBounds(bounds);
+  bounds[4] = std::min(bounds[4], groundHeight);
+  renderer->ResetCameraClippingRange(bounds);
 }
 
 } // namespace nexrad::scene

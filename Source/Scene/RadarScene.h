@@ -50,6 +50,9 @@ public:
   /// it cannot give.
   void SetVolume(vtkImageData* volume);
 
+  /// Throws Error for whatever a scene with these options would throw for in SetVolume.
+  static void Check(const SceneOptions& options, vtkImageData* volume);
+
   /// Hides the volume, and shows it again; the map and the letters stay.
   void ShowVolume(bool shown);
 
@@ -75,6 +78,7 @@ private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
   void Replace(Props& group, Props replacement);
+  void OrderProps();
   void FollowArray(vtkImageData* data);
   void DrawGround();
   void DrawScales();
@@ -82,6 +86,7 @@ private:
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
   void DrawCaptions();
   void Aim();
+  void FitClippingRange();
   int TextSize() const;
 
   SceneOptions options;

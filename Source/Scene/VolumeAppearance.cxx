@@ -60,8 +60,8 @@ std::string PresetFor(const SceneOptions& options, const std::string& array)
   const std::string meant = ArrayOf(options.preset);
   if (!meant.empty() && own != nullptr && meant != array)
   {
-    throw Error("--preset '" + options.preset + "' is of " + meant + ", and " + array +
-                " is shown; write --preset '" + usual + "' or leave it out");
+    throw Error("preset '" + options.preset + "' is of " + meant + ", and " + array +
+                " is shown; choose '" + usual + "' or no preset");
   }
   return options.preset;
 }

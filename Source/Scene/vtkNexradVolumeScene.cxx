@@ -4,6 +4,7 @@
 #include "Scene/RadarScene.h"
 #include "nexrad/System/Error.h"
 
+#include "vtkCamera.h"
 #include "vtkCommand.h"
 #include "vtkImageData.h"
 #include "vtkNexradTransferFunction.h"
@@ -101,22 +102,27 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   return options;
 }
 
-// A new scene takes the place of the old one once it shows the volume, so that an error leaves the
-// old one as it is.
+// An error leaves the old scene as it is.
 void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted)
 {
-  auto made = std::make_unique<RadarScene>(wanted, self->Renderer);
+  RadarScene::Check(wanted, self->Volume);
+  vtkSmartPointer<vtkNexradTransferFunction> colors;
+  std::string array;
   if (scene && SameColors(wanted, options))
   {
-    made->SetTransferFunction(scene->TransferFunction(), scene->Array());
+    colors = scene->TransferFunction();
+    array = scene->Array();
   }
-  made->SetCamera(view);
-  made->SetPictureSize(size);
-  made->SetVolume(self->Volume);
-  scene = std::move(made);
+  scene.reset();
+  scene = std::make_unique<RadarScene>(wanted, self->Renderer);
+  if (colors)
+  {
+    scene->SetTransferFunction(colors, array);
+  }
+  scene->SetCamera(view);
+  scene->SetPictureSize(size);
+  this->ShowVolume(self->Volume);
   options = wanted;
-  volume = self->Volume;
-  volumeTime = volume->GetMTime();
   colorTime = scene->TransferFunction()->GetMTime();
 }
 
@@ -185,7 +191,8 @@ vtkNexradVolumeScene::~vtkNexradVolumeScene()
 
 void vtkNexradVolumeScene::ObserveRenderer()
 {
-  RendererTag = this->Renderer->AddObserver(
+  this->Camera = this->Renderer->GetActiveCamera();
+  this->RendererTag = this->Renderer->AddObserver(
     vtkCommand::StartEvent, this, &vtkNexradVolumeScene::FollowRendering);
 }
 
@@ -290,6 +297,26 @@ bool vtkNexradVolumeScene::Update()
 
 void vtkNexradVolumeScene::FollowRendering()
 {
+  // vtkWindowToImageFilter draws with a copy of the camera, narrowed to a tile of the picture, and
+  // throws the copy away afterwards.
+  const vtkSmartPointer<vtkCamera> drawn = this->Renderer->GetActiveCamera();
+  this->Renderer->SetActiveCamera(this->Camera);
+  const vtkMTimeType before = this->Camera->GetMTime();
+  const double angle = drawn->GetViewAngle() / this->Camera->GetViewAngle();
+  const double scale = drawn->GetParallelScale() / this->Camera->GetParallelScale();
+  this->FollowSize();
+  this->Update();
+  if (drawn != this->Camera && this->Camera->GetMTime() != before)
+  {
+    drawn->DeepCopy(this->Camera);
+    drawn->SetViewAngle(angle * this->Camera->GetViewAngle());
+    drawn->SetParallelScale(scale * this->Camera->GetParallelScale());
+  }
+  this->Renderer->SetActiveCamera(drawn);
+}
+
+void vtkNexradVolumeScene::FollowSize()
+{
   const int* rendererSize = this->Renderer->GetSize();
   const std::array<int, 2> size = {rendererSize[0], rendererSize[1]};
   const bool resized = size != this->Drawn->size && size[0] > 0 && size[1] > 0;
@@ -301,7 +328,6 @@ void vtkNexradVolumeScene::FollowRendering()
       this->Drawn->scene->SetPictureSize(size);
     }
   }
-  this->Update();
 }
 
 void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)

@@ -16,8 +16,8 @@
  * Input: a merged volume (vtkImageData as vtkNexradDayReader and vtkNexradVolumeReader give it), by
  * SetVolume. The scene has no window: put the renderer of GetRenderer into one. The scene brings
  * itself up to date, and follows the size of the renderer, at the beginning of each rendering.
- * The pictures are those of the program's command `render`: off screen with 4 multisamples they
- * are equal to the pixel.
+ * The pictures are those of the program's command `render`, pixel for pixel, when the window has 4
+ * multisamples, is off screen and is read from its back buffer.
  *
  * Scene coordinates are kilometres east and north of the centre of the volume's projection, and
  * kilometres above mean sea level times the exaggeration.
@@ -38,6 +38,7 @@
 #include <memory> // For members
 #include <string> // For members
 
+class vtkCamera;
 class vtkImageData;
 class vtkNexradTransferFunction;
 class vtkRenderer;
@@ -245,8 +246,10 @@ private:
   void ObserveRenderer();
   void ForgetRenderer();
   void FollowRendering(); // before each picture
+  void FollowSize();
 
   vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkCamera> Camera; // that of the renderer
   unsigned long RendererTag = 0;
   vtkSmartPointer<vtkImageData> Volume;
   struct Drawing;

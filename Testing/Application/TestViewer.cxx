@@ -178,3 +178,14 @@ TEST(Viewer, AFolderThatIsNotThereIsToldAndNothingEnds)
   viewer.Press("space");
   EXPECT_FALSE(viewer.IsPlaying()) << "one time alone";
 }
+
+TEST(PictureWindow, NoDisplayIsAnErrorAndNotTheEndOfTheProgram)
+{
+  const char* display = std::getenv("DISPLAY");
+  const std::string before = display == nullptr ? "" : display;
+  setenv("DISPLAY", ":4711", 1);
+  EXPECT_THROW(RequireDisplay(), Error);
+  unsetenv("DISPLAY");
+  EXPECT_THROW(RequireDisplay(), Error);
+  setenv("DISPLAY", before.c_str(), 1);
+}

@@ -89,7 +89,7 @@ TEST(PlanView, AHeightIsItsLevelAndNothingElse)
   EXPECT_EQ(view.where, "At 2.5 km above mean sea level");
   EXPECT_EQ(View(PlanLevel::Height, "", 3'000.0).where, "At 2.5 km above mean sea level");
   EXPECT_EQ(ErrorOf({PlanLevel::Height, 3'100.0, ""}),
-    "--map 3.1 km: the volume reaches from 0 km to 3 km above mean sea level");
+    "plan view at 3.1 km: the volume reaches from 0 km to 3 km above mean sea level");
 }
 
 // A companion's map shows what stands behind the voxels of the moment's map.

@@ -66,8 +66,8 @@ TEST(VolumeAppearance, EveryMomentHasItsOwnLook)
   }
   catch (const Error& error)
   {
-    EXPECT_STREQ(error.what(), "--preset 'velocity' is of VEL, and REF is shown; write --preset "
-                               "'all echo' or leave it out");
+    EXPECT_STREQ(error.what(),
+      "preset 'velocity' is of VEL, and REF is shown; choose 'all echo' or no preset");
   }
 }
 

@@ -26,8 +26,8 @@ int LevelAt(const GridSpecification& grid, double height)
   const double top = bottom + grid.spacing[2] * grid.dimensions[2];
   if (!(height >= bottom && height <= top))
   {
-    throw Error("--map " + Kilometres(height) + ": the volume reaches from " + Kilometres(bottom) +
-                " to " + Kilometres(top) + " above mean sea level");
+    throw Error("plan view at " + Kilometres(height) + ": the volume reaches from " +
+                Kilometres(bottom) + " to " + Kilometres(top) + " above mean sea level");
   }
   const int level = static_cast<int>((height - bottom) / grid.spacing[2]);
   return std::min(level, grid.dimensions[2] - 1);
@@ -110,8 +110,8 @@ void CheckComposite(MomentName moment)
 {
   if (moment == MomentName::PHI || moment == MomentName::RHO)
   {
-    throw Error("--map composite: the largest " + std::string(ToString(moment)) +
-                " of a column has no meaning; write --map lowest, or a height as in --map 3km");
+    throw Error("composite: the largest " + std::string(ToString(moment)) +
+                " of a column has no meaning; choose the lowest voxels, or those at a height");
   }
 }
 
@@ -136,8 +136,8 @@ std::string WhereText(const GriddedVolume& volume, const PlanOptions& plan, int 
   const auto add = [&](const char* end, const auto& values)
   { has += values.empty() ? "" : ", " + CompanionName(volume.moment, end); };
   ForEachCompanion(volume.companions, add);
-  throw Error(
-    "the volume has no array " + name + "; it has " + has + " (merge with --companions for more)");
+  throw Error("the volume has no array " + name + "; it has " + has +
+              " (merge with ancillary arrays for more)");
 }
 
 // Whether some radar stands behind the voxel; a column may have been filled.
