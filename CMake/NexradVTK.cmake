@@ -1,4 +1,4 @@
-# Finds VTK and builds the VTK modules of Source/IO, Source/Filters and Source/Rendering.
+# Finds VTK and builds the VTK modules of Source/IO, Source/Filters, Source/Rendering and Source/Scene.
 if(VTKNexrad_WRAP_PYTHON)
   # The wrappers are for the Python that VTK's own are for: no other could load both.
   set(nexrad_vtk_for_python Python WrappingPythonCore)
@@ -17,7 +17,8 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
 set(nexrad_module_files
   "${CMAKE_SOURCE_DIR}/Source/IO/vtk.module"
   "${CMAKE_SOURCE_DIR}/Source/Filters/vtk.module"
-  "${CMAKE_SOURCE_DIR}/Source/Rendering/vtk.module")
+  "${CMAKE_SOURCE_DIR}/Source/Rendering/vtk.module"
+  "${CMAKE_SOURCE_DIR}/Source/Scene/vtk.module")
 vtk_module_scan(
   MODULE_FILES ${nexrad_module_files}
   PROVIDES_MODULES nexrad_modules

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CommandLine.h"
-#include "InfoCommand.h"
-#include "SimulateCommand.h"
+#include "Commands/CommandLine.h"
+#include "Commands/InfoCommand.h"
+#include "Commands/SimulateCommand.h"
 
 #ifdef NEXRAD_WITH_VTK
-#include "BenchCommand.h"
-#include "DemoCommand.h"
-#include "GridCommand.h"
-#include "RenderCommand.h"
-#include "ViewCommand.h"
+#include "Commands/BenchCommand.h"
+#include "Commands/DemoCommand.h"
+#include "Commands/GridCommand.h"
+#include "Commands/RenderCommand.h"
+#include "Commands/ViewCommand.h"
 #endif
 
 int main(int argc, char** argv)

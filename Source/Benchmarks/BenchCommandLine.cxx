@@ -4,10 +4,10 @@
 #include "BenchComparison.h"
 #include "BenchSheets.h"
 #include "BenchTables.h"
-#include "ProgressBar.h"
-#include "SceneUsage.h"
+#include "Options/DrawingOptions.h"
+#include "Options/UnitOptions.h"
+#include "Output/ProgressBar.h"
 #include "Tables/ThesisFigures.h"
-#include "UnitOptions.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/System/Error.h"
 

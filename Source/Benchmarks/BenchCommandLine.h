@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Command.h"
+#include "Commands/Command.h"
 
 namespace nexrad::application
 {

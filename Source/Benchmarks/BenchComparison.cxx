@@ -2,7 +2,7 @@
 #include "BenchComparison.h"
 
 #include "BenchOutput.h"
-#include "Command.h"
+#include "Commands/Command.h"
 #include "Report/CompareReports.h"
 #include "nexrad/System/Error.h"
 

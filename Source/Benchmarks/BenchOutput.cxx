@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "BenchOutput.h"
 
-#include "Command.h"
+#include "Commands/Command.h"
 
 #include <nlohmann/json.hpp>
 

@@ -2,12 +2,13 @@
 #include "BenchSheets.h"
 
 #include "BenchOutput.h"
-#include "Command.h"
+#include "Commands/Command.h"
+#include "Commands/SimulatedFiles.h"
 #include "DrawingLibrary.h"
-#include "ProgressBar.h"
-#include "SimulatedFiles.h"
+#include "Output/ProgressBar.h"
 #include "Tables/WorkFolder.h"
 #include "nexrad/Series/InputFiles.h"
+#include "nexrad/System/Progress.h"
 
 #include <nlohmann/json.hpp>
 

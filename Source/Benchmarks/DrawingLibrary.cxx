@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "DrawingLibrary.h"
 
-#include "LibraryCall.h"
+#include "Libraries/LibraryCall.h"
 
 namespace nexrad::application
 {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/MeasureDrawing.h"
-#include "LibraryCall.h"
+#include "Libraries/LibraryCall.h"
 #include "Sheets/Sheets.h"
 
 /// The functions that the benchmark looks for in this library (DrawingLibrary.h).

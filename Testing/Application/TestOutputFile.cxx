@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "OutputFile.h"
+#include "Output/OutputFile.h"
 
 #include "TestData.h"
 #include "nexrad/System/Error.h"

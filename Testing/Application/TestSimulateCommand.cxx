@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "CommandLine.h"
-#include "SimulateCommand.h"
+#include "Commands/CommandLine.h"
+#include "Commands/SimulateCommand.h"
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Simulation/SimulatedDay.h"

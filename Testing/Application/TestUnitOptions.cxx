@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "UnitOptions.h"
+#include "Options/UnitOptions.h"
 
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/System/Error.h"

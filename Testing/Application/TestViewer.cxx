@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window of `nexrad3d view` and its keys.
-#include "PictureWindow.h"
-#include "RadarSession.h"
+#include "Drawing/PictureWindow.h"
+#include "Drawing/Viewer.h"
+#include "Scene/RadarSession.h"
+#include "Scene/Series/VolumeFiles.h"
 #include "StormVolume.h"
 #include "TestData.h"
-#include "Viewer.h"
 
 #include "nexrad/System/Error.h"
 
@@ -51,7 +52,7 @@ class ViewerTest : public ::testing::Test
 {
 protected:
   ViewerTest()
-    : session(application::OpenVolumeFiles({WriteStormFiles(folder.Path(), 3)}), {0, 1, 2}, {})
+    : session(OpenVolumeFiles({WriteStormFiles(folder.Path(), 3)}), {0, 1, 2}, {})
   {
     Viewer::Options options;
     options.size = {480, 300};
@@ -94,8 +95,7 @@ TEST_F(ViewerTest, KeysChangeThePictureAsTheySay)
 TEST(Viewer, OpensWithItsKeysOnTheScreen)
 {
   const TemporaryFolder folder;
-  RadarSession session(
-    application::OpenVolumeFiles({WriteStormFiles(folder.Path(), 3)}), {0, 1, 2}, {});
+  RadarSession session(OpenVolumeFiles({WriteStormFiles(folder.Path(), 3)}), {0, 1, 2}, {});
   Viewer::Options options;
   options.pictures = folder.Path();
   Viewer viewer(session, options);
@@ -169,7 +169,7 @@ TEST_F(ViewerTest, ScreenshotsNeverOverwrite)
 TEST(Viewer, AFolderThatIsNotThereIsToldAndNothingEnds)
 {
   const TemporaryFolder folder;
-  RadarSession session(application::OpenVolumeFiles({WriteStormFiles(folder.Path(), 1)}), {0}, {});
+  RadarSession session(OpenVolumeFiles({WriteStormFiles(folder.Path(), 1)}), {0}, {});
   Viewer viewer(session, {{320, 200}, {}, std::chrono::milliseconds(500), "/nonexistent"});
   viewer.Press("s");
   EXPECT_TRUE(viewer.Pictures().empty());
@@ -177,4 +177,15 @@ TEST(Viewer, AFolderThatIsNotThereIsToldAndNothingEnds)
   EXPECT_NE(viewer.Problems()[0].find("/nonexistent"), std::string::npos);
   viewer.Press("space");
   EXPECT_FALSE(viewer.IsPlaying()) << "one time alone";
+}
+
+TEST(PictureWindow, NoDisplayIsAnErrorAndNotTheEndOfTheProgram)
+{
+  const char* display = std::getenv("DISPLAY");
+  const std::string before = display == nullptr ? "" : display;
+  setenv("DISPLAY", ":4711", 1);
+  EXPECT_THROW(RequireDisplay(), Error);
+  unsetenv("DISPLAY");
+  EXPECT_THROW(RequireDisplay(), Error);
+  setenv("DISPLAY", before.c_str(), 1);
 }

@@ -4,8 +4,8 @@
 
 #include "DirectMerge.h"
 #include "HandMadeVolume.h"
+#include "Scene/Series/VolumeFiles.h"
 #include "TestData.h"
-#include "Volumes/VolumeSeries.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Compression/Deflate.h"
@@ -273,7 +273,7 @@ TEST(OpeningVolumes, AVolumeTooLargeToDrawIsRefused)
     start[4 + byte] = static_cast<char>(text.size() >> (8 * byte) & 0xFF);
   }
   std::ofstream(path, std::ios::binary) << start << text << run;
-  const auto series = OpenVolumeFiles({path});
+  const auto series = scene::OpenVolumeFiles({path});
   try
   {
     series->Load(0, {});

@@ -3,10 +3,11 @@
 // with its default table, 796 x 532 pixels: t1, t2 and t3 of the thesis's table 4.2. Usage:
 // BenchmarkSeries [volumes ...]: .nxv files, an index or a folder of them. Without any, 24 volumes
 // of three simulated radars (SYNTHETIC), 256 x 256 x 128, five minutes apart.
-#include "PictureWindow.h"
-#include "RadarSession.h"
+#include "Commands/SimulatedFiles.h"
+#include "Drawing/PictureWindow.h"
 #include "Report/Measurement.h"
-#include "SimulatedFiles.h"
+#include "Scene/RadarSession.h"
+#include "Scene/Series/VolumeFiles.h"
 #include "StepTimes.h"
 #include "Tables/WorkFolder.h"
 #include "Volumes/WriteVolumes.h"

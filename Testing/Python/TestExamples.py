@@ -91,6 +91,14 @@ class Examples(unittest.TestCase):
         volume.GetPointData().SetScalars(scalars)
         numpy.testing.assert_array_equal(module.echo_tops(volume, 18.0), [[500.0, 2500.0, numpy.nan]])
 
+    def test_draw_scene(self):
+        picture, program = picture_path("scene"), picture_path("program")
+        run("draw_scene", merged_volume(), picture)
+        subprocess.run([os.environ["NEXRAD3D"], "render", merged_volume(), "-o", program, "--quiet"],
+                       check=True)
+        self.assertGreater(len(numpy.unique(pixels(picture), axis=0)), 500)
+        numpy.testing.assert_array_equal(pixels(picture), pixels(program))
+
     def test_slices_in_vtk(self):
         picture = picture_path("slices")
         run("slices_in_vtk", picture)

@@ -35,7 +35,8 @@ class Classes(unittest.TestCase):
         "vtkNexradLevel2Reader", "vtkNexradSeriesReader", "vtkNexradVolumeReader",
         "vtkNexradVolumeWriter", "vtkNexradDayReader", "vtkNexradSiteMerge",
         "vtkNexradVolumeResampler", "vtkOpenGLTextureSliceVolumeMapper",
-        "vtkNexradTransferFunction", "vtkTextureSliceObjectFactory")
+        "vtkNexradTransferFunction", "vtkTextureSliceObjectFactory", "vtkNexradVolumeScene",
+        "vtkNexradSession")
 
     def test_every_class_can_be_made_and_has_help(self):
         for name in self.concrete:

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "StepWriter.h"
+#include "Volumes/StepWriter.h"
 
-#include "OutputFile.h"
-#include "VtkMessages.h"
+#include "Output/OutputFile.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradMessages.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -21,7 +21,7 @@ void WriteVti(const fs::path& path, const GriddedVolume& volume)
   vtkNew<vtkImageData> image;
   vtkNexradVolumeToImage(volume, image);
   vtkNew<vtkXMLImageDataWriter> writer;
-  VtkMessages messages;
+  vtkNexradMessages messages;
   messages.Watch(writer);
   writer->SetInputData(image);
   // To memory first: VTK's writer leaves a cut file behind when the disk is full.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "WrittenFiles.h"
+#include "Volumes/WrittenFiles.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GriddedVolume.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WriteVolumes.h"
+#include "Volumes/WriteVolumes.h"
 
-#include "ProgressShare.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/Progress.h"
 #include "vtkNexradThreads.h"
 
 #include <algorithm>
@@ -130,11 +130,11 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.threads = vtkNexradThreadCount();
   setup.processes = processes;
   SeriesMerger merger(job.inputs, job.options, setup);
-  RequireDone(merger.Open(ShareOf(progress, 0.0, scanShare)));
+  RequireDone(merger.Open(ShareOf(progress, 0.0, ScanShare)));
   for (;;)
   {
     Block block;
-    const double from = merger.IsScanned() ? scanShare : 0.0;
+    const double from = merger.IsScanned() ? ScanShare : 0.0;
     processes.Together(
       [&] { block = WriteBlock(job, merger, ShareOf(progress, from, 1.0), processes); });
     if (merger.Confirm())
@@ -142,7 +142,7 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
       return Conclude(job, merger.Times(), block, merger.Problems(), processes);
     }
     block.files.Remove();
-    RequireDone(merger.Scan(ShareOf(progress, 0.0, scanShare)));
+    RequireDone(merger.Scan(ShareOf(progress, 0.0, ScanShare)));
   }
 }
 

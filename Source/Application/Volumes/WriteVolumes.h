@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "StepWriter.h"
+#include "Volumes/StepWriter.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "WrittenFiles.h"
+#include "Volumes/WrittenFiles.h"
 
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"

@@ -2,7 +2,7 @@
 #include "Frames/MeasureDrawing.h"
 
 #include "Frames/VolumeStage.h"
-#include "Volumes/VolumeSeries.h"
+#include "Scene/Series/VolumeFiles.h"
 
 #include <vtkImageData.h>
 #include <vtkVolumeMapper.h>
@@ -42,7 +42,7 @@ double UploadSeconds(VolumeStage& stage, MapperChoice mapper)
 void MeasureLoading(
   VolumeStage& stage, const application::VolumesOfSize& volumes, int runs, DrawingOfSize& times)
 {
-  const auto series = application::OpenVolumeFiles(volumes.files);
+  const auto series = OpenVolumeFiles(volumes.files);
   std::vector<double> read;
   std::vector<double> slicing;
   std::vector<double> rayCasting;

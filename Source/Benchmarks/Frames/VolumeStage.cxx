@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Frames/VolumeStage.h"
 
-#include "PictureWindow.h"
+#include "Drawing/PictureWindow.h"
 #include "Report/Measurement.h"
-#include "SceneFrame.h"
-#include "VolumeLook.h"
+#include "Scene/Frame/SceneFrame.h"
+#include "Scene/VolumeAppearance.h"
 #include "vtkNexradTransferFunction.h"
 
 #include <vtkCamera.h>
@@ -50,7 +50,7 @@ VolumeStage::VolumeStage(const std::array<int, 2>& pictureSize)
     mappers[static_cast<std::size_t>(choice)] = MakeVolumeMapper(choice);
   }
   volume->SetProperty(MakeVolumeProperty());
-  MakeLook(options)->FillProperty(volume->GetProperty());
+  MakeTransferFunction(options)->FillProperty(volume->GetProperty());
   renderer->AddVolume(volume);
   window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CameraView.h"
 #include "Report/Machine.h"
-#include "SceneOptions.h"
+#include "Scene/Frame/CameraView.h"
+#include "Scene/SceneOptions.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>

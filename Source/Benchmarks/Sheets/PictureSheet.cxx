@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sheets/PictureSheet.h"
 
-#include "PictureWindow.h"
-#include "SceneText.h"
+#include "Drawing/PictureWindow.h"
+#include "Scene/Elements/SceneText.h"
 
 #include <vtkActor2D.h>
 #include <vtkImageData.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CameraView.h"
-#include "PictureWindow.h"
-#include "RadarScene.h"
+#include "Drawing/PictureWindow.h"
+#include "Scene/Frame/CameraView.h"
+#include "Scene/RadarScene.h"
 
 #include <array>
 

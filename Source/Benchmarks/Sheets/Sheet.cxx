@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sheets/Sheet.h"
 
+#include "Scene/Series/RadarFiles.h"
 #include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/Progress.h"
 
 #include <vtkImageData.h>
 
@@ -27,11 +29,11 @@ void CheckTime(const SheetSource& source)
   }
 }
 
-std::unique_ptr<application::VolumeSeries> Merge(
+std::unique_ptr<VolumeSeries> Merge(
   const SheetSource& source, const std::array<int, 3>& dimensions, MergeOptions options)
 {
   options.grid.dimensions = dimensions;
-  return application::OpenRadarFiles(source.request.files, options);
+  return OpenRadarFiles(source.request.files, options);
 }
 
 } // namespace
@@ -57,8 +59,7 @@ SheetSource MakeSheetSource(const SheetRequest& request)
   return source;
 }
 
-std::unique_ptr<application::VolumeSeries> SheetSource::MergeAtTime(
-  const std::array<int, 3>& dimensions) const
+std::unique_ptr<VolumeSeries> SheetSource::MergeAtTime(const std::array<int, 3>& dimensions) const
 {
   MergeOptions options = request.grid;
   options.begin = options.end = time;
@@ -66,8 +67,7 @@ std::unique_ptr<application::VolumeSeries> SheetSource::MergeAtTime(
   return Merge(*this, dimensions, options);
 }
 
-std::unique_ptr<application::VolumeSeries> SheetSource::MergeAllSteps(
-  const std::array<int, 3>& dimensions) const
+std::unique_ptr<VolumeSeries> SheetSource::MergeAllSteps(const std::array<int, 3>& dimensions) const
 {
   return Merge(*this, dimensions, request.grid);
 }

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Report/BenchTable.h"
+#include "Scene/Series/VolumeSeries.h"
 #include "Sheets/SheetRequest.h"
-#include "Volumes/VolumeSeries.h"
 #include "nexrad/Series/SiteSeries.h"
 
 #include <vtkSmartPointer.h>
@@ -33,10 +33,8 @@ struct SheetSource
   Time time{}; ///< of all sheets but that of times
 
   /// The merged volumes of that size: at `time` alone, or at all steps.
-  std::unique_ptr<application::VolumeSeries> MergeAtTime(
-    const std::array<int, 3>& dimensions) const;
-  std::unique_ptr<application::VolumeSeries> MergeAllSteps(
-    const std::array<int, 3>& dimensions) const;
+  std::unique_ptr<VolumeSeries> MergeAtTime(const std::array<int, 3>& dimensions) const;
+  std::unique_ptr<VolumeSeries> MergeAllSteps(const std::array<int, 3>& dimensions) const;
 
   /// The size of the sheets that show one.
   const std::array<int, 3>& MiddleSize() const;

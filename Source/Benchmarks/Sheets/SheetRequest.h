@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "CameraView.h"
 #include "Report/BenchTable.h"
+#include "Scene/Frame/CameraView.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/System/Progress.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sheets/Sheets.h"
 
-#include "OutputFile.h"
-#include "PictureWindow.h"
+#include "Drawing/PictureWindow.h"
+#include "Output/OutputFile.h"
 #include "Sheets/ResolutionSheet.h"
 #include "Sheets/SlicesSheet.h"
 #include "Sheets/SweepsSheet.h"

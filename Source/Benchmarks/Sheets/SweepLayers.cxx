@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sheets/SweepLayers.h"
 
-#include "LineBuilder.h"
-#include "SceneText.h"
-#include "Volumes/VtkMessages.h"
+#include "Scene/Elements/LineBuilder.h"
+#include "Scene/Elements/SceneText.h"
 #include "nexrad/Model/Elevation.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradLevel2Reader.h"
+#include "vtkNexradMessages.h"
 
 #include <vtkActor.h>
 #include <vtkDataArray.h>
@@ -183,7 +183,7 @@ vtkSmartPointer<vtkActor> MakeEcho(vtkStructuredGrid* grid, const SweepStyle& st
 std::vector<SweepLayer> ReadSweepLayers(const SeriesVolume& volume, const SweepReach& reach)
 {
   vtkNew<vtkNexradLevel2Reader> reader;
-  application::VtkMessages messages;
+  vtkNexradMessages messages;
   messages.Watch(reader);
   reader->SetFileName(volume.file.c_str());
   reader->GetMomentSelection()->DisableAllArrays();

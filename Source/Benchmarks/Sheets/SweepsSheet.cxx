@@ -70,7 +70,7 @@ vtkSmartPointer<vtkImageData> DrawLayers(const std::vector<SweepLayer>& layers, 
   RadarScene& scene = pictures.Scene();
   scene.SetVolume(domain);
   vtkNew<vtkColorTransferFunction> colours;
-  scene.Look()->FillSteppedColorFunction(colours);
+  scene.TransferFunction()->FillSteppedColorFunction(colours);
   SweepStyle style{colours, least, DefaultExaggeration(domain)};
   style.textSize = std::max(9, size[1] / 45);
   for (std::size_t i = 0; i < layers.size(); ++i)

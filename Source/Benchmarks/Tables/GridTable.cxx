@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Tables/GridTable.h"
 
-#include "Volumes/VolumeSeries.h"
+#include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradThreads.h"
 
 #include <vtkImageData.h>
+#include <vtkNew.h>
 
 #include <algorithm>
 
@@ -77,15 +80,26 @@ struct GridTimes
 GridTimes MeasureGrid(
   const std::vector<std::filesystem::path>& files, const MergeOptions& options, int runs)
 {
-  const auto series = OpenRadarFiles(files, options);
+  MergerSetup setup;
+  setup.loop = vtkNexradRangeLoop();
+  setup.threads = vtkNexradThreadCount();
+  setup.anyOrder = true;
+  SeriesMerger merger(files, options, setup);
+  merger.Open();
+  merger.EndAt(merger.Times()[1]);
+  const auto merge = [&merger](std::size_t step)
+  {
+    vtkNew<vtkImageData> image;
+    vtkNexradVolumeToImage(*merger.Merge(merger.Times()[step]), image);
+  };
   GridTimes times;
-  times.first = SecondsOf([&] { series->Load(0, {}); });
-  series->Load(1, {});
+  times.first = SecondsOf([&] { merge(0); });
+  merge(1);
   std::vector<double> next;
   for (int run = 0; run < runs; ++run)
   {
-    next.push_back(SecondsOf([&] { series->Load(0, {}); }));
-    next.push_back(SecondsOf([&] { series->Load(1, {}); }));
+    next.push_back(SecondsOf([&] { merge(0); }));
+    next.push_back(SecondsOf([&] { merge(1); }));
   }
   times.next = Summarize(next);
   return times;

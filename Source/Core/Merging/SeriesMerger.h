@@ -17,6 +17,10 @@
 namespace nexrad
 {
 
+/// Part of the time that a scan of all files takes, when volumes are merged afterwards; for a
+/// progress bar.
+constexpr double ScanShare = 0.3;
+
 /// How a SeriesMerger works; it changes no volume.
 struct MergerSetup
 {

@@ -50,6 +50,7 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
     for (const TimedFile& file : sites.back().list.files)
     {
       files[file.index].site = site;
+      files[file.index].time = file.time;
       order.push_back(file);
     }
   }
@@ -122,9 +123,7 @@ std::optional<std::size_t> VolumeLoader::NextFile()
   {
     return std::nullopt;
   }
-  auto ahead = std::upper_bound(order.begin(), order.end(), TimedFile{0, *reached}, IsEarlier);
-  for (std::size_t count = 0; count < filesAhead * threadCount && ahead != order.end();
-       ++count, ++ahead)
+  for (auto ahead = this->FirstAhead(); ahead != this->EndOfAhead(); ++ahead)
   {
     const File& file = files[ahead->index];
     if (ahead->time <= lastTime && file.state == State::Waiting && this->IsWanted(file.site))
@@ -133,6 +132,18 @@ std::optional<std::size_t> VolumeLoader::NextFile()
     }
   }
   return std::nullopt;
+}
+
+// Called with the lock, once a time was asked for. The files that may be decoded ahead of it.
+std::vector<TimedFile>::const_iterator VolumeLoader::FirstAhead() const
+{
+  return std::upper_bound(order.begin(), order.end(), TimedFile{0, *reached}, IsEarlier);
+}
+
+std::vector<TimedFile>::const_iterator VolumeLoader::EndOfAhead() const
+{
+  const auto first = this->FirstAhead();
+  return first + std::min<std::ptrdiff_t>(filesAhead * threadCount, order.end() - first);
 }
 
 // Called without the lock. Takes the volumes of a file from the cache, or else decodes it.
@@ -271,6 +282,7 @@ void VolumeLoader::Expect(std::size_t index)
 ScannedFile VolumeLoader::Scan(std::size_t index)
 {
   std::unique_lock<std::mutex> lock(mutex);
+  files[index].kept = true;
   const auto known = [&]
   {
     if (!files[index].known)
@@ -434,8 +446,8 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
   return volumes;
 }
 
-// Called with the lock. Drops what the time did not need, unless it is waiting for its first use
-// after the time.
+// Called with the lock. Drops what the time did not need, but for what was decoded ahead of it, and
+// for what Scan asked for and no time needed yet.
 void VolumeLoader::Release(Time time, const std::vector<const SeriesVolume*>& needed)
 {
   const auto isNeeded = [&needed](const HeldVolume& held)
@@ -444,12 +456,15 @@ void VolumeLoader::Release(Time time, const std::vector<const SeriesVolume*>& ne
       [&held](const SeriesVolume* volume)
       { return volume->cycle == held.volume.cycle && volume->file == held.volume.file; });
   };
+  const auto end = this->EndOfAhead();
   for (File& file : files)
   {
     const bool held = !file.held.empty();
-    file.held.erase(std::remove_if(file.held.begin(), file.held.end(),
-                      [&](const HeldVolume& each)
-                      { return (each.used || each.volume.start <= time) && !isNeeded(each); }),
+    const bool tooFar = !file.kept && end != order.end() && file.time >= end->time;
+    file.held.erase(
+      std::remove_if(file.held.begin(), file.held.end(),
+        [&](const HeldVolume& each)
+        { return (each.used || each.volume.start <= time || tooFar) && !isNeeded(each); }),
       file.held.end());
     if (held && file.held.empty())
     {

@@ -112,6 +112,8 @@ private:
     State state = State::Waiting;
     bool asked = false;   ///< it is in `wanted`
     bool known = false;   ///< what it holds is known
+    bool kept = false;    ///< Scan asked for it; held until some time needs it
+    Time time{};          ///< of its header
     std::size_t site = 0; ///< in `sites`
     ScannedFile scanned;
     std::vector<HeldVolume> held;
@@ -125,6 +127,8 @@ private:
 
   void Work();
   std::optional<std::size_t> NextFile();
+  std::vector<TimedFile>::const_iterator FirstAhead() const;
+  std::vector<TimedFile>::const_iterator EndOfAhead() const;
   std::vector<HeldVolume> Load(std::size_t index, ScannedFile& scanned);
   void Keep(std::size_t index, ScannedFile scanned, std::vector<HeldVolume> held);
   void Learn(SiteFiles& site, const ScannedFile& scanned);

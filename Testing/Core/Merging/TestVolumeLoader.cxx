@@ -186,6 +186,7 @@ TEST_F(VolumeLoading, TimesMayComeInAnyOrder)
     {
       EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after))
         << after / 1s << " s";
+      // As when they ascend, and what each thread still decodes for the time before.
       EXPECT_LE(this->Alive(), 2U * 3U + 2U * 4U + 2U) << after / 1s << " s";
     }
     EXPECT_TRUE(loader->IsAsIn(this->Scan()));

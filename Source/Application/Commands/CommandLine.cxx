@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands/CommandLine.h"
+
+#include "Parallel/LaunchedProcess.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <csignal>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <string>
+
+namespace nexrad::application
+{
+namespace
+{
+
+// "nexrad3d grid": what the user called.
+std::string CalledName(const CLI::App& program)
+{
+  const auto chosen = program.get_subcommands();
+  return chosen.empty() ? program.get_name()
+                        : program.get_name() + ' ' + chosen.front()->get_name();
+}
+
+// CLI11 says only that a command is missing, even when the first word is a misspelt one.
+std::string ExplainMissingCommand(const CLI::App& program)
+{
+  std::string names;
+  for (const CLI::App* command : program.get_subcommands({}))
+  {
+    names += (names.empty() ? "" : ", ") + command->get_name();
+  }
+  const auto unknown = program.remaining();
+  return (unknown.empty() ? "a command is missing" : "unknown command '" + unknown.front() + "'") +
+         "; the commands are " + names;
+}
+
+// One line on standard error. Of several processes that were launched together, one speaks.
+void Complain(const CLI::App& program, const std::string& message)
+{
+  if (FindLaunchedProcess().IsFirst())
+  {
+    std::cerr << CalledName(program) << ": " << message << '\n';
+  }
+}
+
+int ReportParseError(const CLI::App& program, const CLI::ParseError& error)
+{
+  if (error.get_exit_code() == 0)
+  {
+    return program.exit(error); // --help and --version print to standard output
+  }
+  std::string message =
+    program.get_subcommands().empty() ? ExplainMissingCommand(program) : error.what();
+  std::replace(message.begin(), message.end(), '\n', ' ');
+  Complain(program, message + " (see " + CalledName(program) + " --help)");
+  return WrongUsage;
+}
+
+int RunAction(const CLI::App& program, const CommandAction& action)
+{
+  try
+  {
+    const int status = action();
+    // Standard output may be a full disk; what was printed counts only when it arrived.
+    if (!std::cout.flush())
+    {
+      Complain(program, "cannot write to standard output");
+      return Failed;
+    }
+    return status;
+  }
+  catch (const std::bad_alloc&)
+  {
+    Complain(program, "not enough memory");
+  }
+  catch (const std::exception& error)
+  {
+    Complain(program, error.what());
+  }
+  return Failed;
+}
+
+} // namespace
+
+int RunProgram(int argc, const char* const* argv, const std::vector<AddCommand>& commands)
+{
+  CLI::App program("Weather radar volumes: from NEXRAD Level II files to a moving picture");
+  program.name("nexrad3d");
+  program.set_version_flag("--version", "nexrad3d " NEXRAD_VERSION);
+  program.require_subcommand(1);
+  program.footer("Exit status: 0 done; 1 failed; 2 wrong usage; 3 done, but some input was damaged "
+                 "or left out.");
+  // A limit on the size of files shall be an error of writing, as a full disk is.
+  std::signal(SIGXFSZ, SIG_IGN);
+  CommandAction action;
+  for (const AddCommand add : commands)
+  {
+    add(program, action);
+  }
+  try
+  {
+    program.parse(argc, argv);
+  }
+  catch (const CLI::ParseError& error)
+  {
+    return ReportParseError(program, error);
+  }
+  return RunAction(program, action);
+}
+
+} // namespace nexrad::application

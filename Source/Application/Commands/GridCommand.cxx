@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands/GridCommand.h"
+
+#include "Options/GridOptions.h"
+#include "Options/UnitOptions.h"
+#include "Output/Counted.h"
+#include "Output/ProgressBar.h"
+#include "Parallel/JoinedProcesses.h"
+#include "Volumes/WriteVolumes.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <utility>
+
+namespace nexrad::application
+{
+namespace
+{
+
+struct GridCommandOptions
+{
+  GridJob job;
+  bool quiet = false;
+  // Until the program has said what went wrong: mpiexec ends all processes as soon as one has left
+  // them with a failure.
+  std::optional<JoinedProcesses> joined;
+};
+
+VolumeFormat ParseFormat(const std::string& text)
+{
+  if (text != "nxv" && text != "vti")
+  {
+    throw Error("'" + text + "' is no format of volumes; write nxv or vti");
+  }
+  return text == "nxv" ? VolumeFormat::Nxv : VolumeFormat::Vti;
+}
+
+NxvEncoding ParseCode(const std::string& text)
+{
+  constexpr std::pair<const char*, NxvEncoding> names[] = {{"radar", NxvEncoding::RadarSteps},
+    {"thesis", NxvEncoding::RunLength}, {"exact", NxvEncoding::Float}};
+  for (const auto& [name, encoding] : names)
+  {
+    if (text == name)
+    {
+      return encoding;
+    }
+  }
+  throw Error("'" + text + "' is no code of volumes; write radar, thesis or exact");
+}
+
+// The codes of the thesis are whole dBZ.
+void CheckCode(const GridJob& job)
+{
+  if (job.nxv.encoding && job.format != VolumeFormat::Nxv)
+  {
+    throw CLI::ValidationError("--code", "is of --format nxv alone");
+  }
+  if (job.nxv.encoding == NxvEncoding::RunLength && job.options.moment != MomentName::REF)
+  {
+    throw CLI::ValidationError("--code", "'thesis' is of --moment REF alone");
+  }
+}
+
+int RunGrid(GridCommandOptions& options)
+{
+  const Processes processes = options.joined.emplace().Get();
+  ProgressBar bar("merging", options.quiet || !processes.IsFirst());
+  const GridReport report = WriteVolumes(
+    options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
+  bar.Clear();
+  const int status = report.problems.empty() ? Done : DoneWithDamage;
+  if (!processes.IsFirst())
+  {
+    return status;
+  }
+  if (!options.quiet)
+  {
+    std::cout << report.index.string() << ": " << Counted(report.files.size(), "volume") << ", "
+              << Counted(report.bytes, "byte") << '\n';
+  }
+  for (const std::string& problem : report.problems)
+  {
+    std::cerr << problem << '\n';
+  }
+  return status;
+}
+
+} // namespace
+
+void AddGridCommand(CLI::App& program, CommandAction& action)
+{
+  const auto options = std::make_shared<GridCommandOptions>();
+  CLI::App* command = program.add_subcommand(
+    "grid", "Merge radar files of any number of sites into one volume for each time step");
+  command
+    ->add_option("input", options->job.inputs, "Level II files, chunk folders, folders of these")
+    ->required()
+    ->type_name("INPUT");
+  command
+    ->add_option("-o,--output", options->job.folder,
+      "Folder that takes the volumes and their index; made when it does not exist")
+    ->required()
+    ->type_name("DIR");
+  AddParsedOption(*command, "--format", options->job.format, ParseFormat, "NAME",
+    "nxv: compressed volumes of this project; vti: VTK XML image data", "nxv");
+  AddParsedOption(*command, "--code", options->job.nxv.encoding, ParseCode, "NAME",
+    "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), thesis (REF "
+    "alone, whole dBZ from 1 to 80), or exact (default: as --method, radar for beam)");
+  AddQuietOption(*command, options->quiet);
+  AddGridOptions(*command, options->job.options);
+  command->callback(
+    [options, &action]
+    {
+      CheckCode(options->job);
+      action = [options] { return RunGrid(*options); };
+    });
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands/InfoCommand.h"
+
+#include "Commands/InfoReport.h"
+#include "Output/Counted.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Series/InputFiles.h"
+#include "nexrad/System/Error.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <vector>
+
+namespace nexrad::application
+{
+
+namespace
+{
+
+struct InfoOptions
+{
+  std::vector<std::string> files;
+  std::vector<std::string> gates;
+  std::string site;
+  std::string position;
+  bool json = false;
+};
+
+std::optional<GateRequest> ParseGate(const std::string& text)
+{
+  unsigned sweep = 0;
+  unsigned ray = 0;
+  unsigned gate = 0;
+  int used = 0;
+  const bool digits = text.find_first_not_of("0123456789,") == std::string::npos;
+  if (!digits || std::sscanf(text.c_str(), "%5u,%5u,%5u%n", &sweep, &ray, &gate, &used) != 3 ||
+      used != static_cast<int>(text.size()))
+  {
+    return std::nullopt;
+  }
+  return GateRequest{sweep, ray, gate};
+}
+
+std::optional<Position> ParsePosition(const std::string& text)
+{
+  Position place;
+  int used = 0;
+  if (std::sscanf(text.c_str(), "%lf,%lf,%lf%n", &place.latitude, &place.longitude, &place.altitude,
+        &used) != 3 ||
+      used != static_cast<int>(text.size()) || !(std::abs(place.latitude) <= 90.0) ||
+      !(std::abs(place.longitude) <= 180.0) || !(std::abs(place.altitude) < 10'000.0))
+  {
+    return std::nullopt;
+  }
+  return place;
+}
+
+std::string CheckGate(const std::string& text)
+{
+  return ParseGate(text) ? "" : "'" + text + "' is no SWEEP,RAY,GATE, for example 0,12,345";
+}
+
+std::string CheckPosition(const std::string& text)
+{
+  return ParsePosition(text) ? ""
+                             : "'" + text +
+                                 "' is no LATITUDE,LONGITUDE,ALTITUDE in degrees and metres, for "
+                                 "example 38.70,-90.68,219";
+}
+
+// Reads one file. What cannot be read at all comes back as a volume without sweeps, so that each
+// argument has its place in the output.
+RadarVolume ReadOrExplain(const std::string& file, const Level2Options& options)
+{
+  try
+  {
+    RadarVolume volume = ReadLevel2(file, options);
+    for (const Damage& damage : volume.damage)
+    {
+      std::cerr << file << ": offset " << damage.offset << ": " << damage.what << '\n';
+    }
+    return volume;
+  }
+  catch (const Error& error)
+  {
+    std::cerr << error.what() << '\n';
+    RadarVolume volume;
+    volume.file = file;
+    volume.damage.push_back({0, error.what()});
+    return volume;
+  }
+}
+
+// Names each request that a file cannot answer; true when there was one.
+bool NameMissingGates(const RadarVolume& volume, const std::vector<GateRequest>& requests)
+{
+  bool missing = false;
+  for (const GateRequest& request : requests)
+  {
+    if (!volume.sweeps.empty() && FindRay(volume, request) == nullptr)
+    {
+      std::cerr << "nexrad3d info: --gate " << request.sweep << ',' << request.ray << ','
+                << request.gate << ": " << volume.file << " has no such ray; it has "
+                << Counted(volume.sweeps.size(), "sweep") << ", counted from 0\n";
+      missing = true;
+    }
+  }
+  return missing;
+}
+
+// A file of the output, and how much is said of it.
+struct Subject
+{
+  std::string file;
+  bool ofFolder = false; // one of many: a line in the table
+};
+
+// Each argument, with the radar files in it in place of a folder that is none of chunks. What is
+// wrong with a folder is said, and the folder stays as what cannot be read. `leftOut` becomes true
+// for a file in a folder that is no radar file.
+std::vector<Subject> FindSubjects(const std::vector<std::string>& arguments, bool& leftOut)
+{
+  std::vector<Subject> subjects;
+  for (const std::string& argument : arguments)
+  {
+    std::error_code failure;
+    if (!std::filesystem::is_directory(argument, failure) || IsChunkFolder(argument))
+    {
+      subjects.push_back({argument});
+      continue;
+    }
+    try
+    {
+      const InputFiles found = FindInputFiles({argument});
+      for (const InputProblem& problem : found.problems)
+      {
+        std::cerr << problem.Line() << '\n';
+        leftOut = true;
+      }
+      for (const std::filesystem::path& path : found.paths)
+      {
+        subjects.push_back({path.string(), true});
+      }
+    }
+    catch (const Error&)
+    {
+      subjects.push_back({argument}); // reading it says why
+    }
+  }
+  return subjects;
+}
+
+int RunInfo(const InfoOptions& options)
+{
+  Level2Options readOptions;
+  readOptions.siteName = options.site;
+  readOptions.position = ParsePosition(options.position);
+  if (!options.site.empty() && FindSite(options.site) == nullptr && !readOptions.position)
+  {
+    std::cerr << "nexrad3d info: --site: unknown site '" << options.site
+              << "'; give a site of the table, such as KLSX, or its --position too\n";
+    return WrongUsage;
+  }
+  std::vector<GateRequest> requests;
+  for (const std::string& gate : options.gates)
+  {
+    requests.push_back(*ParseGate(gate));
+  }
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+  bool anyRay = false;
+  bool anyDamage = false;
+  bool missingGates = false;
+  for (const Subject& subject : FindSubjects(options.files, anyDamage))
+  {
+    const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
+    anyRay = anyRay || !volume.sweeps.empty();
+    anyDamage = anyDamage || !volume.damage.empty();
+    missingGates = NameMissingGates(volume, requests) || missingGates;
+    if (options.json)
+    {
+      report.push_back(MakeInfoJson(volume, requests));
+    }
+    else if (subject.ofFolder && requests.empty())
+    {
+      PrintInfoLine(volume, std::cout);
+    }
+    else
+    {
+      PrintInfoTable(volume, requests, std::cout);
+    }
+  }
+  if (options.json)
+  {
+    // A file's name need not be UTF-8; JSON must be.
+    std::cout << report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  }
+  return !anyRay ? Failed : missingGates ? WrongUsage : anyDamage ? DoneWithDamage : Done;
+}
+
+} // namespace
+
+void AddInfoCommand(CLI::App& program, CommandAction& action)
+{
+  const auto options = std::make_shared<InfoOptions>();
+  CLI::App* command = program.add_subcommand("info",
+    "Says what is in Level II files: site, position, VCP, times, sweeps, moments, gates, damage");
+  command
+    ->add_option("FILE", options->files,
+      "Level II files, folders of real-time chunks, or folders of files: a line for each file")
+    ->required();
+  command->add_flag("--json", options->json,
+    "print JSON: metres, degrees, metres a second, UTC (default: a table)");
+  command
+    ->add_option("--gate", options->gates,
+      "SWEEP,RAY,GATE, each counted from 0: print what this gate holds; may be given many times")
+    ->allow_extra_args(false)
+    ->check(CLI::Validator(CheckGate, ""));
+  command->add_option("--site", options->site,
+    "name of the radar, in place of the one in the files (default: from the file, else from its "
+    "name)");
+  command
+    ->add_option("--position", options->position,
+      "LATITUDE,LONGITUDE,ALTITUDE of the antenna, degrees and metres above mean sea level "
+      "(default: from the file, else from the site table)")
+    ->check(CLI::Validator(CheckPosition, ""));
+  command->callback([options, &action] { action = [options] { return RunInfo(*options); }; });
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Commands/ViewCommand.h"
+
+#include "Libraries/SceneLibrary.h"
+#include "Options/DrawingOptions.h"
+#include "Options/GridOptions.h"
+#include "Options/UnitOptions.h"
+#include "Output/ProgressBar.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace nexrad::application
+{
+namespace
+{
+
+struct ViewOptions
+{
+  scene::ViewRequest request;
+  bool quiet = false;
+};
+
+Duration ParseInterval(const std::string& text)
+{
+  const Duration interval = ParseDuration(text);
+  if (interval < std::chrono::milliseconds(16) || interval > std::chrono::seconds(8))
+  {
+    throw Error("'" + text + "' is no interval of steps; write 16 ms (0.016s) to 8s");
+  }
+  return interval;
+}
+
+int RunView(ViewOptions& options)
+{
+  ProgressBar bar("opening", options.quiet);
+  options.request.progress = [&bar](double fraction)
+  {
+    const bool goOn = bar.Update(fraction);
+    if (fraction >= 1.0)
+    {
+      bar.Clear();
+    }
+    return goOn;
+  };
+  const scene::ViewReport report = ViewWithLibrary(options.request);
+  if (!options.quiet)
+  {
+    for (const auto& path : report.pictures)
+    {
+      std::cout << path.string() << '\n';
+    }
+  }
+  for (const std::string& problem : report.problems)
+  {
+    std::cerr << problem << '\n';
+  }
+  return report.problems.empty() ? Done : DoneWithDamage;
+}
+
+} // namespace
+
+void AddViewCommand(CLI::App& program, CommandAction& action)
+{
+  const auto options = std::make_shared<ViewOptions>();
+  scene::ViewRequest& request = options->request;
+  CLI::App* command = program.add_subcommand(
+    "view", "Look at volumes, or radar files, in a window; its keys stand on the screen");
+  AddInputOptions(*command, request.input);
+  AddQuietOption(*command, options->quiet);
+  AddCameraOptions(*command, request.camera);
+  AddPictureOptions(*command, request.size, request.scene);
+  AddParsedOption(*command, "--interval", request.interval, ParseInterval, "DURATION",
+    "Time from one step to the next in playing", "0.5s");
+  command
+    ->add_option("--pictures", request.pictures, "Folder that takes the pictures that key s writes")
+    ->check(CLI::Validator(CLI::ExistingDirectory).description(""))
+    ->type_name("DIR")
+    ->capture_default_str();
+  AddGridOptions(*command, request.input.grid);
+  command->callback([options, &action] { action = [options] { return RunView(*options); }; });
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/PictureWindow.h"
+
+#include "Output/OutputFile.h"
+#include "nexrad/System/Error.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPNGWriter.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <X11/Xlib.h>
+
+#include <cstdlib>
+#include <string>
+
+namespace nexrad::scene
+{
+
+void RequireDisplay()
+{
+  Display* display = XOpenDisplay(nullptr);
+  if (display == nullptr)
+  {
+    const char* name = std::getenv("DISPLAY");
+    throw Error(std::string("no X display to draw on (DISPLAY is ") +
+                (name == nullptr || *name == '\0' ? "not set" : name) +
+                "); without a screen, run under xvfb-run -a");
+  }
+  XCloseDisplay(display);
+}
+
+PictureWindow::PictureWindow(RadarScene& scene, const std::array<int, 2>& size)
+{
+  RequireDisplay();
+  window = vtkSmartPointer<vtkRenderWindow>::New();
+  window->SetOffScreenRendering(1);
+  window->SetMultiSamples(4);
+  window->SetSize(size[0], size[1]);
+  window->AddRenderer(scene.GetRenderer());
+  scene.SetPictureSize(size);
+}
+
+PictureWindow::~PictureWindow() = default;
+
+vtkSmartPointer<vtkImageData> PictureWindow::Draw()
+{
+  return GrabPicture(window);
+}
+
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window)
+{
+  vtkNew<vtkWindowToImageFilter> grabber;
+  grabber->SetInput(window);
+  grabber->SetInputBufferTypeToRGB();
+  grabber->ReadFrontBufferOff();
+  grabber->ShouldRerenderOn();
+  grabber->Update();
+  return grabber->GetOutput();
+}
+
+void WritePng(vtkImageData* picture, const std::filesystem::path& path)
+{
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetInputData(picture);
+  writer->WriteToMemoryOn();
+  writer->Write();
+  vtkUnsignedCharArray* bytes = writer->GetResult();
+  application::WriteFile(
+    path, bytes->GetPointer(0), static_cast<std::size_t>(bytes->GetNumberOfValues()));
+}
+
+} // namespace nexrad::scene

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/RadarScene.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <filesystem>
+
+class vtkImageData;
+class vtkRenderWindow;
+
+namespace nexrad::scene
+{
+
+/// Throws Error when there is no X display to draw on. VTK would end the program.
+void RequireDisplay();
+
+/// An off-screen window for one scene.
+class PictureWindow
+{
+public:
+  /// Throws Error when there is no display.
+  PictureWindow(RadarScene& scene, const std::array<int, 2>& size);
+  ~PictureWindow();
+  PictureWindow(const PictureWindow&) = delete;
+  PictureWindow& operator=(const PictureWindow&) = delete;
+
+  /// Draws the scene as it is now: red, green, blue, a byte each.
+  vtkSmartPointer<vtkImageData> Draw();
+
+private:
+  vtkSmartPointer<vtkRenderWindow> window;
+};
+
+/// Draws a window and gives what it shows: red, green, blue, a byte each.
+vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
+
+/// Writes a picture as PNG, under a temporary name that is renamed at the end. Throws Error when
+/// the file cannot be written.
+void WritePng(vtkImageData* picture, const std::filesystem::path& path);
+
+} // namespace nexrad::scene

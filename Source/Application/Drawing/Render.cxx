@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/Render.h"
+
+#include "Drawing/FfmpegWriter.h"
+#include "Drawing/PictureWindow.h"
+#include "Drawing/TheoraWriter.h"
+#include "Scene/RadarSession.h"
+#include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/System/Progress.h"
+
+#include <vtkImageData.h>
+
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace nexrad::scene
+{
+namespace
+{
+
+// "out.png" for one picture, "out-20060312T180000Z.png" for one of several.
+fs::path PictureName(const fs::path& output, Time time, bool several)
+{
+  if (!several)
+  {
+    return output;
+  }
+  return output.parent_path() /
+         (output.stem().string() + "-" + FormatForFileName(time) + output.extension().string());
+}
+
+void DrawPictures(const RenderRequest& request, RadarSession& session, RenderReport& report)
+{
+  PictureWindow window(session.Scene(), request.size);
+  const Progress drawing = ShareOf(request.progress, ScanShare, 1.0);
+  for (std::size_t i = 0; i < session.Count(); ++i)
+  {
+    session.Show(i, ShareOf(drawing, i, session.Count()));
+    const fs::path name = PictureName(request.output, session.TimeAt(i), session.Count() > 1);
+    WritePng(window.Draw(), name);
+    report.outputs.push_back(name);
+  }
+}
+
+std::unique_ptr<MovieWriter> MakeMovieWriter(const RenderRequest& request)
+{
+  return request.output.extension() == ".mp4"
+           ? MakeFfmpegWriter(request.output, request.size.data(), request.framesPerSecond)
+           : MakeTheoraWriter(request.output, request.framesPerSecond);
+}
+
+void DrawMovie(const RenderRequest& request, RadarSession& session, RenderReport& report)
+{
+  const std::size_t frames =
+    request.frames > 0 ? static_cast<std::size_t>(request.frames) : session.Count();
+  PictureWindow window(session.Scene(), request.size);
+  const Progress drawing = ShareOf(request.progress, ScanShare, 1.0);
+  const auto writer = MakeMovieWriter(request);
+  for (std::size_t frame = 0; frame < frames; ++frame)
+  {
+    const Progress part = ShareOf(drawing, frame, frames);
+    session.Show(frame * session.Count() / frames, part);
+    CameraView view = request.camera;
+    view.azimuth += request.turn * static_cast<double>(frame) / static_cast<double>(frames);
+    session.Scene().SetCamera(view);
+    writer->AddFrame(window.Draw());
+    if (part)
+    {
+      part(1.0);
+    }
+  }
+  writer->Finish();
+  report.outputs.push_back(request.output);
+}
+
+} // namespace
+
+RenderReport Render(const RenderRequest& request)
+{
+  RequireDisplay();
+  auto series = OpenInputs(request.input, request.progress);
+  std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
+  RadarSession session(std::move(series), std::move(chosen), request.scene);
+  session.Scene().SetCamera(request.camera);
+  RenderReport report;
+  if (request.output.extension() == ".png")
+  {
+    DrawPictures(request, session, report);
+  }
+  else
+  {
+    DrawMovie(request, session, report);
+  }
+  report.problems = session.Problems();
+  return report;
+}
+
+} // namespace nexrad::scene

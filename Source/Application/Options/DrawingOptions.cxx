@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/DrawingOptions.h"
+
+#include "Options/UnitOptions.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iterator>
+#include <locale>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace nexrad::application
+{
+namespace
+{
+
+scene::MapperChoice ParseMapper(const std::string& text)
+{
+  if (text != "texture-slice" && text != "ray-cast")
+  {
+    throw Error("'" + text + "' is no mapper; write texture-slice or ray-cast");
+  }
+  return text == "ray-cast" ? scene::MapperChoice::RayCast : scene::MapperChoice::TextureSlice;
+}
+
+double ParseExaggeration(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double factor = 0.0;
+  stream >> factor;
+  if (!stream || stream.peek() != std::istringstream::traits_type::eof() || !(factor >= 0.1) ||
+      !(factor <= 100.0))
+  {
+    throw Error("'" + text + "' is no factor of heights; write a number from 0.1 to 100");
+  }
+  return factor;
+}
+
+double ParseRingSpacing(const std::string& text)
+{
+  const double spacing = ParseLength(text);
+  if (spacing < 0.0 || (spacing > 0.0 && spacing < 1000.0))
+  {
+    throw Error("'" + text + "' is no distance of rings; write 1km or more, or 0 for none");
+  }
+  return spacing;
+}
+
+} // namespace
+
+void AddInputOptions(CLI::App& command, scene::InputRequest& request)
+{
+  command
+    .add_option("input", request.inputs,
+      "Volumes (.nxv, .nxv.series, .vti, or folders of them), or radar files and folders of them")
+    ->required()
+    ->type_name("INPUT");
+  AddParsedOption(command, "--time", request.time, ParseTime, "TIME",
+    "Draw this time alone, in UTC, as in 2006-03-12T18:00");
+}
+
+void AddCameraOptions(CLI::App& command, scene::CameraView& camera)
+{
+  constexpr char group[] = "Camera";
+  AddNumberOption(command, "--azimuth", camera.azimuth, -3600.0, 3600.0, "DEGREES",
+    "Where the camera stands, clockwise from north about the domain's centre: 180 looks north")
+    ->group(group);
+  AddNumberOption(command, "--tilt", camera.tilt, -90.0, 90.0, "DEGREES",
+    "Height of the camera above the horizon; 90 looks straight down")
+    ->group(group);
+  AddNumberOption(command, "--zoom", camera.zoom, 0.01, 1000.0, "FACTOR",
+    "1 shows the whole domain, 2 half of its width")
+    ->group(group);
+  command.add_flag("--parallel", camera.parallel, "Parallel in place of perspective projection")
+    ->group(group);
+}
+
+void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOptions& options)
+{
+  constexpr char group[] = "Picture";
+  AddParsedOption(
+    command, "--size", size, ParsePictureSize, "WxH", "Width and height in pixels", "1280x720")
+    ->group(group);
+  AddParsedOption(command, "--exaggeration", options.exaggeration, ParseExaggeration, "FACTOR",
+    "How much heights are stretched, 0.1 to 100; the picture states it (default: so much that the "
+    "domain stands a third as high as it is wide, 1 to 8)")
+    ->group(group);
+  AddParsedOption(command, "--mapper", options.mapper, ParseMapper, "NAME",
+    "texture-slice, or ray-cast: VTK's, for comparison", "texture-slice")
+    ->group(group);
+  AddNumberOption(command, "--slices", options.slices, 1, 16384, "NUMBER",
+    "Slices, or samples along the longest ray")
+    ->group(group);
+  command
+    .add_option("--preset", options.preset,
+      "Colours and opacities: five of REF, then one of each other moment (default: the first of "
+      "the moment)")
+    ->check(CLI::IsMember(
+      std::vector<std::string>(std::begin(scene::presetNames), std::end(scene::presetNames))))
+    ->group(group);
+  command
+    .add_option("--colours,--colors", options.colours,
+      "Colours in place of the preset's, and opacities if the file has any: ParaView's .json, a "
+      ".pal table, or .csv with a heading, then lines dBZ,#rrggbb")
+    ->check(CLI::Validator(CLI::ExistingFile).description(""))
+    ->type_name("FILE")
+    ->group(group);
+  AddParsedOption(command, "--rings", options.ringSpacing, ParseRingSpacing, "LENGTH",
+    "Rings of range about each radar at multiples of this, m or km; 0: none", "0")
+    ->group(group);
+}
+
+} // namespace nexrad::application

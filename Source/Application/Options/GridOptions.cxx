@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/GridOptions.h"
+
+#include "Options/UnitOptions.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Model/SiteTable.h"
+
+#include <CLI/CLI.hpp>
+
+#include <utility>
+
+namespace nexrad::application
+{
+namespace
+{
+
+constexpr char group[] = "Merging radar files";
+
+Duration ParseStep(const std::string& text)
+{
+  const Duration step = ParseDuration(text);
+  if (step <= Duration::zero())
+  {
+    throw Error("'" + text + "' is no time step; it must be above 0, as in 5min");
+  }
+  return step;
+}
+
+double ParseRange(const std::string& text)
+{
+  const double range = ParseLength(text);
+  if (range <= 0.0 || range > 1e6)
+  {
+    throw Error("'" + text + "' is no range of a radar; it must be above 0 and at most 1000km");
+  }
+  return range;
+}
+
+MomentName ParseMoment(const std::string& text)
+{
+  const auto moment = ParseMomentName(text);
+  if (!moment)
+  {
+    throw Error("'" + text + "' is no moment; write REF, VEL, SW, ZDR, PHI, RHO or CFP");
+  }
+  return *moment;
+}
+
+MergeMethod ParseMethod(const std::string& text)
+{
+  const auto method = ParseMergeMethod(text);
+  if (!method)
+  {
+    throw Error("'" + text + "' is no method; write beam or thesis");
+  }
+  return *method;
+}
+
+OverlapStrategy ParseOverlap(const std::string& text)
+{
+  constexpr std::pair<const char*, OverlapStrategy> names[] = {{"mean", OverlapStrategy::Mean},
+    {"nearest", OverlapStrategy::Nearest}, {"maximum", OverlapStrategy::Maximum},
+    {"distance", OverlapStrategy::Distance}};
+  for (const auto& [name, strategy] : names)
+  {
+    if (text == name)
+    {
+      return strategy;
+    }
+  }
+  throw Error("'" + text + "' is no strategy; write mean, nearest, maximum or distance");
+}
+
+double ParseOverlapLength(const std::string& text)
+{
+  const double length = ParseLength(text);
+  if (length < 1'000.0 || length > 1e6)
+  {
+    throw Error("'" + text + "' is no length of overlap; write 1km to 1000km, as in 100km");
+  }
+  return length;
+}
+
+// Along which motion the method beam interpolates in time.
+void StoreMotion(const std::string& text, MergeOptions& options)
+{
+  const bool choice = text == "none" || text == "estimated";
+  if (!choice && text.find(',') == std::string::npos)
+  {
+    throw Error("'" + text +
+                "' is no motion; write estimated, none, or m/s towards east and north, as in "
+                "12,-7.5");
+  }
+  options.interpolation =
+    text == "none" ? TimeInterpolationMethod::Linear : TimeInterpolationMethod::AlongMotion;
+  options.motion = choice ? std::nullopt : std::optional(ParseMotion(text));
+}
+
+std::string ParseSite(const std::string& text)
+{
+  if (FindSite(text) == nullptr)
+  {
+    throw Error("'" + text +
+                "' is no radar that is known here; write four capital letters, as in "
+                "KLSX");
+  }
+  return text;
+}
+
+void AddTimes(CLI::App& command, MergeOptions& options)
+{
+  AddParsedOption(command, "--step", options.step, ParseStep, "DURATION",
+    "Time between two volumes, in s, min, h or d; they stand at its multiples in UTC. Where it is "
+    "not given, one volume alone is made at its middle",
+    "5min")
+    ->group(group);
+  AddParsedOption(command, "--begin", options.begin, ParseTime, "TIME",
+    "First time in UTC, as in 2006-03-12T18:00 (default: the first step after the first ray)")
+    ->group(group);
+  AddParsedOption(command, "--end", options.end, ParseTime, "TIME",
+    "Last time in UTC, inclusive (default: the last step before the last ray)")
+    ->group(group);
+  AddParsedOption(command, "--max-gap", options.maximumGap, ParseDuration, "DURATION",
+    "A site's volume farther than this from a time does not count", "15min")
+    ->group(group);
+}
+
+void AddDomain(CLI::App& command, MergeOptions& options)
+{
+  AddParsedOption(command, "--dims", options.grid.dimensions, ParseDimensions, "XxYxZ",
+    "Voxels to the east, to the north and upward", "256x256x128")
+    ->group(group);
+  CLI::Option* range = AddParsedOption(command, "--range", options.grid.range, ParseRange, "LENGTH",
+    "The domain holds the circle of this radius about each site, m or km. Where it is not given, "
+    "a terminal radar alone has its own",
+    "230km");
+  CLI::Option* bounds = AddParsedOption(command, "--bounds", options.grid.bounds, ParseBounds,
+    "W,S,E,N", "Outer faces of the domain in degrees, in place of --range");
+  range->group(group);
+  bounds->group(group)->excludes(range);
+  const auto storeHeights = [&options](const std::string& text)
+  {
+    try
+    {
+      std::tie(options.grid.bottom, options.grid.top) = ParseHeightRange(text);
+    }
+    catch (const Error& error)
+    {
+      throw CLI::ValidationError("--height", error.what());
+    }
+  };
+  command
+    .add_option_function<std::string>(
+      "--height", storeHeights, "Lower and upper face above mean sea level, m or km")
+    ->type_name("LOWER,UPPER")
+    ->default_str("0,20km")
+    ->group(group);
+}
+
+void AddMethod(CLI::App& command, MergeOptions& options)
+{
+  AddParsedOption(
+    command, "--moment", options.moment, ParseMoment, "NAME", "Moment to merge", "REF")
+    ->group(group);
+  AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
+    "How rays become voxels: beam (between the beams), or thesis (its bin average)", "beam")
+    ->group(group);
+  AddNumberOption(command, "--despeckle", options.quality.neighbours, 0, MostNeighbours, "NUMBER",
+    "Take out gates of which fewer than this many of the 26 neighbours in ray, gate and tilt have "
+    "a "
+    "value; 0: none")
+    ->group(group);
+  AddParsedOption(command, "--memory", options.memory, ParseMemory, "SIZE",
+    "For rays that are kept for later steps when files are merged out of their order, MiB or GiB; "
+    "what does not fit is decoded again",
+    "1GiB")
+    ->group(group);
+  AddParsedOption(command, "--site", options.siteName, ParseSite, "NAME",
+    "All files are this radar's, whatever name stands in them")
+    ->group(group);
+}
+
+// What the method beam can do beside. The method thesis has none of it.
+constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill",
+  "--linear-reflectivity", "--no-sharpening", "--companions", "--motion"};
+
+void AddBeam(CLI::App& command, MergeOptions& options)
+{
+  AddParsedOption(command, "--overlap", options.beam.strategy, ParseOverlap, "NAME",
+    "Where radars overlap: distance (the nearer counts more), nearest (alone; VEL always), mean, "
+    "or "
+    "maximum",
+    "distance")
+    ->group(group);
+  AddParsedOption(command, "--overlap-length", options.beam.overlapLength, ParseOverlapLength,
+    "LENGTH",
+    "Distance at which a radar's weight has fallen to 1/e, m or km; of --overlap distance", "100km")
+    ->group(group);
+  const auto storeMotion = [&options](const std::string& text)
+  {
+    try
+    {
+      StoreMotion(text, options);
+    }
+    catch (const Error& error)
+    {
+      throw CLI::ValidationError("--motion", error.what());
+    }
+  };
+  command
+    .add_option_function<std::string>("--motion", storeMotion,
+      "Echo between two looks of a radar moves: as estimated from reflectivity, with EAST,NORTH "
+      "m/s, "
+      "or none (blended in place). Other moments than REF move only as given")
+    ->type_name("MOTION")
+    ->default_str("estimated")
+    ->expected(1)
+    ->group(group);
+  command
+    .add_flag("--fill", options.beam.fill,
+      "Fill each column between and below what was scanned (default: left open)")
+    ->group(group);
+  command
+    .add_flag("--linear-reflectivity", options.beam.linearReflectivity,
+      "Interpolate and average Z (mm^6/m^3) in place of dBZ; of REF")
+    ->group(group);
+  command
+    .add_flag_callback(
+      "--no-sharpening", [&options] { options.beam.sharpen = false; },
+      "Leave in the values what the width of the beam did to them; of REF")
+    ->group(group);
+  command
+    .add_flag("--companions", options.beam.companions,
+      "Add what stands behind each voxel: age in s, number of radars, weight, nearest site")
+    ->group(group);
+}
+
+// Once all are known. Options that contradict each other are wrong usage.
+void Finish(const CLI::App& command, MergeOptions& options)
+{
+  if (options.begin && options.end && *options.end < *options.begin)
+  {
+    throw CLI::ValidationError("--end", "lies before --begin");
+  }
+  const bool thesis = options.method == MergeMethod::Thesis;
+  if (thesis && options.moment != MomentName::REF)
+  {
+    throw CLI::ValidationError("--moment", "the method 'thesis' merges REF alone");
+  }
+  for (const char* name : beamOptions)
+  {
+    if (thesis && command.count(name) > 0)
+    {
+      throw CLI::ValidationError(name, "is of the method 'beam'; 'thesis' has no such choice");
+    }
+  }
+  if (command.count("--overlap-length") > 0 && options.beam.strategy != OverlapStrategy::Distance)
+  {
+    throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
+  }
+  const bool seenUnlike = options.moment == MomentName::VEL || options.moment == MomentName::SW ||
+                          options.moment == MomentName::PHI;
+  if (seenUnlike && options.beam.strategy != OverlapStrategy::Nearest &&
+      command.count("--overlap") > 0)
+  {
+    throw CLI::ValidationError("--overlap",
+      "of --moment VEL, SW and PHI is nearest alone: two radars do not see these alike");
+  }
+  if (options.beam.linearReflectivity && options.moment != MomentName::REF)
+  {
+    throw CLI::ValidationError("--linear-reflectivity", "is of --moment REF alone");
+  }
+  if (!options.beam.sharpen &&
+      (options.moment != MomentName::REF || options.beam.linearReflectivity))
+  {
+    throw CLI::ValidationError(
+      "--no-sharpening", "is of --moment REF in dBZ; nothing else is sharpened");
+  }
+}
+
+} // namespace
+
+void AddGridOptions(CLI::App& command, MergeOptions& options)
+{
+  AddTimes(command, options);
+  AddDomain(command, options);
+  AddMethod(command, options);
+  AddBeam(command, options);
+  command.parse_complete_callback([&command, &options] { Finish(command, options); });
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/UnitOptions.h"
+
+#include <cmath>
+#include <locale>
+#include <optional>
+#include <sstream>
+#include <vector>
+
+namespace nexrad::application
+{
+namespace
+{
+
+struct Quantity
+{
+  double number = 0.0;
+  std::string unit;
+};
+
+// A finite number and what follows it; empty when the text does not start with a number.
+std::optional<Quantity> SplitQuantity(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  // Extraction of a double would take the first letters of "5e" or "1d" for an exponent.
+  const std::size_t end = text.find_first_not_of("+-.0123456789");
+  const std::string digits = text.substr(0, end);
+  stream.str(digits);
+  Quantity quantity;
+  stream >> quantity.number;
+  if (!stream || stream.peek() != std::istringstream::traits_type::eof() ||
+      !std::isfinite(quantity.number))
+  {
+    return std::nullopt;
+  }
+  quantity.unit = end == std::string::npos ? "" : text.substr(end);
+  return quantity;
+}
+
+std::vector<std::string> Split(const std::string& text, char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text + separator);
+  for (std::string part; std::getline(stream, part, separator);)
+  {
+    parts.push_back(part);
+  }
+  return parts;
+}
+
+using UnitTable = std::vector<std::pair<std::string, double>>;
+
+// What one of a unit is; empty for a unit that the table does not have.
+std::optional<double> FindUnit(const UnitTable& units, const std::string& unit)
+{
+  for (const auto& [name, size] : units)
+  {
+    if (unit == name)
+    {
+      return size;
+    }
+  }
+  return std::nullopt;
+}
+
+// Metres of one unit of length.
+std::optional<double> LengthUnit(const std::string& unit)
+{
+  static const UnitTable units = {{"m", 1.0}, {"km", 1000.0}};
+  return FindUnit(units, unit);
+}
+
+// Seconds of one unit of time.
+std::optional<double> DurationUnit(const std::string& unit)
+{
+  static const UnitTable units = {
+    {"", 1.0}, {"s", 1.0}, {"min", 60.0}, {"h", 3600.0}, {"d", 86400.0}};
+  return FindUnit(units, unit);
+}
+
+// Bytes of one unit of memory.
+std::optional<double> MemoryUnit(const std::string& unit)
+{
+  static const UnitTable units = {
+    {"", 1.0}, {"KiB", 1024.0}, {"MiB", 1024.0 * 1024.0}, {"GiB", 1024.0 * 1024.0 * 1024.0}};
+  return FindUnit(units, unit);
+}
+
+// Whole numbers separated by 'x', each within the limits; empty for any other text.
+template <std::size_t Count>
+std::optional<std::array<int, Count>> ParseCounts(const std::string& text, int least, int most)
+{
+  const std::vector<std::string> parts = Split(text, 'x');
+  std::array<int, Count> counts{};
+  if (parts.size() != Count)
+  {
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < Count; ++i)
+  {
+    const bool isWhole =
+      !parts[i].empty() && parts[i].find_first_not_of("0123456789") == std::string::npos;
+    if (!isWhole || parts[i].size() > 9)
+    {
+      return std::nullopt;
+    }
+    counts[i] = std::stoi(parts[i]);
+    if (counts[i] < least || counts[i] > most)
+    {
+      return std::nullopt;
+    }
+  }
+  return counts;
+}
+
+// Bare numbers separated by commas; empty for any other text.
+std::vector<double> ParseNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  for (const std::string& part : Split(text, ','))
+  {
+    const auto quantity = SplitQuantity(part);
+    if (!quantity || !quantity->unit.empty())
+    {
+      return {};
+    }
+    numbers.push_back(quantity->number);
+  }
+  return numbers;
+}
+
+} // namespace
+
+Duration ParseDuration(const std::string& text)
+{
+  const auto quantity = SplitQuantity(text);
+  const auto unit = quantity ? DurationUnit(quantity->unit) : std::nullopt;
+  constexpr double century = 100.0 * 366.0 * 86400.0;
+  if (!unit || quantity->number < 0.0 || quantity->number * *unit > century)
+  {
+    throw Error("'" + text + "' is no duration; write a number and s, min, h or d, as in 5min");
+  }
+  return Duration(std::llround(quantity->number * *unit * 1000.0));
+}
+
+double ParseLength(const std::string& text)
+{
+  const auto quantity = SplitQuantity(text);
+  if (quantity && quantity->unit.empty())
+  {
+    if (quantity->number == 0.0)
+    {
+      return 0.0;
+    }
+    throw Error("'" + text + "' has no unit; write " + text + "km or " + text + "m");
+  }
+  const auto unit = quantity ? LengthUnit(quantity->unit) : std::nullopt;
+  if (!unit)
+  {
+    throw Error("'" + text + "' is no length; write a number and m or km, as in 230km");
+  }
+  return quantity->number * *unit;
+}
+
+std::size_t ParseMemory(const std::string& text)
+{
+  const auto quantity = SplitQuantity(text);
+  const auto unit = quantity ? MemoryUnit(quantity->unit) : std::nullopt;
+  constexpr double most = 1024.0 * 1024.0 * 1024.0 * 1024.0;
+  if (!unit || quantity->number < 0.0 || quantity->number * *unit > most)
+  {
+    throw Error("'" + text + "' is no size of memory; write a number and MiB or GiB, as in 512MiB");
+  }
+  return static_cast<std::size_t>(quantity->number * *unit);
+}
+
+std::pair<double, double> ParseHeightRange(const std::string& text)
+{
+  const std::string right = "write the lower and the upper height, as in 0,20km";
+  const std::vector<std::string> parts = Split(text, ',');
+  if (parts.size() != 2)
+  {
+    throw Error("'" + text + "' is no range of heights; " + right);
+  }
+  const auto lower = SplitQuantity(parts[0]);
+  const auto upper = SplitQuantity(parts[1]);
+  if (lower && upper && lower->unit.empty() && upper->unit.empty())
+  {
+    throw Error("'" + text + "' has no unit; write " + text + "km or " + text + "m");
+  }
+  const double top = ParseLength(parts[1]);
+  const bool shared = lower && lower->unit.empty();
+  const double bottom = ParseLength(shared ? parts[0] + upper->unit : parts[0]);
+  if (bottom >= top)
+  {
+    throw Error("'" + text + "' is inside out; " + right);
+  }
+  return {bottom, top};
+}
+
+std::array<int, 3> ParseDimensions(const std::string& text)
+{
+  const auto counts = ParseCounts<3>(text, 1, 100'000);
+  if (!counts)
+  {
+    throw Error("'" + text +
+                "' is no size of a grid; write three numbers of voxels from 1 on, as in "
+                "256x256x128");
+  }
+  return *counts;
+}
+
+std::array<int, 2> ParsePictureSize(const std::string& text)
+{
+  const auto counts = ParseCounts<2>(text, 16, 16'384);
+  if (!counts)
+  {
+    throw Error("'" + text +
+                "' is no size of a picture; write width and height from 16 to 16384 "
+                "pixels, as in 1280x720");
+  }
+  return *counts;
+}
+
+GeographicBounds ParseBounds(const std::string& text)
+{
+  const std::vector<double> degrees = ParseNumbers(text);
+  if (degrees.size() != 4)
+  {
+    throw Error("'" + text +
+                "' is no box; write west,south,east,north in degrees, as in "
+                "-97,36,-86,43");
+  }
+  const GeographicBounds bounds{degrees[0], degrees[1], degrees[2], degrees[3]};
+  if (bounds.west >= bounds.east || bounds.south >= bounds.north)
+  {
+    throw Error("'" + text +
+                "' is inside out; write west,south,east,north in degrees with west "
+                "below east and south below north");
+  }
+  if (bounds.west < -360.0 || bounds.east > 360.0 || bounds.south < -90.0 || bounds.north > 90.0)
+  {
+    throw Error("'" + text +
+                "' is off the globe; longitudes lie in -360…360 and latitudes in "
+                "-90…90 degrees");
+  }
+  return bounds;
+}
+
+Velocity ParseMotion(const std::string& text)
+{
+  const std::vector<double> numbers = ParseNumbers(text);
+  if (numbers.size() != 2)
+  {
+    throw Error("'" + text + "' is no motion; write m/s towards east and north, as in 12,-7.5");
+  }
+  if (std::hypot(numbers[0], numbers[1]) > FastestEcho)
+  {
+    throw Error("'" + text +
+                "' is faster than any echo; write m/s towards east and north, of a "
+                "speed of at most 150 m/s");
+  }
+  return {numbers[0], numbers[1]};
+}
+
+Time ParseTime(const std::string& text)
+{
+  const auto time = ParseIso8601(text);
+  if (!time)
+  {
+    throw Error("'" + text + "' is no time; write it in UTC, as in 2006-03-12T18:00");
+  }
+  return *time;
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Frame/CameraView.h"
+#include "Scene/SceneOptions.h"
+#include "Scene/Series/InputSeries.h"
+#include "nexrad/System/Progress.h"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nexrad::scene
+{
+
+/// What the render command asks of the scene library.
+struct RenderRequest
+{
+  InputRequest input;
+  std::filesystem::path output;          ///< .png, .ogv or .mp4
+  std::array<int, 2> size = {1280, 720}; ///< pixels
+  CameraView camera;
+  SceneOptions scene;
+  int framesPerSecond = 8; ///< of a movie
+  int frames = 0;          ///< of a movie; 0: one for each time
+  double turn = 0.0;       ///< degrees by which the camera goes round during a movie
+  Progress progress;
+};
+
+/// What was made of it.
+struct RenderReport
+{
+  std::vector<std::filesystem::path> outputs;
+  std::vector<std::string> problems; ///< inputs that were damaged or left out, a line each
+  std::string error;                 ///< why nothing was made; "" when all went well
+};
+
+/// Name and type of the function by which the program calls the scene library.
+constexpr char renderFunctionName[] = "nexrad3dRender";
+using RenderFunction = void (*)(const RenderRequest* request, RenderReport* report);
+
+} // namespace nexrad::scene

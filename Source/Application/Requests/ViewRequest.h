@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Frame/CameraView.h"
+#include "Scene/SceneOptions.h"
+#include "Scene/Series/InputSeries.h"
+#include "nexrad/System/Progress.h"
+
+#include <array>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace nexrad::scene
+{
+
+/// What the view command asks of the scene library.
+struct ViewRequest
+{
+  InputRequest input;
+  std::array<int, 2> size = {1280, 720}; ///< pixels, of the window at first
+  CameraView camera;
+  SceneOptions scene;
+  Duration interval = std::chrono::milliseconds(500); ///< from one step to the next in playing
+  std::filesystem::path pictures = ".";               ///< folder that takes screenshots
+  Progress progress;
+};
+
+/// What came of it when the window was closed.
+struct ViewReport
+{
+  std::vector<std::filesystem::path> pictures; ///< screenshots
+  std::vector<std::string> problems; ///< inputs that were damaged or left out, a line each
+  std::string error;                 ///< why there was no window; "" when all went well
+};
+
+/// Name and type of the function by which the program calls the scene library.
+constexpr char viewFunctionName[] = "nexrad3dView";
+using ViewFunction = void (*)(const ViewRequest* request, ViewReport* report);
+
+} // namespace nexrad::scene

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Elements/LineBuilder.h"
+
+#include <vtkActor.h>
+#include <vtkCellArray.h>
+#include <vtkNew.h>
+#include <vtkPoints.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace nexrad::scene
+{
+
+LineBuilder::LineBuilder()
+  : lines(vtkSmartPointer<vtkPolyData>::New())
+{
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> cells;
+  lines->SetPoints(points);
+  lines->SetLines(cells);
+}
+
+LineBuilder::~LineBuilder() = default;
+
+void LineBuilder::Add(const std::vector<ScenePoint>& points)
+{
+  lines->GetLines()->InsertNextCell(static_cast<int>(points.size()));
+  for (const ScenePoint& point : points)
+  {
+    lines->GetLines()->InsertCellPoint(lines->GetPoints()->InsertNextPoint(point.data()));
+  }
+}
+
+vtkSmartPointer<vtkActor> LineBuilder::MakeActor(
+  const Colour& colour, double width, double opacity) const
+{
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(lines);
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  vtkProperty* property = actor->GetProperty();
+  property->SetColor(colour[0], colour[1], colour[2]);
+  property->SetLineWidth(static_cast<float>(width));
+  property->SetOpacity(opacity);
+  property->LightingOff();
+  return actor;
+}
+
+// Liang and Barsky (1984): each edge of the rectangle shortens the interval of the segment's
+// parameter.
+bool ClipToRectangle(const std::array<double, 2>& from, const std::array<double, 2>& to,
+  const std::array<double, 4>& rectangle, double& enters, double& leaves)
+{
+  enters = 0.0;
+  leaves = 1.0;
+  for (int edge = 0; edge < 4; ++edge)
+  {
+    const int axis = edge / 2;
+    const double sign = edge % 2 == 0 ? -1.0 : 1.0;
+    const double outward = sign * (to[axis] - from[axis]);
+    const double room = sign * (rectangle[edge] - from[axis]);
+    if (outward == 0.0)
+    {
+      if (room < 0.0)
+      {
+        return false;
+      }
+      continue;
+    }
+    const double crossing = room / outward;
+    if (outward < 0.0)
+    {
+      enters = std::max(enters, crossing);
+    }
+    else
+    {
+      leaves = std::min(leaves, crossing);
+    }
+  }
+  return enters < leaves;
+}
+
+} // namespace nexrad::scene

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Frame/CameraView.h"
+
+#include <vtkCamera.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+using Vector = std::array<double, 3>;
+
+constexpr double radians = 3.14159265358979323846 / 180.0;
+constexpr double viewAngle = 30.0; // degrees, vertical; VTK's default
+
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+struct Axes
+{
+  Vector right, up, back;
+};
+
+Axes AxesOf(const CameraView& view)
+{
+  const double sinA = std::sin(view.azimuth * radians);
+  const double cosA = std::cos(view.azimuth * radians);
+  const double sinT = std::sin(view.tilt * radians);
+  const double cosT = std::cos(view.tilt * radians);
+  return {{-cosA, sinA, 0.0}, {-sinA * sinT, -cosA * sinT, cosT}, {sinA * cosT, cosA * cosT, sinT}};
+}
+
+// What one direction of the picture (across or up) asks of the camera. A corner at the offset o
+// along that direction, z nearer to the camera than the centre, is inside the picture's edge e when
+// o − offset ≤ e·t·(distance − z), with t the tangent of the half angle of view. Every corner
+// bounds offset + e·t·distance; `high` and `low` collect the bounds of the two edges.
+struct Extent
+{
+  double lowEdge, highEdge; // the area's edges times t
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+
+  void Add(double along, double nearer)
+  {
+    high = std::max(high, along + highEdge * nearer);
+    low = std::min(low, along + lowEdge * nearer);
+  }
+  double Distance() const { return (high - low) / (highEdge - lowEdge); }
+  double Offset(double distance) const
+  {
+    return (high - highEdge * distance + low - lowEdge * distance) / 2.0;
+  }
+};
+
+} // namespace
+
+void PointCamera(vtkCamera* camera, const CameraView& view, const std::array<double, 6>& box,
+  double aspect, const PictureArea& area)
+{
+  const Axes axes = AxesOf(view);
+  const Vector centre = {(box[0] + box[1]) / 2.0, (box[2] + box[3]) / 2.0, (box[4] + box[5]) / 2.0};
+  const double half = view.parallel ? 1.0 : std::tan(viewAngle / 2.0 * radians);
+  Extent across{area.left * half * aspect, area.right * half * aspect};
+  Extent upward{area.bottom * half, area.top * half};
+  double radius = 0.0;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const Vector point = {box[corner & 1] - centre[0], box[2 + (corner >> 1 & 1)] - centre[1],
+      box[4 + (corner >> 2)] - centre[2]};
+    const double nearer = view.parallel ? 0.0 : Dot(point, axes.back);
+    across.Add(Dot(point, axes.right), nearer);
+    upward.Add(Dot(point, axes.up), nearer);
+    radius = std::max(radius, std::sqrt(Dot(point, point)));
+  }
+  // Under parallel projection the same "distance" is half the height of the view.
+  const double distance = std::max(across.Distance(), upward.Distance());
+  const double alongRight = across.Offset(distance);
+  const double alongUp = upward.Offset(distance);
+  const double away = view.parallel ? 3.0 * radius : distance;
+  Vector focus{};
+  Vector position{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    focus[axis] = centre[axis] + alongRight * axes.right[axis] + alongUp * axes.up[axis];
+    position[axis] = focus[axis] + away * axes.back[axis];
+  }
+  camera->SetFocalPoint(focus.data());
+  camera->SetPosition(position.data());
+  camera->SetViewUp(axes.up.data());
+  camera->SetParallelProjection(view.parallel);
+  camera->SetViewAngle(viewAngle);
+  camera->SetParallelScale(distance);
+  camera->Zoom(view.zoom);
+}
+
+std::array<double, 2> RightOf(const CameraView& view)
+{
+  const Vector right = AxesOf(view).right;
+  return {right[0], right[1]};
+}
+
+} // namespace nexrad::scene

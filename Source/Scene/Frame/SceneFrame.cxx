@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Frame/SceneFrame.h"
+
+#include "Scene/Frame/VolumeInformation.h"
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+constexpr double pi = 3.14159265358979323846;
+// Length of a degree of latitude on a sphere of 6371 km. A volume on geographic axes is drawn
+// equirectangular; that only has to look right.
+constexpr double kilometresPerDegree = 6371.0 * pi / 180.0;
+
+// The number behind "+name=" in a PROJ string.
+std::optional<double> Parameter(const std::string& projection, const std::string& name)
+{
+  const std::string key = "+" + name + "=";
+  const std::size_t position = projection.find(key);
+  if (position == std::string::npos)
+  {
+    return std::nullopt;
+  }
+  return std::strtod(projection.c_str() + position + key.size(), nullptr);
+}
+
+} // namespace
+
+SceneFrame::SceneFrame(vtkImageData* volume, double verticalExaggeration)
+  : exaggeration(verticalExaggeration)
+{
+  double cells[6];
+  volume->GetBounds(cells);
+  const double* spacing = volume->GetSpacing();
+  const std::string projection = ReadVolumeInformation(volume).projection;
+  if (projection.find("+proj=longlat") != std::string::npos)
+  {
+    centre = {(cells[0] + cells[1]) / 2.0, (cells[2] + cells[3]) / 2.0};
+    kilometres = {kilometresPerDegree * std::cos(centre[1] * pi / 180.0), kilometresPerDegree};
+    map.emplace();
+    map->axes = GridAxes::Geographic;
+  }
+  else if (const auto latitude = Parameter(projection, "lat_0"))
+  {
+    map.emplace();
+    map->centreLatitude = *latitude;
+    map->centreLongitude = Parameter(projection, "lon_0").value_or(0.0);
+  }
+  const std::array<double, 3> scale = {kilometres[0], kilometres[1], exaggeration / 1000.0};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const double middle = axis < 2 ? centre[axis] : 0.0;
+    bounds[2 * axis] = (cells[2 * axis] - spacing[axis] / 2.0 - middle) * scale[axis];
+    bounds[2 * axis + 1] = (cells[2 * axis + 1] + spacing[axis] / 2.0 - middle) * scale[axis];
+  }
+}
+
+std::array<double, 2> SceneFrame::Place(double longitude, double latitude) const
+{
+  const std::array<double, 2> point = map->axes == GridAxes::Geographic
+                                        ? std::array<double, 2>{longitude, latitude}
+                                        : map->FromGeographic(longitude, latitude);
+  return {(point[0] - centre[0]) * kilometres[0], (point[1] - centre[1]) * kilometres[1]};
+}
+
+std::array<double, 2> SceneFrame::Geographic(double x, double y) const
+{
+  const std::array<double, 2> point = {
+    x / kilometres[0] + centre[0], y / kilometres[1] + centre[1]};
+  return map->axes == GridAxes::Geographic ? point : map->ToGeographic(point[0], point[1]);
+}
+
+void SceneFrame::MoveToScene(vtkImageData* volume) const
+{
+  const double* origin = volume->GetOrigin();
+  const double* spacing = volume->GetSpacing();
+  const double vertical = exaggeration / 1000.0;
+  volume->SetOrigin((origin[0] - centre[0]) * kilometres[0],
+    (origin[1] - centre[1]) * kilometres[1], origin[2] * vertical);
+  volume->SetSpacing(spacing[0] * kilometres[0], spacing[1] * kilometres[1], spacing[2] * vertical);
+}
+
+double DefaultExaggeration(vtkImageData* volume)
+{
+  constexpr double heightToWidth = 0.35;
+  constexpr double least = 1.0;
+  const std::array<double, 6> box = SceneFrame(volume, 1.0).Bounds();
+  const double width = std::sqrt((box[1] - box[0]) * (box[3] - box[2]));
+  const double height = box[5] - box[4];
+  const double stretch = height > 0.0 ? heightToWidth * width / height : least;
+  const double rounded = stretch < 4.0 ? 0.5 * std::round(2.0 * stretch) : std::round(stretch);
+  return std::min(std::max(rounded, least), UsualExaggeration);
+}
+
+} // namespace nexrad::scene

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Plan/PlanLayer.h"
+
+#include "Scene/Map/MapLayer.h"
+
+#include <vtkImageActor.h>
+#include <vtkImageData.h>
+#include <vtkImageSliceMapper.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+Colour ColourOf(const PlanView& view, const ColourScale& scale, std::size_t column)
+{
+  switch (view.states[column])
+  {
+  case VoxelState::NotScanned:
+    return notScannedColour;
+  case VoxelState::RangeFolded:
+    return rangeFoldedColour;
+  case VoxelState::NoEcho:
+    return groundColour;
+  default:
+    break;
+  }
+  const int bin = FindBin(scale, static_cast<double>(view.values[column]));
+  return bin < 0 ? groundColour : scale.bins[static_cast<std::size_t>(bin)].colour;
+}
+
+bool Holds(const PlanView& view, VoxelState state)
+{
+  return std::find(view.states.begin(), view.states.end(), state) != view.states.end();
+}
+
+} // namespace
+
+vtkSmartPointer<vtkProp> MakePlanLayer(
+  const PlanView& view, const ColourScale& scale, vtkImageData* placed, double height)
+{
+  vtkNew<vtkImageData> picture;
+  picture->SetDimensions(view.width, view.height, 1);
+  picture->SetOrigin(placed->GetOrigin()[0], placed->GetOrigin()[1], height);
+  picture->SetSpacing(placed->GetSpacing()[0], placed->GetSpacing()[1], 1.0);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer());
+  for (std::size_t column = 0; column < view.values.size(); ++column)
+  {
+    for (const double component : ColourOf(view, scale, column))
+    {
+      *pixel++ = static_cast<unsigned char>(std::lround(255.0 * component));
+    }
+  }
+  auto actor = vtkSmartPointer<vtkImageActor>::New();
+  vtkNew<vtkImageSliceMapper> mapper;
+  mapper->SetInputData(picture);
+  mapper->BorderOn(); // whole voxels at the edges as well
+  actor->SetMapper(mapper);
+  actor->InterpolateOff();
+  return actor;
+}
+
+std::string PlanKey(const PlanView& view)
+{
+  std::string key = Holds(view, VoxelState::NotScanned) ? "grey: not scanned" : "";
+  if (Holds(view, VoxelState::RangeFolded))
+  {
+    key += (key.empty() ? "" : ", ") + std::string("violet: range folded");
+  }
+  return key;
+}
+
+} // namespace nexrad::scene

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+
+namespace nexrad::scene
+{
+
+/// Which voxel of each column a map shows.
+enum class PlanLevel
+{
+  Composite, ///< that of the largest value; of VEL, of the largest speed
+  Lowest,    ///< the lowest that was scanned
+  Height     ///< that at one height
+};
+
+/// A map in place of the volume.
+struct PlanOptions
+{
+  PlanLevel level = PlanLevel::Composite;
+  double height = 0.0; ///< m above mean sea level, of PlanLevel::Height
+  std::string array;   ///< which of the volume's arrays, as "REF_age"; empty: the moment
+};
+
+} // namespace nexrad::scene

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Frame/CameraView.h"
+#include "Scene/Frame/SceneFrame.h"
+#include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Scales/ColourScale.h"
+#include "Scene/SceneOptions.h"
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkNexradTransferFunction;
+class vtkProp;
+class vtkRenderer;
+class vtkVolume;
+
+namespace nexrad::scene
+{
+
+struct PlanView;
+
+/// A merged volume over its map, with colour bar, scales and captions. It fills a renderer and
+/// knows no window, so that pictures, movies and a viewer can share it.
+class RadarScene
+{
+public:
+  /// `renderer`: the one to fill; nullptr: one of its own.
+  explicit RadarScene(const SceneOptions& options, vtkRenderer* renderer = nullptr);
+  /// Takes out of the renderer what it put in.
+  ~RadarScene();
+  RadarScene(const RadarScene&) = delete;
+  RadarScene& operator=(const RadarScene&) = delete;
+
+  /// The renderer to put into a window.
+  vtkRenderer* GetRenderer();
+
+  /// Size of the picture in pixels; letters grow with its height.
+  void SetPictureSize(const std::array<int, 2>& size);
+  void SetCamera(const CameraView& view);
+
+  /// Shows a merged volume, or the map of it that the options ask for: vtkImageData in m (or
+  /// degrees and m) with the moment as active scalars and field data as the project's filters write
+  /// them. It is not changed. Throws Error when it has no voxels or no scalars, and for a map that
+  /// it cannot give.
+  void SetVolume(vtkImageData* volume);
+
+  /// Throws Error for whatever a scene with these options would throw for in SetVolume.
+  static void Check(const SceneOptions& options, vtkImageData* volume);
+
+  /// Hides the volume, and shows it again; the map and the letters stay.
+  void ShowVolume(bool shown);
+
+  /// Brings the volume into texture memory now, rather than when it is drawn; the renderer must be
+  /// in a window. False when it cannot be drawn.
+  bool Upload();
+
+  /// Name of the array that is shown, as "REF"; empty before the first volume.
+  const std::string& Array() const { return array; }
+
+  /// Colours and opacities, those of another moment from the volume on that is the first of it;
+  /// after a change of them TransferFunctionChanged brings the scene up to date.
+  vtkNexradTransferFunction* TransferFunction();
+  /// Takes over those that another scene has for the moment of that array.
+  void SetTransferFunction(vtkNexradTransferFunction* function, const std::string& ofArray);
+  void TransferFunctionChanged();
+
+  /// Slices, or samples along the longest ray; at least 1.
+  int Slices() const { return options.slices; }
+  void SetSlices(int slices);
+
+private:
+  using Props = std::vector<vtkSmartPointer<vtkProp>>;
+
+  void Replace(Props& group, Props replacement);
+  void OrderProps();
+  void FollowArray(vtkImageData* data);
+  void DrawGround();
+  void DrawScales();
+  void DrawVolume(vtkImageData* placed, bool sameMapper);
+  void DrawPlan(const PlanView& shown, vtkImageData* placed);
+  void DrawCaptions();
+  void Aim();
+  void FitClippingRange();
+  int TextSize() const;
+
+  SceneOptions options;
+  std::array<int, 2> size = {1280, 720};
+  CameraView view;
+  SceneFrame frame;
+  VolumeInformation information;
+  vtkSmartPointer<vtkRenderer> renderer;
+  vtkNew<vtkVolume> volume;
+  vtkSmartPointer<vtkNexradTransferFunction> transferFunction;
+  std::string array; ///< that is shown
+  ColourTable steps; ///< of the colour bar
+  ColourScale scale;
+  std::string note; ///< what the heights are, or which voxels a map shows
+  Props plan;
+  Props ground;
+  Props scales;
+  Props captions;
+};
+
+} // namespace nexrad::scene

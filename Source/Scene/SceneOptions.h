@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Plan/PlanOptions.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace nexrad::scene
+{
+
+/// How the volume is drawn.
+enum class MapperChoice
+{
+  TextureSlice, ///< vtkOpenGLTextureSliceVolumeMapper
+  RayCast       ///< VTK's GPU ray caster, for comparison
+};
+
+/// The presets of colour and opacity (vtkNexradTransferFunction): of reflectivity, its default
+/// first, then one of each other moment.
+constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear air", "iso-values",
+  "velocity", "spectrum width", "differential reflectivity", "differential phase",
+  "correlation coefficient", "clutter power"};
+
+/// What a scene shows beside the data.
+struct SceneOptions
+{
+  std::string preset; ///< one of presetNames; empty: the first of the moment that is shown
+  std::filesystem::path
+    colours; ///< colours, and opacities if it has any, in place of the preset's:
+             ///< a file that vtkNexradTransferFunction reads; empty: none
+  std::optional<double> exaggeration; ///< of heights; above 0; empty: DefaultExaggeration
+  MapperChoice mapper = MapperChoice::TextureSlice;
+  int slices = 256;         ///< or samples along the longest ray; from 1 on
+  double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
+  std::optional<PlanOptions> plan;
+};
+
+} // namespace nexrad::scene

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Series/InputSeries.h"
+
+#include "Scene/Series/RadarFiles.h"
+#include "Scene/Series/VolumeFiles.h"
+#include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/System/Progress.h"
+
+namespace nexrad::scene
+{
+
+std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Progress& progress)
+{
+  if (AreVolumes(request.inputs))
+  {
+    return OpenVolumeFiles(request.inputs);
+  }
+  MergeOptions grid = request.grid;
+  grid.time = request.time;
+  return OpenRadarFiles(request.inputs, grid, ShareOf(progress, 0.0, ScanShare));
+}
+
+std::vector<std::size_t> ChooseTimes(const VolumeSeries& series, const InputRequest& request)
+{
+  const std::vector<Time>& times = series.Times();
+  std::vector<std::size_t> chosen;
+  for (std::size_t i = 0; i < times.size(); ++i)
+  {
+    const bool wanted = request.time ? times[i] == *request.time
+                                     : (!request.grid.begin || times[i] >= *request.grid.begin) &&
+                                         (!request.grid.end || times[i] <= *request.grid.end);
+    if (wanted)
+    {
+      chosen.push_back(i);
+    }
+  }
+  if (chosen.empty())
+  {
+    throw Error("no volume at the time asked for; there are " + std::to_string(times.size()) +
+                " from " + FormatIso8601(times.front()) + " to " + FormatIso8601(times.back()));
+  }
+  return chosen;
+}
+
+} // namespace nexrad::scene

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Series/VolumeSeries.h"
+#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/System/Progress.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace nexrad::scene
+{
+
+/// What a user wants to see: files, and of them which times.
+struct InputRequest
+{
+  std::vector<std::filesystem::path> inputs; ///< volumes (.nxv, .nxv.series, .vti) or radar files
+  std::optional<Time> time;                  ///< this time alone
+  MergeOptions grid;                         ///< for radar files; its begin and end for both
+};
+
+/// Opens the inputs. Throws Error when volumes and radar files are mixed, and as the two kinds do.
+std::unique_ptr<VolumeSeries> OpenInputs(
+  const InputRequest& request, const Progress& progress = {});
+
+/// Indices of the volumes that the request names. Throws Error when there is none.
+std::vector<std::size_t> ChooseTimes(const VolumeSeries& series, const InputRequest& request);
+
+} // namespace nexrad::scene

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Series/RadarFiles.h"
+
+#include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/System/Error.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradThreads.h"
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+MergerSetup SetupForAnyOrder()
+{
+  MergerSetup setup;
+  setup.loop = vtkNexradRangeLoop();
+  setup.threads = vtkNexradThreadCount();
+  setup.anyOrder = true;
+  return setup;
+}
+
+class RadarFiles : public VolumeSeries
+{
+public:
+  RadarFiles(const std::vector<std::filesystem::path>& inputs, const MergeOptions& options,
+    const Progress& progress)
+    : merger(inputs, options, SetupForAnyOrder())
+  {
+    if (!merger.Open(progress))
+    {
+      throw Error("stopped before the inputs were read");
+    }
+  }
+
+  const std::vector<Time>& Times() const override { return merger.Times(); }
+  bool CanLoadAhead() const override { return true; }
+
+  vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
+  {
+    const std::optional<GriddedVolume> volume = merger.Merge(merger.Times()[index], progress);
+    if (!volume)
+    {
+      return nullptr;
+    }
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    vtkNexradVolumeToImage(*volume, image);
+    return image;
+  }
+
+  std::vector<std::string> Problems() const override
+  {
+    std::vector<std::string> lines;
+    for (const InputProblem& problem : merger.Problems())
+    {
+      lines.push_back(problem.Line());
+    }
+    return lines;
+  }
+
+private:
+  SeriesMerger merger;
+};
+
+} // namespace
+
+std::unique_ptr<VolumeSeries> OpenRadarFiles(const std::vector<std::filesystem::path>& inputs,
+  const MergeOptions& options, const Progress& progress)
+{
+  return std::make_unique<RadarFiles>(inputs, options, progress);
+}
+
+} // namespace nexrad::scene

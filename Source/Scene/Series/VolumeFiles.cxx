@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Series/VolumeFiles.h"
+
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/System/Error.h"
+#include "vtkNexradFieldData.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradMessages.h"
+
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkXMLImageDataReader.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace nexrad::scene
+{
+namespace
+{
+
+bool EndsWith(const fs::path& path, const std::string& ending)
+{
+  const std::string name = path.filename().string();
+  return name.size() > ending.size() &&
+         name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+bool IsVolumeFile(const fs::path& path)
+{
+  return EndsWith(path, ".nxv") || EndsWith(path, ".vti");
+}
+
+bool IsIndex(const fs::path& path)
+{
+  return EndsWith(path, ".nxv.series");
+}
+
+vtkSmartPointer<vtkImageData> ReadVti(const fs::path& path)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  vtkNexradMessages messages;
+  messages.Watch(reader);
+  reader->SetFileName(path.c_str());
+  if (!fs::is_regular_file(path) || reader->CanReadFile(path.c_str()) == 0)
+  {
+    throw Error(path.string() + ": not a VTK XML image file");
+  }
+  reader->Update();
+  if (!messages.Errors().empty())
+  {
+    throw Error(path.string() + ": " + messages.Errors().front());
+  }
+  return reader->GetOutput();
+}
+
+// The time that a volume file states. A .vti has to be read for it.
+Time TimeOf(const fs::path& path)
+{
+  if (EndsWith(path, ".nxv"))
+  {
+    return ReadNxvHeader(path).time;
+  }
+  const auto image = ReadVti(path);
+  const auto seconds = vtkNexradGetValue(image->GetFieldData(), "TimeValue");
+  if (!seconds)
+  {
+    throw Error(path.string() + ": has no time (field data TimeValue); merge with nexrad3d grid");
+  }
+  return FromSeconds(*seconds);
+}
+
+// What drawing an image makes of a voxel: the words of its texture, before and behind their way to
+// the graphics memory.
+constexpr std::size_t pictureBytesPerVoxel = 4;
+
+using TimedFiles = std::vector<std::pair<Time, fs::path>>;
+
+void AddIndex(TimedFiles& files, const fs::path& index)
+{
+  for (const auto& [name, seconds] : ReadNxvSeries(index))
+  {
+    files.emplace_back(FromSeconds(seconds), index.parent_path() / name);
+  }
+}
+
+void AddFolder(TimedFiles& files, const fs::path& folder)
+{
+  std::set<fs::path> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    const fs::path name = entry.path().filename();
+    if (IsVolumeFile(name) && name.string().front() != '.')
+    {
+      names.insert(entry.path());
+    }
+  }
+  for (const fs::path& name : names)
+  {
+    files.emplace_back(TimeOf(name), name);
+  }
+}
+
+class VolumeFiles : public VolumeSeries
+{
+public:
+  explicit VolumeFiles(TimedFiles timedFiles)
+    : files(std::move(timedFiles))
+  {
+    std::stable_sort(
+      files.begin(), files.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (const auto& file : files)
+    {
+      times.push_back(file.first);
+    }
+  }
+
+  const std::vector<Time>& Times() const override { return times; }
+  bool CanLoadAhead() const override { return true; }
+
+  vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress&) override
+  {
+    const fs::path& path = files[index].second;
+    if (EndsWith(path, ".vti"))
+    {
+      return ReadVti(path);
+    }
+    NxvReadOptions options;
+    options.bytesBesides = vtkNexradImageBytesPerVoxel + pictureBytesPerVoxel;
+    read = ReadNxv(path, options, std::move(read));
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    vtkNexradVolumeToImage(read, image);
+    return image;
+  }
+
+private:
+  TimedFiles files;
+  GriddedVolume read; // the last one: its memory serves the next
+  std::vector<Time> times;
+};
+
+} // namespace
+
+bool HoldsVolumes(const fs::path& path)
+{
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored))
+  {
+    return IsVolumeFile(path) || IsIndex(path);
+  }
+  const fs::directory_iterator entries(path, ignored);
+  return std::any_of(begin(entries), end(entries),
+    [](const fs::directory_entry& entry) { return IsVolumeFile(entry.path()); });
+}
+
+bool AreVolumes(const std::vector<fs::path>& paths)
+{
+  const auto count = std::count_if(paths.begin(), paths.end(), HoldsVolumes);
+  if (count != 0 && count != static_cast<std::ptrdiff_t>(paths.size()))
+  {
+    throw Error("the inputs are volumes and radar files; draw one or the other");
+  }
+  return count != 0;
+}
+
+std::unique_ptr<VolumeSeries> OpenVolumeFiles(const std::vector<fs::path>& inputs)
+{
+  TimedFiles files;
+  for (const fs::path& input : inputs)
+  {
+    if (!fs::exists(input))
+    {
+      throw Error(input.string() + ": does not exist");
+    }
+    if (fs::is_directory(input))
+    {
+      AddFolder(files, input);
+    }
+    else if (IsIndex(input))
+    {
+      AddIndex(files, input);
+    }
+    else
+    {
+      files.emplace_back(TimeOf(input), input);
+    }
+  }
+  if (files.empty())
+  {
+    throw Error(inputs.front().string() + ": lists no volume");
+  }
+  return std::make_unique<VolumeFiles>(std::move(files));
+}
+
+} // namespace nexrad::scene

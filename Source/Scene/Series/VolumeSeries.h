@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Model/Time.h"
+#include "nexrad/System/Progress.h"
+
+#include <vtkSmartPointer.h>
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace nexrad::scene
+{
+
+/// Merged volumes in the order of their times, wherever they come from.
+class VolumeSeries
+{
+public:
+  virtual ~VolumeSeries() = default;
+
+  /// Ascending; never empty.
+  virtual const std::vector<Time>& Times() const = 0;
+
+  /// The volume of one of the times. Empty when `progress` asked to stop. Throws Error when it
+  /// cannot be read or made.
+  virtual vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) = 0;
+
+  /// True when Load may run on another thread while nothing else is asked of the series.
+  virtual bool CanLoadAhead() const { return false; }
+
+  /// Inputs that were damaged or left out so far, a line each.
+  virtual std::vector<std::string> Problems() const { return {}; }
+};
+
+} // namespace nexrad::scene

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Elements/ColourTable.h"
+#include "Scene/SceneOptions.h"
+
+#include <vtkSmartPointer.h>
+
+#include <string>
+
+class vtkNexradTransferFunction;
+class vtkRenderer;
+class vtkVolume;
+class vtkVolumeMapper;
+class vtkVolumeProperty;
+
+namespace nexrad::scene
+{
+
+/// A mapper of that kind.
+vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice);
+
+/// Sets the number of slices, or of samples along the longest ray through the volume, whose length
+/// is `diagonal` in scene units.
+void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
+
+/// Brings the mapper's input into texture memory. False when it cannot.
+bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
+
+/// Colours and opacities as the options ask for, for the moment of that array ("REF"; the preset of
+/// any other array is that of reflectivity). Throws Error for a preset that does not exist or is of
+/// another moment, and a file that is no colour map.
+vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
+  const SceneOptions& options, const std::string& array = "REF");
+
+/// The boxes of the look's colour bar: its own steps, or one for each 5 dBZ (another round width
+/// where the colours span less than 20 or more than 120).
+ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction);
+
+/// A property for volumes whose colours and opacities come from a transferFunction; the opacities
+/// are those of 5 scene units (km along the ground).
+vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty();
+
+} // namespace nexrad::scene

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradSession.h"
+
+#include "Scene/PlayAhead.h"
+#include "Scene/Series/DayVolumes.h"
+#include "Scene/Series/VolumeFiles.h"
+#include "nexrad/System/Error.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkImageData.h"
+#include "vtkNexradDayReader.h"
+#include "vtkNexradVolumeScene.h"
+#include "vtkObjectFactory.h"
+#include "vtkSmartPointer.h"
+#include "vtkStringArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <filesystem>
+#include <numeric>
+
+using nexrad::scene::VolumeSeries;
+
+namespace
+{
+
+std::vector<std::filesystem::path> PathsOf(const std::vector<std::string>& names)
+{
+  return {names.begin(), names.end()};
+}
+
+} // namespace
+
+// The series of the inputs, and when the settings were made that it was opened with.
+struct vtkNexradSession::Opened
+{
+  vtkMTimeType time = 0;
+  std::unique_ptr<VolumeSeries> volumes;
+};
+
+vtkStandardNewMacro(vtkNexradSession);
+
+vtkNexradSession::vtkNexradSession()
+  : Series(std::make_unique<Opened>())
+{
+}
+
+vtkNexradSession::~vtkNexradSession() = default;
+
+void vtkNexradSession::AddFileName(const char* path)
+{
+  if (path != nullptr)
+  {
+    this->FileNames.emplace_back(path);
+    this->Modified();
+  }
+}
+
+void vtkNexradSession::ClearFileNames()
+{
+  this->FileNames.clear();
+  this->Modified();
+}
+
+int vtkNexradSession::GetNumberOfFileNames() const
+{
+  return static_cast<int>(this->FileNames.size());
+}
+
+const char* vtkNexradSession::GetFileName(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfFileNames()
+           ? this->FileNames[static_cast<std::size_t>(index)].c_str()
+           : nullptr;
+}
+
+vtkNexradDayReader* vtkNexradSession::GetDayReader() const
+{
+  return this->DayReader;
+}
+
+vtkNexradVolumeScene* vtkNexradSession::GetScene() const
+{
+  return this->Scene;
+}
+
+void vtkNexradSession::Open()
+{
+  if (this->FileNames.empty())
+  {
+    throw nexrad::Error("no file name is set");
+  }
+  const std::vector<std::filesystem::path> paths = PathsOf(this->FileNames);
+  if (nexrad::scene::AreVolumes(paths))
+  {
+    auto files = nexrad::scene::OpenVolumeFiles(paths);
+    std::vector<std::size_t> order(files->Times().size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    this->Series->volumes = nexrad::scene::PlayAhead(std::move(files), order, {});
+    return;
+  }
+  this->DayReader->ClearFileNames();
+  for (const std::string& name : this->FileNames)
+  {
+    this->DayReader->AddFileName(name.c_str());
+  }
+  this->Series->volumes = nexrad::scene::OpenDayVolumes(this->DayReader);
+}
+
+bool vtkNexradSession::UpdateInformation()
+{
+  if (this->Series->volumes &&
+      this->Series->time >= std::max(this->GetMTime(), this->DayReader->GetMTime()))
+  {
+    return true;
+  }
+  this->Series = std::make_unique<Opened>();
+  this->TimeSteps->Initialize();
+  this->TimeStepIndex = -1;
+  try
+  {
+    this->Open();
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+  for (const nexrad::Time time : this->Series->volumes->Times())
+  {
+    this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));
+  }
+  // Opening sets the file names of the reader, which counts as a change of it.
+  this->Series->time = std::max(this->GetMTime(), this->DayReader->GetMTime());
+  return true;
+}
+
+vtkDoubleArray* vtkNexradSession::GetTimeSteps()
+{
+  this->UpdateInformation();
+  return this->TimeSteps;
+}
+
+void vtkNexradSession::Load(int index)
+{
+  const auto count = static_cast<int>(this->Series->volumes->Times().size());
+  if (index < 0 || index >= count)
+  {
+    throw nexrad::Error("there is no time step " + std::to_string(index) + "; there are " +
+                        std::to_string(count) + ", counted from 0");
+  }
+  this->Scene->SetVolume(this->Series->volumes->Load(static_cast<std::size_t>(index), {}));
+  this->TimeStepIndex = index;
+}
+
+bool vtkNexradSession::ShowTimeStep(int index)
+{
+  if (!this->UpdateInformation())
+  {
+    return false;
+  }
+  const vtkSmartPointer<vtkImageData> shown = this->Scene->GetVolume();
+  const int shownIndex = this->TimeStepIndex;
+  try
+  {
+    if (index != this->TimeStepIndex)
+    {
+      this->Load(index);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+    return false;
+  }
+  if (!this->Scene->Update())
+  {
+    this->Scene->SetVolume(shown);
+    this->TimeStepIndex = shownIndex;
+    return false;
+  }
+  return true;
+}
+
+bool vtkNexradSession::ShowTime(double time)
+{
+  if (!this->UpdateInformation())
+  {
+    return false;
+  }
+  const double* first = this->TimeSteps->GetPointer(0);
+  const double* nearest = std::min_element(first, first + this->TimeSteps->GetNumberOfValues(),
+    [time](double a, double b) { return std::abs(a - time) < std::abs(b - time); });
+  return this->ShowTimeStep(static_cast<int>(nearest - first));
+}
+
+vtkStringArray* vtkNexradSession::GetDamage()
+{
+  this->Damage->Initialize();
+  if (this->Series->volumes)
+  {
+    for (const std::string& line : this->Series->volumes->Problems())
+    {
+      this->Damage->InsertNextValue(line);
+    }
+  }
+  return this->Damage;
+}
+
+void vtkNexradSession::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileNames: " << this->FileNames.size() << "\n";
+  os << indent << "TimeStepIndex: " << this->TimeStepIndex << "\n";
+  os << indent << "DayReader:\n";
+  this->DayReader->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "Scene:\n";
+  this->Scene->PrintSelf(os, indent.GetNextIndent());
+}

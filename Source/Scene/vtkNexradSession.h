@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkNexradSession
+ * @brief   a series of merged volumes, one of which a vtkNexradVolumeScene shows
+ *
+ * Inputs: merged volumes (.nxv, .nxv.series, .vti, folders of them), or radar files and folders of
+ * them, which are merged with the settings of GetDayReader. Volumes and radar files cannot be
+ * mixed.
+ *
+ * ```
+ *   session = vtknexrad.vtkNexradSession()
+ *   session.AddFileName("folder")
+ *   window.AddRenderer(session.GetScene().GetRenderer())
+ *   session.ShowTimeStep(0)
+ *   window.Render()
+ * ```
+ *
+ * Merged volumes that follow the one shown are read ahead on another thread, so that a series plays
+ * on without waiting.
+ *
+ * Errors: an input that does not exist or cannot be used, volumes mixed with radar files, a volume
+ * that cannot be read or merged, and those of vtkNexradVolumeScene. After an error the scene shows
+ * what it showed before.
+ */
+#ifndef vtkNexradSession_h
+#define vtkNexradSession_h
+
+#include "vtkNew.h"               // For members
+#include "vtkNexradSceneModule.h" // For export macro
+#include "vtkObject.h"
+
+#include <memory> // For members
+#include <string> // For members
+#include <vector> // For members
+
+class vtkDoubleArray;
+class vtkNexradDayReader;
+class vtkNexradVolumeScene;
+class vtkStringArray;
+
+class VTKNEXRADSCENE_EXPORT vtkNexradSession : public vtkObject
+{
+public:
+  static vtkNexradSession* New();
+  vtkTypeMacro(vtkNexradSession, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The inputs: files and folders.
+   */
+  void AddFileName(const char* path);
+  void ClearFileNames();
+  int GetNumberOfFileNames() const;
+  const char* GetFileName(int index) const;
+  ///@}
+
+  /**
+   * The reader that merges radar files: set the grid, the method, the moment and the time steps
+   * there. Its file names are those of the session. Not used for merged volumes.
+   */
+  vtkNexradDayReader* GetDayReader() const;
+
+  /**
+   * What shows the volume: camera, colours, mapper, and the renderer to put into a window.
+   */
+  vtkNexradVolumeScene* GetScene() const;
+
+  /**
+   * Opens the inputs, unless they are open already and neither they nor the reader's settings have
+   * changed since. The other functions do so themselves. False after an error.
+   */
+  bool UpdateInformation();
+
+  /**
+   * Times of the volumes, ascending, in seconds since 1970-01-01T00:00:00Z. Empty after an error.
+   */
+  vtkDoubleArray* GetTimeSteps();
+
+  /**
+   * Loads the volume of a time step, counted from 0, and shows it. False after an error.
+   */
+  bool ShowTimeStep(int index);
+
+  /**
+   * Loads and shows the volume of the time step nearest to a time, in seconds since
+   * 1970-01-01T00:00:00Z; of two that are equally near, the earlier one. False after an error.
+   */
+  bool ShowTime(double time);
+
+  /**
+   * Index of the time step that is shown; -1 before the first.
+   */
+  vtkGetMacro(TimeStepIndex, int);
+
+  /**
+   * What was wrong in the inputs so far, one line each.
+   */
+  vtkStringArray* GetDamage();
+
+protected:
+  vtkNexradSession();
+  ~vtkNexradSession() override;
+
+  std::vector<std::string> FileNames;
+  int TimeStepIndex = -1;
+
+private:
+  vtkNexradSession(const vtkNexradSession&) = delete;
+  void operator=(const vtkNexradSession&) = delete;
+
+  void Open();
+  void Load(int index);
+
+  vtkNew<vtkNexradDayReader> DayReader;
+  vtkNew<vtkNexradVolumeScene> Scene;
+  vtkNew<vtkDoubleArray> TimeSteps;
+  vtkNew<vtkStringArray> Damage;
+  struct Opened;
+  std::unique_ptr<Opened> Series;
+};
+
+#endif

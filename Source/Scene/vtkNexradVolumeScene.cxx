@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradVolumeScene.h"
+
+#include "Scene/RadarScene.h"
+#include "nexrad/System/Error.h"
+
+#include "vtkCamera.h"
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkNexradTransferFunction.h"
+#include "vtkObjectFactory.h"
+#include "vtkRenderer.h"
+
+#include <algorithm>
+#include <array>
+#include <exception>
+
+using nexrad::scene::CameraView;
+using nexrad::scene::RadarScene;
+using nexrad::scene::SceneOptions;
+
+namespace
+{
+
+bool SameColors(const SceneOptions& a, const SceneOptions& b)
+{
+  return a.preset == b.preset && a.colours == b.colours;
+}
+
+bool SamePlan(const SceneOptions& a, const SceneOptions& b)
+{
+  return a.plan.has_value() == b.plan.has_value() &&
+         (!a.plan || (a.plan->level == b.plan->level && a.plan->height == b.plan->height &&
+                       a.plan->array == b.plan->array));
+}
+
+// The number of slices can be changed in a scene that is there.
+bool SameButForSlices(const SceneOptions& a, const SceneOptions& b)
+{
+  return SameColors(a, b) && SamePlan(a, b) && a.exaggeration == b.exaggeration &&
+         a.mapper == b.mapper && a.ringSpacing == b.ringSpacing;
+}
+
+bool SameView(const CameraView& a, const CameraView& b)
+{
+  return a.azimuth == b.azimuth && a.tilt == b.tilt && a.zoom == b.zoom && a.parallel == b.parallel;
+}
+
+nexrad::scene::PlanLevel LevelOf(int plan)
+{
+  switch (plan)
+  {
+  case vtkNexradVolumeScene::LOWEST:
+    return nexrad::scene::PlanLevel::Lowest;
+  case vtkNexradVolumeScene::AT_HEIGHT:
+    return nexrad::scene::PlanLevel::Height;
+  default:
+    return nexrad::scene::PlanLevel::Composite;
+  }
+}
+
+} // namespace
+
+// What the renderer holds, and the settings that it was made with.
+struct vtkNexradVolumeScene::Drawing
+{
+  SceneOptions options;
+  CameraView view;
+  std::array<int, 2> size = {1280, 720}; // of the renderer, once it is known
+  vtkImageData* volume = nullptr;        // compared, never followed
+  vtkMTimeType volumeTime = 0;
+  vtkMTimeType colorTime = 0;
+  std::unique_ptr<RadarScene> scene;
+  vtkMTimeType tried = 0; // time of the settings that the last update was for
+  bool succeeded = true;
+
+  void Update(vtkNexradVolumeScene* self);
+  static SceneOptions OptionsOf(const vtkNexradVolumeScene* self);
+  void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
+  void ShowVolume(vtkImageData* newVolume);
+  void FollowColors();
+};
+
+SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene* self)
+{
+  SceneOptions options;
+  options.preset = self->Preset;
+  options.colours = self->ColorFileName;
+  if (self->Exaggeration > 0.0)
+  {
+    options.exaggeration = self->Exaggeration;
+  }
+  options.mapper = self->Mapper == RAY_CAST ? nexrad::scene::MapperChoice::RayCast
+                                            : nexrad::scene::MapperChoice::TextureSlice;
+  options.slices = self->NumberOfSlices;
+  options.ringSpacing = self->RingSpacing;
+  if (self->Plan != NO_PLAN)
+  {
+    options.plan =
+      nexrad::scene::PlanOptions{LevelOf(self->Plan), self->PlanHeight, self->PlanArray};
+  }
+  return options;
+}
+
+// An error leaves the old scene as it is.
+void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted)
+{
+  RadarScene::Check(wanted, self->Volume);
+  vtkSmartPointer<vtkNexradTransferFunction> colors;
+  std::string array;
+  if (scene && SameColors(wanted, options))
+  {
+    colors = scene->TransferFunction();
+    array = scene->Array();
+  }
+  scene.reset();
+  scene = std::make_unique<RadarScene>(wanted, self->Renderer);
+  if (colors)
+  {
+    scene->SetTransferFunction(colors, array);
+  }
+  scene->SetCamera(view);
+  scene->SetPictureSize(size);
+  this->ShowVolume(self->Volume);
+  options = wanted;
+  colorTime = scene->TransferFunction()->GetMTime();
+}
+
+void vtkNexradVolumeScene::Drawing::ShowVolume(vtkImageData* newVolume)
+{
+  scene->SetVolume(newVolume);
+  volume = newVolume;
+  volumeTime = newVolume->GetMTime();
+}
+
+// Changes that the user made to the colours and opacities in use.
+void vtkNexradVolumeScene::Drawing::FollowColors()
+{
+  const vtkMTimeType time = scene->TransferFunction()->GetMTime();
+  if (time != colorTime)
+  {
+    colorTime = time;
+    scene->TransferFunctionChanged();
+    if (options.plan)
+    {
+      scene->SetVolume(volume);
+    }
+  }
+}
+
+void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
+{
+  const SceneOptions wanted = OptionsOf(self);
+  const CameraView camera{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection};
+  const bool sameView = SameView(camera, view);
+  view = camera;
+  if (!scene || !SameButForSlices(wanted, options))
+  {
+    this->Rebuild(self, wanted);
+    return;
+  }
+  if (self->Volume != volume || self->Volume->GetMTime() != volumeTime)
+  {
+    this->ShowVolume(self->Volume);
+  }
+  this->FollowColors();
+  if (wanted.slices != options.slices)
+  {
+    scene->SetSlices(wanted.slices);
+    options.slices = wanted.slices;
+  }
+  if (!sameView)
+  {
+    scene->SetCamera(view);
+  }
+}
+
+vtkStandardNewMacro(vtkNexradVolumeScene);
+
+vtkNexradVolumeScene::vtkNexradVolumeScene()
+  : Renderer(vtkSmartPointer<vtkRenderer>::New())
+  , Drawn(std::make_unique<Drawing>())
+{
+  this->ObserveRenderer();
+}
+
+vtkNexradVolumeScene::~vtkNexradVolumeScene()
+{
+  this->ForgetRenderer();
+}
+
+void vtkNexradVolumeScene::ObserveRenderer()
+{
+  this->Camera = this->Renderer->GetActiveCamera();
+  this->RendererTag = this->Renderer->AddObserver(
+    vtkCommand::StartEvent, this, &vtkNexradVolumeScene::FollowRendering);
+}
+
+void vtkNexradVolumeScene::ForgetRenderer()
+{
+  this->Drawn = std::make_unique<Drawing>();
+  this->Renderer->RemoveObserver(this->RendererTag);
+}
+
+void vtkNexradVolumeScene::SetRenderer(vtkRenderer* renderer)
+{
+  if (renderer == this->Renderer)
+  {
+    return;
+  }
+  this->ForgetRenderer();
+  this->Renderer = renderer;
+  if (renderer == nullptr)
+  {
+    this->Renderer = vtkSmartPointer<vtkRenderer>::New();
+  }
+  this->ObserveRenderer();
+  this->Modified();
+}
+
+vtkRenderer* vtkNexradVolumeScene::GetRenderer() const
+{
+  return this->Renderer;
+}
+
+void vtkNexradVolumeScene::SetVolume(vtkImageData* volume)
+{
+  if (volume != this->Volume)
+  {
+    this->Volume = volume;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkNexradVolumeScene::GetVolume() const
+{
+  return this->Volume;
+}
+
+void vtkNexradVolumeScene::SetRingSpacing(double spacing)
+{
+  if (!(spacing == 0.0 || spacing >= 1000.0))
+  {
+    vtkErrorMacro("ring spacing " << spacing << ": set 0 for no rings, or at least 1000 m");
+    return;
+  }
+  if (this->RingSpacing != spacing)
+  {
+    this->RingSpacing = spacing;
+    this->Modified();
+  }
+}
+
+vtkNexradTransferFunction* vtkNexradVolumeScene::GetTransferFunction() const
+{
+  return this->Drawn->scene ? this->Drawn->scene->TransferFunction() : nullptr;
+}
+
+void vtkNexradVolumeScene::SetCameraFromAbove()
+{
+  this->SetAzimuth(180.0);
+  this->SetTilt(90.0);
+  this->ParallelProjectionOn();
+}
+
+bool vtkNexradVolumeScene::Update()
+{
+  if (this->Volume == nullptr)
+  {
+    this->Drawn = std::make_unique<Drawing>();
+    return true;
+  }
+  vtkMTimeType time = std::max(this->GetMTime(), this->Volume->GetMTime());
+  if (auto* colors = this->GetTransferFunction())
+  {
+    time = std::max(time, colors->GetMTime());
+  }
+  if (time == this->Drawn->tried)
+  {
+    return this->Drawn->succeeded; // an error is reported once
+  }
+  try
+  {
+    this->Drawn->Update(this);
+    this->Drawn->succeeded = true;
+  }
+  catch (const std::exception& error)
+  {
+    this->Drawn->succeeded = false;
+    vtkErrorMacro(<< error.what());
+  }
+  this->Drawn->tried =
+    std::max(time, this->GetTransferFunction() != nullptr ? this->GetTransferFunction()->GetMTime()
+                                                          : vtkMTimeType(0));
+  return this->Drawn->succeeded;
+}
+
+void vtkNexradVolumeScene::FollowRendering()
+{
+  // vtkWindowToImageFilter draws with a copy of the camera, narrowed to a tile of the picture, and
+  // throws the copy away afterwards.
+  const vtkSmartPointer<vtkCamera> drawn = this->Renderer->GetActiveCamera();
+  this->Renderer->SetActiveCamera(this->Camera);
+  const vtkMTimeType before = this->Camera->GetMTime();
+  const double angle = drawn->GetViewAngle() / this->Camera->GetViewAngle();
+  const double scale = drawn->GetParallelScale() / this->Camera->GetParallelScale();
+  this->FollowSize();
+  this->Update();
+  if (drawn != this->Camera && this->Camera->GetMTime() != before)
+  {
+    drawn->DeepCopy(this->Camera);
+    drawn->SetViewAngle(angle * this->Camera->GetViewAngle());
+    drawn->SetParallelScale(scale * this->Camera->GetParallelScale());
+  }
+  this->Renderer->SetActiveCamera(drawn);
+}
+
+void vtkNexradVolumeScene::FollowSize()
+{
+  const int* rendererSize = this->Renderer->GetSize();
+  const std::array<int, 2> size = {rendererSize[0], rendererSize[1]};
+  const bool resized = size != this->Drawn->size && size[0] > 0 && size[1] > 0;
+  if (resized)
+  {
+    this->Drawn->size = size;
+    if (this->Drawn->scene)
+    {
+      this->Drawn->scene->SetPictureSize(size);
+    }
+  }
+}
+
+void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "Renderer: " << this->Renderer.Get() << "\n";
+  os << indent << "Volume: " << this->Volume.Get() << "\n";
+  os << indent << "Azimuth: " << this->Azimuth << "\n";
+  os << indent << "Tilt: " << this->Tilt << "\n";
+  os << indent << "Zoom: " << this->Zoom << "\n";
+  os << indent << "ParallelProjection: " << this->ParallelProjection << "\n";
+  os << indent << "Preset: " << this->Preset << "\n";
+  os << indent << "ColorFileName: " << this->ColorFileName << "\n";
+  os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "Mapper: " << this->Mapper << "\n";
+  os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "RingSpacing: " << this->RingSpacing << "\n";
+  os << indent << "Plan: " << this->Plan << "\n";
+  os << indent << "PlanHeight: " << this->PlanHeight << "\n";
+  os << indent << "PlanArray: " << this->PlanArray << "\n";
+}

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @class   vtkNexradVolumeScene
+ * @brief   a merged volume over its map, with colour bar, scales and captions, in a renderer
+ *
+ * ```
+ *   time, moment, sites                     +--+ unit
+ *            .-----------.                  |  | 70
+ *           / volume      \                 |  | 60
+ *      km  /_______________\                |  | ...
+ *      20 |  map, radars    |  N            |  | 5
+ *         '-----------------'               +--+
+ *   note        |--- 100 km ---|
+ * ```
+ *
+ * Input: a merged volume (vtkImageData as vtkNexradDayReader and vtkNexradVolumeReader give it), by
+ * SetVolume. The scene has no window: put the renderer of GetRenderer into one. The scene brings
+ * itself up to date, and follows the size of the renderer, at the beginning of each rendering.
+ * The pictures are those of the program's command `render`, pixel for pixel, when the window has 4
+ * multisamples, is off screen and is read from its back buffer.
+ *
+ * Scene coordinates are kilometres east and north of the centre of the volume's projection, and
+ * kilometres above mean sea level times the exaggeration.
+ *
+ * Errors: a volume without voxels or scalars; a preset that does not exist, or that is of another
+ * moment than the volume's; a file that is no colour map; a plan view of an array that the volume
+ * does not have, or at a height outside of it. After an error the scene shows what it showed
+ * before.
+ */
+#ifndef vtkNexradVolumeScene_h
+#define vtkNexradVolumeScene_h
+
+#include "vtkNew.h"               // For members
+#include "vtkNexradSceneModule.h" // For export macro
+#include "vtkObject.h"
+#include "vtkSmartPointer.h" // For members
+
+#include <memory> // For members
+#include <string> // For members
+
+class vtkCamera;
+class vtkImageData;
+class vtkNexradTransferFunction;
+class vtkRenderer;
+
+class VTKNEXRADSCENE_EXPORT vtkNexradVolumeScene : public vtkObject
+{
+public:
+  static vtkNexradVolumeScene* New();
+  vtkTypeMacro(vtkNexradVolumeScene, vtkObject);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /**
+   * How the volume is drawn. TEXTURE_SLICE: vtkOpenGLTextureSliceVolumeMapper. RAY_CAST: VTK's GPU
+   * ray caster, for comparison.
+   */
+  enum MapperType
+  {
+    TEXTURE_SLICE = 0,
+    RAY_CAST = 1
+  };
+
+  /**
+   * Which voxel of each column a plan view (a map in place of the volume) shows. NO_PLAN: the
+   * volume is shown. COMPOSITE: the largest value; of velocity, the largest speed. LOWEST: the
+   * lowest voxel that was scanned. AT_HEIGHT: the voxel at PlanHeight.
+   */
+  enum PlanType
+  {
+    NO_PLAN = 0,
+    COMPOSITE = 1,
+    LOWEST = 2,
+    AT_HEIGHT = 3
+  };
+
+  ///@{
+  /**
+   * The renderer that the scene fills, to be put into a window. By default one of the scene's own.
+   * The scene sets its background and its active camera.
+   */
+  void SetRenderer(vtkRenderer* renderer);
+  vtkRenderer* GetRenderer() const;
+  ///@}
+
+  ///@{
+  /**
+   * The volume that is shown. It is not changed. None by default: the scene is empty.
+   */
+  void SetVolume(vtkImageData* volume);
+  vtkImageData* GetVolume() const;
+  ///@}
+
+  /**
+   * Brings the scene up to date with its settings and its volume. Rendering does so itself. False
+   * after an error.
+   */
+  bool Update();
+
+  ///@{
+  /**
+   * Direction from the centre of the domain to the camera, in degrees clockwise from north: 180
+   * looks north. 200 by default.
+   */
+  vtkSetMacro(Azimuth, double);
+  vtkGetMacro(Azimuth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Elevation of the camera above the horizon in degrees, -90 to 90; 90 looks straight down. 35 by
+   * default.
+   */
+  vtkSetClampMacro(Tilt, double, -90.0, 90.0);
+  vtkGetMacro(Tilt, double);
+  ///@}
+
+  ///@{
+  /**
+   * Magnification: 1 shows the whole domain, 2 half of its width. From 0.01 to 1000; 1 by default.
+   */
+  vtkSetClampMacro(Zoom, double, 0.01, 1000.0);
+  vtkGetMacro(Zoom, double);
+  ///@}
+
+  ///@{
+  /**
+   * Parallel in place of perspective projection. Off by default.
+   */
+  vtkSetMacro(ParallelProjection, bool);
+  vtkGetMacro(ParallelProjection, bool);
+  vtkBooleanMacro(ParallelProjection, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Name of a preset of vtkNexradTransferFunction, as "storm cores". Empty by default: the first
+   * preset of the moment that is shown.
+   */
+  vtkSetMacro(Preset, std::string);
+  vtkGetMacro(Preset, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * A file that vtkNexradTransferFunction reads: its colours, and its opacities if it has any, in
+   * place of those of the preset. Empty by default: no file.
+   */
+  vtkSetMacro(ColorFileName, std::string);
+  vtkGetMacro(ColorFileName, std::string);
+  ///@}
+
+  /**
+   * Colours and opacities in use, which may be changed. Null before the first volume is shown;
+   * another object once another moment, preset or colour file is shown.
+   */
+  vtkNexradTransferFunction* GetTransferFunction() const;
+
+  ///@{
+  /**
+   * How many times heights are stretched; the picture states it. 0, the default, stretches so much
+   * that the domain stands a third as high as it is wide, 1 to 8 times.
+   */
+  vtkSetClampMacro(Exaggeration, double, 0.0, 1000.0);
+  vtkGetMacro(Exaggeration, double);
+  ///@}
+
+  ///@{
+  /**
+   * How the volume is drawn. TEXTURE_SLICE by default.
+   */
+  vtkSetClampMacro(Mapper, int, TEXTURE_SLICE, RAY_CAST);
+  vtkGetMacro(Mapper, int);
+  void SetMapperToTextureSlice() { this->SetMapper(TEXTURE_SLICE); }
+  void SetMapperToRayCast() { this->SetMapper(RAY_CAST); }
+  ///@}
+
+  ///@{
+  /**
+   * Slices, or samples along the longest ray. From 1 to 16384; 256 by default.
+   */
+  vtkSetClampMacro(NumberOfSlices, int, 1, 16384);
+  vtkGetMacro(NumberOfSlices, int);
+  ///@}
+
+  ///@{
+  /**
+   * Distance in metres between rings of range about each radar, which are drawn up to 230 km. 0,
+   * the default, draws none; at least 1000 otherwise.
+   */
+  void SetRingSpacing(double spacing);
+  vtkGetMacro(RingSpacing, double);
+  ///@}
+
+  ///@{
+  /**
+   * Shows a plan view in place of the volume. NO_PLAN by default. A plan view is usually seen from
+   * above: SetCameraFromAbove.
+   */
+  vtkSetClampMacro(Plan, int, NO_PLAN, AT_HEIGHT);
+  vtkGetMacro(Plan, int);
+  ///@}
+
+  ///@{
+  /**
+   * For AT_HEIGHT: the height in metres above mean sea level. 0 by default.
+   */
+  vtkSetMacro(PlanHeight, double);
+  vtkGetMacro(PlanHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * For a plan view: name of the array that it shows, as "REF_age". Empty by default: the moment.
+   */
+  vtkSetMacro(PlanArray, std::string);
+  vtkGetMacro(PlanArray, std::string);
+  ///@}
+
+  /**
+   * Points the camera straight down, north up, in parallel projection.
+   */
+  void SetCameraFromAbove();
+
+protected:
+  vtkNexradVolumeScene();
+  ~vtkNexradVolumeScene() override;
+
+  double Azimuth = 200.0;
+  double Tilt = 35.0;
+  double Zoom = 1.0;
+  bool ParallelProjection = false;
+  std::string Preset;
+  std::string ColorFileName;
+  double Exaggeration = 0.0;
+  int Mapper = TEXTURE_SLICE;
+  int NumberOfSlices = 256;
+  double RingSpacing = 0.0;
+  int Plan = NO_PLAN;
+  double PlanHeight = 0.0;
+  std::string PlanArray;
+
+private:
+  vtkNexradVolumeScene(const vtkNexradVolumeScene&) = delete;
+  void operator=(const vtkNexradVolumeScene&) = delete;
+
+  void ObserveRenderer();
+  void ForgetRenderer();
+  void FollowRendering(); // before each picture
+  void FollowSize();
+
+  vtkSmartPointer<vtkRenderer> Renderer;
+  vtkSmartPointer<vtkCamera> Camera; // that of the renderer
+  unsigned long RendererTag = 0;
+  vtkSmartPointer<vtkImageData> Volume;
+  struct Drawing;
+  std::unique_ptr<Drawing> Drawn;
+};
+
+#endif

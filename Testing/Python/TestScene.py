@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: BSD-3-Clause
+"""Scene and session: the pictures of `nexrad3d render`, drawn in Python."""
+
+import datetime
+import functools
+import os
+import subprocess
+import unittest
+
+import numpy
+import vtknexrad
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
+
+import SyntheticFiles
+
+SIZE = (320, 240)
+
+
+@functools.lru_cache(maxsize=None)
+def volumes():
+    """A folder of merged volumes with ancillary arrays."""
+    folder = os.path.join(SyntheticFiles.folder(), "scene")
+    subprocess.run([os.environ["NEXRAD3D"], "grid", *SyntheticFiles.files(), "-o", folder, "--dims",
+                    "64x64x32", "--companions", "--quiet"], check=True)
+    return folder
+
+
+def times(folder):
+    """Names and times of the volumes in a folder."""
+    names = sorted(name for name in os.listdir(folder) if name.endswith(".nxv"))
+    read = [datetime.datetime.strptime(name, "%Y%m%dT%H%M%SZ.nxv") for name in names]
+    return [time.replace(tzinfo=datetime.timezone.utc) for time in read]
+
+
+def pixels(image):
+    return vtk_to_numpy(image.GetPointData().GetScalars())
+
+
+def program_picture(source, time, *options):
+    """What `nexrad3d render` draws of a time, one row a pixel."""
+    path = os.path.join(SyntheticFiles.folder(), "render.png")
+    subprocess.run([os.environ["NEXRAD3D"], "render", *source, "-o", path, "--size", "%dx%d" % SIZE,
+                    "--time", f"{time:%Y-%m-%dT%H:%M:%S}", "--quiet", *options], check=True)
+    reader = vtkPNGReader()
+    reader.SetFileName(path)
+    return pixels(vtknexrad.update(reader))
+
+
+def picture(session, size=SIZE):
+    """What the session's scene shows in a window off screen."""
+    window = vtkRenderWindow()
+    window.SetOffScreenRendering(True)
+    window.SetMultiSamples(4)
+    window.SetSize(*size)
+    window.AddRenderer(session.GetScene().GetRenderer())
+    window.Render()
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    return pixels(vtknexrad.update(image))
+
+
+class Pictures(unittest.TestCase):
+    def draw(self, settings, *options):
+        session = vtknexrad.vtkNexradSession()
+        session.AddFileName(volumes())
+        settings(session.GetScene())
+        self.assertTrue(session.ShowTimeStep(1))
+        drawn = picture(session)
+        numpy.testing.assert_array_equal(
+            drawn, program_picture([volumes()], times(volumes())[1], *options))
+        return drawn
+
+    def test_the_usual_picture(self):
+        drawn = self.draw(lambda scene: None)
+        self.assertGreater(len(numpy.unique(drawn, axis=0)), 200)
+
+    def test_camera_and_appearance(self):
+        def settings(scene):
+            scene.SetAzimuth(140.0)
+            scene.SetTilt(50.0)
+            scene.SetZoom(1.5)
+            scene.ParallelProjectionOn()
+            scene.SetPreset("storm cores")
+            scene.SetExaggeration(5.0)
+            scene.SetNumberOfSlices(100)
+            scene.SetRingSpacing(50000.0)
+        self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
+                  "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km")
+
+    def test_plan_views(self):
+        def settings(plan, array=""):
+            def apply(scene):
+                scene.SetPlan(plan)
+                scene.SetPlanHeight(3000.0)
+                scene.SetPlanArray(array)
+                scene.SetCameraFromAbove()
+            return apply
+        kinds = vtknexrad.vtkNexradVolumeScene
+        composite = self.draw(settings(kinds.COMPOSITE), "--map", "composite")
+        lowest = self.draw(settings(kinds.LOWEST), "--map", "lowest")
+        self.assertTrue((composite != lowest).any())
+        self.draw(settings(kinds.AT_HEIGHT), "--map", "3km")
+        self.draw(settings(kinds.AT_HEIGHT, "REF_age"), "--map", "3km", "--array", "REF_age")
+
+    def test_radar_files(self):
+        session = vtknexrad.vtkNexradSession()
+        for path in SyntheticFiles.files():
+            session.AddFileName(path)
+        session.GetDayReader().SetDimensions(48, 48, 24)
+        session.GetDayReader().SetSharpening(False)
+        self.assertTrue(session.ShowTimeStep(0))
+        steps = vtknexrad.time_steps(session.GetDayReader())
+        numpy.testing.assert_array_equal(
+            picture(session),
+            program_picture(SyntheticFiles.files(), steps[0], "--dims", "48x48x24", "--no-sharpening"))
+        # Settings of the reader that change open the files again.
+        session.GetDayReader().SetDimensions(32, 32, 16)
+        self.assertTrue(session.ShowTimeStep(0))
+        self.assertEqual(session.GetScene().GetVolume().GetDimensions(), (32, 32, 16))
+
+
+class Sessions(unittest.TestCase):
+    def test_times(self):
+        session = vtknexrad.vtkNexradSession()
+        session.AddFileName(volumes())
+        steps = vtk_to_numpy(session.GetTimeSteps())
+        self.assertEqual(list(steps), [time.timestamp() for time in times(volumes())])
+        self.assertTrue(session.ShowTime(steps[1] + 1.0))
+        self.assertEqual(session.GetTimeStepIndex(), 1)
+
+    def test_playing_back_and_forth(self):
+        session = vtknexrad.vtkNexradSession()
+        session.AddFileName(volumes())
+        drawn = {}
+        for step in (0, 1, 0, 1, 1, 0):
+            self.assertTrue(session.ShowTimeStep(step))
+            numpy.testing.assert_array_equal(drawn.setdefault(step, picture(session)), picture(session))
+        self.assertTrue((drawn[0] != drawn[1]).any())
+
+
+if __name__ == "__main__":
+    unittest.main()

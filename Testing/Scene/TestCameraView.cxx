@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Frame/CameraView.h"
+
+#include <vtkCamera.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+using namespace nexrad::scene;
+
+namespace
+{
+
+constexpr std::array<double, 6> box = {-300.0, 500.0, -200.0, 400.0, 0.0, 160.0};
+constexpr double aspect = 16.0 / 9.0;
+
+struct Picture
+{
+  double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;
+};
+
+std::array<double, 2> Project(vtkCamera* camera, double x, double y, double z)
+{
+  const double point[4] = {x, y, z, 1.0};
+  double result[4];
+  camera->GetCompositeProjectionTransformMatrix(aspect, -1.0, 1.0)->MultiplyPoint(point, result);
+  EXPECT_GT(result[3], 0.0) << "behind the camera";
+  return {result[0] / result[3], result[1] / result[3]};
+}
+
+// The rectangle of the picture, each side -1…1, that the box fills.
+Picture Extent(vtkCamera* camera)
+{
+  Picture picture;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    const auto [x, y] =
+      Project(camera, box[corner & 1], box[2 + (corner >> 1 & 1)], box[4 + (corner >> 2)]);
+    picture.left = std::min(picture.left, x);
+    picture.right = std::max(picture.right, x);
+    picture.bottom = std::min(picture.bottom, y);
+    picture.top = std::max(picture.top, y);
+  }
+  return picture;
+}
+
+} // namespace
+
+TEST(CameraView, TheBoxJustFitsTheAreaFromEverySide)
+{
+  const PictureArea area = {-0.9, 0.8, -0.7, 0.85};
+  for (const bool parallel : {false, true})
+  {
+    for (double azimuth = 0.0; azimuth < 360.0; azimuth += 33.0)
+    {
+      for (const double tilt : {-20.0, 0.0, 35.0, 90.0})
+      {
+        vtkNew<vtkCamera> camera;
+        PointCamera(camera, {azimuth, tilt, 1.0, parallel}, box, aspect, area);
+        const Picture seen = Extent(camera);
+        EXPECT_GE(seen.left, area.left - 1e-6);
+        EXPECT_LE(seen.right, area.right + 1e-6);
+        EXPECT_GE(seen.bottom, area.bottom - 1e-6);
+        EXPECT_LE(seen.top, area.top + 1e-6);
+        const bool fillsWidth = seen.right - seen.left > (area.right - area.left) * (1.0 - 1e-6);
+        const bool fillsHeight = seen.top - seen.bottom > (area.top - area.bottom) * (1.0 - 1e-6);
+        EXPECT_TRUE(fillsWidth || fillsHeight) << azimuth << ' ' << tilt << ' ' << parallel;
+      }
+    }
+  }
+}
+
+TEST(CameraView, FromTheSouthEastIsOnTheRightAndNorthIsFar)
+{
+  vtkNew<vtkCamera> camera;
+  PointCamera(camera, {180.0, 30.0, 1.0, false}, box, aspect, {});
+  EXPECT_GT(Project(camera, 500.0, 0.0, 0.0)[0], Project(camera, -300.0, 0.0, 0.0)[0]);
+  EXPECT_GT(Project(camera, 0.0, 400.0, 0.0)[1], Project(camera, 0.0, -200.0, 0.0)[1]);
+  EXPECT_LT(camera->GetPosition()[1], -200.0);
+  EXPECT_NEAR(RightOf({180.0, 30.0, 1.0, false})[0], 1.0, 1e-12);
+}
+
+TEST(CameraView, FromTheEastNorthIsOnTheRight)
+{
+  vtkNew<vtkCamera> camera;
+  PointCamera(camera, {90.0, 30.0, 1.0, true}, box, aspect, {});
+  EXPECT_GT(Project(camera, 0.0, 400.0, 0.0)[0], Project(camera, 0.0, -200.0, 0.0)[0]);
+}
+
+TEST(CameraView, ZoomOfTwoDoublesThePictureAboutItsCentre)
+{
+  for (const bool parallel : {false, true})
+  {
+    vtkNew<vtkCamera> once;
+    vtkNew<vtkCamera> twice;
+    PointCamera(once, {200.0, 35.0, 1.0, parallel}, box, aspect, {});
+    PointCamera(twice, {200.0, 35.0, 2.0, parallel}, box, aspect, {});
+    // A vtkCamera zooms by its angle of view, so that the factor holds near the centre.
+    const auto before = Project(once, 110.0, 90.0, 60.0);
+    const auto after = Project(twice, 110.0, 90.0, 60.0);
+    EXPECT_NEAR(after[0], 2.0 * before[0], 0.03);
+    EXPECT_NEAR(after[1], 2.0 * before[1], 0.03);
+  }
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Plan/PlanScale.h"
+#include "Scene/Plan/PlanView.h"
+#include "Scene/Scales/ColourScale.h"
+#include "Scene/VolumeAppearance.h"
+
+#include "nexrad/System/Error.h"
+#include "vtkNexradTransferFunction.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::scene;
+
+namespace
+{
+
+constexpr VoxelState echo = VoxelState::Echo;
+constexpr VoxelState none = VoxelState::NoEcho;
+constexpr VoxelState folded = VoxelState::RangeFolded;
+constexpr VoxelState open = VoxelState::NotScanned;
+
+// Five columns of three levels of 1 km from 500 m up. West to east: a storm, an echo aloft, none,
+// folded, not scanned.
+GriddedVolume FiveColumns()
+{
+  GriddedVolume volume;
+  volume.grid.dimensions = {5, 1, 3};
+  volume.grid.origin = {0.0, 0.0, 500.0};
+  volume.grid.spacing = {1000.0, 1000.0, 1000.0};
+  volume.sites = {"KEAX", "KLSX"};
+  const float fill = volume.fill;
+  volume.states = {
+    open, none, none, folded, open, echo, none, none, folded, open, echo, echo, open, open, open};
+  volume.values = {
+    fill, fill, fill, fill, fill, 50.0F, fill, fill, fill, fill, 30.0F, -5.0F, fill, fill, fill};
+  volume.companions.age = {0, 11, 12, 0, 0, 20, 21, 22, 0, 0, 130, 131, 0, 0, 0};
+  volume.companions.radars = {0, 1, 1, 0, 0, 2, 1, 1, 0, 0, 1, 1, 0, 0, 0};
+  volume.companions.nearestSite = {255, 0, 0, 255, 255, 1, 0, 0, 255, 255, 0, 0, 255, 255, 255};
+  return volume;
+}
+
+PlanView View(PlanLevel level, const std::string& array = "", double height = 0.0)
+{
+  return MakePlanView(FiveColumns(), {level, height, array});
+}
+
+std::string ErrorOf(const PlanOptions& plan)
+{
+  try
+  {
+    MakePlanView(FiveColumns(), plan);
+  }
+  catch (const Error& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+} // namespace
+
+TEST(PlanView, ACompositeShowsTheLargestEchoOfEachColumn)
+{
+  const PlanView view = View(PlanLevel::Composite);
+  EXPECT_EQ(view.width, 5);
+  EXPECT_EQ(view.height, 1);
+  EXPECT_EQ(view.states, (std::vector<VoxelState>{echo, echo, none, folded, open}));
+  EXPECT_EQ(view.values[0], 50.0F);
+  EXPECT_EQ(view.values[1], -5.0F);
+}
+
+TEST(PlanView, TheLowestIsTheFirstThatWasScanned)
+{
+  const PlanView view = View(PlanLevel::Lowest);
+  EXPECT_EQ(view.states, (std::vector<VoxelState>{echo, none, none, folded, open}));
+  EXPECT_EQ(view.values[0], 50.0F);
+}
+
+TEST(PlanView, AHeightIsItsLevelAndNothingElse)
+{
+  EXPECT_EQ(View(PlanLevel::Height, "", 0.0).states,
+    (std::vector<VoxelState>{open, none, none, folded, open}));
+  const PlanView view = View(PlanLevel::Height, "", 2'400.0);
+  EXPECT_EQ(view.states, (std::vector<VoxelState>{echo, echo, open, open, open}));
+  EXPECT_EQ(view.values[0], 30.0F);
+  EXPECT_EQ(view.where, "At 2.5 km above mean sea level");
+  EXPECT_EQ(View(PlanLevel::Height, "", 3'000.0).where, "At 2.5 km above mean sea level");
+  EXPECT_EQ(ErrorOf({PlanLevel::Height, 3'100.0, ""}),
+    "plan view at 3.1 km: the volume reaches from 0 km to 3 km above mean sea level");
+}
+
+// A companion's map shows what stands behind the voxels of the moment's map.
+TEST(PlanView, CompanionsStandBehindTheVoxelsShown)
+{
+  const PlanView age = View(PlanLevel::Composite, "REF_age");
+  EXPECT_EQ(age.states, (std::vector<VoxelState>{echo, echo, echo, folded, open}));
+  EXPECT_EQ(age.values[0], 20.0F);
+  EXPECT_EQ(age.values[1], 131.0F);
+  EXPECT_EQ(age.values[2], 12.0F);
+  EXPECT_EQ(View(PlanLevel::Lowest, "REF_site").values[0], 1.0F);
+  EXPECT_EQ(View(PlanLevel::Height, "REF_radars", 2'500.0).values[0], 1.0F);
+}
+
+// A filled voxel has a value that no radar saw.
+TEST(PlanView, AFilledVoxelHasNothingBehindIt)
+{
+  GriddedVolume volume = FiveColumns();
+  volume.states[0] = echo;
+  volume.values[0] = 50.0F;
+  EXPECT_EQ(MakePlanView(volume, {PlanLevel::Lowest, 0.0, ""}).states[0], echo);
+  EXPECT_EQ(MakePlanView(volume, {PlanLevel::Lowest, 0.0, "REF_age"}).states[0], open);
+}
+
+// The column in the west holds 50 above nothing and below 30.
+TEST(PlanView, ACompositeOfVelocitiesShowsTheFastest)
+{
+  GriddedVolume volume = FiveColumns();
+  volume.moment = MomentName::VEL;
+  volume.values[10] = -55.0F;
+  const PlanView view = MakePlanView(volume, {PlanLevel::Composite, 0.0, ""});
+  EXPECT_EQ(view.values[0], -55.0F);
+  EXPECT_EQ(view.values[1], -5.0F);
+  EXPECT_EQ(view.where, "Composite: where the column's speed is largest");
+}
+
+TEST(PlanView, ACompositeWithoutMeaningIsRefused)
+{
+  for (const MomentName moment : {MomentName::PHI, MomentName::RHO})
+  {
+    GriddedVolume volume = FiveColumns();
+    volume.moment = moment;
+    EXPECT_THROW(MakePlanView(volume, {PlanLevel::Composite, 0.0, ""}), Error);
+    EXPECT_EQ(MakePlanView(volume, {PlanLevel::Lowest, 0.0, ""}).values[0], 50.0F);
+  }
+}
+
+TEST(PlanView, AnArrayThatIsNotThereIsRefusedByName)
+{
+  const std::string error = ErrorOf({PlanLevel::Composite, 0.0, "REF_weight"});
+  EXPECT_NE(error.find("REF_weight"), std::string::npos) << error;
+  EXPECT_NE(error.find("REF, REF_age, REF_radars, REF_site"), std::string::npos) << error;
+}
+
+TEST(ColourScale, AgesAreInMinutesUpToTheOldest)
+{
+  const PlanView view = View(PlanLevel::Composite, "REF_age"); // to 131 s
+  const ColourScale scale =
+    ScaleFor(view, "REF_age", {}, MomentScale("REF", ColourStepsOf(MakeTransferFunction({}))));
+  EXPECT_EQ(scale.unit, "min");
+  ASSERT_EQ(scale.bins.size(), 11u); // of 0.2 minutes
+  EXPECT_NEAR(scale.bins[1].from, 0.2, 1e-9);
+  EXPECT_EQ(FindBin(scale, 0.0), 0);
+  EXPECT_EQ(FindBin(scale, 11.9), 0);
+  EXPECT_EQ(FindBin(scale, 12.1), 1);
+  EXPECT_EQ(FindBin(scale, 131.0), 10);
+}
+
+TEST(ColourScale, RadarsAndSitesHaveABoxEach)
+{
+  const PlanView radars = View(PlanLevel::Composite, "REF_radars");
+  const ColourScale numbers =
+    ScaleFor(radars, "REF_radars", {}, MomentScale("REF", ColourStepsOf(MakeTransferFunction({}))));
+  EXPECT_EQ(numbers.labels, (std::vector<std::string>{"1", "2"}));
+  EXPECT_EQ(FindBin(numbers, 1.0), 0);
+  EXPECT_EQ(FindBin(numbers, 2.0), 1);
+  const ColourScale sites =
+    ScaleFor(View(PlanLevel::Composite, "REF_site"), "REF_site", {"KEAX", "KLSX"}, {});
+  EXPECT_EQ(sites.labels, (std::vector<std::string>{"KEAX", "KLSX"}));
+  EXPECT_NE(sites.bins[0].colour, sites.bins[1].colour);
+}
+
+TEST(ColourScale, TheMomentKeepsItsTable)
+{
+  const ColourScale scale = ScaleFor(View(PlanLevel::Composite), "", {},
+    MomentScale("REF", ColourStepsOf(MakeTransferFunction({}))));
+  EXPECT_EQ(scale.unit, "dBZ");
+  EXPECT_EQ(scale.bins.size(), ColourStepsOf(MakeTransferFunction({})).size());
+  EXPECT_EQ(FindBin(scale, 4.9), -1);
+  EXPECT_EQ(FindBin(scale, 5.0), 0);
+  EXPECT_EQ(FindBin(scale, 200.0), 14);
+}
+
+// Each was "Reflectivity, dBZ", and negative velocities had no colour.
+TEST(ColourScale, EveryMomentHasItsNameItsUnitAndAColourForEachValue)
+{
+  const auto scaleOf = [](const std::string& array)
+  { return MomentScale(array, ColourStepsOf(MakeTransferFunction({}, array))); };
+  EXPECT_EQ(scaleOf("REF").title, "Reflectivity");
+  const ColourScale velocity = scaleOf("VEL");
+  EXPECT_EQ(velocity.title, "Radial velocity, positive away from the radar");
+  EXPECT_EQ(velocity.unit, "m/s");
+  EXPECT_EQ(FindBin(velocity, -63.5), 0);
+  EXPECT_EQ(velocity.bins[static_cast<std::size_t>(FindBin(velocity, -0.5))].from, -1.0);
+  EXPECT_EQ(velocity.bins[static_cast<std::size_t>(FindBin(velocity, -20.0))].from, -20.0);
+  EXPECT_EQ(scaleOf("SW").title, "Spectrum width");
+  EXPECT_EQ(scaleOf("ZDR").title, "Differential reflectivity");
+  EXPECT_EQ(scaleOf("ZDR").unit, "dB");
+  EXPECT_EQ(FindBin(scaleOf("ZDR"), -7.9), 0);
+  EXPECT_EQ(scaleOf("PHI").title, "Differential phase");
+  EXPECT_EQ(scaleOf("PHI").unit, "degrees");
+  EXPECT_EQ(scaleOf("RHO").title, "Correlation coefficient");
+  EXPECT_EQ(scaleOf("RHO").unit, "");
+  EXPECT_EQ(scaleOf("CFP").title, "Clutter filter power removed");
+  EXPECT_EQ(scaleOf("quality").title, "quality") << "an array of another name";
+}

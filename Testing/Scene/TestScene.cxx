@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Plan/PlanLayer.h"
+#include "Scene/RadarScene.h"
+#include "Scene/VolumeAppearance.h"
+#include "ScenePicture.h"
+#include "StormVolume.h"
+
+#include "nexrad/System/Error.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradTransferFunction.h"
+
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::scene;
+using namespace nexrad::testing;
+
+namespace
+{
+
+constexpr std::array<int, 2> size = {640, 360};
+
+// Draws a volume, and leaves the picture in the tests' output folder for a person to look at.
+Picture Draw(vtkImageData* volume, const std::string& name, const SceneOptions& options = {},
+  const CameraView& view = {})
+{
+  RadarScene scene(options);
+  scene.SetCamera(view);
+  scene.SetPictureSize(size);
+  scene.SetVolume(volume);
+  const Picture picture = OffScreenWindow(scene.GetRenderer(), size).Draw();
+  KeepPicture(picture, "Scene" + name);
+  return picture;
+}
+
+// Pixels of a part of the picture (fractions from the lower left corner) for which `test` holds.
+template <typename Test>
+int Count(const Picture& picture, const PictureArea& part, Test test)
+{
+  int count = 0;
+  for (int y = static_cast<int>(part.bottom * size[1]); y < part.top * size[1]; ++y)
+  {
+    for (int x = static_cast<int>(part.left * size[0]); x < part.right * size[0]; ++x)
+    {
+      count += test(PixelOf(picture, x, y)) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+constexpr PictureArea whole = {0.0, 1.0, 0.0, 1.0};
+constexpr PictureArea withoutBar = {0.0, 0.9, 0.1, 0.85};
+constexpr PictureArea title = {0.35, 0.65, 0.88, 1.0};
+
+// Yellow to red, as echo from 35 dBZ on is drawn.
+bool IsStrongEcho(const std::array<int, 3>& rgb)
+{
+  return rgb[0] > 120 && rgb[2] < 60;
+}
+
+// The grey blue of borders and state lines.
+bool IsMapLine(const std::array<int, 3>& rgb)
+{
+  return rgb[0] > 90 && rgb[0] < 200 && rgb[2] > rgb[0] && rgb[2] - rgb[0] < 60;
+}
+
+int Difference(const Picture& a, const Picture& b)
+{
+  int differing = 0;
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      differing += PixelOf(a, x, y) != PixelOf(b, x, y) ? 1 : 0;
+    }
+  }
+  return differing;
+}
+
+vtkSmartPointer<vtkImageData> MakeEmptyVolume()
+{
+  const auto volume = MakeStormVolume(false);
+  auto* values = static_cast<float*>(volume->GetScalarPointer());
+  std::fill(values, values + volume->GetNumberOfPoints(), -33.0F);
+  return volume;
+}
+
+} // namespace
+
+// The picture: a dark ground with state and county lines, a green anvil with a yellow and red core
+// south west of its middle, the colour bar on the right, captions in three corners.
+TEST(Scene, ShowsStormMapAndColourBar)
+{
+  const auto picture = Draw(MakeStormVolume(false), "Storm");
+  EXPECT_GT(Count(picture, withoutBar, IsStrongEcho), 300);
+  for (const ColourBin& bin : ColourStepsOf(MakeTransferFunction({})))
+  {
+    const auto isBin = [&](const std::array<int, 3>& rgb)
+    {
+      return rgb[0] == std::lround(255.0 * bin.colour[0]) &&
+             rgb[1] == std::lround(255.0 * bin.colour[1]) &&
+             rgb[2] == std::lround(255.0 * bin.colour[2]);
+    };
+    // A box is 2 % of the width by a fifteenth of 78 % of the height: 12 by 18 pixels.
+    EXPECT_GT(Count(picture, {0.9, 1.0, 0.0, 1.0}, isBin), 120) << bin.from;
+  }
+}
+
+// 20 m/s towards the radar in the west, away from it in the east, no echo elsewhere. The picture:
+// two slabs, one green and one red, and the bar from -50 to 50 m/s.
+TEST(Scene, VelocitiesOfBothSignsAreSeen)
+{
+  GriddedVolume volume = nexrad::testing::MakeStorm(false);
+  volume.moment = MomentName::VEL;
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const std::size_t column = i % 48;
+    const bool echo = i / (48 * 48) < 8 && (column / 12 == 1 || column / 12 == 2);
+    volume.states[i] = echo ? VoxelState::Echo : VoxelState::NoEcho;
+    volume.values[i] = !echo ? volume.fill : column < 24 ? -20.0F : 20.0F;
+  }
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  const auto isGreen = [](const std::array<int, 3>& rgb)
+  { return rgb[1] > 100 && rgb[1] > 2 * rgb[0] && rgb[1] > 2 * rgb[2]; };
+  const auto isRed = [](const std::array<int, 3>& rgb)
+  { return rgb[0] > 100 && rgb[0] > 2 * rgb[1] && rgb[0] > 2 * rgb[2]; };
+  const auto picture = Draw(image, "Velocity");
+  EXPECT_GT(Count(picture, withoutBar, isGreen), 10'000);
+  EXPECT_GT(Count(picture, withoutBar, isRed), 10'000);
+  // No echo has no velocity: the fill value is not drawn as 33 m/s.
+  volume.states.assign(volume.states.size(), VoxelState::NoEcho);
+  volume.values.assign(volume.values.size(), volume.fill);
+  vtkNexradVolumeToImage(volume, image);
+  const auto nothing = Draw(image, "VelocityOfNothing");
+  EXPECT_EQ(Count(nothing, withoutBar, isGreen), 0);
+}
+
+// The same without any echo: the map alone.
+TEST(Scene, WithoutEchoTheMapAloneIsLeft)
+{
+  const auto picture = Draw(MakeEmptyVolume(), "Empty");
+  EXPECT_EQ(Count(picture, withoutBar, IsStrongEcho), 0);
+  EXPECT_GT(Count(picture, withoutBar, IsMapLine), 300);
+}
+
+// The storm without map lines, because the volume does not say where it is.
+TEST(Scene, WithoutProjectionThereIsNoMap)
+{
+  const auto volume = MakeStormVolume(false);
+  volume->GetFieldData()->RemoveArray("Projection");
+  const auto picture = Draw(volume, "NoMap");
+  EXPECT_GT(Count(picture, withoutBar, IsStrongEcho), 300);
+  // Letters and scales have the lines' colour too.
+  const auto map = Draw(MakeStormVolume(false), "Map");
+  EXPECT_GT(Count(map, withoutBar, IsMapLine), Count(picture, withoutBar, IsMapLine) + 400);
+}
+
+// The title says SYNTHETIC in yellow letters, 16 pixels high here, or nothing stands there.
+TEST(Scene, SyntheticDataSaySo)
+{
+  const auto isYellow = [](const std::array<int, 3>& rgb)
+  { return rgb[0] > 200 && rgb[1] > 140 && rgb[2] < 90; };
+  const auto synthetic = Draw(MakeStormVolume(true), "Synthetic");
+  const auto real = Draw(MakeStormVolume(false), "Real");
+  EXPECT_GT(Count(synthetic, title, isYellow), 300);
+  EXPECT_EQ(Count(real, title, isYellow), 0);
+}
+
+// The storm from above, from the east and with heights as they are.
+TEST(Scene, CameraAndExaggerationChangeThePicture)
+{
+  const auto volume = MakeStormVolume(false);
+  const auto first = Draw(volume, "First");
+  EXPECT_EQ(Difference(first, Draw(volume, "FirstAgain")), 0);
+  EXPECT_GT(Difference(first, Draw(volume, "Above", {}, {200.0, 90.0, 1.0, false})), 5000);
+  EXPECT_GT(Difference(first, Draw(volume, "East", {}, {90.0, 35.0, 1.0, false})), 5000);
+  EXPECT_GT(Difference(first, Draw(volume, "Parallel", {}, {200.0, 35.0, 1.0, true})), 5000);
+  SceneOptions flat;
+  flat.exaggeration = 1.0;
+  EXPECT_GT(Difference(first, Draw(volume, "Flat", flat)), 5000);
+}
+
+// Slices and rays of the same storm: nearly the same colours everywhere.
+TEST(Scene, BothMappersDrawTheSameStorm)
+{
+  const auto volume = MakeStormVolume(false);
+  SceneOptions rays;
+  rays.mapper = MapperChoice::RayCast;
+  const auto sliced = Draw(volume, "Slices");
+  EXPECT_LT(MeanDifference(sliced, Draw(volume, "Rays", rays)), 1.0);
+}
+
+// A map of the composite, seen from above: flat colours of the table alone. The storm stands in the
+// south west quarter; where the volume was not scanned the ground is grey.
+TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
+{
+  SceneOptions options;
+  options.plan = PlanOptions();
+  const CameraView above = {180.0, 90.0, 1.0, true};
+  GriddedVolume storm = nexrad::testing::MakeStorm(false);
+  for (std::size_t i = 0; i < storm.values.size(); ++i)
+  {
+    if (i % 48 >= 36) // the eastern quarter
+    {
+      storm.states[i] = VoxelState::NotScanned;
+      storm.values[i] = storm.fill;
+    }
+  }
+  vtkNew<vtkImageData> volume;
+  vtkNexradVolumeToImage(storm, volume);
+  const auto picture = Draw(volume, "Composite", options, above);
+  const auto isColour = [](const Colour& colour)
+  {
+    return [colour](const std::array<int, 3>& rgb)
+    {
+      return rgb[0] == std::lround(255.0 * colour[0]) && rgb[1] == std::lround(255.0 * colour[1]) &&
+             rgb[2] == std::lround(255.0 * colour[2]);
+    };
+  };
+  // 360 pixels of height, of which the domain takes 278: a quarter of it is 70 wide.
+  const int grey = Count(picture, whole, isColour(notScannedColour));
+  EXPECT_GT(grey, 70 * 278 * 8 / 10);
+  EXPECT_LT(grey, 70 * 278);
+  const Colour core = ColourStepsOf(MakeTransferFunction({}))[11].colour; // 60 to 65 dBZ, 4 voxels
+  EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, isColour(core)), 30);
+  // The echo of 35 dBZ and more covers a disc of a radius of 33 km or more: flat colours of bins.
+  EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, IsStrongEcho), 500);
+  EXPECT_EQ(Count(picture, {0.5, 0.75, 0.1, 0.9}, isColour(core)), 0);
+}
+
+TEST(Scene, AVolumeThatChangesIsDrawnAnew)
+{
+  RadarScene scene{SceneOptions()};
+  scene.SetVolume(MakeStormVolume(false));
+  scene.SetPictureSize(size);
+  OffScreenWindow window(scene.GetRenderer(), size);
+  EXPECT_GT(Count(window.Draw(), withoutBar, IsStrongEcho), 300);
+  scene.SetVolume(MakeEmptyVolume());
+  EXPECT_EQ(Count(window.Draw(), withoutBar, IsStrongEcho), 0);
+}
+
+TEST(Scene, NothingToDrawIsAnError)
+{
+  RadarScene scene{SceneOptions()};
+  vtkNew<vtkImageData> empty;
+  EXPECT_THROW(scene.SetVolume(empty), Error);
+  EXPECT_THROW(scene.SetVolume(nullptr), Error);
+}

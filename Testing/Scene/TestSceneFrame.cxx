@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Elements/LineBuilder.h"
+#include "Scene/Frame/SceneFrame.h"
+#include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Scales/ScaleLayer.h"
+
+#include "StormVolume.h"
+
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkStringArray.h>
+
+#include <gtest/gtest.h>
+
+using namespace nexrad;
+using namespace nexrad::scene;
+using nexrad::testing::MakeStormVolume;
+
+// 48 voxels of 10 km about 39° N, 90° W; 16 of 1.25 km from the ground up.
+TEST(SceneFrame, BoundsAreTheOuterFacesInKilometres)
+{
+  const SceneFrame frame(MakeStormVolume(false), 8.0);
+  const std::array<double, 6> expected = {-240.0, 240.0, -240.0, 240.0, 0.0, 160.0};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_NEAR(frame.Bounds()[i], expected[i], 1e-9) << i;
+  }
+  EXPECT_NEAR(frame.Height(10'000.0), 80.0, 1e-12);
+}
+
+// A third as high as it is wide, whatever the domain; at most as much as that of one radar.
+TEST(SceneFrame, HeightsAreStretchedByTheDomain)
+{
+  const auto volume = MakeStormVolume(false); // 480 km wide and 20 km high
+  const auto stretchOf = [&volume](double width, double height)
+  {
+    volume->SetSpacing(width / 48.0, width / 48.0, height / 16.0);
+    return DefaultExaggeration(volume);
+  };
+  EXPECT_EQ(stretchOf(480e3, 20e3), 8.0);
+  EXPECT_EQ(stretchOf(178e3, 20e3), 3.0);
+  EXPECT_EQ(stretchOf(120e3, 20e3), 2.0);
+  EXPECT_EQ(stretchOf(1400e3, 20e3), 8.0);
+  EXPECT_EQ(stretchOf(30e3, 20e3), 1.0);
+  EXPECT_EQ(stretchOf(120e3, 10e3), 4.0);
+}
+
+TEST(SceneFrame, PlacesAreKilometresFromTheCentre)
+{
+  const SceneFrame frame(MakeStormVolume(false), 8.0);
+  ASSERT_TRUE(frame.HasMap());
+  EXPECT_NEAR(frame.Place(-90.0, 39.0)[0], 0.0, 1e-9);
+  EXPECT_NEAR(frame.Place(-90.0, 39.0)[1], 0.0, 1e-9);
+  // A degree of latitude on WGS84 from 39° to 40° is 111.03 km.
+  EXPECT_NEAR(frame.Place(-90.0, 40.0)[1], 111.03, 0.02);
+  const auto place = frame.Place(-91.25, 38.5);
+  const auto back = frame.Geographic(place[0], place[1]);
+  EXPECT_NEAR(back[0], -91.25, 1e-9);
+  EXPECT_NEAR(back[1], 38.5, 1e-9);
+}
+
+TEST(SceneFrame, AVolumeOnGeographicAxesHasTheSameShape)
+{
+  const auto volume = MakeStormVolume(false);
+  volume->SetOrigin(-92.0, 38.0, 625.0);
+  volume->SetSpacing(4.0 / 47.0, 2.0 / 47.0, 1'250.0);
+  vtkNew<vtkStringArray> projection;
+  projection->SetName("Projection");
+  projection->InsertNextValue("+proj=longlat +datum=WGS84 +no_defs");
+  volume->GetFieldData()->AddArray(projection);
+  const SceneFrame frame(volume, 8.0);
+  ASSERT_TRUE(frame.HasMap());
+  EXPECT_NEAR(frame.Place(-90.0, 40.0)[1], 111.2, 0.1);
+  // cos 39° = 0.7771
+  EXPECT_NEAR(frame.Place(-89.0, 39.0)[0], 86.4, 0.1);
+  EXPECT_NEAR(frame.Bounds()[3] - frame.Bounds()[2], 111.2 * 2.0 * 48.0 / 47.0, 0.2);
+}
+
+TEST(SceneFrame, FieldDataAreUnderstood)
+{
+  const VolumeInformation information = ReadVolumeInformation(MakeStormVolume(true));
+  ASSERT_TRUE(information.time);
+  EXPECT_EQ(FormatIso8601(*information.time), "2006-03-12T18:30:00.000Z");
+  EXPECT_EQ(information.sites, (std::vector<std::string>{"KLSX", "KILX"}));
+  EXPECT_EQ(information.method, "thesis");
+  EXPECT_TRUE(information.synthetic);
+  vtkNew<vtkImageData> bare;
+  EXPECT_FALSE(ReadVolumeInformation(bare).time);
+}
+
+TEST(SceneParts, SegmentsAreCutAtTheRectangle)
+{
+  const std::array<double, 4> rectangle = {-1.0, 3.0, -2.0, 2.0};
+  double enters = 0.0;
+  double leaves = 0.0;
+  EXPECT_TRUE(ClipToRectangle({0.0, 0.0}, {1.0, 1.0}, rectangle, enters, leaves));
+  EXPECT_EQ(enters, 0.0);
+  EXPECT_EQ(leaves, 1.0);
+  EXPECT_TRUE(ClipToRectangle({-5.0, 0.0}, {5.0, 0.0}, rectangle, enters, leaves));
+  EXPECT_NEAR(enters, 0.4, 1e-12);
+  EXPECT_NEAR(leaves, 0.8, 1e-12);
+  EXPECT_TRUE(ClipToRectangle({0.0, 0.0}, {0.0, -4.0}, rectangle, enters, leaves));
+  EXPECT_NEAR(leaves, 0.5, 1e-12);
+  EXPECT_FALSE(ClipToRectangle({4.0, -5.0}, {4.0, 5.0}, rectangle, enters, leaves));
+  EXPECT_FALSE(ClipToRectangle({-5.0, 0.0}, {0.0, 9.0}, rectangle, enters, leaves));
+}
+
+TEST(SceneParts, RoundLengths)
+{
+  EXPECT_EQ(RoundLength(100.0), 100.0);
+  EXPECT_EQ(RoundLength(99.0), 50.0);
+  EXPECT_EQ(RoundLength(49.0), 20.0);
+  EXPECT_EQ(RoundLength(19.0), 10.0);
+  EXPECT_NEAR(RoundLength(0.3), 0.2, 1e-12);
+}

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/VolumeAppearance.h"
+#include "TestData.h"
+
+#include "nexrad/System/Error.h"
+#include "vtkNexradTransferFunction.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::scene;
+using nexrad::testing::TemporaryFolder;
+
+// Formulas R4.
+TEST(VolumeAppearance, TheBarShowsTheWeatherServicesSteps)
+{
+  const ColourTable table = ColourStepsOf(MakeTransferFunction({}));
+  ASSERT_EQ(table.size(), 15U);
+  for (std::size_t i = 0; i < table.size(); ++i)
+  {
+    EXPECT_EQ(table[i].from, 5.0 + 5.0 * static_cast<double>(i));
+  }
+  EXPECT_NEAR(table[0].colour[0], 0x04 / 255.0, 1e-12);
+  EXPECT_NEAR(table[0].colour[1], 0xe9 / 255.0, 1e-12);
+  EXPECT_NEAR(table[0].colour[2], 0xe7 / 255.0, 1e-12);
+  EXPECT_EQ(table[9].colour, (Colour{0xfd / 255.0, 0.0, 0.0}));
+}
+
+TEST(VolumeAppearance, ColoursWithoutStepsAreShownEveryFiveDecibels)
+{
+  const auto transferFunction = MakeTransferFunction({});
+  transferFunction->AddNode(vtkNexradTransferFunction::RED, 7.5, 0.25);
+  const ColourTable table = ColourStepsOf(transferFunction);
+  EXPECT_EQ(table[0].from, 5.0);
+  EXPECT_EQ(table[0].colour[0], 0.25);
+  EXPECT_EQ(table[1].from, 10.0);
+}
+
+TEST(VolumeAppearance, TheProgramsPresetsAreThoseOfTheTransferFunction)
+{
+  ASSERT_EQ(
+    vtkNexradTransferFunction::GetNumberOfPresets(), static_cast<int>(std::size(presetNames)));
+  for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
+  {
+    EXPECT_STREQ(vtkNexradTransferFunction::GetPresetName(i), presetNames[i]);
+  }
+}
+
+TEST(VolumeAppearance, EveryMomentHasItsOwnLook)
+{
+  EXPECT_EQ(ColourStepsOf(MakeTransferFunction({}, "VEL")).front().from, -50.0);
+  EXPECT_EQ(ColourStepsOf(MakeTransferFunction({}, "RHO")).back().from, 1.0);
+  EXPECT_EQ(ColourStepsOf(MakeTransferFunction({}, "my own array")).front().from, 5.0)
+    << "that of reflectivity";
+  SceneOptions options;
+  options.preset = "velocity";
+  EXPECT_EQ(ColourStepsOf(MakeTransferFunction(options, "VEL")).front().from, -50.0);
+  try
+  {
+    MakeTransferFunction(options, "REF");
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_STREQ(error.what(),
+      "preset 'velocity' is of VEL, and REF is shown; choose 'all echo' or no preset");
+  }
+}
+
+TEST(VolumeAppearance, ColoursWithoutStepsHaveBoxesOfARoundWidth)
+{
+  const auto transferFunction = MakeTransferFunction({}, "RHO");
+  transferFunction->AddNode(vtkNexradTransferFunction::RED, 0.5, 0.25); // drops the steps
+  const ColourTable table = ColourStepsOf(transferFunction);
+  ASSERT_GE(table.size(), 8U);
+  EXPECT_LE(table.size(), 16U);
+  EXPECT_NEAR(table[1].from - table[0].from, 0.1, 1e-12);
+}
+
+TEST(VolumeAppearance, AWrongPresetOrFileIsAnError)
+{
+  SceneOptions options;
+  options.preset = "rainbow";
+  EXPECT_THROW(MakeTransferFunction(options), Error);
+  const TemporaryFolder folder;
+  options = {};
+  options.colours = folder.Path() / "my.csv";
+  std::ofstream(options.colours) << "dbz,colour\n5,#000000\n1,#ffffff\n";
+  try
+  {
+    MakeTransferFunction(options);
+    ADD_FAILURE();
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("my.csv: line 3"), std::string::npos) << error.what();
+  }
+}

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradVolumeScene.h"
+
+#include "ScenePicture.h"
+#include "StormVolume.h"
+#include "vtkNexradMessages.h"
+#include "vtkNexradTransferFunction.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPropCollection.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace nexrad::testing;
+
+namespace
+{
+
+constexpr std::array<int, 2> size = {400, 225};
+
+Picture Draw(vtkNexradVolumeScene* scene)
+{
+  return OffScreenWindow(scene->GetRenderer(), size).Draw();
+}
+
+// A picture of the storm with these settings from the beginning.
+template <typename Settings>
+Picture DrawStorm(const Settings& set)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  set(scene.Get());
+  scene->SetVolume(MakeStormVolume(true));
+  return Draw(scene);
+}
+
+void SetNothing(vtkNexradVolumeScene*) {}
+
+} // namespace
+
+// The picture: the storm, green with a red core, over a map with rings about two radars, with the
+// colour bar at the right and SYNTHETIC above.
+TEST(VolumeScene, DrawsStormMapAndScales)
+{
+  ExpectSceneBaseline(
+    DrawStorm([](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(100e3); }), "Storm");
+}
+
+// The picture: discs of flat colours in the south west of a dark square, seen from above.
+TEST(VolumeScene, DrawsAPlanView)
+{
+  const auto set = [](vtkNexradVolumeScene* scene)
+  {
+    scene->SetPlan(vtkNexradVolumeScene::COMPOSITE);
+    scene->SetCameraFromAbove();
+  };
+  ExpectSceneBaseline(DrawStorm(set), "Composite");
+}
+
+// The picture: the empty corners of the sky, the captions, and the colour bar of another preset.
+TEST(VolumeScene, DrawsAnotherPresetFromAnotherSide)
+{
+  const auto set = [](vtkNexradVolumeScene* scene)
+  {
+    scene->SetPreset("storm cores");
+    scene->SetAzimuth(120.0);
+    scene->SetTilt(15.0);
+    scene->SetZoom(1.5);
+    scene->SetExaggeration(12.0);
+    scene->ParallelProjectionOn();
+  };
+  ExpectSceneBaseline(DrawStorm(set), "StormCores");
+}
+
+// A scene whose settings change between two pictures draws the second as one that had them at once.
+TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
+{
+  using Setting = void (*)(vtkNexradVolumeScene*);
+  const std::vector<std::pair<const char*, Setting>> settings = {
+    {"azimuth", [](vtkNexradVolumeScene* scene) { scene->SetAzimuth(100.0); }},
+    {"tilt", [](vtkNexradVolumeScene* scene) { scene->SetTilt(60.0); }},
+    {"zoom", [](vtkNexradVolumeScene* scene) { scene->SetZoom(2.0); }},
+    {"projection", [](vtkNexradVolumeScene* scene) { scene->ParallelProjectionOn(); }},
+    {"preset", [](vtkNexradVolumeScene* scene) { scene->SetPreset("hail"); }},
+    {"exaggeration", [](vtkNexradVolumeScene* scene) { scene->SetExaggeration(2.0); }},
+    {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetMapperToRayCast(); }},
+    {"slices", [](vtkNexradVolumeScene* scene) { scene->SetNumberOfSlices(11); }},
+    {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
+    {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},
+    {"height", [](vtkNexradVolumeScene* scene)
+      {
+        scene->SetPlan(vtkNexradVolumeScene::AT_HEIGHT);
+        scene->SetPlanHeight(9000.0);
+      }}};
+  const Picture usual = DrawStorm(SetNothing);
+  for (const auto& [name, set] : settings)
+  {
+    vtkNew<vtkNexradVolumeScene> scene;
+    scene->SetVolume(MakeStormVolume(true));
+    OffScreenWindow window(scene->GetRenderer(), size);
+    EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0) << name;
+    set(scene);
+    const Picture changed = window.Draw();
+    EXPECT_EQ(MeanDifference(changed, DrawStorm(set)), 0.0) << name;
+    EXPECT_GT(MeanDifference(changed, usual), 0.01) << name;
+  }
+}
+
+TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  EXPECT_EQ(scene->GetTransferFunction(), nullptr);
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), size);
+  const Picture usual = window.Draw();
+  auto* colors = scene->GetTransferFunction();
+  ASSERT_NE(colors, nullptr);
+  const double dbz = 30.0;
+  colors->SetOpacityToIsoValues(&dbz, 1);
+  const Picture surface = window.Draw();
+  EXPECT_GT(MeanDifference(usual, surface), 1.0);
+  // What is changed beside them, and a new volume, leave them as they are.
+  scene->SetRingSpacing(100e3);
+  scene->SetVolume(MakeStormVolume(true));
+  window.Draw();
+  EXPECT_EQ(scene->GetTransferFunction(), colors);
+  scene->SetRingSpacing(0.0);
+  EXPECT_EQ(MeanDifference(window.Draw(), surface), 0.0);
+  // Another preset begins anew.
+  scene->SetPreset("all echo");
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+}
+
+TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), size);
+  const Picture usual = window.Draw();
+  vtkNexradMessages messages;
+  messages.Watch(scene);
+  const auto expectError = [&](const std::string& words)
+  {
+    EXPECT_FALSE(scene->Update()) << words;
+    EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0) << words;
+    EXPECT_FALSE(scene->Update()) << words;
+    ASSERT_EQ(messages.Errors().size(), 1u) << words;
+    EXPECT_NE(messages.Errors().front().find(words), std::string::npos)
+      << messages.Errors().front();
+    messages.Clear();
+  };
+  scene->SetPreset("velocity");
+  expectError("'velocity' is of VEL");
+  scene->SetPreset("");
+  scene->SetColorFileName("/nonexistent.json");
+  expectError("/nonexistent.json");
+  scene->SetColorFileName("");
+  scene->SetPlan(vtkNexradVolumeScene::COMPOSITE);
+  scene->SetPlanArray("REF_age");
+  expectError("no array REF_age");
+  scene->SetPlan(vtkNexradVolumeScene::NO_PLAN);
+  vtkNew<vtkImageData> empty;
+  scene->SetVolume(empty);
+  expectError("no voxels");
+  scene->SetVolume(MakeStormVolume(true));
+  EXPECT_TRUE(scene->Update());
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+  EXPECT_TRUE(messages.Errors().empty());
+  scene->SetRingSpacing(10.0);
+  EXPECT_EQ(messages.Errors().size(), 1u);
+  EXPECT_EQ(scene->GetRingSpacing(), 0.0);
+}
+
+TEST(VolumeScene, FollowsTheSizeOfItsWindow)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), {320, 240});
+  window.Draw();
+  window.Window()->SetSize(size[0], size[1]);
+  EXPECT_EQ(MeanDifference(window.Draw(), DrawStorm(SetNothing)), 0.0);
+}
+
+TEST(VolumeScene, FillsARendererOfTheCallersAndLeavesItEmpty)
+{
+  vtkNew<vtkRenderer> renderer;
+  OffScreenWindow window(renderer, size);
+  {
+    vtkNew<vtkNexradVolumeScene> scene;
+    scene->SetRenderer(renderer);
+    scene->SetVolume(MakeStormVolume(true));
+    EXPECT_EQ(MeanDifference(window.Draw(), DrawStorm(SetNothing)), 0.0);
+    scene->SetVolume(nullptr);
+    window.Draw();
+    EXPECT_EQ(renderer->VisibleActorCount() + renderer->VisibleVolumeCount(), 0);
+    scene->SetVolume(MakeStormVolume(true));
+    EXPECT_EQ(MeanDifference(window.Draw(), DrawStorm(SetNothing)), 0.0);
+  }
+  EXPECT_EQ(renderer->GetViewProps()->GetNumberOfItems(), 0);
+  window.Draw();
+}
