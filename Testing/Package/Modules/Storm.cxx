@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Merges radar files and draws the volume off screen: Storm FILE...
 #include <vtkNexradDayReader.h>
+#include <vtkNexradSession.h>
 #include <vtkNexradTransferFunction.h>
+#include <vtkNexradVolumeScene.h>
 #include <vtkOpenGLTextureSliceVolumeMapper.h>
 
 #include <vtkNew.h>
@@ -28,6 +30,27 @@ int CountLitPixels(vtkRenderWindow* window)
     lit += pixel[0] + pixel[1] + pixel[2] > 30 ? 1 : 0;
   }
   return lit;
+}
+
+// The same files as the program nexrad3d draws them.
+int DrawScene(int count, char* files[])
+{
+  vtkNew<vtkNexradSession> session;
+  for (int i = 0; i < count; ++i)
+  {
+    session->AddFileName(files[i]);
+  }
+  session->GetDayReader()->SetDimensions(64, 64, 32);
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->SetSize(200, 200);
+  window->AddRenderer(session->GetScene()->GetRenderer());
+  if (!session->ShowTimeStep(0))
+  {
+    return 0;
+  }
+  window->Render();
+  return CountLitPixels(window);
 }
 } // namespace
 
@@ -58,5 +81,7 @@ int main(int argc, char* argv[])
 
   const int lit = CountLitPixels(window);
   std::cout << lit << " pixels show echo\n";
-  return lit > 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+  const int litScene = DrawScene(argc - 1, argv + 1);
+  std::cout << litScene << " pixels show echo, map or letters\n";
+  return lit > 0 && litScene > lit ? EXIT_SUCCESS : EXIT_FAILURE;
 }
