@@ -21,7 +21,7 @@ PolarCache::PolarCache(MomentName theMoment, std::size_t theLimit, Level2Options
 std::size_t PolarCache::Used() const
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  return packedBytes + recentBytes;
+  return usedBytes;
 }
 
 std::size_t PolarCache::DecodedFiles() const
@@ -34,14 +34,13 @@ void PolarCache::Offer(const SeriesVolume& key, const RadarVolume& volume)
 {
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    if (packedBytes >= this->PackedLimit())
+    if (usedBytes >= limit)
     {
       return;
     }
   }
-  this->Insert(key,
-    std::make_shared<const PackedPolarVolume>(MakeCleanVolume(volume, moment, quality)), nullptr,
-    false);
+  this->Insert(
+    key, std::make_shared<const PolarVolume>(MakeCleanVolume(volume, moment, quality)), false);
 }
 
 std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
@@ -61,7 +60,7 @@ std::shared_ptr<const PolarVolume> PolarCache::Get(const SeriesVolume& key)
   }
   auto volume =
     std::make_shared<const PolarVolume>(MakeCleanVolume(cycles[key.cycle], moment, quality));
-  this->Insert(key, std::make_shared<const PackedPolarVolume>(*volume), volume, true);
+  this->Insert(key, volume, true);
   return volume;
 }
 
@@ -75,58 +74,22 @@ PolarCache::Volume PolarCache::Find(const SeriesVolume& key)
     return nullptr;
   }
   entries.splice(entries.begin(), entries, entry);
-  Volume volume = entry->unpacked.lock();
-  if (!volume)
-  {
-    volume = std::make_shared<const PolarVolume>(entry->packed->Unpack());
-    entry->unpacked = volume;
-  }
-  this->KeepRecent(volume);
-  return volume;
+  return entry->volume;
 }
 
-void PolarCache::Insert(const SeriesVolume& key, std::shared_ptr<const PackedPolarVolume> packed,
-  const Volume& unpacked, bool makeRoom)
+void PolarCache::Insert(const SeriesVolume& key, Volume volume, bool makeRoom)
 {
-  const std::size_t bytes = packed->Bytes();
+  const std::size_t bytes = MemoryOf(*volume);
   const std::lock_guard<std::mutex> lock(mutex);
-  while (makeRoom && bytes <= this->PackedLimit() && packedBytes + bytes > this->PackedLimit())
+  while (makeRoom && bytes <= limit && usedBytes + bytes > limit)
   {
-    packedBytes -= entries.back().bytes;
+    usedBytes -= entries.back().bytes;
     entries.pop_back();
   }
-  if (packedBytes + bytes <= this->PackedLimit())
+  if (usedBytes + bytes <= limit)
   {
-    entries.push_front({key.file, key.cycle, bytes, std::move(packed), unpacked});
-    packedBytes += bytes;
-  }
-  if (unpacked)
-  {
-    this->KeepRecent(unpacked);
-  }
-}
-
-// Called with the lock.
-void PolarCache::KeepRecent(const Volume& volume)
-{
-  const auto known = std::find_if(
-    recent.begin(), recent.end(), [&volume](const Recent& each) { return each.volume == volume; });
-  if (known != recent.end())
-  {
-    recent.splice(recent.begin(), recent, known);
-    return;
-  }
-  const std::size_t bytes = MemoryOf(*volume);
-  const std::size_t room = limit - this->PackedLimit();
-  while (bytes <= room && recentBytes + bytes > room)
-  {
-    recentBytes -= recent.back().bytes;
-    recent.pop_back();
-  }
-  if (recentBytes + bytes <= room)
-  {
-    recent.push_front({volume, bytes});
-    recentBytes += bytes;
+    entries.push_front({key.file, key.cycle, bytes, std::move(volume)});
+    usedBytes += bytes;
   }
 }
 

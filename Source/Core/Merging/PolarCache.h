@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/Level2/Level2File.h"
-#include "nexrad/Polar/PackedPolarVolume.h"
+#include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Quality/Despeckling.h"
 #include "nexrad/Series/SiteSeries.h"
 
@@ -14,9 +14,8 @@
 namespace nexrad
 {
 
-/// Volumes as gridding needs them, kept up to a limit of memory: all of them packed in three
-/// quarters of it, and those that were used last as they are in the rest. What is not in memory is
-/// decoded again from its file. Safe to call from several threads.
+/// Volumes as gridding needs them, kept up to a limit of memory. What is not in memory is decoded
+/// again from its file. Safe to call from several threads.
 class PolarCache
 {
 public:
@@ -48,20 +47,11 @@ private:
     std::filesystem::path file;
     std::size_t cycle;
     std::size_t bytes;
-    std::shared_ptr<const PackedPolarVolume> packed;
-    std::weak_ptr<const PolarVolume> unpacked; ///< while somebody has it
-  };
-  struct Recent
-  {
     Volume volume;
-    std::size_t bytes;
   };
 
-  std::size_t PackedLimit() const { return limit - limit / 4; }
   Volume Find(const SeriesVolume& key);
-  void Insert(const SeriesVolume& key, std::shared_ptr<const PackedPolarVolume> packed,
-    const Volume& unpacked, bool makeRoom);
-  void KeepRecent(const Volume& volume);
+  void Insert(const SeriesVolume& key, Volume volume, bool makeRoom);
 
   const MomentName moment;
   const std::size_t limit;
@@ -69,10 +59,8 @@ private:
   const QualityOptions quality;
   mutable std::mutex mutex;
   std::list<Entry> entries; ///< the one used last stands first
-  std::list<Recent> recent; ///< the same
   std::size_t decodedFiles = 0;
-  std::size_t packedBytes = 0;
-  std::size_t recentBytes = 0;
+  std::size_t usedBytes = 0;
 };
 
 } // namespace nexrad
