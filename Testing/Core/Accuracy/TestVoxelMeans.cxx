@@ -71,7 +71,7 @@ public:
           ++sum.gates;
           sum.values += code == GateCode::NoEcho
                           ? 0.0
-                          : std::max(0.0, static_cast<double>(sweep.base + sweep.step * code));
+                          : std::max(0.0, static_cast<double>(sweep.scale.ValueOf(code)));
         }
       }
     }

@@ -154,9 +154,9 @@ TEST(TimeMerge, CacheKeepsTheVolumesUsedLast)
   WriteLevel2(folder.Path() / "3", {ConstantVolume(keax, start + 10min, 30.0)});
   const auto scan = ScanInputs({folder.Path()});
   const std::vector<SeriesVolume>& volumes = scan->sites[0].volumes;
-  // Room for two packed volumes, and for none as it is.
-  PolarCache cache(MomentName::REF, 3 * PackedPolarVolume(Polar(keax, start, 10.0)).Bytes());
-  for (const std::size_t index : {0, 1, 0, 2}) // the third drops the second
+  const std::size_t one = MemoryOf(Polar(keax, start, 10.0));
+  PolarCache cache(MomentName::REF, 2 * one + one / 2); // room for two
+  for (const std::size_t index : {0, 1, 0, 2})          // the third drops the second
   {
     cache.Get(volumes[index]);
   }
@@ -164,8 +164,8 @@ TEST(TimeMerge, CacheKeepsTheVolumesUsedLast)
   {
     std::filesystem::remove(volume.file);
   }
-  EXPECT_EQ(cache.Get(volumes[0])->sweeps[0].values[0], 10.0F);
-  EXPECT_EQ(cache.Get(volumes[2])->sweeps[0].values[0], 30.0F);
+  EXPECT_EQ(testing::NumbersOf(cache.Get(volumes[0])->sweeps[0]).values[0], 10.0F);
+  EXPECT_EQ(testing::NumbersOf(cache.Get(volumes[2])->sweeps[0]).values[0], 30.0F);
   EXPECT_THROW(cache.Get(volumes[1]), Error);
 }
 
@@ -175,7 +175,7 @@ TEST(TimeMerge, CacheGivesAVolumeInUseToAllWhoAsk)
   WriteLevel2(folder.Path() / "1", {ConstantVolume(keax, start, 10.0)});
   const auto scan = ScanInputs({folder.Path()});
   const SeriesVolume& volume = scan->sites[0].volumes[0];
-  PolarCache cache(MomentName::REF, 2 * PackedPolarVolume(Polar(keax, start, 10.0)).Bytes());
+  PolarCache cache(MomentName::REF, 2 * MemoryOf(Polar(keax, start, 10.0)));
   const auto first = cache.Get(volume);
   EXPECT_EQ(cache.Get(volume), first);
 }
