@@ -39,15 +39,22 @@ std::size_t SkipNoEcho(const std::uint16_t* codes, std::size_t gate, std::size_t
   return gate;
 }
 
+// The first gate from `gate` on that holds no echo; `end` when all hold something.
+std::size_t SkipEcho(const std::uint16_t* codes, std::size_t gate, std::size_t end)
+{
+  while (gate < end && codes[gate] != GateCode::NoEcho)
+  {
+    ++gate;
+  }
+  return gate;
+}
+
 // Where the stretch that begins at a gate ends.
 std::size_t EndOfStretch(const std::uint16_t* codes, std::size_t gate, std::size_t end)
 {
   while (gate < end)
   {
-    while (gate < end && codes[gate] != GateCode::NoEcho)
-    {
-      ++gate;
-    }
+    gate = SkipEcho(codes, gate, end);
     const std::size_t last = std::min(gate + shortestGap, end);
     const std::size_t next = SkipNoEcho(codes, gate, last);
     if (next == last)
@@ -116,11 +123,13 @@ void GateRows::Read(std::size_t row, std::size_t gates, std::uint16_t* codes) co
     }
     done = std::min<std::size_t>(stretch.end, gates);
     const std::size_t count = done - begin;
-    for (std::size_t gate = 0; gate < count; ++gate)
+    if (!wide)
     {
-      codes[begin + gate] =
-        wide ? static_cast<std::uint16_t>(from[2 * gate] | from[2 * gate + 1] << 8U)
-             : std::uint16_t(from[gate]);
+      std::copy_n(from, count, codes + begin);
+    }
+    for (std::size_t gate = 0; wide && gate < count; ++gate)
+    {
+      codes[begin + gate] = static_cast<std::uint16_t>(from[2 * gate] | from[2 * gate + 1] << 8U);
     }
     from += count * (wide ? 2 : 1);
   }
@@ -157,18 +166,17 @@ void GateRows::AppendStretch(const std::uint16_t* codes, std::size_t begin, std:
   const std::size_t first = bytes.size();
   bytes.resize(first + count * (wide ? 2 : 1));
   std::uint8_t* to = bytes.data() + first;
+  const std::uint16_t* from = codes + begin;
+  if (!wide)
+  {
+    std::transform(
+      from, from + count, to, [](std::uint16_t code) { return static_cast<std::uint8_t>(code); });
+    return;
+  }
   for (std::size_t gate = 0; gate < count; ++gate)
   {
-    const std::uint16_t code = codes[begin + gate];
-    if (wide)
-    {
-      to[2 * gate] = static_cast<std::uint8_t>(code);
-      to[2 * gate + 1] = static_cast<std::uint8_t>(code >> 8U);
-    }
-    else
-    {
-      to[gate] = static_cast<std::uint8_t>(code);
-    }
+    to[2 * gate] = static_cast<std::uint8_t>(from[gate]);
+    to[2 * gate + 1] = static_cast<std::uint8_t>(from[gate] >> 8U);
   }
 }
 

@@ -150,18 +150,25 @@ std::uint16_t CodeOf(float value, const GateScale& scale)
   return std::isfinite(value) ? scale.CodeOf(value) : GateCode::NotSampled;
 }
 
-// Every gate of every file passes here: the loop has no branch, and the compiler puts words side by
-// side.
+// Every gate of every file passes here: the loops have no branch, and the compiler puts words side
+// by side.
 template <class WordAt>
 void SetWords(const MomentRow& row, const WordAt& wordAt, std::uint16_t* codes)
 {
-  const unsigned firstValue = row.firstValue;
-  const unsigned folded = firstValue == 2 ? 1 : firstValue; // of CFP no word says so
+  const std::uint16_t first = row.firstValue;
+  if (first == 2) // then words below the first value are the codes of their states
+  {
+    for (std::size_t gate = 0; gate < row.gates; ++gate)
+    {
+      const std::uint16_t word = wordAt(gate);
+      codes[gate] = static_cast<std::uint16_t>(word + (word >= 2 ? 1 : 0));
+    }
+    return;
+  }
   for (std::size_t gate = 0; gate < row.gates; ++gate)
   {
-    const unsigned word = wordAt(gate);
-    const unsigned state = word == folded ? GateCode::RangeFolded : GateCode::NoEcho;
-    codes[gate] = static_cast<std::uint16_t>(word >= firstValue ? word + 1 : state);
+    const std::uint16_t word = wordAt(gate);
+    codes[gate] = word >= first ? static_cast<std::uint16_t>(word + 1) : GateCode::NoEcho;
   }
 }
 
@@ -180,12 +187,12 @@ void SetCodes(const MomentRow& row, const Coding& coding, std::uint16_t* codes)
   else if (row.wordBits == 8)
   {
     SetWords(
-      row, [words](std::size_t gate) -> unsigned { return words[gate]; }, codes);
+      row, [words](std::size_t gate) -> std::uint16_t { return words[gate]; }, codes);
   }
   else
   {
     SetWords(
-      row, [&row](std::size_t gate) { return row.Raw(gate); }, codes);
+      row, [&row](std::size_t gate) { return static_cast<std::uint16_t>(row.Raw(gate)); }, codes);
   }
 }
 
