@@ -5,8 +5,8 @@
  *
  * The inverse of vtkNexradSweepConversion.h: times, angles and gate geometry come from the field
  * data, so that nothing is lost on the way through the points' coordinates. The values of a sweep
- * are rounded to steps of a power of two, at most 1/32000 of their range (0.002 dB of 60 dB), and
- * so the halves of a dB that a file holds stay what they are.
+ * are rounded to steps of a power of two, at most 1/32000 of their range (0.002 dB of 60 dB). The
+ * half decibels that files hold are multiples of such a step, and stay exact.
  */
 #ifndef vtkNexradPolarConversion_h
 #define vtkNexradPolarConversion_h
