@@ -57,9 +57,7 @@ struct Tally
   }
   void AddNothing(std::uint16_t code, float weight)
   {
-    float& of = code == GateCode::NoEcho        ? none
-                : code == GateCode::RangeFolded ? folded
-                                                     : missing;
+    float& of = code == GateCode::NoEcho ? none : code == GateCode::RangeFolded ? folded : missing;
     of += weight;
   }
 };

@@ -39,8 +39,8 @@ public:
   std::size_t Count() const { return rows.size(); }
   /// Reads the first `gates` gates of a row: all that were appended, or fewer. row < Count().
   void Read(std::size_t row, std::size_t gates, std::uint16_t* codes) const;
-  /// Of the first `gates` gates of a row those from the first to the last that hold anything but no
-  /// echo.
+  /// Of the first `gates` gates of a row those from the first that holds anything but no echo, and
+  /// behind which none does.
   GateRange Held(std::size_t row, std::size_t gates) const;
 
   /// The largest code that has room.
