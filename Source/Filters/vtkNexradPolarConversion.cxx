@@ -15,6 +15,8 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -79,9 +81,16 @@ private:
   std::string Name;
 };
 
+/// The gates of a sweep's rays, as numbers.
+struct SweepGates
+{
+  std::vector<float> Values;
+  std::vector<nexrad::GateState> States;
+};
+
 /// Copies one ray's gates unless none of them was sampled.
-void AppendRay(nexrad::PolarSweep& sweep, const nexrad::PolarRay& ray, const float* values,
-  const unsigned char* states)
+void AppendRay(nexrad::PolarSweep& sweep, SweepGates& gates, const nexrad::PolarRay& ray,
+  const float* values, const unsigned char* states)
 {
   const bool sampled = std::any_of(
     states, states + sweep.gates, [&](unsigned char each) { return each < NotSampled; });
@@ -90,8 +99,8 @@ void AppendRay(nexrad::PolarSweep& sweep, const nexrad::PolarRay& ray, const flo
     return;
   }
   sweep.rays.push_back(ray);
-  sweep.values.insert(sweep.values.end(), values, values + sweep.gates);
-  std::transform(states, states + sweep.gates, std::back_inserter(sweep.states),
+  gates.Values.insert(gates.Values.end(), values, values + sweep.gates);
+  std::transform(states, states + sweep.gates, std::back_inserter(gates.States),
     [&](unsigned char each) { return static_cast<nexrad::GateState>(std::min(each, NotSampled)); });
 }
 
@@ -137,19 +146,28 @@ nexrad::PolarSweep ToPolarSweep(const SweepGrid& source, nexrad::MomentName mome
   {
     source.Refuse("RayTime", "has more rays than the grid");
   }
+  if (dimensions[0] > nexrad::GateRows::MostGates)
+  {
+    source.Refuse(name, "has more gates in a ray than the " +
+                          std::to_string(nexrad::GateRows::MostGates) + " that a ray can have");
+  }
   nexrad::PolarSweep sweep;
   sweep.elevationNumber = static_cast<int>(source.Value("ElevationNumber"));
   sweep.firstGate = source.Value("GateGeometry", 0);
   sweep.gateSpacing = source.Value("GateGeometry", 1);
   sweep.gates = SampledGates(states, dimensions[0]);
   sweep.waveform = WaveformOf(source);
+  SweepGates gates;
   for (vtkIdType i = 0; i < rays; ++i)
   {
-    const nexrad::PolarRay ray = {azimuths->GetComponent(i, 0), elevations->GetComponent(i, 0),
-      nexrad::FromSeconds(times->GetComponent(i, 0)), ranges ? ranges->GetComponent(i, 0) : 0.0};
+    const nexrad::PolarRay ray = {static_cast<float>(azimuths->GetComponent(i, 0)),
+      static_cast<float>(elevations->GetComponent(i, 0)),
+      ranges ? static_cast<float>(ranges->GetComponent(i, 0)) : 0.0F,
+      nexrad::FromSeconds(times->GetComponent(i, 0))};
     const vtkIdType first = i * dimensions[0];
-    AppendRay(sweep, ray, values->GetPointer(first), states->GetPointer(first));
+    AppendRay(sweep, gates, ray, values->GetPointer(first), states->GetPointer(first));
   }
+  nexrad::SetGates(sweep, gates.Values, gates.States);
   if (moment == nexrad::MomentName::REF)
   {
     nexrad::LimitReach(sweep);

@@ -4,7 +4,9 @@
  * @brief  from the readers' sweeps back to the rays that gridding takes
  *
  * The inverse of vtkNexradSweepConversion.h: times, angles and gate geometry come from the field
- * data, so that nothing is lost on the way through the points' coordinates.
+ * data, so that nothing is lost on the way through the points' coordinates. The values of a sweep
+ * are rounded to steps of a power of two, at most 1/32000 of their range (0.002 dB of 60 dB). The
+ * half decibels that files hold are multiples of such a step, and stay exact.
  */
 #ifndef vtkNexradPolarConversion_h
 #define vtkNexradPolarConversion_h

@@ -60,11 +60,12 @@ std::vector<PolarVolume> FillWithEcho(std::vector<PolarVolume> volumes)
   {
     for (PolarSweep& sweep : volume.sweeps)
     {
-      for (std::size_t i = 0; i < sweep.values.size(); ++i)
+      std::vector<float> values(sweep.rays.size() * sweep.gates);
+      for (std::size_t i = 0; i < values.size(); ++i)
       {
-        sweep.values[i] = 30.0F + 20.0F * std::sin(static_cast<float>(i % 10'007));
-        sweep.states[i] = GateState::Valid;
+        values[i] = 30.0F + 20.0F * std::sin(static_cast<float>(i % 10'007));
       }
+      SetGates(sweep, values, std::vector<GateState>(values.size(), GateState::Valid));
     }
   }
   return volumes;

@@ -11,7 +11,6 @@
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Motion/MotionTracker.h"
-#include "nexrad/Polar/PackedPolarVolume.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 
@@ -104,8 +103,7 @@ void MeasureVolume(const char* file)
   PrintTime("make its digest", Cost([&volume] { MakeDigest(volume); }));
   const GridSpecification grid = CountryGrid();
   PrintTime("make it ready for merges", Cost([&] { PrepareForGrid(volume, grid, {}); }));
-  PrintMemory("its rays, packed", PackedPolarVolume(volume).Bytes());
-  PrintMemory("its rays, as read", MemoryOf(volume));
+  PrintMemory("its rays", MemoryOf(volume));
   PrintMemory("its rays, ready for merges", PrepareForGrid(volume, grid, {}).MemoryBytes());
   PrintMemory("its digest", MakeDigest(volume).MemoryBytes());
 }

@@ -29,9 +29,9 @@ inline GridSpecification SceneGrid()
 
 /// A full sweep of 360 rays and 230 gates of 1 km with one value, scanned `seconds` after 18:00 in
 /// an instant.
-inline PolarSweep UniformSweep(int number, double elevation, float value, double seconds = 0.0)
+inline NumberSweep UniformSweep(int number, double elevation, float value, double seconds = 0.0)
 {
-  PolarSweep sweep = MakeSweep(number, elevation, 360, 230);
+  NumberSweep sweep = MakeSweep(number, elevation, 360, 230);
   SetAll(sweep, value);
   for (PolarRay& ray : sweep.rays)
   {
@@ -41,9 +41,10 @@ inline PolarSweep UniformSweep(int number, double elevation, float value, double
 }
 
 /// A volume of the central site: its times are those of its rays.
-inline PolarVolume VolumeOf(std::vector<PolarSweep> sweeps, const Position& site = centralSite)
+inline PolarVolume VolumeOf(
+  const std::vector<NumberSweep>& sweeps, const Position& site = centralSite)
 {
-  PolarVolume volume = MakeVolume(site, 0.0, std::move(sweeps));
+  PolarVolume volume = MakeVolume(site, 0.0, sweeps);
   volume.start = volume.end = volume.sweeps.front().rays.front().time;
   for (const PolarSweep& sweep : volume.sweeps)
   {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Coverage.h"
 
+#include "SweepMaker.h"
 #include "nexrad/Geometry/SiteGeoreference.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Polar/SweepPairing.h"
@@ -38,6 +39,7 @@ public:
     for (const PolarSweep& sweep : volume.sweeps)
     {
       finders.emplace_back(sweep);
+      sweeps.push_back(testing::NumbersOf(sweep));
     }
   }
 
@@ -48,16 +50,16 @@ public:
       const auto ray = finders[i].Nearest(column.direction.azimuth, beamWidth);
       if (ray)
       {
-        this->MarkRay(column, volume.sweeps[i], *ray);
+        this->MarkRay(column, sweeps[i], *ray);
       }
     }
   }
 
 private:
-  void MarkRay(const Column& column, const PolarSweep& sweep, std::size_t ray) const
+  void MarkRay(const Column& column, const testing::NumberSweep& sweep, std::size_t ray) const
   {
     const double half = 0.5 * beamWidth;
-    const double elevation = sweep.rays[ray].elevation;
+    const auto elevation = static_cast<double>(sweep.rays[ray].elevation);
     const double distance = column.direction.groundDistance;
     const double low = beam.HeightOver(distance, elevation - half);
     const double high = beam.HeightOver(distance, elevation + half);
@@ -85,7 +87,7 @@ private:
     return static_cast<int>(std::clamp(level, 0.0, static_cast<double>(grid.dimensions[2])));
   }
 
-  static bool IsSampled(const PolarSweep& sweep, std::size_t ray, double range)
+  static bool IsSampled(const testing::NumberSweep& sweep, std::size_t ray, double range)
   {
     const double gate = std::round((range - sweep.firstGate) / sweep.gateSpacing);
     return gate >= 0.0 && gate < static_cast<double>(sweep.gates) &&
@@ -98,6 +100,7 @@ private:
   const double beamWidth; // degrees
   double altitude;        // m above mean sea level, of the antenna
   std::vector<RayFinder> finders;
+  std::vector<testing::NumberSweep> sweeps;
   std::vector<std::uint8_t>& seen;
 };
 

@@ -2,10 +2,10 @@
 // A synthetic field of echo that moves, and radars that scan it ray by ray, each at its own time.
 #pragma once
 
+#include "SweepMaker.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Motion/MotionField.h"
-#include "nexrad/Polar/PolarVolume.h"
 
 #include <cmath>
 #include <functional>
@@ -70,7 +70,7 @@ inline PolarVolume ScanEcho(const MovingEcho& field, const Site& site, Time zero
   volume.start = at(start);
   for (std::size_t tilt = 0; tilt < plan.tilts.size(); ++tilt)
   {
-    PolarSweep sweep;
+    NumberSweep sweep;
     sweep.elevationNumber = static_cast<int>(tilt) + 1;
     sweep.firstGate = sweep.gateSpacing = plan.gateSpacing;
     sweep.gates = plan.gates;
@@ -79,7 +79,8 @@ inline PolarVolume ScanEcho(const MovingEcho& field, const Site& site, Time zero
       const double part = static_cast<double>(ray) / static_cast<double>(plan.rays);
       const double seconds = start + plan.secondsPerSweep * (static_cast<double>(tilt) + part);
       const double azimuth = std::fmod(plan.firstAzimuth + 360.0 * part, 360.0);
-      sweep.rays.push_back({azimuth, plan.tilts[tilt], at(seconds)});
+      sweep.rays.push_back(
+        {static_cast<float>(azimuth), static_cast<float>(plan.tilts[tilt]), 0.0F, at(seconds)});
       volume.end = at(seconds);
       for (std::size_t gate = 0; gate < plan.gates; ++gate)
       {
@@ -93,7 +94,7 @@ inline PolarVolume ScanEcho(const MovingEcho& field, const Site& site, Time zero
         sweep.states.push_back(echo ? GateState::Valid : GateState::BelowThreshold);
       }
     }
-    volume.sweeps.push_back(std::move(sweep));
+    volume.sweeps.push_back(sweep);
   }
   return volume;
 }

@@ -14,6 +14,7 @@
 using namespace nexrad;
 using nexrad::testing::MakeSweep;
 using nexrad::testing::MakeVolume;
+using nexrad::testing::NumberSweep;
 
 namespace
 {
@@ -34,11 +35,11 @@ GridSpecification GridAbout(const Position& site)
 // The definition, applied to each voxel without any short cut.
 TEST(Coverage, IsTheDefinition)
 {
-  PolarSweep low = MakeSweep(1, 0.5, 360, 100, 1000.0);
+  NumberSweep low = MakeSweep(1, 0.5, 360, 100, 1000.0);
   low.rays.erase(low.rays.begin() + 40, low.rays.begin() + 80); // a sector that was not scanned
   low.states.resize(low.rays.size() * low.gates);
   low.values.resize(low.states.size());
-  const PolarSweep high = MakeSweep(2, 6.0, 360, 60, 1000.0);
+  const NumberSweep high = MakeSweep(2, 6.0, 360, 60, 1000.0);
   const PolarVolume volume = MakeVolume(here, 0.0, {low, high});
   const GridSpecification grid = GridAbout(here);
   const auto seen = BeamCoverage({&volume}, grid);
@@ -67,7 +68,7 @@ TEST(Coverage, IsTheDefinition)
 
 TEST(Coverage, GatesThatWereNotSampledSeeNothing)
 {
-  PolarSweep sweep = MakeSweep(1, 2.0, 360, 100, 1000.0);
+  NumberSweep sweep = MakeSweep(1, 2.0, 360, 100, 1000.0);
   const GridSpecification grid = GridAbout(here);
   const PolarVolume whole = MakeVolume(here, 0.0, {sweep});
   sweep.states.assign(sweep.states.size(), GateState::NotSampled);

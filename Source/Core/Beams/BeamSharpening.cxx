@@ -146,11 +146,12 @@ public:
     }
   }
 
+  bool IsThere() const { return sweep != nullptr; }
+
   void TurnTo(float azimuth)
   {
     const int entry = sweep != nullptr ? NearestEntry(*sweep, azimuth) : -1;
-    codes =
-      entry < 0 ? nullptr : sweep->codes.data() + static_cast<std::size_t>(entry) * sweep->Stride();
+    codes = entry < 0 ? nullptr : sweep->Row(static_cast<std::size_t>(entry));
   }
 
   // The side of the beam towards this sweep, of an echo of `value` dBZ.
@@ -161,11 +162,11 @@ public:
       return {};
     }
     const std::uint16_t code = codes[gates[gate]];
-    if (code >= BeamSweep::FirstValueCode)
+    if (code >= GateCode::FirstValue)
     {
-      return scale.TowardsEcho(value, sweep->base + sweep->step * static_cast<float>(code));
+      return scale.TowardsEcho(value, sweep->scale.ValueOf(code));
     }
-    return code == BeamSweep::NoEchoCode ? scale.TowardsNone(value) : BeamSide{};
+    return code == GateCode::NoEcho ? scale.TowardsNone(value) : BeamSide{};
   }
 
 private:
@@ -175,23 +176,51 @@ private:
   const std::uint16_t* codes = nullptr; // of the ray that it is turned to; nullptr without one
 };
 
-// The codes of a sweep with its echo deconvolved.
-std::vector<std::uint16_t> Sharpen(const BeamSweep& sweep, const std::vector<BeamSweep>& sweeps,
-  float beamWidth, const BeamModel& beam)
+// The gates of a sweep after the deconvolution.
+struct SharpenedGates
 {
-  NeighbourSweep below(FindBeside(sweeps, sweep, -1.0F), sweep, beamWidth, beam);
-  NeighbourSweep above(FindBeside(sweeps, sweep, 1.0F), sweep, beamWidth, beam);
-  std::vector<std::uint16_t> codes = sweep.codes;
-  const auto first = static_cast<float>(BeamSweep::FirstValueCode);
-  // The first code above 0 dBZ.
-  const float zero = sweep.step > 0.0F ? std::floor(-sweep.base / sweep.step) + 1.0F : first;
-  const auto least = static_cast<std::uint16_t>(std::clamp(zero, first, 65'535.0F));
-  const float stepsPerDecibel = sweep.step > 0.0F ? 1.0F / sweep.step : 0.0F;
-  for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
+  GateScale scale;
+  std::vector<std::uint16_t> codes; // empty: the sweep stays as it is
+};
+
+// Deconvolves the echo of a sweep above 0 dBZ. The values are rounded here: to a scale of their
+// own.
+class SweepSharpener
+{
+public:
+  SweepSharpener(const BeamSweep& theSweep, const std::vector<BeamSweep>& sweeps, float beamWidth,
+    const BeamModel& beam)
+    : sweep(theSweep)
+    , below(FindBeside(sweeps, sweep, -1.0F), sweep, beamWidth, beam)
+    , above(FindBeside(sweeps, sweep, 1.0F), sweep, beamWidth, beam)
   {
-    if (LargestCode(sweep, entry) < BeamSweep::FirstValueCode)
+  }
+
+  SharpenedGates Sharpen()
+  {
+    const CodeRange values = FindValueCodes(sweep);
+    if (values.IsEmpty() || !(below.IsThere() || above.IsThere()))
     {
-      continue;
+      return {};
+    }
+    SharpenedGates sharpened;
+    sharpened.scale = GateScale::Between(sweep.scale.ValueOf(values.least) - SharpeningRange::Down,
+      sweep.scale.ValueOf(values.most) + SharpeningRange::Up);
+    sharpened.codes.resize(sweep.codes.size());
+    for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
+    {
+      this->SharpenRay(entry, sharpened.scale, sharpened.codes.data() + entry * sweep.Stride());
+    }
+    return sharpened;
+  }
+
+private:
+  void SharpenRay(std::size_t entry, const GateScale& scale, std::uint16_t* to)
+  {
+    const GateRange& held = sweep.held[entry];
+    if (held.IsEmpty())
+    {
+      return;
     }
     const float azimuth = sweep.azimuths[entry];
     const float turned = azimuth < 0.0F     ? azimuth + 360.0F
@@ -199,21 +228,25 @@ std::vector<std::uint16_t> Sharpen(const BeamSweep& sweep, const std::vector<Bea
                                             : azimuth - 360.0F;
     below.TurnTo(turned);
     above.TurnTo(turned);
-    std::uint16_t* ray = codes.data() + entry * sweep.Stride();
-    for (std::size_t gate = 0; gate < static_cast<std::size_t>(sweep.gates); ++gate)
+    const std::uint16_t* codes = sweep.Row(entry);
+    for (std::size_t gate = held.begin; gate < held.end; ++gate)
     {
-      if (ray[gate] >= least)
+      to[gate] = codes[gate];
+      if (codes[gate] >= GateCode::FirstValue)
       {
-        const float value = sweep.base + sweep.step * static_cast<float>(ray[gate]);
-        const float sharpened = SharpenBetween(value, below.At(gate, value), above.At(gate, value));
-        const float code = static_cast<float>(ray[gate]) + (sharpened - value) * stepsPerDecibel;
-        ray[gate] = static_cast<std::uint16_t>(std::clamp(code, first, 65'535.0F) + 0.5F);
+        const float value = sweep.scale.ValueOf(codes[gate]);
+        to[gate] = scale.CodeOf(
+          value > 0.0F ? SharpenBetween(value, below.At(gate, value), above.At(gate, value))
+                       : value);
       }
     }
-    ray[sweep.gates] = ray[sweep.gates - 1];
+    to[sweep.gates] = to[sweep.gates - 1];
   }
-  return codes;
-}
+
+  const BeamSweep& sweep;
+  NeighbourSweep below;
+  NeighbourSweep above;
+};
 
 } // namespace
 
@@ -234,14 +267,19 @@ float SharpenValue(
 
 void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam)
 {
-  std::vector<std::vector<std::uint16_t>> sharpened;
+  std::vector<SharpenedGates> sharpened;
   for (const BeamSweep& sweep : sweeps)
   {
-    sharpened.push_back(Sharpen(sweep, sweeps, static_cast<float>(beamWidth), beam));
+    sharpened.push_back(
+      SweepSharpener(sweep, sweeps, static_cast<float>(beamWidth), beam).Sharpen());
   }
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {
-    sweeps[i].codes = std::move(sharpened[i]);
+    if (!sharpened[i].codes.empty())
+    {
+      sweeps[i].scale = sharpened[i].scale;
+      sweeps[i].codes = std::move(sharpened[i].codes);
+    }
   }
 }
 

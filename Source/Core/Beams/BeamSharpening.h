@@ -27,8 +27,8 @@ float SharpenValue(
 
 /// Deconvolves all echo above 0 dBZ in the sweeps of one volume of reflectivity. The neighbouring
 /// tilts are the nearest below and above that are more than SameTilt away; of repeated cuts the
-/// one scanned nearest in time. States stay, so that an echo may come out below 0 dBZ. The sweeps'
-/// scale must leave room for values `SharpeningRange` beyond what they hold.
+/// one scanned nearest in time. States stay, so that an echo may come out below 0 dBZ. A sweep that
+/// has a neighbour gets a scale that leaves room for the changes (SharpeningRange).
 void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth, const BeamModel& beam);
 
 /// How far a value can change, dB: downwards and upwards.

@@ -3,6 +3,8 @@
 
 #include "nexrad/Beams/SweepMeans.h"
 #include "nexrad/Model/Time.h"
+#include "nexrad/Polar/GateCode.h"
+#include "nexrad/Polar/GateRows.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -12,17 +14,14 @@
 namespace nexrad
 {
 
-/// One sweep as the merge by beams looks gates up: rays by azimuth, gates as words of 16 bits.
+/// One sweep as the merge by beams looks gates up: rays by azimuth, and the code of each gate in 16
+/// bits.
 ///
 /// Rays stand in the order of their azimuths, with the last one repeated before the first (less
 /// 360°) and the first after the last (plus 360°), so that each direction lies between an entry and
 /// the next.
 struct BeamSweep
 {
-  static constexpr std::uint16_t NoEchoCode = 0;
-  static constexpr std::uint16_t RangeFoldedCode = 1;
-  static constexpr std::uint16_t NotSampledCode = 2;
-  static constexpr std::uint16_t FirstValueCode = 3;
   static constexpr float BinsPerDegree = 2.0F;
 
   float elevation = 0.0F;     ///< degrees, median of the rays (Formulas Q7)
@@ -31,8 +30,7 @@ struct BeamSweep
   float firstGate = 0.0F;     ///< m, slant range of the first gate's centre
   float gatesPerMetre = 0.0F; ///< 1 / spacing of the gates
   int gates = 0;              ///< of each ray
-  float base = 0.0F;          ///< value = base + step × code, for codes from FirstValueCode
-  float step = 0.0F;
+  GateScale scale;            ///< of the codes
   int elevationNumber = 0;
   bool strays = false;   ///< rays that stray from the cut were left out
   bool complete = false; ///< the rays leave no gap, and all of their gates were measured
@@ -46,8 +44,10 @@ struct BeamSweep
   std::vector<float> times;       ///< of the entries, s since `begin`
   std::vector<std::uint32_t> firstEntries; ///< last entry at or before the start of each bin
   std::vector<std::uint16_t> codes;        ///< entries × Stride(), the last gate of each repeated
-  float halfWidth = 0.0F; ///< degrees that a ray is wide to either side at the edge of a gap
-  SweepMeans means;       ///< of the gates, for voxels coarser than these; may be empty
+  std::vector<GateRange> held; ///< of the entries: from the first to the last gate that holds
+                               ///< anything but no echo
+  float halfWidth = 0.0F;      ///< degrees that a ray is wide to either side at the edge of a gap
+  SweepMeans means;            ///< of the gates, for voxels coarser than these; may be empty
 
   /// True when the rays leave no gap too wide to interpolate across.
   bool IsClosed() const
@@ -56,6 +56,11 @@ struct BeamSweep
       inverseGaps.begin(), inverseGaps.end() - 1, [](float gap) { return gap > 0.0F; });
   }
   std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
+  /// The codes of an entry.
+  const std::uint16_t* Row(std::size_t entry) const
+  {
+    return codes.data() + entry * this->Stride();
+  }
   /// Outer edge of the last gate, m.
   float Reach() const { return firstGate + (static_cast<float>(gates) - 0.5F) / gatesPerMetre; }
 };

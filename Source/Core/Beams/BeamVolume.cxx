@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Beams/BeamVolume.h"
 
-#include "nexrad/Beams/BeamSharpening.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Model/SiteTable.h"
@@ -9,7 +8,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 namespace nexrad
@@ -17,8 +15,6 @@ namespace nexrad
 
 namespace
 {
-
-constexpr std::size_t valueCodes = 65'000;
 
 // A ray's place in the sweep and its azimuth, 0…360.
 struct SortedRay
@@ -33,7 +29,7 @@ std::vector<SortedRay> SortRays(const PolarSweep& sweep, const std::vector<std::
   std::vector<SortedRay> sorted;
   for (const std::size_t i : rays)
   {
-    const double turned = std::fmod(sweep.rays[i].azimuth, 360.0);
+    const double turned = std::fmod(static_cast<double>(sweep.rays[i].azimuth), 360.0);
     sorted.push_back({turned < 0.0 ? turned + 360.0 : turned, i});
   }
   // Of two rays in one direction the later comes first, and stays.
@@ -79,7 +75,7 @@ void SetDirections(
   {
     to.azimuths.push_back(static_cast<float>(entries[i].azimuth));
     const PolarRay& ray = source.rays[entries[i].ray];
-    to.elevations.push_back(static_cast<float>(ray.elevation));
+    to.elevations.push_back(ray.elevation);
     const Duration since = ray.time - to.begin;
     to.times.push_back(static_cast<float>(since.count()) / 1000.0F);
     const double gap =
@@ -99,77 +95,46 @@ void SetDirections(
   }
 }
 
-// Reflectivity has room for what SharpenSweeps makes of it.
-void SetScale(const PolarSweep& source, bool reflectivity, BeamSweep& to)
-{
-  float smallest = std::numeric_limits<float>::max();
-  float largest = std::numeric_limits<float>::lowest();
-  for (std::size_t i = 0; i < source.values.size(); ++i)
-  {
-    if (source.states[i] == GateState::Valid)
-    {
-      smallest = std::min(smallest, source.values[i]);
-      largest = std::max(largest, source.values[i]);
-    }
-  }
-  if (smallest <= largest)
-  {
-    smallest -= reflectivity ? SharpeningRange::Down : 0.0F;
-    largest += reflectivity ? SharpeningRange::Up : 0.0F;
-    to.step = (largest - smallest) / static_cast<float>(valueCodes);
-    to.base = smallest - to.step * static_cast<float>(BeamSweep::FirstValueCode);
-  }
-}
-
-std::uint16_t CodeOf(GateState state)
-{
-  switch (state)
-  {
-  case GateState::BelowThreshold:
-    return BeamSweep::NoEchoCode;
-  case GateState::RangeFolded:
-    return BeamSweep::RangeFoldedCode;
-  default:
-    return BeamSweep::NotSampledCode;
-  }
-}
-
 void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, BeamSweep& to)
 {
-  const float stepsPerUnit = to.step > 0.0F ? 1.0F / to.step : 0.0F;
-  const float offset = static_cast<float>(BeamSweep::FirstValueCode) + 0.5F;
-  const float smallest = to.base + static_cast<float>(BeamSweep::FirstValueCode) * to.step;
-  to.codes.resize(entries.size() * to.Stride());
-  std::uint16_t* codes = to.codes.data();
+  to.scale = source.scale;
+  to.codes.reserve(entries.size() * to.Stride());
   for (const SortedRay& entry : entries)
   {
-    const GateState* states = source.states.data() + source.Index(entry.ray, 0);
-    const float* values = source.values.data() + source.Index(entry.ray, 0);
-    for (std::size_t gate = 0; gate < source.gates; ++gate)
-    {
-      codes[gate] =
-        states[gate] == GateState::Valid
-          ? static_cast<std::uint16_t>(offset + stepsPerUnit * (values[gate] - smallest))
-          : CodeOf(states[gate]);
-    }
+    to.held.push_back(source.rows.Held(entry.ray, source.gates));
+    to.codes.resize(to.codes.size() + to.Stride());
+    std::uint16_t* codes = to.codes.data() + to.codes.size() - to.Stride();
+    source.Read(entry.ray, codes);
     codes[source.gates] = codes[source.gates - 1];
-    codes += to.Stride();
   }
+}
+
+bool IsMissing(std::uint16_t code)
+{
+  return code == GateCode::RangeFolded || code == GateCode::NotSampled;
 }
 
 bool IsComplete(const BeamSweep& sweep)
 {
-  bool missing = false; // without a branch, because most sweeps are looked through to the end
-  for (const std::uint16_t code : sweep.codes)
+  if (!sweep.IsClosed())
   {
-    missing |= code == BeamSweep::RangeFoldedCode || code == BeamSweep::NotSampledCode;
+    return false;
   }
-  return !missing && sweep.IsClosed();
+  for (std::size_t entry = 0; entry < sweep.held.size(); ++entry)
+  {
+    const std::uint16_t* codes = sweep.Row(entry);
+    const GateRange& held = sweep.held[entry];
+    if (std::any_of(codes + held.begin, codes + held.end, IsMissing))
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 // A sweep of some of the rays of `source`.
-BeamSweep PrepareSweep(const PolarSweep& source, const std::vector<std::size_t>& rays,
-  MomentName moment, double beamWidth)
+BeamSweep PrepareSweep(
+  const PolarSweep& source, const std::vector<std::size_t>& rays, double beamWidth)
 {
   BeamSweep sweep;
   const double elevation = MedianElevation(source);
@@ -187,7 +152,6 @@ BeamSweep PrepareSweep(const PolarSweep& source, const std::vector<std::size_t>&
   sweep.end = source.rays[*times.second].time;
   const std::vector<SortedRay> entries = CloseTheCircle(SortRays(source, rays));
   SetDirections(source, entries, beamWidth, sweep);
-  SetScale(source, moment == MomentName::REF, sweep);
   SetCodes(source, entries, sweep);
   sweep.complete = IsComplete(sweep);
   return sweep;
@@ -232,7 +196,7 @@ std::vector<std::size_t> FindRaysOfCut(const PolarSweep& sweep, double beamWidth
   std::vector<std::size_t> rays;
   for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
   {
-    if (!IsStray(sweep.rays[ray].elevation, elevation, beamWidth))
+    if (!IsStray(static_cast<double>(sweep.rays[ray].elevation), elevation, beamWidth))
     {
       rays.push_back(ray);
     }
@@ -248,8 +212,9 @@ void LeaveOutSeenTwice(const PolarSweep& sweep, const PolarSweep& surveillance, 
   const double elevation = MedianElevation(surveillance);
   const auto seen = [&](std::size_t ray)
   {
-    const auto other = finder.Nearest(sweep.rays[ray].azimuth, beamWidth);
-    return other && !IsStray(surveillance.rays[*other].elevation, elevation, beamWidth);
+    const auto other = finder.Nearest(static_cast<double>(sweep.rays[ray].azimuth), beamWidth);
+    return other &&
+           !IsStray(static_cast<double>(surveillance.rays[*other].elevation), elevation, beamWidth);
   };
   rays.erase(std::remove_if(rays.begin(), rays.end(), seen), rays.end());
 }
@@ -271,7 +236,8 @@ std::size_t BeamVolume::MemoryBytes() const
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
              sweep.firstEntries.size() * sizeof(std::uint32_t) +
-             sweep.codes.size() * sizeof(std::uint16_t) + sweep.means.MemoryBytes();
+             sweep.codes.size() * sizeof(std::uint16_t) + sweep.held.size() * sizeof(GateRange) +
+             sweep.means.MemoryBytes();
   }
   return bytes;
 }
@@ -301,7 +267,7 @@ BeamVolume PrepareBeamVolume(const PolarVolume& volume, std::optional<double> be
     }
     if (!rays.empty())
     {
-      prepared.sweeps.push_back(PrepareSweep(sweep, rays, volume.moment, width));
+      prepared.sweeps.push_back(PrepareSweep(sweep, rays, width));
       prepared.sweeps.back().strays = strays;
     }
   }

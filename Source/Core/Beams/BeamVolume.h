@@ -33,8 +33,7 @@ struct BeamVolume
 /// Volumes made ready, which several may share.
 using BeamVolumes = std::vector<std::shared_ptr<const BeamVolume>>;
 
-/// Makes a volume ready. Values are rounded to 1/65000 of the sweep's range of values (of
-/// reflectivity with SharpeningRange about it). A gap between rays wider than one and a half times
+/// Makes a volume ready. Gates keep their codes. A gap between rays wider than one and a half times
 /// `beamWidth` (degrees; unless said, the radar's own, BeamWidthOf) or the sweep's own spacing,
 /// whichever is larger, is not interpolated across.
 ///

@@ -147,13 +147,13 @@ public:
   {
     switch (code)
     {
-    case BeamSweep::NoEchoCode:
+    case GateCode::NoEcho:
       to.none += weight;
       return;
-    case BeamSweep::RangeFoldedCode:
+    case GateCode::RangeFolded:
       to.folded += weight;
       return;
-    case BeamSweep::NotSampledCode:
+    case GateCode::NotSampled:
       to.missing += weight;
       return;
     default:
@@ -172,8 +172,7 @@ public:
     }
     if (!(tally.echo + tally.none > 0.0F))
     {
-      cell.code =
-        tally.folded >= tally.missing ? BeamSweep::RangeFoldedCode : BeamSweep::NotSampledCode;
+      cell.code = tally.folded >= tally.missing ? GateCode::RangeFolded : GateCode::NotSampled;
       cell.missing = 255;
       return cell;
     }
@@ -186,29 +185,24 @@ public:
     if (cell.echo > 0)
     {
       const float code = this->MeanCode(tally, means) + 0.5F;
-      constexpr auto first = static_cast<float>(BeamSweep::FirstValueCode);
+      constexpr auto first = static_cast<float>(GateCode::FirstValue);
       cell.code = static_cast<std::uint16_t>(std::clamp(code, first, 65'535.0F));
     }
     return cell;
   }
 
 private:
-  float DecibelsOf(std::uint16_t code) const
-  {
-    return sweep.base + sweep.step * static_cast<float>(code);
-  }
-
   void AddValue(std::uint16_t code, float weight, Tally& to) const
   {
     if (rule.period > 0.0F)
     {
-      const float angle = this->DecibelsOf(code) * static_cast<float>(turn) / rule.period;
+      const float angle = sweep.scale.ValueOf(code) * static_cast<float>(turn) / rule.period;
       to.sum += weight * std::cos(angle);
       to.sine += weight * std::sin(angle);
     }
     else if (rule.linear)
     {
-      to.sum += weight * std::pow(10.0F, 0.1F * this->DecibelsOf(code));
+      to.sum += weight * std::pow(10.0F, 0.1F * sweep.scale.ValueOf(code));
     }
     else
     {
@@ -222,14 +216,11 @@ private:
     {
       const float angle = std::atan2(tally.sine, tally.sum) / static_cast<float>(turn);
       const float part = angle < 0.0F ? angle + 1.0F : angle;
-      return (part * rule.period - means.base) / means.step;
+      return (part * rule.period - means.scale.base) / means.scale.step;
     }
     const float mean = tally.sum / tally.echo;
-    if (rule.linear)
-    {
-      return means.step > 0.0F ? (10.0F * std::log10(mean) - means.base) / means.step : 0.0F;
-    }
-    return mean;
+    const float value = rule.linear ? 10.0F * std::log10(mean) : sweep.scale.ValueOf(mean);
+    return (value - means.scale.base) / means.scale.step;
   }
 
   const BeamSweep& sweep;
@@ -277,10 +268,6 @@ public:
   {
     tallies.resize(rays);
     closed = sweep.IsClosed();
-    for (std::size_t ray = 0; ray < rays; ++ray)
-    {
-      held.push_back(this->FindHeld(ray));
-    }
   }
 
   void Reduce(double gatesPerRing)
@@ -312,13 +299,6 @@ public:
   }
 
 private:
-  // The gates of a ray from the first to the last that holds anything but no echo.
-  struct GateRange
-  {
-    std::size_t begin;
-    std::size_t end;
-  };
-
   // The gates of a ring, the same of all rays; the weights are their parts of the ring.
   struct RingGates
   {
@@ -348,30 +328,15 @@ private:
     }
   }
 
-  GateRange FindHeld(std::size_t ray) const
-  {
-    const std::uint16_t* codes = sweep.codes.data() + (ray + 1) * sweep.Stride();
-    std::ptrdiff_t end = LargestCode(sweep, ray + 1) == BeamSweep::NoEchoCode ? 0 : sweep.gates;
-    while (end > 0 && codes[end - 1] == BeamSweep::NoEchoCode)
-    {
-      --end;
-    }
-    std::ptrdiff_t begin = 0;
-    while (begin < end && codes[begin] == BeamSweep::NoEchoCode)
-    {
-      ++begin;
-    }
-    return {static_cast<std::size_t>(begin), static_cast<std::size_t>(end)};
-  }
-
   // The part of a ray in a ring.
   Tally TallyOf(std::size_t ray, std::size_t ring) const
   {
     const RingGates& gates = ringGates[ring];
-    const std::uint16_t* codes = sweep.codes.data() + (ray + 1) * sweep.Stride();
-    if (gates.begin >= held[ray].end || gates.end <= held[ray].begin ||
+    const std::uint16_t* codes = sweep.Row(ray + 1);
+    const GateRange& held = sweep.held[ray + 1];
+    if (gates.begin >= held.end || gates.end <= held.begin ||
         std::all_of(codes + gates.begin, codes + gates.end,
-          [](std::uint16_t code) { return code == BeamSweep::NoEchoCode; }))
+          [](std::uint16_t code) { return code == GateCode::NoEcho; }))
     {
       return noEcho;
     }
@@ -403,7 +368,7 @@ private:
   void SetRay(std::size_t ray, std::size_t firstRing)
   {
     for (std::size_t ring = firstRing;
-         ring < means.rings.size() && ringGates[ring].begin < held[ray].end; ++ring)
+         ring < means.rings.size() && ringGates[ring].begin < sweep.held[ray + 1].end; ++ring)
     {
       const Tally tally = this->TallyOf(ray, ring);
       if (tally.none < 1.0F) // else the cell is made as no echo
@@ -458,12 +423,25 @@ private:
   const std::size_t rays;
   std::vector<float> weights; // of the gates of each ring, one ring after the other
   std::vector<RingGates> ringGates;
-  bool closed;                 // no gap between rays is too wide
-  std::vector<GateRange> held; // of each ray
-  std::vector<Tally> tallies;  // of one ring: its parts along the rays
-  std::vector<Tally> sectors;  // and its sectors
-  std::vector<float> covered;  // parts of the sectors in which rays stand
+  bool closed;                // no gap between rays is too wide
+  std::vector<Tally> tallies; // of one ring: its parts along the rays
+  std::vector<Tally> sectors; // and its sectors
+  std::vector<float> covered; // parts of the sectors in which rays stand
 };
+
+// A scale for means of the gates' values; of angles one of the whole circle.
+GateScale ScaleOf(const BeamSweep& sweep, const ValueRule& rule)
+{
+  if (rule.period > 0.0F)
+  {
+    const float step = rule.period / angleCodes;
+    return {-step * static_cast<float>(GateCode::FirstValue), step};
+  }
+  const CodeRange codes = FindValueCodes(sweep);
+  return codes.IsEmpty()
+           ? GateScale()
+           : GateScale::Between(sweep.scale.ValueOf(codes.least), sweep.scale.ValueOf(codes.most));
+}
 
 } // namespace
 
@@ -482,9 +460,7 @@ SweepMeans MakeSweepMeans(const BeamSweep& sweep, const ValueRule& rule, double 
   {
     return {}; // the gates serve everywhere
   }
-  means.step = rule.period > 0.0F ? rule.period / angleCodes : sweep.step;
-  means.base =
-    rule.period > 0.0F ? -means.step * static_cast<float>(BeamSweep::FirstValueCode) : sweep.base;
+  means.scale = ScaleOf(sweep, rule);
   const SweepMeans::Ring& last = means.rings.back();
   const std::size_t ofLast =
     last.sectors > 0 ? static_cast<std::size_t>(last.sectors) + 2 : sweep.azimuths.size();

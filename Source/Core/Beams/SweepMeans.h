@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Polar/GateCode.h"
 #include "nexrad/Polar/ValueRule.h"
 
 #include <cstddef>
@@ -19,8 +20,8 @@ struct BeamSweep;
 /// elsewhere. Interpolated bilinearly, the cells smooth as much as a mean over the voxel.
 struct SweepMeans
 {
-  /// The mean over one cell: value = base + step × code over its echo, which fills echo/255 of the
-  /// cell; missing/255 of it was not measured, and the rest is no echo. A cell of which nothing was
+  /// The mean over one cell: the value of the code over its echo, which fills echo/255 of the cell;
+  /// missing/255 of it was not measured, and the rest is no echo. A cell of which nothing was
   /// measured has the code of the state that most of it has.
   struct Cell
   {
@@ -47,8 +48,7 @@ struct SweepMeans
                                                          ///< serve, and from which gates do
   float firstRing = 0.0F;     ///< m, slant range of the first ring's middle
   float ringsPerMetre = 0.0F; ///< 1 / width of the rings
-  float base = 0.0F;
-  float step = 0.0F;
+  GateScale scale;            ///< of the codes; finer than that of the gates
   float spread = 0.0F;     ///< m along the ground: a gate farther from a column, but for its length
                            ///< and its ray's width, does not count in the column's sample
   std::vector<Ring> rings; ///< outwards

@@ -26,15 +26,27 @@ int NearestEntry(const BeamSweep& sweep, float azimuth)
   return static_cast<int>(to < from ? entry + 1 : entry);
 }
 
-std::uint16_t LargestCode(const BeamSweep& sweep, std::size_t entry)
+CodeRange FindValueCodes(const BeamSweep& sweep)
 {
-  const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
-  std::uint16_t largest = 0;
-  for (std::size_t gate = 0; gate < sweep.Stride(); ++gate)
+  CodeRange range;
+  for (std::size_t entry = 0; entry < sweep.held.size(); ++entry)
   {
-    largest = std::max(largest, codes[gate]);
+    const std::uint16_t* codes = sweep.Row(entry);
+    // Without a branch, so that the compiler can put codes side by side: codes of states turn into
+    // the largest places.
+    std::uint16_t least = GateCode::Last;
+    std::uint16_t most = 0;
+    for (std::size_t gate = sweep.held[entry].begin; gate < sweep.held[entry].end; ++gate)
+    {
+      const auto place = static_cast<std::uint16_t>(codes[gate] - GateCode::FirstValue);
+      least = std::min(least, place);
+      most = std::max(most, codes[gate]);
+    }
+    range.most = std::max(range.most, most);
+    range.least = std::min<std::uint16_t>(
+      range.least, std::min<unsigned>(least + unsigned(GateCode::FirstValue), GateCode::Last));
   }
-  return largest;
+  return range;
 }
 
 double RangeOf(const BeamSweep& sweep, int gate)

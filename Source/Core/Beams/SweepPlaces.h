@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Geometry/Beam.h"
+#include "nexrad/Polar/GateCode.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -16,9 +17,15 @@ struct BeamSweep;
 /// there.
 int NearestEntry(const BeamSweep& sweep, float azimuth);
 
-/// The largest of the codes of an entry: NoEchoCode where it holds nothing but no echo, below
-/// FirstValueCode where it holds no value.
-std::uint16_t LargestCode(const BeamSweep& sweep, std::size_t entry);
+/// The least and the largest code of a value in a sweep.
+struct CodeRange
+{
+  std::uint16_t least = GateCode::Last;
+  std::uint16_t most = 0;
+
+  bool IsEmpty() const { return most < GateCode::FirstValue; }
+};
+CodeRange FindValueCodes(const BeamSweep& sweep);
 
 /// Slant range of the middle of a gate, m.
 double RangeOf(const BeamSweep& sweep, int gate);

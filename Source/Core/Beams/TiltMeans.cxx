@@ -58,24 +58,20 @@ public:
   void Add(std::size_t entry)
   {
     ++rays;
-    if (LargestCode(sweep, entry) == BeamSweep::NoEchoCode)
-    {
-      return;
-    }
-    const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
-    for (std::size_t gate = 0; gate < rings.size(); ++gate)
+    const std::uint16_t* codes = sweep.Row(entry);
+    for (std::size_t gate = sweep.held[entry].begin; gate < sweep.held[entry].end; ++gate)
     {
       const std::uint16_t code = codes[gate];
       const std::size_t ring = rings[gate];
-      if (code == BeamSweep::NoEchoCode || ring >= TiltMeans::Rings)
+      if (code == GateCode::NoEcho || ring >= TiltMeans::Rings)
       {
         continue;
       }
       first = std::min(first, ring);
       last = std::max(last, ring);
-      if (code >= BeamSweep::FirstValueCode)
+      if (code >= GateCode::FirstValue)
       {
-        sums[ring].value += sweep.base + sweep.step * static_cast<float>(code);
+        sums[ring].value += sweep.scale.ValueOf(code);
       }
       else
       {

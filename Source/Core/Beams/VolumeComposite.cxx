@@ -71,17 +71,15 @@ public:
 private:
   void FindStrongest(std::size_t entry)
   {
-    const std::uint16_t* codes = sweep.codes.data() + entry * sweep.Stride();
+    const std::uint16_t* codes = sweep.Row(entry);
+    const GateRange& held = sweep.held[entry];
     rayEcho = 0.0;
-    strongest.assign(gates.size() - 1, BeamSweep::NoEchoCode);
-    if (LargestCode(sweep, entry) == BeamSweep::NoEchoCode)
-    {
-      return;
-    }
-    for (std::size_t ring = 0; ring + 1 < gates.size(); ++ring)
+    strongest.assign(gates.size() - 1, GateCode::NoEcho);
+    for (std::size_t ring = 0; ring + 1 < gates.size() && gates[ring] < held.end; ++ring)
     {
       std::uint16_t most = 0;
-      for (std::size_t gate = gates[ring]; gate < gates[ring + 1]; ++gate)
+      const std::size_t end = std::min(gates[ring + 1], held.end);
+      for (std::size_t gate = std::max(gates[ring], held.begin); gate < end; ++gate)
       {
         most = std::max(most, codes[gate]);
       }
@@ -92,9 +90,7 @@ private:
 
   float ValueOf(std::uint16_t code) const
   {
-    return code < BeamSweep::FirstValueCode
-             ? 0.0F
-             : std::max(0.0F, sweep.base + sweep.step * static_cast<float>(code));
+    return code < GateCode::FirstValue ? 0.0F : std::max(0.0F, sweep.scale.ValueOf(code));
   }
 
   // Adds the ray to the sectors on one side of its own whose middle lies within `halfGap` of it.
@@ -127,7 +123,7 @@ private:
       }
       const std::uint16_t code = strongest[ring];
       const auto cell =
-        code == BeamSweep::NoEchoCode ? VolumeComposite::Cell::NoEcho : VolumeComposite::Cell::Held;
+        code == GateCode::NoEcho ? VolumeComposite::Cell::NoEcho : VolumeComposite::Cell::Held;
       composite.cells[first + ring] = std::max(composite.cells[first + ring], cell);
       if (cell == VolumeComposite::Cell::Held)
       {

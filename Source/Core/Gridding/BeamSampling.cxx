@@ -57,9 +57,7 @@ struct Tally
   }
   void AddNothing(std::uint16_t code, float weight)
   {
-    float& of = code == BeamSweep::NoEchoCode        ? none
-                : code == BeamSweep::RangeFoldedCode ? folded
-                                                     : missing;
+    float& of = code == GateCode::NoEcho ? none : code == GateCode::RangeFolded ? folded : missing;
     of += weight;
   }
 };
@@ -149,12 +147,12 @@ inline VoxelState BeyondReach(
 inline void AddGate(
   const BeamSweep& sweep, std::uint16_t code, float weight, const ValueRule& rule, Tally& about)
 {
-  if (code < BeamSweep::FirstValueCode)
+  if (code < GateCode::FirstValue)
   {
     about.AddNothing(code, weight);
     return;
   }
-  const float value = sweep.base + sweep.step * static_cast<float>(code);
+  const float value = sweep.scale.ValueOf(code);
   about.AddEcho(Interpolated(value, rule), weight, rule);
 }
 
@@ -171,7 +169,7 @@ inline void AddCell(const SweepMeans& means, const SweepMeans::Cell& cell, float
   about.none += weight * static_cast<float>(none);
   if (cell.echo > 0)
   {
-    const float value = means.base + means.step * static_cast<float>(cell.code);
+    const float value = means.scale.ValueOf(cell.code);
     about.AddEcho(Interpolated(value, rule), weight * static_cast<float>(cell.echo), rule);
   }
 }
@@ -227,7 +225,7 @@ inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azi
       code += weights[i] * static_cast<float>(cells[i].code);
     }
     look.state = VoxelState::Echo;
-    look.value = means.base + means.step * code;
+    look.value = means.scale.ValueOf(code);
     return;
   }
   Tally about;
@@ -248,7 +246,7 @@ inline void LookAtGates(
                                static_cast<std::size_t>(rays.entry) * sweep.Stride() +
                                static_cast<std::size_t>(gate);
   const std::uint16_t* second = first + sweep.Stride();
-  if ((first[0] | first[1] | second[0] | second[1]) == BeamSweep::NoEchoCode)
+  if ((first[0] | first[1] | second[0] | second[1]) == GateCode::NoEcho)
   {
     look.state = VoxelState::NoEcho;
     return;

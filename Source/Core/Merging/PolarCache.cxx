@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/PolarCache.h"
 
-#include "nexrad/Polar/PackedPolarVolume.h"
-
 #include <algorithm>
 
 namespace nexrad

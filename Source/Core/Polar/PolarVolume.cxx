@@ -5,7 +5,6 @@
 #include "nexrad/Model/MomentLimits.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -41,60 +40,159 @@ std::vector<RayList> GroupByGeometry(const Sweep& sweep, MomentName moment)
   return groups;
 }
 
-// What each word of 8 bits stands for: a sweep has hundreds of thousands of them.
-class WordMeanings
+std::uint16_t CodeOf(GateState state)
 {
-public:
-  void SetFor(const MomentRow& row)
+  switch (state)
   {
-    if (known && like.scale == row.scale && like.offset == row.offset &&
-        like.firstValue == row.firstValue)
-    {
-      return;
-    }
-    known = true;
-    like = row;
-    for (std::size_t word = 0; word < values.size(); ++word)
-    {
-      const auto byte = static_cast<std::uint8_t>(word);
-      MomentRow one = row;
-      one.words = &byte;
-      one.wordBits = 8;
-      states[word] = one.State(0);
-      values[word] =
-        states[word] == GateState::Valid ? one.Value(0) : std::numeric_limits<float>::quiet_NaN();
-    }
-  }
-  float Value(std::uint8_t word) const { return values[word]; }
-  GateState State(std::uint8_t word) const { return states[word]; }
-
-private:
-  bool known = false;
-  MomentRow like;
-  std::array<float, 256> values;
-  std::array<GateState, 256> states;
-};
-
-void FillRayOfBytes(
-  const MomentRow& row, const WordMeanings& meanings, std::size_t start, PolarSweep& sweep)
-{
-  for (std::size_t gate = 0; gate < row.gates; ++gate)
-  {
-    sweep.states[start + gate] = meanings.State(row.words[gate]);
-    sweep.values[start + gate] = meanings.Value(row.words[gate]);
+  case GateState::BelowThreshold:
+    return GateCode::NoEcho;
+  case GateState::RangeFolded:
+    return GateCode::RangeFolded;
+  default:
+    return GateCode::NotSampled;
   }
 }
 
-void FillRay(const MomentRow& row, std::size_t start, PolarSweep& sweep)
+// How the words of the rays of a sweep become codes.
+struct Coding
 {
+  GateScale scale;
+  std::uint16_t largest = 0; // code
+  bool exact = false;        // the code of a value is its word + 1
+};
+
+unsigned LargestWord(const MomentRow& row)
+{
+  if (row.wordBits == 8)
+  {
+    std::uint8_t largest = 0;
+    for (std::size_t gate = 0; gate < row.gates; ++gate)
+    {
+      largest = std::max(largest, row.words[gate]);
+    }
+    return largest;
+  }
+  unsigned largest = 0;
   for (std::size_t gate = 0; gate < row.gates; ++gate)
   {
-    const GateState state = row.State(gate);
-    sweep.states[start + gate] = state;
-    if (state == GateState::Valid)
+    largest = std::max(largest, row.Raw(gate));
+  }
+  return largest;
+}
+
+// The words' own scale; not exact where the rays have none in common that codes can have.
+Coding FindWordCoding(const RayList& rays, MomentName moment)
+{
+  const MomentRow& first = rays.front()->Row(moment);
+  Coding coding{{(-1.0F - first.offset) / first.scale, 1.0F / first.scale}, 0, true};
+  unsigned largest = 0;
+  for (const Ray* ray : rays)
+  {
+    const MomentRow& row = ray->Row(moment);
+    coding.exact = coding.exact && row.scale == first.scale && row.offset == first.offset &&
+                   row.firstValue == first.firstValue;
+    largest = std::max(largest, LargestWord(row));
+  }
+  coding.exact = coding.exact && largest < GateCode::Last && coding.scale.step > 0.0F &&
+                 std::isfinite(coding.scale.step) && std::isfinite(coding.scale.base);
+  coding.largest = static_cast<std::uint16_t>(std::min<unsigned>(largest, GateCode::Last - 1) + 1);
+  return coding;
+}
+
+// The scale of values that are added one after the other.
+class ValueRange
+{
+public:
+  void Add(float value)
+  {
+    if (std::isfinite(value))
     {
-      sweep.values[start + gate] = row.Value(gate);
+      least = std::min(least, value);
+      most = std::max(most, value);
     }
+  }
+
+  Coding MakeCoding() const
+  {
+    Coding coding;
+    if (least <= most)
+    {
+      coding.scale = GateScale::Between(least, most);
+      coding.largest = coding.scale.CodeOf(most);
+    }
+    return coding;
+  }
+
+private:
+  float least = std::numeric_limits<float>::max();
+  float most = std::numeric_limits<float>::lowest();
+};
+
+Coding FindValueCoding(const RayList& rays, MomentName moment)
+{
+  ValueRange range;
+  for (const Ray* ray : rays)
+  {
+    const MomentRow& row = ray->Row(moment);
+    for (std::size_t gate = 0; gate < row.gates; ++gate)
+    {
+      if (row.State(gate) == GateState::Valid)
+      {
+        range.Add(row.Value(gate));
+      }
+    }
+  }
+  return range.MakeCoding();
+}
+
+std::uint16_t CodeOf(float value, const GateScale& scale)
+{
+  return std::isfinite(value) ? scale.CodeOf(value) : GateCode::NotSampled;
+}
+
+// Every gate of every file passes here: the loops have no branch, and the compiler puts words side
+// by side.
+template <class WordAt>
+void SetWords(const MomentRow& row, const WordAt& wordAt, std::uint16_t* codes)
+{
+  const std::uint16_t first = row.firstValue;
+  if (first == 2) // then words below the first value are the codes of their states
+  {
+    for (std::size_t gate = 0; gate < row.gates; ++gate)
+    {
+      const std::uint16_t word = wordAt(gate);
+      codes[gate] = static_cast<std::uint16_t>(word + (word >= 2 ? 1 : 0));
+    }
+    return;
+  }
+  for (std::size_t gate = 0; gate < row.gates; ++gate)
+  {
+    const std::uint16_t word = wordAt(gate);
+    codes[gate] = word >= first ? static_cast<std::uint16_t>(word + 1) : GateCode::NoEcho;
+  }
+}
+
+void SetCodes(const MomentRow& row, const Coding& coding, std::uint16_t* codes)
+{
+  const std::uint8_t* words = row.words;
+  if (!coding.exact)
+  {
+    for (std::size_t gate = 0; gate < row.gates; ++gate)
+    {
+      const GateState state = row.State(gate);
+      codes[gate] =
+        state == GateState::Valid ? CodeOf(row.Value(gate), coding.scale) : CodeOf(state);
+    }
+  }
+  else if (row.wordBits == 8)
+  {
+    SetWords(
+      row, [words](std::size_t gate) -> std::uint16_t { return words[gate]; }, codes);
+  }
+  else
+  {
+    SetWords(
+      row, [&row](std::size_t gate) { return static_cast<std::uint16_t>(row.Raw(gate)); }, codes);
   }
 }
 
@@ -106,39 +204,39 @@ PolarSweep MakeSweep(const RayList& rays, Waveform waveform, MomentName moment)
   sweep.elevationNumber = rays.front()->elevationNumber;
   sweep.firstGate = first.firstGate;
   sweep.gateSpacing = first.gateSpacing;
+  sweep.rays.reserve(rays.size());
   for (const Ray* ray : rays)
   {
     sweep.gates = std::max<std::size_t>(sweep.gates, ray->Row(moment).gates);
-    sweep.rays.push_back({ray->azimuth, ray->elevation, ray->time, ray->unambiguousRange});
+    sweep.rays.push_back({ray->azimuth, ray->elevation, ray->unambiguousRange, ray->time});
   }
-  const std::size_t count = rays.size() * sweep.gates;
-  sweep.values.assign(count, std::numeric_limits<float>::quiet_NaN());
-  sweep.states.assign(count, GateState::NotSampled);
-  WordMeanings meanings;
-  for (std::size_t index = 0; index < rays.size(); ++index)
+  Coding coding = FindWordCoding(rays, moment);
+  if (!coding.exact)
   {
-    const MomentRow& row = rays[index]->Row(moment);
-    if (row.wordBits == 8)
-    {
-      meanings.SetFor(row);
-      FillRayOfBytes(row, meanings, sweep.Index(index, 0), sweep);
-    }
-    else
-    {
-      FillRay(row, sweep.Index(index, 0), sweep);
-    }
-    for (const std::size_t gate : ImpossibleGates(*rays[index], moment))
-    {
-      sweep.values[sweep.Index(index, gate)] = std::numeric_limits<float>::quiet_NaN();
-      sweep.states[sweep.Index(index, gate)] = GateState::NotSampled;
-    }
+    coding = FindValueCoding(rays, moment);
   }
+  sweep.scale = coding.scale;
+  sweep.rows = GateRows(coding.largest);
+  std::vector<std::uint16_t> codes(sweep.gates);
+  for (const Ray* ray : rays)
+  {
+    const MomentRow& row = ray->Row(moment);
+    SetCodes(row, coding, codes.data());
+    std::fill(codes.begin() + row.gates, codes.end(), GateCode::NotSampled);
+    for (const std::size_t gate : ImpossibleGates(*ray, moment))
+    {
+      codes[gate] = GateCode::NotSampled;
+    }
+    sweep.rows.Append(codes.data(), codes.size());
+  }
+  sweep.rows.Finish();
   return sweep;
 }
 
 // The first gate whose centre lies beyond the unambiguous range of a ray; all of them without one.
-std::size_t GatesWithin(const PolarSweep& sweep, double unambiguousRange)
+std::size_t GatesWithin(const PolarSweep& sweep, const PolarRay& ray)
 {
+  const auto unambiguousRange = static_cast<double>(ray.unambiguousRange);
   if (!(unambiguousRange > 0.0))
   {
     return sweep.gates;
@@ -147,49 +245,80 @@ std::size_t GatesWithin(const PolarSweep& sweep, double unambiguousRange)
   return static_cast<std::size_t>(std::clamp(last + 1.0, 0.0, static_cast<double>(sweep.gates)));
 }
 
-// Cuts off what lies behind the first `gates` gates of each ray.
-void CutOff(PolarSweep& sweep, std::size_t gates)
-{
-  for (std::size_t ray = 1; ray < sweep.rays.size(); ++ray)
-  {
-    const auto from = static_cast<std::ptrdiff_t>(sweep.Index(ray, 0));
-    const auto to = static_cast<std::ptrdiff_t>(ray * gates);
-    const auto count = static_cast<std::ptrdiff_t>(gates);
-    std::copy_n(sweep.values.begin() + from, count, sweep.values.begin() + to);
-    std::copy_n(sweep.states.begin() + from, count, sweep.states.begin() + to);
-  }
-  sweep.gates = gates;
-  sweep.values.resize(sweep.rays.size() * gates);
-  sweep.states.resize(sweep.rays.size() * gates);
-}
-
 } // namespace
+
+void SetGates(
+  PolarSweep& sweep, const std::vector<float>& values, const std::vector<GateState>& states)
+{
+  ValueRange range;
+  for (std::size_t gate = 0; gate < values.size(); ++gate)
+  {
+    if (states[gate] == GateState::Valid)
+    {
+      range.Add(values[gate]);
+    }
+  }
+  const Coding coding = range.MakeCoding();
+  sweep.scale = coding.scale;
+  sweep.rows = GateRows(coding.largest);
+  std::vector<std::uint16_t> codes(sweep.gates);
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    const std::size_t first = ray * sweep.gates;
+    for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+    {
+      const GateState state = states[first + gate];
+      codes[gate] =
+        state == GateState::Valid ? CodeOf(values[first + gate], coding.scale) : CodeOf(state);
+    }
+    sweep.rows.Append(codes.data(), codes.size());
+  }
+  sweep.rows.Finish();
+}
 
 void LimitReach(PolarSweep& sweep)
 {
   if (sweep.waveform == Waveform::Batch || sweep.waveform == Waveform::Unknown ||
-      !(sweep.gateSpacing > 0.0))
+      !(sweep.gateSpacing > 0.0) ||
+      std::all_of(sweep.rays.begin(), sweep.rays.end(),
+        [&sweep](const PolarRay& ray) { return GatesWithin(sweep, ray) == sweep.gates; }))
   {
     return;
   }
   std::size_t sampled = 0;
   bool changed = false;
+  GateRows limited(sweep.rows.LargestCode());
+  std::vector<std::uint16_t> codes(sweep.gates);
   for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
   {
-    const std::size_t within = GatesWithin(sweep, sweep.rays[ray].unambiguousRange);
+    sweep.Read(ray, codes.data());
+    const std::size_t within = GatesWithin(sweep, sweep.rays[ray]);
     sampled = std::max(sampled, within);
     for (std::size_t gate = within; gate < sweep.gates; ++gate)
     {
-      GateState& state = sweep.states[sweep.Index(ray, gate)];
-      changed = changed || state == GateState::BelowThreshold;
-      state = state == GateState::BelowThreshold ? GateState::NotSampled : state;
-      sampled = state == GateState::NotSampled ? sampled : std::max(sampled, gate + 1);
+      changed = changed || codes[gate] == GateCode::NoEcho;
+      codes[gate] = codes[gate] == GateCode::NoEcho ? GateCode::NotSampled : codes[gate];
+      sampled = codes[gate] == GateCode::NotSampled ? sampled : std::max(sampled, gate + 1);
     }
+    limited.Append(codes.data(), codes.size());
   }
-  if (changed && sampled < sweep.gates)
+  if (changed)
   {
-    CutOff(sweep, sampled);
+    limited.Finish();
+    sweep.rows = std::move(limited);
+    sweep.gates = std::min(sweep.gates, sampled);
   }
+}
+
+std::size_t MemoryOf(const PolarVolume& volume)
+{
+  std::size_t bytes = sizeof(PolarVolume);
+  for (const PolarSweep& sweep : volume.sweeps)
+  {
+    bytes +=
+      sizeof(PolarSweep) + sweep.rays.capacity() * sizeof(PolarRay) + sweep.rows.MemoryBytes();
+  }
+  return bytes;
 }
 
 double MedianElevation(const PolarSweep& sweep)
@@ -197,7 +326,7 @@ double MedianElevation(const PolarSweep& sweep)
   std::vector<double> elevations;
   for (const PolarRay& ray : sweep.rays)
   {
-    elevations.push_back(ray.elevation);
+    elevations.push_back(static_cast<double>(ray.elevation));
   }
   return MedianOf(std::move(elevations));
 }

@@ -2,8 +2,11 @@
 #pragma once
 
 #include "nexrad/Model/RadarVolume.h"
+#include "nexrad/Polar/GateCode.h"
+#include "nexrad/Polar/GateRows.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace nexrad
@@ -12,26 +15,27 @@ namespace nexrad
 /// Direction and time of one ray.
 struct PolarRay
 {
-  double azimuth = 0.0;   ///< degrees clockwise from north
-  double elevation = 0.0; ///< degrees
+  float azimuth = 0.0F;          ///< degrees clockwise from north
+  float elevation = 0.0F;        ///< degrees
+  float unambiguousRange = 0.0F; ///< m; 0 when unknown
   Time time{};
-  double unambiguousRange = 0.0; ///< m; 0 when unknown
 };
 
-/// One moment of one sweep as numbers: rays × gates, gates fastest. All rays share one gate
-/// geometry.
+/// One moment of one sweep: a code for each gate (GateCode), rays × gates. All rays share one gate
+/// geometry and one scale.
 struct PolarSweep
 {
   int elevationNumber = 0;  ///< number of the cut in the coverage pattern, from 1
   double firstGate = 0.0;   ///< m, slant range of the first gate's centre; may be negative
   double gateSpacing = 0.0; ///< m
-  std::size_t gates = 0;
+  std::size_t gates = 0;    ///< of each ray
   std::vector<PolarRay> rays;
-  std::vector<float> values; ///< unit of the moment; NaN where the state is not Valid
-  std::vector<GateState> states;
+  GateScale scale; ///< of the codes
+  GateRows rows;   ///< the codes, a row for each ray
   Waveform waveform = Waveform::Unknown;
 
-  std::size_t Index(std::size_t ray, std::size_t gate) const { return ray * gates + gate; }
+  /// Reads the codes of a ray, as many as gates.
+  void Read(std::size_t ray, std::uint16_t* codes) const { rows.Read(ray, gates, codes); }
 };
 
 /// What gridding needs of a radar volume: one moment of one site.
@@ -45,10 +49,22 @@ struct PolarVolume
   std::vector<PolarSweep> sweeps; ///< those that have the moment, in the order scanned
 };
 
-/// Converts the words of one moment. A sweep whose rays differ in gate geometry gives one
-/// PolarSweep for each geometry; shorter rays are padded with NotSampled, rays without the moment
-/// are left out. Of REF, LimitReach is applied to each sweep.
+/// The gates of one moment, as the file has them: the code of a value is its word + 1, and the
+/// scale that of the words. Where that cannot be (rays of one sweep differ in the scale of their
+/// words, larger words are smaller values, or a word leaves no room for its code) the sweep's
+/// values are rounded to a scale of their own (GateScale::Between): what is interpolated between
+/// rays must have one scale.
+///
+/// A sweep whose rays differ in gate geometry gives one PolarSweep for each geometry; shorter rays
+/// are padded with NotSampled, rays without the moment are left out. Values that no measurement can
+/// give (ImpossibleGates) are NotSampled. Of REF, LimitReach is applied to each sweep.
 PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment);
+
+/// Sets the gates of a sweep from numbers: the value and the state of each gate, rays × gates,
+/// gates fastest. Values are rounded to GateScale::Between the least and the largest; those that
+/// are not finite become NotSampled.
+void SetGates(
+  PolarSweep& sweep, const std::vector<float>& values, const std::vector<GateState>& states);
 
 /// Of a sweep of reflectivity, takes what lies beyond the unambiguous range of its ray for not
 /// scanned: a gate there that is below threshold becomes NotSampled. The pulses cannot tell that
@@ -58,6 +74,9 @@ PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment);
 /// reflectivity is that of long pulses, of a range that rays do not tell) and of unknown waveform
 /// stay as they are, and so do rays without a range.
 void LimitReach(PolarSweep& sweep);
+
+/// Bytes that a volume takes in memory.
+std::size_t MemoryOf(const PolarVolume& volume);
 
 /// The elevation of a sweep: the median of its rays', degrees; 0 without rays (Formulas Q7).
 double MedianElevation(const PolarSweep& sweep);

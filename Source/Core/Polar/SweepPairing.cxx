@@ -80,7 +80,7 @@ RayFinder::RayFinder(const PolarSweep& sweep)
   rays.reserve(sweep.rays.size());
   for (std::size_t i = 0; i < sweep.rays.size(); ++i)
   {
-    rays.emplace_back(ToFullTurn(sweep.rays[i].azimuth), i);
+    rays.emplace_back(ToFullTurn(static_cast<double>(sweep.rays[i].azimuth)), i);
   }
   std::sort(rays.begin(), rays.end());
 }

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
+#include <iterator>
 #include <limits>
 #include <string>
 #include <utility>
@@ -35,16 +37,26 @@ public:
   {
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
-      const double turned = std::fmod(sweep.rays[ray].azimuth, 360.0);
+      const double turned = std::fmod(static_cast<double>(sweep.rays[ray].azimuth), 360.0);
       order.emplace_back(turned < 0.0 ? turned + 360.0 : turned, ray);
     }
     std::sort(order.begin(), order.end());
+    std::vector<std::uint16_t> codes(sweep.gates);
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+    {
+      sweep.Read(ray, codes.data());
+      std::transform(codes.begin(), codes.end(), std::back_inserter(valid),
+        [](std::uint16_t code)
+        { return code >= GateCode::FirstValue ? std::uint8_t(1) : std::uint8_t(0); });
+    }
   }
 
   double Elevation() const { return elevation; }
   std::size_t Rays() const { return order.size(); }
   std::size_t RayAt(std::size_t place) const { return order[place].second; }
   double AzimuthAt(std::size_t place) const { return order[place].first; }
+  std::size_t Index(std::size_t ray, std::size_t gate) const { return ray * sweep.gates + gate; }
+  bool HasValue(std::size_t index) const { return valid[index] != 0; }
 
   // m along the ground, but for the earth's curvature, which is the same for all tilts.
   double DistanceOf(std::size_t gate) const
@@ -96,8 +108,7 @@ public:
     {
       for (std::ptrdiff_t each = first; place != noRay && each <= last; ++each)
       {
-        const std::size_t index = sweep.Index(order[place].second, static_cast<std::size_t>(each));
-        count += sweep.states[index] == GateState::Valid ? 1 : 0;
+        count += valid[this->Index(order[place].second, static_cast<std::size_t>(each))];
       }
     }
     return count;
@@ -113,6 +124,7 @@ private:
   const double elevation;
   const double cosine;
   std::vector<std::pair<double, std::size_t>> order; // azimuth 0…360 and ray
+  std::vector<std::uint8_t> valid;                   // 1 for a gate with a value, rays × gates
 };
 
 using Cuts = std::vector<const EchoGates*>;
@@ -165,7 +177,7 @@ private:
   std::vector<std::pair<const EchoGates*, RayPlaces>> places;
 };
 
-// Indices of the gates of a sweep that have too few neighbours.
+// Indices of the gates of a sweep that have too few neighbours, ascending.
 std::vector<std::size_t> FindSpeckle(const PolarSweep& sweep, const EchoGates& own,
   const std::vector<EchoGates>& sweeps, int neighbours)
 {
@@ -179,8 +191,8 @@ std::vector<std::size_t> FindSpeckle(const PolarSweep& sweep, const EchoGates& o
     const BesideRay upper(above, own.AzimuthAt(place));
     for (std::size_t gate = 0; gate < sweep.gates; ++gate)
     {
-      const std::size_t index = sweep.Index(own.RayAt(place), gate);
-      if (sweep.states[index] != GateState::Valid)
+      const std::size_t index = own.Index(own.RayAt(place), gate);
+      if (!own.HasValue(index))
       {
         continue;
       }
@@ -193,7 +205,27 @@ std::vector<std::size_t> FindSpeckle(const PolarSweep& sweep, const EchoGates& o
       }
     }
   }
+  std::sort(speckle.begin(), speckle.end());
   return speckle;
+}
+
+// Takes gates out of a sweep; `speckle` ascending.
+void TakeOut(const std::vector<std::size_t>& speckle, PolarSweep& sweep)
+{
+  GateRows rows(sweep.rows.LargestCode());
+  std::vector<std::uint16_t> codes(sweep.gates);
+  auto next = speckle.begin();
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    sweep.Read(ray, codes.data());
+    for (; next != speckle.end() && *next < (ray + 1) * sweep.gates; ++next)
+    {
+      codes[*next - ray * sweep.gates] = GateCode::NotSampled;
+    }
+    rows.Append(codes.data(), codes.size());
+  }
+  rows.Finish();
+  sweep.rows = std::move(rows);
 }
 
 } // namespace
@@ -229,12 +261,10 @@ std::vector<std::size_t> Despeckle(PolarVolume& volume, int neighbours)
   }
   for (std::size_t i = 0; i < speckle.size(); ++i)
   {
-    PolarSweep& sweep = volume.sweeps[numbers[i]];
     removed[numbers[i]] = speckle[i].size();
-    for (const std::size_t index : speckle[i])
+    if (!speckle[i].empty())
     {
-      sweep.states[index] = GateState::NotSampled;
-      sweep.values[index] = std::numeric_limits<float>::quiet_NaN();
+      TakeOut(speckle[i], volume.sweeps[numbers[i]]);
     }
   }
   return removed;

@@ -24,18 +24,45 @@ constexpr float uncounted = std::numeric_limits<float>::quiet_NaN(); // a gate t
 constexpr double beamWidth = 0.95;                                   // degrees (B4)
 
 // T5: the value with which a gate enters the mean.
-float LimitedValue(const PolarSweep& sweep, std::size_t index)
+float LimitedValue(const GateScale& scale, std::uint16_t code)
 {
-  switch (sweep.states[index])
+  if (code >= GateCode::FirstValue)
   {
-  case GateState::Valid:
-    return std::clamp(sweep.values[index], smallest, largest);
-  case GateState::BelowThreshold:
-    return smallest;
-  default:
-    return uncounted;
+    return std::clamp(scale.ValueOf(code), smallest, largest);
   }
+  return code == GateCode::NoEcho ? smallest : uncounted;
 }
+
+// A ray with its codes read.
+class RayGates
+{
+public:
+  void Read(const PolarSweep& theSweep, std::size_t ray)
+  {
+    sweep = &theSweep;
+    codes.resize(sweep->gates);
+    sweep->Read(ray, codes.data());
+  }
+  void Clear() { sweep = nullptr; }
+
+  float At(std::size_t gate) const { return LimitedValue(sweep->scale, codes[gate]); }
+
+  // Of the gate at a slant range, m.
+  float Nearest(double slantRange) const
+  {
+    if (sweep == nullptr)
+    {
+      return uncounted;
+    }
+    const double gate = std::round((slantRange - sweep->firstGate) / sweep->gateSpacing);
+    const bool inside = gate >= 0.0 && gate < static_cast<double>(sweep->gates);
+    return inside ? this->At(static_cast<std::size_t>(gate)) : uncounted;
+  }
+
+private:
+  const PolarSweep* sweep = nullptr; // nullptr: no ray
+  std::vector<std::uint16_t> codes;
+};
 
 // T4 for one sample, when either side may tell nothing.
 float Blend(float before, float after, float share)
@@ -131,25 +158,6 @@ private:
   std::uint32_t count = 0;
 };
 
-// A ray of the volume after, as seen from the gates of the ray before.
-struct PartnerRay
-{
-  const PolarSweep* sweep = nullptr;
-  std::size_t ray = 0;
-
-  float Value(double slantRange) const
-  {
-    if (sweep == nullptr)
-    {
-      return uncounted;
-    }
-    const double gate = std::round((slantRange - sweep->firstGate) / sweep->gateSpacing);
-    const bool inside = gate >= 0.0 && gate < static_cast<double>(sweep->gates);
-    return inside ? LimitedValue(*sweep, sweep->Index(ray, static_cast<std::size_t>(gate)))
-                  : uncounted;
-  }
-};
-
 // Drops the samples of one sweep into the voxels.
 class SweepDropper
 {
@@ -165,25 +173,32 @@ public:
   {
     const bool paired = partner != nullptr && partner->gateSpacing > 0.0;
     const RayFinder finder(paired ? *partner : PolarSweep{});
+    RayGates own;
+    RayGates after; // the partner's, as seen from the gates of the own ray
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
-      const auto found = finder.Nearest(sweep.rays[ray].azimuth, beamWidth);
-      this->DropRay(sweep, ray, found ? PartnerRay{partner, *found} : PartnerRay{}, share);
+      own.Read(sweep, ray);
+      after.Clear();
+      if (const auto found =
+            finder.Nearest(static_cast<double>(sweep.rays[ray].azimuth), beamWidth))
+      {
+        after.Read(*partner, *found);
+      }
+      this->DropRay(sweep, sweep.rays[ray], own, after, share);
     }
   }
 
 private:
-  void DropRay(
-    const PolarSweep& sweep, std::size_t ray, const PartnerRay& partner, float share) const
+  void DropRay(const PolarSweep& sweep, const PolarRay& direction, const RayGates& own,
+    const RayGates& after, float share) const
   {
-    const PolarRay& direction = sweep.rays[ray];
-    const ThesisRay geometry(direction.azimuth, direction.elevation, position.altitude);
+    const ThesisRay geometry(static_cast<double>(direction.azimuth),
+      static_cast<double>(direction.elevation), position.altitude);
     RunOfGates run(accumulator);
     for (std::size_t gate = 0; gate < sweep.gates; ++gate)
     {
       const double slantRange = sweep.firstGate + static_cast<double>(gate) * sweep.gateSpacing;
-      const float own = LimitedValue(sweep, sweep.Index(ray, gate));
-      const float value = Blend(own, partner.Value(slantRange), share);
+      const float value = Blend(own.At(gate), after.Nearest(slantRange), share);
       // A gate before the antenna is an artefact of the receiver's delay.
       if (slantRange >= 0.0 && !std::isnan(value))
       {

@@ -75,7 +75,8 @@ void AddGate(const PolarRay& ray, double range, double measured,
   std::vector<GateForecast> forecasts;
   for (const TiltScheme* scheme : schemes)
   {
-    const auto forecast = ForecastAt(scheme->ProfileAt(ray.azimuth, range), ray.elevation);
+    const auto forecast = ForecastAt(scheme->ProfileAt(static_cast<double>(ray.azimuth), range),
+      static_cast<double>(ray.elevation));
     if (!forecast)
     {
       return;
@@ -173,7 +174,7 @@ void AddErrors(const LeftOutTilt& tilt, const std::vector<const TiltScheme*>& sc
   std::vector<SchemeErrors>& errors)
 {
   errors.resize(schemes.size());
-  const PolarSweep& sweep = tilt.measured;
+  const testing::NumberSweep sweep = testing::NumbersOf(tilt.measured);
   const auto step = static_cast<std::size_t>(std::max(1.0, std::round(1000.0 / sweep.gateSpacing)));
   const std::size_t rayStep = sweep.rays.size() > 540 ? 2 : 1;
   for (std::size_t ray = 0; ray < sweep.rays.size(); ray += rayStep)

@@ -164,7 +164,7 @@ std::size_t GatesOf(double elevation)
 // What a radar of 0 dBZ sensitivity measures of it, in steps of half a dBZ, in an instant.
 PolarVolume Scan(const Anvil& anvil, int pattern)
 {
-  std::vector<PolarSweep> sweeps;
+  std::vector<NumberSweep> sweeps;
   double last = -1.0;
   for (const ScanCut& cut : *FindScanStrategy(pattern))
   {
@@ -173,7 +173,7 @@ PolarVolume Scan(const Anvil& anvil, int pattern)
       continue; // the Doppler half of a split cut
     }
     last = cut.cut.elevation;
-    PolarSweep sweep = MakeSweep(static_cast<int>(sweeps.size()) + 1, last, 360, GatesOf(last));
+    NumberSweep sweep = MakeSweep(static_cast<int>(sweeps.size()) + 1, last, 360, GatesOf(last));
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
       sweep.rays[ray].time = sceneTime;

@@ -63,15 +63,15 @@ public:
       {
         const std::uint16_t code =
           sweep.codes[entry * sweep.Stride() + static_cast<std::size_t>(gate)];
-        if (code != BeamSweep::RangeFoldedCode && code != BeamSweep::NotSampledCode)
+        if (code != GateCode::RangeFolded && code != GateCode::NotSampled)
         {
           const double angle = static_cast<double>(sweep.azimuths[entry]) * RadiansPerDegree;
           Sum& sum = sums[{std::lround(ground * std::sin(angle) / side),
             std::lround(ground * std::cos(angle) / side)}];
           ++sum.gates;
-          sum.values += code == BeamSweep::NoEchoCode
+          sum.values += code == GateCode::NoEcho
                           ? 0.0
-                          : std::max(0.0, static_cast<double>(sweep.base + sweep.step * code));
+                          : std::max(0.0, static_cast<double>(sweep.scale.ValueOf(code)));
         }
       }
     }

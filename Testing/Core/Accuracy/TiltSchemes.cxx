@@ -13,7 +13,8 @@ namespace
 {
 
 // Without a value where no gate has its middle within half a gate.
-std::optional<double> MeasuredAtRange(const PolarSweep& sweep, std::size_t ray, double range)
+std::optional<double> MeasuredAtRange(
+  const testing::NumberSweep& sweep, std::size_t ray, double range)
 {
   const long gate = std::lround((range - sweep.firstGate) / sweep.gateSpacing);
   if (gate < 0 || gate >= static_cast<long>(sweep.gates))
@@ -40,7 +41,8 @@ GridSpecification GridAbout(const Position& site, double farthest, double top)
 
 } // namespace
 
-std::optional<double> MeasuredAt(const PolarSweep& sweep, std::size_t ray, std::size_t gate)
+std::optional<double> MeasuredAt(
+  const testing::NumberSweep& sweep, std::size_t ray, std::size_t gate)
 {
   const std::size_t at = sweep.Index(ray, gate);
   switch (sweep.states[at])
@@ -55,14 +57,14 @@ std::optional<double> MeasuredAt(const PolarSweep& sweep, std::size_t ray, std::
 }
 
 SortedTilt::SortedTilt(const PolarSweep& ofSweep)
-  : sweep(&ofSweep)
+  : sweep(testing::NumbersOf(ofSweep))
   , elevation(MedianElevation(ofSweep))
 {
-  for (std::size_t ray = 0; ray < sweep->rays.size(); ++ray)
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
   {
     for (const double turn : {-360.0, 0.0, 360.0})
     {
-      const double azimuth = sweep->rays[ray].azimuth + turn;
+      const double azimuth = static_cast<double>(sweep.rays[ray].azimuth) + turn;
       if (azimuth >= -180.0 && azimuth <= 540.0)
       {
         rays.emplace_back(azimuth, ray);
@@ -101,9 +103,9 @@ ElevationProfile NearestScheme::ProfileAt(double azimuth, double range) const
   for (const SortedTilt& tilt : tilts)
   {
     const std::size_t ray = tilt.Nearest(azimuth).second;
-    if (const auto value = MeasuredAtRange(*tilt.sweep, ray, range))
+    if (const auto value = MeasuredAtRange(tilt.sweep, ray, range))
     {
-      gates.emplace_back(tilt.sweep->rays[ray].elevation, *value);
+      gates.emplace_back(static_cast<double>(tilt.sweep.rays[ray].elevation), *value);
     }
   }
   return [gates](double elevation) -> std::optional<double>
@@ -125,7 +127,7 @@ BarnesScheme::TiltSum BarnesScheme::SumOver(
   const SortedTilt& tilt, double azimuth, double range) const
 {
   const double window = 2.0 * lengths.horizontal; // the weight is 0.02 there
-  const PolarSweep& sweep = *tilt.sweep;
+  const testing::NumberSweep& sweep = tilt.sweep;
   const double across =
     range * std::cos(tilt.elevation * RadiansPerDegree) * RadiansPerDegree; // m in a degree
   const auto gateAt = [&sweep](double at)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "SweepMaker.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Gridding/BeamMerge.h"
-#include "nexrad/Polar/PolarVolume.h"
 
 #include <array>
 #include <functional>
@@ -29,9 +29,10 @@ public:
 };
 
 /// What a gate measured: dBZ at least 0, 0 below threshold; nothing in other states.
-std::optional<double> MeasuredAt(const PolarSweep& sweep, std::size_t ray, std::size_t gate);
+std::optional<double> MeasuredAt(
+  const testing::NumberSweep& sweep, std::size_t ray, std::size_t gate);
 
-/// One sweep of each tilt with its rays in the order of azimuth. The sweeps must outlive it.
+/// One sweep of each tilt with its rays in the order of azimuth.
 class SortedTilt
 {
 public:
@@ -43,7 +44,7 @@ public:
   /// Calls `visit` with the rays within `window` degrees.
   void Visit(double azimuth, double window, const std::function<void(const Ray&)>& visit) const;
 
-  const PolarSweep* sweep;
+  testing::NumberSweep sweep;
   double elevation; ///< degrees
 
 private:

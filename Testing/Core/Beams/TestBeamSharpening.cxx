@@ -136,7 +136,7 @@ TEST(BeamSharpening, ChangesEachSweepByItsNeighbours)
   const auto valueOf = [](const BeamVolume& prepared, std::size_t sweep, std::size_t gate)
   {
     const BeamSweep& of = prepared.sweeps[sweep];
-    return of.base + of.step * static_cast<float>(of.codes[5 * of.Stride() + gate]);
+    return of.scale.ValueOf(of.Row(5)[gate]);
   };
   const auto sharpen = [](const PolarVolume& polar)
   {
@@ -147,9 +147,10 @@ TEST(BeamSharpening, ChangesEachSweepByItsNeighbours)
   const BeamVolume measured = PrepareBeamVolume(volume, beamWidth);
   const BeamVolume sharpened = sharpen(volume);
   EXPECT_EQ(valueOf(measured, 1, 50), 30.0F);
-  EXPECT_NEAR(valueOf(sharpened, 1, 50), 30.0 - 0.9369, 1e-4);
+  // To half a step of the scale: 15 dB in at most 65 532 steps of a power of two.
+  EXPECT_NEAR(valueOf(sharpened, 1, 50), 30.0 - 0.9369, 1.3e-4);
   // Echo of 0 dBZ and less is left as it is.
-  SetAll(volume.sweeps[1], -2.0F);
+  ChangeGates(volume.sweeps[1], [](NumberSweep& sweep) { SetAll(sweep, -2.0F); });
   EXPECT_EQ(valueOf(sharpen(volume), 1, 50), -2.0F);
 }
 

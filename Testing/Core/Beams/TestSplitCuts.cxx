@@ -17,10 +17,10 @@ namespace
 {
 
 // A full sweep at one tilt with gates of 1 km.
-PolarSweep MakeCut(int number, Waveform waveform, std::size_t gates, float value, double seconds,
+NumberSweep MakeCut(int number, Waveform waveform, std::size_t gates, float value, double seconds,
   double range = 466'000.0)
 {
-  PolarSweep sweep = MakeSweep(number, 0.5, 360, gates);
+  NumberSweep sweep = MakeSweep(number, 0.5, 360, gates);
   SetAll(sweep, value);
   sweep.waveform = waveform;
   for (PolarRay& ray : sweep.rays)
@@ -29,6 +29,13 @@ PolarSweep MakeCut(int number, Waveform waveform, std::size_t gates, float value
     ray.unambiguousRange = range;
   }
   return sweep;
+}
+
+NumberSweep Limited(const NumberSweep& numbers)
+{
+  PolarSweep sweep = numbers;
+  LimitReach(sweep);
+  return NumbersOf(sweep);
 }
 
 // The value at the site's own height over the antenna's level, `kilometres` to the east.
@@ -79,12 +86,12 @@ TEST(SplitCuts, ADopplerHalfThatReachesAsFarIsLeftOut)
 
 TEST(SplitCuts, ADopplerHalfServesWhereItsSurveillanceHalfHasNoRays)
 {
-  PolarSweep first = MakeCut(1, surveillance, 230, 20.0F, 0.0);
+  NumberSweep first = MakeCut(1, surveillance, 230, 20.0F, 0.0);
   first.rays.erase(first.rays.begin() + 60, first.rays.begin() + 120); // east is at 90°
   first.values.resize(first.rays.size() * first.gates);
   first.states.resize(first.rays.size() * first.gates);
-  const PolarSweep second = MakeCut(2, doppler, 230, 50.0F, 30.0);
-  const PolarSweep higher = MakeCut(3, doppler, 230, 50.0F, 30.0);
+  const NumberSweep second = MakeCut(2, doppler, 230, 50.0F, 30.0);
+  const NumberSweep higher = MakeCut(3, doppler, 230, 50.0F, 30.0);
   const BeamVolume prepared = PrepareBeamVolume(VolumeOf({first, second}));
   ASSERT_EQ(prepared.sweeps.size(), 2U);
   // What is left of it, and its first and last rays again: those beside the gap are near enough.
@@ -93,7 +100,7 @@ TEST(SplitCuts, ADopplerHalfServesWhereItsSurveillanceHalfHasNoRays)
   EXPECT_EQ(ValueEast(MergeAt({VolumeOf({first, second})}, 40.0, AsMeasured()), -100), 20.0F);
   // Alone it serves everywhere; a cut of another tilt between them makes two of them.
   EXPECT_EQ(PrepareBeamVolume(VolumeOf({second})).sweeps.size(), 1U);
-  PolarSweep between = MakeCut(2, surveillance, 230, 20.0F, 0.0);
+  NumberSweep between = MakeCut(2, surveillance, 230, 20.0F, 0.0);
   for (PolarRay& ray : between.rays)
   {
     ray.elevation = 1.5;
@@ -128,9 +135,9 @@ TEST(SplitCuts, ATerminalRadarsShortCutsServeWithinAndItsLongCutBeyond)
 // before that.
 TEST(SplitCuts, WhatALongerCutMeasuredCountsBeforeWhatIsAssumed)
 {
-  PolarSweep longer = MakeCut(1, dopplerWithout, 80, 30.0F, 0.0);
-  PolarSweep shorter = MakeCut(2, dopplerWithout, 40, 30.0F, 20.0);
-  for (PolarSweep* sweep : {&longer, &shorter})
+  NumberSweep longer = MakeCut(1, dopplerWithout, 80, 30.0F, 0.0);
+  NumberSweep shorter = MakeCut(2, dopplerWithout, 40, 30.0F, 20.0);
+  for (NumberSweep* sweep : {&longer, &shorter})
   {
     for (PolarRay& ray : sweep->rays)
     {
@@ -179,18 +186,18 @@ TEST(SplitCuts, ABeamIsAsWideAsItsRadarsUnlessSaid)
 
 TEST(SplitCuts, NoEchoBeyondTheUnambiguousRangeIsNotScanned)
 {
-  PolarSweep sweep = MakeSweep(1, 0.5, 3, 10); // gates at 1 to 10 km
+  NumberSweep sweep = MakeSweep(1, 0.5, 3, 10); // gates at 1 to 10 km
   sweep.waveform = doppler;
   sweep.rays[0].unambiguousRange = 4'000.0;
   sweep.rays[1].unambiguousRange = 6'400.0;
   sweep.rays[2].unambiguousRange = 3'900.0;
   SetGate(sweep, 2, 7, 30.0F); // put there by the radar from where it came back
   sweep.states[sweep.Index(2, 5)] = GateState::RangeFolded;
-  PolarSweep batch = sweep;
+  NumberSweep batch = sweep;
   batch.waveform = Waveform::Batch;
-  PolarSweep unknown = sweep;
+  NumberSweep unknown = sweep;
   unknown.waveform = Waveform::Unknown;
-  LimitReach(sweep);
+  sweep = Limited(sweep);
   EXPECT_EQ(sweep.gates, 8U);
   ASSERT_EQ(sweep.states.size(), 24U);
   EXPECT_EQ(sweep.states[sweep.Index(0, 3)], GateState::BelowThreshold);
@@ -201,11 +208,10 @@ TEST(SplitCuts, NoEchoBeyondTheUnambiguousRangeIsNotScanned)
   EXPECT_EQ(sweep.states[sweep.Index(2, 3)], GateState::NotSampled);
   EXPECT_EQ(sweep.states[sweep.Index(2, 5)], GateState::RangeFolded);
   EXPECT_EQ(sweep.values[sweep.Index(2, 7)], 30.0F);
-  for (PolarSweep* other : {&batch, &unknown})
+  for (const NumberSweep& other : {Limited(batch), Limited(unknown)})
   {
-    LimitReach(*other);
-    EXPECT_EQ(other->gates, 10U);
-    EXPECT_EQ(std::count(other->states.begin(), other->states.end(), GateState::NotSampled), 0);
+    EXPECT_EQ(other.gates, 10U);
+    EXPECT_EQ(std::count(other.states.begin(), other.states.end(), GateState::NotSampled), 0);
   }
 }
 

@@ -143,8 +143,8 @@ TEST(StrayRays, AreNotInTheComposite)
 // others.
 TEST(StrayRays, SectorsAndScansInElevationMakeNoFalseTilts)
 {
-  PolarSweep vertical = UniformSweep(1, 0.0, 30.0F);
-  PolarSweep sector = UniformSweep(2, 3.0, 30.0F);
+  NumberSweep vertical = UniformSweep(1, 0.0, 30.0F);
+  NumberSweep sector = UniformSweep(2, 3.0, 30.0F);
   sector.rays.resize(60);
   sector.values.resize(60 * sector.gates);
   sector.states.resize(60 * sector.gates);

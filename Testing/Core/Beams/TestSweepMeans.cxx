@@ -15,13 +15,13 @@ using namespace nexrad::testing;
 namespace
 {
 
-using GateSetter = std::function<void(PolarSweep& sweep, std::size_t ray, std::size_t gate)>;
+using GateSetter = std::function<void(NumberSweep& sweep, std::size_t ray, std::size_t gate)>;
 
 // A sweep at 1° whose gates are set one by one.
-PolarSweep SweepOf(std::size_t rays, double gateSpacing, const GateSetter& set)
+NumberSweep SweepOf(std::size_t rays, double gateSpacing, const GateSetter& set)
 {
   const auto gates = static_cast<std::size_t>(std::lround(150'000.0 / gateSpacing));
-  PolarSweep sweep = MakeSweep(1, 1.0, rays, gates, gateSpacing);
+  NumberSweep sweep = MakeSweep(1, 1.0, rays, gates, gateSpacing);
   for (std::size_t ray = 0; ray < rays; ++ray)
   {
     sweep.rays[ray].time = sceneTime;
@@ -34,13 +34,13 @@ PolarSweep SweepOf(std::size_t rays, double gateSpacing, const GateSetter& set)
 }
 
 // 250 m and 0.5°.
-PolarSweep FineSweep(const GateSetter& set)
+NumberSweep FineSweep(const GateSetter& set)
 {
   return SweepOf(720, 250.0, set);
 }
 
 // No two gates alike, from 10 to 50 dBZ.
-void SetNoise(PolarSweep& sweep, std::size_t ray, std::size_t gate)
+void SetNoise(NumberSweep& sweep, std::size_t ray, std::size_t gate)
 {
   const double noise = std::sin(static_cast<double>(7919 * ray + 104'729 * gate));
   SetGate(sweep, ray, gate, static_cast<float>(30.0 + 20.0 * noise));
@@ -48,14 +48,14 @@ void SetNoise(PolarSweep& sweep, std::size_t ray, std::size_t gate)
 
 GateSetter Alternate(float even, float odd)
 {
-  return [even, odd](PolarSweep& sweep, std::size_t ray, std::size_t gate)
+  return [even, odd](NumberSweep& sweep, std::size_t ray, std::size_t gate)
   { SetGate(sweep, ray, gate, (ray + gate) % 2 == 0 ? even : odd); };
 }
 
 // A value in one gate of three, another state in the others.
 GateSetter OneOfThree(float value, GateState others)
 {
-  return [value, others](PolarSweep& sweep, std::size_t ray, std::size_t gate)
+  return [value, others](NumberSweep& sweep, std::size_t ray, std::size_t gate)
   {
     SetGate(sweep, ray, gate, value);
     sweep.states[sweep.Index(ray, gate)] = (ray + gate) % 3 == 0 ? GateState::Valid : others;
@@ -82,7 +82,7 @@ GridSpecification GridOfWidth(double width, int columns)
   return grid;
 }
 
-GriddedVolume MergeSweep(const PolarSweep& sweep, const BeamMergeOptions& options,
+GriddedVolume MergeSweep(const NumberSweep& sweep, const BeamMergeOptions& options,
   MomentName moment = MomentName::REF, const GridSpecification& grid = SceneGrid())
 {
   PolarVolume volume = VolumeOf({sweep});
@@ -108,7 +108,7 @@ void ForEachSeen(const GriddedVolume& volume, const Check& check)
   EXPECT_GT(seen, 14'000U);
 }
 
-BeamSweep Prepared(const PolarSweep& sweep, double side)
+BeamSweep Prepared(const NumberSweep& sweep, double side)
 {
   BeamSweep prepared = PrepareBeamVolume(VolumeOf({sweep})).sweeps.front();
   prepared.means = MakeSweepMeans(prepared, ValueRule::Of(MomentName::REF, false), side);
@@ -132,7 +132,7 @@ float SampleAt(const BeamSweep& sweep, double azimuth, double range)
 
 TEST(SweepMeans, VoxelsFinerThanGatesChangeByNoBit)
 {
-  const PolarSweep sweep = SweepOf(360, 1'000.0, SetNoise);
+  const NumberSweep sweep = SweepOf(360, 1'000.0, SetNoise);
   EXPECT_TRUE(Prepared(sweep, 1'000.0).means.rings.empty());
   const GridSpecification grid = GridOfWidth(900.0, 121);
   const GriddedVolume means = MergeSweep(sweep, {}, MomentName::REF, grid);
@@ -147,7 +147,7 @@ TEST(SweepMeans, VoxelsFinerThanGatesChangeByNoBit)
 // wide, beyond nothing changes.
 TEST(SweepMeans, OnlyWhatIsFinerThanVoxelsIsPutTogether)
 {
-  const PolarSweep sweep = SweepOf(360, 1'000.0, SetNoise);
+  const NumberSweep sweep = SweepOf(360, 1'000.0, SetNoise);
   const BeamSweep prepared = Prepared(sweep, 1'800.0);
   const double expected = 0.5 * 1'800.0 / (Pi / 180.0);
   ASSERT_NEAR(prepared.means.reach, expected, 800.0);
@@ -167,7 +167,7 @@ TEST(SweepMeans, OnlyWhatIsFinerThanVoxelsIsPutTogether)
 
 TEST(SweepMeans, CoarserVoxelsAreTheMeansOfTheirGates)
 {
-  const PolarSweep sweep = FineSweep(Alternate(10.0F, 50.0F));
+  const NumberSweep sweep = FineSweep(Alternate(10.0F, 50.0F));
   const GriddedVolume gates = MergeSweep(sweep, WithoutMeans());
   const GriddedVolume means = MergeSweep(sweep, AsMeasured());
   BeamMergeOptions linearly;
@@ -188,9 +188,9 @@ TEST(SweepMeans, CoarserVoxelsAreTheMeansOfTheirGates)
 // wins; folded and unsampled gates carry no weight.
 TEST(SweepMeans, StatesCountByTheirPartOfTheVoxel)
 {
-  const PolarSweep third = FineSweep(OneOfThree(45.0F, GateState::BelowThreshold));
-  const PolarSweep folded = FineSweep(OneOfThree(45.0F, GateState::RangeFolded));
-  const PolarSweep unsampled = FineSweep(OneOfThree(45.0F, GateState::NotSampled));
+  const NumberSweep third = FineSweep(OneOfThree(45.0F, GateState::BelowThreshold));
+  const NumberSweep folded = FineSweep(OneOfThree(45.0F, GateState::RangeFolded));
+  const NumberSweep unsampled = FineSweep(OneOfThree(45.0F, GateState::NotSampled));
   const GriddedVolume reflectivity = MergeSweep(third, AsMeasured());
   const GriddedVolume ratio = MergeSweep(third, AsMeasured(), MomentName::ZDR);
   const GriddedVolume besideFolded = MergeSweep(folded, AsMeasured());
@@ -223,8 +223,8 @@ TEST(SweepMeans, AnglesAreMeansOnTheCircleAndVelocityIsNone)
 // missing, and with three missing twice.
 TEST(SweepMeans, GapsBetweenRaysStayAsTheyAre)
 {
-  PolarSweep sweep = FineSweep(
-    [](PolarSweep& each, std::size_t ray, std::size_t gate) { SetGate(each, ray, gate, 20.0F); });
+  NumberSweep sweep = FineSweep(
+    [](NumberSweep& each, std::size_t ray, std::size_t gate) { SetGate(each, ray, gate, 20.0F); });
   const auto countScanned = [](const GriddedVolume& volume)
   { return std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo); };
   const auto whole = countScanned(MergeSweep(sweep, AsMeasured()));
@@ -282,15 +282,15 @@ TEST(SweepMeans, PassIntoEachOtherWithoutASeam)
 // for, no column is.
 TEST(SweepMeans, ALoneGateIsSeenAsFarAsItsCellReaches)
 {
-  const PolarSweep before = FineSweep(
-    [](PolarSweep& sweep, std::size_t ray, std::size_t gate)
+  const NumberSweep before = FineSweep(
+    [](NumberSweep& sweep, std::size_t ray, std::size_t gate)
     {
       if (ray % 60 == 7 && gate % 200 == 150)
       {
         SetGate(sweep, ray, gate, 60.0F);
       }
     });
-  PolarSweep after = before;
+  NumberSweep after = before;
   for (PolarRay& ray : after.rays)
   {
     ray.time = sceneTime + Duration(300'000);

@@ -126,12 +126,12 @@ namespace
 template <class Field>
 PolarVolume Scan(const Field& field)
 {
-  std::vector<PolarSweep> sweeps;
+  std::vector<NumberSweep> sweeps;
   int number = 0;
   const BeamModel beam;
   for (const double elevation : {0.5, 1.45, 2.4, 3.35, 4.3, 6.0, 9.9, 14.6, 19.5})
   {
-    PolarSweep sweep = UniformSweep(++number, elevation, 10.0F);
+    NumberSweep sweep = UniformSweep(++number, elevation, 10.0F);
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
       for (std::size_t gate = 0; gate < sweep.gates; ++gate)

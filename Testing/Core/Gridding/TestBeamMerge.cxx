@@ -30,6 +30,17 @@ std::size_t Count(const GriddedVolume& volume, VoxelState state)
   return static_cast<std::size_t>(std::count(volume.states.begin(), volume.states.end(), state));
 }
 
+void TakeLastGates(NumberSweep& sweep)
+{
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    for (std::size_t gate = sweep.gates - 8; gate < sweep.gates; ++gate)
+    {
+      sweep.states[sweep.Index(ray, gate)] = GateState::NotSampled;
+    }
+  }
+}
+
 // A quarter of the rays each holds no echo, folded gates, gates that were not sampled, and 25 dBZ,
 // from 30° on, so that the borders pass voxels at all distances. A voxel farther from a border than
 // half the rays' spacing and than `border`, in m, is what its quarter is; a nearer one is like
@@ -40,7 +51,7 @@ void ExpectFourQuarters(const BeamMergeOptions& options, double border)
     GateState::BelowThreshold, GateState::RangeFolded, GateState::NotSampled, GateState::Valid};
   constexpr std::array<VoxelState, 4> voxels = {
     VoxelState::NoEcho, VoxelState::RangeFolded, VoxelState::NotScanned, VoxelState::Echo};
-  PolarSweep sweep = UniformSweep(1, 1.0, 25.0F);
+  NumberSweep sweep = UniformSweep(1, 1.0, 25.0F);
   for (std::size_t ray = 0; ray < 360; ++ray)
   {
     const auto row = sweep.states.begin() + static_cast<std::ptrdiff_t>(sweep.Index(ray, 0));
@@ -82,7 +93,7 @@ TEST(BeamMerge, LinearInElevationBetweenTheTiltsAndNotBeyondHalfABeam)
 {
   const std::vector<double> tilts = {0.5, 1.5, 6.0, 14.0};
   const std::vector<float> values = {20.0F, 40.0F, 30.0F, 55.0F};
-  std::vector<PolarSweep> sweeps;
+  std::vector<NumberSweep> sweeps;
   for (std::size_t i = 0; i < tilts.size(); ++i)
   {
     sweeps.push_back(UniformSweep(static_cast<int>(i) + 1, tilts[i], values[i]));
@@ -134,7 +145,7 @@ TEST(BeamMerge, LinearInElevationBetweenTheTiltsAndNotBeyondHalfABeam)
 // none of them saw does not.
 TEST(BeamMerge, BeamsReachHalfABeamFromTheirOwnRaysElevations)
 {
-  PolarSweep sweep = UniformSweep(1, 1.0, 20.0F);
+  NumberSweep sweep = UniformSweep(1, 1.0, 20.0F);
   for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
   {
     sweep.rays[ray].elevation += 0.15 * std::sin(0.7 * static_cast<double>(ray));
@@ -164,7 +175,7 @@ TEST(BeamMerge, BeamsReachHalfABeamFromTheirOwnRaysElevations)
 // 1.4° apart.
 TEST(BeamMerge, BilinearInAzimuthAndRangeWithUnevenRays)
 {
-  PolarSweep sweep = UniformSweep(1, 1.0, 0.0F);
+  NumberSweep sweep = UniformSweep(1, 1.0, 0.0F);
   double azimuth = 0.3;
   for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
   {
@@ -197,8 +208,8 @@ TEST(BeamMerge, BilinearInAzimuthAndRangeWithUnevenRays)
 TEST(BeamMerge, AConstantFieldComesOutConstantFromLegacyAndSuperResolutionTogether)
 {
   const Position other = {39.6, -91.2, 350.0};
-  std::vector<PolarSweep> legacy;
-  std::vector<PolarSweep> fine;
+  std::vector<NumberSweep> legacy;
+  std::vector<NumberSweep> fine;
   int number = 0;
   for (const double elevation : {0.5, 1.45, 2.4, 4.3, 9.9, 19.5})
   {
@@ -206,9 +217,9 @@ TEST(BeamMerge, AConstantFieldComesOutConstantFromLegacyAndSuperResolutionTogeth
     legacy.push_back(UniformSweep(number, elevation, 33.5F));
     for (std::size_t i = 0; i < legacy.back().rays.size(); ++i)
     {
-      legacy.back().rays[i].azimuth += 0.4 * std::sin(static_cast<double>(7 * i));
+      legacy.back().rays[i].azimuth += 0.4F * std::sin(static_cast<float>(7 * i));
     }
-    PolarSweep sweep = MakeSweep(number, elevation, 720, 920, 250.0);
+    NumberSweep sweep = MakeSweep(number, elevation, 720, 920, 250.0);
     SetAll(sweep, 33.5F);
     for (PolarRay& ray : sweep.rays)
     {
@@ -229,13 +240,7 @@ TEST(BeamMerge, AConstantFieldComesOutConstantFromLegacyAndSuperResolutionTogeth
   {
     for (PolarSweep& sweep : each.sweeps)
     {
-      for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
-      {
-        for (std::size_t gate = sweep.gates - 8; gate < sweep.gates; ++gate)
-        {
-          sweep.states[sweep.Index(ray, gate)] = GateState::NotSampled;
-        }
-      }
+      ChangeGates(sweep, TakeLastGates);
     }
   }
   const auto seen = BeamCoverage({&shorter[0], &shorter[1]}, volume.grid, options);
@@ -254,7 +259,7 @@ TEST(BeamMerge, AConstantFieldComesOutConstantFromLegacyAndSuperResolutionTogeth
 
 TEST(BeamMerge, ARayThatIsMissingLeavesAGapOfItsOwnWidth)
 {
-  PolarSweep sweep = UniformSweep(1, 1.0, 20.0F);
+  NumberSweep sweep = UniformSweep(1, 1.0, 20.0F);
   sweep.rays.resize(350); // 350° to 359° are missing
   sweep.values.resize(350 * sweep.gates);
   sweep.states.resize(350 * sweep.gates);
@@ -291,11 +296,11 @@ TEST(BeamMerge, ThreeKindsOfNothingStayApartInMeans)
 // Formulas G8: from 40 dBZ at 1° to no echo at 3°, zero is reached half a beam before 3°.
 TEST(BeamMerge, AnEchoFallsToNoEchoBelowATiltWithoutOne)
 {
-  PolarSweep none = UniformSweep(2, 3.0, 0.0F);
+  NumberSweep none = UniformSweep(2, 3.0, 0.0F);
   none.states.assign(none.states.size(), GateState::BelowThreshold);
   const auto sweeps = [&none](double echo)
   {
-    std::vector<PolarSweep> both = {UniformSweep(1, echo, 40.0F), none};
+    std::vector<NumberSweep> both = {UniformSweep(1, echo, 40.0F), none};
     return std::vector<PolarVolume>{VolumeOf(both)};
   };
   for (const double echo : {1.0, 5.0})
@@ -323,14 +328,14 @@ TEST(BeamMerge, AnEchoFallsToNoEchoBelowATiltWithoutOne)
 // Formulas G4: the steep cuts end early, above the weather.
 TEST(BeamMerge, BeyondTheLastGateThereIsNothingAbove18Kilometres)
 {
-  PolarSweep sweep = MakeSweep(1, 19.5, 360, 40); // 40 km, where the beam is 14 km high
+  NumberSweep sweep = MakeSweep(1, 19.5, 360, 40); // 40 km, where the beam is 14 km high
   for (PolarRay& ray : sweep.rays)
   {
     ray.time = sceneTime;
   }
   GridSpecification grid = SceneGrid();
   grid.dimensions[2] = 120;
-  PolarSweep far = UniformSweep(2, 0.5, 20.0F); // the site reaches farther than this sweep
+  NumberSweep far = UniformSweep(2, 0.5, 20.0F); // the site reaches farther than this sweep
   const GriddedVolume volume = MergeAt({VolumeOf({sweep, far})}, 0.0, AsMeasured(), grid);
   const BeamModel beam;
   std::size_t high = 0;
@@ -352,7 +357,7 @@ TEST(BeamMerge, VelocityIsNeverMixedAndPhaseIsMixedOnTheCircle)
 {
   const auto alternate = [](MomentName moment, float even, float odd)
   {
-    PolarSweep sweep = UniformSweep(1, 1.0, even);
+    NumberSweep sweep = UniformSweep(1, 1.0, even);
     for (std::size_t ray = 1; ray < sweep.rays.size(); ray += 2)
     {
       for (std::size_t gate = 0; gate < sweep.gates; ++gate)

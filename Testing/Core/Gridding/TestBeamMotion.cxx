@@ -142,12 +142,14 @@ TEST(BeamMotion, TakesTheMotionOfTheColumn)
     const PolarVolume other = ScanEcho(west, site, sceneTime, start);
     for (std::size_t i = 0; i < other.sweeps.size(); ++i)
     {
-      PolarSweep& sweep = volumes.back().sweeps[i];
-      const auto half = static_cast<std::ptrdiff_t>(sweep.values.size() / 2);
-      std::copy(other.sweeps[i].values.begin() + half, other.sweeps[i].values.end(),
-        sweep.values.begin() + half);
-      std::copy(other.sweeps[i].states.begin() + half, other.sweeps[i].states.end(),
-        sweep.states.begin() + half);
+      const NumberSweep from = NumbersOf(other.sweeps[i]);
+      const auto copyHalf = [&from](NumberSweep& sweep)
+      {
+        const auto half = static_cast<std::ptrdiff_t>(sweep.values.size() / 2);
+        std::copy(from.values.begin() + half, from.values.end(), sweep.values.begin() + half);
+        std::copy(from.states.begin() + half, from.states.end(), sweep.states.begin() + half);
+      };
+      ChangeGates(volumes.back().sweeps[i], copyHalf);
     }
   }
   MotionField motion;
@@ -243,18 +245,22 @@ namespace
 PolarVolume ScanLayers(double start)
 {
   PolarVolume volume = ScanEcho({}, site, sceneTime, start);
-  for (PolarSweep& sweep : volume.sweeps)
+  const auto fill = [](NumberSweep& sweep)
   {
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
+      const auto elevation = static_cast<double>(sweep.rays[ray].elevation);
       for (std::size_t gate = 0; gate < sweep.gates; ++gate)
       {
         const double range = sweep.firstGate + sweep.gateSpacing * static_cast<double>(gate);
-        const double height = BeamModel().Locate(range, sweep.rays[ray].elevation).height;
-        sweep.states[sweep.Index(ray, gate)] = GateState::Valid;
-        sweep.values[sweep.Index(ray, gate)] = static_cast<float>(45.0 - 0.003 * height);
+        const double height = BeamModel().Locate(range, elevation).height;
+        SetGate(sweep, ray, gate, static_cast<float>(45.0 - 0.003 * height));
       }
     }
+  };
+  for (PolarSweep& sweep : volume.sweeps)
+  {
+    ChangeGates(sweep, fill);
   }
   return volume;
 }
@@ -291,22 +297,28 @@ TEST(BeamMotion, ALookAloneKeepsItsHeight)
 namespace
 {
 
-// Quarters of the circle of 40 dBZ, without echo, range folded, and not sampled, in this order.
-PolarVolume FourQuarters(double start)
+// Quarters of the circle of a value, without echo, range folded, and not sampled, in this order;
+// the value is that of every other ray, and its negative that of those between where it is asked
+// for.
+PolarVolume FourQuarters(double start, float value = 40.0F, bool alternate = false)
 {
   PolarVolume volume = ScanEcho({}, site, sceneTime, start);
-  for (PolarSweep& sweep : volume.sweeps)
+  const auto fill = [value, alternate](NumberSweep& sweep)
   {
+    constexpr std::array<GateState, 4> states = {
+      GateState::Valid, GateState::BelowThreshold, GateState::RangeFolded, GateState::NotSampled};
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
-      constexpr std::array<GateState, 4> states = {
-        GateState::Valid, GateState::BelowThreshold, GateState::RangeFolded, GateState::NotSampled};
       for (std::size_t gate = 0; gate < sweep.gates; ++gate)
       {
         sweep.states[sweep.Index(ray, gate)] = states[ray / 90];
-        sweep.values[sweep.Index(ray, gate)] = 40.0F;
+        sweep.values[sweep.Index(ray, gate)] = alternate && ray % 2 == 1 ? -value : value;
       }
     }
+  };
+  for (PolarSweep& sweep : volume.sweeps)
+  {
+    ChangeGates(sweep, fill);
   }
   return volume;
 }
@@ -356,17 +368,11 @@ INSTANTIATE_TEST_SUITE_P(OnOneSideOrBoth, KindsOfNothing,
 
 TEST(BeamMotion, VelocityIsNeverBlended)
 {
-  std::vector<PolarVolume> volumes = {FourQuarters(-240.0), FourQuarters(60.0)};
-  for (std::size_t i = 0; i < volumes.size(); ++i)
+  std::vector<PolarVolume> volumes = {
+    FourQuarters(-240.0, 20.0F, true), FourQuarters(60.0, 20.0F, true)};
+  for (PolarVolume& volume : volumes)
   {
-    volumes[i].moment = MomentName::VEL;
-    for (PolarSweep& sweep : volumes[i].sweeps)
-    {
-      for (std::size_t j = 0; j < sweep.values.size(); ++j)
-      {
-        sweep.values[j] = (j / sweep.gates) % 2 == 0 ? 20.0F : -20.0F;
-      }
-    }
+    volume.moment = MomentName::VEL;
   }
   const MotionField motion = MotionField::Constant(velocity);
   const GriddedVolume merged = MergeMoving(volumes, 0.0, &motion);
@@ -408,9 +414,8 @@ TEST(BeamMotion, WhatIsPassedOverHoldsNothing)
   std::vector<PolarVolume> volumes = {ScanEcho(field, site, sceneTime, -300.0),
     ScanEcho(field, site, sceneTime, -50.0), ScanEcho(field, site, sceneTime, 200.0, later)};
   volumes[1].sweeps[2].rays.resize(300);
-  volumes[1].sweeps[2].values.resize(300 * later.gates);
-  volumes[1].sweeps[2].states.resize(300 * later.gates);
-  volumes[2].sweeps[0].states[volumes[2].sweeps[0].Index(20, 70)] = GateState::RangeFolded;
+  ChangeGates(volumes[2].sweeps[0],
+    [](NumberSweep& sweep) { sweep.states[sweep.Index(20, 70)] = GateState::RangeFolded; });
   const MotionField motion = MotionField::Constant(velocity);
   BeamMergeOptions withAges;
   withAges.companions = true;

@@ -67,7 +67,7 @@ TEST(BeamTimes, EachRayHasItsOwnTime)
 TEST(BeamTimes, NoEchoCountsAsZeroBetweenTimes)
 {
   PolarVolume none = OneTilt(300.0, 0.0F);
-  none.sweeps[0].states.assign(none.sweeps[0].states.size(), GateState::BelowThreshold);
+  ChangeGates(none.sweeps[0], [](NumberSweep& sweep) { SetAll(sweep, GateState::BelowThreshold); });
   const std::vector<PolarVolume> volumes = {OneTilt(0.0, 40.0F), none};
   EXPECT_NEAR(SeenEast(volumes, 75.0), 30.0, 1e-3);
   EXPECT_TRUE(std::isnan(SeenEast(volumes, 300.0)));
@@ -76,14 +76,14 @@ TEST(BeamTimes, NoEchoCountsAsZeroBetweenTimes)
 TEST(BeamTimes, ARangeFoldedGateLeavesTheOtherSideAlone)
 {
   PolarVolume folded = OneTilt(300.0, 0.0F);
-  folded.sweeps[0].states.assign(folded.sweeps[0].states.size(), GateState::RangeFolded);
+  ChangeGates(folded.sweeps[0], [](NumberSweep& sweep) { SetAll(sweep, GateState::RangeFolded); });
   EXPECT_NEAR(SeenEast({OneTilt(0.0, 40.0F), folded}, 200.0), 40.0, 1e-3);
 }
 
 // Repeated cuts: the nearest on each side of the time.
 TEST(BeamTimes, OfRepeatedCutsTheNearestCount)
 {
-  std::vector<PolarSweep> sweeps = {UniformSweep(1, 1.4, 10.0F, 0.0),
+  std::vector<NumberSweep> sweeps = {UniformSweep(1, 1.4, 10.0F, 0.0),
     UniformSweep(2, 2.5, 10.0F, 60.0), UniformSweep(3, 1.43, 30.0F, 120.0),
     UniformSweep(4, 4.0, 10.0F, 180.0), UniformSweep(5, 1.38, 50.0F, 240.0)};
   // The other tilts have 10 dBZ all the time: level 3 over 30 km stands at 1.43°, which is theirs
@@ -126,7 +126,7 @@ TEST(BeamTimes, AChangeOfPatternMakesNoJump)
 {
   const auto scan = [](const std::vector<double>& tilts, double seconds)
   {
-    std::vector<PolarSweep> sweeps;
+    std::vector<NumberSweep> sweeps;
     for (std::size_t i = 0; i < tilts.size(); ++i)
     {
       sweeps.push_back(UniformSweep(static_cast<int>(i) + 1, tilts[i],
@@ -166,13 +166,13 @@ std::vector<PolarVolume> TwoRadars(float west, float east)
   for (const auto& [value, site, name] :
     {std::make_tuple(west, centralSite, "KWST"), std::make_tuple(east, eastSite, "KEST")})
   {
-    std::vector<PolarSweep> sweeps;
+    std::vector<NumberSweep> sweeps;
     for (std::size_t i = 0; i < tilts.size(); ++i)
     {
       sweeps.push_back(UniformSweep(static_cast<int>(i) + 1, tilts[i], value));
       if (value == 0.0F)
       {
-        sweeps.back().states.assign(sweeps.back().states.size(), GateState::BelowThreshold);
+        SetAll(sweeps.back(), GateState::BelowThreshold);
       }
     }
     volumes.push_back(VolumeOf(sweeps, site));
@@ -333,7 +333,7 @@ TEST(BeamOverlap, AVolumeIsMadeReadyOnceARun)
   PolarVolume volume = OneTilt(0.0, 20.0F);
   BeamMerger merger(SceneGrid());
   merger.Merge({&volume}, sceneTime);
-  SetAll(volume.sweeps[0], 50.0F);
+  ChangeGates(volume.sweeps[0], [](NumberSweep& sweep) { SetAll(sweep, 50.0F); });
   EXPECT_NEAR(ValueAt(*merger.Merge({&volume}, sceneTime + Duration(1000)), 38, 30, 4), 20.0, 1e-3);
   merger.Merge({}, sceneTime);
   EXPECT_NEAR(ValueAt(*merger.Merge({&volume}, sceneTime), 38, 30, 4), 50.0, 1e-3);

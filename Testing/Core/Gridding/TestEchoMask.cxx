@@ -16,17 +16,17 @@ namespace
 
 using Cell = VolumeComposite::Cell;
 
-VolumeComposite CompositeOf(std::vector<PolarSweep> sweeps)
+VolumeComposite CompositeOf(const std::vector<NumberSweep>& sweeps)
 {
-  return PrepareBeamVolume(VolumeOf(std::move(sweeps))).composite;
+  return PrepareBeamVolume(VolumeOf(sweeps)).composite;
 }
 
 } // namespace
 
 TEST(VolumeComposite, HoldsTheStrongestEchoOfEachCell)
 {
-  PolarSweep low = MakeSweep(1, 0.5, 360, 230);
-  PolarSweep high = MakeSweep(2, 2.4, 360, 230);
+  NumberSweep low = MakeSweep(1, 0.5, 360, 230);
+  NumberSweep high = MakeSweep(2, 2.4, 360, 230);
   SetGate(low, 90, 60, 30.0F); // 61 km east
   SetGate(high, 90, 60, 42.0F);
   SetGate(low, 90, 62, -10.0F); // 63 km
@@ -42,7 +42,7 @@ TEST(VolumeComposite, HoldsTheStrongestEchoOfEachCell)
 // An empty composite was indexed.
 TEST(VolumeComposite, ASweepThatEndsBehindTheAntennaIsLeftOut)
 {
-  PolarSweep behind = MakeSweep(1, 0.5, 360, 4, 250.0);
+  NumberSweep behind = MakeSweep(1, 0.5, 360, 4, 250.0);
   behind.firstGate = -2'000.0;
   SetAll(behind, 30.0F);
   EXPECT_TRUE(PrepareBeamVolume(VolumeOf({behind})).sweeps.empty());
@@ -56,7 +56,7 @@ TEST(VolumeComposite, ASweepThatEndsBehindTheAntennaIsLeftOut)
 
 TEST(VolumeComposite, ASweepStraightUpHasARing)
 {
-  PolarSweep up = MakeSweep(1, 90.0, 360, 40);
+  NumberSweep up = MakeSweep(1, 90.0, 360, 40);
   SetAll(up, 30.0F);
   const VolumeComposite composite = CompositeOf({up});
   ASSERT_EQ(composite.rings, 1);
@@ -67,7 +67,7 @@ TEST(VolumeComposite, HoldsRaysOfHalfADegreeAndOfTwo)
 {
   for (const std::size_t rays : {std::size_t(720), std::size_t(180)})
   {
-    PolarSweep sweep = MakeSweep(1, 0.5, rays, 100);
+    NumberSweep sweep = MakeSweep(1, 0.5, rays, 100);
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
       SetGate(sweep, ray, 50, 20.0F);
@@ -83,7 +83,7 @@ TEST(VolumeComposite, HoldsRaysOfHalfADegreeAndOfTwo)
 
 TEST(VolumeComposite, KnowsWhatWasNotScannedAndWhatIsFolded)
 {
-  PolarSweep sweep = MakeSweep(1, 0.5, 360, 100);
+  NumberSweep sweep = MakeSweep(1, 0.5, 360, 100);
   sweep.states[sweep.Index(10, 50)] = GateState::RangeFolded;
   sweep.rays.resize(180);
   sweep.values.resize(sweep.gates * 180);
@@ -99,8 +99,8 @@ TEST(VolumeComposite, KnowsWhatWasNotScannedAndWhatIsFolded)
 // 30 dBZ seen at second 0 and 10 dBZ at second 100: the mean time is 25 s.
 TEST(VolumeComposite, WeighsTheTimeByTheEcho)
 {
-  PolarSweep low = UniformSweep(1, 0.5, 30.0F, 0.0);
-  PolarSweep high = UniformSweep(2, 0.9, 10.0F, 100.0);
+  NumberSweep low = UniformSweep(1, 0.5, 30.0F, 0.0);
+  NumberSweep high = UniformSweep(2, 0.9, 10.0F, 100.0);
   const VolumeComposite composite = CompositeOf({low, high});
   EXPECT_NEAR(composite.echoTime - ToSeconds(sceneTime), 25.0, 0.5);
 }
@@ -109,9 +109,9 @@ TEST(VolumeComposite, WeighsTheTimeByTheEcho)
 // distance of a column could meet it, the mask has the tilt; far from it, it has none.
 TEST(EchoMask, HoldsWhatMayReachAColumn)
 {
-  PolarSweep low = MakeSweep(1, 0.5, 360, 230);
-  PolarSweep middle = MakeSweep(2, 2.4, 360, 230);
-  const PolarSweep high = MakeSweep(3, 19.5, 360, 70);
+  NumberSweep low = MakeSweep(1, 0.5, 360, 230);
+  NumberSweep middle = MakeSweep(2, 2.4, 360, 230);
+  const NumberSweep high = MakeSweep(3, 19.5, 360, 70);
   SetGate(low, 300, 59, 30.0F);
   SetGate(middle, 300, 59, 30.0F);
   const VolumeComposite composite = CompositeOf({low, middle, high});

@@ -4,6 +4,7 @@
 #include "nexrad/Model/MomentSummary.h"
 #include "nexrad/Polar/PolarVolume.h"
 
+#include "SweepMaker.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>
@@ -173,8 +174,9 @@ TEST(RealFiles, WidthsThatCannotBeAreNotedAndNotMerged)
   EXPECT_EQ(Summarize(volume.sweeps[4], MomentName::SW).minimum, -32.5);
   const std::string note = DescribeImpossibleGates(volume.sweeps);
   EXPECT_EQ(note.rfind("3093 gates have a spectrum width below 0 m/s", 0), 0U) << note;
-  for (const PolarSweep& sweep : MakePolarVolume(volume, MomentName::SW).sweeps)
+  for (const PolarSweep& each : MakePolarVolume(volume, MomentName::SW).sweeps)
   {
+    const nexrad::testing::NumberSweep sweep = nexrad::testing::NumbersOf(each);
     for (std::size_t gate = 0; gate < sweep.values.size(); ++gate)
     {
       ASSERT_TRUE(sweep.states[gate] != GateState::Valid || sweep.values[gate] >= 0.0F) << gate;

@@ -35,7 +35,7 @@ GridSpecification NetworkGrid()
 // A volume of five tilts, 20 s each, its rays one after the other; `seconds` after 18:00.
 PolarVolume TimedVolume(const char* name, const Position& site, float value, double seconds)
 {
-  std::vector<PolarSweep> sweeps;
+  std::vector<NumberSweep> sweeps;
   for (int tilt = 0; tilt < 5; ++tilt)
   {
     const double begin = seconds + 24.0 * tilt;
@@ -148,10 +148,10 @@ PolarVolume ScanSmoothField(
   const SiteGeoreference georeference(site);
   const BeamModel beam;
   const auto gates = static_cast<std::size_t>(75'000.0 / gateLength);
-  std::vector<PolarSweep> sweeps;
+  std::vector<NumberSweep> sweeps;
   for (int tilt = 0; tilt < 3; ++tilt)
   {
-    PolarSweep sweep = MakeSweep(tilt + 1, 0.5 + tilt, rays, gates, gateLength);
+    NumberSweep sweep = MakeSweep(tilt + 1, 0.5 + tilt, rays, gates, gateLength);
     for (std::size_t ray = 0; ray < rays; ++ray)
     {
       sweep.rays[ray].time = sceneTime;
@@ -325,7 +325,7 @@ TEST(BeamNetwork, CompanionsAndValuesByHandForEachStrategy)
     {std::make_tuple("KWST", centralSite, 20.0F, -100.0),
       std::make_tuple("KEST", eastSite, 40.0F, -800.0)})
   {
-    std::vector<PolarSweep> sweeps;
+    std::vector<NumberSweep> sweeps;
     for (int tilt = 0; tilt < 5; ++tilt)
     {
       sweeps.push_back(UniformSweep(tilt + 1, 0.5 + tilt, value, seconds));

@@ -8,6 +8,7 @@
 using namespace nexrad;
 using nexrad::testing::MakeSweep;
 using nexrad::testing::MakeVolume;
+using nexrad::testing::NumberSweep;
 
 namespace
 {
@@ -20,7 +21,7 @@ struct Cut
 
 PolarVolume VolumeOf(const std::vector<Cut>& cuts)
 {
-  std::vector<PolarSweep> sweeps;
+  std::vector<NumberSweep> sweeps;
   for (const Cut& cut : cuts)
   {
     sweeps.push_back(MakeSweep(cut.number, cut.elevation, 4, 1));
@@ -64,7 +65,7 @@ TEST(PairSweepsT4, ASweepWithoutRaysIsNoPartner)
 
 TEST(RayFinderT4, FindsTheNearestRayAlsoAcrossNorth)
 {
-  PolarSweep sweep = MakeSweep(1, 0.5, 360, 1); // rays at 0°, 1°, … 359°
+  NumberSweep sweep = MakeSweep(1, 0.5, 360, 1); // rays at 0°, 1°, … 359°
   const RayFinder finder(sweep);
   EXPECT_EQ(finder.Nearest(10.4, 0.95), 10u);
   EXPECT_EQ(finder.Nearest(10.6, 0.95), 11u);
@@ -75,7 +76,7 @@ TEST(RayFinderT4, FindsTheNearestRayAlsoAcrossNorth)
 
 TEST(RayFinderT4, NothingBeyondTheTolerance)
 {
-  const PolarSweep sweep = MakeSweep(1, 0.5, 4, 1); // 0°, 90°, 180°, 270°
+  const NumberSweep sweep = MakeSweep(1, 0.5, 4, 1); // 0°, 90°, 180°, 270°
   const RayFinder finder(sweep);
   EXPECT_EQ(finder.Nearest(90.9, 0.95), 1u);
   EXPECT_FALSE(finder.Nearest(91.0, 0.95));

@@ -21,12 +21,12 @@ namespace
 
 const Position position = {38.7, -92.0, 200.0};
 
-PolarVolume VolumeOf(std::vector<PolarSweep> sweeps)
+PolarVolume VolumeOf(const std::vector<NumberSweep>& sweeps)
 {
-  return MakeVolume(position, 0.0, std::move(sweeps));
+  return MakeVolume(position, 0.0, sweeps);
 }
 
-std::vector<PolarSweep> ThreeTilts()
+std::vector<NumberSweep> ThreeTilts()
 {
   return {MakeSweep(1, 0.5, 360, 100), MakeSweep(2, 1.5, 360, 100), MakeSweep(3, 2.4, 360, 100)};
 }
@@ -35,20 +35,20 @@ using Counts = std::vector<std::size_t>;
 
 std::size_t Count(const PolarSweep& sweep, GateState state)
 {
-  return static_cast<std::size_t>(std::count(sweep.states.begin(), sweep.states.end(), state));
+  const std::vector<GateState> states = NumbersOf(sweep).states;
+  return static_cast<std::size_t>(std::count(states.begin(), states.end(), state));
 }
 
 } // namespace
 
 TEST(Despeckling, TakesOutAGateAlone)
 {
-  std::vector<PolarSweep> sweeps = ThreeTilts();
+  std::vector<NumberSweep> sweeps = ThreeTilts();
   SetGate(sweeps[1], 40, 50, 30.0F);
   PolarVolume volume = VolumeOf(sweeps);
   EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 1, 0}));
-  const std::size_t index = volume.sweeps[1].Index(40, 50);
-  EXPECT_EQ(volume.sweeps[1].states[index], GateState::NotSampled);
-  EXPECT_TRUE(std::isnan(volume.sweeps[1].values[index]));
+  const NumberSweep clean = NumbersOf(volume.sweeps[1]);
+  EXPECT_EQ(clean.states[clean.Index(40, 50)], GateState::NotSampled);
   EXPECT_EQ(Count(volume.sweeps[1], GateState::BelowThreshold), 35'999u);
 }
 
@@ -65,7 +65,7 @@ TEST(Despeckling, CountsRaysGatesAndTilts)
       Neighbour{1, 42, 50, false}, Neighbour{1, 40, 52, false}, Neighbour{0, 41, 49, true},
       Neighbour{2, 40, 50, true}, Neighbour{2, 42, 50, false}, Neighbour{0, 40, 48, false}})
   {
-    std::vector<PolarSweep> sweeps = ThreeTilts();
+    std::vector<NumberSweep> sweeps = ThreeTilts();
     SetGate(sweeps[1], 40, 50, 30.0F);
     SetGate(sweeps[other.sweep], other.ray, other.gate, 30.0F);
     PolarVolume volume = VolumeOf(sweeps);
@@ -79,7 +79,7 @@ TEST(Despeckling, CountsRaysGatesAndTilts)
 // Tilts two apart are no neighbours.
 TEST(Despeckling, LooksAtTheNextTiltAlone)
 {
-  std::vector<PolarSweep> sweeps = ThreeTilts();
+  std::vector<NumberSweep> sweeps = ThreeTilts();
   SetGate(sweeps[0], 40, 50, 30.0F);
   SetGate(sweeps[2], 40, 50, 30.0F);
   PolarVolume volume = VolumeOf(sweeps);
@@ -88,12 +88,12 @@ TEST(Despeckling, LooksAtTheNextTiltAlone)
 
 TEST(Despeckling, GoesRoundTheCircleAndNotAcrossGaps)
 {
-  std::vector<PolarSweep> sweeps = ThreeTilts();
+  std::vector<NumberSweep> sweeps = ThreeTilts();
   SetGate(sweeps[0], 0, 50, 30.0F);
   SetGate(sweeps[0], 359, 50, 30.0F);
   PolarVolume volume = VolumeOf(sweeps);
   EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 0, 0}));
-  PolarSweep torn = MakeSweep(1, 0.5, 360, 100);
+  NumberSweep torn = MakeSweep(1, 0.5, 360, 100);
   SetGate(torn, 100, 50, 30.0F);
   SetGate(torn, 103, 50, 30.0F);
   torn.rays.erase(torn.rays.begin() + 101, torn.rays.begin() + 103);
@@ -109,7 +109,7 @@ TEST(Despeckling, GoesRoundTheCircleAndNotAcrossGaps)
 // judged by the volume as it was, so that the middle stays.
 TEST(Despeckling, JudgesAllGatesByTheVolumeAsItWas)
 {
-  std::vector<PolarSweep> sweeps = ThreeTilts();
+  std::vector<NumberSweep> sweeps = ThreeTilts();
   for (std::size_t ray = 200; ray < 203; ++ray)
   {
     for (std::size_t gate = 60; gate < 63; ++gate)
@@ -129,14 +129,14 @@ TEST(Despeckling, JudgesAllGatesByTheVolumeAsItWas)
 // is repeated, in which the echo is not.
 TEST(Despeckling, FindsTheNeighboursOfOtherResolutionsAndRepeatedCuts)
 {
-  PolarSweep fine = MakeSweep(1, 0.5, 720, 400, 250.0);
-  const PolarSweep again = MakeSweep(3, 0.52, 720, 400, 250.0);
-  PolarSweep coarse = MakeSweep(2, 1.5, 360, 100);
+  NumberSweep fine = MakeSweep(1, 0.5, 720, 400, 250.0);
+  const NumberSweep again = MakeSweep(3, 0.52, 720, 400, 250.0);
+  NumberSweep coarse = MakeSweep(2, 1.5, 360, 100);
   SetGate(fine, 300, 199, 30.0F); // 150°, 50 km
   SetGate(coarse, 150, 49, 30.0F);
-  for (const std::vector<PolarSweep>& sweeps :
-    {std::vector<PolarSweep>{fine, coarse}, std::vector<PolarSweep>{fine, again, coarse},
-      std::vector<PolarSweep>{again, fine, coarse}})
+  for (const std::vector<NumberSweep>& sweeps :
+    {std::vector<NumberSweep>{fine, coarse}, std::vector<NumberSweep>{fine, again, coarse},
+      std::vector<NumberSweep>{again, fine, coarse}})
   {
     PolarVolume volume = VolumeOf(sweeps);
     const Counts removed = Despeckle(volume, 1);
@@ -154,32 +154,33 @@ TEST(Despeckling, RefusesNumbersThatNoGateHas)
 
 TEST(Despeckling, TakesSweepsWithoutRaysOrGatesAsTheyAre)
 {
-  PolarVolume volume = VolumeOf({PolarSweep{}, MakeSweep(1, 0.5, 1, 10), MakeSweep(2, 1.5, 2, 0)});
-  SetGate(volume.sweeps[1], 0, 5, 20.0F);
+  NumberSweep one = MakeSweep(1, 0.5, 1, 10);
+  SetGate(one, 0, 5, 20.0F);
+  PolarVolume volume = VolumeOf({NumberSweep{}, one, MakeSweep(2, 1.5, 2, 0)});
   EXPECT_EQ(Despeckle(volume, 1), (Counts{0, 1, 0}));
 }
 
 // What is taken out is no statement that there is nothing: echo of another radar keeps its value.
 TEST(Despeckling, LeavesThePlaceToAnotherRadar)
 {
-  std::vector<PolarSweep> echo = {MakeSweep(1, 0.5, 360, 100), MakeSweep(2, 1.5, 360, 100)};
+  std::vector<NumberSweep> echo = {MakeSweep(1, 0.5, 360, 100), MakeSweep(2, 1.5, 360, 100)};
   SetAll(echo[0], 40.0F);
   SetAll(echo[1], 40.0F);
-  for (PolarSweep& sweep : echo)
+  for (NumberSweep& sweep : echo)
   {
     for (PolarRay& ray : sweep.rays)
     {
       ray.time = *ParseIso8601("2006-03-12T18:00Z");
     }
   }
-  PolarVolume full = VolumeOf(echo);
-  PolarVolume speckled = VolumeOf(echo);
-  speckled.site.name = "KTWO";
-  for (PolarSweep& sweep : speckled.sweeps)
+  const PolarVolume full = VolumeOf(echo);
+  for (NumberSweep& sweep : echo)
   {
-    std::fill(sweep.states.begin(), sweep.states.end(), GateState::NotSampled);
+    SetAll(sweep, GateState::NotSampled);
     SetGate(sweep, 90, 50, 10.0F);
   }
+  PolarVolume speckled = VolumeOf(echo);
+  speckled.site.name = "KTWO";
   PolarVolume clean = speckled;
   Despeckle(clean, 12);
   GridSpecification grid;
@@ -212,8 +213,8 @@ TEST(Despeckling, OfRealFilesTakesLittleOfStormsAndMuchOfSpeckle)
     std::printf("%s, fewer than %d neighbours\n", file, neighbours);
     for (std::size_t i = 0; i < removed.size(); ++i)
     {
-      std::printf("  %5.2f deg  %8zu of %8zu gates\n", volume.sweeps[i].rays.front().elevation,
-        removed[i], echo[i]);
+      std::printf("  %5.2f deg  %8zu of %8zu gates\n",
+        static_cast<double>(volume.sweeps[i].rays.front().elevation), removed[i], echo[i]);
     }
     const auto sum = [](const Counts& counts)
     { return static_cast<double>(std::accumulate(counts.begin(), counts.end(), std::size_t(0))); };

@@ -13,6 +13,7 @@
 using namespace nexrad;
 using nexrad::testing::MakeSweep;
 using nexrad::testing::MakeVolume;
+using nexrad::testing::NumberSweep;
 using nexrad::testing::SetAll;
 using nexrad::testing::SetGate;
 
@@ -38,9 +39,9 @@ GridSpecification SmallGrid()
 }
 
 // One ray to the east at 2° with gates at 10, 20, … 80 km.
-PolarSweep EastRay()
+NumberSweep EastRay()
 {
-  PolarSweep sweep = MakeSweep(1, 2.0, 1, 8, 10'000.0);
+  NumberSweep sweep = MakeSweep(1, 2.0, 1, 8, 10'000.0);
   sweep.rays[0].azimuth = 90.0;
   return sweep;
 }
@@ -63,7 +64,7 @@ GriddedVolume Merge(const std::vector<SiteBracket>& sites, Time time)
 }
 
 // What one gate becomes when its two sides hold what `before` and `after` say.
-float BlendedGate(const PolarSweep& before, const PolarSweep& after, double seconds)
+float BlendedGate(const NumberSweep& before, const NumberSweep& after, double seconds)
 {
   const PolarVolume first = MakeVolume(here, 0.0, {before});
   const PolarVolume second = MakeVolume(here, 300.0, {after});
@@ -76,7 +77,7 @@ float BlendedGate(const PolarSweep& before, const PolarSweep& after, double seco
 
 TEST(MergeThesis, SamplesFallWhereT1ToT3PutThem)
 {
-  PolarSweep sweep = EastRay();
+  NumberSweep sweep = EastRay();
   for (std::size_t gate = 0; gate < 8; ++gate)
   {
     SetGate(sweep, 0, gate, 10.0F + static_cast<float>(gate));
@@ -95,8 +96,8 @@ TEST(MergeThesis, SamplesFallWhereT1ToT3PutThem)
 
 TEST(MergeThesisT4, BlendsInTime)
 {
-  PolarSweep before = EastRay();
-  PolarSweep after = EastRay();
+  NumberSweep before = EastRay();
+  NumberSweep after = EastRay();
   SetGate(before, 0, 3, 20.0F);
   SetGate(after, 0, 3, 60.0F);
   EXPECT_FLOAT_EQ(BlendedGate(before, after, 0.0), 20.0F);
@@ -106,7 +107,7 @@ TEST(MergeThesisT4, BlendsInTime)
 
 TEST(MergeThesisT5, BelowThresholdCountsAsZero)
 {
-  PolarSweep before = EastRay();
+  NumberSweep before = EastRay();
   SetGate(before, 0, 3, 40.0F);
   EXPECT_FLOAT_EQ(BlendedGate(before, EastRay(), 75.0), 30.0F);
   EXPECT_FLOAT_EQ(BlendedGate(EastRay(), EastRay(), 75.0), 0.0F);
@@ -114,11 +115,11 @@ TEST(MergeThesisT5, BelowThresholdCountsAsZero)
 
 TEST(MergeThesisT5, FoldedAndUnsampledGatesDoNotCount)
 {
-  PolarSweep before = EastRay();
+  NumberSweep before = EastRay();
   SetGate(before, 0, 3, 40.0F);
   for (const GateState state : {GateState::RangeFolded, GateState::NotSampled})
   {
-    PolarSweep nothing = EastRay();
+    NumberSweep nothing = EastRay();
     nothing.states[3] = state;
     EXPECT_FLOAT_EQ(BlendedGate(before, nothing, 75.0), 40.0F);
     EXPECT_FLOAT_EQ(BlendedGate(nothing, before, 75.0), 40.0F);
@@ -128,7 +129,7 @@ TEST(MergeThesisT5, FoldedAndUnsampledGatesDoNotCount)
 
 TEST(MergeThesisT5, ValuesAreLimited)
 {
-  PolarSweep sweep = EastRay();
+  NumberSweep sweep = EastRay();
   SetGate(sweep, 0, 3, 94.5F);
   EXPECT_FLOAT_EQ(BlendedGate(sweep, sweep, 0.0), 80.0F);
   SetGate(sweep, 0, 3, -20.0F);
@@ -138,8 +139,8 @@ TEST(MergeThesisT5, ValuesAreLimited)
 // The ray after points 0.9° aside, and then 1° (more than a beam width, 0.95°).
 TEST(MergeThesisT4, TheNearestRayWithinABeamWidthIsThePartner)
 {
-  PolarSweep before = EastRay();
-  PolarSweep after = EastRay();
+  NumberSweep before = EastRay();
+  NumberSweep after = EastRay();
   SetGate(before, 0, 3, 20.0F);
   SetGate(after, 0, 3, 60.0F);
   after.rays[0].azimuth = 90.9;
@@ -151,9 +152,9 @@ TEST(MergeThesisT4, TheNearestRayWithinABeamWidthIsThePartner)
 // Gates of 2.5 km in the volume after: the one at 40 km is number 15.
 TEST(MergeThesisT4, TheGateOfTheSameRangeIsThePartner)
 {
-  PolarSweep before = EastRay();
+  NumberSweep before = EastRay();
   SetGate(before, 0, 3, 20.0F);
-  PolarSweep after = MakeSweep(1, 2.0, 1, 32, 2'500.0);
+  NumberSweep after = MakeSweep(1, 2.0, 1, 32, 2'500.0);
   after.rays[0].azimuth = 90.0;
   SetGate(after, 0, 15, 60.0F);
   EXPECT_FLOAT_EQ(BlendedGate(before, after, 150.0), 40.0F);
@@ -161,7 +162,7 @@ TEST(MergeThesisT4, TheGateOfTheSameRangeIsThePartner)
 
 TEST(MergeThesisT4, SweepsOfOneSideAloneGoInUnchanged)
 {
-  PolarSweep high = MakeSweep(2, 6.0, 1, 8, 10'000.0);
+  NumberSweep high = MakeSweep(2, 6.0, 1, 8, 10'000.0);
   high.rays[0].azimuth = 90.0;
   SetGate(high, 0, 3, 50.0F);
   const PolarVolume first = MakeVolume(here, 0.0, {EastRay()});
@@ -174,7 +175,7 @@ TEST(MergeThesisT4, SweepsOfOneSideAloneGoInUnchanged)
 
 TEST(MergeThesis, OneSideOnlyIsUsedUnchanged)
 {
-  PolarSweep sweep = EastRay();
+  NumberSweep sweep = EastRay();
   SetGate(sweep, 0, 3, 33.0F);
   const PolarVolume only = MakeVolume(here, 0.0, {sweep});
   EXPECT_FLOAT_EQ(Merge({{&only, nullptr}}, After(500.0)).values[EastVoxel(3)], 33.0F);
@@ -184,13 +185,13 @@ TEST(MergeThesis, OneSideOnlyIsUsedUnchanged)
 // Two samples of one site and one of another in one cell: (10 + 20 + 60) / 3.
 TEST(MergeThesisT6, ACellIsTheMeanOfAllSamplesOfAllSites)
 {
-  PolarSweep twice = EastRay();
+  NumberSweep twice = EastRay();
   twice.rays.push_back(twice.rays[0]);
   twice.values.resize(16, twice.values[0]);
   twice.states.resize(16, GateState::BelowThreshold);
   SetGate(twice, 0, 3, 10.0F);
   SetGate(twice, 1, 3, 20.0F);
-  PolarSweep other = EastRay();
+  NumberSweep other = EastRay();
   SetGate(other, 0, 3, 60.0F);
   const PolarVolume first = MakeVolume(here, 0.0, {twice});
   const PolarVolume second = MakeVolume(here, 0.0, {other});
@@ -200,7 +201,7 @@ TEST(MergeThesisT6, ACellIsTheMeanOfAllSamplesOfAllSites)
 
 TEST(MergeThesisT7, FillsDownButNotUp)
 {
-  PolarSweep sweep = EastRay();
+  NumberSweep sweep = EastRay();
   SetGate(sweep, 0, 3, 40.0F);
   const PolarVolume only = MakeVolume(here, 0.0, {sweep});
   const GriddedVolume volume = Merge({{&only, nullptr}}, After(0.0));
@@ -221,7 +222,7 @@ TEST(MergeThesis, ScannedAndEmptyIsNoEcho)
 
 TEST(MergeThesis, AConstantFieldStaysConstant)
 {
-  std::vector<PolarSweep> sweeps;
+  std::vector<NumberSweep> sweeps;
   for (int cut = 1; cut <= 6; ++cut)
   {
     sweeps.push_back(MakeSweep(cut, 0.5 + 2.0 * (cut - 1), 360, 100, 1'000.0));
@@ -249,7 +250,7 @@ TEST(MergeThesis, AConstantFieldStaysConstant)
 
 TEST(MergeThesis, GatesBeforeTheAntennaAreLeftOut)
 {
-  PolarSweep sweep = EastRay();
+  NumberSweep sweep = EastRay();
   sweep.firstGate = -10'000.0;
   SetGate(sweep, 0, 0, 70.0F);
   const PolarVolume only = MakeVolume(here, 0.0, {sweep});

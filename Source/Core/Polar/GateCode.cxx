@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Polar/GateCode.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nexrad
+{
+
+namespace
+{
+
+// Steps from the first code of a value to the last.
+constexpr float steps = GateCode::Last - GateCode::FirstValue;
+
+// The smallest power of two that is not below a number above 0.
+double PowerOfTwo(double number)
+{
+  int exponent = 0;
+  const double part = std::frexp(number, &exponent);
+  return std::ldexp(1.0, part > 0.5 ? exponent : exponent - 1);
+}
+
+} // namespace
+
+std::uint16_t GateScale::CodeOf(float value) const
+{
+  const float code = step > 0.0F ? (value - base) / step : 0.0F;
+  constexpr auto first = static_cast<float>(GateCode::FirstValue);
+  constexpr auto last = static_cast<float>(GateCode::Last);
+  return static_cast<std::uint16_t>(std::clamp(code, first, last) + 0.5F);
+}
+
+GateScale GateScale::Between(float least, float most)
+{
+  const auto from = static_cast<double>(least);
+  const auto to = static_cast<double>(most);
+  // One step is left for the multiple of it below `least`.
+  const double wanted = (to - from) / static_cast<double>(steps - 1.0F);
+  const double told = std::max(std::abs(from), std::abs(to)) *
+                      static_cast<double>(std::numeric_limits<float>::epsilon());
+  const double smallest = static_cast<double>(std::numeric_limits<float>::min());
+  const double step = PowerOfTwo(std::max({wanted, told, smallest}));
+  const double first = std::floor(from / step) * step;
+  return {static_cast<float>(first - step * GateCode::FirstValue), static_cast<float>(step)};
+}
+
+} // namespace nexrad

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Polar/GateRows.h"
+
+#include "nexrad/Polar/GateCode.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr std::uint16_t largestByte = std::numeric_limits<std::uint8_t>::max();
+
+// A stretch takes four bytes: fewer gates of no echo are kept with those about them.
+constexpr std::size_t shortestGap = 4;
+
+// The first gate from `gate` on that holds anything but no echo; `end` when none does.
+std::size_t SkipNoEcho(const std::uint16_t* codes, std::size_t gate, std::size_t end)
+{
+  std::uint64_t four = 0;
+  constexpr std::size_t count = sizeof four / sizeof *codes;
+  while (gate + count <= end)
+  {
+    std::memcpy(&four, codes + gate, sizeof four);
+    if (four != 0) // NoEcho is 0
+    {
+      break;
+    }
+    gate += count;
+  }
+  while (gate < end && codes[gate] == GateCode::NoEcho)
+  {
+    ++gate;
+  }
+  return gate;
+}
+
+// The first gate from `gate` on that holds no echo; `end` when all hold something.
+std::size_t SkipEcho(const std::uint16_t* codes, std::size_t gate, std::size_t end)
+{
+  while (gate < end && codes[gate] != GateCode::NoEcho)
+  {
+    ++gate;
+  }
+  return gate;
+}
+
+// Where the stretch that begins at a gate ends.
+std::size_t EndOfStretch(const std::uint16_t* codes, std::size_t gate, std::size_t end)
+{
+  while (gate < end)
+  {
+    gate = SkipEcho(codes, gate, end);
+    const std::size_t last = std::min(gate + shortestGap, end);
+    const std::size_t next = SkipNoEcho(codes, gate, last);
+    if (next == last)
+    {
+      break;
+    }
+    gate = next;
+  }
+  return gate;
+}
+
+} // namespace
+
+GateRows::GateRows(std::uint16_t largest)
+  : wide(largest > largestByte)
+{
+}
+
+std::uint16_t GateRows::LargestCode() const
+{
+  return wide ? GateCode::Last : largestByte;
+}
+
+void GateRows::Append(const std::uint16_t* codes, std::size_t gates)
+{
+  rows.push_back(
+    {static_cast<std::uint32_t>(stretches.size()), static_cast<std::uint32_t>(bytes.size())});
+  std::size_t end = gates;
+  while (end > 0 && codes[end - 1] == GateCode::NotSampled)
+  {
+    --end;
+  }
+  for (std::size_t gate = SkipNoEcho(codes, 0, end); gate < end;
+       gate = SkipNoEcho(codes, gate, end))
+  {
+    const std::size_t begin = gate;
+    gate = EndOfStretch(codes, begin, end);
+    this->AppendStretch(codes, begin, gate);
+  }
+  if (end < gates)
+  {
+    stretches.push_back({static_cast<std::uint16_t>(end), 0});
+  }
+}
+
+void GateRows::Finish()
+{
+  rows.shrink_to_fit();
+  stretches.shrink_to_fit();
+  bytes.shrink_to_fit();
+}
+
+void GateRows::Read(std::size_t row, std::size_t gates, std::uint16_t* codes) const
+{
+  const std::uint8_t* from = bytes.data() + rows[row].firstByte;
+  std::size_t done = 0;
+  for (std::size_t i = rows[row].firstStretch; i < this->EndOfRow(row) && done < gates; ++i)
+  {
+    const Stretch& stretch = stretches[i];
+    const std::size_t begin = std::min<std::size_t>(stretch.begin, gates);
+    std::fill(codes + done, codes + begin, GateCode::NoEcho);
+    if (stretch.end == 0)
+    {
+      std::fill(codes + begin, codes + gates, GateCode::NotSampled);
+      return;
+    }
+    done = std::min<std::size_t>(stretch.end, gates);
+    const std::size_t count = done - begin;
+    if (!wide)
+    {
+      std::copy_n(from, count, codes + begin);
+    }
+    for (std::size_t gate = 0; wide && gate < count; ++gate)
+    {
+      codes[begin + gate] = static_cast<std::uint16_t>(from[2 * gate] | from[2 * gate + 1] << 8U);
+    }
+    from += count * (wide ? 2 : 1);
+  }
+  std::fill(codes + done, codes + gates, GateCode::NoEcho);
+}
+
+GateRange GateRows::Held(std::size_t row, std::size_t gates) const
+{
+  const std::size_t first = rows[row].firstStretch;
+  const std::size_t end = this->EndOfRow(row);
+  if (first == end)
+  {
+    return {};
+  }
+  const std::size_t last = stretches[end - 1].end;
+  const GateRange held{stretches[first].begin, last > 0 ? std::min(last, gates) : gates};
+  return held.IsEmpty() ? GateRange() : held;
+}
+
+std::size_t GateRows::MemoryBytes() const
+{
+  return rows.capacity() * sizeof(Row) + stretches.capacity() * sizeof(Stretch) + bytes.capacity();
+}
+
+std::size_t GateRows::EndOfRow(std::size_t row) const
+{
+  return row + 1 < rows.size() ? rows[row + 1].firstStretch : stretches.size();
+}
+
+void GateRows::AppendStretch(const std::uint16_t* codes, std::size_t begin, std::size_t end)
+{
+  stretches.push_back({static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end)});
+  const std::size_t count = end - begin;
+  const std::size_t first = bytes.size();
+  bytes.resize(first + count * (wide ? 2 : 1));
+  std::uint8_t* to = bytes.data() + first;
+  const std::uint16_t* from = codes + begin;
+  if (!wide)
+  {
+    std::transform(
+      from, from + count, to, [](std::uint16_t code) { return static_cast<std::uint8_t>(code); });
+    return;
+  }
+  for (std::size_t gate = 0; gate < count; ++gate)
+  {
+    to[2 * gate] = static_cast<std::uint8_t>(from[gate]);
+    to[2 * gate + 1] = static_cast<std::uint8_t>(from[gate] >> 8U);
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Gates from `begin` up to, but not including, `end`.
+struct GateRange
+{
+  std::size_t begin = 0;
+  std::size_t end = 0;
+
+  bool IsEmpty() const { return begin >= end; }
+};
+
+/// The codes (GateCode) of the gates of a sweep, a row a ray. Most gates of a sweep hold no echo:
+/// only the stretches between them are kept, in bytes where the codes of the sweep fit, which takes
+/// about a seventh of the memory of a code for each gate. A row is written and read as a whole.
+class GateRows
+{
+public:
+  /// Gates that a row can have.
+  static constexpr int MostGates = 65'535;
+
+  GateRows() = default;
+  /// Rows of codes up to `largest`.
+  explicit GateRows(std::uint16_t largest);
+
+  /// Adds the next row: as many gates as the other rows have, at most MostGates, with codes up
+  /// to LargestCode().
+  void Append(const std::uint16_t* codes, std::size_t gates);
+  /// Call it after the last row: hands memory that was kept for further rows back.
+  void Finish();
+
+  std::size_t Count() const { return rows.size(); }
+  /// Reads the first `gates` gates of a row: all that were appended, or fewer. row < Count().
+  void Read(std::size_t row, std::size_t gates, std::uint16_t* codes) const;
+  /// Of the first `gates` gates of a row those from the first that holds anything but no echo, and
+  /// behind which none does.
+  GateRange Held(std::size_t row, std::size_t gates) const;
+
+  /// The largest code that has room.
+  std::uint16_t LargestCode() const;
+  std::size_t MemoryBytes() const;
+
+private:
+  struct Row
+  {
+    std::uint32_t firstStretch;
+    std::uint32_t firstByte;
+  };
+  // Gates from `begin` up to `end`; `end` 0 says that none from `begin` on was sampled, and that no
+  // codes are kept of them.
+  struct Stretch
+  {
+    std::uint16_t begin;
+    std::uint16_t end;
+  };
+
+  std::size_t EndOfRow(std::size_t row) const;
+  void AppendStretch(const std::uint16_t* codes, std::size_t begin, std::size_t end);
+
+  bool wide = false; // codes of two bytes, the lower one first
+  std::vector<Row> rows;
+  std::vector<Stretch> stretches;
+  std::vector<std::uint8_t> bytes;
+};
+
+} // namespace nexrad
