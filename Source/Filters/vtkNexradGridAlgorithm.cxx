@@ -95,8 +95,8 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
   options.beam.overlapLength = this->OverlapLength;
   options.beam.linearReflectivity = this->LinearReflectivity;
   options.beam.sharpen = this->Sharpening;
-  options.beam.fill = this->VerticalFill;
-  options.beam.companions = this->CompanionArrays;
+  options.beam.fillColumns = this->ColumnFilling;
+  options.beam.ancillary = this->AncillaryArrays;
   options.interpolation = this->TimeInterpolation == LINEAR
                             ? nexrad::TimeInterpolationMethod::Linear
                             : nexrad::TimeInterpolationMethod::AlongMotion;
@@ -170,6 +170,6 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "UseGivenMotion: " << this->UseGivenMotion << "\n";
   os << indent << "LinearReflectivity: " << this->LinearReflectivity << "\n";
   os << indent << "Sharpening: " << this->Sharpening << "\n";
-  os << indent << "VerticalFill: " << this->VerticalFill << "\n";
-  os << indent << "CompanionArrays: " << this->CompanionArrays << "\n";
+  os << indent << "ColumnFilling: " << this->ColumnFilling << "\n";
+  os << indent << "AncillaryArrays: " << this->AncillaryArrays << "\n";
 }

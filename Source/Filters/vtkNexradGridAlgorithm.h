@@ -228,9 +228,9 @@ public:
    * For BEAM: fill each column between and below what was scanned, as THESIS always does. Off by
    * default.
    */
-  vtkSetMacro(VerticalFill, bool);
-  vtkGetMacro(VerticalFill, bool);
-  vtkBooleanMacro(VerticalFill, bool);
+  vtkSetMacro(ColumnFilling, bool);
+  vtkGetMacro(ColumnFilling, bool);
+  vtkBooleanMacro(ColumnFilling, bool);
   ///@}
 
   ///@{
@@ -238,9 +238,9 @@ public:
    * For BEAM: add the ancillary arrays `REF_age`, `REF_radars`,
    * `REF_weight` and `REF_site` (vtkNexradImageConversion.h). Off by default.
    */
-  vtkSetMacro(CompanionArrays, bool);
-  vtkGetMacro(CompanionArrays, bool);
-  vtkBooleanMacro(CompanionArrays, bool);
+  vtkSetMacro(AncillaryArrays, bool);
+  vtkGetMacro(AncillaryArrays, bool);
+  vtkBooleanMacro(AncillaryArrays, bool);
   ///@}
 
 protected:
@@ -299,8 +299,8 @@ protected:
   bool UseGivenMotion = false;
   bool LinearReflectivity = false;
   bool Sharpening = true;
-  bool VerticalFill = false;
-  bool CompanionArrays = false;
+  bool ColumnFilling = false;
+  bool AncillaryArrays = false;
 
 private:
   vtkNexradGridAlgorithm(const vtkNexradGridAlgorithm&) = delete;

@@ -77,7 +77,7 @@ using ArrayOf = std::conditional_t<sizeof(Value) == 1, vtkUnsignedCharArray, vtk
 template <class Values>
 using ArrayFor = ArrayOf<typename std::decay_t<Values>::value_type>;
 
-void AddCompanions(const nexrad::GriddedVolume& volume, vtkPointData* points)
+void AddAncillary(const nexrad::GriddedVolume& volume, vtkPointData* points)
 {
   const auto add = [&](const char* name, const auto& values)
   {
@@ -86,12 +86,12 @@ void AddCompanions(const nexrad::GriddedVolume& volume, vtkPointData* points)
       return;
     }
     vtkNew<ArrayFor<decltype(values)>> array;
-    array->SetName(nexrad::CompanionName(volume.moment, name).c_str());
+    array->SetName(nexrad::AncillaryArrayName(volume.moment, name).c_str());
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
     std::copy(values.begin(), values.end(), array->GetPointer(0));
     points->AddArray(array);
   };
-  nexrad::ForEachCompanion(volume.companions, add);
+  nexrad::ForEachAncillaryArray(volume.ancillary, add);
 }
 
 nexrad::MomentName FindMoment(vtkPointData* points)
@@ -121,18 +121,18 @@ Array* RequireArray(vtkImageData* image, const std::string& name)
 }
 
 // Those that the image has.
-void TakeCompanions(vtkImageData* image, nexrad::GriddedVolume& volume)
+void TakeAncillaryArrays(vtkImageData* image, nexrad::GriddedVolume& volume)
 {
   const auto take = [&](const char* name, auto& values)
   {
-    const std::string full = nexrad::CompanionName(volume.moment, name);
+    const std::string full = nexrad::AncillaryArrayName(volume.moment, name);
     if (image->GetPointData()->HasArray(full.c_str()))
     {
       auto* array = RequireArray<ArrayFor<decltype(values)>>(image, full);
       values.assign(array->GetPointer(0), array->GetPointer(0) + array->GetNumberOfTuples());
     }
   };
-  nexrad::ForEachCompanion(volume.companions, take);
+  nexrad::ForEachAncillaryArray(volume.ancillary, take);
 }
 
 nexrad::GridSpecification ImageToGrid(vtkImageData* image)
@@ -173,7 +173,7 @@ void vtkNexradVolumeToImage(const nexrad::GriddedVolume& volume, vtkImageData* i
 {
   vtkNexradGridToImage(volume.grid, image);
   AddPointData(volume, image->GetPointData());
-  AddCompanions(volume, image->GetPointData());
+  AddAncillary(volume, image->GetPointData());
   AddFieldData(volume, image->GetFieldData());
 }
 
@@ -196,7 +196,7 @@ nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
     }
     volume.states.push_back(static_cast<nexrad::VoxelState>(state));
   }
-  TakeCompanions(image, volume);
+  TakeAncillaryArrays(image, volume);
   vtkFieldData* field = image->GetFieldData();
   volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
   volume.sites = vtkNexradGetTexts(field, "Sites");

@@ -11,7 +11,7 @@
  * - `vtkGhostType`, uint8: HIDDENPOINT where not scanned; of other moments than reflectivity, where
  *   there is no echo and hence no value.
  *
- * On demand, of the method "beam", what stands behind each voxel; 0 where not scanned:
+ * On demand, of the method "beam", the ancillary arrays; 0 where not scanned:
  *
  * - `REF_age`, float32: seconds between the volume's time and the nearest ray that took part.
  * - `REF_radars`, uint8: number of radars that scanned the voxel.
@@ -46,7 +46,8 @@ struct GridSpecification;
 } // namespace nexrad
 
 /**
- * Bytes that a voxel takes in the image of a volume without companions: value, state, ghost type.
+ * Bytes that a voxel takes in the image of a volume without ancillary arrays: value, state, ghost
+ * type.
  */
 constexpr unsigned vtkNexradImageBytesPerVoxel = 6;
 
@@ -63,7 +64,7 @@ VTKNEXRADIO_EXPORT void vtkNexradVolumeToImage(
   const nexrad::GriddedVolume& volume, vtkImageData* image);
 
 /**
- * The volume in an image that has the arrays above; `vtkGhostType` and the companions are not
+ * The volume in an image that has the arrays above; `vtkGhostType` and the ancillary arrays are not
  * needed. Throws nexrad::Error, naming the array, for an image without them or with an array of
  * another type or length, and for one whose axes are turned.
  */

@@ -77,14 +77,14 @@ vtkNexradVolumeReader::~vtkNexradVolumeReader()
   this->SetFileName(nullptr);
 }
 
-vtkDataArraySelection* vtkNexradVolumeReader::GetCompanionSelection()
+vtkDataArraySelection* vtkNexradVolumeReader::GetAncillaryArraySelection()
 {
-  return this->CompanionSelection;
+  return this->AncillaryArraySelection;
 }
 
 vtkMTimeType vtkNexradVolumeReader::GetMTime()
 {
-  return std::max(this->Superclass::GetMTime(), this->CompanionSelection->GetMTime());
+  return std::max(this->Superclass::GetMTime(), this->AncillaryArraySelection->GetMTime());
 }
 
 int vtkNexradVolumeReader::CanReadFile(const char* path)
@@ -150,25 +150,25 @@ void vtkNexradVolumeReader::ReadHeader()
   this->Opened = std::move(files);
 }
 
-void vtkNexradVolumeReader::ListCompanions()
+void vtkNexradVolumeReader::ListAncillaryArrays()
 {
   std::vector<std::string> names;
   if (!this->RawStream)
   {
-    names = nexrad::ReadNxvCompanionNames(this->Opened->Steps.front().second);
+    names = nexrad::ReadNxvAncillaryArrayNames(this->Opened->Steps.front().second);
   }
   // Names that are known keep what the user chose for them.
-  for (int i = this->CompanionSelection->GetNumberOfArrays(); i-- > 0;)
+  for (int i = this->AncillaryArraySelection->GetNumberOfArrays(); i-- > 0;)
   {
-    const std::string known = this->CompanionSelection->GetArrayName(i);
+    const std::string known = this->AncillaryArraySelection->GetArrayName(i);
     if (std::find(names.begin(), names.end(), known) == names.end())
     {
-      this->CompanionSelection->RemoveArrayByIndex(i);
+      this->AncillaryArraySelection->RemoveArrayByIndex(i);
     }
   }
   for (const std::string& name : names)
   {
-    this->CompanionSelection->AddArray(name.c_str());
+    this->AncillaryArraySelection->AddArray(name.c_str());
   }
 }
 
@@ -185,7 +185,7 @@ int vtkNexradVolumeReader::RequestInformation(
   try
   {
     this->ReadHeader();
-    this->ListCompanions();
+    this->ListAncillaryArrays();
   }
   catch (const nexrad::Error& error)
   {
@@ -239,7 +239,7 @@ int vtkNexradVolumeReader::RequestData(
   {
     nexrad::GriddedVolume volume =
       this->RawStream ? nexrad::ReadRaw(step.second, this->Opened->First)
-                      : nexrad::ReadNxv(step.second, LeavingOut(this->CompanionSelection));
+                      : nexrad::ReadNxv(step.second, LeavingOut(this->AncillaryArraySelection));
     if (volume.grid != this->Opened->First.grid)
     {
       throw nexrad::Error(
@@ -270,6 +270,6 @@ void vtkNexradVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
      << this->RawOrigin[2] << "\n";
   os << indent << "RawSpacing: " << this->RawSpacing[0] << ", " << this->RawSpacing[1] << ", "
      << this->RawSpacing[2] << "\n";
-  os << indent << "CompanionSelection:\n";
-  this->CompanionSelection->PrintSelf(os, indent.GetNextIndent());
+  os << indent << "AncillaryArraySelection:\n";
+  this->AncillaryArraySelection->PrintSelf(os, indent.GetNextIndent());
 }

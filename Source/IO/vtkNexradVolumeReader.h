@@ -67,11 +67,11 @@ public:
   ///@}
 
   /**
-   * Which of the companion arrays (`REF_age`, `REF_radars`, `REF_weight`, `REF_site`) are read. It
+   * Which of the ancillary arrays (`REF_age`, `REF_radars`, `REF_weight`, `REF_site`) are read. It
    * lists those of the file, of a series those of its first volume, once the information is up to
    * date; all are on by default. The moment and its states are always read.
    */
-  vtkDataArraySelection* GetCompanionSelection();
+  vtkDataArraySelection* GetAncillaryArraySelection();
 
   vtkMTimeType GetMTime() override;
 
@@ -108,9 +108,9 @@ private:
 
   int Fail(unsigned long code, const std::string& line);
   void ReadHeader();
-  void ListCompanions();
+  void ListAncillaryArrays();
 
-  vtkNew<vtkDataArraySelection> CompanionSelection;
+  vtkNew<vtkDataArraySelection> AncillaryArraySelection;
   struct Files;
   std::unique_ptr<Files> Opened;
 };

@@ -563,8 +563,8 @@ vtkSmartPointer<vtkObject> vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
   {
     return nullptr;
   }
-  return vtkTextureSliceDigest::Prepare(vtkTextureSliceScalars::Find(image, scalars, cellData),
-    vtkTextureSliceDigest::SafeDownCast(before));
+  return vtkTextureSliceChecksums::Prepare(vtkTextureSliceScalars::Find(image, scalars, cellData),
+    vtkTextureSliceChecksums::SafeDownCast(before));
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVolume* volume)

@@ -45,7 +45,7 @@ std::vector<std::string> ThreeRadars(const fs::path& data, const fs::path& outpu
   }
   arguments.insert(
     arguments.end(), {"-o", output, "--begin", "2010-09-11T01:15", "--end", "2010-09-11T01:15",
-                       "--bounds", "-77,41,-73,44", "--companions", "--quiet"});
+                       "--bounds", "-77,41,-73,44", "--ancillary", "--quiet"});
   return arguments;
 }
 
@@ -148,7 +148,7 @@ TEST(GridCommand, OptionsReachTheVolumes)
   EXPECT_NEAR(volume.grid.centreLongitude, -76.0, 1e-9);
 }
 
-TEST(GridCommand, CompanionsOnRequest)
+TEST(GridCommand, AncillaryArraysOnRequest)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const TemporaryFolder folder;
@@ -162,19 +162,19 @@ TEST(GridCommand, CompanionsOnRequest)
     EXPECT_EQ(run.status, 0) << run.errors;
     return ReadNxv(folder.Path() / name / "20050821T025500Z.nxv");
   };
-  EXPECT_TRUE(grid("plain", {}).companions.age.empty());
-  const GriddedVolume volume = grid("companions", {"--companions"});
-  const VoxelCompanions& companions = volume.companions;
-  ASSERT_EQ(companions.age.size(), volume.values.size());
+  EXPECT_TRUE(grid("plain", {}).ancillary.age.empty());
+  const GriddedVolume volume = grid("ancillary", {"--ancillary"});
+  const AncillaryArrays& ancillary = volume.ancillary;
+  ASSERT_EQ(ancillary.age.size(), volume.values.size());
   std::size_t scanned = 0;
   for (std::size_t i = 0; i < volume.values.size(); ++i)
   {
     const bool seen =
       volume.states[i] == VoxelState::Echo || volume.states[i] == VoxelState::NoEcho;
-    ASSERT_EQ(companions.radars[i], seen ? 1 : 0);
-    ASSERT_EQ(companions.nearestSite[i], seen ? 0 : VoxelCompanions::NoSite);
-    ASSERT_TRUE(seen || companions.weight[i] == 0.0F);
-    ASSERT_LT(companions.age[i], 300.0F); // a volume every 350 s
+    ASSERT_EQ(ancillary.radars[i], seen ? 1 : 0);
+    ASSERT_EQ(ancillary.nearestSite[i], seen ? 0 : AncillaryArrays::NoSite);
+    ASSERT_TRUE(seen || ancillary.weight[i] == 0.0F);
+    ASSERT_LT(ancillary.age[i], 300.0F); // a volume every 350 s
     scanned += seen;
   }
   EXPECT_GT(scanned, 2'000u);
@@ -199,18 +199,18 @@ TEST(GridCommand, OptionsOfTheOverlapReachTheVolumes)
   const GriddedVolume nearest = grid("nearest", {"--overlap", "nearest"});
   const GriddedVolume maximum = grid("maximum", {"--overlap", "maximum"});
   const GriddedVolume shorter = grid("shorter", {"--overlap-length", "50km"});
-  const GriddedVolume filled = grid("filled", {"--fill"});
+  const GriddedVolume filled = grid("filled", {"--fill-columns"});
   const GriddedVolume linear = grid("linear", {"--linear-reflectivity"});
   const GriddedVolume measured = grid("measured", {"--no-sharpening"});
   std::size_t different = 0;
   std::size_t addedByFilling = 0;
   for (std::size_t i = 0; i < distance.values.size(); ++i)
   {
-    const auto radars = static_cast<float>(distance.companions.radars[i]);
+    const auto radars = static_cast<float>(distance.ancillary.radars[i]);
     constexpr float rounding = 0.01F; // of both
-    ASSERT_LE(mean.companions.weight[i], radars + rounding);
-    ASSERT_LE(nearest.companions.weight[i], 1.0F);
-    ASSERT_LE(shorter.companions.weight[i], distance.companions.weight[i] + rounding);
+    ASSERT_LE(mean.ancillary.weight[i], radars + rounding);
+    ASSERT_LE(nearest.ancillary.weight[i], 1.0F);
+    ASSERT_LE(shorter.ancillary.weight[i], distance.ancillary.weight[i] + rounding);
     const bool echo =
       maximum.states[i] == VoxelState::Echo && nearest.states[i] == VoxelState::Echo;
     ASSERT_TRUE(!echo || maximum.values[i] >= nearest.values[i]);
@@ -222,7 +222,7 @@ TEST(GridCommand, OptionsOfTheOverlapReachTheVolumes)
   EXPECT_GT(addedByFilling, 1'000u);
   EXPECT_NE(linear.values, distance.values);
   EXPECT_NE(measured.values, distance.values);
-  EXPECT_EQ(measured.companions.weight, distance.companions.weight) << "values alone are sharpened";
+  EXPECT_EQ(measured.ancillary.weight, distance.ancillary.weight) << "values alone are sharpened";
 }
 
 // VTK takes its way of threading from the environment, and no more threads than there are cores.

@@ -98,7 +98,7 @@ TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)
   {
     pictures.insert(draw("a.png", {"--map", map}));
   }
-  // Radar files are merged with the companions that the picture needs.
+  // Radar files are merged with the ancillary arrays that the picture needs.
   for (const char* array : {"REF_age", "REF_radars", "REF_weight", "REF_site"})
   {
     pictures.insert(draw("b.png", {"--map", "3km", "--array", array}));

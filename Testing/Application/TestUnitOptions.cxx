@@ -141,7 +141,8 @@ TEST(UnitOptions, ErrorsSayWhatWouldBeRight)
   }
   catch (const Error& error)
   {
-    EXPECT_STREQ(error.what(), "'-86,36,-97,43' is inside out; write west,south,east,north in "
-                               "degrees with west below east and south below north");
+    EXPECT_STREQ(error.what(),
+      "'-86,36,-97,43' has its lower bound above its upper bound; write west,south,east,north in "
+      "degrees with west below east and south below north");
   }
 }

@@ -86,7 +86,7 @@ TEST(Usage, HelpHasUnitsAndDefaults)
   for (const char* text : {"--dims XxYxZ=256x256x128", "--step DURATION=5min",
          "--max-gap DURATION=15min", "--range LENGTH=230km", "--height LOWER,UPPER=0,20km",
          "--moment NAME=REF", "--method NAME=beam", "--format NAME=nxv", "--overlap NAME=distance",
-         "--overlap-length LENGTH=100km", "--fill", "--linear-reflectivity", "--companions",
+         "--overlap-length LENGTH=100km", "--fill-columns", "--linear-reflectivity", "--ancillary",
          "--motion MOTION=estimated", "--memory SIZE=1GiB", "--no-sharpening",
          "--despeckle NUMBER=0", "degrees", "km", "UTC"})
   {
@@ -115,9 +115,10 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step"}, {"--step"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "0"}, {"--step", "above 0"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--step", "5minutes"}, {"--step", "5min"});
-  ExpectWrongUsage(
-    {"grid", "a", "-o", "b", "--bounds", "-86,36,-97,43"}, {"--bounds", "inside out"});
-  ExpectWrongUsage({"grid", "a", "-o", "b", "--height", "20km,0"}, {"--height", "inside out"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--bounds", "-86,36,-97,43"},
+    {"--bounds", "its lower bound above its upper bound"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--height", "20km,0"},
+    {"--height", "its lower bound above its upper bound"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--range", "0"}, {"--range"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--dims", "0x256x128"}, {"--dims"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--begin", "yesterday"}, {"--begin", "UTC"});
@@ -153,7 +154,8 @@ TEST(Usage, WrongOptionsOfTheMethodBeamAreNamed)
   expect({"--linear-reflectivity", "--no-sharpening"}, {"--no-sharpening", "dBZ"});
   expect({"--memory", "lots"}, {"--memory", "512MiB"});
   const std::vector<Arguments> ofBeam = {{"--overlap", "mean"}, {"--overlap-length", "50km"},
-    {"--fill"}, {"--linear-reflectivity"}, {"--no-sharpening"}, {"--companions"}};
+    {"--fill-columns"}, {"--fill"}, {"--linear-reflectivity"}, {"--no-sharpening"}, {"--ancillary"},
+    {"--companions"}};
   for (Arguments options : ofBeam)
   {
     const std::string name = options.front();

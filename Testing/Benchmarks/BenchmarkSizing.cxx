@@ -6,7 +6,7 @@
 //
 // The grid has 0.01° and 33 levels; the block that is merged is the box about all that the radar
 // sees. Times are those of one core, medians of five runs, of the processor's clock.
-#include "nexrad/Beams/VolumeDigest.h"
+#include "nexrad/Beams/VolumeSummary.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Level2/Level2File.h"
@@ -100,12 +100,12 @@ void MeasureVolume(const char* file)
 {
   const PolarVolume volume = ReadReflectivity(file);
   PrintTime("decode a file, one moment", Cost([file] { ReadReflectivity(file); }));
-  PrintTime("make its digest", Cost([&volume] { MakeDigest(volume); }));
+  PrintTime("make its summary", Cost([&volume] { MakeSummary(volume); }));
   const GridSpecification grid = CountryGrid();
   PrintTime("make it ready for merges", Cost([&] { PrepareForGrid(volume, grid, {}); }));
   PrintMemory("its rays", MemoryOf(volume));
   PrintMemory("its rays, ready for merges", PrepareForGrid(volume, grid, {}).MemoryBytes());
-  PrintMemory("its digest", MakeDigest(volume).MemoryBytes());
+  PrintMemory("its summary", MakeSummary(volume).MemoryBytes());
 }
 
 // The two volumes as those of `count` radars, three degrees apart.
@@ -154,7 +154,7 @@ void MeasureMerge(const PolarVolume& before, const PolarVolume& after)
 {
   const GridSpecification grid = CountryGrid();
   const Position& site = *before.site.position;
-  const double reach = MakeDigest(before).reach;
+  const double reach = MakeSummary(before).reach;
   const VoxelBlock block = BoxAbout(grid, site, reach);
   const Time time = before.end + (after.start - before.end) / 2;
   BeamMerger merger(grid);

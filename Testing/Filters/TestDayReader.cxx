@@ -189,13 +189,13 @@ TEST_F(DayReader, TheDefaultMethodTakesEachRayAtItsOwnTime)
   EXPECT_EQ(this->At(start + 3min).values, volume.values);
 }
 
-TEST_F(DayReader, CompanionArraysOnRequest)
+TEST_F(DayReader, AncillaryArraysOnRequest)
 {
   reader->SetMethodToBeam();
   reader->UpdateInformation();
   reader->UpdateTimeStep(nexrad::ToSeconds(start + 3min));
   EXPECT_EQ(reader->GetOutput()->GetPointData()->GetArray("REF_age"), nullptr);
-  reader->CompanionArraysOn();
+  reader->AncillaryArraysOn();
   reader->UpdateTimeStep(nexrad::ToSeconds(start + 3min));
   vtkPointData* points = reader->GetOutput()->GetPointData();
   for (const char* name : {"REF_age", "REF_radars", "REF_weight", "REF_site"})

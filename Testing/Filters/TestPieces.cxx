@@ -124,7 +124,7 @@ TEST(Pieces, OfEightRadarsMakeTheirMerge)
   EXPECT_EQ(forgetful->GetNumberOfDecodedFiles(), 8);
 }
 
-TEST(Pieces, OfAMergeAlongTheMotionWithCompanions)
+TEST(Pieces, OfAMergeAlongTheMotionWithAncillaryArrays)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:55:00Z"));
@@ -134,7 +134,7 @@ TEST(Pieces, OfAMergeAlongTheMotionWithCompanions)
   {
     reader->AddFileName((data / "level2/run-kbgm-20050821").c_str());
     reader->SetDimensions(31, 37, 11);
-    reader->CompanionArraysOn();
+    reader->AncillaryArraysOn();
   }
   ExpectPiecesMakeTheWhole(alone, inPieces, time, 4, LookAway);
   EXPECT_NE(alone->GetOutput()->GetPointData()->GetArray("REF_age"), nullptr);
@@ -165,7 +165,7 @@ TEST(Pieces, OfTheFiltersAndOfVolumeFiles)
   {
     resample->SetInputConnection(sweeps->GetOutputPort());
     resample->SetDimensions(33, 29, 10);
-    resample->CompanionArraysOn();
+    resample->AncillaryArraysOn();
   }
   ExpectPiecesMakeTheWhole(resampled, resampledInPieces, time, 4, LookAway);
 

@@ -197,39 +197,39 @@ TEST(VolumeFiles, WhatIsWrittenIsRead)
   }
 }
 
-/// MakeVolume with companions, whose numbers need no rounding in a file.
-GriddedVolume MakeCompanionVolume()
+/// MakeVolume with ancillary arrays, whose numbers need no rounding in a file.
+GriddedVolume MakeAncillaryArrayVolume()
 {
   GriddedVolume volume = MakeVolume(start);
   volume.method = "beam";
   for (std::size_t i = 0; i < volume.grid.VoxelCount(); ++i)
   {
     const bool scanned = volume.states[i] != VoxelState::NotScanned;
-    volume.companions.age.push_back(scanned ? static_cast<float>(i) : 0.0F);
-    volume.companions.radars.push_back(static_cast<std::uint8_t>(scanned ? 1 + i % 2 : 0));
-    volume.companions.weight.push_back(scanned ? 0.25F : 0.0F);
-    volume.companions.nearestSite.push_back(
-      scanned ? static_cast<std::uint8_t>(i % 2) : nexrad::VoxelCompanions::NoSite);
+    volume.ancillary.age.push_back(scanned ? static_cast<float>(i) : 0.0F);
+    volume.ancillary.radars.push_back(static_cast<std::uint8_t>(scanned ? 1 + i % 2 : 0));
+    volume.ancillary.weight.push_back(scanned ? 0.25F : 0.0F);
+    volume.ancillary.nearestSite.push_back(
+      scanned ? static_cast<std::uint8_t>(i % 2) : nexrad::AncillaryArrays::NoSite);
   }
   return volume;
 }
 
-void ExpectSameCompanions(const GriddedVolume& volume, const GriddedVolume& expected)
+void ExpectSameAncillaryArrays(const GriddedVolume& volume, const GriddedVolume& expected)
 {
-  EXPECT_EQ(volume.companions.age, expected.companions.age);
-  EXPECT_EQ(volume.companions.radars, expected.companions.radars);
-  EXPECT_EQ(volume.companions.weight, expected.companions.weight);
-  EXPECT_EQ(volume.companions.nearestSite, expected.companions.nearestSite);
+  EXPECT_EQ(volume.ancillary.age, expected.ancillary.age);
+  EXPECT_EQ(volume.ancillary.radars, expected.ancillary.radars);
+  EXPECT_EQ(volume.ancillary.weight, expected.ancillary.weight);
+  EXPECT_EQ(volume.ancillary.nearestSite, expected.ancillary.nearestSite);
 }
 
-TEST(VolumeFiles, CompanionsAreWrittenAndReadAndCanBeLeftOut)
+TEST(VolumeFiles, AncillaryArraysAreWrittenAndReadAndCanBeLeftOut)
 {
   const TemporaryFolder folder;
   const std::string path = (folder.Path() / "volume.nxv").string();
-  const GriddedVolume volume = MakeCompanionVolume();
+  const GriddedVolume volume = MakeAncillaryArrayVolume();
   vtkNew<vtkImageData> image;
   vtkNexradVolumeToImage(volume, image);
-  ExpectSameCompanions(vtkNexradImageToVolume(image), volume);
+  ExpectSameAncillaryArrays(vtkNexradImageToVolume(image), volume);
   vtkNew<vtkNexradVolumeWriter> writer;
   writer->SetInputData(image);
   writer->SetFileName(path.c_str());
@@ -239,9 +239,9 @@ TEST(VolumeFiles, CompanionsAreWrittenAndReadAndCanBeLeftOut)
   reader->SetFileName(path.c_str());
   reader->Update();
   ExpectSame(vtkNexradImageToVolume(reader->GetOutput()), volume);
-  ExpectSameCompanions(vtkNexradImageToVolume(reader->GetOutput()), volume);
+  ExpectSameAncillaryArrays(vtkNexradImageToVolume(reader->GetOutput()), volume);
   EXPECT_STREQ(reader->GetOutput()->GetPointData()->GetScalars()->GetName(), "REF");
-  vtkDataArraySelection* selection = reader->GetCompanionSelection();
+  vtkDataArraySelection* selection = reader->GetAncillaryArraySelection();
   ASSERT_EQ(selection->GetNumberOfArrays(), 4);
   EXPECT_STREQ(selection->GetArrayName(3), "REF_site");
 
@@ -250,7 +250,7 @@ TEST(VolumeFiles, CompanionsAreWrittenAndReadAndCanBeLeftOut)
   vtkPointData* points = reader->GetOutput()->GetPointData();
   EXPECT_FALSE(points->HasArray("REF_age"));
   EXPECT_TRUE(points->HasArray("REF_radars"));
-  // A file without companions lists none.
+  // A file without ancillary arrays lists none.
   const std::string plain = (folder.Path() / "plain.nxv").string();
   vtkNexradVolumeToImage(MakeVolume(start), image);
   writer->SetFileName(plain.c_str());
@@ -261,7 +261,7 @@ TEST(VolumeFiles, CompanionsAreWrittenAndReadAndCanBeLeftOut)
   EXPECT_FALSE(reader->GetOutput()->GetPointData()->HasArray("REF_radars"));
 }
 
-TEST(VolumeFiles, CompanionsOfAnotherTypeAreRefusedByName)
+TEST(VolumeFiles, AncillaryArraysOfAnotherTypeAreRefusedByName)
 {
   vtkNew<vtkImageData> image;
   vtkNexradVolumeToImage(MakeVolume(start), image);
@@ -340,12 +340,12 @@ TEST(VolumeFiles, BareStreamNeedsItsGrid)
   EXPECT_TRUE(AnyHolds(events->errors, path));
 }
 
-TEST(VolumeFiles, TimeAndCompanionsSurviveVtkXmlFiles)
+TEST(VolumeFiles, TimeAndAncillaryArraysSurviveVtkXmlFiles)
 {
   const TemporaryFolder folder;
   const std::string path = (folder.Path() / "volume.vti").string();
   vtkNew<vtkImageData> image;
-  vtkNexradVolumeToImage(MakeCompanionVolume(), image);
+  vtkNexradVolumeToImage(MakeAncillaryArrayVolume(), image);
   vtkNew<vtkXMLImageDataWriter> writer;
   writer->SetInputData(image);
   writer->SetFileName(path.c_str());
@@ -353,8 +353,9 @@ TEST(VolumeFiles, TimeAndCompanionsSurviveVtkXmlFiles)
   vtkNew<vtkXMLImageDataReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  ExpectSame(vtkNexradImageToVolume(reader->GetOutput()), MakeCompanionVolume());
-  ExpectSameCompanions(vtkNexradImageToVolume(reader->GetOutput()), MakeCompanionVolume());
+  ExpectSame(vtkNexradImageToVolume(reader->GetOutput()), MakeAncillaryArrayVolume());
+  ExpectSameAncillaryArrays(
+    vtkNexradImageToVolume(reader->GetOutput()), MakeAncillaryArrayVolume());
 }
 
 TEST(VolumeFiles, BrokenFilesAreErrors)

@@ -113,11 +113,11 @@ class Merging(PipelineTest):
         reader.SetTimeStep(120)
         reader.SetTimeInterpolationToLinear()
         reader.SetSharpening(False)
-        reader.SetCompanionArrays(True)
+        reader.SetAncillaryArrays(True)
         proxy = simple.NEXRADRadarDay(
             FileNames=list(SyntheticFiles.files()), Dimensions=GRID, Range=150000,
             HeightRange=[500, 15500], TimeStep=120, TimeInterpolation="Linear", Sharpening=0,
-            CompanionArrays=1)
+            AncillaryArrays=1)
         self.assertEqual(list(proxy.TimestepValues), time_steps(reader))
         self.assertGreater(len(proxy.TimestepValues), 3)
         for time in (proxy.TimestepValues[1], proxy.TimestepValues[1] + 61.5):
@@ -166,7 +166,7 @@ class Files(PipelineTest):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
         self.day = simple.NEXRADRadarDay(
-            FileNames=list(SyntheticFiles.files()), Dimensions=GRID, CompanionArrays=1)
+            FileNames=list(SyntheticFiles.files()), Dimensions=GRID, AncillaryArrays=1)
 
     def path(self, name):
         return os.path.join(self.folder.name, name)
@@ -178,7 +178,7 @@ class Files(PipelineTest):
         read = simple.OpenDataFile(self.path("one.nxv"))
         self.assertEqual(list(read.TimestepValues), [time])
         self.assertSameVolume(Plugin.fetch(read), volume)
-        read.Companions = ["REF_age"]
+        read.AncillaryArrays = ["REF_age"]
         self.assertEqual({name for name in Plugin.point_arrays(Plugin.fetch(read))},
                          {"REF", "REF_state", "vtkGhostType", "REF_age"})
 

@@ -23,7 +23,7 @@ def volumes():
     """A folder of merged volumes with ancillary arrays."""
     folder = os.path.join(SyntheticFiles.folder(), "scene")
     subprocess.run([os.environ["NEXRAD3D"], "grid", *SyntheticFiles.files(), "-o", folder, "--dims",
-                    "64x64x32", "--companions", "--quiet"], check=True)
+                    "64x64x32", "--ancillary", "--quiet"], check=True)
     return folder
 
 

@@ -36,9 +36,9 @@ GriddedVolume FiveColumns()
     open, none, none, folded, open, echo, none, none, folded, open, echo, echo, open, open, open};
   volume.values = {
     fill, fill, fill, fill, fill, 50.0F, fill, fill, fill, fill, 30.0F, -5.0F, fill, fill, fill};
-  volume.companions.age = {0, 11, 12, 0, 0, 20, 21, 22, 0, 0, 130, 131, 0, 0, 0};
-  volume.companions.radars = {0, 1, 1, 0, 0, 2, 1, 1, 0, 0, 1, 1, 0, 0, 0};
-  volume.companions.nearestSite = {255, 0, 0, 255, 255, 1, 0, 0, 255, 255, 0, 0, 255, 255, 255};
+  volume.ancillary.age = {0, 11, 12, 0, 0, 20, 21, 22, 0, 0, 130, 131, 0, 0, 0};
+  volume.ancillary.radars = {0, 1, 1, 0, 0, 2, 1, 1, 0, 0, 1, 1, 0, 0, 0};
+  volume.ancillary.nearestSite = {255, 0, 0, 255, 255, 1, 0, 0, 255, 255, 0, 0, 255, 255, 255};
   return volume;
 }
 
@@ -92,8 +92,8 @@ TEST(PlanView, AHeightIsItsLevelAndNothingElse)
     "plan view at 3.1 km: the volume reaches from 0 km to 3 km above mean sea level");
 }
 
-// A companion's map shows what stands behind the voxels of the moment's map.
-TEST(PlanView, CompanionsStandBehindTheVoxelsShown)
+// The map of an ancillary array shows its values in the voxels of the moment's map.
+TEST(PlanView, AncillaryArraysOfTheVoxelsShown)
 {
   const PlanView age = View(PlanLevel::Composite, "REF_age");
   EXPECT_EQ(age.states, (std::vector<VoxelState>{echo, echo, echo, folded, open}));

@@ -31,19 +31,19 @@ inline GriddedVolume MakeGriddedVolume(std::array<int, 3> dimensions = {5, 4, 3}
   return volume;
 }
 
-/// Gives a volume of two sites companions, in which no two voxels in a row are alike: a voxel in
-/// three is not scanned, as MakeGriddedVolume has them.
-inline void AddCompanions(GriddedVolume& volume)
+/// Gives a volume of two sites ancillary arrays, in which no two voxels in a row are alike: a voxel
+/// in three is not scanned, as MakeGriddedVolume has them.
+inline void AddAncillary(GriddedVolume& volume)
 {
   for (std::size_t i = 0; i < volume.grid.VoxelCount(); ++i)
   {
     const bool scanned = volume.states[i] != VoxelState::NotScanned;
     const auto number = static_cast<float>(i);
-    volume.companions.age.push_back(scanned ? 0.123F + 7.77F * number : 0.0F);
-    volume.companions.radars.push_back(static_cast<std::uint8_t>(scanned ? 1 + i % 2 : 0));
-    volume.companions.weight.push_back(scanned ? 1.0F / (1.0F + number) : 0.0F);
-    volume.companions.nearestSite.push_back(
-      static_cast<std::uint8_t>(scanned ? i % 2 : VoxelCompanions::NoSite));
+    volume.ancillary.age.push_back(scanned ? 0.123F + 7.77F * number : 0.0F);
+    volume.ancillary.radars.push_back(static_cast<std::uint8_t>(scanned ? 1 + i % 2 : 0));
+    volume.ancillary.weight.push_back(scanned ? 1.0F / (1.0F + number) : 0.0F);
+    volume.ancillary.nearestSite.push_back(
+      static_cast<std::uint8_t>(scanned ? i % 2 : AncillaryArrays::NoSite));
   }
 }
 

@@ -86,8 +86,8 @@ void FinishMap(const CLI::App& command, RenderOptions& options)
   }
   request.scene.plan->array = options.array;
   const std::string moment = ToString(request.input.grid.moment);
-  const bool companion = !options.array.empty() && options.array != moment;
-  request.input.grid.beam.companions = request.input.grid.beam.companions || companion;
+  const bool ancillary = !options.array.empty() && options.array != moment;
+  request.input.grid.beam.ancillary = request.input.grid.beam.ancillary || ancillary;
   request.camera.parallel = true;
   request.camera.azimuth = command.count("--azimuth") > 0 ? request.camera.azimuth : 180.0;
   request.camera.tilt = command.count("--tilt") > 0 ? request.camera.tilt : 90.0;

@@ -67,7 +67,7 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
   const auto options = std::make_shared<ViewOptions>();
   scene::ViewRequest& request = options->request;
   CLI::App* command = program.add_subcommand(
-    "view", "Look at volumes, or radar files, in a window; its keys stand on the screen");
+    "view", "Show volumes, or radar files, in a window, which lists its keys");
   AddInputOptions(*command, request.input);
   AddQuietOption(*command, options->quiet);
   AddCameraOptions(*command, request.camera);

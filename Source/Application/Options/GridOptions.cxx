@@ -110,8 +110,9 @@ std::string ParseSite(const std::string& text)
 void AddTimes(CLI::App& command, MergeOptions& options)
 {
   AddParsedOption(command, "--step", options.step, ParseStep, "DURATION",
-    "Time between two volumes, in s, min, h or d; they stand at its multiples in UTC. Where it is "
-    "not given, one volume alone is made at its middle",
+    "Time between two merged volumes, in s, min, h or d; their times are its multiples in UTC. "
+    "Default "
+    "for the files of a single radar volume: the middle of that",
     "5min")
     ->group(group);
   AddParsedOption(command, "--begin", options.begin, ParseTime, "TIME",
@@ -121,7 +122,7 @@ void AddTimes(CLI::App& command, MergeOptions& options)
     "Last time in UTC, inclusive (default: the last step before the last ray)")
     ->group(group);
   AddParsedOption(command, "--max-gap", options.maximumGap, ParseDuration, "DURATION",
-    "A site's volume farther than this from a time does not count", "15min")
+    "What a radar scanned farther than this from a time does not count", "15min")
     ->group(group);
 }
 
@@ -131,8 +132,8 @@ void AddDomain(CLI::App& command, MergeOptions& options)
     "Voxels to the east, to the north and upward", "256x256x128")
     ->group(group);
   CLI::Option* range = AddParsedOption(command, "--range", options.grid.range, ParseRange, "LENGTH",
-    "The domain holds the circle of this radius about each site, m or km. Where it is not given, "
-    "a terminal radar alone has its own",
+    "The domain holds the circle of this radius about each radar, m or km. Default for a single "
+    "terminal radar: its own range",
     "230km");
   CLI::Option* bounds = AddParsedOption(command, "--bounds", options.grid.bounds, ParseBounds,
     "W,S,E,N", "Outer faces of the domain in degrees, in place of --range");
@@ -163,7 +164,10 @@ void AddMethod(CLI::App& command, MergeOptions& options)
     command, "--moment", options.moment, ParseMoment, "NAME", "Moment to merge", "REF")
     ->group(group);
   AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
-    "How rays become voxels: beam (between the beams), or thesis (its bin average)", "beam")
+    "How rays become voxels: beam (interpolates between tilts and times), or thesis (mean of the "
+    "gates "
+    "in a voxel)",
+    "beam")
     ->group(group);
   AddNumberOption(command, "--despeckle", options.quality.neighbours, 0, MostNeighbours, "NUMBER",
     "Take out gates of which fewer than this many of the 26 neighbours in ray, gate and tilt have "
@@ -171,18 +175,19 @@ void AddMethod(CLI::App& command, MergeOptions& options)
     "value; 0: none")
     ->group(group);
   AddParsedOption(command, "--memory", options.memory, ParseMemory, "SIZE",
-    "For rays that are kept for later steps when files are merged out of their order, MiB or GiB; "
-    "what does not fit is decoded again",
+    "Memory for decoded volumes that are kept for times in any order, MiB or GiB; what does not "
+    "fit is "
+    "decoded again",
     "1GiB")
     ->group(group);
   AddParsedOption(command, "--site", options.siteName, ParseSite, "NAME",
-    "All files are this radar's, whatever name stands in them")
+    "Treat all files as data of this radar, in place of the name in each file")
     ->group(group);
 }
 
-// What the method beam can do beside. The method thesis has none of it.
-constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill",
-  "--linear-reflectivity", "--no-sharpening", "--companions", "--motion"};
+// Options that the method beam has and the method thesis has not.
+constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill-columns", "--fill",
+  "--linear-reflectivity", "--no-sharpening", "--ancillary", "--companions", "--motion"};
 
 void AddBeam(CLI::App& command, MergeOptions& options)
 {
@@ -209,16 +214,16 @@ void AddBeam(CLI::App& command, MergeOptions& options)
   };
   command
     .add_option_function<std::string>("--motion", storeMotion,
-      "Echo between two looks of a radar moves: as estimated from reflectivity, with EAST,NORTH "
-      "m/s, "
-      "or none (blended in place). Other moments than REF move only as given")
+      "Motion of the echo between two observations of a radar: estimated (from reflectivity), "
+      "EAST,NORTH in "
+      "m/s, or none. Other moments than REF are shifted by a given motion only")
     ->type_name("MOTION")
     ->default_str("estimated")
     ->expected(1)
     ->group(group);
   command
-    .add_flag("--fill", options.beam.fill,
-      "Fill each column between and below what was scanned (default: left open)")
+    .add_flag("--fill-columns", options.beam.fillColumns,
+      "Give values to voxels between and below those that were scanned")
     ->group(group);
   command
     .add_flag("--linear-reflectivity", options.beam.linearReflectivity,
@@ -227,12 +232,16 @@ void AddBeam(CLI::App& command, MergeOptions& options)
   command
     .add_flag_callback(
       "--no-sharpening", [&options] { options.beam.sharpen = false; },
-      "Leave in the values what the width of the beam did to them; of REF")
+      "Do not deconvolve the beam width in elevation; of REF")
     ->group(group);
   command
-    .add_flag("--companions", options.beam.companions,
-      "Add what stands behind each voxel: age in s, number of radars, weight, nearest site")
+    .add_flag("--ancillary", options.beam.ancillary,
+      "Add the ancillary arrays: age in s, number of radars, weight, nearest radar")
     ->group(group);
+  // The names of both in earlier versions.
+  constexpr char hidden[] = "";
+  command.add_flag("--fill", options.beam.fillColumns)->group(hidden);
+  command.add_flag("--companions", options.beam.ancillary)->group(hidden);
 }
 
 // Once all are known. Options that contradict each other are wrong usage.
@@ -251,7 +260,8 @@ void Finish(const CLI::App& command, MergeOptions& options)
   {
     if (thesis && command.count(name) > 0)
     {
-      throw CLI::ValidationError(name, "is of the method 'beam'; 'thesis' has no such choice");
+      throw CLI::ValidationError(
+        name, "is of the method 'beam'; 'thesis' does not have this option");
     }
   }
   if (command.count("--overlap-length") > 0 && options.beam.strategy != OverlapStrategy::Distance)
@@ -264,7 +274,7 @@ void Finish(const CLI::App& command, MergeOptions& options)
       command.count("--overlap") > 0)
   {
     throw CLI::ValidationError("--overlap",
-      "of --moment VEL, SW and PHI is nearest alone: two radars do not see these alike");
+      "of --moment VEL, SW and PHI is nearest alone: they depend on the direction from the radar");
   }
   if (options.beam.linearReflectivity && options.moment != MomentName::REF)
   {

@@ -194,7 +194,7 @@ std::pair<double, double> ParseHeightRange(const std::string& text)
   const double bottom = ParseLength(shared ? parts[0] + upper->unit : parts[0]);
   if (bottom >= top)
   {
-    throw Error("'" + text + "' is inside out; " + right);
+    throw Error("'" + text + "' has its lower bound above its upper bound; " + right);
   }
   return {bottom, top};
 }
@@ -236,7 +236,8 @@ GeographicBounds ParseBounds(const std::string& text)
   if (bounds.west >= bounds.east || bounds.south >= bounds.north)
   {
     throw Error("'" + text +
-                "' is inside out; write west,south,east,north in degrees with west "
+                "' has its lower bound above its upper bound; write west,south,east,north in "
+                "degrees with west "
                 "below east and south below north");
   }
   if (bounds.west < -360.0 || bounds.east > 360.0 || bounds.south < -90.0 || bounds.north > 90.0)

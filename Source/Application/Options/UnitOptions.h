@@ -39,7 +39,8 @@ std::array<int, 3> ParseDimensions(const std::string& text);
 /// "1280x720": width and height in pixels, 16…16384 each.
 std::array<int, 2> ParsePictureSize(const std::string& text);
 
-/// "west,south,east,north" in degrees. Refuses bounds inside out or off the globe.
+/// "west,south,east,north" in degrees. Refuses a lower bound above its upper one, and bounds off
+/// the globe.
 GeographicBounds ParseBounds(const std::string& text);
 
 /// "12,-7.5": m/s towards east and north. Refuses a speed above FastestEcho.

@@ -23,7 +23,7 @@ namespace nexrad::scene
 namespace
 {
 
-// What stands behind "NAME:" in the lines of a report.
+// The value after "NAME:" in the lines of a report.
 std::string Entry(const std::string& report, const std::string& name)
 {
   std::istringstream lines(report);

@@ -38,7 +38,7 @@ void Bunzip(const std::uint8_t* from, std::size_t length, std::vector<std::uint8
   if (BZ2_bzBuffToBuffDecompress(reinterpret_cast<char*>(room.data()), &size, InputOf(from),
         static_cast<unsigned>(length), 0, 0) != BZ_OK)
   {
-    throw Error("a bzip2 stream came out otherwise than before");
+    throw Error("a bzip2 stream decompressed to another size than before");
   }
 }
 
@@ -168,7 +168,7 @@ void BareDecompression::InflateWrapper()
   inflateEnd(&stream);
   if (!whole)
   {
-    throw Error("a gzip stream came out otherwise than before");
+    throw Error("a gzip stream decompressed to another size than before");
   }
 }
 

@@ -19,7 +19,7 @@ std::vector<BenchCell> MeasureFile(const std::filesystem::path& file, int runs)
   }
   if (ReadLevel2(file).sweeps.empty())
   {
-    throw Error(file.string() + ": holds no ray; decoding it is no measure");
+    throw Error(file.string() + ": contains no ray, so its decoding time is not comparable");
   }
   const auto times = MeasureInTurn({[&] { bare.Run(); }, [&] { ReadLevel2(file); }}, runs);
   return {file.filename().string(), bare.Describe(), static_cast<double>(bare.StoredBytes()) / 1e6,

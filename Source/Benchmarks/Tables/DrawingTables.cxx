@@ -21,7 +21,7 @@ std::vector<Time> MiddleSteps(const SeriesScan& scan, Duration step, std::size_t
   const std::vector<Time> times = TimeSteps(*scan.First(), *scan.Last(), step);
   if (times.size() < 2)
   {
-    throw Error("the files reach over less than two time steps; give more of them");
+    throw Error("the files cover less than two time steps; give more files");
   }
   const std::size_t count = std::min(wanted, times.size());
   const auto first = times.begin() + static_cast<std::ptrdiff_t>((times.size() - count) / 2);

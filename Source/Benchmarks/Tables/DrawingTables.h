@@ -14,7 +14,7 @@ namespace nexrad::application
 
 /// What to measure drawing with: of each of the request's sizes one volume more than runs, one
 /// after the other in the middle of the series, written below `folder`. Throws Error when the files
-/// reach over less than two time steps, or cannot be merged or written.
+/// cover less than two time steps, or cannot be merged or written.
 DrawingRequest PrepareDrawing(
   const BenchRequest& request, const SeriesScan& scan, const std::filesystem::path& folder);
 

@@ -30,7 +30,7 @@ Steps FindMiddle(const SeriesScan& scan, const MergeOptions& options)
     TimeSteps(*scan.First(), *scan.Last(), options.step.value_or(DefaultStep));
   if (times.size() < 2)
   {
-    throw Error("the files reach over less than two time steps; give more of them");
+    throw Error("the files cover less than two time steps; give more files");
   }
   const std::size_t middle = times.size() / 2;
   return {times[middle - 1], times[middle]};

@@ -2,7 +2,7 @@
 #include "nexrad/Codec/NxvReader.h"
 
 #include "nexrad/Codec/MomentCode.h"
-#include "nexrad/Codec/NxvCompanions.h"
+#include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Codec/RunLength.h"
@@ -198,15 +198,15 @@ void CheckMemory(const GridSpecification& grid, std::size_t bytesBesides, std::s
 }
 
 bool IsWanted(
-  const NxvArray& array, MomentName moment, const char* companion, const NxvReadOptions& options)
+  const NxvArray& array, MomentName moment, const char* ancillary, const NxvReadOptions& options)
 {
   const auto& names = options.leaveOut;
-  return array.name == CompanionName(moment, companion) &&
+  return array.name == AncillaryArrayName(moment, ancillary) &&
          std::find(names.begin(), names.end(), array.name) == names.end();
 }
 
 // Bytes that a voxel takes in memory beside its value, its state, and a byte of its code while it
-// is decoded: those of its companions, and of a wider code.
+// is decoded: those of its ancillary arrays, and of a wider code.
 std::size_t FurtherBytes(const NxvHeader& header, const NxvReadOptions& options)
 {
   std::size_t bytes = header.arrays[0].type == NxvType::UInt16 ? 1 : 0;
@@ -217,7 +217,7 @@ std::size_t FurtherBytes(const NxvHeader& header, const NxvReadOptions& options)
     const bool any = std::any_of(header.arrays.begin(), header.arrays.end(), wanted);
     bytes += any ? sizeof(typename std::decay_t<decltype(values)>::value_type) : 0;
   };
-  ForEachCompanion(header.volume.companions, count);
+  ForEachAncillaryArray(header.volume.ancillary, count);
   return bytes;
 }
 
@@ -334,7 +334,7 @@ void ReadStates(InputFile& file, std::uint64_t offset, const NxvArray& array, Gr
 }
 
 // Numbers of radars and sites are what they are; ages and weights are exact, or codes.
-void ReadCompanionValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+void ReadAncillaryArrayValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
   std::vector<std::uint8_t>& values, std::size_t voxels)
 {
   if (array.type != NxvType::UInt8)
@@ -344,7 +344,7 @@ void ReadCompanionValues(InputFile& file, std::uint64_t offset, const NxvArray& 
   ReadValues(file, offset, array, values, voxels);
 }
 
-void ReadCompanionValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+void ReadAncillaryArrayValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
   std::vector<float>& values, std::size_t voxels)
 {
   if (array.type == NxvType::Float32)
@@ -353,14 +353,14 @@ void ReadCompanionValues(InputFile& file, std::uint64_t offset, const NxvArray& 
     return;
   }
   Bytes codes;
-  ReadCompanionValues(file, offset, array, codes, voxels);
+  ReadAncillaryArrayValues(file, offset, array, codes, voxels);
   values.resize(voxels);
   std::transform(codes.begin(), codes.end(), values.begin(),
     [&array](std::uint8_t code) { return static_cast<float>(array.offset + array.scale * code); });
 }
 
-// Reads the array when it is a companion of the volume that is wanted.
-void ReadCompanion(InputFile& file, std::uint64_t offset, const NxvArray& array,
+// Reads the array when it is an ancillary array of the volume that is wanted.
+void ReadAncillaryArray(InputFile& file, std::uint64_t offset, const NxvArray& array,
   const NxvReadOptions& options, GriddedVolume& volume)
 {
   const auto read = [&](const char* name, auto& values)
@@ -369,10 +369,10 @@ void ReadCompanion(InputFile& file, std::uint64_t offset, const NxvArray& array,
     {
       return;
     }
-    ReadCompanionValues(file, offset, array, values, volume.grid.VoxelCount());
-    CheckCompanion(name, values, volume.sites.size());
+    ReadAncillaryArrayValues(file, offset, array, values, volume.grid.VoxelCount());
+    CheckAncillaryArray(name, values, volume.sites.size());
   };
-  ForEachCompanion(volume.companions, read);
+  ForEachAncillaryArray(volume.ancillary, read);
 }
 
 GriddedVolume ReadVoxels(
@@ -394,7 +394,7 @@ GriddedVolume ReadVoxels(
       {
         ReadStates(file, offset, arrays[index], volume, arrays[0].type != NxvType::Float32);
       }
-      ReadCompanion(file, offset, arrays[index], options, volume);
+      ReadAncillaryArray(file, offset, arrays[index], options, volume);
       offset += arrays[index].length;
     }
   }
@@ -431,7 +431,7 @@ GriddedVolume ReadNxvHeader(const fs::path& path)
     });
 }
 
-std::vector<std::string> ReadNxvCompanionNames(const fs::path& path)
+std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
 {
   return NamingTheFile(path,
     [&path]
@@ -443,12 +443,12 @@ std::vector<std::string> ReadNxvCompanionNames(const fs::path& path)
       {
         const auto add = [&](const char* name, const auto&)
         {
-          if (array.name == CompanionName(header.volume.moment, name))
+          if (array.name == AncillaryArrayName(header.volume.moment, name))
           {
             names.push_back(array.name);
           }
         };
-        ForEachCompanion(header.volume.companions, add);
+        ForEachAncillaryArray(header.volume.ancillary, add);
       }
       return names;
     });

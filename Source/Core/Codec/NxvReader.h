@@ -17,21 +17,22 @@ struct NxvReadOptions
   std::size_t maximumBytes = std::size_t(4) << 30; ///< what the voxels may take in memory, with
                                                    ///< what the caller makes of them
   std::size_t bytesBesides = 0; ///< that the caller makes of each voxel, as of an image or picture
-  std::vector<std::string> leaveOut = {}; ///< names of companion arrays not to read
+  std::vector<std::string> leaveOut = {}; ///< names of ancillary arrays not to read
 };
 
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
-/// dimension, length, CRC or stream, and for a companion array of a wrong type or with a value that
-/// it cannot have. Arrays beside the moment, its states and its companions are checked and passed
-/// over. `memory` is a volume that is no longer needed: its arrays become those of the result.
+/// dimension, length, CRC or stream, and for an ancillary array of a wrong type or with a value
+/// that it cannot have. Arrays beside the moment, its states and its ancillary arrays are checked
+/// and passed over. `memory` is a volume that is no longer needed: its arrays become those of the
+/// result.
 GriddedVolume ReadNxv(
   const std::filesystem::path& path, const NxvReadOptions& options = {}, GriddedVolume memory = {});
 
-/// Reads the header alone: the same volume without values, states and companions.
+/// Reads the header alone: the same volume without values, states and ancillary arrays.
 GriddedVolume ReadNxvHeader(const std::filesystem::path& path);
 
-/// Names of the companion arrays in the file, as `REF_age`, in the order of the file.
-std::vector<std::string> ReadNxvCompanionNames(const std::filesystem::path& path);
+/// Names of the ancillary arrays in the file, as `REF_age`, in the order of the file.
+std::vector<std::string> ReadNxvAncillaryArrayNames(const std::filesystem::path& path);
 
 /// Reads a bare stream. What it does not hold (grid, time, fill, …) comes from `description`,
 /// offset and scale from the options. Throws Error for a stream that does not give exactly the

@@ -3,7 +3,7 @@
 
 #include "nexrad/Codec/EchoVoxels.h"
 #include "nexrad/Codec/MomentCode.h"
-#include "nexrad/Codec/NxvCompanions.h"
+#include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Codec/RunLength.h"
@@ -201,7 +201,7 @@ Bytes CodeBytes(const std::vector<float>& values, double scale)
   return bytes;
 }
 
-Bytes MakeCompanion(NxvArray& array, const std::vector<float>& values, bool exact)
+Bytes MakeAncillaryArray(NxvArray& array, const std::vector<float>& values, bool exact)
 {
   if (exact)
   {
@@ -212,13 +212,14 @@ Bytes MakeCompanion(NxvArray& array, const std::vector<float>& values, bool exac
   return CodeBytes(values, array.scale);
 }
 
-Bytes MakeCompanion(NxvArray&, const std::vector<std::uint8_t>& values, bool)
+Bytes MakeAncillaryArray(NxvArray&, const std::vector<std::uint8_t>& values, bool)
 {
   return values;
 }
 
 template <class Values>
-void CheckCompanion(const GriddedVolume& volume, const std::string& companion, const Values& values)
+void CheckAncillaryArray(
+  const GriddedVolume& volume, const std::string& ancillary, const Values& values)
 {
   try
   {
@@ -227,15 +228,16 @@ void CheckCompanion(const GriddedVolume& volume, const std::string& companion, c
       throw Error(std::to_string(values.size()) + " values for " +
                   std::to_string(volume.grid.VoxelCount()) + " voxels");
     }
-    nexrad::CheckCompanion(companion, values, volume.sites.size());
+    nexrad::CheckAncillaryArray(ancillary, values, volume.sites.size());
   }
   catch (const Error& problem)
   {
-    throw Error("array \"" + CompanionName(volume.moment, companion) + "\": " + problem.what());
+    throw Error(
+      "array \"" + AncillaryArrayName(volume.moment, ancillary) + "\": " + problem.what());
   }
 }
 
-void AddCompanions(FileContent& content, const GriddedVolume& volume, bool exact)
+void AddAncillary(FileContent& content, const GriddedVolume& volume, bool exact)
 {
   const auto add = [&](const std::string& name, const auto& values)
   {
@@ -243,17 +245,17 @@ void AddCompanions(FileContent& content, const GriddedVolume& volume, bool exact
     {
       return;
     }
-    CheckCompanion(volume, name, values);
+    CheckAncillaryArray(volume, name, values);
     NxvArray array;
-    array.name = CompanionName(volume.moment, name);
+    array.name = AncillaryArrayName(volume.moment, name);
     array.type = NxvType::UInt8;
     array.unit = name == "age" ? "s" : "";
-    array.fill = name == "site" ? VoxelCompanions::NoSite : 0.0;
+    array.fill = name == "site" ? AncillaryArrays::NoSite : 0.0;
     array.storage = NxvStorage::Deflated;
-    const Bytes bytes = MakeCompanion(array, values, exact);
+    const Bytes bytes = MakeAncillaryArray(array, values, exact);
     content.Add(array, DeflateBytes(bytes.data(), bytes.size()));
   };
-  ForEachCompanion(volume.companions, add);
+  ForEachAncillaryArray(volume.ancillary, add);
 }
 
 GriddedVolume WithoutVoxels(const GriddedVolume& volume)
@@ -317,7 +319,7 @@ void WriteNxv(
     AddFloats(content, volume);
     break;
   }
-  AddCompanions(content, volume, options.encoding == NxvEncoding::Float);
+  AddAncillary(content, volume, options.encoding == NxvEncoding::Float);
   WriteContent(path, content);
 }
 

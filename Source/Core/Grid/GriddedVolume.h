@@ -24,7 +24,7 @@ enum class VoxelState : std::uint8_t
 /// The ancillary arrays of a merged volume, in the order of its values. They are made on demand:
 /// each is empty, or has a value for every voxel. Voxels that no radar scanned have age, number and
 /// weight 0, also where a column was filled.
-struct VoxelCompanions
+struct AncillaryArrays
 {
   static constexpr std::uint8_t NoSite = 255;
 
@@ -35,20 +35,20 @@ struct VoxelCompanions
   std::vector<std::uint8_t> nearestSite; ///< index in `sites` of the nearest of them, or NoSite
 };
 
-/// Calls `visit(name, values)` for each companion array of `companions`, which may be const.
-template <class Companions, class Visit>
-void ForEachCompanion(Companions& companions, const Visit& visit)
+/// Calls `visit(name, values)` for each ancillary array of `ancillary`, which may be const.
+template <class Arrays, class Visit>
+void ForEachAncillaryArray(Arrays& ancillary, const Visit& visit)
 {
-  visit("age", companions.age);
-  visit("radars", companions.radars);
-  visit("weight", companions.weight);
-  visit("site", companions.nearestSite);
+  visit("age", ancillary.age);
+  visit("radars", ancillary.radars);
+  visit("weight", ancillary.weight);
+  visit("site", ancillary.nearestSite);
 }
 
-/// The name of a companion array in files and images: `REF_age` for "age".
-inline std::string CompanionName(MomentName moment, const std::string& companion)
+/// The name of an ancillary array in files and images: `REF_age` for "age".
+inline std::string AncillaryArrayName(MomentName moment, const std::string& ancillary)
 {
-  return std::string(ToString(moment)) + "_" + companion;
+  return std::string(ToString(moment)) + "_" + ancillary;
 }
 
 /// One moment of several radars on one grid at one time.
@@ -63,7 +63,7 @@ struct GriddedVolume
   float fill = -33.0F;            ///< value where the state is NoEcho or NotScanned
   std::vector<float> values;      ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;
-  VoxelCompanions companions; ///< of the method "beam", when asked for
+  AncillaryArrays ancillary; ///< of the method "beam", when asked for
 };
 
 } // namespace nexrad

@@ -35,8 +35,8 @@ struct GridRequest
 
 /// The grid of a request: the box round the circles about all sites (or `bounds`), its centre
 /// rounded to 0.01° as the projection's. Throws Error for no sites with a position and no bounds,
-/// bounds or heights inside out, dimensions below 1 or more voxels than an int can count, or a
-/// range that is not positive.
+/// a lower bound or height above its upper one, dimensions below 1 or more voxels than an int can
+/// count, or a range that is not positive.
 GridSpecification MakeGrid(const GridRequest& request, const std::vector<Position>& sites);
 
 } // namespace nexrad

@@ -37,8 +37,8 @@ GriddedVolume TakePart(GriddedVolume volume, const VoxelBlock& block)
   const GridSpecification part = PartOf(volume.grid, block);
   KeepBlock(volume.values, volume.grid, block);
   KeepBlock(volume.states, volume.grid, block);
-  ForEachCompanion(
-    volume.companions, [&](const char*, auto& values) { KeepBlock(values, volume.grid, block); });
+  ForEachAncillaryArray(
+    volume.ancillary, [&](const char*, auto& values) { KeepBlock(values, volume.grid, block); });
   volume.grid = part;
   return volume;
 }

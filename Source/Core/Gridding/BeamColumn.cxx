@@ -66,11 +66,11 @@ struct BeamColumn::Gap
 };
 
 BeamColumn::BeamColumn(int levels, OverlapStrategy theStrategy, const ValueRule& theRule,
-  bool withCompanions, bool withTrend)
+  bool withAncillaryArrays, bool withTrend)
   : levelCount(levels)
   , strategy(theStrategy)
   , rule(theRule)
-  , companions(withCompanions)
+  , ancillary(withAncillaryArrays)
   , trend(withTrend && theRule.zeroIsNone && !theRule.linear)
 {
   const auto count = static_cast<std::size_t>(levels);
@@ -92,7 +92,7 @@ void BeamColumn::Clear()
     std::fill(each->begin(), each->end(), 0.0F);
   }
   std::fill(folded.begin(), folded.end(), std::uint8_t(0));
-  if (companions)
+  if (ancillary)
   {
     std::fill(ages.begin(), ages.end(), 0.0F);
     std::fill(radars.begin(), radars.end(), std::uint8_t(0));
@@ -252,7 +252,7 @@ void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
   }
   this->WeighLevels(site, gap, gap.from, gap.to);
   this->AccumulateTrend(gap);
-  this->AddCompanions(site, gap, gap.from, gap.to);
+  this->AddAncillary(site, gap, gap.from, gap.to);
 }
 
 // What layers alone tell must be more than their changes are precise.
@@ -333,7 +333,7 @@ void BeamColumn::AddNone(const SiteColumn& site, const Gap& gap, int from, int t
 {
   this->WeighLevels(site, gap, from, to);
   this->AccumulateNone(from, to);
-  this->AddCompanions(site, gap, from, to);
+  this->AddAncillary(site, gap, from, to);
 }
 
 void BeamColumn::AccumulateNone(int from, int to)
@@ -367,7 +367,7 @@ void BeamColumn::AddEcho(
     }
   }
   this->AccumulateEcho(from, to);
-  this->AddCompanions(site, gap, from, to);
+  this->AddAncillary(site, gap, from, to);
 }
 
 void BeamColumn::AccumulateEcho(int from, int to)
@@ -405,9 +405,9 @@ void BeamColumn::AddFolded(int from, int to)
   }
 }
 
-void BeamColumn::AddCompanions(const SiteColumn& site, const Gap& gap, int from, int to)
+void BeamColumn::AddAncillary(const SiteColumn& site, const Gap& gap, int from, int to)
 {
-  if (!companions)
+  if (!ancillary)
   {
     return;
   }
@@ -454,7 +454,7 @@ void BeamColumn::ConvertEchoes()
   }
 }
 
-void BeamColumn::FillVertically()
+void BeamColumn::FillColumn()
 {
   std::size_t next = 0; // lowest level not yet dealt with
   for (std::size_t z = 0; z < states.size(); ++z)

@@ -42,24 +42,24 @@ struct SiteColumn
 class BeamColumn
 {
 public:
-  static constexpr std::uint8_t NoSite = VoxelCompanions::NoSite;
+  static constexpr std::uint8_t NoSite = AncillaryArrays::NoSite;
 
   /// `trend`: reflectivity in dBZ is interpolated between tilts by G11 and G12, else by G8 alone.
-  BeamColumn(int levels, OverlapStrategy strategy, const ValueRule& rule, bool companions,
+  BeamColumn(int levels, OverlapStrategy strategy, const ValueRule& rule, bool ancillary,
     bool trend = false);
 
   /// Forgets the column before.
   void Clear();
 
-  /// Adds a radar. For Nearest, and for the nearest site among the companions, the radars must be
-  /// added in the order of their distances.
+  /// Adds a radar. For Nearest, and for the nearest site among the ancillary arrays, the radars
+  /// must be added in the order of their distances.
   void Add(const SiteColumn& site);
 
   /// Decides each voxel; then the results below hold.
   void Finish(float fill);
 
   /// Fills between and below what was scanned, as Formulas T7 does; after Finish.
-  void FillVertically();
+  void FillColumn();
 
   const std::vector<float>& Values() const { return values; }
   const std::vector<VoxelState>& States() const { return states; }
@@ -82,14 +82,14 @@ private:
   void AddState(const SiteColumn& site, const Gap& gap, const TiltSample& sample, int from, int to);
   void ConvertEchoes();
   void FillVoxel(std::size_t at, std::size_t from, std::size_t to, float part);
-  void AddCompanions(const SiteColumn& site, const Gap& gap, int from, int to);
+  void AddAncillary(const SiteColumn& site, const Gap& gap, int from, int to);
   void WeighLevels(const SiteColumn& site, const Gap& gap, int from, int to);
   void ShareLevels(const SiteColumn& site, const Gap& gap, int from, int to);
 
   const int levelCount;
   const OverlapStrategy strategy;
   const ValueRule rule;
-  const bool companions;
+  const bool ancillary;
   const bool trend;
   std::vector<float> scanned; // sum of the weights of the radars that scanned the voxel
   std::vector<float> echo;    // of those that saw echo

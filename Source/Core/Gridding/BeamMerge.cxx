@@ -51,7 +51,7 @@ SamplingContext ContextFor(
 {
   SamplingContext context;
   context.rule = ValueRule::Of(volume.moment, options.linearReflectivity);
-  context.ages = options.companions;
+  context.ages = options.ancillary;
   context.gap = static_cast<float>(options.maximumGap.count()) / 1000.0F;
   context.effectiveRadius = static_cast<float>(effectiveRadius);
   const double ceiling = CeilingOver(volume.site);
@@ -476,13 +476,13 @@ GriddedVolume BeamMerger::EmptyVolume(
   const std::size_t count = block.VoxelCount();
   volume.values.assign(count, volume.fill);
   volume.states.assign(count, VoxelState::NotScanned);
-  if (options.companions)
+  if (options.ancillary)
   {
-    volume.companions = std::move(memory.companions);
-    volume.companions.age.assign(count, 0.0F);
-    volume.companions.radars.assign(count, 0);
-    volume.companions.weight.assign(count, 0.0F);
-    volume.companions.nearestSite.assign(count, BeamColumn::NoSite);
+    volume.ancillary = std::move(memory.ancillary);
+    volume.ancillary.age.assign(count, 0.0F);
+    volume.ancillary.radars.assign(count, 0);
+    volume.ancillary.weight.assign(count, 0.0F);
+    volume.ancillary.nearestSite.assign(count, BeamColumn::NoSite);
   }
   return volume;
 }
@@ -504,7 +504,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& given, Time ti
   rows.levels = grid.dimensions[2];
   rows.strategy = StrategyFor(volume.moment, options.strategy);
   rows.overlapLength = static_cast<float>(options.overlapLength);
-  rows.fill = options.fill;
+  rows.fillColumns = options.fillColumns;
   rows.trend = options.trend;
   rows.motion = moves ? motion : nullptr;
   const int height = block.Size(1);

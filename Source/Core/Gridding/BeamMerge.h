@@ -34,8 +34,8 @@ struct BeamMergeOptions
   bool means = true; ///< take means where voxels are coarser than gates (Formulas G10)
   bool trend = true; ///< between tilts, follow the tilts beyond (Formulas G11) and layers (G12);
                      ///< else G8 alone. Reflectivity in dBZ
-  bool fill = false; ///< fill between and below what was scanned (Formulas T7)
-  bool companions = false; ///< make GriddedVolume::companions
+  bool fillColumns = false; ///< give values to voxels between and below those scanned (Formulas T7)
+  bool ancillary = false;   ///< make GriddedVolume::ancillary
 };
 
 /// Position and reach of a radar, from which follows whether it reaches a block.

@@ -73,15 +73,15 @@ public:
     , options(theOptions)
     , volume(theVolume)
     , levels(static_cast<std::size_t>(theOptions.levels))
-    , companions(!theVolume.companions.age.empty())
-    , column(theOptions.levels, theOptions.strategy, theSites.front().context.rule, companions,
+    , ancillary(!theVolume.ancillary.age.empty())
+    , column(theOptions.levels, theOptions.strategy, theSites.front().context.rule, ancillary,
         theOptions.trend)
     , values(levels)
     , states(levels)
-    , ages(companions ? levels : 0)
-    , weights(companions ? levels : 0)
-    , radars(companions ? levels : 0)
-    , nearestSites(companions ? levels : 0)
+    , ages(ancillary ? levels : 0)
+    , weights(ancillary ? levels : 0)
+    , radars(ancillary ? levels : 0)
+    , nearestSites(ancillary ? levels : 0)
     , samples(theSites.size())
     , surroundings(theSites.size())
   {
@@ -152,7 +152,7 @@ private:
       return;
     }
     present.push_back({number, begin, end});
-    this->LookAround(number, directions, x, y, begin, end);
+    this->SurveyColumns(number, directions, x, y, begin, end);
     const std::array<Surroundings, stripWidth>& about = surroundings[number];
     const std::size_t tilts = site.tilts.size();
     for (std::size_t tilt = 0; tilt < tilts; ++tilt)
@@ -167,7 +167,7 @@ private:
   }
 
   // What is known of the columns before their tilts are looked up.
-  void LookAround(
+  void SurveyColumns(
     std::size_t number, const ColumnDirection* directions, int x, int y, int begin, int end)
   {
     const MergeSite& site = sites[number];
@@ -230,9 +230,9 @@ private:
       column.Add(seen);
     }
     column.Finish(volume.fill);
-    if (options.fill)
+    if (options.fillColumns)
     {
-      column.FillVertically();
+      column.FillColumn();
     }
     this->Keep(place);
   }
@@ -266,7 +266,7 @@ private:
   {
     values.Set(place, column.Values());
     states.Set(place, column.States());
-    if (companions)
+    if (ancillary)
     {
       ages.Set(place, column.Ages());
       weights.Set(place, column.Weights());
@@ -287,12 +287,12 @@ private:
     {
       values.Write(level, count, volume.values.data() + at);
       states.Write(level, count, volume.states.data() + at);
-      if (companions)
+      if (ancillary)
       {
-        ages.Write(level, count, volume.companions.age.data() + at);
-        weights.Write(level, count, volume.companions.weight.data() + at);
-        radars.Write(level, count, volume.companions.radars.data() + at);
-        nearestSites.Write(level, count, volume.companions.nearestSite.data() + at);
+        ages.Write(level, count, volume.ancillary.age.data() + at);
+        weights.Write(level, count, volume.ancillary.weight.data() + at);
+        radars.Write(level, count, volume.ancillary.radars.data() + at);
+        nearestSites.Write(level, count, volume.ancillary.nearestSite.data() + at);
       }
     }
   }
@@ -301,7 +301,7 @@ private:
   const RowOptions& options;
   GriddedVolume& volume;
   const std::size_t levels;
-  const bool companions;
+  const bool ancillary;
   BeamColumn column;
   Strip<float> values;
   Strip<VoxelState> states;

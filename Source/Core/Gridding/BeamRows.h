@@ -20,7 +20,7 @@ namespace nexrad
 /// One radar as it takes part in one merge.
 struct MergeSite
 {
-  int number = 0; ///< among the radars of the merge, by which companions name it
+  int number = 0; ///< among the radars of the merge, by which ancillary arrays name it
   const SiteGeometry* geometry;
   SiteLevels levels;
   std::vector<BeamTilt> tilts;  ///< never empty
@@ -41,15 +41,15 @@ struct RowOptions
   int levels = 0;   ///< of the grid: a column is merged as a whole, whatever part of it is made
   OverlapStrategy strategy = OverlapStrategy::Distance;
   float overlapLength = 100'000.0F; ///< m
-  bool fill = false;
+  bool fillColumns = false;
   bool trend = true;                   ///< BeamMergeOptions
   const MotionField* motion = nullptr; ///< over the grid; without, linear in time
 };
 
 /// Merges the rows [beginRow, endRow) of a grid that the block has: its columns (x, y) for these y.
 /// `volume` has its fill value and arrays of the block's size, which hold the fill value and
-/// NotScanned; its companions are made when they have their size. Ranges of rows write apart from
-/// each other and can be run side by side. A voxel's value does not depend on the block.
+/// NotScanned; its ancillary arrays are made when they have their size. Ranges of rows write apart
+/// from each other and can be run side by side. A voxel's value does not depend on the block.
 void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, int beginRow,
   int endRow, GriddedVolume& volume);
 

@@ -11,8 +11,8 @@ namespace nexrad
 namespace
 {
 
-// What a look at a tilt has in a direction: as TiltSample, at the look's own time.
-struct Look
+// What an observation of a tilt has in a direction: as TiltSample, at the observation's own time.
+struct Observed
 {
   VoxelState state = VoxelState::NotScanned;
   bool assumed = false; // TiltSample::assumed
@@ -63,25 +63,26 @@ struct Tally
 };
 
 // Formulas G6; of reflectivity, where no echo counts as 0 dBZ, G8.
-void Decide(const Tally& about, const ValueRule& rule, Look& look)
+void Decide(const Tally& about, const ValueRule& rule, Observed& observed)
 {
-  look.value = about.value;
+  observed.value = about.value;
   if (about.none + about.echo > 0.0F)
   {
     const float zero = rule.linear ? 1.0F : 0.0F;
     if (rule.zeroIsNone && about.echo > 0.0F && about.value > zero)
     {
-      look.state = VoxelState::Echo;
-      look.value = zero + (about.value - zero) * about.echo / (about.none + about.echo);
+      observed.state = VoxelState::Echo;
+      observed.value = zero + (about.value - zero) * about.echo / (about.none + about.echo);
     }
     else
     {
-      look.state = about.none >= about.echo ? VoxelState::NoEcho : VoxelState::Echo;
+      observed.state = about.none >= about.echo ? VoxelState::NoEcho : VoxelState::Echo;
     }
   }
   else
   {
-    look.state = about.folded >= about.missing ? VoxelState::RangeFolded : VoxelState::NotScanned;
+    observed.state =
+      about.folded >= about.missing ? VoxelState::RangeFolded : VoxelState::NotScanned;
   }
 }
 
@@ -113,7 +114,7 @@ inline RayPlace FindRays(const BeamSweep& sweep, float azimuth)
                                                              : RayPlace{-1, 0.0F};
 }
 
-// s from the time of the merge at which a sweep, begun at `begin`, looked there.
+// s from the time of the merge at which a sweep, begun at `begin`, passed there.
 inline float TimeOf(const BeamSweep& sweep, float begin, const RayPlace& rays)
 {
   const auto entry = static_cast<std::size_t>(rays.entry);
@@ -196,8 +197,8 @@ inline CellPair FindCells(
 }
 
 // What a sweep has about a place where voxels are coarser than its gates or rays (Formulas G10).
-inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azimuth, float range,
-  const ValueRule& rule, Look& look)
+inline void ObserveMeans(const SweepMeans& means, const RayPlace& rays, float azimuth, float range,
+  const ValueRule& rule, Observed& observed)
 {
   const auto last = static_cast<float>(means.rings.size() - 1);
   const float place =
@@ -210,7 +211,7 @@ inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azi
   if ((near.cells[0].Word() | near.cells[1].Word() | far.cells[0].Word() | far.cells[1].Word()) ==
       0)
   {
-    look.state = VoxelState::NoEcho;
+    observed.state = VoxelState::NoEcho;
     return;
   }
   const SweepMeans::Cell cells[4] = {near.cells[0], near.cells[1], far.cells[0], far.cells[1]};
@@ -224,8 +225,8 @@ inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azi
     {
       code += weights[i] * static_cast<float>(cells[i].code);
     }
-    look.state = VoxelState::Echo;
-    look.value = means.scale.ValueOf(code);
+    observed.state = VoxelState::Echo;
+    observed.value = means.scale.ValueOf(code);
     return;
   }
   Tally about;
@@ -233,12 +234,12 @@ inline void LookAtMeans(const SweepMeans& means, const RayPlace& rays, float azi
   {
     AddCell(means, cells[i], weights[i], rule, about);
   }
-  Decide(about, rule, look);
+  Decide(about, rule, observed);
 }
 
 // What a sweep has between two of its rays, at a place along them that is counted in gates.
-inline void LookAtGates(
-  const BeamSweep& sweep, const RayPlace& rays, float place, const ValueRule& rule, Look& look)
+inline void ObserveGates(const BeamSweep& sweep, const RayPlace& rays, float place,
+  const ValueRule& rule, Observed& observed)
 {
   const int gate = static_cast<int>(place);
   const float along = place - static_cast<float>(gate);
@@ -248,7 +249,7 @@ inline void LookAtGates(
   const std::uint16_t* second = first + sweep.Stride();
   if ((first[0] | first[1] | second[0] | second[1]) == GateCode::NoEcho)
   {
-    look.state = VoxelState::NoEcho;
+    observed.state = VoxelState::NoEcho;
     return;
   }
   const float across = rule.nearest ? std::floor(rays.share + 0.5F) : rays.share;
@@ -258,7 +259,7 @@ inline void LookAtGates(
   AddGate(sweep, first[1], (1.0F - across) * forth, rule, about);
   AddGate(sweep, second[0], across * (1.0F - forth), rule, about);
   AddGate(sweep, second[1], across * forth, rule, about);
-  Decide(about, rule, look);
+  Decide(about, rule, observed);
 }
 
 // A place that a sweep passes, and the rays beside it; without a ray there is no place.
@@ -269,11 +270,11 @@ struct SweepPlace
   float gate = 0.0F;  // the same in gates
 };
 
-// When and with what beam a sweep looked at a column, and what is known of it without its gates:
-// where there are some, no echo. Looks are filled where they stand, not handed on: `look` must be
-// as it is made.
+// When and with what beam a sweep passed over a column, and what is known of it without its gates:
+// where there are some, no echo. Observed values are filled where they stand, not handed on:
+// `observed` must be as it is made.
 inline SweepPlace FindPlace(const BeamSweep& sweep, float begin, const ColumnDirection& column,
-  const SamplingContext& context, Look& look)
+  const SamplingContext& context, Observed& observed)
 {
   SweepPlace place;
   place.range = RangeOver(sweep, column, context.effectiveRadius);
@@ -287,45 +288,46 @@ inline SweepPlace FindPlace(const BeamSweep& sweep, float begin, const ColumnDir
   {
     return place;
   }
-  look.time = TimeOf(sweep, begin, place.rays);
-  look.elevation = ElevationOf(sweep, place.rays);
-  look.state = VoxelState::NoEcho;
+  observed.time = TimeOf(sweep, begin, place.rays);
+  observed.elevation = ElevationOf(sweep, place.rays);
+  observed.state = VoxelState::NoEcho;
   if (place.gate > static_cast<float>(sweep.gates) - 0.5F)
   {
-    look.state = BeyondReach(sweep, column, context);
-    look.assumed = look.state == VoxelState::NoEcho;
+    observed.state = BeyondReach(sweep, column, context);
+    observed.assumed = observed.state == VoxelState::NoEcho;
     place.rays.entry = -1;
   }
   return place;
 }
 
-inline void LookAt(const BeamSweep& sweep, float begin, const ColumnDirection& column,
-  const SamplingContext& context, Look& look)
+inline void Observe(const BeamSweep& sweep, float begin, const ColumnDirection& column,
+  const SamplingContext& context, Observed& observed)
 {
-  const SweepPlace place = FindPlace(sweep, begin, column, context, look);
+  const SweepPlace place = FindPlace(sweep, begin, column, context, observed);
   if (place.rays.entry < 0)
   {
     return;
   }
   if (place.range < sweep.means.reach)
   {
-    LookAtMeans(sweep.means, place.rays, column.azimuth, place.range, context.rule, look);
+    ObserveMeans(sweep.means, place.rays, column.azimuth, place.range, context.rule, observed);
   }
   else
   {
     const float last = static_cast<float>(sweep.gates - 1);
-    LookAtGates(sweep, place.rays, std::clamp(place.gate, 0.0F, last), context.rule, look);
+    ObserveGates(sweep, place.rays, std::clamp(place.gate, 0.0F, last), context.rule, observed);
   }
 }
 
 // The nearer state where one of two sides must be chosen; else both echoes blended.
-Look BlendLooks(const Look& lower, const Look& upper, float share, const ValueRule& rule)
+Observed BlendObserved(
+  const Observed& lower, const Observed& upper, float share, const ValueRule& rule)
 {
   if (lower.state == VoxelState::NotScanned || upper.state == VoxelState::NotScanned)
   {
     return {};
   }
-  Look blended = share < 0.5F ? lower : upper;
+  Observed blended = share < 0.5F ? lower : upper;
   blended.time = lower.time + share * (upper.time - lower.time);
   blended.elevation = lower.elevation + share * (upper.elevation - lower.elevation);
   if (lower.state == VoxelState::Echo && upper.state == VoxelState::Echo && !rule.nearest)
@@ -336,26 +338,26 @@ Look BlendLooks(const Look& lower, const Look& upper, float share, const ValueRu
 }
 
 // What two sweeps tell of the tilt between them.
-Look LookBetween(
+Observed ObserveBetween(
   const TiltObservation& observation, const ColumnDirection& column, const SamplingContext& context)
 {
-  Look lower;
-  Look upper;
-  LookAt(*observation.lower, observation.lowerBegin, column, context, lower);
-  LookAt(*observation.upper, observation.upperBegin, column, context, upper);
-  return BlendLooks(lower, upper, observation.shareOfUpper, context.rule);
+  Observed lower;
+  Observed upper;
+  Observe(*observation.lower, observation.lowerBegin, column, context, lower);
+  Observe(*observation.upper, observation.upperBegin, column, context, upper);
+  return BlendObserved(lower, upper, observation.shareOfUpper, context.rule);
 }
 
-inline void LookAt(const TiltObservation& observation, const ColumnDirection& column,
-  const SamplingContext& context, Look& look)
+inline void Observe(const TiltObservation& observation, const ColumnDirection& column,
+  const SamplingContext& context, Observed& observed)
 {
   if (observation.upper == nullptr)
   {
-    LookAt(*observation.lower, observation.lowerBegin, column, context, look);
+    Observe(*observation.lower, observation.lowerBegin, column, context, observed);
   }
   else
   {
-    look = LookBetween(observation, column, context);
+    observed = ObserveBetween(observation, column, context);
   }
 }
 
@@ -366,13 +368,13 @@ inline float FadeOf(float age, float gap)
 }
 
 // Formulas A1, for values on either side of which one may be no echo.
-void BlendTimes(const Look& before, const Look& after, float share, const SamplingContext& context,
-  TiltSample& sample)
+void BlendTimes(const Observed& before, const Observed& after, float share,
+  const SamplingContext& context, TiltSample& sample)
 {
   const bool echoBefore = before.state == VoxelState::Echo;
   const bool echoAfter = after.state == VoxelState::Echo;
   const ValueRule& rule = context.rule;
-  const Look& nearer = share < 0.5F ? before : after;
+  const Observed& nearer = share < 0.5F ? before : after;
   if (echoBefore && echoAfter)
   {
     sample.state = VoxelState::Echo;
@@ -391,72 +393,74 @@ void BlendTimes(const Look& before, const Look& after, float share, const Sampli
     return;
   }
   // A folded gate tells nothing: the other side stands alone.
-  const Look& told = measured ? nearer : before.state == VoxelState::RangeFolded ? after : before;
+  const Observed& told = measured                                  ? nearer
+                         : before.state == VoxelState::RangeFolded ? after
+                                                                   : before;
   sample.state = told.state;
   sample.value = told.value;
 }
 
-// A sweep at the place where the echo of a column was at the time of its own rays. `look` must be
-// as it is made.
-inline void LookAlong(const BeamSweep& sweep, float begin, float time,
+// A sweep at the place where the echo of a column was at the time of its own rays. `observed` must
+// be as it is made.
+inline void ObserveAlong(const BeamSweep& sweep, float begin, float time,
   const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context,
-  Look& look)
+  Observed& observed)
 {
-  LookAt(sweep, begin, DirectionAt(column, motion, time), context, look);
+  Observe(sweep, begin, DirectionAt(column, motion, time), context, observed);
   // Across the seam, where the last ray of a sweep meets the first, the time is another.
   constexpr float seam = 2.0F; // s, in which no echo moves as far as voxels are wide
-  const float found = look.time;
-  if (look.state != VoxelState::NotScanned && !(std::abs(found - time) < seam))
+  const float found = observed.time;
+  if (observed.state != VoxelState::NotScanned && !(std::abs(found - time) < seam))
   {
-    look = {};
-    LookAt(sweep, begin, DirectionAt(column, motion, found), context, look);
+    observed = {};
+    Observe(sweep, begin, DirectionAt(column, motion, found), context, observed);
   }
 }
 
-// When a sweep looked at a column; where it has no ray, at its beginning.
+// When a sweep passed over a column; where it has no ray, at its beginning.
 inline float TimeOver(const BeamSweep& sweep, float begin, const ColumnDirection& column)
 {
   const RayPlace rays = FindRays(sweep, column.azimuth);
   return rays.entry < 0 ? begin : TimeOf(sweep, begin, rays);
 }
 
-// A look over the column, and of what.
-struct FoundLook
+// An observation over the column, and of what.
+struct FoundObservation
 {
-  Look look;
+  Observed observed;
   const TiltObservation* observation = nullptr;
 };
 
-// As LookAlong, of two sweeps.
-Look LookAlongBetween(const TiltObservation& of, const ColumnDirection& column,
+// As ObserveAlong, of two sweeps.
+Observed ObserveAlongBetween(const TiltObservation& of, const ColumnDirection& column,
   const ColumnMotion& motion, const SamplingContext& context)
 {
-  Look lower;
-  Look upper;
-  LookAlong(*of.lower, of.lowerBegin, TimeOver(*of.lower, of.lowerBegin, column), column, motion,
+  Observed lower;
+  Observed upper;
+  ObserveAlong(*of.lower, of.lowerBegin, TimeOver(*of.lower, of.lowerBegin, column), column, motion,
     context, lower);
-  LookAlong(*of.upper, of.upperBegin, TimeOver(*of.upper, of.upperBegin, column), column, motion,
+  ObserveAlong(*of.upper, of.upperBegin, TimeOver(*of.upper, of.upperBegin, column), column, motion,
     context, upper);
-  return BlendLooks(lower, upper, of.shareOfUpper, context.rule);
+  return BlendObserved(lower, upper, of.shareOfUpper, context.rule);
 }
 
-inline void LookAlong(const FoundLook& found, const ColumnDirection& column,
-  const ColumnMotion& motion, const SamplingContext& context, Look& look)
+inline void ObserveAlong(const FoundObservation& found, const ColumnDirection& column,
+  const ColumnMotion& motion, const SamplingContext& context, Observed& observed)
 {
   const TiltObservation& of = *found.observation;
   if (of.upper == nullptr)
   {
-    LookAlong(*of.lower, of.lowerBegin, found.look.time, column, motion, context, look);
+    ObserveAlong(*of.lower, of.lowerBegin, found.observed.time, column, motion, context, observed);
   }
   else
   {
-    look = LookAlongBetween(of, column, motion, context);
+    observed = ObserveAlongBetween(of, column, motion, context);
   }
 }
 
-// How much of a look is to be found: all, or when and with what beam it was taken, and whether it
-// measured something, which needs no gates of a sweep that is complete.
-enum class LookDetail
+// How much of an observation is to be found: all, or when and with what beam it was taken, and
+// whether it measured something, which needs no gates of a sweep that is complete.
+enum class ObservedDetail
 {
   All,
   Circumstances
@@ -467,74 +471,74 @@ inline bool IsKnownWithoutGates(const TiltObservation& observation)
   return observation.upper == nullptr && observation.lower->complete;
 }
 
-// The first look of a list that saw the column on its side of the time, within the gap. What is
-// assumed beyond the gates of one look gives way to what another measured. `found` must be as it is
-// made.
-inline void FindLook(const std::vector<TiltObservation>& observations,
-  const ColumnDirection& column, const SamplingContext& context, bool after, LookDetail detail,
-  FoundLook& found)
+// The first observation of a list that saw the column on its side of the time, within the gap. What
+// is assumed beyond the gates of one observation gives way to what another measured. `found` must
+// be as it is made.
+inline void FindObserved(const std::vector<TiltObservation>& observations,
+  const ColumnDirection& column, const SamplingContext& context, bool after, ObservedDetail detail,
+  FoundObservation& found)
 {
-  FoundLook assumed;
+  FoundObservation assumed;
   for (const TiltObservation& observation : observations)
   {
-    if (detail == LookDetail::Circumstances && IsKnownWithoutGates(observation))
+    if (detail == ObservedDetail::Circumstances && IsKnownWithoutGates(observation))
     {
-      FindPlace(*observation.lower, observation.lowerBegin, column, context, found.look);
+      FindPlace(*observation.lower, observation.lowerBegin, column, context, found.observed);
     }
     else
     {
-      LookAt(observation, column, context, found.look);
+      Observe(observation, column, context, found.observed);
     }
-    const bool near = std::abs(found.look.time) <= context.gap;
-    if (found.look.state != VoxelState::NotScanned && (found.look.time > 0.0F) == after)
+    const bool near = std::abs(found.observed.time) <= context.gap;
+    if (found.observed.state != VoxelState::NotScanned && (found.observed.time > 0.0F) == after)
     {
-      if (!found.look.assumed && near)
+      if (!found.observed.assumed && near)
       {
         found.observation = &observation;
         return;
       }
-      if (!found.look.assumed)
+      if (!found.observed.assumed)
       {
         break;
       }
       if (near && assumed.observation == nullptr)
       {
-        assumed = {found.look, &observation};
+        assumed = {found.observed, &observation};
       }
     }
-    found.look = {};
+    found.observed = {};
   }
   found = assumed;
 }
 
-// Looks at the gates that FindLook passed over.
+// Samples the gates that FindObserved passed over.
 inline void Complete(
-  FoundLook& found, const ColumnDirection& column, const SamplingContext& context)
+  FoundObservation& found, const ColumnDirection& column, const SamplingContext& context)
 {
   if (found.observation != nullptr && IsKnownWithoutGates(*found.observation))
   {
-    found.look = {};
-    LookAt(*found.observation, column, context, found.look);
+    found.observed = {};
+    Observe(*found.observation, column, context, found.observed);
   }
 }
 
-inline bool TellsSomething(const Look& look)
+inline bool TellsSomething(const Observed& observed)
 {
-  return look.state == VoxelState::Echo || look.state == VoxelState::NoEcho;
+  return observed.state == VoxelState::Echo || observed.state == VoxelState::NoEcho;
 }
 
-// Looks along the motion in place of two over a column; false where they are of no help (Formulas
+// Samples along the motion in place of two over a column; false where they are of no help (Formulas
 // A2a). `source` and `target` must be as they are made.
-inline bool FollowMotion(const FoundLook& before, const FoundLook& after,
+inline bool FollowMotion(const FoundObservation& before, const FoundObservation& after,
   const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context,
-  Look& source, Look& target)
+  Observed& source, Observed& target)
 {
-  if (!TellsSomething(before.look) && !TellsSomething(after.look))
+  if (!TellsSomething(before.observed) && !TellsSomething(after.observed))
   {
     return false;
   }
-  LookAlong(before, column, motion, context, source);
-  LookAlong(after, column, motion, context, target);
+  ObserveAlong(before, column, motion, context, source);
+  ObserveAlong(after, column, motion, context, target);
   return TellsSomething(source) && TellsSomething(target);
 }
 
@@ -553,24 +557,25 @@ inline float TangentTo(float ratio, const ColumnDirection& column)
   return ratio * (1.0F + t * t) / (2.0F * t) - t;
 }
 
-// The look at a tilt about a column that was taken nearest in time to another, along the motion.
-Look LookAlongNear(const BeamTilt& tilt, float time, const ColumnDirection& column,
+// The observation at a tilt about a column that was taken nearest in time to another, along the
+// motion.
+Observed ObserveAlongNear(const BeamTilt& tilt, float time, const ColumnDirection& column,
   const ColumnMotion& motion, const SamplingContext& context)
 {
-  FoundLook before;
-  FoundLook after;
-  FindLook(tilt.before, column, context, false, LookDetail::Circumstances, before);
-  FindLook(tilt.after, column, context, true, LookDetail::Circumstances, after);
-  const auto apart = [time](const FoundLook& found)
+  FoundObservation before;
+  FoundObservation after;
+  FindObserved(tilt.before, column, context, false, ObservedDetail::Circumstances, before);
+  FindObserved(tilt.after, column, context, true, ObservedDetail::Circumstances, after);
+  const auto apart = [time](const FoundObservation& found)
   {
-    return found.observation != nullptr ? std::abs(found.look.time - time)
+    return found.observation != nullptr ? std::abs(found.observed.time - time)
                                         : std::numeric_limits<float>::infinity();
   };
-  const FoundLook& nearest = apart(after) < apart(before) ? after : before;
-  Look along;
+  const FoundObservation& nearest = apart(after) < apart(before) ? after : before;
+  Observed along;
   if (nearest.observation != nullptr)
   {
-    LookAlong(nearest, column, motion, context, along);
+    ObserveAlong(nearest, column, motion, context, along);
   }
   return along;
 }
@@ -605,10 +610,11 @@ std::optional<TiltPlace> FindTiltPlace(const std::vector<BeamTilt>& tilts, float
   return off <= farthest ? std::optional<TiltPlace>({outermost, outermost, 0.0F}) : std::nullopt;
 }
 
-// Puts in place of the only look over a column at a tilt what the radar saw at the look's time
-// where the column's echo was or will be, at the same height: without a look on the other side of
-// the time, nothing makes up for the slope of the tilt (Formulas A2a).
-void FollowMotionAlone(const std::vector<BeamTilt>& tilts, std::size_t tilt, Look& alone,
+// Puts in place of the only observation over a column at a tilt what the radar saw at the
+// observation's time where the column's echo was or will be, at the same height: without an
+// observation on the other side of the time, nothing makes up for the slope of the tilt (Formulas
+// A2a).
+void FollowMotionAlone(const std::vector<BeamTilt>& tilts, std::size_t tilt, Observed& alone,
   const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context)
 {
   if (!TellsSomething(alone))
@@ -622,11 +628,11 @@ void FollowMotionAlone(const std::vector<BeamTilt>& tilts, std::size_t tilt, Loo
   {
     return;
   }
-  const Look lower = LookAlongNear(tilts[place->lower], alone.time, column, motion, context);
-  const Look upper = place->upper == place->lower
-                       ? lower
-                       : LookAlongNear(tilts[place->upper], alone.time, column, motion, context);
-  const Look& nearer = place->share < 0.5F ? lower : upper;
+  const Observed lower = ObserveAlongNear(tilts[place->lower], alone.time, column, motion, context);
+  const Observed upper = place->upper == place->lower ? lower
+                                                      : ObserveAlongNear(tilts[place->upper],
+                                                          alone.time, column, motion, context);
+  const Observed& nearer = place->share < 0.5F ? lower : upper;
   TiltSample moved;
   if (TellsSomething(lower) && TellsSomething(upper))
   {
@@ -646,9 +652,9 @@ void FollowMotionAlone(const std::vector<BeamTilt>& tilts, std::size_t tilt, Loo
   }
 }
 
-// How much the look after counts between two (Formulas A1, A6). Where a sweep was in progress, a
-// look along the motion may be from just across the time.
-inline float ShareOfAfter(const Look& before, const Look& after, float gap)
+// How much the observation after counts between two (Formulas A1, A6). Where a sweep was in
+// progress, a observation along the motion may be from just across the time.
+inline float ShareOfAfter(const Observed& before, const Observed& after, float gap)
 {
   const float since = std::max(-before.time, 0.0F);
   const float until = std::max(after.time, 0.0F);
@@ -658,16 +664,16 @@ inline float ShareOfAfter(const Look& before, const Look& after, float gap)
   return sum > 0.0F ? weightAfter / sum : until < since ? 1.0F : 0.0F;
 }
 
-// One look without its counterpart, as it is.
-TiltSample SampleOf(const Look& look, float gap)
+// One observation without its counterpart, as it is.
+TiltSample SampleOf(const Observed& observed, float gap)
 {
   TiltSample sample;
-  sample.state = look.state;
-  sample.assumed = look.assumed;
-  sample.value = look.value;
-  sample.lowest = look.elevation;
-  sample.highest = look.elevation;
-  sample.age = std::abs(look.time);
+  sample.state = observed.state;
+  sample.assumed = observed.assumed;
+  sample.value = observed.value;
+  sample.lowest = observed.elevation;
+  sample.highest = observed.elevation;
+  sample.age = std::abs(observed.time);
   sample.fade = FadeOf(sample.age, gap);
   return sample;
 }
@@ -762,37 +768,37 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
   bool nothingAbout)
 {
   const BeamTilt& tilt = tilts[number];
-  FoundLook before;
-  FoundLook after;
+  FoundObservation before;
+  FoundObservation after;
   const bool follow = motion != nullptr && !nothingAbout;
-  const LookDetail detail = follow ? LookDetail::Circumstances : LookDetail::All;
-  FindLook(tilt.before, column, context, false, detail, before);
-  FindLook(tilt.after, column, context, true, detail, after);
+  const ObservedDetail detail = follow ? ObservedDetail::Circumstances : ObservedDetail::All;
+  FindObserved(tilt.before, column, context, false, detail, before);
+  FindObserved(tilt.after, column, context, true, detail, after);
   TiltSample sample;
   if (before.observation == nullptr || after.observation == nullptr)
   {
-    FoundLook& alone = before.observation == nullptr ? after : before;
+    FoundObservation& alone = before.observation == nullptr ? after : before;
     if (follow)
     {
       Complete(alone, column, context);
     }
     if (alone.observation != nullptr && motion != nullptr)
     {
-      FollowMotionAlone(tilts, number, alone.look, column, *motion, context);
+      FollowMotionAlone(tilts, number, alone.observed, column, *motion, context);
     }
     if (alone.observation != nullptr)
     {
-      sample = SampleOf(alone.look, context.gap);
+      sample = SampleOf(alone.observed, context.gap);
     }
     return sample;
   }
-  sample.lowest = std::min(before.look.elevation, after.look.elevation);
-  sample.highest = std::max(before.look.elevation, after.look.elevation);
-  sample.age = std::min(-before.look.time, after.look.time);
+  sample.lowest = std::min(before.observed.elevation, after.observed.elevation);
+  sample.highest = std::max(before.observed.elevation, after.observed.elevation);
+  sample.age = std::min(-before.observed.time, after.observed.time);
   sample.fade =
-    std::max(FadeOf(-before.look.time, context.gap), FadeOf(after.look.time, context.gap));
-  Look source;
-  Look target;
+    std::max(FadeOf(-before.observed.time, context.gap), FadeOf(after.observed.time, context.gap));
+  Observed source;
+  Observed target;
   const bool moved =
     follow && FollowMotion(before, after, column, *motion, context, source, target);
   if (follow && !moved)
@@ -800,8 +806,8 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
     Complete(before, column, context);
     Complete(after, column, context);
   }
-  const Look& first = moved ? source : before.look;
-  const Look& second = moved ? target : after.look;
+  const Observed& first = moved ? source : before.observed;
+  const Observed& second = moved ? target : after.observed;
   sample.assumed = first.assumed || second.assumed;
   if (first.state == VoxelState::NoEcho && second.state == VoxelState::NoEcho)
   {

@@ -157,7 +157,7 @@ void VolumeAssembler::FinishSweep(const Ray* next)
   // The radar may break a cut off and scan it again; then nothing was lost.
   if (next->elevationNumber == sweep.elevationNumber && StartsCut(*next))
   {
-    volume.notes.push_back(cut + " was broken off and scanned again");
+    volume.notes.push_back(cut + " was interrupted and restarted");
   }
   else
   {
@@ -200,7 +200,7 @@ void VolumeAssembler::NoteTimes()
   }
   if (start->time_since_epoch() / day != end->time_since_epoch() / day)
   {
-    volume.notes.push_back("the volume goes on past midnight UTC");
+    volume.notes.push_back("the volume continues after midnight UTC");
   }
 }
 

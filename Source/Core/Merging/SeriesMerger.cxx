@@ -306,7 +306,7 @@ bool SeriesMerger::Scan(const Progress& progress)
   SeriesOptions series = SeriesOptionsOf(options);
   series.processes = setup.processes;
   series.order = setup.order;
-  series.digests = setup.scanFirst;
+  series.summaries = setup.scanFirst;
   const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
                       const PolarCache::Volume& volume) { cache->Offer(key, volume); };
   scan = ScanInputs(inputs, series, keep, progress);
@@ -357,7 +357,7 @@ void SeriesMerger::EndAt(Time time)
   loader->EndAt(time);
 }
 
-// Of radars whose digests tell how far they see, those that see the block, in the order of the
+// Of radars whose summaries tell how far they see, those that see the block, in the order of the
 // scan; empty: all.
 std::vector<bool> SeriesMerger::FindReaching()
 {
@@ -371,7 +371,7 @@ std::vector<bool> SeriesMerger::FindReaching()
     SiteReach reach{*series.site.position, 0.0};
     for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
     {
-      reach.reach = std::max(reach.reach, series.volumes[index].digest->reach);
+      reach.reach = std::max(reach.reach, series.volumes[index].summary->reach);
     }
     reaches.push_back(reach);
   }

@@ -101,8 +101,8 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
   return a.strategy == b.strategy && a.overlapLength == b.overlapLength &&
          a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
-         a.linearReflectivity == b.linearReflectivity && a.fill == b.fill &&
-         a.companions == b.companions && a.sharpen == b.sharpen && a.means == b.means &&
+         a.linearReflectivity == b.linearReflectivity && a.fillColumns == b.fillColumns &&
+         a.ancillary == b.ancillary && a.sharpen == b.sharpen && a.means == b.means &&
          a.trend == b.trend;
 }
 
@@ -241,7 +241,7 @@ ReadyVolume MergeRun::WithoutSweeps(
     sweepless.end());
   for (const SweeplessVolume& each : sweepless)
   {
-    if (each.digest == volume.digest && each.pictured == pictured)
+    if (each.summary == volume.summary && each.pictured == pictured)
     {
       return {nullptr, each.volume.lock()};
     }
@@ -254,10 +254,10 @@ ReadyVolume MergeRun::WithoutSweeps(
   without.synthetic = volume.synthetic;
   if (pictured)
   {
-    without.composite = CompositeOf(*volume.digest);
+    without.composite = CompositeOf(*volume.summary);
   }
   auto made = std::make_shared<const BeamVolume>(std::move(without));
-  sweepless.push_back({volume.digest, pictured, made});
+  sweepless.push_back({volume.summary, pictured, made});
   return {nullptr, made};
 }
 

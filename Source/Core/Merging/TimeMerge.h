@@ -53,7 +53,7 @@ public:
   BeamMerger& MergerFor(const MergeRequest& request);
 
   /// A volume without sweeps, for a radar that does not reach the request's block. It takes part in
-  /// the motion estimate by the volume's digest; in Thesis it only names the radar.
+  /// the motion estimate by the volume's summary; in Thesis it only names the radar.
   ReadyVolume WithoutSweeps(
     const Site& site, const SeriesVolume& volume, const MergeRequest& request, MomentName moment);
 
@@ -65,8 +65,8 @@ public:
 private:
   struct SweeplessVolume
   {
-    std::shared_ptr<const VolumeDigest> digest;
-    bool pictured;                          // has the digest's picture
+    std::shared_ptr<const VolumeSummary> summary;
+    bool pictured;                          // has the summary's picture
     std::weak_ptr<const BeamVolume> volume; // as long as a merge or the tracker holds it
   };
 

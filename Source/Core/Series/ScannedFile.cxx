@@ -122,15 +122,15 @@ ScannedFile ScanWithinMemory(
     scanned.volumes.emplace_back(cycles[cycle].site,
       Describe(cycles[cycle], path, cycle, options.moment.value_or(MomentName::REF)));
     std::shared_ptr<const PolarVolume> clean;
-    if (options.moment && (options.digests || visitor))
+    if (options.moment && (options.summaries || visitor))
     {
       clean = std::make_shared<const PolarVolume>(
         MakeCleanVolume(cycles[cycle], *options.moment, options.quality));
     }
-    if (options.digests)
+    if (options.summaries)
     {
-      scanned.volumes.back().second.digest =
-        std::make_shared<const VolumeDigest>(MakeDigest(*clean));
+      scanned.volumes.back().second.summary =
+        std::make_shared<const VolumeSummary>(MakeSummary(*clean));
     }
     if (visitor)
     {

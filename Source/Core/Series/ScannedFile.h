@@ -30,10 +30,10 @@ struct SeriesOptions
 {
   Level2Options level2;
   std::optional<MomentName> moment; ///< a volume without it is left out
-  QualityOptions quality;           ///< of the volumes that visitors and digests are made of
+  QualityOptions quality;           ///< of the volumes that visitors and summaries are made of
   bool requirePosition = false;     ///< a volume of a site without a position is left out
-  bool digests = false; ///< make the digests of the volumes, of `moment`, which must be set
-  Processes processes;  ///< that scan the inputs together
+  bool summaries = false; ///< make the summaries of the volumes, of `moment`, which must be set
+  Processes processes;    ///< that scan the inputs together
   ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
 };
 

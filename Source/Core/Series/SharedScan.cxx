@@ -25,25 +25,25 @@ constexpr char scanDone = 'd';
 constexpr char scanStopped = 's';
 constexpr char scanFailed = 'f';
 
-Json PackDigest(const VolumeDigest& digest)
+Json PackSummary(const VolumeSummary& summary)
 {
-  std::vector<std::uint8_t> bytes(digest.picture.size() * sizeof(float));
-  std::memcpy(bytes.data(), digest.picture.data(), bytes.size());
-  return {{"reach", digest.reach}, {"rings", digest.rings}, {"echoTime", digest.echoTime},
-    {"echo", digest.echo}, {"picture", Json::binary(std::move(bytes))}};
+  std::vector<std::uint8_t> bytes(summary.picture.size() * sizeof(float));
+  std::memcpy(bytes.data(), summary.picture.data(), bytes.size());
+  return {{"reach", summary.reach}, {"rings", summary.rings}, {"echoTime", summary.echoTime},
+    {"echo", summary.echo}, {"picture", Json::binary(std::move(bytes))}};
 }
 
-VolumeDigest UnpackDigest(const Json& packed)
+VolumeSummary UnpackSummary(const Json& packed)
 {
-  VolumeDigest digest;
-  digest.reach = packed.at("reach");
-  digest.rings = packed.at("rings");
-  digest.echoTime = packed.at("echoTime");
-  digest.echo = packed.at("echo");
+  VolumeSummary summary;
+  summary.reach = packed.at("reach");
+  summary.rings = packed.at("rings");
+  summary.echoTime = packed.at("echoTime");
+  summary.echo = packed.at("echo");
   const Json::binary_t& bytes = packed.at("picture").get_binary();
-  digest.picture.resize(bytes.size() / sizeof(float));
-  std::memcpy(digest.picture.data(), bytes.data(), digest.picture.size() * sizeof(float));
-  return digest;
+  summary.picture.resize(bytes.size() / sizeof(float));
+  std::memcpy(summary.picture.data(), bytes.data(), summary.picture.size() * sizeof(float));
+  return summary;
 }
 
 Json PackVolume(const Site& site, const SeriesVolume& volume)
@@ -57,9 +57,9 @@ Json PackVolume(const Site& site, const SeriesVolume& volume)
     packed["position"] = {
       site.position->latitude, site.position->longitude, site.position->altitude};
   }
-  if (volume.digest)
+  if (volume.summary)
   {
-    packed["digest"] = PackDigest(*volume.digest);
+    packed["summary"] = PackSummary(*volume.summary);
   }
   return packed;
 }
@@ -81,9 +81,9 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
   volume.rays = packed.at("rays");
   volume.reach = packed.at("reach");
   volume.synthetic = packed.at("synthetic");
-  if (packed.contains("digest"))
+  if (packed.contains("summary"))
   {
-    volume.digest = std::make_shared<const VolumeDigest>(UnpackDigest(packed.at("digest")));
+    volume.summary = std::make_shared<const VolumeSummary>(UnpackSummary(packed.at("summary")));
   }
   return {site, volume};
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Beams/VolumeDigest.h"
+#include "nexrad/Beams/VolumeSummary.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/Site.h"
 #include "nexrad/Series/InputFiles.h"
@@ -26,8 +26,8 @@ struct SeriesVolume
   Time end{};                 ///< last ray
   std::size_t rays = 0;
   double reach = 0.0; ///< m, slant range to which half of its sweeps of the moment see, or farther
-  bool synthetic = false;                     ///< made by the simulator
-  std::shared_ptr<const VolumeDigest> digest; ///< when it was asked for
+  bool synthetic = false;                       ///< made by the simulator
+  std::shared_ptr<const VolumeSummary> summary; ///< when it was asked for
 };
 
 /// All volumes of one radar.

@@ -3,8 +3,8 @@
 
 #include "nexrad/Polar/SweepPairing.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/Thesis/ColumnFilling.h"
 #include "nexrad/Thesis/ThesisGeometry.h"
-#include "nexrad/Thesis/VerticalFill.h"
 
 #include <algorithm>
 #include <cmath>

@@ -82,20 +82,20 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   vtkDataArray* scalars, bool cellData, std::string& error)
 {
   const auto source = vtkTextureSliceScalars::Find(image, scalars, cellData);
-  const vtkTextureSliceDigest::Key key = vtkTextureSliceDigest::MakeKey(source);
+  const vtkTextureSliceChecksums::Key key = vtkTextureSliceChecksums::MakeKey(source);
   const bool there = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
-  if (there && this->Digest != nullptr && key == this->Last)
+  if (there && this->Checksum != nullptr && key == this->Last)
   {
     return true;
   }
   // Nothing is known of the texture, should an error leave it half made.
-  const auto before = std::exchange(this->Digest, nullptr);
+  const auto before = std::exchange(this->Checksum, nullptr);
   if (!Check(source, error))
   {
     return false;
   }
-  const auto digest = vtkTextureSliceDigest::Get(source);
-  this->Texels = digest->GetTexels();
+  const auto checksum = vtkTextureSliceChecksums::Get(source);
+  this->Texels = checksum->GetTexels();
   if (this->Texels.CountChannels() > 4)
   {
     error = "four components with hidden points, or with scalars that are not finite, are not "
@@ -106,8 +106,8 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   {
     return false;
   }
-  this->Upload(window, digest->TakeChanges(source, there ? before : nullptr));
-  this->Digest = digest;
+  this->Upload(window, checksum->TakeChanges(source, there ? before : nullptr));
+  this->Checksum = checksum;
   this->Last = key;
   return true;
 }
@@ -179,5 +179,5 @@ void vtkTextureSliceTexture::SetNearest(bool nearest)
 void vtkTextureSliceTexture::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Texture->ReleaseGraphicsResources(window);
-  this->Digest = nullptr;
+  this->Checksum = nullptr;
 }

@@ -6,7 +6,7 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
-#include "vtkTextureSliceDigest.h"
+#include "vtkTextureSliceChecksums.h"
 #include "vtkTextureSliceTexels.h"
 
 #include <array>
@@ -42,7 +42,7 @@ public:
 
   vtkTextureObject* GetTexture() { return this->Texture; }
   /// The scalars' ranges in small parts of the volume; after an Update without error.
-  const vtkTextureSliceBricks& GetBricks() const { return this->Digest->GetBricks(); }
+  const vtkTextureSliceBricks& GetBricks() const { return this->Checksum->GetBricks(); }
   /// Whether the component of the mask is there.
   bool IsMasked() const { return this->Texels.IsMasked(); }
   /// How a texel t (0 to 1 unless float) of each component becomes its scalar.
@@ -58,8 +58,8 @@ private:
   vtkNew<vtkTextureObject> Texture;
   vtkTextureSliceTexels Texels;
   /// Of what is in the texture; nullptr: not known.
-  vtkSmartPointer<vtkTextureSliceDigest> Digest;
-  vtkTextureSliceDigest::Key Last;
+  vtkSmartPointer<vtkTextureSliceChecksums> Checksum;
+  vtkTextureSliceChecksums::Key Last;
   std::array<int, 5> Allocated{}; ///< size, scalar type and number of the texture's components
 };
 

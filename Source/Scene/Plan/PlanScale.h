@@ -10,9 +10,9 @@
 namespace nexrad::scene
 {
 
-/// The scale for the map of one of a volume's arrays: for the moment, its own; for a companion,
-/// one that reaches to the largest value of the map: age in minutes, weight, a colour for each
-/// number of radars and for each of the volume's sites.
+/// The scale for the map of one of a volume's arrays: for the moment, its own; for an ancillary
+/// array, one that reaches to the largest value of the map: age in minutes, weight, a colour for
+/// each number of radars and for each of the volume's sites.
 ColourScale ScaleFor(const PlanView& view, const std::string& array,
   const std::vector<std::string>& sites, const ColourScale& moment);
 

@@ -134,20 +134,20 @@ std::string WhereText(const GriddedVolume& volume, const PlanOptions& plan, int 
 {
   std::string has = ToString(volume.moment);
   const auto add = [&](const char* end, const auto& values)
-  { has += values.empty() ? "" : ", " + CompanionName(volume.moment, end); };
-  ForEachCompanion(volume.companions, add);
+  { has += values.empty() ? "" : ", " + AncillaryArrayName(volume.moment, end); };
+  ForEachAncillaryArray(volume.ancillary, add);
   throw Error("the volume has no array " + name + "; it has " + has +
               " (merge with ancillary arrays for more)");
 }
 
-// Whether some radar stands behind the voxel; a column may have been filled.
-VoxelState StateOfCompanion(const GriddedVolume& volume, std::size_t voxel)
+// Whether some radar scanned the voxel; column filling also gives values to others.
+VoxelState StateOfAncillaryArray(const GriddedVolume& volume, std::size_t voxel)
 {
   const VoxelState state = volume.states[voxel];
-  const auto& radars = volume.companions.radars;
-  const auto& sites = volume.companions.nearestSite;
+  const auto& radars = volume.ancillary.radars;
+  const auto& sites = volume.ancillary.nearestSite;
   const bool unseen = (!radars.empty() && radars[voxel] == 0) ||
-                      (!sites.empty() && sites[voxel] == VoxelCompanions::NoSite);
+                      (!sites.empty() && sites[voxel] == AncillaryArrays::NoSite);
   return state == VoxelState::RangeFolded            ? state
          : unseen || state == VoxelState::NotScanned ? VoxelState::NotScanned
                                                      : VoxelState::Echo;
@@ -172,12 +172,12 @@ std::vector<float> ValuesOf(
   }
   const auto takeNamed = [&](const char* end, const auto& values)
   {
-    if (!values.empty() && name == CompanionName(volume.moment, end))
+    if (!values.empty() && name == AncillaryArrayName(volume.moment, end))
     {
       take(values);
     }
   };
-  ForEachCompanion(volume.companions, takeNamed);
+  ForEachAncillaryArray(volume.ancillary, takeNamed);
   if (taken.empty())
   {
     RefuseArray(volume, name);
@@ -207,7 +207,7 @@ PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan)
   const bool moment = plan.array.empty() || plan.array == ToString(volume.moment);
   for (const std::size_t voxel : voxels)
   {
-    view.states.push_back(moment ? volume.states[voxel] : StateOfCompanion(volume, voxel));
+    view.states.push_back(moment ? volume.states[voxel] : StateOfAncillaryArray(volume, voxel));
   }
   view.where = WhereText(volume, plan, level);
   return view;

@@ -17,16 +17,16 @@ struct PlanView
   int width = 0;             ///< columns to the east
   int height = 0;            ///< and to the north
   std::vector<float> values; ///< east fastest, then north; without meaning where nothing is known
-  /// Of the moment: the voxel's. Of a companion: Echo where there is a value, NotScanned where no
-  /// radar stands behind the voxel, RangeFolded.
+  /// Of the moment: the voxel's. Of an ancillary array: Echo where there is a value, NotScanned
+  /// where no radar stands behind the voxel, RangeFolded.
   std::vector<VoxelState> states;
   std::string where; ///< which voxels these are, for a caption
 };
 
-/// Takes one voxel of each column. Of a companion array (`plan.array`) the value that stands behind
-/// that voxel, so that a companion's map explains the moment's map of the same choice. Throws Error
-/// for an array that the volume does not have, naming those it has, for a height outside it, and
-/// for a composite of PHI or RHO.
+/// Takes one voxel of each column. Of an ancillary array (`plan.array`) its value in that
+/// voxel, so that the map of the array belongs to the map of the moment with the same choice.
+/// Throws Error for an array that the volume does not have, naming those it has, for a height
+/// outside it, and for a composite of PHI or RHO.
 PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan);
 
 } // namespace nexrad::scene

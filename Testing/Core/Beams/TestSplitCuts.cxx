@@ -248,7 +248,7 @@ TEST(SplitCuts, LowestVoxelsOfTDALAreRenewedEachMinute)
   const RadarVolume file = ReadLevel2(data / "level2/tdwr/TDAL20191021021543V08.raw.gz");
   const PolarVolume volume = MakePolarVolume(file, MomentName::REF);
   BeamMergeOptions options;
-  options.companions = true;
+  options.ancillary = true;
   BeamMerger merger(GridAbout(volume.site, 34), options);
   for (const char* time : {"2019-10-21T02:16:00Z", "2019-10-21T02:16:30Z", "2019-10-21T02:17:00Z",
          "2019-10-21T02:17:30Z", "2019-10-21T02:18:00Z", "2019-10-21T02:18:30Z"})
@@ -264,7 +264,7 @@ TEST(SplitCuts, LowestVoxelsOfTDALAreRenewedEachMinute)
       if (voxel.groundDistance < 85'000.0 && voxel.index / columns < 8 && age < 0.0F &&
           (state == VoxelState::Echo || state == VoxelState::NoEcho))
       {
-        age = merged->companions.age[voxel.index];
+        age = merged->ancillary.age[voxel.index];
       }
     };
     // Level by level upwards, so that the lowest comes first.

@@ -297,7 +297,7 @@ TEST(SweepMeans, ALoneGateIsSeenAsFarAsItsCellReaches)
   }
   const std::vector<PolarVolume> volumes = {VolumeOf({before}), VolumeOf({after})};
   BeamMergeOptions withAges;
-  withAges.companions = true;
+  withAges.ancillary = true;
   const GridSpecification grid = GridOfWidth(10'000.0, 31);
   const GriddedVolume quick = MergeAt(volumes, 100.0, {}, grid);
   const GriddedVolume whole = MergeAt(volumes, 100.0, withAges, grid);

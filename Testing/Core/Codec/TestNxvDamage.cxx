@@ -14,7 +14,7 @@
 #include <functional>
 
 using namespace nexrad;
-using nexrad::testing::AddCompanions;
+using nexrad::testing::AddAncillary;
 using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::TemporaryFolder;
@@ -95,7 +95,7 @@ std::string Deflated(const std::string& text)
   return {bytes.begin(), bytes.end()};
 }
 
-// Files of every encoding, all but the first with companions, as codes and as floats.
+// Files of every encoding, all but the first with ancillary arrays, as codes and as floats.
 std::vector<std::string> GoodFiles()
 {
   const TemporaryFolder folder;
@@ -109,7 +109,7 @@ std::vector<std::string> GoodFiles()
     options.encoding = encoding;
     if (encoding == NxvEncoding::RunLengthDeflated)
     {
-      AddCompanions(volume);
+      AddAncillary(volume);
     }
     WriteNxv(folder.Path() / "a.nxv", volume, options);
     files.push_back(FileContent(folder.Path() / "a.nxv"));
@@ -154,8 +154,8 @@ TEST(NxvDamage, AFlippedBitIsFoundOrHarmless)
         ++unnoticed;
         EXPECT_EQ(file.Last().values, good.values) << "byte " << byte;
         EXPECT_EQ(file.Last().states, good.states) << "byte " << byte;
-        EXPECT_EQ(file.Last().companions.age, good.companions.age) << "byte " << byte;
-        EXPECT_EQ(file.Last().companions.nearestSite, good.companions.nearestSite);
+        EXPECT_EQ(file.Last().ancillary.age, good.ancillary.age) << "byte " << byte;
+        EXPECT_EQ(file.Last().ancillary.nearestSite, good.ancillary.nearestSite);
         EXPECT_EQ(file.Last().grid.origin, good.grid.origin) << "byte " << byte;
         EXPECT_EQ(file.Last().time, good.time) << "byte " << byte;
         EXPECT_EQ(file.Last().sites, good.sites) << "byte " << byte;
@@ -265,11 +265,11 @@ TEST(NxvDamage, AnArrayOfAnotherNameIsPassedOver)
     header.arrays[1].type = NxvType::Float32;
     header.arrays[1].storage = NxvStorage::Deflated;
     EXPECT_EQ(file.ErrorOf(FileOf(header, {"\x81\x82\x83\x84", Deflated("anything")})), "");
-    EXPECT_TRUE(file.Last().companions.age.empty());
+    EXPECT_TRUE(file.Last().ancillary.age.empty());
   }
 }
 
-TEST(NxvDamage, CompanionsThatCannotBeAreErrors)
+TEST(NxvDamage, AncillaryArraysThatCannotBeAreErrors)
 {
   const Damaged file;
   const auto errorWith = [&](const std::string& name, NxvType type, const std::string& bytes)

@@ -14,7 +14,7 @@
 #include <random>
 
 using namespace nexrad;
-using nexrad::testing::AddCompanions;
+using nexrad::testing::AddAncillary;
 using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::TemporaryFolder;
@@ -210,72 +210,72 @@ TEST(NxvFile, EmptyFullAndRandomVolumesRoundTrip)
   }
 }
 
-TEST(NxvFile, CompanionsComeBack)
+TEST(NxvFile, AncillaryArraysComeBack)
 {
   GriddedVolume volume = MakeGriddedVolume({40, 30, 20});
-  AddCompanions(volume);
+  AddAncillary(volume);
   for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength,
          NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
   {
     const GriddedVolume read = RoundTrip(volume, With(encoding));
-    EXPECT_EQ(read.companions.radars, volume.companions.radars);
-    EXPECT_EQ(read.companions.nearestSite, volume.companions.nearestSite);
+    EXPECT_EQ(read.ancillary.radars, volume.ancillary.radars);
+    EXPECT_EQ(read.ancillary.nearestSite, volume.ancillary.nearestSite);
     if (encoding == NxvEncoding::Float)
     {
-      EXPECT_EQ(read.companions.age, volume.companions.age);
-      EXPECT_EQ(read.companions.weight, volume.companions.weight);
+      EXPECT_EQ(read.ancillary.age, volume.ancillary.age);
+      EXPECT_EQ(read.ancillary.weight, volume.ancillary.weight);
       continue;
     }
     // The ages reach to 186,473 s: 255 steps of 1000 s. The weights reach to 1: of 0.01.
     for (std::size_t i = 0; i < volume.values.size(); ++i)
     {
-      ASSERT_NEAR(read.companions.age[i], volume.companions.age[i], 500.01F) << i;
-      ASSERT_NEAR(read.companions.weight[i], volume.companions.weight[i], 0.00501F) << i;
+      ASSERT_NEAR(read.ancillary.age[i], volume.ancillary.age[i], 500.01F) << i;
+      ASSERT_NEAR(read.ancillary.weight[i], volume.ancillary.weight[i], 0.00501F) << i;
     }
-    EXPECT_NE(read.companions.age, volume.companions.age);
+    EXPECT_NE(read.ancillary.age, volume.ancillary.age);
     // What was rounded once stays as it is.
     const GriddedVolume again = RoundTrip(read, With(encoding));
-    EXPECT_EQ(again.companions.age, read.companions.age);
-    EXPECT_EQ(again.companions.weight, read.companions.weight);
+    EXPECT_EQ(again.ancillary.age, read.ancillary.age);
+    EXPECT_EQ(again.ancillary.weight, read.ancillary.weight);
   }
 }
 
 // The steps of the codes, by the largest value.
-TEST(NxvFile, StepsOfCompanionsAreAsFineAsTheLargestValueAllows)
+TEST(NxvFile, StepsOfAncillaryArraysAreAsFineAsTheLargestValueAllows)
 {
   const std::vector<std::pair<float, double>> cases = {{0.0F, 1.0}, {255.0F, 1.0}, {256.0F, 2.0},
     {511.0F, 5.0}, {900.0F, 5.0}, {1276.0F, 10.0}, {2700.0F, 20.0}};
   for (const auto& [largest, step] : cases)
   {
     GriddedVolume volume = MakeGriddedVolume({4, 1, 1});
-    volume.companions.age = {largest, 0.0F, largest / 2.0F, largest / 3.0F};
-    const std::vector<float> read = RoundTrip(volume, {}).companions.age;
+    volume.ancillary.age = {largest, 0.0F, largest / 2.0F, largest / 3.0F};
+    const std::vector<float> read = RoundTrip(volume, {}).ancillary.age;
     for (std::size_t i = 0; i < read.size(); ++i)
     {
-      EXPECT_NEAR(read[i], volume.companions.age[i], 0.5 * step) << largest;
+      EXPECT_NEAR(read[i], volume.ancillary.age[i], 0.5 * step) << largest;
       EXPECT_EQ(std::remainder(static_cast<double>(read[i]), step), 0.0) << largest;
     }
     EXPECT_EQ(read[1], 0.0F);
   }
 }
 
-TEST(NxvFile, CompanionsCanBeLeftOutAndSomeBeMissing)
+TEST(NxvFile, AncillaryArraysCanBeLeftOutAndSomeBeMissing)
 {
   GriddedVolume volume = MakeGriddedVolume();
-  AddCompanions(volume);
-  volume.companions.weight.clear();
+  AddAncillary(volume);
+  volume.ancillary.weight.clear();
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "a.nxv";
   WriteNxv(path, volume);
-  EXPECT_EQ(
-    ReadNxvCompanionNames(path), (std::vector<std::string>{"REF_age", "REF_radars", "REF_site"}));
+  EXPECT_EQ(ReadNxvAncillaryArrayNames(path),
+    (std::vector<std::string>{"REF_age", "REF_radars", "REF_site"}));
   NxvReadOptions options;
   options.leaveOut = {"REF_age", "REF_site"};
   const GriddedVolume read = ReadNxv(path, options);
-  EXPECT_TRUE(read.companions.age.empty());
-  EXPECT_TRUE(read.companions.weight.empty());
-  EXPECT_TRUE(read.companions.nearestSite.empty());
-  EXPECT_EQ(read.companions.radars, volume.companions.radars);
+  EXPECT_TRUE(read.ancillary.age.empty());
+  EXPECT_TRUE(read.ancillary.weight.empty());
+  EXPECT_TRUE(read.ancillary.nearestSite.empty());
+  EXPECT_EQ(read.ancillary.radars, volume.ancillary.radars);
   // Memory counts for what is read alone: 60 voxels of six bytes, and one more each.
   options.maximumBytes = 60 * 7;
   EXPECT_EQ(ReadNxv(path, options).values.size(), 60u);
@@ -283,10 +283,10 @@ TEST(NxvFile, CompanionsCanBeLeftOutAndSomeBeMissing)
   EXPECT_THROW(ReadNxv(path, options), Error);
   // A volume without any has none in its file.
   WriteNxv(path, MakeGriddedVolume());
-  EXPECT_TRUE(ReadNxvCompanionNames(path).empty());
-  volume.companions.age[3] = -1.0F;
+  EXPECT_TRUE(ReadNxvAncillaryArrayNames(path).empty());
+  volume.ancillary.age[3] = -1.0F;
   EXPECT_THROW(WriteNxv(path, volume), Error);
-  volume.companions.age.pop_back();
+  volume.ancillary.age.pop_back();
   EXPECT_THROW(WriteNxv(path, volume), Error);
 }
 

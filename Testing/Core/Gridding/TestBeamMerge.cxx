@@ -407,7 +407,7 @@ TEST(BeamMerge, FillingIsAnOption)
 {
   const std::vector<PolarVolume> volumes = {VolumeOf({UniformSweep(1, 2.0, 20.0F)})};
   BeamMergeOptions options;
-  options.fill = true;
+  options.fillColumns = true;
   const GriddedVolume open = MergeAt(volumes, 0.0);
   const GriddedVolume filled = MergeAt(volumes, 0.0, options);
   const auto check = [&](const SeenVoxel& voxel)

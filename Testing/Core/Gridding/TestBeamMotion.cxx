@@ -418,7 +418,7 @@ TEST(BeamMotion, WhatIsPassedOverHoldsNothing)
     [](NumberSweep& sweep) { sweep.states[sweep.Index(20, 70)] = GateState::RangeFolded; });
   const MotionField motion = MotionField::Constant(velocity);
   BeamMergeOptions withAges;
-  withAges.companions = true;
+  withAges.ancillary = true;
   GridSpecification grid = SceneGrid(); // reaches beyond the last gates
   for (const double seconds : {-400.0, -250.0, -20.0, 10.0, 120.0, 190.0, 260.0, 500.0})
   {

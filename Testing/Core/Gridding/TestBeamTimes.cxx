@@ -269,12 +269,12 @@ TEST(BeamOverlap, VelocityComesFromTheNearestRadarWhateverTheStrategy)
   }
 }
 
-TEST(BeamOverlap, CompanionsSayWhoSawAVoxelAndWhen)
+TEST(BeamOverlap, AncillaryArraysSayWhoSawAVoxelAndWhen)
 {
   std::vector<PolarVolume> radars = TwoRadars(20.0F, 40.0F);
   BeamMergeOptions options;
-  EXPECT_TRUE(MergeAt(radars, 0.0, options).companions.age.empty());
-  options.companions = true;
+  EXPECT_TRUE(MergeAt(radars, 0.0, options).ancillary.age.empty());
+  options.ancillary = true;
   for (PolarSweep& sweep : radars[1].sweeps)
   {
     for (PolarRay& ray : sweep.rays)
@@ -283,23 +283,23 @@ TEST(BeamOverlap, CompanionsSayWhoSawAVoxelAndWhen)
     }
   }
   const GriddedVolume volume = MergeAt(radars, 100.0, options);
-  const VoxelCompanions& companions = volume.companions;
+  const AncillaryArrays& ancillary = volume.ancillary;
   ASSERT_EQ(volume.sites, (std::vector<std::string>{"KEST", "KWST"}));
   const auto check = [&](std::size_t index, double west, double east)
   {
-    ASSERT_EQ(companions.radars[index], 2);
-    ASSERT_NEAR(companions.age[index], 70.0, 1e-3); // of the newer
-    ASSERT_NEAR(companions.weight[index],
-      std::exp(-west * west / 1e10) + std::exp(-east * east / 1e10), 0.01);
+    ASSERT_EQ(ancillary.radars[index], 2);
+    ASSERT_NEAR(ancillary.age[index], 70.0, 1e-3); // of the newer
+    ASSERT_NEAR(
+      ancillary.weight[index], std::exp(-west * west / 1e10) + std::exp(-east * east / 1e10), 0.01);
     ASSERT_TRUE(
-      std::abs(west - east) < 500.0 || companions.nearestSite[index] == (east < west ? 0 : 1));
+      std::abs(west - east) < 500.0 || ancillary.nearestSite[index] == (east < west ? 0 : 1));
   };
   ForEachOverlap(volume.grid, check);
   for (std::size_t i = 0; i < volume.states.size(); ++i)
   {
     const bool scanned = volume.states[i] != VoxelState::NotScanned;
-    ASSERT_EQ(companions.radars[i] > 0, scanned);
-    ASSERT_EQ(companions.nearestSite[i] < 2, scanned);
+    ASSERT_EQ(ancillary.radars[i] > 0, scanned);
+    ASSERT_EQ(ancillary.nearestSite[i] < 2, scanned);
   }
 }
 

@@ -182,7 +182,7 @@ TEST(Assembly, ACutThatIsScannedAgainIsNoDamage)
   const RadarVolume volume = DecodeRays({brokenOff, MakeSweepBytes(31, ray, 40, 4)});
   ASSERT_EQ(volume.sweeps.size(), 2U);
   EXPECT_TRUE(volume.damage.empty());
-  EXPECT_TRUE(HasNote(volume, "sweep 0 (elevation number 1) was broken off and scanned again"));
+  EXPECT_TRUE(HasNote(volume, "sweep 0 (elevation number 1) was interrupted and restarted"));
   // Another cut in its place means that rays were lost.
   ray.cut = 2;
   EXPECT_TRUE(HasDamage(

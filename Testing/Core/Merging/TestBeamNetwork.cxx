@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Several radars about one time, through the choice of their volumes: radars that start, stop and
-// miss volumes, how they overlap, and what stands behind each voxel.
+// miss volumes, how they overlap, and the ancillary arrays.
 #include "BeamScene.h"
 #include "nexrad/Merging/TimeMerge.h"
 
@@ -93,11 +93,11 @@ private:
   MergeRun run;
 };
 
-BeamMergeOptions WithCompanions(OverlapStrategy strategy = OverlapStrategy::Distance)
+BeamMergeOptions WithAncillaryArrays(OverlapStrategy strategy = OverlapStrategy::Distance)
 {
   BeamMergeOptions options;
   options.strategy = strategy;
-  options.companions = true;
+  options.ancillary = true;
   return options;
 }
 
@@ -211,7 +211,7 @@ TEST(BeamNetwork, AConstantFieldStaysConstantWhileARadarStartsMissesVolumesAndSt
   const Ranges ranges;
   for (const OverlapStrategy strategy : allStrategies)
   {
-    NetworkRun run(volumes, WithCompanions(strategy));
+    NetworkRun run(volumes, WithAncillaryArrays(strategy));
     std::size_t eastAlone = 0;
     for (double seconds = 600.0; seconds < 6600.0; seconds += 50.0)
     {
@@ -222,8 +222,8 @@ TEST(BeamNetwork, AConstantFieldStaysConstantWhileARadarStartsMissesVolumesAndSt
         const bool echo = volume.states[i] == VoxelState::Echo;
         ASSERT_TRUE(!echo || std::abs(volume.values[i] - 30.0F) < 1e-3F) << seconds;
         ASSERT_TRUE(echo || ranges.west[i] < 0.0) << seconds;
-        const bool one = volume.companions.radars[i] == 1;
-        eastAlone += eastTakesPart && one && volume.companions.nearestSite[i] == 0;
+        const bool one = volume.ancillary.radars[i] == 1;
+        eastAlone += eastTakesPart && one && volume.ancillary.nearestSite[i] == 0;
       }
     }
     EXPECT_GT(eastAlone, 5'000u);
@@ -238,7 +238,7 @@ TEST(BeamNetwork, ARadarThatStartsMissesVolumesAndStopsFades)
   constexpr double step = 10.0; // s
   constexpr double fade = 3.0 * step / gap;
   const std::vector<PolarVolume> volumes = Network(20.0F, 40.0F);
-  NetworkRun run(volumes, WithCompanions());
+  NetworkRun run(volumes, WithAncillaryArrays());
   const Ranges ranges;
   GriddedVolume before = run.At(1400.0);
   double smallestWeight = std::numeric_limits<double>::max();
@@ -253,11 +253,11 @@ TEST(BeamNetwork, ARadarThatStartsMissesVolumesAndStopsFades)
       }
       const double west = WeightAt(ranges.west[i]);
       const double east = WeightAt(ranges.east[i]);
-      const double weight = now.companions.weight[i];
+      const double weight = now.ancillary.weight[i];
       ASSERT_GT(weight, 0.98 * west);
       ASSERT_LT(weight, 1.02 * (west + east));
       // The rays of neighbouring tilts are 24 s apart, and so are the ends of their fades.
-      const double change = std::abs(weight - static_cast<double>(before.companions.weight[i]));
+      const double change = std::abs(weight - static_cast<double>(before.ancillary.weight[i]));
       ASSERT_LT(change, (fade + 24.0 * 3.0 / gap) * east + 0.02 * west) << seconds;
       const double valueStep = std::abs(now.values[i] - before.values[i]);
       ASSERT_LT(valueStep, 20.0 * (fade + 24.0 * 3.0 / gap) * east / west + 0.05) << seconds;
@@ -275,7 +275,7 @@ TEST(BeamNetwork, ARadarThatStartsMissesVolumesAndStopsFades)
 TEST(BeamNetwork, TheWeightOfARadarThatComesAndGoesIsARamp)
 {
   const std::vector<PolarVolume> volumes = Network(20.0F, 40.0F);
-  NetworkRun run(volumes, WithCompanions());
+  NetworkRun run(volumes, WithAncillaryArrays());
   const Ranges ranges;
   const auto partsAt = [&](double seconds)
   {
@@ -285,7 +285,7 @@ TEST(BeamNetwork, TheWeightOfARadarThatComesAndGoesIsARamp)
     {
       if (ranges.Both(i))
       {
-        const double both = static_cast<double>(volume.companions.weight[i]);
+        const double both = static_cast<double>(volume.ancillary.weight[i]);
         parts.push_back((both - WeightAt(ranges.west[i])) / WeightAt(ranges.east[i]));
       }
     }
@@ -318,7 +318,7 @@ TEST(BeamNetwork, TheWeightOfARadarThatComesAndGoesIsARamp)
 
 // Worked out by hand: KWST saw 20 dBZ 100 s before the time, KEST 40 dBZ 800 s before it, so that
 // KEST counts for 3·(1 − 800/900) = 1/3.
-TEST(BeamNetwork, CompanionsAndValuesByHandForEachStrategy)
+TEST(BeamNetwork, AncillaryArraysAndValuesByHandForEachStrategy)
 {
   std::vector<PolarVolume> volumes;
   for (const auto& [name, site, value, seconds] :
@@ -357,7 +357,7 @@ TEST(BeamNetwork, CompanionsAndValuesByHandForEachStrategy)
   };
   for (const OverlapStrategy strategy : allStrategies)
   {
-    const GriddedVolume volume = NetworkRun(volumes, WithCompanions(strategy)).At(0.0);
+    const GriddedVolume volume = NetworkRun(volumes, WithAncillaryArrays(strategy)).At(0.0);
     ASSERT_EQ(volume.sites, (std::vector<std::string>{"KEST", "KWST"}));
     std::size_t count = 0;
     for (std::size_t i = 0; i < volume.values.size(); ++i)
@@ -372,10 +372,10 @@ TEST(BeamNetwork, CompanionsAndValuesByHandForEachStrategy)
       const Expected right = expected(strategy, west, east);
       ASSERT_EQ(volume.states[i], VoxelState::Echo);
       ASSERT_NEAR(volume.values[i], right.value, 0.1);
-      ASSERT_NEAR(volume.companions.weight[i], right.weight, 0.01 * right.weight + 1e-4);
-      ASSERT_EQ(volume.companions.radars[i], 2);
-      ASSERT_NEAR(volume.companions.age[i], 100.0, 1e-3);
-      ASSERT_EQ(volume.companions.nearestSite[i], east < west ? 0 : 1);
+      ASSERT_NEAR(volume.ancillary.weight[i], right.weight, 0.01 * right.weight + 1e-4);
+      ASSERT_EQ(volume.ancillary.radars[i], 2);
+      ASSERT_NEAR(volume.ancillary.age[i], 100.0, 1e-3);
+      ASSERT_EQ(volume.ancillary.nearestSite[i], east < west ? 0 : 1);
     }
     EXPECT_GT(count, 500u);
   }
@@ -392,7 +392,7 @@ TEST(BeamNetwork, ASmoothFieldHasNoStripesWhereResolutionsMeet)
   const std::array<Position, 2> sites = {centralSite, eastSite};
   const std::vector<PolarVolume> volumes = {ScanSmoothField("KLEG", centralSite, 360, 1000.0),
     ScanSmoothField("KFIN", eastSite, 720, 250.0)};
-  const GriddedVolume volume = NetworkRun(volumes, WithCompanions()).At(0.0);
+  const GriddedVolume volume = NetworkRun(volumes, WithAncillaryArrays()).At(0.0);
   const std::array<std::vector<double>, 2> ranges = {
     SlantRanges(centralSite), SlantRanges(eastSite)};
   std::size_t ofOne = 0;
@@ -420,7 +420,7 @@ TEST(BeamNetwork, ASmoothFieldHasNoStripesWhereResolutionsMeet)
     double& largest = isAtEnd ? atEnds : elsewhere;
     ASSERT_GT(weights, 0.0);
     largest = std::max(largest, std::abs(volume.values[i] - sum / weights));
-    (volume.companions.radars[i] == 1 ? ofOne : ofBoth) += 1;
+    (volume.ancillary.radars[i] == 1 ? ofOne : ofBoth) += 1;
   }
   EXPECT_LT(elsewhere, 0.06);
   EXPECT_LT(atEnds, 0.15);

@@ -119,10 +119,10 @@ void ExpectSame(const GriddedVolume& part, const GriddedVolume& expected)
   EXPECT_EQ(part.grid.origin, expected.grid.origin);
   EXPECT_TRUE(part.values == expected.values);
   EXPECT_TRUE(part.states == expected.states);
-  EXPECT_TRUE(part.companions.age == expected.companions.age);
-  EXPECT_TRUE(part.companions.radars == expected.companions.radars);
-  EXPECT_TRUE(part.companions.weight == expected.companions.weight);
-  EXPECT_TRUE(part.companions.nearestSite == expected.companions.nearestSite);
+  EXPECT_TRUE(part.ancillary.age == expected.ancillary.age);
+  EXPECT_TRUE(part.ancillary.radars == expected.ancillary.radars);
+  EXPECT_TRUE(part.ancillary.weight == expected.ancillary.weight);
+  EXPECT_TRUE(part.ancillary.nearestSite == expected.ancillary.nearestSite);
   EXPECT_EQ(part.sites, expected.sites);
   EXPECT_EQ(part.fill, expected.fill);
 }
@@ -178,11 +178,11 @@ TEST(MergeBlocks, WhateverTheMethodAsks)
   {
     MergeRequest request = Request();
     request.beam.strategy = strategy;
-    request.beam.companions = true;
+    request.beam.ancillary = true;
     ExpectBlocksOfTheWhole(request, blocks);
   }
   MergeRequest filled = Request();
-  filled.beam.fill = true;
+  filled.beam.fillColumns = true;
   ExpectBlocksOfTheWhole(filled, blocks);
   MergeRequest measured = Request();
   measured.beam.sharpen = false;
@@ -216,15 +216,15 @@ TEST(MergeBlocks, ABlockMustLieInTheGrid)
   }
 }
 
-TEST(MergeBlocks, ADigestKeepsWhatTheSearchForMotionLooksAt)
+TEST(MergeBlocks, ASummaryKeepsWhatTheSearchForMotionLooksAt)
 {
   for (const PolarVolume& volume : ThreeRadars())
   {
-    const VolumeDigest digest = MakeDigest(volume);
-    EXPECT_EQ(digest.reach, 141'000.0);
-    EXPECT_LT(digest.MemoryBytes(), 40'000u);
+    const VolumeSummary summary = MakeSummary(volume);
+    EXPECT_EQ(summary.reach, 141'000.0);
+    EXPECT_LT(summary.MemoryBytes(), 40'000u);
     const VolumeComposite expected = PrepareBeamVolume(volume).composite;
-    const VolumeComposite found = CompositeOf(digest);
+    const VolumeComposite found = CompositeOf(summary);
     ASSERT_EQ(found.cells.size(), expected.cells.size());
     EXPECT_EQ(found.rings, expected.rings);
     EXPECT_EQ(found.values, expected.values);
@@ -236,7 +236,7 @@ TEST(MergeBlocks, ADigestKeepsWhatTheSearchForMotionLooksAt)
       ASSERT_EQ(found.cells[i] == none, expected.cells[i] == none);
     }
   }
-  VolumeDigest torn = MakeDigest(ThreeRadars().front());
+  VolumeSummary torn = MakeSummary(ThreeRadars().front());
   torn.rings -= 1;
   EXPECT_THROW(CompositeOf(torn), Error);
   torn.rings += 2;
@@ -304,7 +304,7 @@ protected:
 
 TEST_F(RowOfRadars, ABlockIsMadeFromTheFilesOfTheRadarsThatReachIt)
 {
-  options.beam.companions = true;
+  options.beam.ancillary = true;
   for (const MergeMethod method : {MergeMethod::Beam, MergeMethod::Thesis})
   {
     options.method = method;

@@ -125,7 +125,7 @@ TEST_F(MergingASeries, OtherOptionsKeepWhatWasDecoded)
   this->ExpectAsDirect(merger, start + 20min);
   const std::size_t decoded = merger.DecodedFiles();
   options.grid.dimensions = {20, 10, 3};
-  options.beam.fill = true;
+  options.beam.fillColumns = true;
   options.step = 10min;
   ASSERT_TRUE(merger.SetOptions(options));
   EXPECT_EQ(merger.Times().size(), 6U);

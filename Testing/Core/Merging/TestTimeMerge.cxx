@@ -233,8 +233,8 @@ TEST(TimeMerge, ARunMakesANewMergerForOtherOptions)
   EXPECT_EQ(&run.MergerFor(request), first);
   request.time += 5min;
   EXPECT_EQ(&run.MergerFor(request), first);
-  request.beam.fill = true;
-  EXPECT_TRUE(run.MergerFor(request).Options().fill);
+  request.beam.fillColumns = true;
+  EXPECT_TRUE(run.MergerFor(request).Options().fillColumns);
   request.grid.dimensions = {16, 16, 4};
   EXPECT_EQ(run.MergerFor(request).Grid().dimensions[0], 16);
 }

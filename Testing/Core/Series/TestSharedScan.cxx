@@ -201,7 +201,7 @@ TEST(SharedScan, PartsMayBeNeighbouringSites)
   EXPECT_EQ(byLatitude[1], (Names{"KEAX00", "KEAX10", "KBGM00", "KBGM10"}));
 }
 
-TEST(SharedScan, DigestsReachAllProcesses)
+TEST(SharedScan, SummariesReachAllProcesses)
 {
   const TemporaryFolder folder;
   const Time start = *ParseIso8601("2006-03-12T18:00Z");
@@ -212,7 +212,7 @@ TEST(SharedScan, DigestsReachAllProcesses)
   }
   SeriesOptions options;
   options.moment = MomentName::REF;
-  options.digests = true;
+  options.summaries = true;
   const SeriesScan alone = *ScanInputs({folder.Path()}, options);
   const auto scan = [&](const Processes& processes)
   {
@@ -224,15 +224,15 @@ TEST(SharedScan, DigestsReachAllProcesses)
   {
     for (std::size_t i = 0; i < 3; ++i)
     {
-      const VolumeDigest& expected = *alone.sites[0].volumes[i].digest;
-      const VolumeDigest& digest = *found->sites.at(0).volumes.at(i).digest;
-      EXPECT_EQ(digest.reach, 100'000.0);
-      EXPECT_EQ(digest.reach, expected.reach);
-      EXPECT_EQ(digest.rings, expected.rings);
-      EXPECT_EQ(digest.echo, expected.echo);
-      EXPECT_EQ(digest.echoTime, expected.echoTime);
-      EXPECT_EQ(digest.picture, expected.picture);
-      EXPECT_NE(std::count(digest.picture.begin(), digest.picture.end(),
+      const VolumeSummary& expected = *alone.sites[0].volumes[i].summary;
+      const VolumeSummary& summary = *found->sites.at(0).volumes.at(i).summary;
+      EXPECT_EQ(summary.reach, 100'000.0);
+      EXPECT_EQ(summary.reach, expected.reach);
+      EXPECT_EQ(summary.rings, expected.rings);
+      EXPECT_EQ(summary.echo, expected.echo);
+      EXPECT_EQ(summary.echoTime, expected.echoTime);
+      EXPECT_EQ(summary.picture, expected.picture);
+      EXPECT_NE(std::count(summary.picture.begin(), summary.picture.end(),
                   static_cast<float>(std::array{10.0, 20.5, 30.0}[i])),
         0);
     }

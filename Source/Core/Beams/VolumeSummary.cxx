@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Beams/VolumeDigest.h"
+#include "nexrad/Beams/VolumeSummary.h"
 
 #include "nexrad/Beams/BeamVolume.h"
 #include "nexrad/System/Error.h"
@@ -77,38 +77,38 @@ private:
 
 } // namespace
 
-VolumeDigest MakeDigest(const PolarVolume& volume)
+VolumeSummary MakeSummary(const PolarVolume& volume)
 {
-  VolumeDigest digest;
+  VolumeSummary summary;
   for (const PolarSweep& sweep : volume.sweeps)
   {
-    digest.reach = std::max(
-      digest.reach, sweep.firstGate + static_cast<double>(sweep.gates) * sweep.gateSpacing);
+    summary.reach = std::max(
+      summary.reach, sweep.firstGate + static_cast<double>(sweep.gates) * sweep.gateSpacing);
   }
   if (volume.moment == MomentName::REF)
   {
     const VolumeComposite composite = PrepareBeamVolume(volume).composite;
-    digest.rings = composite.rings;
-    digest.echoTime = composite.echoTime;
-    digest.echo = composite.echo;
-    digest.picture = PackPicture(composite);
+    summary.rings = composite.rings;
+    summary.echoTime = composite.echoTime;
+    summary.echo = composite.echo;
+    summary.picture = PackPicture(composite);
   }
-  return digest;
+  return summary;
 }
 
-VolumeComposite CompositeOf(const VolumeDigest& digest)
+VolumeComposite CompositeOf(const VolumeSummary& summary)
 {
   VolumeComposite composite;
-  composite.rings = digest.rings;
-  composite.echoTime = digest.echoTime;
-  composite.echo = digest.echo;
+  composite.rings = summary.rings;
+  composite.echoTime = summary.echoTime;
+  composite.echo = summary.echo;
   const std::size_t size = composite.Index(VolumeComposite::Sectors, 0);
   composite.cells.assign(size, VolumeComposite::Cell::NotScanned);
   composite.tops.assign(size, 0);
   composite.values.assign(size, 0.0F);
   CellWriter writer(composite);
   std::size_t count = 1;
-  for (const float word : digest.picture)
+  for (const float word : summary.picture)
   {
     if (word <= -2.0F)
     {

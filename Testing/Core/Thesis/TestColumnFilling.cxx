@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Thesis/VerticalFill.h"
+#include "nexrad/Thesis/ColumnFilling.h"
 
 #include <gtest/gtest.h>
 
@@ -26,19 +26,19 @@ std::vector<float> Filled(std::vector<float> column)
 
 } // namespace
 
-TEST(VerticalFillT7, LinearBetweenCopiedBelowNothingAbove)
+TEST(ColumnFillingT7, LinearBetweenCopiedBelowNothingAbove)
 {
   EXPECT_EQ(Filled({unknown, unknown, 10.0F, unknown, unknown, unknown, 30.0F, unknown}),
     (std::vector<float>{10.0F, 10.0F, 10.0F, 15.0F, 20.0F, 25.0F, 30.0F, -1.0F}));
 }
 
-TEST(VerticalFillT7, SeveralGaps)
+TEST(ColumnFillingT7, SeveralGaps)
 {
   EXPECT_EQ(Filled({0.0F, unknown, 40.0F, 20.0F, unknown, 0.0F, unknown}),
     (std::vector<float>{0.0F, 20.0F, 40.0F, 20.0F, 10.0F, 0.0F, -1.0F}));
 }
 
-TEST(VerticalFillT7, KnownValuesStayAndEmptyColumnsStayEmpty)
+TEST(ColumnFillingT7, KnownValuesStayAndEmptyColumnsStayEmpty)
 {
   EXPECT_EQ(Filled({1.0F, 2.0F, 3.0F}), (std::vector<float>{1.0F, 2.0F, 3.0F}));
   EXPECT_EQ(Filled({unknown, unknown}), (std::vector<float>{-1.0F, -1.0F}));
@@ -47,7 +47,7 @@ TEST(VerticalFillT7, KnownValuesStayAndEmptyColumnsStayEmpty)
 }
 
 // Two columns of three levels, x fastest: only the asked-for column changes.
-TEST(VerticalFillT7, ARangeOfColumnsLeavesTheOthersAlone)
+TEST(ColumnFillingT7, ARangeOfColumnsLeavesTheOthersAlone)
 {
   std::vector<float> values = {unknown, unknown, 4.0F, 8.0F, unknown, unknown};
   FillColumns(values, {2, 1, 3}, 1, 2);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "vtkTextureSliceDigest.h"
+#include "vtkTextureSliceChecksums.h"
 
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
@@ -12,8 +12,8 @@
 #include <cstddef>
 #include <utility>
 
-vtkStandardNewMacro(vtkTextureSliceDigest);
-vtkInformationKeyMacro(vtkTextureSliceDigest, PREPARED, ObjectBase);
+vtkStandardNewMacro(vtkTextureSliceChecksums);
+vtkInformationKeyMacro(vtkTextureSliceChecksums, PREPARED, ObjectBase);
 
 namespace
 {
@@ -62,13 +62,14 @@ Findings LookAtLayer(const vtkTextureSlice::Rows<Scalar>& rows, int height, int 
 
 } // namespace
 
-vtkTextureSliceDigest::Key vtkTextureSliceDigest::MakeKey(const vtkTextureSliceScalars& source)
+vtkTextureSliceChecksums::Key vtkTextureSliceChecksums::MakeKey(
+  const vtkTextureSliceScalars& source)
 {
   return {source.Scalars, source.Scalars->GetMTime(), source.Ghosts,
     source.Ghosts != nullptr ? source.Ghosts->GetMTime() : 0, source.Size, source.CellData};
 }
 
-void vtkTextureSliceDigest::Build(const vtkTextureSliceScalars& source)
+void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
 {
   this->Made = MakeKey(source);
   const auto components = static_cast<std::size_t>(source.Scalars->GetNumberOfComponents());
@@ -99,23 +100,23 @@ void vtkTextureSliceDigest::Build(const vtkTextureSliceScalars& source)
   this->Blocks.Build(source);
 }
 
-vtkSmartPointer<vtkTextureSliceDigest> vtkTextureSliceDigest::Prepare(
-  const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before)
+vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Prepare(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before)
 {
   // The array makes its information when it is first asked, and counts as changed by that.
   vtkInformation* information = source.Scalars->GetInformation();
-  auto digest = vtkSmartPointer<vtkTextureSliceDigest>::New();
-  digest->Build(source);
+  auto checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();
+  checksum->Build(source);
   if (before != nullptr)
   {
-    digest->PreparedOver = before->Made;
-    digest->Prepared = digest->MakeChanges(source, before);
+    checksum->PreparedOver = before->Made;
+    checksum->Prepared = checksum->MakeChanges(source, before);
   }
-  information->Set(PREPARED(), digest);
-  return digest;
+  information->Set(PREPARED(), checksum);
+  return checksum;
 }
 
-vtkSmartPointer<vtkTextureSliceDigest> vtkTextureSliceDigest::Find(
+vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Find(
   const vtkTextureSliceScalars& source)
 {
   if (!source.Scalars->HasInformation())
@@ -123,24 +124,24 @@ vtkSmartPointer<vtkTextureSliceDigest> vtkTextureSliceDigest::Find(
     return nullptr;
   }
   auto* prepared =
-    vtkTextureSliceDigest::SafeDownCast(source.Scalars->GetInformation()->Get(PREPARED()));
+    vtkTextureSliceChecksums::SafeDownCast(source.Scalars->GetInformation()->Get(PREPARED()));
   return prepared != nullptr && prepared->Made == MakeKey(source) ? prepared : nullptr;
 }
 
-vtkSmartPointer<vtkTextureSliceDigest> vtkTextureSliceDigest::Get(
+vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Get(
   const vtkTextureSliceScalars& source)
 {
-  auto digest = Find(source);
-  if (digest == nullptr)
+  auto checksum = Find(source);
+  if (checksum == nullptr)
   {
-    digest = vtkSmartPointer<vtkTextureSliceDigest>::New();
-    digest->Build(source);
+    checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();
+    checksum->Build(source);
   }
-  return digest;
+  return checksum;
 }
 
-vtkTextureSliceChanges vtkTextureSliceDigest::MakeChanges(
-  const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before) const
+vtkTextureSliceChanges vtkTextureSliceChecksums::MakeChanges(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before) const
 {
   const bool comparable = before != nullptr && this->Texels.IsLike(before->Texels);
   vtkTextureSliceChanges changes;
@@ -149,8 +150,8 @@ vtkTextureSliceChanges vtkTextureSliceDigest::MakeChanges(
   return changes;
 }
 
-vtkTextureSliceChanges vtkTextureSliceDigest::TakeChanges(
-  const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before)
+vtkTextureSliceChanges vtkTextureSliceChecksums::TakeChanges(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before)
 {
   auto prepared = std::exchange(this->Prepared, std::nullopt);
   if (prepared && before != nullptr && before->Made == this->PreparedOver)

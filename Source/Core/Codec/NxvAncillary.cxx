@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Codec/NxvCompanions.h"
+#include "nexrad/Codec/NxvAncillary.h"
 
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
@@ -26,21 +26,21 @@ void CheckAll(const std::vector<Value>& values, const Test& isPossible, const st
 
 } // namespace
 
-void CheckCompanion(const std::string&, const std::vector<float>& values, std::size_t)
+void CheckAncillaryArray(const std::string&, const std::vector<float>& values, std::size_t)
 {
   CheckAll(
     values, [](float value) { return value >= 0.0F && std::isfinite(value); },
     "must be 0 or more, and finite");
 }
 
-void CheckCompanion(
+void CheckAncillaryArray(
   const std::string& name, const std::vector<std::uint8_t>& values, std::size_t sites)
 {
   if (name == "site")
   {
     CheckAll(
       values,
-      [sites](std::uint8_t site) { return site < sites || site == VoxelCompanions::NoSite; },
+      [sites](std::uint8_t site) { return site < sites || site == AncillaryArrays::NoSite; },
       "must be one of " + std::to_string(sites) + " sites, counted from 0, or 255");
   }
 }

@@ -12,7 +12,7 @@ namespace nexrad
 
 /// What must be known of a volume where its rays are not needed: how far it sees, and for
 /// reflectivity the picture in which motion is looked for. Some ten thousand bytes.
-struct VolumeDigest
+struct VolumeSummary
 {
   double reach = 0.0;    ///< m, slant range of the outer edge of the farthest gate of any sweep
   int rings = 0;         ///< of the composite
@@ -25,11 +25,11 @@ struct VolumeDigest
   std::size_t MemoryBytes() const { return sizeof(*this) + picture.size() * sizeof(float); }
 };
 
-/// The digest of a volume; without a picture for other moments than REF.
-VolumeDigest MakeDigest(const PolarVolume& volume);
+/// The summary of a volume; without a picture for other moments than REF.
+VolumeSummary MakeSummary(const PolarVolume& volume);
 
 /// The composite again, as far as the search for motion looks at it: which cells were scanned,
 /// their values exactly, and the echo. Throws Error when the picture does not have its size.
-VolumeComposite CompositeOf(const VolumeDigest& digest);
+VolumeComposite CompositeOf(const VolumeSummary& summary);
 
 } // namespace nexrad

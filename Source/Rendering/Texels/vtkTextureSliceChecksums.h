@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What has to be known of a volume's scalars before they are uploaded.
-#ifndef vtkTextureSliceDigest_h
-#define vtkTextureSliceDigest_h
+#ifndef vtkTextureSliceChecksums_h
+#define vtkTextureSliceChecksums_h
 
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
@@ -23,52 +23,52 @@ class vtkInformationObjectBaseKey;
  * stays with the array (in its information). It takes 16 bytes a brick and 8 a block: 2 MB at 256 x
  * 256 x 128.
  */
-class vtkTextureSliceDigest : public vtkObject
+class vtkTextureSliceChecksums : public vtkObject
 {
 public:
-  static vtkTextureSliceDigest* New();
-  vtkTypeMacro(vtkTextureSliceDigest, vtkObject);
+  static vtkTextureSliceChecksums* New();
+  vtkTypeMacro(vtkTextureSliceChecksums, vtkObject);
 
-  /// All that a digest is made from; pointers are compared, never followed.
+  /// All that a checksum is made from; pointers are compared, never followed.
   using Key =
     std::tuple<const void*, vtkMTimeType, const void*, vtkMTimeType, std::array<int, 3>, bool>;
   static Key MakeKey(const vtkTextureSliceScalars& source);
 
   /**
-   * Makes the digest and leaves it with the array, whose size must be that of the source. With the
-   * digest of the scalars that are expected to be in the texture before, the texels that change
-   * are encoded as well, to stay until TakeChanges.
+   * Makes the checksum and leaves it with the array, whose size must be that of the source. With
+   * the checksum of the scalars that are expected to be in the texture before, the texels that
+   * change are encoded as well, to stay until TakeChanges.
    */
-  static vtkSmartPointer<vtkTextureSliceDigest> Prepare(
-    const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before);
-  /// The digest that was prepared, if nothing has changed since; or nullptr.
-  static vtkSmartPointer<vtkTextureSliceDigest> Find(const vtkTextureSliceScalars& source);
-  /// The digest that was prepared, or a new one.
-  static vtkSmartPointer<vtkTextureSliceDigest> Get(const vtkTextureSliceScalars& source);
+  static vtkSmartPointer<vtkTextureSliceChecksums> Prepare(
+    const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before);
+  /// The checksum that was prepared, if nothing has changed since; or nullptr.
+  static vtkSmartPointer<vtkTextureSliceChecksums> Find(const vtkTextureSliceScalars& source);
+  /// The checksum that was prepared, or a new one.
+  static vtkSmartPointer<vtkTextureSliceChecksums> Get(const vtkTextureSliceScalars& source);
 
   /// What has to be uploaded over a texture that holds `before`; nullptr: what it holds is not
   /// known. Of what Prepare encoded, this has the last copy.
   vtkTextureSliceChanges TakeChanges(
-    const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before);
+    const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before);
 
   /// How the scalars become texels, masked if one is hidden or not finite.
   const vtkTextureSliceTexels& GetTexels() const { return this->Texels; }
   const vtkTextureSliceBricks& GetBricks() const { return this->Bricks; }
 
 protected:
-  vtkTextureSliceDigest() = default;
-  ~vtkTextureSliceDigest() override = default;
+  vtkTextureSliceChecksums() = default;
+  ~vtkTextureSliceChecksums() override = default;
 
 private:
-  vtkTextureSliceDigest(const vtkTextureSliceDigest&) = delete;
-  void operator=(const vtkTextureSliceDigest&) = delete;
+  vtkTextureSliceChecksums(const vtkTextureSliceChecksums&) = delete;
+  void operator=(const vtkTextureSliceChecksums&) = delete;
 
   /// Where it is kept in an array's information.
   static vtkInformationObjectBaseKey* PREPARED();
   void Build(const vtkTextureSliceScalars& source);
 
   vtkTextureSliceChanges MakeChanges(
-    const vtkTextureSliceScalars& source, const vtkTextureSliceDigest* before) const;
+    const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before) const;
 
   Key Made;
   vtkTextureSliceTexels Texels;
