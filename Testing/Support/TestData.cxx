@@ -19,6 +19,12 @@ std::optional<fs::path> TestDataFolder()
   return fs::is_directory(folder / "level2") ? std::optional(folder) : std::nullopt;
 }
 
+bool TestDataIsRequired()
+{
+  const char* variable = std::getenv("NEXRAD_REQUIRE_TEST_DATA");
+  return variable != nullptr && std::string(variable) == "1";
+}
+
 std::string FileContent(const fs::path& path)
 {
   std::ifstream file(path, std::ios::binary);

@@ -12,6 +12,9 @@ namespace nexrad::testing
 /// NEXRAD_TEST_DATA names it, else the CMake variable of that name did.
 std::optional<std::filesystem::path> TestDataFolder();
 
+/// Whether a test without its real files fails.
+bool TestDataIsRequired();
+
 /// All bytes of a file; "" when it cannot be read.
 std::string FileContent(const std::filesystem::path& path);
 
@@ -31,11 +34,16 @@ private:
 
 } // namespace nexrad::testing
 
-/// At the start of a test that needs real files: skips it, saying so, where they are absent.
+/// At the start of a test that needs real files: where they are absent, skips it, or fails when the environment
+/// variable NEXRAD_REQUIRE_TEST_DATA is 1, as the test command sets it.
 #define NEXRAD_REQUIRE_TEST_DATA(folder)                                                           \
   const auto folder##Found = nexrad::testing::TestDataFolder();                                    \
   if (!folder##Found)                                                                              \
   {                                                                                                \
+    if (nexrad::testing::TestDataIsRequired())                                                     \
+    {                                                                                              \
+      FAIL() << "real radar files not found: set NEXRAD_TEST_DATA";                                \
+    }                                                                                              \
     GTEST_SKIP() << "real radar files not found: set NEXRAD_TEST_DATA";                            \
   }                                                                                                \
   const std::filesystem::path& folder = *folder##Found
