@@ -57,7 +57,9 @@ int ReportParseError(const CLI::App& program, const CLI::ParseError& error)
     program.get_subcommands().empty() ? ExplainMissingCommand(program) : error.what();
   std::replace(message.begin(), message.end(), '\n', ' ');
   Complain(program, message + " (see " + CalledName(program) + " --help)");
-  return WrongUsage;
+  // The processes that mpiexec launched all read the same words. One that ended with an error would
+  // make mpiexec end the others, and the first of them may not have spoken yet.
+  return FindLaunchedProcess().IsFirst() ? WrongUsage : Done;
 }
 
 int RunAction(const CLI::App& program, const CommandAction& action)
