@@ -60,12 +60,6 @@ PolarCache::Volume PolarCache::Find(const SeriesVolume& key)
   return entries.front().volume;
 }
 
-bool PolarCache::HasRoom() const
-{
-  const std::lock_guard<std::mutex> lock(mutex);
-  return used < limit;
-}
-
 std::size_t PolarCache::Used() const
 {
   const std::lock_guard<std::mutex> lock(mutex);

@@ -34,9 +34,6 @@ public:
   /// The volume, or nullptr when it is not kept.
   Volume Find(const SeriesVolume& key);
 
-  /// True when Offer has room for something.
-  bool HasRoom() const;
-
   /// Bytes that the volumes take, at most the limit.
   std::size_t Used() const;
 
