@@ -297,7 +297,7 @@ void SeriesMerger::Plan(const Extent& extent)
   }
 }
 
-bool SeriesMerger::Scan(const Progress& progress)
+bool SeriesMerger::ScanFiles(const Progress& progress)
 {
   if (!cache)
   {
@@ -309,8 +309,13 @@ bool SeriesMerger::Scan(const Progress& progress)
   series.summaries = setup.scanFirst;
   const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
                       const PolarCache::Volume& volume) { cache->Offer(key, volume); };
-  scan = ScanInputs(inputs, series, keep, progress);
-  if (!scan)
+  scan = nexrad::ScanFiles(found, series, keep, progress);
+  return scan.has_value();
+}
+
+bool SeriesMerger::Scan(const Progress& progress)
+{
+  if (!this->ScanFiles(progress))
   {
     return false;
   }
@@ -414,10 +419,13 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
   std::optional<std::vector<ReadyVolume>> volumes = loader->About(time, reaching, progress);
   if (volumes && setup.anyOrder && !scan && loader->HeadersErr())
   {
-    if (!this->Scan(progress))
+    if (!this->ScanFiles(progress))
     {
       return std::nullopt;
     }
+    // Grid and time steps stay as they were told: the volumes of a series have one grid, and its
+    // user counts them.
+    this->MakeLoader(this->FilesByScan());
     return this->Merge(time, progress, block, std::move(memory));
   }
   if (!volumes)

@@ -43,7 +43,8 @@ struct MergerSetup
 /// is there before the day is decoded; where the headers do not tell, all files are scanned first.
 /// What is merged at a time, the rays decide. A header that errs may hide a volume. Whoever merges
 /// a whole run asks Confirm afterwards, and begins again when it says no; at single times, Merge
-/// scans all files as soon as a file turns out to lie elsewhere than its header says.
+/// scans all files as soon as a file turns out to lie elsewhere than its header says; grid and time
+/// steps then stay as Open made them.
 class SeriesMerger
 {
 public:
@@ -98,6 +99,7 @@ private:
   bool OpenByHeaders();
   std::optional<Extent> FindExtent();
   void Plan(const Extent& extent);
+  bool ScanFiles(const Progress& progress);
   void PlanByScan();
   void MakeLoader(SeriesFiles files);
   SeriesFiles FilesByHeaders() const;

@@ -99,21 +99,10 @@ private:
   std::exception_ptr failure;
 };
 
-} // namespace
-
-std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
+// `failure` is why nothing was found in this process, of which the others must be told.
+std::optional<SeriesScan> ScanFound(const InputFiles& found, const std::exception_ptr& failure,
   const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
 {
-  InputFiles found;
-  std::exception_ptr failure;
-  try
-  {
-    found = FindInputFiles(inputs);
-  }
-  catch (const std::exception&)
-  {
-    failure = std::current_exception(); // which other processes must be told of
-  }
   const auto scan = [&](const std::vector<std::filesystem::path>& paths)
   {
     if (failure)
@@ -131,6 +120,30 @@ std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& i
     return std::nullopt;
   }
   return CollectSeries(found.problems, *files);
+}
+
+} // namespace
+
+std::optional<SeriesScan> ScanFiles(const InputFiles& found, const SeriesOptions& options,
+  const VolumeVisitor& visitor, const Progress& progress)
+{
+  return ScanFound(found, nullptr, options, visitor, progress);
+}
+
+std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& inputs,
+  const SeriesOptions& options, const VolumeVisitor& visitor, const Progress& progress)
+{
+  InputFiles found;
+  std::exception_ptr failure;
+  try
+  {
+    found = FindInputFiles(inputs);
+  }
+  catch (const std::exception&)
+  {
+    failure = std::current_exception();
+  }
+  return ScanFound(found, failure, options, visitor, progress);
 }
 
 } // namespace nexrad

@@ -24,4 +24,9 @@ std::optional<SeriesScan> ScanInputs(const std::vector<std::filesystem::path>& i
   const SeriesOptions& options = {}, const VolumeVisitor& visitor = {},
   const Progress& progress = {});
 
+/// The same for files that FindInputFiles found before, whatever has become of their folders since.
+/// A file that is gone is left out and named in `problems`.
+std::optional<SeriesScan> ScanFiles(const InputFiles& found, const SeriesOptions& options = {},
+  const VolumeVisitor& visitor = {}, const Progress& progress = {});
+
 } // namespace nexrad

@@ -155,6 +155,45 @@ TEST_F(MergingASeries, AHeaderThatErrsIsFoundOut)
   this->ExpectAsDirect(merger, start + 20min);
 }
 
+// The header of the last file puts it before all others: by the headers the series ends with the
+// file before it, and a scan finds later time steps. Who was told of the others counts them.
+TEST_F(MergingASeries, AScanInBetweenLeavesGridAndTimesAsTheyWereTold)
+{
+  SetHeaderTime(paths[11], start - 20min); // KEAX at 18:55
+  options.begin = start;
+  options.step = 5min;
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  const std::vector<Time> times = merger.Times();
+  const GridSpecification grid = merger.Grid();
+  for (const Time time : times)
+  {
+    ASSERT_TRUE(merger.Merge(time));
+  }
+  EXPECT_TRUE(merger.IsScanned());
+  EXPECT_EQ(merger.Times(), times);
+  EXPECT_EQ(merger.Grid(), grid);
+  EXPECT_NE(merger.Times(), DirectMerge({folder.Path()}, options).Times());
+  this->ExpectAsDirect(merger, start + 54min);
+}
+
+// As where radars are being received.
+TEST_F(MergingASeries, FilesThatComeAndGoMeanwhileDoNoHarm)
+{
+  SeriesMerger merger = this->InAnyOrder();
+  ASSERT_TRUE(merger.Open());
+  const std::optional<GriddedVolume> before = merger.Merge(start + 20min);
+  this->Write(keax, "new", start + 62min, 60.0);
+  std::filesystem::remove(paths[9]); // KEAX at 18:45
+  ASSERT_TRUE(merger.Scan());
+  const std::optional<GriddedVolume> after = merger.Merge(start + 20min);
+  EXPECT_TRUE(after->values == before->values);
+  EXPECT_TRUE(merger.Merge(start + 45min));
+  const std::vector<InputProblem> problems = merger.Problems();
+  EXPECT_TRUE(std::any_of(problems.begin(), problems.end(),
+    [this](const InputProblem& problem) { return problem.leftOut && problem.file == paths[9]; }));
+}
+
 TEST_F(MergingASeries, ARunIsNotConfirmedWhenAHeaderHidAVolume)
 {
   SetHeaderTime(paths[4], start + 48min);

@@ -20,8 +20,6 @@ namespace
 
 using namespace std::chrono_literals;
 using testing::ConstantVolume;
-using testing::TemporaryFolder;
-using testing::WriteLevel2;
 
 const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
 const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
