@@ -17,15 +17,14 @@
 #include <vtkNew.h>
 #include <vtkRenderWindow.h>
 
-#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <cstdio>
 #include <exception>
 #include <mutex>
 #include <numeric>
 #include <optional>
 #include <string>
-#include <thread>
 #include <utility>
 #include <vector>
 
@@ -40,29 +39,33 @@ using namespace nexrad::scene;
 class LoadTimes
 {
 public:
-  void Begin() { ++this->Running; }
+  void Begin()
+  {
+    const std::lock_guard<std::mutex> lock(this->Mutex);
+    ++this->Running;
+  }
   void End(double seconds)
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     this->Seconds.push_back(seconds);
     --this->Running;
+    this->Changed.notify_all();
   }
   std::vector<double> Take()
   {
     const std::lock_guard<std::mutex> lock(this->Mutex);
     return std::exchange(this->Seconds, {});
   }
-  void WaitUntilIdle() const
+  void WaitUntilIdle()
   {
-    while (this->Running > 0)
-    {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    std::unique_lock<std::mutex> lock(this->Mutex);
+    this->Changed.wait(lock, [this] { return this->Running == 0; });
   }
 
 private:
-  std::atomic<int> Running{0};
   std::mutex Mutex;
+  std::condition_variable Changed;
+  int Running = 0;
   std::vector<double> Seconds;
 };
 

@@ -3,12 +3,11 @@
 
 import glob
 import os
-import pathlib
 import shutil
 import socket
 import subprocess
 import tempfile
-import time
+import threading
 import unittest
 
 import Plugin
@@ -38,18 +37,18 @@ def free_port():
         return chosen.getsockname()[1]
 
 
-def start_server(port, log):
+def start_server(port):
     """Starts a server, and returns when it waits for a client. It ends when its client, this program, ends."""
-    with open(log, "w", encoding="utf-8") as output:
-        server = subprocess.Popen(
-            [MPIEXEC, "-n", str(PROCESSES), shutil.which("pvserver"), f"--server-port={port}",
-             "--force-offscreen-rendering"], env=environment(), stdout=output)
+    server = subprocess.Popen(
+        [MPIEXEC, "-n", str(PROCESSES), shutil.which("pvserver"), f"--server-port={port}",
+         "--force-offscreen-rendering"], env=environment(), stdout=subprocess.PIPE, text=True)
     # Another look at its port would be taken for the client.
-    while "Accepting connection" not in pathlib.Path(log).read_text(encoding="utf-8"):
-        if server.poll() is not None:
-            raise RuntimeError(f"pvserver ended with status {server.returncode}")
-        time.sleep(0.2)
-    return server
+    for line in server.stdout:
+        if "Accepting connection" in line:
+            # What it prints later is read as well, so that it never waits for a reader.
+            threading.Thread(target=server.stdout.read, daemon=True).start()
+            return server
+    raise RuntimeError(f"pvserver ended with status {server.wait()}")
 
 
 def open_day(files):
@@ -104,7 +103,7 @@ class Server(unittest.TestCase):
         alone = describe(day)
         expected = {each: draw(day, self.path("alone.png"), each) for each in self.REPRESENTATIONS}
         port = free_port()
-        type(self).server = start_server(port, self.path("server.log"))
+        type(self).server = start_server(port)
         simple.Connect("localhost", port)
         simple.LoadPlugin(os.environ["NEXRAD_PLUGIN"], remote=True)
         day = open_day(self.files)

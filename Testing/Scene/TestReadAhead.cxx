@@ -12,10 +12,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <filesystem>
 #include <memory>
+#include <mutex>
 #include <numeric>
 #include <thread>
 #include <utility>
@@ -27,25 +28,68 @@ using namespace nexrad::scene;
 namespace
 {
 
-// What a series was asked for.
-struct Loads
+// What a series was asked for, and whether more follows.
+class Loads
 {
-  std::atomic<int> all{0};
-  std::atomic<int> atOnce{0};
-  std::atomic<int> mostAtOnce{0};
-  std::atomic<int> onOtherThreads{0};
-  std::thread::id own = std::this_thread::get_id();
-
-  // Waits until so many volumes were asked for, then gives more the time to be.
-  int Settle(int expected) const
+public:
+  void Begin()
   {
-    for (int i = 0; i < 2000 && all < expected; ++i)
-    {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(50));
-    return all;
+    const std::lock_guard<std::mutex> lock(mutex);
+    ++all;
+    mostAtOnce = std::max(mostAtOnce, ++atOnce);
+    onOtherThreads += std::this_thread::get_id() != own ? 1 : 0;
+    full = false;
+    changed.notify_all();
   }
+  void End()
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    --atOnce;
+  }
+  void Fill()
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    full = true;
+    changed.notify_all();
+  }
+
+  // Waits until the loading of so many volumes has begun.
+  void WaitFor(int expected)
+  {
+    this->Wait([this, expected] { return all >= expected; });
+  }
+  // Waits until so many volumes were loaded and there is room for none; how many were loaded.
+  int FullAfter(int expected)
+  {
+    this->Wait([this, expected] { return all >= expected && full; });
+    return this->All();
+  }
+
+  int All() const { return this->Get(all); }
+  int MostAtOnce() const { return this->Get(mostAtOnce); }
+  int OnOtherThreads() const { return this->Get(onOtherThreads); }
+
+private:
+  template <typename Condition>
+  void Wait(const Condition& condition)
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    EXPECT_TRUE(changed.wait_for(lock, std::chrono::seconds(60), condition)) << all << " loads";
+  }
+  int Get(const int& count) const
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return count;
+  }
+
+  mutable std::mutex mutex;
+  std::condition_variable changed;
+  std::thread::id own = std::this_thread::get_id();
+  int all = 0;
+  int atOnce = 0;
+  int mostAtOnce = 0;
+  int onOtherThreads = 0;
+  bool full = false;
 };
 
 struct CountedOptions
@@ -74,11 +118,13 @@ public:
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
   {
-    loads.mostAtOnce = std::max<int>(loads.mostAtOnce, ++loads.atOnce);
-    ++loads.all;
-    loads.onOtherThreads += std::this_thread::get_id() != loads.own ? 1 : 0;
+    if (index == options.slow)
+    {
+      progress(0.5); // heard of before the loading counts as begun
+    }
+    loads.Begin();
     auto volume = this->Make(index, progress);
-    --loads.atOnce;
+    loads.End();
     if (index == options.broken)
     {
       throw Error("broken");
@@ -95,7 +141,7 @@ private:
       {
         return nullptr;
       }
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      std::this_thread::yield();
     }
     auto volume = vtkSmartPointer<vtkImageData>::New();
     volume->SetDimensions(1, 1, static_cast<int>(index) + 1);
@@ -119,6 +165,7 @@ std::unique_ptr<VolumeSeries> Series(Loads& loads, CountedOptions options = {})
     options.readAhead.order.resize(options.count);
     std::iota(options.readAhead.order.begin(), options.readAhead.order.end(), std::size_t(0));
   }
+  options.readAhead.full = [&loads] { loads.Fill(); };
   return ReadAhead(std::make_unique<CountedSeries>(options, loads), options.readAhead);
 }
 
@@ -137,7 +184,7 @@ TEST(ReadAhead, GivesTheVolumeThatIsAskedFor)
   {
     EXPECT_EQ(Slices(*series, index), static_cast<int>(index) + 1);
   }
-  EXPECT_EQ(loads.mostAtOnce, 1) << "a series is used by one thread at a time";
+  EXPECT_EQ(loads.MostAtOnce(), 1) << "a series is used by one thread at a time";
 }
 
 TEST(ReadAhead, ASeriesThatPlaysOnIsLoadedOnAnotherThread)
@@ -145,14 +192,16 @@ TEST(ReadAhead, ASeriesThatPlaysOnIsLoadedOnAnotherThread)
   Loads loads;
   const auto series = Series(loads);
   EXPECT_EQ(Slices(*series, 0), 1);
-  EXPECT_EQ(loads.Settle(4), 4) << "all but the one asked for, which is not loaded again";
+  int expected = 4;
+  EXPECT_EQ(loads.FullAfter(expected), expected)
+    << "all but the one asked for, which is not loaded again";
   for (const std::size_t index : {1, 2, 3, 0, 1, 2})
   {
     EXPECT_EQ(Slices(*series, index), static_cast<int>(index) + 1);
-    loads.Settle(0);
+    ++expected;
+    EXPECT_EQ(loads.FullAfter(expected), expected) << "each step takes one out, and lets one in";
   }
-  EXPECT_EQ(loads.all, 10) << "each step takes one out, and lets one in";
-  EXPECT_EQ(loads.onOtherThreads, 9) << "all but the first";
+  EXPECT_EQ(loads.OnOtherThreads(), 9) << "all but the first";
 }
 
 TEST(ReadAhead, HoldsNoMoreMemoryThanAllowed)
@@ -164,11 +213,11 @@ TEST(ReadAhead, HoldsNoMoreMemoryThanAllowed)
   options.readAhead.memory = std::size_t(3500) << 10;
   const auto series = Series(loads, options);
   series->Load(0, {});
-  EXPECT_EQ(loads.Settle(4), 4) << "the first, and three of 1 MiB ahead";
+  EXPECT_EQ(loads.FullAfter(4), 4) << "the first, and three of 1 MiB ahead";
   series->Load(1, {});
-  EXPECT_EQ(loads.Settle(5), 5) << "one more has room";
+  EXPECT_EQ(loads.FullAfter(5), 5) << "one more has room";
   series->Load(4, {});
-  EXPECT_EQ(loads.Settle(8), 8) << "two are passed over, three more have room";
+  EXPECT_EQ(loads.FullAfter(8), 8) << "two are passed over, three more have room";
 }
 
 TEST(ReadAhead, OneVolumeIsHeldAheadHoweverLarge)
@@ -179,9 +228,9 @@ TEST(ReadAhead, OneVolumeIsHeldAheadHoweverLarge)
   options.readAhead.memory = 0;
   const auto series = Series(loads, options);
   series->Load(0, {});
-  EXPECT_EQ(loads.Settle(2), 2);
+  EXPECT_EQ(loads.FullAfter(2), 2);
   series->Load(1, {});
-  EXPECT_EQ(loads.Settle(3), 3);
+  EXPECT_EQ(loads.FullAfter(3), 3);
 }
 
 TEST(ReadAhead, FollowsTheOrder)
@@ -191,12 +240,14 @@ TEST(ReadAhead, FollowsTheOrder)
   options.count = 9;
   options.readAhead.order = {7, 2, 5};
   const auto series = Series(loads, options);
+  int expected = 2;
   for (const std::size_t index : {7, 2, 5, 7})
   {
     EXPECT_EQ(Slices(*series, index), static_cast<int>(index) + 1);
-    loads.Settle(3);
+    ++expected;
+    EXPECT_EQ(loads.FullAfter(expected), expected);
   }
-  EXPECT_EQ(loads.onOtherThreads, loads.all - 1);
+  EXPECT_EQ(loads.OnOtherThreads(), expected - 1);
   EXPECT_EQ(Slices(*series, 4), 5) << "what is not in the order is loaded when asked for";
 }
 
@@ -210,11 +261,11 @@ TEST(ReadAhead, PreparesEachVolumeAfterTheOneBeforeIt)
   {
     const auto series = Series(loads, options);
     series->Load(0, {});
-    loads.Settle(4);
+    EXPECT_EQ(loads.FullAfter(4), 4);
     series->Load(1, {});
-    loads.Settle(5);
+    EXPECT_EQ(loads.FullAfter(5), 5);
     series->Load(3, {}); // passes one over
-    loads.Settle(7);
+    EXPECT_EQ(loads.FullAfter(7), 7);
   }
   const std::vector<std::pair<int, int>> expected = {
     {1, 0}, {2, 1}, {3, 2}, {4, 3}, {1, 4}, {2, 1}, {3, 2}};
@@ -228,7 +279,7 @@ TEST(ReadAhead, WhatIsLoadedInVainIsStopped)
   options.slow = 1;
   const auto series = Series(loads, options);
   EXPECT_EQ(Slices(*series, 0), 1);
-  loads.Settle(2);
+  loads.WaitFor(2);
   EXPECT_EQ(Slices(*series, 2), 3);
   EXPECT_TRUE(series->Problems().empty());
 } // and what is loaded in the end is stopped as well: 3, 0, and 1 for ever
@@ -240,7 +291,7 @@ TEST(ReadAhead, WhoeverWaitsIsToldHowFarItIsAndMayStop)
   options.slow = 1;
   const auto series = Series(loads, options);
   EXPECT_EQ(Slices(*series, 0), 1);
-  loads.Settle(2);
+  loads.WaitFor(2);
   double told = 0.0;
   const auto stop = [&told](double fraction)
   {
@@ -259,7 +310,7 @@ TEST(ReadAhead, AFailureIsToldWhenItsVolumeIsAskedFor)
   options.broken = 1;
   const auto series = Series(loads, options);
   EXPECT_EQ(Slices(*series, 0), 1);
-  loads.Settle(2);
+  loads.WaitFor(2);
   EXPECT_THROW(series->Load(1, {}), Error);
   EXPECT_EQ(Slices(*series, 2), 3) << "the others are still there";
   EXPECT_EQ(Slices(*series, 0), 1);
@@ -268,32 +319,25 @@ TEST(ReadAhead, AFailureIsToldWhenItsVolumeIsAskedFor)
   EXPECT_EQ(Slices(*series, 3), 4);
 }
 
-TEST(ReadAhead, OneVolumeIsLoadedOnce)
+TEST(ReadAhead, ASeriesOfOneVolumeIsLeftAlone)
 {
   Loads loads;
-  {
-    CountedOptions options;
-    options.readAhead.order = {2};
-    const auto series = Series(loads, options);
-    EXPECT_EQ(Slices(*series, 2), 3);
-    loads.Settle(0);
-  }
-  EXPECT_EQ(loads.all, 1);
+  ReadAheadOptions options;
+  options.order = {2};
+  auto own = std::make_unique<CountedSeries>(CountedOptions{}, loads);
+  const VolumeSeries* const address = own.get();
+  EXPECT_EQ(ReadAhead(std::move(own), options).get(), address) << "nothing follows";
 }
 
 TEST(ReadAhead, ASeriesThatCannotIsLeftAlone)
 {
   Loads loads;
-  {
-    CountedOptions options;
-    options.ahead = false;
-    const auto series = Series(loads, options);
-    EXPECT_EQ(Slices(*series, 0), 1);
-    EXPECT_EQ(Slices(*series, 1), 2);
-    loads.Settle(0);
-  }
-  EXPECT_EQ(loads.all, 2);
-  EXPECT_EQ(loads.onOtherThreads, 0);
+  CountedOptions options;
+  options.ahead = false;
+  options.readAhead.order = {0, 1, 2, 3};
+  auto own = std::make_unique<CountedSeries>(options, loads);
+  const VolumeSeries* const address = own.get();
+  EXPECT_EQ(ReadAhead(std::move(own), options.readAhead).get(), address);
 }
 
 TEST(ReadAhead, RadarFilesMergeAheadToTheSameVolumes)

@@ -149,6 +149,10 @@ private:
     std::unique_lock<std::mutex> lock(mutex);
     while (!ended)
     {
+      if (started && !this->HasRoom() && options.full)
+      {
+        options.full();
+      }
       changed.wait(lock, [this] { return ended || (started && this->HasRoom()); });
       if (ended)
       {

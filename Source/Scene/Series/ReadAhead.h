@@ -19,6 +19,9 @@ struct ReadAheadOptions
   /// Done with each volume on the thread that loaded it, and with the one before it in the order,
   /// if that was loaded before it (else nullptr); never by two threads at once. May be empty.
   std::function<void(vtkImageData* volume, vtkImageData* before)> prepare;
+  /// Called on the other thread each time it has loaded all that there is room for, before it
+  /// waits. It must not use the series. May be empty.
+  std::function<void()> full;
 };
 
 /// The same series, of which the volumes that follow the one asked for last are loaded ahead on
