@@ -10,8 +10,10 @@ endif()
 
 find_program(VTKNexrad_CCACHE ccache)
 mark_as_advanced(VTKNexrad_CCACHE)
-if(VTKNexrad_CCACHE)
+if(VTKNexrad_CCACHE AND NOT DEFINED ENV{CCACHE_DISABLE})
   set(CMAKE_CXX_COMPILER_LAUNCHER "${VTKNexrad_CCACHE}")
+  # The cache takes the place of precompiled headers, and shows where a source leans on what they include.
+  set(CMAKE_DISABLE_PRECOMPILE_HEADERS ON)
 endif()
 
 if(VTKNexrad_SANITIZE)

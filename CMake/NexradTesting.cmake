@@ -15,6 +15,12 @@ function(nexrad_add_test name)
   add_executable(${name} ${arg_SOURCES})
   nexrad_warnings(${name})
   target_link_libraries(${name} PRIVATE NexradTestSupport ${arg_LIBRARIES} GTest::gtest_main)
+  # One file for all of them; the first is the owner.
+  if(name STREQUAL "TestTestSupport")
+    target_precompile_headers(${name} PRIVATE "${CMAKE_SOURCE_DIR}/Testing/Support/PrecompiledHeaders.h")
+  else()
+    target_precompile_headers(${name} REUSE_FROM TestTestSupport)
+  endif()
   target_compile_definitions(${name} PRIVATE
     NEXRAD_BASELINE_DIR="${CMAKE_SOURCE_DIR}/Testing/Baseline"
     NEXRAD_TEST_OUTPUT_DIR="${CMAKE_BINARY_DIR}/Testing/Output")
