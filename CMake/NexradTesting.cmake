@@ -1,12 +1,17 @@
 include(GoogleTest)
 
-# nexrad_add_test(<name> SOURCES <file>... [LIBRARIES <target>...] [LABEL <label>] [TIMEOUT <s>])
+# nexrad_add_test(<name> SOURCES <file>... [LIBRARIES <target>...] [LABEL <label>] [TIMEOUT <s>] [TOGETHER])
 #
-# One GoogleTest program; CTest sees each of its tests. Labels: "quick" (the default), "display" needs
-# an X server, "slow" is left out of the sanitised run.
+# One GoogleTest program. CTest runs each of its tests in a process of its own; with TOGETHER it runs them all
+# in one, so that they share what they simulate. Labels: "quick" (the default), "display" needs an X server,
+# "slow" is left out of the sanitised run.
 function(nexrad_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "" "TIMEOUT;LABEL" "SOURCES;LIBRARIES")
-  if(NOT arg_TIMEOUT)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TOGETHER" "TIMEOUT;LABEL" "SOURCES;LIBRARIES")
+  if(arg_TIMEOUT)
+    # Those that take long start first, so that none of them runs alone in the end.
+    set(cost COST ${arg_TIMEOUT})
+  else()
+    set(cost "")
     set(arg_TIMEOUT 120)
   endif()
   if(NOT arg_LABEL)
@@ -24,8 +29,11 @@ function(nexrad_add_test name)
   target_compile_definitions(${name} PRIVATE
     NEXRAD_BASELINE_DIR="${CMAKE_SOURCE_DIR}/Testing/Baseline"
     NEXRAD_TEST_OUTPUT_DIR="${CMAKE_BINARY_DIR}/Testing/Output")
-  gtest_discover_tests(${name}
-    DISCOVERY_MODE PRE_TEST
-    DISCOVERY_TIMEOUT 60
-    PROPERTIES TIMEOUT ${arg_TIMEOUT} LABELS ${arg_LABEL})
+  set(properties TIMEOUT ${arg_TIMEOUT} LABELS ${arg_LABEL} ${cost})
+  if(arg_TOGETHER)
+    add_test(NAME ${name} COMMAND ${name} --gtest_brief=1) # prints the tests that fail
+    set_tests_properties(${name} PROPERTIES ${properties})
+  else()
+    gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST DISCOVERY_TIMEOUT 60 PROPERTIES ${properties})
+  endif()
 endfunction()

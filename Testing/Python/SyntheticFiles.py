@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A few synthetic radar files, simulated once for all tests of a program."""
+"""A few synthetic radar files: those of NEXRAD_SYNTHETIC_FILES, else simulated once for all tests of a program."""
 
 import atexit
 import functools
@@ -21,9 +21,11 @@ def folder():
 @functools.lru_cache(maxsize=None)
 def files():
     """Paths of 12 minutes of KLSX, from 18:00 UTC, in the order of time."""
-    radar = os.path.join(folder(), "files")
-    subprocess.run([os.environ["NEXRAD3D"], "simulate", radar, "--sites", "KLSX", "--hours", "0.2",
-                    "--quiet"], check=True)
+    radar = os.environ.get("NEXRAD_SYNTHETIC_FILES")
+    if radar is None:
+        radar = os.path.join(folder(), "files")
+        subprocess.run([os.environ["NEXRAD3D"], "simulate", radar, "--sites", "KLSX", "--hours", "0.2",
+                        "--quiet"], check=True)
     paths = [path for path in glob.glob(os.path.join(radar, "**", "*"), recursive=True)
              if os.path.isfile(path)]
     return tuple(sorted(paths))
