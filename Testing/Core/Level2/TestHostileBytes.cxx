@@ -39,10 +39,11 @@ Bytes Repeat(const Bytes& part, std::size_t count)
   return bytes;
 }
 
-// Length and beginning of a record without content.
+// Length and beginning of a record without content. Its blocks are the smallest: libbz2 takes 0.4
+// MB for each such record, not 3.6 MB, which the address sanitiser would mark byte by byte.
 Bytes EmptyRecord(std::uint32_t length)
 {
-  return BlockWriter(14).U32(0, length).Text(4, "BZh91AY&SY").Take();
+  return BlockWriter(14).U32(0, length).Text(4, "BZh11AY&SY").Take();
 }
 
 // A volume of one sweep: rays a tenth of a degree apart, the first changed.
