@@ -22,12 +22,15 @@ void WidenRow(
   to.assign(from.size(), 0);
   const int start = circle ? -by : 0;
   const int end = circle ? size + by : size;
+  const auto at = [&](int i) { return from[static_cast<std::size_t>((i + size) % size)]; };
   for (int i = start; i < end; ++i)
   {
-    const std::uint8_t top = from[static_cast<std::size_t>((i + size) % size)];
+    const std::uint8_t top = at(i);
     if (top > 0)
     {
-      const auto first = to.begin() + std::max(i - by, 0);
+      // Where the place before is as high, it has raised all but the last of them already.
+      const bool raised = i > start && at(i - 1) >= top;
+      const auto first = to.begin() + std::clamp(raised ? i + by : i - by, 0, size);
       const auto last = to.begin() + std::min(i + by + 1, size);
       std::transform(
         first, last, first, [top](std::uint8_t other) { return std::max(other, top); });
