@@ -3,10 +3,10 @@
 // side alone, echo moves as in the others, and its amount does not pulse. A table of the minutes of
 // a real run is printed.
 #include "TestData.h"
+#include "VolumeMotion.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Merging/TimeMerge.h"
-#include "nexrad/Motion/MotionEstimate.h"
 #include "nexrad/Series/VolumeSelection.h"
 
 #include <gtest/gtest.h>
