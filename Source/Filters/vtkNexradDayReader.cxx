@@ -6,7 +6,6 @@
 #include "nexrad/Series/InputError.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
-#include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradProcesses.h"
 #include "vtkNexradSeriesReader.h"
@@ -276,9 +275,7 @@ int vtkNexradDayReader::RequestData(
     this->ReportProblems();
     if (merged)
     {
-      vtkNexradVolumeToImage(*merged, image);
-      vtkNexradPlaceBlock(grid, block, image);
-      image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+      FillOutput(*merged, grid, block, time, image);
     }
   }
   catch (const nexrad::Error& error)

@@ -2,18 +2,27 @@
 #include "vtkNexradGridAlgorithm.h"
 
 #include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Model/Moment.h"
+#include "nexrad/Quality/Despeckling.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradPipeline.h"
+#include "vtkNexradPolarConversion.h"
 #include "vtkNexradThreads.h"
 
-#include "vtkDataObject.h"
+#include "vtkErrorCode.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
+#include "vtkPartitionedDataSetCollection.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace
 {
@@ -31,6 +40,21 @@ nexrad::OverlapStrategy StrategyOf(int strategy)
   default:
     return nexrad::OverlapStrategy::Distance;
   }
+}
+
+std::vector<nexrad::Position> PositionsOf(const std::vector<nexrad::PolarVolume>& volumes)
+{
+  std::vector<nexrad::Position> positions;
+  for (const nexrad::PolarVolume& volume : volumes)
+  {
+    if (!volume.site.position)
+    {
+      throw nexrad::Error(
+        "the position of site \"" + volume.site.name + "\" is unknown: set it in the reader");
+    }
+    positions.push_back(*volume.site.position);
+  }
+  return positions;
 }
 
 } // namespace
@@ -107,16 +131,77 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
   return options;
 }
 
-nexrad::MergeRequest vtkNexradGridAlgorithm::MakeMergeRequest(const nexrad::GridSpecification& grid,
-  const nexrad::VoxelBlock& block, double time, double maximumGap) const
+std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(
+  vtkInformationVector* inputs) const
+{
+  const nexrad::MomentName moment = this->CheckMoment();
+  std::vector<nexrad::PolarVolume> volumes;
+  for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
+  {
+    std::vector<nexrad::PolarVolume> own =
+      vtkNexradSweepsToPolar(vtkPartitionedDataSetCollection::GetData(inputs, i), moment);
+    std::move(own.begin(), own.end(), std::back_inserter(volumes));
+  }
+  for (nexrad::PolarVolume& volume : volumes)
+  {
+    nexrad::Despeckle(volume, this->FewestNeighbours);
+  }
+  return volumes;
+}
+
+void vtkNexradGridAlgorithm::MergeSweeps(const std::vector<nexrad::PolarVolume>& volumes,
+  double time, double maximumGap, vtkInformationVector* output)
 {
   nexrad::MergeRequest request =
     nexrad::MergeRequestOf(this->MakeMergeOptions(), vtkNexradRangeLoop());
-  request.grid = grid;
-  request.block = block;
+  request.grid = nexrad::MakeGrid(this->MakeGridRequest(), PositionsOf(volumes));
+  request.block = vtkNexradRequestedBlock(output->GetInformationObject(0), request.grid);
   request.time = nexrad::FromSeconds(time);
   request.maximumGap = nexrad::DurationOf(maximumGap);
-  return request;
+  if (request.block->VoxelCount() == 0)
+  {
+    return;
+  }
+  std::vector<const nexrad::PolarVolume*> chosen;
+  for (const nexrad::PolarVolume& volume : volumes)
+  {
+    chosen.push_back(&volume);
+  }
+  if (const auto merged = nexrad::MergeVolumes(chosen, request, vtkNexradProgress(this)))
+  {
+    FillOutput(*merged, request.grid, *request.block, time, vtkImageData::GetData(output));
+  }
+}
+
+vtkImageData* vtkNexradGridAlgorithm::BeginOutput(vtkInformationVector* output)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
+  auto* image = vtkImageData::GetData(output);
+  image->Initialize();
+  return image;
+}
+
+void vtkNexradGridAlgorithm::FillOutput(const nexrad::GriddedVolume& merged,
+  const nexrad::GridSpecification& grid, const nexrad::VoxelBlock& block, double time,
+  vtkImageData* image)
+{
+  vtkNexradVolumeToImage(merged, image);
+  vtkNexradPlaceBlock(grid, block, image);
+  image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
+}
+
+int vtkNexradGridAlgorithm::FillInputPortInformation(int, vtkInformation* info)
+{
+  info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkPartitionedDataSetCollection");
+  return 1;
+}
+
+int vtkNexradGridAlgorithm::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  this->SetOutputExtent(output->GetInformationObject(0));
+  return 1;
 }
 
 void vtkNexradGridAlgorithm::SetOutputExtent(vtkInformation* outputInformation) const

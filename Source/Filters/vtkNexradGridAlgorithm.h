@@ -24,6 +24,7 @@
 #include "vtkNexradFiltersModule.h" // For export macro
 
 #include <string> // For members
+#include <vector> // For volumes
 
 namespace nexrad
 {
@@ -31,7 +32,8 @@ enum class MomentName : unsigned char;
 struct GridRequest;
 struct MergeOptions;
 struct GridSpecification;
-struct MergeRequest;
+struct GriddedVolume;
+struct PolarVolume;
 struct VoxelBlock;
 } // namespace nexrad
 
@@ -260,11 +262,37 @@ protected:
   nexrad::MergeOptions MakeMergeOptions() const;
 
   /**
-   * A request for the block of the grid at the time, in seconds since 1970-01-01T00:00:00Z;
-   * `maximumGap` in seconds.
+   * The volumes with the moment in the sweeps of all inputs, after quality control. Throws
+   * nexrad::Error as CheckMoment and vtkNexradSweepsToPolar do.
    */
-  nexrad::MergeRequest MakeMergeRequest(const nexrad::GridSpecification& grid,
-    const nexrad::VoxelBlock& block, double time, double maximumGap) const;
+  std::vector<nexrad::PolarVolume> ReadSweeps(vtkInformationVector* inputs) const;
+
+  /**
+   * Merges volumes at a time, in seconds since 1970-01-01T00:00:00Z, on the grid about their
+   * radars, into the part of the output that is asked for; `maximumGap` in seconds. After an abort
+   * the output stays empty. Throws nexrad::Error for a radar without a position, and as the merge
+   * does.
+   */
+  void MergeSweeps(const std::vector<nexrad::PolarVolume>& volumes, double time, double maximumGap,
+    vtkInformationVector* output);
+
+  /**
+   * The begin of RequestData: forgets what was before. Returns the output, empty.
+   */
+  vtkImageData* BeginOutput(vtkInformationVector* output);
+
+  /**
+   * Fills the output with the block of a merged volume on the grid.
+   */
+  static void FillOutput(const nexrad::GriddedVolume& merged, const nexrad::GridSpecification& grid,
+    const nexrad::VoxelBlock& block, double time, vtkImageData* image);
+
+  /**
+   * Inputs are sweeps, as vtkNexradLevel2Reader gives them.
+   */
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
 
   /**
    * Asks the inputs for all that they have, whatever part of the output is asked for: their sweeps

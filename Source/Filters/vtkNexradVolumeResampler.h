@@ -29,9 +29,6 @@ protected:
   vtkNexradVolumeResampler();
   ~vtkNexradVolumeResampler() override;
 
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
   int RequestData(
     vtkInformation*, vtkInformationVector** input, vtkInformationVector* output) override;
 

@@ -22,16 +22,6 @@
 
 using nexrad::scene::VolumeSeries;
 
-namespace
-{
-
-std::vector<std::filesystem::path> PathsOf(const std::vector<std::string>& names)
-{
-  return {names.begin(), names.end()};
-}
-
-} // namespace
-
 // The series of the inputs, and when the settings were made that it was opened with.
 struct vtkNexradSession::Opened
 {
@@ -50,29 +40,22 @@ vtkNexradSession::~vtkNexradSession() = default;
 
 void vtkNexradSession::AddFileName(const char* path)
 {
-  if (path != nullptr)
-  {
-    this->FileNames.emplace_back(path);
-    this->Modified();
-  }
+  this->DayReader->AddFileName(path);
 }
 
 void vtkNexradSession::ClearFileNames()
 {
-  this->FileNames.clear();
-  this->Modified();
+  this->DayReader->ClearFileNames();
 }
 
 int vtkNexradSession::GetNumberOfFileNames() const
 {
-  return static_cast<int>(this->FileNames.size());
+  return this->DayReader->GetNumberOfFileNames();
 }
 
 const char* vtkNexradSession::GetFileName(int index) const
 {
-  return index >= 0 && index < this->GetNumberOfFileNames()
-           ? this->FileNames[static_cast<std::size_t>(index)].c_str()
-           : nullptr;
+  return this->DayReader->GetFileName(index);
 }
 
 vtkNexradDayReader* vtkNexradSession::GetDayReader() const
@@ -87,11 +70,15 @@ vtkNexradVolumeScene* vtkNexradSession::GetScene() const
 
 void vtkNexradSession::Open()
 {
-  if (this->FileNames.empty())
+  std::vector<std::filesystem::path> paths;
+  for (int i = 0; i < this->GetNumberOfFileNames(); ++i)
+  {
+    paths.emplace_back(this->GetFileName(i));
+  }
+  if (paths.empty())
   {
     throw nexrad::Error("no file name is set");
   }
-  const std::vector<std::filesystem::path> paths = PathsOf(this->FileNames);
   if (nexrad::scene::AreVolumes(paths))
   {
     auto files = nexrad::scene::OpenVolumeFiles(paths);
@@ -99,11 +86,6 @@ void vtkNexradSession::Open()
     std::iota(order.begin(), order.end(), std::size_t(0));
     this->Series->volumes = nexrad::scene::PlayAhead(std::move(files), order, {});
     return;
-  }
-  this->DayReader->ClearFileNames();
-  for (const std::string& name : this->FileNames)
-  {
-    this->DayReader->AddFileName(name.c_str());
   }
   this->Series->volumes = nexrad::scene::OpenDayVolumes(this->DayReader);
 }
@@ -131,7 +113,6 @@ bool vtkNexradSession::UpdateInformation()
   {
     this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));
   }
-  // Opening sets the file names of the reader, which counts as a change of it.
   this->Series->time = std::max(this->GetMTime(), this->DayReader->GetMTime());
   return true;
 }
@@ -211,7 +192,7 @@ vtkStringArray* vtkNexradSession::GetDamage()
 void vtkNexradSession::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
-  os << indent << "FileNames: " << this->FileNames.size() << "\n";
+  os << indent << "FileNames: " << this->GetNumberOfFileNames() << "\n";
   os << indent << "TimeStepIndex: " << this->TimeStepIndex << "\n";
   os << indent << "DayReader:\n";
   this->DayReader->PrintSelf(os, indent.GetNextIndent());

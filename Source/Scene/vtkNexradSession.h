@@ -30,8 +30,6 @@
 #include "vtkObject.h"
 
 #include <memory> // For members
-#include <string> // For members
-#include <vector> // For members
 
 class vtkDoubleArray;
 class vtkNexradDayReader;
@@ -102,7 +100,6 @@ protected:
   vtkNexradSession();
   ~vtkNexradSession() override;
 
-  std::vector<std::string> FileNames;
   int TimeStepIndex = -1;
 
 private:

@@ -180,7 +180,7 @@ private:
 struct SharpenedGates
 {
   GateScale scale;
-  std::vector<std::uint16_t> codes; // empty: the sweep stays as it is
+  std::shared_ptr<const std::uint16_t[]> codes; // none: the sweep stays as it is
 };
 
 // Deconvolves the echo of a sweep above 0 dBZ. The values are rounded here: to a scale of their
@@ -206,11 +206,12 @@ public:
     SharpenedGates sharpened;
     sharpened.scale = GateScale::Between(sweep.scale.ValueOf(values.least) - SharpeningRange::Down,
       sweep.scale.ValueOf(values.most) + SharpeningRange::Up);
-    sharpened.codes.resize(sweep.codes.size());
+    const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[sweep.CodeCount()]());
     for (std::size_t entry = 0; entry < sweep.azimuths.size(); ++entry)
     {
-      this->SharpenRay(entry, sharpened.scale, sharpened.codes.data() + entry * sweep.Stride());
+      this->SharpenRay(entry, sharpened.scale, codes.get() + entry * sweep.Stride());
     }
+    sharpened.codes = codes;
     return sharpened;
   }
 
@@ -275,7 +276,7 @@ void SharpenSweeps(std::vector<BeamSweep>& sweeps, double beamWidth, const BeamM
   }
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {
-    if (!sharpened[i].codes.empty())
+    if (sharpened[i].codes)
     {
       sweeps[i].scale = sharpened[i].scale;
       sweeps[i].codes = std::move(sharpened[i].codes);

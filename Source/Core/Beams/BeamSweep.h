@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace nexrad
@@ -42,8 +43,9 @@ struct BeamSweep
   std::vector<float> inverseGaps; ///< 1 / degrees from an entry to the next; 0 where the gap is too
                                   ///< wide to interpolate across, and for the last
   std::vector<float> times;       ///< of the entries, s since `begin`
-  std::vector<std::uint32_t> firstEntries; ///< last entry at or before the start of each bin
-  std::vector<std::uint16_t> codes;        ///< entries × Stride(), the last gate of each repeated
+  std::vector<std::uint32_t> firstEntries;      ///< last entry at or before the start of each bin
+  std::shared_ptr<const std::uint16_t[]> codes; ///< CodeCount(), the last gate of each entry
+                                                ///< repeated; shared by copies of the sweep
   std::vector<GateRange> held; ///< of the entries: from the first to the last gate that holds
                                ///< anything but no echo
   float halfWidth = 0.0F;      ///< degrees that a ray is wide to either side at the edge of a gap
@@ -56,11 +58,9 @@ struct BeamSweep
       inverseGaps.begin(), inverseGaps.end() - 1, [](float gap) { return gap > 0.0F; });
   }
   std::size_t Stride() const { return static_cast<std::size_t>(gates) + 1; }
+  std::size_t CodeCount() const { return azimuths.size() * this->Stride(); }
   /// The codes of an entry.
-  const std::uint16_t* Row(std::size_t entry) const
-  {
-    return codes.data() + entry * this->Stride();
-  }
+  const std::uint16_t* Row(std::size_t entry) const { return codes.get() + entry * this->Stride(); }
   /// Outer edge of the last gate, m.
   float Reach() const { return firstGate + (static_cast<float>(gates) - 0.5F) / gatesPerMetre; }
 };

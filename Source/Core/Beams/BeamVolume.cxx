@@ -98,15 +98,16 @@ void SetDirections(
 void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, BeamSweep& to)
 {
   to.scale = source.scale;
-  to.codes.reserve(entries.size() * to.Stride());
+  const std::shared_ptr<std::uint16_t[]> codes(new std::uint16_t[to.CodeCount()]);
+  std::uint16_t* row = codes.get();
   for (const SortedRay& entry : entries)
   {
     to.held.push_back(source.rows.Held(entry.ray, source.gates));
-    to.codes.resize(to.codes.size() + to.Stride());
-    std::uint16_t* codes = to.codes.data() + to.codes.size() - to.Stride();
-    source.Read(entry.ray, codes);
-    codes[source.gates] = codes[source.gates - 1];
+    source.Read(entry.ray, row);
+    row[source.gates] = row[source.gates - 1];
+    row += to.Stride();
   }
+  to.codes = codes;
 }
 
 bool IsMissing(std::uint16_t code)
@@ -236,7 +237,7 @@ std::size_t BeamVolume::MemoryBytes() const
   {
     bytes += sizeof(BeamSweep) + 4 * sweep.azimuths.size() * sizeof(float) +
              sweep.firstEntries.size() * sizeof(std::uint32_t) +
-             sweep.codes.size() * sizeof(std::uint16_t) + sweep.held.size() * sizeof(GateRange) +
+             sweep.CodeCount() * sizeof(std::uint16_t) + sweep.held.size() * sizeof(GateRange) +
              sweep.means.MemoryBytes();
   }
   return bytes;

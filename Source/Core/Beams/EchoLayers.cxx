@@ -42,7 +42,7 @@ std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps
     {
       tilts.push_back(sweep);
     }
-    else if (sweep->codes.size() > tilts.back()->codes.size())
+    else if (sweep->CodeCount() > tilts.back()->CodeCount())
     {
       tilts.back() = sweep;
     }

@@ -243,7 +243,7 @@ inline void ObserveGates(const BeamSweep& sweep, const RayPlace& rays, float pla
 {
   const int gate = static_cast<int>(place);
   const float along = place - static_cast<float>(gate);
-  const std::uint16_t* first = sweep.codes.data() +
+  const std::uint16_t* first = sweep.codes.get() +
                                static_cast<std::size_t>(rays.entry) * sweep.Stride() +
                                static_cast<std::size_t>(gate);
   const std::uint16_t* second = first + sweep.Stride();

@@ -2,7 +2,6 @@
 #include "nexrad/Motion/MotionEstimate.h"
 
 #include "nexrad/Motion/MotionSolver.h"
-#include "nexrad/Motion/VolumePair.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -62,17 +61,6 @@ MotionField EstimateMotion(
     solver.Refine(ImagesOf(pairs, level, mean));
   }
   return solver.Motion(mean);
-}
-
-MotionField EstimateMotion(
-  const GriddedVolume& before, const GriddedVolume& after, const MotionOptions& options)
-{
-  RequirePair(before, after);
-  CheckOptions(options);
-  const MotionPyramid first = MakePyramid(ColumnMaximum(before), before.grid, options.finestPixel);
-  const MotionPyramid second = MakePyramid(ColumnMaximum(after), after.grid, options.finestPixel);
-  const double seconds = ToSeconds(after.time) - ToSeconds(before.time);
-  return EstimateMotion({{&first, &second, seconds}}, before.grid, options);
 }
 
 } // namespace nexrad

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Motion/MotionField.h"
 #include "nexrad/Motion/MotionImage.h"
 
@@ -27,18 +26,14 @@ struct MotionPair
   double seconds = 0.0;                 ///< between them, above 0
 };
 
-/// Finds how the echo moved between two volumes (Formulas A3), from their column maxima, coarse to
-/// fine. First the one displacement that fits all; then, from pixels of about 8 km to pixels of
-/// about 2 km, the displacement at each node that makes half of it forwards from the first and
-/// half of it backwards from the second meet, least squares with little weight for echo that grew
-/// or decayed, and as smooth as `smoothness` asks. Where there is no echo the field continues that
-/// of the neighbours; without any echo nothing moves. Throws Error when the volumes cannot be
-/// interpolated between (RequirePair) or an option is not above 0.
-MotionField EstimateMotion(
-  const GriddedVolume& before, const GriddedVolume& after, const MotionOptions& options = {});
-
-/// The same from any number of pairs of images over one grid, which may be of several radars and of
-/// several times: the one motion that fits all of them. Without pairs nothing moves.
+/// Finds the one motion of the echo (Formulas A3) that fits pairs of images of column maxima over
+/// one grid, which may be of several radars and of several times, coarse to fine. First the one
+/// displacement that fits all; then, from pixels of about 8 km to pixels of about 2 km, the
+/// displacement at each node that makes half of it forwards from the first image and half of it
+/// backwards from the second meet, least squares with little weight for echo that grew or decayed,
+/// and as smooth as `smoothness` asks. Where there is no echo the field continues that of the
+/// neighbours; without any echo, and without pairs, nothing moves. Throws Error when an option is
+/// not above 0.
 MotionField EstimateMotion(const std::vector<MotionPair>& pairs, const GridSpecification& grid,
   const MotionOptions& options = {});
 

@@ -72,26 +72,6 @@ bool CanHalve(const MotionImage& image, const GridSpecification& grid, double li
 
 } // namespace
 
-MotionImage ColumnMaximum(const GriddedVolume& volume)
-{
-  const auto& dimensions = volume.grid.dimensions;
-  MotionImage image = EmptyImage(dimensions[0], dimensions[1]);
-  const std::size_t pixels = image.values.size();
-  for (std::size_t first = 0; first < volume.values.size(); first += pixels)
-  {
-    for (std::size_t pixel = 0; pixel < pixels; ++pixel)
-    {
-      const VoxelState state = volume.states[first + pixel];
-      if (state == VoxelState::Echo)
-      {
-        image.values[pixel] = std::max(image.values[pixel], volume.values[first + pixel]);
-      }
-      image.scanned[pixel] |= state == VoxelState::NotScanned ? 0 : 1;
-    }
-  }
-  return image;
-}
-
 MotionImage Smooth(const MotionImage& image)
 {
   MotionImage smooth = EmptyImage(image.columns, image.rows);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/GridSpecification.h"
 
 #include <array>
 #include <cstddef>
@@ -35,9 +35,6 @@ struct MotionImage
     return first[axis] + (pixel + 0.5) * scale[axis] - 0.5;
   }
 };
-
-/// Column maximum of a volume, weak echo as 0 dBZ.
-MotionImage ColumnMaximum(const GriddedVolume& volume);
 
 /// Each pixel with its neighbours in the ratio 1 : 2 : 1 along both axes, where they were scanned:
 /// takes out what is too small to be followed.

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Model/Time.h"
 #include "nexrad/Simulation/StormLife.h"
 #include "nexrad/Simulation/StormSnapshot.h"
 
-#include <array>
 #include <cstdint>
 #include <vector>
 
@@ -31,17 +29,6 @@ public:
   /// Reflectivity in dBZ at a point; -infinity where there is no echo at all. Height in m above
   /// mean sea level.
   double Reflectivity(double longitude, double latitude, double height, Time time) const;
-
-  /// Mean over the box of a voxel (mean of dBZ floored at `floor`, over a fixed lattice of
-  /// 4 × 4 × 2 samples), dBZ.
-  double MeanReflectivity(const GridSpecification& grid, const std::array<int, 3>& voxel, Time time,
-    double floor = 0.0) const;
-
-  /// The same for the rows [beginRow, endRow) of a grid, all columns and heights: the value of
-  /// voxel (x, y, z) at index (z·(endRow − beginRow) + y − beginRow)·dimensions[0] + x. Ranges of
-  /// rows can be computed side by side.
-  std::vector<float> MeanReflectivityRows(
-    const GridSpecification& grid, int beginRow, int endRow, Time time, double floor = 0.0) const;
 
   /// The field at one instant: the quick way to many points.
   StormSnapshot At(Time time) const;

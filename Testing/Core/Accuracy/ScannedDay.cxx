@@ -2,6 +2,7 @@
 #include "ScannedDay.h"
 
 #include "Coverage.h"
+#include "StormMeans.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Series/VolumeSelection.h"
 
@@ -139,7 +140,7 @@ Truth TruthOn(const ScannedDay& day, const std::array<int, 3>& dimensions)
 {
   Truth truth;
   truth.grid = GridOf(day, dimensions);
-  truth.values = day.Field().MeanReflectivityRows(truth.grid, 0, dimensions[1], day.At());
+  truth.values = MeanReflectivityRows(day.Field(), truth.grid, 0, dimensions[1], day.At());
   truth.counts = BeamCoverage(day.BracketVolumes(), truth.grid);
   return truth;
 }

@@ -61,8 +61,7 @@ public:
       const double ground = beam.Locate(range, elevation).groundDistance;
       for (std::size_t entry = 1; entry + 1 < sweep.azimuths.size(); ++entry)
       {
-        const std::uint16_t code =
-          sweep.codes[entry * sweep.Stride() + static_cast<std::size_t>(gate)];
+        const std::uint16_t code = sweep.Row(entry)[gate];
         if (code != GateCode::RangeFolded && code != GateCode::NotSampled)
         {
           const double angle = static_cast<double>(sweep.azimuths[entry]) * RadiansPerDegree;

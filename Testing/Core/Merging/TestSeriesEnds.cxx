@@ -2,11 +2,11 @@
 // Formulas A3a, A2a: in the first and the last minutes of a series, where motion is known on one
 // side alone, echo moves as in the others, and its amount does not pulse. A table of the minutes of
 // a real run is printed.
+#include "Motion/VolumeMotion.h"
 #include "TestData.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Merging/TimeMerge.h"
-#include "nexrad/Motion/MotionEstimate.h"
 #include "nexrad/Series/VolumeSelection.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas A3: the motion that is found, held against the motion of known fields.
 #include "GridMaker.h"
-#include "nexrad/Motion/MotionEstimate.h"
+#include "Motion/VolumeMotion.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "GridMaker.h"
-#include "nexrad/Motion/MotionImage.h"
+#include "Motion/VolumeMotion.h"
 
 #include <gtest/gtest.h>
 

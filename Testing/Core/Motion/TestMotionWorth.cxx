@@ -2,7 +2,7 @@
 // Formulas A4: what interpolation along the motion is worth beside the linear one, on the synthetic
 // day and on a run of real volumes. The middle one of each three volumes of a radar is left out and
 // rebuilt, from volumes on a grid (A2) and by the merge (A2a); the tables are printed.
-#include "LeaveOneOut.h"
+#include "Motion/LeaveOneOut.h"
 #include "TestData.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Grid/MakeGrid.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Motion/Advection.h"
+#include "VolumeInterpolation.h"
 
-#include "nexrad/Motion/VolumePair.h"
+#include "VolumePair.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Motion/VolumePair.h"
+#include "VolumePair.h"
 
 #include "nexrad/System/Error.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas A1 and A2 on grids, voxel by voxel.
 #include "GridMaker.h"
-#include "nexrad/Motion/Advection.h"
+#include "VolumeInterpolation.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>

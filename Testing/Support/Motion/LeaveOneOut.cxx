@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "LeaveOneOut.h"
 
-#include "nexrad/Motion/Advection.h"
+#include "VolumeInterpolation.h"
+#include "VolumeMotion.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
