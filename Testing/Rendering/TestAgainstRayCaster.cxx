@@ -2,6 +2,7 @@
 // The slices beside VTK's own GPU ray caster: same volume, camera and distance between samples.
 #include "RayCasterComparison.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
@@ -91,8 +92,8 @@ TEST_F(AgainstRayCaster, FunctionsWithoutPoints)
   EXPECT_EQ(property->GetScalarOpacity()->GetSize(), 0);
   const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster));
   const Difference difference = Compare(actual, expected, background);
-  EXPECT_GT(difference.Pixels, 2500);
-  EXPECT_LE(difference.LargestMean(), Bar);
+  EXPECT_AT_LEAST(difference.Pixels, 2500, "pixels compared");
+  EXPECT_AT_MOST(difference.LargestMean(), Bar, "mean difference to the ray caster, of 255");
 }
 
 TEST_F(AgainstRayCaster, MirroredActor)
@@ -248,12 +249,17 @@ TEST_F(AgainstRayCaster, DifferenceIsNoticed)
   const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster));
   this->Stage->GetProperty()->SetScalarOpacityUnitDistance(2.0);
   const Picture thinner = this->Stage->Draw(this->Configure(this->Slices));
-  EXPECT_GT(Compare(thinner, expected, background).LargestMean(), Tolerance);
-  EXPECT_GT(BaselineError(thinner, "Composite"), BaselineTolerance);
+  EXPECT_AT_LEAST(Compare(thinner, expected, background).LargestMean(), Tolerance,
+    "mean difference of a thinner volume, of 255");
+  EXPECT_AT_LEAST(
+    BaselineError(thinner, "Composite"), BaselineTolerance, "baseline error of a thinner volume");
   this->Stage->GetProperty()->SetScalarOpacityUnitDistance(1.0);
   this->Stage->GetRenderer()->GetActiveCamera()->Azimuth(1.0);
   const Picture turned = this->Stage->Draw(this->Configure(this->Slices));
-  EXPECT_GT(Compare(turned, expected, background).LargestMean(), Tolerance);
-  EXPECT_GT(BaselineError(turned, "Composite"), BaselineTolerance);
-  EXPECT_GT(BaselineError(turned, "no such picture"), BaselineTolerance);
+  EXPECT_AT_LEAST(Compare(turned, expected, background).LargestMean(), Tolerance,
+    "mean difference of a turned camera, of 255");
+  EXPECT_AT_LEAST(
+    BaselineError(turned, "Composite"), BaselineTolerance, "baseline error of a turned camera");
+  EXPECT_AT_LEAST(BaselineError(turned, "no such picture"), BaselineTolerance,
+    "baseline error without a baseline");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One volume in every scalar type gives one picture.
 #include "RenderingTest.h"
+#include "Tolerance.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -78,8 +79,9 @@ protected:
   {
     const Difference difference =
       Compare(this->Draw(scalarType, offset), reference, this->Background);
-    EXPECT_GT(difference.Pixels, 1000) << vtkImageScalarTypeNameMacro(scalarType);
-    EXPECT_LE(difference.LargestMean(), 0.5)
+    EXPECT_AT_LEAST(difference.Pixels, 1000, "pixels compared")
+      << vtkImageScalarTypeNameMacro(scalarType);
+    EXPECT_AT_MOST(difference.LargestMean(), 0.5, "mean difference to floats, of 255")
       << vtkImageScalarTypeNameMacro(scalarType) << " from " << offset;
   }
 

@@ -2,6 +2,7 @@
 // Light and gradient opacity beside VTK's GPU ray caster.
 #include "RayCasterComparison.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
 #include "vtkCamera.h"
 #include "vtkImageData.h"
@@ -107,8 +108,8 @@ TEST_F(Shading, HeadlightOnATurnedImage)
   this->Input->SetDirectionMatrix(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0);
   const Picture actual = this->Stage->Draw(this->Configure(this->Slices));
   const Difference difference = Compare(actual, expected, background);
-  EXPECT_GT(difference.Pixels, 2500);
-  EXPECT_LE(difference.LargestMean(), Tolerance);
+  EXPECT_AT_LEAST(difference.Pixels, 2500, "pixels compared");
+  EXPECT_AT_MOST(difference.LargestMean(), Tolerance, "mean difference to the ray caster, of 255");
 }
 
 // Integers, as most volumes are.
@@ -175,12 +176,13 @@ TEST_F(Shading, GradientOpacityOfOneChangesNothing)
   const Picture without = this->Stage->Draw(slices);
   vtkPiecewiseFunction* opacity = property->GetGradientOpacity(); // made: 1 everywhere
   const Difference made = Compare(this->Stage->Draw(slices), without, background);
-  EXPECT_GT(made.Pixels, 2000);
+  EXPECT_AT_LEAST(made.Pixels, 2000, "pixels compared");
   EXPECT_EQ(made.Worst, 0.0);
   opacity->RemoveAllPoints();
   opacity->AddPoint(2.0, 0.0);
   opacity->AddPoint(6.0, 1.0);
-  EXPECT_GT(Compare(this->Stage->Draw(slices), without, background).LargestMean(), 1.0);
+  EXPECT_AT_LEAST(Compare(this->Stage->Draw(slices), without, background).LargestMean(), 1.0,
+    "mean change by the gradient opacity, of 255");
   property->DisableGradientOpacityOn();
   EXPECT_EQ(Compare(this->Stage->Draw(slices), without, background).Worst, 0.0);
 }
@@ -233,9 +235,9 @@ TEST_F(Shading, LightOnABlockIsWhatGeometrySays)
   const auto cosine = [](double degrees) { return std::cos(vtkMath::RadiansFromDegrees(degrees)); };
 
   light->SetPosition(-cosine(60.0), -cosine(30.0), 0.0);
-  EXPECT_NEAR(middle(), 255.0 * cosine(60.0), 1.0);
+  EXPECT_WITHIN(middle(), 255.0 * cosine(60.0), 1.0, "brightness of a lit face, of 255");
   this->Stage->GetVolume()->RotateZ(25.0);
-  EXPECT_NEAR(middle(), 255.0 * cosine(35.0), 1.0);
+  EXPECT_WITHIN(middle(), 255.0 * cosine(35.0), 1.0, "brightness of a turned face, of 255");
   this->Stage->GetVolume()->RotateZ(-25.0);
 
   property->SetDiffuse(0.0);
@@ -243,7 +245,8 @@ TEST_F(Shading, LightOnABlockIsWhatGeometrySays)
   property->SetSpecularPower(2.0);
   light->SetPosition(-1.0, 0.0, -1.0);
   const double angle = HasMirroredHighlights() ? 45.0 : 22.5;
-  EXPECT_NEAR(middle(), 255.0 * cosine(angle) * cosine(angle), 1.0);
+  EXPECT_WITHIN(
+    middle(), 255.0 * cosine(angle) * cosine(angle), 1.0, "brightness of a highlight, of 255");
 }
 
 // Light must change the picture, or the comparisons above say nothing.
@@ -253,8 +256,10 @@ TEST_F(Shading, LightChangesThePicture)
   const Picture lit = this->Stage->Draw(this->Configure(this->Slices));
   this->Stage->GetProperty()->ShadeOff();
   const Picture unlit = this->Stage->Draw(this->Configure(this->Slices));
-  EXPECT_GT(Compare(lit, unlit, background).LargestMean(), 10.0);
+  EXPECT_AT_LEAST(
+    Compare(lit, unlit, background).LargestMean(), 10.0, "mean change by the light, of 255");
   this->UseGradientOpacity();
   const Picture shells = this->Stage->Draw(this->Configure(this->Slices));
-  EXPECT_GT(Compare(shells, unlit, background).LargestMean(), 10.0);
+  EXPECT_AT_LEAST(
+    Compare(shells, unlit, background).LargestMean(), 10.0, "mean change by shells, of 255");
 }

@@ -3,6 +3,7 @@
 // opacity of one in a billion where it was 0, which leaves nothing out.
 #include "RenderingTest.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
@@ -76,9 +77,10 @@ protected:
     const Picture skipping = this->DrawWith(0.0);
     const Picture whole = this->DrawWith(1e-9);
     const Difference difference = Compare(skipping, whole, background);
-    EXPECT_GT(difference.Pixels, 2000);
-    EXPECT_LE(difference.Worst, worst);
-    EXPECT_LE(difference.LargestMean(), 0.02);
+    EXPECT_AT_LEAST(difference.Pixels, 2000, "pixels compared");
+    EXPECT_AT_MOST(difference.Worst, worst, "largest difference with empty space skipped, of 255");
+    EXPECT_AT_MOST(
+      difference.LargestMean(), 0.02, "mean difference with empty space skipped, of 255");
   }
 
   std::unique_ptr<Scene> Stage;
@@ -178,9 +180,9 @@ TEST_F(SkippedSpace, BehindAnOpaquePlateau)
   const Picture plateau = draw(0.997);
   const Picture slope = draw(1.0);
   const Difference difference = Compare(plateau, slope, background);
-  EXPECT_GT(difference.Pixels, 2000);
-  EXPECT_LE(difference.Worst, 3.0);
-  EXPECT_LE(difference.LargestMean(), 0.2);
+  EXPECT_AT_LEAST(difference.Pixels, 2000, "pixels compared");
+  EXPECT_AT_MOST(difference.Worst, 3.0, "largest difference of a plateau and a slope, of 255");
+  EXPECT_AT_MOST(difference.LargestMean(), 0.2, "mean difference of a plateau and a slope, of 255");
 }
 
 TEST_F(SkippedSpace, Extremes)

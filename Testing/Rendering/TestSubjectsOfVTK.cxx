@@ -3,6 +3,7 @@
 // volumes; rendering.md lists all of them.
 #include "RayCasterComparison.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -193,9 +194,10 @@ protected:
     std::cout << name << ": mean difference " << difference.Mean[0] << ' ' << difference.Mean[1]
               << ' ' << difference.Mean[2] << " of 255, worst " << difference.Worst << ", over "
               << difference.Pixels << " pixels\n";
-    EXPECT_GT(difference.Pixels, 3000);
+    EXPECT_AT_LEAST(difference.Pixels, 3000, "pixels compared");
     EXPECT_GT(difference.Worst, 0.0) << "both were drawn by the same mapper";
-    EXPECT_LE(difference.LargestMean(), tolerance);
+    EXPECT_AT_MOST(
+      difference.LargestMean(), tolerance, "mean difference to the ray caster, of 255");
   }
 
   vtkSmartPointer<vtkSmartVolumeMapper> MakeSmart()
@@ -303,8 +305,9 @@ TEST_F(SubjectsOfVTK, EveryCroppingRegion)
     const Picture expected = this->Stage->Draw(this->Configure(this->RayCaster));
     const Picture actual = this->Stage->Draw(this->Configure(this->Slices));
     const Difference difference = Compare(actual, expected, background);
-    EXPECT_GT(difference.Pixels, 200) << "region " << region;
-    EXPECT_LE(difference.LargestMean(), Bar) << "region " << region;
+    EXPECT_AT_LEAST(difference.Pixels, 200, "pixels compared") << "region " << region;
+    EXPECT_AT_MOST(difference.LargestMean(), Bar, "mean difference to the ray caster, of 255")
+      << "region " << region;
     worst = std::max(worst, difference.LargestMean());
   }
   std::cout << "27 regions: largest mean difference " << worst << " of 255\n";
@@ -428,7 +431,8 @@ TEST_F(SubjectsOfVTK, ChangedArray)
   this->Input->GetPointData()->AddArray(halved);
   this->Input->GetPointData()->SetActiveScalars("halved");
   const Picture weak = this->ExpectSamePicture("subject-array-halved");
-  EXPECT_GT(Compare(weak, storm, weak).LargestMean(), 2.0);
+  EXPECT_AT_LEAST(
+    Compare(weak, storm, weak).LargestMean(), 2.0, "mean change by another array, of 255");
   this->ForBoth(
     [](vtkGPUVolumeRayCastMapper* mapper)
     {
@@ -488,7 +492,8 @@ TEST_F(SubjectsOfVTK, RemoveVolumeWhileAnotherWindowIsCurrent)
   this->Stage->GetRenderer()->RemoveVolume(this->Stage->GetVolume());
   const Picture after = other.Draw(mapper);
   EXPECT_EQ(Compare(after, before, before).Pixels, 0);
-  EXPECT_GT(Compare(after, other.Draw(nullptr), after).Worst, 60.0);
+  EXPECT_AT_LEAST(Compare(after, other.Draw(nullptr), after).Worst, 60.0,
+    "largest change without the volume, of 255");
 }
 
 // The volume in a layer of its own over a layer with a ball: no depth is shared, so the ball hides

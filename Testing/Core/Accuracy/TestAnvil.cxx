@@ -3,6 +3,7 @@
 // (Formulas G11, G12) and not as a saw's teeth that follow the tilts.
 #include "BeamScene.h"
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Simulation/ScanStrategy.h"
@@ -252,7 +253,7 @@ std::array<double, 2> Measure(const AnvilCase& scene, const PolarVolume& scanned
   const std::vector<Top> all = ErrorsOf(scene.anvil, merged, 40e3, scene.farthest);
   const std::array<double, 2> figures = {BiasOf(all), RippleOf(all)};
   std::printf("  all: %+5.0f, %4.0f m (%zu)\n", figures[0], figures[1], all.size());
-  EXPECT_GT(all.size(), 60u);
+  EXPECT_AT_LEAST(all.size(), 60u, "columns of the anvil compared");
   return figures;
 }
 
@@ -309,8 +310,9 @@ TEST_P(AnvilTops, RippleAThirdOfLinear)
   const PolarVolume scanned = Scan(GetParam().anvil, GetParam().pattern);
   const auto linear = Measure(GetParam(), scanned, false);
   const auto trend = Measure(GetParam(), scanned, true);
-  EXPECT_LT(trend[1], linear[1] / 3.0);
-  EXPECT_LT(trend[1], GetParam().bound);
+  EXPECT_AT_MOST(trend[1] / linear[1], 1.0 / 3.0,
+    "ripple of the anvil's top, part of that of the linear interpolation");
+  EXPECT_AT_MOST(trend[1], GetParam().bound, "ripple of the anvil's top, m");
 }
 
 INSTANTIATE_TEST_SUITE_P(Patterns, AnvilTops,

@@ -4,6 +4,7 @@
 // merges assume 4/3.
 #include "ScannedDay.h"
 #include "StormFeatures.h"
+#include "Tolerance.h"
 #include "nexrad/Geometry/SiteGeoreference.h"
 #include "nexrad/Merging/TimeMerge.h"
 
@@ -55,12 +56,19 @@ void Compare(const ScannedDay& day, const std::array<int, 3>& dimensions, double
   PrintFeatures(*thesis, truth);
   Print("beam", truth, now);
   PrintFeatures(*beam, truth);
-  EXPECT_LE(now.rmse, largest);
-  EXPECT_LT(now.rmse, 0.5 * before.rmse);
-  EXPECT_LT(now.FalseFraction(), 0.12 * before.FalseFraction());
-  EXPECT_LT(now.MissedFraction(), 0.006);
-  EXPECT_LT(CompareEchoTops(*beam, truth).meanAbsoluteError,
-    CompareEchoTops(*thesis, truth).meanAbsoluteError);
+  EXPECT_AT_MOST(now.rmse, largest, "RMSE of beam, dBZ");
+  EXPECT_AT_MOST(now.rmse / before.rmse, 0.5, "RMSE of beam, part of the thesis's");
+  EXPECT_AT_MOST(
+    now.FalseFraction() / before.FalseFraction(), 0.12, "false echo of beam, part of the thesis's");
+  EXPECT_AT_MOST(now.MissedFraction(), 0.006, "missed echo of beam, part of the echo");
+  const EchoTopScore tops = CompareEchoTops(*beam, truth);
+  EXPECT_AT_MOST(tops.meanAbsoluteError, 900.0, "mean error of the echo tops of beam, m");
+  EXPECT_AT_MOST(tops.meanAbsoluteError / CompareEchoTops(*thesis, truth).meanAbsoluteError, 0.9,
+    "mean error of the echo tops of beam, part of the thesis's");
+  const CoreScore cores = CompareCores(*beam, truth);
+  EXPECT_AT_LEAST(static_cast<double>(cores.found) / static_cast<double>(cores.cores), 0.5,
+    "cores that beam finds, part of all");
+  EXPECT_AT_MOST(cores.meanDistance, 9000.0, "mean error of the places of the cores of beam, m");
 }
 
 ScannedDay DayOfRefraction(double effectiveRadiusFactor)
@@ -125,7 +133,8 @@ TEST(BeamAccuracy, ByDistance)
     const TruthScore now = CompareWithTruth(*beam, part.values, part.counts);
     Print("thesis", part, old);
     Print("beam", part, now);
-    EXPECT_LT(now.rmse, 0.7 * old.rmse);
+    EXPECT_AT_MOST(
+      now.rmse / old.rmse, 0.7, "RMSE of beam in a belt of distances, part of the thesis's");
     EXPECT_TRUE(i < 2 || now.rmse > 1.2 * before);
     before = now.rmse;
   }

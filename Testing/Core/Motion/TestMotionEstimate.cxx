@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas A3: the motion that is found, held against the motion of known fields.
 #include "GridMaker.h"
+#include "Tolerance.h"
 #include "nexrad/Motion/MotionEstimate.h"
 #include "nexrad/System/Error.h"
 
@@ -69,8 +70,8 @@ Velocity FoundAt(const MotionField& field, const TestStorm& storm, double spacin
 
 void ExpectNear(const Velocity& found, const Velocity& wanted, double tolerance)
 {
-  EXPECT_NEAR(found.east, wanted.east, tolerance);
-  EXPECT_NEAR(found.north, wanted.north, tolerance);
+  EXPECT_WITHIN(found.east, wanted.east, tolerance, "error of the motion to the east, m/s");
+  EXPECT_WITHIN(found.north, wanted.north, tolerance, "error of the motion to the north, m/s");
 }
 
 const GridSpecification squareGrid = MakeTestGrid({128, 128, 2}, 2000.0);
