@@ -39,16 +39,15 @@ public:
   {
   }
 
-  void Add(const Tolerance& tolerance, double measured, double bound)
+  void Add(const BoundedFigure& figure, double measured, double bound)
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    const auto [found, isNew] =
-      figures.try_emplace({std::string(tolerance.what), tolerance.atMost});
+    const auto [found, isNew] = figures.try_emplace({std::string(figure.what), figure.atMost});
     Noted& noted = found->second;
-    if (isNew || Margin(tolerance.atMost, measured, bound) <
-                   Margin(tolerance.atMost, noted.measured, noted.bound))
+    if (isNew ||
+        Margin(figure.atMost, measured, bound) < Margin(figure.atMost, noted.measured, noted.bound))
     {
-      noted = {measured, bound, std::string(tolerance.reason)};
+      noted = {measured, bound, std::string(figure.reason)};
     }
   }
 
@@ -109,7 +108,7 @@ List* TheList()
 
 } // namespace
 
-void Tolerance::Record(double measured, double bound) const
+void BoundedFigure::Record(double measured, double bound) const
 {
   if (List* list = TheList())
   {
@@ -117,17 +116,17 @@ void Tolerance::Record(double measured, double bound) const
   }
 }
 
-::testing::AssertionResult Judge(const Tolerance& tolerance, const std::string& expression,
+::testing::AssertionResult Judge(const BoundedFigure& figure, const std::string& expression,
   const std::string& limit, double measured, double bound)
 {
-  tolerance.Record(measured, bound);
-  if (tolerance.Holds(measured, bound))
+  figure.Record(measured, bound);
+  if (figure.Holds(measured, bound))
   {
     return ::testing::AssertionSuccess();
   }
-  return ::testing::AssertionFailure() << tolerance.what << "\nExpected: (" << expression << ") "
-                                       << (tolerance.atMost ? "<=" : ">=") << " (" << limit
-                                       << "), actual: " << measured << " vs " << bound;
+  return ::testing::AssertionFailure()
+         << figure.what << "\nExpected: (" << expression << ") " << (figure.atMost ? "<=" : ">=")
+         << " (" << limit << "), actual: " << measured << " vs " << bound;
 }
 
 } // namespace nexrad::testing

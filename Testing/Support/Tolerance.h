@@ -11,7 +11,7 @@ namespace nexrad::testing
 {
 
 /// A measured figure and its bound, as the list of tolerances shows them.
-struct Tolerance
+struct BoundedFigure
 {
   std::string_view what;   ///< what is measured, with its unit: "RMSE of beam, dBZ"
   std::string_view reason; ///< why the bound is further than twice the figure; "" for none
@@ -29,7 +29,7 @@ struct Tolerance
 };
 
 /// The result of a comparison of two expressions: their text, their values, and what is measured.
-::testing::AssertionResult Judge(const Tolerance& tolerance, const std::string& expression,
+::testing::AssertionResult Judge(const BoundedFigure& figure, const std::string& expression,
   const std::string& limit, double measured, double bound);
 
 /// For EXPECT_AT_MOST and EXPECT_AT_LEAST.
@@ -37,7 +37,7 @@ class Bound
 {
 public:
   Bound(bool atMost, std::string_view what, std::string_view reason = {})
-    : tolerance{what, reason, atMost}
+    : figure{what, reason, atMost}
   {
   }
 
@@ -46,11 +46,11 @@ public:
     const char* expression, const char* limit, const Measured& measured, const Limit& bound) const
   {
     return Judge(
-      tolerance, expression, limit, static_cast<double>(measured), static_cast<double>(bound));
+      figure, expression, limit, static_cast<double>(measured), static_cast<double>(bound));
   }
 
 private:
-  Tolerance tolerance;
+  BoundedFigure figure;
 };
 
 /// For EXPECT_WITHIN.
@@ -58,7 +58,7 @@ class Distance
 {
 public:
   explicit Distance(std::string_view what, std::string_view reason = {})
-    : tolerance{what, reason}
+    : figure{what, reason}
   {
   }
 
@@ -67,14 +67,14 @@ public:
     const char* limit, const Measured& measured, const Expected& expected, const Limit& bound) const
   {
     const double off = std::abs(static_cast<double>(measured) - static_cast<double>(expected));
-    auto result = Judge(tolerance, std::string("|") + expression + " - " + wanted + "|", limit, off,
+    auto result = Judge(figure, std::string("|") + expression + " - " + wanted + "|", limit, off,
       static_cast<double>(bound));
     return result ? result
                   : result << "; " << expression << " is " << ::testing::PrintToString(measured);
   }
 
 private:
-  Tolerance tolerance;
+  BoundedFigure figure;
 };
 
 } // namespace nexrad::testing
