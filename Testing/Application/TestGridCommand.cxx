@@ -97,10 +97,9 @@ TEST(GridCommand, OneVolumeForEachStep)
   EXPECT_EQ(volume.method, "beam");
   EXPECT_FALSE(volume.synthetic);
   // The radar stands at 42.20° N, 75.98° W; the box of 460 km lies about it.
-  EXPECT_WITHIN(volume.grid.centreLatitude, 42.20, 0.011, "latitude of the grid's centre, degrees");
-  EXPECT_WITHIN(
-    volume.grid.centreLongitude, -75.98, 0.011, "longitude of the grid's centre, degrees");
-  EXPECT_WITHIN(volume.grid.spacing[0] * 64, 460e3, 5e3, "width of the grid, m");
+  EXPECT_NEAR(volume.grid.centreLatitude, 42.20, 1e-9);
+  EXPECT_NEAR(volume.grid.centreLongitude, -75.98, 1e-9);
+  EXPECT_WITHIN(volume.grid.spacing[0] * 64, 460e3, 4.0, "width of the grid, m");
   EXPECT_NEAR(volume.grid.spacing[2], 625.0, 1e-9);
 }
 
@@ -179,7 +178,7 @@ TEST(GridCommand, AncillaryArraysOnRequest)
     ASSERT_AT_MOST(ancillary.age[i], 300.0F, "largest age, s"); // a volume every 350 s
     scanned += seen;
   }
-  EXPECT_AT_LEAST(scanned, 2'000u, "voxels scanned");
+  EXPECT_AT_LEAST(scanned, 8'000u, "voxels scanned");
 }
 
 // One radar has no overlap; that the strategies tell radars apart is BeamNetwork's subject.
@@ -220,8 +219,8 @@ TEST(GridCommand, OptionsOfTheOverlapReachTheVolumes)
     addedByFilling +=
       distance.states[i] == VoxelState::NotScanned && filled.states[i] != VoxelState::NotScanned;
   }
-  EXPECT_AT_LEAST(different, 100u, "voxels that the strategy changes");
-  EXPECT_AT_LEAST(addedByFilling, 1'000u, "voxels that filling adds");
+  EXPECT_AT_LEAST(different, 1'200u, "voxels that the strategy changes");
+  EXPECT_AT_LEAST(addedByFilling, 1'200u, "voxels that filling adds");
   EXPECT_NE(linear.values, distance.values);
   EXPECT_NE(measured.values, distance.values);
   EXPECT_EQ(measured.ancillary.weight, distance.ancillary.weight) << "values alone are sharpened";

@@ -4,7 +4,6 @@
 #include "ProgramRun.h"
 #include "Scene/Series/VolumeFiles.h"
 #include "TestData.h"
-#include "Tolerance.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -51,8 +50,7 @@ void ExpectOrderly(const ProgramRun& run, const fs::path& file)
   EXPECT_TRUE(run.status == 0 || run.status == 1 || run.status == 3)
     << file << ": " << run.status << ' ' << run.errors.substr(0, 500);
   EXPECT_EQ(run.errors.find("bad_alloc"), std::string::npos) << file;
-  EXPECT_AT_MOST(std::count(run.errors.begin(), run.errors.end(), '\n'), 1'010, "lines of errors")
-    << file;
+  EXPECT_LT(std::count(run.errors.begin(), run.errors.end(), '\n'), 1'010) << file;
   EXPECT_LT(run.output.size(), 800U) << file;
 }
 

@@ -169,18 +169,18 @@ TEST_F(WritingVolumes, OneTerminalRadarHasTheDomainOfItsReach)
     const GriddedVolume made = ReadNxv(report.files.front());
     return made.grid.spacing[0] * made.grid.dimensions[0];
   };
-  EXPECT_WITHIN(widthOf({files.back()}), 200'000.0, 10.0,
+  EXPECT_WITHIN(widthOf({files.back()}), 200'000.0, 4.0,
     "width of the grid of the terminal radar, m"); // 99.5 km, in whole km
   EXPECT_WITHIN(
-    widthOf({files.front()}), 460'000.0, 10.0, "width of the grid of the other radar, m");
+    widthOf({files.front()}), 460'000.0, 4.0, "width of the grid of the other radar, m");
   EXPECT_AT_LEAST(
     widthOf({files.front(), files.back()}), 460'000.0, "width of the grid of both radars, m");
   job.options.grid.range = 50'000.0;
   EXPECT_WITHIN(
-    widthOf({files.back()}), 100'000.0, 10.0, "width of the grid at a range of 50 km, m");
+    widthOf({files.back()}), 100'000.0, 2.0, "width of the grid at a range of 50 km, m");
   job.options.grid.range = 230'000.0;
   EXPECT_WITHIN(
-    widthOf({files.back()}), 460'000.0, 10.0, "width of the grid at a range of 230 km, m");
+    widthOf({files.back()}), 460'000.0, 4.0, "width of the grid at a range of 230 km, m");
 }
 
 TEST_F(WritingVolumes, HeadersThatErrMakeNoDifference)

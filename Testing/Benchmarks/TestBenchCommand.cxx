@@ -51,7 +51,7 @@ TEST(BenchCommand, MeasuresASeriesOfFiles)
   EXPECT_NEAR(series[1]["ratio"].get<double>(),
     series[1]["series_s"]["median"].get<double>() / series[1]["bare_s"]["median"].get<double>(),
     1e-9);
-  EXPECT_AT_LEAST(series[1]["peak_mib"], 10.0,
+  EXPECT_AT_LEAST(series[1]["peak_mib"], 50.0,
     "peak of the memory of the series, MiB"); // two volumes and five of rays
 }
 

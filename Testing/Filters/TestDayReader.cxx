@@ -322,7 +322,7 @@ TEST_F(DayReader, RequestsThatCannotBeMetAreErrors)
 TEST_F(DayReader, ReportsProgressAndStopsWhenAsked)
 {
   reader->Update();
-  EXPECT_AT_LEAST(events->progress.size(), 2U, "reports of progress");
+  EXPECT_AT_LEAST(events->progress.size(), 3U, "reports of progress");
   EXPECT_TRUE(std::all_of(events->progress.begin(), events->progress.end(),
     [](double each) { return each >= 0.0 && each <= 1.0; }));
   vtkNew<vtkCallbackCommand> stop;
@@ -441,7 +441,7 @@ TEST(DayReaderOnRealFiles, GivesTheMergeOfTheVolumesAboutTheTime)
     {{&before, &after}}, nexrad::MakeGrid(request, {*before.site.position}), time);
   EXPECT_EQ(volume.values, expected->values);
   EXPECT_EQ(volume.states, expected->states);
-  EXPECT_AT_LEAST(std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo), 500,
+  EXPECT_AT_LEAST(std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo), 6'000,
     "voxels of echo");
 }
 

@@ -165,16 +165,16 @@ TEST(Level2Reader, DescribesTheVolumeAndEachSweep)
   vtkFieldData* field = GridOf(sweeps, 3)->GetFieldData();
   EXPECT_EQ(vtkStringArray::SafeDownCast(field->GetAbstractArray("Site"))->GetValue(0), "KBGM");
   EXPECT_WITHIN(
-    field->GetArray("Position")->GetComponent(0, 0), 42.2, 0.01, "latitude of KBGM, degrees");
+    field->GetArray("Position")->GetComponent(0, 0), 42.2, 0.0006, "latitude of KBGM, degrees");
   EXPECT_WITHIN(
-    field->GetArray("Position")->GetComponent(0, 1), -75.985, 0.01, "longitude of KBGM, degrees");
+    field->GetArray("Position")->GetComponent(0, 1), -75.985, 0.0005, "longitude of KBGM, degrees");
   EXPECT_EQ(field->GetArray("VCP")->GetComponent(0, 0), 21.0);
   EXPECT_EQ(field->GetArray("SweepIndex")->GetComponent(0, 0), 3.0);
   EXPECT_AT_LEAST(
     field->GetArray("NyquistVelocity")->GetComponent(0, 0), 20.0, "Nyquist velocity, m/s");
   EXPECT_WITHIN(field->GetArray("StartTime")->GetComponent(0, 0), 1124592199.0, 1.0,
     "time of the first ray, s"); // 02:43:19
-  EXPECT_WITHIN(field->GetArray("EndTime")->GetComponent(0, 0), 1124592541.0, 1.0,
+  EXPECT_WITHIN(field->GetArray("EndTime")->GetComponent(0, 0), 1124592541.0, 0.4,
     "time of the last ray, s"); // 02:49:01
   // All the way round: a row more than rays, and the last is the first again.
   vtkStructuredGrid* grid = GridOf(sweeps, 3);
@@ -330,7 +330,7 @@ TEST(Level2Reader, ReportsProgressAndStopsWhenAsked)
   reader->SetFileName(path.c_str());
   reader->Update();
   EXPECT_AT_LEAST(events->progress.size(), 10U, "reports of progress");
-  EXPECT_AT_MOST(events->progress.size(), 60U, "reports of progress");
+  EXPECT_AT_MOST(events->progress.size(), 25U, "reports of progress");
   EXPECT_TRUE(std::is_sorted(events->progress.begin(), events->progress.end()));
 
   vtkNew<vtkCallbackCommand> stop;

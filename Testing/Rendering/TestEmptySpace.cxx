@@ -102,7 +102,7 @@ void ExpectRangesOfVoxels(bool cellData)
   vtkTextureSliceBricks bricks;
   bricks.Build(volume.Source);
   const auto [nx, ny, nz] = bricks.GetCount();
-  ASSERT_AT_LEAST(nx * ny * nz, 20, "bricks of the volume");
+  ASSERT_GT(nx * ny * nz, 20);
   auto range = bricks.GetRanges().begin();
   for (int brick = 0; brick < nx * ny * nz; ++brick)
   {
@@ -343,7 +343,7 @@ TEST(EmptySpace, TilesCoverEachVisiblePixelOnce)
       inside += inOutline ? 1 : 0;
     }
   }
-  EXPECT_AT_LEAST(needed, 1000, "tiles needed");
-  EXPECT_AT_MOST(static_cast<double>(drawn) / static_cast<double>(inside), 0.5,
+  EXPECT_AT_LEAST(needed, 5'000, "tiles needed");
+  EXPECT_AT_MOST(static_cast<double>(drawn) / static_cast<double>(inside), 0.28,
     "pixels drawn, part of those inside");
 }

@@ -164,10 +164,10 @@ TEST(TransferFunction, PropertiesFollowTheSplines)
   for (double dBZ = -10.0; dBZ <= 90.0; dBZ += 0.37)
   {
     EXPECT_WITHIN(property->GetRGBTransferFunction()->GetRedValue(dBZ),
-      function->Evaluate(Function::RED, dBZ), 0.006, "red of the sampled spline")
+      function->Evaluate(Function::RED, dBZ), 0.004, "red of the sampled spline")
       << dBZ;
     EXPECT_WITHIN(property->GetScalarOpacity()->GetValue(dBZ),
-      function->Evaluate(Function::OPACITY, dBZ), 0.004, "opacity of the sampled spline")
+      function->Evaluate(Function::OPACITY, dBZ), 0.001, "opacity of the sampled spline")
       << dBZ;
   }
 }
@@ -392,7 +392,7 @@ TEST(TransferFunction, PalTablesComeBackToAByte)
   {
     EXPECT_NEAR(read->Evaluate(Function::GREEN, dBZ), steps->Evaluate(Function::GREEN, dBZ), 1e-9);
     EXPECT_WITHIN(sampled->Evaluate(Function::RED, dBZ), splines->Evaluate(Function::RED, dBZ),
-      0.004, "red that comes back");
+      0.0039, "red that comes back");
     EXPECT_WITHIN(sampled->Evaluate(Function::OPACITY, dBZ),
       splines->Evaluate(Function::OPACITY, dBZ), 0.004, "opacity that comes back");
   }

@@ -5,6 +5,8 @@
 #include <cstdlib>
 #include <map>
 #include <mutex>
+#include <string>
+#include <utility>
 
 #include <fcntl.h>
 #include <unistd.h>
@@ -88,36 +90,31 @@ private:
   std::map<std::pair<std::string, bool>, Noted> figures;
 };
 
-// Nothing where no list is asked for. The first figure of a process makes it; GoogleTest deletes
-// it.
-List* TheList()
+// The first figure of a process makes the list; GoogleTest deletes it.
+List& TheList(const char* path)
 {
-  static List* const list = []() -> List*
+  static List* const list = [path]
   {
-    const char* path = std::getenv("NEXRAD_TOLERANCES");
-    if (path == nullptr || *path == '\0')
-    {
-      return nullptr;
-    }
     auto* made = new List(path);
     ::testing::UnitTest::GetInstance()->listeners().Append(made);
     return made;
   }();
-  return list;
+  return *list;
 }
 
 } // namespace
 
 void BoundedFigure::Record(double measured, double bound) const
 {
-  if (List* list = TheList())
+  const char* path = std::getenv("NEXRAD_TOLERANCES");
+  if (path != nullptr && *path != '\0')
   {
-    list->Add(*this, measured, bound);
+    TheList(path).Add(*this, measured, bound);
   }
 }
 
-::testing::AssertionResult Judge(const BoundedFigure& figure, const std::string& expression,
-  const std::string& limit, double measured, double bound)
+::testing::AssertionResult Judge(const BoundedFigure& figure, const char* expression,
+  const char* limit, double measured, double bound)
 {
   figure.Record(measured, bound);
   if (figure.Holds(measured, bound))

@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <string>
 #include <string_view>
 
 namespace nexrad::testing
@@ -28,9 +27,9 @@ struct BoundedFigure
   void Record(double measured, double bound) const;
 };
 
-/// The result of a comparison of two expressions: their text, their values, and what is measured.
-::testing::AssertionResult Judge(const BoundedFigure& figure, const std::string& expression,
-  const std::string& limit, double measured, double bound);
+/// Records a figure; says of one beyond its bound what was compared.
+::testing::AssertionResult Judge(const BoundedFigure& figure, const char* expression,
+  const char* limit, double measured, double bound);
 
 /// For EXPECT_AT_MOST and EXPECT_AT_LEAST.
 class Bound
@@ -67,10 +66,10 @@ public:
     const char* limit, const Measured& measured, const Expected& expected, const Limit& bound) const
   {
     const double off = std::abs(static_cast<double>(measured) - static_cast<double>(expected));
-    auto result = Judge(figure, std::string("|") + expression + " - " + wanted + "|", limit, off,
-      static_cast<double>(bound));
+    auto result = Judge(figure, "distance", limit, off, static_cast<double>(bound));
     return result ? result
-                  : result << "; " << expression << " is " << ::testing::PrintToString(measured);
+                  : result << "; (" << expression << ") is " << static_cast<double>(measured)
+                           << ", (" << wanted << ") is " << static_cast<double>(expected);
   }
 
 private:

@@ -253,7 +253,7 @@ std::array<double, 2> Measure(const AnvilCase& scene, const PolarVolume& scanned
   const std::vector<Top> all = ErrorsOf(scene.anvil, merged, 40e3, scene.farthest);
   const std::array<double, 2> figures = {BiasOf(all), RippleOf(all)};
   std::printf("  all: %+5.0f, %4.0f m (%zu)\n", figures[0], figures[1], all.size());
-  EXPECT_AT_LEAST(all.size(), 60u, "columns of the anvil compared");
+  EXPECT_AT_LEAST(all.size(), 80u, "columns of the anvil compared");
   return figures;
 }
 
@@ -311,7 +311,8 @@ TEST_P(AnvilTops, RippleAThirdOfLinear)
   const auto linear = Measure(GetParam(), scanned, false);
   const auto trend = Measure(GetParam(), scanned, true);
   EXPECT_AT_MOST(trend[1] / linear[1], 1.0 / 3.0,
-    "ripple of the anvil's top, part of that of the linear interpolation");
+    "ripple of the anvil's top, part of that of the linear interpolation",
+    "one claim for all patterns: a third");
   EXPECT_AT_MOST(trend[1], GetParam().bound, "ripple of the anvil's top, m");
 }
 

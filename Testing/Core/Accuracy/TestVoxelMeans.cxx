@@ -159,7 +159,7 @@ TEST(VoxelMeans, OfTheSyntheticStormSeenBySuperResolutionRadars)
   const Truth truth = TruthOn(day, {128, 128, 64});
   const TruthScore gates = ScoreOf(day, truth, false);
   const TruthScore means = ScoreOf(day, truth, true);
-  EXPECT_AT_LEAST(gates.rmse - means.rmse, 0.1, "RMSE of four gates above that of the means, dBZ");
+  EXPECT_AT_LEAST(gates.rmse - means.rmse, 0.12, "RMSE of four gates above that of the means, dBZ");
   EXPECT_LT(means.MissedFraction(), gates.MissedFraction());
 }
 

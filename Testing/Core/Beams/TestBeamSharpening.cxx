@@ -182,7 +182,7 @@ TEST(BeamSharpening, IsForReflectivityInDecibels)
       }
     };
     ForEachVoxel(merged.grid, centralSite, check);
-    EXPECT_AT_LEAST(voxels, 100u, "voxels compared");
+    EXPECT_AT_LEAST(voxels, 400u, "voxels compared");
   };
   expectAtTheMiddleTilt(volumeOf(MomentName::REF), {}, 29.06F);
   expectAtTheMiddleTilt(volumeOf(MomentName::ZDR), {}, 30.0F);

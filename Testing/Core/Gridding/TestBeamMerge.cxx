@@ -133,12 +133,12 @@ TEST(BeamMerge, LinearInElevationBetweenTheTiltsAndNotBeyondHalfABeam)
         expected = static_cast<double>(values[i]) + share * step;
       }
     }
-    ASSERT_WITHIN(volume.values[voxel.index], expected, 0.05, "interpolation in elevation, dBZ")
+    ASSERT_WITHIN(volume.values[voxel.index], expected, 0.014, "interpolation in elevation, dBZ")
       << voxel.elevation;
     ++between;
   };
   ForEachVoxel(volume.grid, centralSite, check);
-  EXPECT_AT_LEAST(between, 50'000u, "voxels between tilts");
+  EXPECT_AT_LEAST(between, 120'000u, "voxels between tilts");
   EXPECT_EQ(volume.sites, std::vector<std::string>{"KTST"});
   EXPECT_EQ(volume.method, "beam");
 }
@@ -201,7 +201,7 @@ TEST(BeamMerge, BilinearInAzimuthAndRangeWithUnevenRays)
       const double height = beam.HeightOver(voxel.groundDistance, 1.0);
       const double range = beam.Look({height, voxel.groundDistance}).slantRange;
       ASSERT_WITHIN(volume.values[voxel.index], 10.0 + voxel.azimuth / 20.0 + range / 10'000.0,
-        0.01, "interpolation in azimuth and range, dBZ");
+        0.018, "interpolation in azimuth and range, dBZ");
     }
   };
   ForEachVoxel(volume.grid, centralSite, check);
@@ -322,7 +322,7 @@ TEST(BeamMerge, AnEchoFallsToNoEchoBelowATiltWithoutOne)
       if (away < end)
       {
         ASSERT_WITHIN(
-          volume.values[voxel.index], 40.0 * (1.0 - away / end), 0.1, "fall to no echo, dBZ");
+          volume.values[voxel.index], 40.0 * (1.0 - away / end), 0.002, "fall to no echo, dBZ");
       }
     };
     ForEachVoxel(volume.grid, centralSite, check);
@@ -354,7 +354,7 @@ TEST(BeamMerge, BeyondTheLastGateThereIsNothingAbove18Kilometres)
     }
   };
   ForEachVoxel(grid, centralSite, check);
-  EXPECT_AT_LEAST(high, 100u, "voxels above 18 km");
+  EXPECT_AT_LEAST(high, 1'500u, "voxels above 18 km");
 }
 
 TEST(BeamMerge, VelocityIsNeverMixedAndPhaseIsMixedOnTheCircle)
@@ -401,7 +401,7 @@ TEST(BeamMerge, LinearReflectivityIsAnOption)
     {
       const double share = (voxel.elevation - 1.0) / 2.0;
       const double z = (1.0 - share) * 100.0 + share * 10'000.0;
-      ASSERT_WITHIN(volume.values[voxel.index], 10.0 * std::log10(z), 0.05,
+      ASSERT_WITHIN(volume.values[voxel.index], 10.0 * std::log10(z), 0.0012,
         "interpolation of linear reflectivity, dBZ");
     }
   };

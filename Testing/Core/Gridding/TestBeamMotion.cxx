@@ -72,7 +72,7 @@ double LargestError(const GriddedVolume& volume, const MovingEcho& field, double
     }
   };
   ForEachVoxel(volume.grid, centralSite, compare);
-  EXPECT_AT_LEAST(count, 300u, "voxels compared");
+  EXPECT_GT(count, 300u);
   return largest;
 }
 
@@ -374,8 +374,8 @@ TEST_P(KindsOfNothing, StayApart)
     }
   }
   EXPECT_AT_LEAST(
-    *std::min_element(counts.begin(), counts.end()), 1'000u, "voxels of the rarest kind");
-  EXPECT_AT_LEAST(changed, 10u, "voxels that change"); // along the border between echo and none
+    *std::min_element(counts.begin(), counts.end()), 10'000u, "voxels of the rarest kind");
+  EXPECT_AT_LEAST(changed, 220u, "voxels that change"); // along the border between echo and none
 }
 
 INSTANTIATE_TEST_SUITE_P(OnOneSideOrBoth, KindsOfNothing,
@@ -401,7 +401,7 @@ TEST(BeamMotion, VelocityIsNeverBlended)
       ASSERT_NEAR(std::abs(merged.values[i]), 20.0F, 1e-3F);
     }
   }
-  EXPECT_AT_LEAST(count, 1'000u, "voxels of echo");
+  EXPECT_AT_LEAST(count, 10'000u, "voxels of echo");
 }
 
 TEST(BeamMotion, TheResultDoesNotDependOnThreadsOrOrder)
@@ -476,11 +476,10 @@ TEST(BeamMotion, DirectionsFollowTheMotion)
         const double clockwise = -9.0 * seconds;
         EXPECT_GE(moved.azimuth, 0.0F);
         EXPECT_LT(moved.azimuth, 360.0F);
-        EXPECT_WITHIN(
-          static_cast<double>(moved.halfTangent) * diameter / std::hypot(away, clockwise), 1.0,
-          0.001, "distance moved to, part of it");
+        EXPECT_NEAR(static_cast<double>(moved.halfTangent) * diameter / std::hypot(away, clockwise),
+          1.0, 1e-6);
         const double turned = azimuth + std::atan2(clockwise, away) / RadiansPerDegree;
-        EXPECT_WITHIN(AngleDifference(turned, static_cast<double>(moved.azimuth)), 0.0, 0.003,
+        EXPECT_WITHIN(AngleDifference(turned, static_cast<double>(moved.azimuth)), 0.0, 0.0026,
           "azimuth moved to, degrees");
       }
     }

@@ -227,7 +227,7 @@ TEST(BeamNetwork, AConstantFieldStaysConstantWhileARadarStartsMissesVolumesAndSt
         eastAlone += eastTakesPart && one && volume.ancillary.nearestSite[i] == 0;
       }
     }
-    EXPECT_AT_LEAST(eastAlone, 5'000u, "voxels of the eastern radar alone");
+    EXPECT_AT_LEAST(eastAlone, 50'000u, "voxels of the eastern radar alone");
   }
 }
 
@@ -255,8 +255,8 @@ TEST(BeamNetwork, ARadarThatStartsMissesVolumesAndStopsFades)
       const double west = WeightAt(ranges.west[i]);
       const double east = WeightAt(ranges.east[i]);
       const double weight = now.ancillary.weight[i];
-      ASSERT_AT_LEAST(weight / west, 0.98, "weight, part of the western radar's");
-      ASSERT_AT_MOST(weight / (west + east), 1.02, "weight, part of both radars'");
+      ASSERT_AT_MOST(1.0 - weight / west, 0.0018, "weight below the western radar's, part of it");
+      ASSERT_AT_MOST(weight / (west + east) - 1.0, 0.0018, "weight above both radars', part of it");
       // The rays of neighbouring tilts are 24 s apart, and so are the ends of their fades.
       const double change = std::abs(weight - static_cast<double>(before.ancillary.weight[i]));
       ASSERT_AT_MOST(change, (fade + 24.0 * 3.0 / gap) * east + 0.02 * west,
@@ -308,14 +308,14 @@ TEST(BeamNetwork, TheWeightOfARadarThatComesAndGoesIsARamp)
       const std::vector<double> parts = partsAt(seconds);
       for (std::size_t i = 0; i < parts.size(); ++i)
       {
-        ASSERT_AT_MOST(least - parts[i], 0.05, "weight below the ramp");
-        ASSERT_AT_MOST(parts[i] - most, 0.05, "weight above the ramp");
+        ASSERT_GT(parts[i], least - 1e-5) << seconds;
+        ASSERT_AT_MOST(parts[i] - most, 0.0145, "weight above the ramp");
         const double change = before.empty() ? 0.0 : sign * (parts[i] - before[i]);
         largestReturn = std::max(largestReturn, -change);
       }
       before = parts;
     }
-    EXPECT_AT_MOST(largestReturn, 0.01, "step back of the weight");
+    EXPECT_AT_MOST(largestReturn, 0.009, "step back of the weight");
   };
   checkRamp(1480.0, 1940.0, 2400.0, 2516.0, 1.0);
   checkRamp(5560.0, 6010.0, 4980.0, 5096.0, -1.0);
@@ -376,14 +376,14 @@ TEST(BeamNetwork, AncillaryArraysAndValuesByHandForEachStrategy)
       ++count;
       const Expected right = expected(strategy, west, east);
       ASSERT_EQ(volume.states[i], VoxelState::Echo);
-      ASSERT_WITHIN(volume.values[i], right.value, 0.1, "value by hand, dBZ");
+      ASSERT_WITHIN(volume.values[i], right.value, 0.0135, "value by hand, dBZ");
       ASSERT_WITHIN(
-        volume.ancillary.weight[i] / right.weight, 1.0, 0.01, "weight by hand, part of it");
+        volume.ancillary.weight[i] / right.weight, 1.0, 0.002, "weight by hand, part of it");
       ASSERT_EQ(volume.ancillary.radars[i], 2);
       ASSERT_NEAR(volume.ancillary.age[i], 100.0, 1e-3);
       ASSERT_EQ(volume.ancillary.nearestSite[i], east < west ? 0 : 1);
     }
-    EXPECT_AT_LEAST(count, 500u, "voxels compared");
+    EXPECT_AT_LEAST(count, 800u, "voxels compared");
   }
 }
 
@@ -430,6 +430,6 @@ TEST(BeamNetwork, ASmoothFieldHasNoStripesWhereResolutionsMeet)
   }
   EXPECT_AT_MOST(elsewhere, 0.06, "difference to the mean away from the ends of range, dBZ");
   EXPECT_AT_MOST(atEnds, 0.15, "difference to the mean at the ends of range, dBZ");
-  EXPECT_AT_LEAST(ofOne, 150u, "voxels that one radar sees");
+  EXPECT_AT_LEAST(ofOne, 600u, "voxels that one radar sees");
   EXPECT_AT_LEAST(ofBoth, 150u, "voxels that both radars see");
 }

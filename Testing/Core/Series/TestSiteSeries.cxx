@@ -124,7 +124,7 @@ TEST(SiteSeries, NamesWhatIsDamagedOrLeftOut)
   const auto scan = ScanInputs({folder.Path() / "cut", folder.Path() / "notes.txt"});
   ASSERT_EQ(scan->sites.size(), 1U);
   EXPECT_AT_MOST(scan->sites[0].volumes[0].rays, 360U, "rays of the damaged volume");
-  EXPECT_AT_LEAST(scan->sites[0].volumes[0].rays, 100U, "rays of the damaged volume");
+  EXPECT_AT_LEAST(scan->sites[0].volumes[0].rays, 150U, "rays of the damaged volume");
   ASSERT_GE(scan->problems.size(), 2U);
   EXPECT_TRUE(scan->problems.front().offset);
   EXPECT_FALSE(scan->problems.front().leftOut);

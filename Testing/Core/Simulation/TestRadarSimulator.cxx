@@ -74,7 +74,7 @@ TEST(RadarSimulator, MarksTheVolumeAndItsRays)
   for (std::size_t cut = 0; cut < volume.sweeps.size(); ++cut)
   {
     const Sweep& sweep = volume.sweeps[cut];
-    EXPECT_WITHIN(sweep.MeanElevation(), volume.coveragePattern->cuts[cut].elevation, 0.02,
+    EXPECT_WITHIN(sweep.MeanElevation(), volume.coveragePattern->cuts[cut].elevation, 0.009,
       "mean elevation of a cut, degrees");
     for (const Ray& ray : sweep.rays)
     {
@@ -137,10 +137,10 @@ TEST(RadarSimulator, GatesAreTheFieldWithNoise)
       }
     }
   }
-  ASSERT_AT_LEAST(count, 3000, "gates compared");
+  ASSERT_AT_LEAST(count, 8'000, "gates compared");
   const double mean = sum / count;
-  EXPECT_WITHIN(mean, 0.0, 0.06, "mean of the noise, dB");
-  EXPECT_WITHIN(std::sqrt(squares / count - mean * mean), 1.01, 0.04,
+  EXPECT_WITHIN(mean, 0.0, 0.015, "mean of the noise, dB");
+  EXPECT_WITHIN(std::sqrt(squares / count - mean * mean), 1.01, 0.0045,
     "standard deviation of the noise, dB"); // with the quantum's 0.14
 }
 
@@ -162,7 +162,7 @@ TEST(RadarSimulator, NothingIsWeakerThanTheSensitivity)
       }
     }
   }
-  EXPECT_AT_LEAST(valid, 10'000U, "gates with echo");
+  EXPECT_AT_LEAST(valid, 25'000U, "gates with echo");
 }
 
 // Radial velocity against the wind along the beam, on rays that no second pulse disturbs.
@@ -197,10 +197,10 @@ TEST(RadarSimulator, VelocityIsTheWindAlongTheBeamFoldedAtTheNyquistVelocity)
       ++count;
     }
   }
-  ASSERT_AT_LEAST(count, 1000, "velocities compared");
+  ASSERT_AT_LEAST(count, 8'000, "velocities compared");
   std::printf("%d velocities, %d of them folded\n", count, folded);
   EXPECT_WITHIN(
-    std::sqrt(squares / count), 1.2, 0.15, "standard deviation of the noise of velocities, m/s");
+    std::sqrt(squares / count), 1.2, 0.038, "standard deviation of the noise of velocities, m/s");
 }
 
 // Beside the edge of an echo 2 % of the gates had a width of -63.5 m/s and a velocity of no echo:
@@ -289,7 +289,7 @@ TEST(RadarSimulator, EchoesOfTwoPulsesAreRangeFolded)
       folded += velocity.State(gate) == GateState::RangeFolded ? 1 : 0;
     }
   }
-  EXPECT_AT_LEAST(folded, 500U, "range-folded gates");
+  EXPECT_AT_LEAST(folded, 25'000U, "range-folded gates");
 }
 
 TEST(RadarSimulator, WeakerRefractionMovesWhatIsSeen)
@@ -313,8 +313,8 @@ TEST(RadarSimulator, WeakerRefractionMovesWhatIsSeen)
       (gate < 20 ? nearDifferences : farDifferences) += std::abs(difference) > 2 ? 1 : 0;
     }
   }
-  EXPECT_AT_MOST(nearDifferences, 20U, "gates near the radar that differ");
-  EXPECT_AT_LEAST(farDifferences, 1000U, "gates far from the radar that differ");
+  EXPECT_EQ(nearDifferences, 0U);
+  EXPECT_AT_LEAST(farDifferences, 5'000U, "gates far from the radar that differ");
 }
 
 TEST(RadarSimulator, SaysWhatItCannotScan)

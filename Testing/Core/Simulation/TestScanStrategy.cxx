@@ -69,10 +69,10 @@ void CompareWithMessage1(const std::filesystem::path& file, int number)
         << where;
     }
     EXPECT_WITHIN(
-      layout.rays, static_cast<double>(sweep.rays.size()), 3.0, "rays against a real cut")
+      layout.rays, static_cast<double>(sweep.rays.size()), 2.0, "rays against a real cut")
       << where;
     const double duration = layout.rays * layout.raySpacing / cuts[index].cut.azimuthRate;
-    EXPECT_WITHIN(duration / SecondsOf(sweep), 1.0, 0.06, "duration, part of a real cut's")
+    EXPECT_WITHIN(duration / SecondsOf(sweep), 1.0, 0.018, "duration, part of a real cut's")
       << where;
   }
 }
@@ -115,7 +115,7 @@ TEST(ScanStrategy, Pattern12IsThatOfARealFile)
     const Ray& ray = volume.sweeps[index].rays[50];
     EXPECT_EQ(layout.reflectivity.gates, ray.Row(MomentName::REF).gates) << index;
     EXPECT_EQ(layout.doppler.gates, ray.Row(MomentName::VEL).gates) << index;
-    EXPECT_WITHIN(volume.sweeps[index].MeanElevation(), cuts[index].cut.elevation, 0.2,
+    EXPECT_WITHIN(volume.sweeps[index].MeanElevation(), cuts[index].cut.elevation, 0.085,
       "mean elevation against the pattern's, degrees")
       << index;
   }
@@ -162,6 +162,6 @@ TEST(ScanStrategy, KnowsThePatternsThatItNames)
 {
   EXPECT_EQ(KnownCoveragePatterns(), (std::vector<int>{11, 12, 21, 31, 32, 35, 121, 212, 215}));
   EXPECT_EQ(FindCoveragePattern(99), nullptr);
-  EXPECT_WITHIN(ToSeconds(Time(VolumePeriod(21))), 347.0, 5.0,
+  EXPECT_WITHIN(ToSeconds(Time(VolumePeriod(21))), 347.0, 1.8,
     "period of a volume, s"); // the pace of KBGM, 2005-08-21
 }

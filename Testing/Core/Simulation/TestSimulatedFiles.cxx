@@ -46,7 +46,7 @@ TEST(SimulatedFiles, AreAsLargeAsTheRunOfKbgm)
   std::printf("KBGM, five files: %.0f bytes on average\n", mean);
   for (const char* site : {"KEAX", "KILX", "KLSX"})
   {
-    EXPECT_WITHIN(SizeOf(site, 21, 1, Level2Container::LdmBzip2) / mean, 1.0, 0.3,
+    EXPECT_WITHIN(SizeOf(site, 21, 1, Level2Container::LdmBzip2) / mean, 1.0, 0.16,
       "size of a file, part of the real ones' mean")
       << site;
   }

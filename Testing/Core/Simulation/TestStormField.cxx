@@ -209,7 +209,7 @@ TEST(StormField, MeanIsOverTheLatticeOfTheVoxel)
       }
     }
   }
-  EXPECT_AT_LEAST(compared, 30U, "voxels compared");
+  EXPECT_AT_LEAST(compared, 40U, "voxels compared");
 }
 
 TEST(StormField, ClearAirStaysBelowZero)
@@ -248,7 +248,7 @@ TEST(StormField, TheDayRepeatsWithoutAJump)
       }
     }
   }
-  EXPECT_AT_LEAST(echoes, 100, "places of echo");
+  EXPECT_AT_LEAST(echoes, 500, "places of echo");
 }
 
 TEST(Supercell, HasAStrongCoreThatLeansDownshear)
@@ -260,22 +260,22 @@ TEST(Supercell, HasAStrongCoreThatLeansDownshear)
   EXPECT_AT_MOST(low.reflectivity, 66.0, "strongest echo at 2 km, dBZ");
   EXPECT_AT_LEAST(high.reflectivity, 30.0, "strongest echo at 9 km, dBZ");
   EXPECT_LT(high.reflectivity, low.reflectivity);
-  EXPECT_AT_LEAST(high.place.x - low.place.x, 1'000.0, "lean of the core downshear, m");
+  EXPECT_AT_LEAST(high.place.x - low.place.x, 1'600.0, "lean of the core downshear, m");
 }
 
 TEST(Supercell, HasAWideAnvilAndATopAtItsHeight)
 {
   const StormSnapshot storm = LoneStorm(StormKind::Supercell, 14'000.0);
-  EXPECT_AT_MOST(
-    FindStrongest(storm, 14'500.0).reflectivity, 10.0, "strongest echo above the top, dBZ");
-  EXPECT_AT_LEAST(
-    FindStrongest(storm, 13'500.0).reflectivity, 0.0, "strongest echo below the top, dBZ");
+  const double above = FindStrongest(storm, 14'500.0).reflectivity;
+  const double below = FindStrongest(storm, 13'500.0).reflectivity;
+  EXPECT_AT_LEAST(below, 7.0, "strongest echo below the top, dBZ");
+  EXPECT_AT_LEAST(below - above, 7.0, "fall of the echo across the top, dB");
   // Downshear at 60 km there is an anvil aloft, and nothing but clear air below it.
   const double x = 60'000.0 * std::sin(64.0 / 57.29578);
   const double y = 60'000.0 * std::cos(64.0 / 57.29578);
-  EXPECT_AT_LEAST(storm.Reflectivity({x, y, 10'000.0}), 10.0, "anvil downshear, dBZ");
+  EXPECT_AT_LEAST(storm.Reflectivity({x, y, 10'000.0}), 15.0, "anvil downshear, dBZ");
   EXPECT_AT_MOST(storm.Reflectivity({x, y, 10'000.0}), 30.0, "anvil downshear, dBZ");
-  EXPECT_AT_MOST(storm.Reflectivity({x, y, 2'000.0}), 0.0, "clear air below the anvil, dBZ");
+  EXPECT_AT_MOST(storm.Reflectivity({x, y, 2'000.0}), -8.0, "clear air below the anvil, dBZ");
 }
 
 TEST(Supercell, HasAHookRoundItsMesocyclone)
@@ -289,7 +289,7 @@ TEST(Supercell, HasAHookRoundItsMesocyclone)
     -6'500.0 * sine + 7'500.0 * cosine, -6'500.0 * cosine - 7'500.0 * sine, 1'000.0};
   const double north = storm.Wind({eye.x + 3'000.0, eye.y, eye.z}).north;
   const double south = storm.Wind({eye.x - 3'000.0, eye.y, eye.z}).north;
-  EXPECT_WITHIN(north - south, 48.0, 1.0, "difference of the winds about the mesocyclone, m/s");
+  EXPECT_WITHIN(north - south, 48.0, 0.05, "difference of the winds about the mesocyclone, m/s");
   // Round the eye there is echo of 40 dBZ and more, and less in it than in the ring.
   double ring = -100.0;
   for (int angle = 0; angle < 360; angle += 10)
@@ -298,7 +298,7 @@ TEST(Supercell, HasAHookRoundItsMesocyclone)
                             eye.y + 4'200.0 * std::sin(angle / 57.29578), 1'000.0}));
   }
   EXPECT_AT_LEAST(ring, 40.0, "strongest echo of the hook, dBZ");
-  EXPECT_AT_LEAST(ring - storm.Reflectivity(eye), 5.0, "hook above the eye, dB");
+  EXPECT_AT_LEAST(ring - storm.Reflectivity(eye), 12.0, "hook above the eye, dB");
 }
 
 TEST(RainArea, HasABrightBandAtTheMeltingLevel)
@@ -308,7 +308,7 @@ TEST(RainArea, HasABrightBandAtTheMeltingLevel)
   const double band = rain.Reflectivity({0.0, 0.0, 2'900.0});
   const double above = rain.Reflectivity({0.0, 0.0, 5'000.0});
   EXPECT_AT_LEAST(band - below, 3.0, "bright band above the rain, dB");
-  EXPECT_AT_LEAST(below - above, 8.0, "snow below the rain, dB");
+  EXPECT_AT_LEAST(below - above, 12.0, "snow below the rain, dB");
 }
 
 TEST(StormLife, MovesStraightAndIsGoneBeforeAndAfter)
@@ -341,7 +341,7 @@ TEST(StormElement, NothingReachesBeyondItsBounds)
   {
     AddElements(storm, 65'000.0, elements, vortices);
   }
-  ASSERT_AT_LEAST(elements.size(), 50U, "elements of the field");
+  ASSERT_AT_LEAST(elements.size(), 300U, "elements of the field");
   for (const StormElement& element : elements)
   {
     const ElementBounds bounds = BoundsOf(element);
