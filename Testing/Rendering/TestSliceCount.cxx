@@ -41,9 +41,8 @@ protected:
               << difference.LargestMean() << " of 255, worst " << difference.Worst << ", over "
               << difference.Pixels << " pixels\n";
     EXPECT_AT_LEAST(difference.Pixels, 3000, "pixels compared");
-    EXPECT_AT_MOST(difference.LargestMean(), tolerance,
-      name + " at " + std::to_string(slices) +
-        " slices: mean difference to the most slices, of 255")
+    EXPECT_AT_MOST(
+      difference.LargestMean(), tolerance, name + ": mean difference from 256 slices, of 255")
       << name << ", " << slices << " slices";
   }
 
