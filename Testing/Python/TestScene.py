@@ -76,7 +76,7 @@ class Pictures(unittest.TestCase):
 
     def test_the_usual_picture(self):
         drawn = self.draw(lambda scene: None)
-        at_least(self, len(numpy.unique(drawn, axis=0)), 200, "colours of the picture")
+        at_least(self, len(numpy.unique(drawn, axis=0)), 4000, "colours of the picture")
 
     def test_camera_and_appearance(self):
         def settings(scene):

@@ -85,7 +85,7 @@ protected:
     std::cout << name << ": mean difference " << difference.Mean[0] << ' ' << difference.Mean[1]
               << ' ' << difference.Mean[2] << " of 255, worst " << difference.Worst << ", over "
               << difference.Pixels << " pixels\n";
-    EXPECT_AT_LEAST(difference.Pixels, 3000, "pixels compared");
+    EXPECT_GT(difference.Pixels, 3000);
     return difference;
   }
 
@@ -102,7 +102,7 @@ TEST_F(Blanking, HiddenPoints)
   this->MaskRayCaster(count);
   this->Input->GetPointData()->AddArray(
     MakeGhosts(count, vtkDataSetAttributes::HIDDENPOINT, vtkDataSetAttributes::DUPLICATEPOINT));
-  EXPECT_AT_MOST(this->CompareBoth("hidden-points").LargestMean(), Bar,
+  EXPECT_AT_MOST(this->CompareBoth("hidden-points").LargestMean(), Allowed(0.42),
     "mean difference to the ray caster, of 255");
   ExpectBaseline(this->Drawn, "HiddenPoints");
 }
@@ -120,7 +120,7 @@ TEST_F(Blanking, HiddenCells)
   this->MaskRayCaster(count);
   cells->GetCellData()->AddArray(
     MakeGhosts(count, vtkDataSetAttributes::HIDDENCELL, vtkDataSetAttributes::DUPLICATECELL));
-  EXPECT_AT_MOST(this->CompareBoth("hidden-cells").LargestMean(), Bar,
+  EXPECT_AT_MOST(this->CompareBoth("hidden-cells").LargestMean(), Allowed(0.44),
     "mean difference to the ray caster, of 255");
 }
 
@@ -132,7 +132,6 @@ TEST_F(Blanking, RayCasterLosesAVoxelAtTheEdge)
   this->Input->GetPointData()->AddArray(MakeGhosts(count, vtkDataSetAttributes::HIDDENPOINT, 0));
   this->Whole = this->Input;
   const double difference = this->CompareBoth("hidden-points-ghosts").LargestMean();
-  EXPECT_AT_LEAST(difference, 2.0 * Tolerance, "mean difference to the ray caster, of 255")
-    << "the exception is none any more";
-  EXPECT_AT_MOST(difference, 3.0, "mean difference to the ray caster, of 255");
+  EXPECT_GT(difference, 2.0 * Tolerance) << "the exception is none any more";
+  EXPECT_AT_MOST(difference, 2.4, "mean difference to the ray caster, of 255");
 }

@@ -40,7 +40,7 @@ protected:
     std::cout << name << ", " << slices << " slices: mean difference from 256 "
               << difference.LargestMean() << " of 255, worst " << difference.Worst << ", over "
               << difference.Pixels << " pixels\n";
-    EXPECT_AT_LEAST(difference.Pixels, 3000, "pixels compared");
+    EXPECT_GT(difference.Pixels, 3000);
     EXPECT_AT_MOST(
       difference.LargestMean(), tolerance, name + ": mean difference from 256 slices, of 255")
       << name << ", " << slices << " slices";
@@ -69,7 +69,7 @@ TEST_F(SliceCount, StormKeepsItsOpacity)
   {
     this->AimCamera(parallel);
     const std::string name = parallel ? "storm, parallel" : "storm, perspective";
-    this->ExpectLike256(name, 128, 0.34);  // measured: 0.17
+    this->ExpectLike256(name, 128, 0.33);  // measured: 0.17
     this->ExpectLike256(name, 512, 0.13);  // 0.07
     this->ExpectLike256(name, 1024, 0.12); // 0.06
   }

@@ -27,6 +27,9 @@ struct BoundedFigure
   void Record(double measured, double bound) const;
 };
 
+/// A reason: the brightness of a pixel is one of 256 codes.
+inline constexpr std::string_view OneCode = "within one code: drivers round to either neighbour";
+
 /// Records a figure; says of one beyond its bound what was compared.
 ::testing::AssertionResult Judge(const BoundedFigure& figure, const char* expression,
   const char* limit, double measured, double bound);
