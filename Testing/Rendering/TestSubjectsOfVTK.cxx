@@ -571,7 +571,7 @@ TEST_F(SubjectsOfVTK, VectorModes)
         smart->SetVectorComponent(1);
         return smart;
       },
-      mode == vtkSmartVolumeMapper::COMPONENT ? 0.56 : 0.26);
+      mode == vtkSmartVolumeMapper::COMPONENT ? 0.26 : 0.56);
   }
 }
 
