@@ -233,7 +233,7 @@ TEST(Level2Encoder, CoveragePatternComesBack)
     const CoverageCut& cut = decoded.coveragePattern->cuts[index];
     const CoverageCut& truth = volume.coveragePattern->cuts[index];
     EXPECT_WITHIN(
-      cut.elevation, truth.elevation, 0.0008, "elevation of a cut that comes back, degrees");
+      cut.elevation, truth.elevation, 0.00075, "elevation of a cut that comes back, degrees");
     EXPECT_EQ(cut.waveform, truth.waveform);
     EXPECT_TRUE(cut.superResolution);
     EXPECT_NEAR(cut.azimuthRate, truth.azimuthRate, 0.001);
