@@ -394,7 +394,7 @@ TEST(TransferFunction, PalTablesComeBackToAByte)
     EXPECT_WITHIN(sampled->Evaluate(Function::RED, dBZ), splines->Evaluate(Function::RED, dBZ),
       0.0039, "red that comes back");
     EXPECT_WITHIN(sampled->Evaluate(Function::OPACITY, dBZ),
-      splines->Evaluate(Function::OPACITY, dBZ), 0.004, "opacity that comes back");
+      splines->Evaluate(Function::OPACITY, dBZ), 0.0039, "opacity that comes back");
   }
 }
 
