@@ -4,6 +4,7 @@
 #include "Sheets/TimesSheet.h"
 
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/Level2/Level2File.h"
 
 #include <vtkImageData.h>
@@ -105,10 +106,10 @@ TEST(PictureSheet, ShowsEachPictureWhole)
     panels.push_back({MakePicture(120, 80, colour), "a label"});
   }
   const auto sheet = MakeSheet("A title", panels, 2);
-  EXPECT_GT(sheet->GetDimensions()[0], 240);
-  EXPECT_LT(sheet->GetDimensions()[0], 300);
-  EXPECT_GT(sheet->GetDimensions()[1], 160);
-  EXPECT_LT(sheet->GetDimensions()[1], 260);
+  EXPECT_AT_LEAST(sheet->GetDimensions()[0], 240, "width of the sheet, pixels");
+  EXPECT_AT_MOST(sheet->GetDimensions()[0], 300, "width of the sheet, pixels");
+  EXPECT_AT_LEAST(sheet->GetDimensions()[1], 160, "height of the sheet, pixels");
+  EXPECT_AT_MOST(sheet->GetDimensions()[1], 260, "height of the sheet, pixels");
   for (const Pixel& colour : colours)
   {
     const auto isIt = [&colour](const Pixel& pixel) { return pixel == colour; };
@@ -116,7 +117,7 @@ TEST(PictureSheet, ShowsEachPictureWhole)
   }
   const auto isLetter = [](const Pixel& pixel)
   { return *std::min_element(pixel.begin(), pixel.end()) > 140; };
-  EXPECT_GT(CountPixels(sheet, isLetter), 50);
+  EXPECT_AT_LEAST(CountPixels(sheet, isLetter), 150, "pixels of letters");
   const auto* bytes =
     static_cast<unsigned char*>(sheet->GetScalarPointer(20, sheet->GetDimensions()[1] - 70, 0));
   EXPECT_EQ(bytes[0], 200); // the first stands above on the left
@@ -158,7 +159,8 @@ TEST(SweepLayers, AreTheElevationsOfThePatternWithTheirEcho)
   ASSERT_EQ(layers.size(), 9U);
   for (std::size_t i = 0; i < layers.size(); ++i)
   {
-    EXPECT_NEAR(layers[i].elevation, elevations[i], 0.2);
+    EXPECT_WITHIN(layers[i].elevation, elevations[i], 0.2,
+      "elevation of a layer against the pattern's, degrees");
     const double* bounds = layers[i].grid->GetBounds();
     EXPECT_LT(bounds[1], 230'500.0);
     EXPECT_LT(bounds[5], 20'500.0);

@@ -3,6 +3,7 @@
 #include "HandMadeVolume.h"
 #include "SweepAccess.h"
 #include "TestData.h"
+#include "Tolerance.h"
 
 #include "nexrad/Grid/GridSpecification.h"
 #include "vtkNexradLevel2Reader.h"
@@ -75,17 +76,17 @@ TEST_F(GateCoordinates, LocalIsEastNorthAndUpOfTheAntenna)
 {
   // 230 km at 0.5 degrees: 5119 m up and 229.78 km along the ground.
   const auto [height, ground] = BeamByHand(230'000.0, 0.5);
-  EXPECT_NEAR(height, 5119.0, 1.0);
+  EXPECT_WITHIN(height, 5119.0, 0.5, "height of the beam by hand, m");
   const auto north = this->Point(0, 23);
-  EXPECT_NEAR(north[0], 0.0, 1.0);
-  EXPECT_NEAR(north[1], ground, 1.0);
+  EXPECT_NEAR(north[0], 0.0, 1e-6);
+  EXPECT_NEAR(north[1], ground, 1e-6);
   // The encoder keeps angles to 32-bit floats; a thousandth of a degree is 4 m here.
-  EXPECT_NEAR(north[2], height, 4.0);
+  EXPECT_NEAR(north[2], height, 1e-6);
   const auto east = this->Point(1, 23);
-  EXPECT_NEAR(east[0], ground, 1.0);
-  EXPECT_NEAR(east[1], 0.0, 1.0);
+  EXPECT_NEAR(east[0], ground, 1e-6);
+  EXPECT_NEAR(east[1], 0.0, 1e-6);
   const auto south = this->Point(2, 23);
-  EXPECT_NEAR(south[1], -ground, 1.0);
+  EXPECT_NEAR(south[1], -ground, 1e-6);
   EXPECT_EQ(this->Point(3, 0)[0], 0.0); // the gate at the antenna
 }
 
@@ -93,9 +94,10 @@ TEST_F(GateCoordinates, RefractionCanBeSet)
 {
   reader->SetEffectiveRadiusFactor(1.21);
   const auto [height, ground] = BeamByHand(460'000.0, 0.5, 1.21);
-  EXPECT_NEAR(this->Point(0, 46)[2], height, 8.0);
-  EXPECT_NEAR(this->Point(0, 46)[1], ground, 2.0);
-  EXPECT_GT(height, BeamByHand(460'000.0, 0.5)[0] + 900.0);
+  EXPECT_NEAR(this->Point(0, 46)[2], height, 1e-6);
+  EXPECT_NEAR(this->Point(0, 46)[1], ground, 1e-6);
+  EXPECT_AT_LEAST(
+    height - BeamByHand(460'000.0, 0.5)[0], 900.0, "height that a weaker refraction adds, m");
 }
 
 TEST_F(GateCoordinates, GeographicIsTheGeodesicFromTheSite)
@@ -106,12 +108,13 @@ TEST_F(GateCoordinates, GeographicIsTheGeodesicFromTheSite)
   const auto [height, ground] = BeamByHand(230'000.0, 0.5);
   const auto north = this->Point(0, 23);
   EXPECT_NEAR(north[0], longitude, 1e-6);
-  EXPECT_NEAR(north[1], latitude + ground / 6'361'699.0 * 180.0 / M_PI, 2e-5);
-  EXPECT_NEAR(north[2], altitude + height, 4.0);
+  EXPECT_WITHIN(north[1], latitude + ground / 6'361'699.0 * 180.0 / M_PI, 2e-5,
+    "latitude of the gate to the north, degrees");
+  EXPECT_NEAR(north[2], altitude + height, 1e-6);
   // To the east a geodesic bends towards the equator.
   const auto east = this->Point(1, 46);
-  EXPECT_GT(east[0], longitude + 5.0);
-  EXPECT_LT(east[1], latitude - 0.1);
+  EXPECT_AT_LEAST(east[0] - longitude, 5.0, "gate to the east, degrees of longitude");
+  EXPECT_AT_LEAST(latitude - east[1], 0.1, "bend of the geodesic towards the equator, degrees");
 }
 
 // The cubics between the nodes against the geodesic of each gate.

@@ -2,6 +2,7 @@
 // Pictures whose pixels can be worked out by hand: uniform cubes.
 #include "RenderingTest.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
@@ -123,10 +124,13 @@ TEST_F(AnalyticPictures, CubeFaceOnHasItsOpacityWhateverTheSliceCount)
     EXPECT_EQ(this->Mapper->GetNumberOfDrawnSlices(), slices);
     for (const double channel : PixelAt(picture, Size / 2, Size / 2))
     {
-      EXPECT_NEAR(channel, Brightness(Edge), 1.0) << slices << " slices";
+      EXPECT_WITHIN(
+        channel, Brightness(Edge), 1.0, "brightness of the cube's middle, of 255", OneCode)
+        << slices << " slices";
     }
     // The cube is 8 of the 10 units that the picture shows.
-    EXPECT_NEAR(PixelAt(picture, 15, Size / 2)[0], Brightness(Edge), 1.0);
+    EXPECT_WITHIN(PixelAt(picture, 15, Size / 2)[0], Brightness(Edge), 1.0,
+      "brightness of the cube's edge, of 255", OneCode);
     EXPECT_EQ(PixelAt(picture, 11, Size / 2)[0], 0.0);
   }
 }
@@ -141,7 +145,9 @@ TEST_F(AnalyticPictures, OpaqueCubeIsWholeWhateverTheSliceCount)
     for (const int slices : {40, 256, 1024})
     {
       this->Mapper->SetNumberOfSlices(slices);
-      EXPECT_NEAR(PixelAt(this->Draw(), Size / 2, Size / 2)[0], 254.8, 0.9) << slices << " slices";
+      EXPECT_WITHIN(PixelAt(this->Draw(), Size / 2, Size / 2)[0], 254.8, 0.9,
+        "brightness of an opaque cube, of 255", OneCode)
+        << slices << " slices";
     }
   }
 }
@@ -149,7 +155,8 @@ TEST_F(AnalyticPictures, OpaqueCubeIsWholeWhateverTheSliceCount)
 TEST_F(AnalyticPictures, UnitDistanceScalesTheOpacity)
 {
   this->Stage->GetProperty()->SetScalarOpacityUnitDistance(2.5);
-  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(Edge / 2.5), 1.0);
+  EXPECT_WITHIN(PixelAt(this->Draw(), 64, 64)[0], Brightness(Edge / 2.5), 1.0,
+    "brightness at another unit distance, of 255", OneCode);
 }
 
 TEST_F(AnalyticPictures, PerspectiveRaysHaveTheirOwnLength)
@@ -169,7 +176,9 @@ TEST_F(AnalyticPictures, PerspectiveRaysHaveTheirOwnLength)
     const double tangent = (offset + 0.5) * slope; // pixels have their centre half a pixel off
     const double path = Edge * std::sqrt(1.0 + 2.0 * tangent * tangent);
     ASSERT_LT(tangent * (Edge + 3.0), Edge / 2) << "the ray must leave through the lower face";
-    EXPECT_NEAR(PixelAt(picture, 64 + offset, 64 + offset)[0], Brightness(path), 1.0) << offset;
+    EXPECT_WITHIN(PixelAt(picture, 64 + offset, 64 + offset)[0], Brightness(path), 1.0,
+      "brightness in perspective, of 255", OneCode)
+      << offset;
   }
 }
 
@@ -181,7 +190,8 @@ TEST_F(AnalyticPictures, DiagonalPathAtManySlices)
   for (const int slices : {256, 1024})
   {
     this->Mapper->SetNumberOfSlices(slices);
-    EXPECT_NEAR(PixelAt(this->Draw(), 63, 64)[0], Brightness(Edge * std::sqrt(2.0)), 2.0);
+    EXPECT_WITHIN(PixelAt(this->Draw(), 63, 64)[0], Brightness(Edge * std::sqrt(2.0)), 1.9,
+      "brightness along the diagonal, of 255");
   }
 }
 
@@ -205,10 +215,12 @@ TEST_F(AnalyticPictures, OpaqueGeometryHidesWhatIsBehind)
 
     const Picture picture = this->Draw();
     const Color behind = PixelAt(picture, 40, 64);
-    EXPECT_NEAR(behind[0], Brightness(Edge), 1.0);
+    EXPECT_WITHIN(behind[0], Brightness(Edge), 1.0, "brightness without geometry, of 255", OneCode);
     const Color inFront = PixelAt(picture, 88, 64);
-    EXPECT_NEAR(inFront[0], Brightness(Edge / 2), 1.0) << multiSamples << " samples";
-    EXPECT_NEAR(inFront[2], 255.0, 1.0);
+    EXPECT_WITHIN(
+      inFront[0], Brightness(Edge / 2), 1.0, "brightness before geometry, of 255", OneCode)
+      << multiSamples << " samples";
+    EXPECT_WITHIN(inFront[2], 255.0, 1.0, "geometry behind the volume, of 255", OneCode);
     this->Stage->GetRenderer()->RemoveActor(actor);
   }
 }
@@ -220,7 +232,8 @@ TEST_F(AnalyticPictures, CameraInsideSeesFromTheNearPlaneOn)
   camera->SetPosition(Edge / 2, Edge / 2, 6.0);
   camera->SetFocalPoint(Edge / 2, Edge / 2, 0.0);
   camera->SetClippingRange(0.5, 20.0);
-  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.5), 1.0);
+  EXPECT_WITHIN(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.5), 1.0,
+    "brightness from inside, of 255", OneCode);
 
   // With the whole cube behind the camera nothing is left.
   camera->SetPosition(Edge / 2, Edge / 2, -1.0);
@@ -243,11 +256,14 @@ TEST_F(AnalyticPictures, HiddenPointsContributeNothing)
     const Picture above = this->Draw();
     EXPECT_EQ(PixelAt(above, column(2.0), 64)[0], 0.0);
     EXPECT_EQ(PixelAt(above, column(3.4), 64)[0], 0.0);
-    EXPECT_NEAR(PixelAt(above, column(3.65), 64)[0], Brightness(Edge), 1.0);
-    EXPECT_NEAR(PixelAt(above, column(7.9), 64)[0], Brightness(Edge), 1.0);
+    EXPECT_WITHIN(PixelAt(above, column(3.65), 64)[0], Brightness(Edge), 1.0,
+      "brightness beside hidden points, of 255", OneCode);
+    EXPECT_WITHIN(PixelAt(above, column(7.9), 64)[0], Brightness(Edge), 1.0,
+      "brightness beside hidden points, of 255", OneCode);
 
     this->LookAlongX();
-    EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(4.5), 1.0);
+    EXPECT_WITHIN(PixelAt(this->Draw(), 64, 64)[0], Brightness(4.5), 1.0,
+      "brightness through hidden points, of 255", OneCode);
   }
 }
 
@@ -262,7 +278,8 @@ TEST_F(AnalyticPictures, ScalarsThatAreNotFiniteContributeNothing)
     }
   }
   this->LookAlongX();
-  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(4.5), 1.0);
+  EXPECT_WITHIN(PixelAt(this->Draw(), 64, 64)[0], Brightness(4.5), 1.0,
+    "brightness through values that are not finite, of 255", OneCode);
 }
 
 TEST_F(AnalyticPictures, CutsAreExact)
@@ -272,15 +289,18 @@ TEST_F(AnalyticPictures, CutsAreExact)
   plane->SetOrigin(2.25, 0.0, 0.0);
   plane->SetNormal(1.0, 0.0, 0.0);
   this->Mapper->AddClippingPlane(plane);
-  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.75), 1.0);
+  EXPECT_WITHIN(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.75), 1.0,
+    "brightness behind a clipping plane, of 255", OneCode);
   this->Mapper->RemoveAllClippingPlanes();
 
   this->Mapper->CroppingOn();
   this->Mapper->SetCroppingRegionPlanes(1.25, 3.5, -1.0, 9.0, -1.0, 9.0);
-  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(2.25), 1.0);
+  EXPECT_WITHIN(PixelAt(this->Draw(), 64, 64)[0], Brightness(2.25), 1.0,
+    "brightness of a cropped region, of 255", OneCode);
   // The regions below the lower and above the upper x plane, between the others: bits 12 and 14.
   this->Mapper->SetCroppingRegionFlags((1 << 12) | (1 << 14));
-  EXPECT_NEAR(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.75), 1.0);
+  EXPECT_WITHIN(PixelAt(this->Draw(), 64, 64)[0], Brightness(5.75), 1.0,
+    "brightness of two cropped regions, of 255", OneCode);
 }
 
 TEST_F(AnalyticPictures, ViewportOffTheCorner)
@@ -288,7 +308,8 @@ TEST_F(AnalyticPictures, ViewportOffTheCorner)
   // The upper right quarter of the window alone is drawn into.
   this->Stage->GetRenderer()->SetViewport(0.5, 0.5, 1.0, 1.0);
   const Picture picture = this->Draw();
-  EXPECT_NEAR(PixelAt(picture, 96, 96)[0], Brightness(Edge), 1.0);
+  EXPECT_WITHIN(PixelAt(picture, 96, 96)[0], Brightness(Edge), 1.0,
+    "brightness in a viewport, of 255", OneCode);
   EXPECT_EQ(PixelAt(picture, 32, 96)[0], 0.0);
   EXPECT_EQ(PixelAt(picture, 96, 32)[0], 0.0);
 }

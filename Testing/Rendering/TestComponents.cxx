@@ -98,7 +98,7 @@ protected:
 TEST_F(Components, TwoIndependent)
 {
   this->UseIndependent(2);
-  this->ExpectSamePictureAndBaseline("components-2", "TwoComponents", Bar);
+  this->ExpectSamePictureAndBaseline("components-2", "TwoComponents", 0.83);
 }
 
 // The haze counts half, and each component's opacity has its own unit distance.
@@ -107,21 +107,21 @@ TEST_F(Components, TwoWeighted)
   this->UseIndependent(2);
   this->Stage->GetProperty()->SetComponentWeight(1, 0.5);
   this->Stage->GetProperty()->SetScalarOpacityUnitDistance(1, 2.0);
-  this->ExpectSamePicture("components-2-weighted");
+  this->ExpectSamePicture("components-2-weighted", 0.35);
 }
 
 // Red storm, blue haze to the east, green to the north.
 TEST_F(Components, ThreeIndependent)
 {
   this->UseIndependent(3);
-  this->ExpectSamePictureAndBaseline("components-3", "ThreeComponents", Bar);
+  this->ExpectSamePictureAndBaseline("components-3", "ThreeComponents", 0.85);
 }
 
 // Yellow above as well.
 TEST_F(Components, FourIndependent)
 {
   this->UseIndependent(4);
-  this->ExpectSamePictureAndBaseline("components-4", "FourComponents", Bar);
+  this->ExpectSamePictureAndBaseline("components-4", "FourComponents", 1.4);
 }
 
 // Each component is lit by its own gradient and material.
@@ -133,7 +133,7 @@ TEST_F(Components, TwoIndependentShaded)
   this->Stage->GetProperty()->SetDiffuse(0, 1.0);
   this->Stage->GetProperty()->SetAmbient(1, 0.6);
   this->Stage->GetProperty()->SetSpecular(1, 0.0);
-  this->ExpectSamePicture("components-2-shaded");
+  this->ExpectSamePicture("components-2-shaded", 0.69);
 }
 
 // The colour of the storm, the opacity of the ramp: the storm fades to the west.
@@ -142,14 +142,14 @@ TEST_F(Components, TwoDependent)
   this->UseComponents(2, VTK_FLOAT);
   this->SetFunctions(0, 1.0, 0.2, 0.1, 0.0, 200.0, 0.05);
   this->Stage->GetProperty()->IndependentComponentsOff();
-  this->ExpectSamePictureAndBaseline("components-value-opacity", "ValueAndOpacity", Bar);
+  this->ExpectSamePictureAndBaseline("components-value-opacity", "ValueAndOpacity", 1.1);
 }
 
 // Red, green and blue themselves, the fourth component being the opacity.
 TEST_F(Components, FourDependent)
 {
   this->UseColours();
-  this->ExpectSamePictureAndBaseline("components-rgba", "RGBA", Bar);
+  this->ExpectSamePictureAndBaseline("components-rgba", "RGBA", 0.87);
 }
 
 // The same fading storm, lit, where it is flat clear: the gradient is that of the value.
@@ -163,7 +163,7 @@ TEST_F(Components, TwoDependentWithLightAndGradientOpacity)
   this->Stage->GetProperty()->SetGradientOpacity(gradientOpacity);
   this->Stage->GetProperty()->ShadeOn();
   this->Stage->GetProperty()->IndependentComponentsOff();
-  this->ExpectSamePicture("components-value-opacity-lit", Bar);
+  this->ExpectSamePicture("components-value-opacity-lit", 0.45);
 }
 
 // The coloured block, lit where its red changes.
@@ -172,7 +172,7 @@ TEST_F(Components, FourDependentShaded)
   this->UseColours();
   this->Stage->GetProperty()->ShadeOn();
   this->Stage->GetProperty()->SetAmbient(0.5);
-  this->ExpectSamePicture("components-rgba-lit", Bar);
+  this->ExpectSamePicture("components-rgba-lit", 0.52);
 }
 
 // Sum and mean of the value, by the opacity of the second component.
@@ -182,11 +182,11 @@ TEST_F(Components, ProjectionsOfTwoDependent)
   this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 200.0, 0.03);
   this->Stage->GetProperty()->IndependentComponentsOff();
   this->ForBoth([](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAdditive(); });
-  this->ExpectSamePicture("components-additive-dependent");
+  this->ExpectSamePicture("components-additive-dependent", 0.14);
   this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 200.0, 1.0);
   this->ForBoth(
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAverageIntensity(); });
-  this->ExpectSamePicture("components-average-dependent", Tolerance, 20.0);
+  this->ExpectSamePicture("components-average-dependent", 0.58, 20.0);
 }
 
 // Scalars of 16 bits, signed.
@@ -194,7 +194,7 @@ TEST_F(Components, TwoIndependentShorts)
 {
   this->UseIndependent(2);
   this->UseComponents(2, VTK_SHORT);
-  this->ExpectSamePicture("components-2-short", Bar);
+  this->ExpectSamePicture("components-2-short", 0.82);
 }
 
 // The brightest of each component, added by weight.
@@ -204,7 +204,7 @@ TEST_F(Components, MaximumOfTwo)
   this->ForBoth(
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMaximumIntensity(); });
   this->Stage->GetProperty()->SetComponentWeight(1, 0.5);
-  this->ExpectSamePicture("components-maximum");
+  this->ExpectSamePicture("components-maximum", 0.11);
 }
 
 // Sums of both components.
@@ -215,7 +215,7 @@ TEST_F(Components, AdditiveOfTwo)
   this->SetFunctions(1, 1.0, 1.0, 1.0, 0.0, 200.0, 0.01);
   this->ForBoth([](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAdditive(); });
   this->Stage->GetProperty()->SetComponentWeight(1, 0.5);
-  this->ExpectSamePicture("components-additive");
+  this->ExpectSamePicture("components-additive", 0.21);
 }
 
 // Means of both components.
@@ -224,7 +224,7 @@ TEST_F(Components, AverageOfTwo)
   this->UseIndependent(2);
   this->ForBoth(
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAverageIntensity(); });
-  this->ExpectSamePicture("components-average", Tolerance, 5.0);
+  this->ExpectSamePicture("components-average", 0.079, 5.0);
 }
 
 TEST_F(Components, AverageOfPartOfTheRangeIsRefused)

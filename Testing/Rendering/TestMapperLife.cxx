@@ -2,6 +2,7 @@
 // Windows come and go, inputs and functions change, requests are refused.
 #include "RenderingTest.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
 #include "vtkCamera.h"
 #include "vtkColorTransferFunction.h"
@@ -81,25 +82,32 @@ TEST_F(MapperLife, OneMapperInTwoWindows)
   mapper->SetInputData(MakeUniformCube(9, 1.0f));
   auto first = this->MakeScene();
   auto second = this->MakeScene();
-  EXPECT_NEAR(this->Middle(*first, mapper), Expected, 1.0);
-  EXPECT_NEAR(this->Middle(*second, mapper), Expected, 1.0);
-  EXPECT_NEAR(this->Middle(*first, mapper), Expected, 1.0);
+  EXPECT_WITHIN(
+    this->Middle(*first, mapper), Expected, 1.0, "brightness in the first window, of 255", OneCode);
+  EXPECT_WITHIN(this->Middle(*second, mapper), Expected, 1.0,
+    "brightness in the second window, of 255", OneCode);
+  EXPECT_WITHIN(this->Middle(*first, mapper), Expected, 1.0,
+    "brightness in the first window again, of 255", OneCode);
   first.reset();
-  EXPECT_NEAR(this->Middle(*second, mapper), Expected, 1.0);
+  EXPECT_WITHIN(this->Middle(*second, mapper), Expected, 1.0,
+    "brightness in the second window alone, of 255", OneCode);
 }
 
 TEST_F(MapperLife, MapperOutlivesItsWindowAndTheOtherWayRound)
 {
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
   mapper->SetInputData(MakeUniformCube(9, 1.0f));
-  EXPECT_NEAR(this->Middle(*this->MakeScene(), mapper), Expected, 1.0);
+  EXPECT_WITHIN(this->Middle(*this->MakeScene(), mapper), Expected, 1.0,
+    "brightness in a window that goes, of 255", OneCode);
   auto scene = this->MakeScene();
   {
     vtkNew<vtkOpenGLTextureSliceVolumeMapper> shortLived;
     shortLived->SetInputData(MakeUniformCube(9, 1.0f));
-    EXPECT_NEAR(this->Middle(*scene, shortLived), Expected, 1.0);
+    EXPECT_WITHIN(this->Middle(*scene, shortLived), Expected, 1.0,
+      "brightness by a mapper that goes, of 255", OneCode);
   }
-  EXPECT_NEAR(this->Middle(*scene, mapper), Expected, 1.0);
+  EXPECT_WITHIN(this->Middle(*scene, mapper), Expected, 1.0,
+    "brightness by a mapper that stays, of 255", OneCode);
 }
 
 TEST_F(MapperLife, ReleasedResourcesAreMadeAnew)
@@ -109,7 +117,8 @@ TEST_F(MapperLife, ReleasedResourcesAreMadeAnew)
   auto scene = this->MakeScene();
   for (int i = 0; i < 3; ++i)
   {
-    EXPECT_NEAR(this->Middle(*scene, mapper), Expected, 1.0);
+    EXPECT_WITHIN(
+      this->Middle(*scene, mapper), Expected, 1.0, "brightness after a release, of 255", OneCode);
     mapper->ReleaseGraphicsResources(scene->GetWindow());
   }
 }
@@ -120,16 +129,19 @@ TEST_F(MapperLife, WindowSizeInputAndFunctionsMayChange)
   vtkSmartPointer<vtkImageData> cube = MakeUniformCube(9, 1.0f);
   mapper->SetInputData(cube);
   auto scene = this->MakeScene();
-  EXPECT_NEAR(this->Middle(*scene, mapper), Expected, 1.0);
+  EXPECT_WITHIN(
+    this->Middle(*scene, mapper), Expected, 1.0, "brightness at first, of 255", OneCode);
 
   scene->GetWindow()->SetSize(96, 80);
-  EXPECT_NEAR(PixelAt(scene->Draw(mapper), 48, 40)[0], Expected, 1.0);
+  EXPECT_WITHIN(PixelAt(scene->Draw(mapper), 48, 40)[0], Expected, 1.0,
+    "brightness in a resized window, of 255", OneCode);
 
   // The same function, changed in place.
   scene->GetProperty()->GetScalarOpacity()->RemoveAllPoints();
   scene->GetProperty()->GetScalarOpacity()->AddPoint(0.0, 0.0);
   scene->GetProperty()->GetScalarOpacity()->AddPoint(1.0, 1.0);
-  EXPECT_NEAR(PixelAt(scene->Draw(mapper), 48, 40)[0], 255.0, 1.0);
+  EXPECT_WITHIN(PixelAt(scene->Draw(mapper), 48, 40)[0], 255.0, 1.0,
+    "brightness with other functions, of 255", OneCode);
 
   // The same array, changed in place.
   cube->GetPointData()->GetScalars()->Fill(0.0);
@@ -139,7 +151,8 @@ TEST_F(MapperLife, WindowSizeInputAndFunctionsMayChange)
 
   // Another array of another size.
   mapper->SetInputData(MakeUniformCube(5, 1.0f));
-  EXPECT_NEAR(PixelAt(scene->Draw(mapper), 40, 32)[0], 255.0, 1.0);
+  EXPECT_WITHIN(PixelAt(scene->Draw(mapper), 40, 32)[0], 255.0, 1.0,
+    "brightness of another input, of 255", OneCode);
 }
 
 TEST_F(MapperLife, NativeRangeClampsTheScalar)
@@ -161,7 +174,7 @@ TEST_F(MapperLife, NativeRangeClampsTheScalar)
     mapper->SetScalarOpacityRangeType(vtkGPUVolumeRayCastMapper::NATIVE);
     brightest = std::max(brightest, this->Middle(*scene, mapper));
   }
-  EXPECT_NEAR(brightest, Expected, 1.0);
+  EXPECT_WITHIN(brightest, Expected, 1.0, "brightness of the strongest value, of 255", OneCode);
 }
 
 TEST_F(MapperLife, UnsupportedRequestsAreRefusedInOneLine)
@@ -255,7 +268,8 @@ TEST_F(MapperLife, VolumeBeyondTheLargestTextureNamesBoth)
   const std::string before = "resample it to ";
   const int fitting = std::atoi(message.c_str() + message.find(before) + before.size());
   EXPECT_EQ(fitting, int(std::lround(40000 * ratio[0])));
-  EXPECT_NEAR(draw(fitting), Expected, 1.0);
+  EXPECT_WITHIN(
+    draw(fitting), Expected, 1.0, "brightness at the largest texture that fits, of 255", OneCode);
 }
 
 TEST_F(MapperLife, FlatImageIsAnError)

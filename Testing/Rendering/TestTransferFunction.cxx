@@ -4,6 +4,7 @@
 
 #include "EventCounter.h"
 #include "TestData.h"
+#include "Tolerance.h"
 
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
@@ -162,11 +163,11 @@ TEST(TransferFunction, PropertiesFollowTheSplines)
   function->FillProperty(property);
   for (double dBZ = -10.0; dBZ <= 90.0; dBZ += 0.37)
   {
-    EXPECT_NEAR(property->GetRGBTransferFunction()->GetRedValue(dBZ),
-      function->Evaluate(Function::RED, dBZ), 0.006)
+    EXPECT_WITHIN(property->GetRGBTransferFunction()->GetRedValue(dBZ),
+      function->Evaluate(Function::RED, dBZ), 0.004, "red of the sampled spline")
       << dBZ;
-    EXPECT_NEAR(property->GetScalarOpacity()->GetValue(dBZ),
-      function->Evaluate(Function::OPACITY, dBZ), 0.004)
+    EXPECT_WITHIN(property->GetScalarOpacity()->GetValue(dBZ),
+      function->Evaluate(Function::OPACITY, dBZ), 0.001, "opacity of the sampled spline")
       << dBZ;
   }
 }
@@ -185,9 +186,9 @@ TEST(TransferFunction, PresetsShowWhatTheirNamesSay)
   EXPECT_GT(opacity("all echo", 15.0), 0.0);
   EXPECT_EQ(opacity("all echo", 4.0), 0.0);
   EXPECT_EQ(opacity("storm cores", 25.0), 0.0);
-  EXPECT_GT(opacity("storm cores", 52.0), 0.7);
+  EXPECT_AT_LEAST(opacity("storm cores", 52.0), 0.7, "opacity of the cores at 52 dBZ");
   EXPECT_EQ(opacity("hail", 44.0), 0.0);
-  EXPECT_GT(opacity("hail", 58.0), 0.7);
+  EXPECT_AT_LEAST(opacity("hail", 58.0), 0.7, "opacity of hail at 58 dBZ");
   EXPECT_GT(opacity("clear air", -15.0), 0.0);
   for (const double iso : {20.0, 35.0, 50.0})
   {
@@ -244,8 +245,10 @@ TEST(TransferFunction, CorrelationIsFineNearOneAndOpaqueWhereLow)
 {
   vtkNew<Function> function;
   ASSERT_TRUE(function->ApplyPreset("correlation coefficient"));
-  EXPECT_GT(function->Evaluate(Function::OPACITY, 0.7), 0.2);
-  EXPECT_LT(function->Evaluate(Function::OPACITY, 0.99), 0.015);
+  EXPECT_AT_LEAST(
+    function->Evaluate(Function::OPACITY, 0.7), 0.2, "opacity at a correlation of 0.7");
+  EXPECT_AT_MOST(
+    function->Evaluate(Function::OPACITY, 0.99), 0.015, "opacity at a correlation of 0.99");
   int fine = 0;
   double range[2];
   double lower[3];
@@ -320,8 +323,12 @@ TEST(TransferFunction, OtherColourSpacesLookAsVTKDrawsThem)
   expected->AddRGBPoint(60, 0.7, 0, 0.15);
   for (double dBZ = 0.0; dBZ <= 60.0; dBZ += 0.9)
   {
-    EXPECT_NEAR(function->Evaluate(Function::RED, dBZ), expected->GetRedValue(dBZ), 0.01) << dBZ;
-    EXPECT_NEAR(function->Evaluate(Function::BLUE, dBZ), expected->GetBlueValue(dBZ), 0.01) << dBZ;
+    EXPECT_WITHIN(function->Evaluate(Function::RED, dBZ), expected->GetRedValue(dBZ), 0.01,
+      "red in another colour space")
+      << dBZ;
+    EXPECT_WITHIN(function->Evaluate(Function::BLUE, dBZ), expected->GetBlueValue(dBZ), 0.01,
+      "blue in another colour space")
+      << dBZ;
   }
 }
 
@@ -384,10 +391,10 @@ TEST(TransferFunction, PalTablesComeBackToAByte)
   for (double dBZ = 0.0; dBZ < 75.0; dBZ += 0.7)
   {
     EXPECT_NEAR(read->Evaluate(Function::GREEN, dBZ), steps->Evaluate(Function::GREEN, dBZ), 1e-9);
-    EXPECT_NEAR(
-      sampled->Evaluate(Function::RED, dBZ), splines->Evaluate(Function::RED, dBZ), 0.004);
-    EXPECT_NEAR(
-      sampled->Evaluate(Function::OPACITY, dBZ), splines->Evaluate(Function::OPACITY, dBZ), 0.004);
+    EXPECT_WITHIN(sampled->Evaluate(Function::RED, dBZ), splines->Evaluate(Function::RED, dBZ),
+      0.0039, "red that comes back");
+    EXPECT_WITHIN(sampled->Evaluate(Function::OPACITY, dBZ),
+      splines->Evaluate(Function::OPACITY, dBZ), 0.0039, "opacity that comes back");
   }
 }
 

@@ -4,6 +4,7 @@
 #include "Scene/VolumeAppearance.h"
 #include "ScenePicture.h"
 #include "StormVolume.h"
+#include "Tolerance.h"
 
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
@@ -101,7 +102,7 @@ vtkSmartPointer<vtkImageData> MakeEmptyVolume()
 TEST(Scene, ShowsStormMapAndColourBar)
 {
   const auto picture = Draw(MakeStormVolume(false), "Storm");
-  EXPECT_GT(Count(picture, withoutBar, IsStrongEcho), 300);
+  EXPECT_AT_LEAST(Count(picture, withoutBar, IsStrongEcho), 900, "pixels of strong echo");
   for (const ColourBin& bin : ColourStepsOf(MakeTransferFunction({})))
   {
     const auto isBin = [&](const std::array<int, 3>& rgb)
@@ -111,7 +112,8 @@ TEST(Scene, ShowsStormMapAndColourBar)
              rgb[2] == std::lround(255.0 * bin.colour[2]);
     };
     // A box is 2 % of the width by a fifteenth of 78 % of the height: 12 by 18 pixels.
-    EXPECT_GT(Count(picture, {0.9, 1.0, 0.0, 1.0}, isBin), 120) << bin.from;
+    EXPECT_AT_LEAST(Count(picture, {0.9, 1.0, 0.0, 1.0}, isBin), 120, "pixels of a bin's colour")
+      << bin.from;
   }
 }
 
@@ -135,8 +137,8 @@ TEST(Scene, VelocitiesOfBothSignsAreSeen)
   const auto isRed = [](const std::array<int, 3>& rgb)
   { return rgb[0] > 100 && rgb[0] > 2 * rgb[1] && rgb[0] > 2 * rgb[2]; };
   const auto picture = Draw(image, "Velocity");
-  EXPECT_GT(Count(picture, withoutBar, isGreen), 10'000);
-  EXPECT_GT(Count(picture, withoutBar, isRed), 10'000);
+  EXPECT_AT_LEAST(Count(picture, withoutBar, isGreen), 10'000, "green pixels");
+  EXPECT_AT_LEAST(Count(picture, withoutBar, isRed), 10'000, "red pixels");
   // No echo has no velocity: the fill value is not drawn as 33 m/s.
   volume.states.assign(volume.states.size(), VoxelState::NoEcho);
   volume.values.assign(volume.values.size(), volume.fill);
@@ -150,7 +152,7 @@ TEST(Scene, WithoutEchoTheMapAloneIsLeft)
 {
   const auto picture = Draw(MakeEmptyVolume(), "Empty");
   EXPECT_EQ(Count(picture, withoutBar, IsStrongEcho), 0);
-  EXPECT_GT(Count(picture, withoutBar, IsMapLine), 300);
+  EXPECT_AT_LEAST(Count(picture, withoutBar, IsMapLine), 700, "pixels of map lines");
 }
 
 // The storm without map lines, because the volume does not say where it is.
@@ -159,10 +161,11 @@ TEST(Scene, WithoutProjectionThereIsNoMap)
   const auto volume = MakeStormVolume(false);
   volume->GetFieldData()->RemoveArray("Projection");
   const auto picture = Draw(volume, "NoMap");
-  EXPECT_GT(Count(picture, withoutBar, IsStrongEcho), 300);
+  EXPECT_AT_LEAST(Count(picture, withoutBar, IsStrongEcho), 900, "pixels of strong echo");
   // Letters and scales have the lines' colour too.
   const auto map = Draw(MakeStormVolume(false), "Map");
-  EXPECT_GT(Count(map, withoutBar, IsMapLine), Count(picture, withoutBar, IsMapLine) + 400);
+  EXPECT_AT_LEAST(Count(map, withoutBar, IsMapLine) - Count(picture, withoutBar, IsMapLine), 400,
+    "pixels of map lines");
 }
 
 // The title says SYNTHETIC in yellow letters, 16 pixels high here, or nothing stands there.
@@ -172,7 +175,7 @@ TEST(Scene, SyntheticDataSaySo)
   { return rgb[0] > 200 && rgb[1] > 140 && rgb[2] < 90; };
   const auto synthetic = Draw(MakeStormVolume(true), "Synthetic");
   const auto real = Draw(MakeStormVolume(false), "Real");
-  EXPECT_GT(Count(synthetic, title, isYellow), 300);
+  EXPECT_AT_LEAST(Count(synthetic, title, isYellow), 400, "pixels of the title");
   EXPECT_EQ(Count(real, title, isYellow), 0);
 }
 
@@ -182,12 +185,16 @@ TEST(Scene, CameraAndExaggerationChangeThePicture)
   const auto volume = MakeStormVolume(false);
   const auto first = Draw(volume, "First");
   EXPECT_EQ(Difference(first, Draw(volume, "FirstAgain")), 0);
-  EXPECT_GT(Difference(first, Draw(volume, "Above", {}, {200.0, 90.0, 1.0, false})), 5000);
-  EXPECT_GT(Difference(first, Draw(volume, "East", {}, {90.0, 35.0, 1.0, false})), 5000);
-  EXPECT_GT(Difference(first, Draw(volume, "Parallel", {}, {200.0, 35.0, 1.0, true})), 5000);
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Above", {}, {200.0, 90.0, 1.0, false})), 28'000,
+    "pixels changed from above");
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "East", {}, {90.0, 35.0, 1.0, false})), 30'000,
+    "pixels changed from the east");
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Parallel", {}, {200.0, 35.0, 1.0, true})), 25'000,
+    "pixels changed by the parallel projection");
   SceneOptions flat;
   flat.exaggeration = 1.0;
-  EXPECT_GT(Difference(first, Draw(volume, "Flat", flat)), 5000);
+  EXPECT_AT_LEAST(
+    Difference(first, Draw(volume, "Flat", flat)), 40'000, "pixels changed by the exaggeration");
 }
 
 // Slices and rays of the same storm: nearly the same colours everywhere.
@@ -197,7 +204,8 @@ TEST(Scene, BothMappersDrawTheSameStorm)
   SceneOptions rays;
   rays.mapper = MapperChoice::RayCast;
   const auto sliced = Draw(volume, "Slices");
-  EXPECT_LT(MeanDifference(sliced, Draw(volume, "Rays", rays)), 1.0);
+  EXPECT_AT_MOST(MeanDifference(sliced, Draw(volume, "Rays", rays)), 0.041,
+    "mean difference of both mappers, of 255");
 }
 
 // A map of the composite, seen from above: flat colours of the table alone. The storm stands in the
@@ -229,12 +237,14 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
   };
   // 360 pixels of height, of which the domain takes 278: a quarter of it is 70 wide.
   const int grey = Count(picture, whole, isColour(notScannedColour));
-  EXPECT_GT(grey, 70 * 278 * 8 / 10);
-  EXPECT_LT(grey, 70 * 278);
+  EXPECT_AT_LEAST(grey / (70.0 * 278.0), 0.8, "part that was not scanned, in grey");
+  EXPECT_AT_MOST(grey / (70.0 * 278.0), 1.0, "part that was not scanned, in grey");
   const Colour core = ColourStepsOf(MakeTransferFunction({}))[11].colour; // 60 to 65 dBZ, 4 voxels
-  EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, isColour(core)), 30);
+  EXPECT_AT_LEAST(
+    Count(picture, {0.25, 0.5, 0.1, 0.5}, isColour(core)), 60, "pixels of the core's colour");
   // The echo of 35 dBZ and more covers a disc of a radius of 33 km or more: flat colours of bins.
-  EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, IsStrongEcho), 500);
+  EXPECT_AT_LEAST(
+    Count(picture, {0.25, 0.5, 0.1, 0.5}, IsStrongEcho), 600, "pixels of strong echo");
   EXPECT_EQ(Count(picture, {0.5, 0.75, 0.1, 0.9}, isColour(core)), 0);
 }
 
@@ -244,7 +254,7 @@ TEST(Scene, AVolumeThatChangesIsDrawnAnew)
   scene.SetVolume(MakeStormVolume(false));
   scene.SetPictureSize(size);
   OffScreenWindow window(scene.GetRenderer(), size);
-  EXPECT_GT(Count(window.Draw(), withoutBar, IsStrongEcho), 300);
+  EXPECT_AT_LEAST(Count(window.Draw(), withoutBar, IsStrongEcho), 900, "pixels of strong echo");
   scene.SetVolume(MakeEmptyVolume());
   EXPECT_EQ(Count(window.Draw(), withoutBar, IsStrongEcho), 0);
 }

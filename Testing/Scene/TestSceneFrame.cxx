@@ -5,6 +5,7 @@
 #include "Scene/Scales/ScaleLayer.h"
 
 #include "StormVolume.h"
+#include "Tolerance.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -53,7 +54,7 @@ TEST(SceneFrame, PlacesAreKilometresFromTheCentre)
   EXPECT_NEAR(frame.Place(-90.0, 39.0)[0], 0.0, 1e-9);
   EXPECT_NEAR(frame.Place(-90.0, 39.0)[1], 0.0, 1e-9);
   // A degree of latitude on WGS84 from 39° to 40° is 111.03 km.
-  EXPECT_NEAR(frame.Place(-90.0, 40.0)[1], 111.03, 0.02);
+  EXPECT_WITHIN(frame.Place(-90.0, 40.0)[1], 111.03, 0.0095, "degree of latitude, km");
   const auto place = frame.Place(-91.25, 38.5);
   const auto back = frame.Geographic(place[0], place[1]);
   EXPECT_NEAR(back[0], -91.25, 1e-9);
@@ -71,10 +72,13 @@ TEST(SceneFrame, AVolumeOnGeographicAxesHasTheSameShape)
   volume->GetFieldData()->AddArray(projection);
   const SceneFrame frame(volume, 8.0);
   ASSERT_TRUE(frame.HasMap());
-  EXPECT_NEAR(frame.Place(-90.0, 40.0)[1], 111.2, 0.1);
+  EXPECT_WITHIN(
+    frame.Place(-90.0, 40.0)[1], 111.2, 0.01, "degree of latitude on geographic axes, km");
   // cos 39° = 0.7771
-  EXPECT_NEAR(frame.Place(-89.0, 39.0)[0], 86.4, 0.1);
-  EXPECT_NEAR(frame.Bounds()[3] - frame.Bounds()[2], 111.2 * 2.0 * 48.0 / 47.0, 0.2);
+  EXPECT_WITHIN(
+    frame.Place(-89.0, 39.0)[0], 86.4, 0.028, "degree of longitude on geographic axes, km");
+  EXPECT_WITHIN(frame.Bounds()[3] - frame.Bounds()[2], 111.2 * 2.0 * 48.0 / 47.0, 0.02,
+    "width on geographic axes, km");
 }
 
 TEST(SceneFrame, FieldDataAreUnderstood)

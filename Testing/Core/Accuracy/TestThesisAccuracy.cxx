@@ -3,6 +3,7 @@
 // disk. Both are printed for comparison with the thesis and with later methods; the assertions only
 // hold the method to what a sound geometry gives.
 #include "ScannedDay.h"
+#include "Tolerance.h"
 #include "TruthComparison.h"
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Codec/RunLength.h"
@@ -21,10 +22,15 @@ using namespace nexrad::testing;
 namespace
 {
 
-// What a sound geometry keeps by a good margin.
+// What a sound geometry keeps.
+constexpr double largestRmse = 10.0; // dBZ
+constexpr double mostMissed = 0.045; // parts of the true echo
+constexpr double mostFalse = 0.18;
+
 bool IsSound(const TruthScore& score)
 {
-  return score.rmse < 10.0 && score.MissedFraction() < 0.05 && score.FalseFraction() < 0.3;
+  return score.rmse <= largestRmse && score.MissedFraction() <= mostMissed &&
+         score.FalseFraction() <= mostFalse;
 }
 
 class ThesisAccuracy : public ::testing::TestWithParam<std::array<int, 3>>
@@ -44,8 +50,13 @@ TEST_P(ThesisAccuracy, FindsTheStormAgain)
   RecordProperty("rmse_dBZ", std::to_string(score.rmse));
   RecordProperty("missed_fraction", std::to_string(score.MissedFraction()));
   RecordProperty("false_fraction", std::to_string(score.FalseFraction()));
-  EXPECT_GT(score.trueEcho, 10'000u);
-  EXPECT_TRUE(IsSound(score));
+  EXPECT_AT_LEAST(static_cast<double>(score.trueEcho) / static_cast<double>(truth.values.size()),
+    0.02, "share of true echo in the voxels");
+  EXPECT_AT_MOST(score.rmse, largestRmse, "RMSE of the thesis's method, dBZ");
+  EXPECT_AT_MOST(score.MissedFraction(), mostMissed,
+    "missed echo of the thesis's method, part of the echo", "the bound is that of the finer grid");
+  EXPECT_AT_MOST(
+    score.FalseFraction(), mostFalse, "false echo of the thesis's method, part of the echo");
 }
 
 INSTANTIATE_TEST_SUITE_P(Grids, ThesisAccuracy,
@@ -133,6 +144,6 @@ TEST(ThesisVolumes, SizesBesideTable44)
     EXPECT_LE(sizes.thesis, sizes.states);
     EXPECT_LE(sizes.compact, sizes.states);
     EXPECT_LT(sizes.deflated, sizes.compact);
-    EXPECT_GT(saved, 50.0);
+    EXPECT_AT_LEAST(saved, 50.0, "part of the bytes that run lengths save, %");
   }
 }

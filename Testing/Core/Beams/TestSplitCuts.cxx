@@ -2,6 +2,7 @@
 // Which cuts reflectivity is taken from, and how far each of them tells something.
 #include "BeamScene.h"
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/Level2/Level2File.h"
 
 #include <gtest/gtest.h>
@@ -162,7 +163,7 @@ TEST(SplitCuts, WhatALongerCutMeasuredCountsBeforeWhatIsAssumed)
       }
     };
     ForEachVoxel(merged.grid, centralSite, check);
-    EXPECT_GT(high, 400U);
+    EXPECT_AT_LEAST(high, 400U, "voxels that the longer cut decides");
   }
 }
 
@@ -179,7 +180,8 @@ TEST(SplitCuts, ABeamIsAsWideAsItsRadarsUnlessSaid)
   };
   const auto usual = countScanned("KTLX", std::nullopt);
   const auto terminal = countScanned("TDAL", std::nullopt);
-  EXPECT_NEAR(static_cast<double>(terminal) / static_cast<double>(usual), 0.55 / 0.95, 0.004);
+  EXPECT_WITHIN(static_cast<double>(terminal) / static_cast<double>(usual), 0.55 / 0.95, 0.004,
+    "voxels of the narrower beam, part of the wider one's");
   EXPECT_EQ(countScanned("TDAL", 0.95), usual);
   EXPECT_EQ(countScanned("KTLX", 0.55), terminal);
 }
@@ -236,7 +238,7 @@ TEST(SplitCuts, EchoBeyondTheDopplerHalfStaysAtKVWX)
     ForEachVoxel(merged->grid, *volume.site.position, visit);
     counts.push_back(count);
   }
-  EXPECT_GT(counts[0], 4'000U);
+  EXPECT_AT_LEAST(counts[0], 4'000U, "voxels with echo beyond the Doppler half");
   EXPECT_EQ(counts[1], counts[0]);
 }
 
@@ -270,11 +272,11 @@ TEST(SplitCuts, LowestVoxelsOfTDALAreRenewedEachMinute)
     // Level by level upwards, so that the lowest comes first.
     ForEachVoxel(merged->grid, *volume.site.position, visit);
     ages.erase(std::remove(ages.begin(), ages.end(), -1.0F), ages.end());
-    ASSERT_GT(ages.size(), 2000U);
+    ASSERT_AT_LEAST(ages.size(), 2000U, "voxels of the lowest level");
     const auto middle = ages.begin() + static_cast<std::ptrdiff_t>(ages.size() / 2);
     std::nth_element(ages.begin(), middle, ages.end());
     std::printf("TDAL %.8s median age of the lowest voxels %5.1f s\n", time + 11,
       static_cast<double>(*middle));
-    EXPECT_LT(*middle, 40.0F) << time;
+    EXPECT_AT_MOST(*middle, 40.0F, "median age of the lowest voxels, s") << time;
   }
 }

@@ -3,6 +3,7 @@
 #include "BeamScene.h"
 #include "HandMadeVolume.h"
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/Level2/Encoding/Level2Encoder.h"
 #include "nexrad/Level2/Level2File.h"
 
@@ -76,7 +77,7 @@ TEST(StrayRays, AreKeptByTheDecoderAndNamed)
   const Sweep& sweep = volume.sweeps.at(1);
   EXPECT_EQ(sweep.rays.size(), 360U);
   EXPECT_NEAR(sweep.MedianElevation(), 0.9, 1e-6);
-  EXPECT_GT(sweep.MeanElevation(), 6.6);
+  EXPECT_AT_LEAST(sweep.MeanElevation(), 6.6, "mean elevation that the stray rays move, degrees");
   const auto named = std::find_if(volume.notes.begin(), volume.notes.end(),
     [](const std::string& note) { return note.find("sweep 1 ") != std::string::npos; });
   ASSERT_NE(named, volume.notes.end());
@@ -115,9 +116,9 @@ TEST(StrayRays, NeitherMoveTheirCutNorHideTheOthers)
     ForEachVoxel(steady.grid, centralSite, visit);
     EXPECT_EQ(high, 0U) << swinging;
     EXPECT_EQ(hidden, 0U) << swinging;
-    EXPECT_GT(scanned, 200'000U) << swinging;
+    EXPECT_AT_LEAST(scanned, 200'000U, "voxels scanned") << swinging;
     // At the echo's top, between other tilts.
-    EXPECT_LT(different, swinging == 0 ? 140U : 1'600U) << swinging;
+    EXPECT_AT_MOST(different, swinging == 0 ? 140U : 1'600U, "voxels that differ") << swinging;
   }
 }
 
@@ -158,7 +159,7 @@ TEST(StrayRays, SectorsAndScansInElevationMakeNoFalseTilts)
   EXPECT_FLOAT_EQ(prepared.sweeps[0].elevation, 18.0F);
   for (const float elevation : prepared.sweeps[0].elevations)
   {
-    EXPECT_NEAR(elevation, 18.0F, 0.476F);
+    EXPECT_WITHIN(elevation, 18.0F, 0.476F, "elevation of a ray from its sweep's, degrees");
   }
   EXPECT_FALSE(prepared.sweeps[1].strays);
   EXPECT_EQ(prepared.sweeps[1].azimuths.size(), 62U);
@@ -189,5 +190,5 @@ TEST(StrayRays, LeaveNoWedgeAtKBGM)
     }
   };
   ForEachVoxel(grid, *volume.site.position, visit);
-  EXPECT_GT(seen, 50'000U);
+  EXPECT_AT_LEAST(seen, 50'000U, "voxels seen");
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas G10: voxels coarser than gates and rays are means of them, others stay as they are.
 #include "BeamScene.h"
+#include "Tolerance.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Gridding/BeamSampling.h"
 
@@ -150,7 +151,7 @@ TEST(SweepMeans, OnlyWhatIsFinerThanVoxelsIsPutTogether)
   const NumberSweep sweep = SweepOf(360, 1'000.0, SetNoise);
   const BeamSweep prepared = Prepared(sweep, 1'800.0);
   const double expected = 0.5 * 1'800.0 / (Pi / 180.0);
-  ASSERT_NEAR(prepared.means.reach, expected, 800.0);
+  ASSERT_WITHIN(prepared.means.reach, expected, 800.0, "distance from which there are no means, m");
   const GridSpecification grid = GridOfWidth(1'800.0, 111);
   const GriddedVolume means = MergeSweep(sweep, AsMeasured(), MomentName::REF, grid);
   const GriddedVolume gates = MergeSweep(sweep, WithoutMeans(), MomentName::REF, grid);
@@ -162,7 +163,7 @@ TEST(SweepMeans, OnlyWhatIsFinerThanVoxelsIsPutTogether)
     changed += same ? 0U : 1U;
   };
   ForEachSeen(means, check);
-  EXPECT_GT(changed, 5'000U);
+  EXPECT_AT_LEAST(changed, 5'000U, "voxels that the means change");
 }
 
 TEST(SweepMeans, CoarserVoxelsAreTheMeansOfTheirGates)
@@ -176,12 +177,14 @@ TEST(SweepMeans, CoarserVoxelsAreTheMeansOfTheirGates)
   float largest = 0.0F;
   const auto check = [&](const SeenVoxel& voxel)
   {
-    ASSERT_NEAR(means.values[voxel.index], 30.0, 0.4);
-    ASSERT_NEAR(linear.values[voxel.index], 10.0 * std::log10(0.5 * (1e1 + 1e5)), 0.1);
+    ASSERT_WITHIN(means.values[voxel.index], 30.0, 0.4, "means of coarser voxels, dBZ");
+    ASSERT_WITHIN(linear.values[voxel.index], 10.0 * std::log10(0.5 * (1e1 + 1e5)), 0.1,
+      "linear means of coarser voxels, dBZ");
     largest = std::max(largest, gates.values[voxel.index]);
   };
   ForEachSeen(means, check);
-  EXPECT_GT(largest, 45.0F); // four gates are not the mean
+  EXPECT_AT_LEAST(
+    largest, 45.0F, "largest value of four gates, dBZ"); // four gates are not the mean
 }
 
 // Formulas G6 and G8 over the voxel: no echo counts as 0 dBZ, of other moments the larger part
@@ -198,7 +201,8 @@ TEST(SweepMeans, StatesCountByTheirPartOfTheVoxel)
   const auto check = [&](const SeenVoxel& voxel)
   {
     ASSERT_EQ(reflectivity.states[voxel.index], VoxelState::Echo);
-    ASSERT_NEAR(reflectivity.values[voxel.index], 15.0, 0.5);
+    ASSERT_WITHIN(
+      reflectivity.values[voxel.index], 15.0, 0.5, "reflectivity of a voxel half full, dBZ");
     ASSERT_EQ(ratio.states[voxel.index], VoxelState::NoEcho);
     ASSERT_FLOAT_EQ(besideFolded.values[voxel.index], 45.0F);
     ASSERT_FLOAT_EQ(besideUnsampled.values[voxel.index], 45.0F);
@@ -213,7 +217,8 @@ TEST(SweepMeans, AnglesAreMeansOnTheCircleAndVelocityIsNone)
     MergeSweep(FineSweep(Alternate(-24.0F, 24.0F)), {}, MomentName::VEL);
   const auto check = [&](const SeenVoxel& voxel)
   {
-    ASSERT_NEAR(std::remainder(phase.values[voxel.index], 360.0F), 0.0, 0.2);
+    ASSERT_WITHIN(
+      std::remainder(phase.values[voxel.index], 360.0F), 0.0, 0.2, "mean of phases, degrees");
     ASSERT_FLOAT_EQ(std::abs(velocity.values[voxel.index]), 24.0F);
   };
   ForEachSeen(phase, check);
@@ -248,7 +253,8 @@ TEST(SweepMeans, GapsBetweenRaysStayAsTheyAre)
   // Gaps of 10.5° and of twice 2°, less half a beam width on either side.
   const double missing =
     1.0 - static_cast<double>(countScanned(means)) / static_cast<double>(whole);
-  EXPECT_NEAR(missing, (10.5 + 2.0 + 2.0 - 3.0 * 0.95) / 360.0, 0.0015);
+  EXPECT_WITHIN(
+    missing, (10.5 + 2.0 + 2.0 - 3.0 * 0.95) / 360.0, 0.0015, "part of the circle without rays");
 }
 
 // No ring and no ray where one resolution passes into the next: a small step changes little, in
@@ -259,12 +265,14 @@ TEST(SweepMeans, PassIntoEachOtherWithoutASeam)
     Prepared(FineSweep(SetNoise), 1'800.0), Prepared(SweepOf(360, 1'000.0, SetNoise), 1'800.0)};
   for (const BeamSweep& sweep : sweeps)
   {
-    ASSERT_GT(sweep.means.rings.size(), 50U);
+    ASSERT_AT_LEAST(sweep.means.rings.size(), 50U, "rings of means");
     const double spacing = 1.0 / static_cast<double>(sweep.means.ringsPerMetre);
     for (double range = 2'000.0; range < 140'000.0; range += 5.0)
     {
       const float step = SampleAt(sweep, 77.7, range + 5.0) - SampleAt(sweep, 77.7, range);
-      ASSERT_LT(std::abs(step), 0.4 * 40.0 * 5.0 / spacing) << range;
+      ASSERT_AT_MOST(std::abs(step) / (40.0 * 5.0 / spacing), 0.4,
+        "step along the range, part of 40 dB in a spacing")
+        << range;
     }
     for (const double range : {1'500.0, 20'000.0, 51'000.0, 90'000.0})
     {
@@ -272,7 +280,9 @@ TEST(SweepMeans, PassIntoEachOtherWithoutASeam)
       {
         const float step =
           SampleAt(sweep, azimuth + 0.001, range) - SampleAt(sweep, azimuth, range);
-        ASSERT_LT(std::abs(step), 0.6 * 40.0 * 0.001 / 0.5) << range << " " << azimuth;
+        ASSERT_AT_MOST(std::abs(step) / (40.0 * 0.001 / 0.5), 0.6,
+          "step along the azimuth, part of 40 dB in half a degree")
+          << range << " " << azimuth;
       }
     }
   }
@@ -303,5 +313,6 @@ TEST(SweepMeans, ALoneGateIsSeenAsFarAsItsCellReaches)
   const GriddedVolume whole = MergeAt(volumes, 100.0, withAges, grid);
   EXPECT_EQ(quick.values, whole.values);
   EXPECT_EQ(quick.states, whole.states);
-  EXPECT_GT(std::count(quick.states.begin(), quick.states.end(), VoxelState::Echo), 250);
+  EXPECT_AT_LEAST(
+    std::count(quick.states.begin(), quick.states.end(), VoxelState::Echo), 250, "voxels of echo");
 }

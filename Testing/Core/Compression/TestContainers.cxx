@@ -5,6 +5,7 @@
 
 #include "Level2Bytes.h"
 #include "TestData.h"
+#include "Tolerance.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -120,7 +121,8 @@ TEST(Container, KeepsWhatCameBeforeTheBreak)
     stored.resize(stored.size() / 2);
     std::vector<Damage> damage;
     const Bytes found = Open(stored, damage).bytes;
-    EXPECT_GT(found.size(), text.size() / 4);
+    EXPECT_AT_LEAST(static_cast<double>(found.size()) / static_cast<double>(text.size()), 0.25,
+      "bytes before the break, part of all");
     EXPECT_TRUE(std::equal(found.begin(), found.end(), text.begin()));
   }
 }
@@ -163,9 +165,12 @@ TEST(Container, MapsOffsetsThroughNestedStreams)
   const PlainFile file = Open(stored, damage);
   EXPECT_EQ(file.offsets.ToStored(0), 0U);
   const auto middle = static_cast<double>(file.offsets.ToStored(250'000));
-  EXPECT_NEAR(middle, double(stored.size()) / 2, double(stored.size()) / 4);
+  EXPECT_WITHIN(middle / static_cast<double>(stored.size()), 0.5, 0.2,
+    "offset of the middle in the file, part of its size");
   const PlainFile twice = Open(Gzip(stored), damage);
-  EXPECT_NEAR(double(twice.offsets.ToStored(250'000)), middle, double(stored.size()) / 4);
+  EXPECT_WITHIN((static_cast<double>(twice.offsets.ToStored(250'000)) - middle) /
+                  static_cast<double>(stored.size()),
+    0.0, 0.25, "shift of the middle by a second compression, part of the size");
 }
 
 TEST(LdmRecords, FindsThemByTheirLengths)

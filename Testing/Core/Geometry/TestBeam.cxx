@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Tolerance.h"
 #include "nexrad/Geometry/Beam.h"
 
 #include "nexrad/System/Error.h"
@@ -15,15 +16,17 @@ using namespace nexrad;
 TEST(BeamB1, HeightAtTheEdgeOfRangeIsTheHandbooks)
 {
   const BeamPoint point = BeamModel().Locate(230'000.0, 0.5);
-  EXPECT_NEAR(point.height, 5119.4, 0.5);
+  EXPECT_WITHIN(point.height, 5119.4, 0.24, "height of the handbook's beam, m");
   // s = a_e·atan(r·cos θ/(a_e + r·sin θ)) = a_e·atan(229 991.2/8 496 674.1) = a_e·0.02706178.
-  EXPECT_NEAR(point.groundDistance, 229'880.7, 0.5);
+  EXPECT_WITHIN(
+    point.groundDistance, 229'880.7, 0.15, "distance of the handbook's beam along the ground, m");
 }
 
 TEST(BeamB1, TheNexradRefractionBendsTheBeamLess)
 {
   // k = 1.21: (r·cos θ)²/(2·1.21·a) = 3430.9 m in place of 3113.5 m.
-  EXPECT_NEAR(BeamModel(1.21).Locate(230'000.0, 0.5).height, 2007.1 + 3430.9 - 1.4, 0.5);
+  EXPECT_WITHIN(BeamModel(1.21).Locate(230'000.0, 0.5).height, 2007.1 + 3430.9 - 1.4, 0.5,
+    "height of the beam at k = 1.21, m");
 }
 
 TEST(BeamB1, StraightUpIsStraightUp)

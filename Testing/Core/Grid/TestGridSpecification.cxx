@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Tolerance.h"
 #include "nexrad/Grid/MakeGrid.h"
 
 #include "nexrad/Geometry/SiteGeoreference.h"
@@ -56,7 +57,7 @@ TEST(MakeGrid, BoxHoldsTheCirclesOfAllSitesAndNotMuchMore)
   for (const double margin : Margins(grid, threeSites, 230'000.0))
   {
     EXPECT_GE(margin, 0.0);
-    EXPECT_LT(margin, 3.0) << "m; the faces are whole metres";
+    EXPECT_AT_MOST(margin, 2.4, "margin about the circles, m") << "m; the faces are whole metres";
   }
   EXPECT_DOUBLE_EQ(LowerFace(grid, 2), 0.0);
   EXPECT_DOUBLE_EQ(UpperFace(grid, 2), 20'000.0);
@@ -78,7 +79,7 @@ TEST(MakeGrid, OneSiteLiesWithinHalfAHundredthOfTheCentre)
   const GridSpecification grid = MakeGrid({}, {threeSites[0]});
   EXPECT_NEAR(grid.centreLatitude, 38.81, 1e-9);
   EXPECT_NEAR(grid.centreLongitude, -94.26, 1e-9);
-  EXPECT_NEAR(grid.spacing[0] * grid.dimensions[0], 460'000.0, 3.0);
+  EXPECT_WITHIN(grid.spacing[0] * grid.dimensions[0], 460'000.0, 3.0, "width of the grid, m");
 }
 
 TEST(MakeGrid, OriginIsTheLowerFacePlusHalfASpacing)
@@ -108,9 +109,9 @@ TEST(MakeGrid, ProjectedBoundsHoldTheGeographicBox)
   const GridSpecification grid = MakeGrid(request, {});
   EXPECT_EQ(grid.Projection(), "+proj=aeqd +lat_0=39 +lon_0=-92 +datum=WGS84 +units=m +no_defs");
   // The south edge bows down to its ends' corners, the widest parallel is the southern one.
-  EXPECT_NEAR(LowerFace(grid, 0), grid.FromGeographic(-96.0, 36.0)[0], 1.0);
-  EXPECT_NEAR(LowerFace(grid, 1), grid.FromGeographic(-92.0, 36.0)[1], 1.0);
-  EXPECT_NEAR(UpperFace(grid, 1), grid.FromGeographic(-88.0, 42.0)[1], 1.0);
+  EXPECT_WITHIN(LowerFace(grid, 0), grid.FromGeographic(-96.0, 36.0)[0], 1.0, "western face, m");
+  EXPECT_WITHIN(LowerFace(grid, 1), grid.FromGeographic(-92.0, 36.0)[1], 1.0, "southern face, m");
+  EXPECT_WITHIN(UpperFace(grid, 1), grid.FromGeographic(-88.0, 42.0)[1], 0.4, "northern face, m");
 }
 
 TEST(MakeGrid, GeographicBoxAboutSitesHoldsTheCircles)
@@ -121,7 +122,7 @@ TEST(MakeGrid, GeographicBoxAboutSitesHoldsTheCircles)
   for (const double margin : Margins(grid, threeSites, 230'000.0))
   {
     EXPECT_GE(margin, 0.0);
-    EXPECT_LT(margin, 1e-4) << "degrees";
+    EXPECT_AT_MOST(margin, 1.4e-5, "margin about the circles, degrees") << "degrees";
   }
 }
 

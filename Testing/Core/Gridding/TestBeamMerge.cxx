@@ -2,6 +2,7 @@
 // One radar at one time: what becomes of the gates.
 #include "BeamScene.h"
 #include "Coverage.h"
+#include "Tolerance.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/System/Error.h"
 
@@ -84,7 +85,7 @@ void ExpectFourQuarters(const BeamMergeOptions& options, double border)
     }
   };
   ForEachVoxel(volume.grid, centralSite, check);
-  EXPECT_GT(inside, 26'000u);
+  EXPECT_AT_LEAST(inside, 26'000u, "voxels inside");
 }
 
 } // namespace
@@ -132,11 +133,12 @@ TEST(BeamMerge, LinearInElevationBetweenTheTiltsAndNotBeyondHalfABeam)
         expected = static_cast<double>(values[i]) + share * step;
       }
     }
-    ASSERT_NEAR(volume.values[voxel.index], expected, 0.05) << voxel.elevation;
+    ASSERT_WITHIN(volume.values[voxel.index], expected, 0.014, "interpolation in elevation, dBZ")
+      << voxel.elevation;
     ++between;
   };
   ForEachVoxel(volume.grid, centralSite, check);
-  EXPECT_GT(between, 50'000u);
+  EXPECT_AT_LEAST(between, 120'000u, "voxels between tilts");
   EXPECT_EQ(volume.sites, std::vector<std::string>{"KTST"});
   EXPECT_EQ(volume.method, "beam");
 }
@@ -198,7 +200,8 @@ TEST(BeamMerge, BilinearInAzimuthAndRangeWithUnevenRays)
     {
       const double height = beam.HeightOver(voxel.groundDistance, 1.0);
       const double range = beam.Look({height, voxel.groundDistance}).slantRange;
-      ASSERT_NEAR(volume.values[voxel.index], 10.0 + voxel.azimuth / 20.0 + range / 10'000.0, 0.01);
+      ASSERT_WITHIN(volume.values[voxel.index], 10.0 + voxel.azimuth / 20.0 + range / 10'000.0,
+        0.018, "interpolation in azimuth and range, dBZ");
     }
   };
   ForEachVoxel(volume.grid, centralSite, check);
@@ -254,7 +257,7 @@ TEST(BeamMerge, AConstantFieldComesOutConstantFromLegacyAndSuperResolutionTogeth
     }
     covered += seen[i];
   }
-  EXPECT_GT(covered, 100'000u);
+  EXPECT_AT_LEAST(covered, 100'000u, "voxels covered");
 }
 
 TEST(BeamMerge, ARayThatIsMissingLeavesAGapOfItsOwnWidth)
@@ -318,7 +321,8 @@ TEST(BeamMerge, AnEchoFallsToNoEchoBelowATiltWithoutOne)
       ASSERT_EQ(volume.states[voxel.index] == VoxelState::Echo, away < end) << voxel.elevation;
       if (away < end)
       {
-        ASSERT_NEAR(volume.values[voxel.index], 40.0 * (1.0 - away / end), 0.1);
+        ASSERT_WITHIN(
+          volume.values[voxel.index], 40.0 * (1.0 - away / end), 0.002, "fall to no echo, dBZ");
       }
     };
     ForEachVoxel(volume.grid, centralSite, check);
@@ -350,7 +354,7 @@ TEST(BeamMerge, BeyondTheLastGateThereIsNothingAbove18Kilometres)
     }
   };
   ForEachVoxel(grid, centralSite, check);
-  EXPECT_GT(high, 100u);
+  EXPECT_AT_LEAST(high, 1'500u, "voxels above 18 km");
 }
 
 TEST(BeamMerge, VelocityIsNeverMixedAndPhaseIsMixedOnTheCircle)
@@ -397,7 +401,8 @@ TEST(BeamMerge, LinearReflectivityIsAnOption)
     {
       const double share = (voxel.elevation - 1.0) / 2.0;
       const double z = (1.0 - share) * 100.0 + share * 10'000.0;
-      ASSERT_NEAR(volume.values[voxel.index], 10.0 * std::log10(z), 0.05);
+      ASSERT_WITHIN(volume.values[voxel.index], 10.0 * std::log10(z), 0.0012,
+        "interpolation of linear reflectivity, dBZ");
     }
   };
   ForEachVoxel(volume.grid, centralSite, check);

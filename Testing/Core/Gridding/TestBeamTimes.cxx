@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One radar at several times, and several radars at one.
 #include "BeamScene.h"
+#include "Tolerance.h"
 
 #include <gtest/gtest.h>
 
@@ -60,8 +61,8 @@ TEST(BeamTimes, EachRayHasItsOwnTime)
   const std::vector<PolarVolume> volumes = {OneTilt(-100.0, 0.0F), sweeping, OneTilt(136.0, 50.0F)};
   const GriddedVolume volume = MergeAt(volumes, 18.0);
   // East was scanned at 9 s, west at 27 s.
-  EXPECT_NEAR(ValueAt(volume, 38, 30, 4), 20.0 + 30.0 * 9.0 / 127.0, 0.05);
-  EXPECT_NEAR(ValueAt(volume, 22, 30, 4), 20.0 * 118.0 / 127.0, 0.05);
+  EXPECT_NEAR(ValueAt(volume, 38, 30, 4), 20.0 + 30.0 * 9.0 / 127.0, 1e-3);
+  EXPECT_NEAR(ValueAt(volume, 22, 30, 4), 20.0 * 118.0 / 127.0, 1e-3);
 }
 
 TEST(BeamTimes, NoEchoCountsAsZeroBetweenTimes)
@@ -90,9 +91,9 @@ TEST(BeamTimes, OfRepeatedCutsTheNearestCount)
   // for 3 %.
   const auto seen = [&](double seconds)
   { return ValueAt(MergeAt({VolumeOf(sweeps)}, seconds), 36, 30, 3); };
-  EXPECT_NEAR(seen(60.0), 20.0, 2.0);
-  EXPECT_NEAR(seen(180.0), 40.0, 2.0);
-  EXPECT_NEAR(seen(500.0), 50.0, 2.0);
+  EXPECT_WITHIN(seen(60.0), 20.0, 1.6, "value of the nearest cut, dBZ");
+  EXPECT_WITHIN(seen(180.0), 40.0, 1.6, "value of the nearest cut, dBZ");
+  EXPECT_WITHIN(seen(500.0), 50.0, 1.6, "value of the nearest cut, dBZ");
 }
 
 TEST(BeamTimes, WhatIsFartherThanTheGapDoesNotCount)
@@ -114,7 +115,8 @@ TEST(BeamTimes, AMissedVolumeMakesNoJump)
     const double now = SeenEast(volumes, seconds);
     ASSERT_FALSE(std::isnan(now)) << seconds;
     EXPECT_GE(now, before - 1e-3) << seconds;
-    EXPECT_LT(now - before, 3.0) << seconds; // 0.4 if it were linear over the 25 minutes
+    EXPECT_AT_MOST(now - before, 3.0, "change of the value in a step, dBZ")
+      << seconds; // 0.4 if it were linear over the 25 minutes
     before = now;
   }
   EXPECT_NEAR(before, 50.0, 1e-3);
@@ -146,7 +148,7 @@ TEST(BeamTimes, AChangeOfPatternMakesNoJump)
       if (voxel.groundDistance > 2'000.0 && voxel.elevation > 0.51 && voxel.elevation < 5.99)
       {
         ASSERT_EQ(volume.states[voxel.index], VoxelState::Echo);
-        ASSERT_NEAR(volume.values[voxel.index], 20.0 + 5.0 * voxel.elevation, 0.05) << seconds;
+        ASSERT_NEAR(volume.values[voxel.index], 20.0 + 5.0 * voxel.elevation, 1e-3) << seconds;
       }
     };
     ForEachVoxel(volume.grid, centralSite, check);
@@ -230,10 +232,11 @@ TEST(BeamOverlap, Strategies)
     }
     const double a = std::exp(-west * west / 1e10);
     const double b = std::exp(-east * east / 1e10);
-    ASSERT_NEAR(distance.values[index], (20.0 * a + 40.0 * b) / (a + b), 0.1);
+    ASSERT_WITHIN(distance.values[index], (20.0 * a + 40.0 * b) / (a + b), 0.016,
+      "mean weighted by the distance, dBZ");
   };
   ForEachOverlap(mean.grid, check);
-  EXPECT_GT(count, 10'000u);
+  EXPECT_AT_LEAST(count, 50'000u, "voxels of two radars");
 }
 
 TEST(BeamOverlap, EchoNeedsHalfOfTheWeight)
@@ -289,8 +292,9 @@ TEST(BeamOverlap, AncillaryArraysSayWhoSawAVoxelAndWhen)
   {
     ASSERT_EQ(ancillary.radars[index], 2);
     ASSERT_NEAR(ancillary.age[index], 70.0, 1e-3); // of the newer
-    ASSERT_NEAR(
-      ancillary.weight[index], std::exp(-west * west / 1e10) + std::exp(-east * east / 1e10), 0.01);
+    ASSERT_WITHIN(ancillary.weight[index],
+      std::exp(-west * west / 1e10) + std::exp(-east * east / 1e10), 0.0017,
+      "weight of two radars");
     ASSERT_TRUE(
       std::abs(west - east) < 500.0 || ancillary.nearestSite[index] == (east < west ? 0 : 1));
   };

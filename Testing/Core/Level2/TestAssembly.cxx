@@ -5,6 +5,7 @@
 
 #include "Level2Bytes.h"
 #include "TestData.h"
+#include "Tolerance.h"
 
 #include <gtest/gtest.h>
 
@@ -225,8 +226,8 @@ TEST(Assembly, RaysFarBelowTheirCutAreKept)
     const RadarVolume volume = DecodeRays({make(ray), make(low), make(end)});
     EXPECT_TRUE(volume.damage.empty());
     ASSERT_EQ(volume.RayCount(), 3U);
-    EXPECT_NEAR(volume.sweeps[0].rays[1].elevation, -9.5, 0.045);
-    EXPECT_NEAR(volume.sweeps[0].MedianElevation(), 0.5, 0.025);
+    EXPECT_WITHIN(volume.sweeps[0].rays[1].elevation, -9.5, 0.045, "elevation of a ray, degrees");
+    EXPECT_WITHIN(volume.sweeps[0].MedianElevation(), 0.5, 0.025, "median elevation, degrees");
     ASSERT_FALSE(volume.notes.empty());
     EXPECT_NE(volume.notes.back().find("1 of its 3 rays farther"), std::string::npos);
   }

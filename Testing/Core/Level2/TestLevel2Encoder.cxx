@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Tolerance.h"
 #include "nexrad/Level2/Encoding/Level2Encoder.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/System/Error.h"
@@ -215,7 +216,7 @@ TEST(Level2Encoder, Message31ComesBackFromEveryContainer)
     ASSERT_TRUE(decoded.site.position);
     EXPECT_NEAR(decoded.site.position->latitude, 38.698686, 1e-5);
     EXPECT_NEAR(decoded.site.position->longitude, -90.682877, 1e-5);
-    EXPECT_NEAR(decoded.site.position->altitude, 220.1, 0.5);
+    EXPECT_WITHIN(decoded.site.position->altitude, 220.1, 0.2, "altitude that comes back, m");
     ExpectSameRays(decoded, volume, 1e-6);
   }
 }
@@ -231,7 +232,8 @@ TEST(Level2Encoder, CoveragePatternComesBack)
   {
     const CoverageCut& cut = decoded.coveragePattern->cuts[index];
     const CoverageCut& truth = volume.coveragePattern->cuts[index];
-    EXPECT_NEAR(cut.elevation, truth.elevation, 0.022);
+    EXPECT_WITHIN(
+      cut.elevation, truth.elevation, 0.00075, "elevation of a cut that comes back, degrees");
     EXPECT_EQ(cut.waveform, truth.waveform);
     EXPECT_TRUE(cut.superResolution);
     EXPECT_NEAR(cut.azimuthRate, truth.azimuthRate, 0.001);

@@ -6,6 +6,7 @@
 #include "nexrad/Level2/Messages/MessageStream.h"
 
 #include "Level2Bytes.h"
+#include "Tolerance.h"
 
 #include <gtest/gtest.h>
 
@@ -69,8 +70,8 @@ TEST(Message1, ReadsARay)
   const DecodedRay decoded = DecodeMessage1(BodyOf(frame));
   const Ray& ray = decoded.ray;
   EXPECT_EQ(FormatIso8601(ray.time), "2005-08-21T02:43:19.671Z");
-  EXPECT_NEAR(ray.azimuth, 359.5, 0.05);
-  EXPECT_NEAR(ray.elevation, -0.5, 0.05);
+  EXPECT_WITHIN(ray.azimuth, 359.5, 0.05, "azimuth of message 1, degrees");
+  EXPECT_WITHIN(ray.elevation, -0.5, 0.05, "elevation of message 1, degrees");
   EXPECT_FLOAT_EQ(ray.nyquist, 26.12F);
   EXPECT_EQ(ray.unambiguousRange, 148'000.0F);
   EXPECT_EQ(ray.radialStatus, 1);
@@ -283,8 +284,8 @@ TEST(Message5, ReadsACoveragePattern)
   ASSERT_TRUE(pattern);
   EXPECT_EQ(pattern->number, 212);
   ASSERT_EQ(pattern->cuts.size(), 3U);
-  EXPECT_NEAR(pattern->cuts[0].elevation, 0.48, 0.05);
-  EXPECT_NEAR(pattern->cuts[2].elevation, -0.5, 0.05);
+  EXPECT_WITHIN(pattern->cuts[0].elevation, 0.48, 0.05, "elevation of the first cut, degrees");
+  EXPECT_WITHIN(pattern->cuts[2].elevation, -0.5, 0.05, "elevation of the third cut, degrees");
   EXPECT_EQ(pattern->cuts[1].waveform, Waveform::ContiguousSurveillance);
   EXPECT_TRUE(pattern->cuts[1].superResolution);
   EXPECT_DOUBLE_EQ(pattern->cuts[1].azimuthRate, 11.25);

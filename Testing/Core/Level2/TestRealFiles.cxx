@@ -6,6 +6,7 @@
 
 #include "SweepMaker.h"
 #include "TestData.h"
+#include "Tolerance.h"
 
 #include <gtest/gtest.h>
 
@@ -56,7 +57,7 @@ void ExpectTwins(const fs::path& first, const fs::path& second)
 {
   const RadarVolume one = ReadLevel2(first);
   const RadarVolume other = ReadLevel2(second);
-  ASSERT_GT(one.RayCount(), 3000U);
+  ASSERT_AT_LEAST(one.RayCount(), 3000U, "rays of a file");
   ASSERT_EQ(one.sweeps.size(), other.sweeps.size());
   for (std::size_t index = 0; index < one.sweeps.size(); ++index)
   {
@@ -106,8 +107,10 @@ TEST(RealFiles, ReadingGoesOnBehindLostFraming)
   {
     const RadarVolume volume = ReadLevel2(folder / name);
     EXPECT_TRUE(volume.complete) << Describe(volume);
-    EXPECT_GT(volume.RayCount(), 3900U) << Describe(volume);
-    EXPECT_GT(volume.sweeps.back().MeanElevation(), 19.0);
+    EXPECT_AT_LEAST(volume.RayCount(), 3900U, "rays of a file with lost framing")
+      << Describe(volume);
+    EXPECT_AT_LEAST(volume.sweeps.back().MeanElevation(), 19.0,
+      "elevation of the last sweep behind the damage, degrees");
   }
 }
 
@@ -126,7 +129,7 @@ TEST(RealFiles, ChunkFoldersAreVolumes)
   for (const char* name : {"KHDX-20240401-partial", "KABR-20240328-stray", "KLBB-single"})
   {
     const RadarVolume part = ReadLevel2(chunks / name);
-    EXPECT_GE(part.RayCount(), 120U) << name;
+    EXPECT_AT_LEAST(part.RayCount(), 120U, "rays of a part of a volume") << name;
     EXPECT_FALSE(part.complete) << name;
     EXPECT_FALSE(part.damage.empty()) << name;
     EXPECT_TRUE(part.site.position) << name;

@@ -2,6 +2,7 @@
 // Several radars about one time, through the choice of their volumes: radars that start, stop and
 // miss volumes, how they overlap, and the ancillary arrays.
 #include "BeamScene.h"
+#include "Tolerance.h"
 #include "nexrad/Merging/TimeMerge.h"
 
 #include <gtest/gtest.h>
@@ -226,7 +227,7 @@ TEST(BeamNetwork, AConstantFieldStaysConstantWhileARadarStartsMissesVolumesAndSt
         eastAlone += eastTakesPart && one && volume.ancillary.nearestSite[i] == 0;
       }
     }
-    EXPECT_GT(eastAlone, 5'000u);
+    EXPECT_AT_LEAST(eastAlone, 50'000u, "voxels of the eastern radar alone");
   }
 }
 
@@ -254,20 +255,24 @@ TEST(BeamNetwork, ARadarThatStartsMissesVolumesAndStopsFades)
       const double west = WeightAt(ranges.west[i]);
       const double east = WeightAt(ranges.east[i]);
       const double weight = now.ancillary.weight[i];
-      ASSERT_GT(weight, 0.98 * west);
-      ASSERT_LT(weight, 1.02 * (west + east));
+      ASSERT_GT(weight, (1.0 - 1e-5) * west);
+      ASSERT_AT_MOST(weight / (west + east) - 1.0, 0.0017, "weight above both radars', part of it");
       // The rays of neighbouring tilts are 24 s apart, and so are the ends of their fades.
       const double change = std::abs(weight - static_cast<double>(before.ancillary.weight[i]));
-      ASSERT_LT(change, (fade + 24.0 * 3.0 / gap) * east + 0.02 * west) << seconds;
+      ASSERT_AT_MOST(change, (fade + 24.0 * 3.0 / gap) * east + 0.02 * west,
+        "change of the weight in a step, its radar's slowest fade as the bound")
+        << seconds;
       const double valueStep = std::abs(now.values[i] - before.values[i]);
-      ASSERT_LT(valueStep, 20.0 * (fade + 24.0 * 3.0 / gap) * east / west + 0.05) << seconds;
+      ASSERT_AT_MOST(valueStep, 20.0 * (fade + 24.0 * 3.0 / gap) * east / west + 0.05,
+        "change of the value in a step, dBZ, its radar's slowest fade as the bound")
+        << seconds;
       // Midway between the volumes 28 minutes apart: both 14 minutes off.
       const bool middle = std::abs(seconds - 3888.0) < step;
       smallestWeight = middle ? std::min(smallestWeight, (weight - west) / east) : smallestWeight;
     }
     before = now;
   }
-  EXPECT_LT(smallestWeight, 0.35);
+  EXPECT_AT_MOST(smallestWeight, 0.35, "smallest weight");
 }
 
 // The weight of KEST at every voxel of the overlap, as a part of the whole: between what the fade
@@ -303,14 +308,14 @@ TEST(BeamNetwork, TheWeightOfARadarThatComesAndGoesIsARamp)
       const std::vector<double> parts = partsAt(seconds);
       for (std::size_t i = 0; i < parts.size(); ++i)
       {
-        ASSERT_GT(parts[i], least - 0.05) << seconds;
-        ASSERT_LT(parts[i], most + 0.05) << seconds;
+        ASSERT_GT(parts[i], least - 1e-5) << seconds;
+        ASSERT_AT_MOST(parts[i] - most, 0.0145, "weight above the ramp");
         const double change = before.empty() ? 0.0 : sign * (parts[i] - before[i]);
         largestReturn = std::max(largestReturn, -change);
       }
       before = parts;
     }
-    EXPECT_LT(largestReturn, 0.01);
+    EXPECT_AT_MOST(largestReturn, 0.009, "step back of the weight");
   };
   checkRamp(1480.0, 1940.0, 2400.0, 2516.0, 1.0);
   checkRamp(5560.0, 6010.0, 4980.0, 5096.0, -1.0);
@@ -371,13 +376,14 @@ TEST(BeamNetwork, AncillaryArraysAndValuesByHandForEachStrategy)
       ++count;
       const Expected right = expected(strategy, west, east);
       ASSERT_EQ(volume.states[i], VoxelState::Echo);
-      ASSERT_NEAR(volume.values[i], right.value, 0.1);
-      ASSERT_NEAR(volume.ancillary.weight[i], right.weight, 0.01 * right.weight + 1e-4);
+      ASSERT_WITHIN(volume.values[i], right.value, 0.0135, "value by hand, dBZ");
+      ASSERT_WITHIN(
+        volume.ancillary.weight[i] / right.weight, 1.0, 0.002, "weight by hand, part of it");
       ASSERT_EQ(volume.ancillary.radars[i], 2);
       ASSERT_NEAR(volume.ancillary.age[i], 100.0, 1e-3);
       ASSERT_EQ(volume.ancillary.nearestSite[i], east < west ? 0 : 1);
     }
-    EXPECT_GT(count, 500u);
+    EXPECT_AT_LEAST(count, 800u, "voxels compared");
   }
 }
 
@@ -422,8 +428,8 @@ TEST(BeamNetwork, ASmoothFieldHasNoStripesWhereResolutionsMeet)
     largest = std::max(largest, std::abs(volume.values[i] - sum / weights));
     (volume.ancillary.radars[i] == 1 ? ofOne : ofBoth) += 1;
   }
-  EXPECT_LT(elsewhere, 0.06);
-  EXPECT_LT(atEnds, 0.15);
-  EXPECT_GT(ofOne, 150u);
-  EXPECT_GT(ofBoth, 150u);
+  EXPECT_AT_MOST(elsewhere, 0.06, "difference to the mean away from the ends of range, dBZ");
+  EXPECT_AT_MOST(atEnds, 0.15, "difference to the mean at the ends of range, dBZ");
+  EXPECT_AT_LEAST(ofOne, 600u, "voxels that one radar sees");
+  EXPECT_AT_LEAST(ofBoth, 150u, "voxels that both radars see");
 }

@@ -4,6 +4,7 @@
 // a real run is printed.
 #include "Motion/VolumeMotion.h"
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Merging/TimeMerge.h"
@@ -129,7 +130,9 @@ TEST(SeriesEnds, ARealRunMovesInItsFirstAndLastMinutes)
   const double median = MedianSpeed(minutes);
   for (const Minute& minute : minutes)
   {
-    EXPECT_NEAR(minute.along, median, 0.1 * median) << FormatIso8601(minute.time);
-    EXPECT_LT(std::abs(minute.growth), 0.03) << FormatIso8601(minute.time);
+    EXPECT_WITHIN(minute.along / median, 1.0, 0.1, "speed in a minute, part of the median")
+      << FormatIso8601(minute.time);
+    EXPECT_AT_MOST(std::abs(minute.growth), 0.03, "growth of the echo in a minute, part of it")
+      << FormatIso8601(minute.time);
   }
 }

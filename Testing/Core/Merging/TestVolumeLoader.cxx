@@ -3,6 +3,7 @@
 
 #include "HandMadeVolume.h"
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
@@ -143,7 +144,8 @@ TEST_F(VolumeLoading, GivesWhatAScanWouldAndHoldsLittle)
         << after / 1s << " s";
       // One in progress, one before, one after of each radar, and three ahead on each thread with
       // the one that it decodes.
-      EXPECT_LE(this->Alive(), 2U * 3U + threads * 4U) << after / 1s << " s";
+      EXPECT_AT_MOST(this->Alive(), 2U * 3U + threads * 4U, "volumes in memory")
+        << after / 1s << " s";
     }
     EXPECT_LE(decoded,
       paths.size()); // each once, and those between two times that neither needs not at all
@@ -157,7 +159,7 @@ TEST_F(VolumeLoading, BeginsInTheMiddleAndEndsThere)
   loader->EndAt(start + 100min);
   EXPECT_EQ(Names(*loader->About(start + 95min)), this->Expected(start + 95min));
   EXPECT_EQ(Names(*loader->About(start + 100min)), this->Expected(start + 100min));
-  EXPECT_LE(decoded, 12U); // of 66
+  EXPECT_AT_MOST(decoded, 12U, "files decoded"); // of 66
 }
 
 TEST_F(VolumeLoading, ScansAFileOnRequestAndKeepsItForItsTime)
@@ -187,7 +189,8 @@ TEST_F(VolumeLoading, TimesMayComeInAnyOrder)
       EXPECT_EQ(Names(*loader->About(start + after)), this->Expected(start + after))
         << after / 1s << " s";
       // As when they ascend, and what each thread still decodes for the time before.
-      EXPECT_LE(this->Alive(), 2U * 3U + 2U * 4U + 2U) << after / 1s << " s";
+      EXPECT_AT_MOST(this->Alive(), 2U * 3U + 2U * 4U + 2U, "volumes in memory")
+        << after / 1s << " s";
     }
     EXPECT_TRUE(loader->IsAsIn(this->Scan()));
     EXPECT_FALSE(loader->HeadersErr());

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Tolerance.h"
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Model/SweepWaveforms.h"
@@ -96,7 +97,8 @@ TEST(SweepWaveforms, AnUnknownRangeFollowsFromTheNyquistVelocity)
   EXPECT_EQ(RangeOf("KVWX", {0.5F, true, 148'000.0F, 26.35F}), 148'000.0F);
   for (const float nonsense : {0.0F, 100.0F, 6'553'500.0F})
   {
-    EXPECT_NEAR(RangeOf("KVWX", {0.5F, true, nonsense, 26.35F}), 157'861.0F, 10.0F);
+    EXPECT_WITHIN(
+      RangeOf("KVWX", {0.5F, true, nonsense, 26.35F}), 157'861.0F, 1.3F, "unambiguous range, m");
     EXPECT_EQ(RangeOf("KVWX", {0.5F, true, nonsense, 0.0F}), 0.0F);
     EXPECT_EQ(RangeOf("TDAL", {0.5F, true, nonsense, 26.35F}), 0.0F);
   }

@@ -2,6 +2,7 @@
 // Formulas A3: the motion that is found, held against the motion of known fields.
 #include "GridMaker.h"
 #include "Motion/VolumeMotion.h"
+#include "Tolerance.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -69,8 +70,8 @@ Velocity FoundAt(const MotionField& field, const TestStorm& storm, double spacin
 
 void ExpectNear(const Velocity& found, const Velocity& wanted, double tolerance)
 {
-  EXPECT_NEAR(found.east, wanted.east, tolerance);
-  EXPECT_NEAR(found.north, wanted.north, tolerance);
+  EXPECT_AT_MOST(std::hypot(found.east - wanted.east, found.north - wanted.north), tolerance,
+    "error of the motion, m/s");
 }
 
 const GridSpecification squareGrid = MakeTestGrid({128, 128, 2}, 2000.0);
@@ -87,7 +88,7 @@ TEST(MotionEstimate, FindsOneMotionAndFillsTheFieldWithIt)
   {
     for (const double column : {0.0, 33.0, 127.0})
     {
-      ExpectNear(field.At(column, row), velocity, 0.7);
+      ExpectNear(field.At(column, row), velocity, 0.04);
     }
   }
 }
@@ -100,7 +101,7 @@ TEST(MotionEstimate, FindsStormsThatMoveApart)
   const MotionField field = EstimateMotion(pair.before, pair.after);
   for (const TestStorm& storm : storms)
   {
-    ExpectNear(FoundAt(field, storm, 2000.0), storm.velocity, 1.5);
+    ExpectNear(FoundAt(field, storm, 2000.0), storm.velocity, 1.4);
   }
 }
 
@@ -113,7 +114,7 @@ TEST(MotionEstimate, IsNotMisledByGrowthAndDecay)
   const MotionField field = EstimateMotion(pair.before, pair.after);
   for (const TestStorm& storm : storms)
   {
-    ExpectNear(FoundAt(field, storm, 2000.0), velocity, 2.0);
+    ExpectNear(FoundAt(field, storm, 2000.0), velocity, 0.9);
   }
 }
 
@@ -125,7 +126,8 @@ TEST(MotionEstimate, DoesNotDependOnTheVoxelsSize)
   {
     const int size = static_cast<int>(256e3 / spacing);
     const VolumePair pair = MakePair(MakeTestGrid({size, size, 1}, spacing), storms);
-    ExpectNear(FoundAt(EstimateMotion(pair.before, pair.after), storms[0], spacing), velocity, 1.0);
+    ExpectNear(
+      FoundAt(EstimateMotion(pair.before, pair.after), storms[0], spacing), velocity, 0.23);
   }
 }
 
@@ -149,7 +151,7 @@ TEST(MotionEstimate, CountsInMetresOnGeographicAxes)
   };
   const MotionField field =
     EstimateMotion(MakeTestVolume(grid, noon, at(0.0)), MakeTestVolume(grid, noon + 600s, at(1.0)));
-  ExpectNear(field.At(146e3 / eastward, 143e3 / northward), {20.0, 10.0}, 1.0);
+  ExpectNear(field.At(146e3 / eastward, 143e3 / northward), {20.0, 10.0}, 0.036);
 }
 
 TEST(MotionEstimate, IsStillWithoutEcho)
@@ -178,7 +180,7 @@ TEST(MotionEstimate, IgnoresWhatWasNotScanned)
     }
   }
   const MotionField field = EstimateMotion(pair.before, pair.after);
-  ExpectNear(FoundAt(field, storm, 2000.0), storm.velocity, 1.5);
+  ExpectNear(FoundAt(field, storm, 2000.0), storm.velocity, 0.063);
 }
 
 TEST(MotionEstimate, KeepsToTheMaximumSpeed)
@@ -200,7 +202,7 @@ TEST(MotionEstimate, NeedsNoMaximumSpeed)
   MotionOptions options;
   options.maximumSpeed = std::numeric_limits<double>::infinity();
   const MotionField field = EstimateMotion(pair.before, pair.after, options);
-  ExpectNear(FoundAt(field, storm, 2000.0), storm.velocity, 1.0);
+  ExpectNear(FoundAt(field, storm, 2000.0), storm.velocity, 0.0028);
 }
 
 TEST(MotionEstimate, WorksOnTheSmallestGrids)

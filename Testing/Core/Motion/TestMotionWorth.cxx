@@ -4,6 +4,7 @@
 // rebuilt, from volumes on a grid (A2) and by the merge (A2a); the tables are printed.
 #include "Motion/LeaveOneOut.h"
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Gridding/BeamMerge.h"
@@ -211,8 +212,10 @@ std::vector<PolarVolume> ReadRun(const std::filesystem::path& folder)
 void ExpectBetter(const LeaveOneOutScore& score, double part, std::size_t thresholds)
 {
   EXPECT_GT(score.linear.compared, 100'000u);
-  EXPECT_LT(score.alongMotion.Rmse(), part * score.linear.Rmse());
-  EXPECT_LT(score.alongMotion.squares, part * score.linear.squares);
+  EXPECT_AT_MOST(score.alongMotion.Rmse() / score.linear.Rmse(), part,
+    "RMSE along the motion, part of that of the linear interpolation");
+  EXPECT_AT_MOST(score.alongMotion.squares / score.linear.squares, part * part,
+    "square error along the motion, part of that of the linear interpolation");
   for (std::size_t i = 0; i < thresholds; ++i)
   {
     EXPECT_GT(score.alongMotion.SuccessIndex(i), score.linear.SuccessIndex(i));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Tolerance.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/BeamSampler.h"
@@ -75,9 +76,11 @@ TEST(RefractedPath, FollowsTheEffectiveEarth)
         if (point.height < 18'000.0)
         {
           // The formula is an approximation of the traced ray, good to some tens of metres.
-          EXPECT_NEAR(point.height, HeightByFormula(range, elevation, factor), 25.0);
-          EXPECT_NEAR(
-            point.groundDistance, BeamModel(factor).Locate(range, elevation).groundDistance, 60.0);
+          EXPECT_WITHIN(point.height, HeightByFormula(range, elevation, factor), 1.3,
+            "height of the traced ray, m");
+          EXPECT_WITHIN(point.groundDistance,
+            BeamModel(factor).Locate(range, elevation).groundDistance, 60.0,
+            "distance of the traced ray along the ground, m");
         }
       }
     }
@@ -93,8 +96,10 @@ TEST(RefractedPath, IsStraightWithoutRefraction)
     const double up = radius + range * std::sin(1.0 * degree);
     const double out = range * std::cos(1.0 * degree);
     const PathPoint point = path.At(range, 1.0);
-    EXPECT_NEAR(point.height, std::hypot(up, out) - radius, 0.1);
-    EXPECT_NEAR(point.groundDistance, radius * std::atan2(out, up), 0.1);
+    EXPECT_WITHIN(
+      point.height, std::hypot(up, out) - radius, 0.038, "height of the straight ray, m");
+    EXPECT_WITHIN(point.groundDistance, radius * std::atan2(out, up), 0.003,
+      "distance of the straight ray along the ground, m");
   }
 }
 
@@ -103,9 +108,12 @@ TEST(RefractedPath, RefractionMovesTheBeam)
 {
   const RefractedPath standard(4.0 / 3.0, 0.0, 1.0, 240'000.0);
   const RefractedPath weaker(1.21, 0.0, 1.0, 240'000.0);
-  EXPECT_NEAR(standard.At(230'000.0, 0.5).height, 5'119.0, 15.0);
-  EXPECT_NEAR(weaker.At(230'000.0, 0.5).height, HeightByFormula(230'000.0, 0.5, 1.21), 15.0);
-  EXPECT_GT(weaker.At(230'000.0, 0.5).height - standard.At(230'000.0, 0.5).height, 250.0);
+  EXPECT_WITHIN(
+    standard.At(230'000.0, 0.5).height, 5'119.0, 0.11, "height of the handbook's beam, m");
+  EXPECT_WITHIN(weaker.At(230'000.0, 0.5).height, HeightByFormula(230'000.0, 0.5, 1.21), 0.5,
+    "height of the beam at k = 1.21, m");
+  EXPECT_AT_LEAST(weaker.At(230'000.0, 0.5).height - standard.At(230'000.0, 0.5).height, 250.0,
+    "height that a weaker refraction adds, m");
 }
 
 TEST(BeamSampler, CentreLiesOnTheGeodesic)
@@ -125,8 +133,10 @@ TEST(BeamSampler, CentreLiesOnTheGeodesic)
         site.latitude, site.longitude, azimuth, point.groundDistance, latitude, longitude);
       const PlanePoint truth = StormPlane::FromGeographic(longitude, latitude, 0.0);
       const PlanePoint place = beam.Centre(range);
-      EXPECT_NEAR(place.x, truth.x, 2.0) << azimuth << ' ' << range;
-      EXPECT_NEAR(place.y, truth.y, 2.0) << azimuth << ' ' << range;
+      EXPECT_WITHIN(place.x, truth.x, 0.17, "place of the beam's centre along x, m")
+        << azimuth << ' ' << range;
+      EXPECT_WITHIN(place.y, truth.y, 0.17, "place of the beam's centre along y, m")
+        << azimuth << ' ' << range;
     }
   }
 }
@@ -161,17 +171,17 @@ TEST(BeamSampler, AgreesWithBruteForce)
         }
         else
         {
-          EXPECT_LT(sampled, 8.0);
+          EXPECT_AT_MOST(sampled, 8.0, "sampled value where brute force sees none, dBZ");
         }
       }
     }
   }
-  ASSERT_GT(count, 60);
+  ASSERT_AT_LEAST(count, 100, "gates compared");
   const double rootMeanSquare = std::sqrt(squares / count);
   std::printf(
     "%d gates over 5 dBZ: RMS error %.2f dB, worst %.2f dB\n", count, rootMeanSquare, worst);
-  EXPECT_LT(rootMeanSquare, 0.5);
-  EXPECT_LT(worst, 1.5);
+  EXPECT_AT_MOST(rootMeanSquare, 0.4, "RMS error of the samples, dB");
+  EXPECT_AT_MOST(worst, 1.5, "largest error of the samples, dB");
 }
 
 TEST(BeamSampler, SeesNothingWhereNothingIs)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/Simulation/ScanStrategy.h"
@@ -53,7 +54,9 @@ void CompareWithMessage1(const std::filesystem::path& file, int number)
     const MomentRow& reflectivity = ray.Row(MomentName::REF);
     const MomentRow& velocity = ray.Row(MomentName::VEL);
     // One cut in one pattern differs: KLIX has 356 gates at 2.4 degrees, KBGM 336.
-    EXPECT_NEAR(layout.reflectivity.gates, reflectivity.gates, 20.0) << where;
+    EXPECT_WITHIN(layout.reflectivity.gates, reflectivity.gates, 20.0,
+      "gates of reflectivity against a real cut")
+      << where;
     EXPECT_EQ(layout.reflectivity.gates > 0, reflectivity.gates > 0) << where;
     EXPECT_EQ(layout.doppler.gates, velocity.gates) << where;
     if (velocity.gates > 0)
@@ -61,11 +64,16 @@ void CompareWithMessage1(const std::filesystem::path& file, int number)
       EXPECT_EQ(layout.doppler.firstGate, velocity.firstGate) << where;
       EXPECT_EQ(layout.doppler.gateSpacing, velocity.gateSpacing) << where;
       // The wavelengths of radars differ.
-      EXPECT_NEAR(NyquistVelocity(cuts[index].unambiguousRange) / ray.nyquist, 1.0, 0.05) << where;
+      EXPECT_WITHIN(NyquistVelocity(cuts[index].unambiguousRange) / ray.nyquist, 1.0, 0.05,
+        "Nyquist velocity, part of a real cut's")
+        << where;
     }
-    EXPECT_NEAR(layout.rays, static_cast<double>(sweep.rays.size()), 3.0) << where;
+    EXPECT_WITHIN(
+      layout.rays, static_cast<double>(sweep.rays.size()), 2.0, "rays against a real cut")
+      << where;
     const double duration = layout.rays * layout.raySpacing / cuts[index].cut.azimuthRate;
-    EXPECT_NEAR(duration / SecondsOf(sweep), 1.0, 0.06) << where;
+    EXPECT_WITHIN(duration / SecondsOf(sweep), 1.0, 0.018, "duration, part of a real cut's")
+      << where;
   }
 }
 
@@ -107,7 +115,9 @@ TEST(ScanStrategy, Pattern12IsThatOfARealFile)
     const Ray& ray = volume.sweeps[index].rays[50];
     EXPECT_EQ(layout.reflectivity.gates, ray.Row(MomentName::REF).gates) << index;
     EXPECT_EQ(layout.doppler.gates, ray.Row(MomentName::VEL).gates) << index;
-    EXPECT_NEAR(volume.sweeps[index].MeanElevation(), cuts[index].cut.elevation, 0.2) << index;
+    EXPECT_WITHIN(volume.sweeps[index].MeanElevation(), cuts[index].cut.elevation, 0.085,
+      "mean elevation against the pattern's, degrees")
+      << index;
   }
 }
 
@@ -124,7 +134,8 @@ TEST(ScanStrategy, Message31CutsHaveFineGates)
   EXPECT_EQ(doppler.doppler.gates, 1192);
   const CutLayout high = LayOut(cuts.back(), true);
   EXPECT_EQ(high.rays, 360);
-  EXPECT_NEAR(high.reflectivity.gates, 232, 10); // as the last cut of KBLX, 2009-06-03
+  EXPECT_WITHIN(high.reflectivity.gates, 232, 10,
+    "gates of the last cut"); // as the last cut of KBLX, 2009-06-03
 }
 
 // Real files give no gate beyond: the pulses cannot tell what comes back from there.
@@ -151,5 +162,6 @@ TEST(ScanStrategy, KnowsThePatternsThatItNames)
 {
   EXPECT_EQ(KnownCoveragePatterns(), (std::vector<int>{11, 12, 21, 31, 32, 35, 121, 212, 215}));
   EXPECT_EQ(FindCoveragePattern(99), nullptr);
-  EXPECT_NEAR(ToSeconds(Time(VolumePeriod(21))), 347.0, 5.0); // the pace of KBGM, 2005-08-21
+  EXPECT_WITHIN(ToSeconds(Time(VolumePeriod(21))), 347.0, 1.8,
+    "period of a volume, s"); // the pace of KBGM, 2005-08-21
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Tolerance.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Simulation/SimulatedDay.h"
 #include "nexrad/System/Error.h"
@@ -79,8 +80,8 @@ TEST(SimulatedDay, ADayHasSevenToNineHundredVolumes)
   SimulatedDayOptions options;
   options.begin = *ParseIso8601("2006-03-12");
   const std::size_t volumes = PlanSimulatedDay(options).size();
-  EXPECT_GT(volumes, 700U);
-  EXPECT_LT(volumes, 900U);
+  EXPECT_AT_LEAST(volumes, 700U, "volumes of a day");
+  EXPECT_AT_MOST(volumes, 900U, "volumes of a day");
 }
 
 TEST(SimulatedDay, FilesAreNamedAsTheArchiveNamesThem)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StormMeans.h"
+#include "Tolerance.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/SiteTable.h"
@@ -161,8 +162,8 @@ TEST(StormField, HoldsEchoInFiveToFifteenPercentOfTheScannedVoxels)
       const double share = static_cast<double>(count.echoes) / static_cast<double>(count.scanned);
       std::printf("seed %u at %s: %.1f %% of %zu scanned voxels hold echo\n", seed, time,
         100.0 * share, count.scanned);
-      EXPECT_GT(share, 0.05) << time;
-      EXPECT_LT(share, 0.15) << time;
+      EXPECT_AT_LEAST(share, 0.05, "share of echo in the scanned voxels") << time;
+      EXPECT_AT_MOST(share, 0.15, "share of echo in the scanned voxels") << time;
     }
   }
 }
@@ -174,7 +175,8 @@ TEST(StormField, IsBusiestInTheAfternoonAndTheEvening)
   const std::size_t night = CountEchoes(field, grid, At("2006-03-12T08:00")).echoes;
   const std::size_t evening = CountEchoes(field, grid, At("2006-03-12T20:00")).echoes;
   EXPECT_GT(night, 0U);
-  EXPECT_GT(evening, 2 * night);
+  EXPECT_AT_LEAST(static_cast<double>(evening) / static_cast<double>(night), 2.0,
+    "voxels of echo in the evening, times those at night");
 }
 
 TEST(StormField, MeanIsOverTheLatticeOfTheVoxel)
@@ -207,7 +209,7 @@ TEST(StormField, MeanIsOverTheLatticeOfTheVoxel)
       }
     }
   }
-  EXPECT_GT(compared, 30U);
+  EXPECT_AT_LEAST(compared, 40U, "voxels compared");
 }
 
 TEST(StormField, ClearAirStaysBelowZero)
@@ -223,7 +225,7 @@ TEST(StormField, ClearAirStaysBelowZero)
   }
   EXPECT_LT(strongest, StormSnapshot::ClearAirMaximum());
   EXPECT_LT(StormSnapshot::ClearAirMaximum(), 0.0);
-  EXPECT_GT(strongest, -5.0);
+  EXPECT_AT_LEAST(strongest, -5.0, "strongest clear air, dBZ");
   EXPECT_EQ(nothingElse.Reflectivity({0.0, 0.0, StormSnapshot::ClearAirTop() + 100.0}),
     -std::numeric_limits<double>::infinity());
 }
@@ -242,11 +244,11 @@ TEST(StormField, TheDayRepeatsWithoutAJump)
       if (value > 0.0)
       {
         ++echoes;
-        EXPECT_NEAR(after.Reflectivity({x, y, 3'500.0}), value, 0.1);
+        EXPECT_WITHIN(after.Reflectivity({x, y, 3'500.0}), value, 0.1, "value a day later, dBZ");
       }
     }
   }
-  EXPECT_GT(echoes, 100);
+  EXPECT_AT_LEAST(echoes, 500, "places of echo");
 }
 
 TEST(Supercell, HasAStrongCoreThatLeansDownshear)
@@ -254,24 +256,26 @@ TEST(Supercell, HasAStrongCoreThatLeansDownshear)
   const StormSnapshot storm = LoneStorm(StormKind::Supercell, 14'000.0);
   const Strongest low = FindStrongest(storm, 2'000.0);
   const Strongest high = FindStrongest(storm, 9'000.0);
-  EXPECT_GT(low.reflectivity, 55.0);
-  EXPECT_LT(low.reflectivity, 66.0);
-  EXPECT_GT(high.reflectivity, 30.0);
+  EXPECT_AT_LEAST(low.reflectivity, 55.0, "strongest echo at 2 km, dBZ");
+  EXPECT_AT_MOST(low.reflectivity, 66.0, "strongest echo at 2 km, dBZ");
+  EXPECT_AT_LEAST(high.reflectivity, 30.0, "strongest echo at 9 km, dBZ");
   EXPECT_LT(high.reflectivity, low.reflectivity);
-  EXPECT_GT(high.place.x, low.place.x + 1'000.0);
+  EXPECT_AT_LEAST(high.place.x - low.place.x, 1'600.0, "lean of the core downshear, m");
 }
 
 TEST(Supercell, HasAWideAnvilAndATopAtItsHeight)
 {
   const StormSnapshot storm = LoneStorm(StormKind::Supercell, 14'000.0);
-  EXPECT_LT(FindStrongest(storm, 14'500.0).reflectivity, 10.0);
-  EXPECT_GT(FindStrongest(storm, 13'500.0).reflectivity, 0.0);
+  const double above = FindStrongest(storm, 14'500.0).reflectivity;
+  const double below = FindStrongest(storm, 13'500.0).reflectivity;
+  EXPECT_AT_LEAST(below, 7.0, "strongest echo below the top, dBZ");
+  EXPECT_AT_LEAST(below - above, 7.0, "fall of the echo across the top, dB");
   // Downshear at 60 km there is an anvil aloft, and nothing but clear air below it.
   const double x = 60'000.0 * std::sin(64.0 / 57.29578);
   const double y = 60'000.0 * std::cos(64.0 / 57.29578);
-  EXPECT_GT(storm.Reflectivity({x, y, 10'000.0}), 10.0);
-  EXPECT_LT(storm.Reflectivity({x, y, 10'000.0}), 30.0);
-  EXPECT_LT(storm.Reflectivity({x, y, 2'000.0}), 0.0);
+  EXPECT_AT_LEAST(storm.Reflectivity({x, y, 10'000.0}), 15.0, "anvil downshear, dBZ");
+  EXPECT_AT_MOST(storm.Reflectivity({x, y, 10'000.0}), 30.0, "anvil downshear, dBZ");
+  EXPECT_AT_MOST(storm.Reflectivity({x, y, 2'000.0}), -8.0, "clear air below the anvil, dBZ");
 }
 
 TEST(Supercell, HasAHookRoundItsMesocyclone)
@@ -285,7 +289,7 @@ TEST(Supercell, HasAHookRoundItsMesocyclone)
     -6'500.0 * sine + 7'500.0 * cosine, -6'500.0 * cosine - 7'500.0 * sine, 1'000.0};
   const double north = storm.Wind({eye.x + 3'000.0, eye.y, eye.z}).north;
   const double south = storm.Wind({eye.x - 3'000.0, eye.y, eye.z}).north;
-  EXPECT_NEAR(north - south, 48.0, 1.0);
+  EXPECT_WITHIN(north - south, 48.0, 0.05, "difference of the winds about the mesocyclone, m/s");
   // Round the eye there is echo of 40 dBZ and more, and less in it than in the ring.
   double ring = -100.0;
   for (int angle = 0; angle < 360; angle += 10)
@@ -293,8 +297,8 @@ TEST(Supercell, HasAHookRoundItsMesocyclone)
     ring = std::max(ring, storm.Reflectivity({eye.x + 4'200.0 * std::cos(angle / 57.29578),
                             eye.y + 4'200.0 * std::sin(angle / 57.29578), 1'000.0}));
   }
-  EXPECT_GT(ring, 40.0);
-  EXPECT_LT(storm.Reflectivity(eye), ring - 5.0);
+  EXPECT_AT_LEAST(ring, 40.0, "strongest echo of the hook, dBZ");
+  EXPECT_AT_LEAST(ring - storm.Reflectivity(eye), 12.0, "hook above the eye, dB");
 }
 
 TEST(RainArea, HasABrightBandAtTheMeltingLevel)
@@ -303,8 +307,8 @@ TEST(RainArea, HasABrightBandAtTheMeltingLevel)
   const double below = rain.Reflectivity({0.0, 0.0, 1'500.0});
   const double band = rain.Reflectivity({0.0, 0.0, 2'900.0});
   const double above = rain.Reflectivity({0.0, 0.0, 5'000.0});
-  EXPECT_GT(band, below + 3.0);
-  EXPECT_LT(above, below - 8.0);
+  EXPECT_AT_LEAST(band - below, 3.0, "bright band above the rain, dB");
+  EXPECT_AT_LEAST(below - above, 12.0, "snow below the rain, dB");
 }
 
 TEST(StormLife, MovesStraightAndIsGoneBeforeAndAfter)
@@ -337,7 +341,7 @@ TEST(StormElement, NothingReachesBeyondItsBounds)
   {
     AddElements(storm, 65'000.0, elements, vortices);
   }
-  ASSERT_GT(elements.size(), 50U);
+  ASSERT_AT_LEAST(elements.size(), 300U, "elements of the field");
   for (const StormElement& element : elements)
   {
     const ElementBounds bounds = BoundsOf(element);

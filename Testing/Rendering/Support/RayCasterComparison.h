@@ -21,6 +21,9 @@ namespace nexrad::testing
 /// that the mapper must meet is 1.5; where both compute the same, far less is the rule.
 constexpr double Bar = 1.5;
 constexpr double Tolerance = 0.5;
+/// The bound of a scene, measured with VTK 9.1. With the ray caster of another version it is the
+/// bar.
+double Allowed(double bound);
 /// Pixels of the picture along each side.
 constexpr int PictureSize = 128;
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "RenderingTest.h"
+#include "Tolerance.h"
 
 #include "vtkImageData.h"
 #include "vtkImageDifference.h"
@@ -195,7 +196,9 @@ void ExpectBaseline(const Picture& picture, const std::string& name)
   const double error = BaselineError(picture, name);
   const double moved = BaselineError(MovedPicture(picture), name);
   std::cout << name << ": error " << error << ", moved by a pixel " << moved << '\n';
-  EXPECT_LE(error, BaselineTolerance) << "the picture is " << path;
+  EXPECT_AT_MOST(error, BaselineTolerance, name + ": error to the baseline",
+    "other OpenGL drivers round differently; a picture moved by a pixel is further off")
+    << "the picture is " << path;
   EXPECT_GT(moved, BaselineTolerance) << "a wrong picture passes";
 }
 

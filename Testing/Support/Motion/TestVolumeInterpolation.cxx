@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas A1 and A2 on grids, voxel by voxel.
 #include "GridMaker.h"
+#include "Tolerance.h"
 #include "VolumeInterpolation.h"
 #include "nexrad/System/Error.h"
 
@@ -196,8 +197,8 @@ TEST(Advection, FollowsAFieldThatMoves)
     worstMoved = std::max(worstMoved, std::abs(moved.values[i] - truth.values[i]));
     worstLinear = std::max(worstLinear, std::abs(linear.values[i] - truth.values[i]));
   }
-  EXPECT_LT(worstMoved, 0.5F);
-  EXPECT_GT(worstLinear, 10.0F);
+  EXPECT_AT_MOST(worstMoved, 0.5F, "largest error along the motion, dBZ");
+  EXPECT_AT_LEAST(worstLinear, 10.0F, "largest error of the linear interpolation, dBZ");
 }
 
 TEST(Advection, GivesTheSameHoweverTheRowsAreDivided)
