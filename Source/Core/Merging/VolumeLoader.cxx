@@ -123,7 +123,7 @@ std::optional<std::size_t> VolumeLoader::NextFile()
   {
     return std::nullopt;
   }
-  for (auto ahead = this->FirstAhead(); ahead != this->EndOfAhead(); ++ahead)
+  for (auto ahead = this->FirstAhead(*reached); ahead != this->EndOfAhead(*reached); ++ahead)
   {
     const File& file = files[ahead->index];
     if (ahead->time <= lastTime && file.state == State::Waiting && this->IsWanted(file.site))
@@ -134,15 +134,15 @@ std::optional<std::size_t> VolumeLoader::NextFile()
   return std::nullopt;
 }
 
-// Called with the lock, once a time was asked for. The files that may be decoded ahead of it.
-std::vector<TimedFile>::const_iterator VolumeLoader::FirstAhead() const
+// The files that may be decoded ahead, where those up to a header's time are needed.
+std::vector<TimedFile>::const_iterator VolumeLoader::FirstAhead(Time time) const
 {
-  return std::upper_bound(order.begin(), order.end(), TimedFile{0, *reached}, IsEarlier);
+  return std::upper_bound(order.begin(), order.end(), TimedFile{0, time}, IsEarlier);
 }
 
-std::vector<TimedFile>::const_iterator VolumeLoader::EndOfAhead() const
+std::vector<TimedFile>::const_iterator VolumeLoader::EndOfAhead(Time time) const
 {
-  const auto first = this->FirstAhead();
+  const auto first = this->FirstAhead(time);
   return first + std::min<std::ptrdiff_t>(filesAhead * threadCount, order.end() - first);
 }
 
@@ -391,6 +391,7 @@ std::optional<std::vector<const SeriesVolume*>> VolumeLoader::Demand(Time time)
   {
     known = (!this->IsWanted(site) || this->KnowsAbout(sites[site], time)) && known;
   }
+  farthest = std::max(farthest.value_or(*reached), *reached);
   if (!known)
   {
     return std::nullopt;
@@ -421,6 +422,8 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
 {
   std::unique_lock<std::mutex> lock(mutex);
   wantedSites = ofSites;
+  farthest = time < current ? std::nullopt : farthest;
+  current = time;
   std::optional<std::vector<const SeriesVolume*>> needed;
   const auto allThere = [&]
   {
@@ -456,11 +459,13 @@ void VolumeLoader::Release(Time time, const std::vector<const SeriesVolume*>& ne
       [&held](const SeriesVolume* volume)
       { return volume->cycle == held.volume.cycle && volume->file == held.volume.file; });
   };
-  const auto end = this->EndOfAhead();
+  // Files of several radars may have the time of the last one ahead.
+  const auto end = this->EndOfAhead(*farthest);
+  const Time lastAhead = end != order.end() ? std::prev(end)->time : Time::max();
   for (File& file : files)
   {
     const bool held = !file.held.empty();
-    const bool tooFar = !file.kept && end != order.end() && file.time >= end->time;
+    const bool tooFar = !file.kept && file.time > lastAhead;
     file.held.erase(
       std::remove_if(file.held.begin(), file.held.end(),
         [&](const HeldVolume& each)

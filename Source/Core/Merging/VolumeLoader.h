@@ -127,8 +127,8 @@ private:
 
   void Work();
   std::optional<std::size_t> NextFile();
-  std::vector<TimedFile>::const_iterator FirstAhead() const;
-  std::vector<TimedFile>::const_iterator EndOfAhead() const;
+  std::vector<TimedFile>::const_iterator FirstAhead(Time time) const;
+  std::vector<TimedFile>::const_iterator EndOfAhead(Time time) const;
   std::vector<HeldVolume> Load(std::size_t index, ScannedFile& scanned);
   void Keep(std::size_t index, ScannedFile scanned, std::vector<HeldVolume> held);
   void Learn(SiteFiles& site, const ScannedFile& scanned);
@@ -159,6 +159,9 @@ private:
   std::vector<bool> wantedSites;  // by the last time; empty: all
   std::vector<TimedFile> order;   // all, by time
   std::optional<Time> reached;    // latest header's time of the files that the last time needed
+  Time current = Time::min();     // that was asked for last
+  std::optional<Time> farthest;   // the latest `reached` since times ascend: it shrinks again once
+                                  // files are known that were asked for in case they are needed
   Time lastTime = Time::max();    // that will be asked for
   bool stopped = false;
   std::exception_ptr failure;
