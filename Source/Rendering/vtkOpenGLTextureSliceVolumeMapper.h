@@ -10,10 +10,11 @@
  * in floating point.
  *
  * Input: a vtkImageData with one to four components of point or cell scalars of any number type,
- * with any spacing, direction matrix and actor matrix. Points that vtkGhostType marks HIDDENPOINT
- * (cells: HIDDENCELL) and scalars that are not finite contribute nothing; up to half a voxel from a
- * visible point the picture is complete. Components are independent (each with its own functions,
- * material and weight) or dependent (2: value and opacity; 4: red, green, blue, opacity).
+ * with any spacing, direction matrix and actor matrix. Points (cells of cell scalars) that
+ * vtkGhostType marks with any flag and scalars that are not finite contribute nothing; up to half a
+ * voxel from a visible point the picture is complete. Components are independent (each with its own
+ * functions, material and weight) or dependent (2: value and opacity; 4: red, green, blue,
+ * opacity).
  *
  * Blend modes: composite, maximum, minimum, average, additive, isosurface. Light and gradient
  * opacity as in VTK's ray caster; they count where places are shown (composite, isosurface), not in
@@ -24,7 +25,7 @@
  * or not.
  *
  * ImageSampleDistance makes the picture coarser or finer than the window. With
- * AutoAdjustSampleDistances (on by default) it is 1 in still pictures, and 1, 2, 5 or 10, between
+ * AutoAdjustSampleDistances (on by default) it grows to 1, 2, 5 or 10, between
  * MinimumImageSampleDistance and MaximumImageSampleDistance, while the window's desired update rate
  * asks for more than one frame a second.
  *
@@ -36,8 +37,9 @@
  * maximum or minimum of dependent components, isosurfaces of several components, averages of
  * several components over part of the range, volumes larger than the largest 3-D texture, and a 2-D
  * image, which has no thickness. Refused with an error when it is met: four components with hidden
- * points, and depth peeling of volumes. Jittering, UseDepthPass, RenderToImage, user shaders and
- * UseClippedVoxelIntensity are ignored. A hardware selection finds the volume, not its voxels.
+ * points, and depth peeling of volumes. What is refused or ignored is said once, not in each frame.
+ * Jittering is ignored; UseDepthPass, RenderToImage, user shaders and UseClippedVoxelIntensity are
+ * ignored with a warning. A hardware selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -138,7 +140,7 @@ private:
   class Internals;
   std::unique_ptr<Internals> Parts;
 
-  vtkImageData* TakeInput(vtkDataArray*& scalars);
+  vtkImageData* TakeInput(vtkDataArray*& scalars, std::string& error);
   vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, vtkDataArray* scalars);
   const char* FindUnsupported(const vtkTextureSliceRequest& request);
   double ChooseImageSampleDistance(double allowedTime);
@@ -147,7 +149,9 @@ private:
   bool PlaceSlices(
     vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
-  void RenderSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
+  /// Both return why nothing can be drawn, in one line, or an empty text.
+  std::string DrawVolume(vtkRenderer* renderer, vtkVolume* volume);
+  std::string DrawSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
     const vtkTextureSliceRequest& request);
   bool Upload(
     vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);

@@ -46,6 +46,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   Define(defines, "FUNCTIONS", this->Functions);
   Define(defines, "ROWS", this->CountRows());
   DefineIf(this->Masked, defines, "MASKED");
+  DefineIf(this->Blanked, defines, "BLANKED");
   DefineIf(this->Cropped, defines, "CROPPED");
   DefineIf(this->Parallel, defines, "PARALLEL");
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");

@@ -61,7 +61,7 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
     return "slice blending is not supported: use the composite, maximum, minimum, average, "
            "additive or isosurface blend mode";
   }
-  if (this->Components < 1 || this->Components > 4)
+  if (this->Components > 4)
   {
     return "the scalars must have 1 to 4 components";
   }
@@ -81,7 +81,7 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
     return "a label map is supported for one component with one-dimensional transfer functions "
            "alone: call SetMaskInput with nullptr";
   }
-  const bool dependent = !this->IsIndependent();
+  const bool dependent = this->Components > 0 && !this->IsIndependent();
   if (dependent && this->Components != 2 && this->Components != 4)
   {
     return "one or three dependent components are not supported, only 2 (value, opacity) and 4 "

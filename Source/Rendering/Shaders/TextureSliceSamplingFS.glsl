@@ -6,9 +6,23 @@ uniform sampler3D volumeTexture;
 uniform vec4 scalarScale;
 uniform vec4 scalarBias;
 
+#ifdef TEXTURE_SLICE_BLANKED
+// Above 0 where the ghost flags of cells (or of points, for scalars of cells) hide what is there.
+uniform sampler3D blankTexture;
+// From texture coordinates of the volume.
+uniform vec3 blankScale;
+uniform vec3 blankBias;
+#endif
+
 // False where there is nothing to see.
 bool FetchScalars(vec3 at, out vec4 scalars)
 {
+#ifdef TEXTURE_SLICE_BLANKED
+  if (texture(blankTexture, at * blankScale + blankBias).r > 0.0)
+  {
+    return false;
+  }
+#endif
   vec4 texel = texture(volumeTexture, at);
 #ifdef TEXTURE_SLICE_MASKED
   // The last component is 1 at visible points and 0 at hidden ones, where the others are 0 too.
