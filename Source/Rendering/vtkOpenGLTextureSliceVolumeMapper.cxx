@@ -360,6 +360,7 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
   request.NativeGradientOpacity = this->GradientOpacityRangeType == NATIVE;
   request.BinaryMask = this->MaskInput != nullptr && this->MaskType == BinaryMaskType;
+  request.SmoothGradient = this->SmoothGradient;
   request.LabelMap = this->MaskInput != nullptr && this->MaskType == LabelMapMaskType;
   return request;
 }
@@ -718,5 +719,6 @@ void vtkOpenGLTextureSliceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "SmoothGradient: " << (this->SmoothGradient ? "On" : "Off") << "\n";
   os << indent << "NumberOfDrawnSlices: " << this->GetNumberOfDrawnSlices() << "\n";
 }

@@ -16,13 +16,15 @@
  * functions, material and weight) or dependent (2: value and opacity; 4: red, green, blue,
  * opacity).
  *
- * Blend modes: composite, maximum, minimum, average, additive, isosurface. Light and gradient
- * opacity as in VTK's ray caster; they count where places are shown (composite, isosurface), not in
- * projections. Two-dimensional transfer functions (scalar and gradient magnitude) in the composite
- * mode. A mask of the volume's dimensions, one unsigned char each: binary, or labels with functions
- * of their own. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final
- * window and level work as in VTK's ray caster; translucent geometry is behind the volume, peeled
- * or not.
+ * Blend modes: composite, maximum, minimum, average, additive, isosurface. Isosurfaces lie where
+ * the scalar, interpolated linearly, has the value, whatever the number of slices; of two dependent
+ * components the second has the surfaces and gives their opacity, the first gives the colour. Light
+ * and gradient opacity as in VTK's ray caster; they count where places are shown (composite,
+ * isosurface), not in projections. Two-dimensional transfer functions (scalar and gradient
+ * magnitude) in the composite mode. A mask of the volume's dimensions, one unsigned char each:
+ * binary, or labels with functions of their own. Cropping, clipping planes, opaque geometry, a
+ * camera inside the volume, and final window and level work as in VTK's ray caster; translucent
+ * geometry is behind the volume, peeled or not.
  *
  * ImageSampleDistance makes the picture coarser or finer than the window. With
  * AutoAdjustSampleDistances (on by default) it grows to 1, 2, 5 or 10, between
@@ -34,7 +36,7 @@
  * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
  * for two-dimensional functions, several volumes in one mapper, a label map with several components
  * or two-dimensional functions, one or three dependent components, four that are not unsigned char,
- * maximum or minimum of dependent components, isosurfaces of several components, averages of
+ * maximum or minimum of dependent components, isosurfaces of other components, averages of
  * several components over part of the range, volumes larger than the largest 3-D texture, and a 2-D
  * image, which has no thickness. Refused with an error when it is met: four components with hidden
  * points, and depth peeling of volumes. What is refused or ignored is said once, not in each frame.
@@ -78,6 +80,18 @@ public:
    * Slices that the last frame drew; 0 before the first.
    */
   int GetNumberOfDrawnSlices() const;
+
+  ///@{
+  /**
+   * Whether light and gradient opacity take the gradient from the eight corners of a cube of three
+   * voxels, in place of central differences of one voxel either side, which VTK's ray caster takes.
+   * Surfaces of noisy scalars then do not sparkle; shapes of less than three voxels are lost. Off
+   * by default.
+   */
+  vtkSetMacro(SmoothGradient, bool);
+  vtkGetMacro(SmoothGradient, bool);
+  vtkBooleanMacro(SmoothGradient, bool);
+  ///@}
 
   /**
    * Whether this mapper can draw its present input into that window with that property (which may
@@ -132,6 +146,7 @@ protected:
   ///@}
 
   int NumberOfSlices = 256;
+  bool SmoothGradient = false;
 
 private:
   vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;

@@ -50,6 +50,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->Cropped, defines, "CROPPED");
   DefineIf(this->Parallel, defines, "PARALLEL");
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
+  DefineIf(this->SmoothGradient, defines, "SMOOTH_GRADIENT");
   DefineIf(this->Table2D, defines, "TABLE_2D");
   DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");

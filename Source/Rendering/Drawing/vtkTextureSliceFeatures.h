@@ -17,6 +17,7 @@ struct vtkTextureSliceFeatures
   bool Cropped = false; ///< samples must be tested against the cropping regions
   bool Parallel = false;
   bool GradientOpacity = false;
+  bool SmoothGradient = false;
   bool Table2D = false;    ///< functions over scalar and gradient magnitude
   bool BinaryMask = false; ///< samples outside of the mask are left out
   int Labels = 0;          ///< labels that have functions of their own

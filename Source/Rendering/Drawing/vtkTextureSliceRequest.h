@@ -29,7 +29,8 @@ struct vtkTextureSliceRequest
   bool NativeOpacity = false;
   bool NativeGradientOpacity = false;
   bool BinaryMask = false; ///< there is a mask, and it says what is seen
-  bool LabelMap = false;   ///< there is a mask, and it says which functions hold
+  bool SmoothGradient = false;
+  bool LabelMap = false; ///< there is a mask, and it says which functions hold
 
   /// One line that says what cannot be drawn and what could, nullptr if everything can. The
   /// property may be nullptr. Nothing is said of components that are not known.
