@@ -6,6 +6,7 @@
 #include "vtkNexradTransferFunctionPresets.h"
 
 #include "vtkColorTransferFunction.h"
+#include "vtkContourValues.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPiecewiseFunction.h"
@@ -160,6 +161,10 @@ struct vtkNexradTransferFunction::Internals
     if (channel != OPACITY)
     {
       this->Map.Bins.clear();
+    }
+    else
+    {
+      this->Map.IsoValues.clear();
     }
   }
 };
@@ -352,6 +357,24 @@ void vtkNexradTransferFunction::FillProperty(vtkVolumeProperty* property)
   this->FillOpacityFunction(opacity);
   property->SetColor(color);
   property->SetScalarOpacity(opacity);
+  vtkContourValues* contours = property->GetIsoSurfaceValues();
+  contours->SetNumberOfContours(this->GetNumberOfIsoValues());
+  for (int i = 0; i < this->GetNumberOfIsoValues(); ++i)
+  {
+    contours->SetValue(i, this->GetIsoValue(i));
+  }
+}
+
+int vtkNexradTransferFunction::GetNumberOfIsoValues() const
+{
+  return static_cast<int>(this->Internal->Map.IsoValues.size());
+}
+
+double vtkNexradTransferFunction::GetIsoValue(int index) const
+{
+  return index >= 0 && index < this->GetNumberOfIsoValues()
+           ? this->Internal->Map.IsoValues[static_cast<std::size_t>(index)]
+           : 0.0;
 }
 
 int vtkNexradTransferFunction::GetNumberOfBins() const
@@ -451,9 +474,11 @@ void vtkNexradTransferFunction::SetOpacityToIsoValues(
                   "above 0 dBZ");
     return;
   }
-  this->Internal->Channel(OPACITY) =
-    vtkNexradIsoShells(std::vector<double>(values, values + count), opacity, halfWidth);
-  this->Internal->Changed(OPACITY);
+  std::vector<vtkNexradIsoShell> shells;
+  std::transform(values, values + count, std::back_inserter(shells),
+    [opacity](double value) { return vtkNexradIsoShell(value, opacity); });
+  this->Internal->Channel(OPACITY) = vtkNexradIsoShells(shells, halfWidth);
+  this->Internal->Map.IsoValues.assign(values, values + count);
   this->Modified();
 }
 
@@ -482,6 +507,7 @@ bool vtkNexradTransferFunction::ReadFile(const char* path)
   if (map.Channels[OPACITY].empty())
   {
     map.Channels[OPACITY] = this->Internal->Channel(OPACITY);
+    map.IsoValues = this->Internal->Map.IsoValues;
     if (!map.Bins.empty())
     {
       BeginAt(map.Bins.front().From, map.Channels[OPACITY]);

@@ -83,10 +83,20 @@ public:
   ///@}
 
   /**
-   * Gives a volume property both functions, for all components as one. Its unit distance,
-   * interpolation and shading stay.
+   * Gives a volume property both functions, for all components as one, and the iso-values. Its unit
+   * distance, interpolation and shading stay.
    */
   void FillProperty(vtkVolumeProperty* property);
+
+  ///@{
+  /**
+   * The values whose surfaces are to be drawn, in the unit of the data: those of the preset
+   * "iso-values" and of SetOpacityToIsoValues. None once the opacity is changed in another way. A
+   * mapper draws them as surfaces in the isosurface blend mode, and as shells in the composite one.
+   */
+  int GetNumberOfIsoValues() const;
+  double GetIsoValue(int index) const; ///< 0 for no such index
+  ///@}
 
   ///@{
   /**
@@ -106,7 +116,7 @@ public:
   /**
    * Presets: "all echo" (a veil that thickens into cores), "storm cores" (from 40 dBZ), "hail"
    * (from 50 dBZ), "clear air" (−20 to 20 dBZ, in colours of its own below 5 dBZ), "iso-values"
-   * (thin shells at 20, 35 and 50 dBZ) are for reflectivity. One each is for the other moments:
+   * (surfaces at 20, 35 and 50 dBZ) are for reflectivity. One each is for the other moments:
    * "velocity" (m/s, green towards the radar, red away from it; the fast is opaque), "spectrum
    * width" (m/s), "differential reflectivity" (dB), "differential phase" (degrees), "correlation
    * coefficient" (0.2 to 1.05; the low is opaque), "clutter power" (dB). A preset sets colours and

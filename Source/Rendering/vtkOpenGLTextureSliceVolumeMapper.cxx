@@ -14,6 +14,8 @@
 #include "vtkPointData.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
+#include "vtkShaderProperty.h"
+#include "vtkTextureSliceBlanks.h"
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
@@ -47,6 +49,7 @@ public:
   vtkTextureSliceTable Table;
   vtkTextureSliceTable2D Table2D;
   vtkTextureSliceTexture Mask;
+  vtkTextureSliceBlanks Blanks;
   vtkTextureSliceTable LabelTable;
   vtkTextureSliceFrame Frame;
   vtkTextureSliceEmptySpace EmptySpace;
@@ -60,27 +63,46 @@ public:
   vtkTextureSliceOpaquePixels OpaquePixels;
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
+  /// What the last frame refused, and what it ignored: the same is not said again.
+  std::string Refused;
+  std::string Ignored;
 
-  void Release(vtkWindow* window)
+  /// Whether a message that is repeated each frame is another one than in the last frame.
+  static bool IsNews(std::string& last, const std::string& message)
   {
+    const bool news = last != message;
+    last = message;
+    return news && !message.empty();
+  }
+
+  /// Deletes the graphics resources in their own context; the current context stays the same.
+  void Release()
+  {
+    vtkOpenGLRenderWindow* window = this->Window;
+    if (window == nullptr)
+    {
+      return;
+    }
+    window->PushContext();
     this->Texture.ReleaseGraphicsResources(window);
     this->Table.ReleaseGraphicsResources(window);
     this->Table2D.ReleaseGraphicsResources(window);
     this->Mask.ReleaseGraphicsResources(window);
+    this->Blanks.ReleaseGraphicsResources(window);
     this->LabelTable.ReleaseGraphicsResources(window);
     this->Target.ReleaseGraphicsResources(window);
     this->Program.ReleaseGraphicsResources();
     this->OpaquePixels.ReleaseGraphicsResources();
+    window->PopContext();
     this->Window = nullptr;
   }
 
   /// Makes that window the owner; another one gives its resources up first.
   void Use(vtkOpenGLRenderWindow* window)
   {
-    if (this->Window != nullptr && this->Window != window)
+    if (this->Window != window)
     {
-      this->Window->MakeCurrent();
-      this->Release(this->Window);
+      this->Release();
     }
     this->Window = window;
     window->MakeCurrent();
@@ -169,13 +191,34 @@ void SetBlending(vtkOpenGLState* state, int blendMode)
   }
 }
 
-/// Whether a volume of these dimensions has a thickness along each axis and fits a texture.
+/// Whether a volume of these dimensions has a thickness along each axis and fits a texture. A
+/// volume whose source has not run yet has no dimensions: then nothing speaks against it.
 bool CanHold(vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData)
 {
+  if (image->GetNumberOfPoints() == 0)
+  {
+    return true;
+  }
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window); // -1: no context yet
   const int* points = image->GetDimensions();
   const auto [least, most] = std::minmax_element(points, points + 3);
   return *least > 1 && (limit <= 0 || *most - (cellData ? 1 : 0) <= limit);
+}
+
+/// What VTK's ray caster would do and the slices leave out; empty: nothing.
+std::string FindIgnored(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+{
+  std::string ignored;
+  const auto add = [&ignored](bool asked, const char* name)
+  { ignored += asked ? (ignored.empty() ? "" : ", ") + std::string(name) : ""; };
+  vtkShaderProperty* shaders = volume->GetShaderProperty();
+  add(mapper->GetUseDepthPass() != 0, "UseDepthPass");
+  add(volume->GetProperty()->GetUseClippedVoxelIntensity() != 0, "UseClippedVoxelIntensity");
+  add(mapper->GetRenderToImage() != 0, "RenderToImage");
+  add(shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasFragmentShaderCode() ||
+        shaders->HasVertexShaderCode(),
+    "the shader property");
+  return ignored;
 }
 
 /// The ranges of the scalars alone, as far as a request needs to know them.
@@ -293,11 +336,7 @@ vtkOpenGLTextureSliceVolumeMapper::vtkOpenGLTextureSliceVolumeMapper()
 
 vtkOpenGLTextureSliceVolumeMapper::~vtkOpenGLTextureSliceVolumeMapper()
 {
-  if (this->Parts->Window != nullptr)
-  {
-    this->Parts->Window->MakeCurrent();
-    this->Parts->Release(this->Parts->Window);
-  }
+  this->Parts->Release();
 }
 
 int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
@@ -321,6 +360,7 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
   request.NativeGradientOpacity = this->GradientOpacityRangeType == NATIVE;
   request.BinaryMask = this->MaskInput != nullptr && this->MaskType == BinaryMaskType;
+  request.SmoothGradient = this->SmoothGradient;
   request.LabelMap = this->MaskInput != nullptr && this->MaskType == LabelMapMaskType;
   return request;
 }
@@ -391,12 +431,13 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance(
            : static_cast<double>(this->SampleDistance);
 }
 
-vtkImageData* vtkOpenGLTextureSliceVolumeMapper::TakeInput(vtkDataArray*& scalars)
+vtkImageData* vtkOpenGLTextureSliceVolumeMapper::TakeInput(
+  vtkDataArray*& scalars, std::string& error)
 {
   auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
   if (image == nullptr)
   {
-    vtkErrorMacro("the input must be a vtkImageData");
+    error = "the input must be a vtkImageData";
     return nullptr;
   }
   scalars = this->GetScalars(
@@ -404,48 +445,62 @@ vtkImageData* vtkOpenGLTextureSliceVolumeMapper::TakeInput(vtkDataArray*& scalar
   return image;
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
+std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer, vtkVolume* volume)
 {
+  std::string error;
   vtkDataArray* scalars = nullptr;
-  vtkImageData* image = this->TakeInput(scalars);
+  vtkImageData* image = this->TakeInput(scalars, error);
   if (image == nullptr)
   {
-    return;
+    return error;
   }
   const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
   if (const char* unsupported = this->FindUnsupported(request))
   {
-    vtkErrorMacro(<< unsupported);
-    return;
+    return unsupported;
   }
   vtkInformation* keys = volume->GetPropertyKeys();
   if (keys != nullptr && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
   {
-    vtkErrorMacro("a render pass that changes the volume's shaders, such as depth peeling, is not "
-                  "supported: call SetUseDepthPeelingForVolumes(false) on the renderer");
-    return;
+    return "a render pass that changes the volume's shaders, such as depth peeling, is not "
+           "supported: call SetUseDepthPeelingForVolumes(false) on the renderer";
   }
   if (request.IsEmpty())
   {
-    return;
+    return "";
   }
   this->Parts->Frame.SetVolume(image, this->CellFlag == 1, volume);
   if (this->Parts->Frame.IsFlat())
   {
-    vtkErrorMacro("the volume has no thickness: every axis needs at least two points and an "
-                  "invertible matrix");
-    return;
+    return "the volume has no thickness: every axis needs at least two points and an invertible "
+           "matrix";
   }
   const double allowedTime = volume->GetAllocatedRenderTime();
   this->Parts->PixelSize = this->ChooseImageSampleDistance(allowedTime);
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
-  this->RenderSlices(renderer, image, scalars, request);
+  error = this->DrawSlices(renderer, image, scalars, request);
   if (this->AutoAdjustSampleDistances && vtkTextureSliceResolution::IsInteractive(allowedTime))
   {
     glFinish();
     timer->StopTimer();
     this->Parts->Resolution.Report(timer->GetElapsedTime());
+  }
+  return error;
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
+{
+  const std::string refused = this->DrawVolume(renderer, volume);
+  if (Internals::IsNews(this->Parts->Refused, refused))
+  {
+    vtkErrorMacro(<< refused);
+  }
+  const std::string ignored = FindIgnored(this, volume);
+  if (Internals::IsNews(this->Parts->Ignored, ignored))
+  {
+    vtkWarningMacro(
+      "the slices are drawn without " << ignored << ", which only VTK's ray caster knows");
   }
 }
 
@@ -467,10 +522,14 @@ void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolu
 
 double vtkOpenGLTextureSliceVolumeMapper::ChooseImageSampleDistance(double allowedTime)
 {
-  return this->AutoAdjustSampleDistances
-           ? this->Parts->Resolution.Choose(
-               allowedTime, this->MinimumImageSampleDistance, this->MaximumImageSampleDistance)
-           : static_cast<double>(this->ImageSampleDistance);
+  const auto asked = static_cast<double>(this->ImageSampleDistance);
+  if (!this->AutoAdjustSampleDistances || !vtkTextureSliceResolution::IsInteractive(allowedTime))
+  {
+    return asked;
+  }
+  return this->Parts->Resolution.Choose(allowedTime,
+    std::max<double>(asked, this->MinimumImageSampleDistance),
+    std::max<double>(asked, this->MaximumImageSampleDistance));
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::SetUpFrame(vtkRenderer* renderer)
@@ -506,8 +565,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
   return parts.Geometry.GetNumberOfVertices() > 0;
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkImageData* image,
-  vtkDataArray* scalars, const vtkTextureSliceRequest& request)
+std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
+  vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
 {
   Internals& parts = *this->Parts;
   std::string error;
@@ -516,19 +575,17 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   if (!this->Upload(renderer, image, scalars, error) ||
       !parts.UpdateTables(request, nearest, error))
   {
-    vtkErrorMacro(<< error);
-    return;
+    return error;
   }
   if (const char* unsupported = request.FindUnsupportedRange(parts.Texture.GetComponents()))
   {
-    vtkErrorMacro(<< unsupported);
-    return;
+    return unsupported;
   }
   parts.Texture.SetNearest(nearest);
   this->SetUpFrame(renderer);
   if (!this->PlaceSlices(renderer, image, request))
   {
-    return;
+    return "";
   }
   parts.Lights.Update(renderer);
 
@@ -536,11 +593,11 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   const StateKeeper keeper(parts.Window->GetState());
   if (!parts.Draw(renderer, uniforms, error))
   {
-    vtkErrorMacro(<< error);
-    return;
+    return error;
   }
   parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
     0.5f - this->FinalColorLevel / this->FinalColorWindow);
+  return "";
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::Upload(
@@ -549,6 +606,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::Upload(
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Parts->Use(window);
   return this->Parts->Texture.Update(window, image, scalars, this->CellFlag == 1, error) &&
+         this->Parts->Blanks.Update(window, image, this->CellFlag == 1, error) &&
          this->UpdateMask(image, error);
 }
 
@@ -575,14 +633,10 @@ bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVo
     return false;
   }
   window->Initialize(); // it may not have been drawn yet
-  vtkDataArray* scalars = nullptr;
-  vtkImageData* image = this->TakeInput(scalars);
-  if (image == nullptr)
-  {
-    return false;
-  }
   std::string error;
-  if (!this->Upload(renderer, image, scalars, error))
+  vtkDataArray* scalars = nullptr;
+  vtkImageData* image = this->TakeInput(scalars, error);
+  if (image == nullptr || !this->Upload(renderer, image, scalars, error))
   {
     vtkErrorMacro(<< error);
     return false;
@@ -641,6 +695,8 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Volume = parts.Texture.GetTexture();
   uniforms.Table = &parts.Table;
   uniforms.Table2D = &parts.Table2D;
+  uniforms.Features.Blanked = parts.Blanks.IsUsed();
+  uniforms.Blanks = &parts.Blanks;
   uniforms.Mask = parts.Mask.GetTexture();
   uniforms.LabelTable = &parts.LabelTable;
   uniforms.LabelWeight = this->MaskBlendFactor;
@@ -652,7 +708,10 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Parts->Release(window);
+  if (this->Parts->Window == window)
+  {
+    this->Parts->Release();
+  }
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -660,5 +719,6 @@ void vtkOpenGLTextureSliceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "SmoothGradient: " << (this->SmoothGradient ? "On" : "Off") << "\n";
   os << indent << "NumberOfDrawnSlices: " << this->GetNumberOfDrawnSlices() << "\n";
 }

@@ -10,21 +10,24 @@
  * in floating point.
  *
  * Input: a vtkImageData with one to four components of point or cell scalars of any number type,
- * with any spacing, direction matrix and actor matrix. Points that vtkGhostType marks HIDDENPOINT
- * (cells: HIDDENCELL) and scalars that are not finite contribute nothing; up to half a voxel from a
- * visible point the picture is complete. Components are independent (each with its own functions,
- * material and weight) or dependent (2: value and opacity; 4: red, green, blue, opacity).
+ * with any spacing, direction matrix and actor matrix. Points (cells of cell scalars) that
+ * vtkGhostType marks with any flag and scalars that are not finite contribute nothing; up to half a
+ * voxel from a visible point the picture is complete. Components are independent (each with its own
+ * functions, material and weight) or dependent (2: value and opacity; 4: red, green, blue,
+ * opacity).
  *
- * Blend modes: composite, maximum, minimum, average, additive, isosurface. Light and gradient
- * opacity as in VTK's ray caster; they count where places are shown (composite, isosurface), not in
- * projections. Two-dimensional transfer functions (scalar and gradient magnitude) in the composite
- * mode. A mask of the volume's dimensions, one unsigned char each: binary, or labels with functions
- * of their own. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final
- * window and level work as in VTK's ray caster; translucent geometry is behind the volume, peeled
- * or not.
+ * Blend modes: composite, maximum, minimum, average, additive, isosurface. Isosurfaces lie where
+ * the scalar, interpolated linearly, has the value, whatever the number of slices; of two dependent
+ * components the second has the surfaces and gives their opacity, the first gives the colour. Light
+ * and gradient opacity as in VTK's ray caster; they count where places are shown (composite,
+ * isosurface), not in projections. Two-dimensional transfer functions (scalar and gradient
+ * magnitude) in the composite mode. A mask of the volume's dimensions, one unsigned char each:
+ * binary, or labels with functions of their own. Cropping, clipping planes, opaque geometry, a
+ * camera inside the volume, and final window and level work as in VTK's ray caster; translucent
+ * geometry is behind the volume, peeled or not.
  *
  * ImageSampleDistance makes the picture coarser or finer than the window. With
- * AutoAdjustSampleDistances (on by default) it is 1 in still pictures, and 1, 2, 5 or 10, between
+ * AutoAdjustSampleDistances (on by default) it grows to 1, 2, 5 or 10, between
  * MinimumImageSampleDistance and MaximumImageSampleDistance, while the window's desired update rate
  * asks for more than one frame a second.
  *
@@ -33,11 +36,12 @@
  * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
  * for two-dimensional functions, several volumes in one mapper, a label map with several components
  * or two-dimensional functions, one or three dependent components, four that are not unsigned char,
- * maximum or minimum of dependent components, isosurfaces of several components, averages of
+ * maximum or minimum of dependent components, isosurfaces of other components, averages of
  * several components over part of the range, volumes larger than the largest 3-D texture, and a 2-D
  * image, which has no thickness. Refused with an error when it is met: four components with hidden
- * points, and depth peeling of volumes. Jittering, UseDepthPass, RenderToImage, user shaders and
- * UseClippedVoxelIntensity are ignored. A hardware selection finds the volume, not its voxels.
+ * points, and depth peeling of volumes. What is refused or ignored is said once, not in each frame.
+ * Jittering is ignored; UseDepthPass, RenderToImage, user shaders and UseClippedVoxelIntensity are
+ * ignored with a warning. A hardware selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -76,6 +80,18 @@ public:
    * Slices that the last frame drew; 0 before the first.
    */
   int GetNumberOfDrawnSlices() const;
+
+  ///@{
+  /**
+   * Whether light and gradient opacity take the gradient from the eight corners of a cube of three
+   * voxels, in place of central differences of one voxel either side, which VTK's ray caster takes.
+   * Surfaces of noisy scalars then do not sparkle; shapes of less than three voxels are lost. Off
+   * by default.
+   */
+  vtkSetMacro(SmoothGradient, bool);
+  vtkGetMacro(SmoothGradient, bool);
+  vtkBooleanMacro(SmoothGradient, bool);
+  ///@}
 
   /**
    * Whether this mapper can draw its present input into that window with that property (which may
@@ -130,6 +146,7 @@ protected:
   ///@}
 
   int NumberOfSlices = 256;
+  bool SmoothGradient = false;
 
 private:
   vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
@@ -138,7 +155,7 @@ private:
   class Internals;
   std::unique_ptr<Internals> Parts;
 
-  vtkImageData* TakeInput(vtkDataArray*& scalars);
+  vtkImageData* TakeInput(vtkDataArray*& scalars, std::string& error);
   vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, vtkDataArray* scalars);
   const char* FindUnsupported(const vtkTextureSliceRequest& request);
   double ChooseImageSampleDistance(double allowedTime);
@@ -147,7 +164,9 @@ private:
   bool PlaceSlices(
     vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
-  void RenderSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
+  /// Both return why nothing can be drawn, in one line, or an empty text.
+  std::string DrawVolume(vtkRenderer* renderer, vtkVolume* volume);
+  std::string DrawSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
     const vtkTextureSliceRequest& request);
   bool Upload(
     vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);

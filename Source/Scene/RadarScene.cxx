@@ -160,12 +160,24 @@ void RadarScene::ShowVolume(bool shown)
 void RadarScene::TransferFunctionChanged()
 {
   transferFunction->FillProperty(volume->GetProperty());
+  this->FollowIsoValues();
   steps = ColourStepsOf(transferFunction);
   if (!options.plan)
   {
     scale = MomentScale(array, steps);
   }
   this->DrawCaptions();
+}
+
+// Iso-values are drawn as lit surfaces.
+void RadarScene::FollowIsoValues()
+{
+  const bool surfaces = transferFunction->GetNumberOfIsoValues() > 0;
+  volume->GetProperty()->SetShade(surfaces);
+  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  {
+    DrawSurfaces(mapper, surfaces);
+  }
 }
 
 void RadarScene::SetSlices(int slices)
@@ -271,6 +283,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
   if (!sameMapper)
   {
     volume->SetMapper(MakeVolumeMapper(options.mapper));
+    this->FollowIsoValues();
     renderer->AddVolume(volume);
   }
   volume->GetMapper()->SetInputDataObject(placed);

@@ -80,6 +80,7 @@ private:
   void Replace(Props& group, Props replacement);
   void OrderProps();
   void FollowArray(vtkImageData* data);
+  void FollowIsoValues();
   void DrawGround();
   void DrawScales();
   void DrawVolume(vtkImageData* placed, bool sameMapper);

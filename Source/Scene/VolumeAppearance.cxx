@@ -92,6 +92,16 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
   }
 }
 
+void DrawSurfaces(vtkVolumeMapper* mapper, bool surfaces)
+{
+  mapper->SetBlendMode(
+    surfaces ? vtkVolumeMapper::ISOSURFACE_BLEND : vtkVolumeMapper::COMPOSITE_BLEND);
+  if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
+  {
+    slicer->SetSmoothGradient(surfaces);
+  }
+}
+
 bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
 {
   if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))

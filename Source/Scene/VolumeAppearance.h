@@ -24,6 +24,10 @@ vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice);
 /// is `diagonal` in scene units.
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
 
+/// Draws the surfaces of the property's iso-values, or the volume. The slices light surfaces by
+/// smoothed gradients: the echo of a gate is noisy.
+void DrawSurfaces(vtkVolumeMapper* mapper, bool surfaces);
+
 /// Brings the mapper's input into texture memory. False when it cannot.
 bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 

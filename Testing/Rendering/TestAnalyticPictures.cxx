@@ -6,8 +6,10 @@
 
 #include "vtkActor.h"
 #include "vtkCamera.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
@@ -89,23 +91,47 @@ protected:
 
   Picture Draw() { return this->Stage->Draw(this->Mapper); }
 
+  /// Flags of the points or cells whose first index is below 4, so many of them along an axis.
+  static vtkSmartPointer<vtkUnsignedCharArray> FlagLowX(int count, unsigned char flag)
+  {
+    auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfTuples(static_cast<vtkIdType>(count) * count * count);
+    for (vtkIdType id = 0; id < ghosts->GetNumberOfTuples(); ++id)
+    {
+      ghosts->SetValue(id, id % count < 4 ? flag : 0);
+    }
+    return ghosts;
+  }
+
+  /// Seen from above, everything is there from that x on, and nothing before.
+  void ExpectToBeginAt(double x)
+  {
+    const Picture above = this->Draw();
+    const double pixelsPerUnit = Size / 10.0;
+    const auto at = [&](double place)
+    { return PixelAt(above, int(std::floor((place + 1.0) * pixelsPerUnit)), 64)[0]; };
+    EXPECT_EQ(at(2.0), 0.0);
+    EXPECT_EQ(at(x - 0.1), 0.0);
+    for (const double place : {x + 0.1, 7.9})
+    {
+      EXPECT_WITHIN(
+        at(place), Brightness(Edge), 1.0, "brightness beside hidden points, of 255", OneCode);
+    }
+  }
+
   /// Hides the points with x below 4 by a ghost array; their scalars are far off.
   void HideLowX()
   {
-    vtkNew<vtkUnsignedCharArray> ghosts;
-    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-    ghosts->SetNumberOfTuples(this->Input->GetNumberOfPoints());
     for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); ++id)
     {
-      const bool hidden = id % (int(Edge) + 1) < 4;
-      ghosts->SetValue(
-        id, hidden ? vtkDataSetAttributes::HIDDENPOINT : vtkDataSetAttributes::DUPLICATEPOINT);
-      if (hidden)
+      if (id % (int(Edge) + 1) < 4)
       {
         this->Input->GetPointData()->GetScalars()->SetComponent(id, 0, -1e30);
       }
     }
-    this->Input->GetPointData()->AddArray(ghosts);
+    this->Input->GetPointData()->AddArray(
+      FlagLowX(int(Edge) + 1, vtkDataSetAttributes::HIDDENPOINT));
   }
 
   std::unique_ptr<Scene> Stage;
@@ -244,27 +270,35 @@ TEST_F(AnalyticPictures, CameraInsideSeesFromTheNearPlaneOn)
 TEST_F(AnalyticPictures, HiddenPointsContributeNothing)
 {
   // Points 4 to 8 are visible: everything from x = 3.5 on, and no trace of the hidden scalars.
-  // Other ghost bits hide nothing.
   this->HideLowX();
-  const double pixelsPerUnit = Size / 10.0;
-  const auto column = [&](double x) { return int(std::floor((x + 1.0) * pixelsPerUnit)); };
   for (const bool nearest : {false, true})
   {
     this->Stage->GetProperty()->SetInterpolationType(
       nearest ? VTK_NEAREST_INTERPOLATION : VTK_LINEAR_INTERPOLATION);
     this->LookAlongZ();
-    const Picture above = this->Draw();
-    EXPECT_EQ(PixelAt(above, column(2.0), 64)[0], 0.0);
-    EXPECT_EQ(PixelAt(above, column(3.4), 64)[0], 0.0);
-    EXPECT_WITHIN(PixelAt(above, column(3.65), 64)[0], Brightness(Edge), 1.0,
-      "brightness beside hidden points, of 255", OneCode);
-    EXPECT_WITHIN(PixelAt(above, column(7.9), 64)[0], Brightness(Edge), 1.0,
-      "brightness beside hidden points, of 255", OneCode);
+    this->ExpectToBeginAt(3.5);
 
     this->LookAlongX();
     EXPECT_WITHIN(PixelAt(this->Draw(), 64, 64)[0], Brightness(4.5), 1.0,
       "brightness through hidden points, of 255", OneCode);
   }
+}
+
+TEST_F(AnalyticPictures, HiddenCellsOfPointScalarsEndAtTheirFaces)
+{
+  this->Input->GetCellData()->AddArray(FlagLowX(int(Edge), vtkDataSetAttributes::HIDDENCELL));
+  this->ExpectToBeginAt(4.0);
+}
+
+TEST_F(AnalyticPictures, HiddenPointsOfCellScalarsEndHalfWayToTheNextPoint)
+{
+  vtkNew<vtkFloatArray> scalars;
+  scalars->SetNumberOfTuples(this->Input->GetNumberOfCells());
+  scalars->Fill(1.0);
+  this->Input->GetPointData()->Initialize();
+  this->Input->GetCellData()->SetScalars(scalars);
+  this->Input->GetPointData()->AddArray(FlagLowX(int(Edge) + 1, vtkDataSetAttributes::HIDDENPOINT));
+  this->ExpectToBeginAt(3.5);
 }
 
 TEST_F(AnalyticPictures, ScalarsThatAreNotFiniteContributeNothing)

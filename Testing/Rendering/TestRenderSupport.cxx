@@ -8,6 +8,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
 #include "vtkDataArray.h"
+#include "vtkImageCast.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
@@ -15,6 +16,7 @@
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkShaderProperty.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -265,5 +267,65 @@ TEST_F(RenderSupport, KnowsTheDimensions)
     this->Stage->GetVolume()->SetProperty(property);
     EXPECT_FALSE(mapper->IsRenderSupported(this->Stage->GetWindow(), property));
     this->ExpectPicture(false, mapper, std::to_string(x) + " x 2 x " + std::to_string(z));
+  }
+}
+
+// A program may ask before the pipeline has run; dimensions and components are not known yet.
+TEST_F(RenderSupport, SaysYesBeforeTheSourceHasRun)
+{
+  vtkNew<vtkImageCast> source;
+  source->SetInputData(MakeImage(VTK_FLOAT, 4));
+  source->SetOutputScalarTypeToUnsignedChar();
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputConnection(source->GetOutputPort());
+  Combination colours;
+  colours.Independent = false;
+  const auto property = MakeProperty(colours);
+  this->Stage->GetVolume()->SetProperty(property);
+  EXPECT_TRUE(mapper->IsRenderSupported(this->Stage->GetWindow(), property));
+  this->ExpectPicture(true, mapper, "a source that had not run");
+}
+
+// What is refused or ignored is said once, and again when it comes back.
+TEST_F(RenderSupport, SaysOnceWhatIsLeftOut)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  mapper->SetInputData(MakeImage(VTK_FLOAT, 1));
+  const auto property = MakeProperty({});
+  this->Stage->GetVolume()->SetProperty(property);
+  const auto count = [&](const char* word)
+  {
+    for (int frame = 0; frame < 3; ++frame)
+    {
+      this->Stage->Draw(mapper);
+    }
+    const std::string messages = this->TakeMessages();
+    int found = 0;
+    for (std::size_t at = messages.find(word); at != std::string::npos;
+         at = messages.find(word, at + 1))
+    {
+      ++found;
+    }
+    return found;
+  };
+  EXPECT_EQ(count("only VTK's ray caster knows"), 0);
+  mapper->UseDepthPassOn();
+  mapper->RenderToImageOn();
+  EXPECT_EQ(count("UseDepthPass, RenderToImage, which"), 1);
+  mapper->UseDepthPassOff();
+  mapper->RenderToImageOff();
+  property->UseClippedVoxelIntensityOn();
+  EXPECT_EQ(count("UseClippedVoxelIntensity"), 1);
+  property->UseClippedVoxelIntensityOff();
+  auto* shaders = this->Stage->GetVolume()->GetShaderProperty();
+  shaders->AddFragmentShaderReplacement("//VTK::Base::Init", true, "", false);
+  EXPECT_EQ(count("the shader property"), 1);
+  shaders->ClearAllFragmentShaderReplacements();
+  for (int round = 0; round < 2; ++round)
+  {
+    mapper->SetBlendMode(vtkVolumeMapper::SLICE_BLEND);
+    EXPECT_EQ(count("slice blending is not supported"), 1);
+    mapper->SetBlendModeToComposite();
+    EXPECT_EQ(count("ERROR"), 0);
   }
 }

@@ -139,6 +139,16 @@ TEST_F(Sampling, AutomaticAdjustmentGivesTheCoarsePicture)
   ExpectBaseline(this->Stage->Draw(this->Slices), "ImageSampleDistance");
 }
 
+// What a program asks for holds in still pictures, automatic adjustment or not.
+TEST_F(Sampling, TheDistanceThatIsAskedForHoldsUnderAutomaticAdjustment)
+{
+  this->UseImageSampleDistance(2.0f);
+  const Picture coarse = this->Stage->Draw(this->Configure(this->Slices));
+  this->Slices->SetNumberOfSlices(this->Slices->GetNumberOfDrawnSlices());
+  this->Slices->AutoAdjustSampleDistancesOn();
+  EXPECT_EQ(Compare(this->Stage->Draw(this->Slices), coarse, coarse).Worst, 0.0);
+}
+
 // A cube of 9 points, 8 across, face on: the number of slices follows by hand.
 TEST_F(Sampling, SampleDistanceGivesTheNumberOfSlices)
 {

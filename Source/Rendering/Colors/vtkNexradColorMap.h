@@ -28,6 +28,8 @@ struct vtkNexradColorMap
   /// Red, green, blue, opacity; places ascend within each. A file without opacities leaves the last
   /// one empty.
   std::array<std::vector<Node>, 4> Channels;
+  /// Values whose surfaces are to be drawn, in any order; then the opacity has a shell about each.
+  std::vector<double> IsoValues;
   std::vector<Bin> Bins; ///< ascending; empty: the map has no steps
 
   /// Makes the nodes of red, green and blue from the bins: a box of one colour has a node in its

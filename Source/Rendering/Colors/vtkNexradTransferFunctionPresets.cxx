@@ -18,7 +18,8 @@ namespace
 
 using Nodes = std::vector<vtkNexradColorMap::Node>;
 
-constexpr double shellOpacity = 0.8;
+// Surfaces of the preset "iso-values" and their opacities: the inner ones show through the outer.
+const std::vector<vtkNexradIsoShell> isoShells = {{20.0, 0.35}, {35.0, 0.55}, {50.0, 0.95}};
 constexpr double shellHalfWidth = 2.0; // dBZ
 
 // Opacities of 5 km of the scene of nexrad3d, whose heights are stretched eight times. Of "all
@@ -29,6 +30,7 @@ struct Preset
   const char* Name;
   Nodes Opacity;
   bool ClearAir;
+  std::vector<vtkNexradIsoShell> Shells;
 };
 
 const std::vector<Preset>& Presets()
@@ -37,18 +39,18 @@ const std::vector<Preset>& Presets()
     {"all echo",
       {{5.0, 0.0}, {10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25}, {50.0, 0.75},
         {60.0, 0.93}, {75.0, 0.98}},
-      false},
+      false, {}},
     {"storm cores",
       {{30.0, 0.0}, {35.0, 0.01}, {40.0, 0.05}, {45.0, 0.3}, {50.0, 0.75}, {60.0, 0.95},
         {75.0, 0.98}},
-      false},
+      false, {}},
     {"hail", {{45.0, 0.0}, {48.0, 0.01}, {50.0, 0.05}, {55.0, 0.5}, {60.0, 0.9}, {75.0, 0.98}},
-      false},
+      false, {}},
     {"clear air",
       {{-25.0, 0.0}, {-20.0, 0.02}, {-10.0, 0.06}, {0.0, 0.12}, {10.0, 0.2}, {20.0, 0.3},
         {40.0, 0.5}},
-      true},
-    {"iso-values", vtkNexradIsoShells({20.0, 35.0, 50.0}, shellOpacity, shellHalfWidth), false}};
+      true, {}},
+    {"iso-values", vtkNexradIsoShells(isoShells, shellHalfWidth), false, isoShells}};
   return presets;
 }
 
@@ -75,11 +77,11 @@ void LoadWeatherServiceColors(vtkNexradColorMap& map)
 } // namespace
 
 std::vector<vtkNexradColorMap::Node> vtkNexradIsoShells(
-  std::vector<double> values, double opacity, double halfWidth)
+  std::vector<vtkNexradIsoShell> shells, double halfWidth)
 {
-  std::sort(values.begin(), values.end());
+  std::sort(shells.begin(), shells.end());
   Nodes nodes;
-  for (const double value : values)
+  for (const auto& [value, opacity] : shells)
   {
     if (!nodes.empty() && value - halfWidth <= nodes.back()[0])
     {
@@ -142,6 +144,10 @@ bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap&
         map.MakeColorNodesFromBins();
       }
       map.Channels[3] = preset.Opacity;
+      for (const vtkNexradIsoShell& shell : preset.Shells)
+      {
+        map.IsoValues.push_back(shell.first);
+      }
       return true;
     }
   }

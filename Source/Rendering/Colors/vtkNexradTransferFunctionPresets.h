@@ -5,6 +5,7 @@
 #include "vtkNexradColorMap.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 /// Names of the presets, the default first.
@@ -16,9 +17,12 @@ const std::vector<const char*>& vtkNexradTransferFunctionPresetArrays();
 /// A preset by its name; false when there is none of that name.
 bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap& map);
 
-/// Nodes of opacity that make a shell about each of the values: `opacity` at it, 0 from `halfWidth`
-/// away. Shells that would touch become one.
+/// An iso-value and the opacity of its surface, 0 to 1.
+using vtkNexradIsoShell = std::pair<double, double>;
+
+/// Nodes of opacity that make a shell about each of the values: the surface's opacity at it, 0 from
+/// `halfWidth` away. Shells that would touch become one.
 std::vector<vtkNexradColorMap::Node> vtkNexradIsoShells(
-  std::vector<double> values, double opacity, double halfWidth);
+  std::vector<vtkNexradIsoShell> shells, double halfWidth);
 
 #endif

@@ -46,9 +46,11 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   Define(defines, "FUNCTIONS", this->Functions);
   Define(defines, "ROWS", this->CountRows());
   DefineIf(this->Masked, defines, "MASKED");
+  DefineIf(this->Blanked, defines, "BLANKED");
   DefineIf(this->Cropped, defines, "CROPPED");
   DefineIf(this->Parallel, defines, "PARALLEL");
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
+  DefineIf(this->SmoothGradient, defines, "SMOOTH_GRADIENT");
   DefineIf(this->Table2D, defines, "TABLE_2D");
   DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");

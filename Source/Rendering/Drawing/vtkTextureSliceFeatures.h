@@ -13,9 +13,11 @@ struct vtkTextureSliceFeatures
   /// Sets of transfer functions: 1, or the number of components if each has its own.
   int Functions = 1;
   bool Masked = false;  ///< the volume's last component is its mask
+  bool Blanked = false; ///< there are cells, or points, whose ghost flags hide samples
   bool Cropped = false; ///< samples must be tested against the cropping regions
   bool Parallel = false;
   bool GradientOpacity = false;
+  bool SmoothGradient = false;
   bool Table2D = false;    ///< functions over scalar and gradient magnitude
   bool BinaryMask = false; ///< samples outside of the mask are left out
   int Labels = 0;          ///< labels that have functions of their own

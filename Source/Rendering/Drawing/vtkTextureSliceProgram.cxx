@@ -7,6 +7,7 @@
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureSliceBlanks.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
 #include "vtkTextureSliceLights.h"
@@ -73,6 +74,10 @@ void SetMaskAndTables(vtkShaderProgram* program, const vtkTextureSliceUniforms& 
   {
     program->SetUniformi("transferTable2D", uniforms.Table2D->GetTexture()->GetTextureUnit());
     program->SetUniformf("table2DRows", static_cast<float>(uniforms.Table2D->GetNumberOfRows()));
+  }
+  if (features.Blanked)
+  {
+    uniforms.Blanks->SetUniforms(program);
   }
   if (features.HasMask())
   {
@@ -143,6 +148,10 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   if (this->Features.Table2D)
   {
     textures.push_back(this->Table2D->GetTexture());
+  }
+  if (this->Features.Blanked)
+  {
+    textures.push_back(this->Blanks->GetTexture());
   }
   if (this->Features.HasMask())
   {

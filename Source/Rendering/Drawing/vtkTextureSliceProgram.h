@@ -15,6 +15,7 @@ class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 class vtkTextureObject;
+class vtkTextureSliceBlanks;
 class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
 class vtkTextureSliceLights;
@@ -44,6 +45,7 @@ struct vtkTextureSliceUniforms
   std::array<float, 4> ScalarBias{0, 0, 0, 0};
   vtkTextureSliceTable* Table = nullptr;
   vtkTextureSliceTable2D* Table2D = nullptr;    ///< used if Features.Table2D
+  vtkTextureSliceBlanks* Blanks = nullptr;      ///< used if Features.Blanked
   vtkTextureObject* Mask = nullptr;             ///< used if Features.HasMask()
   vtkTextureSliceTable* LabelTable = nullptr;   ///< used if Features.Labels is above 0
   float LabelWeight = 1.0f;                     ///< how much the label's functions count

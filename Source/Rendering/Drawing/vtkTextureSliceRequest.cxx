@@ -61,7 +61,7 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
     return "slice blending is not supported: use the composite, maximum, minimum, average, "
            "additive or isosurface blend mode";
   }
-  if (this->Components < 1 || this->Components > 4)
+  if (this->Components > 4)
   {
     return "the scalars must have 1 to 4 components";
   }
@@ -81,7 +81,7 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
     return "a label map is supported for one component with one-dimensional transfer functions "
            "alone: call SetMaskInput with nullptr";
   }
-  const bool dependent = !this->IsIndependent();
+  const bool dependent = this->Components > 0 && !this->IsIndependent();
   if (dependent && this->Components != 2 && this->Components != 4)
   {
     return "one or three dependent components are not supported, only 2 (value, opacity) and 4 "
@@ -96,9 +96,12 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
     return "maximum and minimum of dependent components are not supported: call "
            "IndependentComponentsOn";
   }
-  if (this->Components > 1 && this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
+  if (this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
+      (this->Components > 2 || (this->Components == 2 && !dependent)))
   {
-    return "isosurfaces of several components are not supported: choose one component";
+    return "isosurfaces are supported for one component and for two dependent ones (colour, "
+           "surface) "
+           "alone: choose one component, or call IndependentComponentsOff";
   }
   return nullptr;
 }
@@ -181,6 +184,7 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.Components = this->Components;
   features.Functions = this->IsIndependent() ? this->Components : 1;
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
+  features.SmoothGradient = this->SmoothGradient;
   features.Table2D = this->Has2D();
   features.BinaryMask = this->BinaryMask;
   features.Labels = this->CountLabels();
@@ -322,7 +326,7 @@ void vtkTextureSliceRequest::SetUniforms(
     uniforms.ScalarBias[c] = static_cast<float>(Normalized(target.Bias, target));
   }
   uniforms.Surfaces = this->MakeSurfaces();
-  uniforms.IsoValues = this->MakeIsoValues(components[0]);
+  uniforms.IsoValues = this->MakeIsoValues(components.back());
   for (std::size_t i = 0; i < 2; ++i)
   {
     uniforms.AverageRange[i] = static_cast<float>(Normalized(this->AverageRange[i], components[0]));

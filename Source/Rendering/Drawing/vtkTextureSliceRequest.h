@@ -19,8 +19,8 @@ class vtkVolumeProperty;
 struct vtkTextureSliceRequest
 {
   vtkVolumeProperty* Property = nullptr;
-  int BlendMode = 0; ///< vtkVolumeMapper::BlendModes
-  int Components = 1;
+  int BlendMode = 0;  ///< vtkVolumeMapper::BlendModes
+  int Components = 0; ///< 0: not known yet, before the source has run
   int ScalarType = VTK_FLOAT;
   /// The scalars that an average counts.
   std::array<double, 2> AverageRange{0.0, 1.0};
@@ -29,10 +29,11 @@ struct vtkTextureSliceRequest
   bool NativeOpacity = false;
   bool NativeGradientOpacity = false;
   bool BinaryMask = false; ///< there is a mask, and it says what is seen
-  bool LabelMap = false;   ///< there is a mask, and it says which functions hold
+  bool SmoothGradient = false;
+  bool LabelMap = false; ///< there is a mask, and it says which functions hold
 
   /// One line that says what cannot be drawn and what could, nullptr if everything can. The
-  /// property may be nullptr.
+  /// property may be nullptr. Nothing is said of components that are not known.
   const char* FindUnsupported() const;
   /// The same for what only the scalars' ranges tell.
   const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;

@@ -23,10 +23,10 @@ class vtkWindow;
  * vtkTextureSliceTexels encodes them. Of scalars that take the place of others of the same size and
  * type, only the blocks that differ are uploaded.
  *
- * Points that vtkGhostType hides (HIDDENPOINT, or HIDDENCELL of cells) and those with a scalar that
- * is not finite are masked: the texture then has one more component, 1 at visible points and 0 at
- * hidden ones, where the others are 0 as well. OpenGL's textures have four components at most, so
- * four components of scalars cannot be masked.
+ * Points (or cells) that vtkGhostType marks with any flag and those with a scalar that is not
+ * finite are masked: the texture then has one more component, 1 at visible points and 0 at hidden
+ * ones, where the others are 0 as well. OpenGL's textures have four components at most, so four
+ * components of scalars cannot be masked.
  */
 class vtkTextureSliceTexture
 {

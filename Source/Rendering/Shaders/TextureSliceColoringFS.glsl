@@ -251,31 +251,70 @@ uniform vec3 stepToTexture;
 uniform vec3 boxLow;
 uniform vec3 boxHigh;
 
+// A surface is that of the last component, which gives its opacity; the first one gives the colour.
+const int surfaceComponent = TEXTURE_SLICE_COMPONENTS - 1;
+
 vec4 SurfaceColor(float isoValue, vec4 scalars)
 {
   vec4 color = LookUp(isoValue, 0);
-  return color.a > 0.0 ? Finish(color, scalars, 0, 0) : vec4(0.0);
+#if TEXTURE_SLICE_COMPONENTS > 1
+  color.rgb = LookUp(scalars.x, 0).rgb;
+#endif
+  return color.a > 0.0 ? Finish(color, scalars, surfaceComponent, 0) : vec4(0.0);
+}
+
+// Where a surface crosses the ray between two samples, and the scalars there: three steps of the
+// secant method that keep the surface enclosed. False where nothing is to be seen.
+bool FindSurface(float isoValue, vec3 nearEnd, float nearScalar, vec3 farEnd, float farScalar,
+  out vec4 scalars)
+{
+  vec2 ends = vec2(0.0, 1.0);
+  vec2 offsets = vec2(nearScalar, farScalar) - isoValue;
+  for (int i = 0; i < 3; ++i)
+  {
+    float at = (ends.x * offsets.y - ends.y * offsets.x) / (offsets.y - offsets.x);
+    textureCoordinate = mix(nearEnd, farEnd, at);
+    if (!FetchScalars(textureCoordinate, scalars))
+    {
+      return false;
+    }
+    float offset = scalars[surfaceComponent] - isoValue;
+    bool beyond = (offset < 0.0) == (offsets.y < 0.0);
+    ends = beyond ? vec2(ends.x, at) : vec2(at, ends.y);
+    // Halving the offset of the end that stays keeps both ends moving.
+    offsets = beyond ? vec2(0.5 * offsets.x, offset) : vec2(offset, 0.5 * offsets.y);
+    if (offset == 0.0)
+    {
+      break;
+    }
+  }
+  return true;
 }
 
 // The surfaces between this sample and the one before it on the ray, the nearest first.
 bool Gather(vec4 scalars, out vec4 gathered)
 {
-  vec3 before = textureCoordinate - sampleStep * stepToTexture;
+  vec3 here = textureCoordinate;
+  vec3 before = here - sampleStep * stepToTexture;
   vec4 nearer;
   if (any(lessThan(before, boxLow)) || any(greaterThan(before, boxHigh)) ||
     !FetchScalars(before, nearer))
   {
     return false;
   }
-  bool rising = scalars.x > nearer.x;
-  vec2 between = vec2(min(nearer.x, scalars.x), max(nearer.x, scalars.x));
+  float nearScalar = nearer[surfaceComponent];
+  float farScalar = scalars[surfaceComponent];
+  bool rising = farScalar > nearScalar;
+  vec2 between = vec2(min(nearScalar, farScalar), max(nearScalar, farScalar));
   gathered = vec4(0.0);
   for (int i = 0; i < TEXTURE_SLICE_ISO_VALUES; ++i)
   {
     float isoValue = isoValues[rising ? i : TEXTURE_SLICE_ISO_VALUES - 1 - i];
-    if (isoValue >= between.x && isoValue < between.y)
+    vec4 onSurface;
+    if (isoValue >= between.x && isoValue < between.y &&
+      FindSurface(isoValue, before, nearScalar, here, farScalar, onSurface))
     {
-      vec4 color = SurfaceColor(isoValue, scalars);
+      vec4 color = SurfaceColor(isoValue, onSurface);
       gathered += (1.0 - gathered.a) * vec4(color.rgb * color.a, color.a);
     }
   }

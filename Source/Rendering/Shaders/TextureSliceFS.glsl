@@ -6,7 +6,9 @@
 // See vtkTextureSliceFeatures::GetDefines.
 //VTK::TextureSlice::Defines
 
-in vec3 textureCoordinate;
+in vec3 sliceCoordinate;
+// Where the volume is sampled.
+vec3 textureCoordinate = vec3(0.0);
 // To the next slice along the ray, in the first component's unit distances.
 in vec3 sampleStep;
 
@@ -31,6 +33,7 @@ bool IsCropped()
 
 void main()
 {
+  textureCoordinate = sliceCoordinate;
 #ifdef TEXTURE_SLICE_CROPPED
   if (IsCropped())
   {

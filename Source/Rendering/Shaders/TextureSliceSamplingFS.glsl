@@ -6,9 +6,23 @@ uniform sampler3D volumeTexture;
 uniform vec4 scalarScale;
 uniform vec4 scalarBias;
 
+#ifdef TEXTURE_SLICE_BLANKED
+// Above 0 where the ghost flags of cells (or of points, for scalars of cells) hide what is there.
+uniform sampler3D blankTexture;
+// From texture coordinates of the volume.
+uniform vec3 blankScale;
+uniform vec3 blankBias;
+#endif
+
 // False where there is nothing to see.
 bool FetchScalars(vec3 at, out vec4 scalars)
 {
+#ifdef TEXTURE_SLICE_BLANKED
+  if (texture(blankTexture, at * blankScale + blankBias).r > 0.0)
+  {
+    return false;
+  }
+#endif
   vec4 texel = texture(volumeTexture, at);
 #ifdef TEXTURE_SLICE_MASKED
   // The last component is 1 at visible points and 0 at hidden ones, where the others are 0 too.
@@ -53,19 +67,42 @@ float FetchNeighbour(vec3 at, int component, float here)
   return FetchScalars(at, scalars) ? scalars[component] : here;
 }
 
-// Central differences. xyz: the gradient in data coordinates, of any length; w: its magnitude, 0 to 1
-// for a quarter of the scalars' range over the mean spacing.
-vec4 Gradient(vec4 scalars, int component)
+#ifdef TEXTURE_SLICE_SMOOTH_GRADIENT
+// Differences between the corners of a cube that is three voxels wide, where each sample is a mean of
+// eight voxels: a noise of single voxels weighs little. As the central differences below.
+vec3 Differences(float here, int component)
 {
-  vec3 gradient;
+  const float reach = 1.5;
+  vec3 differences = vec3(0.0);
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    vec3 side = vec3(ivec3(corner, corner >> 1, corner >> 2) & 1) * 2.0 - 1.0;
+    differences +=
+      side * FetchNeighbour(textureCoordinate + reach * side * voxelStep, component, here);
+  }
+  return differences / (4.0 * reach);
+}
+#else
+// Central differences: the change of the scalar over two voxels along each axis.
+vec3 Differences(float here, int component)
+{
+  vec3 differences;
   for (int axis = 0; axis < 3; ++axis)
   {
     vec3 offset = vec3(0.0);
     offset[axis] = voxelStep[axis];
-    gradient[axis] = FetchNeighbour(textureCoordinate + offset, component, scalars[component]) -
-      FetchNeighbour(textureCoordinate - offset, component, scalars[component]);
+    differences[axis] = FetchNeighbour(textureCoordinate + offset, component, here) -
+      FetchNeighbour(textureCoordinate - offset, component, here);
   }
-  gradient *= inverseAspect;
+  return differences;
+}
+#endif
+
+// xyz: the gradient in data coordinates, of any length; w: its magnitude, 0 to 1
+// for a quarter of the scalars' range over the mean spacing.
+vec4 Gradient(vec4 scalars, int component)
+{
+  vec3 gradient = Differences(scalars[component], component) * inverseAspect;
   return vec4(gradient, clamp(4.0 * length(gradient), 0.0, 1.0));
 }
 #endif

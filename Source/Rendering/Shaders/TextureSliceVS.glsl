@@ -15,7 +15,7 @@ uniform vec3 partMiddle;
 uniform vec3 partScale;
 uniform vec3 stepToPart;
 
-out vec3 textureCoordinate;
+out vec3 sliceCoordinate;
 out vec3 sampleStep;
 out vec3 partPosition;
 out vec3 partStep;
@@ -23,7 +23,7 @@ out vec3 partStep;
 void main()
 {
   gl_Position = boxToClip * vec4(boxPosition, 1.0);
-  textureCoordinate = boxPosition * textureScale + textureBias;
+  sliceCoordinate = boxPosition * textureScale + textureBias;
   sampleStep = rayStep * inverseUnitDistance;
   partPosition = (boxPosition - partMiddle) * partScale;
   partStep = rayStep * stepToPart;

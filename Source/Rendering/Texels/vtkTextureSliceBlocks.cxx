@@ -59,7 +59,6 @@ template <typename Scalar>
 void SumRowOfBlocks(const vtkTextureSlice::Rows<Scalar>& rows, const Box& box, std::uint64_t* sums)
 {
   constexpr std::uint64_t all = ~std::uint64_t(0);
-  constexpr std::uint64_t ones = 0x0101010101010101;
   for (int z = box.Begin[2]; z < box.End[2]; ++z)
   {
     for (int y = box.Begin[1]; y < box.End[1]; ++y)
@@ -68,7 +67,7 @@ void SumRowOfBlocks(const vtkTextureSlice::Rows<Scalar>& rows, const Box& box, s
         rows.Components * sizeof(Scalar), all, sums);
       if (const unsigned char* ghosts = rows.GetGhosts(y, z))
       {
-        MixRow(ghosts, rows.Length, 1, ones * rows.HiddenBits, sums);
+        MixRow(ghosts, rows.Length, 1, all, sums);
       }
     }
   }

@@ -26,7 +26,6 @@ public:
   explicit Rows(const vtkTextureSliceScalars& source)
     : Length(static_cast<std::size_t>(source.Size[0]))
     , Components(static_cast<std::size_t>(source.Scalars->GetNumberOfComponents()))
-    , HiddenBits(source.HiddenBits)
     , Height(static_cast<std::size_t>(source.Size[1]))
     , Scalars(static_cast<const Scalar*>(source.Scalars->GetVoidPointer(0)))
     , Ghosts(source.Ghosts != nullptr ? source.Ghosts->GetPointer(0) : nullptr)
@@ -50,10 +49,9 @@ public:
     this->MarkFinite(y, z, x, count, visible);
     if (const unsigned char* ghosts = this->GetGhosts(y, z, x))
     {
-      const unsigned char bits = this->HiddenBits;
       for (std::size_t i = 0; i < count; ++i)
       {
-        visible[i] = (ghosts[i] & bits) == 0 ? visible[i] : 0;
+        visible[i] = ghosts[i] == 0 ? visible[i] : 0;
       }
     }
   }
@@ -79,7 +77,6 @@ public:
 
   const std::size_t Length; ///< texels of a row
   const std::size_t Components;
-  const unsigned char HiddenBits;
 
 private:
   static void UnmarkInfinite(

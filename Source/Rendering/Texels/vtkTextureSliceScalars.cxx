@@ -25,8 +25,6 @@ vtkTextureSliceScalars vtkTextureSliceScalars::Find(
   found.Scalars = scalars;
   found.Size = GetSize(image, cellData);
   found.CellData = cellData;
-  found.HiddenBits = cellData ? static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL)
-                              : static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT);
   vtkDataSetAttributes* attributes =
     cellData ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(

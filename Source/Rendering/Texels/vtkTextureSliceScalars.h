@@ -16,9 +16,8 @@ struct vtkTextureSliceScalars
   /// Texels along each axis: points, or cells.
   std::array<int, 3> Size{};
   bool CellData = false;
-  /// May be nullptr: nothing is hidden.
+  /// Every flag hides a texel, as in VTK's ray caster. May be nullptr: nothing is hidden.
   vtkUnsignedCharArray* Ghosts = nullptr;
-  unsigned char HiddenBits = 0;
 
   /// Texels along each axis.
   static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
