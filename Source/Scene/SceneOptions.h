@@ -20,8 +20,8 @@ enum class MapperChoice
 /// The presets of colour and opacity (vtkNexradTransferFunction): of reflectivity, its default
 /// first, then one of each other moment.
 constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear air", "iso-values",
-  "velocity", "spectrum width", "differential reflectivity", "differential phase",
-  "correlation coefficient", "clutter power"};
+  "colour-blind safe", "velocity", "spectrum width", "differential reflectivity",
+  "differential phase", "correlation coefficient", "clutter power"};
 
 /// What a scene shows beside the data.
 struct SceneOptions

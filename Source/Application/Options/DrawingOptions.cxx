@@ -96,7 +96,7 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   command
     .add_option("--preset", options.preset,
-      "Colours and opacities: five of REF, then one of each other moment (default: the first of "
+      "Colours and opacities: six of REF, then one of each other moment (default: the first of "
       "the moment)")
     ->check(CLI::IsMember(
       std::vector<std::string>(std::begin(scene::presetNames), std::end(scene::presetNames))))
