@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Plan/PlanLayer.h"
+#include "Scene/Elements/Theme.h"
 #include "Scene/RadarScene.h"
 #include "Scene/VolumeAppearance.h"
 #include "ScenePicture.h"
@@ -228,7 +228,7 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
     };
   };
   // 360 pixels of height, of which the domain takes 278: a quarter of it is 70 wide.
-  const int grey = Count(picture, whole, isColour(notScannedColour));
+  const int grey = Count(picture, whole, isColour(ThemeOf(ThemeChoice::Dark).notScanned));
   EXPECT_GT(grey, 70 * 278 * 8 / 10);
   EXPECT_LT(grey, 70 * 278);
   const Colour core = ColourStepsOf(MakeTransferFunction({}))[11].colour; // 60 to 65 dBZ, 4 voxels

@@ -38,26 +38,28 @@ struct Preset
   Colors Table;
 };
 
-const Nodes allEcho = {{5.0, 0.0}, {10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25},
-  {50.0, 0.75}, {60.0, 0.93}, {75.0, 0.98}};
+Nodes AllEcho()
+{
+  return {{5.0, 0.0}, {10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25}, {50.0, 0.75},
+    {60.0, 0.93}, {75.0, 0.98}};
+}
 
 const std::vector<Preset>& Presets()
 {
-  static const std::vector<Preset> presets = {
-    {"all echo", allEcho, Colors::WeatherService},
+  static const std::vector<Preset> presets = {{"all echo", AllEcho(), Colors::WeatherService},
     {"storm cores",
       {{30.0, 0.0}, {35.0, 0.01}, {40.0, 0.05}, {45.0, 0.3}, {50.0, 0.75}, {60.0, 0.95},
         {75.0, 0.98}},
       Colors::WeatherService},
     {"hail", {{45.0, 0.0}, {48.0, 0.01}, {50.0, 0.05}, {55.0, 0.5}, {60.0, 0.9}, {75.0, 0.98}},
-      false},
+      Colors::WeatherService},
     {"clear air",
       {{-25.0, 0.0}, {-20.0, 0.02}, {-10.0, 0.06}, {0.0, 0.12}, {10.0, 0.2}, {20.0, 0.3},
         {40.0, 0.5}},
       Colors::ClearAir},
     {"iso-values", vtkNexradIsoShells({20.0, 35.0, 50.0}, shellOpacity, shellHalfWidth),
       Colors::WeatherService},
-    {"colour-blind safe", allEcho, Colors::EvenLightness}};
+    {"colour-blind safe", AllEcho(), Colors::EvenLightness}};
   return presets;
 }
 
@@ -73,9 +75,9 @@ void AddClearAirColors(vtkNexradColorMap& map)
 }
 
 // Steps of 5 dBZ from 5 dBZ on. Each is lighter than the one before by 4.9 in CIELAB, from a dark
-// blue over violet and red to a pale yellow. The lightness was set; hue and chroma were searched for
-// the largest difference of neighbours to eyes with all cones, without those for green (deuteranopia)
-// and without those for red (protanopia).
+// blue over violet and red to a pale yellow. The lightness was set; hue and chroma were searched
+// for the largest difference of neighbours to eyes with all cones, without those for green
+// (deuteranopia) and without those for red (protanopia).
 void LoadEvenColors(vtkNexradColorMap& map)
 {
   constexpr unsigned codes[] = {0x003E77, 0x004698, 0x3648B9, 0x5952BA, 0x8158B9, 0xB453AF,
