@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The colours of the presets as eyes see them: in CIELAB, for eyes with all cones and, by the linear
-// model of Machado, Oliveira and Fernandes (2009) at full severity, for eyes without the cones for
-// green (deuteranopia) and for red (protanopia).
+// The colours of the presets as eyes see them: in CIELAB, for eyes with all cones and, by the
+// linear model of Machado, Oliveira and Fernandes (2009) at full severity, for eyes without the
+// cones for green (deuteranopia) and for red (protanopia).
 #include "Scene/VolumeAppearance.h"
+
+#include "vtkNexradTransferFunction.h"
 
 #include <gtest/gtest.h>
 
@@ -49,8 +51,8 @@ Colour Times(const Matrix& matrix, const Colour& colour)
 Colour LabOf(const Colour& colour, const Matrix& vision)
 {
   Colour linear{};
-  std::transform(colour.begin(), colour.end(), linear.begin(), [](double c)
-    { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); });
+  std::transform(colour.begin(), colour.end(), linear.begin(),
+    [](double c) { return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4); });
   linear = Times(vision, linear);
   for (double& component : linear)
   {
@@ -128,8 +130,8 @@ TEST(ColourTables, TheSafeColoursGrowLighterAndDifferToEveryEye)
   }
 }
 
-// Green and red of the same speed have the same lightness, which grows with the speed, and differ to
-// every eye. Measured: 0.1; 18, 5 and 4 between neighbours; 59, 15 and 8 between the signs.
+// Green and red of the same speed have the same lightness, which grows with the speed, and differ
+// to every eye. Measured: 0.1; 18, 5 and 4 between neighbours; 59, 15 and 8 between the signs.
 TEST(ColourTables, VelocitiesOfBothSignsAreAlikeInLightness)
 {
   const ColourTable table = TableOf("velocity", "VEL");

@@ -124,8 +124,9 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     "dark: light letters over a dark ground; light: dark letters over a pale one", "dark")
     ->group(group);
   command
-    .add_flag(
-      "!--no-walls", options.heightWalls, "No lines of equal height on the walls behind the volume")
+    .add_flag_callback(
+      "--no-walls", [&options] { options.heightWalls = false; },
+      "No lines of equal height on the walls behind the volume")
     ->group(group);
   command.add_flag("--names", options.placeNames, "Names of states and provinces on the map")
     ->group(group);
