@@ -332,6 +332,10 @@ void RadarScene::DrawLabels()
 
 void RadarScene::Aim()
 {
+  if (outline.empty())
+  {
+    return; // before the first size, camera or volume
+  }
   FrameScene(
     renderer->GetActiveCamera(), view, {outline, scaleLabels}, {size, right, taken}, pictures);
   this->FitClippingRange();
