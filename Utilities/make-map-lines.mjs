@@ -16,7 +16,7 @@ const REACH_DEGREES = 8; // lines farther than this from every radar are left ou
 const UNITED_STATES = new Set(['840', '630', '316', '016', '580', '850']);
 const CANADA = '124';
 const LAKE_BORDER_DEGREES = 0.06; // the world's border counts where no line of us-atlas is this near
-const LEAST_LAKE_DEGREES = 0.4; // smaller lakes are left out
+const LEAST_LAKE_DEGREES = 0.5; // smaller lakes are left out
 const PROVINCES = {
   AB: 'Alberta', BC: 'British Columbia', MB: 'Manitoba', NB: 'New Brunswick', NL: 'Newfoundland and Labrador',
   NS: 'Nova Scotia', NT: 'Northwest Territories', NU: 'Nunavut', ON: 'Ontario', PE: 'Prince Edward Island',

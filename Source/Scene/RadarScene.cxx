@@ -300,7 +300,7 @@ void RadarScene::DrawScales()
 
 void RadarScene::DrawCaptions()
 {
-  Props props = MakeColourBar(scale, size, this->NoteStyle(), pictures);
+  Props props = MakeColourBar(scale, size, this->NoteStyle(), theme.frame, pictures);
   right = LeftOfColourBar(scale, size, this->NoteStyle(), pictures);
   CaptionLayer layer = MakeCaptions(
     {scale.title, note, information, ages}, size, right, this->TextSize(), theme, pictures);
@@ -316,8 +316,9 @@ void RadarScene::DrawLabels()
   all.insert(all.end(), groundLabels.begin(), groundLabels.end());
   std::vector<PixelBox> boxes = taken;
   boxes.push_back({right, 0.0, static_cast<double>(size[0]), static_cast<double>(size[1])});
-  const auto sides =
-    ChooseSides(all, Projection(renderer->GetActiveCamera(), size), pictures, boxes);
+  // The ground's corners come first in the outline, those in the north after those in the south.
+  const auto sides = ChooseSides(all, {outline[0], outline[1], outline[3], outline[2]},
+    Projection(renderer->GetActiveCamera(), size), pictures, boxes);
   Props props;
   for (std::size_t i = 0; i < all.size(); ++i)
   {

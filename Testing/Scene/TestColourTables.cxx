@@ -107,7 +107,7 @@ TEST(ColourTables, LabOfKnownColours)
   EXPECT_LT(Difference({0.5, 0.5, 0.5}, Times(protanopia, {0.5, 0.5, 0.5}), allCones), 0.1);
 }
 
-// Measured: the least step of L* is 4.8, 3.9 and 1.7, the least ΔE of neighbours 9.0, 8.9 and 7.3. 
+// Measured: the least step of L* is 4.8, 3.9 and 1.7, the least ΔE of neighbours 9.0, 8.9 and 7.3.
 TEST(ColourTables, TheSafeColoursGrowLighterAndDifferToEveryEye)
 {
   const ColourTable table = TableOf("colour-blind safe", "REF");

@@ -182,9 +182,12 @@ TEST(LabelLayout, LabelsGiveWayToEachOther)
   const Projection project(camera, size);
   EXPECT_NEAR(project({50.0, -50.0, 0.0})[0], 250.0, 1e-6);
   EXPECT_NEAR(project({50.0, -50.0, 0.0})[1], 150.0, 1e-6);
+  const std::array<ScenePoint, 4> ground = {ScenePoint{-60.0, -100.0, 0.0},
+    ScenePoint{60.0, -100.0, 0.0}, ScenePoint{60.0, 100.0, 0.0}, ScenePoint{-60.0, 100.0, 0.0}};
   TextPictures pictures;
   const auto choose = [&](std::vector<Label> labels, const std::vector<PixelBox>& taken = {})
-  { return ChooseSides(labels, project, pictures, taken); };
+  { return ChooseSides(labels, ground, project, pictures, taken); };
+
   const Label alone = MakeTestLabel("KLSX", {0.0, 0.0, 0.0});
   EXPECT_EQ(choose({alone}).front(), LabelSide::Right);
   // Another radar close to the right, a caption on the right, the picture's edge.
@@ -197,8 +200,11 @@ TEST(LabelLayout, LabelsGiveWayToEachOther)
   const std::vector<PixelBox> everything = {{0.0, 0.0, 400.0, 400.0}};
   Label optional = alone;
   optional.optional = true;
+  EXPECT_TRUE(choose({optional}).front());
   EXPECT_FALSE(choose({optional}, everything).front());
   EXPECT_TRUE(choose({alone}, everything).front());
+  optional.point = {40.0, 0.0, 0.0};
+  EXPECT_FALSE(choose({optional}).front()) << "it would end beyond the ground";
 }
 
 TEST(TextPicture, StandsBesideItsPoint)

@@ -116,7 +116,7 @@ TEST(Scene, ShowsStormMapAndColourBar)
 }
 
 // 20 m/s towards the radar in the west, away from it in the east, no echo elsewhere. The picture:
-// two slabs, one green and one red, and the bar from -50 to 50 m/s.
+// two slabs, one green and one red, and the bar from -60 to 50 m/s.
 TEST(Scene, VelocitiesOfBothSignsAreSeen)
 {
   GriddedVolume volume = nexrad::testing::MakeStorm(false);
@@ -131,9 +131,9 @@ TEST(Scene, VelocitiesOfBothSignsAreSeen)
   vtkNew<vtkImageData> image;
   vtkNexradVolumeToImage(volume, image);
   const auto isGreen = [](const std::array<int, 3>& rgb)
-  { return rgb[1] > 100 && rgb[1] > 2 * rgb[0] && rgb[1] > 2 * rgb[2]; };
+  { return rgb[1] > 100 && rgb[1] > 2 * rgb[0] && 2 * rgb[1] > 3 * rgb[2]; };
   const auto isRed = [](const std::array<int, 3>& rgb)
-  { return rgb[0] > 100 && rgb[0] > 2 * rgb[1] && rgb[0] > 2 * rgb[2]; };
+  { return rgb[0] > 100 && 2 * rgb[0] > 3 * rgb[1] && 2 * rgb[0] > 3 * rgb[2]; };
   const auto picture = Draw(image, "Velocity");
   EXPECT_GT(Count(picture, withoutBar, isGreen), 10'000);
   EXPECT_GT(Count(picture, withoutBar, isRed), 10'000);
@@ -227,10 +227,18 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
              rgb[2] == std::lround(255.0 * colour[2]);
     };
   };
-  // 360 pixels of height, of which the domain takes 278: a quarter of it is 70 wide.
-  const int grey = Count(picture, whole, isColour(ThemeOf(ThemeChoice::Dark).notScanned));
-  EXPECT_GT(grey, 70 * 278 * 8 / 10);
-  EXPECT_LT(grey, 70 * 278);
+  // As high as the domain, and a quarter as wide.
+  const auto isGrey = isColour(ThemeOf(ThemeChoice::Dark).notScanned);
+  int height = 0;
+  for (int y = 0; y < size[1]; ++y)
+  {
+    const double row = static_cast<double>(y) / size[1];
+    height += Count(picture, {0.0, 1.0, row, row + 0.5 / size[1]}, isGrey) > 20 ? 1 : 0;
+  }
+  EXPECT_GT(height, 180);
+  const int grey = Count(picture, whole, isGrey);
+  EXPECT_GT(grey, height * height / 4 * 8 / 10);
+  EXPECT_LT(grey, height * height / 4);
   const Colour core = ColourStepsOf(MakeTransferFunction({}))[11].colour; // 60 to 65 dBZ, 4 voxels
   EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, isColour(core)), 30);
   // The echo of 35 dBZ and more covers a disc of a radius of 33 km or more: flat colours of bins.

@@ -9,6 +9,8 @@ namespace nexrad::scene
 namespace
 {
 
+constexpr char warningWord[] = "SYNTHETIC";
+
 // Breaks words into lines of a width in pixels.
 std::string Wrap(const std::vector<std::string>& words, double width, const TextStyle& style,
   TextPictures& pictures)
@@ -125,29 +127,30 @@ CaptionLayer MakeCaptions(const CaptionTexts& texts, const std::array<int, 2>& s
   const TextStyle warning = {textSize * 5 / 2, theme.warning, theme.rim, true};
   const double left = std::max(0.75 * textSize, 0.02 * size[0]);
   const double top = size[1] - 0.75 * textSize;
-  const double width = std::min(right - 2.0 * left, std::max(0.45 * size[0], 28.0 * textSize));
-
   Writer writer(size, pictures);
   const std::string time = TimeText(texts.information);
-  const PixelBox timeBox = writer.BoxOf(time, title, {left, top}, LabelSide::BelowRight);
-  writer.Add(time, title, {left, top}, LabelSide::BelowRight);
+  const PixelBox timeBox = writer.Add(time, title, {left, top}, LabelSide::BelowRight);
+  // The warning stands in the middle, or beside the time; in a narrow picture below the others.
+  const double half = 0.5 * pictures.Get(warningWord, warning).Size()[0];
+  const double middle = std::max(0.5 * size[0], timeBox.right + left + half);
+  const bool above = texts.information.synthetic && middle + half < right;
+  const double width = (above ? middle - half : right) - 2.0 * left;
   const auto& method = texts.information.method;
   std::string lines = Wrap(
     WordsOf(texts.title + (method.empty() ? "" : ", method " + method)), width, note, pictures);
   lines += "\n" + Wrap(SiteWords(texts), width, note, pictures);
   const PixelBox lineBox =
-    writer.Add(lines, note, {left, timeBox.bottom - 0.3 * textSize}, LabelSide::BelowRight);
+    writer.Add(lines, note, {left, timeBox.bottom - 0.4 * textSize}, LabelSide::BelowRight);
   writer.Add(Wrap(WordsOf(texts.note), right - 2.0 * left, note, pictures), note,
     {left, 0.75 * textSize}, LabelSide::AboveRight);
-  if (texts.information.synthetic)
+  if (above)
   {
-    const std::string word = "SYNTHETIC";
-    const std::array<double, 2> middle = {size[0] / 2.0, top};
-    const PixelBox box = writer.BoxOf(word, warning, middle, LabelSide::Below);
-    const bool fits = box.right < right && box.Shared(timeBox) + box.Shared(lineBox) == 0.0;
-    writer.Add(word, warning,
-      fits ? middle : std::array<double, 2>{left, lineBox.bottom - 0.3 * textSize},
-      fits ? LabelSide::Below : LabelSide::BelowRight);
+    writer.Add(warningWord, warning, {middle, top}, LabelSide::Below);
+  }
+  else if (texts.information.synthetic)
+  {
+    writer.Add(
+      warningWord, warning, {left, lineBox.bottom - 0.3 * textSize}, LabelSide::BelowRight);
   }
   return writer.layer;
 }

@@ -5,13 +5,16 @@
 #include <vtkMatrix4x4.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace nexrad::scene
 {
 namespace
 {
 
-constexpr double margin = 0.03; // between the scene and the picture's edges, of its height
+constexpr double margin = 0.03;    // between the scene and the picture's edges, of its height
+constexpr double pad = 4.0;        // pixels between words and the picture's edges
+constexpr double steepTilt = 70.0; // degrees; the scene is a map, or nearly
 
 // The area of the picture in pixels.
 PictureArea AreaOf(const PixelBox& box, const std::array<int, 2>& size)
@@ -63,6 +66,21 @@ public:
     return box;
   }
 
+  // To the right of the captions above.
+  PixelBox BesideCaptions() const
+  {
+    PixelBox box = this->BetweenCaptions();
+    box.top = this->Whole().top;
+    for (const PixelBox& caption : space.taken)
+    {
+      if (caption.bottom + caption.top > space.size[1])
+      {
+        box.left = std::max(box.left, caption.right + margin * space.size[1]);
+      }
+    }
+    return box;
+  }
+
   // Room for the words left of and below the scene.
   void LeaveRoomForWords(PixelBox& box) const
   {
@@ -97,6 +115,24 @@ public:
     box.*edge = least + good * (outermost - least);
   }
 
+  // As large as the picture allows, from that box on.
+  PixelBox Largest(PixelBox box) const
+  {
+    const PixelBox whole = this->Whole();
+    this->LeaveRoomForWords(box);
+    this->Grow(box, &PixelBox::top, whole.top);
+    this->Grow(box, &PixelBox::bottom, whole.bottom);
+    this->Grow(box, &PixelBox::left, whole.left);
+    return box;
+  }
+
+  // How large the scene becomes in a box; 0 where it does not fit.
+  double SizeIn(const PixelBox& box) const
+  {
+    const bool fits = box.left < box.right && box.bottom < box.top && this->IsFree(box);
+    return fits ? 1.0 / camera->GetParallelScale() : 0.0; // which holds for both projections
+  }
+
   void Point(const PixelBox& box, double zoom) const
   {
     CameraView pointed = view;
@@ -126,7 +162,7 @@ private:
   {
     const PixelBox box = pictures.Get(label.text, label.style)
                            .BoxAt(project(label.point), label.sides.front(), label.gap);
-    const PixelBox whole = {0.0, 0.0, space.right, static_cast<double>(space.size[1])};
+    const PixelBox whole = {pad, pad, space.right, space.size[1] - pad};
     return box.left >= whole.left && box.bottom >= whole.bottom && box.right <= whole.right &&
            box.top <= whole.top &&
            std::none_of(space.taken.begin(), space.taken.end(),
@@ -188,12 +224,13 @@ void FrameScene(vtkCamera* camera, const CameraView& view, const FramedScene& sc
   const FrameSpace& space, TextPictures& pictures)
 {
   const Framing framing(camera, view, scene, space, pictures);
-  const PixelBox whole = framing.Whole();
-  PixelBox box = framing.BetweenCaptions();
-  framing.LeaveRoomForWords(box);
-  framing.Grow(box, &PixelBox::top, whole.top);
-  framing.Grow(box, &PixelBox::bottom, whole.bottom);
-  framing.Grow(box, &PixelBox::left, whole.left);
+  PixelBox box = framing.Largest(framing.BetweenCaptions());
+  // A scene that turns does not jump from one to the other.
+  if (std::abs(view.tilt) >= steepTilt)
+  {
+    const PixelBox other = framing.Largest(framing.BesideCaptions());
+    box = framing.SizeIn(other) > framing.SizeIn(box) ? other : box;
+  }
   framing.Point(box, view.zoom);
 }
 

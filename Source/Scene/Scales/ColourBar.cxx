@@ -8,12 +8,14 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
+#include <vtkProperty2D.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace nexrad::scene
 {
@@ -95,6 +97,30 @@ vtkSmartPointer<vtkActor2D> MakeBoxes(
   return actor;
 }
 
+vtkSmartPointer<vtkActor2D> MakeEdge(
+  const std::array<int, 2>& size, double right, const Colour& colour)
+{
+  const double left = right - barWidth;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(5);
+  for (const auto& [x, y] : {std::pair{left, bottom}, std::pair{right, bottom},
+         std::pair{right, top}, std::pair{left, top}, std::pair{left, bottom}})
+  {
+    line->InsertCellPoint(
+      points->InsertNextPoint(std::round(size[0] * x), std::round(size[1] * y), 0.0));
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(line);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor2D>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  return actor;
+}
+
 } // namespace
 
 double LeftOfColourBar(const ColourScale& scale, const std::array<int, 2>& size,
@@ -106,10 +132,12 @@ double LeftOfColourBar(const ColourScale& scale, const std::array<int, 2>& size,
 }
 
 std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(const ColourScale& scale,
-  const std::array<int, 2>& size, const TextStyle& style, TextPictures& pictures)
+  const std::array<int, 2>& size, const TextStyle& style, const Colour& edge,
+  TextPictures& pictures)
 {
   const double right = RightEdge(scale, size, style, pictures);
-  std::vector<vtkSmartPointer<vtkProp>> props = {MakeBoxes(scale.bins, size, right)};
+  std::vector<vtkSmartPointer<vtkProp>> props = {
+    MakeBoxes(scale.bins, size, right), MakeEdge(size, right, edge)};
   const std::size_t step = LabelStep(scale, size, style.size);
   for (std::size_t i = 0; i < scale.bins.size(); i += step)
   {
