@@ -227,23 +227,33 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
              rgb[2] == std::lround(255.0 * colour[2]);
     };
   };
-  // As high as the domain, and a quarter as wide.
+  // The grey strip is as high as the domain and a quarter as wide.
   const auto isGrey = isColour(ThemeOf(ThemeChoice::Dark).notScanned);
-  int height = 0;
+  PictureArea strip = {1.0, 0.0, 1.0, 0.0};
   for (int y = 0; y < size[1]; ++y)
   {
-    const double row = static_cast<double>(y) / size[1];
-    height += Count(picture, {0.0, 1.0, row, row + 0.5 / size[1]}, isGrey) > 20 ? 1 : 0;
+    for (int x = 0; x < size[0]; ++x)
+    {
+      if (isGrey(PixelOf(picture, x, y)))
+      {
+        strip = {std::min(strip.left, x / 640.0), std::max(strip.right, (x + 1) / 640.0),
+          std::min(strip.bottom, y / 360.0), std::max(strip.top, (y + 1) / 360.0)};
+      }
+    }
   }
-  EXPECT_GT(height, 180);
-  const int grey = Count(picture, whole, isGrey);
-  EXPECT_GT(grey, height * height / 4 * 8 / 10);
-  EXPECT_LT(grey, height * height / 4);
+  const double height = (strip.top - strip.bottom) * 360.0;
+  EXPECT_GT(height, 180.0);
+  EXPECT_NEAR((strip.right - strip.left) * 640.0, height / 4.0, 2.0);
+  EXPECT_GT(Count(picture, strip, isGrey), height * height / 4.0 * 0.8);
+  // The echo of 35 dBZ and more, in the south west, covers a disc of a radius of 33 km or more.
+  const double west = strip.right - height / 640.0;
+  const double east = strip.right - 0.5 * height / 640.0;
+  const double middle = 0.5 * (strip.bottom + strip.top);
+  const PictureArea southWest = {west, east, strip.bottom, middle};
   const Colour core = ColourStepsOf(MakeTransferFunction({}))[11].colour; // 60 to 65 dBZ, 4 voxels
-  EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, isColour(core)), 30);
-  // The echo of 35 dBZ and more covers a disc of a radius of 33 km or more: flat colours of bins.
-  EXPECT_GT(Count(picture, {0.25, 0.5, 0.1, 0.5}, IsStrongEcho), 500);
-  EXPECT_EQ(Count(picture, {0.5, 0.75, 0.1, 0.9}, isColour(core)), 0);
+  EXPECT_GT(Count(picture, southWest, isColour(core)), 30);
+  EXPECT_GT(Count(picture, southWest, IsStrongEcho), 400);
+  EXPECT_EQ(Count(picture, {east, strip.right, strip.bottom, strip.top}, isColour(core)), 0);
 }
 
 TEST(Scene, AVolumeThatChangesIsDrawnAnew)
