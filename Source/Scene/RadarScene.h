@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Elements/Label.h"
+#include "Scene/Elements/TextPicture.h"
+#include "Scene/Elements/Theme.h"
 #include "Scene/Frame/CameraView.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
@@ -11,6 +14,7 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -87,10 +91,13 @@ private:
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
   void DrawCaptions();
   void Aim();
+  void DrawLabels();
+  TextStyle NoteStyle() const;
   void FitClippingRange();
   int TextSize() const;
 
   SceneOptions options;
+  const Theme& theme;
   std::array<int, 2> size = {1280, 720};
   CameraView view;
   SceneFrame frame;
@@ -101,11 +108,19 @@ private:
   std::string array; ///< that is shown
   ColourTable steps; ///< of the colour bar
   ColourScale scale;
-  std::string note; ///< what the heights are, or which voxels a map shows
+  std::string note;                        ///< what the heights are, or which voxels a map shows
+  std::vector<std::optional<double>> ages; ///< min, of the radars' data
+  TextPictures pictures;
   Props plan;
   Props ground;
   Props scales;
   Props captions;
+  Props labels;
+  std::vector<Label> groundLabels;
+  std::vector<Label> scaleLabels;
+  std::vector<ScenePoint> outline; ///< of the domain and its scales
+  std::vector<PixelBox> taken;     ///< by captions
+  double right = 0.0;              ///< pixels, of what is left of the colour bar
 };
 
 } // namespace nexrad::scene

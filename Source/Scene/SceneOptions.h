@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Elements/Theme.h"
 #include "Scene/Plan/PlanOptions.h"
 
 #include <filesystem>
@@ -20,8 +21,8 @@ enum class MapperChoice
 /// The presets of colour and opacity (vtkNexradTransferFunction): of reflectivity, its default
 /// first, then one of each other moment.
 constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear air", "iso-values",
-  "velocity", "spectrum width", "differential reflectivity", "differential phase",
-  "correlation coefficient", "clutter power"};
+  "colour-blind safe", "velocity", "spectrum width", "differential reflectivity",
+  "differential phase", "correlation coefficient", "clutter power"};
 
 /// What a scene shows beside the data.
 struct SceneOptions
@@ -34,6 +35,9 @@ struct SceneOptions
   MapperChoice mapper = MapperChoice::TextureSlice;
   int slices = 256;         ///< or samples along the longest ray; from 1 on
   double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
+  ThemeChoice theme = ThemeChoice::Dark;
+  bool heightWalls = true; ///< lines of equal height on the walls behind the volume
+  bool placeNames = false; ///< names of states and provinces on the map
   std::optional<PlanOptions> plan;
 };
 

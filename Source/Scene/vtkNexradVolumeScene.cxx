@@ -38,7 +38,8 @@ bool SamePlan(const SceneOptions& a, const SceneOptions& b)
 bool SameButForSlices(const SceneOptions& a, const SceneOptions& b)
 {
   return SameColors(a, b) && SamePlan(a, b) && a.exaggeration == b.exaggeration &&
-         a.mapper == b.mapper && a.ringSpacing == b.ringSpacing;
+         a.mapper == b.mapper && a.ringSpacing == b.ringSpacing && a.theme == b.theme &&
+         a.heightWalls == b.heightWalls && a.placeNames == b.placeNames;
 }
 
 bool SameView(const CameraView& a, const CameraView& b)
@@ -94,6 +95,10 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
                                             : nexrad::scene::MapperChoice::TextureSlice;
   options.slices = self->NumberOfSlices;
   options.ringSpacing = self->RingSpacing;
+  options.theme =
+    self->Theme == LIGHT ? nexrad::scene::ThemeChoice::Light : nexrad::scene::ThemeChoice::Dark;
+  options.heightWalls = self->HeightWalls;
+  options.placeNames = self->PlaceNames;
   if (self->Plan != NO_PLAN)
   {
     options.plan =
@@ -345,6 +350,9 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Mapper: " << this->Mapper << "\n";
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
   os << indent << "RingSpacing: " << this->RingSpacing << "\n";
+  os << indent << "Theme: " << this->Theme << "\n";
+  os << indent << "HeightWalls: " << this->HeightWalls << "\n";
+  os << indent << "PlaceNames: " << this->PlaceNames << "\n";
   os << indent << "Plan: " << this->Plan << "\n";
   os << indent << "PlanHeight: " << this->PlanHeight << "\n";
   os << indent << "PlanArray: " << this->PlanArray << "\n";

@@ -73,6 +73,16 @@ public:
     AT_HEIGHT = 3
   };
 
+  /**
+   * Colours of the sky, the ground, lines and letters. DARK: light letters over a dark ground.
+   * LIGHT: dark letters over a pale ground, for paper.
+   */
+  enum ThemeType
+  {
+    DARK = 0,
+    LIGHT = 1
+  };
+
   ///@{
   /**
    * The renderer that the scene fills, to be put into a window. By default one of the scene's own.
@@ -193,6 +203,34 @@ public:
 
   ///@{
   /**
+   * Colours beside those of the data. DARK by default.
+   */
+  vtkSetClampMacro(Theme, int, DARK, LIGHT);
+  vtkGetMacro(Theme, int);
+  void SetThemeToDark() { this->SetTheme(DARK); }
+  void SetThemeToLight() { this->SetTheme(LIGHT); }
+  ///@}
+
+  ///@{
+  /**
+   * Lines of equal height on the two walls of the domain that are behind the volume. On by default.
+   */
+  vtkSetMacro(HeightWalls, bool);
+  vtkGetMacro(HeightWalls, bool);
+  vtkBooleanMacro(HeightWalls, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Names of states and provinces on the map, where they cover no other letters. Off by default.
+   */
+  vtkSetMacro(PlaceNames, bool);
+  vtkGetMacro(PlaceNames, bool);
+  vtkBooleanMacro(PlaceNames, bool);
+  ///@}
+
+  ///@{
+  /**
    * Shows a plan view in place of the volume. NO_PLAN by default. A plan view is usually seen from
    * above: SetCameraFromAbove.
    */
@@ -235,6 +273,9 @@ protected:
   int Mapper = TEXTURE_SLICE;
   int NumberOfSlices = 256;
   double RingSpacing = 0.0;
+  int Theme = DARK;
+  bool HeightWalls = true;
+  bool PlaceNames = false;
   int Plan = NO_PLAN;
   double PlanHeight = 0.0;
   std::string PlanArray;

@@ -78,6 +78,9 @@ TEST(RenderCommand, OneTimeAndTheCamera)
   EXPECT_NE(first, draw("flat.png", {"--exaggeration", "2"}));
   EXPECT_NE(first, draw("rings.png", {"--rings", "100km"}));
   EXPECT_NE(first, draw("parallel.png", {"--parallel"}));
+  EXPECT_NE(first, draw("light.png", {"--theme", "light"}));
+  EXPECT_NE(first, draw("walls.png", {"--no-walls"}));
+  EXPECT_NE(first, draw("names.png", {"--names"}));
 }
 
 TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)

@@ -88,8 +88,12 @@ class Pictures(unittest.TestCase):
             scene.SetExaggeration(5.0)
             scene.SetNumberOfSlices(100)
             scene.SetRingSpacing(50000.0)
+            scene.SetThemeToLight()
+            scene.HeightWallsOff()
+            scene.PlaceNamesOn()
         self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
-                  "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km")
+                  "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km",
+                  "--theme", "light", "--no-walls", "--names")
 
     def test_plan_views(self):
         def settings(plan, array=""):

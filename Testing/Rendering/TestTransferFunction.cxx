@@ -180,9 +180,9 @@ TEST(TransferFunction, PresetsShowWhatTheirNamesSay)
     EXPECT_TRUE(function->ApplyPreset(preset));
     return function->Evaluate(Function::OPACITY, dBZ);
   };
-  EXPECT_EQ(Function::GetNumberOfPresets(), 11);
+  EXPECT_EQ(Function::GetNumberOfPresets(), 12);
   EXPECT_STREQ(Function::GetPresetName(0), "all echo");
-  EXPECT_EQ(Function::GetPresetName(11), nullptr);
+  EXPECT_EQ(Function::GetPresetName(12), nullptr);
   EXPECT_GT(opacity("all echo", 15.0), 0.0);
   EXPECT_EQ(opacity("all echo", 4.0), 0.0);
   EXPECT_EQ(opacity("storm cores", 25.0), 0.0);
@@ -217,7 +217,8 @@ TEST(TransferFunction, EveryMomentHasAPreset)
   }
   EXPECT_STREQ(Function::FindPreset("REF"), "all echo");
   EXPECT_STREQ(Function::FindPreset("REF", 4), "iso-values");
-  EXPECT_EQ(Function::FindPreset("REF", 5), nullptr);
+  EXPECT_STREQ(Function::FindPreset("REF", 5), "colour-blind safe");
+  EXPECT_EQ(Function::FindPreset("REF", 6), nullptr);
   EXPECT_EQ(Function::FindPreset("XYZ"), nullptr);
   EXPECT_EQ(Function::FindPreset(nullptr), nullptr);
   EXPECT_STREQ(Function::GetPresetArray(0), "REF");

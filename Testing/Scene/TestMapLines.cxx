@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/MapLines.h"
+#include "Scene/Map/MapNames.h"
 #include "Tolerance.h"
 
 #include "nexrad/System/Error.h"
@@ -100,4 +101,48 @@ TEST(MapLines, TheEmbeddedMapHasKnownPlaces)
   // The coast of Nova Scotia near Yarmouth.
   EXPECT_TRUE(Passes(MapLineKind::Country, -66.1, 43.8, 0.25));
   EXPECT_FALSE(Passes(MapLineKind::Country, -92.0, 38.5, 1.0)) << "inland Missouri";
+}
+
+// Shores in Canada at Toronto, on Georgian Bay at Parry Sound, of Lake Erie at Port Stanley and of
+// Lake Superior at Marathon; the border of Ontario with Quebec at Lake Timiskaming; and, in the
+// United States, the Great Salt Lake's western shore.
+TEST(MapLines, LakesHaveShoresOnBothSides)
+{
+  EXPECT_TRUE(Passes(MapLineKind::Country, -79.38, 43.63, 0.08));
+  EXPECT_TRUE(Passes(MapLineKind::Country, -80.10, 45.33, 0.12));
+  EXPECT_TRUE(Passes(MapLineKind::Country, -81.21, 42.66, 0.10));
+  EXPECT_TRUE(Passes(MapLineKind::Country, -86.38, 48.72, 0.15));
+  EXPECT_TRUE(Passes(MapLineKind::State, -79.52, 47.40, 0.15));
+  EXPECT_TRUE(Passes(MapLineKind::Country, -112.9, 41.2, 0.25));
+  EXPECT_FALSE(Passes(MapLineKind::Country, -78.0, 43.63, 0.08)) << "open water of Lake Ontario";
+}
+
+TEST(MapNames, ReadsRowsAndRefusesOthers)
+{
+  const auto names = ParseMapNames("name,longitude_deg,latitude_deg\nNew York,-74.89,43.05\n");
+  ASSERT_EQ(names.size(), 1U);
+  EXPECT_EQ(names[0].name, "New York");
+  EXPECT_EQ(names[0].longitude, -74.89);
+  EXPECT_EQ(names[0].latitude, 43.05);
+  for (const char* wrong : {"Ohio", "Ohio,-83.0", "Ohio,-83.0,40.1,5", ",-83.0,40.1", "Ohio,x,y"})
+  {
+    EXPECT_THROW(ParseMapNames(std::string("heading\n") + wrong + "\n"), Error) << wrong;
+  }
+}
+
+TEST(MapNames, TheEmbeddedOnesLieInTheirStates)
+{
+  const auto& names = EmbeddedMapNames();
+  const auto find = [&](const std::string& wanted)
+  {
+    return *std::find_if(
+      names.begin(), names.end(), [&](const MapName& name) { return name.name == wanted; });
+  };
+  EXPECT_GE(names.size(), 60U);
+  const MapName kansas = find("Kansas");
+  EXPECT_NEAR(kansas.longitude, -98.3, 2.5);
+  EXPECT_NEAR(kansas.latitude, 38.5, 1.0);
+  const MapName ontario = find("Ontario");
+  EXPECT_NEAR(ontario.latitude, 50.0, 3.5);
+  EXPECT_LT(find("Michigan").latitude, 45.8) << "the lower peninsula";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Plan/PlanLayer.h"
+#include "Scene/Elements/Theme.h"
 #include "Scene/RadarScene.h"
 #include "Scene/VolumeAppearance.h"
 #include "ScenePicture.h"
@@ -118,7 +118,7 @@ TEST(Scene, ShowsStormMapAndColourBar)
 }
 
 // 20 m/s towards the radar in the west, away from it in the east, no echo elsewhere. The picture:
-// two slabs, one green and one red, and the bar from -50 to 50 m/s.
+// two slabs, one green and one red, and the bar from -60 to 50 m/s.
 TEST(Scene, VelocitiesOfBothSignsAreSeen)
 {
   GriddedVolume volume = nexrad::testing::MakeStorm(false);
@@ -133,9 +133,9 @@ TEST(Scene, VelocitiesOfBothSignsAreSeen)
   vtkNew<vtkImageData> image;
   vtkNexradVolumeToImage(volume, image);
   const auto isGreen = [](const std::array<int, 3>& rgb)
-  { return rgb[1] > 100 && rgb[1] > 2 * rgb[0] && rgb[1] > 2 * rgb[2]; };
+  { return rgb[1] > 100 && rgb[1] > 2 * rgb[0] && 2 * rgb[1] > 3 * rgb[2]; };
   const auto isRed = [](const std::array<int, 3>& rgb)
-  { return rgb[0] > 100 && rgb[0] > 2 * rgb[1] && rgb[0] > 2 * rgb[2]; };
+  { return rgb[0] > 100 && 2 * rgb[0] > 3 * rgb[1] && 2 * rgb[0] > 3 * rgb[2]; };
   const auto picture = Draw(image, "Velocity");
   EXPECT_AT_LEAST(Count(picture, withoutBar, isGreen), 10'000, "green pixels");
   EXPECT_AT_LEAST(Count(picture, withoutBar, isRed), 10'000, "red pixels");
@@ -235,17 +235,34 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
              rgb[2] == std::lround(255.0 * colour[2]);
     };
   };
-  // 360 pixels of height, of which the domain takes 278: a quarter of it is 70 wide.
-  const int grey = Count(picture, whole, isColour(notScannedColour));
-  EXPECT_AT_LEAST(grey / (70.0 * 278.0), 0.8, "part that was not scanned, in grey");
-  EXPECT_AT_MOST(grey / (70.0 * 278.0), 1.0, "part that was not scanned, in grey");
+  // The grey strip is as high as the domain and a quarter as wide.
+  const auto isGrey = isColour(ThemeOf(ThemeChoice::Dark).notScanned);
+  PictureArea strip = {1.0, 0.0, 1.0, 0.0};
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      if (isGrey(PixelOf(picture, x, y)))
+      {
+        strip = {std::min(strip.left, x / 640.0), std::max(strip.right, (x + 1) / 640.0),
+          std::min(strip.bottom, y / 360.0), std::max(strip.top, (y + 1) / 360.0)};
+      }
+    }
+  }
+  const double height = (strip.top - strip.bottom) * 360.0;
+  EXPECT_GT(height, 180.0);
+  EXPECT_NEAR((strip.right - strip.left) * 640.0, height / 4.0, 2.0);
+  EXPECT_AT_LEAST(Count(picture, strip, isGrey) / (height * height / 4.0), 0.8,
+    "part that was not scanned, in grey");
+  // The echo of 35 dBZ and more, in the south west, covers a disc of a radius of 33 km or more.
+  const double west = strip.right - height / 640.0;
+  const double east = strip.right - 0.5 * height / 640.0;
+  const double middle = 0.5 * (strip.bottom + strip.top);
+  const PictureArea southWest = {west, east, strip.bottom, middle};
   const Colour core = ColourStepsOf(MakeTransferFunction({}))[11].colour; // 60 to 65 dBZ, 4 voxels
-  EXPECT_AT_LEAST(
-    Count(picture, {0.25, 0.5, 0.1, 0.5}, isColour(core)), 60, "pixels of the core's colour");
-  // The echo of 35 dBZ and more covers a disc of a radius of 33 km or more: flat colours of bins.
-  EXPECT_AT_LEAST(
-    Count(picture, {0.25, 0.5, 0.1, 0.5}, IsStrongEcho), 600, "pixels of strong echo");
-  EXPECT_EQ(Count(picture, {0.5, 0.75, 0.1, 0.9}, isColour(core)), 0);
+  EXPECT_AT_LEAST(Count(picture, southWest, isColour(core)), 30, "pixels of the core's colour");
+  EXPECT_AT_LEAST(Count(picture, southWest, IsStrongEcho), 400, "pixels of strong echo");
+  EXPECT_EQ(Count(picture, {east, strip.right, strip.bottom, strip.top}, isColour(core)), 0);
 }
 
 TEST(Scene, AVolumeThatChangesIsDrawnAnew)

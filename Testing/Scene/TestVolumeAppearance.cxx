@@ -52,13 +52,13 @@ TEST(VolumeAppearance, TheProgramsPresetsAreThoseOfTheTransferFunction)
 
 TEST(VolumeAppearance, EveryMomentHasItsOwnLook)
 {
-  EXPECT_EQ(ColourStepsOf(MakeTransferFunction({}, "VEL")).front().from, -50.0);
+  EXPECT_EQ(ColourStepsOf(MakeTransferFunction({}, "VEL")).front().from, -60.0);
   EXPECT_EQ(ColourStepsOf(MakeTransferFunction({}, "RHO")).back().from, 1.0);
   EXPECT_EQ(ColourStepsOf(MakeTransferFunction({}, "my own array")).front().from, 5.0)
     << "that of reflectivity";
   SceneOptions options;
   options.preset = "velocity";
-  EXPECT_EQ(ColourStepsOf(MakeTransferFunction(options, "VEL")).front().from, -50.0);
+  EXPECT_EQ(ColourStepsOf(MakeTransferFunction(options, "VEL")).front().from, -60.0);
   try
   {
     MakeTransferFunction(options, "REF");

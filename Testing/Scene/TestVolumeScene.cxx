@@ -80,6 +80,18 @@ TEST(VolumeScene, DrawsAnotherPresetFromAnotherSide)
   ExpectSceneBaseline(DrawStorm(set), "StormCores");
 }
 
+// The picture: the storm and its letters over a pale ground, with the names of two states.
+TEST(VolumeScene, DrawsALightTheme)
+{
+  const auto set = [](vtkNexradVolumeScene* scene)
+  {
+    scene->SetThemeToLight();
+    scene->PlaceNamesOn();
+    scene->SetPreset("colour-blind safe");
+  };
+  ExpectSceneBaseline(DrawStorm(set), "StormLight");
+}
+
 // A scene whose settings change between two pictures draws the second as one that had them at once.
 TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
 {
@@ -94,6 +106,9 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetMapperToRayCast(); }},
     {"slices", [](vtkNexradVolumeScene* scene) { scene->SetNumberOfSlices(11); }},
     {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
+    {"theme", [](vtkNexradVolumeScene* scene) { scene->SetThemeToLight(); }},
+    {"walls", [](vtkNexradVolumeScene* scene) { scene->HeightWallsOff(); }},
+    {"names", [](vtkNexradVolumeScene* scene) { scene->PlaceNamesOn(); }},
     {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},
     {"height", [](vtkNexradVolumeScene* scene)
       {

@@ -49,6 +49,15 @@ double ParseRingSpacing(const std::string& text)
   return spacing;
 }
 
+scene::ThemeChoice ParseTheme(const std::string& text)
+{
+  if (text != "dark" && text != "light")
+  {
+    throw Error("'" + text + "' is no theme; write dark or light");
+  }
+  return text == "light" ? scene::ThemeChoice::Light : scene::ThemeChoice::Dark;
+}
+
 } // namespace
 
 void AddInputOptions(CLI::App& command, scene::InputRequest& request)
@@ -96,7 +105,7 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   command
     .add_option("--preset", options.preset,
-      "Colours and opacities: five of REF, then one of each other moment (default: the first of "
+      "Colours and opacities: six of REF, then one of each other moment (default: the first of "
       "the moment)")
     ->check(CLI::IsMember(
       std::vector<std::string>(std::begin(scene::presetNames), std::end(scene::presetNames))))
@@ -110,6 +119,16 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   AddParsedOption(command, "--rings", options.ringSpacing, ParseRingSpacing, "LENGTH",
     "Rings of range about each radar at multiples of this, m or km; 0: none", "0")
+    ->group(group);
+  AddParsedOption(command, "--theme", options.theme, ParseTheme, "NAME",
+    "dark: light letters over a dark ground; light: dark letters over a pale one", "dark")
+    ->group(group);
+  command
+    .add_flag_callback(
+      "--no-walls", [&options] { options.heightWalls = false; },
+      "No lines of equal height on the walls behind the volume")
+    ->group(group);
+  command.add_flag("--names", options.placeNames, "Names of states and provinces on the map")
     ->group(group);
 }
 

@@ -2,6 +2,7 @@
 #include "Sheets/PictureSheet.h"
 
 #include "Drawing/PictureWindow.h"
+#include "Scene/Elements/Letters.h"
 #include "Scene/Elements/SceneText.h"
 
 #include <vtkActor2D.h>
@@ -79,7 +80,7 @@ void AddText(vtkRenderer* renderer, const Layout& layout, const std::string& tex
   const auto caption = MakeCaption(text,
     {static_cast<double>(place[0]) / size[0], static_cast<double>(place[1]) / size[1]},
     title ? layout.letters * 6 / 5 : layout.letters, textColour, LabelSide::Right);
-  caption->GetTextProperty()->SetBold(title ? 1 : 0);
+  SetFace(caption->GetTextProperty(), title);
   renderer->AddActor2D(caption);
 }
 

@@ -6,21 +6,19 @@ namespace
 
 using Preset = vtkNexradMomentPreset;
 
-vtkNexradColorMap::Color ColorOf(unsigned code)
-{
-  const auto part = [code](unsigned shift) { return (code >> shift & 0xFFU) / 255.0; };
-  return {part(16), part(8), part(0)};
-}
-
-// Towards the radar green, away from it red, grey about zero; brighter where faster, and beyond
-// 32 m/s, which few radars can tell, in colours of their own. The fast is opaque.
+// Towards the radar green, away from it red, a light grey within 1 m/s of zero; from 32 m/s on, which
+// few radars measure unfolded, blue and yellow. Steps of the same speed have the same lightness, and
+// both sides become lighter from 1 m/s on, so that a couplet looks like one. The green is bluish,
+// which those who do not tell red from green see. The steps are narrow at small speeds, where the
+// wind relative to a storm lies. The fast is opaque.
 Preset Velocity()
 {
   return {"velocity", "VEL",
-    {{-50.0, 0x3F9CF0}, {-40.0, 0x5FD4F0}, {-32.0, 0x8FF5D0}, {-26.0, 0x66F55C}, {-20.0, 0x27DD35},
-      {-15.0, 0x17B52C}, {-10.0, 0x138F24}, {-5.0, 0x126B1E}, {-1.0, 0x8C8C8C}, {1.0, 0x7A1216},
-      {5.0, 0xA0171B}, {10.0, 0xC81D20}, {15.0, 0xEE2B2B}, {20.0, 0xFF5A4A}, {26.0, 0xFF8A78},
-      {32.0, 0xFFA860}, {40.0, 0xFFC860}, {50.0, 0xFFF09A}},
+    {{-60.0, 0xD9EEFE}, {-50.0, 0x85E5FF}, {-40.0, 0x09DDDB}, {-32.0, 0x22CDA8}, {-25.0, 0x02B86F},
+      {-20.0, 0x00A065}, {-15.0, 0x038857}, {-10.0, 0x00754C}, {-6.0, 0x006140}, {-3.0, 0x0A5136},
+      {-1.0, 0x8C8C8C}, {1.0, 0x82252C}, {3.0, 0x9C2B33}, {6.0, 0xB9353A}, {10.0, 0xD73F41},
+      {15.0, 0xF4534C}, {20.0, 0xFF7766}, {25.0, 0xFF9C83}, {32.0, 0xFFB781}, {40.0, 0xFFCF8C},
+      {50.0, 0xFEEC8A}},
     60.0,
     {{-50.0, 0.8}, {-32.0, 0.6}, {-20.0, 0.3}, {-10.0, 0.1}, {-5.0, 0.04}, {-2.0, 0.012},
       {0.0, 0.008}, {2.0, 0.012}, {5.0, 0.04}, {10.0, 0.1}, {20.0, 0.3}, {32.0, 0.6}, {50.0, 0.8}}};
@@ -30,7 +28,7 @@ Preset Velocity()
 Preset SpectrumWidth()
 {
   return {"spectrum width", "SW",
-    {{0.0, 0x5A5A5A}, {1.0, 0x7D7D7D}, {2.0, 0x3F6FB0}, {3.0, 0x3A93D0}, {4.0, 0x2DB08C},
+    {{0.0, 0x4A4A4A}, {1.0, 0x666666}, {2.0, 0x3F6FB0}, {3.0, 0x3A93D0}, {4.0, 0x2DB08C},
       {5.0, 0x38B83C}, {6.0, 0x9ACB2E}, {8.0, 0xF2E033}, {10.0, 0xF5A623}, {12.0, 0xEC5A24},
       {15.0, 0xD0202A}, {20.0, 0xE65BD8}},
     25.0,
@@ -86,6 +84,12 @@ Preset ClutterPower()
 
 } // namespace
 
+vtkNexradColorMap::Color vtkNexradColorOf(unsigned code)
+{
+  const auto part = [code](unsigned shift) { return (code >> shift & 0xFFU) / 255.0; };
+  return {part(16), part(8), part(0)};
+}
+
 const std::vector<vtkNexradMomentPreset>& vtkNexradMomentPresets()
 {
   static const std::vector<Preset> presets = {Velocity(), SpectrumWidth(),
@@ -101,7 +105,7 @@ vtkNexradColorMap vtkNexradMakeColorMap(const vtkNexradMomentPreset& preset)
   for (std::size_t i = 0; i < preset.Steps.size(); ++i)
   {
     const double end = i + 1 < preset.Steps.size() ? preset.Steps[i + 1].From : preset.End;
-    const vtkNexradColorMap::Color color = ColorOf(preset.Steps[i].Color);
+    const vtkNexradColorMap::Color color = vtkNexradColorOf(preset.Steps[i].Color);
     map.Bins.push_back({preset.Steps[i].From, end, color, color});
   }
   map.MakeColorNodesFromBins();

@@ -25,6 +25,9 @@ struct vtkNexradMomentPreset
 
 const std::vector<vtkNexradMomentPreset>& vtkNexradMomentPresets();
 
+/// The colour of a code 0xRRGGBB.
+vtkNexradColorMap::Color vtkNexradColorOf(unsigned code);
+
 /// The colour map of a preset.
 vtkNexradColorMap vtkNexradMakeColorMap(const vtkNexradMomentPreset& preset);
 

@@ -22,6 +22,13 @@ using Nodes = std::vector<vtkNexradColorMap::Node>;
 const std::vector<vtkNexradIsoShell> isoShells = {{20.0, 0.35}, {35.0, 0.55}, {50.0, 0.95}};
 constexpr double shellHalfWidth = 2.0; // dBZ
 
+enum class Colors
+{
+  WeatherService,
+  ClearAir,
+  EvenLightness
+};
+
 // Opacities of 5 km of the scene of nexrad3d, whose heights are stretched eight times. Of "all
 // echo": 40 km of it (5 km of height) through rain of 20 dBZ hide four tenths of the map, through
 // 30 dBZ seven tenths, and 10 km through a core of 50 dBZ look solid.
@@ -29,28 +36,32 @@ struct Preset
 {
   const char* Name;
   Nodes Opacity;
-  bool ClearAir;
+  Colors Table;
   std::vector<vtkNexradIsoShell> Shells;
 };
 
+Nodes AllEcho()
+{
+  return {{5.0, 0.0}, {10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25}, {50.0, 0.75},
+    {60.0, 0.93}, {75.0, 0.98}};
+}
+
 const std::vector<Preset>& Presets()
 {
-  static const std::vector<Preset> presets = {
-    {"all echo",
-      {{5.0, 0.0}, {10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25}, {50.0, 0.75},
-        {60.0, 0.93}, {75.0, 0.98}},
-      false, {}},
+  static const std::vector<Preset> presets = {{"all echo", AllEcho(), Colors::WeatherService, {}},
     {"storm cores",
       {{30.0, 0.0}, {35.0, 0.01}, {40.0, 0.05}, {45.0, 0.3}, {50.0, 0.75}, {60.0, 0.95},
         {75.0, 0.98}},
-      false, {}},
+      Colors::WeatherService, {}},
     {"hail", {{45.0, 0.0}, {48.0, 0.01}, {50.0, 0.05}, {55.0, 0.5}, {60.0, 0.9}, {75.0, 0.98}},
-      false, {}},
+      Colors::WeatherService, {}},
     {"clear air",
       {{-25.0, 0.0}, {-20.0, 0.02}, {-10.0, 0.06}, {0.0, 0.12}, {10.0, 0.2}, {20.0, 0.3},
         {40.0, 0.5}},
-      true, {}},
-    {"iso-values", vtkNexradIsoShells(isoShells, shellHalfWidth), false, isoShells}};
+      Colors::ClearAir, {}},
+    {"iso-values", vtkNexradIsoShells(isoShells, shellHalfWidth), Colors::WeatherService,
+      isoShells},
+    {"colour-blind safe", AllEcho(), Colors::EvenLightness, {}}};
   return presets;
 }
 
@@ -65,6 +76,25 @@ void AddClearAirColors(vtkNexradColorMap& map)
   map.Bins.insert(map.Bins.begin(), {{-30.0, -5.0, dark, light}, {-5.0, first, light, pale}});
 }
 
+// Steps of 5 dBZ from 5 dBZ on. Each is lighter than the one before by 4.9 in CIELAB, from a dark
+// blue over violet and red to a pale yellow. The lightness was set; hue and chroma were searched
+// for the largest difference of neighbours to eyes with all cones, without those for green
+// (deuteranopia) and without those for red (protanopia).
+void LoadEvenColors(vtkNexradColorMap& map)
+{
+  constexpr unsigned codes[] = {0x003E77, 0x004698, 0x3648B9, 0x5952BA, 0x8158B9, 0xB453AF,
+    0xD756A0, 0xFB567E, 0xFE736F, 0xFF8D65, 0xFFA45E, 0xFFBB49, 0xF4D426, 0xEEE858, 0xF5F692};
+  constexpr double width = 5.0; // dBZ
+  double from = 5.0;
+  for (const unsigned code : codes)
+  {
+    const vtkNexradColorMap::Color color = vtkNexradColorOf(code);
+    map.Bins.push_back({from, from + width, color, color});
+    from += width;
+  }
+  map.MakeColorNodesFromBins();
+}
+
 void LoadWeatherServiceColors(vtkNexradColorMap& map)
 {
   const std::string text(nexrad::embedded::reflectivityColours,
@@ -72,6 +102,21 @@ void LoadWeatherServiceColors(vtkNexradColorMap& map)
   vtkNexradColorMapText::ParseTable(text, map);
   // A table of colours says nothing of opacity.
   map.Channels[3].clear();
+}
+
+void LoadColors(Colors table, vtkNexradColorMap& map)
+{
+  if (table == Colors::EvenLightness)
+  {
+    LoadEvenColors(map);
+    return;
+  }
+  LoadWeatherServiceColors(map);
+  if (table == Colors::ClearAir)
+  {
+    AddClearAirColors(map);
+    map.MakeColorNodesFromBins();
+  }
 }
 
 } // namespace
@@ -137,12 +182,7 @@ bool vtkNexradTransferFunctionPreset(const std::string& name, vtkNexradColorMap&
     {
       map = vtkNexradColorMap();
       map.Name = name;
-      LoadWeatherServiceColors(map);
-      if (preset.ClearAir)
-      {
-        AddClearAirColors(map);
-        map.MakeColorNodesFromBins();
-      }
+      LoadColors(preset.Table, map);
       map.Channels[3] = preset.Opacity;
       for (const vtkNexradIsoShell& shell : preset.Shells)
       {

@@ -35,6 +35,24 @@ void LineBuilder::Add(const std::vector<ScenePoint>& points)
   }
 }
 
+std::vector<std::vector<ScenePoint>> LineBuilder::Polylines() const
+{
+  std::vector<std::vector<ScenePoint>> polylines;
+  for (vtkIdType i = 0; i < lines->GetNumberOfLines(); ++i)
+  {
+    vtkIdType count = 0;
+    const vtkIdType* ids = nullptr;
+    lines->GetLines()->GetCellAtId(i, count, ids);
+    polylines.emplace_back();
+    for (vtkIdType k = 0; k < count; ++k)
+    {
+      polylines.back().emplace_back();
+      lines->GetPoint(ids[k], polylines.back().back().data());
+    }
+  }
+  return polylines;
+}
+
 vtkSmartPointer<vtkActor> LineBuilder::MakeActor(
   const Colour& colour, double width, double opacity) const
 {

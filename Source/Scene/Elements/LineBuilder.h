@@ -25,6 +25,9 @@ public:
 
   void Add(const std::vector<ScenePoint>& points);
 
+  /// What was added.
+  std::vector<std::vector<ScenePoint>> Polylines() const;
+
   /// An unlit actor. `width` in pixels, `opacity` 0…1.
   vtkSmartPointer<vtkActor> MakeActor(
     const Colour& colour, double width, double opacity = 1.0) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Elements/SceneText.h"
 
+#include "Scene/Elements/Letters.h"
+
 #include <vtkCoordinate.h>
 #include <vtkTextActor.h>
 #include <vtkTextProperty.h>
@@ -17,7 +19,7 @@ vtkSmartPointer<vtkTextActor> MakeText(
   actor->SetInput(text.c_str());
   actor->SetTextScaleModeToNone();
   vtkTextProperty* property = actor->GetTextProperty();
-  property->SetFontFamilyToArial();
+  SetFace(property, false);
   property->SetFontSize(size);
   property->SetColor(colour[0], colour[1], colour[2]);
   // Bright echo may lie behind the letters.
@@ -33,7 +35,7 @@ vtkSmartPointer<vtkTextActor> MakeText(
     property->SetJustificationToLeft();
     property->SetVerticalJustificationToCentered();
     break;
-  case LabelSide::Below:
+  default:
     property->SetJustificationToCentered();
     property->SetVerticalJustificationToTop();
     break;

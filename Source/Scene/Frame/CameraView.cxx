@@ -58,21 +58,45 @@ struct Extent
   }
 };
 
+// Middle of the box about the points.
+Vector MiddleOf(const std::vector<Vector>& points)
+{
+  Vector middle{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const auto [least, most] = std::minmax_element(points.begin(), points.end(),
+      [axis](const Vector& a, const Vector& b) { return a[axis] < b[axis]; });
+    middle[axis] = ((*least)[axis] + (*most)[axis]) / 2.0;
+  }
+  return middle;
+}
+
 } // namespace
 
 void PointCamera(vtkCamera* camera, const CameraView& view, const std::array<double, 6>& box,
   double aspect, const PictureArea& area)
 {
+  std::vector<Vector> corners;
+  for (int corner = 0; corner < 8; ++corner)
+  {
+    corners.push_back({box[corner & 1], box[2 + (corner >> 1 & 1)], box[4 + (corner >> 2)]});
+  }
+  PointCamera(camera, view, corners, aspect, area);
+}
+
+void PointCamera(vtkCamera* camera, const CameraView& view, const std::vector<Vector>& points,
+  double aspect, const PictureArea& area)
+{
   const Axes axes = AxesOf(view);
-  const Vector centre = {(box[0] + box[1]) / 2.0, (box[2] + box[3]) / 2.0, (box[4] + box[5]) / 2.0};
+  const Vector centre = MiddleOf(points);
   const double half = view.parallel ? 1.0 : std::tan(viewAngle / 2.0 * radians);
   Extent across{area.left * half * aspect, area.right * half * aspect};
   Extent upward{area.bottom * half, area.top * half};
   double radius = 0.0;
-  for (int corner = 0; corner < 8; ++corner)
+  for (const Vector& scenePoint : points)
   {
-    const Vector point = {box[corner & 1] - centre[0], box[2 + (corner >> 1 & 1)] - centre[1],
-      box[4 + (corner >> 2)] - centre[2]};
+    const Vector point = {
+      scenePoint[0] - centre[0], scenePoint[1] - centre[1], scenePoint[2] - centre[2]};
     const double nearer = view.parallel ? 0.0 : Dot(point, axes.back);
     across.Add(Dot(point, axes.right), nearer);
     upward.Add(Dot(point, axes.up), nearer);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 class vtkCamera;
 
@@ -31,6 +32,10 @@ struct PictureArea
 /// picture whose width is `aspect` times its height.
 void PointCamera(vtkCamera* camera, const CameraView& view, const std::array<double, 6>& box,
   double aspect, const PictureArea& area);
+
+/// The same for points of the scene; at least one.
+void PointCamera(vtkCamera* camera, const CameraView& view,
+  const std::vector<std::array<double, 3>>& points, double aspect, const PictureArea& area);
 
 /// The camera's right-hand direction, a unit vector on the ground.
 std::array<double, 2> RightOf(const CameraView& view);

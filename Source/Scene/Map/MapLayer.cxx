@@ -2,8 +2,9 @@
 #include "Scene/Map/MapLayer.h"
 
 #include "Scene/Elements/LineBuilder.h"
-#include "Scene/Elements/SceneText.h"
+#include "Scene/Elements/Marker.h"
 #include "Scene/Map/MapLines.h"
+#include "Scene/Map/MapNames.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/SiteTable.h"
 
@@ -12,7 +13,6 @@
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
-#include <vtkTextActor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -22,16 +22,8 @@ namespace nexrad::scene
 namespace
 {
 
-struct LineStyle
-{
-  Colour colour;
-  double width; // pixels
-};
-// Indexed by MapLineKind.
-constexpr std::array<LineStyle, 3> lineStyles = {
-  LineStyle{{0.62, 0.68, 0.74}, 2.0}, {{0.50, 0.55, 0.60}, 1.6}, {{0.235, 0.27, 0.305}, 1.0}};
-constexpr Colour ringColour = {0.30, 0.42, 0.50};
-constexpr Colour markerColour = {1.0, 1.0, 1.0};
+// Pixels, indexed by MapLineKind.
+constexpr std::array<double, 3> lineWidths = {2.0, 1.6, 1.0};
 constexpr double ringRange = 230'000.0; // m, of the WSR-88D's quantitative reflectivity
 constexpr double degrees = 180.0 / 3.14159265358979323846;
 
@@ -133,8 +125,9 @@ bool Touches(const MapLine& line, const GeographicBounds& reach)
     });
 }
 
-void AddMapLines(std::vector<vtkSmartPointer<vtkProp>>& props, const SceneFrame& frame)
+void AddMapLines(SceneLayer& layer, const SceneFrame& frame, const Theme& theme)
 {
+  const std::array<Colour, 3> colours = {theme.country, theme.state, theme.county};
   constexpr std::array<Level, 3> levels = {Level::Countries, Level::States, Level::Counties};
   std::array<LineBuilder, 3> builders;
   const GeographicBounds reach = ReachOf(frame);
@@ -154,11 +147,11 @@ void AddMapLines(std::vector<vtkSmartPointer<vtkProp>>& props, const SceneFrame&
   }
   for (std::size_t kind = 0; kind < builders.size(); ++kind)
   {
-    props.push_back(builders[kind].MakeActor(lineStyles[kind].colour, lineStyles[kind].width));
+    layer.props.push_back(builders[kind].MakeActor(colours[kind], lineWidths[kind]));
   }
 }
 
-vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame)
+vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame, const Colour& colour)
 {
   const auto& box = frame.Bounds();
   const double height = HeightOf(frame, Level::Ground);
@@ -170,7 +163,7 @@ vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame)
   mapper->SetInputConnection(plane->GetOutputPort());
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(groundColour[0], groundColour[1], groundColour[2]);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->LightingOff();
   return actor;
 }
@@ -190,14 +183,29 @@ std::vector<std::array<double, 2>> Circle(const std::array<double, 2>& centre, d
   return points;
 }
 
-void AddSites(std::vector<vtkSmartPointer<vtkProp>>& props, const SceneFrame& frame,
-  const std::vector<std::string>& sites, double ringSpacing, int textSize)
+bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& box)
 {
-  LineBuilder markers;
+  return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3];
+}
+
+void AddSite(SceneLayer& layer, const SceneFrame& frame, const std::string& name,
+  const std::array<double, 2>& place, int textSize, const Theme& theme)
+{
+  const double radius = std::max(2.0, 0.19 * textSize); // pixels
+  const ScenePoint point = {place[0], place[1], HeightOf(frame, Level::Markers)};
+  layer.props.push_back(MakeMarker(point, radius, theme.marker, theme.rim));
+  layer.labels.push_back({name, point, {textSize, theme.marker, theme.rim},
+    {LabelSide::Right, LabelSide::AboveRight, LabelSide::BelowRight, LabelSide::Left,
+      LabelSide::AboveLeft, LabelSide::BelowLeft, LabelSide::Above, LabelSide::Below},
+    radius + 0.35 * textSize});
+}
+
+void AddSites(SceneLayer& layer, const SceneFrame& frame, const MapContents& contents, int textSize,
+  const Theme& theme)
+{
   LineBuilder rings;
   const auto box = Rectangle(frame);
-  const double markerSize = 6e-3 * (box[1] - box[0]);
-  for (const std::string& name : sites)
+  for (const std::string& name : contents.sites)
   {
     const KnownSite* site = FindSite(name);
     if (site == nullptr)
@@ -205,24 +213,36 @@ void AddSites(std::vector<vtkSmartPointer<vtkProp>>& props, const SceneFrame& fr
       continue;
     }
     const auto place = frame.Place(site->position.longitude, site->position.latitude);
-    for (int ring = 1; ringSpacing > 0.0 && ring * ringSpacing <= ringRange; ++ring)
+    const double spacing = contents.ringSpacing;
+    for (int ring = 1; spacing > 0.0 && ring * spacing <= ringRange; ++ring)
     {
-      AddClipped(rings, Circle(place, ring * ringSpacing), box, HeightOf(frame, Level::Rings));
+      AddClipped(rings, Circle(place, ring * spacing), box, HeightOf(frame, Level::Rings));
     }
-    if (place[0] < box[0] || place[0] > box[1] || place[1] < box[2] || place[1] > box[3])
+    if (IsWithin(place, box))
     {
-      continue;
+      AddSite(layer, frame, name, place, textSize, theme);
     }
-    const double height = HeightOf(frame, Level::Markers);
-    markers.Add(
-      {{place[0] - markerSize, place[1], height}, {place[0] + markerSize, place[1], height}});
-    markers.Add(
-      {{place[0], place[1] - markerSize, height}, {place[0], place[1] + markerSize, height}});
-    props.push_back(MakeLabel(
-      " " + name, {place[0], place[1], height}, textSize, markerColour, LabelSide::Right));
   }
-  props.push_back(rings.MakeActor(ringColour, 1.0));
-  props.push_back(markers.MakeActor(markerColour, 2.0));
+  layer.props.push_back(rings.MakeActor(theme.ring, 1.0));
+}
+
+void AddNames(SceneLayer& layer, const SceneFrame& frame, int textSize, const Theme& theme)
+{
+  const int letters = std::max(9, textSize * 5 / 6);
+  for (const MapName& name : EmbeddedMapNames())
+  {
+    const auto place = frame.Place(name.longitude, name.latitude);
+    if (IsWithin(place, Rectangle(frame)))
+    {
+      Label label;
+      label.text = name.name;
+      label.point = {place[0], place[1], HeightOf(frame, Level::Markers)};
+      label.style = {letters, theme.placeName, theme.rim};
+      label.sides = {LabelSide::Centre, LabelSide::Above, LabelSide::Below};
+      label.optional = true;
+      layer.labels.push_back(label);
+    }
+  }
 }
 
 } // namespace
@@ -232,16 +252,21 @@ double PictureHeight(const SceneFrame& frame)
   return HeightOf(frame, Level::Picture);
 }
 
-std::vector<vtkSmartPointer<vtkProp>> MakeMapLayer(
-  const SceneFrame& frame, const std::vector<std::string>& sites, double ringSpacing, int textSize)
+SceneLayer MakeMapLayer(
+  const SceneFrame& frame, const MapContents& contents, int textSize, const Theme& theme)
 {
-  std::vector<vtkSmartPointer<vtkProp>> props = {MakeGround(frame)};
+  SceneLayer layer;
+  layer.props.push_back(MakeGround(frame, theme.ground));
   if (frame.HasMap())
   {
-    AddMapLines(props, frame);
-    AddSites(props, frame, sites, ringSpacing, textSize);
+    AddMapLines(layer, frame, theme);
+    AddSites(layer, frame, contents, textSize, theme);
+    if (contents.names)
+    {
+      AddNames(layer, frame, textSize, theme);
+    }
   }
-  return props;
+  return layer;
 }
 
 } // namespace nexrad::scene

@@ -1,28 +1,31 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Elements/ColourTable.h"
+#include "Scene/Elements/Label.h"
+#include "Scene/Elements/Theme.h"
 #include "Scene/Frame/SceneFrame.h"
-
-#include <vtkSmartPointer.h>
 
 #include <string>
 #include <vector>
 
-class vtkProp;
-
 namespace nexrad::scene
 {
 
-constexpr Colour groundColour = {0.075, 0.09, 0.11};
+/// What the map shows beside its lines.
+struct MapContents
+{
+  std::vector<std::string> sites; ///< radars
+  double ringSpacing = 0.0;       ///< m; rings of range at its multiples up to 230 km; 0: none
+  bool names = false;             ///< of states and provinces
+};
 
 /// The scene height of a picture that lies on the ground, under the map's lines.
 double PictureHeight(const SceneFrame& frame);
 
-/// What lies on the ground under a volume: a dark plane, the map's lines cut at the domain's edge,
-/// and for each radar that the site table knows a marker with its name and rings of range.
-/// `ringSpacing` in m: rings at its multiples up to 230 km; 0 draws none. `textSize` in pixels.
-std::vector<vtkSmartPointer<vtkProp>> MakeMapLayer(
-  const SceneFrame& frame, const std::vector<std::string>& sites, double ringSpacing, int textSize);
+/// What lies on the ground under a volume: a plane, the map's lines cut at the domain's edge, and
+/// for each radar that the site table knows a marker, with its name as a label, and rings of range.
+/// `textSize` in pixels.
+SceneLayer MakeMapLayer(
+  const SceneFrame& frame, const MapContents& contents, int textSize, const Theme& theme);
 
 } // namespace nexrad::scene

@@ -12,8 +12,8 @@ namespace nexrad::scene
 /// What a line of the map separates.
 enum class MapLineKind : std::uint8_t
 {
-  Country = 0, ///< coasts, shores of the Great Lakes, borders of countries
-  State = 1,
+  Country = 0, ///< coasts, shores of lakes, borders of countries
+  State = 1,   ///< or province
   County = 2
 };
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Plan/PlanLayer.h"
 
-#include "Scene/Map/MapLayer.h"
-
 #include <vtkImageActor.h>
 #include <vtkImageData.h>
 #include <vtkImageSliceMapper.h>
@@ -16,21 +14,22 @@ namespace nexrad::scene
 namespace
 {
 
-Colour ColourOf(const PlanView& view, const ColourScale& scale, std::size_t column)
+Colour ColourOf(
+  const PlanView& view, const ColourScale& scale, std::size_t column, const Theme& theme)
 {
   switch (view.states[column])
   {
   case VoxelState::NotScanned:
-    return notScannedColour;
+    return theme.notScanned;
   case VoxelState::RangeFolded:
-    return rangeFoldedColour;
+    return theme.rangeFolded;
   case VoxelState::NoEcho:
-    return groundColour;
+    return theme.ground;
   default:
     break;
   }
   const int bin = FindBin(scale, static_cast<double>(view.values[column]));
-  return bin < 0 ? groundColour : scale.bins[static_cast<std::size_t>(bin)].colour;
+  return bin < 0 ? theme.ground : scale.bins[static_cast<std::size_t>(bin)].colour;
 }
 
 bool Holds(const PlanView& view, VoxelState state)
@@ -40,8 +39,8 @@ bool Holds(const PlanView& view, VoxelState state)
 
 } // namespace
 
-vtkSmartPointer<vtkProp> MakePlanLayer(
-  const PlanView& view, const ColourScale& scale, vtkImageData* placed, double height)
+vtkSmartPointer<vtkProp> MakePlanLayer(const PlanView& view, const ColourScale& scale,
+  vtkImageData* placed, double height, const Theme& theme)
 {
   vtkNew<vtkImageData> picture;
   picture->SetDimensions(view.width, view.height, 1);
@@ -51,7 +50,7 @@ vtkSmartPointer<vtkProp> MakePlanLayer(
   auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer());
   for (std::size_t column = 0; column < view.values.size(); ++column)
   {
-    for (const double component : ColourOf(view, scale, column))
+    for (const double component : ColourOf(view, scale, column, theme))
     {
       *pixel++ = static_cast<unsigned char>(std::lround(255.0 * component));
     }

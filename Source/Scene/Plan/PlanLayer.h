@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Elements/Theme.h"
 #include "Scene/Plan/PlanView.h"
 #include "Scene/Scales/ColourScale.h"
 
@@ -12,15 +13,11 @@ class vtkProp;
 namespace nexrad::scene
 {
 
-/// Colours of the map where there is no value.
-constexpr Colour notScannedColour = {0.17, 0.16, 0.16};
-constexpr Colour rangeFoldedColour = {0.42, 0.22, 0.52};
-
 /// A plan view in the colours of a scale, lying on the ground at the scene height `height`: each
 /// column of voxels a rectangle of one colour. Where there is no echo, or less than the scale's
 /// first value, the ground's colour. `placed` is the volume as the scene has it (SceneFrame).
-vtkSmartPointer<vtkProp> MakePlanLayer(
-  const PlanView& view, const ColourScale& scale, vtkImageData* placed, double height);
+vtkSmartPointer<vtkProp> MakePlanLayer(const PlanView& view, const ColourScale& scale,
+  vtkImageData* placed, double height, const Theme& theme);
 
 /// What the colours without a value mean, for a caption; empty when there are none.
 std::string PlanKey(const PlanView& view);

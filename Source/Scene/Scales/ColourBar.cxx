@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scales/ColourBar.h"
 
-#include "Scene/Elements/SceneText.h"
-
 #include <vtkActor2D.h>
 #include <vtkCellArray.h>
 #include <vtkCellData.h>
@@ -10,29 +8,54 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 #include <vtkPolyDataMapper2D.h>
-#include <vtkTextActor.h>
+#include <vtkProperty2D.h>
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
 #include <string>
+#include <utility>
 
 namespace nexrad::scene
 {
 namespace
 {
 
-constexpr Colour textColour = {0.88, 0.90, 0.93};
 // Place of the bar in the picture, fractions.
 constexpr double barWidth = 0.02;
 constexpr double bottom = 0.10;
 constexpr double top = 0.88;
 
-// The bar's right edge: four letters and more stand beside it.
-double RightEdge(const std::array<int, 2>& size, int textSize)
+std::string LabelOf(const ColourScale& scale, std::size_t bin)
 {
-  return 1.0 - std::max(0.055, 4.2 * textSize / size[0]);
+  std::ostringstream label;
+  label << scale.bins[bin].from;
+  return scale.labels.empty() ? label.str() : scale.labels[bin];
+}
+
+double GapOf(const TextStyle& style)
+{
+  return 0.5 * style.size;
+}
+
+// The bar's right edge, a fraction of the width: the longest label stands beside it.
+double RightEdge(const ColourScale& scale, const std::array<int, 2>& size, const TextStyle& style,
+  TextPictures& pictures)
+{
+  int longest = 0;
+  for (std::size_t bin = 0; bin < scale.bins.size(); ++bin)
+  {
+    longest = std::max(longest, pictures.Get(LabelOf(scale, bin), style).Size()[0]);
+  }
+  return 1.0 - (longest + 2.0 * GapOf(style)) / size[0];
+}
+
+// Every how manieth label there is room for.
+std::size_t LabelStep(const ColourScale& scale, const std::array<int, 2>& size, int letters)
+{
+  const double boxHeight = (top - bottom) * size[1] / static_cast<double>(scale.bins.size());
+  return std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(1.15 * letters / boxHeight)));
 }
 
 double HeightOf(double bin, std::size_t bins)
@@ -74,33 +97,59 @@ vtkSmartPointer<vtkActor2D> MakeBoxes(
   return actor;
 }
 
-std::string LabelOf(const ColourScale& scale, std::size_t bin)
+vtkSmartPointer<vtkActor2D> MakeEdge(
+  const std::array<int, 2>& size, double right, const Colour& colour)
 {
-  std::ostringstream label;
-  label << scale.bins[bin].from;
-  return scale.labels.empty() ? label.str() : scale.labels[bin];
+  const double left = right - barWidth;
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkCellArray> line;
+  line->InsertNextCell(5);
+  for (const auto& [x, y] : {std::pair{left, bottom}, std::pair{right, bottom},
+         std::pair{right, top}, std::pair{left, top}, std::pair{left, bottom}})
+  {
+    line->InsertCellPoint(
+      points->InsertNextPoint(std::round(size[0] * x), std::round(size[1] * y), 0.0));
+  }
+  vtkNew<vtkPolyData> data;
+  data->SetPoints(points);
+  data->SetLines(line);
+  vtkNew<vtkPolyDataMapper2D> mapper;
+  mapper->SetInputData(data);
+  auto actor = vtkSmartPointer<vtkActor2D>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
+  return actor;
 }
 
 } // namespace
 
-double LeftOfColourBar(const std::array<int, 2>& size, int textSize)
+double LeftOfColourBar(const ColourScale& scale, const std::array<int, 2>& size,
+  const TextStyle& style, TextPictures& pictures)
 {
-  return RightEdge(size, textSize) - barWidth;
+  const double bar = (RightEdge(scale, size, style, pictures) - barWidth) * size[0];
+  const double unit = size[0] - GapOf(style) - pictures.Get(scale.unit, style).Size()[0];
+  return std::min(bar, unit);
 }
 
-std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(
-  const ColourScale& scale, const std::array<int, 2>& size, int textSize)
+std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(const ColourScale& scale,
+  const std::array<int, 2>& size, const TextStyle& style, const Colour& edge,
+  TextPictures& pictures)
 {
-  const double right = RightEdge(size, textSize);
-  std::vector<vtkSmartPointer<vtkProp>> props = {MakeBoxes(scale.bins, size, right)};
-  for (std::size_t i = 0; i < scale.bins.size(); ++i)
+  const double right = RightEdge(scale, size, style, pictures);
+  std::vector<vtkSmartPointer<vtkProp>> props = {
+    MakeBoxes(scale.bins, size, right), MakeEdge(size, right, edge)};
+  const std::size_t step = LabelStep(scale, size, style.size);
+  for (std::size_t i = 0; i < scale.bins.size(); i += step)
   {
     const double bin = static_cast<double>(i) + (scale.labels.empty() ? 0.0 : 0.5);
-    props.push_back(MakeCaption(LabelOf(scale, i),
-      {right + 0.008, HeightOf(bin, scale.bins.size())}, textSize, textColour, LabelSide::Right));
+    props.push_back(
+      pictures.Get(LabelOf(scale, i), style)
+        .MakeCaption(
+          {right + GapOf(style) / size[0], HeightOf(bin, scale.bins.size())}, LabelSide::Right));
   }
-  props.push_back(MakeCaption(scale.unit, {right - barWidth, top + 0.01 + 0.7 * textSize / size[1]},
-    textSize, textColour, LabelSide::Right));
+  const double left = LeftOfColourBar(scale, size, style, pictures) / size[0];
+  props.push_back(pictures.Get(scale.unit, style)
+                    .MakeCaption({left, top + 0.9 * style.size / size[1]}, LabelSide::Right));
   return props;
 }
 

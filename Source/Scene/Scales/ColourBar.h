@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Elements/TextPicture.h"
 #include "Scene/Scales/ColourScale.h"
 
 #include <vtkSmartPointer.h>
@@ -15,11 +16,14 @@ namespace nexrad::scene
 
 /// The colours of a scale as a column of boxes at the right edge of a picture of that size in
 /// pixels, with the values at which they begin, or their labels, and the unit above. The boxes show
-/// the colours of the scale exactly.
-std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(
-  const ColourScale& scale, const std::array<int, 2>& size, int textSize);
+/// the colours of the scale exactly, within a thin line of the colour `edge`. Where the boxes are
+/// lower than letters, some values are left out.
+std::vector<vtkSmartPointer<vtkProp>> MakeColourBar(const ColourScale& scale,
+  const std::array<int, 2>& size, const TextStyle& style, const Colour& edge,
+  TextPictures& pictures);
 
-/// The bar's left edge as a fraction of the picture's width.
-double LeftOfColourBar(const std::array<int, 2>& size, int textSize);
+/// Where the bar and its unit begin, in pixels from the left.
+double LeftOfColourBar(const ColourScale& scale, const std::array<int, 2>& size,
+  const TextStyle& style, TextPictures& pictures);
 
 } // namespace nexrad::scene

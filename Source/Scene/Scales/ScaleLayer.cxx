@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Scales/ScaleLayer.h"
 
-#include "Scene/Elements/LineBuilder.h"
-#include "Scene/Elements/SceneText.h"
+#include "Scene/Scales/HeightWalls.h"
 
 #include <vtkActor.h>
-#include <vtkTextActor.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,10 +14,6 @@ namespace nexrad::scene
 namespace
 {
 
-using Props = std::vector<vtkSmartPointer<vtkProp>>;
-
-constexpr Colour frameColour = {0.36, 0.40, 0.45};
-constexpr Colour textColour = {0.80, 0.84, 0.88};
 constexpr double steepTilt = 70.0; // degrees; above, heights have no length in the picture
 
 std::string Number(double value)
@@ -29,113 +23,107 @@ std::string Number(double value)
   return stream.str();
 }
 
-ScenePoint Corner(const std::array<double, 6>& box, int index)
-{
-  return {box[index & 1], box[2 + (index >> 1 & 1)], box[4 + (index >> 2)]};
-}
-
-// The corner of the ground that lies farthest along a direction.
-int FarthestCorner(const std::array<double, 6>& box, const std::array<double, 2>& direction)
-{
-  int best = 0;
-  double farthest = -1e30;
-  for (int corner = 0; corner < 4; ++corner)
-  {
-    const ScenePoint point = Corner(box, corner);
-    const double along = point[0] * direction[0] + point[1] * direction[1];
-    if (along > farthest)
-    {
-      farthest = along;
-      best = corner;
-    }
-  }
-  return best;
-}
-
-void AddFrame(Props& props, const std::array<double, 6>& box)
-{
-  LineBuilder lines;
-  for (int corner = 0; corner < 8; ++corner)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const int other = corner | 1 << axis;
-      if (other != corner)
-      {
-        lines.Add({Corner(box, corner), Corner(box, other)});
-      }
-    }
-  }
-  props.push_back(lines.MakeActor(frameColour, 1.0, 0.6));
-}
-
-void AddHeights(Props& props, const SceneFrame& frame, const CameraView& view, int textSize)
+void AddHeights(
+  ScaleLayer& layer, const SceneFrame& frame, const CameraView& view, const TextStyle& style)
 {
   const auto& box = frame.Bounds();
   const auto right = RightOf(view);
-  const ScenePoint foot = Corner(box, FarthestCorner(box, {-right[0], -right[1]}));
-  const double bottom = box[4] / frame.Exaggeration(); // km
-  const double top = box[5] / frame.Exaggeration();
-  const double step = RoundLength((top - bottom) / 3.0);
+  const ScenePoint foot = CornerOfBox(box, FarthestCorner(box, {-right[0], -right[1]}));
   const double tick = 0.012 * (box[1] - box[0]);
+  const std::vector<double> heights = RoundHeights(frame);
   LineBuilder ticks;
-  for (double height = std::ceil(bottom / step) * step; height <= top + 1e-6; height += step)
+  for (const double height : heights)
   {
     const double z = frame.Height(height * 1000.0);
     const ScenePoint end = {foot[0] - tick * right[0], foot[1] - tick * right[1], z};
     ticks.Add({{foot[0], foot[1], z}, end});
-    props.push_back(MakeLabel(Number(height) + (height + step > top + 1e-6 ? " km " : " "), end,
-      textSize, textColour, LabelSide::Left));
+    layer.labels.push_back({Number(height) + (height == heights.back() ? " km" : ""), end, style,
+      {LabelSide::Left}, 0.3 * style.size});
   }
-  props.push_back(ticks.MakeActor(textColour, 1.5));
+  layer.props.push_back(ticks.MakeActor(style.colour, 1.5));
 }
 
-void AddGroundScale(Props& props, const SceneFrame& frame, const CameraView& view, int textSize)
+// The ground edge that faces the camera most, and places before it.
+class NearEdge
 {
-  const auto& box = frame.Bounds();
-  const auto right = RightOf(view);
-  // The ground edge that faces the camera most: its outward normal lies in the plane of view.
-  const std::array<double, 2> toCamera = {right[1], -right[0]};
-  const bool alongX = std::abs(toCamera[1]) >= std::abs(toCamera[0]);
-  const int axis = alongX ? 0 : 1;
-  const int across = 1 - axis;
-  const double outward = toCamera[across] > 0.0 ? 1.0 : -1.0;
-  const double edge = box[2 * across + (outward > 0.0 ? 1 : 0)];
-  const double width = box[2 * axis + 1] - box[2 * axis];
-  const double length = RoundLength(width / 4.0);
-  const double tick = 0.015 * width;
-  const double base = edge + outward * 2.0 * tick;
-  // The bar starts at the end of the edge that is on the right in the picture.
-  const double sign = right[axis] > 0.0 ? 1.0 : -1.0;
-  const double start = box[2 * axis + (sign > 0.0 ? 1 : 0)];
-  const auto at = [&](double along, double out)
+public:
+  NearEdge(const SceneFrame& frame, const CameraView& view)
+    : box(frame.Bounds())
+  {
+    const auto right = RightOf(view);
+    // The edge's outward normal lies in the plane of view.
+    const std::array<double, 2> toCamera = {right[1], -right[0]};
+    axis = std::abs(toCamera[1]) >= std::abs(toCamera[0]) ? 0 : 1;
+    across = 1 - axis;
+    outward = toCamera[across] > 0.0 ? 1.0 : -1.0;
+    sign = right[axis] > 0.0 ? 1.0 : -1.0;
+  }
+
+  double Width() const { return box[2 * axis + 1] - box[2 * axis]; }
+
+  // The place so far along the edge from its end on the right in the picture, and so far before it.
+  ScenePoint At(double along, double before) const
   {
     ScenePoint point{};
-    point[axis] = start - sign * along;
-    point[across] = base + outward * out;
+    point[axis] = box[2 * axis + (sign > 0.0 ? 1 : 0)] - sign * along;
+    point[across] = box[2 * across + (outward > 0.0 ? 1 : 0)] + outward * before;
     point[2] = box[4];
     return point;
-  };
+  }
+
+  bool RunsNorth() const { return axis == 1; }
+
+private:
+  std::array<double, 6> box;
+  std::size_t axis = 0; // along the edge
+  std::size_t across = 1;
+  double outward = 1.0; // direction of `across` away from the domain
+  double sign = 1.0;    // direction of `axis` to the right in the picture
+};
+
+void AddLength(ScaleLayer& layer, const NearEdge& edge, const TextStyle& style)
+{
+  const double length = RoundLength(edge.Width() / 4.0);
+  const double tick = 0.015 * edge.Width();
+  const double before = 2.0 * tick;
   LineBuilder lines;
-  lines.Add({at(0.0, -0.5 * tick), at(0.0, 0.5 * tick)});
-  lines.Add({at(length, -0.5 * tick), at(length, 0.5 * tick)});
-  lines.Add({at(0.0, 0.0), at(length, 0.0)});
-  props.push_back(lines.MakeActor(textColour, 1.5));
-  props.push_back(MakeLabel(
-    Number(length) + " km", at(length / 2.0, 1.2 * tick), textSize, textColour, LabelSide::Below));
+  lines.Add({edge.At(0.0, before - 0.5 * tick), edge.At(0.0, before + 0.5 * tick)});
+  lines.Add({edge.At(length, before - 0.5 * tick), edge.At(length, before + 0.5 * tick)});
+  lines.Add({edge.At(0.0, before), edge.At(length, before)});
+  layer.props.push_back(lines.MakeActor(style.colour, 1.5));
+  layer.outline.push_back(edge.At(0.0, before + tick));
+  layer.outline.push_back(edge.At(length, before + tick));
+  layer.labels.push_back({Number(length) + " km", edge.At(length / 2.0, before + 0.5 * tick), style,
+    {LabelSide::Below}, 0.25 * style.size});
 }
 
-void AddNorth(Props& props, const SceneFrame& frame, int textSize)
+// An arrow on the ground at the left end of the edge, wholly before it.
+void AddNorth(ScaleLayer& layer, const NearEdge& edge, const TextStyle& style)
 {
-  const auto& box = frame.Bounds();
-  const double middle = (box[0] + box[1]) / 2.0;
-  const double size = 0.015 * (box[1] - box[0]);
+  const double length = 0.055 * edge.Width();
+  const double before = edge.RunsNorth() ? 0.5 * length : 0.3 * length;
+  ScenePoint tail = edge.At(edge.Width() - 0.4 * length, before);
+  if (edge.RunsNorth())
+  {
+    const ScenePoint end = edge.At(edge.Width() - 1.4 * length, before);
+    tail = tail[1] < end[1] ? tail : end;
+  }
+  else
+  {
+    const ScenePoint end = edge.At(edge.Width() - 0.4 * length, before + length);
+    tail = tail[1] < end[1] ? tail : end;
+  }
+  const auto at = [&](double east, double north) -> ScenePoint {
+    return {tail[0] + east * length, tail[1] + north * length, tail[2]};
+  };
   LineBuilder arrow;
-  arrow.Add({{middle - size, box[3] + 0.5 * size, box[4]}, {middle, box[3] + 2.5 * size, box[4]},
-    {middle + size, box[3] + 0.5 * size, box[4]}});
-  props.push_back(arrow.MakeActor(textColour, 1.5));
-  props.push_back(MakeLabel("N", {middle + 1.5 * size, box[3] + 2.0 * size, box[4]}, textSize,
-    textColour, LabelSide::Right));
+  arrow.Add({at(0.0, 0.0), at(0.0, 1.0)});
+  arrow.Add({at(-0.25, 0.6), at(0.0, 1.0), at(0.25, 0.6)});
+  layer.props.push_back(arrow.MakeActor(style.colour, 1.5));
+  layer.outline.push_back(at(0.0, 0.0));
+  layer.outline.push_back(at(0.0, 1.0));
+  layer.labels.push_back(
+    {"N", at(0.0, 0.5), style, {LabelSide::Right, LabelSide::Left}, 0.6 * style.size});
 }
 
 } // namespace
@@ -153,18 +141,30 @@ double RoundLength(double limit)
   return decade;
 }
 
-Props MakeScaleLayer(const SceneFrame& frame, const CameraView& view, int textSize)
+ScaleLayer MakeScaleLayer(
+  const SceneFrame& frame, const CameraView& view, bool walls, int textSize, const Theme& theme)
 {
-  Props props;
-  AddFrame(props, frame.Bounds());
-  const bool flat = frame.Bounds()[5] <= frame.Bounds()[4];
-  if (std::abs(view.tilt) < steepTilt && !flat)
+  const TextStyle style = {textSize, theme.scale, theme.rim};
+  ScaleLayer layer;
+  for (int corner = 0; corner < 8; ++corner)
   {
-    AddHeights(props, frame, view, textSize);
+    layer.outline.push_back(CornerOfBox(frame.Bounds(), corner));
   }
-  AddGroundScale(props, frame, view, textSize);
-  AddNorth(props, frame, textSize);
-  return props;
+  const bool flat = frame.Bounds()[5] <= frame.Bounds()[4];
+  const bool steep = std::abs(view.tilt) >= steepTilt;
+  layer.props.push_back(MakeEdges(frame, view, !steep && !flat)->MakeActor(theme.frame, 1.0));
+  if (!steep && !flat)
+  {
+    if (walls)
+    {
+      layer.props.push_back(MakeHeightLines(frame, view)->MakeActor(theme.wall, 1.0));
+    }
+    AddHeights(layer, frame, view, style);
+  }
+  const NearEdge edge(frame, view);
+  AddLength(layer, edge, style);
+  AddNorth(layer, edge, style);
+  return layer;
 }
 
 } // namespace nexrad::scene

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Captions/Captions.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+constexpr char warningWord[] = "SYNTHETIC";
+
+// Breaks words into lines of a width in pixels.
+std::string Wrap(const std::vector<std::string>& words, double width, const TextStyle& style,
+  TextPictures& pictures)
+{
+  std::string text;
+  std::string line;
+  for (const std::string& word : words)
+  {
+    const std::string longer = line.empty() ? word : line + " " + word;
+    if (!line.empty() && pictures.Get(longer, style).Size()[0] > width)
+    {
+      text += line + "\n";
+      line = word;
+    }
+    else
+    {
+      line = longer;
+    }
+  }
+  return text + line;
+}
+
+std::vector<std::string> WordsOf(const std::string& text)
+{
+  std::vector<std::string> words;
+  std::size_t begin = 0;
+  while (begin < text.size())
+  {
+    const std::size_t end = std::min(text.find(' ', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+// Puts captions into a picture, each beside a point in pixels.
+class Writer
+{
+public:
+  Writer(const std::array<int, 2>& pictureSize, TextPictures& textPictures)
+    : size(pictureSize)
+    , pictures(textPictures)
+  {
+  }
+
+  PixelBox BoxOf(const std::string& text, const TextStyle& style,
+    const std::array<double, 2>& point, LabelSide side) const
+  {
+    return pictures.Get(text, style).BoxAt(point, side, 0.0);
+  }
+
+  PixelBox Add(const std::string& text, const TextStyle& style, const std::array<double, 2>& point,
+    LabelSide side)
+  {
+    const PixelBox box = this->BoxOf(text, style, point, side);
+    layer.props.push_back(
+      pictures.Get(text, style).MakeCaption({point[0] / size[0], point[1] / size[1]}, side));
+    PixelBox taken = box;
+    const double eighth = size[0] / 8.0;
+    const bool centred = side == LabelSide::Below;
+    taken.right =
+      centred ? box.right : box.left + eighth * std::ceil((box.right - box.left) / eighth);
+    layer.taken.push_back(taken);
+    return box;
+  }
+
+  CaptionLayer layer;
+
+private:
+  std::array<int, 2> size;
+  TextPictures& pictures;
+};
+
+} // namespace
+
+std::string TimeText(const VolumeInformation& information)
+{
+  if (!information.time)
+  {
+    return "time unknown";
+  }
+  std::string text = FormatIso8601(*information.time).substr(0, 19);
+  text[10] = ' ';
+  return text + " UTC";
+}
+
+std::vector<std::string> SiteWords(const CaptionTexts& texts)
+{
+  const auto& sites = texts.information.sites;
+  std::vector<std::string> words;
+  if (!texts.ages.empty())
+  {
+    words = {"Age", "of", "the", "data:"};
+  }
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    std::string word = sites[i];
+    if (i < texts.ages.size() && texts.ages[i])
+    {
+      const long minutes = std::lround(*texts.ages[i]);
+      word += " " + (minutes < 1 ? std::string("< 1") : std::to_string(minutes)) + " min";
+    }
+    const bool last = i + 1 == sites.size();
+    words.push_back(word + (texts.ages.empty() || last ? "" : ","));
+  }
+  return words;
+}
+
+CaptionLayer MakeCaptions(const CaptionTexts& texts, const std::array<int, 2>& size, double right,
+  int textSize, const Theme& theme, TextPictures& pictures)
+{
+  const TextStyle title = {textSize * 3 / 2, theme.title, theme.rim, true};
+  const TextStyle note = {textSize, theme.note, theme.rim};
+  const TextStyle warning = {textSize * 5 / 2, theme.warning, theme.rim, true};
+  const double left = std::max(0.75 * textSize, 0.02 * size[0]);
+  const double top = size[1] - 0.75 * textSize;
+  Writer writer(size, pictures);
+  const std::string time = TimeText(texts.information);
+  const PixelBox timeBox = writer.Add(time, title, {left, top}, LabelSide::BelowRight);
+  // The warning stands in the middle, or beside the time; in a narrow picture below the others.
+  const double half = 0.5 * pictures.Get(warningWord, warning).Size()[0];
+  const double middle = std::max(0.5 * size[0], timeBox.right + left + half);
+  const bool above = texts.information.synthetic && middle + half < right;
+  const double width = (above ? middle - half : right) - 2.0 * left;
+  const auto& method = texts.information.method;
+  std::string lines = Wrap(
+    WordsOf(texts.title + (method.empty() ? "" : ", method " + method)), width, note, pictures);
+  lines += "\n" + Wrap(SiteWords(texts), width, note, pictures);
+  const PixelBox lineBox =
+    writer.Add(lines, note, {left, timeBox.bottom - 0.4 * textSize}, LabelSide::BelowRight);
+  writer.Add(Wrap(WordsOf(texts.note), right - 2.0 * left, note, pictures), note,
+    {left, 0.75 * textSize}, LabelSide::AboveRight);
+  if (above)
+  {
+    writer.Add(warningWord, warning, {middle, top}, LabelSide::Below);
+  }
+  else if (texts.information.synthetic)
+  {
+    writer.Add(
+      warningWord, warning, {left, lineBox.bottom - 0.3 * textSize}, LabelSide::BelowRight);
+  }
+  return writer.layer;
+}
+
+} // namespace nexrad::scene

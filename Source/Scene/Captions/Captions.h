@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Elements/TextPicture.h"
+#include "Scene/Elements/Theme.h"
+#include "Scene/Frame/VolumeInformation.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+class vtkProp;
+
+namespace nexrad::scene
+{
+
+/// What the captions of a picture say.
+struct CaptionTexts
+{
+  std::string title; ///< of what is shown
+  std::string note;  ///< what the heights are, or which voxels a map shows
+  VolumeInformation information;
+  std::vector<std::optional<double>> ages; ///< min, of the sites' data; empty when unknown
+};
+
+/// The captions, and the rectangles that they take. Their widths are rounded up to an eighth of the
+/// picture's, so that a letter more does not move the scene.
+struct CaptionLayer
+{
+  std::vector<vtkSmartPointer<vtkProp>> props;
+  std::vector<PixelBox> taken;
+};
+
+/// Time, what is shown, and radars with the age of their data in the upper left corner, the note in
+/// the lower left one, SYNTHETIC above where it is due. `right`: where the colour bar begins, in
+/// pixels.
+CaptionLayer MakeCaptions(const CaptionTexts& texts, const std::array<int, 2>& size, double right,
+  int textSize, const Theme& theme, TextPictures& pictures);
+
+/// "2010-09-11 01:20:00 UTC", or that it is unknown.
+std::string TimeText(const VolumeInformation& information);
+
+/// Radars, each with the age of its data where it is known.
+std::vector<std::string> SiteWords(const CaptionTexts& texts);
+
+} // namespace nexrad::scene

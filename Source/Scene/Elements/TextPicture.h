@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Elements/ColourTable.h"
+#include "Scene/Elements/LineBuilder.h"
+
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <map>
+#include <string>
+#include <tuple>
+
+class vtkImageData;
+class vtkProp;
+
+namespace nexrad::scene
+{
+
+/// How letters look.
+struct TextStyle
+{
+  int size = 16; ///< height of the letters in pixels
+  Colour colour{};
+  Colour rim{}; ///< of a thin line about the letters, which tells them from echo behind them
+  bool bold = false;
+};
+
+/// Where a label stands beside its point.
+enum class LabelSide
+{
+  Left,
+  Right,
+  Above,
+  Below,
+  AboveLeft,
+  AboveRight,
+  BelowLeft,
+  BelowRight,
+  Centre
+};
+
+/// A rectangle of the picture: left, bottom, right, top in pixels.
+struct PixelBox
+{
+  double left = 0.0, bottom = 0.0, right = 0.0, top = 0.0;
+
+  /// Area that two rectangles share.
+  double Shared(const PixelBox& other) const;
+};
+
+/// Letters with their rim as a picture. Lines of a text have even distances.
+class TextPicture
+{
+public:
+  TextPicture(const std::string& text, const TextStyle& style);
+
+  /// Pixels, without the rim.
+  const std::array<int, 2>& Size() const { return size; }
+
+  /// The letters beside a point of the picture.
+  PixelBox BoxAt(const std::array<double, 2>& point, LabelSide side, double gap) const;
+
+  /// An actor beside a point of the scene, drawn over everything.
+  vtkSmartPointer<vtkProp> MakeLabel(const ScenePoint& point, LabelSide side, double gap) const;
+
+  /// An actor beside a place of the picture: fractions of its width and height from the lower left
+  /// corner.
+  vtkSmartPointer<vtkProp> MakeCaption(const std::array<double, 2>& place, LabelSide side) const;
+
+private:
+  std::array<double, 2> CornerOf(LabelSide side, double gap) const;
+
+  vtkSmartPointer<vtkImageData> image; ///< RGBA, with the rim
+  std::array<int, 2> size = {0, 0};
+  int rim = 0; ///< pixels on each side
+};
+
+/// Text pictures that are kept, so that a label that only moves is not drawn anew.
+class TextPictures
+{
+public:
+  const TextPicture& Get(const std::string& text, const TextStyle& style);
+
+private:
+  using Key = std::tuple<std::string, int, Colour, Colour, bool>;
+  std::map<Key, TextPicture> pictures;
+};
+
+} // namespace nexrad::scene

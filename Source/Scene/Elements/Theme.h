@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Elements/ColourTable.h"
+
+namespace nexrad::scene
+{
+
+/// Which colours a scene has beside those of the data.
+enum class ThemeChoice
+{
+  Dark, ///< light letters over a dark sky and ground
+  Light ///< dark letters over a white sky and a pale ground, for paper
+};
+
+/// The colours of a scene beside those of the data.
+struct Theme
+{
+  Colour skyBottom, skyTop;
+  Colour ground;
+  Colour notScanned, rangeFolded; ///< of a map, where there is no value
+  Colour country, state, county;  ///< lines of the map
+  Colour ring;                    ///< of range, about a radar
+  Colour marker;                  ///< of a radar, with its name
+  Colour placeName;
+  Colour frame;   ///< edges of the domain
+  Colour wall;    ///< lines of height on the far walls
+  Colour scale;   ///< ticks and numbers
+  Colour title;   ///< the time
+  Colour note;    ///< the other captions
+  Colour warning; ///< the word SYNTHETIC
+  Colour rim;     ///< about letters that may lie over echo
+};
+
+const Theme& ThemeOf(ThemeChoice choice);
+
+} // namespace nexrad::scene

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Captions/Captions.h"
+#include "Scene/Captions/DataAge.h"
+#include "StormVolume.h"
+
+#include "nexrad/Grid/GriddedVolume.h"
+#include "vtkNexradImageConversion.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkProp.h>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+using namespace nexrad;
+using namespace nexrad::scene;
+
+namespace
+{
+
+using Words = std::vector<std::string>;
+
+// The western half is scanned by the first radar alone, 90 s before the volume's time, and the next
+// quarter by the second alone, 400 s from it; the rest by both, or not at all.
+GriddedVolume MakeAgedStorm()
+{
+  GriddedVolume volume = nexrad::testing::MakeStorm(false);
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const std::size_t column = i % 48;
+    const bool first = column < 24;
+    const bool second = column >= 24 && column < 36;
+    volume.ancillary.age.push_back(first ? 90.0F : second ? 400.0F : 3000.0F);
+    volume.ancillary.radars.push_back(first || second ? 1 : 2);
+    volume.ancillary.nearestSite.push_back(first ? 0 : 1);
+    if (column == 47)
+    {
+      volume.states[i] = VoxelState::NotScanned;
+    }
+  }
+  return volume;
+}
+
+CaptionTexts MakeTexts(bool synthetic)
+{
+  CaptionTexts texts;
+  texts.title = "Reflectivity";
+  texts.note = "Height above mean sea level, stretched 8 times";
+  texts.information = ReadVolumeInformation(nexrad::testing::MakeStormVolume(synthetic));
+  return texts;
+}
+
+} // namespace
+
+// Bins of 10 s: the median is right to 5 s.
+TEST(DataAge, IsOfVoxelsThatOneRadarScannedAlone)
+{
+  GriddedVolume volume = MakeAgedStorm();
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  const auto ages = AgesOfData(image, "REF", 2);
+  ASSERT_EQ(ages.size(), 2U);
+  EXPECT_NEAR(ages[0].value_or(0.0), 90.0 / 60.0, 5.0 / 60.0 + 1e-9);
+  EXPECT_NEAR(ages[1].value_or(0.0), 400.0 / 60.0, 5.0 / 60.0 + 1e-9);
+  // A radar that scanned nothing alone has none.
+  volume.ancillary.radars.assign(volume.values.size(), 2);
+  vtkNexradVolumeToImage(volume, image);
+  const auto none = AgesOfData(image, "REF", 2);
+  ASSERT_EQ(none.size(), 2U);
+  EXPECT_FALSE(none[0] || none[1]);
+}
+
+TEST(DataAge, OfOneRadarNeedsTheAgeAlone)
+{
+  GriddedVolume volume = MakeAgedStorm();
+  volume.ancillary.radars.clear();
+  volume.ancillary.nearestSite.clear();
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  EXPECT_TRUE(AgesOfData(image, "REF", 2).empty()) << "whose age it is is unknown";
+  const auto ages = AgesOfData(image, "REF", 1);
+  ASSERT_EQ(ages.size(), 1U);
+  EXPECT_NEAR(ages[0].value_or(0.0), 90.0 / 60.0, 5.0 / 60.0 + 1e-9) << "24 of 47 columns";
+  EXPECT_TRUE(AgesOfData(nexrad::testing::MakeStormVolume(false), "REF", 1).empty());
+}
+
+TEST(Captions, SayTimeRadarsAndAges)
+{
+  CaptionTexts texts = MakeTexts(false);
+  EXPECT_EQ(TimeText(texts.information), "2006-03-12 18:30:00 UTC");
+  EXPECT_EQ(TimeText({}), "time unknown");
+  EXPECT_EQ(SiteWords(texts), (Words{"KLSX", "KILX"}));
+  texts.ages = {0.3, 6.6};
+  EXPECT_EQ(SiteWords(texts), (Words{"Age", "of", "the", "data:", "KLSX < 1 min,", "KILX 7 min"}));
+  texts.ages = {std::nullopt, 1.0};
+  EXPECT_EQ(SiteWords(texts).back(), "KILX 1 min");
+  EXPECT_EQ(SiteWords(texts)[4], "KLSX,");
+}
+
+// Time and radars, the note, SYNTHETIC: in narrow pictures as well they are off each other and in
+// the picture.
+TEST(Captions, AreOffEachOtherInEveryPicture)
+{
+  const Theme& theme = ThemeOf(ThemeChoice::Light);
+  CaptionTexts texts = MakeTexts(true);
+  texts.information.sites.assign(20, "KLSX");
+  texts.ages.assign(20, 12.0);
+  for (const std::array<int, 2> size :
+    {std::array<int, 2>{1280, 720}, {640, 360}, {300, 600}, {250, 200}})
+  {
+    TextPictures pictures;
+    const int letters = std::max(9, std::min(size[1] / 45, size[0] / 50));
+    const double right = size[0] - 4.0 * letters;
+    const CaptionLayer layer = MakeCaptions(texts, size, right, letters, theme, pictures);
+    ASSERT_EQ(layer.taken.size(), 4U);
+    ASSERT_EQ(layer.props.size(), 4U);
+    for (std::size_t i = 0; i < layer.taken.size(); ++i)
+    {
+      EXPECT_GE(layer.taken[i].left, 0.0) << size[0] << ' ' << i;
+      EXPECT_LE(layer.taken[i].right, size[0]) << size[0] << ' ' << i;
+      EXPECT_LE(layer.taken[i].top, size[1]) << size[0] << ' ' << i;
+      for (std::size_t j = 0; size[0] > 250 && j < i; ++j)
+      {
+        EXPECT_EQ(layer.taken[i].Shared(layer.taken[j]), 0.0) << size[0] << ' ' << i << ' ' << j;
+      }
+    }
+  }
+}

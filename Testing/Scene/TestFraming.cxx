@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Where the parts of a picture stand: the scene within the picture and off the captions, labels off
+// each other. Needs no display.
+#include "Scene/Captions/Captions.h"
+#include "Scene/Frame/Framing.h"
+#include "Scene/Frame/LabelLayout.h"
+#include "Scene/Scales/HeightWalls.h"
+#include "Scene/Scales/ScaleLayer.h"
+#include "StormVolume.h"
+
+#include <vtkCamera.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkProp.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <iostream>
+#include <limits>
+#include <set>
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::scene;
+using nexrad::testing::MakeStormVolume;
+
+namespace
+{
+
+const Theme& theme = ThemeOf(ThemeChoice::Dark);
+
+struct Extent
+{
+  double left = 1e9, right = -1e9, bottom = 1e9, top = -1e9;
+
+  double Width() const { return right - left; }
+  double Height() const { return top - bottom; }
+};
+
+Extent ExtentOf(const std::vector<ScenePoint>& points, const Projection& project)
+{
+  Extent extent;
+  for (const ScenePoint& point : points)
+  {
+    const auto [x, y] = project(point);
+    extent.left = std::min(extent.left, x);
+    extent.right = std::max(extent.right, x);
+    extent.bottom = std::min(extent.bottom, y);
+    extent.top = std::max(extent.top, y);
+  }
+  return extent;
+}
+
+// The captions and the scales of a storm seen from some side in a picture of some size.
+struct Subject
+{
+  Subject(const CameraView& cameraView, const std::array<int, 2>& size, bool flat)
+    : view(cameraView)
+  {
+    const auto volume = MakeStormVolume(true);
+    SceneFrame frame(volume, 8.0);
+    if (flat)
+    {
+      frame.Flatten();
+    }
+    textSize = std::max(9, std::min(size[1] / 45, size[0] / 50));
+    layer = MakeScaleLayer(frame, view, true, textSize, theme);
+    CaptionTexts texts;
+    texts.title = "Reflectivity";
+    texts.note = "Height above mean sea level, stretched 8 times";
+    texts.information = ReadVolumeInformation(volume);
+    space.size = size;
+    space.right = size[0] - 5.0 * textSize;
+    space.taken = MakeCaptions(texts, size, space.right, textSize, theme, pictures).taken;
+    FrameScene(camera, view, {layer.outline, layer.labels}, space, pictures);
+  }
+
+  CameraView view;
+  int textSize = 0;
+  ScaleLayer layer;
+  FrameSpace space;
+  TextPictures pictures;
+  vtkNew<vtkCamera> camera;
+};
+
+void ExpectFramed(Subject& subject, const std::string& what)
+{
+  const auto& [width, height] = subject.space.size;
+  const Projection project(subject.camera, subject.space.size);
+  const Extent extent = ExtentOf(subject.layer.outline, project);
+  EXPECT_GE(extent.left, 0.0) << what;
+  EXPECT_GE(extent.bottom, 0.0) << what;
+  EXPECT_LE(extent.right, subject.space.right) << what;
+  EXPECT_LE(extent.top, height) << what;
+  for (const Label& label : subject.layer.labels)
+  {
+    const PixelBox box = subject.pictures.Get(label.text, label.style)
+                           .BoxAt(project(label.point), label.sides.front(), label.gap);
+    EXPECT_GE(box.left, 0.0) << what << ' ' << label.text;
+    EXPECT_GE(box.bottom, 0.0) << what << ' ' << label.text;
+    EXPECT_LE(box.right, width) << what << ' ' << label.text;
+    for (const PixelBox& caption : subject.space.taken)
+    {
+      EXPECT_EQ(box.Shared(caption), 0.0) << what << ' ' << label.text;
+    }
+  }
+  for (const PixelBox& caption : subject.space.taken)
+  {
+    for (const ScenePoint& point : subject.layer.outline)
+    {
+      const auto [x, y] = project(point);
+      EXPECT_EQ(caption.Shared({x - 1.0, y - 1.0, x + 1.0, y + 1.0}), 0.0) << what;
+    }
+  }
+}
+
+Label MakeTestLabel(const std::string& text, const ScenePoint& point)
+{
+  return {text, point, {14, theme.marker, theme.rim},
+    {LabelSide::Right, LabelSide::Left, LabelSide::Above, LabelSide::Below}, 8.0};
+}
+
+} // namespace
+
+// Measured: the scene is at least 0.54 as wide or high as the room beside the colour bar (in 320 ×
+// 240 pixels, where SYNTHETIC stands below the other captions).
+TEST(Framing, TheSceneAndItsWordsAreWithinThePictureAndOffTheCaptions)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const std::array<int, 2> size : {std::array<int, 2>{1280, 720}, {640, 360}, {400, 225},
+         {900, 800}, {500, 900}, {1000, 300}, {320, 240}})
+  {
+    for (const bool flat : {false, true})
+    {
+      for (const bool parallel : {false, true})
+      {
+        for (double azimuth = 0.0; azimuth < 360.0; azimuth += 40.0)
+        {
+          Subject subject({azimuth, flat ? 90.0 : 35.0, 1.0, parallel}, size, flat);
+          const std::string what = std::to_string(size[0]) + "x" + std::to_string(size[1]) + " " +
+                                   std::to_string(azimuth) + (flat ? " flat" : "") +
+                                   (parallel ? " parallel" : "");
+          ExpectFramed(subject, what);
+          const Extent extent = ExtentOf(subject.layer.outline, Projection(subject.camera, size));
+          least = std::min(
+            least, std::max(extent.Width() / subject.space.right, extent.Height() / size[1]));
+        }
+      }
+    }
+  }
+  std::cout << "the scene is at least " << least << " of the room\n";
+  EXPECT_GT(least, 0.45);
+}
+
+// A turn moves the camera by little at a time. Measured: 3.3 % in the degree in which the scales go
+// from one edge to another, else 1.1 %.
+TEST(Framing, ATurnDoesNotJump)
+{
+  std::vector<double> changes;
+  double before = 0.0;
+  for (double azimuth = 200.0; azimuth <= 290.0; ++azimuth)
+  {
+    const Subject subject({azimuth, 35.0, 1.0, false}, {640, 360}, false);
+    const double distance = subject.camera->GetDistance();
+    const double change = before > 0.0 ? std::abs(distance / before - 1.0) : 0.0;
+    changes.push_back(change);
+    before = distance;
+  }
+  std::sort(changes.rbegin(), changes.rend());
+  std::cout << "the distance changes by at most " << 100.0 * changes[0] << " % and then "
+            << 100.0 * changes[1] << ", " << 100.0 * changes[2] << " % a degree\n";
+  EXPECT_GT(changes[0], 0.0);
+  EXPECT_LT(changes[0], 0.05);
+}
+
+TEST(LabelLayout, LabelsGiveWayToEachOther)
+{
+  vtkNew<vtkCamera> camera;
+  const std::array<int, 2> size = {400, 400};
+  PointCamera(camera, {180.0, 90.0, 1.0, true}, {-200.0, 200.0, -200.0, 200.0, 0.0, 0.0}, 1.0, {});
+  const Projection project(camera, size);
+  EXPECT_NEAR(project({50.0, -50.0, 0.0})[0], 250.0, 1e-6);
+  EXPECT_NEAR(project({50.0, -50.0, 0.0})[1], 150.0, 1e-6);
+  const std::array<ScenePoint, 4> ground = {ScenePoint{-60.0, -100.0, 0.0},
+    ScenePoint{60.0, -100.0, 0.0}, ScenePoint{60.0, 100.0, 0.0}, ScenePoint{-60.0, 100.0, 0.0}};
+  TextPictures pictures;
+  const auto choose = [&](std::vector<Label> labels, const std::vector<PixelBox>& taken = {})
+  { return ChooseSides(labels, ground, project, pictures, taken); };
+
+  const Label alone = MakeTestLabel("KLSX", {0.0, 0.0, 0.0});
+  EXPECT_EQ(choose({alone}).front(), LabelSide::Right);
+  // Another radar close to the right, a caption on the right, the picture's edge.
+  const auto both = choose({alone, MakeTestLabel("KILX", {20.0, 0.0, 0.0})});
+  EXPECT_EQ(both[0], LabelSide::Left);
+  EXPECT_EQ(both[1], LabelSide::Right);
+  EXPECT_EQ(choose({alone}, {{205.0, 150.0, 400.0, 250.0}}).front(), LabelSide::Left);
+  EXPECT_EQ(choose({MakeTestLabel("KLSX", {190.0, 0.0, 0.0})}).front(), LabelSide::Left);
+  // What may be left out is, and what may not takes the side that covers least.
+  const std::vector<PixelBox> everything = {{0.0, 0.0, 400.0, 400.0}};
+  Label optional = alone;
+  optional.optional = true;
+  EXPECT_TRUE(choose({optional}).front());
+  EXPECT_FALSE(choose({optional}, everything).front());
+  EXPECT_TRUE(choose({alone}, everything).front());
+  optional.point = {40.0, 0.0, 0.0};
+  EXPECT_FALSE(choose({optional}).front()) << "it would end beyond the ground";
+}
+
+TEST(TextPicture, StandsBesideItsPoint)
+{
+  const TextPicture picture("KLSX\nKILX", {16, theme.marker, theme.rim});
+  const TextPicture line("KLSX", {16, theme.marker, theme.rim});
+  EXPECT_GT(line.Size()[0], 30);
+  EXPECT_GT(picture.Size()[1], 2 * 16);
+  EXPECT_LT(picture.Size()[1], 3 * 16);
+  const PixelBox box = line.BoxAt({100.0, 50.0}, LabelSide::Right, 5.0);
+  EXPECT_EQ(box.left, 105.0);
+  EXPECT_NEAR((box.bottom + box.top) / 2.0, 50.0, 0.5);
+  EXPECT_EQ(line.BoxAt({100.0, 50.0}, LabelSide::Left, 5.0).right, 95.0);
+  EXPECT_EQ(line.BoxAt({100.0, 50.0}, LabelSide::Above, 5.0).bottom, 55.0);
+  EXPECT_EQ(line.BoxAt({100.0, 50.0}, LabelSide::Below, 5.0).top, 45.0);
+  EXPECT_EQ(box.Shared({0.0, 0.0, 105.0, 100.0}), 0.0);
+  EXPECT_NEAR(box.Shared({0.0, 0.0, 107.0, 50.0}), 2.0 * (50.0 - box.bottom), 1e-9);
+}
+
+// Bold letters are wider: the two faces that are compiled in are read.
+TEST(TextPicture, HasTwoFaces)
+{
+  const std::string text = "Reflectivity 0123456789";
+  const TextPicture usual(text, {24, theme.marker, theme.rim});
+  const TextPicture bold(text, {24, theme.marker, theme.rim, true});
+  EXPECT_GT(bold.Size()[0], usual.Size()[0] * 1.02);
+}
+
+TEST(HeightWalls, StandAtRoundHeightsFarFromTheCamera)
+{
+  const SceneFrame frame(MakeStormVolume(false), 8.0); // 0 to 20 km
+  EXPECT_EQ(RoundHeights(frame), (std::vector<double>{0.0, 5.0, 10.0, 15.0, 20.0}));
+  const auto& box = frame.Bounds();
+  // From the south-south-west: the far walls are those in the north and in the east.
+  const CameraView view = {200.0, 35.0, 1.0, false};
+  const auto lines = MakeHeightLines(frame, view)->Polylines();
+  ASSERT_EQ(lines.size(), 3U) << "not along the edges";
+  for (std::size_t i = 0; i < lines.size(); ++i)
+  {
+    ASSERT_EQ(lines[i].size(), 3U);
+    EXPECT_EQ(lines[i][1], (ScenePoint{box[1], box[3], frame.Height(5000.0 * (i + 1.0))}));
+    for (const ScenePoint& point : lines[i])
+    {
+      EXPECT_TRUE(point[0] == box[1] || point[1] == box[3]);
+    }
+  }
+  EXPECT_EQ(MakeEdges(frame, view, true)->Polylines().size(), 9U);
+  EXPECT_EQ(MakeEdges(frame, view, false)->Polylines().size(), 12U);
+  for (const auto& edge : MakeEdges(frame, view, true)->Polylines())
+  {
+    const ScenePoint nearest = {box[0], box[2], box[5]};
+    EXPECT_TRUE(edge[0] != nearest && edge[1] != nearest);
+  }
+}
