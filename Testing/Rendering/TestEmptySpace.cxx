@@ -45,11 +45,11 @@ public:
     this->Ghosts->SetNumberOfTuples(this->Scalars->GetNumberOfTuples());
     for (vtkIdType id = 0; id < this->Scalars->GetNumberOfTuples(); ++id)
     {
-      this->Ghosts->SetValue(id, random() % 4 == 0 ? 2 : 1);
+      this->Ghosts->SetValue(id, random() % 4 == 0 ? 2 : 0);
       this->Scalars->SetTuple2(
         id, random() % 5 == 0 ? std::nan("") : scalar(random), scalar(random));
     }
-    this->Source = {this->Scalars, Size, cellData, this->Ghosts, 2};
+    this->Source = {this->Scalars, Size, cellData, this->Ghosts};
   }
 
   bool Counts(vtkIdType id)
