@@ -16,10 +16,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iostream>
 #include <limits>
-#include <set>
 #include <string>
+#include <vector>
 
 using namespace nexrad;
 using namespace nexrad::scene;
