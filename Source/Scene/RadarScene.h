@@ -44,6 +44,9 @@ public:
   /// The renderer to put into a window.
   vtkRenderer* GetRenderer();
 
+  /// Colours beside those of the data, for what others draw into the renderer.
+  const Theme& GetTheme() const { return theme; }
+
   /// Size of the picture in pixels; letters grow with its height.
   void SetPictureSize(const std::array<int, 2>& size);
   void SetCamera(const CameraView& view);

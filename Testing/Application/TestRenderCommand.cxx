@@ -80,7 +80,6 @@ TEST(RenderCommand, OneTimeAndTheCamera)
   EXPECT_NE(first, draw("parallel.png", {"--parallel"}));
   EXPECT_NE(first, draw("light.png", {"--theme", "light"}));
   EXPECT_NE(first, draw("walls.png", {"--no-walls"}));
-  EXPECT_NE(first, draw("names.png", {"--names"}));
 }
 
 TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)

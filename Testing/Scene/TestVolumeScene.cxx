@@ -80,7 +80,7 @@ TEST(VolumeScene, DrawsAnotherPresetFromAnotherSide)
   ExpectSceneBaseline(DrawStorm(set), "StormCores");
 }
 
-// The picture: the storm and its letters over a pale ground, with the names of two states.
+// The picture: the storm in violet and red and its letters over a pale ground.
 TEST(VolumeScene, DrawsALightTheme)
 {
   const auto set = [](vtkNexradVolumeScene* scene)
@@ -108,7 +108,6 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
     {"theme", [](vtkNexradVolumeScene* scene) { scene->SetThemeToLight(); }},
     {"walls", [](vtkNexradVolumeScene* scene) { scene->HeightWallsOff(); }},
-    {"names", [](vtkNexradVolumeScene* scene) { scene->PlaceNamesOn(); }},
     {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},
     {"height", [](vtkNexradVolumeScene* scene)
       {

@@ -26,7 +26,6 @@ namespace nexrad::scene
 namespace
 {
 
-constexpr Colour captionColour = {0.86, 0.88, 0.92};
 constexpr std::array<double, 2> keysPlace = {0.02, 0.56};
 constexpr std::array<double, 2> statusPlace = {0.42, 0.045};
 
@@ -115,10 +114,11 @@ Viewer::Viewer(RadarSession& shownSession, const Options& viewerOptions)
   {
     text += key.name.empty() ? "" : key.name + "    " + key.does + "\n";
   }
-  keysCaption = MakeCaption(text, keysPlace, 14, captionColour, LabelSide::Right);
+  const Colour& letters = session.Scene().GetTheme().note;
+  keysCaption = MakeCaption(text, keysPlace, 14, letters, LabelSide::Right);
   keysCaption->GetTextProperty()->SetVerticalJustificationToTop();
   keysCaption->GetTextProperty()->SetLineSpacing(1.3);
-  statusCaption = MakeCaption("", statusPlace, 14, captionColour, LabelSide::Right);
+  statusCaption = MakeCaption("", statusPlace, 14, letters, LabelSide::Right);
   vtkRenderer* renderer = session.Scene().GetRenderer();
   renderer->AddViewProp(keysCaption);
   renderer->AddViewProp(statusCaption);

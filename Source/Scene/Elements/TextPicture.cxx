@@ -216,7 +216,9 @@ vtkSmartPointer<vtkProp> TextPicture::MakeLabel(
 {
   if (image == nullptr)
   {
-    return vtkSmartPointer<vtkActor2D>::New();
+    auto nothing = vtkSmartPointer<vtkActor2D>::New();
+    nothing->VisibilityOff(); // VTK reports an actor that is drawn without a mapper
+    return nothing;
   }
   const auto corner = this->CornerOf(side, gap);
   auto actor = MakeActor(image, std::round(corner[0]) - rim, std::round(corner[1]) - rim);

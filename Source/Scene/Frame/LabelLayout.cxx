@@ -19,7 +19,7 @@ double AreaOutside(const PixelBox& box, const std::array<int, 2>& size)
 PixelBox MarkerOf(const Label& label, const Projection& project)
 {
   const auto place = project(label.point);
-  const double radius = 0.6 * label.gap;
+  const double radius = 0.5 * label.gap;
   return {place[0] - radius, place[1] - radius, place[0] + radius, place[1] + radius};
 }
 
