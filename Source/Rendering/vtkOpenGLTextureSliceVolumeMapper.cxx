@@ -23,6 +23,7 @@
 #include "vtkTextureSliceProgram.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceResolution.h"
+#include "vtkTextureSliceShadows.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTable2D.h"
 #include "vtkTextureSliceTarget.h"
@@ -52,6 +53,7 @@ public:
   vtkTextureSliceEmptySpace EmptySpace;
   vtkTextureSliceGeometry Geometry;
   vtkTextureSliceLights Lights;
+  vtkTextureSliceShadows Shadows;
   vtkTextureSliceResolution Resolution;
   /// Image sample distance of this frame.
   double PixelSize = 1.0;
@@ -68,6 +70,7 @@ public:
     this->Table2D.ReleaseGraphicsResources(window);
     this->Mask.ReleaseGraphicsResources(window);
     this->LabelTable.ReleaseGraphicsResources(window);
+    this->Shadows.ReleaseGraphicsResources(window);
     this->Target.ReleaseGraphicsResources(window);
     this->Program.ReleaseGraphicsResources();
     this->OpaquePixels.ReleaseGraphicsResources();
@@ -475,12 +478,17 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseImageSampleDistance(double allow
 
 void vtkOpenGLTextureSliceVolumeMapper::SetUpFrame(vtkRenderer* renderer)
 {
+  this->Parts->Frame.SetCamera(renderer);
+  this->SetUpCuts();
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::SetUpCuts()
+{
   vtkTextureSliceCropping cropping;
   cropping.On = this->Cropping != 0;
   cropping.RegionFlags = this->CroppingRegionFlags;
   std::copy(this->CroppingRegionPlanes, this->CroppingRegionPlanes + 6, cropping.Planes.begin());
   vtkTextureSliceFrame& frame = this->Parts->Frame;
-  frame.SetCamera(renderer);
   frame.SetCropping(cropping);
   frame.SetClippingPlanes(this->GetClippingPlanes());
 }
@@ -510,28 +518,19 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   vtkDataArray* scalars, const vtkTextureSliceRequest& request)
 {
   Internals& parts = *this->Parts;
-  std::string error;
-  // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
-  const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
-  if (!this->Upload(renderer, image, scalars, error) ||
-      !parts.UpdateTables(request, nearest, error))
+  if (!this->UpdateVolume(renderer, image, scalars, request))
   {
-    vtkErrorMacro(<< error);
     return;
   }
-  if (const char* unsupported = request.FindUnsupportedRange(parts.Texture.GetComponents()))
-  {
-    vtkErrorMacro(<< unsupported);
-    return;
-  }
-  parts.Texture.SetNearest(nearest);
   this->SetUpFrame(renderer);
   if (!this->PlaceSlices(renderer, image, request))
   {
     return;
   }
   parts.Lights.Update(renderer);
+  this->UpdateShadows(image, scalars, request);
 
+  std::string error;
   const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
   const StateKeeper keeper(parts.Window->GetState());
   if (!parts.Draw(renderer, uniforms, error))
@@ -541,6 +540,98 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderSlices(vtkRenderer* renderer, vtkI
   }
   parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
     0.5f - this->FinalColorLevel / this->FinalColorWindow);
+}
+
+bool vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* renderer, vtkImageData* image,
+  vtkDataArray* scalars, const vtkTextureSliceRequest& request)
+{
+  Internals& parts = *this->Parts;
+  std::string error;
+  // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
+  const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  if (!this->Upload(renderer, image, scalars, error) ||
+      !parts.UpdateTables(request, nearest, error))
+  {
+    vtkErrorMacro(<< error);
+    return false;
+  }
+  if (const char* unsupported = request.FindUnsupportedRange(parts.Texture.GetComponents()))
+  {
+    vtkErrorMacro(<< unsupported);
+    return false;
+  }
+  parts.Texture.SetNearest(nearest);
+  return true;
+}
+
+double vtkOpenGLTextureSliceVolumeMapper::GetShadowOfShading(vtkVolumeProperty* property)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  const double asked = static_cast<double>(this->VolumetricScatteringBlending);
+  return property->GetShade(0) != 0 ? std::min(1.0, asked) : 0.0;
+#else
+  static_cast<void>(property);
+  return 0.0;
+#endif
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
+  vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
+{
+  Internals& parts = *this->Parts;
+  vtkTextureSliceShadowSettings settings;
+  settings.Shadow = std::max(this->ShadowStrength, this->GetShadowOfShading(request.Property));
+  settings.Occlusion = this->OcclusionStrength;
+  std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
+  std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
+  // The same border as for the image sample distance; the window's own rate, because the time of a
+  // prop is shared out only while a frame is drawn.
+  settings.Interactive =
+    this->AutoAdjustSampleDistances != 0 &&
+    vtkTextureSliceResolution::IsInteractive(1.0 / parts.Window->GetDesiredUpdateRate());
+  vtkTextureSliceShadows::Source source{&request, image, scalars, &parts.Texture, &parts.Table,
+    &parts.LabelTable, nullptr, &parts.Frame, this->CroppingRegionFlags,
+    static_cast<double>(this->MaskBlendFactor)};
+  if (this->MaskInput != nullptr)
+  {
+    source.MaskValues = this->FindMaskValues();
+  }
+  parts.Shadows.Update(parts.Window, source, settings);
+}
+
+bool vtkOpenGLTextureSliceVolumeMapper::UpdateLight(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window == nullptr || !this->ValidateRender(renderer, volume))
+  {
+    return false;
+  }
+  window->Initialize(); // it may not have been drawn yet
+  vtkDataArray* scalars = nullptr;
+  vtkImageData* image = this->TakeInput(scalars);
+  if (image == nullptr)
+  {
+    return false;
+  }
+  const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
+  if (const char* unsupported = this->FindUnsupported(request))
+  {
+    vtkErrorMacro(<< unsupported);
+    return false;
+  }
+  this->Parts->Frame.SetVolume(image, this->CellFlag == 1, volume);
+  if (this->Parts->Frame.IsFlat() || !this->UpdateVolume(renderer, image, scalars, request))
+  {
+    return false;
+  }
+  this->SetUpCuts();
+  this->UpdateShadows(image, scalars, request);
+  return true;
+}
+
+vtkImageData* vtkOpenGLTextureSliceVolumeMapper::GetLightVolume()
+{
+  return this->Parts->Shadows.GetImage();
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::Upload(
@@ -590,6 +681,14 @@ bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVo
   return true;
 }
 
+vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindMaskValues()
+{
+  vtkDataSetAttributes* attributes =
+    this->CellFlag == 1 ? static_cast<vtkDataSetAttributes*>(this->MaskInput->GetCellData())
+                        : this->MaskInput->GetPointData();
+  return attributes->GetScalars();
+}
+
 bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::string& error)
 {
   if (this->MaskInput == nullptr)
@@ -597,10 +696,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::str
     return true;
   }
   const bool cellData = this->CellFlag == 1;
-  vtkDataSetAttributes* attributes =
-    cellData ? static_cast<vtkDataSetAttributes*>(this->MaskInput->GetCellData())
-             : this->MaskInput->GetPointData();
-  vtkDataArray* values = attributes->GetScalars();
+  vtkDataArray* values = this->FindMaskValues();
   if (values == nullptr || values->GetDataType() != VTK_UNSIGNED_CHAR ||
       values->GetNumberOfComponents() != 1 ||
       vtkTextureSliceScalars::GetSize(this->MaskInput, cellData) !=
@@ -628,6 +724,7 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.Masked = parts.Texture.IsMasked();
   uniforms.Features.Cropped = parts.Frame.NeedsCropTest();
   uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  uniforms.Features.Shadows = parts.Shadows.IsUsed();
   if (request.IsShaded())
   {
     uniforms.Features.Lights = parts.Lights.CountForShader();
@@ -645,6 +742,7 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.LabelTable = &parts.LabelTable;
   uniforms.LabelWeight = this->MaskBlendFactor;
   uniforms.Lights = &parts.Lights;
+  uniforms.Shadows = &parts.Shadows;
   uniforms.CropFlags = this->CroppingRegionFlags;
   request.SetUniforms(parts.Texture.GetComponents(), uniforms);
   return uniforms;
@@ -660,5 +758,11 @@ void vtkOpenGLTextureSliceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "ShadowStrength: " << this->ShadowStrength << "\n";
+  os << indent << "OcclusionStrength: " << this->OcclusionStrength << "\n";
+  os << indent << "LightDirection: " << this->LightDirection[0] << " " << this->LightDirection[1]
+     << " " << this->LightDirection[2] << "\n";
+  os << indent << "Zenith: " << this->Zenith[0] << " " << this->Zenith[1] << " " << this->Zenith[2]
+     << "\n";
   os << indent << "NumberOfDrawnSlices: " << this->GetNumberOfDrawnSlices() << "\n";
 }

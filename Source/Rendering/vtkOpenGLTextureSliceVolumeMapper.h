@@ -72,6 +72,65 @@ public:
   vtkGetMacro(NumberOfSlices, int);
   ///@}
 
+  ///@{
+  /**
+   * How strong the shadow is that the volume casts on itself, 0 (off, the default) to 1: how much
+   * of a sample's diffuse and specular light, or without shading of its colour, is taken away where
+   * the light of LightDirection does not arrive. Shadows and occlusion are those of composite
+   * blending with one-dimensional functions; in other modes they have no effect. They are made
+   * from the scalars' opacity alone, gradient opacity does not count. What is cropped or clipped
+   * away, hidden or masked out casts no shadow.
+   *
+   * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, the
+   * stronger of the two holds (1 and more: full strength).
+   */
+  vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
+  vtkGetMacro(ShadowStrength, double);
+  ///@}
+
+  ///@{
+  /**
+   * How strong ambient occlusion is, 0 (off, the default) to 1: how much of a sample's ambient
+   * light, or without shading of its colour, is taken away where the light of the sky does not
+   * arrive. The sky is the half of all directions about Zenith.
+   */
+  vtkSetClampMacro(OcclusionStrength, double, 0.0, 1.0);
+  vtkGetMacro(OcclusionStrength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Direction from the volume to the light that casts the shadows, in world coordinates, of any
+   * length. It does not move with the camera. (-1, -1, 2) by default.
+   */
+  vtkSetVector3Macro(LightDirection, double);
+  vtkGetVector3Macro(LightDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Upwards in world coordinates: the middle of the sky for occlusion. (0, 0, 1) by default.
+   */
+  vtkSetVector3Macro(Zenith, double);
+  vtkGetVector3Macro(Zenith, double);
+  ///@}
+
+  /**
+   * Brings shadows and occlusion up to date now, rather than when the volume is drawn, for props
+   * that show GetLightVolume and are drawn before. False, with an error, when it cannot.
+   */
+  bool UpdateLight(vtkRenderer* renderer, vtkVolume* volume);
+
+  /**
+   * How much light arrives, as the last frame (or UpdateLight) used it: an image of unsigned short
+   * in the coordinates of the input, at about half of its resolution, coarser during an
+   * interaction. First component: the transmittance to the light (65535: all of it arrives);
+   * second: its mean over the sky. A component whose strength is 0 is 65535. nullptr where both are
+   * off. It is made anew when the volume, its functions, its cuts or a direction change; never when
+   * the camera moves.
+   */
+  vtkImageData* GetLightVolume();
+
   /**
    * Slices that the last frame drew; 0 before the first.
    */
@@ -130,6 +189,10 @@ protected:
   ///@}
 
   int NumberOfSlices = 256;
+  double ShadowStrength = 0.0;
+  double OcclusionStrength = 0.0;
+  double LightDirection[3] = {-1.0, -1.0, 2.0};
+  double Zenith[3] = {0.0, 0.0, 1.0};
 
 private:
   vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
@@ -144,6 +207,12 @@ private:
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
   void SetUpFrame(vtkRenderer* renderer);
+  void SetUpCuts();
+  bool UpdateVolume(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
+    const vtkTextureSliceRequest& request);
+  void UpdateShadows(
+    vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request);
+  double GetShadowOfShading(vtkVolumeProperty* property);
   bool PlaceSlices(
     vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
@@ -151,6 +220,7 @@ private:
     const vtkTextureSliceRequest& request);
   bool Upload(
     vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);
+  vtkDataArray* FindMaskValues();
   bool UpdateMask(vtkImageData* image, std::string& error);
   vtkTextureSliceUniforms MakeUniforms(
     vtkRenderer* renderer, const vtkTextureSliceRequest& request);
