@@ -4,6 +4,7 @@
 #include "Scene/Frame/CameraView.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Map/GroundShadow.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/SceneOptions.h"
 
@@ -74,6 +75,11 @@ public:
   int Slices() const { return options.slices; }
   void SetSlices(int slices);
 
+  /// The light that the volume stands in.
+  void SetLight(const LightOptions& light);
+  /// Brings the shadow on the ground up to date. The beginning of each frame does so itself.
+  void UpdateShadows();
+
 private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
@@ -95,6 +101,7 @@ private:
   SceneFrame frame;
   VolumeInformation information;
   vtkSmartPointer<vtkRenderer> renderer;
+  unsigned long startTag = 0; ///< of the observer of the renderer
   vtkNew<vtkVolume> volume;
   vtkSmartPointer<vtkNexradTransferFunction> transferFunction;
   std::string array; ///< that is shown
@@ -102,7 +109,8 @@ private:
   ColourScale scale;
   std::string note; ///< what the heights are, or which voxels a map shows
   Props plan;
-  Props ground;
+  Props ground; ///< the ground itself is the first
+  GroundShadow groundShadow;
   Props scales;
   Props captions;
 };

@@ -6,6 +6,7 @@
 #include "vtkNexradTransferFunction.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
+#include <vtkMath.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkVolumeProperty.h>
 
@@ -90,6 +91,26 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
   {
     caster->SetSampleDistance(static_cast<float>(diagonal / slices));
   }
+}
+
+void SetLight(vtkVolumeMapper* mapper, const LightOptions& light)
+{
+  if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
+  {
+    const double azimuth = vtkMath::RadiansFromDegrees(light.direction.azimuth);
+    const double elevation = vtkMath::RadiansFromDegrees(light.direction.elevation);
+    slicer->SetShadowStrength(light.shadow);
+    slicer->SetOcclusionStrength(light.occlusion);
+    slicer->SetLightDirection(std::sin(azimuth) * std::cos(elevation),
+      std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
+  }
+}
+
+vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper);
+  return slicer != nullptr && slicer->UpdateLight(renderer, volume) ? slicer->GetLightVolume()
+                                                                    : nullptr;
 }
 
 bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)

@@ -8,6 +8,7 @@
 
 #include <string>
 
+class vtkImageData;
 class vtkNexradTransferFunction;
 class vtkRenderer;
 class vtkVolume;
@@ -23,6 +24,13 @@ vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice);
 /// Sets the number of slices, or of samples along the longest ray through the volume, whose length
 /// is `diagonal` in scene units.
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
+
+/// Sets shadows and ambient occlusion. VTK's ray caster has none of these.
+void SetLight(vtkVolumeMapper* mapper, const LightOptions& light);
+
+/// Brings the light up to date before the frame is drawn. How much of it arrives, as
+/// vtkOpenGLTextureSliceVolumeMapper::GetLightVolume has it; nullptr: there are no shadows.
+vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
 /// Brings the mapper's input into texture memory. False when it cannot.
 bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);

@@ -65,9 +65,24 @@ struct vtkTextureSliceLightSweep::Course
     int Cells = 0;
     double Slope = 0.0;
     double Offset = 0.0;
+    double LowMargin = 0.0; ///< cells from the centres of the outermost ones to the faces
+    double HighMargin = 0.0;
     int CountRays() const
     {
       return this->Cells + static_cast<int>(std::ceil(std::abs(this->Slope) * this->Planes)) + 2;
+    }
+    /// Steps that the ray at a place before the cell 0 of a plane has been inside of the sides of
+    /// the volume, and how much more it is for the ray at the next cell.
+    std::array<float, 2> GetSteps(float before) const
+    {
+      if (this->Slope == 0.0)
+      {
+        return {1.0f, 0.0f};
+      }
+      const double depth =
+        this->Slope < 0.0 ? this->LowMargin - before : this->Cells - 1 + this->HighMargin + before;
+      return {
+        static_cast<float>(depth / std::abs(this->Slope)), static_cast<float>(-1.0 / this->Slope)};
     }
     Shift At(int plane) const
     {
@@ -101,13 +116,20 @@ public:
   {
   }
 
-  /**
-   * Takes the rays [column.Whole, column.Whole + cells] of a row on to the next plane.
-   * @param near, far extinctions of the cells before and behind the row of rays
-   * @param margin steps up to the plane if it is the first; else below 0.
-   */
-  void Advance(int row, const Shift& column, int cells, const float* near, const float* far,
-    float rowFraction, float step, bool first, float margin)
+  /// How the rays of a row come to the next plane.
+  struct Advance
+  {
+    const float* Near;          ///< extinctions of the row of cells after the rays
+    const float* Far;           ///< and before them
+    float RowFraction;          ///< how near the rays are to the latter
+    std::array<float, 2> Steps; ///< as Course::Axis::GetSteps
+    float LeastSteps;           ///< inside of the volume, and most
+    float MostSteps;
+    float StepLength;
+  };
+
+  /// Takes the rays [column.Whole, column.Whole + cells] of a row on to the next plane.
+  void Take(int row, const Shift& column, int cells, const Advance& advance)
   {
     const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Columns) +
                            static_cast<std::size_t>(column.Whole);
@@ -116,16 +138,20 @@ public:
     std::swap(this->Transmittances, this->Previous);
     float* transmittances = this->Transmittances.data() + column.Whole;
     const float f = column.Fraction;
-    const float g = rowFraction;
-    // The first plane has its own extinction from where the light enters.
-    const float ofBefore = first ? 0.0f : 0.5f * step;
-    const float ofThis = first ? margin * step : 0.5f * step;
+    const float g = advance.RowFraction;
+    const float* near = advance.Near;
+    const float* far = advance.Far;
     for (int i = 0; i <= cells; ++i)
     {
       const float nearer = (1.0f - f) * near[i] + f * near[i - 1];
       const float farther = (1.0f - f) * far[i] + f * far[i - 1];
       const float extinction = (1.0f - g) * nearer + g * farther;
-      const float depth = depths[i] + ofBefore * before[i] + ofThis * extinction;
+      float steps = advance.Steps[0] + static_cast<float>(i) * advance.Steps[1];
+      steps = steps < advance.MostSteps ? steps : advance.MostSteps;
+      steps = steps > advance.LeastSteps ? steps : advance.LeastSteps;
+      // Where a ray has come in on its way from the plane before, it knows this plane alone.
+      const float mean = steps < 1.0f ? steps * extinction : 0.5f * (before[i] + extinction);
+      const float depth = depths[i] + advance.StepLength * mean;
       depths[i] = depth;
       before[i] = extinction;
       transmittances[i] = Transmit(depth);
@@ -179,22 +205,25 @@ vtkTextureSliceLightSweep::Layout& vtkTextureSliceLightSweep::Prepare(Layout& la
     size[i] = static_cast<std::size_t>(this->Grid.Size[layout.Axes[i]]);
     stride[i] = strides[layout.Axes[i]];
   }
-  layout.Extinctions.assign((size[0] + 2) * (size[1] + 2) * (size[2] + 2), 0.0f);
+  layout.Extinctions.resize((size[0] + 2) * (size[1] + 2) * (size[2] + 2));
   const float* values = this->Extinction.GetValues().data();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(size[2]),
+  const auto inside = [&size](std::size_t place, std::size_t axis)
+  { return std::clamp<std::size_t>(place, 1, size[axis]) - 1; };
+  vtkSMPTools::For(0, static_cast<vtkIdType>(size[2] + 2),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); ++k)
       {
-        for (std::size_t j = 0; j < size[1]; ++j)
+        for (std::size_t j = 0; j < size[1] + 2; ++j)
         {
-          const float* from = values + k * stride[2] + j * stride[1];
-          float* to =
-            layout.Extinctions.data() + ((k + 1) * (size[1] + 2) + j + 1) * (size[0] + 2) + 1;
+          const float* from = values + inside(k, 2) * stride[2] + inside(j, 1) * stride[1];
+          float* to = layout.Extinctions.data() + (k * (size[1] + 2) + j) * (size[0] + 2) + 1;
           for (std::size_t i = 0; i < size[0]; ++i)
           {
             to[i] = from[i * stride[0]];
           }
+          to[-1] = to[0];
+          to[size[0]] = to[size[0] - 1];
         }
       }
     });
@@ -231,6 +260,8 @@ vtkTextureSliceLightSweep::Course vtkTextureSliceLightSweep::FindCourse(
     target.Cells = this->Grid.Size[axis];
     target.Planes = course.Planes;
     target.Slope = cells[axis] / std::abs(cells[through]);
+    target.LowMargin = this->Grid.GetMargin(axis, false);
+    target.HighMargin = this->Grid.GetMargin(axis, true);
     target.Offset = std::max(0.0, -target.Slope * (course.Planes - 1));
   }
   const std::ptrdiff_t columns = size(layout.Axes[0]);
@@ -261,12 +292,16 @@ void vtkTextureSliceLightSweep::SweepRows(const Course& course, int begin, int e
     float* sums = course.Sums + plane * course.SumPlane;
     const int first = std::max(begin, row.Whole);
     const int last = std::min(end, row.Whole + course.Row.Cells);
+    const std::array<float, 2> rowSteps = course.Row.GetSteps(row.Fraction);
     for (int ray = first; ray <= last; ++ray)
     {
       const int cell = ray - row.Whole; // the ray lies between this row of cells and the one before
       const float* near = extinctions + cell * course.ExtinctionRow;
-      rays.Advance(ray - begin, column, course.Column.Cells, near, near - course.ExtinctionRow,
-        row.Fraction, course.Step, plane == 0, course.Margin);
+      const float mostSteps = rowSteps[0] + static_cast<float>(cell) * rowSteps[1];
+      rays.Take(ray - begin, column, course.Column.Cells,
+        {near, near - course.ExtinctionRow, row.Fraction, course.Column.GetSteps(column.Fraction),
+          plane == 0 ? std::min(0.0f, course.Margin) : 0.0f,
+          std::min(plane == 0 ? course.Margin : 1.0f, mostSteps), course.Step});
       if (ray > first)
       {
         rays.AddRow(column, course.Column.Cells, row.Fraction, course.Weight,

@@ -36,7 +36,8 @@ public:
   std::vector<float> TakeSums();
 
 private:
-  /// Extinctions and sums in one order of the axes. The extinctions have a border of 0 all round.
+  /// Extinctions and sums in one order of the axes. All round the extinctions stand those of the
+  /// outermost cells once more.
   struct Layout
   {
     std::array<std::size_t, 3> Axes{0, 1, 2}; ///< the first varies fastest
