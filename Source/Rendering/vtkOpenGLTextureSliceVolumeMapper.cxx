@@ -564,14 +564,19 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* renderer, vtkI
   return true;
 }
 
-double vtkOpenGLTextureSliceVolumeMapper::GetShadowOfShading(vtkVolumeProperty* property)
+void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
+  vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  const double asked = static_cast<double>(this->VolumetricScatteringBlending);
-  return property->GetShade(0) != 0 ? std::min(1.0, asked) : 0.0;
+  const auto scattering = static_cast<double>(this->VolumetricScatteringBlending);
+  if (property->GetShade(0) != 0 && scattering > settings.Shadow)
+  {
+    settings.Shadow = std::min(1.0, scattering);
+    settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
+  }
 #else
   static_cast<void>(property);
-  return 0.0;
+  static_cast<void>(settings);
 #endif
 }
 
@@ -580,10 +585,11 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
 {
   Internals& parts = *this->Parts;
   vtkTextureSliceShadowSettings settings;
-  settings.Shadow = std::max(this->ShadowStrength, this->GetShadowOfShading(request.Property));
+  settings.Shadow = this->ShadowStrength;
   settings.Occlusion = this->OcclusionStrength;
   std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
   std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
+  this->FollowScattering(request.Property, settings);
   // The same border as for the image sample distance; the window's own rate, because the time of a
   // prop is shared out only while a frame is drawn.
   settings.Interactive =

@@ -52,6 +52,7 @@
 class vtkDataArray;
 class vtkImageData;
 struct vtkTextureSliceRequest;
+struct vtkTextureSliceShadowSettings;
 struct vtkTextureSliceUniforms;
 
 class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper
@@ -82,7 +83,9 @@ public:
    * away, hidden or masked out casts no shadow.
    *
    * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, the
-   * stronger of the two holds (1 and more: full strength).
+   * stronger of the two holds (1 and more: full strength). If it is the stronger one,
+   * GlobalIlluminationReach says how much of the way from a sample to the face of the volume casts
+   * shadows on it.
    */
   vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
   vtkGetMacro(ShadowStrength, double);
@@ -212,7 +215,7 @@ private:
     const vtkTextureSliceRequest& request);
   void UpdateShadows(
     vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request);
-  double GetShadowOfShading(vtkVolumeProperty* property);
+  void FollowScattering(vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings);
   bool PlaceSlices(
     vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);

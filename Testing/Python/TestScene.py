@@ -87,8 +87,13 @@ class Pictures(unittest.TestCase):
             scene.SetExaggeration(5.0)
             scene.SetNumberOfSlices(100)
             scene.SetRingSpacing(50000.0)
+            scene.SetShadowStrength(0.6)
+            scene.SetOcclusionStrength(0.4)
+            scene.SetLightAzimuth(300.0)
+            scene.SetLightElevation(30.0)
         self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
-                  "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km")
+                  "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km",
+                  "--shadow", "0.6", "--occlusion", "0.4", "--light", "300,30")
 
     def test_plan_views(self):
         def settings(plan, array=""):

@@ -93,6 +93,15 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetMapperToRayCast(); }},
     {"slices", [](vtkNexradVolumeScene* scene) { scene->SetNumberOfSlices(11); }},
     {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
+    {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetShadowStrength(0.8); }},
+    {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOcclusionStrength(0.8); }},
+    {"light",
+      [](vtkNexradVolumeScene* scene)
+      {
+        scene->SetShadowStrength(0.8);
+        scene->SetLightAzimuth(90.0);
+        scene->SetLightElevation(20.0);
+      }},
     {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},
     {"height", [](vtkNexradVolumeScene* scene)
       {
@@ -111,6 +120,46 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     EXPECT_EQ(MeanDifference(changed, DrawStorm(set)), 0.0) << name;
     EXPECT_GT(MeanDifference(changed, usual), 0.01) << name;
   }
+}
+
+// The storm stands in the south west and leans to the north east; a low light in the south west
+// draws its shadow over the ground in the north east, beyond the echo, and not in the south east.
+// Both places are dark ground without lines.
+TEST(VolumeScene, TheVolumeShadesTheGround)
+{
+  const auto draw = [](double shadow, bool rayCast)
+  {
+    return DrawStorm(
+      [=](vtkNexradVolumeScene* scene)
+      {
+        scene->SetCameraFromAbove();
+        scene->SetShadowStrength(shadow);
+        scene->SetLightAzimuth(225.0);
+        scene->SetLightElevation(20.0);
+        scene->SetMapper(
+          rayCast ? vtkNexradVolumeScene::RAY_CAST : vtkNexradVolumeScene::TEXTURE_SLICE);
+      });
+  };
+  const Picture without = draw(0.0, false);
+  const Picture with = draw(1.0, false);
+  KeepPicture(with, "SceneGroundShadow");
+  const auto meanAbout = [](const Picture& picture, int x, int y)
+  {
+    int sum = 0;
+    for (int i = 0; i < 36; ++i)
+    {
+      sum += PixelOf(picture, x + i % 6, y + i / 6)[2];
+    }
+    return sum / 36.0;
+  };
+  // The domain, 480 km wide, is as high as the middle of the picture: 0.37 pixels a km.
+  const int x = size[0] / 2;
+  const int y = size[1] / 2;
+  const double ground = 255.0 * 0.11; // its blue
+  EXPECT_NEAR(meanAbout(without, x + 22, y + 22), ground, 2.0);
+  EXPECT_LT(meanAbout(with, x + 22, y + 22), 0.6 * ground);
+  EXPECT_NEAR(meanAbout(with, x + 45, y - 45), meanAbout(without, x + 45, y - 45), 0.01);
+  EXPECT_EQ(MeanDifference(draw(1.0, true), draw(0.0, true)), 0.0) << "the ray caster has none";
 }
 
 TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)

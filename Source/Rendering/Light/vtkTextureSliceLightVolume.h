@@ -29,6 +29,9 @@ public:
     bool Shadow = false;    ///< whether the first component is asked for
     bool Occlusion = false; ///< whether the second one is
     std::array<double, 3> ToLight{0, 0, 1};
+    /// How much of the way from a cell to the face of the volume can cast a shadow on it, 0 to 1;
+    /// at least one cell does.
+    double Reach = 1.0;
     /// The columns of a matrix from directions about the sky's zenith (0, 0, 1).
     std::array<std::array<double, 3>, 3> Sky{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   };

@@ -38,6 +38,7 @@ Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& set
   Lights lights;
   lights.Shadow = settings.Shadow > 0.0;
   lights.Occlusion = settings.Occlusion > 0.0;
+  lights.Reach = settings.Reach;
   lights.ToLight = source.Frame->GetDataDirection(settings.ToLight);
   double east[3];
   double north[3];
@@ -191,6 +192,7 @@ vtkTextureSliceShadows::Key vtkTextureSliceShadows::MakeKey(
   if (lights.Shadow)
   {
     add(lights.ToLight);
+    numbers.push_back(lights.Reach);
   }
   for (std::size_t i = 0; i < 3 && lights.Occlusion; ++i)
   {

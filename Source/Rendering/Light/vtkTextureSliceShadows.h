@@ -31,6 +31,7 @@ struct vtkTextureSliceShadowSettings
   double Occlusion = 0.0; ///< strength, 0 to 1
   std::array<double, 3> ToLight{0, 0, 1};
   std::array<double, 3> Zenith{0, 0, 1};
+  double Reach = 1.0; ///< as vtkTextureSliceLightVolume::Lights
   /// Whether the frame is one of an interaction: a change then asks for a coarse volume.
   bool Interactive = false;
 };
