@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Frame/LightOptions.h"
 #include "Scene/Plan/PlanOptions.h"
 
 #include <filesystem>
@@ -22,22 +23,6 @@ enum class MapperChoice
 constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear air", "iso-values",
   "velocity", "spectrum width", "differential reflectivity", "differential phase",
   "correlation coefficient", "clutter power"};
-
-/// Where light comes from.
-struct LightDirection
-{
-  double azimuth = 250.0;  ///< degrees clockwise from north, from the volume to the light
-  double elevation = 45.0; ///< degrees of the light above the horizon, -90…90
-};
-
-/// The light that the volume stands in; the strengths are those of
-/// vtkOpenGLTextureSliceVolumeMapper. With both at 0 the volume is drawn without shadows.
-struct LightOptions
-{
-  double shadow = 0.0;    ///< strength of shadows on the volume and the ground, 0…1
-  double occlusion = 0.0; ///< strength of ambient occlusion, 0…1
-  LightDirection direction;
-};
 
 /// What a scene shows beside the data.
 struct SceneOptions

@@ -12,7 +12,7 @@
 #include <vector>
 
 /**
- * The extinction (Formulas L1: -ln(1 - opacity) over a length) of each cell of a grid: the mean of
+ * The extinction (Formulas L2: -ln(1 - opacity) over a length) of each cell of a grid: the mean of
  * its voxels', which the transfer functions give. Voxels that are hidden, that are not finite, or
  * that a mask leaves out let all light through. Gradient opacity does not count.
  */

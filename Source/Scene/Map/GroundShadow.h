@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/SceneOptions.h"
+#include "Scene/Frame/LightOptions.h"
 
 #include <vtkNew.h>
 #include <vtkType.h>
