@@ -587,6 +587,7 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
   vtkTextureSliceShadowSettings settings;
   settings.Shadow = this->ShadowStrength;
   settings.Occlusion = this->OcclusionStrength;
+  settings.Density = this->ShadowDensity;
   std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
   std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
   this->FollowScattering(request.Property, settings);
@@ -766,6 +767,7 @@ void vtkOpenGLTextureSliceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
   os << indent << "ShadowStrength: " << this->ShadowStrength << "\n";
   os << indent << "OcclusionStrength: " << this->OcclusionStrength << "\n";
+  os << indent << "ShadowDensity: " << this->ShadowDensity << "\n";
   os << indent << "LightDirection: " << this->LightDirection[0] << " " << this->LightDirection[1]
      << " " << this->LightDirection[2] << "\n";
   os << indent << "Zenith: " << this->Zenith[0] << " " << this->Zenith[1] << " " << this->Zenith[2]

@@ -103,6 +103,17 @@ public:
 
   ///@{
   /**
+   * How dense the volume is for the light of shadows and occlusion, over what it is for the viewer:
+   * 0 to 1, 1 by default. A smaller one lets light come deeper, as in a cloud, whose droplets
+   * scatter most of it forwards: then what is dense has a bright side and a dark one, and is not
+   * dark all round.
+   */
+  vtkSetClampMacro(ShadowDensity, double, 0.0, 1.0);
+  vtkGetMacro(ShadowDensity, double);
+  ///@}
+
+  ///@{
+  /**
    * Direction from the volume to the light that casts the shadows, in world coordinates, of any
    * length. It does not move with the camera. (-1, -1, 2) by default.
    */
@@ -126,11 +137,11 @@ public:
 
   /**
    * How much light arrives, as the last frame (or UpdateLight) used it: an image of unsigned short
-   * in the coordinates of the input, at about half of its resolution, coarser during an
-   * interaction. First component: the transmittance to the light (65535: all of it arrives);
-   * second: its mean over the sky. A component whose strength is 0 is 65535. nullptr where both are
-   * off. It is made anew when the volume, its functions, its cuts or a direction change; never when
-   * the camera moves.
+   * in the coordinates of the input, of at most 1,048,576 points (half of the resolution of 256 x
+   * 256 x 128), an eighth of these during an interaction. First component: the transmittance to the
+   * light (65535: all of it arrives); second: its mean over the sky. A component whose strength is
+   * 0 is 65535. nullptr where both are off. It is made anew when the volume, its functions, its
+   * cuts or a direction change; never when the camera moves.
    */
   vtkImageData* GetLightVolume();
 
@@ -194,6 +205,7 @@ protected:
   int NumberOfSlices = 256;
   double ShadowStrength = 0.0;
   double OcclusionStrength = 0.0;
+  double ShadowDensity = 1.0;
   double LightDirection[3] = {-1.0, -1.0, 2.0};
   double Zenith[3] = {0.0, 0.0, 1.0};
 

@@ -183,7 +183,12 @@ void RadarScene::SetSlices(int slices)
 
 void RadarScene::SetLight(const LightOptions& light)
 {
+  const bool other = light.HasShadows() != options.light.HasShadows();
   options.light = light;
+  if (other && !ground.empty())
+  {
+    this->DrawGround(); // a ground that was drawn without a texture may not take one
+  }
   if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
   {
     scene::SetLight(mapper, light);

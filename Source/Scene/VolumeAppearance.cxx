@@ -21,6 +21,9 @@ namespace
 
 constexpr double unitDistance = 5.0; // scene units: km along the ground
 
+// Light comes into cores far enough for their bright side to keep the colours of the colour bar.
+constexpr double shadowDensity = 0.35;
+
 // Width of the boxes of a colour bar for colours that have no steps.
 double StepOfSplines(double span)
 {
@@ -101,6 +104,7 @@ void SetLight(vtkVolumeMapper* mapper, const LightOptions& light)
     const double elevation = vtkMath::RadiansFromDegrees(light.direction.elevation);
     slicer->SetShadowStrength(light.shadow);
     slicer->SetOcclusionStrength(light.occlusion);
+    slicer->SetShadowDensity(shadowDensity);
     slicer->SetLightDirection(std::sin(azimuth) * std::cos(elevation),
       std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
   }

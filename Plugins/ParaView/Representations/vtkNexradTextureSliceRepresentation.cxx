@@ -64,6 +64,11 @@ void vtkNexradTextureSliceRepresentation::SetOcclusionStrength(double strength)
   this->GetSliceMapper()->SetOcclusionStrength(strength);
 }
 
+void vtkNexradTextureSliceRepresentation::SetShadowDensity(double density)
+{
+  this->GetSliceMapper()->SetShadowDensity(density);
+}
+
 void vtkNexradTextureSliceRepresentation::SetLightDirection(double x, double y, double z)
 {
   this->GetSliceMapper()->SetLightDirection(x, y, z);

@@ -46,11 +46,13 @@ public:
   void SetAutoAdjustSampleDistances(bool automatic);
 
   /**
-   * How strong shadows and ambient occlusion are, 0 (off, the default) to 1, and the direction from
-   * the volume to the light: those of vtkOpenGLTextureSliceVolumeMapper.
+   * How strong shadows and ambient occlusion are, 0 (off, the default) to 1, how dense the volume is
+   * for their light, and the direction from the volume to the light: those of
+   * vtkOpenGLTextureSliceVolumeMapper.
    */
   void SetShadowStrength(double strength);
   void SetOcclusionStrength(double strength);
+  void SetShadowDensity(double density);
   void SetLightDirection(double x, double y, double z);
 
   /**

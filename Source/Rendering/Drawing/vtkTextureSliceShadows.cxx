@@ -27,6 +27,10 @@ using Function = vtkTextureSliceExtinction::Function;
 using Lights = vtkTextureSliceLightVolume::Lights;
 using Source = vtkTextureSliceShadows::Source;
 
+/// As many cells as a volume of 256 x 256 x 128 voxels has at half its resolution.
+constexpr std::size_t MostCells = 1048576;
+constexpr std::size_t MostCellsOfInteraction = MostCells / 8;
+
 /// Shadows lie in places, and scalars alone decide how dense these are.
 bool CanShow(const vtkTextureSliceFeatures& features)
 {
@@ -52,13 +56,13 @@ Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& set
 }
 
 /// What turns a row's optical depths, in halvings of a unit distance, into extinctions.
-std::vector<float> FindScales(const vtkTextureSliceRequest& request)
+std::vector<float> FindScales(const vtkTextureSliceRequest& request, double density)
 {
   std::vector<float> scales;
   for (const vtkTextureSliceSurface& surface : request.MakeSurfaces())
   {
     scales.push_back(
-      static_cast<float>(std::log(2.0)) * surface.InverseUnitDistance * surface.Weight);
+      static_cast<float>(density * std::log(2.0)) * surface.InverseUnitDistance * surface.Weight);
   }
   return scales;
 }
@@ -75,10 +79,10 @@ Function MakeFunction(const vtkTextureSliceTable& table, std::size_t row,
 }
 
 /// One function for each component that has its own, or that of the opacity.
-std::vector<Function> MakeFunctions(const Source& source)
+std::vector<Function> MakeFunctions(const Source& source, double density)
 {
   const auto& components = source.Texture->GetComponents();
-  const std::vector<float> scales = FindScales(*source.Request);
+  const std::vector<float> scales = FindScales(*source.Request, density);
   const auto count = static_cast<std::size_t>(source.Request->GetFeatures().Functions);
   std::vector<Function> functions;
   for (std::size_t i = 0; i < count; ++i)
@@ -91,11 +95,12 @@ std::vector<Function> MakeFunctions(const Source& source)
 }
 
 /// The functions of each label; a label's own count as much as its weight says.
-std::vector<std::vector<Function>> MakeLabelFunctions(const Source& source, int labels)
+std::vector<std::vector<Function>> MakeLabelFunctions(
+  const Source& source, int labels, double density)
 {
-  const Function common = MakeFunctions(source).front();
+  const Function common = MakeFunctions(source, density).front();
   const auto& component = source.Texture->GetComponents().front();
-  const float scale = FindScales(*source.Request).front();
+  const float scale = FindScales(*source.Request, density).front();
   std::vector<std::vector<Function>> functions{{common}};
   for (int label = 0; label < labels; ++label)
   {
@@ -144,7 +149,7 @@ std::function<bool(const std::array<double, 3>&)> MakeCut(const Source& source)
   };
 }
 
-vtkTextureSliceExtinction::Source MakeSource(const Source& source)
+vtkTextureSliceExtinction::Source MakeSource(const Source& source, double density)
 {
   const vtkTextureSliceFeatures features = source.Request->GetFeatures();
   vtkTextureSliceExtinction::Source made;
@@ -153,15 +158,15 @@ vtkTextureSliceExtinction::Source MakeSource(const Source& source)
   made.Masked = source.Texture->IsMasked();
   if (features.Labels > 0)
   {
-    made.Functions = MakeLabelFunctions(source, features.Labels);
+    made.Functions = MakeLabelFunctions(source, features.Labels, density);
   }
   else if (features.BinaryMask)
   {
-    made.Functions = {{}, MakeFunctions(source)};
+    made.Functions = {{}, MakeFunctions(source, density)};
   }
   else
   {
-    made.Functions = {MakeFunctions(source)};
+    made.Functions = {MakeFunctions(source, density)};
   }
   if (features.HasMask())
   {
@@ -179,7 +184,7 @@ vtkTextureSliceShadows::vtkTextureSliceShadows() = default;
 vtkTextureSliceShadows::~vtkTextureSliceShadows() = default;
 
 vtkTextureSliceShadows::Key vtkTextureSliceShadows::MakeKey(
-  const Source& source, const Lights& lights)
+  const Source& source, const Lights& lights, double density)
 {
   const vtkTextureSliceFeatures features = source.Request->GetFeatures();
   const vtkTextureSliceFrame& frame = *source.Frame;
@@ -208,8 +213,8 @@ vtkTextureSliceShadows::Key vtkTextureSliceShadows::MakeKey(
     features.HasMask() ? source.MaskValues->GetMTime() : 0};
   const int parts = (lights.Shadow ? 1 : 0) + (lights.Occlusion ? 2 : 0);
   const int cropped = frame.NeedsCropTest() ? source.CropFlags : -1;
-  return {times, features.GetDefines() + std::to_string(parts), FindScales(*source.Request),
-    numbers, frame.GetView().ClippingPlanes, cropped};
+  return {times, features.GetDefines() + std::to_string(parts),
+    FindScales(*source.Request, density), numbers, frame.GetView().ClippingPlanes, cropped};
 }
 
 void vtkTextureSliceShadows::Update(vtkOpenGLRenderWindow* window, const Source& source,
@@ -223,11 +228,12 @@ void vtkTextureSliceShadows::Update(vtkOpenGLRenderWindow* window, const Source&
   }
   this->Strength = {static_cast<float>(settings.Shadow), static_cast<float>(settings.Occlusion)};
   const Lights lights = FindLights(source, settings);
-  Key key = MakeKey(source, lights);
+  Key key = MakeKey(source, lights, settings.Density);
   const bool finer = this->Coarse && !settings.Interactive;
   if (key != this->Last || finer)
   {
-    this->Volume.Build(MakeSource(source), lights, settings.Interactive);
+    this->Volume.Build(MakeSource(source, settings.Density), lights,
+      settings.Interactive ? MostCellsOfInteraction : MostCells);
     this->Coarse = settings.Interactive;
     this->Last = std::move(key);
     this->PlaceImage(source.Image, source.Frame->IsOfCells());

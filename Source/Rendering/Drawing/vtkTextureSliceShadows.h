@@ -31,7 +31,8 @@ struct vtkTextureSliceShadowSettings
   double Occlusion = 0.0; ///< strength, 0 to 1
   std::array<double, 3> ToLight{0, 0, 1};
   std::array<double, 3> Zenith{0, 0, 1};
-  double Reach = 1.0; ///< as vtkTextureSliceLightVolume::Lights
+  double Density = 1.0; ///< extinction for the light over that for the viewer
+  double Reach = 1.0;   ///< as vtkTextureSliceLightVolume::Lights
   /// Whether the frame is one of an interaction: a change then asks for a coarse volume.
   bool Interactive = false;
 };
@@ -78,7 +79,8 @@ private:
   /// All that the volume depends on but its resolution, the order that of MakeKey.
   using Key = std::tuple<std::array<vtkMTimeType, 4>, std::string, std::vector<float>,
     std::vector<double>, std::vector<std::array<double, 4>>, int>;
-  static Key MakeKey(const Source& source, const vtkTextureSliceLightVolume::Lights& lights);
+  static Key MakeKey(
+    const Source& source, const vtkTextureSliceLightVolume::Lights& lights, double density);
 
   void Upload(vtkOpenGLRenderWindow* window);
   void PlaceImage(vtkImageData* volume, bool cellData);

@@ -18,6 +18,9 @@ using Source = vtkTextureSliceExtinction::Source;
 /// voxels of an opaque cell's edge is not stopped by their mean.
 constexpr float MostDepthOfAVoxel = 4.0f;
 
+/// Rows of voxels along an axis that are looked at in each cell.
+constexpr int MostRows = 4;
+
 /// A function as the loops over voxels read it.
 template <typename Scalar>
 struct Lookup
@@ -53,11 +56,10 @@ template <typename Scalar>
 class LayerSummer
 {
 public:
-  LayerSummer(const Source& source, const vtkTextureSliceLightGrid& grid, bool coarse,
-    std::vector<float>& values)
+  LayerSummer(
+    const Source& source, const vtkTextureSliceLightGrid& grid, std::vector<float>& values)
     : Input(source)
     , Grid(grid)
-    , Coarse(coarse)
     , Values(values)
     , Rows(source.Scalars)
     , Most(MostDepthOfAVoxel /
@@ -90,11 +92,11 @@ private:
     int End;
   };
 
-  /// The voxels of a cell along an axis that are looked at.
+  /// The rows of a cell along an axis that are looked at.
   Span Reach(int cell, std::size_t axis) const
   {
     const int factor = this->Grid.Factor[axis];
-    const int inset = this->Coarse && factor > 2 ? factor / 2 - 1 : 0;
+    const int inset = std::max(0, (factor - MostRows) / 2);
     const int end = std::min(this->Grid.Voxels[axis], (cell + 1) * factor - inset);
     return {std::min(cell * factor + inset, end - 1), end};
   }
@@ -180,7 +182,6 @@ private:
 
   const Source& Input;
   const vtkTextureSliceLightGrid& Grid;
-  const bool Coarse;
   std::vector<float>& Values;
   vtkTextureSlice::Rows<Scalar> Rows;
   const float Most;
@@ -189,16 +190,16 @@ private:
 
 } // namespace
 
-void vtkTextureSliceExtinction::Build(const Source& source, bool coarse)
+void vtkTextureSliceExtinction::Build(const Source& source, std::size_t mostCells)
 {
   this->Grid = vtkTextureSliceLightGrid::Choose(
-    source.Scalars.Size, source.Scalars.CellData, source.VoxelEdge, coarse);
+    source.Scalars.Size, source.Scalars.CellData, source.VoxelEdge, mostCells);
   this->Values.resize(this->Grid.CountCells());
   const vtkIdType rows = vtkIdType{this->Grid.Size[1]} * this->Grid.Size[2];
   switch (source.Scalars.Scalars->GetDataType())
   {
     vtkTemplateMacro(
-      vtkSMPTools::For(0, rows, LayerSummer<VTK_TT>(source, this->Grid, coarse, this->Values)));
+      vtkSMPTools::For(0, rows, LayerSummer<VTK_TT>(source, this->Grid, this->Values)));
   }
   if (source.IsCut)
   {

@@ -8,6 +8,7 @@
 #include "vtkTextureSliceScalars.h"
 
 #include <array>
+#include <cstddef>
 #include <functional>
 #include <vector>
 
@@ -46,11 +47,8 @@ public:
     std::function<bool(const std::array<double, 3>&)> IsCut;
   };
 
-  /**
-   * Goes over the voxels, on several threads.
-   * @param coarse the grid of an interaction; then only the middle rows of each cell are looked at.
-   */
-  void Build(const Source& source, bool coarse);
+  /// Goes over the voxels, on several threads. Of large cells, the middle rows stand for all.
+  void Build(const Source& source, std::size_t mostCells);
 
   const vtkTextureSliceLightGrid& GetGrid() const { return this->Grid; }
   /// One for each cell, x varying fastest.

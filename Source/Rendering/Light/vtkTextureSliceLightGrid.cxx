@@ -3,26 +3,15 @@
 
 #include <algorithm>
 
-namespace
-{
-
-/// As many cells as a volume of 256 x 256 x 128 voxels has at half its resolution.
-constexpr double MostCells = 1048576.0;
-constexpr double VoxelsOfACell = 8.0;
-
-} // namespace
-
 vtkTextureSliceLightGrid vtkTextureSliceLightGrid::Choose(const std::array<int, 3>& voxels,
-  bool cellData, const std::array<double, 3>& voxelEdge, bool coarse)
+  bool cellData, const std::array<double, 3>& voxelEdge, std::size_t mostCells)
 {
   vtkTextureSliceLightGrid grid;
   grid.Voxels = voxels;
   grid.Size = voxels;
   grid.CellEdge = voxelEdge;
   grid.CellData = cellData;
-  const double most = std::min(MostCells, static_cast<double>(grid.CountCells()) / VoxelsOfACell) /
-                      (coarse ? VoxelsOfACell : 1.0);
-  while (static_cast<double>(grid.CountCells()) > most)
+  while (grid.CountCells() > mostCells)
   {
     const auto shortest = static_cast<std::size_t>(
       std::min_element(grid.CellEdge.begin(), grid.CellEdge.end()) - grid.CellEdge.begin());

@@ -9,8 +9,8 @@
 #include <cstddef>
 
 /**
- * A volume cut into cells of whole voxels, which are coarser than the voxels and as near to cubes
- * as they can be. Lengths are data lengths: those of the volume before its actor's matrix.
+ * A volume cut into cells of whole voxels, as near to cubes as they can be. Lengths are data
+ * lengths: those of the volume before its actor's matrix.
  */
 struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
 {
@@ -21,13 +21,10 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
   /// Whether the volume ends at the faces of its outermost voxels, and not at their centres.
   bool CellData = false;
 
-  /**
-   * Halves the resolution along the axis of the shortest cell edge until there are no more cells
-   * than an eighth of the voxels, or than a number that bounds the time of large volumes.
-   * @param coarse an eighth of these again, for the frames of an interaction.
-   */
+  /// Halves the resolution along the axis of the shortest cell edge until there are no more cells
+  /// than that.
   static vtkTextureSliceLightGrid Choose(const std::array<int, 3>& voxels, bool cellData,
-    const std::array<double, 3>& voxelEdge, bool coarse);
+    const std::array<double, 3>& voxelEdge, std::size_t mostCells);
 
   std::size_t CountCells() const;
   /// Cells from the centre of the outermost cell to the face of the volume; below 0 where the

@@ -75,7 +75,8 @@ struct vtkTextureSliceLightSweep::Course
     /// the volume, and how much more it is for the ray at the next cell.
     std::array<float, 2> GetSteps(float before) const
     {
-      if (this->Slope == 0.0)
+      // Rays that stay where they are have come in by no side.
+      if (std::abs(this->Slope) * this->Planes < 1e-6)
       {
         return {1.0f, 0.0f};
       }

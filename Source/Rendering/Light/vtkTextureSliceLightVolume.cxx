@@ -144,10 +144,10 @@ vtkTextureSliceLightVolume::GetSkyDirections()
 }
 
 void vtkTextureSliceLightVolume::Build(
-  const vtkTextureSliceExtinction::Source& source, const Lights& lights, bool coarse)
+  const vtkTextureSliceExtinction::Source& source, const Lights& lights, std::size_t mostCells)
 {
   vtkTextureSliceExtinction extinction;
-  extinction.Build(source, coarse);
+  extinction.Build(source, mostCells);
   this->Grid = extinction.GetGrid();
   this->Texels.assign(2 * this->Grid.CountCells(), FullLight);
   vtkTextureSliceLightSweep sweep(extinction);

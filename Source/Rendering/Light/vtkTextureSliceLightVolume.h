@@ -8,6 +8,7 @@
 #include "vtkTextureSliceLightGrid.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -36,8 +37,8 @@ public:
     std::array<std::array<double, 3>, 3> Sky{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
   };
 
-  /// @param coarse for the frames of an interaction.
-  void Build(const vtkTextureSliceExtinction::Source& source, const Lights& lights, bool coarse);
+  void Build(
+    const vtkTextureSliceExtinction::Source& source, const Lights& lights, std::size_t mostCells);
 
   const vtkTextureSliceLightGrid& GetGrid() const { return this->Grid; }
   const std::vector<std::uint16_t>& GetTexels() const { return this->Texels; }

@@ -18,6 +18,8 @@ struct LightOptions
   double shadow = 0.0;    ///< strength of shadows on the volume and the ground, 0…1
   double occlusion = 0.0; ///< strength of ambient occlusion, 0…1
   LightDirection direction;
+
+  bool HasShadows() const { return shadow > 0.0 || occlusion > 0.0; }
 };
 
 } // namespace nexrad::scene
