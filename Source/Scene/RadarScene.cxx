@@ -203,8 +203,7 @@ void RadarScene::UpdateShadows()
   {
     return;
   }
-  const bool shown =
-    volume->GetVisibility() != 0 && (options.light.shadow > 0.0 || options.light.occlusion > 0.0);
+  const bool shown = volume->GetVisibility() != 0 && options.light.HasShadows();
   groundShadow.Show(vtkActor::SafeDownCast(ground.front()),
     shown ? UpdateLight(mapper, renderer, volume) : nullptr, options.light,
     vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
