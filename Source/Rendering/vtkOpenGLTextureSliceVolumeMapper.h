@@ -115,7 +115,8 @@ public:
   ///@{
   /**
    * Direction from the volume to the light that casts the shadows, in world coordinates, of any
-   * length. It does not move with the camera. (-1, -1, 2) by default.
+   * length; with (0, 0, 0) there is no shadow. It does not move with the camera. (-1, -1, 2) by
+   * default.
    */
   vtkSetVector3Macro(LightDirection, double);
   vtkGetVector3Macro(LightDirection, double);
@@ -123,7 +124,8 @@ public:
 
   ///@{
   /**
-   * Upwards in world coordinates: the middle of the sky for occlusion. (0, 0, 1) by default.
+   * Upwards in world coordinates: the middle of the sky for occlusion; with (0, 0, 0) there is
+   * none. (0, 0, 1) by default.
    */
   vtkSetVector3Macro(Zenith, double);
   vtkGetVector3Macro(Zenith, double);

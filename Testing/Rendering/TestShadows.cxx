@@ -22,6 +22,7 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -206,6 +207,21 @@ TEST_F(Shadows, ShadowsDarkenDiffuseLightAndOcclusionAmbientLight)
   };
   expect(1.0, 0.0, false);
   expect(0.0, 1.0, true);
+}
+
+TEST_F(Shadows, WithoutADirectionThereAreNone)
+{
+  this->UseStorm();
+  const Picture off = this->Draw();
+  this->Mapper->SetShadowStrength(1.0);
+  this->Mapper->SetOcclusionStrength(1.0);
+  this->Mapper->SetZenith(0.0, 0.0, 0.0);
+  for (const double x :
+    {0.0, std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()})
+  {
+    this->Mapper->SetLightDirection(x, 0.0, 0.0);
+    EXPECT_EQ(WorstDifference(this->Draw(), off), 0.0);
+  }
 }
 
 TEST_F(Shadows, ProjectionsHaveNone)

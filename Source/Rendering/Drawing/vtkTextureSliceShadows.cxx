@@ -37,11 +37,17 @@ bool CanShow(const vtkTextureSliceFeatures& features)
   return features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !features.Table2D;
 }
 
+bool IsDirection(const std::array<double, 3>& vector)
+{
+  const double length = std::hypot(vector[0], vector[1], vector[2]);
+  return length > 0.0 && std::isfinite(length);
+}
+
 Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& settings)
 {
   Lights lights;
-  lights.Shadow = settings.Shadow > 0.0;
-  lights.Occlusion = settings.Occlusion > 0.0;
+  lights.Shadow = settings.Shadow > 0.0 && IsDirection(settings.ToLight);
+  lights.Occlusion = settings.Occlusion > 0.0 && IsDirection(settings.Zenith);
   lights.Reach = settings.Reach;
   lights.ToLight = source.Frame->GetDataDirection(settings.ToLight);
   double east[3];

@@ -63,6 +63,7 @@ struct vtkTextureSliceLightSweep::Course
   struct Axis
   {
     int Cells = 0;
+    int Planes = 0;
     double Slope = 0.0;
     double Offset = 0.0;
     double LowMargin = 0.0; ///< cells from the centres of the outermost ones to the faces
@@ -89,7 +90,6 @@ struct vtkTextureSliceLightSweep::Course
     {
       return Shift(std::max(0.0, this->Slope * plane + this->Offset)); // rounding may pass 0
     }
-    int Planes = 0;
   };
   Axis Column;
   Axis Row;
