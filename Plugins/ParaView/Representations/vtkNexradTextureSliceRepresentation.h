@@ -46,8 +46,8 @@ public:
   void SetAutoAdjustSampleDistances(bool automatic);
 
   /**
-   * How strong shadows and ambient occlusion are, 0 (off, the default) to 1, how dense the volume is
-   * for their light, and the direction from the volume to the light: those of
+   * How strong shadows and ambient occlusion are, 0 (off, the default) to 1, how dense the volume
+   * is for their light, and the direction from the volume to the light: those of
    * vtkOpenGLTextureSliceVolumeMapper.
    */
   void SetShadowStrength(double strength);
