@@ -25,6 +25,7 @@
 #include "vtkTextureSliceProgram.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceResolution.h"
+#include "vtkTextureSliceShadows.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTable2D.h"
 #include "vtkTextureSliceTarget.h"
@@ -55,6 +56,7 @@ public:
   vtkTextureSliceEmptySpace EmptySpace;
   vtkTextureSliceGeometry Geometry;
   vtkTextureSliceLights Lights;
+  vtkTextureSliceShadows Shadows;
   vtkTextureSliceResolution Resolution;
   /// Image sample distance of this frame.
   double PixelSize = 1.0;
@@ -90,6 +92,7 @@ public:
     this->Mask.ReleaseGraphicsResources(window);
     this->Blanks.ReleaseGraphicsResources(window);
     this->LabelTable.ReleaseGraphicsResources(window);
+    this->Shadows.ReleaseGraphicsResources(window);
     this->Target.ReleaseGraphicsResources(window);
     this->Program.ReleaseGraphicsResources();
     this->OpaquePixels.ReleaseGraphicsResources();
@@ -534,12 +537,17 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseImageSampleDistance(double allow
 
 void vtkOpenGLTextureSliceVolumeMapper::SetUpFrame(vtkRenderer* renderer)
 {
+  this->Parts->Frame.SetCamera(renderer);
+  this->SetUpCuts();
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::SetUpCuts()
+{
   vtkTextureSliceCropping cropping;
   cropping.On = this->Cropping != 0;
   cropping.RegionFlags = this->CroppingRegionFlags;
   std::copy(this->CroppingRegionPlanes, this->CroppingRegionPlanes + 6, cropping.Planes.begin());
   vtkTextureSliceFrame& frame = this->Parts->Frame;
-  frame.SetCamera(renderer);
   frame.SetCropping(cropping);
   frame.SetClippingPlanes(this->GetClippingPlanes());
 }
@@ -569,6 +577,34 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
   vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
 {
   Internals& parts = *this->Parts;
+  std::string error = this->UpdateVolume(renderer, image, scalars, request);
+  if (!error.empty())
+  {
+    return error;
+  }
+  this->SetUpFrame(renderer);
+  if (!this->PlaceSlices(renderer, image, request))
+  {
+    return "";
+  }
+  parts.Lights.Update(renderer);
+  this->UpdateShadows(image, scalars, request);
+
+  const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
+  const StateKeeper keeper(parts.Window->GetState());
+  if (!parts.Draw(renderer, uniforms, error))
+  {
+    return error;
+  }
+  parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
+    0.5f - this->FinalColorLevel / this->FinalColorWindow);
+  return "";
+}
+
+std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* renderer,
+  vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
+{
+  Internals& parts = *this->Parts;
   std::string error;
   // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
   const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
@@ -582,22 +618,84 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
     return unsupported;
   }
   parts.Texture.SetNearest(nearest);
-  this->SetUpFrame(renderer);
-  if (!this->PlaceSlices(renderer, image, request))
-  {
-    return "";
-  }
-  parts.Lights.Update(renderer);
-
-  const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
-  const StateKeeper keeper(parts.Window->GetState());
-  if (!parts.Draw(renderer, uniforms, error))
-  {
-    return error;
-  }
-  parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
-    0.5f - this->FinalColorLevel / this->FinalColorWindow);
   return "";
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
+  vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+  const auto scattering = static_cast<double>(this->VolumetricScatteringBlending);
+  if (property->GetShade(0) != 0 && scattering > settings.Shadow)
+  {
+    settings.Shadow = std::min(1.0, scattering);
+    settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
+  }
+#else
+  static_cast<void>(property);
+  static_cast<void>(settings);
+#endif
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
+  vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
+{
+  Internals& parts = *this->Parts;
+  vtkTextureSliceShadowSettings settings;
+  settings.Shadow = this->ShadowStrength;
+  settings.Occlusion = this->OcclusionStrength;
+  settings.Density = this->ShadowDensity;
+  std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
+  std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
+  this->FollowScattering(request.Property, settings);
+  // The same border as for the image sample distance; the window's own rate, because the time of a
+  // prop is shared out only while a frame is drawn.
+  settings.Interactive =
+    this->AutoAdjustSampleDistances != 0 &&
+    vtkTextureSliceResolution::IsInteractive(1.0 / parts.Window->GetDesiredUpdateRate());
+  vtkTextureSliceShadows::Source source{&request, image, scalars, &parts.Texture, &parts.Table,
+    &parts.LabelTable, nullptr, &parts.Frame, this->CroppingRegionFlags,
+    static_cast<double>(this->MaskBlendFactor)};
+  if (this->MaskInput != nullptr)
+  {
+    source.MaskValues = this->FindMaskValues();
+  }
+  parts.Shadows.Update(parts.Window, source, settings);
+}
+
+bool vtkOpenGLTextureSliceVolumeMapper::UpdateLight(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window == nullptr || !this->ValidateRender(renderer, volume))
+  {
+    return false;
+  }
+  window->Initialize(); // it may not have been drawn yet
+  std::string error;
+  vtkDataArray* scalars = nullptr;
+  vtkImageData* image = this->TakeInput(scalars, error);
+  if (image == nullptr)
+  {
+    return false;
+  }
+  const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
+  if (this->FindUnsupported(request) != nullptr)
+  {
+    return false; // drawing says why
+  }
+  this->Parts->Frame.SetVolume(image, this->CellFlag == 1, volume);
+  if (this->Parts->Frame.IsFlat() || !this->UpdateVolume(renderer, image, scalars, request).empty())
+  {
+    return false;
+  }
+  this->SetUpCuts();
+  this->UpdateShadows(image, scalars, request);
+  return true;
+}
+
+vtkImageData* vtkOpenGLTextureSliceVolumeMapper::GetLightVolume()
+{
+  return this->Parts->Shadows.GetImage();
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::Upload(
@@ -644,6 +742,14 @@ bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVo
   return true;
 }
 
+vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindMaskValues()
+{
+  vtkDataSetAttributes* attributes =
+    this->CellFlag == 1 ? static_cast<vtkDataSetAttributes*>(this->MaskInput->GetCellData())
+                        : this->MaskInput->GetPointData();
+  return attributes->GetScalars();
+}
+
 bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::string& error)
 {
   if (this->MaskInput == nullptr)
@@ -651,10 +757,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::str
     return true;
   }
   const bool cellData = this->CellFlag == 1;
-  vtkDataSetAttributes* attributes =
-    cellData ? static_cast<vtkDataSetAttributes*>(this->MaskInput->GetCellData())
-             : this->MaskInput->GetPointData();
-  vtkDataArray* values = attributes->GetScalars();
+  vtkDataArray* values = this->FindMaskValues();
   if (values == nullptr || values->GetDataType() != VTK_UNSIGNED_CHAR ||
       values->GetNumberOfComponents() != 1 ||
       vtkTextureSliceScalars::GetSize(this->MaskInput, cellData) !=
@@ -682,6 +785,7 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.Masked = parts.Texture.IsMasked();
   uniforms.Features.Cropped = parts.Frame.NeedsCropTest();
   uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  uniforms.Features.Shadows = parts.Shadows.IsUsed();
   if (request.IsShaded())
   {
     uniforms.Features.Lights = parts.Lights.CountForShader();
@@ -701,6 +805,7 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.LabelTable = &parts.LabelTable;
   uniforms.LabelWeight = this->MaskBlendFactor;
   uniforms.Lights = &parts.Lights;
+  uniforms.Shadows = &parts.Shadows;
   uniforms.CropFlags = this->CroppingRegionFlags;
   request.SetUniforms(parts.Texture.GetComponents(), uniforms);
   return uniforms;
@@ -720,5 +825,12 @@ void vtkOpenGLTextureSliceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
   os << indent << "SmoothGradient: " << (this->SmoothGradient ? "On" : "Off") << "\n";
+  os << indent << "ShadowStrength: " << this->ShadowStrength << "\n";
+  os << indent << "OcclusionStrength: " << this->OcclusionStrength << "\n";
+  os << indent << "ShadowDensity: " << this->ShadowDensity << "\n";
+  os << indent << "LightDirection: " << this->LightDirection[0] << " " << this->LightDirection[1]
+     << " " << this->LightDirection[2] << "\n";
+  os << indent << "Zenith: " << this->Zenith[0] << " " << this->Zenith[1] << " " << this->Zenith[2]
+     << "\n";
   os << indent << "NumberOfDrawnSlices: " << this->GetNumberOfDrawnSlices() << "\n";
 }

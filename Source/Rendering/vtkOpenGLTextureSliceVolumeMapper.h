@@ -56,6 +56,7 @@
 class vtkDataArray;
 class vtkImageData;
 struct vtkTextureSliceRequest;
+struct vtkTextureSliceShadowSettings;
 struct vtkTextureSliceUniforms;
 
 class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper
@@ -75,6 +76,80 @@ public:
   vtkSetClampMacro(NumberOfSlices, int, 0, 16384);
   vtkGetMacro(NumberOfSlices, int);
   ///@}
+
+  ///@{
+  /**
+   * How strong the shadow is that the volume casts on itself, 0 (off, the default) to 1: how much
+   * of a sample's diffuse and specular light, or without shading of its colour, is taken away where
+   * the light of LightDirection does not arrive. Shadows and occlusion are those of composite
+   * blending with one-dimensional functions; in other modes they have no effect. They are made
+   * from the scalars' opacity alone, gradient opacity does not count. What is cropped or clipped
+   * away, hidden or masked out casts no shadow.
+   *
+   * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, the
+   * stronger of the two holds (1 and more: full strength). If it is the stronger one,
+   * GlobalIlluminationReach says how much of the way from a sample to the face of the volume casts
+   * shadows on it.
+   */
+  vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
+  vtkGetMacro(ShadowStrength, double);
+  ///@}
+
+  ///@{
+  /**
+   * How strong ambient occlusion is, 0 (off, the default) to 1: how much of a sample's ambient
+   * light, or without shading of its colour, is taken away where the light of the sky does not
+   * arrive. The sky is the half of all directions about Zenith.
+   */
+  vtkSetClampMacro(OcclusionStrength, double, 0.0, 1.0);
+  vtkGetMacro(OcclusionStrength, double);
+  ///@}
+
+  ///@{
+  /**
+   * How dense the volume is for the light of shadows and occlusion, over what it is for the viewer:
+   * 0 to 1, 1 by default. A smaller one lets light come deeper, as in a cloud, whose droplets
+   * scatter most of it forwards: then what is dense has a bright side and a dark one, and is not
+   * dark all round.
+   */
+  vtkSetClampMacro(ShadowDensity, double, 0.0, 1.0);
+  vtkGetMacro(ShadowDensity, double);
+  ///@}
+
+  ///@{
+  /**
+   * Direction from the volume to the light that casts the shadows, in world coordinates, of any
+   * length; with (0, 0, 0) there is no shadow. It does not move with the camera. (-1, -1, 2) by
+   * default.
+   */
+  vtkSetVector3Macro(LightDirection, double);
+  vtkGetVector3Macro(LightDirection, double);
+  ///@}
+
+  ///@{
+  /**
+   * Upwards in world coordinates: the middle of the sky for occlusion; with (0, 0, 0) there is
+   * none. (0, 0, 1) by default.
+   */
+  vtkSetVector3Macro(Zenith, double);
+  vtkGetVector3Macro(Zenith, double);
+  ///@}
+
+  /**
+   * Brings shadows and occlusion up to date now, rather than when the volume is drawn, for props
+   * that show GetLightVolume and are drawn before. False, with an error, when it cannot.
+   */
+  bool UpdateLight(vtkRenderer* renderer, vtkVolume* volume);
+
+  /**
+   * How much light arrives, as the last frame (or UpdateLight) used it: an image of unsigned short
+   * in the coordinates of the input, of at most 1,048,576 points (half of the resolution of 256 x
+   * 256 x 128), an eighth of these during an interaction. First component: the transmittance to the
+   * light (65535: all of it arrives); second: its mean over the sky. A component whose strength is
+   * 0 is 65535. nullptr where both are off. It is made anew when the volume, its functions, its
+   * cuts or a direction change; never when the camera moves.
+   */
+  vtkImageData* GetLightVolume();
 
   /**
    * Slices that the last frame drew; 0 before the first.
@@ -147,6 +222,11 @@ protected:
 
   int NumberOfSlices = 256;
   bool SmoothGradient = false;
+  double ShadowStrength = 0.0;
+  double OcclusionStrength = 0.0;
+  double ShadowDensity = 1.0;
+  double LightDirection[3] = {-1.0, -1.0, 2.0};
+  double Zenith[3] = {0.0, 0.0, 1.0};
 
 private:
   vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
@@ -161,6 +241,13 @@ private:
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
   void SetUpFrame(vtkRenderer* renderer);
+  void SetUpCuts();
+  /// Returns why it cannot, or an empty text.
+  std::string UpdateVolume(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
+    const vtkTextureSliceRequest& request);
+  void UpdateShadows(
+    vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request);
+  void FollowScattering(vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings);
   bool PlaceSlices(
     vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
@@ -170,6 +257,7 @@ private:
     const vtkTextureSliceRequest& request);
   bool Upload(
     vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);
+  vtkDataArray* FindMaskValues();
   bool UpdateMask(vtkImageData* image, std::string& error);
   vtkTextureSliceUniforms MakeUniforms(
     vtkRenderer* renderer, const vtkTextureSliceRequest& request);

@@ -15,8 +15,10 @@
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradTransferFunction.h"
 
+#include <vtkActor.h>
 #include <vtkBoundingBox.h>
 #include <vtkCamera.h>
+#include <vtkCommand.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkMath.h>
@@ -79,11 +81,13 @@ RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
   renderer->SetBackground2(theme.skyTop[0], theme.skyTop[1], theme.skyTop[2]);
   renderer->GradientBackgroundOn();
   volume->SetProperty(MakeVolumeProperty());
+  startTag = renderer->AddObserver(vtkCommand::StartEvent, this, &RadarScene::UpdateShadows);
   this->TransferFunctionChanged();
 }
 
 RadarScene::~RadarScene()
 {
+  renderer->RemoveObserver(startTag);
   for (Props* group : {&plan, &ground, &scales, &captions, &labels})
   {
     this->Replace(*group, {});
@@ -155,6 +159,34 @@ void RadarScene::SetSlices(int slices)
   {
     scene::SetSlices(mapper, slices, mapper->GetInput()->GetLength());
   }
+}
+
+void RadarScene::SetLight(const LightOptions& light)
+{
+  const bool other = light.HasShadows() != options.light.HasShadows();
+  options.light = light;
+  if (other && !ground.empty())
+  {
+    this->DrawGround(); // a ground that was drawn without a texture may not take one
+  }
+  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  {
+    scene::SetLight(mapper, light);
+  }
+}
+
+// The ground is drawn before the volume.
+void RadarScene::UpdateShadows()
+{
+  auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  if (mapper == nullptr || ground.empty())
+  {
+    return;
+  }
+  const bool shown = volume->GetVisibility() != 0 && options.light.HasShadows();
+  groundShadow.Show(vtkActor::SafeDownCast(ground.front()),
+    shown ? UpdateLight(mapper, renderer, volume) : nullptr, options.light,
+    vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
 }
 
 void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
@@ -257,6 +289,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
   }
   volume->GetMapper()->SetInputDataObject(placed);
   this->SetSlices(options.slices);
+  this->SetLight(options.light);
 }
 
 void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)

@@ -7,6 +7,7 @@
 #include "Scene/Frame/CameraView.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Map/GroundShadow.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/SceneOptions.h"
 
@@ -81,6 +82,11 @@ public:
   int Slices() const { return options.slices; }
   void SetSlices(int slices);
 
+  /// The light that the volume stands in.
+  void SetLight(const LightOptions& light);
+  /// Brings the shadow on the ground up to date. The beginning of each frame does so itself.
+  void UpdateShadows();
+
 private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
@@ -106,6 +112,7 @@ private:
   SceneFrame frame;
   VolumeInformation information;
   vtkSmartPointer<vtkRenderer> renderer;
+  unsigned long startTag = 0; ///< of the observer of the renderer
   vtkNew<vtkVolume> volume;
   vtkSmartPointer<vtkNexradTransferFunction> transferFunction;
   std::string array; ///< that is shown
@@ -115,7 +122,8 @@ private:
   std::vector<std::optional<double>> ages; ///< min, of the radars' data
   TextPictures pictures;
   Props plan;
-  Props ground;
+  Props ground; ///< the ground itself is the first
+  GroundShadow groundShadow;
   Props scales;
   Props captions;
   Props labels;

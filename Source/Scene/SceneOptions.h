@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Scene/Elements/Theme.h"
+#include "Scene/Frame/LightOptions.h"
 #include "Scene/Plan/PlanOptions.h"
 
 #include <filesystem>
@@ -38,6 +39,7 @@ struct SceneOptions
   ThemeChoice theme = ThemeChoice::Dark;
   bool heightWalls = true; ///< lines of equal height on the walls behind the volume
   bool placeNames = false; ///< names of states and provinces on the map
+  LightOptions light;
   std::optional<PlanOptions> plan;
 };
 

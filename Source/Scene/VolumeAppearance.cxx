@@ -6,6 +6,7 @@
 #include "vtkNexradTransferFunction.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
+#include <vtkMath.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkVolumeProperty.h>
 
@@ -19,6 +20,9 @@ namespace
 {
 
 constexpr double unitDistance = 5.0; // scene units: km along the ground
+
+// Light comes into cores far enough for their bright side to keep the colours of the colour bar.
+constexpr double shadowDensity = 0.35;
 
 // Width of the boxes of a colour bar for colours that have no steps.
 double StepOfSplines(double span)
@@ -100,6 +104,27 @@ void DrawSurfaces(vtkVolumeMapper* mapper, bool surfaces)
   {
     slicer->SetSmoothGradient(surfaces);
   }
+}
+
+void SetLight(vtkVolumeMapper* mapper, const LightOptions& light)
+{
+  if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
+  {
+    const double azimuth = vtkMath::RadiansFromDegrees(light.direction.azimuth);
+    const double elevation = vtkMath::RadiansFromDegrees(light.direction.elevation);
+    slicer->SetShadowStrength(light.shadow);
+    slicer->SetOcclusionStrength(light.occlusion);
+    slicer->SetShadowDensity(shadowDensity);
+    slicer->SetLightDirection(std::sin(azimuth) * std::cos(elevation),
+      std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
+  }
+}
+
+vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper);
+  return slicer != nullptr && slicer->UpdateLight(renderer, volume) ? slicer->GetLightVolume()
+                                                                    : nullptr;
 }
 
 bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)

@@ -8,6 +8,7 @@
 
 #include <string>
 
+class vtkImageData;
 class vtkNexradTransferFunction;
 class vtkRenderer;
 class vtkVolume;
@@ -27,6 +28,13 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
 /// Draws the surfaces of the property's iso-values, or the volume. The slices light surfaces by
 /// smoothed gradients: the echo of a gate is noisy.
 void DrawSurfaces(vtkVolumeMapper* mapper, bool surfaces);
+
+/// Sets shadows and ambient occlusion. VTK's ray caster has none of these.
+void SetLight(vtkVolumeMapper* mapper, const LightOptions& light);
+
+/// Brings the light up to date before the frame is drawn. How much of it arrives, as
+/// vtkOpenGLTextureSliceVolumeMapper::GetLightVolume has it; nullptr: there are no shadows.
+vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
 /// Brings the mapper's input into texture memory. False when it cannot.
 bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);

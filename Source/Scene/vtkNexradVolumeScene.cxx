@@ -16,6 +16,7 @@
 #include <exception>
 
 using nexrad::scene::CameraView;
+using nexrad::scene::LightOptions;
 using nexrad::scene::RadarScene;
 using nexrad::scene::SceneOptions;
 
@@ -34,8 +35,15 @@ bool SamePlan(const SceneOptions& a, const SceneOptions& b)
                        a.plan->array == b.plan->array));
 }
 
-// The number of slices can be changed in a scene that is there.
-bool SameButForSlices(const SceneOptions& a, const SceneOptions& b)
+bool SameLight(const LightOptions& a, const LightOptions& b)
+{
+  return a.shadow == b.shadow && a.occlusion == b.occlusion &&
+         a.direction.azimuth == b.direction.azimuth &&
+         a.direction.elevation == b.direction.elevation;
+}
+
+// The number of slices and the light can be changed in a scene that is there.
+bool SameButForSlicesAndLight(const SceneOptions& a, const SceneOptions& b)
 {
   return SameColors(a, b) && SamePlan(a, b) && a.exaggeration == b.exaggeration &&
          a.mapper == b.mapper && a.ringSpacing == b.ringSpacing && a.theme == b.theme &&
@@ -94,6 +102,8 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   options.mapper = self->Mapper == RAY_CAST ? nexrad::scene::MapperChoice::RayCast
                                             : nexrad::scene::MapperChoice::TextureSlice;
   options.slices = self->NumberOfSlices;
+  options.light = {
+    self->ShadowStrength, self->OcclusionStrength, {self->LightAzimuth, self->LightElevation}};
   options.ringSpacing = self->RingSpacing;
   options.theme =
     self->Theme == LIGHT ? nexrad::scene::ThemeChoice::Light : nexrad::scene::ThemeChoice::Dark;
@@ -159,7 +169,7 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   const CameraView camera{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection};
   const bool sameView = SameView(camera, view);
   view = camera;
-  if (!scene || !SameButForSlices(wanted, options))
+  if (!scene || !SameButForSlicesAndLight(wanted, options))
   {
     this->Rebuild(self, wanted);
     return;
@@ -173,6 +183,11 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   {
     scene->SetSlices(wanted.slices);
     options.slices = wanted.slices;
+  }
+  if (!SameLight(wanted.light, options.light))
+  {
+    scene->SetLight(wanted.light);
+    options.light = wanted.light;
   }
   if (!sameView)
   {
@@ -311,6 +326,10 @@ void vtkNexradVolumeScene::FollowRendering()
   const double scale = drawn->GetParallelScale() / this->Camera->GetParallelScale();
   this->FollowSize();
   this->Update();
+  if (this->Drawn->scene)
+  {
+    this->Drawn->scene->UpdateShadows(); // a scene that is made now does not hear of this frame
+  }
   if (drawn != this->Camera && this->Camera->GetMTime() != before)
   {
     drawn->DeepCopy(this->Camera);
@@ -349,6 +368,10 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "Mapper: " << this->Mapper << "\n";
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "ShadowStrength: " << this->ShadowStrength << "\n";
+  os << indent << "OcclusionStrength: " << this->OcclusionStrength << "\n";
+  os << indent << "LightAzimuth: " << this->LightAzimuth << "\n";
+  os << indent << "LightElevation: " << this->LightElevation << "\n";
   os << indent << "RingSpacing: " << this->RingSpacing << "\n";
   os << indent << "Theme: " << this->Theme << "\n";
   os << indent << "HeightWalls: " << this->HeightWalls << "\n";

@@ -194,6 +194,42 @@ public:
 
   ///@{
   /**
+   * How strong the shadows are that the volume casts on itself and on the ground, 0 (none, the
+   * default) to 1. The ray caster draws none.
+   */
+  vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
+  vtkGetMacro(ShadowStrength, double);
+  ///@}
+
+  ///@{
+  /**
+   * How strong ambient occlusion is: how much darker the volume and the ground are where they see
+   * little of the sky, 0 (none, the default) to 1. The ray caster draws none.
+   */
+  vtkSetClampMacro(OcclusionStrength, double, 0.0, 1.0);
+  vtkGetMacro(OcclusionStrength, double);
+  ///@}
+
+  ///@{
+  /**
+   * Direction from the volume to the light that casts the shadows, in degrees clockwise from north.
+   * 250 by default: on the left behind a viewer at the default azimuth.
+   */
+  vtkSetMacro(LightAzimuth, double);
+  vtkGetMacro(LightAzimuth, double);
+  ///@}
+
+  ///@{
+  /**
+   * Elevation of that light above the horizon of the stretched scene in degrees, -90 to 90; 45 by
+   * default.
+   */
+  vtkSetClampMacro(LightElevation, double, -90.0, 90.0);
+  vtkGetMacro(LightElevation, double);
+  ///@}
+
+  ///@{
+  /**
    * Distance in metres between rings of range about each radar, which are drawn up to 230 km. 0,
    * the default, draws none; at least 1000 otherwise.
    */
@@ -272,6 +308,10 @@ protected:
   double Exaggeration = 0.0;
   int Mapper = TEXTURE_SLICE;
   int NumberOfSlices = 256;
+  double ShadowStrength = 0.0;
+  double OcclusionStrength = 0.0;
+  double LightAzimuth = 250.0;
+  double LightElevation = 45.0;
   double RingSpacing = 0.0;
   int Theme = DARK;
   bool HeightWalls = true;

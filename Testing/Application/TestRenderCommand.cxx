@@ -77,6 +77,11 @@ TEST(RenderCommand, OneTimeAndTheCamera)
   EXPECT_NE(first, draw("near.png", {"--zoom", "2"}));
   EXPECT_NE(first, draw("flat.png", {"--exaggeration", "2"}));
   EXPECT_NE(first, draw("rings.png", {"--rings", "100km"}));
+  EXPECT_NE(first, draw("occlusion.png", {"--occlusion", "0.7"}));
+  const auto shadow = draw("shadow.png", {"--shadow", "0.7"});
+  EXPECT_NE(first, shadow);
+  EXPECT_NE(shadow, draw("light.png", {"--shadow", "0.7", "--light", "90,30"}));
+  EXPECT_EQ(shadow, draw("usual-light.png", {"--shadow", "0.7", "--light", "250,45"}));
   EXPECT_NE(first, draw("parallel.png", {"--parallel"}));
   EXPECT_NE(first, draw("light.png", {"--theme", "light"}));
   EXPECT_NE(first, draw("walls.png", {"--no-walls"}));

@@ -179,6 +179,12 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--zoom", "0"}, {"--zoom"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--zoom", "nan"}, {"--zoom", "0.01 to 1000"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--exaggeration", "-1"}, {"--exaggeration"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--shadow", "1.5"}, {"--shadow", "1.5"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--occlusion", "nan"}, {"--occlusion"});
+  for (const char* light : {"90", "90,91", "400,10", "90,", "90,10km", "nan,10"})
+  {
+    ExpectWrongUsage({"render", "a", "-o", "b.png", "--light", light}, {"--light", "250,45"});
+  }
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--slices", "0"}, {"--slices", "1"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--mapper", "x"}, {"--mapper", "texture-slice"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--theme", "x"}, {"--theme", "dark or light"});

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Frame times of the slices beside VTK's ray casters, on the synthetic storm volume and on volumes
 // that are visible everywhere: 796 x 532 pixels, 256 slices, as many samples along the axis of the
-// view, 12 views. Usage: BenchmarkMapper [points along x ...]: 128, 256, 512; default all three.
+// view, 12 views. Then the same storms with and without shadows and occlusion, and how long a new
+// light volume takes. Usage: BenchmarkMapper [light] [points along x ...]: 128, 256, 512; default
+// all three; light: shadows and occlusion alone.
 #include "RenderingTest.h"
 #include "Scenes.h"
 #include "SyntheticStorm.h"
@@ -40,6 +42,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int Slices = 256;
 constexpr int Views = 12;
+/// 40 km of rain of 30 dBZ hide two thirds of what is behind.
+constexpr double StormUnitDistance = 0.25;
 
 /// What stands between the data and the eye.
 struct Look
@@ -52,6 +56,13 @@ struct Look
 double Milliseconds(Clock::time_point begin)
 {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+}
+
+double Median(std::vector<double>& times)
+{
+  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
+  std::nth_element(times.begin(), middle, times.end());
+  return *middle;
 }
 
 /// From 30 degrees above the horizon, all round; the volume fills the picture.
@@ -93,11 +104,7 @@ struct Contender
   vtkSmartPointer<vtkVolumeProperty> Property;
   std::vector<double> Times;
 
-  double Median()
-  {
-    std::nth_element(this->Times.begin(), this->Times.begin() + Views / 2, this->Times.end());
-    return this->Times[Views / 2];
-  }
+  double GetMedian() { return Median(this->Times); }
 };
 
 class Contest
@@ -146,9 +153,6 @@ public:
   }
 
 private:
-  /// 40 km of rain of 30 dBZ hide two thirds of what is behind.
-  static constexpr double StormUnitDistance = 0.25;
-
   double Draw(Contender& contender, int view)
   {
     vtkRenderWindow* window = this->Stage->GetWindow();
@@ -167,9 +171,9 @@ private:
 
   void Print(const Look& look)
   {
-    const double slices = this->Contenders[0].Median();
-    const double rays = this->Contenders[1].Median();
-    const double fixedPoint = this->Contenders[2].Median();
+    const double slices = this->Contenders[0].GetMedian();
+    const double rays = this->Contenders[1].GetMedian();
+    const double fixedPoint = this->Contenders[2].GetMedian();
     const int* size = this->Image->GetDimensions();
     std::printf("| %dx%dx%d | %s | %s | %.1f | %.1f | %.1f | %.2f | %.2f |\n", size[0], size[1],
       size[2], this->Image->GetScalarTypeAsString(), look.Name.c_str(), slices, rays, fixedPoint,
@@ -183,6 +187,90 @@ private:
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> Rays;
   vtkNew<vtkFixedPointVolumeRayCastMapper> FixedPoint;
   std::vector<Contender> Contenders;
+};
+
+/// Frames of the storm with shadows and occlusion beside those without, and the times of new light.
+class LightContest
+{
+public:
+  LightContest(vtkImageData* image, int scalarType)
+    : Image(image)
+  {
+    SetStormFunctions(this->Stage.GetProperty(), scalarType);
+    this->Stage.GetProperty()->SetScalarOpacityUnitDistance(StormUnitDistance);
+    for (vtkOpenGLTextureSliceVolumeMapper* mapper : {this->Plain.Get(), this->Lit.Get()})
+    {
+      mapper->SetInputData(image);
+      mapper->SetNumberOfSlices(Slices);
+    }
+    this->Lit->SetShadowStrength(0.7);
+    this->Lit->SetOcclusionStrength(0.5);
+  }
+
+  void Run()
+  {
+    for (int view = -1; view < Views; ++view) // the first ones upload and compile
+    {
+      this->Draw(this->Plain, view, this->PlainTimes);
+      this->Draw(this->Lit, view, this->LitTimes);
+    }
+    vtkPiecewiseFunction* opacity = this->Stage.GetProperty()->GetScalarOpacity();
+    std::vector<double> light = this->Renew(
+      [&](int i) { this->Lit->SetLightDirection(std::cos(0.5 * i), std::sin(0.5 * i), 1.0); });
+    std::vector<double> table = this->Renew([&](int) { opacity->Modified(); });
+    std::vector<double> volume = this->Renew(
+      [&](int)
+      {
+        this->Image->GetPointData()->GetScalars()->Modified();
+        this->Lit->PreLoadData(this->Stage.GetRenderer(), this->Stage.GetVolume());
+      });
+    this->Stage.GetWindow()->SetDesiredUpdateRate(15.0);
+    std::vector<double> dragged = this->Renew([&](int) { opacity->Modified(); });
+    const int* size = this->Image->GetDimensions();
+    const double plain = Median(this->PlainTimes);
+    const double lit = Median(this->LitTimes);
+    std::printf("| %dx%dx%d | %s | %.1f | %.1f | %.2f | %.1f | %.1f | %.1f | %.1f |\n", size[0],
+      size[1], size[2], this->Image->GetScalarTypeAsString(), plain, lit, lit / plain,
+      Median(light), Median(table), Median(volume), Median(dragged));
+    std::fflush(stdout);
+  }
+
+private:
+  void Draw(vtkVolumeMapper* mapper, int view, std::vector<double>& times)
+  {
+    AimCamera(this->Stage.GetRenderer(), this->Image, std::max(view, 0));
+    this->Stage.GetVolume()->SetMapper(mapper);
+    const auto begin = Clock::now();
+    this->Stage.GetWindow()->Render();
+    this->Stage.GetWindow()->WaitForCompletion();
+    if (view >= 0)
+    {
+      times.push_back(Milliseconds(begin));
+    }
+  }
+
+  /// Times of the light alone: what precedes it, a volume's upload, is done before.
+  template <typename Change>
+  std::vector<double> Renew(const Change& change)
+  {
+    std::vector<double> times;
+    for (int i = 0; i < Views; ++i)
+    {
+      change(i);
+      const auto begin = Clock::now();
+      this->Lit->UpdateLight(this->Stage.GetRenderer(), this->Stage.GetVolume());
+      this->Stage.GetWindow()->WaitForCompletion();
+      times.push_back(Milliseconds(begin));
+    }
+    return times;
+  }
+
+  vtkImageData* Image;
+  Scene Stage{796, 532, 0, false};
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> Plain;
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> Lit;
+  std::vector<double> PlainTimes;
+  std::vector<double> LitTimes;
 };
 
 double VisibleFraction(vtkImageData* image, vtkVolumeProperty* property)
@@ -216,23 +304,46 @@ void MeasureSize(int size)
   }
 }
 
+void MeasureLight(const std::vector<int>& sizes)
+{
+  std::printf("\nShadows and occlusion: a frame without and with them, and a new light volume for "
+              "another light, table or volume, and for another table during an interaction, "
+              "milliseconds\n\n"
+              "| volume | scalars | without | with | with / without | light | table | volume | "
+              "dragged |\n|---|---|---|---|---|---|---|---|---|\n");
+  for (const int size : sizes)
+  {
+    for (const int scalarType : {VTK_FLOAT, VTK_UNSIGNED_CHAR})
+    {
+      const auto storm = nexrad::benchmarks::MakeSyntheticStorm({size, size, size / 2}, scalarType);
+      LightContest(storm, scalarType).Run();
+    }
+  }
+}
+
 } // namespace
 
 int main(int argc, char* argv[])
 {
+  const bool lightAlone = argc > 1 && std::string(argv[1]) == "light";
   std::vector<int> sizes;
-  for (int i = 1; i < argc; ++i)
+  for (int i = lightAlone ? 2 : 1; i < argc; ++i)
   {
     sizes.push_back(std::atoi(argv[i]));
     if (sizes.back() < 4 || sizes.back() > 2048)
     {
-      std::fprintf(stderr, "usage: BenchmarkMapper [points along x, 4 to 2048 ...]\n");
+      std::fprintf(stderr, "usage: BenchmarkMapper [light] [points along x, 4 to 2048 ...]\n");
       return 2;
     }
   }
   if (sizes.empty())
   {
     sizes = {128, 256, 512};
+  }
+  if (lightAlone)
+  {
+    MeasureLight(sizes);
+    return 0;
   }
   std::printf("796 x 532 pixels, %d slices, median of %d views, milliseconds\n\n"
               "| volume | scalars | visible | slices | GPU ray caster | fixed-point ray caster | "
@@ -242,5 +353,6 @@ int main(int argc, char* argv[])
   {
     MeasureSize(size);
   }
+  MeasureLight(sizes);
   return 0;
 }

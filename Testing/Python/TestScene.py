@@ -91,9 +91,14 @@ class Pictures(unittest.TestCase):
             scene.SetThemeToLight()
             scene.HeightWallsOff()
             scene.PlaceNamesOn()
+            scene.SetShadowStrength(0.6)
+            scene.SetOcclusionStrength(0.4)
+            scene.SetLightAzimuth(300.0)
+            scene.SetLightElevation(30.0)
         self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
                   "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km",
-                  "--theme", "light", "--no-walls", "--names")
+                  "--theme", "light", "--no-walls", "--names",
+                  "--shadow", "0.6", "--occlusion", "0.4", "--light", "300,30")
 
     def test_plan_views(self):
         def settings(plan, array=""):

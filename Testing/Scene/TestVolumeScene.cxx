@@ -16,6 +16,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <iostream>
 #include <string>
 #include <utility>
 #include <vector>
@@ -108,6 +109,15 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
     {"theme", [](vtkNexradVolumeScene* scene) { scene->SetThemeToLight(); }},
     {"walls", [](vtkNexradVolumeScene* scene) { scene->HeightWallsOff(); }},
+    {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetShadowStrength(0.8); }},
+    {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOcclusionStrength(0.8); }},
+    {"light",
+      [](vtkNexradVolumeScene* scene)
+      {
+        scene->SetShadowStrength(0.8);
+        scene->SetLightAzimuth(90.0);
+        scene->SetLightElevation(20.0);
+      }},
     {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},
     {"height", [](vtkNexradVolumeScene* scene)
       {
@@ -128,6 +138,45 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
       MeanDifference(changed, usual), 0.012, "mean change of the picture by a setting, of 255")
       << name;
   }
+}
+
+// The storm stands in the south west and leans to the north east; a low light in the south west
+// draws its shadow over the ground in the north east, beyond the echo, and not in the south east.
+TEST(VolumeScene, TheVolumeShadesTheGround)
+{
+  const auto draw = [](double shadow, bool rayCast)
+  {
+    return DrawStorm(
+      [=](vtkNexradVolumeScene* scene)
+      {
+        scene->SetCameraFromAbove();
+        scene->SetShadowStrength(shadow);
+        scene->SetLightAzimuth(225.0);
+        scene->SetLightElevation(20.0);
+        scene->SetMapper(
+          rayCast ? vtkNexradVolumeScene::RAY_CAST : vtkNexradVolumeScene::TEXTURE_SLICE);
+      });
+  };
+  const Picture without = draw(0.0, false);
+  const Picture with = draw(1.0, false);
+  KeepPicture(with, "SceneGroundShadow");
+  const auto meanAbout = [](const Picture& picture, int x, int y)
+  {
+    int sum = 0;
+    for (int i = 0; i < 36; ++i)
+    {
+      sum += PixelOf(picture, x + i % 6, y + i / 6)[2];
+    }
+    return sum / 36.0;
+  };
+  // The middle of the domain, of which a pixel shows 2.7 km.
+  constexpr int x = 187;
+  constexpr int y = 111;
+  const double shaded = meanAbout(with, x + 48, y + 40) / meanAbout(without, x + 48, y + 40);
+  std::cout << "light on the ground in the shadow: " << shaded << '\n';
+  EXPECT_LT(shaded, 0.6);
+  EXPECT_EQ(meanAbout(with, x + 50, y - 50), meanAbout(without, x + 50, y - 50));
+  EXPECT_EQ(MeanDifference(draw(1.0, true), draw(0.0, true)), 0.0) << "the ray caster has none";
 }
 
 TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)

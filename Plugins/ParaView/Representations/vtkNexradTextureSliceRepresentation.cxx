@@ -54,6 +54,26 @@ void vtkNexradTextureSliceRepresentation::SetAutoAdjustSampleDistances(bool auto
   this->GetSliceMapper()->SetAutoAdjustSampleDistances(automatic ? 1 : 0);
 }
 
+void vtkNexradTextureSliceRepresentation::SetShadowStrength(double strength)
+{
+  this->GetSliceMapper()->SetShadowStrength(strength);
+}
+
+void vtkNexradTextureSliceRepresentation::SetOcclusionStrength(double strength)
+{
+  this->GetSliceMapper()->SetOcclusionStrength(strength);
+}
+
+void vtkNexradTextureSliceRepresentation::SetShadowDensity(double density)
+{
+  this->GetSliceMapper()->SetShadowDensity(density);
+}
+
+void vtkNexradTextureSliceRepresentation::SetLightDirection(double x, double y, double z)
+{
+  this->GetSliceMapper()->SetLightDirection(x, y, z);
+}
+
 void vtkNexradTextureSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);

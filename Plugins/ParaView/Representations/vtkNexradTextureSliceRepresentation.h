@@ -5,8 +5,8 @@
  *
  * It has what ParaView's own volume representation has, for one vtkImageData with scalars of one
  * component; for vectors choose a component with ParaView's Calculator first. Rectilinear grids,
- * partitioned data, two-dimensional transfer functions of a second array, slice blending and
- * volumetric shadows are ParaView's own representation's alone.
+ * partitioned data, two-dimensional transfer functions of a second array and slice blending are
+ * ParaView's own representation's alone.
  */
 #ifndef vtkNexradTextureSliceRepresentation_h
 #define vtkNexradTextureSliceRepresentation_h
@@ -44,6 +44,16 @@ public:
    */
   void SetImageSampleDistance(double pixels);
   void SetAutoAdjustSampleDistances(bool automatic);
+
+  /**
+   * How strong shadows and ambient occlusion are, 0 (off, the default) to 1, how dense the volume
+   * is for their light, and the direction from the volume to the light: those of
+   * vtkOpenGLTextureSliceVolumeMapper.
+   */
+  void SetShadowStrength(double strength);
+  void SetOcclusionStrength(double strength);
+  void SetShadowDensity(double density);
+  void SetLightDirection(double x, double y, double z);
 
   /**
    * The mapper that draws.

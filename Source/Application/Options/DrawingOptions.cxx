@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <iterator>
 #include <locale>
 #include <sstream>
@@ -56,6 +57,23 @@ scene::ThemeChoice ParseTheme(const std::string& text)
     throw Error("'" + text + "' is no theme; write dark or light");
   }
   return text == "light" ? scene::ThemeChoice::Light : scene::ThemeChoice::Dark;
+}
+
+scene::LightDirection ParseLightDirection(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  scene::LightDirection direction;
+  char comma = 0;
+  stream >> direction.azimuth >> comma >> direction.elevation;
+  if (!stream || comma != ',' || stream.peek() != std::istringstream::traits_type::eof() ||
+      !(std::abs(direction.azimuth) <= 360.0) || !(std::abs(direction.elevation) <= 90.0))
+  {
+    throw Error("'" + text +
+                "' is no direction of light; write degrees clockwise from north, -360 to 360, and "
+                "above the horizon, -90 to 90, as in 250,45");
+  }
+  return direction;
 }
 
 } // namespace
@@ -116,6 +134,18 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
       ".pal table, or .csv with a heading, then lines dBZ,#rrggbb")
     ->check(CLI::Validator(CLI::ExistingFile).description(""))
     ->type_name("FILE")
+    ->group(group);
+  AddNumberOption(command, "--shadow", options.light.shadow, 0.0, 1.0, "STRENGTH",
+    "How dark the shadows are that the volume casts on itself and on the ground; 0: none")
+    ->group(group);
+  AddNumberOption(command, "--occlusion", options.light.occlusion, 0.0, 1.0, "STRENGTH",
+    "How dark the volume and the ground are where they see little of the sky; 0: no effect")
+    ->group(group);
+  AddParsedOption(command, "--light", options.light.direction, ParseLightDirection,
+    "AZIMUTH,ELEVATION",
+    "Where the light of the shadows comes from, degrees clockwise from north and above the horizon "
+    "of the stretched scene",
+    "250,45")
     ->group(group);
   AddParsedOption(command, "--rings", options.ringSpacing, ParseRingSpacing, "LENGTH",
     "Rings of range about each radar at multiples of this, m or km; 0: none", "0")

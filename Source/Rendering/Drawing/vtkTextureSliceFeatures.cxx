@@ -55,6 +55,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");
   DefineIf(this->Selection, defines, "SELECTION");
+  DefineIf(this->Shadows, defines, "SHADOWS");
   defines += std::string("#define TEXTURE_SLICE_TABLE ") + SamplerOf(this->CountRows()) + '\n';
   if (this->Labels > 0)
   {

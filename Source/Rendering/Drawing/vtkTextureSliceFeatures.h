@@ -22,6 +22,7 @@ struct vtkTextureSliceFeatures
   bool BinaryMask = false; ///< samples outside of the mask are left out
   int Labels = 0;          ///< labels that have functions of their own
   bool Selection = false;  ///< what is seen gets the one colour that a hardware selection asks for
+  bool Shadows = false;    ///< the light volume says how much light arrives
   int Lights = -1;         ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
 

@@ -20,6 +20,7 @@ vtkTextureSliceFrame::~vtkTextureSliceFrame() = default;
 
 void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolume* volume)
 {
+  this->CellData = cellData;
   int extent[6];
   double spacing[3];
   image->GetExtent(extent);
@@ -133,6 +134,24 @@ void vtkTextureSliceFrame::SetClippingPlanes(vtkPlaneCollection* planes)
     }
     this->View.ClippingPlanes.push_back(box);
   }
+}
+
+std::array<double, 3> vtkTextureSliceFrame::GetDataDirection(
+  const std::array<double, 3>& world) const
+{
+  vtkNew<vtkMatrix4x4> worldToBox;
+  vtkMatrix4x4::Invert(this->BoxToWorld, worldToBox);
+  std::array<double, 3> data{};
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto a = static_cast<std::size_t>(axis);
+    for (int column = 0; column < 3; ++column)
+    {
+      data[a] += worldToBox->GetElement(axis, column) * world[static_cast<std::size_t>(column)];
+    }
+    data[a] *= this->View.EdgeLength[a];
+  }
+  return data;
 }
 
 std::array<float, 3> vtkTextureSliceFrame::GetEdges() const

@@ -54,6 +54,11 @@ public:
   const std::array<float, 3>& GetCropLow() const { return this->CropLow; }
   const std::array<float, 3>& GetCropHigh() const { return this->CropHigh; }
 
+  /// A direction in world coordinates as data lengths along the box's axes, towards higher indices.
+  std::array<double, 3> GetDataDirection(const std::array<double, 3>& world) const;
+  /// Whether the scalars are those of the image's cells.
+  bool IsOfCells() const { return this->CellData; }
+
   /// Signed data length of the box's edges.
   std::array<float, 3> GetEdges() const;
   /// Where the camera stands.
@@ -81,6 +86,7 @@ private:
   std::array<float, 3> TextureBias{};
   std::array<float, 3> VoxelStep{};
   std::array<float, 3> InverseAspect{};
+  bool CellData = false;
   bool CropTest = false;
   std::array<float, 3> CropLow{};
   std::array<float, 3> CropHigh{};

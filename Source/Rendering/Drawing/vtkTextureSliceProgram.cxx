@@ -12,6 +12,7 @@
 #include "vtkTextureSliceGeometry.h"
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpenGL.h"
+#include "vtkTextureSliceShadows.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTable2D.h"
 
@@ -19,6 +20,7 @@
 #include "TextureSliceFS.h"
 #include "TextureSliceLightingFS.h"
 #include "TextureSliceSamplingFS.h"
+#include "TextureSliceShadowsFS.h"
 #include "TextureSliceTableFS.h"
 #include "TextureSliceVS.h"
 
@@ -161,6 +163,10 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   {
     textures.push_back(this->LabelTable->GetTexture());
   }
+  if (this->Features.Shadows)
+  {
+    textures.push_back(this->Shadows->GetTexture());
+  }
   return textures;
 }
 
@@ -184,9 +190,10 @@ vtkShaderProgram* vtkTextureSliceProgram::Ready(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const
 {
   std::string fragmentShader = TextureSliceFS;
-  for (const auto& [place, text] : {std::pair("Defines", features.GetDefines()),
-         {"Sampling", TextureSliceSamplingFS}, {"Lighting", TextureSliceLightingFS},
-         {"Table", TextureSliceTableFS}, {"Coloring", TextureSliceColoringFS}})
+  for (const auto& [place, text] :
+    {std::pair("Defines", features.GetDefines()), {"Sampling", TextureSliceSamplingFS},
+      {"Lighting", TextureSliceLightingFS}, {"Shadows", TextureSliceShadowsFS},
+      {"Table", TextureSliceTableFS}, {"Coloring", TextureSliceColoringFS}})
   {
     vtkShaderProgram::Substitute(
       fragmentShader, std::string("//VTK::TextureSlice::") + place, text);
@@ -256,6 +263,10 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   if (uniforms.Features.Lights >= 0)
   {
     SetLight(program, uniforms);
+  }
+  if (uniforms.Features.Shadows)
+  {
+    uniforms.Shadows->SetUniforms(program);
   }
   if (uniforms.Features.IsoValues > 0)
   {

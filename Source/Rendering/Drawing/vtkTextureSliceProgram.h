@@ -19,6 +19,7 @@ class vtkTextureSliceBlanks;
 class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
 class vtkTextureSliceLights;
+class vtkTextureSliceShadows;
 class vtkTextureSliceTable;
 class vtkTextureSliceTable2D;
 
@@ -51,6 +52,7 @@ struct vtkTextureSliceUniforms
   float LabelWeight = 1.0f;                     ///< how much the label's functions count
   std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
   const vtkTextureSliceLights* Lights = nullptr;
+  const vtkTextureSliceShadows* Shadows = nullptr; ///< used if Features.Shadows
   int CropFlags = 0;
   std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are
   std::vector<float> IsoValues;            ///< ascending, 0 to 1 as the scalars are

@@ -59,6 +59,8 @@ struct vtkTextureSliceRequest
    */
   void SetUniforms(const std::vector<vtkTextureSliceComponent>& components,
     vtkTextureSliceUniforms& uniforms) const;
+  /// One for each component.
+  std::vector<vtkTextureSliceSurface> MakeSurfaces() const;
 
 private:
   bool ShowsPlaces() const;
@@ -69,7 +71,6 @@ private:
   int CountLabels() const;
   vtkTextureSliceRow MakeRow(int functions, const vtkTextureSliceComponent& color,
     const vtkTextureSliceComponent& opacity) const;
-  std::vector<vtkTextureSliceSurface> MakeSurfaces() const;
   std::vector<float> MakeIsoValues(const vtkTextureSliceComponent& component) const;
 };
 

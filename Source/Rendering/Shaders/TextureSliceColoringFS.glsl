@@ -84,7 +84,7 @@ float GradientOpacity(float magnitude, int component, int label)
 }
 #endif
 
-// Gradient opacity and light on the colour of one step.
+// Gradient opacity, light and shadow on the colour of one step.
 vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 {
 #ifdef TEXTURE_SLICE_GRADIENT
@@ -93,8 +93,17 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
   color.a *= GradientOpacity(gradient.w, component, label);
 #endif
 #ifdef TEXTURE_SLICE_LIGHTS
-  color.rgb = clamp(Light(color.rgb, gradient.xyz, material[component]), 0.0, 1.0);
+  vec4 surface = material[component];
+#ifdef TEXTURE_SLICE_SHADOWS
+  // The sky lights what is ambient, the light the rest.
+  surface.xyz *= FetchArriving().yxx;
 #endif
+  color.rgb = clamp(Light(color.rgb, gradient.xyz, surface), 0.0, 1.0);
+#endif
+#endif
+#if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS
+  vec2 arriving = FetchArriving();
+  color.rgb *= arriving.x * arriving.y;
 #endif
   return color;
 }

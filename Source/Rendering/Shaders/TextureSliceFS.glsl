@@ -14,6 +14,7 @@ in vec3 sampleStep;
 
 //VTK::TextureSlice::Sampling
 //VTK::TextureSlice::Lighting
+//VTK::TextureSlice::Shadows
 //VTK::TextureSlice::Table
 //VTK::TextureSlice::Coloring
 

@@ -241,6 +241,17 @@ double vtkTextureSliceTable::GetDenseOpacity(std::size_t row) const
   return share * this->GetMostOpacity(row);
 }
 
+std::vector<float> vtkTextureSliceTable::GetOpticalDepths(std::size_t row) const
+{
+  const std::size_t width = this->Entries.size() / (4 * this->Rows.size());
+  std::vector<float> depths(width);
+  for (std::size_t i = 0; i < width; ++i)
+  {
+    depths[i] = this->Entries[4 * (row * width + i) + 3];
+  }
+  return depths;
+}
+
 void vtkTextureSliceTable::Upload(std::size_t width)
 {
   for (std::size_t row = 0; row < this->Rows.size(); ++row)

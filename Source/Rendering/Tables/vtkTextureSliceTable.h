@@ -70,6 +70,9 @@ public:
   /// Where a row's opacity is below its densest part's, GetDenseOpacity.
   const vtkTextureSliceVisibility& GetThin(std::size_t row) const { return this->Thin[row]; }
   double GetDenseOpacity(std::size_t row) const;
+  /// Of a row that holds optical depths: those of a unit distance at each entry, for each factor of
+  /// 2 that it weakens what is behind (Formulas R1).
+  std::vector<float> GetOpticalDepths(std::size_t row) const;
   /// When the rows were filled last.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
   /// The greatest opacity of a row.

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The light volume of a mapper as the shader reads it.
+#ifndef vtkTextureSliceShadows_h
+#define vtkTextureSliceShadows_h
+
+#include "vtkNew.h"
+#include "vtkTextureObject.h"
+#include "vtkTextureSliceLightVolume.h"
+#include "vtkType.h"
+
+#include <array>
+#include <string>
+#include <tuple>
+#include <vector>
+
+class vtkDataArray;
+class vtkImageData;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkTextureSliceFrame;
+class vtkTextureSliceTable;
+class vtkTextureSliceTexture;
+class vtkWindow;
+struct vtkTextureSliceRequest;
+struct vtkTextureSliceSurface;
+
+/// Where light comes from, in world coordinates, and how much it matters.
+struct vtkTextureSliceShadowSettings
+{
+  double Shadow = 0.0;    ///< strength, 0 to 1
+  double Occlusion = 0.0; ///< strength, 0 to 1
+  std::array<double, 3> ToLight{0, 0, 1};
+  std::array<double, 3> Zenith{0, 0, 1};
+  double Density = 1.0; ///< extinction for the light over that for the viewer
+  double Reach = 1.0;   ///< as vtkTextureSliceLightVolume::Lights
+  /// Whether the frame is one of an interaction: a change then asks for a coarse volume.
+  bool Interactive = false;
+};
+
+/**
+ * Keeps a vtkTextureSliceLightVolume up to date with scalars, transfer functions, mask, cuts and
+ * directions of light, and in texture memory. A change of the camera or of a strength above 0
+ * leaves it as it is.
+ */
+class vtkTextureSliceShadows
+{
+public:
+  vtkTextureSliceShadows();
+  ~vtkTextureSliceShadows();
+
+  /// What the volume is made from; all of it must be up to date.
+  struct Source
+  {
+    const vtkTextureSliceRequest* Request = nullptr;
+    vtkImageData* Image = nullptr;
+    vtkDataArray* Scalars = nullptr;
+    const vtkTextureSliceTexture* Texture = nullptr;
+    const vtkTextureSliceTable* Table = nullptr;
+    const vtkTextureSliceTable* LabelTable = nullptr; ///< used where the request has labels
+    vtkDataArray* MaskValues = nullptr;               ///< used where the request has a mask
+    const vtkTextureSliceFrame* Frame = nullptr;      ///< knows the volume's matrix and the cuts
+    int CropFlags = 0;
+    double LabelWeight = 1.0; ///< how much the label's functions count
+  };
+
+  void Update(vtkOpenGLRenderWindow* window, const Source& source,
+    const vtkTextureSliceShadowSettings& settings);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
+  bool IsUsed() const { return this->Used; }
+  vtkTextureObject* GetTexture() const { return this->Texture; }
+  void SetUniforms(vtkShaderProgram* program) const;
+
+  /// The volume in data coordinates, as unsigned short of two components; nullptr if not used.
+  vtkImageData* GetImage();
+
+private:
+  /// All that the volume depends on but its resolution, the order that of MakeKey.
+  using Key = std::tuple<std::array<vtkMTimeType, 4>, std::string, std::vector<float>,
+    std::vector<double>, std::vector<std::array<double, 4>>, int>;
+  static Key MakeKey(
+    const Source& source, const vtkTextureSliceLightVolume::Lights& lights, double density);
+
+  void Upload(vtkOpenGLRenderWindow* window);
+  void PlaceImage(vtkImageData* volume, bool cellData);
+
+  bool Used = false;
+  bool Coarse = false;
+  Key Last;
+  vtkTextureSliceLightVolume Volume;
+  std::array<float, 2> Strength{};
+  vtkNew<vtkTextureObject> Texture;
+  vtkNew<vtkImageData> Image; ///< without scalars until it is asked for
+};
+
+#endif

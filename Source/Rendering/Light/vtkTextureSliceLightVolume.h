@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// How much light arrives in each part of a volume: from one light, and from the sky.
+#ifndef vtkTextureSliceLightVolume_h
+#define vtkTextureSliceLightVolume_h
+
+#include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkTextureSliceExtinction.h"
+#include "vtkTextureSliceLightGrid.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+/**
+ * Two components for each cell of a vtkTextureSliceLightGrid, 0 to 65535 (all light): the
+ * transmittance to the light, and its mean over directions all over the upper half of the sky
+ * (Formulas L2). A component that is not asked for is 65535 everywhere. It needs no OpenGL.
+ */
+class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightVolume
+{
+public:
+  static constexpr std::uint16_t FullLight = 65535;
+  /// Directions of the sky.
+  static constexpr int SkyDirections = 12;
+
+  /// Where light comes from. Directions are data lengths along the axes of the volume.
+  struct Lights
+  {
+    bool Shadow = false;    ///< whether the first component is asked for
+    bool Occlusion = false; ///< whether the second one is
+    std::array<double, 3> ToLight{0, 0, 1};
+    /// How much of the way from a cell to the face of the volume can cast a shadow on it, 0 to 1;
+    /// at least one cell does.
+    double Reach = 1.0;
+    /// The columns of a matrix from directions about the sky's zenith (0, 0, 1).
+    std::array<std::array<double, 3>, 3> Sky{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  };
+
+  void Build(
+    const vtkTextureSliceExtinction::Source& source, const Lights& lights, std::size_t mostCells);
+
+  const vtkTextureSliceLightGrid& GetGrid() const { return this->Grid; }
+  const std::vector<std::uint16_t>& GetTexels() const { return this->Texels; }
+
+  /// Unit directions that are spread evenly over the half of the sky about (0, 0, 1).
+  static std::array<std::array<double, 3>, SkyDirections> GetSkyDirections();
+
+private:
+  vtkTextureSliceLightGrid Grid;
+  std::vector<std::uint16_t> Texels;
+};
+
+#endif
