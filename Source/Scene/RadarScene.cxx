@@ -283,7 +283,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 {
   if (!sameMapper)
   {
-    volume->SetMapper(MakeVolumeMapper(options.mapper));
+    volume->SetMapper(MakeVolumeMapper(options.mapper, options.preIntegration));
     this->FollowIsoValues();
     renderer->AddVolume(volume);
   }

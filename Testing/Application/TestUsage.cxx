@@ -188,6 +188,8 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--slices", "0"}, {"--slices", "1"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--mapper", "x"}, {"--mapper", "texture-slice"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--theme", "x"}, {"--theme", "dark or light"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--classification", "x"},
+    {"--classification", "pre-integrated", "sampled"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--colours", "/none"}, {"--colours", "/none"});
   ExpectWrongUsage({"render", "a", "-o", "b.ogv", "--fps", "0"}, {"--fps"});
 }

@@ -87,6 +87,7 @@ class Pictures(unittest.TestCase):
             scene.SetPreset("storm cores")
             scene.SetExaggeration(5.0)
             scene.SetNumberOfSlices(100)
+            scene.PreIntegrationOff()
             scene.SetRingSpacing(50000.0)
             scene.SetThemeToLight()
             scene.HeightWallsOff()
@@ -98,7 +99,8 @@ class Pictures(unittest.TestCase):
         self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
                   "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km",
                   "--theme", "light", "--no-walls", "--names",
-                  "--shadow", "0.6", "--occlusion", "0.4", "--light", "300,30")
+                  "--shadow", "0.6", "--occlusion", "0.4", "--light", "300,30",
+                  "--classification", "sampled")
 
     def test_plan_views(self):
         def settings(plan, array=""):

@@ -58,6 +58,10 @@ public:
   std::array<double, 3> GetDataDirection(const std::array<double, 3>& world) const;
   /// Whether the scalars are those of the image's cells.
   bool IsOfCells() const { return this->CellData; }
+  /// The planes that cut rays off within the box: clipping planes, and the near plane if the box
+  /// reaches behind it. Four numbers each, for the part of the box that is drawn as -0.5 to 0.5
+  /// along each axis; what is below 0 is cut away.
+  std::vector<float> GetPlanesInPart() const;
 
   /// Signed data length of the box's edges.
   std::array<float, 3> GetEdges() const;

@@ -18,6 +18,7 @@ class vtkTextureObject;
 class vtkTextureSliceBlanks;
 class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
+class vtkTextureSliceIntegralTable;
 class vtkTextureSliceLights;
 class vtkTextureSliceShadows;
 class vtkTextureSliceTable;
@@ -45,12 +46,15 @@ struct vtkTextureSliceUniforms
   std::array<float, 4> ScalarScale{1, 1, 1, 1};
   std::array<float, 4> ScalarBias{0, 0, 0, 0};
   vtkTextureSliceTable* Table = nullptr;
-  vtkTextureSliceTable2D* Table2D = nullptr;    ///< used if Features.Table2D
-  vtkTextureSliceBlanks* Blanks = nullptr;      ///< used if Features.Blanked
-  vtkTextureObject* Mask = nullptr;             ///< used if Features.HasMask()
-  vtkTextureSliceTable* LabelTable = nullptr;   ///< used if Features.Labels is above 0
-  float LabelWeight = 1.0f;                     ///< how much the label's functions count
-  std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
+  vtkTextureSliceTable2D* Table2D = nullptr;              ///< used if Features.Table2D
+  vtkTextureSliceBlanks* Blanks = nullptr;                ///< used if Features.Blanked
+  vtkTextureObject* Mask = nullptr;                       ///< used if Features.HasMask()
+  vtkTextureSliceTable* LabelTable = nullptr;             ///< used if Features.Labels is above 0
+  float LabelWeight = 1.0f;                               ///< how much the label's functions count
+  vtkTextureSliceIntegralTable* Integrals = nullptr;      ///< used if Features.Slabs is above 0
+  vtkTextureSliceIntegralTable* LabelIntegrals = nullptr; ///< the same, with labels
+  vtkTextureObject* GeometryDepth = nullptr;              ///< used if Features.Slabs is above 0
+  std::vector<vtkTextureSliceSurface> Surfaces;           ///< one for each component
   const vtkTextureSliceLights* Lights = nullptr;
   const vtkTextureSliceShadows* Shadows = nullptr; ///< used if Features.Shadows
   int CropFlags = 0;

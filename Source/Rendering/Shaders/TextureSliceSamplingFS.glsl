@@ -14,30 +14,42 @@ uniform vec3 blankScale;
 uniform vec3 blankBias;
 #endif
 
-// False where there is nothing to see.
-bool FetchScalars(vec3 at, out vec4 scalars)
+#if defined TEXTURE_SLICE_MASKED || defined TEXTURE_SLICE_BLANKED
+#define TEXTURE_SLICE_HIDING 1
+// Below 0 where there is nothing to see. The last component of masked texels is 1 at visible points
+// and 0 at hidden ones, where the others are 0 too. Their quotient is the mean of the visible points
+// alone; where the hidden ones weigh more, there is nothing to see.
+float FetchVisibility(vec3 at, out vec4 scalars)
 {
+  vec4 texel = texture(volumeTexture, at);
+#ifdef TEXTURE_SLICE_MASKED
+  float visible = texel[TEXTURE_SLICE_COMPONENTS];
+#else
+  float visible = 1.0;
+#endif
+  scalars = texel / max(visible, 0.5) * scalarScale + scalarBias;
 #ifdef TEXTURE_SLICE_BLANKED
   if (texture(blankTexture, at * blankScale + blankBias).r > 0.0)
   {
-    return false;
+    return -0.5;
   }
 #endif
-  vec4 texel = texture(volumeTexture, at);
-#ifdef TEXTURE_SLICE_MASKED
-  // The last component is 1 at visible points and 0 at hidden ones, where the others are 0 too.
-  // Their quotient is the mean of the visible points alone; where the hidden ones weigh more, there
-  // is nothing to see.
-  float visible = texel[TEXTURE_SLICE_COMPONENTS];
-  if (visible < 0.5)
-  {
-    return false;
-  }
-  texel /= visible;
-#endif
-  scalars = texel * scalarScale + scalarBias;
+  return visible - 0.5;
+}
+
+// False where there is nothing to see.
+bool FetchScalars(vec3 at, out vec4 scalars)
+{
+  return FetchVisibility(at, scalars) >= 0.0;
+}
+#else
+// False where there is nothing to see.
+bool FetchScalars(vec3 at, out vec4 scalars)
+{
+  scalars = texture(volumeTexture, at) * scalarScale + scalarBias;
   return true;
 }
+#endif
 
 #if defined TEXTURE_SLICE_BINARY_MASK || defined TEXTURE_SLICE_LABELS
 // 0 to 255 as 0 to 1.
