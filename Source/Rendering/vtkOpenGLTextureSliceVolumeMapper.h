@@ -151,136 +151,137 @@ public:
    */
   vtkImageData* GetLightVolume();
 
+  ///@{
+  /**
    * Pre-integrated classification (Engel, Kraus and Ertl 2001): a slice stands for a slab of the
    * volume, along which the scalar is taken as linear, and the transfer functions are integrated
    * from the scalar at its front to the scalar at its back, in place of the look-up of one sample.
    * What the functions show between two samples (an iso-value, a narrow colour step) is then found:
    * steep functions leave no rings, and fewer slices are enough. It holds in the composite blend
    * mode with linear interpolation and one-dimensional functions, with all that goes with them;
-   *other blend modes,
-     nearest interpolation and two - dimensional functions ignore it.Of two or
-       *four dependent components the opacity is integrated,
-     and the colour is that of the middle of *
-           the slab.The number of slices is rounded up to a multiple of four.Rays end exactly at *
-             clipping planes and opaque geometry,
-     in place of at the nearest slice.Default : off,
-     the *picture of VTK's ray caster. * / vtkSetMacro(PreIntegration, bool);
-   vtkGetMacro(PreIntegration, bool);
-   vtkBooleanMacro(PreIntegration, bool);
-   ///@}
+   * other blend modes, nearest interpolation and two-dimensional functions ignore it. Of two or
+   * four dependent components the opacity is integrated, and the colour is that of the middle of
+   * the slab. The number of slices is rounded up to a multiple of four. Rays end exactly at
+   * clipping planes and opaque geometry, in place of at the nearest slice. Default: off, the
+   * picture of VTK's ray caster.
+   */
+  vtkSetMacro(PreIntegration, bool);
+  vtkGetMacro(PreIntegration, bool);
+  vtkBooleanMacro(PreIntegration, bool);
+  ///@}
 
-   /**
-    * Slices that the last frame drew; 0 before the first.
-    */
-   int GetNumberOfDrawnSlices() const;
+  /**
+   * Slices that the last frame drew; 0 before the first.
+   */
+  int GetNumberOfDrawnSlices() const;
 
-   ///@{
-   /**
-    * Whether light and gradient opacity take the gradient from the eight corners of a cube of three
-    * voxels, in place of central differences of one voxel either side, which VTK's ray caster
-    * takes. Surfaces of noisy scalars then do not sparkle; shapes of less than three voxels are
-    * lost. Off by default.
-    */
-   vtkSetMacro(SmoothGradient, bool);
-   vtkGetMacro(SmoothGradient, bool);
-   vtkBooleanMacro(SmoothGradient, bool);
-   ///@}
+  ///@{
+  /**
+   * Whether light and gradient opacity take the gradient from the eight corners of a cube of three
+   * voxels, in place of central differences of one voxel either side, which VTK's ray caster
+   * takes. Surfaces of noisy scalars then do not sparkle; shapes of less than three voxels are
+   * lost. Off by default.
+   */
+  vtkSetMacro(SmoothGradient, bool);
+  vtkGetMacro(SmoothGradient, bool);
+  vtkBooleanMacro(SmoothGradient, bool);
+  ///@}
 
-   /**
-    * Whether this mapper can draw its present input into that window with that property (which may
-    * be nullptr) and its present settings. The largest texture is known once the window's context
-    * is current.
-    */
-   int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property) override;
+  /**
+   * Whether this mapper can draw its present input into that window with that property (which may
+   * be nullptr) and its present settings. The largest texture is known once the window's context
+   * is current.
+   */
+  int IsRenderSupported(vtkRenderWindow* window, vtkVolumeProperty* property) override;
 
-   /**
-    * Does beforehand what takes longest when scalars are drawn for the first time: finds their
-    * ranges and checksums, and given what this function returned for the volume that is drawn
-    * before them, also encodes the texels that change. All this stays with the array (in its
-    * information) until it is drawn or changes. It needs no OpenGL, and touches no other image: a
-    * program that plays a series may do it on the thread that reads the next volume, before it
-    * hands the image on. Takes the active scalars of the points, or of the cells; nullptr where
-    * there are none.
-    */
-   static vtkSmartPointer<vtkObject> PrepareScalars(
-     vtkImageData* image, vtkObject* before = nullptr);
+  /**
+   * Does beforehand what takes longest when scalars are drawn for the first time: finds their
+   * ranges and checksums, and given what this function returned for the volume that is drawn
+   * before them, also encodes the texels that change. All this stays with the array (in its
+   * information) until it is drawn or changes. It needs no OpenGL, and touches no other image: a
+   * program that plays a series may do it on the thread that reads the next volume, before it
+   * hands the image on. Takes the active scalars of the points, or of the cells; nullptr where
+   * there are none.
+   */
+  static vtkSmartPointer<vtkObject> PrepareScalars(
+    vtkImageData* image, vtkObject* before = nullptr);
 
-   /**
-    * Brings the input into texture memory now, rather than when it is drawn: as
-    * vtkOpenGLGPUVolumeRayCastMapper::PreLoadData. What is there already is left alone. False, with
-    * an error, when it cannot.
-    */
-   bool PreLoadData(vtkRenderer* renderer, vtkVolume* volume);
+  /**
+   * Brings the input into texture memory now, rather than when it is drawn: as
+   * vtkOpenGLGPUVolumeRayCastMapper::PreLoadData. What is there already is left alone. False, with
+   * an error, when it cannot.
+   */
+  bool PreLoadData(vtkRenderer* renderer, vtkVolume* volume);
 
-   /**
-    * Factors that would make the input fit the largest 3-D texture; 1 where it fits already. An
-    * OpenGL context must be current.
-    */
-   void GetReductionRatio(double ratio[3]) override;
+  /**
+   * Factors that would make the input fit the largest 3-D texture; 1 where it fits already. An
+   * OpenGL context must be current.
+   */
+  void GetReductionRatio(double ratio[3]) override;
 
-   ///@{
-   /**
-    * Called by VTK while it renders.
-    */
-   void GPURender(vtkRenderer* renderer, vtkVolume* volume) override;
-   void ReleaseGraphicsResources(vtkWindow* window) override;
-   ///@}
+  ///@{
+  /**
+   * Called by VTK while it renders.
+   */
+  void GPURender(vtkRenderer* renderer, vtkVolume* volume) override;
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+  ///@}
 
- protected:
-   vtkOpenGLTextureSliceVolumeMapper();
-   ~vtkOpenGLTextureSliceVolumeMapper() override;
+protected:
+  vtkOpenGLTextureSliceVolumeMapper();
+  ~vtkOpenGLTextureSliceVolumeMapper() override;
 
-   ///@{
-   /**
-    * Parts of block-wise rendering, which only an AMR mapper asks for; they do nothing.
-    */
-   void PreRender(vtkRenderer*, vtkVolume*, double[6], double[2], int, unsigned int) override {}
-   void RenderBlock(vtkRenderer*, vtkVolume*, unsigned int) override {}
-   void PostRender(vtkRenderer*, int) override {}
-   ///@}
+  ///@{
+  /**
+   * Parts of block-wise rendering, which only an AMR mapper asks for; they do nothing.
+   */
+  void PreRender(vtkRenderer*, vtkVolume*, double[6], double[2], int, unsigned int) override {}
+  void RenderBlock(vtkRenderer*, vtkVolume*, unsigned int) override {}
+  void PostRender(vtkRenderer*, int) override {}
+  ///@}
 
-   int NumberOfSlices = 256;
-   bool SmoothGradient = false;
-   double ShadowStrength = 0.0;
-   double OcclusionStrength = 0.0;
-   double ShadowDensity = 1.0;
-   double LightDirection[3] = {-1.0, -1.0, 2.0};
-   double Zenith[3] = {0.0, 0.0, 1.0};
-   bool PreIntegration = false;
+  int NumberOfSlices = 256;
+  bool SmoothGradient = false;
+  double ShadowStrength = 0.0;
+  double OcclusionStrength = 0.0;
+  double ShadowDensity = 1.0;
+  double LightDirection[3] = {-1.0, -1.0, 2.0};
+  double Zenith[3] = {0.0, 0.0, 1.0};
+  bool PreIntegration = false;
 
- private:
-   vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
-   void operator=(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
+private:
+  vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
+  void operator=(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
 
-   class Internals;
-   std::unique_ptr<Internals> Parts;
+  class Internals;
+  std::unique_ptr<Internals> Parts;
 
-   vtkImageData* TakeInput(vtkDataArray*& scalars, std::string& error);
-   vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, vtkDataArray* scalars);
-   const char* FindUnsupported(const vtkTextureSliceRequest& request);
-   double ChooseImageSampleDistance(double allowedTime);
-   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
-   void SetUpFrame(vtkRenderer* renderer);
-   void SetUpCuts();
-   /// Returns why it cannot, or an empty text.
-   std::string UpdateVolume(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
-     const vtkTextureSliceRequest& request);
-   void UpdateShadows(
-     vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request);
-   void FollowScattering(vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings);
-   bool PlaceSlices(
-     vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
-   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
-   /// Both return why nothing can be drawn, in one line, or an empty text.
-   std::string DrawVolume(vtkRenderer* renderer, vtkVolume* volume);
-   std::string DrawSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
-     const vtkTextureSliceRequest& request);
-   bool Upload(
-     vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);
-   vtkDataArray* FindMaskValues();
-   bool UpdateMask(vtkImageData* image, std::string& error);
-   vtkTextureSliceUniforms MakeUniforms(
-     vtkRenderer* renderer, const vtkTextureSliceRequest& request);
+  vtkImageData* TakeInput(vtkDataArray*& scalars, std::string& error);
+  vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, vtkDataArray* scalars);
+  const char* FindUnsupported(const vtkTextureSliceRequest& request);
+  double ChooseImageSampleDistance(double allowedTime);
+  double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
+  void SetUpFrame(vtkRenderer* renderer);
+  void SetUpCuts();
+  /// Returns why it cannot, or an empty text.
+  std::string UpdateVolume(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
+    const vtkTextureSliceRequest& request);
+  void UpdateShadows(
+    vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request);
+  void FollowScattering(vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings);
+  bool PlaceSlices(
+    vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
+  void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
+  /// Both return why nothing can be drawn, in one line, or an empty text.
+  std::string DrawVolume(vtkRenderer* renderer, vtkVolume* volume);
+  std::string DrawSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
+    const vtkTextureSliceRequest& request);
+  bool Upload(
+    vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);
+  vtkDataArray* FindMaskValues();
+  bool UpdateMask(vtkImageData* image, std::string& error);
+  vtkTextureSliceUniforms MakeUniforms(
+    vtkRenderer* renderer, const vtkTextureSliceRequest& request);
 };
 
 #endif
