@@ -76,7 +76,7 @@ protected:
     const std::function<double(double, double, double)>& extinction)
   {
     this->Scalars->SetNumberOfValues(vtkIdType{voxels[0]} * voxels[1] * voxels[2]);
-    this->Source.Scalars = {this->Scalars, voxels, false, nullptr, 0};
+    this->Source.Scalars = {this->Scalars, voxels, false, nullptr};
     this->Source.VoxelEdge = edge;
     this->Source.Functions = {{{0, {0.0, 1.0}, {}}}};
     for (int i = 0; i <= 1000; ++i)
