@@ -76,8 +76,8 @@ protected:
   std::unique_ptr<Scene> Stage;
   vtkSmartPointer<vtkImageData> Input;
   double SampleDistance = 0.3;
-  /// What a mean channel of integrated slabs may differ by from samples.
-  double IntegratedTolerance = Bar;
+  /// What a mean channel of integrated slabs may differ by from samples. Measured: 0.54.
+  double IntegratedTolerance = 1.08;
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> RayCaster;
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> Slices;
 };
