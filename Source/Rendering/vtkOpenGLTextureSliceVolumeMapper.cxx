@@ -17,6 +17,7 @@
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
+#include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpaquePixels.h"
 #include "vtkTextureSliceOpenGL.h"
@@ -48,6 +49,8 @@ public:
   vtkTextureSliceTable2D Table2D;
   vtkTextureSliceTexture Mask;
   vtkTextureSliceTable LabelTable;
+  vtkTextureSliceIntegralTable Integrals;
+  vtkTextureSliceIntegralTable LabelIntegrals;
   vtkTextureSliceFrame Frame;
   vtkTextureSliceEmptySpace EmptySpace;
   vtkTextureSliceGeometry Geometry;
@@ -68,6 +71,8 @@ public:
     this->Table2D.ReleaseGraphicsResources(window);
     this->Mask.ReleaseGraphicsResources(window);
     this->LabelTable.ReleaseGraphicsResources(window);
+    this->Integrals.ReleaseGraphicsResources(window);
+    this->LabelIntegrals.ReleaseGraphicsResources(window);
     this->Target.ReleaseGraphicsResources(window);
     this->Program.ReleaseGraphicsResources();
     this->OpaquePixels.ReleaseGraphicsResources();
@@ -88,6 +93,8 @@ public:
 
   /// Brings the tables of transfer functions up to date. @return false with one line in @a error
   bool UpdateTables(const vtkTextureSliceRequest& request, bool nearest, std::string& error);
+  /// Brings the integrals of the tables up to date, for slabs as thick as those of the geometry.
+  void UpdateIntegrals(const vtkTextureSliceUniforms& uniforms);
   /// Slices after which to look for opaque pixels; 0: never.
   int ChooseGroup(const vtkTextureSliceUniforms& uniforms);
   /// Draws the slices into the target. @return false with one line in @a error
@@ -206,6 +213,26 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::UpdateTables(
          this->Table2D.Update(this->Window, request.MakeTables2D(), nearest, error);
 }
 
+void vtkOpenGLTextureSliceVolumeMapper::Internals::UpdateIntegrals(
+  const vtkTextureSliceUniforms& uniforms)
+{
+  const vtkTextureSliceFeatures& features = uniforms.Features;
+  double unitDistance = 0.0; // the longest
+  for (const vtkTextureSliceSurface& surface : uniforms.Surfaces)
+  {
+    unitDistance = std::max(unitDistance, 1.0 / static_cast<double>(surface.InverseUnitDistance));
+  }
+  const double slab = this->Geometry.GetDataStep() / features.Slabs;
+  const double mostDepth = vtkTextureSliceIntegralTable::ChooseMostDepth(slab / unitDistance);
+  const int dimensions = features.GetIntegralDimensions();
+  this->Integrals.Update(this->Window, this->Table, features.Functions, dimensions, mostDepth);
+  if (features.Labels > 0)
+  {
+    this->LabelIntegrals.Update(
+      this->Window, this->LabelTable, features.Labels, dimensions, mostDepth);
+  }
+}
+
 int vtkOpenGLTextureSliceVolumeMapper::Internals::ChooseGroup(
   const vtkTextureSliceUniforms& uniforms)
 {
@@ -227,7 +254,7 @@ int vtkOpenGLTextureSliceVolumeMapper::Internals::ChooseGroup(
   // Opacities that are not those of the table may be anything.
   const bool other = !composite || features.Table2D || features.Labels > 0;
   return vtkTextureSliceOpaquePixels::ChooseGroup(
-    other ? 1.0 : mostOpacity, this->Geometry.GetNumberOfSlices());
+    other ? 1.0 : mostOpacity, this->Geometry.GetNumberOfPlanes());
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
@@ -237,6 +264,15 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   if (!this->Target.Begin(renderer, GetClearValue(blendMode), this->PixelSize, error))
   {
     return false;
+  }
+  if (uniforms.Features.Slabs > 0)
+  {
+    this->UpdateIntegrals(uniforms);
+    if (!this->Target.KeepDepth(error))
+    {
+      this->Target.End();
+      return false;
+    }
   }
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
@@ -316,6 +352,7 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
     request.Components = scalars->GetNumberOfComponents();
     request.ScalarType = scalars->GetDataType();
   }
+  request.PreIntegration = this->PreIntegration;
   request.AverageRange = {this->AverageIPScalarRange[0], this->AverageIPScalarRange[1]};
   request.NativeColor = this->ColorRangeType == NATIVE;
   request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
@@ -493,6 +530,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
     this->CroppingRegionFlags});
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
+  view.Slabs = request.GetFeatures().Slabs;
   view.SampleDistance = this->ChooseSampleDistance(image, parts.Frame.GetShortestVoxelEdge());
   view.Occupancy = parts.EmptySpace.GetOccupancy();
   view.Dense = parts.EmptySpace.GetDense();
@@ -628,6 +666,10 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.Masked = parts.Texture.IsMasked();
   uniforms.Features.Cropped = parts.Frame.NeedsCropTest();
   uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  if (uniforms.Features.Slabs > 0)
+  {
+    uniforms.Features.ClippingPlanes = static_cast<int>(parts.Frame.GetPlanesInPart().size() / 4);
+  }
   if (request.IsShaded())
   {
     uniforms.Features.Lights = parts.Lights.CountForShader();
@@ -644,6 +686,9 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Mask = parts.Mask.GetTexture();
   uniforms.LabelTable = &parts.LabelTable;
   uniforms.LabelWeight = this->MaskBlendFactor;
+  uniforms.Integrals = &parts.Integrals;
+  uniforms.LabelIntegrals = &parts.LabelIntegrals;
+  uniforms.GeometryDepth = parts.Target.GetGeometryDepth();
   uniforms.Lights = &parts.Lights;
   uniforms.CropFlags = this->CroppingRegionFlags;
   request.SetUniforms(parts.Texture.GetComponents(), uniforms);
@@ -660,5 +705,6 @@ void vtkOpenGLTextureSliceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
+  os << indent << "PreIntegration: " << (this->PreIntegration ? "On" : "Off") << "\n";
   os << indent << "NumberOfDrawnSlices: " << this->GetNumberOfDrawnSlices() << "\n";
 }

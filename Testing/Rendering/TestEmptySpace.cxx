@@ -343,3 +343,37 @@ TEST(EmptySpace, TilesCoverEachVisiblePixelOnce)
   EXPECT_GT(needed, 1000);
   EXPECT_LT(drawn, inside / 2);
 }
+
+// A plane through the middle of the box, and a brick far behind or before it: what counts is
+// whether the rays' segments reach it.
+TEST(EmptySpace, SegmentsReachBricksBesideTheSlice)
+{
+  vtkTextureSliceOccupancy occupancy;
+  occupancy.Build({1, 1, 4}, {1.0, 1.0, 0.25}, {1, 0, 0, 0});
+  vtkTextureSliceOnScreen slice;
+  slice.Outline = {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}};
+  slice.Origin = {0.1, 0.1, 0.5};
+  slice.Right = {0.005, 0.0, 0.0};
+  slice.Up = {0.0, 0.005, 0.0};
+  const vtkTextureSlicePixels picture{0, 0, 100, 100};
+  const auto find = [&] { return vtkTextureSliceTiles::FindVisible(occupancy, slice, picture); };
+  EXPECT_EQ(find(), Share::Nothing);
+  slice.Segments.Reach = 0.5;
+  slice.Segments.Step = {0.0, 0.0, 0.6};
+  EXPECT_EQ(find(), Share::Something);
+  slice.Segments.Step = {0.0, 0.0, -0.6}; // it is before the slice then
+  EXPECT_EQ(find(), Share::Something);
+  slice.Segments.Step = {0.0, 0.0, 0.4};
+  EXPECT_EQ(find(), Share::Nothing);
+  // The first segment of a ray reaches to the face of the part.
+  slice.Segments.Part[4] = 0.2;
+  EXPECT_EQ(find(), Share::Something);
+  // Rays that diverge from a point in the middle of the far face.
+  slice.Segments.Part[4] = 0.0;
+  slice.Segments.Growth = 1.2;
+  slice.Segments.Step = {-0.6, -0.6, -1.2};
+  EXPECT_EQ(find(), Share::Something);
+  slice.Segments.Growth = 0.4;
+  slice.Segments.Step = {-0.2, -0.2, -0.4};
+  EXPECT_EQ(find(), Share::Nothing);
+}

@@ -72,6 +72,16 @@ protected:
   /// corners.
   void ExpectSamePicture(double worst = 1.0)
   {
+    for (const bool preIntegration : {false, true})
+    {
+      this->Mapper->SetPreIntegration(preIntegration);
+      this->ExpectSame(worst);
+    }
+  }
+
+  void ExpectSame(double worst)
+  {
+    SCOPED_TRACE(this->Mapper->GetPreIntegration() ? "slabs" : "samples");
     const Picture background = this->Stage->Draw(nullptr);
     const Picture skipping = this->DrawWith(0.0);
     const Picture whole = this->DrawWith(1e-9);

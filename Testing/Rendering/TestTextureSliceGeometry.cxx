@@ -83,6 +83,22 @@ TEST(TextureSliceGeometry, SlicesFillTheBox)
   EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 1.0, 1e-5);
 }
 
+TEST(TextureSliceGeometry, SlabsShareAPlane)
+{
+  vtkTextureSliceView view = TurnedView(5.0);
+  view.Parallel = true;
+  view.Slabs = 4;
+  view.NumberOfSlices = 10;
+  vtkTextureSliceGeometry geometry;
+  geometry.Build(view);
+  EXPECT_EQ(geometry.GetNumberOfPlanes(), 3);
+  EXPECT_EQ(geometry.GetNumberOfSlices(), 12);
+  view.NumberOfSlices = 4000;
+  geometry.Build(view);
+  EXPECT_EQ(geometry.GetNumberOfPlanes(), 1000);
+  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 1.0, 1e-5);
+}
+
 TEST(TextureSliceGeometry, ClippingPlaneAndPartLeaveTheirShare)
 {
   vtkTextureSliceView view = TurnedView(5.0);

@@ -42,12 +42,28 @@ bool IsTableAlone(const vtkTextureSliceEmptySpace::Source& source)
          !source.Texture->IsMasked() && !source.Frame->NeedsCropTest();
 }
 
+/// How far from its scalars a slab looks at the table, of the width of the functions' domain: half
+/// an entry, so that its window is at least one entry wide.
+double GetMargin(const vtkTextureSliceEmptySpace::Source& source)
+{
+  const vtkTextureSliceFeatures features = source.Request->GetFeatures();
+  if (features.Slabs == 0)
+  {
+    return 0.0;
+  }
+  const std::size_t width = features.Labels > 0
+                              ? std::min(source.Table->GetWidth(), source.LabelTable->GetWidth())
+                              : source.Table->GetWidth();
+  return 0.5 / static_cast<double>(width - 1);
+}
+
 /// Tells whether one component of a brick can be seen.
 struct ComponentTest
 {
   std::size_t Component;
-  double Low;   ///< where the functions' domain begins
-  double Scale; ///< one over its width
+  double Low;    ///< where the functions' domain begins
+  double Scale;  ///< one over its width
+  double Margin; ///< scalars beyond a brick's range that count as well, of that width
   std::vector<const vtkTextureSliceVisibility*> Visibilities;
   int BlendMode;
 
@@ -68,8 +84,8 @@ struct ComponentTest
     return std::any_of(this->Visibilities.begin(), this->Visibilities.end(),
       [&](const vtkTextureSliceVisibility* visibility)
       {
-        return visibility->IsVisible(
-          (range.Low - this->Low) * this->Scale, (range.High - this->Low) * this->Scale);
+        return visibility->IsVisible((range.Low - this->Low) * this->Scale - this->Margin,
+          (range.High - this->Low) * this->Scale + this->Margin);
       });
   }
 };
@@ -84,7 +100,7 @@ std::vector<ComponentTest> MakeTests(
     // Dependent components take their opacity from the last one.
     const std::size_t component = features.Functions > 1 ? i : components.size() - 1;
     const auto [low, high] = components[component].Range;
-    ComponentTest test{component, low, low < high ? 1.0 / (high - low) : 1.0,
+    ComponentTest test{component, low, low < high ? 1.0 / (high - low) : 1.0, GetMargin(source),
       {&source.Table->GetVisibility(i)}, features.BlendMode};
     for (std::size_t label = 0; label < static_cast<std::size_t>(features.Labels); ++label)
     {
@@ -178,12 +194,13 @@ void vtkTextureSliceEmptySpace::FindDense(const Source& source)
   const std::size_t components = source.Texture->GetComponents().size();
   const auto [low, high] = source.Texture->GetComponents().back().Range;
   const double scale = low < high ? 1.0 / (high - low) : 1.0;
+  const double margin = GetMargin(source);
   this->Visible.clear();
   for (std::size_t i = components - 1; i < bricks.GetRanges().size(); i += components)
   {
     const Range& range = bricks.GetRanges()[i];
-    const bool dense =
-      !source.Table->GetThin(0).IsVisible((range.Low - low) * scale, (range.High - low) * scale);
+    const bool dense = !source.Table->GetThin(0).IsVisible(
+      (range.Low - low) * scale - margin, (range.High - low) * scale + margin);
     this->Visible.push_back(dense ? 1 : 0);
     this->HasDense = this->HasDense || dense;
   }

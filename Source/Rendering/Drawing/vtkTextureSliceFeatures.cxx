@@ -66,6 +66,13 @@ std::string vtkTextureSliceFeatures::GetDefines() const
     Define(defines, "LIGHTS", this->Lights);
     DefineIf(MirroredHighlights, defines, "MIRRORED_HIGHLIGHTS");
   }
+  if (this->Slabs > 0)
+  {
+    Define(defines, "SLABS", this->Slabs);
+    Define(defines, "CLIPPING_PLANES", this->ClippingPlanes);
+    defines += std::string("#define TEXTURE_SLICE_INTEGRAL_TABLE ") +
+               (this->GetIntegralDimensions() == 1 ? "sampler1D" : "sampler2D") + '\n';
+  }
   if (this->IsoValues > 0)
   {
     Define(defines, "ISO_VALUES", this->IsoValues);

@@ -22,11 +22,16 @@ struct vtkTextureSliceFeatures
   bool Selection = false;  ///< what is seen gets the one colour that a hardware selection asks for
   int Lights = -1;         ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
+  /// Slabs that a fragment integrates over (Formulas L1); 0: it takes one sample.
+  int Slabs = 0;
+  int ClippingPlanes = 0; ///< counted for slabs alone
 
   /// Rows of the transfer table: functions, then their gradient opacities.
   int CountRows() const { return this->Functions * (this->GradientOpacity ? 2 : 1); }
   /// Rows of the table of labels: functions, then their gradient opacities.
   int CountLabelRows() const { return this->Labels * (this->GradientOpacity ? 2 : 1); }
+  /// Dimensions of the textures of integrals: those of labels and the common ones have the same.
+  int GetIntegralDimensions() const { return this->Functions > 1 || this->Labels > 0 ? 2 : 1; }
   bool HasMask() const { return this->BinaryMask || this->Labels > 0; }
   /// The first lines of the fragment shaders.
   std::string GetDefines() const;

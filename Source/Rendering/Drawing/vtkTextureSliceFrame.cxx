@@ -135,6 +135,38 @@ void vtkTextureSliceFrame::SetClippingPlanes(vtkPlaneCollection* planes)
   }
 }
 
+std::vector<float> vtkTextureSliceFrame::GetPlanesInPart() const
+{
+  std::vector<std::array<double, 4>> planes = this->View.ClippingPlanes;
+  const auto& m = this->View.BoxToCamera;
+  const std::array<double, 4> front{-m[8], -m[9], -m[10], -m[11] - this->View.NearDepth};
+  planes.push_back(front);
+  std::vector<float> values;
+  for (const std::array<double, 4>& plane : planes)
+  {
+    double atMiddle = plane[3];
+    double reach = 0.0;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double low = this->View.Part[2 * axis];
+      const double high = this->View.Part[2 * axis + 1];
+      atMiddle += plane[axis] * 0.5 * (low + high);
+      reach += 0.5 * std::abs(plane[axis]) * (high - low);
+    }
+    if (reach < atMiddle)
+    {
+      continue; // it cuts nothing off
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      const double size = this->View.Part[2 * axis + 1] - this->View.Part[2 * axis];
+      values.push_back(static_cast<float>(plane[axis] * size));
+    }
+    values.push_back(static_cast<float>(atMiddle));
+  }
+  return values;
+}
+
 std::array<float, 3> vtkTextureSliceFrame::GetEdges() const
 {
   return {static_cast<float>(this->Edge[0]), static_cast<float>(this->Edge[1]),

@@ -54,6 +54,11 @@ public:
   const std::array<float, 3>& GetCropLow() const { return this->CropLow; }
   const std::array<float, 3>& GetCropHigh() const { return this->CropHigh; }
 
+  /// The planes that cut rays off within the box: clipping planes, and the near plane if the box
+  /// reaches behind it. Four numbers each, for the part of the box that is drawn as -0.5 to 0.5
+  /// along each axis; what is below 0 is cut away.
+  std::vector<float> GetPlanesInPart() const;
+
   /// Signed data length of the box's edges.
   std::array<float, 3> GetEdges() const;
   /// Where the camera stands.

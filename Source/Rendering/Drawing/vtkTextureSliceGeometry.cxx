@@ -9,14 +9,22 @@
 #include <cmath>
 #include <limits>
 
-namespace
-{
-
 using vtkTextureSlice::ClipPolygon;
 using vtkTextureSlice::Evaluate;
 using vtkTextureSlice::Plane;
 using vtkTextureSlice::Polygon;
 using vtkTextureSlice::Vector;
+
+/// The camera as the box sees it.
+struct vtkTextureSliceEye
+{
+  Plane Depth;      ///< depth of a point, world units
+  Vector Position;  ///< of the eye, meaningless in a parallel view
+  Vector Direction; ///< of the view's axis, for one unit of depth
+};
+
+namespace
+{
 
 Vector Cross(const Vector& a, const Vector& b)
 {
@@ -33,14 +41,6 @@ Vector Scaled(const Vector& v, double factor)
   return {v[0] * factor, v[1] * factor, v[2] * factor};
 }
 
-/// The camera as the box sees it.
-struct Eye
-{
-  Plane Depth;      ///< depth of a point, world units
-  Vector Position;  ///< of the eye, meaningless in a parallel view
-  Vector Direction; ///< of the view's axis, for one unit of depth
-};
-
 /// Solves m * x = rhs for the upper left 3x3 of a row-major 4x4 matrix by Cramer's rule.
 Vector Solve(const std::array<double, 16>& m, const Vector& rhs)
 {
@@ -54,7 +54,7 @@ Vector Solve(const std::array<double, 16>& m, const Vector& rhs)
     dot(x, Cross(y, rhs)) / determinant};
 }
 
-Eye MakeEye(const vtkTextureSliceView& view)
+vtkTextureSliceEye MakeEye(const vtkTextureSliceView& view)
 {
   const auto& m = view.BoxToCamera;
   return {
@@ -182,6 +182,29 @@ vtkTextureSliceDensity MakeDensity(const vtkTextureSliceView& view, double dataS
   return {view.Dense, static_cast<int>(std::max(1.0, std::ceil(steps + 0.5)))};
 }
 
+/// z and w of clip coordinates for that depth, the same along every ray.
+std::array<float, 2> MakeClipStep(
+  const vtkTextureSliceView& view, const vtkTextureSliceEye& eye, double depth)
+{
+  const auto& m = view.BoxToClip;
+  const Vector step = Scaled(eye.Direction, depth);
+  return {static_cast<float>(Evaluate({m[8], m[9], m[10], 0.0}, step)),
+    static_cast<float>(Evaluate({m[12], m[13], m[14], 0.0}, step))};
+}
+
+/// Where the rays through a plane of that depth go to.
+vtkTextureSliceSegments MakeSegments(
+  const vtkTextureSliceView& view, const vtkTextureSliceEye& eye, double depth, double depthStep)
+{
+  vtkTextureSliceSegments segments;
+  segments.Growth = view.Parallel ? 0.0 : depthStep / depth;
+  segments.Step =
+    view.Parallel ? Scaled(eye.Direction, depthStep) : Scaled(eye.Position, -segments.Growth);
+  segments.Part = view.Part;
+  segments.Reach = view.ClippingPlanes.empty() ? 0.5 : 1.0;
+  return segments;
+}
+
 /// From box coordinates to pixels of the viewport, and back in the plane of a slice.
 class Screen
 {
@@ -245,7 +268,7 @@ private:
 class vtkTextureSliceGeometry::TriangleWriter
 {
 public:
-  TriangleWriter(const vtkTextureSliceView& view, const Eye& eye, double depthStep)
+  TriangleWriter(const vtkTextureSliceView& view, const vtkTextureSliceEye& eye, double depthStep)
     : View(view)
     , FromEye(eye)
     , DepthStep(depthStep)
@@ -280,7 +303,7 @@ private:
   }
 
   const vtkTextureSliceView& View;
-  const Eye& FromEye;
+  const vtkTextureSliceEye& FromEye;
   double DepthStep;
 };
 
@@ -294,11 +317,12 @@ struct vtkTextureSliceGeometry::Placed
 };
 
 std::vector<vtkTextureSliceGeometry::Placed> vtkTextureSliceGeometry::PlaceSlices(
-  const vtkTextureSliceView& view, const Plane& depthPlane, double nearest, bool divides) const
+  const vtkTextureSliceView& view, const vtkTextureSliceEye& eye, double nearest,
+  bool divides) const
 {
-  Slicer slicer(depthPlane, MakeLimits(view));
+  Slicer slicer(eye.Depth, MakeLimits(view));
   const Screen screen(view);
-  std::vector<Placed> slices(static_cast<std::size_t>(this->NumberOfSlices));
+  std::vector<Placed> slices(static_cast<std::size_t>(this->NumberOfPlanes));
   for (std::size_t i = 0; i < slices.size(); ++i)
   {
     Placed& slice = slices[i];
@@ -307,6 +331,10 @@ std::vector<vtkTextureSliceGeometry::Placed> vtkTextureSliceGeometry::PlaceSlice
     if (view.Occupancy != nullptr)
     {
       screen.Place(slicer, slice.Depth, slice.Outline, slice.OnScreen);
+      if (view.Slabs > 0)
+      {
+        slice.OnScreen.Segments = MakeSegments(view, eye, slice.Depth, this->DepthStep);
+      }
       const vtkTextureSlicePixels picture{0, 0, view.Viewport[0], view.Viewport[1]};
       slice.Whole = !divides && vtkTextureSliceTiles::FindVisible(*view.Occupancy, slice.OnScreen,
                                   picture) == vtkTextureSliceOccupancy::Share::Everything;
@@ -365,21 +393,26 @@ void vtkTextureSliceGeometry::Build(const vtkTextureSliceView& view)
   this->Vertices.clear();
   this->FirstVertices.clear();
   this->NumberOfSlices = 0;
+  this->NumberOfPlanes = 0;
   this->DepthStep = 0.0;
 
-  const Eye eye = MakeEye(view);
+  const vtkTextureSliceEye eye = MakeEye(view);
   const auto [nearest, farthest] = DepthRange(view, eye.Depth);
   if (!(nearest < farthest))
   {
     return;
   }
   this->NumberOfSlices = CountSlices(view, farthest - nearest, eye.Direction);
-  this->DepthStep = (farthest - nearest) / this->NumberOfSlices;
+  const int slabs = std::max(1, view.Slabs);
+  this->NumberOfPlanes = (this->NumberOfSlices + slabs - 1) / slabs;
+  this->NumberOfSlices = this->NumberOfPlanes * slabs;
+  this->DepthStep = (farthest - nearest) / this->NumberOfPlanes;
   this->DataStep = this->DepthStep * DataLength(view, eye.Direction);
+  this->ClipStep = MakeClipStep(view, eye, this->DepthStep);
 
-  const vtkTextureSliceDensity density = MakeDensity(view, this->DataStep, this->NumberOfSlices);
+  const vtkTextureSliceDensity density = MakeDensity(view, this->DataStep, this->NumberOfPlanes);
   const std::vector<Placed> slices =
-    this->PlaceSlices(view, eye.Depth, nearest, density.Bricks != nullptr);
+    this->PlaceSlices(view, eye, nearest, density.Bricks != nullptr);
   const auto divided = [](const Placed& slice) { return !slice.Whole; };
   const int rows = std::any_of(slices.begin(), slices.end(), divided)
                      ? (view.Viewport[1] - 1) / vtkTextureSliceTiles::LargestTile + 1

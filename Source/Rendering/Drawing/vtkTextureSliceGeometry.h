@@ -11,6 +11,7 @@
 
 class vtkTextureSliceOccupancy;
 class vtkTextureSliceTiles;
+struct vtkTextureSliceEye;
 
 /**
  * What decides where the slices lie. "Box" coordinates run from 0 to 1 along each axis of the
@@ -32,6 +33,9 @@ struct vtkTextureSliceView
   std::vector<std::array<double, 4>> ClippingPlanes;
   /// Slices between the nearest and the farthest point of the part; 0: from SampleDistance.
   int NumberOfSlices = 256;
+  /// Slabs that each slice stands for; 0: none, it is a layer of samples. The number of slices
+  /// counts slabs then, and fewer planes are cut.
+  int Slabs = 0;
   /// Data length between two slices along the axis of the view, used if NumberOfSlices is 0.
   double SampleDistance = 1.0;
 
@@ -72,12 +76,16 @@ public:
   {
     return static_cast<int>(this->Vertices.size()) / FloatsPerVertex;
   }
-  /// Slices of the last Build.
+  /// Planes of the last Build.
+  int GetNumberOfPlanes() const { return this->NumberOfPlanes; }
+  /// Slices of the last Build: planes, or the slabs of all planes.
   int GetNumberOfSlices() const { return this->NumberOfSlices; }
-  /// Depth between two slices of the last Build, in the camera's (world) units.
+  /// Depth between two planes of the last Build, in the camera's (world) units.
   double GetDepthStep() const { return this->DepthStep; }
   /// The same along the axis of the view as a data length.
   double GetDataStep() const { return this->DataStep; }
+  /// z and w of clip coordinates from one plane to the next.
+  const std::array<float, 2>& GetClipStep() const { return this->ClipStep; }
 
 private:
   class TriangleWriter;
@@ -89,8 +97,8 @@ private:
     std::vector<std::size_t> Ends; ///< floats up to the end of each slice
   };
   /// @param divides whether slices are divided that are visible as a whole.
-  std::vector<Placed> PlaceSlices(const vtkTextureSliceView& view,
-    const std::array<double, 4>& depthPlane, double nearest, bool divides) const;
+  std::vector<Placed> PlaceSlices(const vtkTextureSliceView& view, const vtkTextureSliceEye& eye,
+    double nearest, bool divides) const;
   static void DivideSlices(const std::vector<Placed>& slices, vtkTextureSliceTiles& tiles,
     const TriangleWriter& writer, Row& row);
   void Join(const std::vector<Placed>& slices, const TriangleWriter& writer);
@@ -99,6 +107,8 @@ private:
   std::vector<float> Vertices;
   std::vector<int> FirstVertices;
   int NumberOfSlices = 0;
+  int NumberOfPlanes = 0;
+  std::array<float, 2> ClipStep{};
   double DepthStep = 0.0;
   double DataStep = 0.0;
 };

@@ -9,6 +9,7 @@
 #include "vtkTextureObject.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
+#include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceTable.h"
@@ -18,6 +19,7 @@
 #include "TextureSliceFS.h"
 #include "TextureSliceLightingFS.h"
 #include "TextureSliceSamplingFS.h"
+#include "TextureSliceSlabsFS.h"
 #include "TextureSliceTableFS.h"
 #include "TextureSliceVS.h"
 
@@ -135,6 +137,32 @@ void SetBox(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
   program->SetUniform3f("stepToTexture", stepToTexture.data());
 }
 
+/// Half of the distance of two entries of a table, as texture coordinate.
+float GetHalfEntry(const vtkTextureSliceTable& table)
+{
+  return static_cast<float>(0.5 / static_cast<double>(table.GetWidth()));
+}
+
+void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry,
+  const vtkTextureSliceUniforms& uniforms)
+{
+  program->SetUniformi("integralTable", uniforms.Integrals->GetTexture()->GetTextureUnit());
+  program->SetUniformf("tableHalfEntry", GetHalfEntry(*uniforms.Table));
+  if (uniforms.Features.Labels > 0)
+  {
+    program->SetUniformi(
+      "labelIntegralTable", uniforms.LabelIntegrals->GetTexture()->GetTextureUnit());
+    program->SetUniformf("labelTableHalfEntry", GetHalfEntry(*uniforms.LabelTable));
+  }
+  program->SetUniformi("geometryDepth", uniforms.GeometryDepth->GetTextureUnit());
+  program->SetUniform2f("clipStep", geometry.GetClipStep().data());
+  const std::vector<float> planes = uniforms.Frame->GetPlanesInPart();
+  if (!planes.empty())
+  {
+    program->SetUniform4fv("clippingPlanes", static_cast<int>(planes.size() / 4), planes.data());
+  }
+}
+
 } // namespace
 
 std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
@@ -151,6 +179,15 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   if (this->Features.Labels > 0)
   {
     textures.push_back(this->LabelTable->GetTexture());
+  }
+  if (this->Features.Slabs > 0)
+  {
+    textures.push_back(this->Integrals->GetTexture());
+    textures.push_back(this->GeometryDepth);
+    if (this->Features.Labels > 0)
+    {
+      textures.push_back(this->LabelIntegrals->GetTexture());
+    }
   }
   return textures;
 }
@@ -175,14 +212,18 @@ vtkShaderProgram* vtkTextureSliceProgram::Ready(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const
 {
   std::string fragmentShader = TextureSliceFS;
-  for (const auto& [place, text] : {std::pair("Defines", features.GetDefines()),
-         {"Sampling", TextureSliceSamplingFS}, {"Lighting", TextureSliceLightingFS},
-         {"Table", TextureSliceTableFS}, {"Coloring", TextureSliceColoringFS}})
+  for (const auto& [place, text] :
+    {std::pair("Defines", features.GetDefines()), {"Sampling", TextureSliceSamplingFS},
+      {"Lighting", TextureSliceLightingFS}, {"Table", TextureSliceTableFS},
+      {"Coloring", TextureSliceColoringFS}, {"Slabs", TextureSliceSlabsFS}})
   {
     vtkShaderProgram::Substitute(
       fragmentShader, std::string("//VTK::TextureSlice::") + place, text);
   }
-  return window->GetShaderCache()->ReadyShaderProgram(TextureSliceVS, fragmentShader.c_str(), "");
+  std::string vertexShader = TextureSliceVS;
+  vtkShaderProgram::Substitute(vertexShader, "//VTK::TextureSlice::Defines", features.GetDefines());
+  return window->GetShaderCache()->ReadyShaderProgram(
+    vertexShader.c_str(), fragmentShader.c_str(), "");
 }
 
 bool vtkTextureSliceProgram::Upload(
@@ -253,6 +294,10 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
     SetArray(program, "isoValues", uniforms.IsoValues);
   }
   SetBox(program, uniforms);
+  if (uniforms.Features.Slabs > 0)
+  {
+    SetSlabs(program, geometry, uniforms);
+  }
   this->DrawGroups(window, geometry.GetFirstVertices(), group, afterGroup);
   this->VertexArray->Release();
   this->Vertices->Release();

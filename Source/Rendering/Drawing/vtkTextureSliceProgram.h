@@ -17,6 +17,7 @@ class vtkShaderProgram;
 class vtkTextureObject;
 class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
+class vtkTextureSliceIntegralTable;
 class vtkTextureSliceLights;
 class vtkTextureSliceTable;
 class vtkTextureSliceTable2D;
@@ -43,11 +44,14 @@ struct vtkTextureSliceUniforms
   std::array<float, 4> ScalarScale{1, 1, 1, 1};
   std::array<float, 4> ScalarBias{0, 0, 0, 0};
   vtkTextureSliceTable* Table = nullptr;
-  vtkTextureSliceTable2D* Table2D = nullptr;    ///< used if Features.Table2D
-  vtkTextureObject* Mask = nullptr;             ///< used if Features.HasMask()
-  vtkTextureSliceTable* LabelTable = nullptr;   ///< used if Features.Labels is above 0
-  float LabelWeight = 1.0f;                     ///< how much the label's functions count
-  std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
+  vtkTextureSliceTable2D* Table2D = nullptr;              ///< used if Features.Table2D
+  vtkTextureObject* Mask = nullptr;                       ///< used if Features.HasMask()
+  vtkTextureSliceTable* LabelTable = nullptr;             ///< used if Features.Labels is above 0
+  float LabelWeight = 1.0f;                               ///< how much the label's functions count
+  vtkTextureSliceIntegralTable* Integrals = nullptr;      ///< used if Features.Slabs is above 0
+  vtkTextureSliceIntegralTable* LabelIntegrals = nullptr; ///< the same, with labels
+  vtkTextureObject* GeometryDepth = nullptr;              ///< used if Features.Slabs is above 0
+  std::vector<vtkTextureSliceSurface> Surfaces;           ///< one for each component
   const vtkTextureSliceLights* Lights = nullptr;
   int CropFlags = 0;
   std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are

@@ -28,6 +28,7 @@ struct vtkTextureSliceRequest
   bool NativeColor = false;
   bool NativeOpacity = false;
   bool NativeGradientOpacity = false;
+  bool PreIntegration = false;
   bool BinaryMask = false; ///< there is a mask, and it says what is seen
   bool LabelMap = false;   ///< there is a mask, and it says which functions hold
 
@@ -61,6 +62,9 @@ struct vtkTextureSliceRequest
 
 private:
   bool ShowsPlaces() const;
+  /// Whether slabs are integrated over: where samples are blended by one-dimensional functions of
+  /// scalars that are interpolated.
+  bool IntegratesSlabs() const;
   /// Whether a gradient opacity is other than 1 somewhere: VTK's fixed-point ray caster gives
   /// properties one that is not.
   bool HasGradientOpacity() const;

@@ -18,10 +18,16 @@
 /// OpenGL copies depth only between equal formats, so the target takes the window's.
 struct vtkTextureSliceTarget::DepthFormat
 {
-  int Bits = 0;
-  bool Float = false;
-  bool Stencil = false;
+  int Bits;
+  bool Float;
+  bool Stencil;
 
+  explicit DepthFormat(int key = 0)
+    : Bits(key / 4)
+    , Float((key & 2) != 0)
+    , Stencil((key & 1) != 0)
+  {
+  }
   int Key() const { return this->Bits * 4 + (this->Float ? 2 : 0) + (this->Stencil ? 1 : 0); }
   int VTKFormat() const
   {
@@ -110,6 +116,7 @@ bool vtkTextureSliceTarget::Resize(
   }
   this->DepthKey = format.Key();
   this->ResolvedDepth->ReleaseGraphicsResources(window); // it has the old format
+  this->GeometryDepth->ReleaseGraphicsResources(window);
   Prepare(this->Color, window);
   return this->Color->Allocate2D(size.Width, size.Height, 4, VTK_FLOAT) &&
          AllocateDepth(this->Depth, window, size, format);
@@ -222,6 +229,28 @@ bool vtkTextureSliceTarget::Begin(
   return true;
 }
 
+bool vtkTextureSliceTarget::KeepDepth(std::string& error)
+{
+  const Size size{this->Color->GetWidth(), this->Color->GetHeight()};
+  if (!HasSize(this->GeometryDepth, this->Window, size) &&
+      !AllocateDepth(this->GeometryDepth, this->Window, size, DepthFormat(this->DepthKey)))
+  {
+    error = "OpenGL could not make a copy of the window's depth";
+    return false;
+  }
+  const int width = static_cast<int>(size.Width);
+  const int height = static_cast<int>(size.Height);
+  this->DepthFramebuffer->SetContext(this->Window);
+  this->DepthFramebuffer->Bind();
+  this->DepthFramebuffer->AddDepthAttachment(this->GeometryDepth);
+  this->DepthFramebuffer->DeactivateDrawBuffers();
+  this->Framebuffer->Bind(GL_READ_FRAMEBUFFER);
+  this->Window->GetState()->vtkglBlitFramebuffer(
+    0, 0, width, height, 0, 0, width, height, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+  this->Framebuffer->Bind();
+  return true;
+}
+
 void vtkTextureSliceTarget::BeginDepthOnly()
 {
   this->DepthFramebuffer->SetContext(this->Window);
@@ -288,5 +317,6 @@ void vtkTextureSliceTarget::ReleaseGraphicsResources(vtkWindow* window)
   this->Depth->ReleaseGraphicsResources(window);
   this->ResolveFramebuffer->ReleaseGraphicsResources(window);
   this->ResolvedDepth->ReleaseGraphicsResources(window);
+  this->GeometryDepth->ReleaseGraphicsResources(window);
   this->Window = nullptr;
 }

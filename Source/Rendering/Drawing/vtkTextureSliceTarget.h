@@ -49,6 +49,11 @@ public:
   void BeginDepthOnly();
   void EndDepthOnly();
   ///@}
+  /// Between Begin and End: keeps the depth as it is now for GetGeometryDepth.
+  bool KeepDepth(std::string& error);
+  /// The depth of what is drawn already, of the picture's size: a texture that may be read while
+  /// drawing.
+  vtkTextureObject* GetGeometryDepth() { return this->GeometryDepth; }
   vtkTextureObject* GetPicture() { return this->Color; }
   /// Directs drawing back to where it went before Begin.
   void End();
@@ -85,6 +90,7 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
+  vtkNew<vtkTextureObject> GeometryDepth;
   vtkNew<vtkOpenGLFramebufferObject> ResolveFramebuffer;
   vtkNew<vtkTextureObject> ResolvedDepth; ///< the viewport's, for a picture of another size
   void ReadyQuad(vtkOpenGLRenderWindow* window, const std::string& defines);

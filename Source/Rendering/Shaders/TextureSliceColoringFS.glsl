@@ -13,18 +13,23 @@ uniform float unitDistanceRatio[TEXTURE_SLICE_COMPONENTS];
 in vec3 partPosition;
 in vec3 partStep;
 
-// Slice distances that this sample stands for: half of one on either side. The first and the last
-// sample on a ray stand for all up to the face of the box, so that each ray has its exact length.
-float CountSteps()
+// Slice distances back to where the ray enters the part, and on to where it leaves it.
+vec2 DistancesToFaces()
 {
   vec3 perPart = 1.0 / (partStep + 1e-12); // not 0 along a face
   vec3 fromMiddle = partPosition * perPart;
   vec3 halfPart = abs(0.5 * perPart);
   vec3 entry = halfPart + fromMiddle;
   vec3 exit = halfPart - fromMiddle;
-  float before = min(min(entry.x, entry.y), entry.z);
-  float after = min(min(exit.x, exit.y), exit.z);
-  return (before < 1.0 ? before : 0.5) + (after < 1.0 ? after : 0.5);
+  return vec2(min(min(entry.x, entry.y), entry.z), min(min(exit.x, exit.y), exit.z));
+}
+
+// Slice distances that this sample stands for: half of one on either side. The first and the last
+// sample on a ray stand for all up to the face of the box, so that each ray has its exact length.
+float CountSteps()
+{
+  vec2 faces = DistancesToFaces();
+  return (faces.x < 1.0 ? faces.x : 0.5) + (faces.y < 1.0 ? faces.y : 0.5);
 }
 
 // Unit distances that this sample stands for.
@@ -84,13 +89,26 @@ float GradientOpacity(float magnitude, int component, int label)
 }
 #endif
 
+#ifdef TEXTURE_SLICE_GRADIENT_OPACITY
+// The opacity of a step as the gradient weakens it: VTK's ray caster multiplies the opacity of a
+// sample; of a slab, the extinction is multiplied, which is the limit for many samples.
+float WeakenOpacity(float opacity, float gradientOpacity)
+{
+#ifdef TEXTURE_SLICE_SLABS
+  return 1.0 - pow(1.0 - opacity, gradientOpacity);
+#else
+  return opacity * gradientOpacity;
+#endif
+}
+#endif
+
 // Gradient opacity and light on the colour of one step.
 vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 {
 #ifdef TEXTURE_SLICE_GRADIENT
   vec4 gradient = Gradient(scalars, component);
 #ifdef TEXTURE_SLICE_GRADIENT_OPACITY
-  color.a *= GradientOpacity(gradient.w, component, label);
+  color.a = WeakenOpacity(color.a, GradientOpacity(gradient.w, component, label));
 #endif
 #ifdef TEXTURE_SLICE_LIGHTS
   color.rgb = clamp(Light(color.rgb, gradient.xyz, material[component]), 0.0, 1.0);
@@ -101,6 +119,30 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 #endif
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+#if TEXTURE_SLICE_FUNCTIONS > 1
+// Components that have their own functions: their colours are added by their weights.
+vec4 AddComponents(vec4 colors[TEXTURE_SLICE_COMPONENTS])
+{
+  float total = 0.0;
+  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  {
+    total += colors[i].a * componentWeight[i];
+  }
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  {
+    if (total > 0.0 && componentWeight[i] > 0.0)
+    {
+      sum.rgb += colors[i].rgb * colors[i].a * componentWeight[i];
+      sum.a += colors[i].a * colors[i].a / total;
+    }
+  }
+  return sum;
+}
+#endif
+#endif
+
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE && !defined TEXTURE_SLICE_SLABS
 // Formulas R1: the opacity of a step, from the optical depth of a unit distance; two-dimensional
 // tables hold its opacity.
 float StepOpacity(float alpha, int component)
@@ -133,26 +175,15 @@ vec4 Classify(vec4 scalars, int component)
 #endif
 }
 
-// Components that have their own functions: their colours are added by their weights.
 bool Gather(vec4 scalars, out vec4 gathered)
 {
   vec4 colors[TEXTURE_SLICE_COMPONENTS];
-  float total = 0.0;
   for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
   {
     colors[i] = StepColor(Classify(scalars, i), scalars, i, 0);
-    total += colors[i].a * componentWeight[i];
   }
-  gathered = vec4(0.0);
-  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
-  {
-    if (total > 0.0 && componentWeight[i] > 0.0)
-    {
-      gathered.rgb += colors[i].rgb * colors[i].a * componentWeight[i];
-      gathered.a += colors[i].a * colors[i].a / total;
-    }
-  }
-  return total > 0.0;
+  gathered = AddComponents(colors);
+  return gathered.a > 0.0;
 }
 #else
 vec4 LookUpBoth(vec4 scalars, float scalar)

@@ -6,52 +6,69 @@
 // See vtkTextureSliceFeatures::GetDefines.
 //VTK::TextureSlice::Defines
 
-in vec3 textureCoordinate;
+in vec3 sliceCoordinate;
+// Where the volume is sampled.
+vec3 textureCoordinate = vec3(0.0);
 // To the next slice along the ray, in the first component's unit distances.
 in vec3 sampleStep;
 
 //VTK::TextureSlice::Sampling
 //VTK::TextureSlice::Lighting
 //VTK::TextureSlice::Table
-//VTK::TextureSlice::Coloring
-
 #ifdef TEXTURE_SLICE_CROPPED
 // The six cropping planes as texture coordinates, and one bit for each of the 27 regions between them.
 uniform vec3 cropLow;
 uniform vec3 cropHigh;
 uniform int cropFlags;
 
-bool IsCropped()
+bool IsCropped(vec3 at)
 {
-  ivec3 region = ivec3(greaterThanEqual(textureCoordinate, cropLow)) +
-    ivec3(greaterThan(textureCoordinate, cropHigh));
+  ivec3 region = ivec3(greaterThanEqual(at, cropLow)) +
+    ivec3(greaterThan(at, cropHigh));
   return ((cropFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0;
 }
 #endif
 
-void main()
+//VTK::TextureSlice::Coloring
+
+#ifdef TEXTURE_SLICE_SLABS
+//VTK::TextureSlice::Slabs
+#else
+bool GatherSample(out vec4 gathered)
 {
+  textureCoordinate = sliceCoordinate;
 #ifdef TEXTURE_SLICE_CROPPED
-  if (IsCropped())
+  if (IsCropped(textureCoordinate))
   {
-    discard;
+    return false;
   }
 #endif
 #ifdef TEXTURE_SLICE_BINARY_MASK
   if (FetchLabel(textureCoordinate) == 0)
   {
-    discard;
+    return false;
   }
 #endif
   vec4 scalars;
-  if (!FetchScalars(textureCoordinate, scalars))
+  return FetchScalars(textureCoordinate, scalars) && Gather(scalars, gathered);
+}
+#endif
+
+void main()
+{
+#ifdef TEXTURE_SLICE_SLABS
+  Slab slabs[TEXTURE_SLICE_SLABS];
+  if (!MakeSlabs(slabs))
   {
     discard;
   }
+  gl_FragData[0] = GatherSlabs(slabs);
+#else
   vec4 gathered;
-  if (!Gather(scalars, gathered))
+  if (!GatherSample(gathered))
   {
     discard;
   }
   gl_FragData[0] = gathered;
+#endif
 }

@@ -6,24 +6,31 @@ uniform sampler3D volumeTexture;
 uniform vec4 scalarScale;
 uniform vec4 scalarBias;
 
+#ifdef TEXTURE_SLICE_MASKED
+// Below 0 where there is nothing to see. The last component is 1 at visible points and 0 at hidden
+// ones, where the others are 0 too. Their quotient is the mean of the visible points alone; where
+// the hidden ones weigh more, there is nothing to see.
+float FetchVisibility(vec3 at, out vec4 scalars)
+{
+  vec4 texel = texture(volumeTexture, at);
+  float visible = texel[TEXTURE_SLICE_COMPONENTS];
+  scalars = texel / max(visible, 0.5) * scalarScale + scalarBias;
+  return visible - 0.5;
+}
+
 // False where there is nothing to see.
 bool FetchScalars(vec3 at, out vec4 scalars)
 {
-  vec4 texel = texture(volumeTexture, at);
-#ifdef TEXTURE_SLICE_MASKED
-  // The last component is 1 at visible points and 0 at hidden ones, where the others are 0 too.
-  // Their quotient is the mean of the visible points alone; where the hidden ones weigh more, there
-  // is nothing to see.
-  float visible = texel[TEXTURE_SLICE_COMPONENTS];
-  if (visible < 0.5)
-  {
-    return false;
-  }
-  texel /= visible;
-#endif
-  scalars = texel * scalarScale + scalarBias;
+  return FetchVisibility(at, scalars) >= 0.0;
+}
+#else
+// False where there is nothing to see.
+bool FetchScalars(vec3 at, out vec4 scalars)
+{
+  scalars = texture(volumeTexture, at) * scalarScale + scalarBias;
   return true;
 }
+#endif
 
 #if defined TEXTURE_SLICE_BINARY_MASK || defined TEXTURE_SLICE_LABELS
 // 0 to 255 as 0 to 1.

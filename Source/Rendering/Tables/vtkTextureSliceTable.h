@@ -72,6 +72,13 @@ public:
   double GetDenseOpacity(std::size_t row) const;
   /// When the rows were filled last.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
+  /// RGBA of the entries of a row as they are in the texture.
+  const float* GetEntries(std::size_t row) const
+  {
+    return this->Entries.data() + row * this->GetWidth() * 4;
+  }
+  /// Entries of a row.
+  std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Rows.size()); }
   /// The greatest opacity of a row.
   double GetMostOpacity(std::size_t row) const { return this->MostOpacities[row]; }
   /// Texture coordinate of a scalar that is s of the way through its domain (0 to 1):

@@ -134,22 +134,74 @@ bool IsEmpty(const vtkTextureSlicePixels& pixels)
   return pixels.Left >= pixels.Right || pixels.Bottom >= pixels.Top;
 }
 
+/// The box around what the rays cross from where they are in a box to so many slice distances on.
+struct Swept
+{
+  Vector Low;
+  Vector High;
+};
+
+Swept Move(const vtkTextureSliceSegments& segments, const Swept& box, double distances)
+{
+  Swept moved;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double factor = 1.0 + distances * segments.Growth;
+    const auto [low, high] = std::minmax({factor * box.Low[axis], factor * box.High[axis]});
+    moved.Low[axis] = low + distances * segments.Step[axis];
+    moved.High[axis] = high + distances * segments.Step[axis];
+  }
+  return moved;
+}
+
+bool IsInside(const std::array<double, 6>& part, const Swept& box)
+{
+  bool inside = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    inside = inside && box.Low[axis] >= part[2 * axis] && box.High[axis] <= part[2 * axis + 1];
+  }
+  return inside;
+}
+
+/// Extends a box by the segments of the rays through it.
+void Sweep(const vtkTextureSliceSegments& segments, Swept& box)
+{
+  const Swept plane = box;
+  for (const double side : {-1.0, 1.0})
+  {
+    Swept end = Move(segments, plane, side);
+    if (segments.Reach < 1.0 && IsInside(segments.Part, end))
+    {
+      end = Move(segments, plane, side * segments.Reach);
+    }
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      box.Low[axis] = std::min(box.Low[axis], end.Low[axis]);
+      box.High[axis] = std::max(box.High[axis], end.High[axis]);
+    }
+  }
+}
+
 /// How much of the box around a rectangle of a slice touches bricks.
 Share FindIn(const vtkTextureSliceOccupancy& occupancy, const vtkTextureSliceOnScreen& slice,
   const vtkTextureSlicePixels& pixels)
 {
-  Vector low;
-  Vector high;
+  Swept box;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto [left, right] =
       std::minmax({pixels.Left * slice.Right[axis], pixels.Right * slice.Right[axis]});
     const auto [bottom, top] =
       std::minmax({pixels.Bottom * slice.Up[axis], pixels.Top * slice.Up[axis]});
-    low[axis] = slice.Origin[axis] + left + bottom;
-    high[axis] = slice.Origin[axis] + right + top;
+    box.Low[axis] = slice.Origin[axis] + left + bottom;
+    box.High[axis] = slice.Origin[axis] + right + top;
   }
-  return occupancy.Find(low, high);
+  if (slice.Segments.Reach > 0.0)
+  {
+    Sweep(slice.Segments, box);
+  }
+  return occupancy.Find(box.Low, box.High);
 }
 
 /// That plane, seen from the other side, and so far away from it.

@@ -12,6 +12,19 @@
 #include <deque>
 #include <vector>
 
+/// Where the rays that cross a slice go, from a point p of it to p + t*(Step + Growth*p), t slice
+/// distances before (below 0) or after it.
+struct vtkTextureSliceSegments
+{
+  vtkTextureSlice::Vector Step{}; ///< box coordinates
+  double Growth = 0.0;
+  /// What a pixel shows of its ray: that many slice distances on either side of the slice, and up
+  /// to a face of the part of the box that is drawn if it is within one slice distance. 0: the
+  /// slice.
+  double Reach = 0.0;
+  std::array<double, 6> Part{0, 1, 0, 1, 0, 1}; ///< lower x, upper x, lower y and so on
+};
+
 /// A slice as the window sees it. Pixels are counted from the lower left corner of the picture;
 /// pixel (x, y) is the square from there to (x + 1, y + 1).
 struct vtkTextureSliceOnScreen
@@ -20,6 +33,7 @@ struct vtkTextureSliceOnScreen
   vtkTextureSlice::Vector Origin{}; ///< box coordinates of the pixel coordinates' origin
   vtkTextureSlice::Vector Right{};  ///< box coordinates a pixel to the right
   vtkTextureSlice::Vector Up{};     ///< box coordinates a pixel upwards
+  vtkTextureSliceSegments Segments;
 };
 
 /// What hides what is behind it.

@@ -86,7 +86,21 @@ Picture AgainstRayCaster::ExpectSamePicture(
   EXPECT_GT(difference.Pixels, 800) << "the volume covers too little to compare";
   EXPECT_GT(brightest, visible) << "too little of the volume can be seen";
   EXPECT_LE(difference.LargestMean(), tolerance);
+  this->ExpectSameWhenIntegrated(name, actual, background);
   return actual;
+}
+
+void AgainstRayCaster::ExpectSameWhenIntegrated(
+  const std::string& name, const Picture& sampled, const Picture& background)
+{
+  this->Slices->PreIntegrationOn();
+  const Picture integrated = this->Stage->Draw(this->Configure(this->Slices));
+  this->Slices->PreIntegrationOff();
+  WritePicture(integrated, name + "-integrated");
+  const Difference difference = Compare(integrated, sampled, background);
+  std::cout << name << ": integrated slabs differ from samples by " << difference.LargestMean()
+            << " of 255, worst " << difference.Worst << '\n';
+  EXPECT_LE(difference.LargestMean(), this->IntegratedTolerance) << "integrated slabs";
 }
 
 void AgainstRayCaster::ExpectSamePictureAndBaseline(

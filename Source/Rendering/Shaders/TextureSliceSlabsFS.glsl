@@ -1,0 +1,351 @@
+// Pre-integrated classification (Formulas L1). A fragment stands for a segment of its ray, half a
+// slice distance on either side, which is divided into slabs with samples at their ends. Along a slab,
+// the scalar is linear from its front to its middle, and from there to its back.
+
+// For each set of functions, the integrals over the scalars from 0 on: colour times optical depth of
+// a unit distance, and that depth, in texture coordinates of the table.
+uniform TEXTURE_SLICE_INTEGRAL_TABLE integralTable;
+// Half of the distance of two entries, as texture coordinate.
+uniform float tableHalfEntry;
+// From sampleStep to texture coordinates.
+uniform vec3 stepToTexture;
+
+// Depth of the opaque geometry, 0 to 1.
+uniform sampler2D geometryDepth;
+// z and w of clip coordinates: of this slice, and from one slice to the next.
+flat in vec2 clipDepth;
+uniform vec2 clipStep;
+
+#if TEXTURE_SLICE_CLIPPING_PLANES > 0
+// In the coordinates of partPosition; what is below 0 is cut away.
+uniform vec4 clippingPlanes[TEXTURE_SLICE_CLIPPING_PLANES];
+#endif
+
+// Where the segment begins and ends, in slice distances from the slice. The first and the last one
+// on a ray reach to the face of the box or to the clipping plane, if no other slice is between.
+vec2 FindSegment()
+{
+  vec2 faces = DistancesToFaces();
+#if TEXTURE_SLICE_CLIPPING_PLANES > 0
+  for (int i = 0; i < TEXTURE_SLICE_CLIPPING_PLANES; ++i)
+  {
+    float distance = dot(clippingPlanes[i], vec4(partPosition, 1.0));
+    float approach = dot(clippingPlanes[i].xyz, partStep);
+    float steps = abs(distance) / max(abs(approach), 1e-12);
+    faces = min(faces, approach > 0.0 ? vec2(steps, faces.y) : vec2(faces.x, steps));
+  }
+#endif
+  vec2 segment = vec2(faces.x < 1.0 ? -faces.x : -0.5, faces.y < 1.0 ? faces.y : 0.5);
+  float depth = 2.0 * texelFetch(geometryDepth, ivec2(gl_FragCoord.xy), 0).r - 1.0;
+  if (depth < 1.0)
+  {
+    float steps = (depth * clipDepth.y - clipDepth.x) / (clipStep.x - depth * clipStep.y);
+    segment.y = min(segment.y, steps);
+  }
+  return segment;
+}
+
+// Scalars at one end of a slab.
+struct SlabEnd
+{
+  vec4 scalars;
+#ifdef TEXTURE_SLICE_MASKED
+  float visible; // below 0: hidden
+#endif
+};
+
+SlabEnd FetchEnd(vec3 at)
+{
+  SlabEnd end;
+#ifdef TEXTURE_SLICE_MASKED
+  end.visible = FetchVisibility(at, end.scalars);
+#else
+  FetchScalars(at, end.scalars);
+#endif
+  return end;
+}
+
+// Which part of a slab is visible: the visible points end where the mask, linear along the slab, is
+// one half.
+float FindVisibleShare(SlabEnd front, SlabEnd back)
+{
+#ifdef TEXTURE_SLICE_MASKED
+  if ((front.visible < 0.0) == (back.visible < 0.0))
+  {
+    return front.visible < 0.0 ? 0.0 : 1.0;
+  }
+  return max(front.visible, back.visible) / abs(front.visible - back.visible);
+#else
+  return 1.0;
+#endif
+}
+
+// A hidden end has the scalars of a visible end beside it.
+void FillHiddenEnds(inout SlabEnd ends[TEXTURE_SLICE_SLABS + 1])
+{
+#ifdef TEXTURE_SLICE_MASKED
+  for (int i = 0; i <= TEXTURE_SLICE_SLABS; ++i)
+  {
+    int before = max(i - 1, 0);
+    int after = min(i + 1, TEXTURE_SLICE_SLABS);
+    if (ends[i].visible < 0.0)
+    {
+      ends[i].scalars = ends[before].visible < 0.0 ? ends[after].scalars : ends[before].scalars;
+    }
+  }
+#endif
+}
+
+// The scalars at the ends of the slabs and in their middles, the nearest first.
+#define POINTS (2 * TEXTURE_SLICE_SLABS + 1)
+
+// The second difference of the scalars about three ends in a row.
+vec4 FindBend(SlabEnd before, SlabEnd here, SlabEnd after)
+{
+#ifdef TEXTURE_SLICE_MASKED
+  if (min(min(before.visible, here.visible), after.visible) < 0.0)
+  {
+    return vec4(0.0);
+  }
+#endif
+  return before.scalars - 2.0 * here.scalars + after.scalars;
+}
+
+// The smaller one of two bends in the same direction: at a jump, whose bends have opposite directions,
+// the scalars are linear.
+vec4 LimitBend(vec4 a, vec4 b)
+{
+  return 0.5 * (sign(a) + sign(b)) * min(abs(a), abs(b));
+}
+
+// The middle of a slab is where the parabola has it that its ends and the next ones lie on.
+void FindPoints(SlabEnd ends[TEXTURE_SLICE_SLABS + 1], out vec4 points[POINTS])
+{
+  vec4 bends[TEXTURE_SLICE_SLABS - 1];
+  for (int i = 0; i < TEXTURE_SLICE_SLABS - 1; ++i)
+  {
+    bends[i] = FindBend(ends[i], ends[i + 1], ends[i + 2]);
+  }
+  points[0] = ends[0].scalars;
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+  {
+    int first = clamp(i - 1, 0, TEXTURE_SLICE_SLABS - 3);
+    vec4 bend = LimitBend(bends[first], bends[first + 1]);
+    points[2 * i + 1] = 0.5 * (ends[i].scalars + ends[i + 1].scalars) - 0.125 * bend;
+    points[2 * i + 2] = ends[i + 1].scalars;
+  }
+}
+
+// Where a table is looked up for a scalar, half an entry or more away from the look-up before it: for
+// equal scalars the mean over that is the limit.
+float FindEntry(float scalar, float scale, float bias, float halfEntry)
+{
+  return clamp(scalar * scale + bias, bias + halfEntry, 1.0 - bias - halfEntry);
+}
+
+float FindNextEntry(float last, float entry, float halfEntry)
+{
+  float apart = entry - last;
+  return last + (apart >= 0.0 ? max(apart, halfEntry) : min(apart, -halfEntry));
+}
+
+// Adds a part behind others to an associated colour: the integrals at its front and back, and what
+// makes their difference an optical depth.
+vec4 AddPart(vec4 color, vec4 front, vec4 back, float scale)
+{
+  vec4 sum = abs(back - front);
+  float opacity = (1.0 - color.a) * (1.0 - exp2(-sum.a * scale));
+  return color + opacity * vec4(clamp(sum.rgb / max(sum.a, 1e-30), 0.0, 1.0), 1.0);
+}
+
+// Associated colours of the slabs, so many unit distances thick, by one component's functions. A slab
+// has two parts, because its front hides some of its back.
+void IntegrateComponent(
+  vec4 points[POINTS], float units[TEXTURE_SLICE_SLABS], int row, out vec4 colors[TEXTURE_SLICE_SLABS])
+{
+#if TEXTURE_SLICE_FUNCTIONS > 1
+  int component = row;
+  float ratio = unitDistanceRatio[row];
+#else
+  const int component = TEXTURE_SLICE_COMPONENTS - 1;
+  const float ratio = 1.0;
+#endif
+  float last = FindEntry(points[0][component], tableScale, tableBias, tableHalfEntry);
+  vec4 front = LookUpRow(integralTable, last, row, TEXTURE_SLICE_FUNCTIONS);
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+  {
+    colors[i] = vec4(0.0);
+    for (int k = 1; k <= 2; ++k)
+    {
+      float entry = FindEntry(points[2 * i + k][component], tableScale, tableBias, tableHalfEntry);
+      entry = FindNextEntry(last, entry, tableHalfEntry);
+      vec4 back = LookUpRow(integralTable, entry, row, TEXTURE_SLICE_FUNCTIONS);
+      colors[i] = AddPart(colors[i], front, back, 0.5 * ratio * units[i] / abs(entry - last));
+      last = entry;
+      front = back;
+    }
+#if TEXTURE_SLICE_FUNCTIONS == 1 && TEXTURE_SLICE_COMPONENTS == 2
+    colors[i].rgb = colors[i].a * LookUp(points[2 * i + 1].x, 0).rgb;
+#elif TEXTURE_SLICE_FUNCTIONS == 1 && TEXTURE_SLICE_COMPONENTS > 2
+    colors[i].rgb = colors[i].a * clamp(points[2 * i + 1].rgb, 0.0, 1.0);
+#endif
+  }
+}
+
+// A slab with its colours before gradient opacity and light.
+struct Slab
+{
+  vec4 colors[TEXTURE_SLICE_FUNCTIONS]; // associated
+  vec4 scalars;                         // in the middle
+  vec3 place;                           // of the middle, as texture coordinates
+#ifdef TEXTURE_SLICE_LABELS
+  vec4 labelled; // associated colour by the label's functions
+  int label;
+#endif
+};
+
+#ifdef TEXTURE_SLICE_LABELS
+uniform TEXTURE_SLICE_INTEGRAL_TABLE labelIntegralTable;
+uniform float labelTableHalfEntry;
+
+// The same by the functions of the label in the slab's middle. scalars: front, middle and back.
+void AddLabel(inout Slab slab, vec3 scalars, float units)
+{
+  slab.labelled = vec4(0.0);
+  slab.label = FetchLabel(slab.place);
+  if (slab.label == 0)
+  {
+    return;
+  }
+  int row = slab.label - 1;
+  float last = FindEntry(scalars.x, labelTableScale, labelTableBias, labelTableHalfEntry);
+  vec4 front = LookUpRow(labelIntegralTable, last, row, TEXTURE_SLICE_LABELS);
+  for (int k = 1; k <= 2; ++k)
+  {
+    float entry = FindEntry(scalars[k], labelTableScale, labelTableBias, labelTableHalfEntry);
+    entry = FindNextEntry(last, entry, labelTableHalfEntry);
+    vec4 back = LookUpRow(labelIntegralTable, entry, row, TEXTURE_SLICE_LABELS);
+    slab.labelled = AddPart(slab.labelled, front, back, 0.5 * units / abs(entry - last));
+    last = entry;
+    front = back;
+  }
+}
+#endif
+
+// Whether the middle of a slab is cut away.
+bool IsCut(vec3 place)
+{
+#ifdef TEXTURE_SLICE_CROPPED
+  if (IsCropped(place))
+  {
+    return true;
+  }
+#endif
+#ifdef TEXTURE_SLICE_BINARY_MASK
+  return FetchLabel(place) == 0;
+#else
+  return false;
+#endif
+}
+
+// Whether any function shows something of a slab.
+bool IsVisible(Slab slab)
+{
+  float opacity = 0.0;
+  for (int i = 0; i < TEXTURE_SLICE_FUNCTIONS; ++i)
+  {
+    opacity += slab.colors[i].a;
+  }
+#ifdef TEXTURE_SLICE_LABELS
+  opacity += slab.labelled.a;
+#endif
+  return opacity > 0.0;
+}
+
+// Gradient opacity and light on an associated colour.
+vec4 FinishColor(vec4 color, vec4 scalars, int component, int label)
+{
+  return color.a > 0.0 ? Finish(vec4(color.rgb / color.a, color.a), scalars, component, label)
+                       : vec4(0.0);
+}
+
+// The associated colour of a slab.
+vec4 FinishSlab(Slab slab)
+{
+#if !defined TEXTURE_SLICE_GRADIENT && !defined TEXTURE_SLICE_LABELS && TEXTURE_SLICE_FUNCTIONS == 1
+  return slab.colors[0];
+#else
+  textureCoordinate = slab.place;
+#if TEXTURE_SLICE_FUNCTIONS > 1
+  vec4 colors[TEXTURE_SLICE_COMPONENTS];
+  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  {
+    colors[i] = FinishColor(slab.colors[i], slab.scalars, i, 0);
+  }
+  return AddComponents(colors);
+#else
+  vec4 color = FinishColor(slab.colors[0], slab.scalars, 0, 0);
+#ifdef TEXTURE_SLICE_LABELS
+  if (slab.label > 0)
+  {
+    color = mix(color, FinishColor(slab.labelled, slab.scalars, 0, slab.label), labelWeight);
+  }
+#endif
+  return vec4(color.rgb * color.a, color.a);
+#endif
+#endif
+}
+
+// Divides the fragment's segment into slabs, the nearest first. False where there is nothing to see.
+bool MakeSlabs(out Slab slabs[TEXTURE_SLICE_SLABS])
+{
+  vec2 segment = FindSegment();
+  float thickness = max(segment.y - segment.x, 0.0) / float(TEXTURE_SLICE_SLABS);
+  vec3 toBack = thickness * sampleStep * stepToTexture;
+  vec3 first = sliceCoordinate + segment.x * sampleStep * stepToTexture;
+  SlabEnd ends[TEXTURE_SLICE_SLABS + 1];
+  for (int i = 0; i <= TEXTURE_SLICE_SLABS; ++i)
+  {
+    ends[i] = FetchEnd(first + float(i) * toBack);
+  }
+  FillHiddenEnds(ends);
+  vec4 points[POINTS];
+  FindPoints(ends, points);
+  float units[TEXTURE_SLICE_SLABS];
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+  {
+    slabs[i].place = first + (float(i) + 0.5) * toBack;
+    slabs[i].scalars = points[2 * i + 1];
+    units[i] = IsCut(slabs[i].place)
+      ? 0.0
+      : FindVisibleShare(ends[i], ends[i + 1]) * thickness * length(sampleStep);
+#ifdef TEXTURE_SLICE_LABELS
+    AddLabel(slabs[i], vec3(points[2 * i].x, points[2 * i + 1].x, points[2 * i + 2].x), units[i]);
+#endif
+  }
+  for (int row = 0; row < TEXTURE_SLICE_FUNCTIONS; ++row)
+  {
+    vec4 colors[TEXTURE_SLICE_SLABS];
+    IntegrateComponent(points, units, row, colors);
+    for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+    {
+      slabs[i].colors[row] = colors[i];
+    }
+  }
+  bool visible = false;
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+  {
+    visible = visible || IsVisible(slabs[i]);
+  }
+  return visible;
+}
+
+vec4 GatherSlabs(Slab slabs[TEXTURE_SLICE_SLABS])
+{
+  vec4 gathered = vec4(0.0);
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+  {
+    gathered += (1.0 - gathered.a) * FinishSlab(slabs[i]);
+  }
+  return gathered;
+}

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The integrals of colour and optical depth over the scalars, as rows of RGBA texels.
+#ifndef vtkTextureSliceIntegralTable_h
+#define vtkTextureSliceIntegralTable_h
+
+#include "vtkNew.h"
+#include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkTextureObject.h"
+#include "vtkType.h"
+
+#include <cstddef>
+
+class vtkOpenGLRenderWindow;
+class vtkTextureSliceTable;
+class vtkWindow;
+
+/**
+ * The tables of pre-integrated classification (Formulas L1), one row for each of the first rows of
+ * a vtkTextureSliceTable, which must hold optical depths. Alpha is K, the integral of the optical
+ * depth of a unit distance from the first entry on; red, green and blue are K_c, the integral of
+ * that depth times the colour. Between two entries both functions count as linear (trapezoidal
+ * rule), and the variable of integration is the texture coordinate, so that a difference quotient
+ * of K is a depth.
+ */
+class VTKNEXRADRENDERING_EXPORT vtkTextureSliceIntegralTable
+{
+public:
+  /**
+   * Fills and uploads the integrals if the table, the limit or the window changed.
+   * @param rows of @a table to integrate.
+   * @param dimensions of the texture: 1 (for a single row) or 2.
+   * @param mostDepth depths count as at most this: differences of large sums lose precision.
+   */
+  void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceTable& table, int rows,
+    int dimensions, double mostDepth);
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  vtkTextureObject* GetTexture() { return this->Texture; }
+
+  /**
+   * A limit for Update at which a slab of that many unit distances is still opaque: a power of two,
+   * so that it stays the same while the camera moves a little.
+   */
+  static double ChooseMostDepth(double unitsOfSlab);
+
+  /**
+   * Integrates one row.
+   * @param entries RGBA of each entry, alpha an optical depth.
+   * @param integrals as many entries.
+   */
+  static void Integrate(
+    const float* entries, std::size_t width, double mostDepth, float* integrals);
+
+private:
+  vtkNew<vtkTextureObject> Texture;
+  vtkMTimeType FillTime = 0; ///< of the table
+  int Rows = 0;
+  int Dimensions = 0;
+  double MostDepth = 0.0;
+};
+
+#endif
