@@ -270,7 +270,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 {
   if (!sameMapper)
   {
-    volume->SetMapper(MakeVolumeMapper(options.mapper));
+    volume->SetMapper(MakeVolumeMapper(options.mapper, options.preIntegration));
     renderer->AddVolume(volume);
   }
   volume->GetMapper()->SetInputDataObject(placed);

@@ -32,8 +32,9 @@ struct SceneOptions
              ///< a file that vtkNexradTransferFunction reads; empty: none
   std::optional<double> exaggeration; ///< of heights; above 0; empty: DefaultExaggeration
   MapperChoice mapper = MapperChoice::TextureSlice;
-  int slices = 256;         ///< or samples along the longest ray; from 1 on
-  double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
+  bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
+  int slices = 256;           ///< or samples along the longest ray; from 1 on
+  double ringSpacing = 0.0;   ///< m, between rings about each radar; 0: none
   std::optional<PlanOptions> plan;
 };
 

@@ -68,11 +68,13 @@ std::string PresetFor(const SceneOptions& options, const std::string& array)
 
 } // namespace
 
-vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice)
+vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration)
 {
   if (choice == MapperChoice::TextureSlice)
   {
-    return vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
+    auto slicer = vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
+    slicer->SetPreIntegration(preIntegration);
+    return slicer;
   }
   auto mapper = vtkSmartPointer<vtkOpenGLGPUVolumeRayCastMapper>::New();
   mapper->SetAutoAdjustSampleDistances(0);

@@ -17,8 +17,8 @@ class vtkVolumeProperty;
 namespace nexrad::scene
 {
 
-/// A mapper of that kind.
-vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice);
+/// A mapper of that kind; pre-integration is of the slices alone.
+vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration);
 
 /// Sets the number of slices, or of samples along the longest ray through the volume, whose length
 /// is `diagonal` in scene units.

@@ -38,7 +38,8 @@ bool SamePlan(const SceneOptions& a, const SceneOptions& b)
 bool SameButForSlices(const SceneOptions& a, const SceneOptions& b)
 {
   return SameColors(a, b) && SamePlan(a, b) && a.exaggeration == b.exaggeration &&
-         a.mapper == b.mapper && a.ringSpacing == b.ringSpacing;
+         a.mapper == b.mapper && a.preIntegration == b.preIntegration &&
+         a.ringSpacing == b.ringSpacing;
 }
 
 bool SameView(const CameraView& a, const CameraView& b)
@@ -92,6 +93,7 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   }
   options.mapper = self->Mapper == RAY_CAST ? nexrad::scene::MapperChoice::RayCast
                                             : nexrad::scene::MapperChoice::TextureSlice;
+  options.preIntegration = self->PreIntegration;
   options.slices = self->NumberOfSlices;
   options.ringSpacing = self->RingSpacing;
   if (self->Plan != NO_PLAN)
@@ -343,6 +345,7 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ColorFileName: " << this->ColorFileName << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "Mapper: " << this->Mapper << "\n";
+  os << indent << "PreIntegration: " << (this->PreIntegration ? "On" : "Off") << "\n";
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
   os << indent << "RingSpacing: " << this->RingSpacing << "\n";
   os << indent << "Plan: " << this->Plan << "\n";

@@ -176,6 +176,17 @@ public:
 
   ///@{
   /**
+   * Whether slices integrate the transfer functions between the scalars at their front and back, in
+   * place of taking one sample: narrow colour steps and iso-values leave no rings. See
+   * vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration. On by default; RAY_CAST ignores it.
+   */
+  vtkSetMacro(PreIntegration, bool);
+  vtkGetMacro(PreIntegration, bool);
+  vtkBooleanMacro(PreIntegration, bool);
+  ///@}
+
+  ///@{
+  /**
    * Slices, or samples along the longest ray. From 1 to 16384; 256 by default.
    */
   vtkSetClampMacro(NumberOfSlices, int, 1, 16384);
@@ -233,6 +244,7 @@ protected:
   std::string ColorFileName;
   double Exaggeration = 0.0;
   int Mapper = TEXTURE_SLICE;
+  bool PreIntegration = true;
   int NumberOfSlices = 256;
   double RingSpacing = 0.0;
   int Plan = NO_PLAN;

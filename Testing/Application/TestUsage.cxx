@@ -181,6 +181,8 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--exaggeration", "-1"}, {"--exaggeration"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--slices", "0"}, {"--slices", "1"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--mapper", "x"}, {"--mapper", "texture-slice"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--classification", "x"},
+    {"--classification", "pre-integrated", "sampled"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--colours", "/none"}, {"--colours", "/none"});
   ExpectWrongUsage({"render", "a", "-o", "b.ogv", "--fps", "0"}, {"--fps"});
 }

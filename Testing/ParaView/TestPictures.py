@@ -61,6 +61,7 @@ class Slices(PictureTest):
         """Difference of the two, and of the first from nothing: means of 255."""
         nothing, own = self.draw("Outline"), self.draw("Volume")
         self.display.NumberOfSlices = slices
+        self.display.PreIntegration = 0  # a sample each, as ParaView's own
         apart, largest = Plugin.difference(own, self.draw(SLICES))
         echo, _ = Plugin.difference(own, nothing)
         print(f"Volume and {SLICES}, {slices}: mean difference {apart:.3f}, largest {largest:.0f} of "
@@ -88,6 +89,15 @@ class Slices(PictureTest):
         coarse = self.draw(SLICES)
         self.assertEqual(self.mapper().GetNumberOfDrawnSlices(), 12)
         self.assertGreater(Plugin.difference(fine, coarse)[0], 0.2)
+
+    def test_pre_integration_is_a_property(self):
+        self.display.NumberOfSlices = 32
+        integrated = self.draw(SLICES)
+        self.assertTrue(self.mapper().GetPreIntegration())
+        self.display.PreIntegration = 0
+        sampled = self.draw(SLICES)
+        self.assertFalse(self.mapper().GetPreIntegration())
+        self.assertGreater(Plugin.difference(integrated, sampled)[0], 0.05)
 
     def test_blend_modes(self):
         pictures = []

@@ -86,9 +86,11 @@ class Pictures(unittest.TestCase):
             scene.SetPreset("storm cores")
             scene.SetExaggeration(5.0)
             scene.SetNumberOfSlices(100)
+            scene.PreIntegrationOff()
             scene.SetRingSpacing(50000.0)
         self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
-                  "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km")
+                  "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km",
+                  "--classification", "sampled")
 
     def test_plan_views(self):
         def settings(plan, array=""):

@@ -91,6 +91,7 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"preset", [](vtkNexradVolumeScene* scene) { scene->SetPreset("hail"); }},
     {"exaggeration", [](vtkNexradVolumeScene* scene) { scene->SetExaggeration(2.0); }},
     {"mapper", [](vtkNexradVolumeScene* scene) { scene->SetMapperToRayCast(); }},
+    {"classification", [](vtkNexradVolumeScene* scene) { scene->PreIntegrationOff(); }},
     {"slices", [](vtkNexradVolumeScene* scene) { scene->SetNumberOfSlices(11); }},
     {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
     {"plan", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LOWEST); }},

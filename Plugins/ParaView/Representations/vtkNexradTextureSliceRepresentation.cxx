@@ -13,6 +13,7 @@ vtkStandardNewMacro(vtkNexradTextureSliceRepresentation);
 vtkNexradTextureSliceRepresentation::vtkNexradTextureSliceRepresentation()
 {
   this->VolumeMapper = vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
+  this->SetPreIntegration(true);
 }
 
 vtkNexradTextureSliceRepresentation::~vtkNexradTextureSliceRepresentation() = default;
@@ -37,6 +38,11 @@ void vtkNexradTextureSliceRepresentation::SetNumberOfSlices(int slices)
 int vtkNexradTextureSliceRepresentation::GetNumberOfSlices()
 {
   return this->GetSliceMapper()->GetNumberOfSlices();
+}
+
+void vtkNexradTextureSliceRepresentation::SetPreIntegration(bool on)
+{
+  this->GetSliceMapper()->SetPreIntegration(on);
 }
 
 void vtkNexradTextureSliceRepresentation::SetBlendMode(int mode)

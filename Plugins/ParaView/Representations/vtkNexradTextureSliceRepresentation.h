@@ -32,6 +32,13 @@ public:
   int GetNumberOfSlices();
 
   /**
+   * Whether slices integrate the transfer functions between the scalars at their front and back, in
+   * place of taking one sample: vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration. On by
+   * default.
+   */
+  void SetPreIntegration(bool on);
+
+  /**
    * One of vtkVolumeMapper's blend modes, except slice blending. Composite by default. In place of
    * the superclass's, which looks for mappers of other classes.
    */

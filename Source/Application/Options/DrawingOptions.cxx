@@ -25,6 +25,15 @@ scene::MapperChoice ParseMapper(const std::string& text)
   return text == "ray-cast" ? scene::MapperChoice::RayCast : scene::MapperChoice::TextureSlice;
 }
 
+bool ParseClassification(const std::string& text)
+{
+  if (text != "pre-integrated" && text != "sampled")
+  {
+    throw Error("'" + text + "' is no classification; write pre-integrated or sampled");
+  }
+  return text == "pre-integrated";
+}
+
 double ParseExaggeration(const std::string& text)
 {
   std::istringstream stream(text);
@@ -90,6 +99,12 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   AddParsedOption(command, "--mapper", options.mapper, ParseMapper, "NAME",
     "texture-slice, or ray-cast: VTK's, for comparison", "texture-slice")
+    ->group(group);
+  AddParsedOption(command, "--classification", options.preIntegration, ParseClassification, "NAME",
+    "How a slice finds its colours: pre-integrated, from all scalars between its front and its "
+    "back; "
+    "or sampled, from one scalar, as VTK's ray caster does",
+    "pre-integrated")
     ->group(group);
   AddNumberOption(command, "--slices", options.slices, 1, 16384, "NUMBER",
     "Slices, or samples along the longest ray")

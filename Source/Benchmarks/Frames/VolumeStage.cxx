@@ -47,7 +47,7 @@ VolumeStage::VolumeStage(const std::array<int, 2>& pictureSize)
   const SceneOptions options;
   for (const MapperChoice choice : {MapperChoice::TextureSlice, MapperChoice::RayCast})
   {
-    mappers[static_cast<std::size_t>(choice)] = MakeVolumeMapper(choice);
+    mappers[static_cast<std::size_t>(choice)] = MakeVolumeMapper(choice, false);
   }
   volume->SetProperty(MakeVolumeProperty());
   MakeTransferFunction(options)->FillProperty(volume->GetProperty());

@@ -5,9 +5,21 @@
 
 namespace nexrad::scene
 {
+namespace
+{
+
+// As the thesis draws: a slice takes one sample of the volume.
+SceneOptions SampledOptions()
+{
+  SceneOptions options;
+  options.preIntegration = false;
+  return options;
+}
+
+} // namespace
 
 ScenePictures::ScenePictures(const CameraView& view, const std::array<int, 2>& size)
-  : scene(SceneOptions())
+  : scene(SampledOptions())
   , window(scene, size)
 {
   scene.SetCamera(view);
