@@ -80,10 +80,10 @@ public:
     return news && !message.empty();
   }
 
-  /// Deletes the graphics resources in their own context; the current context stays the same.
-  void Release()
+  /// Deletes the graphics resources in the context of the window that owns them; the current
+  /// context stays the same.
+  void Release(vtkOpenGLRenderWindow* window)
   {
-    vtkOpenGLRenderWindow* window = this->Window;
     if (window == nullptr)
     {
       return;
@@ -110,7 +110,7 @@ public:
   {
     if (this->Window != window)
     {
-      this->Release();
+      this->Release(this->Window);
     }
     this->Window = window;
     window->MakeCurrent();
@@ -375,7 +375,7 @@ vtkOpenGLTextureSliceVolumeMapper::vtkOpenGLTextureSliceVolumeMapper()
 
 vtkOpenGLTextureSliceVolumeMapper::~vtkOpenGLTextureSliceVolumeMapper()
 {
-  this->Parts->Release();
+  this->Parts->Release(this->Parts->Window);
 }
 
 int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
@@ -858,9 +858,10 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
-  if (this->Parts->Window == window)
+  // A window that is about to end is not known as the owner any more.
+  if (this->Parts->Window == nullptr || this->Parts->Window == window)
   {
-    this->Parts->Release();
+    this->Parts->Release(vtkOpenGLRenderWindow::SafeDownCast(window));
   }
   this->Superclass::ReleaseGraphicsResources(window);
 }
