@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 
 vtkStandardNewMacro(vtkTextureSliceChecksums);
@@ -50,7 +51,7 @@ Findings LookAtLayer(const vtkTextureSlice::Rows<Scalar>& rows, int height, int 
     if (!found.Invisible)
     {
       rows.MarkVisible(y, z, 0, rows.Length, marks.data());
-      found.Invisible = std::find(marks.begin(), marks.end(), 0) != marks.end();
+      found.Invisible = std::memchr(marks.data(), 0, marks.size()) != nullptr;
     }
   }
   for (std::size_t c = 0; c < rows.Components; ++c)
@@ -66,7 +67,8 @@ vtkTextureSliceChecksums::Key vtkTextureSliceChecksums::MakeKey(
   const vtkTextureSliceScalars& source)
 {
   return {source.Scalars, source.Scalars->GetMTime(), source.Ghosts,
-    source.Ghosts != nullptr ? source.Ghosts->GetMTime() : 0, source.Size, source.CellData};
+    source.Ghosts != nullptr ? source.Ghosts->GetMTime() : 0, source.Size, source.CellData,
+    source.Codes};
 }
 
 void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
@@ -94,6 +96,10 @@ void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
   switch (source.Scalars->GetDataType())
   {
     vtkTemplateMacro(look(vtkTextureSlice::Rows<VTK_TT>(source)));
+  }
+  if (source.Codes)
+  {
+    vtkTextureSlice::ToValues(*source.Codes, all.Ranges);
   }
   this->Texels = {source, all.Ranges, all.Invisible};
   this->Bricks.Build(source);

@@ -27,6 +27,7 @@ vtkTextureSliceScalars vtkTextureSliceScalars::Find(
   found.CellData = cellData;
   found.HiddenBits = cellData ? static_cast<unsigned char>(vtkDataSetAttributes::HIDDENCELL)
                               : static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT);
+  found.Codes = vtkTextureSliceCodes::Find(image, scalars, found.HiddenBits);
   vtkDataSetAttributes* attributes =
     cellData ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
