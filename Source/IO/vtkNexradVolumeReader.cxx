@@ -267,6 +267,10 @@ int vtkNexradVolumeReader::RequestData(
   {
     this->ReadImage(step.second, block, image);
     image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.first);
+    if (!progress(0.9))
+    {
+      image->Initialize();
+    }
   }
   catch (const nexrad::Error& error)
   {

@@ -83,11 +83,13 @@ void NxvInput::Read(std::uint64_t offset, std::uint64_t size,
 
 std::vector<std::uint8_t> NxvInput::ReadAll(std::uint64_t offset, std::size_t size)
 {
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(size);
-  this->Read(offset, size,
-    [&bytes](const std::uint8_t* data, std::size_t count)
-    { bytes.insert(bytes.end(), data, data + count); });
+  std::vector<std::uint8_t> bytes(size);
+  stream.clear();
+  stream.seekg(static_cast<std::streamoff>(offset));
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+  {
+    RefuseNxv(offset, "cannot be read");
+  }
   return bytes;
 }
 

@@ -8,6 +8,7 @@
 #include "nexrad/Codec/NxvPayload.h"
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/HugePages.h"
 
 #include <algorithm>
 #include <cstring>
@@ -118,6 +119,7 @@ std::unique_ptr<std::uint8_t[]> ReadCodes(const Reading& reading, std::size_t vo
 {
   // Not set to 0 first: all of them are written.
   std::unique_ptr<std::uint8_t[]> codes(new std::uint8_t[voxels]);
+  UseHugePages(codes.get(), voxels);
   const NxvContent& content = reading.content;
   ReadByteCodes(reading.file, content.payloads, content.header.arrays[0], codes.get(), voxels,
     reading.options.loop);

@@ -66,10 +66,7 @@ public:
   /// Marks texels with 1 where all components are finite, and no code that is hidden, else with 0.
   void MarkFinite(int y, int z, int x, std::size_t count, unsigned char* finite) const
   {
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      finite[i] = 1;
-    }
+    std::fill_n(finite, count, static_cast<unsigned char>(1));
     if constexpr (std::is_same_v<Scalar, unsigned char>)
     {
       this->UnmarkHiddenCodes(this->GetScalars(y, z, x), count, finite);
