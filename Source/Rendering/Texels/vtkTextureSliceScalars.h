@@ -23,7 +23,7 @@ struct vtkTextureSliceScalars
   vtkUnsignedCharArray* Ghosts = nullptr;
   unsigned char HiddenBits = 0;
   /// What the scalars stand for where they are codes.
-  std::optional<vtkTextureSliceCodes> Codes;
+  std::optional<vtkTextureSliceCodes> Codes = {};
 
   /// Texels along each axis.
   static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
