@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradImageConversion.h"
 
+#include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
+#include "vtkNexradThreads.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -14,6 +16,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 #include <type_traits>
 
@@ -38,37 +41,111 @@ void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
     field, "Synthetic", {static_cast<unsigned char>(volume.synthetic ? 1 : 0)});
 }
 
-void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
+// Of a voxel with that state.
+unsigned char GhostTypeOf(nexrad::VoxelState state, nexrad::MomentName moment)
 {
-  const auto count = static_cast<vtkIdType>(volume.values.size());
-  vtkNew<vtkFloatArray> values;
-  values->SetName(nexrad::ToString(volume.moment));
-  values->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), nexrad::UnitOf(volume.moment));
-  values->SetNumberOfTuples(count);
-  std::copy(volume.values.begin(), volume.values.end(), values->GetPointer(0));
-  vtkNew<vtkUnsignedCharArray> states;
-  states->SetName(StateName(volume.moment).c_str());
-  states->SetNumberOfTuples(count);
-  std::transform(volume.states.begin(), volume.states.end(), states->GetPointer(0),
-    [](nexrad::VoxelState state) { return static_cast<unsigned char>(state); });
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfTuples(count);
-  constexpr auto hidden = static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT);
   // No echo is a reflectivity below all others, and no value of any other moment: blended with it a
   // velocity would seem to be another.
-  const bool isReflectivity = volume.moment == nexrad::MomentName::REF;
-  const auto isHidden = [isReflectivity](nexrad::VoxelState state)
+  const bool hidden = moment == nexrad::MomentName::REF ? state == nexrad::VoxelState::NotScanned
+                                                        : state != nexrad::VoxelState::Echo;
+  return static_cast<unsigned char>(hidden ? vtkDataSetAttributes::HIDDENPOINT : 0);
+}
+
+// The point data of a volume, to be filled.
+struct VoxelArrays
+{
+  vtkNew<vtkFloatArray> Values;
+  vtkNew<vtkUnsignedCharArray> States;
+  vtkNew<vtkUnsignedCharArray> Ghosts;
+
+  VoxelArrays(nexrad::MomentName moment, vtkIdType count)
   {
-    return isReflectivity ? state == nexrad::VoxelState::NotScanned
-                          : state != nexrad::VoxelState::Echo;
-  };
-  std::transform(volume.states.begin(), volume.states.end(), ghosts->GetPointer(0),
-    [isHidden](nexrad::VoxelState state)
-    { return isHidden(state) ? hidden : static_cast<unsigned char>(0); });
-  points->SetScalars(values);
-  points->AddArray(states);
-  points->AddArray(ghosts);
+    this->Values->SetName(nexrad::ToString(moment));
+    this->Values->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), nexrad::UnitOf(moment));
+    this->Values->SetNumberOfTuples(count);
+    this->States->SetName(StateName(moment).c_str());
+    this->States->SetNumberOfTuples(count);
+    this->Ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    this->Ghosts->SetNumberOfTuples(count);
+  }
+
+  void AddTo(vtkPointData* points) const
+  {
+    points->SetScalars(this->Values);
+    points->AddArray(this->States);
+    points->AddArray(this->Ghosts);
+  }
+};
+
+void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
+{
+  const VoxelArrays arrays(volume.moment, static_cast<vtkIdType>(volume.values.size()));
+  std::copy(volume.values.begin(), volume.values.end(), arrays.Values->GetPointer(0));
+  std::transform(volume.states.begin(), volume.states.end(), arrays.States->GetPointer(0),
+    [](nexrad::VoxelState state) { return static_cast<unsigned char>(state); });
+  std::transform(volume.states.begin(), volume.states.end(), arrays.Ghosts->GetPointer(0),
+    [&volume](nexrad::VoxelState state) { return GhostTypeOf(state, volume.moment); });
+  arrays.AddTo(points);
+}
+
+constexpr std::size_t codeCount = nexrad::VoxelCodes::Count;
+
+// The state and the ghost type of each code.
+using ByteOfCode = std::array<unsigned char, codeCount>;
+ByteOfCode StatesOf(const nexrad::VoxelCodes& meaning)
+{
+  ByteOfCode states{};
+  std::transform(meaning.states.begin(), meaning.states.end(), states.begin(),
+    [](nexrad::VoxelState state) { return static_cast<unsigned char>(state); });
+  return states;
+}
+
+ByteOfCode GhostTypesOf(const nexrad::VoxelCodes& meaning, nexrad::MomentName moment)
+{
+  ByteOfCode ghosts{};
+  std::transform(meaning.states.begin(), meaning.states.end(), ghosts.begin(),
+    [moment](nexrad::VoxelState state) { return GhostTypeOf(state, moment); });
+  return ghosts;
+}
+
+// Expands codes to values, states and ghost types, on several threads.
+void Expand(const nexrad::CodedVolume& coded, const VoxelArrays& arrays)
+{
+  constexpr std::size_t stretch = std::size_t(1) << 18;
+  const ByteOfCode stateOf = StatesOf(coded.meaning);
+  const ByteOfCode ghostOf = GhostTypesOf(coded.meaning, coded.volume.moment);
+  const std::size_t count = coded.volume.grid.VoxelCount();
+  float* const values = arrays.Values->GetPointer(0);
+  unsigned char* const states = arrays.States->GetPointer(0);
+  unsigned char* const ghosts = arrays.Ghosts->GetPointer(0);
+  vtkNexradRangeLoop()(static_cast<int>((count + stretch - 1) / stretch),
+    [&](int first, int last)
+    {
+      const std::size_t end = std::min(count, static_cast<std::size_t>(last) * stretch);
+      for (std::size_t i = static_cast<std::size_t>(first) * stretch; i < end; ++i)
+      {
+        const std::uint8_t code = coded.codes[i];
+        values[i] = coded.meaning.values[code];
+        states[i] = stateOf[code];
+        ghosts[i] = ghostOf[code];
+      }
+    });
+}
+
+std::string CodeTableName(nexrad::MomentName moment, const char* column)
+{
+  return std::string(nexrad::ToString(moment)) + "_code_" + column;
+}
+
+// One value for each code.
+template <class Array, class Table>
+void AddCodeTable(vtkFieldData* field, const std::string& name, const Table& table)
+{
+  vtkNew<Array> array;
+  array->SetName(name.c_str());
+  array->SetNumberOfTuples(static_cast<vtkIdType>(table.size()));
+  std::copy(table.begin(), table.end(), array->GetPointer(0));
+  field->AddArray(array);
 }
 
 /// The VTK array for a vector of values.
@@ -106,6 +183,16 @@ nexrad::MomentName FindMoment(vtkPointData* points)
   throw nexrad::Error("the image has no array of a radar moment: it needs REF and REF_state");
 }
 
+nexrad::VoxelState ToState(unsigned char state, const std::string& array)
+{
+  if (state > static_cast<unsigned char>(nexrad::VoxelState::NotScanned))
+  {
+    throw nexrad::Error(
+      "the image's array " + array + " holds " + std::to_string(state) + ": a state is 0 to 3");
+  }
+  return static_cast<nexrad::VoxelState>(state);
+}
+
 template <class Array>
 Array* RequireArray(vtkImageData* image, const std::string& name)
 {
@@ -118,6 +205,52 @@ Array* RequireArray(vtkImageData* image, const std::string& name)
                         wanted->GetDataTypeAsString() + " with one value a point");
   }
   return array;
+}
+
+// The table of a column as an image of codes has it.
+template <class Array>
+const auto* RequireCodeTable(vtkImageData* image, nexrad::MomentName moment, const char* column)
+{
+  const std::string name = CodeTableName(moment, column);
+  Array* table = Array::SafeDownCast(image->GetFieldData()->GetArray(name.c_str()));
+  if (!table || table->GetNumberOfValues() != static_cast<vtkIdType>(codeCount))
+  {
+    throw nexrad::Error("the image has codes; its field data must have " + name + " with " +
+                        std::to_string(codeCount) + " values");
+  }
+  return table->GetPointer(0);
+}
+
+void TakeCodes(vtkUnsignedCharArray* codes, vtkImageData* image, nexrad::GriddedVolume& volume)
+{
+  const float* values = RequireCodeTable<vtkFloatArray>(image, volume.moment, "values");
+  const unsigned char* states =
+    RequireCodeTable<vtkUnsignedCharArray>(image, volume.moment, "states");
+  const std::string name = CodeTableName(volume.moment, "states");
+  nexrad::VoxelCodes meaning;
+  for (std::size_t code = 0; code < codeCount; ++code)
+  {
+    meaning.values[code] = values[code];
+    meaning.states[code] = ToState(states[code], name);
+  }
+  const auto count = static_cast<std::size_t>(codes->GetNumberOfTuples());
+  volume.values.resize(count);
+  volume.states.resize(count);
+  nexrad::ExpandCodes(meaning, codes->GetPointer(0), count, volume.values.data(),
+    volume.states.data(), vtkNexradRangeLoop());
+}
+
+void TakeValues(vtkImageData* image, nexrad::GriddedVolume& volume)
+{
+  auto* values = RequireArray<vtkFloatArray>(image, nexrad::ToString(volume.moment));
+  auto* states = RequireArray<vtkUnsignedCharArray>(image, StateName(volume.moment));
+  volume.values.assign(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfTuples());
+  volume.states.reserve(volume.values.size());
+  const std::string name = StateName(volume.moment);
+  for (vtkIdType i = 0; i < states->GetNumberOfTuples(); ++i)
+  {
+    volume.states.push_back(ToState(states->GetValue(i), name));
+  }
 }
 
 // Those that the image has.
@@ -177,24 +310,51 @@ void vtkNexradVolumeToImage(const nexrad::GriddedVolume& volume, vtkImageData* i
   AddFieldData(volume, image->GetFieldData());
 }
 
+void vtkNexradCodesToValues(const nexrad::CodedVolume& coded, vtkImageData* image)
+{
+  const nexrad::GriddedVolume& volume = coded.volume;
+  vtkNexradGridToImage(volume.grid, image);
+  const VoxelArrays arrays(volume.moment, image->GetNumberOfPoints());
+  Expand(coded, arrays);
+  arrays.AddTo(image->GetPointData());
+  AddAncillary(volume, image->GetPointData());
+  AddFieldData(volume, image->GetFieldData());
+}
+
+void vtkNexradCodesToImage(nexrad::CodedVolume& coded, vtkImageData* image)
+{
+  const nexrad::GriddedVolume& volume = coded.volume;
+  vtkNexradGridToImage(volume.grid, image);
+  vtkNew<vtkUnsignedCharArray> codes;
+  codes->SetName(nexrad::ToString(volume.moment));
+  codes->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), nexrad::UnitOf(volume.moment));
+  codes->SetArray(coded.codes.release(), image->GetNumberOfPoints(), 0,
+    vtkUnsignedCharArray::VTK_DATA_ARRAY_DELETE);
+  image->GetPointData()->SetScalars(codes);
+  AddAncillary(volume, image->GetPointData());
+  vtkFieldData* field = image->GetFieldData();
+  AddFieldData(volume, field);
+  AddCodeTable<vtkFloatArray>(field, CodeTableName(volume.moment, "values"), coded.meaning.values);
+  AddCodeTable<vtkUnsignedCharArray>(
+    field, CodeTableName(volume.moment, "states"), StatesOf(coded.meaning));
+  AddCodeTable<vtkUnsignedCharArray>(
+    field, CodeTableName(volume.moment, "ghosts"), GhostTypesOf(coded.meaning, volume.moment));
+}
+
 nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
 {
   nexrad::GriddedVolume volume;
   volume.moment = FindMoment(image->GetPointData());
-  auto* values = RequireArray<vtkFloatArray>(image, nexrad::ToString(volume.moment));
-  auto* states = RequireArray<vtkUnsignedCharArray>(image, StateName(volume.moment));
   volume.grid = ImageToGrid(image);
-  volume.values.assign(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfTuples());
-  volume.states.reserve(volume.values.size());
-  for (vtkIdType i = 0; i < states->GetNumberOfTuples(); ++i)
+  vtkDataArray* scalars = image->GetPointData()->GetArray(nexrad::ToString(volume.moment));
+  if (vtkUnsignedCharArray::SafeDownCast(scalars))
   {
-    const unsigned char state = states->GetValue(i);
-    if (state > static_cast<unsigned char>(nexrad::VoxelState::NotScanned))
-    {
-      throw nexrad::Error("the image's point array " + StateName(volume.moment) + " holds " +
-                          std::to_string(state) + ": a state is 0 to 3");
-    }
-    volume.states.push_back(static_cast<nexrad::VoxelState>(state));
+    TakeCodes(
+      RequireArray<vtkUnsignedCharArray>(image, nexrad::ToString(volume.moment)), image, volume);
+  }
+  else
+  {
+    TakeValues(image, volume);
   }
   TakeAncillaryArrays(image, volume);
   vtkFieldData* field = image->GetFieldData();

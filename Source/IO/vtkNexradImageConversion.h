@@ -18,6 +18,15 @@
  * - `REF_weight`, float32: sum of their weights.
  * - `REF_site`, uint8: which of `Sites`, counted from 0, is the nearest of them; 255 for none.
  *
+ * With codes (vtkNexradCodesToImage), the image has less point data, and what they stand for in its
+ * field data:
+ *
+ * - `REF`, uint8, the active scalars: codes, as the file has them; no `REF_state`, no
+ *   `vtkGhostType`. Range folded has the code of no echo.
+ * - `REF_code_values`, float32, in the field data: 256 values, one for each code; the fill value
+ * for codes of other states than echo.
+ * - `REF_code_states` and `REF_code_ghosts`, uint8, likewise: the state and the vtkGhostType.
+ *
  * Field data:
  *
  * - `FillValue`, float32.
@@ -41,6 +50,7 @@ class vtkImageData;
 
 namespace nexrad
 {
+struct CodedVolume;
 struct GriddedVolume;
 struct GridSpecification;
 } // namespace nexrad
@@ -64,9 +74,20 @@ VTKNEXRADIO_EXPORT void vtkNexradVolumeToImage(
   const nexrad::GriddedVolume& volume, vtkImageData* image);
 
 /**
- * The volume in an image that has the arrays above; `vtkGhostType` and the ancillary arrays are not
- * needed. Throws nexrad::Error, naming the array, for an image without them or with an array of
- * another type or length, and for one whose axes are turned.
+ * The same from codes, which are expanded to values, states and ghost types.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradCodesToValues(
+  const nexrad::CodedVolume& coded, vtkImageData* image);
+
+/**
+ * Fills the image with the codes as they are. The image takes them over.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradCodesToImage(nexrad::CodedVolume& coded, vtkImageData* image);
+
+/**
+ * The volume in an image that has the arrays above, of values or of codes; `vtkGhostType` and the
+ * ancillary arrays are not needed. Throws nexrad::Error, naming the array, for an image without
+ * them or with an array of another type or length, and for one whose axes are turned.
  */
 VTKNEXRADIO_EXPORT nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image);
 

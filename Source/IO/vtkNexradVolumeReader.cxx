@@ -3,11 +3,13 @@
 
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/VolumePart.h"
+#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
+#include "vtkNexradVolumeFile.h"
 
 #include "vtkDataArraySelection.h"
 #include "vtkDataObject.h"
@@ -33,6 +35,7 @@ struct vtkNexradVolumeReader::Files
 {
   std::vector<std::pair<double, std::filesystem::path>> Steps;
   nexrad::GriddedVolume First; ///< without values
+  bool HasCodes = false;       ///< the first has codes of one byte
 
   /// The latest at or before the time; before the first, the first.
   const std::pair<double, std::filesystem::path>& At(double time) const
@@ -51,18 +54,18 @@ bool IsIndex(const std::filesystem::path& path)
   return path.extension() == ".series";
 }
 
-nexrad::NxvReadOptions LeavingOut(vtkDataArraySelection* selection)
+// Those that are off.
+std::vector<std::string> NamesToLeaveOut(vtkDataArraySelection* selection)
 {
-  nexrad::NxvReadOptions options;
-  options.bytesBesides = vtkNexradImageBytesPerVoxel;
+  std::vector<std::string> names;
   for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
   {
     if (selection->GetArraySetting(i) == 0)
     {
-      options.leaveOut.emplace_back(selection->GetArrayName(i));
+      names.emplace_back(selection->GetArrayName(i));
     }
   }
-  return options;
+  return names;
 }
 
 } // namespace
@@ -186,6 +189,8 @@ int vtkNexradVolumeReader::RequestInformation(
   {
     this->ReadHeader();
     this->ListAncillaryArrays();
+    this->Opened->HasCodes =
+      !this->RawStream && nexrad::HasNxvCodes(this->Opened->Steps.front().second);
   }
   catch (const nexrad::Error& error)
   {
@@ -196,7 +201,8 @@ int vtkNexradVolumeReader::RequestInformation(
   vtkNexradOfferExtent(info, grid.dimensions.data());
   info->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
   info->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
-  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
+  const bool codes = this->ScalarsAsCodes && this->Opened->HasCodes;
+  vtkDataObject::SetPointDataActiveScalarInfo(info, codes ? VTK_UNSIGNED_CHAR : VTK_FLOAT, 1);
   if (!this->RawStream)
   {
     std::vector<double> times;
@@ -210,6 +216,28 @@ int vtkNexradVolumeReader::RequestInformation(
     info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
   }
   return 1;
+}
+
+void vtkNexradVolumeReader::ReadImage(
+  const std::filesystem::path& path, const nexrad::VoxelBlock& block, vtkImageData* image)
+{
+  const nexrad::GridSpecification& grid = this->Opened->First.grid;
+  if (this->RawStream)
+  {
+    vtkNexradVolumeToImage(
+      nexrad::TakePart(nexrad::ReadRaw(path, this->Opened->First), block), image);
+    vtkNexradPlaceBlock(grid, block, image);
+    return;
+  }
+  if (nexrad::ReadNxvHeader(path).grid != grid)
+  {
+    throw nexrad::Error(path.string() + ": its grid is not that of the first volume of the series");
+  }
+  vtkNexradReadVolumeFile(
+    {path.string(), NamesToLeaveOut(this->AncillaryArraySelection), this->ScalarsAsCodes}, image);
+  const int extent[6] = {block.begin[0], block.end[0] - 1, block.begin[1], block.end[1] - 1,
+    block.begin[2], block.end[2] - 1};
+  image->Crop(extent);
 }
 
 int vtkNexradVolumeReader::RequestData(
@@ -237,19 +265,11 @@ int vtkNexradVolumeReader::RequestData(
   }
   try
   {
-    nexrad::GriddedVolume volume =
-      this->RawStream ? nexrad::ReadRaw(step.second, this->Opened->First)
-                      : nexrad::ReadNxv(step.second, LeavingOut(this->AncillaryArraySelection));
-    if (volume.grid != this->Opened->First.grid)
+    this->ReadImage(step.second, block, image);
+    image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.first);
+    if (!progress(0.9))
     {
-      throw nexrad::Error(
-        step.second.string() + ": its grid is not that of the first volume of the series");
-    }
-    if (progress(0.7))
-    {
-      vtkNexradVolumeToImage(nexrad::TakePart(std::move(volume), block), image);
-      vtkNexradPlaceBlock(grid, block, image);
-      image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.first);
+      image->Initialize();
     }
   }
   catch (const nexrad::Error& error)
@@ -263,6 +283,7 @@ void vtkNexradVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "ScalarsAsCodes: " << this->ScalarsAsCodes << "\n";
   os << indent << "RawStream: " << this->RawStream << "\n";
   os << indent << "RawDimensions: " << this->RawDimensions[0] << ", " << this->RawDimensions[1]
      << ", " << this->RawDimensions[2] << "\n";

@@ -12,9 +12,11 @@
  * Input: a vtkImageData with one to four components of point or cell scalars of any number type,
  * with any spacing, direction matrix and actor matrix. Points (cells of cell scalars) that
  * vtkGhostType marks with any flag and scalars that are not finite contribute nothing; up to half a
- * voxel from a visible point the picture is complete. Components are independent (each with its own
- * functions, material and weight) or dependent (2: value and opacity; 4: red, green, blue,
- * opacity).
+ * voxel from a visible point the picture is complete. Unsigned char scalars NAME may be codes:
+ * field data `NAME_code_values` (256 numbers) and `NAME_code_ghosts` (256 unsigned char, optional)
+ * then give the scalar and the ghost flags that each code stands for, and the picture is that of
+ * these scalars and flags. Components are independent (each with its own functions, material and
+ * weight) or dependent (2: value and opacity; 4: red, green, blue, opacity).
  *
  * Blend modes: composite, maximum, minimum, average, additive, isosurface. Isosurfaces lie where
  * the scalar, interpolated linearly, has the value, whatever the number of slices; of two dependent

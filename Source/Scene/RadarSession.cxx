@@ -9,10 +9,22 @@
 
 namespace nexrad::scene
 {
+namespace
+{
+
+// Of what is drawn, the slices alone know codes.
+std::unique_ptr<VolumeSeries> WithCodes(
+  std::unique_ptr<VolumeSeries> series, const SceneOptions& options)
+{
+  series->AllowCodes(options.mapper == MapperChoice::TextureSlice && !options.plan);
+  return series;
+}
+
+} // namespace
 
 RadarSession::RadarSession(
   std::unique_ptr<VolumeSeries> source, std::vector<std::size_t> steps, const SceneOptions& options)
-  : series(PlayAhead(std::move(source), steps, options))
+  : series(PlayAhead(WithCodes(std::move(source), options), steps, options))
   , chosen(std::move(steps))
   , scene(options)
 {

@@ -80,6 +80,7 @@ public:
   }
   const std::vector<Time>& Times() const override { return this->Source->Times(); }
   bool CanLoadAhead() const override { return this->Source->CanLoadAhead(); }
+  void AllowCodes(bool allowed) override { this->Source->AllowCodes(allowed); }
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
   {
     this->Loads.Begin();

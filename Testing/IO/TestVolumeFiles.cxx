@@ -197,6 +197,59 @@ TEST(VolumeFiles, WhatIsWrittenIsRead)
   }
 }
 
+// Whole, and a box of the voxels.
+TEST(VolumeFiles, ScalarsMayBeTheCodesOfTheFile)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "volume.nxv").string();
+  const GriddedVolume volume = MakeVolume(start);
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  vtkNew<vtkNexradVolumeWriter> writer;
+  writer->SetInputData(image);
+  writer->SetFileName(path.c_str());
+  vtkNew<vtkNexradVolumeReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->ScalarsAsCodesOn();
+  for (const int encoding : {vtkNexradVolumeWriter::RADAR_STEPS, vtkNexradVolumeWriter::RUN_LENGTH})
+  {
+    writer->SetEncoding(encoding);
+    ASSERT_EQ(writer->Write(), 1);
+    reader->Modified();
+    reader->UpdateWholeExtent();
+    vtkImageData* coded = reader->GetOutput();
+    ASSERT_EQ(coded->GetScalarType(), VTK_UNSIGNED_CHAR);
+    EXPECT_STREQ(coded->GetPointData()->GetScalars()->GetName(), "REF");
+    EXPECT_FALSE(coded->GetPointData()->HasArray("REF_state"));
+    EXPECT_FALSE(coded->GetPointData()->HasArray("vtkGhostType"));
+    vtkFieldData* field = coded->GetFieldData();
+    const auto notScanned =
+      static_cast<vtkIdType>(coded->GetPointData()->GetScalars()->GetTuple1(0));
+    const auto echo = static_cast<vtkIdType>(coded->GetPointData()->GetScalars()->GetTuple1(1));
+    EXPECT_EQ(field->GetArray("REF_code_states")->GetTuple1(notScanned), 3.0);
+    EXPECT_EQ(
+      field->GetArray("REF_code_ghosts")->GetTuple1(notScanned), vtkDataSetAttributes::HIDDENPOINT);
+    EXPECT_EQ(field->GetArray("REF_code_values")->GetTuple1(notScanned), 0.0);
+    EXPECT_EQ(field->GetArray("REF_code_values")->GetTuple1(echo), 11.0);
+    EXPECT_EQ(field->GetArray("REF_code_ghosts")->GetTuple1(echo), 0.0);
+    ExpectSame(vtkNexradImageToVolume(coded), volume);
+    int box[6] = {1, 4, 2, 3, 0, 2};
+    reader->Modified(); // or the whole would do
+    reader->UpdateExtent(box);
+    coded = reader->GetOutput();
+    EXPECT_EQ(coded->GetNumberOfPoints(), 4 * 2 * 3);
+    const vtkIdType point = coded->FindPoint(-1000.0 + 400.0 * 4, -2000.0 + 800.0 * 3, 2500.0);
+    EXPECT_EQ(vtkNexradImageToVolume(coded).values[static_cast<std::size_t>(point)],
+      volume.values[4 + 6 * (3 + 5 * 2)]);
+  }
+  // Floats stay floats.
+  writer->SetEncoding(vtkNexradVolumeWriter::FLOAT);
+  ASSERT_EQ(writer->Write(), 1);
+  reader->Modified();
+  reader->UpdateWholeExtent();
+  EXPECT_EQ(reader->GetOutput()->GetScalarType(), VTK_FLOAT);
+}
+
 /// MakeVolume with ancillary arrays, whose numbers need no rounding in a file.
 GriddedVolume MakeAncillaryArrayVolume()
 {

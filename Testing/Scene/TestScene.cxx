@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Elements/Theme.h"
 #include "Scene/RadarScene.h"
+#include "Scene/RadarSession.h"
+#include "Scene/Series/VolumeFiles.h"
 #include "Scene/VolumeAppearance.h"
 #include "ScenePicture.h"
 #include "StormVolume.h"
+#include "TestData.h"
 #include "Tolerance.h"
 
 #include "nexrad/System/Error.h"
@@ -19,6 +22,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdlib>
+#include <filesystem>
 #include <string>
 
 using namespace nexrad;
@@ -56,6 +61,24 @@ int Count(const Picture& picture, const PictureArea& part, Test test)
     }
   }
   return count;
+}
+
+// Of any colour of any pixel, 0 to 255.
+int LargestDifference(const Picture& a, const Picture& b)
+{
+  int largest = 0;
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      for (std::size_t colour = 0; colour < 3; ++colour)
+      {
+        const int difference = PixelOf(a, x, y)[colour] - PixelOf(b, x, y)[colour];
+        largest = std::max(largest, std::abs(difference));
+      }
+    }
+  }
+  return largest;
 }
 
 constexpr PictureArea whole = {0.0, 1.0, 0.0, 1.0};
@@ -274,6 +297,31 @@ TEST(Scene, AVolumeThatChangesIsDrawnAnew)
   EXPECT_AT_LEAST(Count(window.Draw(), withoutBar, IsStrongEcho), 900, "pixels of strong echo");
   scene.SetVolume(MakeEmptyVolume());
   EXPECT_EQ(Count(window.Draw(), withoutBar, IsStrongEcho), 0);
+}
+
+// What the program shows of a series of files, read as codes, beside the values read from the same
+// file: at most one of 255 apart.
+TEST(Scene, AFileIsDrawnFromItsCodesAsFromItsValues)
+{
+  const TemporaryFolder folder;
+  const std::filesystem::path index = WriteStormFiles(folder.Path(), 1);
+  const auto series = OpenVolumeFiles({index});
+  const auto values = series->Load(0, {});
+  EXPECT_EQ(values->GetScalarType(), VTK_FLOAT);
+  series->AllowCodes(true);
+  const auto codes = series->Load(0, {});
+  EXPECT_EQ(codes->GetScalarType(), VTK_UNSIGNED_CHAR);
+
+  const Picture expected = Draw(values, "OfValues");
+  EXPECT_GT(Count(expected, withoutBar, IsStrongEcho), 300);
+  RadarSession session(OpenVolumeFiles({index}), {0}, {});
+  ASSERT_TRUE(session.Show(0));
+  session.Scene().SetPictureSize(size);
+  const Picture ofSession = OffScreenWindow(session.Scene().GetRenderer(), size).Draw();
+  for (const Picture& drawn : {Draw(codes, "OfCodes"), ofSession})
+  {
+    EXPECT_LE(LargestDifference(drawn, expected), 1);
+  }
 }
 
 TEST(Scene, NothingToDrawIsAnError)

@@ -42,9 +42,10 @@ struct FrameTimes
 struct DrawingOfSize
 {
   std::array<int, 3> dimensions{};
-  Measurement read;   ///< t1: a volume from its file, decompressed
+  Measurement read;   ///< t1: a volume from its file, decompressed, as codes where it has them
   Measurement upload; ///< t2: a frame of a new volume less one of the same again, with one
                       ///< slice each
+  Measurement rayCastingRead;     ///< the same for the ray caster, as values
   Measurement rayCastingUpload;   ///< the same for the ray caster, with one sample
   std::vector<FrameTimes> frames; ///< t3, in the order of the request's slices
 };

@@ -28,6 +28,13 @@ CameraView ViewFrom(int side, int count)
   return view;
 }
 
+// Seconds of each volume.
+struct LoadingTimes
+{
+  std::vector<double> read;
+  std::vector<double> upload;
+};
+
 // What a new volume adds to a frame; never below 0, though noise can be. One slice draws next to
 // nothing.
 double UploadSeconds(VolumeStage& stage, MapperChoice mapper)
@@ -37,32 +44,39 @@ double UploadSeconds(VolumeStage& stage, MapperChoice mapper)
   return std::max(0.0, first - stage.Draw(mapper, view, 1));
 }
 
+void MeasureVolume(VolumeStage& stage, MapperChoice mapper, VolumeSeries& series, std::size_t index,
+  LoadingTimes& times)
+{
+  vtkSmartPointer<vtkImageData> volume;
+  series.AllowCodes(mapper == MapperChoice::TextureSlice); // as the program does
+  times.read.push_back(application::SecondsOf([&] { volume = series.Load(index, {}); }));
+  stage.SetVolume(mapper, volume);
+  times.upload.push_back(UploadSeconds(stage, mapper));
+}
+
 // Shows the volumes one after the other, back at the first after the last. The first makes
 // textures and shaders, and does not count.
 void MeasureLoading(
   VolumeStage& stage, const application::VolumesOfSize& volumes, int runs, DrawingOfSize& times)
 {
   const auto series = OpenVolumeFiles(volumes.files);
-  std::vector<double> read;
-  std::vector<double> slicing;
-  std::vector<double> rayCasting;
+  LoadingTimes slicing;
+  LoadingTimes rayCasting;
   for (int run = 0; run <= runs; ++run)
   {
-    vtkSmartPointer<vtkImageData> volume;
     const auto index = static_cast<std::size_t>(run) % series->Times().size();
-    read.push_back(application::SecondsOf([&] { volume = series->Load(index, {}); }));
-    stage.SetVolume(volume);
-    slicing.push_back(UploadSeconds(stage, MapperChoice::TextureSlice));
-    rayCasting.push_back(UploadSeconds(stage, MapperChoice::RayCast));
+    MeasureVolume(stage, MapperChoice::TextureSlice, *series, index, slicing);
+    MeasureVolume(stage, MapperChoice::RayCast, *series, index, rayCasting);
   }
   const auto summarize = [](std::vector<double>& seconds)
   {
     seconds.erase(seconds.begin());
     return application::Summarize(seconds);
   };
-  times.read = summarize(read);
-  times.upload = summarize(slicing);
-  times.rayCastingUpload = summarize(rayCasting);
+  times.read = summarize(slicing.read);
+  times.upload = summarize(slicing.upload);
+  times.rayCastingRead = summarize(rayCasting.read);
+  times.rayCastingUpload = summarize(rayCasting.upload);
 }
 
 FrameTimes MeasureFrames(VolumeStage& stage, int slices, int runs)

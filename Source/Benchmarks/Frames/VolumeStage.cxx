@@ -61,17 +61,14 @@ VolumeStage::VolumeStage(const std::array<int, 2>& pictureSize)
 
 VolumeStage::~VolumeStage() = default;
 
-void VolumeStage::SetVolume(vtkImageData* data)
+void VolumeStage::SetVolume(MapperChoice choice, vtkImageData* data)
 {
   const SceneFrame frame(data, UsualExaggeration);
   placed = vtkSmartPointer<vtkImageData>::New();
   placed->ShallowCopy(data);
   frame.MoveToScene(placed);
   box = frame.Bounds();
-  for (const auto& mapper : mappers)
-  {
-    mapper->SetInputDataObject(placed);
-  }
+  this->Mapper(choice)->SetInputDataObject(placed);
 }
 
 double VolumeStage::ThicknessAlongView() const

@@ -31,8 +31,9 @@ public:
   VolumeStage(const VolumeStage&) = delete;
   VolumeStage& operator=(const VolumeStage&) = delete;
 
-  /// The volume to be drawn, as the project's filters write them. It is not changed.
-  void SetVolume(vtkImageData* volume);
+  /// The volume to be drawn by one of the two, as the project's filters write them. It is not
+  /// changed.
+  void SetVolume(MapperChoice choice, vtkImageData* volume);
 
   /// Draws a frame and waits until OpenGL has done it. Slices, or samples of the rays, are 1 /
   /// `slices` of the box's extent along the view's axis apart. Returns seconds.

@@ -65,10 +65,16 @@ std::uint32_t Checksum(std::string_view text)
 
 Json FormatArray(const NxvArray& array)
 {
-  return {{"name", array.name}, {"type", NameOf(typeNames, array.type)}, {"unit", array.unit},
+  Json json = {{"name", array.name}, {"type", NameOf(typeNames, array.type)}, {"unit", array.unit},
     {"offset", array.offset}, {"scale", array.scale}, {"fill", array.fill},
     {"encoding", NameOf(storageNames, array.storage)}, {"length", array.length},
     {"crc32", array.crc32}};
+  if (!array.pieces.empty())
+  {
+    json["piece_bytes"] = array.pieceBytes;
+    json["pieces"] = array.pieces;
+  }
+  return json;
 }
 
 double FiniteNumber(const Json& value, const std::string& key)
@@ -93,6 +99,34 @@ double ModestNumber(const Json& value, const std::string& key)
   return number;
 }
 
+// How the payload is divided, where a writer says so.
+void ParsePieces(const Json& json, NxvArray& array)
+{
+  constexpr std::uint64_t largestPiece = std::uint64_t(1) << 30;
+  if (!json.contains("pieces"))
+  {
+    return;
+  }
+  array.pieceBytes = json.at("piece_bytes").get<std::uint64_t>();
+  std::uint64_t left = array.length;
+  for (const Json& length : json.at("pieces"))
+  {
+    array.pieces.push_back(length.is_number_unsigned() ? length.get<std::uint64_t>() : 0);
+    if (array.pieces.back() < 1 || array.pieces.back() > left)
+    {
+      throw Error("header: array \"" + array.name + "\": a piece of " + Excerpt(length.dump()) +
+                  " bytes where " + std::to_string(left) + " are left");
+    }
+    left -= array.pieces.back();
+  }
+  if (left != 0 || array.pieceBytes < 1 || array.pieceBytes > largestPiece ||
+      array.storage != NxvStorage::Deflated)
+  {
+    throw Error("header: array \"" + array.name +
+                "\": its pieces must make up a deflated payload, of 1 to 2^30 bytes each");
+  }
+}
+
 NxvArray ParseArray(const Json& json)
 {
   NxvArray array;
@@ -115,6 +149,7 @@ NxvArray ParseArray(const Json& json)
     throw Error("header: array \"" + array.name + "\" has a scale or crc32 out of range");
   }
   array.crc32 = static_cast<std::uint32_t>(crc);
+  ParsePieces(json, array);
   return array;
 }
 

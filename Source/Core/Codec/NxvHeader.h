@@ -39,6 +39,10 @@ struct NxvArray
   NxvStorage storage = NxvStorage::RunLength;
   std::uint64_t length = 0; ///< bytes of the payload
   std::uint32_t crc32 = 0;  ///< of the payload as it is stored
+  /// Of a deflated payload: the unpacked bytes that each of its pieces holds (the last one may hold
+  /// fewer), and the bytes that it takes in the payload. Empty: the payload has no pieces.
+  std::uint64_t pieceBytes = 0;
+  std::vector<std::uint64_t> pieces;
 };
 
 /// The header of a volume file.

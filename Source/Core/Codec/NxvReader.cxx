@@ -4,18 +4,16 @@
 #include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/Codec/NxvInput.h"
+#include "nexrad/Codec/NxvPayload.h"
 #include "nexrad/Codec/Quantizer.h"
-#include "nexrad/Codec/RunLength.h"
-#include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/HugePages.h"
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <functional>
 #include <type_traits>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -26,14 +24,11 @@ namespace
 {
 
 using Bytes = std::vector<std::uint8_t>;
-using Receiver = std::function<void(const std::uint8_t*, std::size_t)>;
 
-constexpr std::size_t startSize = 8; // magic and header length
-
-// Within this file errors say where in the file; the functions at the end add which file.
-[[noreturn]] void Refuse(std::uint64_t offset, const std::string& what)
+std::uint32_t LittleEndian(const std::uint8_t* bytes)
 {
-  throw Error("byte " + std::to_string(offset) + ": " + what);
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
 }
 
 template <typename Work>
@@ -46,141 +41,6 @@ auto NamingTheFile(const fs::path& path, const Work& work)
   catch (const Error& problem)
   {
     throw Error(path.string() + ": " + problem.what());
-  }
-}
-
-// A file that is read in pieces, its length known from the start.
-class InputFile
-{
-public:
-  explicit InputFile(const fs::path& path)
-  {
-    std::error_code problem;
-    length = fs::file_size(path, problem);
-    if (problem)
-    {
-      throw Error("cannot be read: " + problem.message());
-    }
-    stream.open(path, std::ios::binary);
-    if (!stream)
-    {
-      throw Error(std::string("cannot be read: ") + std::strerror(errno));
-    }
-  }
-
-  std::uint64_t Length() const { return length; }
-
-  // Hands `size` bytes from `offset` on to the receiver, a piece at a time.
-  void Read(std::uint64_t offset, std::uint64_t size, const Receiver& receive)
-  {
-    stream.clear();
-    stream.seekg(static_cast<std::streamoff>(offset));
-    while (size > 0)
-    {
-      const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(size, buffer.size()));
-      if (!stream.read(buffer.data(), static_cast<std::streamsize>(piece)))
-      {
-        Refuse(offset, "cannot be read");
-      }
-      receive(reinterpret_cast<const std::uint8_t*>(buffer.data()), piece);
-      offset += piece;
-      size -= piece;
-    }
-  }
-
-  Bytes ReadAll(std::uint64_t offset, std::size_t size)
-  {
-    Bytes bytes;
-    bytes.reserve(size);
-    this->Read(offset, size,
-      [&bytes](const std::uint8_t* data, std::size_t count)
-      { bytes.insert(bytes.end(), data, data + count); });
-    return bytes;
-  }
-
-private:
-  std::uint64_t length = 0;
-  std::ifstream stream;
-  std::array<char, 64 * 1024> buffer;
-};
-
-std::uint32_t LittleEndian(const std::uint8_t* bytes)
-{
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
-// Header, and where the payloads begin.
-struct OpenedFile
-{
-  NxvHeader header;
-  std::uint64_t payloads = 0;
-};
-
-void CheckLengths(const InputFile& file, const OpenedFile& opened)
-{
-  std::uint64_t left = file.Length() - opened.payloads;
-  for (const NxvArray& array : opened.header.arrays)
-  {
-    if (array.length > left)
-    {
-      Refuse(file.Length() - left, "array \"" + array.name + "\" should have " +
-                                     std::to_string(array.length) + " bytes, the file has " +
-                                     std::to_string(left));
-    }
-    left -= array.length;
-  }
-  if (left != 0)
-  {
-    Refuse(file.Length() - left, std::to_string(left) + " bytes after the last array");
-  }
-}
-
-OpenedFile Open(InputFile& file)
-{
-  if (file.Length() < startSize)
-  {
-    Refuse(0, "too short for a volume file");
-  }
-  const Bytes start = file.ReadAll(0, startSize);
-  if (std::memcmp(start.data(), "NXV1", 4) != 0)
-  {
-    Refuse(0, "not a volume file: it must begin with NXV1");
-  }
-  const std::uint32_t headerLength = LittleEndian(start.data() + 4);
-  if (headerLength > NxvLargestHeader || headerLength > file.Length() - startSize)
-  {
-    Refuse(4, "a header of " + std::to_string(headerLength) + " bytes in a file of " +
-                std::to_string(file.Length()));
-  }
-  const Bytes text = file.ReadAll(startSize, headerLength);
-  OpenedFile opened;
-  try
-  {
-    opened.header = ParseNxvHeader(std::string(text.begin(), text.end()));
-  }
-  catch (const Error& problem)
-  {
-    Refuse(startSize, problem.what());
-  }
-  opened.payloads = startSize + headerLength;
-  CheckLengths(file, opened);
-  return opened;
-}
-
-void CheckChecksums(InputFile& file, const OpenedFile& opened)
-{
-  std::uint64_t offset = opened.payloads;
-  for (const NxvArray& array : opened.header.arrays)
-  {
-    std::uint32_t crc = 0;
-    file.Read(offset, array.length,
-      [&crc](const std::uint8_t* data, std::size_t size) { crc = Crc32(data, size, crc); });
-    if (crc != array.crc32)
-    {
-      Refuse(offset, "array \"" + array.name + "\": its CRC-32 is wrong");
-    }
-    offset += array.length;
   }
 }
 
@@ -221,65 +81,33 @@ std::size_t FurtherBytes(const NxvHeader& header, const NxvReadOptions& options)
   return bytes;
 }
 
-// Inflates an array that must give exactly `size` bytes into `target`.
-void ReadDeflated(InputFile& file, std::uint64_t offset, const NxvArray& array,
-  std::uint8_t* target, std::size_t size)
+// A file that is being read, and what of it is wanted.
+struct Reading
 {
-  std::size_t filled = 0;
-  Inflater inflater(
-    [&](const std::uint8_t* data, std::size_t count)
-    {
-      if (count > size - filled)
-      {
-        throw Error("it holds more than " + std::to_string(size) + " bytes");
-      }
-      std::copy_n(data, count, target + filled);
-      filled += count;
-    });
-  file.Read(offset, array.length,
-    [&inflater](const std::uint8_t* data, std::size_t count) { inflater.Feed(data, count); });
-  inflater.Finish();
-  if (filled != size)
-  {
-    throw Error(
-      "it holds " + std::to_string(filled) + " bytes in place of " + std::to_string(size));
-  }
-}
+  NxvInput& file;
+  const NxvContent& content;
+  const NxvReadOptions& options;
 
-Bytes ReadCodes(InputFile& file, std::uint64_t offset, const NxvArray& array, std::size_t voxels)
-{
-  Bytes codes(voxels);
-  RunLengthDecoder decoder(codes.data(), codes.size());
-  const auto decode = [&decoder](const std::uint8_t* data, std::size_t size)
-  { decoder.Feed(data, size); };
-  if (array.storage == NxvStorage::RunLengthDeflated)
+  void Inflate(
+    std::uint64_t offset, const NxvArray& array, std::uint8_t* target, std::size_t size) const
   {
-    Inflater inflater(decode);
-    file.Read(offset, array.length,
-      [&inflater](const std::uint8_t* data, std::size_t size) { inflater.Feed(data, size); });
-    inflater.Finish();
+    ReadDeflated(file, offset, array, target, size, options.loop);
   }
-  else
-  {
-    file.Read(offset, array.length, decode);
-  }
-  decoder.Finish();
-  return codes;
-}
+};
 
-void ReadValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+void ReadValues(const Reading& reading, std::uint64_t offset, const NxvArray& array,
   std::vector<std::uint8_t>& values, std::size_t voxels)
 {
   values.resize(voxels);
-  ReadDeflated(file, offset, array, values.data(), voxels);
+  reading.Inflate(offset, array, values.data(), voxels);
 }
 
-void ReadValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+void ReadValues(const Reading& reading, std::uint64_t offset, const NxvArray& array,
   std::vector<float>& values, std::size_t voxels)
 {
   values.resize(voxels);
   auto* const bytes = reinterpret_cast<std::uint8_t*>(values.data());
-  ReadDeflated(file, offset, array, bytes, voxels * sizeof(float));
+  reading.Inflate(offset, array, bytes, voxels * sizeof(float));
   for (std::size_t i = 0; i < voxels; ++i)
   {
     const std::uint32_t word = LittleEndian(bytes + i * sizeof(float));
@@ -287,25 +115,40 @@ void ReadValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
   }
 }
 
-void ReadMoment(InputFile& file, const OpenedFile& opened, GriddedVolume& volume)
+std::unique_ptr<std::uint8_t[]> ReadCodes(const Reading& reading, std::size_t voxels)
 {
-  const NxvArray& array = opened.header.arrays[0];
+  // Not set to 0 first: all of them are written.
+  std::unique_ptr<std::uint8_t[]> codes(new std::uint8_t[voxels]);
+  UseHugePages(codes.get(), voxels);
+  const NxvContent& content = reading.content;
+  ReadByteCodes(reading.file, content.payloads, content.header.arrays[0], codes.get(), voxels,
+    reading.options.loop);
+  return codes;
+}
+
+void ReadMoment(const Reading& reading, GriddedVolume& volume)
+{
+  const NxvContent& content = reading.content;
+  const NxvArray& array = content.header.arrays[0];
   const std::size_t voxels = volume.grid.VoxelCount();
-  if (array.type == NxvType::UInt7)
+  if (HasByteCodes(array))
   {
-    const Quantizer quantizer{array.offset, array.scale};
-    quantizer.DecodeAll(ReadCodes(file, opened.payloads, array, voxels), volume);
+    const auto codes = ReadCodes(reading, voxels);
+    volume.values.resize(voxels);
+    volume.states.resize(voxels);
+    ExpandCodes(ByteCodesOf(array, volume.fill), codes.get(), voxels, volume.values.data(),
+      volume.states.data(), reading.options.loop);
     return;
   }
-  if (array.type != NxvType::Float32)
+  if (array.type == NxvType::UInt16)
   {
-    const MomentCode code{array.type == NxvType::UInt8 ? 1U : 2U, array.offset, array.scale};
+    const MomentCode code{2, array.offset, array.scale};
     Bytes codes(code.bytes * voxels);
-    ReadDeflated(file, opened.payloads, array, codes.data(), codes.size());
+    reading.Inflate(content.payloads, array, codes.data(), codes.size());
     code.DecodeAll(codes, volume);
     return;
   }
-  ReadValues(file, opened.payloads, array, volume.values, voxels);
+  ReadValues(reading, content.payloads, array, volume.values, voxels);
   // Without an array of states a voxel with the fill value is taken for not scanned.
   volume.states.resize(voxels);
   std::transform(volume.values.begin(), volume.values.end(), volume.states.begin(),
@@ -313,12 +156,17 @@ void ReadMoment(InputFile& file, const OpenedFile& opened, GriddedVolume& volume
     { return value == volume.fill ? VoxelState::NotScanned : VoxelState::Echo; });
 }
 
+bool IsOfStates(const NxvArray& array, const NxvHeader& header)
+{
+  return array.name == header.arrays[0].name + "_state" && array.type == NxvType::UInt8;
+}
+
 // Takes the states from their own array. With codes, it may only add what they cannot say.
-void ReadStates(InputFile& file, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume,
-  bool fromCodes)
+void ReadStates(const Reading& reading, std::uint64_t offset, const NxvArray& array,
+  GriddedVolume& volume, bool fromCodes)
 {
   Bytes bytes(volume.grid.VoxelCount());
-  ReadDeflated(file, offset, array, bytes.data(), bytes.size());
+  reading.Inflate(offset, array, bytes.data(), bytes.size());
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
     const auto state = static_cast<VoxelState>(bytes[i]);
@@ -334,90 +182,148 @@ void ReadStates(InputFile& file, std::uint64_t offset, const NxvArray& array, Gr
 }
 
 // Numbers of radars and sites are what they are; ages and weights are exact, or codes.
-void ReadAncillaryArrayValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+void ReadAncillaryArrayValues(const Reading& reading, std::uint64_t offset, const NxvArray& array,
   std::vector<std::uint8_t>& values, std::size_t voxels)
 {
   if (array.type != NxvType::UInt8)
   {
     throw Error("its type must be uint8");
   }
-  ReadValues(file, offset, array, values, voxels);
+  ReadValues(reading, offset, array, values, voxels);
 }
 
-void ReadAncillaryArrayValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
+void ReadAncillaryArrayValues(const Reading& reading, std::uint64_t offset, const NxvArray& array,
   std::vector<float>& values, std::size_t voxels)
 {
   if (array.type == NxvType::Float32)
   {
-    ReadValues(file, offset, array, values, voxels);
+    ReadValues(reading, offset, array, values, voxels);
     return;
   }
   Bytes codes;
-  ReadAncillaryArrayValues(file, offset, array, codes, voxels);
+  ReadAncillaryArrayValues(reading, offset, array, codes, voxels);
   values.resize(voxels);
   std::transform(codes.begin(), codes.end(), values.begin(),
     [&array](std::uint8_t code) { return static_cast<float>(array.offset + array.scale * code); });
 }
 
 // Reads the array when it is an ancillary array of the volume that is wanted.
-void ReadAncillaryArray(InputFile& file, std::uint64_t offset, const NxvArray& array,
-  const NxvReadOptions& options, GriddedVolume& volume)
+void ReadAncillaryArray(
+  const Reading& reading, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
 {
   const auto read = [&](const char* name, auto& values)
   {
-    if (!IsWanted(array, volume.moment, name, options))
+    if (!IsWanted(array, volume.moment, name, reading.options))
     {
       return;
     }
-    ReadAncillaryArrayValues(file, offset, array, values, volume.grid.VoxelCount());
+    ReadAncillaryArrayValues(reading, offset, array, values, volume.grid.VoxelCount());
     CheckAncillaryArray(name, values, volume.sites.size());
   };
   ForEachAncillaryArray(volume.ancillary, read);
 }
 
-GriddedVolume ReadVoxels(
-  InputFile& file, OpenedFile& opened, const NxvReadOptions& options, GriddedVolume& memory)
+// Reads the moment by `readMoment`, and calls `readFurther(offset, array)` for each of the arrays.
+template <typename ReadMoment, typename ReadFurther>
+void ReadArrays(
+  const NxvContent& content, const ReadMoment& readMoment, const ReadFurther& readFurther)
 {
-  GriddedVolume volume = std::move(opened.header.volume);
-  volume.values = std::move(memory.values);
-  volume.states = std::move(memory.states);
-  const std::vector<NxvArray>& arrays = opened.header.arrays;
-  const std::string stateName = arrays[0].name + "_state";
-  std::uint64_t offset = opened.payloads;
+  const std::vector<NxvArray>& arrays = content.header.arrays;
+  std::uint64_t offset = content.payloads;
   std::size_t index = 0;
   try
   {
-    ReadMoment(file, opened, volume);
+    readMoment();
     for (; index < arrays.size(); ++index)
     {
-      if (arrays[index].name == stateName && arrays[index].type == NxvType::UInt8)
-      {
-        ReadStates(file, offset, arrays[index], volume, arrays[0].type != NxvType::Float32);
-      }
-      ReadAncillaryArray(file, offset, arrays[index], options, volume);
+      readFurther(offset, arrays[index]);
       offset += arrays[index].length;
     }
   }
   catch (const Error& problem)
   {
-    Refuse(offset, "array \"" + arrays[index].name + "\": " + problem.what());
+    RefuseNxv(offset, "array \"" + arrays[index].name + "\": " + problem.what());
   }
+}
+
+GriddedVolume ReadVoxels(const Reading& reading)
+{
+  const NxvHeader& header = reading.content.header;
+  GriddedVolume volume = header.volume;
+  ReadArrays(
+    reading.content, [&] { ReadMoment(reading, volume); },
+    [&](std::uint64_t offset, const NxvArray& array)
+    {
+      if (IsOfStates(array, header))
+      {
+        ReadStates(reading, offset, array, volume, header.arrays[0].type != NxvType::Float32);
+      }
+      ReadAncillaryArray(reading, offset, array, volume);
+    });
   return volume;
+}
+
+CodedVolume ReadCodedVoxels(const Reading& reading)
+{
+  const NxvHeader& header = reading.content.header;
+  CodedVolume coded;
+  coded.volume = header.volume;
+  coded.meaning = ByteCodesOf(header.arrays[0], coded.volume.fill);
+  ReadArrays(
+    reading.content, [&] { coded.codes = ReadCodes(reading, coded.volume.grid.VoxelCount()); },
+    [&](std::uint64_t offset, const NxvArray& array)
+    {
+      coded.rangeFolded = coded.rangeFolded || IsOfStates(array, header);
+      ReadAncillaryArray(reading, offset, array, coded.volume);
+    });
+  return coded;
 }
 
 } // namespace
 
-GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options, GriddedVolume memory)
+GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options)
 {
   return NamingTheFile(path,
-    [&path, &options, &memory]
+    [&path, &options]
     {
-      InputFile file(path);
-      OpenedFile opened = Open(file);
-      CheckMemory(opened.header.volume.grid,
-        FurtherBytes(opened.header, options) + options.bytesBesides, options.maximumBytes);
-      CheckChecksums(file, opened);
-      return ReadVoxels(file, opened, options, memory);
+      NxvInput file(path);
+      const NxvContent content = OpenNxv(file);
+      CheckMemory(content.header.volume.grid,
+        FurtherBytes(content.header, options) + options.bytesBesides, options.maximumBytes);
+      CheckNxvPayloads(file, content);
+      return ReadVoxels({file, content, options});
+    });
+}
+
+std::optional<CodedVolume> ReadNxvCodes(const fs::path& path, const NxvReadOptions& options)
+{
+  return NamingTheFile(path,
+    [&path, &options]() -> std::optional<CodedVolume>
+    {
+      NxvInput file(path);
+      const NxvContent content = OpenNxv(file);
+      if (!HasByteCodes(content.header.arrays[0]))
+      {
+        return std::nullopt;
+      }
+      CheckMemory(content.header.volume.grid,
+        FurtherBytes(content.header, options) + options.bytesBesides, options.maximumBytes);
+      CheckNxvPayloads(file, content);
+      return ReadCodedVoxels({file, content, options});
+    });
+}
+
+bool HasNxvCodes(const fs::path& path, bool allStates)
+{
+  return NamingTheFile(path,
+    [&path, allStates]
+    {
+      NxvInput file(path);
+      const NxvHeader header = OpenNxv(file).header;
+      const auto isOfStates = [&header](const NxvArray& array)
+      { return IsOfStates(array, header); };
+      return HasByteCodes(header.arrays[0]) &&
+             !(allStates && std::any_of(header.arrays.begin(), header.arrays.end(), isOfStates));
     });
 }
 
@@ -426,8 +332,8 @@ GriddedVolume ReadNxvHeader(const fs::path& path)
   return NamingTheFile(path,
     [&path]
     {
-      InputFile file(path);
-      return Open(file).header.volume;
+      NxvInput file(path);
+      return OpenNxv(file).header.volume;
     });
 }
 
@@ -436,8 +342,8 @@ std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
   return NamingTheFile(path,
     [&path]
     {
-      InputFile file(path);
-      const NxvHeader header = Open(file).header;
+      NxvInput file(path);
+      const NxvHeader header = OpenNxv(file).header;
       std::vector<std::string> names;
       for (const NxvArray& array : header.arrays)
       {
@@ -461,10 +367,12 @@ GriddedVolume ReadRaw(const fs::path& path, GriddedVolume description,
     [&]
     {
       CheckMemory(description.grid, 0, maximumBytes);
-      InputFile file(path);
+      NxvInput file(path);
       NxvArray whole;
       whole.length = file.Length();
-      return ReadCodes(file, 0, whole, description.grid.VoxelCount());
+      Bytes bytes(description.grid.VoxelCount());
+      ReadByteCodes(file, 0, whole, bytes.data(), bytes.size(), {});
+      return bytes;
     });
   Quantizer{options.offset, options.scale, options.maximum}.DecodeAll(codes, description);
   return description;

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Codec/NxvWriter.h"
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,15 +21,23 @@ struct NxvReadOptions
                                                    ///< what the caller makes of them
   std::size_t bytesBesides = 0; ///< that the caller makes of each voxel, as of an image or picture
   std::vector<std::string> leaveOut = {}; ///< names of ancillary arrays not to read
+  RangeLoop loop = {}; ///< unpacks parts of the arrays; empty: on the calling thread
 };
 
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
 /// dimension, length, CRC or stream, and for an ancillary array of a wrong type or with a value
 /// that it cannot have. Arrays beside the moment, its states and its ancillary arrays are checked
-/// and passed over. `memory` is a volume that is no longer needed: its arrays become those of the
-/// result.
-GriddedVolume ReadNxv(
-  const std::filesystem::path& path, const NxvReadOptions& options = {}, GriddedVolume memory = {});
+/// and passed over.
+GriddedVolume ReadNxv(const std::filesystem::path& path, const NxvReadOptions& options = {});
+
+/// Reads the moment as the codes that the file has, and the ancillary arrays. Nothing when the file
+/// has no codes of one byte, but codes of two or floats. Throws Error as ReadNxv does.
+std::optional<CodedVolume> ReadNxvCodes(
+  const std::filesystem::path& path, const NxvReadOptions& options = {});
+
+/// Whether ReadNxvCodes would give something; and of `allStates`, something that tells range folded
+/// voxels too, because there are none.
+bool HasNxvCodes(const std::filesystem::path& path, bool allStates = false);
 
 /// Reads the header alone: the same volume without values, states and ancillary arrays.
 GriddedVolume ReadNxvHeader(const std::filesystem::path& path);

@@ -24,11 +24,27 @@ namespace
 
 using Bytes = std::vector<std::uint8_t>;
 
+// Bytes of each piece of a deflated array: enough that the pieces make the file no larger, and so
+// few that a volume of 256 x 256 x 128 voxels has several.
+constexpr std::size_t pieceSize = std::size_t(1) << 20;
+
 // A header that grows with the payloads that follow it.
 struct FileContent
 {
   NxvHeader header;
   std::vector<Bytes> payloads;
+
+  void AddDeflated(NxvArray array, const Bytes& bytes, DeflateSearch search)
+  {
+    array.storage = NxvStorage::Deflated;
+    DeflatedPieces deflated = DeflateInPieces(bytes.data(), bytes.size(), pieceSize, search);
+    if (deflated.lengths.size() > 1)
+    {
+      array.pieceBytes = pieceSize;
+      array.pieces = std::move(deflated.lengths);
+    }
+    this->Add(std::move(array), std::move(deflated.stream));
+  }
 
   void Add(NxvArray array, Bytes payload)
   {
@@ -83,8 +99,7 @@ void AddStates(FileContent& content, const Bytes& states)
   array.name = content.header.arrays[0].name + "_state";
   array.type = NxvType::UInt8;
   array.fill = static_cast<double>(VoxelState::NotScanned);
-  array.storage = NxvStorage::Deflated;
-  content.Add(array, DeflateBytes(states.data(), states.size(), DeflateSearch::Runs));
+  content.AddDeflated(array, states, DeflateSearch::Runs);
 }
 
 void AddFloats(FileContent& content, const GriddedVolume& volume)
@@ -92,9 +107,7 @@ void AddFloats(FileContent& content, const GriddedVolume& volume)
   CheckVoxelCount(volume);
   NxvArray array = MomentArray(volume);
   array.type = NxvType::Float32;
-  array.storage = NxvStorage::Deflated;
-  const Bytes bytes = FloatBytes(volume.values);
-  content.Add(array, DeflateBytes(bytes.data(), bytes.size()));
+  content.AddDeflated(array, FloatBytes(volume.values), DeflateSearch::Repeats);
   AddStates(content, StateBytes(volume.states));
 }
 
@@ -102,15 +115,15 @@ void AddFloats(FileContent& content, const GriddedVolume& volume)
 Bytes EncodeRuns(
   const GriddedVolume& volume, const Quantizer& quantizer, const NxvWriteOptions& options)
 {
-  constexpr std::size_t pieceSize = 16'384;
+  constexpr std::size_t stretch = 16'384;
   const bool thesisRuns = options.thesisRuns.value_or(volume.method == "thesis");
   quantizer.Check(volume);
   RunLengthEncoder encoder(thesisRuns ? RunLengthThreshold::Thesis : RunLengthThreshold::Compact);
-  std::array<std::uint8_t, pieceSize> codes;
+  std::array<std::uint8_t, stretch> codes;
   const std::size_t count = volume.values.size();
-  for (std::size_t begin = 0; begin < count; begin += pieceSize)
+  for (std::size_t begin = 0; begin < count; begin += stretch)
   {
-    const std::size_t end = std::min(count, begin + pieceSize);
+    const std::size_t end = std::min(count, begin + stretch);
     quantizer.EncodeSome(volume, begin, end, codes.data());
     encoder.Feed(codes.data(), end - begin);
   }
@@ -163,9 +176,7 @@ void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
   array.type = code.bytes == 1 ? NxvType::UInt8 : NxvType::UInt16;
   array.offset = code.offset;
   array.scale = code.scale;
-  array.storage = NxvStorage::Deflated;
-  const Bytes codes = code.EncodeAll(volume);
-  content.Add(array, DeflateBytes(codes.data(), codes.size(), DeflateSearch::Runs));
+  content.AddDeflated(array, code.EncodeAll(volume), DeflateSearch::Runs);
   if (HasRangeFolded(volume.states))
   {
     Bytes states = StateBytes(volume.states);
@@ -251,9 +262,8 @@ void AddAncillary(FileContent& content, const GriddedVolume& volume, bool exact)
     array.type = NxvType::UInt8;
     array.unit = name == "age" ? "s" : "";
     array.fill = name == "site" ? AncillaryArrays::NoSite : 0.0;
-    array.storage = NxvStorage::Deflated;
     const Bytes bytes = MakeAncillaryArray(array, values, exact);
-    content.Add(array, DeflateBytes(bytes.data(), bytes.size()));
+    content.AddDeflated(array, bytes, DeflateSearch::Repeats);
   };
   ForEachAncillaryArray(volume.ancillary, add);
 }

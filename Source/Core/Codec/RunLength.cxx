@@ -114,12 +114,147 @@ std::vector<std::uint8_t> RunLengthEncoder::Finish()
   return std::move(stream);
 }
 
-void DecodeRunLength(
-  const std::uint8_t* stream, std::size_t length, std::uint8_t* codes, std::size_t count)
+namespace
 {
-  RunLengthDecoder decoder(codes, count);
-  decoder.Feed(stream, length);
-  decoder.Finish();
+
+constexpr std::size_t runSize = 5; // bytes of a run in the stream
+
+std::uint32_t LengthOfRun(const std::uint8_t* run)
+{
+  return run[1] | static_cast<std::uint32_t>(run[2]) << 8 |
+         static_cast<std::uint32_t>(run[3]) << 16 | static_cast<std::uint32_t>(run[4]) << 24;
+}
+
+void CheckRun(std::uint64_t offset, std::uint32_t length, std::size_t codesLeft)
+{
+  if (length == 0)
+  {
+    Refuse(offset, "a run of no voxels; its length must be 1 or more");
+  }
+  if (length > codesLeft)
+  {
+    Refuse(offset, "a run of " + std::to_string(length) + " where " + std::to_string(codesLeft) +
+                     " voxels are left");
+  }
+}
+
+void CheckEnd(std::uint64_t offset, std::size_t decoded, std::size_t count)
+{
+  if (decoded != count)
+  {
+    Refuse(offset, "the stream ends after " + std::to_string(decoded) + " of " +
+                     std::to_string(count) + " voxels");
+  }
+}
+
+// How many bytes from the first on are literals; eight are looked at in one word.
+std::size_t CountLiterals(const std::uint8_t* bytes, std::size_t most)
+{
+  constexpr std::uint64_t allLiteral = 0x8080808080808080;
+  std::uint64_t word = 0;
+  std::size_t literals = 0;
+  while (literals + sizeof(word) <= most)
+  {
+    std::memcpy(&word, bytes + literals, sizeof(word));
+    if ((word & allLiteral) != allLiteral)
+    {
+      break;
+    }
+    literals += sizeof(word);
+  }
+  while (literals < most && (bytes[literals] & literalBit) != 0)
+  {
+    ++literals;
+  }
+  return literals;
+}
+
+// A place in a stream where a literal or a run begins, and the codes before it.
+struct StreamPlace
+{
+  std::size_t byte = 0;
+  std::size_t code = 0;
+};
+
+// Checks a stream, and finds places in it about `partBytes` or `partCodes` apart: its begin, its
+// end, and others between them.
+std::vector<StreamPlace> DivideStream(
+  const std::uint8_t* stream, std::size_t length, std::size_t count)
+{
+  constexpr std::size_t partBytes = std::size_t(1) << 16;
+  constexpr std::size_t partCodes = std::size_t(1) << 20;
+  std::vector<StreamPlace> places{{}};
+  StreamPlace at;
+  while (at.byte < length)
+  {
+    if (at.byte - places.back().byte >= partBytes || at.code - places.back().code >= partCodes)
+    {
+      places.push_back(at);
+    }
+    const std::size_t literals =
+      CountLiterals(stream + at.byte, std::min(partBytes, length - at.byte));
+    if (literals > count - at.code || count == at.code)
+    {
+      Refuse(at.byte + (count - at.code),
+        "more bytes after the last of " + std::to_string(count) + " voxels");
+    }
+    at.byte += literals;
+    at.code += literals;
+    if (literals > 0)
+    {
+      continue;
+    }
+    if (length - at.byte < runSize)
+    {
+      Refuse(length, "the stream ends within a run");
+    }
+    const std::uint32_t run = LengthOfRun(stream + at.byte);
+    CheckRun(at.byte, run, count - at.code);
+    at.byte += runSize;
+    at.code += run;
+  }
+  CheckEnd(length, at.code, count);
+  places.push_back(at);
+  return places;
+}
+
+// Decodes a part of a stream that was found good.
+void DecodePart(const std::uint8_t* part, std::size_t length, std::uint8_t* codes)
+{
+  for (std::size_t at = 0; at < length;)
+  {
+    const std::size_t literals = CountLiterals(part + at, length - at);
+    for (std::size_t i = 0; i < literals; ++i)
+    {
+      codes[i] = part[at + i] & 0x7F;
+    }
+    at += literals;
+    codes += literals;
+    if (at < length)
+    {
+      const std::uint32_t run = LengthOfRun(part + at);
+      std::memset(codes, part[at], run);
+      at += runSize;
+      codes += run;
+    }
+  }
+}
+
+} // namespace
+
+void DecodeRunLength(const std::uint8_t* stream, std::size_t length, std::uint8_t* codes,
+  std::size_t count, const RangeLoop& loop)
+{
+  const std::vector<StreamPlace> places = DivideStream(stream, length, count);
+  RunLoop(loop, static_cast<int>(places.size() - 1),
+    [&](int first, int end)
+    {
+      for (auto i = static_cast<std::size_t>(first); i < static_cast<std::size_t>(end); ++i)
+      {
+        DecodePart(
+          stream + places[i].byte, places[i + 1].byte - places[i].byte, codes + places[i].code);
+      }
+    });
 }
 
 RunLengthDecoder::RunLengthDecoder(std::uint8_t* target, std::size_t size)
@@ -152,27 +287,11 @@ void RunLengthDecoder::TakeByte(std::uint8_t byte)
   if (runBytes == run.size())
   {
     runBytes = 0;
-    const std::uint32_t length = run[1] | static_cast<std::uint32_t>(run[2]) << 8 |
-                                 static_cast<std::uint32_t>(run[3]) << 16 |
-                                 static_cast<std::uint32_t>(run[4]) << 24;
-    this->Append(run[0], length);
+    const std::uint32_t length = LengthOfRun(run.data());
+    CheckRun(offset + 1 - run.size(), length, count - decoded);
+    std::fill_n(codes + decoded, length, run[0]);
+    decoded += length;
   }
-}
-
-void RunLengthDecoder::Append(std::uint8_t code, std::uint32_t length)
-{
-  const std::uint64_t begin = offset + 1 - run.size();
-  if (length == 0)
-  {
-    Refuse(begin, "a run of no voxels; its length must be 1 or more");
-  }
-  if (length > count - decoded)
-  {
-    Refuse(begin, "a run of " + std::to_string(length) + " where " +
-                    std::to_string(count - decoded) + " voxels are left");
-  }
-  std::fill_n(codes + decoded, length, code);
-  decoded += length;
 }
 
 void RunLengthDecoder::Finish() const
@@ -181,11 +300,7 @@ void RunLengthDecoder::Finish() const
   {
     Refuse(offset, "the stream ends within a run");
   }
-  if (decoded != count)
-  {
-    Refuse(offset, "the stream ends after " + std::to_string(decoded) + " of " +
-                     std::to_string(count) + " voxels");
-  }
+  CheckEnd(offset, decoded, count);
 }
 
 } // namespace nexrad

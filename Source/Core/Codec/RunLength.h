@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/System/RangeLoop.h"
+
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -47,9 +49,9 @@ private:
 
 /// Decodes exactly `count` codes into `codes`. Throws Error, with the offset in the stream, for a
 /// run of 0, a stream that ends within a run or too early, a run beyond `count`, or bytes after the
-/// last code.
-void DecodeRunLength(
-  const std::uint8_t* stream, std::size_t length, std::uint8_t* codes, std::size_t count);
+/// last code. The loop decodes several parts of a long stream at a time.
+void DecodeRunLength(const std::uint8_t* stream, std::size_t length, std::uint8_t* codes,
+  std::size_t count, const RangeLoop& loop = {});
 
 /// The same for a stream that comes in pieces of any size.
 class RunLengthDecoder
@@ -65,7 +67,6 @@ public:
 
 private:
   void TakeByte(std::uint8_t byte);
-  void Append(std::uint8_t code, std::uint32_t length);
 
   std::uint8_t* codes;
   std::size_t count;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/System/RangeLoop.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -20,6 +22,30 @@ enum class DeflateSearch
 /// Compresses bytes into one zlib stream (RFC 1950).
 std::vector<std::uint8_t> DeflateBytes(
   const std::uint8_t* data, std::size_t size, DeflateSearch search = DeflateSearch::Repeats);
+
+/// A zlib stream in pieces that can be decompressed each for itself.
+struct DeflatedPieces
+{
+  std::vector<std::uint8_t> stream;
+  std::vector<std::uint64_t> lengths; ///< bytes of the stream that belong to each piece
+};
+
+/// Compresses bytes into one zlib stream of pieces. Each piece holds `pieceSize` of the bytes, the
+/// last one what is left, and ends at a full flush (RFC 1951: an empty stored block, after which
+/// nothing refers to what came before). The stream of a single piece is that of DeflateBytes.
+DeflatedPieces DeflateInPieces(const std::uint8_t* data, std::size_t size, std::size_t pieceSize,
+  DeflateSearch search = DeflateSearch::Repeats);
+
+/// Decompresses a zlib stream that must give exactly `size` bytes into `target`. Throws Error when
+/// it is damaged or gives more or fewer.
+void InflateBytes(
+  const std::uint8_t* stream, std::size_t length, std::uint8_t* target, std::size_t size);
+
+/// The same for a stream that DeflateInPieces made; the loop decompresses several pieces at a time.
+/// `lengths` add up to the length of the stream. The check sum at its end is not looked at: the
+/// caller has one of the stream.
+void InflatePieces(const std::uint8_t* stream, const std::vector<std::uint64_t>& lengths,
+  std::size_t pieceSize, std::uint8_t* target, std::size_t size, const RangeLoop& loop = {});
 
 /// Decompresses a zlib stream piece by piece, so that what comes out is checked before more is
 /// made: the receiver throws when it has had enough.

@@ -106,6 +106,7 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
   {
     return false;
   }
+  this->ChooseWrap();
   this->Upload(window, checksum->TakeChanges(source, there ? before : nullptr));
   this->Checksum = checksum;
   this->Last = key;
@@ -154,9 +155,7 @@ bool vtkTextureSliceTexture::Allocate(
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
   this->Texture->SetInternalFormat(InternalFormat(scalarType, channels));
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
+  this->ChooseWrap();
   if (!this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
         static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels,
         scalarType, nullptr))
@@ -167,6 +166,19 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Allocated = wanted;
   return true;
+}
+
+void vtkTextureSliceTexture::ChooseWrap()
+{
+  // No sample lies outside of the texture, so that both give the same; but Mesa's software renderer
+  // interpolates bytes that are clamped in eight bits, and mirrored ones as floats. Codes need
+  // that: their values are a byte's steps apart, and what lies between two of them is drawn as
+  // such.
+  const int wrap =
+    this->Texels.AreCodeBytes() ? vtkTextureObject::MirroredRepeat : vtkTextureObject::ClampToEdge;
+  this->Texture->SetWrapS(wrap);
+  this->Texture->SetWrapT(wrap);
+  this->Texture->SetWrapR(wrap);
 }
 
 void vtkTextureSliceTexture::SetNearest(bool nearest)

@@ -53,6 +53,7 @@ public:
 
 private:
   bool Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, std::string& error);
+  void ChooseWrap();
   void Upload(vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes);
 
   vtkNew<vtkTextureObject> Texture;

@@ -188,6 +188,31 @@ private:
   std::vector<std::vector<Lookup<Scalar>>> Lookups;
 };
 
+/// The function that gives each code what another gives for its value.
+Function MakeFunctionOfCodes(const Function& ofValues, const vtkTextureSliceCodes& codes)
+{
+  const Lookup<double> lookUp(ofValues);
+  Function ofCodes;
+  ofCodes.Range = {0.0, vtkTextureSliceCodes::Count - 1.0};
+  for (std::size_t code = 0; code < vtkTextureSliceCodes::Count; ++code)
+  {
+    ofCodes.Entries.push_back(lookUp(codes.GetValue(code)));
+  }
+  return ofCodes;
+}
+
+Source WithFunctionsOfCodes(Source source)
+{
+  for (std::vector<Function>& functions : source.Functions)
+  {
+    for (Function& function : functions)
+    {
+      function = MakeFunctionOfCodes(function, *source.Scalars.Codes);
+    }
+  }
+  return source;
+}
+
 } // namespace
 
 void vtkTextureSliceExtinction::Build(const Source& source, std::size_t mostCells)
@@ -195,15 +220,20 @@ void vtkTextureSliceExtinction::Build(const Source& source, std::size_t mostCell
   this->Grid = vtkTextureSliceLightGrid::Choose(
     source.Scalars.Size, source.Scalars.CellData, source.VoxelEdge, mostCells);
   this->Values.resize(this->Grid.CountCells());
+  source.Scalars.Codes ? this->SumVoxels(WithFunctionsOfCodes(source)) : this->SumVoxels(source);
+  if (source.IsCut)
+  {
+    this->HideCut(source);
+  }
+}
+
+void vtkTextureSliceExtinction::SumVoxels(const Source& source)
+{
   const vtkIdType rows = vtkIdType{this->Grid.Size[1]} * this->Grid.Size[2];
   switch (source.Scalars.Scalars->GetDataType())
   {
     vtkTemplateMacro(
       vtkSMPTools::For(0, rows, LayerSummer<VTK_TT>(source, this->Grid, this->Values)));
-  }
-  if (source.IsCut)
-  {
-    this->HideCut(source);
   }
 }
 

@@ -55,6 +55,7 @@ public:
   const std::vector<float>& GetValues() const { return this->Values; }
 
 private:
+  void SumVoxels(const Source& source);
   void HideCut(const Source& source);
 
   vtkTextureSliceLightGrid Grid;

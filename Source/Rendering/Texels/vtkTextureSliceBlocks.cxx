@@ -47,6 +47,14 @@ void MixRow(const unsigned char* row, std::size_t length, std::size_t bytesOfTex
   std::uint64_t mask, std::uint64_t* sums)
 {
   constexpr auto edge = static_cast<std::size_t>(Edge);
+  if (bytesOfTexel == 1)
+  {
+    // A row of a block is one word: no loop within it.
+    for (; length >= edge; length -= edge, row += edge, ++sums)
+    {
+      *sums = MixBytes(*sums, row, edge, mask);
+    }
+  }
   for (std::size_t begin = 0; begin < length; begin += edge, ++sums)
   {
     const std::size_t texels = std::min(edge, length - begin);

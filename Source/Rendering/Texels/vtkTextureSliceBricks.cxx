@@ -137,5 +137,9 @@ void vtkTextureSliceBricks::Build(const Source& source)
     vtkTemplateMacro(
       vtkSMPTools::For(0, rows, RowScanner<VTK_TT>(source, edge, this->Count, this->Ranges)));
   }
+  if (source.Codes)
+  {
+    vtkTextureSlice::ToValues(*source.Codes, this->Ranges);
+  }
   this->BuildTime.Modified();
 }

@@ -14,13 +14,13 @@ void vtkTextureSliceChanges::Build(const vtkTextureSliceScalars& source,
     this->Begins.push_back(bytes);
     bytes += texels.CountBytes(box);
   }
-  this->Data.resize(bytes);
+  this->Data.reset(new unsigned char[bytes]);
   vtkSMPTools::For(0, static_cast<vtkIdType>(boxes.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
       {
-        texels.Encode(source, this->Boxes[i], this->Data.data() + this->Begins[i]);
+        texels.Encode(source, this->Boxes[i], this->Data.get() + this->Begins[i]);
       }
     });
 }
@@ -30,6 +30,6 @@ void vtkTextureSliceChanges::ForEach(
 {
   for (std::size_t i = 0; i < this->Boxes.size(); ++i)
   {
-    take(this->Boxes[i], this->Data.data() + this->Begins[i]);
+    take(this->Boxes[i], this->Data.get() + this->Begins[i]);
   }
 }

@@ -8,6 +8,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <vector>
 
 /// Boxes of a texture and their texels, which take as much memory as they do in the texture.
@@ -26,7 +27,8 @@ public:
 private:
   std::vector<Box> Boxes;
   std::vector<std::size_t> Begins; ///< of each box in Data
-  std::vector<unsigned char> Data;
+  /// Not set to 0 first: the threads that encode are the first to touch it.
+  std::unique_ptr<unsigned char[]> Data;
 };
 
 #endif

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <cstring>
 #include <utility>
 
 vtkStandardNewMacro(vtkTextureSliceChecksums);
@@ -37,20 +38,24 @@ struct Findings
   }
 };
 
+/// @param ranges whether to find the ranges too
 template <typename Scalar>
-Findings LookAtLayer(const vtkTextureSlice::Rows<Scalar>& rows, int height, int z)
+Findings LookAtLayer(const vtkTextureSlice::Rows<Scalar>& rows, int height, int z, bool ranges)
 {
   vtkTextureSlice::ColumnExtremes<Scalar> extremes(rows.Length, rows.Components);
   std::vector<unsigned char> marks(rows.Length);
   Findings found{std::vector<Range>(rows.Components)};
   for (int y = 0; y < height; ++y)
   {
-    rows.MarkFinite(y, z, 0, rows.Length, marks.data());
-    extremes.Extend(rows.GetScalars(y, z), marks.data());
+    if (ranges)
+    {
+      rows.MarkFinite(y, z, 0, rows.Length, marks.data());
+      extremes.Extend(rows.GetScalars(y, z), marks.data());
+    }
     if (!found.Invisible)
     {
       rows.MarkVisible(y, z, 0, rows.Length, marks.data());
-      found.Invisible = std::find(marks.begin(), marks.end(), 0) != marks.end();
+      found.Invisible = std::memchr(marks.data(), 0, marks.size()) != nullptr;
     }
   }
   for (std::size_t c = 0; c < rows.Components; ++c)
@@ -66,7 +71,8 @@ vtkTextureSliceChecksums::Key vtkTextureSliceChecksums::MakeKey(
   const vtkTextureSliceScalars& source)
 {
   return {source.Scalars, source.Scalars->GetMTime(), source.Ghosts,
-    source.Ghosts != nullptr ? source.Ghosts->GetMTime() : 0, source.Size, source.CellData};
+    source.Ghosts != nullptr ? source.Ghosts->GetMTime() : 0, source.Size, source.CellData,
+    source.Codes};
 }
 
 void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
@@ -74,6 +80,9 @@ void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
   this->Made = MakeKey(source);
   const auto components = static_cast<std::size_t>(source.Scalars->GetNumberOfComponents());
   Findings all{std::vector<Range>(components)};
+  // Hidden scalars that are finite count for the ranges, but not for those of the bricks. The
+  // values of hidden codes are added later (vtkTextureSliceTexels).
+  const bool fromBricks = source.Codes && source.Ghosts == nullptr;
   const auto look = [&](const auto& rows)
   {
     std::vector<Findings> layers(static_cast<std::size_t>(source.Size[2]));
@@ -83,7 +92,7 @@ void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
         for (vtkIdType z = begin; z < end; ++z)
         {
           layers[static_cast<std::size_t>(z)] =
-            LookAtLayer(rows, source.Size[1], static_cast<int>(z));
+            LookAtLayer(rows, source.Size[1], static_cast<int>(z), !fromBricks);
         }
       });
     for (const Findings& layer : layers)
@@ -95,8 +104,20 @@ void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
   {
     vtkTemplateMacro(look(vtkTextureSlice::Rows<VTK_TT>(source)));
   }
-  this->Texels = {source, all.Ranges, all.Invisible};
   this->Bricks.Build(source);
+  if (fromBricks)
+  {
+    Range& range = all.Ranges.front();
+    for (const Range& brick : this->Bricks.GetRanges())
+    {
+      range = {std::min(range.Low, brick.Low), std::max(range.High, brick.High)};
+    }
+  }
+  else if (source.Codes)
+  {
+    vtkTextureSlice::ToValues(*source.Codes, all.Ranges);
+  }
+  this->Texels = {source, all.Ranges, all.Invisible};
   this->Blocks.Build(source);
 }
 

@@ -30,8 +30,8 @@ public:
   vtkTypeMacro(vtkTextureSliceChecksums, vtkObject);
 
   /// All that a checksum is made from; pointers are compared, never followed.
-  using Key =
-    std::tuple<const void*, vtkMTimeType, const void*, vtkMTimeType, std::array<int, 3>, bool>;
+  using Key = std::tuple<const void*, vtkMTimeType, const void*, vtkMTimeType, std::array<int, 3>,
+    bool, std::optional<vtkTextureSliceCodes>>;
   static Key MakeKey(const vtkTextureSliceScalars& source);
 
   /**

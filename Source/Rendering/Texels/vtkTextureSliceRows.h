@@ -30,6 +30,10 @@ public:
     , Scalars(static_cast<const Scalar*>(source.Scalars->GetVoidPointer(0)))
     , Ghosts(source.Ghosts != nullptr ? source.Ghosts->GetPointer(0) : nullptr)
   {
+    if (source.Codes)
+    {
+      this->HiddenCodes = source.Codes->GetHiddenIntervals();
+    }
   }
 
   /// The scalars of the row at (x, y, z) and after it, component after component of each texel.
@@ -43,7 +47,8 @@ public:
     return this->Ghosts != nullptr ? this->Ghosts + this->Place(x, y, z) : nullptr;
   }
 
-  /// Marks texels with 1 where they are visible (not hidden, all components finite), else with 0.
+  /// Marks texels with 1 where they are visible (not hidden, all components finite, no code that is
+  /// hidden), else with 0.
   void MarkVisible(int y, int z, int x, std::size_t count, unsigned char* visible) const
   {
     this->MarkFinite(y, z, x, count, visible);
@@ -56,12 +61,13 @@ public:
     }
   }
 
-  /// Marks texels with 1 where all components are finite, else with 0.
+  /// Marks texels with 1 where all components are finite, and no code that is hidden, else with 0.
   void MarkFinite(int y, int z, int x, std::size_t count, unsigned char* finite) const
   {
-    for (std::size_t i = 0; i < count; ++i)
+    std::fill_n(finite, count, static_cast<unsigned char>(1));
+    if constexpr (std::is_same_v<Scalar, unsigned char>)
     {
-      finite[i] = 1;
+      this->UnmarkHiddenCodes(this->GetScalars(y, z, x), count, finite);
     }
     if constexpr (std::is_floating_point_v<Scalar>)
     {
@@ -89,6 +95,19 @@ private:
     }
   }
 
+  void UnmarkHiddenCodes(
+    const unsigned char* codes, std::size_t count, unsigned char* visible) const
+  {
+    for (const vtkTextureSliceCodes::Interval interval : this->HiddenCodes)
+    {
+      const auto span = static_cast<unsigned char>(interval.Last - interval.First);
+      for (std::size_t i = 0; i < count; ++i)
+      {
+        visible[i] = static_cast<unsigned char>(codes[i] - interval.First) > span ? visible[i] : 0;
+      }
+    }
+  }
+
   std::size_t Place(int x, int y, int z) const
   {
     return (static_cast<std::size_t>(z) * this->Height + static_cast<std::size_t>(y)) *
@@ -99,6 +118,7 @@ private:
   const std::size_t Height;
   const Scalar* const Scalars;
   const unsigned char* const Ghosts;
+  std::vector<vtkTextureSliceCodes::Interval> HiddenCodes;
 };
 
 /// The least and the greatest of each column of several rows.
@@ -169,6 +189,21 @@ private:
   std::vector<Scalar> Low;
   std::vector<Scalar> High;
 };
+
+/// Makes ranges of values of ranges of codes; both have members Low and High.
+template <typename Range>
+void ToValues(const vtkTextureSliceCodes& codes, std::vector<Range>& ranges)
+{
+  for (Range& range : ranges)
+  {
+    if (range.Low <= range.High)
+    {
+      const auto [low, high] =
+        codes.GetRange(static_cast<std::size_t>(range.Low), static_cast<std::size_t>(range.High));
+      range = {low, high};
+    }
+  }
+}
 
 } // namespace vtkTextureSlice
 

@@ -25,6 +25,7 @@ vtkTextureSliceScalars vtkTextureSliceScalars::Find(
   found.Scalars = scalars;
   found.Size = GetSize(image, cellData);
   found.CellData = cellData;
+  found.Codes = vtkTextureSliceCodes::Find(image, scalars);
   vtkDataSetAttributes* attributes =
     cellData ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
   auto* ghosts = vtkUnsignedCharArray::SafeDownCast(

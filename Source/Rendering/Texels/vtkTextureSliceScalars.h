@@ -3,7 +3,10 @@
 #ifndef vtkTextureSliceScalars_h
 #define vtkTextureSliceScalars_h
 
+#include "vtkTextureSliceCodes.h"
+
 #include <array>
+#include <optional>
 
 class vtkDataArray;
 class vtkImageData;
@@ -18,6 +21,8 @@ struct vtkTextureSliceScalars
   bool CellData = false;
   /// Every flag hides a texel, as in VTK's ray caster. May be nullptr: nothing is hidden.
   vtkUnsignedCharArray* Ghosts = nullptr;
+  /// What the scalars stand for where they are codes.
+  std::optional<vtkTextureSliceCodes> Codes = {};
 
   /// Texels along each axis.
   static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);

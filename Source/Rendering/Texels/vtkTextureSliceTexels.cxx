@@ -6,8 +6,10 @@
 #include "vtkType.h"
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <type_traits>
 
@@ -82,6 +84,57 @@ void EncodeRow(const Scalar* scalars, const unsigned char* visible, std::size_t 
   }
 }
 
+/// The texel of each code, and 1 or 0 for its visibility.
+template <typename Texel>
+std::array<std::array<Texel, 2>, vtkTextureSliceCodes::Count> MakeCodeTexels(
+  const vtkTextureSliceCodes& codes)
+{
+  std::array<std::array<Texel, 2>, vtkTextureSliceCodes::Count> texels{};
+  for (std::size_t code = 0; code < texels.size(); ++code)
+  {
+    if (codes.IsHidden(code))
+    {
+      continue;
+    }
+    if constexpr (std::is_same_v<Texel, std::uint8_t>)
+    {
+      texels[code] = {codes.GetByte(code), std::numeric_limits<Texel>::max()};
+    }
+    else
+    {
+      texels[code] = {static_cast<Texel>(codes.GetValue(code)), Texel{1}};
+    }
+  }
+  return texels;
+}
+
+/// Texels of one row of codes. @a ghosts may be nullptr.
+template <typename Texel>
+void EncodeCodes(const std::array<std::array<Texel, 2>, vtkTextureSliceCodes::Count>& ofCode,
+  const vtkTextureSlice::Rows<unsigned char>& rows, const std::array<int, 3>& at, bool masked,
+  std::size_t count, Texel* texels)
+{
+  const unsigned char* codes = rows.GetScalars(at[1], at[2], at[0]);
+  const unsigned char* ghosts = rows.GetGhosts(at[1], at[2], at[0]);
+  if (!masked)
+  {
+    std::transform(
+      codes, codes + count, texels, [&](unsigned char code) { return ofCode[code][0]; });
+    return;
+  }
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    std::memcpy(texels + 2 * i, ofCode[codes[i]].data(), 2 * sizeof(Texel));
+  }
+  for (std::size_t i = 0; ghosts != nullptr && i < count; ++i)
+  {
+    if (ghosts[i] != 0)
+    {
+      texels[2 * i] = texels[2 * i + 1] = Texel{0};
+    }
+  }
+}
+
 } // namespace
 
 vtkTextureSliceTexels::vtkTextureSliceTexels(const vtkTextureSliceScalars& source,
@@ -89,6 +142,7 @@ vtkTextureSliceTexels::vtkTextureSliceTexels(const vtkTextureSliceScalars& sourc
   : SourceType(source.Scalars->GetDataType())
   , Size(source.Size)
   , Masked(masked)
+  , Codes(source.Codes)
 {
   for (const vtkTextureSliceBricks::Range& range : ranges)
   {
@@ -99,15 +153,35 @@ vtkTextureSliceTexels::vtkTextureSliceTexels(const vtkTextureSliceScalars& sourc
     }
     this->Components.push_back(component);
   }
+  if (this->Codes)
+  {
+    this->SetScaleOfCodes();
+    return;
+  }
   switch (this->SourceType)
   {
     vtkTemplateMacro(SetScales<VTK_TT>(this->Components));
   }
 }
 
+void vtkTextureSliceTexels::SetScaleOfCodes()
+{
+  Component& component = this->Components.front();
+  this->Codes->AddHidden(component.Range);
+  if (this->Codes->HasBytes())
+  {
+    component.Scale = std::numeric_limits<std::uint8_t>::max() * this->Codes->GetStep();
+    component.Bias = this->Codes->GetBase();
+  }
+}
+
 int vtkTextureSliceTexels::GetScalarType() const
 {
   int type = VTK_FLOAT;
+  if (this->Codes && !this->AreCodeBytes())
+  {
+    return type;
+  }
   const auto typeOf = [](auto texel)
   {
     return std::is_same_v<decltype(texel), float>
@@ -126,7 +200,7 @@ bool vtkTextureSliceTexels::IsLike(const vtkTextureSliceTexels& other) const
   const auto sameScale = [](const Component& a, const Component& b)
   { return a.Scale == b.Scale && a.Bias == b.Bias; };
   return this->SourceType == other.SourceType && this->Size == other.Size &&
-         this->Masked == other.Masked &&
+         this->Masked == other.Masked && this->Codes == other.Codes &&
          std::equal(this->Components.begin(), this->Components.end(), other.Components.begin(),
            other.Components.end(), sameScale);
 }
@@ -156,6 +230,23 @@ void vtkTextureSliceTexels::Encode(
   const int height = box.End[1] - box.Begin[1];
   const int rowsOfBox = height * (box.End[2] - box.Begin[2]);
   const std::size_t rowBytes = this->CountBytes(box) / static_cast<std::size_t>(rowsOfBox);
+  const auto encodeCodes = [&](auto texel)
+  {
+    const auto ofCode = MakeCodeTexels<decltype(texel)>(*this->Codes);
+    const vtkTextureSlice::Rows<unsigned char> rows(source);
+    for (int row = 0; row < rowsOfBox; ++row)
+    {
+      EncodeCodes(ofCode, rows,
+        {box.Begin[0], box.Begin[1] + row % height, box.Begin[2] + row / height}, this->Masked,
+        count,
+        reinterpret_cast<decltype(texel)*>(texels + rowBytes * static_cast<std::size_t>(row)));
+    }
+  };
+  if (this->Codes)
+  {
+    this->Codes->HasBytes() ? encodeCodes(std::uint8_t()) : encodeCodes(float());
+    return;
+  }
   const auto encode = [&](const auto& rows, auto texel)
   {
     std::vector<unsigned char> visible(this->Masked ? count : 0);

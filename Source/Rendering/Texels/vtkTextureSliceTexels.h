@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 /// One component of the scalars.
@@ -22,8 +23,9 @@ struct vtkTextureSliceComponent
 /**
  * How scalars become texels. Scalars of 8 and 16 bits keep their size and all their values; float
  * stays as it is; wider types become float, spread over 0 to 1 so that large values keep their
- * differences. Where some are invisible, each texel has one more component, 1 where it is visible,
- * else 0 as the others are then.
+ * differences. Codes become bytes of even steps where their values allow that, else float values:
+ * what lies between two texels is then what lies between their values. Where some are invisible,
+ * each texel has one more component, 1 where it is visible, else 0 as the others are then.
  */
 class vtkTextureSliceTexels
 {
@@ -37,6 +39,8 @@ public:
   int GetSourceType() const { return this->SourceType; }
   /// VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT or VTK_FLOAT.
   int GetScalarType() const;
+  /// Whether the texels are bytes that stand for the values of codes.
+  bool AreCodeBytes() const { return this->Codes && this->Codes->HasBytes(); }
   /// Whether the component of the mask is there.
   bool IsMasked() const { return this->Masked; }
   /// Of a texel: those of the scalars, and the mask.
@@ -56,9 +60,12 @@ public:
   void Encode(const vtkTextureSliceScalars& source, const Box& box, unsigned char* texels) const;
 
 private:
+  void SetScaleOfCodes();
+
   int SourceType = 0;
   std::array<int, 3> Size{};
   bool Masked = false;
+  std::optional<vtkTextureSliceCodes> Codes;
   std::vector<vtkTextureSliceComponent> Components;
 };
 

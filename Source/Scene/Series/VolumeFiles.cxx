@@ -4,8 +4,8 @@
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
-#include "vtkNexradImageConversion.h"
 #include "vtkNexradMessages.h"
+#include "vtkNexradVolumeFile.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -121,6 +121,7 @@ public:
 
   const std::vector<Time>& Times() const override { return times; }
   bool CanLoadAhead() const override { return true; }
+  void AllowCodes(bool allowed) override { codes = allowed; }
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress&) override
   {
@@ -129,18 +130,15 @@ public:
     {
       return ReadVti(path);
     }
-    NxvReadOptions options;
-    options.bytesBesides = vtkNexradImageBytesPerVoxel + pictureBytesPerVoxel;
-    read = ReadNxv(path, options, std::move(read));
     auto image = vtkSmartPointer<vtkImageData>::New();
-    vtkNexradVolumeToImage(read, image);
+    vtkNexradReadVolumeFile({path.string(), {}, codes, pictureBytesPerVoxel}, image);
     return image;
   }
 
 private:
   TimedFiles files;
-  GriddedVolume read; // the last one: its memory serves the next
   std::vector<Time> times;
+  bool codes = false;
 };
 
 } // namespace

@@ -28,6 +28,10 @@ public:
   /// cannot be read or made.
   virtual vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) = 0;
 
+  /// Whether Load may give codes in place of values (vtkNexradImageConversion.h), which are read
+  /// and uploaded faster. No by default; a series that knows no codes takes no notice.
+  virtual void AllowCodes(bool) {}
+
   /// True when Load may run on another thread while nothing else is asked of the series.
   virtual bool CanLoadAhead() const { return false; }
 

@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <fstream>
 #include <functional>
 
@@ -253,6 +254,47 @@ TEST(NxvDamage, DeflatedCodesThatDoNotFitAreErrors)
   EXPECT_EQ(file.Last().values, (std::vector<float>{-33.0F, -33.0F, -32.0F, 96.0F}));
   EXPECT_NE(file.ErrorOf(FileOf(header, {Deflated(words.substr(4))})), "");
   EXPECT_THROW(ReadNxv(file.Path(), {27}), Error) << "six bytes a voxel and the wider code";
+}
+
+// Pieces of four bytes, which hold what the header says and end where it says.
+TEST(NxvDamage, PiecesThatDoNotFitAreErrors)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.volume.grid.dimensions = {5, 2, 1};
+  header.arrays[0].storage = NxvStorage::Deflated;
+  header.arrays[0].type = NxvType::UInt8;
+  const std::string codes("\0\1\2\xFF\7\7\7\7\x8\x9", 10);
+  const DeflatedPieces pieces =
+    DeflateInPieces(reinterpret_cast<const std::uint8_t*>(codes.data()), codes.size(), 4);
+  const std::string payload(pieces.stream.begin(), pieces.stream.end());
+  ASSERT_EQ(pieces.lengths.size(), 3u);
+  const auto errorWith = [&](std::uint64_t pieceBytes, const std::vector<std::uint64_t>& lengths)
+  {
+    header.arrays[0].pieceBytes = pieceBytes;
+    header.arrays[0].pieces = lengths;
+    return file.ErrorOf(FileOf(header, {payload}));
+  };
+  const auto [a, b, c] = std::array{pieces.lengths[0], pieces.lengths[1], pieces.lengths[2]};
+  EXPECT_EQ(errorWith(4, {a, b, c}), "");
+  EXPECT_EQ(file.Last().values[6], 7.0F);
+  for (const std::uint64_t wrongBytes : {3, 5})
+  {
+    EXPECT_NE(errorWith(wrongBytes, {a, b, c}).find("array \"REF\""), std::string::npos);
+  }
+  for (const auto& lengths : std::vector<std::vector<std::uint64_t>>{{a + 1, b - 1, c},
+         {a - 1, b + 1, c}, {a, b + 1, c - 1}, {a, b + c}, {a + b + c}, {1, a - 1, b + c}})
+  {
+    EXPECT_NE(errorWith(4, lengths), "");
+  }
+  // Those that the header alone refuses.
+  for (const auto& lengths : std::vector<std::vector<std::uint64_t>>{
+         {a, b}, {a, b, c, 1}, {a, b, c, 0}, {~std::uint64_t(0), a, b, c}})
+  {
+    EXPECT_NE(errorWith(4, lengths).find("header: array \"REF\""), std::string::npos);
+  }
+  EXPECT_NE(errorWith(0, {a, b, c}).find("header"), std::string::npos);
+  EXPECT_NE(errorWith(std::uint64_t(1) << 31, {a, b, c}).find("header"), std::string::npos);
 }
 
 TEST(NxvDamage, AnArrayOfAnotherNameIsPassedOver)

@@ -6,6 +6,7 @@
 #include "VolumeMaker.h"
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <gtest/gtest.h>
 
@@ -288,6 +289,106 @@ TEST(NxvFile, AncillaryArraysCanBeLeftOutAndSomeBeMissing)
   EXPECT_THROW(WriteNxv(path, volume), Error);
   volume.ancillary.age.pop_back();
   EXPECT_THROW(WriteNxv(path, volume), Error);
+}
+
+namespace
+{
+
+// 1 310 720 voxels, more than a piece of a payload holds, some of each state.
+GriddedVolume MakeLargeVolume()
+{
+  GriddedVolume volume = MakeGriddedVolume({128, 128, 80});
+  std::mt19937 random(7);
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const bool echo = random() % 4 == 0;
+    volume.states[i] = echo                ? VoxelState::Echo
+                       : i / 1000 % 3 == 0 ? VoxelState::NotScanned
+                                           : VoxelState::NoEcho;
+    volume.values[i] = echo ? static_cast<float>(1 + random() % 80) : volume.fill;
+  }
+  return volume;
+}
+
+} // namespace
+
+// A reader that decompresses several pieces at a time, and one that takes the payload for a single
+// stream, as readers of other programs do.
+TEST(NxvFile, LargeArraysHavePiecesThatAnyReaderCanPassOver)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "a.nxv";
+  const GriddedVolume volume = MakeLargeVolume();
+  for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength, NxvEncoding::Float})
+  {
+    WriteNxv(path, volume, With(encoding));
+    const std::string content = FileContent(path);
+    EXPECT_EQ(
+      content.find("\"pieces\":[") == std::string::npos, encoding == NxvEncoding::RunLength);
+    ExpectSameVoxels(ReadNxv(path), volume);
+    NxvReadOptions options;
+    options.loop = ThreadLoop(3);
+    ExpectSameVoxels(ReadNxv(path, options), volume);
+    // The key by another name is as good as none, and the header's checksum may be left out.
+    std::string older = content;
+    for (std::size_t at = 0; (at = older.find("\"pieces\"", at)) != std::string::npos;)
+    {
+      older.replace(at, 8, "\"Pieces\"");
+    }
+    older.replace(older.find("\"header_crc32\""), 14, "\"Header_crc32\"");
+    std::ofstream(path, std::ios::binary) << older;
+    ExpectSameVoxels(ReadNxv(path), volume);
+  }
+}
+
+// A volume of one piece has the file that it always had.
+TEST(NxvFile, SmallArraysHaveNoPieces)
+{
+  const TemporaryFolder folder;
+  WriteNxv(folder.Path() / "a.nxv", MakeGriddedVolume({128, 128, 64}));
+  EXPECT_EQ(FileContent(folder.Path() / "a.nxv").find("piece"), std::string::npos);
+}
+
+TEST(NxvFile, CodesAreReadAsTheyAre)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "a.nxv";
+  const GriddedVolume volume = MakeLargeVolume();
+  for (const auto encoding :
+    {NxvEncoding::RadarSteps, NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated})
+  {
+    WriteNxv(path, volume, With(encoding));
+    EXPECT_TRUE(HasNxvCodes(path, true));
+    const auto coded = ReadNxvCodes(path);
+    ASSERT_TRUE(coded);
+    EXPECT_FALSE(coded->rangeFolded);
+    EXPECT_EQ(coded->volume.grid, volume.grid);
+    GriddedVolume expanded = coded->volume;
+    expanded.values.resize(volume.values.size());
+    expanded.states.resize(volume.values.size());
+    ExpandCodes(coded->meaning, coded->codes.get(), volume.values.size(), expanded.values.data(),
+      expanded.states.data(), ThreadLoop(2));
+    ExpectSameVoxels(expanded, volume);
+  }
+  WriteNxv(path, volume, With(NxvEncoding::Float));
+  EXPECT_FALSE(HasNxvCodes(path));
+  EXPECT_FALSE(ReadNxvCodes(path));
+}
+
+// The codes say no echo there, and the reader says that they do not say all.
+TEST(NxvFile, CodesTellWhenVoxelsAreRangeFolded)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "a.nxv";
+  GriddedVolume volume = MakeGriddedVolume({4, 3, 2});
+  volume.states[5] = VoxelState::RangeFolded;
+  WriteNxv(path, volume);
+  const auto coded = ReadNxvCodes(path);
+  ASSERT_TRUE(coded);
+  EXPECT_TRUE(coded->rangeFolded);
+  EXPECT_EQ(coded->meaning.states[coded->codes[5]], VoxelState::NoEcho);
+  EXPECT_TRUE(HasNxvCodes(path));
+  EXPECT_FALSE(HasNxvCodes(path, true));
 }
 
 TEST(NxvFile, TheThesisWritesRunsOfTwo)

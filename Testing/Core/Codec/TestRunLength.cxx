@@ -161,3 +161,32 @@ TEST(RunLengthT8, PiecesGiveTheStreamOfTheWhole)
     EXPECT_EQ(Decode(stream, codes.size()), codes);
   }
 }
+
+// A stream long enough to be decoded in parts: runs and literals of every length about the parts'
+// ends, by one thread and by three, beside the decoder that takes byte after byte.
+TEST(RunLengthT8, PartsGiveTheCodesOfTheWhole)
+{
+  std::mt19937 random(5);
+  Bytes codes;
+  while (codes.size() < 3'000'000)
+  {
+    const unsigned choice = random() % 100;
+    const std::size_t length = choice == 0 ? random() % 300'000 : choice < 30 ? random() % 40 : 1;
+    codes.insert(codes.end(), length, static_cast<std::uint8_t>(random() % 128));
+  }
+  const Bytes stream = Encode(codes);
+  Bytes expected(codes.size());
+  RunLengthDecoder decoder(expected.data(), expected.size());
+  decoder.Feed(stream.data(), stream.size());
+  decoder.Finish();
+  EXPECT_TRUE(expected == codes);
+  for (const unsigned threads : {1U, 3U})
+  {
+    Bytes decoded(codes.size());
+    DecodeRunLength(
+      stream.data(), stream.size(), decoded.data(), decoded.size(), ThreadLoop(threads));
+    EXPECT_TRUE(decoded == codes) << threads;
+  }
+  EXPECT_NE(ErrorOf(stream, codes.size() - 1), "");
+  EXPECT_NE(ErrorOf(stream, codes.size() + 1), "");
+}

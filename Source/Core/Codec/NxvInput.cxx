@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Codec/NxvInput.h"
+
+#include "nexrad/Compression/Deflate.h"
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr std::size_t startSize = 8; // magic and header length
+
+std::uint32_t LittleEndian(const std::uint8_t* bytes)
+{
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
+
+void CheckLengths(const NxvInput& file, const NxvContent& content)
+{
+  std::uint64_t left = file.Length() - content.payloads;
+  for (const NxvArray& array : content.header.arrays)
+  {
+    if (array.length > left)
+    {
+      RefuseNxv(file.Length() - left, "array \"" + array.name + "\" should have " +
+                                        std::to_string(array.length) + " bytes, the file has " +
+                                        std::to_string(left));
+    }
+    left -= array.length;
+  }
+  if (left != 0)
+  {
+    RefuseNxv(file.Length() - left, std::to_string(left) + " bytes after the last array");
+  }
+}
+
+} // namespace
+
+void RefuseNxv(std::uint64_t offset, const std::string& what)
+{
+  throw Error("byte " + std::to_string(offset) + ": " + what);
+}
+
+NxvInput::NxvInput(const std::filesystem::path& path)
+{
+  std::error_code problem;
+  length = std::filesystem::file_size(path, problem);
+  if (problem)
+  {
+    throw Error("cannot be read: " + problem.message());
+  }
+  stream.open(path, std::ios::binary);
+  if (!stream)
+  {
+    throw Error(std::string("cannot be read: ") + std::strerror(errno));
+  }
+}
+
+void NxvInput::Read(std::uint64_t offset, std::uint64_t size,
+  const std::function<void(const std::uint8_t*, std::size_t)>& receive)
+{
+  stream.clear();
+  stream.seekg(static_cast<std::streamoff>(offset));
+  while (size > 0)
+  {
+    const auto piece = static_cast<std::size_t>(std::min<std::uint64_t>(size, buffer.size()));
+    if (!stream.read(buffer.data(), static_cast<std::streamsize>(piece)))
+    {
+      RefuseNxv(offset, "cannot be read");
+    }
+    receive(reinterpret_cast<const std::uint8_t*>(buffer.data()), piece);
+    offset += piece;
+    size -= piece;
+  }
+}
+
+std::vector<std::uint8_t> NxvInput::ReadAll(std::uint64_t offset, std::size_t size)
+{
+  std::vector<std::uint8_t> bytes(size);
+  stream.clear();
+  stream.seekg(static_cast<std::streamoff>(offset));
+  if (!stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size)))
+  {
+    RefuseNxv(offset, "cannot be read");
+  }
+  return bytes;
+}
+
+NxvContent OpenNxv(NxvInput& file)
+{
+  if (file.Length() < startSize)
+  {
+    RefuseNxv(0, "too short for a volume file");
+  }
+  const std::vector<std::uint8_t> start = file.ReadAll(0, startSize);
+  if (std::memcmp(start.data(), "NXV1", 4) != 0)
+  {
+    RefuseNxv(0, "not a volume file: it must begin with NXV1");
+  }
+  const std::uint32_t headerLength = LittleEndian(start.data() + 4);
+  if (headerLength > NxvLargestHeader || headerLength > file.Length() - startSize)
+  {
+    RefuseNxv(4, "a header of " + std::to_string(headerLength) + " bytes in a file of " +
+                   std::to_string(file.Length()));
+  }
+  const std::vector<std::uint8_t> text = file.ReadAll(startSize, headerLength);
+  NxvContent content;
+  try
+  {
+    content.header = ParseNxvHeader(std::string(text.begin(), text.end()));
+  }
+  catch (const Error& problem)
+  {
+    RefuseNxv(startSize, problem.what());
+  }
+  content.payloads = startSize + headerLength;
+  CheckLengths(file, content);
+  return content;
+}
+
+void CheckNxvPayloads(NxvInput& file, const NxvContent& content)
+{
+  std::uint64_t offset = content.payloads;
+  for (const NxvArray& array : content.header.arrays)
+  {
+    std::uint32_t crc = 0;
+    file.Read(offset, array.length,
+      [&crc](const std::uint8_t* data, std::size_t size) { crc = Crc32(data, size, crc); });
+    if (crc != array.crc32)
+    {
+      RefuseNxv(offset, "array \"" + array.name + "\": its CRC-32 is wrong");
+    }
+    offset += array.length;
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Codec/NxvHeader.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// A file that is read in pieces, its length known from the start.
+class NxvInput
+{
+public:
+  /// Throws Error when the file cannot be read.
+  explicit NxvInput(const std::filesystem::path& path);
+
+  std::uint64_t Length() const { return length; }
+
+  /// Hands `size` bytes from `offset` on to the receiver, a piece at a time.
+  void Read(std::uint64_t offset, std::uint64_t size,
+    const std::function<void(const std::uint8_t*, std::size_t)>& receive);
+
+  std::vector<std::uint8_t> ReadAll(std::uint64_t offset, std::size_t size);
+
+private:
+  std::uint64_t length = 0;
+  std::ifstream stream;
+  std::array<char, 64 * 1024> buffer;
+};
+
+/// A header, and where the payloads begin.
+struct NxvContent
+{
+  NxvHeader header;
+  std::uint64_t payloads = 0;
+};
+
+/// Throws Error that names a place in the file; the file's name comes from whoever knows it.
+[[noreturn]] void RefuseNxv(std::uint64_t offset, const std::string& what);
+
+/// Reads the header, and checks the lengths of the arrays against that of the file.
+NxvContent OpenNxv(NxvInput& file);
+
+/// Throws Error when a payload differs from its CRC-32.
+void CheckNxvPayloads(NxvInput& file, const NxvContent& content);
+
+} // namespace nexrad

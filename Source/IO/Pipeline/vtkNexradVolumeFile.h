@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+/**
+ * @file   vtkNexradVolumeFile.h
+ * @brief  reads a .nxv file into a vtkImageData
+ */
+#ifndef vtkNexradVolumeFile_h
+#define vtkNexradVolumeFile_h
+
+#include "vtkNexradIOModule.h" // For export macro
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+/**
+ * What of a file is wanted, and as what.
+ */
+struct vtkNexradVolumeFile
+{
+  std::string FileName;
+  /// Names of ancillary arrays not to read.
+  std::vector<std::string> LeaveOut;
+  /// Scalars are codes where the file has codes of one byte (vtkNexradImageConversion.h).
+  bool Codes = false;
+  /// Bytes that the caller makes of each voxel of the image; with the image's own they count for
+  /// the limit of memory (nexrad::NxvReadOptions).
+  std::size_t BytesBesides = 0;
+};
+
+/**
+ * Fills the image with all voxels of the file, unpacked on several threads. Throws nexrad::Error as
+ * nexrad::ReadNxv does.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradReadVolumeFile(
+  const vtkNexradVolumeFile& file, vtkImageData* image);
+
+#endif
+// VTK-HeaderTest-Exclude: vtkNexradVolumeFile.h
