@@ -7,6 +7,7 @@
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Codec/RunLength.h"
 #include "nexrad/Compression/Deflate.h"
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -15,7 +16,9 @@
 #include <cstring>
 #include <fstream>
 #include <functional>
+#include <optional>
 #include <type_traits>
+#include <utility>
 
 namespace fs = std::filesystem;
 
@@ -205,19 +208,60 @@ bool IsWanted(
          std::find(names.begin(), names.end(), array.name) == names.end();
 }
 
-// Bytes that a voxel takes in memory beside its value, its state, and a byte of its code while it
-// is decoded: those of its ancillary arrays, and of a wider code.
+// The moments of a file, in its order.
+std::vector<MomentName> MomentsOf(const NxvHeader& header)
+{
+  std::vector<MomentName> moments;
+  for (const NxvArray& array : header.arrays)
+  {
+    if (const auto moment = ParseMomentName(array.name))
+    {
+      moments.push_back(*moment);
+    }
+  }
+  return moments;
+}
+
+// The moments that are read.
+std::vector<MomentName> WantedMoments(const NxvHeader& header, const NxvReadOptions& options)
+{
+  const std::vector<MomentName> own = MomentsOf(header);
+  std::string names;
+  for (const MomentName moment : own)
+  {
+    names += (names.empty() ? "" : ", ") + std::string(ToString(moment));
+  }
+  for (const MomentName moment : options.moments)
+  {
+    if (std::find(own.begin(), own.end(), moment) == own.end())
+    {
+      throw Error("the file has no " + std::string(ToString(moment)) + "; it has " + names);
+    }
+  }
+  return options.moments.empty() ? own : options.moments;
+}
+
+// Bytes that a voxel takes in memory beside the value and the state of one moment, and a byte of
+// its code while it is decoded: those of a wider code, of ancillary arrays and of further moments,
+// and what the caller makes of each moment.
 std::size_t FurtherBytes(const NxvHeader& header, const NxvReadOptions& options)
 {
-  std::size_t bytes = header.arrays[0].type == NxvType::UInt16 ? 1 : 0;
-  const auto count = [&](const char* name, const auto& values)
+  const std::vector<MomentName> moments = WantedMoments(header, options);
+  const bool wide = std::any_of(header.arrays.begin(), header.arrays.end(),
+    [](const NxvArray& array) { return array.type == NxvType::UInt16; });
+  const std::size_t ofMoment = sizeof(float) + sizeof(VoxelState) + options.bytesBesides;
+  std::size_t bytes = options.bytesBesides + (wide ? 1 : 0) + (moments.size() - 1) * ofMoment;
+  for (const MomentName moment : moments)
   {
-    const auto wanted = [&](const NxvArray& array)
-    { return IsWanted(array, header.volume.moment, name, options); };
-    const bool any = std::any_of(header.arrays.begin(), header.arrays.end(), wanted);
-    bytes += any ? sizeof(typename std::decay_t<decltype(values)>::value_type) : 0;
-  };
-  ForEachAncillaryArray(header.volume.ancillary, count);
+    const auto count = [&](const char* name, const auto& values)
+    {
+      const auto wanted = [&](const NxvArray& array)
+      { return IsWanted(array, moment, name, options); };
+      const bool any = std::any_of(header.arrays.begin(), header.arrays.end(), wanted);
+      bytes += any ? sizeof(typename std::decay_t<decltype(values)>::value_type) : 0;
+    };
+    ForEachAncillaryArray(header.volume.ancillary, count);
+  }
   return bytes;
 }
 
@@ -287,25 +331,25 @@ void ReadValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
   }
 }
 
-void ReadMoment(InputFile& file, const OpenedFile& opened, GriddedVolume& volume)
+void ReadMoment(
+  InputFile& file, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
 {
-  const NxvArray& array = opened.header.arrays[0];
   const std::size_t voxels = volume.grid.VoxelCount();
   if (array.type == NxvType::UInt7)
   {
     const Quantizer quantizer{array.offset, array.scale};
-    quantizer.DecodeAll(ReadCodes(file, opened.payloads, array, voxels), volume);
+    quantizer.DecodeAll(ReadCodes(file, offset, array, voxels), volume);
     return;
   }
   if (array.type != NxvType::Float32)
   {
     const MomentCode code{array.type == NxvType::UInt8 ? 1U : 2U, array.offset, array.scale};
     Bytes codes(code.bytes * voxels);
-    ReadDeflated(file, opened.payloads, array, codes.data(), codes.size());
+    ReadDeflated(file, offset, array, codes.data(), codes.size());
     code.DecodeAll(codes, volume);
     return;
   }
-  ReadValues(file, opened.payloads, array, volume.values, voxels);
+  ReadValues(file, offset, array, volume.values, voxels);
   // Without an array of states a voxel with the fill value is taken for not scanned.
   volume.states.resize(voxels);
   std::transform(volume.values.begin(), volume.values.end(), volume.states.begin(),
@@ -375,34 +419,93 @@ void ReadAncillaryArray(InputFile& file, std::uint64_t offset, const NxvArray& a
   ForEachAncillaryArray(volume.ancillary, read);
 }
 
-GriddedVolume ReadVoxels(
-  InputFile& file, OpenedFile& opened, const NxvReadOptions& options, GriddedVolume& memory)
+// The moments of a file that are read, one after the other.
+class MomentReader
 {
-  GriddedVolume volume = std::move(opened.header.volume);
-  volume.values = std::move(memory.values);
-  volume.states = std::move(memory.states);
-  const std::vector<NxvArray>& arrays = opened.header.arrays;
-  const std::string stateName = arrays[0].name + "_state";
-  std::uint64_t offset = opened.payloads;
-  std::size_t index = 0;
-  try
+public:
+  // Takes the arrays of `memory`.
+  MomentReader(InputFile& theFile, const NxvHeader& theHeader, const NxvReadOptions& theOptions,
+    GriddedVolume& memory)
+    : file(theFile)
+    , header(theHeader)
+    , options(theOptions)
+    , wanted(WantedMoments(header, options))
+    , volumes(SplitMoments(std::move(memory)))
+    , types(wanted.size())
   {
-    ReadMoment(file, opened, volume);
-    for (; index < arrays.size(); ++index)
+    volumes.resize(wanted.size());
+    for (GriddedVolume& volume : volumes)
     {
-      if (arrays[index].name == stateName && arrays[index].type == NxvType::UInt8)
-      {
-        ReadStates(file, offset, arrays[index], volume, arrays[0].type != NxvType::Float32);
-      }
-      ReadAncillaryArray(file, offset, arrays[index], options, volume);
-      offset += arrays[index].length;
+      GriddedVolume fresh = header.volume;
+      fresh.values = std::move(volume.values);
+      fresh.states = std::move(volume.states);
+      volume = std::move(fresh);
     }
   }
-  catch (const Error& problem)
+
+  // Reads an array of one of the moments; passes over others. What belongs to a moment follows it.
+  void Read(std::uint64_t offset, const NxvArray& array)
   {
-    Refuse(offset, "array \"" + arrays[index].name + "\": " + problem.what());
+    for (std::size_t i = 0; i < wanted.size(); ++i)
+    {
+      const std::string moment = ToString(wanted[i]);
+      if (array.name == moment)
+      {
+        this->Begin(i, array);
+        ReadMoment(file, offset, array, volumes[i]);
+      }
+      else if (types[i] && array.name == moment + "_state" && array.type == NxvType::UInt8)
+      {
+        ReadStates(file, offset, array, volumes[i], *types[i] != NxvType::Float32);
+      }
+      else if (types[i])
+      {
+        ReadAncillaryArray(file, offset, array, options, volumes[i]);
+      }
+    }
   }
-  return volume;
+
+  GriddedVolume Take() { return JoinMoments(std::move(volumes)); }
+
+private:
+  void Begin(std::size_t i, const NxvArray& array)
+  {
+    if (types[i])
+    {
+      throw Error("the moment is there twice");
+    }
+    types[i] = array.type;
+    volumes[i].moment = wanted[i];
+    volumes[i].fill = static_cast<float>(array.fill);
+  }
+
+  InputFile& file;
+  const NxvHeader& header;
+  const NxvReadOptions& options;
+  const std::vector<MomentName> wanted;
+  std::vector<GriddedVolume> volumes;
+  std::vector<std::optional<NxvType>> types; // of the moments that have begun
+};
+
+GriddedVolume ReadVoxels(
+  InputFile& file, const OpenedFile& opened, const NxvReadOptions& options, GriddedVolume& memory)
+{
+  const std::vector<NxvArray>& arrays = opened.header.arrays;
+  MomentReader reader(file, opened.header, options, memory);
+  std::uint64_t offset = opened.payloads;
+  for (const NxvArray& array : arrays)
+  {
+    try
+    {
+      reader.Read(offset, array);
+    }
+    catch (const Error& problem)
+    {
+      Refuse(offset, "array \"" + array.name + "\": " + problem.what());
+    }
+    offset += array.length;
+  }
+  return reader.Take();
 }
 
 } // namespace
@@ -413,9 +516,9 @@ GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options, Gridd
     [&path, &options, &memory]
     {
       InputFile file(path);
-      OpenedFile opened = Open(file);
-      CheckMemory(opened.header.volume.grid,
-        FurtherBytes(opened.header, options) + options.bytesBesides, options.maximumBytes);
+      const OpenedFile opened = Open(file);
+      CheckMemory(
+        opened.header.volume.grid, FurtherBytes(opened.header, options), options.maximumBytes);
       CheckChecksums(file, opened);
       return ReadVoxels(file, opened, options, memory);
     });
@@ -431,6 +534,16 @@ GriddedVolume ReadNxvHeader(const fs::path& path)
     });
 }
 
+std::vector<MomentName> ReadNxvMoments(const fs::path& path)
+{
+  return NamingTheFile(path,
+    [&path]
+    {
+      InputFile file(path);
+      return MomentsOf(Open(file).header);
+    });
+}
+
 std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
 {
   return NamingTheFile(path,
@@ -443,9 +556,12 @@ std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
       {
         const auto add = [&](const char* name, const auto&)
         {
-          if (array.name == AncillaryArrayName(header.volume.moment, name))
+          for (const MomentName moment : MomentsOf(header))
           {
-            names.push_back(array.name);
+            if (array.name == AncillaryArrayName(moment, name))
+            {
+              names.push_back(array.name);
+            }
           }
         };
         ForEachAncillaryArray(header.volume.ancillary, add);
