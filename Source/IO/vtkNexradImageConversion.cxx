@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradImageConversion.h"
 
-#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 
@@ -11,11 +11,16 @@
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -38,37 +43,61 @@ void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
     field, "Synthetic", {static_cast<unsigned char>(volume.synthetic ? 1 : 0)});
 }
 
-void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
+vtkSmartPointer<vtkFloatArray> MakeValues(const nexrad::GriddedVolume& volume)
 {
-  const auto count = static_cast<vtkIdType>(volume.values.size());
-  vtkNew<vtkFloatArray> values;
+  auto values = vtkSmartPointer<vtkFloatArray>::New();
   values->SetName(nexrad::ToString(volume.moment));
   values->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), nexrad::UnitOf(volume.moment));
-  values->SetNumberOfTuples(count);
+  values->SetNumberOfTuples(static_cast<vtkIdType>(volume.values.size()));
   std::copy(volume.values.begin(), volume.values.end(), values->GetPointer(0));
-  vtkNew<vtkUnsignedCharArray> states;
+  return values;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> MakeStates(const nexrad::GriddedVolume& volume)
+{
+  auto states = vtkSmartPointer<vtkUnsignedCharArray>::New();
   states->SetName(StateName(volume.moment).c_str());
-  states->SetNumberOfTuples(count);
+  states->SetNumberOfTuples(static_cast<vtkIdType>(volume.states.size()));
   std::transform(volume.states.begin(), volume.states.end(), states->GetPointer(0),
     [](nexrad::VoxelState state) { return static_cast<unsigned char>(state); });
-  vtkNew<vtkUnsignedCharArray> ghosts;
+  return states;
+}
+
+vtkSmartPointer<vtkUnsignedCharArray> MakeGhosts(const nexrad::GriddedVolume& volume)
+{
+  auto ghosts = vtkSmartPointer<vtkUnsignedCharArray>::New();
   ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfTuples(count);
+  ghosts->SetNumberOfTuples(static_cast<vtkIdType>(volume.states.size()));
   constexpr auto hidden = static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT);
-  // No echo is a reflectivity below all others, and no value of any other moment: blended with it a
-  // velocity would seem to be another.
-  const bool isReflectivity = volume.moment == nexrad::MomentName::REF;
-  const auto isHidden = [isReflectivity](nexrad::VoxelState state)
-  {
-    return isReflectivity ? state == nexrad::VoxelState::NotScanned
-                          : state != nexrad::VoxelState::Echo;
-  };
   std::transform(volume.states.begin(), volume.states.end(), ghosts->GetPointer(0),
-    [isHidden](nexrad::VoxelState state)
-    { return isHidden(state) ? hidden : static_cast<unsigned char>(0); });
-  points->SetScalars(values);
-  points->AddArray(states);
-  points->AddArray(ghosts);
+    [&volume](nexrad::VoxelState state)
+    {
+      return vtkNexradIsHidden(volume.moment, state) ? hidden : static_cast<unsigned char>(0);
+    });
+  return ghosts;
+}
+
+void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
+{
+  points->SetScalars(MakeValues(volume));
+  points->AddArray(MakeStates(volume));
+  points->AddArray(MakeGhosts(volume));
+}
+
+// A moment beside the first. The ghost flags are the first one's, so that only what is not a number
+// can tell that there is no value.
+void AddFurtherMoment(const nexrad::GriddedVolume& volume, vtkPointData* points)
+{
+  const vtkSmartPointer<vtkFloatArray> values = MakeValues(volume);
+  for (std::size_t i = 0; i < volume.states.size(); ++i)
+  {
+    if (volume.states[i] != nexrad::VoxelState::Echo)
+    {
+      values->SetValue(static_cast<vtkIdType>(i), std::numeric_limits<float>::quiet_NaN());
+    }
+  }
+  points->AddArray(values);
+  points->AddArray(MakeStates(volume));
 }
 
 /// The VTK array for a vector of values.
@@ -94,8 +123,15 @@ void AddAncillary(const nexrad::GriddedVolume& volume, vtkPointData* points)
   nexrad::ForEachAncillaryArray(volume.ancillary, add);
 }
 
+// The moment of the active scalars, or the first that the image has.
 nexrad::MomentName FindMoment(vtkPointData* points)
 {
+  vtkDataArray* scalars = points->GetScalars();
+  const char* name = scalars ? scalars->GetName() : nullptr;
+  if (const auto active = nexrad::ParseMomentName(name ? name : ""))
+  {
+    return *active;
+  }
   for (const nexrad::MomentName moment : nexrad::AllMoments)
   {
     if (points->GetArray(nexrad::ToString(moment)))
@@ -159,6 +195,51 @@ nexrad::GridSpecification ImageToGrid(vtkImageData* image)
   return grid;
 }
 
+void TakeFieldData(vtkFieldData* field, nexrad::GriddedVolume& volume)
+{
+  volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
+  volume.sites = vtkNexradGetTexts(field, "Sites");
+  const std::vector<std::string> method = vtkNexradGetTexts(field, "Method");
+  volume.method = method.empty() ? std::string() : method[0];
+  volume.synthetic = vtkNexradGetValue(field, "Synthetic").value_or(0.0) != 0.0;
+  volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));
+}
+
+void TakeStates(vtkImageData* image, nexrad::GriddedVolume& volume)
+{
+  const std::string name = StateName(volume.moment);
+  auto* states = RequireArray<vtkUnsignedCharArray>(image, name);
+  volume.states.reserve(volume.values.size());
+  for (vtkIdType i = 0; i < states->GetNumberOfTuples(); ++i)
+  {
+    const unsigned char state = states->GetValue(i);
+    if (state > static_cast<unsigned char>(nexrad::VoxelState::NotScanned))
+    {
+      throw nexrad::Error("the image's point array " + name + " holds " + std::to_string(state) +
+                          ": a state is 0 to 3");
+    }
+    volume.states.push_back(static_cast<nexrad::VoxelState>(state));
+  }
+}
+
+// A moment of the image; the rest is that of `description`.
+nexrad::GriddedVolume TakeMoment(
+  vtkImageData* image, nexrad::MomentName moment, const nexrad::GriddedVolume& description)
+{
+  nexrad::GriddedVolume volume = description;
+  volume.moment = moment;
+  auto* values = RequireArray<vtkFloatArray>(image, nexrad::ToString(moment));
+  volume.values.assign(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfTuples());
+  TakeStates(image, volume);
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const bool isEcho = volume.states[i] == nexrad::VoxelState::Echo;
+    volume.values[i] = !isEcho && std::isnan(volume.values[i]) ? volume.fill : volume.values[i];
+  }
+  TakeAncillaryArrays(image, volume);
+  return volume;
+}
+
 } // namespace
 
 void vtkNexradGridToImage(const nexrad::GridSpecification& grid, vtkImageData* image)
@@ -169,40 +250,42 @@ void vtkNexradGridToImage(const nexrad::GridSpecification& grid, vtkImageData* i
   image->SetSpacing(grid.spacing.data());
 }
 
+bool vtkNexradIsHidden(nexrad::MomentName moment, nexrad::VoxelState state)
+{
+  // No echo is a reflectivity below all others, and no value of any other moment: blended with it a
+  // velocity would seem to be another.
+  return moment == nexrad::MomentName::REF ? state == nexrad::VoxelState::NotScanned
+                                           : state != nexrad::VoxelState::Echo;
+}
+
 void vtkNexradVolumeToImage(const nexrad::GriddedVolume& volume, vtkImageData* image)
 {
   vtkNexradGridToImage(volume.grid, image);
   AddPointData(volume, image->GetPointData());
   AddAncillary(volume, image->GetPointData());
+  for (const nexrad::GriddedVolume& further : volume.further)
+  {
+    AddFurtherMoment(further, image->GetPointData());
+    AddAncillary(further, image->GetPointData());
+  }
   AddFieldData(volume, image->GetFieldData());
 }
 
 nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
 {
   nexrad::GriddedVolume volume;
-  volume.moment = FindMoment(image->GetPointData());
-  auto* values = RequireArray<vtkFloatArray>(image, nexrad::ToString(volume.moment));
-  auto* states = RequireArray<vtkUnsignedCharArray>(image, StateName(volume.moment));
   volume.grid = ImageToGrid(image);
-  volume.values.assign(values->GetPointer(0), values->GetPointer(0) + values->GetNumberOfTuples());
-  volume.states.reserve(volume.values.size());
-  for (vtkIdType i = 0; i < states->GetNumberOfTuples(); ++i)
+  TakeFieldData(image->GetFieldData(), volume);
+  const nexrad::MomentName first = FindMoment(image->GetPointData());
+  std::vector<nexrad::GriddedVolume> moments = {TakeMoment(image, first, volume)};
+  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
   {
-    const unsigned char state = states->GetValue(i);
-    if (state > static_cast<unsigned char>(nexrad::VoxelState::NotScanned))
+    const char* name = image->GetPointData()->GetArrayName(i);
+    const auto moment = nexrad::ParseMomentName(name ? name : "");
+    if (moment && *moment != first && image->GetPointData()->HasArray(StateName(*moment).c_str()))
     {
-      throw nexrad::Error("the image's point array " + StateName(volume.moment) + " holds " +
-                          std::to_string(state) + ": a state is 0 to 3");
+      moments.push_back(TakeMoment(image, *moment, volume));
     }
-    volume.states.push_back(static_cast<nexrad::VoxelState>(state));
   }
-  TakeAncillaryArrays(image, volume);
-  vtkFieldData* field = image->GetFieldData();
-  volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
-  volume.sites = vtkNexradGetTexts(field, "Sites");
-  const std::vector<std::string> method = vtkNexradGetTexts(field, "Method");
-  volume.method = method.empty() ? std::string() : method[0];
-  volume.synthetic = vtkNexradGetValue(field, "Synthetic").value_or(0.0) != 0.0;
-  volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));
-  return volume;
+  return nexrad::JoinMoments(std::move(moments));
 }
