@@ -51,9 +51,14 @@ bool IsIndex(const std::filesystem::path& path)
   return path.extension() == ".series";
 }
 
-nexrad::NxvReadOptions LeavingOut(vtkDataArraySelection* selection)
+nexrad::NxvReadOptions OptionsFor(const std::string& moments, vtkDataArraySelection* selection)
 {
   nexrad::NxvReadOptions options;
+  options.moments = nexrad::ParseMomentNames(moments);
+  if (options.moments.empty() && !moments.empty())
+  {
+    throw nexrad::Error("moments " + moments + " are unknown: set names as in REF,VEL");
+  }
   options.bytesBesides = vtkNexradImageBytesPerVoxel;
   for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
   {
@@ -238,8 +243,9 @@ int vtkNexradVolumeReader::RequestData(
   try
   {
     nexrad::GriddedVolume volume =
-      this->RawStream ? nexrad::ReadRaw(step.second, this->Opened->First)
-                      : nexrad::ReadNxv(step.second, LeavingOut(this->AncillaryArraySelection));
+      this->RawStream
+        ? nexrad::ReadRaw(step.second, this->Opened->First)
+        : nexrad::ReadNxv(step.second, OptionsFor(this->Moments, this->AncillaryArraySelection));
     if (volume.grid != this->Opened->First.grid)
     {
       throw nexrad::Error(
@@ -263,6 +269,7 @@ void vtkNexradVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Moments: " << this->Moments << "\n";
   os << indent << "RawStream: " << this->RawStream << "\n";
   os << indent << "RawDimensions: " << this->RawDimensions[0] << ", " << this->RawDimensions[1]
      << ", " << this->RawDimensions[2] << "\n";

@@ -90,6 +90,10 @@ class Pictures(unittest.TestCase):
         self.draw(settings, "--azimuth", "140", "--tilt", "50", "--zoom", "1.5", "--parallel", "--preset",
                   "storm cores", "--exaggeration", "5", "--slices", "100", "--rings", "50km")
 
+    def test_two_fields(self):
+        drawn = self.draw(lambda scene: scene.SetColorArray("REF_age"), "--colour-by", "REF_age")
+        self.assertTrue((drawn != self.draw(lambda scene: None)).any())
+
     def test_plan_views(self):
         def settings(plan, array=""):
             def apply(scene):

@@ -8,7 +8,6 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <sstream>
 #include <utility>
 #include <vector>
 
@@ -39,23 +38,15 @@ double ParseRange(const std::string& text)
   return range;
 }
 
-// One moment, or several with commas between them.
 std::vector<MomentName> ParseMoments(const std::string& text)
 {
-  std::vector<MomentName> moments;
-  std::istringstream names(text + ",");
-  for (std::string name; std::getline(names, name, ',');)
+  std::vector<MomentName> moments = ParseMomentNames(text);
+  if (moments.empty())
   {
-    const auto moment = ParseMomentName(name);
-    if (!moment)
-    {
-      throw Error("'" + name + "' is no moment; write REF, VEL, SW, ZDR, PHI, RHO or CFP");
-    }
-    if (std::find(moments.begin(), moments.end(), *moment) != moments.end())
-    {
-      throw Error("'" + name + "' is named twice");
-    }
-    moments.push_back(*moment);
+    throw Error(
+      "'" + text +
+      "' is no moment; write REF, VEL, SW, ZDR, PHI, RHO or CFP, or several of them as in "
+      "REF,VEL");
   }
   return moments;
 }
@@ -304,9 +295,7 @@ void Finish(const CLI::App& command, MergeOptions& options)
   }
   const bool seenUnlike = std::all_of(moments.begin(), moments.end(),
     [](MomentName moment)
-    {
-      return moment == MomentName::VEL || moment == MomentName::SW || moment == MomentName::PHI;
-    });
+    { return moment == MomentName::VEL || moment == MomentName::SW || moment == MomentName::PHI; });
   if (seenUnlike && options.beam.strategy != OverlapStrategy::Nearest &&
       command.count("--overlap") > 0)
   {

@@ -7,17 +7,27 @@
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 
+#include <algorithm>
+
 namespace nexrad::scene
 {
 
 std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Progress& progress)
 {
+  const std::optional<MomentName> colours = ParseMomentName(request.colourBy);
+  const std::vector<MomentName> moments = request.grid.Moments();
   if (AreVolumes(request.inputs))
   {
-    return OpenVolumeFiles(request.inputs);
+    return OpenVolumeFiles(
+      request.inputs, {request.momentNamed ? moments : std::vector<MomentName>(), colours, false});
   }
   MergeOptions grid = request.grid;
   grid.time = request.time;
+  if (colours && std::find(moments.begin(), moments.end(), *colours) == moments.end())
+  {
+    grid.furtherMoments.push_back(*colours);
+  }
+  grid.beam.ancillary = grid.beam.ancillary || (!colours && !request.colourBy.empty());
   return OpenRadarFiles(request.inputs, grid, ShareOf(progress, 0.0, ScanShare));
 }
 
