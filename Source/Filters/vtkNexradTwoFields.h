@@ -58,9 +58,9 @@ public:
   ///@{
   /**
    * Component 0 where the colour array has no value, in the array's unit, when UseMissingValue is
-   * on. -1000 and off by default: it lies 16 widths of the array's usual range below it. Of an array
-   * without a usual range, the range is that of its values: then set a value when several processes
-   * make parts of the image, or when it changes with time.
+   * on. -1000 and off by default: it lies 16 widths of the array's usual range below it. Of an
+   * array without a usual range, the range is that of its values: then set a value when several
+   * processes make parts of the image, or when it changes with time.
    */
   vtkSetMacro(MissingValue, double);
   vtkGetMacro(MissingValue, double);

@@ -71,9 +71,7 @@ vtkSmartPointer<vtkUnsignedCharArray> MakeGhosts(const nexrad::GriddedVolume& vo
   constexpr auto hidden = static_cast<unsigned char>(vtkDataSetAttributes::HIDDENPOINT);
   std::transform(volume.states.begin(), volume.states.end(), ghosts->GetPointer(0),
     [&volume](nexrad::VoxelState state)
-    {
-      return vtkNexradIsHidden(volume.moment, state) ? hidden : static_cast<unsigned char>(0);
-    });
+    { return vtkNexradIsHidden(volume.moment, state) ? hidden : static_cast<unsigned char>(0); });
   return ghosts;
 }
 

@@ -9,9 +9,10 @@
 #include "vtkNexradTransferFunction.h"
 #include "vtkNexradTwoFields.h"
 
-#include <vtkDataArray.h>
+#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
@@ -33,16 +34,18 @@ std::string TitleOfArray(const std::string& array)
 // The largest colour value where the array of the opacities has a value.
 double LargestOf(vtkImageData* volume)
 {
-  vtkDataArray* values = volume->GetPointData()->GetScalars();
-  const std::string states = std::string(values->GetComponentName(1)) + "_state";
-  vtkDataArray* state = volume->GetPointData()->GetArray(states.c_str());
-  double largest = 0.0;
+  auto* values = vtkFloatArray::SafeDownCast(volume->GetPointData()->GetScalars());
+  const std::string name = std::string(values->GetComponentName(1)) + "_state";
+  auto* states = vtkUnsignedCharArray::SafeDownCast(volume->GetPointData()->GetArray(name.c_str()));
+  const float* value = values->GetPointer(0);
+  float largest = 0.0F;
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    const bool echo = !state || state->GetComponent(i, 0) == static_cast<double>(VoxelState::Echo);
-    largest = echo ? std::max(largest, values->GetComponent(i, 0)) : largest;
+    const bool echo =
+      !states || states->GetValue(i) == static_cast<unsigned char>(VoxelState::Echo);
+    largest = echo ? std::max(largest, value[2 * i]) : largest;
   }
-  return largest;
+  return static_cast<double>(largest);
 }
 
 // One colour at the middle of each bin, and the last one beyond.
@@ -141,7 +144,7 @@ ColourField MakeColourField(
   }
   AddMissing(options.colourBy, field.colours);
   field.note =
-    filter->GetNumberOfMissingValues() > 0 ? "grey: no " + TitleOfArray(options.colourBy) : "";
+    filter->GetNumberOfMissingValues() > 0 ? "grey: no value of " + options.colourBy : "";
   field.scale.title += "; opacity by " + TitleOfArray(opacity);
   return field;
 }

@@ -214,7 +214,12 @@ std::vector<MomentName> MomentsOf(const NxvHeader& header)
   std::vector<MomentName> moments;
   for (const NxvArray& array : header.arrays)
   {
-    if (const auto moment = ParseMomentName(array.name))
+    const auto moment = ParseMomentName(array.name);
+    if (moment && std::find(moments.begin(), moments.end(), *moment) != moments.end())
+    {
+      throw Error("the file has two arrays \"" + array.name + "\"");
+    }
+    if (moment)
     {
       moments.push_back(*moment);
     }
@@ -331,8 +336,7 @@ void ReadValues(InputFile& file, std::uint64_t offset, const NxvArray& array,
   }
 }
 
-void ReadMoment(
-  InputFile& file, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
+void ReadMoment(InputFile& file, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
 {
   const std::size_t voxels = volume.grid.VoxelCount();
   if (array.type == NxvType::UInt7)
@@ -470,10 +474,6 @@ public:
 private:
   void Begin(std::size_t i, const NxvArray& array)
   {
-    if (types[i])
-    {
-      throw Error("the moment is there twice");
-    }
     types[i] = array.type;
     volumes[i].moment = wanted[i];
     volumes[i].fill = static_cast<float>(array.fill);

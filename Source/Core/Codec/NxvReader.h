@@ -27,8 +27,8 @@ struct NxvReadOptions
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
 /// dimension, length, CRC or stream, for an ancillary array of a wrong type or with a value that it
 /// cannot have, and for a moment to read that the file does not have. Arrays beside the moments,
-/// their states and their ancillary arrays are checked and passed over. `memory` is a volume that is no longer needed: its arrays become those of the
-/// result.
+/// their states and their ancillary arrays are checked and passed over. `memory` is a volume that
+/// is no longer needed: its arrays become those of the result.
 GriddedVolume ReadNxv(
   const std::filesystem::path& path, const NxvReadOptions& options = {}, GriddedVolume memory = {});
 
@@ -38,7 +38,8 @@ GriddedVolume ReadNxvHeader(const std::filesystem::path& path);
 /// The moments in the file, in its order.
 std::vector<MomentName> ReadNxvMoments(const std::filesystem::path& path);
 
-/// Names of the ancillary arrays of all moments in the file, as `REF_age`, in the order of the file.
+/// Names of the ancillary arrays of all moments in the file, as `REF_age`, in the order of the
+/// file.
 std::vector<std::string> ReadNxvAncillaryArrayNames(const std::filesystem::path& path);
 
 /// Reads a bare stream. What it does not hold (grid, time, fill, …) comes from `description`,

@@ -151,8 +151,7 @@ void AddRunLengths(FileContent& content, const GriddedVolume& volume,
                        : std::move(stream));
   if (HasRangeFolded(volume.states))
   {
-    AddStates(
-      content, volume.moment, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
+    AddStates(content, volume.moment, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
   }
 }
 

@@ -51,7 +51,8 @@ inline std::string AncillaryArrayName(MomentName moment, const std::string& anci
   return std::string(ToString(moment)) + "_" + ancillary;
 }
 
-/// A moment of several radars on one grid at one time, and further moments where they were asked for.
+/// A moment of several radars on one grid at one time, and further moments where they were asked
+/// for.
 struct GriddedVolume
 {
   GridSpecification grid;

@@ -47,8 +47,8 @@ GriddedVolume JoinMoments(std::vector<GriddedVolume> moments)
       [&](const std::string& site)
       { return std::find(sites.begin(), sites.end(), site) == sites.end(); });
   }
-  const bool synthetic = std::any_of(moments.begin(), moments.end(),
-    [](const GriddedVolume& moment) { return moment.synthetic; });
+  const bool synthetic = std::any_of(
+    moments.begin(), moments.end(), [](const GriddedVolume& moment) { return moment.synthetic; });
   for (GriddedVolume& moment : moments)
   {
     SetSites(moment, sites);

@@ -12,14 +12,11 @@ PolarCache::PolarCache(std::size_t theLimit)
 }
 
 // Called with the lock.
-std::list<PolarCache::Entry>::iterator PolarCache::Place(
-  const SeriesVolume& key, MomentName moment)
+std::list<PolarCache::Entry>::iterator PolarCache::Place(const SeriesVolume& key, MomentName moment)
 {
   return std::find_if(entries.begin(), entries.end(),
     [&](const Entry& each)
-    {
-      return each.volume->moment == moment && each.cycle == key.cycle && each.file == key.file;
-    });
+    { return each.volume->moment == moment && each.cycle == key.cycle && each.file == key.file; });
 }
 
 bool PolarCache::Offer(const SeriesVolume& key, const Volume& volume)

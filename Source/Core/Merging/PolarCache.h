@@ -13,8 +13,8 @@
 namespace nexrad
 {
 
-/// Moments of volumes that were decoded, kept up to a limit of memory for the times that may ask for them
-/// again. Safe to call from several threads.
+/// Moments of volumes that were decoded, kept up to a limit of memory for the times that may ask
+/// for them again. Safe to call from several threads.
 class PolarCache
 {
 public:

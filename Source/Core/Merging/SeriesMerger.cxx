@@ -421,9 +421,8 @@ void SeriesMerger::AddSweepless(
     const SiteSeries& series = scan->sites[site];
     for (const MomentName moment : options.Moments())
     {
-      const auto chosen = reaching[site]
-                            ? std::vector<const SeriesVolume*>()
-                            : ChooseWith(moment, series.volumes, ChoiceOf(request));
+      const auto chosen = reaching[site] ? std::vector<const SeriesVolume*>()
+                                         : ChooseWith(moment, series.volumes, ChoiceOf(request));
       for (const SeriesVolume* volume : chosen)
       {
         volumes.push_back(run.WithoutSweeps(series.site, *volume, request, moment));

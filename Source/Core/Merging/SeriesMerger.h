@@ -78,9 +78,9 @@ public:
   /// The last time that will be asked for, before the first is.
   void EndAt(Time time);
 
-  /// The merged volume at a time, or a block of it, with all moments. Each of them is what a merge of
-  /// it alone makes on this grid. The arrays of `memory` are used again. Empty
-  /// when `progress` asked to stop. Throws Error when it cannot be made.
+  /// The merged volume at a time, or a block of it, with all moments. Each of them is what a merge
+  /// of it alone makes on this grid. The arrays of `memory` are used again. Empty when `progress`
+  /// asked to stop. Throws Error when it cannot be made.
   std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
 

@@ -336,9 +336,9 @@ VolumeChoice VolumeLoader::ChoiceAt(Time time) const
 }
 
 // Called with the lock. Asks for the files about a time of which it is not known what they hold of
-// a moment. Before the time these are filesBefore files with a volume that started by then. After it, all up
-// to those that hold as many later volumes as are needed, and those whose headers have the same
-// time as the last one's. True when nothing had to be asked for.
+// a moment. Before the time these are filesBefore files with a volume that started by then. After
+// it, all up to those that hold as many later volumes as are needed, and those whose headers have
+// the same time as the last one's. True when nothing had to be asked for.
 bool VolumeLoader::KnowsAbout(const SiteFiles& site, MomentName moment, Time time)
 {
   const std::vector<TimedFile>& own = site.list.files;
@@ -432,8 +432,7 @@ std::optional<std::vector<VolumeLoader::Need>> VolumeLoader::Demand(Time time)
     if (this->FindHeld(*need.volume) == nullptr)
     {
       const std::size_t index = indices.at(need.volume->file);
-      files[index].state =
-        files[index].state == State::Done ? State::Waiting : files[index].state;
+      files[index].state = files[index].state == State::Done ? State::Waiting : files[index].state;
       this->Want(index);
       there = false;
     }
@@ -479,9 +478,7 @@ void VolumeLoader::Release(Time time, const std::vector<Need>& needed)
   {
     return std::any_of(needed.begin(), needed.end(),
       [&held](const Need& need)
-      {
-        return need.volume->cycle == held.volume.cycle && need.volume->file == held.volume.file;
-      });
+      { return need.volume->cycle == held.volume.cycle && need.volume->file == held.volume.file; });
   };
   const auto end = this->EndOfAhead();
   for (File& file : files)

@@ -190,8 +190,7 @@ ScannedFile ScanWithinMemory(
       scanned.problems.push_back({path.string(), {}, reason, true});
       continue;
     }
-    scanned.volumes.emplace_back(
-      cycles[cycle].site, Describe(cycles[cycle], path, cycle, options));
+    scanned.volumes.emplace_back(cycles[cycle].site, Describe(cycles[cycle], path, cycle, options));
     SeriesVolume& description = scanned.volumes.back().second;
     if (!description.lacking.empty())
     {

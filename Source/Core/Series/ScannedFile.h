@@ -29,12 +29,12 @@ enum class ScanOrder
 struct SeriesOptions
 {
   Level2Options level2;
-  std::optional<MomentName> moment; ///< a volume without it and the further ones is left out
+  std::optional<MomentName> moment;       ///< a volume without it and the further ones is left out
   std::vector<MomentName> furtherMoments; ///< beside `moment`, which must be set then
-  QualityOptions quality;           ///< of the volumes that visitors and summaries are made of
-  bool requirePosition = false;     ///< a volume of a site without a position is left out
-  bool summaries = false; ///< make the summaries of the volumes, of the moments, one at least
-  Processes processes;    ///< that scan the inputs together
+  QualityOptions quality;       ///< of the volumes that visitors and summaries are made of
+  bool requirePosition = false; ///< a volume of a site without a position is left out
+  bool summaries = false;       ///< make the summaries of the volumes, of the moments, one at least
+  Processes processes;          ///< that scan the inputs together
   ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
 
   /// `moment` and those beside it.

@@ -14,7 +14,9 @@ namespace nexrad::scene
 
 std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Progress& progress)
 {
-  const std::optional<MomentName> colours = ParseMomentName(request.colourBy);
+  // An ancillary array, as REF_age, is made beside its moment.
+  const std::size_t end = request.colourBy.find('_');
+  const std::optional<MomentName> colours = ParseMomentName(request.colourBy.substr(0, end));
   const std::vector<MomentName> moments = request.grid.Moments();
   if (AreVolumes(request.inputs))
   {
@@ -27,7 +29,7 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   {
     grid.furtherMoments.push_back(*colours);
   }
-  grid.beam.ancillary = grid.beam.ancillary || (!colours && !request.colourBy.empty());
+  grid.beam.ancillary = grid.beam.ancillary || end != std::string::npos;
   return OpenRadarFiles(request.inputs, grid, ShareOf(progress, 0.0, ScanShare));
 }
 

@@ -123,6 +123,15 @@ TEST(NxvMoments, FurtherOnesHaveNoRunLengths)
   EXPECT_EQ(read.further.at(0).values, ReadNxv(path).further.at(0).values);
 }
 
+TEST(NxvMoments, OneThatIsThereTwiceIsRefused)
+{
+  const TemporaryFolder folder;
+  GriddedVolume twice = MakeGriddedVolume();
+  twice.further = {MakeGriddedVolume()};
+  WriteNxv(folder.Path() / "twice.nxv", twice);
+  EXPECT_THROW(ReadNxv(folder.Path() / "twice.nxv"), Error);
+}
+
 TEST(NxvMoments, TakeMemoryEach)
 {
   const TemporaryFolder folder;
