@@ -70,6 +70,11 @@ std::vector<float> ValuesOf(vtkDataArray* array)
     std::copy_n(floats->GetPointer(0), values.size(), values.begin());
     return values;
   }
+  if (auto* bytes = vtkUnsignedCharArray::SafeDownCast(array))
+  {
+    std::copy_n(bytes->GetPointer(0), values.size(), values.begin());
+    return values;
+  }
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     values[i] = static_cast<float>(array->GetComponent(static_cast<vtkIdType>(i), 0));
