@@ -323,10 +323,17 @@ ScannedFile VolumeLoader::Scan(std::size_t index)
 // chosen of those that started before it, as far as is known, else one.
 std::size_t VolumeLoader::LaterNeeded(const SiteFiles& site, MomentName moment, Time time) const
 {
-  std::vector<SeriesVolume> started;
-  std::copy_if(site.volumes.begin(), site.volumes.end(), std::back_inserter(started),
-    [time](const SeriesVolume& volume) { return volume.start <= time; });
-  return ChooseWith(moment, started, this->ChoiceAt(time)).empty() ? 2 : 1;
+  std::vector<Time> starts;
+  std::vector<Time> ends;
+  for (const SeriesVolume& volume : site.volumes)
+  {
+    if (volume.start <= time && volume.Has(moment))
+    {
+      starts.push_back(volume.start);
+      ends.push_back(volume.end);
+    }
+  }
+  return work.choose(starts, ends, time).empty() ? 2 : 1;
 }
 
 VolumeChoice VolumeLoader::ChoiceAt(Time time) const
