@@ -11,6 +11,8 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <filesystem>
+#include <memory>
 
 namespace nexrad
 {
@@ -84,14 +86,15 @@ protected:
     ++files;
   }
 
-  SeriesMerger Open(const std::vector<MomentName>& moments, MergerSetup setup = {})
+  std::unique_ptr<SeriesMerger> Open(const std::vector<MomentName>& moments, MergerSetup setup = {})
   {
     MergeOptions own = options;
     own.moment = moments.front();
     own.furtherMoments.assign(moments.begin() + 1, moments.end());
     setup.threads = 2;
-    SeriesMerger merger({folder.Path()}, own, setup);
-    EXPECT_TRUE(merger.Open());
+    auto merger =
+      std::make_unique<SeriesMerger>(std::vector<std::filesystem::path>{folder.Path()}, own, setup);
+    EXPECT_TRUE(merger->Open());
     return merger;
   }
 
@@ -116,21 +119,21 @@ void ExpectSame(const GriddedVolume& actual, const GriddedVolume& expected)
 
 TEST_F(MergingMoments, OneRunGivesWhatARunForEachGives)
 {
-  SeriesMerger both = this->Open({MomentName::REF, MomentName::VEL});
-  SeriesMerger reflectivity = this->Open({MomentName::REF});
-  SeriesMerger velocity = this->Open({MomentName::VEL});
-  ASSERT_EQ(both.Times(), reflectivity.Times());
-  ASSERT_EQ(both.Times(), velocity.Times());
-  ASSERT_GE(both.Times().size(), 7U);
+  const auto both = this->Open({MomentName::REF, MomentName::VEL});
+  const auto reflectivity = this->Open({MomentName::REF});
+  const auto velocity = this->Open({MomentName::VEL});
+  ASSERT_EQ(both->Times(), reflectivity->Times());
+  ASSERT_EQ(both->Times(), velocity->Times());
+  ASSERT_GE(both->Times().size(), 7U);
   bool folded = false;
   GriddedVolume memory;
-  for (const Time time : both.Times())
+  for (const Time time : both->Times())
   {
-    std::optional<GriddedVolume> merged = both.Merge(time, {}, {}, std::move(memory));
+    std::optional<GriddedVolume> merged = both->Merge(time, {}, {}, std::move(memory));
     ASSERT_TRUE(merged);
     ASSERT_EQ(merged->further.size(), 1U);
-    ExpectSame(*merged, *reflectivity.Merge(time));
-    ExpectSame(merged->further[0], *velocity.Merge(time));
+    ExpectSame(*merged, *reflectivity->Merge(time));
+    ExpectSame(merged->further[0], *velocity->Merge(time));
     for (const VoxelState state : merged->further[0].states)
     {
       folded = folded || state == VoxelState::RangeFolded;
@@ -138,9 +141,9 @@ TEST_F(MergingMoments, OneRunGivesWhatARunForEachGives)
     memory = std::move(*merged);
   }
   EXPECT_TRUE(folded);
-  EXPECT_EQ(both.DecodedFiles(), files); // each once
-  EXPECT_TRUE(both.Confirm());
-  const std::vector<InputProblem> problems = both.Problems();
+  EXPECT_EQ(both->DecodedFiles(), files); // each once
+  EXPECT_TRUE(both->Confirm());
+  const std::vector<InputProblem> problems = both->Problems();
   ASSERT_EQ(problems.size(), 2U);
   EXPECT_EQ(problems[0].what, "no ray has VEL");
   EXPECT_FALSE(problems[0].leftOut);
@@ -148,26 +151,26 @@ TEST_F(MergingMoments, OneRunGivesWhatARunForEachGives)
 
 TEST_F(MergingMoments, TheFirstNamedIsTheVolumesOwn)
 {
-  SeriesMerger merger = this->Open({MomentName::VEL, MomentName::REF});
-  const std::vector<GriddedVolume> moments = SplitMoments(*merger.Merge(start + 12min));
+  const auto merger = this->Open({MomentName::VEL, MomentName::REF});
+  const std::vector<GriddedVolume> moments = SplitMoments(*merger->Merge(start + 12min));
   ASSERT_EQ(moments.size(), 2U);
   EXPECT_EQ(moments[0].moment, MomentName::VEL);
-  ExpectSame(moments[0], *this->Open({MomentName::VEL}).Merge(start + 12min));
-  ExpectSame(moments[1], *this->Open({MomentName::REF}).Merge(start + 12min));
+  ExpectSame(moments[0], *this->Open({MomentName::VEL})->Merge(start + 12min));
+  ExpectSame(moments[1], *this->Open({MomentName::REF})->Merge(start + 12min));
 }
 
 TEST_F(MergingMoments, AnyOrderOfTimesGivesTheSameFromTheCache)
 {
   MergerSetup setup;
   setup.anyOrder = true;
-  SeriesMerger both = this->Open({MomentName::REF, MomentName::VEL}, setup);
-  SeriesMerger velocity = this->Open({MomentName::VEL});
-  both.EndAt(start + 30min);
+  const auto both = this->Open({MomentName::REF, MomentName::VEL}, setup);
+  const auto velocity = this->Open({MomentName::VEL});
+  both->EndAt(start + 30min);
   for (const Duration after : {Duration(8min), Duration(24min), Duration(8min)})
   {
-    ExpectSame(both.Merge(start + after)->further[0], *velocity.Merge(start + after));
+    ExpectSame(both->Merge(start + after)->further[0], *velocity->Merge(start + after));
   }
-  EXPECT_LE(both.DecodedFiles(), files);
+  EXPECT_LE(both->DecodedFiles(), files);
 }
 
 // As the processes of a parallel server have it: all files are scanned, and of a block only the
@@ -177,14 +180,14 @@ TEST_F(MergingMoments, ABlockIsAPartOfTheWhole)
   MergerSetup setup;
   setup.anyOrder = true;
   setup.scanFirst = true;
-  SeriesMerger blocks = this->Open({MomentName::VEL, MomentName::REF}, setup);
-  SeriesMerger whole = this->Open({MomentName::VEL, MomentName::REF});
-  const GriddedVolume all = *whole.Merge(start + 12min);
+  const auto blocks = this->Open({MomentName::VEL, MomentName::REF}, setup);
+  const auto whole = this->Open({MomentName::VEL, MomentName::REF});
+  const GriddedVolume all = *whole->Merge(start + 12min);
   for (const int half : {0, 12})
   {
     const VoxelBlock block = {{half, 0, 0}, {half + 12, 12, 4}};
     const GriddedVolume expected = TakePart(all, block);
-    const GriddedVolume made = *blocks.Merge(start + 12min, {}, block);
+    const GriddedVolume made = *blocks->Merge(start + 12min, {}, block);
     ExpectSame(made, expected);
     ExpectSame(made.further.at(0), expected.further.at(0));
   }
