@@ -23,7 +23,8 @@ namespace nexrad::scene
 namespace
 {
 
-constexpr Colour missingColour = {0.45, 0.46, 0.48};
+// Brown: no table of a moment has it, and grey is a velocity of 0.
+constexpr Colour missingColour = {0.44, 0.36, 0.27};
 
 std::string TitleOfArray(const std::string& array)
 {
@@ -61,7 +62,7 @@ void AddBins(const ColourScale& scale, vtkColorTransferFunction* colours)
   }
 }
 
-// Grey for what has no value: from a width of the usual range below it, down to the missing value.
+// Brown for what has no value: from a width of the usual range below it, down to the missing value.
 void AddMissing(const std::string& array, vtkColorTransferFunction* colours)
 {
   double range[2];
@@ -144,7 +145,7 @@ ColourField MakeColourField(
   }
   AddMissing(options.colourBy, field.colours);
   field.note =
-    filter->GetNumberOfMissingValues() > 0 ? "grey: no value of " + options.colourBy : "";
+    filter->GetNumberOfMissingValues() > 0 ? "brown: no value of " + options.colourBy : "";
   field.scale.title += "; opacity by " + TitleOfArray(opacity);
   return field;
 }

@@ -22,7 +22,7 @@ struct ColourField
   vtkSmartPointer<vtkImageData> volume; ///< its active scalars: colour and opacity
   ColourScale scale;                    ///< of the colours, with a title that names both arrays
   vtkSmartPointer<vtkColorTransferFunction> colours;
-  std::string note;        ///< what grey means, where there is some; else empty
+  std::string note;        ///< what brown means, where there is some; else empty
   bool categories = false; ///< values stand for names: nothing lies between two of them
 
   /// Sets what differs from a volume of one array.

@@ -153,7 +153,7 @@ public:
   /**
    * Name of an array of the volume that gives the colours, as "VEL" or "REF_age"; the moment that
    * is shown then gives the opacities alone. A moment has the colours of its preset, or of
-   * ColorFileName; an ancillary array those that a plan view of it has. Grey stands for no value.
+   * ColorFileName; an ancillary array those that a plan view of it has. Brown stands for no value.
    * Empty by default: the moment gives both. A plan view does not use it.
    */
   vtkSetMacro(ColorArray, std::string);

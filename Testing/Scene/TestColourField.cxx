@@ -101,8 +101,8 @@ bool IsBlue(const Pixel& rgb)
 
 } // namespace
 
-// The picture: the storm's core red in the west, green in the east, grey where velocities are range
-// folded; no other colour, although between grey and red lie green and blue velocities.
+// The picture: the storm's core red in the west, green in the east, brown where velocities are range
+// folded; no other colour, although between brown and red lie green and blue velocities.
 TEST(ColourField, VelocityGivesTheColoursOfReflectivity)
 {
   const Picture picture = DrawBy("VEL");
