@@ -113,7 +113,7 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
   command
     .add_option("--colour-by,--color-by", options.colourBy,
       "Colours from another array than the moment, which then gives the opacities alone: a moment, "
-      "as VEL, or an ancillary array, as REF_age, REF_radars, REF_weight or REF_site. Grey: no "
+      "as VEL, or an ancillary array, as REF_age, REF_radars, REF_weight or REF_site. Brown: no "
       "value")
     ->type_name("ARRAY")
     ->group(group);
