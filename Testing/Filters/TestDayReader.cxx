@@ -322,7 +322,7 @@ TEST_F(DayReader, RequestsThatCannotBeMetAreErrors)
 TEST_F(DayReader, SeveralMomentsAreMergedInOneRun)
 {
   reader->SetMethodToBeam();
-  nexrad::testing::HandMadeVolume volume = ConstantVolume(keax, start + 9min, 30.0);
+  nexrad::testing::HandMadeVolume volume = ConstantVolume(keax, start + 9min, 20.0);
   nexrad::testing::HandMadeMoment velocity = volume.sweeps[0].moments[0];
   velocity.name = nexrad::MomentName::VEL;
   volume.sweeps[0].moments.push_back(velocity);
@@ -334,7 +334,7 @@ TEST_F(DayReader, SeveralMomentsAreMergedInOneRun)
   const GriddedVolume both = this->At(start + 6min);
   ASSERT_EQ(both.further.size(), 1U);
   EXPECT_EQ(both.further[0].moment, nexrad::MomentName::VEL);
-  EXPECT_NEAR(EchoOf(both.further[0], true), 30.0F, 1e-3F);
+  EXPECT_NEAR(EchoOf(both.further[0], true), 20.0F, 1e-3F);
   EXPECT_TRUE(AnyHolds(events->warnings, "no ray has VEL"));
   EXPECT_TRUE(both.values == alone.values);
   EXPECT_TRUE(events->errors.empty());

@@ -57,8 +57,8 @@ struct SeriesFiles
 class VolumeLoader
 {
 public:
-  /// `options` are those of a scan of the files; `cache` keeps volumes for times in any order, and
-  /// may be nullptr. `threads` decode, at least 1.
+  /// `options` are those of a scan of the files, with a moment; `cache` keeps volumes for times in
+  /// any order, and may be nullptr. `threads` decode, at least 1.
   VolumeLoader(SeriesFiles files, SeriesOptions options, LoaderWork work,
     std::shared_ptr<PolarCache> cache, unsigned threads);
   ~VolumeLoader();
