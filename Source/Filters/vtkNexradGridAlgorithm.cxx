@@ -78,17 +78,31 @@ void vtkNexradGridAlgorithm::SetMethod(int method)
   }
 }
 
-nexrad::MomentName vtkNexradGridAlgorithm::CheckMoment() const
+std::vector<nexrad::MomentName> vtkNexradGridAlgorithm::CheckMoments() const
 {
-  const std::optional<nexrad::MomentName> moment = nexrad::ParseMomentName(this->Moment);
-  if (!moment)
+  std::vector<nexrad::MomentName> moments = nexrad::ParseMomentNames(this->Moment);
+  if (moments.empty())
   {
     throw nexrad::Error(
       "moment " + this->Moment + " is unknown: set REF, VEL, SW, ZDR, PHI, RHO or CFP");
   }
-  nexrad::RequireMoment(
-    this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam, *moment);
-  return *moment;
+  for (const nexrad::MomentName moment : moments)
+  {
+    nexrad::RequireMoment(
+      this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam, moment);
+  }
+  return moments;
+}
+
+nexrad::MomentName vtkNexradGridAlgorithm::CheckMoment() const
+{
+  const std::vector<nexrad::MomentName> moments = this->CheckMoments();
+  if (moments.size() > 1)
+  {
+    throw nexrad::Error(
+      "moments " + this->Moment + ": set one; vtkNexradDayReader merges several in one run");
+  }
+  return moments.front();
 }
 
 nexrad::GridRequest vtkNexradGridAlgorithm::MakeGridRequest() const
@@ -111,7 +125,9 @@ nexrad::GridRequest vtkNexradGridAlgorithm::MakeGridRequest() const
 nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
 {
   nexrad::MergeOptions options;
-  options.moment = this->CheckMoment();
+  options.furtherMoments = this->CheckMoments();
+  options.moment = options.furtherMoments.front();
+  options.furtherMoments.erase(options.furtherMoments.begin());
   options.grid = this->MakeGridRequest();
   options.method = this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam;
   options.quality.neighbours = this->FewestNeighbours;

@@ -24,7 +24,7 @@
 #include "vtkNexradFiltersModule.h" // For export macro
 
 #include <string> // For members
-#include <vector> // For volumes
+#include <vector> // For moments and volumes
 
 namespace nexrad
 {
@@ -136,7 +136,9 @@ public:
   ///@{
   /**
    * Name of the moment: "REF" (the default), "VEL", "SW", "ZDR", "PHI", "RHO" or "CFP". THESIS
-   * knows REF alone.
+   * knows REF alone. vtkNexradDayReader also takes several, as "REF,VEL": each file is decoded once
+   * for all of them, and the first gives the active scalars and the ghost flags
+   * (vtkNexradImageConversion.h).
    */
   vtkSetMacro(Moment, std::string);
   vtkGetMacro(Moment, std::string);
@@ -250,14 +252,19 @@ protected:
   ~vtkNexradGridAlgorithm() override;
 
   /**
-   * The moment. Throws nexrad::Error for one that the method does not know.
+   * The moments. Throws nexrad::Error for one that the method does not know.
+   */
+  std::vector<nexrad::MomentName> CheckMoments() const;
+
+  /**
+   * The moment. Throws nexrad::Error also when several are set.
    */
   nexrad::MomentName CheckMoment() const;
 
   nexrad::GridRequest MakeGridRequest() const;
 
   /**
-   * What the properties ask of merged volumes. Throws nexrad::Error as CheckMoment does.
+   * What the properties ask of merged volumes. Throws nexrad::Error as CheckMoments does.
    */
   nexrad::MergeOptions MakeMergeOptions() const;
 

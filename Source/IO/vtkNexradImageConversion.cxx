@@ -2,7 +2,7 @@
 #include "vtkNexradImageConversion.h"
 
 #include "nexrad/Codec/CodedVolume.h"
-#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradThreads.h"
@@ -13,12 +13,17 @@
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
+#include <utility>
+#include <vector>
 
 namespace
 {
@@ -44,11 +49,8 @@ void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
 // Of a voxel with that state.
 unsigned char GhostTypeOf(nexrad::VoxelState state, nexrad::MomentName moment)
 {
-  // No echo is a reflectivity below all others, and no value of any other moment: blended with it a
-  // velocity would seem to be another.
-  const bool hidden = moment == nexrad::MomentName::REF ? state == nexrad::VoxelState::NotScanned
-                                                        : state != nexrad::VoxelState::Echo;
-  return static_cast<unsigned char>(hidden ? vtkDataSetAttributes::HIDDENPOINT : 0);
+  return static_cast<unsigned char>(
+    vtkNexradIsHidden(moment, state) ? vtkDataSetAttributes::HIDDENPOINT : 0);
 }
 
 // The point data of a volume, to be filled.
@@ -77,15 +79,30 @@ struct VoxelArrays
   }
 };
 
-void AddPointData(const nexrad::GriddedVolume& volume, vtkPointData* points)
+void Fill(const VoxelArrays& arrays, const nexrad::GriddedVolume& volume)
 {
-  const VoxelArrays arrays(volume.moment, static_cast<vtkIdType>(volume.values.size()));
   std::copy(volume.values.begin(), volume.values.end(), arrays.Values->GetPointer(0));
   std::transform(volume.states.begin(), volume.states.end(), arrays.States->GetPointer(0),
     [](nexrad::VoxelState state) { return static_cast<unsigned char>(state); });
   std::transform(volume.states.begin(), volume.states.end(), arrays.Ghosts->GetPointer(0),
     [&volume](nexrad::VoxelState state) { return GhostTypeOf(state, volume.moment); });
-  arrays.AddTo(points);
+}
+
+// A moment beside the first. The ghost flags are the first one's, so that only what is not a number
+// can tell that there is no value.
+void AddFurtherMoment(const nexrad::GriddedVolume& volume, vtkPointData* points)
+{
+  const VoxelArrays arrays(volume.moment, static_cast<vtkIdType>(volume.values.size()));
+  Fill(arrays, volume);
+  for (std::size_t i = 0; i < volume.states.size(); ++i)
+  {
+    if (volume.states[i] != nexrad::VoxelState::Echo)
+    {
+      arrays.Values->SetValue(static_cast<vtkIdType>(i), std::numeric_limits<float>::quiet_NaN());
+    }
+  }
+  points->AddArray(arrays.Values);
+  points->AddArray(arrays.States);
 }
 
 constexpr std::size_t codeCount = nexrad::VoxelCodes::Count;
@@ -171,8 +188,15 @@ void AddAncillary(const nexrad::GriddedVolume& volume, vtkPointData* points)
   nexrad::ForEachAncillaryArray(volume.ancillary, add);
 }
 
+// The moment of the active scalars, or the first that the image has.
 nexrad::MomentName FindMoment(vtkPointData* points)
 {
+  vtkDataArray* scalars = points->GetScalars();
+  const char* name = scalars ? scalars->GetName() : nullptr;
+  if (const auto active = nexrad::ParseMomentName(name ? name : ""))
+  {
+    return *active;
+  }
   for (const nexrad::MomentName moment : nexrad::AllMoments)
   {
     if (points->GetArray(nexrad::ToString(moment)))
@@ -251,6 +275,11 @@ void TakeValues(vtkImageData* image, nexrad::GriddedVolume& volume)
   {
     volume.states.push_back(ToState(states->GetValue(i), name));
   }
+  for (std::size_t i = 0; i < volume.values.size(); ++i)
+  {
+    const bool isEcho = volume.states[i] == nexrad::VoxelState::Echo;
+    volume.values[i] = !isEcho && std::isnan(volume.values[i]) ? volume.fill : volume.values[i];
+  }
 }
 
 // Those that the image has.
@@ -292,6 +321,35 @@ nexrad::GridSpecification ImageToGrid(vtkImageData* image)
   return grid;
 }
 
+void TakeFieldData(vtkFieldData* field, nexrad::GriddedVolume& volume)
+{
+  volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
+  volume.sites = vtkNexradGetTexts(field, "Sites");
+  const std::vector<std::string> method = vtkNexradGetTexts(field, "Method");
+  volume.method = method.empty() ? std::string() : method[0];
+  volume.synthetic = vtkNexradGetValue(field, "Synthetic").value_or(0.0) != 0.0;
+  volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));
+}
+
+// A moment of the image; the rest is that of `description`.
+nexrad::GriddedVolume TakeMoment(
+  vtkImageData* image, nexrad::MomentName moment, const nexrad::GriddedVolume& description)
+{
+  nexrad::GriddedVolume volume = description;
+  volume.moment = moment;
+  const char* const name = nexrad::ToString(moment);
+  if (vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetArray(name)))
+  {
+    TakeCodes(RequireArray<vtkUnsignedCharArray>(image, name), image, volume);
+  }
+  else
+  {
+    TakeValues(image, volume);
+  }
+  TakeAncillaryArrays(image, volume);
+  return volume;
+}
+
 } // namespace
 
 void vtkNexradGridToImage(const nexrad::GridSpecification& grid, vtkImageData* image)
@@ -302,11 +360,26 @@ void vtkNexradGridToImage(const nexrad::GridSpecification& grid, vtkImageData* i
   image->SetSpacing(grid.spacing.data());
 }
 
+bool vtkNexradIsHidden(nexrad::MomentName moment, nexrad::VoxelState state)
+{
+  // No echo is a reflectivity below all others, and no value of any other moment: blended with it a
+  // velocity would seem to be another.
+  return moment == nexrad::MomentName::REF ? state == nexrad::VoxelState::NotScanned
+                                           : state != nexrad::VoxelState::Echo;
+}
+
 void vtkNexradVolumeToImage(const nexrad::GriddedVolume& volume, vtkImageData* image)
 {
   vtkNexradGridToImage(volume.grid, image);
-  AddPointData(volume, image->GetPointData());
+  const VoxelArrays arrays(volume.moment, image->GetNumberOfPoints());
+  Fill(arrays, volume);
+  arrays.AddTo(image->GetPointData());
   AddAncillary(volume, image->GetPointData());
+  for (const nexrad::GriddedVolume& further : volume.further)
+  {
+    AddFurtherMoment(further, image->GetPointData());
+    AddAncillary(further, image->GetPointData());
+  }
   AddFieldData(volume, image->GetFieldData());
 }
 
@@ -344,25 +417,18 @@ void vtkNexradCodesToImage(nexrad::CodedVolume& coded, vtkImageData* image)
 nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
 {
   nexrad::GriddedVolume volume;
-  volume.moment = FindMoment(image->GetPointData());
   volume.grid = ImageToGrid(image);
-  vtkDataArray* scalars = image->GetPointData()->GetArray(nexrad::ToString(volume.moment));
-  if (vtkUnsignedCharArray::SafeDownCast(scalars))
+  TakeFieldData(image->GetFieldData(), volume);
+  const nexrad::MomentName first = FindMoment(image->GetPointData());
+  std::vector<nexrad::GriddedVolume> moments = {TakeMoment(image, first, volume)};
+  for (int i = 0; i < image->GetPointData()->GetNumberOfArrays(); ++i)
   {
-    TakeCodes(
-      RequireArray<vtkUnsignedCharArray>(image, nexrad::ToString(volume.moment)), image, volume);
+    const char* name = image->GetPointData()->GetArrayName(i);
+    const auto moment = nexrad::ParseMomentName(name ? name : "");
+    if (moment && *moment != first && image->GetPointData()->HasArray(StateName(*moment).c_str()))
+    {
+      moments.push_back(TakeMoment(image, *moment, volume));
+    }
   }
-  else
-  {
-    TakeValues(image, volume);
-  }
-  TakeAncillaryArrays(image, volume);
-  vtkFieldData* field = image->GetFieldData();
-  volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
-  volume.sites = vtkNexradGetTexts(field, "Sites");
-  const std::vector<std::string> method = vtkNexradGetTexts(field, "Method");
-  volume.method = method.empty() ? std::string() : method[0];
-  volume.synthetic = vtkNexradGetValue(field, "Synthetic").value_or(0.0) != 0.0;
-  volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));
-  return volume;
+  return nexrad::JoinMoments(std::move(moments));
 }

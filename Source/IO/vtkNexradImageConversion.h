@@ -3,7 +3,7 @@
  * @file   vtkNexradImageConversion.h
  * @brief  a merged volume as the core knows it, and as vtkImageData, both ways
  *
- * The image of a merged volume of one moment, here REF. Point data:
+ * The image of a merged volume, here of REF. Point data:
  *
  * - `REF`, float32, the active scalars: values in the moment's unit; the fill value where there is
  *   no echo and where nothing was scanned.
@@ -11,7 +11,12 @@
  * - `vtkGhostType`, uint8: HIDDENPOINT where not scanned; of other moments than reflectivity, where
  *   there is no echo and hence no value.
  *
- * On demand, of the method "beam", the ancillary arrays; 0 where not scanned:
+ * Further moments, here VEL, when several were merged:
+ *
+ * - `VEL`, float32: NaN where there is no value. The ghost flags are those of the first moment.
+ * - `VEL_state`, uint8: as `REF_state`.
+ *
+ * On demand, of the method "beam", the ancillary arrays of each moment; 0 where not scanned:
  *
  * - `REF_age`, float32: seconds between the volume's time and the nearest ray that took part.
  * - `REF_radars`, uint8: number of radars that scanned the voxel.
@@ -51,12 +56,14 @@ class vtkImageData;
 namespace nexrad
 {
 struct CodedVolume;
+enum class MomentName : unsigned char;
+enum class VoxelState : unsigned char;
 struct GriddedVolume;
 struct GridSpecification;
 } // namespace nexrad
 
 /**
- * Bytes that a voxel takes in the image of a volume without ancillary arrays: value, state, ghost
+ * Bytes that a voxel takes in the image of a moment without ancillary arrays: value, state, ghost
  * type.
  */
 constexpr unsigned vtkNexradImageBytesPerVoxel = 6;
@@ -66,6 +73,11 @@ constexpr unsigned vtkNexradImageBytesPerVoxel = 6;
  */
 VTKNEXRADIO_EXPORT void vtkNexradGridToImage(
   const nexrad::GridSpecification& grid, vtkImageData* image);
+
+/**
+ * Whether a voxel of that moment and state is HIDDENPOINT.
+ */
+VTKNEXRADIO_EXPORT bool vtkNexradIsHidden(nexrad::MomentName moment, nexrad::VoxelState state);
 
 /**
  * Fills the image from the volume.
@@ -85,7 +97,8 @@ VTKNEXRADIO_EXPORT void vtkNexradCodesToValues(
 VTKNEXRADIO_EXPORT void vtkNexradCodesToImage(nexrad::CodedVolume& coded, vtkImageData* image);
 
 /**
- * The volume in an image that has the arrays above, of values or of codes; `vtkGhostType` and the
+ * The volume in an image that has the arrays above, of values or of codes; its first moment is that
+ * of the active scalars, or the first in the order of nexrad::AllMoments. `vtkGhostType` and the
  * ancillary arrays are not needed. Throws nexrad::Error, naming the array, for an image without
  * them or with an array of another type or length, and for one whose axes are turned.
  */

@@ -54,6 +54,17 @@ bool IsIndex(const std::filesystem::path& path)
   return path.extension() == ".series";
 }
 
+// Empty: all that a file has.
+std::vector<nexrad::MomentName> MomentsToRead(const std::string& names)
+{
+  std::vector<nexrad::MomentName> moments = nexrad::ParseMomentNames(names);
+  if (moments.empty() && !names.empty())
+  {
+    throw nexrad::Error("moments " + names + " are unknown: set names as in REF,VEL");
+  }
+  return moments;
+}
+
 // Those that are off.
 std::vector<std::string> NamesToLeaveOut(vtkDataArraySelection* selection)
 {
@@ -189,8 +200,10 @@ int vtkNexradVolumeReader::RequestInformation(
   {
     this->ReadHeader();
     this->ListAncillaryArrays();
+    nexrad::NxvReadOptions options;
+    options.moments = MomentsToRead(this->Moments);
     this->Opened->HasCodes =
-      !this->RawStream && nexrad::HasNxvCodes(this->Opened->Steps.front().second);
+      !this->RawStream && nexrad::HasNxvCodes(this->Opened->Steps.front().second, options);
   }
   catch (const nexrad::Error& error)
   {
@@ -233,8 +246,9 @@ void vtkNexradVolumeReader::ReadImage(
   {
     throw nexrad::Error(path.string() + ": its grid is not that of the first volume of the series");
   }
-  vtkNexradReadVolumeFile(
-    {path.string(), NamesToLeaveOut(this->AncillaryArraySelection), this->ScalarsAsCodes}, image);
+  vtkNexradReadVolumeFile({path.string(), NamesToLeaveOut(this->AncillaryArraySelection),
+                            MomentsToRead(this->Moments), this->ScalarsAsCodes},
+    image);
   const int extent[6] = {block.begin[0], block.end[0] - 1, block.begin[1], block.end[1] - 1,
     block.begin[2], block.end[2] - 1};
   image->Crop(extent);
@@ -284,6 +298,7 @@ void vtkNexradVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "ScalarsAsCodes: " << this->ScalarsAsCodes << "\n";
+  os << indent << "Moments: " << this->Moments << "\n";
   os << indent << "RawStream: " << this->RawStream << "\n";
   os << indent << "RawDimensions: " << this->RawDimensions[0] << ", " << this->RawDimensions[1]
      << ", " << this->RawDimensions[2] << "\n";

@@ -35,7 +35,7 @@
 
 #include <filesystem> // For file names
 #include <memory>     // For members
-#include <string>     // For errors
+#include <string>     // For members
 
 class vtkDataArraySelection;
 
@@ -86,10 +86,19 @@ public:
   vtkBooleanMacro(RawStream, bool);
   ///@}
 
+  ///@{
+  /**
+   * Names of the moments to read of a file that has several, as "VEL,REF": the first gives the
+   * active scalars and the ghost flags. Empty, the default: all, in the order of the file.
+   */
+  vtkSetMacro(Moments, std::string);
+  vtkGetMacro(Moments, std::string);
+  ///@}
+
   /**
    * Which of the ancillary arrays (`REF_age`, `REF_radars`, `REF_weight`, `REF_site`) are read. It
    * lists those of the file, of a series those of its first volume, once the information is up to
-   * date; all are on by default. The moment and its states are always read.
+   * date; all are on by default.
    */
   vtkDataArraySelection* GetAncillaryArraySelection();
 
@@ -119,6 +128,7 @@ protected:
   char* FileName = nullptr;
   bool ScalarsAsCodes = false;
   bool RawStream = false;
+  std::string Moments;
   int RawDimensions[3] = {256, 256, 128};
   double RawOrigin[3] = {0.0, 0.0, 0.0};
   double RawSpacing[3] = {1.0, 1.0, 1.0};

@@ -36,7 +36,7 @@ std::unique_ptr<VolumeSeries> PlayAhead(std::unique_ptr<VolumeSeries> series,
 {
   ReadAheadOptions readAhead;
   readAhead.order = steps;
-  if (options.mapper == MapperChoice::TextureSlice && !options.plan)
+  if (options.mapper == MapperChoice::TextureSlice && !options.plan && options.colourBy.empty())
   {
     readAhead.prepare = Preparation();
   }

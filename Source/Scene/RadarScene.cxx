@@ -130,12 +130,12 @@ void RadarScene::ShowVolume(bool shown)
 
 void RadarScene::TransferFunctionChanged()
 {
-  transferFunction->FillProperty(volume->GetProperty());
+  this->FillProperty();
   this->FollowIsoValues();
   steps = ColourStepsOf(transferFunction);
   if (!options.plan)
   {
-    scale = MomentScale(array, steps);
+    scale = field ? field->scale : MomentScale(array, steps);
   }
   this->DrawCaptions();
   this->Aim();
@@ -149,6 +149,15 @@ void RadarScene::FollowIsoValues()
   if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
   {
     DrawSurfaces(mapper, surfaces);
+  }
+}
+
+void RadarScene::FillProperty()
+{
+  transferFunction->FillProperty(volume->GetProperty());
+  if (field)
+  {
+    field->FillProperty(volume->GetProperty());
   }
 }
 
@@ -213,6 +222,10 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
   {
     MakePlanView(vtkNexradImageToVolume(data), *options.plan);
   }
+  else if (!options.colourBy.empty())
+  {
+    MakeColourField(options, data, ReadVolumeInformation(data));
+  }
 }
 
 void RadarScene::SetVolume(vtkImageData* data)
@@ -223,22 +236,33 @@ void RadarScene::SetVolume(vtkImageData* data)
   {
     planView = MakePlanView(vtkNexradImageToVolume(data), *options.plan);
   }
+  std::optional<ColourField> newField;
+  if (!options.plan && !options.colourBy.empty())
+  {
+    newField = MakeColourField(options, data, ReadVolumeInformation(data));
+  }
   SceneFrame newFrame(
     data, options.exaggeration ? *options.exaggeration : DefaultExaggeration(data));
   note = ScaleText(newFrame.Exaggeration());
+  note += newField && !newField->note.empty() ? "; " + newField->note : "";
   if (options.plan)
   {
     newFrame.Flatten();
   }
   const bool sameGround = newFrame.Bounds() == frame.Bounds() && !ground.empty();
   const std::vector<std::string> oldSites = information.sites;
+  field = std::move(newField);
   this->FollowArray(data);
+  if (field)
+  {
+    this->TransferFunctionChanged(); // the scale of the colours is this volume's
+  }
   frame = newFrame;
   information = ReadVolumeInformation(data);
   ages = AgesOfData(data, array, information.sites.size());
 
   vtkNew<vtkImageData> placed;
-  placed->ShallowCopy(data);
+  placed->ShallowCopy(field ? field->volume.Get() : data);
   frame.MoveToScene(placed);
   if (planView)
   {

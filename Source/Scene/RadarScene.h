@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/ColourField.h"
 #include "Scene/Elements/Label.h"
 #include "Scene/Elements/TextPicture.h"
 #include "Scene/Elements/Theme.h"
@@ -54,8 +55,8 @@ public:
 
   /// Shows a merged volume, or the map of it that the options ask for: vtkImageData in m (or
   /// degrees and m) with the moment as active scalars and field data as the project's filters write
-  /// them. It is not changed. Throws Error when it has no voxels or no scalars, and for a map that
-  /// it cannot give.
+  /// them. It is not changed. Throws Error when it has no voxels or no scalars, and for a map or an
+  /// array of colours that it cannot give.
   void SetVolume(vtkImageData* volume);
 
   /// Throws Error for whatever a scene with these options would throw for in SetVolume.
@@ -71,7 +72,8 @@ public:
   /// Name of the array that is shown, as "REF"; empty before the first volume.
   const std::string& Array() const { return array; }
 
-  /// Colours and opacities, those of another moment from the volume on that is the first of it;
+  /// Colours and opacities (where another array gives the colours, its opacities alone are used),
+  /// those of another moment from the volume on that is the first of it;
   /// after a change of them TransferFunctionChanged brings the scene up to date.
   vtkNexradTransferFunction* TransferFunction();
   /// Takes over those that another scene has for the moment of that array.
@@ -96,6 +98,7 @@ private:
   void FollowIsoValues();
   void DrawGround();
   void DrawScales();
+  void FillProperty();
   void DrawVolume(vtkImageData* placed, bool sameMapper);
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
   void DrawCaptions();
@@ -115,8 +118,9 @@ private:
   unsigned long startTag = 0; ///< of the observer of the renderer
   vtkNew<vtkVolume> volume;
   vtkSmartPointer<vtkNexradTransferFunction> transferFunction;
-  std::string array; ///< that is shown
-  ColourTable steps; ///< of the colour bar
+  std::string array;                ///< that is shown
+  ColourTable steps;                ///< of the colour bar
+  std::optional<ColourField> field; ///< where another array gives the colours
   ColourScale scale;
   std::string note;                        ///< what the heights are, or which voxels a map shows
   std::vector<std::optional<double>> ages; ///< min, of the radars' data

@@ -12,11 +12,12 @@ namespace nexrad::scene
 namespace
 {
 
-// Of what is drawn, the slices alone know codes.
+// Of what is drawn, the slices alone know codes; two fields are made of values.
 std::unique_ptr<VolumeSeries> WithCodes(
   std::unique_ptr<VolumeSeries> series, const SceneOptions& options)
 {
-  series->AllowCodes(options.mapper == MapperChoice::TextureSlice && !options.plan);
+  series->AllowCodes(
+    options.mapper == MapperChoice::TextureSlice && !options.plan && options.colourBy.empty());
   return series;
 }
 

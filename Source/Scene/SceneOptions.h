@@ -30,8 +30,10 @@ struct SceneOptions
 {
   std::string preset; ///< one of presetNames; empty: the first of the moment that is shown
   std::filesystem::path
-    colours; ///< colours, and opacities if it has any, in place of the preset's:
-             ///< a file that vtkNexradTransferFunction reads; empty: none
+    colours;            ///< colours, and opacities if it has any, in place of the preset's:
+                        ///< a file that vtkNexradTransferFunction reads; empty: none
+  std::string colourBy; ///< array that gives the colours, as "VEL" or "REF_age", in place of the
+                        ///< moment, which gives the opacities; empty: the moment gives both
   std::optional<double> exaggeration; ///< of heights; above 0; empty: DefaultExaggeration
   MapperChoice mapper = MapperChoice::TextureSlice;
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration

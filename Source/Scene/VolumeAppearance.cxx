@@ -146,7 +146,7 @@ vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   vtkNexradMessages messages;
   messages.Watch(transferFunction);
   transferFunction->ApplyPreset(PresetFor(options, array).c_str());
-  if (!options.colours.empty())
+  if (!options.colours.empty() && options.colourBy.empty())
   {
     transferFunction->ReadFile(options.colours.c_str());
   }

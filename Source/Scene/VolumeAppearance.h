@@ -39,7 +39,8 @@ vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVol
 /// Brings the mapper's input into texture memory. False when it cannot.
 bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// Colours and opacities as the options ask for, for the moment of that array ("REF"; the preset of
+/// Colours and opacities (where another array gives the colours, opacities) as the options ask for,
+/// for the moment of that array ("REF"; the preset of
 /// any other array is that of reflectivity). Throws Error for a preset that does not exist or is of
 /// another moment, and a file that is no colour map.
 vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(

@@ -25,7 +25,7 @@ namespace
 
 bool SameColors(const SceneOptions& a, const SceneOptions& b)
 {
-  return a.preset == b.preset && a.colours == b.colours;
+  return a.preset == b.preset && a.colours == b.colours && a.colourBy == b.colourBy;
 }
 
 bool SamePlan(const SceneOptions& a, const SceneOptions& b)
@@ -96,6 +96,7 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   SceneOptions options;
   options.preset = self->Preset;
   options.colours = self->ColorFileName;
+  options.colourBy = self->ColorArray;
   if (self->Exaggeration > 0.0)
   {
     options.exaggeration = self->Exaggeration;
@@ -367,6 +368,7 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ParallelProjection: " << this->ParallelProjection << "\n";
   os << indent << "Preset: " << this->Preset << "\n";
   os << indent << "ColorFileName: " << this->ColorFileName << "\n";
+  os << indent << "ColorArray: " << this->ColorArray << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "Mapper: " << this->Mapper << "\n";
   os << indent << "PreIntegration: " << (this->PreIntegration ? "On" : "Off") << "\n";

@@ -24,8 +24,8 @@
  *
  * Errors: a volume without voxels or scalars; a preset that does not exist, or that is of another
  * moment than the volume's; a file that is no colour map; a plan view of an array that the volume
- * does not have, or at a height outside of it. After an error the scene shows what it showed
- * before.
+ * does not have, or at a height outside of it; a ColorArray that it does not have. After an error
+ * the scene shows what it showed before.
  */
 #ifndef vtkNexradVolumeScene_h
 #define vtkNexradVolumeScene_h
@@ -157,6 +157,17 @@ public:
    */
   vtkSetMacro(ColorFileName, std::string);
   vtkGetMacro(ColorFileName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Name of an array of the volume that gives the colours, as "VEL" or "REF_age"; the moment that
+   * is shown then gives the opacities alone. A moment has the colours of its preset, or of
+   * ColorFileName; an ancillary array those that a plan view of it has. Brown stands for no value.
+   * Empty by default: the moment gives both. A plan view does not use it.
+   */
+  vtkSetMacro(ColorArray, std::string);
+  vtkGetMacro(ColorArray, std::string);
   ///@}
 
   /**
@@ -316,6 +327,7 @@ protected:
   bool ParallelProjection = false;
   std::string Preset;
   std::string ColorFileName;
+  std::string ColorArray;
   double Exaggeration = 0.0;
   int Mapper = TEXTURE_SLICE;
   bool PreIntegration = true;

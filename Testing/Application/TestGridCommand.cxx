@@ -349,3 +349,48 @@ TEST(GridCommand, AFileInTheWayOfTheFolder)
   EXPECT_EQ(run.status, 1);
   EXPECT_NE(run.errors.find("/dev/null"), std::string::npos) << run.errors;
 }
+
+// Each file is decoded once; a volume of several moments holds what a run for each of them writes.
+TEST(GridCommand, SeveralMomentsInOneRun)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto merge = [&](const std::string& moments)
+  {
+    const ProgramRun run =
+      RunNexrad3d({"grid", data / "level2" / "run-kbgm-20050821", "-o", folder.Path() / moments,
+        "--moment", moments, "--dims", "48x48x24", "--ancillary", "--quiet"});
+    EXPECT_EQ(run.status, 0) << run.errors;
+  };
+  merge("REF,VEL,SW");
+  for (const char* moment : {"REF", "VEL", "SW"})
+  {
+    merge(moment);
+    NxvReadOptions one;
+    one.moments = {*ParseMomentName(moment)};
+    std::size_t count = 0;
+    for (const std::string& name : NamesIn(folder.Path() / moment))
+    {
+      if (fs::path(name).extension() == ".nxv")
+      {
+        const GriddedVolume alone = ReadNxv(folder.Path() / moment / name);
+        const GriddedVolume read = ReadNxv(folder.Path() / "REF,VEL,SW" / name, one);
+        EXPECT_EQ(read.moment, alone.moment);
+        EXPECT_TRUE(read.values == alone.values && read.states == alone.states) << name;
+        EXPECT_TRUE(read.ancillary.age == alone.ancillary.age) << name;
+        ++count;
+      }
+    }
+    EXPECT_GE(count, 5U);
+    EXPECT_EQ(NamesIn(folder.Path() / moment), NamesIn(folder.Path() / "REF,VEL,SW"));
+  }
+  for (const char* wrong : {"REF,REF", "REF,", "REF,speed"})
+  {
+    EXPECT_EQ(
+      RunNexrad3d({"grid", folder.Path(), "-o", folder.Path() / "x", "--moment", wrong}).status, 2);
+  }
+  EXPECT_EQ(RunNexrad3d({"grid", folder.Path(), "-o", folder.Path() / "x", "--moment", "REF,VEL",
+                          "--code", "thesis"})
+              .status,
+    2);
+}

@@ -222,3 +222,44 @@ TEST(RenderCommand, WithoutADisplayItSaysSo)
   EXPECT_NE(run.errors.find("xvfb-run"), std::string::npos) << run.errors;
   EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << run.errors;
 }
+
+// Radar files whose moments the picture needs are merged for it; from volumes they are read.
+TEST(RenderCommand, ColoursFromAnotherArray)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const fs::path files = data / "level2" / "run-kbgm-20050821";
+  const auto draw =
+    [&](const fs::path& input, const std::string& name, const std::vector<std::string>& options)
+  {
+    std::vector<std::string> arguments = {"render", input, "-o", folder.Path() / name, "--size",
+      small, "--time", "2005-08-21T02:55", "--dims", "32x32x16", "--quiet"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun done = RunNexrad3d(arguments);
+    EXPECT_EQ(done.status, 0) << done.errors;
+    return FileContent(folder.Path() / name);
+  };
+  const fs::path volumes = folder.Path() / "volumes";
+  const ProgramRun merged = RunNexrad3d({"grid", files, "-o", volumes, "--moment", "REF,VEL",
+    "--ancillary", "--code", "exact", "--dims", "32x32x16", "--quiet"});
+  ASSERT_EQ(merged.status, 0) << merged.errors;
+  std::set<std::string> pictures = {draw(files, "a.png", {})};
+  for (const char* array : {"VEL", "REF_age", "REF_site"})
+  {
+    const std::string picture = draw(files, "b.png", {"--colour-by", array});
+    EXPECT_EQ(picture, draw(volumes, "c.png", {"--colour-by", array})) << array;
+    pictures.insert(picture);
+  }
+  const std::string velocity = draw(files, "d.png", {"--moment", "VEL"});
+  EXPECT_EQ(velocity, draw(volumes, "e.png", {"--moment", "VEL"}));
+  pictures.insert(velocity);
+  EXPECT_EQ(pictures.size(), 5U);
+  const ProgramRun absent = RunNexrad3d({"render", volumes, "-o", folder.Path() / "f.png", "--size",
+    small, "--colour-by", "SW", "--quiet"});
+  EXPECT_EQ(absent.status, 1);
+  EXPECT_NE(absent.errors.find("has no SW; it has REF, VEL"), std::string::npos) << absent.errors;
+  EXPECT_EQ(RunNexrad3d({"render", volumes, "-o", folder.Path() / "f.png", "--map", "3km",
+                          "--colour-by", "VEL"})
+              .status,
+    2);
+}

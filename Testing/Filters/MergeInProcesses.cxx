@@ -29,6 +29,7 @@ void SetUp(vtkNexradDayReader* reader, const std::filesystem::path& data)
 {
   reader->AddFileName((data / "level2/multisite-20100911").c_str());
   reader->SetDimensions(61, 47, 9);
+  reader->SetMoment("REF,VEL");
   reader->SetMaximumGap(2700.0);
 }
 

@@ -319,6 +319,30 @@ TEST_F(DayReader, RequestsThatCannotBeMetAreErrors)
   this->ExpectFailure(vtkErrorCode::FileNotFoundError, "absent: no such file or folder");
 }
 
+// A list of moments gives an array for each; a file without one of them still takes part.
+TEST_F(DayReader, SeveralMomentsAreMergedInOneRun)
+{
+  reader->SetMethodToBeam();
+  nexrad::testing::HandMadeVolume volume = ConstantVolume(keax, start + 9min, 20.0);
+  nexrad::testing::HandMadeMoment velocity = volume.sweeps[0].moments[0];
+  velocity.name = nexrad::MomentName::VEL;
+  volume.sweeps[0].moments.push_back(velocity);
+  const nexrad::testing::TemporaryFolder own;
+  WriteLevel2(own.Path() / "1", {volume});
+  reader->AddFileName(own.Path().c_str());
+  const GriddedVolume alone = this->At(start + 6min);
+  reader->SetMoment("REF,VEL");
+  const GriddedVolume both = this->At(start + 6min);
+  ASSERT_EQ(both.further.size(), 1U);
+  EXPECT_EQ(both.further[0].moment, nexrad::MomentName::VEL);
+  EXPECT_NEAR(EchoOf(both.further[0], true), 20.0F, 1e-3F);
+  EXPECT_TRUE(AnyHolds(events->warnings, "no ray has VEL"));
+  EXPECT_TRUE(both.values == alone.values);
+  EXPECT_TRUE(events->errors.empty());
+  reader->SetMoment("REF,REF");
+  this->ExpectFailure(vtkErrorCode::UserError, "REF,REF");
+}
+
 TEST_F(DayReader, ReportsProgressAndStopsWhenAsked)
 {
   reader->Update();

@@ -2,7 +2,8 @@
 #include "EventCounter.h"
 #include "TestData.h"
 
-#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradVolumeReader.h"
@@ -27,6 +28,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -150,6 +152,58 @@ TEST(VolumeFiles, WhereThereIsNoVelocityThePointIsHidden)
   EXPECT_EQ(ghosts->GetComponent(1, 0), vtkDataSetAttributes::HIDDENPOINT); // range folded
   EXPECT_EQ(ghosts->GetComponent(2, 0), 0.0);                               // an echo
   EXPECT_EQ(ghosts->GetComponent(5, 0), vtkDataSetAttributes::HIDDENPOINT); // no echo
+}
+
+// The ghost flags are the first moment's; where a further one has no value, it is not a number.
+TEST(VolumeFiles, SeveralMomentsAreArraysOfOneImage)
+{
+  GriddedVolume velocity = MakeVolume(start);
+  velocity.moment = nexrad::MomentName::VEL;
+  velocity.states[2] = VoxelState::RangeFolded;
+  velocity.values[2] = velocity.fill;
+  const GriddedVolume both = nexrad::JoinMoments({MakeVolume(start), velocity});
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(both, image);
+  vtkPointData* points = image->GetPointData();
+  EXPECT_STREQ(points->GetScalars()->GetName(), "REF");
+  EXPECT_EQ(points->GetArray("REF")->GetComponent(5, 0), 0.0); // no echo: the fill value
+  EXPECT_TRUE(std::isnan(points->GetArray("VEL")->GetComponent(5, 0)));
+  EXPECT_TRUE(std::isnan(points->GetArray("VEL")->GetComponent(2, 0)));
+  EXPECT_EQ(points->GetArray("VEL_state")->GetComponent(2, 0), 2.0);
+  EXPECT_EQ(points->GetArray("vtkGhostType")->GetComponent(5, 0), 0.0);
+  const GriddedVolume back = vtkNexradImageToVolume(image);
+  ExpectSame(back, both);
+  ASSERT_EQ(back.further.size(), 1U);
+  ExpectSame(back.further[0], both.further[0]);
+}
+
+TEST(VolumeFiles, AMomentOfSeveralIsReadAsTheOnlyOne)
+{
+  GriddedVolume velocity = MakeVolume(start);
+  velocity.moment = nexrad::MomentName::VEL;
+  const TemporaryFolder folder;
+  const std::string path = folder.Path() / "two.nxv";
+  nexrad::WriteNxv(path, nexrad::JoinMoments({MakeVolume(start), velocity}));
+  nexrad::WriteNxv(folder.Path() / "one.nxv", velocity);
+  vtkNew<vtkNexradVolumeReader> reader;
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  EXPECT_TRUE(reader->GetOutput()->GetPointData()->HasArray("VEL"));
+  reader->SetMoments("VEL");
+  reader->Update();
+  EXPECT_FALSE(reader->GetOutput()->GetPointData()->HasArray("REF"));
+  const GriddedVolume read = vtkNexradImageToVolume(reader->GetOutput());
+  ExpectSame(read, nexrad::ReadNxv(folder.Path() / "one.nxv"));
+  for (const char* names : {"SW", "speed"})
+  {
+    vtkNew<EventCounter> events;
+    events->Observe(reader);
+    events->Observe(reader->GetExecutive());
+    reader->SetMoments(names);
+    reader->Update();
+    EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileFormatError));
+    EXPECT_TRUE(AnyHolds(events->errors, names));
+  }
 }
 
 TEST(VolumeFiles, ImageWithoutTheArraysIsRefusedByName)

@@ -85,7 +85,7 @@ class Settings(unittest.TestCase):
 
     def test_every_proxy_is_a_name_of_paraview_simple(self):
         for name in ("NEXRADRadarDay", "NEXRADLevelIISeries", "NEXRADLevelIIReader",
-                     "NEXRADVolumeResampler", "NEXRADSiteMerge", "NEXRADVolumeReader"):
+                     "NEXRADVolumeResampler", "NEXRADSiteMerge", "NEXRADTwoFields", "NEXRADVolumeReader"):
             self.assertTrue(hasattr(simple, name), name)
 
 

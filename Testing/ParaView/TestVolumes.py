@@ -171,6 +171,24 @@ class Files(PipelineTest):
     def path(self, name):
         return os.path.join(self.folder.name, name)
 
+    def test_two_fields_are_the_class_s(self):
+        files = SyntheticFiles.files()
+        day = simple.NEXRADRadarDay(FileNames=list(files), Dimensions=GRID, Moment="REF,VEL")
+        proxy = simple.NEXRADTwoFields(Input=day, ColorArrayName="VEL", OpacityArrayName="REF")
+        reader = vtknexrad.vtkNexradDayReader()
+        for path in files:
+            reader.AddFileName(path)
+        reader.SetDimensions(GRID)
+        reader.SetMoment("REF,VEL")
+        fields = vtknexrad.vtkNexradTwoFields()
+        fields.SetInputConnection(reader.GetOutputPort())
+        fields.SetColorArrayName("VEL")
+        time = day.TimestepValues[0]
+        made = Plugin.fetch(proxy, time)
+        self.assertSameVolume(made, vtknexrad.update(fields, time))
+        both = Plugin.point_arrays(made)["ColorAndOpacity"]
+        self.assertGreater((both[:, 0] > -64.0).sum(), 50)
+
     def test_saved_volume_comes_back(self):
         time = self.day.TimestepValues[0]
         volume = Plugin.fetch(self.day, time)

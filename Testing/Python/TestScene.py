@@ -102,6 +102,10 @@ class Pictures(unittest.TestCase):
                   "--shadow", "0.6", "--occlusion", "0.4", "--light", "300,30",
                   "--classification", "sampled")
 
+    def test_two_fields(self):
+        drawn = self.draw(lambda scene: scene.SetColorArray("REF_age"), "--colour-by", "REF_age")
+        self.assertTrue((drawn != self.draw(lambda scene: None)).any())
+
     def test_plan_views(self):
         def settings(plan, array=""):
             def apply(scene):

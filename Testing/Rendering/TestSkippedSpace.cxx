@@ -9,6 +9,7 @@
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
@@ -122,6 +123,24 @@ TEST_F(SkippedSpace, NearestInterpolation)
   // A sample half-way between two voxels may fall to either.
   this->Stage->GetProperty()->SetInterpolationTypeToNearest();
   this->ExpectSamePicture(2.0);
+}
+
+// The colour from one array, 16 times its width below itself where it has no value; the opacity,
+// which alone decides what is left out, from the storm.
+TEST_F(SkippedSpace, TwoFields)
+{
+  vtkDataArray* storm = this->Input->GetPointData()->GetScalars();
+  vtkNew<vtkFloatArray> both;
+  both->SetNumberOfComponents(2);
+  both->SetNumberOfTuples(storm->GetNumberOfTuples());
+  for (vtkIdType i = 0; i < storm->GetNumberOfTuples(); ++i)
+  {
+    both->SetComponent(i, 0, i % 50 < 20 ? -1000.0 : double(i % 50));
+    both->SetComponent(i, 1, storm->GetComponent(i, 0));
+  }
+  this->Input->GetPointData()->SetScalars(both);
+  this->Stage->GetProperty()->IndependentComponentsOff();
+  this->ExpectSamePicture();
 }
 
 TEST_F(SkippedSpace, CellScalars)

@@ -59,7 +59,9 @@ void CheckCode(const GridJob& job)
   {
     throw CLI::ValidationError("--code", "is of --format nxv alone");
   }
-  if (job.nxv.encoding == NxvEncoding::RunLength && job.options.moment != MomentName::REF)
+  const bool reflectivityAlone =
+    job.options.moment == MomentName::REF && job.options.furtherMoments.empty();
+  if (job.nxv.encoding == NxvEncoding::RunLength && !reflectivityAlone)
   {
     throw CLI::ValidationError("--code", "'thesis' is of --moment REF alone");
   }

@@ -148,6 +148,7 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
   const auto run = [options, command, &action]
   {
     FinishMap(*command, *options);
+    FinishDrawingOptions(*command, options->request.input, options->request.scene);
     action = [options] { return RunRender(*options); };
   };
   command->callback(run);

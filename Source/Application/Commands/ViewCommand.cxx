@@ -80,7 +80,12 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
     ->type_name("DIR")
     ->capture_default_str();
   AddGridOptions(*command, request.input.grid);
-  command->callback([options, &action] { action = [options] { return RunView(*options); }; });
+  const auto run = [options, command, &action]
+  {
+    FinishDrawingOptions(*command, options->request.input, options->request.scene);
+    action = [options] { return RunView(*options); };
+  };
+  command->callback(run);
 }
 
 } // namespace nexrad::application

@@ -145,10 +145,19 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   command
     .add_option("--colours,--colors", options.colours,
-      "Colours in place of the preset's, and opacities if the file has any: ParaView's .json, a "
+      "Colours in place of the preset's, and opacities if the file has any (with --colour-by, "
+      "those of "
+      "its moment, without opacities): ParaView's .json, a "
       ".pal table, or .csv with a heading, then lines dBZ,#rrggbb")
     ->check(CLI::Validator(CLI::ExistingFile).description(""))
     ->type_name("FILE")
+    ->group(group);
+  command
+    .add_option("--colour-by,--color-by", options.colourBy,
+      "Colours from another array than the moment, which then gives the opacities alone: a moment, "
+      "as VEL, or an ancillary array, as REF_age, REF_radars, REF_weight or REF_site. Brown: no "
+      "value")
+    ->type_name("ARRAY")
     ->group(group);
   AddNumberOption(command, "--shadow", options.light.shadow, 0.0, 1.0, "STRENGTH",
     "How dark the shadows are that the volume casts on itself and on the ground; 0: none")
@@ -175,6 +184,17 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   command.add_flag("--names", options.placeNames, "Names of states and provinces on the map")
     ->group(group);
+}
+
+void FinishDrawingOptions(
+  const CLI::App& command, scene::InputRequest& request, const scene::SceneOptions& options)
+{
+  if (options.plan && !options.colourBy.empty())
+  {
+    throw CLI::ValidationError("--colour-by", "is of a volume; --array is what a map shows");
+  }
+  request.momentNamed = command.count("--moment") > 0;
+  request.colourBy = options.colourBy;
 }
 
 } // namespace nexrad::application

@@ -26,4 +26,9 @@ void AddCameraOptions(CLI::App& command, scene::CameraView& camera);
 /// How it looks, and how large.
 void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOptions& options);
 
+/// Once all are known: what the inputs must hold for the picture. Throws CLI::ValidationError for
+/// options that contradict each other.
+void FinishDrawingOptions(
+  const CLI::App& command, scene::InputRequest& request, const scene::SceneOptions& options);
+
 } // namespace nexrad::application

@@ -7,7 +7,9 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <utility>
+#include <vector>
 
 namespace nexrad::application
 {
@@ -36,14 +38,17 @@ double ParseRange(const std::string& text)
   return range;
 }
 
-MomentName ParseMoment(const std::string& text)
+std::vector<MomentName> ParseMoments(const std::string& text)
 {
-  const auto moment = ParseMomentName(text);
-  if (!moment)
+  std::vector<MomentName> moments = ParseMomentNames(text);
+  if (moments.empty())
   {
-    throw Error("'" + text + "' is no moment; write REF, VEL, SW, ZDR, PHI, RHO or CFP");
+    throw Error(
+      "'" + text +
+      "' is no moment; write REF, VEL, SW, ZDR, PHI, RHO or CFP, or several of them as in "
+      "REF,VEL");
   }
-  return *moment;
+  return moments;
 }
 
 MergeMethod ParseMethod(const std::string& text)
@@ -160,8 +165,25 @@ void AddDomain(CLI::App& command, MergeOptions& options)
 
 void AddMethod(CLI::App& command, MergeOptions& options)
 {
-  AddParsedOption(
-    command, "--moment", options.moment, ParseMoment, "NAME", "Moment to merge", "REF")
+  const auto storeMoments = [&options](const std::string& text)
+  {
+    try
+    {
+      options.furtherMoments = ParseMoments(text);
+      options.moment = options.furtherMoments.front();
+      options.furtherMoments.erase(options.furtherMoments.begin());
+    }
+    catch (const Error& error)
+    {
+      throw CLI::ValidationError("--moment", error.what());
+    }
+  };
+  command
+    .add_option_function<std::string>("--moment", storeMoments,
+      "Moment to merge, or several as in REF,VEL,SW: each file is decoded once for all of them")
+    ->type_name("NAME,...")
+    ->default_str("REF")
+    ->expected(1)
     ->group(group);
   AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
     "How rays become voxels: beam (interpolates between tilts and times), or thesis (mean of the "
@@ -252,7 +274,10 @@ void Finish(const CLI::App& command, MergeOptions& options)
     throw CLI::ValidationError("--end", "lies before --begin");
   }
   const bool thesis = options.method == MergeMethod::Thesis;
-  if (thesis && options.moment != MomentName::REF)
+  const std::vector<MomentName> moments = options.Moments();
+  const bool reflectivity =
+    std::find(moments.begin(), moments.end(), MomentName::REF) != moments.end();
+  if (thesis && (moments.size() > 1 || !reflectivity))
   {
     throw CLI::ValidationError("--moment", "the method 'thesis' merges REF alone");
   }
@@ -268,20 +293,20 @@ void Finish(const CLI::App& command, MergeOptions& options)
   {
     throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
   }
-  const bool seenUnlike = options.moment == MomentName::VEL || options.moment == MomentName::SW ||
-                          options.moment == MomentName::PHI;
+  const bool seenUnlike = std::all_of(moments.begin(), moments.end(),
+    [](MomentName moment)
+    { return moment == MomentName::VEL || moment == MomentName::SW || moment == MomentName::PHI; });
   if (seenUnlike && options.beam.strategy != OverlapStrategy::Nearest &&
       command.count("--overlap") > 0)
   {
     throw CLI::ValidationError("--overlap",
       "of --moment VEL, SW and PHI is nearest alone: they depend on the direction from the radar");
   }
-  if (options.beam.linearReflectivity && options.moment != MomentName::REF)
+  if (options.beam.linearReflectivity && !reflectivity)
   {
     throw CLI::ValidationError("--linear-reflectivity", "is of --moment REF alone");
   }
-  if (!options.beam.sharpen &&
-      (options.moment != MomentName::REF || options.beam.linearReflectivity))
+  if (!options.beam.sharpen && (!reflectivity || options.beam.linearReflectivity))
   {
     throw CLI::ValidationError(
       "--no-sharpening", "is of --moment REF in dBZ; nothing else is sharpened");

@@ -7,11 +7,14 @@
 #include "nexrad/Codec/NxvInput.h"
 #include "nexrad/Codec/NxvPayload.h"
 #include "nexrad/Codec/Quantizer.h"
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/HugePages.h"
 
 #include <algorithm>
 #include <cstring>
+#include <optional>
+#include <string>
 #include <type_traits>
 #include <utility>
 
@@ -65,19 +68,72 @@ bool IsWanted(
          std::find(names.begin(), names.end(), array.name) == names.end();
 }
 
-// Bytes that a voxel takes in memory beside its value, its state, and a byte of its code while it
-// is decoded: those of its ancillary arrays, and of a wider code.
+// The moments of a file, in its order.
+std::vector<MomentName> MomentsOf(const NxvHeader& header)
+{
+  std::vector<MomentName> moments;
+  for (const NxvArray& array : header.arrays)
+  {
+    const auto moment = ParseMomentName(array.name);
+    if (moment && std::find(moments.begin(), moments.end(), *moment) != moments.end())
+    {
+      throw Error("the file has two arrays \"" + array.name + "\"");
+    }
+    if (moment)
+    {
+      moments.push_back(*moment);
+    }
+  }
+  return moments;
+}
+
+// A moment's own array, of a moment that the file has.
+const NxvArray& ArrayOf(const NxvHeader& header, MomentName moment)
+{
+  return *std::find_if(header.arrays.begin(), header.arrays.end(),
+    [moment](const NxvArray& array) { return array.name == ToString(moment); });
+}
+
+// The moments that are read.
+std::vector<MomentName> WantedMoments(const NxvHeader& header, const NxvReadOptions& options)
+{
+  const std::vector<MomentName> own = MomentsOf(header);
+  std::string names;
+  for (const MomentName moment : own)
+  {
+    names += (names.empty() ? "" : ", ") + std::string(ToString(moment));
+  }
+  for (const MomentName moment : options.moments)
+  {
+    if (std::find(own.begin(), own.end(), moment) == own.end())
+    {
+      throw Error("the file has no " + std::string(ToString(moment)) + "; it has " + names);
+    }
+  }
+  return options.moments.empty() ? own : options.moments;
+}
+
+// Bytes that a voxel takes in memory beside the value and the state of one moment, and a byte of
+// its code while it is decoded: those of a wider code, of ancillary arrays and of further moments,
+// and what the caller makes of each moment.
 std::size_t FurtherBytes(const NxvHeader& header, const NxvReadOptions& options)
 {
-  std::size_t bytes = header.arrays[0].type == NxvType::UInt16 ? 1 : 0;
-  const auto count = [&](const char* name, const auto& values)
+  const std::vector<MomentName> moments = WantedMoments(header, options);
+  const bool wide = std::any_of(header.arrays.begin(), header.arrays.end(),
+    [](const NxvArray& array) { return array.type == NxvType::UInt16; });
+  const std::size_t ofMoment = sizeof(float) + sizeof(VoxelState) + options.bytesBesides;
+  std::size_t bytes = options.bytesBesides + (wide ? 1 : 0) + (moments.size() - 1) * ofMoment;
+  for (const MomentName moment : moments)
   {
-    const auto wanted = [&](const NxvArray& array)
-    { return IsWanted(array, header.volume.moment, name, options); };
-    const bool any = std::any_of(header.arrays.begin(), header.arrays.end(), wanted);
-    bytes += any ? sizeof(typename std::decay_t<decltype(values)>::value_type) : 0;
-  };
-  ForEachAncillaryArray(header.volume.ancillary, count);
+    const auto count = [&](const char* name, const auto& values)
+    {
+      const auto wanted = [&](const NxvArray& array)
+      { return IsWanted(array, moment, name, options); };
+      const bool any = std::any_of(header.arrays.begin(), header.arrays.end(), wanted);
+      bytes += any ? sizeof(typename std::decay_t<decltype(values)>::value_type) : 0;
+    };
+    ForEachAncillaryArray(header.volume.ancillary, count);
+  }
   return bytes;
 }
 
@@ -115,25 +171,23 @@ void ReadValues(const Reading& reading, std::uint64_t offset, const NxvArray& ar
   }
 }
 
-std::unique_ptr<std::uint8_t[]> ReadCodes(const Reading& reading, std::size_t voxels)
+std::unique_ptr<std::uint8_t[]> ReadCodes(
+  const Reading& reading, std::uint64_t offset, const NxvArray& array, std::size_t voxels)
 {
   // Not set to 0 first: all of them are written.
   std::unique_ptr<std::uint8_t[]> codes(new std::uint8_t[voxels]);
   UseHugePages(codes.get(), voxels);
-  const NxvContent& content = reading.content;
-  ReadByteCodes(reading.file, content.payloads, content.header.arrays[0], codes.get(), voxels,
-    reading.options.loop);
+  ReadByteCodes(reading.file, offset, array, codes.get(), voxels, reading.options.loop);
   return codes;
 }
 
-void ReadMoment(const Reading& reading, GriddedVolume& volume)
+void ReadMoment(
+  const Reading& reading, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
 {
-  const NxvContent& content = reading.content;
-  const NxvArray& array = content.header.arrays[0];
   const std::size_t voxels = volume.grid.VoxelCount();
   if (HasByteCodes(array))
   {
-    const auto codes = ReadCodes(reading, voxels);
+    const auto codes = ReadCodes(reading, offset, array, voxels);
     volume.values.resize(voxels);
     volume.states.resize(voxels);
     ExpandCodes(ByteCodesOf(array, volume.fill), codes.get(), voxels, volume.values.data(),
@@ -144,11 +198,11 @@ void ReadMoment(const Reading& reading, GriddedVolume& volume)
   {
     const MomentCode code{2, array.offset, array.scale};
     Bytes codes(code.bytes * voxels);
-    reading.Inflate(content.payloads, array, codes.data(), codes.size());
+    reading.Inflate(offset, array, codes.data(), codes.size());
     code.DecodeAll(codes, volume);
     return;
   }
-  ReadValues(reading, content.payloads, array, volume.values, voxels);
+  ReadValues(reading, offset, array, volume.values, voxels);
   // Without an array of states a voxel with the fill value is taken for not scanned.
   volume.states.resize(voxels);
   std::transform(volume.values.begin(), volume.values.end(), volume.states.begin(),
@@ -156,9 +210,9 @@ void ReadMoment(const Reading& reading, GriddedVolume& volume)
     { return value == volume.fill ? VoxelState::NotScanned : VoxelState::Echo; });
 }
 
-bool IsOfStates(const NxvArray& array, const NxvHeader& header)
+bool IsOfStates(const NxvArray& array, MomentName moment)
 {
-  return array.name == header.arrays[0].name + "_state" && array.type == NxvType::UInt8;
+  return array.name == std::string(ToString(moment)) + "_state" && array.type == NxvType::UInt8;
 }
 
 // Takes the states from their own array. With codes, it may only add what they cannot say.
@@ -223,60 +277,97 @@ void ReadAncillaryArray(
   ForEachAncillaryArray(volume.ancillary, read);
 }
 
-// Reads the moment by `readMoment`, and calls `readFurther(offset, array)` for each of the arrays.
-template <typename ReadMoment, typename ReadFurther>
-void ReadArrays(
-  const NxvContent& content, const ReadMoment& readMoment, const ReadFurther& readFurther)
+// Calls `read(offset, array)` for each of the arrays, and names the one that it refuses.
+template <typename Read>
+void ReadEachArray(const NxvContent& content, const Read& read)
 {
-  const std::vector<NxvArray>& arrays = content.header.arrays;
   std::uint64_t offset = content.payloads;
-  std::size_t index = 0;
-  try
+  for (const NxvArray& array : content.header.arrays)
   {
-    readMoment();
-    for (; index < arrays.size(); ++index)
+    try
     {
-      readFurther(offset, arrays[index]);
-      offset += arrays[index].length;
+      read(offset, array);
     }
+    catch (const Error& problem)
+    {
+      RefuseNxv(offset, "array \"" + array.name + "\": " + problem.what());
+    }
+    offset += array.length;
   }
-  catch (const Error& problem)
+}
+
+// A moment of a file, to be filled.
+GriddedVolume BeginMoment(const NxvHeader& header, MomentName moment)
+{
+  GriddedVolume volume = header.volume;
+  volume.moment = moment;
+  volume.fill = static_cast<float>(ArrayOf(header, moment).fill);
+  return volume;
+}
+
+// Reads an array if it belongs to the moment.
+void ReadArrayOfMoment(
+  const Reading& reading, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
+{
+  if (array.name == ToString(volume.moment))
   {
-    RefuseNxv(offset, "array \"" + arrays[index].name + "\": " + problem.what());
+    ReadMoment(reading, offset, array, volume);
+  }
+  else if (IsOfStates(array, volume.moment))
+  {
+    const NxvArray& values = ArrayOf(reading.content.header, volume.moment);
+    ReadStates(reading, offset, array, volume, values.type != NxvType::Float32);
+  }
+  else
+  {
+    ReadAncillaryArray(reading, offset, array, volume);
   }
 }
 
 GriddedVolume ReadVoxels(const Reading& reading)
 {
   const NxvHeader& header = reading.content.header;
-  GriddedVolume volume = header.volume;
-  ReadArrays(
-    reading.content, [&] { ReadMoment(reading, volume); },
+  std::vector<GriddedVolume> moments;
+  for (const MomentName moment : WantedMoments(header, reading.options))
+  {
+    moments.push_back(BeginMoment(header, moment));
+  }
+  ReadEachArray(reading.content,
     [&](std::uint64_t offset, const NxvArray& array)
     {
-      if (IsOfStates(array, header))
+      for (GriddedVolume& volume : moments)
       {
-        ReadStates(reading, offset, array, volume, header.arrays[0].type != NxvType::Float32);
+        ReadArrayOfMoment(reading, offset, array, volume);
       }
-      ReadAncillaryArray(reading, offset, array, volume);
     });
-  return volume;
+  return JoinMoments(std::move(moments));
 }
 
-CodedVolume ReadCodedVoxels(const Reading& reading)
+CodedVolume ReadCodedVoxels(const Reading& reading, MomentName moment)
 {
-  const NxvHeader& header = reading.content.header;
   CodedVolume coded;
-  coded.volume = header.volume;
-  coded.meaning = ByteCodesOf(header.arrays[0], coded.volume.fill);
-  ReadArrays(
-    reading.content, [&] { coded.codes = ReadCodes(reading, coded.volume.grid.VoxelCount()); },
+  coded.volume = BeginMoment(reading.content.header, moment);
+  coded.meaning = ByteCodesOf(ArrayOf(reading.content.header, moment), coded.volume.fill);
+  ReadEachArray(reading.content,
     [&](std::uint64_t offset, const NxvArray& array)
     {
-      coded.rangeFolded = coded.rangeFolded || IsOfStates(array, header);
+      if (array.name == ToString(moment))
+      {
+        coded.codes = ReadCodes(reading, offset, array, coded.volume.grid.VoxelCount());
+      }
+      coded.rangeFolded = coded.rangeFolded || IsOfStates(array, moment);
       ReadAncillaryArray(reading, offset, array, coded.volume);
     });
   return coded;
+}
+
+// The one moment that is read, if it is one and has codes of one byte.
+std::optional<MomentName> CodedMoment(const NxvHeader& header, const NxvReadOptions& options)
+{
+  const std::vector<MomentName> wanted = WantedMoments(header, options);
+  return wanted.size() == 1 && HasByteCodes(ArrayOf(header, wanted.front()))
+           ? std::optional(wanted.front())
+           : std::nullopt;
 }
 
 } // namespace
@@ -288,8 +379,8 @@ GriddedVolume ReadNxv(const fs::path& path, const NxvReadOptions& options)
     {
       NxvInput file(path);
       const NxvContent content = OpenNxv(file);
-      CheckMemory(content.header.volume.grid,
-        FurtherBytes(content.header, options) + options.bytesBesides, options.maximumBytes);
+      CheckMemory(
+        content.header.volume.grid, FurtherBytes(content.header, options), options.maximumBytes);
       CheckNxvPayloads(file, content);
       return ReadVoxels({file, content, options});
     });
@@ -302,27 +393,29 @@ std::optional<CodedVolume> ReadNxvCodes(const fs::path& path, const NxvReadOptio
     {
       NxvInput file(path);
       const NxvContent content = OpenNxv(file);
-      if (!HasByteCodes(content.header.arrays[0]))
+      const auto moment = CodedMoment(content.header, options);
+      if (!moment)
       {
         return std::nullopt;
       }
-      CheckMemory(content.header.volume.grid,
-        FurtherBytes(content.header, options) + options.bytesBesides, options.maximumBytes);
+      CheckMemory(
+        content.header.volume.grid, FurtherBytes(content.header, options), options.maximumBytes);
       CheckNxvPayloads(file, content);
-      return ReadCodedVoxels({file, content, options});
+      return ReadCodedVoxels({file, content, options}, *moment);
     });
 }
 
-bool HasNxvCodes(const fs::path& path, bool allStates)
+bool HasNxvCodes(const fs::path& path, const NxvReadOptions& options, bool allStates)
 {
   return NamingTheFile(path,
-    [&path, allStates]
+    [&path, &options, allStates]
     {
       NxvInput file(path);
       const NxvHeader header = OpenNxv(file).header;
-      const auto isOfStates = [&header](const NxvArray& array)
-      { return IsOfStates(array, header); };
-      return HasByteCodes(header.arrays[0]) &&
+      const auto moment = CodedMoment(header, options);
+      const auto isOfStates = [&moment](const NxvArray& array)
+      { return IsOfStates(array, *moment); };
+      return moment &&
              !(allStates && std::any_of(header.arrays.begin(), header.arrays.end(), isOfStates));
     });
 }
@@ -334,6 +427,16 @@ GriddedVolume ReadNxvHeader(const fs::path& path)
     {
       NxvInput file(path);
       return OpenNxv(file).header.volume;
+    });
+}
+
+std::vector<MomentName> ReadNxvMoments(const fs::path& path)
+{
+  return NamingTheFile(path,
+    [&path]
+    {
+      NxvInput file(path);
+      return MomentsOf(OpenNxv(file).header);
     });
 }
 
@@ -349,9 +452,12 @@ std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
       {
         const auto add = [&](const char* name, const auto&)
         {
-          if (array.name == AncillaryArrayName(header.volume.moment, name))
+          for (const MomentName moment : MomentsOf(header))
           {
-            names.push_back(array.name);
+            if (array.name == AncillaryArrayName(moment, name))
+            {
+              names.push_back(array.name);
+            }
           }
         };
         ForEachAncillaryArray(header.volume.ancillary, add);

@@ -19,30 +19,40 @@ struct NxvReadOptions
 {
   std::size_t maximumBytes = std::size_t(4) << 30; ///< what the voxels may take in memory, with
                                                    ///< what the caller makes of them
-  std::size_t bytesBesides = 0; ///< that the caller makes of each voxel, as of an image or picture
+  std::size_t bytesBesides = 0; ///< that the caller makes of each voxel of a moment, as of an image
+                                ///< or picture
   std::vector<std::string> leaveOut = {}; ///< names of ancillary arrays not to read
   RangeLoop loop = {}; ///< unpacks parts of the arrays; empty: on the calling thread
+  /// Moments to read; the first of them is that of the volume, the others are its further ones.
+  /// Empty: all, in the order of the file.
+  std::vector<MomentName> moments = {};
 };
 
 /// Reads one volume. Throws Error naming the file and the byte offset for a wrong magic, header,
-/// dimension, length, CRC or stream, and for an ancillary array of a wrong type or with a value
-/// that it cannot have. Arrays beside the moment, its states and its ancillary arrays are checked
-/// and passed over.
+/// dimension, length, CRC or stream, for an ancillary array of a wrong type or with a value that it
+/// cannot have, and for a moment to read that the file does not have. Arrays beside the moments,
+/// their states and their ancillary arrays are checked and passed over.
 GriddedVolume ReadNxv(const std::filesystem::path& path, const NxvReadOptions& options = {});
 
-/// Reads the moment as the codes that the file has, and the ancillary arrays. Nothing when the file
-/// has no codes of one byte, but codes of two or floats. Throws Error as ReadNxv does.
+/// Reads one moment as the codes that the file has, and its ancillary arrays. Nothing when several
+/// moments are to be read, or the file has no codes of one byte of it, but codes of two or floats.
+/// Throws Error as ReadNxv does.
 std::optional<CodedVolume> ReadNxvCodes(
   const std::filesystem::path& path, const NxvReadOptions& options = {});
 
 /// Whether ReadNxvCodes would give something; and of `allStates`, something that tells range folded
 /// voxels too, because there are none.
-bool HasNxvCodes(const std::filesystem::path& path, bool allStates = false);
+bool HasNxvCodes(
+  const std::filesystem::path& path, const NxvReadOptions& options = {}, bool allStates = false);
 
 /// Reads the header alone: the same volume without values, states and ancillary arrays.
 GriddedVolume ReadNxvHeader(const std::filesystem::path& path);
 
-/// Names of the ancillary arrays in the file, as `REF_age`, in the order of the file.
+/// The moments in the file, in its order.
+std::vector<MomentName> ReadNxvMoments(const std::filesystem::path& path);
+
+/// Names of the ancillary arrays of all moments in the file, as `REF_age`, in the order of the
+/// file.
 std::vector<std::string> ReadNxvAncillaryArrayNames(const std::filesystem::path& path);
 
 /// Reads a bare stream. What it does not hold (grid, time, fill, …) comes from `description`,

@@ -93,10 +93,10 @@ NxvArray MomentArray(const GriddedVolume& volume)
   return array;
 }
 
-void AddStates(FileContent& content, const Bytes& states)
+void AddStates(FileContent& content, MomentName moment, const Bytes& states)
 {
   NxvArray array;
-  array.name = content.header.arrays[0].name + "_state";
+  array.name = std::string(ToString(moment)) + "_state";
   array.type = NxvType::UInt8;
   array.fill = static_cast<double>(VoxelState::NotScanned);
   content.AddDeflated(array, states, DeflateSearch::Runs);
@@ -108,7 +108,7 @@ void AddFloats(FileContent& content, const GriddedVolume& volume)
   NxvArray array = MomentArray(volume);
   array.type = NxvType::Float32;
   content.AddDeflated(array, FloatBytes(volume.values), DeflateSearch::Repeats);
-  AddStates(content, StateBytes(volume.states));
+  AddStates(content, volume.moment, StateBytes(volume.states));
 }
 
 // The run-length stream of a volume's codes, made by pieces that stay in the processor's cache.
@@ -164,7 +164,7 @@ void AddRunLengths(FileContent& content, const GriddedVolume& volume,
                        : std::move(stream));
   if (HasRangeFolded(volume.states))
   {
-    AddStates(content, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
+    AddStates(content, volume.moment, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
   }
 }
 
@@ -186,7 +186,7 @@ void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
         states[i] = static_cast<std::uint8_t>(
           std::isnan(volume.values[i]) ? VoxelState::NotScanned : VoxelState::Echo);
       });
-    AddStates(content, states);
+    AddStates(content, volume.moment, states);
   }
 }
 
@@ -281,6 +281,27 @@ GriddedVolume WithoutVoxels(const GriddedVolume& volume)
   return description;
 }
 
+void AddMoment(FileContent& content, const GriddedVolume& volume, const NxvWriteOptions& options,
+  NxvEncoding encoding)
+{
+  switch (encoding)
+  {
+  case NxvEncoding::RadarSteps:
+    AddRadarSteps(content, volume);
+    break;
+  case NxvEncoding::RunLength:
+    AddRunLengths(content, volume, options, NxvStorage::RunLength);
+    break;
+  case NxvEncoding::RunLengthDeflated:
+    AddRunLengths(content, volume, options, NxvStorage::RunLengthDeflated);
+    break;
+  case NxvEncoding::Float:
+    AddFloats(content, volume);
+    break;
+  }
+  AddAncillary(content, volume, encoding == NxvEncoding::Float);
+}
+
 void WriteContent(const std::filesystem::path& path, const FileContent& content)
 {
   const std::string header = FormatNxvHeader(content.header);
@@ -314,22 +335,12 @@ void WriteNxv(
   content.header.volume = WithoutVoxels(volume);
   const bool asTheThesis = volume.method == "thesis" && volume.moment == MomentName::REF;
   const NxvEncoding usual = asTheThesis ? NxvEncoding::RunLength : NxvEncoding::RadarSteps;
-  switch (options.encoding.value_or(usual))
+  AddMoment(content, volume, options, options.encoding.value_or(usual));
+  const bool exact = options.encoding == NxvEncoding::Float;
+  for (const GriddedVolume& further : volume.further)
   {
-  case NxvEncoding::RadarSteps:
-    AddRadarSteps(content, volume);
-    break;
-  case NxvEncoding::RunLength:
-    AddRunLengths(content, volume, options, NxvStorage::RunLength);
-    break;
-  case NxvEncoding::RunLengthDeflated:
-    AddRunLengths(content, volume, options, NxvStorage::RunLengthDeflated);
-    break;
-  case NxvEncoding::Float:
-    AddFloats(content, volume);
-    break;
+    AddMoment(content, further, options, exact ? NxvEncoding::Float : NxvEncoding::RadarSteps);
   }
-  AddAncillary(content, volume, options.encoding == NxvEncoding::Float);
   WriteContent(path, content);
 }
 

@@ -20,7 +20,8 @@ enum class NxvEncoding
 
 struct NxvWriteOptions
 {
-  /// Default: RunLength for REF of the method "thesis", else RadarSteps.
+  /// Default: RunLength for REF of the method "thesis", else RadarSteps. Further moments of a
+  /// volume have no run lengths: they are RadarSteps or Float.
   std::optional<NxvEncoding> encoding;
   /// Write every run from two on, not from six on. Default: true for the method "thesis".
   std::optional<bool> thesisRuns;
@@ -31,8 +32,8 @@ struct NxvWriteOptions
   double maximum = 80.0; ///< dBZ; what is above is stored as this. The codes end at 126 as well
 };
 
-/// Writes one volume (Documentation/Formats/nxv.md) under a temporary name and renames it. Throws
-/// Error when the file cannot be written; nothing half-written stays.
+/// Writes one volume, with its further moments (Documentation/Formats/nxv.md), under a temporary
+/// name and renames it. Throws Error when the file cannot be written; nothing half-written stays.
 ///
 /// All codes keep three states: an echo, no echo, not scanned. When a voxel is range folded
 /// the states go into the file beside them as an array of their own. AncillaryArrays follow when
@@ -42,8 +43,8 @@ struct NxvWriteOptions
 void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
 
-/// Writes the moment's bare run-length stream (Formulas T8), without any header. `encoding` of the
-/// options has no effect. Range folded becomes no echo.
+/// Writes the first moment's bare run-length stream (Formulas T8), without any header. `encoding`
+/// of the options has no effect. Range folded becomes no echo.
 void WriteRaw(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
 

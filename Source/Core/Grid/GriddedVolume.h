@@ -51,7 +51,8 @@ inline std::string AncillaryArrayName(MomentName moment, const std::string& anci
   return std::string(ToString(moment)) + "_" + ancillary;
 }
 
-/// One moment of several radars on one grid at one time.
+/// A moment of several radars on one grid at one time, and further moments where they were asked
+/// for.
 struct GriddedVolume
 {
   GridSpecification grid;
@@ -64,6 +65,10 @@ struct GriddedVolume
   std::vector<float> values;      ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;
   AncillaryArrays ancillary; ///< of the method "beam", when asked for
+
+  /// Other moments on the same grid at the same time, with the same sites; none of them has further
+  /// ones of its own.
+  std::vector<GriddedVolume> further;
 };
 
 } // namespace nexrad

@@ -2,6 +2,7 @@
 #include "nexrad/Grid/VolumePart.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace nexrad
 {
@@ -40,6 +41,10 @@ GriddedVolume TakePart(GriddedVolume volume, const VoxelBlock& block)
   ForEachAncillaryArray(
     volume.ancillary, [&](const char*, auto& values) { KeepBlock(values, volume.grid, block); });
   volume.grid = part;
+  for (GriddedVolume& further : volume.further)
+  {
+    further = TakePart(std::move(further), block);
+  }
   return volume;
 }
 

@@ -4,14 +4,32 @@
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 
+#include <algorithm>
+
 namespace nexrad
 {
 
+std::vector<MomentName> MergeOptions::Moments() const
+{
+  std::vector<MomentName> moments = furtherMoments;
+  moments.insert(moments.begin(), moment);
+  return moments;
+}
+
 SeriesOptions SeriesOptionsOf(const MergeOptions& options)
 {
-  RequireMoment(options.method, options.moment);
+  const std::vector<MomentName> moments = options.Moments();
+  for (const MomentName moment : moments)
+  {
+    RequireMoment(options.method, moment);
+    if (std::count(moments.begin(), moments.end(), moment) > 1)
+    {
+      throw Error(std::string("moment ") + ToString(moment) + " is named twice");
+    }
+  }
   SeriesOptions series;
   series.moment = options.moment;
+  series.furtherMoments = options.furtherMoments;
   series.quality = options.quality;
   series.requirePosition = true;
   series.level2.siteName = options.siteName;

@@ -27,12 +27,17 @@ struct MergeOptions : MergeRules
   std::optional<Time> time;     ///< this time alone, between the first and the last ray
   bool atLeastOne = false; ///< where no step lies between the first and the last ray: their middle
   MomentName moment = MomentName::REF;
+  std::vector<MomentName> furtherMoments; ///< merged beside `moment`, from files decoded once
   std::string siteName; ///< in place of the names in the files; empty: as the files say
   std::size_t memory = std::size_t(1) << 30; ///< bytes for rays that are kept for later steps; 0
                                              ///< keeps none
+
+  /// `moment` and those beside it.
+  std::vector<MomentName> Moments() const;
 };
 
-/// What options ask of a scan. Throws Error for a moment that the method does not know.
+/// What options ask of a scan. Throws Error for a moment that the method does not know, and for one
+/// that is named twice.
 SeriesOptions SeriesOptionsOf(const MergeOptions& options);
 
 /// The merges that options ask for, but for grid and time. `loop` runs their rows.

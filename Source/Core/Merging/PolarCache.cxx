@@ -12,17 +12,18 @@ PolarCache::PolarCache(std::size_t theLimit)
 }
 
 // Called with the lock.
-std::list<PolarCache::Entry>::iterator PolarCache::Place(const SeriesVolume& key)
+std::list<PolarCache::Entry>::iterator PolarCache::Place(const SeriesVolume& key, MomentName moment)
 {
   return std::find_if(entries.begin(), entries.end(),
-    [&key](const Entry& each) { return each.cycle == key.cycle && each.file == key.file; });
+    [&](const Entry& each)
+    { return each.volume->moment == moment && each.cycle == key.cycle && each.file == key.file; });
 }
 
 bool PolarCache::Offer(const SeriesVolume& key, const Volume& volume)
 {
   const std::size_t bytes = MemoryOf(*volume);
   const std::lock_guard<std::mutex> lock(mutex);
-  if (used + bytes > limit || this->Place(key) != entries.end())
+  if (used + bytes > limit || this->Place(key, volume->moment) != entries.end())
   {
     return false;
   }
@@ -35,7 +36,7 @@ void PolarCache::Keep(const SeriesVolume& key, const Volume& volume)
 {
   const std::size_t bytes = MemoryOf(*volume);
   const std::lock_guard<std::mutex> lock(mutex);
-  if (bytes > limit || this->Place(key) != entries.end())
+  if (bytes > limit || this->Place(key, volume->moment) != entries.end())
   {
     return;
   }
@@ -48,10 +49,10 @@ void PolarCache::Keep(const SeriesVolume& key, const Volume& volume)
   used += bytes;
 }
 
-PolarCache::Volume PolarCache::Find(const SeriesVolume& key)
+PolarCache::Volume PolarCache::Find(const SeriesVolume& key, MomentName moment)
 {
   const std::lock_guard<std::mutex> lock(mutex);
-  const auto entry = this->Place(key);
+  const auto entry = this->Place(key, moment);
   if (entry == entries.end())
   {
     return nullptr;

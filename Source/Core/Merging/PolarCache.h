@@ -13,8 +13,8 @@
 namespace nexrad
 {
 
-/// Volumes that were decoded, kept up to a limit of memory for the times that may ask for them
-/// again. Safe to call from several threads.
+/// Moments of volumes that were decoded, kept up to a limit of memory for the times that may ask
+/// for them again. Safe to call from several threads.
 class PolarCache
 {
 public:
@@ -31,8 +31,8 @@ public:
   /// Keeps a volume; those that were not asked for longest make room for it.
   void Keep(const SeriesVolume& key, const Volume& volume);
 
-  /// The volume, or nullptr when it is not kept.
-  Volume Find(const SeriesVolume& key);
+  /// A moment of the volume, or nullptr when it is not kept.
+  Volume Find(const SeriesVolume& key, MomentName moment);
 
   /// Bytes that the volumes take, at most the limit.
   std::size_t Used() const;
@@ -46,7 +46,7 @@ private:
     std::size_t bytes;
   };
 
-  std::list<Entry>::iterator Place(const SeriesVolume& key);
+  std::list<Entry>::iterator Place(const SeriesVolume& key, MomentName moment);
 
   const std::size_t limit;
   mutable std::mutex mutex;

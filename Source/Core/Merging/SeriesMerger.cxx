@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/SeriesMerger.h"
 
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/Series/InputError.h"
 #include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/SharedScan.h"
@@ -8,6 +9,7 @@
 #include "nexrad/Thesis/ThesisGeometry.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <utility>
@@ -58,6 +60,21 @@ std::vector<std::pair<Site, SeriesVolume>> FindVolumes(
     }
   }
   return {};
+}
+
+std::vector<ReadyVolume> OfMoment(const std::vector<ReadyVolume>& volumes, MomentName moment)
+{
+  std::vector<ReadyVolume> own;
+  std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(own),
+    [moment](const ReadyVolume& volume) { return volume.Moment() == moment; });
+  return own;
+}
+
+// The volumes that a request takes.
+VolumeChoice ChoiceOf(const MergeRequest& request)
+{
+  return [&request](const std::vector<Time>& starts, const std::vector<Time>& ends)
+  { return ChooseVolumes(starts, ends, request); };
 }
 
 SeriesOptions OneThreadAFile(SeriesOptions series)
@@ -374,9 +391,12 @@ std::vector<bool> SeriesMerger::FindReaching()
   for (const SiteSeries& series : scan->sites)
   {
     SiteReach reach{*series.site.position, 0.0};
-    for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
+    for (const MomentName moment : options.Moments())
     {
-      reach.reach = std::max(reach.reach, series.volumes[index].summary->reach);
+      for (const auto* volume : ChooseWith(moment, series.volumes, ChoiceOf(request)))
+      {
+        reach.reach = std::max(reach.reach, volume->summary->reach);
+      }
     }
     reaches.push_back(reach);
   }
@@ -399,15 +419,38 @@ void SeriesMerger::AddSweepless(
   for (std::size_t site = 0; site < reaching.size(); ++site)
   {
     const SiteSeries& series = scan->sites[site];
-    if (!reaching[site])
+    for (const MomentName moment : options.Moments())
     {
-      for (const std::size_t index : ChooseVolumes(series.Starts(), series.Ends(), request))
+      const auto chosen = reaching[site] ? std::vector<const SeriesVolume*>()
+                                         : ChooseWith(moment, series.volumes, ChoiceOf(request));
+      for (const SeriesVolume* volume : chosen)
       {
-        volumes.push_back(
-          run.WithoutSweeps(series.site, series.volumes[index], request, options.moment));
+        volumes.push_back(run.WithoutSweeps(series.site, *volume, request, moment));
       }
     }
   }
+}
+
+// Merges each moment of volumes that are ready.
+std::optional<GriddedVolume> SeriesMerger::MergeMoments(
+  const std::vector<ReadyVolume>& volumes, const Progress& progress, GriddedVolume memory)
+{
+  const std::vector<MomentName> moments = options.Moments();
+  std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
+  memories.resize(moments.size());
+  std::vector<GriddedVolume> merged;
+  for (std::size_t i = 0; i < moments.size(); ++i)
+  {
+    std::optional<GriddedVolume> one = MergeVolumes(OfMoment(volumes, moments[i]), request,
+      ShareOf(progress, i, moments.size()), run, std::move(memories[i]));
+    if (!one)
+    {
+      return std::nullopt;
+    }
+    one->moment = moments[i]; // which a merge of no volumes does not know
+    merged.push_back(std::move(*one));
+  }
+  return JoinMoments(std::move(merged));
 }
 
 std::optional<GriddedVolume> SeriesMerger::Merge(
@@ -433,7 +476,7 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
     return std::nullopt;
   }
   this->AddSweepless(reaching, *volumes);
-  return MergeVolumes(*volumes, request, progress, run, std::move(memory));
+  return this->MergeMoments(*volumes, progress, std::move(memory));
 }
 
 SeriesScan SeriesMerger::Collect(const std::vector<std::optional<ScannedFile>>& known) const

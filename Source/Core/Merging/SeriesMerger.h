@@ -59,7 +59,7 @@ public:
   /// can be used, and for options that cannot be met.
   bool Open(const Progress& progress = {});
 
-  /// The same with other options for the same files, of which the moment, the quality control, the
+  /// The same with other options for the same files, of which the moments, the quality control, the
   /// name of the site and the memory must be those of before. What was decoded stays.
   bool SetOptions(const MergeOptions& options, const Progress& progress = {});
 
@@ -78,8 +78,9 @@ public:
   /// The last time that will be asked for, before the first is.
   void EndAt(Time time);
 
-  /// The merged volume at a time, or a block of it. The arrays of `memory` are used again. Empty
-  /// when `progress` asked to stop. Throws Error when it cannot be made.
+  /// The merged volume at a time, or a block of it, with all moments. Each of them is what a merge
+  /// of it alone makes on this grid. The arrays of `memory` are used again. Empty when `progress`
+  /// asked to stop. Throws Error when it cannot be made.
   std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
 
@@ -108,6 +109,8 @@ private:
   SeriesScan Gather() const;
   std::vector<bool> FindReaching();
   void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
+  std::optional<GriddedVolume> MergeMoments(
+    const std::vector<ReadyVolume>& volumes, const Progress& progress, GriddedVolume memory);
 
   const std::vector<std::filesystem::path> inputs;
   const MergerSetup setup;

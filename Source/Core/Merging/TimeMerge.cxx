@@ -241,9 +241,10 @@ ReadyVolume MergeRun::WithoutSweeps(
     sweepless.end());
   for (const SweeplessVolume& each : sweepless)
   {
-    if (each.summary == volume.summary && each.pictured == pictured)
+    const std::shared_ptr<const BeamVolume> made = each.volume.lock();
+    if (each.summary == volume.summary && each.pictured == pictured && made->moment == moment)
     {
-      return {nullptr, each.volume.lock()};
+      return {nullptr, made};
     }
   }
   BeamVolume without;

@@ -25,11 +25,13 @@ struct MergeRequest : MergeRules
   std::optional<VoxelBlock> block; ///< the part of the grid that is made, as it is in the whole
 };
 
-/// A volume in the form that a method takes; the other is empty.
+/// A moment of a volume in the form that a method takes; the other is empty.
 struct ReadyVolume
 {
   std::shared_ptr<const PolarVolume> polar; ///< for Thesis
   std::shared_ptr<const BeamVolume> beam;   ///< for Beam
+
+  MomentName Moment() const { return beam ? beam->moment : polar->moment; }
 };
 
 /// Makes a volume ready for a request, whatever its time. As long as the grid is not known, a

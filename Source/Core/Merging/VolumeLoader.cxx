@@ -35,6 +35,7 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
   std::shared_ptr<PolarCache> theCache, unsigned theThreadCount)
   : paths(std::move(series.paths))
   , options(std::move(theOptions))
+  , moments(options.Moments())
   , work(std::move(theWork))
   , cache(std::move(theCache))
   , threadCount(std::max(1U, theThreadCount))
@@ -146,24 +147,43 @@ std::vector<TimedFile>::const_iterator VolumeLoader::EndOfAhead(Time time) const
   return first + std::min<std::ptrdiff_t>(filesAhead * threadCount, order.end() - first);
 }
 
+const ReadyVolume& VolumeLoader::HeldVolume::Of(MomentName moment) const
+{
+  return *std::find_if(ready.begin(), ready.end(),
+    [moment](const ReadyVolume& each) { return each.Moment() == moment; });
+}
+
+// Called without the lock. The volumes of a file from the cache; none when it lacks something.
+std::vector<VolumeLoader::HeldVolume> VolumeLoader::FindKept(const ScannedFile& scanned)
+{
+  std::vector<HeldVolume> held;
+  for (const auto& [site, volume] : scanned.volumes)
+  {
+    held.push_back({volume, {}});
+    for (const MomentName moment : moments)
+    {
+      const PolarCache::Volume kept =
+        cache && volume.Has(moment) ? cache->Find(volume, moment) : nullptr;
+      if (kept)
+      {
+        held.back().ready.push_back(work.prepare(kept));
+      }
+      else if (volume.Has(moment))
+      {
+        return {};
+      }
+    }
+  }
+  return held;
+}
+
 // Called without the lock. Takes the volumes of a file from the cache, or else decodes it.
 std::vector<VolumeLoader::HeldVolume> VolumeLoader::Load(std::size_t index, ScannedFile& scanned)
 {
-  std::vector<HeldVolume> held;
-  if (cache)
+  std::vector<HeldVolume> held = this->FindKept(scanned);
+  if (!held.empty())
   {
-    for (const auto& [site, volume] : scanned.volumes)
-    {
-      if (const PolarCache::Volume kept = cache->Find(volume))
-      {
-        held.push_back({volume, work.prepare(kept)});
-      }
-    }
-    if (!held.empty() && held.size() == scanned.volumes.size())
-    {
-      return held;
-    }
-    held.clear();
+    return held;
   }
   const auto hold = [&](const SeriesVolume& description, const RadarVolume&,
                       const std::shared_ptr<const PolarVolume>& polar)
@@ -172,7 +192,11 @@ std::vector<VolumeLoader::HeldVolume> VolumeLoader::Load(std::size_t index, Scan
     {
       cache->Keep(description, polar);
     }
-    held.push_back({description, work.prepare(polar)});
+    if (held.empty() || held.back().volume.cycle != description.cycle)
+    {
+      held.push_back({description, {}});
+    }
+    held.back().ready.push_back(work.prepare(polar));
   };
   ++decodedFiles;
   ScannedFile found = ScanFile(paths[index], options, hold);
@@ -297,13 +321,13 @@ ScannedFile VolumeLoader::Scan(std::size_t index)
 
 // Called with the lock. How many volumes that start after a time it may need: two when none is
 // chosen of those that started before it, as far as is known, else one.
-std::size_t VolumeLoader::LaterNeeded(const SiteFiles& site, Time time) const
+std::size_t VolumeLoader::LaterNeeded(const SiteFiles& site, MomentName moment, Time time) const
 {
   std::vector<Time> starts;
   std::vector<Time> ends;
   for (const SeriesVolume& volume : site.volumes)
   {
-    if (volume.start <= time)
+    if (volume.start <= time && volume.Has(moment))
     {
       starts.push_back(volume.start);
       ends.push_back(volume.end);
@@ -312,14 +336,21 @@ std::size_t VolumeLoader::LaterNeeded(const SiteFiles& site, Time time) const
   return work.choose(starts, ends, time).empty() ? 2 : 1;
 }
 
-// Called with the lock. Asks for the files about a time of which it is not known what they hold.
-// Before the time these are filesBefore files with a volume that started by then. After it, all up
-// to those that hold as many later volumes as are needed, and those whose headers have the same
-// time as the last one's. True when nothing had to be asked for.
-bool VolumeLoader::KnowsAbout(const SiteFiles& site, Time time)
+VolumeChoice VolumeLoader::ChoiceAt(Time time) const
+{
+  return [this, time](const std::vector<Time>& starts, const std::vector<Time>& ends)
+  { return work.choose(starts, ends, time); };
+}
+
+// Called with the lock. Asks for the files about a time of which it is not known what they hold of
+// a moment. Before the time these are filesBefore files with a volume that started by then. After
+// it, all up to those that hold as many later volumes as are needed, and those whose headers have
+// the same time as the last one's. True when nothing had to be asked for.
+bool VolumeLoader::KnowsAbout(const SiteFiles& site, MomentName moment, Time time)
 {
   const std::vector<TimedFile>& own = site.list.files;
-  const auto isLater = [time](const auto& each) { return each.second.start > time; };
+  const auto isOwn = [moment](const auto& each) { return each.second.Has(moment); };
+  const auto isLater = [=](const auto& each) { return isOwn(each) && each.second.start > time; };
   bool there = true;
   std::size_t later = 0;
   const auto look = [&](const TimedFile& each, std::size_t unknownLater)
@@ -328,13 +359,15 @@ bool VolumeLoader::KnowsAbout(const SiteFiles& site, Time time)
     const std::vector<std::pair<Site, SeriesVolume>>& volumes = file.scanned.volumes;
     const auto fileLater =
       static_cast<std::size_t>(std::count_if(volumes.begin(), volumes.end(), isLater));
+    const auto fileOwn =
+      static_cast<std::size_t>(std::count_if(volumes.begin(), volumes.end(), isOwn));
     later += file.known ? fileLater : unknownLater;
     if (!file.known)
     {
       this->Want(each.index);
       there = false;
     }
-    return !file.known || fileLater < volumes.size(); // may hold a volume that started
+    return !file.known || fileLater < fileOwn; // may hold a volume that started
   };
   const auto next = static_cast<std::size_t>(
     std::upper_bound(own.begin(), own.end(), TimedFile{0, time}, IsEarlier) - own.begin());
@@ -343,7 +376,7 @@ bool VolumeLoader::KnowsAbout(const SiteFiles& site, Time time)
   {
     started += look(own[place - 1], 0) ? 1 : 0;
   }
-  const std::size_t needed = this->LaterNeeded(site, time);
+  const std::size_t needed = this->LaterNeeded(site, moment, time);
   std::optional<Time> last = later >= needed ? std::optional(time) : std::nullopt;
   for (std::size_t place = next; place < own.size() && !(last && own[place].time > *last); ++place)
   {
@@ -354,22 +387,18 @@ bool VolumeLoader::KnowsAbout(const SiteFiles& site, Time time)
   return there;
 }
 
-// Called with the lock. The volumes of a site that a time needs, of those that are known.
-std::vector<const SeriesVolume*> VolumeLoader::Choose(const SiteFiles& site, Time time) const
+// Called with the lock. The same of all sites and moments.
+bool VolumeLoader::KnowsAbout(Time time)
 {
-  std::vector<Time> starts;
-  std::vector<Time> ends;
-  for (const SeriesVolume& volume : site.volumes)
+  bool known = true;
+  for (const MomentName moment : moments)
   {
-    starts.push_back(volume.start);
-    ends.push_back(volume.end);
+    for (std::size_t site = 0; site < sites.size(); ++site)
+    {
+      known = (!this->IsWanted(site) || this->KnowsAbout(sites[site], moment, time)) && known;
+    }
   }
-  std::vector<const SeriesVolume*> chosen;
-  for (const std::size_t index : work.choose(starts, ends, time))
-  {
-    chosen.push_back(&site.volumes[index]);
-  }
-  return chosen;
+  return known;
 }
 
 // Called with the lock. nullptr when the volume is not held.
@@ -383,35 +412,38 @@ VolumeLoader::HeldVolume* VolumeLoader::FindHeld(const SeriesVolume& volume)
 
 // Called with the lock. The volumes that a time needs; empty, and asked for, while some are not
 // there.
-std::optional<std::vector<const SeriesVolume*>> VolumeLoader::Demand(Time time)
+std::optional<std::vector<VolumeLoader::Need>> VolumeLoader::Demand(Time time)
 {
   reached = time;
-  bool known = true;
-  for (std::size_t site = 0; site < sites.size(); ++site)
-  {
-    known = (!this->IsWanted(site) || this->KnowsAbout(sites[site], time)) && known;
-  }
+  const bool known = this->KnowsAbout(time);
   farthest = std::max(farthest.value_or(*reached), *reached);
   if (!known)
   {
     return std::nullopt;
   }
-  std::vector<const SeriesVolume*> needed;
-  bool there = true;
-  for (std::size_t site = 0; site < sites.size(); ++site)
+  std::vector<Need> needed;
+  for (const MomentName moment : moments)
   {
-    const std::vector<const SeriesVolume*> own =
-      this->IsWanted(site) ? this->Choose(sites[site], time) : std::vector<const SeriesVolume*>();
-    for (const SeriesVolume* volume : own)
+    for (std::size_t site = 0; site < sites.size(); ++site)
     {
-      needed.push_back(volume);
-      if (this->FindHeld(*volume) == nullptr)
+      if (this->IsWanted(site))
       {
-        File& file = files[indices.at(volume->file)];
-        file.state = file.state == State::Done ? State::Waiting : file.state;
-        this->Want(indices.at(volume->file));
-        there = false;
+        for (const auto* volume : ChooseWith(moment, sites[site].volumes, this->ChoiceAt(time)))
+        {
+          needed.push_back({moment, volume});
+        }
       }
+    }
+  }
+  bool there = true;
+  for (const Need& need : needed)
+  {
+    if (this->FindHeld(*need.volume) == nullptr)
+    {
+      const std::size_t index = indices.at(need.volume->file);
+      files[index].state = files[index].state == State::Done ? State::Waiting : files[index].state;
+      this->Want(index);
+      there = false;
     }
   }
   return there ? std::optional(needed) : std::nullopt;
@@ -424,7 +456,7 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
   wantedSites = ofSites;
   farthest = time < current ? std::nullopt : farthest;
   current = time;
-  std::optional<std::vector<const SeriesVolume*>> needed;
+  std::optional<std::vector<Need>> needed;
   const auto allThere = [&]
   {
     needed = this->Demand(time);
@@ -437,12 +469,12 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
   std::vector<ReadyVolume> volumes;
   Choice& choice = choices[time];
   choice.clear();
-  for (const SeriesVolume* volume : *needed)
+  for (const auto& [moment, volume] : *needed)
   {
     HeldVolume& held = *this->FindHeld(*volume);
     held.used = true;
-    volumes.push_back(held.ready);
-    choice.emplace_back(volume->file, volume->cycle);
+    volumes.push_back(held.Of(moment));
+    choice.emplace_back(moment, volume->file, volume->cycle);
   }
   this->Release(time, *needed);
   changed.notify_all(); // more may be decoded ahead
@@ -451,13 +483,13 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
 
 // Called with the lock. Drops what the time did not need, but for what was decoded ahead of it, and
 // for what Scan asked for and no time needed yet.
-void VolumeLoader::Release(Time time, const std::vector<const SeriesVolume*>& needed)
+void VolumeLoader::Release(Time time, const std::vector<Need>& needed)
 {
   const auto isNeeded = [&needed](const HeldVolume& held)
   {
     return std::any_of(needed.begin(), needed.end(),
-      [&held](const SeriesVolume* volume)
-      { return volume->cycle == held.volume.cycle && volume->file == held.volume.file; });
+      [&held](const Need& need)
+      { return need.volume->cycle == held.volume.cycle && need.volume->file == held.volume.file; });
   };
   // Files of several radars may have the time of the last one ahead.
   const auto end = this->EndOfAhead(*farthest);
@@ -519,11 +551,14 @@ bool VolumeLoader::IsAsIn(const SeriesScan& scan) const
   for (const auto& [time, choice] : choices)
   {
     Choice expected;
-    for (const SiteSeries& series : scan.sites)
+    for (const MomentName moment : moments)
     {
-      for (const std::size_t index : work.choose(series.Starts(), series.Ends(), time))
+      for (const SiteSeries& series : scan.sites)
       {
-        expected.emplace_back(series.volumes[index].file, series.volumes[index].cycle);
+        for (const auto* volume : ChooseWith(moment, series.volumes, this->ChoiceAt(time)))
+        {
+          expected.emplace_back(moment, volume->file, volume->cycle);
+        }
       }
     }
     Choice own = choice;

@@ -18,6 +18,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,7 @@ namespace nexrad
 /// What a VolumeLoader does with the volumes.
 struct LoaderWork
 {
-  /// Makes a volume ready. Called from several threads at once.
+  /// Makes a moment of a volume ready. Called from several threads at once.
   std::function<ReadyVolume(const std::shared_ptr<const PolarVolume>&)> prepare;
   /// Which of a site's volumes are needed at a time, from their starts, which ascend, and ends.
   std::function<std::vector<std::size_t>(
@@ -56,8 +57,8 @@ struct SeriesFiles
 class VolumeLoader
 {
 public:
-  /// `options` are those of a scan of the files; `cache` keeps volumes for times in any order, and
-  /// may be nullptr. `threads` decode, at least 1.
+  /// `options` are those of a scan of the files, with a moment; `cache` keeps volumes for times in
+  /// any order, and may be nullptr. `threads` decode, at least 1.
   VolumeLoader(SeriesFiles files, SeriesOptions options, LoaderWork work,
     std::shared_ptr<PolarCache> cache, unsigned threads);
   ~VolumeLoader();
@@ -76,7 +77,8 @@ public:
   ScannedFile Scan(std::size_t index);
 
   /// The volumes that are needed at a time, of the sites that `wanted` names (all when it is
-  /// empty), by site and start. Empty when `progress`, called from this thread alone, asked to
+  /// empty), by moment, site and start. Of each moment these are chosen among the volumes that have
+  /// it. Empty when `progress`, called from this thread alone, asked to
   /// stop. Throws what decoding threw, but for what is wrong in a file.
   std::optional<std::vector<ReadyVolume>> About(
     Time time, const std::vector<bool>& wanted = {}, const Progress& progress = {});
@@ -98,8 +100,10 @@ private:
   struct HeldVolume
   {
     SeriesVolume volume;
-    ReadyVolume ready;
-    bool used = false; ///< some time needed it
+    std::vector<ReadyVolume> ready; ///< each moment that was asked for and that it has
+    bool used = false;              ///< some time needed it
+
+    const ReadyVolume& Of(MomentName moment) const;
   };
   enum class State
   {
@@ -123,7 +127,14 @@ private:
     SiteFileList list;
     std::vector<SeriesVolume> volumes; ///< of the files that are known, by start, no two alike
   };
-  using Choice = std::vector<std::pair<std::filesystem::path, std::size_t>>; ///< file and cycle
+  /// A volume that a time needs, for one moment.
+  struct Need
+  {
+    MomentName moment;
+    const SeriesVolume* volume;
+  };
+  /// Moment, file and cycle of each.
+  using Choice = std::vector<std::tuple<MomentName, std::filesystem::path, std::size_t>>;
 
   void Work();
   std::optional<std::size_t> NextFile();
@@ -134,17 +145,20 @@ private:
   void Learn(SiteFiles& site, const ScannedFile& scanned);
   void Want(std::size_t index);
   bool IsWanted(std::size_t site) const;
-  std::size_t LaterNeeded(const SiteFiles& site, Time time) const;
-  bool KnowsAbout(const SiteFiles& site, Time time);
-  std::vector<const SeriesVolume*> Choose(const SiteFiles& site, Time time) const;
+  std::vector<HeldVolume> FindKept(const ScannedFile& scanned);
+  std::size_t LaterNeeded(const SiteFiles& site, MomentName moment, Time time) const;
+  bool KnowsAbout(const SiteFiles& site, MomentName moment, Time time);
+  bool KnowsAbout(Time time);
+  VolumeChoice ChoiceAt(Time time) const;
   HeldVolume* FindHeld(const SeriesVolume& volume);
-  std::optional<std::vector<const SeriesVolume*>> Demand(Time time);
-  void Release(Time time, const std::vector<const SeriesVolume*>& needed);
+  std::optional<std::vector<Need>> Demand(Time time);
+  void Release(Time time, const std::vector<Need>& needed);
   bool WaitFor(std::unique_lock<std::mutex>& lock, const std::function<bool()>& there,
     const Progress& progress = {});
 
   const std::vector<std::filesystem::path> paths;
   const SeriesOptions options;
+  const std::vector<MomentName> moments;
   const LoaderWork work;
   const std::shared_ptr<PolarCache> cache;
   const unsigned threadCount;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Model/Moment.h"
 
+#include <algorithm>
+
 namespace nexrad
 {
 
@@ -46,6 +48,23 @@ std::optional<MomentName> ParseMomentName(std::string_view text)
     }
   }
   return std::nullopt;
+}
+
+std::vector<MomentName> ParseMomentNames(std::string_view text)
+{
+  std::vector<MomentName> moments;
+  for (std::size_t begin = 0; begin <= text.size();)
+  {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    const auto moment = ParseMomentName(text.substr(begin, end - begin));
+    if (!moment || std::find(moments.begin(), moments.end(), *moment) != moments.end())
+    {
+      return {};
+    }
+    moments.push_back(*moment);
+    begin = end + 1;
+  }
+  return moments;
 }
 
 } // namespace nexrad

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace nexrad
 {
@@ -33,6 +34,9 @@ const char* UnitOf(MomentName name);
 const char* TitleOf(MomentName name);
 /// Empty when the text names no moment. Capital letters only.
 std::optional<MomentName> ParseMomentName(std::string_view text);
+/// Moments with commas between them, as "REF,VEL". Empty when the text is anything else, and when
+/// it names a moment twice.
+std::vector<MomentName> ParseMomentNames(std::string_view text);
 
 /// What a gate holds. The numbers are those of the `<NAME>_state` arrays.
 enum class GateState : std::uint8_t

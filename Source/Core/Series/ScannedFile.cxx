@@ -15,6 +15,32 @@ namespace nexrad
 namespace
 {
 
+bool HasMoment(const RadarVolume& volume, MomentName moment)
+{
+  return std::any_of(volume.sweeps.begin(), volume.sweeps.end(),
+    [moment](const Sweep& sweep) { return sweep.Has(moment); });
+}
+
+// Of the moments asked for, those that a volume has, or does not have.
+std::vector<MomentName> MomentsOf(
+  const RadarVolume& volume, const SeriesOptions& options, bool has = true)
+{
+  std::vector<MomentName> moments = options.Moments();
+  const auto other = [&](MomentName moment) { return HasMoment(volume, moment) != has; };
+  moments.erase(std::remove_if(moments.begin(), moments.end(), other), moments.end());
+  return moments;
+}
+
+std::string NamesOf(const std::vector<MomentName>& moments)
+{
+  std::string names;
+  for (const MomentName moment : moments)
+  {
+    names += (names.empty() ? "" : ", ") + std::string(ToString(moment));
+  }
+  return names;
+}
+
 /// Why a volume cannot be used; empty when it can.
 std::string ReasonToLeaveOut(const RadarVolume& volume, const SeriesOptions& options)
 {
@@ -26,10 +52,9 @@ std::string ReasonToLeaveOut(const RadarVolume& volume, const SeriesOptions& opt
   {
     return "the position of site \"" + volume.site.name + "\" is unknown: left out";
   }
-  const auto hasMoment = [&](const Sweep& sweep) { return sweep.Has(*options.moment); };
-  if (options.moment && std::none_of(volume.sweeps.begin(), volume.sweeps.end(), hasMoment))
+  if (options.moment && MomentsOf(volume, options).empty())
   {
-    return std::string("no ray has ") + ToString(*options.moment) + ": left out";
+    return "no ray has " + NamesOf(options.Moments()) + ": left out";
   }
   return {};
 }
@@ -56,16 +81,18 @@ double ReachOf(const RadarVolume& volume, MomentName moment)
 }
 
 SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& path,
-  std::size_t cycle, MomentName moment)
+  std::size_t cycle, const SeriesOptions& options)
 {
+  const std::vector<MomentName> moments = MomentsOf(volume, options);
   SeriesVolume description;
   description.file = path;
   description.cycle = cycle;
   description.start = *volume.Start();
   description.end = *volume.End();
   description.rays = volume.RayCount();
-  description.reach = ReachOf(volume, moment);
+  description.reach = ReachOf(volume, moments.empty() ? MomentName::REF : moments.front());
   description.synthetic = volume.synthetic;
+  description.lacking = MomentsOf(volume, options, false);
   return description;
 }
 
@@ -86,6 +113,50 @@ void SortVolumes(SiteSeries& series, std::vector<InputProblem>& problems)
     kept.push_back(std::move(volume));
   }
   volumes = std::move(kept);
+}
+
+// What has to be known of all moments of a volume together.
+void AddTo(VolumeSummary& all, VolumeSummary&& one)
+{
+  const double reach = std::max(all.reach, one.reach);
+  if (all.picture.empty())
+  {
+    all = std::move(one); // of reflectivity alone there is a picture
+  }
+  all.reach = reach;
+}
+
+// Makes what is asked for of a volume's moments.
+void Visit(SeriesVolume& description, const RadarVolume& volume, const SeriesOptions& options,
+  const VolumeVisitor& visitor)
+{
+  if (!options.moment && visitor)
+  {
+    visitor(description, volume, nullptr);
+  }
+  if (!options.summaries && !visitor)
+  {
+    return;
+  }
+  VolumeSummary summary;
+  std::vector<std::shared_ptr<const PolarVolume>> clean;
+  for (const MomentName moment : MomentsOf(volume, options))
+  {
+    clean.push_back(
+      std::make_shared<const PolarVolume>(MakeCleanVolume(volume, moment, options.quality)));
+    if (options.summaries)
+    {
+      AddTo(summary, MakeSummary(*clean.back()));
+    }
+  }
+  if (options.summaries)
+  {
+    description.summary = std::make_shared<const VolumeSummary>(std::move(summary));
+  }
+  for (std::size_t i = 0; visitor && i < clean.size(); ++i)
+  {
+    visitor(description, volume, clean[i]);
+  }
 }
 
 ScannedFile ScanWithinMemory(
@@ -119,28 +190,29 @@ ScannedFile ScanWithinMemory(
       scanned.problems.push_back({path.string(), {}, reason, true});
       continue;
     }
-    scanned.volumes.emplace_back(cycles[cycle].site,
-      Describe(cycles[cycle], path, cycle, options.moment.value_or(MomentName::REF)));
-    std::shared_ptr<const PolarVolume> clean;
-    if (options.moment && (options.summaries || visitor))
+    scanned.volumes.emplace_back(cycles[cycle].site, Describe(cycles[cycle], path, cycle, options));
+    SeriesVolume& description = scanned.volumes.back().second;
+    if (!description.lacking.empty())
     {
-      clean = std::make_shared<const PolarVolume>(
-        MakeCleanVolume(cycles[cycle], *options.moment, options.quality));
+      scanned.problems.push_back(
+        {path.string(), {}, "no ray has " + NamesOf(description.lacking), false});
     }
-    if (options.summaries)
-    {
-      scanned.volumes.back().second.summary =
-        std::make_shared<const VolumeSummary>(MakeSummary(*clean));
-    }
-    if (visitor)
-    {
-      visitor(scanned.volumes.back().second, cycles[cycle], clean);
-    }
+    Visit(description, cycles[cycle], options, visitor);
   }
   return scanned;
 }
 
 } // namespace
+
+std::vector<MomentName> SeriesOptions::Moments() const
+{
+  std::vector<MomentName> moments = furtherMoments;
+  if (moment)
+  {
+    moments.insert(moments.begin(), *moment);
+  }
+  return moments;
+}
 
 bool IsBefore(const SeriesVolume& a, const SeriesVolume& b)
 {

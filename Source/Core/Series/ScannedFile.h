@@ -29,16 +29,21 @@ enum class ScanOrder
 struct SeriesOptions
 {
   Level2Options level2;
-  std::optional<MomentName> moment; ///< a volume without it is left out
-  QualityOptions quality;           ///< of the volumes that visitors and summaries are made of
-  bool requirePosition = false;     ///< a volume of a site without a position is left out
-  bool summaries = false; ///< make the summaries of the volumes, of `moment`, which must be set
-  Processes processes;    ///< that scan the inputs together
+  std::optional<MomentName> moment;       ///< a volume without it and the further ones is left out
+  std::vector<MomentName> furtherMoments; ///< beside `moment`, which must be set then
+  QualityOptions quality;       ///< of the volumes that visitors and summaries are made of
+  bool requirePosition = false; ///< a volume of a site without a position is left out
+  bool summaries = false;       ///< make the summaries of the volumes, of the moments, one at least
+  Processes processes;          ///< that scan the inputs together
   ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
+
+  /// `moment` and those beside it.
+  std::vector<MomentName> Moments() const;
 };
 
-/// Called for each volume while its data are in memory, from several threads at once. The last is
-/// the moment of the options after quality control, nullptr without a moment.
+/// Called for each volume while its data are in memory, once for each moment of the options that it
+/// has, from several threads at once. The last is that moment after quality control, nullptr
+/// without a moment in the options.
 using VolumeVisitor = std::function<void(
   const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)>;
 

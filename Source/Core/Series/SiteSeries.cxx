@@ -10,6 +10,34 @@
 namespace nexrad
 {
 
+bool SeriesVolume::Has(MomentName moment) const
+{
+  return std::find(lacking.begin(), lacking.end(), moment) == lacking.end();
+}
+
+std::vector<const SeriesVolume*> ChooseWith(
+  MomentName moment, const std::vector<SeriesVolume>& volumes, const VolumeChoice& choose)
+{
+  std::vector<const SeriesVolume*> own;
+  std::vector<Time> starts;
+  std::vector<Time> ends;
+  for (const SeriesVolume& volume : volumes)
+  {
+    if (volume.Has(moment))
+    {
+      own.push_back(&volume);
+      starts.push_back(volume.start);
+      ends.push_back(volume.end);
+    }
+  }
+  std::vector<const SeriesVolume*> chosen;
+  for (const std::size_t index : choose(starts, ends))
+  {
+    chosen.push_back(own[index]);
+  }
+  return chosen;
+}
+
 std::vector<Time> SiteSeries::Starts() const
 {
   std::vector<Time> starts;

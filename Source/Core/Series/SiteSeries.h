@@ -3,12 +3,14 @@
 
 #include "nexrad/Beams/VolumeSummary.h"
 #include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Site.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/VolumeSelection.h"
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -28,7 +30,18 @@ struct SeriesVolume
   double reach = 0.0; ///< m, slant range to which half of its sweeps of the moment see, or farther
   bool synthetic = false;                       ///< made by the simulator
   std::shared_ptr<const VolumeSummary> summary; ///< when it was asked for
+  std::vector<MomentName> lacking; ///< of the moments that were asked for, those that no ray has
+
+  bool Has(MomentName moment) const;
 };
+
+/// Chooses among volumes by their starts, which ascend, and ends.
+using VolumeChoice = std::function<std::vector<std::size_t>(
+  const std::vector<Time>& starts, const std::vector<Time>& ends)>;
+
+/// Of volumes by start time, those that a choice takes among the ones with a moment.
+std::vector<const SeriesVolume*> ChooseWith(
+  MomentName moment, const std::vector<SeriesVolume>& volumes, const VolumeChoice& choose);
 
 /// All volumes of one radar.
 struct SiteSeries

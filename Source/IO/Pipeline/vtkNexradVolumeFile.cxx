@@ -10,8 +10,9 @@ void vtkNexradReadVolumeFile(const vtkNexradVolumeFile& file, vtkImageData* imag
   nexrad::NxvReadOptions options;
   options.bytesBesides = vtkNexradImageBytesPerVoxel + file.BytesBesides;
   options.leaveOut = file.LeaveOut;
+  options.moments = file.Moments;
   options.loop = vtkNexradRangeLoop();
-  if (!nexrad::HasNxvCodes(file.FileName, !file.Codes))
+  if (!nexrad::HasNxvCodes(file.FileName, options, !file.Codes))
   {
     vtkNexradVolumeToImage(nexrad::ReadNxv(file.FileName, options), image);
     return;

@@ -8,6 +8,8 @@
 
 #include "vtkNexradIOModule.h" // For export macro
 
+#include "nexrad/Model/Moment.h"
+
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -22,7 +24,10 @@ struct vtkNexradVolumeFile
   std::string FileName;
   /// Names of ancillary arrays not to read.
   std::vector<std::string> LeaveOut;
-  /// Scalars are codes where the file has codes of one byte (vtkNexradImageConversion.h).
+  /// Moments to read, the first as the active scalars; empty: all, in the order of the file.
+  std::vector<nexrad::MomentName> Moments;
+  /// Scalars are codes where one moment is read and the file has codes of one byte of it
+  /// (vtkNexradImageConversion.h).
   bool Codes = false;
   /// Bytes that the caller makes of each voxel of the image; with the image's own they count for
   /// the limit of memory (nexrad::NxvReadOptions).

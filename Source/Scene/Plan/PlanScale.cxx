@@ -104,9 +104,15 @@ bool EndsWith(const std::string& text, const std::string& end)
 ColourScale ScaleFor(const PlanView& view, const std::string& array,
   const std::vector<std::string>& sites, const ColourScale& moment)
 {
+  return ScaleFor(LargestOf(view), array, sites, moment);
+}
+
+ColourScale ScaleFor(double largest, const std::string& array,
+  const std::vector<std::string>& sites, const ColourScale& moment)
+{
   if (EndsWith(array, "_radars"))
   {
-    return RadarNumberScale(LargestOf(view));
+    return RadarNumberScale(largest);
   }
   if (EndsWith(array, "_site"))
   {
@@ -116,13 +122,13 @@ ColourScale ScaleFor(const PlanView& view, const std::string& array,
   if (EndsWith(array, "_age"))
   {
     scale.factor = 1.0 / 60.0;
-    scale.bins = EvenBins(LargestOf(view) * scale.factor, 1.0, 0.0);
+    scale.bins = EvenBins(largest * scale.factor, 1.0, 0.0);
     scale.unit = "min";
     scale.title = "Age of the nearest ray";
   }
   else if (EndsWith(array, "_weight"))
   {
-    scale.bins = EvenBins(LargestOf(view), 0.0, 1.0);
+    scale.bins = EvenBins(largest, 0.0, 1.0);
     scale.unit = "weight";
     scale.title = "Sum of the radars' weights";
   }

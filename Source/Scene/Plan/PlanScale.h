@@ -16,4 +16,8 @@ namespace nexrad::scene
 ColourScale ScaleFor(const PlanView& view, const std::string& array,
   const std::vector<std::string>& sites, const ColourScale& moment);
 
+/// The same for values of which the largest is known.
+ColourScale ScaleFor(double largest, const std::string& array,
+  const std::vector<std::string>& sites, const ColourScale& moment);
+
 } // namespace nexrad::scene

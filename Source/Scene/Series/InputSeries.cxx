@@ -7,17 +7,29 @@
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 
+#include <algorithm>
+
 namespace nexrad::scene
 {
 
 std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Progress& progress)
 {
+  // An ancillary array, as REF_age, is made beside its moment.
+  const std::size_t end = request.colourBy.find('_');
+  const std::optional<MomentName> colours = ParseMomentName(request.colourBy.substr(0, end));
+  const std::vector<MomentName> moments = request.grid.Moments();
   if (AreVolumes(request.inputs))
   {
-    return OpenVolumeFiles(request.inputs);
+    return OpenVolumeFiles(
+      request.inputs, {request.momentNamed ? moments : std::vector<MomentName>(), colours, false});
   }
   MergeOptions grid = request.grid;
   grid.time = request.time;
+  if (colours && std::find(moments.begin(), moments.end(), *colours) == moments.end())
+  {
+    grid.furtherMoments.push_back(*colours);
+  }
+  grid.beam.ancillary = grid.beam.ancillary || end != std::string::npos;
   return OpenRadarFiles(request.inputs, grid, ShareOf(progress, 0.0, ScanShare));
 }
 

@@ -2,14 +2,17 @@
 #include "Scene/Series/VolumeFiles.h"
 
 #include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
+#include "vtkNexradImageConversion.h"
 #include "vtkNexradMessages.h"
 #include "vtkNexradVolumeFile.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
@@ -105,11 +108,62 @@ void AddFolder(TimedFiles& files, const fs::path& folder)
   }
 }
 
+// Of the moments that a file has, those that are read, the one that is shown first.
+std::vector<MomentName> ChooseMoments(
+  const MomentRequest& request, const std::vector<MomentName>& own)
+{
+  std::vector<MomentName> chosen = request.moments;
+  const auto add = [&chosen](MomentName moment)
+  {
+    if (std::find(chosen.begin(), chosen.end(), moment) == chosen.end())
+    {
+      chosen.push_back(moment);
+    }
+  };
+  if (chosen.empty())
+  {
+    add(own.front());
+  }
+  if (request.colours)
+  {
+    add(*request.colours);
+  }
+  for (std::size_t i = 0; request.all && i < own.size(); ++i)
+  {
+    add(own[i]);
+  }
+  return chosen;
+}
+
+// An image with the first of the moments as its first, where that is another one.
+vtkSmartPointer<vtkImageData> Showing(
+  const std::vector<MomentName>& wanted, vtkSmartPointer<vtkImageData> image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const std::string first = scalars && scalars->GetName() ? scalars->GetName() : "";
+  if (wanted.empty() || first == ToString(wanted.front()))
+  {
+    return image;
+  }
+  std::vector<GriddedVolume> moments = SplitMoments(vtkNexradImageToVolume(image));
+  const auto shown = std::find_if(moments.begin(), moments.end(),
+    [&](const GriddedVolume& moment) { return moment.moment == wanted.front(); });
+  if (shown == moments.end())
+  {
+    throw Error("the volume has no " + std::string(ToString(wanted.front())));
+  }
+  std::rotate(moments.begin(), shown, moments.end());
+  auto turned = vtkSmartPointer<vtkImageData>::New();
+  vtkNexradVolumeToImage(JoinMoments(std::move(moments)), turned);
+  return turned;
+}
+
 class VolumeFiles : public VolumeSeries
 {
 public:
-  explicit VolumeFiles(TimedFiles timedFiles)
+  VolumeFiles(TimedFiles timedFiles, MomentRequest momentRequest)
     : files(std::move(timedFiles))
+    , request(std::move(momentRequest))
   {
     std::stable_sort(
       files.begin(), files.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
@@ -128,15 +182,18 @@ public:
     const fs::path& path = files[index].second;
     if (EndsWith(path, ".vti"))
     {
-      return ReadVti(path);
+      return Showing(request.moments, ReadVti(path));
     }
     auto image = vtkSmartPointer<vtkImageData>::New();
-    vtkNexradReadVolumeFile({path.string(), {}, codes, pictureBytesPerVoxel}, image);
+    vtkNexradReadVolumeFile({path.string(), {}, ChooseMoments(request, ReadNxvMoments(path)), codes,
+                              pictureBytesPerVoxel},
+      image);
     return image;
   }
 
 private:
   TimedFiles files;
+  const MomentRequest request;
   std::vector<Time> times;
   bool codes = false;
 };
@@ -165,7 +222,8 @@ bool AreVolumes(const std::vector<fs::path>& paths)
   return count != 0;
 }
 
-std::unique_ptr<VolumeSeries> OpenVolumeFiles(const std::vector<fs::path>& inputs)
+std::unique_ptr<VolumeSeries> OpenVolumeFiles(
+  const std::vector<fs::path>& inputs, const MomentRequest& request)
 {
   TimedFiles files;
   for (const fs::path& input : inputs)
@@ -191,7 +249,7 @@ std::unique_ptr<VolumeSeries> OpenVolumeFiles(const std::vector<fs::path>& input
   {
     throw Error(inputs.front().string() + ": lists no volume");
   }
-  return std::make_unique<VolumeFiles>(std::move(files));
+  return std::make_unique<VolumeFiles>(std::move(files), request);
 }
 
 } // namespace nexrad::scene

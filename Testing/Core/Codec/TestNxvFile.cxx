@@ -358,7 +358,7 @@ TEST(NxvFile, CodesAreReadAsTheyAre)
     {NxvEncoding::RadarSteps, NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated})
   {
     WriteNxv(path, volume, With(encoding));
-    EXPECT_TRUE(HasNxvCodes(path, true));
+    EXPECT_TRUE(HasNxvCodes(path, {}, true));
     const auto coded = ReadNxvCodes(path);
     ASSERT_TRUE(coded);
     EXPECT_FALSE(coded->rangeFolded);
@@ -388,7 +388,7 @@ TEST(NxvFile, CodesTellWhenVoxelsAreRangeFolded)
   EXPECT_TRUE(coded->rangeFolded);
   EXPECT_EQ(coded->meaning.states[coded->codes[5]], VoxelState::NoEcho);
   EXPECT_TRUE(HasNxvCodes(path));
-  EXPECT_FALSE(HasNxvCodes(path, true));
+  EXPECT_FALSE(HasNxvCodes(path, {}, true));
 }
 
 TEST(NxvFile, TheThesisWritesRunsOfTwo)

@@ -41,11 +41,11 @@ TEST(PolarCache, KeepsTheVolumesAskedForLast)
   const auto first = Volume();
   cache.Keep(Key("a"), first);
   cache.Keep(Key("a", 1), Volume());
-  EXPECT_EQ(cache.Find(Key("a")), first);
+  EXPECT_EQ(cache.Find(Key("a"), MomentName::REF), first);
   cache.Keep(Key("b"), Volume()); // drops the second cycle of a
-  EXPECT_EQ(cache.Find(Key("a")), first);
-  EXPECT_EQ(cache.Find(Key("a", 1)), nullptr);
-  EXPECT_NE(cache.Find(Key("b")), nullptr);
+  EXPECT_EQ(cache.Find(Key("a"), MomentName::REF), first);
+  EXPECT_EQ(cache.Find(Key("a", 1), MomentName::REF), nullptr);
+  EXPECT_NE(cache.Find(Key("b"), MomentName::REF), nullptr);
   EXPECT_LE(cache.Used(), limit);
 }
 
@@ -56,8 +56,8 @@ TEST(PolarCache, OffersDropNothing)
   EXPECT_TRUE(cache.Offer(Key("a"), Volume()));
   EXPECT_TRUE(cache.Offer(Key("b"), Volume()));
   EXPECT_FALSE(cache.Offer(Key("c"), Volume()));
-  EXPECT_NE(cache.Find(Key("a")), nullptr);
-  EXPECT_EQ(cache.Find(Key("c")), nullptr);
+  EXPECT_NE(cache.Find(Key("a"), MomentName::REF), nullptr);
+  EXPECT_EQ(cache.Find(Key("c"), MomentName::REF), nullptr);
 }
 
 TEST(PolarCache, WithoutMemoryKeepsNothing)
@@ -65,7 +65,7 @@ TEST(PolarCache, WithoutMemoryKeepsNothing)
   PolarCache cache(0);
   EXPECT_FALSE(cache.Offer(Key("a"), Volume()));
   cache.Keep(Key("a"), Volume());
-  EXPECT_EQ(cache.Find(Key("a")), nullptr);
+  EXPECT_EQ(cache.Find(Key("a"), MomentName::REF), nullptr);
   EXPECT_EQ(cache.Used(), 0U);
 }
 

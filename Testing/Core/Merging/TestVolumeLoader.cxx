@@ -290,7 +290,9 @@ TEST_F(VolumeLoading, HandsOnWhatPreparingThrows)
   LoaderWork work = this->Work();
   work.prepare = [](const std::shared_ptr<const PolarVolume>&) -> ReadyVolume
   { throw std::runtime_error("no room"); };
-  VolumeLoader loader({paths, *ListByHeaders(paths), {}}, {}, work, nullptr, 2);
+  SeriesOptions options;
+  options.moment = MomentName::REF;
+  VolumeLoader loader({paths, *ListByHeaders(paths), {}}, options, work, nullptr, 2);
   EXPECT_THROW(loader.About(start), std::runtime_error);
   EXPECT_THROW(loader.Scan(0), std::runtime_error);
 }

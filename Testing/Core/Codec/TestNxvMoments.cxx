@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Files with several moments.
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/VolumeMoments.h"
+
+#include "TestData.h"
+#include "VolumeMaker.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+using namespace nexrad;
+using nexrad::testing::AddAncillary;
+using nexrad::testing::FileContent;
+using nexrad::testing::MakeGriddedVolume;
+using nexrad::testing::TemporaryFolder;
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+// REF, VEL with range-folded voxels and ZDR, which takes two bytes, on one grid with states of
+// their own; REF and VEL have ancillary arrays.
+std::vector<GriddedVolume> MakeMoments()
+{
+  std::vector<GriddedVolume> moments(3, MakeGriddedVolume());
+  moments[1].moment = MomentName::VEL;
+  moments[2].moment = MomentName::ZDR;
+  moments[1].states[1] = VoxelState::RangeFolded;
+  moments[1].states[6] = VoxelState::NoEcho;
+  moments[1].values[6] = moments[1].fill;
+  moments[2].states[9] = VoxelState::NotScanned;
+  moments[2].values[9] = moments[2].fill;
+  AddAncillary(moments[0]);
+  AddAncillary(moments[1]);
+  return moments;
+}
+
+void ExpectSame(const GriddedVolume& actual, const GriddedVolume& expected)
+{
+  EXPECT_EQ(actual.moment, expected.moment);
+  EXPECT_EQ(actual.values, expected.values);
+  EXPECT_EQ(actual.states, expected.states);
+  EXPECT_EQ(actual.ancillary.age, expected.ancillary.age);
+  EXPECT_EQ(actual.ancillary.radars, expected.ancillary.radars);
+  EXPECT_EQ(actual.ancillary.weight, expected.ancillary.weight);
+  EXPECT_EQ(actual.ancillary.nearestSite, expected.ancillary.nearestSite);
+  EXPECT_EQ(actual.sites, expected.sites);
+  EXPECT_EQ(actual.time, expected.time);
+  EXPECT_TRUE(actual.grid == expected.grid);
+}
+
+} // namespace
+
+TEST(NxvMoments, EachIsWhatAFileOfItAloneHolds)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "all.nxv";
+  for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Float})
+  {
+    NxvWriteOptions options;
+    options.encoding = encoding;
+    WriteNxv(path, JoinMoments(MakeMoments()), options);
+    const std::vector<GriddedVolume> read = SplitMoments(ReadNxv(path));
+    ASSERT_EQ(read.size(), 3U);
+    for (std::size_t i = 0; i < read.size(); ++i)
+    {
+      WriteNxv(folder.Path() / "one.nxv", MakeMoments()[i], options);
+      const GriddedVolume alone = ReadNxv(folder.Path() / "one.nxv");
+      ExpectSame(read[i], alone);
+      NxvReadOptions choice;
+      choice.moments = {alone.moment};
+      const GriddedVolume chosen = ReadNxv(path, choice);
+      ExpectSame(chosen, alone);
+      EXPECT_TRUE(chosen.further.empty());
+    }
+  }
+}
+
+// Codes are of one moment: of the one asked for, wherever it is in the file.
+TEST(NxvMoments, OneMomentIsReadAsCodes)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "all.nxv";
+  WriteNxv(path, JoinMoments(MakeMoments()));
+  EXPECT_FALSE(HasNxvCodes(path));
+  EXPECT_FALSE(ReadNxvCodes(path));
+  NxvReadOptions options;
+  options.moments = {MomentName::VEL};
+  EXPECT_TRUE(HasNxvCodes(path, options));
+  const auto coded = ReadNxvCodes(path, options);
+  ASSERT_TRUE(coded);
+  EXPECT_TRUE(coded->rangeFolded);
+  EXPECT_EQ(coded->volume.moment, MomentName::VEL);
+  const GriddedVolume read = ReadNxv(path, options);
+  for (std::size_t i = 0; i < read.values.size(); ++i)
+  {
+    EXPECT_EQ(coded->meaning.values[coded->codes[i]], read.values[i]);
+    const bool folded = read.states[i] == VoxelState::RangeFolded; // has the code of no echo
+    EXPECT_EQ(coded->meaning.states[coded->codes[i]], folded ? VoxelState::NoEcho : read.states[i]);
+  }
+  EXPECT_EQ(coded->volume.ancillary.age, read.ancillary.age);
+}
+
+TEST(NxvMoments, AreListedAndReadInTheOrderAskedFor)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "all.nxv";
+  WriteNxv(path, JoinMoments(MakeMoments()));
+  EXPECT_EQ(ReadNxvMoments(path),
+    (std::vector<MomentName>{MomentName::REF, MomentName::VEL, MomentName::ZDR}));
+  EXPECT_EQ(ReadNxvAncillaryArrayNames(path).size(), 8U);
+  NxvReadOptions options;
+  options.moments = {MomentName::ZDR, MomentName::REF};
+  options.leaveOut = {"REF_age"};
+  const GriddedVolume read = ReadNxv(path, options);
+  ASSERT_EQ(read.further.size(), 1U);
+  EXPECT_EQ(read.moment, MomentName::ZDR);
+  EXPECT_EQ(read.further[0].values, ReadNxv(path).values);
+  EXPECT_TRUE(read.further[0].ancillary.age.empty());
+  EXPECT_FALSE(read.further[0].ancillary.weight.empty());
+  options.moments = {MomentName::REF, MomentName::SW};
+  try
+  {
+    ReadNxv(path, options);
+    FAIL() << "a moment was read that is not there";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(
+      std::string(error.what()).find("the file has no SW; it has REF, VEL, ZDR"), std::string::npos)
+      << error.what();
+  }
+}
+
+// The thesis's run lengths are for its one moment.
+TEST(NxvMoments, FurtherOnesHaveNoRunLengths)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "all.nxv";
+  NxvWriteOptions options;
+  options.encoding = NxvEncoding::RunLength;
+  WriteNxv(path, JoinMoments(MakeMoments()), options);
+  const GriddedVolume read = ReadNxv(path);
+  EXPECT_EQ(read.values[3], 2.0F); // 1.75 dBZ in whole dBZ
+  WriteNxv(path, JoinMoments(MakeMoments()));
+  EXPECT_EQ(read.further.at(0).values, ReadNxv(path).further.at(0).values);
+}
+
+TEST(NxvMoments, OneThatIsThereTwiceIsRefused)
+{
+  const TemporaryFolder folder;
+  GriddedVolume twice = MakeGriddedVolume();
+  twice.further = {MakeGriddedVolume()};
+  WriteNxv(folder.Path() / "twice.nxv", twice);
+  EXPECT_THROW(ReadNxv(folder.Path() / "twice.nxv"), Error);
+}
+
+TEST(NxvMoments, TakeMemoryEach)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "all.nxv";
+  WriteNxv(path, JoinMoments(MakeMoments()));
+  NxvReadOptions options;
+  options.moments = {MomentName::ZDR};
+  // ZDR: value and state, and a code of two bytes while it is decoded.
+  options.maximumBytes = MakeMoments()[0].values.size() * 7;
+  EXPECT_NO_THROW(ReadNxv(path, options));
+  options.moments = {MomentName::ZDR, MomentName::VEL};
+  EXPECT_THROW(ReadNxv(path, options), Error);
+  options.leaveOut = {"VEL_age", "VEL_radars", "VEL_weight", "VEL_site"};
+  options.maximumBytes = MakeMoments()[0].values.size() * (7 + 5);
+  EXPECT_NO_THROW(ReadNxv(path, options));
+}

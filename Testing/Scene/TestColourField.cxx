@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Opacity from the moment that is shown, colour from another array.
+#include "ScenePicture.h"
+#include "StormVolume.h"
+#include "TestData.h"
+#include "nexrad/Grid/VolumeMoments.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradMessages.h"
+#include "vtkNexradTransferFunction.h"
+#include "vtkNexradVolumeScene.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkRenderer.h>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdlib>
+#include <fstream>
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+constexpr std::array<int, 2> size = {400, 225};
+using Pixel = std::array<int, 3>;
+
+// The storm with a velocity: 22 m/s away from the radar in the western half of its core, towards it
+// in the eastern one, range folded north of the core; age 60 s in the west, 600 s in the east.
+vtkSmartPointer<vtkImageData> MakeStormWithVelocity()
+{
+  GriddedVolume storm = MakeStorm(false);
+  GriddedVolume velocity = storm;
+  velocity.moment = MomentName::VEL;
+  for (std::size_t i = 0; i < storm.values.size(); ++i)
+  {
+    const bool west = i % 48 < 17;
+    const bool folded = i / 48 % 48 > 20;
+    const bool echo = storm.states[i] == VoxelState::Echo;
+    velocity.states[i] = !echo    ? VoxelState::NoEcho
+                         : folded ? VoxelState::RangeFolded
+                                  : VoxelState::Echo;
+    velocity.values[i] = echo && !folded ? (west ? 22.0F : -22.0F) : velocity.fill;
+    storm.ancillary.age.push_back(west ? 60.0F : 600.0F);
+    storm.ancillary.nearestSite.push_back(west ? 0 : 1);
+    storm.ancillary.radars.push_back(1);
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  vtkNexradVolumeToImage(JoinMoments({storm, velocity}), image);
+  return image;
+}
+
+template <typename Settings>
+Picture DrawStorm(const std::string& name, const Settings& set)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormWithVelocity());
+  scene->SetAzimuth(180.0);
+  scene->SetTilt(60.0);
+  set(scene.Get());
+  const Picture picture = OffScreenWindow(scene->GetRenderer(), size).Draw();
+  KeepPicture(picture, name);
+  return picture;
+}
+
+Picture DrawBy(const std::string& array)
+{
+  return DrawStorm(array, [&](vtkNexradVolumeScene* scene) { scene->SetColorArray(array); });
+}
+
+// Pixels left of the colour bar.
+template <typename Test>
+int Count(const Picture& picture, const Test& test)
+{
+  int count = 0;
+  for (int y = size[1] / 8; y < size[1] * 3 / 4; ++y)
+  {
+    for (int x = 0; x < size[0] * 85 / 100; ++x)
+    {
+      count += test(PixelOf(picture, x, y)) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+bool IsRed(const Pixel& rgb)
+{
+  return rgb[0] > 100 && rgb[0] > 2 * rgb[1] && rgb[0] > 2 * rgb[2];
+}
+
+bool IsGreen(const Pixel& rgb)
+{
+  return rgb[1] > 90 && rgb[1] > 2 * rgb[0] && rgb[1] > 2 * rgb[2];
+}
+
+bool IsBlue(const Pixel& rgb)
+{
+  return rgb[2] > 90 && rgb[2] > 2 * rgb[0];
+}
+
+} // namespace
+
+// The picture: the storm's core red in the west, green in the east, brown where velocities are
+// range folded; no other colour, although between brown and red lie green and blue velocities.
+TEST(ColourField, VelocityGivesTheColoursOfReflectivity)
+{
+  const Picture picture = DrawBy("VEL");
+  ExpectSceneBaseline(picture, "VelocityOnReflectivity");
+  EXPECT_GT(Count(picture, IsRed), 300);
+  EXPECT_GT(Count(picture, IsGreen), 300);
+  EXPECT_EQ(Count(picture, IsBlue), 0);
+}
+
+// One colour for all values, of the moment alone and of a velocity that is known everywhere: the
+// same picture, since the opacities are those of the moment.
+TEST(ColourField, InOneColourItIsThePictureOfTheMoment)
+{
+  const TemporaryFolder folder;
+  const std::string table = folder.Path() / "one.csv";
+  std::ofstream(table) << "value,colour\n-40,#40c0ff\n20,#40c0ff\n80,#40c0ff\n";
+  GriddedVolume storm = MakeStorm(false);
+  GriddedVolume velocity = storm;
+  velocity.moment = MomentName::VEL;
+  velocity.states.assign(velocity.states.size(), VoxelState::Echo);
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(JoinMoments({storm, velocity}), image);
+  const auto draw = [&](const std::string& array)
+  {
+    return DrawStorm("one-colour" + array,
+      [&](vtkNexradVolumeScene* scene)
+      {
+        scene->SetVolume(image);
+        scene->SetColorFileName(table);
+        scene->SetColorArray(array);
+      });
+  };
+  const Picture moment = draw("");
+  const Picture two = draw("VEL");
+  const auto isStorm = [](const Pixel& rgb) { return rgb[2] > 150 && rgb[0] < 80; };
+  EXPECT_GT(Count(moment, isStorm), 1000);
+  int worst = 0;
+  for (int y = size[1] / 8; y < size[1] * 3 / 4; ++y)
+  {
+    for (int x = 0; x < size[0] * 85 / 100; ++x)
+    {
+      for (std::size_t c = 0; c < 3; ++c)
+      {
+        worst = std::max(worst, std::abs(PixelOf(moment, x, y)[c] - PixelOf(two, x, y)[c]));
+      }
+    }
+  }
+  EXPECT_LE(worst, 1);
+}
+
+// The opacities are those of the moment: where it is clear, nothing is seen of the other array.
+TEST(ColourField, OpacityIsThatOfTheMoment)
+{
+  const auto draw = [](const std::string& name, bool clear)
+  {
+    return DrawStorm(name,
+      [clear](vtkNexradVolumeScene* scene)
+      {
+        scene->SetColorArray("VEL");
+        scene->Update();
+        vtkNexradTransferFunction* function = scene->GetTransferFunction();
+        function->RemoveAllNodes(vtkNexradTransferFunction::OPACITY);
+        function->AddNode(vtkNexradTransferFunction::OPACITY, 20.0, 0.0);
+        function->AddNode(vtkNexradTransferFunction::OPACITY, 25.0, clear ? 0.0 : 0.9);
+      });
+  };
+  const Picture nothing = draw("clear", true);
+  EXPECT_EQ(Count(nothing, IsRed) + Count(nothing, IsGreen), 0);
+  EXPECT_GT(Count(draw("dense", false), IsRed), Count(DrawBy("VEL"), IsRed));
+}
+
+// The captions and the bar say minutes; two colours, of 1 and of 10 minutes.
+TEST(ColourField, AgeAndNearestRadarGiveColours)
+{
+  const Picture storm = DrawStorm("moment", [](vtkNexradVolumeScene*) {});
+  const Picture age = DrawBy("REF_age");
+  const Picture site = DrawBy("REF_site");
+  EXPECT_GT(MeanDifference(age, storm), 1.0);
+  EXPECT_GT(MeanDifference(site, age), 1.0);
+  // Blue for the first radar, orange for the second; between them no other.
+  EXPECT_GT(Count(site, IsBlue), 300);
+  EXPECT_EQ(Count(site, IsGreen), 0);
+}
+
+TEST(ColourField, AnArrayThatIsNotThereIsRefusedByName)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  vtkNexradMessages messages;
+  messages.Watch(scene);
+  scene->SetVolume(MakeStormVolume(false));
+  scene->SetColorArray("VEL");
+  EXPECT_FALSE(scene->Update());
+  ASSERT_EQ(messages.Errors().size(), 1U);
+  EXPECT_NE(messages.Errors()[0].find("no point array VEL"), std::string::npos);
+  scene->SetColorArray("REF_state");
+  EXPECT_FALSE(scene->Update());
+  scene->SetColorArray("REF");
+  EXPECT_TRUE(scene->Update());
+}
