@@ -34,9 +34,13 @@ private:
 std::unique_ptr<VolumeSeries> PlayAhead(std::unique_ptr<VolumeSeries> series,
   const std::vector<std::size_t>& steps, const SceneOptions& options)
 {
+  // Of what is drawn, the slices of one moment alone know codes, and what is prepared.
+  const bool slices =
+    options.mapper == MapperChoice::TextureSlice && !options.plan && options.colourBy.empty();
+  series->AllowCodes(options.scalarsAsCodes && slices);
   ReadAheadOptions readAhead;
   readAhead.order = steps;
-  if (options.mapper == MapperChoice::TextureSlice && !options.plan && options.colourBy.empty())
+  if (slices)
   {
     readAhead.prepare = Preparation();
   }

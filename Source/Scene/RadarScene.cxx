@@ -25,6 +25,7 @@
 #include <vtkPointData.h>
 #include <vtkPropCollection.h>
 #include <vtkRenderer.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
 #include <vtkVolumeMapper.h>
 #include <vtkVolumeProperty.h>
@@ -214,23 +215,45 @@ void RadarScene::SetCamera(const CameraView& cameraView)
   this->Aim();
 }
 
+namespace
+{
+
+// Values in place of codes, which the slices of one moment alone can draw.
+vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& options)
+{
+  const bool slices = options.mapper == MapperChoice::TextureSlice && options.colourBy.empty();
+  const bool codes =
+    vtkUnsignedCharArray::SafeDownCast(data->GetPointData()->GetScalars()) != nullptr;
+  if (slices || options.plan || !codes)
+  {
+    return data;
+  }
+  auto values = vtkSmartPointer<vtkImageData>::New();
+  vtkNexradVolumeToImage(vtkNexradImageToVolume(data), values);
+  return values;
+}
+
+} // namespace
+
 void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 {
   RequireVoxels(data);
-  MakeTransferFunction(options, ArrayOf(data));
+  const vtkSmartPointer<vtkImageData> values = AsDrawn(data, options);
+  MakeTransferFunction(options, ArrayOf(values));
   if (options.plan)
   {
     MakePlanView(vtkNexradImageToVolume(data), *options.plan);
   }
   else if (!options.colourBy.empty())
   {
-    MakeColourField(options, data, ReadVolumeInformation(data));
+    MakeColourField(options, values, ReadVolumeInformation(values));
   }
 }
 
-void RadarScene::SetVolume(vtkImageData* data)
+void RadarScene::SetVolume(vtkImageData* newVolume)
 {
-  RequireVoxels(data);
+  RequireVoxels(newVolume);
+  const vtkSmartPointer<vtkImageData> data = AsDrawn(newVolume, options);
   std::optional<PlanView> planView;
   if (options.plan)
   {
@@ -262,7 +285,7 @@ void RadarScene::SetVolume(vtkImageData* data)
   ages = AgesOfData(data, array, information.sites.size());
 
   vtkNew<vtkImageData> placed;
-  placed->ShallowCopy(field ? field->volume.Get() : data);
+  placed->ShallowCopy(field ? field->volume.Get() : data.Get());
   frame.MoveToScene(placed);
   if (planView)
   {

@@ -9,23 +9,10 @@
 
 namespace nexrad::scene
 {
-namespace
-{
-
-// Of what is drawn, the slices alone know codes; two fields are made of values.
-std::unique_ptr<VolumeSeries> WithCodes(
-  std::unique_ptr<VolumeSeries> series, const SceneOptions& options)
-{
-  series->AllowCodes(
-    options.mapper == MapperChoice::TextureSlice && !options.plan && options.colourBy.empty());
-  return series;
-}
-
-} // namespace
 
 RadarSession::RadarSession(
   std::unique_ptr<VolumeSeries> source, std::vector<std::size_t> steps, const SceneOptions& options)
-  : series(PlayAhead(WithCodes(std::move(source), options), steps, options))
+  : series(PlayAhead(std::move(source), steps, options))
   , chosen(std::move(steps))
   , scene(options)
 {

@@ -36,6 +36,8 @@ struct SceneOptions
                         ///< moment, which gives the opacities; empty: the moment gives both
   std::optional<double> exaggeration; ///< of heights; above 0; empty: DefaultExaggeration
   MapperChoice mapper = MapperChoice::TextureSlice;
+  bool scalarsAsCodes = true; ///< whether volumes may be read as the codes of their files where
+                              ///< slices are drawn, of one moment
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
   int slices = 256;           ///< or samples along the longest ray; from 1 on
   double ringSpacing = 0.0;   ///< m, between rings about each radar; 0: none

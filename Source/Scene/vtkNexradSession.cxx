@@ -26,8 +26,36 @@ using nexrad::scene::VolumeSeries;
 struct vtkNexradSession::Opened
 {
   vtkMTimeType time = 0;
+  nexrad::scene::SceneOptions options; ///< of the scene, as far as reading depends on them
   std::unique_ptr<VolumeSeries> volumes;
 };
+
+namespace
+{
+
+// What of the scene decides on how volumes are read.
+nexrad::scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene, bool scalarsAsCodes)
+{
+  nexrad::scene::SceneOptions options;
+  options.scalarsAsCodes = scalarsAsCodes;
+  options.mapper = scene->GetMapper() == vtkNexradVolumeScene::RAY_CAST
+                     ? nexrad::scene::MapperChoice::RayCast
+                     : nexrad::scene::MapperChoice::TextureSlice;
+  options.colourBy = scene->GetColorArray();
+  if (scene->GetPlan() != vtkNexradVolumeScene::NO_PLAN)
+  {
+    options.plan.emplace();
+  }
+  return options;
+}
+
+bool AreReadAlike(const nexrad::scene::SceneOptions& a, const nexrad::scene::SceneOptions& b)
+{
+  return a.scalarsAsCodes == b.scalarsAsCodes && a.mapper == b.mapper &&
+         a.colourBy.empty() == b.colourBy.empty() && a.plan.has_value() == b.plan.has_value();
+}
+
+} // namespace
 
 vtkStandardNewMacro(vtkNexradSession);
 
@@ -84,7 +112,8 @@ void vtkNexradSession::Open()
     auto files = nexrad::scene::OpenVolumeFiles(paths);
     std::vector<std::size_t> order(files->Times().size());
     std::iota(order.begin(), order.end(), std::size_t(0));
-    this->Series->volumes = nexrad::scene::PlayAhead(std::move(files), order, {});
+    this->Series->volumes =
+      nexrad::scene::PlayAhead(std::move(files), order, this->Series->options);
     return;
   }
   this->Series->volumes = nexrad::scene::OpenDayVolumes(this->DayReader);
@@ -92,12 +121,14 @@ void vtkNexradSession::Open()
 
 bool vtkNexradSession::UpdateInformation()
 {
-  if (this->Series->volumes &&
+  const nexrad::scene::SceneOptions options = OptionsOf(this->Scene, this->ScalarsAsCodes);
+  if (this->Series->volumes && AreReadAlike(options, this->Series->options) &&
       this->Series->time >= std::max(this->GetMTime(), this->DayReader->GetMTime()))
   {
     return true;
   }
   this->Series = std::make_unique<Opened>();
+  this->Series->options = options;
   this->TimeSteps->Initialize();
   this->TimeStepIndex = -1;
   try
@@ -193,6 +224,7 @@ void vtkNexradSession::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileNames: " << this->GetNumberOfFileNames() << "\n";
+  os << indent << "ScalarsAsCodes: " << this->ScalarsAsCodes << "\n";
   os << indent << "TimeStepIndex: " << this->TimeStepIndex << "\n";
   os << indent << "DayReader:\n";
   this->DayReader->PrintSelf(os, indent.GetNextIndent());

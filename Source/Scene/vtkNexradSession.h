@@ -64,6 +64,17 @@ public:
    */
   vtkNexradVolumeScene* GetScene() const;
 
+  ///@{
+  /**
+   * Whether volumes are read as the codes of the files where the scene can draw these: faster, and
+   * a sixth of the memory. The volume of the scene then has codes for scalars
+   * (vtkNexradVolumeReader::ScalarsAsCodes). On by default.
+   */
+  vtkSetMacro(ScalarsAsCodes, bool);
+  vtkGetMacro(ScalarsAsCodes, bool);
+  vtkBooleanMacro(ScalarsAsCodes, bool);
+  ///@}
+
   /**
    * Opens the inputs, unless they are open already and neither they nor the reader's settings have
    * changed since. The other functions do so themselves. False after an error.
@@ -100,6 +111,7 @@ protected:
   vtkNexradSession();
   ~vtkNexradSession() override;
 
+  bool ScalarsAsCodes = true;
   int TimeStepIndex = -1;
 
 private:

@@ -239,15 +239,27 @@ TEST(RenderCommand, ColoursFromAnotherArray)
     EXPECT_EQ(done.status, 0) << done.errors;
     return FileContent(folder.Path() / name);
   };
+  const auto merge = [&](const fs::path& volumes, bool ancillary)
+  {
+    std::vector<std::string> arguments = {"grid", files, "-o", volumes, "--moment", "REF,VEL",
+      "--code", "exact", "--dims", "32x32x16", "--quiet"};
+    if (ancillary)
+    {
+      arguments.emplace_back("--ancillary");
+    }
+    const ProgramRun merged = RunNexrad3d(arguments);
+    EXPECT_EQ(merged.status, 0) << merged.errors;
+  };
   const fs::path volumes = folder.Path() / "volumes";
-  const ProgramRun merged = RunNexrad3d({"grid", files, "-o", volumes, "--moment", "REF,VEL",
-    "--ancillary", "--code", "exact", "--dims", "32x32x16", "--quiet"});
-  ASSERT_EQ(merged.status, 0) << merged.errors;
+  merge(volumes, false);
+  const fs::path withAges = folder.Path() / "with-ages"; // captions state the age where it is known
+  merge(withAges, true);
   std::set<std::string> pictures = {draw(files, "a.png", {})};
   for (const char* array : {"VEL", "REF_age", "REF_site"})
   {
     const std::string picture = draw(files, "b.png", {"--colour-by", array});
-    EXPECT_EQ(picture, draw(volumes, "c.png", {"--colour-by", array})) << array;
+    const fs::path& merged = array == std::string("VEL") ? volumes : withAges;
+    EXPECT_EQ(picture, draw(merged, "c.png", {"--colour-by", array})) << array;
     pictures.insert(picture);
   }
   const std::string velocity = draw(files, "d.png", {"--moment", "VEL"});
