@@ -58,6 +58,9 @@ public:
   vtkTextureSliceFrame Frame;
   vtkTextureSliceEmptySpace EmptySpace;
   vtkTextureSliceGeometry Geometry;
+  /// Whole slices: where the sum of an additive picture is 0, although there are samples.
+  vtkTextureSliceGeometry Cover;
+  bool HasCover = false;
   vtkTextureSliceLights Lights;
   vtkTextureSliceShadows Shadows;
   vtkTextureSliceResolution Resolution;
@@ -122,6 +125,8 @@ public:
   void UpdateIntegrals(const vtkTextureSliceUniforms& uniforms);
   /// Slices after which to look for opaque pixels; 0: never.
   int ChooseGroup(const vtkTextureSliceUniforms& uniforms);
+  /// Draws the slices into the target that is bound. @return false if the shaders do not compile
+  bool DrawSlices(const vtkTextureSliceUniforms& uniforms);
   /// Draws the slices into the target. @return false with one line in @a error
   bool Draw(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error);
   /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level
@@ -303,6 +308,32 @@ int vtkOpenGLTextureSliceVolumeMapper::Internals::ChooseGroup(
     other ? 1.0 : mostOpacity, this->Geometry.GetNumberOfPlanes());
 }
 
+bool vtkOpenGLTextureSliceVolumeMapper::Internals::DrawSlices(
+  const vtkTextureSliceUniforms& uniforms)
+{
+  const auto hideOpaque = [&](vtkOpenGLBufferObject* vertices, int first, int count)
+  {
+    this->Target.BeginDepthOnly();
+    this->OpaquePixels.Mark(
+      this->Window, vertices, first, count, this->Frame.GetBoxToClip(), this->Target.GetPicture());
+    this->Target.EndDepthOnly();
+  };
+  const int vertices = this->Geometry.GetNumberOfVertices();
+  const bool drawn = vertices == 0 || this->Program.Draw(this->Window, this->Geometry, uniforms,
+                                        this->ChooseGroup(uniforms), hideOpaque);
+  if (!drawn || !this->HasCover)
+  {
+    return drawn;
+  }
+  // Pixels that have a sum are passed by; elsewhere the first sample makes them black.
+  if (vertices > 0)
+  {
+    hideOpaque(this->Program.GetVertices(), 0, vertices);
+  }
+  const int group = vtkTextureSliceOpaquePixels::ChooseGroup(1.0, this->Cover.GetNumberOfPlanes());
+  return this->Program.Draw(this->Window, this->Cover, uniforms, group, hideOpaque);
+}
+
 bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error)
 {
@@ -326,15 +357,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
   SetBlending(state, blendMode);
-  const auto hideOpaque = [&](vtkOpenGLBufferObject* vertices, int first, int count)
-  {
-    this->Target.BeginDepthOnly();
-    this->OpaquePixels.Mark(
-      this->Window, vertices, first, count, this->Frame.GetBoxToClip(), this->Target.GetPicture());
-    this->Target.EndDepthOnly();
-  };
-  const bool drawn = this->Program.Draw(
-    this->Window, this->Geometry, uniforms, this->ChooseGroup(uniforms), hideOpaque);
+  const bool drawn = this->DrawSlices(uniforms);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   this->Target.End();
   if (!drawn)
@@ -593,13 +616,15 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
   vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request)
 {
   Internals& parts = *this->Parts;
-  parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable, &parts.Frame,
-    this->CroppingRegionFlags});
+  const vtkTextureSliceFeatures features = request.GetFeatures();
+  parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable,
+    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags});
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
-  view.Slabs = request.GetFeatures().Slabs;
+  view.Slabs = features.Slabs;
+  view.Surfaces = features.IsoValues > 0;
   view.SampleDistance = this->ChooseSampleDistance(image, parts.Frame.GetShortestVoxelEdge());
-  view.Occupancy = parts.EmptySpace.GetOccupancy();
+  view.Occupancy = &parts.EmptySpace.GetOccupancy();
   view.Dense = parts.EmptySpace.GetDense();
   if (view.Dense != nullptr)
   {
@@ -608,7 +633,14 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
   }
   view.Viewport = vtkTextureSliceTarget::GetSize(renderer, parts.PixelSize);
   parts.Geometry.Build(view);
-  return parts.Geometry.GetNumberOfVertices() > 0;
+  parts.HasCover =
+    features.BlendMode == vtkVolumeMapper::ADDITIVE_BLEND && parts.EmptySpace.LeavesOutSamples();
+  if (parts.HasCover)
+  {
+    view.Occupancy = nullptr;
+    parts.Cover.Build(view);
+  }
+  return parts.Geometry.GetNumberOfVertices() > 0 || parts.HasCover;
 }
 
 std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,

@@ -2,13 +2,15 @@
 // Frame times of the slices, sampled and pre-integrated, beside VTK's ray casters, on the synthetic
 // storm volume and on volumes that are visible everywhere: 796 x 532 pixels, 256 slices, as many
 // samples along the axis of the view, 12 views. Then the same storms with and without shadows and
-// occlusion, and how long a new light volume takes. Usage: BenchmarkMapper [light] [points along x
-// ...]: 128, 256, 512; default all three; light: shadows and occlusion alone.
+// occlusion, and how long a new light volume takes; and with each blend mode. Usage:
+// BenchmarkMapper [light|modes] [points along x ...]: 128, 256, 512; default all three; light:
+// shadows and occlusion alone; modes: blend modes alone.
 #include "RenderingTest.h"
 #include "Scenes.h"
 #include "SyntheticStorm.h"
 
 #include "vtkCamera.h"
+#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkFixedPointVolumeRayCastMapper.h"
 #include "vtkImageData.h"
@@ -278,6 +280,99 @@ private:
   std::vector<double> LitTimes;
 };
 
+/// A blend mode, or two-dimensional functions.
+struct Mode
+{
+  const char* Name;
+  int BlendMode;
+  bool Table2D = false;
+};
+
+constexpr std::array<Mode, 7> Modes = {{{"composite", vtkVolumeMapper::COMPOSITE_BLEND},
+  {"two-dimensional functions", vtkVolumeMapper::COMPOSITE_BLEND, true},
+  {"isosurfaces of 30 and 45 dBZ", vtkVolumeMapper::ISOSURFACE_BLEND},
+  {"maximum", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND},
+  {"minimum", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND},
+  {"average of 30 to 90 dBZ", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND},
+  {"additive", vtkVolumeMapper::ADDITIVE_BLEND}}};
+
+/// The upper two thirds of the range of the scalars, above a tenth of the gradient magnitudes.
+vtkSmartPointer<vtkImageData> MakeFunction2D()
+{
+  auto function = vtkSmartPointer<vtkImageData>::New();
+  function->SetDimensions(64, 16, 1);
+  function->AllocateScalars(VTK_FLOAT, 4);
+  auto* entry = static_cast<float*>(function->GetScalarPointer());
+  for (int i = 0; i < 64 * 16; ++i, entry += 4)
+  {
+    entry[0] = 0.9f;
+    entry[1] = static_cast<float>(i % 64) / 64.0f;
+    entry[2] = 0.3f;
+    entry[3] = i % 64 > 21 && i / 64 > 1 ? 0.3f : 0.0f;
+  }
+  return function;
+}
+
+void MeasureMode(const Mode& mode, vtkImageData* storm)
+{
+  Scene stage(796, 532, 0, false);
+  SetStormFunctions(stage.GetProperty(), VTK_FLOAT);
+  stage.GetProperty()->SetScalarOpacityUnitDistance(StormUnitDistance);
+  stage.GetProperty()->GetIsoSurfaceValues()->SetValue(0, 30.0);
+  stage.GetProperty()->GetIsoSurfaceValues()->SetValue(1, 45.0);
+  if (mode.Table2D)
+  {
+    stage.GetProperty()->SetTransferFunction2D(MakeFunction2D());
+  }
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> slices;
+  slices->SetNumberOfSlices(Slices);
+  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> rays;
+  rays->SetAutoAdjustSampleDistances(0);
+  rays->SetUseJittering(0);
+  const std::array<vtkGPUVolumeRayCastMapper*, 2> mappers = {slices.Get(), rays.Get()};
+  std::array<std::vector<double>, 2> times;
+  for (int view = -1; view < Views; ++view) // the first ones upload and compile
+  {
+    AimCamera(stage.GetRenderer(), storm, std::max(view, 0));
+    rays->SetSampleDistance(static_cast<float>(SampleDistance(stage.GetRenderer(), storm)));
+    for (std::size_t i = 0; i < mappers.size(); ++i)
+    {
+      mappers[i]->SetInputData(storm);
+      mappers[i]->SetBlendMode(mode.BlendMode);
+      mappers[i]->SetAverageIPScalarRange(30.0, 90.0);
+      stage.GetVolume()->SetMapper(mappers[i]);
+      const auto begin = Clock::now();
+      stage.GetWindow()->Render();
+      stage.GetWindow()->WaitForCompletion();
+      if (view >= 0)
+      {
+        times[i].push_back(Milliseconds(begin));
+      }
+    }
+  }
+  const int* size = storm->GetDimensions();
+  const double ofSlices = Median(times[0]);
+  const double ofRays = Median(times[1]);
+  std::printf("| %dx%dx%d | %s | %.1f | %.1f | %.2f |\n", size[0], size[1], size[2], mode.Name,
+    ofSlices, ofRays, ofSlices / ofRays);
+  std::fflush(stdout);
+}
+
+void MeasureModes(const std::vector<int>& sizes)
+{
+  std::printf("\nBlend modes on the storms, milliseconds\n\n"
+              "| volume | blend mode | slices | GPU ray caster | slices / GPU |\n"
+              "|---|---|---|---|---|\n");
+  for (const int size : sizes)
+  {
+    const auto storm = nexrad::benchmarks::MakeSyntheticStorm({size, size, size / 2}, VTK_FLOAT);
+    for (const Mode& mode : Modes)
+    {
+      MeasureMode(mode, storm);
+    }
+  }
+}
+
 double VisibleFraction(vtkImageData* image, vtkVolumeProperty* property)
 {
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
@@ -330,14 +425,16 @@ void MeasureLight(const std::vector<int>& sizes)
 
 int main(int argc, char* argv[])
 {
-  const bool lightAlone = argc > 1 && std::string(argv[1]) == "light";
+  const std::string part = argc > 1 ? argv[1] : "";
+  const bool partAlone = part == "light" || part == "modes";
   std::vector<int> sizes;
-  for (int i = lightAlone ? 2 : 1; i < argc; ++i)
+  for (int i = partAlone ? 2 : 1; i < argc; ++i)
   {
     sizes.push_back(std::atoi(argv[i]));
     if (sizes.back() < 4 || sizes.back() > 2048)
     {
-      std::fprintf(stderr, "usage: BenchmarkMapper [light] [points along x, 4 to 2048 ...]\n");
+      std::fprintf(
+        stderr, "usage: BenchmarkMapper [light|modes] [points along x, 4 to 2048 ...]\n");
       return 2;
     }
   }
@@ -345,9 +442,9 @@ int main(int argc, char* argv[])
   {
     sizes = {128, 256, 512};
   }
-  if (lightAlone)
+  if (partAlone)
   {
-    MeasureLight(sizes);
+    part == "light" ? MeasureLight(sizes) : MeasureModes(sizes);
     return 0;
   }
   std::printf("796 x 532 pixels, %d slices, median of %d views, milliseconds\n\n"
@@ -360,5 +457,6 @@ int main(int argc, char* argv[])
     MeasureSize(size);
   }
   MeasureLight(sizes);
+  MeasureModes(sizes);
   return 0;
 }

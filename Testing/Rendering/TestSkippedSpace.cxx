@@ -7,6 +7,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -58,6 +59,29 @@ protected:
     this->Mapper->SetInputData(this->Input);
     SetStormFunctions(this->Stage->GetProperty(), scalarType);
     this->Threshold = scalarType == VTK_FLOAT ? 15.0 : 15.0 + 33.0; // dBZ
+  }
+
+  void LookFromInside()
+  {
+    vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+    camera->SetPosition(4.0, 2.0, 4.0);
+    camera->SetFocalPoint(-10.0, -6.0, 8.0);
+    camera->SetViewAngle(70.0);
+    camera->SetClippingRange(0.5, 200.0);
+  }
+
+  /// Each seventh.
+  void HidePoints()
+  {
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    ghosts->SetNumberOfTuples(this->Input->GetNumberOfPoints());
+    ghosts->FillValue(0);
+    for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); id += 7)
+    {
+      ghosts->SetValue(id, vtkDataSetAttributes::HIDDENPOINT);
+    }
+    this->Input->GetPointData()->AddArray(ghosts);
   }
 
   Picture DrawWith(double opacityOfNothing)
@@ -156,11 +180,7 @@ TEST_F(SkippedSpace, CellScalars)
 
 TEST_F(SkippedSpace, CameraInside)
 {
-  vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
-  camera->SetPosition(4.0, 2.0, 4.0);
-  camera->SetFocalPoint(-10.0, -6.0, 8.0);
-  camera->SetViewAngle(70.0);
-  camera->SetClippingRange(0.5, 200.0);
+  this->LookFromInside();
   this->ExpectSamePicture();
 }
 
@@ -174,15 +194,7 @@ TEST_F(SkippedSpace, TurnedActorInPartOfTheWindow)
 
 TEST_F(SkippedSpace, CropsClipsAndHiddenPoints)
 {
-  vtkNew<vtkUnsignedCharArray> ghosts;
-  ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
-  ghosts->SetNumberOfTuples(this->Input->GetNumberOfPoints());
-  ghosts->FillValue(0);
-  for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); id += 7)
-  {
-    ghosts->SetValue(id, vtkDataSetAttributes::HIDDENPOINT);
-  }
-  this->Input->GetPointData()->AddArray(ghosts);
+  this->HidePoints();
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(-6.0, -6.0, 0.0);
   plane->SetNormal(-0.6, 0.8, 0.1);
@@ -224,4 +236,96 @@ TEST_F(SkippedSpace, Extremes)
   this->Mapper->SetBlendModeToMinimumIntensity();
   this->ShowsWeak = true;
   this->ExpectSamePicture();
+}
+
+// Sums of 0 are black wherever there are samples, as where nothing is left out.
+TEST_F(SkippedSpace, Sums)
+{
+  this->Mapper->SetBlendModeToAdditive();
+  this->ExpectSame(1.0);
+  this->Stage->GetRenderer()->SetBackground(0.2, 0.4, 0.8);
+  this->ExpectSame(1.0);
+}
+
+// Nothing is opaque: the whole box is black.
+TEST_F(SkippedSpace, SumsOfNothing)
+{
+  this->Mapper->SetBlendModeToAdditive();
+  this->Threshold = 200.0;
+  this->Stage->GetRenderer()->SetBackground(0.2, 0.4, 0.8);
+  this->ExpectSame(0.0);
+}
+
+TEST_F(SkippedSpace, SumsWithCropsAndHiddenPoints)
+{
+  this->HidePoints();
+  this->Mapper->CroppingOn();
+  this->Mapper->SetCroppingRegionPlanes(-14.0, -6.0, -12.0, -4.0, 5.0, 9.0);
+  this->Mapper->SetCroppingRegionFlagsToInvertedFence();
+  this->Mapper->SetBlendModeToAdditive();
+  this->Stage->GetRenderer()->SetBackground(0.2, 0.4, 0.8);
+  this->ExpectSame(1.0);
+}
+
+// Further iso-values that are clear change no pixel, but leave hardly a brick out.
+TEST_F(SkippedSpace, Isosurfaces)
+{
+  this->Mapper->SetBlendModeToIsoSurface();
+  vtkNew<vtkPiecewiseFunction> opacity;
+  opacity->AddPoint(29.0, 0.0);
+  opacity->AddPoint(30.0, 0.7);
+  this->Stage->GetProperty()->SetScalarOpacity(opacity);
+  this->Stage->GetProperty()->ShadeOn();
+  const Picture background = this->Stage->Draw(nullptr);
+  vtkContourValues* values = this->Stage->GetProperty()->GetIsoSurfaceValues();
+  for (const bool inside : {false, true})
+  {
+    if (inside)
+    {
+      this->LookFromInside();
+    }
+    values->SetNumberOfContours(2);
+    values->SetValue(0, 31.0);
+    values->SetValue(1, 45.0);
+    const Picture skipping = this->Stage->Draw(this->Mapper);
+    for (int i = 2; i < 14; ++i)
+    {
+      values->SetValue(i, 4.0 * (i - 2) - 32.0 + 0.1);
+    }
+    const Picture whole = this->Stage->Draw(this->Mapper);
+    const Difference difference = Compare(skipping, whole, background);
+    EXPECT_GT(difference.Pixels, 2000);
+    EXPECT_AT_MOST(difference.Worst, 5.0, "isosurfaces with empty space skipped, of 255",
+      "where a ray grazes a surface, rounding moves the hit");
+    EXPECT_AT_MOST(
+      difference.LargestMean(), 0.00028, "mean difference of isosurfaces with empty space skipped");
+  }
+}
+
+// Opaque above 30 dBZ where the gradient is large.
+TEST_F(SkippedSpace, TwoDimensionalFunctions)
+{
+  const auto draw = [&](float opacityOfNothing)
+  {
+    vtkNew<vtkImageData> function;
+    function->SetDimensions(64, 16, 1);
+    function->AllocateScalars(VTK_FLOAT, 4);
+    auto* entry = static_cast<float*>(function->GetScalarPointer());
+    for (int i = 0; i < 64 * 16; ++i, entry += 4)
+    {
+      const bool seen = i % 64 > 40 && i / 64 > 2;
+      entry[0] = 0.9f;
+      entry[1] = static_cast<float>(i % 64) / 64.0f;
+      entry[2] = 0.3f;
+      entry[3] = seen ? 0.6f : opacityOfNothing;
+    }
+    this->Stage->GetProperty()->SetTransferFunction2D(function);
+    return this->Stage->Draw(this->Mapper);
+  };
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture skipping = draw(0.0f);
+  const Difference difference = Compare(skipping, draw(1e-9f), background);
+  EXPECT_GT(difference.Pixels, 1000);
+  EXPECT_AT_MOST(
+    difference.Worst, 1.0, "two-dimensional functions with empty space skipped, of 255", OneCode);
 }

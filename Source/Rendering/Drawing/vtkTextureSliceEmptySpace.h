@@ -13,6 +13,7 @@
 
 class vtkTextureSliceFrame;
 class vtkTextureSliceTable;
+class vtkTextureSliceTable2D;
 class vtkTextureSliceTexture;
 struct vtkTextureSliceRequest;
 
@@ -30,6 +31,7 @@ public:
     const vtkTextureSliceTexture* Texture = nullptr;
     const vtkTextureSliceTable* Table = nullptr;
     const vtkTextureSliceTable* LabelTable = nullptr; ///< used where the request has labels
+    const vtkTextureSliceTable2D* Table2D = nullptr;  ///< used where the request has such functions
     const vtkTextureSliceFrame* Frame = nullptr;      ///< knows the cropping planes
     int CropFlags = 0;
   };
@@ -37,11 +39,10 @@ public:
   /// Does nothing where nothing has changed.
   void Update(const Source& source);
 
-  /// nullptr: every sample counts, whatever the transfer functions, as in an average.
-  const vtkTextureSliceOccupancy* GetOccupancy() const
-  {
-    return this->Skips ? &this->Occupancy : nullptr;
-  }
+  const vtkTextureSliceOccupancy& GetOccupancy() const { return this->Occupancy; }
+
+  /// Whether bricks that have samples are left out, because these add nothing.
+  bool LeavesOutSamples() const { return this->LeavesOut; }
 
   /// Bricks in which each sample has the opacity of the table's densest part; nullptr: not known.
   const vtkTextureSliceOccupancy* GetDense() const
@@ -51,8 +52,9 @@ public:
 
 private:
   /// All that the answers depend on, the order that of MakeKey.
-  using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, std::string, bool,
-    std::array<float, 3>, std::array<float, 3>, int>;
+  using Key =
+    std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
+      std::vector<double>, std::string, bool, std::array<float, 3>, std::array<float, 3>, int>;
   static Key MakeKey(const Source& source);
 
   void FindDense(const Source& source);
@@ -60,7 +62,7 @@ private:
   void HideCropped(const Source& source);
 
   Key Last;
-  bool Skips = false;
+  bool LeavesOut = false;
   vtkTextureSliceOccupancy Occupancy;
   bool HasDense = false;
   vtkTextureSliceOccupancy Dense;

@@ -201,7 +201,8 @@ vtkTextureSliceSegments MakeSegments(
   segments.Step =
     view.Parallel ? Scaled(eye.Direction, depthStep) : Scaled(eye.Position, -segments.Growth);
   segments.Part = view.Part;
-  segments.Reach = view.ClippingPlanes.empty() ? 0.5 : 1.0;
+  const double slab = view.ClippingPlanes.empty() ? 0.5 : 1.0;
+  segments.Reach = view.Surfaces ? std::array<double, 2>{1.0, 0.0} : std::array{slab, slab};
   return segments;
 }
 
@@ -331,7 +332,7 @@ std::vector<vtkTextureSliceGeometry::Placed> vtkTextureSliceGeometry::PlaceSlice
     if (view.Occupancy != nullptr)
     {
       screen.Place(slicer, slice.Depth, slice.Outline, slice.OnScreen);
-      if (view.Slabs > 0)
+      if (view.Slabs > 0 || view.Surfaces)
       {
         slice.OnScreen.Segments = MakeSegments(view, eye, slice.Depth, this->DepthStep);
       }

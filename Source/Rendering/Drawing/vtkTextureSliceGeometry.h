@@ -36,6 +36,8 @@ struct vtkTextureSliceView
   /// Slabs that each slice stands for; 0: none, it is a layer of samples. The number of slices
   /// counts slabs then, and fewer planes are cut.
   int Slabs = 0;
+  /// Whether a pixel of a slice also shows what is between it and the slice in front.
+  bool Surfaces = false;
   /// Data length between two slices along the axis of the view, used if NumberOfSlices is 0.
   double SampleDistance = 1.0;
 

@@ -90,6 +90,9 @@ public:
   /// The window that owns the resources must be current.
   void ReleaseGraphicsResources();
 
+  /// Those of the last Draw.
+  vtkOpenGLBufferObject* GetVertices() { return this->Vertices; }
+
 private:
   vtkShaderProgram* Ready(
     vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const;

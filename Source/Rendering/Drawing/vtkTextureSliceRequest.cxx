@@ -129,10 +129,21 @@ const char* vtkTextureSliceRequest::FindUnsupportedRange(
   return nullptr;
 }
 
+std::vector<double> vtkTextureSliceRequest::GetIsoValues() const
+{
+  std::vector<double> values;
+  if (this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
+    values.assign(contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
+    std::sort(values.begin(), values.end());
+  }
+  return values;
+}
+
 bool vtkTextureSliceRequest::IsEmpty() const
 {
-  return this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
-         this->Property->GetIsoSurfaceValues()->GetNumberOfContours() == 0;
+  return this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND && this->GetIsoValues().empty();
 }
 
 bool vtkTextureSliceRequest::IsIndependent() const
@@ -188,7 +199,6 @@ bool vtkTextureSliceRequest::HasGradientOpacity() const
 
 vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
 {
-  const bool isosurface = this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
   vtkTextureSliceFeatures features;
   features.BlendMode = this->BlendMode;
   features.Components = this->Components;
@@ -199,8 +209,7 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.BinaryMask = this->BinaryMask;
   features.Labels = this->CountLabels();
   features.Slabs = this->IntegratesSlabs() ? SlabsOfFragment : 0;
-  features.IsoValues =
-    isosurface ? this->Property->GetIsoSurfaceValues()->GetNumberOfContours() : 0;
+  features.IsoValues = static_cast<int>(this->GetIsoValues().size());
   return features;
 }
 
@@ -312,13 +321,11 @@ std::vector<vtkTextureSliceSurface> vtkTextureSliceRequest::MakeSurfaces() const
 std::vector<float> vtkTextureSliceRequest::MakeIsoValues(
   const vtkTextureSliceComponent& component) const
 {
-  vtkContourValues* contours = this->Property->GetIsoSurfaceValues();
   std::vector<float> values;
-  for (int i = 0; i < contours->GetNumberOfContours(); ++i)
+  for (const double value : this->GetIsoValues())
   {
-    values.push_back(static_cast<float>(Normalized(contours->GetValue(i), component)));
+    values.push_back(static_cast<float>(Normalized(value, component)));
   }
-  std::sort(values.begin(), values.end());
   return values;
 }
 

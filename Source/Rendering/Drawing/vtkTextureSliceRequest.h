@@ -38,6 +38,8 @@ struct vtkTextureSliceRequest
   const char* FindUnsupported() const;
   /// The same for what only the scalars' ranges tell.
   const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;
+  /// The values of the isosurfaces, ascending; none in other blend modes.
+  std::vector<double> GetIsoValues() const;
   /// Whether nothing is to be seen: isosurfaces without values.
   bool IsEmpty() const;
   /// Whether each component has its own functions.

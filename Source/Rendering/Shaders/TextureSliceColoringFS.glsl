@@ -352,7 +352,8 @@ bool Gather(vec4 scalars, out vec4 gathered)
     float isoValue = isoValues[rising ? i : TEXTURE_SLICE_ISO_VALUES - 1 - i];
     vec4 onSurface;
     if (isoValue >= between.x && isoValue < between.y &&
-      FindSurface(isoValue, before, nearScalar, here, farScalar, onSurface))
+      FindSurface(isoValue, before, nearScalar, here, farScalar, onSurface) &&
+      IsLeft(textureCoordinate))
     {
       vec4 color = SurfaceColor(isoValue, onSurface);
       gathered += (1.0 - gathered.a) * vec4(color.rgb * color.a, color.a);

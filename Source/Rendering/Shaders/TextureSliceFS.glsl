@@ -30,6 +30,24 @@ bool IsCropped(vec3 at)
 }
 #endif
 
+// Whether cropping and mask leave what is there.
+bool IsLeft(vec3 at)
+{
+#ifdef TEXTURE_SLICE_CROPPED
+  if (IsCropped(at))
+  {
+    return false;
+  }
+#endif
+#ifdef TEXTURE_SLICE_BINARY_MASK
+  if (FetchLabel(at) == 0)
+  {
+    return false;
+  }
+#endif
+  return true;
+}
+
 //VTK::TextureSlice::Coloring
 
 #ifdef TEXTURE_SLICE_SLABS
@@ -38,14 +56,9 @@ bool IsCropped(vec3 at)
 bool GatherSample(out vec4 gathered)
 {
   textureCoordinate = sliceCoordinate;
-#ifdef TEXTURE_SLICE_CROPPED
-  if (IsCropped(textureCoordinate))
-  {
-    return false;
-  }
-#endif
-#ifdef TEXTURE_SLICE_BINARY_MASK
-  if (FetchLabel(textureCoordinate) == 0)
+#if TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
+  // A surface lies beside the sample.
+  if (!IsLeft(textureCoordinate))
   {
     return false;
   }

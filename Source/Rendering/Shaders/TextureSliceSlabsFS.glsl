@@ -232,22 +232,6 @@ void AddLabel(inout Slab slab, vec3 scalars, float units)
 }
 #endif
 
-// Whether the middle of a slab is cut away.
-bool IsCut(vec3 place)
-{
-#ifdef TEXTURE_SLICE_CROPPED
-  if (IsCropped(place))
-  {
-    return true;
-  }
-#endif
-#ifdef TEXTURE_SLICE_BINARY_MASK
-  return FetchLabel(place) == 0;
-#else
-  return false;
-#endif
-}
-
 // Whether any function shows something of a slab.
 bool IsVisible(Slab slab)
 {
@@ -317,7 +301,7 @@ bool MakeSlabs(out Slab slabs[TEXTURE_SLICE_SLABS])
   {
     slabs[i].place = first + (float(i) + 0.5) * toBack;
     slabs[i].scalars = points[2 * i + 1];
-    units[i] = IsCut(slabs[i].place)
+    units[i] = !IsLeft(slabs[i].place)
       ? 0.0
       : FindVisibleShare(ends[i], ends[i + 1]) * thickness * length(sampleStep);
 #ifdef TEXTURE_SLICE_LABELS

@@ -88,6 +88,8 @@ bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)
     entries.insert(entries.end(), first, first + 4 * image->GetNumberOfPoints());
   }
   this->Rows = size[1];
+  this->Width = size[0];
+  this->IndexOpacities(entries, images.size());
   this->Last = images;
   this->LastTime = LatestTime(images);
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -95,6 +97,25 @@ bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)
   return this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
     static_cast<unsigned int>(size[1]) * static_cast<unsigned int>(images.size()), 4, VTK_FLOAT,
     entries.data());
+}
+
+void vtkTextureSliceTable2D::IndexOpacities(const std::vector<float>& entries, std::size_t images)
+{
+  const auto width = static_cast<std::size_t>(this->Width);
+  this->Visibilities.resize(images);
+  for (std::size_t image = 0; image < images; ++image)
+  {
+    std::vector<float> most(width, 0.0f);
+    const float* opacity =
+      entries.data() + image * width * static_cast<std::size_t>(this->Rows) * 4;
+    for (std::size_t i = 0; i < width * static_cast<std::size_t>(this->Rows); ++i)
+    {
+      most[i % width] = std::max(most[i % width], opacity[4 * i + 3]);
+    }
+    this->Visibilities[image].Build(
+      most.data(), width, 1, [](float opacity) { return opacity > 0.0f; });
+  }
+  this->FillTime.Modified();
 }
 
 void vtkTextureSliceTable2D::ReleaseGraphicsResources(vtkWindow* window)

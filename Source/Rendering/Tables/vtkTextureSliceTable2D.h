@@ -5,8 +5,11 @@
 
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureSliceVisibility.h"
+#include "vtkTimeStamp.h"
 #include "vtkType.h"
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -33,13 +36,26 @@ public:
   vtkTextureObject* GetTexture() { return this->Texture; }
   /// Rows of one image.
   int GetNumberOfRows() const { return this->Rows; }
+  /// Entries of a row.
+  int GetWidth() const { return this->Width; }
+  /// Where an image's opacity is above 0 at some gradient magnitude, over the scalars as 0 to 1.
+  const vtkTextureSliceVisibility& GetVisibility(std::size_t image) const
+  {
+    return this->Visibilities[image];
+  }
+  /// When the images were read last.
+  vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
 
 private:
   bool NeedsUpdate(vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images) const;
   bool Upload(const std::vector<vtkImageData*>& images);
+  void IndexOpacities(const std::vector<float>& entries, std::size_t images);
 
   vtkNew<vtkTextureObject> Texture;
   int Rows = 0;
+  int Width = 0;
+  std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each image
+  vtkTimeStamp FillTime;
   std::vector<vtkImageData*> Last; ///< pointers are compared, never followed
   vtkMTimeType LastTime = 0;
 };

@@ -168,12 +168,18 @@ bool IsInside(const std::array<double, 6>& part, const Swept& box)
 void Sweep(const vtkTextureSliceSegments& segments, Swept& box)
 {
   const Swept plane = box;
-  for (const double side : {-1.0, 1.0})
+  for (const std::size_t side : {0, 1})
   {
-    Swept end = Move(segments, plane, side);
-    if (segments.Reach < 1.0 && IsInside(segments.Part, end))
+    const double reach = segments.Reach[side];
+    if (reach == 0.0)
     {
-      end = Move(segments, plane, side * segments.Reach);
+      continue;
+    }
+    const double direction = side == 0 ? -1.0 : 1.0;
+    Swept end = Move(segments, plane, direction);
+    if (reach < 1.0 && IsInside(segments.Part, end))
+    {
+      end = Move(segments, plane, direction * reach);
     }
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
@@ -197,10 +203,7 @@ Share FindIn(const vtkTextureSliceOccupancy& occupancy, const vtkTextureSliceOnS
     box.Low[axis] = slice.Origin[axis] + left + bottom;
     box.High[axis] = slice.Origin[axis] + right + top;
   }
-  if (slice.Segments.Reach > 0.0)
-  {
-    Sweep(slice.Segments, box);
-  }
+  Sweep(slice.Segments, box);
   return occupancy.Find(box.Low, box.High);
 }
 

@@ -18,10 +18,10 @@ struct vtkTextureSliceSegments
 {
   vtkTextureSlice::Vector Step{}; ///< box coordinates
   double Growth = 0.0;
-  /// What a pixel shows of its ray: that many slice distances on either side of the slice, and up
-  /// to a face of the part of the box that is drawn if it is within one slice distance. 0: the
-  /// slice.
-  double Reach = 0.0;
+  /// What a pixel shows of its ray beside the slice: that many slice distances before and after it,
+  /// and up to a face of the part of the box that is drawn if it is within one slice distance.
+  /// 0: nothing on that side.
+  std::array<double, 2> Reach{};
   std::array<double, 6> Part{0, 1, 0, 1, 0, 1}; ///< lower x, upper x, lower y and so on
 };
 

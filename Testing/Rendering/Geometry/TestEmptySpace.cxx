@@ -362,7 +362,7 @@ TEST(EmptySpace, SegmentsReachBricksBesideTheSlice)
   const vtkTextureSlicePixels picture{0, 0, 100, 100};
   const auto find = [&] { return vtkTextureSliceTiles::FindVisible(occupancy, slice, picture); };
   EXPECT_EQ(find(), Share::Nothing);
-  slice.Segments.Reach = 0.5;
+  slice.Segments.Reach = {0.5, 0.5};
   slice.Segments.Step = {0.0, 0.0, 0.6};
   EXPECT_EQ(find(), Share::Something);
   slice.Segments.Step = {0.0, 0.0, -0.6}; // it is before the slice then
