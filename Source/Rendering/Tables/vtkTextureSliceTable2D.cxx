@@ -106,11 +106,11 @@ void vtkTextureSliceTable2D::IndexOpacities(const std::vector<float>& entries, s
   for (std::size_t image = 0; image < images; ++image)
   {
     std::vector<float> most(width, 0.0f);
-    const float* opacity =
+    const float* alpha =
       entries.data() + image * width * static_cast<std::size_t>(this->Rows) * 4;
     for (std::size_t i = 0; i < width * static_cast<std::size_t>(this->Rows); ++i)
     {
-      most[i % width] = std::max(most[i % width], opacity[4 * i + 3]);
+      most[i % width] = std::max(most[i % width], alpha[4 * i + 3]);
     }
     this->Visibilities[image].Build(
       most.data(), width, 1, [](float opacity) { return opacity > 0.0f; });
