@@ -106,8 +106,7 @@ void vtkTextureSliceTable2D::IndexOpacities(const std::vector<float>& entries, s
   for (std::size_t image = 0; image < images; ++image)
   {
     std::vector<float> most(width, 0.0f);
-    const float* alpha =
-      entries.data() + image * width * static_cast<std::size_t>(this->Rows) * 4;
+    const float* alpha = entries.data() + image * width * static_cast<std::size_t>(this->Rows) * 4;
     for (std::size_t i = 0; i < width * static_cast<std::size_t>(this->Rows); ++i)
     {
       most[i % width] = std::max(most[i % width], alpha[4 * i + 3]);
