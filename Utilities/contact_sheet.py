@@ -1,7 +1,9 @@
-"""Parts of make-contact-sheets: times and captions from `nexrad3d info --json`, sheets of pictures, the index.
+"""Parts of make-contact-sheets: times and captions from `nexrad3d info --json`, sheets of pictures (also of
+make-pictures), the index.
 
   contact_sheet.py middle INFO                     middle of the file's time, and the reach of its radar
   contact_sheet.py sheet INFO LABEL SHEET MAP...   the maps, three in a row, with a caption; prints the caption
+  contact_sheet.py pictures TEXT SHEET PICTURE...  pictures of one size, three in a row, with a caption
   contact_sheet.py index SHEETS LEFT_OUT PAGE      an HTML page of lines "sheet, caption" and "input, reason"
 """
 
@@ -96,6 +98,8 @@ def main(task, *arguments):
         text = caption(described(arguments[0]), arguments[1])
         write_sheet(text, arguments[2], arguments[3:])
         print(text)
+    elif task == "pictures":
+        write_sheet(arguments[0], arguments[1], arguments[2:])
     else:
         write_index(lines_of(arguments[0]), lines_of(arguments[1]), arguments[2])
 

@@ -2,12 +2,16 @@
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
 #include "StormVolume.h"
+#include "TestData.h"
 
+#include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradVolumeFile.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkProp.h>
 
 #include <gtest/gtest.h>
@@ -71,6 +75,22 @@ TEST(DataAge, IsOfVoxelsThatOneRadarScannedAlone)
   const auto none = AgesOfData(image, "REF", 2);
   ASSERT_EQ(none.size(), 2U);
   EXPECT_FALSE(none[0] || none[1]);
+}
+
+// A file's codes have no array of states: their table says what was not scanned.
+TEST(DataAge, IsTheSameOfCodes)
+{
+  const nexrad::testing::TemporaryFolder folder;
+  const std::string path = folder.Path() / "a.nxv";
+  WriteNxv(path, MakeAgedStorm());
+  vtkNew<vtkImageData> values;
+  vtkNexradReadVolumeFile({path, {}, {}, false}, values);
+  vtkNew<vtkImageData> codes;
+  vtkNexradReadVolumeFile({path, {}, {}, true}, codes);
+  ASSERT_FALSE(codes->GetPointData()->HasArray("REF_state"));
+  const auto ages = AgesOfData(codes, "REF", 2);
+  ASSERT_EQ(ages.size(), 2U);
+  EXPECT_EQ(ages, AgesOfData(values, "REF", 2));
 }
 
 TEST(DataAge, OfOneRadarNeedsTheAgeAlone)

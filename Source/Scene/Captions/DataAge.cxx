@@ -2,6 +2,7 @@
 #include "Scene/Captions/DataAge.h"
 
 #include <vtkDataArray.h>
+#include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkImageData.h>
 #include <vtkPointData.h>
@@ -50,18 +51,45 @@ const auto* ValuesOf(vtkImageData* volume, const std::string& name)
            : nullptr;
 }
 
+// The states of a volume of values or of codes.
+class States
+{
+public:
+  States(vtkImageData* volume, const std::string& array)
+    : states(ValuesOf<vtkUnsignedCharArray>(volume, array + "_state"))
+  {
+    auto* table = vtkUnsignedCharArray::SafeDownCast(
+      volume->GetFieldData()->GetArray((array + "_code_states").c_str()));
+    if (states == nullptr && table != nullptr && table->GetNumberOfTuples() == 256)
+    {
+      states = ValuesOf<vtkUnsignedCharArray>(volume, array);
+      ofCode = table->GetPointer(0);
+    }
+  }
+
+  bool AreKnown() const { return states != nullptr; }
+  bool IsScanned(vtkIdType voxel) const
+  {
+    constexpr unsigned char notScanned = 3; // of the array of states
+    return (ofCode != nullptr ? ofCode[states[voxel]] : states[voxel]) != notScanned;
+  }
+
+private:
+  const unsigned char* states; // or codes
+  const unsigned char* ofCode = nullptr;
+};
+
 } // namespace
 
 std::vector<std::optional<double>> AgesOfData(
   vtkImageData* volume, const std::string& array, std::size_t sites)
 {
-  constexpr unsigned char notScanned = 3; // of the array of states
   const float* age = ValuesOf<vtkFloatArray>(volume, array + "_age");
   const unsigned char* radars = ValuesOf<vtkUnsignedCharArray>(volume, array + "_radars");
   const unsigned char* site = ValuesOf<vtkUnsignedCharArray>(volume, array + "_site");
-  const unsigned char* state = ValuesOf<vtkUnsignedCharArray>(volume, array + "_state");
+  const States states(volume, array);
   const bool one = sites == 1;
-  if (age == nullptr || state == nullptr || (!one && (radars == nullptr || site == nullptr)))
+  if (age == nullptr || !states.AreKnown() || (!one && (radars == nullptr || site == nullptr)))
   {
     return {};
   }
@@ -69,7 +97,7 @@ std::vector<std::optional<double>> AgesOfData(
   for (vtkIdType i = 0; i < volume->GetNumberOfPoints(); ++i)
   {
     const std::size_t which = one ? 0 : site[i];
-    if (state[i] != notScanned && which < sites && (one || radars[i] == 1))
+    if (states.IsScanned(i) && which < sites && (one || radars[i] == 1))
     {
       const auto bin = static_cast<std::size_t>(std::max(0.0F, age[i]) / binSeconds);
       ++histograms[which][std::min(bin, bins - 1)];
