@@ -11,6 +11,25 @@
 #include <sstream>
 #include <string>
 
+namespace
+{
+
+// ParaView keeps presets in the user's settings, so one of an earlier version of the plugin may be
+// there. What else the user's settings say of it, as its groups, stays.
+void UpdatePreset(
+  vtkSMTransferFunctionPresets* presets, const std::string& name, const Json::Value& map)
+{
+  Json::Value kept = presets->GetFirstPresetWithName(name.c_str());
+  for (const std::string& member : map.getMemberNames())
+  {
+    kept[member] = map[member];
+  }
+  kept["Name"] = name;
+  presets->SetPreset(name.c_str(), kept);
+}
+
+} // namespace
+
 void vtkNexradAddColorMapPresets()
 {
   const vtkProcessModule::ProcessTypes process = vtkProcessModule::GetProcessType();
@@ -23,12 +42,16 @@ void vtkNexradAddColorMapPresets()
   {
     const std::string preset = vtkNexradTransferFunction::GetPresetName(i);
     const std::string name = "NEXRAD " + preset;
-    if (!presets->HasPreset(name.c_str()))
+    vtkNew<vtkNexradTransferFunction> function;
+    function->ApplyPreset(preset.c_str());
+    Json::Value list;
+    std::istringstream(function->FormatJSON()) >> list;
+    if (presets->HasPreset(name.c_str()))
     {
-      vtkNew<vtkNexradTransferFunction> function;
-      function->ApplyPreset(preset.c_str());
-      Json::Value list;
-      std::istringstream(function->FormatJSON()) >> list;
+      UpdatePreset(presets, name, list[0]);
+    }
+    else
+    {
       presets->AddPreset(name.c_str(), list[0]);
     }
   }

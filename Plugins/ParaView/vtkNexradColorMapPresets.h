@@ -4,8 +4,8 @@
 
 /**
  * Gives ParaView the presets of vtkNexradTransferFunction, named like "NEXRAD all echo". ParaView
- * keeps them with a user's other presets; one that is there already stays as the user has it.
- * Servers have no presets, so nothing happens there.
+ * keeps them in the user's settings, with the user's own; those of an earlier version of the plugin
+ * get the colours and opacities of this one. Servers have no presets, so nothing happens there.
  */
 void vtkNexradAddColorMapPresets();
 

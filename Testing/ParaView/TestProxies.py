@@ -1,7 +1,11 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Every proxy: it can be made, has the class's settings with the class's defaults, and explains them."""
 
+import os
 import re
+import subprocess
+import sys
+import tempfile
 import unittest
 
 import Plugin
@@ -9,7 +13,10 @@ import vtknexrad
 from paraview import simple
 
 # What a class can be told that is no setting of a user.
-NOT_SETTINGS = {"SetController"}  # processes that read together: the application's matter
+NOT_SETTINGS = {
+    "SetController",  # processes that read together: the application's matter
+    "SetScalarsAsCodes",  # ParaView's own filters take each number for a value, never for a code
+}
 # What the plugin decides otherwise than the class: the processes of a server share the work.
 OTHER_DEFAULTS = {"SetUseGlobalController": 1}
 # A number is understood with one of these words beside it.
@@ -89,7 +96,36 @@ class Settings(unittest.TestCase):
             self.assertTrue(hasattr(simple, name), name)
 
 
+# Writes the opacity of the plugin's "NEXRAD hail" at 60 dBZ; then, as an earlier version of the plugin might have, gives
+# the preset another opacity, which ParaView writes to the user's settings at its end.
+OTHER_VERSION = """
+import os
+from paraview import servermanager, simple
+simple.LoadPlugin(os.environ["NEXRAD_PLUGIN"], remote=False)
+opacity = simple.GetOpacityTransferFunction("a moment")
+assert opacity.ApplyPreset("NEXRAD hail", False)
+print("opacity", opacity.GetClientSideObject().GetValue(60.0))
+presets = servermanager.vtkSMTransferFunctionPresets.GetInstance()
+presets.RemovePreset([presets.GetPresetName(i) for i in range(presets.GetNumberOfPresets())].index("NEXRAD hail"))
+presets.AddPreset("NEXRAD hail", '{"Name": "NEXRAD hail", "RGBPoints": [0, 0, 0, 0, 80, 1, 1, 1], '
+                                 '"Points": [0, 0.25, 0.5, 0, 80, 0.25, 0.5, 0]}')
+"""
+
+
 class Presets(unittest.TestCase):
+    def test_presets_of_another_version_in_the_settings_are_replaced(self):
+        function = vtknexrad.vtkNexradTransferFunction()
+        function.ApplyPreset("hail")
+        with tempfile.TemporaryDirectory() as home:
+            for _ in range(2):
+                done = subprocess.run([os.environ["NEXRAD_PVPYTHON"], "-c", OTHER_VERSION], env={**os.environ, "HOME": home},
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True, timeout=100)
+                sys.stdout.write(done.stdout)
+                self.assertEqual(done.returncode, 0)
+                found = re.search(r"^opacity (\S+)$", done.stdout, re.MULTILINE)
+                self.assertAlmostEqual(float(found.group(1)), function.Evaluate(3, 60.0), delta=0.01)
+            self.assertTrue(any("Settings" in name for _, _, names in os.walk(home) for name in names))
+
     def test_colour_maps_are_the_transfer_function_s(self):
         lut = simple.GetColorTransferFunction("a moment")
         lut.Discretize = 0
