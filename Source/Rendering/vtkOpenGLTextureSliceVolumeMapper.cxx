@@ -695,10 +695,9 @@ void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
   vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  const auto scattering = static_cast<double>(this->VolumetricScatteringBlending);
-  if (property->GetShade(0) != 0 && scattering > settings.Shadow)
+  if (property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f)
   {
-    settings.Shadow = std::min(1.0, scattering);
+    settings.Scattering = static_cast<double>(this->VolumetricScatteringBlending);
     settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
   }
 #else
@@ -856,6 +855,7 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.Cropped = parts.Frame.NeedsCropTest();
   uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   uniforms.Features.Shadows = parts.Shadows.IsUsed();
+  uniforms.Features.Scattering = parts.Shadows.IsScattering();
   if (uniforms.Features.Slabs > 0)
   {
     uniforms.Features.ClippingPlanes = static_cast<int>(parts.Frame.GetPlanesInPart().size() / 4);

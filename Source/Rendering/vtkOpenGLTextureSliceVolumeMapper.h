@@ -88,10 +88,11 @@ public:
    * from the scalars' opacity alone, gradient opacity does not count. What is cropped or clipped
    * away, hidden or masked out casts no shadow.
    *
-   * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, the
-   * stronger of the two holds (1 and more: full strength). If it is the stronger one,
+   * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, it mixes
+   * the light that surfaces return with light that the volume scatters alike into all directions,
+   * by the formula of VTK's ray caster. What is scattered is shadowed in full, and
    * GlobalIlluminationReach says how much of the way from a sample to the face of the volume casts
-   * shadows on it.
+   * shadows. VTK's ray caster follows each light of the renderer there, this mapper LightDirection.
    */
   vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
   vtkGetMacro(ShadowStrength, double);

@@ -46,7 +46,8 @@ bool IsDirection(const std::array<double, 3>& vector)
 Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& settings)
 {
   Lights lights;
-  lights.Shadow = settings.Shadow > 0.0 && IsDirection(settings.ToLight);
+  lights.Shadow =
+    (settings.Shadow > 0.0 || settings.Scattering > 0.0) && IsDirection(settings.ToLight);
   lights.Occlusion = settings.Occlusion > 0.0 && IsDirection(settings.Zenith);
   lights.Reach = settings.Reach;
   lights.ToLight = source.Frame->GetDataDirection(settings.ToLight);
@@ -226,13 +227,14 @@ vtkTextureSliceShadows::Key vtkTextureSliceShadows::MakeKey(
 void vtkTextureSliceShadows::Update(vtkOpenGLRenderWindow* window, const Source& source,
   const vtkTextureSliceShadowSettings& settings)
 {
-  this->Used =
-    (settings.Shadow > 0.0 || settings.Occlusion > 0.0) && CanShow(source.Request->GetFeatures());
+  this->Used = (settings.Shadow > 0.0 || settings.Occlusion > 0.0 || settings.Scattering > 0.0) &&
+               CanShow(source.Request->GetFeatures());
   if (!this->Used)
   {
     return;
   }
   this->Strength = {static_cast<float>(settings.Shadow), static_cast<float>(settings.Occlusion)};
+  this->HalfScattering = static_cast<float>(settings.Scattering / 2.0);
   const Lights lights = FindLights(source, settings);
   Key key = MakeKey(source, lights, settings.Density);
   const bool finer = this->Coarse && !settings.Interactive;
@@ -313,6 +315,7 @@ void vtkTextureSliceShadows::SetUniforms(vtkShaderProgram* program) const
   program->SetUniformi("lightTexture", this->Texture->GetTextureUnit());
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
+  program->SetUniformf("scattering", this->HalfScattering);
 }
 
 void vtkTextureSliceShadows::ReleaseGraphicsResources(vtkWindow* window)

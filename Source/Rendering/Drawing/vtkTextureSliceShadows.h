@@ -29,6 +29,8 @@ struct vtkTextureSliceShadowSettings
 {
   double Shadow = 0.0;    ///< strength, 0 to 1
   double Occlusion = 0.0; ///< strength, 0 to 1
+  /// As VolumetricScatteringBlending of VTK 9.2: 0 (none) to 2 (all light is scattered).
+  double Scattering = 0.0;
   std::array<double, 3> ToLight{0, 0, 1};
   std::array<double, 3> Zenith{0, 0, 1};
   double Density = 1.0; ///< extinction for the light over that for the viewer
@@ -69,6 +71,8 @@ public:
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
   bool IsUsed() const { return this->Used; }
+  /// Whether a part of the light is scattered, too.
+  bool IsScattering() const { return this->Used && this->HalfScattering > 0.0f; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
   void SetUniforms(vtkShaderProgram* program) const;
 
@@ -90,6 +94,7 @@ private:
   Key Last;
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
+  float HalfScattering = 0.0f;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image; ///< without scalars until it is asked for
 };

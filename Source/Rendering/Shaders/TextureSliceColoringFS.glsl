@@ -102,6 +102,38 @@ float WeakenOpacity(float opacity, float gradientOpacity)
 }
 #endif
 
+#ifdef TEXTURE_SLICE_LIGHTS
+#ifdef TEXTURE_SLICE_SCATTERING
+// How much of the light is scattered within the volume, as VTK 9.2's ray caster mixes it: the more,
+// the less a place is like a surface.
+float ScatteredPart(float gradient, float opacity)
+{
+  float fading = 2.0 * exp(-2.0 * scattering * gradient * opacity);
+  return scattering < 0.5 ? scattering * fading
+                          : (1.0 - scattering) * fading + 2.0 * scattering - 1.0;
+}
+#endif
+
+// The light and the sky's light that arrive: the sky lights what is ambient, the light the rest.
+vec3 LightAndShade(vec4 color, vec4 gradient, vec4 surface)
+{
+#ifdef TEXTURE_SLICE_SHADOWS
+  vec2 transmittance = FetchTransmittance();
+  vec2 arriving = Weaken(transmittance);
+  vec4 shadowed = vec4(surface.xyz * arriving.yxx, surface.w);
+  vec3 lit = clamp(Light(color.rgb, gradient.xyz, shadowed), 0.0, 1.0);
+#ifdef TEXTURE_SLICE_SCATTERING
+  surface.xy *= vec2(arriving.y, transmittance.x);
+  vec3 scattered = clamp(Scatter(color.rgb, surface), 0.0, 1.0);
+  lit = mix(lit, scattered, ScatteredPart(gradient.w, color.a));
+#endif
+  return lit;
+#else
+  return clamp(Light(color.rgb, gradient.xyz, surface), 0.0, 1.0);
+#endif
+}
+#endif
+
 // Gradient opacity, light and shadow on the colour of one step.
 vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 {
@@ -111,16 +143,11 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
   color.a = WeakenOpacity(color.a, GradientOpacity(gradient.w, component, label));
 #endif
 #ifdef TEXTURE_SLICE_LIGHTS
-  vec4 surface = material[component];
-#ifdef TEXTURE_SLICE_SHADOWS
-  // The sky lights what is ambient, the light the rest.
-  surface.xyz *= FetchArriving().yxx;
-#endif
-  color.rgb = clamp(Light(color.rgb, gradient.xyz, surface), 0.0, 1.0);
+  color.rgb = LightAndShade(color, gradient, material[component]);
 #endif
 #endif
 #if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS
-  vec2 arriving = FetchArriving();
+  vec2 arriving = Weaken(FetchTransmittance());
   color.rgb *= arriving.x * arriving.y;
 #endif
   return color;

@@ -8,10 +8,19 @@ uniform vec3 lightTextureScale;
 // How strong shadow and occlusion are, 0 to 1.
 uniform vec2 lightStrength;
 
-// Of the light, and of the sky's.
-vec2 FetchArriving()
+#ifdef TEXTURE_SLICE_SCATTERING
+// Half of VolumetricScatteringBlending.
+uniform float scattering;
+#endif
+
+// Of the light, and of the sky's, with shadow and occlusion at full strength.
+vec2 FetchTransmittance()
 {
-  return mix(
-    vec2(1.0), texture(lightTexture, textureCoordinate * lightTextureScale).rg, lightStrength);
+  return texture(lightTexture, textureCoordinate * lightTextureScale).rg;
+}
+
+vec2 Weaken(vec2 transmittance)
+{
+  return mix(vec2(1.0), transmittance, lightStrength);
 }
 #endif
