@@ -455,7 +455,7 @@ std::vector<MergeSite> BeamMerger::MakeSites(
   return sites;
 }
 
-GriddedVolume BeamMerger::EmptyVolume(
+GriddedVolume BeamMerger::VolumeToFill(
   const BeamVolumes& volumes, Time time, GriddedVolume memory) const
 {
   GriddedVolume volume;
@@ -474,15 +474,14 @@ GriddedVolume BeamMerger::EmptyVolume(
     volume.sites.push_back(group.second.front()->site.name);
   }
   const std::size_t count = block.VoxelCount();
-  volume.values.assign(count, volume.fill);
-  volume.states.assign(count, VoxelState::NotScanned);
+  // What used memory holds stays: the merge sets every value.
+  volume.values.resize(count);
+  volume.states.resize(count);
   if (options.ancillary)
   {
     volume.ancillary = std::move(memory.ancillary);
-    volume.ancillary.age.assign(count, 0.0F);
-    volume.ancillary.radars.assign(count, 0);
-    volume.ancillary.weight.assign(count, 0.0F);
-    volume.ancillary.nearestSite.assign(count, BeamColumn::NoSite);
+    ForEachAncillaryArray(
+      volume.ancillary, [count](const char*, auto& values) { values.resize(count); });
   }
   return volume;
 }
@@ -498,7 +497,7 @@ std::optional<GriddedVolume> BeamMerger::Merge(const BeamVolumes& given, Time ti
   this->FindGeometries(PositionsOf(volumes), loop);
   const bool moves = motion != nullptr && motion->FastestSpeed() > 0.0;
   const std::vector<MergeSite> sites = this->MakeSites(volumes, time, moves ? motion : nullptr);
-  GriddedVolume volume = this->EmptyVolume(volumes, time, std::move(memory));
+  GriddedVolume volume = this->VolumeToFill(volumes, time, std::move(memory));
   RowOptions rows;
   rows.block = block;
   rows.levels = grid.dimensions[2];

@@ -129,7 +129,7 @@ private:
   const SiteGeometry& GeometryOf(const Position& position) const;
   std::vector<MergeSite> MakeSites(
     const BeamVolumes& volumes, Time time, const MotionField* motion) const;
-  GriddedVolume EmptyVolume(const BeamVolumes& volumes, Time time, GriddedVolume memory) const;
+  GriddedVolume VolumeToFill(const BeamVolumes& volumes, Time time, GriddedVolume memory) const;
 
   const GridSpecification grid;
   const BeamMergeOptions options;

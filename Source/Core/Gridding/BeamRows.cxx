@@ -13,26 +13,29 @@ namespace nexrad
 namespace
 {
 
-// Columns are merged in strips, so that whole cache lines of each level are written at a time, and
-// so that neighbouring columns look the same sweep up one after the other.
-constexpr int stripWidth = 16;
+// Columns are merged in strips, so that whole cache lines of each level are written at a time, of
+// states, too, and so that neighbouring columns look the same sweep up one after the other.
+constexpr int stripWidth = 64;
 
 // One strip's columns, level by level within a column.
 template <class Value>
 class Strip
 {
 public:
+  // Columns do not begin a power of two apart, where a cache would keep only a few of them.
   explicit Strip(std::size_t levelCount)
-    : levels(levelCount)
-    , values(levelCount * stripWidth)
+    : stride(levelCount + 64 / sizeof(Value))
+    , values(stride * stripWidth)
   {
   }
 
   void Set(int column, const std::vector<Value>& from)
   {
     std::copy(
-      from.begin(), from.end(), values.begin() + static_cast<std::ptrdiff_t>(levels) * column);
+      from.begin(), from.end(), values.begin() + static_cast<std::ptrdiff_t>(stride) * column);
   }
+
+  void SetAll(Value value) { std::fill(values.begin(), values.end(), value); }
 
   // Writes a level of the first `count` columns to where the first of them stands.
   void Write(std::size_t level, int count, Value* to) const
@@ -40,12 +43,12 @@ public:
     const Value* from = values.data() + level;
     for (int column = 0; column < count; ++column)
     {
-      to[column] = from[static_cast<std::size_t>(column) * levels];
+      to[column] = from[static_cast<std::size_t>(column) * stride];
     }
   }
 
 private:
-  std::size_t levels;
+  std::size_t stride;
   std::vector<Value> values;
 };
 
@@ -74,8 +77,8 @@ public:
     , volume(theVolume)
     , levels(static_cast<std::size_t>(theOptions.levels))
     , ancillary(!theVolume.ancillary.age.empty())
-    , column(theOptions.levels, theOptions.strategy, theSites.front().context.rule, ancillary,
-        theOptions.trend)
+    , column(theOptions.levels, theOptions.strategy,
+        theSites.empty() ? ValueRule() : theSites.front().context.rule, ancillary, theOptions.trend)
     , values(levels)
     , states(levels)
     , ages(ancillary ? levels : 0)
@@ -101,11 +104,14 @@ public:
     }
     if (present.empty())
     {
-      return;
+      this->KeepNothing();
     }
-    for (int i = 0; i < count; ++i)
+    else
     {
-      this->MergeColumn(x + i, y, i);
+      for (int i = 0; i < count; ++i)
+      {
+        this->MergeColumn(x + i, y, i);
+      }
     }
     this->Write(x, y, count);
   }
@@ -275,6 +281,17 @@ private:
     }
   }
 
+  // A strip that no radar sees.
+  void KeepNothing()
+  {
+    values.SetAll(volume.fill);
+    states.SetAll(VoxelState::NotScanned);
+    ages.SetAll(0.0F);
+    weights.SetAll(0.0F);
+    radars.SetAll(0);
+    nearestSites.SetAll(BeamColumn::NoSite);
+  }
+
   void Write(int x, int y, int count) const
   {
     const VoxelBlock& block = options.block;
@@ -321,10 +338,6 @@ private:
 void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, int beginRow,
   int endRow, GriddedVolume& volume)
 {
-  if (sites.empty())
-  {
-    return;
-  }
   StripMerger merger(sites, options, volume);
   const int end = options.block.end[0];
   // Rows within strips: what the sweeps have about a strip is still in the cache for the next row.
