@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Series/BackgroundSeries.h"
+
+#include "nexrad/System/Error.h"
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <numeric>
+#include <utility>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+std::size_t BytesOf(vtkImageData* volume)
+{
+  constexpr std::size_t kibibyte = 1024;
+  return volume != nullptr ? kibibyte * volume->GetActualMemorySize() : 0;
+}
+
+} // namespace
+
+BackgroundSeries::BackgroundSeries(BackgroundSeriesOptions theOptions)
+  : options(std::move(theOptions))
+  , thread([this] { this->Run(); })
+{
+}
+
+BackgroundSeries::~BackgroundSeries()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    ended = true;
+  }
+  changed.notify_all();
+  thread.join();
+}
+
+BackgroundSeries::State BackgroundSeries::Get() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  return state;
+}
+
+vtkSmartPointer<vtkImageData> BackgroundSeries::Show(std::size_t step)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  shown = step;
+  const auto found = kept.find(step);
+  interrupted = found == kept.end() && state.loads && *state.loads != step;
+  changed.notify_all(); // what follows the step may be another than before
+  if (found == kept.end())
+  {
+    return nullptr;
+  }
+  if (!found->second.volume)
+  {
+    throw Error(found->second.failure);
+  }
+  return found->second.volume;
+}
+
+void BackgroundSeries::Pause(bool paused)
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    state.paused = paused;
+    interrupted = paused && state.loads && *state.loads != shown;
+  }
+  changed.notify_all();
+}
+
+void BackgroundSeries::Wake()
+{
+  if (options.wake)
+  {
+    options.wake();
+  }
+}
+
+// Takes over how far the work is, and stops what is not wanted any more.
+Progress BackgroundSeries::ReportTo()
+{
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto shortest = std::chrono::milliseconds(20);
+  return [this, last = Clock::now()](double fraction) mutable
+  {
+    bool goOn = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      state.fraction = fraction;
+      const bool stopsOpening = state.phase == Phase::Opening && state.paused;
+      goOn = !ended && !interrupted && !stopsOpening;
+    }
+    const auto now = Clock::now();
+    if (now - last >= shortest)
+    {
+      last = now;
+      this->Wake();
+    }
+    return goOn;
+  };
+}
+
+bool BackgroundSeries::Open()
+{
+  State opened;
+  try
+  {
+    series = options.open(this->ReportTo());
+    if (options.choose)
+    {
+      order = options.choose(*series);
+    }
+    else
+    {
+      order.resize(series->Times().size());
+      std::iota(order.begin(), order.end(), std::size_t(0));
+    }
+    for (const std::size_t index : order)
+    {
+      opened.times.push_back(series->Times()[index]);
+    }
+    opened.loaded.assign(order.size(), false);
+    opened.damage = series->Problems();
+    opened.phase = Phase::Open;
+  }
+  catch (const std::exception& error)
+  {
+    opened.failure = error.what();
+    opened.phase = Phase::Failed;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    opened.paused = state.paused;
+    state = opened;
+  }
+  this->Wake();
+  return opened.phase == Phase::Open;
+}
+
+// The step to load next; nothing where all are loaded, or there is no memory for more.
+std::optional<std::size_t> BackgroundSeries::NextStep() const
+{
+  const std::size_t count = order.size();
+  if (shown < count && kept.count(shown) == 0)
+  {
+    return shown;
+  }
+  std::size_t largest = 0;
+  for (const auto& [step, each] : kept)
+  {
+    largest = std::max(largest, each.bytes);
+  }
+  std::size_t following = 0; // bytes of the step that is shown and of those after it
+  for (std::size_t i = 0; i < count && !state.paused; ++i)
+  {
+    const std::size_t step = (shown + i) % count;
+    const auto found = kept.find(step);
+    if (following + largest > options.memory)
+    {
+      return std::nullopt;
+    }
+    if (found == kept.end())
+    {
+      return step;
+    }
+    following += found->second.bytes;
+  }
+  return std::nullopt;
+}
+
+BackgroundSeries::Kept BackgroundSeries::Load(std::size_t step)
+{
+  Kept loaded;
+  try
+  {
+    loaded.volume = series->Load(order[step], this->ReportTo());
+    if (loaded.volume && options.prepare)
+    {
+      options.prepare(loaded.volume);
+    }
+    loaded.bytes = BytesOf(loaded.volume);
+  }
+  catch (const std::exception& error)
+  {
+    loaded.failure = error.what();
+  }
+  return loaded;
+}
+
+// Forgets the volumes that are shown last until so many bytes fit; not the one that is shown.
+void BackgroundSeries::MakeRoom(std::size_t wanted)
+{
+  const std::size_t count = order.size();
+  for (std::size_t i = count; i-- > 1 && bytes + wanted > options.memory;)
+  {
+    const auto found = kept.find((shown + i) % count);
+    if (found != kept.end())
+    {
+      bytes -= found->second.bytes;
+      state.loaded[found->first] = false;
+      kept.erase(found);
+    }
+  }
+}
+
+void BackgroundSeries::Run()
+{
+  if (!this->Open())
+  {
+    return;
+  }
+  std::unique_lock<std::mutex> lock(mutex);
+  while (!ended)
+  {
+    const std::optional<std::size_t> step = this->NextStep();
+    if (!step)
+    {
+      changed.wait(lock);
+      continue;
+    }
+    state.loads = step;
+    state.fraction = 0.0;
+    lock.unlock();
+    Kept loaded = this->Load(*step);
+    std::vector<std::string> damage = series->Problems();
+    lock.lock();
+    state.loads.reset();
+    state.damage = std::move(damage);
+    interrupted = false;
+    if (loaded.volume || !loaded.failure.empty())
+    {
+      this->MakeRoom(loaded.bytes);
+      bytes += loaded.bytes;
+      state.loaded[*step] = loaded.volume != nullptr;
+      kept[*step] = std::move(loaded);
+    }
+    lock.unlock();
+    this->Wake();
+    lock.lock();
+  }
+}
+
+} // namespace nexrad::scene

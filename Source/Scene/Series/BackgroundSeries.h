@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Series/VolumeSeries.h"
+
+#include <condition_variable>
+#include <cstddef>
+#include <functional>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace nexrad::scene
+{
+
+struct BackgroundSeriesOptions
+{
+  /// Opens the series, on the other thread, as OpenInputs does.
+  std::function<std::unique_ptr<VolumeSeries>(const Progress& progress)> open;
+  /// Indices of the volumes that take part, in the order in which they are shown, asked for on the
+  /// other thread once the series is open. Empty: all.
+  std::function<std::vector<std::size_t>(const VolumeSeries& series)> choose;
+  /// Done with each volume on the other thread, before it can be shown. May be empty.
+  std::function<void(vtkImageData* volume)> prepare;
+  /// Called on the other thread when there is something new to ask for, at most every 20 ms while
+  /// it works. It must not use the series; it may post an event to the thread that does. May be
+  /// empty.
+  std::function<void()> wake;
+  /// Bytes that the volumes may take together; but one is always kept.
+  std::size_t memory = std::size_t(1) << 30;
+};
+
+/// A series that another thread opens and loads, for a window that must not wait: no call waits for
+/// more than a mutex that is held for a moment, apart from the end. A step is a place in the order
+/// in which the volumes are shown. The step that is shown is loaded first, then those that follow
+/// it, the first after the last, as long as there is memory for them.
+class BackgroundSeries
+{
+public:
+  /// Begins to open the series.
+  explicit BackgroundSeries(BackgroundSeriesOptions options);
+  /// Asks the other thread to stop, and waits for it.
+  ~BackgroundSeries();
+  BackgroundSeries(const BackgroundSeries&) = delete;
+  BackgroundSeries& operator=(const BackgroundSeries&) = delete;
+
+  enum class Phase
+  {
+    Opening,
+    Open,
+    Failed ///< it could not be opened
+  };
+  struct State
+  {
+    Phase phase = Phase::Opening;
+    std::string failure;              ///< why it could not be opened
+    std::vector<Time> times;          ///< of the steps, once the series is open
+    std::vector<std::string> damage;  ///< inputs that were damaged or left out so far, a line each
+    std::vector<bool> loaded;         ///< which of the steps are in memory
+    std::optional<std::size_t> loads; ///< the step that is being loaded
+    double fraction = 0.0;            ///< of the opening, or of that step, 0 to 1
+    bool paused = false;              ///< only the step that is shown is loaded
+  };
+  State Get() const;
+
+  /// The volume of a step. Nothing as long as it is not loaded; then it is loaded next, and `wake`
+  /// is called when it is there. Throws Error when it cannot be loaded.
+  vtkSmartPointer<vtkImageData> Show(std::size_t step);
+
+  /// Stops the loading of all steps but the one that is shown, and lets it go on. An opening that
+  /// is paused fails.
+  void Pause(bool paused);
+
+private:
+  struct Kept
+  {
+    vtkSmartPointer<vtkImageData> volume; ///< nullptr after a failure
+    std::string failure;
+    std::size_t bytes = 0;
+  };
+
+  void Run();
+  bool Open();
+  std::optional<std::size_t> NextStep() const;
+  Kept Load(std::size_t step);
+  void MakeRoom(std::size_t bytes);
+  Progress ReportTo();
+  void Wake();
+
+  const BackgroundSeriesOptions options;
+  std::unique_ptr<VolumeSeries> series; // of the other thread
+  std::vector<std::size_t> order;       // of the other thread: indices of the steps
+  mutable std::mutex mutex;             // of all that follows
+  std::condition_variable changed;
+  State state;
+  std::map<std::size_t, Kept> kept; // by step
+  std::size_t bytes = 0;            // of these
+  std::size_t shown = 0;            // the step that was asked for last
+  bool ended = false;
+  bool interrupted = false; // another step is wanted than the one that is being loaded
+  std::thread thread;
+};
+
+} // namespace nexrad::scene
