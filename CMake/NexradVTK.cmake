@@ -3,6 +3,12 @@ if(VTKNexrad_WRAP_PYTHON)
   # The wrappers are for the Python that VTK's own are for: no other could load both.
   set(nexrad_vtk_for_python Python WrappingPythonCore)
 endif()
+if(VTKNexrad_BUILD_VIEWER)
+  find_package(Qt5 5.15 QUIET COMPONENTS Widgets)
+  if(Qt5_FOUND)
+    set(nexrad_vtk_for_qt GUISupportQt)
+  endif()
+endif()
 # What the modules, the program and the tests link.
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
@@ -12,7 +18,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingUI RenderingVolume RenderingVolumeOpenGL2
   vtksys
-  OPTIONAL_COMPONENTS ParallelMPI ${nexrad_vtk_for_python})
+  OPTIONAL_COMPONENTS ParallelMPI ${nexrad_vtk_for_python} ${nexrad_vtk_for_qt})
 
 set(nexrad_module_files
   "${CMAKE_SOURCE_DIR}/Source/IO/vtk.module"

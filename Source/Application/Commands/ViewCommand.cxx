@@ -20,8 +20,30 @@ namespace
 struct ViewOptions
 {
   scene::ViewRequest request;
+  bool plain = false;
   bool quiet = false;
 };
+
+// What is read before a plain window opens shows its progress in the terminal; the other window
+// shows its own.
+scene::ViewReport Show(ViewOptions& options)
+{
+  if (!options.plain)
+  {
+    return WindowWithLibrary(options.request);
+  }
+  ProgressBar bar("opening", options.quiet);
+  options.request.progress = [&bar](double fraction)
+  {
+    const bool goOn = bar.Update(fraction);
+    if (fraction >= 1.0)
+    {
+      bar.Clear();
+    }
+    return goOn;
+  };
+  return ViewWithLibrary(options.request);
+}
 
 Duration ParseInterval(const std::string& text)
 {
@@ -35,17 +57,7 @@ Duration ParseInterval(const std::string& text)
 
 int RunView(ViewOptions& options)
 {
-  ProgressBar bar("opening", options.quiet);
-  options.request.progress = [&bar](double fraction)
-  {
-    const bool goOn = bar.Update(fraction);
-    if (fraction >= 1.0)
-    {
-      bar.Clear();
-    }
-    return goOn;
-  };
-  const scene::ViewReport report = ViewWithLibrary(options.request);
+  const scene::ViewReport report = Show(options);
   if (!options.quiet)
   {
     for (const auto& path : report.pictures)
@@ -66,9 +78,12 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
 {
   const auto options = std::make_shared<ViewOptions>();
   scene::ViewRequest& request = options->request;
-  CLI::App* command = program.add_subcommand(
-    "view", "Show volumes, or radar files, in a window, which lists its keys");
+  CLI::App* command = program.add_subcommand("view", "Show volumes, or radar files, in a window");
   AddInputOptions(*command, request.input);
+  command->get_option("input")->required(false);
+  command->add_flag("--plain", options->plain,
+    "A window without menus and panels, which lists its keys; the only one where the program was "
+    "built without Qt");
   AddQuietOption(*command, options->quiet);
   AddCameraOptions(*command, request.camera);
   AddPictureOptions(*command, request.size, request.scene);
@@ -82,6 +97,11 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
   AddGridOptions(*command, request.input.grid);
   const auto run = [options, command, &action]
   {
+    options->plain = options->plain || !HasWindowLibrary();
+    if (options->plain && options->request.input.inputs.empty())
+    {
+      throw CLI::RequiredError("input");
+    }
     FinishDrawingOptions(*command, options->request.input, options->request.scene);
     action = [options] { return RunView(*options); };
   };

@@ -14,21 +14,23 @@ namespace nexrad::application
 namespace
 {
 
-fs::path FindLibrary(const std::string& name, const std::string& does, const std::string& target)
+// Where it was built; else where it would be installed.
+fs::path PlaceOf(const std::string& name)
 {
   const fs::path folder = fs::read_symlink("/proc/self/exe").parent_path();
   const fs::path built = folder / ".." / "lib" / "nexrad3d" / name;
-  const fs::path installed = folder / ".." / NEXRAD_LIBRARY_FOLDER / "nexrad3d" / name;
-  if (fs::exists(built))
+  return fs::exists(built) ? built : folder / ".." / NEXRAD_LIBRARY_FOLDER / "nexrad3d" / name;
+}
+
+fs::path FindLibrary(const std::string& name, const std::string& does, const std::string& target)
+{
+  fs::path place = PlaceOf(name);
+  if (!fs::exists(place))
   {
-    return built;
-  }
-  if (!fs::exists(installed))
-  {
-    throw Error(installed.lexically_normal().string() + ": the library that " + does +
+    throw Error(place.lexically_normal().string() + ": the library that " + does +
                 " is missing; build the target " + target + ", or install again");
   }
-  return installed;
+  return place;
 }
 
 } // namespace
@@ -49,6 +51,11 @@ AnyFunction LoadProgramFunction(const std::string& library, const std::string& f
     throw Error(path + ": is not the library of this program; install both again");
   }
   return reinterpret_cast<AnyFunction>(found);
+}
+
+bool HasProgramLibrary(const std::string& library)
+{
+  return fs::exists(PlaceOf(library));
 }
 
 } // namespace nexrad::application

@@ -9,6 +9,8 @@ namespace
 {
 
 constexpr LibraryName library = {"nexrad3d-scene.so", "draws", "nexrad3d-scene"};
+constexpr LibraryName windowLibrary = {
+  "nexrad3d-window.so", "has the window of view", "nexrad3d-window"};
 
 } // namespace
 
@@ -20,6 +22,16 @@ scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request)
 scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request)
 {
   return CallLibrary<scene::ViewReport>(library, scene::viewFunctionName, request);
+}
+
+bool HasWindowLibrary()
+{
+  return HasProgramLibrary(windowLibrary.file);
+}
+
+scene::ViewReport WindowWithLibrary(const scene::ViewRequest& request)
+{
+  return CallLibrary<scene::ViewReport>(windowLibrary, scene::windowFunctionName, request);
 }
 
 } // namespace nexrad::application

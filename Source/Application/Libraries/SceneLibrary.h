@@ -13,4 +13,10 @@ namespace nexrad::application
 scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
 scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request);
 
+/// Whether this program was built with the window of Qt.
+bool HasWindowLibrary();
+
+/// Shows a window with menus, time line and panels until the user closes it. As ViewWithLibrary.
+scene::ViewReport WindowWithLibrary(const scene::ViewRequest& request);
+
 } // namespace nexrad::application

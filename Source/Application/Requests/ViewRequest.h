@@ -36,6 +36,8 @@ struct ViewReport
 
 /// Name and type of the function by which the program calls the scene library.
 constexpr char viewFunctionName[] = "nexrad3dView";
+/// The same of the library that has the window with Qt.
+constexpr char windowFunctionName[] = "nexrad3dWindow";
 using ViewFunction = void (*)(const ViewRequest* request, ViewReport* report);
 
 } // namespace nexrad::scene

@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer/LookPanel.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNexradTransferFunction.h>
+#include <vtkNexradVolumeScene.h>
+#include <vtkPointData.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nexrad::viewer
+{
+namespace
+{
+
+constexpr std::array<int, 5> sliceCounts = {64, 128, 256, 512, 1024};
+
+// The nearest of the slice counts.
+int PlaceOf(int slices)
+{
+  const auto nearest = std::min_element(sliceCounts.begin(), sliceCounts.end(),
+    [slices](int a, int b) { return std::abs(a - slices) < std::abs(b - slices); });
+  return static_cast<int>(nearest - sliceCounts.begin());
+}
+
+template <typename Widget>
+Widget* Named(Widget* widget, const QString& name, const QString& tip)
+{
+  widget->setObjectName(name);
+  widget->setAccessibleName(name);
+  widget->setToolTip(tip);
+  return widget;
+}
+
+} // namespace
+
+LookPanel::LookPanel(vtkNexradVolumeScene* shownScene, QWidget* parent)
+  : QWidget(parent)
+  , scene(shownScene)
+{
+  auto* column = new QVBoxLayout(this);
+  const auto group = [&](const QString& title)
+  {
+    auto* box = new QGroupBox(title, this);
+    auto* form = new QFormLayout(box);
+    column->addWidget(box);
+    return form;
+  };
+  this->AddDrawing(group("Volume"));
+  this->AddLight(group("Light"));
+  this->AddSurroundings(group("Surroundings"));
+  column->addStretch(1);
+  this->Follow();
+}
+
+QComboBox* LookPanel::AddChoice(QFormLayout* form, const QString& name, const QString& tip,
+  const std::vector<QString>& entries, const std::function<int()>& get,
+  const std::function<void(int)>& set)
+{
+  auto* box = Named(new QComboBox(this), name, tip);
+  for (const QString& entry : entries)
+  {
+    box->addItem(entry);
+  }
+  form->addRow(name, box);
+  connect(box, qOverload<int>(&QComboBox::activated), this,
+    [this, set](int index)
+    {
+      set(index);
+      emit Changed();
+    });
+  follow.push_back([box, get] { box->setCurrentIndex(get()); });
+  return box;
+}
+
+QCheckBox* LookPanel::AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
+  const std::function<bool()>& get, const std::function<void(bool)>& set)
+{
+  auto* box = Named(new QCheckBox(name, this), name, tip);
+  form->addRow(box);
+  connect(box, &QCheckBox::clicked, this,
+    [this, set](bool on)
+    {
+      set(on);
+      emit Changed();
+    });
+  follow.push_back([box, get] { box->setChecked(get()); });
+  return box;
+}
+
+void LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
+  double most, double step, const QString& suffix, const std::function<double()>& get,
+  const std::function<void(double)>& set)
+{
+  auto* box = Named(new QDoubleSpinBox(this), name, tip);
+  box->setRange(least, most);
+  box->setSingleStep(step);
+  box->setDecimals(step < 1.0 ? 2 : 0);
+  box->setSuffix(suffix);
+  box->setKeyboardTracking(false);
+  form->addRow(name, box);
+  connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+    [this, set](double value)
+    {
+      set(value);
+      emit Changed();
+    });
+  follow.push_back(
+    [box, get]
+    {
+      const QSignalBlocker quiet(box);
+      box->setValue(get());
+    });
+}
+
+void LookPanel::AddDrawing(QFormLayout* form)
+{
+  presets = this->AddChoice(
+    form, "Preset", "Colours and opacities of the moment that is shown", {}, [] { return 0; },
+    [this](int) { scene->SetPreset(presets->currentText().toStdString()); });
+  follow.back() = [this] { this->FollowPresets(); };
+  std::vector<QString> counts;
+  for (const int count : sliceCounts)
+  {
+    counts.push_back(QString::number(count));
+  }
+  this->AddChoice(
+    form, "Slices", "Slices through the volume: more are finer, and take longer", counts,
+    [this] { return PlaceOf(scene->GetNumberOfSlices()); },
+    [this](int index) { scene->SetNumberOfSlices(sliceCounts[static_cast<std::size_t>(index)]); });
+  this->AddSwitch(
+    form, "Pre-integrated",
+    "Integrate colours and opacities between two slices: narrow steps of colour leave no rings",
+    [this] { return scene->GetPreIntegration(); },
+    [this](bool on) { scene->SetPreIntegration(on); });
+  this->AddChoice(
+    form, "Drawn by", "The slices of this program, or VTK's GPU ray caster for comparison",
+    {"Slices", "VTK's ray caster"}, [this] { return scene->GetMapper(); },
+    [this](int index) { scene->SetMapper(index); });
+  this->AddNumber(
+    form, "Stretch", "How many times heights are stretched; 0: as suits the size of the domain",
+    0.0, 50.0, 0.5, " ×", [this] { return scene->GetExaggeration(); },
+    [this](double times) { scene->SetExaggeration(times); });
+  this->AddChoice(
+    form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
+    [this] { return scene->GetParallelProjection() ? 1 : 0; },
+    [this](int index) { scene->SetParallelProjection(index == 1); });
+  this->AddChoice(
+    form, "View", "The volume, or a map of one value of each column",
+    {"Volume", "Largest value of each column", "Lowest value that was scanned"},
+    [this] { return scene->GetPlan(); },
+    [this](int index)
+    {
+      scene->SetPlan(index);
+      if (index != vtkNexradVolumeScene::NO_PLAN)
+      {
+        scene->SetCameraFromAbove();
+      }
+    });
+}
+
+void LookPanel::AddLight(QFormLayout* form)
+{
+  this->AddNumber(
+    form, "Shadow", "How strong the volume's shadows are, 0 (none) to 1", 0.0, 1.0, 0.05, "",
+    [this] { return scene->GetShadowStrength(); },
+    [this](double strength) { scene->SetShadowStrength(strength); });
+  this->AddNumber(
+    form, "Occlusion", "How much darker it is where little of the sky is seen, 0 (none) to 1", 0.0,
+    1.0, 0.05, "", [this] { return scene->GetOcclusionStrength(); },
+    [this](double strength) { scene->SetOcclusionStrength(strength); });
+  this->AddNumber(
+    form, "From", "Direction to the light in degrees clockwise from north", 0.0, 359.0, 5.0, "°",
+    [this] { return scene->GetLightAzimuth(); },
+    [this](double degrees) { scene->SetLightAzimuth(degrees); });
+  this->AddNumber(
+    form, "Height", "Elevation of the light above the horizon in degrees", -90.0, 90.0, 5.0, "°",
+    [this] { return scene->GetLightElevation(); },
+    [this](double degrees) { scene->SetLightElevation(degrees); });
+}
+
+void LookPanel::AddSurroundings(QFormLayout* form)
+{
+  this->AddChoice(
+    form, "Theme", "Light letters over a dark ground, or dark letters over a pale one",
+    {"Dark", "Light"}, [this] { return scene->GetTheme(); },
+    [this](int index) { scene->SetTheme(index); });
+  this->AddSwitch(
+    form, "Height walls", "Lines of equal height on the walls behind the volume",
+    [this] { return scene->GetHeightWalls(); }, [this](bool on) { scene->SetHeightWalls(on); });
+  this->AddSwitch(
+    form, "Names", "Names of states and provinces on the map",
+    [this] { return scene->GetPlaceNames(); }, [this](bool on) { scene->SetPlaceNames(on); });
+  this->AddNumber(
+    form, "Rings", "Distance between rings of range about each radar in kilometres; 0: none", 0.0,
+    230.0, 10.0, " km", [this] { return scene->GetRingSpacing() / 1000.0; },
+    [this](double kilometres) { scene->SetRingSpacing(1000.0 * kilometres); });
+}
+
+void LookPanel::FollowPresets()
+{
+  vtkImageData* volume = scene->GetVolume();
+  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
+  const char* moment = scalars != nullptr ? scalars->GetName() : nullptr;
+  QStringList names;
+  for (int i = 0; const char* name =
+                    moment != nullptr ? vtkNexradTransferFunction::FindPreset(moment, i) : nullptr;
+       ++i)
+  {
+    names << name;
+  }
+  QStringList shown;
+  for (int i = 0; i < presets->count(); ++i)
+  {
+    shown << presets->itemText(i);
+  }
+  if (names != shown)
+  {
+    presets->clear();
+    presets->addItems(names);
+  }
+  presets->setCurrentIndex(
+    std::max<int>(0, static_cast<int>(names.indexOf(QString::fromStdString(scene->GetPreset())))));
+}
+
+void LookPanel::Follow()
+{
+  for (const std::function<void()>& each : follow)
+  {
+    each();
+  }
+}
+
+} // namespace nexrad::viewer

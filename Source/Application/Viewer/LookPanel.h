@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+
+#include <functional>
+#include <vector>
+
+class QCheckBox;
+class QComboBox;
+class QFormLayout;
+class vtkNexradVolumeScene;
+
+namespace nexrad::viewer
+{
+
+/// The settings of a scene: how the volume is drawn, its light, its colours, and what stands beside
+/// it.
+class LookPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// `scene` must outlive it.
+  explicit LookPanel(vtkNexradVolumeScene* scene, QWidget* parent = nullptr);
+
+  /// Shows the settings that the scene has now, for the moment of its volume.
+  void Follow();
+
+signals:
+  /// A setting of the scene was changed here.
+  void Changed();
+
+private:
+  QComboBox* AddChoice(QFormLayout* form, const QString& name, const QString& tip,
+    const std::vector<QString>& entries, const std::function<int()>& get,
+    const std::function<void(int)>& set);
+  QCheckBox* AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
+    const std::function<bool()>& get, const std::function<void(bool)>& set);
+  void AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
+    double most, double step, const QString& suffix, const std::function<double()>& get,
+    const std::function<void(double)>& set);
+  void AddDrawing(QFormLayout* form);
+  void AddLight(QFormLayout* form);
+  void AddSurroundings(QFormLayout* form);
+  void FollowPresets();
+
+  vtkNexradVolumeScene* scene;
+  QComboBox* presets = nullptr;
+  std::vector<std::function<void()>> follow; ///< shows one setting each
+};
+
+} // namespace nexrad::viewer

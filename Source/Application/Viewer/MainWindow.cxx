@@ -1,0 +1,385 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer/MainWindow.h"
+
+#include "Commands/SimulatedFiles.h"
+#include "Viewer/LookPanel.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
+#include "Viewer/TimeLine.h"
+#include "nexrad/System/Error.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
+
+#include <vtkImageData.h>
+#include <vtkNexradVolumeScene.h>
+
+#include <QAction>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenuBar>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <utility>
+
+namespace nexrad::viewer
+{
+namespace
+{
+
+constexpr int mostRecent = 8;
+constexpr char recentKey[] = "recent";
+constexpr char syntheticTitle[] = "synthetic day";
+
+// The hour of the synthetic day at which its storms are at their height.
+SimulatedDayOptions SyntheticHour()
+{
+  SimulatedDayOptions day;
+  day.begin = *ParseIso8601("2006-03-12T18:00");
+  day.length = std::chrono::hours(1);
+  return day;
+}
+
+// Writes the synthetic files, as the first quarter of the work, and opens them.
+std::unique_ptr<scene::VolumeSeries> OpenSimulated(
+  scene::InputRequest input, const std::filesystem::path& folder, const Progress& progress)
+{
+  constexpr double part = 0.25;
+  const auto simulating = [&](double fraction) { return !progress || progress(part * fraction); };
+  input.inputs = application::WriteSimulatedFiles(SyntheticHour(), folder, simulating).files;
+  const auto opening = [&](double fraction)
+  { return !progress || progress(part + (1.0 - part) * fraction); };
+  return scene::OpenInputs(input, opening);
+}
+
+} // namespace
+
+MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
+  : request(viewRequest)
+  , playback(new Playback(this))
+  , view(new SceneView(this))
+{
+  this->setObjectName("nexrad3d");
+  this->setWindowTitle("nexrad3d");
+  this->setAcceptDrops(true);
+  auto* middle = new QWidget(this);
+  auto* column = new QVBoxLayout(middle);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(view, 1);
+  column->addWidget(new TimeLine(*playback, middle));
+  this->setCentralWidget(middle);
+  view->Apply(request.scene, request.camera);
+  playback->SetInterval(static_cast<int>(request.interval.count()));
+  this->MakeDocks();
+  this->MakeMenus();
+  this->MakeStatus();
+  connect(playback, &Playback::Changed, this, &MainWindow::FollowPlayback);
+  connect(playback, &Playback::Loaded, this, &MainWindow::ShowVolume);
+  connect(playback, &Playback::Failed, this, &MainWindow::Report);
+  this->resize(request.size[0], request.size[1]);
+  this->FollowPlayback();
+  if (!request.input.inputs.empty())
+  {
+    QStringList paths;
+    for (const std::filesystem::path& path : request.input.inputs)
+    {
+      paths << QString::fromStdString(path.string());
+    }
+    this->Open(paths);
+  }
+}
+
+MainWindow::~MainWindow()
+{
+  delete playback; // before the folder of what it reads
+  playback = nullptr;
+}
+
+void MainWindow::MakeDocks()
+{
+  look = new LookPanel(view->Scene(), this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(look);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setMinimumWidth(look->sizeHint().width() + 24);
+  auto* lookDock = new QDockWidget("Look", this);
+  lookDock->setObjectName("look");
+  lookDock->setWidget(scroll);
+  this->addDockWidget(Qt::RightDockWidgetArea, lookDock);
+  connect(look, &LookPanel::Changed, view, &SceneView::DrawSoon);
+
+  damage = new QListWidget(this);
+  damage->setObjectName("damage");
+  damage->setAccessibleName("Files that were damaged or left out");
+  damage->setWordWrap(true);
+  damageDock = new QDockWidget("Damaged or left out", this);
+  damageDock->setObjectName("damage dock");
+  damageDock->setWidget(damage);
+  this->addDockWidget(Qt::BottomDockWidgetArea, damageDock);
+  damageDock->hide();
+}
+
+void MainWindow::MakeMenus()
+{
+  QMenu* file = this->menuBar()->addMenu("&File");
+  file->addAction("&Open files…", this, &MainWindow::AskForFiles, QKeySequence::Open);
+  file->addAction("Open &folder…", this, &MainWindow::AskForFolder, QKeySequence("Ctrl+Shift+O"));
+  recent = file->addMenu("Open &recent");
+  file->addAction("Open the &synthetic day", this, &MainWindow::OpenSyntheticDay);
+  file->addSeparator();
+  file->addAction("Save &picture…", this, &MainWindow::AskForPicture, QKeySequence::Save);
+  file->addSeparator();
+  file->addAction("&Quit", this, &QWidget::close, QKeySequence::Quit);
+  windows = this->menuBar()->addMenu("&View");
+  windows->addAction("&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
+  windows->addSeparator();
+  for (QDockWidget* dock : this->findChildren<QDockWidget*>())
+  {
+    windows->addAction(dock->toggleViewAction());
+  }
+  QMenu* help = this->menuBar()->addMenu("&Help");
+  help->addAction("&Keys and mouse", this, &MainWindow::ShowAbout, QKeySequence::HelpContents);
+  this->FollowRecent();
+}
+
+void MainWindow::MakeStatus()
+{
+  doing = new QLabel(this);
+  doing->setObjectName("doing");
+  progress = new QProgressBar(this);
+  progress->setObjectName("progress");
+  progress->setAccessibleName("Progress");
+  progress->setRange(0, 1000);
+  progress->setTextVisible(false);
+  progress->setMaximumWidth(200);
+  cancel = new QPushButton("Cancel", this);
+  cancel->setObjectName("cancel");
+  cancel->setToolTip("Stop opening, or stop loading the times that are not shown");
+  cancel->setFocusPolicy(Qt::NoFocus);
+  this->statusBar()->addWidget(doing, 1);
+  this->statusBar()->addPermanentWidget(progress);
+  this->statusBar()->addPermanentWidget(cancel);
+  connect(cancel, &QPushButton::clicked, playback,
+    [this] { playback->PauseLoading(!playback->State().paused); });
+}
+
+void MainWindow::Open(const QStringList& paths)
+{
+  scene::InputRequest input = request.input;
+  input.inputs.clear();
+  for (const QString& path : paths)
+  {
+    input.inputs.emplace_back(path.toStdString());
+  }
+  this->Remember(paths);
+  const QString name = QFileInfo(paths.front()).fileName();
+  this->OpenInputs(input,
+    paths.size() > 1 ? QString("%1 and %2 more").arg(name).arg(paths.size() - 1) : name, false);
+}
+
+void MainWindow::OpenSyntheticDay()
+{
+  this->OpenInputs(request.input, syntheticTitle, true);
+}
+
+void MainWindow::OpenInputs(const scene::InputRequest& input, const QString& name, bool simulate)
+{
+  title = name;
+  failures.clear();
+  scene::BackgroundSeriesOptions options;
+  auto folder = simulate ? std::make_shared<QTemporaryDir>() : nullptr;
+  if (folder && !folder->isValid())
+  {
+    this->Report("no folder for synthetic files: " + folder->errorString());
+    return;
+  }
+  // The folder lives as long as the series that reads its files.
+  options.open = [input, folder](const Progress& done)
+  {
+    auto series = folder ? OpenSimulated(input, folder->path().toStdString(), done)
+                         : scene::OpenInputs(input, done);
+    series->AllowCodes(true);
+    return series;
+  };
+  options.choose = [input](const scene::VolumeSeries& series)
+  { return scene::ChooseTimes(series, input); };
+  options.prepare = [](vtkImageData* volume)
+  { vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(volume, nullptr); };
+  playback->Open(std::move(options));
+}
+
+void MainWindow::ShowVolume(vtkImageData* volume)
+{
+  const bool first = view->Scene()->GetVolume() == nullptr;
+  view->SetVolume(volume);
+  if (first || view->Scene()->GetTransferFunction() == nullptr)
+  {
+    look->Follow();
+  }
+}
+
+void MainWindow::FollowPlayback()
+{
+  using Phase = scene::BackgroundSeries::Phase;
+  const scene::BackgroundSeries::State& state = playback->State();
+  const bool opening = playback->HasSeries() && state.phase == Phase::Opening;
+  const bool busy = opening || state.loads.has_value();
+  progress->setVisible(busy);
+  cancel->setVisible(busy || state.paused);
+  cancel->setText(!state.paused || opening ? "Cancel" : "Go on");
+  progress->setValue(static_cast<int>(1000.0 * state.fraction));
+  const auto loaded = std::count(state.loaded.begin(), state.loaded.end(), true);
+  QString text = "Open files or a folder of radar files or volumes: File menu, or drop them here.";
+  if (opening)
+  {
+    text = "Opening " + title;
+  }
+  else if (state.phase == Phase::Failed)
+  {
+    text = QString::fromStdString(state.failure);
+  }
+  else if (playback->HasSeries())
+  {
+    text = QString("%1: %2 of %3 times loaded").arg(title).arg(loaded).arg(state.loaded.size());
+  }
+  doing->setText(text);
+  this->setWindowTitle(title.isEmpty() ? QString("nexrad3d") : title + " - nexrad3d");
+  const QStringList problems = this->Problems();
+  if (problems.size() != damage->count())
+  {
+    damage->clear();
+    damage->addItems(problems);
+    damageDock->setVisible(!problems.isEmpty());
+  }
+}
+
+QStringList MainWindow::Problems() const
+{
+  QStringList lines;
+  for (const std::string& line : playback->State().damage)
+  {
+    lines << QString::fromStdString(line);
+  }
+  return lines + failures;
+}
+
+void MainWindow::Report(const QString& problem)
+{
+  failures << problem;
+  this->FollowPlayback();
+}
+
+void MainWindow::AskForFiles()
+{
+  const QStringList paths = QFileDialog::getOpenFileNames(this, "Open radar files or volumes");
+  if (!paths.isEmpty())
+  {
+    this->Open(paths);
+  }
+}
+
+void MainWindow::AskForFolder()
+{
+  const QString path = QFileDialog::getExistingDirectory(this, "Open a folder of radar files");
+  if (!path.isEmpty())
+  {
+    this->Open({path});
+  }
+}
+
+void MainWindow::AskForPicture()
+{
+  const QString path =
+    QFileDialog::getSaveFileName(this, "Save picture", "nexrad3d.png", "Pictures (*.png)");
+  if (path.isEmpty())
+  {
+    return;
+  }
+  try
+  {
+    view->WritePicture(path.toStdString());
+    this->statusBar()->showMessage("wrote " + path, 5000);
+  }
+  catch (const Error& error)
+  {
+    this->Report(error.what());
+  }
+}
+
+void MainWindow::ShowAbout()
+{
+  QMessageBox::information(this, "Keys and mouse",
+    "Drag with the left button: turn and tilt\n"
+    "Drag with the right button, or turn the wheel: zoom\n"
+    "Space: play or pause\n"
+    "Left, Right: a step back, or on\n"
+    "L: begin again after the last time\n"
+    "R: the camera as at first\n"
+    "Ctrl+O: open files;  Ctrl+Shift+O: open a folder\n"
+    "Ctrl+S: save the picture;  Ctrl+Q: quit");
+}
+
+void MainWindow::Remember(const QStringList& paths)
+{
+  QSettings settings;
+  QStringList entries = settings.value(recentKey).toStringList();
+  for (const QString& path : paths.mid(0, 1))
+  {
+    const QString whole = QFileInfo(path).absoluteFilePath();
+    entries.removeAll(whole);
+    entries.prepend(whole);
+  }
+  settings.setValue(recentKey, QStringList(entries.mid(0, mostRecent)));
+  this->FollowRecent();
+}
+
+void MainWindow::FollowRecent()
+{
+  recent->clear();
+  for (const QString& path : QSettings().value(recentKey).toStringList())
+  {
+    recent->addAction(path, this, [this, path] { this->Open({path}); });
+  }
+  recent->setEnabled(!recent->isEmpty());
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+  if (event->mimeData()->hasUrls())
+  {
+    event->acceptProposedAction();
+  }
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  QStringList paths;
+  for (const QUrl& url : event->mimeData()->urls())
+  {
+    if (url.isLocalFile())
+    {
+      paths << url.toLocalFile();
+    }
+  }
+  if (!paths.isEmpty())
+  {
+    event->acceptProposedAction();
+    this->Open(paths);
+  }
+}
+
+} // namespace nexrad::viewer

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Series/BackgroundSeries.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include <cstddef>
+#include <deque>
+#include <future>
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace nexrad::viewer
+{
+
+/// Which time of a series is shown, and its playing. The volumes are opened and loaded on another
+/// thread; nothing here waits for it.
+class Playback : public QObject
+{
+  Q_OBJECT
+
+public:
+  explicit Playback(QObject* parent = nullptr);
+  /// Waits for the threads of all series that were opened.
+  ~Playback() override;
+
+  /// Opens a series in place of the one that is open, whose thread is asked to stop. `wake` of the
+  /// options is set here. The first step is shown when it is loaded.
+  void Open(scene::BackgroundSeriesOptions options);
+
+  bool HasSeries() const { return series != nullptr; }
+  /// Of the series: what is new comes with Changed.
+  const scene::BackgroundSeries::State& State() const { return state; }
+  /// The step that is shown, or will be as soon as it is loaded.
+  std::size_t Step() const { return step; }
+  /// Whether that step is still being loaded.
+  bool IsWaiting() const { return waiting; }
+  bool IsPlaying() const { return playing; }
+  bool Loops() const { return loops; }
+  int Interval() const { return interval; }
+  /// Steps a second that were shown lately while playing; 0 when it does not play.
+  double StepsPerSecond() const;
+
+public slots:
+  void GoTo(std::size_t wanted);
+  /// A step on (or back, if below 0), to the other end after the last one.
+  void Move(int by);
+  void Play(bool on);
+  void SetLoops(bool on);
+  /// Milliseconds from one step to the next in playing.
+  void SetInterval(int milliseconds);
+  /// Stops what is loaded but not shown; lets it go on.
+  void PauseLoading(bool paused);
+
+signals:
+  /// The state, the step or the playing changed.
+  void Changed();
+  /// A volume is to be shown.
+  void Loaded(vtkImageData* volume);
+  /// A step cannot be loaded, or the series not be opened.
+  void Failed(const QString& why);
+
+private:
+  void TakeNews();
+  void Show();
+  void Tick();
+  void Dismiss();
+
+  std::unique_ptr<scene::BackgroundSeries> series;
+  std::vector<std::future<void>> ending; ///< of series that are not shown any more
+  scene::BackgroundSeries::State state;
+  unsigned generation = 0; ///< of the series: news of an older one are not heard
+  std::size_t step = 0;
+  bool waiting = false;
+  bool playing = false;
+  bool loops = true;
+  int interval = 500; // ms
+  QTimer clock;
+  QElapsedTimer time;
+  std::deque<qint64> shownAt; ///< ms, of the latest steps in playing
+};
+
+} // namespace nexrad::viewer

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer/RunWindow.h"
+
+#include "Drawing/PictureWindow.h"
+#include "Viewer/MainWindow.h"
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QVTKOpenGLNativeWidget.h>
+
+namespace nexrad::viewer
+{
+
+scene::ViewReport RunWindow(const scene::ViewRequest& request)
+{
+  scene::RequireDisplay();
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setOrganizationName("nexrad3d");
+  QCoreApplication::setApplicationName("nexrad3d");
+  int count = 1;
+  char name[] = "nexrad3d";
+  char* arguments[] = {name, nullptr};
+  QApplication application(count, arguments);
+  MainWindow window(request);
+  window.show();
+  if (request.progress)
+  {
+    request.progress(1.0);
+  }
+  QApplication::exec();
+  scene::ViewReport report;
+  for (const QString& line : window.Problems())
+  {
+    report.problems.push_back(line.toStdString());
+  }
+  return report;
+}
+
+} // namespace nexrad::viewer

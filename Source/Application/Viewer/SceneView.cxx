@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer/SceneView.h"
+
+#include "Drawing/PictureWindow.h"
+#include "Drawing/ViewerStyle.h"
+#include "Scene/Frame/CameraView.h"
+#include "Scene/SceneOptions.h"
+
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkImageData.h>
+#include <vtkNexradVolumeScene.h>
+#include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <QTimer>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad::viewer
+{
+
+SceneView::SceneView(QWidget* parent)
+  : QVTKOpenGLNativeWidget(parent)
+  , style(vtkSmartPointer<scene::ViewerStyle>::New())
+{
+  this->setObjectName("scene");
+  this->setAccessibleName("Radar volume");
+  this->setFocusPolicy(Qt::StrongFocus);
+  window->AddRenderer(scene->GetRenderer());
+  this->setRenderWindow(window.Get());
+  style->turn = [this](double azimuth, double tilt) { this->Turn(azimuth, tilt); };
+  style->zoom = [this](double factor) { this->Zoom(factor); };
+  style->press = [](const std::string&) {};
+  window->GetInteractor()->SetInteractorStyle(style);
+}
+
+SceneView::~SceneView()
+{
+  scene->SetRenderer(nullptr);
+}
+
+void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraView& camera)
+{
+  scene->SetPreset(options.preset);
+  scene->SetColorFileName(options.colours.string());
+  scene->SetColorArray(options.colourBy);
+  scene->SetExaggeration(options.exaggeration.value_or(0.0));
+  scene->SetMapper(options.mapper == scene::MapperChoice::RayCast
+                     ? vtkNexradVolumeScene::RAY_CAST
+                     : vtkNexradVolumeScene::TEXTURE_SLICE);
+  scene->SetPreIntegration(options.preIntegration);
+  scene->SetNumberOfSlices(options.slices);
+  scene->SetShadowStrength(options.light.shadow);
+  scene->SetOcclusionStrength(options.light.occlusion);
+  scene->SetLightAzimuth(options.light.direction.azimuth);
+  scene->SetLightElevation(options.light.direction.elevation);
+  scene->SetRingSpacing(options.ringSpacing);
+  scene->SetTheme(options.theme == scene::ThemeChoice::Light ? vtkNexradVolumeScene::LIGHT
+                                                             : vtkNexradVolumeScene::DARK);
+  scene->SetHeightWalls(options.heightWalls);
+  scene->SetPlaceNames(options.placeNames);
+  scene->SetParallelProjection(camera.parallel);
+  first = {camera.azimuth, camera.tilt, camera.zoom};
+  this->ResetCamera();
+}
+
+void SceneView::ResetCamera()
+{
+  scene->SetAzimuth(first[0]);
+  scene->SetTilt(first[1]);
+  scene->SetZoom(first[2]);
+  this->DrawSoon();
+}
+
+void SceneView::SetVolume(vtkImageData* volume)
+{
+  scene->SetVolume(volume);
+  this->DrawSoon();
+}
+
+void SceneView::DrawSoon()
+{
+  if (asked)
+  {
+    return;
+  }
+  asked = true;
+  QTimer::singleShot(0, this,
+    [this]
+    {
+      asked = false;
+      if (this->isVisible() && window->GetReadyForRendering())
+      {
+        window->Render();
+        ++drawn;
+      }
+    });
+}
+
+void SceneView::WritePicture(const std::filesystem::path& path)
+{
+  scene::WritePng(scene::GrabPicture(window), path);
+}
+
+void SceneView::Turn(double azimuth, double tilt)
+{
+  scene->SetAzimuth(std::fmod(scene->GetAzimuth() + azimuth + 360.0, 360.0));
+  scene->SetTilt(std::clamp(scene->GetTilt() + tilt, -90.0, 90.0));
+  emit CameraMoved();
+  this->DrawSoon();
+}
+
+void SceneView::Zoom(double factor)
+{
+  scene->SetZoom(std::clamp(scene->GetZoom() * factor, 0.1, 100.0));
+  emit CameraMoved();
+  this->DrawSoon();
+}
+
+} // namespace nexrad::viewer

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <array>
+#include <filesystem>
+
+class vtkGenericOpenGLRenderWindow;
+class vtkImageData;
+class vtkNexradVolumeScene;
+
+namespace nexrad::scene
+{
+struct CameraView;
+struct SceneOptions;
+class ViewerStyle;
+} // namespace nexrad::scene
+
+namespace nexrad::viewer
+{
+
+/// The part of the window that shows the scene. Dragging with the left button turns and tilts it,
+/// with the right button, or turning the wheel, zooms.
+class SceneView : public QVTKOpenGLNativeWidget
+{
+  Q_OBJECT
+
+public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  vtkNexradVolumeScene* Scene() const { return scene; }
+
+  /// Sets the scene as the options of the program say.
+  void Apply(const scene::SceneOptions& options, const scene::CameraView& camera);
+  /// What the camera does again after ResetCamera.
+  void ResetCamera();
+
+  /// Draws once the events that wait are done with, however often it is asked for until then.
+  void DrawSoon();
+
+  /// Shows a volume.
+  void SetVolume(vtkImageData* volume);
+
+  /// Draws the scene now and writes it as PNG. Throws Error when the file cannot be written.
+  void WritePicture(const std::filesystem::path& path);
+
+  /// Pictures that were drawn since the window opened.
+  int Drawn() const { return drawn; }
+
+signals:
+  /// The camera was moved by the mouse.
+  void CameraMoved();
+
+private:
+  void Turn(double azimuth, double tilt);
+  void Zoom(double factor);
+
+  vtkNew<vtkNexradVolumeScene> scene;
+  vtkNew<vtkGenericOpenGLRenderWindow> window;
+  vtkSmartPointer<scene::ViewerStyle> style;
+  std::array<double, 3> first = {200.0, 35.0, 1.0}; ///< azimuth, tilt and zoom
+  bool asked = false;
+  int drawn = 0;
+};
+
+} // namespace nexrad::viewer

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer/TimeLine.h"
+
+#include "Viewer/LoadedSteps.h"
+#include "Viewer/Playback.h"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <QStyle>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+namespace nexrad::viewer
+{
+namespace
+{
+
+constexpr int shortestInterval = 16; // ms
+constexpr int longestInterval = 8000;
+
+QString TimeOfDay(Time time)
+{
+  return QString::fromStdString(FormatIso8601(time)).mid(11, 5);
+}
+
+} // namespace
+
+TimeLine::TimeLine(Playback& shownPlayback, QWidget* parent)
+  : QWidget(parent)
+  , playback(shownPlayback)
+  , slider(new QSlider(Qt::Horizontal, this))
+  , loaded(new LoadedSteps(this))
+  , first(new QLabel(this))
+  , now(new QLabel(this))
+  , last(new QLabel(this))
+  , rate(new QLabel(this))
+  , interval(new QSpinBox(this))
+{
+  QToolButton* back = this->AddButton("Step back", "The time before", "Left");
+  play = this->AddButton("Play", "Play or pause", "Space");
+  QToolButton* on = this->AddButton("Step on", "The next time", "Right");
+  loop = this->AddButton("Loop", "Begin again after the last time", "L");
+  back->setIcon(this->style()->standardIcon(QStyle::SP_MediaSkipBackward));
+  on->setIcon(this->style()->standardIcon(QStyle::SP_MediaSkipForward));
+  loop->setIcon(this->style()->standardIcon(QStyle::SP_BrowserReload));
+  play->setCheckable(true);
+  loop->setCheckable(true);
+  slider->setAccessibleName("Time");
+  slider->setObjectName("time");
+  slider->setPageStep(1);
+  now->setObjectName("now");
+  now->setMinimumWidth(now->fontMetrics().horizontalAdvance("2006-03-12 18:00:00 UTC "));
+  interval->setAccessibleName("Time from one step to the next");
+  interval->setObjectName("interval");
+  interval->setToolTip("Time from one step to the next in playing, in milliseconds");
+  interval->setRange(shortestInterval, longestInterval);
+  interval->setSingleStep(50);
+  interval->setSuffix(" ms");
+  interval->setFocusPolicy(Qt::ClickFocus);
+  rate->setToolTip("Steps that are shown in a second while the series plays");
+
+  auto* line = new QVBoxLayout;
+  line->setSpacing(1);
+  line->addWidget(slider);
+  line->addWidget(loaded);
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(6, 2, 6, 2);
+  for (QWidget* each :
+    {static_cast<QWidget*>(back), static_cast<QWidget*>(play), static_cast<QWidget*>(on),
+      static_cast<QWidget*>(loop), static_cast<QWidget*>(now), static_cast<QWidget*>(first)})
+  {
+    row->addWidget(each);
+  }
+  row->addLayout(line, 1);
+  row->addWidget(last);
+  row->addWidget(interval);
+  row->addWidget(rate);
+
+  connect(back, &QToolButton::clicked, &playback, [this] { playback.Move(-1); });
+  connect(on, &QToolButton::clicked, &playback, [this] { playback.Move(1); });
+  connect(play, &QToolButton::clicked, &playback, &Playback::Play);
+  connect(loop, &QToolButton::clicked, &playback, &Playback::SetLoops);
+  connect(slider, &QSlider::valueChanged, &playback,
+    [this](int value) { playback.GoTo(static_cast<std::size_t>(value)); });
+  connect(interval, qOverload<int>(&QSpinBox::valueChanged), &playback, &Playback::SetInterval);
+  connect(&playback, &Playback::Changed, this, &TimeLine::Follow);
+  this->Follow();
+}
+
+QToolButton* TimeLine::AddButton(const QString& name, const QString& tip, const QString& keys)
+{
+  auto* button = new QToolButton(this);
+  button->setAccessibleName(name);
+  button->setObjectName(name);
+  button->setToolTip(tip + " (" + keys + ")");
+  button->setShortcut(QKeySequence(keys));
+  button->setAutoRaise(true);
+  button->setFocusPolicy(Qt::NoFocus);
+  return button;
+}
+
+void TimeLine::Follow()
+{
+  const scene::BackgroundSeries::State& state = playback.State();
+  const bool any = !state.times.empty();
+  this->setEnabled(any);
+  const QSignalBlocker noMove(slider);
+  const QSignalBlocker noInterval(interval);
+  slider->setRange(0, any ? static_cast<int>(state.times.size()) - 1 : 0);
+  slider->setValue(static_cast<int>(playback.Step()));
+  loaded->Set(state.loaded);
+  first->setText(any ? TimeOfDay(state.times.front()) : QString());
+  last->setText(any ? TimeOfDay(state.times.back()) : QString());
+  QString shown;
+  if (playback.Step() < state.times.size())
+  {
+    shown = QString::fromStdString(FormatIso8601(state.times[playback.Step()])).left(19);
+    shown = shown.replace('T', ' ') + " UTC";
+  }
+  now->setText(shown);
+  slider->setToolTip(shown);
+  play->setChecked(playback.IsPlaying());
+  play->setIcon(this->style()->standardIcon(
+    playback.IsPlaying() ? QStyle::SP_MediaPause : QStyle::SP_MediaPlay));
+  loop->setChecked(playback.Loops());
+  interval->setValue(playback.Interval());
+  const double steps = playback.StepsPerSecond();
+  rate->setText(steps > 0.0 ? QString("%1 steps/s").arg(steps, 0, 'f', 1) : QString("-"));
+}
+
+} // namespace nexrad::viewer

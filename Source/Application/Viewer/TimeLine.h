@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QSlider;
+class QSpinBox;
+class QToolButton;
+
+namespace nexrad::viewer
+{
+
+class LoadedSteps;
+class Playback;
+
+/// The times of a series as a line, and the buttons that play it.
+class TimeLine : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// `playback` must outlive it.
+  explicit TimeLine(Playback& playback, QWidget* parent = nullptr);
+
+private:
+  QToolButton* AddButton(const QString& name, const QString& tip, const QString& keys);
+  void Follow();
+
+  Playback& playback;
+  QToolButton* play = nullptr;
+  QToolButton* loop = nullptr;
+  QSlider* slider = nullptr;
+  LoadedSteps* loaded = nullptr;
+  QLabel* first = nullptr;
+  QLabel* now = nullptr;
+  QLabel* last = nullptr;
+  QLabel* rate = nullptr;
+  QSpinBox* interval = nullptr;
+};
+
+} // namespace nexrad::viewer
