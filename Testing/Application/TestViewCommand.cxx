@@ -127,7 +127,7 @@ TEST(ViewCommand, KeysThroughTheXServerChangeItsScreenshots)
     [&]
     {
       return RunProgram(
-        "/usr/bin/timeout", {"60", Nexrad3dPath(), "view", series, "--size", "480x300",
+        "/usr/bin/timeout", {"60", Nexrad3dPath(), "view", "--plain", series, "--size", "480x300",
                               "--pictures", pictures, "--begin", "2006-03-12T18:45"});
     });
   const Desktop desktop;

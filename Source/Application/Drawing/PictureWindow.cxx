@@ -62,6 +62,17 @@ vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window)
   return grabber->GetOutput();
 }
 
+std::filesystem::path FreePictureName(const std::filesystem::path& folder, Time time)
+{
+  const std::string stem = "nexrad3d-" + FormatForFileName(time);
+  std::filesystem::path path = folder / (stem + ".png");
+  for (int number = 2; std::filesystem::exists(path); ++number)
+  {
+    path = folder / (stem + "-" + std::to_string(number) + ".png");
+  }
+  return path;
+}
+
 void WritePng(vtkImageData* picture, const std::filesystem::path& path)
 {
   vtkNew<vtkPNGWriter> writer;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Scene/RadarScene.h"
+#include "nexrad/Model/Time.h"
 
 #include <vtkSmartPointer.h>
 
@@ -36,6 +37,10 @@ private:
 
 /// Draws a window and gives what it shows: red, green, blue, a byte each.
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window);
+
+/// A name for a picture of that time that no file of the folder has yet, with a number from the
+/// second on.
+std::filesystem::path FreePictureName(const std::filesystem::path& folder, Time time);
 
 /// Writes a picture as PNG, under a temporary name that is renamed at the end. Throws Error when
 /// the file cannot be written.

@@ -36,18 +36,6 @@ constexpr int mostSlices = 4096;
 constexpr double leastIsoValue = -20.0; // dBZ
 constexpr double mostIsoValue = 75.0;   // dBZ
 
-// A name that no file has yet: with the time of the volume, and a number from the second on.
-std::filesystem::path FreeName(const std::filesystem::path& folder, Time time)
-{
-  const std::string stem = "nexrad3d-" + FormatForFileName(time);
-  std::filesystem::path path = folder / (stem + ".png");
-  for (int number = 2; std::filesystem::exists(path); ++number)
-  {
-    path = folder / (stem + "-" + std::to_string(number) + ".png");
-  }
-  return path;
-}
-
 } // namespace
 
 /// A key of the viewer: what it is called, what it does.
@@ -328,7 +316,7 @@ void Viewer::WritePicture()
   try
   {
     const std::filesystem::path path =
-      FreeName(options.pictures, session.TimeAt(session.Shown().value_or(0)));
+      FreePictureName(options.pictures, session.TimeAt(session.Shown().value_or(0)));
     WritePng(picture, path);
     written.push_back(path);
     message = "wrote " + path.string();

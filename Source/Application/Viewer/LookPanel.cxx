@@ -100,8 +100,8 @@ QCheckBox* LookPanel::AddSwitch(QFormLayout* form, const QString& name, const QS
 }
 
 void LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
-  double most, double step, const QString& suffix, const std::function<double()>& get,
-  const std::function<void(double)>& set)
+  double most, double step, const QString& suffix, const QString& automatic,
+  const std::function<double()>& get, const std::function<void(double)>& set)
 {
   auto* box = Named(new QDoubleSpinBox(this), name, tip);
   box->setRange(least, most);
@@ -109,6 +109,10 @@ void LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString&
   box->setDecimals(step < 1.0 ? 2 : 0);
   box->setSuffix(suffix);
   box->setKeyboardTracking(false);
+  if (!automatic.isEmpty())
+  {
+    box->setSpecialValueText(automatic); // for the least value
+  }
   form->addRow(name, box);
   connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
     [this, set](double value)
@@ -150,7 +154,7 @@ void LookPanel::AddDrawing(QFormLayout* form)
     [this](int index) { scene->SetMapper(index); });
   this->AddNumber(
     form, "Stretch", "How many times heights are stretched; 0: as suits the size of the domain",
-    0.0, 50.0, 0.5, " ×", [this] { return scene->GetExaggeration(); },
+    0.0, 50.0, 0.5, " ×", "as suits", [this] { return scene->GetExaggeration(); },
     [this](double times) { scene->SetExaggeration(times); });
   this->AddChoice(
     form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
@@ -173,20 +177,20 @@ void LookPanel::AddDrawing(QFormLayout* form)
 void LookPanel::AddLight(QFormLayout* form)
 {
   this->AddNumber(
-    form, "Shadow", "How strong the volume's shadows are, 0 (none) to 1", 0.0, 1.0, 0.05, "",
+    form, "Shadow", "How strong the volume's shadows are, 0 (none) to 1", 0.0, 1.0, 0.05, "", "",
     [this] { return scene->GetShadowStrength(); },
     [this](double strength) { scene->SetShadowStrength(strength); });
   this->AddNumber(
     form, "Occlusion", "How much darker it is where little of the sky is seen, 0 (none) to 1", 0.0,
-    1.0, 0.05, "", [this] { return scene->GetOcclusionStrength(); },
+    1.0, 0.05, "", "", [this] { return scene->GetOcclusionStrength(); },
     [this](double strength) { scene->SetOcclusionStrength(strength); });
   this->AddNumber(
     form, "From", "Direction to the light in degrees clockwise from north", 0.0, 359.0, 5.0, "°",
-    [this] { return scene->GetLightAzimuth(); },
+    "", [this] { return scene->GetLightAzimuth(); },
     [this](double degrees) { scene->SetLightAzimuth(degrees); });
   this->AddNumber(
     form, "Height", "Elevation of the light above the horizon in degrees", -90.0, 90.0, 5.0, "°",
-    [this] { return scene->GetLightElevation(); },
+    "", [this] { return scene->GetLightElevation(); },
     [this](double degrees) { scene->SetLightElevation(degrees); });
 }
 
@@ -204,7 +208,7 @@ void LookPanel::AddSurroundings(QFormLayout* form)
     [this] { return scene->GetPlaceNames(); }, [this](bool on) { scene->SetPlaceNames(on); });
   this->AddNumber(
     form, "Rings", "Distance between rings of range about each radar in kilometres; 0: none", 0.0,
-    230.0, 10.0, " km", [this] { return scene->GetRingSpacing() / 1000.0; },
+    230.0, 10.0, " km", "none", [this] { return scene->GetRingSpacing() / 1000.0; },
     [this](double kilometres) { scene->SetRingSpacing(1000.0 * kilometres); });
 }
 

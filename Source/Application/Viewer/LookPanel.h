@@ -38,8 +38,8 @@ private:
   QCheckBox* AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
     const std::function<bool()>& get, const std::function<void(bool)>& set);
   void AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
-    double most, double step, const QString& suffix, const std::function<double()>& get,
-    const std::function<void(double)>& set);
+    double most, double step, const QString& suffix, const QString& automatic,
+    const std::function<double()>& get, const std::function<void(double)>& set);
   void AddDrawing(QFormLayout* form);
   void AddLight(QFormLayout* form);
   void AddSurroundings(QFormLayout* form);

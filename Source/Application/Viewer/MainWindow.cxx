@@ -2,6 +2,7 @@
 #include "Viewer/MainWindow.h"
 
 #include "Commands/SimulatedFiles.h"
+#include "Drawing/PictureWindow.h"
 #include "Viewer/LookPanel.h"
 #include "Viewer/Playback.h"
 #include "Viewer/SceneView.h"
@@ -141,7 +142,8 @@ void MainWindow::MakeMenus()
   recent = file->addMenu("Open &recent");
   file->addAction("Open the &synthetic day", this, &MainWindow::OpenSyntheticDay);
   file->addSeparator();
-  file->addAction("Save &picture…", this, &MainWindow::AskForPicture, QKeySequence::Save);
+  file->addAction("&Take a picture", this, &MainWindow::TakePicture, QKeySequence("S"));
+  file->addAction("Save &picture as…", this, &MainWindow::AskForPicture, QKeySequence::Save);
   file->addSeparator();
   file->addAction("&Quit", this, &QWidget::close, QKeySequence::Quit);
   windows = this->menuBar()->addMenu("&View");
@@ -305,14 +307,29 @@ void MainWindow::AskForPicture()
 {
   const QString path =
     QFileDialog::getSaveFileName(this, "Save picture", "nexrad3d.png", "Pictures (*.png)");
-  if (path.isEmpty())
+  if (!path.isEmpty())
   {
-    return;
+    this->WritePicture(path.toStdString());
   }
+}
+
+void MainWindow::TakePicture()
+{
+  const scene::BackgroundSeries::State& state = playback->State();
+  if (view->Scene()->GetVolume() != nullptr && playback->Step() < state.times.size())
+  {
+    this->WritePicture(scene::FreePictureName(request.pictures, state.times[playback->Step()]));
+  }
+}
+
+void MainWindow::WritePicture(const std::filesystem::path& path)
+{
+  constexpr int shown = 5000; // ms
   try
   {
-    view->WritePicture(path.toStdString());
-    this->statusBar()->showMessage("wrote " + path, 5000);
+    view->WritePicture(path);
+    pictures.push_back(path);
+    this->statusBar()->showMessage("wrote " + QString::fromStdString(path.string()), shown);
   }
   catch (const Error& error)
   {
@@ -330,7 +347,8 @@ void MainWindow::ShowAbout()
     "L: begin again after the last time\n"
     "R: the camera as at first\n"
     "Ctrl+O: open files;  Ctrl+Shift+O: open a folder\n"
-    "Ctrl+S: save the picture;  Ctrl+Q: quit");
+    "S: take a picture;  Ctrl+S: save it under a name\n"
+    "Ctrl+Q: quit");
 }
 
 void MainWindow::Remember(const QStringList& paths)

@@ -6,6 +6,9 @@
 #include <QMainWindow>
 #include <QStringList>
 
+#include <filesystem>
+#include <vector>
+
 class QDockWidget;
 class QLabel;
 class QListWidget;
@@ -34,6 +37,8 @@ public:
   Playback* Player() const { return playback; }
   /// Inputs that were damaged or left out, and what went wrong since the window opened.
   QStringList Problems() const;
+  /// Pictures that were written.
+  const std::vector<std::filesystem::path>& Pictures() const { return pictures; }
 
 public slots:
   /// Opens files or folders in place of what is open.
@@ -52,6 +57,8 @@ private:
   void AskForFiles();
   void AskForFolder();
   void AskForPicture();
+  void TakePicture();
+  void WritePicture(const std::filesystem::path& path);
   void ShowAbout();
   void OpenInputs(const scene::InputRequest& input, const QString& title, bool simulate);
   void Remember(const QStringList& paths);
@@ -72,6 +79,7 @@ private:
   QMenu* recent = nullptr;
   QMenu* windows = nullptr;
   QString title;
+  std::vector<std::filesystem::path> pictures;
   QStringList failures; ///< since the series was opened
 };
 

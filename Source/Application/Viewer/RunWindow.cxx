@@ -30,6 +30,7 @@ scene::ViewReport RunWindow(const scene::ViewRequest& request)
   }
   QApplication::exec();
   scene::ViewReport report;
+  report.pictures = window.Pictures();
   for (const QString& line : window.Problems())
   {
     report.problems.push_back(line.toStdString());

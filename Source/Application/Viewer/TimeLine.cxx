@@ -4,6 +4,7 @@
 #include "Viewer/LoadedSteps.h"
 #include "Viewer/Playback.h"
 
+#include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -39,10 +40,12 @@ TimeLine::TimeLine(Playback& shownPlayback, QWidget* parent)
   , rate(new QLabel(this))
   , interval(new QSpinBox(this))
 {
-  QToolButton* back = this->AddButton("Step back", "The time before", "Left");
-  play = this->AddButton("Play", "Play or pause", "Space");
-  QToolButton* on = this->AddButton("Step on", "The next time", "Right");
-  loop = this->AddButton("Loop", "Begin again after the last time", "L");
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(6, 2, 6, 2);
+  QAction* back = this->AddButton(row, "Step back", "The time before", "Left");
+  play = this->AddButton(row, "Play", "Play or pause", "Space");
+  QAction* on = this->AddButton(row, "Step on", "The next time", "Right");
+  loop = this->AddButton(row, "Loop", "Begin again after the last time", "L");
   back->setIcon(this->style()->standardIcon(QStyle::SP_MediaSkipBackward));
   on->setIcon(this->style()->standardIcon(QStyle::SP_MediaSkipForward));
   loop->setIcon(this->style()->standardIcon(QStyle::SP_BrowserReload));
@@ -66,23 +69,17 @@ TimeLine::TimeLine(Playback& shownPlayback, QWidget* parent)
   line->setSpacing(1);
   line->addWidget(slider);
   line->addWidget(loaded);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(6, 2, 6, 2);
-  for (QWidget* each :
-    {static_cast<QWidget*>(back), static_cast<QWidget*>(play), static_cast<QWidget*>(on),
-      static_cast<QWidget*>(loop), static_cast<QWidget*>(now), static_cast<QWidget*>(first)})
-  {
-    row->addWidget(each);
-  }
+  row->addWidget(now);
+  row->addWidget(first);
   row->addLayout(line, 1);
   row->addWidget(last);
   row->addWidget(interval);
   row->addWidget(rate);
 
-  connect(back, &QToolButton::clicked, &playback, [this] { playback.Move(-1); });
-  connect(on, &QToolButton::clicked, &playback, [this] { playback.Move(1); });
-  connect(play, &QToolButton::clicked, &playback, &Playback::Play);
-  connect(loop, &QToolButton::clicked, &playback, &Playback::SetLoops);
+  connect(back, &QAction::triggered, &playback, [this] { playback.Move(-1); });
+  connect(on, &QAction::triggered, &playback, [this] { playback.Move(1); });
+  connect(play, &QAction::triggered, &playback, &Playback::Play);
+  connect(loop, &QAction::triggered, &playback, &Playback::SetLoops);
   connect(slider, &QSlider::valueChanged, &playback,
     [this](int value) { playback.GoTo(static_cast<std::size_t>(value)); });
   connect(interval, qOverload<int>(&QSpinBox::valueChanged), &playback, &Playback::SetInterval);
@@ -90,16 +87,20 @@ TimeLine::TimeLine(Playback& shownPlayback, QWidget* parent)
   this->Follow();
 }
 
-QToolButton* TimeLine::AddButton(const QString& name, const QString& tip, const QString& keys)
+QAction* TimeLine::AddButton(
+  QBoxLayout* row, const QString& name, const QString& tip, const QString& keys)
 {
+  auto* action = new QAction(name, this);
+  action->setToolTip(tip + " (" + keys + ")");
+  action->setShortcut(QKeySequence(keys));
   auto* button = new QToolButton(this);
+  button->setDefaultAction(action);
   button->setAccessibleName(name);
   button->setObjectName(name);
-  button->setToolTip(tip + " (" + keys + ")");
-  button->setShortcut(QKeySequence(keys));
   button->setAutoRaise(true);
   button->setFocusPolicy(Qt::NoFocus);
-  return button;
+  row->addWidget(button);
+  return action;
 }
 
 void TimeLine::Follow()

@@ -3,10 +3,11 @@
 
 #include <QWidget>
 
+class QAction;
+class QBoxLayout;
 class QLabel;
 class QSlider;
 class QSpinBox;
-class QToolButton;
 
 namespace nexrad::viewer
 {
@@ -24,12 +25,12 @@ public:
   explicit TimeLine(Playback& playback, QWidget* parent = nullptr);
 
 private:
-  QToolButton* AddButton(const QString& name, const QString& tip, const QString& keys);
+  QAction* AddButton(QBoxLayout* row, const QString& name, const QString& tip, const QString& keys);
   void Follow();
 
   Playback& playback;
-  QToolButton* play = nullptr;
-  QToolButton* loop = nullptr;
+  QAction* play = nullptr;
+  QAction* loop = nullptr;
   QSlider* slider = nullptr;
   LoadedSteps* loaded = nullptr;
   QLabel* first = nullptr;

@@ -137,6 +137,12 @@ bool BackgroundSeries::Open()
   {
     const std::lock_guard<std::mutex> lock(mutex);
     opened.paused = state.paused;
+    if (opened.paused && opened.phase == Phase::Open) // too late to stop it
+    {
+      opened = State();
+      opened.phase = Phase::Failed;
+      opened.failure = "stopped before it was opened";
+    }
     state = opened;
   }
   this->Wake();

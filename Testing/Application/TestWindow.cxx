@@ -1,0 +1,346 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window with menus, time line and settings: what clicks, keys and drops do to it.
+#include "StormVolume.h"
+#include "TestData.h"
+#include "Tolerance.h"
+#include "Viewer/MainWindow.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
+
+#include <vtkNexradVolumeScene.h>
+
+#include <QApplication>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QDropEvent>
+#include <QListWidget>
+#include <QMimeData>
+#include <QPushButton>
+#include <QSettings>
+#include <QSlider>
+#include <QSpinBox>
+#include <QSurfaceFormat>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QUrl>
+#include <QVTKOpenGLNativeWidget.h>
+#include <QtTest/QtTest>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <memory>
+
+using namespace nexrad;
+using namespace nexrad::viewer;
+using nexrad::testing::TemporaryFolder;
+using nexrad::testing::WriteStormFiles;
+
+namespace
+{
+
+using Phase = scene::BackgroundSeries::Phase;
+
+// Visibly different pixels, of all.
+double Difference(const QImage& a, const QImage& b)
+{
+  qint64 different = 0;
+  for (int y = 0; y < a.height(); ++y)
+  {
+    for (int x = 0; x < a.width(); ++x)
+    {
+      const QRgb first = a.pixel(x, y);
+      const QRgb second = b.pixel(x, y);
+      const int most = std::max({std::abs(qRed(first) - qRed(second)),
+        std::abs(qGreen(first) - qGreen(second)), std::abs(qBlue(first) - qBlue(second))});
+      different += most > 8 ? 1 : 0;
+    }
+  }
+  return static_cast<double>(different) / static_cast<double>(a.width() * a.height());
+}
+
+class WindowTest : public ::testing::Test
+{
+protected:
+  static void SetUpTestSuite()
+  {
+    QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+    static int count = 1;
+    static char name[] = "TestWindow";
+    static char* arguments[] = {name, nullptr};
+    application = std::make_unique<QApplication>(count, arguments);
+    QCoreApplication::setOrganizationName("nexrad3d-test");
+    settings = std::make_unique<QTemporaryDir>();
+    QSettings::setDefaultFormat(QSettings::IniFormat);
+    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings->path());
+  }
+  static void TearDownTestSuite() { application.reset(); }
+
+  // A window on some steps of a synthetic storm, all of them loaded.
+  void OpenSteps(int steps)
+  {
+    request.input.inputs = {WriteStormFiles(folder.Path(), steps)};
+    this->OpenWindow();
+    ASSERT_TRUE(this->Wait(
+      [&]
+      {
+        const auto& loaded = window->Player()->State().loaded;
+        return static_cast<int>(std::count(loaded.begin(), loaded.end(), true)) == steps;
+      }));
+    this->WaitForPicture();
+  }
+
+  void OpenWindow()
+  {
+    request.size = {900, 600};
+    request.pictures = folder.Path();
+    window = std::make_unique<MainWindow>(request);
+    window->show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
+    QApplication::setActiveWindow(window.get()); // there is no window manager
+  }
+
+  static bool Wait(const std::function<bool()>& condition)
+  {
+    return QTest::qWaitFor(condition, 60'000);
+  }
+
+  // Until all that was asked for is drawn.
+  QImage WaitForPicture()
+  {
+    QTest::qWait(50);
+    return window->View()->grabFramebuffer();
+  }
+
+  template <typename Widget>
+  Widget* Find(const char* name)
+  {
+    auto* found = window->findChild<Widget*>(name);
+    EXPECT_NE(found, nullptr) << name;
+    return found;
+  }
+
+  void Click(const char* button)
+  {
+    QTest::mouseClick(this->Find<QToolButton>(button), Qt::LeftButton);
+  }
+
+  // Chooses an entry of a box as a user does with the keys.
+  void Choose(const char* name, int down)
+  {
+    auto* box = this->Find<QComboBox>(name);
+    for (int i = 0; i < down; ++i)
+    {
+      QTest::keyClick(box, Qt::Key_Down);
+    }
+  }
+
+  // How much of the picture an action changes.
+  double Changes(const std::function<void()>& action)
+  {
+    const QImage before = this->WaitForPicture();
+    action();
+    return Difference(before, this->WaitForPicture());
+  }
+
+  static std::unique_ptr<QApplication> application;
+  static std::unique_ptr<QTemporaryDir> settings;
+  TemporaryFolder folder;
+  scene::ViewRequest request;
+  std::unique_ptr<MainWindow> window;
+};
+
+std::unique_ptr<QApplication> WindowTest::application;
+std::unique_ptr<QTemporaryDir> WindowTest::settings;
+
+} // namespace
+
+TEST_F(WindowTest, OpensWithTheFirstTimeAndItsSettings)
+{
+  this->OpenSteps(3);
+  EXPECT_EQ(window->Player()->State().phase, Phase::Open);
+  EXPECT_EQ(window->Player()->Step(), 0U);
+  EXPECT_NE(window->View()->Scene()->GetVolume(), nullptr);
+  EXPECT_EQ(this->Find<QSlider>("time")->maximum(), 2);
+  EXPECT_EQ(this->Find<QComboBox>("Preset")->currentText(), "all echo");
+  EXPECT_TRUE(window->Problems().isEmpty());
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/Window.png");
+}
+
+TEST_F(WindowTest, ButtonsAndKeysStepThroughTheTimes)
+{
+  this->OpenSteps(3);
+  EXPECT_AT_LEAST(
+    this->Changes([&] { this->Click("Step on"); }), 0.002, "pixels that a step changes, part");
+  EXPECT_EQ(window->Player()->Step(), 1U);
+  QTest::keyClick(window.get(), Qt::Key_Right);
+  EXPECT_EQ(window->Player()->Step(), 2U);
+  QTest::keyClick(window.get(), Qt::Key_Right);
+  EXPECT_EQ(window->Player()->Step(), 0U) << "round";
+  this->Click("Step back");
+  EXPECT_EQ(window->Player()->Step(), 2U);
+  this->Find<QSlider>("time")->setFocus();
+  QTest::keyClick(this->Find<QSlider>("time"), Qt::Key_Home);
+  EXPECT_EQ(window->Player()->Step(), 0U);
+}
+
+TEST_F(WindowTest, PlaysInItsIntervalAndStopsAtTheEndWithoutLooping)
+{
+  this->OpenSteps(4);
+  this->Click("Loop");
+  auto* interval = this->Find<QSpinBox>("interval");
+  interval->setFocus();
+  interval->selectAll();
+  QTest::keyClicks(interval, "40\t");
+  EXPECT_EQ(window->Player()->Interval(), 40);
+  this->Click("Play");
+  EXPECT_TRUE(window->Player()->IsPlaying());
+  EXPECT_TRUE(this->Wait([&] { return !window->Player()->IsPlaying(); }));
+  EXPECT_EQ(window->Player()->Step(), 3U);
+  EXPECT_FALSE(this->Find<QToolButton>("Play")->isChecked());
+}
+
+TEST_F(WindowTest, PlaysOverAndOver)
+{
+  this->OpenSteps(3);
+  window->Player()->SetInterval(16);
+  QTest::keyClick(window.get(), Qt::Key_Space);
+  int wraps = 0;
+  std::size_t last = 0;
+  EXPECT_TRUE(this->Wait(
+    [&]
+    {
+      wraps += window->Player()->Step() < last ? 1 : 0;
+      last = window->Player()->Step();
+      return wraps >= 2 && window->Player()->StepsPerSecond() > 0.0;
+    }));
+  QTest::keyClick(window.get(), Qt::Key_Space);
+  EXPECT_FALSE(window->Player()->IsPlaying());
+}
+
+TEST_F(WindowTest, SettingsChangeThePicture)
+{
+  this->OpenSteps(1);
+  EXPECT_AT_LEAST(this->Changes([&] { this->Choose("Preset", 1); }), 0.01,
+    "pixels that the preset of the cores changes, part");
+  EXPECT_EQ(window->View()->Scene()->GetPreset(), "storm cores");
+  this->Choose("Slices", 1);
+  EXPECT_EQ(window->View()->Scene()->GetNumberOfSlices(), 512);
+  EXPECT_AT_LEAST(
+    this->Changes([&] { this->Choose("Theme", 1); }), 0.5, "pixels that the theme changes, part");
+  EXPECT_AT_LEAST(this->Changes([&] { this->Choose("Projection", 1); }), 0.02,
+    "pixels that parallel projection changes, part");
+  auto* stretch = this->Find<QDoubleSpinBox>("Stretch");
+  EXPECT_AT_LEAST(this->Changes(
+                    [&]
+                    {
+                      stretch->setFocus();
+                      stretch->selectAll();
+                      QTest::keyClicks(stretch, "2\t");
+                    }),
+    0.02, "pixels that the stretch changes, part");
+  EXPECT_EQ(window->View()->Scene()->GetExaggeration(), 2.0);
+  auto* walls = this->Find<QCheckBox>("Height walls");
+  EXPECT_AT_LEAST(this->Changes(
+                    [&] {
+                      QTest::mouseClick(walls, Qt::LeftButton, {}, {8, 8});
+                    }),
+    0.001, "pixels that the walls change, part");
+}
+
+TEST_F(WindowTest, TheMouseTurnsAndZooms)
+{
+  this->OpenSteps(1);
+  SceneView* view = window->View();
+  const double azimuth = view->Scene()->GetAzimuth();
+  const QPoint from(view->width() / 2, view->height() / 2);
+  EXPECT_AT_LEAST(this->Changes(
+                    [&]
+                    {
+                      QTest::mousePress(view, Qt::LeftButton, {}, from);
+                      QTest::mouseMove(view, from + QPoint(60, 0));
+                      QTest::mouseRelease(view, Qt::LeftButton, {}, from + QPoint(60, 0));
+                    }),
+    0.05, "pixels that turning changes, part");
+  EXPECT_NE(view->Scene()->GetAzimuth(), azimuth);
+  QTest::keyClick(window.get(), Qt::Key_R);
+  EXPECT_EQ(view->Scene()->GetAzimuth(), azimuth);
+}
+
+TEST_F(WindowTest, TakesPicturesOfWhatItShows)
+{
+  this->OpenSteps(1);
+  for (int i = 0; i < 2; ++i)
+  {
+    QTest::keyClick(window.get(), Qt::Key_S);
+  }
+  ASSERT_EQ(window->Pictures().size(), 2U);
+  EXPECT_NE(window->Pictures()[0], window->Pictures()[1]);
+  const QImage written(QString::fromStdString(window->Pictures()[0].string()));
+  const QImage shown = this->WaitForPicture();
+  ASSERT_EQ(written.size(), shown.size());
+  EXPECT_EQ(Difference(written, shown), 0.0);
+}
+
+TEST_F(WindowTest, WhatIsDroppedIsOpened)
+{
+  this->OpenWindow();
+  EXPECT_FALSE(window->Player()->HasSeries());
+  QMimeData files;
+  files.setUrls(
+    {QUrl::fromLocalFile(QString::fromStdString(WriteStormFiles(folder.Path(), 2).string()))});
+  QDragEnterEvent enter({10, 10}, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window.get(), &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop({10, 10}, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(window.get(), &drop);
+  EXPECT_TRUE(this->Wait([&] { return window->Player()->State().times.size() == 2; }));
+}
+
+TEST_F(WindowTest, WhatCannotBeOpenedIsListed)
+{
+  const std::filesystem::path bad = folder.Path() / "bad.nxv";
+  std::ofstream(bad) << "no volume";
+  request.input.inputs = {bad};
+  this->OpenWindow();
+  EXPECT_TRUE(this->Wait([&] { return window->Player()->State().phase == Phase::Failed; }));
+  auto* list = this->Find<QListWidget>("damage");
+  ASSERT_EQ(list->count(), 1);
+  EXPECT_TRUE(list->item(0)->text().contains("bad.nxv")) << list->item(0)->text().toStdString();
+  EXPECT_TRUE(list->isVisible());
+}
+
+TEST_F(WindowTest, OpensSomethingElseWhileItPlays)
+{
+  this->OpenSteps(3);
+  window->Player()->SetInterval(16);
+  window->Player()->Play(true);
+  const TemporaryFolder other;
+  window->Open({QString::fromStdString(WriteStormFiles(other.Path(), 2).string())});
+  EXPECT_FALSE(window->Player()->IsPlaying());
+  EXPECT_TRUE(this->Wait([&] { return window->Player()->State().times.size() == 2; }));
+  EXPECT_TRUE(this->Wait([&] { return !window->Player()->IsWaiting(); }));
+}
+
+TEST_F(WindowTest, ClosesWhileItReads)
+{
+  this->OpenWindow();
+  window->OpenSyntheticDay();
+  EXPECT_TRUE(this->Wait([&] { return window->Player()->State().fraction > 0.0; }));
+  EXPECT_EQ(window->Player()->State().phase, Phase::Opening);
+  window.reset();
+}
+
+TEST_F(WindowTest, CancelStopsTheOpening)
+{
+  this->OpenWindow();
+  window->OpenSyntheticDay();
+  EXPECT_TRUE(this->Wait([&] { return window->Player()->State().fraction > 0.0; }));
+  QTest::mouseClick(this->Find<QPushButton>("cancel"), Qt::LeftButton);
+  EXPECT_TRUE(this->Wait([&] { return window->Player()->State().phase == Phase::Failed; }));
+}
