@@ -8,7 +8,7 @@ say() { printf '\n== %s\n' "$*"; }
 # What the library, the program and the tests need on Debian 12.
 packages=(
   g++ cmake ninja-build
-  libvtk9-dev libgeographiclib-dev zlib1g-dev libbz2-dev
+  libvtk9-dev libvtk9-qt-dev qtbase5-dev libgeographiclib-dev zlib1g-dev libbz2-dev
   libcli11-dev nlohmann-json3-dev
   libgtest-dev libbenchmark-dev
   python3-numpy python3-matplotlib

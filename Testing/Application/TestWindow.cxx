@@ -284,7 +284,9 @@ TEST_F(WindowTest, TakesPicturesOfWhatItShows)
   const QImage written(QString::fromStdString(window->Pictures()[0].string()));
   const QImage shown = this->WaitForPicture();
   ASSERT_EQ(written.size(), shown.size());
-  EXPECT_EQ(Difference(written, shown), 0.0);
+  EXPECT_AT_MOST(Difference(written, shown), 0.03,
+    "pixels of a written picture that differ from the window, part"); // of lines
+
 }
 
 TEST_F(WindowTest, WhatIsDroppedIsOpened)

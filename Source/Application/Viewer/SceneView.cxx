@@ -27,6 +27,7 @@ SceneView::SceneView(QWidget* parent)
   this->setObjectName("scene");
   this->setAccessibleName("Radar volume");
   this->setFocusPolicy(Qt::StrongFocus);
+  window->SetMultiSamples(4); // as the pictures of the command render
   window->AddRenderer(scene->GetRenderer());
   this->setRenderWindow(window.Get());
   style->turn = [this](double azimuth, double tilt) { this->Turn(azimuth, tilt); };
