@@ -12,8 +12,6 @@ SCRIPT = os.path.join(os.environ["NEXRAD_UTILITIES"], "show-ray-caster-errors")
 SHARED = {
     # Differences over n / (n - 1) voxels along an axis of n points.
     "normals: a box of 17 x 17 x 5 points, headlight",
-    # A label above all that have functions takes those of the greatest one.
-    "label-functions: label 3 of 0 to 3, functions for 1 and 2, difference in colour",
 }
 
 

@@ -55,12 +55,12 @@ bool FetchScalars(vec3 at, out vec4 scalars)
 // 0 to 255 as 0 to 1.
 uniform sampler3D maskTexture;
 
-// 0: no label. Labels without functions beyond the last one are drawn like it.
+// 0: no label, or one beyond the last that has functions of its own.
 int FetchLabel(vec3 at)
 {
   int label = int(texture(maskTexture, at).r * 255.0 + 0.5);
 #ifdef TEXTURE_SLICE_LABELS
-  label = min(label, TEXTURE_SLICE_LABELS);
+  label = label > TEXTURE_SLICE_LABELS ? 0 : label;
 #endif
   return label;
 }
