@@ -6,9 +6,7 @@
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
@@ -23,6 +21,7 @@
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpaquePixels.h"
 #include "vtkTextureSliceOpenGL.h"
+#include "vtkTextureSlicePeeling.h"
 #include "vtkTextureSliceProgram.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceResolution.h"
@@ -69,6 +68,7 @@ public:
   vtkTextureSliceTarget Target;
   vtkTextureSliceProgram Program;
   vtkTextureSliceOpaquePixels OpaquePixels;
+  vtkTextureSlicePeeling Peeling;
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   /// What the last frame refused, and what it ignored: the same is not said again.
@@ -345,17 +345,18 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   if (uniforms.Features.Slabs > 0)
   {
     this->UpdateIntegrals(uniforms);
-    if (!this->Target.KeepDepth(error))
-    {
-      this->Target.End();
-      return false;
-    }
+  }
+  if (uniforms.Features.NeedsDepth() && !this->Target.KeepDepth(error))
+  {
+    this->Target.End();
+    return false;
   }
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
   SetBlending(state, blendMode);
   const bool drawn = this->DrawSlices(uniforms);
   state->vtkglBlendEquation(GL_FUNC_ADD);
@@ -374,15 +375,24 @@ void vtkOpenGLTextureSliceVolumeMapper::Internals::Composite(
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->SetEnumState(GL_BLEND, !uniforms.Features.Selection);
+  const bool peeled = uniforms.Features.Peel > 0;
+  if (peeled)
+  {
+    this->Peeling.SetBlending(state);
+  }
   this->Table.GetTexture()->Activate();
   // Between an extreme and no sample at all there is nothing.
   const int blendMode = uniforms.Features.BlendMode;
   const bool smooth = this->PixelSize != 1.0 &&
                       blendMode != vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND &&
                       blendMode != vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
-  this->Target.Composite(renderer, smooth, uniforms.Features.GetDefines(),
+  this->Target.Composite(renderer, smooth, uniforms.Features,
     [&](vtkShaderProgram* program)
     {
+      if (peeled)
+      {
+        this->Peeling.SetUniforms(program, 1.0);
+      }
       program->SetUniformf("colorScale", colorScale);
       program->SetUniformf("colorBias", colorBias);
       program->SetUniform3f("selectionColor", uniforms.SelectionColor.data());
@@ -522,11 +532,10 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
   {
     return unsupported;
   }
-  vtkInformation* keys = volume->GetPropertyKeys();
-  if (keys != nullptr && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  if (!this->Parts->Peeling.Update(this, volume))
   {
-    return "a render pass that changes the volume's shaders, such as depth peeling, is not "
-           "supported: call SetUseDepthPeelingForVolumes(false) on the renderer";
+    return "a render pass peels the volume in a way that is not known: call "
+           "SetUseDepthPeelingForVolumes(false) on the renderer";
   }
   if (request.IsEmpty())
   {
@@ -662,12 +671,16 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
 
   const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
   const StateKeeper keeper(parts.Window->GetState());
-  if (!parts.Draw(renderer, uniforms, error))
+  for (int picture = 0; picture < parts.Peeling.CountPictures(); ++picture)
   {
-    return error;
+    parts.Peeling.SetPicture(picture);
+    if (!parts.Draw(renderer, uniforms, error))
+    {
+      return error;
+    }
+    parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
+      0.5f - this->FinalColorLevel / this->FinalColorWindow);
   }
-  parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
-    0.5f - this->FinalColorLevel / this->FinalColorWindow);
   return "";
 }
 
@@ -856,6 +869,9 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   uniforms.Features.Shadows = parts.Shadows.IsUsed();
   uniforms.Features.Scattering = parts.Shadows.IsScattering();
+  uniforms.Features.Peel = parts.Peeling.GetStage();
+  uniforms.Peeling = &parts.Peeling;
+  uniforms.PixelSize = parts.PixelSize;
   if (uniforms.Features.Slabs > 0)
   {
     uniforms.Features.ClippingPlanes = static_cast<int>(parts.Frame.GetPlanesInPart().size() / 4);

@@ -25,8 +25,9 @@
  * isosurface), not in projections. Two-dimensional transfer functions (scalar and gradient
  * magnitude) in the composite mode. A mask of the volume's dimensions, one unsigned char each:
  * binary, or labels with functions of their own. Cropping, clipping planes, opaque geometry, a
- * camera inside the volume, and final window and level work as in VTK's ray caster; translucent
- * geometry is behind the volume, peeled or not.
+ * camera inside the volume, and final window and level work as in VTK's ray caster. Translucent
+ * geometry is behind the volume, unless the renderer peels both by depth
+ * (SetUseDepthPeelingForVolumes).
  *
  * ImageSampleDistance makes the picture coarser or finer than the window. With
  * AutoAdjustSampleDistances (on by default) it grows to 1, 2, 5 or 10, between
@@ -41,9 +42,10 @@
  * maximum or minimum of dependent components, isosurfaces of other components, averages of
  * several components over part of the range, volumes larger than the largest 3-D texture, and a 2-D
  * image, which has no thickness. Refused with an error when it is met: four components with hidden
- * points, and depth peeling of volumes. What is refused or ignored is said once, not in each frame.
- * Jittering is ignored; UseDepthPass, RenderToImage, user shaders and UseClippedVoxelIntensity are
- * ignored with a warning. A hardware selection finds the volume, not its voxels.
+ * points, and render passes that peel volumes in a way that is not VTK's. What is refused or
+ * ignored is said once, not in each frame. Jittering is ignored; UseDepthPass, RenderToImage, user
+ * shaders and UseClippedVoxelIntensity are ignored with a warning. A hardware selection finds the
+ * volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h

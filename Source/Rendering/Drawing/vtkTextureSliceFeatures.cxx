@@ -77,6 +77,10 @@ std::string vtkTextureSliceFeatures::GetDefines() const
     defines += std::string("#define TEXTURE_SLICE_INTEGRAL_TABLE ") +
                (this->GetIntegralDimensions() == 1 ? "sampler1D" : "sampler2D") + '\n';
   }
+  if (this->Peel > 0)
+  {
+    Define(defines, "PEEL", this->Peel);
+  }
   if (this->IsoValues > 0)
   {
     Define(defines, "ISO_VALUES", this->IsoValues);

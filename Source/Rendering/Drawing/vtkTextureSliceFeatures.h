@@ -29,6 +29,7 @@ struct vtkTextureSliceFeatures
   /// Slabs that a fragment integrates over (Formulas L1); 0: it takes one sample.
   int Slabs = 0;
   int ClippingPlanes = 0; ///< counted for slabs alone
+  int Peel = 0;           ///< vtkTextureSlicePeeling::Stage
 
   /// Rows of the transfer table: functions, then their gradient opacities.
   int CountRows() const { return this->Functions * (this->GradientOpacity ? 2 : 1); }
@@ -36,6 +37,8 @@ struct vtkTextureSliceFeatures
   int CountLabelRows() const { return this->Labels * (this->GradientOpacity ? 2 : 1); }
   /// Dimensions of the textures of integrals: those of labels and the common ones have the same.
   int GetIntegralDimensions() const { return this->Functions > 1 || this->Labels > 0 ? 2 : 1; }
+  /// Whether the shader reads the depth of the opaque geometry; peeling has depths of its own.
+  bool NeedsDepth() const { return this->Slabs > 0 && this->Peel == 0; }
   bool HasMask() const { return this->BinaryMask || this->Labels > 0; }
   /// The first lines of the fragment shaders.
   std::string GetDefines() const;

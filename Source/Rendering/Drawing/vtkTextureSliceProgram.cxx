@@ -13,6 +13,7 @@
 #include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpenGL.h"
+#include "vtkTextureSlicePeeling.h"
 #include "vtkTextureSliceShadows.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTable2D.h"
@@ -20,6 +21,7 @@
 #include "TextureSliceColoringFS.h"
 #include "TextureSliceFS.h"
 #include "TextureSliceLightingFS.h"
+#include "TextureSlicePeelFS.h"
 #include "TextureSliceSamplingFS.h"
 #include "TextureSliceShadowsFS.h"
 #include "TextureSliceSlabsFS.h"
@@ -161,7 +163,10 @@ void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry
       "labelIntegralTable", uniforms.LabelIntegrals->GetTexture()->GetTextureUnit());
     program->SetUniformf("labelTableHalfEntry", GetHalfEntry(*uniforms.LabelTable));
   }
-  program->SetUniformi("geometryDepth", uniforms.GeometryDepth->GetTextureUnit());
+  if (uniforms.Features.NeedsDepth())
+  {
+    program->SetUniformi("geometryDepth", uniforms.GeometryDepth->GetTextureUnit());
+  }
   program->SetUniform2f("clipStep", geometry.GetClipStep().data());
   const std::vector<float> planes = uniforms.Frame->GetPlanesInPart();
   if (!planes.empty())
@@ -198,7 +203,10 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   if (this->Features.Slabs > 0)
   {
     textures.push_back(this->Integrals->GetTexture());
-    textures.push_back(this->GeometryDepth);
+    if (this->Features.NeedsDepth())
+    {
+      textures.push_back(this->GeometryDepth);
+    }
     if (this->Features.Labels > 0)
     {
       textures.push_back(this->LabelIntegrals->GetTexture());
@@ -227,10 +235,11 @@ vtkShaderProgram* vtkTextureSliceProgram::Ready(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const
 {
   std::string fragmentShader = TextureSliceFS;
-  for (const auto& [place, text] : {std::pair("Defines", features.GetDefines()),
-         {"Sampling", TextureSliceSamplingFS}, {"Lighting", TextureSliceLightingFS},
-         {"Shadows", TextureSliceShadowsFS}, {"Table", TextureSliceTableFS},
-         {"Coloring", TextureSliceColoringFS}, {"Slabs", TextureSliceSlabsFS}})
+  for (const auto& [place, text] :
+    {std::pair("Defines", features.GetDefines()), {"Peel", TextureSlicePeelFS},
+      {"Sampling", TextureSliceSamplingFS}, {"Lighting", TextureSliceLightingFS},
+      {"Shadows", TextureSliceShadowsFS}, {"Table", TextureSliceTableFS},
+      {"Coloring", TextureSliceColoringFS}, {"Slabs", TextureSliceSlabsFS}})
   {
     vtkShaderProgram::Substitute(
       fragmentShader, std::string("//VTK::TextureSlice::") + place, text);
@@ -307,6 +316,10 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   if (uniforms.Features.Shadows)
   {
     uniforms.Shadows->SetUniforms(program);
+  }
+  if (uniforms.Features.Peel > 0)
+  {
+    uniforms.Peeling->SetUniforms(program, uniforms.PixelSize);
   }
   if (uniforms.Features.IsoValues > 0)
   {

@@ -20,6 +20,7 @@ class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
 class vtkTextureSliceIntegralTable;
 class vtkTextureSliceLights;
+class vtkTextureSlicePeeling;
 class vtkTextureSliceShadows;
 class vtkTextureSliceTable;
 class vtkTextureSliceTable2D;
@@ -53,8 +54,10 @@ struct vtkTextureSliceUniforms
   float LabelWeight = 1.0f;                               ///< how much the label's functions count
   vtkTextureSliceIntegralTable* Integrals = nullptr;      ///< used if Features.Slabs is above 0
   vtkTextureSliceIntegralTable* LabelIntegrals = nullptr; ///< the same, with labels
-  vtkTextureObject* GeometryDepth = nullptr;              ///< used if Features.Slabs is above 0
-  std::vector<vtkTextureSliceSurface> Surfaces;           ///< one for each component
+  vtkTextureObject* GeometryDepth = nullptr;              ///< used if Features.NeedsDepth()
+  const vtkTextureSlicePeeling* Peeling = nullptr;        ///< used if Features.Peel is above 0
+  double PixelSize = 1.0;                       ///< pixels of the viewport for one of the picture
+  std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
   const vtkTextureSliceLights* Lights = nullptr;
   const vtkTextureSliceShadows* Shadows = nullptr; ///< used if Features.Shadows
   int CropFlags = 0;

@@ -65,9 +65,20 @@ void main()
   gl_FragData[0] = vec4(selectionColor, 1.0);
 }
 #else
-void main()
+// With the final window and level.
+vec4 FinalColor()
 {
   vec4 color = PictureColor(texture(volumeImage, texCoord));
-  gl_FragData[0] = vec4(color.rgb * colorScale + colorBias * color.a, color.a);
+  return vec4(color.rgb * colorScale + colorBias * color.a, color.a);
 }
+
+#ifdef TEXTURE_SLICE_PEEL
+//VTK::TextureSlice::Peel
+//VTK::TextureSlice::PeelComposite
+#else
+void main()
+{
+  gl_FragData[0] = FinalColor();
+}
+#endif
 #endif

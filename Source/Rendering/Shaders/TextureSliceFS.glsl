@@ -12,6 +12,7 @@ vec3 textureCoordinate = vec3(0.0);
 // To the next slice along the ray, in the first component's unit distances.
 in vec3 sampleStep;
 
+//VTK::TextureSlice::Peel
 //VTK::TextureSlice::Sampling
 //VTK::TextureSlice::Lighting
 //VTK::TextureSlice::Shadows
@@ -56,6 +57,12 @@ bool IsLeft(vec3 at)
 bool GatherSample(out vec4 gathered)
 {
   textureCoordinate = sliceCoordinate;
+#ifdef TEXTURE_SLICE_PEEL
+  if (!IsInPeel(gl_FragCoord.z))
+  {
+    return false;
+  }
+#endif
 #if TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
   // A surface lies beside the sample.
   if (!IsLeft(textureCoordinate))
