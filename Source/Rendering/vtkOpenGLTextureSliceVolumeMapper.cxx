@@ -50,6 +50,8 @@ public:
   vtkTextureSliceTable Table;
   vtkTextureSliceTable2D Table2D;
   vtkTextureSliceTexture Mask;
+  /// What two-dimensional functions have in place of the gradient magnitude.
+  vtkTextureSliceTexture SecondArray;
   vtkTextureSliceBlanks Blanks;
   vtkTextureSliceTable LabelTable;
   vtkTextureSliceIntegralTable Integrals;
@@ -96,6 +98,7 @@ public:
     this->Table.ReleaseGraphicsResources(window);
     this->Table2D.ReleaseGraphicsResources(window);
     this->Mask.ReleaseGraphicsResources(window);
+    this->SecondArray.ReleaseGraphicsResources(window);
     this->Blanks.ReleaseGraphicsResources(window);
     this->LabelTable.ReleaseGraphicsResources(window);
     this->Shadows.ReleaseGraphicsResources(window);
@@ -417,7 +420,7 @@ int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
 }
 
 vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
-  vtkVolumeProperty* property, vtkDataArray* scalars)
+  vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData)
 {
   vtkTextureSliceRequest request;
   request.Property = property;
@@ -434,18 +437,25 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   request.NativeGradientOpacity = this->GradientOpacityRangeType == NATIVE;
   request.BinaryMask = this->MaskInput != nullptr && this->MaskType == BinaryMaskType;
   request.SmoothGradient = this->SmoothGradient;
+  if (this->Transfer2DYAxisArray != nullptr && input != nullptr)
+  {
+    vtkDataArray* second = this->FindSecondArray(input, cellData);
+    request.SecondArray = second != nullptr ? second->GetNumberOfComponents() : -1;
+  }
   request.LabelMap = this->MaskInput != nullptr && this->MaskType == LabelMapMaskType;
   return request;
+}
+
+vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindSecondArray(vtkDataSet* input, bool cellData)
+{
+  vtkDataSetAttributes* attributes =
+    cellData ? static_cast<vtkDataSetAttributes*>(input->GetCellData()) : input->GetPointData();
+  return attributes->GetArray(this->Transfer2DYAxisArray);
 }
 
 const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
   const vtkTextureSliceRequest& request)
 {
-  if (this->Transfer2DYAxisArray != nullptr)
-  {
-    return "a second array for two-dimensional transfer functions is not supported: call "
-           "SetTransfer2DYAxisArray with nullptr";
-  }
   if (this->GetInputCount() > 1)
   {
     return "several volumes in one mapper are not supported: give each a mapper of its own";
@@ -462,13 +472,13 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
   {
     // Without an input there is nothing to say about it.
     return openGLWindow != nullptr &&
-           this->FindUnsupported(this->MakeRequest(property, nullptr)) == nullptr;
+           this->FindUnsupported(this->MakeRequest(property, nullptr, nullptr, false)) == nullptr;
   }
   auto* image = vtkImageData::SafeDownCast(input);
   int cellFlag = 0;
   vtkDataArray* scalars = this->GetScalars(
     input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  const vtkTextureSliceRequest request = this->MakeRequest(property, scalars);
+  const vtkTextureSliceRequest request = this->MakeRequest(property, input, scalars, cellFlag == 1);
   return image != nullptr && CanHold(openGLWindow, image, cellFlag == 1) &&
          this->FindUnsupported(request) == nullptr &&
          (scalars == nullptr || property == nullptr ||
@@ -527,7 +537,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
   {
     return error;
   }
-  const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
+  const vtkTextureSliceRequest request =
+    this->MakeRequest(volume->GetProperty(), image, scalars, this->CellFlag == 1);
   if (const char* unsupported = this->FindUnsupported(request))
   {
     return unsupported;
@@ -701,7 +712,14 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* rendere
     return unsupported;
   }
   parts.Texture.SetNearest(nearest);
-  return "";
+  if (request.ReadsSecondArray())
+  {
+    const bool cellData = this->CellFlag == 1;
+    parts.SecondArray.Update(
+      parts.Window, image, this->FindSecondArray(image, cellData), cellData, error);
+    parts.SecondArray.SetNearest(nearest);
+  }
+  return error;
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
@@ -760,7 +778,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateLight(vtkRenderer* renderer, vtkVo
   {
     return false;
   }
-  const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
+  const vtkTextureSliceRequest request =
+    this->MakeRequest(volume->GetProperty(), image, scalars, this->CellFlag == 1);
   if (this->FindUnsupported(request) != nullptr)
   {
     return false; // drawing says why
@@ -891,6 +910,12 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Table2D = &parts.Table2D;
   uniforms.Features.Blanked = parts.Blanks.IsUsed();
   uniforms.Blanks = &parts.Blanks;
+  if (uniforms.Features.SecondArray > 0)
+  {
+    uniforms.Features.SecondMasked = parts.SecondArray.IsMasked();
+    uniforms.SecondArray = parts.SecondArray.GetTexture();
+    vtkTextureSliceRequest::SetSecondArray(parts.SecondArray.GetComponents(), uniforms);
+  }
   uniforms.Mask = parts.Mask.GetTexture();
   uniforms.LabelTable = &parts.LabelTable;
   uniforms.LabelWeight = this->MaskBlendFactor;

@@ -23,11 +23,11 @@
  * components the second has the surfaces and gives their opacity, the first gives the colour. Light
  * and gradient opacity as in VTK's ray caster; they count where places are shown (composite,
  * isosurface), not in projections. Two-dimensional transfer functions (scalar and gradient
- * magnitude) in the composite mode. A mask of the volume's dimensions, one unsigned char each:
- * binary, or labels with functions of their own. Cropping, clipping planes, opaque geometry, a
- * camera inside the volume, and final window and level work as in VTK's ray caster. Translucent
- * geometry is behind the volume, unless the renderer peels both by depth
- * (SetUseDepthPeelingForVolumes).
+ * magnitude, or scalar and the array that Transfer2DYAxisArray names) in the composite mode. A mask
+ * of the volume's dimensions, one unsigned char each: binary, or labels with functions of their
+ * own. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final window and
+ * level work as in VTK's ray caster. Translucent geometry is behind the volume, unless the renderer
+ * peels both by depth (SetUseDepthPeelingForVolumes).
  *
  * ImageSampleDistance makes the picture coarser or finer than the window. With
  * AutoAdjustSampleDistances (on by default) it grows to 1, 2, 5 or 10, between
@@ -36,16 +36,16 @@
  *
  * vtkTextureSliceObjectFactory puts this class wherever VTK makes a vtkGPUVolumeRayCastMapper.
  *
- * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
- * for two-dimensional functions, several volumes in one mapper, a label map with several components
- * or two-dimensional functions, one or three dependent components, four that are not unsigned char,
- * maximum or minimum of dependent components, isosurfaces of other components, averages of
- * several components over part of the range, volumes larger than the largest 3-D texture, and a 2-D
- * image, which has no thickness. Refused with an error when it is met: four components with hidden
- * points, and render passes that peel volumes in a way that is not VTK's. What is refused or
- * ignored is said once, not in each frame. Jittering is ignored; UseDepthPass, RenderToImage, user
- * shaders and UseClippedVoxelIntensity are ignored with a warning. A hardware selection finds the
- * volume, not its voxels.
+ * Not supported, and refused by IsRenderSupported and with an error: slice blending, several
+ * volumes in one mapper, a label map with several components or two-dimensional functions, one or
+ * three dependent components, four that are not unsigned char, maximum or minimum of dependent
+ * components, isosurfaces of other components, averages of several components over part of the
+ * range, volumes larger than the largest 3-D texture, and a 2-D image, which has no thickness.
+ * Refused with an error when it is met: four components with hidden points, and render passes that
+ * peel volumes in a way that is not VTK's. What is refused or ignored is said once, not in each
+ * frame. Jittering is ignored; UseDepthPass, RenderToImage, user shaders and
+ * UseClippedVoxelIntensity are ignored with a warning. A hardware selection finds the volume, not
+ * its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -58,6 +58,7 @@
 #include <string> // for errors
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 struct vtkTextureSliceRequest;
 struct vtkTextureSliceShadowSettings;
@@ -262,7 +263,10 @@ private:
   std::unique_ptr<Internals> Parts;
 
   vtkImageData* TakeInput(vtkDataArray*& scalars, std::string& error);
-  vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, vtkDataArray* scalars);
+  vtkTextureSliceRequest MakeRequest(
+    vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData);
+  /// The array that Transfer2DYAxisArray names, of the points or of the cells; nullptr: none.
+  vtkDataArray* FindSecondArray(vtkDataSet* input, bool cellData);
   const char* FindUnsupported(const vtkTextureSliceRequest& request);
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);

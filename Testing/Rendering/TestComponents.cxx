@@ -2,9 +2,11 @@
 // Two to four components beside VTK's GPU ray caster.
 #include "RayCasterComparison.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -12,6 +14,7 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -76,6 +79,25 @@ protected:
     this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 255.0, 0.1);
     this->Stage->GetProperty()->IndependentComponentsOff();
   }
+  /// The second component alone, blue, above a part of the second array's range.
+  void SetFunctions2D(double from)
+  {
+    for (const int c : {0, 1})
+    {
+      vtkNew<vtkImageData> table;
+      table->SetDimensions(64, 256, 1);
+      table->AllocateScalars(VTK_FLOAT, 4);
+      auto* entry = static_cast<float*>(table->GetScalarPointer());
+      for (int i = 0; i < 64 * 256; ++i, entry += 4)
+      {
+        const bool seen = c == 1 && i / 64 >= 256.0 * from;
+        std::fill_n(entry, 3, 0.3f);
+        entry[2] = 1.0f;
+        entry[3] = seen ? 0.05f * static_cast<float>(i % 64) / 64.0f : 0.0f;
+      }
+      this->Stage->GetProperty()->SetTransferFunction2D(c, table);
+    }
+  }
   void UseIndependent(int count)
   {
     this->UseComponents(count, VTK_FLOAT);
@@ -122,6 +144,41 @@ TEST_F(Components, FourIndependent)
 {
   this->UseIndependent(4);
   this->ExpectSamePictureAndBaseline("components-4", "FourComponents", 1.4);
+}
+
+// The second component is seen where the second component of another array is in its upper half, in
+// the east: the picture of the same volume cut in the middle. VTK 9.1's ray caster cannot compile
+// its shader for this.
+TEST_F(Components, TwoIndependentWithASecondArray)
+{
+  this->UseIndependent(2);
+  vtkNew<vtkFloatArray> places;
+  places->SetName("places");
+  places->SetNumberOfComponents(2);
+  for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); ++id)
+  {
+    const double* place = this->Input->GetPoint(id);
+    places->InsertNextTuple2(place[2], place[0]);
+  }
+  this->Input->GetPointData()->AddArray(places);
+  this->Stage->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  const Picture background = this->Stage->Draw(nullptr);
+  this->SetFunctions2D(0.0);
+  const std::array<double, 6> east{0.0, 32.0, -32.0, 32.0, 0.0, 24.0};
+  this->Slices->SetCroppingRegionPlanes(east.data());
+  this->Slices->SetCroppingRegionFlagsToSubVolume();
+  this->Slices->CroppingOn();
+  const Picture cropped = this->Stage->Draw(this->Configure(this->Slices));
+  this->Slices->CroppingOff();
+  const Picture whole = this->Stage->Draw(this->Slices);
+  this->Slices->SetTransfer2DYAxisArray("places");
+  EXPECT_EQ(Compare(this->Stage->Draw(this->Slices), whole, background).Worst, 0.0)
+    << "functions that do not depend on the other array";
+  this->SetFunctions2D(0.5);
+  EXPECT_AT_MOST(Compare(this->Stage->Draw(this->Slices), cropped, background).LargestMean(), 0.045,
+    "cut by a second array: mean difference to cropping, of 255");
+  EXPECT_AT_LEAST(Compare(whole, cropped, background).LargestMean(), 14.0,
+    "mean difference of the whole volume to its half, of 255");
 }
 
 // Each component is lit by its own gradient and material.

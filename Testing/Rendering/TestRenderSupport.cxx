@@ -99,6 +99,10 @@ protected:
         scalars->SetComponent(id, c, 10.0 + 190.0 * double(id) / 63.0);
       }
     }
+    auto another = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
+    another->DeepCopy(scalars);
+    another->SetName("another");
+    image->GetPointData()->AddArray(another);
     return image;
   }
 

@@ -52,7 +52,12 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
   DefineIf(this->SmoothGradient, defines, "SMOOTH_GRADIENT");
   DefineIf(this->Table2D, defines, "TABLE_2D");
-  DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
+  DefineIf(this->NeedsGradient(), defines, "GRADIENT");
+  if (this->SecondArray > 0)
+  {
+    Define(defines, "SECOND_ARRAY", this->SecondArray);
+    DefineIf(this->SecondMasked, defines, "SECOND_MASKED");
+  }
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");
   DefineIf(this->Selection, defines, "SELECTION");
   DefineIf(this->Shadows, defines, "SHADOWS");

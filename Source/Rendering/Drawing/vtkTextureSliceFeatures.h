@@ -18,7 +18,9 @@ struct vtkTextureSliceFeatures
   bool Parallel = false;
   bool GradientOpacity = false;
   bool SmoothGradient = false;
-  bool Table2D = false;    ///< functions over scalar and gradient magnitude
+  bool Table2D = false; ///< functions over scalar and gradient magnitude, or a second array
+  int SecondArray = 0;  ///< components of the second array; 0: there is none
+  bool SecondMasked = false;
   bool BinaryMask = false; ///< samples outside of the mask are left out
   int Labels = 0;          ///< labels that have functions of their own
   bool Selection = false;  ///< what is seen gets the one colour that a hardware selection asks for
@@ -37,6 +39,10 @@ struct vtkTextureSliceFeatures
   int CountLabelRows() const { return this->Labels * (this->GradientOpacity ? 2 : 1); }
   /// Dimensions of the textures of integrals: those of labels and the common ones have the same.
   int GetIntegralDimensions() const { return this->Functions > 1 || this->Labels > 0 ? 2 : 1; }
+  bool NeedsGradient() const
+  {
+    return this->GradientOpacity || (this->Table2D && this->SecondArray == 0) || this->Lights >= 0;
+  }
   /// Whether the shader reads the depth of the opaque geometry; peeling has depths of its own.
   bool NeedsDepth() const { return this->Slabs > 0 && this->Peel == 0; }
   bool HasMask() const { return this->BinaryMask || this->Labels > 0; }

@@ -81,6 +81,12 @@ void SetMaskAndTables(vtkShaderProgram* program, const vtkTextureSliceUniforms& 
     program->SetUniformi("transferTable2D", uniforms.Table2D->GetTexture()->GetTextureUnit());
     program->SetUniformf("table2DRows", static_cast<float>(uniforms.Table2D->GetNumberOfRows()));
   }
+  if (features.SecondArray > 0)
+  {
+    program->SetUniformi("secondTexture", uniforms.SecondArray->GetTextureUnit());
+    program->SetUniform4f("secondScale", uniforms.SecondScale.data());
+    program->SetUniform4f("secondBias", uniforms.SecondBias.data());
+  }
   if (features.Blanked)
   {
     uniforms.Blanks->SetUniforms(program);
@@ -183,6 +189,10 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   if (this->Features.Table2D)
   {
     textures.push_back(this->Table2D->GetTexture());
+  }
+  if (this->Features.SecondArray > 0)
+  {
+    textures.push_back(this->SecondArray);
   }
   if (this->Features.Blanked)
   {

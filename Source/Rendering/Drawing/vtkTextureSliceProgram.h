@@ -47,6 +47,9 @@ struct vtkTextureSliceUniforms
   std::array<float, 4> ScalarScale{1, 1, 1, 1};
   std::array<float, 4> ScalarBias{0, 0, 0, 0};
   vtkTextureSliceTable* Table = nullptr;
+  vtkTextureObject* SecondArray = nullptr; ///< used if Features.SecondArray is above 0
+  std::array<float, 4> SecondScale{1, 1, 1, 1};
+  std::array<float, 4> SecondBias{0, 0, 0, 0};
   vtkTextureSliceTable2D* Table2D = nullptr;              ///< used if Features.Table2D
   vtkTextureSliceBlanks* Blanks = nullptr;                ///< used if Features.Blanked
   vtkTextureObject* Mask = nullptr;                       ///< used if Features.HasMask()

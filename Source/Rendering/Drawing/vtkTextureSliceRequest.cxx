@@ -80,6 +80,10 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
            "use "
            "it or TF_1D";
   }
+  if (const char* unsupported = this->FindUnsupportedSecondArray())
+  {
+    return unsupported;
+  }
   if (this->LabelMap && (this->Components > 1 || this->Has2D()))
   {
     return "a label map is supported for one component with one-dimensional transfer functions "
@@ -106,6 +110,27 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
     return "isosurfaces are supported for one component and for two dependent ones (colour, "
            "surface) "
            "alone: choose one component, or call IndependentComponentsOff";
+  }
+  return nullptr;
+}
+
+const char* vtkTextureSliceRequest::FindUnsupportedSecondArray() const
+{
+  if (!this->Has2D() || this->Components == 0)
+  {
+    return nullptr;
+  }
+  const int functions = this->IsIndependent() ? this->Components : 1;
+  if (this->SecondArray < 0)
+  {
+    return "the volume has no array of the name that SetTransfer2DYAxisArray was given, beside its "
+           "scalars: name another one, or call SetTransfer2DYAxisArray with nullptr";
+  }
+  if (this->SecondArray > 4 || (this->SecondArray > 0 && this->SecondArray < functions))
+  {
+    return "the second array of two-dimensional transfer functions must have a component for each "
+           "set of functions, and 4 at most: name another one, or call SetTransfer2DYAxisArray "
+           "with nullptr";
   }
   return nullptr;
 }
@@ -206,6 +231,7 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
   features.SmoothGradient = this->SmoothGradient;
   features.Table2D = this->Has2D();
+  features.SecondArray = this->ReadsSecondArray() ? this->SecondArray : 0;
   features.BinaryMask = this->BinaryMask;
   features.Labels = this->CountLabels();
   features.Slabs = this->IntegratesSlabs() ? SlabsOfFragment : 0;
@@ -348,5 +374,15 @@ void vtkTextureSliceRequest::SetUniforms(
   for (std::size_t i = 0; i < 2; ++i)
   {
     uniforms.AverageRange[i] = static_cast<float>(Normalized(this->AverageRange[i], components[0]));
+  }
+}
+
+void vtkTextureSliceRequest::SetSecondArray(
+  const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms)
+{
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    uniforms.SecondScale[c] = static_cast<float>(components[c].Scale / Width(components[c]));
+    uniforms.SecondBias[c] = static_cast<float>(Normalized(components[c].Bias, components[c]));
   }
 }

@@ -60,15 +60,20 @@ vec4 LookUpLabel(float scalar, int row)
 #endif
 
 #ifdef TEXTURE_SLICE_TABLE_2D
-// Colour and opacity over scalar (to the right) and gradient magnitude (up), all sets of functions
-// one above the other.
+// Colour and opacity over scalar (to the right) and gradient magnitude or second array (up), all sets of
+// functions one above the other.
 uniform sampler2D transferTable2D;
 // Rows of one set.
 uniform float table2DRows;
 
-vec4 LookUp2D(float scalar, float gradient, int functions)
+vec4 LookUp2D(vec4 scalars, float scalar, int functions)
 {
-  float row = clamp(gradient * table2DRows, 0.5, table2DRows - 0.5);
+#ifdef TEXTURE_SLICE_SECOND_ARRAY
+  float up = FetchSecond(textureCoordinate, functions);
+#else
+  float up = Gradient(scalars, functions).w;
+#endif
+  float row = clamp(up * table2DRows, 0.5, table2DRows - 0.5);
   return texture(transferTable2D,
     vec2(scalar, row / table2DRows + float(functions)) / vec2(1.0, float(TEXTURE_SLICE_FUNCTIONS)));
 }
@@ -205,7 +210,7 @@ vec4 StepColor(vec4 color, vec4 scalars, int component, int label)
 vec4 Classify(vec4 scalars, int component)
 {
 #ifdef TEXTURE_SLICE_TABLE_2D
-  return LookUp2D(scalars[component], Gradient(scalars, component).w, component);
+  return LookUp2D(scalars, scalars[component], component);
 #else
   return LookUp(scalars[component], component);
 #endif
@@ -225,7 +230,7 @@ bool Gather(vec4 scalars, out vec4 gathered)
 vec4 LookUpBoth(vec4 scalars, float scalar)
 {
 #ifdef TEXTURE_SLICE_TABLE_2D
-  return LookUp2D(scalar, Gradient(scalars, 0).w, 0);
+  return LookUp2D(scalars, scalar, 0);
 #else
   return LookUp(scalar, 0);
 #endif

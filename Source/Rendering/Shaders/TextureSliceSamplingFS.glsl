@@ -51,6 +51,23 @@ bool FetchScalars(vec3 at, out vec4 scalars)
 }
 #endif
 
+#ifdef TEXTURE_SLICE_SECOND_ARRAY
+// The array that two-dimensional functions have in place of the gradient magnitude.
+uniform sampler3D secondTexture;
+uniform vec4 secondScale;
+uniform vec4 secondBias;
+
+// 0 to 1 over the component's range; of masked texels, the mean of the visible points.
+float FetchSecond(vec3 at, int component)
+{
+  vec4 texel = texture(secondTexture, at);
+#ifdef TEXTURE_SLICE_SECOND_MASKED
+  texel /= max(texel[TEXTURE_SLICE_SECOND_ARRAY], 0.5);
+#endif
+  return texel[component] * secondScale[component] + secondBias[component];
+}
+#endif
+
 #if defined TEXTURE_SLICE_BINARY_MASK || defined TEXTURE_SLICE_LABELS
 // 0 to 255 as 0 to 1.
 uniform sampler3D maskTexture;
