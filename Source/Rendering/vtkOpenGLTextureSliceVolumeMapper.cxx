@@ -209,6 +209,15 @@ void SetBlending(vtkOpenGLState* state, int blendMode)
   }
 }
 
+/// The sample with the least depth takes a pixel, from a depth of 1 on.
+void KeepNearest(vtkOpenGLState* state)
+{
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+}
+
 /// Whether a volume of these dimensions has a thickness along each axis and fits a texture. A
 /// volume whose source has not run yet has no dimensions: then nothing speaks against it.
 bool CanHold(vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData)
@@ -361,6 +370,10 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   state->vtkglEnable(GL_BLEND);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   SetBlending(state, blendMode);
+  if (uniforms.Features.ExtremeSample)
+  {
+    KeepNearest(state);
+  }
   const bool drawn = this->DrawSlices(uniforms);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   this->Target.End();

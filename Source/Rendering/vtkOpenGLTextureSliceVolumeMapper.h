@@ -38,14 +38,13 @@
  *
  * Not supported, and refused by IsRenderSupported and with an error: slice blending, several
  * volumes in one mapper, a label map with several components or two-dimensional functions, one or
- * three dependent components, four that are not unsigned char, maximum or minimum of dependent
- * components, isosurfaces of other components, averages of several components over part of the
- * range, volumes larger than the largest 3-D texture, and a 2-D image, which has no thickness.
- * Refused with an error when it is met: four components with hidden points, and render passes that
- * peel volumes in a way that is not VTK's. What is refused or ignored is said once, not in each
- * frame. Jittering is ignored; UseDepthPass, RenderToImage, user shaders and
- * UseClippedVoxelIntensity are ignored with a warning. A hardware selection finds the volume, not
- * its voxels.
+ * three dependent components, four that are not unsigned char, isosurfaces of other components,
+ * averages of several components over part of the range, volumes larger than the largest 3-D
+ * texture, and a 2-D image, which has no thickness. Refused with an error when it is met: four
+ * components with hidden points, and render passes that peel volumes in a way that is not VTK's.
+ * What is refused or ignored is said once, not in each frame. Jittering is ignored; UseDepthPass,
+ * RenderToImage, user shaders and UseClippedVoxelIntensity are ignored with a warning. A hardware
+ * selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h

@@ -4,12 +4,16 @@
 #include "Scenes.h"
 #include "Tolerance.h"
 
+#include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -97,6 +101,40 @@ protected:
       }
       this->Stage->GetProperty()->SetTransferFunction2D(c, table);
     }
+  }
+  /// The storm as the value or as red, green and blue; a ramp to the east as the opacity.
+  void UseGrey(int count)
+  {
+    this->UseComponents(count, VTK_UNSIGNED_CHAR);
+    vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
+    for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+    {
+      const double value = 2.0 * scalars->GetComponent(id, 0);
+      const double opacity = scalars->GetComponent(id, 1);
+      for (int c = 0; c < count - 1; ++c)
+      {
+        scalars->SetComponent(id, c, value);
+      }
+      scalars->SetComponent(id, count - 1, opacity);
+    }
+    this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 200.0, 1.0);
+    vtkNew<vtkColorTransferFunction> grey;
+    grey->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+    grey->AddRGBPoint(255.0, 1.0, 1.0, 1.0);
+    this->Stage->GetProperty()->SetColor(grey);
+    this->Stage->GetProperty()->IndependentComponentsOff();
+  }
+  /// Opaque, in the middle of the volume.
+  void AddBall()
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(0.0, 0.0, 12.0);
+    sphere->SetRadius(10.0);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Stage->GetRenderer()->AddActor(actor);
   }
   void UseIndependent(int count)
   {
@@ -262,6 +300,41 @@ TEST_F(Components, MaximumOfTwo)
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMaximumIntensity(); });
   this->Stage->GetProperty()->SetComponentWeight(1, 0.5);
   this->ExpectSamePicture("components-maximum", 0.11);
+}
+
+// Red, green and blue of the sample with the largest opacity on a ray, and of that with the least,
+// with an opaque ball among them.
+TEST_F(Components, ExtremesOfColours)
+{
+  this->UseColours();
+  this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 255.0, 1.0);
+  this->AddBall();
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMaximumIntensity(); });
+  this->ExpectSamePictureAndBaseline("components-rgba-maximum", "MaximumOfRGBA", 0.95);
+  this->SetFunctions(0, 1.0, 1.0, 1.0, 255.0, 0.0, 1.0);
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMinimumIntensity(); });
+  this->ExpectSamePicture("components-rgba-minimum", 1.05);
+}
+
+// A value and an opacity are a grey and an opacity. (VTK 9.1's ray caster keeps the first sample.)
+TEST_F(Components, ExtremesOfValueAndOpacity)
+{
+  const Picture background = this->Stage->Draw(nullptr);
+  for (const int mode :
+    {vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND})
+  {
+    this->Slices->SetBlendMode(mode);
+    this->UseGrey(4);
+    const Picture colors = this->Stage->Draw(this->Configure(this->Slices));
+    this->UseGrey(2);
+    const Picture values = this->Stage->Draw(this->Configure(this->Slices));
+    const Difference difference = Compare(values, colors, background);
+    EXPECT_GT(difference.Pixels, 1000);
+    EXPECT_AT_MOST(difference.LargestMean(), 0.1,
+      "extreme of value and opacity: mean difference to grey and opacity, of 255", OneCode);
+  }
 }
 
 // Sums of both components.

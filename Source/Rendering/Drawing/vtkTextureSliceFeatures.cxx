@@ -52,6 +52,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
   DefineIf(this->SmoothGradient, defines, "SMOOTH_GRADIENT");
   DefineIf(this->Table2D, defines, "TABLE_2D");
+  DefineIf(this->ExtremeSample, defines, "EXTREME_SAMPLE");
   DefineIf(this->NeedsGradient(), defines, "GRADIENT");
   if (this->SecondArray > 0)
   {

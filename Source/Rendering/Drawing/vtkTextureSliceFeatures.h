@@ -30,6 +30,9 @@ struct vtkTextureSliceFeatures
   int IsoValues = 0;
   /// Slabs that a fragment integrates over (Formulas L1); 0: it takes one sample.
   int Slabs = 0;
+  /// An extreme of dependent components: all of them are those of the sample with the extreme of
+  /// the last one. The depth test finds it, so the shader compares with the depth of the geometry.
+  bool ExtremeSample = false;
   int ClippingPlanes = 0; ///< counted for slabs alone
   int Peel = 0;           ///< vtkTextureSlicePeeling::Stage
 
@@ -44,7 +47,7 @@ struct vtkTextureSliceFeatures
     return this->GradientOpacity || (this->Table2D && this->SecondArray == 0) || this->Lights >= 0;
   }
   /// Whether the shader reads the depth of the opaque geometry; peeling has depths of its own.
-  bool NeedsDepth() const { return this->Slabs > 0 && this->Peel == 0; }
+  bool NeedsDepth() const { return (this->Slabs > 0 || this->ExtremeSample) && this->Peel == 0; }
   bool HasMask() const { return this->BinaryMask || this->Labels > 0; }
   /// The first lines of the fragment shaders.
   std::string GetDefines() const;

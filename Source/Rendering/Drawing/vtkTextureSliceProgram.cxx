@@ -169,10 +169,6 @@ void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry
       "labelIntegralTable", uniforms.LabelIntegrals->GetTexture()->GetTextureUnit());
     program->SetUniformf("labelTableHalfEntry", GetHalfEntry(*uniforms.LabelTable));
   }
-  if (uniforms.Features.NeedsDepth())
-  {
-    program->SetUniformi("geometryDepth", uniforms.GeometryDepth->GetTextureUnit());
-  }
   program->SetUniform2f("clipStep", geometry.GetClipStep().data());
   const std::vector<float> planes = uniforms.Frame->GetPlanesInPart();
   if (!planes.empty())
@@ -210,13 +206,13 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   {
     textures.push_back(this->Shadows->GetTexture());
   }
+  if (this->Features.NeedsDepth())
+  {
+    textures.push_back(this->GeometryDepth);
+  }
   if (this->Features.Slabs > 0)
   {
     textures.push_back(this->Integrals->GetTexture());
-    if (this->Features.NeedsDepth())
-    {
-      textures.push_back(this->GeometryDepth);
-    }
     if (this->Features.Labels > 0)
     {
       textures.push_back(this->LabelIntegrals->GetTexture());
@@ -326,6 +322,10 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   if (uniforms.Features.Shadows)
   {
     uniforms.Shadows->SetUniforms(program);
+  }
+  if (uniforms.Features.NeedsDepth())
+  {
+    program->SetUniformi("geometryDepth", uniforms.GeometryDepth->GetTextureUnit());
   }
   if (uniforms.Features.Peel > 0)
   {

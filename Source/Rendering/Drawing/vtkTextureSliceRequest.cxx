@@ -99,11 +99,6 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
   {
     return "four dependent components must be unsigned char: call IndependentComponentsOn";
   }
-  if (dependent && IsExtreme(this->BlendMode))
-  {
-    return "maximum and minimum of dependent components are not supported: call "
-           "IndependentComponentsOn";
-  }
   if (this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
       (this->Components > 2 || (this->Components == 2 && !dependent)))
   {
@@ -228,6 +223,8 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.BlendMode = this->BlendMode;
   features.Components = this->Components;
   features.Functions = this->IsIndependent() ? this->Components : 1;
+  features.ExtremeSample =
+    IsExtreme(this->BlendMode) && this->Components > 1 && !this->IsIndependent();
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
   features.SmoothGradient = this->SmoothGradient;
   features.Table2D = this->Has2D();

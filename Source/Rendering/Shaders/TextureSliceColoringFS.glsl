@@ -272,6 +272,19 @@ bool Gather(vec4 scalars, out vec4 gathered)
   gathered = scalars;
   return true;
 }
+
+#ifdef TEXTURE_SLICE_EXTREME_SAMPLE
+// The depth test keeps the sample with the extreme of the last component, the nearest one of several;
+// below the depth 1 that is there before.
+float ExtremeDepth(vec4 scalars)
+{
+  float scalar = clamp(scalars[TEXTURE_SLICE_COMPONENTS - 1], 0.0, 1.0);
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM
+  scalar = 1.0 - scalar;
+#endif
+  return 0.9999 * scalar;
+}
+#endif
 #endif
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
