@@ -654,6 +654,10 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
     &parts.Table2D, &parts.Frame, this->CroppingRegionFlags});
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
+  if (vtkPlane* plane = request.GetSlicePlane())
+  {
+    view.Plane = parts.Frame.ToBox(plane);
+  }
   view.Slabs = features.Slabs;
   view.Surfaces = features.IsoValues > 0;
   view.SampleDistance = this->ChooseSampleDistance(image, parts.Frame.GetShortestVoxelEdge());

@@ -18,11 +18,12 @@
  * these scalars and flags. Components are independent (each with its own functions, material and
  * weight) or dependent (2: value and opacity; 4: red, green, blue, opacity).
  *
- * Blend modes: composite, maximum, minimum, average, additive, isosurface. Isosurfaces lie where
+ * Blend modes: composite, maximum, minimum, average, additive, isosurface, slice (the property's
+ * SliceFunction, a vtkPlane in world coordinates). Isosurfaces lie where
  * the scalar, interpolated linearly, has the value, whatever the number of slices; of two dependent
  * components the second has the surfaces and gives their opacity, the first gives the colour. Light
  * and gradient opacity as in VTK's ray caster; they count where places are shown (composite,
- * isosurface), not in projections. Two-dimensional transfer functions (scalar and gradient
+ * isosurface, slice), not in projections. Two-dimensional transfer functions (scalar and gradient
  * magnitude, or scalar and the array that Transfer2DYAxisArray names) in the composite mode. A mask
  * of the volume's dimensions, one unsigned char each: binary, or labels with functions of their
  * own. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final window and
@@ -36,15 +37,15 @@
  *
  * vtkTextureSliceObjectFactory puts this class wherever VTK makes a vtkGPUVolumeRayCastMapper.
  *
- * Not supported, and refused by IsRenderSupported and with an error: slice blending, several
- * volumes in one mapper, a label map with several components or two-dimensional functions, one or
- * three dependent components, four that are not unsigned char, isosurfaces of other components,
- * averages of several components over part of the range, volumes larger than the largest 3-D
- * texture, and a 2-D image, which has no thickness. Refused with an error when it is met: four
- * components with hidden points, and render passes that peel volumes in a way that is not VTK's.
- * What is refused or ignored is said once, not in each frame. Jittering is ignored; UseDepthPass,
- * RenderToImage, user shaders and UseClippedVoxelIntensity are ignored with a warning. A hardware
- * selection finds the volume, not its voxels.
+ * Not supported, and refused by IsRenderSupported and with an error: slice blending without a
+ * vtkPlane, several volumes in one mapper, a label map with several components or two-dimensional
+ * functions, one or three dependent components, four that are not unsigned char, isosurfaces of
+ * other components, averages of several components over part of the range, volumes larger than the
+ * largest 3-D texture, and a 2-D image, which has no thickness. Refused with an error when it is
+ * met: four components with hidden points, and render passes that peel volumes in a way that is not
+ * VTK's. What is refused or ignored is said once, not in each frame. Jittering is ignored;
+ * UseDepthPass, RenderToImage, user shaders and UseClippedVoxelIntensity are ignored with a
+ * warning. A hardware selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h

@@ -187,7 +187,7 @@ TEST_F(MapperLife, UnsupportedRequestsAreRefusedInOneLine)
   mapper->SetBlendModeToSlice();
   EXPECT_FALSE(mapper->IsRenderSupported(scene->GetWindow(), scene->GetProperty()));
   EXPECT_EQ(this->Middle(*scene, mapper), 0.0);
-  EXPECT_NE(this->TakeMessages().find("slice blending is not supported"), std::string::npos);
+  EXPECT_NE(this->TakeMessages().find("slice blending needs a vtkPlane"), std::string::npos);
 
   // Three components without functions of their own mean nothing.
   mapper->SetBlendModeToComposite();

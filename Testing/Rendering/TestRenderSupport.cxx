@@ -13,6 +13,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -127,6 +128,9 @@ protected:
       }
     }
     property->GetIsoSurfaceValues()->SetValue(0, 100.0);
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(1.5, 1.5, 1.5);
+    property->SetSliceFunction(plane);
     return property;
   }
 
@@ -325,10 +329,11 @@ TEST_F(RenderSupport, SaysOnceWhatIsLeftOut)
   shaders->AddFragmentShaderReplacement("//VTK::Base::Init", true, "", false);
   EXPECT_EQ(count("the shader property"), 1);
   shaders->ClearAllFragmentShaderReplacements();
+  property->SetSliceFunction(nullptr);
   for (int round = 0; round < 2; ++round)
   {
     mapper->SetBlendMode(vtkVolumeMapper::SLICE_BLEND);
-    EXPECT_EQ(count("slice blending is not supported"), 1);
+    EXPECT_EQ(count("slice blending needs a vtkPlane"), 1);
     mapper->SetBlendModeToComposite();
     EXPECT_EQ(count("ERROR"), 0);
   }

@@ -41,6 +41,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   Define(defines, "AVERAGE", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND);
   Define(defines, "ADDITIVE", vtkVolumeMapper::ADDITIVE_BLEND);
   Define(defines, "ISOSURFACE", vtkVolumeMapper::ISOSURFACE_BLEND);
+  Define(defines, "PLANE", vtkVolumeMapper::SLICE_BLEND);
   Define(defines, "BLEND", this->BlendMode);
   Define(defines, "COMPONENTS", this->Components);
   Define(defines, "FUNCTIONS", this->Functions);

@@ -3,7 +3,9 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
+#include "vtkMath.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
@@ -60,10 +62,10 @@ bool IsExtreme(int blendMode)
 const char* vtkTextureSliceRequest::FindUnsupported() const
 {
   if (this->BlendMode < vtkVolumeMapper::COMPOSITE_BLEND ||
-      this->BlendMode > vtkVolumeMapper::ISOSURFACE_BLEND)
+      this->BlendMode > vtkVolumeMapper::SLICE_BLEND)
   {
-    return "slice blending is not supported: use the composite, maximum, minimum, average, "
-           "additive or isosurface blend mode";
+    return "the blend mode must be composite, maximum, minimum, average, additive, isosurface or "
+           "slice";
   }
   if (this->Components > 4)
   {
@@ -72,6 +74,10 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
   if (this->Property == nullptr)
   {
     return nullptr;
+  }
+  if (this->BlendMode == vtkVolumeMapper::SLICE_BLEND && this->GetSlicePlane() == nullptr)
+  {
+    return "slice blending needs a vtkPlane with a normal: call SetSliceFunction on the property";
   }
   const bool composite = this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
   if (this->Has2D() && !composite)
@@ -161,6 +167,14 @@ std::vector<double> vtkTextureSliceRequest::GetIsoValues() const
   return values;
 }
 
+vtkPlane* vtkTextureSliceRequest::GetSlicePlane() const
+{
+  auto* plane = this->BlendMode == vtkVolumeMapper::SLICE_BLEND
+                  ? vtkPlane::SafeDownCast(this->Property->GetSliceFunction())
+                  : nullptr;
+  return plane != nullptr && vtkMath::Norm(plane->GetNormal()) > 0.0 ? plane : nullptr;
+}
+
 bool vtkTextureSliceRequest::IsEmpty() const
 {
   return this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND && this->GetIsoValues().empty();
@@ -179,7 +193,8 @@ bool vtkTextureSliceRequest::Has2D() const
 int vtkTextureSliceRequest::CountLabels() const
 {
   // Labels choose the colour of a sample; projections show none.
-  const bool used = this->LabelMap && this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
+  const bool used = this->LabelMap && (this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
+                                        this->BlendMode == vtkVolumeMapper::SLICE_BLEND);
   const std::set<int> labels = used ? this->Property->GetLabelMapLabels() : std::set<int>();
   return labels.empty() ? 0 : *labels.rbegin();
 }
@@ -187,7 +202,8 @@ int vtkTextureSliceRequest::CountLabels() const
 bool vtkTextureSliceRequest::ShowsPlaces() const
 {
   return this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
-         this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
+         this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND ||
+         this->BlendMode == vtkVolumeMapper::SLICE_BLEND;
 }
 
 bool vtkTextureSliceRequest::IntegratesSlabs() const

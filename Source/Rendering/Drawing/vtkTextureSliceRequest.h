@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkImageData;
+class vtkPlane;
 class vtkVolumeProperty;
 
 struct vtkTextureSliceRequest
@@ -43,6 +44,8 @@ struct vtkTextureSliceRequest
   const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;
   /// The values of the isosurfaces, ascending; none in other blend modes.
   std::vector<double> GetIsoValues() const;
+  /// The plane that slice blending shows; nullptr in other blend modes.
+  vtkPlane* GetSlicePlane() const;
   /// Whether nothing is to be seen: isosurfaces without values.
   bool IsEmpty() const;
   /// Whether each component has its own functions.

@@ -79,7 +79,12 @@ vec4 LookUp2D(vec4 scalars, float scalar, int functions)
 }
 #endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_PLANE
+// Samples are coloured and blended.
+#define TEXTURE_SLICE_BLENDS_SAMPLES 1
+#endif
+
+#if defined TEXTURE_SLICE_BLENDS_SAMPLES || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
 #ifdef TEXTURE_SLICE_GRADIENT_OPACITY
 // Label 0: the common functions.
 float GradientOpacity(float magnitude, int component, int label)
@@ -159,7 +164,7 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 }
 #endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+#ifdef TEXTURE_SLICE_BLENDS_SAMPLES
 #if TEXTURE_SLICE_FUNCTIONS > 1
 // Components that have their own functions: their colours are added by their weights.
 vec4 AddComponents(vec4 colors[TEXTURE_SLICE_COMPONENTS])
@@ -183,12 +188,14 @@ vec4 AddComponents(vec4 colors[TEXTURE_SLICE_COMPONENTS])
 #endif
 #endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE && !defined TEXTURE_SLICE_SLABS
+#if defined TEXTURE_SLICE_BLENDS_SAMPLES && !defined TEXTURE_SLICE_SLABS
 // Formulas R1: the opacity of a step, from the optical depth of a unit distance; two-dimensional
-// tables hold its opacity.
+// tables hold its opacity. A plane has no thickness: its opacity is that of the table.
 float StepOpacity(float alpha, int component)
 {
-#ifdef TEXTURE_SLICE_TABLE_2D
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_PLANE
+  return alpha;
+#elif defined TEXTURE_SLICE_TABLE_2D
   return 1.0 - pow(1.0 - alpha, CountUnits(component));
 #else
   return 1.0 - exp2(-alpha * CountUnits(component));
