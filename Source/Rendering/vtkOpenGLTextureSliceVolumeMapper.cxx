@@ -10,10 +10,12 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureSliceBlanks.h"
+#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
@@ -53,6 +55,9 @@ public:
   /// What two-dimensional functions have in place of the gradient magnitude.
   vtkTextureSliceTexture SecondArray;
   vtkTextureSliceBlanks Blanks;
+  /// Used where the input is a rectilinear grid.
+  vtkTextureSliceCoordinates Coordinates;
+  vtkSmartPointer<vtkImageData> GridAsImage;
   vtkTextureSliceTable LabelTable;
   vtkTextureSliceIntegralTable Integrals;
   vtkTextureSliceIntegralTable LabelIntegrals;
@@ -100,6 +105,7 @@ public:
     this->Mask.ReleaseGraphicsResources(window);
     this->SecondArray.ReleaseGraphicsResources(window);
     this->Blanks.ReleaseGraphicsResources(window);
+    this->Coordinates.ReleaseGraphicsResources(window);
     this->LabelTable.ReleaseGraphicsResources(window);
     this->Shadows.ReleaseGraphicsResources(window);
     this->Integrals.ReleaseGraphicsResources(window);
@@ -218,17 +224,32 @@ void KeepNearest(vtkOpenGLState* state)
   state->vtkglClear(GL_DEPTH_BUFFER_BIT);
 }
 
+/// Points along each axis; empty for what is neither an image nor a rectilinear grid.
+std::vector<int> FindDimensions(vtkDataSet* input)
+{
+  auto* image = vtkImageData::SafeDownCast(input);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(input);
+  const int* points = image != nullptr ? image->GetDimensions() : nullptr;
+  points = grid != nullptr ? grid->GetDimensions() : points;
+  return points != nullptr ? std::vector<int>(points, points + 3) : std::vector<int>();
+}
+
 /// Whether a volume of these dimensions has a thickness along each axis and fits a texture. A
 /// volume whose source has not run yet has no dimensions: then nothing speaks against it.
-bool CanHold(vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData)
+bool CanHold(vtkOpenGLRenderWindow* window, vtkDataSet* input, bool cellData)
 {
-  if (image->GetNumberOfPoints() == 0)
+  const std::vector<int> points = FindDimensions(input);
+  if (points.empty() || input->GetNumberOfPoints() == 0)
   {
-    return true;
+    return !points.empty();
+  }
+  auto* grid = vtkRectilinearGrid::SafeDownCast(input);
+  if (grid != nullptr && vtkTextureSliceCoordinates::FindUnsupported(grid) != nullptr)
+  {
+    return false;
   }
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window); // -1: no context yet
-  const int* points = image->GetDimensions();
-  const auto [least, most] = std::minmax_element(points, points + 3);
+  const auto [least, most] = std::minmax_element(points.begin(), points.end());
   return *least > 1 && (limit <= 0 || *most - (cellData ? 1 : 0) <= limit);
 }
 
@@ -487,13 +508,11 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
     return openGLWindow != nullptr &&
            this->FindUnsupported(this->MakeRequest(property, nullptr, nullptr, false)) == nullptr;
   }
-  auto* image = vtkImageData::SafeDownCast(input);
   int cellFlag = 0;
   vtkDataArray* scalars = this->GetScalars(
     input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
   const vtkTextureSliceRequest request = this->MakeRequest(property, input, scalars, cellFlag == 1);
-  return image != nullptr && CanHold(openGLWindow, image, cellFlag == 1) &&
-         this->FindUnsupported(request) == nullptr &&
+  return CanHold(openGLWindow, input, cellFlag == 1) && this->FindUnsupported(request) == nullptr &&
          (scalars == nullptr || property == nullptr ||
            request.FindUnsupportedRange(FindRanges(scalars)) == nullptr);
 }
@@ -501,17 +520,17 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
 void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
 {
   ratio[0] = ratio[1] = ratio[2] = 1.0;
-  auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
+  std::vector<int> size = FindDimensions(this->GetTransformedInput(0));
   GLint limit = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
-  if (image == nullptr || limit <= 0)
+  if (size.empty() || limit <= 0)
   {
     return;
   }
-  const auto size = vtkTextureSliceScalars::GetSize(image, this->CellFlag == 1);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    ratio[axis] = std::min(1.0, static_cast<double>(limit) / std::max(1, size[axis]));
+    ratio[axis] = std::min(
+      1.0, static_cast<double>(limit) / std::max(1, size[axis] - (this->CellFlag == 1 ? 1 : 0)));
   }
 }
 
@@ -530,12 +549,31 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance(
 vtkImageData* vtkOpenGLTextureSliceVolumeMapper::TakeInput(
   vtkDataArray*& scalars, std::string& error)
 {
-  auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
+  // VTK 9.1 keeps the class of its copy when an image takes the place of a grid, or a grid that of
+  // an image: such a copy has the arrays of the new input alone.
+  vtkDataSet* input = this->GetTransformedInput(0);
+  if (input != nullptr && input->GetDataObjectType() != this->GetInput(0)->GetDataObjectType())
+  {
+    input = this->GetInput(0);
+  }
+  auto* image = vtkImageData::SafeDownCast(input);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(input);
+  if (grid != nullptr)
+  {
+    if (const char* unsupported = vtkTextureSliceCoordinates::FindUnsupported(grid))
+    {
+      error = unsupported;
+      return nullptr;
+    }
+    this->Parts->GridAsImage = vtkTextureSliceCoordinates::MakeImage(grid);
+    image = this->Parts->GridAsImage;
+  }
   if (image == nullptr)
   {
-    error = "the input must be a vtkImageData";
+    error = "the input must be a vtkImageData or a vtkRectilinearGrid";
     return nullptr;
   }
+  this->Parts->Coordinates.Set(grid);
   scalars = this->GetScalars(
     image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, this->CellFlag);
   return image;
@@ -651,7 +689,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
   Internals& parts = *this->Parts;
   const vtkTextureSliceFeatures features = request.GetFeatures();
   parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable,
-    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags});
+    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags, &parts.Coordinates});
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
   if (vtkPlane* plane = request.GetSlicePlane())
@@ -729,6 +767,10 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* rendere
     return unsupported;
   }
   parts.Texture.SetNearest(nearest);
+  if (parts.Coordinates.IsUsed())
+  {
+    parts.Coordinates.Update(parts.Window);
+  }
   if (request.ReadsSecondArray())
   {
     const bool cellData = this->CellFlag == 1;
@@ -743,7 +785,8 @@ void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
   vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  if (property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f)
+  if (property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f &&
+      !this->Parts->Coordinates.IsUsed())
   {
     settings.Scattering = static_cast<double>(this->VolumetricScatteringBlending);
     settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
@@ -759,8 +802,10 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
 {
   Internals& parts = *this->Parts;
   vtkTextureSliceShadowSettings settings;
-  settings.Shadow = this->ShadowStrength;
-  settings.Occlusion = this->OcclusionStrength;
+  // The light is computed in cells of one size.
+  const bool equal = !parts.Coordinates.IsUsed();
+  settings.Shadow = equal ? this->ShadowStrength : 0.0;
+  settings.Occlusion = equal ? this->OcclusionStrength : 0.0;
   settings.Density = this->ShadowDensity;
   std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
   std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
@@ -925,6 +970,8 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Volume = parts.Texture.GetTexture();
   uniforms.Table = &parts.Table;
   uniforms.Table2D = &parts.Table2D;
+  uniforms.Features.Rectilinear = parts.Coordinates.IsUsed();
+  uniforms.Coordinates = &parts.Coordinates;
   uniforms.Features.Blanked = parts.Blanks.IsUsed();
   uniforms.Blanks = &parts.Blanks;
   if (uniforms.Features.SecondArray > 0)

@@ -10,6 +10,7 @@
 #include "vtkDataArray.h"
 #include "vtkImageCast.h"
 #include "vtkImageData.h"
+#include "vtkMultiVolume.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
@@ -21,6 +22,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <array>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -258,6 +260,29 @@ TEST_F(RenderSupport, KnowsTheInputs)
   this->Stage->GetVolume()->SetProperty(property);
   EXPECT_FALSE(mapper->IsRenderSupported(this->Stage->GetWindow(), property));
   this->ExpectPicture(false, mapper, "two inputs");
+  this->Stage->Draw(mapper);
+  EXPECT_EQ(this->TakeMessages(), "") << "a refusal is said once";
+}
+
+// A prop of several volumes, which VTK hands to one mapper.
+TEST_F(RenderSupport, RefusesAVolumeOfVolumesOnce)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  vtkNew<vtkMultiVolume> both;
+  both->SetMapper(mapper);
+  std::array<vtkNew<vtkVolume>, 2> volumes;
+  for (int port = 0; port < 2; ++port)
+  {
+    mapper->SetInputDataObject(port, MakeImage(VTK_FLOAT, 1));
+    volumes[static_cast<std::size_t>(port)]->SetProperty(MakeProperty({}));
+    both->SetVolume(volumes[static_cast<std::size_t>(port)], port);
+  }
+  this->Stage->GetRenderer()->AddVolume(both);
+  this->Stage->Draw(nullptr);
+  EXPECT_NE(this->TakeMessages().find("give each a mapper of its own"), std::string::npos);
+  this->Stage->Draw(nullptr);
+  EXPECT_EQ(this->TakeMessages(), "");
+  this->Stage->GetRenderer()->RemoveVolume(both);
 }
 
 // An image of one layer, a volume larger than any texture.

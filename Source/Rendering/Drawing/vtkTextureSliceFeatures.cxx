@@ -48,6 +48,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   Define(defines, "ROWS", this->CountRows());
   DefineIf(this->Masked, defines, "MASKED");
   DefineIf(this->Blanked, defines, "BLANKED");
+  DefineIf(this->Rectilinear, defines, "RECTILINEAR");
   DefineIf(this->Cropped, defines, "CROPPED");
   DefineIf(this->Parallel, defines, "PARALLEL");
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");

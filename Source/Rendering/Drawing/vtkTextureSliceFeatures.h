@@ -12,9 +12,10 @@ struct vtkTextureSliceFeatures
   int Components = 1;
   /// Sets of transfer functions: 1, or the number of components if each has its own.
   int Functions = 1;
-  bool Masked = false;  ///< the volume's last component is its mask
-  bool Blanked = false; ///< there are cells, or points, whose ghost flags hide samples
-  bool Cropped = false; ///< samples must be tested against the cropping regions
+  bool Masked = false;      ///< the volume's last component is its mask
+  bool Blanked = false;     ///< there are cells, or points, whose ghost flags hide samples
+  bool Rectilinear = false; ///< the distances of the points differ
+  bool Cropped = false;     ///< samples must be tested against the cropping regions
   bool Parallel = false;
   bool GradientOpacity = false;
   bool SmoothGradient = false;

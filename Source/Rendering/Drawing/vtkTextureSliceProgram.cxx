@@ -8,6 +8,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTextureSliceBlanks.h"
+#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
 #include "vtkTextureSliceIntegralTable.h"
@@ -80,6 +81,15 @@ void SetMaskAndTables(vtkShaderProgram* program, const vtkTextureSliceUniforms& 
   {
     program->SetUniformi("transferTable2D", uniforms.Table2D->GetTexture()->GetTextureUnit());
     program->SetUniformf("table2DRows", static_cast<float>(uniforms.Table2D->GetNumberOfRows()));
+  }
+  if (features.Rectilinear)
+  {
+    program->SetUniformi("coordinateTable", uniforms.Coordinates->GetTexture()->GetTextureUnit());
+    const auto entry = static_cast<float>(uniforms.Coordinates->GetMargin());
+    const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
+    program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
+    program->SetUniform3f("placeScale", uniforms.Frame->GetTextureScale().data());
+    program->SetUniform3f("placeBias", uniforms.Frame->GetTextureBias().data());
   }
   if (features.SecondArray > 0)
   {
@@ -185,6 +195,10 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   if (this->Features.Table2D)
   {
     textures.push_back(this->Table2D->GetTexture());
+  }
+  if (this->Features.Rectilinear)
+  {
+    textures.push_back(this->Coordinates->GetTexture());
   }
   if (this->Features.SecondArray > 0)
   {

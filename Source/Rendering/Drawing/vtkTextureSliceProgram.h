@@ -16,6 +16,7 @@ class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkTextureSliceBlanks;
+class vtkTextureSliceCoordinates;
 class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
 class vtkTextureSliceIntegralTable;
@@ -47,6 +48,7 @@ struct vtkTextureSliceUniforms
   std::array<float, 4> ScalarScale{1, 1, 1, 1};
   std::array<float, 4> ScalarBias{0, 0, 0, 0};
   vtkTextureSliceTable* Table = nullptr;
+  const vtkTextureSliceCoordinates* Coordinates = nullptr; ///< used if Features.Rectilinear
   vtkTextureObject* SecondArray = nullptr; ///< used if Features.SecondArray is above 0
   std::array<float, 4> SecondScale{1, 1, 1, 1};
   std::array<float, 4> SecondBias{0, 0, 0, 0};
