@@ -52,7 +52,9 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
   DefineIf(this->SmoothGradient, defines, "SMOOTH_GRADIENT");
   DefineIf(this->Table2D, defines, "TABLE_2D");
-  DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
+  DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0 ||
+             (this->Shadows && this->IsoValues > 0),
+    defines, "GRADIENT");
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");
   DefineIf(this->Selection, defines, "SELECTION");
   DefineIf(this->Shadows, defines, "SHADOWS");
