@@ -88,10 +88,11 @@ public:
   /**
    * How strong the shadow is that the volume casts on itself, 0 (off, the default) to 1: how much
    * of a sample's diffuse and specular light, or without shading of its colour, is taken away where
-   * the light of LightDirection does not arrive. Shadows and occlusion are those of composite
-   * blending with one-dimensional functions; in other modes they have no effect. They are made
-   * from the scalars' opacity alone, gradient opacity does not count. Rectilinear grids have none.
-   * What is cropped or clipped away, hidden or masked out casts no shadow.
+   * the light of LightDirection does not arrive. Composite blending with one-dimensional functions
+   * and isosurfaces have shadows and occlusion; in other modes they have no effect. They are made
+   * from the scalars' opacity alone, gradient opacity does not count. Light that crosses an
+   * isosurface loses the opacity of its value. Rectilinear grids have none. What is cropped or clipped
+   * away, hidden or masked out casts no shadow.
    *
    * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, it mixes
    * the light that surfaces return with light that the volume scatters alike into all directions,

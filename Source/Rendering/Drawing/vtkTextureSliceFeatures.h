@@ -45,7 +45,8 @@ struct vtkTextureSliceFeatures
   int GetIntegralDimensions() const { return this->Functions > 1 || this->Labels > 0 ? 2 : 1; }
   bool NeedsGradient() const
   {
-    return this->GradientOpacity || (this->Table2D && this->SecondArray == 0) || this->Lights >= 0;
+    return this->GradientOpacity || (this->Table2D && this->SecondArray == 0) ||
+           this->Lights >= 0 || (this->Shadows && this->IsoValues > 0);
   }
   /// Whether the shader reads the depth of the opaque geometry; peeling has depths of its own.
   bool NeedsDepth() const { return (this->Slabs > 0 || this->ExtremeSample) && this->Peel == 0; }

@@ -149,8 +149,23 @@ void vtkTextureSliceLightVolume::Build(
   vtkTextureSliceExtinction extinction;
   extinction.Build(source, mostCells);
   this->Grid = extinction.GetGrid();
-  this->Texels.assign(2 * this->Grid.CountCells(), FullLight);
   vtkTextureSliceLightSweep sweep(extinction);
+  this->Fill(sweep, lights);
+}
+
+void vtkTextureSliceLightVolume::Build(
+  const vtkTextureSliceSurfaceScalars::Source& source, const Lights& lights, std::size_t mostCells)
+{
+  vtkTextureSliceSurfaceScalars scalars;
+  scalars.Build(source, mostCells);
+  this->Grid = scalars.GetGrid();
+  vtkTextureSliceLightSweep sweep(scalars, source.Surfaces);
+  this->Fill(sweep, lights);
+}
+
+void vtkTextureSliceLightVolume::Fill(vtkTextureSliceLightSweep& sweep, const Lights& lights)
+{
+  this->Texels.assign(2 * this->Grid.CountCells(), FullLight);
   if (lights.Shadow)
   {
     sweep.Add(lights.ToLight, 1.0);

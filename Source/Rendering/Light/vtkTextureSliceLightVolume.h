@@ -6,11 +6,14 @@
 #include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkTextureSliceExtinction.h"
 #include "vtkTextureSliceLightGrid.h"
+#include "vtkTextureSliceSurfaceScalars.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+class vtkTextureSliceLightSweep;
 
 /**
  * Two components for each cell of a vtkTextureSliceLightGrid, 0 to 65535 (all light): the
@@ -39,6 +42,9 @@ public:
 
   void Build(
     const vtkTextureSliceExtinction::Source& source, const Lights& lights, std::size_t mostCells);
+  /// Of isosurfaces: light loses at each crossing what the surface takes.
+  void Build(const vtkTextureSliceSurfaceScalars::Source& source, const Lights& lights,
+    std::size_t mostCells);
 
   const vtkTextureSliceLightGrid& GetGrid() const { return this->Grid; }
   const std::vector<std::uint16_t>& GetTexels() const { return this->Texels; }
@@ -47,6 +53,8 @@ public:
   static std::array<std::array<double, 3>, SkyDirections> GetSkyDirections();
 
 private:
+  void Fill(vtkTextureSliceLightSweep& sweep, const Lights& lights);
+
   vtkTextureSliceLightGrid Grid;
   std::vector<std::uint16_t> Texels;
 };

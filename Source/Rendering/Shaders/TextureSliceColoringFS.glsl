@@ -112,6 +112,18 @@ float WeakenOpacity(float opacity, float gradientOpacity)
 }
 #endif
 
+#ifdef TEXTURE_SLICE_SHADOWS
+// Of the light, and of the sky's, that arrive at a sample.
+vec2 FindTransmittance(vec3 gradient)
+{
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+  return FetchTransmittanceBeside(gradient);
+#else
+  return FetchTransmittance();
+#endif
+}
+#endif
+
 #ifdef TEXTURE_SLICE_LIGHTS
 #ifdef TEXTURE_SLICE_SCATTERING
 // How much of the light is scattered within the volume, as VTK 9.2's ray caster mixes it: the more,
@@ -128,7 +140,7 @@ float ScatteredPart(float gradient, float opacity)
 vec3 LightAndShade(vec4 color, vec4 gradient, vec4 surface)
 {
 #ifdef TEXTURE_SLICE_SHADOWS
-  vec2 transmittance = FetchTransmittance();
+  vec2 transmittance = FindTransmittance(gradient.xyz);
   vec2 arriving = Weaken(transmittance);
   vec4 shadowed = vec4(surface.xyz * arriving.yxx, surface.w);
   vec3 lit = clamp(Light(color.rgb, gradient.xyz, shadowed), 0.0, 1.0);
@@ -157,7 +169,11 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 #endif
 #endif
 #if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS
+#ifdef TEXTURE_SLICE_GRADIENT
+  vec2 arriving = Weaken(FindTransmittance(gradient.xyz));
+#else
   vec2 arriving = Weaken(FetchTransmittance());
+#endif
   color.rgb *= arriving.x * arriving.y;
 #endif
   return color;
@@ -401,12 +417,17 @@ bool Gather(vec4 scalars, out vec4 gathered)
   gathered = vec4(0.0);
   for (int i = 0; i < TEXTURE_SLICE_ISO_VALUES; ++i)
   {
-    float isoValue = isoValues[rising ? i : TEXTURE_SLICE_ISO_VALUES - 1 - i];
+    int surface = rising ? i : TEXTURE_SLICE_ISO_VALUES - 1 - i;
+    float isoValue = isoValues[surface];
     vec4 onSurface;
     if (isoValue >= between.x && isoValue < between.y &&
       FindSurface(isoValue, before, nearScalar, here, farScalar, onSurface) &&
       IsLeft(textureCoordinate))
     {
+#ifdef TEXTURE_SLICE_SHADOWS
+      litSurface = surface;
+      sideOfEye = rising ? -1.0 : 1.0;
+#endif
       vec4 color = SurfaceColor(isoValue, onSurface);
       gathered += (1.0 - gathered.a) * vec4(color.rgb * color.a, color.a);
     }
