@@ -250,12 +250,14 @@ public:
   }
 
 private:
-  /// Those of 30 and 45 dBZ, lit as in the scene of nexrad3d.
+  /// Those of the preset "iso-values", lit as in the scene of nexrad3d.
   void UseSurfaces()
   {
     const double noEcho = this->Image->GetScalarType() == VTK_FLOAT ? 0.0 : -33.0;
-    this->Stage.GetProperty()->GetIsoSurfaceValues()->SetValue(0, 30.0 - noEcho);
-    this->Stage.GetProperty()->GetIsoSurfaceValues()->SetValue(1, 45.0 - noEcho);
+    for (const int i : {0, 1, 2})
+    {
+      this->Stage.GetProperty()->GetIsoSurfaceValues()->SetValue(i, 20.0 + 15.0 * i - noEcho);
+    }
     this->Stage.GetProperty()->ShadeOn();
     for (vtkOpenGLTextureSliceVolumeMapper* mapper : {this->Plain.Get(), this->Lit.Get()})
     {

@@ -350,7 +350,7 @@ TEST_F(SurfaceShadows, ABallCastsItsShadowWhereGeometrySays)
                      : 0.0015,
       "wrong pixels on the ball" + voxels);
     EXPECT_AT_MOST(
-      onGround.WrongShare(), points == 33 ? 0.012 : 0.006, "wrong pixels on the plane" + voxels);
+      onGround.WrongShare(), points == 33 ? 0.012 : points == 65 ? 0.0056 : 0.006, "wrong pixels on the plane" + voxels);
   }
 }
 
@@ -476,7 +476,7 @@ TEST_F(SurfaceShadows, AnInnerSurfaceHasWhatTheOuterOneLeaves)
       }
       std::cout << "light " << apart << " cells below a surface of opacity " << outerOpacity << ": "
                 << sum / pixels << '\n';
-      EXPECT_WITHIN(sum / pixels, 1.0 - outerOpacity, 0.05, "light below an outer surface");
+      EXPECT_WITHIN(sum / pixels, 1.0 - outerOpacity, 0.044, "light below an outer surface");
     }
   }
 }
@@ -579,7 +579,7 @@ TEST_F(SurfaceShadows, OcclusionIsTheSkyOnTheSideOfTheEye)
   // The share of the sky that the ball covers as seen from below it, from the directions of L2.
   const double covered = 1.0 - std::sqrt(0.75);
   std::cout << "occlusion of 255: on top of the ball " << top << ", beneath " << beneath << '\n';
-  EXPECT_WITHIN(beneath, 255.0 * covered, 9.0, "occlusion beneath a ball, of 255");
+  EXPECT_WITHIN(beneath, 255.0 * covered, 6.0, "occlusion beneath a ball, of 255");
 }
 
 TEST_F(SurfaceShadows, SwitchedOffAgainThePictureIsTheSameToTheLastBit)

@@ -336,18 +336,19 @@ void vtkTextureSliceShadows::FindSurfaces(
   for (const auto& [value, depth] : MakeSurfaces(source, density))
   {
     this->Surfaces.push_back(static_cast<float>(Normalize(source, static_cast<double>(value))));
-    this->Surfaces.push_back(std::exp(-depth));
+    this->Surfaces.push_back(1.0f - std::exp(-depth));
   }
   if (this->Surfaces.empty())
   {
     return;
   }
+  this->InverseAspect = source.Frame->GetInverseAspect();
   // The shader weakens by the surfaces themselves, too: not without a light, or a sky.
   this->Strength = {
     lights.Shadow ? this->Strength[0] : 0.0f, lights.Occlusion ? this->Strength[1] : 0.0f};
   const double length = std::hypot(lights.ToLight[0], lights.ToLight[1], lights.ToLight[2]);
   std::transform(lights.ToLight.begin(), lights.ToLight.end(), this->ToLight.begin(),
-    [&](double part) { return static_cast<float>(lights.Shadow ? part / length : 0.0); });
+    [&](double part) { return lights.Shadow ? static_cast<float>(part / length) : 0.0f; });
 }
 
 void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
@@ -422,24 +423,27 @@ void vtkTextureSliceShadows::SetSurfaces(vtkShaderProgram* program) const
   {
     return;
   }
-  std::array<float, 3> cellEdge{};
-  std::array<float, 3> cellStep{};
-  std::array<float, 3> toLightInCells{};
   const vtkTextureSliceLightGrid& grid = this->Volume.GetGrid();
+  std::array<float, 3> toLight{};
+  std::array<float, 3> gradientToCells{};
+  std::array<float, 3> gradientToChange{};
+  std::array<float, 3> cell{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    cellEdge[axis] = static_cast<float>(grid.CellEdge[axis]);
-    cellStep[axis] = static_cast<float>(grid.Factor[axis]) / static_cast<float>(grid.Voxels[axis]);
+    // The gradient is the change over two voxels, times the signed aspect of the shader.
+    const float aspect = this->InverseAspect[axis];
+    const float sign = aspect < 0.0f ? -1.0f : 1.0f;
+    const auto edge = static_cast<float>(grid.CellEdge[axis]);
+    toLight[axis] = this->ToLight[axis] / edge;
+    gradientToCells[axis] = sign * edge;
+    gradientToChange[axis] = 0.5f * static_cast<float>(grid.Factor[axis]) / aspect;
+    cell[axis] = 1.0f / static_cast<float>(grid.Size[axis]);
   }
-  program->SetUniform3f("lightCellEdge", cellEdge.data());
-  program->SetUniform3f("lightCellStep", cellStep.data());
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    toLightInCells[axis] = this->ToLight[axis] / cellEdge[axis];
-  }
-  vtkMath::Normalize(toLightInCells.data());
-  program->SetUniform3f("toLightInCells", toLightInCells.data());
-  program->SetUniform3f("toLight", this->ToLight.data());
+  vtkMath::Normalize(toLight.data());
+  program->SetUniform3f("toLight", toLight.data());
+  program->SetUniform3f("gradientToCells", gradientToCells.data());
+  program->SetUniform3f("gradientToChange", gradientToChange.data());
+  program->SetUniform3f("lightCell", cell.data());
   program->SetUniform2fv("lightSurfaces", static_cast<int>(this->Surfaces.size() / 2),
     reinterpret_cast<const float(*)[2]>(this->Surfaces.data()));
 }

@@ -98,8 +98,9 @@ private:
   Key Last;
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
-  std::array<float, 3> ToLight{}; ///< in data coordinates, of length 1; (0, 0, 0): no light
-  std::vector<float> Surfaces;    ///< value, 0 to 1 as in the shader, and transmittance of each
+  std::array<float, 3> ToLight{};       ///< in data coordinates, of length 1; (0, 0, 0): no light
+  std::array<float, 3> InverseAspect{}; ///< as the frame's
+  std::vector<float> Surfaces;          ///< value, 0 to 1 as in the shader, and what each takes
   float HalfScattering = 0.0f;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image; ///< without scalars until it is asked for

@@ -24,8 +24,9 @@ class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightVolume
 {
 public:
   static constexpr std::uint16_t FullLight = 65535;
-  /// Directions of the sky.
+  /// Directions of the sky. The shadows of surfaces have edges that a mean of few of them shows.
   static constexpr int SkyDirections = 12;
+  static constexpr int SkyDirectionsOfSurfaces = 36;
 
   /// Where light comes from. Directions are data lengths along the axes of the volume.
   struct Lights
@@ -50,10 +51,10 @@ public:
   const std::vector<std::uint16_t>& GetTexels() const { return this->Texels; }
 
   /// Unit directions that are spread evenly over the half of the sky about (0, 0, 1).
-  static std::array<std::array<double, 3>, SkyDirections> GetSkyDirections();
+  static std::vector<std::array<double, 3>> GetSkyDirections(int count = SkyDirections);
 
 private:
-  void Fill(vtkTextureSliceLightSweep& sweep, const Lights& lights);
+  void Fill(vtkTextureSliceLightSweep& sweep, const Lights& lights, int skyDirections);
 
   vtkTextureSliceLightGrid Grid;
   std::vector<std::uint16_t> Texels;

@@ -425,7 +425,7 @@ bool Gather(vec4 scalars, out vec4 gathered)
       IsLeft(textureCoordinate))
     {
 #ifdef TEXTURE_SLICE_SHADOWS
-      litSurface = surface;
+      litSurface = lightSurfaces[surface];
       sideOfEye = rising ? -1.0 : 1.0;
 #endif
       vec4 color = SurfaceColor(isoValue, onSurface);

@@ -20,23 +20,24 @@ vec2 FetchTransmittance()
 }
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
-// Towards the light, of length 1: in data coordinates, and in cells of the light volume.
+// Towards the light, of length 1, in cells of the light volume.
 uniform vec3 toLight;
-uniform vec3 toLightInCells;
-// A cell: data lengths of its edges, and texture coordinates of the volume.
-uniform vec3 lightCellEdge;
-uniform vec3 lightCellStep;
-// Value, 0 to 1 as the scalars are, and transmittance of each surface.
+// Times a gradient: its direction in cells, and the change of the scalar (0 to 1) over a cell.
+uniform vec3 gradientToCells;
+uniform vec3 gradientToChange;
+// Texture coordinates of one cell of the light.
+uniform vec3 lightCell;
+// Value, 0 to 1 as the scalars are, and what is taken of the light, of each surface.
 uniform vec2 lightSurfaces[TEXTURE_SLICE_ISO_VALUES];
 
 // The surface that is lit, and which way along the gradient the eye is: 1 or -1.
-int litSurface = 0;
+vec2 litSurface = vec2(0.0);
 float sideOfEye = 1.0;
 
 // How far from the surface light is looked up, in the distances at which no cell that is
 // interpolated lies behind the surface.
 const float lightClearance = 1.25;
-// Cosines of the angles to the light between which a surface begins to shadow itself.
+// Cosine of the angle to the light at which a surface begins to shadow itself.
 const float grazing = 0.1;
 
 // What the other surfaces let through between the lit one and the place where light is looked up,
@@ -45,14 +46,12 @@ const float grazing = 0.1;
 float CrossOtherSurfaces(float change)
 {
   float left = 1.0;
-#if TEXTURE_SLICE_ISO_VALUES > 1
+  float perChange = 1.0 / change;
   for (int i = 0; i < TEXTURE_SLICE_ISO_VALUES; ++i)
   {
-    float share = (lightSurfaces[i].x - lightSurfaces[litSurface].x) / change; // of the way
-    float part = share > 0.0 ? clamp(1.7 - share, 0.0, 1.0) : 0.0;
-    left *= i != litSurface ? mix(1.0, lightSurfaces[i].y, part) : 1.0;
+    float share = (lightSurfaces[i].x - litSurface.x) * perChange; // of the way
+    left -= share > 0.0 ? left * clamp(1.7 - share, 0.0, 1.0) * lightSurfaces[i].y : 0.0;
   }
-#endif
   return left;
 }
 
@@ -61,23 +60,19 @@ float CrossOtherSurfaces(float change)
 // surface. Light from behind as the eye sees it has crossed the surface.
 vec2 FetchTransmittanceBeside(vec3 gradient)
 {
-  vec3 toEye = sideOfEye * gradient * sign(inverseAspect);
-  vec3 slope = toEye * lightCellEdge;
-  vec3 normal = slope * inversesqrt(max(dot(slope, slope), 1e-30));
+  vec3 slope = gradient * gradientToCells;
+  vec3 normal = slope * (sideOfEye * inversesqrt(max(dot(slope, slope), 1e-30)));
   float clearance = lightClearance * dot(abs(normal), vec3(1.0));
-  float approach = dot(normal, toLightInCells);
-  float way = clearance * min(1.0 / max(approach, 1e-3), 4.0 * max(approach, 0.0));
-  vec3 beside =
-    (way * toLightInCells + (clearance - way * approach) * normal) * lightCellStep;
-  vec2 arriving = texture(lightTexture, (textureCoordinate + beside) * lightTextureScale).rg;
+  float approach = dot(normal, toLight);
+  float way = clearance * min(1.0 / max(approach, 1e-3), max(4.0 * approach, 0.0));
+  vec3 cells = way * toLight + (clearance - way * approach) * normal;
+  vec2 arriving =
+    texture(lightTexture, textureCoordinate * lightTextureScale + cells * lightCell).rg;
 #if TEXTURE_SLICE_ISO_VALUES > 1
-  // The gradient says what the scalar there is: the change over two voxels, times their aspect.
-  float change = 0.5 * dot(gradient / inverseAspect, beside / voxelStep);
-  arriving *= CrossOtherSurfaces(abs(change) > 1e-30 ? change : 1e-30);
+  arriving *= CrossOtherSurfaces(dot(gradient * gradientToChange, cells));
 #endif
-  float facing = dot(toEye, toLight) * inversesqrt(max(dot(toEye, toEye), 1e-30));
-  float most = mix(lightSurfaces[litSurface].y, 1.0, smoothstep(-grazing, grazing, facing));
-  return vec2(min(arriving.r, most), arriving.g);
+  float taken = litSurface.y * clamp(0.5 - approach * (0.5 / grazing), 0.0, 1.0);
+  return vec2(min(arriving.r, 1.0 - taken), arriving.g);
 }
 #endif
 

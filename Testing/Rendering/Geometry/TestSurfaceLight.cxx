@@ -50,16 +50,15 @@ protected:
     Lights lights;
     lights.Shadow = true;
     lights.ToLight = toLight;
-    this->Volume.Build(
-      this->Source, lights, std::size_t{Voxels} * Voxels * Voxels / voxelsOfACell);
+    this->Volume.Build(this->Source, lights, std::size_t{Voxels} * Voxels * Voxels / voxelsOfACell);
   }
 
   /// Light of the cell that contains a voxel, 0 to 1.
   double At(int x, int y, int z) const
   {
     const vtkTextureSliceLightGrid& grid = this->Volume.GetGrid();
-    const int index = (z / grid.Factor[2] * grid.Size[1] + y / grid.Factor[1]) * grid.Size[0] +
-                      x / grid.Factor[0];
+    const int index =
+      (z / grid.Factor[2] * grid.Size[1] + y / grid.Factor[1]) * grid.Size[0] + x / grid.Factor[0];
     return this->Volume.GetTexels()[2 * static_cast<std::size_t>(index)] / Full;
   }
 
@@ -100,8 +99,8 @@ TEST_F(SurfaceLight, SurfacesTakeTheirPartsOneAfterTheOther)
 
 TEST_F(SurfaceLight, AnOpaqueBallShadesWhatLiesBehindIt)
 {
-  this->Make([](const Vector& at)
-    { return 6.0 - std::hypot(at[0] - 16.0, at[1] - 16.0, at[2] - 20.0); });
+  this->Make(
+    [](const Vector& at) { return 6.0 - std::hypot(at[0] - 16.0, at[1] - 16.0, at[2] - 20.0); });
   this->Source.Surfaces = {{0.0f, 16.0f}};
   constexpr double slope = 0.5;
   this->Build({slope, 0, 1}, 1);
@@ -175,15 +174,15 @@ TEST_F(SurfaceLight, CodesHaveTheSurfacesOfTheirValues)
   {
     codes->SetValue(id, static_cast<unsigned char>(id / (Voxels * Voxels)));
   }
-  this->Source.Scalars = {codes, {Voxels, Voxels, Voxels}, false, nullptr,
-    vtkTextureSliceCodes(values, hidden)};
+  this->Source.Scalars = {
+    codes, {Voxels, Voxels, Voxels}, false, nullptr, vtkTextureSliceCodes(values, hidden)};
   this->Source.Surfaces = {{-24.9f, DepthOf(0.5)}, {16.2f, 16.0f}};
   this->Build({0, 0, 1});
   EXPECT_NEAR(this->At(16, 16, 2), 0.5, 1e-4);
   EXPECT_EQ(this->At(16, 16, 29), 1.0);
 }
 
-// All directions but the lowest reach the surface before the sides of the volume.
+// All directions but the three lowest reach the surface before the sides of the volume.
 TEST_F(SurfaceLight, OcclusionIsTheMeanOverTheSky)
 {
   this->Make([](const Vector& at) { return at[2]; });
@@ -192,7 +191,7 @@ TEST_F(SurfaceLight, OcclusionIsTheMeanOverTheSky)
   lights.Occlusion = true;
   this->Volume.Build(this->Source, lights, std::size_t{Voxels} * Voxels * Voxels);
   const auto index = static_cast<std::size_t>((27 * Voxels + 16) * Voxels + 16);
-  constexpr double directions = vtkTextureSliceLightVolume::SkyDirections;
+  constexpr double directions = vtkTextureSliceLightVolume::SkyDirectionsOfSurfaces;
   EXPECT_NEAR(this->Volume.GetTexels()[2 * index + 1] / Full,
-    1.0 - 0.5 * (directions - 1.0) / directions, 1e-3);
+    1.0 - 0.5 * (directions - 3.0) / directions, 1e-3);
 }
