@@ -349,8 +349,11 @@ TEST_F(SurfaceShadows, ABallCastsItsShadowWhereGeometrySays)
       : points == 65 ? 0.0044
                      : 0.0015,
       "wrong pixels on the ball" + voxels);
-    EXPECT_AT_MOST(
-      onGround.WrongShare(), points == 33 ? 0.012 : points == 65 ? 0.0056 : 0.006, "wrong pixels on the plane" + voxels);
+    EXPECT_AT_MOST(onGround.WrongShare(),
+      points == 33   ? 0.012
+      : points == 65 ? 0.0056
+                     : 0.006,
+      "wrong pixels on the plane" + voxels);
   }
 }
 
