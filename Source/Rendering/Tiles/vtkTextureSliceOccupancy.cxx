@@ -56,10 +56,6 @@ void vtkTextureSliceOccupancy::SetBorders(std::array<std::vector<double>, 3> bor
 int vtkTextureSliceOccupancy::FindBrick(std::size_t axis, double place) const
 {
   const std::vector<double>& borders = this->Borders[axis];
-  if (borders.empty())
-  {
-    return static_cast<int>(place * this->PerBox[axis]);
-  }
   const auto beyond = std::upper_bound(borders.begin(), borders.end(), place);
   return std::max(0, static_cast<int>(beyond - borders.begin()) - 1);
 }
@@ -69,6 +65,10 @@ vtkTextureSliceOccupancy::Share vtkTextureSliceOccupancy::Find(
 {
   std::array<int, 3> begin;
   std::array<int, 3> end;
+  // A frame asks this many thousand times.
+  const bool even = this->Borders[0].empty();
+  const auto find = [&](std::size_t axis, double place)
+  { return even ? static_cast<int>(place * this->PerBox[axis]) : this->FindBrick(axis, place); };
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const double from = low[axis] - this->Margin;
@@ -78,8 +78,8 @@ vtkTextureSliceOccupancy::Share vtkTextureSliceOccupancy::Find(
       return Share::Nothing;
     }
     const int last = this->Count[axis] - 1;
-    begin[axis] = std::min(last, this->FindBrick(axis, std::max(0.0, from)));
-    end[axis] = std::min(last, this->FindBrick(axis, std::min(1.0, to))) + 1;
+    begin[axis] = std::min(last, find(axis, std::max(0.0, from)));
+    end[axis] = std::min(last, find(axis, std::min(1.0, to))) + 1;
   }
   const auto before = [&](int x, int y, int z) { return this->VisibleBefore[this->At(x, y, z)]; };
   const int visible = before(end[0], end[1], end[2]) - before(begin[0], end[1], end[2]) -

@@ -51,7 +51,7 @@ private:
     return (static_cast<std::size_t>(z) * (this->Count[1] + 1) + y) * (this->Count[0] + 1) + x;
   }
 
-  /// The brick in which a place of the box lies.
+  /// The brick between two borders in which a place of the box lies.
   int FindBrick(std::size_t axis, double place) const;
 
   std::array<int, 3> Count{1, 1, 1};
