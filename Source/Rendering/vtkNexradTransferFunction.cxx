@@ -467,16 +467,25 @@ bool vtkNexradTransferFunction::ApplyPreset(const char* name)
 void vtkNexradTransferFunction::SetOpacityToIsoValues(
   const double* values, int count, double opacity, double halfWidth)
 {
-  if (count < 1 || !(halfWidth > 0.0) || !(opacity >= 0.0 && opacity <= 1.0) ||
-      !std::all_of(values, values + count, [](double value) { return std::isfinite(value); }))
+  const std::vector<double> opacities(static_cast<std::size_t>(std::max(count, 0)), opacity);
+  this->SetOpacityToIsoValues(values, opacities.data(), count, halfWidth);
+}
+
+void vtkNexradTransferFunction::SetOpacityToIsoValues(
+  const double* values, const double* opacities, int count, double halfWidth)
+{
+  if (count < 1 || !(halfWidth > 0.0) ||
+      !std::all_of(values, values + count, [](double value) { return std::isfinite(value); }) ||
+      !std::all_of(opacities, opacities + count,
+        [](double opacity) { return opacity >= 0.0 && opacity <= 1.0; }))
   {
-    vtkErrorMacro("iso-values: give one or more finite ones, an opacity of 0 to 1 and a half width "
+    vtkErrorMacro("iso-values: give one or more finite ones, opacities of 0 to 1 and a half width "
                   "above 0 dBZ");
     return;
   }
   std::vector<vtkNexradIsoShell> shells;
-  std::transform(values, values + count, std::back_inserter(shells),
-    [opacity](double value) { return vtkNexradIsoShell(value, opacity); });
+  std::transform(values, values + count, opacities, std::back_inserter(shells),
+    [](double value, double opacity) { return vtkNexradIsoShell(value, opacity); });
   this->Internal->Channel(OPACITY) = vtkNexradIsoShells(shells, halfWidth);
   this->Internal->Map.IsoValues.assign(values, values + count);
   this->Modified();

@@ -133,13 +133,17 @@ public:
   bool ApplyPreset(const char* name);
   ///@}
 
+  ///@{
   /**
-   * Makes the opacity a thin shell about each of the values: `opacity` there, 0 from `halfWidth`
-   * dBZ away. Values in any order, farther apart than twice the half width (nearer ones are one
-   * shell); the colours stay.
+   * Makes the opacity a thin shell about each of the values: `opacity`, or the one of `opacities`
+   * with the same index, there; 0 from `halfWidth` dBZ away. Values in any order, farther apart
+   * than twice the half width (nearer ones are one shell); the colours stay.
    */
   void SetOpacityToIsoValues(
     const double* values, int count, double opacity = 0.8, double halfWidth = 2.0);
+  void SetOpacityToIsoValues(
+    const double* values, const double* opacities, int count, double halfWidth = 2.0);
+  ///@}
 
   ///@{
   /**

@@ -6,16 +6,16 @@
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
-#include "vtkInformation.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkPointData.h"
+#include "vtkRectilinearGrid.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
 #include "vtkTextureSliceBlanks.h"
+#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
@@ -23,6 +23,7 @@
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpaquePixels.h"
 #include "vtkTextureSliceOpenGL.h"
+#include "vtkTextureSlicePeeling.h"
 #include "vtkTextureSliceProgram.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceResolution.h"
@@ -51,7 +52,12 @@ public:
   vtkTextureSliceTable Table;
   vtkTextureSliceTable2D Table2D;
   vtkTextureSliceTexture Mask;
+  /// What two-dimensional functions have in place of the gradient magnitude.
+  vtkTextureSliceTexture SecondArray;
   vtkTextureSliceBlanks Blanks;
+  /// Used where the input is a rectilinear grid.
+  vtkTextureSliceCoordinates Coordinates;
+  vtkSmartPointer<vtkImageData> GridAsImage;
   vtkTextureSliceTable LabelTable;
   vtkTextureSliceIntegralTable Integrals;
   vtkTextureSliceIntegralTable LabelIntegrals;
@@ -69,6 +75,7 @@ public:
   vtkTextureSliceTarget Target;
   vtkTextureSliceProgram Program;
   vtkTextureSliceOpaquePixels OpaquePixels;
+  vtkTextureSlicePeeling Peeling;
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   /// What the last frame refused, and what it ignored: the same is not said again.
@@ -96,7 +103,9 @@ public:
     this->Table.ReleaseGraphicsResources(window);
     this->Table2D.ReleaseGraphicsResources(window);
     this->Mask.ReleaseGraphicsResources(window);
+    this->SecondArray.ReleaseGraphicsResources(window);
     this->Blanks.ReleaseGraphicsResources(window);
+    this->Coordinates.ReleaseGraphicsResources(window);
     this->LabelTable.ReleaseGraphicsResources(window);
     this->Shadows.ReleaseGraphicsResources(window);
     this->Integrals.ReleaseGraphicsResources(window);
@@ -206,17 +215,41 @@ void SetBlending(vtkOpenGLState* state, int blendMode)
   }
 }
 
+/// The sample with the least depth takes a pixel, from a depth of 1 on.
+void KeepNearest(vtkOpenGLState* state)
+{
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
+}
+
+/// Points along each axis; empty for what is neither an image nor a rectilinear grid.
+std::vector<int> FindDimensions(vtkDataSet* input)
+{
+  auto* image = vtkImageData::SafeDownCast(input);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(input);
+  const int* points = image != nullptr ? image->GetDimensions() : nullptr;
+  points = grid != nullptr ? grid->GetDimensions() : points;
+  return points != nullptr ? std::vector<int>(points, points + 3) : std::vector<int>();
+}
+
 /// Whether a volume of these dimensions has a thickness along each axis and fits a texture. A
 /// volume whose source has not run yet has no dimensions: then nothing speaks against it.
-bool CanHold(vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData)
+bool CanHold(vtkOpenGLRenderWindow* window, vtkDataSet* input, bool cellData)
 {
-  if (image->GetNumberOfPoints() == 0)
+  const std::vector<int> points = FindDimensions(input);
+  if (points.empty() || input->GetNumberOfPoints() == 0)
   {
-    return true;
+    return !points.empty();
+  }
+  auto* grid = vtkRectilinearGrid::SafeDownCast(input);
+  if (grid != nullptr && vtkTextureSliceCoordinates::FindUnsupported(grid) != nullptr)
+  {
+    return false;
   }
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window); // -1: no context yet
-  const int* points = image->GetDimensions();
-  const auto [least, most] = std::minmax_element(points, points + 3);
+  const auto [least, most] = std::minmax_element(points.begin(), points.end());
   return *least > 1 && (limit <= 0 || *most - (cellData ? 1 : 0) <= limit);
 }
 
@@ -345,18 +378,23 @@ bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
   if (uniforms.Features.Slabs > 0)
   {
     this->UpdateIntegrals(uniforms);
-    if (!this->Target.KeepDepth(error))
-    {
-      this->Target.End();
-      return false;
-    }
+  }
+  if (uniforms.Features.NeedsDepth() && !this->Target.KeepDepth(error))
+  {
+    this->Target.End();
+    return false;
   }
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglEnable(GL_DEPTH_TEST);
   state->vtkglDepthFunc(GL_LEQUAL);
   state->vtkglDisable(GL_CULL_FACE);
   state->vtkglEnable(GL_BLEND);
+  state->vtkglBlendEquation(GL_FUNC_ADD);
   SetBlending(state, blendMode);
+  if (uniforms.Features.ExtremeSample)
+  {
+    KeepNearest(state);
+  }
   const bool drawn = this->DrawSlices(uniforms);
   state->vtkglBlendEquation(GL_FUNC_ADD);
   this->Target.End();
@@ -374,15 +412,24 @@ void vtkOpenGLTextureSliceVolumeMapper::Internals::Composite(
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
   state->SetEnumState(GL_BLEND, !uniforms.Features.Selection);
+  const bool peeled = uniforms.Features.Peel > 0;
+  if (peeled)
+  {
+    this->Peeling.SetBlending(state);
+  }
   this->Table.GetTexture()->Activate();
   // Between an extreme and no sample at all there is nothing.
   const int blendMode = uniforms.Features.BlendMode;
   const bool smooth = this->PixelSize != 1.0 &&
                       blendMode != vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND &&
                       blendMode != vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
-  this->Target.Composite(renderer, smooth, uniforms.Features.GetDefines(),
+  this->Target.Composite(renderer, smooth, uniforms.Features,
     [&](vtkShaderProgram* program)
     {
+      if (peeled)
+      {
+        this->Peeling.SetUniforms(program, 1.0);
+      }
       program->SetUniformf("colorScale", colorScale);
       program->SetUniformf("colorBias", colorBias);
       program->SetUniform3f("selectionColor", uniforms.SelectionColor.data());
@@ -407,7 +454,7 @@ int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
 }
 
 vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
-  vtkVolumeProperty* property, vtkDataArray* scalars)
+  vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData)
 {
   vtkTextureSliceRequest request;
   request.Property = property;
@@ -424,18 +471,25 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   request.NativeGradientOpacity = this->GradientOpacityRangeType == NATIVE;
   request.BinaryMask = this->MaskInput != nullptr && this->MaskType == BinaryMaskType;
   request.SmoothGradient = this->SmoothGradient;
+  if (this->Transfer2DYAxisArray != nullptr && input != nullptr)
+  {
+    vtkDataArray* second = this->FindSecondArray(input, cellData);
+    request.SecondArray = second != nullptr ? second->GetNumberOfComponents() : -1;
+  }
   request.LabelMap = this->MaskInput != nullptr && this->MaskType == LabelMapMaskType;
   return request;
+}
+
+vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindSecondArray(vtkDataSet* input, bool cellData)
+{
+  vtkDataSetAttributes* attributes =
+    cellData ? static_cast<vtkDataSetAttributes*>(input->GetCellData()) : input->GetPointData();
+  return attributes->GetArray(this->Transfer2DYAxisArray);
 }
 
 const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
   const vtkTextureSliceRequest& request)
 {
-  if (this->Transfer2DYAxisArray != nullptr)
-  {
-    return "a second array for two-dimensional transfer functions is not supported: call "
-           "SetTransfer2DYAxisArray with nullptr";
-  }
   if (this->GetInputCount() > 1)
   {
     return "several volumes in one mapper are not supported: give each a mapper of its own";
@@ -452,15 +506,13 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
   {
     // Without an input there is nothing to say about it.
     return openGLWindow != nullptr &&
-           this->FindUnsupported(this->MakeRequest(property, nullptr)) == nullptr;
+           this->FindUnsupported(this->MakeRequest(property, nullptr, nullptr, false)) == nullptr;
   }
-  auto* image = vtkImageData::SafeDownCast(input);
   int cellFlag = 0;
   vtkDataArray* scalars = this->GetScalars(
     input, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  const vtkTextureSliceRequest request = this->MakeRequest(property, scalars);
-  return image != nullptr && CanHold(openGLWindow, image, cellFlag == 1) &&
-         this->FindUnsupported(request) == nullptr &&
+  const vtkTextureSliceRequest request = this->MakeRequest(property, input, scalars, cellFlag == 1);
+  return CanHold(openGLWindow, input, cellFlag == 1) && this->FindUnsupported(request) == nullptr &&
          (scalars == nullptr || property == nullptr ||
            request.FindUnsupportedRange(FindRanges(scalars)) == nullptr);
 }
@@ -468,17 +520,17 @@ int vtkOpenGLTextureSliceVolumeMapper::IsRenderSupported(
 void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
 {
   ratio[0] = ratio[1] = ratio[2] = 1.0;
-  auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
+  std::vector<int> size = FindDimensions(this->GetTransformedInput(0));
   GLint limit = 0;
   glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &limit);
-  if (image == nullptr || limit <= 0)
+  if (size.empty() || limit <= 0)
   {
     return;
   }
-  const auto size = vtkTextureSliceScalars::GetSize(image, this->CellFlag == 1);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    ratio[axis] = std::min(1.0, static_cast<double>(limit) / std::max(1, size[axis]));
+    ratio[axis] = std::min(
+      1.0, static_cast<double>(limit) / std::max(1, size[axis] - (this->CellFlag == 1 ? 1 : 0)));
   }
 }
 
@@ -497,12 +549,31 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance(
 vtkImageData* vtkOpenGLTextureSliceVolumeMapper::TakeInput(
   vtkDataArray*& scalars, std::string& error)
 {
-  auto* image = vtkImageData::SafeDownCast(this->GetTransformedInput(0));
+  // VTK 9.1 keeps the class of its copy when an image takes the place of a grid, or a grid that of
+  // an image: such a copy has the arrays of the new input alone.
+  vtkDataSet* input = this->GetTransformedInput(0);
+  if (input != nullptr && input->GetDataObjectType() != this->GetInput(0)->GetDataObjectType())
+  {
+    input = this->GetInput(0);
+  }
+  auto* image = vtkImageData::SafeDownCast(input);
+  auto* grid = vtkRectilinearGrid::SafeDownCast(input);
+  if (grid != nullptr)
+  {
+    if (const char* unsupported = vtkTextureSliceCoordinates::FindUnsupported(grid))
+    {
+      error = unsupported;
+      return nullptr;
+    }
+    this->Parts->GridAsImage = vtkTextureSliceCoordinates::MakeImage(grid);
+    image = this->Parts->GridAsImage;
+  }
   if (image == nullptr)
   {
-    error = "the input must be a vtkImageData";
+    error = "the input must be a vtkImageData or a vtkRectilinearGrid";
     return nullptr;
   }
+  this->Parts->Coordinates.Set(grid);
   scalars = this->GetScalars(
     image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, this->CellFlag);
   return image;
@@ -517,16 +588,16 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
   {
     return error;
   }
-  const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
+  const vtkTextureSliceRequest request =
+    this->MakeRequest(volume->GetProperty(), image, scalars, this->CellFlag == 1);
   if (const char* unsupported = this->FindUnsupported(request))
   {
     return unsupported;
   }
-  vtkInformation* keys = volume->GetPropertyKeys();
-  if (keys != nullptr && keys->Has(vtkOpenGLRenderPass::RenderPasses()))
+  if (!this->Parts->Peeling.Update(this, volume))
   {
-    return "a render pass that changes the volume's shaders, such as depth peeling, is not "
-           "supported: call SetUseDepthPeelingForVolumes(false) on the renderer";
+    return "a render pass peels the volume in a way that is not known: call "
+           "SetUseDepthPeelingForVolumes(false) on the renderer";
   }
   if (request.IsEmpty())
   {
@@ -618,9 +689,13 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
   Internals& parts = *this->Parts;
   const vtkTextureSliceFeatures features = request.GetFeatures();
   parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable,
-    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags});
+    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags, &parts.Coordinates});
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
+  if (vtkPlane* plane = request.GetSlicePlane())
+  {
+    view.Plane = parts.Frame.ToBox(plane);
+  }
   view.Slabs = features.Slabs;
   view.Surfaces = features.IsoValues > 0;
   view.SampleDistance = this->ChooseSampleDistance(image, parts.Frame.GetShortestVoxelEdge());
@@ -662,12 +737,16 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
 
   const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
   const StateKeeper keeper(parts.Window->GetState());
-  if (!parts.Draw(renderer, uniforms, error))
+  for (int picture = 0; picture < parts.Peeling.CountPictures(); ++picture)
   {
-    return error;
+    parts.Peeling.SetPicture(picture);
+    if (!parts.Draw(renderer, uniforms, error))
+    {
+      return error;
+    }
+    parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
+      0.5f - this->FinalColorLevel / this->FinalColorWindow);
   }
-  parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
-    0.5f - this->FinalColorLevel / this->FinalColorWindow);
   return "";
 }
 
@@ -688,14 +767,26 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* rendere
     return unsupported;
   }
   parts.Texture.SetNearest(nearest);
-  return "";
+  if (parts.Coordinates.IsUsed())
+  {
+    parts.Coordinates.Update(parts.Window);
+  }
+  if (request.ReadsSecondArray())
+  {
+    const bool cellData = this->CellFlag == 1;
+    parts.SecondArray.Update(
+      parts.Window, image, this->FindSecondArray(image, cellData), cellData, error);
+    parts.SecondArray.SetNearest(nearest);
+  }
+  return error;
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
   vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  if (property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f)
+  if (property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f &&
+      !this->Parts->Coordinates.IsUsed())
   {
     settings.Scattering = static_cast<double>(this->VolumetricScatteringBlending);
     settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
@@ -711,8 +802,10 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
 {
   Internals& parts = *this->Parts;
   vtkTextureSliceShadowSettings settings;
-  settings.Shadow = this->ShadowStrength;
-  settings.Occlusion = this->OcclusionStrength;
+  // The light is computed in cells of one size.
+  const bool equal = !parts.Coordinates.IsUsed();
+  settings.Shadow = equal ? this->ShadowStrength : 0.0;
+  settings.Occlusion = equal ? this->OcclusionStrength : 0.0;
   settings.Density = this->ShadowDensity;
   std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
   std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
@@ -747,7 +840,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateLight(vtkRenderer* renderer, vtkVo
   {
     return false;
   }
-  const vtkTextureSliceRequest request = this->MakeRequest(volume->GetProperty(), scalars);
+  const vtkTextureSliceRequest request =
+    this->MakeRequest(volume->GetProperty(), image, scalars, this->CellFlag == 1);
   if (this->FindUnsupported(request) != nullptr)
   {
     return false; // drawing says why
@@ -856,6 +950,9 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   uniforms.Features.Shadows = parts.Shadows.IsUsed();
   uniforms.Features.Scattering = parts.Shadows.IsScattering();
+  uniforms.Features.Peel = parts.Peeling.GetStage();
+  uniforms.Peeling = &parts.Peeling;
+  uniforms.PixelSize = parts.PixelSize;
   if (uniforms.Features.Slabs > 0)
   {
     uniforms.Features.ClippingPlanes = static_cast<int>(parts.Frame.GetPlanesInPart().size() / 4);
@@ -873,8 +970,16 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Volume = parts.Texture.GetTexture();
   uniforms.Table = &parts.Table;
   uniforms.Table2D = &parts.Table2D;
+  uniforms.Features.Rectilinear = parts.Coordinates.IsUsed();
+  uniforms.Coordinates = &parts.Coordinates;
   uniforms.Features.Blanked = parts.Blanks.IsUsed();
   uniforms.Blanks = &parts.Blanks;
+  if (uniforms.Features.SecondArray > 0)
+  {
+    uniforms.Features.SecondMasked = parts.SecondArray.IsMasked();
+    uniforms.SecondArray = parts.SecondArray.GetTexture();
+    vtkTextureSliceRequest::SetSecondArray(parts.SecondArray.GetComponents(), uniforms);
+  }
   uniforms.Mask = parts.Mask.GetTexture();
   uniforms.LabelTable = &parts.LabelTable;
   uniforms.LabelWeight = this->MaskBlendFactor;

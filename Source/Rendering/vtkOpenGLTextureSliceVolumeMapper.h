@@ -9,24 +9,27 @@
  * perspective view), so that the picture does not depend on the number of slices. Blending is done
  * in floating point.
  *
- * Input: a vtkImageData with one to four components of point or cell scalars of any number type,
- * with any spacing, direction matrix and actor matrix. Points (cells of cell scalars) that
- * vtkGhostType marks with any flag and scalars that are not finite contribute nothing; up to half a
- * voxel from a visible point the picture is complete. Unsigned char scalars NAME may be codes:
- * field data `NAME_code_values` (256 numbers) and `NAME_code_ghosts` (256 unsigned char, optional)
- * then give the scalar and the ghost flags that each code stands for, and the picture is that of
- * these scalars and flags. Components are independent (each with its own functions, material and
- * weight) or dependent (2: value and opacity; 4: red, green, blue, opacity).
+ * Input: a vtkImageData, with any spacing and direction matrix, or a vtkRectilinearGrid, whose
+ * coordinates ascend; one to four components of point or cell scalars of any number type, with any
+ * actor matrix. Points (cells of cell scalars) that vtkGhostType marks with any flag and scalars
+ * that are not finite contribute nothing; up to half a voxel from a visible point the picture is
+ * complete. Unsigned char scalars NAME may be codes: field data `NAME_code_values` (256 numbers)
+ * and `NAME_code_ghosts` (256 unsigned char, optional) then give the scalar and the ghost flags
+ * that each code stands for, and the picture is that of these scalars and flags. Components are
+ * independent (each with its own functions, material and weight) or dependent (2: value and
+ * opacity; 4: red, green, blue, opacity).
  *
- * Blend modes: composite, maximum, minimum, average, additive, isosurface. Isosurfaces lie where
- * the scalar, interpolated linearly, has the value, whatever the number of slices; of two dependent
- * components the second has the surfaces and gives their opacity, the first gives the colour. Light
- * and gradient opacity as in VTK's ray caster; they count where places are shown (composite,
- * isosurface), not in projections. Two-dimensional transfer functions (scalar and gradient
- * magnitude) in the composite mode. A mask of the volume's dimensions, one unsigned char each:
- * binary, or labels with functions of their own. Cropping, clipping planes, opaque geometry, a
- * camera inside the volume, and final window and level work as in VTK's ray caster; translucent
- * geometry is behind the volume, peeled or not.
+ * Blend modes: composite, maximum, minimum, average, additive, isosurface, slice (the property's
+ * SliceFunction, a vtkPlane in world coordinates). Isosurfaces lie where the scalar, interpolated
+ * linearly, has the value, whatever the number of slices; of two dependent components the second
+ * has the surfaces and gives their opacity, the first gives the colour. Light and gradient opacity
+ * as in VTK's ray caster; they count where places are shown (composite, isosurface, slice), not in
+ * projections. Two-dimensional transfer functions (scalar and gradient
+ * magnitude, or scalar and the array that Transfer2DYAxisArray names) in the composite mode. A mask
+ * of the volume's dimensions, one unsigned char each: binary, or labels with functions of their
+ * own. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final window and
+ * level work as in VTK's ray caster. Translucent geometry is behind the volume, unless the renderer
+ * peels both by depth (SetUseDepthPeelingForVolumes).
  *
  * ImageSampleDistance makes the picture coarser or finer than the window. With
  * AutoAdjustSampleDistances (on by default) it grows to 1, 2, 5 or 10, between
@@ -35,15 +38,16 @@
  *
  * vtkTextureSliceObjectFactory puts this class wherever VTK makes a vtkGPUVolumeRayCastMapper.
  *
- * Not supported, and refused by IsRenderSupported and with an error: slice blending, a second array
- * for two-dimensional functions, several volumes in one mapper, a label map with several components
- * or two-dimensional functions, one or three dependent components, four that are not unsigned char,
- * maximum or minimum of dependent components, isosurfaces of other components, averages of
- * several components over part of the range, volumes larger than the largest 3-D texture, and a 2-D
- * image, which has no thickness. Refused with an error when it is met: four components with hidden
- * points, and depth peeling of volumes. What is refused or ignored is said once, not in each frame.
- * Jittering is ignored; UseDepthPass, RenderToImage, user shaders and UseClippedVoxelIntensity are
- * ignored with a warning. A hardware selection finds the volume, not its voxels.
+ * Not supported, and refused by IsRenderSupported and with an error: slice blending without a
+ * vtkPlane, grids whose coordinates do not ascend, several volumes in one mapper, a label map with
+ * several components or two-dimensional functions, one or three dependent components, four that are
+ * not unsigned char, isosurfaces of other components, averages of several components over part of
+ * the range, volumes larger than the largest 3-D texture, and a 2-D image, which has no thickness.
+ * Refused with an error when it is met: four components with hidden points, and render passes that
+ * peel volumes in a way that is not VTK's. What is refused or ignored is said once, not in each
+ * frame. Jittering is ignored; UseDepthPass, RenderToImage, user shaders and
+ * UseClippedVoxelIntensity are ignored with a warning. A hardware selection finds the volume, not
+ * its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -56,6 +60,7 @@
 #include <string> // for errors
 
 class vtkDataArray;
+class vtkDataSet;
 class vtkImageData;
 struct vtkTextureSliceRequest;
 struct vtkTextureSliceShadowSettings;
@@ -83,9 +88,10 @@ public:
   /**
    * How strong the shadow is that the volume casts on itself, 0 (off, the default) to 1: how much
    * of a sample's diffuse and specular light, or without shading of its colour, is taken away where
-   * the light of LightDirection does not arrive. Shadows and occlusion are those of composite
-   * blending with one-dimensional functions; in other modes they have no effect. They are made
-   * from the scalars' opacity alone, gradient opacity does not count. What is cropped or clipped
+   * the light of LightDirection does not arrive. Composite blending with one-dimensional functions
+   * and isosurfaces have shadows and occlusion; in other modes they have no effect. They are made
+   * from the scalars' opacity alone, gradient opacity does not count. Light that crosses an
+   * isosurface loses the opacity of its value. Rectilinear grids have none. What is cropped or clipped
    * away, hidden or masked out casts no shadow.
    *
    * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, it mixes
@@ -260,7 +266,10 @@ private:
   std::unique_ptr<Internals> Parts;
 
   vtkImageData* TakeInput(vtkDataArray*& scalars, std::string& error);
-  vtkTextureSliceRequest MakeRequest(vtkVolumeProperty* property, vtkDataArray* scalars);
+  vtkTextureSliceRequest MakeRequest(
+    vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData);
+  /// The array that Transfer2DYAxisArray names, of the points or of the cells; nullptr: none.
+  vtkDataArray* FindSecondArray(vtkDataSet* input, bool cellData);
   const char* FindUnsupported(const vtkTextureSliceRequest& request);
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);

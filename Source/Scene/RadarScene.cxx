@@ -146,10 +146,12 @@ void RadarScene::TransferFunctionChanged()
 void RadarScene::FollowIsoValues()
 {
   const bool surfaces = transferFunction->GetNumberOfIsoValues() > 0;
-  volume->GetProperty()->SetShade(surfaces);
+  ShadeSurfaces(volume->GetProperty(), surfaces,
+    options.mapper == MapperChoice::TextureSlice && options.light.HasShadows());
   if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
   {
     DrawSurfaces(mapper, surfaces);
+    scene::SetLight(mapper, options.light);
   }
 }
 
@@ -179,10 +181,7 @@ void RadarScene::SetLight(const LightOptions& light)
   {
     this->DrawGround(); // a ground that was drawn without a texture may not take one
   }
-  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
-  {
-    scene::SetLight(mapper, light);
-  }
+  this->FollowIsoValues();
 }
 
 // The ground is drawn before the volume.
@@ -336,7 +335,6 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
   }
   volume->GetMapper()->SetInputDataObject(placed);
   this->SetSlices(options.slices);
-  this->SetLight(options.light);
 }
 
 void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace nexrad::scene
 {
@@ -25,13 +26,22 @@ constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear
   "colour-blind safe", "velocity", "spectrum width", "differential reflectivity",
   "differential phase", "correlation coefficient", "clutter power"};
 
+/// A value whose surface is drawn.
+struct IsoValue
+{
+  double value = 0.0;            ///< in the unit of the moment
+  std::optional<double> opacity; ///< of the surface, 0 to 1; empty: by its rank among the values
+};
+
 /// What a scene shows beside the data.
 struct SceneOptions
 {
   std::string preset; ///< one of presetNames; empty: the first of the moment that is shown
   std::filesystem::path
-    colours;            ///< colours, and opacities if it has any, in place of the preset's:
-                        ///< a file that vtkNexradTransferFunction reads; empty: none
+    colours; ///< colours, and opacities if it has any, in place of the preset's:
+             ///< a file that vtkNexradTransferFunction reads; empty: none
+  std::vector<IsoValue> isoValues; ///< surfaces to draw, with the colours of preset or file; none:
+                                   ///< those of the preset
   std::string colourBy; ///< array that gives the colours, as "VEL" or "REF_age", in place of the
                         ///< moment, which gives the opacities; empty: the moment gives both
   std::optional<double> exaggeration; ///< of heights; above 0; empty: DefaultExaggeration

@@ -13,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <vector>
 
 namespace nexrad::scene
 {
@@ -22,7 +23,19 @@ namespace
 constexpr double unitDistance = 5.0; // scene units: km along the ground
 
 // Light comes into cores far enough for their bright side to keep the colours of the colour bar.
+// Surfaces take as much of it as their opacity says.
 constexpr double shadowDensity = 0.35;
+constexpr double shadowDensityOfSurfaces = 1.0;
+
+// What surfaces return of the light: VTK's own, and where there are shadows more of the ambient
+// light, so that colours can be told apart in the shadow, and occlusion is seen.
+struct Material
+{
+  double ambient;
+  double diffuse;
+};
+constexpr Material usualMaterial{0.1, 0.7};
+constexpr Material shadowedMaterial{0.4, 0.6};
 
 // Width of the boxes of a colour bar for colours that have no steps.
 double StepOfSplines(double span)
@@ -70,6 +83,29 @@ std::string PresetFor(const SceneOptions& options, const std::string& array)
   return options.preset;
 }
 
+// The surfaces of the lowest and of the highest of several values: the inner ones show through the
+// outer ones. Those between are in between.
+constexpr double outermostOpacity = 0.35;
+constexpr double innermostOpacity = 0.95;
+
+void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction)
+{
+  std::sort(isoValues.begin(), isoValues.end(),
+    [](const IsoValue& a, const IsoValue& b) { return a.value < b.value; });
+  const auto last = static_cast<double>(isoValues.size() - 1);
+  std::vector<double> values;
+  std::vector<double> opacities;
+  for (const IsoValue& isoValue : isoValues)
+  {
+    const double rank = last > 0.0 ? static_cast<double>(values.size()) / last : 1.0;
+    const double usual = outermostOpacity + rank * (innermostOpacity - outermostOpacity);
+    values.push_back(isoValue.value);
+    opacities.push_back(isoValue.opacity.value_or(usual));
+  }
+  transferFunction->SetOpacityToIsoValues(
+    values.data(), opacities.data(), static_cast<int>(values.size()));
+}
+
 } // namespace
 
 vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration)
@@ -98,6 +134,14 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
   }
 }
 
+void ShadeSurfaces(vtkVolumeProperty* property, bool surfaces, bool shadows)
+{
+  const Material& material = shadows ? shadowedMaterial : usualMaterial;
+  property->SetShade(surfaces);
+  property->SetAmbient(material.ambient);
+  property->SetDiffuse(material.diffuse);
+}
+
 void DrawSurfaces(vtkVolumeMapper* mapper, bool surfaces)
 {
   mapper->SetBlendMode(
@@ -116,7 +160,9 @@ void SetLight(vtkVolumeMapper* mapper, const LightOptions& light)
     const double elevation = vtkMath::RadiansFromDegrees(light.direction.elevation);
     slicer->SetShadowStrength(light.shadow);
     slicer->SetOcclusionStrength(light.occlusion);
-    slicer->SetShadowDensity(shadowDensity);
+    slicer->SetShadowDensity(slicer->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND
+                               ? shadowDensityOfSurfaces
+                               : shadowDensity);
     slicer->SetLightDirection(std::sin(azimuth) * std::cos(elevation),
       std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
   }
@@ -149,6 +195,10 @@ vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   if (!options.colours.empty() && options.colourBy.empty())
   {
     transferFunction->ReadFile(options.colours.c_str());
+  }
+  if (!options.isoValues.empty())
+  {
+    SetIsoValues(options.isoValues, transferFunction);
   }
   messages.ThrowFirstError();
   return transferFunction;

@@ -25,11 +25,15 @@ vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preI
 /// is `diagonal` in scene units.
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
 
+/// Lights the surfaces of a property, or none of it. `shadows`: whether what is drawn has any.
+void ShadeSurfaces(vtkVolumeProperty* property, bool surfaces, bool shadows);
+
 /// Draws the surfaces of the property's iso-values, or the volume. The slices light surfaces by
 /// smoothed gradients: the echo of a gate is noisy.
 void DrawSurfaces(vtkVolumeMapper* mapper, bool surfaces);
 
-/// Sets shadows and ambient occlusion. VTK's ray caster has none of these.
+/// Sets shadows and ambient occlusion, of surfaces where DrawSurfaces asked for them. VTK's ray
+/// caster has none of these.
 void SetLight(vtkVolumeMapper* mapper, const LightOptions& light);
 
 /// Brings the light up to date before the frame is drawn. How much of it arrives, as

@@ -82,6 +82,13 @@ TEST(RenderCommand, OneTimeAndTheCamera)
   EXPECT_NE(first, shadow);
   EXPECT_NE(shadow, draw("light.png", {"--shadow", "0.7", "--light", "90,30"}));
   EXPECT_EQ(shadow, draw("usual-light.png", {"--shadow", "0.7", "--light", "250,45"}));
+  const auto surfaces = draw("surfaces.png", {"--preset", "iso-values"});
+  EXPECT_NE(first, surfaces);
+  EXPECT_EQ(surfaces, draw("values.png", {"--iso-values", "50:0.95,20:0.35,35:0.55"}));
+  EXPECT_NE(surfaces, draw("opaque.png", {"--iso-values", "20:1,35:0.55,50:0.95"}));
+  EXPECT_EQ(draw("usual.png", {"--iso-values", "20,35,50"}),
+    draw("written.png", {"--iso-values", "20:0.35,35:0.65,50:0.95"}));
+  EXPECT_NE(surfaces, draw("shaded-surfaces.png", {"--preset", "iso-values", "--shadow", "0.7"}));
   EXPECT_NE(first, draw("parallel.png", {"--parallel"}));
   EXPECT_NE(first, draw("light.png", {"--theme", "light"}));
   EXPECT_NE(first, draw("walls.png", {"--no-walls"}));

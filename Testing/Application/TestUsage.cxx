@@ -185,6 +185,16 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
   {
     ExpectWrongUsage({"render", "a", "-o", "b.png", "--light", light}, {"--light", "250,45"});
   }
+  for (const char* values : {"", ",", "20,", "20:", "20:0", "20:1.5", "20:0.5:1", "20;40", "nan",
+         "1e999", "20:nan", "20:0.3,30:x", "20dBZ"})
+  {
+    ExpectWrongUsage({"render", "a", "-o", "b.png", "--iso-values", values},
+      {"--iso-values", "no iso-value", "20:0.3,40:0.6,50:1"});
+  }
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--iso-values", "20,35:0.5,20:0.4"},
+    {"--iso-values", "'20:0.4' twice"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--iso-values", "20", "--map", "composite"},
+    {"--iso-values", "a map has no surfaces"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--slices", "0"}, {"--slices", "1"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--mapper", "x"}, {"--mapper", "texture-slice"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--theme", "x"}, {"--theme", "dark or light"});

@@ -196,12 +196,14 @@ private:
   std::vector<Contender> Contenders;
 };
 
-/// Frames of the storm with shadows and occlusion beside those without, and the times of new light.
+/// Frames of the storm, or of its surfaces, with shadows and occlusion beside those without, and
+/// the times of new light.
 class LightContest
 {
 public:
-  LightContest(vtkImageData* image, int scalarType)
+  LightContest(vtkImageData* image, int scalarType, bool surfaces)
     : Image(image)
+    , Surfaces(surfaces)
   {
     SetStormFunctions(this->Stage.GetProperty(), scalarType);
     this->Stage.GetProperty()->SetScalarOpacityUnitDistance(StormUnitDistance);
@@ -212,6 +214,10 @@ public:
     }
     this->Lit->SetShadowStrength(0.7);
     this->Lit->SetOcclusionStrength(0.5);
+    if (surfaces)
+    {
+      this->UseSurfaces();
+    }
   }
 
   void Run()
@@ -236,13 +242,30 @@ public:
     const int* size = this->Image->GetDimensions();
     const double plain = Median(this->PlainTimes);
     const double lit = Median(this->LitTimes);
-    std::printf("| %dx%dx%d | %s | %.1f | %.1f | %.2f | %.1f | %.1f | %.1f | %.1f |\n", size[0],
-      size[1], size[2], this->Image->GetScalarTypeAsString(), plain, lit, lit / plain,
-      Median(light), Median(table), Median(volume), Median(dragged));
+    std::printf("| %dx%dx%d | %s | %s | %.1f | %.1f | %.2f | %.1f | %.1f | %.1f | %.1f |\n",
+      size[0], size[1], size[2], this->Image->GetScalarTypeAsString(),
+      this->Surfaces ? "surfaces" : "volume", plain, lit, lit / plain, Median(light), Median(table),
+      Median(volume), Median(dragged));
     std::fflush(stdout);
   }
 
 private:
+  /// Those of the preset "iso-values", lit as in the scene of nexrad3d.
+  void UseSurfaces()
+  {
+    const double noEcho = this->Image->GetScalarType() == VTK_FLOAT ? 0.0 : -33.0;
+    for (const int i : {0, 1, 2})
+    {
+      this->Stage.GetProperty()->GetIsoSurfaceValues()->SetValue(i, 20.0 + 15.0 * i - noEcho);
+    }
+    this->Stage.GetProperty()->ShadeOn();
+    for (vtkOpenGLTextureSliceVolumeMapper* mapper : {this->Plain.Get(), this->Lit.Get()})
+    {
+      mapper->SetBlendModeToIsoSurface();
+      mapper->SmoothGradientOn();
+    }
+  }
+
   void Draw(vtkVolumeMapper* mapper, int view, std::vector<double>& times)
   {
     AimCamera(this->Stage.GetRenderer(), this->Image, std::max(view, 0));
@@ -273,6 +296,7 @@ private:
   }
 
   vtkImageData* Image;
+  bool Surfaces;
   Scene Stage{796, 532, 0, false};
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> Plain;
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> Lit;
@@ -409,14 +433,15 @@ void MeasureLight(const std::vector<int>& sizes)
   std::printf("\nShadows and occlusion: a frame without and with them, and a new light volume for "
               "another light, table or volume, and for another table during an interaction, "
               "milliseconds\n\n"
-              "| volume | scalars | without | with | with / without | light | table | volume | "
-              "dragged |\n|---|---|---|---|---|---|---|---|---|\n");
+              "| volume | scalars | drawn | without | with | with / without | light | table | "
+              "volume | dragged |\n|---|---|---|---|---|---|---|---|---|---|\n");
   for (const int size : sizes)
   {
     for (const int scalarType : {VTK_FLOAT, VTK_UNSIGNED_CHAR})
     {
       const auto storm = nexrad::benchmarks::MakeSyntheticStorm({size, size, size / 2}, scalarType);
-      LightContest(storm, scalarType).Run();
+      LightContest(storm, scalarType, false).Run();
+      LightContest(storm, scalarType, true).Run();
     }
   }
 }

@@ -117,7 +117,7 @@ TEST(PictureSheet, ShowsEachPictureWhole)
   }
   const auto isLetter = [](const Pixel& pixel)
   { return *std::min_element(pixel.begin(), pixel.end()) > 140; };
-  EXPECT_AT_LEAST(CountPixels(sheet, isLetter), 150, "pixels of letters");
+  EXPECT_AT_LEAST(CountPixels(sheet, isLetter), 200, "pixels of letters");
   const auto* bytes =
     static_cast<unsigned char*>(sheet->GetScalarPointer(20, sheet->GetDimensions()[1] - 70, 0));
   EXPECT_EQ(bytes[0], 200); // the first stands above on the left

@@ -2,6 +2,7 @@
 // Codes of one byte beside the values and ghost types that they stand for.
 #include "RenderingTest.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
 #include "vtkCamera.h"
 #include "vtkContourValues.h"
@@ -142,6 +143,12 @@ protected:
     return difference.Worst;
   }
 
+  void ExpectLikeValues(vtkImageData* coded, const std::string& name)
+  {
+    EXPECT_AT_MOST(this->WorstDifference(coded, name), 1.0,
+      name + ": largest difference to the values, of 255", OneCode);
+  }
+
   std::unique_ptr<Scene> Stage;
   std::function<void(vtkOpenGLTextureSliceVolumeMapper*)> Set = [](auto*) {};
 };
@@ -154,22 +161,24 @@ TEST_F(Codes, AreDrawnAsTheirValues)
 {
   const auto coded = MakeCodes();
   vtkVolumeProperty* property = this->Stage->GetProperty();
-  EXPECT_LE(this->WorstDifference(coded, "codes"), 1.0);
+  this->ExpectLikeValues(coded, "codes");
   property->ShadeOn();
-  EXPECT_LE(this->WorstDifference(coded, "codes-shaded"), 1.0);
+  this->ExpectLikeValues(coded, "codes-shaded");
   property->SetInterpolationTypeToNearest();
-  EXPECT_LE(this->WorstDifference(coded, "codes-nearest"), 1.0);
+  this->ExpectLikeValues(coded, "codes-nearest");
   property->ShadeOff();
   property->SetInterpolationTypeToLinear();
-  for (const int mode : {vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::ADDITIVE_BLEND,
-         vtkVolumeMapper::AVERAGE_INTENSITY_BLEND})
+  for (const auto& [mode, name] :
+    {std::pair(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, "codes-maximum"),
+      {vtkVolumeMapper::ADDITIVE_BLEND, "codes-sum"},
+      {vtkVolumeMapper::AVERAGE_INTENSITY_BLEND, "codes-average"}})
   {
-    this->Set = [mode](vtkOpenGLTextureSliceVolumeMapper* mapper)
+    this->Set = [mode = mode](vtkOpenGLTextureSliceVolumeMapper* mapper)
     {
       mapper->SetBlendMode(mode);
       mapper->SetAverageIPScalarRange(-10.0, 80.0);
     };
-    EXPECT_LE(this->WorstDifference(coded, "codes-mode-" + std::to_string(mode)), 1.0);
+    this->ExpectLikeValues(coded, name);
   }
 }
 
@@ -178,7 +187,7 @@ TEST_F(Codes, AreIntegratedAndLitAsTheirValues)
 {
   const auto coded = MakeCodes();
   this->Set = [](vtkOpenGLTextureSliceVolumeMapper* mapper) { mapper->PreIntegrationOn(); };
-  EXPECT_LE(this->WorstDifference(coded, "codes-integrated"), 1.0);
+  this->ExpectLikeValues(coded, "codes-integrated");
   const Picture unlit = this->Draw(coded);
   this->Set = [](vtkOpenGLTextureSliceVolumeMapper* mapper)
   {
@@ -186,8 +195,9 @@ TEST_F(Codes, AreIntegratedAndLitAsTheirValues)
     mapper->SetShadowStrength(1.0);
     mapper->SetOcclusionStrength(1.0);
   };
-  EXPECT_LE(this->WorstDifference(coded, "codes-shadows"), 1.0);
-  EXPECT_GT(Compare(this->Draw(coded), unlit, this->Stage->Draw(nullptr)).LargestMean(), 5.0);
+  this->ExpectLikeValues(coded, "codes-shadows");
+  EXPECT_AT_LEAST(Compare(this->Draw(coded), unlit, this->Stage->Draw(nullptr)).LargestMean(), 10.0,
+    "mean change by shadows, of 255");
 }
 
 // The iso-value lies half-way between two codes; a sample may fall on either side of it.
@@ -199,14 +209,16 @@ TEST_F(Codes, IsosurfacesAreThoseOfTheValues)
   const Picture expected = this->Draw(MakeValues(coded));
   const Difference difference = Compare(this->Draw(coded), expected, this->Stage->Draw(nullptr));
   EXPECT_GT(difference.Pixels, 500);
-  EXPECT_LE(difference.LargestMean(), 0.1);
+  EXPECT_AT_MOST(difference.LargestMean(), 0.1,
+    "mean difference of isosurfaces of codes and values, of 255",
+    "rounding may put a sample on either side of the surface; 0.05 dBZ further it is 0.19");
 }
 
 // No echo is 33 dB below the first code, as with codes of whole dBZ: still bytes.
 TEST_F(Codes, NoEchoMayLieAsideOfTheOtherCodes)
 {
   const auto coded = MakeCodes([](int code) { return code == 0 ? -33.0 : 0.5 * code - 20.0; });
-  EXPECT_LE(this->WorstDifference(coded, "codes-no-echo-aside"), 1.0);
+  this->ExpectLikeValues(coded, "codes-no-echo-aside");
 }
 
 // Values that lie on no even steps, and values that fall with the code, are drawn as floats.
@@ -215,7 +227,7 @@ TEST_F(Codes, AnyTableIsDrawn)
   const auto uneven = MakeCodes([](int code) { return 90.0 * std::pow(code / 200.0, 1.5) - 33.0; });
   EXPECT_EQ(this->WorstDifference(uneven, "codes-uneven"), 0.0);
   const auto falling = MakeCodes([](int code) { return 60.0 - 0.5 * code; });
-  EXPECT_LE(this->WorstDifference(falling, "codes-falling"), 1.0);
+  this->ExpectLikeValues(falling, "codes-falling");
 }
 
 // A code without a number is hidden, as a scalar without one is.
@@ -223,7 +235,7 @@ TEST_F(Codes, ACodeWithoutANumberIsHidden)
 {
   const auto coded = MakeCodes([](int code)
     { return code == 0 ? std::numeric_limits<double>::quiet_NaN() : HalfDecibels(code); });
-  EXPECT_LE(this->WorstDifference(coded, "codes-nan"), 1.0);
+  this->ExpectLikeValues(coded, "codes-nan");
 }
 
 // The same codes stand for something else: a new table counts as a new volume.
@@ -237,7 +249,8 @@ TEST_F(Codes, AChangedTableChangesThePicture)
   coded->Modified();
   const Picture after = this->Stage->Draw(mapper);
   const Picture background = this->Stage->Draw(nullptr);
-  EXPECT_GT(Compare(after, before, background).LargestMean(), 5.0);
+  EXPECT_AT_LEAST(
+    Compare(after, before, background).LargestMean(), 20.0, "mean change by another table, of 255");
   EXPECT_EQ(Compare(after, this->Draw(coded), background).Worst, 0.0);
 }
 
@@ -258,5 +271,6 @@ TEST_F(Codes, AVolumeThatFollowsIsUploadedWhereItDiffers)
   const Picture after = this->Stage->Draw(mapper);
   const Picture background = this->Stage->Draw(nullptr);
   EXPECT_EQ(Compare(after, this->Draw(second), background).Worst, 0.0);
-  EXPECT_GT(Compare(after, before, background).Worst, 20.0);
+  EXPECT_AT_LEAST(
+    Compare(after, before, background).Worst, 20.0, "largest change by the next volume, of 255");
 }

@@ -2,16 +2,23 @@
 // Two to four components beside VTK's GPU ray caster.
 #include "RayCasterComparison.h"
 #include "Scenes.h"
+#include "Tolerance.h"
 
+#include "vtkActor.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <array>
 
 namespace
 {
@@ -76,6 +83,59 @@ protected:
     this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 255.0, 0.1);
     this->Stage->GetProperty()->IndependentComponentsOff();
   }
+  /// The second component alone, blue, above a part of the second array's range.
+  void SetFunctions2D(double from)
+  {
+    for (const int c : {0, 1})
+    {
+      vtkNew<vtkImageData> table;
+      table->SetDimensions(64, 256, 1);
+      table->AllocateScalars(VTK_FLOAT, 4);
+      auto* entry = static_cast<float*>(table->GetScalarPointer());
+      for (int i = 0; i < 64 * 256; ++i, entry += 4)
+      {
+        const bool seen = c == 1 && i / 64 >= 256.0 * from;
+        std::fill_n(entry, 3, 0.3f);
+        entry[2] = 1.0f;
+        entry[3] = seen ? 0.05f * static_cast<float>(i % 64) / 64.0f : 0.0f;
+      }
+      this->Stage->GetProperty()->SetTransferFunction2D(c, table);
+    }
+  }
+  /// The storm as the value or as red, green and blue; a ramp to the east as the opacity.
+  void UseGrey(int count)
+  {
+    this->UseComponents(count, VTK_UNSIGNED_CHAR);
+    vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
+    for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+    {
+      const double value = 2.0 * scalars->GetComponent(id, 0);
+      const double opacity = scalars->GetComponent(id, 1);
+      for (int c = 0; c < count - 1; ++c)
+      {
+        scalars->SetComponent(id, c, value);
+      }
+      scalars->SetComponent(id, count - 1, opacity);
+    }
+    this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 200.0, 1.0);
+    vtkNew<vtkColorTransferFunction> grey;
+    grey->AddRGBPoint(0.0, 0.0, 0.0, 0.0);
+    grey->AddRGBPoint(255.0, 1.0, 1.0, 1.0);
+    this->Stage->GetProperty()->SetColor(grey);
+    this->Stage->GetProperty()->IndependentComponentsOff();
+  }
+  /// Opaque, in the middle of the volume.
+  void AddBall()
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(0.0, 0.0, 12.0);
+    sphere->SetRadius(10.0);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    this->Stage->GetRenderer()->AddActor(actor);
+  }
   void UseIndependent(int count)
   {
     this->UseComponents(count, VTK_FLOAT);
@@ -122,6 +182,41 @@ TEST_F(Components, FourIndependent)
 {
   this->UseIndependent(4);
   this->ExpectSamePictureAndBaseline("components-4", "FourComponents", 1.4);
+}
+
+// The second component is seen where the second component of another array is in its upper half, in
+// the east: the picture of the same volume cut in the middle. VTK 9.1's ray caster cannot compile
+// its shader for this.
+TEST_F(Components, TwoIndependentWithASecondArray)
+{
+  this->UseIndependent(2);
+  vtkNew<vtkFloatArray> places;
+  places->SetName("places");
+  places->SetNumberOfComponents(2);
+  for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); ++id)
+  {
+    const double* place = this->Input->GetPoint(id);
+    places->InsertNextTuple2(place[2], place[0]);
+  }
+  this->Input->GetPointData()->AddArray(places);
+  this->Stage->GetProperty()->SetTransferFunctionMode(vtkVolumeProperty::TF_2D);
+  const Picture background = this->Stage->Draw(nullptr);
+  this->SetFunctions2D(0.0);
+  const std::array<double, 6> east{0.0, 32.0, -32.0, 32.0, 0.0, 24.0};
+  this->Slices->SetCroppingRegionPlanes(east.data());
+  this->Slices->SetCroppingRegionFlagsToSubVolume();
+  this->Slices->CroppingOn();
+  const Picture cropped = this->Stage->Draw(this->Configure(this->Slices));
+  this->Slices->CroppingOff();
+  const Picture whole = this->Stage->Draw(this->Slices);
+  this->Slices->SetTransfer2DYAxisArray("places");
+  EXPECT_EQ(Compare(this->Stage->Draw(this->Slices), whole, background).Worst, 0.0)
+    << "functions that do not depend on the other array";
+  this->SetFunctions2D(0.5);
+  EXPECT_AT_MOST(Compare(this->Stage->Draw(this->Slices), cropped, background).LargestMean(), 0.045,
+    "cut by a second array: mean difference to cropping, of 255");
+  EXPECT_AT_LEAST(Compare(whole, cropped, background).LargestMean(), 14.0,
+    "mean difference of the whole volume to its half, of 255");
 }
 
 // Each component is lit by its own gradient and material.
@@ -205,6 +300,41 @@ TEST_F(Components, MaximumOfTwo)
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMaximumIntensity(); });
   this->Stage->GetProperty()->SetComponentWeight(1, 0.5);
   this->ExpectSamePicture("components-maximum", 0.11);
+}
+
+// Red, green and blue of the sample with the largest opacity on a ray, and of that with the least,
+// with an opaque ball among them.
+TEST_F(Components, ExtremesOfColours)
+{
+  this->UseColours();
+  this->SetFunctions(0, 1.0, 1.0, 1.0, 0.0, 255.0, 1.0);
+  this->AddBall();
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMaximumIntensity(); });
+  this->ExpectSamePictureAndBaseline("components-rgba-maximum", "MaximumOfRGBA", 0.95);
+  this->SetFunctions(0, 1.0, 1.0, 1.0, 255.0, 0.0, 1.0);
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMinimumIntensity(); });
+  this->ExpectSamePicture("components-rgba-minimum", 1.05);
+}
+
+// A value and an opacity are a grey and an opacity. (VTK 9.1's ray caster keeps the first sample.)
+TEST_F(Components, ExtremesOfValueAndOpacity)
+{
+  const Picture background = this->Stage->Draw(nullptr);
+  for (const int mode :
+    {vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, vtkVolumeMapper::MINIMUM_INTENSITY_BLEND})
+  {
+    this->Slices->SetBlendMode(mode);
+    this->UseGrey(4);
+    const Picture colors = this->Stage->Draw(this->Configure(this->Slices));
+    this->UseGrey(2);
+    const Picture values = this->Stage->Draw(this->Configure(this->Slices));
+    const Difference difference = Compare(values, colors, background);
+    EXPECT_GT(difference.Pixels, 1000);
+    EXPECT_AT_MOST(difference.LargestMean(), 0.1,
+      "extreme of value and opacity: mean difference to grey and opacity, of 255", OneCode);
+  }
 }
 
 // Sums of both components.

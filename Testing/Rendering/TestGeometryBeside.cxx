@@ -72,18 +72,6 @@ TEST_F(GeometryBeside, TranslucentSpheresPeeled)
   this->ExpectSamePicture("spheres-peeled", 0.21);
 }
 
-TEST_F(GeometryBeside, PeelingOfVolumesIsRefused)
-{
-  this->AddSphere(-12.0, -12.0, 8.0, 8.0, 0.4);
-  this->Stage->GetWindow()->SetAlphaBitPlanes(1);
-  this->Stage->GetRenderer()->SetUseDepthPeeling(1);
-  this->Stage->GetRenderer()->SetUseDepthPeelingForVolumes(true);
-  this->Stage->Draw(this->Configure(this->Slices));
-  EXPECT_NE(this->TakeMessages().find("SetUseDepthPeelingForVolumes(false)"), std::string::npos);
-  this->Stage->GetRenderer()->SetUseDepthPeelingForVolumes(false);
-  this->Stage->Draw(this->Slices);
-}
-
 // The volume in two viewports of one window, seen from the front and from above.
 TEST_F(GeometryBeside, TwoViewports)
 {

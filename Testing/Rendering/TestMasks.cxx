@@ -6,6 +6,7 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
+#include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -13,6 +14,9 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
+#include <string>
+#include <utility>
 
 namespace
 {
@@ -107,6 +111,21 @@ protected:
     }
     return table;
   }
+  /// An array of the points' heights beside the storm.
+  void AddHeights(int components)
+  {
+    vtkNew<vtkFloatArray> heights;
+    heights->SetName("height");
+    heights->SetNumberOfComponents(components);
+    for (vtkIdType id = 0; id < this->Input->GetNumberOfPoints(); ++id)
+    {
+      for (int c = 0; c < components; ++c)
+      {
+        heights->InsertNextValue(static_cast<float>(this->Input->GetPoint(id)[2]));
+      }
+    }
+    this->Input->GetPointData()->AddArray(heights);
+  }
   void Use2D()
   {
     this->Stage->GetProperty()->SetTransferFunction2D(this->MakeFunction2D());
@@ -182,6 +201,63 @@ TEST_F(Masks, Function2DShaded)
   this->Use2D();
   this->Stage->GetProperty()->ShadeOn();
   this->ExpectSamePictureAndBaseline("function-2d-shaded", "Function2DShaded", 1.2);
+}
+
+// The same functions over echo and height, in place of the slope: red below, green above.
+TEST_F(Masks, Function2DOfASecondArray)
+{
+  this->Use2D();
+  this->AddHeights(1);
+  this->ForBoth(
+    [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetTransfer2DYAxisArray("height"); });
+  this->ExpectSamePictureAndBaseline("function-2d-array", "Function2DOfHeight", Bar);
+  this->Stage->GetProperty()->SetInterpolationTypeToNearest();
+  this->ExpectSamePicture("function-2d-array-nearest", Bar);
+  this->Stage->GetProperty()->SetInterpolationTypeToLinear();
+  this->Stage->GetProperty()->ShadeOn();
+  this->ExpectSamePicture("function-2d-array-lit", 0.8);
+}
+
+// Where the second array has no number, its visible neighbours count.
+TEST_F(Masks, SecondArrayWithGaps)
+{
+  this->Use2D();
+  this->AddHeights(1);
+  this->Slices->SetTransfer2DYAxisArray("height");
+  const Picture background = this->Stage->Draw(nullptr);
+  const Picture whole = this->Stage->Draw(this->Configure(this->Slices));
+  vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
+  vtkDataArray* heights = this->Input->GetPointData()->GetArray("height");
+  for (vtkIdType id = 0; id < heights->GetNumberOfTuples(); ++id)
+  {
+    if (scalars->GetComponent(id, 0) < 12.0)
+    {
+      heights->SetComponent(id, 0, std::nan(""));
+    }
+  }
+  heights->Modified();
+  EXPECT_AT_MOST(Compare(this->Stage->Draw(this->Slices), whole, background).LargestMean(), 5.0,
+    "mean change by gaps in weak echo, of 255");
+}
+
+TEST_F(Masks, BadSecondArraysAreRefusedOnce)
+{
+  this->AddHeights(5);
+  this->Slices->SetTransfer2DYAxisArray("height");
+  this->Stage->Draw(this->Configure(this->Slices)); // one-dimensional functions do not read it
+  EXPECT_EQ(this->TakeMessages(), "");
+  this->Use2D();
+  for (const auto& [name, message] : {std::pair("height", "and 4 at most"),
+         std::pair("width", "the volume has no array of the name")})
+  {
+    this->Slices->SetTransfer2DYAxisArray(name);
+    EXPECT_FALSE(
+      this->Slices->IsRenderSupported(this->Stage->GetWindow(), this->Stage->GetProperty()));
+    this->Stage->Draw(this->Slices);
+    EXPECT_NE(this->TakeMessages().find(message), std::string::npos);
+    this->Stage->Draw(this->Slices);
+    EXPECT_EQ(this->TakeMessages(), "");
+  }
 }
 
 // The opacity of both is that of a unit distance, whatever the number of slices.

@@ -10,9 +10,11 @@
 #include "vtkDataArray.h"
 #include "vtkImageCast.h"
 #include "vtkImageData.h"
+#include "vtkMultiVolume.h"
 #include "vtkNew.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkPointData.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
@@ -20,6 +22,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <array>
 #include <iostream>
 #include <memory>
 #include <string>
@@ -99,6 +102,10 @@ protected:
         scalars->SetComponent(id, c, 10.0 + 190.0 * double(id) / 63.0);
       }
     }
+    auto another = vtkSmartPointer<vtkDataArray>::Take(scalars->NewInstance());
+    another->DeepCopy(scalars);
+    another->SetName("another");
+    image->GetPointData()->AddArray(another);
     return image;
   }
 
@@ -123,6 +130,9 @@ protected:
       }
     }
     property->GetIsoSurfaceValues()->SetValue(0, 100.0);
+    vtkNew<vtkPlane> plane;
+    plane->SetOrigin(1.5, 1.5, 1.5);
+    property->SetSliceFunction(plane);
     return property;
   }
 
@@ -250,6 +260,29 @@ TEST_F(RenderSupport, KnowsTheInputs)
   this->Stage->GetVolume()->SetProperty(property);
   EXPECT_FALSE(mapper->IsRenderSupported(this->Stage->GetWindow(), property));
   this->ExpectPicture(false, mapper, "two inputs");
+  this->Stage->Draw(mapper);
+  EXPECT_EQ(this->TakeMessages(), "") << "a refusal is said once";
+}
+
+// A prop of several volumes, which VTK hands to one mapper.
+TEST_F(RenderSupport, RefusesAVolumeOfVolumesOnce)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> mapper;
+  vtkNew<vtkMultiVolume> both;
+  both->SetMapper(mapper);
+  std::array<vtkNew<vtkVolume>, 2> volumes;
+  for (int port = 0; port < 2; ++port)
+  {
+    mapper->SetInputDataObject(port, MakeImage(VTK_FLOAT, 1));
+    volumes[static_cast<std::size_t>(port)]->SetProperty(MakeProperty({}));
+    both->SetVolume(volumes[static_cast<std::size_t>(port)], port);
+  }
+  this->Stage->GetRenderer()->AddVolume(both);
+  this->Stage->Draw(nullptr);
+  EXPECT_NE(this->TakeMessages().find("give each a mapper of its own"), std::string::npos);
+  this->Stage->Draw(nullptr);
+  EXPECT_EQ(this->TakeMessages(), "");
+  this->Stage->GetRenderer()->RemoveVolume(both);
 }
 
 // An image of one layer, a volume larger than any texture.
@@ -321,10 +354,11 @@ TEST_F(RenderSupport, SaysOnceWhatIsLeftOut)
   shaders->AddFragmentShaderReplacement("//VTK::Base::Init", true, "", false);
   EXPECT_EQ(count("the shader property"), 1);
   shaders->ClearAllFragmentShaderReplacements();
+  property->SetSliceFunction(nullptr);
   for (int round = 0; round < 2; ++round)
   {
     mapper->SetBlendMode(vtkVolumeMapper::SLICE_BLEND);
-    EXPECT_EQ(count("slice blending is not supported"), 1);
+    EXPECT_EQ(count("slice blending needs a vtkPlane"), 1);
     mapper->SetBlendModeToComposite();
     EXPECT_EQ(count("ERROR"), 0);
   }

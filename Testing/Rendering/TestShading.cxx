@@ -142,7 +142,7 @@ TEST_F(Shading, SpotLight)
 }
 
 // The five lights of a light kit, highlights included, as ParaView lights its volumes: the
-// highlights are VTK 9.1's only roughly (rendering.md).
+// highlights are VTK 9.1's only roughly (ray-caster-errors.md).
 TEST_F(Shading, LightKit)
 {
   this->UseCube();

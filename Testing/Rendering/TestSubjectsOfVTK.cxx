@@ -393,6 +393,44 @@ TEST_F(SubjectsOfVTK, MaximumOfFourComponents)
   this->ExpectSamePicture("subject-4-maximum", 0.57, 20.0);
 }
 
+// The least of each of four components is the largest of what is left to 100. (VTK 9.1's ray caster
+// writes the opacity of the minimum of several components into the blue channel.)
+TEST_F(SubjectsOfVTK, MinimumOfFourComponents)
+{
+  const Picture background = this->Stage->Draw(nullptr);
+  const auto draw = [&](vtkVolumeMapper::BlendModes mode, bool inverted)
+  {
+    this->UseComponents(4, VTK_UNSIGNED_CHAR);
+    this->UseComponentFunctions(4, 1.0);
+    vtkDataArray* scalars = this->Input->GetPointData()->GetScalars();
+    for (int c = 0; c < 4; ++c)
+    {
+      this->Stage->GetProperty()->SetComponentWeight(c, 0.25);
+      vtkNew<vtkPiecewiseFunction> opacity;
+      opacity->AddPoint(inverted ? 100.0 : 0.0, 1.0);
+      opacity->AddPoint(inverted ? 60.0 : 40.0, 0.2);
+      this->Stage->GetProperty()->SetScalarOpacity(c, opacity);
+      vtkNew<vtkColorTransferFunction> color;
+      color->AddRGBPoint(inverted ? 100.0 : 0.0, 0.1, 0.2 * c, 0.9);
+      color->AddRGBPoint(inverted ? 0.0 : 100.0, 1.0, 0.2 * c, 0.1);
+      this->Stage->GetProperty()->SetColor(c, color);
+      for (vtkIdType id = 0; inverted && id < scalars->GetNumberOfTuples(); ++id)
+      {
+        scalars->SetComponent(id, c, 100.0 - scalars->GetComponent(id, c));
+      }
+    }
+    this->Slices->SetBlendMode(mode);
+    return this->Stage->Draw(this->Configure(this->Slices));
+  };
+  const Picture least = draw(vtkVolumeMapper::MINIMUM_INTENSITY_BLEND, false);
+  const Picture most = draw(vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND, true);
+  const Difference difference = Compare(least, most, background);
+  EXPECT_GT(difference.Pixels, 4000);
+  EXPECT_AT_MOST(difference.LargestMean(), 0.1,
+    "four components: mean difference of the minimum to the maximum of the inverse, of 255",
+    OneCode);
+}
+
 // A colour function of 4000 points: saw-teeth of red over the storm's range.
 TEST_F(SubjectsOfVTK, LargeColorTransferFunction)
 {

@@ -275,6 +275,29 @@ TEST(TransferFunction, ShellsThatTouchAreOne)
   EXPECT_EQ(function->Evaluate(Function::OPACITY, 30.0), 0.0);
 }
 
+TEST(TransferFunction, EachIsoValueHasItsOpacity)
+{
+  vtkNew<Function> function;
+  const std::array<double, 3> values = {45.0, 20.0, 21.0};
+  const std::array<double, 3> opacities = {1.0, 0.2, 0.4};
+  function->SetOpacityToIsoValues(values.data(), opacities.data(), 3);
+  EXPECT_EQ(function->GetNumberOfIsoValues(), 3);
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    EXPECT_EQ(function->GetIsoValue(static_cast<int>(i)), values[i]);
+    EXPECT_EQ(function->Evaluate(Function::OPACITY, values[i]), opacities[i]);
+  }
+  EXPECT_EQ(function->Evaluate(Function::OPACITY, 30.0), 0.0);
+
+  vtkNew<EventCounter> events;
+  events->Observe(function);
+  const std::array<double, 3> wrong = {1.0, 0.2, 1.4};
+  function->SetOpacityToIsoValues(values.data(), wrong.data(), 3);
+  ASSERT_EQ(events->errors.size(), 1U);
+  EXPECT_TRUE(Holds(events->errors.front(), "opacities of 0 to 1"));
+  EXPECT_EQ(function->Evaluate(Function::OPACITY, 21.0), 0.4) << "nothing changed";
+}
+
 TEST(TransferFunction, JSONComesBackAsItWas)
 {
   const TemporaryFolder folder;

@@ -129,8 +129,8 @@ TEST(ColourField, VelocityGivesTheColoursOfReflectivity)
 {
   const Picture picture = DrawBy("VEL");
   ExpectSceneBaseline(picture, "VelocityOnReflectivity");
-  EXPECT_GT(Count(picture, IsRed), 300);
-  EXPECT_GT(Count(picture, IsGreen), 300);
+  EXPECT_AT_LEAST(Count(picture, IsRed), 450, "pixels of velocities away, in red");
+  EXPECT_AT_LEAST(Count(picture, IsGreen), 2000, "pixels of velocities towards, in green");
   EXPECT_EQ(Count(picture, IsBlue), 0);
 }
 
@@ -197,10 +197,12 @@ TEST(ColourField, AgeAndNearestRadarGiveColours)
   const Picture storm = DrawStorm("moment", [](vtkNexradVolumeScene*) {});
   const Picture age = DrawBy("REF_age");
   const Picture site = DrawBy("REF_site");
-  EXPECT_GT(MeanDifference(age, storm), 1.0);
-  EXPECT_GT(MeanDifference(site, age), 1.0);
+  EXPECT_AT_LEAST(
+    MeanDifference(age, storm), 5.0, "mean difference of age and reflectivity, of 255");
+  EXPECT_AT_LEAST(
+    MeanDifference(site, age), 6.5, "mean difference of nearest radar and age, of 255");
   // Blue for the first radar, orange for the second; between them no other.
-  EXPECT_GT(Count(site, IsBlue), 300);
+  EXPECT_AT_LEAST(Count(site, IsBlue), 1100, "pixels of the first radar, in blue");
   EXPECT_EQ(Count(site, IsGreen), 0);
 }
 

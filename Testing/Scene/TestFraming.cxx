@@ -8,6 +8,7 @@
 #include "Scene/Scales/HeightWalls.h"
 #include "Scene/Scales/ScaleLayer.h"
 #include "StormVolume.h"
+#include "Tolerance.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>
@@ -126,7 +127,6 @@ Label MakeTestLabel(const std::string& text, const ScenePoint& point)
 
 } // namespace
 
-// Measured: the scene is at least 0.42 as wide or high as the room beside the colour bar.
 TEST(Framing, TheSceneAndItsWordsAreWithinThePictureAndOffTheCaptions)
 {
   double least = std::numeric_limits<double>::infinity();
@@ -151,8 +151,8 @@ TEST(Framing, TheSceneAndItsWordsAreWithinThePictureAndOffTheCaptions)
       }
     }
   }
-  std::cout << "the scene is at least " << least << " of the room\n";
-  EXPECT_GT(least, 0.35);
+  EXPECT_AT_LEAST(
+    least, 0.35, "width or height of the scene, part of the room beside the colour bar");
 }
 
 // A turn moves the camera by little at a time. Measured: 3.8 % in the degree in which the scales go
@@ -173,7 +173,7 @@ TEST(Framing, ATurnDoesNotJump)
   std::cout << "the distance changes by at most " << 100.0 * changes[0] << " % and then "
             << 100.0 * changes[1] << ", " << 100.0 * changes[2] << " % a degree\n";
   EXPECT_GT(changes[0], 0.0);
-  EXPECT_LT(changes[0], 0.05);
+  EXPECT_AT_MOST(changes[0], 0.05, "change of the camera's distance in a degree, part of it");
 }
 
 TEST(LabelLayout, LabelsGiveWayToEachOther)
@@ -232,12 +232,12 @@ TEST(TextPicture, StandsBesideItsPoint)
 {
   const TextPicture picture("KLSX\nKILX", {16, theme.marker, theme.rim});
   const TextPicture line("KLSX", {16, theme.marker, theme.rim});
-  EXPECT_GT(line.Size()[0], 30);
-  EXPECT_GT(picture.Size()[1], 2 * 16);
-  EXPECT_LT(picture.Size()[1], 3 * 16);
+  EXPECT_AT_LEAST(line.Size()[0], 35, "width of four letters of size 16, pixels");
+  EXPECT_AT_LEAST(picture.Size()[1], 2 * 16 + 1, "height of two lines of size 16, pixels");
+  EXPECT_AT_MOST(picture.Size()[1], 2.5 * 16, "height of two lines of size 16, pixels");
   const PixelBox box = line.BoxAt({100.0, 50.0}, LabelSide::Right, 5.0);
   EXPECT_EQ(box.left, 105.0);
-  EXPECT_NEAR((box.bottom + box.top) / 2.0, 50.0, 0.5);
+  EXPECT_NEAR((box.bottom + box.top) / 2.0, 50.0, 1e-9);
   EXPECT_EQ(line.BoxAt({100.0, 50.0}, LabelSide::Left, 5.0).right, 95.0);
   EXPECT_EQ(line.BoxAt({100.0, 50.0}, LabelSide::Above, 5.0).bottom, 55.0);
   EXPECT_EQ(line.BoxAt({100.0, 50.0}, LabelSide::Below, 5.0).top, 45.0);
@@ -251,7 +251,8 @@ TEST(TextPicture, HasTwoFaces)
   const std::string text = "Reflectivity 0123456789";
   const TextPicture usual(text, {24, theme.marker, theme.rim});
   const TextPicture bold(text, {24, theme.marker, theme.rim, true});
-  EXPECT_GT(bold.Size()[0], usual.Size()[0] * 1.02);
+  EXPECT_AT_LEAST(static_cast<double>(bold.Size()[0]) / usual.Size()[0], 1.02,
+    "width of bold letters, part of that of usual ones");
 }
 
 TEST(HeightWalls, StandAtRoundHeightsFarFromTheCamera)

@@ -138,11 +138,13 @@ TEST(MapNames, TheEmbeddedOnesLieInTheirStates)
     return *std::find_if(
       names.begin(), names.end(), [&](const MapName& name) { return name.name == wanted; });
   };
-  EXPECT_GE(names.size(), 60U);
+  EXPECT_AT_LEAST(names.size(), 60U, "names of the embedded map");
   const MapName kansas = find("Kansas");
-  EXPECT_NEAR(kansas.longitude, -98.3, 2.5);
-  EXPECT_NEAR(kansas.latitude, 38.5, 1.0);
+  EXPECT_WITHIN(kansas.longitude, -98.3, 2.5, "longitude of Kansas's name, degrees");
+  EXPECT_WITHIN(kansas.latitude, 38.5, 1.0, "latitude of Kansas's name, degrees",
+    "a name may stand anywhere in its state");
   const MapName ontario = find("Ontario");
-  EXPECT_NEAR(ontario.latitude, 50.0, 3.5);
-  EXPECT_LT(find("Michigan").latitude, 45.8) << "the lower peninsula";
+  EXPECT_WITHIN(ontario.latitude, 50.0, 3.5, "latitude of Ontario's name, degrees");
+  EXPECT_AT_MOST(find("Michigan").latitude, 45.8, "latitude of Michigan's name, degrees")
+    << "the lower peninsula";
 }

@@ -125,7 +125,7 @@ vtkSmartPointer<vtkImageData> MakeEmptyVolume()
 TEST(Scene, ShowsStormMapAndColourBar)
 {
   const auto picture = Draw(MakeStormVolume(false), "Storm");
-  EXPECT_AT_LEAST(Count(picture, withoutBar, IsStrongEcho), 900, "pixels of strong echo");
+  EXPECT_AT_LEAST(Count(picture, withoutBar, IsStrongEcho), 1'000, "pixels of strong echo");
   for (const ColourBin& bin : ColourStepsOf(MakeTransferFunction({})))
   {
     const auto isBin = [&](const std::array<int, 3>& rgb)
@@ -184,7 +184,7 @@ TEST(Scene, WithoutProjectionThereIsNoMap)
   const auto volume = MakeStormVolume(false);
   volume->GetFieldData()->RemoveArray("Projection");
   const auto picture = Draw(volume, "NoMap");
-  EXPECT_AT_LEAST(Count(picture, withoutBar, IsStrongEcho), 900, "pixels of strong echo");
+  EXPECT_AT_LEAST(Count(picture, withoutBar, IsStrongEcho), 1'000, "pixels of strong echo");
   // Letters and scales have the lines' colour too.
   const auto map = Draw(MakeStormVolume(false), "Map");
   EXPECT_AT_LEAST(Count(map, withoutBar, IsMapLine) - Count(picture, withoutBar, IsMapLine), 400,
@@ -208,16 +208,16 @@ TEST(Scene, CameraAndExaggerationChangeThePicture)
   const auto volume = MakeStormVolume(false);
   const auto first = Draw(volume, "First");
   EXPECT_EQ(Difference(first, Draw(volume, "FirstAgain")), 0);
-  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Above", {}, {200.0, 90.0, 1.0, false})), 28'000,
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Above", {}, {200.0, 90.0, 1.0, false})), 40'000,
     "pixels changed from above");
   EXPECT_AT_LEAST(Difference(first, Draw(volume, "East", {}, {90.0, 35.0, 1.0, false})), 30'000,
     "pixels changed from the east");
-  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Parallel", {}, {200.0, 35.0, 1.0, true})), 25'000,
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Parallel", {}, {200.0, 35.0, 1.0, true})), 30'000,
     "pixels changed by the parallel projection");
   SceneOptions flat;
   flat.exaggeration = 1.0;
   EXPECT_AT_LEAST(
-    Difference(first, Draw(volume, "Flat", flat)), 40'000, "pixels changed by the exaggeration");
+    Difference(first, Draw(volume, "Flat", flat)), 50'000, "pixels changed by the exaggeration");
 }
 
 // Slices and rays of the same storm: nearly the same colours everywhere.
@@ -273,8 +273,9 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
     }
   }
   const double height = (strip.top - strip.bottom) * 360.0;
-  EXPECT_GT(height, 180.0);
-  EXPECT_NEAR((strip.right - strip.left) * 640.0, height / 4.0, 2.0);
+  EXPECT_AT_LEAST(height, 200.0, "height of the domain, pixels");
+  EXPECT_WITHIN((strip.right - strip.left) * 640.0, height / 4.0, 1.25,
+    "width of the grey strip, pixels", "edges of the strip are those of whole pixels");
   EXPECT_AT_LEAST(Count(picture, strip, isGrey) / (height * height / 4.0), 0.8,
     "part that was not scanned, in grey");
   // The echo of 35 dBZ and more, in the south west, covers a disc of a radius of 33 km or more.
@@ -283,8 +284,8 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
   const double middle = 0.5 * (strip.bottom + strip.top);
   const PictureArea southWest = {west, east, strip.bottom, middle};
   const Colour core = ColourStepsOf(MakeTransferFunction({}))[11].colour; // 60 to 65 dBZ, 4 voxels
-  EXPECT_AT_LEAST(Count(picture, southWest, isColour(core)), 30, "pixels of the core's colour");
-  EXPECT_AT_LEAST(Count(picture, southWest, IsStrongEcho), 400, "pixels of strong echo");
+  EXPECT_AT_LEAST(Count(picture, southWest, isColour(core)), 90, "pixels of the core's colour");
+  EXPECT_AT_LEAST(Count(picture, southWest, IsStrongEcho), 750, "pixels of strong echo");
   EXPECT_EQ(Count(picture, {east, strip.right, strip.bottom, strip.top}, isColour(core)), 0);
 }
 
@@ -294,7 +295,7 @@ TEST(Scene, AVolumeThatChangesIsDrawnAnew)
   scene.SetVolume(MakeStormVolume(false));
   scene.SetPictureSize(size);
   OffScreenWindow window(scene.GetRenderer(), size);
-  EXPECT_AT_LEAST(Count(window.Draw(), withoutBar, IsStrongEcho), 900, "pixels of strong echo");
+  EXPECT_AT_LEAST(Count(window.Draw(), withoutBar, IsStrongEcho), 1'000, "pixels of strong echo");
   scene.SetVolume(MakeEmptyVolume());
   EXPECT_EQ(Count(window.Draw(), withoutBar, IsStrongEcho), 0);
 }
@@ -320,7 +321,8 @@ TEST(Scene, AFileIsDrawnFromItsCodesAsFromItsValues)
   const Picture ofSession = OffScreenWindow(session.Scene().GetRenderer(), size).Draw();
   for (const Picture& drawn : {Draw(codes, "OfCodes"), ofSession})
   {
-    EXPECT_LE(LargestDifference(drawn, expected), 1);
+    EXPECT_AT_MOST(LargestDifference(drawn, expected), 1,
+      "largest difference of codes and values, of 255", OneCode);
   }
 }
 

@@ -180,6 +180,41 @@ TEST(VolumeScene, TheVolumeShadesTheGround)
   EXPECT_EQ(MeanDifference(draw(1.0, true), draw(0.0, true)), 0.0) << "the ray caster has none";
 }
 
+// Shadows on surfaces come and go without a trace, and each surface has an opacity of its own.
+TEST(VolumeScene, SurfacesHaveShadowsAndOpacities)
+{
+  const auto useSurfaces = [](vtkNexradVolumeScene* scene) { scene->SetPreset("iso-values"); };
+  const auto useShadows = [](vtkNexradVolumeScene* scene)
+  {
+    scene->SetPreset("iso-values");
+    scene->SetShadowStrength(0.8);
+    scene->SetOcclusionStrength(0.6);
+  };
+  const Picture usual = DrawStorm(useSurfaces);
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormVolume(true));
+  useSurfaces(scene);
+  OffScreenWindow window(scene->GetRenderer(), size);
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+  useShadows(scene);
+  const Picture shadowed = window.Draw();
+  KeepPicture(shadowed, "SceneSurfaceShadow");
+  EXPECT_EQ(MeanDifference(shadowed, DrawStorm(useShadows)), 0.0);
+  EXPECT_AT_LEAST(
+    MeanDifference(shadowed, usual), 0.15, "mean change of surfaces by shadows, of 255");
+  scene->SetShadowStrength(0.0);
+  scene->SetOcclusionStrength(0.0);
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+  const std::array<double, 3> values{50.0, 20.0, 35.0};
+  const std::array<double, 3> opacities{0.95, 0.35, 0.55};
+  scene->GetTransferFunction()->SetOpacityToIsoValues(values.data(), opacities.data(), 3);
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0) << "those of the preset";
+  const std::array<double, 3> opaque{1.0, 1.0, 1.0};
+  scene->GetTransferFunction()->SetOpacityToIsoValues(values.data(), opaque.data(), 3);
+  EXPECT_AT_LEAST(
+    MeanDifference(window.Draw(), usual), 0.25, "mean change of surfaces by opacities, of 255");
+}
+
 TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)
 {
   vtkNew<vtkNexradVolumeScene> scene;

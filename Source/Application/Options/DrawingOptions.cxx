@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <locale>
@@ -66,6 +67,47 @@ scene::ThemeChoice ParseTheme(const std::string& text)
     throw Error("'" + text + "' is no theme; write dark or light");
   }
   return text == "light" ? scene::ThemeChoice::Light : scene::ThemeChoice::Dark;
+}
+
+// One entry of a list of iso-values: "35" or "35:0.5". False where it is none.
+bool ParseIsoValue(const std::string& text, scene::IsoValue& isoValue)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  stream >> isoValue.value;
+  if (!stream || stream.eof())
+  {
+    return static_cast<bool>(stream); // a number too large is none
+  }
+  char colon = 0;
+  double opacity = 0.0;
+  stream >> colon >> opacity;
+  isoValue.opacity = opacity;
+  return stream && stream.eof() && colon == ':' && opacity > 0.0 && opacity <= 1.0;
+}
+
+std::vector<scene::IsoValue> ParseIsoValues(const std::string& text)
+{
+  constexpr char right[] = "; write values, each with the opacity of its surface above 0 and up to "
+                           "1 if it is not to have the usual one, as in 20:0.3,40:0.6,50:1";
+  std::vector<scene::IsoValue> isoValues;
+  std::istringstream list(text + ',');
+  for (std::string entry; std::getline(list, entry, ',');)
+  {
+    scene::IsoValue isoValue;
+    if (!ParseIsoValue(entry, isoValue))
+    {
+      throw Error("'" + entry + "' in '" + text + "' is no iso-value" + right);
+    }
+    const bool twice = std::any_of(isoValues.begin(), isoValues.end(),
+      [&](const scene::IsoValue& other) { return other.value == isoValue.value; });
+    if (twice)
+    {
+      throw Error("'" + text + "' has the value of '" + entry + "' twice" + right);
+    }
+    isoValues.push_back(isoValue);
+  }
+  return isoValues;
 }
 
 scene::LightDirection ParseLightDirection(const std::string& text)
@@ -143,6 +185,10 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->check(CLI::IsMember(
       std::vector<std::string>(std::begin(scene::presetNames), std::end(scene::presetNames))))
     ->group(group);
+  AddParsedOption(command, "--iso-values", options.isoValues, ParseIsoValues, "VALUE[:OPACITY],...",
+    "Draw the surfaces of these values in the unit of the moment, with the colours of the preset, "
+    "as in 20:0.3,40:0.6,50:1; usual opacities: from 0.35 for the lowest to 0.95 for the highest")
+    ->group(group);
   command
     .add_option("--colours,--colors", options.colours,
       "Colours in place of the preset's, and opacities if the file has any (with --colour-by, "
@@ -192,6 +238,10 @@ void FinishDrawingOptions(
   if (options.plan && !options.colourBy.empty())
   {
     throw CLI::ValidationError("--colour-by", "is of a volume; --array is what a map shows");
+  }
+  if (options.plan && !options.isoValues.empty())
+  {
+    throw CLI::ValidationError("--iso-values", "are of a volume; a map has no surfaces");
   }
   request.momentNamed = command.count("--moment") > 0;
   request.colourBy = options.colourBy;

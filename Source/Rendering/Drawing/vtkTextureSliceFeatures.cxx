@@ -41,18 +41,26 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   Define(defines, "AVERAGE", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND);
   Define(defines, "ADDITIVE", vtkVolumeMapper::ADDITIVE_BLEND);
   Define(defines, "ISOSURFACE", vtkVolumeMapper::ISOSURFACE_BLEND);
+  Define(defines, "PLANE", vtkVolumeMapper::SLICE_BLEND);
   Define(defines, "BLEND", this->BlendMode);
   Define(defines, "COMPONENTS", this->Components);
   Define(defines, "FUNCTIONS", this->Functions);
   Define(defines, "ROWS", this->CountRows());
   DefineIf(this->Masked, defines, "MASKED");
   DefineIf(this->Blanked, defines, "BLANKED");
+  DefineIf(this->Rectilinear, defines, "RECTILINEAR");
   DefineIf(this->Cropped, defines, "CROPPED");
   DefineIf(this->Parallel, defines, "PARALLEL");
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
   DefineIf(this->SmoothGradient, defines, "SMOOTH_GRADIENT");
   DefineIf(this->Table2D, defines, "TABLE_2D");
-  DefineIf(this->GradientOpacity || this->Table2D || this->Lights >= 0, defines, "GRADIENT");
+  DefineIf(this->ExtremeSample, defines, "EXTREME_SAMPLE");
+  DefineIf(this->NeedsGradient(), defines, "GRADIENT");
+  if (this->SecondArray > 0)
+  {
+    Define(defines, "SECOND_ARRAY", this->SecondArray);
+    DefineIf(this->SecondMasked, defines, "SECOND_MASKED");
+  }
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");
   DefineIf(this->Selection, defines, "SELECTION");
   DefineIf(this->Shadows, defines, "SHADOWS");
@@ -76,6 +84,10 @@ std::string vtkTextureSliceFeatures::GetDefines() const
     Define(defines, "CLIPPING_PLANES", this->ClippingPlanes);
     defines += std::string("#define TEXTURE_SLICE_INTEGRAL_TABLE ") +
                (this->GetIntegralDimensions() == 1 ? "sampler1D" : "sampler2D") + '\n';
+  }
+  if (this->Peel > 0)
+  {
+    Define(defines, "PEEL", this->Peel);
   }
   if (this->IsoValues > 0)
   {

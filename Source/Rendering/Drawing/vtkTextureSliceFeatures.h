@@ -12,13 +12,16 @@ struct vtkTextureSliceFeatures
   int Components = 1;
   /// Sets of transfer functions: 1, or the number of components if each has its own.
   int Functions = 1;
-  bool Masked = false;  ///< the volume's last component is its mask
-  bool Blanked = false; ///< there are cells, or points, whose ghost flags hide samples
-  bool Cropped = false; ///< samples must be tested against the cropping regions
+  bool Masked = false;      ///< the volume's last component is its mask
+  bool Blanked = false;     ///< there are cells, or points, whose ghost flags hide samples
+  bool Rectilinear = false; ///< the distances of the points differ
+  bool Cropped = false;     ///< samples must be tested against the cropping regions
   bool Parallel = false;
   bool GradientOpacity = false;
   bool SmoothGradient = false;
-  bool Table2D = false;    ///< functions over scalar and gradient magnitude
+  bool Table2D = false; ///< functions over scalar and gradient magnitude, or a second array
+  int SecondArray = 0;  ///< components of the second array; 0: there is none
+  bool SecondMasked = false;
   bool BinaryMask = false; ///< samples outside of the mask are left out
   int Labels = 0;          ///< labels that have functions of their own
   bool Selection = false;  ///< what is seen gets the one colour that a hardware selection asks for
@@ -28,7 +31,11 @@ struct vtkTextureSliceFeatures
   int IsoValues = 0;
   /// Slabs that a fragment integrates over (Formulas L1); 0: it takes one sample.
   int Slabs = 0;
+  /// An extreme of dependent components: all of them are those of the sample with the extreme of
+  /// the last one. The depth test finds it, so the shader compares with the depth of the geometry.
+  bool ExtremeSample = false;
   int ClippingPlanes = 0; ///< counted for slabs alone
+  int Peel = 0;           ///< vtkTextureSlicePeeling::Stage
 
   /// Rows of the transfer table: functions, then their gradient opacities.
   int CountRows() const { return this->Functions * (this->GradientOpacity ? 2 : 1); }
@@ -36,6 +43,13 @@ struct vtkTextureSliceFeatures
   int CountLabelRows() const { return this->Labels * (this->GradientOpacity ? 2 : 1); }
   /// Dimensions of the textures of integrals: those of labels and the common ones have the same.
   int GetIntegralDimensions() const { return this->Functions > 1 || this->Labels > 0 ? 2 : 1; }
+  bool NeedsGradient() const
+  {
+    return this->GradientOpacity || (this->Table2D && this->SecondArray == 0) ||
+           this->Lights >= 0 || (this->Shadows && this->IsoValues > 0);
+  }
+  /// Whether the shader reads the depth of the opaque geometry; peeling has depths of its own.
+  bool NeedsDepth() const { return (this->Slabs > 0 || this->ExtremeSample) && this->Peel == 0; }
   bool HasMask() const { return this->BinaryMask || this->Labels > 0; }
   /// The first lines of the fragment shaders.
   std::string GetDefines() const;

@@ -115,25 +115,29 @@ void vtkTextureSliceFrame::SetClippingPlanes(vtkPlaneCollection* planes)
   const int count = planes != nullptr ? planes->GetNumberOfItems() : 0;
   for (int i = 0; i < count; ++i)
   {
-    vtkPlane* plane = planes->GetItem(i);
-    double normal[3];
-    double origin[3];
-    plane->GetNormal(normal);
-    plane->GetOrigin(origin);
-    const double world[4] = {normal[0], normal[1], normal[2],
-      -(normal[0] * origin[0] + normal[1] * origin[1] + normal[2] * origin[2])};
-    // A plane goes from world to box coordinates by the matrix that takes points from box to world.
-    std::array<double, 4> box{};
-    for (int column = 0; column < 4; ++column)
-    {
-      for (int row = 0; row < 4; ++row)
-      {
-        box[static_cast<std::size_t>(column)] +=
-          world[row] * this->BoxToWorld->GetElement(row, column);
-      }
-    }
-    this->View.ClippingPlanes.push_back(box);
+    this->View.ClippingPlanes.push_back(this->ToBox(planes->GetItem(i)));
   }
+}
+
+std::array<double, 4> vtkTextureSliceFrame::ToBox(vtkPlane* plane) const
+{
+  double normal[3];
+  double origin[3];
+  plane->GetNormal(normal);
+  plane->GetOrigin(origin);
+  const double world[4] = {normal[0], normal[1], normal[2],
+    -(normal[0] * origin[0] + normal[1] * origin[1] + normal[2] * origin[2])};
+  // A plane goes from world to box coordinates by the matrix that takes points from box to world.
+  std::array<double, 4> box{};
+  for (int column = 0; column < 4; ++column)
+  {
+    for (int row = 0; row < 4; ++row)
+    {
+      box[static_cast<std::size_t>(column)] +=
+        world[row] * this->BoxToWorld->GetElement(row, column);
+    }
+  }
+  return box;
 }
 
 std::array<double, 3> vtkTextureSliceFrame::GetDataDirection(

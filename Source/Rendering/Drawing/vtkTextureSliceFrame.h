@@ -10,6 +10,7 @@
 
 class vtkImageData;
 class vtkMatrix4x4;
+class vtkPlane;
 class vtkPlaneCollection;
 class vtkRenderer;
 class vtkVolume;
@@ -37,6 +38,9 @@ public:
   void SetCropping(const vtkTextureSliceCropping& cropping);
   /// Planes in world coordinates; nullptr means none.
   void SetClippingPlanes(vtkPlaneCollection* planes);
+
+  /// A plane in world coordinates as a, b, c, d of a*x + b*y + c*z + d in box coordinates.
+  std::array<double, 4> ToBox(vtkPlane* plane) const;
 
   /// Whether the volume has no extent along some axis.
   bool IsFlat() const;

@@ -389,6 +389,20 @@ void vtkTextureSliceGeometry::Join(const std::vector<Placed>& slices, const Tria
   this->FirstVertices.push_back(this->GetNumberOfVertices());
 }
 
+void vtkTextureSliceGeometry::BuildPlane(
+  const vtkTextureSliceView& view, const vtkTextureSliceEye& eye)
+{
+  std::vector<Plane> limits = MakeLimits(view);
+  Plane inFront = eye.Depth;
+  inFront[3] -= view.NearDepth;
+  limits.push_back(inFront);
+  this->NumberOfSlices = this->NumberOfPlanes = 1;
+  // A sample stands for no length: of the vector along its ray, the direction alone counts.
+  const TriangleWriter writer(view, eye, 1.0);
+  writer.Add(Slicer(*view.Plane, std::move(limits)).Cut(0.0), 1.0, this->Vertices);
+  this->FirstVertices = {0, this->GetNumberOfVertices()};
+}
+
 void vtkTextureSliceGeometry::Build(const vtkTextureSliceView& view)
 {
   this->Vertices.clear();
@@ -401,6 +415,11 @@ void vtkTextureSliceGeometry::Build(const vtkTextureSliceView& view)
   const auto [nearest, farthest] = DepthRange(view, eye.Depth);
   if (!(nearest < farthest))
   {
+    return;
+  }
+  if (view.Plane)
+  {
+    this->BuildPlane(view, eye);
     return;
   }
   this->NumberOfSlices = CountSlices(view, farthest - nearest, eye.Direction);

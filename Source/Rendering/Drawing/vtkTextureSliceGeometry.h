@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 class vtkTextureSliceOccupancy;
@@ -31,6 +32,8 @@ struct vtkTextureSliceView
   std::array<double, 6> Part{0, 1, 0, 1, 0, 1};
   /// Planes in box coordinates; what has a*x + b*y + c*z + d < 0 is cut away.
   std::vector<std::array<double, 4>> ClippingPlanes;
+  /// The one plane to draw, in box coordinates; none: slices parallel to the image plane.
+  std::optional<std::array<double, 4>> Plane;
   /// Slices between the nearest and the farthest point of the part; 0: from SampleDistance.
   int NumberOfSlices = 256;
   /// Slabs that each slice stands for; 0: none, it is a layer of samples. The number of slices
@@ -98,6 +101,8 @@ private:
     std::vector<float> Vertices;
     std::vector<std::size_t> Ends; ///< floats up to the end of each slice
   };
+  /// Cuts a plane of any direction in place of the slices.
+  void BuildPlane(const vtkTextureSliceView& view, const vtkTextureSliceEye& eye);
   /// @param divides whether slices are divided that are visible as a whole.
   std::vector<Placed> PlaceSlices(const vtkTextureSliceView& view, const vtkTextureSliceEye& eye,
     double nearest, bool divides) const;

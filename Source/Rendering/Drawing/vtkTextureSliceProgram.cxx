@@ -8,11 +8,13 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 #include "vtkTextureSliceBlanks.h"
+#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceGeometry.h"
 #include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSliceOpenGL.h"
+#include "vtkTextureSlicePeeling.h"
 #include "vtkTextureSliceShadows.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTable2D.h"
@@ -20,6 +22,7 @@
 #include "TextureSliceColoringFS.h"
 #include "TextureSliceFS.h"
 #include "TextureSliceLightingFS.h"
+#include "TextureSlicePeelFS.h"
 #include "TextureSliceSamplingFS.h"
 #include "TextureSliceShadowsFS.h"
 #include "TextureSliceSlabsFS.h"
@@ -78,6 +81,21 @@ void SetMaskAndTables(vtkShaderProgram* program, const vtkTextureSliceUniforms& 
   {
     program->SetUniformi("transferTable2D", uniforms.Table2D->GetTexture()->GetTextureUnit());
     program->SetUniformf("table2DRows", static_cast<float>(uniforms.Table2D->GetNumberOfRows()));
+  }
+  if (features.Rectilinear)
+  {
+    program->SetUniformi("coordinateTable", uniforms.Coordinates->GetTexture()->GetTextureUnit());
+    const auto entry = static_cast<float>(uniforms.Coordinates->GetMargin());
+    const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
+    program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
+    program->SetUniform3f("placeScale", uniforms.Frame->GetTextureScale().data());
+    program->SetUniform3f("placeBias", uniforms.Frame->GetTextureBias().data());
+  }
+  if (features.SecondArray > 0)
+  {
+    program->SetUniformi("secondTexture", uniforms.SecondArray->GetTextureUnit());
+    program->SetUniform4f("secondScale", uniforms.SecondScale.data());
+    program->SetUniform4f("secondBias", uniforms.SecondBias.data());
   }
   if (features.Blanked)
   {
@@ -161,7 +179,6 @@ void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry
       "labelIntegralTable", uniforms.LabelIntegrals->GetTexture()->GetTextureUnit());
     program->SetUniformf("labelTableHalfEntry", GetHalfEntry(*uniforms.LabelTable));
   }
-  program->SetUniformi("geometryDepth", uniforms.GeometryDepth->GetTextureUnit());
   program->SetUniform2f("clipStep", geometry.GetClipStep().data());
   const std::vector<float> planes = uniforms.Frame->GetPlanesInPart();
   if (!planes.empty())
@@ -179,6 +196,14 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   {
     textures.push_back(this->Table2D->GetTexture());
   }
+  if (this->Features.Rectilinear)
+  {
+    textures.push_back(this->Coordinates->GetTexture());
+  }
+  if (this->Features.SecondArray > 0)
+  {
+    textures.push_back(this->SecondArray);
+  }
   if (this->Features.Blanked)
   {
     textures.push_back(this->Blanks->GetTexture());
@@ -195,10 +220,13 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   {
     textures.push_back(this->Shadows->GetTexture());
   }
+  if (this->Features.NeedsDepth())
+  {
+    textures.push_back(this->GeometryDepth);
+  }
   if (this->Features.Slabs > 0)
   {
     textures.push_back(this->Integrals->GetTexture());
-    textures.push_back(this->GeometryDepth);
     if (this->Features.Labels > 0)
     {
       textures.push_back(this->LabelIntegrals->GetTexture());
@@ -227,10 +255,11 @@ vtkShaderProgram* vtkTextureSliceProgram::Ready(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const
 {
   std::string fragmentShader = TextureSliceFS;
-  for (const auto& [place, text] : {std::pair("Defines", features.GetDefines()),
-         {"Sampling", TextureSliceSamplingFS}, {"Lighting", TextureSliceLightingFS},
-         {"Shadows", TextureSliceShadowsFS}, {"Table", TextureSliceTableFS},
-         {"Coloring", TextureSliceColoringFS}, {"Slabs", TextureSliceSlabsFS}})
+  for (const auto& [place, text] :
+    {std::pair("Defines", features.GetDefines()), {"Peel", TextureSlicePeelFS},
+      {"Sampling", TextureSliceSamplingFS}, {"Lighting", TextureSliceLightingFS},
+      {"Shadows", TextureSliceShadowsFS}, {"Table", TextureSliceTableFS},
+      {"Coloring", TextureSliceColoringFS}, {"Slabs", TextureSliceSlabsFS}})
   {
     vtkShaderProgram::Substitute(
       fragmentShader, std::string("//VTK::TextureSlice::") + place, text);
@@ -307,6 +336,14 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   if (uniforms.Features.Shadows)
   {
     uniforms.Shadows->SetUniforms(program);
+  }
+  if (uniforms.Features.NeedsDepth())
+  {
+    program->SetUniformi("geometryDepth", uniforms.GeometryDepth->GetTextureUnit());
+  }
+  if (uniforms.Features.Peel > 0)
+  {
+    uniforms.Peeling->SetUniforms(program, uniforms.PixelSize);
   }
   if (uniforms.Features.IsoValues > 0)
   {

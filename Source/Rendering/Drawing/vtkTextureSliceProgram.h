@@ -16,10 +16,12 @@ class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkTextureSliceBlanks;
+class vtkTextureSliceCoordinates;
 class vtkTextureSliceFrame;
 class vtkTextureSliceGeometry;
 class vtkTextureSliceIntegralTable;
 class vtkTextureSliceLights;
+class vtkTextureSlicePeeling;
 class vtkTextureSliceShadows;
 class vtkTextureSliceTable;
 class vtkTextureSliceTable2D;
@@ -46,6 +48,10 @@ struct vtkTextureSliceUniforms
   std::array<float, 4> ScalarScale{1, 1, 1, 1};
   std::array<float, 4> ScalarBias{0, 0, 0, 0};
   vtkTextureSliceTable* Table = nullptr;
+  const vtkTextureSliceCoordinates* Coordinates = nullptr; ///< used if Features.Rectilinear
+  vtkTextureObject* SecondArray = nullptr; ///< used if Features.SecondArray is above 0
+  std::array<float, 4> SecondScale{1, 1, 1, 1};
+  std::array<float, 4> SecondBias{0, 0, 0, 0};
   vtkTextureSliceTable2D* Table2D = nullptr;              ///< used if Features.Table2D
   vtkTextureSliceBlanks* Blanks = nullptr;                ///< used if Features.Blanked
   vtkTextureObject* Mask = nullptr;                       ///< used if Features.HasMask()
@@ -53,8 +59,10 @@ struct vtkTextureSliceUniforms
   float LabelWeight = 1.0f;                               ///< how much the label's functions count
   vtkTextureSliceIntegralTable* Integrals = nullptr;      ///< used if Features.Slabs is above 0
   vtkTextureSliceIntegralTable* LabelIntegrals = nullptr; ///< the same, with labels
-  vtkTextureObject* GeometryDepth = nullptr;              ///< used if Features.Slabs is above 0
-  std::vector<vtkTextureSliceSurface> Surfaces;           ///< one for each component
+  vtkTextureObject* GeometryDepth = nullptr;              ///< used if Features.NeedsDepth()
+  const vtkTextureSlicePeeling* Peeling = nullptr;        ///< used if Features.Peel is above 0
+  double PixelSize = 1.0;                       ///< pixels of the viewport for one of the picture
+  std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
   const vtkTextureSliceLights* Lights = nullptr;
   const vtkTextureSliceShadows* Shadows = nullptr; ///< used if Features.Shadows
   int CropFlags = 0;

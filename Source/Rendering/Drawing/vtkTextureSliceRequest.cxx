@@ -3,7 +3,9 @@
 
 #include "vtkColorTransferFunction.h"
 #include "vtkContourValues.h"
+#include "vtkMath.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkPlane.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
@@ -60,10 +62,10 @@ bool IsExtreme(int blendMode)
 const char* vtkTextureSliceRequest::FindUnsupported() const
 {
   if (this->BlendMode < vtkVolumeMapper::COMPOSITE_BLEND ||
-      this->BlendMode > vtkVolumeMapper::ISOSURFACE_BLEND)
+      this->BlendMode > vtkVolumeMapper::SLICE_BLEND)
   {
-    return "slice blending is not supported: use the composite, maximum, minimum, average, "
-           "additive or isosurface blend mode";
+    return "the blend mode must be composite, maximum, minimum, average, additive, isosurface or "
+           "slice";
   }
   if (this->Components > 4)
   {
@@ -73,12 +75,20 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
   {
     return nullptr;
   }
+  if (this->BlendMode == vtkVolumeMapper::SLICE_BLEND && this->GetSlicePlane() == nullptr)
+  {
+    return "slice blending needs a vtkPlane with a normal: call SetSliceFunction on the property";
+  }
   const bool composite = this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
   if (this->Has2D() && !composite)
   {
     return "two-dimensional transfer functions are supported in the composite blend mode alone: "
            "use "
            "it or TF_1D";
+  }
+  if (const char* unsupported = this->FindUnsupportedSecondArray())
+  {
+    return unsupported;
   }
   if (this->LabelMap && (this->Components > 1 || this->Has2D()))
   {
@@ -95,17 +105,33 @@ const char* vtkTextureSliceRequest::FindUnsupported() const
   {
     return "four dependent components must be unsigned char: call IndependentComponentsOn";
   }
-  if (dependent && IsExtreme(this->BlendMode))
-  {
-    return "maximum and minimum of dependent components are not supported: call "
-           "IndependentComponentsOn";
-  }
   if (this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND &&
       (this->Components > 2 || (this->Components == 2 && !dependent)))
   {
     return "isosurfaces are supported for one component and for two dependent ones (colour, "
            "surface) "
            "alone: choose one component, or call IndependentComponentsOff";
+  }
+  return nullptr;
+}
+
+const char* vtkTextureSliceRequest::FindUnsupportedSecondArray() const
+{
+  if (!this->Has2D() || this->Components == 0)
+  {
+    return nullptr;
+  }
+  const int functions = this->IsIndependent() ? this->Components : 1;
+  if (this->SecondArray < 0)
+  {
+    return "the volume has no array of the name that SetTransfer2DYAxisArray was given, beside its "
+           "scalars: name another one, or call SetTransfer2DYAxisArray with nullptr";
+  }
+  if (this->SecondArray > 4 || (this->SecondArray > 0 && this->SecondArray < functions))
+  {
+    return "the second array of two-dimensional transfer functions must have a component for each "
+           "set of functions, and 4 at most: name another one, or call SetTransfer2DYAxisArray "
+           "with nullptr";
   }
   return nullptr;
 }
@@ -141,6 +167,14 @@ std::vector<double> vtkTextureSliceRequest::GetIsoValues() const
   return values;
 }
 
+vtkPlane* vtkTextureSliceRequest::GetSlicePlane() const
+{
+  auto* plane = this->BlendMode == vtkVolumeMapper::SLICE_BLEND
+                  ? vtkPlane::SafeDownCast(this->Property->GetSliceFunction())
+                  : nullptr;
+  return plane != nullptr && vtkMath::Norm(plane->GetNormal()) > 0.0 ? plane : nullptr;
+}
+
 bool vtkTextureSliceRequest::IsEmpty() const
 {
   return this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND && this->GetIsoValues().empty();
@@ -159,7 +193,8 @@ bool vtkTextureSliceRequest::Has2D() const
 int vtkTextureSliceRequest::CountLabels() const
 {
   // Labels choose the colour of a sample; projections show none.
-  const bool used = this->LabelMap && this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
+  const bool used = this->LabelMap && (this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
+                                        this->BlendMode == vtkVolumeMapper::SLICE_BLEND);
   const std::set<int> labels = used ? this->Property->GetLabelMapLabels() : std::set<int>();
   return labels.empty() ? 0 : *labels.rbegin();
 }
@@ -167,7 +202,8 @@ int vtkTextureSliceRequest::CountLabels() const
 bool vtkTextureSliceRequest::ShowsPlaces() const
 {
   return this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND ||
-         this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND;
+         this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND ||
+         this->BlendMode == vtkVolumeMapper::SLICE_BLEND;
 }
 
 bool vtkTextureSliceRequest::IntegratesSlabs() const
@@ -203,9 +239,12 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.BlendMode = this->BlendMode;
   features.Components = this->Components;
   features.Functions = this->IsIndependent() ? this->Components : 1;
+  features.ExtremeSample =
+    IsExtreme(this->BlendMode) && this->Components > 1 && !this->IsIndependent();
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
   features.SmoothGradient = this->SmoothGradient;
   features.Table2D = this->Has2D();
+  features.SecondArray = this->ReadsSecondArray() ? this->SecondArray : 0;
   features.BinaryMask = this->BinaryMask;
   features.Labels = this->CountLabels();
   features.Slabs = this->IntegratesSlabs() ? SlabsOfFragment : 0;
@@ -348,5 +387,15 @@ void vtkTextureSliceRequest::SetUniforms(
   for (std::size_t i = 0; i < 2; ++i)
   {
     uniforms.AverageRange[i] = static_cast<float>(Normalized(this->AverageRange[i], components[0]));
+  }
+}
+
+void vtkTextureSliceRequest::SetSecondArray(
+  const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms)
+{
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    uniforms.SecondScale[c] = static_cast<float>(components[c].Scale / Width(components[c]));
+    uniforms.SecondBias[c] = static_cast<float>(Normalized(components[c].Bias, components[c]));
   }
 }

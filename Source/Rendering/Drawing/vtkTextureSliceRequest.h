@@ -14,6 +14,7 @@
 #include <vector>
 
 class vtkImageData;
+class vtkPlane;
 class vtkVolumeProperty;
 
 struct vtkTextureSliceRequest
@@ -31,6 +32,9 @@ struct vtkTextureSliceRequest
   bool PreIntegration = false;
   bool BinaryMask = false; ///< there is a mask, and it says what is seen
   bool SmoothGradient = false;
+  /// Components of the array that two-dimensional functions have in place of the gradient
+  /// magnitude. 0: none is named; -1: the volume does not have it.
+  int SecondArray = 0;
   bool LabelMap = false; ///< there is a mask, and it says which functions hold
 
   /// One line that says what cannot be drawn and what could, nullptr if everything can. The
@@ -40,6 +44,8 @@ struct vtkTextureSliceRequest
   const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;
   /// The values of the isosurfaces, ascending; none in other blend modes.
   std::vector<double> GetIsoValues() const;
+  /// The plane that slice blending shows; nullptr in other blend modes.
+  vtkPlane* GetSlicePlane() const;
   /// Whether nothing is to be seen: isosurfaces without values.
   bool IsEmpty() const;
   /// Whether each component has its own functions.
@@ -55,6 +61,8 @@ struct vtkTextureSliceRequest
     const std::vector<vtkTextureSliceComponent>& components) const;
   /// One for each set of functions.
   std::vector<vtkImageData*> MakeTables2D() const;
+  /// Whether two-dimensional functions read a second array.
+  bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray > 0; }
 
   /**
    * Sets what follows from the request and the scalars: how texels become 0 to 1, surfaces, average
@@ -62,10 +70,14 @@ struct vtkTextureSliceRequest
    */
   void SetUniforms(const std::vector<vtkTextureSliceComponent>& components,
     vtkTextureSliceUniforms& uniforms) const;
+  /// The same for the components of the second array.
+  static void SetSecondArray(
+    const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms);
   /// One for each component.
   std::vector<vtkTextureSliceSurface> MakeSurfaces() const;
 
 private:
+  const char* FindUnsupportedSecondArray() const;
   bool ShowsPlaces() const;
   /// Whether slabs are integrated over: where samples are blended by one-dimensional functions of
   /// scalars that are interpolated.

@@ -31,10 +31,19 @@ using Source = vtkTextureSliceShadows::Source;
 constexpr std::size_t MostCells = 1048576;
 constexpr std::size_t MostCellsOfInteraction = MostCells / 8;
 
+/// What a surface of opacity 1 takes: no 16-bit texel shows what is left.
+constexpr double MostDepthOfASurface = 16.0;
+
+bool HasSurfaces(const vtkTextureSliceFeatures& features)
+{
+  return features.IsoValues > 0;
+}
+
 /// Shadows lie in places, and scalars alone decide how dense these are.
 bool CanShow(const vtkTextureSliceFeatures& features)
 {
-  return features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !features.Table2D;
+  return HasSurfaces(features) ||
+         (features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !features.Table2D);
 }
 
 bool IsDirection(const std::array<double, 3>& vector)
@@ -156,6 +165,59 @@ std::function<bool(const std::array<double, 3>&)> MakeCut(const Source& source)
   };
 }
 
+/// A value of the component that has the surfaces as the shader knows it, 0 to 1 over the range.
+double Normalize(const Source& source, double value)
+{
+  const std::array<double, 2>& range = source.Texture->GetComponents().back().Range;
+  return (value - range[0]) / (range[1] > range[0] ? range[1] - range[0] : 1.0);
+}
+
+/// The opacity of a surface as the shader looks it up in the first row of the table.
+double FindOpacity(const Source& source, double value)
+{
+  const auto last = static_cast<double>(source.Table->GetWidth() - 1);
+  const double entry = std::clamp(Normalize(source, value), 0.0, 1.0) * last;
+  const auto low = static_cast<std::size_t>(entry);
+  const std::size_t high = std::min(low + 1, source.Table->GetWidth() - 1);
+  const double part = entry - static_cast<double>(low);
+  const float* entries = source.Table->GetEntries(0);
+  return (1.0 - part) * static_cast<double>(entries[4 * low + 3]) +
+         part * static_cast<double>(entries[4 * high + 3]);
+}
+
+/// The isosurfaces as light crosses them; none in other blend modes.
+std::vector<vtkTextureSliceSurfaceScalars::Surface> MakeSurfaces(
+  const Source& source, double density)
+{
+  std::vector<vtkTextureSliceSurfaceScalars::Surface> surfaces;
+  for (const double value : source.Request->GetIsoValues())
+  {
+    const double opacity = FindOpacity(source, value);
+    const double depth = opacity < 1.0 ? -std::log(1.0 - opacity) : MostDepthOfASurface / density;
+    surfaces.push_back({static_cast<float>(value),
+      density > 0.0 ? static_cast<float>(std::min(depth * density, MostDepthOfASurface)) : 0.0f});
+  }
+  return surfaces;
+}
+
+vtkTextureSliceSurfaceScalars::Source MakeSurfaceSource(const Source& source, double density)
+{
+  vtkTextureSliceSurfaceScalars::Source made;
+  made.Scalars =
+    vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame->IsOfCells());
+  made.Component = source.Texture->GetComponents().size() - 1;
+  made.Masked = source.Texture->IsMasked();
+  if (source.Request->GetFeatures().HasMask())
+  {
+    made.Mask = static_cast<const unsigned char*>(source.MaskValues->GetVoidPointer(0));
+  }
+  const double* spacing = source.Image->GetSpacing();
+  made.VoxelEdge = {std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2])};
+  made.IsCut = MakeCut(source);
+  made.Surfaces = MakeSurfaces(source, density);
+  return made;
+}
+
 vtkTextureSliceExtinction::Source MakeSource(const Source& source, double density)
 {
   const vtkTextureSliceFeatures features = source.Request->GetFeatures();
@@ -218,17 +280,29 @@ vtkTextureSliceShadows::Key vtkTextureSliceShadows::MakeKey(
   const std::array<vtkMTimeType, 4> times{source.Texture->GetBricks().GetBuildTime(),
     source.Table->GetFillTime(), features.Labels > 0 ? source.LabelTable->GetFillTime() : 0,
     features.HasMask() ? source.MaskValues->GetMTime() : 0};
+  for (const auto& [value, depth] : MakeSurfaces(source, density))
+  {
+    add(std::array<float, 2>{value, depth});
+  }
   const int parts = (lights.Shadow ? 1 : 0) + (lights.Occlusion ? 2 : 0);
   const int cropped = frame.NeedsCropTest() ? source.CropFlags : -1;
   return {times, features.GetDefines() + std::to_string(parts),
     FindScales(*source.Request, density), numbers, frame.GetView().ClippingPlanes, cropped};
 }
 
-void vtkTextureSliceShadows::Update(vtkOpenGLRenderWindow* window, const Source& source,
-  const vtkTextureSliceShadowSettings& settings)
+void vtkTextureSliceShadows::Update(
+  vtkOpenGLRenderWindow* window, const Source& source, const vtkTextureSliceShadowSettings& asked)
 {
+  const vtkTextureSliceFeatures features = source.Request->GetFeatures();
+  const bool surfaces = HasSurfaces(features);
+  vtkTextureSliceShadowSettings settings = asked;
+  if (surfaces)
+  {
+    settings.Scattering = 0.0; // as in VTK's ray caster
+    settings.Reach = 1.0;
+  }
   this->Used = (settings.Shadow > 0.0 || settings.Occlusion > 0.0 || settings.Scattering > 0.0) &&
-               CanShow(source.Request->GetFeatures());
+               CanShow(features);
   if (!this->Used)
   {
     return;
@@ -236,12 +310,14 @@ void vtkTextureSliceShadows::Update(vtkOpenGLRenderWindow* window, const Source&
   this->Strength = {static_cast<float>(settings.Shadow), static_cast<float>(settings.Occlusion)};
   this->HalfScattering = static_cast<float>(settings.Scattering / 2.0);
   const Lights lights = FindLights(source, settings);
+  this->FindSurfaces(source, lights, settings.Density);
   Key key = MakeKey(source, lights, settings.Density);
   const bool finer = this->Coarse && !settings.Interactive;
   if (key != this->Last || finer)
   {
-    this->Volume.Build(MakeSource(source, settings.Density), lights,
-      settings.Interactive ? MostCellsOfInteraction : MostCells);
+    const std::size_t mostCells = settings.Interactive ? MostCellsOfInteraction : MostCells;
+    surfaces ? this->Volume.Build(MakeSurfaceSource(source, settings.Density), lights, mostCells)
+             : this->Volume.Build(MakeSource(source, settings.Density), lights, mostCells);
     this->Coarse = settings.Interactive;
     this->Last = std::move(key);
     this->PlaceImage(source.Image, source.Frame->IsOfCells());
@@ -251,6 +327,28 @@ void vtkTextureSliceShadows::Update(vtkOpenGLRenderWindow* window, const Source&
   {
     this->Upload(window);
   }
+}
+
+void vtkTextureSliceShadows::FindSurfaces(
+  const Source& source, const Lights& lights, double density)
+{
+  this->Surfaces.clear();
+  for (const auto& [value, depth] : MakeSurfaces(source, density))
+  {
+    this->Surfaces.push_back(static_cast<float>(Normalize(source, static_cast<double>(value))));
+    this->Surfaces.push_back(1.0f - std::exp(-depth));
+  }
+  if (this->Surfaces.empty())
+  {
+    return;
+  }
+  this->InverseAspect = source.Frame->GetInverseAspect();
+  // The shader weakens by the surfaces themselves, too: not without a light, or a sky.
+  this->Strength = {
+    lights.Shadow ? this->Strength[0] : 0.0f, lights.Occlusion ? this->Strength[1] : 0.0f};
+  const double length = std::hypot(lights.ToLight[0], lights.ToLight[1], lights.ToLight[2]);
+  std::transform(lights.ToLight.begin(), lights.ToLight.end(), this->ToLight.begin(),
+    [&](double part) { return lights.Shadow ? static_cast<float>(part / length) : 0.0f; });
 }
 
 void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
@@ -316,6 +414,38 @@ void vtkTextureSliceShadows::SetUniforms(vtkShaderProgram* program) const
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
   program->SetUniformf("scattering", this->HalfScattering);
+  this->SetSurfaces(program);
+}
+
+void vtkTextureSliceShadows::SetSurfaces(vtkShaderProgram* program) const
+{
+  if (this->Surfaces.empty())
+  {
+    return;
+  }
+  const vtkTextureSliceLightGrid& grid = this->Volume.GetGrid();
+  std::array<float, 3> toLight{};
+  std::array<float, 3> gradientToCells{};
+  std::array<float, 3> gradientToChange{};
+  std::array<float, 3> cell{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    // The gradient is the change over two voxels, times the signed aspect of the shader.
+    const float aspect = this->InverseAspect[axis];
+    const float sign = aspect < 0.0f ? -1.0f : 1.0f;
+    const auto edge = static_cast<float>(grid.CellEdge[axis]);
+    toLight[axis] = this->ToLight[axis] / edge;
+    gradientToCells[axis] = sign * edge;
+    gradientToChange[axis] = 0.5f * static_cast<float>(grid.Factor[axis]) / aspect;
+    cell[axis] = 1.0f / static_cast<float>(grid.Size[axis]);
+  }
+  vtkMath::Normalize(toLight.data());
+  program->SetUniform3f("toLight", toLight.data());
+  program->SetUniform3f("gradientToCells", gradientToCells.data());
+  program->SetUniform3f("gradientToChange", gradientToChange.data());
+  program->SetUniform3f("lightCell", cell.data());
+  program->SetUniform2fv("lightSurfaces", static_cast<int>(this->Surfaces.size() / 2),
+    reinterpret_cast<const float(*)[2]>(this->Surfaces.data()));
 }
 
 void vtkTextureSliceShadows::ReleaseGraphicsResources(vtkWindow* window)

@@ -66,7 +66,7 @@ public:
   };
 
   void Update(vtkOpenGLRenderWindow* window, const Source& source,
-    const vtkTextureSliceShadowSettings& settings);
+    const vtkTextureSliceShadowSettings& asked);
   void ReleaseGraphicsResources(vtkWindow* window);
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
@@ -86,6 +86,10 @@ private:
   static Key MakeKey(
     const Source& source, const vtkTextureSliceLightVolume::Lights& lights, double density);
 
+  /// What the shader must know of isosurfaces; none in other blend modes.
+  void FindSurfaces(
+    const Source& source, const vtkTextureSliceLightVolume::Lights& lights, double density);
+  void SetSurfaces(vtkShaderProgram* program) const;
   void Upload(vtkOpenGLRenderWindow* window);
   void PlaceImage(vtkImageData* volume, bool cellData);
 
@@ -94,6 +98,9 @@ private:
   Key Last;
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
+  std::array<float, 3> ToLight{};       ///< in data coordinates, of length 1; (0, 0, 0): no light
+  std::array<float, 3> InverseAspect{}; ///< as the frame's
+  std::vector<float> Surfaces;          ///< value, 0 to 1 as in the shader, and what each takes
   float HalfScattering = 0.0f;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image; ///< without scalars until it is asked for

@@ -10,6 +10,8 @@
 #include "vtkTextureSliceOpenGL.h"
 
 #include "TextureSliceCompositeFS.h"
+#include "TextureSlicePeelCompositeFS.h"
+#include "TextureSlicePeelFS.h"
 #include "TextureSliceTableFS.h"
 
 #include <algorithm>
@@ -269,8 +271,10 @@ void vtkTextureSliceTarget::End()
   this->Window->GetState()->PopFramebufferBindings();
 }
 
-void vtkTextureSliceTarget::ReadyQuad(vtkOpenGLRenderWindow* window, const std::string& defines)
+void vtkTextureSliceTarget::ReadyQuad(
+  vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features)
 {
+  const std::string defines = features.GetDefines();
   if (this->Quad && defines == this->QuadDefines)
   {
     window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
@@ -279,20 +283,30 @@ void vtkTextureSliceTarget::ReadyQuad(vtkOpenGLRenderWindow* window, const std::
   std::string shader = TextureSliceCompositeFS;
   vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Defines", defines);
   vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Table", TextureSliceTableFS);
+  const bool peeled = features.Peel > 0;
+  vtkShaderProgram::Substitute(
+    shader, "//VTK::TextureSlice::PeelComposite", peeled ? TextureSlicePeelCompositeFS : "");
+  vtkShaderProgram::Substitute(
+    shader, "//VTK::TextureSlice::Peel", peeled ? TextureSlicePeelFS : "");
   this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, shader.c_str(), "");
   this->QuadDefines = defines;
 }
 
 void vtkTextureSliceTarget::Composite(vtkRenderer* renderer, bool smooth,
-  const std::string& defines, const std::function<void(vtkShaderProgram*)>& setUniforms)
+  const vtkTextureSliceFeatures& features,
+  const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->ReadyQuad(window, defines);
+  this->ReadyQuad(window, features);
   int width = 0;
   int height = 0;
   int left = 0;
   int bottom = 0;
   renderer->GetTiledSizeAndOrigin(&width, &height, &left, &bottom);
+  if (features.Peel > 0)
+  {
+    left = bottom = 0; // the pass has textures of the viewport's size
+  }
   vtkOpenGLState* state = window->GetState();
   state->vtkglViewport(left, bottom, width, height);
   state->vtkglDisable(GL_DEPTH_TEST);

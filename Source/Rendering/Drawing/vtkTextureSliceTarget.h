@@ -6,6 +6,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
+#include "vtkTextureSliceFeatures.h"
 
 #include <array>
 #include <functional>
@@ -61,10 +62,10 @@ public:
   /**
    * Blends the picture over the renderer's viewport.
    * @param smooth whether to interpolate between its pixels if it has another size.
-   * @param defines the first lines of TextureSliceCompositeFS.
+   * @param features what TextureSliceCompositeFS must be able to do.
    * @param setUniforms sets what that shader reads besides the picture.
    */
-  void Composite(vtkRenderer* renderer, bool smooth, const std::string& defines,
+  void Composite(vtkRenderer* renderer, bool smooth, const vtkTextureSliceFeatures& features,
     const std::function<void(vtkShaderProgram*)>& setUniforms);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -93,7 +94,7 @@ private:
   vtkNew<vtkTextureObject> GeometryDepth;
   vtkNew<vtkOpenGLFramebufferObject> ResolveFramebuffer;
   vtkNew<vtkTextureObject> ResolvedDepth; ///< the viewport's, for a picture of another size
-  void ReadyQuad(vtkOpenGLRenderWindow* window, const std::string& defines);
+  void ReadyQuad(vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features);
 
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;
   std::string QuadDefines; ///< those that Quad was compiled with

@@ -2,6 +2,7 @@
 #include "vtkTextureSliceEmptySpace.h"
 
 #include "vtkTextureSliceBrickTests.h"
+#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceTable.h"
@@ -26,10 +27,10 @@ bool IsTableAlone(const vtkTextureSliceEmptySpace::Source& source)
          !source.Texture->IsMasked() && !source.Frame->NeedsCropTest();
 }
 
-/// For each brick along an axis, one bit for each of the three parts between the cropping planes
-/// that it touches.
+/// For each brick between two borders along an axis, one bit for each of the three parts between
+/// the cropping planes that it touches.
 std::vector<unsigned int> FindParts(
-  const vtkTextureSliceFrame& frame, const vtkTextureSliceBricks& bricks, std::size_t axis)
+  const vtkTextureSliceFrame& frame, const std::vector<double>& borders, std::size_t axis)
 {
   const double scale = static_cast<double>(frame.GetTextureScale()[axis]);
   const double bias = static_cast<double>(frame.GetTextureBias()[axis]);
@@ -37,10 +38,10 @@ std::vector<unsigned int> FindParts(
   const double high = static_cast<double>(frame.GetCropHigh()[axis]);
   constexpr double margin = 1e-5; // what a sample's position may err by
   std::vector<unsigned int> parts;
-  for (int brick = 0; brick < bricks.GetCount()[axis]; ++brick)
+  for (std::size_t brick = 0; brick + 1 < borders.size(); ++brick)
   {
-    const double begin = brick * bricks.GetEdge()[axis] * scale + bias - margin;
-    const double end = (brick + 1) * bricks.GetEdge()[axis] * scale + bias + margin;
+    const double begin = borders[brick] * scale + bias - margin;
+    const double end = borders[brick + 1] * scale + bias + margin;
     parts.push_back(
       (begin < low ? 1U : 0U) | (end >= low && begin <= high ? 2U : 0U) | (end > high ? 4U : 0U));
   }
@@ -71,7 +72,7 @@ vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& 
     source.LabelTable->GetFillTime(), source.Table2D->GetFillTime(), source.Request->AverageRange,
     source.Request->GetIsoValues(), source.Request->GetFeatures().GetDefines(),
     source.Frame->NeedsCropTest(), source.Frame->GetCropLow(), source.Frame->GetCropHigh(),
-    source.CropFlags};
+    source.CropFlags, source.Coordinates->GetBuildTime()};
 }
 
 void vtkTextureSliceEmptySpace::Update(const Source& source)
@@ -82,14 +83,39 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
     return;
   }
   this->Last = std::move(key);
-  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
   this->FindDense(source);
   this->FindVisible(source);
   if (source.Frame->NeedsCropTest())
   {
     this->HideCropped(source);
   }
-  this->Occupancy.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
+  this->Build(source, this->Occupancy);
+}
+
+std::array<std::vector<double>, 3> vtkTextureSliceEmptySpace::FindBorders(const Source& source)
+{
+  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
+  std::array<std::vector<double>, 3> borders;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    for (int brick = 0; brick <= bricks.GetCount()[axis]; ++brick)
+    {
+      const double part = brick * bricks.GetEdge()[axis];
+      borders[axis].push_back(
+        source.Coordinates->IsUsed() ? source.Coordinates->ToBox(axis, part) : part);
+    }
+  }
+  return borders;
+}
+
+void vtkTextureSliceEmptySpace::Build(const Source& source, vtkTextureSliceOccupancy& occupancy)
+{
+  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
+  occupancy.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
+  if (source.Coordinates->IsUsed())
+  {
+    occupancy.SetBorders(FindBorders(source), source.Coordinates->GetMargin());
+  }
 }
 
 void vtkTextureSliceEmptySpace::FindDense(const Source& source)
@@ -115,7 +141,7 @@ void vtkTextureSliceEmptySpace::FindDense(const Source& source)
   }
   if (this->HasDense)
   {
-    this->Dense.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
+    this->Build(source, this->Dense);
   }
 }
 
@@ -139,10 +165,10 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
 
 void vtkTextureSliceEmptySpace::HideCropped(const Source& source)
 {
-  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
-  const auto alongX = FindParts(*source.Frame, bricks, 0);
-  const auto alongY = FindParts(*source.Frame, bricks, 1);
-  const auto alongZ = FindParts(*source.Frame, bricks, 2);
+  const std::array<std::vector<double>, 3> borders = FindBorders(source);
+  const auto alongX = FindParts(*source.Frame, borders[0], 0);
+  const auto alongY = FindParts(*source.Frame, borders[1], 1);
+  const auto alongZ = FindParts(*source.Frame, borders[2], 2);
   auto visible = this->Visible.begin();
   for (const unsigned int z : alongZ)
   {

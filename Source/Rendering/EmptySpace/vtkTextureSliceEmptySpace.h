@@ -11,6 +11,7 @@
 #include <tuple>
 #include <vector>
 
+class vtkTextureSliceCoordinates;
 class vtkTextureSliceFrame;
 class vtkTextureSliceTable;
 class vtkTextureSliceTable2D;
@@ -34,6 +35,7 @@ public:
     const vtkTextureSliceTable2D* Table2D = nullptr;  ///< used where the request has such functions
     const vtkTextureSliceFrame* Frame = nullptr;      ///< knows the cropping planes
     int CropFlags = 0;
+    const vtkTextureSliceCoordinates* Coordinates = nullptr;
   };
 
   /// Does nothing where nothing has changed.
@@ -52,11 +54,13 @@ public:
 
 private:
   /// All that the answers depend on, the order that of MakeKey.
-  using Key =
-    std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
-      std::vector<double>, std::string, bool, std::array<float, 3>, std::array<float, 3>, int>;
+  using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType,
+    std::array<double, 2>, std::vector<double>, std::string, bool, std::array<float, 3>,
+    std::array<float, 3>, int, vtkMTimeType>;
   static Key MakeKey(const Source& source);
 
+  static std::array<std::vector<double>, 3> FindBorders(const Source& source);
+  void Build(const Source& source, vtkTextureSliceOccupancy& occupancy);
   void FindDense(const Source& source);
   void FindVisible(const Source& source);
   void HideCropped(const Source& source);

@@ -18,9 +18,6 @@ using Source = vtkTextureSliceExtinction::Source;
 /// voxels of an opaque cell's edge is not stopped by their mean.
 constexpr float MostDepthOfAVoxel = 4.0f;
 
-/// Rows of voxels along an axis that are looked at in each cell.
-constexpr int MostRows = 4;
-
 /// A function as the loops over voxels read it.
 template <typename Scalar>
 struct Lookup
@@ -86,27 +83,12 @@ public:
   }
 
 private:
-  struct Span
-  {
-    int Begin;
-    int End;
-  };
-
-  /// The rows of a cell along an axis that are looked at.
-  Span Reach(int cell, std::size_t axis) const
-  {
-    const int factor = this->Grid.Factor[axis];
-    const int inset = std::max(0, (factor - MostRows) / 2);
-    const int end = std::min(this->Grid.Voxels[axis], (cell + 1) * factor - inset);
-    return {std::min(cell * factor + inset, end - 1), end};
-  }
-
   /// Adds the rows of voxels of a row of cells. @return how many rows there are
   int SumRows(int y, int z, std::vector<float>& voxels, std::vector<float>& sums,
     std::vector<unsigned char>& visible) const
   {
-    const Span ys = this->Reach(y, 1);
-    const Span zs = this->Reach(z, 2);
+    const vtkTextureSliceLightGrid::Rows ys = this->Grid.GetRows(y, 1);
+    const vtkTextureSliceLightGrid::Rows zs = this->Grid.GetRows(z, 2);
     std::fill(sums.begin(), sums.end(), 0.0f);
     for (int k = zs.Begin; k < zs.End; ++k)
     {
@@ -221,10 +203,7 @@ void vtkTextureSliceExtinction::Build(const Source& source, std::size_t mostCell
     source.Scalars.Size, source.Scalars.CellData, source.VoxelEdge, mostCells);
   this->Values.resize(this->Grid.CountCells());
   source.Scalars.Codes ? this->SumVoxels(WithFunctionsOfCodes(source)) : this->SumVoxels(source);
-  if (source.IsCut)
-  {
-    this->HideCut(source);
-  }
+  this->Grid.Replace(source.IsCut, 0.0f, this->Values);
 }
 
 void vtkTextureSliceExtinction::SumVoxels(const Source& source)
@@ -235,30 +214,4 @@ void vtkTextureSliceExtinction::SumVoxels(const Source& source)
     vtkTemplateMacro(
       vtkSMPTools::For(0, rows, LayerSummer<VTK_TT>(source, this->Grid, this->Values)));
   }
-}
-
-void vtkTextureSliceExtinction::HideCut(const Source& source)
-{
-  const auto [nx, ny, nz] = this->Grid.Size;
-  const auto place = [&](int cell, std::size_t axis)
-  {
-    const double low = this->Grid.GetMargin(axis, false);
-    const double intervals = low + this->Grid.Size[axis] - 1 + this->Grid.GetMargin(axis, true);
-    return (cell + low) / intervals;
-  };
-  vtkSMPTools::For(0, vtkIdType{ny} * nz,
-    [&, nx = nx, ny = ny](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        std::array<double, 3> at{
-          0.0, place(static_cast<int>(row % ny), 1), place(static_cast<int>(row / ny), 2)};
-        float* values = this->Values.data() + row * nx;
-        for (int x = 0; x < nx; ++x)
-        {
-          at[0] = place(x, 0);
-          values[x] = source.IsCut(at) ? 0.0f : values[x];
-        }
-      }
-    });
 }

@@ -9,7 +9,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 /**
@@ -42,9 +41,7 @@ public:
     const unsigned char* Mask = nullptr;
     /// Data length of each edge of a voxel.
     std::array<double, 3> VoxelEdge{1, 1, 1};
-    /// Whether the cell with its centre there (0 to 1 along each axis of the volume) is cut away;
-    /// empty: none is.
-    std::function<bool(const std::array<double, 3>&)> IsCut;
+    vtkTextureSliceLightGrid::Cut IsCut;
   };
 
   /// Goes over the voxels, on several threads. Of large cells, the middle rows stand for all.
@@ -56,7 +53,6 @@ public:
 
 private:
   void SumVoxels(const Source& source);
-  void HideCut(const Source& source);
 
   vtkTextureSliceLightGrid Grid;
   std::vector<float> Values;

@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace
@@ -52,6 +53,7 @@ struct Shift
 /// i + Slope * p + Offset, at which the same ray crosses all planes.
 struct vtkTextureSliceLightSweep::Course
 {
+  const std::vector<Surface>* Surfaces = nullptr;
   const float* Extinctions = nullptr; ///< of the cell 0, 0 of the plane where the light enters
   float* Sums = nullptr;
   float Weight = 1.0f;
@@ -112,6 +114,7 @@ public:
     : Columns(columns)
     , Depths(static_cast<std::size_t>(rows) * static_cast<std::size_t>(columns))
     , Before(this->Depths.size())
+    , Scalars(static_cast<std::size_t>(columns))
     , Transmittances(static_cast<std::size_t>(columns))
     , Previous(static_cast<std::size_t>(columns))
   {
@@ -159,6 +162,45 @@ public:
     }
   }
 
+  /// The same across surfaces: the extinctions are scalars.
+  void TakeAcross(const std::vector<vtkTextureSliceSurfaceScalars::Surface>& surfaces, int row,
+    const Shift& column, int cells, const Advance& advance)
+  {
+    const std::size_t at = static_cast<std::size_t>(row) * static_cast<std::size_t>(this->Columns) +
+                           static_cast<std::size_t>(column.Whole);
+    float* depths = this->Depths.data() + at;
+    float* before = this->Before.data() + at;
+    std::swap(this->Transmittances, this->Previous);
+    float* transmittances = this->Transmittances.data() + column.Whole;
+    float* scalars = this->Scalars.data();
+    const float f = column.Fraction;
+    const float g = advance.RowFraction;
+    for (int i = 0; i <= cells; ++i)
+    {
+      const float nearer = (1.0f - f) * advance.Near[i] + f * advance.Near[i - 1];
+      const float farther = (1.0f - f) * advance.Far[i] + f * advance.Far[i - 1];
+      scalars[i] = (1.0f - g) * nearer + g * farther;
+      float steps = advance.Steps[0] + static_cast<float>(i) * advance.Steps[1];
+      steps = steps < advance.MostSteps ? steps : advance.MostSteps;
+      // There is nothing to cross from outside of the volume, and to or from what is hidden (not a
+      // number, so that the comparison is false).
+      const bool inside = steps >= 1.0f && std::abs(scalars[i] - before[i]) <= Most;
+      before[i] = inside ? before[i] : scalars[i];
+    }
+    for (const auto& [value, depth] : surfaces)
+    {
+      for (int i = 0; i <= cells; ++i)
+      {
+        depths[i] += (before[i] > value) != (scalars[i] > value) ? depth : 0.0f;
+      }
+    }
+    for (int i = 0; i <= cells; ++i)
+    {
+      before[i] = scalars[i];
+      transmittances[i] = Transmit(depths[i]);
+    }
+  }
+
   /// Adds what arrives in a row of cells, which lies between the last two rows of rays.
   void AddRow(const Shift& column, int cells, float rowFraction, float weight, float* sums) const
   {
@@ -175,9 +217,12 @@ public:
   }
 
 private:
+  static constexpr float Most = std::numeric_limits<float>::max();
+
   int Columns;
-  std::vector<float> Depths; ///< optical, from where the light enters
-  std::vector<float> Before; ///< extinctions at the plane before
+  std::vector<float> Depths;  ///< optical, from where the light enters
+  std::vector<float> Before;  ///< extinctions (or scalars) at the plane before
+  std::vector<float> Scalars; ///< at this plane, of one row
   std::vector<float> Transmittances;
   std::vector<float> Previous; ///< those of the row before
 };
@@ -185,8 +230,16 @@ private:
 } // namespace
 
 vtkTextureSliceLightSweep::vtkTextureSliceLightSweep(const vtkTextureSliceExtinction& extinction)
-  : Extinction(extinction)
-  , Grid(extinction.GetGrid())
+  : Grid(extinction.GetGrid())
+  , Values(extinction.GetValues())
+{
+}
+
+vtkTextureSliceLightSweep::vtkTextureSliceLightSweep(
+  const vtkTextureSliceSurfaceScalars& scalars, const std::vector<Surface>& surfaces)
+  : Grid(scalars.GetGrid())
+  , Values(scalars.GetValues())
+  , Surfaces(surfaces)
 {
 }
 
@@ -207,7 +260,7 @@ vtkTextureSliceLightSweep::Layout& vtkTextureSliceLightSweep::Prepare(Layout& la
     stride[i] = strides[layout.Axes[i]];
   }
   layout.Extinctions.resize((size[0] + 2) * (size[1] + 2) * (size[2] + 2));
-  const float* values = this->Extinction.GetValues().data();
+  const float* values = this->Values.data();
   const auto inside = [&size](std::size_t place, std::size_t axis)
   { return std::clamp<std::size_t>(place, 1, size[axis]) - 1; };
   vtkSMPTools::For(0, static_cast<vtkIdType>(size[2] + 2),
@@ -251,6 +304,7 @@ vtkTextureSliceLightSweep::Course vtkTextureSliceLightSweep::FindCourse(
   const auto size = [&](std::size_t axis) { return std::ptrdiff_t{this->Grid.Size[axis]}; };
 
   Course course;
+  course.Surfaces = &this->Surfaces;
   course.Planes = this->Grid.Size[through];
   course.Step = static_cast<float>(1.0 / std::abs(cells[through]));
   const bool fromHigh = cells[through] > 0.0;
@@ -299,10 +353,12 @@ void vtkTextureSliceLightSweep::SweepRows(const Course& course, int begin, int e
       const int cell = ray - row.Whole; // the ray lies between this row of cells and the one before
       const float* near = extinctions + cell * course.ExtinctionRow;
       const float mostSteps = rowSteps[0] + static_cast<float>(cell) * rowSteps[1];
-      rays.Take(ray - begin, column, course.Column.Cells,
-        {near, near - course.ExtinctionRow, row.Fraction, course.Column.GetSteps(column.Fraction),
-          plane == 0 ? std::min(0.0f, course.Margin) : 0.0f,
-          std::min(plane == 0 ? course.Margin : 1.0f, mostSteps), course.Step});
+      const RayRows::Advance advance{near, near - course.ExtinctionRow, row.Fraction,
+        course.Column.GetSteps(column.Fraction), plane == 0 ? std::min(0.0f, course.Margin) : 0.0f,
+        std::min(plane == 0 ? course.Margin : 1.0f, mostSteps), course.Step};
+      course.Surfaces->empty()
+        ? rays.Take(ray - begin, column, course.Column.Cells, advance)
+        : rays.TakeAcross(*course.Surfaces, ray - begin, column, course.Column.Cells, advance);
       if (ray > first)
       {
         rays.AddRow(column, course.Column.Cells, row.Fraction, course.Weight,

@@ -5,6 +5,7 @@
 
 #include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkTextureSliceLightGrid.h"
+#include "vtkTextureSliceSurfaceScalars.h"
 
 #include <array>
 #include <vector>
@@ -20,11 +21,20 @@ class vtkTextureSliceExtinction;
  * through; a plane's extinction is interpolated to where the rays cross it, and the transmittance
  * of the rays to the centres of its cells. So light is interpolated twice however long its way is,
  * and shadows have the same edges far from what casts them as near to it.
+ *
+ * Of isosurfaces, the scalars are interpolated to the rays. A ray crosses a surface between two
+ * planes where its scalars lie on either side of the value, and loses what the surface takes: the
+ * same whatever the size of the cells.
  */
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightSweep
 {
 public:
+  using Surface = vtkTextureSliceSurfaceScalars::Surface;
+
+  /// What the arguments hold must stay as long as the sweep.
   explicit vtkTextureSliceLightSweep(const vtkTextureSliceExtinction& extinction);
+  vtkTextureSliceLightSweep(
+    const vtkTextureSliceSurfaceScalars& scalars, const std::vector<Surface>& surfaces);
 
   /**
    * Adds the transmittance times a weight, on several threads.
@@ -36,8 +46,8 @@ public:
   std::vector<float> TakeSums();
 
 private:
-  /// Extinctions and sums in one order of the axes. All round the extinctions stand those of the
-  /// outermost cells once more.
+  /// Extinctions (or scalars) and sums in one order of the axes. All round the extinctions stand
+  /// those of the outermost cells once more.
   struct Layout
   {
     std::array<std::size_t, 3> Axes{0, 1, 2}; ///< the first varies fastest
@@ -51,8 +61,9 @@ private:
   Course FindCourse(const std::array<double, 3>& towards);
   static void SweepRows(const Course& course, int begin, int end);
 
-  const vtkTextureSliceExtinction& Extinction;
   const vtkTextureSliceLightGrid& Grid;
+  const std::vector<float>& Values;
+  const std::vector<Surface> Surfaces; ///< none: the values are extinctions
   Layout RowsAlongX{{0, 1, 2}, {}, {}};
   Layout RowsAlongY{{1, 0, 2}, {}, {}};
 };

@@ -127,18 +127,17 @@ void LimitReach(
 
 } // namespace
 
-std::array<std::array<double, 3>, vtkTextureSliceLightVolume::SkyDirections>
-vtkTextureSliceLightVolume::GetSkyDirections()
+std::vector<std::array<double, 3>> vtkTextureSliceLightVolume::GetSkyDirections(int count)
 {
   // A spiral with one direction in each of equal slices of height, turned by the golden angle.
   const double turn = vtkMath::Pi() * (3.0 - std::sqrt(5.0));
-  std::array<std::array<double, 3>, SkyDirections> directions{};
-  for (std::size_t i = 0; i < SkyDirections; ++i)
+  std::vector<std::array<double, 3>> directions;
+  for (int i = 0; i < count; ++i)
   {
-    const double height = (static_cast<double>(i) + 0.5) / SkyDirections;
+    const double height = (i + 0.5) / count;
     const double radius = std::sqrt(1.0 - height * height);
-    const double angle = turn * static_cast<double>(i);
-    directions[i] = {radius * std::cos(angle), radius * std::sin(angle), height};
+    const double angle = turn * i;
+    directions.push_back({radius * std::cos(angle), radius * std::sin(angle), height});
   }
   return directions;
 }
@@ -149,8 +148,24 @@ void vtkTextureSliceLightVolume::Build(
   vtkTextureSliceExtinction extinction;
   extinction.Build(source, mostCells);
   this->Grid = extinction.GetGrid();
-  this->Texels.assign(2 * this->Grid.CountCells(), FullLight);
   vtkTextureSliceLightSweep sweep(extinction);
+  this->Fill(sweep, lights, SkyDirections);
+}
+
+void vtkTextureSliceLightVolume::Build(
+  const vtkTextureSliceSurfaceScalars::Source& source, const Lights& lights, std::size_t mostCells)
+{
+  vtkTextureSliceSurfaceScalars scalars;
+  scalars.Build(source, mostCells);
+  this->Grid = scalars.GetGrid();
+  vtkTextureSliceLightSweep sweep(scalars, source.Surfaces);
+  this->Fill(sweep, lights, SkyDirectionsOfSurfaces);
+}
+
+void vtkTextureSliceLightVolume::Fill(
+  vtkTextureSliceLightSweep& sweep, const Lights& lights, int skyDirections)
+{
+  this->Texels.assign(2 * this->Grid.CountCells(), FullLight);
   if (lights.Shadow)
   {
     sweep.Add(lights.ToLight, 1.0);
@@ -163,7 +178,7 @@ void vtkTextureSliceLightVolume::Build(
   }
   if (lights.Occlusion)
   {
-    for (const auto& direction : GetSkyDirections())
+    for (const auto& direction : GetSkyDirections(skyDirections))
     {
       std::array<double, 3> towards{};
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -171,7 +186,7 @@ void vtkTextureSliceLightVolume::Build(
         towards[axis] = lights.Sky[0][axis] * direction[0] + lights.Sky[1][axis] * direction[1] +
                         lights.Sky[2][axis] * direction[2];
       }
-      sweep.Add(towards, 1.0 / SkyDirections);
+      sweep.Add(towards, 1.0 / skyDirections);
     }
     SetComponent(sweep.TakeSums(), 1, this->Texels);
   }

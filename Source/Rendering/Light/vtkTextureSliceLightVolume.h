@@ -6,11 +6,14 @@
 #include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkTextureSliceExtinction.h"
 #include "vtkTextureSliceLightGrid.h"
+#include "vtkTextureSliceSurfaceScalars.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
+
+class vtkTextureSliceLightSweep;
 
 /**
  * Two components for each cell of a vtkTextureSliceLightGrid, 0 to 65535 (all light): the
@@ -21,8 +24,9 @@ class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightVolume
 {
 public:
   static constexpr std::uint16_t FullLight = 65535;
-  /// Directions of the sky.
+  /// Directions of the sky. The shadows of surfaces have edges that a mean of few of them shows.
   static constexpr int SkyDirections = 12;
+  static constexpr int SkyDirectionsOfSurfaces = 36;
 
   /// Where light comes from. Directions are data lengths along the axes of the volume.
   struct Lights
@@ -39,14 +43,19 @@ public:
 
   void Build(
     const vtkTextureSliceExtinction::Source& source, const Lights& lights, std::size_t mostCells);
+  /// Of isosurfaces: light loses at each crossing what the surface takes.
+  void Build(const vtkTextureSliceSurfaceScalars::Source& source, const Lights& lights,
+    std::size_t mostCells);
 
   const vtkTextureSliceLightGrid& GetGrid() const { return this->Grid; }
   const std::vector<std::uint16_t>& GetTexels() const { return this->Texels; }
 
   /// Unit directions that are spread evenly over the half of the sky about (0, 0, 1).
-  static std::array<std::array<double, 3>, SkyDirections> GetSkyDirections();
+  static std::vector<std::array<double, 3>> GetSkyDirections(int count = SkyDirections);
 
 private:
+  void Fill(vtkTextureSliceLightSweep& sweep, const Lights& lights, int skyDirections);
+
   vtkTextureSliceLightGrid Grid;
   std::vector<std::uint16_t> Texels;
 };

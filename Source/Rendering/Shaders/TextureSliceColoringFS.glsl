@@ -60,21 +60,31 @@ vec4 LookUpLabel(float scalar, int row)
 #endif
 
 #ifdef TEXTURE_SLICE_TABLE_2D
-// Colour and opacity over scalar (to the right) and gradient magnitude (up), all sets of functions
-// one above the other.
+// Colour and opacity over scalar (to the right) and gradient magnitude or second array (up), all sets of
+// functions one above the other.
 uniform sampler2D transferTable2D;
 // Rows of one set.
 uniform float table2DRows;
 
-vec4 LookUp2D(float scalar, float gradient, int functions)
+vec4 LookUp2D(vec4 scalars, float scalar, int functions)
 {
-  float row = clamp(gradient * table2DRows, 0.5, table2DRows - 0.5);
+#ifdef TEXTURE_SLICE_SECOND_ARRAY
+  float up = FetchSecond(textureCoordinate, functions);
+#else
+  float up = Gradient(scalars, functions).w;
+#endif
+  float row = clamp(up * table2DRows, 0.5, table2DRows - 0.5);
   return texture(transferTable2D,
     vec2(scalar, row / table2DRows + float(functions)) / vec2(1.0, float(TEXTURE_SLICE_FUNCTIONS)));
 }
 #endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_PLANE
+// Samples are coloured and blended.
+#define TEXTURE_SLICE_BLENDS_SAMPLES 1
+#endif
+
+#if defined TEXTURE_SLICE_BLENDS_SAMPLES || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
 #ifdef TEXTURE_SLICE_GRADIENT_OPACITY
 // Label 0: the common functions.
 float GradientOpacity(float magnitude, int component, int label)
@@ -102,6 +112,18 @@ float WeakenOpacity(float opacity, float gradientOpacity)
 }
 #endif
 
+#ifdef TEXTURE_SLICE_SHADOWS
+// Of the light, and of the sky's, that arrive at a sample.
+vec2 FindTransmittance(vec3 gradient)
+{
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+  return FetchTransmittanceBeside(gradient);
+#else
+  return FetchTransmittance();
+#endif
+}
+#endif
+
 #ifdef TEXTURE_SLICE_LIGHTS
 #ifdef TEXTURE_SLICE_SCATTERING
 // How much of the light is scattered within the volume, as VTK 9.2's ray caster mixes it: the more,
@@ -118,7 +140,7 @@ float ScatteredPart(float gradient, float opacity)
 vec3 LightAndShade(vec4 color, vec4 gradient, vec4 surface)
 {
 #ifdef TEXTURE_SLICE_SHADOWS
-  vec2 transmittance = FetchTransmittance();
+  vec2 transmittance = FindTransmittance(gradient.xyz);
   vec2 arriving = Weaken(transmittance);
   vec4 shadowed = vec4(surface.xyz * arriving.yxx, surface.w);
   vec3 lit = clamp(Light(color.rgb, gradient.xyz, shadowed), 0.0, 1.0);
@@ -147,14 +169,18 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 #endif
 #endif
 #if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS
+#ifdef TEXTURE_SLICE_GRADIENT
+  vec2 arriving = Weaken(FindTransmittance(gradient.xyz));
+#else
   vec2 arriving = Weaken(FetchTransmittance());
+#endif
   color.rgb *= arriving.x * arriving.y;
 #endif
   return color;
 }
 #endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+#ifdef TEXTURE_SLICE_BLENDS_SAMPLES
 #if TEXTURE_SLICE_FUNCTIONS > 1
 // Components that have their own functions: their colours are added by their weights.
 vec4 AddComponents(vec4 colors[TEXTURE_SLICE_COMPONENTS])
@@ -178,12 +204,14 @@ vec4 AddComponents(vec4 colors[TEXTURE_SLICE_COMPONENTS])
 #endif
 #endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE && !defined TEXTURE_SLICE_SLABS
+#if defined TEXTURE_SLICE_BLENDS_SAMPLES && !defined TEXTURE_SLICE_SLABS
 // Formulas R1: the opacity of a step, from the optical depth of a unit distance; two-dimensional
-// tables hold its opacity.
+// tables hold its opacity. A plane has no thickness: its opacity is that of the table.
 float StepOpacity(float alpha, int component)
 {
-#ifdef TEXTURE_SLICE_TABLE_2D
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_PLANE
+  return alpha;
+#elif defined TEXTURE_SLICE_TABLE_2D
   return 1.0 - pow(1.0 - alpha, CountUnits(component));
 #else
   return 1.0 - exp2(-alpha * CountUnits(component));
@@ -205,7 +233,7 @@ vec4 StepColor(vec4 color, vec4 scalars, int component, int label)
 vec4 Classify(vec4 scalars, int component)
 {
 #ifdef TEXTURE_SLICE_TABLE_2D
-  return LookUp2D(scalars[component], Gradient(scalars, component).w, component);
+  return LookUp2D(scalars, scalars[component], component);
 #else
   return LookUp(scalars[component], component);
 #endif
@@ -225,7 +253,7 @@ bool Gather(vec4 scalars, out vec4 gathered)
 vec4 LookUpBoth(vec4 scalars, float scalar)
 {
 #ifdef TEXTURE_SLICE_TABLE_2D
-  return LookUp2D(scalar, Gradient(scalars, 0).w, 0);
+  return LookUp2D(scalars, scalar, 0);
 #else
   return LookUp(scalar, 0);
 #endif
@@ -267,6 +295,19 @@ bool Gather(vec4 scalars, out vec4 gathered)
   gathered = scalars;
   return true;
 }
+
+#ifdef TEXTURE_SLICE_EXTREME_SAMPLE
+// The depth test keeps the sample with the extreme of the last component, the nearest one of several;
+// below the depth 1 that is there before.
+float ExtremeDepth(vec4 scalars)
+{
+  float scalar = clamp(scalars[TEXTURE_SLICE_COMPONENTS - 1], 0.0, 1.0);
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM
+  scalar = 1.0 - scalar;
+#endif
+  return 0.9999 * scalar;
+}
+#endif
 #endif
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
@@ -376,12 +417,17 @@ bool Gather(vec4 scalars, out vec4 gathered)
   gathered = vec4(0.0);
   for (int i = 0; i < TEXTURE_SLICE_ISO_VALUES; ++i)
   {
-    float isoValue = isoValues[rising ? i : TEXTURE_SLICE_ISO_VALUES - 1 - i];
+    int surface = rising ? i : TEXTURE_SLICE_ISO_VALUES - 1 - i;
+    float isoValue = isoValues[surface];
     vec4 onSurface;
     if (isoValue >= between.x && isoValue < between.y &&
       FindSurface(isoValue, before, nearScalar, here, farScalar, onSurface) &&
       IsLeft(textureCoordinate))
     {
+#ifdef TEXTURE_SLICE_SHADOWS
+      litSurface = lightSurfaces[surface];
+      sideOfEye = rising ? -1.0 : 1.0;
+#endif
       vec4 color = SurfaceColor(isoValue, onSurface);
       gathered += (1.0 - gathered.a) * vec4(color.rgb * color.a, color.a);
     }

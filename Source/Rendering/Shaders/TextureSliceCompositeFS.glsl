@@ -24,6 +24,14 @@ vec4 PictureColor(vec4 extremes)
   {
     return vec4(0.0);
   }
+#ifdef TEXTURE_SLICE_EXTREME_SAMPLE
+#if TEXTURE_SLICE_COMPONENTS == 2
+  vec4 color = vec4(LookUp(extremes.x, 0).rgb, LookUp(extremes.y, 0).a);
+#else
+  vec4 color = vec4(clamp(extremes.rgb, 0.0, 1.0), LookUp(extremes.a, 0).a);
+#endif
+  return vec4(color.rgb * color.a, color.a);
+#else
   vec4 sum = vec4(0.0);
   for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
   {
@@ -31,6 +39,7 @@ vec4 PictureColor(vec4 extremes)
     sum += componentWeight[i] * vec4(color.rgb * color.a, color.a);
   }
   return sum;
+#endif
 }
 #elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
 // Red holds a sum, alpha the number of samples.
@@ -65,9 +74,20 @@ void main()
   gl_FragData[0] = vec4(selectionColor, 1.0);
 }
 #else
-void main()
+// With the final window and level.
+vec4 FinalColor()
 {
   vec4 color = PictureColor(texture(volumeImage, texCoord));
-  gl_FragData[0] = vec4(color.rgb * colorScale + colorBias * color.a, color.a);
+  return vec4(color.rgb * colorScale + colorBias * color.a, color.a);
 }
+
+#ifdef TEXTURE_SLICE_PEEL
+//VTK::TextureSlice::Peel
+//VTK::TextureSlice::PeelComposite
+#else
+void main()
+{
+  gl_FragData[0] = FinalColor();
+}
+#endif
 #endif

@@ -12,6 +12,7 @@ vec3 textureCoordinate = vec3(0.0);
 // To the next slice along the ray, in the first component's unit distances.
 in vec3 sampleStep;
 
+//VTK::TextureSlice::Peel
 //VTK::TextureSlice::Sampling
 //VTK::TextureSlice::Lighting
 //VTK::TextureSlice::Shadows
@@ -53,9 +54,30 @@ bool IsLeft(vec3 at)
 #ifdef TEXTURE_SLICE_SLABS
 //VTK::TextureSlice::Slabs
 #else
+#if defined TEXTURE_SLICE_EXTREME_SAMPLE && !defined TEXTURE_SLICE_PEEL
+// Depth of the opaque geometry, 0 to 1.
+uniform sampler2D geometryDepth;
+#endif
+
+// Whether the sample is in front of the opaque geometry, or within the part of a peel.
+bool IsInSight()
+{
+#ifdef TEXTURE_SLICE_PEEL
+  return IsInPeel(gl_FragCoord.z);
+#elif defined TEXTURE_SLICE_EXTREME_SAMPLE
+  return gl_FragCoord.z <= texelFetch(geometryDepth, ivec2(gl_FragCoord.xy), 0).r;
+#else
+  return true; // the depth test decides
+#endif
+}
+
 bool GatherSample(out vec4 gathered)
 {
   textureCoordinate = sliceCoordinate;
+  if (!IsInSight())
+  {
+    return false;
+  }
 #if TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
   // A surface lies beside the sample.
   if (!IsLeft(textureCoordinate))
@@ -84,5 +106,8 @@ void main()
     discard;
   }
   gl_FragData[0] = gathered;
+#ifdef TEXTURE_SLICE_EXTREME_SAMPLE
+  gl_FragDepth = ExtremeDepth(gathered);
+#endif
 #endif
 }

@@ -6,6 +6,30 @@ uniform sampler3D volumeTexture;
 uniform vec4 scalarScale;
 uniform vec4 scalarBias;
 
+#ifdef TEXTURE_SLICE_RECTILINEAR
+// For each axis, from the place in the box to the part of the points' intervals before it.
+uniform sampler1D coordinateTable;
+// From 0 to 1 to the centres of the first and the last entry.
+uniform vec2 coordinateScaleAndBias;
+// From the box to texture coordinates.
+uniform vec3 placeScale;
+uniform vec3 placeBias;
+
+// Texture coordinates where the points are of equal distances to those of the texture.
+vec3 Place(vec3 at)
+{
+  vec3 entry = (at - placeBias) / placeScale * coordinateScaleAndBias.x + coordinateScaleAndBias.y;
+  vec3 part = vec3(texture(coordinateTable, entry.x).x, texture(coordinateTable, entry.y).y,
+    texture(coordinateTable, entry.z).z);
+  return part * placeScale + placeBias;
+}
+#else
+vec3 Place(vec3 at)
+{
+  return at;
+}
+#endif
+
 #ifdef TEXTURE_SLICE_BLANKED
 // Above 0 where the ghost flags of cells (or of points, for scalars of cells) hide what is there.
 uniform sampler3D blankTexture;
@@ -21,7 +45,7 @@ uniform vec3 blankBias;
 // alone; where the hidden ones weigh more, there is nothing to see.
 float FetchVisibility(vec3 at, out vec4 scalars)
 {
-  vec4 texel = texture(volumeTexture, at);
+  vec4 texel = texture(volumeTexture, Place(at));
 #ifdef TEXTURE_SLICE_MASKED
   float visible = texel[TEXTURE_SLICE_COMPONENTS];
 #else
@@ -29,7 +53,7 @@ float FetchVisibility(vec3 at, out vec4 scalars)
 #endif
   scalars = texel / max(visible, 0.5) * scalarScale + scalarBias;
 #ifdef TEXTURE_SLICE_BLANKED
-  if (texture(blankTexture, at * blankScale + blankBias).r > 0.0)
+  if (texture(blankTexture, Place(at) * blankScale + blankBias).r > 0.0)
   {
     return -0.5;
   }
@@ -46,8 +70,25 @@ bool FetchScalars(vec3 at, out vec4 scalars)
 // False where there is nothing to see.
 bool FetchScalars(vec3 at, out vec4 scalars)
 {
-  scalars = texture(volumeTexture, at) * scalarScale + scalarBias;
+  scalars = texture(volumeTexture, Place(at)) * scalarScale + scalarBias;
   return true;
+}
+#endif
+
+#ifdef TEXTURE_SLICE_SECOND_ARRAY
+// The array that two-dimensional functions have in place of the gradient magnitude.
+uniform sampler3D secondTexture;
+uniform vec4 secondScale;
+uniform vec4 secondBias;
+
+// 0 to 1 over the component's range; of masked texels, the mean of the visible points.
+float FetchSecond(vec3 at, int component)
+{
+  vec4 texel = texture(secondTexture, Place(at));
+#ifdef TEXTURE_SLICE_SECOND_MASKED
+  texel /= max(texel[TEXTURE_SLICE_SECOND_ARRAY], 0.5);
+#endif
+  return texel[component] * secondScale[component] + secondBias[component];
 }
 #endif
 
@@ -55,12 +96,12 @@ bool FetchScalars(vec3 at, out vec4 scalars)
 // 0 to 255 as 0 to 1.
 uniform sampler3D maskTexture;
 
-// 0: no label. Labels without functions beyond the last one are drawn like it.
+// 0: no label, or one beyond the last that has functions of its own.
 int FetchLabel(vec3 at)
 {
-  int label = int(texture(maskTexture, at).r * 255.0 + 0.5);
+  int label = int(texture(maskTexture, Place(at)).r * 255.0 + 0.5);
 #ifdef TEXTURE_SLICE_LABELS
-  label = min(label, TEXTURE_SLICE_LABELS);
+  label = label > TEXTURE_SLICE_LABELS ? 0 : label;
 #endif
   return label;
 }

@@ -10,8 +10,10 @@ uniform float tableHalfEntry;
 // From sampleStep to texture coordinates.
 uniform vec3 stepToTexture;
 
+#ifndef TEXTURE_SLICE_PEEL
 // Depth of the opaque geometry, 0 to 1.
 uniform sampler2D geometryDepth;
+#endif
 // z and w of clip coordinates: of this slice, and from one slice to the next.
 flat in vec2 clipDepth;
 uniform vec2 clipStep;
@@ -20,6 +22,13 @@ uniform vec2 clipStep;
 // In the coordinates of partPosition; what is below 0 is cut away.
 uniform vec4 clippingPlanes[TEXTURE_SLICE_CLIPPING_PLANES];
 #endif
+
+// Slice distances from the slice to where the ray has that depth of the window, 0 to 1.
+float StepsToDepth(float windowDepth)
+{
+  float depth = 2.0 * windowDepth - 1.0;
+  return (depth * clipDepth.y - clipDepth.x) / (clipStep.x - depth * clipStep.y);
+}
 
 // Where the segment begins and ends, in slice distances from the slice. The first and the last one
 // on a ray reach to the face of the box or to the clipping plane, if no other slice is between.
@@ -36,12 +45,27 @@ vec2 FindSegment()
   }
 #endif
   vec2 segment = vec2(faces.x < 1.0 ? -faces.x : -0.5, faces.y < 1.0 ? faces.y : 0.5);
-  float depth = 2.0 * texelFetch(geometryDepth, ivec2(gl_FragCoord.xy), 0).r - 1.0;
+#ifdef TEXTURE_SLICE_PEEL
+  vec2 range = PeelRange();
+  if (range.x >= range.y)
+  {
+    return vec2(0.0);
+  }
+  if (range.x > 0.0)
+  {
+    segment.x = max(segment.x, StepsToDepth(range.x));
+  }
+  if (range.y < 1.0)
+  {
+    segment.y = min(segment.y, StepsToDepth(range.y));
+  }
+#else
+  float depth = texelFetch(geometryDepth, ivec2(gl_FragCoord.xy), 0).r;
   if (depth < 1.0)
   {
-    float steps = (depth * clipDepth.y - clipDepth.x) / (clipStep.x - depth * clipStep.y);
-    segment.y = min(segment.y, steps);
+    segment.y = min(segment.y, StepsToDepth(depth));
   }
+#endif
   return segment;
 }
 
@@ -285,6 +309,12 @@ vec4 FinishSlab(Slab slab)
 bool MakeSlabs(out Slab slabs[TEXTURE_SLICE_SLABS])
 {
   vec2 segment = FindSegment();
+#ifdef TEXTURE_SLICE_PEEL
+  if (segment.x >= segment.y)
+  {
+    return false;
+  }
+#endif
   float thickness = max(segment.y - segment.x, 0.0) / float(TEXTURE_SLICE_SLABS);
   vec3 toBack = thickness * sampleStep * stepToTexture;
   vec3 first = sliceCoordinate + segment.x * sampleStep * stepToTexture;

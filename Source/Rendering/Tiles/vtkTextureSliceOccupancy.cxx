@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -21,6 +22,8 @@ void vtkTextureSliceOccupancy::Build(const std::array<int, 3>& count,
   const std::array<double, 3>& edge, const std::vector<unsigned char>& visible)
 {
   this->Count = count;
+  this->Borders = {};
+  this->Margin = PositionError;
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     this->PerBox[axis] = 1.0 / edge[axis];
@@ -44,22 +47,39 @@ void vtkTextureSliceOccupancy::Build(const std::array<int, 3>& count,
   }
 }
 
+void vtkTextureSliceOccupancy::SetBorders(std::array<std::vector<double>, 3> borders, double margin)
+{
+  this->Borders = std::move(borders);
+  this->Margin = margin;
+}
+
+int vtkTextureSliceOccupancy::FindBrick(std::size_t axis, double place) const
+{
+  const std::vector<double>& borders = this->Borders[axis];
+  const auto beyond = std::upper_bound(borders.begin(), borders.end(), place);
+  return std::max(0, static_cast<int>(beyond - borders.begin()) - 1);
+}
+
 vtkTextureSliceOccupancy::Share vtkTextureSliceOccupancy::Find(
   const std::array<double, 3>& low, const std::array<double, 3>& high) const
 {
   std::array<int, 3> begin;
   std::array<int, 3> end;
+  // A frame asks this many thousand times.
+  const bool even = this->Borders[0].empty();
+  const auto find = [&](std::size_t axis, double place)
+  { return even ? static_cast<int>(place * this->PerBox[axis]) : this->FindBrick(axis, place); };
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const double from = low[axis] - PositionError;
-    const double to = high[axis] + PositionError;
+    const double from = low[axis] - this->Margin;
+    const double to = high[axis] + this->Margin;
     if (to < 0.0 || from > 1.0)
     {
       return Share::Nothing;
     }
     const int last = this->Count[axis] - 1;
-    begin[axis] = std::min(last, static_cast<int>(std::max(0.0, from) * this->PerBox[axis]));
-    end[axis] = std::min(last, static_cast<int>(std::min(1.0, to) * this->PerBox[axis])) + 1;
+    begin[axis] = std::min(last, find(axis, std::max(0.0, from)));
+    end[axis] = std::min(last, find(axis, std::min(1.0, to))) + 1;
   }
   const auto before = [&](int x, int y, int z) { return this->VisibleBefore[this->At(x, y, z)]; };
   const int visible = before(end[0], end[1], end[2]) - before(begin[0], end[1], end[2]) -

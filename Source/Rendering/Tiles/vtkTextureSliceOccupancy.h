@@ -34,6 +34,12 @@ public:
    */
   void Build(const std::array<int, 3>& count, const std::array<double, 3>& edge,
     const std::vector<unsigned char>& visible);
+  /**
+   * After Build: bricks of different edges.
+   * @param borders where each brick begins in box coordinates, and where the last one ends.
+   * @param margin what a sample's position may err by.
+   */
+  void SetBorders(std::array<std::vector<double>, 3> borders, double margin);
 
   /// How much a part of the box, in box coordinates, touches of visible bricks. What lies outside
   /// the box does not count.
@@ -45,7 +51,12 @@ private:
     return (static_cast<std::size_t>(z) * (this->Count[1] + 1) + y) * (this->Count[0] + 1) + x;
   }
 
+  /// The brick between two borders in which a place of the box lies.
+  int FindBrick(std::size_t axis, double place) const;
+
   std::array<int, 3> Count{1, 1, 1};
+  std::array<std::vector<double>, 3> Borders; ///< none: all bricks have the same edges
+  double Margin = 0.0;
   std::array<double, 3> PerBox{1.0, 1.0, 1.0}; ///< bricks of full size in the box
   /// Visible bricks before x, y and z; one more than there are bricks along each axis.
   std::vector<int> VisibleBefore;

@@ -80,7 +80,7 @@ TEST(TextureSliceGeometry, SlicesFillTheBox)
   vtkTextureSliceGeometry geometry;
   geometry.Build(view);
   EXPECT_EQ(geometry.GetNumberOfSlices(), 1000);
-  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 1.0, 1e-5);
+  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 1.0, 1e-7);
 }
 
 TEST(TextureSliceGeometry, SlabsShareAPlane)
@@ -96,7 +96,7 @@ TEST(TextureSliceGeometry, SlabsShareAPlane)
   view.NumberOfSlices = 4000;
   geometry.Build(view);
   EXPECT_EQ(geometry.GetNumberOfPlanes(), 1000);
-  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 1.0, 1e-5);
+  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 1.0, 1e-7);
 }
 
 TEST(TextureSliceGeometry, ClippingPlaneAndPartLeaveTheirShare)
@@ -107,12 +107,12 @@ TEST(TextureSliceGeometry, ClippingPlaneAndPartLeaveTheirShare)
   view.Part = {0.25, 0.75, 0.0, 1.0, 0.5, 1.0};
   vtkTextureSliceGeometry geometry;
   geometry.Build(view);
-  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 0.25, 1e-5);
+  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 0.25, 1e-7);
 
   // Keeps x + y >= 1: half of what is left.
   view.ClippingPlanes = {{1.0, 1.0, 0.0, -1.0}};
   geometry.Build(view);
-  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 0.125, 1e-5);
+  EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 0.125, 1e-7);
 }
 
 TEST(TextureSliceGeometry, SlicesComeNearestFirstAtEqualDepths)
