@@ -785,8 +785,7 @@ void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
   vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings)
 {
 #if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  if (property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f &&
-      !this->Parts->Coordinates.IsUsed())
+  if (property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f)
   {
     settings.Scattering = static_cast<double>(this->VolumetricScatteringBlending);
     settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
@@ -803,13 +802,15 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
   Internals& parts = *this->Parts;
   vtkTextureSliceShadowSettings settings;
   // The light is computed in cells of one size.
-  const bool equal = !parts.Coordinates.IsUsed();
-  settings.Shadow = equal ? this->ShadowStrength : 0.0;
-  settings.Occlusion = equal ? this->OcclusionStrength : 0.0;
+  if (!parts.Coordinates.IsUsed())
+  {
+    settings.Shadow = this->ShadowStrength;
+    settings.Occlusion = this->OcclusionStrength;
+    this->FollowScattering(request.Property, settings);
+  }
   settings.Density = this->ShadowDensity;
   std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
   std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
-  this->FollowScattering(request.Property, settings);
   // The same border as for the image sample distance; the window's own rate, because the time of a
   // prop is shared out only while a frame is drawn.
   settings.Interactive =

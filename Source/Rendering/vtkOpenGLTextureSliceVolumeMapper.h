@@ -24,12 +24,12 @@
  * linearly, has the value, whatever the number of slices; of two dependent components the second
  * has the surfaces and gives their opacity, the first gives the colour. Light and gradient opacity
  * as in VTK's ray caster; they count where places are shown (composite, isosurface, slice), not in
- * projections. Two-dimensional transfer functions (scalar and gradient
- * magnitude, or scalar and the array that Transfer2DYAxisArray names) in the composite mode. A mask
- * of the volume's dimensions, one unsigned char each: binary, or labels with functions of their
- * own. Cropping, clipping planes, opaque geometry, a camera inside the volume, and final window and
- * level work as in VTK's ray caster. Translucent geometry is behind the volume, unless the renderer
- * peels both by depth (SetUseDepthPeelingForVolumes).
+ * projections. Two-dimensional transfer functions (scalar and gradient magnitude, or scalar and the
+ * array that Transfer2DYAxisArray names) in the composite mode. A mask of the volume's dimensions,
+ * one unsigned char each: binary, or labels with functions of their own. Cropping, clipping planes,
+ * opaque geometry, a camera inside the volume, and final window and level work as in VTK's ray
+ * caster. Translucent geometry is behind the volume, unless the renderer peels both by depth
+ * (SetUseDepthPeelingForVolumes).
  *
  * ImageSampleDistance makes the picture coarser or finer than the window. With
  * AutoAdjustSampleDistances (on by default) it grows to 1, 2, 5 or 10, between
@@ -91,8 +91,8 @@ public:
    * the light of LightDirection does not arrive. Composite blending with one-dimensional functions
    * and isosurfaces have shadows and occlusion; in other modes they have no effect. They are made
    * from the scalars' opacity alone, gradient opacity does not count. Light that crosses an
-   * isosurface loses the opacity of its value. Rectilinear grids have none. What is cropped or clipped
-   * away, hidden or masked out casts no shadow.
+   * isosurface loses the opacity of its value. Rectilinear grids have none. What is cropped or
+   * clipped away, hidden or masked out casts no shadow.
    *
    * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, it mixes
    * the light that surfaces return with light that the volume scatters alike into all directions,

@@ -254,6 +254,14 @@ TEST_F(WindowTest, SettingsChangeThePicture)
     0.001, "pixels that the walls change, part");
 }
 
+TEST_F(WindowTest, AMapIsSeenFromAboveAndTheSettingsSayIt)
+{
+  this->OpenSteps(1);
+  this->Choose("View", 1);
+  EXPECT_EQ(window->View()->Scene()->GetTilt(), 90.0);
+  EXPECT_EQ(this->Find<QComboBox>("Projection")->currentText(), "Parallel");
+}
+
 TEST_F(WindowTest, TheMouseTurnsAndZooms)
 {
   this->OpenSteps(1);

@@ -33,12 +33,6 @@ struct DemoOptions
   bool quiet = false;
 };
 
-// The storms of the synthetic day are at their height from then on.
-Time DemoBegin()
-{
-  return *ParseIso8601("2006-03-12T18:00");
-}
-
 // Says what one stage made, in one line of the summary.
 class Stage
 {
@@ -89,11 +83,9 @@ void RequireDisplayVariable()
 std::vector<fs::path> SimulateStage(const DemoOptions& options)
 {
   Stage stage("simulating", options.quiet);
-  SimulatedDayOptions day;
-  day.begin = DemoBegin();
-  day.length = options.length;
   const fs::path folder = options.folder / "level2";
-  const SimulationReport report = WriteSimulatedFiles(day, folder, stage.GetProgress());
+  const SimulationReport report =
+    WriteSimulatedFiles(DemoDay(options.length), folder, stage.GetProgress());
   stage.Finish(report.files.size(), "Level II files", report.bytes, folder);
   return report.files;
 }

@@ -110,6 +110,14 @@ void FileFactory::Finish(std::uint64_t bytes)
 
 } // namespace
 
+SimulatedDayOptions DemoDay(Duration length)
+{
+  SimulatedDayOptions day;
+  day.begin = *ParseIso8601("2006-03-12T18:00");
+  day.length = length;
+  return day;
+}
+
 SimulationReport WriteSimulatedFiles(
   const SimulatedDayOptions& options, const fs::path& folder, const Progress& progress)
 {

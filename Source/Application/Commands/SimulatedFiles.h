@@ -20,6 +20,9 @@ struct SimulationReport
   Time end{};   ///< of the last volume's period
 };
 
+/// The synthetic day from 18:00 UTC on, when its storms are at their height.
+SimulatedDayOptions DemoDay(Duration length);
+
 /// Writes the files of a synthetic storm day into a folder, which is made when it does not exist.
 /// Works on as many volumes at a time as the machine has cores; every file appears whole or not at
 /// all. `progress` is told from one thread at a time, and can stop the work: the files written so

@@ -79,8 +79,7 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
   const auto options = std::make_shared<ViewOptions>();
   scene::ViewRequest& request = options->request;
   CLI::App* command = program.add_subcommand("view", "Show volumes, or radar files, in a window");
-  AddInputOptions(*command, request.input);
-  command->get_option("input")->required(false);
+  AddInputOptions(*command, request.input, false);
   command->add_flag("--plain", options->plain,
     "A window without menus and panels, which lists its keys; the only one where the program was "
     "built without Qt");

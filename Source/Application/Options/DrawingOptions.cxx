@@ -129,12 +129,12 @@ scene::LightDirection ParseLightDirection(const std::string& text)
 
 } // namespace
 
-void AddInputOptions(CLI::App& command, scene::InputRequest& request)
+void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required)
 {
   command
     .add_option("input", request.inputs,
       "Volumes (.nxv, .nxv.series, .vti, or folders of them), or radar files and folders of them")
-    ->required()
+    ->required(required)
     ->type_name("INPUT");
   AddParsedOption(command, "--time", request.time, ParseTime, "TIME",
     "Draw this time alone, in UTC, as in 2006-03-12T18:00");

@@ -17,8 +17,8 @@ class App;
 namespace nexrad::application
 {
 
-/// What is drawn, and which time of it.
-void AddInputOptions(CLI::App& command, scene::InputRequest& request);
+/// What is drawn, and which time of it. `required`: whether an input must be named.
+void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required = true);
 
 /// From where.
 void AddCameraOptions(CLI::App& command, scene::CameraView& camera);

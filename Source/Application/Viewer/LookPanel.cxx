@@ -170,6 +170,7 @@ void LookPanel::AddDrawing(QFormLayout* form)
       if (index != vtkNexradVolumeScene::NO_PLAN)
       {
         scene->SetCameraFromAbove();
+        this->Follow();
       }
     });
 }

@@ -44,25 +44,14 @@ constexpr int mostRecent = 8;
 constexpr char recentKey[] = "recent";
 constexpr char syntheticTitle[] = "synthetic day";
 
-// The hour of the synthetic day at which its storms are at their height.
-SimulatedDayOptions SyntheticHour()
-{
-  SimulatedDayOptions day;
-  day.begin = *ParseIso8601("2006-03-12T18:00");
-  day.length = std::chrono::hours(1);
-  return day;
-}
-
 // Writes the synthetic files, as the first quarter of the work, and opens them.
 std::unique_ptr<scene::VolumeSeries> OpenSimulated(
   scene::InputRequest input, const std::filesystem::path& folder, const Progress& progress)
 {
   constexpr double part = 0.25;
-  const auto simulating = [&](double fraction) { return !progress || progress(part * fraction); };
-  input.inputs = application::WriteSimulatedFiles(SyntheticHour(), folder, simulating).files;
-  const auto opening = [&](double fraction)
-  { return !progress || progress(part + (1.0 - part) * fraction); };
-  return scene::OpenInputs(input, opening);
+  const SimulatedDayOptions hour = application::DemoDay(std::chrono::hours(1));
+  input.inputs = application::WriteSimulatedFiles(hour, folder, ShareOf(progress, 0.0, part)).files;
+  return scene::OpenInputs(input, ShareOf(progress, part, 1.0));
 }
 
 } // namespace
@@ -201,6 +190,7 @@ void MainWindow::OpenSyntheticDay()
 void MainWindow::OpenInputs(const scene::InputRequest& input, const QString& name, bool simulate)
 {
   title = name;
+  first = true;
   failures.clear();
   scene::BackgroundSeriesOptions options;
   auto folder = simulate ? std::make_shared<QTemporaryDir>() : nullptr;
@@ -226,11 +216,11 @@ void MainWindow::OpenInputs(const scene::InputRequest& input, const QString& nam
 
 void MainWindow::ShowVolume(vtkImageData* volume)
 {
-  const bool first = view->Scene()->GetVolume() == nullptr;
   view->SetVolume(volume);
-  if (first || view->Scene()->GetTransferFunction() == nullptr)
+  if (first)
   {
-    look->Follow();
+    look->Follow(); // its moment may be another than that of the series before
+    first = false;
   }
 }
 

@@ -79,6 +79,7 @@ private:
   QMenu* recent = nullptr;
   QMenu* windows = nullptr;
   QString title;
+  bool first = true; ///< no volume of the series was shown yet
   std::vector<std::filesystem::path> pictures;
   QStringList failures; ///< since the series was opened
 };
