@@ -14,28 +14,11 @@
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkShaderProperty.h"
-#include "vtkTextureSliceBlanks.h"
-#include "vtkTextureSliceCoordinates.h"
-#include "vtkTextureSliceEmptySpace.h"
-#include "vtkTextureSliceFrame.h"
-#include "vtkTextureSliceGeometry.h"
-#include "vtkTextureSliceIntegralTable.h"
-#include "vtkTextureSliceLights.h"
-#include "vtkTextureSliceOpaquePixels.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkTextureSlicePeeling.h"
-#include "vtkTextureSliceProgram.h"
-#include "vtkTextureSliceRequest.h"
-#include "vtkTextureSliceResolution.h"
-#include "vtkTextureSliceShadows.h"
-#include "vtkTextureSliceTable.h"
-#include "vtkTextureSliceTable2D.h"
-#include "vtkTextureSliceTarget.h"
-#include "vtkTextureSliceTexture.h"
+#include "vtkTextureSliceParts.h"
 #include "vtkTimerLog.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-#include "vtkWeakPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -43,105 +26,6 @@
 #include <string>
 
 vtkStandardNewMacro(vtkOpenGLTextureSliceVolumeMapper);
-
-/// The helpers, one job each; every one decides for itself what a change makes it do anew.
-class vtkOpenGLTextureSliceVolumeMapper::Internals
-{
-public:
-  vtkTextureSliceTexture Texture;
-  vtkTextureSliceTable Table;
-  vtkTextureSliceTable2D Table2D;
-  vtkTextureSliceTexture Mask;
-  /// What two-dimensional functions have in place of the gradient magnitude.
-  vtkTextureSliceTexture SecondArray;
-  vtkTextureSliceBlanks Blanks;
-  /// Used where the input is a rectilinear grid.
-  vtkTextureSliceCoordinates Coordinates;
-  vtkSmartPointer<vtkImageData> GridAsImage;
-  vtkTextureSliceTable LabelTable;
-  vtkTextureSliceIntegralTable Integrals;
-  vtkTextureSliceIntegralTable LabelIntegrals;
-  vtkTextureSliceFrame Frame;
-  vtkTextureSliceEmptySpace EmptySpace;
-  vtkTextureSliceGeometry Geometry;
-  /// Whole slices: where the sum of an additive picture is 0, although there are samples.
-  vtkTextureSliceGeometry Cover;
-  bool HasCover = false;
-  vtkTextureSliceLights Lights;
-  vtkTextureSliceShadows Shadows;
-  vtkTextureSliceResolution Resolution;
-  /// Image sample distance of this frame.
-  double PixelSize = 1.0;
-  vtkTextureSliceTarget Target;
-  vtkTextureSliceProgram Program;
-  vtkTextureSliceOpaquePixels OpaquePixels;
-  vtkTextureSlicePeeling Peeling;
-  /// The window whose context owns the graphics resources.
-  vtkWeakPointer<vtkOpenGLRenderWindow> Window;
-  /// What the last frame refused, and what it ignored: the same is not said again.
-  std::string Refused;
-  std::string Ignored;
-
-  /// Whether a message that is repeated each frame is another one than in the last frame.
-  static bool IsNews(std::string& last, const std::string& message)
-  {
-    const bool news = last != message;
-    last = message;
-    return news && !message.empty();
-  }
-
-  /// Deletes the graphics resources in the context of the window that owns them; the current
-  /// context stays the same.
-  void Release(vtkOpenGLRenderWindow* window)
-  {
-    if (window == nullptr)
-    {
-      return;
-    }
-    window->PushContext();
-    this->Texture.ReleaseGraphicsResources(window);
-    this->Table.ReleaseGraphicsResources(window);
-    this->Table2D.ReleaseGraphicsResources(window);
-    this->Mask.ReleaseGraphicsResources(window);
-    this->SecondArray.ReleaseGraphicsResources(window);
-    this->Blanks.ReleaseGraphicsResources(window);
-    this->Coordinates.ReleaseGraphicsResources(window);
-    this->LabelTable.ReleaseGraphicsResources(window);
-    this->Shadows.ReleaseGraphicsResources(window);
-    this->Integrals.ReleaseGraphicsResources(window);
-    this->LabelIntegrals.ReleaseGraphicsResources(window);
-    this->Target.ReleaseGraphicsResources(window);
-    this->Program.ReleaseGraphicsResources();
-    this->OpaquePixels.ReleaseGraphicsResources();
-    window->PopContext();
-    this->Window = nullptr;
-  }
-
-  /// Makes that window the owner; another one gives its resources up first.
-  void Use(vtkOpenGLRenderWindow* window)
-  {
-    if (this->Window != window)
-    {
-      this->Release(this->Window);
-    }
-    this->Window = window;
-    window->MakeCurrent();
-  }
-
-  /// Brings the tables of transfer functions up to date. @return false with one line in @a error
-  bool UpdateTables(const vtkTextureSliceRequest& request, bool nearest, std::string& error);
-  /// Brings the integrals of the tables up to date, for slabs as thick as those of the geometry.
-  void UpdateIntegrals(const vtkTextureSliceUniforms& uniforms);
-  /// Slices after which to look for opaque pixels; 0: never.
-  int ChooseGroup(const vtkTextureSliceUniforms& uniforms);
-  /// Draws the slices into the target that is bound. @return false if the shaders do not compile
-  bool DrawSlices(const vtkTextureSliceUniforms& uniforms);
-  /// Draws the slices into the target. @return false with one line in @a error
-  bool Draw(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error);
-  /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level
-  void Composite(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, float colorScale,
-    float colorBias);
-};
 
 namespace
 {
@@ -178,51 +62,6 @@ private:
   vtkOpenGLState::ScopedglEnableDisable Blend;
   vtkOpenGLState::ScopedglEnableDisable CullFace;
 };
-
-/// What the target holds before the first slice.
-float GetClearValue(int blendMode)
-{
-  // Extremes are 0 to 1: beyond that, there was no sample.
-  switch (blendMode)
-  {
-  case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
-    return -1.0f;
-  case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
-    return 2.0f;
-  default:
-    return 0.0f;
-  }
-}
-
-/// How a slice joins those in front of it.
-void SetBlending(vtkOpenGLState* state, int blendMode)
-{
-  switch (blendMode)
-  {
-  case vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND:
-    state->vtkglBlendEquation(GL_MAX);
-    break;
-  case vtkVolumeMapper::MINIMUM_INTENSITY_BLEND:
-    state->vtkglBlendEquation(GL_MIN);
-    break;
-  case vtkVolumeMapper::AVERAGE_INTENSITY_BLEND:
-  case vtkVolumeMapper::ADDITIVE_BLEND:
-    state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
-    break;
-  default:
-    // Formulas T9, R3: associated colour, front to back.
-    state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
-  }
-}
-
-/// The sample with the least depth takes a pixel, from a depth of 1 on.
-void KeepNearest(vtkOpenGLState* state)
-{
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDepthFunc(GL_LESS);
-  state->vtkglDepthMask(GL_TRUE);
-  state->vtkglClear(GL_DEPTH_BUFFER_BIT);
-}
 
 /// Points along each axis; empty for what is neither an image nor a rectilinear grid.
 std::vector<int> FindDimensions(vtkDataSet* input)
@@ -283,163 +122,8 @@ std::vector<vtkTextureSliceComponent> FindRanges(vtkDataArray* scalars)
 
 } // namespace
 
-bool vtkOpenGLTextureSliceVolumeMapper::Internals::UpdateTables(
-  const vtkTextureSliceRequest& request, bool nearest, std::string& error)
-{
-  const auto& components = this->Texture.GetComponents();
-  const vtkTextureSliceFeatures features = request.GetFeatures();
-  this->Table.Update(this->Window, request.MakeRows(components), nearest);
-  if (features.Labels > 0)
-  {
-    this->LabelTable.Update(this->Window, request.MakeLabelRows(components), nearest);
-  }
-  return !features.Table2D ||
-         this->Table2D.Update(this->Window, request.MakeTables2D(), nearest, error);
-}
-
-void vtkOpenGLTextureSliceVolumeMapper::Internals::UpdateIntegrals(
-  const vtkTextureSliceUniforms& uniforms)
-{
-  const vtkTextureSliceFeatures& features = uniforms.Features;
-  double unitDistance = 0.0; // the longest
-  for (const vtkTextureSliceSurface& surface : uniforms.Surfaces)
-  {
-    unitDistance = std::max(unitDistance, 1.0 / static_cast<double>(surface.InverseUnitDistance));
-  }
-  const double slab = this->Geometry.GetDataStep() / features.Slabs;
-  const double mostDepth = vtkTextureSliceIntegralTable::ChooseMostDepth(slab / unitDistance);
-  const int dimensions = features.GetIntegralDimensions();
-  this->Integrals.Update(this->Window, this->Table, features.Functions, dimensions, mostDepth);
-  if (features.Labels > 0)
-  {
-    this->LabelIntegrals.Update(
-      this->Window, this->LabelTable, features.Labels, dimensions, mostDepth);
-  }
-}
-
-int vtkOpenGLTextureSliceVolumeMapper::Internals::ChooseGroup(
-  const vtkTextureSliceUniforms& uniforms)
-{
-  const vtkTextureSliceFeatures& features = uniforms.Features;
-  const bool composite = features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND;
-  if (!composite && features.BlendMode != vtkVolumeMapper::ISOSURFACE_BLEND)
-  {
-    return 0;
-  }
-  double mostOpacity = 0.0;
-  for (int i = 0; i < features.Functions; ++i)
-  {
-    const auto row = static_cast<std::size_t>(i);
-    const double steps =
-      this->Geometry.GetDataStep() * double(uniforms.Surfaces[row].InverseUnitDistance);
-    mostOpacity = std::max(
-      mostOpacity, 1.0 - std::pow(1.0 - this->Table.GetMostOpacity(row), steps)); // Formulas R1
-  }
-  // Opacities that are not those of the table may be anything.
-  const bool other = !composite || features.Table2D || features.Labels > 0;
-  return vtkTextureSliceOpaquePixels::ChooseGroup(
-    other ? 1.0 : mostOpacity, this->Geometry.GetNumberOfPlanes());
-}
-
-bool vtkOpenGLTextureSliceVolumeMapper::Internals::DrawSlices(
-  const vtkTextureSliceUniforms& uniforms)
-{
-  const auto hideOpaque = [&](vtkOpenGLBufferObject* vertices, int first, int count)
-  {
-    this->Target.BeginDepthOnly();
-    this->OpaquePixels.Mark(
-      this->Window, vertices, first, count, this->Frame.GetBoxToClip(), this->Target.GetPicture());
-    this->Target.EndDepthOnly();
-  };
-  const int vertices = this->Geometry.GetNumberOfVertices();
-  const bool drawn = vertices == 0 || this->Program.Draw(this->Window, this->Geometry, uniforms,
-                                        this->ChooseGroup(uniforms), hideOpaque);
-  if (!drawn || !this->HasCover)
-  {
-    return drawn;
-  }
-  // Pixels that have a sum are passed by; elsewhere the first sample makes them black.
-  if (vertices > 0)
-  {
-    hideOpaque(this->Program.GetVertices(), 0, vertices);
-  }
-  const int group = vtkTextureSliceOpaquePixels::ChooseGroup(1.0, this->Cover.GetNumberOfPlanes());
-  return this->Program.Draw(this->Window, this->Cover, uniforms, group, hideOpaque);
-}
-
-bool vtkOpenGLTextureSliceVolumeMapper::Internals::Draw(
-  vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error)
-{
-  const int blendMode = uniforms.Features.BlendMode;
-  if (!this->Target.Begin(renderer, GetClearValue(blendMode), this->PixelSize, error))
-  {
-    return false;
-  }
-  if (uniforms.Features.Slabs > 0)
-  {
-    this->UpdateIntegrals(uniforms);
-  }
-  if (uniforms.Features.NeedsDepth() && !this->Target.KeepDepth(error))
-  {
-    this->Target.End();
-    return false;
-  }
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglEnable(GL_DEPTH_TEST);
-  state->vtkglDepthFunc(GL_LEQUAL);
-  state->vtkglDisable(GL_CULL_FACE);
-  state->vtkglEnable(GL_BLEND);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  SetBlending(state, blendMode);
-  if (uniforms.Features.ExtremeSample)
-  {
-    KeepNearest(state);
-  }
-  const bool drawn = this->DrawSlices(uniforms);
-  state->vtkglBlendEquation(GL_FUNC_ADD);
-  this->Target.End();
-  if (!drawn)
-  {
-    error = "OpenGL could not compile the shaders of the slices";
-  }
-  return drawn;
-}
-
-void vtkOpenGLTextureSliceVolumeMapper::Internals::Composite(
-  vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, float colorScale, float colorBias)
-{
-  // Associated colour over the window; identifiers as they are.
-  vtkOpenGLState* state = this->Window->GetState();
-  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->SetEnumState(GL_BLEND, !uniforms.Features.Selection);
-  const bool peeled = uniforms.Features.Peel > 0;
-  if (peeled)
-  {
-    this->Peeling.SetBlending(state);
-  }
-  this->Table.GetTexture()->Activate();
-  // Between an extreme and no sample at all there is nothing.
-  const int blendMode = uniforms.Features.BlendMode;
-  const bool smooth = this->PixelSize != 1.0 &&
-                      blendMode != vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND &&
-                      blendMode != vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
-  this->Target.Composite(renderer, smooth, uniforms.Features,
-    [&](vtkShaderProgram* program)
-    {
-      if (peeled)
-      {
-        this->Peeling.SetUniforms(program, 1.0);
-      }
-      program->SetUniformf("colorScale", colorScale);
-      program->SetUniformf("colorBias", colorBias);
-      program->SetUniform3f("selectionColor", uniforms.SelectionColor.data());
-      uniforms.SetTable(program);
-    });
-  this->Table.GetTexture()->Deactivate();
-}
-
 vtkOpenGLTextureSliceVolumeMapper::vtkOpenGLTextureSliceVolumeMapper()
-  : Parts(std::make_unique<Internals>())
+  : Parts(std::make_unique<vtkTextureSliceParts>())
 {
 }
 
@@ -626,12 +310,12 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
 void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
 {
   const std::string refused = this->DrawVolume(renderer, volume);
-  if (Internals::IsNews(this->Parts->Refused, refused))
+  if (vtkTextureSliceParts::IsNews(this->Parts->Refused, refused))
   {
     vtkErrorMacro(<< refused);
   }
   const std::string ignored = FindIgnored(this, volume);
-  if (Internals::IsNews(this->Parts->Ignored, ignored))
+  if (vtkTextureSliceParts::IsNews(this->Parts->Ignored, ignored))
   {
     vtkWarningMacro(
       "the slices are drawn without " << ignored << ", which only VTK's ray caster knows");
@@ -686,7 +370,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUpCuts()
 bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
   vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request)
 {
-  Internals& parts = *this->Parts;
+  vtkTextureSliceParts& parts = *this->Parts;
   const vtkTextureSliceFeatures features = request.GetFeatures();
   parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable,
     &parts.Table2D, &parts.Frame, this->CroppingRegionFlags, &parts.Coordinates});
@@ -721,7 +405,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
 std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
   vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
 {
-  Internals& parts = *this->Parts;
+  vtkTextureSliceParts& parts = *this->Parts;
   std::string error = this->UpdateVolume(renderer, image, scalars, request);
   if (!error.empty())
   {
@@ -753,7 +437,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
 std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* renderer,
   vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
 {
-  Internals& parts = *this->Parts;
+  vtkTextureSliceParts& parts = *this->Parts;
   std::string error;
   // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
   const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
@@ -799,7 +483,7 @@ void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
 void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
   vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
 {
-  Internals& parts = *this->Parts;
+  vtkTextureSliceParts& parts = *this->Parts;
   vtkTextureSliceShadowSettings settings;
   // The light is computed in cells of one size.
   if (!parts.Coordinates.IsUsed())
@@ -943,7 +627,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::str
 vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   vtkRenderer* renderer, const vtkTextureSliceRequest& request)
 {
-  Internals& parts = *this->Parts;
+  vtkTextureSliceParts& parts = *this->Parts;
   vtkTextureSliceUniforms uniforms;
   uniforms.Features = request.GetFeatures();
   uniforms.Features.Masked = parts.Texture.IsMasked();

@@ -62,6 +62,7 @@
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
+class vtkTextureSliceParts;
 struct vtkTextureSliceRequest;
 struct vtkTextureSliceShadowSettings;
 struct vtkTextureSliceUniforms;
@@ -262,8 +263,7 @@ private:
   vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
   void operator=(const vtkOpenGLTextureSliceVolumeMapper&) = delete;
 
-  class Internals;
-  std::unique_ptr<Internals> Parts;
+  std::unique_ptr<vtkTextureSliceParts> Parts;
 
   vtkImageData* TakeInput(vtkDataArray*& scalars, std::string& error);
   vtkTextureSliceRequest MakeRequest(

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window with menus, time line and settings: what clicks, keys and drops do to it.
 #include "StormVolume.h"
-#include "TestData.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Playback.h"
 #include "Viewer/SceneView.h"
+#include "WindowTest.h"
 
 #include <vtkNexradVolumeScene.h>
 
-#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -18,14 +17,10 @@
 #include <QMimeData>
 #include <QMouseEvent>
 #include <QPushButton>
-#include <QSettings>
 #include <QSlider>
 #include <QSpinBox>
-#include <QSurfaceFormat>
-#include <QTemporaryDir>
 #include <QToolButton>
 #include <QUrl>
-#include <QVTKOpenGLNativeWidget.h>
 #include <QtTest/QtTest>
 
 #include <gtest/gtest.h>
@@ -34,132 +29,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <functional>
-#include <memory>
 
 using namespace nexrad;
 using namespace nexrad::viewer;
-using nexrad::testing::TemporaryFolder;
-using nexrad::testing::WriteStormFiles;
-
-namespace
-{
+using namespace nexrad::testing;
 
 using Phase = scene::BackgroundSeries::Phase;
-
-// Visibly different pixels, of all.
-double Difference(const QImage& a, const QImage& b)
-{
-  qint64 different = 0;
-  for (int y = 0; y < a.height(); ++y)
-  {
-    for (int x = 0; x < a.width(); ++x)
-    {
-      const QRgb first = a.pixel(x, y);
-      const QRgb second = b.pixel(x, y);
-      const int most = std::max({std::abs(qRed(first) - qRed(second)),
-        std::abs(qGreen(first) - qGreen(second)), std::abs(qBlue(first) - qBlue(second))});
-      different += most > 8 ? 1 : 0;
-    }
-  }
-  return static_cast<double>(different) / static_cast<double>(a.width() * a.height());
-}
-
-class WindowTest : public ::testing::Test
-{
-protected:
-  static void SetUpTestSuite()
-  {
-    QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
-    static int count = 1;
-    static char name[] = "TestWindow";
-    static char* arguments[] = {name, nullptr};
-    application = std::make_unique<QApplication>(count, arguments);
-    QCoreApplication::setOrganizationName("nexrad3d-test");
-    settings = std::make_unique<QTemporaryDir>();
-    QSettings::setDefaultFormat(QSettings::IniFormat);
-    QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, settings->path());
-  }
-  static void TearDownTestSuite() { application.reset(); }
-
-  // A window on some steps of a synthetic storm, all of them loaded.
-  void OpenSteps(int steps)
-  {
-    request.input.inputs = {WriteStormFiles(folder.Path(), steps)};
-    this->OpenWindow();
-    ASSERT_TRUE(this->Wait(
-      [&]
-      {
-        const auto& loaded = window->Player()->State().loaded;
-        return static_cast<int>(std::count(loaded.begin(), loaded.end(), true)) == steps;
-      }));
-    this->WaitForPicture();
-  }
-
-  void OpenWindow()
-  {
-    request.size = {900, 600};
-    request.pictures = folder.Path();
-    window = std::make_unique<MainWindow>(request);
-    window->show();
-    ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));
-    QApplication::setActiveWindow(window.get()); // there is no window manager
-  }
-
-  static bool Wait(const std::function<bool()>& condition)
-  {
-    return QTest::qWaitFor(condition, 60'000);
-  }
-
-  // Until all that was asked for is drawn.
-  QImage WaitForPicture()
-  {
-    QTest::qWait(50);
-    return window->View()->grabFramebuffer();
-  }
-
-  template <typename Widget>
-  Widget* Find(const char* name)
-  {
-    auto* found = window->findChild<Widget*>(name);
-    EXPECT_NE(found, nullptr) << name;
-    return found;
-  }
-
-  void Click(const char* button)
-  {
-    QTest::mouseClick(this->Find<QToolButton>(button), Qt::LeftButton);
-  }
-
-  // Chooses an entry of a box as a user does with the keys.
-  void Choose(const char* name, int down)
-  {
-    auto* box = this->Find<QComboBox>(name);
-    for (int i = 0; i < down; ++i)
-    {
-      QTest::keyClick(box, Qt::Key_Down);
-    }
-  }
-
-  // How much of the picture an action changes.
-  double Changes(const std::function<void()>& action)
-  {
-    const QImage before = this->WaitForPicture();
-    action();
-    return Difference(before, this->WaitForPicture());
-  }
-
-  static std::unique_ptr<QApplication> application;
-  static std::unique_ptr<QTemporaryDir> settings;
-  TemporaryFolder folder;
-  scene::ViewRequest request;
-  std::unique_ptr<MainWindow> window;
-};
-
-std::unique_ptr<QApplication> WindowTest::application;
-std::unique_ptr<QTemporaryDir> WindowTest::settings;
-
-} // namespace
 
 TEST_F(WindowTest, OpensWithTheFirstTimeAndItsSettings)
 {

@@ -27,8 +27,8 @@ public:
   ~vtkTextureSliceOpaquePixels();
 
   /**
-   * Slices in a group, for the greatest opacity that one sample can have: as many as that needs to
-   * become opaque, and so many that looking for opaque pixels costs little beside drawing.
+   * Slices in the first group, for the greatest opacity that one sample can have: as many as that
+   * needs to become opaque, and so many that looking for opaque pixels costs little beside drawing.
    * @return 0 if the slices cannot become opaque soon enough to be worth it
    */
   static int ChooseGroup(double mostOpacity, int slices);

@@ -301,10 +301,11 @@ void vtkTextureSliceProgram::DrawGroups(vtkOpenGLRenderWindow* window,
   const std::vector<int>& firstVertices, int group, const AfterGroup& afterGroup)
 {
   const std::size_t slices = firstVertices.size() - 1;
-  const std::size_t step = group > 0 ? static_cast<std::size_t>(group) : slices;
-  for (std::size_t begin = 0; begin < slices; begin += step)
+  std::size_t begin = 0;
+  std::size_t size = group > 0 ? static_cast<std::size_t>(group) : slices;
+  while (begin < slices)
   {
-    const std::size_t end = std::min(begin + step, slices);
+    const std::size_t end = std::min(begin + size, slices);
     glDrawArrays(GL_TRIANGLES, firstVertices[begin], firstVertices[end] - firstVertices[begin]);
     const int lastSlice = firstVertices[end] - firstVertices[end - 1];
     if (lastSlice > 0 && firstVertices[end] < firstVertices[slices])
@@ -313,6 +314,9 @@ void vtkTextureSliceProgram::DrawGroups(vtkOpenGLRenderWindow* window,
       window->GetShaderCache()->ReadyShaderProgram(this->Program);
       this->VertexArray->Bind();
     }
+    begin = end;
+    // The farther back, the fewer pixels are left, and looking for opaque ones costs the same.
+    size *= 2;
   }
 }
 

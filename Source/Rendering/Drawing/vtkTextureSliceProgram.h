@@ -90,7 +90,8 @@ public:
 
   /**
    * Draws all slices, the nearest first.
-   * @param group slices after which @a afterGroup is called; 0: never.
+   * @param group slices after which @a afterGroup is called for the first time; each further group
+   * has twice as many slices as the one before. 0: never.
    * @return false if the shaders do not compile
    */
   bool Draw(vtkOpenGLRenderWindow* window, const vtkTextureSliceGeometry& geometry,
