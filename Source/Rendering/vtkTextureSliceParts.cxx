@@ -169,8 +169,10 @@ bool vtkTextureSliceParts::DrawSlices(const vtkTextureSliceUniforms& uniforms)
     this->Target.EndDepthOnly();
   };
   const int vertices = this->Geometry.GetNumberOfVertices();
+  // The farther back, the fewer pixels are left, and each look for opaque ones costs the same.
+  constexpr int growth = 2;
   const bool drawn = vertices == 0 || this->Program.Draw(this->Window, this->Geometry, uniforms,
-                                        this->ChooseGroup(uniforms), hideOpaque);
+                                        {this->ChooseGroup(uniforms), growth}, hideOpaque);
   if (!drawn || !this->HasCover)
   {
     return drawn;
@@ -180,8 +182,9 @@ bool vtkTextureSliceParts::DrawSlices(const vtkTextureSliceUniforms& uniforms)
   {
     hideOpaque(this->Program.GetVertices(), 0, vertices);
   }
+  // A slice covers pixels that none before it did, so each group marks as many as the others.
   const int group = vtkTextureSliceOpaquePixels::ChooseGroup(1.0, this->Cover.GetNumberOfPlanes());
-  return this->Program.Draw(this->Window, this->Cover, uniforms, group, hideOpaque);
+  return this->Program.Draw(this->Window, this->Cover, uniforms, {group, 1}, hideOpaque);
 }
 
 bool vtkTextureSliceParts::Draw(

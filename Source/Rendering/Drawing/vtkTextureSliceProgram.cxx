@@ -298,11 +298,11 @@ bool vtkTextureSliceProgram::Upload(
 }
 
 void vtkTextureSliceProgram::DrawGroups(vtkOpenGLRenderWindow* window,
-  const std::vector<int>& firstVertices, int group, const AfterGroup& afterGroup)
+  const std::vector<int>& firstVertices, const Groups& groups, const AfterGroup& afterGroup)
 {
   const std::size_t slices = firstVertices.size() - 1;
   std::size_t begin = 0;
-  std::size_t size = group > 0 ? static_cast<std::size_t>(group) : slices;
+  std::size_t size = groups.First > 0 ? static_cast<std::size_t>(groups.First) : slices;
   while (begin < slices)
   {
     const std::size_t end = std::min(begin + size, slices);
@@ -315,14 +315,13 @@ void vtkTextureSliceProgram::DrawGroups(vtkOpenGLRenderWindow* window,
       this->VertexArray->Bind();
     }
     begin = end;
-    // The farther back, the fewer pixels are left, and looking for opaque ones costs the same.
-    size *= 2;
+    size *= static_cast<std::size_t>(groups.Growth);
   }
 }
 
 bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
-  const vtkTextureSliceGeometry& geometry, const vtkTextureSliceUniforms& uniforms, int group,
-  const AfterGroup& afterGroup)
+  const vtkTextureSliceGeometry& geometry, const vtkTextureSliceUniforms& uniforms,
+  const Groups& groups, const AfterGroup& afterGroup)
 {
   vtkShaderProgram* program = this->Ready(window, uniforms.Features);
   if (program == nullptr || !this->Upload(program, geometry))
@@ -358,7 +357,7 @@ bool vtkTextureSliceProgram::Draw(vtkOpenGLRenderWindow* window,
   {
     SetSlabs(program, geometry, uniforms);
   }
-  this->DrawGroups(window, geometry.GetFirstVertices(), group, afterGroup);
+  this->DrawGroups(window, geometry.GetFirstVertices(), groups, afterGroup);
   this->VertexArray->Release();
   this->Vertices->Release();
   std::for_each(textures.rbegin(), textures.rend(), [](vtkTextureObject* t) { t->Deactivate(); });

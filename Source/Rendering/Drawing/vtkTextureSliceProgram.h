@@ -88,14 +88,19 @@ public:
   /// their number.
   using AfterGroup = std::function<void(vtkOpenGLBufferObject*, int, int)>;
 
+  /// Slices are drawn in groups.
+  struct Groups
+  {
+    int First = 0;  ///< slices in the first one; 0: all slices are one group
+    int Growth = 1; ///< each further one has so many times the slices of the one before
+  };
+
   /**
-   * Draws all slices, the nearest first.
-   * @param group slices after which @a afterGroup is called for the first time; each further group
-   * has twice as many slices as the one before. 0: never.
+   * Draws all slices, the nearest first, and calls @a afterGroup between two groups.
    * @return false if the shaders do not compile
    */
   bool Draw(vtkOpenGLRenderWindow* window, const vtkTextureSliceGeometry& geometry,
-    const vtkTextureSliceUniforms& uniforms, int group, const AfterGroup& afterGroup);
+    const vtkTextureSliceUniforms& uniforms, const Groups& groups, const AfterGroup& afterGroup);
   /// The window that owns the resources must be current.
   void ReleaseGraphicsResources();
 
@@ -106,8 +111,8 @@ private:
   vtkShaderProgram* Ready(
     vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const;
   bool Upload(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry);
-  void DrawGroups(vtkOpenGLRenderWindow* window, const std::vector<int>& firstVertices, int group,
-    const AfterGroup& afterGroup);
+  void DrawGroups(vtkOpenGLRenderWindow* window, const std::vector<int>& firstVertices,
+    const Groups& groups, const AfterGroup& afterGroup);
 
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   vtkNew<vtkOpenGLBufferObject> Vertices;
