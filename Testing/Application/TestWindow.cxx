@@ -129,6 +129,21 @@ TEST_F(WindowTest, SettingsChangeThePicture)
     0.001, "pixels that the walls change, part");
 }
 
+TEST_F(WindowTest, ASeriesThatGrowsOnDiskIsFollowed)
+{
+  this->OpenSteps(2);
+  auto* slider = this->Find<QSlider>("time");
+  WriteStormFiles(folder.Path(), 3);
+  EXPECT_TRUE(this->Wait([&] { return slider->maximum() == 2; }));
+  EXPECT_EQ(window->Player()->Step(), 0U) << "the time that is shown stays";
+  window->Player()->GoTo(2);
+  WriteStormFiles(folder.Path(), 5);
+  EXPECT_TRUE(this->Wait([&] { return slider->maximum() == 4; }));
+  EXPECT_EQ(window->Player()->Step(), 4U) << "from the newest time to the newest";
+  EXPECT_TRUE(this->Wait([&] { return !window->Player()->IsWaiting(); }));
+  EXPECT_TRUE(window->Problems().isEmpty());
+}
+
 TEST_F(WindowTest, AMapIsSeenFromAboveAndTheSettingsSayIt)
 {
   this->OpenSteps(1);

@@ -33,6 +33,8 @@ struct Plan
   std::size_t broken = None;    // cannot be loaded
   std::size_t slow = None;      // is loaded only once `release` is set
   std::size_t kibibytes = 1024; // of each volume
+  std::size_t earliest = 0;     // minutes, of the first volume
+  std::size_t rewritten = None; // has other contents than in other plans
 };
 
 // A series that notes what it was asked for.
@@ -54,11 +56,16 @@ public:
   {
     for (std::size_t i = 0; i < plan.count; ++i)
     {
-      times.push_back(Time(std::chrono::minutes(i)));
+      times.push_back(Time(std::chrono::minutes(plan.earliest + i)));
     }
   }
 
   const std::vector<Time>& Times() const override { return times; }
+
+  std::string Contents(std::size_t index) const override
+  {
+    return std::to_string(plan.earliest + index) + (index == plan.rewritten ? " new" : "");
+  }
 
   std::vector<std::string> Problems() const override
   {
@@ -88,7 +95,7 @@ public:
     }
     auto volume = vtkSmartPointer<vtkImageData>::New();
     volume->SetDimensions(1024, static_cast<int>(plan.kibibytes), 1);
-    volume->SetOrigin(static_cast<double>(index), 0.0, 0.0);
+    volume->SetOrigin(static_cast<double>(plan.earliest + index), 0.0, 0.0);
     volume->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
     return volume;
   }
@@ -104,9 +111,11 @@ class BackgroundSeriesTest : public testing::Test
 protected:
   void Open(const Plan& plan, std::size_t memory = std::size_t(1) << 30)
   {
-    options.open = [this, plan](const Progress& progress) -> std::unique_ptr<VolumeSeries>
+    onDisk = plan;
+    options.open = [this](const Progress& progress) -> std::unique_ptr<VolumeSeries>
     {
-      while (plan.opensSlowly)
+      const Plan now = this->OnDisk();
+      while (now.opensSlowly)
       {
         if (!progress(0.25))
         {
@@ -114,11 +123,11 @@ protected:
         }
         std::this_thread::yield();
       }
-      if (!plan.opens)
+      if (!now.opens)
       {
         throw Error("no such file");
       }
-      return std::make_unique<NotedSeries>(plan, notes);
+      return std::make_unique<NotedSeries>(now, notes);
     };
     options.memory = memory;
     options.wake = [this]
@@ -127,6 +136,22 @@ protected:
       changed.notify_all();
     };
     series = std::make_unique<BackgroundSeries>(options);
+  }
+
+  Plan OnDisk()
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    return onDisk;
+  }
+
+  // The inputs are others now, and are opened again.
+  void Reopen(const Plan& plan)
+  {
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      onDisk = plan;
+    }
+    series->Reopen();
   }
 
   template <typename Condition>
@@ -155,7 +180,14 @@ protected:
     return static_cast<std::size_t>(std::count(state.loaded.begin(), state.loaded.end(), true));
   }
 
+  std::size_t CountLoads()
+  {
+    const std::lock_guard<std::mutex> lock(notes.mutex);
+    return notes.loaded.size();
+  }
+
   NotedSeries::Notes notes;
+  Plan onDisk;
   std::mutex mutex;
   std::condition_variable changed;
   BackgroundSeriesOptions options;
@@ -292,4 +324,68 @@ TEST_F(BackgroundSeriesTest, EndsWhileItWorks)
   plan.opensSlowly = true;
   this->Open(plan);
   series.reset(); // while it is opened
+}
+
+TEST_F(BackgroundSeriesTest, GrowsByWhatWasAddedAlone)
+{
+  Plan plan;
+  plan.count = 3;
+  this->Open(plan);
+  EXPECT_EQ(this->Shown(2), 2.0);
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 3; });
+  plan.count = 5;
+  this->Reopen(plan);
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 5; });
+  EXPECT_EQ(notes.loaded.size(), 5U) << "none of them twice";
+  EXPECT_EQ(series->Get().times.size(), 5U);
+}
+
+TEST_F(BackgroundSeriesTest, KeepsTheTimeThatIsShownWhenOthersComeBeforeIt)
+{
+  Plan plan;
+  plan.earliest = 2;
+  plan.count = 2;
+  this->Open(plan);
+  EXPECT_EQ(this->Shown(1), 3.0);
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 2; });
+  plan.earliest = 0;
+  plan.count = 4;
+  plan.slow = 0; // is loaded last, after what follows the step that is shown
+  this->Reopen(plan);
+  this->WaitUntil([](const auto& state) { return state.loads == std::size_t(0); });
+  EXPECT_EQ(CountLoaded(series->Get()), 2U) << "the two of before";
+  EXPECT_EQ(this->Shown(3), 3.0);
+  notes.release = true;
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 4; });
+}
+
+TEST_F(BackgroundSeriesTest, LoadsAgainWhatWasWrittenAnew)
+{
+  Plan plan;
+  plan.count = 3;
+  this->Open(plan);
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 3; });
+  plan.rewritten = 1;
+  this->Reopen(plan);
+  this->WaitUntil(
+    [this](const auto& state) { return this->CountLoads() == 4 && CountLoaded(state) == 3; });
+  EXPECT_EQ(notes.loaded.back(), 1U);
+}
+
+TEST_F(BackgroundSeriesTest, StaysAsItWasWhereItCannotBeOpenedAgain)
+{
+  Plan plan;
+  plan.count = 3;
+  this->Open(plan);
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 3; });
+  plan.opens = false;
+  this->Reopen(plan);
+  this->WaitUntil([](const auto& state) { return state.damage.size() == 4; });
+  EXPECT_EQ(series->Get().damage.back(), "no such file");
+  EXPECT_EQ(CountLoaded(series->Get()), 3U);
+  plan.opens = true;
+  plan.count = 4;
+  this->Reopen(plan);
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 4; });
+  EXPECT_EQ(series->Get().damage.size(), 4U) << "a line for each volume, and none of the failure";
 }

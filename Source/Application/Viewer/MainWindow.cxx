@@ -3,6 +3,7 @@
 
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
+#include "Viewer/InputWatch.h"
 #include "Viewer/LookPanel.h"
 #include "Viewer/Playback.h"
 #include "Viewer/SceneView.h"
@@ -59,6 +60,7 @@ std::unique_ptr<scene::VolumeSeries> OpenSimulated(
 MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   : request(viewRequest)
   , playback(new Playback(this))
+  , watch(new InputWatch(this))
   , view(new SceneView(this))
 {
   this->setObjectName("nexrad3d");
@@ -79,6 +81,7 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   connect(playback, &Playback::Changed, this, &MainWindow::FollowPlayback);
   connect(playback, &Playback::Loaded, this, &MainWindow::ShowVolume);
   connect(playback, &Playback::Failed, this, &MainWindow::Report);
+  connect(watch, &InputWatch::Changed, playback, &Playback::Refresh);
   this->resize(request.size[0], request.size[1]);
   this->FollowPlayback();
   if (!request.input.inputs.empty())
@@ -177,6 +180,7 @@ void MainWindow::Open(const QStringList& paths)
     input.inputs.emplace_back(path.toStdString());
   }
   this->Remember(paths);
+  watch->Watch(paths);
   const QString name = QFileInfo(paths.front()).fileName();
   this->OpenInputs(input,
     paths.size() > 1 ? QString("%1 and %2 more").arg(name).arg(paths.size() - 1) : name, false);
@@ -184,6 +188,7 @@ void MainWindow::Open(const QStringList& paths)
 
 void MainWindow::OpenSyntheticDay()
 {
+  watch->Watch({}); // nothing is added to it
   this->OpenInputs(request.input, syntheticTitle, true);
 }
 

@@ -19,6 +19,7 @@ class QPushButton;
 namespace nexrad::viewer
 {
 
+class InputWatch;
 class LookPanel;
 class Playback;
 class SceneView;
@@ -69,6 +70,7 @@ private:
 
   scene::ViewRequest request;
   Playback* playback = nullptr;
+  InputWatch* watch = nullptr;
   SceneView* view = nullptr;
   LookPanel* look = nullptr;
   QDockWidget* damageDock = nullptr;

@@ -74,9 +74,12 @@ void Playback::Open(scene::BackgroundSeriesOptions options)
 
 void Playback::TakeNews()
 {
-  const auto before = state.phase;
-  state = series->Get();
-  if (state.phase == scene::BackgroundSeries::Phase::Failed && before != state.phase)
+  const scene::BackgroundSeries::State before = std::exchange(state, series->Get());
+  if (before.phase == scene::BackgroundSeries::Phase::Open && before.times != state.times)
+  {
+    this->FollowTimes(before.times);
+  }
+  if (state.phase == scene::BackgroundSeries::Phase::Failed && before.phase != state.phase)
   {
     waiting = false;
     emit Failed(QString::fromStdString(state.failure));
@@ -87,6 +90,19 @@ void Playback::TakeNews()
     return; // which says that it changed
   }
   emit Changed();
+}
+
+// The series has other times than before.
+void Playback::FollowTimes(const std::vector<Time>& before)
+{
+  const bool newest = !playing && step + 1 == before.size();
+  const auto same = std::find(state.times.begin(), state.times.end(), before[step]);
+  step = same != state.times.end() ? static_cast<std::size_t>(same - state.times.begin()) : 0;
+  if (newest)
+  {
+    step = state.times.size() - 1;
+  }
+  waiting = true;
 }
 
 void Playback::Show()
@@ -196,6 +212,14 @@ void Playback::PauseLoading(bool paused)
     series->Pause(paused);
     state = series->Get();
     emit Changed();
+  }
+}
+
+void Playback::Refresh()
+{
+  if (series)
+  {
+    series->Reopen();
   }
 }
 

@@ -55,6 +55,9 @@ public slots:
   void SetInterval(int milliseconds);
   /// Stops what is loaded but not shown; lets it go on.
   void PauseLoading(bool paused);
+  /// Opens the inputs once more for what was added to them. The time that is shown stays; where it
+  /// was the last one and nothing plays, the new last one is shown.
+  void Refresh();
 
 signals:
   /// The state, the step or the playing changed.
@@ -66,6 +69,7 @@ signals:
 
 private:
   void TakeNews();
+  void FollowTimes(const std::vector<Time>& before);
   void Show();
   void Tick();
   void Dismiss();

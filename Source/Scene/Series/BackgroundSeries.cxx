@@ -22,6 +22,16 @@ std::size_t BytesOf(vtkImageData* volume)
   return volume != nullptr ? kibibyte * volume->GetActualMemorySize() : 0;
 }
 
+std::vector<Time> TimesOf(const VolumeSeries& series, const std::vector<std::size_t>& order)
+{
+  std::vector<Time> times;
+  for (const std::size_t index : order)
+  {
+    times.push_back(series.Times()[index]);
+  }
+  return times;
+}
+
 } // namespace
 
 BackgroundSeries::BackgroundSeries(BackgroundSeriesOptions theOptions)
@@ -106,53 +116,131 @@ Progress BackgroundSeries::ReportTo()
   };
 }
 
+void BackgroundSeries::Reopen()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    reopens = true;
+  }
+  changed.notify_all();
+}
+
+BackgroundSeries::Opened BackgroundSeries::OpenInputs()
+{
+  Opened inputs;
+  inputs.series = options.open(this->ReportTo());
+  if (options.choose)
+  {
+    inputs.order = options.choose(*inputs.series);
+  }
+  else
+  {
+    inputs.order.resize(inputs.series->Times().size());
+    std::iota(inputs.order.begin(), inputs.order.end(), std::size_t(0));
+  }
+  return inputs;
+}
+
 bool BackgroundSeries::Open()
 {
-  State opened;
+  State news;
   try
   {
-    series = options.open(this->ReportTo());
-    if (options.choose)
-    {
-      order = options.choose(*series);
-    }
-    else
-    {
-      order.resize(series->Times().size());
-      std::iota(order.begin(), order.end(), std::size_t(0));
-    }
-    for (const std::size_t index : order)
-    {
-      opened.times.push_back(series->Times()[index]);
-    }
-    opened.loaded.assign(order.size(), false);
-    opened.damage = series->Problems();
-    opened.phase = Phase::Open;
+    opened = this->OpenInputs();
+    news.times = TimesOf(*opened.series, opened.order);
+    news.loaded.assign(opened.order.size(), false);
+    news.damage = this->Damage();
+    news.phase = Phase::Open;
   }
   catch (const std::exception& error)
   {
-    opened.failure = error.what();
-    opened.phase = Phase::Failed;
+    news.failure = error.what();
+    news.phase = Phase::Failed;
   }
   {
     const std::lock_guard<std::mutex> lock(mutex);
-    opened.paused = state.paused;
-    if (opened.paused && opened.phase == Phase::Open) // too late to stop it
+    news.paused = state.paused;
+    if (news.paused && news.phase == Phase::Open) // too late to stop it
     {
-      opened = State();
-      opened.phase = Phase::Failed;
-      opened.failure = "stopped before it was opened";
+      news = State();
+      news.phase = Phase::Failed;
+      news.failure = "stopped before it was opened";
     }
-    state = opened;
+    state = news;
   }
   this->Wake();
-  return opened.phase == Phase::Open;
+  return news.phase == Phase::Open;
+}
+
+void BackgroundSeries::OpenAgain(std::unique_lock<std::mutex>& lock)
+{
+  reopens = false;
+  lock.unlock();
+  Opened again;
+  reopenFailure.clear();
+  try
+  {
+    again = this->OpenInputs();
+  }
+  catch (const std::exception& error)
+  {
+    reopenFailure = error.what();
+  }
+  lock.lock();
+  if (reopenFailure.empty())
+  {
+    this->TakeOver(std::move(again));
+  }
+  state.damage = this->Damage();
+}
+
+// Exchanges the steps; the step that is shown stays the one of its time.
+void BackgroundSeries::TakeOver(Opened again)
+{
+  std::map<std::string, std::size_t> before;
+  for (const auto& [step, each] : kept)
+  {
+    before[each.contents] = step;
+  }
+  const std::vector<Time> times = TimesOf(*again.series, again.order);
+  if (shown < state.times.size())
+  {
+    const auto same = std::find(times.begin(), times.end(), state.times[shown]);
+    shown = same != times.end() ? static_cast<std::size_t>(same - times.begin()) : 0;
+  }
+  std::map<std::size_t, Kept> still;
+  bytes = 0;
+  state.loaded.assign(times.size(), false);
+  for (std::size_t step = 0; step < times.size(); ++step)
+  {
+    const std::string contents = again.series->Contents(again.order[step]);
+    const auto found = contents.empty() ? before.end() : before.find(contents);
+    if (found != before.end())
+    {
+      Kept& each = still[step] = std::move(kept[found->second]);
+      bytes += each.bytes;
+      state.loaded[step] = each.volume != nullptr;
+    }
+  }
+  kept = std::move(still);
+  opened = std::move(again);
+  state.times = times;
+}
+
+std::vector<std::string> BackgroundSeries::Damage() const
+{
+  std::vector<std::string> lines = opened.series->Problems();
+  if (!reopenFailure.empty())
+  {
+    lines.push_back(reopenFailure);
+  }
+  return lines;
 }
 
 // The step to load next; nothing where all are loaded, or there is no memory for more.
 std::optional<std::size_t> BackgroundSeries::NextStep() const
 {
-  const std::size_t count = order.size();
+  const std::size_t count = opened.order.size();
   if (shown < count && kept.count(shown) == 0)
   {
     return shown;
@@ -183,9 +271,10 @@ std::optional<std::size_t> BackgroundSeries::NextStep() const
 BackgroundSeries::Kept BackgroundSeries::Load(std::size_t step)
 {
   Kept loaded;
+  loaded.contents = opened.series->Contents(opened.order[step]); // it may change while it is read
   try
   {
-    loaded.volume = series->Load(order[step], this->ReportTo());
+    loaded.volume = opened.series->Load(opened.order[step], this->ReportTo());
     if (loaded.volume && options.prepare)
     {
       options.prepare(loaded.volume);
@@ -202,7 +291,7 @@ BackgroundSeries::Kept BackgroundSeries::Load(std::size_t step)
 // Forgets the volumes that are shown last until so many bytes fit; not the one that is shown.
 void BackgroundSeries::MakeRoom(std::size_t wanted)
 {
-  const std::size_t count = order.size();
+  const std::size_t count = opened.order.size();
   for (std::size_t i = count; i-- > 1 && bytes + wanted > options.memory;)
   {
     const auto found = kept.find((shown + i) % count);
@@ -212,6 +301,26 @@ void BackgroundSeries::MakeRoom(std::size_t wanted)
       state.loaded[found->first] = false;
       kept.erase(found);
     }
+  }
+}
+
+void BackgroundSeries::LoadNext(std::size_t step, std::unique_lock<std::mutex>& lock)
+{
+  state.loads = step;
+  state.fraction = 0.0;
+  lock.unlock();
+  Kept loaded = this->Load(step);
+  std::vector<std::string> damage = this->Damage();
+  lock.lock();
+  state.loads.reset();
+  state.damage = std::move(damage);
+  interrupted = false;
+  if (loaded.volume || !loaded.failure.empty())
+  {
+    this->MakeRoom(loaded.bytes);
+    bytes += loaded.bytes;
+    state.loaded[step] = loaded.volume != nullptr;
+    kept[step] = std::move(loaded);
   }
 }
 
@@ -225,26 +334,18 @@ void BackgroundSeries::Run()
   while (!ended)
   {
     const std::optional<std::size_t> step = this->NextStep();
-    if (!step)
+    if (reopens)
+    {
+      this->OpenAgain(lock);
+    }
+    else if (step)
+    {
+      this->LoadNext(*step, lock);
+    }
+    else
     {
       changed.wait(lock);
       continue;
-    }
-    state.loads = step;
-    state.fraction = 0.0;
-    lock.unlock();
-    Kept loaded = this->Load(*step);
-    std::vector<std::string> damage = series->Problems();
-    lock.lock();
-    state.loads.reset();
-    state.damage = std::move(damage);
-    interrupted = false;
-    if (loaded.volume || !loaded.failure.empty())
-    {
-      this->MakeRoom(loaded.bytes);
-      bytes += loaded.bytes;
-      state.loaded[*step] = loaded.volume != nullptr;
-      kept[*step] = std::move(loaded);
     }
     lock.unlock();
     this->Wake();

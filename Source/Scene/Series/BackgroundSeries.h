@@ -75,16 +75,33 @@ public:
   /// is paused fails.
   void Pause(bool paused);
 
+  /// Opens the inputs once more on the other thread, for what was added to them. The steps stay
+  /// until that is done; then those with the same contents (VolumeSeries::Contents) keep their
+  /// volumes. Why it failed, if it did, is a line of the damage.
+  void Reopen();
+
 private:
+  /// A series, and the steps that are shown of it.
+  struct Opened
+  {
+    std::unique_ptr<VolumeSeries> series;
+    std::vector<std::size_t> order; ///< indices of the steps
+  };
   struct Kept
   {
     vtkSmartPointer<vtkImageData> volume; ///< nullptr after a failure
     std::string failure;
+    std::string contents; ///< VolumeSeries::Contents, before it was loaded
     std::size_t bytes = 0;
   };
 
   void Run();
+  Opened OpenInputs();
   bool Open();
+  void OpenAgain(std::unique_lock<std::mutex>& lock);
+  void TakeOver(Opened opened);
+  void LoadNext(std::size_t step, std::unique_lock<std::mutex>& lock);
+  std::vector<std::string> Damage() const;
   std::optional<std::size_t> NextStep() const;
   Kept Load(std::size_t step);
   void MakeRoom(std::size_t bytes);
@@ -92,15 +109,16 @@ private:
   void Wake();
 
   const BackgroundSeriesOptions options;
-  std::unique_ptr<VolumeSeries> series; // of the other thread
-  std::vector<std::size_t> order;       // of the other thread: indices of the steps
-  mutable std::mutex mutex;             // of all that follows
+  Opened opened;             // of the other thread
+  std::string reopenFailure; // of the other thread
+  mutable std::mutex mutex;  // of all that follows
   std::condition_variable changed;
   State state;
   std::map<std::size_t, Kept> kept; // by step
   std::size_t bytes = 0;            // of these
   std::size_t shown = 0;            // the step that was asked for last
   bool ended = false;
+  bool reopens = false;     // as soon as nothing is being loaded
   bool interrupted = false; // another step is wanted than the one that is being loaded
   std::thread thread;
 };

@@ -16,7 +16,9 @@
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <set>
+#include <system_error>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -189,6 +191,16 @@ public:
                               pictureBytesPerVoxel},
       image);
     return image;
+  }
+
+  std::string Contents(std::size_t index) const override
+  {
+    const fs::path& path = files[index].second;
+    std::error_code gone;
+    const auto written = fs::last_write_time(path, gone).time_since_epoch().count();
+    const std::uintmax_t bytes = gone ? 0 : fs::file_size(path, gone);
+    return gone ? std::string()
+                : path.string() + ' ' + std::to_string(written) + ' ' + std::to_string(bytes);
   }
 
 private:

@@ -35,6 +35,10 @@ public:
   /// True when Load may run on another thread while nothing else is asked of the series.
   virtual bool CanLoadAhead() const { return false; }
 
+  /// What the volume of a time is made of, as text: where it is the same in two series, their
+  /// volumes are. Empty where that is not known.
+  virtual std::string Contents(std::size_t) const { return {}; }
+
   /// Inputs that were damaged or left out so far, a line each.
   virtual std::vector<std::string> Problems() const { return {}; }
 };
