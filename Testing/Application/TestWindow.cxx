@@ -9,6 +9,8 @@
 
 #include <vtkNexradVolumeScene.h>
 
+#include <QAbstractSpinBox>
+#include <QAction>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -19,6 +21,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QSpinBox>
+#include <QTextBrowser>
 #include <QToolButton>
 #include <QUrl>
 #include <QtTest/QtTest>
@@ -246,4 +249,48 @@ TEST_F(WindowTest, CancelStopsTheOpening)
   EXPECT_TRUE(this->Wait([&] { return window->Player()->State().fraction > 0.0; }));
   QTest::mouseClick(this->Find<QPushButton>("cancel"), Qt::LeftButton);
   EXPECT_TRUE(this->Wait([&] { return window->Player()->State().phase == Phase::Failed; }));
+}
+
+TEST_F(WindowTest, HelpNamesAllKeys)
+{
+  this->OpenWindow();
+  QTest::keyClick(window.get(), Qt::Key_F1);
+  const QString text = this->Find<QTextBrowser>("help")->toPlainText();
+  int keys = 0;
+  for (const QAction* action : window->findChildren<QAction*>())
+  {
+    const QString shortcut = action->shortcut().toString(QKeySequence::NativeText);
+    EXPECT_TRUE(text.contains(shortcut)) << shortcut.toStdString();
+    keys += shortcut.isEmpty() ? 0 : 1;
+  }
+  EXPECT_GE(keys, 10);
+  EXPECT_TRUE(text.contains("left button, drag"));
+}
+
+// Screen readers say these names.
+TEST_F(WindowTest, WidgetsHaveNamesAndToolTips)
+{
+  this->OpenSteps(1);
+  int inputs = 0;
+  for (const QWidget* widget : window->findChildren<QWidget*>())
+  {
+    const bool isInput = qobject_cast<const QComboBox*>(widget) != nullptr ||
+                         qobject_cast<const QSlider*>(widget) != nullptr ||
+                         qobject_cast<const QAbstractSpinBox*>(widget) != nullptr;
+    if (isInput)
+    {
+      ++inputs;
+      const std::string name = widget->objectName().toStdString();
+      EXPECT_FALSE(widget->accessibleName().isEmpty()) << name;
+      EXPECT_FALSE(widget->toolTip().isEmpty()) << name;
+    }
+  }
+  EXPECT_GE(inputs, 14);
+}
+
+TEST_F(WindowTest, FitsALaptopScreen)
+{
+  this->OpenSteps(1);
+  EXPECT_LE(window->minimumSizeHint().width(), 1024);
+  EXPECT_LE(window->minimumSizeHint().height(), 640);
 }

@@ -3,6 +3,7 @@
 
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
+#include "Viewer/HelpPage.h"
 #include "Viewer/InputWatch.h"
 #include "Viewer/LookPanel.h"
 #include "Viewer/Playback.h"
@@ -22,7 +23,6 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QMenuBar>
-#include <QMessageBox>
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
@@ -146,7 +146,7 @@ void MainWindow::MakeMenus()
     windows->addAction(dock->toggleViewAction());
   }
   QMenu* help = this->menuBar()->addMenu("&Help");
-  help->addAction("&Keys and mouse", this, &MainWindow::ShowAbout, QKeySequence::HelpContents);
+  help->addAction("&Keys and mouse", this, &MainWindow::ShowHelp, QKeySequence::HelpContents);
   this->FollowRecent();
 }
 
@@ -332,18 +332,9 @@ void MainWindow::WritePicture(const std::filesystem::path& path)
   }
 }
 
-void MainWindow::ShowAbout()
+void MainWindow::ShowHelp()
 {
-  QMessageBox::information(this, "Keys and mouse",
-    "Drag with the left button: turn and tilt\n"
-    "Drag with the right button, or turn the wheel: zoom\n"
-    "Space: play or pause\n"
-    "Left, Right: a step back, or on\n"
-    "L: begin again after the last time\n"
-    "R: the camera as at first\n"
-    "Ctrl+O: open files;  Ctrl+Shift+O: open a folder\n"
-    "S: take a picture;  Ctrl+S: save it under a name\n"
-    "Ctrl+Q: quit");
+  (new HelpPage(this->findChildren<QAction*>(), this))->show();
 }
 
 void MainWindow::Remember(const QStringList& paths)

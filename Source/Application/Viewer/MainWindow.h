@@ -60,7 +60,7 @@ private:
   void AskForPicture();
   void TakePicture();
   void WritePicture(const std::filesystem::path& path);
-  void ShowAbout();
+  void ShowHelp();
   void OpenInputs(const scene::InputRequest& input, const QString& title, bool simulate);
   void Remember(const QStringList& paths);
   void FollowRecent();
