@@ -116,6 +116,15 @@ vtkNexradTransferFunction* RadarScene::TransferFunction()
   return transferFunction;
 }
 
+void RadarScene::SetColours(const std::string& preset, const std::filesystem::path& colours)
+{
+  SceneOptions wanted = options;
+  wanted.preset = preset;
+  wanted.colours = colours;
+  transferFunction = MakeTransferFunction(wanted, array);
+  options = std::move(wanted);
+}
+
 void RadarScene::SetTransferFunction(
   vtkNexradTransferFunction* function, const std::string& ofArray)
 {

@@ -42,13 +42,14 @@ bool SameLight(const LightOptions& a, const LightOptions& b)
          a.direction.elevation == b.direction.elevation;
 }
 
-// The number of slices and the light can be changed in a scene that is there.
-bool SameButForSlicesAndLight(const SceneOptions& a, const SceneOptions& b)
+// The number of slices, the light and the colours of the moment that is shown can be changed in a
+// scene that is there: its volume stays in texture memory.
+bool SameButForSlicesLightAndColors(const SceneOptions& a, const SceneOptions& b)
 {
-  return SameColors(a, b) && SamePlan(a, b) && a.exaggeration == b.exaggeration &&
-         a.mapper == b.mapper && a.preIntegration == b.preIntegration &&
-         a.ringSpacing == b.ringSpacing && a.theme == b.theme && a.heightWalls == b.heightWalls &&
-         a.placeNames == b.placeNames;
+  return a.colourBy == b.colourBy && (a.colourBy.empty() || SameColors(a, b)) && SamePlan(a, b) &&
+         a.exaggeration == b.exaggeration && a.mapper == b.mapper &&
+         a.preIntegration == b.preIntegration && a.ringSpacing == b.ringSpacing &&
+         a.theme == b.theme && a.heightWalls == b.heightWalls && a.placeNames == b.placeNames;
 }
 
 bool SameView(const CameraView& a, const CameraView& b)
@@ -80,6 +81,7 @@ struct vtkNexradVolumeScene::Drawing
   vtkImageData* volume = nullptr;        // compared, never followed
   vtkMTimeType volumeTime = 0;
   vtkMTimeType colorTime = 0;
+  bool remakeColors = false;
   std::unique_ptr<RadarScene> scene;
   vtkMTimeType tried = 0; // time of the settings that the last update was for
   bool succeeded = true;
@@ -88,6 +90,7 @@ struct vtkNexradVolumeScene::Drawing
   static SceneOptions OptionsOf(const vtkNexradVolumeScene* self);
   void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
+  void MakeColors(const SceneOptions& wanted);
   void FollowColors();
 };
 
@@ -126,7 +129,7 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
   RadarScene::Check(wanted, self->Volume);
   vtkSmartPointer<vtkNexradTransferFunction> colors;
   std::string array;
-  if (scene && SameColors(wanted, options))
+  if (scene && SameColors(wanted, options) && !remakeColors)
   {
     colors = scene->TransferFunction();
     array = scene->Array();
@@ -141,6 +144,7 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
   scene->SetPictureSize(size);
   this->ShowVolume(self->Volume);
   options = wanted;
+  remakeColors = false;
   colorTime = scene->TransferFunction()->GetMTime();
 }
 
@@ -149,6 +153,14 @@ void vtkNexradVolumeScene::Drawing::ShowVolume(vtkImageData* newVolume)
   scene->SetVolume(newVolume);
   volume = newVolume;
   volumeTime = newVolume->GetMTime();
+}
+
+void vtkNexradVolumeScene::Drawing::MakeColors(const SceneOptions& wanted)
+{
+  scene->SetColours(wanted.preset, wanted.colours);
+  options.preset = wanted.preset;
+  options.colours = wanted.colours;
+  remakeColors = false;
 }
 
 // Changes that the user made to the colours and opacities in use.
@@ -172,14 +184,20 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   const CameraView camera{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection};
   const bool sameView = SameView(camera, view);
   view = camera;
-  if (!scene || !SameButForSlicesAndLight(wanted, options))
+  const bool otherColors = remakeColors || (scene && !SameColors(wanted, options));
+  const bool otherVolume = self->Volume != volume || self->Volume->GetMTime() != volumeTime;
+  if (!scene || !SameButForSlicesLightAndColors(wanted, options) || (otherColors && otherVolume))
   {
-    this->Rebuild(self, wanted);
+    this->Rebuild(self, wanted); // another volume may be of another moment, with other presets
     return;
   }
-  if (self->Volume != volume || self->Volume->GetMTime() != volumeTime)
+  if (otherVolume)
   {
     this->ShowVolume(self->Volume);
+  }
+  if (otherColors)
+  {
+    this->MakeColors(wanted);
   }
   this->FollowColors();
   if (wanted.slices != options.slices)
@@ -277,6 +295,12 @@ void vtkNexradVolumeScene::SetRingSpacing(double spacing)
 vtkNexradTransferFunction* vtkNexradVolumeScene::GetTransferFunction() const
 {
   return this->Drawn->scene ? this->Drawn->scene->TransferFunction() : nullptr;
+}
+
+void vtkNexradVolumeScene::ResetTransferFunction()
+{
+  this->Drawn->remakeColors = true;
+  this->Modified();
 }
 
 void vtkNexradVolumeScene::SetCameraFromAbove()

@@ -176,6 +176,12 @@ public:
    */
   vtkNexradTransferFunction* GetTransferFunction() const;
 
+  /**
+   * Drops changes of the colours and opacities in use: the next Update makes them anew from Preset
+   * and ColorFileName. GetTransferFunction then returns another object.
+   */
+  void ResetTransferFunction();
+
   ///@{
   /**
    * How many times heights are stretched; the picture states it. 0, the default, stretches so much

@@ -236,7 +236,11 @@ TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)
   EXPECT_EQ(scene->GetTransferFunction(), colors);
   scene->SetRingSpacing(0.0);
   EXPECT_EQ(MeanDifference(window.Draw(), surface), 0.0);
-  // Another preset begins anew.
+  // The same preset, and another one, begin anew.
+  scene->ResetTransferFunction();
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+  EXPECT_NE(scene->GetTransferFunction(), colors);
+  scene->GetTransferFunction()->SetOpacityToIsoValues(&dbz, 1);
   scene->SetPreset("all echo");
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
 }
