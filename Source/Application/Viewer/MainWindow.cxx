@@ -7,6 +7,8 @@
 #include "Viewer/Playback.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/TimeLine.h"
+#include "Viewer/TransferFunctionDock.h"
+#include "Viewer/TransferFunctionEditor.h"
 #include "nexrad/System/Error.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
@@ -111,6 +113,7 @@ void MainWindow::MakeDocks()
   lookDock->setWidget(scroll);
   this->addDockWidget(Qt::RightDockWidgetArea, lookDock);
   connect(look, &LookPanel::Changed, view, &SceneView::DrawSoon);
+  colours = MakeTransferFunctionDock(*this, *view, *look, lookDock);
 
   damage = new QListWidget(this);
   damage->setObjectName("damage");
@@ -135,6 +138,7 @@ void MainWindow::MakeMenus()
   file->addAction("Save &picture as…", this, &MainWindow::AskForPicture, QKeySequence::Save);
   file->addSeparator();
   file->addAction("&Quit", this, &QWidget::close, QKeySequence::Quit);
+  colours->AddActions(this->menuBar()->addMenu("&Edit"));
   windows = this->menuBar()->addMenu("&View");
   windows->addAction("&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
   windows->addSeparator();
@@ -336,6 +340,7 @@ void MainWindow::ShowAbout()
     "Left, Right: a step back, or on\n"
     "L: begin again after the last time\n"
     "R: the camera as at first\n"
+    "T: show or hide the transfer function;  Ctrl+Z, Ctrl+Shift+Z: undo and redo its changes\n"
     "Ctrl+O: open files;  Ctrl+Shift+O: open a folder\n"
     "S: take a picture;  Ctrl+S: save it under a name\n"
     "Ctrl+Q: quit");

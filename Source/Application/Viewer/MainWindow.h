@@ -22,6 +22,7 @@ namespace nexrad::viewer
 class LookPanel;
 class Playback;
 class SceneView;
+class TransferFunctionEditor;
 
 /// The window of `nexrad3d view`: a radar day in its time line, its scene and its settings.
 class MainWindow : public QMainWindow
@@ -71,6 +72,7 @@ private:
   Playback* playback = nullptr;
   SceneView* view = nullptr;
   LookPanel* look = nullptr;
+  TransferFunctionEditor* colours = nullptr;
   QDockWidget* damageDock = nullptr;
   QListWidget* damage = nullptr;
   QLabel* doing = nullptr;
