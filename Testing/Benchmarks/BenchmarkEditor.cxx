@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How fast the picture follows a point of the transfer function: the window opens a volume, the
 // mouse drags a point of opacity, then one of red, and each event is timed up to the end of the
-// picture that shows it. Beside it: the time of a picture in which nothing changed, and of one
-// whose camera turned. Usage: BenchmarkEditor INPUT, a volume as `nexrad3d grid` or `view` take it,
-// for example of `--dims 256x256x128`. Needs an X server.
+// picture that shows it. Beside it: the times of a picture in which nothing changed, of one whose
+// camera turned, and of the volume's histogram. Usage: BenchmarkEditor INPUT, a volume as `nexrad3d
+// grid` writes it, for example with `--dims 256x256x128`. Needs an X server.
 #include "Viewer/MainWindow.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/TransferFunctionChart.h"
 
 #include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkNexradHistogram.h>
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
 #include <vtkRenderWindow.h>
@@ -120,6 +122,19 @@ public:
     return time;
   }
 
+  /// Of the volume as the window has it.
+  double Histogram()
+  {
+    vtkNew<vtkNexradHistogram> histogram;
+    histogram->SetInputData(window.View()->Scene()->GetVolume());
+    return MedianOf(
+      [&](int)
+      {
+        histogram->Modified();
+        histogram->Update();
+      });
+  }
+
 private:
   void Draw()
   {
@@ -172,11 +187,12 @@ int main(int argc, char* argv[])
   const double opacity = measurement.Dragged(vtkNexradTransferFunction::OPACITY);
   window.findChild<QToolButton*>("Red channel")->click();
   const double red = measurement.Dragged(vtkNexradTransferFunction::RED);
+  const double histogram = measurement.Histogram();
   std::printf("%d x %d pixels, median of %d pictures, milliseconds\n\n"
               "| volume | nothing changed | camera turned | opacity dragged | red dragged | "
-              "opacity dragged / nothing changed |\n|---|---|---|---|---|---|\n"
-              "| %dx%dx%d | %.1f | %.1f | %.1f | %.1f | %.2f |\n",
+              "opacity dragged / nothing changed | histogram |\n|---|---|---|---|---|---|---|\n"
+              "| %dx%dx%d | %.1f | %.1f | %.1f | %.1f | %.2f | %.1f |\n",
     window.View()->width(), window.View()->height(), pictures, size[0], size[1], size[2], unchanged,
-    turned, opacity, red, opacity / unchanged);
+    turned, opacity, red, opacity / unchanged, histogram);
   return 0;
 }

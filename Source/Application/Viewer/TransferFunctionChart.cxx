@@ -34,7 +34,7 @@ namespace
 
 constexpr int samples = 512; // of the curves, and colours of the bars
 constexpr std::array<const char*, 4> channelNames = {"Red", "Green", "Blue", "Opacity"};
-constexpr int letters = 10;  // points
+constexpr int letters = 13;  // points
 constexpr float thin = 1.3F; // pixels
 constexpr float thick = 2.6F;
 constexpr double barOpacity = 0.62;
@@ -113,6 +113,7 @@ void TransferFunctionChart::MakePlots()
   chart->SetShowLegend(false);
   chart->SetZoomWithMouseWheel(false);
   chart->SetTooltip(nullptr);
+  chart->SetBarWidthFraction(1.0F); // no gaps
   for (const int action : {vtkChart::PAN, vtkChart::ZOOM, vtkChart::SELECT})
   {
     chart->SetActionToButton(action, vtkContextMouseEvent::NO_BUTTON);
@@ -207,7 +208,6 @@ void TransferFunctionChart::SetHistogram(vtkTable* histogram)
     }
     const double width = rows > 1 ? middles->GetValue(1) - middles->GetValue(0) : 1.0;
     histogramRange = {middles->GetValue(0) - width, middles->GetValue(rows - 1) + width};
-    bars->SetWidth(static_cast<float>(width));
     barTable->Modified();
   }
   this->FollowFunction();
