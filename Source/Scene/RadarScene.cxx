@@ -116,11 +116,12 @@ vtkNexradTransferFunction* RadarScene::TransferFunction()
   return transferFunction;
 }
 
-void RadarScene::SetColours(const std::string& preset, const std::filesystem::path& colours)
+void RadarScene::SetColours(const SceneOptions& other)
 {
   SceneOptions wanted = options;
-  wanted.preset = preset;
-  wanted.colours = colours;
+  wanted.preset = other.preset;
+  wanted.colours = other.colours;
+  wanted.isoValues = other.isoValues;
   transferFunction = MakeTransferFunction(wanted, array);
   options = std::move(wanted);
 }

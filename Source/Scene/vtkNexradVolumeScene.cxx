@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
+#include <optional>
 
 using nexrad::scene::CameraView;
 using nexrad::scene::LightOptions;
@@ -25,7 +27,8 @@ namespace
 
 bool SameColors(const SceneOptions& a, const SceneOptions& b)
 {
-  return a.preset == b.preset && a.colours == b.colours && a.colourBy == b.colourBy;
+  return a.preset == b.preset && a.colours == b.colours && a.isoValues == b.isoValues &&
+         a.colourBy == b.colourBy;
 }
 
 bool SamePlan(const SceneOptions& a, const SceneOptions& b)
@@ -99,6 +102,11 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   SceneOptions options;
   options.preset = self->Preset;
   options.colours = self->ColorFileName;
+  for (const std::array<double, 2>& isoValue : self->IsoValues)
+  {
+    options.isoValues.push_back(
+      {isoValue[0], isoValue[1] < 0.0 ? std::nullopt : std::optional(isoValue[1])});
+  }
   options.colourBy = self->ColorArray;
   if (self->Exaggeration > 0.0)
   {
@@ -157,9 +165,10 @@ void vtkNexradVolumeScene::Drawing::ShowVolume(vtkImageData* newVolume)
 
 void vtkNexradVolumeScene::Drawing::MakeColors(const SceneOptions& wanted)
 {
-  scene->SetColours(wanted.preset, wanted.colours);
+  scene->SetColours(wanted);
   options.preset = wanted.preset;
   options.colours = wanted.colours;
+  options.isoValues = wanted.isoValues;
   remakeColors = false;
 }
 
@@ -292,6 +301,27 @@ void vtkNexradVolumeScene::SetRingSpacing(double spacing)
   }
 }
 
+void vtkNexradVolumeScene::AddIsoValue(double value, double opacity)
+{
+  if (!std::isfinite(value) || !(opacity <= 1.0))
+  {
+    vtkErrorMacro("iso-value " << value << " of opacity " << opacity
+                               << ": set a finite value, and an opacity up to 1");
+    return;
+  }
+  this->IsoValues.push_back({value, opacity});
+  this->Modified();
+}
+
+void vtkNexradVolumeScene::RemoveAllIsoValues()
+{
+  if (!this->IsoValues.empty())
+  {
+    this->IsoValues.clear();
+    this->Modified();
+  }
+}
+
 vtkNexradTransferFunction* vtkNexradVolumeScene::GetTransferFunction() const
 {
   return this->Drawn->scene ? this->Drawn->scene->TransferFunction() : nullptr;
@@ -392,6 +422,12 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ParallelProjection: " << this->ParallelProjection << "\n";
   os << indent << "Preset: " << this->Preset << "\n";
   os << indent << "ColorFileName: " << this->ColorFileName << "\n";
+  os << indent << "IsoValues:";
+  for (const std::array<double, 2>& isoValue : this->IsoValues)
+  {
+    os << " " << isoValue[0] << ":" << isoValue[1];
+  }
+  os << "\n";
   os << indent << "ColorArray: " << this->ColorArray << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "Mapper: " << this->Mapper << "\n";

@@ -35,8 +35,10 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For members
 
+#include <array>  // For members
 #include <memory> // For members
 #include <string> // For members
+#include <vector> // For members
 
 class vtkCamera;
 class vtkImageData;
@@ -157,6 +159,18 @@ public:
    */
   vtkSetMacro(ColorFileName, std::string);
   vtkGetMacro(ColorFileName, std::string);
+  ///@}
+
+  ///@{
+  /**
+   * Values whose surfaces are drawn in place of the volume, in the unit of the moment, with the
+   * colours of Preset or ColorFileName. The opacity of a surface is 0 to 1; below 0, the default,
+   * it is 0.35 for the lowest value to 0.95 for the highest one. None by default: those of the
+   * preset. Errors: a value that is not finite, an opacity above 1.
+   */
+  void AddIsoValue(double value, double opacity = -1.0);
+  void RemoveAllIsoValues();
+  int GetNumberOfIsoValues() const { return static_cast<int>(this->IsoValues.size()); }
   ///@}
 
   ///@{
@@ -333,6 +347,7 @@ protected:
   bool ParallelProjection = false;
   std::string Preset;
   std::string ColorFileName;
+  std::vector<std::array<double, 2>> IsoValues; // with their opacities
   std::string ColorArray;
   double Exaggeration = 0.0;
   int Mapper = TEXTURE_SLICE;

@@ -293,6 +293,17 @@ TEST_F(WindowTransferFunction, IsoValuesAreSurfaces)
   EXPECT_EQ(Difference(usual, this->WaitForPicture()), 0.0) << "the opacity of the first preset";
 }
 
+TEST_F(WindowTransferFunction, IsoValuesOfTheCommandAreShown)
+{
+  request.scene.isoValues = {{20.0, 0.25}, {45.0, {}}};
+  this->OpenEditor();
+  EXPECT_EQ(this->Find<QLineEdit>("Iso-values")->text(), "20:0.25, 45:0.95");
+  this->Choose("Transfer function preset", 1);
+  EXPECT_EQ(this->Colours()->GetNumberOfIsoValues(), 0);
+  this->Undo();
+  EXPECT_EQ(this->Colours()->GetNumberOfIsoValues(), 2);
+}
+
 TEST_F(WindowTransferFunction, AFileComesBackAsItWas)
 {
   this->OpenEditor();

@@ -245,6 +245,30 @@ TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
 }
 
+TEST(VolumeScene, DrawsSurfacesOfIsoValues)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), size);
+  const Picture usual = window.Draw();
+  scene->AddIsoValue(45.0);
+  scene->AddIsoValue(20.0, 0.25);
+  const Picture surfaces = window.Draw();
+  EXPECT_AT_LEAST(
+    MeanDifference(usual, surfaces), 1.3, "mean change of the picture by two surfaces, of 255");
+  auto* colors = scene->GetTransferFunction();
+  ASSERT_EQ(colors->GetNumberOfIsoValues(), 2);
+  EXPECT_EQ(colors->Evaluate(vtkNexradTransferFunction::OPACITY, 20.0), 0.25);
+  EXPECT_EQ(colors->Evaluate(vtkNexradTransferFunction::OPACITY, 45.0), 0.95);
+  scene->RemoveAllIsoValues();
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+  vtkNexradMessages messages;
+  messages.Watch(scene);
+  scene->AddIsoValue(45.0, 1.5);
+  EXPECT_EQ(messages.Errors().size(), 1U);
+  EXPECT_EQ(scene->GetNumberOfIsoValues(), 0);
+}
+
 TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)
 {
   vtkNew<vtkNexradVolumeScene> scene;

@@ -438,6 +438,7 @@ void TransferFunctionEditor::FollowPresets()
 void TransferFunctionEditor::ChoosePreset(int index)
 {
   scene->SetPreset(presets->itemText(index).toStdString());
+  scene->RemoveAllIsoValues();
   scene->ResetTransferFunction();
   scene->Update();
   chart->SetFunction(this->Shown());
