@@ -191,6 +191,26 @@ void vtkNexradTransferFunction::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Bins: " << this->GetNumberOfBins() << '\n';
 }
 
+void vtkNexradTransferFunction::DeepCopy(vtkNexradTransferFunction* other)
+{
+  if (other != nullptr && other != this)
+  {
+    this->Internal->Map = other->Internal->Map;
+    this->Modified();
+  }
+}
+
+bool vtkNexradTransferFunction::IsEqual(vtkNexradTransferFunction* other) const
+{
+  if (other == nullptr)
+  {
+    return false;
+  }
+  const vtkNexradColorMap& a = this->Internal->Map;
+  const vtkNexradColorMap& b = other->Internal->Map;
+  return a.Channels == b.Channels && a.IsoValues == b.IsoValues && a.Bins == b.Bins;
+}
+
 int vtkNexradTransferFunction::GetNumberOfNodes(int channel) const
 {
   return IsChannel(channel) ? static_cast<int>(this->Internal->Channel(channel).size()) : 0;

@@ -35,6 +35,16 @@ public:
   vtkTypeMacro(vtkNexradTransferFunction, vtkObject);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
+  /**
+   * Takes over nodes, bins and iso-values of another one.
+   */
+  void DeepCopy(vtkNexradTransferFunction* other);
+
+  /**
+   * Whether nodes, bins and iso-values are those of another one.
+   */
+  bool IsEqual(vtkNexradTransferFunction* other) const;
+
   enum ChannelType
   {
     RED = 0,
@@ -147,12 +157,12 @@ public:
 
   ///@{
   /**
-   * Reads or writes a colour map by the ending of its name: .json (ParaView's; the nodes come back
-   * as they were), .pal (GRLevelX tables, colours in bytes: the bins without opacity, or samples of
-   * the splines with it), .csv (read only: lines "dbz,#rrggbb" below a heading). A file without
-   * opacities leaves the opacity as it is, but of a table nothing shows below its first step.
-   * Returns false, with an error of one line that names the
-   * file and what is wrong; then nothing changed.
+   * Reads or writes a colour map by the ending of its name: .json (ParaView's; nodes, bins and
+   * iso-values come back as they were), .pal (GRLevelX tables, colours in bytes: the bins without
+   * opacity, or samples of the splines with it), .csv (read only: lines "dbz,#rrggbb" below a
+   * heading). A file without opacities leaves the opacity as it is, but of a table nothing shows
+   * below its first step. Returns false, with an error of one line that names the file and what is
+   * wrong; then nothing changed.
    */
   bool ReadFile(const char* path);
   bool WriteFile(const char* path);

@@ -116,6 +116,16 @@ vtkNexradTransferFunction* RadarScene::TransferFunction()
   return transferFunction;
 }
 
+void RadarScene::SetColours(const SceneOptions& other)
+{
+  SceneOptions wanted = options;
+  wanted.preset = other.preset;
+  wanted.colours = other.colours;
+  wanted.isoValues = other.isoValues;
+  transferFunction = MakeTransferFunction(wanted, array);
+  options = std::move(wanted);
+}
+
 void RadarScene::SetTransferFunction(
   vtkNexradTransferFunction* function, const std::string& ofArray)
 {

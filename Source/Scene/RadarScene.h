@@ -76,6 +76,10 @@ public:
   /// those of another moment from the volume on that is the first of it;
   /// after a change of them TransferFunctionChanged brings the scene up to date.
   vtkNexradTransferFunction* TransferFunction();
+  /// Makes them anew, for the moment that is shown, of the preset, the file and the iso-values of
+  /// other options; TransferFunctionChanged draws them. Throws Error, and changes nothing, for what
+  /// MakeTransferFunction throws for.
+  void SetColours(const SceneOptions& other);
   /// Takes over those that another scene has for the moment of that array.
   void SetTransferFunction(vtkNexradTransferFunction* function, const std::string& ofArray);
   void TransferFunctionChanged();

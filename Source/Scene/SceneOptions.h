@@ -31,6 +31,11 @@ struct IsoValue
 {
   double value = 0.0;            ///< in the unit of the moment
   std::optional<double> opacity; ///< of the surface, 0 to 1; empty: by its rank among the values
+
+  bool operator==(const IsoValue& other) const
+  {
+    return value == other.value && opacity == other.opacity;
+  }
 };
 
 /// What a scene shows beside the data.

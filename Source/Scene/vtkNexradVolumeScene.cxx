@@ -13,7 +13,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <exception>
+#include <optional>
 
 using nexrad::scene::CameraView;
 using nexrad::scene::LightOptions;
@@ -25,7 +27,8 @@ namespace
 
 bool SameColors(const SceneOptions& a, const SceneOptions& b)
 {
-  return a.preset == b.preset && a.colours == b.colours && a.colourBy == b.colourBy;
+  return a.preset == b.preset && a.colours == b.colours && a.isoValues == b.isoValues &&
+         a.colourBy == b.colourBy;
 }
 
 bool SamePlan(const SceneOptions& a, const SceneOptions& b)
@@ -42,13 +45,14 @@ bool SameLight(const LightOptions& a, const LightOptions& b)
          a.direction.elevation == b.direction.elevation;
 }
 
-// The number of slices and the light can be changed in a scene that is there.
-bool SameButForSlicesAndLight(const SceneOptions& a, const SceneOptions& b)
+// The number of slices, the light and the colours of the moment that is shown can be changed in a
+// scene that is there: its volume stays in texture memory.
+bool SameButForSlicesLightAndColors(const SceneOptions& a, const SceneOptions& b)
 {
-  return SameColors(a, b) && SamePlan(a, b) && a.exaggeration == b.exaggeration &&
-         a.mapper == b.mapper && a.preIntegration == b.preIntegration &&
-         a.ringSpacing == b.ringSpacing && a.theme == b.theme && a.heightWalls == b.heightWalls &&
-         a.placeNames == b.placeNames;
+  return a.colourBy == b.colourBy && (a.colourBy.empty() || SameColors(a, b)) && SamePlan(a, b) &&
+         a.exaggeration == b.exaggeration && a.mapper == b.mapper &&
+         a.preIntegration == b.preIntegration && a.ringSpacing == b.ringSpacing &&
+         a.theme == b.theme && a.heightWalls == b.heightWalls && a.placeNames == b.placeNames;
 }
 
 bool SameView(const CameraView& a, const CameraView& b)
@@ -80,6 +84,7 @@ struct vtkNexradVolumeScene::Drawing
   vtkImageData* volume = nullptr;        // compared, never followed
   vtkMTimeType volumeTime = 0;
   vtkMTimeType colorTime = 0;
+  bool remakeColors = false;
   std::unique_ptr<RadarScene> scene;
   vtkMTimeType tried = 0; // time of the settings that the last update was for
   bool succeeded = true;
@@ -88,6 +93,7 @@ struct vtkNexradVolumeScene::Drawing
   static SceneOptions OptionsOf(const vtkNexradVolumeScene* self);
   void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
+  void MakeColors(const SceneOptions& wanted);
   void FollowColors();
 };
 
@@ -96,6 +102,11 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   SceneOptions options;
   options.preset = self->Preset;
   options.colours = self->ColorFileName;
+  for (const std::array<double, 2>& isoValue : self->IsoValues)
+  {
+    options.isoValues.push_back(
+      {isoValue[0], isoValue[1] < 0.0 ? std::nullopt : std::optional(isoValue[1])});
+  }
   options.colourBy = self->ColorArray;
   if (self->Exaggeration > 0.0)
   {
@@ -126,7 +137,7 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
   RadarScene::Check(wanted, self->Volume);
   vtkSmartPointer<vtkNexradTransferFunction> colors;
   std::string array;
-  if (scene && SameColors(wanted, options))
+  if (scene && SameColors(wanted, options) && !remakeColors)
   {
     colors = scene->TransferFunction();
     array = scene->Array();
@@ -141,6 +152,7 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
   scene->SetPictureSize(size);
   this->ShowVolume(self->Volume);
   options = wanted;
+  remakeColors = false;
   colorTime = scene->TransferFunction()->GetMTime();
 }
 
@@ -149,6 +161,15 @@ void vtkNexradVolumeScene::Drawing::ShowVolume(vtkImageData* newVolume)
   scene->SetVolume(newVolume);
   volume = newVolume;
   volumeTime = newVolume->GetMTime();
+}
+
+void vtkNexradVolumeScene::Drawing::MakeColors(const SceneOptions& wanted)
+{
+  scene->SetColours(wanted);
+  options.preset = wanted.preset;
+  options.colours = wanted.colours;
+  options.isoValues = wanted.isoValues;
+  remakeColors = false;
 }
 
 // Changes that the user made to the colours and opacities in use.
@@ -172,14 +193,20 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   const CameraView camera{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection};
   const bool sameView = SameView(camera, view);
   view = camera;
-  if (!scene || !SameButForSlicesAndLight(wanted, options))
+  const bool otherColors = remakeColors || (scene && !SameColors(wanted, options));
+  const bool otherVolume = self->Volume != volume || self->Volume->GetMTime() != volumeTime;
+  if (!scene || !SameButForSlicesLightAndColors(wanted, options) || (otherColors && otherVolume))
   {
-    this->Rebuild(self, wanted);
+    this->Rebuild(self, wanted); // another volume may be of another moment, with other presets
     return;
   }
-  if (self->Volume != volume || self->Volume->GetMTime() != volumeTime)
+  if (otherVolume)
   {
     this->ShowVolume(self->Volume);
+  }
+  if (otherColors)
+  {
+    this->MakeColors(wanted);
   }
   this->FollowColors();
   if (wanted.slices != options.slices)
@@ -274,9 +301,36 @@ void vtkNexradVolumeScene::SetRingSpacing(double spacing)
   }
 }
 
+void vtkNexradVolumeScene::AddIsoValue(double value, double opacity)
+{
+  if (!std::isfinite(value) || !(opacity <= 1.0))
+  {
+    vtkErrorMacro("iso-value " << value << " of opacity " << opacity
+                               << ": set a finite value, and an opacity up to 1");
+    return;
+  }
+  this->IsoValues.push_back({value, opacity});
+  this->Modified();
+}
+
+void vtkNexradVolumeScene::RemoveAllIsoValues()
+{
+  if (!this->IsoValues.empty())
+  {
+    this->IsoValues.clear();
+    this->Modified();
+  }
+}
+
 vtkNexradTransferFunction* vtkNexradVolumeScene::GetTransferFunction() const
 {
   return this->Drawn->scene ? this->Drawn->scene->TransferFunction() : nullptr;
+}
+
+void vtkNexradVolumeScene::ResetTransferFunction()
+{
+  this->Drawn->remakeColors = true;
+  this->Modified();
 }
 
 void vtkNexradVolumeScene::SetCameraFromAbove()
@@ -368,6 +422,12 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ParallelProjection: " << this->ParallelProjection << "\n";
   os << indent << "Preset: " << this->Preset << "\n";
   os << indent << "ColorFileName: " << this->ColorFileName << "\n";
+  os << indent << "IsoValues:";
+  for (const std::array<double, 2>& isoValue : this->IsoValues)
+  {
+    os << " " << isoValue[0] << ":" << isoValue[1];
+  }
+  os << "\n";
   os << indent << "ColorArray: " << this->ColorArray << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "Mapper: " << this->Mapper << "\n";

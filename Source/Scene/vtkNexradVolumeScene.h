@@ -35,8 +35,10 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For members
 
+#include <array>  // For members
 #include <memory> // For members
 #include <string> // For members
+#include <vector> // For members
 
 class vtkCamera;
 class vtkImageData;
@@ -161,6 +163,18 @@ public:
 
   ///@{
   /**
+   * Values whose surfaces are drawn in place of the volume, in the unit of the moment, with the
+   * colours of Preset or ColorFileName. The opacity of a surface is 0 to 1; below 0, the default,
+   * it is 0.35 for the lowest value to 0.95 for the highest one. None by default: those of the
+   * preset. Errors: a value that is not finite, an opacity above 1.
+   */
+  void AddIsoValue(double value, double opacity = -1.0);
+  void RemoveAllIsoValues();
+  int GetNumberOfIsoValues() const { return static_cast<int>(this->IsoValues.size()); }
+  ///@}
+
+  ///@{
+  /**
    * Name of an array of the volume that gives the colours, as "VEL" or "REF_age"; the moment that
    * is shown then gives the opacities alone. A moment has the colours of its preset, or of
    * ColorFileName; an ancillary array those that a plan view of it has. Brown stands for no value.
@@ -175,6 +189,12 @@ public:
    * another object once another moment, preset or colour file is shown.
    */
   vtkNexradTransferFunction* GetTransferFunction() const;
+
+  /**
+   * Drops changes of the colours and opacities in use: the next Update makes them anew from Preset
+   * and ColorFileName. GetTransferFunction then returns another object.
+   */
+  void ResetTransferFunction();
 
   ///@{
   /**
@@ -327,6 +347,7 @@ protected:
   bool ParallelProjection = false;
   std::string Preset;
   std::string ColorFileName;
+  std::vector<std::array<double, 2>> IsoValues; // with their opacities
   std::string ColorArray;
   double Exaggeration = 0.0;
   int Mapper = TEXTURE_SLICE;

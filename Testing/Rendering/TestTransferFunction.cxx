@@ -319,6 +319,39 @@ TEST(TransferFunction, JSONComesBackAsItWas)
   }
 }
 
+TEST(TransferFunction, IsoValuesComeBackFromJSON)
+{
+  const TemporaryFolder folder;
+  const std::string path = (folder.Path() / "map.json").string();
+  vtkNew<Function> written;
+  const std::array<double, 3> values = {20.0, 40.0, 50.0};
+  const std::array<double, 3> opacities = {0.3, 0.6, 1.0};
+  written->SetOpacityToIsoValues(values.data(), opacities.data(), 3);
+  ASSERT_TRUE(written->WriteFile(path.c_str()));
+  vtkNew<Function> read;
+  EXPECT_FALSE(read->IsEqual(written));
+  ASSERT_TRUE(read->ReadFile(path.c_str()));
+  ASSERT_EQ(read->GetNumberOfIsoValues(), 3);
+  EXPECT_EQ(read->GetIsoValue(2), 50.0);
+  EXPECT_EQ(read->Evaluate(Function::OPACITY, 40.0), 0.6);
+  EXPECT_TRUE(read->IsEqual(written));
+}
+
+TEST(TransferFunction, ACopyHasAllAndIsApart)
+{
+  vtkNew<Function> function;
+  function->ApplyPreset("iso-values");
+  vtkNew<Function> copy;
+  EXPECT_FALSE(copy->IsEqual(function));
+  copy->DeepCopy(function);
+  EXPECT_TRUE(copy->IsEqual(function));
+  EXPECT_EQ(copy->GetNumberOfIsoValues(), 3);
+  EXPECT_EQ(copy->GetNumberOfBins(), function->GetNumberOfBins());
+  copy->MoveNode(Function::RED, 0, 5.0, 0.5);
+  EXPECT_FALSE(copy->IsEqual(function));
+  EXPECT_GT(function->GetNumberOfBins(), 0) << "it keeps its own";
+}
+
 TEST(TransferFunction, ReadsWhatParaViewExports)
 {
   const TemporaryFolder folder;
@@ -433,6 +466,9 @@ TEST(TransferFunction, WrongFilesAreNamedInOneLine)
   EXPECT_PRED2(
     Holds, ErrorOf("a.json", R"({"RGBPoints":[1,0,0,0],"Points":[1,"x",0,0]})"), "Points");
   EXPECT_PRED2(Holds, ErrorOf("a.json", R"({"vtkNexradNodes":[]})"), "red, green");
+  const std::string nodes = R"({"vtkNexradNodes":{"red":[],"green":[],"blue":[],"opacity":[]},)";
+  EXPECT_PRED2(
+    Holds, ErrorOf("a.json", nodes + R"("vtkNexradIsoValues":[40, 20]})"), "vtkNexradIsoValues");
   EXPECT_PRED2(Holds, ErrorOf("a.pal", "Color: 20 2 253\n"), "line 1");
   EXPECT_PRED2(Holds, ErrorOf("a.pal", "Color: 20 2 253 256\n"), "0 to 255");
   EXPECT_PRED2(Holds, ErrorOf("a.pal", "Scale: 0\n"), "line 1");

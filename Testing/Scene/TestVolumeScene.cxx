@@ -236,9 +236,37 @@ TEST(VolumeScene, ChangesOfTheTransferFunctionAreDrawnAndKept)
   EXPECT_EQ(scene->GetTransferFunction(), colors);
   scene->SetRingSpacing(0.0);
   EXPECT_EQ(MeanDifference(window.Draw(), surface), 0.0);
-  // Another preset begins anew.
+  // The same preset, and another one, begin anew.
+  scene->ResetTransferFunction();
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+  EXPECT_NE(scene->GetTransferFunction(), colors);
+  scene->GetTransferFunction()->SetOpacityToIsoValues(&dbz, 1);
   scene->SetPreset("all echo");
   EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+}
+
+TEST(VolumeScene, DrawsSurfacesOfIsoValues)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), size);
+  const Picture usual = window.Draw();
+  scene->AddIsoValue(45.0);
+  scene->AddIsoValue(20.0, 0.25);
+  const Picture surfaces = window.Draw();
+  EXPECT_AT_LEAST(
+    MeanDifference(usual, surfaces), 1.3, "mean change of the picture by two surfaces, of 255");
+  auto* colors = scene->GetTransferFunction();
+  ASSERT_EQ(colors->GetNumberOfIsoValues(), 2);
+  EXPECT_EQ(colors->Evaluate(vtkNexradTransferFunction::OPACITY, 20.0), 0.25);
+  EXPECT_EQ(colors->Evaluate(vtkNexradTransferFunction::OPACITY, 45.0), 0.95);
+  scene->RemoveAllIsoValues();
+  EXPECT_EQ(MeanDifference(window.Draw(), usual), 0.0);
+  vtkNexradMessages messages;
+  messages.Watch(scene);
+  scene->AddIsoValue(45.0, 1.5);
+  EXPECT_EQ(messages.Errors().size(), 1U);
+  EXPECT_EQ(scene->GetNumberOfIsoValues(), 0);
 }
 
 TEST(VolumeScene, AnErrorIsReportedOnceAndLeavesThePicture)

@@ -86,6 +86,25 @@ bool ParseIsoValue(const std::string& text, scene::IsoValue& isoValue)
   return stream && stream.eof() && colon == ':' && opacity > 0.0 && opacity <= 1.0;
 }
 
+scene::LightDirection ParseLightDirection(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  scene::LightDirection direction;
+  char comma = 0;
+  stream >> direction.azimuth >> comma >> direction.elevation;
+  if (!stream || comma != ',' || stream.peek() != std::istringstream::traits_type::eof() ||
+      !(std::abs(direction.azimuth) <= 360.0) || !(std::abs(direction.elevation) <= 90.0))
+  {
+    throw Error("'" + text +
+                "' is no direction of light; write degrees clockwise from north, -360 to 360, and "
+                "above the horizon, -90 to 90, as in 250,45");
+  }
+  return direction;
+}
+
+} // namespace
+
 std::vector<scene::IsoValue> ParseIsoValues(const std::string& text)
 {
   constexpr char right[] = "; write values, each with the opacity of its surface above 0 and up to "
@@ -109,25 +128,6 @@ std::vector<scene::IsoValue> ParseIsoValues(const std::string& text)
   }
   return isoValues;
 }
-
-scene::LightDirection ParseLightDirection(const std::string& text)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  scene::LightDirection direction;
-  char comma = 0;
-  stream >> direction.azimuth >> comma >> direction.elevation;
-  if (!stream || comma != ',' || stream.peek() != std::istringstream::traits_type::eof() ||
-      !(std::abs(direction.azimuth) <= 360.0) || !(std::abs(direction.elevation) <= 90.0))
-  {
-    throw Error("'" + text +
-                "' is no direction of light; write degrees clockwise from north, -360 to 360, and "
-                "above the horizon, -90 to 90, as in 250,45");
-  }
-  return direction;
-}
-
-} // namespace
 
 void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required)
 {

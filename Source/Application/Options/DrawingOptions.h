@@ -6,6 +6,8 @@
 #include "Scene/Series/InputSeries.h"
 
 #include <array>
+#include <string>
+#include <vector>
 
 namespace CLI
 {
@@ -25,6 +27,10 @@ void AddCameraOptions(CLI::App& command, scene::CameraView& camera);
 
 /// How it looks, and how large.
 void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOptions& options);
+
+/// Values of surfaces, each with an opacity if it is not to have the usual one: "20:0.3,40:0.6,50".
+/// Throws Error for anything else.
+std::vector<scene::IsoValue> ParseIsoValues(const std::string& text);
 
 /// Once all are known: what the inputs must hold for the picture. Throws CLI::ValidationError for
 /// options that contradict each other.

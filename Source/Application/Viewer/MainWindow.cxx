@@ -9,6 +9,8 @@
 #include "Viewer/Playback.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/TimeLine.h"
+#include "Viewer/TransferFunctionDock.h"
+#include "Viewer/TransferFunctionEditor.h"
 #include "nexrad/System/Error.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
@@ -114,6 +116,7 @@ void MainWindow::MakeDocks()
   lookDock->setWidget(scroll);
   this->addDockWidget(Qt::RightDockWidgetArea, lookDock);
   connect(look, &LookPanel::Changed, view, &SceneView::DrawSoon);
+  colours = MakeTransferFunctionDock(*this, *view, *look, lookDock);
 
   damage = new QListWidget(this);
   damage->setObjectName("damage");
@@ -138,6 +141,7 @@ void MainWindow::MakeMenus()
   file->addAction("Save &picture as…", this, &MainWindow::AskForPicture, QKeySequence::Save);
   file->addSeparator();
   file->addAction("&Quit", this, &QWidget::close, QKeySequence::Quit);
+  colours->AddActions(this->menuBar()->addMenu("&Edit"));
   windows = this->menuBar()->addMenu("&View");
   windows->addAction("&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
   windows->addSeparator();

@@ -23,6 +23,7 @@ class InputWatch;
 class LookPanel;
 class Playback;
 class SceneView;
+class TransferFunctionEditor;
 
 /// The window of `nexrad3d view`: a radar day in its time line, its scene and its settings.
 class MainWindow : public QMainWindow
@@ -73,6 +74,7 @@ private:
   InputWatch* watch = nullptr;
   SceneView* view = nullptr;
   LookPanel* look = nullptr;
+  TransferFunctionEditor* colours = nullptr;
   QDockWidget* damageDock = nullptr;
   QListWidget* damage = nullptr;
   QLabel* doing = nullptr;

@@ -45,6 +45,11 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
 {
   scene->SetPreset(options.preset);
   scene->SetColorFileName(options.colours.string());
+  scene->RemoveAllIsoValues();
+  for (const scene::IsoValue& isoValue : options.isoValues)
+  {
+    scene->AddIsoValue(isoValue.value, isoValue.opacity.value_or(-1.0));
+  }
   scene->SetColorArray(options.colourBy);
   scene->SetExaggeration(options.exaggeration.value_or(0.0));
   scene->SetMapper(options.mapper == scene::MapperChoice::RayCast

@@ -21,6 +21,12 @@ struct vtkNexradColorMap
     double To = 0.0;   ///< same unit, above From
     Color Lower{};
     Color Upper{};
+
+    bool operator==(const Bin& other) const
+    {
+      return this->From == other.From && this->To == other.To && this->Lower == other.Lower &&
+             this->Upper == other.Upper;
+    }
   };
 
   std::string Name;

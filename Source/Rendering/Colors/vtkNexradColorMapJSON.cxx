@@ -15,9 +15,10 @@ namespace
 
 using Json = nlohmann::json;
 
-// Ours among ParaView's keys: the nodes of the splines, by channel, and the bins.
+// Ours among ParaView's keys: the nodes of the splines, by channel, the bins, and the iso-values.
 constexpr const char* nodesKey = "vtkNexradNodes";
 constexpr const char* binsKey = "vtkNexradBins";
+constexpr const char* isoValuesKey = "vtkNexradIsoValues";
 constexpr std::array<const char*, 4> channelNames = {"red", "green", "blue", "opacity"};
 
 constexpr int samplesBetweenPoints = 8;
@@ -200,6 +201,26 @@ bool ReadOwnBins(const Json& list, vtkNexradColorMap& map)
   return true;
 }
 
+// What FormatJSON added to ParaView's keys. Says what is wrong.
+std::string ReadOwn(const Json& source, vtkNexradColorMap& map)
+{
+  if (!source[nodesKey].is_object() || !ReadOwnNodes(source[nodesKey], map))
+  {
+    return std::string(nodesKey) + " must hold red, green, blue and opacity, each a list of " +
+           "ascending dBZ and values";
+  }
+  if (source.contains(binsKey) && !source[binsKey].empty() && !ReadOwnBins(source[binsKey], map))
+  {
+    return std::string(binsKey) + " must be a list of ascending ranges and two colours each";
+  }
+  if (source.contains(isoValuesKey) && !source[isoValuesKey].empty() &&
+      !ReadGroups(source[isoValuesKey], 1, map.IsoValues))
+  {
+    return std::string(isoValuesKey) + " must be a list of ascending values";
+  }
+  return {};
+}
+
 } // namespace
 
 namespace vtkNexradColorMapText
@@ -223,16 +244,7 @@ std::string ParseJSON(const std::string& text, vtkNexradColorMap& map)
   }
   if (source.contains(nodesKey))
   {
-    if (!source[nodesKey].is_object() || !ReadOwnNodes(source[nodesKey], map))
-    {
-      return std::string(nodesKey) + " must hold red, green, blue and opacity, each a list of " +
-             "ascending dBZ and values";
-    }
-    if (source.contains(binsKey) && !source[binsKey].empty() && !ReadOwnBins(source[binsKey], map))
-    {
-      return std::string(binsKey) + " must be a list of ascending ranges and two colours each";
-    }
-    return {};
+    return ReadOwn(source, map);
   }
   if (!ReadColors(source, map))
   {
@@ -252,7 +264,7 @@ std::string FormatJSON(
   result["Name"] = map.Name;
   result["ColorSpace"] = "RGB";
   result["NanColor"] = {0.0, 0.0, 0.0};
-  for (const char* list : {"RGBPoints", "Points", binsKey})
+  for (const char* list : {"RGBPoints", "Points", binsKey, isoValuesKey})
   {
     result[list] = Json::array();
   }
@@ -276,6 +288,9 @@ std::string FormatJSON(
       result[binsKey].end(), {bin.From, bin.To, bin.Lower[0], bin.Lower[1], bin.Lower[2],
                                bin.Upper[0], bin.Upper[1], bin.Upper[2]});
   }
+  std::vector<double> isoValues = map.IsoValues;
+  std::sort(isoValues.begin(), isoValues.end());
+  result[isoValuesKey] = isoValues;
   return Json::array({result}).dump(2) + "\n";
 }
 
