@@ -157,7 +157,7 @@ TEST_F(WindowTransferFunction, DraggingAPointOfOpacityChangesThePicture)
     0.01, "pixels that a dragged opacity changes, part");
   EXPECT_WITHIN(this->Node(core)[1], 0.02, 0.01, "opacity of a dragged point");
   EXPECT_EQ(this->Find<QSpinBox>("Point")->value(), core + 1) << "it is selected";
-  EXPECT_EQ(this->Find<QComboBox>("Transfer function preset")->currentText(), "");
+  EXPECT_EQ(this->Find<QComboBox>("Transfer function preset")->currentText(), "all echo, changed");
   this->Undo();
   EXPECT_EQ(this->Node(core), before) << "one step for the whole drag";
   this->Redo();

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // How fast the picture follows a point of the transfer function: the window opens a volume, the
 // mouse drags a point of opacity, then one of red, and each event is timed up to the end of the
-// picture that shows it. Beside it: the times of a picture in which nothing changed, of one whose
-// camera turned, and of the volume's histogram. Usage: BenchmarkEditor INPUT, a volume as `nexrad3d
-// grid` writes it, for example with `--dims 256x256x128`. Needs an X server.
+// picture that shows it. In turn with it: a picture in which nothing changed, one whose camera
+// turned, and one of a function that was changed by a call. Then how long the volume's histogram
+// takes. Usage: BenchmarkEditor INPUT, a volume as `nexrad3d grid` writes it, for example with
+// `--dims 256x256x128`. Needs an X server.
 #include "Viewer/MainWindow.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/TransferFunctionChart.h"
@@ -34,8 +35,9 @@ namespace
 using namespace nexrad::viewer;
 using Clock = std::chrono::steady_clock;
 
-constexpr int pictures = 40;
-constexpr int warmUp = 5;
+constexpr int rounds = 30;
+constexpr int warmUp = 3;
+constexpr double settled = 150.0; // ms, after which nothing is left to draw
 
 double Milliseconds(Clock::time_point begin)
 {
@@ -56,23 +58,41 @@ bool Wait(const std::function<bool()>& condition, double seconds)
 void Settle()
 {
   const auto begin = Clock::now();
-  Wait([&] { return Milliseconds(begin) > 300.0; }, 1.0);
+  Wait([&] { return Milliseconds(begin) > settled; }, 1.0);
 }
 
-/// Median of the times of an action that makes pictures; what is left over is done in between.
-double MedianOf(const std::function<void(int)>& action)
+double Median(std::vector<double> values)
 {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Something that makes a picture, and the times that it took.
+struct Action
+{
+  std::function<void(int)> act;
   std::vector<double> times;
-  for (int i = 0; i < warmUp + pictures; ++i)
+
+  double Time() const { return Median(times); }
+};
+
+/// Each action in each round, so that what else the machine does falls on all alike.
+void Run(const std::vector<Action*>& actions)
+{
+  for (int round = -warmUp; round < rounds; ++round)
   {
-    Settle();
-    const auto begin = Clock::now();
-    action(i);
-    times.push_back(Milliseconds(begin));
+    for (Action* action : actions)
+    {
+      Settle();
+      const auto begin = Clock::now();
+      action->act(round);
+      if (round >= 0)
+      {
+        action->times.push_back(Milliseconds(begin));
+      }
+    }
   }
-  times.erase(times.begin(), times.begin() + warmUp);
-  std::nth_element(times.begin(), times.begin() + pictures / 2, times.end());
-  return times[pictures / 2];
 }
 
 class Measurement
@@ -80,65 +100,75 @@ class Measurement
 public:
   explicit Measurement(MainWindow& measured)
     : window(measured)
-    , chart(window.findChild<TransferFunctionChart*>())
+    , scene(measured.View()->Scene())
+    , chart(measured.findChild<TransferFunctionChart*>())
   {
   }
 
-  double Unchanged()
+  /// The last but one node of a channel moves up and down.
+  void RunWith(int channel)
   {
-    return MedianOf([this](int) { this->Draw(); });
-  }
-
-  double Turned()
-  {
-    vtkNexradVolumeScene* scene = window.View()->Scene();
-    const double first = scene->GetAzimuth();
-    const double time = MedianOf(
-      [&](int i)
-      {
-        scene->SetAzimuth(first + i % 2);
-        this->Draw();
-      });
-    scene->SetAzimuth(first);
-    return time;
-  }
-
-  /// From the event to the end of the picture, the last node of a channel moving up and down.
-  double Dragged(int channel)
-  {
-    auto* function = window.View()->Scene()->GetTransferFunction();
+    auto* function = scene->GetTransferFunction();
+    const int index = function->GetNumberOfNodes(channel) - 2;
     double node[2];
-    function->GetNode(channel, function->GetNumberOfNodes(channel) - 2, node);
-    this->Send(QEvent::MouseButtonPress, node[0], node[1]);
-    const double time = MedianOf(
-      [&](int i)
+    function->GetNode(channel, index, node);
+    const double azimuth = scene->GetAzimuth();
+    Action unchanged{[&](int) { this->Draw(); }, {}};
+    Action turned{[&](int round)
       {
-        const int drawn = window.View()->Drawn();
-        this->Send(QEvent::MouseMove, node[0], i % 2 == 0 ? 0.5 : 0.9);
-        Wait([&] { return window.View()->Drawn() > drawn; }, 10.0);
-        window.View()->renderWindow()->WaitForCompletion();
-      });
+        scene->SetAzimuth(azimuth + round % 2);
+        this->Draw();
+      },
+      {}};
+    Action called{[&](int round)
+      {
+        function->MoveNode(channel, index, node[0], round % 2 == 0 ? 0.55 : 0.85);
+        this->Draw();
+      },
+      {}};
+    Action dragged{[&](int round) { this->Drag(node[0], round % 2 == 0 ? 0.5 : 0.9); }, {}};
+    this->Send(QEvent::MouseButtonPress, node[0], node[1]);
+    Run({&unchanged, &turned, &called, &dragged});
     this->Send(QEvent::MouseButtonRelease, node[0], node[1]);
-    return time;
+    std::vector<double> ratios;
+    for (std::size_t i = 0; i < dragged.times.size(); ++i)
+    {
+      ratios.push_back(dragged.times[i] / unchanged.times[i]);
+    }
+    std::printf("| %s | %.1f | %.1f | %.1f | %.1f | %.2f | %.2f |\n",
+      channel == vtkNexradTransferFunction::RED ? "red" : "opacity", unchanged.Time(),
+      turned.Time(), called.Time(), dragged.Time(), dragged.Time() / unchanged.Time(),
+      Median(ratios));
   }
 
   /// Of the volume as the window has it.
   double Histogram()
   {
     vtkNew<vtkNexradHistogram> histogram;
-    histogram->SetInputData(window.View()->Scene()->GetVolume());
-    return MedianOf(
-      [&](int)
+    histogram->SetInputData(scene->GetVolume());
+    Action counted{[&](int)
       {
         histogram->Modified();
         histogram->Update();
-      });
+      },
+      {}};
+    Run({&counted});
+    return counted.Time();
   }
 
 private:
   void Draw()
   {
     window.View()->renderWindow()->Render();
+    window.View()->renderWindow()->WaitForCompletion();
+  }
+
+  /// From the event to the end of the picture.
+  void Drag(double value, double level)
+  {
+    const int drawn = window.View()->Drawn();
+    this->Send(QEvent::MouseMove, value, level);
+    Wait([&] { return window.View()->Drawn() > drawn; }, 10.0);
     window.View()->renderWindow()->WaitForCompletion();
   }
 
@@ -151,6 +181,7 @@ private:
   }
 
   MainWindow& window;
+  vtkNexradVolumeScene* scene;
   TransferFunctionChart* chart;
 };
 
@@ -182,17 +213,14 @@ int main(int argc, char* argv[])
   Settle();
   Measurement measurement(window);
   const int* size = window.View()->Scene()->GetVolume()->GetDimensions();
-  const double unchanged = measurement.Unchanged();
-  const double turned = measurement.Turned();
-  const double opacity = measurement.Dragged(vtkNexradTransferFunction::OPACITY);
+  std::printf(
+    "%dx%dx%d voxels, %d x %d pixels, median of %d pictures, milliseconds\n\n"
+    "| dragged | nothing changed | camera turned | changed by a call | dragged | dragged / "
+    "nothing changed | median of this ratio |\n|---|---|---|---|---|---|---|\n",
+    size[0], size[1], size[2], window.View()->width(), window.View()->height(), rounds);
+  measurement.RunWith(vtkNexradTransferFunction::OPACITY);
   window.findChild<QToolButton*>("Red channel")->click();
-  const double red = measurement.Dragged(vtkNexradTransferFunction::RED);
-  const double histogram = measurement.Histogram();
-  std::printf("%d x %d pixels, median of %d pictures, milliseconds\n\n"
-              "| volume | nothing changed | camera turned | opacity dragged | red dragged | "
-              "opacity dragged / nothing changed | histogram |\n|---|---|---|---|---|---|---|\n"
-              "| %dx%dx%d | %.1f | %.1f | %.1f | %.1f | %.2f | %.1f |\n",
-    window.View()->width(), window.View()->height(), pictures, size[0], size[1], size[2], unchanged,
-    turned, opacity, red, opacity / unchanged, histogram);
+  measurement.RunWith(vtkNexradTransferFunction::RED);
+  std::printf("\nHistogram: %.1f ms\n", measurement.Histogram());
   return 0;
 }

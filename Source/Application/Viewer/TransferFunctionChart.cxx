@@ -302,8 +302,6 @@ void TransferFunctionChart::StylePlots()
   const scene::Colour& rim = look.skyBottom;
   SetColour(points->GetPen(), colour, 1.0);
   points->GetBrush()->SetColorF(rim[0], rim[1], rim[2], 1.0);
-  SetColour(points->GetSelectedPointPen(), look.warning, 1.0);
-  points->GetSelectedPointBrush()->SetColorF(colour[0], colour[1], colour[2], 1.0);
   chart->GetAxis(vtkAxis::LEFT)->SetTitle(channelNames[static_cast<std::size_t>(channel)]);
   this->DrawSoon();
 }

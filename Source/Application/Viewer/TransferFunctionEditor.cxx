@@ -47,6 +47,7 @@ using Function = vtkNexradTransferFunction;
 
 /// Voxels that a histogram looks at: some milliseconds on the window's thread.
 constexpr vtkIdType mostVoxels = 1 << 23;
+constexpr char changed[] = ", changed";
 constexpr int histogramPause = 200; // ms
 constexpr std::array<const char*, 4> channelNames = {"Red", "Green", "Blue", "Opacity"};
 
@@ -133,7 +134,7 @@ TransferFunctionEditor::TransferFunctionEditor(vtkNexradVolumeScene* shownScene,
     [this]
     {
       emit Changed();
-      this->FollowFunction();
+      this->FollowSoon();
     });
   connect(
     chart, &TransferFunctionChart::EditFinished, this, [this] { this->Finish("Move point"); });
@@ -283,16 +284,26 @@ void TransferFunctionEditor::showEvent(QShowEvent* event)
 // At the end of a picture; what it takes must not delay that.
 void TransferFunctionEditor::FollowDrawing()
 {
-  if (this->isVisible() && !asked && !chart->IsHeld())
+  if (this->isVisible() && !chart->IsHeld())
   {
-    asked = true;
-    QTimer::singleShot(0, this,
-      [this]
-      {
-        asked = false;
-        this->Follow();
-      });
+    this->FollowSoon();
   }
+}
+
+// After the picture that was asked for: numbers that change are painted, and with them the window.
+void TransferFunctionEditor::FollowSoon()
+{
+  if (asked)
+  {
+    return;
+  }
+  asked = true;
+  QTimer::singleShot(0, this,
+    [this]
+    {
+      asked = false;
+      chart->IsHeld() ? this->FollowFunction() : this->Follow();
+    });
 }
 
 TransferFunctionEditor::Settings TransferFunctionEditor::SettingsNow() const
@@ -408,7 +419,7 @@ void TransferFunctionEditor::FollowPoint()
   level->setValue(node[1]);
 }
 
-// The name of the preset alone while nothing was changed.
+// What was changed has an entry of its own, before the presets.
 void TransferFunctionEditor::FollowPresets()
 {
   QStringList names;
@@ -421,28 +432,34 @@ void TransferFunctionEditor::FollowPresets()
   {
     shown << presets->itemText(i);
   }
+  const QString preset = QString::fromStdString(scene->GetPreset());
+  auto index = std::max<int>(0, static_cast<int>(names.indexOf(preset)));
+  if (this->Shown() != nullptr && index < names.size() && !IsPreset(this->Shown(), names[index]))
+  {
+    names.prepend(names[index] + changed);
+    index = 0;
+  }
   if (names != shown)
   {
     presets->clear();
     presets->addItems(names);
   }
-  const QString preset = QString::fromStdString(scene->GetPreset());
-  const auto index = std::max<int>(0, static_cast<int>(names.indexOf(preset)));
-  const bool unchanged =
-    this->Shown() != nullptr && index < names.size() && IsPreset(this->Shown(), names[index]);
-  presets->setPlaceholderText(index < names.size() ? names[index] + ", changed" : "");
-  presets->setCurrentIndex(unchanged ? index : -1);
+  presets->setCurrentIndex(index);
 }
 
 // Chosen again, a preset drops what was edited.
 void TransferFunctionEditor::ChoosePreset(int index)
 {
+  if (presets->itemText(index).endsWith(changed))
+  {
+    return;
+  }
   scene->SetPreset(presets->itemText(index).toStdString());
   scene->RemoveAllIsoValues();
   scene->ResetTransferFunction();
   scene->Update();
   chart->SetFunction(this->Shown());
-  this->Finish("Preset " + presets->itemText(index));
+  this->Finish("Preset " + QString::fromStdString(scene->GetPreset()));
   emit Changed();
   emit PresetChanged();
 }

@@ -92,6 +92,7 @@ private:
   vtkNexradTransferFunction* Shown() const;
   Settings SettingsNow() const;
   void FollowDrawing();
+  void FollowSoon();
   void FollowVolume();
   void FollowMoment(const std::string& name);
   void FollowFunction();
