@@ -88,24 +88,6 @@ std::string PresetFor(const SceneOptions& options, const std::string& array)
 constexpr double outermostOpacity = 0.35;
 constexpr double innermostOpacity = 0.95;
 
-void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction)
-{
-  std::sort(isoValues.begin(), isoValues.end(),
-    [](const IsoValue& a, const IsoValue& b) { return a.value < b.value; });
-  const auto last = static_cast<double>(isoValues.size() - 1);
-  std::vector<double> values;
-  std::vector<double> opacities;
-  for (const IsoValue& isoValue : isoValues)
-  {
-    const double rank = last > 0.0 ? static_cast<double>(values.size()) / last : 1.0;
-    const double usual = outermostOpacity + rank * (innermostOpacity - outermostOpacity);
-    values.push_back(isoValue.value);
-    opacities.push_back(isoValue.opacity.value_or(usual));
-  }
-  transferFunction->SetOpacityToIsoValues(
-    values.data(), opacities.data(), static_cast<int>(values.size()));
-}
-
 } // namespace
 
 vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration)
@@ -183,6 +165,24 @@ bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
   }
   auto* caster = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper);
   return caster != nullptr && caster->PreLoadData(renderer, volume);
+}
+
+void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction)
+{
+  std::sort(isoValues.begin(), isoValues.end(),
+    [](const IsoValue& a, const IsoValue& b) { return a.value < b.value; });
+  const auto last = static_cast<double>(isoValues.size() - 1);
+  std::vector<double> values;
+  std::vector<double> opacities;
+  for (const IsoValue& isoValue : isoValues)
+  {
+    const double rank = last > 0.0 ? static_cast<double>(values.size()) / last : 1.0;
+    const double usual = outermostOpacity + rank * (innermostOpacity - outermostOpacity);
+    values.push_back(isoValue.value);
+    opacities.push_back(isoValue.opacity.value_or(usual));
+  }
+  transferFunction->SetOpacityToIsoValues(
+    values.data(), opacities.data(), static_cast<int>(values.size()));
 }
 
 vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(

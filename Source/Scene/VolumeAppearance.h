@@ -50,6 +50,9 @@ bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   const SceneOptions& options, const std::string& array = "REF");
 
+/// Gives a colour map surfaces at these values, the inner ones more opaque where none is named.
+void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction);
+
 /// The boxes of the look's colour bar: its own steps, or one for each 5 dBZ (another round width
 /// where the colours span less than 20 or more than 120).
 ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction);
