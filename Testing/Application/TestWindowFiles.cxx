@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is taken out of the window: the command that draws its picture, and sessions.
+// What is taken out of the window: the command that draws its picture, and sessions. The window and
+// the command draw with different OpenGL contexts, which round a few pixels of lines differently.
+#include "HandMadeVolume.h"
 #include "ProgramRun.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
@@ -113,6 +115,21 @@ protected:
     QTest::mouseClick(this->Find<QCheckBox>(box), Qt::LeftButton, {}, {8, 8});
   }
 
+  // Saves a session through its dialog, and opens it in a new window.
+  void Reopen()
+  {
+    const std::filesystem::path path = folder.Path() / "day.nxsession";
+    AnswerDialog(path);
+    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    ASSERT_TRUE(std::filesystem::exists(path));
+    request = {};
+    request.input.inputs = {path};
+    this->OpenWindow();
+    ASSERT_TRUE(this->Wait([&] { return window->Player()->HasSeries(); }));
+    ASSERT_TRUE(this->Wait([&] { return !window->Player()->IsWaiting(); }));
+    this->WaitForPicture();
+  }
+
   void ChangeSettings()
   {
     this->Choose("Preset", 1);
@@ -149,7 +166,7 @@ TEST_F(WindowFilesTest, TheCopiedCommandDrawsThePictureOfTheWindow)
   this->OpenSteps(2);
   this->Click("Step on");
   this->WaitForPicture();
-  EXPECT_AT_MOST(MeanDifference(this->TakePicture(), this->DrawWithoutTheWindow()), 1e-9,
+  EXPECT_AT_MOST(MeanDifference(this->TakePicture(), this->DrawWithoutTheWindow()), 0.012,
     "picture of the window and of the copied command, mean difference of 255");
 }
 
@@ -160,7 +177,84 @@ TEST_F(WindowFilesTest, TheCopiedCommandHasAllSettings)
   this->ChangeSettings();
   this->WaitForPicture();
   const QImage picture = this->TakePicture();
-  EXPECT_AT_LEAST(MeanDifference(before, picture), 50.0, "picture that settings change, of 255");
-  EXPECT_AT_MOST(MeanDifference(picture, this->DrawWithoutTheWindow()), 1e-9,
+  EXPECT_AT_LEAST(MeanDifference(before, picture), 110.0, "picture that settings change, of 255");
+  EXPECT_AT_MOST(MeanDifference(picture, this->DrawWithoutTheWindow()), 0.011,
     "picture of the window with other settings and of the copied command, of 255");
+}
+
+TEST_F(WindowFilesTest, TheCopiedCommandHasMaps)
+{
+  this->OpenSteps(1);
+  this->Choose("View", 2);
+  this->Choose("Projection", -1);
+  this->WaitForPicture();
+  EXPECT_AT_MOST(MeanDifference(this->TakePicture(), this->DrawWithoutTheWindow()), 0.0048,
+    "map of the window and of the copied command, mean difference of 255");
+}
+
+// Iso-values and colours that were edited are neither of a preset nor of a file.
+TEST_F(WindowFilesTest, TheCopiedCommandHasEditedColours)
+{
+  this->OpenSteps(1);
+  const QImage before = this->TakePicture();
+  vtkNexradTransferFunction* colours = window->View()->Scene()->GetTransferFunction();
+  colours->AddNode(vtkNexradTransferFunction::BLUE, 40.0, 1.0);
+  const double values[] = {25.0, 45.0};
+  const double opacities[] = {0.5, 0.9};
+  colours->SetOpacityToIsoValues(values, opacities, 2);
+  window->View()->DrawSoon();
+  this->WaitForPicture();
+  const QImage picture = this->TakePicture();
+  EXPECT_AT_LEAST(MeanDifference(before, picture), 2.0, "picture that colours change, of 255");
+  EXPECT_AT_MOST(MeanDifference(picture, this->DrawWithoutTheWindow()), 0.012,
+    "picture with edited colours and of the copied command, mean difference of 255");
+  this->Reopen();
+  EXPECT_EQ(MeanDifference(picture, this->TakePicture()), 0.0);
+}
+
+TEST_F(WindowFilesTest, ASessionOpensAsItWas)
+{
+  this->OpenSteps(3);
+  this->ChangeSettings();
+  this->Click("Step on");
+  window->Player()->SetInterval(40);
+  this->WaitForPicture();
+  const QImage picture = this->TakePicture();
+  this->Reopen();
+  EXPECT_EQ(window->Player()->Step(), 1U);
+  EXPECT_EQ(window->Player()->State().times.size(), 3U);
+  EXPECT_EQ(window->Player()->Interval(), 40);
+  EXPECT_EQ(this->Find<QComboBox>("Preset")->currentText(), "storm cores");
+  EXPECT_EQ(this->Find<QDoubleSpinBox>("Stretch")->value(), 5.5);
+  EXPECT_EQ(MeanDifference(picture, this->TakePicture()), 0.0);
+}
+
+// What is open stays open.
+TEST_F(WindowFilesTest, AWrongSessionIsOneLine)
+{
+  this->OpenSteps(2);
+  const std::filesystem::path path = folder.Path() / "bad.nxsession";
+  std::ofstream(path) << R"({"format": "nexrad3d session", "version": 1, "inputs": ["x"],)"
+                      << R"( "options": {"slices": "many"}})";
+  window->Open({QString::fromStdString(path.string())});
+  auto* list = this->Find<QListWidget>("damage");
+  ASSERT_EQ(list->count(), 1);
+  const std::string line = list->item(0)->text().toStdString();
+  EXPECT_NE(line.find("bad.nxsession: options: --slices"), std::string::npos) << line;
+  EXPECT_EQ(window->Player()->State().times.size(), 2U);
+}
+
+// Radar files are merged by the command as the window merges them.
+TEST_F(WindowFilesTest, TheCopiedCommandMergesRadarFiles)
+{
+  const Site site = {"KEAX", Position{38.81, -94.264, 333.0}};
+  request.input.inputs = {WriteLevel2(
+    folder.Path() / "one", {ConstantVolume(site, *ParseIso8601("2006-03-12T18:01:10"), 40.0)})};
+  request.input.grid.grid.dimensions = {32, 32, 16};
+  request.merging = {{"--dims", "32x32x16"}};
+  this->OpenWindow();
+  ASSERT_TRUE(this->Wait([&] { return window->View()->Scene()->GetVolume() != nullptr; }));
+  this->WaitForPicture();
+  EXPECT_AT_MOST(MeanDifference(this->TakePicture(), this->DrawWithoutTheWindow()), 0.012,
+    "picture of a radar file in the window and of the copied command, of 255");
 }

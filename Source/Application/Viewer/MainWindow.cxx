@@ -31,6 +31,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -222,14 +223,20 @@ void MainWindow::Show(const application::Session& session, const QString& name)
   view->Apply(session.drawing.scene, session.drawing.camera);
   look->Follow();
   playback->SetInterval(static_cast<int>(session.interval.count()));
+  // Once the window is laid out.
+  QTimer::singleShot(0, this, [this, size = session.drawing.size] { this->FitPicture(size); });
+  this->OpenInputs(session, name);
+}
+
+void MainWindow::FitPicture(const std::array<int, 2>& size)
+{
   const std::array<int, 2> now = view->PictureSize();
   const double pixels = view->devicePixelRatioF();
   if (!this->isMaximized() && !this->isFullScreen())
   {
-    this->resize(this->width() + qRound((session.drawing.size[0] - now[0]) / pixels),
-      this->height() + qRound((session.drawing.size[1] - now[1]) / pixels));
+    this->resize(this->width() + qRound((size[0] - now[0]) / pixels),
+      this->height() + qRound((size[1] - now[1]) / pixels));
   }
-  this->OpenInputs(session, name);
 }
 
 void MainWindow::OpenInputs(const application::Session& session, const QString& name)

@@ -72,6 +72,7 @@ private:
   void TakePicture();
   void WritePicture(const std::filesystem::path& path);
   void ShowAbout();
+  void FitPicture(const std::array<int, 2>& size);
   void OpenInputs(const application::Session& session, const QString& title);
   void Remember(const QStringList& paths);
   void FollowRecent();
