@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is taken out of the window: the command that draws its picture, and sessions. The window and
-// the command draw with different OpenGL contexts, which round a few pixels of lines differently.
+// What is taken out of the window: the command that draws its picture, sessions, volumes and
+// movies. The window and the command draw with different OpenGL contexts, which round a few pixels
+// of lines differently.
 #include "HandMadeVolume.h"
 #include "ProgramRun.h"
 #include "StormVolume.h"
@@ -9,6 +10,7 @@
 #include "Viewer/Playback.h"
 #include "Viewer/SceneView.h"
 #include "WindowTest.h"
+#include "nexrad/Codec/NxvFile.h"
 
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
@@ -21,6 +23,8 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QMouseEvent>
+#include <QProgressDialog>
+#include <QPushButton>
 #include <QTimer>
 #include <QWheelEvent>
 #include <QtTest/QtTest>
@@ -128,6 +132,22 @@ protected:
     ASSERT_TRUE(this->Wait([&] { return window->Player()->HasSeries(); }));
     ASSERT_TRUE(this->Wait([&] { return !window->Player()->IsWaiting(); }));
     this->WaitForPicture();
+  }
+
+  // Presses keys that open a dialog of files, and answers it.
+  void SaveAs(Qt::Key key, const std::filesystem::path& path)
+  {
+    AnswerDialog(path);
+    QTest::keyClick(window.get(), key, Qt::ControlModifier);
+    QApplication::setActiveWindow(window.get()); // there is no window manager
+  }
+
+  bool WaitForMovie()
+  {
+    const bool ended =
+      this->Wait([&] { return window->findChild<QProgressDialog*>("movie") == nullptr; });
+    QApplication::setActiveWindow(window.get());
+    return ended;
   }
 
   void ChangeSettings()
@@ -257,4 +277,83 @@ TEST_F(WindowFilesTest, TheCopiedCommandMergesRadarFiles)
   this->WaitForPicture();
   EXPECT_AT_MOST(MeanDifference(this->TakePicture(), this->DrawWithoutTheWindow()), 0.012,
     "picture of a radar file in the window and of the copied command, of 255");
+}
+
+TEST_F(WindowFilesTest, SavesTheVolume)
+{
+  this->OpenSteps(1);
+  const std::filesystem::path nxv = folder.Path() / "saved.nxv";
+  const std::filesystem::path vti = folder.Path() / "saved.vti";
+  this->SaveAs(Qt::Key_E, nxv);
+  EXPECT_TRUE(this->Wait([&] { return std::filesystem::exists(nxv); }));
+  const GriddedVolume saved = ReadNxv(nxv);
+  const GriddedVolume first = ReadNxv(folder.Path() / "20060312T183000Z.nxv");
+  EXPECT_EQ(saved.values, first.values);
+  EXPECT_EQ(saved.time, first.time);
+  EXPECT_EQ(saved.sites, first.sites);
+  this->SaveAs(Qt::Key_E, vti);
+  EXPECT_TRUE(this->Wait([&] { return std::filesystem::exists(vti); }));
+  const QImage picture = this->TakePicture();
+  window->Open({QString::fromStdString(vti.string())});
+  EXPECT_TRUE(this->Wait([&] { return !window->Player()->IsWaiting(); }));
+  this->WaitForPicture();
+  EXPECT_AT_MOST(MeanDifference(picture, this->TakePicture()), 4.9e-6,
+    "picture of codes and of the values saved from them, mean difference of 255");
+}
+
+TEST_F(WindowFilesTest, AVolumeThatCannotBeSavedIsOneLine)
+{
+  this->OpenSteps(1);
+  this->SaveAs(Qt::Key_E, "/dev/full/x.nxv");
+  auto* list = this->Find<QListWidget>("damage");
+  EXPECT_TRUE(this->Wait([&] { return list->count() == 1; }));
+}
+
+// The window can be used in the meantime: it goes to another time.
+TEST_F(WindowFilesTest, SavesAMovieWhileTheWindowIsUsed)
+{
+  this->OpenSteps(3);
+  const std::filesystem::path path = folder.Path() / "storm.ogv";
+  this->SaveAs(Qt::Key_M, path);
+  ASSERT_NE(window->findChild<QProgressDialog*>("movie"), nullptr);
+  EXPECT_AT_LEAST(
+    this->Changes([&] { this->Click("Step on"); }), 0.04, "pixels that a step changes, part");
+  EXPECT_TRUE(this->WaitForMovie());
+  const std::string movie = FileContent(path);
+  EXPECT_EQ(movie.substr(0, 4), "OggS");
+  EXPECT_NE(movie.find("theora"), std::string::npos);
+  EXPECT_TRUE(window->Problems().isEmpty());
+}
+
+TEST_F(WindowFilesTest, SavesAPictureOfEachTime)
+{
+  this->OpenSteps(2);
+  this->Choose("Preset", 1);
+  this->Turn();
+  this->WaitForPicture();
+  this->SaveAs(Qt::Key_M, folder.Path() / "storm.png");
+  EXPECT_TRUE(this->WaitForMovie());
+  for (const char* name : {"storm-20060312T183000Z.png", "storm-20060312T183500Z.png"})
+  {
+    const QImage picture(QString::fromStdString((folder.Path() / name).string()));
+    EXPECT_AT_MOST(MeanDifference(this->TakePicture(), picture), 0.012,
+      "picture of a series and of the window, mean difference of 255");
+    this->Click("Step on");
+    this->WaitForPicture();
+  }
+}
+
+TEST_F(WindowFilesTest, ACancelledMovieLeavesNoFile)
+{
+  this->OpenSteps(6);
+  this->SaveAs(Qt::Key_M, folder.Path() / "storm.ogv");
+  auto* progress = window->findChild<QProgressDialog*>("movie");
+  ASSERT_NE(progress, nullptr);
+  EXPECT_TRUE(this->Wait([&] { return progress->value() > 0; }));
+  QTest::mouseClick(progress->findChild<QPushButton*>(), Qt::LeftButton);
+  EXPECT_TRUE(this->WaitForMovie());
+  for (const auto& entry : std::filesystem::directory_iterator(folder.Path()))
+  {
+    EXPECT_EQ(entry.path().filename().string().find("storm"), std::string::npos) << entry.path();
+  }
 }

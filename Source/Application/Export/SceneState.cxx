@@ -160,6 +160,18 @@ std::string EditedColours(vtkNexradVolumeScene* scene)
   }
 }
 
+std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours)
+{
+  auto file = std::make_unique<QTemporaryFile>(QDir::temp().filePath("colours-XXXXXX.json"));
+  const auto size = static_cast<qint64>(colours.size());
+  if (!file->open() || file->write(colours.data(), size) != size || !file->flush())
+  {
+    throw Error("no temporary file for colours: " + file->errorString().toStdString());
+  }
+  file->close();
+  return file;
+}
+
 void SetColours(const std::string& colours, const std::vector<scene::IsoValue>& isoValues,
   vtkNexradVolumeScene* scene)
 {
@@ -173,11 +185,7 @@ void SetColours(const std::string& colours, const std::vector<scene::IsoValue>& 
   messages.Watch(used);
   if (!colours.empty())
   {
-    QTemporaryFile file(QDir::temp().filePath("colours-XXXXXX.json"));
-    file.open();
-    file.write(colours.data(), static_cast<qint64>(colours.size()));
-    file.close();
-    used->ReadFile(file.fileName().toLocal8Bit().constData());
+    used->ReadFile(WriteTemporaryColours(colours)->fileName().toLocal8Bit().constData());
   }
   messages.ThrowFirstError();
   if (!isoValues.empty())

@@ -4,16 +4,20 @@
 #include <QObject>
 
 #include <filesystem>
+#include <future>
+#include <memory>
 
 class QMenu;
+class QProgressDialog;
 
 namespace nexrad::viewer
 {
 
 class MainWindow;
+class MovieExport;
 
-/// What the menu File does with what is shown, beside pictures: the command that draws it, and
-/// sessions.
+/// What the menu File does with what is shown, beside pictures: the command that draws it,
+/// sessions, the volume, and movies.
 class FileActions : public QObject
 {
   Q_OBJECT
@@ -21,6 +25,8 @@ class FileActions : public QObject
 public:
   /// A child of the window.
   explicit FileActions(MainWindow& window);
+  /// Waits for the volume that is being written; a movie that is not finished leaves no file.
+  ~FileActions() override;
 
   /// Appends its entries.
   void AddTo(QMenu* menu);
@@ -32,8 +38,17 @@ private:
   void CopyCommand();
   void AskToSaveSession();
   void AskForSession();
+  void AskToSaveVolume();
+  void SaveVolume(const std::filesystem::path& path);
+  void AskToSaveMovie();
+  void SaveMovie(const std::filesystem::path& path);
+  void CloseMovie();
+  void EndMovie(const QString& path, const QString& problem);
 
   MainWindow& window;
+  std::future<void> writing;           ///< of a volume
+  std::unique_ptr<MovieExport> movie;  ///< while it is made
+  QProgressDialog* progress = nullptr; ///< of the movie
 };
 
 } // namespace nexrad::viewer

@@ -406,6 +406,7 @@ void MainWindow::ShowAbout()
     "Ctrl+O: open files;  Ctrl+Shift+O: open a folder\n"
     "S: take a picture;  Ctrl+S: save it under a name\n"
     "Ctrl+Shift+C: copy the command that draws the picture\n"
+    "Ctrl+E: save the volume;  Ctrl+M: save a movie\n"
     "Ctrl+Shift+S: save a session\n"
     "Ctrl+Q: quit");
 }

@@ -91,6 +91,11 @@ void Playback::TakeNews()
   emit Changed();
 }
 
+vtkSmartPointer<vtkImageData> Playback::Volume(std::size_t wanted)
+{
+  return series->Show(wanted);
+}
+
 void Playback::FindFirst()
 {
   if (!begin)

@@ -38,6 +38,9 @@ public:
   const scene::BackgroundSeries::State& State() const { return state; }
   /// The step that is shown, or will be as soon as it is loaded.
   std::size_t Step() const { return step; }
+  /// The volume of a step, which is not shown for that. Nothing as long as it is not loaded; then
+  /// it is loaded next. Throws Error when it cannot be loaded.
+  vtkSmartPointer<vtkImageData> Volume(std::size_t wanted);
   /// Whether that step is still being loaded.
   bool IsWaiting() const { return waiting; }
   bool IsPlaying() const { return playing; }
