@@ -168,6 +168,8 @@ void RadarScene::FollowIsoValues()
 void RadarScene::FillProperty()
 {
   transferFunction->FillProperty(volume->GetProperty());
+  volume->GetProperty()->SetInterpolationType(
+    options.linearInterpolation ? VTK_LINEAR_INTERPOLATION : VTK_NEAREST_INTERPOLATION);
   if (field)
   {
     field->FillProperty(volume->GetProperty());

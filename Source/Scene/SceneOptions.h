@@ -54,8 +54,10 @@ struct SceneOptions
   bool scalarsAsCodes = true; ///< whether volumes may be read as the codes of their files where
                               ///< slices are drawn, of one moment
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
-  int slices = 256;           ///< or samples along the longest ray; from 1 on
-  double ringSpacing = 0.0;   ///< m, between rings about each radar; 0: none
+  bool linearInterpolation =
+    true;                   ///< between voxels; else each place has its nearest voxel's value
+  int slices = 256;         ///< or samples along the longest ray; from 1 on
+  double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
   ThemeChoice theme = ThemeChoice::Dark;
   bool heightWalls = true; ///< lines of equal height on the walls behind the volume
   bool placeNames = false; ///< names of states and provinces on the map

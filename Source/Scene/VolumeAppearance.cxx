@@ -167,6 +167,24 @@ bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
   return caster != nullptr && caster->PreLoadData(renderer, volume);
 }
 
+void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction)
+{
+  std::sort(isoValues.begin(), isoValues.end(),
+    [](const IsoValue& a, const IsoValue& b) { return a.value < b.value; });
+  const auto last = static_cast<double>(isoValues.size() - 1);
+  std::vector<double> values;
+  std::vector<double> opacities;
+  for (const IsoValue& isoValue : isoValues)
+  {
+    const double rank = last > 0.0 ? static_cast<double>(values.size()) / last : 1.0;
+    const double usual = outermostOpacity + rank * (innermostOpacity - outermostOpacity);
+    values.push_back(isoValue.value);
+    opacities.push_back(isoValue.opacity.value_or(usual));
+  }
+  transferFunction->SetOpacityToIsoValues(
+    values.data(), opacities.data(), static_cast<int>(values.size()));
+}
+
 vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   const SceneOptions& options, const std::string& array)
 {
@@ -184,24 +202,6 @@ vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   }
   messages.ThrowFirstError();
   return transferFunction;
-}
-
-void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction)
-{
-  std::sort(isoValues.begin(), isoValues.end(),
-    [](const IsoValue& a, const IsoValue& b) { return a.value < b.value; });
-  const auto last = static_cast<double>(isoValues.size() - 1);
-  std::vector<double> values;
-  std::vector<double> opacities;
-  for (const IsoValue& isoValue : isoValues)
-  {
-    const double rank = last > 0.0 ? static_cast<double>(values.size()) / last : 1.0;
-    const double usual = outermostOpacity + rank * (innermostOpacity - outermostOpacity);
-    values.push_back(isoValue.value);
-    opacities.push_back(isoValue.opacity.value_or(usual));
-  }
-  transferFunction->SetOpacityToIsoValues(
-    values.data(), opacities.data(), static_cast<int>(values.size()));
 }
 
 ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction)

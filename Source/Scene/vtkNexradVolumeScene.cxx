@@ -51,8 +51,9 @@ bool SameButForSlicesLightAndColors(const SceneOptions& a, const SceneOptions& b
 {
   return a.colourBy == b.colourBy && (a.colourBy.empty() || SameColors(a, b)) && SamePlan(a, b) &&
          a.exaggeration == b.exaggeration && a.mapper == b.mapper &&
-         a.preIntegration == b.preIntegration && a.ringSpacing == b.ringSpacing &&
-         a.theme == b.theme && a.heightWalls == b.heightWalls && a.placeNames == b.placeNames;
+         a.preIntegration == b.preIntegration && a.linearInterpolation == b.linearInterpolation &&
+         a.ringSpacing == b.ringSpacing && a.theme == b.theme && a.heightWalls == b.heightWalls &&
+         a.placeNames == b.placeNames;
 }
 
 bool SameView(const CameraView& a, const CameraView& b)
@@ -115,6 +116,7 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   options.mapper = self->Mapper == RAY_CAST ? nexrad::scene::MapperChoice::RayCast
                                             : nexrad::scene::MapperChoice::TextureSlice;
   options.preIntegration = self->PreIntegration;
+  options.linearInterpolation = self->LinearInterpolation;
   options.slices = self->NumberOfSlices;
   options.light = {
     self->ShadowStrength, self->OcclusionStrength, {self->LightAzimuth, self->LightElevation}};
@@ -432,6 +434,7 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
   os << indent << "Mapper: " << this->Mapper << "\n";
   os << indent << "PreIntegration: " << (this->PreIntegration ? "On" : "Off") << "\n";
+  os << indent << "LinearInterpolation: " << (this->LinearInterpolation ? "On" : "Off") << "\n";
   os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
   os << indent << "ShadowStrength: " << this->ShadowStrength << "\n";
   os << indent << "OcclusionStrength: " << this->OcclusionStrength << "\n";

@@ -228,6 +228,16 @@ public:
 
   ///@{
   /**
+   * Whether values are interpolated linearly between voxels. On by default. Off: each place has the
+   * value of the nearest voxel, so that voxels are seen as boxes.
+   */
+  vtkSetMacro(LinearInterpolation, bool);
+  vtkGetMacro(LinearInterpolation, bool);
+  vtkBooleanMacro(LinearInterpolation, bool);
+  ///@}
+
+  ///@{
+  /**
    * Slices, or samples along the longest ray. From 1 to 16384; 256 by default.
    */
   vtkSetClampMacro(NumberOfSlices, int, 1, 16384);
@@ -352,6 +362,7 @@ protected:
   double Exaggeration = 0.0;
   int Mapper = TEXTURE_SLICE;
   bool PreIntegration = true;
+  bool LinearInterpolation = true;
   int NumberOfSlices = 256;
   double ShadowStrength = 0.0;
   double OcclusionStrength = 0.0;

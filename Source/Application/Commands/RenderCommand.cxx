@@ -20,7 +20,6 @@ namespace
 struct RenderOptions
 {
   scene::RenderRequest request;
-  std::string array;
   bool quiet = false;
 };
 
@@ -34,63 +33,6 @@ std::filesystem::path ParseOutput(const std::string& text)
       "'" + text + "' is no picture or movie; write a name that ends in .png, .ogv or .mp4");
   }
   return path;
-}
-
-scene::PlanOptions ParsePlan(const std::string& text)
-{
-  scene::PlanOptions plan;
-  if (text == "composite" || text == "lowest")
-  {
-    plan.level = text == "lowest" ? scene::PlanLevel::Lowest : scene::PlanLevel::Composite;
-    return plan;
-  }
-  try
-  {
-    plan.level = scene::PlanLevel::Height;
-    plan.height = ParseLength(text);
-  }
-  catch (const Error&)
-  {
-    throw Error("'" + text + "' is no map; write composite, lowest, or a height as in 3km");
-  }
-  return plan;
-}
-
-void AddMap(CLI::App& command, RenderOptions& options)
-{
-  constexpr char group[] = "Map in place of the volume";
-  AddParsedOption(command, "--map", options.request.scene.plan, ParsePlan, "WHICH",
-    "Of each column the largest value (composite; of VEL the fastest), the lowest that was scanned "
-    "(lowest), or the "
-    "one at a height above mean sea level, m or km; seen from above, north up")
-    ->group(group);
-  command
-    .add_option("--array", options.array,
-      "With --map: what is drawn, as REF_age, REF_radars, REF_weight or REF_site (default: the "
-      "moment)")
-    ->type_name("NAME")
-    ->group(group);
-}
-
-// A map is looked at from above unless the user says otherwise.
-void FinishMap(const CLI::App& command, RenderOptions& options)
-{
-  scene::RenderRequest& request = options.request;
-  if (!request.scene.plan)
-  {
-    if (!options.array.empty())
-    {
-      throw CLI::ValidationError("--array", "is of --map; write --map composite as well");
-    }
-    return;
-  }
-  request.scene.plan->array = options.array;
-  const std::string moment = ToString(request.input.grid.moment);
-  const bool ancillary = !options.array.empty() && options.array != moment;
-  request.input.grid.beam.ancillary = request.input.grid.beam.ancillary || ancillary;
-  request.camera.parallel = true;
-  request.camera.azimuth = command.count("--azimuth") > 0 ? request.camera.azimuth : 180.0;
-  request.camera.tilt = command.count("--tilt") > 0 ? request.camera.tilt : 90.0;
 }
 
 void AddMovie(CLI::App& command, scene::RenderRequest& request)
@@ -140,15 +82,12 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
     "(.ogv, or .mp4 where ffmpeg is installed)")
     ->required();
   AddQuietOption(*command, options->quiet);
-  AddCameraOptions(*command, request.camera);
-  AddPictureOptions(*command, request.size, request.scene);
-  AddMap(*command, *options);
+  AddDrawingOptions(*command, request);
   AddMovie(*command, request);
   AddGridOptions(*command, request.input.grid);
   const auto run = [options, command, &action]
   {
-    FinishMap(*command, *options);
-    FinishDrawingOptions(*command, options->request.input, options->request.scene);
+    FinishDrawingOptions(*command, options->request);
     action = [options] { return RunRender(*options); };
   };
   command->callback(run);

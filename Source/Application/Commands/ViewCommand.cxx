@@ -4,11 +4,13 @@
 #include "Libraries/SceneLibrary.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
+#include "Options/SessionFile.h"
 #include "Options/UnitOptions.h"
 #include "Output/ProgressBar.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -45,14 +47,16 @@ scene::ViewReport Show(ViewOptions& options)
   return ViewWithLibrary(options.request);
 }
 
-Duration ParseInterval(const std::string& text)
+void RequireInputsOfPlainWindow(const std::vector<std::filesystem::path>& inputs)
 {
-  const Duration interval = ParseDuration(text);
-  if (interval < std::chrono::milliseconds(16) || interval > std::chrono::seconds(8))
+  if (inputs.empty())
   {
-    throw Error("'" + text + "' is no interval of steps; write 16 ms (0.016s) to 8s");
+    throw CLI::RequiredError("input");
   }
-  return interval;
+  if (std::any_of(inputs.begin(), inputs.end(), IsSessionFile))
+  {
+    throw CLI::ValidationError("input", "the plain window opens no sessions");
+  }
 }
 
 int RunView(ViewOptions& options)
@@ -78,14 +82,14 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
 {
   const auto options = std::make_shared<ViewOptions>();
   scene::ViewRequest& request = options->request;
-  CLI::App* command = program.add_subcommand("view", "Show volumes, or radar files, in a window");
+  CLI::App* command = program.add_subcommand(
+    "view", "Show volumes, radar files, or a session that was saved (.nxsession), in a window");
   AddInputOptions(*command, request.input, false);
   command->add_flag("--plain", options->plain,
     "A window without menus and panels, which lists its keys; the only one where the program was "
     "built without Qt");
   AddQuietOption(*command, options->quiet);
-  AddCameraOptions(*command, request.camera);
-  AddPictureOptions(*command, request.size, request.scene);
+  AddDrawingOptions(*command, request);
   AddParsedOption(*command, "--interval", request.interval, ParseInterval, "DURATION",
     "Time from one step to the next in playing", "0.5s");
   command
@@ -97,11 +101,11 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
   const auto run = [options, command, &action]
   {
     options->plain = options->plain || !HasWindowLibrary();
-    if (options->plain && options->request.input.inputs.empty())
+    if (options->plain)
     {
-      throw CLI::RequiredError("input");
+      RequireInputsOfPlainWindow(options->request.input.inputs);
     }
-    FinishDrawingOptions(*command, options->request.input, options->request.scene);
+    FinishDrawingOptions(*command, options->request);
     action = [options] { return RunView(*options); };
   };
   command->callback(run);

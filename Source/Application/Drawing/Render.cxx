@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/Render.h"
 
-#include "Drawing/FfmpegWriter.h"
+#include "Drawing/MovieOutput.h"
 #include "Drawing/PictureWindow.h"
-#include "Drawing/TheoraWriter.h"
 #include "Scene/RadarSession.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Progress.h"
@@ -19,17 +18,6 @@ namespace nexrad::scene
 namespace
 {
 
-// "out.png" for one picture, "out-20060312T180000Z.png" for one of several.
-fs::path PictureName(const fs::path& output, Time time, bool several)
-{
-  if (!several)
-  {
-    return output;
-  }
-  return output.parent_path() /
-         (output.stem().string() + "-" + FormatForFileName(time) + output.extension().string());
-}
-
 void DrawPictures(const RenderRequest& request, RadarSession& session, RenderReport& report)
 {
   PictureWindow window(session.Scene(), request.size);
@@ -43,20 +31,13 @@ void DrawPictures(const RenderRequest& request, RadarSession& session, RenderRep
   }
 }
 
-std::unique_ptr<MovieWriter> MakeMovieWriter(const RenderRequest& request)
-{
-  return request.output.extension() == ".mp4"
-           ? MakeFfmpegWriter(request.output, request.size.data(), request.framesPerSecond)
-           : MakeTheoraWriter(request.output, request.framesPerSecond);
-}
-
 void DrawMovie(const RenderRequest& request, RadarSession& session, RenderReport& report)
 {
   const std::size_t frames =
     request.frames > 0 ? static_cast<std::size_t>(request.frames) : session.Count();
   PictureWindow window(session.Scene(), request.size);
   const Progress drawing = ShareOf(request.progress, ScanShare, 1.0);
-  const auto writer = MakeMovieWriter(request);
+  const auto writer = MakeMovieWriter(request.output, request.size, request.framesPerSecond);
   for (std::size_t frame = 0; frame < frames; ++frame)
   {
     const Progress part = ShareOf(drawing, frame, frames);

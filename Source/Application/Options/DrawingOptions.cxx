@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/DrawingOptions.h"
 
+#include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 
 #include <CLI/CLI.hpp>
@@ -34,6 +35,15 @@ bool ParseClassification(const std::string& text)
     throw Error("'" + text + "' is no classification; write pre-integrated or sampled");
   }
   return text == "pre-integrated";
+}
+
+bool ParseInterpolation(const std::string& text)
+{
+  if (text != "linear" && text != "nearest")
+  {
+    throw Error("'" + text + "' is no interpolation; write linear or nearest");
+  }
+  return text == "linear";
 }
 
 double ParseExaggeration(const std::string& text)
@@ -103,57 +113,24 @@ scene::LightDirection ParseLightDirection(const std::string& text)
   return direction;
 }
 
-} // namespace
-
-std::vector<scene::IsoValue> ParseIsoValues(const std::string& text)
+scene::PlanOptions ParsePlan(const std::string& text)
 {
-  constexpr char right[] = "; write values, each with the opacity of its surface above 0 and up to "
-                           "1 if it is not to have the usual one, as in 20:0.3,40:0.6,50:1";
-  std::vector<scene::IsoValue> isoValues;
-  std::istringstream list(text + ',');
-  for (std::string entry; std::getline(list, entry, ',');)
+  scene::PlanOptions plan;
+  if (text == "composite" || text == "lowest")
   {
-    scene::IsoValue isoValue;
-    if (!ParseIsoValue(entry, isoValue))
-    {
-      throw Error("'" + entry + "' in '" + text + "' is no iso-value" + right);
-    }
-    const bool twice = std::any_of(isoValues.begin(), isoValues.end(),
-      [&](const scene::IsoValue& other) { return other.value == isoValue.value; });
-    if (twice)
-    {
-      throw Error("'" + text + "' has the value of '" + entry + "' twice" + right);
-    }
-    isoValues.push_back(isoValue);
+    plan.level = text == "lowest" ? scene::PlanLevel::Lowest : scene::PlanLevel::Composite;
+    return plan;
   }
-  return isoValues;
-}
-
-void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required)
-{
-  command
-    .add_option("input", request.inputs,
-      "Volumes (.nxv, .nxv.series, .vti, or folders of them), or radar files and folders of them")
-    ->required(required)
-    ->type_name("INPUT");
-  AddParsedOption(command, "--time", request.time, ParseTime, "TIME",
-    "Draw this time alone, in UTC, as in 2006-03-12T18:00");
-}
-
-void AddCameraOptions(CLI::App& command, scene::CameraView& camera)
-{
-  constexpr char group[] = "Camera";
-  AddNumberOption(command, "--azimuth", camera.azimuth, -3600.0, 3600.0, "DEGREES",
-    "Where the camera stands, clockwise from north about the domain's centre: 180 looks north")
-    ->group(group);
-  AddNumberOption(command, "--tilt", camera.tilt, -90.0, 90.0, "DEGREES",
-    "Height of the camera above the horizon; 90 looks straight down")
-    ->group(group);
-  AddNumberOption(command, "--zoom", camera.zoom, 0.01, 1000.0, "FACTOR",
-    "1 shows the whole domain, 2 half of its width")
-    ->group(group);
-  command.add_flag("--parallel", camera.parallel, "Parallel in place of perspective projection")
-    ->group(group);
+  try
+  {
+    plan.level = scene::PlanLevel::Height;
+    plan.height = ParseLength(text);
+  }
+  catch (const Error&)
+  {
+    throw Error("'" + text + "' is no map; write composite, lowest, or a height as in 3km");
+  }
+  return plan;
 }
 
 void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOptions& options)
@@ -174,6 +151,10 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     "back; "
     "or sampled, from one scalar, as VTK's ray caster does",
     "pre-integrated")
+    ->group(group);
+  AddParsedOption(command, "--interpolation", options.linearInterpolation, ParseInterpolation,
+    "NAME", "Between voxels: linear; or nearest, which shows each voxel as a box of one value",
+    "linear")
     ->group(group);
   AddNumberOption(command, "--slices", options.slices, 1, 16384, "NUMBER",
     "Slices, or samples along the longest ray")
@@ -232,9 +213,113 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
 }
 
-void FinishDrawingOptions(
-  const CLI::App& command, scene::InputRequest& request, const scene::SceneOptions& options)
+void AddMapOptions(CLI::App& command, scene::SceneOptions& options)
 {
+  constexpr char group[] = "Map in place of the volume";
+  AddParsedOption(command, "--map", options.plan, ParsePlan, "WHICH",
+    "Of each column the largest value (composite; of VEL the fastest), the lowest that was scanned "
+    "(lowest), or the "
+    "one at a height above mean sea level, m or km; seen from above, north up")
+    ->group(group);
+  command
+    .add_option("--array",
+      "With --map: what is drawn, as REF_age, REF_radars, REF_weight or REF_site (default: the "
+      "moment)")
+    ->type_name("NAME")
+    ->group(group);
+  command.add_flag("--perspective", "With --map: perspective in place of parallel projection")
+    ->excludes("--parallel")
+    ->group(group);
+}
+
+// A map is looked at from above unless the user says otherwise.
+void FinishMap(const CLI::App& command, scene::DrawingRequest& request)
+{
+  const auto given = [&command](const char* name) { return command.count(name) > 0; };
+  if (!request.scene.plan)
+  {
+    for (const char* name : {"--array", "--perspective"})
+    {
+      if (given(name))
+      {
+        throw CLI::ValidationError(name, "is of --map; write --map composite as well");
+      }
+    }
+    return;
+  }
+  const std::string array = given("--array") ? command["--array"]->as<std::string>() : "";
+  request.scene.plan->array = array;
+  const std::string moment = ToString(request.input.grid.moment);
+  const bool ancillary = !array.empty() && array != moment;
+  request.input.grid.beam.ancillary = request.input.grid.beam.ancillary || ancillary;
+  request.camera.parallel = !given("--perspective");
+  request.camera.azimuth = given("--azimuth") ? request.camera.azimuth : MapAzimuth;
+  request.camera.tilt = given("--tilt") ? request.camera.tilt : MapTilt;
+}
+
+} // namespace
+
+std::vector<scene::IsoValue> ParseIsoValues(const std::string& text)
+{
+  constexpr char right[] = "; write values, each with the opacity of its surface above 0 and up to "
+                           "1 if it is not to have the usual one, as in 20:0.3,40:0.6,50:1";
+  std::vector<scene::IsoValue> isoValues;
+  std::istringstream list(text + ',');
+  for (std::string entry; std::getline(list, entry, ',');)
+  {
+    scene::IsoValue isoValue;
+    if (!ParseIsoValue(entry, isoValue))
+    {
+      throw Error("'" + entry + "' in '" + text + "' is no iso-value" + right);
+    }
+    const bool twice = std::any_of(isoValues.begin(), isoValues.end(),
+      [&](const scene::IsoValue& other) { return other.value == isoValue.value; });
+    if (twice)
+    {
+      throw Error("'" + text + "' has the value of '" + entry + "' twice" + right);
+    }
+    isoValues.push_back(isoValue);
+  }
+  return isoValues;
+}
+
+void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required)
+{
+  command
+    .add_option("input", request.inputs,
+      "Volumes (.nxv, .nxv.series, .vti, or folders of them), or radar files and folders of them")
+    ->required(required)
+    ->type_name("INPUT");
+  AddParsedOption(command, "--time", request.time, ParseTime, "TIME",
+    "Draw this time alone, in UTC, as in 2006-03-12T18:00");
+}
+
+void AddCameraOptions(CLI::App& command, scene::CameraView& camera)
+{
+  constexpr char group[] = "Camera";
+  AddNumberOption(command, "--azimuth", camera.azimuth, -3600.0, 3600.0, "DEGREES",
+    "Where the camera stands, clockwise from north about the domain's centre: 180 looks north")
+    ->group(group);
+  AddNumberOption(command, "--tilt", camera.tilt, -90.0, 90.0, "DEGREES",
+    "Height of the camera above the horizon; 90 looks straight down")
+    ->group(group);
+  AddNumberOption(command, "--zoom", camera.zoom, 0.01, 1000.0, "FACTOR",
+    "1 shows the whole domain, 2 half of its width")
+    ->group(group);
+  command.add_flag("--parallel", camera.parallel, "Parallel in place of perspective projection")
+    ->group(group);
+}
+
+void AddDrawingOptions(CLI::App& command, scene::DrawingRequest& request)
+{
+  AddCameraOptions(command, request.camera);
+  AddPictureOptions(command, request.size, request.scene);
+  AddMapOptions(command, request.scene);
+}
+
+void FinishDrawingOptions(const CLI::App& command, scene::DrawingRequest& request)
+{
+  const scene::SceneOptions& options = request.scene;
   if (options.plan && !options.colourBy.empty())
   {
     throw CLI::ValidationError("--colour-by", "is of a volume; --array is what a map shows");
@@ -243,8 +328,10 @@ void FinishDrawingOptions(
   {
     throw CLI::ValidationError("--iso-values", "are of a volume; a map has no surfaces");
   }
-  request.momentNamed = command.count("--moment") > 0;
-  request.colourBy = options.colourBy;
+  FinishMap(command, request);
+  request.input.momentNamed = command.count("--moment") > 0;
+  request.input.colourBy = options.colourBy;
+  request.merging = GivenGridOptions(command);
 }
 
 } // namespace nexrad::application

@@ -17,6 +17,7 @@ namespace
 {
 
 constexpr char group[] = "Merging radar files";
+constexpr char hidden[] = ""; // the group of names that options had in earlier versions
 
 Duration ParseStep(const std::string& text)
 {
@@ -260,8 +261,6 @@ void AddBeam(CLI::App& command, MergeOptions& options)
     .add_flag("--ancillary", options.beam.ancillary,
       "Add the ancillary arrays: age in s, number of radars, weight, nearest radar")
     ->group(group);
-  // The names of both in earlier versions.
-  constexpr char hidden[] = "";
   command.add_flag("--fill", options.beam.fillColumns)->group(hidden);
   command.add_flag("--companions", options.beam.ancillary)->group(hidden);
 }
@@ -322,6 +321,20 @@ void AddGridOptions(CLI::App& command, MergeOptions& options)
   AddMethod(command, options);
   AddBeam(command, options);
   command.parse_complete_callback([&command, &options] { Finish(command, options); });
+}
+
+std::vector<OptionText> GivenGridOptions(const CLI::App& command)
+{
+  std::vector<OptionText> given;
+  const auto isGiven = [](const CLI::Option* option) {
+    return option->count() > 0 && (option->get_group() == group || option->get_group() == hidden);
+  };
+  for (const CLI::Option* option : command.get_options(isGiven))
+  {
+    const bool flag = option->get_expected_max() == 0;
+    given.push_back({"--" + option->get_lnames().front(), flag ? "" : option->as<std::string>()});
+  }
+  return given;
 }
 
 } // namespace nexrad::application

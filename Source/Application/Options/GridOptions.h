@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Requests/OptionText.h"
 #include "nexrad/Merging/MergeOptions.h"
+
+#include <vector>
 
 namespace CLI
 {
@@ -14,5 +17,8 @@ namespace nexrad::application
 /// Adds the options of merging to a command, all in one group of its help. They store into
 /// `options`, which must outlive the parsing.
 void AddGridOptions(CLI::App& command, MergeOptions& options);
+
+/// Those options of merging that a command was given, as they were written.
+std::vector<OptionText> GivenGridOptions(const CLI::App& command);
 
 } // namespace nexrad::application

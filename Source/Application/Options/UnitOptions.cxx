@@ -144,6 +144,16 @@ Duration ParseDuration(const std::string& text)
   return Duration(std::llround(quantity->number * *unit * 1000.0));
 }
 
+Duration ParseInterval(const std::string& text)
+{
+  const Duration interval = ParseDuration(text);
+  if (interval < std::chrono::milliseconds(16) || interval > std::chrono::seconds(8))
+  {
+    throw Error("'" + text + "' is no interval of steps; write 16 ms (0.016s) to 8s");
+  }
+  return interval;
+}
+
 double ParseLength(const std::string& text)
 {
   const auto quantity = SplitQuantity(text);

@@ -25,6 +25,9 @@ namespace nexrad::application
 /// "5min", "90s", "2h", "1d", "1.5h"; a bare number is seconds. To the millisecond, not negative.
 Duration ParseDuration(const std::string& text);
 
+/// A duration from 16 ms to 8 s, the time from one step to the next in playing.
+Duration ParseInterval(const std::string& text);
+
 /// "230km", "500m", "-1km", "0"; any other bare number is refused. Result in m.
 double ParseLength(const std::string& text);
 

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Frame/CameraView.h"
-#include "Scene/SceneOptions.h"
-#include "Scene/Series/InputSeries.h"
+#include "Requests/DrawingRequest.h"
 #include "nexrad/System/Progress.h"
 
-#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -15,16 +12,12 @@ namespace nexrad::scene
 {
 
 /// What the render command asks of the scene library.
-struct RenderRequest
+struct RenderRequest : DrawingRequest
 {
-  InputRequest input;
-  std::filesystem::path output;          ///< .png, .ogv or .mp4
-  std::array<int, 2> size = {1280, 720}; ///< pixels
-  CameraView camera;
-  SceneOptions scene;
-  int framesPerSecond = 8; ///< of a movie
-  int frames = 0;          ///< of a movie; 0: one for each time
-  double turn = 0.0;       ///< degrees by which the camera goes round during a movie
+  std::filesystem::path output; ///< .png, .ogv or .mp4
+  int framesPerSecond = 8;      ///< of a movie
+  int frames = 0;               ///< of a movie; 0: one for each time
+  double turn = 0.0;            ///< degrees by which the camera goes round during a movie
   Progress progress;
 };
 

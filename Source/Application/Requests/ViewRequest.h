@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Frame/CameraView.h"
-#include "Scene/SceneOptions.h"
-#include "Scene/Series/InputSeries.h"
+#include "Requests/DrawingRequest.h"
 #include "nexrad/System/Progress.h"
 
-#include <array>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,13 +11,9 @@
 namespace nexrad::scene
 {
 
-/// What the view command asks of the scene library.
-struct ViewRequest
+/// What the view command asks of the scene library. The size is that of the window at first.
+struct ViewRequest : DrawingRequest
 {
-  InputRequest input;
-  std::array<int, 2> size = {1280, 720}; ///< pixels, of the window at first
-  CameraView camera;
-  SceneOptions scene;
   Duration interval = std::chrono::milliseconds(500); ///< from one step to the next in playing
   std::filesystem::path pictures = ".";               ///< folder that takes screenshots
   Progress progress;

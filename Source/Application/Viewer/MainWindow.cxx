@@ -3,6 +3,8 @@
 
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
+#include "Export/SceneState.h"
+#include "Viewer/FileActions.h"
 #include "Viewer/HelpPage.h"
 #include "Viewer/InputWatch.h"
 #include "Viewer/LookPanel.h"
@@ -32,6 +34,7 @@
 #include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QTimer>
 #include <QUrl>
 #include <QVBoxLayout>
 
@@ -65,6 +68,7 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   , watch(new InputWatch(this))
   , view(new SceneView(this))
 {
+  files = new FileActions(*this);
   this->setObjectName("nexrad3d");
   this->setWindowTitle("nexrad3d");
   this->setAcceptDrops(true);
@@ -139,6 +143,7 @@ void MainWindow::MakeMenus()
   file->addSeparator();
   file->addAction("&Take a picture", this, &MainWindow::TakePicture, QKeySequence("S"));
   file->addAction("Save &picture as…", this, &MainWindow::AskForPicture, QKeySequence::Save);
+  files->AddTo(file);
   file->addSeparator();
   file->addAction("&Quit", this, &QWidget::close, QKeySequence::Quit);
   colours->AddActions(this->menuBar()->addMenu("&Edit"));
@@ -177,32 +182,81 @@ void MainWindow::MakeStatus()
 
 void MainWindow::Open(const QStringList& paths)
 {
-  scene::InputRequest input = request.input;
-  input.inputs.clear();
+  application::Session session;
+  session.drawing = request;
+  session.drawing.input.inputs.clear();
   for (const QString& path : paths)
   {
-    input.inputs.emplace_back(path.toStdString());
+    session.drawing.input.inputs.emplace_back(path.toStdString());
   }
   this->Remember(paths);
   watch->Watch(paths);
   const QString name = QFileInfo(paths.front()).fileName();
-  this->OpenInputs(input,
-    paths.size() > 1 ? QString("%1 and %2 more").arg(name).arg(paths.size() - 1) : name, false);
+  if (application::IsSessionFile(session.drawing.input.inputs.front()))
+  {
+    files->OpenSession(session.drawing.input.inputs.front());
+    return;
+  }
+  this->OpenInputs(
+    session, paths.size() > 1 ? QString("%1 and %2 more").arg(name).arg(paths.size() - 1) : name);
 }
 
 void MainWindow::OpenSyntheticDay()
 {
   watch->Watch({}); // nothing is added to it
-  this->OpenInputs(request.input, syntheticTitle, true);
+  application::Session session;
+  session.drawing = request;
+  session.synthetic = true;
+  this->OpenInputs(session, syntheticTitle);
 }
 
-void MainWindow::OpenInputs(const scene::InputRequest& input, const QString& name, bool simulate)
+application::Session MainWindow::Shown() const
 {
+  application::Session session = opened;
+  const scene::BackgroundSeries::State& state = playback->State();
+  session.shown.reset();
+  if (playback->Step() < state.times.size())
+  {
+    session.shown = state.times[playback->Step()];
+  }
+  session.interval = std::chrono::milliseconds(playback->Interval());
+  session.drawing.size = view->PictureSize();
+  session.drawing.camera = CameraOf(view->Scene());
+  session.drawing.scene = OptionsOf(view->Scene());
+  session.colours = EditedColours(view->Scene());
+  return session;
+}
+
+void MainWindow::Show(const application::Session& session, const QString& name)
+{
+  view->Apply(session.drawing.scene, session.drawing.camera);
+  look->Follow();
+  playback->SetInterval(static_cast<int>(session.interval.count()));
+  // Once the window is laid out.
+  QTimer::singleShot(0, this, [this, size = session.drawing.size] { this->FitPicture(size); });
+  this->OpenInputs(session, name);
+}
+
+void MainWindow::FitPicture(const std::array<int, 2>& size)
+{
+  const std::array<int, 2> now = view->PictureSize();
+  const double pixels = view->devicePixelRatioF();
+  if (!this->isMaximized() && !this->isFullScreen())
+  {
+    this->resize(this->width() + qRound((size[0] - now[0]) / pixels),
+      this->height() + qRound((size[1] - now[1]) / pixels));
+  }
+}
+
+void MainWindow::OpenInputs(const application::Session& session, const QString& name)
+{
+  opened = session;
   title = name;
   first = true;
   failures.clear();
   scene::BackgroundSeriesOptions options;
-  auto folder = simulate ? std::make_shared<QTemporaryDir>() : nullptr;
+  const scene::InputRequest input = session.drawing.input;
+  auto folder = session.synthetic ? std::make_shared<QTemporaryDir>() : nullptr;
   if (folder && !folder->isValid())
   {
     this->Report("no folder for synthetic files: " + folder->errorString());
@@ -220,7 +274,7 @@ void MainWindow::OpenInputs(const scene::InputRequest& input, const QString& nam
   { return scene::ChooseTimes(series, input); };
   options.prepare = [](vtkImageData* volume)
   { vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(volume, nullptr); };
-  playback->Open(std::move(options));
+  playback->Open(std::move(options), session.shown);
 }
 
 void MainWindow::ShowVolume(vtkImageData* volume)
@@ -228,6 +282,14 @@ void MainWindow::ShowVolume(vtkImageData* volume)
   view->SetVolume(volume);
   if (first)
   {
+    try
+    {
+      SetColours(opened.colours, opened.drawing.scene.isoValues, view->Scene());
+    }
+    catch (const Error& error)
+    {
+      this->Report(title + ": colours: " + error.what());
+    }
     look->Follow(); // its moment may be another than that of the series before
     first = false;
   }
@@ -284,6 +346,12 @@ void MainWindow::Report(const QString& problem)
   this->FollowPlayback();
 }
 
+void MainWindow::Announce(const QString& message)
+{
+  constexpr int shown = 5000; // ms
+  this->statusBar()->showMessage(message, shown);
+}
+
 void MainWindow::AskForFiles()
 {
   const QStringList paths = QFileDialog::getOpenFileNames(this, "Open radar files or volumes");
@@ -323,12 +391,11 @@ void MainWindow::TakePicture()
 
 void MainWindow::WritePicture(const std::filesystem::path& path)
 {
-  constexpr int shown = 5000; // ms
   try
   {
     view->WritePicture(path);
     pictures.push_back(path);
-    this->statusBar()->showMessage("wrote " + QString::fromStdString(path.string()), shown);
+    this->Announce("wrote " + QString::fromStdString(path.string()));
   }
   catch (const Error& error)
   {

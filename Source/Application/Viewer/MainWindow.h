@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options/SessionFile.h"
 #include "Requests/ViewRequest.h"
 
 #include <QMainWindow>
@@ -19,6 +20,7 @@ class QPushButton;
 namespace nexrad::viewer
 {
 
+class FileActions;
 class InputWatch;
 class LookPanel;
 class Playback;
@@ -41,6 +43,16 @@ public:
   QStringList Problems() const;
   /// Pictures that were written.
   const std::vector<std::filesystem::path>& Pictures() const { return pictures; }
+  /// Folder that takes the pictures without a name of their own.
+  const std::filesystem::path& PictureFolder() const { return request.pictures; }
+  /// What is shown now, and how.
+  application::Session Shown() const;
+  /// Opens a session in place of what is open.
+  void Show(const application::Session& session, const QString& title);
+  /// Lists a problem beside those of the inputs.
+  void Report(const QString& problem);
+  /// Says for a few seconds what was done.
+  void Announce(const QString& message);
 
 public slots:
   /// Opens files or folders in place of what is open.
@@ -62,19 +74,21 @@ private:
   void TakePicture();
   void WritePicture(const std::filesystem::path& path);
   void ShowHelp();
-  void OpenInputs(const scene::InputRequest& input, const QString& title, bool simulate);
+  void FitPicture(const std::array<int, 2>& size);
+  void OpenInputs(const application::Session& session, const QString& title);
   void Remember(const QStringList& paths);
   void FollowRecent();
   void FollowPlayback();
   void ShowVolume(vtkImageData* volume);
-  void Report(const QString& problem);
 
   scene::ViewRequest request;
+  application::Session opened; ///< its inputs, and what is done when their first volume is shown
   Playback* playback = nullptr;
   InputWatch* watch = nullptr;
   SceneView* view = nullptr;
   LookPanel* look = nullptr;
   TransferFunctionEditor* colours = nullptr;
+  FileActions* files = nullptr;
   QDockWidget* damageDock = nullptr;
   QListWidget* damage = nullptr;
   QLabel* doing = nullptr;

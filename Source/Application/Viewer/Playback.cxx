@@ -44,9 +44,10 @@ void Playback::Dismiss()
     std::async(std::launch::async, [old = std::move(series)]() mutable { old.reset(); }));
 }
 
-void Playback::Open(scene::BackgroundSeriesOptions options)
+void Playback::Open(scene::BackgroundSeriesOptions options, std::optional<Time> first)
 {
   this->Dismiss();
+  begin = first;
   const unsigned own = ++generation;
   options.wake = [this, own]
   {
@@ -86,6 +87,7 @@ void Playback::TakeNews()
   }
   if (state.phase == scene::BackgroundSeries::Phase::Open && waiting)
   {
+    this->FindFirst();
     this->Show();
     return; // which says that it changed
   }
@@ -103,6 +105,30 @@ void Playback::FollowTimes(const std::vector<Time>& before)
     step = state.times.size() - 1;
   }
   waiting = true;
+}
+
+vtkSmartPointer<vtkImageData> Playback::Volume(std::size_t wanted)
+{
+  return series->Show(wanted);
+}
+
+void Playback::FindFirst()
+{
+  if (!begin)
+  {
+    return;
+  }
+  const auto found = std::find(state.times.begin(), state.times.end(), *begin);
+  if (found != state.times.end())
+  {
+    step = static_cast<std::size_t>(found - state.times.begin());
+  }
+  else
+  {
+    emit Failed("there is no volume at " + QString::fromStdString(FormatIso8601(*begin)) +
+                "; the first one is shown");
+  }
+  begin.reset();
 }
 
 void Playback::Show()

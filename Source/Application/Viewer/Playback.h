@@ -30,13 +30,17 @@ public:
 
   /// Opens a series in place of the one that is open, whose thread is asked to stop. `wake` of the
   /// options is set here. The first step is shown when it is loaded.
-  void Open(scene::BackgroundSeriesOptions options);
+  /// `first`: the time that is shown first; empty: the first step.
+  void Open(scene::BackgroundSeriesOptions options, std::optional<Time> first = std::nullopt);
 
   bool HasSeries() const { return series != nullptr; }
   /// Of the series: what is new comes with Changed.
   const scene::BackgroundSeries::State& State() const { return state; }
   /// The step that is shown, or will be as soon as it is loaded.
   std::size_t Step() const { return step; }
+  /// The volume of a step, which is not shown for that. Nothing as long as it is not loaded; then
+  /// it is loaded next. Throws Error when it cannot be loaded.
+  vtkSmartPointer<vtkImageData> Volume(std::size_t wanted);
   /// Whether that step is still being loaded.
   bool IsWaiting() const { return waiting; }
   bool IsPlaying() const { return playing; }
@@ -73,11 +77,13 @@ private:
   void Show();
   void Tick();
   void Dismiss();
+  void FindFirst();
 
   std::unique_ptr<scene::BackgroundSeries> series;
   std::vector<std::future<void>> ending; ///< of series that are not shown any more
   scene::BackgroundSeries::State state;
-  unsigned generation = 0; ///< of the series: news of an older one are not heard
+  unsigned generation = 0;   ///< of the series: news of an older one are not heard
+  std::optional<Time> begin; ///< the time that is shown first, until the series is open
   std::size_t step = 0;
   bool waiting = false;
   bool playing = false;

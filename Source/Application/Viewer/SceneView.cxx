@@ -3,6 +3,7 @@
 
 #include "Drawing/PictureWindow.h"
 #include "Drawing/ViewerStyle.h"
+#include "Export/SceneState.h"
 #include "Scene/Frame/CameraView.h"
 #include "Scene/SceneOptions.h"
 
@@ -56,6 +57,7 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
                      ? vtkNexradVolumeScene::RAY_CAST
                      : vtkNexradVolumeScene::TEXTURE_SLICE);
   scene->SetPreIntegration(options.preIntegration);
+  scene->SetLinearInterpolation(options.linearInterpolation);
   scene->SetNumberOfSlices(options.slices);
   scene->SetShadowStrength(options.light.shadow);
   scene->SetOcclusionStrength(options.light.occlusion);
@@ -66,6 +68,7 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
                                                              : vtkNexradVolumeScene::DARK);
   scene->SetHeightWalls(options.heightWalls);
   scene->SetPlaceNames(options.placeNames);
+  SetPlan(options, scene);
   scene->SetParallelProjection(camera.parallel);
   first = {camera.azimuth, camera.tilt, camera.zoom};
   this->ResetCamera();
@@ -102,6 +105,12 @@ void SceneView::DrawSoon()
         ++drawn;
       }
     });
+}
+
+std::array<int, 2> SceneView::PictureSize() const
+{
+  const int* size = window->GetSize();
+  return {size[0], size[1]};
 }
 
 void SceneView::WritePicture(const std::filesystem::path& path)

@@ -46,6 +46,9 @@ public:
   /// Shows a volume.
   void SetVolume(vtkImageData* volume);
 
+  /// Pixels of the pictures that are written: those of the screen.
+  std::array<int, 2> PictureSize() const;
+
   /// Draws the scene now and writes it as PNG. Throws Error when the file cannot be written.
   void WritePicture(const std::filesystem::path& path);
 

@@ -2,38 +2,12 @@
 #include "Volumes/StepWriter.h"
 
 #include "Output/OutputFile.h"
-#include "vtkNexradImageConversion.h"
-#include "vtkNexradMessages.h"
-
-#include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkXMLImageDataWriter.h>
+#include "Volumes/VtiFile.h"
 
 namespace fs = std::filesystem;
 
 namespace nexrad::application
 {
-namespace
-{
-
-void WriteVti(const fs::path& path, const GriddedVolume& volume)
-{
-  vtkNew<vtkImageData> image;
-  vtkNexradVolumeToImage(volume, image);
-  vtkNew<vtkXMLImageDataWriter> writer;
-  vtkNexradMessages messages;
-  messages.Watch(writer);
-  writer->SetInputData(image);
-  // To memory first: VTK's writer leaves a cut file behind when the disk is full.
-  writer->WriteToOutputStringOn();
-  writer->Write();
-  messages.ThrowFirstError();
-  const std::string bytes = writer->GetOutputString();
-  WriteFile(path, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
-}
-
-} // namespace
-
 fs::path VolumeFileName(Time time, VolumeFormat format)
 {
   return FormatForFileName(time) + (format == VolumeFormat::Nxv ? ".nxv" : ".vti");

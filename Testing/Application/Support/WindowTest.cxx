@@ -100,9 +100,9 @@ void WindowTest::Click(const char* button)
 void WindowTest::Choose(const char* name, int down)
 {
   auto* box = this->Find<QComboBox>(name);
-  for (int i = 0; i < down; ++i)
+  for (int i = 0; i < std::abs(down); ++i)
   {
-    QTest::keyClick(box, Qt::Key_Down);
+    QTest::keyClick(box, down > 0 ? Qt::Key_Down : Qt::Key_Up);
   }
 }
 

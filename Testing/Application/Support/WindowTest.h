@@ -43,7 +43,7 @@ protected:
   }
 
   void Click(const char* button);
-  /// Chooses an entry of a box as a user does with the keys.
+  /// Chooses an entry of a box as a user does with the keys; up where `down` is below 0.
   void Choose(const char* name, int down);
   /// How much of the picture an action changes.
   double Changes(const std::function<void()>& action);

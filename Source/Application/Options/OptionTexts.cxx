@@ -1,0 +1,261 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Options/OptionTexts.h"
+
+#include "Options/DrawingOptions.h"
+#include "Options/GridOptions.h"
+#include "nexrad/System/Error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace nexrad::application
+{
+namespace
+{
+
+// The shortest text that is read as the same number.
+std::string TextOf(double value)
+{
+  std::array<char, 32> buffer{};
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+}
+
+std::string LengthTextOf(double metres)
+{
+  return std::fmod(metres, 1000.0) == 0.0 ? TextOf(metres / 1000.0) + "km" : TextOf(metres) + "m";
+}
+
+class OptionList
+{
+public:
+  void Add(const std::string& name, const std::string& value) { texts.push_back({name, value}); }
+  void AddFlag(const std::string& name, bool on)
+  {
+    if (on)
+    {
+      texts.push_back({name, ""});
+    }
+  }
+  void AddUnless(double usual, const std::string& name, double value)
+  {
+    if (value != usual)
+    {
+      this->Add(name, TextOf(value));
+    }
+  }
+  void AddIfAny(const std::string& name, const std::string& value)
+  {
+    if (!value.empty())
+    {
+      this->Add(name, value);
+    }
+  }
+  std::vector<OptionText> Take() { return std::move(texts); }
+
+private:
+  std::vector<OptionText> texts;
+};
+
+std::string MapTextOf(const scene::PlanOptions& plan)
+{
+  switch (plan.level)
+  {
+  case scene::PlanLevel::Lowest:
+    return "lowest";
+  case scene::PlanLevel::Height:
+    return LengthTextOf(plan.height);
+  default:
+    return "composite";
+  }
+}
+
+std::string IsoValuesTextOf(const std::vector<scene::IsoValue>& isoValues)
+{
+  std::string text;
+  for (const scene::IsoValue& isoValue : isoValues)
+  {
+    text += (text.empty() ? "" : ",") + TextOf(isoValue.value);
+    text += isoValue.opacity ? ":" + TextOf(*isoValue.opacity) : "";
+  }
+  return text;
+}
+
+void AddCamera(const scene::CameraView& camera, bool map, OptionList& options)
+{
+  const scene::CameraView usual;
+  options.AddUnless(map ? MapAzimuth : usual.azimuth, "--azimuth", camera.azimuth);
+  options.AddUnless(map ? MapTilt : usual.tilt, "--tilt", camera.tilt);
+  options.AddUnless(usual.zoom, "--zoom", camera.zoom);
+  options.AddFlag("--parallel", !map && camera.parallel);
+  options.AddFlag("--perspective", map && !camera.parallel);
+}
+
+void AddVolume(const scene::SceneOptions& scene, OptionList& options)
+{
+  const scene::SceneOptions usual;
+  if (scene.mapper == scene::MapperChoice::RayCast)
+  {
+    options.Add("--mapper", "ray-cast");
+  }
+  if (!scene.preIntegration)
+  {
+    options.Add("--classification", "sampled");
+  }
+  if (!scene.linearInterpolation)
+  {
+    options.Add("--interpolation", "nearest");
+  }
+  options.AddUnless(usual.slices, "--slices", scene.slices);
+  options.AddIfAny("--preset", scene.preset);
+  options.AddIfAny("--iso-values", IsoValuesTextOf(scene.isoValues));
+  if (!scene.colours.empty())
+  {
+    options.Add("--colours", std::filesystem::absolute(scene.colours).string());
+  }
+  options.AddIfAny("--colour-by", scene.colourBy);
+  options.AddUnless(usual.light.shadow, "--shadow", scene.light.shadow);
+  options.AddUnless(usual.light.occlusion, "--occlusion", scene.light.occlusion);
+  const scene::LightDirection& from = scene.light.direction;
+  const scene::LightDirection& usualFrom = usual.light.direction;
+  if (from.azimuth != usualFrom.azimuth || from.elevation != usualFrom.elevation)
+  {
+    options.Add("--light", TextOf(from.azimuth) + "," + TextOf(from.elevation));
+  }
+}
+
+void AddSurroundings(const scene::SceneOptions& scene, OptionList& options)
+{
+  if (scene.exaggeration)
+  {
+    options.Add("--exaggeration", TextOf(*scene.exaggeration));
+  }
+  if (scene.ringSpacing > 0.0)
+  {
+    options.Add("--rings", LengthTextOf(scene.ringSpacing));
+  }
+  if (scene.theme == scene::ThemeChoice::Light)
+  {
+    options.Add("--theme", "light");
+  }
+  options.AddFlag("--no-walls", !scene.heightWalls);
+  options.AddFlag("--names", scene.placeNames);
+  if (scene.plan)
+  {
+    options.Add("--map", MapTextOf(*scene.plan));
+    options.AddIfAny("--array", scene.plan->array);
+  }
+}
+
+// The moments may have been chosen after the other options of merging were given.
+void AddMerging(const scene::DrawingRequest& request, OptionList& options)
+{
+  for (const OptionText& text : request.merging)
+  {
+    if (text.name != "--moment")
+    {
+      options.Add(text.name, text.value);
+    }
+  }
+  std::string moments;
+  for (const MomentName moment : request.input.grid.Moments())
+  {
+    moments += (moments.empty() ? "" : ",") + std::string(ToString(moment));
+  }
+  options.AddIfAny("--moment", request.input.momentNamed ? moments : "");
+}
+
+// CLI11 would take a value that begins with a minus for an option.
+std::string ArgumentOf(const OptionText& text)
+{
+  return text.value.empty() ? text.name : text.name + "=" + text.value;
+}
+
+} // namespace
+
+std::vector<OptionText> OptionTextsOf(const scene::DrawingRequest& request)
+{
+  OptionList options;
+  if (request.input.time)
+  {
+    options.Add("--time", FormatIso8601(*request.input.time));
+  }
+  if (request.size != scene::DrawingRequest().size)
+  {
+    options.Add("--size", std::to_string(request.size[0]) + "x" + std::to_string(request.size[1]));
+  }
+  AddCamera(request.camera, request.scene.plan.has_value(), options);
+  AddVolume(request.scene, options);
+  AddSurroundings(request.scene, options);
+  AddMerging(request, options);
+  return options.Take();
+}
+
+void ParseOptionTexts(const std::vector<OptionText>& texts, scene::DrawingRequest& request)
+{
+  CLI::App command;
+  command.set_help_flag();
+  scene::InputRequest input = request.input;
+  AddInputOptions(command, input, false);
+  AddDrawingOptions(command, request);
+  AddGridOptions(command, input.grid);
+  std::vector<std::string> arguments;
+  for (const OptionText& text : texts)
+  {
+    if (text.name.rfind("--", 0) != 0 || command.get_option_no_throw(text.name) == nullptr)
+    {
+      throw Error(text.name + ": there is no such option; nexrad3d render --help lists them");
+    }
+    arguments.insert(arguments.begin(), ArgumentOf(text)); // CLI11 takes the last one first
+  }
+  try
+  {
+    command.parse(arguments);
+    input.inputs = request.input.inputs;
+    request.input = input;
+    FinishDrawingOptions(command, request);
+  }
+  catch (const CLI::Error& error)
+  {
+    throw Error(error.what());
+  }
+}
+
+std::string QuoteForShell(const std::string& word)
+{
+  constexpr char plain[] =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_./:,=+@%-";
+  if (!word.empty() && word.find_first_not_of(plain) == std::string::npos)
+  {
+    return word;
+  }
+  std::string quoted = "'";
+  for (const char letter : word)
+  {
+    quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
+  }
+  return quoted + "'";
+}
+
+std::string RenderCommandOf(
+  const scene::DrawingRequest& request, const std::filesystem::path& output)
+{
+  std::string command = "nexrad3d render";
+  for (const std::filesystem::path& input : request.input.inputs)
+  {
+    command += " " + QuoteForShell(std::filesystem::absolute(input).string());
+  }
+  command += " -o " + QuoteForShell(output.string());
+  for (const OptionText& text : OptionTextsOf(request))
+  {
+    const bool minus = !text.value.empty() && text.value.front() == '-';
+    command += " " + text.name;
+    command += text.value.empty() ? "" : (minus ? "=" : " ") + QuoteForShell(text.value);
+  }
+  return command;
+}
+
+} // namespace nexrad::application

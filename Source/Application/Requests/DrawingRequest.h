@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Requests/OptionText.h"
+#include "Scene/Frame/CameraView.h"
+#include "Scene/SceneOptions.h"
+#include "Scene/Series/InputSeries.h"
+
+#include <array>
+#include <vector>
+
+namespace nexrad::scene
+{
+
+/// What a picture is of, and how it is drawn.
+struct DrawingRequest
+{
+  InputRequest input;
+  std::vector<application::OptionText> merging; ///< the options that `input.grid` was given by
+  std::array<int, 2> size = {1280, 720};        ///< pixels
+  CameraView camera;
+  SceneOptions scene;
+};
+
+} // namespace nexrad::scene

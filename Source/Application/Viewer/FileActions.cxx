@@ -1,0 +1,297 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer/FileActions.h"
+
+#include "Export/MovieExport.h"
+#include "Options/OptionTexts.h"
+#include "Options/SessionFile.h"
+#include "Output/OutputFile.h"
+#include "Viewer/MainWindow.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
+#include "Volumes/VtiFile.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/System/Error.h"
+#include "vtkNexradImageConversion.h"
+
+#include <vtkImageData.h>
+#include <vtkNexradVolumeScene.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QFileDialog>
+#include <QKeySequence>
+#include <QMenu>
+#include <QProgressDialog>
+
+#include <algorithm>
+#include <exception>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace nexrad::viewer
+{
+namespace
+{
+
+constexpr char sessionFilter[] = "Sessions (*.nxsession)";
+constexpr char nothingOpen[] = "Open files first: nothing is shown yet";
+constexpr char syntheticFolder[] = "synthetic-hour";
+
+// Colours that were edited go into a file, which the command names.
+fs::path WriteColours(const std::string& colours, const fs::path& folder, const std::string& time)
+{
+  const fs::path path = folder / ("nexrad3d-" + time + "-colours.json");
+  application::WriteFile(
+    path, reinterpret_cast<const unsigned char*>(colours.data()), colours.size());
+  return path;
+}
+
+// Done on another thread: conversion and compression take longer than a window may wait.
+void WriteVolume(vtkImageData* volume, const fs::path& path)
+{
+  const GriddedVolume values = vtkNexradImageToVolume(volume);
+  if (path.extension() == ".vti")
+  {
+    application::WriteVti(path, values);
+  }
+  else
+  {
+    WriteNxv(path, values);
+  }
+}
+
+// A path with one of these endings: as it is typed, or with the first of them.
+fs::path WithEnding(const QString& path, const std::vector<std::string>& endings)
+{
+  const fs::path typed = path.toStdString();
+  const std::string ending = typed.extension().string();
+  return std::find(endings.begin(), endings.end(), ending) != endings.end()
+           ? typed
+           : fs::path(typed.string() + endings.front());
+}
+
+} // namespace
+
+FileActions::FileActions(MainWindow& mainWindow)
+  : QObject(&mainWindow)
+  , window(mainWindow)
+{
+}
+
+FileActions::~FileActions()
+{
+  if (writing.valid())
+  {
+    writing.wait();
+  }
+}
+
+void FileActions::AddTo(QMenu* menu)
+{
+  QAction* copy = menu->addAction(
+    "Copy the &render command", this, &FileActions::CopyCommand, QKeySequence("Ctrl+Shift+C"));
+  copy->setToolTip("Put the command on the clipboard that draws this picture without the window");
+  menu->addAction("Save &volume as…", this, &FileActions::AskToSaveVolume, QKeySequence("Ctrl+E"));
+  menu->addAction("Save &movie as…", this, &FileActions::AskToSaveMovie, QKeySequence("Ctrl+M"));
+  menu->addSeparator();
+  menu->addAction("Open s&ession…", this, &FileActions::AskForSession);
+  QAction* save = menu->addAction(
+    "Save sessio&n…", this, &FileActions::AskToSaveSession, QKeySequence("Ctrl+Shift+S"));
+  save->setToolTip("Save the inputs, the time, the camera and all settings to a file");
+}
+
+void FileActions::CopyCommand()
+{
+  application::Session session = window.Shown();
+  if (!session.shown)
+  {
+    window.Announce(nothingOpen);
+    return;
+  }
+  const std::string time = FormatForFileName(*session.shown);
+  std::string before;
+  try
+  {
+    scene::DrawingRequest& drawing = session.drawing;
+    drawing.input.time = session.shown;
+    if (!session.colours.empty())
+    {
+      drawing.scene.colours = WriteColours(session.colours, window.PictureFolder(), time);
+    }
+    if (session.synthetic)
+    {
+      drawing.input.inputs = {fs::absolute(syntheticFolder)};
+      before = "nexrad3d simulate " +
+               application::QuoteForShell(drawing.input.inputs.front().string()) + " --hours 1 && ";
+    }
+    QApplication::clipboard()->setText(QString::fromStdString(
+      before + application::RenderCommandOf(drawing, "nexrad3d-" + time + ".png")));
+    window.Announce("The command that draws this picture is on the clipboard");
+  }
+  catch (const Error& error)
+  {
+    window.Report(error.what());
+  }
+}
+
+void FileActions::AskToSaveSession()
+{
+  const application::Session session = window.Shown();
+  if (!session.shown)
+  {
+    window.Announce(nothingOpen);
+    return;
+  }
+  const QString typed =
+    QFileDialog::getSaveFileName(&window, "Save session", "nexrad3d.nxsession", sessionFilter);
+  if (typed.isEmpty())
+  {
+    return;
+  }
+  const fs::path path = WithEnding(typed, {application::SessionSuffix});
+  try
+  {
+    application::WriteSession(path, session);
+    window.Announce("wrote " + QString::fromStdString(path.string()));
+  }
+  catch (const Error& error)
+  {
+    window.Report(error.what());
+  }
+}
+
+void FileActions::AskForSession()
+{
+  const QString path = QFileDialog::getOpenFileName(&window, "Open session", "", sessionFilter);
+  if (!path.isEmpty())
+  {
+    window.Open({path});
+  }
+}
+
+void FileActions::OpenSession(const fs::path& path)
+{
+  try
+  {
+    window.Show(application::ReadSession(path), QString::fromStdString(path.filename().string()));
+  }
+  catch (const Error& error)
+  {
+    window.Report(error.what());
+  }
+}
+
+void FileActions::AskToSaveVolume()
+{
+  if (window.View()->Scene()->GetVolume() == nullptr)
+  {
+    window.Announce(nothingOpen);
+    return;
+  }
+  const QString path = QFileDialog::getSaveFileName(
+    &window, "Save volume", "nexrad3d.nxv", "Volumes (*.nxv);;VTK image data (*.vti)");
+  if (!path.isEmpty())
+  {
+    this->SaveVolume(WithEnding(path, {".nxv", ".vti"}));
+  }
+}
+
+void FileActions::SaveVolume(const fs::path& path)
+{
+  const vtkSmartPointer<vtkImageData> volume = window.View()->Scene()->GetVolume();
+  if (writing.valid())
+  {
+    writing.wait(); // for the volume before
+  }
+  writing = std::async(std::launch::async,
+    [this, volume, path]
+    {
+      QString problem;
+      try
+      {
+        WriteVolume(volume, path);
+      }
+      catch (const std::exception& error)
+      {
+        problem = error.what();
+      }
+      const auto report = [this, path, problem]
+      {
+        problem.isEmpty() ? window.Announce("wrote " + QString::fromStdString(path.string()))
+                          : window.Report(problem);
+      };
+      QMetaObject::invokeMethod(this, report, Qt::QueuedConnection);
+    });
+}
+
+void FileActions::AskToSaveMovie()
+{
+  if (window.View()->Scene()->GetVolume() == nullptr)
+  {
+    window.Announce(nothingOpen);
+    return;
+  }
+  const QString path = QFileDialog::getSaveFileName(
+    &window, "Save movie", "nexrad3d.ogv", "Movies (*.ogv *.mp4);;A picture of each time (*.png)");
+  if (!path.isEmpty())
+  {
+    this->SaveMovie(WithEnding(path, {".ogv", ".mp4", ".png"}));
+  }
+}
+
+void FileActions::SaveMovie(const fs::path& path)
+{
+  MovieJob job;
+  job.output = path;
+  job.shown = window.Shown();
+  job.times = window.Player()->State().times;
+  job.volume = [this, times = job.times](std::size_t frame)
+  {
+    if (window.Player()->State().times != times)
+    {
+      throw Error("something else was opened: the movie is not finished");
+    }
+    return window.Player()->Volume(frame);
+  };
+  const QString name = QString::fromStdString(path.string());
+  delete progress;
+  progress = new QProgressDialog(
+    "Drawing " + name, "Cancel", 0, static_cast<int>(job.times.size()), &window);
+  progress->setObjectName("movie");
+  progress->setAutoReset(false);
+  progress->setMinimumDuration(0);
+  movie = std::make_unique<MovieExport>(std::move(job));
+  connect(movie.get(), &MovieExport::Advanced, progress, &QProgressDialog::setValue);
+  // The frames are drawn in another context of OpenGL than the window's.
+  connect(
+    movie.get(), &MovieExport::Advanced, window.View(), [this] { window.View()->makeCurrent(); });
+  connect(movie.get(), &MovieExport::Ended, this,
+    [this, name](const QString& problem) { this->EndMovie(name, problem); });
+  connect(progress, &QProgressDialog::canceled, this,
+    [this, name]
+    {
+      this->CloseMovie();
+      window.Announce("cancelled: " + name + " is not written");
+    });
+  progress->show();
+}
+
+void FileActions::CloseMovie()
+{
+  movie->disconnect();
+  movie.release()->deleteLater(); // which may have called this
+  progress->deleteLater();
+  progress = nullptr;
+}
+
+void FileActions::EndMovie(const QString& path, const QString& problem)
+{
+  this->CloseMovie();
+  problem.isEmpty() ? window.Announce("wrote " + path) : window.Report(problem);
+}
+
+} // namespace nexrad::viewer

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Volumes/VtiFile.h"
+
+#include "Output/OutputFile.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradMessages.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkXMLImageDataWriter.h>
+
+#include <string>
+
+namespace nexrad::application
+{
+
+void WriteVti(const std::filesystem::path& path, const GriddedVolume& volume)
+{
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  vtkNexradMessages messages;
+  messages.Watch(writer);
+  writer->SetInputData(image);
+  // To memory first: VTK's writer leaves a cut file behind when the disk is full.
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  messages.ThrowFirstError();
+  const std::string bytes = writer->GetOutputString();
+  WriteFile(path, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+}
+
+} // namespace nexrad::application

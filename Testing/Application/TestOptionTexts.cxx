@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Options that are written from a request, and read again.
+#include "Options/OptionTexts.h"
+
+#include "Options/DrawingOptions.h"
+#include "TestData.h"
+#include "nexrad/System/Error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <ostream>
+#include <string>
+#include <vector>
+
+using namespace nexrad;
+using namespace nexrad::application;
+using namespace nexrad::testing;
+
+namespace
+{
+
+std::vector<OptionText> ReadAndWrite(const std::vector<OptionText>& texts)
+{
+  scene::DrawingRequest request;
+  ParseOptionTexts(texts, request);
+  return OptionTextsOf(request);
+}
+
+std::string Joined(const std::vector<OptionText>& texts)
+{
+  std::string line;
+  for (const OptionText& text : texts)
+  {
+    line += text.name + (text.value.empty() ? " " : "=" + text.value + " ");
+  }
+  return line;
+}
+
+// Each option of a picture with a value that is not its default.
+std::vector<OptionText> AllOptions(const std::string& colours)
+{
+  return {{"--size", "900x600"}, {"--azimuth", "123.456"}, {"--tilt", "-20.1"}, {"--zoom", "2.5"},
+    {"--parallel", ""}, {"--mapper", "ray-cast"}, {"--classification", "sampled"},
+    {"--interpolation", "nearest"}, {"--slices", "512"}, {"--preset", "storm cores"},
+    {"--iso-values", "20:0.3,40"}, {"--colours", colours}, {"--colour-by", "VEL"},
+    {"--shadow", "0.7"}, {"--occlusion", "0.5"}, {"--light", "-30,20"}, {"--exaggeration", "2.5"},
+    {"--rings", "50km"}, {"--theme", "light"}, {"--no-walls", ""}, {"--names", ""}};
+}
+
+const std::vector<OptionText> mapOptions = {{"--azimuth", "170"}, {"--tilt", "60"},
+  {"--perspective", ""}, {"--map", "2500m"}, {"--array", "REF_age"}};
+
+} // namespace
+
+TEST(OptionTexts, DefaultsAreLeftOut)
+{
+  EXPECT_EQ(Joined(OptionTextsOf(scene::DrawingRequest())), "");
+  EXPECT_EQ(Joined(ReadAndWrite({{"--map", "composite"}})), "--map=composite ");
+}
+
+TEST(OptionTexts, AllOptionsAreWrittenAsTheyWereRead)
+{
+  const TemporaryFolder folder;
+  const std::string colours = folder.Path() / "my colours.csv";
+  std::ofstream(colours) << "dbz,colour\n";
+  const std::vector<OptionText> options = AllOptions(colours);
+  EXPECT_EQ(Joined(ReadAndWrite(options)), Joined(options));
+  EXPECT_EQ(Joined(ReadAndWrite(mapOptions)), Joined(mapOptions));
+}
+
+// An option that is added to the commands is to be written as well.
+TEST(OptionTexts, NoOptionOfThePictureIsForgotten)
+{
+  CLI::App command;
+  command.set_help_flag();
+  scene::DrawingRequest request;
+  AddDrawingOptions(command, request);
+  std::vector<OptionText> known = AllOptions("x");
+  known.insert(known.end(), mapOptions.begin(), mapOptions.end());
+  for (const CLI::Option* option : command.get_options())
+  {
+    const std::string name = "--" + option->get_lnames().front();
+    EXPECT_TRUE(std::any_of(
+      known.begin(), known.end(), [&](const OptionText& text) { return text.name == name; }))
+      << name;
+  }
+}
+
+TEST(OptionTexts, OptionsOfMergingStayAsTheyWereGiven)
+{
+  const std::vector<OptionText> options = {{"--time", "2006-03-12T18:35:00.000Z"},
+    {"--dims", "64x64x32"}, {"--bounds", "-98,34,-96,36"}, {"--no-sharpening", ""},
+    {"--moment", "REF,VEL"}};
+  EXPECT_EQ(Joined(ReadAndWrite(options)), Joined(options));
+}
+
+TEST(OptionTexts, WrongOptionsAreNamed)
+{
+  const std::vector<std::pair<OptionText, std::string>> cases = {
+    {{"--colour", "red"}, "--colour: there is no such option"},
+    {{"input", "x"}, "input: there is no such option"},
+    {{"--slices", "0"}, "--slices: '0' is no number"},
+    {{"--theme", "blue"}, "--theme: 'blue' is no theme"}, {{"--dims", "1"}, "--dims"}};
+  for (const auto& [option, words] : cases)
+  {
+    try
+    {
+      ReadAndWrite({option});
+      ADD_FAILURE() << option.name;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+      EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(OptionTexts, TheCommandIsQuotedForAShell)
+{
+  EXPECT_EQ(QuoteForShell("/data/a-b_c.nxv"), "/data/a-b_c.nxv");
+  EXPECT_EQ(QuoteForShell("storm cores"), "'storm cores'");
+  EXPECT_EQ(QuoteForShell("it's $HOME"), "'it'\\''s $HOME'");
+  EXPECT_EQ(QuoteForShell(""), "''");
+  scene::DrawingRequest request;
+  request.input.inputs = {"/my data/x.nxv"};
+  request.scene.preset = "storm cores";
+  request.scene.light.direction.azimuth = -20.0;
+  EXPECT_EQ(RenderCommandOf(request, "a.png"),
+    "nexrad3d render '/my data/x.nxv' -o a.png --preset 'storm cores' --light=-20,45");
+}
