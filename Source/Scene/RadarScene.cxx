@@ -430,6 +430,10 @@ void RadarScene::Aim()
   }
   FrameScene(
     renderer->GetActiveCamera(), view, {outline, scaleLabels}, {size, right, taken}, pictures);
+  if (view.lookAt)
+  {
+    CentreOn(renderer->GetActiveCamera(), frame.ToScene(frame.PlaceOf(*view.lookAt)));
+  }
   this->FitClippingRange();
   this->DrawLabels();
 }

@@ -14,10 +14,13 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <optional>
 
 using nexrad::scene::CameraView;
 using nexrad::scene::LightOptions;
+using nexrad::scene::LookAt;
 using nexrad::scene::RadarScene;
+using nexrad::scene::SceneFrame;
 using nexrad::scene::SceneOptions;
 
 namespace
@@ -51,9 +54,16 @@ bool SameButForSlicesAndLight(const SceneOptions& a, const SceneOptions& b)
          a.placeNames == b.placeNames;
 }
 
+bool SamePlace(const std::optional<LookAt>& a, const std::optional<LookAt>& b)
+{
+  return a.has_value() == b.has_value() &&
+         (!a || (a->place == b->place && a->geographic == b->geographic));
+}
+
 bool SameView(const CameraView& a, const CameraView& b)
 {
-  return a.azimuth == b.azimuth && a.tilt == b.tilt && a.zoom == b.zoom && a.parallel == b.parallel;
+  return a.azimuth == b.azimuth && a.tilt == b.tilt && a.zoom == b.zoom &&
+         a.parallel == b.parallel && SamePlace(a.lookAt, b.lookAt);
 }
 
 nexrad::scene::PlanLevel LevelOf(int plan)
@@ -86,6 +96,7 @@ struct vtkNexradVolumeScene::Drawing
 
   void Update(vtkNexradVolumeScene* self);
   static SceneOptions OptionsOf(const vtkNexradVolumeScene* self);
+  static CameraView ViewOf(const vtkNexradVolumeScene* self);
   void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
   void FollowColors();
@@ -118,6 +129,18 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
       nexrad::scene::PlanOptions{LevelOf(self->Plan), self->PlanHeight, self->PlanArray};
   }
   return options;
+}
+
+// Throws Error for a place that the volume cannot have.
+CameraView vtkNexradVolumeScene::Drawing::ViewOf(const vtkNexradVolumeScene* self)
+{
+  CameraView view{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection, {}};
+  if (self->LooksAtPlace)
+  {
+    view.lookAt = LookAt{{self->Place[0], self->Place[1], self->Place[2]}, self->PlaceIsGeographic};
+    SceneFrame(self->Volume, 1.0).PlaceOf(*view.lookAt);
+  }
+  return view;
 }
 
 // An error leaves the old scene as it is.
@@ -169,7 +192,7 @@ void vtkNexradVolumeScene::Drawing::FollowColors()
 void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
 {
   const SceneOptions wanted = OptionsOf(self);
-  const CameraView camera{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection};
+  const CameraView camera = ViewOf(self);
   const bool sameView = SameView(camera, view);
   view = camera;
   if (!scene || !SameButForSlicesAndLight(wanted, options))
@@ -279,6 +302,76 @@ vtkNexradTransferFunction* vtkNexradVolumeScene::GetTransferFunction() const
   return this->Drawn->scene ? this->Drawn->scene->TransferFunction() : nullptr;
 }
 
+void vtkNexradVolumeScene::SetPlace(bool geographic, double x, double y, double height)
+{
+  if (!this->LooksAtPlace || this->PlaceIsGeographic != geographic || this->Place[0] != x ||
+      this->Place[1] != y || this->Place[2] != height)
+  {
+    this->LooksAtPlace = true;
+    this->PlaceIsGeographic = geographic;
+    this->Place[0] = x;
+    this->Place[1] = y;
+    this->Place[2] = height;
+    this->Modified();
+  }
+}
+
+void vtkNexradVolumeScene::SetLookAt(double x, double y, double height)
+{
+  this->SetPlace(false, x, y, height);
+}
+
+void vtkNexradVolumeScene::SetLookAtGeographic(double latitude, double longitude, double height)
+{
+  this->SetPlace(true, longitude, latitude, height);
+}
+
+void vtkNexradVolumeScene::LookAtDomain()
+{
+  if (this->LooksAtPlace)
+  {
+    this->LooksAtPlace = false;
+    this->Modified();
+  }
+}
+
+bool vtkNexradVolumeScene::GetLookAt(double place[3])
+{
+  if (!this->LooksAtPlace || this->Volume == nullptr)
+  {
+    return false;
+  }
+  const SceneFrame frame(this->Volume, 1.0);
+  if (this->PlaceIsGeographic && !frame.HasMap())
+  {
+    return false;
+  }
+  const std::array<double, 3> found =
+    frame.PlaceOf({{this->Place[0], this->Place[1], this->Place[2]}, this->PlaceIsGeographic});
+  std::copy(found.begin(), found.end(), place);
+  return true;
+}
+
+bool vtkNexradVolumeScene::GetLookAtGeographic(double place[3])
+{
+  std::array<double, 3> found{};
+  if (!this->GetLookAt(found.data()))
+  {
+    return false;
+  }
+  const SceneFrame frame(this->Volume, 1.0);
+  if (!frame.HasMap())
+  {
+    return false;
+  }
+  const std::array<double, 3> point = frame.ToScene(found);
+  const std::array<double, 2> geographic = frame.Geographic(point[0], point[1]);
+  place[0] = geographic[1];
+  place[1] = geographic[0];
+  place[2] = found[2];
+  return true;
+}
+
 void vtkNexradVolumeScene::SetCameraFromAbove()
 {
   this->SetAzimuth(180.0);
@@ -366,6 +459,16 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Tilt: " << this->Tilt << "\n";
   os << indent << "Zoom: " << this->Zoom << "\n";
   os << indent << "ParallelProjection: " << this->ParallelProjection << "\n";
+  os << indent << "LookAt: ";
+  if (this->LooksAtPlace)
+  {
+    os << this->Place[0] << ", " << this->Place[1] << ", " << this->Place[2]
+       << (this->PlaceIsGeographic ? " (longitude, latitude, m)\n" : " (of the volume)\n");
+  }
+  else
+  {
+    os << "the domain\n";
+  }
   os << indent << "Preset: " << this->Preset << "\n";
   os << indent << "ColorFileName: " << this->ColorFileName << "\n";
   os << indent << "ColorArray: " << this->ColorArray << "\n";

@@ -312,6 +312,28 @@ public:
   vtkGetMacro(PlanArray, std::string);
   ///@}
 
+  ///@{
+  /**
+   * The place in the middle of the picture: x and y in the units of the volume (m east and north of
+   * the projection's centre, or degrees), or latitude and longitude in degrees; the height in m
+   * above mean sea level. The camera moves sideways to it; direction, tilt and magnification stay.
+   * None by default, and after LookAtDomain: the domain fills the picture at a zoom of 1. Error,
+   * with the next picture: latitude and longitude for a volume without a projection.
+   */
+  void SetLookAt(double x, double y, double height);
+  void SetLookAtGeographic(double latitude, double longitude, double height);
+  void LookAtDomain();
+  ///@}
+
+  ///@{
+  /**
+   * The place in the middle of the picture, likewise. False when there is none, or no volume to
+   * find it in; then `place` stays as it was.
+   */
+  bool GetLookAt(double place[3]);
+  bool GetLookAtGeographic(double place[3]);
+  ///@}
+
   /**
    * Points the camera straight down, north up, in parallel projection.
    */
@@ -325,6 +347,9 @@ protected:
   double Tilt = 35.0;
   double Zoom = 1.0;
   bool ParallelProjection = false;
+  bool LooksAtPlace = false;
+  bool PlaceIsGeographic = false;
+  double Place[3] = {0.0, 0.0, 0.0}; // x, y of the volume, or longitude, latitude; height
   std::string Preset;
   std::string ColorFileName;
   std::string ColorArray;
@@ -348,6 +373,7 @@ private:
   vtkNexradVolumeScene(const vtkNexradVolumeScene&) = delete;
   void operator=(const vtkNexradVolumeScene&) = delete;
 
+  void SetPlace(bool geographic, double x, double y, double height);
   void ObserveRenderer();
   void ForgetRenderer();
   void FollowRendering(); // before each picture

@@ -5,6 +5,7 @@
 #include "Drawing/PictureWindow.h"
 #include "Viewer/LookPanel.h"
 #include "Viewer/Playback.h"
+#include "Viewer/PointerReadout.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/TimeLine.h"
 #include "nexrad/System/Error.h"
@@ -162,6 +163,7 @@ void MainWindow::MakeStatus()
   cancel->setToolTip("Stop opening, or stop loading the times that are not shown");
   cancel->setFocusPolicy(Qt::NoFocus);
   this->statusBar()->addWidget(doing, 1);
+  this->statusBar()->addPermanentWidget(new PointerReadout(*view, this));
   this->statusBar()->addPermanentWidget(progress);
   this->statusBar()->addPermanentWidget(cancel);
   connect(cancel, &QPushButton::clicked, playback,
@@ -331,7 +333,9 @@ void MainWindow::ShowAbout()
 {
   QMessageBox::information(this, "Keys and mouse",
     "Drag with the left button: turn and tilt\n"
-    "Drag with the right button, or turn the wheel: zoom\n"
+    "Drag with the middle button, or with Shift and the left button: move\n"
+    "Drag with the right button: zoom;  turn the wheel: zoom towards the pointer\n"
+    "Double click: move what is there into the middle, and turn about it\n"
     "Space: play or pause\n"
     "Left, Right: a step back, or on\n"
     "L: begin again after the last time\n"
