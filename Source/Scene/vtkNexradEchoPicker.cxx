@@ -61,6 +61,12 @@ std::string Fixed(double number, int digits)
 
 } // namespace
 
+struct vtkNexradEchoPicker::Sight
+{
+  const SceneFrame& frame;
+  const ViewRay& ray;
+};
+
 vtkStandardNewMacro(vtkNexradEchoPicker);
 
 vtkNexradEchoPicker::vtkNexradEchoPicker()
@@ -101,13 +107,23 @@ void vtkNexradEchoPicker::Forget()
   this->Age = unknown;
 }
 
-int vtkNexradEchoPicker::Pick(double x, double y, double z, vtkRenderer* renderer)
+int vtkNexradEchoPicker::Pick(double x, double y, double, vtkRenderer* renderer)
+{
+  return this->Look(x, y, renderer, true);
+}
+
+int vtkNexradEchoPicker::PickGround(double x, double y, vtkRenderer* renderer)
+{
+  return this->Look(x, y, renderer, false);
+}
+
+int vtkNexradEchoPicker::Look(double x, double y, vtkRenderer* renderer, bool forEcho)
 {
   this->Forget();
   this->Renderer = renderer;
   this->SelectionPoint[0] = x;
   this->SelectionPoint[1] = y;
-  this->SelectionPoint[2] = z;
+  this->SelectionPoint[2] = 0.0;
   if (!this->Scene || !this->Scene->Update() || this->Scene->GetVolume() == nullptr ||
       renderer == nullptr)
   {
@@ -121,19 +137,10 @@ int vtkNexradEchoPicker::Pick(double x, double y, double z, vtkRenderer* rendere
   const ViewRay ray =
     nexrad::scene::RayThrough(renderer->GetActiveCamera(), {size[0], size[1]}, {x, y});
   const SceneFrame frame = FrameOf(this->Scene);
-  const VoxelReader voxels(this->Scene->GetVolume());
   std::optional<double> distance;
-  if (this->Scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN)
+  if (forEcho && this->Scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN)
   {
-    if (const auto echo =
-          nexrad::scene::FindEcho(voxels, frame, this->Scene->GetTransferFunction(), ray))
-    {
-      this->Found = ECHO;
-      this->Value = echo->value;
-      this->ArrayName = voxels.Name();
-      this->Units = voxels.Unit();
-      distance = echo->distance;
-    }
+    distance = this->FindEchoAlong({frame, ray});
   }
   if (!distance)
   {
@@ -155,6 +162,28 @@ int vtkNexradEchoPicker::Pick(double x, double y, double z, vtkRenderer* rendere
     this->FindRadar();
   }
   return this->Found;
+}
+
+// Where the finer volume is drawn, its values count.
+std::optional<double> vtkNexradEchoPicker::FindEchoAlong(const Sight& sight)
+{
+  const VoxelReader whole(this->Scene->GetVolume());
+  std::optional<VoxelReader> detail;
+  if (this->Scene->GetDetail() != nullptr)
+  {
+    detail.emplace(this->Scene->GetDetail());
+  }
+  const auto echo = nexrad::scene::FindEcho(
+    whole, detail ? &*detail : nullptr, sight.frame, this->Scene->GetTransferFunction(), sight.ray);
+  if (!echo)
+  {
+    return std::nullopt;
+  }
+  this->Found = ECHO;
+  this->Value = echo->value;
+  this->ArrayName = whole.Name();
+  this->Units = whole.Unit();
+  return echo->distance;
 }
 
 void vtkNexradEchoPicker::FindRadar()

@@ -25,7 +25,8 @@
 #include "vtkNexradSceneModule.h" // For export macro
 #include "vtkSmartPointer.h"      // For members
 
-#include <string> // For members
+#include <optional> // For results
+#include <string>   // For members
 
 class vtkNexradVolumeScene;
 
@@ -56,6 +57,11 @@ public:
    * third number is not used. Returns what was found. GetPickPosition gives its place in the scene.
    */
   int Pick(double x, double y, double z, vtkRenderer* renderer) override;
+
+  /**
+   * The same, of the ground alone: whatever echo lies before it.
+   */
+  int PickGround(double x, double y, vtkRenderer* renderer);
 
   /**
    * What the last Pick found. NOTHING before the first.
@@ -131,6 +137,9 @@ private:
   vtkNexradEchoPicker(const vtkNexradEchoPicker&) = delete;
   void operator=(const vtkNexradEchoPicker&) = delete;
 
+  int Look(double x, double y, vtkRenderer* renderer, bool forEcho);
+  struct Sight;
+  std::optional<double> FindEchoAlong(const Sight& sight);
   void Forget();
   void FindRadar();
 

@@ -89,6 +89,8 @@ struct vtkNexradVolumeScene::Drawing
   std::array<int, 2> size = {1280, 720}; // of the renderer, once it is known
   vtkImageData* volume = nullptr;        // compared, never followed
   vtkMTimeType volumeTime = 0;
+  vtkSmartPointer<vtkImageData> detail;
+  std::optional<std::array<double, 4>> mark;
   vtkMTimeType colorTime = 0;
   std::unique_ptr<RadarScene> scene;
   vtkMTimeType tried = 0; // time of the settings that the last update was for
@@ -100,6 +102,7 @@ struct vtkNexradVolumeScene::Drawing
   void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
   void FollowColors();
+  void FollowBox(const vtkNexradVolumeScene* self, bool anew);
 };
 
 SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene* self)
@@ -163,6 +166,7 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
   scene->SetCamera(view);
   scene->SetPictureSize(size);
   this->ShowVolume(self->Volume);
+  this->FollowBox(self, true);
   options = wanted;
   colorTime = scene->TransferFunction()->GetMTime();
 }
@@ -172,6 +176,25 @@ void vtkNexradVolumeScene::Drawing::ShowVolume(vtkImageData* newVolume)
   scene->SetVolume(newVolume);
   volume = newVolume;
   volumeTime = newVolume->GetMTime();
+}
+
+// The finer volume, and the edges of a box. `anew`: the scene has neither of them.
+void vtkNexradVolumeScene::Drawing::FollowBox(const vtkNexradVolumeScene* self, bool anew)
+{
+  const double* faces = self->MarkedFaces;
+  const std::optional<std::array<double, 4>> wanted =
+    self->MarksBox ? std::optional(std::array<double, 4>{faces[0], faces[1], faces[2], faces[3]})
+                   : std::nullopt;
+  if (anew || mark != wanted)
+  {
+    mark = wanted;
+    scene->MarkBox(mark);
+  }
+  if (anew || detail != self->Detail)
+  {
+    scene->SetDetail(self->Detail);
+    detail = self->Detail;
+  }
 }
 
 // Changes that the user made to the colours and opacities in use.
@@ -204,6 +227,7 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   {
     this->ShowVolume(self->Volume);
   }
+  this->FollowBox(self, false);
   this->FollowColors();
   if (wanted.slices != options.slices)
   {
@@ -281,6 +305,40 @@ void vtkNexradVolumeScene::SetVolume(vtkImageData* volume)
 vtkImageData* vtkNexradVolumeScene::GetVolume() const
 {
   return this->Volume;
+}
+
+void vtkNexradVolumeScene::SetDetail(vtkImageData* detail)
+{
+  if (detail != this->Detail)
+  {
+    this->Detail = detail;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkNexradVolumeScene::GetDetail() const
+{
+  return this->Detail;
+}
+
+void vtkNexradVolumeScene::MarkBox(double west, double east, double south, double north)
+{
+  const std::array<double, 4> faces = {west, east, south, north};
+  if (!this->MarksBox || !std::equal(faces.begin(), faces.end(), this->MarkedFaces))
+  {
+    this->MarksBox = true;
+    std::copy(faces.begin(), faces.end(), this->MarkedFaces);
+    this->Modified();
+  }
+}
+
+void vtkNexradVolumeScene::MarkNoBox()
+{
+  if (this->MarksBox)
+  {
+    this->MarksBox = false;
+    this->Modified();
+  }
 }
 
 void vtkNexradVolumeScene::SetRingSpacing(double spacing)
@@ -455,6 +513,8 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
   os << indent << "Volume: " << this->Volume.Get() << "\n";
+  os << indent << "Detail: " << this->Detail.Get() << "\n";
+  os << indent << "MarksBox: " << this->MarksBox << "\n";
   os << indent << "Azimuth: " << this->Azimuth << "\n";
   os << indent << "Tilt: " << this->Tilt << "\n";
   os << indent << "Zoom: " << this->Zoom << "\n";

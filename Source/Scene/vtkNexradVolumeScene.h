@@ -100,6 +100,26 @@ public:
   vtkImageData* GetVolume() const;
   ///@}
 
+  ///@{
+  /**
+   * A finer volume of the same moment and projection, as vtkNexradDayReader::MergeBox gives it,
+   * that is drawn in place of the part of the volume within its bounds. Each of the two has light
+   * of its own: neither casts a shadow on the other, and the finer one casts none on the ground. A
+   * plan view does not show it. None by default.
+   */
+  void SetDetail(vtkImageData* detail);
+  vtkImageData* GetDetail() const;
+  ///@}
+
+  ///@{
+  /**
+   * Draws the edges of a box of the domain: its west, east, south and north faces, in the units of
+   * the volume's x and y. MarkNoBox, the default, draws none.
+   */
+  void MarkBox(double west, double east, double south, double north);
+  void MarkNoBox();
+  ///@}
+
   /**
    * Brings the scene up to date with its settings and its volume. Rendering does so itself. False
    * after an error.
@@ -383,6 +403,9 @@ private:
   vtkSmartPointer<vtkCamera> Camera; // that of the renderer
   unsigned long RendererTag = 0;
   vtkSmartPointer<vtkImageData> Volume;
+  vtkSmartPointer<vtkImageData> Detail;
+  bool MarksBox = false;
+  double MarkedFaces[4] = {0.0, 0.0, 0.0, 0.0}; // west, east, south, north
   struct Drawing;
   std::unique_ptr<Drawing> Drawn;
 };

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window where the mouse points: moving near, and the readout of what is there.
+#include "SyntheticScans.h"
 #include "Tolerance.h"
 #include "Viewer/CameraMouse.h"
 #include "Viewer/MainWindow.h"
@@ -7,6 +8,9 @@
 #include "Viewer/SceneView.h"
 #include "WindowTest.h"
 
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkNexradEchoPicker.h>
 #include <vtkNexradVolumeScene.h>
@@ -84,17 +88,44 @@ protected:
 
   // A place of the picture where the storm is seen.
   QPoint Storm() { return this->Middle() + QPoint(-70, 30); }
+};
 
+// On a storm of two times, seen as surfaces: what is seen at a place is one echo.
+class NearStorm : public NearWindow
+{
+protected:
   void SetUp() override
   {
-    request.scene.preset = "iso-values"; // surfaces: what is seen at a place is one echo
+    request.scene.preset = "iso-values";
     this->OpenSteps(2);
+  }
+};
+
+// On two volumes of a radar of the synthetic day.
+class NearRadar : public NearWindow
+{
+protected:
+  void SetUp() override
+  {
+    WriteSyntheticScans(
+      folder.Path(), "KEAX", *ParseIso8601("2006-03-12T18:00:00Z"), std::chrono::minutes(12));
+    request.input.inputs = {folder.Path()};
+    request.input.grid.dimensions = {128, 128, 64};
+    this->OpenWindow();
+    ASSERT_TRUE(this->Wait([this] { return this->Scene()->GetVolume() != nullptr; }));
+    this->WaitForPicture();
+  }
+
+  void DragBox()
+  {
+    this->Drag(this->Middle() + QPoint(-40, 20), this->Middle() + QPoint(40, -20), Qt::LeftButton,
+      Qt::ControlModifier);
   }
 };
 
 } // namespace
 
-TEST_F(NearWindow, TheMiddleButtonAndShiftMoveTheScene)
+TEST_F(NearStorm, TheMiddleButtonAndShiftMoveTheScene)
 {
   const QImage first = this->WaitForPicture();
   const auto storm = this->PlaceAt(this->Storm());
@@ -109,7 +140,7 @@ TEST_F(NearWindow, TheMiddleButtonAndShiftMoveTheScene)
     Difference(first, this->WaitForPicture()), 0.012, "pixels that differ when moved back, part");
 }
 
-TEST_F(NearWindow, TheWheelZoomsTowardsThePointer)
+TEST_F(NearStorm, TheWheelZoomsTowardsThePointer)
 {
   const auto storm = this->PlaceAt(this->Storm());
   this->Wheel(this->Storm(), 8);
@@ -118,7 +149,7 @@ TEST_F(NearWindow, TheWheelZoomsTowardsThePointer)
     "distance of the echo under the pointer from that before zooming, m");
 }
 
-TEST_F(NearWindow, ADoubleClickCentresAndTurningKeepsTheCentre)
+TEST_F(NearStorm, ADoubleClickCentresAndTurningKeepsTheCentre)
 {
   const QImage first = this->WaitForPicture();
   const auto storm = this->PlaceAt(this->Storm());
@@ -143,7 +174,7 @@ TEST_F(NearWindow, ADoubleClickCentresAndTurningKeepsTheCentre)
     Difference(first, this->WaitForPicture()), 0.001, "pixels that differ after a reset, part");
 }
 
-TEST_F(NearWindow, TheReadoutSaysWhatIsUnderThePointer)
+TEST_F(NearStorm, TheReadoutSaysWhatIsUnderThePointer)
 {
   auto* readout = this->Find<QLabel>("readout");
   this->Mouse(QEvent::MouseMove, this->Storm(), Qt::NoButton);
@@ -161,7 +192,7 @@ TEST_F(NearWindow, TheReadoutSaysWhatIsUnderThePointer)
 }
 
 // The pointer moves up to a hundred times a second.
-TEST_F(NearWindow, TheReadoutTakesAShortTime)
+TEST_F(NearStorm, TheReadoutTakesAShortTime)
 {
   constexpr int moves = 100;
   QElapsedTimer clock;
@@ -173,4 +204,48 @@ TEST_F(NearWindow, TheReadoutTakesAShortTime)
   EXPECT_AT_MOST(static_cast<double>(clock.nsecsElapsed()) / 1e6 / moves, 2.0,
     "time that the readout takes for a move of the pointer, ms",
     "what a user waits for; other programs may use the processors meanwhile");
+}
+
+TEST_F(NearRadar, ADraggedBoxIsMergedAgainInFinerVoxels)
+{
+  const double coarse = this->Scene()->GetVolume()->GetSpacing()[0];
+  EXPECT_AT_LEAST(this->Changes(
+                    [&]
+                    {
+                      this->DragBox();
+                      EXPECT_TRUE(
+                        this->Wait([&] { return this->Scene()->GetDetail() != nullptr; }));
+                    }),
+    0.001, "pixels that a box changes, part");
+  vtkImageData* box = this->Scene()->GetDetail();
+  ASSERT_NE(box, nullptr);
+  EXPECT_LT(box->GetSpacing()[0], 0.5 * coarse);
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowBox.png");
+  QTest::keyClick(this->View(), Qt::Key_Escape);
+  EXPECT_EQ(this->Scene()->GetDetail(), nullptr);
+  EXPECT_FALSE(window->Player()->HasBox());
+}
+
+TEST_F(NearRadar, TheBoxIsMergedAgainForEachTime)
+{
+  this->DragBox();
+  ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetDetail() != nullptr; }));
+  ASSERT_GE(window->Player()->State().times.size(), 2U);
+  const auto timeOf = [](vtkImageData* image)
+  { return image->GetFieldData()->GetArray("TimeValue")->GetTuple1(0); };
+  const double first = timeOf(this->Scene()->GetDetail());
+  window->Player()->Move(1);
+  ASSERT_TRUE(this->Wait(
+    [&] { return !window->Player()->IsWaiting() && this->Scene()->GetDetail() != nullptr; }));
+  EXPECT_NE(timeOf(this->Scene()->GetDetail()), first);
+  EXPECT_EQ(timeOf(this->Scene()->GetDetail()), timeOf(this->Scene()->GetVolume()));
+}
+
+TEST_F(NearStorm, ABoxOfVolumeFilesIsRefusedInOneLine)
+{
+  this->Drag(this->Middle() + QPoint(-40, 60), this->Middle() + QPoint(40, 20), Qt::LeftButton,
+    Qt::ControlModifier);
+  EXPECT_TRUE(this->Wait([&] { return !window->Problems().isEmpty(); }));
+  EXPECT_TRUE(window->Problems().join("").contains("from radar files alone"));
+  EXPECT_FALSE(window->Player()->HasBox());
 }

@@ -72,7 +72,7 @@ constexpr ViewRay eastward = {{-100.0, 0.25, 10.25}, {1.0, 0.0, 0.0}};
 std::optional<SeenEcho> Find(
   vtkImageData* volume, vtkNexradTransferFunction* function, const ViewRay& ray)
 {
-  return FindEcho(VoxelReader(volume), SceneFrame(volume, 1.0), function, ray);
+  return FindEcho(VoxelReader(volume), nullptr, SceneFrame(volume, 1.0), function, ray);
 }
 
 } // namespace
@@ -135,7 +135,8 @@ TEST(EchoSearch, FindsTheSameInCodesAsInValues)
     vtkNew<vtkNexradTransferFunction> function;
     const SceneFrame frame(reader->GetOutput(), 8.0);
     const ViewRay ray = {{-70.0, -500.0, 20.0}, {0.0, 1.0, 0.0}};
-    found.at(codes ? 1 : 0) = FindEcho(VoxelReader(reader->GetOutput()), frame, function, ray);
+    found.at(codes ? 1 : 0) =
+      FindEcho(VoxelReader(reader->GetOutput()), nullptr, frame, function, ray);
     ASSERT_TRUE(found.at(codes ? 1 : 0).has_value());
   }
   EXPECT_EQ(found[0]->distance, found[1]->distance);

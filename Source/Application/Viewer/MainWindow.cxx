@@ -3,6 +3,7 @@
 
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
+#include "Viewer/BoxMouse.h"
 #include "Viewer/LookPanel.h"
 #include "Viewer/Playback.h"
 #include "Viewer/PointerReadout.h"
@@ -77,6 +78,9 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   this->MakeDocks();
   this->MakeMenus();
   this->MakeStatus();
+  auto* box = new BoxMouse(*view, *playback);
+  connect(box, &BoxMouse::Said, this,
+    [this](const QString& text) { this->statusBar()->showMessage(text, 5000); });
   connect(playback, &Playback::Changed, this, &MainWindow::FollowPlayback);
   connect(playback, &Playback::Loaded, this, &MainWindow::ShowVolume);
   connect(playback, &Playback::Failed, this, &MainWindow::Report);
@@ -335,6 +339,8 @@ void MainWindow::ShowAbout()
     "Drag with the left button: turn and tilt\n"
     "Drag with the middle button, or with Shift and the left button: move\n"
     "Drag with the right button: zoom;  turn the wheel: zoom towards the pointer\n"
+    "Drag with Ctrl and the left button: a box on the ground, merged again in finer voxels;  "
+    "Escape: no box\n"
     "Double click: move what is there into the middle, and turn about it\n"
     "Space: play or pause\n"
     "Left, Right: a step back, or on\n"

@@ -67,6 +67,7 @@ void Playback::Open(scene::BackgroundSeriesOptions options)
   shownAt.clear();
   step = 0;
   waiting = true;
+  boxed = false;
   state = {};
   series = std::make_unique<scene::BackgroundSeries>(std::move(options));
   emit Changed();
@@ -86,7 +87,39 @@ void Playback::TakeNews()
     this->Show();
     return; // which says that it changed
   }
+  if (boxWaiting)
+  {
+    this->ShowBox();
+  }
   emit Changed();
+}
+
+void Playback::SetBox(const std::optional<BoxRequest>& wanted)
+{
+  boxed = series != nullptr && wanted.has_value();
+  boxWaiting = boxed;
+  if (series)
+  {
+    series->SetBox(wanted);
+  }
+  emit BoxLoaded(nullptr);
+}
+
+void Playback::ShowBox()
+{
+  try
+  {
+    if (const vtkSmartPointer<vtkImageData> box = series->Box(step))
+    {
+      boxWaiting = false;
+      emit BoxLoaded(box);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    this->SetBox(std::nullopt);
+    emit Failed(QString::fromStdString(error.what()));
+  }
 }
 
 void Playback::Show()
@@ -105,7 +138,13 @@ void Playback::Show()
   }
   if (volume)
   {
+    emit BoxLoaded(nullptr); // which was of another time
     emit Loaded(volume);
+    boxWaiting = boxed;
+    if (boxed)
+    {
+      this->ShowBox();
+    }
     if (playing)
     {
       shownAt.push_back(time.elapsed());

@@ -37,6 +37,10 @@ public:
   const scene::BackgroundSeries::State& State() const { return state; }
   /// The step that is shown, or will be as soon as it is loaded.
   std::size_t Step() const { return step; }
+  /// Merges a box of the domain again for each step, until another series is opened or nothing is
+  /// set. BoxLoaded gives the box of each step that is shown.
+  void SetBox(const std::optional<BoxRequest>& wanted);
+  bool HasBox() const { return boxed; }
   /// Whether that step is still being loaded.
   bool IsWaiting() const { return waiting; }
   bool IsPlaying() const { return playing; }
@@ -61,12 +65,15 @@ signals:
   void Changed();
   /// A volume is to be shown.
   void Loaded(vtkImageData* volume);
-  /// A step cannot be loaded, or the series not be opened.
+  /// The box of the step that is shown; nullptr as long as it is not merged.
+  void BoxLoaded(vtkImageData* box);
+  /// A step or a box cannot be loaded, or the series not be opened.
   void Failed(const QString& why);
 
 private:
   void TakeNews();
   void Show();
+  void ShowBox();
   void Tick();
   void Dismiss();
 
@@ -76,6 +83,8 @@ private:
   unsigned generation = 0; ///< of the series: news of an older one are not heard
   std::size_t step = 0;
   bool waiting = false;
+  bool boxed = false;      ///< a box is set
+  bool boxWaiting = false; ///< that of the step is not shown yet
   bool playing = false;
   bool loops = true;
   int interval = 500; // ms

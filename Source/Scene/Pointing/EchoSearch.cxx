@@ -4,6 +4,7 @@
 #include "vtkNexradTransferFunction.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 #include <vector>
@@ -73,15 +74,15 @@ int SamplesOf(const VoxelReader::Index& begin, const VoxelReader::Index& end)
   return 1 + static_cast<int>(std::ceil(samplesPerVoxel * most));
 }
 
-VoxelReader::Index Between(
-  const VoxelReader::Index& begin, const VoxelReader::Index& end, double share)
+std::array<double, 3> Between(
+  const std::array<double, 3>& begin, const std::array<double, 3>& end, double share)
 {
-  VoxelReader::Index index{};
+  std::array<double, 3> place{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    index[axis] = begin[axis] + share * (end[axis] - begin[axis]);
+    place[axis] = begin[axis] + share * (end[axis] - begin[axis]);
   }
-  return index;
+  return place;
 }
 
 // What is seen along a ray, from the camera on.
@@ -117,8 +118,8 @@ private:
 
 } // namespace
 
-std::optional<SeenEcho> FindEcho(const VoxelReader& voxels, const SceneFrame& frame,
-  vtkNexradTransferFunction* transferFunction, const ViewRay& ray)
+std::optional<SeenEcho> FindEcho(const VoxelReader& voxels, const VoxelReader* detail,
+  const SceneFrame& frame, vtkNexradTransferFunction* transferFunction, const ViewRay& ray)
 {
   const auto within = ClipToBox(ray, frame.Bounds());
   if (!within)
@@ -126,9 +127,9 @@ std::optional<SeenEcho> FindEcho(const VoxelReader& voxels, const SceneFrame& fr
     return std::nullopt;
   }
   const auto [begin, end] = *within;
-  const VoxelReader::Index first = voxels.IndexAt(frame.ToVolume(ray.At(begin)));
-  const VoxelReader::Index last = voxels.IndexAt(frame.ToVolume(ray.At(end)));
-  const int samples = SamplesOf(first, last);
+  const std::array<double, 3> first = frame.ToVolume(ray.At(begin));
+  const std::array<double, 3> last = frame.ToVolume(ray.At(end));
+  const int samples = SamplesOf(voxels.IndexAt(first), voxels.IndexAt(last));
   const double length = (end - begin) / samples;
   const Opacity opacity(transferFunction);
   SeenAlong seen;
@@ -136,7 +137,9 @@ std::optional<SeenEcho> FindEcho(const VoxelReader& voxels, const SceneFrame& fr
   for (int i = 0; i <= samples && !seen.IsOpaque(); ++i)
   {
     const double share = static_cast<double>(i) / samples;
-    const std::optional<double> value = voxels.ValueAt(Between(first, last, share));
+    const std::array<double, 3> place = Between(first, last, share);
+    const VoxelReader& drawn = detail != nullptr && detail->Holds(place) ? *detail : voxels;
+    const std::optional<double> value = drawn.ValueAt(drawn.IndexAt(place));
     if (before && value)
     {
       seen.Add({begin + i * length, *value}, opacity.Between(*before, *value, length));

@@ -24,9 +24,11 @@ struct SeenEcho
 /// the first place whose opacity exceeds a threshold, however thin the echo is, and knows no
 /// codes.)
 ///
+/// `detail`: a finer volume that is drawn in place of a part of `voxels`; nullptr for none.
+///
 /// Samples lie half a voxel apart. Surfaces count at the iso-values that lie between two samples.
-std::optional<SeenEcho> FindEcho(const VoxelReader& voxels, const SceneFrame& frame,
-  vtkNexradTransferFunction* transferFunction, const ViewRay& ray);
+std::optional<SeenEcho> FindEcho(const VoxelReader& voxels, const VoxelReader* detail,
+  const SceneFrame& frame, vtkNexradTransferFunction* transferFunction, const ViewRay& ray);
 
 /// The least opacity of a ray that shows echo: less is hardly seen.
 constexpr double leastVisible = 0.1;

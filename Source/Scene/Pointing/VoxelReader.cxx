@@ -44,6 +44,17 @@ VoxelReader::Index VoxelReader::IndexAt(const std::array<double, 3>& place) cons
   return index;
 }
 
+bool VoxelReader::Holds(const std::array<double, 3>& place) const
+{
+  const Index index = this->IndexAt(place);
+  bool within = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    within = within && index[axis] >= 0.0 && index[axis] <= dimensions[axis] - 1.0;
+  }
+  return within;
+}
+
 std::array<int, 3> VoxelReader::Nearest(const Index& index) const
 {
   std::array<int, 3> voxel{};

@@ -22,6 +22,9 @@ public:
   using Index = std::array<double, 3>;
   Index IndexAt(const std::array<double, 3>& place) const;
 
+  /// Whether a place lies between the centres of its first and last voxels.
+  bool Holds(const std::array<double, 3>& place) const;
+
   /// Name of the active scalars, as "REF".
   const std::string& Name() const { return name; }
   /// Unit of their values, as "dBZ"; empty when unknown.
