@@ -6,6 +6,7 @@
 #include "nexrad/Series/InputError.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
+#include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradProcesses.h"
 #include "vtkNexradSeriesReader.h"
@@ -283,6 +284,27 @@ int vtkNexradDayReader::RequestData(
     return this->Fail(vtkErrorCode::UserError, error.what());
   }
   return 1;
+}
+
+bool vtkNexradDayReader::MergeBox(double time, const double faces[4], vtkImageData* box)
+{
+  this->UpdateInformation();
+  if (!this->Opened)
+  {
+    return false; // it said why
+  }
+  try
+  {
+    const std::optional<nexrad::GriddedVolume> merged = this->Opened->Merger.MergeBox(
+      nexrad::FromSeconds(time), {{faces[0], faces[1], faces[2], faces[3]}});
+    vtkNexradVolumeToImage(*merged, box);
+    return true;
+  }
+  catch (const nexrad::Error& error)
+  {
+    this->Fail(vtkErrorCode::UserError, error.what());
+    return false;
+  }
 }
 
 void vtkNexradDayReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -150,6 +150,15 @@ public:
   ///@}
 
   /**
+   * Merges a box of the domain again at a time, in voxels of 250 m (larger where the box is wider
+   * than 60 km: it has at most 240 x 240 columns), from the rays that are in memory. `faces`: west,
+   * east, south and north of the box in the units of x and y. Fills `box` as the output is filled.
+   * False after an error: no file was opened, the box does not lie over the domain, the method
+   * "thesis".
+   */
+  bool MergeBox(double time, const double faces[4], vtkImageData* box);
+
+  /**
    * How many times this process decoded a file for its outputs. A file whose rays are still in
    * memory is not decoded again. Of several processes, the files that they scan together do not
    * count.

@@ -71,13 +71,11 @@ std::string ScaleText(double exaggeration)
 RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
   : options(sceneOptions)
   , theme(ThemeOf(sceneOptions.theme))
-  , renderer(filled)
+  , renderer(filled != nullptr ? vtkSmartPointer<vtkRenderer>(filled)
+                               : vtkSmartPointer<vtkRenderer>::New())
+  , detail(renderer)
   , transferFunction(MakeTransferFunction(sceneOptions, ""))
 {
-  if (filled == nullptr)
-  {
-    renderer = vtkSmartPointer<vtkRenderer>::New();
-  }
   renderer->SetBackground(theme.skyBottom[0], theme.skyBottom[1], theme.skyBottom[2]);
   renderer->SetBackground2(theme.skyTop[0], theme.skyTop[1], theme.skyTop[2]);
   renderer->GradientBackgroundOn();
@@ -89,7 +87,7 @@ RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
 RadarScene::~RadarScene()
 {
   renderer->RemoveObserver(startTag);
-  for (Props* group : {&plan, &ground, &scales, &captions, &labels})
+  for (Props* group : {&plan, &ground, &scales, &mark, &captions, &labels})
   {
     this->Replace(*group, {});
   }
@@ -158,11 +156,22 @@ void RadarScene::FollowIsoValues()
   const bool surfaces = transferFunction->GetNumberOfIsoValues() > 0;
   ShadeSurfaces(volume->GetProperty(), surfaces,
     options.mapper == MapperChoice::TextureSlice && options.light.HasShadows());
-  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  for (vtkVolumeMapper* mapper : this->Mappers())
   {
     DrawSurfaces(mapper, surfaces);
     scene::SetLight(mapper, options.light);
   }
+}
+
+// What draws the volume, and the finer one in it.
+std::vector<vtkVolumeMapper*> RadarScene::Mappers() const
+{
+  std::vector<vtkVolumeMapper*> mappers = detail.Mappers();
+  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  {
+    mappers.push_back(mapper);
+  }
+  return mappers;
 }
 
 void RadarScene::FillProperty()
@@ -179,7 +188,7 @@ void RadarScene::FillProperty()
 void RadarScene::SetSlices(int slices)
 {
   options.slices = slices;
-  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  for (vtkVolumeMapper* mapper : this->Mappers())
   {
     scene::SetSlices(mapper, slices, mapper->GetInput()->GetLength());
   }
@@ -199,6 +208,7 @@ void RadarScene::SetLight(const LightOptions& light)
 // The ground is drawn before the volume.
 void RadarScene::UpdateShadows()
 {
+  detail.Follow(volume);
   auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
   if (mapper == nullptr || ground.empty())
   {
@@ -309,6 +319,7 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   if (!sameGround)
   {
     this->DrawScales();
+    this->DrawMark();
   }
   if (!sameGround || information.sites != oldSites)
   {
@@ -346,7 +357,85 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
     renderer->AddVolume(volume);
   }
   volume->GetMapper()->SetInputDataObject(placed);
+  this->PlaceDetail();
   this->SetSlices(options.slices);
+}
+
+void RadarScene::SetDetail(vtkImageData* newDetail)
+{
+  if (newDetail != nullptr)
+  {
+    RequireVoxels(newDetail);
+    if (ArrayOf(newDetail) != array ||
+        ReadVolumeInformation(newDetail).projection != information.projection)
+    {
+      throw Error("the finer volume is none of the moment and the projection of the volume");
+    }
+  }
+  detailData = newDetail;
+  this->PlaceDetail();
+  this->SetSlices(options.slices);
+}
+
+void RadarScene::PlaceDetail()
+{
+  auto* whole = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  if (detailData == nullptr || options.plan || whole == nullptr)
+  {
+    detail.Hide(volume);
+    return;
+  }
+  const vtkSmartPointer<vtkImageData> data = AsDrawn(detailData, options);
+  vtkNew<vtkImageData> placed;
+  placed->ShallowCopy(
+    field ? MakeColourField(options, data, ReadVolumeInformation(data)).volume.Get() : data.Get());
+  frame.MoveToScene(placed);
+  if (detail.IsShown())
+  {
+    const std::vector<vtkVolumeMapper*> mappers = detail.Mappers();
+    detail.Show(placed, volume, mappers[0], mappers[1]);
+    return;
+  }
+  detail.Show(placed, volume, MakeVolumeMapper(options.mapper, options.preIntegration),
+    MakeVolumeMapper(options.mapper, options.preIntegration));
+  this->FollowIsoValues();
+}
+
+void RadarScene::MarkBox(const std::optional<std::array<double, 4>>& faces)
+{
+  markFaces = faces;
+  this->DrawMark();
+}
+
+void RadarScene::DrawMark()
+{
+  LineBuilder lines;
+  if (markFaces)
+  {
+    const auto& [west, east, south, north] = *markFaces;
+    const ScenePoint lower = frame.ToScene({west, south, 0.0});
+    const ScenePoint upper = frame.ToScene({east, north, 0.0});
+    const std::array<double, 6> box = {
+      lower[0], upper[0], lower[1], upper[1], frame.Bounds()[4], frame.Bounds()[5]};
+    const auto corner = [&](int x, int y, int z) -> ScenePoint
+    {
+      return {box[static_cast<std::size_t>(x)], box[static_cast<std::size_t>(2 + y)],
+        box[static_cast<std::size_t>(4 + z)]};
+    };
+    for (const int z : {0, 1})
+    {
+      lines.Add(
+        {corner(0, 0, z), corner(1, 0, z), corner(1, 1, z), corner(0, 1, z), corner(0, 0, z)});
+    }
+    for (const int x : {0, 1})
+    {
+      for (const int y : {0, 1})
+      {
+        lines.Add({corner(x, y, 0), corner(x, y, 1)});
+      }
+    }
+  }
+  this->Replace(mark, {lines.MakeActor(theme.marker, 1.5)});
 }
 
 void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
@@ -375,7 +464,7 @@ void RadarScene::Replace(Props& group, Props replacement)
 void RadarScene::OrderProps()
 {
   vtkPropCollection* props = renderer->GetViewProps();
-  for (const Props* group : {&scales, &ground, &labels, &captions})
+  for (const Props* group : {&scales, &ground, &mark, &labels, &captions})
   {
     for (const auto& prop : *group)
     {
@@ -442,6 +531,10 @@ void RadarScene::Aim()
   }
   FrameScene(
     renderer->GetActiveCamera(), view, {outline, scaleLabels}, {size, right, taken}, pictures);
+  if (view.lookAt)
+  {
+    CentreOn(renderer->GetActiveCamera(), frame.ToScene(frame.PlaceOf(*view.lookAt)));
+  }
   this->FitClippingRange();
   this->DrawLabels();
 }

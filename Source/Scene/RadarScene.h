@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Scene/ColourField.h"
+#include "Scene/Detail/DetailVolume.h"
 #include "Scene/Elements/Label.h"
 #include "Scene/Elements/TextPicture.h"
 #include "Scene/Elements/Theme.h"
@@ -25,6 +26,7 @@ class vtkNexradTransferFunction;
 class vtkProp;
 class vtkRenderer;
 class vtkVolume;
+class vtkVolumeMapper;
 
 namespace nexrad::scene
 {
@@ -58,6 +60,15 @@ public:
   /// them. It is not changed. Throws Error when it has no voxels or no scalars, and for a map or an
   /// array of colours that it cannot give.
   void SetVolume(vtkImageData* volume);
+
+  /// Shows a finer volume in place of the part of the volume within its bounds; nullptr: none. A
+  /// map does not show it. Throws Error when it is none of the volume's moment in its projection,
+  /// and as SetVolume does.
+  void SetDetail(vtkImageData* detail);
+
+  /// Draws the edges of a box of the domain: west, east, south and north faces in the volume's
+  /// units. Empty: of none.
+  void MarkBox(const std::optional<std::array<double, 4>>& faces);
 
   /// Throws Error for whatever a scene with these options would throw for in SetVolume.
   static void Check(const SceneOptions& options, vtkImageData* volume);
@@ -105,6 +116,9 @@ private:
   void FillProperty();
   void DrawVolume(vtkImageData* placed, bool sameMapper);
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
+  void PlaceDetail();
+  void DrawMark();
+  std::vector<vtkVolumeMapper*> Mappers() const;
   void DrawCaptions();
   void Aim();
   void DrawLabels();
@@ -121,6 +135,9 @@ private:
   vtkSmartPointer<vtkRenderer> renderer;
   unsigned long startTag = 0; ///< of the observer of the renderer
   vtkNew<vtkVolume> volume;
+  DetailVolume detail;
+  vtkSmartPointer<vtkImageData> detailData;       ///< as it was given
+  std::optional<std::array<double, 4>> markFaces; ///< in the volume's units
   vtkSmartPointer<vtkNexradTransferFunction> transferFunction;
   std::string array;                ///< that is shown
   ColourTable steps;                ///< of the colour bar
@@ -133,6 +150,7 @@ private:
   Props ground; ///< the ground itself is the first
   GroundShadow groundShadow;
   Props scales;
+  Props mark;
   Props captions;
   Props labels;
   std::vector<Label> groundLabels;

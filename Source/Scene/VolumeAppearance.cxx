@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/VolumeAppearance.h"
 
+#include "Scene/Frame/SceneFrame.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradMessages.h"
 #include "vtkNexradTransferFunction.h"
@@ -19,8 +20,6 @@ namespace nexrad::scene
 {
 namespace
 {
-
-constexpr double unitDistance = 5.0; // scene units: km along the ground
 
 // Light comes into cores far enough for their bright side to keep the colours of the colour bar.
 // Surfaces take as much of it as their opacity says.
@@ -239,7 +238,7 @@ ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction)
 vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty()
 {
   auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-  property->SetScalarOpacityUnitDistance(unitDistance);
+  property->SetScalarOpacityUnitDistance(OpacityUnitDistance);
   property->SetInterpolationTypeToLinear();
   property->ShadeOff();
   return property;

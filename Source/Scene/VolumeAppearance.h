@@ -60,7 +60,7 @@ void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* tr
 ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction);
 
 /// A property for volumes whose colours and opacities come from a transferFunction; the opacities
-/// are those of 5 scene units (km along the ground).
+/// are those of OpacityUnitDistance.
 vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty();
 
 } // namespace nexrad::scene

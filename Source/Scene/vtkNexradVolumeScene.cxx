@@ -19,7 +19,9 @@
 
 using nexrad::scene::CameraView;
 using nexrad::scene::LightOptions;
+using nexrad::scene::LookAt;
 using nexrad::scene::RadarScene;
+using nexrad::scene::SceneFrame;
 using nexrad::scene::SceneOptions;
 
 namespace
@@ -56,9 +58,16 @@ bool SameButForSlicesLightAndColors(const SceneOptions& a, const SceneOptions& b
          a.placeNames == b.placeNames;
 }
 
+bool SamePlace(const std::optional<LookAt>& a, const std::optional<LookAt>& b)
+{
+  return a.has_value() == b.has_value() &&
+         (!a || (a->place == b->place && a->geographic == b->geographic));
+}
+
 bool SameView(const CameraView& a, const CameraView& b)
 {
-  return a.azimuth == b.azimuth && a.tilt == b.tilt && a.zoom == b.zoom && a.parallel == b.parallel;
+  return a.azimuth == b.azimuth && a.tilt == b.tilt && a.zoom == b.zoom &&
+         a.parallel == b.parallel && SamePlace(a.lookAt, b.lookAt);
 }
 
 nexrad::scene::PlanLevel LevelOf(int plan)
@@ -84,6 +93,8 @@ struct vtkNexradVolumeScene::Drawing
   std::array<int, 2> size = {1280, 720}; // of the renderer, once it is known
   vtkImageData* volume = nullptr;        // compared, never followed
   vtkMTimeType volumeTime = 0;
+  vtkSmartPointer<vtkImageData> detail;
+  std::optional<std::array<double, 4>> mark;
   vtkMTimeType colorTime = 0;
   bool remakeColors = false;
   std::unique_ptr<RadarScene> scene;
@@ -92,10 +103,12 @@ struct vtkNexradVolumeScene::Drawing
 
   void Update(vtkNexradVolumeScene* self);
   static SceneOptions OptionsOf(const vtkNexradVolumeScene* self);
+  static CameraView ViewOf(const vtkNexradVolumeScene* self);
   void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
   void MakeColors(const SceneOptions& wanted);
   void FollowColors();
+  void FollowBox(const vtkNexradVolumeScene* self, bool anew);
 };
 
 SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene* self)
@@ -133,6 +146,18 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   return options;
 }
 
+// Throws Error for a place that the volume cannot have.
+CameraView vtkNexradVolumeScene::Drawing::ViewOf(const vtkNexradVolumeScene* self)
+{
+  CameraView view{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection, {}};
+  if (self->LooksAtPlace)
+  {
+    view.lookAt = LookAt{{self->Place[0], self->Place[1], self->Place[2]}, self->PlaceIsGeographic};
+    SceneFrame(self->Volume, 1.0).PlaceOf(*view.lookAt);
+  }
+  return view;
+}
+
 // An error leaves the old scene as it is.
 void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted)
 {
@@ -153,6 +178,7 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
   scene->SetCamera(view);
   scene->SetPictureSize(size);
   this->ShowVolume(self->Volume);
+  this->FollowBox(self, true);
   options = wanted;
   remakeColors = false;
   colorTime = scene->TransferFunction()->GetMTime();
@@ -174,6 +200,25 @@ void vtkNexradVolumeScene::Drawing::MakeColors(const SceneOptions& wanted)
   remakeColors = false;
 }
 
+// The finer volume, and the edges of a box. `anew`: the scene has neither of them.
+void vtkNexradVolumeScene::Drawing::FollowBox(const vtkNexradVolumeScene* self, bool anew)
+{
+  const double* faces = self->MarkedFaces;
+  const std::optional<std::array<double, 4>> wanted =
+    self->MarksBox ? std::optional(std::array<double, 4>{faces[0], faces[1], faces[2], faces[3]})
+                   : std::nullopt;
+  if (anew || mark != wanted)
+  {
+    mark = wanted;
+    scene->MarkBox(mark);
+  }
+  if (anew || detail != self->Detail)
+  {
+    scene->SetDetail(self->Detail);
+    detail = self->Detail;
+  }
+}
+
 // Changes that the user made to the colours and opacities in use.
 void vtkNexradVolumeScene::Drawing::FollowColors()
 {
@@ -192,7 +237,7 @@ void vtkNexradVolumeScene::Drawing::FollowColors()
 void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
 {
   const SceneOptions wanted = OptionsOf(self);
-  const CameraView camera{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection};
+  const CameraView camera = ViewOf(self);
   const bool sameView = SameView(camera, view);
   view = camera;
   const bool otherColors = remakeColors || (scene && !SameColors(wanted, options));
@@ -210,6 +255,7 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   {
     this->MakeColors(wanted);
   }
+  this->FollowBox(self, false);
   this->FollowColors();
   if (wanted.slices != options.slices)
   {
@@ -289,6 +335,40 @@ vtkImageData* vtkNexradVolumeScene::GetVolume() const
   return this->Volume;
 }
 
+void vtkNexradVolumeScene::SetDetail(vtkImageData* detail)
+{
+  if (detail != this->Detail)
+  {
+    this->Detail = detail;
+    this->Modified();
+  }
+}
+
+vtkImageData* vtkNexradVolumeScene::GetDetail() const
+{
+  return this->Detail;
+}
+
+void vtkNexradVolumeScene::MarkBox(double west, double east, double south, double north)
+{
+  const std::array<double, 4> faces = {west, east, south, north};
+  if (!this->MarksBox || !std::equal(faces.begin(), faces.end(), this->MarkedFaces))
+  {
+    this->MarksBox = true;
+    std::copy(faces.begin(), faces.end(), this->MarkedFaces);
+    this->Modified();
+  }
+}
+
+void vtkNexradVolumeScene::MarkNoBox()
+{
+  if (this->MarksBox)
+  {
+    this->MarksBox = false;
+    this->Modified();
+  }
+}
+
 void vtkNexradVolumeScene::SetRingSpacing(double spacing)
 {
   if (!(spacing == 0.0 || spacing >= 1000.0))
@@ -333,6 +413,76 @@ void vtkNexradVolumeScene::ResetTransferFunction()
 {
   this->Drawn->remakeColors = true;
   this->Modified();
+}
+
+void vtkNexradVolumeScene::SetPlace(bool geographic, double x, double y, double height)
+{
+  if (!this->LooksAtPlace || this->PlaceIsGeographic != geographic || this->Place[0] != x ||
+      this->Place[1] != y || this->Place[2] != height)
+  {
+    this->LooksAtPlace = true;
+    this->PlaceIsGeographic = geographic;
+    this->Place[0] = x;
+    this->Place[1] = y;
+    this->Place[2] = height;
+    this->Modified();
+  }
+}
+
+void vtkNexradVolumeScene::SetLookAt(double x, double y, double height)
+{
+  this->SetPlace(false, x, y, height);
+}
+
+void vtkNexradVolumeScene::SetLookAtGeographic(double latitude, double longitude, double height)
+{
+  this->SetPlace(true, longitude, latitude, height);
+}
+
+void vtkNexradVolumeScene::LookAtDomain()
+{
+  if (this->LooksAtPlace)
+  {
+    this->LooksAtPlace = false;
+    this->Modified();
+  }
+}
+
+bool vtkNexradVolumeScene::GetLookAt(double place[3])
+{
+  if (!this->LooksAtPlace || this->Volume == nullptr)
+  {
+    return false;
+  }
+  const SceneFrame frame(this->Volume, 1.0);
+  if (this->PlaceIsGeographic && !frame.HasMap())
+  {
+    return false;
+  }
+  const std::array<double, 3> found =
+    frame.PlaceOf({{this->Place[0], this->Place[1], this->Place[2]}, this->PlaceIsGeographic});
+  std::copy(found.begin(), found.end(), place);
+  return true;
+}
+
+bool vtkNexradVolumeScene::GetLookAtGeographic(double place[3])
+{
+  std::array<double, 3> found{};
+  if (!this->GetLookAt(found.data()))
+  {
+    return false;
+  }
+  const SceneFrame frame(this->Volume, 1.0);
+  if (!frame.HasMap())
+  {
+    return false;
+  }
+  const std::array<double, 3> point = frame.ToScene(found);
+  const std::array<double, 2> geographic = frame.Geographic(point[0], point[1]);
+  place[0] = geographic[1];
+  place[1] = geographic[0];
+  place[2] = found[2];
+  return true;
 }
 
 void vtkNexradVolumeScene::SetCameraFromAbove()
@@ -418,10 +568,22 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
   os << indent << "Volume: " << this->Volume.Get() << "\n";
+  os << indent << "Detail: " << this->Detail.Get() << "\n";
+  os << indent << "MarksBox: " << this->MarksBox << "\n";
   os << indent << "Azimuth: " << this->Azimuth << "\n";
   os << indent << "Tilt: " << this->Tilt << "\n";
   os << indent << "Zoom: " << this->Zoom << "\n";
   os << indent << "ParallelProjection: " << this->ParallelProjection << "\n";
+  os << indent << "LookAt: ";
+  if (this->LooksAtPlace)
+  {
+    os << this->Place[0] << ", " << this->Place[1] << ", " << this->Place[2]
+       << (this->PlaceIsGeographic ? " (longitude, latitude, m)\n" : " (of the volume)\n");
+  }
+  else
+  {
+    os << "the domain\n";
+  }
   os << indent << "Preset: " << this->Preset << "\n";
   os << indent << "ColorFileName: " << this->ColorFileName << "\n";
   os << indent << "IsoValues:";

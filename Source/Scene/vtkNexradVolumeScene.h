@@ -102,6 +102,26 @@ public:
   vtkImageData* GetVolume() const;
   ///@}
 
+  ///@{
+  /**
+   * A finer volume of the same moment and projection, as vtkNexradDayReader::MergeBox gives it,
+   * that is drawn in place of the part of the volume within its bounds. Each of the two has light
+   * of its own: neither casts a shadow on the other, and the finer one casts none on the ground. A
+   * plan view does not show it. None by default.
+   */
+  void SetDetail(vtkImageData* detail);
+  vtkImageData* GetDetail() const;
+  ///@}
+
+  ///@{
+  /**
+   * Draws the edges of a box of the domain: its west, east, south and north faces, in the units of
+   * the volume's x and y. MarkNoBox, the default, draws none.
+   */
+  void MarkBox(double west, double east, double south, double north);
+  void MarkNoBox();
+  ///@}
+
   /**
    * Brings the scene up to date with its settings and its volume. Rendering does so itself. False
    * after an error.
@@ -342,6 +362,28 @@ public:
   vtkGetMacro(PlanArray, std::string);
   ///@}
 
+  ///@{
+  /**
+   * The place in the middle of the picture: x and y in the units of the volume (m east and north of
+   * the projection's centre, or degrees), or latitude and longitude in degrees; the height in m
+   * above mean sea level. The camera moves sideways to it; direction, tilt and magnification stay.
+   * None by default, and after LookAtDomain: the domain fills the picture at a zoom of 1. Error,
+   * with the next picture: latitude and longitude for a volume without a projection.
+   */
+  void SetLookAt(double x, double y, double height);
+  void SetLookAtGeographic(double latitude, double longitude, double height);
+  void LookAtDomain();
+  ///@}
+
+  ///@{
+  /**
+   * The place in the middle of the picture, likewise. False when there is none, or no volume to
+   * find it in; then `place` stays as it was.
+   */
+  bool GetLookAt(double place[3]);
+  bool GetLookAtGeographic(double place[3]);
+  ///@}
+
   /**
    * Points the camera straight down, north up, in parallel projection.
    */
@@ -355,6 +397,9 @@ protected:
   double Tilt = 35.0;
   double Zoom = 1.0;
   bool ParallelProjection = false;
+  bool LooksAtPlace = false;
+  bool PlaceIsGeographic = false;
+  double Place[3] = {0.0, 0.0, 0.0}; // x, y of the volume, or longitude, latitude; height
   std::string Preset;
   std::string ColorFileName;
   std::vector<std::array<double, 2>> IsoValues; // with their opacities
@@ -380,6 +425,7 @@ private:
   vtkNexradVolumeScene(const vtkNexradVolumeScene&) = delete;
   void operator=(const vtkNexradVolumeScene&) = delete;
 
+  void SetPlace(bool geographic, double x, double y, double height);
   void ObserveRenderer();
   void ForgetRenderer();
   void FollowRendering(); // before each picture
@@ -389,6 +435,9 @@ private:
   vtkSmartPointer<vtkCamera> Camera; // that of the renderer
   unsigned long RendererTag = 0;
   vtkSmartPointer<vtkImageData> Volume;
+  vtkSmartPointer<vtkImageData> Detail;
+  bool MarksBox = false;
+  double MarkedFaces[4] = {0.0, 0.0, 0.0, 0.0}; // west, east, south, north
   struct Drawing;
   std::unique_ptr<Drawing> Drawn;
 };

@@ -44,11 +44,12 @@ std::string Joined(const std::vector<OptionText>& texts)
 std::vector<OptionText> AllOptions(const std::string& colours)
 {
   return {{"--size", "900x600"}, {"--azimuth", "123.456"}, {"--tilt", "-20.1"}, {"--zoom", "2.5"},
-    {"--parallel", ""}, {"--mapper", "ray-cast"}, {"--classification", "sampled"},
-    {"--interpolation", "nearest"}, {"--slices", "512"}, {"--preset", "storm cores"},
-    {"--iso-values", "20:0.3,40"}, {"--colours", colours}, {"--colour-by", "VEL"},
-    {"--shadow", "0.7"}, {"--occlusion", "0.5"}, {"--light", "-30,20"}, {"--exaggeration", "2.5"},
-    {"--rings", "50km"}, {"--theme", "light"}, {"--no-walls", ""}, {"--names", ""}};
+    {"--look-at", "35.3,-97.25,4km"}, {"--parallel", ""}, {"--mapper", "ray-cast"},
+    {"--classification", "sampled"}, {"--interpolation", "nearest"}, {"--slices", "512"},
+    {"--preset", "storm cores"}, {"--iso-values", "20:0.3,40"}, {"--colours", colours},
+    {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"}, {"--light", "-30,20"},
+    {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "light"}, {"--no-walls", ""},
+    {"--names", ""}};
 }
 
 const std::vector<OptionText> mapOptions = {{"--azimuth", "170"}, {"--tilt", "60"},

@@ -101,6 +101,7 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"azimuth", [](vtkNexradVolumeScene* scene) { scene->SetAzimuth(100.0); }},
     {"tilt", [](vtkNexradVolumeScene* scene) { scene->SetTilt(60.0); }},
     {"zoom", [](vtkNexradVolumeScene* scene) { scene->SetZoom(2.0); }},
+    {"place", [](vtkNexradVolumeScene* scene) { scene->SetLookAt(-70e3, -70e3, 0.0); }},
     {"projection", [](vtkNexradVolumeScene* scene) { scene->ParallelProjectionOn(); }},
     {"preset", [](vtkNexradVolumeScene* scene) { scene->SetPreset("hail"); }},
     {"exaggeration", [](vtkNexradVolumeScene* scene) { scene->SetExaggeration(2.0); }},

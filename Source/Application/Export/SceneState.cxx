@@ -139,7 +139,14 @@ scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)
 
 scene::CameraView CameraOf(vtkNexradVolumeScene* scene)
 {
-  return {scene->GetAzimuth(), scene->GetTilt(), scene->GetZoom(), scene->GetParallelProjection()};
+  scene::CameraView camera{
+    scene->GetAzimuth(), scene->GetTilt(), scene->GetZoom(), scene->GetParallelProjection(), {}};
+  double place[3];
+  if (scene->GetLookAtGeographic(place))
+  {
+    camera.lookAt = scene::LookAt{{place[1], place[0], place[2]}, true};
+  }
+  return camera;
 }
 
 std::string EditedColours(vtkNexradVolumeScene* scene)

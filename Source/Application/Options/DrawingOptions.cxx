@@ -133,6 +133,28 @@ scene::PlanOptions ParsePlan(const std::string& text)
   return plan;
 }
 
+// "35.3,-97.3" or "35.3,-97.3,4km": latitude, longitude and height.
+scene::LookAt ParseLookAt(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  double latitude = 0.0;
+  double longitude = 0.0;
+  char comma = 0;
+  stream >> latitude >> comma >> longitude;
+  std::string height = "0";
+  const bool number = stream && comma == ',';
+  const bool ended = number && stream.peek() == std::istringstream::traits_type::eof();
+  const bool higher = number && !ended && stream.get() == ',' && std::getline(stream, height);
+  if ((!ended && !higher) || !(std::abs(latitude) <= 90.0) || !(std::abs(longitude) <= 360.0))
+  {
+    throw Error("'" + text +
+                "' is no place to look at; write latitude and longitude in degrees, and the height "
+                "above mean sea level if it is not 0, as in 35.3,-97.3,4km");
+  }
+  return {{longitude, latitude, ParseLength(height)}, true};
+}
+
 void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOptions& options)
 {
   constexpr char group[] = "Picture";
@@ -305,6 +327,10 @@ void AddCameraOptions(CLI::App& command, scene::CameraView& camera)
     ->group(group);
   AddNumberOption(command, "--zoom", camera.zoom, 0.01, 1000.0, "FACTOR",
     "1 shows the whole domain, 2 half of its width")
+    ->group(group);
+  AddParsedOption(command, "--look-at", camera.lookAt, ParseLookAt, "LATITUDE,LONGITUDE[,HEIGHT]",
+    "What is in the middle of the picture, as in 35.3,-97.3,4km (default: the whole domain fills "
+    "the picture)")
     ->group(group);
   command.add_flag("--parallel", camera.parallel, "Parallel in place of perspective projection")
     ->group(group);

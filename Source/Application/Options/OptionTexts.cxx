@@ -90,6 +90,12 @@ void AddCamera(const scene::CameraView& camera, bool map, OptionList& options)
   options.AddUnless(map ? MapAzimuth : usual.azimuth, "--azimuth", camera.azimuth);
   options.AddUnless(map ? MapTilt : usual.tilt, "--tilt", camera.tilt);
   options.AddUnless(usual.zoom, "--zoom", camera.zoom);
+  if (camera.lookAt && camera.lookAt->geographic)
+  {
+    const auto& [longitude, latitude, height] = camera.lookAt->place;
+    options.Add(
+      "--look-at", TextOf(latitude) + "," + TextOf(longitude) + "," + LengthTextOf(height));
+  }
   options.AddFlag("--parallel", !map && camera.parallel);
   options.AddFlag("--perspective", map && !camera.parallel);
 }

@@ -4,11 +4,13 @@
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
 #include "Export/SceneState.h"
+#include "Viewer/BoxMouse.h"
 #include "Viewer/FileActions.h"
 #include "Viewer/HelpPage.h"
 #include "Viewer/InputWatch.h"
 #include "Viewer/LookPanel.h"
 #include "Viewer/Playback.h"
+#include "Viewer/PointerReadout.h"
 #include "Viewer/SceneView.h"
 #include "Viewer/TimeLine.h"
 #include "Viewer/TransferFunctionDock.h"
@@ -84,6 +86,9 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   this->MakeDocks();
   this->MakeMenus();
   this->MakeStatus();
+  auto* box = new BoxMouse(*view, *playback);
+  connect(box, &BoxMouse::Said, this,
+    [this](const QString& text) { this->statusBar()->showMessage(text, 5000); });
   connect(playback, &Playback::Changed, this, &MainWindow::FollowPlayback);
   connect(playback, &Playback::Loaded, this, &MainWindow::ShowVolume);
   connect(playback, &Playback::Failed, this, &MainWindow::Report);
@@ -174,6 +179,7 @@ void MainWindow::MakeStatus()
   cancel->setToolTip("Stop opening, or stop loading the times that are not shown");
   cancel->setFocusPolicy(Qt::NoFocus);
   this->statusBar()->addWidget(doing, 1);
+  this->statusBar()->addPermanentWidget(new PointerReadout(*view, this));
   this->statusBar()->addPermanentWidget(progress);
   this->statusBar()->addPermanentWidget(cancel);
   connect(cancel, &QPushButton::clicked, playback,

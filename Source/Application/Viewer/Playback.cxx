@@ -68,6 +68,7 @@ void Playback::Open(scene::BackgroundSeriesOptions options, std::optional<Time> 
   shownAt.clear();
   step = 0;
   waiting = true;
+  boxed = false;
   state = {};
   series = std::make_unique<scene::BackgroundSeries>(std::move(options));
   emit Changed();
@@ -90,6 +91,10 @@ void Playback::TakeNews()
     this->FindFirst();
     this->Show();
     return; // which says that it changed
+  }
+  if (boxWaiting)
+  {
+    this->ShowBox();
   }
   emit Changed();
 }
@@ -131,6 +136,34 @@ void Playback::FindFirst()
   begin.reset();
 }
 
+void Playback::SetBox(const std::optional<BoxRequest>& wanted)
+{
+  boxed = series != nullptr && wanted.has_value();
+  boxWaiting = boxed;
+  if (series)
+  {
+    series->SetBox(wanted);
+  }
+  emit BoxLoaded(nullptr);
+}
+
+void Playback::ShowBox()
+{
+  try
+  {
+    if (const vtkSmartPointer<vtkImageData> box = series->Box(step))
+    {
+      boxWaiting = false;
+      emit BoxLoaded(box);
+    }
+  }
+  catch (const std::exception& error)
+  {
+    this->SetBox(std::nullopt);
+    emit Failed(QString::fromStdString(error.what()));
+  }
+}
+
 void Playback::Show()
 {
   vtkSmartPointer<vtkImageData> volume;
@@ -147,7 +180,13 @@ void Playback::Show()
   }
   if (volume)
   {
+    emit BoxLoaded(nullptr); // which was of another time
     emit Loaded(volume);
+    boxWaiting = boxed;
+    if (boxed)
+    {
+      this->ShowBox();
+    }
     if (playing)
     {
       shownAt.push_back(time.elapsed());

@@ -41,6 +41,10 @@ public:
   /// The volume of a step, which is not shown for that. Nothing as long as it is not loaded; then
   /// it is loaded next. Throws Error when it cannot be loaded.
   vtkSmartPointer<vtkImageData> Volume(std::size_t wanted);
+  /// Merges a box of the domain again for each step, until another series is opened or nothing is
+  /// set. BoxLoaded gives the box of each step that is shown.
+  void SetBox(const std::optional<BoxRequest>& wanted);
+  bool HasBox() const { return boxed; }
   /// Whether that step is still being loaded.
   bool IsWaiting() const { return waiting; }
   bool IsPlaying() const { return playing; }
@@ -68,13 +72,16 @@ signals:
   void Changed();
   /// A volume is to be shown.
   void Loaded(vtkImageData* volume);
-  /// A step cannot be loaded, or the series not be opened.
+  /// The box of the step that is shown; nullptr as long as it is not merged.
+  void BoxLoaded(vtkImageData* box);
+  /// A step or a box cannot be loaded, or the series not be opened.
   void Failed(const QString& why);
 
 private:
   void TakeNews();
   void FollowTimes(const std::vector<Time>& before);
   void Show();
+  void ShowBox();
   void Tick();
   void Dismiss();
   void FindFirst();
@@ -86,6 +93,8 @@ private:
   std::optional<Time> begin; ///< the time that is shown first, until the series is open
   std::size_t step = 0;
   bool waiting = false;
+  bool boxed = false;      ///< a box is set
+  bool boxWaiting = false; ///< that of the step is not shown yet
   bool playing = false;
   bool loops = true;
   int interval = 500; // ms

@@ -4,19 +4,17 @@
 #include "Drawing/PictureWindow.h"
 #include "Drawing/ViewerStyle.h"
 #include "Export/SceneState.h"
-#include "Scene/Frame/CameraView.h"
 #include "Scene/SceneOptions.h"
+#include "Viewer/CameraMouse.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
+#include <vtkNexradNavigator.h>
 #include <vtkNexradVolumeScene.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
 #include <QTimer>
-
-#include <algorithm>
-#include <cmath>
 
 namespace nexrad::viewer
 {
@@ -35,6 +33,8 @@ SceneView::SceneView(QWidget* parent)
   style->zoom = [this](double factor) { this->Zoom(factor); };
   style->press = [](const std::string&) {};
   window->GetInteractor()->SetInteractorStyle(style);
+  navigator->SetScene(scene);
+  new CameraMouse(*this);
 }
 
 SceneView::~SceneView()
@@ -70,21 +70,29 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
   scene->SetPlaceNames(options.placeNames);
   SetPlan(options, scene);
   scene->SetParallelProjection(camera.parallel);
-  first = {camera.azimuth, camera.tilt, camera.zoom};
+  first = camera;
   this->ResetCamera();
 }
 
 void SceneView::ResetCamera()
 {
-  scene->SetAzimuth(first[0]);
-  scene->SetTilt(first[1]);
-  scene->SetZoom(first[2]);
+  scene->SetAzimuth(first.azimuth);
+  scene->SetTilt(first.tilt);
+  scene->SetZoom(first.zoom);
+  scene->LookAtDomain();
+  if (first.lookAt)
+  {
+    const auto& [x, y, height] = first.lookAt->place;
+    first.lookAt->geographic ? scene->SetLookAtGeographic(y, x, height)
+                             : scene->SetLookAt(x, y, height);
+  }
   this->DrawSoon();
 }
 
 void SceneView::SetVolume(vtkImageData* volume)
 {
   scene->SetVolume(volume);
+  emit VolumeShown();
   this->DrawSoon();
 }
 
@@ -118,19 +126,22 @@ void SceneView::WritePicture(const std::filesystem::path& path)
   scene::WritePng(scene::GrabPicture(window), path);
 }
 
-void SceneView::Turn(double azimuth, double tilt)
+void SceneView::ShowMove()
 {
-  scene->SetAzimuth(std::fmod(scene->GetAzimuth() + azimuth + 360.0, 360.0));
-  scene->SetTilt(std::clamp(scene->GetTilt() + tilt, -90.0, 90.0));
   emit CameraMoved();
   this->DrawSoon();
 }
 
+void SceneView::Turn(double azimuth, double tilt)
+{
+  navigator->Turn(azimuth, tilt);
+  this->ShowMove();
+}
+
 void SceneView::Zoom(double factor)
 {
-  scene->SetZoom(std::clamp(scene->GetZoom() * factor, 0.1, 100.0));
-  emit CameraMoved();
-  this->DrawSoon();
+  navigator->Zoom(factor);
+  this->ShowMove();
 }
 
 } // namespace nexrad::viewer

@@ -1,21 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Frame/CameraView.h"
+
 #include <QVTKOpenGLNativeWidget.h>
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
-#include <array>
 #include <filesystem>
 
 class vtkGenericOpenGLRenderWindow;
 class vtkImageData;
+class vtkNexradNavigator;
 class vtkNexradVolumeScene;
 
 namespace nexrad::scene
 {
-struct CameraView;
 struct SceneOptions;
 class ViewerStyle;
 } // namespace nexrad::scene
@@ -34,6 +35,9 @@ public:
   ~SceneView() override;
 
   vtkNexradVolumeScene* Scene() const { return scene; }
+  /// Moves the camera of the scene; ShowMove shows it.
+  vtkNexradNavigator* Navigator() const { return navigator; }
+  void ShowMove();
 
   /// Sets the scene as the options of the program say.
   void Apply(const scene::SceneOptions& options, const scene::CameraView& camera);
@@ -58,15 +62,18 @@ public:
 signals:
   /// The camera was moved by the mouse.
   void CameraMoved();
+  /// Another volume is shown.
+  void VolumeShown();
 
 private:
   void Turn(double azimuth, double tilt);
   void Zoom(double factor);
 
   vtkNew<vtkNexradVolumeScene> scene;
+  vtkNew<vtkNexradNavigator> navigator;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkSmartPointer<scene::ViewerStyle> style;
-  std::array<double, 3> first = {200.0, 35.0, 1.0}; ///< azimuth, tilt and zoom
+  scene::CameraView first;
   bool asked = false;
   int drawn = 0;
 };

@@ -432,8 +432,8 @@ void SeriesMerger::AddSweepless(
 }
 
 // Merges each moment of volumes that are ready.
-std::optional<GriddedVolume> SeriesMerger::MergeMoments(
-  const std::vector<ReadyVolume>& volumes, const Progress& progress, GriddedVolume memory)
+std::optional<GriddedVolume> SeriesMerger::MergeMoments(const std::vector<ReadyVolume>& volumes,
+  const MergeRequest& asked, MergeRun& asRun, const Progress& progress, GriddedVolume memory)
 {
   const std::vector<MomentName> moments = options.Moments();
   std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
@@ -441,8 +441,8 @@ std::optional<GriddedVolume> SeriesMerger::MergeMoments(
   std::vector<GriddedVolume> merged;
   for (std::size_t i = 0; i < moments.size(); ++i)
   {
-    std::optional<GriddedVolume> one = MergeVolumes(OfMoment(volumes, moments[i]), request,
-      ShareOf(progress, i, moments.size()), run, std::move(memories[i]));
+    std::optional<GriddedVolume> one = MergeVolumes(OfMoment(volumes, moments[i]), asked,
+      ShareOf(progress, i, moments.size()), asRun, std::move(memories[i]));
     if (!one)
     {
       return std::nullopt;
@@ -453,12 +453,10 @@ std::optional<GriddedVolume> SeriesMerger::MergeMoments(
   return JoinMoments(std::move(merged));
 }
 
-std::optional<GriddedVolume> SeriesMerger::Merge(
-  Time time, const Progress& progress, const std::optional<VoxelBlock>& block, GriddedVolume memory)
+// Empty when `progress` asked to stop.
+std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
+  Time time, const std::vector<bool>& reaching, const Progress& progress)
 {
-  request.time = time;
-  request.block = block;
-  const std::vector<bool> reaching = this->FindReaching();
   std::optional<std::vector<ReadyVolume>> volumes = loader->About(time, reaching, progress);
   if (volumes && setup.anyOrder && !scan && loader->HeadersErr())
   {
@@ -469,14 +467,40 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
     // Grid and time steps stay as they were told: the volumes of a series have one grid, and its
     // user counts them.
     this->MakeLoader(this->FilesByScan());
-    return this->Merge(time, progress, block, std::move(memory));
+    return loader->About(time, reaching, progress);
   }
+  return volumes;
+}
+
+std::optional<GriddedVolume> SeriesMerger::Merge(
+  Time time, const Progress& progress, const std::optional<VoxelBlock>& block, GriddedVolume memory)
+{
+  request.time = time;
+  request.block = block;
+  const std::vector<bool> reaching = this->FindReaching();
+  std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, reaching, progress);
   if (!volumes)
   {
     return std::nullopt;
   }
   this->AddSweepless(reaching, *volumes);
-  return this->MergeMoments(*volumes, progress, std::move(memory));
+  return this->MergeMoments(*volumes, request, run, progress, std::move(memory));
+}
+
+std::optional<GriddedVolume> SeriesMerger::MergeBox(
+  Time time, const BoxRequest& box, const Progress& progress)
+{
+  if (request.method == MergeMethod::Thesis)
+  {
+    throw Error("a box can be merged again by the method beam alone");
+  }
+  const FinerBox finer = MakeFinerBox(request.grid, box);
+  MergeRequest asked = request;
+  asked.grid = finer.grid;
+  asked.block = finer.block;
+  asked.time = time;
+  const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, progress);
+  return volumes ? this->MergeMoments(*volumes, asked, boxRun, progress, {}) : std::nullopt;
 }
 
 SeriesScan SeriesMerger::Collect(const std::vector<std::optional<ScannedFile>>& known) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Merging/PolarCache.h"
 #include "nexrad/Merging/VolumeLoader.h"
@@ -84,6 +85,14 @@ public:
   std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
 
+  /// A box of the domain at a time, in voxels of its own, from the volumes that Merge takes at that
+  /// time; what was decoded and made ready for Merge is used, and the next Merge finds it as it
+  /// was. The radars' geometry is kept as long as the voxels stay where they are. Empty when
+  /// `progress` asked to stop. Throws Error as Merge and MakeFinerBox do, and for the method
+  /// "thesis", whose voxels are not those of a beam.
+  std::optional<GriddedVolume> MergeBox(
+    Time time, const BoxRequest& box, const Progress& progress = {});
+
   /// True when grid, time steps and the volumes that were merged are those that a scan of all files
   /// leads to, as far as all processes have decoded them. All processes call it.
   bool Confirm();
@@ -109,8 +118,10 @@ private:
   SeriesScan Gather() const;
   std::vector<bool> FindReaching();
   void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
-  std::optional<GriddedVolume> MergeMoments(
-    const std::vector<ReadyVolume>& volumes, const Progress& progress, GriddedVolume memory);
+  std::optional<std::vector<ReadyVolume>> VolumesAbout(
+    Time time, const std::vector<bool>& reaching, const Progress& progress);
+  std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
+    const MergeRequest& asked, MergeRun& asRun, const Progress& progress, GriddedVolume memory);
 
   const std::vector<std::filesystem::path> inputs;
   const MergerSetup setup;
@@ -125,6 +136,7 @@ private:
   std::unique_ptr<VolumeLoader> loader;
   std::size_t decodedBefore = 0; ///< by loaders before this one
   MergeRun run;
+  MergeRun boxRun; ///< of MergeBox
   std::vector<Time> times;
   std::vector<std::string> sites;
 };

@@ -123,6 +123,26 @@ void PointCamera(vtkCamera* camera, const CameraView& view, const std::vector<Ve
   camera->Zoom(view.zoom);
 }
 
+void CentreOn(vtkCamera* camera, const Vector& point)
+{
+  Vector position{};
+  Vector focus{};
+  Vector forward{};
+  camera->GetPosition(position.data());
+  camera->GetFocalPoint(focus.data());
+  camera->GetDirectionOfProjection(forward.data());
+  const Vector way = {point[0] - focus[0], point[1] - focus[1], point[2] - focus[2]};
+  const double along = Dot(way, forward);
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double sideways = way[axis] - along * forward[axis];
+    position[axis] += sideways;
+    focus[axis] += sideways;
+  }
+  camera->SetPosition(position.data());
+  camera->SetFocalPoint(focus.data());
+}
+
 std::array<double, 2> RightOf(const CameraView& view)
 {
   const Vector right = AxesOf(view).right;

@@ -2,12 +2,21 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 class vtkCamera;
 
 namespace nexrad::scene
 {
+
+/// A place that the camera looks at.
+struct LookAt
+{
+  std::array<double, 3> place{}; ///< x and y of the volume, or longitude and latitude in degrees;
+                                 ///< height in m above mean sea level
+  bool geographic = false;       ///< whether it is longitude and latitude
+};
 
 /// From where the scene is looked at.
 struct CameraView
@@ -17,6 +26,8 @@ struct CameraView
   double tilt = 35.0;     ///< degrees above the horizon, −90…90; 90 looks straight down
   double zoom = 1.0;      ///< above 0; 1 shows the whole box, 2 half of it
   bool parallel = false;  ///< parallel in place of perspective projection
+  std::optional<LookAt> lookAt = {}; ///< what is in the middle of the picture, once the camera has
+                                     ///< moved sideways to it; empty: the domain fills the picture
 };
 
 /// The part of the picture that the scene may fill, each −1 (left, bottom) … 1 (right, top).
@@ -36,6 +47,10 @@ void PointCamera(vtkCamera* camera, const CameraView& view, const std::array<dou
 /// The same for points of the scene; at least one.
 void PointCamera(vtkCamera* camera, const CameraView& view,
   const std::vector<std::array<double, 3>>& points, double aspect, const PictureArea& area);
+
+/// Moves the camera sideways until a point of the scene is in the middle of the picture. What the
+/// camera sees keeps its direction and its size.
+void CentreOn(vtkCamera* camera, const std::array<double, 3>& point);
 
 /// The camera's right-hand direction, a unit vector on the ground.
 std::array<double, 2> RightOf(const CameraView& view);

@@ -2,6 +2,7 @@
 #include "Scene/Frame/SceneFrame.h"
 
 #include "Scene/Frame/VolumeInformation.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
 
@@ -77,6 +78,32 @@ std::array<double, 2> SceneFrame::Geographic(double x, double y) const
   return map->axes == GridAxes::Geographic ? point : map->ToGeographic(point[0], point[1]);
 }
 
+std::array<double, 3> SceneFrame::ToScene(const std::array<double, 3>& place) const
+{
+  return {(place[0] - centre[0]) * kilometres[0], (place[1] - centre[1]) * kilometres[1],
+    this->Height(place[2])};
+}
+
+std::array<double, 3> SceneFrame::ToVolume(const std::array<double, 3>& point) const
+{
+  return {point[0] / kilometres[0] + centre[0], point[1] / kilometres[1] + centre[1],
+    1000.0 * point[2] / exaggeration};
+}
+
+std::array<double, 3> SceneFrame::PlaceOf(const LookAt& lookAt) const
+{
+  if (!lookAt.geographic)
+  {
+    return lookAt.place;
+  }
+  if (!map)
+  {
+    throw Error("the volume has no projection: no latitude and longitude of it can be looked at");
+  }
+  const std::array<double, 2> point = this->Place(lookAt.place[0], lookAt.place[1]);
+  return this->ToVolume({point[0], point[1], this->Height(lookAt.place[2])});
+}
+
 void SceneFrame::MoveToScene(vtkImageData* volume) const
 {
   const double* origin = volume->GetOrigin();
@@ -97,6 +124,11 @@ double DefaultExaggeration(vtkImageData* volume)
   const double stretch = height > 0.0 ? heightToWidth * width / height : least;
   const double rounded = stretch < 4.0 ? 0.5 * std::round(2.0 * stretch) : std::round(stretch);
   return std::min(std::max(rounded, least), UsualExaggeration);
+}
+
+SceneFrame MakeSceneFrame(vtkImageData* volume, double exaggeration)
+{
+  return SceneFrame(volume, exaggeration > 0.0 ? exaggeration : DefaultExaggeration(volume));
 }
 
 } // namespace nexrad::scene

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Frame/CameraView.h"
 #include "nexrad/Grid/GridSpecification.h"
 
 #include <array>
@@ -36,6 +37,13 @@ public:
   /// Longitude and latitude of a scene point. Needs HasMap.
   std::array<double, 2> Geographic(double x, double y) const;
 
+  /// The point of the scene at a place of the volume: x and y in its units, height in m; and back.
+  std::array<double, 3> ToScene(const std::array<double, 3>& place) const;
+  std::array<double, 3> ToVolume(const std::array<double, 3>& point) const;
+  /// The place of the volume that a camera looks at. Throws Error for a longitude and latitude
+  /// without a map.
+  std::array<double, 3> PlaceOf(const LookAt& lookAt) const;
+
   /// Takes the height out of the bounds, for a scene that is a map.
   void Flatten() { bounds[5] = bounds[4]; }
 
@@ -50,6 +58,9 @@ private:
   std::optional<GridSpecification> map;
 };
 
+/// The length along a ray that opacities belong to, in scene units: km along the ground.
+constexpr double OpacityUnitDistance = 5.0;
+
 /// How much heights of wide domains are stretched when nobody says.
 constexpr double UsualExaggeration = 8.0;
 
@@ -57,5 +68,8 @@ constexpr double UsualExaggeration = 8.0;
 /// high as it is wide, but at least 1 time, and at most UsualExaggeration, which the default domain
 /// of one radar has, 460 km wide and 20 km high.
 double DefaultExaggeration(vtkImageData* volume);
+
+/// The frame of a volume with that exaggeration; with the default one for 0.
+SceneFrame MakeSceneFrame(vtkImageData* volume, double exaggeration);
 
 } // namespace nexrad::scene

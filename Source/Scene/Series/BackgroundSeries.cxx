@@ -74,6 +74,39 @@ vtkSmartPointer<vtkImageData> BackgroundSeries::Show(std::size_t step)
   return found->second.volume;
 }
 
+void BackgroundSeries::SetBox(const std::optional<BoxRequest>& wanted)
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    box = wanted;
+    ++boxNumber;
+    for (auto& [step, each] : kept)
+    {
+      bytes -= BytesOf(each.box);
+      each.bytes -= BytesOf(each.box);
+      each.box = nullptr;
+      each.boxFailure.clear();
+    }
+    interrupted = state.loads && kept.count(shown) > 0; // the box of what is shown comes first
+  }
+  changed.notify_all();
+}
+
+vtkSmartPointer<vtkImageData> BackgroundSeries::Box(std::size_t step) const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto found = kept.find(step);
+  if (found == kept.end())
+  {
+    return nullptr;
+  }
+  if (!found->second.boxFailure.empty())
+  {
+    throw Error(found->second.boxFailure);
+  }
+  return found->second.box;
+}
+
 void BackgroundSeries::Pause(bool paused)
 {
   {
@@ -237,11 +270,19 @@ std::vector<std::string> BackgroundSeries::Damage() const
   return lines;
 }
 
+// Whether a step, or the box of it, is to be loaded.
+bool BackgroundSeries::Lacks(std::size_t step) const
+{
+  const auto found = kept.find(step);
+  return found == kept.end() ||
+         (box && found->second.volume && !found->second.box && found->second.boxFailure.empty());
+}
+
 // The step to load next; nothing where all are loaded, or there is no memory for more.
 std::optional<std::size_t> BackgroundSeries::NextStep() const
 {
   const std::size_t count = opened.order.size();
-  if (shown < count && kept.count(shown) == 0)
+  if (shown < count && this->Lacks(shown))
   {
     return shown;
   }
@@ -259,7 +300,7 @@ std::optional<std::size_t> BackgroundSeries::NextStep() const
     {
       return std::nullopt;
     }
-    if (found == kept.end())
+    if (this->Lacks(step))
     {
       return step;
     }
@@ -288,6 +329,47 @@ BackgroundSeries::Kept BackgroundSeries::Load(std::size_t step)
   return loaded;
 }
 
+// The box of a step whose volume is kept.
+BackgroundSeries::Kept BackgroundSeries::LoadBox(std::size_t step, const BoxRequest& request)
+{
+  Kept loaded;
+  try
+  {
+    loaded.box = opened.series->LoadBox(opened.order[step], request, this->ReportTo());
+    if (loaded.box && options.prepare)
+    {
+      options.prepare(loaded.box);
+    }
+    loaded.bytes = BytesOf(loaded.box);
+  }
+  catch (const std::exception& error)
+  {
+    loaded.boxFailure = error.what();
+  }
+  return loaded;
+}
+
+// Takes over a volume, or a box of a volume that is kept.
+void BackgroundSeries::Keep(std::size_t step, Kept loaded)
+{
+  this->MakeRoom(loaded.bytes);
+  if (loaded.volume || !loaded.failure.empty())
+  {
+    bytes += loaded.bytes;
+    state.loaded[step] = loaded.volume != nullptr;
+    kept[step] = std::move(loaded);
+    return;
+  }
+  const auto found = kept.find(step);
+  if (found != kept.end()) // else there was no room, or the loading was stopped
+  {
+    bytes += loaded.bytes;
+    found->second.box = loaded.box;
+    found->second.boxFailure = loaded.boxFailure;
+    found->second.bytes += loaded.bytes;
+  }
+}
+
 // Forgets the volumes that are shown last until so many bytes fit; not the one that is shown.
 void BackgroundSeries::MakeRoom(std::size_t wanted)
 {
@@ -308,19 +390,18 @@ void BackgroundSeries::LoadNext(std::size_t step, std::unique_lock<std::mutex>& 
 {
   state.loads = step;
   state.fraction = 0.0;
+  const std::optional<BoxRequest> wantedBox = kept.count(step) > 0 ? box : std::nullopt;
+  const unsigned wantedNumber = boxNumber;
   lock.unlock();
-  Kept loaded = this->Load(step);
+  Kept loaded = wantedBox ? this->LoadBox(step, *wantedBox) : this->Load(step);
   std::vector<std::string> damage = this->Damage();
   lock.lock();
   state.loads.reset();
   state.damage = std::move(damage);
   interrupted = false;
-  if (loaded.volume || !loaded.failure.empty())
+  if (!wantedBox || wantedNumber == boxNumber)
   {
-    this->MakeRoom(loaded.bytes);
-    bytes += loaded.bytes;
-    state.loaded[step] = loaded.volume != nullptr;
-    kept[step] = std::move(loaded);
+    this->Keep(step, std::move(loaded));
   }
 }
 

@@ -71,6 +71,13 @@ public:
   /// is called when it is there. Throws Error when it cannot be loaded.
   vtkSmartPointer<vtkImageData> Show(std::size_t step);
 
+  /// Merges a box of the domain again for each step, after its volume; nothing: of none any more.
+  /// The box of the step that is shown comes first. `wake` is called when it is there.
+  void SetBox(const std::optional<BoxRequest>& box);
+  /// The box of a step. Nothing as long as it is not merged, or no box is set. Throws Error when it
+  /// cannot be merged.
+  vtkSmartPointer<vtkImageData> Box(std::size_t step) const;
+
   /// Stops the loading of all steps but the one that is shown, and lets it go on. An opening that
   /// is paused fails.
   void Pause(bool paused);
@@ -92,6 +99,8 @@ private:
     vtkSmartPointer<vtkImageData> volume; ///< nullptr after a failure
     std::string failure;
     std::string contents; ///< VolumeSeries::Contents, before it was loaded
+    vtkSmartPointer<vtkImageData> box;
+    std::string boxFailure;
     std::size_t bytes = 0;
   };
 
@@ -103,7 +112,10 @@ private:
   void LoadNext(std::size_t step, std::unique_lock<std::mutex>& lock);
   std::vector<std::string> Damage() const;
   std::optional<std::size_t> NextStep() const;
+  bool Lacks(std::size_t step) const;
   Kept Load(std::size_t step);
+  Kept LoadBox(std::size_t step, const BoxRequest& request);
+  void Keep(std::size_t step, Kept loaded);
   void MakeRoom(std::size_t bytes);
   Progress ReportTo();
   void Wake();
@@ -117,6 +129,8 @@ private:
   std::map<std::size_t, Kept> kept; // by step
   std::size_t bytes = 0;            // of these
   std::size_t shown = 0;            // the step that was asked for last
+  std::optional<BoxRequest> box;
+  unsigned boxNumber = 0; // how often another box was set
   bool ended = false;
   bool reopens = false;     // as soon as nothing is being loaded
   bool interrupted = false; // another step is wanted than the one that is being loaded

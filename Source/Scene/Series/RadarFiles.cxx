@@ -25,6 +25,17 @@ MergerSetup SetupForAnyOrder()
   return setup;
 }
 
+vtkSmartPointer<vtkImageData> ImageOf(const std::optional<GriddedVolume>& volume)
+{
+  if (!volume)
+  {
+    return nullptr;
+  }
+  auto image = vtkSmartPointer<vtkImageData>::New();
+  vtkNexradVolumeToImage(*volume, image);
+  return image;
+}
+
 class RadarFiles : public VolumeSeries
 {
 public:
@@ -43,14 +54,13 @@ public:
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
   {
-    const std::optional<GriddedVolume> volume = merger.Merge(merger.Times()[index], progress);
-    if (!volume)
-    {
-      return nullptr;
-    }
-    auto image = vtkSmartPointer<vtkImageData>::New();
-    vtkNexradVolumeToImage(*volume, image);
-    return image;
+    return ImageOf(merger.Merge(merger.Times()[index], progress));
+  }
+
+  vtkSmartPointer<vtkImageData> LoadBox(
+    std::size_t index, const BoxRequest& box, const Progress& progress) override
+  {
+    return ImageOf(merger.MergeBox(merger.Times()[index], box, progress));
   }
 
   std::vector<std::string> Problems() const override

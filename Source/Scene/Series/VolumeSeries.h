@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Model/Time.h"
+#include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 
+#include <vtkImageData.h>
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
 #include <string>
 #include <vector>
-
-class vtkImageData;
 
 namespace nexrad::scene
 {
@@ -27,6 +28,13 @@ public:
   /// The volume of one of the times. Empty when `progress` asked to stop. Throws Error when it
   /// cannot be read or made.
   virtual vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) = 0;
+
+  /// A box of the domain at one of the times, merged again in finer voxels. Empty when `progress`
+  /// asked to stop. Throws Error when it cannot be made: volume files have no rays to make it of.
+  virtual vtkSmartPointer<vtkImageData> LoadBox(std::size_t, const BoxRequest&, const Progress&)
+  {
+    throw Error("a box is merged again from radar files alone: volume files hold no rays");
+  }
 
   /// Whether Load may give codes in place of values (vtkNexradImageConversion.h), which are read
   /// and uploaded faster. No by default; a series that knows no codes takes no notice.

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Grid/FinerBox.h"
+
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad
+{
+namespace
+{
+
+// A degree of latitude on a sphere of 6371 km: voxels need no more exact size.
+constexpr double metresPerDegree = 111'195.0;
+
+struct Span
+{
+  double lower;
+  double upper;
+};
+
+Span DomainAlong(const GridSpecification& domain, int axis)
+{
+  const double lower = domain.origin[axis] - 0.5 * domain.spacing[axis];
+  return {lower, lower + domain.spacing[axis] * domain.dimensions[axis]};
+}
+
+// m that a unit of x or y is long in the middle of the box.
+double LengthOfUnit(const GridSpecification& domain, int axis, double middleY)
+{
+  if (domain.axes == GridAxes::Projected)
+  {
+    return 1.0;
+  }
+  constexpr double radians = 3.14159265358979323846 / 180.0;
+  return axis == 0 ? metresPerDegree * std::cos(middleY * radians) : metresPerDegree;
+}
+
+// Voxels from the domain's lower face on, of which the box has those that it covers by half.
+void SetAxis(FinerBox& box, int axis, const Span& domain, const Span& part, double spacing)
+{
+  const auto voxelsTo = [&](double place)
+  { return static_cast<int>(std::round((place - domain.lower) / spacing)); };
+  constexpr double rounding = 1e-6; // of a voxel
+  const double count = (domain.upper - domain.lower) / spacing;
+  box.grid.spacing[axis] = spacing;
+  box.grid.origin[axis] = domain.lower + 0.5 * spacing;
+  box.grid.dimensions[axis] = std::max(1, static_cast<int>(std::ceil(count - rounding)));
+  const int last = box.grid.dimensions[axis] - 1;
+  box.block.begin[axis] = std::min(voxelsTo(part.lower), last);
+  box.block.end[axis] =
+    std::clamp(voxelsTo(part.upper), box.block.begin[axis] + 1, box.grid.dimensions[axis]);
+}
+
+} // namespace
+
+FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request)
+{
+  if (!(request.spacing > 0.0) || request.mostVoxels < 1)
+  {
+    throw Error("the voxels of a box need a size above 0, and at least one along each axis");
+  }
+  FinerBox box;
+  box.grid = domain;
+  const double middleY = 0.5 * (request.faces[2] + request.faces[3]);
+  for (const int axis : {0, 1})
+  {
+    const Span whole = DomainAlong(domain, axis);
+    const Span part = {std::max(whole.lower, request.faces[2 * axis]),
+      std::min(whole.upper, request.faces[2 * axis + 1])};
+    if (!(part.upper > part.lower))
+    {
+      throw Error("the box does not lie over the domain");
+    }
+    const double spacing = std::max(request.spacing / LengthOfUnit(domain, axis, middleY),
+      (part.upper - part.lower) / request.mostVoxels);
+    SetAxis(box, axis, whole, part, spacing);
+  }
+  const Span heights = DomainAlong(domain, 2);
+  SetAxis(box, 2, heights, heights, request.spacing);
+  return box;
+}
+
+} // namespace nexrad

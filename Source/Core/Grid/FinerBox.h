@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Grid/GridSpecification.h"
+#include "nexrad/Grid/VoxelBlock.h"
+
+#include <array>
+
+namespace nexrad
+{
+
+/// A box of a domain that is to be merged in voxels of another size.
+struct BoxRequest
+{
+  std::array<double, 4> faces = {0.0, 0.0, 0.0, 0.0}; ///< west, east, south, north: x and y of the
+                                                      ///< domain, m or degrees
+  double spacing = 250.0;                             ///< m, side of a voxel; above 0
+  int mostVoxels = 240; ///< along x and along y, from 1 on; a wider box has larger voxels
+};
+
+/// A grid that reaches over a domain, and the block of it that is the box. Boxes of one domain with
+/// voxels of one size have one grid: the faces are moved by half a voxel at most. The box is as
+/// high as the domain.
+struct FinerBox
+{
+  GridSpecification grid;
+  VoxelBlock block;
+};
+
+/// The part of the box that lies in the domain. Throws Error when none does, and for a spacing or a
+/// number of voxels out of their ranges.
+FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request);
+
+} // namespace nexrad

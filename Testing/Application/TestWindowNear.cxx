@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The window where the mouse points: moving near, and the readout of what is there.
+#include "SyntheticScans.h"
+#include "Tolerance.h"
+#include "Viewer/CameraMouse.h"
+#include "Viewer/MainWindow.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
+#include "WindowTest.h"
+
+#include <vtkDataArray.h>
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkNexradEchoPicker.h>
+#include <vtkNexradVolumeScene.h>
+#include <vtkRenderer.h>
+
+#include <QElapsedTimer>
+#include <QLabel>
+#include <QMouseEvent>
+#include <QWheelEvent>
+#include <QtTest/QtTest>
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+
+using namespace nexrad;
+using namespace nexrad::viewer;
+using namespace nexrad::testing;
+
+namespace
+{
+
+class NearWindow : public WindowTest
+{
+protected:
+  SceneView* View() { return window->View(); }
+  vtkNexradVolumeScene* Scene() { return window->View()->Scene(); }
+
+  // Sends what a mouse does at a place of the view. QTest would move the pointer of the screen,
+  // which other windows share.
+  void Mouse(QEvent::Type type, const QPoint& place, Qt::MouseButton button,
+    Qt::KeyboardModifiers keys = Qt::NoModifier)
+  {
+    const bool moves = type == QEvent::MouseMove;
+    QMouseEvent event(type, place, moves ? Qt::NoButton : button,
+      type == QEvent::MouseButtonRelease ? Qt::NoButton : button, keys);
+    QCoreApplication::sendEvent(this->View(), &event);
+  }
+
+  void Drag(const QPoint& from, const QPoint& to, Qt::MouseButton button,
+    Qt::KeyboardModifiers keys = Qt::NoModifier)
+  {
+    this->Mouse(QEvent::MouseButtonPress, from, button, keys);
+    this->Mouse(QEvent::MouseMove, (from + to) / 2, button, keys);
+    this->Mouse(QEvent::MouseMove, to, button, keys);
+    this->Mouse(QEvent::MouseButtonRelease, to, button, keys);
+    this->WaitForPicture();
+  }
+
+  void Wheel(const QPoint& place, int notches)
+  {
+    QWheelEvent event(place, this->View()->mapToGlobal(place), {}, {0, 120 * notches}, Qt::NoButton,
+      Qt::NoModifier, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(this->View(), &event);
+    this->WaitForPicture();
+  }
+
+  // Where the storm is seen, in m east and north of the domain's centre, and its height.
+  std::array<double, 3> PlaceAt(const QPoint& place)
+  {
+    vtkNew<vtkNexradEchoPicker> picker;
+    picker->SetScene(this->Scene());
+    const auto [x, y] = ScenePixel(*this->View(), place);
+    EXPECT_NE(picker->Pick(x, y, 0.0, this->Scene()->GetRenderer()), vtkNexradEchoPicker::NOTHING);
+    return {picker->GetPlace()[0], picker->GetPlace()[1], picker->GetPlace()[2]};
+  }
+
+  static double Distance(const std::array<double, 3>& a, const std::array<double, 3>& b)
+  {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+
+  QPoint Middle() { return {this->View()->width() / 2, this->View()->height() / 2}; }
+
+  // A place of the picture where the storm is seen.
+  QPoint Storm() { return this->Middle() + QPoint(-70, 30); }
+};
+
+// On a storm of two times, seen as surfaces: what is seen at a place is one echo.
+class NearStorm : public NearWindow
+{
+protected:
+  void SetUp() override
+  {
+    request.scene.preset = "iso-values";
+    this->OpenSteps(2);
+  }
+};
+
+// On two volumes of a radar of the synthetic day.
+class NearRadar : public NearWindow
+{
+protected:
+  void SetUp() override
+  {
+    WriteSyntheticScans(
+      folder.Path(), "KEAX", *ParseIso8601("2006-03-12T18:00:00Z"), std::chrono::minutes(12));
+    request.input.inputs = {folder.Path()};
+    request.input.grid.grid.dimensions = {128, 128, 64};
+    this->OpenWindow();
+    ASSERT_TRUE(this->Wait([this] { return this->Scene()->GetVolume() != nullptr; }));
+    this->WaitForPicture();
+  }
+
+  void DragBox()
+  {
+    this->Drag(this->Middle() + QPoint(-40, 20), this->Middle() + QPoint(40, -20), Qt::LeftButton,
+      Qt::ControlModifier);
+  }
+};
+
+} // namespace
+
+TEST_F(NearStorm, TheMiddleButtonAndShiftMoveTheScene)
+{
+  const QImage first = this->WaitForPicture();
+  const auto storm = this->PlaceAt(this->Storm());
+  const QPoint to = this->Storm() + QPoint(150, 40);
+  this->Drag(this->Storm(), to, Qt::MiddleButton);
+  EXPECT_AT_MOST(Distance(this->PlaceAt(to), storm), 690.0,
+    "distance of the echo under the pointer from that which was dragged there, m");
+  EXPECT_AT_LEAST(
+    Difference(first, this->WaitForPicture()), 0.16, "pixels that moving the scene changes, part");
+  this->Drag(to, this->Storm(), Qt::LeftButton, Qt::ShiftModifier);
+  EXPECT_AT_MOST(
+    Difference(first, this->WaitForPicture()), 0.012, "pixels that differ when moved back, part");
+}
+
+TEST_F(NearStorm, TheWheelZoomsTowardsThePointer)
+{
+  const auto storm = this->PlaceAt(this->Storm());
+  this->Wheel(this->Storm(), 8);
+  EXPECT_NEAR(this->Scene()->GetZoom(), std::pow(1.1, 8), 1e-6);
+  EXPECT_AT_MOST(Distance(this->PlaceAt(this->Storm()), storm), 1100.0,
+    "distance of the echo under the pointer from that before zooming, m");
+}
+
+TEST_F(NearStorm, ADoubleClickCentresAndTurningKeepsTheCentre)
+{
+  const QImage first = this->WaitForPicture();
+  const auto storm = this->PlaceAt(this->Storm());
+  this->Mouse(QEvent::MouseButtonPress, this->Storm(), Qt::LeftButton);
+  this->Mouse(QEvent::MouseButtonRelease, this->Storm(), Qt::LeftButton);
+  this->Mouse(QEvent::MouseButtonDblClick, this->Storm(), Qt::LeftButton);
+  this->Mouse(QEvent::MouseButtonRelease, this->Storm(), Qt::LeftButton);
+  this->Wheel(this->Middle(), 8);
+  std::array<double, 3> place{};
+  EXPECT_AT_MOST(Distance(this->PlaceAt(this->Middle()), storm), 8000.0,
+    "distance of the echo in the middle from that which was clicked twice, m");
+  const double azimuth = this->Scene()->GetAzimuth();
+  this->Drag(this->Middle(), this->Middle() + QPoint(60, 0), Qt::LeftButton);
+  EXPECT_NE(this->Scene()->GetAzimuth(), azimuth);
+  ASSERT_TRUE(this->Scene()->GetLookAt(place.data()));
+  EXPECT_AT_MOST(Distance(place, storm), 240.0,
+    "distance of the place that the camera turns about from the echo that was clicked, m");
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowNear.png");
+  QTest::keyClick(window.get(), Qt::Key_R);
+  EXPECT_FALSE(this->Scene()->GetLookAt(place.data()));
+  EXPECT_AT_MOST(
+    Difference(first, this->WaitForPicture()), 0.001, "pixels that differ after a reset, part");
+}
+
+TEST_F(NearStorm, TheReadoutSaysWhatIsUnderThePointer)
+{
+  auto* readout = this->Find<QLabel>("readout");
+  this->Mouse(QEvent::MouseMove, this->Storm(), Qt::NoButton);
+  const QString echo = readout->text();
+  EXPECT_TRUE(echo.contains("dBZ (REF), 38.") && echo.contains(" km above sea level, KLSX "))
+    << echo.toStdString();
+  window->Player()->Move(1);
+  this->WaitForPicture();
+  EXPECT_NE(readout->text(), echo) << "the storm of the next time is elsewhere";
+  this->Mouse(QEvent::MouseMove, this->Middle() + QPoint(130, 60), Qt::NoButton);
+  EXPECT_TRUE(readout->text().contains("on the map")) << readout->text().toStdString();
+  QEvent leaves(QEvent::Leave);
+  QCoreApplication::sendEvent(this->View(), &leaves);
+  EXPECT_EQ(readout->text(), "");
+}
+
+// The pointer moves up to a hundred times a second.
+TEST_F(NearStorm, TheReadoutTakesAShortTime)
+{
+  constexpr int moves = 100;
+  QElapsedTimer clock;
+  clock.start();
+  for (int i = 0; i < moves; ++i)
+  {
+    this->Mouse(QEvent::MouseMove, this->Storm() + QPoint(i, i / 2), Qt::NoButton);
+  }
+  EXPECT_AT_MOST(static_cast<double>(clock.nsecsElapsed()) / 1e6 / moves, 2.0,
+    "time that the readout takes for a move of the pointer, ms",
+    "what a user waits for; other programs may use the processors meanwhile");
+}
+
+TEST_F(NearRadar, ADraggedBoxIsMergedAgainInFinerVoxels)
+{
+  const double coarse = this->Scene()->GetVolume()->GetSpacing()[0];
+  EXPECT_AT_LEAST(this->Changes(
+                    [&]
+                    {
+                      this->DragBox();
+                      EXPECT_TRUE(
+                        this->Wait([&] { return this->Scene()->GetDetail() != nullptr; }));
+                    }),
+    0.001, "pixels that a box changes, part");
+  vtkImageData* box = this->Scene()->GetDetail();
+  ASSERT_NE(box, nullptr);
+  EXPECT_LT(box->GetSpacing()[0], 0.5 * coarse);
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowBox.png");
+  QTest::keyClick(this->View(), Qt::Key_Escape);
+  EXPECT_EQ(this->Scene()->GetDetail(), nullptr);
+  EXPECT_FALSE(window->Player()->HasBox());
+}
+
+TEST_F(NearRadar, TheBoxIsMergedAgainForEachTime)
+{
+  this->DragBox();
+  ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetDetail() != nullptr; }));
+  ASSERT_GE(window->Player()->State().times.size(), 2U);
+  const auto timeOf = [](vtkImageData* image)
+  { return image->GetFieldData()->GetArray("TimeValue")->GetTuple1(0); };
+  const double first = timeOf(this->Scene()->GetDetail());
+  window->Player()->Move(1);
+  ASSERT_TRUE(this->Wait(
+    [&] { return !window->Player()->IsWaiting() && this->Scene()->GetDetail() != nullptr; }));
+  EXPECT_NE(timeOf(this->Scene()->GetDetail()), first);
+  EXPECT_EQ(timeOf(this->Scene()->GetDetail()), timeOf(this->Scene()->GetVolume()));
+}
+
+TEST_F(NearStorm, ABoxOfVolumeFilesIsRefusedInOneLine)
+{
+  this->Drag(this->Middle() + QPoint(-40, 60), this->Middle() + QPoint(40, 20), Qt::LeftButton,
+    Qt::ControlModifier);
+  EXPECT_TRUE(this->Wait([&] { return !window->Problems().isEmpty(); }));
+  EXPECT_TRUE(window->Problems().join("").contains("from radar files alone"));
+  EXPECT_FALSE(window->Player()->HasBox());
+}

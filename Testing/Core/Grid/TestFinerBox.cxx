@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Grid/FinerBox.h"
+
+#include "Tolerance.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+namespace nexrad
+{
+namespace
+{
+
+GridSpecification Domain()
+{
+  GridSpecification domain;
+  domain.dimensions = {230, 230, 40};
+  domain.spacing = {2000.0, 2000.0, 500.0};
+  domain.origin = {-229'000.0, -229'000.0, 250.0};
+  return domain;
+}
+
+} // namespace
+
+TEST(FinerBox, HasVoxelsOf250MetresAndTheHeightOfTheDomain)
+{
+  const FinerBox box = MakeFinerBox(Domain(), {{10'000.0, 70'000.0, -40'000.0, 20'000.0}});
+  const GridSpecification part = PartOf(box.grid, box.block);
+  EXPECT_EQ(part.dimensions, (std::array<int, 3>{240, 240, 80}));
+  EXPECT_EQ(part.spacing, (std::array<double, 3>{250.0, 250.0, 250.0}));
+  EXPECT_NEAR(part.origin[0], 10'125.0, 1e-6);
+  EXPECT_NEAR(part.origin[1], -39'875.0, 1e-6);
+  EXPECT_NEAR(part.origin[2], 125.0, 1e-6);
+}
+
+TEST(FinerBox, BoxesOfOneSizeHaveOneGrid)
+{
+  const FinerBox box = MakeFinerBox(Domain(), {{10'000.0, 70'000.0, -40'000.0, 20'000.0}});
+  const FinerBox other = MakeFinerBox(Domain(), {{-31'110.0, 20'000.0, 0.0, 1.0}});
+  EXPECT_TRUE(box.grid == other.grid);
+  EXPECT_EQ(other.block.Size(1), 1) << "at least one voxel";
+  EXPECT_NEAR(PartOf(other.grid, other.block).origin[0] - 125.0, -31'110.0, 125.0);
+}
+
+TEST(FinerBox, AWideBoxHasLargerVoxelsAndEndsWithTheDomain)
+{
+  const FinerBox box = MakeFinerBox(Domain(), {{110'000.0, 900'000.0, -230'000.0, 230'000.0}});
+  const GridSpecification part = PartOf(box.grid, box.block);
+  EXPECT_EQ(part.dimensions, (std::array<int, 3>{240, 240, 80}));
+  EXPECT_NEAR(part.spacing[0], 500.0, 1e-6);
+  EXPECT_NEAR(part.spacing[1], 460'000.0 / 240.0, 1e-6);
+}
+
+TEST(FinerBox, RefusesABoxBesideTheDomain)
+{
+  EXPECT_THROW(MakeFinerBox(Domain(), {{240'000.0, 300'000.0, 0.0, 10'000.0}}), Error);
+  EXPECT_THROW(MakeFinerBox(Domain(), {{20'000.0, 10'000.0, 0.0, 10'000.0}}), Error);
+  EXPECT_THROW(MakeFinerBox(Domain(), {{0.0, 10'000.0, 0.0, 10'000.0}, 0.0}), Error);
+}
+
+} // namespace nexrad
