@@ -42,8 +42,8 @@ bool SameLight(const LightOptions& a, const LightOptions& b)
          a.direction.elevation == b.direction.elevation;
 }
 
-// The number of slices and the light can be changed in a scene that is there.
-bool SameButForSlicesAndLight(const SceneOptions& a, const SceneOptions& b)
+// The number of slices, the light and what is cut away can be changed in a scene that is there.
+bool SameButForWhatCanChange(const SceneOptions& a, const SceneOptions& b)
 {
   return SameColors(a, b) && SamePlan(a, b) && a.exaggeration == b.exaggeration &&
          a.mapper == b.mapper && a.preIntegration == b.preIntegration &&
@@ -54,6 +54,29 @@ bool SameButForSlicesAndLight(const SceneOptions& a, const SceneOptions& b)
 bool SameView(const CameraView& a, const CameraView& b)
 {
   return a.azimuth == b.azimuth && a.tilt == b.tilt && a.zoom == b.zoom && a.parallel == b.parallel;
+}
+
+nexrad::scene::CutOptions CutOf(vtkNexradVolumeScene* self)
+{
+  nexrad::scene::CutOptions cut;
+  if (self->GetCropping())
+  {
+    cut.box.emplace();
+    self->GetCropBounds(cut.box->data());
+  }
+  if (self->GetClipping())
+  {
+    cut.plane.emplace();
+    self->GetClipOrigin(cut.plane->origin.data());
+    self->GetClipNormal(cut.plane->normal.data());
+  }
+  if (self->GetSection())
+  {
+    cut.section.emplace();
+    self->GetSectionA(cut.section->from.data());
+    self->GetSectionB(cut.section->to.data());
+  }
+  return cut;
 }
 
 nexrad::scene::PlanLevel LevelOf(int plan)
@@ -85,13 +108,13 @@ struct vtkNexradVolumeScene::Drawing
   bool succeeded = true;
 
   void Update(vtkNexradVolumeScene* self);
-  static SceneOptions OptionsOf(const vtkNexradVolumeScene* self);
+  static SceneOptions OptionsOf(vtkNexradVolumeScene* self);
   void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
   void FollowColors();
 };
 
-SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene* self)
+SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(vtkNexradVolumeScene* self)
 {
   SceneOptions options;
   options.preset = self->Preset;
@@ -117,6 +140,7 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
     options.plan =
       nexrad::scene::PlanOptions{LevelOf(self->Plan), self->PlanHeight, self->PlanArray};
   }
+  options.cut = CutOf(self);
   return options;
 }
 
@@ -172,7 +196,7 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   const CameraView camera{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection};
   const bool sameView = SameView(camera, view);
   view = camera;
-  if (!scene || !SameButForSlicesAndLight(wanted, options))
+  if (!scene || !SameButForWhatCanChange(wanted, options))
   {
     this->Rebuild(self, wanted);
     return;
@@ -191,6 +215,11 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   {
     scene->SetLight(wanted.light);
     options.light = wanted.light;
+  }
+  if (wanted.cut != options.cut)
+  {
+    scene->SetCut(wanted.cut);
+    options.cut = wanted.cut;
   }
   if (!sameView)
   {
@@ -277,6 +306,51 @@ void vtkNexradVolumeScene::SetRingSpacing(double spacing)
 vtkNexradTransferFunction* vtkNexradVolumeScene::GetTransferFunction() const
 {
   return this->Drawn->scene ? this->Drawn->scene->TransferFunction() : nullptr;
+}
+
+bool vtkNexradVolumeScene::FindGround(double pixelX, double pixelY, double point[2])
+{
+  const auto found =
+    this->Drawn->scene ? this->Drawn->scene->GroundAt({pixelX, pixelY}) : std::nullopt;
+  if (found)
+  {
+    std::copy(found->begin(), found->end(), point);
+  }
+  return found.has_value();
+}
+
+bool vtkNexradVolumeScene::FindPixel(double x, double y, double pixel[2])
+{
+  if (this->Drawn->scene)
+  {
+    const auto found = this->Drawn->scene->PixelOf({x, y});
+    std::copy(found.begin(), found.end(), pixel);
+  }
+  return this->Drawn->scene != nullptr;
+}
+
+bool vtkNexradVolumeScene::VolumeToScene(const double point[3], double scenePoint[3])
+{
+  if (this->Drawn->scene)
+  {
+    const auto& frame = this->Drawn->scene->Frame();
+    const auto place = frame.FromVolume({point[0], point[1]});
+    std::copy(place.begin(), place.end(), scenePoint);
+    scenePoint[2] = frame.Height(point[2]);
+  }
+  return this->Drawn->scene != nullptr;
+}
+
+bool vtkNexradVolumeScene::SceneToVolume(const double scenePoint[3], double point[3])
+{
+  if (this->Drawn->scene)
+  {
+    const auto& frame = this->Drawn->scene->Frame();
+    const auto place = frame.ToVolume({scenePoint[0], scenePoint[1]});
+    std::copy(place.begin(), place.end(), point);
+    point[2] = frame.Metres(scenePoint[2]);
+  }
+  return this->Drawn->scene != nullptr;
 }
 
 void vtkNexradVolumeScene::SetCameraFromAbove()
@@ -384,4 +458,19 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Plan: " << this->Plan << "\n";
   os << indent << "PlanHeight: " << this->PlanHeight << "\n";
   os << indent << "PlanArray: " << this->PlanArray << "\n";
+  os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";
+  os << indent << "CropBounds:";
+  for (const double bound : this->CropBounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n";
+  os << indent << "Clipping: " << (this->Clipping ? "On" : "Off") << "\n";
+  os << indent << "ClipOrigin: " << this->ClipOrigin[0] << " " << this->ClipOrigin[1] << " "
+     << this->ClipOrigin[2] << "\n";
+  os << indent << "ClipNormal: " << this->ClipNormal[0] << " " << this->ClipNormal[1] << " "
+     << this->ClipNormal[2] << "\n";
+  os << indent << "Section: " << (this->Section ? "On" : "Off") << "\n";
+  os << indent << "SectionA: " << this->SectionA[0] << " " << this->SectionA[1] << "\n";
+  os << indent << "SectionB: " << this->SectionB[0] << " " << this->SectionB[1] << "\n";
 }

@@ -3,6 +3,9 @@
 
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
+#include "Viewer/Cutting/CutPanel.h"
+#include "Viewer/Cutting/SectionDock.h"
+#include "Viewer/Cutting/SectionPanel.h"
 #include "Viewer/LookPanel.h"
 #include "Viewer/Playback.h"
 #include "Viewer/SceneView.h"
@@ -74,6 +77,7 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   view->Apply(request.scene, request.camera);
   playback->SetInterval(static_cast<int>(request.interval.count()));
   this->MakeDocks();
+  this->MakeCutting();
   this->MakeMenus();
   this->MakeStatus();
   connect(playback, &Playback::Changed, this, &MainWindow::FollowPlayback);
@@ -123,6 +127,27 @@ void MainWindow::MakeDocks()
   damageDock->hide();
 }
 
+void MainWindow::MakeCutting()
+{
+  const ShownScene shown{view, view->Scene(), [this] { view->DrawSoon(); }};
+  section = new SectionDock(shown, this);
+  this->addDockWidget(Qt::BottomDockWidgetArea, section);
+  connect(look, &LookPanel::Changed, section->Panel(), &SectionPanel::FollowSoon);
+  connect(playback, &Playback::Loaded, section->Panel(), &SectionPanel::FollowSoon);
+  auto* cut = new CutPanel(shown, this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(cut);
+  scroll->setWidgetResizable(true);
+  auto* cutDock = new QDockWidget("Cut", this);
+  cutDock->setObjectName("cut dock");
+  cutDock->setWidget(scroll);
+  auto* lookDock = this->findChild<QDockWidget*>("look");
+  this->tabifyDockWidget(lookDock, cutDock);
+  lookDock->raise();
+  connect(look, &LookPanel::Changed, cut, &CutPanel::FollowSoon);
+  connect(playback, &Playback::Loaded, cut, &CutPanel::FollowSoon);
+}
+
 void MainWindow::MakeMenus()
 {
   QMenu* file = this->menuBar()->addMenu("&File");
@@ -137,6 +162,7 @@ void MainWindow::MakeMenus()
   file->addAction("&Quit", this, &QWidget::close, QKeySequence::Quit);
   windows = this->menuBar()->addMenu("&View");
   windows->addAction("&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
+  windows->addAction(section->DrawAction());
   windows->addSeparator();
   for (QDockWidget* dock : this->findChildren<QDockWidget*>())
   {
@@ -336,6 +362,7 @@ void MainWindow::ShowAbout()
     "Left, Right: a step back, or on\n"
     "L: begin again after the last time\n"
     "R: the camera as at first\n"
+    "X: draw the line of a vertical section on the ground\n"
     "Ctrl+O: open files;  Ctrl+Shift+O: open a folder\n"
     "S: take a picture;  Ctrl+S: save it under a name\n"
     "Ctrl+Q: quit");

@@ -22,6 +22,7 @@ namespace nexrad::viewer
 class LookPanel;
 class Playback;
 class SceneView;
+class SectionDock;
 
 /// The window of `nexrad3d view`: a radar day in its time line, its scene and its settings.
 class MainWindow : public QMainWindow
@@ -53,6 +54,7 @@ protected:
 private:
   void MakeMenus();
   void MakeDocks();
+  void MakeCutting();
   void MakeStatus();
   void AskForFiles();
   void AskForFolder();
@@ -71,6 +73,7 @@ private:
   Playback* playback = nullptr;
   SceneView* view = nullptr;
   LookPanel* look = nullptr;
+  SectionDock* section = nullptr;
   QDockWidget* damageDock = nullptr;
   QListWidget* damage = nullptr;
   QLabel* doing = nullptr;

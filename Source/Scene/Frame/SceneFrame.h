@@ -27,8 +27,13 @@ public:
   const std::array<double, 6>& Bounds() const { return bounds; }
   double Exaggeration() const { return exaggeration; }
 
-  /// Scene height of a height in m above mean sea level.
+  /// Scene height of a height in m above mean sea level, and the other way.
   double Height(double metres) const { return metres / 1000.0 * exaggeration; }
+  double Metres(double height) const { return 1000.0 * height / exaggeration; }
+
+  /// Scene x and y of x and y of the volume (m or degrees), and the other way.
+  std::array<double, 2> FromVolume(const std::array<double, 2>& point) const;
+  std::array<double, 2> ToVolume(const std::array<double, 2>& place) const;
 
   bool HasMap() const { return map.has_value(); }
   /// Scene x and y of a longitude and latitude. Needs HasMap.
