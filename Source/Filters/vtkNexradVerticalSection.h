@@ -34,11 +34,6 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkNexradFiltersModule.h" // For export macro
 
-namespace nexrad
-{
-struct SectionSampling;
-}
-
 class VTKNEXRADFILTERS_EXPORT vtkNexradVerticalSection : public vtkImageAlgorithm
 {
 public:

@@ -391,7 +391,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 
 void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
 {
-  scale = ScaleFor(shown, options.plan->array, information.sites, MomentScale(array, steps));
+  scale = ScaleFor(shown, *options.plan, information.sites, MomentScale(array, steps));
   const std::string key = PlanKey(shown);
   note = shown.where + (key.empty() ? "" : "; " + key);
   this->Replace(plan, {MakePlanLayer(shown, scale, placed, PictureHeight(frame), theme)});

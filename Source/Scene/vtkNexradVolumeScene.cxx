@@ -32,7 +32,7 @@ bool SamePlan(const SceneOptions& a, const SceneOptions& b)
 {
   return a.plan.has_value() == b.plan.has_value() &&
          (!a.plan || (a.plan->level == b.plan->level && a.plan->height == b.plan->height &&
-                       a.plan->array == b.plan->array));
+                       a.plan->array == b.plan->array && a.plan->threshold == b.plan->threshold));
 }
 
 bool SameLight(const LightOptions& a, const LightOptions& b)
@@ -87,6 +87,10 @@ nexrad::scene::PlanLevel LevelOf(int plan)
     return nexrad::scene::PlanLevel::Lowest;
   case vtkNexradVolumeScene::AT_HEIGHT:
     return nexrad::scene::PlanLevel::Height;
+  case vtkNexradVolumeScene::ECHO_TOP:
+    return nexrad::scene::PlanLevel::EchoTop;
+  case vtkNexradVolumeScene::LIQUID:
+    return nexrad::scene::PlanLevel::Liquid;
   default:
     return nexrad::scene::PlanLevel::Composite;
   }
@@ -137,8 +141,8 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(vtkNexradVolumeScene* self
   options.placeNames = self->PlaceNames;
   if (self->Plan != NO_PLAN)
   {
-    options.plan =
-      nexrad::scene::PlanOptions{LevelOf(self->Plan), self->PlanHeight, self->PlanArray};
+    options.plan = nexrad::scene::PlanOptions{
+      LevelOf(self->Plan), self->PlanHeight, self->PlanArray, self->EchoTopThreshold};
   }
   options.cut = CutOf(self);
   return options;
@@ -457,6 +461,7 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PlaceNames: " << this->PlaceNames << "\n";
   os << indent << "Plan: " << this->Plan << "\n";
   os << indent << "PlanHeight: " << this->PlanHeight << "\n";
+  os << indent << "EchoTopThreshold: " << this->EchoTopThreshold << "\n";
   os << indent << "PlanArray: " << this->PlanArray << "\n";
   os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";
   os << indent << "CropBounds:";

@@ -24,9 +24,9 @@
  *
  * Errors: a volume without voxels or scalars; a preset that does not exist, or that is of another
  * moment than the volume's; a file that is no colour map; a plan view of an array that the volume
- * does not have, or at a height outside of it; a ColorArray that it does not have; a crop box
- * without an inside; a clip plane without a direction. After an error the scene shows what it
- * showed before.
+ * does not have, or at a height outside of it, or an echo top or liquid of another moment than REF;
+ * a ColorArray that it does not have; a crop box without an inside; a clip plane without a
+ * direction. After an error the scene shows what it showed before.
  */
 #ifndef vtkNexradVolumeScene_h
 #define vtkNexradVolumeScene_h
@@ -64,14 +64,18 @@ public:
   /**
    * Which voxel of each column a plan view (a map in place of the volume) shows. NO_PLAN: the
    * volume is shown. COMPOSITE: the largest value; of velocity, the largest speed. LOWEST: the
-   * lowest voxel that was scanned. AT_HEIGHT: the voxel at PlanHeight.
+   * lowest voxel that was scanned. AT_HEIGHT: the voxel at PlanHeight. ECHO_TOP: the height at
+   * which reflectivity falls below EchoTopThreshold. LIQUID: the vertically integrated liquid of
+   * the reflectivity in kg/m².
    */
   enum PlanType
   {
     NO_PLAN = 0,
     COMPOSITE = 1,
     LOWEST = 2,
-    AT_HEIGHT = 3
+    AT_HEIGHT = 3,
+    ECHO_TOP = 4,
+    LIQUID = 5
   };
 
   /**
@@ -293,7 +297,7 @@ public:
    * Shows a plan view in place of the volume. NO_PLAN by default. A plan view is usually seen from
    * above: SetCameraFromAbove.
    */
-  vtkSetClampMacro(Plan, int, NO_PLAN, AT_HEIGHT);
+  vtkSetClampMacro(Plan, int, NO_PLAN, LIQUID);
   vtkGetMacro(Plan, int);
   ///@}
 
@@ -303,6 +307,14 @@ public:
    */
   vtkSetMacro(PlanHeight, double);
   vtkGetMacro(PlanHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * For ECHO_TOP: the threshold in dBZ. 18 by default.
+   */
+  vtkSetMacro(EchoTopThreshold, double);
+  vtkGetMacro(EchoTopThreshold, double);
   ///@}
 
   ///@{
@@ -427,6 +439,7 @@ protected:
   bool PlaceNames = false;
   int Plan = NO_PLAN;
   double PlanHeight = 0.0;
+  double EchoTopThreshold = 18.0;
   std::string PlanArray;
   bool Cropping = false;
   double CropBounds[6] = {-1e7, 1e7, -1e7, 1e7, -1e7, 1e7};

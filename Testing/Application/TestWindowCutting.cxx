@@ -19,6 +19,7 @@
 #include <vtkRenderer.h>
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QElapsedTimer>
@@ -44,6 +45,14 @@ using Place = std::array<double, 2>; // km east and north
 class WindowCuttingTest : public WindowTest
 {
 protected:
+  // A window that is large enough for a scene beside the panels.
+  void OpenWide(int steps)
+  {
+    this->OpenSteps(steps);
+    window->resize(1200, 900);
+    this->WaitForPicture();
+  }
+
   // The pixel of the view at which a place of the ground is.
   QPoint PixelOf(const Place& place)
   {
@@ -117,6 +126,10 @@ protected:
   }
 };
 
+// A pixel of the view shows up to 3 km of the ground, and the drag ends on a whole pixel.
+constexpr double pixelSize = 3.0;
+constexpr const char* ofPixel = "within a pixel of the view";
+
 constexpr Place west = {-130.0, -70.0}; // the core is between them
 constexpr Place east = {50.0, -50.0};
 
@@ -124,7 +137,7 @@ constexpr Place east = {50.0, -50.0};
 
 TEST_F(WindowCuttingTest, ADragOnTheGroundDrawsTheLineOfASection)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   const double azimuth = scene->GetAzimuth();
   EXPECT_TRUE(this->Find<QDockWidget>("section dock")->isHidden());
@@ -135,11 +148,10 @@ TEST_F(WindowCuttingTest, ADragOnTheGroundDrawsTheLineOfASection)
   EXPECT_AT_LEAST(this->Changes([&] { this->DrawLine(west, east); }), 0.0014,
     "pixels that the line of a section changes, part");
   EXPECT_TRUE(scene->GetSection());
-  // A pixel is 0.7 km wide near the front of the domain.
-  EXPECT_AT_MOST(
-    Off(scene->GetSectionA(), west), 3.0, "end A of a dragged line from its place, km");
-  EXPECT_AT_MOST(
-    Off(scene->GetSectionB(), east), 3.0, "end B of a dragged line from its place, km");
+  EXPECT_AT_MOST(Off(scene->GetSectionA(), west), pixelSize,
+    "end A of a dragged line from its place, km", ofPixel);
+  EXPECT_AT_MOST(Off(scene->GetSectionB(), east), pixelSize,
+    "end B of a dragged line from its place, km", ofPixel);
   EXPECT_EQ(scene->GetAzimuth(), azimuth) << "the camera stands still";
   EXPECT_FALSE(this->Find<QToolButton>("Draw the line")->isChecked());
   window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowSection.png");
@@ -148,7 +160,7 @@ TEST_F(WindowCuttingTest, ADragOnTheGroundDrawsTheLineOfASection)
 // Voxels are 10 km wide, and the field between two of them is curved.
 TEST_F(WindowCuttingTest, TheSectionHasTheValuesOfTheVolume)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   this->DrawLine(west, east);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   vtkImageData* section = this->Panel()->Filter()->GetOutput();
@@ -181,13 +193,13 @@ TEST_F(WindowCuttingTest, TheSectionHasTheValuesOfTheVolume)
     }
   }
   ASSERT_GT(count, 10'000);
-  EXPECT_AT_MOST(sum / count, 1.2, "mean error of the values of a section, dBZ");
+  EXPECT_AT_MOST(sum / count, 1.0, "mean error of the values of a section, dBZ");
   EXPECT_AT_LEAST(largest, 55.0, "largest value of a section through the core, dBZ");
 }
 
 TEST_F(WindowCuttingTest, TheChartShowsTheSectionInTheColoursOfTheBar)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   this->DrawLine(west, east);
   SectionChart* chart = this->Panel()->Chart();
   const QImage picture = chart->grabFramebuffer();
@@ -227,7 +239,7 @@ TEST_F(WindowCuttingTest, TheChartShowsTheSectionInTheColoursOfTheBar)
 
 TEST_F(WindowCuttingTest, TheMouseReadsValuesInTheSection)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   this->DrawLine(west, east);
   SectionChart* chart = this->Panel()->Chart();
   const QPoint pixel = chart->PixelOf(60'000.0, 3'000.0);
@@ -237,27 +249,29 @@ TEST_F(WindowCuttingTest, TheMouseReadsValuesInTheSection)
   EXPECT_TRUE(text.contains("km from A") && text.contains("REF") && text.contains("dBZ"))
     << text.toStdString();
   EXPECT_WITHIN(text.section(": REF ", 1).section(' ', 0, 0).toDouble(),
-    Storm(-130.0 + 60.0 * 180.0 / 181.1, -70.0 + 60.0 * 20.0 / 181.1, 3.0), 2.0,
-    "value read in a section, dBZ");
+    Storm(-130.0 + 60.0 * 180.0 / 181.1, -70.0 + 60.0 * 20.0 / 181.1, 3.0), 1.0,
+    "value read in a section, dBZ",
+    "the field changes by 1 dBZ from one pixel of the panel to the next");
 }
 
 TEST_F(WindowCuttingTest, AnEndOfTheLineCanBeMoved)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   this->DrawLine(west, east);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   const double a = scene->GetSectionA()[0];
   const Place there = {60.0, 40.0};
   this->Drag({this->PixelOf(east), this->PixelOf(there)});
   EXPECT_EQ(scene->GetSectionA()[0], a);
-  EXPECT_AT_MOST(Off(scene->GetSectionB(), there), 4.0, "moved end of a line from its place, km");
-  EXPECT_WITHIN(this->Find<QDoubleSpinBox>("How far east the end B is")->value(), 60.0, 4.0,
-    "number of a moved end, km");
+  EXPECT_AT_MOST(
+    Off(scene->GetSectionB(), there), pixelSize, "moved end of a line from its place, km", ofPixel);
+  EXPECT_WITHIN(this->Find<QDoubleSpinBox>("How far east the end B is")->value(), 60.0, pixelSize,
+    "number of a moved end, km", ofPixel);
 }
 
 TEST_F(WindowCuttingTest, BeyondTheDomainTheLineEndsAtItsEdge)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   this->DrawLine(west, {-20.0, -20.0});
   this->Drag({this->PixelOf({-20.0, -20.0}), this->PixelOf({-20.0, -300.0})});
   EXPECT_EQ(window->View()->Scene()->GetSectionB()[1], -240'000.0);
@@ -265,7 +279,7 @@ TEST_F(WindowCuttingTest, BeyondTheDomainTheLineEndsAtItsEdge)
 
 TEST_F(WindowCuttingTest, NumbersMoveTheLineAndRemoveTakesItAway)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   QTest::keyClick(window.get(), Qt::Key_X);
   this->WaitForPicture();
   auto* number = this->Find<QDoubleSpinBox>("How far east the end A is");
@@ -283,7 +297,7 @@ TEST_F(WindowCuttingTest, NumbersMoveTheLineAndRemoveTakesItAway)
 
 TEST_F(WindowCuttingTest, TheLineStaysAndTheSectionFollowsTheTime)
 {
-  this->OpenSteps(2);
+  this->OpenWide(2);
   this->DrawLine(west, east);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   const double b = scene->GetSectionB()[0];
@@ -291,13 +305,13 @@ TEST_F(WindowCuttingTest, TheLineStaysAndTheSectionFollowsTheTime)
   this->Click("Step on");
   this->WaitForPicture();
   EXPECT_EQ(scene->GetSectionB()[0], b);
-  EXPECT_AT_LEAST(Difference(before, this->Panel()->Chart()->grabFramebuffer()), 0.15,
+  EXPECT_AT_LEAST(Difference(before, this->Panel()->Chart()->grabFramebuffer()), 0.2,
     "pixels of the section that a step changes, part");
 }
 
 TEST_F(WindowCuttingTest, ASectionIsMadeWithinAFrame)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   this->DrawLine(west, east);
   vtkNexradVerticalSection* filter = this->Panel()->Filter();
   QElapsedTimer clock;
@@ -313,7 +327,7 @@ TEST_F(WindowCuttingTest, ASectionIsMadeWithinAFrame)
 
 TEST_F(WindowCuttingTest, TheCropBoxHidesWhatIsOutsideByNumbers)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   this->Tick("Crop");
   EXPECT_TRUE(scene->GetCropping());
@@ -333,7 +347,7 @@ TEST_F(WindowCuttingTest, TheCropBoxHidesWhatIsOutsideByNumbers)
 
 TEST_F(WindowCuttingTest, TheCropBoxIsChangedByItsHandles)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   this->Tick("Crop");
   const double azimuth = scene->GetAzimuth();
@@ -353,7 +367,7 @@ TEST_F(WindowCuttingTest, TheCropBoxIsChangedByItsHandles)
 
 TEST_F(WindowCuttingTest, TheClipPlaneHidesOneSideAndIsTurnedByNumbers)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   this->Tick("Clip");
   EXPECT_TRUE(scene->GetClipping());
@@ -370,8 +384,22 @@ TEST_F(WindowCuttingTest, TheClipPlaneHidesOneSideAndIsTurnedByNumbers)
 
 TEST_F(WindowCuttingTest, HandlesCanBeHidden)
 {
-  this->OpenSteps(1);
+  this->OpenWide(1);
   this->Tick("Crop");
   EXPECT_AT_LEAST(this->Changes([&] { this->Tick("Handles"); }), 0.015,
     "pixels of the handles of the crop box, part");
+}
+
+// A tower of 62 dBZ on the ground that is 15 km high.
+TEST_F(WindowCuttingTest, TheViewShowsEchoTopsAndLiquid)
+{
+  this->OpenWide(1);
+  vtkNexradVolumeScene* scene = window->View()->Scene();
+  this->Choose("View", 3);
+  EXPECT_EQ(scene->GetPlan(), vtkNexradVolumeScene::ECHO_TOP);
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowEchoTop.png");
+  EXPECT_AT_LEAST(this->Changes([&] { this->Choose("View", 1); }), 0.12,
+    "pixels that differ between echo tops and liquid, part");
+  EXPECT_EQ(scene->GetPlan(), vtkNexradVolumeScene::LIQUID);
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowLiquid.png");
 }

@@ -9,8 +9,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <iostream>
+#include <locale>
 #include <memory>
+#include <sstream>
 
 namespace nexrad::application
 {
@@ -36,12 +39,42 @@ std::filesystem::path ParseOutput(const std::string& text)
   return path;
 }
 
+// What follows "echo-top": nothing, or a colon and dBZ.
+double ParseThreshold(const std::string& text, const std::string& end, double usual)
+{
+  std::istringstream stream(end);
+  stream.imbue(std::locale::classic());
+  char colon = ':';
+  double threshold = usual;
+  if (!end.empty())
+  {
+    stream >> colon >> threshold;
+  }
+  if (stream.fail() || colon != ':' || stream.peek() != std::istringstream::traits_type::eof() ||
+      !(std::abs(threshold) <= 100.0))
+  {
+    throw Error("'" + text + "' is no echo top; write echo-top, or echo-top:30 for that of 30 dBZ");
+  }
+  return threshold;
+}
+
 scene::PlanOptions ParsePlan(const std::string& text)
 {
   scene::PlanOptions plan;
   if (text == "composite" || text == "lowest")
   {
     plan.level = text == "lowest" ? scene::PlanLevel::Lowest : scene::PlanLevel::Composite;
+    return plan;
+  }
+  if (text == "vil")
+  {
+    plan.level = scene::PlanLevel::Liquid;
+    return plan;
+  }
+  if (const std::string echoTop = "echo-top"; text.compare(0, echoTop.size(), echoTop) == 0)
+  {
+    plan.level = scene::PlanLevel::EchoTop;
+    plan.threshold = ParseThreshold(text, text.substr(echoTop.size()), plan.threshold);
     return plan;
   }
   try
@@ -51,7 +84,8 @@ scene::PlanOptions ParsePlan(const std::string& text)
   }
   catch (const Error&)
   {
-    throw Error("'" + text + "' is no map; write composite, lowest, or a height as in 3km");
+    throw Error(
+      "'" + text + "' is no map; write composite, lowest, echo-top, vil, or a height as in 3km");
   }
   return plan;
 }
@@ -61,8 +95,9 @@ void AddMap(CLI::App& command, RenderOptions& options)
   constexpr char group[] = "Map in place of the volume";
   AddParsedOption(command, "--map", options.request.scene.plan, ParsePlan, "WHICH",
     "Of each column the largest value (composite; of VEL the fastest), the lowest that was scanned "
-    "(lowest), or the "
-    "one at a height above mean sea level, m or km; seen from above, north up")
+    "(lowest), the one at a height above mean sea level, m or km, the height of the echo top at 18 "
+    "dBZ or another threshold (echo-top, echo-top:30), or the vertically integrated liquid (vil); "
+    "seen from above, north up")
     ->group(group);
   command
     .add_option("--array", options.array,

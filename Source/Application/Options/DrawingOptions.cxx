@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/DrawingOptions.h"
 
+#include "Options/CuttingOptions.h"
 #include "Options/UnitOptions.h"
 
 #include <CLI/CLI.hpp>
@@ -230,6 +231,7 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   command.add_flag("--names", options.placeNames, "Names of states and provinces on the map")
     ->group(group);
+  AddCuttingOptions(command, options.cut);
 }
 
 void FinishDrawingOptions(

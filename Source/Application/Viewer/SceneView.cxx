@@ -62,8 +62,26 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
   scene->SetHeightWalls(options.heightWalls);
   scene->SetPlaceNames(options.placeNames);
   scene->SetParallelProjection(camera.parallel);
+  this->Cut(options.cut);
   first = {camera.azimuth, camera.tilt, camera.zoom};
   this->ResetCamera();
+}
+
+void SceneView::Cut(const scene::CutOptions& cut)
+{
+  scene->SetCropping(cut.box.has_value());
+  if (cut.box)
+  {
+    std::array<double, 6> box = *cut.box;
+    scene->SetCropBounds(box.data());
+  }
+  scene->SetClipping(cut.plane.has_value());
+  if (cut.plane)
+  {
+    const auto& plane = *cut.plane;
+    scene->SetClipOrigin(plane.origin[0], plane.origin[1], plane.origin[2]);
+    scene->SetClipNormal(plane.normal[0], plane.normal[1], plane.normal[2]);
+  }
 }
 
 void SceneView::ResetCamera()

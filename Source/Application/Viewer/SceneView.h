@@ -16,6 +16,7 @@ class vtkNexradVolumeScene;
 namespace nexrad::scene
 {
 struct CameraView;
+struct CutOptions;
 struct SceneOptions;
 class ViewerStyle;
 } // namespace nexrad::scene
@@ -57,6 +58,7 @@ signals:
   void CameraMoved();
 
 private:
+  void Cut(const scene::CutOptions& cut);
   void Turn(double azimuth, double tilt);
   void Zoom(double factor);
 

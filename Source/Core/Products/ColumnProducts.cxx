@@ -79,14 +79,15 @@ std::optional<double> LiquidOf(const Column& column)
 {
   constexpr double factor = 3.44e-6; // Greene and Clark 1972
   constexpr double hailCap = 56.0;   // dBZ
+  constexpr double perDecibel = 2.302585092994046 / 10.0 * 4.0 / 7.0;
   double sum = 0.0;
   bool any = false;
   for (int level = 0; level < column.Levels(); ++level)
   {
     if (column.HasEcho(level))
     {
-      const double decibels = std::min(column.Value(level), hailCap);
-      sum += std::pow(std::pow(10.0, decibels / 10.0), 4.0 / 7.0);
+      // 10^(dBZ/10) to the power of 4/7
+      sum += std::exp(perDecibel * std::min(column.Value(level), hailCap));
       any = true;
     }
   }

@@ -43,8 +43,7 @@ SceneLayer MakeSectionMark(
   LineBuilder middle;
   middle.Add({a, b});
   SceneLayer layer;
-  layer.props = {
-    rim.MakeActor(theme.rim, rimWidth), middle.MakeActor(theme.warning, lineWidth)};
+  layer.props = {rim.MakeActor(theme.rim, rimWidth), middle.MakeActor(theme.warning, lineWidth)};
   const double radius = std::max(3.0, 0.3 * textSize);
   const TextStyle style = {textSize + textSize / 4, theme.warning, theme.rim, true};
   for (const auto& [name, point] : {std::pair{"A", a}, std::pair{"B", b}})

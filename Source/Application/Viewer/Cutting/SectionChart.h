@@ -7,7 +7,9 @@
 #include <vtkSmartPointer.h>
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
 class vtkChartXY;
 class vtkContextActor;

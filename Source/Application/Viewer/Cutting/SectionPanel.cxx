@@ -7,6 +7,7 @@
 #include "Viewer/Cutting/SectionChart.h"
 #include "Viewer/Cutting/SectionTool.h"
 #include "Viewer/Cutting/VolumeUnits.h"
+#include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Model/Moment.h"
 
 #include <vtkDataArray.h>

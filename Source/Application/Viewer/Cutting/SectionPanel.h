@@ -8,7 +8,6 @@
 #include <vtkNew.h>
 
 #include <array>
-#include <memory>
 
 class QBoxLayout;
 class QDoubleSpinBox;
@@ -44,10 +43,6 @@ public slots:
   void DrawLine(bool on);
   /// Takes the line away.
   void Remove();
-
-signals:
-  /// The scene has a section, or has none any more.
-  void Changed(bool hasSection);
 
 protected:
   void showEvent(QShowEvent* event) override;
