@@ -6,8 +6,8 @@ endif()
 if(VTKNexrad_BUILD_VIEWER)
   find_package(Qt5 5.15 QUIET COMPONENTS Widgets)
   if(Qt5_FOUND)
-    set(nexrad_vtk_for_qt GUISupportQt ChartsCore RenderingContext2D RenderingContextOpenGL2
-      ViewsContext2D)
+    set(nexrad_vtk_for_qt ChartsCore GUISupportQt InteractionWidgets RenderingContext2D
+      RenderingContextOpenGL2 ViewsContext2D)
   endif()
 endif()
 # What the modules, the program and the tests link.

@@ -297,30 +297,6 @@ void TakeAncillaryArrays(vtkImageData* image, nexrad::GriddedVolume& volume)
   nexrad::ForEachAncillaryArray(volume.ancillary, take);
 }
 
-nexrad::GridSpecification ImageToGrid(vtkImageData* image)
-{
-  if (!image->GetDirectionMatrix()->IsIdentity())
-  {
-    throw nexrad::Error("the image's axes are turned: a volume has x east, y north and z up");
-  }
-  nexrad::GridSpecification grid;
-  const int* extent = image->GetExtent();
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    grid.dimensions[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
-    grid.spacing[axis] = image->GetSpacing()[axis];
-    grid.origin[axis] = image->GetOrigin()[axis] + extent[2 * axis] * grid.spacing[axis];
-  }
-  vtkFieldData* field = image->GetFieldData();
-  const std::vector<std::string> projection = vtkNexradGetTexts(field, "Projection");
-  const bool geographic =
-    !projection.empty() && projection[0].find("+proj=longlat") != std::string::npos;
-  grid.axes = geographic ? nexrad::GridAxes::Geographic : nexrad::GridAxes::Projected;
-  grid.centreLatitude = vtkNexradGetValue(field, "ProjectionCenter", 0).value_or(0.0);
-  grid.centreLongitude = vtkNexradGetValue(field, "ProjectionCenter", 1).value_or(0.0);
-  return grid;
-}
-
 void TakeFieldData(vtkFieldData* field, nexrad::GriddedVolume& volume)
 {
   volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
@@ -358,6 +334,30 @@ void vtkNexradGridToImage(const nexrad::GridSpecification& grid, vtkImageData* i
   image->SetDimensions(grid.dimensions.data());
   image->SetOrigin(grid.origin.data());
   image->SetSpacing(grid.spacing.data());
+}
+
+nexrad::GridSpecification vtkNexradImageToGrid(vtkImageData* image)
+{
+  if (!image->GetDirectionMatrix()->IsIdentity())
+  {
+    throw nexrad::Error("the image's axes are turned: a volume has x east, y north and z up");
+  }
+  nexrad::GridSpecification grid;
+  const int* extent = image->GetExtent();
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    grid.dimensions[axis] = extent[2 * axis + 1] - extent[2 * axis] + 1;
+    grid.spacing[axis] = image->GetSpacing()[axis];
+    grid.origin[axis] = image->GetOrigin()[axis] + extent[2 * axis] * grid.spacing[axis];
+  }
+  vtkFieldData* field = image->GetFieldData();
+  const std::vector<std::string> projection = vtkNexradGetTexts(field, "Projection");
+  const bool geographic =
+    !projection.empty() && projection[0].find("+proj=longlat") != std::string::npos;
+  grid.axes = geographic ? nexrad::GridAxes::Geographic : nexrad::GridAxes::Projected;
+  grid.centreLatitude = vtkNexradGetValue(field, "ProjectionCenter", 0).value_or(0.0);
+  grid.centreLongitude = vtkNexradGetValue(field, "ProjectionCenter", 1).value_or(0.0);
+  return grid;
 }
 
 bool vtkNexradIsHidden(nexrad::MomentName moment, nexrad::VoxelState state)
@@ -417,7 +417,7 @@ void vtkNexradCodesToImage(nexrad::CodedVolume& coded, vtkImageData* image)
 nexrad::GriddedVolume vtkNexradImageToVolume(vtkImageData* image)
 {
   nexrad::GriddedVolume volume;
-  volume.grid = ImageToGrid(image);
+  volume.grid = vtkNexradImageToGrid(image);
   TakeFieldData(image->GetFieldData(), volume);
   const nexrad::MomentName first = FindMoment(image->GetPointData());
   std::vector<nexrad::GriddedVolume> moments = {TakeMoment(image, first, volume)};

@@ -75,6 +75,12 @@ VTKNEXRADIO_EXPORT void vtkNexradGridToImage(
   const nexrad::GridSpecification& grid, vtkImageData* image);
 
 /**
+ * The grid of an image, from its extent, origin, spacing and field data. Throws nexrad::Error for
+ * an image whose axes are turned.
+ */
+VTKNEXRADIO_EXPORT nexrad::GridSpecification vtkNexradImageToGrid(vtkImageData* image);
+
+/**
  * Whether a voxel of that moment and state is HIDDENPOINT.
  */
 VTKNEXRADIO_EXPORT bool vtkNexradIsHidden(nexrad::MomentName moment, nexrad::VoxelState state);

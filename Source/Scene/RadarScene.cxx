@@ -3,6 +3,8 @@
 
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
+#include "Scene/Cutting/SectionMark.h"
+#include "Scene/Cutting/VolumeCut.h"
 #include "Scene/Frame/Framing.h"
 #include "Scene/Frame/LabelLayout.h"
 #include "Scene/Map/MapLayer.h"
@@ -87,7 +89,7 @@ RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
 RadarScene::~RadarScene()
 {
   renderer->RemoveObserver(startTag);
-  for (Props* group : {&plan, &ground, &scales, &mark, &captions, &labels})
+  for (Props* group : {&plan, &ground, &scales, &section, &mark, &captions, &labels})
   {
     this->Replace(*group, {});
   }
@@ -220,10 +222,59 @@ void RadarScene::UpdateShadows()
     vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
 }
 
+void RadarScene::SetCut(const CutOptions& cut)
+{
+  CheckCut(cut);
+  const bool sameSection = cut.section == options.cut.section;
+  options.cut = cut;
+  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  {
+    CutVolume(mapper, cut, frame);
+  }
+  for (vtkVolumeMapper* mapper : detail.Mappers())
+  {
+    CutVolume(mapper, cut, frame);
+  }
+  if (!sameSection && !ground.empty())
+  {
+    this->DrawSection();
+    this->DrawLabels();
+  }
+}
+
+std::optional<std::array<double, 2>> RadarScene::GroundAt(const std::array<double, 2>& pixel)
+{
+  std::array<std::array<double, 4>, 2> ends{}; // of the line of sight, homogeneous
+  for (std::size_t end = 0; end < ends.size(); ++end)
+  {
+    renderer->SetDisplayPoint(pixel[0], pixel[1], static_cast<double>(end));
+    renderer->DisplayToWorld();
+    renderer->GetWorldPoint(ends[end].data());
+    std::transform(ends[end].begin(), ends[end].end(), ends[end].begin(),
+      [scale = ends[end][3]](double part) { return part / scale; });
+  }
+  const auto& [near, far] = ends;
+  const double share = (frame.Bounds()[4] - near[2]) / (far[2] - near[2]);
+  if (ground.empty() || !(share >= 0.0))
+  {
+    return std::nullopt;
+  }
+  const auto [x, y, height] = frame.ToVolume(
+    {near[0] + share * (far[0] - near[0]), near[1] + share * (far[1] - near[1]), 0.0});
+  return std::array{x, y};
+}
+
+std::array<double, 2> RadarScene::PixelOf(const std::array<double, 2>& groundPoint) const
+{
+  const auto [x, y] = frame.FromVolume(groundPoint);
+  return Projection(renderer->GetActiveCamera(), size)({x, y, frame.Bounds()[4]});
+}
+
 void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
 {
   size = pictureSize;
   this->DrawGround();
+  this->DrawSection();
   this->DrawScales();
   this->DrawCaptions();
   this->Aim();
@@ -259,6 +310,7 @@ vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& op
 void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 {
   RequireVoxels(data);
+  CheckCut(options.cut);
   const vtkSmartPointer<vtkImageData> values = AsDrawn(data, options);
   MakeTransferFunction(options, ArrayOf(values));
   if (options.plan)
@@ -325,6 +377,10 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   {
     this->DrawGround();
   }
+  if (!sameGround || section.empty())
+  {
+    this->DrawSection();
+  }
   this->DrawCaptions();
   this->Aim();
 }
@@ -359,6 +415,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
   volume->GetMapper()->SetInputDataObject(placed);
   this->PlaceDetail();
   this->SetSlices(options.slices);
+  this->SetCut(options.cut);
 }
 
 void RadarScene::SetDetail(vtkImageData* newDetail)
@@ -375,6 +432,7 @@ void RadarScene::SetDetail(vtkImageData* newDetail)
   detailData = newDetail;
   this->PlaceDetail();
   this->SetSlices(options.slices);
+  this->SetCut(options.cut);
 }
 
 void RadarScene::PlaceDetail()
@@ -440,7 +498,7 @@ void RadarScene::DrawMark()
 
 void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
 {
-  scale = ScaleFor(shown, options.plan->array, information.sites, MomentScale(array, steps));
+  scale = ScaleFor(shown, *options.plan, information.sites, MomentScale(array, steps));
   const std::string key = PlanKey(shown);
   note = shown.where + (key.empty() ? "" : "; " + key);
   this->Replace(plan, {MakePlanLayer(shown, scale, placed, PictureHeight(frame), theme)});
@@ -464,7 +522,7 @@ void RadarScene::Replace(Props& group, Props replacement)
 void RadarScene::OrderProps()
 {
   vtkPropCollection* props = renderer->GetViewProps();
-  for (const Props* group : {&scales, &ground, &mark, &labels, &captions})
+  for (const Props* group : {&scales, &ground, &section, &mark, &labels, &captions})
   {
     for (const auto& prop : *group)
     {
@@ -480,6 +538,18 @@ void RadarScene::DrawGround()
     frame, {information.sites, options.ringSpacing, options.placeNames}, this->TextSize(), theme);
   this->Replace(ground, std::move(layer.props));
   groundLabels = std::move(layer.labels);
+}
+
+void RadarScene::DrawSection()
+{
+  SceneLayer layer;
+  if (options.cut.section)
+  {
+    layer =
+      MakeSectionMark(*options.cut.section, frame, SectionHeight(frame), this->TextSize(), theme);
+  }
+  this->Replace(section, std::move(layer.props));
+  sectionLabels = std::move(layer.labels);
 }
 
 void RadarScene::DrawScales()
@@ -505,6 +575,7 @@ void RadarScene::DrawCaptions()
 void RadarScene::DrawLabels()
 {
   std::vector<Label> all = scaleLabels;
+  all.insert(all.end(), sectionLabels.begin(), sectionLabels.end());
   all.insert(all.end(), groundLabels.begin(), groundLabels.end());
   std::vector<PixelBox> boxes = taken;
   boxes.push_back({right, 0.0, static_cast<double>(size[0]), static_cast<double>(size[1])});

@@ -101,6 +101,18 @@ public:
 
   /// The light that the volume stands in.
   void SetLight(const LightOptions& light);
+  /// What is cut away, and the line of a section on the ground. Throws Error for a cut that cannot
+  /// be, and then changes nothing.
+  void SetCut(const CutOptions& cut);
+
+  /// x and y of the volume where a line of sight meets the ground, which may be beyond the domain;
+  /// nothing where it meets the sky. The pixel counts from the lower left corner.
+  std::optional<std::array<double, 2>> GroundAt(const std::array<double, 2>& pixel);
+  /// The place of the ground in the picture in pixels from the lower left corner.
+  std::array<double, 2> PixelOf(const std::array<double, 2>& groundPoint) const;
+  /// How volume and scene belong together; that of an empty scene before the first volume.
+  const SceneFrame& Frame() const { return frame; }
+
   /// Brings the shadow on the ground up to date. The beginning of each frame does so itself.
   void UpdateShadows();
 
@@ -112,6 +124,7 @@ private:
   void FollowArray(vtkImageData* data);
   void FollowIsoValues();
   void DrawGround();
+  void DrawSection();
   void DrawScales();
   void FillProperty();
   void DrawVolume(vtkImageData* placed, bool sameMapper);
@@ -149,11 +162,13 @@ private:
   Props plan;
   Props ground; ///< the ground itself is the first
   GroundShadow groundShadow;
+  Props section; ///< its line on the ground
   Props scales;
   Props mark;
   Props captions;
   Props labels;
   std::vector<Label> groundLabels;
+  std::vector<Label> sectionLabels;
   std::vector<Label> scaleLabels;
   std::vector<ScenePoint> outline; ///< of the domain and its scales
   std::vector<PixelBox> taken;     ///< by captions

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Cutting/CutOptions.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/Frame/LightOptions.h"
 #include "Scene/Plan/PlanOptions.h"
@@ -63,6 +64,7 @@ struct SceneOptions
   bool placeNames = false; ///< names of states and provinces on the map
   LightOptions light;
   std::optional<PlanOptions> plan;
+  CutOptions cut;
 };
 
 } // namespace nexrad::scene

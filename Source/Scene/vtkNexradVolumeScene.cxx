@@ -37,7 +37,7 @@ bool SamePlan(const SceneOptions& a, const SceneOptions& b)
 {
   return a.plan.has_value() == b.plan.has_value() &&
          (!a.plan || (a.plan->level == b.plan->level && a.plan->height == b.plan->height &&
-                       a.plan->array == b.plan->array));
+                       a.plan->array == b.plan->array && a.plan->threshold == b.plan->threshold));
 }
 
 bool SameLight(const LightOptions& a, const LightOptions& b)
@@ -47,9 +47,9 @@ bool SameLight(const LightOptions& a, const LightOptions& b)
          a.direction.elevation == b.direction.elevation;
 }
 
-// The number of slices, the light and the colours of the moment that is shown can be changed in a
-// scene that is there: its volume stays in texture memory.
-bool SameButForSlicesLightAndColors(const SceneOptions& a, const SceneOptions& b)
+// The number of slices, the light, what is cut away and the colours of the moment that is shown can
+// be changed in a scene that is there: its volume stays in texture memory.
+bool SameButForWhatCanChange(const SceneOptions& a, const SceneOptions& b)
 {
   return a.colourBy == b.colourBy && (a.colourBy.empty() || SameColors(a, b)) && SamePlan(a, b) &&
          a.exaggeration == b.exaggeration && a.mapper == b.mapper &&
@@ -70,6 +70,29 @@ bool SameView(const CameraView& a, const CameraView& b)
          a.parallel == b.parallel && SamePlace(a.lookAt, b.lookAt);
 }
 
+nexrad::scene::CutOptions CutOf(vtkNexradVolumeScene* self)
+{
+  nexrad::scene::CutOptions cut;
+  if (self->GetCropping())
+  {
+    cut.box.emplace();
+    self->GetCropBounds(cut.box->data());
+  }
+  if (self->GetClipping())
+  {
+    cut.plane.emplace();
+    self->GetClipOrigin(cut.plane->origin.data());
+    self->GetClipNormal(cut.plane->normal.data());
+  }
+  if (self->GetSection())
+  {
+    cut.section.emplace();
+    self->GetSectionA(cut.section->from.data());
+    self->GetSectionB(cut.section->to.data());
+  }
+  return cut;
+}
+
 nexrad::scene::PlanLevel LevelOf(int plan)
 {
   switch (plan)
@@ -78,6 +101,10 @@ nexrad::scene::PlanLevel LevelOf(int plan)
     return nexrad::scene::PlanLevel::Lowest;
   case vtkNexradVolumeScene::AT_HEIGHT:
     return nexrad::scene::PlanLevel::Height;
+  case vtkNexradVolumeScene::ECHO_TOP:
+    return nexrad::scene::PlanLevel::EchoTop;
+  case vtkNexradVolumeScene::LIQUID:
+    return nexrad::scene::PlanLevel::Liquid;
   default:
     return nexrad::scene::PlanLevel::Composite;
   }
@@ -102,7 +129,7 @@ struct vtkNexradVolumeScene::Drawing
   bool succeeded = true;
 
   void Update(vtkNexradVolumeScene* self);
-  static SceneOptions OptionsOf(const vtkNexradVolumeScene* self);
+  static SceneOptions OptionsOf(vtkNexradVolumeScene* self);
   static CameraView ViewOf(const vtkNexradVolumeScene* self);
   void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
@@ -111,7 +138,7 @@ struct vtkNexradVolumeScene::Drawing
   void FollowBox(const vtkNexradVolumeScene* self, bool anew);
 };
 
-SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene* self)
+SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(vtkNexradVolumeScene* self)
 {
   SceneOptions options;
   options.preset = self->Preset;
@@ -140,9 +167,10 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(const vtkNexradVolumeScene
   options.placeNames = self->PlaceNames;
   if (self->Plan != NO_PLAN)
   {
-    options.plan =
-      nexrad::scene::PlanOptions{LevelOf(self->Plan), self->PlanHeight, self->PlanArray};
+    options.plan = nexrad::scene::PlanOptions{
+      LevelOf(self->Plan), self->PlanHeight, self->PlanArray, self->EchoTopThreshold};
   }
+  options.cut = CutOf(self);
   return options;
 }
 
@@ -242,7 +270,7 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   view = camera;
   const bool otherColors = remakeColors || (scene && !SameColors(wanted, options));
   const bool otherVolume = self->Volume != volume || self->Volume->GetMTime() != volumeTime;
-  if (!scene || !SameButForSlicesLightAndColors(wanted, options) || (otherColors && otherVolume))
+  if (!scene || !SameButForWhatCanChange(wanted, options) || (otherColors && otherVolume))
   {
     this->Rebuild(self, wanted); // another volume may be of another moment, with other presets
     return;
@@ -266,6 +294,11 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   {
     scene->SetLight(wanted.light);
     options.light = wanted.light;
+  }
+  if (wanted.cut != options.cut)
+  {
+    scene->SetCut(wanted.cut);
+    options.cut = wanted.cut;
   }
   if (!sameView)
   {
@@ -485,6 +518,48 @@ bool vtkNexradVolumeScene::GetLookAtGeographic(double place[3])
   return true;
 }
 
+bool vtkNexradVolumeScene::FindGround(double pixelX, double pixelY, double point[2])
+{
+  const auto found =
+    this->Drawn->scene ? this->Drawn->scene->GroundAt({pixelX, pixelY}) : std::nullopt;
+  if (found)
+  {
+    std::copy(found->begin(), found->end(), point);
+  }
+  return found.has_value();
+}
+
+bool vtkNexradVolumeScene::FindPixel(double x, double y, double pixel[2])
+{
+  if (this->Drawn->scene)
+  {
+    const auto found = this->Drawn->scene->PixelOf({x, y});
+    std::copy(found.begin(), found.end(), pixel);
+  }
+  return this->Drawn->scene != nullptr;
+}
+
+bool vtkNexradVolumeScene::VolumeToScene(const double point[3], double scenePoint[3])
+{
+  if (this->Drawn->scene)
+  {
+    const auto place = this->Drawn->scene->Frame().ToScene({point[0], point[1], point[2]});
+    std::copy(place.begin(), place.end(), scenePoint);
+  }
+  return this->Drawn->scene != nullptr;
+}
+
+bool vtkNexradVolumeScene::SceneToVolume(const double scenePoint[3], double point[3])
+{
+  if (this->Drawn->scene)
+  {
+    const auto place =
+      this->Drawn->scene->Frame().ToVolume({scenePoint[0], scenePoint[1], scenePoint[2]});
+    std::copy(place.begin(), place.end(), point);
+  }
+  return this->Drawn->scene != nullptr;
+}
+
 void vtkNexradVolumeScene::SetCameraFromAbove()
 {
   this->SetAzimuth(180.0);
@@ -608,5 +683,21 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "PlaceNames: " << this->PlaceNames << "\n";
   os << indent << "Plan: " << this->Plan << "\n";
   os << indent << "PlanHeight: " << this->PlanHeight << "\n";
+  os << indent << "EchoTopThreshold: " << this->EchoTopThreshold << "\n";
   os << indent << "PlanArray: " << this->PlanArray << "\n";
+  os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";
+  os << indent << "CropBounds:";
+  for (const double bound : this->CropBounds)
+  {
+    os << " " << bound;
+  }
+  os << "\n";
+  os << indent << "Clipping: " << (this->Clipping ? "On" : "Off") << "\n";
+  os << indent << "ClipOrigin: " << this->ClipOrigin[0] << " " << this->ClipOrigin[1] << " "
+     << this->ClipOrigin[2] << "\n";
+  os << indent << "ClipNormal: " << this->ClipNormal[0] << " " << this->ClipNormal[1] << " "
+     << this->ClipNormal[2] << "\n";
+  os << indent << "Section: " << (this->Section ? "On" : "Off") << "\n";
+  os << indent << "SectionA: " << this->SectionA[0] << " " << this->SectionA[1] << "\n";
+  os << indent << "SectionB: " << this->SectionB[0] << " " << this->SectionB[1] << "\n";
 }

@@ -24,8 +24,9 @@
  *
  * Errors: a volume without voxels or scalars; a preset that does not exist, or that is of another
  * moment than the volume's; a file that is no colour map; a plan view of an array that the volume
- * does not have, or at a height outside of it; a ColorArray that it does not have. After an error
- * the scene shows what it showed before.
+ * does not have, or at a height outside of it, or an echo top or liquid of another moment than REF;
+ * a ColorArray that it does not have; a crop box without an inside; a clip plane without a
+ * direction. After an error the scene shows what it showed before.
  */
 #ifndef vtkNexradVolumeScene_h
 #define vtkNexradVolumeScene_h
@@ -65,14 +66,18 @@ public:
   /**
    * Which voxel of each column a plan view (a map in place of the volume) shows. NO_PLAN: the
    * volume is shown. COMPOSITE: the largest value; of velocity, the largest speed. LOWEST: the
-   * lowest voxel that was scanned. AT_HEIGHT: the voxel at PlanHeight.
+   * lowest voxel that was scanned. AT_HEIGHT: the voxel at PlanHeight. ECHO_TOP: the height at
+   * which reflectivity falls below EchoTopThreshold. LIQUID: the vertically integrated liquid of
+   * the reflectivity in kg/m².
    */
   enum PlanType
   {
     NO_PLAN = 0,
     COMPOSITE = 1,
     LOWEST = 2,
-    AT_HEIGHT = 3
+    AT_HEIGHT = 3,
+    ECHO_TOP = 4,
+    LIQUID = 5
   };
 
   /**
@@ -342,7 +347,7 @@ public:
    * Shows a plan view in place of the volume. NO_PLAN by default. A plan view is usually seen from
    * above: SetCameraFromAbove.
    */
-  vtkSetClampMacro(Plan, int, NO_PLAN, AT_HEIGHT);
+  vtkSetClampMacro(Plan, int, NO_PLAN, LIQUID);
   vtkGetMacro(Plan, int);
   ///@}
 
@@ -352,6 +357,14 @@ public:
    */
   vtkSetMacro(PlanHeight, double);
   vtkGetMacro(PlanHeight, double);
+  ///@}
+
+  ///@{
+  /**
+   * For ECHO_TOP: the threshold in dBZ. 18 by default.
+   */
+  vtkSetMacro(EchoTopThreshold, double);
+  vtkGetMacro(EchoTopThreshold, double);
   ///@}
 
   ///@{
@@ -382,6 +395,90 @@ public:
    */
   bool GetLookAt(double place[3]);
   bool GetLookAtGeographic(double place[3]);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the part of the volume within CropBounds alone is shown. Off by default.
+   */
+  vtkSetMacro(Cropping, bool);
+  vtkGetMacro(Cropping, bool);
+  vtkBooleanMacro(Cropping, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Faces of the crop box: west, east, south, north in x and y of the volume (m, or degrees on
+   * geographic axes), bottom and top in m above mean sea level. Each upper face must be above the
+   * lower one. By default 10 000 km to each side, which cuts nothing.
+   */
+  vtkSetVector6Macro(CropBounds, double);
+  vtkGetVector6Macro(CropBounds, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the part of the volume in front of the clip plane alone is shown. Off by default.
+   */
+  vtkSetMacro(Clipping, bool);
+  vtkGetMacro(Clipping, bool);
+  vtkBooleanMacro(Clipping, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The clip plane: a point of it, and its normal, which points to the part that is shown; both in
+   * the coordinates of the volume (x, y, height above mean sea level), where heights are not
+   * stretched. (0, 0, 0) and (0, 1, 0) by default: the northern half.
+   */
+  vtkSetVector3Macro(ClipOrigin, double);
+  vtkGetVector3Macro(ClipOrigin, double);
+  vtkSetVector3Macro(ClipNormal, double);
+  vtkGetVector3Macro(ClipNormal, double);
+  ///@}
+
+  ///@{
+  /**
+   * Whether the line from SectionA to SectionB is drawn on the ground, with the names A and B at
+   * its ends. vtkNexradVerticalSection gives what stands above it. Off by default.
+   */
+  vtkSetMacro(Section, bool);
+  vtkGetMacro(Section, bool);
+  vtkBooleanMacro(Section, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The ends of that line in x and y of the volume (m, or degrees on geographic axes). (0, 0) by
+   * default.
+   */
+  vtkSetVector2Macro(SectionA, double);
+  vtkGetVector2Macro(SectionA, double);
+  vtkSetVector2Macro(SectionB, double);
+  vtkGetVector2Macro(SectionB, double);
+  ///@}
+
+  /**
+   * x and y of the volume where the line of sight through a pixel of the renderer's window (from
+   * its lower left corner) meets the ground, which may be beyond the domain. False where it meets
+   * the sky, and before the first picture.
+   */
+  bool FindGround(double pixelX, double pixelY, double point[2]);
+
+  /**
+   * The pixel of the renderer's window, from its lower left corner, where a place of the ground
+   * (x and y of the volume) is. False before the first picture.
+   */
+  bool FindPixel(double x, double y, double pixel[2]);
+
+  ///@{
+  /**
+   * Scene coordinates of a point in the coordinates of the volume (x, y, height above mean sea
+   * level), for props that are added to the renderer; and the other way. False before the first
+   * picture.
+   */
+  bool VolumeToScene(const double point[3], double scenePoint[3]);
+  bool SceneToVolume(const double scenePoint[3], double point[3]);
   ///@}
 
   /**
@@ -419,7 +516,16 @@ protected:
   bool PlaceNames = false;
   int Plan = NO_PLAN;
   double PlanHeight = 0.0;
+  double EchoTopThreshold = 18.0;
   std::string PlanArray;
+  bool Cropping = false;
+  double CropBounds[6] = {-1e7, 1e7, -1e7, 1e7, -1e7, 1e7};
+  bool Clipping = false;
+  double ClipOrigin[3] = {0.0, 0.0, 0.0};
+  double ClipNormal[3] = {0.0, 1.0, 0.0};
+  bool Section = false;
+  double SectionA[2] = {0.0, 0.0};
+  double SectionB[2] = {0.0, 0.0};
 
 private:
   vtkNexradVolumeScene(const vtkNexradVolumeScene&) = delete;

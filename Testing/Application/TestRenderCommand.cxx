@@ -109,7 +109,7 @@ TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)
     return FileContent(folder.Path() / name);
   };
   std::set<std::string> pictures;
-  for (const char* map : {"composite", "lowest", "3km"})
+  for (const char* map : {"composite", "lowest", "3km", "echo-top", "echo-top:30", "vil"})
   {
     pictures.insert(draw("a.png", {"--map", map}));
   }
@@ -118,7 +118,7 @@ TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)
   {
     pictures.insert(draw("b.png", {"--map", "3km", "--array", array}));
   }
-  EXPECT_EQ(pictures.size(), 7u);
+  EXPECT_EQ(pictures.size(), 10u);
   EXPECT_EQ(pictures.count(draw("c.png", {"--map", "3km", "--array", "REF"})), 1u);
 }
 
@@ -203,6 +203,8 @@ TEST(RenderCommand, FailuresAreOneLine)
     {{series, "-o", folder.Path() / "no" / "x.ogv"}, "no/x.ogv"},
     {{series, "-o", folder.Path() / "full.png", "--time", "2006-03-12T18:35"}, "full.png"},
     {{series, "-o", png, "--time", "2006-03-12T18:35", "--map", "25km"}, "from 0 km to 20 km"},
+    {{series, "-o", png, "--time", "2006-03-12T18:35", "--map", "vil", "--array", "REF_age"},
+      "computed of REF"},
     {{series, "-o", png, "--time", "2006-03-12T18:35", "--map", "3km", "--array", "REF_age"},
       "no array REF_age"},
     {{series, "-o", png, "--colours", folder.Path() / "colours.csv"}, "line 3"},

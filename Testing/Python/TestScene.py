@@ -106,6 +106,28 @@ class Pictures(unittest.TestCase):
         drawn = self.draw(lambda scene: scene.SetColorArray("REF_age"), "--colour-by", "REF_age")
         self.assertTrue((drawn != self.draw(lambda scene: None)).any())
 
+    def test_crop_and_clip(self):
+        def settings(scene):
+            scene.CroppingOn()
+            scene.SetCropBounds(-60e3, 40e3, -200e3, 200e3, 0.0, 9e3)
+            scene.ClippingOn()
+            scene.SetClipOrigin(-20e3, 5e3, 0.0)
+            scene.SetClipNormal(0.0, -1.0, 0.0)
+        drawn = self.draw(settings, "--crop=-60km,40km,-200km,200km,0,9km", "--clip=-20km,5km,180")
+        self.assertTrue((drawn != self.draw(lambda scene: None)).any())
+
+    def test_a_vertical_section(self):
+        session = vtknexrad.vtkNexradSession()
+        session.AddFileName(volumes())
+        self.assertTrue(session.ShowTimeStep(1))
+        section = vtknexrad.vtkNexradVerticalSection()
+        section.SetInputData(session.GetScene().GetVolume())
+        section.SetA(-100e3, 0.0)
+        section.SetB(100e3, 50e3)
+        values = vtknexrad.array(vtknexrad.update(section))
+        self.assertEqual(values.shape, (256, 512))
+        at_least(self, numpy.nanmax(values), 20.0, "largest value of a section, dBZ")
+
     def test_plan_views(self):
         def settings(plan, array=""):
             def apply(scene):
@@ -119,6 +141,8 @@ class Pictures(unittest.TestCase):
         lowest = self.draw(settings(kinds.LOWEST), "--map", "lowest")
         self.assertTrue((composite != lowest).any())
         self.draw(settings(kinds.AT_HEIGHT), "--map", "3km")
+        self.draw(settings(kinds.ECHO_TOP), "--map", "echo-top")
+        self.draw(settings(kinds.LIQUID), "--map", "vil")
         self.draw(settings(kinds.AT_HEIGHT, "REF_age"), "--map", "3km", "--array", "REF_age")
 
     def test_radar_files(self):

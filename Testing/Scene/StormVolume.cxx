@@ -9,10 +9,8 @@
 
 namespace nexrad::testing
 {
-namespace
-{
 
-// A tower with an anvil that leans to the north east; x, y in km, height in km.
+// A tower with an anvil that leans to the north east.
 double Storm(double x, double y, double height)
 {
   const double core = std::hypot(x + 70.0, y + 70.0) / 30.0;
@@ -22,6 +20,9 @@ double Storm(double x, double y, double height)
   const double veil = 34.0 - 20.0 * anvil * anvil - 1.5 * std::abs(height - 8.0);
   return height > 15.0 ? -33.0 : std::max({tower, veil, -33.0});
 }
+
+namespace
+{
 
 // The storm after it has moved so many km to the east.
 GriddedVolume MakeStorm(bool synthetic, double east)

@@ -15,6 +15,9 @@ namespace nexrad::testing
 /// voxels of 10 km × 10 km × 1.25 km with a storm of 62 dBZ that stands 15 km high in the south
 /// west quarter, and the sites KLSX and KILX. Marked as synthetic when asked.
 GriddedVolume MakeStorm(bool synthetic);
+/// Its field in dBZ; x and y in km east and north of the centre, the height in km. Voxels at or
+/// below 0 dBZ have no echo.
+double Storm(double x, double y, double height);
 vtkSmartPointer<vtkImageData> MakeStormVolume(bool synthetic);
 
 /// The same storm, marked as synthetic, at `steps` times five minutes apart, in which it moves 20

@@ -137,6 +137,40 @@ TEST(PlanView, ACompositeWithoutMeaningIsRefused)
   }
 }
 
+// The storm holds 50 dBZ at 1.5 km and 30 at 2.5; the echo aloft −5 dBZ at 2.5 km.
+TEST(PlanView, EchoTopsAndLiquidAreOfWholeColumns)
+{
+  PlanOptions plan{PlanLevel::EchoTop, 0.0, ""};
+  plan.threshold = 40.0;
+  const PlanView tops = MakePlanView(FiveColumns(), plan);
+  EXPECT_EQ(tops.states, (std::vector<VoxelState>{echo, none, none, folded, open}));
+  EXPECT_FLOAT_EQ(tops.values[0], 2'000.0F);
+  const ColourScale kilometres = ScaleFor(tops, plan, {}, {});
+  EXPECT_EQ(kilometres.title, "Echo top at 40 dBZ");
+  EXPECT_EQ(kilometres.unit, "km");
+  EXPECT_EQ(kilometres.bins[static_cast<std::size_t>(FindBin(kilometres, 2'100.0))].from, 2.0);
+  const PlanView liquid = View(PlanLevel::Liquid);
+  EXPECT_EQ(liquid.states, (std::vector<VoxelState>{echo, echo, none, folded, open}));
+  // 10^(5·4/7) + 10^(3·4/7), times 3.44e-6 · 1000 m
+  EXPECT_NEAR(static_cast<double>(liquid.values[0]), 2.6539, 0.0005);
+  const ColourScale mass = ScaleFor(liquid, PlanOptions{PlanLevel::Liquid, 0.0, ""}, {}, {});
+  EXPECT_EQ(mass.unit, "kg/m²");
+  EXPECT_EQ(mass.bins[static_cast<std::size_t>(FindBin(mass, 2.6539))].from, 2.5);
+  EXPECT_EQ(FindBin(mass, static_cast<double>(liquid.values[1])), -1) << "a weak echo";
+}
+
+TEST(PlanView, EchoTopsAndLiquidAreOfReflectivityAlone)
+{
+  GriddedVolume volume = FiveColumns();
+  volume.moment = MomentName::VEL;
+  for (const PlanLevel level : {PlanLevel::EchoTop, PlanLevel::Liquid})
+  {
+    EXPECT_THROW(MakePlanView(volume, {level, 0.0, ""}), Error);
+    EXPECT_EQ(
+      ErrorOf({level, 0.0, "REF_age"}), "echo tops and liquid are computed of REF, not of REF_age");
+  }
+}
+
 TEST(PlanView, AnArrayThatIsNotThereIsRefusedByName)
 {
   const std::string error = ErrorOf({PlanLevel::Composite, 0.0, "REF_weight"});

@@ -7,6 +7,8 @@
 #include "vtkNexradMessages.h"
 #include "vtkNexradTransferFunction.h"
 
+#include "nexrad/System/Error.h"
+
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPropCollection.h>
@@ -15,7 +17,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <iostream>
 #include <string>
 #include <utility>
@@ -93,6 +97,142 @@ TEST(VolumeScene, DrawsALightTheme)
   ExpectSceneBaseline(DrawStorm(set), "StormLight");
 }
 
+namespace
+{
+
+// How many pixels of a picture from above are not those of `within` where `isWithin` holds for
+// the place of the ground, and not those of `beyond` elsewhere, part. Pixels less than a voxel's
+// width from the border are not compared.
+template <typename Inside>
+double WrongPart(vtkNexradVolumeScene* scene, const Picture& shown, const Picture& within,
+  const Picture& beyond, const Inside& depth)
+{
+  int wrong = 0;
+  int compared = 0;
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      double place[2];
+      if (!scene->FindGround(x + 0.5, y + 0.5, place) || std::abs(depth(place)) < 10e3)
+      {
+        continue;
+      }
+      const auto pixel = PixelOf(shown, x, y);
+      const auto wanted = PixelOf(depth(place) > 0.0 ? within : beyond, x, y);
+      bool same = true;
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        same = same && std::abs(pixel[i] - wanted[i]) <= 8;
+      }
+      wrong += same ? 0 : 1;
+      ++compared;
+    }
+  }
+  EXPECT_GT(compared, 20'000);
+  return static_cast<double>(wrong) / compared;
+}
+
+void SeeFromAbove(vtkNexradVolumeScene* scene)
+{
+  scene->SetCameraFromAbove();
+  scene->HeightWallsOff();
+}
+
+void CropToCorner(vtkNexradVolumeScene* scene)
+{
+  SeeFromAbove(scene);
+  scene->CroppingOn();
+  scene->SetCropBounds(200e3, 230e3, -230e3, -200e3, 0.0, 5e3);
+}
+
+} // namespace
+
+TEST(VolumeScene, TheCropBoxHidesExactlyWhatIsOutside)
+{
+  const Picture whole = DrawStorm(SeeFromAbove);
+  const Picture nothing = DrawStorm(CropToCorner);
+  ASSERT_GT(MeanDifference(whole, nothing), 1.0);
+  vtkNew<vtkNexradVolumeScene> scene;
+  SeeFromAbove(scene);
+  scene->CroppingOn();
+  scene->SetCropBounds(-100e3, -20e3, -75e3, 60e3, -1e3, 30e3);
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), size);
+  const Picture cropped = window.Draw();
+  const auto depth = [](const double* place)
+  {
+    return std::min(
+      std::min(place[0] + 100e3, -20e3 - place[0]), std::min(place[1] + 75e3, 60e3 - place[1]));
+  };
+  EXPECT_AT_MOST(WrongPart(scene, cropped, whole, nothing, depth), 0.0005,
+    "pixels of a cropped volume that are wrong, part", "drivers round to either neighbour");
+  KeepPicture(cropped, "Cropped");
+}
+
+TEST(VolumeScene, TheClipPlaneHidesExactlyOneSide)
+{
+  const Picture whole = DrawStorm(SeeFromAbove);
+  const Picture nothing = DrawStorm(CropToCorner);
+  vtkNew<vtkNexradVolumeScene> scene;
+  SeeFromAbove(scene);
+  scene->ClippingOn();
+  scene->SetClipOrigin(-70e3, -70e3, 0.0);
+  scene->SetClipNormal(3.0, 4.0, 0.0);
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), size);
+  const Picture clipped = window.Draw();
+  const auto depth = [](const double* place)
+  { return 0.6 * (place[0] + 70e3) + 0.8 * (place[1] + 70e3); };
+  EXPECT_AT_MOST(WrongPart(scene, clipped, whole, nothing, depth), 0.0005,
+    "pixels of a clipped volume that are wrong, part", "drivers round to either neighbour");
+}
+
+TEST(VolumeScene, ACutWithoutAnInsideOrADirectionIsRefused)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), size);
+  window.Draw();
+  vtkNexradMessages messages;
+  messages.Watch(scene);
+  scene->CroppingOn();
+  scene->SetCropBounds(10e3, -10e3, -10e3, 10e3, 0.0, 1e3);
+  EXPECT_FALSE(scene->Update());
+  EXPECT_THROW(messages.ThrowFirstError(), nexrad::Error);
+  scene->CroppingOff();
+  EXPECT_TRUE(scene->Update());
+  scene->ClippingOn();
+  scene->SetClipNormal(0.0, 0.0, 0.0);
+  EXPECT_FALSE(scene->Update());
+}
+
+TEST(VolumeScene, PlacesOfTheGroundAndPixelsBelongTogether)
+{
+  vtkNew<vtkNexradVolumeScene> scene;
+  double place[2];
+  EXPECT_FALSE(scene->FindGround(10.0, 10.0, place)) << "before the first picture";
+  scene->SetVolume(MakeStormVolume(true));
+  OffScreenWindow window(scene->GetRenderer(), size);
+  window.Draw();
+  double pixel[2];
+  ASSERT_TRUE(scene->FindPixel(-70e3, 35e3, pixel));
+  ASSERT_TRUE(scene->FindGround(pixel[0], pixel[1], place));
+  EXPECT_NEAR(place[0], -70e3, 1.0);
+  EXPECT_NEAR(place[1], 35e3, 1.0);
+  const double point[3] = {-70e3, 35e3, 4e3};
+  double scenePoint[3];
+  double back[3];
+  ASSERT_TRUE(scene->VolumeToScene(point, scenePoint));
+  EXPECT_DOUBLE_EQ(scenePoint[0], -70.0);
+  EXPECT_DOUBLE_EQ(scenePoint[2], 4.0 * 8.0); // stretched 8 times
+  ASSERT_TRUE(scene->SceneToVolume(scenePoint, back));
+  scene->SetTilt(2.0);
+  window.Draw();
+  EXPECT_FALSE(scene->FindGround(5.0, size[1] - 5.0, place)) << "the sky";
+  EXPECT_NEAR(back[2], 4e3, 1e-6);
+}
+
 // A scene whose settings change between two pictures draws the second as one that had them at once.
 TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
 {
@@ -113,6 +253,32 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"walls", [](vtkNexradVolumeScene* scene) { scene->HeightWallsOff(); }},
     {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetShadowStrength(0.8); }},
     {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOcclusionStrength(0.8); }},
+    {"echo top",
+      [](vtkNexradVolumeScene* scene)
+      {
+        scene->SetPlan(vtkNexradVolumeScene::ECHO_TOP);
+        scene->SetEchoTopThreshold(30.0);
+      }},
+    {"liquid", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID); }},
+    {"crop",
+      [](vtkNexradVolumeScene* scene)
+      {
+        scene->CroppingOn();
+        scene->SetCropBounds(-70e3, 240e3, -240e3, 240e3, 0.0, 20e3);
+      }},
+    {"clip",
+      [](vtkNexradVolumeScene* scene)
+      {
+        scene->ClippingOn();
+        scene->SetClipOrigin(-70e3, -70e3, 5e3);
+        scene->SetClipNormal(0.0, 0.1, -1.0);
+      }},
+    {"section",
+      [](vtkNexradVolumeScene* scene)
+      {
+        scene->SectionOn();
+        scene->SetSectionB(100e3, 100e3);
+      }},
     {"light",
       [](vtkNexradVolumeScene* scene)
       {

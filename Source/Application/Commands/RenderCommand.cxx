@@ -9,8 +9,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include <cmath>
 #include <iostream>
+#include <locale>
 #include <memory>
+#include <sstream>
 
 namespace nexrad::application
 {

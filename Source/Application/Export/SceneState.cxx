@@ -14,6 +14,8 @@
 #include <QDir>
 #include <QTemporaryFile>
 
+#include <array>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -38,9 +40,39 @@ std::optional<scene::PlanOptions> PlanOf(vtkNexradVolumeScene* scene)
   case vtkNexradVolumeScene::AT_HEIGHT:
     plan.level = scene::PlanLevel::Height;
     return plan;
+  case vtkNexradVolumeScene::ECHO_TOP:
+    plan.level = scene::PlanLevel::EchoTop;
+    plan.threshold = scene->GetEchoTopThreshold();
+    return plan;
+  case vtkNexradVolumeScene::LIQUID:
+    plan.level = scene::PlanLevel::Liquid;
+    return plan;
   default:
     return std::nullopt;
   }
+}
+
+scene::CutOptions CutOf(vtkNexradVolumeScene* scene)
+{
+  scene::CutOptions cut;
+  if (scene->GetCropping())
+  {
+    cut.box.emplace();
+    scene->GetCropBounds(cut.box->data());
+  }
+  if (scene->GetClipping())
+  {
+    cut.plane.emplace();
+    scene->GetClipOrigin(cut.plane->origin.data());
+    scene->GetClipNormal(cut.plane->normal.data());
+  }
+  if (scene->GetSection())
+  {
+    cut.section.emplace();
+    scene->GetSectionA(cut.section->from.data());
+    scene->GetSectionB(cut.section->to.data());
+  }
+  return cut;
 }
 
 std::string ArrayOf(vtkNexradVolumeScene* scene)
@@ -104,6 +136,7 @@ scene::SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
   options.heightWalls = scene->GetHeightWalls();
   options.placeNames = scene->GetPlaceNames();
   options.plan = PlanOf(scene);
+  options.cut = CutOf(scene);
   return options;
 }
 
@@ -111,16 +144,44 @@ scene::SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
 
 void SetPlan(const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
 {
-  int plan = vtkNexradVolumeScene::NO_PLAN;
-  if (options.plan)
+  if (!options.plan)
   {
-    plan = options.plan->level == scene::PlanLevel::Composite ? vtkNexradVolumeScene::COMPOSITE
-           : options.plan->level == scene::PlanLevel::Lowest  ? vtkNexradVolumeScene::LOWEST
-                                                              : vtkNexradVolumeScene::AT_HEIGHT;
-    scene->SetPlanHeight(options.plan->height);
-    scene->SetPlanArray(options.plan->array);
+    scene->SetPlan(vtkNexradVolumeScene::NO_PLAN);
+    return;
   }
-  scene->SetPlan(plan);
+  const std::map<scene::PlanLevel, int> plans = {
+    {scene::PlanLevel::Composite, vtkNexradVolumeScene::COMPOSITE},
+    {scene::PlanLevel::Lowest, vtkNexradVolumeScene::LOWEST},
+    {scene::PlanLevel::Height, vtkNexradVolumeScene::AT_HEIGHT},
+    {scene::PlanLevel::EchoTop, vtkNexradVolumeScene::ECHO_TOP},
+    {scene::PlanLevel::Liquid, vtkNexradVolumeScene::LIQUID}};
+  scene->SetPlan(plans.at(options.plan->level));
+  scene->SetPlanHeight(options.plan->height);
+  scene->SetPlanArray(options.plan->array);
+  scene->SetEchoTopThreshold(options.plan->threshold);
+}
+
+void SetCut(const scene::CutOptions& cut, vtkNexradVolumeScene* scene)
+{
+  scene->SetCropping(cut.box.has_value());
+  if (cut.box)
+  {
+    std::array<double, 6> box = *cut.box;
+    scene->SetCropBounds(box.data());
+  }
+  scene->SetClipping(cut.plane.has_value());
+  if (cut.plane)
+  {
+    const auto& plane = *cut.plane;
+    scene->SetClipOrigin(plane.origin[0], plane.origin[1], plane.origin[2]);
+    scene->SetClipNormal(plane.normal[0], plane.normal[1], plane.normal[2]);
+  }
+  scene->SetSection(cut.section.has_value());
+  if (cut.section)
+  {
+    scene->SetSectionA(cut.section->from[0], cut.section->from[1]);
+    scene->SetSectionB(cut.section->to[0], cut.section->to[1]);
+  }
 }
 
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)

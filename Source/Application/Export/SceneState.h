@@ -19,6 +19,9 @@ namespace nexrad::viewer
 /// Sets the map that a scene shows in place of its volume, if any.
 void SetPlan(const scene::SceneOptions& options, vtkNexradVolumeScene* scene);
 
+/// Sets what a scene cuts away, and the line of its section.
+void SetCut(const scene::CutOptions& cut, vtkNexradVolumeScene* scene);
+
 /// The settings of a scene, with the iso-values of its colour map where these were edited.
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene);
 scene::CameraView CameraOf(vtkNexradVolumeScene* scene);

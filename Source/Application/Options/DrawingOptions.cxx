@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/DrawingOptions.h"
 
+#include "Options/CuttingOptions.h"
 #include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 
@@ -113,12 +114,42 @@ scene::LightDirection ParseLightDirection(const std::string& text)
   return direction;
 }
 
+// What follows "echo-top": nothing, or a colon and dBZ.
+double ParseThreshold(const std::string& text, const std::string& end, double usual)
+{
+  std::istringstream stream(end);
+  stream.imbue(std::locale::classic());
+  char colon = ':';
+  double threshold = usual;
+  if (!end.empty())
+  {
+    stream >> colon >> threshold;
+  }
+  if (stream.fail() || colon != ':' || stream.peek() != std::istringstream::traits_type::eof() ||
+      !(std::abs(threshold) <= 100.0))
+  {
+    throw Error("'" + text + "' is no echo top; write echo-top, or echo-top:30 for that of 30 dBZ");
+  }
+  return threshold;
+}
+
 scene::PlanOptions ParsePlan(const std::string& text)
 {
   scene::PlanOptions plan;
   if (text == "composite" || text == "lowest")
   {
     plan.level = text == "lowest" ? scene::PlanLevel::Lowest : scene::PlanLevel::Composite;
+    return plan;
+  }
+  if (text == "vil")
+  {
+    plan.level = scene::PlanLevel::Liquid;
+    return plan;
+  }
+  if (const std::string echoTop = "echo-top"; text.compare(0, echoTop.size(), echoTop) == 0)
+  {
+    plan.level = scene::PlanLevel::EchoTop;
+    plan.threshold = ParseThreshold(text, text.substr(echoTop.size()), plan.threshold);
     return plan;
   }
   try
@@ -128,7 +159,8 @@ scene::PlanOptions ParsePlan(const std::string& text)
   }
   catch (const Error&)
   {
-    throw Error("'" + text + "' is no map; write composite, lowest, or a height as in 3km");
+    throw Error(
+      "'" + text + "' is no map; write composite, lowest, echo-top, vil, or a height as in 3km");
   }
   return plan;
 }
@@ -233,6 +265,7 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   command.add_flag("--names", options.placeNames, "Names of states and provinces on the map")
     ->group(group);
+  AddCuttingOptions(command, options.cut);
 }
 
 void AddMapOptions(CLI::App& command, scene::SceneOptions& options)
@@ -240,8 +273,9 @@ void AddMapOptions(CLI::App& command, scene::SceneOptions& options)
   constexpr char group[] = "Map in place of the volume";
   AddParsedOption(command, "--map", options.plan, ParsePlan, "WHICH",
     "Of each column the largest value (composite; of VEL the fastest), the lowest that was scanned "
-    "(lowest), or the "
-    "one at a height above mean sea level, m or km; seen from above, north up")
+    "(lowest), the one at a height above mean sea level, m or km, the height of the echo top at 18 "
+    "dBZ or another threshold (echo-top, echo-top:30), or the vertically integrated liquid (vil); "
+    "seen from above, north up")
     ->group(group);
   command
     .add_option("--array",

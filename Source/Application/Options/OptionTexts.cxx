@@ -68,6 +68,10 @@ std::string MapTextOf(const scene::PlanOptions& plan)
     return "lowest";
   case scene::PlanLevel::Height:
     return LengthTextOf(plan.height);
+  case scene::PlanLevel::EchoTop:
+    return "echo-top:" + TextOf(plan.threshold);
+  case scene::PlanLevel::Liquid:
+    return "vil";
   default:
     return "composite";
   }
@@ -156,6 +160,46 @@ void AddSurroundings(const scene::SceneOptions& scene, OptionList& options)
   }
 }
 
+template <typename Lengths>
+std::string LengthsTextOf(const Lengths& lengths)
+{
+  std::string text;
+  for (const double length : lengths)
+  {
+    text += (text.empty() ? "" : ",") + LengthTextOf(length);
+  }
+  return text;
+}
+
+std::string ClipTextOf(const scene::CutPlane& plane)
+{
+  constexpr double degrees = 180.0 / 3.14159265358979323846;
+  const auto& [x, y, height] = plane.origin;
+  const auto& [east, north, up] = plane.normal;
+  const std::string upright =
+    LengthsTextOf(std::array{x, y}) + "," + TextOf(degrees * std::atan2(east, north));
+  return up == 0.0 ? upright
+                   : upright + "," + LengthTextOf(height) + "," +
+                       TextOf(degrees * std::atan2(up, std::hypot(east, north)));
+}
+
+void AddCut(const scene::CutOptions& cut, OptionList& options)
+{
+  if (cut.box)
+  {
+    options.Add("--crop", LengthsTextOf(*cut.box));
+  }
+  if (cut.plane)
+  {
+    options.Add("--clip", ClipTextOf(*cut.plane));
+  }
+  if (cut.section)
+  {
+    const auto& [from, to] = *cut.section;
+    options.Add("--section", LengthsTextOf(std::array{from[0], from[1], to[0], to[1]}));
+  }
+}
+
 // The moments may have been chosen after the other options of merging were given.
 void AddMerging(const scene::DrawingRequest& request, OptionList& options)
 {
@@ -196,6 +240,7 @@ std::vector<OptionText> OptionTextsOf(const scene::DrawingRequest& request)
   AddCamera(request.camera, request.scene.plan.has_value(), options);
   AddVolume(request.scene, options);
   AddSurroundings(request.scene, options);
+  AddCut(request.scene.cut, options);
   AddMerging(request, options);
   return options.Take();
 }

@@ -13,6 +13,7 @@
 #include <QFormLayout>
 #include <QGroupBox>
 #include <QSignalBlocker>
+#include <QStandardItemModel>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -32,6 +33,25 @@ int PlaceOf(int slices)
   const auto nearest = std::min_element(sliceCounts.begin(), sliceCounts.end(),
     [slices](int a, int b) { return std::abs(a - slices) < std::abs(b - slices); });
   return static_cast<int>(nearest - sliceCounts.begin());
+}
+
+// What the choice of views offers, in its order.
+constexpr std::array<int, 5> plans = {vtkNexradVolumeScene::NO_PLAN,
+  vtkNexradVolumeScene::COMPOSITE, vtkNexradVolumeScene::LOWEST, vtkNexradVolumeScene::ECHO_TOP,
+  vtkNexradVolumeScene::LIQUID};
+
+// −1 for a plan that it does not offer.
+int PlaceOfPlan(int plan)
+{
+  const auto place = std::find(plans.begin(), plans.end(), plan);
+  return place == plans.end() ? -1 : static_cast<int>(place - plans.begin());
+}
+
+// Name of the array that a volume shows, "" for none.
+std::string MomentOf(vtkImageData* volume)
+{
+  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
+  return scalars != nullptr && scalars->GetName() != nullptr ? scalars->GetName() : "";
 }
 
 template <typename Widget>
@@ -160,19 +180,34 @@ void LookPanel::AddDrawing(QFormLayout* form)
     form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
     [this] { return scene->GetParallelProjection() ? 1 : 0; },
     [this](int index) { scene->SetParallelProjection(index == 1); });
-  this->AddChoice(
+  QComboBox* views = this->AddChoice(
     form, "View", "The volume, or a map of one value of each column",
-    {"Volume", "Largest value of each column", "Lowest value that was scanned"},
-    [this] { return scene->GetPlan(); },
+    {"Volume", "Largest value of each column", "Lowest value that was scanned",
+      "Echo top at 18 dBZ", "Vertically integrated liquid"},
+    [this] { return PlaceOfPlan(scene->GetPlan()); },
     [this](int index)
     {
-      scene->SetPlan(index);
+      scene->SetPlan(plans[static_cast<std::size_t>(index)]);
       if (index != vtkNexradVolumeScene::NO_PLAN)
       {
         scene->SetCameraFromAbove();
         this->Follow();
       }
     });
+  follow.push_back([this, views] { this->FollowMoment(views); });
+}
+
+// Echo tops and liquid are computed of reflectivity alone.
+void LookPanel::FollowMoment(QComboBox* views)
+{
+  auto* entries = qobject_cast<QStandardItemModel*>(views->model());
+  const bool reflectivity = MomentOf(scene->GetVolume()) == "REF";
+  for (std::size_t i = 0; i < plans.size(); ++i)
+  {
+    const bool product =
+      plans[i] == vtkNexradVolumeScene::ECHO_TOP || plans[i] == vtkNexradVolumeScene::LIQUID;
+    entries->item(static_cast<int>(i))->setEnabled(!product || reflectivity);
+  }
 }
 
 void LookPanel::AddLight(QFormLayout* form)

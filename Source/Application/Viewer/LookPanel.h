@@ -44,6 +44,7 @@ private:
   void AddLight(QFormLayout* form);
   void AddSurroundings(QFormLayout* form);
   void FollowPresets();
+  void FollowMoment(QComboBox* views);
 
   vtkNexradVolumeScene* scene;
   QComboBox* presets = nullptr;

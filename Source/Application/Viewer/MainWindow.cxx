@@ -5,6 +5,9 @@
 #include "Drawing/PictureWindow.h"
 #include "Export/SceneState.h"
 #include "Viewer/BoxMouse.h"
+#include "Viewer/Cutting/CutPanel.h"
+#include "Viewer/Cutting/SectionDock.h"
+#include "Viewer/Cutting/SectionPanel.h"
 #include "Viewer/FileActions.h"
 #include "Viewer/HelpPage.h"
 #include "Viewer/InputWatch.h"
@@ -84,6 +87,7 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   view->Apply(request.scene, request.camera);
   playback->SetInterval(static_cast<int>(request.interval.count()));
   this->MakeDocks();
+  this->MakeCutting();
   this->MakeMenus();
   this->MakeStatus();
   auto* box = new BoxMouse(*view, *playback);
@@ -138,6 +142,27 @@ void MainWindow::MakeDocks()
   damageDock->hide();
 }
 
+void MainWindow::MakeCutting()
+{
+  const ShownScene shown{view, view->Scene(), [this] { view->DrawSoon(); }};
+  section = new SectionDock(shown, this);
+  this->addDockWidget(Qt::BottomDockWidgetArea, section);
+  connect(look, &LookPanel::Changed, section->Panel(), &SectionPanel::FollowSoon);
+  connect(playback, &Playback::Loaded, section->Panel(), &SectionPanel::FollowSoon);
+  auto* cut = new CutPanel(shown, this);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidget(cut);
+  scroll->setWidgetResizable(true);
+  auto* cutDock = new QDockWidget("Cut", this);
+  cutDock->setObjectName("cut dock");
+  cutDock->setWidget(scroll);
+  auto* lookDock = this->findChild<QDockWidget*>("look");
+  this->tabifyDockWidget(lookDock, cutDock);
+  lookDock->raise();
+  connect(look, &LookPanel::Changed, cut, &CutPanel::FollowSoon);
+  connect(playback, &Playback::Loaded, cut, &CutPanel::FollowSoon);
+}
+
 void MainWindow::MakeMenus()
 {
   QMenu* file = this->menuBar()->addMenu("&File");
@@ -154,6 +179,7 @@ void MainWindow::MakeMenus()
   colours->AddActions(this->menuBar()->addMenu("&Edit"));
   windows = this->menuBar()->addMenu("&View");
   windows->addAction("&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
+  windows->addAction(section->DrawAction());
   windows->addSeparator();
   for (QDockWidget* dock : this->findChildren<QDockWidget*>())
   {

@@ -25,6 +25,7 @@ class InputWatch;
 class LookPanel;
 class Playback;
 class SceneView;
+class SectionDock;
 class TransferFunctionEditor;
 
 /// The window of `nexrad3d view`: a radar day in its time line, its scene and its settings.
@@ -67,6 +68,7 @@ protected:
 private:
   void MakeMenus();
   void MakeDocks();
+  void MakeCutting();
   void MakeStatus();
   void AskForFiles();
   void AskForFolder();
@@ -87,6 +89,7 @@ private:
   InputWatch* watch = nullptr;
   SceneView* view = nullptr;
   LookPanel* look = nullptr;
+  SectionDock* section = nullptr;
   TransferFunctionEditor* colours = nullptr;
   FileActions* files = nullptr;
   QDockWidget* damageDock = nullptr;

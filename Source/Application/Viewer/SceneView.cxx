@@ -70,6 +70,7 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
   scene->SetPlaceNames(options.placeNames);
   SetPlan(options, scene);
   scene->SetParallelProjection(camera.parallel);
+  SetCut(options.cut, scene);
   first = camera;
   this->ResetCamera();
 }

@@ -63,25 +63,29 @@ SceneFrame::SceneFrame(vtkImageData* volume, double verticalExaggeration)
   }
 }
 
+std::array<double, 2> SceneFrame::FromVolume(const std::array<double, 2>& point) const
+{
+  return {(point[0] - centre[0]) * kilometres[0], (point[1] - centre[1]) * kilometres[1]};
+}
+
 std::array<double, 2> SceneFrame::Place(double longitude, double latitude) const
 {
-  const std::array<double, 2> point = map->axes == GridAxes::Geographic
-                                        ? std::array<double, 2>{longitude, latitude}
-                                        : map->FromGeographic(longitude, latitude);
-  return {(point[0] - centre[0]) * kilometres[0], (point[1] - centre[1]) * kilometres[1]};
+  return this->FromVolume(map->axes == GridAxes::Geographic
+                            ? std::array<double, 2>{longitude, latitude}
+                            : map->FromGeographic(longitude, latitude));
 }
 
 std::array<double, 2> SceneFrame::Geographic(double x, double y) const
 {
-  const std::array<double, 2> point = {
-    x / kilometres[0] + centre[0], y / kilometres[1] + centre[1]};
-  return map->axes == GridAxes::Geographic ? point : map->ToGeographic(point[0], point[1]);
+  const std::array<double, 3> point = this->ToVolume({x, y, 0.0});
+  return map->axes == GridAxes::Geographic ? std::array{point[0], point[1]}
+                                           : map->ToGeographic(point[0], point[1]);
 }
 
 std::array<double, 3> SceneFrame::ToScene(const std::array<double, 3>& place) const
 {
-  return {(place[0] - centre[0]) * kilometres[0], (place[1] - centre[1]) * kilometres[1],
-    this->Height(place[2])};
+  const auto [x, y] = this->FromVolume({place[0], place[1]});
+  return {x, y, this->Height(place[2])};
 }
 
 std::array<double, 3> SceneFrame::ToVolume(const std::array<double, 3>& point) const

@@ -31,6 +31,9 @@ public:
   /// Scene height of a height in m above mean sea level.
   double Height(double metres) const { return metres / 1000.0 * exaggeration; }
 
+  /// Scene x and y of x and y of the volume (m or degrees).
+  std::array<double, 2> FromVolume(const std::array<double, 2>& point) const;
+
   bool HasMap() const { return map.has_value(); }
   /// Scene x and y of a longitude and latitude. Needs HasMap.
   std::array<double, 2> Place(double longitude, double latitude) const;

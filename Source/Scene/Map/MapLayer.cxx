@@ -37,7 +37,8 @@ enum class Level
   States = 1,
   Countries = 2,
   Rings = 3,
-  Markers = 4
+  Markers = 4,
+  Section = 5
 };
 
 double HeightOf(const SceneFrame& frame, Level level)
@@ -250,6 +251,11 @@ void AddNames(SceneLayer& layer, const SceneFrame& frame, int textSize, const Th
 double PictureHeight(const SceneFrame& frame)
 {
   return HeightOf(frame, Level::Picture);
+}
+
+double SectionHeight(const SceneFrame& frame)
+{
+  return HeightOf(frame, Level::Section);
 }
 
 SceneLayer MakeMapLayer(

@@ -22,6 +22,9 @@ struct MapContents
 /// The scene height of a picture that lies on the ground, under the map's lines.
 double PictureHeight(const SceneFrame& frame);
 
+/// The scene height of the line of a section, over them.
+double SectionHeight(const SceneFrame& frame);
+
 /// What lies on the ground under a volume: a plane, the map's lines cut at the domain's edge, and
 /// for each radar that the site table knows a marker, with its name as a label, and rings of range.
 /// `textSize` in pixels.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace nexrad::scene
 {
@@ -94,12 +95,61 @@ ColourScale SiteScale(const std::vector<std::string>& sites)
   return scale;
 }
 
+// Bins of given values, their colours along the sequence.
+ColourTable BinsFrom(const std::vector<double>& values)
+{
+  ColourTable bins;
+  for (const double value : values)
+  {
+    const double share = static_cast<double>(bins.size()) / static_cast<double>(values.size() - 1);
+    bins.push_back({value, Along(share)});
+  }
+  return bins;
+}
+
+// One colour a kilometre, up to the tops of the highest storms.
+ColourScale EchoTopScale(double threshold)
+{
+  ColourScale scale;
+  scale.factor = 0.001;
+  scale.bins = BinsFrom({0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18});
+  scale.unit = "km";
+  std::ostringstream title;
+  title << "Echo top at " << threshold << " dBZ";
+  scale.title = title.str();
+  return scale;
+}
+
+// Less than the first value is drizzle and clear air; from 25 to 30 kg/m² on, hail is looked for.
+ColourScale LiquidScale()
+{
+  ColourScale scale;
+  scale.bins = BinsFrom({0.5, 1, 2.5, 5, 10, 15, 20, 25, 30, 35, 40, 45, 50, 55, 60, 65, 70});
+  scale.unit = "kg/m²";
+  scale.title = "Vertically integrated liquid";
+  return scale;
+}
+
 bool EndsWith(const std::string& text, const std::string& end)
 {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
 }
 
 } // namespace
+
+ColourScale ScaleFor(const PlanView& view, const PlanOptions& plan,
+  const std::vector<std::string>& sites, const ColourScale& moment)
+{
+  switch (plan.level)
+  {
+  case PlanLevel::EchoTop:
+    return EchoTopScale(plan.threshold);
+  case PlanLevel::Liquid:
+    return LiquidScale();
+  default:
+    return ScaleFor(view, plan.array, sites, moment);
+  }
+}
 
 ColourScale ScaleFor(const PlanView& view, const std::string& array,
   const std::vector<std::string>& sites, const ColourScale& moment)

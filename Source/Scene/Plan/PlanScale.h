@@ -16,6 +16,11 @@ namespace nexrad::scene
 ColourScale ScaleFor(const PlanView& view, const std::string& array,
   const std::vector<std::string>& sites, const ColourScale& moment);
 
+/// The scale of a plan: of echo tops in km and of liquid in kg/m² one that is the same for all
+/// volumes, else that for the map of its array.
+ColourScale ScaleFor(const PlanView& view, const PlanOptions& plan,
+  const std::vector<std::string>& sites, const ColourScale& moment);
+
 /// The same for values of which the largest is known.
 ColourScale ScaleFor(double largest, const std::string& array,
   const std::vector<std::string>& sites, const ColourScale& moment);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Plan/PlanView.h"
 
+#include "nexrad/Products/ColumnProducts.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace nexrad::scene
 {
@@ -185,10 +187,39 @@ std::vector<float> ValuesOf(
   return taken;
 }
 
+bool IsProduct(PlanLevel level)
+{
+  return level == PlanLevel::EchoTop || level == PlanLevel::Liquid;
+}
+
+PlanView MakeProductView(const GriddedVolume& volume, const PlanOptions& plan)
+{
+  if (!plan.array.empty() && plan.array != ToString(volume.moment))
+  {
+    throw Error("echo tops and liquid are computed of REF, not of " + plan.array);
+  }
+  const bool top = plan.level == PlanLevel::EchoTop;
+  ColumnProduct product = top ? MakeEchoTops(volume, plan.threshold) : MakeIntegratedLiquid(volume);
+  PlanView view;
+  view.width = product.width;
+  view.height = product.height;
+  view.values = std::move(product.values);
+  view.states = std::move(product.states);
+  std::ostringstream where;
+  where << "Highest place of each column with " << plan.threshold
+        << " dBZ, in km above mean sea level";
+  view.where = top ? where.str() : "Of all voxels of each column; above 56 dBZ as 56 dBZ";
+  return view;
+}
+
 } // namespace
 
 PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan)
 {
+  if (IsProduct(plan.level))
+  {
+    return MakeProductView(volume, plan);
+  }
   if (plan.level == PlanLevel::Composite)
   {
     CheckComposite(volume.moment);

@@ -23,10 +23,11 @@ struct PlanView
   std::string where; ///< which voxels these are, for a caption
 };
 
-/// Takes one voxel of each column. Of an ancillary array (`plan.array`) its value in that
-/// voxel, so that the map of the array belongs to the map of the moment with the same choice.
-/// Throws Error for an array that the volume does not have, naming those it has, for a height
-/// outside it, and for a composite of PHI or RHO.
+/// Takes one voxel of each column, or computes the echo top in m or the liquid in kg/m². Of an
+/// ancillary array (`plan.array`) its value in that voxel, so that the map of the array belongs to
+/// the map of the moment with the same choice. Throws Error for an array that the volume does not
+/// have, naming those it has, for a height outside it, for a composite of PHI or RHO, and for an
+/// echo top or liquid of another moment than REF or of an array.
 PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan);
 
 } // namespace nexrad::scene

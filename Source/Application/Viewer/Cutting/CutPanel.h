@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Viewer/Cutting/ShownScene.h"
+
+#include <QWidget>
+
+#include <array>
+
+class QCheckBox;
+class QDoubleSpinBox;
+class QFormLayout;
+
+namespace nexrad::viewer
+{
+
+class CutHandles;
+
+/// Which part of the volume is shown: a box and a plane, as switches and numbers, and with handles
+/// in the scene.
+class CutPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// What `view` points at must outlive it.
+  explicit CutPanel(const ShownScene& view, QWidget* parent = nullptr);
+
+public slots:
+  /// Shows what the scene has once the events that wait are done with.
+  void FollowSoon();
+
+private:
+  QCheckBox* AddSwitch(QFormLayout* form, const QString& name, const QString& tip);
+  QDoubleSpinBox* AddNumber(QFormLayout* form, const QString& name, const QString& tip);
+  void AddBox(QFormLayout* form);
+  void AddPlane(QFormLayout* form);
+  void SwitchCrop(bool on);
+  void SwitchClip(bool on);
+  void TakeBox();
+  void TakePlane();
+  void ShowChange();
+  void Follow();
+  void FollowBox();
+  void FollowPlane();
+
+  ShownScene view;
+  CutHandles* handles;
+  QCheckBox* shown = nullptr; ///< the handles
+  QCheckBox* crop = nullptr;
+  std::array<QDoubleSpinBox*, 6> faces{}; ///< west, east, south, north, bottom, top
+  QCheckBox* clip = nullptr;
+  std::array<QDoubleSpinBox*, 3> origin{};
+  QDoubleSpinBox* azimuth = nullptr;   ///< of the normal
+  QDoubleSpinBox* elevation = nullptr; ///< of the normal
+  bool asked = false;
+};
+
+} // namespace nexrad::viewer

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Viewer/Cutting/ShownScene.h"
+
+#include <QWidget>
+
+#include <vtkNew.h>
+
+#include <array>
+
+class QBoxLayout;
+class QDoubleSpinBox;
+class QLabel;
+class QToolButton;
+class vtkNexradVerticalSection;
+
+namespace nexrad::viewer
+{
+
+class SectionChart;
+class SectionTool;
+
+/// The vertical section along a line on the ground: the line is drawn with the mouse, or given in
+/// numbers, and stays where it is when another time is shown.
+class SectionPanel : public QWidget
+{
+  Q_OBJECT
+
+public:
+  /// What `view` points at must outlive it.
+  explicit SectionPanel(const ShownScene& view, QWidget* parent = nullptr);
+  ~SectionPanel() override;
+
+  SectionChart* Chart() const { return chart; }
+  vtkNexradVerticalSection* Filter() const { return filter; }
+
+public slots:
+  /// Makes the section anew once the events that wait are done with: another volume is shown, or
+  /// the scene has other colours.
+  void FollowSoon();
+  /// Lets the next drag on the ground draw the line.
+  void DrawLine(bool on);
+  /// Takes the line away.
+  void Remove();
+
+protected:
+  void showEvent(QShowEvent* event) override;
+
+private:
+  QWidget* MakeRow();
+  QDoubleSpinBox* AddNumber(QBoxLayout* row, const QString& name, const QString& tip);
+  void TakeNumbers();
+  void Follow();
+  void FollowNumbers();
+  void Cut();
+  void Tell(const QPoint& pixel);
+
+  ShownScene view;
+  SectionTool* tool;
+  SectionChart* chart;
+  QToolButton* draw = nullptr;
+  QToolButton* remove = nullptr;
+  std::array<QDoubleSpinBox*, 4> ends{}; ///< A east, A north, B east, B north
+  QLabel* reading = nullptr;
+  vtkNew<vtkNexradVerticalSection> filter;
+  bool asked = false;
+};
+
+} // namespace nexrad::viewer

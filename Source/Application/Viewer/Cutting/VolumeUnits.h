@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <QString>
+
+#include <array>
+
+class vtkImageData;
+
+namespace nexrad::viewer
+{
+
+/// In what numbers of the window give places of a volume: km, or degrees on geographic axes.
+struct HorizontalUnit
+{
+  double size = 1000.0; ///< in x and y of the volume
+  double metres = 1.0;  ///< of one unit of x and y of the volume; of degrees, along a meridian
+  QString suffix = " km";
+};
+
+/// `volume` may be nullptr.
+HorizontalUnit HorizontalUnitOf(vtkImageData* volume);
+
+/// Outer faces of a volume: west, east, south, north, bottom, top.
+std::array<double, 6> FacesOf(vtkImageData* volume);
+
+} // namespace nexrad::viewer

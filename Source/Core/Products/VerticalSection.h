@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Grid/GriddedVolume.h"
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace nexrad
+{
+
+/// A straight line on the ground, in x and y of a grid.
+struct SectionLine
+{
+  std::array<double, 2> from = {0.0, 0.0}; ///< the end A: m, or degrees for Geographic axes
+  std::array<double, 2> to = {0.0, 0.0};   ///< the end B
+
+  bool operator==(const SectionLine& other) const { return from == other.from && to == other.to; }
+  bool operator!=(const SectionLine& other) const { return !(*this == other); }
+};
+
+/// How a section takes a value between the centres of voxels.
+enum class SectionInterpolation
+{
+  Nearest, ///< that of the voxel in which the point lies
+  Linear   ///< the mean of the eight voxels about the point that hold an echo, by their weights
+};
+
+/// Where the samples of a section lie.
+struct SectionSampling
+{
+  SectionLine line;
+  std::array<int, 2> dimensions = {512, 256}; ///< samples along the line and upwards; above 0
+  SectionInterpolation interpolation = SectionInterpolation::Linear;
+};
+
+/// The voxels of a grid, x fastest, then y, then z upward, however they are stored.
+struct VoxelSource
+{
+  std::function<VoxelState(std::size_t)> state;
+  std::function<float(std::size_t)> value; ///< is asked for voxels with an echo alone
+};
+
+/// What stands above a line. The samples are the centres of rectangles that fill the section.
+struct VerticalSection
+{
+  std::array<int, 2> dimensions = {0, 0};
+  double length = 0.0;            ///< m along the ground from A to B
+  double bottom = 0.0, top = 0.0; ///< m above mean sea level: the lower and upper face of the grid
+  std::vector<float> values;      ///< along the line fastest, then upward; NaN without an echo
+  std::vector<VoxelState> states;
+};
+
+/// Length of a line in m: of Projected axes that of the plane, of Geographic ones of the geodesic.
+double LengthOf(const SectionLine& line, const GridSpecification& grid);
+
+/// Averages of the moment mean something: not of velocities, which are folded, nor of phases, whose
+/// 0 and 360 degrees are one.
+SectionInterpolation UsualInterpolation(MomentName moment);
+
+/// The section of a grid from its lower to its upper face. Points outside of the grid are not
+/// scanned. With linear interpolation, as formula G6 has it: where voxels that were not scanned or
+/// are range folded hold at least half of the weight, the point has the state that holds more of
+/// it; else, where voxels without echo hold at least half of the rest, it has no echo; else it has
+/// the mean of the voxels with an echo alone. So no value is mixed with a missing one.
+VerticalSection MakeVerticalSection(
+  const GridSpecification& grid, const VoxelSource& voxels, const SectionSampling& sampling);
+
+} // namespace nexrad

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Cutting/VolumeCut.h"
+
+#include "nexrad/System/Error.h"
+
+#include <vtkMath.h>
+#include <vtkNew.h>
+#include <vtkPlane.h>
+#include <vtkVolumeMapper.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+template <class Numbers>
+bool AreFinite(const Numbers& numbers)
+{
+  return std::all_of(
+    numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
+}
+
+// What the normal points to is drawn.
+void AddPlane(
+  vtkVolumeMapper* mapper, const std::array<double, 3>& origin, std::array<double, 3> normal)
+{
+  vtkMath::Normalize(normal.data());
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(origin.data());
+  plane->SetNormal(normal.data());
+  mapper->AddClippingPlane(plane);
+}
+
+} // namespace
+
+void CheckCut(const CutOptions& cut)
+{
+  if (cut.box)
+  {
+    const auto& box = *cut.box;
+    if (!AreFinite(box) || !(box[0] < box[1] && box[2] < box[3] && box[4] < box[5]))
+    {
+      throw Error("the crop box has no inside: its east, north and top must be above its west, "
+                  "south and bottom");
+    }
+  }
+  if (cut.plane)
+  {
+    const auto& normal = cut.plane->normal;
+    const bool none = normal == std::array<double, 3>{0.0, 0.0, 0.0};
+    if (none || !AreFinite(normal) || !AreFinite(cut.plane->origin))
+    {
+      throw Error("the clip plane has no direction: its normal must not be 0");
+    }
+  }
+}
+
+void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame& frame)
+{
+  mapper->RemoveAllClippingPlanes();
+  if (cut.box)
+  {
+    // Cropping planes would do, but there is one set of them, and a finer volume in place of a part
+    // of the volume needs it.
+    const auto& box = *cut.box;
+    const std::array<double, 3> low = frame.ToScene({box[0], box[2], box[4]});
+    const std::array<double, 3> high = frame.ToScene({box[1], box[3], box[5]});
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      std::array<double, 3> normal{};
+      normal[axis] = 1.0;
+      AddPlane(mapper, low, normal);
+      normal[axis] = -1.0;
+      AddPlane(mapper, high, normal);
+    }
+  }
+  if (cut.plane)
+  {
+    // A normal is divided by what lengths are multiplied by.
+    const std::array<double, 3> zero = frame.ToScene({0.0, 0.0, 0.0});
+    const std::array<double, 3> one = frame.ToScene({1.0, 1.0, 1.0});
+    std::array<double, 3> normal = cut.plane->normal;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+    {
+      normal[axis] /= one[axis] - zero[axis];
+    }
+    AddPlane(mapper, frame.ToScene(cut.plane->origin), normal);
+  }
+}
+
+} // namespace nexrad::scene

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Cutting/CutOptions.h"
+#include "Scene/Frame/SceneFrame.h"
+
+class vtkVolumeMapper;
+
+namespace nexrad::scene
+{
+
+/// Throws Error for a box whose upper bounds are not above the lower ones, for a plane whose normal
+/// is 0, and for numbers that are not finite.
+void CheckCut(const CutOptions& cut);
+
+/// Lets the mapper draw the part of the volume that the box and the plane leave.
+void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame& frame);
+
+} // namespace nexrad::scene

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Products/ColumnProducts.h"
+
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+using namespace nexrad;
+
+namespace
+{
+
+constexpr VoxelState echo = VoxelState::Echo;
+constexpr VoxelState none = VoxelState::NoEcho;
+constexpr VoxelState folded = VoxelState::RangeFolded;
+constexpr VoxelState open = VoxelState::NotScanned;
+
+// A column of levels of 1 km, the first at 500 m.
+GriddedVolume ColumnOf(const std::vector<VoxelState>& states, const std::vector<float>& values)
+{
+  GriddedVolume volume;
+  volume.grid.dimensions = {1, 1, static_cast<int>(states.size())};
+  volume.grid.origin = {0.0, 0.0, 500.0};
+  volume.grid.spacing = {1'000.0, 1'000.0, 1'000.0};
+  volume.states = states;
+  volume.values = values;
+  return volume;
+}
+
+ColumnProduct TopOf(const std::vector<VoxelState>& states, const std::vector<float>& values)
+{
+  return MakeEchoTops(ColumnOf(states, values), 18.0);
+}
+
+} // namespace
+
+TEST(ColumnProducts, AnEchoTopLiesBetweenTheLevelsAboutTheThreshold)
+{
+  const ColumnProduct top = TopOf({echo, echo, echo, echo}, {50.0F, 28.0F, 8.0F, 2.0F});
+  EXPECT_EQ(top.states[0], echo);
+  EXPECT_FLOAT_EQ(top.values[0], 2'000.0F); // half way from 28 dBZ at 1.5 km to 8 at 2.5 km
+}
+
+TEST(ColumnProducts, AnEchoTopIsSoughtFromAbove)
+{
+  const ColumnProduct top = TopOf({echo, echo, echo, echo}, {50.0F, 8.0F, 20.0F, 16.0F});
+  EXPECT_FLOAT_EQ(top.values[0], 3'000.0F);
+}
+
+TEST(ColumnProducts, WithoutAnEchoAboveTheTopIsTheVoxelItself)
+{
+  for (const VoxelState above : {none, open, folded})
+  {
+    EXPECT_FLOAT_EQ(TopOf({echo, above}, {30.0F, -33.0F}).values[0], 500.0F);
+  }
+  EXPECT_FLOAT_EQ(TopOf({echo, echo}, {30.0F, 30.0F}).values[0], 1'500.0F);
+}
+
+TEST(ColumnProducts, ColumnsWithoutATopSayWhy)
+{
+  EXPECT_EQ(TopOf({echo, none}, {10.0F, -33.0F}).states[0], none)
+    << "too weak: scanned, none there";
+  EXPECT_EQ(TopOf({none, open}, {-33.0F, -33.0F}).states[0], none);
+  EXPECT_EQ(TopOf({open, folded}, {-33.0F, -33.0F}).states[0], folded);
+  EXPECT_EQ(TopOf({open, open}, {-33.0F, -33.0F}).states[0], open);
+}
+
+// By hand: 40 dBZ is Z = 10⁴, to the power of 4/7 193.07; 20 dBZ 13.895; 56 dBZ 1584.9. The sum
+// 1791.9 times 3.44e-6 times 1000 m.
+TEST(ColumnProducts, IntegratedLiquidIsThatOfTheFormula)
+{
+  const ColumnProduct liquid = MakeIntegratedLiquid(
+    ColumnOf({echo, echo, none, echo, open}, {40.0F, 20.0F, -33.0F, 65.0F, -33.0F}));
+  EXPECT_EQ(liquid.states[0], echo);
+  EXPECT_NEAR(static_cast<double>(liquid.values[0]), 6.1641, 0.001);
+}
+
+TEST(ColumnProducts, AWeakEchoAddsLittleAndNoEchoNothing)
+{
+  EXPECT_NEAR(static_cast<double>(MakeIntegratedLiquid(ColumnOf({echo}, {-10.0F})).values[0]),
+    3.44e-3 * std::pow(0.1, 4.0 / 7.0), 1e-8);
+  EXPECT_EQ(MakeIntegratedLiquid(ColumnOf({none}, {-33.0F})).states[0], none);
+}
+
+TEST(ColumnProducts, AreOfReflectivityAlone)
+{
+  GriddedVolume volume = ColumnOf({echo}, {10.0F});
+  volume.moment = MomentName::VEL;
+  EXPECT_THROW(MakeEchoTops(volume, 18.0), Error);
+  EXPECT_THROW(MakeIntegratedLiquid(volume), Error);
+}
