@@ -134,7 +134,11 @@ class Pictures(unittest.TestCase):
         session.AddFileName(volumes())
         self.assertTrue(session.ShowTimeStep(1))
         scene = session.GetScene()
-        picture(session)
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetSize(*SIZE)
+        window.AddRenderer(scene.GetRenderer())
+        window.Render()
         picker = vtknexrad.vtkNexradEchoPicker()
         picker.SetScene(scene)
         pixels_of_picture = [(x, y) for x in range(0, SIZE[0], 10) for y in range(0, SIZE[1], 10)]
@@ -151,6 +155,8 @@ class Pictures(unittest.TestCase):
         place = [0.0, 0.0, 0.0]
         self.assertTrue(scene.GetLookAt(place))
         self.assertEqual(tuple(place), picker.GetPlace())
+        del window
+        self.assertEqual(picker.Pick(x, y, 0.0, scene.GetRenderer()), picker.NOTHING)
 
     def test_a_finer_box(self):
         session = vtknexrad.vtkNexradSession()
