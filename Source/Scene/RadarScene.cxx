@@ -339,6 +339,10 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   }
   SceneFrame newFrame(
     data, options.exaggeration ? *options.exaggeration : DefaultExaggeration(data));
+  if (view.lookAt)
+  {
+    newFrame.PlaceOf(*view.lookAt); // throws before anything changes
+  }
   note = ScaleText(newFrame.Exaggeration());
   note += newField && !newField->note.empty() ? "; " + newField->note : "";
   if (options.plan)
@@ -602,7 +606,7 @@ void RadarScene::Aim()
   }
   FrameScene(
     renderer->GetActiveCamera(), view, {outline, scaleLabels}, {size, right, taken}, pictures);
-  if (view.lookAt)
+  if (view.lookAt && (!view.lookAt->geographic || frame.HasMap())) // not before the first volume
   {
     CentreOn(renderer->GetActiveCamera(), frame.ToScene(frame.PlaceOf(*view.lookAt)));
   }

@@ -130,7 +130,7 @@ int vtkNexradEchoPicker::Look(double x, double y, vtkRenderer* renderer, bool fo
     return NOTHING;
   }
   const int* size = renderer->GetSize();
-  if (!(x >= 0.0 && y >= 0.0 && x <= size[0] && y <= size[1]))
+  if (size[0] <= 0 || size[1] <= 0 || !(x >= 0.0 && y >= 0.0 && x <= size[0] && y <= size[1]))
   {
     return NOTHING;
   }

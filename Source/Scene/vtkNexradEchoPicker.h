@@ -13,7 +13,8 @@
  * It finds the echo that is seen at a pixel: the place on the ray of view in front of which half of
  * the ray's opacity lies, as the transfer function of the scene has it. Where the ray's opacity is
  * below 0.1, and where the scene shows a plan view, it finds the place on the ground. The height of
- * the ground is that of the bottom of the volume. Where neither is, it finds nothing.
+ * the ground is that of the bottom of the volume. Where neither is, and as long as the renderer is
+ * in no window, it finds nothing.
  *
  * The radar is the one that scanned the voxel from nearest (array `_site`); of a volume without
  * this array, the nearest radar of the volume that the site table knows.

@@ -80,10 +80,15 @@ vtkNexradVolumeScene* vtkNexradNavigator::GetScene() const
   return this->Scene;
 }
 
-// The camera is that of the settings, and there is something to look at.
+// The camera is that of the settings, there is something to look at, and the picture has a size.
 bool vtkNexradNavigator::IsReady()
 {
-  return this->Scene && this->Scene->GetVolume() != nullptr && this->Scene->Update();
+  if (!this->Scene || this->Scene->GetVolume() == nullptr || !this->Scene->Update())
+  {
+    return false;
+  }
+  const int* size = this->Scene->GetRenderer()->GetSize();
+  return size[0] > 0 && size[1] > 0;
 }
 
 void vtkNexradNavigator::FindPoint(double x, double y, double point[3])

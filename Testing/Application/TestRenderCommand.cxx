@@ -75,6 +75,7 @@ TEST(RenderCommand, OneTimeAndTheCamera)
   EXPECT_NE(first, draw("east.png", {"--azimuth", "90"}));
   EXPECT_NE(first, draw("high.png", {"--tilt", "80"}));
   EXPECT_NE(first, draw("near.png", {"--zoom", "2"}));
+  EXPECT_NE(first, draw("place.png", {"--look-at", "38.5,-90.5,2km"}));
   EXPECT_NE(first, draw("flat.png", {"--exaggeration", "2"}));
   EXPECT_NE(first, draw("rings.png", {"--rings", "100km"}));
   EXPECT_NE(first, draw("occlusion.png", {"--occlusion", "0.7"}));

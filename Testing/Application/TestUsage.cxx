@@ -185,6 +185,10 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
   {
     ExpectWrongUsage({"render", "a", "-o", "b.png", "--light", light}, {"--light", "250,45"});
   }
+  for (const char* place : {"35", "35,", "91,10", "35,-97,", "35,-97,4", "35,-97,4km,1", "nan,10"})
+  {
+    ExpectWrongUsage({"render", "a", "-o", "b.png", "--look-at", place}, {"--look-at"});
+  }
   for (const char* values : {"", ",", "20,", "20:", "20:0", "20:1.5", "20:0.5:1", "20;40", "nan",
          "1e999", "20:nan", "20:0.3,30:x", "20dBZ"})
   {

@@ -3,6 +3,7 @@
 // threads, with their volumes in memory: the storm as scanned, and the same rays with an echo in
 // every gate, both along the storm's motion and linear in time. The geometry, making the volumes
 // ready (once a run both), and finding the motion (once a step at most) are measured apart.
+#include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Motion/MotionTracker.h"
@@ -141,6 +142,43 @@ void MergeEchoEverywhereLinear(benchmark::State& state)
   MeasureMerge(state, EchoEverywhere(), false);
 }
 
+// A box of 60 km about the middle of the domain in voxels of 250 m, 240 x 240 x 80 of them, that
+// moves by 10 km from one merge to the next: its radars' geometry is made anew each time.
+void MeasureBox(benchmark::State& state, const std::vector<PolarVolume>& volumes)
+{
+  const GridSpecification domain = GridOf(256);
+  const RangeLoop loop = ThreadLoop(2);
+  const BeamVolumes ready = BeamMerger(domain).Prepare(PointersTo(volumes));
+  std::vector<FinerBox> boxes;
+  for (const double east : {-30e3, -20e3})
+  {
+    boxes.push_back(MakeFinerBox(domain, {{east, east + 60e3, -30e3, 30e3}}));
+  }
+  const auto motion = MotionTracker(boxes[0].grid).Find(ready, evening);
+  BeamMerger merger(boxes[0].grid);
+  std::size_t number = 0;
+  const auto merge = [&]
+  {
+    merger.SetBlock(boxes[number++ % boxes.size()].block);
+    return merger.Merge(ready, evening, motion.get(), loop);
+  };
+  merge(); // makes the means of these voxels ready
+  for (auto iteration : state)
+  {
+    benchmark::DoNotOptimize(merge());
+  }
+}
+
+void MergeBoxOfStorm(benchmark::State& state)
+{
+  MeasureBox(state, Storm());
+}
+
+void MergeBoxOfEchoEverywhere(benchmark::State& state)
+{
+  MeasureBox(state, EchoEverywhere());
+}
+
 // With nothing kept from the step before: the images of all volumes, then the motion of three
 // pairs.
 void FindMotion(benchmark::State& state)
@@ -199,6 +237,8 @@ BENCHMARK(MergeEchoEverywhereLinear)
   ->Arg(512)
   ->UseRealTime()
   ->Unit(benchmark::kMillisecond);
+BENCHMARK(MergeBoxOfStorm)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(MergeBoxOfEchoEverywhere)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(FindMotion)->Arg(256)->Arg(512)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(GeometryOfThreeSites)->Arg(256)->Arg(512)->Unit(benchmark::kMillisecond);
 BENCHMARK(PrepareOneVolume)->Unit(benchmark::kMillisecond);

@@ -10,6 +10,7 @@ import unittest
 import numpy
 import vtknexrad
 from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkPNGReader
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 
@@ -102,6 +103,13 @@ class Pictures(unittest.TestCase):
                   "--shadow", "0.6", "--occlusion", "0.4", "--light", "300,30",
                   "--classification", "sampled")
 
+    def test_a_place_in_the_middle(self):
+        def settings(scene):
+            scene.SetZoom(4.0)
+            scene.SetLookAtGeographic(38.8, -94.3, 4000.0)
+        drawn = self.draw(settings, "--zoom", "4", "--look-at", "38.8,-94.3,4km")
+        self.assertTrue((drawn != self.draw(lambda scene: scene.SetZoom(4.0), "--zoom", "4")).any())
+
     def test_two_fields(self):
         drawn = self.draw(lambda scene: scene.SetColorArray("REF_age"), "--colour-by", "REF_age")
         self.assertTrue((drawn != self.draw(lambda scene: None)).any())
@@ -144,6 +152,49 @@ class Pictures(unittest.TestCase):
         self.draw(settings(kinds.ECHO_TOP), "--map", "echo-top")
         self.draw(settings(kinds.LIQUID), "--map", "vil")
         self.draw(settings(kinds.AT_HEIGHT, "REF_age"), "--map", "3km", "--array", "REF_age")
+
+    def test_what_is_seen_at_a_pixel(self):
+        session = vtknexrad.vtkNexradSession()
+        session.AddFileName(volumes())
+        self.assertTrue(session.ShowTimeStep(1))
+        scene = session.GetScene()
+        window = vtkRenderWindow()
+        window.SetOffScreenRendering(True)
+        window.SetSize(*SIZE)
+        window.AddRenderer(scene.GetRenderer())
+        window.Render()
+        picker = vtknexrad.vtkNexradEchoPicker()
+        picker.SetScene(scene)
+        pixels_of_picture = [(x, y) for x in range(0, SIZE[0], 10) for y in range(0, SIZE[1], 10)]
+        found = [picker.Pick(x, y, 0.0, scene.GetRenderer()) for x, y in pixels_of_picture]
+        for kind in (picker.NOTHING, picker.GROUND, picker.ECHO):
+            self.assertIn(kind, found)
+        x, y = pixels_of_picture[found.index(picker.ECHO)]
+        picker.Pick(x, y, 0.0, scene.GetRenderer())
+        self.assertIn("dBZ (REF)", picker.GetText())
+        self.assertGreaterEqual(picker.GetNumberOfRadars(), 1)
+        navigator = vtknexrad.vtkNexradNavigator()
+        navigator.SetScene(scene)
+        self.assertEqual(navigator.CentreOn(x, y), picker.ECHO)
+        place = [0.0, 0.0, 0.0]
+        self.assertTrue(scene.GetLookAt(place))
+        self.assertEqual(tuple(place), picker.GetPlace())
+        del window
+        self.assertEqual(picker.Pick(x, y, 0.0, scene.GetRenderer()), picker.NOTHING)
+
+    def test_a_finer_box(self):
+        session = vtknexrad.vtkNexradSession()
+        for path in SyntheticFiles.files():
+            session.AddFileName(path)
+        session.GetDayReader().SetDimensions(48, 48, 24)
+        self.assertTrue(session.ShowTimeStep(0))
+        coarse = picture(session)
+        box = vtkImageData()
+        time = vtknexrad.time_steps(session.GetDayReader())[0].timestamp()
+        self.assertTrue(session.GetDayReader().MergeBox(time, (-60e3, 60e3, -60e3, 60e3), box))
+        self.assertEqual(box.GetDimensions(), (240, 240, 80))
+        session.GetScene().SetDetail(box)
+        self.assertTrue((picture(session) != coarse).any())
 
     def test_radar_files(self):
         session = vtknexrad.vtkNexradSession()

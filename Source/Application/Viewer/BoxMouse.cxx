@@ -89,6 +89,10 @@ void BoxMouse::TakeAway()
 void BoxMouse::Show(vtkImageData* box)
 {
   view.Scene()->SetDetail(box);
+  if (!playback.HasBox() && !from)
+  {
+    view.Scene()->MarkNoBox();
+  }
   view.DrawSoon();
   if (box != nullptr)
   {

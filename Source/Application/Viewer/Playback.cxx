@@ -69,6 +69,8 @@ void Playback::Open(scene::BackgroundSeriesOptions options, std::optional<Time> 
   step = 0;
   waiting = true;
   boxed = false;
+  boxWaiting = false;
+  emit BoxLoaded(nullptr);
   state = {};
   series = std::make_unique<scene::BackgroundSeries>(std::move(options));
   emit Changed();
@@ -151,11 +153,9 @@ void Playback::ShowBox()
 {
   try
   {
-    if (const vtkSmartPointer<vtkImageData> box = series->Box(step))
-    {
-      boxWaiting = false;
-      emit BoxLoaded(box);
-    }
+    const vtkSmartPointer<vtkImageData> box = series->Box(step);
+    boxWaiting = box == nullptr;
+    emit BoxLoaded(box); // none in place of one of another time
   }
   catch (const std::exception& error)
   {
@@ -180,7 +180,6 @@ void Playback::Show()
   }
   if (volume)
   {
-    emit BoxLoaded(nullptr); // which was of another time
     emit Loaded(volume);
     boxWaiting = boxed;
     if (boxed)

@@ -2,7 +2,7 @@
 // A box of a domain that is merged again in finer voxels, against the domain.
 #include "nexrad/Merging/SeriesMerger.h"
 
-#include "SyntheticScans.h"
+#include "Scans/SyntheticScans.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/System/Error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "SyntheticScans.h"
+#include "Scans/SyntheticScans.h"
 
 #include "nexrad/Level2/Encoding/Level2Encoder.h"
 #include "nexrad/Simulation/RadarSimulator.h"
