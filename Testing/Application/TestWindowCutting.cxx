@@ -382,6 +382,23 @@ TEST_F(WindowCuttingTest, TheClipPlaneHidesOneSideAndIsTurnedByNumbers)
   window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowClip.png");
 }
 
+TEST_F(WindowCuttingTest, TheClipPlaneIsPushedWithTheMouse)
+{
+  this->OpenWide(1);
+  vtkNexradVolumeScene* scene = window->View()->Scene();
+  this->Tick("Clip");
+  const QPoint from = this->PixelOfPoint({120.0, 0.0, 10.0});
+  const QPoint there = this->PixelOfPoint({120.0, -80.0, 10.0});
+  EXPECT_AT_LEAST(this->Changes(
+                    [&] {
+                      this->Drag({from, 0.5 * (from + there), there});
+                    }),
+    0.02, "pixels that pushing the clip plane changes, part");
+  EXPECT_AT_LEAST(-scene->GetClipOrigin()[1] / 1000.0, 17.0,
+    "way of a clip plane that the mouse pushes over 80 km of the picture, km");
+  EXPECT_NEAR(scene->GetClipNormal()[1], 1.0, 1e-9) << "it was pushed, not turned";
+}
+
 TEST_F(WindowCuttingTest, HandlesCanBeHidden)
 {
   this->OpenWide(1);

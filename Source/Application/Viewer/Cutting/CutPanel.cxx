@@ -168,8 +168,25 @@ void CutPanel::SwitchCrop(bool on)
   this->ShowChange();
 }
 
+// A plane that does not cross the volume is moved into its middle.
 void CutPanel::SwitchClip(bool on)
 {
+  if (vtkImageData* volume = view.scene->GetVolume())
+  {
+    const std::array<double, 6> whole = FacesOf(volume);
+    std::array<double, 3> point{};
+    view.scene->GetClipOrigin(point.data());
+    bool inside = true;
+    for (std::size_t i = 0; i < point.size(); ++i)
+    {
+      inside = inside && point[i] >= whole[2 * i] && point[i] <= whole[2 * i + 1];
+    }
+    for (std::size_t i = 0; i < point.size() && !inside; ++i)
+    {
+      point[i] = 0.5 * (whole[2 * i] + whole[2 * i + 1]);
+    }
+    view.scene->SetClipOrigin(point.data());
+  }
   view.scene->SetClipping(on);
   this->ShowChange();
 }

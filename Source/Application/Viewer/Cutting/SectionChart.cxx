@@ -151,7 +151,8 @@ SectionChart::SectionChart(QWidget* parent)
 {
   this->setObjectName("section");
   this->setAccessibleName("Vertical section");
-  this->setToolTip("What stands above the line from A to B: distance from A and height in km");
+  // No tool tip: it would cover what the mouse points at.
+  this->setAccessibleDescription("Distance from A and height above mean sea level in km");
   this->setFocusPolicy(Qt::NoFocus);
   this->setMouseTracking(true);
   window->AddRenderer(renderer);

@@ -101,6 +101,8 @@ QWidget* SectionPanel::MakeRow()
   reading = new QLabel(this);
   reading->setObjectName("section reading");
   reading->setAccessibleName("Value under the mouse");
+  reading->setToolTip("Distance from A in km, height above mean sea level in km, and the value "
+                      "where the mouse points at the section");
   reading->setMinimumWidth(10); // a long text must not widen the window
   row->addWidget(reading, 1);
   connect(draw, &QToolButton::toggled, this, &SectionPanel::DrawLine);
