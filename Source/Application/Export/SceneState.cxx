@@ -43,9 +43,8 @@ std::optional<scene::PlanOptions> PlanOf(vtkNexradVolumeScene* scene)
   }
 }
 
-std::string ArrayOf(vtkNexradVolumeScene* scene)
+std::string NameOfScalars(vtkImageData* volume)
 {
-  vtkImageData* volume = scene->GetVolume();
   vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
   const char* name = scalars != nullptr ? scalars->GetName() : nullptr;
   return name != nullptr ? name : "";
@@ -121,6 +120,23 @@ void SetPlan(const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
     scene->SetPlanArray(options.plan->array);
   }
   scene->SetPlan(plan);
+}
+
+std::string ArrayOf(vtkNexradVolumeScene* scene)
+{
+  return NameOfScalars(scene->GetVolume());
+}
+
+std::string PresetFor(vtkImageData* volume, const std::string& preset)
+{
+  for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
+  {
+    if (preset == vtkNexradTransferFunction::GetPresetName(i))
+    {
+      return NameOfScalars(volume) == vtkNexradTransferFunction::GetPresetArray(i) ? preset : "";
+    }
+  }
+  return "";
 }
 
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)

@@ -9,6 +9,7 @@
 #include <vector>
 
 class QTemporaryFile;
+class vtkImageData;
 class vtkNexradVolumeScene;
 
 /// What a scene of the window shows, as the options of the program say it. SceneView::Apply is the
@@ -18,6 +19,12 @@ namespace nexrad::viewer
 
 /// Sets the map that a scene shows in place of its volume, if any.
 void SetPlan(const scene::SceneOptions& options, vtkNexradVolumeScene* scene);
+
+/// Name of the array that a scene shows, as "REF"; "" without a volume.
+std::string ArrayOf(vtkNexradVolumeScene* scene);
+
+/// A preset that suits a volume: this one, or "" where it is of another moment.
+std::string PresetFor(vtkImageData* volume, const std::string& preset);
 
 /// The settings of a scene, with the iso-values of its colour map where these were edited.
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene);

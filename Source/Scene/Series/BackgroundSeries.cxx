@@ -127,6 +127,7 @@ bool BackgroundSeries::Open()
     }
     opened.loaded.assign(order.size(), false);
     opened.damage = series->Problems();
+    opened.moments = series->Moments();
     opened.phase = Phase::Open;
   }
   catch (const std::exception& error)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Time.h"
 #include "nexrad/System/Progress.h"
 
@@ -34,6 +35,9 @@ public:
 
   /// True when Load may run on another thread while nothing else is asked of the series.
   virtual bool CanLoadAhead() const { return false; }
+
+  /// The moments that the inputs hold, as far as they are known; not only those that Load gives.
+  virtual std::vector<MomentName> Moments() const { return {}; }
 
   /// Inputs that were damaged or left out so far, a line each.
   virtual std::vector<std::string> Problems() const { return {}; }
