@@ -46,6 +46,11 @@ PictureWindow::PictureWindow(RadarScene& scene, const std::array<int, 2>& size)
 
 PictureWindow::~PictureWindow() = default;
 
+void PictureWindow::MakeCurrent()
+{
+  window->MakeCurrent();
+}
+
 vtkSmartPointer<vtkImageData> PictureWindow::Draw()
 {
   return GrabPicture(window);

@@ -28,6 +28,11 @@ public:
   PictureWindow(const PictureWindow&) = delete;
   PictureWindow& operator=(const PictureWindow&) = delete;
 
+  /// Makes the window's OpenGL context the current one. To be called before the scene is changed
+  /// after it was drawn, where other windows draw in between: VTK releases what a scene no longer
+  /// needs in the context that is current.
+  void MakeCurrent();
+
   /// Draws the scene as it is now: red, green, blue, a byte each.
   vtkSmartPointer<vtkImageData> Draw();
 

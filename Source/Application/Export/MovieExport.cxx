@@ -49,6 +49,10 @@ MovieExport::~MovieExport()
   {
     writing.wait();
   }
+  if (window)
+  {
+    window->MakeCurrent();
+  }
 }
 
 void MovieExport::Begin()
@@ -90,6 +94,7 @@ bool MovieExport::Write()
   {
     return false;
   }
+  window->MakeCurrent();
   scene->SetVolume(volume);
   const vtkSmartPointer<vtkImageData> picture = window->Draw();
   const auto name = scene::PictureName(job.output, job.times[frame], job.times.size() > 1);

@@ -41,7 +41,8 @@ struct MovieJob
 int FramesPerSecond(Duration interval);
 
 /// Draws a movie off screen, a frame in each turn of the event loop, so that a window stays usable;
-/// another thread writes. It begins with the first turn.
+/// another thread writes. It begins with the first turn. The window has to make its own OpenGL
+/// context current again after each frame and at the end.
 class MovieExport : public QObject
 {
   Q_OBJECT

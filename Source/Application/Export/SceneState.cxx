@@ -75,9 +75,8 @@ scene::CutOptions CutOf(vtkNexradVolumeScene* scene)
   return cut;
 }
 
-std::string ArrayOf(vtkNexradVolumeScene* scene)
+std::string NameOfScalars(vtkImageData* volume)
 {
-  vtkImageData* volume = scene->GetVolume();
   vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
   const char* name = scalars != nullptr ? scalars->GetName() : nullptr;
   return name != nullptr ? name : "";
@@ -182,6 +181,23 @@ void SetCut(const scene::CutOptions& cut, vtkNexradVolumeScene* scene)
     scene->SetSectionA(cut.section->from[0], cut.section->from[1]);
     scene->SetSectionB(cut.section->to[0], cut.section->to[1]);
   }
+}
+
+std::string ArrayOf(vtkNexradVolumeScene* scene)
+{
+  return NameOfScalars(scene->GetVolume());
+}
+
+std::string PresetFor(vtkImageData* volume, const std::string& preset)
+{
+  for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
+  {
+    if (preset == vtkNexradTransferFunction::GetPresetName(i))
+    {
+      return NameOfScalars(volume) == vtkNexradTransferFunction::GetPresetArray(i) ? preset : "";
+    }
+  }
+  return "";
 }
 
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)

@@ -266,9 +266,9 @@ void FileActions::SaveMovie(const fs::path& path)
   progress->setMinimumDuration(0);
   movie = std::make_unique<MovieExport>(std::move(job));
   connect(movie.get(), &MovieExport::Advanced, progress, &QProgressDialog::setValue);
-  // The frames are drawn in another context of OpenGL than the window's.
-  connect(
-    movie.get(), &MovieExport::Advanced, window.View(), [this] { window.View()->makeCurrent(); });
+  const auto makeCurrent = [view = window.View()] { view->makeCurrent(); };
+  connect(movie.get(), &MovieExport::Advanced, window.View(), makeCurrent);
+  connect(movie.get(), &QObject::destroyed, window.View(), makeCurrent);
   connect(movie.get(), &MovieExport::Ended, this,
     [this, name](const QString& problem) { this->EndMovie(name, problem); });
   connect(progress, &QProgressDialog::canceled, this,
@@ -282,7 +282,7 @@ void FileActions::SaveMovie(const fs::path& path)
 
 void FileActions::CloseMovie()
 {
-  movie->disconnect();
+  movie->disconnect(this);
   movie.release()->deleteLater(); // which may have called this
   progress->deleteLater();
   progress = nullptr;

@@ -148,8 +148,30 @@ void LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString&
     });
 }
 
+void LookPanel::AddMoments(QFormLayout* form)
+{
+  shownMoment = this->AddChoice(
+    form, "Moment", "What the radars measured, of what the inputs hold", {}, [] { return 0; },
+    [this](int) { emit MomentChosen(shownMoment->currentText()); });
+  follow.back() = [this] { this->FollowMoments(); };
+  colourArray = this->AddChoice(
+    form, "Colours of",
+    "Another array gives the colours; the moment then gives the opacities alone", {},
+    [] { return 0; },
+    [this](int index) { emit ColoursChosen(index == 0 ? QString() : colourArray->currentText()); });
+  follow.pop_back(); // FollowMoments does both
+  for (QComboBox* box : {shownMoment, colourArray})
+  {
+    // The panel keeps its width, and the picture its size, when other inputs come.
+    constexpr int letters = 8;
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(letters);
+  }
+}
+
 void LookPanel::AddDrawing(QFormLayout* form)
 {
+  this->AddMoments(form);
   presets = this->AddChoice(
     form, "Preset", "Colours and opacities of the moment that is shown", {}, [] { return 0; },
     [this](int) { scene->SetPreset(presets->currentText().toStdString()); });
@@ -168,6 +190,11 @@ void LookPanel::AddDrawing(QFormLayout* form)
     "Integrate colours and opacities between two slices: narrow steps of colour leave no rings",
     [this] { return scene->GetPreIntegration(); },
     [this](bool on) { scene->SetPreIntegration(on); });
+  this->AddSwitch(
+    form, "Interpolated",
+    "Interpolate values linearly between voxels; else each place has that of its nearest voxel",
+    [this] { return scene->GetLinearInterpolation(); },
+    [this](bool on) { scene->SetLinearInterpolation(on); });
   this->AddChoice(
     form, "Drawn by", "The slices of this program, or VTK's GPU ray caster for comparison",
     {"Slices", "VTK's ray caster"}, [this] { return scene->GetMapper(); },
@@ -246,6 +273,40 @@ void LookPanel::AddSurroundings(QFormLayout* form)
     form, "Rings", "Distance between rings of range about each radar in kilometres; 0: none", 0.0,
     230.0, 10.0, " km", "none", [this] { return scene->GetRingSpacing() / 1000.0; },
     [this](double kilometres) { scene->SetRingSpacing(1000.0 * kilometres); });
+}
+
+// The entries are the moments of the inputs, and of the volume what may give colours.
+void LookPanel::FollowMoments()
+{
+  vtkImageData* volume = scene->GetVolume();
+  vtkPointData* arrays = volume != nullptr ? volume->GetPointData() : nullptr;
+  vtkDataArray* scalars = arrays != nullptr ? arrays->GetScalars() : nullptr;
+  const QString shown = scalars != nullptr ? scalars->GetName() : "";
+  QStringList names;
+  for (const MomentName moment : moments)
+  {
+    names << ToString(moment);
+  }
+  if (!shown.isEmpty() && !names.contains(shown))
+  {
+    names.prepend(shown);
+  }
+  shownMoment->clear();
+  shownMoment->addItems(names);
+  shownMoment->setCurrentText(shown);
+  names.removeAll(shown);
+  for (const char* ending : {"_age", "_radars", "_weight", "_site"})
+  {
+    if (arrays != nullptr && arrays->HasArray((shown + ending).toLatin1().constData()) != 0)
+    {
+      names << shown + ending;
+    }
+  }
+  colourArray->clear();
+  colourArray->addItem("Itself");
+  colourArray->addItems(names);
+  colourArray->setCurrentIndex(
+    std::max(0, colourArray->findText(QString::fromStdString(scene->GetColorArray()))));
 }
 
 void LookPanel::FollowPresets()

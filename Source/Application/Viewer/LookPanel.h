@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Model/Moment.h"
+
 #include <QWidget>
 
 #include <functional>
@@ -26,8 +28,14 @@ public:
 
   /// Shows the settings that the scene has now, for the moment of its volume.
   void Follow();
+  /// The moments that the inputs hold, beside those of the volume that is shown.
+  void SetMoments(const std::vector<MomentName>& ofInputs) { moments = ofInputs; }
 
 signals:
+  /// Another moment is to be shown.
+  void MomentChosen(const QString& moment);
+  /// Another array is to give the colours; empty: the moment itself.
+  void ColoursChosen(const QString& array);
   /// A setting of the scene was changed here.
   void Changed();
 
@@ -43,11 +51,16 @@ private:
   void AddDrawing(QFormLayout* form);
   void AddLight(QFormLayout* form);
   void AddSurroundings(QFormLayout* form);
+  void AddMoments(QFormLayout* form);
   void FollowPresets();
   void FollowMoment(QComboBox* views);
+  void FollowMoments();
 
   vtkNexradVolumeScene* scene;
   QComboBox* presets = nullptr;
+  QComboBox* shownMoment = nullptr;
+  QComboBox* colourArray = nullptr;
+  std::vector<MomentName> moments;           ///< of the inputs
   std::vector<std::function<void()>> follow; ///< shows one setting each
 };
 

@@ -130,6 +130,8 @@ void MainWindow::MakeDocks()
   this->addDockWidget(Qt::RightDockWidgetArea, lookDock);
   connect(look, &LookPanel::Changed, view, &SceneView::DrawSoon);
   colours = MakeTransferFunctionDock(*this, *view, *look, lookDock);
+  connect(look, &LookPanel::MomentChosen, this, &MainWindow::ShowMoment);
+  connect(look, &LookPanel::ColoursChosen, this, &MainWindow::ColourBy);
 
   damage = new QListWidget(this);
   damage->setObjectName("damage");
@@ -214,8 +216,7 @@ void MainWindow::MakeStatus()
 
 void MainWindow::Open(const QStringList& paths)
 {
-  application::Session session;
-  session.drawing = request;
+  application::Session session = this->NewSession();
   session.drawing.input.inputs.clear();
   for (const QString& path : paths)
   {
@@ -236,10 +237,24 @@ void MainWindow::Open(const QStringList& paths)
 void MainWindow::OpenSyntheticDay()
 {
   watch->Watch({}); // nothing is added to it
-  application::Session session;
-  session.drawing = request;
+  application::Session session = this->NewSession();
   session.synthetic = true;
   this->OpenInputs(session, syntheticTitle);
+}
+
+// For other inputs: drawn as those that are open, but with the colours of the array that the
+// program was started with.
+application::Session MainWindow::NewSession() const
+{
+  application::Session session;
+  session.drawing = request;
+  if (view->Scene()->GetVolume() != nullptr)
+  {
+    session.drawing.scene = OptionsOf(view->Scene());
+    session.drawing.scene.isoValues.clear(); // the colour map in use stays as it was edited
+    session.drawing.scene.colourBy = request.scene.colourBy;
+  }
+  return session;
 }
 
 application::Session MainWindow::Shown() const
@@ -267,6 +282,40 @@ void MainWindow::Show(const application::Session& session, const QString& name)
   // Once the window is laid out.
   QTimer::singleShot(0, this, [this, size = session.drawing.size] { this->FitPicture(size); });
   this->OpenInputs(session, name);
+}
+
+// The inputs are read, or merged, again: a volume has the moments alone that were asked for.
+void MainWindow::ShowMoment(const QString& moment)
+{
+  if (moment == QString::fromStdString(ArrayOf(view->Scene())))
+  {
+    return;
+  }
+  application::Session session = this->Shown();
+  scene::InputRequest& input = session.drawing.input;
+  input.grid.moment = ParseMomentName(moment.toStdString()).value_or(input.grid.moment);
+  input.grid.furtherMoments.clear();
+  input.momentNamed = true;
+  scene::SceneOptions& options = session.drawing.scene;
+  options.preset.clear(); // those of the moment before are not of this one
+  options.colours.clear();
+  options.isoValues.clear();
+  session.colours.clear();
+  options.colourBy = options.colourBy == moment.toStdString() ? "" : options.colourBy;
+  input.colourBy = options.colourBy;
+  this->OpenInputs(session, title);
+}
+
+void MainWindow::ColourBy(const QString& array)
+{
+  if (array.toStdString() == view->Scene()->GetColorArray())
+  {
+    return;
+  }
+  application::Session session = this->Shown();
+  session.drawing.scene.colourBy = array.toStdString();
+  session.drawing.input.colourBy = array.toStdString();
+  this->OpenInputs(session, title);
 }
 
 void MainWindow::FitPicture(const std::array<int, 2>& size)
@@ -311,9 +360,16 @@ void MainWindow::OpenInputs(const application::Session& session, const QString& 
 
 void MainWindow::ShowVolume(vtkImageData* volume)
 {
+  if (first) // the settings that depend on what the volume holds
+  {
+    view->Scene()->SetPreset(PresetFor(volume, opened.drawing.scene.preset));
+    view->Scene()->SetColorFileName(opened.drawing.scene.colours.string());
+    view->Scene()->SetColorArray(opened.drawing.scene.colourBy);
+  }
   view->SetVolume(volume);
   if (first)
   {
+    look->SetMoments(playback->State().moments);
     try
     {
       SetColours(opened.colours, opened.drawing.scene.isoValues, view->Scene());

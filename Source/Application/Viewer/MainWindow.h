@@ -77,6 +77,9 @@ private:
   void WritePicture(const std::filesystem::path& path);
   void ShowHelp();
   void FitPicture(const std::array<int, 2>& size);
+  application::Session NewSession() const;
+  void ShowMoment(const QString& moment);
+  void ColourBy(const QString& array);
   void OpenInputs(const application::Session& session, const QString& title);
   void Remember(const QStringList& paths);
   void FollowRecent();

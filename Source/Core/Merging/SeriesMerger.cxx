@@ -12,6 +12,7 @@
 #include <iterator>
 #include <map>
 #include <mutex>
+#include <set>
 #include <utility>
 
 namespace nexrad
@@ -367,6 +368,20 @@ std::vector<InputProblem> SeriesMerger::Problems() const
     return scan->problems;
   }
   return gathered ? gathered->problems : this->Collect(loader->Known()).problems;
+}
+
+std::vector<MomentName> SeriesMerger::Moments() const
+{
+  const SeriesScan known = scan ? *scan : this->Collect(loader->Known());
+  std::set<MomentName> moments;
+  for (const SiteSeries& series : known.sites)
+  {
+    for (const SeriesVolume& volume : series.volumes)
+    {
+      moments.insert(volume.moments.begin(), volume.moments.end());
+    }
+  }
+  return {moments.begin(), moments.end()};
 }
 
 std::size_t SeriesMerger::DecodedFiles() const

@@ -71,6 +71,8 @@ public:
   const std::vector<std::string>& Sites() const { return sites; }
   /// What was wrong in the inputs that were decoded so far, in their order.
   std::vector<InputProblem> Problems() const;
+  /// The moments that some volume has, of those that were decoded so far.
+  std::vector<MomentName> Moments() const;
   /// True when all files were decoded to learn what they hold.
   bool IsScanned() const { return scan.has_value(); }
   /// How many times a file was decoded for a volume.

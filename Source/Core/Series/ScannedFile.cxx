@@ -5,6 +5,7 @@
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <new>
 #include <string>
@@ -92,6 +93,8 @@ SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& pa
   description.rays = volume.RayCount();
   description.reach = ReachOf(volume, moments.empty() ? MomentName::REF : moments.front());
   description.synthetic = volume.synthetic;
+  std::copy_if(AllMoments.begin(), AllMoments.end(), std::back_inserter(description.moments),
+    [&volume](MomentName moment) { return HasMoment(volume, moment); });
   description.lacking = MomentsOf(volume, options, false);
   return description;
 }

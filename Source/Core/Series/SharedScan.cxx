@@ -51,7 +51,7 @@ Json PackVolume(const Site& site, const SeriesVolume& volume)
   Json packed = {{"site", site.name}, {"file", volume.file.string()}, {"cycle", volume.cycle},
     {"start", volume.start.time_since_epoch().count()},
     {"end", volume.end.time_since_epoch().count()}, {"rays", volume.rays}, {"reach", volume.reach},
-    {"synthetic", volume.synthetic}, {"lacking", volume.lacking}};
+    {"synthetic", volume.synthetic}, {"moments", volume.moments}, {"lacking", volume.lacking}};
   if (site.position)
   {
     packed["position"] = {
@@ -81,6 +81,7 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
   volume.rays = packed.at("rays");
   volume.reach = packed.at("reach");
   volume.synthetic = packed.at("synthetic");
+  volume.moments = packed.at("moments").get<std::vector<MomentName>>();
   volume.lacking = packed.at("lacking").get<std::vector<MomentName>>();
   if (packed.contains("summary"))
   {

@@ -183,6 +183,7 @@ bool BackgroundSeries::Open()
     news.times = TimesOf(*opened.series, opened.order);
     news.loaded.assign(opened.order.size(), false);
     news.damage = this->Damage();
+    news.moments = opened.series->Moments();
     news.phase = Phase::Open;
   }
   catch (const std::exception& error)
@@ -258,6 +259,7 @@ void BackgroundSeries::TakeOver(Opened again)
   kept = std::move(still);
   opened = std::move(again);
   state.times = times;
+  state.moments = opened.series->Moments();
 }
 
 std::vector<std::string> BackgroundSeries::Damage() const

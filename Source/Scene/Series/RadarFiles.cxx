@@ -51,6 +51,7 @@ public:
 
   const std::vector<Time>& Times() const override { return merger.Times(); }
   bool CanLoadAhead() const override { return true; }
+  std::vector<MomentName> Moments() const override { return merger.Moments(); }
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
   {

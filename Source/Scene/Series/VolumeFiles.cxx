@@ -137,6 +137,20 @@ std::vector<MomentName> ChooseMoments(
   return chosen;
 }
 
+// Those of an image's arrays that are moments.
+std::vector<MomentName> MomentsOf(vtkImageData* image)
+{
+  std::vector<MomentName> moments;
+  for (const MomentName moment : AllMoments)
+  {
+    if (image->GetPointData()->HasArray(ToString(moment)) != 0)
+    {
+      moments.push_back(moment);
+    }
+  }
+  return moments;
+}
+
 // An image with the first of the moments as its first, where that is another one.
 vtkSmartPointer<vtkImageData> Showing(
   const std::vector<MomentName>& wanted, vtkSmartPointer<vtkImageData> image)
@@ -178,6 +192,11 @@ public:
   const std::vector<Time>& Times() const override { return times; }
   bool CanLoadAhead() const override { return true; }
   void AllowCodes(bool allowed) override { codes = allowed; }
+  std::vector<MomentName> Moments() const override
+  {
+    const fs::path& first = files.front().second;
+    return EndsWith(first, ".nxv") ? ReadNxvMoments(first) : MomentsOf(ReadVti(first));
+  }
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress&) override
   {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Grid/FinerBox.h"
+#include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Time.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
@@ -46,6 +47,9 @@ public:
   /// What the volume of a time is made of, as text: where it is the same in two series, their
   /// volumes are. Empty where that is not known.
   virtual std::string Contents(std::size_t) const { return {}; }
+
+  /// The moments that the inputs hold, as far as they are known; not only those that Load gives.
+  virtual std::vector<MomentName> Moments() const { return {}; }
 
   /// Inputs that were damaged or left out so far, a line each.
   virtual std::vector<std::string> Problems() const { return {}; }

@@ -71,9 +71,9 @@ void WindowTest::OpenSteps(int steps)
   this->WaitForPicture();
 }
 
-void WindowTest::OpenWindow()
+void WindowTest::OpenWindow(const std::array<int, 2>& size)
 {
-  request.size = {900, 600};
+  request.size = size;
   request.pictures = folder.Path();
   window = std::make_unique<MainWindow>(request);
   window->show();

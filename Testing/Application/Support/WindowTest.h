@@ -11,6 +11,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <functional>
 #include <memory>
 
@@ -29,7 +30,7 @@ protected:
 
   /// A window on some steps of a synthetic storm, all of them loaded.
   void OpenSteps(int steps);
-  void OpenWindow();
+  void OpenWindow(const std::array<int, 2>& size = {900, 600});
   static bool Wait(const std::function<bool()>& condition);
   /// Until all that was asked for is drawn.
   QImage WaitForPicture();

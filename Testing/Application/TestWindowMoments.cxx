@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// The moment that the window shows, the array that gives the colours, and interpolation.
+#include "StormVolume.h"
+#include "TestData.h"
+#include "Tolerance.h"
+#include "Viewer/MainWindow.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
+#include "WindowTest.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/VolumeMoments.h"
+
+#include <vtkDataArray.h>
+#include <vtkImageData.h>
+#include <vtkNexradVolumeScene.h>
+#include <vtkPointData.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QListWidget>
+#include <QtTest/QtTest>
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+using namespace nexrad;
+using namespace nexrad::viewer;
+using namespace nexrad::testing;
+
+namespace
+{
+
+// The storm, with velocities from −24 to 24 m/s in it.
+std::filesystem::path WriteTwoMoments(const std::filesystem::path& folder)
+{
+  GriddedVolume reflectivity = MakeStorm(true);
+  reflectivity.method = "beam";
+  GriddedVolume velocity = reflectivity;
+  velocity.moment = MomentName::VEL;
+  for (std::size_t i = 0; i < velocity.values.size(); ++i)
+  {
+    velocity.values[i] = static_cast<float>(i % 48) - 24.0F;
+  }
+  const std::filesystem::path path = folder / "two.nxv";
+  WriteNxv(path, JoinMoments({std::move(reflectivity), std::move(velocity)}));
+  return path;
+}
+
+class WindowMomentsTest : public WindowTest
+{
+protected:
+  void OpenFirst(const std::filesystem::path& path)
+  {
+    request.input.inputs = {path};
+    this->OpenWindow();
+    ASSERT_TRUE(this->Wait([&] { return window->View()->Scene()->GetVolume() != nullptr; }));
+    this->WaitForPicture();
+  }
+
+  std::string ShownArray()
+  {
+    return window->View()->Scene()->GetVolume()->GetPointData()->GetScalars()->GetName();
+  }
+
+  QString Entries(const char* name)
+  {
+    QStringList entries;
+    for (int i = 0; i < this->Find<QComboBox>(name)->count(); ++i)
+    {
+      entries << this->Find<QComboBox>(name)->itemText(i);
+    }
+    return entries.join(",");
+  }
+};
+
+} // namespace
+
+TEST_F(WindowMomentsTest, ShowsTheMomentThatIsChosen)
+{
+  this->OpenFirst(WriteTwoMoments(folder.Path()));
+  EXPECT_EQ(this->Entries("Moment"), "REF,VEL");
+  EXPECT_EQ(this->Entries("Colours of"), "Itself,VEL");
+  this->Choose("Preset", 1);
+  EXPECT_AT_LEAST(this->Changes(
+                    [&]
+                    {
+                      this->Choose("Moment", 1);
+                      EXPECT_TRUE(this->Wait([&] { return this->ShownArray() == "VEL"; }));
+                    }),
+    0.1, "pixels that velocity changes, part");
+  EXPECT_EQ(this->Find<QComboBox>("Preset")->currentText(), "velocity");
+  EXPECT_EQ(this->Entries("Moment"), "REF,VEL");
+  EXPECT_EQ(this->Find<QComboBox>("Moment")->currentText(), "VEL");
+  this->Choose("Moment", -1);
+  EXPECT_TRUE(this->Wait([&] { return this->ShownArray() == "REF"; }));
+  EXPECT_TRUE(window->Problems().isEmpty());
+}
+
+TEST_F(WindowMomentsTest, AnotherMomentGivesTheColours)
+{
+  this->OpenFirst(WriteTwoMoments(folder.Path()));
+  const QImage before = this->WaitForPicture();
+  const auto choose = [&](int down, const std::string& array)
+  {
+    this->Choose("Colours of", down);
+    EXPECT_TRUE(this->Wait([&] { return window->View()->Scene()->GetColorArray() == array; }));
+    return this->WaitForPicture();
+  };
+  EXPECT_AT_LEAST(
+    Difference(before, choose(1, "VEL")), 0.12, "pixels that colours of velocity change, part");
+  EXPECT_EQ(this->ShownArray(), "REF");
+  EXPECT_EQ(this->Find<QComboBox>("Colours of")->currentText(), "VEL");
+  EXPECT_EQ(Difference(before, choose(-1, "")), 0.0);
+}
+
+TEST_F(WindowMomentsTest, InterpolationIsSwitchedOff)
+{
+  this->OpenSteps(1);
+  auto* interpolated = this->Find<QCheckBox>("Interpolated");
+  EXPECT_AT_LEAST(this->Changes(
+                    [&] {
+                      QTest::mouseClick(interpolated, Qt::LeftButton, {}, {8, 8});
+                    }),
+    0.016, "pixels that the nearest voxels change, part");
+  EXPECT_FALSE(window->View()->Scene()->GetLinearInterpolation());
+}
+
+// They are merged again for the moment, at the time that is shown.
+TEST_F(WindowMomentsTest, RadarFilesAreMergedAgain)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  request.input.grid.grid.dimensions = {32, 32, 16};
+  this->OpenFirst(data / "level2" / "run-kbgm-20050821");
+  EXPECT_EQ(this->Entries("Moment"), "REF,VEL,SW");
+  this->Click("Step on");
+  EXPECT_TRUE(this->Wait([&] { return !window->Player()->IsWaiting(); }));
+  this->Choose("Moment", 1);
+  EXPECT_TRUE(this->Wait([&] { return this->ShownArray() == "VEL"; }));
+  EXPECT_EQ(window->Player()->Step(), 1U);
+}
