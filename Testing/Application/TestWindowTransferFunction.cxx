@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The editor of colours and opacities in the window: what clicks, drags and keys do to it and to
 // the picture.
+#include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Playback.h"
@@ -8,9 +9,11 @@
 #include "Viewer/TransferFunctionChart.h"
 #include "WindowTest.h"
 
+#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
+#include <vtkPointData.h>
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -275,6 +278,23 @@ TEST_F(WindowTransferFunction, EditsStayInTheNextStep)
   EXPECT_EQ(this->Node(1), edited);
   this->Undo();
   EXPECT_EQ(this->Node(1), before);
+}
+
+TEST_F(WindowTransferFunction, AnotherMomentBeginsAnew)
+{
+  this->OpenEditor();
+  this->Choose("Transfer function preset", 1);
+  const auto node = this->Node(1);
+  this->Drag(this->PlaceOf(node), this->PlaceOf({node[0], 0.7}));
+  const auto velocity = MakeStormVolume(true);
+  velocity->GetPointData()->GetArray("REF")->SetName("VEL");
+  velocity->GetPointData()->GetArray("REF_state")->SetName("VEL_state");
+  window->View()->SetVolume(velocity);
+  this->WaitForPicture();
+  QTest::qWait(50);
+  EXPECT_EQ(this->Find<QComboBox>("Transfer function preset")->currentText(), "velocity");
+  EXPECT_EQ(this->Find<QDoubleSpinBox>("Value of the point")->suffix(), " m/s");
+  EXPECT_FALSE(this->Find<QToolButton>("Undo")->isEnabled());
 }
 
 TEST_F(WindowTransferFunction, IsoValuesAreSurfaces)

@@ -43,7 +43,7 @@ public:
   /// Draws once the events that wait are done with, however often it is asked for until then.
   void DrawSoon();
 
-  /// Shows a volume.
+  /// Shows a volume. A preset of another moment is dropped.
   void SetVolume(vtkImageData* volume);
 
   /// Draws the scene now and writes it as PNG. Throws Error when the file cannot be written.
