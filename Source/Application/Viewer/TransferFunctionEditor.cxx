@@ -120,7 +120,7 @@ TransferFunctionEditor::TransferFunctionEditor(vtkNexradVolumeScene* shownScene,
 {
   this->setObjectName("transfer function editor");
   auto* column = new QVBoxLayout(this);
-  this->AddFileRow(column);
+  this->AddPresets(column);
   this->AddChannels(column);
   column->addWidget(chart, 1);
   this->AddPointRow(column);
@@ -164,20 +164,22 @@ QToolButton* TransferFunctionEditor::AddButton(QBoxLayout* row, const QString& t
 {
   auto* button = Named(new QToolButton(this), name, tip);
   button->setText(text);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(button, &QToolButton::clicked, this, press);
   row->addWidget(button);
   return button;
 }
 
-void TransferFunctionEditor::AddFileRow(QBoxLayout* column)
+void TransferFunctionEditor::AddPresets(QBoxLayout* column)
 {
-  auto* row = new QHBoxLayout;
-  column->addLayout(row);
   presets = Named(new QComboBox(this), "Transfer function preset",
     "Colours and opacities to begin with: takes the place of what was edited; undo brings it back");
   connect(
     presets, qOverload<int>(&QComboBox::activated), this, &TransferFunctionEditor::ChoosePreset);
-  row->addWidget(presets, 1);
+  presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  column->addWidget(presets);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row);
   const std::array<QAction*, 2> actions = {
     history.createUndoAction(this, "Undo"), history.createRedoAction(this, "Redo")};
   for (QAction* action : actions)
@@ -185,6 +187,7 @@ void TransferFunctionEditor::AddFileRow(QBoxLayout* column)
     auto* button = Named(new QToolButton(this), action == actions[0] ? "Undo" : "Redo", "");
     button->setDefaultAction(action);
     button->setText(button->objectName());
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     row->addWidget(button);
     // The action's text, and with it the button's, is that of the change.
     connect(action, &QAction::changed, button, [button] { button->setText(button->objectName()); });
@@ -220,7 +223,6 @@ void TransferFunctionEditor::AddChannels(QBoxLayout* column)
       [this, channel] { this->ChooseChannel(channel); });
     button->setCheckable(true);
     button->setChecked(channel == Function::OPACITY);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     channels->addButton(button, channel);
   }
 }

@@ -81,7 +81,7 @@ private:
     }
   };
 
-  void AddFileRow(QBoxLayout* column);
+  void AddPresets(QBoxLayout* column);
   void AddChannels(QBoxLayout* column);
   void AddPointRow(QBoxLayout* column);
   void AddIsoValues(QBoxLayout* column);
