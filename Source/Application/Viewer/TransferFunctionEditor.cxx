@@ -27,6 +27,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -125,6 +126,10 @@ TransferFunctionEditor::TransferFunctionEditor(vtkNexradVolumeScene* shownScene,
   column->addWidget(chart, 1);
   this->AddPointRow(column);
   this->AddIsoValues(column);
+  for (QWidget* numbers : std::array<QWidget*, 3>{point, value, level})
+  {
+    numbers->installEventFilter(this);
+  }
   message = new QLabel(this);
   message->setObjectName("transfer function message");
   message->setWordWrap(true);
@@ -277,6 +282,18 @@ void TransferFunctionEditor::AddIsoValues(QBoxLayout* column)
   row->addWidget(isoValues, 1);
 }
 
+// Undo and redo of the fields with numbers are those of the editor, not of their text.
+bool TransferFunctionEditor::eventFilter(QObject* watched, QEvent* event)
+{
+  auto* key = event->type() == QEvent::ShortcutOverride ? static_cast<QKeyEvent*>(event) : nullptr;
+  if (key != nullptr && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)))
+  {
+    event->ignore();
+    return true;
+  }
+  return this->QWidget::eventFilter(watched, event);
+}
+
 void TransferFunctionEditor::showEvent(QShowEvent* event)
 {
   this->QWidget::showEvent(event);
@@ -332,6 +349,10 @@ void TransferFunctionEditor::Follow()
     for (const int channel : {Function::RED, Function::GREEN, Function::BLUE})
     {
       channels->button(channel)->setEnabled(now.colourArray.empty());
+    }
+    if (!channels->button(chart->Channel())->isEnabled())
+    {
+      this->ChooseChannel(Function::OPACITY); // another array gives the colours
     }
     chart->SetFunction(now.function);
     this->Finish("Preset"); // whatever was changed elsewhere
@@ -468,6 +489,7 @@ void TransferFunctionEditor::ChoosePreset(int index)
 
 void TransferFunctionEditor::ChooseChannel(int channel)
 {
+  channels->button(channel)->setChecked(true);
   chart->SetChannel(channel);
   this->FollowPoint();
 }
@@ -536,7 +558,10 @@ void TransferFunctionEditor::SetIsoValues()
     if (text.isEmpty())
     {
       vtkNew<vtkNexradTransferFunction> usual;
-      usual->ApplyPreset(Function::FindPreset(moment.c_str()));
+      if (const char* first = Function::FindPreset(moment.c_str()))
+      {
+        usual->ApplyPreset(first);
+      }
       CopyChannel(usual, function, Function::OPACITY);
     }
     else
@@ -575,6 +600,10 @@ void TransferFunctionEditor::AskWhereToWrite()
 void TransferFunctionEditor::ReadFile(const QString& path)
 {
   Function* function = this->Shown();
+  if (function == nullptr)
+  {
+    return; // before the first volume
+  }
   vtkNexradMessages messages;
   messages.Watch(function);
   if (function->ReadFile(path.toUtf8()))
@@ -591,6 +620,10 @@ void TransferFunctionEditor::ReadFile(const QString& path)
 void TransferFunctionEditor::WriteFile(const QString& path)
 {
   Function* function = this->Shown();
+  if (function == nullptr)
+  {
+    return; // before the first volume
+  }
   vtkNexradMessages messages;
   messages.Watch(function);
   this->Say(function->WriteFile(path.toUtf8()) ? "wrote " + path

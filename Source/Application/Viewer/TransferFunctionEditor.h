@@ -62,6 +62,7 @@ signals:
   void PresetChanged();
 
 protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
 private:
