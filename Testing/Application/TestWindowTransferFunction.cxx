@@ -153,6 +153,33 @@ TEST_F(WindowTransferFunction, TShowsAndHidesIt)
   EXPECT_FALSE(dock->visibleRegion().isEmpty()) << "from behind the settings to the front";
 }
 
+TEST_F(WindowTransferFunction, WorksApartFromTheWindow)
+{
+  this->OpenEditor();
+  this->Find<QDockWidget>("transfer function")->setFloating(true);
+  QTest::qWait(300);
+  const auto before = this->Node(4);
+  this->Drag(this->PlaceOf(before), this->PlaceOf({before[0], 0.02}));
+  EXPECT_WITHIN(this->Node(4)[1], 0.02, onePixel, "opacity of a dragged point", halfPixel);
+  this->Find<QDockWidget>("transfer function")->setFloating(false);
+  QTest::qWait(300);
+  this->Drag(this->PlaceOf(this->Node(4)), this->PlaceOf(before));
+  EXPECT_WITHIN(this->Node(4)[1], before[1], onePixel, "opacity of a dragged point", halfPixel);
+}
+
+TEST_F(WindowTransferFunction, ColoursOfAnotherArrayAreNotEdited)
+{
+  this->OpenEditor();
+  this->Click("Red channel");
+  EXPECT_EQ(chart->Channel(), Function::RED);
+  window->View()->Scene()->SetColorArray("REF");
+  window->View()->DrawSoon();
+  this->WaitForPicture();
+  QTest::qWait(50);
+  EXPECT_FALSE(this->Find<QToolButton>("Red channel")->isEnabled());
+  EXPECT_EQ(chart->Channel(), Function::OPACITY);
+}
+
 TEST_F(WindowTransferFunction, DraggingAPointOfOpacityChangesThePicture)
 {
   this->OpenEditor();
