@@ -7,10 +7,13 @@
 #include "Scene/SceneOptions.h"
 #include "Viewer/CameraMouse.h"
 
+#include <vtkDataArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkNexradNavigator.h>
+#include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
+#include <vtkPointData.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
@@ -18,6 +21,30 @@
 
 namespace nexrad::viewer
 {
+namespace
+{
+
+// Whether a preset is for the moment of a volume, or that has none of its own.
+bool SuitsMoment(const std::string& preset, vtkImageData* volume)
+{
+  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
+  const char* moment = scalars != nullptr ? scalars->GetName() : nullptr;
+  const char* own = moment != nullptr ? vtkNexradTransferFunction::FindPreset(moment) : nullptr;
+  if (own == nullptr || preset.empty())
+  {
+    return true;
+  }
+  for (int i = 0; const char* name = vtkNexradTransferFunction::FindPreset(moment, i); ++i)
+  {
+    if (preset == name)
+    {
+      return true;
+    }
+  }
+  return false;
+}
+
+} // namespace
 
 SceneView::SceneView(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
@@ -92,6 +119,10 @@ void SceneView::ResetCamera()
 
 void SceneView::SetVolume(vtkImageData* volume)
 {
+  if (!SuitsMoment(scene->GetPreset(), volume))
+  {
+    scene->SetPreset("");
+  }
   scene->SetVolume(volume);
   emit VolumeShown();
   this->DrawSoon();

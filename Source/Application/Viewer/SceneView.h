@@ -47,7 +47,7 @@ public:
   /// Draws once the events that wait are done with, however often it is asked for until then.
   void DrawSoon();
 
-  /// Shows a volume.
+  /// Shows a volume. A preset of another moment is dropped.
   void SetVolume(vtkImageData* volume);
 
   /// Pixels of the pictures that are written: those of the screen.

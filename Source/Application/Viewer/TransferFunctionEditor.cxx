@@ -27,6 +27,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -120,11 +121,15 @@ TransferFunctionEditor::TransferFunctionEditor(vtkNexradVolumeScene* shownScene,
 {
   this->setObjectName("transfer function editor");
   auto* column = new QVBoxLayout(this);
-  this->AddFileRow(column);
+  this->AddPresets(column);
   this->AddChannels(column);
   column->addWidget(chart, 1);
   this->AddPointRow(column);
   this->AddIsoValues(column);
+  for (QWidget* numbers : std::array<QWidget*, 3>{point, value, level})
+  {
+    numbers->installEventFilter(this);
+  }
   message = new QLabel(this);
   message->setObjectName("transfer function message");
   message->setWordWrap(true);
@@ -164,20 +169,22 @@ QToolButton* TransferFunctionEditor::AddButton(QBoxLayout* row, const QString& t
 {
   auto* button = Named(new QToolButton(this), name, tip);
   button->setText(text);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   connect(button, &QToolButton::clicked, this, press);
   row->addWidget(button);
   return button;
 }
 
-void TransferFunctionEditor::AddFileRow(QBoxLayout* column)
+void TransferFunctionEditor::AddPresets(QBoxLayout* column)
 {
-  auto* row = new QHBoxLayout;
-  column->addLayout(row);
   presets = Named(new QComboBox(this), "Transfer function preset",
     "Colours and opacities to begin with: takes the place of what was edited; undo brings it back");
   connect(
     presets, qOverload<int>(&QComboBox::activated), this, &TransferFunctionEditor::ChoosePreset);
-  row->addWidget(presets, 1);
+  presets->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  column->addWidget(presets);
+  auto* row = new QHBoxLayout;
+  column->addLayout(row);
   const std::array<QAction*, 2> actions = {
     history.createUndoAction(this, "Undo"), history.createRedoAction(this, "Redo")};
   for (QAction* action : actions)
@@ -185,6 +192,7 @@ void TransferFunctionEditor::AddFileRow(QBoxLayout* column)
     auto* button = Named(new QToolButton(this), action == actions[0] ? "Undo" : "Redo", "");
     button->setDefaultAction(action);
     button->setText(button->objectName());
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     row->addWidget(button);
     // The action's text, and with it the button's, is that of the change.
     connect(action, &QAction::changed, button, [button] { button->setText(button->objectName()); });
@@ -220,7 +228,6 @@ void TransferFunctionEditor::AddChannels(QBoxLayout* column)
       [this, channel] { this->ChooseChannel(channel); });
     button->setCheckable(true);
     button->setChecked(channel == Function::OPACITY);
-    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     channels->addButton(button, channel);
   }
 }
@@ -273,6 +280,18 @@ void TransferFunctionEditor::AddIsoValues(QBoxLayout* column)
   isoValues->setPlaceholderText("none; as in 20:0.3, 40:0.6, 50");
   connect(isoValues, &QLineEdit::editingFinished, this, &TransferFunctionEditor::SetIsoValues);
   row->addWidget(isoValues, 1);
+}
+
+// Undo and redo of the fields with numbers are those of the editor, not of their text.
+bool TransferFunctionEditor::eventFilter(QObject* watched, QEvent* event)
+{
+  auto* key = event->type() == QEvent::ShortcutOverride ? static_cast<QKeyEvent*>(event) : nullptr;
+  if (key != nullptr && (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)))
+  {
+    event->ignore();
+    return true;
+  }
+  return this->QWidget::eventFilter(watched, event);
 }
 
 void TransferFunctionEditor::showEvent(QShowEvent* event)
@@ -330,6 +349,10 @@ void TransferFunctionEditor::Follow()
     for (const int channel : {Function::RED, Function::GREEN, Function::BLUE})
     {
       channels->button(channel)->setEnabled(now.colourArray.empty());
+    }
+    if (!channels->button(chart->Channel())->isEnabled())
+    {
+      this->ChooseChannel(Function::OPACITY); // another array gives the colours
     }
     chart->SetFunction(now.function);
     this->Finish("Preset"); // whatever was changed elsewhere
@@ -466,6 +489,7 @@ void TransferFunctionEditor::ChoosePreset(int index)
 
 void TransferFunctionEditor::ChooseChannel(int channel)
 {
+  channels->button(channel)->setChecked(true);
   chart->SetChannel(channel);
   this->FollowPoint();
 }
@@ -534,7 +558,10 @@ void TransferFunctionEditor::SetIsoValues()
     if (text.isEmpty())
     {
       vtkNew<vtkNexradTransferFunction> usual;
-      usual->ApplyPreset(Function::FindPreset(moment.c_str()));
+      if (const char* first = Function::FindPreset(moment.c_str()))
+      {
+        usual->ApplyPreset(first);
+      }
       CopyChannel(usual, function, Function::OPACITY);
     }
     else
@@ -573,6 +600,10 @@ void TransferFunctionEditor::AskWhereToWrite()
 void TransferFunctionEditor::ReadFile(const QString& path)
 {
   Function* function = this->Shown();
+  if (function == nullptr)
+  {
+    return; // before the first volume
+  }
   vtkNexradMessages messages;
   messages.Watch(function);
   if (function->ReadFile(path.toUtf8()))
@@ -589,6 +620,10 @@ void TransferFunctionEditor::ReadFile(const QString& path)
 void TransferFunctionEditor::WriteFile(const QString& path)
 {
   Function* function = this->Shown();
+  if (function == nullptr)
+  {
+    return; // before the first volume
+  }
   vtkNexradMessages messages;
   messages.Watch(function);
   this->Say(function->WriteFile(path.toUtf8()) ? "wrote " + path

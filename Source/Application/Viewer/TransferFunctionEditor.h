@@ -62,6 +62,7 @@ signals:
   void PresetChanged();
 
 protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
 private:
@@ -81,7 +82,7 @@ private:
     }
   };
 
-  void AddFileRow(QBoxLayout* column);
+  void AddPresets(QBoxLayout* column);
   void AddChannels(QBoxLayout* column);
   void AddPointRow(QBoxLayout* column);
   void AddIsoValues(QBoxLayout* column);
