@@ -260,26 +260,25 @@ BackgroundSeries::Kept BackgroundSeries::LoadBox(std::size_t step, const BoxRequ
   return loaded;
 }
 
-// Takes over a volume, or a box of a volume that is kept.
+// Takes over a volume, or a box of a volume that is kept; nothing after a stop.
 void BackgroundSeries::Keep(std::size_t step, Kept loaded)
 {
-  const bool isVolume = loaded.volume || !loaded.failure.empty();
-  const auto found = kept.find(step);
-  if (!isVolume && found == kept.end())
-  {
-    return; // its volume was forgotten meanwhile, or the loading was stopped
-  }
   this->MakeRoom(loaded.bytes);
-  bytes += loaded.bytes;
-  if (isVolume)
+  if (loaded.volume || !loaded.failure.empty())
   {
+    bytes += loaded.bytes;
     state.loaded[step] = loaded.volume != nullptr;
     kept[step] = std::move(loaded);
     return;
   }
-  found->second.box = loaded.box;
-  found->second.boxFailure = loaded.boxFailure;
-  found->second.bytes += loaded.bytes;
+  const auto found = kept.find(step);
+  if (found != kept.end())
+  {
+    bytes += loaded.bytes;
+    found->second.bytes += loaded.bytes;
+    found->second.box = loaded.box;
+    found->second.boxFailure = loaded.boxFailure;
+  }
 }
 
 // Forgets the volumes that are shown last until so many bytes fit; not the one that is shown.
