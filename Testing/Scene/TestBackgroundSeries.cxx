@@ -31,6 +31,7 @@ struct Plan
   bool opens = true;
   bool opensSlowly = false;     // until it is told to stop
   std::size_t broken = None;    // cannot be loaded
+  std::size_t brokenBox = None; // its box cannot be merged
   std::size_t slow = None;      // is loaded only once `release` is set
   std::size_t kibibytes = 1024; // of each volume
   std::size_t earliest = 0;     // minutes, of the first volume
@@ -98,6 +99,18 @@ public:
     volume->SetOrigin(static_cast<double>(plan.earliest + index), 0.0, 0.0);
     volume->AllocateScalars(VTK_UNSIGNED_CHAR, 1);
     return volume;
+  }
+
+  vtkSmartPointer<vtkImageData> LoadBox(
+    std::size_t index, const BoxRequest& box, const Progress&) override
+  {
+    if (index == plan.brokenBox)
+    {
+      throw Error("broken box");
+    }
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    image->SetOrigin(static_cast<double>(index), box.faces[0], 0.0);
+    return image;
   }
 
 private:
@@ -388,4 +401,44 @@ TEST_F(BackgroundSeriesTest, StaysAsItWasWhereItCannotBeOpenedAgain)
   this->Reopen(plan);
   this->WaitUntil([](const auto& state) { return CountLoaded(state) == 4; });
   EXPECT_EQ(series->Get().damage.size(), 4U) << "a line for each volume, and none of the failure";
+}
+
+TEST_F(BackgroundSeriesTest, MergesABoxForEachStep)
+{
+  this->Open({});
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 5; });
+  EXPECT_EQ(series->Box(0), nullptr) << "none is set";
+  BoxRequest box;
+  for (const double west : {7.0, 8.0})
+  {
+    box.faces = {west, 10.0, 0.0, 1.0};
+    series->SetBox(box);
+    for (const std::size_t step : {4, 0, 2})
+    {
+      vtkSmartPointer<vtkImageData> merged;
+      this->WaitUntil(
+        [&](const auto&)
+        {
+          merged = series->Box(step);
+          return merged != nullptr;
+        });
+      EXPECT_EQ(merged->GetOrigin()[0], static_cast<double>(step));
+      EXPECT_EQ(merged->GetOrigin()[1], west);
+    }
+  }
+  series->SetBox({});
+  EXPECT_EQ(series->Box(0), nullptr);
+  EXPECT_EQ(notes.loaded.size(), 5U) << "no volume is loaded again";
+}
+
+TEST_F(BackgroundSeriesTest, SaysWhyABoxCannotBeMerged)
+{
+  Plan plan;
+  plan.count = 2;
+  plan.brokenBox = 0;
+  this->Open(plan);
+  this->WaitUntil([](const auto& state) { return CountLoaded(state) == 2; });
+  series->SetBox(BoxRequest());
+  this->WaitUntil([this](const auto&) { return series->Box(1) != nullptr; });
+  EXPECT_THROW(series->Box(0), Error);
 }

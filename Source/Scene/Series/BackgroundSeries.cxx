@@ -351,7 +351,7 @@ BackgroundSeries::Kept BackgroundSeries::LoadBox(std::size_t step, const BoxRequ
   return loaded;
 }
 
-// Takes over a volume, or a box of a volume that is kept.
+// Takes over a volume, or a box of a volume that is kept; nothing after a stop.
 void BackgroundSeries::Keep(std::size_t step, Kept loaded)
 {
   this->MakeRoom(loaded.bytes);
