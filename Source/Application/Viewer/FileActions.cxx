@@ -92,13 +92,19 @@ FileActions::~FileActions()
 
 void FileActions::AddTo(QMenu* menu)
 {
+  menu->setToolTipsVisible(true);
   QAction* copy = menu->addAction(
     "Copy the &render command", this, &FileActions::CopyCommand, QKeySequence("Ctrl+Shift+C"));
   copy->setToolTip("Put the command on the clipboard that draws this picture without the window");
-  menu->addAction("Save &volume as…", this, &FileActions::AskToSaveVolume, QKeySequence("Ctrl+E"));
-  menu->addAction("Save &movie as…", this, &FileActions::AskToSaveMovie, QKeySequence("Ctrl+M"));
+  QAction* volume = menu->addAction(
+    "Save &volume as…", this, &FileActions::AskToSaveVolume, QKeySequence("Ctrl+E"));
+  volume->setToolTip("Save the volume that is shown as .nxv or .vti");
+  QAction* movies =
+    menu->addAction("Save &movie as…", this, &FileActions::AskToSaveMovie, QKeySequence("Ctrl+M"));
+  movies->setToolTip("Draw all times as .ogv or .mp4, or as a .png each");
   menu->addSeparator();
-  menu->addAction("Open s&ession…", this, &FileActions::AskForSession);
+  QAction* open = menu->addAction("Open s&ession…", this, &FileActions::AskForSession);
+  open->setToolTip("Open what was saved as a session, in place of what is open");
   QAction* save = menu->addAction(
     "Save sessio&n…", this, &FileActions::AskToSaveSession, QKeySequence("Ctrl+Shift+S"));
   save->setToolTip("Save the inputs, the time, the camera and all settings to a file");
