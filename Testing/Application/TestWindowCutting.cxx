@@ -6,8 +6,8 @@
 #include "Tolerance.h"
 #include "Viewer/Cutting/SectionChart.h"
 #include "Viewer/Cutting/SectionPanel.h"
-#include "Viewer/Playback.h"
-#include "Viewer/SceneView.h"
+#include "Viewer/Parts/Playback.h"
+#include "Viewer/Parts/SceneView.h"
 #include "WindowTest.h"
 
 #include <vtkDataArray.h>

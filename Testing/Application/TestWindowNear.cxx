@@ -3,10 +3,10 @@
 #include "Scans/SyntheticScans.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
-#include "Viewer/CameraMouse.h"
 #include "Viewer/MainWindow.h"
-#include "Viewer/Playback.h"
-#include "Viewer/SceneView.h"
+#include "Viewer/Parts/CameraMouse.h"
+#include "Viewer/Parts/Playback.h"
+#include "Viewer/Parts/SceneView.h"
 #include "WindowTest.h"
 
 #include <vtkDataArray.h>

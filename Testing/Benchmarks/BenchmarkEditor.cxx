@@ -6,8 +6,8 @@
 // takes. Usage: BenchmarkEditor INPUT, a volume as `nexrad3d grid` writes it, for example with
 // `--dims 256x256x128`. Needs an X server.
 #include "Viewer/MainWindow.h"
-#include "Viewer/SceneView.h"
-#include "Viewer/TransferFunctionChart.h"
+#include "Viewer/Parts/SceneView.h"
+#include "Viewer/TransferFunction/TransferFunctionChart.h"
 
 #include <vtkImageData.h>
 #include <vtkNew.h>

@@ -3,8 +3,8 @@
 // anything but drawing: while the inputs are opened and loaded, and while they are played. Usage:
 // BenchmarkOpening INPUT...
 #include "Viewer/MainWindow.h"
-#include "Viewer/Playback.h"
-#include "Viewer/SceneView.h"
+#include "Viewer/Parts/Playback.h"
+#include "Viewer/Parts/SceneView.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>

@@ -171,16 +171,23 @@ std::string LengthsTextOf(const Lengths& lengths)
   return text;
 }
 
-std::string ClipTextOf(const scene::CutPlane& plane)
+// Of a direction that was computed from an angle with few digits.
+std::string AngleTextOf(double radians)
 {
   constexpr double degrees = 180.0 / 3.14159265358979323846;
+  constexpr double digits = 1e9;
+  return TextOf(std::round(digits * degrees * radians) / digits);
+}
+
+std::string ClipTextOf(const scene::CutPlane& plane)
+{
   const auto& [x, y, height] = plane.origin;
   const auto& [east, north, up] = plane.normal;
   const std::string upright =
-    LengthsTextOf(std::array{x, y}) + "," + TextOf(degrees * std::atan2(east, north));
+    LengthsTextOf(std::array{x, y}) + "," + AngleTextOf(std::atan2(east, north));
   return up == 0.0 ? upright
                    : upright + "," + LengthTextOf(height) + "," +
-                       TextOf(degrees * std::atan2(up, std::hypot(east, north)));
+                       AngleTextOf(std::atan2(up, std::hypot(east, north)));
 }
 
 void AddCut(const scene::CutOptions& cut, OptionList& options)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/TransferFunctionDock.h"
+#include "Viewer/TransferFunction/TransferFunctionDock.h"
 
-#include "Viewer/LookPanel.h"
-#include "Viewer/SceneView.h"
-#include "Viewer/TransferFunctionEditor.h"
+#include "Viewer/Parts/LookPanel.h"
+#include "Viewer/Parts/SceneView.h"
+#include "Viewer/TransferFunction/TransferFunctionEditor.h"
 
 #include <QAction>
 #include <QDockWidget>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/SceneView.h"
+#include "Viewer/Parts/SceneView.h"
 
 #include "Drawing/PictureWindow.h"
 #include "Drawing/ViewerStyle.h"
 #include "Export/SceneState.h"
 #include "Scene/SceneOptions.h"
-#include "Viewer/CameraMouse.h"
+#include "Viewer/Parts/CameraMouse.h"
 
 #include <vtkDataArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>

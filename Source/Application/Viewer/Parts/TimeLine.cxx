@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/TimeLine.h"
+#include "Viewer/Parts/TimeLine.h"
 
-#include "Viewer/LoadedSteps.h"
-#include "Viewer/Playback.h"
+#include "Viewer/Parts/LoadedSteps.h"
+#include "Viewer/Parts/Playback.h"
 
 #include <QAction>
 #include <QHBoxLayout>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Viewer/TransferFunctionHistory.h"
+#include "Viewer/TransferFunction/TransferFunctionHistory.h"
 
 #include <vtkSmartPointer.h>
 #include <vtkType.h>

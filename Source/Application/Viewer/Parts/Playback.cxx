@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/Playback.h"
+#include "Viewer/Parts/Playback.h"
 
 #include <QMetaObject>
 

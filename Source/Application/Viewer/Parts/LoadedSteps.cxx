@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/LoadedSteps.h"
+#include "Viewer/Parts/LoadedSteps.h"
 
 #include <QPainter>
 

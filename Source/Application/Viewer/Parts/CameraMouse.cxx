@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/CameraMouse.h"
+#include "Viewer/Parts/CameraMouse.h"
 
-#include "Viewer/SceneView.h"
+#include "Viewer/Parts/SceneView.h"
 
 #include <vtkNexradNavigator.h>
 

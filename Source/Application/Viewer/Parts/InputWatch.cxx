@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/InputWatch.h"
+#include "Viewer/Parts/InputWatch.h"
 
 #include <QDir>
 #include <QFileInfo>

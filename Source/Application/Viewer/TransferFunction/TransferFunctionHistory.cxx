@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/TransferFunctionHistory.h"
+#include "Viewer/TransferFunction/TransferFunctionHistory.h"
 
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/PointerReadout.h"
+#include "Viewer/Parts/PointerReadout.h"
 
-#include "Viewer/CameraMouse.h"
-#include "Viewer/SceneView.h"
+#include "Viewer/Parts/CameraMouse.h"
+#include "Viewer/Parts/SceneView.h"
 
 #include <vtkNexradEchoPicker.h>
 #include <vtkNexradVolumeScene.h>

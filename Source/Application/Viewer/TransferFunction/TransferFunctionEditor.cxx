@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/TransferFunctionEditor.h"
+#include "Viewer/TransferFunction/TransferFunctionEditor.h"
 
 #include "Options/DrawingOptions.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/VolumeAppearance.h"
-#include "Viewer/TransferFunctionChart.h"
+#include "Viewer/TransferFunction/TransferFunctionChart.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
 

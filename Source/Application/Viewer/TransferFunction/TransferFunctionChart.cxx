@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/TransferFunctionChart.h"
+#include "Viewer/TransferFunction/TransferFunctionChart.h"
 
-#include "Viewer/SplinePointsItem.h"
+#include "Viewer/TransferFunction/SplinePointsItem.h"
 
 #include <vtkAxis.h>
 #include <vtkBrush.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/SplinePointsItem.h"
+#include "Viewer/TransferFunction/SplinePointsItem.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkContextMouseEvent.h>

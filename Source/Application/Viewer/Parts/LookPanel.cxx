@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/LookPanel.h"
+#include "Viewer/Parts/LookPanel.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>

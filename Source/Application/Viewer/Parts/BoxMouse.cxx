@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Viewer/BoxMouse.h"
+#include "Viewer/Parts/BoxMouse.h"
 
-#include "Viewer/CameraMouse.h"
-#include "Viewer/Playback.h"
-#include "Viewer/SceneView.h"
+#include "Viewer/Parts/CameraMouse.h"
+#include "Viewer/Parts/Playback.h"
+#include "Viewer/Parts/SceneView.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradEchoPicker.h>
