@@ -99,6 +99,10 @@ protected:
   {
     request.scene.preset = "iso-values";
     this->OpenSteps(2);
+    // Places are found to a pixel, so the bounds are those of one size of the picture.
+    window->resize(window->width() + 524 - this->View()->width(),
+      window->height() + 518 - this->View()->height());
+    this->WaitForPicture();
   }
 };
 

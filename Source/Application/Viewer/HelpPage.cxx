@@ -28,7 +28,12 @@ struct Gesture
 
 constexpr Gesture gestures[] = {
   {"left button, drag", "turn and tilt"},
-  {"right button, drag up or down; wheel", "zoom"},
+  {"middle button, or Shift and left button, drag", "move"},
+  {"wheel", "zoom towards the place under the pointer"},
+  {"right button, drag up or down", "zoom"},
+  {"double click", "move what is there into the middle, and turn about it"},
+  {"Ctrl and left button, drag", "a box on the ground, merged again in finer voxels; Escape: none"},
+  {"X, then left button, drag", "the line of a vertical section on the ground"},
 };
 
 QString Row(const QString& first, const QString& second)
