@@ -147,6 +147,21 @@ TEST_F(WindowTest, ASeriesThatGrowsOnDiskIsFollowed)
   EXPECT_TRUE(window->Problems().isEmpty());
 }
 
+// Whose echo hides what is behind it: the depths that this needs have the picture's size.
+TEST_F(WindowTest, TheVolumeStaysWhereTheWindowIsResized)
+{
+  this->OpenSteps(1);
+  this->Choose("Preset", 1);
+  this->WaitForPicture();
+  window->resize(1000, 700);
+  const QImage resized = this->WaitForPicture();
+  const double presets = this->Changes([this] { this->Choose("Preset", 1); });
+  EXPECT_AT_LEAST(presets, 0.006, "pixels that another preset changes, part");
+  this->Choose("Preset", -1);
+  EXPECT_AT_MOST(Difference(resized, this->WaitForPicture()), 0.001,
+    "pixels that differ when the preset is chosen again, part");
+}
+
 TEST_F(WindowTest, AMapIsSeenFromAboveAndTheSettingsSayIt)
 {
   this->OpenSteps(1);

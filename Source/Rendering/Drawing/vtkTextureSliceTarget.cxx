@@ -117,6 +117,10 @@ bool vtkTextureSliceTarget::Resize(
     return true;
   }
   this->DepthKey = format.Key();
+  // A framebuffer keeps textures of the old size, even where new ones have their names.
+  this->Framebuffer->ReleaseGraphicsResources(window);
+  this->DepthFramebuffer->ReleaseGraphicsResources(window);
+  this->ResolveFramebuffer->ReleaseGraphicsResources(window);
   this->ResolvedDepth->ReleaseGraphicsResources(window); // it has the old format
   this->GeometryDepth->ReleaseGraphicsResources(window);
   Prepare(this->Color, window);
