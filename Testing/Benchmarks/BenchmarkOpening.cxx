@@ -84,13 +84,21 @@ public:
     window->AddObserver(vtkCommand::EndEvent, command);
   }
 
-  // Works on events until the condition holds.
-  void RunUntil(const std::function<bool()>& condition)
+  // Works on events until the condition holds; it is asked every 5 ms.
+  static void RunUntil(const std::function<bool()>& condition)
   {
-    while (!condition())
-    {
-      this->processEvents(QEventLoop::WaitForMoreEvents);
-    }
+    QEventLoop loop;
+    QTimer clock;
+    QObject::connect(&clock, &QTimer::timeout, &loop,
+      [&]
+      {
+        if (condition())
+        {
+          loop.quit();
+        }
+      });
+    clock.start(5);
+    loop.exec();
   }
 
   // Since it was asked for last, with the type of the event (QEvent::Type) and of its receiver.
@@ -140,9 +148,7 @@ bool MeasureOpening(
 void MeasureLoading(
   TimedApplication& application, const viewer::Playback& playback, Clock::time_point begin)
 {
-  constexpr int quiet = 20; // events in a row without loading: between two times there is none
-  QTimer tick;
-  tick.start(5);
+  constexpr int quiet = 20; // looks in a row without loading: between two times there is none
   int without = 0;
   application.RunUntil(
     [&]
