@@ -1,12 +1,14 @@
 include(GoogleTest)
 
-# nexrad_add_test(<name> SOURCES <file>... [LIBRARIES <target>...] [LABEL <label>] [TIMEOUT <s>] [TOGETHER])
+# nexrad_add_test(<name> SOURCES <file>... [LIBRARIES <target>...] [LABEL <label>] [TIMEOUT <s>] [TOGETHER]
+#   [LOCK <what>])
 #
 # One GoogleTest program. CTest runs each of its tests in a process of its own; with TOGETHER it runs them all
 # in one, so that they share what they simulate. Labels: "quick" (the default), "display" needs an X server,
 # "slow" is left out of the sanitised run.
+# CTest never runs two tests at once whose programs LOCK the same thing, as "clipboard": an X server has one.
 function(nexrad_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "TOGETHER" "TIMEOUT;LABEL" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TOGETHER" "TIMEOUT;LABEL;LOCK" "SOURCES;LIBRARIES")
   if(arg_TIMEOUT)
     # Those that take long start first, so that none of them runs alone in the end.
     set(cost COST ${arg_TIMEOUT})
@@ -32,6 +34,9 @@ function(nexrad_add_test name)
     NEXRAD_BASELINE_DIR="${CMAKE_SOURCE_DIR}/Testing/Baseline"
     NEXRAD_TEST_OUTPUT_DIR="${CMAKE_BINARY_DIR}/Testing/Output")
   set(properties TIMEOUT ${arg_TIMEOUT} LABELS ${arg_LABEL} ${cost})
+  if(arg_LOCK)
+    list(APPEND properties RESOURCE_LOCK ${arg_LOCK})
+  endif()
   if(arg_TOGETHER)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1) # prints the tests that fail
     set_tests_properties(${name} PROPERTIES ${properties})
