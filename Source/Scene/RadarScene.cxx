@@ -55,12 +55,6 @@ void RequireVoxels(vtkImageData* data)
   }
 }
 
-std::string ArrayOf(vtkImageData* data)
-{
-  const char* name = data->GetPointData()->GetScalars()->GetName();
-  return name != nullptr ? name : "";
-}
-
 std::string ScaleText(double exaggeration)
 {
   std::ostringstream stream;

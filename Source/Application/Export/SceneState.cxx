@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Export/SceneState.h"
 
+#include "Scene/Frame/VolumeInformation.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/System/Error.h"
 
-#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNexradMessages.h>
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
-#include <vtkPointData.h>
 
 #include <QDir>
 #include <QTemporaryFile>
@@ -75,13 +74,6 @@ scene::CutOptions CutOf(vtkNexradVolumeScene* scene)
   return cut;
 }
 
-std::string NameOfScalars(vtkImageData* volume)
-{
-  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
-  const char* name = scalars != nullptr ? scalars->GetName() : nullptr;
-  return name != nullptr ? name : "";
-}
-
 std::vector<double> IsoValuesOf(vtkNexradTransferFunction* colours)
 {
   std::vector<double> values;
@@ -103,7 +95,7 @@ std::vector<scene::IsoValue> EditedIsoValues(
     return edited;
   }
   const std::vector<double> values = IsoValuesOf(used);
-  const auto made = scene::MakeTransferFunction(options, ArrayOf(scene));
+  const auto made = scene::MakeTransferFunction(options, scene::ArrayOf(scene->GetVolume()));
   for (std::size_t i = 0; values != IsoValuesOf(made) && i < values.size(); ++i)
   {
     edited.push_back({values[i], used->Evaluate(vtkNexradTransferFunction::OPACITY, values[i])});
@@ -183,23 +175,6 @@ void SetCut(const scene::CutOptions& cut, vtkNexradVolumeScene* scene)
   }
 }
 
-std::string ArrayOf(vtkNexradVolumeScene* scene)
-{
-  return NameOfScalars(scene->GetVolume());
-}
-
-std::string PresetFor(vtkImageData* volume, const std::string& preset)
-{
-  for (int i = 0; i < vtkNexradTransferFunction::GetNumberOfPresets(); ++i)
-  {
-    if (preset == vtkNexradTransferFunction::GetPresetName(i))
-    {
-      return NameOfScalars(volume) == vtkNexradTransferFunction::GetPresetArray(i) ? preset : "";
-    }
-  }
-  return "";
-}
-
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)
 {
   scene::SceneOptions options = SettingsOf(scene);
@@ -235,7 +210,8 @@ std::string EditedColours(vtkNexradVolumeScene* scene)
   }
   try
   {
-    const auto made = scene::MakeTransferFunction(OptionsOf(scene), ArrayOf(scene));
+    const auto made =
+      scene::MakeTransferFunction(OptionsOf(scene), scene::ArrayOf(scene->GetVolume()));
     return made->FormatJSON() == used->FormatJSON() ? "" : used->FormatJSON();
   }
   catch (const Error&)
@@ -259,6 +235,10 @@ std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours
 void SetColours(const std::string& colours, const std::vector<scene::IsoValue>& isoValues,
   vtkNexradVolumeScene* scene)
 {
+  if (colours.empty() && isoValues.empty())
+  {
+    return;
+  }
   scene->Update(); // which makes the colour map
   vtkNexradTransferFunction* used = scene->GetTransferFunction();
   if (used == nullptr)

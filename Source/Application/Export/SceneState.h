@@ -23,12 +23,6 @@ void SetPlan(const scene::SceneOptions& options, vtkNexradVolumeScene* scene);
 /// Sets what a scene cuts away, and the line of its section.
 void SetCut(const scene::CutOptions& cut, vtkNexradVolumeScene* scene);
 
-/// Name of the array that a scene shows, as "REF"; "" without a volume.
-std::string ArrayOf(vtkNexradVolumeScene* scene);
-
-/// A preset that suits a volume: this one, or "" where it is of another moment.
-std::string PresetFor(vtkImageData* volume, const std::string& preset);
-
 /// The settings of a scene, with the iso-values of its colour map where these were edited.
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene);
 scene::CameraView CameraOf(vtkNexradVolumeScene* scene);

@@ -4,6 +4,7 @@
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
 #include "Export/SceneState.h"
+#include "Scene/Frame/VolumeInformation.h"
 #include "Viewer/Cutting/CutPanel.h"
 #include "Viewer/Cutting/SectionDock.h"
 #include "Viewer/Cutting/SectionPanel.h"
@@ -287,7 +288,7 @@ void MainWindow::Show(const application::Session& session, const QString& name)
 // The inputs are read, or merged, again: a volume has the moments alone that were asked for.
 void MainWindow::ShowMoment(const QString& moment)
 {
-  if (moment == QString::fromStdString(ArrayOf(view->Scene())))
+  if (moment == QString::fromStdString(scene::ArrayOf(view->Scene()->GetVolume())))
   {
     return;
   }
@@ -362,7 +363,7 @@ void MainWindow::ShowVolume(vtkImageData* volume)
 {
   if (first) // the settings that depend on what the volume holds
   {
-    view->Scene()->SetPreset(PresetFor(volume, opened.drawing.scene.preset));
+    view->Scene()->SetPreset(opened.drawing.scene.preset);
     view->Scene()->SetColorFileName(opened.drawing.scene.colours.string());
     view->Scene()->SetColorArray(opened.drawing.scene.colourBy);
   }

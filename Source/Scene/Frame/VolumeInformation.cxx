@@ -4,6 +4,7 @@
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
+#include <vtkPointData.h>
 #include <vtkStringArray.h>
 
 namespace nexrad::scene
@@ -50,6 +51,13 @@ VolumeInformation ReadVolumeInformation(vtkImageData* volume)
   information.projection = Text(fields, "Projection");
   information.synthetic = Number(fields, "Synthetic").value_or(0.0) != 0.0;
   return information;
+}
+
+std::string ArrayOf(vtkImageData* volume)
+{
+  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
+  const char* name = scalars != nullptr ? scalars->GetName() : nullptr;
+  return name != nullptr ? name : "";
 }
 
 } // namespace nexrad::scene

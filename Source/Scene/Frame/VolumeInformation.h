@@ -24,4 +24,7 @@ struct VolumeInformation
 
 VolumeInformation ReadVolumeInformation(vtkImageData* volume);
 
+/// Name of the array that a volume shows, as "REF"; "" where there is no volume, or no name.
+std::string ArrayOf(vtkImageData* volume);
+
 } // namespace nexrad::scene

@@ -3,6 +3,7 @@
 
 #include "Viewer/Cutting/CutHandles.h"
 #include "Viewer/Cutting/VolumeUnits.h"
+#include "Viewer/Parts/NamedWidget.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradVolumeScene.h>
@@ -53,10 +54,8 @@ CutPanel::CutPanel(const ShownScene& sceneView, QWidget* parent)
   };
   this->AddBox(group("Crop box"));
   this->AddPlane(group("Clip plane"));
-  shown = new QCheckBox("Handles", this);
-  shown->setObjectName("Handles");
-  shown->setAccessibleName("Handles");
-  shown->setToolTip("Handles in the scene: drag a ball of the box, or the plane or its arrow");
+  shown = Named(new QCheckBox("Handles", this), "Handles",
+    "Handles in the scene: drag a ball of the box, or the plane or its arrow");
   shown->setChecked(true);
   column->addWidget(shown);
   column->addStretch(1);
@@ -74,10 +73,7 @@ CutPanel::CutPanel(const ShownScene& sceneView, QWidget* parent)
 
 QCheckBox* CutPanel::AddSwitch(QFormLayout* form, const QString& name, const QString& tip)
 {
-  auto* box = new QCheckBox(name, this);
-  box->setObjectName(name);
-  box->setAccessibleName(name);
-  box->setToolTip(tip);
+  auto* box = Named(new QCheckBox(name, this), name, tip);
   form->addRow(box);
   return box;
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Parts/LookPanel.h"
 
+#include "Scene/Frame/VolumeInformation.h"
+#include "Viewer/Parts/NamedWidget.h"
+
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNexradTransferFunction.h>
@@ -45,22 +48,6 @@ int PlaceOfPlan(int plan)
 {
   const auto place = std::find(plans.begin(), plans.end(), plan);
   return place == plans.end() ? -1 : static_cast<int>(place - plans.begin());
-}
-
-// Name of the array that a volume shows, "" for none.
-std::string MomentOf(vtkImageData* volume)
-{
-  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
-  return scalars != nullptr && scalars->GetName() != nullptr ? scalars->GetName() : "";
-}
-
-template <typename Widget>
-Widget* Named(Widget* widget, const QString& name, const QString& tip)
-{
-  widget->setObjectName(name);
-  widget->setAccessibleName(name);
-  widget->setToolTip(tip);
-  return widget;
 }
 
 } // namespace
@@ -228,7 +215,7 @@ void LookPanel::AddDrawing(QFormLayout* form)
 void LookPanel::FollowMoment(QComboBox* views)
 {
   auto* entries = qobject_cast<QStandardItemModel*>(views->model());
-  const bool reflectivity = MomentOf(scene->GetVolume()) == "REF";
+  const bool reflectivity = scene::ArrayOf(scene->GetVolume()) == "REF";
   for (std::size_t i = 0; i < plans.size(); ++i)
   {
     const bool product =

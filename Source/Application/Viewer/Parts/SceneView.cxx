@@ -4,16 +4,15 @@
 #include "Drawing/PictureWindow.h"
 #include "Drawing/ViewerStyle.h"
 #include "Export/SceneState.h"
+#include "Scene/Frame/VolumeInformation.h"
 #include "Scene/SceneOptions.h"
 #include "Viewer/Parts/CameraMouse.h"
 
-#include <vtkDataArray.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
 #include <vtkNexradNavigator.h>
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
-#include <vtkPointData.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
@@ -27,14 +26,12 @@ namespace
 // Whether a preset is for the moment of a volume, or that has none of its own.
 bool SuitsMoment(const std::string& preset, vtkImageData* volume)
 {
-  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
-  const char* moment = scalars != nullptr ? scalars->GetName() : nullptr;
-  const char* own = moment != nullptr ? vtkNexradTransferFunction::FindPreset(moment) : nullptr;
-  if (own == nullptr || preset.empty())
+  const std::string moment = scene::ArrayOf(volume);
+  if (preset.empty() || vtkNexradTransferFunction::FindPreset(moment.c_str()) == nullptr)
   {
     return true;
   }
-  for (int i = 0; const char* name = vtkNexradTransferFunction::FindPreset(moment, i); ++i)
+  for (int i = 0; const char* name = vtkNexradTransferFunction::FindPreset(moment.c_str(), i); ++i)
   {
     if (preset == name)
     {

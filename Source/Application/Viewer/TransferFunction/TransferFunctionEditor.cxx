@@ -3,13 +3,14 @@
 
 #include "Options/DrawingOptions.h"
 #include "Scene/Elements/Theme.h"
+#include "Scene/Frame/VolumeInformation.h"
 #include "Scene/VolumeAppearance.h"
+#include "Viewer/Parts/NamedWidget.h"
 #include "Viewer/TransferFunction/TransferFunctionChart.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkCommand.h>
-#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkNexradHistogram.h>
@@ -17,7 +18,6 @@
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradTwoFields.h>
 #include <vtkNexradVolumeScene.h>
-#include <vtkPointData.h>
 #include <vtkRenderer.h>
 
 #include <QAction>
@@ -51,22 +51,6 @@ constexpr vtkIdType mostVoxels = 1 << 23;
 constexpr char changed[] = ", changed";
 constexpr int histogramPause = 200; // ms
 constexpr std::array<const char*, 4> channelNames = {"Red", "Green", "Blue", "Opacity"};
-
-template <typename Widget>
-Widget* Named(Widget* widget, const QString& name, const QString& tip)
-{
-  widget->setObjectName(name);
-  widget->setAccessibleName(name);
-  widget->setToolTip(tip);
-  return widget;
-}
-
-std::string MomentOf(vtkImageData* volume)
-{
-  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
-  const char* name = scalars != nullptr ? scalars->GetName() : nullptr;
-  return name != nullptr ? name : "";
-}
 
 QString UnitOfArray(const std::string& array)
 {
@@ -338,7 +322,7 @@ void TransferFunctionEditor::Follow()
   {
     return;
   }
-  this->FollowMoment(MomentOf(scene->GetVolume()));
+  this->FollowMoment(scene::ArrayOf(scene->GetVolume()));
   const Settings now = this->SettingsNow();
   if (!(now == followed))
   {
