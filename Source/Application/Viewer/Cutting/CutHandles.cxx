@@ -86,8 +86,10 @@ CutHandles::~CutHandles() = default;
 
 bool CutHandles::Follow(bool shown)
 {
-  const bool any = shown && view.scene->GetVolume() != nullptr && view.scene->Update() &&
-                   view.scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN;
+  // Without a cut the scene is not updated here: its first update takes long, and drawing does it.
+  const bool any = shown && view.scene->GetVolume() != nullptr &&
+                   view.scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN &&
+                   (view.scene->GetCropping() || view.scene->GetClipping()) && view.scene->Update();
   const std::vector<double> newBox =
     any && view.scene->GetCropping() ? this->BoxPlace() : std::vector<double>{};
   const std::vector<double> newPlane =
