@@ -148,16 +148,17 @@ bool MeasureOpening(
 void MeasureLoading(
   TimedApplication& application, const viewer::Playback& playback, Clock::time_point begin)
 {
-  constexpr int quiet = 20; // looks in a row without loading: between two times there is none
-  int without = 0;
+  constexpr Milliseconds quiet(1000); // without loading: between two times there are short pauses
+  Clock::time_point last = Clock::now();
   application.RunUntil(
     [&]
     {
-      without = playback.State().loads ? 0 : without + 1;
-      return without == quiet;
+      const Clock::time_point now = Clock::now();
+      last = playback.State().loads ? now : last;
+      return now - last > quiet;
     });
   const auto& loaded = playback.State().loaded;
-  const Milliseconds all = Clock::now() - begin;
+  const Milliseconds all = last - begin;
   std::printf("%d of %d times are loaded after %.2f s; longest event besides drawing: %s\n",
     static_cast<int>(std::count(loaded.begin(), loaded.end(), true)),
     static_cast<int>(loaded.size()), all.count() / 1000.0, application.TakeLongest().c_str());
@@ -165,12 +166,11 @@ void MeasureLoading(
 
 void MeasurePlaying(TimedApplication& application, viewer::Playback& playback)
 {
-  constexpr int played = 3000; // ms
+  constexpr Milliseconds played(3000);
   playback.SetInterval(1);
   playback.Play(true);
-  bool over = false;
-  QTimer::singleShot(played, &playback, [&] { over = true; });
-  application.RunUntil([&] { return over; });
+  const Clock::time_point begin = Clock::now();
+  application.RunUntil([&] { return Clock::now() - begin > played; });
   std::printf("%.1f times a second are played; longest event besides drawing: %s\n",
     playback.StepsPerSecond(), application.TakeLongest().c_str());
 }
