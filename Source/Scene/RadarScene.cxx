@@ -485,11 +485,11 @@ void RadarScene::DrawMark()
     {
       constexpr std::size_t day = 11; // letters before the time of day
       constexpr std::size_t ofTime = 8;
-      const ScenePoint top = {0.5 * (box[0] + box[1]), 0.5 * (box[2] + box[3]), box[5]};
+      const ScenePoint top = {0.5 * (box[0] + box[1]), box[3], box[5]}; // of the northern face
       markLabels.push_back({FormatIso8601(*time).substr(day, ofTime) + " UTC", top,
         {this->TextSize(), theme.marker, theme.rim},
         {LabelSide::Above, LabelSide::Right, LabelSide::Left, LabelSide::Below},
-        0.25 * this->TextSize(), true});
+        0.5 * this->TextSize(), false});
     }
     for (const int z : {0, 1})
     {

@@ -304,7 +304,7 @@ TEST_F(NearRadar, TheMenuMakesABoxAndTakesItAway)
   EXPECT_FALSE(make->isChecked());
   this->WaitForBox();
   const QString text = this->Find<QLabel>("The box")->text();
-  EXPECT_TRUE(text.contains(" km\n") && text.contains(" voxels of 250 m\n2006-03-12 18:"))
+  EXPECT_TRUE(text.contains(" km\n") && text.contains(" voxels\n2006-03-12 18:"))
     << text.toStdString();
   this->Action("Remove the box")->trigger();
   EXPECT_EQ(this->Scene()->GetDetail(), nullptr);

@@ -232,17 +232,15 @@ QString BoxMouse::Text() const
                        "of 250 m. Choose “Make a box”, or hold Ctrl, and drag on the ground.");
   }
   const int* size = box->GetDimensions();
-  const HorizontalUnit unit = HorizontalUnitOf(view.Scene()->GetVolume());
   const auto time = scene::ReadVolumeInformation(box).time;
-  QString lines =
-    this->SizeText(scene::SidesOf(box)) + QString("\n%1 × %2 × %3 voxels of %4 m")
-                                            .arg(size[0])
-                                            .arg(size[1])
-                                            .arg(size[2])
-                                            .arg(box->GetSpacing()[1] * unit.metres, 0, 'f', 0);
-  lines +=
-    time ? "\n" + QString::fromStdString(FormatIso8601(*time)).left(19).replace('T', ' ') + " UTC"
-         : QString();
+  QString lines = this->SizeText(scene::SidesOf(box)) +
+                  QString("\n%1 × %2 × %3 voxels").arg(size[0]).arg(size[1]).arg(size[2]);
+  if (time)
+  {
+    constexpr int letters = 19; // without milliseconds
+    lines +=
+      "\n" + QString::fromStdString(FormatIso8601(*time)).left(letters).replace('T', ' ') + " UTC";
+  }
   return lines;
 }
 
