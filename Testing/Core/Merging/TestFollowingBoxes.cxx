@@ -12,6 +12,8 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
+#include <vector>
 
 namespace nexrad
 {
@@ -173,6 +175,63 @@ TEST_F(FollowingBoxes, StopWhenTheyAreAskedTo)
   int calls = 0;
   EXPECT_FALSE(merger->MergeBox(evening + 50min, box, [&](double) { return ++calls < 3; }));
   EXPECT_EQ(calls, 3);
+}
+
+namespace
+{
+
+// The strongest echo of each column, dBZ; 0 without echo.
+std::vector<double> ColumnMaxima(const GriddedVolume& volume)
+{
+  const auto columns = static_cast<std::size_t>(volume.grid.dimensions[0]) *
+                       static_cast<std::size_t>(volume.grid.dimensions[1]);
+  std::vector<double> maxima(columns, 0.0);
+  for (std::size_t voxel = 0; voxel < volume.values.size(); ++voxel)
+  {
+    if (volume.states[voxel] == VoxelState::Echo)
+    {
+      double& most = maxima[voxel % columns];
+      most = std::max(most, static_cast<double>(volume.values[voxel]));
+    }
+  }
+  return maxima;
+}
+
+double Correlation(const std::vector<double>& a, const std::vector<double>& b)
+{
+  const auto count = static_cast<double>(a.size());
+  const double meanA = std::accumulate(a.begin(), a.end(), 0.0) / count;
+  const double meanB = std::accumulate(b.begin(), b.end(), 0.0) / count;
+  double ab = 0.0;
+  double aa = 0.0;
+  double bb = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+  {
+    ab += (a[i] - meanA) * (b[i] - meanB);
+    aa += (a[i] - meanA) * (a[i] - meanA);
+    bb += (b[i] - meanB) * (b[i] - meanB);
+  }
+  return ab / std::sqrt(aa * bb);
+}
+
+} // namespace
+
+// The storm north of KBGM on 2005-08-21, in 20 minutes.
+TEST(MergedBoxes, ThatFollowARealStormHoldTheSameEcho)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::unique_ptr<SeriesMerger> merger = Open(data / "level2/run-kbgm-20050821");
+  const Time from = *ParseIso8601("2005-08-21T02:46:00Z");
+  const BoxRequest still{{-30e3, 60e3, 90e3, 150e3}};
+  BoxRequest followed = still;
+  followed.followedFrom = from;
+  const std::vector<double> first = ColumnMaxima(*merger->MergeBox(from, still));
+  const auto correlation = [&](const BoxRequest& box)
+  { return Correlation(first, ColumnMaxima(*merger->MergeBox(from + 20min, box))); };
+  EXPECT_AT_LEAST(correlation(followed), 0.7,
+    "correlation of the echo of a following box with that of 20 minutes before");
+  EXPECT_AT_MOST(correlation(still), 0.4,
+    "correlation of the echo of a box on the ground with that of 20 minutes before");
 }
 
 namespace
