@@ -429,6 +429,7 @@ void RadarScene::SetDetail(vtkImageData* newDetail)
   }
   detailData = newDetail;
   this->PlaceDetail();
+  this->DrawMark(); // which names its time
   this->SetSlices(options.slices);
   this->SetCut(options.cut);
 }
@@ -466,6 +467,7 @@ void RadarScene::MarkBox(const std::optional<std::array<double, 4>>& faces)
 void RadarScene::DrawMark()
 {
   LineBuilder lines;
+  markLabels.clear();
   if (markFaces)
   {
     const auto& [west, east, south, north] = *markFaces;
@@ -478,6 +480,17 @@ void RadarScene::DrawMark()
       return {box[static_cast<std::size_t>(x)], box[static_cast<std::size_t>(2 + y)],
         box[static_cast<std::size_t>(4 + z)]};
     };
+    const auto time = detailData ? ReadVolumeInformation(detailData).time : std::nullopt;
+    if (time)
+    {
+      constexpr std::size_t day = 11; // letters before the time of day
+      constexpr std::size_t ofTime = 8;
+      const ScenePoint top = {0.5 * (box[0] + box[1]), box[3], box[5]}; // of the northern face
+      markLabels.push_back({FormatIso8601(*time).substr(day, ofTime) + " UTC", top,
+        {this->TextSize(), theme.marker, theme.rim},
+        {LabelSide::Above, LabelSide::Right, LabelSide::Left, LabelSide::Below},
+        0.5 * this->TextSize(), false});
+    }
     for (const int z : {0, 1})
     {
       lines.Add(
@@ -492,6 +505,10 @@ void RadarScene::DrawMark()
     }
   }
   this->Replace(mark, {lines.MakeActor(theme.marker, 1.5)});
+  if (!outline.empty())
+  {
+    this->DrawLabels();
+  }
 }
 
 void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
@@ -574,6 +591,7 @@ void RadarScene::DrawLabels()
 {
   std::vector<Label> all = scaleLabels;
   all.insert(all.end(), sectionLabels.begin(), sectionLabels.end());
+  all.insert(all.end(), markLabels.begin(), markLabels.end());
   all.insert(all.end(), groundLabels.begin(), groundLabels.end());
   std::vector<PixelBox> boxes = taken;
   boxes.push_back({right, 0.0, static_cast<double>(size[0]), static_cast<double>(size[1])});

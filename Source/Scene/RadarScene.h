@@ -67,7 +67,7 @@ public:
   void SetDetail(vtkImageData* detail);
 
   /// Draws the edges of a box of the domain: west, east, south and north faces in the volume's
-  /// units. Empty: of none.
+  /// units, and names the time of the finer volume there. Empty: of none.
   void MarkBox(const std::optional<std::array<double, 4>>& faces);
 
   /// Throws Error for whatever a scene with these options would throw for in SetVolume.
@@ -169,6 +169,7 @@ private:
   Props labels;
   std::vector<Label> groundLabels;
   std::vector<Label> sectionLabels;
+  std::vector<Label> markLabels;
   std::vector<Label> scaleLabels;
   std::vector<ScenePoint> outline; ///< of the domain and its scales
   std::vector<PixelBox> taken;     ///< by captions

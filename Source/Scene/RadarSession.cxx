@@ -10,22 +10,29 @@
 namespace nexrad::scene
 {
 
-RadarSession::RadarSession(
-  std::unique_ptr<VolumeSeries> source, std::vector<std::size_t> steps, const SceneOptions& options)
-  : series(PlayAhead(std::move(source), steps, options))
+RadarSession::RadarSession(std::unique_ptr<VolumeSeries> source, std::vector<std::size_t> steps,
+  const SceneOptions& options, const std::optional<BoxRequest>& finerBox)
+  : series(finerBox ? std::move(source) : PlayAhead(std::move(source), steps, options))
   , chosen(std::move(steps))
+  , box(finerBox)
   , scene(options)
 {
 }
 
 bool RadarSession::Load(std::size_t step, const Progress& progress)
 {
-  if (shown != step && (loaded.first != step || !loaded.second))
+  if (shown == step || (loaded.step == step && loaded.volume))
   {
-    loaded = {step, series->Load(chosen[step], progress)};
-    return loaded.second != nullptr;
+    return true;
   }
-  return true;
+  constexpr double part = 0.5; // of the work, where there is a box
+  loaded = {step, series->Load(chosen[step], box ? ShareOf(progress, 0.0, part) : progress), {}};
+  if (loaded.volume && box)
+  {
+    loaded.box = series->LoadBox(chosen[step], *box, ShareOf(progress, part, 1.0));
+    loaded.volume = loaded.box ? loaded.volume : nullptr;
+  }
+  return loaded.volume != nullptr;
 }
 
 bool RadarSession::Show(std::size_t step, const Progress& progress)
@@ -38,7 +45,13 @@ bool RadarSession::Show(std::size_t step, const Progress& progress)
   {
     return false;
   }
-  scene.SetVolume(std::exchange(loaded.second, nullptr));
+  scene.SetVolume(std::exchange(loaded.volume, nullptr));
+  if (box)
+  {
+    scene.SetDetail(loaded.box);
+    scene.MarkBox(SidesOf(loaded.box));
+    loaded.box = nullptr;
+  }
   shown = step;
   return true;
 }

@@ -8,7 +8,6 @@
 #include <cstddef>
 #include <memory>
 #include <optional>
-#include <utility>
 #include <vector>
 
 namespace nexrad::scene
@@ -21,9 +20,10 @@ class RadarSession
 {
 public:
   /// `chosen`: indices of the volumes that take part, in the order in which they are shown; not
-  /// empty.
+  /// empty. `box`: is merged again in finer voxels for each step, of radar files; then nothing is
+  /// loaded ahead.
   RadarSession(std::unique_ptr<VolumeSeries> series, std::vector<std::size_t> chosen,
-    const SceneOptions& options);
+    const SceneOptions& options, const std::optional<BoxRequest>& box = std::nullopt);
 
   RadarScene& Scene() { return scene; }
   std::vector<std::string> Problems() const { return series->Problems(); }
@@ -43,10 +43,19 @@ public:
   bool Load(std::size_t step, const Progress& progress = {});
 
 private:
+  /// A step until it is shown, and the box of it.
+  struct Loaded
+  {
+    std::size_t step = 0;
+    vtkSmartPointer<vtkImageData> volume;
+    vtkSmartPointer<vtkImageData> box;
+  };
+
   std::unique_ptr<VolumeSeries> series;
   std::vector<std::size_t> chosen;
   std::optional<std::size_t> shown;
-  std::pair<std::size_t, vtkSmartPointer<vtkImageData>> loaded; ///< a step, until it is shown
+  const std::optional<BoxRequest> box;
+  Loaded loaded;
   RadarScene scene;
 };
 

@@ -162,6 +162,27 @@ TEST(RenderCommand, RadarFilesAreMergedFirst)
   EXPECT_EQ(NamesIn(folder.Path()), std::set<std::string>{"kbgm.png"});
 }
 
+TEST(RenderCommand, ABoxOfRadarFilesIsDrawnWhereItsEchoIs)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto draw = [&](const std::vector<std::string>& options)
+  {
+    const std::string png = folder.Path() / "box.png";
+    std::vector<std::string> arguments = {"render", data / "level2" / "run-kbgm-20050821", "-o",
+      png, "--size", small, "--dims", "64x64x32", "--time", "2005-08-21T03:05"};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return FileContent(png);
+  };
+  const std::string box = "--box=-30km,60km,90km,150km";
+  const std::string still = draw({box});
+  EXPECT_NE(draw({}), still);
+  EXPECT_NE(draw({box, "--follow-from", "2005-08-21T02:50"}), still);
+  EXPECT_EQ(draw({box, "--follow-from", "2005-08-21T03:05"}), still);
+}
+
 // One radar file is drawn without a word on times; a time at which nothing was scanned is named.
 TEST(RenderCommand, OneRadarFileIsDrawnAtItsMiddle)
 {
@@ -209,6 +230,7 @@ TEST(RenderCommand, FailuresAreOneLine)
     {{series, "-o", png, "--time", "2006-03-12T18:35", "--map", "3km", "--array", "REF_age"},
       "no array REF_age"},
     {{series, "-o", png, "--colours", folder.Path() / "colours.csv"}, "line 3"},
+    {{series, "-o", png, "--box", "0,20km,0,20km"}, "from radar files alone"},
     {{series, "/dev/null", "-o", png}, "one or the other"}};
   for (const auto& [options, words] : cases)
   {

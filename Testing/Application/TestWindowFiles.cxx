@@ -4,6 +4,7 @@
 // of lines differently.
 #include "HandMadeVolume.h"
 #include "ProgramRun.h"
+#include "Scans/SyntheticScans.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
@@ -284,6 +285,39 @@ TEST_F(WindowFilesTest, TheCopiedCommandMergesRadarFiles)
   this->WaitForPicture();
   EXPECT_AT_MOST(MeanDifference(this->TakePicture(), this->DrawWithoutTheWindow()), contextBound,
     "picture of a radar file in the window and of the copied command, of 255", contextReason);
+}
+
+// A box that follows the storm is in the copied command and in pictures of each time.
+TEST_F(WindowFilesTest, TheCopiedCommandAndAMovieHaveTheBox)
+{
+  const TemporaryFolder radar;
+  WriteSyntheticScans(
+    radar.Path(), "KEAX", *ParseIso8601("2006-03-12T18:00:00Z"), std::chrono::minutes(12));
+  request.input.inputs = {radar.Path()};
+  request.input.grid.grid.dimensions = {64, 64, 32};
+  request.merging = {{"--dims", "64x64x32"}};
+  request.input.box = BoxRequest{{0.0, 50e3, 0.0, 50e3}};
+  request.input.box->followedFrom = *ParseIso8601("2006-03-12T18:05:00Z");
+  this->OpenWindow();
+  const auto waitForBox = [&]
+  {
+    ASSERT_TRUE(this->Wait(
+      [&] {
+        return !window->Player()->IsWaiting() && window->View()->Scene()->GetDetail() != nullptr;
+      }));
+    this->WaitForPicture();
+  };
+  waitForBox();
+  window->Player()->Move(1);
+  waitForBox();
+  const QImage second = this->TakePicture();
+  EXPECT_AT_MOST(MeanDifference(second, this->DrawWithoutTheWindow()), contextBound,
+    "picture of a following box in the window and of the copied command, of 255", contextReason);
+  this->SaveAs(Qt::Key_M, folder.Path() / "box.png");
+  EXPECT_TRUE(this->WaitForMovie());
+  const QImage frame(QString::fromStdString((folder.Path() / "box-20060312T181000Z.png").string()));
+  EXPECT_AT_MOST(MeanDifference(second, frame), contextBound,
+    "picture of a following box in the window and in a series, of 255", contextReason);
 }
 
 TEST_F(WindowFilesTest, SavesTheVolume)

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The window where the mouse points: moving near, and the readout of what is there.
+#include "Options/SessionFile.h"
 #include "Scans/SyntheticScans.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
@@ -17,9 +18,15 @@
 #include <vtkNexradVolumeScene.h>
 #include <vtkRenderer.h>
 
+#include <QAction>
+#include <QCheckBox>
+#include <QDockWidget>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QRegularExpression>
+#include <QStatusBar>
+#include <QToolButton>
 #include <QWheelEvent>
 #include <QtTest/QtTest>
 
@@ -120,6 +127,23 @@ protected:
     ASSERT_TRUE(this->Wait([this] { return this->Scene()->GetVolume() != nullptr; }));
     this->WaitForPicture();
   }
+
+  vtkImageData* WaitForBox()
+  {
+    EXPECT_TRUE(this->Wait(
+      [this] { return !window->Player()->IsWaiting() && this->Scene()->GetDetail() != nullptr; }));
+    return this->Scene()->GetDetail();
+  }
+
+  // Where the box is, m east and north of the domain's centre.
+  std::array<double, 2> MiddleOfBox()
+  {
+    const double* middle = this->WaitForBox()->GetCenter();
+    return {middle[0], middle[1]};
+  }
+
+  QString Status() { return window->statusBar()->currentMessage(); }
+  QAction* Action(const char* name) { return this->Find<QAction>(name); }
 
   void DragBox()
   {
@@ -256,6 +280,83 @@ TEST_F(NearRadar, TheBoxIsMergedAgainForEachTime)
     [&] { return !window->Player()->IsWaiting() && this->Scene()->GetDetail() != nullptr; }));
   EXPECT_NE(timeOf(this->Scene()->GetDetail()), first);
   EXPECT_EQ(timeOf(this->Scene()->GetDetail()), timeOf(this->Scene()->GetVolume()));
+}
+
+TEST_F(NearRadar, TheMenuMakesABoxAndTakesItAway)
+{
+  auto* make = this->Find<QToolButton>("Make a box");
+  const QPoint from = this->Middle() + QPoint(-40, 20);
+  const QPoint to = this->Middle() + QPoint(40, -20);
+  this->Action("Make a box")->trigger();
+  EXPECT_TRUE(make->isChecked());
+  QTest::keyClick(this->View(), Qt::Key_Escape);
+  EXPECT_FALSE(make->isChecked()) << "Escape leaves";
+  this->Drag(from, to, Qt::LeftButton);
+  EXPECT_FALSE(window->Player()->HasBox()) << "this turns the scene";
+
+  QTest::keyClick(window.get(), Qt::Key_B);
+  EXPECT_TRUE(make->isChecked());
+  this->Mouse(QEvent::MouseButtonPress, from, Qt::LeftButton);
+  this->Mouse(QEvent::MouseMove, to, Qt::LeftButton);
+  EXPECT_TRUE(QRegularExpression("^Box [0-9.]+ × [0-9.]+ km$").match(this->Status()).hasMatch())
+    << this->Status().toStdString();
+  this->Mouse(QEvent::MouseButtonRelease, to, Qt::LeftButton);
+  EXPECT_FALSE(make->isChecked());
+  this->WaitForBox();
+  const QString text = this->Find<QLabel>("The box")->text();
+  EXPECT_TRUE(text.contains(" km\n") && text.contains(" voxels\n2006-03-12 18:"))
+    << text.toStdString();
+  this->Action("Remove the box")->trigger();
+  EXPECT_EQ(this->Scene()->GetDetail(), nullptr);
+  EXPECT_FALSE(window->Player()->HasBox());
+  EXPECT_FALSE(this->Action("Remove the box")->isEnabled());
+}
+
+TEST_F(NearRadar, TheBoxFollowsTheStormWhenItIsSwitchedOn)
+{
+  this->DragBox();
+  const auto first = this->MiddleOfBox();
+  window->Player()->Move(1);
+  EXPECT_EQ(this->MiddleOfBox(), first) << "it stays on the ground";
+  window->Player()->Move(-1);
+  this->WaitForBox();
+  auto* follows = this->Find<QCheckBox>("Follow the storm");
+  follows->click();
+  EXPECT_EQ(this->MiddleOfBox(), first);
+  window->Player()->Move(1);
+  const auto second = this->MiddleOfBox();
+  // The storms of the synthetic day move 4 to 9 km in five minutes, towards the north-east.
+  EXPECT_AT_LEAST(second[0] - first[0], 2200.0, "way of a following box to the east, m");
+  EXPECT_AT_LEAST(second[1] - first[1], 1800.0, "way of a following box to the north, m");
+  this->Find<QDockWidget>("box dock")->raise();
+  this->WaitForPicture();
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowFollowingBox.png");
+  window->Player()->Move(-1);
+  EXPECT_EQ(this->MiddleOfBox(), first);
+  window->Player()->Move(1);
+  EXPECT_EQ(this->MiddleOfBox(), second);
+  follows->click();
+  EXPECT_EQ(this->MiddleOfBox(), second) << "it stays where it is";
+  window->Player()->Move(-1);
+  EXPECT_EQ(this->MiddleOfBox(), second);
+}
+
+TEST_F(NearRadar, ASessionKeepsTheBoxAndWhatItFollows)
+{
+  this->DragBox();
+  this->WaitForBox();
+  this->Find<QCheckBox>("Follow the storm")->click();
+  window->Player()->Move(1);
+  const auto middle = this->MiddleOfBox();
+  const TemporaryFolder other;
+  const auto path = other.Path() / "box.nxsession";
+  application::WriteSession(path, window->Shown());
+  QTest::keyClick(this->View(), Qt::Key_Escape);
+  EXPECT_EQ(this->Scene()->GetDetail(), nullptr);
+  window->Open({QString::fromStdString(path.string())});
+  EXPECT_EQ(this->MiddleOfBox(), middle);
+  EXPECT_TRUE(this->Find<QCheckBox>("Follow the storm")->isChecked());
+  EXPECT_TRUE(window->Problems().isEmpty());
 }
 
 TEST_F(NearStorm, ABoxOfVolumeFilesIsRefusedInOneLine)

@@ -143,8 +143,10 @@ void MergeEchoEverywhereLinear(benchmark::State& state)
 }
 
 // A box of 60 km about the middle of the domain in voxels of 250 m, 240 x 240 x 80 of them, that
-// moves by 10 km from one merge to the next: its radars' geometry is made anew each time.
-void MeasureBox(benchmark::State& state, const std::vector<PolarVolume>& volumes)
+// moves by 10 km from one merge to the next: its radars' geometry is made anew each time. One that
+// follows its echo also needs, for five minutes, five times the motion of the echo in it, here with
+// nothing kept from the step before.
+void MeasureBox(benchmark::State& state, const std::vector<PolarVolume>& volumes, bool follows)
 {
   const GridSpecification domain = GridOf(256);
   const RangeLoop loop = ThreadLoop(2);
@@ -156,9 +158,16 @@ void MeasureBox(benchmark::State& state, const std::vector<PolarVolume>& volumes
   }
   const auto motion = MotionTracker(boxes[0].grid).Find(ready, evening);
   BeamMerger merger(boxes[0].grid);
+  MotionTracker tracker(domain);
+  constexpr int minutes = 5;
   std::size_t number = 0;
   const auto merge = [&]
   {
+    tracker.Find({}, evening, loop);
+    for (int minute = 0; follows && minute < minutes; ++minute)
+    {
+      tracker.FindWithin({-30e3, 30e3, -30e3, 30e3}, ready, evening, loop);
+    }
     merger.SetBlock(boxes[number++ % boxes.size()].block);
     return merger.Merge(ready, evening, motion.get(), loop);
   };
@@ -171,12 +180,22 @@ void MeasureBox(benchmark::State& state, const std::vector<PolarVolume>& volumes
 
 void MergeBoxOfStorm(benchmark::State& state)
 {
-  MeasureBox(state, Storm());
+  MeasureBox(state, Storm(), false);
 }
 
 void MergeBoxOfEchoEverywhere(benchmark::State& state)
 {
-  MeasureBox(state, EchoEverywhere());
+  MeasureBox(state, EchoEverywhere(), false);
+}
+
+void MergeFollowingBoxOfStorm(benchmark::State& state)
+{
+  MeasureBox(state, Storm(), true);
+}
+
+void MergeFollowingBoxOfEchoEverywhere(benchmark::State& state)
+{
+  MeasureBox(state, EchoEverywhere(), true);
 }
 
 // With nothing kept from the step before: the images of all volumes, then the motion of three
@@ -239,6 +258,8 @@ BENCHMARK(MergeEchoEverywhereLinear)
   ->Unit(benchmark::kMillisecond);
 BENCHMARK(MergeBoxOfStorm)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(MergeBoxOfEchoEverywhere)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(MergeFollowingBoxOfStorm)->UseRealTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(MergeFollowingBoxOfEchoEverywhere)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(FindMotion)->Arg(256)->Arg(512)->UseRealTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(GeometryOfThreeSites)->Arg(256)->Arg(512)->Unit(benchmark::kMillisecond);
 BENCHMARK(PrepareOneVolume)->Unit(benchmark::kMillisecond);

@@ -62,7 +62,7 @@ RenderReport Render(const RenderRequest& request)
   RequireDisplay();
   auto series = OpenInputs(request.input, request.progress);
   std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
-  RadarSession session(std::move(series), std::move(chosen), request.scene);
+  RadarSession session(std::move(series), std::move(chosen), request.scene, request.input.box);
   session.Scene().SetCamera(request.camera);
   RenderReport report;
   if (request.output.extension() == ".png")

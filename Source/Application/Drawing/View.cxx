@@ -13,7 +13,7 @@ ViewReport View(const ViewRequest& request)
   RequireDisplay();
   auto series = OpenInputs(request.input, request.progress);
   std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
-  RadarSession session(std::move(series), std::move(chosen), request.scene);
+  RadarSession session(std::move(series), std::move(chosen), request.scene, request.input.box);
   Viewer viewer(session, {request.size, request.camera, request.interval, request.pictures});
   if (request.progress)
   {

@@ -94,8 +94,18 @@ bool MovieExport::Write()
   {
     return false;
   }
+  const vtkSmartPointer<vtkImageData> box = job.box ? job.box(frame) : nullptr;
+  if (job.box && !box)
+  {
+    return false;
+  }
   window->MakeCurrent();
   scene->SetVolume(volume);
+  if (box)
+  {
+    scene->SetDetail(box);
+    scene->MarkBox(scene::SidesOf(box));
+  }
   const vtkSmartPointer<vtkImageData> picture = window->Draw();
   const auto name = scene::PictureName(job.output, job.times[frame], job.times.size() > 1);
   writing = std::async(std::launch::async,

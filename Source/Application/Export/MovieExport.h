@@ -35,6 +35,8 @@ struct MovieJob
   std::vector<Time> times;      ///< of the frames
   /// The volume of a frame; nothing as long as it is not loaded. May throw.
   std::function<vtkSmartPointer<vtkImageData>(std::size_t frame)> volume;
+  /// The box in finer voxels of a frame, as the volume; empty where there is none.
+  std::function<vtkSmartPointer<vtkImageData>(std::size_t frame)> box;
 };
 
 /// Frames a second of a movie that plays in that interval: at least 1, at most 120.

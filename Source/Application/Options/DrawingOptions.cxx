@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Options/DrawingOptions.h"
 
+#include "Options/BoxOptions.h"
 #include "Options/CuttingOptions.h"
 #include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
@@ -348,6 +349,7 @@ void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool requi
     ->type_name("INPUT");
   AddParsedOption(command, "--time", request.time, ParseTime, "TIME",
     "Draw this time alone, in UTC, as in 2006-03-12T18:00");
+  AddBoxOptions(command, request.box);
 }
 
 void AddCameraOptions(CLI::App& command, scene::CameraView& camera)

@@ -207,6 +207,25 @@ void AddCut(const scene::CutOptions& cut, OptionList& options)
   }
 }
 
+void AddBox(const scene::InputRequest& input, OptionList& options)
+{
+  if (!input.box)
+  {
+    return;
+  }
+  const bool degrees = input.grid.grid.axes == GridAxes::Geographic;
+  std::string faces;
+  for (const double face : input.box->faces)
+  {
+    faces += (faces.empty() ? "" : ",") + (degrees ? TextOf(face) : LengthTextOf(face));
+  }
+  options.Add("--box", faces);
+  if (input.box->followedFrom)
+  {
+    options.Add("--follow-from", FormatIso8601(*input.box->followedFrom));
+  }
+}
+
 // The moments may have been chosen after the other options of merging were given.
 void AddMerging(const scene::DrawingRequest& request, OptionList& options)
 {
@@ -248,6 +267,7 @@ std::vector<OptionText> OptionTextsOf(const scene::DrawingRequest& request)
   AddVolume(request.scene, options);
   AddSurroundings(request.scene, options);
   AddCut(request.scene.cut, options);
+  AddBox(request.input, options);
   AddMerging(request, options);
   return options.Take();
 }

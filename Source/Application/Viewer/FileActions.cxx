@@ -263,6 +263,17 @@ void FileActions::SaveMovie(const fs::path& path)
     }
     return window.Player()->Volume(frame);
   };
+  if (window.Player()->HasBox())
+  {
+    job.box = [this](std::size_t frame)
+    {
+      if (!window.Player()->HasBox())
+      {
+        throw Error("the box was taken away: the movie is not finished");
+      }
+      return window.Player()->VolumeOfBox(frame);
+    };
+  }
   const QString name = QString::fromStdString(path.string());
   delete progress;
   progress = new QProgressDialog(

@@ -32,7 +32,8 @@ constexpr Gesture gestures[] = {
   {"wheel", "zoom towards the place under the pointer"},
   {"right button, drag up or down", "zoom"},
   {"double click", "move what is there into the middle, and turn about it"},
-  {"Ctrl and left button, drag", "a box on the ground, merged again in finer voxels; Escape: none"},
+  {"B, then left button, drag; or Ctrl and left button, drag",
+    "a box on the ground, merged again in finer voxels; Escape: none"},
   {"X, then left button, drag", "the line of a vertical section on the ground"},
 };
 

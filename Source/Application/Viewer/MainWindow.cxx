@@ -5,12 +5,13 @@
 #include "Drawing/PictureWindow.h"
 #include "Export/SceneState.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Viewer/Box/BoxDock.h"
+#include "Viewer/Box/BoxMouse.h"
 #include "Viewer/Cutting/CutPanel.h"
 #include "Viewer/Cutting/SectionDock.h"
 #include "Viewer/Cutting/SectionPanel.h"
 #include "Viewer/FileActions.h"
 #include "Viewer/HelpPage.h"
-#include "Viewer/Parts/BoxMouse.h"
 #include "Viewer/Parts/InputWatch.h"
 #include "Viewer/Parts/LookPanel.h"
 #include "Viewer/Parts/Playback.h"
@@ -91,9 +92,6 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   this->MakeCutting();
   this->MakeMenus();
   this->MakeStatus();
-  auto* box = new BoxMouse(*view, *playback);
-  connect(box, &BoxMouse::Said, this,
-    [this](const QString& text) { this->statusBar()->showMessage(text, 5000); });
   connect(playback, &Playback::Changed, this, &MainWindow::FollowPlayback);
   connect(playback, &Playback::Loaded, this, &MainWindow::ShowVolume);
   connect(playback, &Playback::Failed, this, &MainWindow::Report);
@@ -162,6 +160,7 @@ void MainWindow::MakeCutting()
   auto* lookDock = this->findChild<QDockWidget*>("look");
   this->tabifyDockWidget(lookDock, cutDock);
   lookDock->raise();
+  box = MakeBoxDock(*this, *view, *playback, lookDock);
   connect(look, &LookPanel::Changed, cut, &CutPanel::FollowSoon);
   connect(playback, &Playback::Loaded, cut, &CutPanel::FollowSoon);
 }
@@ -183,6 +182,7 @@ void MainWindow::MakeMenus()
   windows = this->menuBar()->addMenu("&View");
   windows->addAction("&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
   windows->addAction(section->DrawAction());
+  windows->addActions(box->Actions());
   windows->addSeparator();
   for (QDockWidget* dock : this->findChildren<QDockWidget*>())
   {
@@ -252,6 +252,7 @@ application::Session MainWindow::NewSession() const
   if (view->Scene()->GetVolume() != nullptr)
   {
     session.drawing.scene = OptionsOf(view->Scene());
+    session.drawing.input.box.reset();
     session.drawing.scene.isoValues.clear(); // the colour map in use stays as it was edited
     session.drawing.scene.colourBy = request.scene.colourBy;
   }
@@ -269,6 +270,7 @@ application::Session MainWindow::Shown() const
   }
   session.interval = std::chrono::milliseconds(playback->Interval());
   session.drawing.size = view->PictureSize();
+  session.drawing.input.box = playback->Box();
   session.drawing.camera = CameraOf(view->Scene());
   session.drawing.scene = OptionsOf(view->Scene());
   session.colours = EditedColours(view->Scene());
@@ -357,6 +359,7 @@ void MainWindow::OpenInputs(const application::Session& session, const QString& 
   options.prepare = [](vtkImageData* volume)
   { vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(volume, nullptr); };
   playback->Open(std::move(options), session.shown);
+  box->Set(session.drawing.input.box);
 }
 
 void MainWindow::ShowVolume(vtkImageData* volume)

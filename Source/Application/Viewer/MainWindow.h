@@ -20,6 +20,7 @@ class QPushButton;
 namespace nexrad::viewer
 {
 
+class BoxMouse;
 class FileActions;
 class InputWatch;
 class LookPanel;
@@ -93,6 +94,7 @@ private:
   SceneView* view = nullptr;
   LookPanel* look = nullptr;
   SectionDock* section = nullptr;
+  BoxMouse* box = nullptr;
   TransferFunctionEditor* colours = nullptr;
   FileActions* files = nullptr;
   QDockWidget* damageDock = nullptr;

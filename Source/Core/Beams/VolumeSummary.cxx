@@ -77,21 +77,27 @@ private:
 
 } // namespace
 
+VolumeSummary MakeSummary(const VolumeComposite& composite)
+{
+  VolumeSummary summary;
+  summary.rings = composite.rings;
+  summary.echoTime = composite.echoTime;
+  summary.echo = composite.echo;
+  summary.picture = PackPicture(composite);
+  return summary;
+}
+
 VolumeSummary MakeSummary(const PolarVolume& volume)
 {
   VolumeSummary summary;
+  if (volume.moment == MomentName::REF)
+  {
+    summary = MakeSummary(PrepareBeamVolume(volume).composite);
+  }
   for (const PolarSweep& sweep : volume.sweeps)
   {
     summary.reach = std::max(
       summary.reach, sweep.firstGate + static_cast<double>(sweep.gates) * sweep.gateSpacing);
-  }
-  if (volume.moment == MomentName::REF)
-  {
-    const VolumeComposite composite = PrepareBeamVolume(volume).composite;
-    summary.rings = composite.rings;
-    summary.echoTime = composite.echoTime;
-    summary.echo = composite.echo;
-    summary.picture = PackPicture(composite);
   }
   return summary;
 }

@@ -28,6 +28,9 @@ struct VolumeSummary
 /// The summary of a volume; without a picture for other moments than REF.
 VolumeSummary MakeSummary(const PolarVolume& volume);
 
+/// What a summary keeps of a composite; the reach is 0.
+VolumeSummary MakeSummary(const VolumeComposite& composite);
+
 /// The composite again, as far as the search for motion looks at it: which cells were scanned,
 /// their values exactly, and the echo. Throws Error when the picture does not have its size.
 VolumeComposite CompositeOf(const VolumeSummary& summary);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace nexrad
 {
@@ -24,6 +25,13 @@ Span DomainAlong(const GridSpecification& domain, int axis)
 {
   const double lower = domain.origin[axis] - 0.5 * domain.spacing[axis];
   return {lower, lower + domain.spacing[axis] * domain.dimensions[axis]};
+}
+
+Span PartAlong(const GridSpecification& domain, const BoxRequest& request, int axis)
+{
+  const Span whole = DomainAlong(domain, axis);
+  return {std::max(whole.lower, request.faces[2 * axis]),
+    std::min(whole.upper, request.faces[2 * axis + 1])};
 }
 
 // m that a unit of x or y is long in the middle of the box.
@@ -53,9 +61,39 @@ void SetAxis(FinerBox& box, int axis, const Span& domain, const Span& part, doub
     std::clamp(voxelsTo(part.upper), box.block.begin[axis] + 1, box.grid.dimensions[axis]);
 }
 
+// By whole voxels, as far as the grid reaches.
+void MoveAlong(FinerBox& box, int axis, double way)
+{
+  const auto voxels = static_cast<int>(std::round(way / box.grid.spacing[axis]));
+  const int moved =
+    std::clamp(voxels, -box.block.begin[axis], box.grid.dimensions[axis] - box.block.end[axis]);
+  box.block.begin[axis] += moved;
+  box.block.end[axis] += moved;
+}
+
 } // namespace
 
-FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request)
+bool operator==(const BoxRequest& a, const BoxRequest& b)
+{
+  return std::tie(a.faces, a.spacing, a.mostVoxels, a.followedFrom) ==
+         std::tie(b.faces, b.spacing, b.mostVoxels, b.followedFrom);
+}
+
+std::array<double, 4> RoomToMove(const GridSpecification& domain, const BoxRequest& request)
+{
+  std::array<double, 4> room{};
+  for (const int axis : {0, 1})
+  {
+    const Span whole = DomainAlong(domain, axis);
+    const Span part = PartAlong(domain, request, axis);
+    room[2 * axis] = std::min(0.0, whole.lower - part.lower);
+    room[2 * axis + 1] = std::max(0.0, whole.upper - part.upper);
+  }
+  return room;
+}
+
+FinerBox MakeFinerBox(
+  const GridSpecification& domain, const BoxRequest& request, const std::array<double, 2>& moved)
 {
   if (!(request.spacing > 0.0) || request.mostVoxels < 1)
   {
@@ -67,8 +105,7 @@ FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request
   for (const int axis : {0, 1})
   {
     const Span whole = DomainAlong(domain, axis);
-    const Span part = {std::max(whole.lower, request.faces[2 * axis]),
-      std::min(whole.upper, request.faces[2 * axis + 1])};
+    const Span part = PartAlong(domain, request, axis);
     if (!(part.upper > part.lower))
     {
       throw Error("the box does not lie over the domain");
@@ -76,6 +113,7 @@ FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request
     const double spacing = std::max(request.spacing / LengthOfUnit(domain, axis, middleY),
       (part.upper - part.lower) / request.mostVoxels);
     SetAxis(box, axis, whole, part, spacing);
+    MoveAlong(box, axis, moved[axis]);
   }
   const Span heights = DomainAlong(domain, 2);
   SetAxis(box, 2, heights, heights, request.spacing);

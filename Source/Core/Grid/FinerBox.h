@@ -3,8 +3,10 @@
 
 #include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Model/Time.h"
 
 #include <array>
+#include <optional>
 
 namespace nexrad
 {
@@ -16,7 +18,12 @@ struct BoxRequest
                                                       ///< domain, m or degrees
   double spacing = 250.0;                             ///< m, side of a voxel; above 0
   int mostVoxels = 240; ///< along x and along y, from 1 on; a wider box has larger voxels
+  std::optional<Time> followedFrom =
+    std::nullopt; ///< when the box has these faces: before and after, it moves
+                  ///< with the echo in it. Empty: it stays
 };
+
+bool operator==(const BoxRequest& a, const BoxRequest& b);
 
 /// A grid that reaches over a domain, and the block of it that is the box. Boxes of one domain with
 /// voxels of one size have one grid: the faces are moved by half a voxel at most. The box is as
@@ -27,8 +34,15 @@ struct FinerBox
   VoxelBlock block;
 };
 
-/// The part of the box that lies in the domain. Throws Error when none does, and for a spacing or a
-/// number of voxels out of their ranges.
-FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request);
+/// The part of the box that lies in the domain, moved along x and y by `moved` (in the domain's
+/// units), but not out of the domain. Its size and its voxels do not depend on where it has moved.
+/// Throws Error when no part of the box lies in the domain, and for a spacing or a number of voxels
+/// out of their ranges.
+FinerBox MakeFinerBox(const GridSpecification& domain, const BoxRequest& request,
+  const std::array<double, 2>& moved = {0.0, 0.0});
+
+/// How far a box can move along x and y within the domain: towards west, east, south and north, in
+/// the domain's units; west and south are 0 or less.
+std::array<double, 4> RoomToMove(const GridSpecification& domain, const BoxRequest& request);
 
 } // namespace nexrad

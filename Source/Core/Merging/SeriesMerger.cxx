@@ -229,6 +229,7 @@ void SeriesMerger::MakeLoader(SeriesFiles files)
     return ChooseVolumes(starts, ends, at);
   };
   decodedBefore += loader ? loader->DecodedFiles() : 0;
+  follower = nullptr;
   loader = std::make_unique<VolumeLoader>(
     std::move(files), OneThreadAFile(SeriesOptionsOf(options)), work, cache, setup.threads);
 }
@@ -482,7 +483,11 @@ std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
     // Grid and time steps stay as they were told: the volumes of a series have one grid, and its
     // user counts them.
     this->MakeLoader(this->FilesByScan());
-    return loader->About(time, reaching, progress);
+    volumes = loader->About(time, reaching, progress);
+  }
+  if (volumes && setup.anyOrder)
+  {
+    history.Remember(*volumes);
   }
   return volumes;
 }
@@ -502,6 +507,70 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
   return this->MergeMoments(*volumes, request, run, progress, std::move(memory));
 }
 
+// Those of reflectivity about a time, without sweeps; empty when `progress` asked to stop.
+std::optional<BeamVolumes> SeriesMerger::EchoAbout(Time time, const Progress& progress)
+{
+  if (const auto known = loader->KnownAbout(time, MomentName::REF))
+  {
+    BeamVolumes kept = history.Find(*known);
+    if (kept.size() == known->size())
+    {
+      return kept;
+    }
+  }
+  const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, progress);
+  if (!volumes)
+  {
+    return std::nullopt;
+  }
+  history.Remember(*volumes);
+  return history.Find(*volumes);
+}
+
+// What merges reflectivity of the same files; nullptr when `progress` asked to stop.
+SeriesMerger* SeriesMerger::MergerOfEcho(const Progress& progress)
+{
+  const std::vector<MomentName> moments = options.Moments();
+  if (std::find(moments.begin(), moments.end(), MomentName::REF) != moments.end())
+  {
+    return this;
+  }
+  if (!echoMerger)
+  {
+    MergeOptions ofEcho = options;
+    ofEcho.moment = MomentName::REF;
+    ofEcho.furtherMoments.clear();
+    auto merger = std::make_unique<SeriesMerger>(inputs, ofEcho, setup);
+    if (!merger->Open(progress))
+    {
+      return nullptr;
+    }
+    echoMerger = std::move(merger);
+  }
+  return echoMerger.get();
+}
+
+// How far a box has moved; empty when `progress` asked to stop.
+std::optional<std::array<double, 2>> SeriesMerger::WayOf(
+  const BoxRequest& box, Time time, const Progress& progress)
+{
+  if (!box.followedFrom)
+  {
+    return std::array<double, 2>{0.0, 0.0};
+  }
+  const std::shared_ptr<BoxFollower> own =
+    follower
+      ? follower
+      : std::make_shared<BoxFollower>(request.grid, request.beam.beam, setup.loop, request.motion,
+          [this](Time at, const Progress& loading) -> std::optional<BeamVolumes>
+          {
+            SeriesMerger* merger = this->MergerOfEcho(loading);
+            return merger != nullptr ? merger->EchoAbout(at, loading) : std::nullopt;
+          });
+  follower = own; // held here: it ends when a wrong header is found while it decodes
+  return own->WayTo(time, box, progress);
+}
+
 std::optional<GriddedVolume> SeriesMerger::MergeBox(
   Time time, const BoxRequest& box, const Progress& progress)
 {
@@ -509,13 +578,21 @@ std::optional<GriddedVolume> SeriesMerger::MergeBox(
   {
     throw Error("a box can be merged again by the method beam alone");
   }
-  const FinerBox finer = MakeFinerBox(request.grid, box);
+  MakeFinerBox(request.grid, box);  // throws before anything is decoded
+  constexpr double following = 0.5; // of the work
+  const auto moved = this->WayOf(box, time, ShareOf(progress, 0.0, following));
+  if (!moved)
+  {
+    return std::nullopt;
+  }
+  const FinerBox finer = MakeFinerBox(request.grid, box, *moved);
   MergeRequest asked = request;
   asked.grid = finer.grid;
   asked.block = finer.block;
   asked.time = time;
-  const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, progress);
-  return volumes ? this->MergeMoments(*volumes, asked, boxRun, progress, {}) : std::nullopt;
+  const Progress merging = ShareOf(progress, following, 1.0);
+  const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, merging);
+  return volumes ? this->MergeMoments(*volumes, asked, boxRun, merging, {}) : std::nullopt;
 }
 
 SeriesScan SeriesMerger::Collect(const std::vector<std::optional<ScannedFile>>& known) const

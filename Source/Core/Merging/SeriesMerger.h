@@ -2,6 +2,8 @@
 #pragma once
 
 #include "nexrad/Grid/FinerBox.h"
+#include "nexrad/Merging/BoxFollower.h"
+#include "nexrad/Merging/EchoHistory.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Merging/PolarCache.h"
 #include "nexrad/Merging/VolumeLoader.h"
@@ -89,7 +91,9 @@ public:
 
   /// A box of the domain at a time, in voxels of its own, from the volumes that Merge takes at that
   /// time; what was decoded and made ready for Merge is used, and the next Merge finds it as it
-  /// was. The radars' geometry is kept as long as the voxels stay where they are. Empty when
+  /// was. The radars' geometry is kept as long as the voxels stay where they are. A box that
+  /// follows its echo (BoxRequest::followedFrom) needs the reflectivity of all volumes between that
+  /// time and this one; those that were not decoded before are decoded for it. Empty when
   /// `progress` asked to stop. Throws Error as Merge and MakeFinerBox do, and for the method
   /// "thesis", whose voxels are not those of a beam.
   std::optional<GriddedVolume> MergeBox(
@@ -122,6 +126,10 @@ private:
   void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
   std::optional<std::vector<ReadyVolume>> VolumesAbout(
     Time time, const std::vector<bool>& reaching, const Progress& progress);
+  std::optional<BeamVolumes> EchoAbout(Time time, const Progress& progress);
+  SeriesMerger* MergerOfEcho(const Progress& progress);
+  std::optional<std::array<double, 2>> WayOf(
+    const BoxRequest& box, Time time, const Progress& progress);
   std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
     const MergeRequest& asked, MergeRun& asRun, const Progress& progress, GriddedVolume memory);
 
@@ -139,6 +147,9 @@ private:
   std::size_t decodedBefore = 0; ///< by loaders before this one
   MergeRun run;
   MergeRun boxRun; ///< of MergeBox
+  EchoHistory history;
+  std::shared_ptr<BoxFollower> follower;    ///< of the boxes, until the volumes or the grid change
+  std::unique_ptr<SeriesMerger> echoMerger; ///< of reflectivity, where it is not merged here
   std::vector<Time> times;
   std::vector<std::string> sites;
 };

@@ -481,6 +481,28 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
   return volumes;
 }
 
+std::optional<std::vector<std::pair<std::string, SeriesVolume>>> VolumeLoader::KnownAbout(
+  Time time, MomentName moment)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  const std::optional<Time> reachedBefore = reached;
+  const bool known = this->KnowsAbout(time);
+  reached = reachedBefore; // nothing is decoded ahead of this time
+  if (!known)
+  {
+    return std::nullopt;
+  }
+  std::vector<std::pair<std::string, SeriesVolume>> volumes;
+  for (const SiteFiles& site : sites)
+  {
+    for (const auto* volume : ChooseWith(moment, site.volumes, this->ChoiceAt(time)))
+    {
+      volumes.emplace_back(site.list.name, *volume);
+    }
+  }
+  return volumes;
+}
+
 // Called with the lock. Drops what the time did not need, but for what was decoded ahead of it, and
 // for what Scan asked for and no time needed yet.
 void VolumeLoader::Release(Time time, const std::vector<Need>& needed)

@@ -18,6 +18,7 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -82,6 +83,11 @@ public:
   /// stop. Throws what decoding threw, but for what is wrong in a file.
   std::optional<std::vector<ReadyVolume>> About(
     Time time, const std::vector<bool>& wanted = {}, const Progress& progress = {});
+
+  /// The volumes with a moment that About gives at a time, by description; nothing is loaded.
+  /// Empty as long as it is not known what the files about the time hold, which About finds out.
+  std::optional<std::vector<std::pair<std::string, SeriesVolume>>> KnownAbout(
+    Time time, MomentName moment);
 
   /// What each path holds, as far as it is known.
   std::vector<std::optional<ScannedFile>> Known() const;

@@ -246,4 +246,25 @@ std::shared_ptr<const MotionField> MotionTracker::Find(
   return motion;
 }
 
+std::optional<Velocity> MotionTracker::FindWithin(
+  const GridArea& area, const BeamVolumes& volumes, Time time, const RangeLoop& loop)
+{
+  const std::shared_ptr<const MotionField> field = this->Find(volumes, time, loop);
+  if (!field)
+  {
+    return std::nullopt;
+  }
+  std::vector<AreaPair> images;
+  for (const Pair& pair : pairs)
+  {
+    const VolumeComposite& before = pair.before->composite;
+    const double seconds = pair.after->composite.echoTime - before.echoTime;
+    images.push_back({{&this->ImagesOf(pair.before), &this->ImagesOf(pair.after), seconds},
+      ToSeconds(time) - before.echoTime});
+  }
+  const double column = (0.5 * (area[0] + area[1]) - grid.origin[0]) / grid.spacing[0];
+  const double row = (0.5 * (area[2] + area[3]) - grid.origin[1]) / grid.spacing[1];
+  return EstimateMotionWithin(area, images, grid, field->At(column, row), options);
+}
+
 } // namespace nexrad

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Beams/BeamVolume.h"
+#include "nexrad/Motion/AreaMotion.h"
 #include "nexrad/Motion/MotionEstimate.h"
 #include "nexrad/System/RangeLoop.h"
 
@@ -27,6 +28,12 @@ public:
   /// where nothing is known: no radar has two volumes with echo near enough to each other.
   std::shared_ptr<const MotionField> Find(
     const BeamVolumes& volumes, Time time, const RangeLoop& loop = {});
+
+  /// The one motion of the echo that is in an area of the grid at the time, m/s: that of Find in
+  /// the middle of the area, improved by the echo in the area alone (EstimateMotionWithin). Empty
+  /// where Find knows nothing.
+  std::optional<Velocity> FindWithin(
+    const GridArea& area, const BeamVolumes& volumes, Time time, const RangeLoop& loop = {});
 
 private:
   using Volume = std::shared_ptr<const BeamVolume>;

@@ -19,8 +19,9 @@ struct InputRequest
   std::vector<std::filesystem::path> inputs; ///< volumes (.nxv, .nxv.series, .vti) or radar files
   std::optional<Time> time;                  ///< this time alone
   MergeOptions grid;                         ///< for radar files; its begin and end for both
-  bool momentNamed = false; ///< the moments of `grid` are those to read of volumes as well
-  std::string colourBy;     ///< SceneOptions::colourBy
+  bool momentNamed = false;      ///< the moments of `grid` are those to read of volumes as well
+  std::string colourBy;          ///< SceneOptions::colourBy
+  std::optional<BoxRequest> box; ///< merged again in finer voxels, of radar files
 };
 
 /// Opens the inputs. Throws Error when volumes and radar files are mixed, and as the two kinds do.

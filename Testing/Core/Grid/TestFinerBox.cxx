@@ -51,6 +51,24 @@ TEST(FinerBox, AWideBoxHasLargerVoxelsAndEndsWithTheDomain)
   EXPECT_NEAR(part.spacing[1], 460'000.0 / 240.0, 1e-6);
 }
 
+TEST(FinerBox, ABoxThatMovedHasTheSameVoxelsAndStaysInTheDomain)
+{
+  const BoxRequest request = {{10'000.0, 70'000.0, -40'000.0, 20'000.0}};
+  const FinerBox first = MakeFinerBox(Domain(), request);
+  const FinerBox moved = MakeFinerBox(Domain(), request, {1'370.0, -20'000.0});
+  EXPECT_TRUE(moved.grid == first.grid);
+  const GridSpecification part = PartOf(moved.grid, moved.block);
+  EXPECT_EQ(part.dimensions, (std::array<int, 3>{240, 240, 80}));
+  EXPECT_NEAR(part.origin[0] - 125.0, 11'370.0, 125.0);
+  EXPECT_NEAR(part.origin[1] - 125.0, -60'000.0, 1e-6);
+  const FinerBox far = MakeFinerBox(Domain(), request, {900'000.0, -900'000.0});
+  EXPECT_NEAR(PartOf(far.grid, far.block).origin[0] - 125.0, 170'000.0, 1e-6);
+  EXPECT_NEAR(PartOf(far.grid, far.block).origin[1] - 125.0, -230'000.0, 1e-6);
+  EXPECT_EQ(far.block.Size(0), 240);
+  EXPECT_EQ(RoomToMove(Domain(), request),
+    (std::array<double, 4>{-240'000.0, 160'000.0, -190'000.0, 210'000.0}));
+}
+
 TEST(FinerBox, RefusesABoxBesideTheDomain)
 {
   EXPECT_THROW(MakeFinerBox(Domain(), {{240'000.0, 300'000.0, 0.0, 10'000.0}}), Error);

@@ -85,6 +85,30 @@ TEST(MotionTracker, FindsOneMotionForTwoRadars)
   }
 }
 
+// The storms are followed one by one: the motion of an area is that of the storm in it.
+TEST(MotionTracker, FindsTheMotionOfTheEchoInAnArea)
+{
+  const GridSpecification grid = TestGrid();
+  MotionTracker tracker(grid);
+  const Velocity velocity = {18.0, 7.0};
+  const BeamVolumes volumes = Scan(TestField(velocity));
+  for (const std::array<double, 2>& storm :
+    {std::array{-91.77, 39.06}, std::array{-92.69, 38.43}, std::array{-90.73, 39.15}})
+  {
+    const auto [x, y] = grid.FromGeographic(storm[0], storm[1]);
+    const auto found = tracker.FindWithin({x - 20e3, x + 20e3, y - 20e3, y + 20e3}, volumes, zero);
+    ASSERT_TRUE(found);
+    EXPECT_AT_MOST(std::hypot(found->east - velocity.east, found->north - velocity.north), 0.6,
+      "error of the motion in an area, m/s");
+  }
+  const auto [x, y] = grid.FromGeographic(-92.0, 37.8);
+  const auto empty = tracker.FindWithin({x - 5e3, x + 5e3, y - 5e3, y + 5e3}, volumes, zero);
+  ASSERT_TRUE(empty);
+  EXPECT_AT_MOST(std::hypot(empty->east - velocity.east, empty->north - velocity.north), 0.45,
+    "error of the motion in an area without echo, m/s");
+  EXPECT_FALSE(tracker.FindWithin({x, x + 5e3, y, y + 5e3}, {}, zero));
+}
+
 TEST(MotionTracker, IsStillWhereNothingMoves)
 {
   MotionTracker tracker(TestGrid());

@@ -68,7 +68,7 @@ void Playback::Open(scene::BackgroundSeriesOptions options, std::optional<Time> 
   shownAt.clear();
   step = 0;
   waiting = true;
-  boxed = false;
+  box.reset();
   boxWaiting = false;
   emit BoxLoaded(nullptr);
   state = {};
@@ -94,7 +94,7 @@ void Playback::TakeNews()
     this->Show();
     return; // which says that it changed
   }
-  if (boxWaiting)
+  if (boxWaiting && state.phase == scene::BackgroundSeries::Phase::Open)
   {
     this->ShowBox();
   }
@@ -119,6 +119,11 @@ vtkSmartPointer<vtkImageData> Playback::Volume(std::size_t wanted)
   return series->Show(wanted);
 }
 
+vtkSmartPointer<vtkImageData> Playback::VolumeOfBox(std::size_t wanted) const
+{
+  return box ? series->Box(wanted) : nullptr;
+}
+
 void Playback::FindFirst()
 {
   if (!begin)
@@ -140,8 +145,8 @@ void Playback::FindFirst()
 
 void Playback::SetBox(const std::optional<BoxRequest>& wanted)
 {
-  boxed = series != nullptr && wanted.has_value();
-  boxWaiting = boxed;
+  box = series != nullptr ? wanted : std::nullopt;
+  boxWaiting = box.has_value();
   if (series)
   {
     series->SetBox(wanted);
@@ -153,9 +158,9 @@ void Playback::ShowBox()
 {
   try
   {
-    const vtkSmartPointer<vtkImageData> box = series->Box(step);
-    boxWaiting = box == nullptr;
-    emit BoxLoaded(box); // none in place of one of another time
+    const vtkSmartPointer<vtkImageData> image = series->Box(step);
+    boxWaiting = image == nullptr;
+    emit BoxLoaded(image); // none in place of one of another time
   }
   catch (const std::exception& error)
   {
@@ -181,8 +186,8 @@ void Playback::Show()
   if (volume)
   {
     emit Loaded(volume);
-    boxWaiting = boxed;
-    if (boxed)
+    boxWaiting = box.has_value();
+    if (boxWaiting)
     {
       this->ShowBox();
     }

@@ -44,7 +44,11 @@ public:
   /// Merges a box of the domain again for each step, until another series is opened or nothing is
   /// set. BoxLoaded gives the box of each step that is shown.
   void SetBox(const std::optional<BoxRequest>& wanted);
-  bool HasBox() const { return boxed; }
+  bool HasBox() const { return box.has_value(); }
+  /// The box that is set.
+  const std::optional<BoxRequest>& Box() const { return box; }
+  /// The box of a step, as Volume; nothing also where none is set.
+  vtkSmartPointer<vtkImageData> VolumeOfBox(std::size_t wanted) const;
   /// Whether that step is still being loaded.
   bool IsWaiting() const { return waiting; }
   bool IsPlaying() const { return playing; }
@@ -93,7 +97,7 @@ private:
   std::optional<Time> begin; ///< the time that is shown first, until the series is open
   std::size_t step = 0;
   bool waiting = false;
-  bool boxed = false;      ///< a box is set
+  std::optional<BoxRequest> box;
   bool boxWaiting = false; ///< that of the step is not shown yet
   bool playing = false;
   bool loops = true;

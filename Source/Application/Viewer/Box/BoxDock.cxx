@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer/Box/BoxDock.h"
+
+#include "Viewer/Box/BoxMouse.h"
+#include "Viewer/Box/BoxPanel.h"
+#include "Viewer/Parts/Playback.h"
+#include "Viewer/Parts/SceneView.h"
+
+#include <QDockWidget>
+#include <QMainWindow>
+#include <QStatusBar>
+
+namespace nexrad::viewer
+{
+
+BoxMouse* MakeBoxDock(QMainWindow& window, SceneView& view, Playback& playback, QDockWidget* behind)
+{
+  constexpr int shown = 5000; // ms
+  auto* box = new BoxMouse(view, playback);
+  QObject::connect(box, &BoxMouse::Said, &window,
+    [&window](const QString& text) { window.statusBar()->showMessage(text, shown); });
+  auto* dock = new QDockWidget("Box", &window);
+  dock->setObjectName("box dock");
+  dock->setWidget(new BoxPanel(*box, dock));
+  window.addDockWidget(Qt::RightDockWidgetArea, dock);
+  window.tabifyDockWidget(behind, dock);
+  behind->raise();
+  return box;
+}
+
+} // namespace nexrad::viewer
