@@ -100,6 +100,25 @@ TEST(OptionTexts, OptionsOfMergingStayAsTheyWereGiven)
   EXPECT_EQ(Joined(ReadAndWrite(options)), Joined(options));
 }
 
+// The window shows another moment with the options that it was opened with.
+TEST(OptionTexts, OptionsThatAreNotOfTheMomentsAreLeftOut)
+{
+  const std::vector<OptionText> given = {
+    {"--dims", "64x64x32"}, {"--no-sharpening", ""}, {"--overlap", "maximum"}};
+  scene::DrawingRequest request;
+  ParseOptionTexts(given, request);
+  request.input.momentNamed = true;
+  const auto textOf = [&](MomentName moment)
+  {
+    request.input.grid.moment = moment;
+    return Joined(OptionTextsOf(request));
+  };
+  EXPECT_EQ(
+    textOf(MomentName::REF), "--dims=64x64x32 --overlap=maximum --no-sharpening --moment=REF ");
+  EXPECT_EQ(textOf(MomentName::ZDR), "--dims=64x64x32 --overlap=maximum --moment=ZDR ");
+  EXPECT_EQ(textOf(MomentName::VEL), "--dims=64x64x32 --moment=VEL ");
+}
+
 TEST(OptionTexts, WrongOptionsAreNamed)
 {
   const std::vector<std::pair<OptionText, std::string>> cases = {

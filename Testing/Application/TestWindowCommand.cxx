@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The command that the window copies, in cases in which it could be another picture than that of
 // the window.
+#include "HandMadeVolume.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
+#include "Viewer/ChosenArrays.h"
 #include "Viewer/Parts/Playback.h"
 #include "Viewer/Parts/SceneView.h"
 #include "WindowPictureTest.h"
@@ -61,4 +63,28 @@ TEST_F(WindowCommandTest, PicturesHaveNoHandles)
   EXPECT_AT_LEAST(
     Difference(screen, this->WaitForPicture()), 0.01, "pixels of the handles on the screen, part");
   EXPECT_EQ(MeanDifference(picture, this->TakePicture()), 0.0);
+}
+
+// Another moment than that for which the options of merging were given.
+TEST_F(WindowCommandTest, TheCommandOfAnotherMomentIsNotRefused)
+{
+  HandMadeVolume volume = ConstantVolume(
+    {"KEAX", Position{38.81, -94.264, 333.0}}, *ParseIso8601("2006-03-12T18:01:10"), 40.0);
+  HandMadeMoment velocity = volume.sweeps.front().moments.front();
+  velocity.name = MomentName::VEL;
+  velocity.word = [](int ray, int) { return ReflectivityWord(ray % 40 - 20.0); };
+  volume.sweeps.front().moments.push_back(velocity);
+  request.input.inputs = {WriteLevel2(folder.Path() / "one", {volume})};
+  request.input.grid.grid.dimensions = {32, 32, 16};
+  request.input.grid.beam.sharpen = false;
+  request.merging = {{"--dims", "32x32x16"}, {"--no-sharpening", ""}};
+  this->OpenWindow();
+  ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetVolume() != nullptr; }));
+  this->WaitForPicture();
+  EXPECT_NE(this->CopyCommand().find("--no-sharpening"), std::string::npos);
+  this->Choose("Moment", 1);
+  EXPECT_TRUE(this->Wait([&] { return HasArray(this->Scene()->GetVolume(), "VEL"); }));
+  this->WaitForPicture();
+  EXPECT_AT_MOST(MeanDifference(this->TakePicture(), this->DrawWithoutTheWindow()), contextBound,
+    "another moment in the window and of the copied command, of 255", contextReason);
 }

@@ -207,18 +207,20 @@ void AddCut(const scene::CutOptions& cut, OptionList& options)
   }
 }
 
-// The moments may have been chosen after the other options of merging were given.
+// The moments may have been chosen after the other options of merging were given: options that are
+// not of them, and which `render` would refuse, are left out.
 void AddMerging(const scene::DrawingRequest& request, OptionList& options)
 {
+  const std::vector<MomentName> chosen = request.input.grid.Moments();
   for (const OptionText& text : request.merging)
   {
-    if (text.name != "--moment")
+    if (text.name != "--moment" && RefusalFor(text.name, chosen).empty())
     {
       options.Add(text.name, text.value);
     }
   }
   std::string moments;
-  for (const MomentName moment : request.input.grid.Moments())
+  for (const MomentName moment : chosen)
   {
     moments += (moments.empty() ? "" : ",") + std::string(ToString(moment));
   }
