@@ -115,6 +115,7 @@ void RadarScene::SetColours(const SceneOptions& other)
   SceneOptions wanted = options;
   wanted.preset = other.preset;
   wanted.colours = other.colours;
+  wanted.opacities = other.opacities;
   wanted.isoValues = other.isoValues;
   transferFunction = MakeTransferFunction(wanted, array);
   options = std::move(wanted);

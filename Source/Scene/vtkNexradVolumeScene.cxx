@@ -29,8 +29,8 @@ namespace
 
 bool SameColors(const SceneOptions& a, const SceneOptions& b)
 {
-  return a.preset == b.preset && a.colours == b.colours && a.isoValues == b.isoValues &&
-         a.colourBy == b.colourBy;
+  return a.preset == b.preset && a.colours == b.colours && a.opacities == b.opacities &&
+         a.isoValues == b.isoValues && a.colourBy == b.colourBy;
 }
 
 bool SamePlan(const SceneOptions& a, const SceneOptions& b)
@@ -143,6 +143,7 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(vtkNexradVolumeScene* self
   SceneOptions options;
   options.preset = self->Preset;
   options.colours = self->ColorFileName;
+  options.opacities = self->OpacityFileName;
   for (const std::array<double, 2>& isoValue : self->IsoValues)
   {
     options.isoValues.push_back(
@@ -224,6 +225,7 @@ void vtkNexradVolumeScene::Drawing::MakeColors(const SceneOptions& wanted)
   scene->SetColours(wanted);
   options.preset = wanted.preset;
   options.colours = wanted.colours;
+  options.opacities = wanted.opacities;
   options.isoValues = wanted.isoValues;
   remakeColors = false;
 }
@@ -661,6 +663,7 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "Preset: " << this->Preset << "\n";
   os << indent << "ColorFileName: " << this->ColorFileName << "\n";
+  os << indent << "OpacityFileName: " << this->OpacityFileName << "\n";
   os << indent << "IsoValues:";
   for (const std::array<double, 2>& isoValue : this->IsoValues)
   {

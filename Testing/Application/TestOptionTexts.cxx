@@ -47,9 +47,9 @@ std::vector<OptionText> AllOptions(const std::string& colours)
     {"--look-at", "35.3,-97.25,4km"}, {"--parallel", ""}, {"--mapper", "ray-cast"},
     {"--classification", "sampled"}, {"--interpolation", "nearest"}, {"--slices", "512"},
     {"--preset", "storm cores"}, {"--iso-values", "20:0.3,40"}, {"--colours", colours},
-    {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"}, {"--light", "-30,20"},
-    {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "light"}, {"--no-walls", ""},
-    {"--names", ""}, {"--crop", "-50km,20km,-40km,60km,0km,15km"},
+    {"--opacities", colours}, {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"},
+    {"--light", "-30,20"}, {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "light"},
+    {"--no-walls", ""}, {"--names", ""}, {"--crop", "-50km,20km,-40km,60km,0km,15km"},
     {"--clip", "-20km,0km,90,5km,-30"}, {"--section", "-20km,0km,30km,1500m"}};
 }
 

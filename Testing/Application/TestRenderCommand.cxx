@@ -193,6 +193,7 @@ TEST(RenderCommand, FailuresAreOneLine)
   std::ofstream(folder.Path() / "broken.nxv") << "NXV1 and nothing more";
   std::ofstream(folder.Path() / "broken.vti") << "<VTKFile";
   std::ofstream(folder.Path() / "colours.csv") << "dbz,colour\n5,#000000\n1,#ffffff\n";
+  std::ofstream(folder.Path() / "plain.csv") << "dbz,colour\n5,#000000\n9,#ffffff\n";
   fs::create_symlink("/dev/full", folder.Path() / "full.png");
   const std::string png = folder.Path() / "x.png";
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
@@ -209,6 +210,7 @@ TEST(RenderCommand, FailuresAreOneLine)
     {{series, "-o", png, "--time", "2006-03-12T18:35", "--map", "3km", "--array", "REF_age"},
       "no array REF_age"},
     {{series, "-o", png, "--colours", folder.Path() / "colours.csv"}, "line 3"},
+    {{series, "-o", png, "--opacities", folder.Path() / "plain.csv"}, "has no opacities"},
     {{series, "/dev/null", "-o", png}, "one or the other"}};
   for (const auto& [options, words] : cases)
   {

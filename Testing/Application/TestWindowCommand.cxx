@@ -14,6 +14,7 @@
 
 #include <QCheckBox>
 #include <QDockWidget>
+#include <QSpinBox>
 #include <QtTest/QtTest>
 
 #include <gtest/gtest.h>
@@ -87,4 +88,29 @@ TEST_F(WindowCommandTest, TheCommandOfAnotherMomentIsNotRefused)
   this->WaitForPicture();
   EXPECT_AT_MOST(MeanDifference(this->TakePicture(), this->DrawWithoutTheWindow()), contextBound,
     "another moment in the window and of the copied command, of 255", contextReason);
+}
+
+// The opacities of reflectivity, and the colours of velocity.
+TEST_F(WindowCommandTest, EditedOpacitiesStayWithTheColoursOfAnotherArray)
+{
+  request.input.inputs = {WriteTwoMoments(folder.Path())};
+  this->OpenWindow();
+  ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetVolume() != nullptr; }));
+  this->WaitForPicture();
+  this->Choose("Colours of", 1);
+  ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetColorArray() == "VEL"; }));
+  this->WaitForPicture();
+  const QImage before = this->TakePicture();
+  QTest::keyClick(window.get(), Qt::Key_T);
+  this->WaitForPicture();
+  this->Find<QSpinBox>("Point")->setValue(4);
+  this->Enter("Level of the point", "0.9");
+  QTest::keyClick(window.get(), Qt::Key_T);
+  this->WaitForPicture();
+  const QImage picture = this->TakePicture();
+  EXPECT_AT_LEAST(MeanDifference(before, picture), 0.5, "picture that an opacity changes, of 255");
+  EXPECT_AT_MOST(MeanDifference(picture, this->DrawWithoutTheWindow()), contextBound,
+    "edited opacities with colours of velocity and of the copied command, of 255", contextReason);
+  this->Reopen();
+  EXPECT_EQ(MeanDifference(picture, this->TakePicture()), 0.0);
 }

@@ -108,6 +108,7 @@ scene::SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
   scene::SceneOptions options;
   options.preset = scene->GetPreset();
   options.colours = scene->GetColorFileName();
+  options.opacities = scene->GetOpacityFileName();
   options.colourBy = scene->GetColorArray();
   if (scene->GetExaggeration() > 0.0)
   {
@@ -225,6 +226,11 @@ std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours
   auto file = std::make_unique<QTemporaryFile>(QDir::temp().filePath("colours-XXXXXX.json"));
   const auto size = static_cast<qint64>(colours.size());
   if (!file->open() || file->write(colours.data(), size) != size || !file->flush())
+void UseColours(const std::filesystem::path& file, scene::SceneOptions& options)
+{
+  (options.colourBy.empty() ? options.colours : options.opacities) = file;
+}
+
   {
     throw Error("no temporary file for colours: " + file->errorString().toStdString());
   }

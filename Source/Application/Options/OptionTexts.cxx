@@ -126,6 +126,10 @@ void AddVolume(const scene::SceneOptions& scene, OptionList& options)
   {
     options.Add("--colours", std::filesystem::absolute(scene.colours).string());
   }
+  if (!scene.opacities.empty())
+  {
+    options.Add("--opacities", std::filesystem::absolute(scene.opacities).string());
+  }
   options.AddIfAny("--colour-by", scene.colourBy);
   options.AddUnless(usual.light.shadow, "--shadow", scene.light.shadow);
   options.AddUnless(usual.light.occlusion, "--occlusion", scene.light.occlusion);

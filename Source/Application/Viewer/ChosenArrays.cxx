@@ -67,6 +67,7 @@ application::Session WithMapOf(application::Session shown, const std::string& ar
   }
   if (!array.empty() && !shown.drawing.input.grid.beam.ancillary)
   {
+  options.opacities.clear();
     // The command says so too: captions state the ages of data, also once the volume is back.
     shown.drawing.input.grid.beam.ancillary = true;
     shown.drawing.merging.push_back({"--ancillary", ""});

@@ -366,6 +366,7 @@ void MainWindow::ShowVolume(vtkImageData* volume)
   {
     view->Scene()->SetPreset(opened.drawing.scene.preset);
     view->Scene()->SetColorFileName(opened.drawing.scene.colours.string());
+    view->Scene()->SetOpacityFileName(opened.drawing.scene.opacities.string());
     view->Scene()->SetColorArray(opened.drawing.scene.colourBy);
   }
   view->SetVolume(volume);

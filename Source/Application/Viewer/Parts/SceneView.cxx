@@ -105,6 +105,7 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
 {
   scene->SetPreset(options.preset);
   scene->SetColorFileName(options.colours.string());
+  scene->SetOpacityFileName(options.opacities.string());
   scene->RemoveAllIsoValues();
   for (const scene::IsoValue& isoValue : options.isoValues)
   {
