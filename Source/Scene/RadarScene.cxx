@@ -306,6 +306,7 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 {
   RequireVoxels(data);
   CheckCut(options.cut);
+  CheckCutUnit(options.cut, data);
   const vtkSmartPointer<vtkImageData> values = AsDrawn(data, options);
   MakeTransferFunction(options, ArrayOf(values));
   if (options.plan)
@@ -321,6 +322,7 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 void RadarScene::SetVolume(vtkImageData* newVolume)
 {
   RequireVoxels(newVolume);
+  CheckCutUnit(options.cut, newVolume);
   const vtkSmartPointer<vtkImageData> data = AsDrawn(newVolume, options);
   std::optional<PlanView> planView;
   if (options.plan)

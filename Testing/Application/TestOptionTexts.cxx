@@ -58,6 +58,18 @@ const std::vector<OptionText> mapOptions = {{"--azimuth", "170"}, {"--tilt", "60
 
 } // namespace
 
+TEST(OptionTexts, CutsAreInDegreesOnGeographicAxes)
+{
+  const std::vector<OptionText> options = {{"--crop", "-98deg,-97.25deg,35deg,36deg,0km,15km"},
+    {"--clip", "-97.5deg,35.5deg,90,5km,-30"}, {"--section", "-98deg,35deg,-97deg,35.5deg"}};
+  EXPECT_EQ(Joined(ReadAndWrite(options)), Joined(options));
+  scene::DrawingRequest request;
+  ParseOptionTexts(options, request);
+  EXPECT_EQ(request.scene.cut.unit, scene::CutUnit::Degrees);
+  // 30 degrees downward over 111 km a degree
+  EXPECT_NEAR(request.scene.cut.plane->normal[2] * 111'195.0, -0.5, 1e-9);
+}
+
 TEST(OptionTexts, DefaultsAreLeftOut)
 {
   EXPECT_EQ(Joined(OptionTextsOf(scene::DrawingRequest())), "");
@@ -125,7 +137,9 @@ TEST(OptionTexts, WrongOptionsAreNamed)
     {{"--colour", "red"}, "--colour: there is no such option"},
     {{"input", "x"}, "input: there is no such option"},
     {{"--slices", "0"}, "--slices: '0' is no number"},
-    {{"--theme", "blue"}, "--theme: 'blue' is no theme"}, {{"--dims", "1"}, "--dims"}};
+    {{"--theme", "blue"}, "--theme: 'blue' is no theme"}, {{"--dims", "1"}, "--dims"},
+    {{"--crop", "-98deg,20km,35deg,36deg,0,15km"}, "--crop: '20km': some places"},
+    {{"--crop", "xdeg,-97deg,35deg,36deg,0,15km"}, "--crop: 'xdeg' is no angle"}};
   for (const auto& [option, words] : cases)
   {
     try

@@ -211,6 +211,7 @@ TEST(RenderCommand, FailuresAreOneLine)
       "no array REF_age"},
     {{series, "-o", png, "--colours", folder.Path() / "colours.csv"}, "line 3"},
     {{series, "-o", png, "--opacities", folder.Path() / "plain.csv"}, "has no opacities"},
+    {{series, "-o", png, "--crop=-91deg,-90deg,38deg,39deg,0,15km"}, "volume is in metres"},
     {{series, "/dev/null", "-o", png}, "one or the other"}};
   for (const auto& [options, words] : cases)
   {

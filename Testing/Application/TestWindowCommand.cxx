@@ -8,6 +8,7 @@
 #include "Viewer/Parts/Playback.h"
 #include "Viewer/Parts/SceneView.h"
 #include "WindowPictureTest.h"
+#include "nexrad/Codec/NxvFile.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradVolumeScene.h>
@@ -113,4 +114,55 @@ TEST_F(WindowCommandTest, EditedOpacitiesStayWithTheColoursOfAnotherArray)
     "edited opacities with colours of velocity and of the copied command, of 255", contextReason);
   this->Reopen();
   EXPECT_EQ(MeanDifference(picture, this->TakePicture()), 0.0);
+}
+
+// A volume on axes of longitude and latitude, as the thesis has them.
+TEST_F(WindowCommandTest, CutsOfAVolumeInDegreesAreInDegrees)
+{
+  GriddedVolume volume = MakeStorm(true);
+  volume.grid.axes = GridAxes::Geographic;
+  volume.grid.spacing = {0.1, 0.09, 1'250.0};
+  volume.grid.origin = {-92.35, 36.885, 625.0};
+  WriteNxv(folder.Path() / "degrees.nxv", volume);
+  request.input.inputs = {folder.Path() / "degrees.nxv"};
+  this->OpenWindow();
+  ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetVolume() != nullptr; }));
+  const QImage whole = this->TakePicture();
+  this->OpenCuts();
+  this->Tick("Crop");
+  this->WaitForPicture();
+  this->Enter(
+    "East face of the crop box, km east or north of the centre, or degrees on geographic axes",
+    "-90.625");
+  EXPECT_EQ(this->Scene()->GetCropBounds()[1], -90.625);
+  this->Tick("Clip");
+  this->WaitForPicture();
+  this->Enter("A point of the clip plane: km north of the centre", "38.3");
+  this->Enter("Elevation of that direction in degrees, for heights that are not stretched; 0: the "
+              "plane is vertical",
+    "3");
+  QTest::keyClick(window.get(), Qt::Key_X);
+  this->WaitForPicture();
+  this->Enter("How far east the end A is", "-91.5");
+  this->Enter("How far north the end A is", "38.4");
+  this->Enter("How far east the end B is", "-90.2");
+  this->Enter("How far north the end B is", "38.5");
+  this->WaitForPicture();
+  const QImage picture = this->TakePicture();
+  EXPECT_NE(this->CopyCommand().find("-90.625deg"), std::string::npos);
+  EXPECT_AT_MOST(MeanDifference(picture, this->DrawWithoutTheWindow()), contextBound,
+    "cuts in degrees in the window and of the copied command, of 255", contextReason);
+  this->Reopen();
+  EXPECT_EQ(MeanDifference(picture, this->TakePicture()), 0.0);
+}
+
+// The cuts of a volume in degrees are none of a volume in metres.
+TEST_F(WindowCommandTest, CutsInAnotherUnitAreLeftOut)
+{
+  request.scene.cut.unit = scene::CutUnit::Degrees;
+  request.scene.cut.box = {-91.0, -90.0, 38.0, 39.0, 0.0, 15'000.0};
+  this->OpenSteps(1);
+  EXPECT_FALSE(this->Scene()->GetCropping());
+  ASSERT_EQ(window->Problems().size(), 1);
+  EXPECT_TRUE(window->Problems().front().contains("in degrees, and the volume is in metres"));
 }

@@ -129,6 +129,11 @@ scene::SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
   options.placeNames = scene->GetPlaceNames();
   options.plan = PlanOf(scene);
   options.cut = CutOf(scene);
+  if (vtkImageData* volume = scene->GetVolume())
+  {
+    options.cut.unit =
+      scene::IsGeographic(volume) ? scene::CutUnit::Degrees : scene::CutUnit::Metres;
+  }
   return options;
 }
 
@@ -221,16 +226,16 @@ std::string EditedColours(vtkNexradVolumeScene* scene)
   }
 }
 
-std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours)
-{
-  auto file = std::make_unique<QTemporaryFile>(QDir::temp().filePath("colours-XXXXXX.json"));
-  const auto size = static_cast<qint64>(colours.size());
-  if (!file->open() || file->write(colours.data(), size) != size || !file->flush())
 void UseColours(const std::filesystem::path& file, scene::SceneOptions& options)
 {
   (options.colourBy.empty() ? options.colours : options.opacities) = file;
 }
 
+std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours)
+{
+  auto file = std::make_unique<QTemporaryFile>(QDir::temp().filePath("colours-XXXXXX.json"));
+  const auto size = static_cast<qint64>(colours.size());
+  if (!file->open() || file->write(colours.data(), size) != size || !file->flush())
   {
     throw Error("no temporary file for colours: " + file->errorString().toStdString());
   }

@@ -2,7 +2,9 @@
 #include "Viewer/ChosenArrays.h"
 
 #include "Export/SceneState.h"
+#include "Scene/Cutting/VolumeCut.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradVolumeScene.h>
@@ -34,6 +36,26 @@ scene::PlanOptions PlanOf(scene::PlanOptions plan, MomentName moment)
   return plan;
 }
 
+// What is wrong; empty: nothing.
+std::string FitMap(const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
+{
+  vtkImageData* volume = scene->GetVolume();
+  scene::SceneOptions found = OptionsOf(scene);
+  const std::string shown = scene::ArrayOf(volume);
+  const std::optional<MomentName> moment = ParseMomentName(shown);
+  if (!found.plan || !moment)
+  {
+    return "";
+  }
+  found.plan->array = options.plan ? options.plan->array : "";
+  found.plan = PlanOf(*found.plan, *moment);
+  const std::string wanted = found.plan->array;
+  const bool has = wanted.empty() || HasArray(volume, wanted);
+  found.plan->array = has ? wanted : "";
+  SetPlan(found, scene);
+  return has ? "" : "the volume has no array " + wanted + "; the map shows " + shown;
+}
+
 } // namespace
 
 application::Session WithMoment(application::Session shown, MomentName moment)
@@ -45,6 +67,7 @@ application::Session WithMoment(application::Session shown, MomentName moment)
   scene::SceneOptions& options = shown.drawing.scene;
   options.preset.clear(); // those of the moment before are not of this one
   options.colours.clear();
+  options.opacities.clear();
   options.isoValues.clear();
   shown.colours.clear();
   options.colourBy = options.colourBy == ToString(moment) ? "" : options.colourBy;
@@ -67,7 +90,6 @@ application::Session WithMapOf(application::Session shown, const std::string& ar
   }
   if (!array.empty() && !shown.drawing.input.grid.beam.ancillary)
   {
-  options.opacities.clear();
     // The command says so too: captions state the ages of data, also once the volume is back.
     shown.drawing.input.grid.beam.ancillary = true;
     shown.drawing.merging.push_back({"--ancillary", ""});
@@ -80,23 +102,19 @@ bool HasArray(vtkImageData* volume, const std::string& array)
   return volume != nullptr && volume->GetPointData()->HasArray(array.c_str()) != 0;
 }
 
-std::string FollowMap(const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
+std::string FitToVolume(const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
 {
-  vtkImageData* volume = scene->GetVolume();
-  scene::SceneOptions found = OptionsOf(scene);
-  const std::string shown = scene::ArrayOf(volume);
-  const std::optional<MomentName> moment = ParseMomentName(shown);
-  if (!found.plan || !moment)
+  const std::string problem = FitMap(options, scene);
+  try
   {
-    return "";
+    scene::CheckCutUnit(options.cut, scene->GetVolume());
   }
-  found.plan->array = options.plan ? options.plan->array : "";
-  found.plan = PlanOf(*found.plan, *moment);
-  const std::string wanted = found.plan->array;
-  const bool has = wanted.empty() || HasArray(volume, wanted);
-  found.plan->array = has ? wanted : "";
-  SetPlan(found, scene);
-  return has ? "" : "the volume has no array " + wanted + "; the map shows " + shown;
+  catch (const Error& error)
+  {
+    SetCut({}, scene);
+    return problem + (problem.empty() ? "" : "; ") + error.what();
+  }
+  return problem;
 }
 
 } // namespace nexrad::viewer

@@ -26,9 +26,10 @@ application::Session WithMapOf(application::Session shown, const std::string& ar
 /// Whether a volume has an array; none has the empty name.
 bool HasArray(vtkImageData* volume, const std::string& array);
 
-/// Lets a scene that shows a map show the array that the options ask for, or a map that the moment
-/// of its volume has. What is wrong when the volume has no such array; the map then shows the
-/// moment. Empty: nothing.
-std::string FollowMap(const scene::SceneOptions& options, vtkNexradVolumeScene* scene);
+/// Fits what options ask of a scene to the volume that it has: a map shows the array that they
+/// name, or a map that the moment has. What is wrong, and what is shown instead: where the volume
+/// has no such array, the map of the moment; where cuts are in another unit than the volume's x and
+/// y, no cut. Empty: nothing is wrong.
+std::string FitToVolume(const scene::SceneOptions& options, vtkNexradVolumeScene* scene);
 
 } // namespace nexrad::viewer

@@ -374,7 +374,7 @@ void MainWindow::ShowVolume(vtkImageData* volume)
   {
     look->SetMoments(playback->State().moments);
     look->SetMakesAncillary(playback->State().makesAncillary);
-    if (const std::string problem = FollowMap(opened.drawing.scene, view->Scene());
+    if (const std::string problem = FitToVolume(opened.drawing.scene, view->Scene());
         !problem.empty())
     {
       this->Report(title + ": " + QString::fromStdString(problem));
