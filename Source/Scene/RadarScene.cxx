@@ -15,6 +15,7 @@
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradThreads.h"
 #include "vtkNexradTransferFunction.h"
 
 #include <vtkActor.h>
@@ -311,7 +312,7 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
   MakeTransferFunction(options, ArrayOf(values));
   if (options.plan)
   {
-    MakePlanView(vtkNexradImageToVolume(data), *options.plan);
+    MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
   }
   else if (!options.colourBy.empty())
   {
@@ -327,7 +328,7 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   std::optional<PlanView> planView;
   if (options.plan)
   {
-    planView = MakePlanView(vtkNexradImageToVolume(data), *options.plan);
+    planView = MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
   }
   std::optional<ColourField> newField;
   if (!options.plan && !options.colourBy.empty())

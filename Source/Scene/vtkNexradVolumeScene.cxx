@@ -16,6 +16,7 @@
 #include <cmath>
 #include <exception>
 #include <optional>
+#include <utility>
 
 using nexrad::scene::CameraView;
 using nexrad::scene::LightOptions;
@@ -198,8 +199,14 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
     colors = scene->TransferFunction();
     array = scene->Array();
   }
+  nexrad::scene::TextPictures letters;
+  if (scene)
+  {
+    letters = scene->TakeLetters();
+  }
   scene.reset();
   scene = std::make_unique<RadarScene>(wanted, self->Renderer);
+  scene->SetLetters(std::move(letters));
   if (colors)
   {
     scene->SetTransferFunction(colors, array);
