@@ -15,6 +15,7 @@
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradThreads.h"
 #include "vtkNexradTransferFunction.h"
 
 #include <vtkActor.h>
@@ -115,6 +116,7 @@ void RadarScene::SetColours(const SceneOptions& other)
   SceneOptions wanted = options;
   wanted.preset = other.preset;
   wanted.colours = other.colours;
+  wanted.opacities = other.opacities;
   wanted.isoValues = other.isoValues;
   transferFunction = MakeTransferFunction(wanted, array);
   options = std::move(wanted);
@@ -305,11 +307,12 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 {
   RequireVoxels(data);
   CheckCut(options.cut);
+  CheckCutUnit(options.cut, data);
   const vtkSmartPointer<vtkImageData> values = AsDrawn(data, options);
   MakeTransferFunction(options, ArrayOf(values));
   if (options.plan)
   {
-    MakePlanView(vtkNexradImageToVolume(data), *options.plan);
+    MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
   }
   else if (!options.colourBy.empty())
   {
@@ -320,11 +323,12 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 void RadarScene::SetVolume(vtkImageData* newVolume)
 {
   RequireVoxels(newVolume);
+  CheckCutUnit(options.cut, newVolume);
   const vtkSmartPointer<vtkImageData> data = AsDrawn(newVolume, options);
   std::optional<PlanView> planView;
   if (options.plan)
   {
-    planView = MakePlanView(vtkNexradImageToVolume(data), *options.plan);
+    planView = MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
   }
   std::optional<ColourField> newField;
   if (!options.plan && !options.colourBy.empty())

@@ -19,6 +19,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -93,6 +94,9 @@ public:
   void SetColours(const SceneOptions& other);
   /// Takes over those that another scene has for the moment of that array.
   void SetTransferFunction(vtkNexradTransferFunction* function, const std::string& ofArray);
+  /// The pictures of letters that were drawn so far, for another scene: they take long to draw.
+  TextPictures TakeLetters() { return std::move(pictures); }
+  void SetLetters(TextPictures letters) { pictures = std::move(letters); }
   void TransferFunctionChanged();
 
   /// Slices, or samples along the longest ray; at least 1.

@@ -46,6 +46,8 @@ struct SceneOptions
   std::filesystem::path
     colours; ///< colours, and opacities if it has any, in place of the preset's:
              ///< a file that vtkNexradTransferFunction reads; empty: none
+  std::filesystem::path opacities; ///< opacities alone, in place of those of the preset and of
+                                   ///< `colours`: such a file; empty: none
   std::vector<IsoValue> isoValues; ///< surfaces to draw, with the colours of preset or file; none:
                                    ///< those of the preset
   std::string colourBy; ///< array that gives the colours, as "VEL" or "REF_age", in place of the

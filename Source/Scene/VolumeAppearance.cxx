@@ -184,6 +184,59 @@ void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* tr
     values.data(), opacities.data(), static_cast<int>(values.size()));
 }
 
+namespace
+{
+
+constexpr int opacity = vtkNexradTransferFunction::OPACITY;
+
+// The colour map of a file. Opacities that it does not set are `usual`.
+vtkSmartPointer<vtkNexradTransferFunction> ReadOver(const std::filesystem::path& path, double usual)
+{
+  constexpr double wide = 1e6; // beyond the values of any moment
+  auto read = vtkSmartPointer<vtkNexradTransferFunction>::New();
+  vtkNexradMessages messages;
+  messages.Watch(read);
+  read->RemoveAllNodes(opacity);
+  read->AddNode(opacity, -wide, usual);
+  read->AddNode(opacity, wide, usual);
+  read->ReadFile(path.c_str());
+  messages.ThrowFirstError();
+  return read;
+}
+
+// Takes the opacities of a file, and its iso-values if it has any; the colours stay.
+void TakeOpacities(const std::filesystem::path& path, vtkNexradTransferFunction* function)
+{
+  const auto read = ReadOver(path, 0.25);
+  const auto other = ReadOver(path, 0.75);
+  double node[2];
+  for (int i = 0; read->GetNode(opacity, i, node); ++i)
+  {
+    if (other->Evaluate(opacity, node[0]) != node[1])
+    {
+      throw Error(path.string() + ": has no opacities; name a file that has some, such as one that "
+                                  "the window saved as .json");
+    }
+  }
+  function->RemoveAllNodes(opacity);
+  for (int i = 0; read->GetNode(opacity, i, node); ++i)
+  {
+    function->AddNode(opacity, node[0], node[1]);
+  }
+  std::vector<IsoValue> isoValues;
+  for (int i = 0; i < read->GetNumberOfIsoValues(); ++i)
+  {
+    const double value = read->GetIsoValue(i);
+    isoValues.push_back({value, read->Evaluate(opacity, value)});
+  }
+  if (!isoValues.empty())
+  {
+    SetIsoValues(isoValues, function);
+  }
+}
+
+} // namespace
+
 vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   const SceneOptions& options, const std::string& array)
 {
@@ -194,6 +247,10 @@ vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   if (!options.colours.empty() && options.colourBy.empty())
   {
     transferFunction->ReadFile(options.colours.c_str());
+  }
+  if (!options.opacities.empty())
+  {
+    TakeOpacities(options.opacities, transferFunction);
   }
   if (!options.isoValues.empty())
   {

@@ -16,6 +16,7 @@
 #include <cmath>
 #include <exception>
 #include <optional>
+#include <utility>
 
 using nexrad::scene::CameraView;
 using nexrad::scene::LightOptions;
@@ -29,8 +30,8 @@ namespace
 
 bool SameColors(const SceneOptions& a, const SceneOptions& b)
 {
-  return a.preset == b.preset && a.colours == b.colours && a.isoValues == b.isoValues &&
-         a.colourBy == b.colourBy;
+  return a.preset == b.preset && a.colours == b.colours && a.opacities == b.opacities &&
+         a.isoValues == b.isoValues && a.colourBy == b.colourBy;
 }
 
 bool SamePlan(const SceneOptions& a, const SceneOptions& b)
@@ -143,6 +144,7 @@ SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(vtkNexradVolumeScene* self
   SceneOptions options;
   options.preset = self->Preset;
   options.colours = self->ColorFileName;
+  options.opacities = self->OpacityFileName;
   for (const std::array<double, 2>& isoValue : self->IsoValues)
   {
     options.isoValues.push_back(
@@ -197,8 +199,14 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
     colors = scene->TransferFunction();
     array = scene->Array();
   }
+  nexrad::scene::TextPictures letters;
+  if (scene)
+  {
+    letters = scene->TakeLetters();
+  }
   scene.reset();
   scene = std::make_unique<RadarScene>(wanted, self->Renderer);
+  scene->SetLetters(std::move(letters));
   if (colors)
   {
     scene->SetTransferFunction(colors, array);
@@ -224,6 +232,7 @@ void vtkNexradVolumeScene::Drawing::MakeColors(const SceneOptions& wanted)
   scene->SetColours(wanted);
   options.preset = wanted.preset;
   options.colours = wanted.colours;
+  options.opacities = wanted.opacities;
   options.isoValues = wanted.isoValues;
   remakeColors = false;
 }
@@ -661,6 +670,7 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   }
   os << indent << "Preset: " << this->Preset << "\n";
   os << indent << "ColorFileName: " << this->ColorFileName << "\n";
+  os << indent << "OpacityFileName: " << this->OpacityFileName << "\n";
   os << indent << "IsoValues:";
   for (const std::array<double, 2>& isoValue : this->IsoValues)
   {

@@ -188,6 +188,15 @@ public:
 
   ///@{
   /**
+   * A file that vtkNexradTransferFunction reads: its opacities in place of those of the preset and
+   * of ColorFileName. Error: a file without opacities. Empty by default: no file.
+   */
+  vtkSetMacro(OpacityFileName, std::string);
+  vtkGetMacro(OpacityFileName, std::string);
+  ///@}
+
+  ///@{
+  /**
    * Values whose surfaces are drawn in place of the volume, in the unit of the moment, with the
    * colours of Preset or ColorFileName. The opacity of a surface is 0 to 1; below 0, the default,
    * it is 0.35 for the lowest value to 0.95 for the highest one. None by default: those of the
@@ -499,6 +508,7 @@ protected:
   double Place[3] = {0.0, 0.0, 0.0}; // x, y of the volume, or longitude, latitude; height
   std::string Preset;
   std::string ColorFileName;
+  std::string OpacityFileName;
   std::vector<std::array<double, 2>> IsoValues; // with their opacities
   std::string ColorArray;
   double Exaggeration = 0.0;

@@ -47,9 +47,9 @@ std::vector<OptionText> AllOptions(const std::string& colours)
     {"--look-at", "35.3,-97.25,4km"}, {"--parallel", ""}, {"--mapper", "ray-cast"},
     {"--classification", "sampled"}, {"--interpolation", "nearest"}, {"--slices", "512"},
     {"--preset", "storm cores"}, {"--iso-values", "20:0.3,40"}, {"--colours", colours},
-    {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"}, {"--light", "-30,20"},
-    {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "light"}, {"--no-walls", ""},
-    {"--names", ""}, {"--crop", "-50km,20km,-40km,60km,0km,15km"},
+    {"--opacities", colours}, {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"},
+    {"--light", "-30,20"}, {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "light"},
+    {"--no-walls", ""}, {"--names", ""}, {"--crop", "-50km,20km,-40km,60km,0km,15km"},
     {"--clip", "-20km,0km,90,5km,-30"}, {"--section", "-20km,0km,30km,1500m"},
     {"--box", "-50km,10km,-40500m,20km"}, {"--follow-from", "2006-03-12T18:05:00.000Z"}};
 }
@@ -58,6 +58,18 @@ const std::vector<OptionText> mapOptions = {{"--azimuth", "170"}, {"--tilt", "60
   {"--perspective", ""}, {"--map", "2500m"}, {"--array", "REF_age"}};
 
 } // namespace
+
+TEST(OptionTexts, CutsAreInDegreesOnGeographicAxes)
+{
+  const std::vector<OptionText> options = {{"--crop", "-98deg,-97.25deg,35deg,36deg,0km,15km"},
+    {"--clip", "-97.5deg,35.5deg,90,5km,-30"}, {"--section", "-98deg,35deg,-97deg,35.5deg"}};
+  EXPECT_EQ(Joined(ReadAndWrite(options)), Joined(options));
+  scene::DrawingRequest request;
+  ParseOptionTexts(options, request);
+  EXPECT_EQ(request.scene.cut.unit, scene::CutUnit::Degrees);
+  // 30 degrees downward over 111 km a degree
+  EXPECT_NEAR(request.scene.cut.plane->normal[2] * 111'195.0, -0.5, 1e-9);
+}
 
 TEST(OptionTexts, DefaultsAreLeftOut)
 {
@@ -101,13 +113,34 @@ TEST(OptionTexts, OptionsOfMergingStayAsTheyWereGiven)
   EXPECT_EQ(Joined(ReadAndWrite(options)), Joined(options));
 }
 
+// The window shows another moment with the options that it was opened with.
+TEST(OptionTexts, OptionsThatAreNotOfTheMomentsAreLeftOut)
+{
+  const std::vector<OptionText> given = {
+    {"--dims", "64x64x32"}, {"--no-sharpening", ""}, {"--overlap", "maximum"}};
+  scene::DrawingRequest request;
+  ParseOptionTexts(given, request);
+  request.input.momentNamed = true;
+  const auto textOf = [&](MomentName moment)
+  {
+    request.input.grid.moment = moment;
+    return Joined(OptionTextsOf(request));
+  };
+  EXPECT_EQ(
+    textOf(MomentName::REF), "--dims=64x64x32 --overlap=maximum --no-sharpening --moment=REF ");
+  EXPECT_EQ(textOf(MomentName::ZDR), "--dims=64x64x32 --overlap=maximum --moment=ZDR ");
+  EXPECT_EQ(textOf(MomentName::VEL), "--dims=64x64x32 --moment=VEL ");
+}
+
 TEST(OptionTexts, WrongOptionsAreNamed)
 {
   const std::vector<std::pair<OptionText, std::string>> cases = {
     {{"--colour", "red"}, "--colour: there is no such option"},
     {{"input", "x"}, "input: there is no such option"},
     {{"--slices", "0"}, "--slices: '0' is no number"},
-    {{"--theme", "blue"}, "--theme: 'blue' is no theme"}, {{"--dims", "1"}, "--dims"}};
+    {{"--theme", "blue"}, "--theme: 'blue' is no theme"}, {{"--dims", "1"}, "--dims"},
+    {{"--crop", "-98deg,20km,35deg,36deg,0,15km"}, "--crop: '20km': some places"},
+    {{"--crop", "xdeg,-97deg,35deg,36deg,0,15km"}, "--crop: 'xdeg' is no angle"}};
   for (const auto& [option, words] : cases)
   {
     try

@@ -3,14 +3,13 @@
 // movies. The window and the command draw with different OpenGL contexts, which round a few pixels
 // of lines differently.
 #include "HandMadeVolume.h"
-#include "ProgramRun.h"
 #include "Scans/SyntheticScans.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
 #include "Viewer/Parts/Playback.h"
 #include "Viewer/Parts/SceneView.h"
-#include "WindowTest.h"
+#include "WindowPictureTest.h"
 #include "nexrad/Codec/NxvFile.h"
 
 #include <vtkNexradTransferFunction.h>
@@ -44,103 +43,9 @@ using namespace nexrad::testing;
 namespace
 {
 
-// Of 255. Measured: 0.002 to 0.015.
-constexpr double contextBound = 0.03;
-constexpr char contextReason[] =
-  "how many pixels of lines two contexts of OpenGL round differently "
-  "depends on the size of the picture";
-
-// Mean over all pixels and colours of the absolute difference, 0 to 255.
-double MeanDifference(const QImage& a, const QImage& b)
-{
-  if (a.size() != b.size() || a.isNull())
-  {
-    return 255.0;
-  }
-  qint64 sum = 0;
-  for (int y = 0; y < a.height(); ++y)
-  {
-    for (int x = 0; x < a.width(); ++x)
-    {
-      const QRgb first = a.pixel(x, y);
-      const QRgb second = b.pixel(x, y);
-      sum += std::abs(qRed(first) - qRed(second)) + std::abs(qGreen(first) - qGreen(second)) +
-             std::abs(qBlue(first) - qBlue(second));
-    }
-  }
-  return static_cast<double>(sum) / (3.0 * a.width() * a.height());
-}
-
-// Types a name into the next dialog of files, and accepts it.
-void AnswerDialog(const std::filesystem::path& path)
-{
-  QTimer::singleShot(300, qApp,
-    [path]
-    {
-      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      ASSERT_NE(dialog, nullptr);
-      auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-      ASSERT_NE(name, nullptr);
-      name->clear();
-      QTest::keyClicks(name, QString::fromStdString(path.string()));
-      QTest::keyClick(name, Qt::Key_Enter);
-    });
-}
-
-class WindowFilesTest : public WindowTest
+class WindowFilesTest : public WindowPictureTest
 {
 protected:
-  QImage TakePicture()
-  {
-    QTest::keyClick(window.get(), Qt::Key_S);
-    EXPECT_FALSE(window->Pictures().empty());
-    return QImage(QString::fromStdString(window->Pictures().back().string()));
-  }
-
-  // Runs the command that the window copies, in a folder of its own.
-  QImage DrawWithoutTheWindow()
-  {
-    QTest::keyClick(window.get(), Qt::Key_C, Qt::ControlModifier | Qt::ShiftModifier);
-    const std::string command = QApplication::clipboard()->text().toStdString();
-    const std::filesystem::path program = Nexrad3dPath();
-    const TemporaryFolder place;
-    const ProgramRun run = RunProgram(
-      "/bin/sh", {"-c", "cd " + place.Path().string() +
-                          " && PATH=" + program.parent_path().string() + ":$PATH && " + command});
-    EXPECT_EQ(run.status, 0) << command << '\n' << run.errors;
-    std::string picture = run.output.substr(run.output.rfind('\n', run.output.size() - 2) + 1);
-    picture.erase(picture.find_last_not_of('\n') + 1);
-    return QImage(QString::fromStdString((place.Path() / picture).string()));
-  }
-
-  void Enter(const char* box, const char* number)
-  {
-    auto* spin = this->Find<QDoubleSpinBox>(box);
-    spin->setFocus();
-    spin->selectAll();
-    QTest::keyClicks(spin, QString(number) + "\t");
-  }
-
-  void Tick(const char* box)
-  {
-    QTest::mouseClick(this->Find<QCheckBox>(box), Qt::LeftButton, {}, {8, 8});
-  }
-
-  // Saves a session through its dialog, and opens it in a new window.
-  void Reopen()
-  {
-    const std::filesystem::path path = folder.Path() / "day.nxsession";
-    AnswerDialog(path);
-    QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
-    ASSERT_TRUE(std::filesystem::exists(path));
-    request = {};
-    request.input.inputs = {path};
-    this->OpenWindow({960, 640});
-    ASSERT_TRUE(this->Wait([&] { return window->Player()->HasSeries(); }));
-    ASSERT_TRUE(this->Wait([&] { return !window->Player()->IsWaiting(); }));
-    this->WaitForPicture();
-  }
-
   // Presses keys that open a dialog of files, and answers it.
   void SaveAs(Qt::Key key, const std::filesystem::path& path)
   {

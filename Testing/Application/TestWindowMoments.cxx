@@ -7,8 +7,6 @@
 #include "Viewer/Parts/Playback.h"
 #include "Viewer/Parts/SceneView.h"
 #include "WindowTest.h"
-#include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Grid/VolumeMoments.h"
 
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -23,8 +21,6 @@
 #include <gtest/gtest.h>
 
 #include <string>
-#include <utility>
-#include <vector>
 
 using namespace nexrad;
 using namespace nexrad::viewer;
@@ -32,22 +28,6 @@ using namespace nexrad::testing;
 
 namespace
 {
-
-// The storm, with velocities from −24 to 24 m/s in it.
-std::filesystem::path WriteTwoMoments(const std::filesystem::path& folder)
-{
-  GriddedVolume reflectivity = MakeStorm(true);
-  reflectivity.method = "beam";
-  GriddedVolume velocity = reflectivity;
-  velocity.moment = MomentName::VEL;
-  for (std::size_t i = 0; i < velocity.values.size(); ++i)
-  {
-    velocity.values[i] = static_cast<float>(i % 48) - 24.0F;
-  }
-  const std::filesystem::path path = folder / "two.nxv";
-  WriteNxv(path, JoinMoments({std::move(reflectivity), std::move(velocity)}));
-  return path;
-}
 
 class WindowMomentsTest : public WindowTest
 {
@@ -82,7 +62,8 @@ TEST_F(WindowMomentsTest, ShowsTheMomentThatIsChosen)
 {
   this->OpenFirst(WriteTwoMoments(folder.Path()));
   EXPECT_EQ(this->Entries("Moment"), "REF,VEL");
-  EXPECT_EQ(this->Entries("Colours of"), "Itself,VEL");
+  EXPECT_EQ(this->Entries("Colours of"),
+    "Itself,VEL,Number of radars,Age of the data,Nearest radar,Weight");
   this->Choose("Preset", 1);
   EXPECT_AT_LEAST(this->Changes(
                     [&]

@@ -2,10 +2,12 @@
 #include "StormVolume.h"
 
 #include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/VolumeMoments.h"
 #include "vtkNexradImageConversion.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace nexrad::testing
 {
@@ -77,6 +79,21 @@ std::filesystem::path WriteStormFiles(const std::filesystem::path& folder, int s
   }
   WriteNxvSeries(folder / "volumes.nxv.series", series);
   return folder / "volumes.nxv.series";
+}
+
+std::filesystem::path WriteTwoMoments(const std::filesystem::path& folder)
+{
+  GriddedVolume reflectivity = MakeStorm(true);
+  reflectivity.method = "beam";
+  GriddedVolume velocity = reflectivity;
+  velocity.moment = MomentName::VEL;
+  for (std::size_t i = 0; i < velocity.values.size(); ++i)
+  {
+    velocity.values[i] = static_cast<float>(i % 48) - 24.0F;
+  }
+  const std::filesystem::path path = folder / "two.nxv";
+  WriteNxv(path, JoinMoments({std::move(reflectivity), std::move(velocity)}));
+  return path;
 }
 
 } // namespace nexrad::testing

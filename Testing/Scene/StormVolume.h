@@ -24,4 +24,7 @@ vtkSmartPointer<vtkImageData> MakeStormVolume(bool synthetic);
 /// km to the east from one to the next. Written to a folder as .nxv files; returns their index.
 std::filesystem::path WriteStormFiles(const std::filesystem::path& folder, int steps);
 
+/// The storm, and velocities from −24 to 24 m/s in it, as one .nxv file of REF and VEL; its path.
+std::filesystem::path WriteTwoMoments(const std::filesystem::path& folder);
+
 } // namespace nexrad::testing

@@ -4,8 +4,17 @@
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/VolumeAppearance.h"
 
+#include "StormVolume.h"
+#include "TestData.h"
+#include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradTransferFunction.h"
+#include "vtkNexradVolumeFile.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkUnsignedCharArray.h>
 
 #include <gtest/gtest.h>
 
@@ -13,6 +22,7 @@
 
 using namespace nexrad;
 using namespace nexrad::scene;
+using namespace nexrad::testing;
 
 namespace
 {
@@ -44,14 +54,14 @@ GriddedVolume FiveColumns()
 
 PlanView View(PlanLevel level, const std::string& array = "", double height = 0.0)
 {
-  return MakePlanView(FiveColumns(), {level, height, array});
+  return MakePlanView(SourceOf(FiveColumns()), {level, height, array});
 }
 
 std::string ErrorOf(const PlanOptions& plan)
 {
   try
   {
-    MakePlanView(FiveColumns(), plan);
+    MakePlanView(SourceOf(FiveColumns()), plan);
   }
   catch (const Error& error)
   {
@@ -110,8 +120,8 @@ TEST(PlanView, AFilledVoxelHasNothingBehindIt)
   GriddedVolume volume = FiveColumns();
   volume.states[0] = echo;
   volume.values[0] = 50.0F;
-  EXPECT_EQ(MakePlanView(volume, {PlanLevel::Lowest, 0.0, ""}).states[0], echo);
-  EXPECT_EQ(MakePlanView(volume, {PlanLevel::Lowest, 0.0, "REF_age"}).states[0], open);
+  EXPECT_EQ(MakePlanView(SourceOf(volume), {PlanLevel::Lowest, 0.0, ""}).states[0], echo);
+  EXPECT_EQ(MakePlanView(SourceOf(volume), {PlanLevel::Lowest, 0.0, "REF_age"}).states[0], open);
 }
 
 // The column in the west holds 50 above nothing and below 30.
@@ -120,7 +130,7 @@ TEST(PlanView, ACompositeOfVelocitiesShowsTheFastest)
   GriddedVolume volume = FiveColumns();
   volume.moment = MomentName::VEL;
   volume.values[10] = -55.0F;
-  const PlanView view = MakePlanView(volume, {PlanLevel::Composite, 0.0, ""});
+  const PlanView view = MakePlanView(SourceOf(volume), {PlanLevel::Composite, 0.0, ""});
   EXPECT_EQ(view.values[0], -55.0F);
   EXPECT_EQ(view.values[1], -5.0F);
   EXPECT_EQ(view.where, "Composite: where the column's speed is largest");
@@ -132,8 +142,8 @@ TEST(PlanView, ACompositeWithoutMeaningIsRefused)
   {
     GriddedVolume volume = FiveColumns();
     volume.moment = moment;
-    EXPECT_THROW(MakePlanView(volume, {PlanLevel::Composite, 0.0, ""}), Error);
-    EXPECT_EQ(MakePlanView(volume, {PlanLevel::Lowest, 0.0, ""}).values[0], 50.0F);
+    EXPECT_THROW(MakePlanView(SourceOf(volume), {PlanLevel::Composite, 0.0, ""}), Error);
+    EXPECT_EQ(MakePlanView(SourceOf(volume), {PlanLevel::Lowest, 0.0, ""}).values[0], 50.0F);
   }
 }
 
@@ -142,7 +152,7 @@ TEST(PlanView, EchoTopsAndLiquidAreOfWholeColumns)
 {
   PlanOptions plan{PlanLevel::EchoTop, 0.0, ""};
   plan.threshold = 40.0;
-  const PlanView tops = MakePlanView(FiveColumns(), plan);
+  const PlanView tops = MakePlanView(SourceOf(FiveColumns()), plan);
   EXPECT_EQ(tops.states, (std::vector<VoxelState>{echo, none, none, folded, open}));
   EXPECT_FLOAT_EQ(tops.values[0], 2'000.0F);
   const ColourScale kilometres = ScaleFor(tops, plan, {}, {});
@@ -165,7 +175,7 @@ TEST(PlanView, EchoTopsAndLiquidAreOfReflectivityAlone)
   volume.moment = MomentName::VEL;
   for (const PlanLevel level : {PlanLevel::EchoTop, PlanLevel::Liquid})
   {
-    EXPECT_THROW(MakePlanView(volume, {level, 0.0, ""}), Error);
+    EXPECT_THROW(MakePlanView(SourceOf(volume), {level, 0.0, ""}), Error);
     EXPECT_EQ(
       ErrorOf({level, 0.0, "REF_age"}), "echo tops and liquid are computed of REF, not of REF_age");
   }
@@ -239,4 +249,43 @@ TEST(ColourScale, EveryMomentHasItsNameItsUnitAndAColourForEachValue)
   EXPECT_EQ(scaleOf("RHO").unit, "");
   EXPECT_EQ(scaleOf("CFP").title, "Clutter filter power removed");
   EXPECT_EQ(scaleOf("quality").title, "quality") << "an array of another name";
+}
+
+// More columns than are visited together, on several threads, as values and as the codes of a file.
+TEST(PlanView, AVolumeOfCodesHasTheMapsOfItsValues)
+{
+  const TemporaryFolder folder;
+  const GriddedVolume storm = MakeStorm(true);
+  WriteNxv(folder.Path() / "storm.nxv", storm);
+  vtkNew<vtkImageData> codes;
+  vtkNexradReadVolumeFile({folder.Path() / "storm.nxv", {}, {}, true, 0}, codes);
+  vtkNew<vtkImageData> values;
+  vtkNexradReadVolumeFile({folder.Path() / "storm.nxv", {}, {}, false, 0}, values);
+  ASSERT_NE(vtkUnsignedCharArray::SafeDownCast(codes->GetPointData()->GetScalars()), nullptr);
+  const GriddedVolume read = ReadNxv(folder.Path() / "storm.nxv");
+  for (const PlanLevel level : {PlanLevel::Composite, PlanLevel::Lowest, PlanLevel::Height,
+         PlanLevel::EchoTop, PlanLevel::Liquid})
+  {
+    const PlanOptions plan{level, 3000.0, ""};
+    const PlanView wanted = MakePlanView(SourceOf(read), plan);
+    for (vtkImageData* image : {codes.Get(), values.Get()})
+    {
+      const PlanView view = MakePlanView(SourceOf(image), plan, ThreadLoop(3));
+      EXPECT_EQ(view.states, wanted.states);
+      for (std::size_t i = 0; i < view.values.size(); ++i)
+      {
+        if (wanted.states[i] == echo)
+        {
+          ASSERT_EQ(view.values[i], wanted.values[i]) << i;
+        }
+      }
+    }
+  }
+}
+
+TEST(PlanView, AVolumeWithoutStatesIsNamed)
+{
+  vtkSmartPointer<vtkImageData> image = MakeStormVolume(true);
+  image->GetPointData()->RemoveArray("REF_state");
+  EXPECT_THROW(SourceOf(image), Error);
 }

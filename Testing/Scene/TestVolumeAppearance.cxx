@@ -100,3 +100,31 @@ TEST(VolumeAppearance, AWrongPresetOrFileIsAnError)
     EXPECT_NE(std::string(error.what()).find("my.csv: line 3"), std::string::npos) << error.what();
   }
 }
+
+// As the window writes them, where another array gives the colours.
+TEST(VolumeAppearance, OpacitiesAreTakenFromAFileWithoutItsColours)
+{
+  const TemporaryFolder folder;
+  const auto edited = MakeTransferFunction({});
+  edited->AddNode(vtkNexradTransferFunction::BLUE, 40.0, 0.125);
+  edited->AddNode(vtkNexradTransferFunction::OPACITY, 33.0, 0.75);
+  SceneOptions options;
+  options.opacities = folder.Path() / "edited.json";
+  ASSERT_TRUE(edited->WriteFile(options.opacities.c_str()));
+  const auto taken = MakeTransferFunction(options);
+  const auto usual = MakeTransferFunction({});
+  for (const double value : {10.0, 30.0, 33.0, 40.0, 60.0})
+  {
+    EXPECT_EQ(taken->Evaluate(vtkNexradTransferFunction::OPACITY, value),
+      edited->Evaluate(vtkNexradTransferFunction::OPACITY, value));
+    EXPECT_EQ(taken->Evaluate(vtkNexradTransferFunction::BLUE, value),
+      usual->Evaluate(vtkNexradTransferFunction::BLUE, value));
+  }
+  const double shell = 35.0;
+  edited->SetOpacityToIsoValues(&shell, 1, 0.5);
+  ASSERT_TRUE(edited->WriteFile(options.opacities.c_str()));
+  EXPECT_EQ(MakeTransferFunction(options)->GetIsoValue(0), shell);
+  std::ofstream(folder.Path() / "colours.csv") << "dbz,colour\n5,#000000\n10,#ffffff\n";
+  options.opacities = folder.Path() / "colours.csv";
+  EXPECT_THROW(MakeTransferFunction(options), Error);
+}

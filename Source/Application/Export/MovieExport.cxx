@@ -61,7 +61,7 @@ void MovieExport::Begin()
   if (!job.shown.colours.empty())
   {
     colours = WriteTemporaryColours(job.shown.colours);
-    options.colours = colours->fileName().toStdString();
+    UseColours(colours->fileName().toStdString(), options);
   }
   scene = std::make_unique<scene::RadarScene>(options);
   scene->SetCamera(job.shown.drawing.camera);

@@ -108,6 +108,7 @@ scene::SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
   scene::SceneOptions options;
   options.preset = scene->GetPreset();
   options.colours = scene->GetColorFileName();
+  options.opacities = scene->GetOpacityFileName();
   options.colourBy = scene->GetColorArray();
   if (scene->GetExaggeration() > 0.0)
   {
@@ -128,6 +129,11 @@ scene::SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
   options.placeNames = scene->GetPlaceNames();
   options.plan = PlanOf(scene);
   options.cut = CutOf(scene);
+  if (vtkImageData* volume = scene->GetVolume())
+  {
+    options.cut.unit =
+      scene::IsGeographic(volume) ? scene::CutUnit::Degrees : scene::CutUnit::Metres;
+  }
   return options;
 }
 
@@ -218,6 +224,11 @@ std::string EditedColours(vtkNexradVolumeScene* scene)
   {
     return used->FormatJSON();
   }
+}
+
+void UseColours(const std::filesystem::path& file, scene::SceneOptions& options)
+{
+  (options.colourBy.empty() ? options.colours : options.opacities) = file;
 }
 
 std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours)

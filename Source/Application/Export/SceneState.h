@@ -4,6 +4,7 @@
 #include "Scene/Frame/CameraView.h"
 #include "Scene/SceneOptions.h"
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <vector>
@@ -30,6 +31,10 @@ scene::CameraView CameraOf(vtkNexradVolumeScene* scene);
 /// The colours and opacities of a scene in ParaView's JSON, where they are not those that its
 /// options make; else empty.
 std::string EditedColours(vtkNexradVolumeScene* scene);
+
+/// Draws with the edited colours and opacities that a file has: with its opacities alone where
+/// another array gives the colours.
+void UseColours(const std::filesystem::path& file, scene::SceneOptions& options);
 
 /// A file with such a text, for what reads colours from files; it goes with the object.
 std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours);

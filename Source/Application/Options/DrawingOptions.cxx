@@ -235,6 +235,13 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->type_name("FILE")
     ->group(group);
   command
+    .add_option("--opacities", options.opacities,
+      "Opacities alone, in place of those of the preset and of --colours: such a file; with "
+      "--colour-by, of the moment that is shown")
+    ->check(CLI::Validator(CLI::ExistingFile).description(""))
+    ->type_name("FILE")
+    ->group(group);
+  command
     .add_option("--colour-by,--color-by", options.colourBy,
       "Colours from another array than the moment, which then gives the opacities alone: a moment, "
       "as VEL, or an ancillary array, as REF_age, REF_radars, REF_weight or REF_site. Brown: no "

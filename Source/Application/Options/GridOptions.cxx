@@ -265,6 +265,8 @@ void AddBeam(CLI::App& command, MergeOptions& options)
   command.add_flag("--companions", options.beam.ancillary)->group(hidden);
 }
 
+constexpr char onlyDecibels[] = "is of --moment REF in dBZ; nothing else is sharpened";
+
 // Once all are known. Options that contradict each other are wrong usage.
 void Finish(const CLI::App& command, MergeOptions& options)
 {
@@ -292,23 +294,19 @@ void Finish(const CLI::App& command, MergeOptions& options)
   {
     throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
   }
-  const bool seenUnlike = std::all_of(moments.begin(), moments.end(),
-    [](MomentName moment)
-    { return moment == MomentName::VEL || moment == MomentName::SW || moment == MomentName::PHI; });
-  if (seenUnlike && options.beam.strategy != OverlapStrategy::Nearest &&
-      command.count("--overlap") > 0)
+  for (const char* name : {"--overlap", "--linear-reflectivity", "--no-sharpening"})
   {
-    throw CLI::ValidationError("--overlap",
-      "of --moment VEL, SW and PHI is nearest alone: they depend on the direction from the radar");
+    const bool nearest =
+      name == std::string("--overlap") && options.beam.strategy == OverlapStrategy::Nearest;
+    const std::string refusal = RefusalFor(name, moments);
+    if (command.count(name) > 0 && !nearest && !refusal.empty())
+    {
+      throw CLI::ValidationError(name, refusal);
+    }
   }
-  if (options.beam.linearReflectivity && !reflectivity)
+  if (!options.beam.sharpen && options.beam.linearReflectivity)
   {
-    throw CLI::ValidationError("--linear-reflectivity", "is of --moment REF alone");
-  }
-  if (!options.beam.sharpen && (!reflectivity || options.beam.linearReflectivity))
-  {
-    throw CLI::ValidationError(
-      "--no-sharpening", "is of --moment REF in dBZ; nothing else is sharpened");
+    throw CLI::ValidationError("--no-sharpening", onlyDecibels);
   }
 }
 
@@ -321,6 +319,25 @@ void AddGridOptions(CLI::App& command, MergeOptions& options)
   AddMethod(command, options);
   AddBeam(command, options);
   command.parse_complete_callback([&command, &options] { Finish(command, options); });
+}
+
+std::string RefusalFor(const std::string& name, const std::vector<MomentName>& moments)
+{
+  const bool reflectivity =
+    std::find(moments.begin(), moments.end(), MomentName::REF) != moments.end();
+  const bool seenUnlike = std::all_of(moments.begin(), moments.end(),
+    [](MomentName moment)
+    { return moment == MomentName::VEL || moment == MomentName::SW || moment == MomentName::PHI; });
+  if (name == "--overlap" && seenUnlike)
+  {
+    return "of --moment VEL, SW and PHI is nearest alone: they depend on the direction from the "
+           "radar";
+  }
+  if (name == "--linear-reflectivity" && !reflectivity)
+  {
+    return "is of --moment REF alone";
+  }
+  return name == "--no-sharpening" && !reflectivity ? onlyDecibels : "";
 }
 
 std::vector<OptionText> GivenGridOptions(const CLI::App& command)

@@ -126,6 +126,10 @@ void AddVolume(const scene::SceneOptions& scene, OptionList& options)
   {
     options.Add("--colours", std::filesystem::absolute(scene.colours).string());
   }
+  if (!scene.opacities.empty())
+  {
+    options.Add("--opacities", std::filesystem::absolute(scene.opacities).string());
+  }
   options.AddIfAny("--colour-by", scene.colourBy);
   options.AddUnless(usual.light.shadow, "--shadow", scene.light.shadow);
   options.AddUnless(usual.light.occlusion, "--occlusion", scene.light.occlusion);
@@ -160,13 +164,15 @@ void AddSurroundings(const scene::SceneOptions& scene, OptionList& options)
   }
 }
 
-template <typename Lengths>
-std::string LengthsTextOf(const Lengths& lengths)
+// Lengths, or degrees where x and y of the cuts are degrees.
+template <typename Places>
+std::string PlacesTextOf(const Places& places, scene::CutUnit unit)
 {
   std::string text;
-  for (const double length : lengths)
+  for (const double place : places)
   {
-    text += (text.empty() ? "" : ",") + LengthTextOf(length);
+    text += text.empty() ? "" : ",";
+    text += unit == scene::CutUnit::Degrees ? TextOf(place) + "deg" : LengthTextOf(place);
   }
   return text;
 }
@@ -179,31 +185,34 @@ std::string AngleTextOf(double radians)
   return TextOf(std::round(digits * degrees * radians) / digits);
 }
 
-std::string ClipTextOf(const scene::CutPlane& plane)
+std::string ClipTextOf(const scene::CutPlane& plane, scene::CutUnit unit)
 {
   const auto& [x, y, height] = plane.origin;
   const auto& [east, north, up] = plane.normal;
+  const double metres = unit == scene::CutUnit::Degrees ? scene::MetresPerDegree : 1.0;
   const std::string upright =
-    LengthsTextOf(std::array{x, y}) + "," + AngleTextOf(std::atan2(east, north));
+    PlacesTextOf(std::array{x, y}, unit) + "," + AngleTextOf(std::atan2(east, north));
   return up == 0.0 ? upright
                    : upright + "," + LengthTextOf(height) + "," +
-                       AngleTextOf(std::atan2(up, std::hypot(east, north)));
+                       AngleTextOf(std::atan2(metres * up, std::hypot(east, north)));
 }
 
 void AddCut(const scene::CutOptions& cut, OptionList& options)
 {
   if (cut.box)
   {
-    options.Add("--crop", LengthsTextOf(*cut.box));
+    const auto& [west, east, south, north, bottom, top] = *cut.box;
+    options.Add("--crop", PlacesTextOf(std::array{west, east, south, north}, cut.unit) + "," +
+                            LengthTextOf(bottom) + "," + LengthTextOf(top));
   }
   if (cut.plane)
   {
-    options.Add("--clip", ClipTextOf(*cut.plane));
+    options.Add("--clip", ClipTextOf(*cut.plane, cut.unit));
   }
   if (cut.section)
   {
     const auto& [from, to] = *cut.section;
-    options.Add("--section", LengthsTextOf(std::array{from[0], from[1], to[0], to[1]}));
+    options.Add("--section", PlacesTextOf(std::array{from[0], from[1], to[0], to[1]}, cut.unit));
   }
 }
 
@@ -226,18 +235,20 @@ void AddBox(const scene::InputRequest& input, OptionList& options)
   }
 }
 
-// The moments may have been chosen after the other options of merging were given.
+// The moments may have been chosen after the other options of merging were given: options that are
+// not of them, and which `render` would refuse, are left out.
 void AddMerging(const scene::DrawingRequest& request, OptionList& options)
 {
+  const std::vector<MomentName> chosen = request.input.grid.Moments();
   for (const OptionText& text : request.merging)
   {
-    if (text.name != "--moment")
+    if (text.name != "--moment" && RefusalFor(text.name, chosen).empty())
     {
       options.Add(text.name, text.value);
     }
   }
   std::string moments;
-  for (const MomentName moment : request.input.grid.Moments())
+  for (const MomentName moment : chosen)
   {
     moments += (moments.empty() ? "" : ",") + std::string(ToString(moment));
   }

@@ -2,6 +2,7 @@
 #include "Viewer/FileActions.h"
 
 #include "Export/MovieExport.h"
+#include "Export/SceneState.h"
 #include "Options/OptionTexts.h"
 #include "Options/SessionFile.h"
 #include "Output/OutputFile.h"
@@ -126,7 +127,7 @@ void FileActions::CopyCommand()
     drawing.input.time = session.shown;
     if (!session.colours.empty())
     {
-      drawing.scene.colours = WriteColours(session.colours, window.PictureFolder(), time);
+      UseColours(WriteColours(session.colours, window.PictureFolder(), time), drawing.scene);
     }
     if (session.synthetic)
     {

@@ -7,6 +7,7 @@
 #include "Scene/Frame/VolumeInformation.h"
 #include "Viewer/Box/BoxDock.h"
 #include "Viewer/Box/BoxMouse.h"
+#include "Viewer/ChosenArrays.h"
 #include "Viewer/Cutting/CutPanel.h"
 #include "Viewer/Cutting/SectionDock.h"
 #include "Viewer/Cutting/SectionPanel.h"
@@ -46,6 +47,7 @@
 #include <QVBoxLayout>
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 namespace nexrad::viewer
@@ -131,6 +133,7 @@ void MainWindow::MakeDocks()
   colours = MakeTransferFunctionDock(*this, *view, *look, lookDock);
   connect(look, &LookPanel::MomentChosen, this, &MainWindow::ShowMoment);
   connect(look, &LookPanel::ColoursChosen, this, &MainWindow::ColourBy);
+  connect(look, &LookPanel::MapArrayChosen, this, &MainWindow::ShowMapOf);
 
   damage = new QListWidget(this);
   damage->setObjectName("damage");
@@ -255,6 +258,10 @@ application::Session MainWindow::NewSession() const
     session.drawing.input.box.reset();
     session.drawing.scene.isoValues.clear(); // the colour map in use stays as it was edited
     session.drawing.scene.colourBy = request.scene.colourBy;
+    if (session.drawing.scene.plan)
+    {
+      session.drawing.scene.plan->array.clear(); // the next inputs may not have it
+    }
   }
   return session;
 }
@@ -287,38 +294,32 @@ void MainWindow::Show(const application::Session& session, const QString& name)
   this->OpenInputs(session, name);
 }
 
-// The inputs are read, or merged, again: a volume has the moments alone that were asked for.
 void MainWindow::ShowMoment(const QString& moment)
 {
-  if (moment == QString::fromStdString(scene::ArrayOf(view->Scene()->GetVolume())))
+  const std::optional<MomentName> chosen = ParseMomentName(moment.toStdString());
+  if (chosen && moment.toStdString() != scene::ArrayOf(view->Scene()->GetVolume()))
   {
-    return;
+    this->OpenInputs(WithMoment(this->Shown(), *chosen), title);
   }
-  application::Session session = this->Shown();
-  scene::InputRequest& input = session.drawing.input;
-  input.grid.moment = ParseMomentName(moment.toStdString()).value_or(input.grid.moment);
-  input.grid.furtherMoments.clear();
-  input.momentNamed = true;
-  scene::SceneOptions& options = session.drawing.scene;
-  options.preset.clear(); // those of the moment before are not of this one
-  options.colours.clear();
-  options.isoValues.clear();
-  session.colours.clear();
-  options.colourBy = options.colourBy == moment.toStdString() ? "" : options.colourBy;
-  input.colourBy = options.colourBy;
-  this->OpenInputs(session, title);
 }
 
 void MainWindow::ColourBy(const QString& array)
 {
-  if (array.toStdString() == view->Scene()->GetColorArray())
+  if (array.toStdString() != view->Scene()->GetColorArray())
   {
+    this->OpenInputs(WithColoursOf(this->Shown(), array.toStdString()), title);
+  }
+}
+
+// Inputs are merged again only for an array that the volume does not have.
+void MainWindow::ShowMapOf(const QString& array)
+{
+  if (array.isEmpty() || HasArray(view->Scene()->GetVolume(), array.toStdString()))
+  {
+    view->Scene()->SetPlanArray(array.toStdString());
     return;
   }
-  application::Session session = this->Shown();
-  session.drawing.scene.colourBy = array.toStdString();
-  session.drawing.input.colourBy = array.toStdString();
-  this->OpenInputs(session, title);
+  this->OpenInputs(WithMapOf(this->Shown(), array.toStdString()), title);
 }
 
 void MainWindow::FitPicture(const std::array<int, 2>& size)
@@ -368,12 +369,19 @@ void MainWindow::ShowVolume(vtkImageData* volume)
   {
     view->Scene()->SetPreset(opened.drawing.scene.preset);
     view->Scene()->SetColorFileName(opened.drawing.scene.colours.string());
+    view->Scene()->SetOpacityFileName(opened.drawing.scene.opacities.string());
     view->Scene()->SetColorArray(opened.drawing.scene.colourBy);
   }
   view->SetVolume(volume);
   if (first)
   {
     look->SetMoments(playback->State().moments);
+    look->SetMakesAncillary(playback->State().makesAncillary);
+    if (const std::string problem = FitToVolume(opened.drawing.scene, view->Scene());
+        !problem.empty())
+    {
+      this->Report(title + ": " + QString::fromStdString(problem));
+    }
     try
     {
       SetColours(opened.colours, opened.drawing.scene.isoValues, view->Scene());

@@ -81,6 +81,7 @@ private:
   application::Session NewSession() const;
   void ShowMoment(const QString& moment);
   void ColourBy(const QString& array);
+  void ShowMapOf(const QString& array);
   void OpenInputs(const application::Session& session, const QString& title);
   void Remember(const QStringList& paths);
   void FollowRecent();

@@ -13,121 +13,145 @@ namespace nexrad
 namespace
 {
 
-// One column of a volume, by level.
-class Column
+// Seeks the highest level that reaches a threshold in one column, from its lowest level up.
+class EchoTop
 {
 public:
-  Column(const GriddedVolume& theVolume, std::size_t place)
-    : volume(theVolume)
-    , first(place)
-    , stride(static_cast<std::size_t>(volume.grid.dimensions[0]) *
-             static_cast<std::size_t>(volume.grid.dimensions[1]))
+  explicit EchoTop(const VoxelLines& voxels, double wantedThreshold)
+    : bottom(voxels.grid.Coordinate(2, 0))
+    , depth(voxels.grid.spacing[2])
+    , threshold(wantedThreshold)
   {
   }
 
-  int Levels() const { return volume.grid.dimensions[2]; }
-  VoxelState State(int level) const { return volume.states[this->Voxel(level)]; }
-  bool HasEcho(int level) const { return this->State(level) == VoxelState::Echo; }
-  double Value(int level) const { return static_cast<double>(volume.values[this->Voxel(level)]); }
-  double Height(int level) const { return volume.grid.Coordinate(2, level); }
-  double Depth() const { return volume.grid.spacing[2]; }
-
-  // The state of a column whose product has no value.
-  VoxelState StateOfNone() const
+  struct Column
   {
-    VoxelState found = VoxelState::NotScanned;
-    for (int level = 0; level < this->Levels(); ++level)
+    double top = 0.0;
+    double value = 0.0; // of the level below, where that reached the threshold
+    bool found = false;
+    bool below = false;
+  };
+
+  void Add(int level, float voxel, bool echo, Column& column) const
+  {
+    const auto value = static_cast<double>(voxel);
+    if (echo && value >= threshold)
     {
-      const VoxelState state = this->State(level);
-      if (state == VoxelState::Echo || state == VoxelState::NoEcho)
-      {
-        return VoxelState::NoEcho;
-      }
-      found = state == VoxelState::RangeFolded ? state : found;
+      column = {bottom + level * depth, value, true, true};
+      return;
     }
-    return found;
+    if (column.below && echo)
+    {
+      column.top += (column.value - threshold) / (column.value - value) * depth;
+    }
+    column.below = false;
+  }
+
+  std::optional<double> Of(const Column& column) const
+  {
+    return column.found ? std::optional(column.top) : std::nullopt;
   }
 
 private:
-  std::size_t Voxel(int level) const { return first + stride * static_cast<std::size_t>(level); }
-
-  const GriddedVolume& volume;
-  std::size_t first;
-  std::size_t stride;
+  double bottom;
+  double depth;
+  double threshold;
 };
 
-std::optional<double> EchoTopOf(const Column& column, double threshold)
+// Adds up Z^(4/7) in one column.
+class Liquid
 {
-  for (int level = column.Levels() - 1; level >= 0; --level)
+public:
+  explicit Liquid(const VoxelLines& voxels)
+    : depth(voxels.grid.spacing[2])
   {
-    if (!column.HasEcho(level) || column.Value(level) < threshold)
-    {
-      continue;
-    }
-    if (level + 1 == column.Levels() || !column.HasEcho(level + 1))
-    {
-      return column.Height(level);
-    }
-    const double above = column.Value(level + 1); // below the threshold, or the top were there
-    const double share = (column.Value(level) - threshold) / (column.Value(level) - above);
-    return column.Height(level) + share * column.Depth();
   }
-  return std::nullopt;
-}
 
-std::optional<double> LiquidOf(const Column& column)
-{
-  constexpr double factor = 3.44e-6; // Greene and Clark 1972
-  constexpr double hailCap = 56.0;   // dBZ
-  constexpr double perDecibel = 2.302585092994046 / 10.0 * 4.0 / 7.0;
-  double sum = 0.0;
-  bool any = false;
-  for (int level = 0; level < column.Levels(); ++level)
+  struct Column
   {
-    if (column.HasEcho(level))
+    double sum = 0.0;
+    bool any = false;
+  };
+
+  void Add(int, float voxel, bool echo, Column& column) const
+  {
+    constexpr float hailCap = 56.0F; // dBZ
+    constexpr float perDecibel = 2.302585092994046F / 10.0F * 4.0F / 7.0F;
+    if (echo)
     {
-      // 10^(dBZ/10) to the power of 4/7
-      sum += std::exp(perDecibel * std::min(column.Value(level), hailCap));
-      any = true;
+      // 10^(dBZ/10) to the power of 4/7; in float, whose 7 digits are more than a value has
+      column.sum += static_cast<double>(std::exp(perDecibel * std::min(voxel, hailCap)));
+      column.any = true;
     }
   }
-  return any ? std::optional(factor * sum * column.Depth()) : std::nullopt;
+
+  std::optional<double> Of(const Column& column) const
+  {
+    constexpr double factor = 3.44e-6; // Greene and Clark 1972
+    return column.any ? std::optional(factor * column.sum * depth) : std::nullopt;
+  }
+
+private:
+  double depth;
+};
+
+// The state of a column whose product has no value, with one more voxel of it.
+VoxelState StateOfNone(VoxelState column, VoxelState voxel)
+{
+  if (column == VoxelState::NoEcho || voxel == VoxelState::Echo || voxel == VoxelState::NoEcho)
+  {
+    return VoxelState::NoEcho;
+  }
+  return voxel == VoxelState::RangeFolded ? voxel : column;
 }
 
 template <class Formula>
-ColumnProduct MakeProduct(const GriddedVolume& volume, const char* name, const Formula& formula)
+ColumnProduct MakeProduct(
+  const VoxelLines& voxels, const char* name, const Formula& formula, const RangeLoop& loop)
 {
-  if (volume.moment != MomentName::REF)
+  if (voxels.moment != MomentName::REF)
   {
     throw Error(
-      std::string(name) + ": is made of REF, and the volume has " + ToString(volume.moment));
+      std::string(name) + ": is made of REF, and the volume has " + ToString(voxels.moment));
   }
   ColumnProduct product;
-  product.width = volume.grid.dimensions[0];
-  product.height = volume.grid.dimensions[1];
-  const auto columns =
+  product.width = voxels.grid.dimensions[0];
+  product.height = voxels.grid.dimensions[1];
+  const auto count =
     static_cast<std::size_t>(product.width) * static_cast<std::size_t>(product.height);
-  for (std::size_t place = 0; place < columns; ++place)
+  std::vector<typename Formula::Column> columns(count);
+  product.states.assign(count, VoxelState::NotScanned);
+  const auto add = [&](const ColumnStretch& stretch)
   {
-    const Column column(volume, place);
-    const std::optional<double> value = formula(column);
-    product.values.push_back(static_cast<float>(value.value_or(0.0)));
-    product.states.push_back(value ? VoxelState::Echo : column.StateOfNone());
+    for (std::size_t i = 0; i < stretch.count; ++i)
+    {
+      const std::size_t column = stretch.first + i;
+      const VoxelState state = stretch.states[i];
+      formula.Add(stretch.level, stretch.values[i], state == VoxelState::Echo, columns[column]);
+      product.states[column] = StateOfNone(product.states[column], state);
+    }
+  };
+  WalkColumns(voxels, 0, voxels.grid.dimensions[2], loop, add);
+  product.values.resize(count);
+  for (std::size_t column = 0; column < count; ++column)
+  {
+    const std::optional<double> value = formula.Of(columns[column]);
+    product.values[column] = static_cast<float>(value.value_or(0.0));
+    product.states[column] = value ? VoxelState::Echo : product.states[column];
   }
   return product;
 }
 
 } // namespace
 
-ColumnProduct MakeEchoTops(const GriddedVolume& volume, double threshold)
+ColumnProduct MakeEchoTops(const VoxelLines& voxels, double threshold, const RangeLoop& loop)
 {
-  return MakeProduct(
-    volume, "echo top", [threshold](const Column& column) { return EchoTopOf(column, threshold); });
+  return MakeProduct(voxels, "echo top", EchoTop(voxels, threshold), loop);
 }
 
-ColumnProduct MakeIntegratedLiquid(const GriddedVolume& volume)
+ColumnProduct MakeIntegratedLiquid(const VoxelLines& voxels, const RangeLoop& loop)
 {
-  return MakeProduct(volume, "vertically integrated liquid", LiquidOf);
+  return MakeProduct(voxels, "vertically integrated liquid", Liquid(voxels), loop);
 }
 
 } // namespace nexrad

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Products/VoxelLines.h"
 
 #include <vector>
 
@@ -22,13 +22,13 @@ struct ColumnProduct
 /// Formula P2: the height in m above mean sea level at which reflectivity falls below a threshold
 /// in dBZ, sought from above: linear between the two levels about it where the upper one has an
 /// echo too. Where the upper one has none, was not scanned or does not exist, the height of the
-/// highest voxel that reaches the threshold, at its centre. Throws Error for a volume of another
-/// moment than REF.
-ColumnProduct MakeEchoTops(const GriddedVolume& volume, double threshold);
+/// highest voxel that reaches the threshold, at its centre. Throws Error for another moment than
+/// REF.
+ColumnProduct MakeEchoTops(const VoxelLines& voxels, double threshold, const RangeLoop& loop = {});
 
 /// Formula P3: the vertically integrated liquid in kg/m², 3.44e-6 Σ Z^(4/7) Δz with Z in mm⁶/m³,
 /// reflectivities above 56 dBZ taken as 56 dBZ, because they are hail rather than rain. Voxels
-/// without an echo add nothing. Throws Error for a volume of another moment than REF.
-ColumnProduct MakeIntegratedLiquid(const GriddedVolume& volume);
+/// without an echo add nothing. Throws Error for another moment than REF.
+ColumnProduct MakeIntegratedLiquid(const VoxelLines& voxels, const RangeLoop& loop = {});
 
 } // namespace nexrad

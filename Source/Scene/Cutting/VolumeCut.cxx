@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Cutting/VolumeCut.h"
 
+#include "Scene/Frame/VolumeInformation.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkMath.h>
@@ -55,6 +56,23 @@ void CheckCut(const CutOptions& cut)
     {
       throw Error("the clip plane has no direction: its normal must not be 0");
     }
+  }
+}
+
+void CheckCutUnit(const CutOptions& cut, vtkImageData* volume)
+{
+  if (cut.unit == CutUnit::OfVolume || (!cut.box && !cut.plane && !cut.section))
+  {
+    return;
+  }
+  const bool geographic = IsGeographic(volume);
+  if (geographic != (cut.unit == CutUnit::Degrees))
+  {
+    throw Error(geographic
+                  ? "the crop box, clip plane or section is in m or km, and the volume is on axes "
+                    "of longitude and latitude; write degrees, as in -97.5deg"
+                  : "the crop box, clip plane or section is in degrees, and the volume is in "
+                    "metres about its centre; write lengths, as in -20km");
   }
 }
 

@@ -88,8 +88,12 @@ double RimAt(const Coverage& letters, int x, int y, double width)
   {
     for (int i = -reach; i <= reach; ++i)
     {
-      const double near = std::clamp(width + 0.5 - std::hypot(i, j), 0.0, 1.0);
-      most = std::max(most, near * letters.At(x + i, y + j));
+      const double letter = letters.At(x + i, y + j);
+      if (letter > most) // of most pixels there is none, and roots take long
+      {
+        const double near = std::clamp(width + 0.5 - std::hypot(i, j), 0.0, 1.0);
+        most = std::max(most, near * letter);
+      }
     }
   }
   return most;

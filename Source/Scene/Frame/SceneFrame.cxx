@@ -41,7 +41,7 @@ SceneFrame::SceneFrame(vtkImageData* volume, double verticalExaggeration)
   volume->GetBounds(cells);
   const double* spacing = volume->GetSpacing();
   const std::string projection = ReadVolumeInformation(volume).projection;
-  if (projection.find("+proj=longlat") != std::string::npos)
+  if (IsGeographic(volume))
   {
     centre = {(cells[0] + cells[1]) / 2.0, (cells[2] + cells[3]) / 2.0};
     kilometres = {kilometresPerDegree * std::cos(centre[1] * pi / 180.0), kilometresPerDegree};

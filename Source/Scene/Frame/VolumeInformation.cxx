@@ -53,6 +53,11 @@ VolumeInformation ReadVolumeInformation(vtkImageData* volume)
   return information;
 }
 
+bool IsGeographic(vtkImageData* volume)
+{
+  return ReadVolumeInformation(volume).projection.find("+proj=longlat") != std::string::npos;
+}
+
 std::string ArrayOf(vtkImageData* volume)
 {
   vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;

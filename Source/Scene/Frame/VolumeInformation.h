@@ -24,6 +24,9 @@ struct VolumeInformation
 
 VolumeInformation ReadVolumeInformation(vtkImageData* volume);
 
+/// Whether x and y of a volume are longitude and latitude in degrees; else they are m.
+bool IsGeographic(vtkImageData* volume);
+
 /// Name of the array that a volume shows, as "REF"; "" where there is no volume, or no name.
 std::string ArrayOf(vtkImageData* volume);
 

@@ -35,77 +35,95 @@ int LevelAt(const GridSpecification& grid, double height)
   return std::min(level, grid.dimensions[2] - 1);
 }
 
-// Walks up the columns of a volume.
-class ColumnWalk
+// The voxel of one column that a map shows, sought from its lowest level up.
+struct ShownVoxel
 {
-public:
-  explicit ColumnWalk(const GriddedVolume& theVolume)
-    : volume(theVolume)
-    , columns(static_cast<std::size_t>(volume.grid.dimensions[0]) *
-              static_cast<std::size_t>(volume.grid.dimensions[1]))
-    , levels(static_cast<std::size_t>(volume.grid.dimensions[2]))
-  {
-  }
-
-  std::size_t Columns() const { return columns; }
-
-  // Index of the voxel of a column that is shown.
-  std::size_t Shown(std::size_t column, PlanLevel level, int heightLevel) const
-  {
-    switch (level)
-    {
-    case PlanLevel::Composite:
-      return this->Largest(column);
-    case PlanLevel::Lowest:
-      return this->Lowest(column);
-    default:
-      return column + static_cast<std::size_t>(heightLevel) * columns;
-    }
-  }
-
-private:
-  // The lowest that was scanned; without one the lowest that is range folded.
-  std::size_t Lowest(std::size_t column) const
-  {
-    std::size_t folded = column;
-    for (std::size_t level = 0; level < levels; ++level)
-    {
-      const std::size_t voxel = column + level * columns;
-      const VoxelState state = volume.states[voxel];
-      if (state == VoxelState::Echo || state == VoxelState::NoEcho)
-      {
-        return voxel;
-      }
-      const bool first = volume.states[folded] != VoxelState::RangeFolded;
-      folded = first && state == VoxelState::RangeFolded ? voxel : folded;
-    }
-    return folded;
-  }
-
-  // What a composite looks for: the strongest, of velocities the fastest either way.
-  float Strength(std::size_t voxel) const
-  {
-    const float value = volume.values[voxel];
-    return volume.moment == MomentName::VEL ? std::abs(value) : value;
-  }
-
-  // The strongest echo; without one the lowest.
-  std::size_t Largest(std::size_t column) const
-  {
-    std::size_t best = this->Lowest(column);
-    for (std::size_t voxel = column; voxel < columns * levels; voxel += columns)
-    {
-      const bool larger =
-        volume.states[best] != VoxelState::Echo || this->Strength(voxel) > this->Strength(best);
-      best = volume.states[voxel] == VoxelState::Echo && larger ? voxel : best;
-    }
-    return best;
-  }
-
-  const GriddedVolume& volume;
-  std::size_t columns;
-  std::size_t levels;
+  float value = 0.0F;
+  int level = -1;
+  VoxelState state = VoxelState::NotScanned;
+  bool settled = false; // no voxel above is taken for having been scanned
 };
+
+// The lowest that was scanned; without one the lowest that is range folded, or the lowest of all.
+struct LowestVoxel
+{
+  void operator()(const ShownVoxel& voxel, ShownVoxel& shown) const
+  {
+    if (shown.settled)
+    {
+      return;
+    }
+    const bool scanned = voxel.state == VoxelState::Echo || voxel.state == VoxelState::NoEcho;
+    const bool folded =
+      voxel.state == VoxelState::RangeFolded && shown.state != VoxelState::RangeFolded;
+    if (shown.level < 0 || scanned || folded)
+    {
+      shown = voxel;
+      shown.settled = scanned;
+    }
+  }
+};
+
+// The strongest echo, of velocities the fastest either way; without one the lowest voxel.
+struct LargestVoxel
+{
+  bool velocity = false;
+
+  float Strength(float value) const { return velocity ? std::abs(value) : value; }
+  void operator()(const ShownVoxel& voxel, ShownVoxel& shown) const
+  {
+    if (voxel.state != VoxelState::Echo)
+    {
+      LowestVoxel()(voxel, shown);
+    }
+    else if (shown.state != VoxelState::Echo ||
+             this->Strength(voxel.value) > this->Strength(shown.value))
+    {
+      shown = voxel;
+      shown.settled = true;
+    }
+  }
+};
+
+std::size_t ColumnCount(const GridSpecification& grid)
+{
+  return static_cast<std::size_t>(grid.dimensions[0]) *
+         static_cast<std::size_t>(grid.dimensions[1]);
+}
+
+// Of each column the voxel that `seek` finds among levels `first` to before `last`.
+template <class Seek>
+std::vector<ShownVoxel> FindAmong(
+  const VoxelLines& voxels, int first, int last, const Seek& seek, const RangeLoop& loop)
+{
+  std::vector<ShownVoxel> shown(ColumnCount(voxels.grid));
+  const auto visit = [&](const ColumnStretch& stretch)
+  {
+    ShownVoxel* found = shown.data() + stretch.first;
+    for (std::size_t i = 0; i < stretch.count; ++i)
+    {
+      seek({stretch.values[i], stretch.level, stretch.states[i], false}, found[i]);
+    }
+  };
+  WalkColumns(voxels, first, last, loop, visit);
+  return shown;
+}
+
+// The voxel of each column that a map shows; `level`: of a map at a height.
+std::vector<ShownVoxel> FindShown(
+  const VoxelLines& voxels, PlanLevel kind, int level, const RangeLoop& loop)
+{
+  const int levels = voxels.grid.dimensions[2];
+  switch (kind)
+  {
+  case PlanLevel::Composite:
+    return FindAmong(voxels, 0, levels, LargestVoxel{voxels.moment == MomentName::VEL}, loop);
+  case PlanLevel::Height:
+    return FindAmong(voxels, level, level + 1, LowestVoxel(), loop);
+  default:
+    return FindAmong(voxels, 0, levels, LowestVoxel(), loop);
+  }
+}
 
 // The phase grows with range, and the correlation is near 1 in some voxel of nearly every column.
 void CheckComposite(MomentName moment)
@@ -117,7 +135,7 @@ void CheckComposite(MomentName moment)
   }
 }
 
-std::string WhereText(const GriddedVolume& volume, const PlanOptions& plan, int level)
+std::string WhereText(const VoxelLines& volume, const PlanOptions& plan, int level)
 {
   const GridSpecification& grid = volume.grid;
   switch (plan.level)
@@ -132,59 +150,60 @@ std::string WhereText(const GriddedVolume& volume, const PlanOptions& plan, int 
   }
 }
 
-[[noreturn]] void RefuseArray(const GriddedVolume& volume, const std::string& name)
+[[noreturn]] void RefuseArray(const PlanSource& source, const std::string& name)
 {
-  std::string has = ToString(volume.moment);
-  const auto add = [&](const char* end, const auto& values)
-  { has += values.empty() ? "" : ", " + AncillaryArrayName(volume.moment, end); };
-  ForEachAncillaryArray(volume.ancillary, add);
+  const MomentName moment = source.voxels.moment;
+  std::string has = ToString(moment);
+  const auto add = [&](const char* end, const auto* values)
+  { has += values == nullptr ? "" : ", " + AncillaryArrayName(moment, end); };
+  ForEachAncillaryArray(source, add);
   throw Error("the volume has no array " + name + "; it has " + has +
               " (merge with ancillary arrays for more)");
 }
 
 // Whether some radar scanned the voxel; column filling also gives values to others.
-VoxelState StateOfAncillaryArray(const GriddedVolume& volume, std::size_t voxel)
+VoxelState StateOfAncillaryArray(const PlanSource& source, std::size_t voxel, VoxelState state)
 {
-  const VoxelState state = volume.states[voxel];
-  const auto& radars = volume.ancillary.radars;
-  const auto& sites = volume.ancillary.nearestSite;
-  const bool unseen = (!radars.empty() && radars[voxel] == 0) ||
-                      (!sites.empty() && sites[voxel] == AncillaryArrays::NoSite);
+  const bool unseen =
+    (source.radars != nullptr && source.radars[voxel] == 0) ||
+    (source.nearestSite != nullptr && source.nearestSite[voxel] == AncillaryArrays::NoSite);
   return state == VoxelState::RangeFolded            ? state
          : unseen || state == VoxelState::NotScanned ? VoxelState::NotScanned
                                                      : VoxelState::Echo;
 }
 
-// The values that are asked for, of each voxel.
-std::vector<float> ValuesOf(
-  const GriddedVolume& volume, const std::string& name, const std::vector<std::size_t>& voxels)
+// The values and states of an ancillary array in the voxels that are shown.
+void TakeAncillaryArray(const PlanSource& source, const std::string& name,
+  const std::vector<ShownVoxel>& shown, PlanView& view)
 {
-  std::vector<float> taken;
-  const auto take = [&](const auto& values)
+  const auto take = [&](const char* end, const auto* values)
   {
-    for (const std::size_t voxel : voxels)
+    if (values == nullptr || name != AncillaryArrayName(source.voxels.moment, end))
     {
-      taken.push_back(static_cast<float>(values[voxel]));
+      return;
+    }
+    for (std::size_t column = 0; column < shown.size(); ++column)
+    {
+      const std::size_t voxel =
+        column + shown.size() * static_cast<std::size_t>(shown[column].level);
+      view.values.push_back(static_cast<float>(values[voxel]));
+      view.states.push_back(StateOfAncillaryArray(source, voxel, shown[column].state));
     }
   };
-  if (name.empty() || name == ToString(volume.moment))
+  ForEachAncillaryArray(source, take);
+  if (view.values.empty())
   {
-    take(volume.values);
-    return taken;
+    RefuseArray(source, name);
   }
-  const auto takeNamed = [&](const char* end, const auto& values)
+}
+
+void TakeMoment(const std::vector<ShownVoxel>& shown, PlanView& view)
+{
+  for (const ShownVoxel& voxel : shown)
   {
-    if (!values.empty() && name == AncillaryArrayName(volume.moment, end))
-    {
-      take(values);
-    }
-  };
-  ForEachAncillaryArray(volume.ancillary, takeNamed);
-  if (taken.empty())
-  {
-    RefuseArray(volume, name);
+    view.values.push_back(voxel.value);
+    view.states.push_back(voxel.state);
   }
-  return taken;
 }
 
 bool IsProduct(PlanLevel level)
@@ -192,14 +211,15 @@ bool IsProduct(PlanLevel level)
   return level == PlanLevel::EchoTop || level == PlanLevel::Liquid;
 }
 
-PlanView MakeProductView(const GriddedVolume& volume, const PlanOptions& plan)
+PlanView MakeProductView(const VoxelLines& volume, const PlanOptions& plan, const RangeLoop& loop)
 {
   if (!plan.array.empty() && plan.array != ToString(volume.moment))
   {
     throw Error("echo tops and liquid are computed of REF, not of " + plan.array);
   }
   const bool top = plan.level == PlanLevel::EchoTop;
-  ColumnProduct product = top ? MakeEchoTops(volume, plan.threshold) : MakeIntegratedLiquid(volume);
+  ColumnProduct product =
+    top ? MakeEchoTops(volume, plan.threshold, loop) : MakeIntegratedLiquid(volume, loop);
   PlanView view;
   view.width = product.width;
   view.height = product.height;
@@ -214,32 +234,24 @@ PlanView MakeProductView(const GriddedVolume& volume, const PlanOptions& plan)
 
 } // namespace
 
-PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan)
+PlanView MakePlanView(const PlanSource& source, const PlanOptions& plan, const RangeLoop& loop)
 {
+  const VoxelLines& volume = source.voxels;
   if (IsProduct(plan.level))
   {
-    return MakeProductView(volume, plan);
+    return MakeProductView(volume, plan, loop);
   }
   if (plan.level == PlanLevel::Composite)
   {
     CheckComposite(volume.moment);
   }
   const int level = plan.level == PlanLevel::Height ? LevelAt(volume.grid, plan.height) : 0;
-  const ColumnWalk walk(volume);
-  std::vector<std::size_t> voxels;
-  for (std::size_t column = 0; column < walk.Columns(); ++column)
-  {
-    voxels.push_back(walk.Shown(column, plan.level, level));
-  }
+  const std::vector<ShownVoxel> shown = FindShown(volume, plan.level, level, loop);
   PlanView view;
   view.width = volume.grid.dimensions[0];
   view.height = volume.grid.dimensions[1];
-  view.values = ValuesOf(volume, plan.array, voxels);
   const bool moment = plan.array.empty() || plan.array == ToString(volume.moment);
-  for (const std::size_t voxel : voxels)
-  {
-    view.states.push_back(moment ? volume.states[voxel] : StateOfAncillaryArray(volume, voxel));
-  }
+  moment ? TakeMoment(shown, view) : TakeAncillaryArray(source, plan.array, shown, view);
   view.where = WhereText(volume, plan, level);
   return view;
 }

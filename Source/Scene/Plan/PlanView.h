@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Scene/Plan/PlanOptions.h"
-#include "nexrad/Grid/GriddedVolume.h"
+#include "Scene/Plan/PlanSource.h"
 
 #include <cstddef>
 #include <string>
@@ -28,6 +28,7 @@ struct PlanView
 /// the map of the moment with the same choice. Throws Error for an array that the volume does not
 /// have, naming those it has, for a height outside it, for a composite of PHI or RHO, and for an
 /// echo top or liquid of another moment than REF or of an array.
-PlanView MakePlanView(const GriddedVolume& volume, const PlanOptions& plan);
+PlanView MakePlanView(
+  const PlanSource& source, const PlanOptions& plan, const RangeLoop& loop = {});
 
 } // namespace nexrad::scene

@@ -184,6 +184,7 @@ bool BackgroundSeries::Open()
     news.loaded.assign(opened.order.size(), false);
     news.damage = this->Damage();
     news.moments = opened.series->Moments();
+    news.makesAncillary = opened.series->MakesAncillaryArrays();
     news.phase = Phase::Open;
   }
   catch (const std::exception& error)
@@ -260,6 +261,7 @@ void BackgroundSeries::TakeOver(Opened again)
   opened = std::move(again);
   state.times = times;
   state.moments = opened.series->Moments();
+  state.makesAncillary = opened.series->MakesAncillaryArrays();
 }
 
 std::vector<std::string> BackgroundSeries::Damage() const

@@ -41,7 +41,8 @@ class RadarFiles : public VolumeSeries
 public:
   RadarFiles(const std::vector<std::filesystem::path>& inputs, const MergeOptions& options,
     const Progress& progress)
-    : merger(inputs, options, SetupForAnyOrder())
+    : beam(options.method == MergeMethod::Beam)
+    , merger(inputs, options, SetupForAnyOrder())
   {
     if (!merger.Open(progress))
     {
@@ -52,6 +53,7 @@ public:
   const std::vector<Time>& Times() const override { return merger.Times(); }
   bool CanLoadAhead() const override { return true; }
   std::vector<MomentName> Moments() const override { return merger.Moments(); }
+  bool MakesAncillaryArrays() const override { return beam; }
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
   {
@@ -75,6 +77,7 @@ public:
   }
 
 private:
+  const bool beam; // the method, which alone makes ancillary arrays
   SeriesMerger merger;
 };
 

@@ -51,6 +51,10 @@ public:
   /// The moments that the inputs hold, as far as they are known; not only those that Load gives.
   virtual std::vector<MomentName> Moments() const { return {}; }
 
+  /// Whether Load gives ancillary arrays (age, number of radars, weight, nearest radar) where they
+  /// are asked for.
+  virtual bool MakesAncillaryArrays() const { return false; }
+
   /// Inputs that were damaged or left out so far, a line each.
   virtual std::vector<std::string> Problems() const { return {}; }
 };

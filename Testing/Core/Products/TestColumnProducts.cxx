@@ -5,7 +5,9 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <vector>
 
 using namespace nexrad;
 
@@ -31,7 +33,7 @@ GriddedVolume ColumnOf(const std::vector<VoxelState>& states, const std::vector<
 
 ColumnProduct TopOf(const std::vector<VoxelState>& states, const std::vector<float>& values)
 {
-  return MakeEchoTops(ColumnOf(states, values), 18.0);
+  return MakeEchoTops(LinesOf(ColumnOf(states, values)), 18.0);
 }
 
 } // namespace
@@ -72,22 +74,56 @@ TEST(ColumnProducts, ColumnsWithoutATopSayWhy)
 TEST(ColumnProducts, IntegratedLiquidIsThatOfTheFormula)
 {
   const ColumnProduct liquid = MakeIntegratedLiquid(
-    ColumnOf({echo, echo, none, echo, open}, {40.0F, 20.0F, -33.0F, 65.0F, -33.0F}));
+    LinesOf(ColumnOf({echo, echo, none, echo, open}, {40.0F, 20.0F, -33.0F, 65.0F, -33.0F})));
   EXPECT_EQ(liquid.states[0], echo);
   EXPECT_NEAR(static_cast<double>(liquid.values[0]), 6.1641, 0.001);
 }
 
 TEST(ColumnProducts, AWeakEchoAddsLittleAndNoEchoNothing)
 {
-  EXPECT_NEAR(static_cast<double>(MakeIntegratedLiquid(ColumnOf({echo}, {-10.0F})).values[0]),
+  EXPECT_NEAR(
+    static_cast<double>(MakeIntegratedLiquid(LinesOf(ColumnOf({echo}, {-10.0F}))).values[0]),
     3.44e-3 * std::pow(0.1, 4.0 / 7.0), 1e-8);
-  EXPECT_EQ(MakeIntegratedLiquid(ColumnOf({none}, {-33.0F})).states[0], none);
+  EXPECT_EQ(MakeIntegratedLiquid(LinesOf(ColumnOf({none}, {-33.0F}))).states[0], none);
 }
 
 TEST(ColumnProducts, AreOfReflectivityAlone)
 {
   GriddedVolume volume = ColumnOf({echo}, {10.0F});
   volume.moment = MomentName::VEL;
-  EXPECT_THROW(MakeEchoTops(volume, 18.0), Error);
-  EXPECT_THROW(MakeIntegratedLiquid(volume), Error);
+  EXPECT_THROW(MakeEchoTops(LinesOf(volume), 18.0), Error);
+  EXPECT_THROW(MakeIntegratedLiquid(LinesOf(volume)), Error);
+}
+
+// More columns than are visited together.
+TEST(VoxelLines, EachColumnIsVisitedFromItsLowestLevelUp)
+{
+  GriddedVolume volume;
+  volume.grid.dimensions = {91, 97, 3};
+  for (std::size_t i = 0; i < volume.grid.VoxelCount(); ++i)
+  {
+    volume.values.push_back(static_cast<float>(i));
+    volume.states.push_back(i % 2 == 0 ? echo : none);
+  }
+  for (const unsigned threads : {1U, 3U})
+  {
+    std::vector<int> next(91 * 97, 0);
+    std::atomic<int> wrong{0};
+    const auto visit = [&](const ColumnStretch& stretch)
+    {
+      for (std::size_t i = 0; i < stretch.count; ++i)
+      {
+        const std::size_t column = stretch.first + i;
+        const std::size_t voxel = column + next.size() * static_cast<std::size_t>(stretch.level);
+        const bool right = next[column] == stretch.level &&
+                           stretch.values[i] == volume.values[voxel] &&
+                           stretch.states[i] == volume.states[voxel];
+        wrong += right ? 0 : 1;
+        next[column] = stretch.level + 1;
+      }
+    };
+    WalkColumns(LinesOf(volume), 0, 3, ThreadLoop(threads), visit);
+    EXPECT_EQ(wrong.load(), 0);
+    EXPECT_EQ(next, std::vector<int>(91 * 97, 3));
+  }
 }

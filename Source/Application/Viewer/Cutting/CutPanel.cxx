@@ -258,6 +258,7 @@ void CutPanel::FollowBox()
     const double size = i < 4 ? unit.size : kilometre;
     const double other = box[i ^ 1U] / size;
     const QSignalBlocker quiet(faces[i]);
+    faces[i]->setDecimals(i < 4 ? unit.decimals : 1);
     faces[i]->setRange(i % 2 == 0 ? -20'000.0 : other + thinnest,
       i % 2 == 0 ? other - thinnest : 20'000.0); // so that the box has an inside
     faces[i]->setSuffix(i < 4 ? unit.suffix : " km");
@@ -274,6 +275,8 @@ void CutPanel::FollowPlane()
   const double* point = scene->GetClipOrigin();
   for (std::size_t i = 0; i < origin.size(); ++i)
   {
+    const QSignalBlocker quiet(origin[i]);
+    origin[i]->setDecimals(i < 2 ? unit.decimals : 1);
     origin[i]->setSuffix(i < 2 ? unit.suffix : " km");
     Show(origin[i], point[i] / (i < 2 ? unit.size : kilometre));
   }

@@ -186,6 +186,7 @@ void SectionPanel::FollowNumbers()
   for (std::size_t i = 0; i < ends.size(); ++i)
   {
     const QSignalBlocker quiet(ends[i]);
+    ends[i]->setDecimals(unit.decimals);
     ends[i]->setSuffix(unit.suffix);
     ends[i]->setValue(places[i] / unit.size);
     ends[i]->setEnabled(scene->GetVolume() != nullptr);

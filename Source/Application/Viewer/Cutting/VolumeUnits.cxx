@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Cutting/VolumeUnits.h"
 
+#include "Scene/Cutting/CutOptions.h"
 #include "Scene/Frame/VolumeInformation.h"
 
 #include <vtkImageData.h>
@@ -10,9 +11,8 @@ namespace nexrad::viewer
 
 HorizontalUnit HorizontalUnitOf(vtkImageData* volume)
 {
-  const bool geographic = volume != nullptr && scene::ReadVolumeInformation(volume).projection.find(
-                                                 "+proj=longlat") != std::string::npos;
-  return geographic ? HorizontalUnit{1.0, 111'195.0, "°"} : HorizontalUnit{};
+  const bool geographic = volume != nullptr && scene::IsGeographic(volume);
+  return geographic ? HorizontalUnit{1.0, scene::MetresPerDegree, "°", 3} : HorizontalUnit{};
 }
 
 std::array<double, 6> FacesOf(vtkImageData* volume)

@@ -16,6 +16,7 @@ struct HorizontalUnit
   double size = 1000.0; ///< in x and y of the volume
   double metres = 1.0;  ///< of one unit of x and y of the volume; of degrees, along a meridian
   QString suffix = " km";
+  int decimals = 1; ///< of the numbers
 };
 
 /// `volume` may be nullptr.

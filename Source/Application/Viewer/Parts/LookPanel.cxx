@@ -2,6 +2,7 @@
 #include "Viewer/Parts/LookPanel.h"
 
 #include "Scene/Frame/VolumeInformation.h"
+#include "Viewer/Parts/ArrayChoice.h"
 #include "Viewer/Parts/NamedWidget.h"
 
 #include <vtkDataArray.h>
@@ -39,15 +40,23 @@ int PlaceOf(int slices)
 }
 
 // What the choice of views offers, in its order.
-constexpr std::array<int, 5> plans = {vtkNexradVolumeScene::NO_PLAN,
+constexpr std::array<int, 6> plans = {vtkNexradVolumeScene::NO_PLAN,
   vtkNexradVolumeScene::COMPOSITE, vtkNexradVolumeScene::LOWEST, vtkNexradVolumeScene::ECHO_TOP,
-  vtkNexradVolumeScene::LIQUID};
+  vtkNexradVolumeScene::LIQUID, vtkNexradVolumeScene::AT_HEIGHT};
+constexpr double kilometre = 1000.0;
+constexpr double usualHeight = 3.0; // km, of a map at a height that was not set
 
 // −1 for a plan that it does not offer.
 int PlaceOfPlan(int plan)
 {
   const auto place = std::find(plans.begin(), plans.end(), plan);
   return place == plans.end() ? -1 : static_cast<int>(place - plans.begin());
+}
+
+// Computed of the reflectivity of all voxels of a column; other maps show one voxel of it.
+bool IsProduct(int plan)
+{
+  return plan == vtkNexradVolumeScene::ECHO_TOP || plan == vtkNexradVolumeScene::LIQUID;
 }
 
 } // namespace
@@ -106,8 +115,8 @@ QCheckBox* LookPanel::AddSwitch(QFormLayout* form, const QString& name, const QS
   return box;
 }
 
-void LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
-  double most, double step, const QString& suffix, const QString& automatic,
+QDoubleSpinBox* LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip,
+  double least, double most, double step, const QString& suffix, const QString& automatic,
   const std::function<double()>& get, const std::function<void(double)>& set)
 {
   auto* box = Named(new QDoubleSpinBox(this), name, tip);
@@ -133,6 +142,7 @@ void LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString&
       const QSignalBlocker quiet(box);
       box->setValue(get());
     });
+  return box;
 }
 
 void LookPanel::AddMoments(QFormLayout* form)
@@ -144,16 +154,10 @@ void LookPanel::AddMoments(QFormLayout* form)
   colourArray = this->AddChoice(
     form, "Colours of",
     "Another array gives the colours; the moment then gives the opacities alone", {},
-    [] { return 0; },
-    [this](int index) { emit ColoursChosen(index == 0 ? QString() : colourArray->currentText()); });
+    [] { return 0; }, [this](int) { emit ColoursChosen(ChosenArray(colourArray)); });
   follow.pop_back(); // FollowMoments does both
-  for (QComboBox* box : {shownMoment, colourArray})
-  {
-    // The panel keeps its width, and the picture its size, when other inputs come.
-    constexpr int letters = 8;
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(letters);
-  }
+  KeepNarrow(shownMoment);
+  KeepNarrow(colourArray);
 }
 
 void LookPanel::AddDrawing(QFormLayout* form)
@@ -194,34 +198,70 @@ void LookPanel::AddDrawing(QFormLayout* form)
     form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
     [this] { return scene->GetParallelProjection() ? 1 : 0; },
     [this](int index) { scene->SetParallelProjection(index == 1); });
-  QComboBox* views = this->AddChoice(
+  this->AddMaps(form);
+}
+
+void LookPanel::AddMaps(QFormLayout* form)
+{
+  views = this->AddChoice(
     form, "View", "The volume, or a map of one value of each column",
     {"Volume", "Largest value of each column", "Lowest value that was scanned",
-      "Echo top at 18 dBZ", "Vertically integrated liquid"},
+      "Echo top at 18 dBZ", "Vertically integrated liquid", "At a height"},
     [this] { return PlaceOfPlan(scene->GetPlan()); },
-    [this](int index)
-    {
-      scene->SetPlan(plans[static_cast<std::size_t>(index)]);
-      if (index != vtkNexradVolumeScene::NO_PLAN)
-      {
-        scene->SetCameraFromAbove();
-        this->Follow();
-      }
-    });
-  follow.push_back([this, views] { this->FollowMoment(views); });
+    [this](int index) { this->ChooseView(plans[static_cast<std::size_t>(index)]); });
+  mapArray = this->AddChoice(
+    form, "Map of",
+    "What a map shows of the voxel of each column: the moment, or how the radars saw the voxel", {},
+    [] { return 0; }, [this](int) { emit MapArrayChosen(ChosenArray(mapArray)); });
+  follow.pop_back(); // FollowMoments does it
+  KeepNarrow(mapArray);
+  mapHeight = this->AddNumber(
+    form, "Map height", "Height of the map at a height, km above mean sea level", 0.0, 30.0, 0.5,
+    " km", "", [] { return 0.0; },
+    [this](double kilometres) { scene->SetPlanHeight(kilometre * kilometres); });
+  follow.back() = [this] { this->FollowMaps(); };
+}
+
+void LookPanel::ChooseView(int plan)
+{
+  if (IsProduct(plan))
+  {
+    scene->SetPlanArray("");
+  }
+  if (plan == vtkNexradVolumeScene::AT_HEIGHT && scene->GetPlanHeight() == 0.0)
+  {
+    this->FollowMaps(); // which knows the heights of the volume
+    scene->SetPlanHeight(kilometre * std::min(usualHeight, mapHeight->maximum()));
+  }
+  scene->SetPlan(plan);
+  if (plan != vtkNexradVolumeScene::NO_PLAN)
+  {
+    scene->SetCameraFromAbove();
+  }
+  this->Follow();
 }
 
 // Echo tops and liquid are computed of reflectivity alone.
-void LookPanel::FollowMoment(QComboBox* views)
+void LookPanel::FollowMaps()
 {
   auto* entries = qobject_cast<QStandardItemModel*>(views->model());
-  const bool reflectivity = scene::ArrayOf(scene->GetVolume()) == "REF";
+  vtkImageData* volume = scene->GetVolume();
+  const bool reflectivity = scene::ArrayOf(volume) == "REF";
   for (std::size_t i = 0; i < plans.size(); ++i)
   {
-    const bool product =
-      plans[i] == vtkNexradVolumeScene::ECHO_TOP || plans[i] == vtkNexradVolumeScene::LIQUID;
-    entries->item(static_cast<int>(i))->setEnabled(!product || reflectivity);
+    entries->item(static_cast<int>(i))->setEnabled(!IsProduct(plans[i]) || reflectivity);
   }
+  const int plan = scene->GetPlan();
+  mapArray->setEnabled(plan != vtkNexradVolumeScene::NO_PLAN && !IsProduct(plan));
+  const QSignalBlocker quiet(mapHeight);
+  if (volume != nullptr)
+  {
+    const double half = 0.5 * volume->GetSpacing()[2];
+    mapHeight->setRange(
+      (volume->GetBounds()[4] - half) / kilometre, (volume->GetBounds()[5] + half) / kilometre);
+  }
+  mapHeight->setValue(scene->GetPlanHeight() / kilometre);
+  mapHeight->setEnabled(plan == vtkNexradVolumeScene::AT_HEIGHT);
 }
 
 void LookPanel::AddLight(QFormLayout* form)
@@ -282,18 +322,10 @@ void LookPanel::FollowMoments()
   shownMoment->addItems(names);
   shownMoment->setCurrentText(shown);
   names.removeAll(shown);
-  for (const char* ending : {"_age", "_radars", "_weight", "_site"})
-  {
-    if (arrays != nullptr && arrays->HasArray((shown + ending).toLatin1().constData()) != 0)
-    {
-      names << shown + ending;
-    }
-  }
-  colourArray->clear();
-  colourArray->addItem("Itself");
-  colourArray->addItems(names);
-  colourArray->setCurrentIndex(
-    std::max(0, colourArray->findText(QString::fromStdString(scene->GetColorArray()))));
+  OfferedArrays offered{shown, names, arrays, makesAncillary};
+  OfferArrays(offered, QString::fromStdString(scene->GetColorArray()), colourArray);
+  offered.moments.clear();
+  OfferArrays(offered, QString::fromStdString(scene->GetPlanArray()), mapArray);
 }
 
 void LookPanel::FollowPresets()

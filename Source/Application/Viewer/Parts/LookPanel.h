@@ -10,6 +10,7 @@
 
 class QCheckBox;
 class QComboBox;
+class QDoubleSpinBox;
 class QFormLayout;
 class vtkNexradVolumeScene;
 
@@ -30,12 +31,16 @@ public:
   void Follow();
   /// The moments that the inputs hold, beside those of the volume that is shown.
   void SetMoments(const std::vector<MomentName>& ofInputs) { moments = ofInputs; }
+  /// Whether volumes without ancillary arrays can be merged again with them.
+  void SetMakesAncillary(bool makes) { makesAncillary = makes; }
 
 signals:
   /// Another moment is to be shown.
   void MomentChosen(const QString& moment);
   /// Another array is to give the colours; empty: the moment itself.
   void ColoursChosen(const QString& array);
+  /// Another array is to be shown in maps; empty: the moment itself.
+  void MapArrayChosen(const QString& array);
   /// A setting of the scene was changed here.
   void Changed();
 
@@ -45,22 +50,28 @@ private:
     const std::function<void(int)>& set);
   QCheckBox* AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
     const std::function<bool()>& get, const std::function<void(bool)>& set);
-  void AddNumber(QFormLayout* form, const QString& name, const QString& tip, double least,
-    double most, double step, const QString& suffix, const QString& automatic,
+  QDoubleSpinBox* AddNumber(QFormLayout* form, const QString& name, const QString& tip,
+    double least, double most, double step, const QString& suffix, const QString& automatic,
     const std::function<double()>& get, const std::function<void(double)>& set);
   void AddDrawing(QFormLayout* form);
   void AddLight(QFormLayout* form);
   void AddSurroundings(QFormLayout* form);
   void AddMoments(QFormLayout* form);
+  void AddMaps(QFormLayout* form);
+  void ChooseView(int plan);
   void FollowPresets();
-  void FollowMoment(QComboBox* views);
+  void FollowMaps();
   void FollowMoments();
 
   vtkNexradVolumeScene* scene;
   QComboBox* presets = nullptr;
   QComboBox* shownMoment = nullptr;
   QComboBox* colourArray = nullptr;
+  QComboBox* views = nullptr;
+  QComboBox* mapArray = nullptr;
+  QDoubleSpinBox* mapHeight = nullptr;
   std::vector<MomentName> moments;           ///< of the inputs
+  bool makesAncillary = false;               ///< merging again does
   std::vector<std::function<void()>> follow; ///< shows one setting each
 };
 

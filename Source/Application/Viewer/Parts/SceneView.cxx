@@ -13,10 +13,14 @@
 #include <vtkNexradNavigator.h>
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
+#include <vtkPropCollection.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkWidgetRepresentation.h>
 
 #include <QTimer>
+
+#include <vector>
 
 namespace nexrad::viewer
 {
@@ -40,6 +44,37 @@ bool SuitsMoment(const std::string& preset, vtkImageData* volume)
   }
   return false;
 }
+
+// Hides what the mouse takes hold of as long as it exists: handles are no part of a picture.
+class WithoutHandles
+{
+public:
+  explicit WithoutHandles(vtkRenderer* renderer)
+  {
+    vtkPropCollection* props = renderer->GetViewProps();
+    for (int i = 0; i < props->GetNumberOfItems(); ++i)
+    {
+      auto* handles = vtkWidgetRepresentation::SafeDownCast(props->GetItemAsObject(i));
+      if (handles != nullptr && handles->GetVisibility() != 0)
+      {
+        handles->VisibilityOff();
+        hidden.emplace_back(handles);
+      }
+    }
+  }
+  ~WithoutHandles()
+  {
+    for (vtkWidgetRepresentation* handles : hidden)
+    {
+      handles->VisibilityOn();
+    }
+  }
+  WithoutHandles(const WithoutHandles&) = delete;
+  WithoutHandles& operator=(const WithoutHandles&) = delete;
+
+private:
+  std::vector<vtkSmartPointer<vtkWidgetRepresentation>> hidden;
+};
 
 } // namespace
 
@@ -70,6 +105,7 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
 {
   scene->SetPreset(options.preset);
   scene->SetColorFileName(options.colours.string());
+  scene->SetOpacityFileName(options.opacities.string());
   scene->RemoveAllIsoValues();
   for (const scene::IsoValue& isoValue : options.isoValues)
   {
@@ -152,7 +188,9 @@ std::array<int, 2> SceneView::PictureSize() const
 
 void SceneView::WritePicture(const std::filesystem::path& path)
 {
+  const WithoutHandles plain(scene->GetRenderer());
   scene::WritePng(scene::GrabPicture(window), path);
+  this->DrawSoon(); // the screen has them
 }
 
 void SceneView::ShowMove()

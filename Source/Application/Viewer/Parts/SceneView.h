@@ -53,7 +53,8 @@ public:
   /// Pixels of the pictures that are written: those of the screen.
   std::array<int, 2> PictureSize() const;
 
-  /// Draws the scene now and writes it as PNG. Throws Error when the file cannot be written.
+  /// Draws the scene now, without handles, and writes it as PNG. Throws Error when the file cannot
+  /// be written.
   void WritePicture(const std::filesystem::path& path);
 
   /// Pictures that were drawn since the window opened.

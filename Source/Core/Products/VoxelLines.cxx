@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Products/VoxelLines.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace nexrad
+{
+namespace
+{
+
+// Columns that are visited together: what is kept of them stays in the processor's cache from one
+// level to the next, and a stretch is long enough to be read in one go.
+constexpr std::size_t together = 4096;
+
+} // namespace
+
+VoxelLines LinesOf(const GriddedVolume& volume)
+{
+  const auto read = [&volume](
+                      std::size_t first, std::size_t count, float* values, VoxelState* states)
+  {
+    std::copy_n(volume.values.data() + first, count, values);
+    std::copy_n(volume.states.data() + first, count, states);
+  };
+  return {volume.grid, volume.moment, read};
+}
+
+void WalkColumns(const VoxelLines& voxels, int first, int last, const RangeLoop& loop,
+  const std::function<void(const ColumnStretch& stretch)>& visit)
+{
+  const std::size_t columns = static_cast<std::size_t>(voxels.grid.dimensions[0]) *
+                              static_cast<std::size_t>(voxels.grid.dimensions[1]);
+  const std::size_t stretches = (columns + together - 1) / together;
+  const auto walk = [&](int begin, int end)
+  {
+    std::vector<float> values(together);
+    std::vector<VoxelState> states(together);
+    for (int stretch = begin; stretch < end; ++stretch)
+    {
+      const std::size_t column = together * static_cast<std::size_t>(stretch);
+      const std::size_t count = std::min(together, columns - column);
+      for (int level = first; level < last; ++level)
+      {
+        voxels.read(
+          column + columns * static_cast<std::size_t>(level), count, values.data(), states.data());
+        visit({column, count, level, values.data(), states.data()});
+      }
+    }
+  };
+  RunLoop(loop, static_cast<int>(stretches), walk);
+}
+
+} // namespace nexrad
