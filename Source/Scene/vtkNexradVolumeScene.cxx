@@ -2,6 +2,7 @@
 #include "vtkNexradVolumeScene.h"
 
 #include "Scene/RadarScene.h"
+#include "Scene/SceneSettings.h"
 #include "nexrad/System/Error.h"
 
 #include "vtkCamera.h"
@@ -71,46 +72,6 @@ bool SameView(const CameraView& a, const CameraView& b)
          a.parallel == b.parallel && SamePlace(a.lookAt, b.lookAt);
 }
 
-nexrad::scene::CutOptions CutOf(vtkNexradVolumeScene* self)
-{
-  nexrad::scene::CutOptions cut;
-  if (self->GetCropping())
-  {
-    cut.box.emplace();
-    self->GetCropBounds(cut.box->data());
-  }
-  if (self->GetClipping())
-  {
-    cut.plane.emplace();
-    self->GetClipOrigin(cut.plane->origin.data());
-    self->GetClipNormal(cut.plane->normal.data());
-  }
-  if (self->GetSection())
-  {
-    cut.section.emplace();
-    self->GetSectionA(cut.section->from.data());
-    self->GetSectionB(cut.section->to.data());
-  }
-  return cut;
-}
-
-nexrad::scene::PlanLevel LevelOf(int plan)
-{
-  switch (plan)
-  {
-  case vtkNexradVolumeScene::LOWEST:
-    return nexrad::scene::PlanLevel::Lowest;
-  case vtkNexradVolumeScene::AT_HEIGHT:
-    return nexrad::scene::PlanLevel::Height;
-  case vtkNexradVolumeScene::ECHO_TOP:
-    return nexrad::scene::PlanLevel::EchoTop;
-  case vtkNexradVolumeScene::LIQUID:
-    return nexrad::scene::PlanLevel::Liquid;
-  default:
-    return nexrad::scene::PlanLevel::Composite;
-  }
-}
-
 } // namespace
 
 // What the renderer holds, and the settings that it was made with.
@@ -141,38 +102,12 @@ struct vtkNexradVolumeScene::Drawing
 
 SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(vtkNexradVolumeScene* self)
 {
-  SceneOptions options;
-  options.preset = self->Preset;
-  options.colours = self->ColorFileName;
-  options.opacities = self->OpacityFileName;
+  SceneOptions options = nexrad::scene::SettingsOf(self);
   for (const std::array<double, 2>& isoValue : self->IsoValues)
   {
     options.isoValues.push_back(
       {isoValue[0], isoValue[1] < 0.0 ? std::nullopt : std::optional(isoValue[1])});
   }
-  options.colourBy = self->ColorArray;
-  if (self->Exaggeration > 0.0)
-  {
-    options.exaggeration = self->Exaggeration;
-  }
-  options.mapper = self->Mapper == RAY_CAST ? nexrad::scene::MapperChoice::RayCast
-                                            : nexrad::scene::MapperChoice::TextureSlice;
-  options.preIntegration = self->PreIntegration;
-  options.linearInterpolation = self->LinearInterpolation;
-  options.slices = self->NumberOfSlices;
-  options.light = {
-    self->ShadowStrength, self->OcclusionStrength, {self->LightAzimuth, self->LightElevation}};
-  options.ringSpacing = self->RingSpacing;
-  options.theme =
-    self->Theme == LIGHT ? nexrad::scene::ThemeChoice::Light : nexrad::scene::ThemeChoice::Dark;
-  options.heightWalls = self->HeightWalls;
-  options.placeNames = self->PlaceNames;
-  if (self->Plan != NO_PLAN)
-  {
-    options.plan = nexrad::scene::PlanOptions{
-      LevelOf(self->Plan), self->PlanHeight, self->PlanArray, self->EchoTopThreshold};
-  }
-  options.cut = CutOf(self);
   return options;
 }
 

@@ -2,6 +2,7 @@
 #include "Export/SceneState.h"
 
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/SceneSettings.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/System/Error.h"
 
@@ -15,64 +16,12 @@
 
 #include <array>
 #include <map>
-#include <optional>
 #include <vector>
 
 namespace nexrad::viewer
 {
 namespace
 {
-
-std::optional<scene::PlanOptions> PlanOf(vtkNexradVolumeScene* scene)
-{
-  scene::PlanOptions plan;
-  plan.height = scene->GetPlanHeight();
-  plan.array = scene->GetPlanArray();
-  switch (scene->GetPlan())
-  {
-  case vtkNexradVolumeScene::COMPOSITE:
-    plan.level = scene::PlanLevel::Composite;
-    return plan;
-  case vtkNexradVolumeScene::LOWEST:
-    plan.level = scene::PlanLevel::Lowest;
-    return plan;
-  case vtkNexradVolumeScene::AT_HEIGHT:
-    plan.level = scene::PlanLevel::Height;
-    return plan;
-  case vtkNexradVolumeScene::ECHO_TOP:
-    plan.level = scene::PlanLevel::EchoTop;
-    plan.threshold = scene->GetEchoTopThreshold();
-    return plan;
-  case vtkNexradVolumeScene::LIQUID:
-    plan.level = scene::PlanLevel::Liquid;
-    return plan;
-  default:
-    return std::nullopt;
-  }
-}
-
-scene::CutOptions CutOf(vtkNexradVolumeScene* scene)
-{
-  scene::CutOptions cut;
-  if (scene->GetCropping())
-  {
-    cut.box.emplace();
-    scene->GetCropBounds(cut.box->data());
-  }
-  if (scene->GetClipping())
-  {
-    cut.plane.emplace();
-    scene->GetClipOrigin(cut.plane->origin.data());
-    scene->GetClipNormal(cut.plane->normal.data());
-  }
-  if (scene->GetSection())
-  {
-    cut.section.emplace();
-    scene->GetSectionA(cut.section->from.data());
-    scene->GetSectionB(cut.section->to.data());
-  }
-  return cut;
-}
 
 std::vector<double> IsoValuesOf(vtkNexradTransferFunction* colours)
 {
@@ -101,40 +50,6 @@ std::vector<scene::IsoValue> EditedIsoValues(
     edited.push_back({values[i], used->Evaluate(vtkNexradTransferFunction::OPACITY, values[i])});
   }
   return edited;
-}
-
-scene::SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
-{
-  scene::SceneOptions options;
-  options.preset = scene->GetPreset();
-  options.colours = scene->GetColorFileName();
-  options.opacities = scene->GetOpacityFileName();
-  options.colourBy = scene->GetColorArray();
-  if (scene->GetExaggeration() > 0.0)
-  {
-    options.exaggeration = scene->GetExaggeration();
-  }
-  options.mapper = scene->GetMapper() == vtkNexradVolumeScene::RAY_CAST
-                     ? scene::MapperChoice::RayCast
-                     : scene::MapperChoice::TextureSlice;
-  options.preIntegration = scene->GetPreIntegration();
-  options.linearInterpolation = scene->GetLinearInterpolation();
-  options.slices = scene->GetNumberOfSlices();
-  options.light = {scene->GetShadowStrength(), scene->GetOcclusionStrength(),
-    {scene->GetLightAzimuth(), scene->GetLightElevation()}};
-  options.ringSpacing = scene->GetRingSpacing();
-  options.theme = scene->GetTheme() == vtkNexradVolumeScene::LIGHT ? scene::ThemeChoice::Light
-                                                                   : scene::ThemeChoice::Dark;
-  options.heightWalls = scene->GetHeightWalls();
-  options.placeNames = scene->GetPlaceNames();
-  options.plan = PlanOf(scene);
-  options.cut = CutOf(scene);
-  if (vtkImageData* volume = scene->GetVolume())
-  {
-    options.cut.unit =
-      scene::IsGeographic(volume) ? scene::CutUnit::Degrees : scene::CutUnit::Metres;
-  }
-  return options;
 }
 
 } // namespace
@@ -183,7 +98,12 @@ void SetCut(const scene::CutOptions& cut, vtkNexradVolumeScene* scene)
 
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)
 {
-  scene::SceneOptions options = SettingsOf(scene);
+  scene::SceneOptions options = scene::SettingsOf(scene);
+  if (vtkImageData* volume = scene->GetVolume())
+  {
+    options.cut.unit =
+      scene::IsGeographic(volume) ? scene::CutUnit::Degrees : scene::CutUnit::Metres;
+  }
   try
   {
     options.isoValues = EditedIsoValues(options, scene);

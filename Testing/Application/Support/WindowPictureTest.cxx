@@ -52,11 +52,14 @@ void AnswerDialog(const std::filesystem::path& path)
       {
         return; // not yet
       }
-      asks->deleteLater();
-      asks->stop();
       name->clear();
       QTest::keyClicks(name, QString::fromStdString(path.string()));
       QTest::keyClick(name, Qt::Key_Enter);
+      if (!dialog->isVisible()) // else the list of completions took the key
+      {
+        asks->stop();
+        asks->deleteLater();
+      }
     });
   asks->start(300);
 }

@@ -3,7 +3,9 @@
 
 #include "Viewer/Cutting/CutHandles.h"
 #include "Viewer/Cutting/VolumeUnits.h"
+#include "Viewer/Parts/FormGroup.h"
 #include "Viewer/Parts/NamedWidget.h"
+#include "Viewer/Parts/Soon.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradVolumeScene.h>
@@ -11,10 +13,8 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QGroupBox>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QTimer>
 #include <QVBoxLayout>
 
 #include <algorithm>
@@ -42,18 +42,12 @@ CutPanel::CutPanel(const ShownScene& sceneView, QWidget* parent)
   : QWidget(parent)
   , view(sceneView)
   , handles(new CutHandles(sceneView, this))
+  , follow(new Soon(this, [this] { this->Follow(); }))
 {
   this->setObjectName("cut panel");
   auto* column = new QVBoxLayout(this);
-  const auto group = [&](const QString& title)
-  {
-    auto* box = new QGroupBox(title, this);
-    auto* form = new QFormLayout(box);
-    column->addWidget(box);
-    return form;
-  };
-  this->AddBox(group("Crop box"));
-  this->AddPlane(group("Clip plane"));
+  this->AddBox(AddGroup(column, "Crop box"));
+  this->AddPlane(AddGroup(column, "Clip plane"));
   shown = Named(new QCheckBox("Handles", this), "Handles",
     "Handles in the scene: drag a ball of the box, or the plane or its arrow");
   shown->setChecked(true);
@@ -220,16 +214,11 @@ void CutPanel::ShowChange()
 
 void CutPanel::FollowSoon()
 {
-  if (!asked)
-  {
-    asked = true;
-    QTimer::singleShot(0, this, &CutPanel::Follow);
-  }
+  follow->Ask();
 }
 
 void CutPanel::Follow()
 {
-  asked = false;
   this->FollowBox();
   this->FollowPlane();
   if (handles->Follow(shown->isChecked()))

@@ -15,6 +15,7 @@ namespace nexrad::viewer
 {
 
 class CutHandles;
+class Soon;
 
 /// Which part of the volume is shown: a box and a plane, as switches and numbers, and with handles
 /// in the scene.
@@ -46,6 +47,7 @@ private:
 
   ShownScene view;
   CutHandles* handles;
+  Soon* follow;
   QCheckBox* shown = nullptr; ///< the handles
   QCheckBox* crop = nullptr;
   std::array<QDoubleSpinBox*, 6> faces{}; ///< west, east, south, north, bottom, top
@@ -53,7 +55,6 @@ private:
   std::array<QDoubleSpinBox*, 3> origin{};
   QDoubleSpinBox* azimuth = nullptr;   ///< of the normal
   QDoubleSpinBox* elevation = nullptr; ///< of the normal
-  bool asked = false;
 };
 
 } // namespace nexrad::viewer

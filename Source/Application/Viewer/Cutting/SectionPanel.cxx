@@ -7,6 +7,7 @@
 #include "Viewer/Cutting/SectionChart.h"
 #include "Viewer/Cutting/SectionTool.h"
 #include "Viewer/Cutting/VolumeUnits.h"
+#include "Viewer/Parts/Soon.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Model/Moment.h"
 
@@ -21,7 +22,6 @@
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
-#include <QTimer>
 #include <QToolButton>
 #include <QVBoxLayout>
 
@@ -60,6 +60,7 @@ SectionPanel::SectionPanel(const ShownScene& sceneView, QWidget* parent)
   , view(sceneView)
   , tool(new SectionTool(sceneView, this))
   , chart(new SectionChart(this))
+  , follow(new Soon(this, [this] { this->Follow(); }))
 {
   this->setObjectName("section panel");
   auto* column = new QVBoxLayout(this);
@@ -162,16 +163,14 @@ void SectionPanel::TakeNumbers()
 
 void SectionPanel::FollowSoon()
 {
-  if (!asked && this->isVisible())
+  if (this->isVisible())
   {
-    asked = true;
-    QTimer::singleShot(0, this, &SectionPanel::Follow);
+    follow->Ask();
   }
 }
 
 void SectionPanel::Follow()
 {
-  asked = false;
   this->FollowNumbers();
   this->Cut();
   this->Tell({-1, -1});

@@ -20,6 +20,7 @@ namespace nexrad::viewer
 
 class SectionChart;
 class SectionTool;
+class Soon;
 
 /// The vertical section along a line on the ground: the line is drawn with the mouse, or given in
 /// numbers, and stays where it is when another time is shown.
@@ -59,12 +60,12 @@ private:
   ShownScene view;
   SectionTool* tool;
   SectionChart* chart;
+  Soon* follow;
   QToolButton* draw = nullptr;
   QToolButton* remove = nullptr;
   std::array<QDoubleSpinBox*, 4> ends{}; ///< A east, A north, B east, B north
   QLabel* reading = nullptr;
   vtkNew<vtkNexradVerticalSection> filter;
-  bool asked = false;
 };
 
 } // namespace nexrad::viewer

@@ -3,6 +3,7 @@
 
 #include "Scene/Frame/VolumeInformation.h"
 #include "Viewer/Parts/ArrayChoice.h"
+#include "Viewer/Parts/FormGroup.h"
 #include "Viewer/Parts/NamedWidget.h"
 
 #include <vtkDataArray.h>
@@ -15,7 +16,6 @@
 #include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QGroupBox>
 #include <QSignalBlocker>
 #include <QStandardItemModel>
 #include <QVBoxLayout>
@@ -66,16 +66,9 @@ LookPanel::LookPanel(vtkNexradVolumeScene* shownScene, QWidget* parent)
   , scene(shownScene)
 {
   auto* column = new QVBoxLayout(this);
-  const auto group = [&](const QString& title)
-  {
-    auto* box = new QGroupBox(title, this);
-    auto* form = new QFormLayout(box);
-    column->addWidget(box);
-    return form;
-  };
-  this->AddDrawing(group("Volume"));
-  this->AddLight(group("Light"));
-  this->AddSurroundings(group("Surroundings"));
+  this->AddDrawing(AddGroup(column, "Volume"));
+  this->AddLight(AddGroup(column, "Light"));
+  this->AddSurroundings(AddGroup(column, "Surroundings"));
   column->addStretch(1);
   this->Follow();
 }

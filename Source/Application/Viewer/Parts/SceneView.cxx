@@ -7,6 +7,7 @@
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/SceneOptions.h"
 #include "Viewer/Parts/CameraMouse.h"
+#include "Viewer/Parts/Soon.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
@@ -17,8 +18,6 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 #include <vtkWidgetRepresentation.h>
-
-#include <QTimer>
 
 #include <vector>
 
@@ -81,6 +80,7 @@ private:
 SceneView::SceneView(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
   , style(vtkSmartPointer<scene::ViewerStyle>::New())
+  , drawing(new Soon(this, [this] { this->Draw(); }))
 {
   this->setObjectName("scene");
   this->setAccessibleName("Radar volume");
@@ -163,21 +163,16 @@ void SceneView::SetVolume(vtkImageData* volume)
 
 void SceneView::DrawSoon()
 {
-  if (asked)
+  drawing->Ask();
+}
+
+void SceneView::Draw()
+{
+  if (this->isVisible() && window->GetReadyForRendering())
   {
-    return;
+    window->Render();
+    ++drawn;
   }
-  asked = true;
-  QTimer::singleShot(0, this,
-    [this]
-    {
-      asked = false;
-      if (this->isVisible() && window->GetReadyForRendering())
-      {
-        window->Render();
-        ++drawn;
-      }
-    });
 }
 
 std::array<int, 2> SceneView::PictureSize() const

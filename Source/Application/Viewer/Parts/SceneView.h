@@ -24,6 +24,8 @@ class ViewerStyle;
 namespace nexrad::viewer
 {
 
+class Soon;
+
 /// The part of the window that shows the scene. Dragging with the left button turns and tilts it,
 /// with the right button, or turning the wheel, zooms.
 class SceneView : public QVTKOpenGLNativeWidget
@@ -67,6 +69,7 @@ signals:
   void VolumeShown();
 
 private:
+  void Draw();
   void Turn(double azimuth, double tilt);
   void Zoom(double factor);
 
@@ -74,8 +77,8 @@ private:
   vtkNew<vtkNexradNavigator> navigator;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkSmartPointer<scene::ViewerStyle> style;
+  Soon* drawing;
   scene::CameraView first;
-  bool asked = false;
   int drawn = 0;
 };
 

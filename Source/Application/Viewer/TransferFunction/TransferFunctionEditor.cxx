@@ -6,6 +6,7 @@
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/VolumeAppearance.h"
 #include "Viewer/Parts/NamedWidget.h"
+#include "Viewer/Parts/Soon.h"
 #include "Viewer/TransferFunction/TransferFunctionChart.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
@@ -102,6 +103,7 @@ TransferFunctionEditor::TransferFunctionEditor(vtkNexradVolumeScene* shownScene,
   , scene(shownScene)
   , renderer(shownScene->GetRenderer())
   , chart(new TransferFunctionChart(this))
+  , follow(new Soon(this, [this] { chart->IsHeld() ? this->FollowFunction() : this->Follow(); }))
 {
   this->setObjectName("transfer function editor");
   auto* column = new QVBoxLayout(this);
@@ -296,17 +298,7 @@ void TransferFunctionEditor::FollowDrawing()
 // After the picture that was asked for: numbers that change are painted, and with them the window.
 void TransferFunctionEditor::FollowSoon()
 {
-  if (asked)
-  {
-    return;
-  }
-  asked = true;
-  QTimer::singleShot(0, this,
-    [this]
-    {
-      asked = false;
-      chart->IsHeld() ? this->FollowFunction() : this->Follow();
-    });
+  follow->Ask();
 }
 
 TransferFunctionEditor::Settings TransferFunctionEditor::SettingsNow() const

@@ -31,6 +31,7 @@ class vtkRenderer;
 namespace nexrad::viewer
 {
 
+class Soon;
 class TransferFunctionChart;
 
 /// Edits the colours and opacities of a scene as four splines, with undo and redo.
@@ -120,6 +121,7 @@ private:
   QUndoStack history;
   TransferFunctionState known; ///< at the last entry of the history
   TransferFunctionChart* chart = nullptr;
+  Soon* follow = nullptr;
   QComboBox* presets = nullptr;
   QButtonGroup* channels = nullptr;
   QSpinBox* point = nullptr;
@@ -133,7 +135,6 @@ private:
   vtkMTimeType countedTime = 0;
   QTimer pause; ///< after a histogram: a series that plays may change more often
   Settings followed;
-  bool asked = false;
 };
 
 } // namespace nexrad::viewer
