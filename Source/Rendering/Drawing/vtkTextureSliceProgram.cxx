@@ -162,22 +162,22 @@ void SetBox(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
   program->SetUniform3f("stepToTexture", stepToTexture.data());
 }
 
-/// Half of the distance of two entries of a table, as texture coordinate.
-float GetHalfEntry(const vtkTextureSliceTable& table)
+/// The number of the last entry of a row.
+float GetLastEntry(const vtkTextureSliceIntegralTable& integrals)
 {
-  return static_cast<float>(0.5 / static_cast<double>(table.GetWidth()));
+  return static_cast<float>(integrals.GetWidth() - 1);
 }
 
 void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry,
   const vtkTextureSliceUniforms& uniforms)
 {
   program->SetUniformi("integralTable", uniforms.Integrals->GetTexture()->GetTextureUnit());
-  program->SetUniformf("tableHalfEntry", GetHalfEntry(*uniforms.Table));
+  program->SetUniformf("lastIntegral", GetLastEntry(*uniforms.Integrals));
   if (uniforms.Features.Labels > 0)
   {
     program->SetUniformi(
       "labelIntegralTable", uniforms.LabelIntegrals->GetTexture()->GetTextureUnit());
-    program->SetUniformf("labelTableHalfEntry", GetHalfEntry(*uniforms.LabelTable));
+    program->SetUniformf("lastLabelIntegral", GetLastEntry(*uniforms.LabelIntegrals));
   }
   program->SetUniform2f("clipStep", geometry.GetClipStep().data());
   const std::vector<float> planes = uniforms.Frame->GetPlanesInPart();

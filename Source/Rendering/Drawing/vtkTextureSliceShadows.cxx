@@ -323,8 +323,12 @@ void vtkTextureSliceShadows::Update(
     this->PlaceImage(source.Image, source.Frame->IsOfCells());
     this->Texture->ReleaseGraphicsResources(window);
   }
-  if (this->Texture->GetHandle() == 0)
+  // Surfaces and shading weigh shadow and occlusion apart.
+  const bool apart = surfaces || source.Request->IsShaded();
+  const std::array<float, 2> joined = apart ? std::array<float, 2>{} : this->Strength;
+  if (this->Texture->GetHandle() == 0 || joined != this->Joined)
   {
+    this->Joined = joined;
     this->Upload(window);
   }
 }
@@ -354,17 +358,54 @@ void vtkTextureSliceShadows::FindSurfaces(
 void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
 {
   const auto& size = this->Volume.GetGrid().Size;
-  std::vector<std::uint16_t> texels = this->Volume.GetTexels();
+  const bool apart = this->Joined == std::array<float, 2>{};
+  this->Texture->ReleaseGraphicsResources(window);
   this->Texture->SetContext(window);
-  this->Texture->SetInternalFormat(GL_RG16);
+  this->Texture->ResetFormatAndType();
+  this->Texture->SetInternalFormat(apart ? GL_RG16 : GL_R32F);
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
   this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-  this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
-    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), 2, VTK_UNSIGNED_SHORT,
-    texels.data());
+  const auto create = [&](int channels, int type, void* texels)
+  {
+    this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
+      static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels, type,
+      texels);
+  };
+  if (apart)
+  {
+    std::vector<std::uint16_t> texels = this->Volume.GetTexels();
+    create(2, VTK_UNSIGNED_SHORT, texels.data());
+  }
+  else
+  {
+    // Floats, because a software renderer converts all other texels whenever it reads them.
+    std::vector<float> texels = this->Join();
+    create(1, VTK_FLOAT, texels.data());
+  }
+}
+
+/// What shadow and occlusion leave of a colour, for each cell (Formulas L2).
+std::vector<float> vtkTextureSliceShadows::Join() const
+{
+  constexpr float full = 65535.0f;
+  const std::vector<std::uint16_t>& light = this->Volume.GetTexels();
+  const auto weaken = [](std::uint16_t texel, float strength)
+  { return 1.0f - strength * (1.0f - static_cast<float>(texel) / full); };
+  std::vector<float> left(light.size() / 2);
+  for (std::size_t i = 0; i < left.size(); ++i)
+  {
+    left[i] = weaken(light[2 * i], this->Joined[0]) * weaken(light[2 * i + 1], this->Joined[1]);
+  }
+  return left;
+}
+
+bool vtkTextureSliceShadows::IsScaled() const
+{
+  const std::array<float, 3> same{1.0f, 1.0f, 1.0f};
+  return this->Used && this->Volume.GetGrid().GetTextureScale() != same;
 }
 
 void vtkTextureSliceShadows::PlaceImage(vtkImageData* volume, bool cellData)

@@ -42,7 +42,7 @@ struct vtkTextureSliceShadowSettings
 /**
  * Keeps a vtkTextureSliceLightVolume up to date with scalars, transfer functions, mask, cuts and
  * directions of light, and in texture memory. A change of the camera or of a strength above 0
- * leaves it as it is.
+ * leaves the volume as it is; without shading, that of a strength changes the texture.
  */
 class vtkTextureSliceShadows
 {
@@ -73,6 +73,8 @@ public:
   bool IsUsed() const { return this->Used; }
   /// Whether a part of the light is scattered, too.
   bool IsScattering() const { return this->Used && this->HalfScattering > 0.0f; }
+  /// Whether the volume's size is no multiple of the cells', so that texture coordinates differ.
+  bool IsScaled() const;
   vtkTextureObject* GetTexture() const { return this->Texture; }
   void SetUniforms(vtkShaderProgram* program) const;
 
@@ -91,6 +93,7 @@ private:
     const Source& source, const vtkTextureSliceLightVolume::Lights& lights, double density);
   void SetSurfaces(vtkShaderProgram* program) const;
   void Upload(vtkOpenGLRenderWindow* window);
+  std::vector<float> Join() const;
   void PlaceImage(vtkImageData* volume, bool cellData);
 
   bool Used = false;
@@ -98,6 +101,9 @@ private:
   Key Last;
   vtkTextureSliceLightVolume Volume;
   std::array<float, 2> Strength{};
+  /// The strengths with which the texture has shadow and occlusion in one channel, for colours
+  /// without shading; (0, 0): it has them in two, as they are.
+  std::array<float, 2> Joined{};
   std::array<float, 3> ToLight{};       ///< in data coordinates, of length 1; (0, 0, 0): no light
   std::array<float, 3> InverseAspect{}; ///< as the frame's
   std::vector<float> Surfaces;          ///< value, 0 to 1 as in the shader, and what each takes

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceBrickTests.h"
 
+#include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTable2D.h"
@@ -126,7 +127,7 @@ double vtkTextureSliceBrickTests::GetMargin(const Source& source)
   const std::size_t width = features.Labels > 0
                               ? std::min(source.Table->GetWidth(), source.LabelTable->GetWidth())
                               : source.Table->GetWidth();
-  return 0.5 / static_cast<double>(width - 1);
+  return 1.0 / static_cast<double>(vtkTextureSliceIntegralTable::ChooseWidth(width) - 1);
 }
 
 std::vector<Test> vtkTextureSliceBrickTests::Make(const Source& source)

@@ -30,7 +30,7 @@ public:
   static std::vector<Test> Make(const vtkTextureSliceEmptySpace::Source& source);
 
   /// How far from its scalars a slab looks at the table, of the width of the functions' domain:
-  /// half an entry, so that its window is at least one entry wide. 0 where samples are drawn.
+  /// an entry of the integrals. 0 where samples are drawn.
   static double GetMargin(const vtkTextureSliceEmptySpace::Source& source);
 };
 

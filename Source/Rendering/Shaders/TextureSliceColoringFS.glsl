@@ -112,7 +112,8 @@ float WeakenOpacity(float opacity, float gradientOpacity)
 }
 #endif
 
-#ifdef TEXTURE_SLICE_SHADOWS
+#if defined TEXTURE_SLICE_SHADOWS && \
+  (defined TEXTURE_SLICE_LIGHTS || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE)
 // Of the light, and of the sky's, that arrive at a sample.
 vec2 FindTransmittance(vec3 gradient)
 {
@@ -169,12 +170,12 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
 #endif
 #endif
 #if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS
-#ifdef TEXTURE_SLICE_GRADIENT
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
   vec2 arriving = Weaken(FindTransmittance(gradient.xyz));
-#else
-  vec2 arriving = Weaken(FetchTransmittance());
-#endif
   color.rgb *= arriving.x * arriving.y;
+#else
+  color.rgb *= FetchLight();
+#endif
 #endif
   return color;
 }

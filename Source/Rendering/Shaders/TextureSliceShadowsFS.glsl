@@ -1,10 +1,24 @@
 // What of the light arrives at a sample.
 #ifdef TEXTURE_SLICE_SHADOWS
 
-// Red: the transmittance to the light. Green: its mean over the sky (Formulas L2).
 uniform sampler3D lightTexture;
+
+#ifdef TEXTURE_SLICE_SCALED_LIGHT
 // From the volume's texture coordinates to those of the light.
 uniform vec3 lightTextureScale;
+#else
+const vec3 lightTextureScale = vec3(1.0);
+#endif
+
+#if !defined TEXTURE_SLICE_LIGHTS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
+// What shadow and occlusion leave of a colour that has no shading: the light texture holds that.
+float FetchLight()
+{
+  return texture(lightTexture, textureCoordinate * lightTextureScale).r;
+}
+#else
+// Of the texture, red: the transmittance to the light; green: its mean over the sky (Formulas L2).
+
 // How strong shadow and occlusion are, 0 to 1.
 uniform vec2 lightStrength;
 
@@ -80,4 +94,5 @@ vec2 Weaken(vec2 transmittance)
 {
   return mix(vec2(1.0), transmittance, lightStrength);
 }
+#endif
 #endif

@@ -3,10 +3,10 @@
 // the scalar is linear from its front to its middle, and from there to its back.
 
 // For each set of functions, the integrals over the scalars from 0 on: colour times optical depth of
-// a unit distance, and that depth, in texture coordinates of the table.
+// a unit distance, and that depth; the integrals are counted in entries.
 uniform TEXTURE_SLICE_INTEGRAL_TABLE integralTable;
-// Half of the distance of two entries, as texture coordinate.
-uniform float tableHalfEntry;
+// The number of the last entry, that of the scalar 1.
+uniform float lastIntegral;
 // From sampleStep to texture coordinates.
 uniform vec3 stepToTexture;
 
@@ -160,17 +160,31 @@ void FindPoints(SlabEnd ends[TEXTURE_SLICE_SLABS + 1], out vec4 points[POINTS])
   }
 }
 
-// Where a table is looked up for a scalar, half an entry or more away from the look-up before it: for
-// equal scalars the mean over that is the limit.
-float FindEntry(float scalar, float scale, float bias, float halfEntry)
+// Integrals are read at whole entries, because interpolating two of them costs a software renderer
+// twice as much.
+float FindEntry(float scalar, float lastEntry)
 {
-  return clamp(scalar * scale + bias, bias + halfEntry, 1.0 - bias - halfEntry);
+  return floor(clamp(scalar * lastEntry, 0.0, lastEntry - 1.0) + 0.5);
 }
 
-float FindNextEntry(float last, float entry, float halfEntry)
+// Where two scalars in a row have the same entry, the second one has the entry on its other side: for
+// equal scalars the mean between the two entries about them is the limit.
+float FindNextEntry(float before, float scalar, float lastEntry)
 {
-  float apart = entry - last;
-  return last + (apart >= 0.0 ? max(apart, halfEntry) : min(apart, -halfEntry));
+  float place = clamp(scalar * lastEntry, 0.0, lastEntry - 1.0);
+  float entry = floor(place + 0.5);
+  float otherSide = place >= entry ? entry + 1.0 : entry - 1.0;
+  return entry == before ? otherSide : entry;
+}
+
+vec4 FetchIntegrals(sampler1D table, float entry, int row)
+{
+  return texelFetch(table, int(entry), 0);
+}
+
+vec4 FetchIntegrals(sampler2D table, float entry, int row)
+{
+  return texelFetch(table, ivec2(int(entry), row), 0);
 }
 
 // Adds a part behind others to an associated colour: the integrals at its front and back, and what
@@ -194,16 +208,15 @@ void IntegrateComponent(
   const int component = TEXTURE_SLICE_COMPONENTS - 1;
   const float ratio = 1.0;
 #endif
-  float last = FindEntry(points[0][component], tableScale, tableBias, tableHalfEntry);
-  vec4 front = LookUpRow(integralTable, last, row, TEXTURE_SLICE_FUNCTIONS);
+  float last = FindEntry(points[0][component], lastIntegral);
+  vec4 front = FetchIntegrals(integralTable, last, row);
   for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
   {
     colors[i] = vec4(0.0);
     for (int k = 1; k <= 2; ++k)
     {
-      float entry = FindEntry(points[2 * i + k][component], tableScale, tableBias, tableHalfEntry);
-      entry = FindNextEntry(last, entry, tableHalfEntry);
-      vec4 back = LookUpRow(integralTable, entry, row, TEXTURE_SLICE_FUNCTIONS);
+      float entry = FindNextEntry(last, points[2 * i + k][component], lastIntegral);
+      vec4 back = FetchIntegrals(integralTable, entry, row);
       colors[i] = AddPart(colors[i], front, back, 0.5 * ratio * units[i] / abs(entry - last));
       last = entry;
       front = back;
@@ -230,7 +243,7 @@ struct Slab
 
 #ifdef TEXTURE_SLICE_LABELS
 uniform TEXTURE_SLICE_INTEGRAL_TABLE labelIntegralTable;
-uniform float labelTableHalfEntry;
+uniform float lastLabelIntegral;
 
 // The same by the functions of the label in the slab's middle. scalars: front, middle and back.
 void AddLabel(inout Slab slab, vec3 scalars, float units)
@@ -242,13 +255,12 @@ void AddLabel(inout Slab slab, vec3 scalars, float units)
     return;
   }
   int row = slab.label - 1;
-  float last = FindEntry(scalars.x, labelTableScale, labelTableBias, labelTableHalfEntry);
-  vec4 front = LookUpRow(labelIntegralTable, last, row, TEXTURE_SLICE_LABELS);
+  float last = FindEntry(scalars.x, lastLabelIntegral);
+  vec4 front = FetchIntegrals(labelIntegralTable, last, row);
   for (int k = 1; k <= 2; ++k)
   {
-    float entry = FindEntry(scalars[k], labelTableScale, labelTableBias, labelTableHalfEntry);
-    entry = FindNextEntry(last, entry, labelTableHalfEntry);
-    vec4 back = LookUpRow(labelIntegralTable, entry, row, TEXTURE_SLICE_LABELS);
+    float entry = FindNextEntry(last, scalars[k], lastLabelIntegral);
+    vec4 back = FetchIntegrals(labelIntegralTable, entry, row);
     slab.labelled = AddPart(slab.labelled, front, back, 0.5 * units / abs(entry - last));
     last = entry;
     front = back;

@@ -9,21 +9,51 @@
 #include <cmath>
 #include <vector>
 
+namespace
+{
+
+using Entry = std::array<double, 4>;
+
+/// Colour and depth, the depth limited.
+Entry Limit(const float* entry, double mostDepth)
+{
+  return {static_cast<double>(entry[0]), static_cast<double>(entry[1]),
+    static_cast<double>(entry[2]), std::min(static_cast<double>(entry[3]), mostDepth)};
+}
+
+/// What is integrated on the way from one entry to the next: colour times depth, and depth.
+Entry Weigh(const Entry& from, const Entry& to, double way)
+{
+  Entry entry{};
+  std::transform(from.begin(), from.end(), to.begin(), entry.begin(),
+    [way](double a, double b) { return a + way * (b - a); });
+  return {entry[0] * entry[3], entry[1] * entry[3], entry[2] * entry[3], entry[3]};
+}
+
+} // namespace
+
+std::size_t vtkTextureSliceIntegralTable::ChooseWidth(std::size_t entries)
+{
+  constexpr std::size_t mostRefined = 2048; // OpenGL has textures of four times that
+  return entries <= mostRefined ? 4 * entries - 3 : entries;
+}
+
 void vtkTextureSliceIntegralTable::Integrate(
   const float* entries, std::size_t width, double mostDepth, float* integrals)
 {
-  const double step = 1.0 / static_cast<double>(width);
-  std::array<double, 4> sum{};
-  std::array<double, 4> last{};
-  for (std::size_t i = 0; i < width; ++i)
+  const std::size_t fine = ChooseWidth(width);
+  const std::size_t parts = (fine - 1) / (width - 1);
+  Entry sum{};
+  Entry last{};
+  for (std::size_t i = 0; i < fine; ++i)
   {
-    const float* entry = entries + 4 * i;
-    const double depth = std::min(static_cast<double>(entry[3]), mostDepth);
-    const std::array<double, 4> current{depth * static_cast<double>(entry[0]),
-      depth * static_cast<double>(entry[1]), depth * static_cast<double>(entry[2]), depth};
+    const Entry from = Limit(entries + 4 * (i / parts), mostDepth);
+    const Entry to = Limit(entries + 4 * std::min(i / parts + 1, width - 1), mostDepth);
+    const Entry current =
+      Weigh(from, to, static_cast<double>(i % parts) / static_cast<double>(parts));
     for (std::size_t c = 0; c < 4; ++c)
     {
-      sum[c] += i > 0 ? 0.5 * (last[c] + current[c]) * step : 0.0;
+      sum[c] += i > 0 ? 0.5 * (last[c] + current[c]) : 0.0;
       integrals[4 * i + c] = static_cast<float>(sum[c]);
     }
     last = current;
@@ -58,16 +88,17 @@ void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
   this->Dimensions = dimensions;
   this->MostDepth = mostDepth;
   const std::size_t width = table.GetWidth();
-  std::vector<float> integrals(static_cast<std::size_t>(rows) * width * 4);
+  this->Width = ChooseWidth(width);
+  std::vector<float> integrals(static_cast<std::size_t>(rows) * this->Width * 4);
   for (std::size_t row = 0; row < static_cast<std::size_t>(rows); ++row)
   {
-    Integrate(table.GetEntries(row), width, mostDepth, &integrals[row * width * 4]);
+    Integrate(table.GetEntries(row), width, mostDepth, &integrals[row * this->Width * 4]);
   }
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-  const auto columns = static_cast<unsigned int>(width);
+  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  const auto columns = static_cast<unsigned int>(this->Width);
   if (dimensions == 1)
   {
     this->Texture->Create1DFromRaw(columns, 4, VTK_FLOAT, integrals.data());

@@ -18,9 +18,12 @@ class vtkWindow;
  * The tables of pre-integrated classification (Formulas L1), one row for each of the first rows of
  * a vtkTextureSliceTable, which must hold optical depths. Alpha is K, the integral of the optical
  * depth of a unit distance from the first entry on; red, green and blue are K_c, the integral of
- * that depth times the colour. Between two entries both functions count as linear (trapezoidal
- * rule), and the variable of integration is the texture coordinate, so that a difference quotient
- * of K is a depth.
+ * that depth times the colour (trapezoidal rule). Between two entries of the functions, depth and
+ * colour count as linear. The integrals are counted in their own entries, so that the difference of
+ * two entries over the number of entries between them is a depth.
+ *
+ * The shader reads single entries, which costs half of interpolating two. The integrals therefore
+ * have three entries between each two of functions that have 2048 entries or fewer.
  */
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceIntegralTable
 {
@@ -36,6 +39,11 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() { return this->Texture; }
+  /// Entries of a row.
+  std::size_t GetWidth() const { return this->Width; }
+
+  /// Entries of a row for functions of so many entries.
+  static std::size_t ChooseWidth(std::size_t entries);
 
   /**
    * A limit for Update at which a slab of that many unit distances is still opaque: a power of two,
@@ -45,8 +53,8 @@ public:
 
   /**
    * Integrates one row.
-   * @param entries RGBA of each entry, alpha an optical depth.
-   * @param integrals as many entries.
+   * @param entries RGBA of @a width entries, alpha an optical depth.
+   * @param integrals ChooseWidth(width) entries.
    */
   static void Integrate(
     const float* entries, std::size_t width, double mostDepth, float* integrals);
@@ -54,6 +62,7 @@ public:
 private:
   vtkNew<vtkTextureObject> Texture;
   vtkMTimeType FillTime = 0; ///< of the table
+  std::size_t Width = 0;
   int Rows = 0;
   int Dimensions = 0;
   double MostDepth = 0.0;

@@ -30,16 +30,17 @@ std::vector<float> MakeEntries(Depth depth)
 
 std::vector<float> Integrate(const std::vector<float>& entries, double mostDepth = 1e6)
 {
-  std::vector<float> integrals(entries.size());
+  std::vector<float> integrals(4 * vtkTextureSliceIntegralTable::ChooseWidth(Width));
   vtkTextureSliceIntegralTable::Integrate(entries.data(), Width, mostDepth, integrals.data());
   return integrals;
 }
 
-/// Mean of a channel between two entries, as the shader finds it.
+/// Mean of a channel between two entries of the functions, as the shader finds it.
 double Mean(const std::vector<float>& integrals, std::size_t from, std::size_t to, std::size_t c)
 {
-  const double width = double(to - from) / Width;
-  return (double(integrals[4 * to + c]) - double(integrals[4 * from + c])) / width;
+  const std::size_t fine = (integrals.size() / 4 - 1) / (Width - 1);
+  const double apart = double(fine * (to - from));
+  return (double(integrals[4 * fine * to + c]) - double(integrals[4 * fine * from + c])) / apart;
 }
 
 } // namespace
