@@ -82,7 +82,7 @@ TEST_F(WindowMomentsTest, ShowsTheMomentThatIsChosen)
 {
   this->OpenFirst(WriteTwoMoments(folder.Path()));
   EXPECT_EQ(this->Entries("Moment"), "REF,VEL");
-  EXPECT_EQ(this->Entries("Colours of"), "Itself,VEL");
+  EXPECT_EQ(this->Entries("Colours of"), "Same moment,VEL");
   this->Choose("Preset", 1);
   EXPECT_AT_LEAST(this->Changes(
                     [&]

@@ -46,6 +46,7 @@ public slots:
 
 protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
 private:
   QWidget* MakeRow();

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Frame/CameraView.h"
 #include "nexrad/Model/Moment.h"
 
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -52,6 +54,7 @@ private:
   void AddLight(QFormLayout* form);
   void AddSurroundings(QFormLayout* form);
   void AddMoments(QFormLayout* form);
+  void ShowPlan(int plan);
   void FollowPresets();
   void FollowMoment(QComboBox* views);
   void FollowMoments();
@@ -61,6 +64,7 @@ private:
   QComboBox* shownMoment = nullptr;
   QComboBox* colourArray = nullptr;
   std::vector<MomentName> moments;           ///< of the inputs
+  std::optional<scene::CameraView> before;   ///< the camera before a map of columns
   std::vector<std::function<void()>> follow; ///< shows one setting each
 };
 
