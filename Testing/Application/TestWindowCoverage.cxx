@@ -154,7 +154,7 @@ TEST_F(WindowCoverageTest, VolumesWithoutTheArraysSayWhatWouldMakeThem)
     EXPECT_FALSE(this->IsOn(box, "Age of the data"));
     EXPECT_TRUE(this->TipOf(box, "Number of radars").contains("grid --ancillary"));
     this->Choose(box, 1);
-    EXPECT_EQ(this->Find<QComboBox>(box)->currentText(), "Itself");
+    EXPECT_EQ(this->Find<QComboBox>(box)->currentText(), "Same moment");
   }
   EXPECT_TRUE(window->Problems().isEmpty());
 }

@@ -63,7 +63,7 @@ TEST_F(WindowMomentsTest, ShowsTheMomentThatIsChosen)
   this->OpenFirst(WriteTwoMoments(folder.Path()));
   EXPECT_EQ(this->Entries("Moment"), "REF,VEL");
   EXPECT_EQ(this->Entries("Colours of"),
-    "Itself,VEL,Number of radars,Age of the data,Nearest radar,Weight");
+    "Same moment,VEL,Number of radars,Age of the data,Nearest radar,Weight");
   this->Choose("Preset", 1);
   EXPECT_AT_LEAST(this->Changes(
                     [&]

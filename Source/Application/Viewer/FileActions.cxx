@@ -39,7 +39,7 @@ namespace
 {
 
 constexpr char sessionFilter[] = "Sessions (*.nxsession)";
-constexpr char nothingOpen[] = "Open files first: nothing is shown yet";
+constexpr char nothingOpen[] = "The files are not open yet: wait for their first time";
 constexpr char syntheticFolder[] = "synthetic-hour";
 
 // Colours that were edited go into a file, which the command names.
@@ -91,7 +91,7 @@ FileActions::~FileActions()
   }
 }
 
-void FileActions::AddTo(QMenu* menu)
+QList<QAction*> FileActions::AddTo(QMenu* menu)
 {
   menu->setToolTipsVisible(true);
   QAction* copy = menu->addAction(
@@ -109,6 +109,7 @@ void FileActions::AddTo(QMenu* menu)
   QAction* save = menu->addAction(
     "Save sessio&n…", this, &FileActions::AskToSaveSession, QKeySequence("Ctrl+Shift+S"));
   save->setToolTip("Save the inputs, the time, the camera and all settings to a file");
+  return {copy, volume, movies, save};
 }
 
 void FileActions::CopyCommand()
@@ -194,11 +195,6 @@ void FileActions::OpenSession(const fs::path& path)
 
 void FileActions::AskToSaveVolume()
 {
-  if (window.View()->Scene()->GetVolume() == nullptr)
-  {
-    window.Announce(nothingOpen);
-    return;
-  }
   const QString path = QFileDialog::getSaveFileName(
     &window, "Save volume", "nexrad3d.nxv", "Volumes (*.nxv);;VTK image data (*.vti)");
   if (!path.isEmpty())
@@ -237,7 +233,7 @@ void FileActions::SaveVolume(const fs::path& path)
 
 void FileActions::AskToSaveMovie()
 {
-  if (window.View()->Scene()->GetVolume() == nullptr)
+  if (window.Player()->State().times.empty())
   {
     window.Announce(nothingOpen);
     return;

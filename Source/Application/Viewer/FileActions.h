@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <QList>
 #include <QObject>
 
 #include <filesystem>
 #include <future>
 #include <memory>
 
+class QAction;
 class QMenu;
 class QProgressDialog;
 
@@ -28,8 +30,8 @@ public:
   /// Waits for the volume that is being written; a movie that is not finished leaves no file.
   ~FileActions() override;
 
-  /// Appends its entries.
-  void AddTo(QMenu* menu);
+  /// Appends its entries; returns those that need a volume that is shown.
+  QList<QAction*> AddTo(QMenu* menu);
 
   /// Opens a session in place of what is open; reports what is wrong with the file.
   void OpenSession(const std::filesystem::path& path);

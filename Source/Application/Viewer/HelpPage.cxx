@@ -26,6 +26,27 @@ struct Gesture
   const char* does;
 };
 
+struct Task
+{
+  const char* wanted;
+  const char* way;
+};
+
+constexpr Task tasks[] = {
+  {"Read a value", "hold the pointer over an echo; the line at the bottom right says its value, "
+                   "place and height"},
+  {"See less, or more, of the storm", "Preset, in the panel Look"},
+  {"Surfaces at values", "the preset iso-values; or write values into Iso-values, in the editor of "
+                         "the transfer function (T)"},
+  {"Velocity, or another moment", "Moment, in the panel Look"},
+  {"Maps: composite, echo top, VIL", "View, in the panel Look"},
+  {"Cut the volume open", "the tab Cut beside the panel Look: Crop or Clip"},
+  {"A vertical section", "X, then drag over the ground; Remove takes the line away"},
+  {"The first view again", "R"},
+  {"Give it to somebody else", "File: a picture, a movie, the volume, a session, or the command "
+                               "that draws the picture"},
+};
+
 constexpr Gesture gestures[] = {
   {"left button, drag", "turn and tilt"},
   {"middle button, or Shift and left button, drag", "move"},
@@ -41,6 +62,16 @@ QString Row(const QString& first, const QString& second)
 {
   return QString("<tr><td style='padding-right:16px'>%1</td><td>%2</td></tr>")
     .arg(first.toHtmlEscaped(), second.toHtmlEscaped());
+}
+
+QString TasksPart()
+{
+  QString rows;
+  for (const Task& task : tasks)
+  {
+    rows += Row(task.wanted, task.way);
+  }
+  return "<h3>What to do for what</h3><table>" + rows + "</table>";
 }
 
 QString MousePart()
@@ -65,11 +96,15 @@ QString KeysPart(const QList<QAction*>& actions)
   QSet<QString> listed;
   for (const QAction* action : actions)
   {
-    const QString keys = action->shortcut().toString(QKeySequence::NativeText);
+    QString keys = action->shortcut().toString(QKeySequence::NativeText);
+    if (keys.isEmpty()) // a menu may name the key of a shortcut that is not the action's
+    {
+      keys = action->text().section('\t', 1);
+    }
     if (!keys.isEmpty() && !listed.contains(keys))
     {
       listed << keys;
-      rows += Row(keys, Plain(action->text()));
+      rows += Row(keys, Plain(action->text().section('\t', 0, 0)));
     }
   }
   return "<h3>Keys</h3><table>" + rows + "</table>";
@@ -80,12 +115,12 @@ QString KeysPart(const QList<QAction*>& actions)
 HelpPage::HelpPage(const QList<QAction*>& actions, QWidget* parent)
   : QDialog(parent)
 {
-  this->setWindowTitle("Help");
+  this->setWindowTitle("Help: what to do, keys and mouse");
   this->setAttribute(Qt::WA_DeleteOnClose);
   auto* page = new QTextBrowser(this);
   page->setObjectName("help");
   page->setAccessibleName("Help");
-  page->setHtml(beginning + MousePart() + KeysPart(actions));
+  page->setHtml(beginning + TasksPart() + MousePart() + KeysPart(actions));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->addWidget(page);

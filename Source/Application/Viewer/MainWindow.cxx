@@ -18,9 +18,11 @@
 #include "Viewer/Parts/Playback.h"
 #include "Viewer/Parts/PointerReadout.h"
 #include "Viewer/Parts/SceneView.h"
+#include "Viewer/Parts/SettingsScroll.h"
 #include "Viewer/Parts/TimeLine.h"
 #include "Viewer/TransferFunction/TransferFunctionDock.h"
 #include "Viewer/TransferFunction/TransferFunctionEditor.h"
+#include "Viewer/Welcome/WelcomePage.h"
 #include "nexrad/System/Error.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
@@ -38,7 +40,6 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSettings>
 #include <QStatusBar>
 #include <QTemporaryDir>
@@ -69,6 +70,24 @@ std::unique_ptr<scene::VolumeSeries> OpenSimulated(
   return scene::OpenInputs(input, ShareOf(progress, part, 1.0));
 }
 
+// Whether two volumes show the same part of the earth.
+bool SamePlace(vtkImageData* one, vtkImageData* other)
+{
+  std::array<double, 6> faces{};
+  std::array<double, 6> otherFaces{};
+  one->GetBounds(faces.data());
+  other->GetBounds(otherFaces.data());
+  return faces == otherFaces && scene::ReadVolumeInformation(one).projection ==
+                                  scene::ReadVolumeInformation(other).projection;
+}
+
+// Where files are looked for: beside what was opened last.
+QString RecentFolder()
+{
+  const QStringList paths = QSettings().value(recentKey).toStringList();
+  return paths.isEmpty() ? QString() : QFileInfo(paths.front()).absolutePath();
+}
+
 } // namespace
 
 MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
@@ -94,6 +113,7 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   this->MakeCutting();
   this->MakeMenus();
   this->MakeStatus();
+  this->MakeWelcome();
   connect(playback, &Playback::Changed, this, &MainWindow::FollowPlayback);
   connect(playback, &Playback::Loaded, this, &MainWindow::ShowVolume);
   connect(playback, &Playback::Failed, this, &MainWindow::Report);
@@ -120,9 +140,7 @@ MainWindow::~MainWindow()
 void MainWindow::MakeDocks()
 {
   look = new LookPanel(view->Scene(), this);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(look);
-  scroll->setWidgetResizable(true);
+  auto* scroll = new SettingsScroll(look, this);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setMinimumWidth(look->sizeHint().width() + 24);
   auto* lookDock = new QDockWidget("Look", this);
@@ -154,9 +172,7 @@ void MainWindow::MakeCutting()
   connect(look, &LookPanel::Changed, section->Panel(), &SectionPanel::FollowSoon);
   connect(playback, &Playback::Loaded, section->Panel(), &SectionPanel::FollowSoon);
   auto* cut = new CutPanel(shown, this);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(cut);
-  scroll->setWidgetResizable(true);
+  auto* scroll = new SettingsScroll(cut, this);
   auto* cutDock = new QDockWidget("Cut", this);
   cutDock->setObjectName("cut dock");
   cutDock->setWidget(scroll);
@@ -164,6 +180,17 @@ void MainWindow::MakeCutting()
   this->tabifyDockWidget(lookDock, cutDock);
   lookDock->raise();
   box = MakeBoxDock(*this, *view, *playback, lookDock);
+  // A drag on the ground makes the box or draws the line.
+  QAction* make = box->MakeAction();
+  connect(section->Panel(), &SectionPanel::Draws, make, [make] { make->setChecked(false); });
+  connect(make, &QAction::toggled, section->Panel(),
+    [this](bool on)
+    {
+      if (on)
+      {
+        section->Panel()->DrawLine(false);
+      }
+    });
   connect(look, &LookPanel::Changed, cut, &CutPanel::FollowSoon);
   connect(playback, &Playback::Loaded, cut, &CutPanel::FollowSoon);
 }
@@ -176,16 +203,19 @@ void MainWindow::MakeMenus()
   recent = file->addMenu("Open &recent");
   file->addAction("Open the &synthetic day", this, &MainWindow::OpenSyntheticDay);
   file->addSeparator();
-  file->addAction("&Take a picture", this, &MainWindow::TakePicture, QKeySequence("S"));
-  file->addAction("Save &picture as…", this, &MainWindow::AskForPicture, QKeySequence::Save);
-  files->AddTo(file);
+  ofVolume << file->addAction("&Take a picture", this, &MainWindow::TakePicture, QKeySequence("S"));
+  ofVolume << file->addAction(
+    "Save &picture as…", this, &MainWindow::AskForPicture, QKeySequence::Save);
+  ofVolume << files->AddTo(file);
   file->addSeparator();
   file->addAction("&Quit", this, &QWidget::close, QKeySequence::Quit);
   colours->AddActions(this->menuBar()->addMenu("&Edit"));
   windows = this->menuBar()->addMenu("&View");
-  windows->addAction("&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
+  ofVolume << windows->addAction(
+    "&Camera as at first", view, &SceneView::ResetCamera, QKeySequence("R"));
   windows->addAction(section->DrawAction());
   windows->addActions(box->Actions());
+  ofVolume << section->DrawAction() << box->MakeAction();
   windows->addSeparator();
   for (QDockWidget* dock : this->findChildren<QDockWidget*>())
   {
@@ -218,6 +248,17 @@ void MainWindow::MakeStatus()
     [this] { playback->PauseLoading(!playback->State().paused); });
 }
 
+void MainWindow::MakeWelcome()
+{
+  welcome = new WelcomePage(view);
+  connect(welcome, &WelcomePage::FilesWanted, this, &MainWindow::AskForFiles);
+  connect(welcome, &WelcomePage::FolderWanted, this, &MainWindow::AskForFolder);
+  connect(welcome, &WelcomePage::SyntheticDayWanted, this, &MainWindow::OpenSyntheticDay);
+  connect(
+    welcome, &WelcomePage::PathWanted, this, [this](const QString& path) { this->Open({path}); });
+  this->FollowRecent();
+}
+
 void MainWindow::Open(const QStringList& paths)
 {
   application::Session session = this->NewSession();
@@ -226,7 +267,7 @@ void MainWindow::Open(const QStringList& paths)
   {
     session.drawing.input.inputs.emplace_back(path.toStdString());
   }
-  this->Remember(paths);
+  asked = paths;
   watch->Watch(paths);
   const QString name = QFileInfo(paths.front()).fileName();
   if (application::IsSessionFile(session.drawing.input.inputs.front()))
@@ -234,16 +275,17 @@ void MainWindow::Open(const QStringList& paths)
     files->OpenSession(session.drawing.input.inputs.front());
     return;
   }
-  this->OpenInputs(
-    session, paths.size() > 1 ? QString("%1 and %2 more").arg(name).arg(paths.size() - 1) : name);
+  this->OpenInputs(session,
+    paths.size() > 1 ? QString("%1 and %2 more").arg(name).arg(paths.size() - 1) : name, true);
 }
 
 void MainWindow::OpenSyntheticDay()
 {
   watch->Watch({}); // nothing is added to it
+  asked.clear();
   application::Session session = this->NewSession();
   session.synthetic = true;
-  this->OpenInputs(session, syntheticTitle);
+  this->OpenInputs(session, syntheticTitle, true);
 }
 
 // For other inputs: drawn as those that are open, but with the colours of the array that the
@@ -333,11 +375,13 @@ void MainWindow::FitPicture(const std::array<int, 2>& size)
   }
 }
 
-void MainWindow::OpenInputs(const application::Session& session, const QString& name)
+void MainWindow::OpenInputs(
+  const application::Session& session, const QString& name, bool otherInputs)
 {
   opened = session;
   title = name;
   first = true;
+  other = otherInputs;
   failures.clear();
   scene::BackgroundSeriesOptions options;
   const scene::InputRequest input = session.drawing.input;
@@ -371,6 +415,10 @@ void MainWindow::ShowVolume(vtkImageData* volume)
     view->Scene()->SetColorFileName(opened.drawing.scene.colours.string());
     view->Scene()->SetOpacityFileName(opened.drawing.scene.opacities.string());
     view->Scene()->SetColorArray(opened.drawing.scene.colourBy);
+    if (other && view->Scene()->GetVolume() && !SamePlace(view->Scene()->GetVolume(), volume))
+    {
+      view->LeavePlace();
+    }
   }
   view->SetVolume(volume);
   if (first)
@@ -392,6 +440,8 @@ void MainWindow::ShowVolume(vtkImageData* volume)
     }
     look->Follow(); // its moment may be another than that of the series before
     first = false;
+    this->Remember(asked); // what could be opened alone
+    asked.clear();
   }
 }
 
@@ -406,21 +456,20 @@ void MainWindow::FollowPlayback()
   cancel->setText(!state.paused || opening ? "Cancel" : "Go on");
   progress->setValue(static_cast<int>(1000.0 * state.fraction));
   const auto loaded = std::count(state.loaded.begin(), state.loaded.end(), true);
-  QString text = "Open files or a folder of radar files or volumes: File menu, or drop them here.";
+  QString text = "Nothing is open";
   if (opening)
   {
     text = "Opening " + title;
   }
-  else if (state.phase == Phase::Failed)
+  else if (playback->HasSeries() && state.phase == Phase::Open)
   {
-    text = QString::fromStdString(state.failure);
-  }
-  else if (playback->HasSeries())
-  {
-    text = QString("%1: %2 of %3 times loaded").arg(title).arg(loaded).arg(state.loaded.size());
+    text = state.loaded.size() == 1
+             ? QString("%1: one time, %2").arg(title, loaded == 1 ? "loaded" : "not loaded yet")
+             : QString("%1: %2 of %3 times loaded").arg(title).arg(loaded).arg(state.loaded.size());
   }
   doing->setText(text);
-  this->setWindowTitle(title.isEmpty() ? QString("nexrad3d") : title + " - nexrad3d");
+  const bool none = title.isEmpty() || state.phase == Phase::Failed;
+  this->setWindowTitle(none ? QString("nexrad3d") : title + " - nexrad3d");
   const QStringList problems = this->Problems();
   if (problems.size() != damage->count())
   {
@@ -428,6 +477,48 @@ void MainWindow::FollowPlayback()
     damage->addItems(problems);
     damageDock->setVisible(!problems.isEmpty());
   }
+  this->FollowEmptiness();
+}
+
+// What could not be opened shows nothing of what was open before it.
+void MainWindow::FollowEmptiness()
+{
+  using Phase = scene::BackgroundSeries::Phase;
+  const scene::BackgroundSeries::State& state = playback->State();
+  const bool failed = playback->HasSeries() && state.phase == Phase::Failed;
+  if (failed && view->Scene()->GetVolume() != nullptr)
+  {
+    view->LeavePlace();
+    view->SetVolume(nullptr);
+    look->Follow();
+  }
+  const bool shows = view->Scene()->GetVolume() != nullptr;
+  for (QAction* each : ofVolume)
+  {
+    each->setEnabled(shows);
+  }
+  colours->setEnabled(shows);
+  this->findChild<QDockWidget*>("cut dock")->widget()->setEnabled(shows);
+  if (shows)
+  {
+    welcome->Leave();
+  }
+  else if (playback->HasSeries() && !failed && playback->IsWaiting())
+  {
+    welcome->TellOpening(this->OpeningText());
+  }
+  else
+  {
+    const QStringList problems = this->Problems();
+    welcome->OfferToOpen(problems.isEmpty() ? QString() : "Not opened: " + problems.last());
+  }
+}
+
+QString MainWindow::OpeningText() const
+{
+  return opened.synthetic ? QString("Opening the synthetic day: three radars scan an hour of "
+                                    "SYNTHETIC storms first, which takes about half a minute")
+                          : "Opening " + title;
 }
 
 QStringList MainWindow::Problems() const
@@ -454,7 +545,8 @@ void MainWindow::Announce(const QString& message)
 
 void MainWindow::AskForFiles()
 {
-  const QStringList paths = QFileDialog::getOpenFileNames(this, "Open radar files or volumes");
+  const QStringList paths =
+    QFileDialog::getOpenFileNames(this, "Open radar files or volumes", RecentFolder());
   if (!paths.isEmpty())
   {
     this->Open(paths);
@@ -463,7 +555,8 @@ void MainWindow::AskForFiles()
 
 void MainWindow::AskForFolder()
 {
-  const QString path = QFileDialog::getExistingDirectory(this, "Open a folder of radar files");
+  const QString path =
+    QFileDialog::getExistingDirectory(this, "Open a folder of radar files", RecentFolder());
   if (!path.isEmpty())
   {
     this->Open({path});
@@ -472,8 +565,12 @@ void MainWindow::AskForFolder()
 
 void MainWindow::AskForPicture()
 {
-  const QString path =
-    QFileDialog::getSaveFileName(this, "Save picture", "nexrad3d.png", "Pictures (*.png)");
+  const scene::BackgroundSeries::State& state = playback->State();
+  const bool timed = playback->Step() < state.times.size();
+  const QString name = timed ? QString::fromStdString(
+                                 scene::FreePictureName({}, state.times[playback->Step()]).string())
+                             : QString("nexrad3d.png");
+  const QString path = QFileDialog::getSaveFileName(this, "Save picture", name, "Pictures (*.png)");
   if (!path.isEmpty())
   {
     this->WritePicture(path.toStdString());
@@ -495,7 +592,8 @@ void MainWindow::WritePicture(const std::filesystem::path& path)
   {
     view->WritePicture(path);
     pictures.push_back(path);
-    this->Announce("wrote " + QString::fromStdString(path.string()));
+    const std::filesystem::path whole = std::filesystem::absolute(path).lexically_normal();
+    this->Announce("wrote " + QString::fromStdString(whole.string()));
   }
   catch (const Error& error)
   {
@@ -525,7 +623,12 @@ void MainWindow::Remember(const QStringList& paths)
 void MainWindow::FollowRecent()
 {
   recent->clear();
-  for (const QString& path : QSettings().value(recentKey).toStringList())
+  const QStringList paths = QSettings().value(recentKey).toStringList();
+  if (welcome != nullptr)
+  {
+    welcome->SetRecent(paths);
+  }
+  for (const QString& path : paths)
   {
     recent->addAction(path, this, [this, path] { this->Open({path}); });
   }

@@ -4,12 +4,14 @@
 #include "Options/SessionFile.h"
 #include "Requests/ViewRequest.h"
 
+#include <QList>
 #include <QMainWindow>
 #include <QStringList>
 
 #include <filesystem>
 #include <vector>
 
+class QAction;
 class QDockWidget;
 class QLabel;
 class QListWidget;
@@ -28,6 +30,7 @@ class Playback;
 class SceneView;
 class SectionDock;
 class TransferFunctionEditor;
+class WelcomePage;
 
 /// The window of `nexrad3d view`: a radar day in its time line, its scene and its settings.
 class MainWindow : public QMainWindow
@@ -71,6 +74,7 @@ private:
   void MakeDocks();
   void MakeCutting();
   void MakeStatus();
+  void MakeWelcome();
   void AskForFiles();
   void AskForFolder();
   void AskForPicture();
@@ -82,10 +86,13 @@ private:
   void ShowMoment(const QString& moment);
   void ColourBy(const QString& array);
   void ShowMapOf(const QString& array);
-  void OpenInputs(const application::Session& session, const QString& title);
+  void OpenInputs(
+    const application::Session& session, const QString& title, bool otherInputs = false);
   void Remember(const QStringList& paths);
   void FollowRecent();
   void FollowPlayback();
+  void FollowEmptiness();
+  QString OpeningText() const;
   void ShowVolume(vtkImageData* volume);
 
   scene::ViewRequest request;
@@ -105,8 +112,12 @@ private:
   QPushButton* cancel = nullptr;
   QMenu* recent = nullptr;
   QMenu* windows = nullptr;
+  WelcomePage* welcome = nullptr;
+  QList<QAction*> ofVolume; ///< what needs a volume that is shown
   QString title;
-  bool first = true; ///< no volume of the series was shown yet
+  QStringList asked;  ///< paths whose first volume is not shown yet
+  bool first = true;  ///< no volume of the series was shown yet
+  bool other = false; ///< the series has other inputs than the one before
   std::vector<std::filesystem::path> pictures;
   QStringList failures; ///< since the series was opened
 };

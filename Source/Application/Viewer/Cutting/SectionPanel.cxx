@@ -20,6 +20,7 @@
 
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
+#include <QHideEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
@@ -136,10 +137,25 @@ void SectionPanel::showEvent(QShowEvent* event)
   this->FollowSoon();
 }
 
+// A drag on the picture turns the camera again once nothing says that it would draw a line.
+void SectionPanel::hideEvent(QHideEvent* event)
+{
+  QWidget::hideEvent(event);
+  if (!event->spontaneous())
+  {
+    this->DrawLine(false);
+  }
+}
+
 void SectionPanel::DrawLine(bool on)
 {
   draw->setChecked(on);
   tool->SetDrawing(on);
+  this->Tell({-1, -1});
+  if (on)
+  {
+    emit Draws();
+  }
 }
 
 void SectionPanel::Remove()
@@ -220,8 +236,9 @@ void SectionPanel::Tell(const QPoint& pixel)
   const auto place = chart->PlaceAt(pixel);
   if (!place)
   {
-    reading->setText(view.scene->GetSection() ? QString("Point at the section for its values.")
-                                              : QString("Drag on the ground from A to B."));
+    const bool has = view.scene->GetSection() && !tool->IsDrawing();
+    reading->setText(has ? QString("Point at the section for its values.")
+                         : QString("Drag on the ground from A to B."));
     return;
   }
   vtkImageData* section = filter->GetOutput();

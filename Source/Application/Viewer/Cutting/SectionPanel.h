@@ -45,8 +45,13 @@ public slots:
   /// Takes the line away.
   void Remove();
 
+signals:
+  /// The next drag on the ground draws the line.
+  void Draws();
+
 protected:
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
 private:
   QWidget* MakeRow();

@@ -31,13 +31,33 @@ constexpr char missing[] =
 
 } // namespace
 
+void SetEntries(QComboBox* box, const QStringList& entries)
+{
+  QStringList before;
+  for (int i = 0; i < box->count(); ++i)
+  {
+    before << box->itemText(i);
+  }
+  if (entries != before)
+  {
+    box->clear();
+    box->addItems(entries);
+  }
+}
+
 void OfferArrays(const OfferedArrays& offered, const QString& chosen, QComboBox* box)
 {
-  box->clear();
-  box->addItem("Itself", QString());
+  QStringList names = QStringList("Same moment") + offered.moments;
+  for (const Ancillary& ancillary : ancillaryArrays)
+  {
+    names << ancillary.name;
+  }
+  SetEntries(box, names);
+  int place = 0;
+  box->setItemData(place++, QString());
   for (const QString& moment : offered.moments)
   {
-    box->addItem(moment, moment);
+    box->setItemData(place++, moment);
   }
   auto* entries = qobject_cast<QStandardItemModel*>(box->model());
   for (const Ancillary& ancillary : ancillaryArrays)
@@ -46,10 +66,10 @@ void OfferArrays(const OfferedArrays& offered, const QString& chosen, QComboBox*
     const bool has =
       offered.arrays != nullptr && offered.arrays->HasArray(array.toUtf8().constData()) != 0;
     const bool on = has || (offered.arrays != nullptr && offered.makesAncillary);
-    box->addItem(ancillary.name, array);
-    entries->item(box->count() - 1)->setEnabled(on);
+    box->setItemData(place, array);
+    entries->item(place)->setEnabled(on);
     const QString tip = array + ": " + ancillary.tip;
-    box->setItemData(box->count() - 1, on ? tip : tip + missing, Qt::ToolTipRole);
+    box->setItemData(place++, on ? tip : tip + missing, Qt::ToolTipRole);
   }
   box->setCurrentIndex(std::max(0, box->findData(chosen)));
 }

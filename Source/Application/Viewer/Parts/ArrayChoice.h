@@ -19,6 +19,10 @@ struct OfferedArrays
   bool makesAncillary = false; ///< volumes without ancillary arrays can be merged again with them
 };
 
+/// Sets the entries of a box. A list that a user has open, to choose from, stays where its entries
+/// are the same.
+void SetEntries(QComboBox* box, const QStringList& entries);
+
 /// Fills a box with the moment itself, other moments, and the ancillary arrays of the moment, and
 /// shows the array that is chosen (empty: the moment itself). An array that the volume does not
 /// have and that cannot be made is off; its tool tip says why.

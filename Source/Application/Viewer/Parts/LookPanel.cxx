@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Parts/LookPanel.h"
 
+#include "Export/SceneState.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Viewer/Parts/ArrayChoice.h"
 #include "Viewer/Parts/FormGroup.h"
@@ -52,6 +53,8 @@ int PlaceOfPlan(int plan)
   const auto place = std::find(plans.begin(), plans.end(), plan);
   return place == plans.end() ? -1 : static_cast<int>(place - plans.begin());
 }
+
+constexpr char nothingOpen[] = "Nothing open";
 
 // Computed of the reflectivity of all voxels of a column; other maps show one voxel of it.
 bool IsProduct(int plan)
@@ -141,8 +144,10 @@ QDoubleSpinBox* LookPanel::AddNumber(QFormLayout* form, const QString& name, con
 void LookPanel::AddMoments(QFormLayout* form)
 {
   shownMoment = this->AddChoice(
-    form, "Moment", "What the radars measured, of what the inputs hold", {}, [] { return 0; },
-    [this](int) { emit MomentChosen(shownMoment->currentText()); });
+    form, "Moment",
+    "Which moment of the radars is shown, of those in the files: REF reflectivity, VEL radial "
+    "velocity, SW spectrum width, ZDR, PHI and RHO of two polarisations",
+    {}, [] { return 0; }, [this](int) { emit MomentChosen(shownMoment->currentText()); });
   follow.back() = [this] { this->FollowMoments(); };
   colourArray = this->AddChoice(
     form, "Colours of",
@@ -157,8 +162,8 @@ void LookPanel::AddDrawing(QFormLayout* form)
 {
   this->AddMoments(form);
   presets = this->AddChoice(
-    form, "Preset", "Colours and opacities of the moment that is shown", {}, [] { return 0; },
-    [this](int) { scene->SetPreset(presets->currentText().toStdString()); });
+    form, "Preset", "Colours and opacities of the moment that is shown; iso-values draws surfaces",
+    {}, [] { return 0; }, [this](int) { scene->SetPreset(presets->currentText().toStdString()); });
   follow.back() = [this] { this->FollowPresets(); };
   std::vector<QString> counts;
   for (const int count : sliceCounts)
@@ -184,8 +189,9 @@ void LookPanel::AddDrawing(QFormLayout* form)
     {"Slices", "VTK's ray caster"}, [this] { return scene->GetMapper(); },
     [this](int index) { scene->SetMapper(index); });
   this->AddNumber(
-    form, "Stretch", "How many times heights are stretched; 0: as suits the size of the domain",
-    0.0, 50.0, 0.5, " ×", "as suits", [this] { return scene->GetExaggeration(); },
+    form, "Stretch",
+    "How many times heights are stretched; 0: automatic, by the size of the domain", 0.0, 50.0, 0.5,
+    " ×", "automatic", [this] { return scene->GetExaggeration(); },
     [this](double times) { scene->SetExaggeration(times); });
   this->AddChoice(
     form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
@@ -226,12 +232,30 @@ void LookPanel::ChooseView(int plan)
     this->FollowMaps(); // which knows the heights of the volume
     scene->SetPlanHeight(kilometre * std::min(usualHeight, mapHeight->maximum()));
   }
+  this->PlaceCamera(plan);
   scene->SetPlan(plan);
+  this->Follow();
+}
+
+// A map is seen from above. The volume is seen after it as it was before, unless the camera was
+// turned in the meantime.
+void LookPanel::PlaceCamera(int plan)
+{
+  constexpr double fromAbove = 90.0; // degrees
   if (plan != vtkNexradVolumeScene::NO_PLAN)
   {
+    if (scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN)
+    {
+      before = CameraOf(scene);
+    }
     scene->SetCameraFromAbove();
   }
-  this->Follow();
+  else if (before && scene->GetTilt() == fromAbove)
+  {
+    scene->SetAzimuth(before->azimuth);
+    scene->SetTilt(before->tilt);
+    scene->SetParallelProjection(before->parallel);
+  }
 }
 
 // Echo tops and liquid are computed of reflectivity alone.
@@ -311,8 +335,15 @@ void LookPanel::FollowMoments()
   {
     names.prepend(shown);
   }
-  shownMoment->clear();
-  shownMoment->addItems(names);
+  shownMoment->setEnabled(volume != nullptr);
+  colourArray->setEnabled(volume != nullptr);
+  if (volume == nullptr)
+  {
+    SetEntries(shownMoment, {nothingOpen});
+    SetEntries(colourArray, {nothingOpen});
+    return;
+  }
+  SetEntries(shownMoment, names);
   shownMoment->setCurrentText(shown);
   names.removeAll(shown);
   OfferedArrays offered{shown, names, arrays, makesAncillary};
@@ -333,16 +364,8 @@ void LookPanel::FollowPresets()
   {
     names << name;
   }
-  QStringList shown;
-  for (int i = 0; i < presets->count(); ++i)
-  {
-    shown << presets->itemText(i);
-  }
-  if (names != shown)
-  {
-    presets->clear();
-    presets->addItems(names);
-  }
+  SetEntries(presets, volume != nullptr ? names : QStringList(nothingOpen));
+  presets->setEnabled(volume != nullptr);
   presets->setCurrentIndex(
     std::max<int>(0, static_cast<int>(names.indexOf(QString::fromStdString(scene->GetPreset())))));
 }

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Frame/CameraView.h"
 #include "nexrad/Model/Moment.h"
 
 #include <QWidget>
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 class QCheckBox;
@@ -59,6 +61,7 @@ private:
   void AddMoments(QFormLayout* form);
   void AddMaps(QFormLayout* form);
   void ChooseView(int plan);
+  void PlaceCamera(int plan);
   void FollowPresets();
   void FollowMaps();
   void FollowMoments();
@@ -72,6 +75,7 @@ private:
   QDoubleSpinBox* mapHeight = nullptr;
   std::vector<MomentName> moments;           ///< of the inputs
   bool makesAncillary = false;               ///< merging again does
+  std::optional<scene::CameraView> before;   ///< the camera before a map of columns
   std::vector<std::function<void()>> follow; ///< shows one setting each
 };
 

@@ -150,6 +150,17 @@ void SceneView::ResetCamera()
   this->DrawSoon();
 }
 
+void SceneView::LeavePlace()
+{
+  first.lookAt.reset();
+  first.zoom = scene::CameraView().zoom;
+  scene->SetZoom(first.zoom);
+  scene->LookAtDomain();
+  scene->SectionOff();
+  scene->CroppingOff();
+  scene->ClippingOff();
+}
+
 void SceneView::SetVolume(vtkImageData* volume)
 {
   if (!SuitsMoment(scene->GetPreset(), volume))

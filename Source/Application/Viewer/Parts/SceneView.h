@@ -45,6 +45,9 @@ public:
   void Apply(const scene::SceneOptions& options, const scene::CameraView& camera);
   /// What the camera does again after ResetCamera.
   void ResetCamera();
+  /// Before something of another place is shown: the camera keeps its direction and shows the whole
+  /// domain; nothing is cropped or clipped, and no section is on the ground.
+  void LeavePlace();
 
   /// Draws once the events that wait are done with, however often it is asked for until then.
   void DrawSoon();

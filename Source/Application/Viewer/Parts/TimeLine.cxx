@@ -42,9 +42,9 @@ TimeLine::TimeLine(Playback& shownPlayback, QWidget* parent)
 {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 2, 6, 2);
-  QAction* back = this->AddButton(row, "Step back", "The time before", "Left");
+  back = this->AddButton(row, "Step back", "The time before", "Left");
   play = this->AddButton(row, "Play", "Play or pause", "Space");
-  QAction* on = this->AddButton(row, "Step on", "The next time", "Right");
+  on = this->AddButton(row, "Step on", "The next time", "Right");
   loop = this->AddButton(row, "Loop", "Begin again after the last time", "L");
   back->setIcon(this->style()->standardIcon(QStyle::SP_MediaSkipBackward));
   on->setIcon(this->style()->standardIcon(QStyle::SP_MediaSkipForward));
@@ -108,6 +108,10 @@ void TimeLine::Follow()
   const scene::BackgroundSeries::State& state = playback.State();
   const bool any = !state.times.empty();
   this->setEnabled(any);
+  for (QAction* action : {back, play, on, loop})
+  {
+    action->setEnabled(state.times.size() > 1); // one time does not play
+  }
   const QSignalBlocker noMove(slider);
   const QSignalBlocker noInterval(interval);
   slider->setRange(0, any ? static_cast<int>(state.times.size()) - 1 : 0);
@@ -129,7 +133,7 @@ void TimeLine::Follow()
   loop->setChecked(playback.Loops());
   interval->setValue(playback.Interval());
   const double steps = playback.StepsPerSecond();
-  rate->setText(steps > 0.0 ? QString("%1 steps/s").arg(steps, 0, 'f', 1) : QString("-"));
+  rate->setText(steps > 0.0 ? QString("%1 steps/s").arg(steps, 0, 'f', 1) : QString());
 }
 
 } // namespace nexrad::viewer

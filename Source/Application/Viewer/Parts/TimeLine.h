@@ -29,7 +29,9 @@ private:
   void Follow();
 
   Playback& playback;
+  QAction* back = nullptr;
   QAction* play = nullptr;
+  QAction* on = nullptr;
   QAction* loop = nullptr;
   QSlider* slider = nullptr;
   LoadedSteps* loaded = nullptr;
