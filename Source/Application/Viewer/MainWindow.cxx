@@ -100,6 +100,7 @@ MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
   this->setObjectName("nexrad3d");
   this->setWindowTitle("nexrad3d");
   this->setAcceptDrops(true);
+  this->setAnimated(false); // each step of a moving panel would draw the volume in another size
   auto* middle = new QWidget(this);
   auto* column = new QVBoxLayout(middle);
   column->setContentsMargins(0, 0, 0, 0);

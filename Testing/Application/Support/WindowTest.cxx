@@ -88,7 +88,12 @@ bool WindowTest::Wait(const std::function<bool()>& condition)
 
 QImage WindowTest::WaitForPicture()
 {
-  QTest::qWait(50);
+  QSize before;
+  for (int same = 0; same < 3; same = window->View()->size() == before ? same + 1 : 0)
+  {
+    before = window->View()->size(); // the panels beside the picture may take their places late
+    QTest::qWait(30);
+  }
   return window->View()->grabFramebuffer();
 }
 
