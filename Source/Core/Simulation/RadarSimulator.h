@@ -6,6 +6,7 @@
 #include "nexrad/Simulation/StormField.h"
 
 #include <cstdint>
+#include <set>
 #include <vector>
 
 namespace nexrad
@@ -27,6 +28,11 @@ struct SimulatorOptions
   double sensitivity =
     -7.5;                 ///< dBZ, weakest echo seen at 50 km; it rises with 20·log10 of the range
   std::uint32_t seed = 1; ///< of the noise
+  std::set<EchoKind> notWeather; ///< of AddableEchoKinds: echo added to the storms (AddedEcho);
+                                 ///< by default none
+  double bias = 0.0;             ///< dB that every reflectivity is too high
+  bool dualPolarisation = false; ///< ZDR, PHI and RHO (MeasurePolarisation) in the cuts that have
+                                 ///< them in real files; message 31 alone
 };
 
 /// Weakest reflectivity that the radar sees at a slant range in m, dBZ.
@@ -39,7 +45,8 @@ double SensitivityAt(double range, const SimulatorOptions& options);
 /// is 5 dB stronger. The volume is marked synthetic and has its coverage pattern. Deterministic:
 /// the noise of a gate depends on the seed, the site, `start` and the gate alone. `truth`, where
 /// given, takes what is true of each gate: the volume is the same with it and without. Throws Error
-/// for an unknown pattern, a site without a position, or an option that is not above zero.
+/// for an unknown pattern, a site without a position, an option that is not above zero, or dual
+/// polarisation without super-resolution.
 RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePattern, Time start,
   const SimulatorOptions& options = {}, ScanTruth* truth = nullptr);
 

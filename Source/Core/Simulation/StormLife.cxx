@@ -12,8 +12,7 @@ namespace
 
 constexpr double dayLength = 86'400.0;
 constexpr double degree = 3.14159265358979323846 / 180.0;
-constexpr double meltingLevel = 2'900.0; // m above mean sea level
-constexpr double deadLoss = 70.0;        // dB below full strength at birth and death
+constexpr double deadLoss = 70.0; // dB below full strength at birth and death
 
 constexpr double coreShoulder = 4'500.0; // m, height of a supercell's strongest echo
 constexpr double coreSlope = 0.55;       // m of shift of its core downshear a metre of height
@@ -105,8 +104,8 @@ void SetStratiform(StormElement& element, double peak, double top)
   element.plateau = true;
   element.edge = 22.0;
   element.profile = VerticalProfile::Stratiform;
-  element.level = meltingLevel;
-  element.depth = top - meltingLevel;
+  element.level = MeltingLevel;
+  element.depth = top - MeltingLevel;
   element.fall = peak; // 0 dBZ at the top
 }
 

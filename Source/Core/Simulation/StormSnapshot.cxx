@@ -76,6 +76,12 @@ StormSnapshot::StormSnapshot(
   const auto unseen = [](const StormElement& element)
   { return element.peak + BrightBandGain < MinimumReflectivity; };
   elements.erase(std::remove_if(elements.begin(), elements.end(), unseen), elements.end());
+  const auto isStill = [](const StormVortex& vortex)
+  {
+    constexpr double least = 0.01; // m/s
+    return vortex.rotation.speed + vortex.inflow.speed + vortex.outflow.speed < least;
+  };
+  vortices.erase(std::remove_if(vortices.begin(), vortices.end(), isStill), vortices.end());
   bounds.reserve(elements.size());
   for (const StormElement& element : elements)
   {

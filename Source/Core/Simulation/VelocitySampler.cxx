@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace nexrad
 {
@@ -14,7 +15,8 @@ namespace
 
 constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double blockLength = 4'000.0; // m, over which storms are looked for together
-constexpr double closeRadii = 2.0;      // core radii from an axis within which the beam is averaged
+constexpr int blocksOfPart = 10;        // over which they are looked for first
+constexpr double closeRadii = 1.5;      // core radii from an axis within which the beam is averaged
 
 // Mean and spread of weighted velocities, from their sums.
 struct VelocitySums
@@ -57,8 +59,26 @@ VelocitySampler::VelocitySampler(const BeamTrace& trace, const StormSnapshot& sn
 void VelocitySampler::EnterBlock(int number)
 {
   block = number;
+  if (number / blocksOfPart != part)
+  {
+    part = number / blocksOfPart;
+    constexpr double partLength = blocksOfPart * blockLength;
+    storms.FindVortices(
+      beam.Span(part * partLength, (part + 1) * partLength), StormVortex::Reach, nearby);
+  }
+  vortices.clear();
+  isClose = false;
+  if (nearby.empty())
+  {
+    return;
+  }
   const Cylinder reach = beam.Span(number * blockLength, (number + 1) * blockLength);
-  storms.FindVortices(reach, StormVortex::Reach, vortices);
+  std::copy_if(nearby.begin(), nearby.end(), std::back_inserter(vortices),
+    [&](int index)
+    {
+      const StormVortex& vortex = storms.Vortices()[static_cast<std::size_t>(index)];
+      return vortex.Touches(reach, StormVortex::Reach);
+    });
   isClose = std::any_of(vortices.begin(), vortices.end(),
     [&](int index)
     {

@@ -13,6 +13,9 @@ struct PlanePoint
   double z = 0.0;
 };
 
+/// Height of the melting level of the synthetic day, m above mean sea level.
+constexpr double MeltingLevel = 2'900.0;
+
 /// An upright cylinder, m in the plane and m above mean sea level.
 struct Cylinder
 {

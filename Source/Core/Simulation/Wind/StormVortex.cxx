@@ -45,7 +45,7 @@ bool StormVortex::Touches(const Cylinder& cylinder, double distance) const
     return false;
   }
   const PlanePoint axis = this->AxisAt((bottom + top) / 2.0);
-  const double lean = std::hypot(tiltX, tiltY) * (top - bottom) / 2.0;
+  const double lean = std::sqrt(tiltX * tiltX + tiltY * tiltY) * (top - bottom) / 2.0;
   const double reach = distance + cylinder.radius + lean;
   const double east = cylinder.x - axis.x;
   const double north = cylinder.y - axis.y;
