@@ -165,14 +165,13 @@ WindVector StormSnapshot::Wind(const PlanePoint& point) const
   return wind;
 }
 
-WindVector StormSnapshot::Wind(const PlanePoint& point, const std::vector<int>& among) const
+void StormSnapshot::AddVortices(
+  WindVector& wind, const PlanePoint& point, const std::vector<int>& among) const
 {
-  WindVector wind = MeanWind(point.z);
   for (const int index : among)
   {
     vortices[static_cast<std::size_t>(index)].AddTo(wind, point);
   }
-  return wind;
 }
 
 void StormSnapshot::FindVortices(

@@ -32,8 +32,8 @@ public:
 
   /// The wind at a point: MeanWind and what the storms add to it.
   WindVector Wind(const PlanePoint& point) const;
-  /// The same, where only these vortices (of FindVortices) can reach.
-  WindVector Wind(const PlanePoint& point, const std::vector<int>& among) const;
+  /// Adds to the wind at a point what these vortices (of FindVortices) add.
+  void AddVortices(WindVector& wind, const PlanePoint& point, const std::vector<int>& among) const;
   /// Numbers of the vortices with an axis within a distance in m of a cylinder.
   void FindVortices(const Cylinder& within, double distance, std::vector<int>& found) const;
   const std::vector<StormVortex>& Vortices() const { return vortices; }

@@ -94,7 +94,11 @@ BeamVelocity VelocitySampler::AtCentre(double range, const EchoSpread& echo) con
   const PathPoint point = beam.At(range, direction);
   const double height = point.height + beam.SiteAltitude();
   const WindVector mean = MeanWind(height);
-  const WindVector wind = vortices.empty() ? mean : storms.Wind(beam.Place(point), vortices);
+  WindVector wind = mean;
+  if (!vortices.empty())
+  {
+    storms.AddVortices(wind, beam.Place(point), vortices);
+  }
   // What changes in the beam is the mean wind with height, and its component with the azimuth.
   const double rise = echo.width * beam.Sigma() * degree * range * level;
   const WindVector above = MeanWind(height + rise);
@@ -109,6 +113,26 @@ BeamVelocity VelocitySampler::AtCentre(double range, const EchoSpread& echo) con
     std::sqrt(upwards * upwards + sideways * sideways)};
 }
 
+std::array<WindVector, 3> VelocitySampler::WindsAcross(
+  const std::array<PlanePoint, 3>& places, double height) const
+{
+  const WindVector mean = MeanWind(height);
+  std::array<WindVector, 3> winds = {mean, mean, mean};
+  for (const int index : vortices)
+  {
+    const VortexSlice slice = storms.Vortices()[static_cast<std::size_t>(index)].At(height);
+    if (slice.turning == 0.0 && slice.leaving == 0.0)
+    {
+      continue;
+    }
+    for (std::size_t side = 0; side < winds.size(); ++side)
+    {
+      slice.AddTo(winds[side], places[side].x, places[side].y);
+    }
+  }
+  return winds;
+}
+
 BeamVelocity VelocitySampler::OverBeam(double range, const EchoSpread& echo) const
 {
   const double middle = beam.At(range, beam.Elevation()).groundDistance;
@@ -119,14 +143,19 @@ BeamVelocity VelocitySampler::OverBeam(double range, const EchoSpread& echo) con
   {
     const PathPoint point = beam.At(range, beam.Elevation() + layers[up].position * beam.Sigma());
     const double forward = point.groundDistance - middle;
-    for (std::size_t side = 0; side < straight.size(); ++side)
+    const double height = point.height + beam.SiteAltitude();
+    std::array<PlanePoint, 3> places;
+    for (std::size_t side = 0; side < places.size(); ++side)
     {
       const BeamTrace::StraightTrack& track = straight[side];
-      const PlanePoint place{track.start.x + forward * track.x, track.start.y + forward * track.y,
-        point.height + beam.SiteAltitude()};
-      const WindVector wind = storms.Wind(place, vortices);
+      places[side] = {track.start.x + forward * track.x, track.start.y + forward * track.y, height};
+    }
+    const std::array<WindVector, 3> winds = this->WindsAcross(places, height);
+    for (std::size_t side = 0; side < winds.size(); ++side)
+    {
       sums.Add(static_cast<double>(echo.shares[up][side]),
-        levels[up] * (headings[side].east * wind.east + headings[side].north * wind.north));
+        levels[up] *
+          (headings[side].east * winds[side].east + headings[side].north * winds[side].north));
     }
   }
   return sums.Moments();

@@ -58,6 +58,9 @@ private:
 
   void EnterBlock(int number);
   BeamVelocity AtCentre(double range, const EchoSpread& echo) const;
+  /// At the three sides of the beam, at one height.
+  std::array<WindVector, 3> WindsAcross(
+    const std::array<PlanePoint, 3>& places, double height) const;
   BeamVelocity OverBeam(double range, const EchoSpread& echo) const;
 };
 

@@ -7,32 +7,35 @@
 namespace nexrad
 {
 
+void VortexSlice::AddTo(WindVector& wind, double placeX, double placeY) const
+{
+  const double east = placeX - x;
+  const double north = placeY - y;
+  const double squared = east * east + north * north;
+  constexpr double reach = StormVortex::Reach;
+  if (squared >= reach * reach)
+  {
+    return;
+  }
+  double perMetre = 1.0 / coreRadius; // of the distance from the axis
+  if (squared > coreRadius * coreRadius)
+  {
+    const double rest = coreRadius / reach;
+    perMetre = (coreRadius / squared - rest / std::sqrt(squared)) / (1.0 - rest);
+  }
+  wind.east += perMetre * (leaving * east - turning * north);
+  wind.north += perMetre * (leaving * north + turning * east);
+}
+
 double StormVortex::RadiusAt(double z) const
 {
   return std::max(coreRadius + widening * (z - level), coreRadius / 2.0);
 }
 
-void StormVortex::AddTo(WindVector& wind, const PlanePoint& point) const
+VortexSlice StormVortex::At(double z) const
 {
-  const PlanePoint axis = this->AxisAt(point.z);
-  const double east = point.x - axis.x;
-  const double north = point.y - axis.y;
-  const double squared = east * east + north * north;
-  if (squared >= Reach * Reach)
-  {
-    return;
-  }
-  const double radius = this->RadiusAt(point.z);
-  double perMetre = 1.0 / radius; // of the distance from the axis
-  if (squared > radius * radius)
-  {
-    const double rest = radius / Reach;
-    perMetre = (radius / squared - rest / std::sqrt(squared)) / (1.0 - rest);
-  }
-  const double turning = perMetre * rotation.At(point.z);
-  const double leaving = perMetre * (outflow.At(point.z) - inflow.At(point.z));
-  wind.east += leaving * east - turning * north;
-  wind.north += leaving * north + turning * east;
+  const PlanePoint axis = this->AxisAt(z);
+  return {axis.x, axis.y, this->RadiusAt(z), rotation.At(z), outflow.At(z) - inflow.At(z)};
 }
 
 bool StormVortex::Touches(const Cylinder& cylinder, double distance) const

@@ -17,6 +17,10 @@ struct FlowLayer
 
   double At(double z) const
   {
+    if (!(speed > 0.0))
+    {
+      return 0.0;
+    }
     const double distance = (z - height) / depth;
     const double left = 1.0 - distance * distance;
     return left > 0.0 ? speed * left * left : 0.0;
@@ -26,6 +30,19 @@ struct FlowLayer
   {
     return speed > 0.0 && bottom < height + depth && top > height - depth;
   }
+};
+
+/// The wind of a StormVortex at one height.
+struct VortexSlice
+{
+  double x = 0.0; ///< m in the plane, of the axis
+  double y = 0.0;
+  double coreRadius = 1.0; ///< m
+  double turning = 0.0;    ///< m/s along the tangent, anticlockwise, at the edge of the core
+  double leaving = 0.0;    ///< m/s away from the axis, at the edge of the core
+
+  /// Adds the storm's part to the wind at a place of the plane.
+  void AddTo(WindVector& wind, double placeX, double placeY) const;
 };
 
 /// What a storm adds to the wind about an axis that leans with the storm: air that turns about the
@@ -57,8 +74,13 @@ struct StormVortex
   {
     return {x + tiltX * (z - level), y + tiltY * (z - level), z};
   }
+  /// What it adds at a height.
+  VortexSlice At(double z) const;
   /// Adds the storm's part to the wind at a point.
-  void AddTo(WindVector& wind, const PlanePoint& point) const;
+  void AddTo(WindVector& wind, const PlanePoint& point) const
+  {
+    this->At(point.z).AddTo(wind, point.x, point.y);
+  }
   /// Whether some point of a cylinder lies within a distance in m of the axis, at a height at which
   /// the air moves.
   bool Touches(const Cylinder& cylinder, double distance) const;
