@@ -121,7 +121,7 @@ std::array<WindVector, 3> VelocitySampler::WindsAcross(
   for (const int index : vortices)
   {
     const VortexSlice slice = storms.Vortices()[static_cast<std::size_t>(index)].At(height);
-    if (slice.turning == 0.0 && slice.leaving == 0.0)
+    if (slice.IsStill())
     {
       continue;
     }

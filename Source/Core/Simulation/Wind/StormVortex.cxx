@@ -7,24 +7,18 @@
 namespace nexrad
 {
 
-void VortexSlice::AddTo(WindVector& wind, double placeX, double placeY) const
+VortexSlice::VortexSlice(
+  const PlanePoint& axis, double coreRadius, double turningSpeed, double leavingSpeed)
+  : x(axis.x)
+  , y(axis.y)
+  , turning(turningSpeed)
+  , leaving(leavingSpeed)
+  , reachSquared(StormVortex::Reach * StormVortex::Reach)
+  , coreSquared(coreRadius * coreRadius)
+  , inCore(1.0 / coreRadius)
+  , outside(coreRadius / (1.0 - coreRadius / StormVortex::Reach))
+  , rest(outside / StormVortex::Reach)
 {
-  const double east = placeX - x;
-  const double north = placeY - y;
-  const double squared = east * east + north * north;
-  constexpr double reach = StormVortex::Reach;
-  if (squared >= reach * reach)
-  {
-    return;
-  }
-  double perMetre = 1.0 / coreRadius; // of the distance from the axis
-  if (squared > coreRadius * coreRadius)
-  {
-    const double rest = coreRadius / reach;
-    perMetre = (coreRadius / squared - rest / std::sqrt(squared)) / (1.0 - rest);
-  }
-  wind.east += perMetre * (leaving * east - turning * north);
-  wind.north += perMetre * (leaving * north + turning * east);
 }
 
 double StormVortex::RadiusAt(double z) const
@@ -34,8 +28,7 @@ double StormVortex::RadiusAt(double z) const
 
 VortexSlice StormVortex::At(double z) const
 {
-  const PlanePoint axis = this->AxisAt(z);
-  return {axis.x, axis.y, this->RadiusAt(z), rotation.At(z), outflow.At(z) - inflow.At(z)};
+  return {this->AxisAt(z), this->RadiusAt(z), rotation.At(z), outflow.At(z) - inflow.At(z)};
 }
 
 bool StormVortex::Touches(const Cylinder& cylinder, double distance) const

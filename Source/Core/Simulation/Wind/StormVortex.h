@@ -4,6 +4,8 @@
 #include "nexrad/Simulation/Basis/StormPlane.h"
 #include "nexrad/Simulation/Wind/MeanWind.h"
 
+#include <cmath>
+
 namespace nexrad
 {
 
@@ -33,16 +35,43 @@ struct FlowLayer
 };
 
 /// The wind of a StormVortex at one height.
-struct VortexSlice
+class VortexSlice
 {
-  double x = 0.0; ///< m in the plane, of the axis
-  double y = 0.0;
-  double coreRadius = 1.0; ///< m
-  double turning = 0.0;    ///< m/s along the tangent, anticlockwise, at the edge of the core
-  double leaving = 0.0;    ///< m/s away from the axis, at the edge of the core
+public:
+  /// The axis (m in the plane), the radius of the core (m), and the speeds at its edge in m/s:
+  /// along the tangent, anticlockwise, and away from the axis.
+  VortexSlice(const PlanePoint& axis, double coreRadius, double turning, double leaving);
+
+  /// True where the air is not moved at all.
+  bool IsStill() const { return turning == 0.0 && leaving == 0.0; }
 
   /// Adds the storm's part to the wind at a place of the plane.
-  void AddTo(WindVector& wind, double placeX, double placeY) const;
+  void AddTo(WindVector& wind, double placeX, double placeY) const
+  {
+    const double east = placeX - x;
+    const double north = placeY - y;
+    const double squared = east * east + north * north;
+    if (squared >= reachSquared)
+    {
+      return;
+    }
+    // Of the distance from the axis: in the core, and outside it.
+    const double perMetre =
+      squared <= coreSquared ? inCore : outside / squared - rest / std::sqrt(squared);
+    wind.east += perMetre * (leaving * east - turning * north);
+    wind.north += perMetre * (leaving * north + turning * east);
+  }
+
+private:
+  double x;
+  double y;
+  double turning;
+  double leaving;
+  double reachSquared;
+  double coreSquared;
+  double inCore;  // 1/R
+  double outside; // R/(1 − R/Reach)
+  double rest;    // (R/Reach)/(1 − R/Reach)
 };
 
 /// What a storm adds to the wind about an axis that leans with the storm: air that turns about the
