@@ -251,7 +251,7 @@ void WritePolarimetricWords(const std::vector<PolarimetricGate>& measured,
   {
     if (reflectivityWords[gate] != belowThreshold)
     {
-      constexpr long mostPhase = 1023; // ten bits
+      constexpr long mostPhase = 1022; // 359.6 degrees, the most in real files
       const long phase = std::clamp(
         std::lround(measured[gate].phase * PhaseCode.scale + PhaseCode.offset), 2L, mostPhase);
       words[gate] = ToWord(measured[gate].differentialReflectivity, DifferentialCode);

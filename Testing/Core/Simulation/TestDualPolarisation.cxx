@@ -211,6 +211,14 @@ TEST(DualPolarisation, AFileHasTheMomentsAsRealFilesDo)
       }
     }
   }
+  for (const Ray& each : decoded.sweeps.front().rays)
+  {
+    const MomentRow& phase = each.Row(MomentName::PHI);
+    for (std::size_t gate = 0; gate < phase.gates; ++gate)
+    {
+      ASSERT_LE(phase.Raw(gate), 1'022U); // 359.6 degrees, as in real files
+    }
+  }
   const Ray& ray = decoded.sweeps.front().rays.front();
   EXPECT_EQ(ray.Row(MomentName::ZDR).scale, 16.0F);
   EXPECT_EQ(ray.Row(MomentName::ZDR).offset, 128.0F);
