@@ -106,7 +106,8 @@ TEST(SimulateCommand, NamesTheWrongOption)
   const std::vector<std::pair<std::string, std::string>> wrong = {{"--hours", "0"},
     {"--hours", "soon"}, {"--begin", "yesterday"}, {"--sites", "KZZZ"}, {"--sites", "KLSX:13"},
     {"--sites", "KLSX,KLSX"}, {"--vcp", "99"}, {"--message-type", "2"}, {"--container", "zip"},
-    {"--seed", "-1"}, {"--refraction", "0"}};
+    {"--seed", "-1"}, {"--refraction", "0"}, {"--not-weather", "rain"}, {"--bias", "KLSX"},
+    {"--bias", "KLSX:30"}, {"--bias", "KABR:1"}};
   for (const auto& [option, value] : wrong)
   {
     const Outcome outcome = Simulate({folder, option, value});
@@ -115,6 +116,39 @@ TEST(SimulateCommand, NamesTheWrongOption)
     EXPECT_EQ(std::count(outcome.errors.begin(), outcome.errors.end(), '\n'), 1) << outcome.errors;
   }
   EXPECT_TRUE(NamesIn(folder).empty());
+}
+
+TEST(SimulateCommand, AddsWhatIsNotWeather)
+{
+  const nexrad::testing::TemporaryFolder temporary;
+  const Outcome outcome = Simulate(
+    {temporary.Path().string(), "--hours", "0.1", "--sites", "KLSX:32", "--message-type", "31",
+      "--not-weather", "clutter,sun", "--bias", "KLSX:-1.5", "--dual-polarisation", "--quiet"});
+  ASSERT_EQ(outcome.status, Done) << outcome.errors;
+  SimulatorOptions options;
+  options.superResolution = true;
+  options.notWeather = {EchoKind::Clutter, EchoKind::Sun};
+  options.bias = -1.5;
+  options.dualPolarisation = true;
+  const RadarVolume volume = ReadLevel2(temporary.Path() / *NamesIn(temporary.Path()).begin());
+  const RadarVolume wanted = ScanVolume(StormField(), volume.site, 32, *volume.headerTime, options);
+  ASSERT_EQ(volume.sweeps.size(), wanted.sweeps.size());
+  for (const MomentName name : {MomentName::REF, MomentName::ZDR, MomentName::PHI, MomentName::RHO})
+  {
+    const MomentRow& row = volume.sweeps[0].rays[7].Row(name);
+    const MomentRow& other = wanted.sweeps[0].rays[7].Row(name);
+    ASSERT_EQ(row.gates, other.gates);
+    ASSERT_GT(row.gates, 0);
+    EXPECT_TRUE(std::equal(row.words, row.words + row.gates * (row.wordBits / 8), other.words));
+  }
+}
+
+TEST(SimulateCommand, Message1HasNoDualPolarisation)
+{
+  const nexrad::testing::TemporaryFolder temporary;
+  const Outcome outcome = Simulate({temporary.Path().string(), "--dual-polarisation"});
+  EXPECT_EQ(outcome.status, WrongUsage);
+  EXPECT_NE(outcome.errors.find("--message-type 31"), std::string::npos) << outcome.errors;
 }
 
 TEST(SimulateCommand, SaysThatAFolderCannotBeMade)

@@ -10,6 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -31,6 +33,7 @@ struct SimulateCommandOptions
   double hours = wholeDay;
   std::vector<SimulatedSite> sites = SimulatedDayOptions::DefaultSites();
   std::optional<int> coveragePattern;
+  std::map<std::string, double> biases; // dB, by the site's name
   bool quiet = false;
 };
 
@@ -115,6 +118,41 @@ Level2Container ParseContainer(const std::string& text)
   return found->second;
 }
 
+// "KLSX:2,KILX:-1.5".
+std::map<std::string, double> ParseBiases(const std::string& text)
+{
+  constexpr double most = 20.0; // dB
+  std::map<std::string, double> biases;
+  for (const std::string& part : CLI::detail::split(text, ','))
+  {
+    const std::size_t colon = part.find(':');
+    double bias = 0.0;
+    if (colon == std::string::npos || !CLI::detail::lexical_cast(part.substr(colon + 1), bias) ||
+        !(std::abs(bias) <= most))
+    {
+      throw Error(
+        "'" + part + "' is no bias of a radar; write its name and -20 to 20 dB, as in KLSX:2");
+    }
+    biases[part.substr(0, colon)] = bias;
+  }
+  return biases;
+}
+
+void SetBiases(const std::map<std::string, double>& biases, std::vector<SimulatedSite>& sites)
+{
+  for (const auto& [name, bias] : biases)
+  {
+    const auto site = std::find_if(sites.begin(), sites.end(),
+      [&wanted = name](const SimulatedSite& each) { return each.name == wanted; });
+    if (site == sites.end())
+    {
+      throw CLI::ValidationError(
+        "--bias", "site '" + name + "' is not simulated; name radars of --sites");
+    }
+    site->bias = bias;
+  }
+}
+
 SimulatedDayOptions ResolveDay(const SimulateCommandOptions& options)
 {
   SimulatedDayOptions day = options.day;
@@ -126,6 +164,12 @@ SimulatedDayOptions ResolveDay(const SimulateCommandOptions& options)
   for (SimulatedSite& site : day.sites)
   {
     site.coveragePattern = options.coveragePattern.value_or(site.coveragePattern);
+  }
+  SetBiases(options.biases, day.sites);
+  if (day.dualPolarisation && day.messageType != 31)
+  {
+    throw CLI::ValidationError(
+      "--dual-polarisation", "message 1 has no such moments; add --message-type 31");
   }
   return day;
 }
@@ -144,9 +188,8 @@ void Print(
   }
 }
 
-int RunSimulate(const SimulateCommandOptions& options)
+int RunSimulate(const SimulateCommandOptions& options, const SimulatedDayOptions& day)
 {
-  const SimulatedDayOptions day = ResolveDay(options);
   ProgressBar bar("simulating", options.quiet);
   const SimulationReport report = WriteSimulatedFiles(
     day, options.folder, [&bar](double fraction) { return bar.Update(fraction); });
@@ -190,6 +233,16 @@ void AddSimulateCommand(CLI::App& program, CommandAction& action)
     ->type_name("1|31")
     ->check(CLI::IsMember({1, 31}))
     ->capture_default_str();
+  AddParsedOption(*command, "--not-weather", options->day.notWeather, ParseEchoKinds, "KIND[,…]",
+    "Echo that is not weather, added to the storms: clutter (fixed targets near the radar and on "
+    "ridges), propagation (ground that bent beams meet far away), biological (a bloom of insects "
+    "and birds), sun and interference (spikes), test-pattern (rays of one value), speckle (single "
+    "gates), or all",
+    "none");
+  AddParsedOption(*command, "--bias", options->biases, ParseBiases, "NAME:DB[,…]",
+    "How many dB too high each of these radars measures reflectivity", "0 dB");
+  command->add_flag("--dual-polarisation", options->day.dualPolarisation,
+    "Write the moments ZDR, PHI and RHO too; needs --message-type 31");
   AddParsedOption(*command, "--container", options->day.container, ParseContainer, "NAME",
     "bare: messages as they are; gzip: the same, compressed; ldm: bzip2 records", "ldm");
   command->add_option("--seed", options->day.seed, "Seed of the storms and of the noise")
@@ -202,7 +255,8 @@ void AddSimulateCommand(CLI::App& program, CommandAction& action)
     ->check(CLI::Range(0.5, 5.0))
     ->default_str("1.3333");
   AddQuietOption(*command, options->quiet);
-  command->callback([options, &action] { action = [options] { return RunSimulate(*options); }; });
+  command->callback([options, &action]
+    { action = [options, day = ResolveDay(*options)] { return RunSimulate(*options, day); }; });
 }
 
 } // namespace nexrad::application

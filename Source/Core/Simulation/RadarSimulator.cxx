@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/RadarSimulator.h"
 
+#include "nexrad/Simulation/Basis/CounterNoise.h"
 #include "nexrad/Simulation/BeamSampler.h"
-#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/Echo/AddedEcho.h"
+#include "nexrad/Simulation/RayBlocks.h"
 #include "nexrad/Simulation/RayWords.h"
 #include "nexrad/Simulation/ScanStrategy.h"
+#include "nexrad/Simulation/VelocitySampler.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace nexrad
@@ -79,30 +83,48 @@ double WrapAzimuth(double azimuth)
 class VolumeScan
 {
 public:
+  // `radarKey` is the site's, `volumeKey` that and the start's.
   VolumeScan(const StormField& stormField, const Position& antenna, const SimulatorOptions& choices,
-    std::uint64_t volumeKey)
+    std::uint64_t radarKey, std::uint64_t volumeKey)
     : field(stormField)
     , position(antenna)
     , options(choices)
     , key(volumeKey)
+    , added(choices.notWeather, radarKey, choices.beamWidth)
     , azimuth(360.0 * Uniform(volumeKey, 0))
   {
   }
 
-  // The next cut, from `start` on.
-  Sweep Scan(const ScanCut& cut, int number, Time start, RadarVolume& volume);
+  // The next cut, from `start` on. `truth`, where given, takes what is true of its gates.
+  Sweep Scan(
+    const ScanCut& cut, int number, Time start, RadarVolume& volume, std::vector<RayTruth>* truth);
 
 private:
   const StormField& field;
   const Position& position;
   const SimulatorOptions& options;
   std::uint64_t key;
+  AddedEcho added;
   double azimuth; // degrees, where the next cut begins
 
+  // Which ray is measured, and where its words and its truth go.
+  struct RayTask
+  {
+    RayPlace place;
+    std::uint8_t* words;
+    RayTruth* truth; // nullptr: nobody asks
+  };
+
   Ray Aim(const ScanCut& cut, const CutLayout& layout, int number, int index, Time start) const;
-  void Measure(Ray& ray, const ScanCut& cut, const CutLayout& layout, BeamSampler& beam,
-    std::uint64_t rayKey, std::uint8_t* words);
-  std::vector<double> reflectivity; // of the ray in hand, kept to save its memory
+  void Measure(
+    Ray& ray, const ScanCut& cut, const CutLayout& layout, BeamSampler& beam, const RayTask& task);
+  void Classify(const BeamSampler& beam, const GateLayout& layout);
+  int PolarimetricGates(const ScanCut& cut, const CutLayout& layout) const;
+  static void Prepare(RayTruth& truth, const CutLayout& layout);
+  void NoteKinds(RayTruth& truth, const Ray& ray, const RayPlace& place) const;
+  // Of the ray in hand, kept to save their memory.
+  std::vector<double> reflectivity;
+  std::vector<EchoKind> kinds;
 };
 
 // Where the antenna points, and when, in the middle of a ray.
@@ -130,48 +152,106 @@ Ray VolumeScan::Aim(
   return ray;
 }
 
-void Describe(
-  MomentRow& row, const GateLayout& layout, const std::uint8_t* words, float scale, float offset)
+// Storms, but for the weak return of clear air near the ground.
+void VolumeScan::Classify(const BeamSampler& beam, const GateLayout& layout)
 {
-  row.words = words;
-  row.gates = static_cast<std::uint16_t>(layout.gates);
-  row.firstGate = layout.firstGate;
-  row.gateSpacing = layout.gateSpacing;
-  row.scale = scale;
-  row.offset = offset;
+  kinds.assign(reflectivity.size(), EchoKind::None);
+  for (std::size_t gate = 0; gate < kinds.size(); ++gate)
+  {
+    if (std::isfinite(reflectivity[gate]))
+    {
+      const bool isClear =
+        !beam.Spreads()[gate].bySide ||
+        (reflectivity[gate] <= StormSnapshot::ClearAirMaximum() &&
+          beam.Centre(layout.Range(static_cast<int>(gate))).z < StormSnapshot::ClearAirTop());
+      kinds[gate] = isClear ? EchoKind::Biological : EchoKind::Weather;
+    }
+  }
 }
 
-void VolumeScan::Measure(Ray& ray, const ScanCut& cut, const CutLayout& layout, BeamSampler& beam,
-  std::uint64_t rayKey, std::uint8_t* words)
+// Real files have the moments of two polarisations in all cuts but the Doppler half of a split one,
+// for 300 km.
+int VolumeScan::PolarimetricGates(const ScanCut& cut, const CutLayout& layout) const
+{
+  constexpr int most = 1'192;
+  const bool has = options.dualPolarisation && cut.cut.waveform != Waveform::ContiguousDoppler;
+  return has ? std::min(layout.reflectivity.gates, most) : 0;
+}
+
+void VolumeScan::Measure(
+  Ray& ray, const ScanCut& cut, const CutLayout& layout, BeamSampler& beam, const RayTask& task)
 {
   const StormSnapshot snapshot = field.At(ray.time);
   beam.Point(ray.azimuth, ray.elevation);
   beam.Sample(snapshot, layout.echo, reflectivity);
-  const RayEcho echo{options, layout.echo, reflectivity, rayKey};
-  if (layout.reflectivity.gates > 0)
+  this->Classify(beam, layout.echo);
+  if (added.Any())
   {
-    WriteReflectivityWords(echo, layout.reflectivity.gates, words);
-    Describe(
-      ray.Row(MomentName::REF), layout.reflectivity, words, ReflectivityScale, ReflectivityOffset);
-    words += layout.reflectivity.gates;
+    added.AddTo(beam.Trace(), task.place, layout.echo, reflectivity, kinds);
   }
-  if (layout.doppler.gates > 0)
+  const RayEcho echo{options, layout.echo, reflectivity, beam.Spreads(), kinds, task.place.key};
+  const int polarimetricGates = this->PolarimetricGates(cut, layout);
+  const RayBlocks blocks(layout, polarimetricGates, task.words);
+  WriteReflectivityWords(echo, layout.reflectivity.gates, blocks.reflectivity);
+  if (task.truth)
   {
-    std::uint8_t* widths = words + layout.doppler.gates;
-    WriteDopplerWords(echo, layout.doppler, cut.unambiguousRange * 1000.0,
-      {ray.azimuth, ray.elevation}, beam, snapshot, words, widths);
-    Describe(ray.Row(MomentName::VEL), layout.doppler, words, DopplerScale, DopplerOffset);
-    Describe(ray.Row(MomentName::SW), layout.doppler, widths, DopplerScale, DopplerOffset);
+    Prepare(*task.truth, layout);
+  }
+  VelocitySampler wind(beam.Trace(), snapshot);
+  WriteDopplerWords(echo, layout.doppler, cut.unambiguousRange * 1000.0, wind,
+    {blocks.velocity, blocks.width, task.truth});
+  if (polarimetricGates > 0)
+  {
+    WritePolarimetricWords(
+      MeasurePolarisation(beam.Trace(), layout.echo, reflectivity, kinds, task.place.key),
+      blocks.reflectivity, polarimetricGates, blocks.polarimetric);
+  }
+  if (added.IsTestPattern(task.place))
+  {
+    blocks.FillWithPattern();
+  }
+  blocks.Describe(ray);
+  if (task.truth)
+  {
+    this->NoteKinds(*task.truth, ray, task.place);
   }
 }
 
-Sweep VolumeScan::Scan(const ScanCut& cut, int number, Time start, RadarVolume& volume)
+void VolumeScan::Prepare(RayTruth& truth, const CutLayout& layout)
+{
+  const auto gates = static_cast<std::size_t>(layout.doppler.gates);
+  truth.velocity.assign(gates, std::numeric_limits<float>::quiet_NaN());
+  truth.velocityKinds.assign(gates, EchoKind::None);
+}
+
+void VolumeScan::NoteKinds(RayTruth& truth, const Ray& ray, const RayPlace& place) const
+{
+  const MomentRow& row = ray.Row(MomentName::REF);
+  truth.reflectivityKinds.assign(row.gates, EchoKind::None);
+  for (std::size_t gate = 0; gate < row.gates; ++gate)
+  {
+    if (row.State(gate) == GateState::Valid)
+    {
+      truth.reflectivityKinds[gate] = kinds[gate];
+    }
+  }
+  if (added.IsTestPattern(place))
+  {
+    const auto fill = [](auto& values, auto value)
+    { std::fill(values.begin(), values.end(), value); };
+    fill(truth.reflectivityKinds, EchoKind::TestPattern);
+    fill(truth.velocityKinds, EchoKind::TestPattern);
+    fill(truth.velocity, std::numeric_limits<float>::quiet_NaN());
+  }
+}
+
+Sweep VolumeScan::Scan(
+  const ScanCut& cut, int number, Time start, RadarVolume& volume, std::vector<RayTruth>* truth)
 {
   const CutLayout layout = LayOut(cut, options.superResolution);
   BeamSampler beam(position, cut.cut.elevation, layout.echo.Range(layout.echo.gates),
     {options.effectiveRadiusFactor, options.beamWidth});
-  const auto rayBytes =
-    static_cast<std::size_t>(layout.reflectivity.gates + 2 * layout.doppler.gates);
+  const std::size_t rayBytes = RayBlocks::Bytes(layout, PolarimetricGates(cut, layout));
   const auto words =
     std::make_shared<std::vector<std::uint8_t>>(rayBytes * static_cast<std::size_t>(layout.rays));
   const std::uint64_t cutKey = Mix(key, static_cast<std::uint64_t>(number));
@@ -183,7 +263,9 @@ Sweep VolumeScan::Scan(const ScanCut& cut, int number, Time start, RadarVolume& 
   {
     const auto place = static_cast<std::size_t>(index);
     Ray ray = this->Aim(cut, layout, number, index, start);
-    this->Measure(ray, cut, layout, beam, Mix(cutKey, place), words->data() + place * rayBytes);
+    this->Measure(ray, cut, layout, beam,
+      {{number, index, layout.rays, Mix(cutKey, place)}, words->data() + place * rayBytes,
+        truth ? &truth->emplace_back() : nullptr});
     sweep.rays.push_back(ray);
   }
   volume.buffers.push_back(words);
@@ -217,7 +299,7 @@ CoveragePattern PatternAsScanned(int number, const SimulatorOptions& options)
 } // namespace
 
 RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePattern, Time start,
-  const SimulatorOptions& options)
+  const SimulatorOptions& options, ScanTruth* truth)
 {
   const std::vector<ScanCut>& strategy = RequireStrategy(coveragePattern);
   if (!site.position)
@@ -226,6 +308,10 @@ RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePa
   }
   RequirePositive(options.effectiveRadiusFactor, "the effective radius factor");
   RequirePositive(options.beamWidth, "the beam width");
+  if (options.dualPolarisation && !options.superResolution)
+  {
+    throw Error("simulator: message 1 has no dual polarisation; ask for message 31");
+  }
 
   RadarVolume volume;
   volume.site = site;
@@ -235,18 +321,37 @@ RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePa
   volume.headerTime = start;
   volume.complete = true;
   volume.synthetic = true;
+  const std::uint64_t radarKey = Mix(Mix(options.seed), KeyOf(site.name));
   const auto startCount = static_cast<std::uint64_t>(start.time_since_epoch().count());
-  VolumeScan scan(
-    field, *site.position, options, Mix(Mix(Mix(options.seed), KeyOf(site.name)), startCount));
+  VolumeScan scan(field, *site.position, options, radarKey, Mix(radarKey, startCount));
+  if (truth)
+  {
+    truth->sweeps.clear();
+  }
   double elapsed = 0.0;
   int number = 0;
   for (const ScanCut& cut : strategy)
   {
-    volume.sweeps.push_back(scan.Scan(cut, ++number, Later(start, elapsed), volume));
+    std::vector<RayTruth>* rays = truth ? &truth->sweeps.emplace_back() : nullptr;
+    volume.sweeps.push_back(scan.Scan(cut, ++number, Later(start, elapsed), volume, rays));
     elapsed += CutDuration(cut, LayOut(cut, options.superResolution)) + cutGap;
   }
   MarkEnds(volume.sweeps);
   return volume;
+}
+
+double TrueRadialVelocity(const StormField& field, const Position& site, Time time, double azimuth,
+  double elevation, double range, double gateSpacing, const SimulatorOptions& options)
+{
+  const auto first = static_cast<int>(std::lround(range));
+  const auto spacing = static_cast<int>(std::lround(gateSpacing));
+  BeamSampler beam(
+    site, elevation, range + 2.0 * gateSpacing, {options.effectiveRadiusFactor, options.beamWidth});
+  const StormSnapshot snapshot = field.At(time);
+  std::vector<double> reflectivity;
+  beam.Point(azimuth, elevation);
+  beam.Sample(snapshot, {1, first, spacing}, reflectivity);
+  return VelocitySampler(beam.Trace(), snapshot).Sample(range, beam.Spreads()[0]).mean;
 }
 
 Duration VolumePeriod(int coveragePattern)

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/RayWords.h"
 
-#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/Basis/CounterNoise.h"
+#include "nexrad/Simulation/Echo/AddedEcho.h"
+#include "nexrad/Simulation/ScanStrategy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +15,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double overlayThreshold = 5.0; // dB by which one of two overlaid echoes must be stronger
 constexpr double velocityNoise = 1.2;    // m/s, standard deviation
@@ -30,9 +31,10 @@ constexpr std::uint64_t reflectivityStream = 0;
 constexpr std::uint64_t velocityStream = 1U << 16;
 constexpr std::uint64_t widthStream = 2U << 16;
 
-std::uint8_t ToWord(double value, double scale, double offset)
+std::uint8_t ToWord(double value, const WordCode& code)
 {
-  return static_cast<std::uint8_t>(std::clamp(std::lround(value * scale + offset), 2L, 255L));
+  const double raw = value * static_cast<double>(code.scale) + static_cast<double>(code.offset);
+  return static_cast<std::uint8_t>(std::clamp(std::lround(raw), 2L, 255L));
 }
 
 // Strength of the echoes of a ray at the receiver, in dB, by slant range: Z over the square of the
@@ -55,11 +57,17 @@ public:
     }
   }
 
+  /// The gate of the echo that a range lies in; it may lie off either end.
+  int NearestGate(double range) const
+  {
+    return static_cast<int>(std::floor((range - layout.firstGate) / layout.gateSpacing + 0.5));
+  }
+
   /// Interpolated; nothing where the echo is too weak to be seen.
   double At(double range) const
   {
     const double gate = (range - layout.firstGate) / layout.gateSpacing;
-    const int nearest = static_cast<int>(std::floor(gate + 0.5));
+    const int nearest = this->NearestGate(range);
     if (nearest < 0 || nearest >= layout.gates)
     {
       return nothing;
@@ -101,9 +109,73 @@ private:
   std::vector<double> power;
 };
 
-double Fold(double velocity, double nyquist)
+// Spectrum width of an echo without shear, m/s: strong echo is turbulent; the square root of its
+// reflectivity stands for that.
+double OwnWidth(double reflectivity)
 {
-  return velocity - 2.0 * nyquist * std::floor(velocity / (2.0 * nyquist) + 0.5);
+  constexpr double floor = 1.5;
+  return floor + std::sqrt(std::max(reflectivity, 0.0)) / 2.0;
+}
+
+// How the echo of a gate moves.
+struct GateMotion
+{
+  double mean;     // m/s, before noise; NaN: the echo has no velocity
+  double velocity; // m/s, with noise, not folded
+  double width;    // m/s, with noise
+};
+
+struct GateView
+{
+  double range;        // m
+  double reflectivity; // dBZ
+  double nyquist;      // m/s
+};
+
+// Ground stands still. Nearly: the antenna turns on while it measures.
+GateMotion MoveGround(const RayEcho& echo, std::size_t gate)
+{
+  return {0.0, 0.35 * Normal(echo.noiseKey, velocityStream + gate),
+    0.6 + 0.25 * Normal(echo.noiseKey, widthStream + gate)};
+}
+
+// Noise has any velocity.
+GateMotion MoveNoise(const RayEcho& echo, std::size_t gate, double nyquist)
+{
+  return {std::numeric_limits<double>::quiet_NaN(),
+    nyquist * (2.0 * Uniform(echo.noiseKey, velocityStream + gate) - 1.0),
+    2.0 + 8.0 * Uniform(echo.noiseKey, widthStream + gate)};
+}
+
+GateMotion MoveAir(const RayEcho& echo, std::size_t echoGate, std::size_t gate,
+  const GateView& view, VelocitySampler& wind)
+{
+  const BeamVelocity air = wind.Sample(view.range, echo.spreads[echoGate]);
+  // The weak clear-air return of every day drifts with the wind; a bloom flies.
+  const bool flies = echo.kinds[echoGate] == EchoKind::Biological &&
+                     echo.options.notWeather.count(EchoKind::Biological) > 0;
+  const double own = OwnWidth(view.reflectivity);
+  const double mean = air.mean + (flies ? wind.Along(AddedEcho::OwnFlight()) : 0.0);
+  return {mean, mean + velocityNoise * Normal(echo.noiseKey, velocityStream + gate),
+    std::sqrt(own * own + air.deviation * air.deviation) +
+      widthNoise * Normal(echo.noiseKey, widthStream + gate)};
+}
+
+GateMotion Move(const RayEcho& echo, std::size_t echoGate, std::size_t gate, const GateView& view,
+  VelocitySampler& wind)
+{
+  switch (echo.kinds[echoGate])
+  {
+  case EchoKind::Clutter:
+  case EchoKind::AnomalousPropagation:
+    return MoveGround(echo, gate);
+  case EchoKind::Sun:
+  case EchoKind::Interference:
+  case EchoKind::Speckle:
+    return MoveNoise(echo, gate, view.nyquist);
+  default:
+    return MoveAir(echo, echoGate, gate, view, wind);
+  }
 }
 
 } // namespace
@@ -127,43 +199,66 @@ void WriteReflectivityWords(const RayEcho& echo, int gates, std::uint8_t* words)
                             echo.options.noise * Normal(echo.noiseKey, reflectivityStream + index);
     if (measured >= SensitivityAt(echo.layout.Range(gate), echo.options))
     {
-      words[index] = ToWord(measured, ReflectivityScale, ReflectivityOffset);
+      words[index] = ToWord(measured + echo.options.bias, ReflectivityCode);
     }
   }
 }
 
 void WriteDopplerWords(const RayEcho& echo, const GateLayout& doppler, double unambiguousRange,
-  const RayDirection& direction, const BeamSampler& beam, const StormSnapshot& snapshot,
-  std::uint8_t* velocityWords, std::uint8_t* widthWords)
+  VelocitySampler& wind, const DopplerWords& words)
 {
-  const double level = std::cos(direction.elevation * degree);
-  const double east = level * std::sin(direction.azimuth * degree);
-  const double north = level * std::cos(direction.azimuth * degree);
   const double nyquist = NyquistVelocity(unambiguousRange / 1000.0);
   const ReceivedPower received(echo);
   for (int gate = 0; gate < doppler.gates; ++gate)
   {
     const auto index = static_cast<std::size_t>(gate);
-    velocityWords[index] = widthWords[index] = belowThreshold;
+    words.velocity[index] = words.width[index] = belowThreshold;
     const double range = doppler.Range(gate);
     const double power = range > 0.0 ? received.At(range) : nothing;
     if (power == nothing)
     {
       continue;
     }
+    const auto echoGate = static_cast<std::size_t>(received.NearestGate(range));
+    if (words.truth)
+    {
+      words.truth->velocityKinds[index] = echo.kinds[echoGate];
+    }
     if (power < received.StrongestOverlay(range, unambiguousRange) + overlayThreshold)
     {
-      velocityWords[index] = widthWords[index] = rangeFolded;
+      words.velocity[index] = words.width[index] = rangeFolded;
       continue;
     }
-    const WindVector wind = snapshot.Wind(beam.Centre(range));
-    const double velocity = east * wind.east + north * wind.north +
-                            velocityNoise * Normal(echo.noiseKey, velocityStream + index);
-    // Strong echo is turbulent; the square root of its reflectivity stands for that.
-    const double turbulence = std::sqrt(std::max(power + 20.0 * std::log10(range), 0.0)) / 2.0;
-    const double width = 1.5 + turbulence + widthNoise * Normal(echo.noiseKey, widthStream + index);
-    velocityWords[index] = ToWord(Fold(velocity, nyquist), DopplerScale, DopplerOffset);
-    widthWords[index] = ToWord(std::max(width, 0.0), DopplerScale, DopplerOffset);
+    const GateMotion motion =
+      Move(echo, echoGate, index, {range, power + 20.0 * std::log10(range), nyquist}, wind);
+    words.velocity[index] = ToWord(FoldVelocity(motion.velocity, nyquist), DopplerCode);
+    words.width[index] = ToWord(std::max(motion.width, 0.0), DopplerCode);
+    if (words.truth)
+    {
+      words.truth->velocity[index] = static_cast<float>(motion.mean);
+    }
+  }
+}
+
+void WritePolarimetricWords(const std::vector<PolarimetricGate>& measured,
+  const std::uint8_t* reflectivityWords, int gates, std::uint8_t* words)
+{
+  const auto count = static_cast<std::size_t>(gates);
+  std::uint8_t* phases = words + count;
+  std::uint8_t* correlations = phases + 2 * count;
+  std::fill(words, correlations + count, belowThreshold);
+  for (std::size_t gate = 0; gate < count; ++gate)
+  {
+    if (reflectivityWords[gate] != belowThreshold)
+    {
+      constexpr long mostPhase = 1022; // 359.6 degrees, the most in real files
+      const long phase = std::clamp(
+        std::lround(measured[gate].phase * PhaseCode.scale + PhaseCode.offset), 2L, mostPhase);
+      words[gate] = ToWord(measured[gate].differentialReflectivity, DifferentialCode);
+      phases[2 * gate] = static_cast<std::uint8_t>(phase >> 8);
+      phases[2 * gate + 1] = static_cast<std::uint8_t>(phase & 0xff);
+      correlations[gate] = ToWord(measured[gate].correlation, CorrelationCode);
+    }
   }
 }
 

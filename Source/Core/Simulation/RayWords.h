@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/BeamSampler.h"
+#include "nexrad/Simulation/Echo/DualPolarisation.h"
 #include "nexrad/Simulation/RadarSimulator.h"
+#include "nexrad/Simulation/VelocitySampler.h"
 
 #include <cstdint>
 #include <vector>
@@ -10,35 +11,49 @@
 namespace nexrad
 {
 
-/// What one ray saw, from which its words are made.
+/// What one ray saw, from which its words are made. The vectors are of the gates of `layout`.
 struct RayEcho
 {
   const SimulatorOptions& options;
-  const GateLayout& layout;                ///< of `reflectivity`
+  const GateLayout& layout;
   const std::vector<double>& reflectivity; ///< dBZ, without noise; -infinity: nothing
-  std::uint64_t noiseKey;                  ///< CounterNoise
+  const std::vector<EchoSpread>& spreads;  ///< of the storms
+  const std::vector<EchoKind>& kinds;
+  std::uint64_t noiseKey; ///< CounterNoise
 };
 
-/// How the simulator's words stand for values: value = (word − offset)/scale, in dBZ and m/s.
-constexpr float ReflectivityScale = 2.0F;
-constexpr float ReflectivityOffset = 66.0F;
-constexpr float DopplerScale = 2.0F;
-constexpr float DopplerOffset = 129.0F;
+/// How the simulator's words stand for values: value = (word − offset)/scale, in dBZ, m/s, dB,
+/// degrees and without dimension: those of real files. Words of PHI have 16 bits, others 8.
+struct WordCode
+{
+  float scale;
+  float offset;
+};
+constexpr WordCode ReflectivityCode{2.0F, 66.0F};
+constexpr WordCode DopplerCode{2.0F, 129.0F};
+constexpr WordCode DifferentialCode{16.0F, 128.0F};
+constexpr WordCode PhaseCode{2.8361F, 2.0F};
+constexpr WordCode CorrelationCode{300.0F, -60.5F};
 
-/// Words of REF for the gates of a layout that begins and steps as the echo's: with noise, 0 below
-/// the sensitivity.
+/// Words of REF for the gates of a layout that begins and steps as the echo's: with noise and the
+/// radar's bias, 0 below the sensitivity.
 void WriteReflectivityWords(const RayEcho& echo, int gates, std::uint8_t* words);
 
-/// Direction of a ray, for its radial velocities.
-struct RayDirection
+/// Where the words of VEL and SW go, and what is true of them.
+struct DopplerWords
 {
-  double azimuth = 0.0;   ///< degrees
-  double elevation = 0.0; ///< degrees
+  std::uint8_t* velocity;
+  std::uint8_t* width;
+  RayTruth* truth; ///< nullptr: nobody asks
 };
 
 /// Words of VEL and SW: 0 below the sensitivity, 1 where an echo of another pulse overlies.
 void WriteDopplerWords(const RayEcho& echo, const GateLayout& doppler, double unambiguousRange,
-  const RayDirection& direction, const BeamSampler& beam, const StormSnapshot& snapshot,
-  std::uint8_t* velocityWords, std::uint8_t* widthWords);
+  VelocitySampler& wind, const DopplerWords& words);
+
+/// Words of ZDR, PHI (two bytes each) and RHO, one after another, for the first gates of the echo:
+/// 0 where the word of REF is.
+void WritePolarimetricWords(const std::vector<PolarimetricGate>& measured,
+  const std::uint8_t* reflectivityWords, int gates, std::uint8_t* words);
 
 } // namespace nexrad

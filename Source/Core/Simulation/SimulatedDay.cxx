@@ -2,7 +2,7 @@
 #include "nexrad/Simulation/SimulatedDay.h"
 
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/Basis/CounterNoise.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -55,6 +55,7 @@ void AddVolumes(const SimulatedSite& site, const SimulatedDayOptions& options,
   SimulatedVolume volume;
   volume.site = RequireSite(site.name);
   volume.coveragePattern = site.coveragePattern;
+  volume.bias = site.bias;
   const Duration phase = Phase(site.name, period);
   const Duration since = options.begin.time_since_epoch() - phase;
   std::int64_t number = since / period;
@@ -116,6 +117,9 @@ std::vector<std::uint8_t> SimulateFile(
   simulator.superResolution = options.messageType == 31;
   simulator.seed = options.seed;
   simulator.effectiveRadiusFactor = options.effectiveRadiusFactor;
+  simulator.notWeather = options.notWeather;
+  simulator.dualPolarisation = options.dualPolarisation;
+  simulator.bias = volume.bias;
   return EncodeLevel2(
     ScanVolume(field, volume.site, volume.coveragePattern, volume.start, simulator),
     {options.messageType, options.container, volume.volumeNumber});

@@ -5,6 +5,7 @@
 #include "nexrad/Simulation/RadarSimulator.h"
 
 #include <cstdint>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct SimulatedSite
 {
   std::string name; ///< in the site table
   int coveragePattern = 21;
+  double bias = 0.0; ///< dB that its reflectivities are too high
 };
 
 struct SimulatedDayOptions
@@ -27,6 +29,8 @@ struct SimulatedDayOptions
   Level2Container container = Level2Container::LdmBzip2; ///< of every file
   std::uint32_t seed = 1;                                ///< of the storms and the noise
   double effectiveRadiusFactor = 4.0 / 3.0;              ///< see SimulatorOptions
+  std::set<EchoKind> notWeather;                         ///< see SimulatorOptions
+  bool dualPolarisation = false;                         ///< see SimulatorOptions
 
   /// KEAX with pattern 21, KILX with 12, KLSX with 11.
   static std::vector<SimulatedSite> DefaultSites();
@@ -41,6 +45,7 @@ struct SimulatedVolume
   int volumeNumber = 1;
   std::string fileName; ///< as the archive names it: KLSX20060312_180107, with _V06 for message 31
                         ///< and .gz for gzip
+  double bias = 0.0;    ///< of the site, dB
 };
 
 /// The volumes that begin in [begin, begin + length), in the order of their starts. Each site keeps
@@ -49,7 +54,7 @@ struct SimulatedVolume
 std::vector<SimulatedVolume> PlanSimulatedDay(const SimulatedDayOptions& options);
 
 /// The bytes of one file of the day. The field must be of the options' seed. Threads may work on
-/// several volumes at a time.
+/// several volumes at a time. Throws Error for dual polarisation in message 1.
 std::vector<std::uint8_t> SimulateFile(
   const StormField& field, const SimulatedVolume& volume, const SimulatedDayOptions& options);
 

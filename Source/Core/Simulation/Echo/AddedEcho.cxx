@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Simulation/Echo/AddedEcho.h"
+
+#include "nexrad/Simulation/Basis/CounterNoise.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double degree = 3.14159265358979323846 / 180.0;
+constexpr double nothing = -std::numeric_limits<double>::infinity();
+
+// Numbers of the noise streams within a ray.
+constexpr std::uint64_t groundStream = 16U << 16;
+constexpr std::uint64_t biologicalStream = 17U << 16;
+constexpr std::uint64_t powerStream = 18U << 16;
+constexpr std::uint64_t speckleStream = 19U << 16;
+constexpr std::uint64_t speckleStrengthStream = 20U << 16;
+
+// Numbers of the draws of a radar's cuts.
+constexpr std::uint64_t interferenceDraw = 300;
+constexpr std::uint64_t patternDraw = 400;
+
+// Reflectivity of one power at all ranges, of which 50 km has `reference` dBZ.
+double OfPower(double reference, double range)
+{
+  constexpr double nearest = 250.0; // m, nearer gates count as there
+  return reference + 20.0 * std::log10(std::max(range, nearest) / 50'000.0);
+}
+
+double ToZ(double decibel)
+{
+  return std::pow(10.0, decibel / 10.0);
+}
+
+} // namespace
+
+AddedEcho::AddedEcho(const std::set<EchoKind>& kinds, std::uint64_t radarKey, double beamWidth)
+  : added(kinds)
+  , key(radarKey)
+  , width(beamWidth)
+  , ground(radarKey, beamWidth)
+{
+}
+
+double AddedEcho::Biological(const BeamTrace& beam, const SeenPlace& place) const
+{
+  constexpr double strongest = 20.0;  // dBZ
+  constexpr double depth = 1'200.0;   // m
+  constexpr double fall = 14.0;       // dB lost at that height
+  constexpr double highest = 2'500.0; // m above the antenna
+  const double height = beam.At(place.range, place.elevation).height;
+  if (height > highest)
+  {
+    return nothing;
+  }
+  const WindVector flight = OwnFlight();
+  const double aside = place.azimuth * degree - std::atan2(flight.east, flight.north);
+  return strongest - fall * height * height / (depth * depth) - 3.0 * std::cos(2.0 * aside);
+}
+
+double AddedEcho::Sun(const SeenPlace& place) const
+{
+  constexpr double azimuth = 268.0;
+  constexpr double elevation = 0.9;
+  constexpr double power = -1.0; // dBZ at 50 km
+  const double aside =
+    std::remainder(place.azimuth - azimuth, 360.0) * std::cos(place.elevation * degree);
+  const double above = place.elevation - elevation;
+  return OfPower(power, place.range) - 12.0 * (aside * aside + above * above) / (width * width);
+}
+
+bool AddedEcho::IsInterference(const BeamTrace& beam, const RayPlace& place) const
+{
+  constexpr double highest = 5.0; // degrees of elevation
+  const double share = Uniform(key, interferenceDraw + static_cast<std::uint64_t>(place.cut));
+  return beam.Elevation() < highest && place.index == static_cast<int>(share * place.rays);
+}
+
+bool AddedEcho::IsTestPattern(const RayPlace& place) const
+{
+  const double share = Uniform(key, patternDraw + static_cast<std::uint64_t>(place.cut));
+  const int first = static_cast<int>(share * (place.rays - 1));
+  return this->Adds(EchoKind::TestPattern) && place.cut % 3 == 1 &&
+         (place.index == first || place.index == first + 1);
+}
+
+double AddedEcho::ValueOf(EchoKind kind, const BeamTrace& beam, const RayPlace& ray,
+  const SeenPlace& place, std::uint64_t gate) const
+{
+  constexpr double speckleShare = 1.0 / 1250.0;
+  switch (kind)
+  {
+  case EchoKind::Clutter:
+    return ground.Clutter(place) + 1.5 * Normal(ray.key, groundStream + gate);
+  case EchoKind::AnomalousPropagation:
+    return ground.AnomalousPropagation(place) + 1.5 * Normal(ray.key, groundStream + gate);
+  case EchoKind::Biological:
+    return this->Biological(beam, place) + 2.5 * Normal(ray.key, biologicalStream + gate);
+  case EchoKind::Sun:
+    return this->Sun(place);
+  case EchoKind::Interference:
+    return this->IsInterference(beam, ray)
+             ? OfPower(12.0, place.range) + Normal(ray.key, powerStream + gate)
+             : nothing;
+  case EchoKind::Speckle:
+    return Uniform(ray.key, speckleStream + gate) < speckleShare
+             ? OfPower(-3.5 + 20.0 * Uniform(ray.key, speckleStrengthStream + gate), place.range)
+             : nothing;
+  default:
+    return nothing;
+  }
+}
+
+void AddedEcho::AddTo(const BeamTrace& beam, const RayPlace& place, const GateLayout& layout,
+  std::vector<double>& reflectivity, std::vector<EchoKind>& kinds) const
+{
+  for (int gate = 0; gate < layout.gates; ++gate)
+  {
+    const auto index = static_cast<std::size_t>(gate);
+    const SeenPlace seen{beam.Azimuth(), beam.Elevation(), layout.Range(gate)};
+    double strongest = reflectivity[index];
+    double sum = std::isfinite(strongest) ? ToZ(strongest) : 0.0;
+    for (const EchoKind kind : added)
+    {
+      const double value = this->ValueOf(kind, beam, place, seen, index);
+      sum += ToZ(value);
+      if (value > strongest)
+      {
+        strongest = value;
+        kinds[index] = kind;
+      }
+    }
+    reflectivity[index] = sum > 0.0 ? 10.0 * std::log10(sum) : nothing;
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Simulation/Basis/GateLayout.h"
+#include "nexrad/Simulation/Beam/BeamTrace.h"
+#include "nexrad/Simulation/Echo/EchoKind.h"
+#include "nexrad/Simulation/Echo/GroundEcho.h"
+#include "nexrad/Simulation/Wind/MeanWind.h"
+
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Which ray of a volume it is.
+struct RayPlace
+{
+  int cut = 0;           ///< number of the cut, from 1
+  int index = 0;         ///< of the ray in its cut, from 0
+  int rays = 1;          ///< of the cut
+  std::uint64_t key = 0; ///< of the ray's noise (CounterNoise)
+};
+
+/// Echo that is not weather, added to the rays of one radar. Each kind can be had by itself.
+///
+/// - clutter and anomalous propagation: GroundEcho, 1.5 dB of change from ray to ray
+/// - biological: up to 20 dBZ, less 14 dB at 1.2 km above the antenna and with the square of the
+///   height, up to 2.5 km; stronger by 3 dB across the flight than along it
+/// - sun: the sun stands at 268° of azimuth and 0.9° of elevation; its noise has one power at all
+///   ranges, so that the reflectivity grows with 20·log10 of the range: −1 dBZ at 50 km in the
+///   middle, less 12 dB by (distance/beam width)²
+/// - interference: one ray of each cut below 5°, at another azimuth in each; 12 dBZ at 50 km
+/// - test pattern: two neighbouring rays of every third cut, all gates of which hold one value
+/// - speckle: one gate of 1250, 4 to 24 dB above the weakest echo of an ordinary radar
+class AddedEcho
+{
+public:
+  /// `radarKey` is the radar's own, whatever the volume; `beamWidth` in degrees.
+  AddedEcho(const std::set<EchoKind>& kinds, std::uint64_t radarKey, double beamWidth);
+
+  bool Any() const { return !added.empty(); }
+  bool Adds(EchoKind kind) const { return added.count(kind) > 0; }
+
+  /// Adds the echoes to a ray that the beam points along: `reflectivity` in dBZ (-infinity: none)
+  /// is that of the sum of Z; `kinds` is what the strongest of a gate comes from.
+  void AddTo(const BeamTrace& beam, const RayPlace& place, const GateLayout& layout,
+    std::vector<double>& reflectivity, std::vector<EchoKind>& kinds) const;
+
+  /// Whether the receiver's test pattern replaces a ray.
+  bool IsTestPattern(const RayPlace& place) const;
+
+  /// How birds and insects fly through the air, m/s: to the north-north-east.
+  static WindVector OwnFlight() { return {3.0, 9.0}; }
+
+private:
+  std::set<EchoKind> added;
+  std::uint64_t key;
+  double width;
+  GroundEcho ground;
+
+  double Biological(const BeamTrace& beam, const SeenPlace& place) const;
+  double Sun(const SeenPlace& place) const;
+  bool IsInterference(const BeamTrace& beam, const RayPlace& place) const;
+  double ValueOf(EchoKind kind, const BeamTrace& beam, const RayPlace& ray, const SeenPlace& place,
+    std::uint64_t gate) const;
+};
+
+} // namespace nexrad
