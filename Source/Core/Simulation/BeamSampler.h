@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Model/Site.h"
-#include "nexrad/Simulation/RefractedPath.h"
-#include "nexrad/Simulation/ScanStrategy.h"
+#include "nexrad/Simulation/Basis/GateLayout.h"
+#include "nexrad/Simulation/Beam/BeamTrace.h"
 #include "nexrad/Simulation/StormSnapshot.h"
 
 #include <array>
@@ -12,11 +11,16 @@
 namespace nexrad
 {
 
-/// What the sampler needs to know of a radar and its air.
-struct BeamSamplerOptions
+/// How the echo of a gate is spread over the beam.
+struct EchoSpread
 {
-  double effectiveRadiusFactor = 4.0 / 3.0;
-  double beamWidth = 0.95; ///< degrees, between half-power points of the one-way pattern
+  /// Shares of the mean Z, in any unit: of LayerNodes upwards, for each of SmoothNodes sideways.
+  /// Only where `bySide` is set.
+  std::array<std::array<float, 3>, 7> shares{};
+  bool bySide = false; ///< false: the echo is level, and the beam's sides are alike
+  float lift = 0.0F;   ///< mean elevation above the beam's middle, standard deviations of the
+                       ///< pattern
+  float width = 1.0F;  ///< standard deviation of the elevation, in the same unit
 };
 
 /// Averages the storm field over the beam, gate by gate, in one cut of one radar.
@@ -29,55 +33,40 @@ class BeamSampler
 public:
   /// `elevation` in degrees is the cut's; rays may lie up to 0.5° off it. `farthest` in m.
   BeamSampler(
-    const Position& site, double elevation, double farthest, const BeamSamplerOptions& options);
+    const Position& site, double elevation, double farthest, const BeamSamplerOptions& options)
+    : trace(site, elevation, farthest, options)
+  {
+  }
 
   /// Points the antenna, in degrees.
-  void Point(double azimuth, double elevation);
+  void Point(double azimuth, double elevation) { trace.Point(azimuth, elevation); }
 
-  /// Reflectivity in dBZ of each gate; -infinity where the beam meets no echo.
+  /// Reflectivity in dBZ of each gate; -infinity where the beam meets no echo. Sets Spreads.
   void Sample(
     const StormSnapshot& snapshot, const GateLayout& layout, std::vector<double>& reflectivity);
 
+  /// Of the gates of the last Sample; without meaning where the beam meets no echo.
+  const std::vector<EchoSpread>& Spreads() const { return spreads; }
+
   /// Middle of the beam at a slant range in m.
-  PlanePoint Centre(double range) const;
+  PlanePoint Centre(double range) const { return trace.Centre(range); }
+
+  /// Where the beam runs.
+  const BeamTrace& Trace() const { return trace; }
 
 private:
-  static constexpr int nodes = 5;
-  // The plane's coordinates along a geodesic: Newton's differences at equal steps of distance.
-  struct Track
-  {
-    std::array<double, nodes> x{};
-    std::array<double, nodes> y{};
-  };
-  // A track about one gate: a point, and the plane's change a metre onwards.
-  struct StraightTrack
-  {
-    PlanePoint start;
-    double x;
-    double y;
-  };
-  using GateTracks = std::array<StraightTrack, 3>;
+  BeamTrace trace;
+  std::vector<EchoSpread> spreads;
+  std::vector<int> nearby;     // elements in reach of a part of the ray
+  std::vector<int> candidates; // elements in reach of a few gates
 
-  Position site;
-  double sigma; // degrees, of the two-way pattern
-  double farthest;
-  RefractedPath path;
-  double elevation = 0.0;        // degrees, of the ray
-  std::array<Track, 3> tracks{}; // left of the beam, in its middle, right of it
-  std::vector<int> nearby;       // elements in reach of a part of the ray
-  std::vector<int> candidates;   // elements in reach of a few gates
-
-  Track TraceGround(double azimuth) const;
-  PlanePoint Place(const Track& track, const PathPoint& point) const;
-  /// What the beam fills between two ranges in m.
-  Cylinder Span(double nearest, double end) const;
   /// The gates [first, end) of a layout, which the elements of `nearby` can reach.
   void SampleBlock(const StormSnapshot& snapshot, const GateLayout& layout, int first, int end,
     std::vector<double>& reflectivity);
-  GateTracks TracksAt(double groundDistance) const;
   /// Mean of Z over the beam and a gate: `offset` in m is that of the Gauss points from its middle.
-  double MeanStormZ(const StormSnapshot& snapshot, double range, double offset) const;
-  double MeanClearAirZ(const StormSnapshot& snapshot, double range) const;
+  double MeanStormZ(
+    const StormSnapshot& snapshot, double range, double offset, EchoSpread& spread) const;
+  double MeanClearAirZ(const StormSnapshot& snapshot, double range, EchoSpread& spread) const;
 };
 
 } // namespace nexrad

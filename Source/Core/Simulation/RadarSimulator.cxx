@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/RadarSimulator.h"
 
+#include "nexrad/Simulation/Basis/CounterNoise.h"
 #include "nexrad/Simulation/BeamSampler.h"
-#include "nexrad/Simulation/CounterNoise.h"
 #include "nexrad/Simulation/RayWords.h"
 #include "nexrad/Simulation/ScanStrategy.h"
+#include "nexrad/Simulation/VelocitySampler.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 
 namespace nexrad
@@ -89,8 +91,9 @@ public:
   {
   }
 
-  // The next cut, from `start` on.
-  Sweep Scan(const ScanCut& cut, int number, Time start, RadarVolume& volume);
+  // The next cut, from `start` on. `truth`, where given, takes what is true of its gates.
+  Sweep Scan(
+    const ScanCut& cut, int number, Time start, RadarVolume& volume, std::vector<RayTruth>* truth);
 
 private:
   const StormField& field;
@@ -101,7 +104,7 @@ private:
 
   Ray Aim(const ScanCut& cut, const CutLayout& layout, int number, int index, Time start) const;
   void Measure(Ray& ray, const ScanCut& cut, const CutLayout& layout, BeamSampler& beam,
-    std::uint64_t rayKey, std::uint8_t* words);
+    std::uint64_t rayKey, std::uint8_t* words, RayTruth* truth);
   std::vector<double> reflectivity; // of the ray in hand, kept to save its memory
 };
 
@@ -142,7 +145,7 @@ void Describe(
 }
 
 void VolumeScan::Measure(Ray& ray, const ScanCut& cut, const CutLayout& layout, BeamSampler& beam,
-  std::uint64_t rayKey, std::uint8_t* words)
+  std::uint64_t rayKey, std::uint8_t* words, RayTruth* truth)
 {
   const StormSnapshot snapshot = field.At(ray.time);
   beam.Point(ray.azimuth, ray.elevation);
@@ -158,14 +161,21 @@ void VolumeScan::Measure(Ray& ray, const ScanCut& cut, const CutLayout& layout, 
   if (layout.doppler.gates > 0)
   {
     std::uint8_t* widths = words + layout.doppler.gates;
-    WriteDopplerWords(echo, layout.doppler, cut.unambiguousRange * 1000.0,
-      {ray.azimuth, ray.elevation}, beam, snapshot, words, widths);
+    VelocitySampler wind(beam.Trace(), snapshot);
+    if (truth)
+    {
+      constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
+      truth->velocity.assign(static_cast<std::size_t>(layout.doppler.gates), unknown);
+    }
+    WriteDopplerWords(echo, layout.doppler, cut.unambiguousRange * 1000.0, beam.Spreads(), wind,
+      words, widths, truth ? &truth->velocity : nullptr);
     Describe(ray.Row(MomentName::VEL), layout.doppler, words, DopplerScale, DopplerOffset);
     Describe(ray.Row(MomentName::SW), layout.doppler, widths, DopplerScale, DopplerOffset);
   }
 }
 
-Sweep VolumeScan::Scan(const ScanCut& cut, int number, Time start, RadarVolume& volume)
+Sweep VolumeScan::Scan(
+  const ScanCut& cut, int number, Time start, RadarVolume& volume, std::vector<RayTruth>* truth)
 {
   const CutLayout layout = LayOut(cut, options.superResolution);
   BeamSampler beam(position, cut.cut.elevation, layout.echo.Range(layout.echo.gates),
@@ -183,7 +193,9 @@ Sweep VolumeScan::Scan(const ScanCut& cut, int number, Time start, RadarVolume& 
   {
     const auto place = static_cast<std::size_t>(index);
     Ray ray = this->Aim(cut, layout, number, index, start);
-    this->Measure(ray, cut, layout, beam, Mix(cutKey, place), words->data() + place * rayBytes);
+    RayTruth* rayTruth = truth ? &truth->emplace_back() : nullptr;
+    this->Measure(
+      ray, cut, layout, beam, Mix(cutKey, place), words->data() + place * rayBytes, rayTruth);
     sweep.rays.push_back(ray);
   }
   volume.buffers.push_back(words);
@@ -217,7 +229,7 @@ CoveragePattern PatternAsScanned(int number, const SimulatorOptions& options)
 } // namespace
 
 RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePattern, Time start,
-  const SimulatorOptions& options)
+  const SimulatorOptions& options, ScanTruth* truth)
 {
   const std::vector<ScanCut>& strategy = RequireStrategy(coveragePattern);
   if (!site.position)
@@ -238,15 +250,34 @@ RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePa
   const auto startCount = static_cast<std::uint64_t>(start.time_since_epoch().count());
   VolumeScan scan(
     field, *site.position, options, Mix(Mix(Mix(options.seed), KeyOf(site.name)), startCount));
+  if (truth)
+  {
+    truth->sweeps.clear();
+  }
   double elapsed = 0.0;
   int number = 0;
   for (const ScanCut& cut : strategy)
   {
-    volume.sweeps.push_back(scan.Scan(cut, ++number, Later(start, elapsed), volume));
+    std::vector<RayTruth>* rays = truth ? &truth->sweeps.emplace_back() : nullptr;
+    volume.sweeps.push_back(scan.Scan(cut, ++number, Later(start, elapsed), volume, rays));
     elapsed += CutDuration(cut, LayOut(cut, options.superResolution)) + cutGap;
   }
   MarkEnds(volume.sweeps);
   return volume;
+}
+
+double TrueRadialVelocity(const StormField& field, const Position& site, Time time, double azimuth,
+  double elevation, double range, double gateSpacing, const SimulatorOptions& options)
+{
+  const auto first = static_cast<int>(std::lround(range));
+  const auto spacing = static_cast<int>(std::lround(gateSpacing));
+  BeamSampler beam(
+    site, elevation, range + 2.0 * gateSpacing, {options.effectiveRadiusFactor, options.beamWidth});
+  const StormSnapshot snapshot = field.At(time);
+  std::vector<double> reflectivity;
+  beam.Point(azimuth, elevation);
+  beam.Sample(snapshot, {1, first, spacing}, reflectivity);
+  return VelocitySampler(beam.Trace(), snapshot).Sample(range, beam.Spreads()[0]).mean;
 }
 
 Duration VolumePeriod(int coveragePattern)

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Model/RadarVolume.h"
+#include "nexrad/Simulation/ScanTruth.h"
 #include "nexrad/Simulation/StormField.h"
 
 #include <cstdint>
@@ -33,13 +34,21 @@ double SensitivityAt(double range, const SimulatorOptions& options);
 
 /// Scans the field with one radar, one coverage pattern, from `start` on: each gate is the mean of
 /// the field over the beam and the gate's length at the ray's own time (BeamSampler). Velocity is
-/// the wind's component along the beam, folded at the Nyquist velocity; echoes of two pulses that
-/// overlie each other are range folded, unless one is 5 dB stronger. The volume is marked synthetic
-/// and has its coverage pattern. Deterministic: the noise of a gate depends on the seed, the site,
-/// `start` and the gate alone. Throws Error for an unknown pattern, a site without a position, or
-/// an option that is not above zero.
+/// the mean of the wind's component along the beam, weighted with Z (VelocitySampler), folded at
+/// the Nyquist velocity; echoes of two pulses that overlie each other are range folded, unless one
+/// is 5 dB stronger. The volume is marked synthetic and has its coverage pattern. Deterministic:
+/// the noise of a gate depends on the seed, the site, `start` and the gate alone. `truth`, where
+/// given, takes what is true of each gate: the volume is the same with it and without. Throws Error
+/// for an unknown pattern, a site without a position, or an option that is not above zero.
 RadarVolume ScanVolume(const StormField& field, const Site& site, int coveragePattern, Time start,
-  const SimulatorOptions& options = {});
+  const SimulatorOptions& options = {}, ScanTruth* truth = nullptr);
+
+/// The radial velocity in m/s, positive away from the radar, that one gate's beam meets at a time,
+/// weighted with Z, without noise and folding: what RayTruth::velocity has. The mean wind's and the
+/// storms' parts where the beam meets no echo, too. `azimuth` and `elevation` in degrees, `range`
+/// and `gateSpacing` in m, above 0. Slow: for single gates.
+double TrueRadialVelocity(const StormField& field, const Position& site, Time time, double azimuth,
+  double elevation, double range, double gateSpacing, const SimulatorOptions& options = {});
 
 /// Time from the start of one volume to the start of the next with that pattern. Throws Error for
 /// an unknown pattern.

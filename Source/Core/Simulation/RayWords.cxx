@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/RayWords.h"
 
-#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/Basis/CounterNoise.h"
+#include "nexrad/Simulation/ScanStrategy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double overlayThreshold = 5.0; // dB by which one of two overlaid echoes must be stronger
 constexpr double velocityNoise = 1.2;    // m/s, standard deviation
@@ -55,11 +55,17 @@ public:
     }
   }
 
+  /// The gate of the echo that a range lies in; it may lie off either end.
+  int NearestGate(double range) const
+  {
+    return static_cast<int>(std::floor((range - layout.firstGate) / layout.gateSpacing + 0.5));
+  }
+
   /// Interpolated; nothing where the echo is too weak to be seen.
   double At(double range) const
   {
     const double gate = (range - layout.firstGate) / layout.gateSpacing;
-    const int nearest = static_cast<int>(std::floor(gate + 0.5));
+    const int nearest = this->NearestGate(range);
     if (nearest < 0 || nearest >= layout.gates)
     {
       return nothing;
@@ -101,9 +107,12 @@ private:
   std::vector<double> power;
 };
 
-double Fold(double velocity, double nyquist)
+// Spectrum width of an echo without shear, m/s: strong echo is turbulent; the square root of its
+// reflectivity stands for that.
+double OwnWidth(double reflectivity)
 {
-  return velocity - 2.0 * nyquist * std::floor(velocity / (2.0 * nyquist) + 0.5);
+  constexpr double floor = 1.5;
+  return floor + std::sqrt(std::max(reflectivity, 0.0)) / 2.0;
 }
 
 } // namespace
@@ -133,12 +142,9 @@ void WriteReflectivityWords(const RayEcho& echo, int gates, std::uint8_t* words)
 }
 
 void WriteDopplerWords(const RayEcho& echo, const GateLayout& doppler, double unambiguousRange,
-  const RayDirection& direction, const BeamSampler& beam, const StormSnapshot& snapshot,
-  std::uint8_t* velocityWords, std::uint8_t* widthWords)
+  const std::vector<EchoSpread>& spreads, VelocitySampler& wind, std::uint8_t* velocityWords,
+  std::uint8_t* widthWords, std::vector<float>* truth)
 {
-  const double level = std::cos(direction.elevation * degree);
-  const double east = level * std::sin(direction.azimuth * degree);
-  const double north = level * std::cos(direction.azimuth * degree);
   const double nyquist = NyquistVelocity(unambiguousRange / 1000.0);
   const ReceivedPower received(echo);
   for (int gate = 0; gate < doppler.gates; ++gate)
@@ -156,14 +162,19 @@ void WriteDopplerWords(const RayEcho& echo, const GateLayout& doppler, double un
       velocityWords[index] = widthWords[index] = rangeFolded;
       continue;
     }
-    const WindVector wind = snapshot.Wind(beam.Centre(range));
-    const double velocity = east * wind.east + north * wind.north +
-                            velocityNoise * Normal(echo.noiseKey, velocityStream + index);
-    // Strong echo is turbulent; the square root of its reflectivity stands for that.
-    const double turbulence = std::sqrt(std::max(power + 20.0 * std::log10(range), 0.0)) / 2.0;
-    const double width = 1.5 + turbulence + widthNoise * Normal(echo.noiseKey, widthStream + index);
-    velocityWords[index] = ToWord(Fold(velocity, nyquist), DopplerScale, DopplerOffset);
+    const auto echoGate = static_cast<std::size_t>(received.NearestGate(range));
+    const BeamVelocity air = wind.Sample(range, spreads[echoGate]);
+    const double velocity =
+      air.mean + velocityNoise * Normal(echo.noiseKey, velocityStream + index);
+    const double own = OwnWidth(power + 20.0 * std::log10(range));
+    const double width =
+      std::hypot(own, air.deviation) + widthNoise * Normal(echo.noiseKey, widthStream + index);
+    velocityWords[index] = ToWord(FoldVelocity(velocity, nyquist), DopplerScale, DopplerOffset);
     widthWords[index] = ToWord(std::max(width, 0.0), DopplerScale, DopplerOffset);
+    if (truth)
+    {
+      (*truth)[index] = static_cast<float>(air.mean);
+    }
   }
 }
 

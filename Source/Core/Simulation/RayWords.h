@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/BeamSampler.h"
 #include "nexrad/Simulation/RadarSimulator.h"
+#include "nexrad/Simulation/VelocitySampler.h"
 
 #include <cstdint>
 #include <vector>
@@ -29,16 +29,11 @@ constexpr float DopplerOffset = 129.0F;
 /// the sensitivity.
 void WriteReflectivityWords(const RayEcho& echo, int gates, std::uint8_t* words);
 
-/// Direction of a ray, for its radial velocities.
-struct RayDirection
-{
-  double azimuth = 0.0;   ///< degrees
-  double elevation = 0.0; ///< degrees
-};
-
 /// Words of VEL and SW: 0 below the sensitivity, 1 where an echo of another pulse overlies.
+/// `spreads` are those of the echo's gates. Where `truth` is given, it takes the radial velocities
+/// without noise and folding (RayTruth::velocity).
 void WriteDopplerWords(const RayEcho& echo, const GateLayout& doppler, double unambiguousRange,
-  const RayDirection& direction, const BeamSampler& beam, const StormSnapshot& snapshot,
-  std::uint8_t* velocityWords, std::uint8_t* widthWords);
+  const std::vector<EchoSpread>& spreads, VelocitySampler& wind, std::uint8_t* velocityWords,
+  std::uint8_t* widthWords, std::vector<float>* truth);
 
 } // namespace nexrad

@@ -292,6 +292,11 @@ double NyquistVelocity(double unambiguousRange)
   return wavelength / 4.0 * lightSpeed / (2.0 * unambiguousRange);
 }
 
+double FoldVelocity(double velocity, double nyquist)
+{
+  return velocity - 2.0 * nyquist * std::floor(velocity / (2.0 * nyquist) + 0.5);
+}
+
 const CoveragePattern* FindCoveragePattern(int number)
 {
   static const std::map<int, CoveragePattern> patterns = []

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Model/CoveragePattern.h"
+#include "nexrad/Simulation/Basis/GateLayout.h"
 
 #include <cstdint>
 #include <vector>
@@ -22,16 +23,6 @@ struct ScanCut
 /// their rays.
 const std::vector<ScanCut>* FindScanStrategy(int pattern);
 
-/// Gates of one moment along a ray.
-struct GateLayout
-{
-  int gates = 0;
-  int firstGate = 0;   ///< m, centre
-  int gateSpacing = 0; ///< m
-
-  double Range(int gate) const { return firstGate + static_cast<double>(gateSpacing) * gate; }
-};
-
 /// Which moments a cut has, and where their gates lie, as in real files of message 1 (1 km and
 /// 250 m) or of message 31 (250 m).
 struct CutLayout
@@ -46,5 +37,9 @@ CutLayout LayOut(const ScanCut& cut, bool superResolution);
 
 /// Nyquist velocity of an S-band radar whose pulses are `unambiguousRange` km apart, m/s.
 double NyquistVelocity(double unambiguousRange);
+
+/// A velocity as a radar measures it, between −nyquist and nyquist (both in m/s, nyquist above 0):
+/// v − 2·n·nyquist with n whole.
+double FoldVelocity(double velocity, double nyquist);
 
 } // namespace nexrad

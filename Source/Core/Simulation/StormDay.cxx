@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/StormDay.h"
 
-#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/Basis/CounterNoise.h"
 
 #include <cmath>
 

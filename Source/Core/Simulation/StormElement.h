@@ -1,19 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Simulation/Basis/StormPlane.h"
+
 #include <cmath>
 
 namespace nexrad
 {
-
-/// A point of the storm day's local plane: m east and north of its reference point (StormPlane),
-/// m above mean sea level.
-struct PlanePoint
-{
-  double x = 0.0;
-  double y = 0.0;
-  double z = 0.0;
-};
 
 /// Weakest reflectivity that the field has; what is weaker is no echo, dBZ.
 constexpr double MinimumReflectivity = -15.0;
@@ -70,13 +63,6 @@ struct StormElement
 
 private:
   double VerticalDrop(double z) const;
-};
-
-/// An upright cylinder, m in the plane and m above mean sea level.
-struct Cylinder
-{
-  double x, y, radius;
-  double bottom, top;
 };
 
 /// An upright box, turned along an element's axes, outside of which the element holds no echo.

@@ -15,6 +15,9 @@ constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double meltingLevel = 2'900.0; // m above mean sea level
 constexpr double deadLoss = 70.0;        // dB below full strength at birth and death
 
+constexpr double coreShoulder = 4'500.0; // m, height of a supercell's strongest echo
+constexpr double coreSlope = 0.55;       // m of shift of its core downshear a metre of height
+
 // Strength 0…1 at an age (0 at birth, 1 at death): quick growth, long maturity, quick decay.
 double Strength(double age)
 {
@@ -49,6 +52,9 @@ public:
     return {
       centreX + alongX * ahead - alongY * aside, centreY + alongY * ahead + alongX * aside, 0.0};
   }
+
+  // A vector of that length downshear.
+  PlanePoint Along(double length) const { return {alongX * length, alongY * length, 0.0}; }
 
   // An element with its middle at a place, that much below full strength; the caller sets the rest.
   StormElement& Add(double along, double left, double longAxis, double shortAxis, double strength)
@@ -127,6 +133,40 @@ void AddHook(ElementBuilder& builder, double peak, double strength)
   }
 }
 
+StormVortex VortexAt(const ElementBuilder& builder, double along, double left, double slope)
+{
+  const PlanePoint place = builder.Place(along, left);
+  const PlanePoint ahead = builder.Along(slope);
+  StormVortex vortex;
+  vortex.x = place.x;
+  vortex.y = place.y;
+  vortex.tiltX = ahead.x;
+  vortex.tiltY = ahead.y;
+  return vortex;
+}
+
+// Rotation inside the hook: strongest at 3.5 km, gone at 12 km, wider upwards.
+StormVortex Mesocyclone(const StormLife& storm, const ElementBuilder& builder, double strength)
+{
+  StormVortex vortex = VortexAt(builder, -6'500.0, -7'500.0, 0.3);
+  vortex.level = 1'000.0;
+  vortex.coreRadius = 3'000.0 * storm.size;
+  vortex.widening = 0.15;
+  vortex.rotation = {28.0 * strength, 3'500.0, 8'500.0};
+  return vortex;
+}
+
+// Convergence below the core and divergence at its top.
+StormVortex Updraft(const StormLife& storm, const ElementBuilder& builder, double strength)
+{
+  StormVortex vortex = VortexAt(builder, 0.0, 0.0, coreSlope);
+  vortex.level = coreShoulder;
+  vortex.coreRadius = 5'000.0 * storm.size;
+  vortex.inflow = {9.0 * strength, 500.0, 2'500.0};
+  vortex.outflow = {22.0 * strength, storm.top - 1'500.0, 3'500.0};
+  return vortex;
+}
+
 void AddSupercell(const StormLife& storm, double sinceMiddle, std::vector<StormElement>& elements,
   std::vector<StormVortex>& vortices)
 {
@@ -138,8 +178,8 @@ void AddSupercell(const StormLife& storm, double sinceMiddle, std::vector<StormE
   ElementBuilder builder(storm, sinceMiddle, elements);
 
   StormElement& core = builder.Add(0.0, 0.0, 7'000.0, 5'500.0, strength);
-  SetTower(core, peak, 4'500.0, storm.top);
-  Lean(core, 0.55);
+  SetTower(core, peak, coreShoulder, storm.top);
+  Lean(core, coreSlope);
   // Echo aloft over the inflow on the right flank, with weak echo below it.
   StormElement& overhang = builder.Add(-1'500.0, -7'500.0, 5'500.0, 4'500.0, strength);
   SetLayer(overhang, peak - 9.0, 6'800.0, 2'600.0);
@@ -160,8 +200,8 @@ void AddSupercell(const StormLife& storm, double sinceMiddle, std::vector<StormE
     -34'000.0 * extent, 9'000.0 * extent, 32'000.0 * extent, 27'000.0 * extent, lateStrength);
   SetStratiform(trailing, 22.0 + 6.0 * extent, 8'500.0);
 
-  const PlanePoint place = builder.Place(-6'500.0, -7'500.0);
-  vortices.push_back({place.x, place.y, 3'000.0, 24.0 * strength});
+  vortices.push_back(Mesocyclone(storm, builder, strength));
+  vortices.push_back(Updraft(storm, builder, strength));
 }
 
 } // namespace

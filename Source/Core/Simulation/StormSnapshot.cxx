@@ -11,11 +11,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double pi = 3.14159265358979323846;
-constexpr double degree = pi / 180.0;
-constexpr double sphereRadius = 6'371'000.0; // m
-constexpr double referenceLatitude = 39.0;   // degrees
-constexpr double referenceLongitude = -91.5; // degrees
 constexpr double nothing = -std::numeric_limits<double>::infinity();
 
 // Insects and eddies of the boundary layer: a weak return everywhere near the ground, seen by a
@@ -70,18 +65,6 @@ std::array<double, textureWaves.size()> TexturePhases(double seconds)
 }
 
 } // namespace
-
-PlanePoint StormPlane::FromGeographic(double longitude, double latitude, double height)
-{
-  static const double eastScale = std::cos(referenceLatitude * degree);
-  return {sphereRadius * eastScale * (longitude - referenceLongitude) * degree,
-    sphereRadius * (latitude - referenceLatitude) * degree, height};
-}
-
-double StormPlane::EastwardScale(double latitude)
-{
-  return std::cos(referenceLatitude * degree) / std::cos(latitude * degree);
-}
 
 StormSnapshot::StormSnapshot(
   std::vector<StormElement> elementsNow, std::vector<StormVortex> vorticesNow, double seconds)
@@ -168,27 +151,35 @@ double StormSnapshot::Reflectivity(
 
 WindVector StormSnapshot::Wind(const PlanePoint& point) const
 {
-  // A hodograph that veers and strengthens with height: from the south-south-east at the ground,
-  // the south-west at 3 km, the west-south-west at 12 km.
-  const double height = std::clamp(point.z, 0.0, 14'000.0);
-  WindVector wind{-2.0 + 0.0038 * height, 8.0 + 0.0010 * height};
-  constexpr double farthest = 25'000.0;
+  WindVector wind = MeanWind(point.z);
   for (const StormVortex& vortex : vortices)
   {
-    const double east = point.x - vortex.x;
-    const double north = point.y - vortex.y;
-    const double squared = east * east + north * north;
-    if (squared < farthest * farthest)
-    {
-      const double scaled = squared / (vortex.radius * vortex.radius);
-      const double heights = height * height / (6500.0 * 6500.0);
-      const double turning =
-        2.0 * vortex.speed / (vortex.radius * (1.0 + scaled)) * std::exp(-heights * heights);
-      wind.east -= turning * north;
-      wind.north += turning * east;
-    }
+    vortex.AddTo(wind, point);
   }
   return wind;
+}
+
+WindVector StormSnapshot::Wind(const PlanePoint& point, const std::vector<int>& among) const
+{
+  WindVector wind = MeanWind(point.z);
+  for (const int index : among)
+  {
+    vortices[static_cast<std::size_t>(index)].AddTo(wind, point);
+  }
+  return wind;
+}
+
+void StormSnapshot::FindVortices(
+  const Cylinder& within, double distance, std::vector<int>& found) const
+{
+  found.clear();
+  for (std::size_t index = 0; index < vortices.size(); ++index)
+  {
+    if (vortices[index].Touches(within, distance))
+    {
+      found.push_back(static_cast<int>(index));
+    }
+  }
 }
 
 double StormSnapshot::ClearAirTop()

@@ -2,38 +2,13 @@
 #pragma once
 
 #include "nexrad/Simulation/StormElement.h"
+#include "nexrad/Simulation/Wind/StormVortex.h"
 
 #include <array>
 #include <vector>
 
 namespace nexrad
 {
-
-/// The plane of the storm day: equirectangular about 39° N 91.5° W on a sphere of 6 371 000 m,
-/// x = R·cos 39°·Δlongitude, y = R·Δlatitude. A map of the field alone: radars see it through
-/// geodesics on WGS84.
-struct StormPlane
-{
-  static PlanePoint FromGeographic(double longitude, double latitude, double height);
-  /// m of plane a metre of true distance eastwards, at a latitude in degrees.
-  static double EastwardScale(double latitude);
-};
-
-/// A mesocyclone: rotation about an upright axis, anticlockwise, fastest at `radius`.
-struct StormVortex
-{
-  double x = 0.0; ///< m in the plane
-  double y = 0.0;
-  double radius = 3000.0; ///< m
-  double speed = 0.0;     ///< m/s at `radius`
-};
-
-/// Motion of the air, m/s to the east and to the north.
-struct WindVector
-{
-  double east = 0.0;
-  double north = 0.0;
-};
 
 /// The storm field at one instant.
 class StormSnapshot
@@ -55,8 +30,13 @@ public:
   /// The same, where only these elements (of FindElements) can reach.
   double Reflectivity(const PlanePoint& point, const std::vector<int>& candidates) const;
 
-  /// Wind of the environment, and of the mesocyclones in it.
+  /// The wind at a point: MeanWind and what the storms add to it.
   WindVector Wind(const PlanePoint& point) const;
+  /// The same, where only these vortices (of FindVortices) can reach.
+  WindVector Wind(const PlanePoint& point, const std::vector<int>& among) const;
+  /// Numbers of the vortices with an axis within a distance in m of a cylinder.
+  void FindVortices(const Cylinder& within, double distance, std::vector<int>& found) const;
+  const std::vector<StormVortex>& Vortices() const { return vortices; }
 
   /// Height above which there is no clear-air return, m.
   static double ClearAirTop();

@@ -50,7 +50,7 @@ std::vector<SweepFolds> FindClusters(const VelocityVolume& volume, const RangeLo
 WindProfile Complete(WindProfile profile, const WindProfile& other)
 {
   const WindProfile own = profile;
-  for (const WindLevel& level : other.levels)
+  for (const ProfileLevel& level : other.levels)
   {
     if (!own.At(level.height))
     {
@@ -58,7 +58,7 @@ WindProfile Complete(WindProfile profile, const WindProfile& other)
     }
   }
   std::sort(profile.levels.begin(), profile.levels.end(),
-    [](const WindLevel& a, const WindLevel& b) { return a.height < b.height; });
+    [](const ProfileLevel& a, const ProfileLevel& b) { return a.height < b.height; });
   return profile;
 }
 

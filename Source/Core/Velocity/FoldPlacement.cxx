@@ -21,6 +21,7 @@ constexpr double windReach =
   4'000.0; // m above and below the profile that its ends still tell something
 constexpr double reach = 80'000.0;     // m over which the profile's wind changes
 constexpr float windWeight = 0.3F;     // of a gate of the profile, against one of another sweep
+constexpr float borderWeight = 2.0F;   // of a pair of gates of two clusters
 constexpr float leastTotal = 1.0F;     // votes that place a cluster
 constexpr float leastShare = 0.7F;     // of the votes that place a cluster
 constexpr float leastCloseness = 0.5F; // of the votes if a small cluster were as expected
@@ -215,13 +216,13 @@ void AddBorders(
     const int b = folds[std::size_t(border.b)];
     if (a != NoFold)
     {
-      evidence[std::size_t(border.b)].votes.AddShifted(border.votes, a);
-      evidence[std::size_t(border.b)].most += border.votes.Total();
+      evidence[std::size_t(border.b)].votes.AddShifted(border.votes, a, borderWeight);
+      evidence[std::size_t(border.b)].most += borderWeight * border.votes.Total();
     }
     if (b != NoFold)
     {
-      evidence[std::size_t(border.a)].votes.AddShifted(Turned(border.votes), b);
-      evidence[std::size_t(border.a)].most += border.votes.Total();
+      evidence[std::size_t(border.a)].votes.AddShifted(Turned(border.votes), b, borderWeight);
+      evidence[std::size_t(border.a)].most += borderWeight * border.votes.Total();
     }
   }
 }

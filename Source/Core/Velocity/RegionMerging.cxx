@@ -130,7 +130,7 @@ private:
   float LeastLead(std::int32_t a, std::int32_t b) const
   {
     const std::uint32_t smaller = std::min(size[std::size_t(a)], size[std::size_t(b)]);
-    return std::max(1.0F, 0.5F * std::sqrt(static_cast<float>(smaller)));
+    return std::max(1.0F, 0.3F * std::sqrt(static_cast<float>(smaller)));
   }
 
   void Consider(std::int32_t a, std::int32_t b, const FoldVotes& votes)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Velocity/VelocityRegions.h"
 
+#include "nexrad/Geometry/Angles.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,6 +19,7 @@ constexpr float joinLimit = 0.3F;    // of the Nyquist velocity
 constexpr float widestJoin = 5.0F;   // m/s: noise leads from one fold to the next in wider steps
 constexpr float strongShear = 0.25F; // of the Nyquist velocity a ray
 constexpr float tearingShear = 0.4F; // the same; neighbours in azimuth are not joined
+constexpr float foldingShear = 0.6F; // the same, in the mean of the sizes of differences
 constexpr std::uint32_t fewestGates = 4; // of a region
 constexpr std::size_t widestGapGates = 20;
 constexpr std::size_t widestGapRows = 10;
@@ -74,20 +77,24 @@ private:
     const float* here = &ring.velocity[row * gates];
     const float* next = &ring.velocity[ring.NextRow(row) * gates];
     sums.assign(gates + 1, 0.0F);
+    sizes.assign(gates + 1, 0.0F);
     counts.assign(gates + 1, 0);
     for (std::size_t gate = 0; gate < gates; ++gate)
     {
       const float difference = FoldDifference(next[gate] - here[gate], nyquist);
       const bool known = !std::isnan(difference);
       sums[gate + 1] = sums[gate] + (known ? difference : 0.0F);
+      sizes[gate + 1] = sizes[gate] + (known ? std::abs(difference) : 0.0F);
       counts[gate + 1] = counts[gate] + (known ? 1 : 0);
     }
     for (std::size_t gate = 0; gate < gates; ++gate)
     {
       const std::size_t begin = gate < reach ? 0 : gate - reach;
       const std::size_t end = std::min(gate + reach + 1, gates);
-      const float sum = std::abs(sums[end] - sums[begin]);
       const float unit = nyquist * static_cast<float>(counts[end] - counts[begin]);
+      const float size = sizes[end] - sizes[begin];
+      // Differences near the Nyquist velocity fold to either sign, and their mean to nothing.
+      const float sum = size > foldingShear * unit ? size : std::abs(sums[end] - sums[begin]);
       own[row * gates + gate] = sum > tearingShear * unit  ? Tearing
                                 : sum > strongShear * unit ? Strong
                                                            : Weak;
@@ -97,7 +104,8 @@ private:
   std::size_t gates;
   std::vector<std::uint8_t> own;
   std::vector<std::uint8_t> widened;
-  std::vector<float> sums;
+  std::vector<float> sums;  // of the differences, up to each gate
+  std::vector<float> sizes; // of their sizes
   std::vector<int> counts;
 };
 
@@ -348,10 +356,25 @@ void AddBordersInRange(const SweepRing& ring, const VelocityRegions& regions, Bo
   }
 }
 
+// Rays more than 1 km apart say less of each other: the wind changes with the distance.
+std::vector<float> NearnessOfRows(const SweepRing& ring)
+{
+  constexpr double distance = 1'000.0; // m
+  const double turn = 2.0 * Pi / static_cast<double>(std::max<std::size_t>(ring.rows, 1));
+  std::vector<float> near;
+  for (std::size_t gate = 0; gate < ring.gates; ++gate)
+  {
+    near.push_back(
+      static_cast<float>(std::min(1.0, distance / std::max(distance, ring.RangeOf(gate) * turn))));
+  }
+  return near;
+}
+
 void AddBordersInAzimuth(const SweepRing& ring, const VelocityRegions& regions, BorderList& borders)
 {
   constexpr float sheared = 0.1F;
   const AzimuthShear shear(ring);
+  const std::vector<float> near = NearnessOfRows(ring);
   // For each gate how many rows ago one of a region was seen; 0: none.
   std::vector<std::size_t> ago(ring.gates, 0);
   for (std::size_t step = 0; step < ring.rows + widestGapRows; ++step)
@@ -381,7 +404,7 @@ void AddBordersInAzimuth(const SweepRing& ring, const VelocityRegions& regions, 
       {
         const bool strong = shear.At(otherIndex) != Weak;
         borders.Add(otherIndex, index, ring.nyquist[row],
-          (strong ? sheared : 1.0F) / static_cast<float>(rows));
+          (strong ? sheared : 1.0F) * near[gate] / static_cast<float>(rows));
       }
     }
   }

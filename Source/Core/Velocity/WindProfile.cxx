@@ -37,12 +37,12 @@ Wind WindFrom(double direction, double speed)
 std::optional<Wind> WindProfile::At(double height, double reach) const
 {
   const auto above = std::lower_bound(levels.begin(), levels.end(), height,
-    [](const WindLevel& level, double value) { return level.height < value; });
-  const auto isNear = [&](const WindLevel& level)
+    [](const ProfileLevel& level, double value) { return level.height < value; });
+  const auto isNear = [&](const ProfileLevel& level)
   { return std::abs(level.height - height) <= reach; };
   if (above != levels.end() && above != levels.begin())
   {
-    const WindLevel& low = *(above - 1);
+    const ProfileLevel& low = *(above - 1);
     const double gap = above->height - low.height;
     if (gap <= widestGap)
     {
@@ -65,7 +65,7 @@ std::optional<Wind> WindProfile::At(double height, double reach) const
 double WindProfile::DistanceTo(double height) const
 {
   double nearest = std::numeric_limits<double>::infinity();
-  for (const WindLevel& level : levels)
+  for (const ProfileLevel& level : levels)
   {
     nearest = std::min(nearest, std::abs(level.height - height));
   }

@@ -23,7 +23,7 @@ struct Wind
 Wind WindFrom(double direction, double speed);
 
 /// The wind at one height over a radar.
-struct WindLevel
+struct ProfileLevel
 {
   double height = 0.0; ///< m above the antenna
   Wind wind;
@@ -34,7 +34,7 @@ struct WindLevel
 /// The mean wind over a radar at several heights.
 struct WindProfile
 {
-  std::vector<WindLevel> levels; ///< by ascending height
+  std::vector<ProfileLevel> levels; ///< by ascending height
 
   /// The wind at a height, m above the antenna: linear between levels up to 2000 m apart; that of
   /// the nearest level up to `reach` m beyond one. Empty elsewhere.

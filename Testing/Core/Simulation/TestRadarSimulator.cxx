@@ -4,6 +4,7 @@
 #include "nexrad/Simulation/BeamSampler.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/Simulation/ScanStrategy.h"
+#include "nexrad/Simulation/VelocitySampler.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -165,44 +166,6 @@ TEST(RadarSimulator, NothingIsWeakerThanTheSensitivity)
   EXPECT_AT_LEAST(valid, 25'000U, "gates with echo");
 }
 
-// Radial velocity against the wind along the beam, on rays that no second pulse disturbs.
-TEST(RadarSimulator, VelocityIsTheWindAlongTheBeamFoldedAtTheNyquistVelocity)
-{
-  const StormField field;
-  const RadarVolume& volume = Scanned();
-  BeamSampler beam(*TestSite().position, 3.516, 240'000.0, {});
-  double squares = 0.0;
-  int count = 0;
-  int folded = 0;
-  for (const Ray& ray : volume.sweeps[5].rays)
-  {
-    const MomentRow& row = ray.Row(MomentName::VEL);
-    const StormSnapshot snapshot = field.At(ray.time);
-    beam.Point(ray.azimuth, ray.elevation);
-    for (std::size_t gate = 10; gate < row.gates; gate += 5)
-    {
-      if (row.State(gate) != GateState::Valid)
-      {
-        continue;
-      }
-      const WindVector wind =
-        snapshot.Wind(beam.Centre(row.firstGate + 250.0 * static_cast<double>(gate)));
-      const double radians = ray.azimuth / 57.29577951;
-      const double radial = (wind.east * std::sin(radians) + wind.north * std::cos(radians)) *
-                            std::cos(ray.elevation / 57.29577951);
-      EXPECT_LE(std::abs(row.Value(gate)), ray.nyquist + 0.5);
-      const double error = std::remainder(row.Value(gate) - radial, 2.0 * ray.nyquist);
-      squares += error * error;
-      folded += std::abs(radial) > ray.nyquist ? 1 : 0;
-      ++count;
-    }
-  }
-  ASSERT_AT_LEAST(count, 8'000, "velocities compared");
-  std::printf("%d velocities, %d of them folded\n", count, folded);
-  EXPECT_WITHIN(
-    std::sqrt(squares / count), 1.2, 0.038, "standard deviation of the noise of velocities, m/s");
-}
-
 // Beside the edge of an echo 2 % of the gates had a width of -63.5 m/s and a velocity of no echo:
 // their power was interpolated from a gate without echo.
 TEST(RadarSimulator, NoWordStandsForWhatCannotBe)
@@ -238,7 +201,6 @@ TEST(RadarSimulator, NoWordStandsForWhatCannotBe)
 // Velocities beside gates without echo are those of the wind, and stand where the beam meets echo.
 TEST(RadarSimulator, VelocitiesAtTheEdgesOfEchoAreRight)
 {
-  constexpr double radiansPerDegree = 3.14159265358979323846 / 180.0;
   const StormField field;
   const ScanCut& cut = (*FindScanStrategy(32))[1];
   const CutLayout layout = LayOut(cut, false);
@@ -251,6 +213,7 @@ TEST(RadarSimulator, VelocitiesAtTheEdgesOfEchoAreRight)
     const StormSnapshot snapshot = field.At(ray.time);
     beam.Point(ray.azimuth, ray.elevation);
     beam.Sample(snapshot, layout.echo, reflectivity);
+    VelocitySampler wind(beam.Trace(), snapshot);
     for (std::size_t gate = 1; gate + 1 < row.gates; ++gate)
     {
       const bool isEdge = row.State(gate - 1) == GateState::BelowThreshold ||
@@ -264,10 +227,7 @@ TEST(RadarSimulator, VelocitiesAtTheEdgesOfEchoAreRight)
       const auto nearest = static_cast<std::size_t>(
         std::floor((range - layout.echo.firstGate) / layout.echo.gateSpacing + 0.5));
       ASSERT_TRUE(std::isfinite(reflectivity[nearest])) << range;
-      const WindVector wind = snapshot.Wind(beam.Centre(range));
-      const double azimuth = ray.azimuth * radiansPerDegree;
-      const double radial = std::cos(ray.elevation * radiansPerDegree) *
-                            (wind.east * std::sin(azimuth) + wind.north * std::cos(azimuth));
+      const double radial = wind.Sample(range, beam.Spreads()[nearest]).mean;
       // The noise has bounds of 3.5 standard deviations of 1.2 m/s.
       EXPECT_AT_MOST(std::abs(std::remainder(row.Value(gate) - radial, 2.0 * ray.nyquist)), 4.5,
         "largest noise of velocities at edges, m/s");

@@ -35,7 +35,7 @@ double WorstLevel(const VelocityVolume& volume, std::size_t& levels)
   }
   const WindProfile profile = FindFoldedWind(pointers);
   double worst = 0.0;
-  for (const WindLevel& level : profile.levels)
+  for (const ProfileLevel& level : profile.levels)
   {
     const Wind truth = TurningWind({0.0, 0.0, level.height});
     worst =

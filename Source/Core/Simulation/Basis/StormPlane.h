@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+namespace nexrad
+{
+
+/// A point of the storm day's local plane: m east and north of its reference point (StormPlane),
+/// m above mean sea level.
+struct PlanePoint
+{
+  double x = 0.0;
+  double y = 0.0;
+  double z = 0.0;
+};
+
+/// An upright cylinder, m in the plane and m above mean sea level.
+struct Cylinder
+{
+  double x, y, radius;
+  double bottom, top;
+};
+
+/// The plane of the storm day: equirectangular about 39° N 91.5° W on a sphere of 6 371 000 m,
+/// x = R·cos 39°·Δlongitude, y = R·Δlatitude. A map of the field alone: radars see it through
+/// geodesics on WGS84.
+struct StormPlane
+{
+  static PlanePoint FromGeographic(double longitude, double latitude, double height);
+  /// m of plane a metre of true distance eastwards, at a latitude in degrees.
+  static double EastwardScale(double latitude);
+};
+
+} // namespace nexrad
