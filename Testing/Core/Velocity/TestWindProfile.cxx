@@ -3,11 +3,19 @@
 // (Formulas V3).
 #include "Tolerance.h"
 #include "VelocityScan.h"
+#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Simulation/RadarSimulator.h"
+#include "nexrad/Simulation/Wind/MeanWind.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/Velocity/Dealiasing.h"
 #include "nexrad/Velocity/FoldedWind.h"
+#include "nexrad/Velocity/VelocityAzimuthDisplay.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 
 using namespace nexrad;
 using namespace nexrad::testing;
@@ -96,4 +104,80 @@ TEST(FoldedWind, IsFoundInAThirdOfTheDirections)
   EXPECT_AT_MOST(
     WorstLevel(FoldedAt(ScanVelocities(scan), 12.0F), levels), 1.0, "wind of a layer off, m/s");
   EXPECT_EQ(levels, 40u);
+}
+
+namespace
+{
+
+// The largest distance of a fitted profile's levels from a wind, m/s.
+double WorstFit(const WindProfile& profile, const std::function<Wind(double)>& truth)
+{
+  double worst = 0.0;
+  for (const ProfileLevel& level : profile.levels)
+  {
+    const Wind wind = truth(level.height);
+    worst = std::max(worst, std::hypot(level.wind.east - wind.east, level.wind.north - wind.north));
+  }
+  return worst;
+}
+
+} // namespace
+
+TEST(VelocityAzimuthDisplay, GivesAUniformWind)
+{
+  VelocityScan scan;
+  scan.wind = [](const PlaceOverRadar&) { return WindFrom(230.0, 35.0); };
+  VelocityVolume volume = FoldedAt(ScanVelocities(scan), 12.0F);
+  Dealias(volume);
+  const WindProfile profile = FitWindProfile(volume);
+  EXPECT_AT_LEAST(profile.levels.size(), 60u, "levels of 300 m");
+  EXPECT_AT_MOST(WorstFit(profile, [](double) { return WindFrom(230.0, 35.0); }), 0.2,
+    "wind of a level off, m/s");
+  for (const ProfileLevel& level : profile.levels)
+  {
+    EXPECT_WITHIN(level.rms, 1.0, 0.2, "RMS less the noise, m/s");
+  }
+}
+
+TEST(VelocityAzimuthDisplay, GivesAShearedWind)
+{
+  VelocityScan scan;
+  scan.wind = TurningWind;
+  VelocityVolume volume = FoldedAt(ScanVelocities(scan), 25.0F);
+  Dealias(volume);
+  const auto truth = [](double height) { return TurningWind({0.0, 0.0, height}); };
+  EXPECT_AT_MOST(WorstFit(FitWindProfile(volume), truth), 0.4, "wind of a level off, m/s");
+}
+
+// One direction determines no wind, and half of a circle of gates that differ determines none
+// either.
+TEST(VelocityAzimuthDisplay, LeavesOutWhatIsNoWind)
+{
+  VelocityScan scan;
+  scan.wind = TurningWind;
+  scan.echo = [](const PlaceOverRadar& place) { return place.north > 2.0 * std::abs(place.east); };
+  EXPECT_TRUE(FitWindProfile(ScanVelocities(scan)).levels.empty());
+  scan.echo = nullptr;
+  scan.noise = 8.0;
+  EXPECT_TRUE(FitWindProfile(ScanVelocities(scan)).levels.empty());
+  EXPECT_THROW(FitWindProfile({}, {0.0, 0.0, 1000.0}), Error);
+}
+
+// The mean wind of the SYNTHETIC storm day, through its storms.
+TEST(VelocityAzimuthDisplay, GivesTheSimulatedProfile)
+{
+  const Site site = {"KLSX", FindSite("KLSX")->position};
+  VelocityVolume volume =
+    MakeVelocityVolume(ScanVolume(StormField(), site, 11, *ParseIso8601("2006-03-12T18:30Z")));
+  Dealias(volume);
+  const WindProfile profile = FitWindProfile(volume);
+  EXPECT_AT_LEAST(profile.levels.size(), 30u, "levels of 300 m");
+  const double altitude = site.position->altitude;
+  EXPECT_AT_MOST(WorstFit(profile,
+                   [altitude](double height)
+                   {
+                     const WindVector wind = MeanWind(height + altitude);
+                     return Wind{wind.east, wind.north};
+                   }),
+    0.7, "wind of a level off, m/s");
 }
