@@ -160,15 +160,19 @@ void DealiasVolume(benchmark::State& state, const char* name)
 }
 BENCHMARK_CAPTURE(DealiasVolume, KTLX1999, "legacy/KTLX19990503_235621.gz")
   ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
   ->UseRealTime();
 BENCHMARK_CAPTURE(DealiasVolume, KMLB1998, "quality/KMLB19980707_220118.gz")
   ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
   ->UseRealTime();
 BENCHMARK_CAPTURE(DealiasVolume, KENX2010, "multisite-20100911/KENX20100911_011108_V03.gz")
   ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
   ->UseRealTime();
 BENCHMARK_CAPTURE(DealiasVolume, KBLX2009, "superres/KBLX20090603_004417_V03.gz")
   ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
   ->UseRealTime();
 
 // One site, columns × columns × columns / 2 voxels.
