@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <functional>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -144,8 +145,7 @@ JumpCounts CountJumps(const VelocityVolume& volume)
   JumpCounts counts;
   for (const VelocitySweep& sweep : volume.sweeps)
   {
-    VelocitySweep folded = sweep;
-    const SweepRing ring = MakeSweepRing(folded);
+    const SweepRing ring = MakeSweepRing(sweep);
     for (std::size_t row = 0; row < ring.rows; ++row)
     {
       const float* here = &ring.velocity[row * ring.gates];
