@@ -2,6 +2,7 @@
 #include "Commands/CommandLine.h"
 #include "Commands/InfoCommand.h"
 #include "Commands/SimulateCommand.h"
+#include "Commands/WindCommand.h"
 
 #ifdef NEXRAD_WITH_VTK
 #include "Commands/BenchCommand.h"
@@ -18,6 +19,7 @@ int main(int argc, char** argv)
     {
       AddInfoCommand,
       AddSimulateCommand,
+      AddWindCommand,
 #ifdef NEXRAD_WITH_VTK
       AddGridCommand,
       AddRenderCommand,

@@ -11,7 +11,9 @@
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Simulation/SimulatedDay.h"
+#include "nexrad/System/RangeLoop.h"
 #include "nexrad/Thesis/ThesisMerge.h"
+#include "nexrad/Velocity/Dealiasing.h"
 
 #include <benchmark/benchmark.h>
 
@@ -136,6 +138,42 @@ void ConvertToPolar(benchmark::State& state)
   }
 }
 BENCHMARK(ConvertToPolar)->Unit(benchmark::kMillisecond);
+
+// The velocities of a real volume on two threads; without the test data there is nothing to
+// measure.
+void DealiasVolume(benchmark::State& state, const char* name)
+{
+  const auto folder = testing::TestDataFolder();
+  if (!folder)
+  {
+    state.SkipWithError("real radar files not found: set NEXRAD_TEST_DATA");
+    return;
+  }
+  const VelocityVolume folded = MakeVelocityVolume(ReadLevel2(*folder / "level2" / name));
+  DealiasOptions options;
+  options.loop = ThreadLoop(2);
+  for (auto _ : state)
+  {
+    VelocityVolume volume = folded;
+    benchmark::DoNotOptimize(Dealias(volume, options));
+  }
+}
+BENCHMARK_CAPTURE(DealiasVolume, KTLX1999, "legacy/KTLX19990503_235621.gz")
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+BENCHMARK_CAPTURE(DealiasVolume, KMLB1998, "quality/KMLB19980707_220118.gz")
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+BENCHMARK_CAPTURE(DealiasVolume, KENX2010, "multisite-20100911/KENX20100911_011108_V03.gz")
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
+BENCHMARK_CAPTURE(DealiasVolume, KBLX2009, "superres/KBLX20090603_004417_V03.gz")
+  ->Unit(benchmark::kMillisecond)
+  ->MeasureProcessCPUTime()
+  ->UseRealTime();
 
 // One site, columns × columns × columns / 2 voxels.
 void MergeAsTheThesis(benchmark::State& state)

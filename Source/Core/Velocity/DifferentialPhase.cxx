@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Velocity/DifferentialPhase.h"
+
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <limits>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr std::size_t medianReach = 2; // gates to both sides
+constexpr std::size_t shortReach = 4;
+constexpr std::size_t longReach = 12;
+constexpr float strongEcho = 40.0F; // dBZ
+constexpr float none = std::numeric_limits<float>::quiet_NaN();
+
+struct Span
+{
+  std::size_t begin;
+  std::size_t end;
+};
+
+Span SpanAbout(std::size_t gate, std::size_t reach, std::size_t gates)
+{
+  return {gate < reach ? 0 : gate - reach, std::min(gate + reach + 1, gates)};
+}
+
+// Each phase within half a turn of the last one before it.
+std::vector<float> WithoutTurns(std::vector<float> phase)
+{
+  float last = none;
+  for (float& value : phase)
+  {
+    if (!std::isnan(value))
+    {
+      value = std::isnan(last) ? value : last + std::remainder(value - last, 360.0F);
+      last = value;
+    }
+  }
+  return phase;
+}
+
+std::vector<float> Medians(const std::vector<float>& phase)
+{
+  std::vector<float> result(phase.size(), none);
+  std::vector<float> about;
+  for (std::size_t gate = 0; gate < phase.size(); ++gate)
+  {
+    const Span span = SpanAbout(gate, medianReach, phase.size());
+    about.clear();
+    std::copy_if(phase.begin() + std::ptrdiff_t(span.begin),
+      phase.begin() + std::ptrdiff_t(span.end), std::back_inserter(about),
+      [](float value) { return !std::isnan(value); });
+    if (!std::isnan(phase[gate]))
+    {
+      std::nth_element(
+        about.begin(), about.begin() + std::ptrdiff_t(about.size() / 2), about.end());
+      result[gate] = about[about.size() / 2];
+    }
+  }
+  return result;
+}
+
+struct Line
+{
+  double mean = 0.0;
+  double slope = 0.0; // a gate
+  bool known = false;
+};
+
+// The straight line through the values of a window; not known with less than half of them.
+Line FitLine(const std::vector<float>& values, const Span& span, std::size_t reach)
+{
+  double count = 0.0;
+  double sx = 0.0;
+  double sy = 0.0;
+  double sxx = 0.0;
+  double sxy = 0.0;
+  for (std::size_t gate = span.begin; gate < span.end; ++gate)
+  {
+    if (!std::isnan(values[gate]))
+    {
+      const auto x = static_cast<double>(gate - span.begin);
+      const auto y = static_cast<double>(values[gate]);
+      count += 1.0;
+      sx += x;
+      sy += y;
+      sxx += x * x;
+      sxy += x * y;
+    }
+  }
+  const double spread = count * sxx - sx * sx;
+  if (2.0 * count < static_cast<double>(2 * reach + 1) || !(spread > 0.0))
+  {
+    return {};
+  }
+  return {sy / count, (count * sxy - sx * sy) / spread, true};
+}
+
+} // namespace
+
+std::vector<float> SpecificDifferentialPhase(
+  const std::vector<float>& phase, const std::vector<float>& reflectivity, double gateSpacing)
+{
+  if (phase.size() != reflectivity.size() || !(gateSpacing > 0.0))
+  {
+    throw Error(
+      "K_DP needs a phase and a reflectivity for each gate, and a gate spacing above 0 m");
+  }
+  const std::vector<float> medians = Medians(WithoutTurns(phase));
+  const auto reachAt = [&](std::size_t gate)
+  { return reflectivity[gate] > strongEcho ? shortReach : longReach; };
+  std::vector<float> smooth(phase.size(), none);
+  for (std::size_t gate = 0; gate < phase.size(); ++gate)
+  {
+    const Line line = FitLine(medians, SpanAbout(gate, reachAt(gate), phase.size()), reachAt(gate));
+    smooth[gate] = line.known ? static_cast<float>(line.mean) : none;
+  }
+  std::vector<float> result(phase.size(), none);
+  for (std::size_t gate = 0; gate < phase.size(); ++gate)
+  {
+    const Line line = FitLine(smooth, SpanAbout(gate, reachAt(gate), phase.size()), reachAt(gate));
+    if (line.known && !std::isnan(phase[gate]))
+    {
+      result[gate] = static_cast<float>(0.5 * line.slope * 1000.0 / gateSpacing);
+    }
+  }
+  return result;
+}
+
+} // namespace nexrad

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <vector>
+
+namespace nexrad
+{
+
+/// The specific differential phase K_DP of one ray, degrees a km, one value a gate (Formulas V6):
+/// half the slope of the differential phase, which is smoothed before by a median over 5 gates and
+/// a mean over 9 gates where the reflectivity is above 40 dBZ, over 25 gates elsewhere; the slope
+/// is fitted by least squares over as many gates. Turns of 360° along the ray are taken out.
+///
+/// `phase` in degrees and `reflectivity` in dBZ have one value a gate, NaN without one;
+/// `gateSpacing` in m, above 0. NaN where fewer than half of the gates of the window have a phase.
+/// Throws Error when the sizes differ or the spacing is not above 0.
+std::vector<float> SpecificDifferentialPhase(
+  const std::vector<float>& phase, const std::vector<float>& reflectivity, double gateSpacing);
+
+} // namespace nexrad

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "FoldScore.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace nexrad::testing
+{
+
+namespace
+{
+
+// Gates connected with one that is wrong, which are then marked as seen.
+std::size_t PatchSize(std::vector<char>& wrong, std::size_t first, std::size_t gates)
+{
+  std::vector<std::size_t> open = {first};
+  wrong[first] = 0;
+  std::size_t size = 0;
+  const auto visit = [&](std::size_t index)
+  {
+    if (wrong[index] != 0)
+    {
+      wrong[index] = 0;
+      open.push_back(index);
+    }
+  };
+  while (!open.empty())
+  {
+    const std::size_t index = open.back();
+    open.pop_back();
+    ++size;
+    if (index % gates > 0)
+    {
+      visit(index - 1);
+    }
+    if (index % gates + 1 < gates)
+    {
+      visit(index + 1);
+    }
+    visit((index + gates) % wrong.size());
+    visit((index + wrong.size() - gates) % wrong.size());
+  }
+  return size;
+}
+
+void AddSweep(const VelocitySweep& truth, const VelocitySweep& result, FoldScore& score)
+{
+  std::vector<char> wrong(truth.values.size(), 0);
+  for (std::size_t index = 0; index < truth.values.size(); ++index)
+  {
+    if (truth.states[index] != VelocityState::Valid)
+    {
+      continue;
+    }
+    const bool known = result.states[index] == VelocityState::Valid;
+    const bool right = known && std::abs(result.values[index] - truth.values[index]) < 1.0F;
+    wrong[index] = known && !right ? 1 : 0;
+    score.unknown += known ? 0 : 1;
+    score.right += right ? 1 : 0;
+    score.wrong += known && !right ? 1 : 0;
+  }
+  for (std::size_t index = 0; index < wrong.size(); ++index)
+  {
+    if (wrong[index] != 0)
+    {
+      score.largestPatch = std::max(score.largestPatch, PatchSize(wrong, index, truth.gates));
+    }
+  }
+}
+
+} // namespace
+
+double FoldScore::RightShare() const
+{
+  return 100.0 * static_cast<double>(right) / static_cast<double>(right + wrong);
+}
+
+double FoldScore::UnknownShare() const
+{
+  return 100.0 * static_cast<double>(unknown) / static_cast<double>(right + wrong + unknown);
+}
+
+FoldScore CompareFolds(const VelocityVolume& truth, const VelocityVolume& result)
+{
+  FoldScore score;
+  for (std::size_t sweep = 0; sweep < truth.sweeps.size(); ++sweep)
+  {
+    AddSweep(truth.sweeps[sweep], result.sweeps.at(sweep), score);
+  }
+  return score;
+}
+
+} // namespace nexrad::testing

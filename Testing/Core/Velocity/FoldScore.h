@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Velocity/VelocityVolume.h"
+
+#include <cstddef>
+
+namespace nexrad::testing
+{
+
+/// How many gates of a dealiased volume have the fold of the truth (Formulas V4).
+struct FoldScore
+{
+  std::size_t right = 0;
+  std::size_t wrong = 0;
+  std::size_t unknown = 0;
+  std::size_t largestPatch = 0; ///< gates of the largest connected patch of wrong gates
+
+  /// Percent of the gates whose fold is known.
+  double RightShare() const;
+  /// Percent of the gates that were measured.
+  double UnknownShare() const;
+};
+
+/// Compares gates that are valid in the truth. Velocities within 1 m/s have the same fold.
+FoldScore CompareFolds(const VelocityVolume& truth, const VelocityVolume& result);
+
+} // namespace nexrad::testing
