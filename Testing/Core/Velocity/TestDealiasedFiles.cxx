@@ -11,6 +11,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <ostream>
 #include <string>
 
 using namespace nexrad;
@@ -47,6 +49,12 @@ struct HalvedFile
   double unknown; // at most, %
 };
 
+// In the names of the tests.
+void PrintTo(const HalvedFile& file, std::ostream* stream)
+{
+  *stream << std::filesystem::path(file.name).stem().string();
+}
+
 class HalvedNyquist : public ::testing::TestWithParam<HalvedFile>
 {
 };
@@ -80,6 +88,12 @@ struct JumpyFile
   double after;   // at most
   double unknown; // at most, % of gates
 };
+
+// In the names of the tests.
+void PrintTo(const JumpyFile& file, std::ostream* stream)
+{
+  *stream << std::filesystem::path(file.name).stem().string();
+}
 
 class Jumps : public ::testing::TestWithParam<JumpyFile>
 {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ostream>
 #include <string>
 
 using namespace nexrad;
@@ -104,6 +105,12 @@ struct SimulatedCase
   double right;   // at least, % of the folds that are known
   double unknown; // at most, %
 };
+
+// In the names of the tests.
+void PrintTo(const SimulatedCase& each, std::ostream* stream)
+{
+  *stream << each.site << each.pattern << (each.superResolution ? "SuperResolution" : "");
+}
 
 class SimulatedDealiasing : public ::testing::TestWithParam<SimulatedCase>
 {
