@@ -18,28 +18,6 @@ namespace
 
 using RayList = std::vector<const Ray*>;
 
-// The rays of a sweep that have the moment, by gate geometry, in the order in which each geometry
-// comes first. Nearly always there is one.
-std::vector<RayList> GroupByGeometry(const Sweep& sweep, MomentName moment)
-{
-  std::vector<RayList> groups;
-  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> places;
-  for (const Ray& ray : sweep.rays)
-  {
-    const MomentRow& row = ray.Row(moment);
-    if (row.gates > 0)
-    {
-      const auto place = places.emplace(std::pair(row.firstGate, row.gateSpacing), groups.size());
-      if (place.second)
-      {
-        groups.emplace_back();
-      }
-      groups[place.first->second].push_back(&ray);
-    }
-  }
-  return groups;
-}
-
 std::uint16_t CodeOf(GateState state)
 {
   switch (state)
@@ -247,6 +225,26 @@ std::size_t GatesWithin(const PolarSweep& sweep, const PolarRay& ray)
 
 } // namespace
 
+std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentName moment)
+{
+  std::vector<RayList> groups;
+  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> places;
+  for (const Ray& ray : sweep.rays)
+  {
+    const MomentRow& row = ray.Row(moment);
+    if (row.gates > 0)
+    {
+      const auto place = places.emplace(std::pair(row.firstGate, row.gateSpacing), groups.size());
+      if (place.second)
+      {
+        groups.emplace_back();
+      }
+      groups[place.first->second].push_back(&ray);
+    }
+  }
+  return groups;
+}
+
 void SetGates(
   PolarSweep& sweep, const std::vector<float>& values, const std::vector<GateState>& states)
 {
@@ -341,7 +339,7 @@ PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment)
   polar.synthetic = volume.synthetic;
   for (const Sweep& sweep : volume.sweeps)
   {
-    for (const RayList& rays : GroupByGeometry(sweep, moment))
+    for (const RayList& rays : RaysByGeometry(sweep, moment))
     {
       polar.sweeps.push_back(MakeSweep(rays, sweep.waveform, moment));
       if (moment == MomentName::REF)

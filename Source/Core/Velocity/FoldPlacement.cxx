@@ -41,8 +41,7 @@ SweepFolds::SweepFolds(const VelocitySweep& sweep)
   : ring(MakeSweepRing(sweep))
   , finder(ring)
   , regions(FindRegions(ring))
-  , borders(FindBorders(ring, regions))
-  , clusters(MergeRegions(regions.size, borders))
+  , clusters(MergeRegions(regions.size, regions.borders))
   , regionFold(regions.size.size(), NoFold)
   , gateFold(ring.velocity.size(), NoFold)
 {
@@ -327,7 +326,7 @@ void CorrectRegions(SweepFolds& sweep, const ExpectedVelocities& expected)
   {
     votes[region].AddShifted(own[region].votes, 0, sweepsWeight);
   }
-  for (const RegionBorder& border : sweep.borders)
+  for (const RegionBorder& border : sweep.regions.borders)
   {
     const Fold a = sweep.regionFold[std::size_t(border.a)];
     const Fold b = sweep.regionFold[std::size_t(border.b)];

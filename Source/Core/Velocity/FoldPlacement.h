@@ -20,7 +20,6 @@ struct SweepFolds
   SweepRing ring;
   RowFinder finder;
   VelocityRegions regions;
-  std::vector<RegionBorder> borders;
   RegionClusters clusters;
   std::vector<Fold> regionFold; ///< of each region; NoFold until it is known
   std::vector<Fold> gateFold;   ///< of each gate of the ring; NoFold where it is not known

@@ -370,10 +370,10 @@ std::vector<float> NearnessOfRows(const SweepRing& ring)
   return near;
 }
 
-void AddBordersInAzimuth(const SweepRing& ring, const VelocityRegions& regions, BorderList& borders)
+void AddBordersInAzimuth(const SweepRing& ring, const AzimuthShear& shear,
+  const VelocityRegions& regions, BorderList& borders)
 {
   constexpr float sheared = 0.1F;
-  const AzimuthShear shear(ring);
   const std::vector<float> near = NearnessOfRows(ring);
   // For each gate how many rows ago one of a region was seen; 0: none.
   std::vector<std::size_t> ago(ring.gates, 0);
@@ -410,6 +410,15 @@ void AddBordersInAzimuth(const SweepRing& ring, const VelocityRegions& regions, 
   }
 }
 
+std::vector<RegionBorder> FindBorders(
+  const SweepRing& ring, const AzimuthShear& shear, const VelocityRegions& regions)
+{
+  BorderList borders(ring, regions);
+  AddBordersInRange(ring, regions, borders);
+  AddBordersInAzimuth(ring, shear, regions, borders);
+  return borders.Take();
+}
+
 } // namespace
 
 VelocityRegions FindRegions(const SweepRing& ring)
@@ -427,15 +436,8 @@ VelocityRegions FindRegions(const SweepRing& ring)
     }
     regions = NumberRegions(steady, connected);
   } while (RaiseLevels(ring, regions, levels));
+  regions.borders = FindBorders(ring, shear, regions);
   return regions;
-}
-
-std::vector<RegionBorder> FindBorders(const SweepRing& ring, const VelocityRegions& regions)
-{
-  BorderList borders(ring, regions);
-  AddBordersInRange(ring, regions, borders);
-  AddBordersInAzimuth(ring, regions, borders);
-  return borders.Take();
 }
 
 } // namespace nexrad

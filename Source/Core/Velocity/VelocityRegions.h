@@ -10,12 +10,15 @@
 namespace nexrad
 {
 
-/// Connected gates of a sweep that have one fold (Formulas V2).
+/// Connected gates of a sweep that have one fold, and what their borders ask for (Formulas V2).
 struct VelocityRegions
 {
   static constexpr std::int32_t None = -1;
   std::vector<std::int32_t> label; ///< of each gate of the ring; None: of no region
   std::vector<std::uint32_t> size; ///< gates of each region
+  /// Pairs of gates beside each other, and pairs across gaps of up to 20 gates or 10 rays. Pairs of
+  /// rays of different Nyquist velocities are left out.
+  std::vector<RegionBorder> borders;
 };
 
 /// Joins neighbours (in range, and in azimuth where the shear along the azimuth is not strong)
@@ -23,9 +26,5 @@ struct VelocityRegions
 /// with half of their neighbours, and regions of a few gates, are of no region: they are noise that
 /// could connect what has different folds, and are placed last.
 VelocityRegions FindRegions(const SweepRing& ring);
-
-/// The borders of regions: pairs of gates beside each other, and pairs across gaps of up to 20
-/// gates or 10 rays. Pairs of rays of different Nyquist velocities are left out.
-std::vector<RegionBorder> FindBorders(const SweepRing& ring, const VelocityRegions& regions);
 
 } // namespace nexrad

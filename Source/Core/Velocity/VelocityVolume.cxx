@@ -3,12 +3,12 @@
 
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Model/MomentLimits.h"
+#include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <string>
 #include <utility>
 
@@ -19,27 +19,6 @@ namespace
 {
 
 using RayList = std::vector<const Ray*>;
-
-// The rays of a sweep that have velocities, by gate geometry.
-std::vector<RayList> GroupByGeometry(const Sweep& sweep)
-{
-  std::vector<RayList> groups;
-  std::map<std::pair<std::int32_t, std::int32_t>, std::size_t> places;
-  for (const Ray& ray : sweep.rays)
-  {
-    const MomentRow& row = ray.Row(MomentName::VEL);
-    if (row.gates > 0)
-    {
-      const auto place = places.emplace(std::pair(row.firstGate, row.gateSpacing), groups.size());
-      if (place.second)
-      {
-        groups.emplace_back();
-      }
-      groups[place.first->second].push_back(&ray);
-    }
-  }
-  return groups;
-}
 
 void SetRay(VelocitySweep& sweep, std::size_t index, const Ray& ray)
 {
@@ -100,7 +79,7 @@ VelocityVolume MakeVelocityVolume(const RadarVolume& volume)
   velocities.synthetic = volume.synthetic;
   for (const Sweep& sweep : volume.sweeps)
   {
-    for (const RayList& rays : GroupByGeometry(sweep))
+    for (const RayList& rays : RaysByGeometry(sweep, MomentName::VEL))
     {
       velocities.sweeps.push_back(MakeSweep(rays));
     }
