@@ -3,7 +3,7 @@
 
 #include "Commands/InfoReport.h"
 #include "Output/Counted.h"
-#include "nexrad/Level2/Level2File.h"
+#include "Output/ExplainedRead.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/System/Error.h"
@@ -76,29 +76,6 @@ std::string CheckPosition(const std::string& text)
                              : "'" + text +
                                  "' is no LATITUDE,LONGITUDE,ALTITUDE in degrees and metres, for "
                                  "example 38.70,-90.68,219";
-}
-
-// Reads one file. What cannot be read at all comes back as a volume without sweeps, so that each
-// argument has its place in the output.
-RadarVolume ReadOrExplain(const std::string& file, const Level2Options& options)
-{
-  try
-  {
-    RadarVolume volume = ReadLevel2(file, options);
-    for (const Damage& damage : volume.damage)
-    {
-      std::cerr << file << ": offset " << damage.offset << ": " << damage.what << '\n';
-    }
-    return volume;
-  }
-  catch (const Error& error)
-  {
-    std::cerr << error.what() << '\n';
-    RadarVolume volume;
-    volume.file = file;
-    volume.damage.push_back({0, error.what()});
-    return volume;
-  }
 }
 
 // Names each request that a file cannot answer; true when there was one.

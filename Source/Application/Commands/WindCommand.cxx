@@ -2,8 +2,7 @@
 #include "Commands/WindCommand.h"
 
 #include "Commands/WindReport.h"
-#include "nexrad/Level2/Level2File.h"
-#include "nexrad/System/Error.h"
+#include "Output/ExplainedRead.h"
 #include "nexrad/System/ThreadGroup.h"
 #include "nexrad/Velocity/VelocityAzimuthDisplay.h"
 
@@ -29,28 +28,6 @@ struct WindOptions
   double range = 60.0;
   bool json = false;
 };
-
-// A volume with every ray that can be read; what is wrong is said.
-RadarVolume ReadOrExplain(const std::string& file)
-{
-  try
-  {
-    RadarVolume volume = ReadLevel2(file);
-    for (const Damage& damage : volume.damage)
-    {
-      std::cerr << file << ": offset " << damage.offset << ": " << damage.what << '\n';
-    }
-    return volume;
-  }
-  catch (const Error& error)
-  {
-    std::cerr << error.what() << '\n';
-    RadarVolume volume;
-    volume.file = file;
-    volume.damage.push_back({0, error.what()});
-    return volume;
-  }
-}
 
 // Makes one report after the other; the profile of a volume helps to dealias the next of its site.
 class WindReporter
