@@ -4,6 +4,7 @@
 
 #include "Options/DrawingOptions.h"
 #include "TestData.h"
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
@@ -66,9 +67,33 @@ TEST(OptionTexts, CutsAreInDegreesOnGeographicAxes)
   EXPECT_EQ(Joined(ReadAndWrite(options)), Joined(options));
   scene::DrawingRequest request;
   ParseOptionTexts(options, request);
-  EXPECT_EQ(request.scene.cut.unit, scene::CutUnit::Degrees);
+  EXPECT_EQ(request.scene.cut.unit, PlaceUnit::Degrees);
   // 30 degrees downward over 111 km a degree
-  EXPECT_NEAR(request.scene.cut.plane->normal[2] * 111'195.0, -0.5, 1e-9);
+  EXPECT_NEAR(request.scene.cut.plane->normal[2] * MetresPerDegree, -0.5, 1e-9);
+}
+
+TEST(OptionTexts, BoxesAreInTheUnitOfTheAxes)
+{
+  const std::vector<OptionText> options = {{"--box", "-98deg,-97.25deg,35deg,36deg"}};
+  EXPECT_EQ(Joined(ReadAndWrite(options)), Joined(options));
+  scene::DrawingRequest request;
+  request.input.box = BoxRequest{{-98.0, -97.25, 35.0, 36.0}}; // as the mouse makes it
+  request.input.grid.grid.axes = GridAxes::Geographic;
+  EXPECT_EQ(Joined(OptionTextsOf(request)), Joined(options));
+  request.input.grid.grid.axes = GridAxes::Projected;
+  EXPECT_EQ(Joined(OptionTextsOf(request)), "--box=-98m,-97.25m,35m,36m ");
+}
+
+// What the mouse makes may be next to nothing, or large; the options have no exponents.
+TEST(OptionTexts, NumbersAreWrittenInFull)
+{
+  scene::DrawingRequest request;
+  request.input.box = BoxRequest{{-3.6e-12, 1e-5, 0.1, 1'234'567'890'123.0}};
+  scene::DrawingRequest read;
+  ParseOptionTexts(OptionTextsOf(request), read);
+  ASSERT_TRUE(read.input.box);
+  EXPECT_EQ(read.input.box->faces, request.input.box->faces);
+  EXPECT_EQ(read.input.boxUnit, PlaceUnit::Metres);
 }
 
 TEST(OptionTexts, DefaultsAreLeftOut)
@@ -140,7 +165,11 @@ TEST(OptionTexts, WrongOptionsAreNamed)
     {{"--slices", "0"}, "--slices: '0' is no number"},
     {{"--theme", "blue"}, "--theme: 'blue' is no theme"}, {{"--dims", "1"}, "--dims"},
     {{"--crop", "-98deg,20km,35deg,36deg,0,15km"}, "--crop: '20km': some places"},
-    {{"--crop", "xdeg,-97deg,35deg,36deg,0,15km"}, "--crop: 'xdeg' is no angle"}};
+    {{"--box", "-98deg,20km,35deg,36deg"}, "--box: '20km': some places"},
+    {{"--box", "-98,-97,35,36"}, "--box: '-98' has no unit; write -98km, -98m or -98deg"},
+    {{"--box", "-98deg,-97deg,35deg"}, "--box: '-98deg,-97deg,35deg' is no box; write its west"},
+    {{"--box", "-97deg,-98deg,35deg,36deg"}, "is no box: -98deg is not above -97deg"},
+    {{"--crop", "xdeg,-97deg,35deg,36deg,0,15km"}, "--crop: 'xdeg' is no place"}};
   for (const auto& [option, words] : cases)
   {
     try

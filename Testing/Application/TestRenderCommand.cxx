@@ -215,6 +215,8 @@ TEST(RenderCommand, FailuresAreOneLine)
   std::ofstream(folder.Path() / "broken.vti") << "<VTKFile";
   std::ofstream(folder.Path() / "colours.csv") << "dbz,colour\n5,#000000\n1,#ffffff\n";
   std::ofstream(folder.Path() / "plain.csv") << "dbz,colour\n5,#000000\n9,#ffffff\n";
+  const std::string radar = WriteLevel2(folder.Path() / "radar",
+    {ConstantVolume({"KEAX", Position{38.81, -94.264, 333.0}}, *ParseIso8601("2006-03-12"), 40.0)});
   fs::create_symlink("/dev/full", folder.Path() / "full.png");
   const std::string png = folder.Path() / "x.png";
   const std::vector<std::pair<std::vector<std::string>, std::string>> cases = {
@@ -232,6 +234,8 @@ TEST(RenderCommand, FailuresAreOneLine)
       "no array REF_age"},
     {{series, "-o", png, "--colours", folder.Path() / "colours.csv"}, "line 3"},
     {{series, "-o", png, "--box", "0,20km,0,20km"}, "from radar files alone"},
+    {{radar, "-o", png, "--box=-95deg,-94deg,38deg,39deg"},
+      "--box is in degrees, and the volume is in metres"},
     {{series, "-o", png, "--opacities", folder.Path() / "plain.csv"}, "has no opacities"},
     {{series, "-o", png, "--crop=-91deg,-90deg,38deg,39deg,0,15km"}, "volume is in metres"},
     {{series, "/dev/null", "-o", png}, "one or the other"}};

@@ -132,6 +132,60 @@ TEST(UnitOptions, BoundsAreWestSouthEastNorth)
   }
 }
 
+TEST(UnitOptions, PlacesOfOneThingShareAUnit)
+{
+  PlaceUnit metres = PlaceUnit::OfVolume;
+  EXPECT_EQ(ParsePlace("0", metres), 0.0);
+  EXPECT_EQ(metres, PlaceUnit::OfVolume) << "0 has no unit";
+  EXPECT_EQ(ParsePlace("-20km", metres), -20'000.0);
+  EXPECT_EQ(metres, PlaceUnit::Metres);
+  EXPECT_EQ(ParsePlace("500m", metres), 500.0);
+  EXPECT_EQ(ParsePlace("0", metres), 0.0);
+  EXPECT_THROW(ParsePlace("1deg", metres), Error);
+  PlaceUnit degrees = PlaceUnit::OfVolume;
+  EXPECT_EQ(ParsePlace("-97.5deg", degrees), -97.5);
+  EXPECT_EQ(degrees, PlaceUnit::Degrees);
+  EXPECT_THROW(ParsePlace("20km", degrees), Error);
+  for (const char* text : {"", "deg", "361deg", "1e1deg", "20", "20 km", "20nmi", "nandeg"})
+  {
+    PlaceUnit unit = PlaceUnit::OfVolume;
+    EXPECT_THROW(ParsePlace(text, unit), Error) << text;
+    EXPECT_EQ(unit, PlaceUnit::OfVolume) << text;
+  }
+}
+
+TEST(UnitOptions, BoxesHaveFacesAboveTheOppositeOnes)
+{
+  PlaceUnit unit = PlaceUnit::OfVolume;
+  EXPECT_EQ(
+    ParseBox("-98deg,-97deg,0,36.5deg", unit), (std::array<double, 4>{-98.0, -97.0, 0.0, 36.5}));
+  EXPECT_EQ(unit, PlaceUnit::Degrees);
+  unit = PlaceUnit::OfVolume;
+  EXPECT_EQ(ParseBoxWithHeights("-50km,500m,0,60km,0,15km", unit),
+    (std::array<double, 6>{-50e3, 500.0, 0.0, 60e3, 0.0, 15e3}));
+  EXPECT_EQ(unit, PlaceUnit::Metres);
+  for (const char* text : {"", "1km,2km,3km", "1km,2km,3km,4km,5km", "2km,1km,3km,4km",
+         "1km,2km,3km,3km", "1km,2km,3km,", "1,2,3,4", "-98deg,-97deg,1km,2km"})
+  {
+    PlaceUnit any = PlaceUnit::OfVolume;
+    EXPECT_THROW(ParseBox(text, any), Error) << text;
+  }
+  unit = PlaceUnit::OfVolume;
+  EXPECT_THROW(ParseBoxWithHeights("-98deg,-97deg,35deg,36deg,0,1deg", unit), Error);
+}
+
+TEST(UnitOptions, ListsHaveCommas)
+{
+  EXPECT_EQ(SplitAtCommas(""), std::vector<std::string>{""});
+  EXPECT_EQ(SplitAtCommas("a,,b"), (std::vector<std::string>{"a", "", "b"}));
+  EXPECT_EQ(SplitAtCommas("a,"), (std::vector<std::string>{"a", ""}));
+  EXPECT_EQ(FindNumbers("1,-2.5"), (std::vector<double>{1.0, -2.5}));
+  for (const char* text : {"", "1,", "1km", "1,x", "1e3", "nan", "1 2"})
+  {
+    EXPECT_TRUE(FindNumbers(text).empty()) << text;
+  }
+}
+
 TEST(UnitOptions, ErrorsSayWhatWouldBeRight)
 {
   try

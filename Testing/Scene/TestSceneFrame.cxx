@@ -3,20 +3,44 @@
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Scales/ScaleLayer.h"
+#include "Scene/Series/InputSeries.h"
 
 #include "StormVolume.h"
 #include "Tolerance.h"
+#include "nexrad/System/Error.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <utility>
+
 using namespace nexrad;
 using namespace nexrad::scene;
 using nexrad::testing::MakeStormVolume;
+
+namespace
+{
+
+// 48 voxels over 4° of longitude and 2° of latitude.
+vtkSmartPointer<vtkImageData> MakeGeographicVolume()
+{
+  const auto volume = MakeStormVolume(false);
+  volume->SetOrigin(-92.0, 38.0, 625.0);
+  volume->SetSpacing(4.0 / 47.0, 2.0 / 47.0, 1'250.0);
+  vtkNew<vtkStringArray> projection;
+  projection->SetName("Projection");
+  projection->InsertNextValue("+proj=longlat +datum=WGS84 +no_defs");
+  volume->GetFieldData()->AddArray(projection);
+  return volume;
+}
+
+} // namespace
 
 // 48 voxels of 10 km about 39° N, 90° W; 16 of 1.25 km from the ground up.
 TEST(SceneFrame, BoundsAreTheOuterFacesInKilometres)
@@ -63,14 +87,7 @@ TEST(SceneFrame, PlacesAreKilometresFromTheCentre)
 
 TEST(SceneFrame, AVolumeOnGeographicAxesHasTheSameShape)
 {
-  const auto volume = MakeStormVolume(false);
-  volume->SetOrigin(-92.0, 38.0, 625.0);
-  volume->SetSpacing(4.0 / 47.0, 2.0 / 47.0, 1'250.0);
-  vtkNew<vtkStringArray> projection;
-  projection->SetName("Projection");
-  projection->InsertNextValue("+proj=longlat +datum=WGS84 +no_defs");
-  volume->GetFieldData()->AddArray(projection);
-  const SceneFrame frame(volume, 8.0);
+  const SceneFrame frame(MakeGeographicVolume(), 8.0);
   ASSERT_TRUE(frame.HasMap());
   EXPECT_WITHIN(
     frame.Place(-90.0, 40.0)[1], 111.2, 0.01, "degree of latitude on geographic axes, km");
@@ -79,6 +96,57 @@ TEST(SceneFrame, AVolumeOnGeographicAxesHasTheSameShape)
     frame.Place(-89.0, 39.0)[0], 86.4, 0.028, "degree of longitude on geographic axes, km");
   EXPECT_WITHIN(frame.Bounds()[3] - frame.Bounds()[2], 111.2 * 2.0 * 48.0 / 47.0, 0.02,
     "width on geographic axes, km");
+}
+
+TEST(VolumeInformation, FacesAreHalfAVoxelBeyondTheMiddles)
+{
+  const auto volume = MakeStormVolume(false);
+  const std::array<double, 6> expected = {-240e3, 240e3, -240e3, 240e3, 0.0, 20e3};
+  for (std::size_t i = 0; i < expected.size(); ++i)
+  {
+    EXPECT_NEAR(FacesOf(volume)[i], expected[i], 1e-9) << i;
+    EXPECT_TRUE(i >= 4 || SidesOf(volume)[i] == FacesOf(volume)[i]) << i;
+  }
+}
+
+TEST(VolumeInformation, PlacesAreInTheUnitOfTheAxes)
+{
+  EXPECT_EQ(PlaceUnitOf(MakeStormVolume(false)), PlaceUnit::Metres);
+  EXPECT_EQ(PlaceUnitOf(MakeGeographicVolume()), PlaceUnit::Degrees);
+}
+
+// The files are not there; the box is looked at first.
+TEST(InputSeries, ABoxInAnotherUnitIsRefused)
+{
+  const auto refusal = [](GridAxes axes, PlaceUnit unit)
+  {
+    InputRequest request;
+    request.inputs = {"/nonexistent"};
+    request.grid.grid.axes = axes;
+    request.box.emplace();
+    request.boxUnit = unit;
+    try
+    {
+      OpenInputs(request);
+    }
+    catch (const Error& error)
+    {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  const std::string metres = "--box is in m or km, and the volume is on axes of longitude and "
+                             "latitude; write degrees, as in -97.5deg";
+  const std::string degrees = "--box is in degrees, and the volume is in metres about its centre; "
+                              "write lengths, as in -20km";
+  EXPECT_EQ(refusal(GridAxes::Geographic, PlaceUnit::Metres), metres);
+  EXPECT_EQ(refusal(GridAxes::Projected, PlaceUnit::Degrees), degrees);
+  for (const auto& [axes, unit] : {std::pair(GridAxes::Geographic, PlaceUnit::Degrees),
+         std::pair(GridAxes::Projected, PlaceUnit::Metres),
+         std::pair(GridAxes::Geographic, PlaceUnit::OfVolume)})
+  {
+    EXPECT_NE(refusal(axes, unit).find("/nonexistent"), std::string::npos) << refusal(axes, unit);
+  }
 }
 
 TEST(SceneFrame, FieldDataAreUnderstood)

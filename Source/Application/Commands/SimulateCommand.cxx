@@ -91,7 +91,7 @@ SimulatedSite ParseSite(const std::string& text)
 std::vector<SimulatedSite> ParseSites(const std::string& text)
 {
   std::vector<SimulatedSite> sites;
-  for (const std::string& part : CLI::detail::split(text, ','))
+  for (const std::string& part : SplitAtCommas(text))
   {
     const SimulatedSite site = ParseSite(part);
     for (const SimulatedSite& other : sites)
@@ -123,17 +123,17 @@ std::map<std::string, double> ParseBiases(const std::string& text)
 {
   constexpr double most = 20.0; // dB
   std::map<std::string, double> biases;
-  for (const std::string& part : CLI::detail::split(text, ','))
+  for (const std::string& part : SplitAtCommas(text))
   {
     const std::size_t colon = part.find(':');
-    double bias = 0.0;
-    if (colon == std::string::npos || !CLI::detail::lexical_cast(part.substr(colon + 1), bias) ||
-        !(std::abs(bias) <= most))
+    const std::vector<double> bias =
+      colon == std::string::npos ? std::vector<double>() : FindNumbers(part.substr(colon + 1));
+    if (bias.size() != 1 || std::abs(bias[0]) > most)
     {
       throw Error(
         "'" + part + "' is no bias of a radar; write its name and -20 to 20 dB, as in KLSX:2");
     }
-    biases[part.substr(0, colon)] = bias;
+    biases[part.substr(0, colon)] = bias[0];
   }
   return biases;
 }

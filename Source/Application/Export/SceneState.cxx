@@ -101,8 +101,7 @@ scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)
   scene::SceneOptions options = scene::SettingsOf(scene);
   if (vtkImageData* volume = scene->GetVolume())
   {
-    options.cut.unit =
-      scene::IsGeographic(volume) ? scene::CutUnit::Degrees : scene::CutUnit::Metres;
+    options.cut.unit = scene::PlaceUnitOf(volume);
   }
   try
   {

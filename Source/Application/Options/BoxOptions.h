@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Grid/FinerBox.h"
-
-#include <optional>
-#include <string>
+#include "Scene/Series/InputSeries.h"
 
 namespace CLI
 {
@@ -15,6 +12,6 @@ namespace nexrad::application
 {
 
 /// Adds the options of the box that is merged again in finer voxels: --box and --follow-from.
-void AddBoxOptions(CLI::App& command, std::optional<BoxRequest>& box);
+void AddBoxOptions(CLI::App& command, scene::InputRequest& request);
 
 } // namespace nexrad::application

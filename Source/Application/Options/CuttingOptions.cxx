@@ -2,16 +2,14 @@
 #include "Options/CuttingOptions.h"
 
 #include "Options/UnitOptions.h"
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 
 #include <array>
 #include <cmath>
-#include <locale>
-#include <sstream>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace nexrad::application
@@ -19,81 +17,15 @@ namespace nexrad::application
 namespace
 {
 
-std::vector<std::string> SplitAtCommas(const std::string& text)
-{
-  std::vector<std::string> parts;
-  std::istringstream list(text + ',');
-  for (std::string part; std::getline(list, part, ',');)
-  {
-    parts.push_back(part);
-  }
-  return parts;
-}
-
-// Degrees, -360 to 360. `whole`: what the user wrote.
-double ParseNumber(const std::string& text, const std::string& whole)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double angle = 0.0;
-  stream >> angle;
-  if (stream.fail() || stream.peek() != std::istringstream::traits_type::eof() ||
-      !(std::abs(angle) <= 360.0))
-  {
-    throw Error("'" + whole + "' is no angle; write degrees, -360 to 360");
-  }
-  return angle;
-}
-
 // In radians.
 double ParseAngle(const std::string& text)
 {
-  constexpr double degree = 3.14159265358979323846 / 180.0;
-  return degree * ParseNumber(text, text);
-}
-
-// Without its unit, which all cuts have in common: "20km" and "500m" in m, "-97.5deg" in degrees.
-double TakeCoordinate(const std::string& text, scene::CutOptions& cut)
-{
-  constexpr std::string_view ending = "deg";
-  const bool degrees = text.size() > ending.size() &&
-                       text.compare(text.size() - ending.size(), ending.size(), ending) == 0;
-  const std::string number = text.substr(0, text.size() - ending.size());
-  const double coordinate = degrees ? ParseNumber(number, text) : ParseLength(text);
-  const scene::CutUnit unit = degrees ? scene::CutUnit::Degrees : scene::CutUnit::Metres;
-  if (text == "0")
-  {
-    return coordinate;
-  }
-  if (cut.unit != scene::CutUnit::OfVolume && cut.unit != unit)
-  {
-    throw Error("'" + text +
-                "': some places of the cuts are in degrees and some in m or km; write all of them "
-                "in degrees for a volume on axes of longitude and latitude, else in m or km");
-  }
-  cut.unit = unit;
-  return coordinate;
+  return RadiansPerDegree * ParseDegrees(text);
 }
 
 void TakeCropBox(const std::string& text, scene::CutOptions& cut)
 {
-  const std::vector<std::string> parts = SplitAtCommas(text);
-  std::array<double, 6> box{};
-  if (parts.size() != box.size())
-  {
-    throw Error("'" + text +
-                "' is no crop box; write its west, east, south, north, bottom and top with units, "
-                "as in -50km,20km,-40km,60km,0,15km or -98deg,-97deg,35deg,36deg,0,15km");
-  }
-  for (std::size_t i = 0; i < box.size(); ++i)
-  {
-    box[i] = i < 4 ? TakeCoordinate(parts[i], cut) : ParseLength(parts[i]);
-    if (i % 2 == 1 && !(box[i] > box[i - 1]))
-    {
-      throw Error("'" + text + "' is no crop box: " + parts[i] + " is not above " + parts[i - 1]);
-    }
-  }
-  cut.box = box;
+  cut.box = ParseBoxWithHeights(text, cut.unit);
 }
 
 // A plane whose normal points along the azimuth, and upward by the elevation.
@@ -113,8 +45,8 @@ void TakeClipPlane(const std::string& text, scene::CutOptions& cut)
   const double elevation = vertical ? 0.0 : ParseAngle(parts[4]);
   const double level = vertical ? 1.0 : std::cos(elevation);
   const std::array<double, 2> point = {
-    TakeCoordinate(parts[0], cut), TakeCoordinate(parts[1], cut)};
-  const double up = cut.unit == scene::CutUnit::Degrees ? scene::MetresPerDegree : 1.0;
+    ParsePlace(parts[0], cut.unit), ParsePlace(parts[1], cut.unit)};
+  const double up = cut.unit == PlaceUnit::Degrees ? MetresPerDegree : 1.0;
   cut.plane = scene::CutPlane{{point[0], point[1], vertical ? 0.0 : ParseLength(parts[3])},
     {level * std::sin(azimuth), level * std::cos(azimuth), std::sin(elevation) / up}};
 }
@@ -129,8 +61,8 @@ void TakeSectionLine(const std::string& text, scene::CutOptions& cut)
                 "in -20km,0,30km,15km");
   }
   SectionLine line;
-  line.from = {TakeCoordinate(parts[0], cut), TakeCoordinate(parts[1], cut)};
-  line.to = {TakeCoordinate(parts[2], cut), TakeCoordinate(parts[3], cut)};
+  line.from = {ParsePlace(parts[0], cut.unit), ParsePlace(parts[1], cut.unit)};
+  line.to = {ParsePlace(parts[2], cut.unit), ParsePlace(parts[3], cut.unit)};
   cut.section = line;
 }
 
@@ -138,20 +70,8 @@ void TakeSectionLine(const std::string& text, scene::CutOptions& cut)
 void AddCut(CLI::App& command, const std::string& name, scene::CutOptions& cut,
   void (*take)(const std::string&, scene::CutOptions&), const char* unit, const char* description)
 {
-  const auto store = [&cut, take, name](const std::string& text)
-  {
-    try
-    {
-      take(text, cut);
-    }
-    catch (const Error& error)
-    {
-      throw CLI::ValidationError(name, error.what());
-    }
-  };
-  command.add_option_function<std::string>(name, store, description)
-    ->type_name(unit)
-    ->expected(1)
+  AddTextOption(
+    command, name, [&cut, take](const std::string& text) { take(text, cut); }, unit, description)
     ->group("Picture");
 }
 

@@ -11,8 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <locale>
-#include <sstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -50,16 +49,12 @@ bool ParseInterpolation(const std::string& text)
 
 double ParseExaggeration(const std::string& text)
 {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double factor = 0.0;
-  stream >> factor;
-  if (!stream || stream.peek() != std::istringstream::traits_type::eof() || !(factor >= 0.1) ||
-      !(factor <= 100.0))
+  const std::vector<double> factor = FindNumbers(text);
+  if (factor.size() != 1 || factor[0] < 0.1 || factor[0] > 100.0)
   {
     throw Error("'" + text + "' is no factor of heights; write a number from 0.1 to 100");
   }
-  return factor;
+  return factor[0];
 }
 
 double ParseRingSpacing(const std::string& text)
@@ -81,57 +76,48 @@ scene::ThemeChoice ParseTheme(const std::string& text)
   return text == "light" ? scene::ThemeChoice::Light : scene::ThemeChoice::Dark;
 }
 
-// One entry of a list of iso-values: "35" or "35:0.5". False where it is none.
-bool ParseIsoValue(const std::string& text, scene::IsoValue& isoValue)
+// One entry of a list of iso-values: "35" or "35:0.5". Empty where it is none.
+std::optional<scene::IsoValue> ParseIsoValue(const std::string& text)
 {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  stream >> isoValue.value;
-  if (!stream || stream.eof())
+  const std::size_t colon = text.find(':');
+  const std::vector<double> value = FindNumbers(text.substr(0, colon));
+  const std::vector<double> opacity =
+    colon == std::string::npos ? std::vector<double>{1.0} : FindNumbers(text.substr(colon + 1));
+  if (value.size() != 1 || opacity.size() != 1 || opacity[0] <= 0.0 || opacity[0] > 1.0)
   {
-    return static_cast<bool>(stream); // a number too large is none
+    return std::nullopt;
   }
-  char colon = 0;
-  double opacity = 0.0;
-  stream >> colon >> opacity;
-  isoValue.opacity = opacity;
-  return stream && stream.eof() && colon == ':' && opacity > 0.0 && opacity <= 1.0;
+  scene::IsoValue isoValue;
+  isoValue.value = value[0];
+  isoValue.opacity = colon == std::string::npos ? std::nullopt : std::optional(opacity[0]);
+  return isoValue;
 }
 
 scene::LightDirection ParseLightDirection(const std::string& text)
 {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  scene::LightDirection direction;
-  char comma = 0;
-  stream >> direction.azimuth >> comma >> direction.elevation;
-  if (!stream || comma != ',' || stream.peek() != std::istringstream::traits_type::eof() ||
-      !(std::abs(direction.azimuth) <= 360.0) || !(std::abs(direction.elevation) <= 90.0))
+  const std::vector<double> angles = FindNumbers(text);
+  if (angles.size() != 2 || std::abs(angles[0]) > 360.0 || std::abs(angles[1]) > 90.0)
   {
     throw Error("'" + text +
                 "' is no direction of light; write degrees clockwise from north, -360 to 360, and "
                 "above the horizon, -90 to 90, as in 250,45");
   }
-  return direction;
+  return {angles[0], angles[1]};
 }
 
 // What follows "echo-top": nothing, or a colon and dBZ.
 double ParseThreshold(const std::string& text, const std::string& end, double usual)
 {
-  std::istringstream stream(end);
-  stream.imbue(std::locale::classic());
-  char colon = ':';
-  double threshold = usual;
-  if (!end.empty())
+  if (end.empty())
   {
-    stream >> colon >> threshold;
+    return usual;
   }
-  if (stream.fail() || colon != ':' || stream.peek() != std::istringstream::traits_type::eof() ||
-      !(std::abs(threshold) <= 100.0))
+  const std::vector<double> threshold = FindNumbers(end.substr(1));
+  if (end.front() != ':' || threshold.size() != 1 || std::abs(threshold[0]) > 100.0)
   {
     throw Error("'" + text + "' is no echo top; write echo-top, or echo-top:30 for that of 30 dBZ");
   }
-  return threshold;
+  return threshold[0];
 }
 
 scene::PlanOptions ParsePlan(const std::string& text)
@@ -169,23 +155,16 @@ scene::PlanOptions ParsePlan(const std::string& text)
 // "35.3,-97.3" or "35.3,-97.3,4km": latitude, longitude and height.
 scene::LookAt ParseLookAt(const std::string& text)
 {
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  double latitude = 0.0;
-  double longitude = 0.0;
-  char comma = 0;
-  stream >> latitude >> comma >> longitude;
-  std::string height = "0";
-  const bool number = stream && comma == ',';
-  const bool ended = number && stream.peek() == std::istringstream::traits_type::eof();
-  const bool higher = number && !ended && stream.get() == ',' && std::getline(stream, height);
-  if ((!ended && !higher) || !(std::abs(latitude) <= 90.0) || !(std::abs(longitude) <= 360.0))
+  const bool higher = SplitAtCommas(text).size() == 3;
+  const std::size_t last = text.rfind(',');
+  const std::vector<double> place = FindNumbers(higher ? text.substr(0, last) : text);
+  if (place.size() != 2 || std::abs(place[0]) > 90.0 || std::abs(place[1]) > 360.0)
   {
     throw Error("'" + text +
                 "' is no place to look at; write latitude and longitude in degrees, and the height "
                 "above mean sea level if it is not 0, as in 35.3,-97.3,4km");
   }
-  return {{longitude, latitude, ParseLength(height)}, true};
+  return {{place[1], place[0], higher ? ParseLength(text.substr(last + 1)) : 0.0}, true};
 }
 
 void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOptions& options)
@@ -328,21 +307,20 @@ std::vector<scene::IsoValue> ParseIsoValues(const std::string& text)
   constexpr char right[] = "; write values, each with the opacity of its surface above 0 and up to "
                            "1 if it is not to have the usual one, as in 20:0.3,40:0.6,50:1";
   std::vector<scene::IsoValue> isoValues;
-  std::istringstream list(text + ',');
-  for (std::string entry; std::getline(list, entry, ',');)
+  for (const std::string& entry : SplitAtCommas(text))
   {
-    scene::IsoValue isoValue;
-    if (!ParseIsoValue(entry, isoValue))
+    const std::optional<scene::IsoValue> isoValue = ParseIsoValue(entry);
+    if (!isoValue)
     {
       throw Error("'" + entry + "' in '" + text + "' is no iso-value" + right);
     }
     const bool twice = std::any_of(isoValues.begin(), isoValues.end(),
-      [&](const scene::IsoValue& other) { return other.value == isoValue.value; });
+      [&](const scene::IsoValue& other) { return other.value == isoValue->value; });
     if (twice)
     {
       throw Error("'" + text + "' has the value of '" + entry + "' twice" + right);
     }
-    isoValues.push_back(isoValue);
+    isoValues.push_back(*isoValue);
   }
   return isoValues;
 }
@@ -356,7 +334,7 @@ void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool requi
     ->type_name("INPUT");
   AddParsedOption(command, "--time", request.time, ParseTime, "TIME",
     "Draw this time alone, in UTC, as in 2006-03-12T18:00");
-  AddBoxOptions(command, request.box);
+  AddBoxOptions(command, request);
 }
 
 void AddCameraOptions(CLI::App& command, scene::CameraView& camera)

@@ -145,46 +145,25 @@ void AddDomain(CLI::App& command, MergeOptions& options)
     "W,S,E,N", "Outer faces of the domain in degrees, in place of --range");
   range->group(group);
   bounds->group(group)->excludes(range);
-  const auto storeHeights = [&options](const std::string& text)
-  {
-    try
-    {
-      std::tie(options.grid.bottom, options.grid.top) = ParseHeightRange(text);
-    }
-    catch (const Error& error)
-    {
-      throw CLI::ValidationError("--height", error.what());
-    }
-  };
-  command
-    .add_option_function<std::string>(
-      "--height", storeHeights, "Lower and upper face above mean sea level, m or km")
-    ->type_name("LOWER,UPPER")
+  const auto takeHeights = [&options](const std::string& text)
+  { std::tie(options.grid.bottom, options.grid.top) = ParseHeightRange(text); };
+  AddTextOption(command, "--height", takeHeights, "LOWER,UPPER",
+    "Lower and upper face above mean sea level, m or km")
     ->default_str("0,20km")
     ->group(group);
 }
 
 void AddMethod(CLI::App& command, MergeOptions& options)
 {
-  const auto storeMoments = [&options](const std::string& text)
+  const auto takeMoments = [&options](const std::string& text)
   {
-    try
-    {
-      options.furtherMoments = ParseMoments(text);
-      options.moment = options.furtherMoments.front();
-      options.furtherMoments.erase(options.furtherMoments.begin());
-    }
-    catch (const Error& error)
-    {
-      throw CLI::ValidationError("--moment", error.what());
-    }
+    options.furtherMoments = ParseMoments(text);
+    options.moment = options.furtherMoments.front();
+    options.furtherMoments.erase(options.furtherMoments.begin());
   };
-  command
-    .add_option_function<std::string>("--moment", storeMoments,
-      "Moment to merge, or several as in REF,VEL,SW: each file is decoded once for all of them")
-    ->type_name("NAME,...")
+  AddTextOption(command, "--moment", takeMoments, "NAME,...",
+    "Moment to merge, or several as in REF,VEL,SW: each file is decoded once for all of them")
     ->default_str("REF")
-    ->expected(1)
     ->group(group);
   AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
     "How rays become voxels: beam (interpolates between tilts and times), or thesis (mean of the "
@@ -224,25 +203,12 @@ void AddBeam(CLI::App& command, MergeOptions& options)
     "LENGTH",
     "Distance at which a radar's weight has fallen to 1/e, m or km; of --overlap distance", "100km")
     ->group(group);
-  const auto storeMotion = [&options](const std::string& text)
-  {
-    try
-    {
-      StoreMotion(text, options);
-    }
-    catch (const Error& error)
-    {
-      throw CLI::ValidationError("--motion", error.what());
-    }
-  };
-  command
-    .add_option_function<std::string>("--motion", storeMotion,
-      "Motion of the echo between two observations of a radar: estimated (from reflectivity), "
-      "EAST,NORTH in "
-      "m/s, or none. Other moments than REF are shifted by a given motion only")
-    ->type_name("MOTION")
+  AddTextOption(
+    command, "--motion", [&options](const std::string& text) { StoreMotion(text, options); },
+    "MOTION",
+    "Motion of the echo between two observations of a radar: estimated (from reflectivity), "
+    "EAST,NORTH in m/s, or none. Other moments than REF are shifted by a given motion only")
     ->default_str("estimated")
-    ->expected(1)
     ->group(group);
   command
     .add_flag("--fill-columns", options.beam.fillColumns,

@@ -3,6 +3,7 @@
 
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
@@ -17,11 +18,14 @@ namespace nexrad::application
 namespace
 {
 
-// The shortest text that is read as the same number.
+// The shortest text without an exponent, which the options do not have, that is read as the same
+// number.
 std::string TextOf(double value)
 {
-  std::array<char, 32> buffer{};
-  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
+  std::array<char, 400> buffer{}; // room for every double
+  return {buffer.data(),
+    std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
+      .ptr};
 }
 
 std::string LengthTextOf(double metres)
@@ -164,15 +168,15 @@ void AddSurroundings(const scene::SceneOptions& scene, OptionList& options)
   }
 }
 
-// Lengths, or degrees where x and y of the cuts are degrees.
+// Lengths, or degrees where x and y of the places are degrees.
 template <typename Places>
-std::string PlacesTextOf(const Places& places, scene::CutUnit unit)
+std::string PlacesTextOf(const Places& places, PlaceUnit unit)
 {
   std::string text;
   for (const double place : places)
   {
     text += text.empty() ? "" : ",";
-    text += unit == scene::CutUnit::Degrees ? TextOf(place) + "deg" : LengthTextOf(place);
+    text += unit == PlaceUnit::Degrees ? TextOf(place) + "deg" : LengthTextOf(place);
   }
   return text;
 }
@@ -180,16 +184,15 @@ std::string PlacesTextOf(const Places& places, scene::CutUnit unit)
 // Of a direction that was computed from an angle with few digits.
 std::string AngleTextOf(double radians)
 {
-  constexpr double degrees = 180.0 / 3.14159265358979323846;
   constexpr double digits = 1e9;
-  return TextOf(std::round(digits * degrees * radians) / digits);
+  return TextOf(std::round(digits * radians / RadiansPerDegree) / digits);
 }
 
-std::string ClipTextOf(const scene::CutPlane& plane, scene::CutUnit unit)
+std::string ClipTextOf(const scene::CutPlane& plane, PlaceUnit unit)
 {
   const auto& [x, y, height] = plane.origin;
   const auto& [east, north, up] = plane.normal;
-  const double metres = unit == scene::CutUnit::Degrees ? scene::MetresPerDegree : 1.0;
+  const double metres = unit == PlaceUnit::Degrees ? MetresPerDegree : 1.0;
   const std::string upright =
     PlacesTextOf(std::array{x, y}, unit) + "," + AngleTextOf(std::atan2(east, north));
   return up == 0.0 ? upright
@@ -222,13 +225,9 @@ void AddBox(const scene::InputRequest& input, OptionList& options)
   {
     return;
   }
-  const bool degrees = input.grid.grid.axes == GridAxes::Geographic;
-  std::string faces;
-  for (const double face : input.box->faces)
-  {
-    faces += (faces.empty() ? "" : ",") + (degrees ? TextOf(face) : LengthTextOf(face));
-  }
-  options.Add("--box", faces);
+  const bool given = input.boxUnit != PlaceUnit::OfVolume;
+  const PlaceUnit unit = given ? input.boxUnit : PlaceUnitOf(input.grid.grid.axes);
+  options.Add("--box", PlacesTextOf(input.box->faces, unit));
   if (input.box->followedFrom)
   {
     options.Add("--follow-from", FormatIso8601(*input.box->followedFrom));

@@ -38,7 +38,7 @@ std::optional<Quantity> SplitQuantity(const std::string& text)
   return quantity;
 }
 
-std::vector<std::string> Split(const std::string& text, char separator)
+std::vector<std::string> SplitAt(const std::string& text, char separator)
 {
   std::vector<std::string> parts;
   std::istringstream stream(text + separator);
@@ -91,7 +91,7 @@ std::optional<double> MemoryUnit(const std::string& unit)
 template <std::size_t Count>
 std::optional<std::array<int, Count>> ParseCounts(const std::string& text, int least, int most)
 {
-  const std::vector<std::string> parts = Split(text, 'x');
+  const std::vector<std::string> parts = SplitAt(text, 'x');
   std::array<int, Count> counts{};
   if (parts.size() != Count)
   {
@@ -114,20 +114,30 @@ std::optional<std::array<int, Count>> ParseCounts(const std::string& text, int l
   return counts;
 }
 
-// Bare numbers separated by commas; empty for any other text.
-std::vector<double> ParseNumbers(const std::string& text)
+// West, east, south and north, and the heights of bottom and top where there are six.
+template <std::size_t Count>
+std::array<double, Count> ParseFaces(const std::string& text, PlaceUnit& unit)
 {
-  std::vector<double> numbers;
-  for (const std::string& part : Split(text, ','))
+  const std::vector<std::string> parts = SplitAtCommas(text);
+  if (parts.size() != Count)
   {
-    const auto quantity = SplitQuantity(part);
-    if (!quantity || !quantity->unit.empty())
-    {
-      return {};
-    }
-    numbers.push_back(quantity->number);
+    constexpr bool heights = Count > 4;
+    const std::string ending = heights ? ",0,15km" : "";
+    throw Error("'" + text + "' is no box; write its west, east, south" +
+                (heights ? ", north, bottom and top" : " and north") +
+                " with units, as in -50km,20km,-40km,60km" + ending +
+                " or -98deg,-97deg,35deg,36deg" + ending);
   }
-  return numbers;
+  std::array<double, Count> faces{};
+  for (std::size_t i = 0; i < Count; ++i)
+  {
+    faces[i] = i < 4 ? ParsePlace(parts[i], unit) : ParseLength(parts[i]);
+    if (i % 2 == 1 && !(faces[i] > faces[i - 1]))
+    {
+      throw Error("'" + text + "' is no box: " + parts[i] + " is not above " + parts[i - 1]);
+    }
+  }
+  return faces;
 }
 
 } // namespace
@@ -188,7 +198,7 @@ std::size_t ParseMemory(const std::string& text)
 std::pair<double, double> ParseHeightRange(const std::string& text)
 {
   const std::string right = "write the lower and the upper height, as in 0,20km";
-  const std::vector<std::string> parts = Split(text, ',');
+  const std::vector<std::string> parts = SplitAtCommas(text);
   if (parts.size() != 2)
   {
     throw Error("'" + text + "' is no range of heights; " + right);
@@ -235,7 +245,7 @@ std::array<int, 2> ParsePictureSize(const std::string& text)
 
 GeographicBounds ParseBounds(const std::string& text)
 {
-  const std::vector<double> degrees = ParseNumbers(text);
+  const std::vector<double> degrees = FindNumbers(text);
   if (degrees.size() != 4)
   {
     throw Error("'" + text +
@@ -259,9 +269,60 @@ GeographicBounds ParseBounds(const std::string& text)
   return bounds;
 }
 
+double ParseDegrees(const std::string& text)
+{
+  const std::vector<double> numbers = FindNumbers(text);
+  if (numbers.size() != 1 || std::abs(numbers.front()) > 360.0)
+  {
+    throw Error("'" + text + "' is no angle; write degrees, -360 to 360");
+  }
+  return numbers.front();
+}
+
+double ParsePlace(const std::string& text, PlaceUnit& unit)
+{
+  const auto quantity = SplitQuantity(text);
+  if (quantity && quantity->unit.empty())
+  {
+    if (quantity->number == 0.0)
+    {
+      return 0.0;
+    }
+    throw Error(
+      "'" + text + "' has no unit; write " + text + "km, " + text + "m or " + text + "deg");
+  }
+  constexpr std::size_t letters = 3; // of deg
+  const bool degrees = quantity && quantity->unit == "deg";
+  if (!degrees && !(quantity && LengthUnit(quantity->unit)))
+  {
+    throw Error("'" + text + "' is no place; write a number and km, m or deg, as in 20km");
+  }
+  const double place =
+    degrees ? ParseDegrees(text.substr(0, text.size() - letters)) : ParseLength(text);
+  const PlaceUnit ofText = degrees ? PlaceUnit::Degrees : PlaceUnit::Metres;
+  if (unit != PlaceUnit::OfVolume && unit != ofText)
+  {
+    throw Error("'" + text +
+                "': some places are in degrees and some in m or km; write all of them in degrees "
+                "for a volume on axes of longitude and latitude, else in m or km");
+  }
+  unit = ofText;
+  return place;
+}
+
+std::array<double, 4> ParseBox(const std::string& text, PlaceUnit& unit)
+{
+  return ParseFaces<4>(text, unit);
+}
+
+std::array<double, 6> ParseBoxWithHeights(const std::string& text, PlaceUnit& unit)
+{
+  return ParseFaces<6>(text, unit);
+}
+
 Velocity ParseMotion(const std::string& text)
 {
-  const std::vector<double> numbers = ParseNumbers(text);
+  const std::vector<double> numbers = FindNumbers(text);
   if (numbers.size() != 2)
   {
     throw Error("'" + text + "' is no motion; write m/s towards east and north, as in 12,-7.5");
@@ -283,6 +344,47 @@ Time ParseTime(const std::string& text)
     throw Error("'" + text + "' is no time; write it in UTC, as in 2006-03-12T18:00");
   }
   return *time;
+}
+
+std::vector<std::string> SplitAtCommas(const std::string& text)
+{
+  return SplitAt(text, ',');
+}
+
+std::vector<double> FindNumbers(const std::string& text)
+{
+  std::vector<double> numbers;
+  for (const std::string& part : SplitAtCommas(text))
+  {
+    const auto quantity = SplitQuantity(part);
+    if (!quantity || !quantity->unit.empty())
+    {
+      return {};
+    }
+    numbers.push_back(quantity->number);
+  }
+  return numbers;
+}
+
+CLI::Option* AddTextOption(CLI::App& command, const std::string& name,
+  const std::function<void(const std::string&)>& take, const std::string& unit,
+  const std::string& description)
+{
+  const auto store = [take, name](const std::string& text)
+  {
+    try
+    {
+      take(text);
+    }
+    catch (const Error& error)
+    {
+      throw CLI::ValidationError(name, error.what());
+    }
+  };
+  // CLI11 would split "0,20km" only on request; one text is one value.
+  return command.add_option_function<std::string>(name, store, description)
+    ->type_name(unit)
+    ->expected(1);
 }
 
 } // namespace nexrad::application

@@ -2,13 +2,16 @@
 #pragma once
 
 #include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Grid/PlaceUnit.h"
 #include "nexrad/Model/Time.h"
 #include "nexrad/Motion/MotionField.h"
 
 #include <array>
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace CLI
 {
@@ -46,6 +49,20 @@ std::array<int, 2> ParsePictureSize(const std::string& text);
 /// the globe.
 GeographicBounds ParseBounds(const std::string& text);
 
+/// A number from -360 to 360: degrees.
+double ParseDegrees(const std::string& text);
+
+/// A coordinate towards east or north: "20km" and "500m" in m, "-97.5deg" in degrees (-360 to 360),
+/// "0" in either. Places that belong together share `unit`: the first one with a unit sets it, and
+/// one in the other unit is refused.
+double ParsePlace(const std::string& text, PlaceUnit& unit);
+
+/// "WEST,EAST,SOUTH,NORTH", each as ParsePlace. Refuses a face that is not above the one opposite.
+std::array<double, 4> ParseBox(const std::string& text, PlaceUnit& unit);
+
+/// "WEST,EAST,SOUTH,NORTH,BOTTOM,TOP": the same, then two lengths.
+std::array<double, 6> ParseBoxWithHeights(const std::string& text, PlaceUnit& unit);
+
 /// "12,-7.5": m/s towards east and north. Refuses a speed above FastestEcho.
 Velocity ParseMotion(const std::string& text);
 
@@ -54,6 +71,17 @@ std::size_t ParseMemory(const std::string& text);
 
 /// A time in UTC as ParseIso8601 reads it.
 Time ParseTime(const std::string& text);
+
+/// The texts between the commas of a list: "" is one, "a," are two.
+std::vector<std::string> SplitAtCommas(const std::string& text);
+
+/// The numbers of a list with commas, without units; empty for any other text.
+std::vector<double> FindNumbers(const std::string& text);
+
+/// An option whose text `take` takes. `unit` is the placeholder in the help text.
+CLI::Option* AddTextOption(CLI::App& command, const std::string& name,
+  const std::function<void(const std::string&)>& take, const std::string& unit,
+  const std::string& description);
 
 /// An option whose text `parse` turns into `value`. `unit` is the placeholder in the help text. The
 /// help text shows `defaultText` when it is not empty.

@@ -15,21 +15,8 @@ CLI::Option* AddParsedOption(CLI::App& command, const std::string& name, Target&
   Value (*parse)(const std::string&), const std::string& unit, const std::string& description,
   const std::string& defaultText)
 {
-  const auto store = [&value, parse, name](const std::string& text)
-  {
-    try
-    {
-      value = parse(text);
-    }
-    catch (const Error& error)
-    {
-      throw CLI::ValidationError(name, error.what());
-    }
-  };
-  CLI::Option* option = command.add_option_function<std::string>(name, store, description);
-  option->type_name(unit);
-  // CLI11 would split "0,20km" and friends only on request; one text is one value.
-  option->expected(1);
+  const auto take = [&value, parse](const std::string& text) { value = parse(text); };
+  CLI::Option* option = AddTextOption(command, name, take, unit, description);
   if (!defaultText.empty())
   {
     option->default_str(defaultText);

@@ -8,6 +8,8 @@ namespace nexrad
 
 constexpr double Pi = 3.14159265358979323846;
 constexpr double RadiansPerDegree = Pi / 180.0;
+/// Length of a degree of latitude on a sphere of 6371 km, m.
+constexpr double MetresPerDegree = 6'371'000.0 * RadiansPerDegree;
 
 /// Smallest turn from one direction to another, both in degrees: −180…180, clockwise positive.
 inline double AngleDifference(double from, double to)

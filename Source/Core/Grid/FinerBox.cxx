@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Grid/FinerBox.h"
 
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -11,9 +12,6 @@ namespace nexrad
 {
 namespace
 {
-
-// A degree of latitude on a sphere of 6371 km: voxels need no more exact size.
-constexpr double metresPerDegree = 111'195.0;
 
 struct Span
 {
@@ -34,15 +32,15 @@ Span PartAlong(const GridSpecification& domain, const BoxRequest& request, int a
     std::min(whole.upper, request.faces[2 * axis + 1])};
 }
 
-// m that a unit of x or y is long in the middle of the box.
+// m that a unit of x or y is long in the middle of the box. On a sphere: voxels need no more exact
+// size.
 double LengthOfUnit(const GridSpecification& domain, int axis, double middleY)
 {
   if (domain.axes == GridAxes::Projected)
   {
     return 1.0;
   }
-  constexpr double radians = 3.14159265358979323846 / 180.0;
-  return axis == 0 ? metresPerDegree * std::cos(middleY * radians) : metresPerDegree;
+  return axis == 0 ? MetresPerDegree * std::cos(middleY * RadiansPerDegree) : MetresPerDegree;
 }
 
 // Voxels from the domain's lower face on, of which the box has those that it covers by half.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Motion/MotionField.h"
 
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -11,8 +12,6 @@ namespace nexrad
 
 namespace
 {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 // Where a place lies between two nodes of one axis.
 struct Between
@@ -39,11 +38,10 @@ std::array<double, 2> VoxelExtent(const GridSpecification& grid, double row)
     return {grid.spacing[0], grid.spacing[1]};
   }
   // A sphere is good to half a percent, far better than motion is known.
-  constexpr double metresPerDegree = 6'371'000.0 * degree;
   constexpr double narrowest = 1e-3; // keeps a grid that touches a pole from voxels without width
   const double latitude = grid.origin[1] + grid.spacing[1] * row;
-  const double narrowing = std::max(std::cos(latitude * degree), narrowest);
-  return {grid.spacing[0] * metresPerDegree * narrowing, grid.spacing[1] * metresPerDegree};
+  const double narrowing = std::max(std::cos(latitude * RadiansPerDegree), narrowest);
+  return {grid.spacing[0] * MetresPerDegree * narrowing, grid.spacing[1] * MetresPerDegree};
 }
 
 MotionLattice::Corners MotionLattice::Around(double column, double row) const

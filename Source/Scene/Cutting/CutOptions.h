@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Grid/PlaceUnit.h"
 #include "nexrad/Products/VerticalSection.h"
 
 #include <array>
@@ -8,17 +9,6 @@
 
 namespace nexrad::scene
 {
-
-/// The unit of x and y of a cut.
-enum class CutUnit
-{
-  OfVolume, ///< that of the volume, whichever it is
-  Metres,   ///< of volumes on projected axes
-  Degrees   ///< of volumes on geographic axes
-};
-
-/// Metres of a degree along a meridian, for directions in volumes on geographic axes.
-constexpr double MetresPerDegree = 111'195.0;
 
 /// A plane in the coordinates of the volume. The part of the volume towards which the normal points
 /// is shown.
@@ -36,7 +26,7 @@ struct CutPlane
 /// Which part of the volume is shown, and where it is cut.
 struct CutOptions
 {
-  CutUnit unit = CutUnit::OfVolume; ///< of x and y of all that follows
+  PlaceUnit unit = PlaceUnit::OfVolume; ///< of x and y of all that follows
   /// What is shown: west, east, south, north in x and y of the volume, bottom and top in m above
   /// mean sea level; empty: all.
   std::optional<std::array<double, 6>> box;

@@ -61,18 +61,9 @@ void CheckCut(const CutOptions& cut)
 
 void CheckCutUnit(const CutOptions& cut, vtkImageData* volume)
 {
-  if (cut.unit == CutUnit::OfVolume || (!cut.box && !cut.plane && !cut.section))
+  if (cut.box || cut.plane || cut.section)
   {
-    return;
-  }
-  const bool geographic = IsGeographic(volume);
-  if (geographic != (cut.unit == CutUnit::Degrees))
-  {
-    throw Error(geographic
-                  ? "the crop box, clip plane or section is in m or km, and the volume is on axes "
-                    "of longitude and latitude; write degrees, as in -97.5deg"
-                  : "the crop box, clip plane or section is in degrees, and the volume is in "
-                    "metres about its centre; write lengths, as in -20km");
+    CheckPlaceUnit(cut.unit, PlaceUnitOf(volume), "the crop box, clip plane or section is");
   }
 }
 

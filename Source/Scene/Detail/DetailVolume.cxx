@@ -40,15 +40,6 @@ std::array<int, 3> SidesOfCamera(const std::array<double, 6>& box, vtkCamera* ca
 
 } // namespace
 
-std::array<double, 4> SidesOf(vtkImageData* volume)
-{
-  std::array<double, 6> bounds{};
-  volume->GetBounds(bounds.data()); // of the middles of voxels
-  const double x = 0.5 * volume->GetSpacing()[0];
-  const double y = 0.5 * volume->GetSpacing()[1];
-  return {bounds[0] - x, bounds[1] + x, bounds[2] - y, bounds[3] + y};
-}
-
 RegionsAbout DivideAbout(const std::array<double, 6>& box, vtkCamera* camera)
 {
   const std::array<int, 3> sides = SidesOfCamera(box, camera);

@@ -48,9 +48,6 @@ private:
   bool shown = false;
 };
 
-/// Outer faces of a volume on the ground: west, east, south and north, in its x and y.
-std::array<double, 4> SidesOf(vtkImageData* volume);
-
 /// The regions about a box (low and high of x, y and z), as flags of vtkVolumeMapper's cropping,
 /// that may hide a part of the box from the camera, and those that may not.
 struct RegionsAbout

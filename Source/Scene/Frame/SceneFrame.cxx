@@ -2,6 +2,7 @@
 #include "Scene/Frame/SceneFrame.h"
 
 #include "Scene/Frame/VolumeInformation.h"
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
@@ -14,11 +15,6 @@ namespace nexrad::scene
 {
 namespace
 {
-
-constexpr double pi = 3.14159265358979323846;
-// Length of a degree of latitude on a sphere of 6371 km. A volume on geographic axes is drawn
-// equirectangular; that only has to look right.
-constexpr double kilometresPerDegree = 6371.0 * pi / 180.0;
 
 // The number behind "+name=" in a PROJ string.
 std::optional<double> Parameter(const std::string& projection, const std::string& name)
@@ -44,7 +40,9 @@ SceneFrame::SceneFrame(vtkImageData* volume, double verticalExaggeration)
   if (IsGeographic(volume))
   {
     centre = {(cells[0] + cells[1]) / 2.0, (cells[2] + cells[3]) / 2.0};
-    kilometres = {kilometresPerDegree * std::cos(centre[1] * pi / 180.0), kilometresPerDegree};
+    // Equirectangular, on a sphere: that only has to look right.
+    constexpr double degree = MetresPerDegree / 1000.0;
+    kilometres = {degree * std::cos(centre[1] * RadiansPerDegree), degree};
     map.emplace();
     map->axes = GridAxes::Geographic;
   }

@@ -58,6 +58,30 @@ bool IsGeographic(vtkImageData* volume)
   return ReadVolumeInformation(volume).projection.find("+proj=longlat") != std::string::npos;
 }
 
+PlaceUnit PlaceUnitOf(vtkImageData* volume)
+{
+  return IsGeographic(volume) ? PlaceUnit::Degrees : PlaceUnit::Metres;
+}
+
+std::array<double, 6> FacesOf(vtkImageData* volume)
+{
+  std::array<double, 6> faces{};
+  volume->GetBounds(faces.data());
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double half = 0.5 * volume->GetSpacing()[axis];
+    faces[2 * axis] -= half;
+    faces[2 * axis + 1] += half;
+  }
+  return faces;
+}
+
+std::array<double, 4> SidesOf(vtkImageData* volume)
+{
+  const auto [west, east, south, north, bottom, top] = FacesOf(volume);
+  return {west, east, south, north};
+}
+
 std::string ArrayOf(vtkImageData* volume)
 {
   vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Grid/PlaceUnit.h"
 #include "nexrad/Model/Time.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,6 +28,15 @@ VolumeInformation ReadVolumeInformation(vtkImageData* volume);
 
 /// Whether x and y of a volume are longitude and latitude in degrees; else they are m.
 bool IsGeographic(vtkImageData* volume);
+
+/// The unit of x and y of a volume: degrees on geographic axes, else metres.
+PlaceUnit PlaceUnitOf(vtkImageData* volume);
+
+/// Outer faces of a volume: west, east, south, north, bottom and top, half a voxel beyond the
+/// middles of its outermost voxels.
+std::array<double, 6> FacesOf(vtkImageData* volume);
+/// Those on the ground: west, east, south and north.
+std::array<double, 4> SidesOf(vtkImageData* volume);
 
 /// Name of the array that a volume shows, as "REF"; "" where there is no volume, or no name.
 std::string ArrayOf(vtkImageData* volume);

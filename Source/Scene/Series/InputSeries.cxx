@@ -23,6 +23,10 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
     return OpenVolumeFiles(
       request.inputs, {request.momentNamed ? moments : std::vector<MomentName>(), colours, false});
   }
+  if (request.box)
+  {
+    CheckPlaceUnit(request.boxUnit, PlaceUnitOf(request.grid.grid.axes), "--box is");
+  }
   MergeOptions grid = request.grid;
   grid.time = request.time;
   if (colours && std::find(moments.begin(), moments.end(), *colours) == moments.end())

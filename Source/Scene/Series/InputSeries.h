@@ -2,6 +2,8 @@
 #pragma once
 
 #include "Scene/Series/VolumeSeries.h"
+#include "nexrad/Grid/FinerBox.h"
+#include "nexrad/Grid/PlaceUnit.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/System/Progress.h"
 
@@ -22,9 +24,11 @@ struct InputRequest
   bool momentNamed = false;      ///< the moments of `grid` are those to read of volumes as well
   std::string colourBy;          ///< SceneOptions::colourBy
   std::optional<BoxRequest> box; ///< merged again in finer voxels, of radar files
+  PlaceUnit boxUnit = PlaceUnit::OfVolume; ///< of the faces of `box`
 };
 
-/// Opens the inputs. Throws Error when volumes and radar files are mixed, and as the two kinds do.
+/// Opens the inputs. Throws Error when volumes and radar files are mixed, when the faces of the box
+/// are in another unit than x and y of the domain, and as the two kinds do.
 std::unique_ptr<VolumeSeries> OpenInputs(
   const InputRequest& request, const Progress& progress = {});
 

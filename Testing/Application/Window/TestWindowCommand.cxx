@@ -159,7 +159,7 @@ TEST_F(WindowCommandTest, CutsOfAVolumeInDegreesAreInDegrees)
 // The cuts of a volume in degrees are none of a volume in metres.
 TEST_F(WindowCommandTest, CutsInAnotherUnitAreLeftOut)
 {
-  request.scene.cut.unit = scene::CutUnit::Degrees;
+  request.scene.cut.unit = PlaceUnit::Degrees;
   request.scene.cut.box = {-91.0, -90.0, 38.0, 39.0, 0.0, 15'000.0};
   this->OpenSteps(1);
   EXPECT_FALSE(this->Scene()->GetCropping());

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Box/BoxMouse.h"
 
-#include "Scene/Detail/DetailVolume.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Viewer/Cutting/VolumeUnits.h"
 #include "Viewer/Parts/CameraMouse.h"
 #include "Viewer/Parts/Playback.h"
 #include "Viewer/Parts/SceneView.h"
+#include "nexrad/Geometry/Angles.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradEchoPicker.h>
@@ -21,12 +21,6 @@
 
 namespace nexrad::viewer
 {
-namespace
-{
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
-
-} // namespace
 
 BoxMouse::BoxMouse(SceneView& sceneView, Playback& thePlayback)
   : QObject(&sceneView)
@@ -84,7 +78,7 @@ QString BoxMouse::SizeText(const std::array<double, 4>& box) const
 {
   const HorizontalUnit unit = HorizontalUnitOf(view.Scene()->GetVolume());
   const bool degrees = unit.metres != 1.0;
-  const double narrowing = degrees ? std::cos(0.5 * (box[2] + box[3]) * degree) : 1.0;
+  const double narrowing = degrees ? std::cos(0.5 * (box[2] + box[3]) * RadiansPerDegree) : 1.0;
   return QString("%1 × %2 km")
     .arg((box[1] - box[0]) * unit.metres * narrowing / 1000.0, 0, 'f', 1)
     .arg((box[3] - box[2]) * unit.metres / 1000.0, 0, 'f', 1);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Cutting/CutHandles.h"
 
-#include "Viewer/Cutting/VolumeUnits.h"
+#include "Scene/Frame/VolumeInformation.h"
 
 #include <vtkBoxRepresentation.h>
 #include <vtkBoxWidget2.h>
@@ -131,7 +131,7 @@ std::vector<double> CutHandles::PlanePlace() const
   const Point origin = ToScene(view.scene, point);
   const Point scale = ScaleOf(view.scene);
   const double* normal = view.scene->GetClipNormal();
-  const std::array<double, 6> around = ToScene(view.scene, FacesOf(view.scene->GetVolume()));
+  const std::array<double, 6> around = ToScene(view.scene, scene::FacesOf(view.scene->GetVolume()));
   std::vector<double> place(origin.begin(), origin.end());
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
@@ -148,7 +148,7 @@ void CutHandles::TakeBox()
   const double* seen = boxShape->GetBounds();
   const Point low = ToVolume(scene, {seen[0], seen[2], seen[4]});
   const Point high = ToVolume(scene, {seen[1], seen[3], seen[5]});
-  const std::array<double, 6> faces = FacesOf(scene->GetVolume());
+  const std::array<double, 6> faces = scene::FacesOf(scene->GetVolume());
   std::array<double, 6> taken{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {

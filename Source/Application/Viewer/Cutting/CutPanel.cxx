@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Cutting/CutPanel.h"
 
+#include "Scene/Frame/VolumeInformation.h"
 #include "Viewer/Cutting/CutHandles.h"
 #include "Viewer/Cutting/VolumeUnits.h"
 #include "Viewer/Parts/FormGroup.h"
 #include "Viewer/Parts/NamedWidget.h"
 #include "Viewer/Parts/Soon.h"
+#include "nexrad/Geometry/Angles.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradVolumeScene.h>
@@ -25,7 +27,6 @@ namespace nexrad::viewer
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double kilometre = 1000.0;
 constexpr double thinnest = 0.1; // of the box, in the unit of its numbers
 constexpr double farOff = 9e6;   // m: only a face that was never set is so far away
@@ -107,7 +108,7 @@ void CutPanel::AddBox(QFormLayout* form)
     {
       if (vtkImageData* volume = view.scene->GetVolume())
       {
-        view.scene->SetCropBounds(FacesOf(volume).data());
+        view.scene->SetCropBounds(scene::FacesOf(volume).data());
         this->ShowChange();
       }
     });
@@ -145,7 +146,7 @@ void CutPanel::SwitchCrop(bool on)
   {
     std::array<double, 6> box{};
     scene->GetCropBounds(box.data());
-    const std::array<double, 6> whole = FacesOf(volume);
+    const std::array<double, 6> whole = scene::FacesOf(volume);
     for (std::size_t i = 0; i < box.size(); i += 2)
     {
       const bool apart = box[i] >= whole[i + 1] || box[i + 1] <= whole[i];
@@ -163,7 +164,7 @@ void CutPanel::SwitchClip(bool on)
 {
   if (vtkImageData* volume = view.scene->GetVolume())
   {
-    const std::array<double, 6> whole = FacesOf(volume);
+    const std::array<double, 6> whole = scene::FacesOf(volume);
     std::array<double, 3> point{};
     view.scene->GetClipOrigin(point.data());
     bool inside = true;
@@ -199,8 +200,8 @@ void CutPanel::TakePlane()
   const HorizontalUnit unit = HorizontalUnitOf(scene->GetVolume());
   scene->SetClipOrigin(
     unit.size * origin[0]->value(), unit.size * origin[1]->value(), kilometre * origin[2]->value());
-  const double towards = degree * azimuth->value();
-  const double upwards = degree * elevation->value();
+  const double towards = RadiansPerDegree * azimuth->value();
+  const double upwards = RadiansPerDegree * elevation->value();
   scene->SetClipNormal(std::sin(towards) * std::cos(upwards), std::cos(towards) * std::cos(upwards),
     std::sin(upwards) / unit.metres);
   this->ShowChange();
@@ -236,7 +237,7 @@ void CutPanel::FollowBox()
   scene->GetCropBounds(box.data());
   if (volume != nullptr && !scene->GetCropping())
   {
-    const std::array<double, 6> whole = FacesOf(volume);
+    const std::array<double, 6> whole = scene::FacesOf(volume);
     std::transform(box.begin(), box.end(), whole.begin(), box.begin(),
       [](double face, double outer)
       { return std::abs(face) > farOff ? outer : face; }); // was never set
@@ -273,10 +274,10 @@ void CutPanel::FollowPlane()
   const double flat = std::hypot(normal[0], normal[1]);
   if (flat > 0.0) // a vertical direction has no azimuth: the number stays
   {
-    const double towards = std::atan2(normal[0], normal[1]) / degree;
+    const double towards = std::atan2(normal[0], normal[1]) / RadiansPerDegree;
     Show(azimuth, std::fmod(towards + 360.0, 360.0));
   }
-  Show(elevation, std::atan2(normal[2] * unit.metres, flat) / degree);
+  Show(elevation, std::atan2(normal[2] * unit.metres, flat) / RadiansPerDegree);
   for (QDoubleSpinBox* box : {origin[0], origin[1], origin[2], azimuth, elevation})
   {
     box->setEnabled(scene->GetClipping() && scene->GetVolume() != nullptr);

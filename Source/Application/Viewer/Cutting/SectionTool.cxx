@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Cutting/SectionTool.h"
 
-#include "Viewer/Cutting/VolumeUnits.h"
+#include "Scene/Frame/VolumeInformation.h"
 
 #include <vtkCommand.h>
 #include <vtkImageData.h>
@@ -35,7 +35,7 @@ bool FindPlace(const ShownScene& view, std::array<double, 2>& place)
   {
     return false;
   }
-  const std::array<double, 6> faces = FacesOf(volume);
+  const std::array<double, 6> faces = scene::FacesOf(volume);
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
     place[axis] = std::clamp(place[axis], faces[2 * axis], faces[2 * axis + 1]);

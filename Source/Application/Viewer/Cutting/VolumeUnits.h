@@ -3,8 +3,6 @@
 
 #include <QString>
 
-#include <array>
-
 class vtkImageData;
 
 namespace nexrad::viewer
@@ -21,8 +19,5 @@ struct HorizontalUnit
 
 /// `volume` may be nullptr.
 HorizontalUnit HorizontalUnitOf(vtkImageData* volume);
-
-/// Outer faces of a volume: west, east, south, north, bottom, top.
-std::array<double, 6> FacesOf(vtkImageData* volume);
 
 } // namespace nexrad::viewer

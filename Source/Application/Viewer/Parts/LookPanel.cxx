@@ -7,7 +7,6 @@
 #include "Viewer/Parts/FormGroup.h"
 #include "Viewer/Parts/NamedWidget.h"
 
-#include <vtkDataArray.h>
 #include <vtkImageData.h>
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
@@ -273,9 +272,8 @@ void LookPanel::FollowMaps()
   const QSignalBlocker quiet(mapHeight);
   if (volume != nullptr)
   {
-    const double half = 0.5 * volume->GetSpacing()[2];
-    mapHeight->setRange(
-      (volume->GetBounds()[4] - half) / kilometre, (volume->GetBounds()[5] + half) / kilometre);
+    const std::array<double, 6> faces = scene::FacesOf(volume);
+    mapHeight->setRange(faces[4] / kilometre, faces[5] / kilometre);
   }
   mapHeight->setValue(scene->GetPlanHeight() / kilometre);
   mapHeight->setEnabled(plan == vtkNexradVolumeScene::AT_HEIGHT);
@@ -324,8 +322,7 @@ void LookPanel::FollowMoments()
 {
   vtkImageData* volume = scene->GetVolume();
   vtkPointData* arrays = volume != nullptr ? volume->GetPointData() : nullptr;
-  vtkDataArray* scalars = arrays != nullptr ? arrays->GetScalars() : nullptr;
-  const QString shown = scalars != nullptr ? scalars->GetName() : "";
+  const auto shown = QString::fromStdString(scene::ArrayOf(volume));
   QStringList names;
   for (const MomentName moment : moments)
   {
@@ -355,12 +352,9 @@ void LookPanel::FollowMoments()
 void LookPanel::FollowPresets()
 {
   vtkImageData* volume = scene->GetVolume();
-  vtkDataArray* scalars = volume != nullptr ? volume->GetPointData()->GetScalars() : nullptr;
-  const char* moment = scalars != nullptr ? scalars->GetName() : nullptr;
+  const std::string moment = scene::ArrayOf(volume);
   QStringList names;
-  for (int i = 0; const char* name =
-                    moment != nullptr ? vtkNexradTransferFunction::FindPreset(moment, i) : nullptr;
-       ++i)
+  for (int i = 0; const char* name = vtkNexradTransferFunction::FindPreset(moment.c_str(), i); ++i)
   {
     names << name;
   }
