@@ -181,6 +181,7 @@ void MainWindow::MakeCutting()
   this->tabifyDockWidget(lookDock, cutDock);
   lookDock->raise();
   box = MakeBoxDock(*this, *view, *playback, lookDock);
+  connect(box, &BoxMouse::Said, this, &MainWindow::Announce);
   // A drag on the ground makes the box or draws the line.
   QAction* make = box->MakeAction();
   connect(section->Panel(), &SectionPanel::Draws, make, [make] { make->setChecked(false); });

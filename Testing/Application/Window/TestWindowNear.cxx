@@ -312,6 +312,36 @@ TEST_F(NearRadar, TheMenuMakesABoxAndTakesItAway)
   EXPECT_FALSE(this->Action("Remove the box")->isEnabled());
 }
 
+// Both take the next drag on the ground.
+TEST_F(NearRadar, MakingABoxAndDrawingASectionSwitchEachOtherOff)
+{
+  auto* make = this->Find<QToolButton>("Make a box");
+  auto* draw = this->Find<QToolButton>("Draw the line");
+  const auto drag = [this]
+  {
+    this->WaitForPicture(); // the panel of the section makes the view smaller
+    this->Drag(this->Middle() + QPoint(-40, 20), this->Middle() + QPoint(40, -20), Qt::LeftButton);
+  };
+  this->Action("Make a box")->trigger();
+  EXPECT_TRUE(make->isChecked());
+  QTest::keyClick(window.get(), Qt::Key_X);
+  EXPECT_TRUE(draw->isChecked());
+  EXPECT_FALSE(make->isChecked());
+  drag();
+  EXPECT_TRUE(this->Scene()->GetSection());
+  EXPECT_FALSE(window->Player()->HasBox());
+  this->Scene()->SectionOff();
+
+  QTest::keyClick(window.get(), Qt::Key_X);
+  EXPECT_TRUE(draw->isChecked());
+  this->Action("Make a box")->trigger();
+  EXPECT_TRUE(make->isChecked());
+  EXPECT_FALSE(draw->isChecked());
+  drag();
+  EXPECT_FALSE(this->Scene()->GetSection());
+  EXPECT_TRUE(window->Player()->HasBox());
+}
+
 TEST_F(NearRadar, TheBoxFollowsTheStormWhenItIsSwitchedOn)
 {
   this->DragBox();

@@ -8,17 +8,13 @@
 
 #include <QDockWidget>
 #include <QMainWindow>
-#include <QStatusBar>
 
 namespace nexrad::viewer
 {
 
 BoxMouse* MakeBoxDock(QMainWindow& window, SceneView& view, Playback& playback, QDockWidget* behind)
 {
-  constexpr int shown = 5000; // ms
   auto* box = new BoxMouse(view, playback);
-  QObject::connect(box, &BoxMouse::Said, &window,
-    [&window](const QString& text) { window.statusBar()->showMessage(text, shown); });
   auto* dock = new QDockWidget("Box", &window);
   dock->setObjectName("box dock");
   dock->setWidget(new BoxPanel(*box, dock));

@@ -11,8 +11,8 @@ class BoxMouse;
 class Playback;
 class SceneView;
 
-/// Adds the box in finer voxels to a window: its mouse, its panel behind another one, and what it
-/// says in the status bar. The view owns the mouse.
+/// Adds the box in finer voxels to a window: its mouse, and its panel behind another one. The view
+/// owns the mouse.
 BoxMouse* MakeBoxDock(
   QMainWindow& window, SceneView& view, Playback& playback, QDockWidget* behind);
 
