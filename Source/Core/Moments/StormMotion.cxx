@@ -9,20 +9,25 @@ namespace nexrad
 std::optional<Wind> EstimateStormMotion(const VelocityVolume& volume)
 {
   constexpr int steps = 60;
-  const WindProfile profile = FitWindProfile(volume);
+  const WindProfile near = FitWindProfile(volume);
+  ProfileOptions farther;
+  farther.farthest = FarthestSteeringWind;
+  const WindProfile far = FitWindProfile(volume, farther);
   Wind sum;
   int known = 0;
   for (int step = 0; step < steps; ++step)
   {
     const double height = (step + 0.5) * SteeringDepth / steps;
-    if (const std::optional<Wind> wind = profile.At(height))
+    std::optional<Wind> wind = near.At(height);
+    wind = wind ? wind : far.At(height);
+    if (wind)
     {
       sum.east += wind->east;
       sum.north += wind->north;
       ++known;
     }
   }
-  if (3 * known < steps)
+  if (4 * known < 3 * steps)
   {
     return std::nullopt;
   }
