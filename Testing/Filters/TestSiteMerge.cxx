@@ -14,6 +14,7 @@
 #include "nexrad/Grid/GriddedVolume.h"
 
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -120,6 +121,59 @@ TEST(SiteMerge, LeavesDopplerHalvesOutAsTheDayReaderDoes)
   merge->SetTime(time);
   merge->Update();
   ExpectSame(merge->GetOutput(), day->GetOutput());
+}
+
+// Nyquist velocities come through the grids as well, so that both dealias alike. The readers keep
+// what they made with one setting apart from what they make with another.
+TEST(SiteMerge, MakesVelocitiesAndDerivedMomentsAsTheDayReaderDoes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path file = data / "level2/legacy/KTLX19990503_235621.gz";
+  vtkNew<vtkNexradDayReader> day;
+  UseSmallGrid(day);
+  day->AddFileName(file.c_str());
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(merge);
+  merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
+  const auto valuesNow = [&]
+  {
+    day->UpdateInformation();
+    const double time = day->GetTimeSteps()->GetValue(0);
+    day->UpdateTimeStep(time);
+    merge->SetTime(time);
+    merge->Update();
+    ExpectSame(merge->GetOutput(), day->GetOutput());
+    return vtkNexradImageToVolume(day->GetOutput()).values;
+  };
+  for (vtkNexradGridAlgorithm* each :
+    {day.GetPointer(), static_cast<vtkNexradGridAlgorithm*>(merge)})
+  {
+    each->SetMoment("VEL");
+  }
+  EXPECT_TRUE(day->GetDealiasing());
+  const std::vector<float> unfolded = valuesNow();
+  day->DealiasingOff();
+  merge->DealiasingOff();
+  EXPECT_NE(valuesNow(), unfolded);
+  day->DealiasingOn();
+  merge->DealiasingOn();
+  EXPECT_EQ(valuesNow(), unfolded);
+  for (const char* moment : {"AZSHEAR", "DIV", "SRV"})
+  {
+    day->SetMoment(moment);
+    merge->SetMoment(moment);
+    const std::vector<float> values = valuesNow();
+    EXPECT_STREQ(day->GetOutput()->GetPointData()->GetScalars()->GetName(), moment);
+    EXPECT_NE(values, unfolded);
+  }
+  const std::vector<float> estimated = valuesNow();
+  for (vtkNexradGridAlgorithm* each :
+    {day.GetPointer(), static_cast<vtkNexradGridAlgorithm*>(merge)})
+  {
+    each->UseStormMotionOn();
+    each->SetStormMotion(12.0, 8.0);
+  }
+  EXPECT_NE(valuesNow(), estimated);
 }
 
 // The motion that is found, one that is given and none make three volumes; no speed is none.

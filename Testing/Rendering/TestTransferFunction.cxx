@@ -180,7 +180,7 @@ TEST(TransferFunction, PresetsShowWhatTheirNamesSay)
     EXPECT_TRUE(function->ApplyPreset(preset));
     return function->Evaluate(Function::OPACITY, dBZ);
   };
-  EXPECT_EQ(Function::GetNumberOfPresets(), 12);
+  EXPECT_EQ(Function::GetNumberOfPresets(), 16);
   EXPECT_STREQ(Function::GetPresetName(0), "all echo");
   EXPECT_EQ(Function::GetPresetName(12), nullptr);
   EXPECT_GT(opacity("all echo", 15.0), 0.0);
