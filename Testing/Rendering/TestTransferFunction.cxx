@@ -182,7 +182,7 @@ TEST(TransferFunction, PresetsShowWhatTheirNamesSay)
   };
   EXPECT_EQ(Function::GetNumberOfPresets(), 16);
   EXPECT_STREQ(Function::GetPresetName(0), "all echo");
-  EXPECT_EQ(Function::GetPresetName(12), nullptr);
+  EXPECT_EQ(Function::GetPresetName(16), nullptr);
   EXPECT_GT(opacity("all echo", 15.0), 0.0);
   EXPECT_EQ(opacity("all echo", 4.0), 0.0);
   EXPECT_EQ(opacity("storm cores", 25.0), 0.0);
