@@ -144,7 +144,8 @@ PolarVolume MomentMaker::MakeStormRelative()
   volume.moment = MomentName::SRV;
   if (!motion && !volume.sweeps.empty())
   {
-    note = "the velocities tell no wind profile up to 6 km, so that SRV has no values: give the "
+    note = "the velocities tell less than 2 km of the wind profile up to 6 km, so that SRV has no "
+           "values: give the "
            "motion of the storm";
   }
   for (std::size_t i = 0; i < volume.sweeps.size(); ++i)

@@ -9,6 +9,7 @@ namespace nexrad
 std::optional<Wind> EstimateStormMotion(const VelocityVolume& volume)
 {
   constexpr int steps = 60;
+  const double beside = 0.5 * ProfileOptions().layerDepth;
   const WindProfile near = FitWindProfile(volume);
   ProfileOptions farther;
   farther.farthest = FarthestSteeringWind;
@@ -18,8 +19,8 @@ std::optional<Wind> EstimateStormMotion(const VelocityVolume& volume)
   for (int step = 0; step < steps; ++step)
   {
     const double height = (step + 0.5) * SteeringDepth / steps;
-    std::optional<Wind> wind = near.At(height);
-    wind = wind ? wind : far.At(height);
+    std::optional<Wind> wind = near.At(height, beside);
+    wind = wind ? wind : far.At(height, beside);
     if (wind)
     {
       sum.east += wind->east;
@@ -27,7 +28,7 @@ std::optional<Wind> EstimateStormMotion(const VelocityVolume& volume)
       ++known;
     }
   }
-  if (4 * known < 3 * steps)
+  if (3 * known < steps)
   {
     return std::nullopt;
   }

@@ -114,6 +114,7 @@ struct Line
 {
   double value = 0.0; // at the gate
   double slope = 0.0; // a gate
+  double rms = 0.0;   // of the values about the line
   bool known = false;
 };
 
@@ -128,6 +129,7 @@ Line FitLine(
   double sy = 0.0;
   double sxx = 0.0;
   double sxy = 0.0;
+  double syy = 0.0;
   for (std::size_t place = window.begin; place < window.end; ++place)
   {
     if (!std::isnan(values[place]))
@@ -139,6 +141,7 @@ Line FitLine(
       sy += y;
       sxx += x * x;
       sxy += x * y;
+      syy += y * y;
     }
   }
   const double spread = count * sxx - sx * sx;
@@ -147,7 +150,9 @@ Line FitLine(
     return {};
   }
   const double slope = (count * sxy - sx * sy) / spread;
-  return {(sy - slope * sx) / count, slope, true};
+  const double value = (sy - slope * sx) / count;
+  const double squares = syy - value * sy - slope * sxy;
+  return {value, slope, std::sqrt(std::max(0.0, squares / count)), true};
 }
 
 } // namespace
@@ -168,7 +173,8 @@ std::vector<float> SpecificDifferentialPhase(
   for (std::size_t gate = 0; gate < phase.size(); ++gate)
   {
     const Line line = FitLine(medians, stretches[gate], gate, reachAt(gate));
-    smooth[gate] = line.known ? static_cast<float>(line.value) : none;
+    smooth[gate] =
+      line.known && line.rms <= LargestPhaseSpread ? static_cast<float>(line.value) : none;
   }
   std::vector<float> result(phase.size(), none);
   for (std::size_t gate = 0; gate < phase.size(); ++gate)

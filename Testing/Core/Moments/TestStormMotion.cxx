@@ -50,11 +50,20 @@ TEST(StormMotion, TakesTheWindAloftFromFartherAway)
     ErrorAt("KEAX"), 2.0, "storm motion off the mean wind, with the wind aloft from afar, m/s");
 }
 
-// The lowest tilt is 2 km high where the profile ends.
+// The lowest tilt is 1.5 km high at 100 km.
 TEST(StormMotion, IsUnknownWhereTheProfileEndsLow)
 {
   testing::SimulatedVelocities simulated = testing::SimulateVelocities("KLSX", 21);
   simulated.truth.sweeps.resize(1);
+  VelocitySweep& sweep = simulated.truth.sweeps.front();
+  for (std::size_t index = 0; index < sweep.values.size(); ++index)
+  {
+    if (sweep.RangeOf(index % sweep.gates) > 100'000.0)
+    {
+      sweep.values[index] = std::numeric_limits<float>::quiet_NaN();
+      sweep.states[index] = VelocityState::NotSampled;
+    }
+  }
   EXPECT_FALSE(EstimateStormMotion(simulated.truth));
 }
 
