@@ -82,7 +82,7 @@ def main():
     scene.SetVolume(volume)
     scene.SetAzimuth(165.0)
     scene.SetTilt(14.0)
-    scene.SetZoom(1.35)
+    scene.SetZoom(1.25)
 
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
@@ -120,7 +120,7 @@ def main():
     writer.SetFileName(picture)
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
-    print(f"{count} surfaces of {shear:g}/s that are at least {LEAST_HEIGHT / 1000:g} km high")
+    print(f"surfaces of {shear:g}/s that are at least {LEAST_HEIGHT / 1000:g} km high: {count}")
 
 
 if __name__ == "__main__":
