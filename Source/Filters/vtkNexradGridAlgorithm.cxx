@@ -6,7 +6,7 @@
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Model/Moment.h"
-#include "nexrad/Quality/Despeckling.h"
+#include "nexrad/Moments/MomentMaker.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
@@ -22,7 +22,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 namespace
 {
@@ -57,6 +57,20 @@ std::vector<nexrad::Position> PositionsOf(const std::vector<nexrad::PolarVolume>
   return positions;
 }
 
+// Another moment of a volume; one without sweeps where the sweeps do not have it.
+nexrad::PolarVolume FindVolume(vtkPartitionedDataSetCollection* sweeps, nexrad::MomentName moment,
+  const nexrad::PolarVolume& volume)
+{
+  for (nexrad::PolarVolume& each : vtkNexradSweepsToPolar(sweeps, moment))
+  {
+    if (each.site.name == volume.site.name && each.start == volume.start)
+    {
+      return std::move(each);
+    }
+  }
+  return {};
+}
+
 } // namespace
 
 vtkNexradGridAlgorithm::vtkNexradGridAlgorithm() = default;
@@ -83,8 +97,7 @@ std::vector<nexrad::MomentName> vtkNexradGridAlgorithm::CheckMoments() const
   std::vector<nexrad::MomentName> moments = nexrad::ParseMomentNames(this->Moment);
   if (moments.empty())
   {
-    throw nexrad::Error(
-      "moment " + this->Moment + " is unknown: set REF, VEL, SW, ZDR, PHI, RHO or CFP");
+    throw nexrad::Error("moment " + this->Moment + " is unknown: set " + nexrad::MomentNameList());
   }
   for (const nexrad::MomentName moment : moments)
   {
@@ -131,6 +144,11 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
   options.grid = this->MakeGridRequest();
   options.method = this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam;
   options.quality.neighbours = this->FewestNeighbours;
+  options.dealias = this->Dealiasing;
+  if (this->UseStormMotion)
+  {
+    options.stormMotion = nexrad::Wind{this->StormMotion[0], this->StormMotion[1]};
+  }
   options.beam.strategy = StrategyOf(this->OverlapStrategy);
   options.beam.overlapLength = this->OverlapLength;
   options.beam.linearReflectivity = this->LinearReflectivity;
@@ -147,20 +165,26 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
   return options;
 }
 
-std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(
-  vtkInformationVector* inputs) const
+std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(vtkInformationVector* inputs)
 {
   const nexrad::MomentName moment = this->CheckMoment();
+  const nexrad::MomentOptions options = this->MakeMergeOptions();
   std::vector<nexrad::PolarVolume> volumes;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
-    std::vector<nexrad::PolarVolume> own =
-      vtkNexradSweepsToPolar(vtkPartitionedDataSetCollection::GetData(inputs, i), moment);
-    std::move(own.begin(), own.end(), std::back_inserter(volumes));
-  }
-  for (nexrad::PolarVolume& volume : volumes)
-  {
-    nexrad::Despeckle(volume, this->FewestNeighbours);
+    auto* sweeps = vtkPartitionedDataSetCollection::GetData(inputs, i);
+    for (const nexrad::PolarVolume& each :
+      vtkNexradSweepsToPolar(sweeps, nexrad::MeasuredFor(moment)))
+    {
+      nexrad::MomentMaker maker([&](nexrad::MomentName other)
+        { return other == each.moment ? each : FindVolume(sweeps, other, each); },
+        options);
+      volumes.push_back(maker.Make(moment));
+      if (!maker.Note().empty())
+      {
+        vtkWarningMacro(<< each.site.name << ": " << maker.Note());
+      }
+    }
   }
   return volumes;
 }
@@ -264,6 +288,9 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Moment: " << this->Moment << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "FewestNeighbours: " << this->FewestNeighbours << "\n";
+  os << indent << "Dealiasing: " << this->Dealiasing << "\n";
+  os << indent << "UseStormMotion: " << this->UseStormMotion << "\n";
+  os << indent << "StormMotion: " << this->StormMotion[0] << ", " << this->StormMotion[1] << "\n";
   os << indent << "OverlapStrategy: " << this->OverlapStrategy << "\n";
   os << indent << "OverlapLength: " << this->OverlapLength << "\n";
   os << indent << "TimeInterpolation: " << this->TimeInterpolation << "\n";

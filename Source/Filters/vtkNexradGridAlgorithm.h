@@ -135,10 +135,12 @@ public:
 
   ///@{
   /**
-   * Name of the moment: "REF" (the default), "VEL", "SW", "ZDR", "PHI", "RHO" or "CFP". THESIS
-   * knows REF alone. vtkNexradDayReader also takes several, as "REF,VEL": each file is decoded once
-   * for all of them, and the first gives the active scalars and the ghost flags
-   * (vtkNexradImageConversion.h).
+   * Name of the moment: "REF" (the default), "VEL", "SW", "ZDR", "PHI", "RHO" or "CFP", or one that
+   * is derived of them: "SRV" (radial velocity relative to the storm, m/s), "AZSHEAR" (azimuthal
+   * shear, 1/s), "DIV" (radial divergence, 1/s) or "KDP" (specific differential phase, degrees/km;
+   * nexrad::MomentMaker). THESIS knows REF alone. vtkNexradDayReader also takes several, as
+   * "REF,VEL": each file is decoded once for all of them, and the first gives the active scalars
+   * and the ghost flags (vtkNexradImageConversion.h).
    */
   vtkSetMacro(Moment, std::string);
   vtkGetMacro(Moment, std::string);
@@ -167,8 +169,34 @@ public:
 
   ///@{
   /**
+   * Unfold the velocities of VEL before they are merged (Formulas V1 to V4). Gates whose fold
+   * nothing decides then count as not sampled. Off leaves them as the radars measured them, each
+   * within the Nyquist velocity of its ray. SRV, AZSHEAR and DIV are made of unfolded velocities
+   * either way. On by default.
+   */
+  vtkSetMacro(Dealiasing, bool);
+  vtkGetMacro(Dealiasing, bool);
+  vtkBooleanMacro(Dealiasing, bool);
+  ///@}
+
+  ///@{
+  /**
+   * The motion of the storm in metres a second towards east and north that SRV is relative to, when
+   * UseStormMotion is on. 0, 0 and off by default: then it is the mean wind of the lowest 6 km over
+   * each radar, of the wind profile of each volume (nexrad::EstimateStormMotion).
+   */
+  vtkSetVector2Macro(StormMotion, double);
+  vtkGetVector2Macro(StormMotion, double);
+  vtkSetMacro(UseStormMotion, bool);
+  vtkGetMacro(UseStormMotion, bool);
+  vtkBooleanMacro(UseStormMotion, bool);
+  ///@}
+
+  ///@{
+  /**
    * For BEAM: how radars that scanned the same voxel are put together. DISTANCE by default.
-   * Velocity, spectrum width and differential phase always take the nearest.
+   * Velocity, divergence, spectrum width and differential phase always take the nearest, azimuthal
+   * shear always the largest value.
    */
   vtkSetClampMacro(OverlapStrategy, int, MEAN, DISTANCE);
   vtkGetMacro(OverlapStrategy, int);
@@ -269,10 +297,11 @@ protected:
   nexrad::MergeOptions MakeMergeOptions() const;
 
   /**
-   * The volumes with the moment in the sweeps of all inputs, after quality control. Throws
-   * nexrad::Error as CheckMoment and vtkNexradSweepsToPolar do.
+   * The volumes with the moment in the sweeps of all inputs, as nexrad::MomentMaker makes it. Warns
+   * of a derived moment that has no values. Throws nexrad::Error as CheckMoment and
+   * vtkNexradSweepsToPolar do.
    */
-  std::vector<nexrad::PolarVolume> ReadSweeps(vtkInformationVector* inputs) const;
+  std::vector<nexrad::PolarVolume> ReadSweeps(vtkInformationVector* inputs);
 
   /**
    * Merges volumes at a time, in seconds since 1970-01-01T00:00:00Z, on the grid about their
@@ -327,6 +356,9 @@ protected:
   std::string Moment = "REF";
   int Method = BEAM;
   int FewestNeighbours = 0;
+  bool Dealiasing = true;
+  double StormMotion[2] = {0.0, 0.0};
+  bool UseStormMotion = false;
   int OverlapStrategy = DISTANCE;
   double OverlapLength = 100000.0;
   int TimeInterpolation = MOTION;

@@ -55,6 +55,12 @@ public:
     return array;
   }
 
+  // nullptr where the field data do not have it.
+  vtkDataArray* OptionalRayArray(const char* name, vtkIdType rays) const
+  {
+    return this->Field->HasArray(name) ? this->RayArray(name, rays) : nullptr;
+  }
+
   template <class Array>
   Array* PointArray(const std::string& name) const
   {
@@ -137,9 +143,8 @@ nexrad::PolarSweep ToPolarSweep(const SweepGrid& source, nexrad::MomentName mome
   vtkDataArray* times = source.RayArray("RayTime", rays);
   vtkDataArray* azimuths = source.RayArray("RayAzimuth", rays);
   vtkDataArray* elevations = source.RayArray("RayElevation", rays);
-  vtkDataArray* ranges = source.Field->HasArray("UnambiguousRange")
-                           ? source.RayArray("UnambiguousRange", rays)
-                           : nullptr;
+  vtkDataArray* ranges = source.OptionalRayArray("UnambiguousRange", rays);
+  vtkDataArray* nyquists = source.OptionalRayArray("NyquistVelocity", rays);
   int dimensions[3];
   source.Grid->GetDimensions(dimensions);
   if (rays > dimensions[1] || dimensions[2] != 1)
@@ -163,7 +168,8 @@ nexrad::PolarSweep ToPolarSweep(const SweepGrid& source, nexrad::MomentName mome
     const nexrad::PolarRay ray = {static_cast<float>(azimuths->GetComponent(i, 0)),
       static_cast<float>(elevations->GetComponent(i, 0)),
       ranges ? static_cast<float>(ranges->GetComponent(i, 0)) : 0.0F,
-      nexrad::FromSeconds(times->GetComponent(i, 0))};
+      nexrad::FromSeconds(times->GetComponent(i, 0)),
+      nyquists ? static_cast<float>(nyquists->GetComponent(i, 0)) : 0.0F};
     const vtkIdType first = i * dimensions[0];
     AppendRay(sweep, gates, ray, values->GetPointer(first), states->GetPointer(first));
   }

@@ -21,7 +21,8 @@ class vtkPartitionedDataSetCollection;
  * The volumes whose sweeps are in the collection: those of one site with one start time make one
  * volume. Grids without the moment are passed over, and so are, in each grid, rays that it has no
  * gate of. What decides which sweeps and gates count (`Waveform`, `UnambiguousRange`) may be
- * absent; then all do. Throws nexrad::Error, naming the sweep and the array, for a grid with the
+ * absent; then all do. So may `NyquistVelocity`, without which no velocity is unfolded. The moment
+ * is a measured one. Throws nexrad::Error, naming the sweep and the array, for a grid with the
  * moment that lacks its field data, or in which they do not fit its dimensions.
  */
 std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(

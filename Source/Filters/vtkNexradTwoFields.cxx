@@ -33,9 +33,10 @@ constexpr double MissingWidths = 16.0;
 
 using Range = std::array<double, 2>;
 
-// In the units of the arrays: dBZ, m/s, m/s, dB, degrees, 1, dB.
-constexpr std::array<Range, nexrad::MomentCount> MomentRanges = {{{-32.0, 95.0}, {-64.0, 64.0},
-  {0.0, 32.0}, {-8.0, 12.0}, {0.0, 360.0}, {0.2, 1.06}, {0.0, 100.0}}};
+// In the units of the arrays: dBZ, m/s, m/s, dB, degrees, 1, dB; m/s, 1/s, 1/s, degrees/km.
+constexpr std::array<Range, nexrad::KnownMomentCount> MomentRanges = {
+  {{-32.0, 95.0}, {-64.0, 64.0}, {0.0, 32.0}, {-8.0, 12.0}, {0.0, 360.0}, {0.2, 1.06}, {0.0, 100.0},
+    {-64.0, 64.0}, {-0.05, 0.05}, {-0.05, 0.05}, {-4.0, 12.0}}};
 
 // Seconds, radars, weights and sites.
 constexpr std::array<std::pair<const char*, Range>, 4> AncillaryRanges = {

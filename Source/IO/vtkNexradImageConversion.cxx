@@ -197,7 +197,7 @@ nexrad::MomentName FindMoment(vtkPointData* points)
   {
     return *active;
   }
-  for (const nexrad::MomentName moment : nexrad::AllMoments)
+  for (const nexrad::MomentName moment : nexrad::KnownMoments)
   {
     if (points->GetArray(nexrad::ToString(moment)))
     {

@@ -104,7 +104,7 @@ VTKNEXRADIO_EXPORT void vtkNexradCodesToImage(nexrad::CodedVolume& coded, vtkIma
 
 /**
  * The volume in an image that has the arrays above, of values or of codes; its first moment is that
- * of the active scalars, or the first in the order of nexrad::AllMoments. `vtkGhostType` and the
+ * of the active scalars, or the first in the order of nexrad::KnownMoments. `vtkGhostType` and the
  * ancillary arrays are not needed. Throws nexrad::Error, naming the array, for an image without
  * them or with an array of another type or length, and for one whose axes are turned.
  */

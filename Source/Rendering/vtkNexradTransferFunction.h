@@ -131,8 +131,9 @@ public:
    * reflectivity. One each is for the other moments: "velocity" (m/s, green towards the radar, red
    * away from it; the fast is opaque), "spectrum width" (m/s), "differential reflectivity" (dB),
    * "differential phase" (degrees), "correlation coefficient" (0.2 to 1.05; the low is opaque),
-   * "clutter power" (dB). A preset sets colours and opacity. Returns false, with an error that
-   * lists the names, when there is no such preset.
+   * "clutter power" (dB), "storm-relative velocity" (m/s), "azimuthal shear" and "radial
+   * divergence" (1/s), "specific differential phase" (degrees/km). A preset sets colours and
+   * opacity. Returns false, with an error that lists the names, when there is no such preset.
    */
   static int GetNumberOfPresets();
   static const char* GetPresetName(int index); ///< nullptr for no such index

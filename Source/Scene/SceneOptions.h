@@ -25,7 +25,8 @@ enum class MapperChoice
 /// first, then one of each other moment.
 constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear air", "iso-values",
   "colour-blind safe", "velocity", "spectrum width", "differential reflectivity",
-  "differential phase", "correlation coefficient", "clutter power"};
+  "differential phase", "correlation coefficient", "clutter power", "storm-relative velocity",
+  "azimuthal shear", "radial divergence", "specific differential phase"};
 
 /// A value whose surface is drawn.
 struct IsoValue

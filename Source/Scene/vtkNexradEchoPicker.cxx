@@ -9,6 +9,7 @@
 #include "Scene/Pointing/VoxelReader.h"
 #include "vtkNexradVolumeScene.h"
 
+#include "nexrad/Model/Moment.h"
 #include "vtkImageData.h"
 #include "vtkNexradTransferFunction.h"
 #include "vtkObjectFactory.h"
@@ -50,6 +51,12 @@ std::optional<double> DistanceToGround(const SceneFrame& frame, const ViewRay& r
   const bool within =
     point[0] >= box[0] && point[0] <= box[1] && point[1] >= box[2] && point[1] <= box[3];
   return within ? distance : std::nullopt;
+}
+
+int DigitsOfArray(const std::string& array)
+{
+  const auto moment = nexrad::ParseMomentName(array);
+  return moment ? nexrad::DigitsOf(*moment) : 1;
 }
 
 std::string Fixed(double number, int digits)
@@ -230,7 +237,7 @@ std::string vtkNexradEchoPicker::GetText() const
   std::string text;
   if (this->Found == ECHO)
   {
-    text = Fixed(this->Value, this->ArrayName == "RHO" ? 3 : 1);
+    text = Fixed(this->Value, DigitsOfArray(this->ArrayName));
     text += this->Units.empty() ? "" : " " + this->Units;
     text += this->ArrayName.empty() ? ", " : " (" + this->ArrayName + "), ";
   }

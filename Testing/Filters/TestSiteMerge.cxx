@@ -14,6 +14,7 @@
 #include "nexrad/Grid/GriddedVolume.h"
 
 #include "vtkDataObject.h"
+#include "vtkDoubleArray.h"
 #include "vtkErrorCode.h"
 #include "vtkExecutive.h"
 #include "vtkFieldData.h"
@@ -29,7 +30,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
+#include <cmath>
 
 namespace
 {
@@ -120,6 +123,89 @@ TEST(SiteMerge, LeavesDopplerHalvesOutAsTheDayReaderDoes)
   merge->SetTime(time);
   merge->Update();
   ExpectSame(merge->GetOutput(), day->GetOutput());
+}
+
+// Nyquist velocities come through the grids as well, so that both dealias alike. The reader keeps
+// what it made with one setting apart from what it makes with another.
+TEST(SiteMerge, DealiasesAsTheDayReaderDoes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path file = data / "level2/legacy/KTLX19990503_235621.gz";
+  vtkNew<vtkNexradDayReader> day;
+  day->AddFileName(file.c_str());
+  vtkNew<vtkNexradSiteMerge> merge;
+  merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
+  const std::array<vtkNexradGridAlgorithm*, 2> both = {day, merge};
+  const auto valuesWith = [&](bool dealiasing)
+  {
+    for (vtkNexradGridAlgorithm* each : both)
+    {
+      UseSmallGrid(each);
+      each->SetMoment("VEL");
+      each->SetDealiasing(dealiasing);
+    }
+    day->UpdateInformation();
+    const double time = day->GetTimeSteps()->GetValue(0);
+    day->UpdateTimeStep(time);
+    merge->SetTime(time);
+    merge->Update();
+    ExpectSame(merge->GetOutput(), day->GetOutput());
+    return vtkNexradImageToVolume(day->GetOutput()).values;
+  };
+  EXPECT_TRUE(day->GetDealiasing());
+  const std::vector<float> unfolded = valuesWith(true);
+  EXPECT_NE(valuesWith(false), unfolded);
+  EXPECT_EQ(valuesWith(true), unfolded);
+}
+
+// In voxels that are finer than the gates: the cells of means over coarser ones (Formulas G10)
+// depend on how many gates a sweep has, and the grids of sweeps leave out gates that no ray
+// reaches.
+TEST(SiteMerge, DerivesMomentsAsTheDayReaderDoes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path file = data / "level2/legacy/KTLX19990503_235621.gz";
+  vtkNew<vtkNexradDayReader> day;
+  day->AddFileName(file.c_str());
+  vtkNew<vtkNexradSiteMerge> merge;
+  merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
+  const std::array<vtkNexradGridAlgorithm*, 2> both = {day, merge};
+  const auto volumeOf = [&](const char* moment)
+  {
+    for (vtkNexradGridAlgorithm* each : both)
+    {
+      UseSmallGrid(each);
+      each->UseGeographicBoundsOn();
+      each->SetGeographicBounds(-97.75, 35.21, -97.65, 35.29); // where the tornado is
+      each->SetMoment(moment);
+    }
+    day->UpdateInformation();
+    const double time = day->GetTimeSteps()->GetValue(0);
+    day->UpdateTimeStep(time);
+    merge->SetTime(time);
+    merge->Update();
+    GriddedVolume volume = vtkNexradImageToVolume(day->GetOutput());
+    const GriddedVolume merged = vtkNexradImageToVolume(merge->GetOutput());
+    EXPECT_EQ(volume.states, merged.states);
+    for (std::size_t i = 0; i < volume.values.size(); ++i)
+    {
+      const float scale = std::max(1.0F, std::abs(volume.values[i]));
+      EXPECT_NEAR(volume.values[i], merged.values[i], 1e-6F * scale);
+    }
+    EXPECT_STREQ(day->GetOutput()->GetPointData()->GetScalars()->GetName(), moment);
+    return volume;
+  };
+  const GriddedVolume shear = volumeOf("AZSHEAR");
+  EXPECT_AT_LEAST(*std::max_element(shear.values.begin(), shear.values.end()), 0.025,
+    "merged azimuthal shear of the tornado, per second");
+  volumeOf("DIV");
+  const std::vector<float> estimated = volumeOf("SRV").values;
+  for (vtkNexradGridAlgorithm* each : both)
+  {
+    each->UseStormMotionOn();
+    each->SetStormMotion(12.0, 8.0);
+  }
+  EXPECT_NE(volumeOf("SRV").values, estimated);
 }
 
 // The motion that is found, one that is given and none make three volumes; no speed is none.

@@ -100,6 +100,15 @@ class Examples(unittest.TestCase):
         at_least(self, len(numpy.unique(pixels(picture), axis=0)), 18000, "colours of the picture")
         numpy.testing.assert_array_equal(pixels(picture), pixels(program))
 
+    def test_rotation(self):
+        folder = os.path.join(SyntheticFiles.folder(), "rotation")
+        subprocess.run([os.environ["NEXRAD3D"], "grid", SyntheticFiles.files()[0], "-o", folder, "--moment",
+                        "REF,AZSHEAR", "--dims", "128x128x64", "--quiet"], check=True)
+        picture = picture_path("rotation")
+        said = run("rotation", glob.glob(os.path.join(folder, "*.nxv"))[0], picture, "0.004")
+        self.assertRegex(said, r"^surfaces of 0.004/s that are at least 3 km high: [1-9]\d*\n$")
+        at_least(self, len(numpy.unique(pixels(picture), axis=0)), 1500, "colours of the picture")
+
     def test_slices_in_vtk(self):
         picture = picture_path("slices")
         run("slices_in_vtk", picture)

@@ -113,6 +113,28 @@ class Arrays(unittest.TestCase):
         vtknexrad.array(volume)[1, 2, 3] = 77.0
         self.assertEqual(volume.GetScalarComponentAsDouble(3, 2, 1, 0), 77.0)
 
+    def test_derived_moments_are_arrays_of_a_merged_volume(self):
+        day = day_reader()
+        day.SetMoment("VEL,SRV,AZSHEAR,DIV")
+        day.SetUseStormMotion(True)
+        day.SetStormMotion(0.0, 0.0)
+        volume = vtknexrad.update(day)
+        echo = vtknexrad.array(volume, "VEL_state") == 0
+        self.assertGreater(echo.sum(), 100)
+        velocity = vtknexrad.array(volume, "VEL")[echo]
+        numpy.testing.assert_allclose(vtknexrad.array(volume, "SRV")[echo], velocity, atol=0.01)
+        for name in ("AZSHEAR", "DIV"):
+            derivative = vtknexrad.array(volume, name)[vtknexrad.array(volume, name + "_state") == 0]
+            self.assertGreater(derivative.size, 100)
+            self.assertLess(abs(derivative).max(), 0.1)  # per second
+            self.assertGreater(abs(derivative).max(), 0.0005)
+
+    def test_an_unknown_moment_is_answered_with_the_names(self):
+        day = day_reader()
+        day.SetMoment("SHEAR")
+        with self.assertRaisesRegex(Exception, "SRV, AZSHEAR, DIV or KDP"):
+            vtknexrad.update(day)
+
     def test_a_sweep_is_ray_gate(self):
         sweeps = vtknexrad.update(level2_reader(SyntheticFiles.files()[0]))
         grid = vtknexrad.sweep(sweeps, 0)

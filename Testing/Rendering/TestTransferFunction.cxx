@@ -180,9 +180,9 @@ TEST(TransferFunction, PresetsShowWhatTheirNamesSay)
     EXPECT_TRUE(function->ApplyPreset(preset));
     return function->Evaluate(Function::OPACITY, dBZ);
   };
-  EXPECT_EQ(Function::GetNumberOfPresets(), 12);
+  EXPECT_EQ(Function::GetNumberOfPresets(), 16);
   EXPECT_STREQ(Function::GetPresetName(0), "all echo");
-  EXPECT_EQ(Function::GetPresetName(12), nullptr);
+  EXPECT_EQ(Function::GetPresetName(16), nullptr);
   EXPECT_GT(opacity("all echo", 15.0), 0.0);
   EXPECT_EQ(opacity("all echo", 4.0), 0.0);
   EXPECT_EQ(opacity("storm cores", 25.0), 0.0);

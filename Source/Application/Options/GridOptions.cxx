@@ -44,10 +44,8 @@ std::vector<MomentName> ParseMoments(const std::string& text)
   std::vector<MomentName> moments = ParseMomentNames(text);
   if (moments.empty())
   {
-    throw Error(
-      "'" + text +
-      "' is no moment; write REF, VEL, SW, ZDR, PHI, RHO or CFP, or several of them as in "
-      "REF,VEL");
+    throw Error("'" + text + "' is no moment; write " + MomentNameList() +
+                ", or several of them as in REF,VEL");
   }
   return moments;
 }
@@ -162,7 +160,9 @@ void AddMethod(CLI::App& command, MergeOptions& options)
     options.furtherMoments.erase(options.furtherMoments.begin());
   };
   AddTextOption(command, "--moment", takeMoments, "NAME,...",
-    "Moment to merge, or several as in REF,VEL,SW: each file is decoded once for all of them")
+    "Moment to merge, or several as in REF,VEL,SW: each file is decoded once for all of them. "
+    "Derived moments: SRV (storm-relative velocity), AZSHEAR (azimuthal shear), DIV (radial "
+    "divergence), KDP (specific differential phase)")
     ->default_str("REF")
     ->group(group);
   AddParsedOption(command, "--method", options.method, ParseMethod, "NAME",
@@ -187,16 +187,34 @@ void AddMethod(CLI::App& command, MergeOptions& options)
     ->group(group);
 }
 
+void AddVelocity(CLI::App& command, MergeOptions& options)
+{
+  command
+    .add_flag_callback(
+      "--no-dealiasing", [&options] { options.dealias = false; },
+      "Leave the velocities of VEL folded, as the radars measured them")
+    ->group(group);
+  const auto takeStormMotion = [&options](const std::string& text)
+  {
+    const Velocity motion = ParseMotion(text);
+    options.stormMotion = Wind{motion.east, motion.north};
+  };
+  AddTextOption(command, "--storm-motion", takeStormMotion, "EAST,NORTH",
+    "Motion of the storm that SRV is relative to, m/s towards east and north (default: the mean "
+    "wind from 0 to 6 km over each radar, of each volume's wind profile)")
+    ->group(group);
+}
+
 // Options that the method beam has and the method thesis has not.
 constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill-columns", "--fill",
-  "--linear-reflectivity", "--no-sharpening", "--ancillary", "--companions", "--motion"};
+  "--linear-reflectivity", "--no-sharpening", "--ancillary", "--companions", "--motion",
+  "--no-dealiasing", "--storm-motion"};
 
 void AddBeam(CLI::App& command, MergeOptions& options)
 {
   AddParsedOption(command, "--overlap", options.beam.strategy, ParseOverlap, "NAME",
     "Where radars overlap: distance (the nearer counts more), nearest (alone; VEL always), mean, "
-    "or "
-    "maximum",
+    "or maximum (AZSHEAR always)",
     "distance")
     ->group(group);
   AddParsedOption(command, "--overlap-length", options.beam.overlapLength, ParseOverlapLength,
@@ -260,12 +278,14 @@ void Finish(const CLI::App& command, MergeOptions& options)
   {
     throw CLI::ValidationError("--overlap-length", "is of --overlap distance alone");
   }
+  const bool overlaps = std::any_of(moments.begin(), moments.end(),
+    [&options](MomentName moment)
+    { return StrategyFor(moment, options.beam.strategy) == options.beam.strategy; });
   for (const char* name : {"--overlap", "--linear-reflectivity", "--no-sharpening"})
   {
-    const bool nearest =
-      name == std::string("--overlap") && options.beam.strategy == OverlapStrategy::Nearest;
+    const bool asItIs = name == std::string("--overlap") && overlaps;
     const std::string refusal = RefusalFor(name, moments);
-    if (command.count(name) > 0 && !nearest && !refusal.empty())
+    if (command.count(name) > 0 && !asItIs && !refusal.empty())
     {
       throw CLI::ValidationError(name, refusal);
     }
@@ -283,6 +303,7 @@ void AddGridOptions(CLI::App& command, MergeOptions& options)
   AddTimes(command, options);
   AddDomain(command, options);
   AddMethod(command, options);
+  AddVelocity(command, options);
   AddBeam(command, options);
   command.parse_complete_callback([&command, &options] { Finish(command, options); });
 }
@@ -291,13 +312,13 @@ std::string RefusalFor(const std::string& name, const std::vector<MomentName>& m
 {
   const bool reflectivity =
     std::find(moments.begin(), moments.end(), MomentName::REF) != moments.end();
-  const bool seenUnlike = std::all_of(moments.begin(), moments.end(),
+  const bool fixed = std::none_of(moments.begin(), moments.end(),
     [](MomentName moment)
-    { return moment == MomentName::VEL || moment == MomentName::SW || moment == MomentName::PHI; });
-  if (name == "--overlap" && seenUnlike)
+    { return StrategyFor(moment, OverlapStrategy::Mean) == OverlapStrategy::Mean; });
+  if (name == "--overlap" && fixed)
   {
-    return "of --moment VEL, SW and PHI is nearest alone: they depend on the direction from the "
-           "radar";
+    return "of --moment VEL, SW, PHI, SRV and DIV is nearest alone, since they depend on the "
+           "direction from the radar; that of AZSHEAR is the largest value";
   }
   if (name == "--linear-reflectivity" && !reflectivity)
   {

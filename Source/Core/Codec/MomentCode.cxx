@@ -23,10 +23,13 @@ struct RadarWords
 };
 
 // In the order of MomentName. ZDR in the finer steps of the two that radars use.
-constexpr std::array<RadarWords, MomentCount> radarWords = {{{1, 66.0, 2.0}, {1, 129.0, 2.0},
-  {1, 129.0, 2.0}, {2, 418.0, 32.0}, {2, 2.0, 2.8361}, {1, -60.5, 300.0}, {1, 8.0, 1.0}}};
+// Derived moments have no words in message 31: SRV has those of VEL; shear and divergence have
+// steps of 0.00001/s, KDP steps of 0.01 degrees a km.
+constexpr std::array<RadarWords, KnownMomentCount> radarWords = {{{1, 66.0, 2.0}, {1, 129.0, 2.0},
+  {1, 129.0, 2.0}, {2, 418.0, 32.0}, {2, 2.0, 2.8361}, {1, -60.5, 300.0}, {1, 8.0, 1.0},
+  {1, 129.0, 2.0}, {2, 32768.0, 100'000.0}, {2, 32768.0, 100'000.0}, {2, 32768.0, 100.0}}};
 
-// Velocities of radars that send whole m/s reach to ±127 m/s.
+// Velocities of radars that send whole m/s reach to ±127 m/s, and unfolded ones farther.
 constexpr RadarWords wideVelocity = {2, 32768.0, 2.0};
 
 MomentCode CodeOf(const RadarWords& words)
@@ -60,7 +63,7 @@ MomentCode MomentCode::Of(const GriddedVolume& volume)
 {
   CheckVoxelCount(volume);
   const MomentCode code = CodeOf(radarWords[static_cast<std::size_t>(volume.moment)]);
-  const bool tooFast = volume.moment == MomentName::VEL && !HoldsAll(code, volume);
+  const bool tooFast = IsRadialVelocity(volume.moment) && !HoldsAll(code, volume);
   return tooFast ? CodeOf(wideVelocity) : code;
 }
 

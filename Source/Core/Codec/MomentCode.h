@@ -26,7 +26,8 @@ struct MomentCode
 
   /// The code for a volume's moment: REF −32…94.5 dBZ, VEL −63.5…63 m/s in 8 bits (in 16 when an
   /// echo is faster, as radars with steps of 1 m/s have them), SW to 63 m/s, ZDR from −13 dB in 16
-  /// bits, PHI in 16 bits, RHO 0.2083…1.0517, CFP to 247 dB.
+  /// bits, PHI in 16 bits, RHO 0.2083…1.0517, CFP to 247 dB; SRV as VEL, AZSHEAR and DIV
+  /// ±0.3277/s by 0.00001/s, KDP ±327.67 degrees/km by 0.01, these in 16 bits.
   static MomentCode Of(const GriddedVolume& volume);
 
   /// The code of an echo. What lies beyond the first or last code gets that: an echo stays an echo.

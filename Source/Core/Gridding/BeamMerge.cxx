@@ -27,19 +27,6 @@ constexpr int bandHeight = 128;
 // Rows that a thread merges together: neighbours look the same gates up.
 constexpr int rowsTogether = 8;
 
-OverlapStrategy StrategyFor(MomentName moment, OverlapStrategy wanted)
-{
-  switch (moment)
-  {
-  case MomentName::VEL:
-  case MomentName::SW:
-  case MomentName::PHI:
-    return OverlapStrategy::Nearest;
-  default:
-    return wanted;
-  }
-}
-
 // m above the antenna. Without a position there is no merge.
 double CeilingOver(const Site& site)
 {
@@ -251,6 +238,23 @@ void RequireSameMoment(const PolarVolume& volume, const PolarVolume& first)
 }
 
 } // namespace
+
+OverlapStrategy StrategyFor(MomentName moment, OverlapStrategy wanted)
+{
+  switch (moment)
+  {
+  case MomentName::VEL:
+  case MomentName::SW:
+  case MomentName::PHI:
+  case MomentName::SRV:
+  case MomentName::DIV: // the largest of several radars would hide convergence
+    return OverlapStrategy::Nearest;
+  case MomentName::AZSHEAR:
+    return OverlapStrategy::Maximum;
+  default:
+    return wanted;
+  }
+}
 
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)

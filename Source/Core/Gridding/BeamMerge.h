@@ -22,8 +22,9 @@ namespace nexrad
 struct BeamMergeOptions
 {
   OverlapStrategy strategy = OverlapStrategy::Distance; ///< of REF and other moments that two
-                                                        ///< radars see alike; VEL, SW and PHI take
-                                                        ///< the nearest (Formulas W8)
+                                                        ///< radars see alike; VEL, SRV, DIV, SW and
+                                                        ///< PHI take the nearest (Formulas W8),
+                                                        ///< AZSHEAR the largest (V5)
   double overlapLength = 100'000.0;                     ///< m, L of Formulas W4; above 0
   Duration maximumGap = std::chrono::minutes(15); ///< a ray farther from the time does not count
   std::optional<double> beamWidth; ///< degrees; unless said, each radar's own (Formulas B4)
@@ -37,6 +38,10 @@ struct BeamMergeOptions
   bool fillColumns = false; ///< give values to voxels between and below those scanned (Formulas T7)
   bool ancillary = false;   ///< make GriddedVolume::ancillary
 };
+
+/// How radars that overlap are put together in a moment, where `wanted` is asked for: VEL, SRV and
+/// SW, PHI and DIV take the nearest, AZSHEAR the largest value, the others what is wanted.
+OverlapStrategy StrategyFor(MomentName moment, OverlapStrategy wanted);
 
 /// Position and reach of a radar, from which follows whether it reaches a block.
 struct SiteReach

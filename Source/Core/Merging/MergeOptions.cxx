@@ -30,7 +30,7 @@ SeriesOptions SeriesOptionsOf(const MergeOptions& options)
   SeriesOptions series;
   series.moment = options.moment;
   series.furtherMoments = options.furtherMoments;
-  series.quality = options.quality;
+  static_cast<MomentOptions&>(series) = options;
   series.requirePosition = true;
   series.level2.siteName = options.siteName;
   return series;

@@ -3,8 +3,8 @@
 
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Model/Moment.h"
+#include "nexrad/Moments/MomentOptions.h"
 #include "nexrad/Motion/MotionField.h"
-#include "nexrad/Quality/Despeckling.h"
 
 #include <optional>
 #include <string_view>
@@ -31,14 +31,14 @@ enum class TimeInterpolationMethod
   AlongMotion ///< each shifted along the motion of the echo (A2a), where that is known
 };
 
-/// How volumes are merged, whatever the grid and the time.
-struct MergeRules
+/// How volumes are merged, whatever the grid and the time; as MomentOptions, how the moments of a
+/// volume are made before.
+struct MergeRules : MomentOptions
 {
   MergeMethod method = MergeMethod::Beam;
   Duration maximumGap = std::chrono::minutes(15); ///< what was seen farther from the time does not
                                                   ///< count: for Thesis a volume, by its start; for
                                                   ///< Beam a ray
-  QualityOptions quality;                         ///< of volumes that MakeReady makes ready
   BeamMergeOptions beam;                          ///< of Beam; its largest gap is not used
   TimeInterpolationMethod interpolation = TimeInterpolationMethod::AlongMotion; ///< of Beam
   std::optional<Velocity> motion; ///< for AlongMotion, in place of the one found from reflectivity,

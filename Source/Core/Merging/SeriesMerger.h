@@ -62,8 +62,9 @@ public:
   /// can be used, and for options that cannot be met.
   bool Open(const Progress& progress = {});
 
-  /// The same with other options for the same files, of which the moments, the quality control, the
-  /// name of the site and the memory must be those of before. What was decoded stays.
+  /// The same with other options for the same files, of which the moments, how they are made
+  /// (MomentOptions), the name of the site and the memory must be those of before. What was decoded
+  /// stays.
   bool SetOptions(const MergeOptions& options, const Progress& progress = {});
 
   // After Open.

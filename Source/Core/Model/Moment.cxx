@@ -14,33 +14,62 @@ struct MomentText
   const char* name;
   const char* unit;
   const char* title;
+  int digits;
 };
 
-constexpr std::array<MomentText, MomentCount> momentTexts = {{{"REF", "dBZ", "Reflectivity"},
-  {"VEL", "m/s", "Radial velocity"}, {"SW", "m/s", "Spectrum width"},
-  {"ZDR", "dB", "Differential reflectivity"}, {"PHI", "degrees", "Differential phase"},
-  {"RHO", "", "Correlation coefficient"}, {"CFP", "dB", "Clutter filter power removed"}}};
+constexpr std::array<MomentText, KnownMomentCount> momentTexts = {{{"REF", "dBZ", "Reflectivity",
+                                                                     1},
+  {"VEL", "m/s", "Radial velocity", 1}, {"SW", "m/s", "Spectrum width", 1},
+  {"ZDR", "dB", "Differential reflectivity", 1}, {"PHI", "degrees", "Differential phase", 1},
+  {"RHO", "", "Correlation coefficient", 3}, {"CFP", "dB", "Clutter filter power removed", 1},
+  {"SRV", "m/s", "Storm-relative radial velocity", 1}, {"AZSHEAR", "1/s", "Azimuthal shear", 4},
+  {"DIV", "1/s", "Radial divergence", 4}, {"KDP", "degrees/km", "Specific differential phase", 2}}};
+
+const MomentText& TextsOf(MomentName name)
+{
+  return momentTexts[static_cast<std::size_t>(name)];
+}
 
 } // namespace
 
+MomentName MeasuredFor(MomentName name)
+{
+  switch (name)
+  {
+  case MomentName::SRV:
+  case MomentName::AZSHEAR:
+  case MomentName::DIV:
+    return MomentName::VEL;
+  case MomentName::KDP:
+    return MomentName::PHI;
+  default:
+    return name;
+  }
+}
+
 const char* ToString(MomentName name)
 {
-  return momentTexts[static_cast<std::size_t>(name)].name;
+  return TextsOf(name).name;
 }
 
 const char* UnitOf(MomentName name)
 {
-  return momentTexts[static_cast<std::size_t>(name)].unit;
+  return TextsOf(name).unit;
+}
+
+int DigitsOf(MomentName name)
+{
+  return TextsOf(name).digits;
 }
 
 const char* TitleOf(MomentName name)
 {
-  return momentTexts[static_cast<std::size_t>(name)].title;
+  return TextsOf(name).title;
 }
 
 std::optional<MomentName> ParseMomentName(std::string_view text)
 {
-  for (const MomentName name : AllMoments)
+  for (const MomentName name : KnownMoments)
   {
     if (text == ToString(name))
     {
@@ -65,6 +94,22 @@ std::vector<MomentName> ParseMomentNames(std::string_view text)
     begin = end + 1;
   }
   return moments;
+}
+
+std::string MomentNameList()
+{
+  std::string list;
+  for (const MomentName name : KnownMoments)
+  {
+    const bool first = name == MomentName::REF;
+    const bool last = name == MomentName::CFP || name == MomentName::KDP;
+    const char* before = first                     ? ""
+                         : last                    ? " or "
+                         : name == MomentName::SRV ? ", or the derived "
+                                                   : ", ";
+    list += before + std::string(ToString(name));
+  }
+  return list;
 }
 
 } // namespace nexrad

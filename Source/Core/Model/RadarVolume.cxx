@@ -46,8 +46,8 @@ std::vector<const Ray*> Sweep::StrayRays(double beamWidth) const
 
 bool Sweep::Has(MomentName name) const
 {
-  return std::any_of(
-    rays.begin(), rays.end(), [name](const Ray& ray) { return ray.Row(name).gates > 0; });
+  return std::any_of(rays.begin(), rays.end(),
+    [measured = MeasuredFor(name)](const Ray& ray) { return ray.Row(measured).gates > 0; });
 }
 
 std::size_t RadarVolume::RayCount() const

@@ -31,6 +31,7 @@ struct Ray
   std::uint8_t elevationNumber = 0; ///< number of the cut in the coverage pattern, from 1
   std::array<MomentRow, MomentCount> moments;
 
+  /// The row of a measured moment.
   const MomentRow& Row(MomentName name) const { return moments[static_cast<std::size_t>(name)]; }
   MomentRow& Row(MomentName name) { return moments[static_cast<std::size_t>(name)]; }
 };
@@ -49,7 +50,7 @@ struct Sweep
   double MedianElevation() const;
   /// The rays that stray from the cut (Formulas Q7); `beamWidth` in degrees.
   std::vector<const Ray*> StrayRays(double beamWidth) const;
-  /// True when some ray has gates of the moment.
+  /// True when some ray has gates of the moment, or of the one that a derived moment is made of.
   bool Has(MomentName name) const;
 };
 

@@ -186,7 +186,8 @@ PolarSweep MakeSweep(const RayList& rays, Waveform waveform, MomentName moment)
   for (const Ray* ray : rays)
   {
     sweep.gates = std::max<std::size_t>(sweep.gates, ray->Row(moment).gates);
-    sweep.rays.push_back({ray->azimuth, ray->elevation, ray->unambiguousRange, ray->time});
+    sweep.rays.push_back(
+      {ray->azimuth, ray->elevation, ray->unambiguousRange, ray->time, ray->nyquist});
   }
   Coding coding = FindWordCoding(rays, moment);
   if (!coding.exact)

@@ -19,6 +19,7 @@ struct PolarRay
   float elevation = 0.0F;        ///< degrees
   float unambiguousRange = 0.0F; ///< m; 0 when unknown
   Time time{};
+  float nyquist = 0.0F; ///< m/s, Nyquist velocity; 0 when unknown
 };
 
 /// One moment of one sweep: a code for each gate (GateCode), rays × gates. All rays share one gate
@@ -53,9 +54,9 @@ struct PolarVolume
 /// comes first. Nearly always there is one. The rays belong to the sweep.
 std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentName moment);
 
-/// The gates of one moment, as the file has them: the code of a value is its word + 1, and the
-/// scale that of the words. Where that cannot be (rays of one sweep differ in the scale of their
-/// words, larger words are smaller values, or a word leaves no room for its code) the sweep's
+/// The gates of one measured moment, as the file has them: the code of a value is its word + 1, and
+/// the scale that of the words. Where that cannot be (rays of one sweep differ in the scale of
+/// their words, larger words are smaller values, or a word leaves no room for its code) the sweep's
 /// values are rounded to a scale of their own (GateScale::Between): what is interpolated between
 /// rays must have one scale.
 ///

@@ -7,7 +7,7 @@ namespace nexrad
 ValueRule ValueRule::Of(MomentName moment, bool linearReflectivity)
 {
   ValueRule rule;
-  rule.nearest = moment == MomentName::VEL;
+  rule.nearest = IsRadialVelocity(moment);
   rule.zeroIsNone = moment == MomentName::REF;
   rule.linear = moment == MomentName::REF && linearReflectivity;
   rule.period = moment == MomentName::PHI ? 360.0F : 0.0F;

@@ -14,8 +14,10 @@ struct ValueRule
   bool zeroIsNone = false; ///< no echo counts as 0 dBZ against an echo (Formulas G8, A1)
   float period = 0.0F;     ///< of angles, in the moment's unit; 0: values are no angles
 
-  /// The rule of a moment: velocity takes the nearest (it is folded, and the Nyquist velocity
-  /// differs from cut to cut), differential phase is an angle, the others are interpolated.
+  /// The rule of a moment: velocity, also that relative to the storm, takes the nearest (as
+  /// measured it is folded, and the Nyquist velocity differs from cut to cut; a mean of the two
+  /// sides of a vortex is the velocity of neither), differential phase is an angle, the others are
+  /// interpolated.
   static ValueRule Of(MomentName moment, bool linearReflectivity);
 };
 

@@ -133,8 +133,8 @@ double LengthOf(const SectionLine& line, const GridSpecification& grid)
 
 SectionInterpolation UsualInterpolation(MomentName moment)
 {
-  return moment == MomentName::VEL || moment == MomentName::PHI ? SectionInterpolation::Nearest
-                                                                : SectionInterpolation::Linear;
+  return IsRadialVelocity(moment) || moment == MomentName::PHI ? SectionInterpolation::Nearest
+                                                               : SectionInterpolation::Linear;
 }
 
 VerticalSection MakeVerticalSection(

@@ -270,12 +270,4 @@ std::vector<std::size_t> Despeckle(PolarVolume& volume, int neighbours)
   return removed;
 }
 
-PolarVolume MakeCleanVolume(
-  const RadarVolume& volume, MomentName moment, const QualityOptions& options)
-{
-  PolarVolume clean = MakePolarVolume(volume, moment);
-  Despeckle(clean, options.neighbours);
-  return clean;
-}
-
 } // namespace nexrad

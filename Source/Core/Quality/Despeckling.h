@@ -35,8 +35,4 @@ constexpr int MostNeighbours = 26;
 /// Returns how many gates were taken out of each sweep. Throws Error unless `neighbours` is 0…26.
 std::vector<std::size_t> Despeckle(PolarVolume& volume, int neighbours);
 
-/// MakePolarVolume, and what the options take out.
-PolarVolume MakeCleanVolume(
-  const RadarVolume& volume, MomentName moment, const QualityOptions& options);
-
 } // namespace nexrad

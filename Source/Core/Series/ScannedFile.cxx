@@ -2,6 +2,7 @@
 #include "nexrad/Series/ScannedFile.h"
 
 #include "nexrad/Model/SiteKey.h"
+#include "nexrad/Moments/MomentMaker.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -16,6 +17,7 @@ namespace nexrad
 namespace
 {
 
+// Whether a volume has a moment, or what a derived one is made of.
 bool HasMoment(const RadarVolume& volume, MomentName moment)
 {
   return std::any_of(volume.sweeps.begin(), volume.sweeps.end(),
@@ -66,7 +68,7 @@ double ReachOf(const RadarVolume& volume, MomentName moment)
   std::vector<double> reaches;
   for (const Sweep& sweep : volume.sweeps)
   {
-    const MomentRow& row = sweep.rays.front().Row(moment);
+    const MomentRow& row = sweep.rays.front().Row(MeasuredFor(moment));
     if (row.gates > 0)
     {
       reaches.push_back(row.firstGate + (row.gates - 0.5) * row.gateSpacing);
@@ -93,7 +95,7 @@ SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& pa
   description.rays = volume.RayCount();
   description.reach = ReachOf(volume, moments.empty() ? MomentName::REF : moments.front());
   description.synthetic = volume.synthetic;
-  std::copy_if(AllMoments.begin(), AllMoments.end(), std::back_inserter(description.moments),
+  std::copy_if(KnownMoments.begin(), KnownMoments.end(), std::back_inserter(description.moments),
     [&volume](MomentName moment) { return HasMoment(volume, moment); });
   description.lacking = MomentsOf(volume, options, false);
   return description;
@@ -129,9 +131,10 @@ void AddTo(VolumeSummary& all, VolumeSummary&& one)
   all.reach = reach;
 }
 
-// Makes what is asked for of a volume's moments.
-void Visit(SeriesVolume& description, const RadarVolume& volume, const SeriesOptions& options,
-  const VolumeVisitor& visitor)
+// Makes what is asked for of a volume's moments. Returns a line on what they lack; empty for
+// nothing.
+std::string Visit(SeriesVolume& description, const RadarVolume& volume,
+  const SeriesOptions& options, const VolumeVisitor& visitor)
 {
   if (!options.moment && visitor)
   {
@@ -139,14 +142,14 @@ void Visit(SeriesVolume& description, const RadarVolume& volume, const SeriesOpt
   }
   if (!options.summaries && !visitor)
   {
-    return;
+    return {};
   }
+  MomentMaker maker(volume, options);
   VolumeSummary summary;
   std::vector<std::shared_ptr<const PolarVolume>> clean;
   for (const MomentName moment : MomentsOf(volume, options))
   {
-    clean.push_back(
-      std::make_shared<const PolarVolume>(MakeCleanVolume(volume, moment, options.quality)));
+    clean.push_back(std::make_shared<const PolarVolume>(maker.Make(moment)));
     if (options.summaries)
     {
       AddTo(summary, MakeSummary(*clean.back()));
@@ -160,6 +163,7 @@ void Visit(SeriesVolume& description, const RadarVolume& volume, const SeriesOpt
   {
     visitor(description, volume, clean[i]);
   }
+  return maker.Note();
 }
 
 ScannedFile ScanWithinMemory(
@@ -200,7 +204,11 @@ ScannedFile ScanWithinMemory(
       scanned.problems.push_back(
         {path.string(), {}, "no ray has " + NamesOf(description.lacking), false});
     }
-    Visit(description, cycles[cycle], options, visitor);
+    const std::string note = Visit(description, cycles[cycle], options, visitor);
+    if (!note.empty())
+    {
+      scanned.problems.push_back({path.string(), {}, note, false});
+    }
   }
   return scanned;
 }

@@ -3,8 +3,8 @@
 
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/RadarVolume.h"
+#include "nexrad/Moments/MomentOptions.h"
 #include "nexrad/Polar/PolarVolume.h"
-#include "nexrad/Quality/Despeckling.h"
 #include "nexrad/Series/SiteSeries.h"
 #include "nexrad/System/Processes.h"
 
@@ -26,15 +26,16 @@ enum class ScanOrder
   ByLatitude   ///< neighbouring sites from south to north, and their times
 };
 
-struct SeriesOptions
+/// What a scan makes of the files; as MomentOptions, how it makes the volumes that visitors get and
+/// that summaries are made of.
+struct SeriesOptions : MomentOptions
 {
   Level2Options level2;
   std::optional<MomentName> moment;       ///< a volume without it and the further ones is left out
   std::vector<MomentName> furtherMoments; ///< beside `moment`, which must be set then
-  QualityOptions quality;       ///< of the volumes that visitors and summaries are made of
-  bool requirePosition = false; ///< a volume of a site without a position is left out
-  bool summaries = false;       ///< make the summaries of the volumes, of the moments, one at least
-  Processes processes;          ///< that scan the inputs together
+  bool requirePosition = false;           ///< a volume of a site without a position is left out
+  bool summaries = false; ///< make the summaries of the volumes, of the moments, one at least
+  Processes processes;    ///< that scan the inputs together
   ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
 
   /// `moment` and those beside it.
@@ -42,7 +43,7 @@ struct SeriesOptions
 };
 
 /// Called for each volume while its data are in memory, once for each moment of the options that it
-/// has, from several threads at once. The last is that moment after quality control, nullptr
+/// has, from several threads at once. The last is that moment as MomentMaker makes it, nullptr
 /// without a moment in the options.
 using VolumeVisitor = std::function<void(
   const SeriesVolume&, const RadarVolume&, const std::shared_ptr<const PolarVolume>&)>;

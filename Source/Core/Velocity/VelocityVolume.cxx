@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Velocity/VelocityVolume.h"
 
-#include "nexrad/Model/Elevation.h"
-#include "nexrad/Model/MomentLimits.h"
-#include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/System/Error.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace nexrad
 {
@@ -18,52 +13,45 @@ namespace nexrad
 namespace
 {
 
-using RayList = std::vector<const Ray*>;
-
-void SetRay(VelocitySweep& sweep, std::size_t index, const Ray& ray)
+VelocityState StateOf(std::uint16_t code)
 {
-  const MomentRow& row = ray.Row(MomentName::VEL);
-  const std::size_t first = sweep.Index(index, 0);
-  for (std::size_t gate = 0; gate < row.gates; ++gate)
+  switch (code)
   {
-    const GateState state = row.State(gate);
-    const float value = row.Value(gate);
-    const bool valid = state == GateState::Valid && std::isfinite(value);
-    sweep.states[first + gate] = valid                       ? VelocityState::Valid
-                                 : state == GateState::Valid ? VelocityState::NotSampled
-                                                             : VelocityState(state);
-    if (valid)
-    {
-      sweep.values[first + gate] = value;
-    }
-  }
-  for (const std::size_t gate : ImpossibleGates(ray, MomentName::VEL))
-  {
-    sweep.states[first + gate] = VelocityState::NotSampled;
-    sweep.values[first + gate] = std::numeric_limits<float>::quiet_NaN();
+  case GateCode::NoEcho:
+    return VelocityState::BelowThreshold;
+  case GateCode::RangeFolded:
+    return VelocityState::RangeFolded;
+  case GateCode::NotSampled:
+    return VelocityState::NotSampled;
+  default:
+    return VelocityState::Valid;
   }
 }
 
-VelocitySweep MakeSweep(const RayList& rays)
+VelocitySweep MakeSweep(const PolarSweep& polar)
 {
   VelocitySweep sweep;
-  const MomentRow& first = rays.front()->Row(MomentName::VEL);
-  sweep.elevationNumber = rays.front()->elevationNumber;
-  sweep.firstGate = first.firstGate;
-  sweep.gateSpacing = first.gateSpacing;
-  std::vector<double> elevations;
-  for (const Ray* ray : rays)
+  sweep.elevationNumber = polar.elevationNumber;
+  sweep.elevation = MedianElevation(polar);
+  sweep.firstGate = polar.firstGate;
+  sweep.gateSpacing = polar.gateSpacing;
+  sweep.gates = polar.gates;
+  sweep.values.reserve(polar.rays.size() * polar.gates);
+  sweep.states.reserve(polar.rays.size() * polar.gates);
+  std::vector<std::uint16_t> codes(polar.gates);
+  for (std::size_t ray = 0; ray < polar.rays.size(); ++ray)
   {
-    sweep.gates = std::max<std::size_t>(sweep.gates, ray->Row(MomentName::VEL).gates);
-    sweep.rays.push_back({ray->azimuth, ray->elevation, ray->nyquist, ray->time});
-    elevations.push_back(static_cast<double>(ray->elevation));
-  }
-  sweep.elevation = MedianOf(std::move(elevations));
-  sweep.values.assign(rays.size() * sweep.gates, std::numeric_limits<float>::quiet_NaN());
-  sweep.states.assign(rays.size() * sweep.gates, VelocityState::NotSampled);
-  for (std::size_t index = 0; index < rays.size(); ++index)
-  {
-    SetRay(sweep, index, *rays[index]);
+    const PolarRay& own = polar.rays[ray];
+    sweep.rays.push_back({own.azimuth, own.elevation, own.nyquist, own.time});
+    polar.Read(ray, codes.data());
+    for (const std::uint16_t code : codes)
+    {
+      const VelocityState state = StateOf(code);
+      sweep.states.push_back(state);
+      sweep.values.push_back(state == VelocityState::Valid
+                               ? polar.scale.ValueOf(code)
+                               : std::numeric_limits<float>::quiet_NaN());
+    }
   }
   return sweep;
 }
@@ -72,17 +60,19 @@ VelocitySweep MakeSweep(const RayList& rays)
 
 VelocityVolume MakeVelocityVolume(const RadarVolume& volume)
 {
+  return MakeVelocityVolume(MakePolarVolume(volume, MomentName::VEL));
+}
+
+VelocityVolume MakeVelocityVolume(const PolarVolume& volume)
+{
   VelocityVolume velocities;
   velocities.site = volume.site;
-  velocities.start = volume.Start().value_or(Time{});
-  velocities.end = volume.End().value_or(Time{});
+  velocities.start = volume.start;
+  velocities.end = volume.end;
   velocities.synthetic = volume.synthetic;
-  for (const Sweep& sweep : volume.sweeps)
+  for (const PolarSweep& sweep : volume.sweeps)
   {
-    for (const RayList& rays : RaysByGeometry(sweep, MomentName::VEL))
-    {
-      velocities.sweeps.push_back(MakeSweep(rays));
-    }
+    velocities.sweeps.push_back(MakeSweep(sweep));
   }
   return velocities;
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Model/RadarVolume.h"
+#include "nexrad/Polar/PolarVolume.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -65,6 +66,10 @@ struct VelocityVolume
 /// VelocitySweep for each geometry, as MakePolarVolume does, with the same rays in the same order.
 /// Velocities that no measurement can give (ImpossibleGates) are NotSampled.
 VelocityVolume MakeVelocityVolume(const RadarVolume& volume);
+
+/// The same of polar data of VEL: a VelocitySweep for each PolarSweep, with the same rays and
+/// gates.
+VelocityVolume MakeVelocityVolume(const PolarVolume& volume);
 
 /// Folds the velocities of a sweep into −nyquist…nyquist, m/s, as a radar of that Nyquist velocity
 /// would measure them; each ray then has that Nyquist velocity. Throws Error unless it is above 0.

@@ -6,14 +6,14 @@ namespace
 
 using Preset = vtkNexradMomentPreset;
 
-// Towards the radar green, away from it red, a light grey within 1 m/s of zero; from 32 m/s on, which
-// few radars measure unfolded, blue and yellow. Steps of the same speed have the same lightness, and
-// both sides become lighter from 1 m/s on, so that a couplet looks like one. The green is bluish,
-// which those who do not tell red from green see. The steps are narrow at small speeds, where the
-// wind relative to a storm lies. The fast is opaque.
-Preset Velocity()
+// Towards the radar green, away from it red, a light grey within 1 m/s of zero; from 32 m/s on,
+// which few radars measure unfolded, blue and yellow. Steps of the same speed have the same
+// lightness, and both sides become lighter from 1 m/s on, so that a couplet looks like one. The
+// green is bluish, which those who do not tell red from green see. The steps are narrow at small
+// speeds, where the wind relative to a storm lies. The fast is opaque.
+Preset RadialVelocity(const char* name, const char* array)
 {
-  return {"velocity", "VEL",
+  return {name, array,
     {{-60.0, 0xD9EEFE}, {-50.0, 0x85E5FF}, {-40.0, 0x09DDDB}, {-32.0, 0x22CDA8}, {-25.0, 0x02B86F},
       {-20.0, 0x00A065}, {-15.0, 0x038857}, {-10.0, 0x00754C}, {-6.0, 0x006140}, {-3.0, 0x0A5136},
       {-1.0, 0x8C8C8C}, {1.0, 0x82252C}, {3.0, 0x9C2B33}, {6.0, 0xB9353A}, {10.0, 0xD73F41},
@@ -82,6 +82,45 @@ Preset ClutterPower()
     {{0.0, 0.006}, {5.0, 0.02}, {10.0, 0.06}, {20.0, 0.2}, {30.0, 0.4}, {50.0, 0.7}, {60.0, 0.8}}};
 }
 
+// Anticlockwise shear from yellow through red to white, clockwise shear blue; a light grey below
+// 0.002/s. What is below 0.004/s is the shear of the wind and noise, and nearly transparent;
+// mesocyclones lie above 0.01/s.
+Preset AzimuthalShear()
+{
+  return {"azimuthal shear", "AZSHEAR",
+    {{-0.03, 0x9FE3FF}, {-0.02, 0x4FB4F0}, {-0.015, 0x2F86D8}, {-0.01, 0x2C5FB4},
+      {-0.006, 0x35497F}, {-0.004, 0x4A5268}, {-0.002, 0x8C8C8C}, {0.002, 0x7A6A3C},
+      {0.004, 0xA88A28}, {0.006, 0xE0C020}, {0.008, 0xF8A020}, {0.01, 0xF07018}, {0.015, 0xE03020},
+      {0.02, 0xC01048}, {0.03, 0xE658C8}, {0.04, 0xFFD8F4}},
+    0.05,
+    {{-0.03, 0.5}, {-0.01, 0.12}, {-0.006, 0.02}, {-0.004, 0.0}, {0.004, 0.0}, {0.006, 0.03},
+      {0.008, 0.12}, {0.01, 0.4}, {0.015, 0.75}, {0.03, 0.9}}};
+}
+
+// Air that flows apart is warm, air that flows together cold.
+Preset RadialDivergence()
+{
+  return {"radial divergence", "DIV",
+    {{-0.03, 0xB0F0FF}, {-0.02, 0x50C8F0}, {-0.015, 0x2898DC}, {-0.01, 0x2868BC},
+      {-0.006, 0x304C8C}, {-0.004, 0x46506E}, {-0.002, 0x8C8C8C}, {0.002, 0x76603C},
+      {0.004, 0x986828}, {0.006, 0xC07820}, {0.01, 0xE89828}, {0.015, 0xF8C040}, {0.02, 0xFCE078}},
+    0.03,
+    {{-0.03, 0.8}, {-0.015, 0.5}, {-0.01, 0.25}, {-0.006, 0.06}, {-0.004, 0.006}, {0.0, 0.003},
+      {0.004, 0.006}, {0.006, 0.06}, {0.01, 0.25}, {0.015, 0.5}, {0.03, 0.8}}};
+}
+
+// Rain has about 0.3 degrees/km at 40 dBZ and 3 at 53 dBZ; drizzle, snow and dry hail have about 0.
+Preset SpecificPhase()
+{
+  return {"specific differential phase", "KDP",
+    {{-2.0, 0x4A4A5A}, {-1.0, 0x646478}, {-0.5, 0x8C8C8C}, {0.25, 0x5A78A8}, {0.5, 0x3A93D0},
+      {1.0, 0x2DB08C}, {1.5, 0x38B83C}, {2.0, 0x9ACB2E}, {2.5, 0xF2E033}, {3.0, 0xF5A623},
+      {4.0, 0xEC5A24}, {5.0, 0xD0202A}, {7.0, 0xE65BD8}},
+    10.0,
+    {{-2.0, 0.05}, {-1.0, 0.01}, {-0.5, 0.004}, {0.25, 0.004}, {0.5, 0.02}, {1.0, 0.1}, {2.0, 0.3},
+      {3.0, 0.5}, {5.0, 0.8}}};
+}
+
 } // namespace
 
 vtkNexradColorMap::Color vtkNexradColorOf(unsigned code)
@@ -92,8 +131,10 @@ vtkNexradColorMap::Color vtkNexradColorOf(unsigned code)
 
 const std::vector<vtkNexradMomentPreset>& vtkNexradMomentPresets()
 {
-  static const std::vector<Preset> presets = {Velocity(), SpectrumWidth(),
-    DifferentialReflectivity(), DifferentialPhase(), CorrelationCoefficient(), ClutterPower()};
+  static const std::vector<Preset> presets = {RadialVelocity("velocity", "VEL"), SpectrumWidth(),
+    DifferentialReflectivity(), DifferentialPhase(), CorrelationCoefficient(), ClutterPower(),
+    RadialVelocity("storm-relative velocity", "SRV"), AzimuthalShear(), RadialDivergence(),
+    SpecificPhase()};
   return presets;
 }
 

@@ -64,12 +64,12 @@ struct LowestVoxel
   }
 };
 
-// The strongest echo, of velocities the fastest either way; without one the lowest voxel.
+// The strongest echo, of moments of two signs the farthest from 0; without one the lowest voxel.
 struct LargestVoxel
 {
-  bool velocity = false;
+  bool twoSigns = false;
 
-  float Strength(float value) const { return velocity ? std::abs(value) : value; }
+  float Strength(float value) const { return twoSigns ? std::abs(value) : value; }
   void operator()(const ShownVoxel& voxel, ShownVoxel& shown) const
   {
     if (voxel.state != VoxelState::Echo)
@@ -117,7 +117,7 @@ std::vector<ShownVoxel> FindShown(
   switch (kind)
   {
   case PlanLevel::Composite:
-    return FindAmong(voxels, 0, levels, LargestVoxel{voxels.moment == MomentName::VEL}, loop);
+    return FindAmong(voxels, 0, levels, LargestVoxel{HasTwoSigns(voxels.moment)}, loop);
   case PlanLevel::Height:
     return FindAmong(voxels, level, level + 1, LowestVoxel(), loop);
   default:
@@ -141,8 +141,9 @@ std::string WhereText(const VoxelLines& volume, const PlanOptions& plan, int lev
   switch (plan.level)
   {
   case PlanLevel::Composite:
-    return volume.moment == MomentName::VEL ? "Composite: where the column's speed is largest"
-                                            : "Composite: where the column's value is largest";
+    return IsRadialVelocity(volume.moment) ? "Composite: where the column's speed is largest"
+           : HasTwoSigns(volume.moment) ? "Composite: where the column's value is farthest from 0"
+                                        : "Composite: where the column's value is largest";
   case PlanLevel::Lowest:
     return "At the lowest voxel of each column that was scanned";
   default:

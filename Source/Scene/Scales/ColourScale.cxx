@@ -17,7 +17,7 @@ ColourScale MomentScale(const std::string& array, const ColourTable& table)
   {
     scale.unit = UnitOf(*moment);
     scale.title = TitleOf(*moment);
-    scale.title += *moment == MomentName::VEL ? ", positive away from the radar" : "";
+    scale.title += IsRadialVelocity(*moment) ? ", positive away from the radar" : "";
     scale.openBelow = *moment != MomentName::REF;
   }
   return scale;

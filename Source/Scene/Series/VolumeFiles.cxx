@@ -141,7 +141,7 @@ std::vector<MomentName> ChooseMoments(
 std::vector<MomentName> MomentsOf(vtkImageData* image)
 {
   std::vector<MomentName> moments;
-  for (const MomentName moment : AllMoments)
+  for (const MomentName moment : KnownMoments)
   {
     if (image->GetPointData()->HasArray(ToString(moment)) != 0)
     {

@@ -115,7 +115,7 @@ TEST_F(WindowMomentsTest, RadarFilesAreMergedAgain)
   NEXRAD_REQUIRE_TEST_DATA(data);
   request.input.grid.grid.dimensions = {32, 32, 16};
   this->OpenFirst(data / "level2" / "run-kbgm-20050821");
-  EXPECT_EQ(this->Entries("Moment"), "REF,VEL,SW");
+  EXPECT_EQ(this->Entries("Moment"), "REF,VEL,SW,SRV,AZSHEAR,DIV");
   this->Click("Step on");
   EXPECT_TRUE(this->Wait([&] { return !window->Player()->IsWaiting(); }));
   this->Choose("Moment", 1);

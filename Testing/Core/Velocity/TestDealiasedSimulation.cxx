@@ -2,9 +2,8 @@
 // Formulas V4 against the SYNTHETIC storm day: mean wind, mesocyclones, convergence and divergence,
 // scanned by patterns of a low and of a high Nyquist velocity.
 #include "FoldScore.h"
+#include "Scans/SimulatedVelocities.h"
 #include "Tolerance.h"
-#include "nexrad/Model/SiteTable.h"
-#include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/System/ThreadGroup.h"
 #include "nexrad/Velocity/Dealiasing.h"
 
@@ -20,44 +19,6 @@ using namespace nexrad::testing;
 
 namespace
 {
-
-struct SimulatedVelocities
-{
-  VelocityVolume folded;
-  VelocityVolume truth; // with noise, not folded
-};
-
-SimulatedVelocities Simulate(const char* site, int pattern, bool superResolution)
-{
-  SimulatorOptions options;
-  options.superResolution = superResolution;
-  ScanTruth truth;
-  const RadarVolume volume = ScanVolume(StormField(), {site, FindSite(site)->position}, pattern,
-    *ParseIso8601("2006-03-12T18:30Z"), options, &truth);
-  SimulatedVelocities result;
-  result.folded = MakeVelocityVolume(volume);
-  result.truth = result.folded;
-  std::size_t next = 0;
-  for (std::size_t cut = 0; cut < volume.sweeps.size(); ++cut)
-  {
-    if (!volume.sweeps[cut].Has(MomentName::VEL))
-    {
-      continue;
-    }
-    VelocitySweep& sweep = result.truth.sweeps.at(next++);
-    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
-    {
-      const float whole = 2.0F * sweep.rays[ray].nyquist;
-      const std::vector<float>& velocity = truth.sweeps[cut][ray].velocity;
-      for (std::size_t gate = 0; gate < velocity.size(); ++gate)
-      {
-        float& value = sweep.values[sweep.Index(ray, gate)];
-        value += whole * std::nearbyint((velocity[gate] - value) / whole);
-      }
-    }
-  }
-  return result;
-}
 
 // The largest difference between two gates within 8 km of each other across the azimuth at one
 // range: the peak difference of the strongest vortex of a sweep, m/s, and where it is.
@@ -119,7 +80,7 @@ class SimulatedDealiasing : public ::testing::TestWithParam<SimulatedCase>
 TEST_P(SimulatedDealiasing, FindsTheTrueFolds)
 {
   const SimulatedCase& each = GetParam();
-  SimulatedVelocities volume = Simulate(each.site, each.pattern, each.superResolution);
+  SimulatedVelocities volume = SimulateVelocities(each.site, each.pattern, each.superResolution);
   DealiasOptions options;
   options.loop = ThreadLoop(CoreCount());
   Dealias(volume.folded, options);

@@ -15,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <random>
 
 using namespace nexrad;
 using namespace nexrad::testing;
@@ -169,10 +170,63 @@ TEST(SpecificDifferentialPhase, IsHalfTheSlopeOfThePhase)
     {
       if (gate != 200)
       {
-        EXPECT_WITHIN(result[gate], 1.0, 0.2, "K_DP of a steady slope, degrees a km");
+        EXPECT_WITHIN(result[gate], 1.0, 0.09, "K_DP of a steady slope, degrees a km");
       }
     }
     EXPECT_TRUE(std::isnan(result[200]));
   }
   EXPECT_THROW(SpecificDifferentialPhase({1.0F}, {}, 250.0), Error);
+}
+
+// The noise of the phase is 3 degrees. A window that becomes shorter towards the ends would give
+// errors of several degrees/km there.
+TEST(SpecificDifferentialPhase, HasNoSpikesAtTheEndsOfEcho)
+{
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  std::mt19937 generator(3);
+  double atEnds = 0.0;
+  double within = 0.0;
+  for (int ray = 0; ray < 200; ++ray)
+  {
+    std::vector<float> phase(400, none);
+    for (std::size_t gate = 0; gate < phase.size(); ++gate)
+    {
+      const double noise = 12.0 * (static_cast<double>(generator()) / 4294967296.0 - 0.5);
+      if ((gate >= 100 && gate < 180) || gate >= 300) // two stretches, one to the end of the ray
+      {
+        phase[gate] = static_cast<float>(60.0 + 0.5 * static_cast<double>(gate) + noise);
+      }
+    }
+    const std::vector<float> result =
+      SpecificDifferentialPhase(phase, std::vector<float>(400, 30.0F), 250.0);
+    for (const std::size_t gate : {100, 101, 178, 179, 300, 301, 398, 399})
+    {
+      ASSERT_FALSE(std::isnan(result[gate])) << gate;
+      atEnds = std::max(atEnds, std::abs(static_cast<double>(result[gate]) - 1.0));
+    }
+    for (const std::size_t gate : {130, 140, 150, 340, 350, 360})
+    {
+      within = std::max(within, std::abs(static_cast<double>(result[gate]) - 1.0));
+    }
+    EXPECT_TRUE(std::isnan(result[99]));
+    EXPECT_TRUE(std::isnan(result[180]));
+  }
+  EXPECT_AT_MOST(atEnds, 1.0, "largest error of K_DP at ends of echo, degrees/km");
+  EXPECT_AT_MOST(within, 0.7, "largest error of K_DP within echo, degrees/km");
+}
+
+// A phase that is noise has no slope, also in echo whose correlation happens to be high.
+TEST(SpecificDifferentialPhase, IsVoidInNoise)
+{
+  std::mt19937 generator(4);
+  std::vector<float> phase;
+  for (int gate = 0; gate < 2000; ++gate)
+  {
+    phase.push_back(static_cast<float>(360.0 * static_cast<double>(generator()) / 4294967296.0));
+  }
+  const std::vector<float> result =
+    SpecificDifferentialPhase(phase, std::vector<float>(2000, 10.0F), 250.0);
+  const auto known =
+    std::count_if(result.begin(), result.end(), [](float value) { return !std::isnan(value); });
+  EXPECT_AT_MOST(known, 0, "gates of noise with a K_DP");
 }

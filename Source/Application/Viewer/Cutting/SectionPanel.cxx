@@ -261,7 +261,7 @@ void SectionPanel::Tell(const QPoint& pixel)
           section->GetPointData()->GetArray((name + "_state").c_str())->GetTuple1(point)))
       : QString("%1 %2 %3")
           .arg(QString::fromStdString(name))
-          .arg(value, 0, 'f', 1)
+          .arg(value, 0, 'f', moment ? DigitsOf(*moment) : 1)
           .arg(moment ? UnitOf(*moment) : "");
   reading->setText(QString("%1 km from A, %2 km high: %3")
                      .arg((*place)[0] / 1000.0, 0, 'f', 1)

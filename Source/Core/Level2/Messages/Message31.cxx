@@ -96,7 +96,8 @@ void DecodeBlock(ByteView block, DecodedRay& decoded)
   const std::string name = BlockName(block);
   if (block.U8(0) == 'D')
   {
-    if (const auto moment = ParseMomentName(name))
+    const auto moment = ParseMomentName(name);
+    if (moment && IsMeasured(*moment))
     {
       DecodeMoment(*moment, block, decoded);
     }

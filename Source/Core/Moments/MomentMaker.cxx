@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Moments/MomentMaker.h"
+
+#include "nexrad/Moments/PhaseSlopes.h"
+#include "nexrad/Moments/StormMotion.h"
+#include "nexrad/Velocity/Dealiasing.h"
+#include "nexrad/Velocity/VelocityDerivatives.h"
+
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <utility>
+#include <vector>
+
+namespace nexrad
+{
+
+namespace
+{
+
+GateState StateOf(VelocityState state)
+{
+  return state == VelocityState::Unknown ? GateState::NotSampled : static_cast<GateState>(state);
+}
+
+// Whether the codes of a sweep already are these velocities.
+bool Holds(const PolarSweep& polar, const VelocitySweep& sweep)
+{
+  std::vector<std::uint16_t> codes(polar.gates);
+  for (std::size_t ray = 0; ray < polar.rays.size(); ++ray)
+  {
+    polar.Read(ray, codes.data());
+    for (std::size_t gate = 0; gate < polar.gates; ++gate)
+    {
+      const std::size_t index = sweep.Index(ray, gate);
+      const bool same = codes[gate] < GateCode::FirstValue
+                          ? sweep.states[index] != VelocityState::Valid
+                          : sweep.states[index] == VelocityState::Valid &&
+                              sweep.values[index] == polar.scale.ValueOf(codes[gate]);
+      if (!same)
+      {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
+// Sets the gates of a sweep from values; a gate with a velocity and without a value becomes
+// NotSampled.
+void SetValues(const VelocitySweep& velocities, const std::vector<float>& values, PolarSweep& sweep)
+{
+  std::vector<GateState> states;
+  states.reserve(values.size());
+  for (std::size_t index = 0; index < values.size(); ++index)
+  {
+    const GateState state = StateOf(velocities.states[index]);
+    states.push_back(
+      state == GateState::Valid && std::isnan(values[index]) ? GateState::NotSampled : state);
+  }
+  SetGates(sweep, values, states);
+}
+
+} // namespace
+
+bool MomentOptions::operator==(const MomentOptions& other) const
+{
+  const bool sameMotion = stormMotion.has_value() == other.stormMotion.has_value() &&
+                          (!stormMotion || (stormMotion->east == other.stormMotion->east &&
+                                             stormMotion->north == other.stormMotion->north));
+  return quality == other.quality && dealias == other.dealias && sameMotion;
+}
+
+MomentMaker::MomentMaker(const RadarVolume& volume, const MomentOptions& theOptions)
+  : MomentMaker(
+      [&volume](MomentName moment) { return MakePolarVolume(volume, moment); }, theOptions)
+{
+}
+
+MomentMaker::MomentMaker(MeasuredVolume theMeasured, const MomentOptions& theOptions)
+  : measured(std::move(theMeasured))
+  , options(theOptions)
+{
+}
+
+PolarVolume MomentMaker::Make(MomentName moment)
+{
+  PolarVolume volume = this->MakeRaw(moment);
+  Despeckle(volume, options.quality.neighbours);
+  return volume;
+}
+
+PolarVolume MomentMaker::MakeRaw(MomentName moment)
+{
+  switch (moment)
+  {
+  case MomentName::VEL:
+    if (options.dealias)
+    {
+      PolarVolume volume = this->Unfolded().folded;
+      for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
+      {
+        const VelocitySweep& sweep = velocities->unfolded.sweeps[i];
+        if (!Holds(volume.sweeps[i], sweep))
+        {
+          SetValues(sweep, sweep.values, volume.sweeps[i]);
+        }
+      }
+      return volume;
+    }
+    return measured(moment);
+  case MomentName::SRV:
+    return this->MakeStormRelative();
+  case MomentName::AZSHEAR:
+    return this->MakeDerivative(moment, AzimuthalShear);
+  case MomentName::DIV:
+    return this->MakeDerivative(moment, RadialDivergence);
+  case MomentName::KDP:
+    return MakePhaseSlopes(
+      measured(MomentName::PHI), measured(MomentName::REF), measured(MomentName::RHO));
+  default:
+    return measured(moment);
+  }
+}
+
+const MomentMaker::Velocities& MomentMaker::Unfolded()
+{
+  if (!velocities)
+  {
+    velocities.emplace();
+    velocities->folded = measured(MomentName::VEL);
+    velocities->unfolded = MakeVelocityVolume(velocities->folded);
+    Dealias(velocities->unfolded);
+  }
+  return *velocities;
+}
+
+PolarVolume MomentMaker::MakeStormRelative()
+{
+  const Velocities& found = this->Unfolded();
+  const std::optional<Wind> motion =
+    options.stormMotion ? options.stormMotion : EstimateStormMotion(found.unfolded);
+  PolarVolume volume = found.folded;
+  volume.moment = MomentName::SRV;
+  if (!motion && !volume.sweeps.empty())
+  {
+    note = "the velocities tell less than 2 km of the wind profile up to 6 km, so that SRV has no "
+           "values: give the "
+           "motion of the storm";
+  }
+  for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
+  {
+    VelocitySweep sweep = found.unfolded.sweeps[i];
+    const double unknown = std::numeric_limits<double>::quiet_NaN();
+    SubtractMotion(sweep, motion.value_or(Wind{unknown, unknown}));
+    SetValues(sweep, sweep.values, volume.sweeps[i]);
+  }
+  return volume;
+}
+
+PolarVolume MomentMaker::MakeDerivative(
+  MomentName moment, std::vector<float> (*derivative)(const VelocitySweep&))
+{
+  const Velocities& found = this->Unfolded();
+  PolarVolume volume = found.folded;
+  volume.moment = moment;
+  for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
+  {
+    const VelocitySweep& sweep = found.unfolded.sweeps[i];
+    SetValues(sweep, derivative(sweep), volume.sweeps[i]);
+  }
+  return volume;
+}
+
+} // namespace nexrad

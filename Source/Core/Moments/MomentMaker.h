@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Moments/MomentOptions.h"
+#include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/Velocity/VelocityVolume.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace nexrad
+{
+
+/// Makes the moments of one volume for merging: the one place in which polar data of a moment,
+/// measured or derived, come about.
+///
+/// - VEL: dealiased (Formulas V1 to V4), by what the volume itself tells; a gate whose fold nothing
+///   decides becomes NotSampled. A sweep in which no fold changes keeps the codes of the file.
+///   Without MomentOptions::dealias: as MakePolarVolume makes it.
+/// - SRV: the dealiased velocity relative to the motion of the storm (P5). Without a motion that is
+///   given or can be estimated all its gates are NotSampled, and Note says so.
+/// - AZSHEAR, DIV: shear along the azimuth and divergence along the ray of dealiased velocities
+///   (V5); a gate with a velocity but without enough neighbours becomes NotSampled.
+/// - KDP: MakePhaseSlopes (V6).
+/// - other moments: as MakePolarVolume makes them.
+///
+/// MomentOptions::quality is applied to each of them last. Velocities are dealiased once for all
+/// moments that need them.
+class MomentMaker
+{
+public:
+  /// Makes the polar volume of a measured moment, one without sweeps where the volume has none.
+  using MeasuredVolume = std::function<PolarVolume(MomentName)>;
+
+  /// The volume must outlive this object.
+  MomentMaker(const RadarVolume& volume, const MomentOptions& options);
+  MomentMaker(MeasuredVolume measured, const MomentOptions& options);
+
+  PolarVolume Make(MomentName moment);
+
+  /// One line on why a moment that was made has no values; empty when there is nothing to say.
+  const std::string& Note() const { return note; }
+
+private:
+  struct Velocities
+  {
+    PolarVolume folded;
+    VelocityVolume unfolded;
+  };
+
+  const Velocities& Unfolded();
+  PolarVolume MakeRaw(MomentName moment);
+  PolarVolume MakeStormRelative();
+  PolarVolume MakeDerivative(
+    MomentName moment, std::vector<float> (*derivative)(const VelocitySweep&));
+
+  MeasuredVolume measured;
+  MomentOptions options;
+  std::optional<Velocities> velocities;
+  std::string note;
+};
+
+} // namespace nexrad
