@@ -4,7 +4,7 @@
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Motion/MotionField.h"
-#include "nexrad/Quality/Despeckling.h"
+#include "nexrad/Quality/QualityOptions.h"
 
 #include <optional>
 #include <string_view>

@@ -53,7 +53,7 @@ struct PolarVolume
 /// comes first. Nearly always there is one. The rays belong to the sweep.
 std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentName moment);
 
-/// The gates of one moment, as the file has them: the code of a value is its word + 1, and the
+/// The gates of one moment, as the file has them: the code of a value is its word + 2, and the
 /// scale that of the words. Where that cannot be (rays of one sweep differ in the scale of their
 /// words, larger words are smaller values, or a word leaves no room for its code) the sweep's
 /// values are rounded to a scale of their own (GateScale::Between): what is interpolated between

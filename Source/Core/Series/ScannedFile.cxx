@@ -2,6 +2,7 @@
 #include "nexrad/Series/ScannedFile.h"
 
 #include "nexrad/Model/SiteKey.h"
+#include "nexrad/Quality/CleanVolume.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>

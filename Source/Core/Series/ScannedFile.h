@@ -4,7 +4,7 @@
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/RadarVolume.h"
 #include "nexrad/Polar/PolarVolume.h"
-#include "nexrad/Quality/Despeckling.h"
+#include "nexrad/Quality/QualityOptions.h"
 #include "nexrad/Series/SiteSeries.h"
 #include "nexrad/System/Processes.h"
 
