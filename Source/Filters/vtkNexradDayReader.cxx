@@ -29,8 +29,8 @@ vtkStandardNewMacro(vtkNexradDayReader);
 /// What merges the inputs, and the settings that it cannot change.
 struct vtkNexradDayReader::Day
 {
-  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64, int,
-    bool, bool, double, double>;
+  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64,
+    nexrad::MomentOptions>;
 
   Origin From;
   nexrad::SeriesMerger Merger;
@@ -160,9 +160,8 @@ nexrad::MergerSetup vtkNexradDayReader::MakeSetup() const
 bool vtkNexradDayReader::Open()
 {
   const nexrad::MergeOptions options = this->MakeDayOptions();
-  const Day::Origin from = {this->FileNames, this->Moment, this->SiteName, this->MemoryLimit,
-    this->FewestNeighbours, this->Dealiasing, this->UseStormMotion, this->StormMotion[0],
-    this->StormMotion[1]};
+  const Day::Origin from = {
+    this->FileNames, this->Moment, this->SiteName, this->MemoryLimit, options};
   if (this->Opened && this->Opened->From == from)
   {
     return this->Opened->Merger.SetOptions(options, vtkNexradProgress(this));

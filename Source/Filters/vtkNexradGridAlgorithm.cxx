@@ -22,7 +22,7 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <utility>
+#include <map>
 
 namespace
 {
@@ -57,19 +57,42 @@ std::vector<nexrad::Position> PositionsOf(const std::vector<nexrad::PolarVolume>
   return positions;
 }
 
-// Another moment of a volume; one without sweeps where the sweeps do not have it.
-nexrad::PolarVolume FindVolume(vtkPartitionedDataSetCollection* sweeps, nexrad::MomentName moment,
-  const nexrad::PolarVolume& volume)
+// The volumes of one input by measured moment. Each moment is converted once.
+class InputVolumes
 {
-  for (nexrad::PolarVolume& each : vtkNexradSweepsToPolar(sweeps, moment))
+public:
+  explicit InputVolumes(vtkPartitionedDataSetCollection* theSweeps)
+    : sweeps(theSweeps)
   {
-    if (each.site.name == volume.site.name && each.start == volume.start)
-    {
-      return std::move(each);
-    }
   }
-  return {};
-}
+
+  const std::vector<nexrad::PolarVolume>& Of(nexrad::MomentName moment)
+  {
+    const auto [found, isNew] = volumes.try_emplace(moment);
+    if (isNew)
+    {
+      found->second = vtkNexradSweepsToPolar(sweeps, moment);
+    }
+    return found->second;
+  }
+
+  // The same radar's volume of the same time; one without sweeps where it lacks the moment.
+  nexrad::PolarVolume Find(nexrad::MomentName moment, const nexrad::PolarVolume& volume)
+  {
+    for (const nexrad::PolarVolume& each : this->Of(moment))
+    {
+      if (each.site.name == volume.site.name && each.start == volume.start)
+      {
+        return each;
+      }
+    }
+    return {};
+  }
+
+private:
+  vtkPartitionedDataSetCollection* sweeps;
+  std::map<nexrad::MomentName, std::vector<nexrad::PolarVolume>> volumes;
+};
 
 } // namespace
 
@@ -172,13 +195,11 @@ std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(vtkInformati
   std::vector<nexrad::PolarVolume> volumes;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
-    auto* sweeps = vtkPartitionedDataSetCollection::GetData(inputs, i);
-    for (const nexrad::PolarVolume& each :
-      vtkNexradSweepsToPolar(sweeps, nexrad::MeasuredFor(moment)))
+    InputVolumes input(vtkPartitionedDataSetCollection::GetData(inputs, i));
+    for (const nexrad::PolarVolume& each : input.Of(nexrad::MeasuredFor(moment)))
     {
-      nexrad::MomentMaker maker([&](nexrad::MomentName other)
-        { return other == each.moment ? each : FindVolume(sweeps, other, each); },
-        options);
+      nexrad::MomentMaker maker(
+        [&](nexrad::MomentName measured) { return input.Find(measured, each); }, options);
       volumes.push_back(maker.Make(moment));
       if (!maker.Note().empty())
       {

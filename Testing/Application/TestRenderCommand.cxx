@@ -235,7 +235,7 @@ TEST(RenderCommand, FailuresAreOneLine)
     {{series, "-o", png, "--colours", folder.Path() / "colours.csv"}, "line 3"},
     {{series, "-o", png, "--box", "0,20km,0,20km"}, "from radar files alone"},
     {{radar, "-o", png, "--box=-95deg,-94deg,38deg,39deg"},
-      "--box is in degrees, and the volume is in metres"},
+      "the box is in degrees, and the volume is in metres"},
     {{series, "-o", png, "--opacities", folder.Path() / "plain.csv"}, "has no opacities"},
     {{series, "-o", png, "--crop=-91deg,-90deg,38deg,39deg,0,15km"}, "volume is in metres"},
     {{series, "/dev/null", "-o", png}, "one or the other"}};

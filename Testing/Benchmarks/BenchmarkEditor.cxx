@@ -3,16 +3,19 @@
 // mouse drags a point of opacity, then one of red, and each event is timed up to the end of the
 // picture that shows it. In turn with it: a picture in which nothing changed, one whose camera
 // turned, and one of a function that was changed by a call. Then how long the volume's histogram
-// takes. Usage: BenchmarkEditor INPUT, a volume as `nexrad3d grid` writes it, for example with
+// takes, a vertical section through the whole volume, and the readout for a move of the pointer.
+// Usage: BenchmarkEditor INPUT, a volume as `nexrad3d grid` writes it, for example with
 // `--dims 256x256x128`. Needs an X server.
 #include "Viewer/MainWindow.h"
 #include "Viewer/Parts/SceneView.h"
 #include "Viewer/TransferFunction/TransferFunctionChart.h"
 
+#include <vtkAlgorithm.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkNexradHistogram.h>
 #include <vtkNexradTransferFunction.h>
+#include <vtkNexradVerticalSection.h>
 #include <vtkNexradVolumeScene.h>
 #include <vtkRenderWindow.h>
 
@@ -146,17 +149,54 @@ public:
   {
     vtkNew<vtkNexradHistogram> histogram;
     histogram->SetInputData(scene->GetVolume());
-    Action counted{[&](int)
+    return TimeOf(*histogram);
+  }
+
+  /// From the west end of the volume to the east end, through its middle.
+  double Section()
+  {
+    double bounds[6];
+    scene->GetVolume()->GetBounds(bounds);
+    const double middle = 0.5 * (bounds[2] + bounds[3]);
+    vtkNew<vtkNexradVerticalSection> section;
+    section->SetInputData(scene->GetVolume());
+    section->SetA(bounds[0], middle);
+    section->SetB(bounds[1], middle);
+    return TimeOf(*section);
+  }
+
+  /// For one move of the pointer over the middle of the picture; many moves a time.
+  double Readout()
+  {
+    constexpr int moves = 100;
+    const QPoint middle = window.View()->rect().center();
+    Action moved{[&](int)
       {
-        histogram->Modified();
-        histogram->Update();
+        for (int i = 0; i < moves; ++i)
+        {
+          QMouseEvent event(QEvent::MouseMove, middle + QPoint(i, i / 2), Qt::NoButton,
+            Qt::NoButton, Qt::NoModifier);
+          QCoreApplication::sendEvent(window.View(), &event);
+        }
       },
       {}};
-    Run({&counted});
-    return counted.Time();
+    Run({&moved});
+    return moved.Time() / moves;
   }
 
 private:
+  static double TimeOf(vtkAlgorithm& filter)
+  {
+    Action made{[&](int)
+      {
+        filter.Modified();
+        filter.Update();
+      },
+      {}};
+    Run({&made});
+    return made.Time();
+  }
+
   void Draw()
   {
     window.View()->renderWindow()->Render();
@@ -221,6 +261,7 @@ int main(int argc, char* argv[])
   measurement.RunWith(vtkNexradTransferFunction::OPACITY);
   window.findChild<QToolButton*>("Red channel")->click();
   measurement.RunWith(vtkNexradTransferFunction::RED);
-  std::printf("\nHistogram: %.1f ms\n", measurement.Histogram());
+  std::printf("\nHistogram: %.1f ms\nVertical section: %.2f ms\nReadout: %.3f ms\n",
+    measurement.Histogram(), measurement.Section(), measurement.Readout());
   return 0;
 }

@@ -67,6 +67,31 @@ void ExpectSame(vtkImageData* image, vtkImageData* expected)
   EXPECT_EQ(volume.states, truth.states);
 }
 
+// One file, read by the day reader and merged of the sweeps that the Level II reader gives.
+struct DayAndMerge
+{
+  explicit DayAndMerge(const std::filesystem::path& file)
+  {
+    day->AddFileName(file.c_str());
+    merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
+  }
+
+  std::array<vtkNexradGridAlgorithm*, 2> Both() { return {day, merge}; }
+
+  // To the first time of the file.
+  void Update()
+  {
+    day->UpdateInformation();
+    const double time = day->GetTimeSteps()->GetValue(0);
+    day->UpdateTimeStep(time);
+    merge->SetTime(time);
+    merge->Update();
+  }
+
+  vtkNew<vtkNexradDayReader> day;
+  vtkNew<vtkNexradSiteMerge> merge;
+};
+
 // Rays that went through the sweeps' grids and back must merge to the very same numbers.
 TEST(SiteMerge, GivesWhatTheDayReaderGives)
 {
@@ -130,29 +155,20 @@ TEST(SiteMerge, LeavesDopplerHalvesOutAsTheDayReaderDoes)
 TEST(SiteMerge, DealiasesAsTheDayReaderDoes)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
-  const std::filesystem::path file = data / "level2/legacy/KTLX19990503_235621.gz";
-  vtkNew<vtkNexradDayReader> day;
-  day->AddFileName(file.c_str());
-  vtkNew<vtkNexradSiteMerge> merge;
-  merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
-  const std::array<vtkNexradGridAlgorithm*, 2> both = {day, merge};
+  DayAndMerge of(data / "level2/legacy/KTLX19990503_235621.gz");
   const auto valuesWith = [&](bool dealiasing)
   {
-    for (vtkNexradGridAlgorithm* each : both)
+    for (vtkNexradGridAlgorithm* each : of.Both())
     {
       UseSmallGrid(each);
       each->SetMoment("VEL");
       each->SetDealiasing(dealiasing);
     }
-    day->UpdateInformation();
-    const double time = day->GetTimeSteps()->GetValue(0);
-    day->UpdateTimeStep(time);
-    merge->SetTime(time);
-    merge->Update();
-    ExpectSame(merge->GetOutput(), day->GetOutput());
-    return vtkNexradImageToVolume(day->GetOutput()).values;
+    of.Update();
+    ExpectSame(of.merge->GetOutput(), of.day->GetOutput());
+    return vtkNexradImageToVolume(of.day->GetOutput()).values;
   };
-  EXPECT_TRUE(day->GetDealiasing());
+  EXPECT_TRUE(of.day->GetDealiasing());
   const std::vector<float> unfolded = valuesWith(true);
   EXPECT_NE(valuesWith(false), unfolded);
   EXPECT_EQ(valuesWith(true), unfolded);
@@ -164,35 +180,26 @@ TEST(SiteMerge, DealiasesAsTheDayReaderDoes)
 TEST(SiteMerge, DerivesMomentsAsTheDayReaderDoes)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
-  const std::filesystem::path file = data / "level2/legacy/KTLX19990503_235621.gz";
-  vtkNew<vtkNexradDayReader> day;
-  day->AddFileName(file.c_str());
-  vtkNew<vtkNexradSiteMerge> merge;
-  merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
-  const std::array<vtkNexradGridAlgorithm*, 2> both = {day, merge};
+  DayAndMerge of(data / "level2/legacy/KTLX19990503_235621.gz");
   const auto volumeOf = [&](const char* moment)
   {
-    for (vtkNexradGridAlgorithm* each : both)
+    for (vtkNexradGridAlgorithm* each : of.Both())
     {
       UseSmallGrid(each);
       each->UseGeographicBoundsOn();
       each->SetGeographicBounds(-97.75, 35.21, -97.65, 35.29); // where the tornado is
       each->SetMoment(moment);
     }
-    day->UpdateInformation();
-    const double time = day->GetTimeSteps()->GetValue(0);
-    day->UpdateTimeStep(time);
-    merge->SetTime(time);
-    merge->Update();
-    GriddedVolume volume = vtkNexradImageToVolume(day->GetOutput());
-    const GriddedVolume merged = vtkNexradImageToVolume(merge->GetOutput());
+    of.Update();
+    GriddedVolume volume = vtkNexradImageToVolume(of.day->GetOutput());
+    const GriddedVolume merged = vtkNexradImageToVolume(of.merge->GetOutput());
     EXPECT_EQ(volume.states, merged.states);
     for (std::size_t i = 0; i < volume.values.size(); ++i)
     {
       const float scale = std::max(1.0F, std::abs(volume.values[i]));
       EXPECT_NEAR(volume.values[i], merged.values[i], 1e-6F * scale);
     }
-    EXPECT_STREQ(day->GetOutput()->GetPointData()->GetScalars()->GetName(), moment);
+    EXPECT_STREQ(of.day->GetOutput()->GetPointData()->GetScalars()->GetName(), moment);
     return volume;
   };
   const GriddedVolume shear = volumeOf("AZSHEAR");
@@ -200,7 +207,7 @@ TEST(SiteMerge, DerivesMomentsAsTheDayReaderDoes)
     "merged azimuthal shear of the tornado, per second");
   volumeOf("DIV");
   const std::vector<float> estimated = volumeOf("SRV").values;
-  for (vtkNexradGridAlgorithm* each : both)
+  for (vtkNexradGridAlgorithm* each : of.Both())
   {
     each->UseStormMotionOn();
     each->SetStormMotion(12.0, 8.0);

@@ -135,10 +135,11 @@ TEST(InputSeries, ABoxInAnotherUnitIsRefused)
     }
     return std::string();
   };
-  const std::string metres = "--box is in m or km, and the volume is on axes of longitude and "
+  const std::string metres = "the box is in m or km, and the volume is on axes of longitude and "
                              "latitude; write degrees, as in -97.5deg";
-  const std::string degrees = "--box is in degrees, and the volume is in metres about its centre; "
-                              "write lengths, as in -20km";
+  const std::string degrees =
+    "the box is in degrees, and the volume is in metres about its centre; "
+    "write lengths, as in -20km";
   EXPECT_EQ(refusal(GridAxes::Geographic, PlaceUnit::Metres), metres);
   EXPECT_EQ(refusal(GridAxes::Projected, PlaceUnit::Degrees), degrees);
   for (const auto& [axes, unit] : {std::pair(GridAxes::Geographic, PlaceUnit::Degrees),

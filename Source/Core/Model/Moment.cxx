@@ -30,6 +30,18 @@ const MomentText& TextsOf(MomentName name)
   return momentTexts[static_cast<std::size_t>(name)];
 }
 
+// "A, B or C".
+std::string Listed(const MomentName* begin, const MomentName* end)
+{
+  std::string list;
+  for (const MomentName* name = begin; name != end; ++name)
+  {
+    const char* before = name == begin ? "" : name + 1 == end ? " or " : ", ";
+    list += before + std::string(ToString(*name));
+  }
+  return list;
+}
+
 } // namespace
 
 MomentName MeasuredFor(MomentName name)
@@ -98,18 +110,8 @@ std::vector<MomentName> ParseMomentNames(std::string_view text)
 
 std::string MomentNameList()
 {
-  std::string list;
-  for (const MomentName name : KnownMoments)
-  {
-    const bool first = name == MomentName::REF;
-    const bool last = name == MomentName::CFP || name == MomentName::KDP;
-    const char* before = first                     ? ""
-                         : last                    ? " or "
-                         : name == MomentName::SRV ? ", or the derived "
-                                                   : ", ";
-    list += before + std::string(ToString(name));
-  }
-  return list;
+  return Listed(KnownMoments.begin(), KnownMoments.begin() + MomentCount) + ", or the derived " +
+         Listed(KnownMoments.begin() + MomentCount, KnownMoments.end());
 }
 
 } // namespace nexrad

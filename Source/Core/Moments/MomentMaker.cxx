@@ -145,8 +145,7 @@ PolarVolume MomentMaker::MakeStormRelative()
   if (!motion && !volume.sweeps.empty())
   {
     note = "the velocities tell less than 2 km of the wind profile up to 6 km, so that SRV has no "
-           "values: give the "
-           "motion of the storm";
+           "values: give the storm motion";
   }
   for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
   {

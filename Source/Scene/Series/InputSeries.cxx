@@ -25,7 +25,7 @@ std::unique_ptr<VolumeSeries> OpenInputs(const InputRequest& request, const Prog
   }
   if (request.box)
   {
-    CheckPlaceUnit(request.boxUnit, PlaceUnitOf(request.grid.grid.axes), "--box is");
+    CheckPlaceUnit(request.boxUnit, PlaceUnitOf(request.grid.grid.axes), "the box is");
   }
   MergeOptions grid = request.grid;
   grid.time = request.time;

@@ -22,7 +22,6 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QToolButton>
@@ -307,22 +306,6 @@ TEST_F(WindowCuttingTest, TheLineStaysAndTheSectionFollowsTheTime)
   EXPECT_EQ(scene->GetSectionB()[0], b);
   EXPECT_AT_LEAST(Difference(before, this->Panel()->Chart()->grabFramebuffer()), 0.2,
     "pixels of the section that a step changes, part");
-}
-
-TEST_F(WindowCuttingTest, ASectionIsMadeWithinAFrame)
-{
-  this->OpenWide(1);
-  this->DrawLine(west, east);
-  vtkNexradVerticalSection* filter = this->Panel()->Filter();
-  QElapsedTimer clock;
-  clock.start();
-  for (int i = 0; i < 10; ++i)
-  {
-    filter->Modified();
-    filter->Update();
-  }
-  EXPECT_AT_MOST(static_cast<double>(clock.elapsed()) / 10.0, 50.0, "time to make a section, ms",
-    "other programs run beside the test");
 }
 
 TEST_F(WindowCuttingTest, TheCropBoxHidesWhatIsOutsideByNumbers)

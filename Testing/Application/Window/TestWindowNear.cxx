@@ -21,7 +21,6 @@
 #include <QAction>
 #include <QCheckBox>
 #include <QDockWidget>
-#include <QElapsedTimer>
 #include <QLabel>
 #include <QMouseEvent>
 #include <QRegularExpression>
@@ -218,21 +217,6 @@ TEST_F(NearStorm, TheReadoutSaysWhatIsUnderThePointer)
   QEvent leaves(QEvent::Leave);
   QCoreApplication::sendEvent(this->View(), &leaves);
   EXPECT_EQ(readout->text(), "");
-}
-
-// The pointer moves up to a hundred times a second.
-TEST_F(NearStorm, TheReadoutTakesAShortTime)
-{
-  constexpr int moves = 100;
-  QElapsedTimer clock;
-  clock.start();
-  for (int i = 0; i < moves; ++i)
-  {
-    this->Mouse(QEvent::MouseMove, this->Storm() + QPoint(i, i / 2), Qt::NoButton);
-  }
-  EXPECT_AT_MOST(static_cast<double>(clock.nsecsElapsed()) / 1e6 / moves, 2.0,
-    "time that the readout takes for a move of the pointer, ms",
-    "what a user waits for; other programs may use the processors meanwhile");
 }
 
 TEST_F(NearRadar, ADraggedBoxIsMergedAgainInFinerVoxels)
