@@ -44,6 +44,29 @@ std::size_t PatchSize(std::vector<char>& wrong, std::size_t first, std::size_t g
   return size;
 }
 
+// Whether seven of the eight gates about a gate have velocities within half a Nyquist velocity of
+// its. Of noise, which has any velocity, one gate in 2,600 does.
+bool IsSmooth(const VelocitySweep& truth, std::size_t index, float nyquist)
+{
+  const std::size_t size = truth.values.size();
+  const std::size_t gate = index % truth.gates;
+  if (gate == 0 || gate + 1 == truth.gates)
+  {
+    return false;
+  }
+  int like = 0;
+  for (const std::size_t row : {index + size - truth.gates, index + size, index + truth.gates})
+  {
+    for (const std::size_t other : {(row - 1) % size, row % size, (row + 1) % size})
+    {
+      const bool near = truth.states[other] == VelocityState::Valid &&
+                        std::abs(truth.values[other] - truth.values[index]) < 0.5F * nyquist;
+      like += near ? 1 : 0;
+    }
+  }
+  return like > 7; // itself among them
+}
+
 void AddSweep(const VelocitySweep& truth, const VelocitySweep& result, FoldScore& score)
 {
   std::vector<char> wrong(truth.values.size(), 0);
@@ -59,6 +82,11 @@ void AddSweep(const VelocitySweep& truth, const VelocitySweep& result, FoldScore
     score.unknown += known ? 0 : 1;
     score.right += right ? 1 : 0;
     score.wrong += known && !right ? 1 : 0;
+    if (known && IsSmooth(truth, index, result.rays[index / truth.gates].nyquist))
+    {
+      score.smooth += 1;
+      score.smoothRight += right ? 1 : 0;
+    }
   }
   for (std::size_t index = 0; index < wrong.size(); ++index)
   {
@@ -74,6 +102,11 @@ void AddSweep(const VelocitySweep& truth, const VelocitySweep& result, FoldScore
 double FoldScore::RightShare() const
 {
   return 100.0 * static_cast<double>(right) / static_cast<double>(right + wrong);
+}
+
+double FoldScore::SmoothRightShare() const
+{
+  return 100.0 * static_cast<double>(smoothRight) / static_cast<double>(smooth);
 }
 
 double FoldScore::UnknownShare() const

@@ -15,9 +15,15 @@ struct FoldScore
   std::size_t wrong = 0;
   std::size_t unknown = 0;
   std::size_t largestPatch = 0; ///< gates of the largest connected patch of wrong gates
+  /// Gates of known fold that differ from at most one of the eight about them by half a Nyquist
+  /// velocity or more: wind, not noise.
+  std::size_t smooth = 0;
+  std::size_t smoothRight = 0;
 
   /// Percent of the gates whose fold is known.
   double RightShare() const;
+  /// Percent of the smooth gates.
+  double SmoothRightShare() const;
   /// Percent of the gates that were measured.
   double UnknownShare() const;
 };
