@@ -103,7 +103,7 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
          a.linearReflectivity == b.linearReflectivity && a.fillColumns == b.fillColumns &&
          a.ancillary == b.ancillary && a.sharpen == b.sharpen && a.means == b.means &&
-         a.trend == b.trend;
+         a.trend == b.trend && a.biases == b.biases;
 }
 
 void CheckMotion(const Velocity& motion)
@@ -121,12 +121,21 @@ void CheckMotion(const Velocity& motion)
 
 ReadyVolume MakeReady(const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request)
 {
+  ReadyVolume ready;
   if (request.method == MergeMethod::Thesis)
   {
-    return {volume, nullptr};
+    ready.polar = volume;
   }
-  return {nullptr,
-    std::make_shared<const BeamVolume>(PrepareForGrid(*volume, request.grid, request.beam))};
+  else
+  {
+    ready.beam =
+      std::make_shared<const BeamVolume>(PrepareForGrid(*volume, request.grid, request.beam));
+  }
+  if (request.compareRadars && volume->moment == MomentName::REF && volume->site.position)
+  {
+    ready.lowEcho = std::make_shared<const LowEcho>(*volume);
+  }
+  return ready;
 }
 
 std::vector<std::size_t> ChooseVolumes(
@@ -233,7 +242,7 @@ ReadyVolume MergeRun::WithoutSweeps(
   {
     return {std::make_shared<const PolarVolume>(
               PolarVolume{site, moment, volume.start, volume.end, volume.synthetic, {}}),
-      nullptr};
+      nullptr, nullptr};
   }
   const bool pictured = LooksForMotion(request, moment);
   sweepless.erase(std::remove_if(sweepless.begin(), sweepless.end(),
@@ -244,7 +253,7 @@ ReadyVolume MergeRun::WithoutSweeps(
     const std::shared_ptr<const BeamVolume> made = each.volume.lock();
     if (each.summary == volume.summary && each.pictured == pictured && made->moment == moment)
     {
-      return {nullptr, made};
+      return {nullptr, made, nullptr};
     }
   }
   BeamVolume without;
@@ -259,7 +268,7 @@ ReadyVolume MergeRun::WithoutSweeps(
   }
   auto made = std::make_shared<const BeamVolume>(std::move(without));
   sweepless.push_back({volume.summary, pictured, made});
-  return {nullptr, made};
+  return {nullptr, made, nullptr};
 }
 
 } // namespace nexrad
