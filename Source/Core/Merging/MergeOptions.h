@@ -31,7 +31,7 @@ struct MergeOptions : MergeRules
   bool measureBiases = false; ///< take the biases that the radars of all inputs have (Formulas Q6)
                               ///< off reflectivity, in place of BeamMergeOptions::biases: all files
                               ///< are decoded before the first merge
-  std::string siteName; ///< in place of the names in the files; empty: as the files say
+  std::string siteName;       ///< in place of the names in the files; empty: as the files say
   std::size_t memory = std::size_t(1) << 30; ///< bytes for rays that are kept for later steps; 0
                                              ///< keeps none
 
