@@ -185,7 +185,7 @@ void vtkNexradDayReader::ReportProblems()
 {
   for (const nexrad::InputProblem& problem : this->Opened->Merger.Problems())
   {
-    if (this->Opened->Reported.insert(problem.Line()).second)
+    if (!problem.note && this->Opened->Reported.insert(problem.Line()).second)
     {
       this->Damage->InsertNextValue(problem.Line());
       if (problem.leftOut)

@@ -2,6 +2,7 @@
 #include "Commands/InfoCommand.h"
 
 #include "Commands/InfoReport.h"
+#include "Output/BiasOutput.h"
 #include "Output/Counted.h"
 #include "Output/ExplainedRead.h"
 #include "nexrad/Model/SiteTable.h"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -137,6 +139,28 @@ std::vector<Subject> FindSubjects(const std::vector<std::string>& arguments, boo
   return subjects;
 }
 
+// The comparison of the radars of several files; empty for those of one radar.
+BiasReport CompareRadarsOf(const LowEchoes& echoes)
+{
+  const bool several = std::any_of(echoes.begin(), echoes.end(),
+    [&echoes](const std::shared_ptr<const LowEcho>& echo)
+    { return echo->Radar().name != echoes.front()->Radar().name; });
+  return several ? CompareRadars(echoes) : BiasReport();
+}
+
+void PrintJson(nlohmann::ordered_json& report, const BiasReport& comparison)
+{
+  for (nlohmann::ordered_json& file : report)
+  {
+    if (!comparison.IsEmpty() && file["site"].is_string())
+    {
+      AddBiasOf(file["site"], comparison, file);
+    }
+  }
+  // A file's name need not be UTF-8; JSON must be.
+  std::cout << report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
 int RunInfo(const InfoOptions& options)
 {
   Level2Options readOptions;
@@ -157,12 +181,18 @@ int RunInfo(const InfoOptions& options)
   bool anyRay = false;
   bool anyDamage = false;
   bool missingGates = false;
-  for (const Subject& subject : FindSubjects(options.files, anyDamage))
+  LowEchoes echoes;
+  const std::vector<Subject> subjects = FindSubjects(options.files, anyDamage);
+  for (const Subject& subject : subjects)
   {
     const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
     anyRay = anyRay || !volume.sweeps.empty();
     anyDamage = anyDamage || !volume.damage.empty();
     missingGates = NameMissingGates(volume, requests) || missingGates;
+    if (subjects.size() > 1)
+    {
+      AddLowEchoes(volume, echoes);
+    }
     if (options.json)
     {
       report.push_back(MakeInfoJson(volume, requests));
@@ -176,10 +206,14 @@ int RunInfo(const InfoOptions& options)
       PrintInfoTable(volume, requests, std::cout);
     }
   }
+  const BiasReport comparison = CompareRadarsOf(echoes);
   if (options.json)
   {
-    // A file's name need not be UTF-8; JSON must be.
-    std::cout << report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    PrintJson(report, comparison);
+  }
+  else
+  {
+    PrintBiases(comparison, {}, std::cout);
   }
   return !anyRay ? Failed : missingGates ? WrongUsage : anyDamage ? DoneWithDamage : Done;
 }

@@ -18,20 +18,20 @@ namespace
 
 using Matrix = std::vector<std::vector<double>>;
 
-// "KLSX:2"; throws Error.
+// "KLSX=2"; throws Error.
 std::pair<std::string, double> ParseBias(const std::string& text)
 {
-  const std::size_t colon = text.find(':');
-  const std::string number = colon == std::string::npos ? "" : text.substr(colon + 1);
+  const std::size_t sign = text.find('=');
+  const std::string number = sign == std::string::npos ? "" : text.substr(sign + 1);
   char* end = nullptr;
   const double bias = std::strtod(number.c_str(), &end);
-  if (colon == 0 || number.empty() || end != number.c_str() + number.size() ||
+  if (sign == 0 || number.empty() || end != number.c_str() + number.size() ||
       !(std::abs(bias) <= LargestBias))
   {
     throw Error(
-      "'" + text + "' is no bias of a radar; write its name and -20 to 20 dB, as in KLSX:2");
+      "'" + text + "' is no bias of a radar; write its name and -20 to 20 dB, as in KLSX=+2");
   }
-  return {text.substr(0, colon), bias};
+  return {text.substr(0, sign), bias};
 }
 
 // Solves a system whose matrix is symmetric and positive definite, by elimination.
@@ -164,13 +164,30 @@ BiasRequest ParseBiasRequest(const std::string& text)
   {
     return {text == "auto", {}};
   }
-  if (text.find(':') == std::string::npos)
+  if (text.find('=') == std::string::npos)
   {
     throw Error("'" + text +
                 "' is no bias; write auto, off, or radars and how many dB they measure too high, "
-                "as in KLSX:2,KILX:-1.5");
+                "as in KLSX=+2,KILX=-1.5");
   }
   return {false, ParseBiases(text)};
+}
+
+void RequireRadars(const RadarBiases& biases, const std::vector<std::string>& radars)
+{
+  for (const auto& [radar, bias] : biases)
+  {
+    if (std::find(radars.begin(), radars.end(), radar) == radars.end())
+    {
+      std::string names;
+      for (const std::string& name : radars)
+      {
+        names += (names.empty() ? "" : ", ") + name;
+      }
+      throw Error(
+        "a bias is given for " + radar + ", which none of the inputs is of; they are of " + names);
+    }
+  }
 }
 
 RadarBiases ReconcileBiases(const std::vector<BiasPair>& pairs)
@@ -198,14 +215,19 @@ std::vector<std::string> BiasReport::Lines() const
     const std::string names = pair.first + " - " + pair.second + ": ";
     lines.push_back(
       pair.IsStated()
-        ? names + Print("median %+.2f dB, quartiles %+.2f and %+.2f dB, %zu cells of %zu volumes",
-                    pair.median, pair.lowerQuartile, pair.upperQuartile, pair.cells, pair.volumes)
-        : names + Print("%zu cells of %zu volumes are too few to compare the radars", pair.cells,
-                    pair.volumes));
+        ? names +
+            Print("median %+.2f dB, quartiles %+.2f and %+.2f dB, %zu places in %zu %s of volumes",
+              pair.median, pair.lowerQuartile, pair.upperQuartile, pair.cells, pair.volumes,
+              pair.volumes == 1 ? "pair" : "pairs")
+        : names + Print("%zu places are too few to tell a difference", pair.cells));
   }
   for (const auto& [site, bias] : biases)
   {
     lines.push_back(site + Print(": bias %+.2f dB", bias));
+  }
+  for (const std::string& site : alone)
+  {
+    lines.push_back(site + ": no other radar tells its bias");
   }
   return lines;
 }

@@ -16,8 +16,12 @@ using RadarBiases = std::map<std::string, double>;
 /// The largest bias that a user can give, dB.
 constexpr double LargestBias = 20.0;
 
-/// Reads "KLSX:2,KILX:-1.5": names of radars, and dB. Throws Error for what is no such list.
+/// Reads "KLSX=+2,KILX=-1.5": names of radars, and dB that they measure too high. Throws Error for
+/// what is no such list.
 RadarBiases ParseBiases(const std::string& text);
+
+/// Throws Error when one of the biases is that of none of these radars.
+void RequireRadars(const RadarBiases& biases, const std::vector<std::string>& radars);
 
 /// What a user asks of the biases of radars.
 struct BiasRequest
@@ -55,10 +59,12 @@ RadarBiases ReconcileBiases(const std::vector<BiasPair>& pairs);
 /// What the comparison of radars found.
 struct BiasReport
 {
-  std::vector<BiasPair> pairs; ///< with one cell at least, by name
-  RadarBiases biases;          ///< ReconcileBiases of them
+  std::vector<BiasPair> pairs;    ///< with one cell at least, by name
+  RadarBiases biases;             ///< ReconcileBiases of them
+  std::vector<std::string> alone; ///< names of the radars that no pair states a bias of
 
-  /// The report as lines of text; none without pairs.
+  bool IsEmpty() const { return pairs.empty() && alone.empty(); }
+  /// The report as lines of text: a line for each pair, then one for each radar.
   std::vector<std::string> Lines() const;
 };
 

@@ -209,6 +209,13 @@ BiasReport CompareRadars(const LowEchoes& volumes)
     }
   }
   report.biases = ReconcileBiases(report.pairs);
+  for (const auto& [name, own] : radars)
+  {
+    if (report.biases.count(name) == 0)
+    {
+      report.alone.push_back(name);
+    }
+  }
   return report;
 }
 

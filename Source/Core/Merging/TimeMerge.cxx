@@ -121,21 +121,12 @@ void CheckMotion(const Velocity& motion)
 
 ReadyVolume MakeReady(const std::shared_ptr<const PolarVolume>& volume, const MergeRequest& request)
 {
-  ReadyVolume ready;
   if (request.method == MergeMethod::Thesis)
   {
-    ready.polar = volume;
+    return {volume, nullptr};
   }
-  else
-  {
-    ready.beam =
-      std::make_shared<const BeamVolume>(PrepareForGrid(*volume, request.grid, request.beam));
-  }
-  if (request.compareRadars && volume->moment == MomentName::REF && volume->site.position)
-  {
-    ready.lowEcho = std::make_shared<const LowEcho>(*volume);
-  }
-  return ready;
+  return {nullptr,
+    std::make_shared<const BeamVolume>(PrepareForGrid(*volume, request.grid, request.beam))};
 }
 
 std::vector<std::size_t> ChooseVolumes(
@@ -242,7 +233,7 @@ ReadyVolume MergeRun::WithoutSweeps(
   {
     return {std::make_shared<const PolarVolume>(
               PolarVolume{site, moment, volume.start, volume.end, volume.synthetic, {}}),
-      nullptr, nullptr};
+      nullptr};
   }
   const bool pictured = LooksForMotion(request, moment);
   sweepless.erase(std::remove_if(sweepless.begin(), sweepless.end(),
@@ -253,7 +244,7 @@ ReadyVolume MergeRun::WithoutSweeps(
     const std::shared_ptr<const BeamVolume> made = each.volume.lock();
     if (each.summary == volume.summary && each.pictured == pictured && made->moment == moment)
     {
-      return {nullptr, made, nullptr};
+      return {nullptr, made};
     }
   }
   BeamVolume without;
@@ -268,7 +259,7 @@ ReadyVolume MergeRun::WithoutSweeps(
   }
   auto made = std::make_shared<const BeamVolume>(std::move(without));
   sweepless.push_back({volume.summary, pictured, made});
-  return {nullptr, made, nullptr};
+  return {nullptr, made};
 }
 
 } // namespace nexrad

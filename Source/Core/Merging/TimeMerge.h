@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Calibration/LowEcho.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Merging/MergeRules.h"
@@ -24,15 +23,13 @@ struct MergeRequest : MergeRules
   Time time{};
   RangeLoop loop;                  ///< runs Beam's rows; empty: on this thread
   std::optional<VoxelBlock> block; ///< the part of the grid that is made, as it is in the whole
-  bool compareRadars = false;      ///< MakeReady makes ReadyVolume::lowEcho of reflectivity
 };
 
-/// A moment of a volume in the form that a method takes; the other form is empty.
+/// A moment of a volume in the form that a method takes; the other is empty.
 struct ReadyVolume
 {
   std::shared_ptr<const PolarVolume> polar; ///< for Thesis
   std::shared_ptr<const BeamVolume> beam;   ///< for Beam
-  std::shared_ptr<const LowEcho> lowEcho;   ///< when radars are compared
 
   MomentName Moment() const { return beam ? beam->moment : polar->moment; }
 };

@@ -55,6 +55,11 @@ std::string Describe(
   return text.str();
 }
 
+std::string CountOf(std::size_t count, const char* noun)
+{
+  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
 } // namespace
 
 std::vector<std::string> DescribeStrays(const RadarVolume& volume)
@@ -71,6 +76,34 @@ std::vector<std::string> DescribeStrays(const RadarVolume& volume)
     }
   }
   return lines;
+}
+
+std::string SummarizeStrays(const RadarVolume& volume)
+{
+  const double beamWidth = BeamWidthOf(volume.site);
+  std::size_t rays = 0;
+  std::size_t sweeps = 0;
+  std::size_t whole = 0;
+  for (const Sweep& sweep : volume.sweeps)
+  {
+    const std::size_t strays = sweep.StrayRays(beamWidth).size();
+    const bool hasElevation = HasElevation(sweep.rays.size() - strays, sweep.rays.size());
+    rays += hasElevation ? strays : 0;
+    sweeps += hasElevation && strays > 0 ? 1 : 0;
+    whole += hasElevation ? 0 : 1;
+  }
+  std::string text;
+  if (rays > 0)
+  {
+    text = CountOf(rays, "ray") + " of " + CountOf(sweeps, "sweep") +
+           ", farther from the elevation of the sweep than half a beam width";
+  }
+  if (whole > 0)
+  {
+    text += (text.empty() ? "" : "; and ") + CountOf(whole, "sweep") +
+            " without an elevation, because most rays are that far from their median";
+  }
+  return text.empty() ? text : "the merge leaves out " + text;
 }
 
 } // namespace nexrad

@@ -14,4 +14,7 @@ namespace nexrad
 /// the sweep, its elevation number, how many rays are left out, and why.
 std::vector<std::string> DescribeStrays(const RadarVolume& volume);
 
+/// The same in one line, for a list of many files; empty when nothing is left out.
+std::string SummarizeStrays(const RadarVolume& volume);
+
 } // namespace nexrad

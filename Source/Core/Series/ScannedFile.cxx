@@ -2,6 +2,7 @@
 #include "nexrad/Series/ScannedFile.h"
 
 #include "nexrad/Model/SiteKey.h"
+#include "nexrad/Model/StrayRays.h"
 #include "nexrad/Moments/MomentMaker.h"
 #include "nexrad/System/Error.h"
 
@@ -140,7 +141,7 @@ std::string Visit(SeriesVolume& description, const RadarVolume& volume,
   {
     visitor(description, volume, nullptr);
   }
-  if (!options.summaries && !visitor)
+  if (!options.summaries && !options.lowEchoes && !visitor)
   {
     return {};
   }
@@ -153,6 +154,10 @@ std::string Visit(SeriesVolume& description, const RadarVolume& volume,
     if (options.summaries)
     {
       AddTo(summary, MakeSummary(*clean.back()));
+    }
+    if (options.lowEchoes && moment == MomentName::REF && volume.site.position)
+    {
+      description.lowEcho = std::make_shared<const LowEcho>(*clean.back());
     }
   }
   if (options.summaries)
@@ -203,6 +208,11 @@ ScannedFile ScanWithinMemory(
     {
       scanned.problems.push_back(
         {path.string(), {}, "no ray has " + NamesOf(description.lacking), false});
+    }
+    const std::string strays = SummarizeStrays(cycles[cycle]);
+    if (!strays.empty())
+    {
+      scanned.problems.push_back({path.string(), {}, strays, false, true});
     }
     const std::string note = Visit(description, cycles[cycle], options, visitor);
     if (!note.empty())

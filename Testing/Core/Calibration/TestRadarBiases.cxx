@@ -80,13 +80,13 @@ TEST(RadarBiases, OfTooFewCellsAreNotStated)
 
 TEST(RadarBiases, AreReadFromText)
 {
-  const BiasRequest request = ParseBiasRequest("KLSX:2,KILX:-1.5");
+  const BiasRequest request = ParseBiasRequest("KLSX=+2,KILX=-1.5");
   EXPECT_FALSE(request.measured);
   EXPECT_EQ(request.given, (RadarBiases{{"KILX", -1.5}, {"KLSX", 2.0}}));
   EXPECT_TRUE(ParseBiasRequest("auto").measured);
   EXPECT_TRUE(ParseBiasRequest("off").given.empty());
   for (const char* wrong :
-    {"", "KLSX", "KLSX:", ":2", "KLSX:x", "KLSX:21", "KLSX:2,", "KLSX:1,KLSX:2"})
+    {"", "KLSX", "KLSX=", "=2", "KLSX=x", "KLSX=21", "KLSX=2,", "KLSX=1,KLSX=2"})
   {
     EXPECT_THROW(ParseBiasRequest(wrong), Error) << wrong;
   }
