@@ -30,7 +30,7 @@ vtkStandardNewMacro(vtkNexradDayReader);
 struct vtkNexradDayReader::Day
 {
   using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64, int,
-    bool, bool, double, double>;
+    bool, bool, double, double, bool>;
 
   Origin From;
   nexrad::SeriesMerger Merger;
@@ -108,6 +108,19 @@ vtkStringArray* vtkNexradDayReader::GetLeftOut()
   return this->LeftOut;
 }
 
+vtkStringArray* vtkNexradDayReader::GetRadarComparison()
+{
+  this->RadarComparison->Initialize();
+  if (this->Opened)
+  {
+    for (const std::string& line : this->Opened->Merger.CompareRadars().Lines())
+    {
+      this->RadarComparison->InsertNextValue(line);
+    }
+  }
+  return this->RadarComparison;
+}
+
 vtkDoubleArray* vtkNexradDayReader::GetTimeSteps()
 {
   return this->TimeSteps;
@@ -134,6 +147,7 @@ nexrad::MergeOptions vtkNexradDayReader::MakeDayOptions() const
   }
   options.memory = static_cast<std::size_t>(this->MemoryLimit);
   options.siteName = this->SiteName;
+  options.compareRadars = true;
   return options;
 }
 
@@ -162,7 +176,7 @@ bool vtkNexradDayReader::Open()
   const nexrad::MergeOptions options = this->MakeDayOptions();
   const Day::Origin from = {this->FileNames, this->Moment, this->SiteName, this->MemoryLimit,
     this->FewestNeighbours, this->Dealiasing, this->UseStormMotion, this->StormMotion[0],
-    this->StormMotion[1]};
+    this->StormMotion[1], options.measureBiases};
   if (this->Opened && this->Opened->From == from)
   {
     return this->Opened->Merger.SetOptions(options, vtkNexradProgress(this));

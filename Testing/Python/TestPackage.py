@@ -135,6 +135,15 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(Exception, "SRV, AZSHEAR, DIV or KDP"):
             vtknexrad.update(day)
 
+    def test_what_is_no_bias_is_answered_with_what_is(self):
+        day = vtknexrad.vtkNexradDayReader()
+        day.AddFileName(SyntheticFiles.files()[0])
+        day.SetBias("KLSX")
+        with self.assertRaisesRegex(RuntimeError, "write auto, off, or radars"):
+            vtknexrad.update(day)
+        day.SetBias("KLSX:2")
+        self.assertEqual(vtknexrad.update(day).GetDimensions(), (256, 256, 128))
+
     def test_a_sweep_is_ray_gate(self):
         sweeps = vtknexrad.update(level2_reader(SyntheticFiles.files()[0]))
         grid = vtknexrad.sweep(sweeps, 0)

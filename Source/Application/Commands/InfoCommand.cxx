@@ -139,15 +139,6 @@ std::vector<Subject> FindSubjects(const std::vector<std::string>& arguments, boo
   return subjects;
 }
 
-// The comparison of the radars of several files; empty for those of one radar.
-BiasReport CompareRadarsOf(const LowEchoes& echoes)
-{
-  const bool several = std::any_of(echoes.begin(), echoes.end(),
-    [&echoes](const std::shared_ptr<const LowEcho>& echo)
-    { return echo->Radar().name != echoes.front()->Radar().name; });
-  return several ? CompareRadars(echoes) : BiasReport();
-}
-
 void PrintJson(nlohmann::ordered_json& report, const BiasReport& comparison)
 {
   for (nlohmann::ordered_json& file : report)
@@ -206,7 +197,7 @@ int RunInfo(const InfoOptions& options)
       PrintInfoTable(volume, requests, std::cout);
     }
   }
-  const BiasReport comparison = CompareRadarsOf(echoes);
+  const BiasReport comparison = CompareRadars(echoes);
   if (options.json)
   {
     PrintJson(report, comparison);

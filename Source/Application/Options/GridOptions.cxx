@@ -216,7 +216,7 @@ void AddBias(CLI::App& command, MergeOptions& options)
   };
   AddTextOption(command, "--bias", takeBias, "BIAS",
     "Take biases of radars off reflectivity: auto (those that the comparison of the radars finds), "
-    "or how many dB radars measure too high, as in KLSX=+2,KILX=-1.5, or off")
+    "or how many dB radars measure too high, as in KLSX:2,KILX:-1.5, or off")
     ->default_str("off")
     ->group(group);
 }

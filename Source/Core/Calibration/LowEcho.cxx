@@ -199,6 +199,16 @@ std::optional<int> LowEcho::At(int layer, int sector, int ring) const
                                                      : std::nullopt;
 }
 
+bool LowEcho::HasValue(int sector, int ring) const
+{
+  bool found = false;
+  for (int layer = firstLayer; layer < firstLayer + layers && !found; ++layer)
+  {
+    found = this->At(layer, sector, ring).has_value();
+  }
+  return found;
+}
+
 std::string LowEcho::Pack() const
 {
   std::vector<int> flat;

@@ -13,7 +13,8 @@ namespace nexrad
 {
 
 /// The reflectivity that one volume has from 1 to 3 km above its radar, in coarse cells: what
-/// radars that see the same places compare (Formulas Q6). A few thousand bytes.
+/// radars that see the same places compare (Formulas Q6). Four bytes for each cell with a value; up
+/// to some ten thousand bytes in all.
 ///
 /// A cell is a sector of azimuth by a ring along the ground by a layer of height above mean sea
 /// level. Its value is the mean of Z over the gates in it. Only cells in which each gate has a
@@ -53,6 +54,9 @@ public:
   /// Value of a cell, hundredths of dBZ; empty where it has none. The sector is 0…Sectors − 1, the
   /// ring 0…Rings − 1.
   std::optional<int> At(int layer, int sector, int ring) const;
+
+  /// Whether a cell of some layer has a value.
+  bool HasValue(int sector, int ring) const;
 
   /// The same as bytes, for another process.
   std::string Pack() const;

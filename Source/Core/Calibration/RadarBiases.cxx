@@ -16,12 +16,14 @@ namespace nexrad
 namespace
 {
 
+constexpr char separators[] = ":="; // between the name of a radar and its bias
+
 using Matrix = std::vector<std::vector<double>>;
 
-// "KLSX=2"; throws Error.
+// "KLSX:2"; throws Error.
 std::pair<std::string, double> ParseBias(const std::string& text)
 {
-  const std::size_t sign = text.find('=');
+  const std::size_t sign = text.find_first_of(separators);
   const std::string number = sign == std::string::npos ? "" : text.substr(sign + 1);
   char* end = nullptr;
   const double bias = std::strtod(number.c_str(), &end);
@@ -29,7 +31,7 @@ std::pair<std::string, double> ParseBias(const std::string& text)
       !(std::abs(bias) <= LargestBias))
   {
     throw Error(
-      "'" + text + "' is no bias of a radar; write its name and -20 to 20 dB, as in KLSX=+2");
+      "'" + text + "' is no bias of a radar; write its name and -20 to 20 dB, as in KLSX:2");
   }
   return {text.substr(0, sign), bias};
 }
@@ -164,11 +166,11 @@ BiasRequest ParseBiasRequest(const std::string& text)
   {
     return {text == "auto", {}};
   }
-  if (text.find('=') == std::string::npos)
+  if (text.find_first_of(separators) == std::string::npos)
   {
     throw Error("'" + text +
                 "' is no bias; write auto, off, or radars and how many dB they measure too high, "
-                "as in KLSX=+2,KILX=-1.5");
+                "as in KLSX:2,KILX:-1.5");
   }
   return {false, ParseBiases(text)};
 }

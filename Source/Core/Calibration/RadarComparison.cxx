@@ -4,6 +4,7 @@
 #include "nexrad/Geometry/SiteGeoreference.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstddef>
@@ -49,28 +50,38 @@ double MiddleOf(int ring)
   return (ring + 0.5) * LowEcho::RingWidth;
 }
 
-// The places that two radars see from like distances, one for each cell of the first.
-std::vector<SharedPlace> FindSharedPlaces(const Position& first, const Position& second)
+// Two volumes of two radars that are near in time.
+using VolumePair = std::pair<const LowEcho*, const LowEcho*>;
+
+// Whether some volume of the first radar has a value over a cell.
+bool HasEcho(const std::vector<VolumePair>& volumes, int sector, int ring)
 {
-  const SiteGeoreference here(first);
-  const SiteGeoreference there(second);
+  return std::any_of(volumes.begin(), volumes.end(),
+    [=](const VolumePair& pair) { return pair.first->HasValue(sector, ring); });
+}
+
+// The places that two radars see from like distances, one for each cell over which some volume of
+// the first has a value.
+std::vector<SharedPlace> FindSharedPlaces(const std::vector<VolumePair>& volumes)
+{
+  const SiteGeoreference here(*volumes.front().first->Radar().position);
+  const SiteGeoreference there(*volumes.front().second->Radar().position);
   constexpr double farthest = LowEcho::Rings * LowEcho::RingWidth;
   std::vector<SharedPlace> places;
-  if (here.Look(second.longitude, second.latitude).groundDistance > 2.0 * farthest)
-  {
-    return places;
-  }
   for (int sector = 0; sector < LowEcho::Sectors; ++sector)
   {
     const double azimuth = (sector + 0.5) * 360.0 / LowEcho::Sectors;
     for (int ring = 0; ring < LowEcho::Rings; ++ring)
     {
       const double distance = MiddleOf(ring);
+      if (distance < LowEcho::NearestGate || !HasEcho(volumes, sector, ring))
+      {
+        continue;
+      }
       const std::array<double, 2> place = here.Locate({azimuth, distance});
       const GroundDirection other = there.Look(place[0], place[1]);
       const double ratio = distance / other.groundDistance;
-      if (distance >= LowEcho::NearestGate && ratio >= leastRatio && ratio <= 1.0 / leastRatio &&
-          other.groundDistance < farthest)
+      if (ratio >= leastRatio && ratio <= 1.0 / leastRatio && other.groundDistance < farthest)
       {
         places.push_back({sector, ring, SectorOf(other.azimuth),
           static_cast<int>(other.groundDistance / LowEcho::RingWidth)});
@@ -78,6 +89,14 @@ std::vector<SharedPlace> FindSharedPlaces(const Position& first, const Position&
     }
   }
   return places;
+}
+
+// Whether the circles within which two radars have cells overlap.
+bool AreNeighbours(const Position& first, const Position& second)
+{
+  constexpr double farthest = LowEcho::Rings * LowEcho::RingWidth;
+  return SiteGeoreference(first).Look(second.longitude, second.latitude).groundDistance <=
+         2.0 * farthest;
 }
 
 // The volume nearest to another in time; the earlier of two that are equally near.
@@ -151,22 +170,41 @@ void SetQuantiles(const std::vector<ValuePair>& values, BiasPair& pair)
   }
 }
 
-BiasPair Compare(const RadarVolumes& first, const RadarVolumes& second)
+// Each volume of one radar with the one of another that is nearest to it in time, where it is the
+// nearest to that one too.
+std::vector<VolumePair> PairInTime(const RadarVolumes& first, const RadarVolumes& second)
 {
-  BiasPair pair{first.front()->Radar().name, second.front()->Radar().name};
-  const std::vector<SharedPlace> places =
-    FindSharedPlaces(*first.front()->Radar().position, *second.front()->Radar().position);
-  std::vector<ValuePair> values;
-  for (std::size_t i = 0; i < first.size() && !places.empty(); ++i)
+  std::vector<VolumePair> pairs;
+  for (const LowEcho* volume : first)
   {
-    const LowEcho* volume = first[i];
     const LowEcho* other = NearestInTime(second, *volume);
     if (NearestInTime(first, *other) == volume &&
         std::chrono::abs(volume->MeanTime() - other->MeanTime()) <= longestTime)
     {
-      ++pair.volumes;
-      AddValues(*volume, *other, places, values);
+      pairs.emplace_back(volume, other);
     }
+  }
+  return pairs;
+}
+
+BiasPair Compare(const RadarVolumes& first, const RadarVolumes& second)
+{
+  const Site& radar = first.front()->Radar();
+  const Site& other = second.front()->Radar();
+  BiasPair pair{radar.name, other.name};
+  const std::vector<VolumePair> volumes = AreNeighbours(*radar.position, *other.position)
+                                            ? PairInTime(first, second)
+                                            : std::vector<VolumePair>();
+  if (volumes.empty())
+  {
+    return pair;
+  }
+  pair.volumes = volumes.size();
+  const std::vector<SharedPlace> places = FindSharedPlaces(volumes);
+  std::vector<ValuePair> values;
+  for (const VolumePair& each : volumes)
+  {
+    AddValues(*each.first, *each.second, places, values);
   }
   SetQuantiles(values, pair);
   return pair;
@@ -197,6 +235,10 @@ BiasReport CompareRadars(const LowEchoes& volumes)
 {
   const std::map<std::string, RadarVolumes> radars = GroupByRadar(volumes);
   BiasReport report;
+  if (radars.size() < 2)
+  {
+    return report;
+  }
   for (auto first = radars.begin(); first != radars.end(); ++first)
   {
     for (auto second = std::next(first); second != radars.end(); ++second)

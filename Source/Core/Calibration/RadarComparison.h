@@ -22,6 +22,7 @@ using LowEchoes = std::vector<std::shared_ptr<const LowEcho>>;
 /// - A volume is compared with the one of the other radar that is nearest to it in time, when it is
 ///   the nearest to that one too, and their times (LowEcho::MeanTime) differ by five minutes at
 ///   most. Echo is not moved from one time to the other.
+/// - Of one radar the report is empty.
 /// - Radars without a name are not compared: a bias could not be given to them.
 BiasReport CompareRadars(const LowEchoes& volumes);
 
