@@ -173,7 +173,8 @@ TEST_F(RadarBias, SaysWhatIsWrongInOneLine)
   const ProgramRun large = this->Grid("v", {"--bias", "KONE:21"});
   EXPECT_EQ(large.status, 2);
   EXPECT_TRUE(Has(large.errors, "-20 to 20 dB")) << large.errors;
-  const ProgramRun moment = this->Grid("v", {"--bias", "auto", "--moment", "VEL"});
+  const ProgramRun moment =
+    RunNexrad3d({"grid", files[0], "-o", folder.Path() / "m", "--moment", "VEL", "--bias", "auto"});
   EXPECT_EQ(moment.status, 2);
   EXPECT_TRUE(Has(moment.errors, "is of --moment REF alone")) << moment.errors;
   const ProgramRun thesis = RunNexrad3d(

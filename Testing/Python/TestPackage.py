@@ -135,14 +135,14 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(Exception, "SRV, AZSHEAR, DIV or KDP"):
             vtknexrad.update(day)
 
-    def test_what_is_no_bias_is_answered_with_what_is(self):
-        day = vtknexrad.vtkNexradDayReader()
-        day.AddFileName(SyntheticFiles.files()[0])
-        day.SetBias("KLSX")
-        with self.assertRaisesRegex(RuntimeError, "write auto, off, or radars"):
-            vtknexrad.update(day)
+    def test_a_bias_is_taken_off_and_what_is_none_is_refused(self):
+        day = day_reader()
+        measured = vtknexrad.array(vtknexrad.update(day), "REF").max()
         day.SetBias("KLSX:2")
-        self.assertEqual(vtknexrad.update(day).GetDimensions(), (256, 256, 128))
+        self.assertAlmostEqual(vtknexrad.array(vtknexrad.update(day), "REF").max(), measured - 2.0, delta=0.5)
+        day.SetBias("KLSX")
+        with self.assertRaisesRegex(Exception, "write auto, off, or radars"):
+            vtknexrad.update(day)
 
     def test_a_sweep_is_ray_gate(self):
         sweeps = vtknexrad.update(level2_reader(SyntheticFiles.files()[0]))

@@ -5,7 +5,8 @@ The volumes have the same grid and the ancillary arrays (`nexrad3d grid --overla
 with `--bias off` and `--bias auto`). FIRST and SECOND are names of radars. The maps show the
 reflectivity KM kilometres above mean sea level (2 unless said), and the line where the nearest radar
 changes. Printed is the step at that line at all heights: the mean of SECOND - FIRST over neighbouring
-voxels with echo, one on each side.
+voxels, one on each side, whose own mean is 10 dBZ or more: a weaker value is interpolated with gates
+that have none, which a bias does not change.
 """
 
 import sys
@@ -16,6 +17,8 @@ matplotlib.use("Agg")
 import matplotlib.pyplot
 import numpy
 import vtknexrad
+
+LEAST_ECHO = 10.0  # dBZ, mean of two voxels
 
 
 def read(file):
@@ -33,14 +36,14 @@ def nearest(volume, name):
 
 def step(volume, first, second):
     """The mean step at the seam in dB, and the number of pairs of voxels that it is of."""
-    value = vtknexrad.array(volume, "REF").astype(float)
+    value = vtknexrad.array(volume, "REF")
     echo = vtknexrad.array(volume, "REF_state") == 0
     sides = [echo & nearest(volume, name) for name in (first, second)]
     differences = []
     for axis in (1, 2):
         low, high = (numpy.s_[:, :-1], numpy.s_[:, 1:]) if axis == 1 else (numpy.s_[..., :-1], numpy.s_[..., 1:])
         for a, b in ((low, high), (high, low)):
-            pairs = sides[0][a] & sides[1][b]
+            pairs = sides[0][a] & sides[1][b] & (value[a] + value[b] >= 2.0 * LEAST_ECHO)
             differences.append((value[b] - value[a])[pairs])
     differences = numpy.concatenate(differences)
     return differences.mean(), differences.size

@@ -45,8 +45,9 @@ struct BiasPair
   double lowerQuartile = 0.0; ///< dB
   double upperQuartile = 0.0; ///< dB
 
-  /// Whether the cells are FewestCells or more: fewer say too little. Of so many, with quartiles 3
-  /// dB apart, the standard error of the median is 0.3 dB.
+  /// Whether the cells are FewestCells or more: fewer say too little. The cells of one hour are
+  /// those of a few storms: on the SYNTHETIC storm day the median errs by 1.3 dB with 179 cells of
+  /// an hour, by 0.3 dB with some 550, and by 0.01 dB with 2526 of six hours.
   bool IsStated() const { return cells >= FewestCells; }
   static constexpr std::size_t FewestCells = 100;
 };
