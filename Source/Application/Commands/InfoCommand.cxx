@@ -152,6 +152,50 @@ void PrintJson(nlohmann::ordered_json& report, const BiasReport& comparison)
   std::cout << report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
 }
 
+// What is said of the files so far.
+struct InfoOutput
+{
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+  LowEchoes echoes; // where there are several files
+  bool anyRay = false;
+  bool anyDamage = false;
+  bool missingGates = false;
+};
+
+// Says what is in the files, and fills the rest of the output.
+void ReadSubjects(const InfoOptions& options, const Level2Options& readOptions, InfoOutput& output)
+{
+  std::vector<GateRequest> requests;
+  for (const std::string& gate : options.gates)
+  {
+    requests.push_back(*ParseGate(gate));
+  }
+  const std::vector<Subject> subjects = FindSubjects(options.files, output.anyDamage);
+  for (const Subject& subject : subjects)
+  {
+    const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
+    output.anyRay = output.anyRay || !volume.sweeps.empty();
+    output.anyDamage = output.anyDamage || !volume.damage.empty();
+    output.missingGates = NameMissingGates(volume, requests) || output.missingGates;
+    if (subjects.size() > 1)
+    {
+      AddLowEchoes(volume, output.echoes);
+    }
+    if (options.json)
+    {
+      output.report.push_back(MakeInfoJson(volume, requests));
+    }
+    else if (subject.ofFolder && requests.empty())
+    {
+      PrintInfoLine(volume, std::cout);
+    }
+    else
+    {
+      PrintInfoTable(volume, requests, std::cout);
+    }
+  }
+}
+
 int RunInfo(const InfoOptions& options)
 {
   Level2Options readOptions;
@@ -163,50 +207,21 @@ int RunInfo(const InfoOptions& options)
               << "'; give a site of the table, such as KLSX, or its --position too\n";
     return WrongUsage;
   }
-  std::vector<GateRequest> requests;
-  for (const std::string& gate : options.gates)
-  {
-    requests.push_back(*ParseGate(gate));
-  }
-  nlohmann::ordered_json report = nlohmann::ordered_json::array();
-  bool anyRay = false;
-  bool anyDamage = false;
-  bool missingGates = false;
-  LowEchoes echoes;
-  const std::vector<Subject> subjects = FindSubjects(options.files, anyDamage);
-  for (const Subject& subject : subjects)
-  {
-    const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
-    anyRay = anyRay || !volume.sweeps.empty();
-    anyDamage = anyDamage || !volume.damage.empty();
-    missingGates = NameMissingGates(volume, requests) || missingGates;
-    if (subjects.size() > 1)
-    {
-      AddLowEchoes(volume, echoes);
-    }
-    if (options.json)
-    {
-      report.push_back(MakeInfoJson(volume, requests));
-    }
-    else if (subject.ofFolder && requests.empty())
-    {
-      PrintInfoLine(volume, std::cout);
-    }
-    else
-    {
-      PrintInfoTable(volume, requests, std::cout);
-    }
-  }
-  const BiasReport comparison = CompareRadars(echoes);
+  InfoOutput output;
+  ReadSubjects(options, readOptions, output);
+  const BiasReport comparison = CompareRadars(output.echoes);
   if (options.json)
   {
-    PrintJson(report, comparison);
+    PrintJson(output.report, comparison);
   }
   else
   {
     PrintBiases(comparison, {}, std::cout);
   }
-  return !anyRay ? Failed : missingGates ? WrongUsage : anyDamage ? DoneWithDamage : Done;
+  return !output.anyRay        ? Failed
+         : output.missingGates ? WrongUsage
+         : output.anyDamage    ? DoneWithDamage
+                               : Done;
 }
 
 } // namespace

@@ -100,9 +100,13 @@ GridReport Conclude(
   report.bytes = block.bytes;
   report.index =
     job.folder / (job.format == VolumeFormat::Nxv ? "volumes.nxv.series" : "volumes.vti.series");
+  const bool leavesOut = job.options.method == MergeMethod::Beam; // the thesis takes all rays
   for (const InputProblem& problem : merger.Problems())
   {
-    (problem.note ? report.notes : report.problems).push_back(problem.Line());
+    if (!problem.note || leavesOut)
+    {
+      (problem.note ? report.notes : report.problems).push_back(problem.Line());
+    }
   }
   report.comparison = merger.CompareRadars();
   report.takenOff = merger.BiasesTakenOff();

@@ -140,7 +140,8 @@ TEST(StrayRays, AreNotInTheComposite)
   EXPECT_EQ(after.composite.values, before.composite.values);
 }
 
-// A scan up and down at one azimuth has no elevation and is left out; a sector is a cut like others.
+// A scan up and down at one azimuth has no elevation and is left out; a sector is a cut like
+// others.
 TEST(StrayRays, SectorsAndScansInElevationMakeNoFalseTilts)
 {
   NumberSweep vertical = UniformSweep(1, 0.0, 30.0F);
