@@ -245,7 +245,7 @@ TEST(StrayScans, ASectorIsMergedAsItIs)
   }
 }
 
-// Three chunks of the real-time feed that came without those before: a third of one turn.
+// A chunk of the real-time feed without those before and after it: a third of one turn.
 TEST(StrayScans, ThePiecesOfACutAreMergedAsASector)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
