@@ -30,7 +30,7 @@ vtkStandardNewMacro(vtkNexradDayReader);
 struct vtkNexradDayReader::Day
 {
   using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64,
-    nexrad::MomentOptions>;
+    nexrad::MomentOptions, bool>;
 
   Origin From;
   nexrad::SeriesMerger Merger;
@@ -108,6 +108,19 @@ vtkStringArray* vtkNexradDayReader::GetLeftOut()
   return this->LeftOut;
 }
 
+vtkStringArray* vtkNexradDayReader::GetRadarComparison()
+{
+  this->RadarComparison->Initialize();
+  if (this->Opened)
+  {
+    for (const std::string& line : this->Opened->Merger.CompareRadars().Lines())
+    {
+      this->RadarComparison->InsertNextValue(line);
+    }
+  }
+  return this->RadarComparison;
+}
+
 vtkDoubleArray* vtkNexradDayReader::GetTimeSteps()
 {
   return this->TimeSteps;
@@ -134,6 +147,7 @@ nexrad::MergeOptions vtkNexradDayReader::MakeDayOptions() const
   }
   options.memory = static_cast<std::size_t>(this->MemoryLimit);
   options.siteName = this->SiteName;
+  options.compareRadars = true;
   return options;
 }
 
@@ -160,8 +174,8 @@ nexrad::MergerSetup vtkNexradDayReader::MakeSetup() const
 bool vtkNexradDayReader::Open()
 {
   const nexrad::MergeOptions options = this->MakeDayOptions();
-  const Day::Origin from = {
-    this->FileNames, this->Moment, this->SiteName, this->MemoryLimit, options};
+  const Day::Origin from = {this->FileNames, this->Moment, this->SiteName, this->MemoryLimit,
+    options, options.measureBiases};
   if (this->Opened && this->Opened->From == from)
   {
     return this->Opened->Merger.SetOptions(options, vtkNexradProgress(this));
@@ -184,7 +198,7 @@ void vtkNexradDayReader::ReportProblems()
 {
   for (const nexrad::InputProblem& problem : this->Opened->Merger.Problems())
   {
-    if (this->Opened->Reported.insert(problem.Line()).second)
+    if (!problem.note && this->Opened->Reported.insert(problem.Line()).second)
     {
       this->Damage->InsertNextValue(problem.Line());
       if (problem.leftOut)

@@ -177,6 +177,12 @@ public:
   vtkStringArray* GetLeftOut();
 
   /**
+   * What the comparison of the radars finds in the reflectivity that was decoded so far (Formulas
+   * Q6), one line for each pair of radars and for each radar. Empty with one radar.
+   */
+  vtkStringArray* GetRadarComparison();
+
+  /**
    * After UpdateInformation: the time steps, and the names of the radars.
    */
   vtkDoubleArray* GetTimeSteps();
@@ -215,6 +221,7 @@ private:
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkNew<vtkStringArray> Damage;
   vtkNew<vtkStringArray> LeftOut;
+  vtkNew<vtkStringArray> RadarComparison;
   vtkNew<vtkStringArray> Sites;
   vtkNew<vtkDoubleArray> TimeSteps;
   struct Day;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradGridAlgorithm.h"
 
+#include "nexrad/Calibration/RadarComparison.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Merging/MergeOptions.h"
@@ -55,6 +56,24 @@ std::vector<nexrad::Position> PositionsOf(const std::vector<nexrad::PolarVolume>
     positions.push_back(*volume.site.position);
   }
   return positions;
+}
+
+// The biases that are taken off the reflectivity of volumes.
+nexrad::RadarBiases BiasesFor(
+  const nexrad::MergeOptions& options, const std::vector<nexrad::PolarVolume>& volumes)
+{
+  std::vector<std::string> radars;
+  nexrad::LowEchoes echoes;
+  for (const nexrad::PolarVolume& volume : volumes)
+  {
+    radars.push_back(volume.site.name);
+    if (options.measureBiases && volume.moment == nexrad::MomentName::REF)
+    {
+      echoes.push_back(std::make_shared<const nexrad::LowEcho>(volume));
+    }
+  }
+  nexrad::RequireRadars(options.beam.biases, radars);
+  return options.measureBiases ? nexrad::CompareRadars(echoes).biases : options.beam.biases;
 }
 
 // The volumes of one input by measured moment. Each moment is converted once.
@@ -172,6 +191,9 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
   {
     options.stormMotion = nexrad::Wind{this->StormMotion[0], this->StormMotion[1]};
   }
+  const nexrad::BiasRequest bias = nexrad::ParseBiasRequest(this->Bias);
+  options.measureBiases = bias.measured;
+  options.beam.biases = bias.given;
   options.beam.strategy = StrategyOf(this->OverlapStrategy);
   options.beam.overlapLength = this->OverlapLength;
   options.beam.linearReflectivity = this->LinearReflectivity;
@@ -213,9 +235,10 @@ std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(vtkInformati
 void vtkNexradGridAlgorithm::MergeSweeps(const std::vector<nexrad::PolarVolume>& volumes,
   double time, double maximumGap, vtkInformationVector* output)
 {
-  nexrad::MergeRequest request =
-    nexrad::MergeRequestOf(this->MakeMergeOptions(), vtkNexradRangeLoop());
-  request.grid = nexrad::MakeGrid(this->MakeGridRequest(), PositionsOf(volumes));
+  const nexrad::MergeOptions options = this->MakeMergeOptions();
+  nexrad::MergeRequest request = nexrad::MergeRequestOf(options, vtkNexradRangeLoop());
+  request.grid = nexrad::MakeGrid(options.grid, PositionsOf(volumes));
+  request.beam.biases = BiasesFor(options, volumes);
   request.block = vtkNexradRequestedBlock(output->GetInformationObject(0), request.grid);
   request.time = nexrad::FromSeconds(time);
   request.maximumGap = nexrad::DurationOf(maximumGap);
@@ -312,6 +335,7 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Dealiasing: " << this->Dealiasing << "\n";
   os << indent << "UseStormMotion: " << this->UseStormMotion << "\n";
   os << indent << "StormMotion: " << this->StormMotion[0] << ", " << this->StormMotion[1] << "\n";
+  os << indent << "Bias: " << this->Bias << "\n";
   os << indent << "OverlapStrategy: " << this->OverlapStrategy << "\n";
   os << indent << "OverlapLength: " << this->OverlapLength << "\n";
   os << indent << "TimeInterpolation: " << this->TimeInterpolation << "\n";

@@ -194,6 +194,18 @@ public:
 
   ///@{
   /**
+   * For BEAM and reflectivity: the biases of radars that are taken off before anything is merged
+   * (Formulas Q6). "off" (the default): none. "auto": those that the comparison of the radars finds
+   * where two of them see the same places; vtkNexradDayReader then decodes all files first. Else
+   * names of radars, and how many dB they measure too high, -20 to 20: "KLSX:2,KILX:-1.5". A
+   * radar that is none of the inputs' is an error.
+   */
+  vtkSetMacro(Bias, std::string);
+  vtkGetMacro(Bias, std::string);
+  ///@}
+
+  ///@{
+  /**
    * For BEAM: how radars that scanned the same voxel are put together. DISTANCE by default.
    * Velocity, divergence, spectrum width and differential phase always take the nearest, azimuthal
    * shear always the largest value.
@@ -292,7 +304,8 @@ protected:
   nexrad::GridRequest MakeGridRequest() const;
 
   /**
-   * What the properties ask of merged volumes. Throws nexrad::Error as CheckMoments does.
+   * What the properties ask of merged volumes. Throws nexrad::Error as CheckMoments does, and for
+   * a Bias that is none.
    */
   nexrad::MergeOptions MakeMergeOptions() const;
 
@@ -359,6 +372,7 @@ protected:
   bool Dealiasing = true;
   double StormMotion[2] = {0.0, 0.0};
   bool UseStormMotion = false;
+  std::string Bias = "off";
   int OverlapStrategy = DISTANCE;
   double OverlapLength = 100000.0;
   int TimeInterpolation = MOTION;

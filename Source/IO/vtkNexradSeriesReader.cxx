@@ -129,7 +129,10 @@ int vtkNexradSeriesReader::Scan()
   }
   for (const nexrad::InputProblem& problem : series->Scan.problems)
   {
-    this->AddDamage(problem.Line());
+    if (!problem.note)
+    {
+      this->AddDamage(problem.Line());
+    }
   }
   std::set<double> times;
   for (const nexrad::SiteSeries& site : series->Scan.sites)

@@ -79,7 +79,11 @@ TEST(GridCommand, OneVolumeForEachStep)
   const ProgramRun run = RunNexrad3d(
     {"grid", data / "level2" / "run-kbgm-20050821", "-o", output, "--dims", "64x64x32"});
   EXPECT_EQ(run.status, 0) << run.errors;
-  EXPECT_EQ(run.errors, "");
+  // The antenna settles late in two of the files; that is no damage.
+  const std::string input = data / "level2" / "run-kbgm-20050821";
+  const char* why = " of 1 sweep, farther from the elevation of the sweep than half a beam width\n";
+  EXPECT_EQ(run.errors, input + "/KBGM20050821_024323.gz: the merge leaves out 16 rays" + why +
+                          input + "/KBGM20050821_030635.gz: the merge leaves out 10 rays" + why);
   const std::set<std::string> expected = {"20050821T024500Z.nxv", "20050821T025000Z.nxv",
     "20050821T025500Z.nxv", "20050821T030000Z.nxv", "20050821T030500Z.nxv", "20050821T031000Z.nxv",
     "volumes.nxv.series"};

@@ -90,6 +90,34 @@ TEST_F(SeveralProcesses, MakeTheSameFilesAsOne)
   }
 }
 
+// Each process compares what all of them decoded, whether biases are taken off or not.
+TEST_F(SeveralProcesses, CompareTheRadarsAsOneDoes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  for (const char* bias : {"off", "auto"})
+  {
+    const std::string outputs[] = {"alone-" + std::string(bias), "by-2-" + std::string(bias)};
+    const auto arguments = [&](const std::string& output)
+    {
+      return std::vector<std::string>{data / "level2" / "multisite-20100911", "-o",
+        folder.Path() / output, "--dims", "48x48x12", "--bias", bias};
+    };
+    std::vector<std::string> words = arguments(outputs[0]);
+    words.insert(words.begin(), "grid");
+    const ProgramRun alone = RunNexrad3d(words);
+    ASSERT_EQ(alone.status, 0) << alone.errors;
+    EXPECT_EQ(CountOf("KBGM - KTYX: median ", alone.output), 1) << alone.output;
+    EXPECT_EQ(CountOf("taken off", alone.output), bias == std::string("auto") ? 2 : 0);
+    const ProgramRun both = RunGrid(2, arguments(outputs[1]));
+    EXPECT_EQ(both.status, 0) << both.errors;
+    // The first line has the folder.
+    EXPECT_EQ(
+      both.output.substr(both.output.find('\n')), alone.output.substr(alone.output.find('\n')));
+    EXPECT_TRUE(ContentOf(folder.Path() / outputs[0]) == ContentOf(folder.Path() / outputs[1]));
+  }
+}
+
 TEST_F(SeveralProcesses, DamageIsNamedOnce)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);

@@ -89,7 +89,7 @@ TEST(Usage, HelpHasUnitsAndDefaults)
       "--method NAME=beam", "--format NAME=nxv", "--overlap NAME=distance",
       "--overlap-length LENGTH=100km", "--fill-columns", "--linear-reflectivity", "--ancillary",
       "--motion MOTION=estimated", "--memory SIZE=1GiB", "--no-sharpening", "--despeckle NUMBER=0",
-      "--no-dealiasing", "--storm-motion EAST,NORTH", "degrees", "km", "UTC"})
+      "--no-dealiasing", "--storm-motion EAST,NORTH", "--bias BIAS=off", "degrees", "km", "UTC"})
   {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }

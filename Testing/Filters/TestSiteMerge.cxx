@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EventCounter.h"
 #include "HandMadeVolume.h"
+#include "Scans/TwoRadars.h"
 #include "TestData.h"
 #include "Tolerance.h"
 
@@ -26,6 +27,7 @@
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringArray.h"
 
 #include <gtest/gtest.h>
 
@@ -213,6 +215,59 @@ TEST(SiteMerge, DerivesMomentsAsTheDayReaderDoes)
     each->SetStormMotion(12.0, 8.0);
   }
   EXPECT_NE(volumeOf("SRV").values, estimated);
+}
+
+// Of two radars that differ by 4 dB: neither, one, or half of it of each.
+TEST(SiteMerge, TakesBiasesOffAsTheDayReaderDoes)
+{
+  const nexrad::testing::TemporaryFolder folder;
+  vtkNew<vtkNexradDayReader> day;
+  vtkNew<vtkNexradSiteMerge> merge;
+  for (const auto& file : nexrad::testing::WriteTwoRadars(folder.Path(), 30.0, 34.0))
+  {
+    day->AddFileName(file.c_str());
+    merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
+  }
+  const std::array<vtkNexradGridAlgorithm*, 2> both = {day, merge};
+  const auto largestWith = [&](const char* bias)
+  {
+    for (vtkNexradGridAlgorithm* each : both)
+    {
+      UseSmallGrid(each);
+      each->SharpeningOff();
+      each->SetBias(bias);
+    }
+    day->UpdateInformation();
+    const double time = day->GetTimeSteps()->GetValue(0);
+    day->UpdateTimeStep(time);
+    merge->SetTime(time);
+    merge->Update();
+    const GriddedVolume merged = vtkNexradImageToVolume(merge->GetOutput());
+    const GriddedVolume volume = vtkNexradImageToVolume(day->GetOutput());
+    EXPECT_EQ(merged.states, volume.states);
+    const std::vector<float>& values = volume.values;
+    for (std::size_t i = 0; i < values.size(); ++i)
+    {
+      EXPECT_NEAR(merged.values[i], values[i], 1e-4F);
+    }
+    return *std::max_element(values.begin(), values.end());
+  };
+  EXPECT_EQ(day->GetBias(), "off");
+  EXPECT_NEAR(largestWith("off"), 34.0F, 1e-4F);
+  EXPECT_NEAR(largestWith("KTWO:4"), 30.0F, 1e-4F);
+  EXPECT_NEAR(largestWith("auto"), 32.0F, 1e-4F);
+  EXPECT_TRUE(
+    std::string(day->GetRadarComparison()->GetValue(0)).find("KONE - KTWO: median -4.00 dB") == 0);
+  EXPECT_EQ(day->GetRadarComparison()->GetNumberOfValues(), 3);
+  for (vtkNexradGridAlgorithm* each : both)
+  {
+    vtkNew<EventCounter> events;
+    events->Observe(each);
+    events->Observe(each->GetExecutive());
+    each->SetBias("KABR:1");
+    each->Update();
+    EXPECT_TRUE(AnyHolds(events->errors, "a bias is given for KABR"));
+  }
 }
 
 // The motion that is found, one that is given and none make three volumes; no speed is none.

@@ -4,6 +4,7 @@
 import glob
 import importlib.util
 import os
+import re
 import subprocess
 import sys
 import unittest
@@ -91,6 +92,23 @@ class Examples(unittest.TestCase):
         scalars.SetName("REF")
         volume.GetPointData().SetScalars(scalars)
         numpy.testing.assert_array_equal(module.echo_tops(volume, 18.0), [[500.0, 2500.0, numpy.nan]])
+
+    def test_radar_seam(self):
+        folder = os.path.join(SyntheticFiles.folder(), "seam")
+        program = os.environ["NEXRAD3D"]
+        subprocess.run([program, "simulate", os.path.join(folder, "files"), "--sites", "KILX:21,KLSX:21", "--hours",
+                        "0.2", "--bias", "KLSX:6", "--quiet"], check=True)
+        for bias in ("off", "KLSX:6"):
+            subprocess.run([program, "grid", os.path.join(folder, "files"), "-o", os.path.join(folder, bias), "--bias",
+                            bias, "--overlap", "nearest", "--ancillary", "--begin", "2006-03-12T18:10", "--end",
+                            "2006-03-12T18:10", "--dims", "160x160x20", "--height", "0,8km", "--quiet"], check=True)
+        picture = picture_path("seam")
+        volumes = [glob.glob(os.path.join(folder, bias, "*.nxv"))[0] for bias in ("off", "KLSX:6")]
+        said = run("radar_seam", *volumes, "KILX", "KLSX", picture)
+        steps = [float(number) for number in re.findall(r"step KLSX - KILX ([+-]\d+\.\d\d) dB", said)]
+        self.assertEqual(len(steps), 2)
+        self.assertAlmostEqual(steps[0] - steps[1], 6.0, delta=0.5)
+        at_least(self, len(numpy.unique(pixels(picture), axis=0)), 150, "colours of the picture")
 
     def test_draw_scene(self):
         picture, program = picture_path("scene"), picture_path("program")

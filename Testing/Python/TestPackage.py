@@ -135,6 +135,15 @@ class Arrays(unittest.TestCase):
         with self.assertRaisesRegex(Exception, "SRV, AZSHEAR, DIV or KDP"):
             vtknexrad.update(day)
 
+    def test_a_bias_is_taken_off_and_what_is_none_is_refused(self):
+        day = day_reader()
+        measured = vtknexrad.array(vtknexrad.update(day), "REF").max()
+        day.SetBias("KLSX:2")
+        self.assertAlmostEqual(vtknexrad.array(vtknexrad.update(day), "REF").max(), measured - 2.0, delta=0.5)
+        day.SetBias("KLSX")
+        with self.assertRaisesRegex(Exception, "write auto, off, or radars"):
+            vtknexrad.update(day)
+
     def test_a_sweep_is_ray_gate(self):
         sweeps = vtknexrad.update(level2_reader(SyntheticFiles.files()[0]))
         grid = vtknexrad.sweep(sweeps, 0)

@@ -3,12 +3,14 @@
 
 #include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
+#include "Output/BiasOutput.h"
 #include "Output/Counted.h"
 #include "Output/ProgressBar.h"
 #include "Parallel/JoinedProcesses.h"
 #include "Volumes/WriteVolumes.h"
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 
 #include <iostream>
 #include <memory>
@@ -24,6 +26,7 @@ struct GridCommandOptions
 {
   GridJob job;
   bool quiet = false;
+  bool json = false;
   // Until the program has said what went wrong: mpiexec ends all processes as soon as one has left
   // them with a failure.
   std::optional<JoinedProcesses> joined;
@@ -67,6 +70,27 @@ void CheckCode(const GridJob& job)
   }
 }
 
+void PrintReport(const GridReport& report)
+{
+  std::cout << report.index.string() << ": " << Counted(report.files.size(), "volume") << ", "
+            << Counted(report.bytes, "byte") << '\n';
+  PrintBiases(report.comparison, report.takenOff, std::cout);
+}
+
+void PrintJson(const GridReport& report)
+{
+  nlohmann::ordered_json json = {{"index", report.index.string()},
+    {"volumes", nlohmann::ordered_json::array()}, {"bytes", report.bytes},
+    {"problems", report.problems}, {"notes", report.notes},
+    {"radars", MakeBiasJson(report.comparison, report.takenOff)}};
+  for (const std::filesystem::path& file : report.files)
+  {
+    json["volumes"].push_back(file.string());
+  }
+  // A file's name need not be UTF-8; JSON must be.
+  std::cout << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
 int RunGrid(GridCommandOptions& options)
 {
   const Processes processes = options.joined.emplace().Get();
@@ -79,14 +103,21 @@ int RunGrid(GridCommandOptions& options)
   {
     return status;
   }
-  if (!options.quiet)
+  if (options.json)
   {
-    std::cout << report.index.string() << ": " << Counted(report.files.size(), "volume") << ", "
-              << Counted(report.bytes, "byte") << '\n';
+    PrintJson(report);
+  }
+  else if (!options.quiet)
+  {
+    PrintReport(report);
   }
   for (const std::string& problem : report.problems)
   {
     std::cerr << problem << '\n';
+  }
+  for (const std::string& note : report.notes)
+  {
+    std::cerr << note << '\n';
   }
   return status;
 }
@@ -112,6 +143,8 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
   AddParsedOption(*command, "--code", options->job.nxv.encoding, ParseCode, "NAME",
     "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), thesis (REF "
     "alone, whole dBZ from 1 to 80), or exact (default: as --method, radar for beam)");
+  command->add_flag(
+    "--json", options->json, "Print what was made as JSON (default: lines of text)");
   AddQuietOption(*command, options->quiet);
   AddGridOptions(*command, options->job.options);
   command->callback(

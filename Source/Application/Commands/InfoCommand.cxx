@@ -2,6 +2,7 @@
 #include "Commands/InfoCommand.h"
 
 #include "Commands/InfoReport.h"
+#include "Output/BiasOutput.h"
 #include "Output/Counted.h"
 #include "Output/ExplainedRead.h"
 #include "nexrad/Model/SiteTable.h"
@@ -11,6 +12,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -137,6 +139,63 @@ std::vector<Subject> FindSubjects(const std::vector<std::string>& arguments, boo
   return subjects;
 }
 
+void PrintJson(nlohmann::ordered_json& report, const BiasReport& comparison)
+{
+  for (nlohmann::ordered_json& file : report)
+  {
+    if (!comparison.IsEmpty() && file["site"].is_string())
+    {
+      AddBiasOf(file["site"], comparison, file);
+    }
+  }
+  // A file's name need not be UTF-8; JSON must be.
+  std::cout << report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+}
+
+// What is said of the files so far.
+struct InfoOutput
+{
+  nlohmann::ordered_json report = nlohmann::ordered_json::array();
+  LowEchoes echoes; // where there are several files
+  bool anyRay = false;
+  bool anyDamage = false;
+  bool missingGates = false;
+};
+
+// Says what is in the files, and fills the rest of the output.
+void ReadSubjects(const InfoOptions& options, const Level2Options& readOptions, InfoOutput& output)
+{
+  std::vector<GateRequest> requests;
+  for (const std::string& gate : options.gates)
+  {
+    requests.push_back(*ParseGate(gate));
+  }
+  const std::vector<Subject> subjects = FindSubjects(options.files, output.anyDamage);
+  for (const Subject& subject : subjects)
+  {
+    const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
+    output.anyRay = output.anyRay || !volume.sweeps.empty();
+    output.anyDamage = output.anyDamage || !volume.damage.empty();
+    output.missingGates = NameMissingGates(volume, requests) || output.missingGates;
+    if (subjects.size() > 1)
+    {
+      AddLowEchoes(volume, output.echoes);
+    }
+    if (options.json)
+    {
+      output.report.push_back(MakeInfoJson(volume, requests));
+    }
+    else if (subject.ofFolder && requests.empty())
+    {
+      PrintInfoLine(volume, std::cout);
+    }
+    else
+    {
+      PrintInfoTable(volume, requests, std::cout);
+    }
+  }
+}
+
 int RunInfo(const InfoOptions& options)
 {
   Level2Options readOptions;
@@ -148,40 +207,21 @@ int RunInfo(const InfoOptions& options)
               << "'; give a site of the table, such as KLSX, or its --position too\n";
     return WrongUsage;
   }
-  std::vector<GateRequest> requests;
-  for (const std::string& gate : options.gates)
-  {
-    requests.push_back(*ParseGate(gate));
-  }
-  nlohmann::ordered_json report = nlohmann::ordered_json::array();
-  bool anyRay = false;
-  bool anyDamage = false;
-  bool missingGates = false;
-  for (const Subject& subject : FindSubjects(options.files, anyDamage))
-  {
-    const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
-    anyRay = anyRay || !volume.sweeps.empty();
-    anyDamage = anyDamage || !volume.damage.empty();
-    missingGates = NameMissingGates(volume, requests) || missingGates;
-    if (options.json)
-    {
-      report.push_back(MakeInfoJson(volume, requests));
-    }
-    else if (subject.ofFolder && requests.empty())
-    {
-      PrintInfoLine(volume, std::cout);
-    }
-    else
-    {
-      PrintInfoTable(volume, requests, std::cout);
-    }
-  }
+  InfoOutput output;
+  ReadSubjects(options, readOptions, output);
+  const BiasReport comparison = CompareRadars(output.echoes);
   if (options.json)
   {
-    // A file's name need not be UTF-8; JSON must be.
-    std::cout << report.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+    PrintJson(output.report, comparison);
   }
-  return !anyRay ? Failed : missingGates ? WrongUsage : anyDamage ? DoneWithDamage : Done;
+  else
+  {
+    PrintBiases(comparison, {}, std::cout);
+  }
+  return !output.anyRay        ? Failed
+         : output.missingGates ? WrongUsage
+         : output.anyDamage    ? DoneWithDamage
+                               : Done;
 }
 
 } // namespace

@@ -5,13 +5,13 @@
 #include "Options/UnitOptions.h"
 #include "Output/Counted.h"
 #include "Output/ProgressBar.h"
+#include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
-#include <cmath>
 #include <iostream>
 #include <map>
 #include <memory>
@@ -33,7 +33,7 @@ struct SimulateCommandOptions
   double hours = wholeDay;
   std::vector<SimulatedSite> sites = SimulatedDayOptions::DefaultSites();
   std::optional<int> coveragePattern;
-  std::map<std::string, double> biases; // dB, by the site's name
+  RadarBiases biases;
   bool quiet = false;
 };
 
@@ -118,27 +118,7 @@ Level2Container ParseContainer(const std::string& text)
   return found->second;
 }
 
-// "KLSX:2,KILX:-1.5".
-std::map<std::string, double> ParseBiases(const std::string& text)
-{
-  constexpr double most = 20.0; // dB
-  std::map<std::string, double> biases;
-  for (const std::string& part : SplitAtCommas(text))
-  {
-    const std::size_t colon = part.find(':');
-    const std::vector<double> bias =
-      colon == std::string::npos ? std::vector<double>() : FindNumbers(part.substr(colon + 1));
-    if (bias.size() != 1 || std::abs(bias[0]) > most)
-    {
-      throw Error(
-        "'" + part + "' is no bias of a radar; write its name and -20 to 20 dB, as in KLSX:2");
-    }
-    biases[part.substr(0, colon)] = bias[0];
-  }
-  return biases;
-}
-
-void SetBiases(const std::map<std::string, double>& biases, std::vector<SimulatedSite>& sites)
+void SetBiases(const RadarBiases& biases, std::vector<SimulatedSite>& sites)
 {
   for (const auto& [name, bias] : biases)
   {

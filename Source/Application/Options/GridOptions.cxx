@@ -2,6 +2,7 @@
 #include "Options/GridOptions.h"
 
 #include "Options/UnitOptions.h"
+#include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Model/SiteTable.h"
 
@@ -205,10 +206,25 @@ void AddVelocity(CLI::App& command, MergeOptions& options)
     ->group(group);
 }
 
+void AddBias(CLI::App& command, MergeOptions& options)
+{
+  const auto takeBias = [&options](const std::string& text)
+  {
+    const BiasRequest request = ParseBiasRequest(text);
+    options.measureBiases = request.measured;
+    options.beam.biases = request.given;
+  };
+  AddTextOption(command, "--bias", takeBias, "BIAS",
+    "Take biases of radars off reflectivity: auto (those that the comparison of the radars finds), "
+    "or how many dB radars measure too high, as in KLSX:2,KILX:-1.5, or off")
+    ->default_str("off")
+    ->group(group);
+}
+
 // Options that the method beam has and the method thesis has not.
 constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill-columns", "--fill",
   "--linear-reflectivity", "--no-sharpening", "--ancillary", "--companions", "--motion",
-  "--no-dealiasing", "--storm-motion"};
+  "--no-dealiasing", "--storm-motion", "--bias"};
 
 void AddBeam(CLI::App& command, MergeOptions& options)
 {
@@ -281,7 +297,7 @@ void Finish(const CLI::App& command, MergeOptions& options)
   const bool overlaps = std::any_of(moments.begin(), moments.end(),
     [&options](MomentName moment)
     { return StrategyFor(moment, options.beam.strategy) == options.beam.strategy; });
-  for (const char* name : {"--overlap", "--linear-reflectivity", "--no-sharpening"})
+  for (const char* name : {"--overlap", "--linear-reflectivity", "--no-sharpening", "--bias"})
   {
     const bool asItIs = name == std::string("--overlap") && overlaps;
     const std::string refusal = RefusalFor(name, moments);
@@ -304,6 +320,7 @@ void AddGridOptions(CLI::App& command, MergeOptions& options)
   AddDomain(command, options);
   AddMethod(command, options);
   AddVelocity(command, options);
+  AddBias(command, options);
   AddBeam(command, options);
   command.parse_complete_callback([&command, &options] { Finish(command, options); });
 }
@@ -320,7 +337,7 @@ std::string RefusalFor(const std::string& name, const std::vector<MomentName>& m
     return "of --moment VEL, SW, PHI, SRV and DIV is nearest alone, since they depend on the "
            "direction from the radar; that of AZSHEAR is the largest value";
   }
-  if (name == "--linear-reflectivity" && !reflectivity)
+  if ((name == "--linear-reflectivity" || name == "--bias") && !reflectivity)
   {
     return "is of --moment REF alone";
   }

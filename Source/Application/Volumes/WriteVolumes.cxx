@@ -81,9 +81,10 @@ void WriteIndex(
 }
 
 // The rest, once all volumes are there.
-GridReport Conclude(const GridJob& job, const std::vector<Time>& times, Block& mine,
-  const std::vector<InputProblem>& problems, const Processes& processes)
+GridReport Conclude(
+  const GridJob& job, const SeriesMerger& merger, Block& mine, const Processes& processes)
 {
+  const std::vector<Time>& times = merger.Times();
   const Block block = AddUp(mine, processes);
   if (!block.anySite)
   {
@@ -99,8 +100,16 @@ GridReport Conclude(const GridJob& job, const std::vector<Time>& times, Block& m
   report.bytes = block.bytes;
   report.index =
     job.folder / (job.format == VolumeFormat::Nxv ? "volumes.nxv.series" : "volumes.vti.series");
-  std::transform(problems.begin(), problems.end(), std::back_inserter(report.problems),
-    [](const InputProblem& problem) { return problem.Line(); });
+  const bool leavesOut = job.options.method == MergeMethod::Beam; // the thesis takes all rays
+  for (const InputProblem& problem : merger.Problems())
+  {
+    if (!problem.note || leavesOut)
+    {
+      (problem.note ? report.notes : report.problems).push_back(problem.Line());
+    }
+  }
+  report.comparison = merger.CompareRadars();
+  report.takenOff = merger.BiasesTakenOff();
   processes.Together([&] { mine.files.Keep(); });
   processes.Together(
     [&]
@@ -129,7 +138,9 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.loop = vtkNexradRangeLoop();
   setup.threads = vtkNexradThreadCount();
   setup.processes = processes;
-  SeriesMerger merger(job.inputs, job.options, setup);
+  MergeOptions options = job.options;
+  options.compareRadars = true;
+  SeriesMerger merger(job.inputs, options, setup);
   RequireDone(merger.Open(ShareOf(progress, 0.0, ScanShare)));
   for (;;)
   {
@@ -139,7 +150,7 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
       [&] { block = WriteBlock(job, merger, ShareOf(progress, from, 1.0), processes); });
     if (merger.Confirm())
     {
-      return Conclude(job, merger.Times(), block, merger.Problems(), processes);
+      return Conclude(job, merger, block, processes);
     }
     block.files.Remove();
     RequireDone(merger.Scan(ShareOf(progress, 0.0, ScanShare)));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Volumes/StepWriter.h"
+#include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
@@ -31,6 +32,9 @@ struct GridReport
   std::vector<std::filesystem::path> files; ///< one for each time
   std::uintmax_t bytes = 0;                 ///< of the files together
   std::vector<std::string> problems;        ///< inputs that were damaged or left out, a line each
+  std::vector<std::string> notes;           ///< what is left out of inputs that are whole, as well
+  BiasReport comparison;                    ///< of the radars, where there are several
+  RadarBiases takenOff;                     ///< biases that were taken off reflectivity
 };
 
 /// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an

@@ -194,6 +194,19 @@ void MakeMeans(const GridSpecification& grid, const BeamMergeOptions& options, B
   }
 }
 
+// Takes the bias of its radar off reflectivity. Codes stay as they are.
+void TakeBiasOff(const RadarBiases& biases, BeamVolume& volume)
+{
+  const auto bias = biases.find(volume.site.name);
+  if (volume.moment == MomentName::REF && bias != biases.end())
+  {
+    for (BeamSweep& sweep : volume.sweeps)
+    {
+      sweep.scale.base -= static_cast<float>(bias->second);
+    }
+  }
+}
+
 // Whether a volume has these means, or needs none.
 bool HasMeans(
   const BeamVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options)
@@ -261,6 +274,7 @@ BeamVolume PrepareForGrid(
 {
   const double beamWidth = options.beamWidth.value_or(BeamWidthOf(volume.site));
   BeamVolume prepared = PrepareBeamVolume(volume, beamWidth);
+  TakeBiasOff(options.biases, prepared);
   // Of what the radar measures, reflectivity in dBZ alone is known to be a mean of Z.
   const bool decibels = volume.moment == MomentName::REF && !options.linearReflectivity;
   if (decibels && options.sharpen)

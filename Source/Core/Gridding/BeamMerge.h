@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Beams/BeamVolume.h"
+#include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/VoxelBlock.h"
@@ -37,6 +38,8 @@ struct BeamMergeOptions
                      ///< else G8 alone. Reflectivity in dBZ
   bool fillColumns = false; ///< give values to voxels between and below those scanned (Formulas T7)
   bool ancillary = false;   ///< make GriddedVolume::ancillary
+  RadarBiases biases;       ///< dB that are taken off reflectivity of these radars before all else
+                            ///< (Formulas Q6)
 };
 
 /// How radars that overlap are put together in a moment, where `wanted` is asked for: VEL, SRV and
@@ -51,7 +54,9 @@ struct SiteReach
 };
 
 /// Makes a volume ready for merges onto a grid: PrepareBeamVolume, and what the options ask for of
-/// G9 (deconvolution in elevation), G10 (means over the grid's voxels) and G12 (layers).
+/// Q6 (biases), G9 (deconvolution in elevation), G10 (means over the grid's voxels) and G12
+/// (layers). The composite, in which motion is looked for, has no bias taken off: it is the same
+/// for processes that know a volume by its summary alone.
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
 

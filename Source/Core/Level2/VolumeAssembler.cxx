@@ -4,14 +4,13 @@
 #include "nexrad/Level2/MomentChecks.h"
 #include "nexrad/Level2/RayTimes.h"
 #include "nexrad/Level2/SiteResolution.h"
-#include "nexrad/Model/SiteTable.h"
+#include "nexrad/Model/StrayRays.h"
 #include "nexrad/Model/SweepWaveforms.h"
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
+#include <utility>
 
 namespace nexrad
 {
@@ -204,30 +203,6 @@ void VolumeAssembler::NoteTimes()
   }
 }
 
-// The decoder keeps rays that the antenna sent while it was not at its cut; the merge leaves them
-// out (Formulas Q7).
-void VolumeAssembler::NoteStrays()
-{
-  const double beamWidth = BeamWidthOf(volume.site);
-  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
-  {
-    const Sweep& sweep = volume.sweeps[index];
-    const std::vector<const Ray*> strays = sweep.StrayRays(beamWidth);
-    if (!strays.empty())
-    {
-      const auto ends = std::minmax_element(strays.begin(), strays.end(),
-        [](const Ray* a, const Ray* b) { return a->elevation < b->elevation; });
-      std::ostringstream text;
-      text << std::fixed << std::setprecision(2) << "sweep " << index << " (elevation number "
-           << sweep.elevationNumber << ") has its elevation at " << sweep.MedianElevation()
-           << " degrees, and " << strays.size() << " of its " << sweep.rays.size()
-           << " rays farther from it than half a beam width, from " << (*ends.first)->elevation
-           << " to " << (*ends.second)->elevation << " degrees; the merge leaves them out";
-      volume.notes.push_back(text.str());
-    }
-  }
-}
-
 RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
 {
   volume.file = name;
@@ -250,7 +225,11 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   ResolveSite({headerName, rayName, name, position}, options, volume);
   ResolveWaveforms(volume);
   this->NoteTimes();
-  this->NoteStrays();
+  // The decoder keeps rays that the antenna sent while it was not at its cut.
+  for (std::string& stray : DescribeStrays(volume))
+  {
+    volume.notes.push_back(std::move(stray));
+  }
   if (volume.synthetic)
   {
     volume.notes.push_back("SYNTHETIC: the file says that it was simulated");

@@ -57,7 +57,6 @@ private:
   void CheckRays();
   void ChoosePattern();
   void NoteTimes();
-  void NoteStrays();
 
   Level2Options options;
   RadarVolume volume;

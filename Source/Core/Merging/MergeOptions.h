@@ -28,7 +28,11 @@ struct MergeOptions : MergeRules
   bool atLeastOne = false; ///< where no step lies between the first and the last ray: their middle
   MomentName moment = MomentName::REF;
   std::vector<MomentName> furtherMoments; ///< merged beside `moment`, from files decoded once
-  std::string siteName; ///< in place of the names in the files; empty: as the files say
+  bool measureBiases = false; ///< take the biases that the comparison of the radars finds (Formulas
+                              ///< Q6) off reflectivity, in place of BeamMergeOptions::biases: with
+                              ///< several radars, all files are decoded before the first merge
+  bool compareRadars = false; ///< compare them also where nothing of it is taken off
+  std::string siteName;       ///< in place of the names in the files; empty: as the files say
   std::size_t memory = std::size_t(1) << 30; ///< bytes for rays that are kept for later steps; 0
                                              ///< keeps none
 

@@ -84,6 +84,43 @@ SeriesOptions OneThreadAFile(SeriesOptions series)
   return series;
 }
 
+// What the volumes of a radar that some time step takes have near the ground.
+void AddLowEchoes(const SiteSeries& series, const std::vector<Time>& times,
+  const MergeRequest& request, LowEchoes& echoes)
+{
+  std::set<const SeriesVolume*> taken;
+  MergeRequest at = request;
+  for (const Time time : times)
+  {
+    at.time = time;
+    const auto chosen = ChooseWith(MomentName::REF, series.volumes, ChoiceOf(at));
+    taken.insert(chosen.begin(), chosen.end());
+  }
+  for (const SeriesVolume* volume : taken)
+  {
+    if (volume->lowEcho)
+    {
+      echoes.push_back(volume->lowEcho);
+    }
+  }
+}
+
+LowEchoes AllLowEchoes(const SeriesScan& scan)
+{
+  LowEchoes echoes;
+  for (const SiteSeries& series : scan.sites)
+  {
+    for (const SeriesVolume& volume : series.volumes)
+    {
+      if (volume.lowEcho)
+      {
+        echoes.push_back(volume.lowEcho);
+      }
+    }
+  }
+  return echoes;
+}
+
 } // namespace
 
 /// Where the radars are, and when they scanned.
@@ -183,6 +220,19 @@ void SeriesMerger::FindFiles()
   }
 }
 
+// Whether there may be several; true as long as the headers do not tell.
+bool SeriesMerger::HasSeveralRadars() const
+{
+  return !headers || headers->size() > 1;
+}
+
+SeriesOptions SeriesMerger::ScanOptions() const
+{
+  SeriesOptions series = SeriesOptionsOf(options);
+  series.lowEchoes = (options.compareRadars || options.measureBiases) && this->HasSeveralRadars();
+  return series;
+}
+
 SeriesFiles SeriesMerger::FilesByHeaders() const
 {
   return {
@@ -231,7 +281,7 @@ void SeriesMerger::MakeLoader(SeriesFiles files)
   decodedBefore += loader ? loader->DecodedFiles() : 0;
   follower = nullptr;
   loader = std::make_unique<VolumeLoader>(
-    std::move(files), OneThreadAFile(SeriesOptionsOf(options)), work, cache, setup.threads);
+    std::move(files), OneThreadAFile(this->ScanOptions()), work, cache, setup.threads);
 }
 
 // From one file of each site or two. Empty when a site has none that can be used.
@@ -286,6 +336,10 @@ bool SeriesMerger::OpenByHeaders()
   {
     return false; // whether it is so, all rays must tell
   }
+  if (options.measureBiases && this->HasSeveralRadars())
+  {
+    return false; // all volumes tell the biases
+  }
   request = MergeRequestOf(options, setup.loop);
   planned = std::make_shared<SharedRequest>(request);
   this->MakeLoader(this->FilesByHeaders());
@@ -306,14 +360,15 @@ void SeriesMerger::Plan(const Extent& extent)
   {
     positions.push_back(*site.position);
   }
-  request.grid = GridOf(options, positions, extent.sites.size() == 1 ? extent.range : DefaultRange);
-  planned->Set(request);
-  times = TimeStepsOf(options, extent.first, extent.last, extent.volumes);
   sites.clear();
   for (const Site& site : extent.sites)
   {
     sites.push_back(site.name);
   }
+  this->FindBiases();
+  request.grid = GridOf(options, positions, extent.sites.size() == 1 ? extent.range : DefaultRange);
+  planned->Set(request);
+  times = TimeStepsOf(options, extent.first, extent.last, extent.volumes);
 }
 
 bool SeriesMerger::ScanFiles(const Progress& progress)
@@ -322,7 +377,7 @@ bool SeriesMerger::ScanFiles(const Progress& progress)
   {
     cache = std::make_shared<PolarCache>(options.memory);
   }
-  SeriesOptions series = SeriesOptionsOf(options);
+  SeriesOptions series = this->ScanOptions();
   series.processes = setup.processes;
   series.order = setup.order;
   series.summaries = setup.scanFirst;
@@ -350,16 +405,42 @@ void SeriesMerger::PlanByScan()
       "no input holds a volume that can be used" + DescribeProblems(scan->problems), false);
   }
   request = MergeRequestOf(options, setup.loop);
-  request.grid = GridOf(options, scan->Positions(), scan->Range());
-  planned = std::make_shared<SharedRequest>(request);
-  planned->Set(request);
-  this->MakeLoader(this->FilesByScan());
-  times = TimeStepsOf(options, *scan);
   sites.clear();
   for (const SiteSeries& series : scan->sites)
   {
     sites.push_back(series.site.name);
   }
+  this->FindBiases();
+  request.grid = GridOf(options, scan->Positions(), scan->Range());
+  planned = std::make_shared<SharedRequest>(request);
+  planned->Set(request);
+  this->MakeLoader(this->FilesByScan());
+  times = TimeStepsOf(options, *scan);
+}
+
+// Those that are taken off, once the radars are known.
+void SeriesMerger::FindBiases()
+{
+  if (options.measureBiases)
+  {
+    request.beam.biases = this->CompareRadars().biases;
+  }
+  RequireRadars(request.beam.biases, sites);
+}
+
+BiasReport SeriesMerger::CompareRadars() const
+{
+  if (scan)
+  {
+    return nexrad::CompareRadars(AllLowEchoes(*scan));
+  }
+  const SeriesScan known = gathered ? *gathered : this->Collect(loader->Known());
+  LowEchoes echoes;
+  for (const SiteSeries& series : known.sites)
+  {
+    AddLowEchoes(series, times, request, echoes);
+  }
+  return nexrad::CompareRadars(echoes);
 }
 
 std::vector<InputProblem> SeriesMerger::Problems() const
@@ -540,6 +621,7 @@ SeriesMerger* SeriesMerger::MergerOfEcho(const Progress& progress)
     MergeOptions ofEcho = options;
     ofEcho.moment = MomentName::REF;
     ofEcho.furtherMoments.clear();
+    ofEcho.measureBiases = false; // biases do not change where echo moves
     auto merger = std::make_unique<SeriesMerger>(inputs, ofEcho, setup);
     if (!merger->Open(progress))
     {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Calibration/RadarComparison.h"
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Merging/BoxFollower.h"
 #include "nexrad/Merging/EchoHistory.h"
@@ -63,8 +64,8 @@ public:
   bool Open(const Progress& progress = {});
 
   /// The same with other options for the same files, of which the moments, how they are made
-  /// (MomentOptions), the name of the site and the memory must be those of before. What was decoded
-  /// stays.
+  /// (MomentOptions), whether radars are compared, the name of the site and the memory must be
+  /// those of before. What was decoded stays.
   bool SetOptions(const MergeOptions& options, const Progress& progress = {});
 
   // After Open.
@@ -76,6 +77,12 @@ public:
   std::vector<InputProblem> Problems() const;
   /// The moments that some volume has, of those that were decoded so far.
   std::vector<MomentName> Moments() const;
+  /// What the comparison of the radars found (Formulas Q6) in the volumes that the time steps take,
+  /// as far as all processes knew them in Confirm; after a scan, in all volumes. Empty unless
+  /// MergeOptions asked for it and there are several radars.
+  BiasReport CompareRadars() const;
+  /// The biases that are taken off reflectivity: those given, or those found.
+  const RadarBiases& BiasesTakenOff() const { return request.beam.biases; }
   /// True when all files were decoded to learn what they hold.
   bool IsScanned() const { return scan.has_value(); }
   /// How many times a file was decoded for a volume.
@@ -115,6 +122,9 @@ private:
   void FindFiles();
   bool OpenByHeaders();
   std::optional<Extent> FindExtent();
+  bool HasSeveralRadars() const;
+  SeriesOptions ScanOptions() const;
+  void FindBiases();
   void Plan(const Extent& extent);
   bool ScanFiles(const Progress& progress);
   void PlanByScan();

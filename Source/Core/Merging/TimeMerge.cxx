@@ -103,7 +103,7 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
          a.linearReflectivity == b.linearReflectivity && a.fillColumns == b.fillColumns &&
          a.ancillary == b.ancillary && a.sharpen == b.sharpen && a.means == b.means &&
-         a.trend == b.trend;
+         a.trend == b.trend && a.biases == b.biases;
 }
 
 void CheckMotion(const Velocity& motion)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace nexrad
@@ -17,5 +18,12 @@ constexpr double SameTilt = 0.15;
 /// Whether a ray strays from its cut: its elevation lies farther than half a beam width from that
 /// of the cut (Formulas Q7). All in degrees.
 bool IsStray(double rayElevation, double cutElevation, double beamWidth);
+
+/// Whether a cut has an elevation (Formulas Q7): at least half of its rays do not stray from their
+/// median. A scan up and down at one azimuth has none.
+constexpr bool HasElevation(std::size_t raysOfCut, std::size_t rays)
+{
+  return 2 * raysOfCut >= rays;
+}
 
 } // namespace nexrad

@@ -2,6 +2,7 @@
 #include "nexrad/Series/ScannedFile.h"
 
 #include "nexrad/Model/SiteKey.h"
+#include "nexrad/Model/StrayRays.h"
 #include "nexrad/Moments/MomentMaker.h"
 #include "nexrad/System/Error.h"
 
@@ -140,7 +141,7 @@ std::string Visit(SeriesVolume& description, const RadarVolume& volume,
   {
     visitor(description, volume, nullptr);
   }
-  if (!options.summaries && !visitor)
+  if (!options.summaries && !options.lowEchoes && !visitor)
   {
     return {};
   }
@@ -154,6 +155,10 @@ std::string Visit(SeriesVolume& description, const RadarVolume& volume,
     {
       AddTo(summary, MakeSummary(*clean.back()));
     }
+    if (options.lowEchoes && moment == MomentName::REF && volume.site.position)
+    {
+      description.lowEcho = std::make_shared<const LowEcho>(*clean.back());
+    }
   }
   if (options.summaries)
   {
@@ -164,6 +169,33 @@ std::string Visit(SeriesVolume& description, const RadarVolume& volume,
     visitor(description, volume, clean[i]);
   }
   return maker.Note();
+}
+
+// Adds one cycle of a file, or why it is left out.
+void AddCycle(const RadarVolume& volume, const std::filesystem::path& path, std::size_t cycle,
+  const SeriesOptions& options, const VolumeVisitor& visitor, ScannedFile& scanned)
+{
+  const auto tell = [&](const std::string& what, bool leftOut, bool note)
+  {
+    if (!what.empty())
+    {
+      scanned.problems.push_back({path.string(), {}, what, leftOut, note});
+    }
+  };
+  const std::string reason = ReasonToLeaveOut(volume, options);
+  tell(reason, true, false);
+  if (!reason.empty())
+  {
+    return;
+  }
+  scanned.volumes.emplace_back(volume.site, Describe(volume, path, cycle, options));
+  SeriesVolume& description = scanned.volumes.back().second;
+  if (!description.lacking.empty())
+  {
+    tell("no ray has " + NamesOf(description.lacking), false, false);
+  }
+  tell(SummarizeStrays(volume), false, true);
+  tell(Visit(description, volume, options, visitor), false, false);
 }
 
 ScannedFile ScanWithinMemory(
@@ -191,24 +223,7 @@ ScannedFile ScanWithinMemory(
   const std::vector<RadarVolume> cycles = SplitCycles(whole);
   for (std::size_t cycle = 0; cycle < cycles.size(); ++cycle)
   {
-    const std::string reason = ReasonToLeaveOut(cycles[cycle], options);
-    if (!reason.empty())
-    {
-      scanned.problems.push_back({path.string(), {}, reason, true});
-      continue;
-    }
-    scanned.volumes.emplace_back(cycles[cycle].site, Describe(cycles[cycle], path, cycle, options));
-    SeriesVolume& description = scanned.volumes.back().second;
-    if (!description.lacking.empty())
-    {
-      scanned.problems.push_back(
-        {path.string(), {}, "no ray has " + NamesOf(description.lacking), false});
-    }
-    const std::string note = Visit(description, cycles[cycle], options, visitor);
-    if (!note.empty())
-    {
-      scanned.problems.push_back({path.string(), {}, note, false});
-    }
+    AddCycle(cycles[cycle], path, cycle, options, visitor, scanned);
   }
   return scanned;
 }

@@ -34,6 +34,7 @@ struct SeriesOptions : MomentOptions
   std::optional<MomentName> moment;       ///< a volume without it and the further ones is left out
   std::vector<MomentName> furtherMoments; ///< beside `moment`, which must be set then
   bool requirePosition = false;           ///< a volume of a site without a position is left out
+  bool lowEchoes = false; ///< make SeriesVolume::lowEcho where REF is among the moments
   bool summaries = false; ///< make the summaries of the volumes, of the moments, one at least
   Processes processes;    ///< that scan the inputs together
   ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan

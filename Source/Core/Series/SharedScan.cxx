@@ -61,6 +61,11 @@ Json PackVolume(const Site& site, const SeriesVolume& volume)
   {
     packed["summary"] = PackSummary(*volume.summary);
   }
+  if (volume.lowEcho)
+  {
+    const std::string bytes = volume.lowEcho->Pack();
+    packed["lowEcho"] = Json::binary(std::vector<std::uint8_t>(bytes.begin(), bytes.end()));
+  }
   return packed;
 }
 
@@ -87,13 +92,19 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
   {
     volume.summary = std::make_shared<const VolumeSummary>(UnpackSummary(packed.at("summary")));
   }
+  if (packed.contains("lowEcho"))
+  {
+    const Json::binary_t& bytes = packed.at("lowEcho").get_binary();
+    volume.lowEcho =
+      std::make_shared<const LowEcho>(LowEcho::Unpack(std::string(bytes.begin(), bytes.end())));
+  }
   return {site, volume};
 }
 
 Json PackProblem(const InputProblem& problem)
 {
   return {{"file", problem.file}, {"what", problem.what}, {"leftOut", problem.leftOut},
-    {"offset", problem.offset ? Json(*problem.offset) : Json()}};
+    {"note", problem.note}, {"offset", problem.offset ? Json(*problem.offset) : Json()}};
 }
 
 InputProblem UnpackProblem(const Json& packed)
@@ -102,6 +113,7 @@ InputProblem UnpackProblem(const Json& packed)
   problem.file = packed.at("file");
   problem.what = packed.at("what");
   problem.leftOut = packed.at("leftOut");
+  problem.note = packed.at("note");
   if (!packed.at("offset").is_null())
   {
     problem.offset = packed.at("offset").get<std::uint64_t>();

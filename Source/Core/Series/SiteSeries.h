@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Beams/VolumeSummary.h"
+#include "nexrad/Calibration/LowEcho.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Site.h"
@@ -30,6 +31,7 @@ struct SeriesVolume
   double reach = 0.0; ///< m, slant range to which half of its sweeps of the moment see, or farther
   bool synthetic = false;                       ///< made by the simulator
   std::shared_ptr<const VolumeSummary> summary; ///< when it was asked for
+  std::shared_ptr<const LowEcho> lowEcho;       ///< of reflectivity, when it was asked for
   std::vector<MomentName> moments;              ///< all that some ray has
   std::vector<MomentName> lacking; ///< of the moments that were asked for, those that no ray has
 

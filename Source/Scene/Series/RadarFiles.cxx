@@ -71,7 +71,10 @@ public:
     std::vector<std::string> lines;
     for (const InputProblem& problem : merger.Problems())
     {
-      lines.push_back(problem.Line());
+      if (!problem.note)
+      {
+        lines.push_back(problem.Line());
+      }
     }
     return lines;
   }
