@@ -224,9 +224,10 @@ void ReadStates(const Reading& reading, std::uint64_t offset, const NxvArray& ar
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
     const auto state = static_cast<VoxelState>(bytes[i]);
-    const bool folded = state == VoxelState::RangeFolded && volume.states[i] == VoxelState::NoEcho;
-    if (bytes[i] > static_cast<std::uint8_t>(VoxelState::NotScanned) ||
-        (fromCodes && state != volume.states[i] && !folded))
+    const bool beyondCodes = state == VoxelState::RangeFolded || state == VoxelState::Filtered;
+    const bool added = beyondCodes && volume.states[i] == VoxelState::NoEcho;
+    if (bytes[i] > static_cast<std::uint8_t>(VoxelState::Filtered) ||
+        (fromCodes && state != volume.states[i] && !added))
     {
       throw Error("state " + std::to_string(bytes[i]) + " of voxel " + std::to_string(i) +
                   (fromCodes ? " contradicts its code" : " is not known"));

@@ -130,22 +130,29 @@ Bytes EncodeRuns(
   return encoder.Finish();
 }
 
-// std::find would look at them one by one.
-bool HasRangeFolded(const std::vector<VoxelState>& states)
+// Whether codes have none for a state: they say no echo in its place.
+bool IsBeyondCodes(VoxelState state)
 {
-  return std::memchr(states.data(), static_cast<int>(VoxelState::RangeFolded), states.size());
+  return state == VoxelState::RangeFolded || state == VoxelState::Filtered;
 }
 
-// The states that the 7-bit codes stand for, but range folded where the volume has it. The echoes
+// Whether there are states that codes cannot say. std::find would look at them one by one.
+bool NeedsStates(const std::vector<VoxelState>& states)
+{
+  const auto has = [&states](VoxelState state)
+  { return std::memchr(states.data(), static_cast<int>(state), states.size()) != nullptr; };
+  return has(VoxelState::RangeFolded) || has(VoxelState::Filtered);
+}
+
+// The states that the 7-bit codes stand for, but those that they cannot say as they are. The echoes
 // that became code 0 are no echo, with the array of states as without.
 Bytes StatesOfCodes(const Bytes& codes, const std::vector<VoxelState>& states)
 {
   Bytes bytes(codes.size());
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
-    const bool folded = states[i] == VoxelState::RangeFolded;
-    bytes[i] =
-      static_cast<std::uint8_t>(folded ? VoxelState::RangeFolded : Quantizer::StateOf(codes[i]));
+    bytes[i] = static_cast<std::uint8_t>(
+      IsBeyondCodes(states[i]) ? states[i] : Quantizer::StateOf(codes[i]));
   }
   return bytes;
 }
@@ -162,7 +169,7 @@ void AddRunLengths(FileContent& content, const GriddedVolume& volume,
   content.Add(array, storage == NxvStorage::RunLengthDeflated
                        ? DeflateBytes(stream.data(), stream.size())
                        : std::move(stream));
-  if (HasRangeFolded(volume.states))
+  if (NeedsStates(volume.states))
   {
     AddStates(content, volume.moment, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
   }
@@ -177,7 +184,7 @@ void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
   array.offset = code.offset;
   array.scale = code.scale;
   content.AddDeflated(array, code.EncodeAll(volume), DeflateSearch::Runs);
-  if (HasRangeFolded(volume.states))
+  if (NeedsStates(volume.states))
   {
     Bytes states = StateBytes(volume.states);
     ForEachEcho(volume.states.data(), states.size(),

@@ -18,7 +18,9 @@ enum class VoxelState : std::uint8_t
   Echo = 0,
   NoEcho = 1, ///< scanned, and nothing there
   RangeFolded = 2,
-  NotScanned = 3 ///< no beam passed
+  NotScanned = 3, ///< no beam passed
+  Filtered = 4    ///< quality control took the echo out, and no other radar saw the place
+                  ///< (Formulas Q5)
 };
 
 /// The ancillary arrays of a merged volume, in the order of its values. They are made on demand:
@@ -61,7 +63,7 @@ struct GriddedVolume
   std::string method;             ///< "thesis" or "beam"
   std::vector<std::string> sites; ///< names of the radars that took part
   bool synthetic = false;         ///< made from simulated files; pictures must say so
-  float fill = -33.0F;            ///< value where the state is NoEcho or NotScanned
+  float fill = -33.0F;            ///< value where the state is not Echo
   std::vector<float> values;      ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;
   AncillaryArrays ancillary; ///< of the method "beam", when asked for
