@@ -3,6 +3,7 @@
 
 #include "nexrad/Moments/PhaseSlopes.h"
 #include "nexrad/Moments/StormMotion.h"
+#include "nexrad/Quality/Despeckling.h"
 #include "nexrad/Velocity/Dealiasing.h"
 #include "nexrad/Velocity/VelocityDerivatives.h"
 
