@@ -356,7 +356,7 @@ CodedVolume ReadCodedVoxels(const Reading& reading, MomentName moment)
       {
         coded.codes = ReadCodes(reading, offset, array, coded.volume.grid.VoxelCount());
       }
-      coded.rangeFolded = coded.rangeFolded || IsOfStates(array, moment);
+      coded.furtherStates = coded.furtherStates || IsOfStates(array, moment);
       ReadAncillaryArray(reading, offset, array, coded.volume);
     });
   return coded;

@@ -44,7 +44,7 @@ void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
 
 /// Writes the first moment's bare run-length stream (Formulas T8), without any header. `encoding`
-/// of the options has no effect. Range folded becomes no echo.
+/// of the options has no effect. Range folded and filtered become no echo.
 void WriteRaw(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
 

@@ -23,6 +23,31 @@ enum class VoxelState : std::uint8_t
                   ///< (Formulas Q5)
 };
 
+constexpr std::size_t VoxelStateCount = 5;
+
+/// The state that a number of a `<NAME>_state` array stands for; NotScanned for one that has no
+/// meaning.
+constexpr VoxelState ToVoxelState(std::uint8_t number)
+{
+  return number < VoxelStateCount ? static_cast<VoxelState>(number) : VoxelState::NotScanned;
+}
+
+/// Whether a place was measured: echo or no echo.
+constexpr bool IsMeasured(VoxelState state)
+{
+  return state == VoxelState::Echo || state == VoxelState::NoEcho;
+}
+
+/// Of two states of places that were not measured the one that says more: range folded, then
+/// filtered, then not scanned.
+constexpr VoxelState MoreKnown(VoxelState first, VoxelState second)
+{
+  return first == VoxelState::RangeFolded || second == VoxelState::RangeFolded
+           ? VoxelState::RangeFolded
+         : first == VoxelState::Filtered ? first
+                                         : second;
+}
+
 /// The ancillary arrays of a merged volume, in the order of its values. They are made on demand:
 /// each is empty, or has a value for every voxel. Voxels that no radar scanned have age, number and
 /// weight 0, also where a column was filled.

@@ -361,7 +361,7 @@ TEST(NxvFile, CodesAreReadAsTheyAre)
     EXPECT_TRUE(HasNxvCodes(path, {}, true));
     const auto coded = ReadNxvCodes(path);
     ASSERT_TRUE(coded);
-    EXPECT_FALSE(coded->rangeFolded);
+    EXPECT_FALSE(coded->furtherStates);
     EXPECT_EQ(coded->volume.grid, volume.grid);
     GriddedVolume expanded = coded->volume;
     expanded.values.resize(volume.values.size());
@@ -385,7 +385,7 @@ TEST(NxvFile, CodesTellWhenVoxelsAreRangeFolded)
   WriteNxv(path, volume);
   const auto coded = ReadNxvCodes(path);
   ASSERT_TRUE(coded);
-  EXPECT_TRUE(coded->rangeFolded);
+  EXPECT_TRUE(coded->furtherStates);
   EXPECT_EQ(coded->meaning.states[coded->codes[5]], VoxelState::NoEcho);
   EXPECT_TRUE(HasNxvCodes(path));
   EXPECT_FALSE(HasNxvCodes(path, {}, true));
