@@ -13,21 +13,34 @@ namespace
 constexpr float alike = 3.0F;    // dB
 constexpr float weakest = -5.0F; // dBZ that a tilt without echo counts as
 
-void AddTo(std::vector<float>& sum, const std::vector<float>& more)
+float Mean(float sum, float count)
 {
-  for (std::size_t i = 0; i < sum.size(); ++i)
-  {
-    sum[i] += more[i];
-  }
+  return count > 0.5F ? sum / count : NoNumber;
 }
 
-// Means where there is a count, else NoNumber.
-void Divide(std::vector<float>& sum, const std::vector<float>& count)
+float Spread(float squares, float count)
 {
-  for (std::size_t i = 0; i < sum.size(); ++i)
-  {
-    sum[i] = count[i] > 0.5F ? sum[i] / count[i] : NoNumber;
-  }
+  return count > 0.5F ? std::sqrt(std::max(0.5F * squares / count, 0.0F)) : NoNumber;
+}
+
+void Evaluate(const GateSums& sums, const GateSums& own, GateEvidence& evidence)
+{
+  const float pairs = At(sums, SumOf::Pairs);
+  evidence.squares = Mean(At(sums, SumOf::Squares), pairs);
+  evidence.turns = Mean(At(sums, SumOf::Turns), pairs);
+  const float velocities = At(sums, SumOf::Velocities);
+  evidence.still = Mean(At(sums, SumOf::Still), velocities);
+  evidence.speed = Mean(At(sums, SumOf::Speed), velocities);
+  evidence.width = Mean(At(sums, SumOf::Width), velocities);
+  evidence.ownStill = Mean(At(own, SumOf::Still), At(own, SumOf::Velocities));
+  evidence.ownSpeed = Mean(At(own, SumOf::Speed), At(own, SumOf::Velocities));
+  const float correlations = At(sums, SumOf::Correlations);
+  evidence.correlation = Mean(At(sums, SumOf::Correlation), correlations);
+  evidence.ratio = Mean(At(sums, SumOf::Ratio), correlations);
+  evidence.ownCorrelation = Mean(At(own, SumOf::Correlation), At(own, SumOf::Correlations));
+  const float ratioPairs = At(sums, SumOf::RatioPairs);
+  evidence.ratioSpread = Spread(At(sums, SumOf::RatioSquares), ratioPairs);
+  evidence.phaseSpread = Spread(At(sums, SumOf::PhaseSquares), ratioPairs);
 }
 
 } // namespace
@@ -39,124 +52,95 @@ EvidenceReader::EvidenceReader(const EchoGrid& theGrid, const EchoGrid* theAbove
   , sources(theSources)
   , geometry{gates, theGrid.RangeOf(0), theGrid.GateSpacing()}
 {
-  for (RaySums& each : kept)
+  for (RowTextures& each : kept)
   {
     each.place = grid.Rays();
   }
 }
 
-const EvidenceReader::RaySums& EvidenceReader::SumsOf(std::size_t place)
+const RayTextures& EvidenceReader::TexturesOf(std::size_t place)
 {
-  for (const RaySums& each : kept)
+  for (const RowTextures& each : kept)
   {
     if (each.place == place)
     {
-      return each;
+      return each.textures;
     }
   }
-  RaySums& sums = kept[next];
+  RowTextures& row = kept[next];
   next = (next + 1) % kept.size();
-  sums.place = place;
-  const std::size_t ray = grid.RayAt(place);
-  sums.reflectivity.Set(grid.Row(place), geometry);
-  sums.velocity.Set(sources.velocity[ray], geometry);
-  sums.polarimetric.Set(sources.twoWaves[ray], grid.Row(place), geometry);
-  return sums;
+  row.place = place;
+  row.textures.Set(grid.Row(place), sources, grid.RayAt(place), geometry);
+  return row.textures;
 }
 
-void EvidenceReader::Read(std::size_t place, RowEvidence& evidence)
+void EvidenceReader::Read(std::size_t place, std::vector<GateEvidence>& evidence)
 {
-  const std::size_t none = grid.Rays();
-  const std::size_t before = grid.Beside(place, -1);
-  const std::size_t after = grid.Beside(place, 1);
-  std::vector<float> pairs(geometry.gates, 0.0F);
-  std::vector<float> velocities(geometry.gates, 0.0F);
-  std::vector<float> correlations(geometry.gates, 0.0F);
-  std::vector<float> differences(geometry.gates, 0.0F);
-  for (std::vector<float>* each :
-    {&evidence.squares, &evidence.turns, &evidence.still, &evidence.speed, &evidence.width,
-      &evidence.correlation, &evidence.ratio, &evidence.ratioSpread, &evidence.phaseSpread})
+  evidence.resize(geometry.gates);
+  sums.assign(geometry.gates, GateSums{});
+  for (const std::size_t each : {grid.Beside(place, -1), place, grid.Beside(place, 1)})
   {
-    each->assign(geometry.gates, 0.0F);
-  }
-  for (const std::size_t each : {before, place, after})
-  {
-    if (each == none)
+    if (each == grid.Rays())
     {
       continue;
     }
-    const RaySums& sums = this->SumsOf(each);
-    AddTo(pairs, sums.reflectivity.pairs);
-    AddTo(evidence.squares, sums.reflectivity.squares);
-    AddTo(evidence.turns, sums.reflectivity.turns);
-    AddTo(velocities, sums.velocity.count);
-    AddTo(evidence.still, sums.velocity.still);
-    AddTo(evidence.speed, sums.velocity.speed);
-    AddTo(evidence.width, sums.velocity.width);
-    AddTo(correlations, sums.polarimetric.count);
-    AddTo(evidence.correlation, sums.polarimetric.correlation);
-    AddTo(evidence.ratio, sums.polarimetric.ratio);
-    AddTo(differences, sums.polarimetric.pairs);
-    AddTo(evidence.ratioSpread, sums.polarimetric.ratioSquares);
-    AddTo(evidence.phaseSpread, sums.polarimetric.phaseSquares);
-  }
-  Divide(evidence.squares, pairs);
-  Divide(evidence.turns, pairs);
-  for (std::vector<float>* each : {&evidence.still, &evidence.speed, &evidence.width})
-  {
-    Divide(*each, velocities);
-  }
-  Divide(evidence.correlation, correlations);
-  Divide(evidence.ratio, correlations);
-  for (std::vector<float>* each : {&evidence.ratioSpread, &evidence.phaseSpread})
-  {
-    Divide(*each, differences);
-    std::transform(each->begin(), each->end(), each->begin(),
-      [](float square) { return square >= 0.0F ? std::sqrt(0.5F * square) : NoNumber; });
-  }
-  const VelocitySums& own = this->SumsOf(place).velocity;
-  evidence.ownStill = own.ownStill;
-  Divide(evidence.ownStill, own.ownCount);
-  this->ReadAgreement(place, evidence);
-  this->ReadGradient(place, evidence);
-}
-
-void EvidenceReader::ReadAgreement(std::size_t place, RowEvidence& evidence) const
-{
-  const std::size_t count = geometry.gates;
-  std::vector<float> about(count, 0.0F);
-  evidence.agreement.assign(count, 0.0F);
-  const float* own = grid.Row(place);
-  const std::ptrdiff_t far = static_cast<std::ptrdiff_t>(geometry.HalfWindow());
-  for (const int step : {-1, 0, 1})
-  {
-    const float* row = step == 0 ? own : grid.RowBeside(place, step);
-    for (const std::ptrdiff_t offset :
-      {-far, std::ptrdiff_t(-1), std::ptrdiff_t(0), std::ptrdiff_t(1), far})
+    const std::vector<GateSums>& windows = this->TexturesOf(each).Windows();
+    for (std::size_t i = 0; i < geometry.gates; ++i)
     {
-      if (step == 0 && offset == 0)
+      for (std::size_t which = 0; which < SumCount; ++which)
       {
-        continue;
-      }
-      const std::size_t begin = offset < 0 ? static_cast<std::size_t>(-offset) : 0;
-      const std::size_t end = offset > 0 ? count - std::min(count, std::size_t(offset)) : count;
-      for (std::size_t i = begin; i < end; ++i)
-      {
-        const float other = row[i + static_cast<std::size_t>(offset)];
-        about[i] += IsNumber(other) ? 1.0F : 0.0F;
-        evidence.agreement[i] += std::abs(other - own[i]) < alike ? 1.0F : 0.0F;
+        sums[i][which] += windows[i][which];
       }
     }
   }
-  for (std::size_t i = 0; i < count; ++i)
+  const float* row = grid.Row(place);
+  const std::vector<GateSums>& own = this->TexturesOf(place).Own();
+  for (std::size_t i = 0; i < geometry.gates; ++i)
   {
-    evidence.agreement[i] = about[i] > 2.5F ? evidence.agreement[i] / about[i] : NoNumber;
+    if (IsNumber(row[i]))
+    {
+      evidence[i] = GateEvidence();
+      evidence[i].reflectivity = row[i];
+      Evaluate(sums[i], own[i], evidence[i]);
+    }
+  }
+  this->ReadAgreement(place, evidence);
+  this->ReadGradient(place, evidence);
+  this->ReadFilterPower(place, evidence);
+}
+
+void EvidenceReader::ReadAgreement(std::size_t place, std::vector<GateEvidence>& evidence) const
+{
+  const auto count = static_cast<std::ptrdiff_t>(geometry.gates);
+  const float* own = grid.Row(place);
+  const auto far = static_cast<std::ptrdiff_t>(geometry.HalfWindow());
+  const std::array<const float*, 3> rows = {
+    grid.RowBeside(place, -1), own, grid.RowBeside(place, 1)};
+  for (std::ptrdiff_t i = 0; i < count; ++i)
+  {
+    if (!IsNumber(own[i]))
+    {
+      continue;
+    }
+    float about = 0.0F;
+    float like = 0.0F;
+    for (const std::ptrdiff_t at : {i - far, i - 1, i, i + 1, i + far})
+    {
+      for (std::size_t each = 0; each < rows.size() && at >= 0 && at < count; ++each)
+      {
+        const float other = rows[each][at];
+        about += IsNumber(other) ? 1.0F : 0.0F;
+        like += std::abs(other - own[i]) < alike ? 1.0F : 0.0F;
+      }
+    }
+    // The gate itself is one of them.
+    evidence[static_cast<std::size_t>(i)].agreement =
+      about > 3.5F ? (like - 1.0F) / (about - 1.0F) : NoNumber;
   }
 }
 
-void EvidenceReader::ReadGradient(std::size_t place, RowEvidence& evidence) const
+void EvidenceReader::ReadGradient(std::size_t place, std::vector<GateEvidence>& evidence) const
 {
-  evidence.gradient.assign(geometry.gates, NoNumber);
   if (above == nullptr)
   {
     return;
@@ -171,11 +155,29 @@ void EvidenceReader::ReadGradient(std::size_t place, RowEvidence& evidence) cons
   const auto perDegree = static_cast<float>(1.0 / (above->Elevation() - grid.Elevation()));
   for (std::size_t i = 0; i < geometry.gates; ++i)
   {
-    const std::ptrdiff_t at = above->GateAt(grid.RangeOf(i));
-    if (IsNumber(row[i]) && at >= 0 && at < static_cast<std::ptrdiff_t>(above->Gates()))
+    if (!IsNumber(row[i]))
     {
-      evidence.gradient[i] = (row[i] - std::max(upper[at], std::min(weakest, row[i]))) * perDegree;
+      continue;
     }
+    const std::ptrdiff_t at = above->GateAt(grid.RangeOf(i));
+    if (at >= 0 && at < static_cast<std::ptrdiff_t>(above->Gates()))
+    {
+      evidence[i].gradient = (row[i] - std::max(upper[at], std::min(weakest, row[i]))) * perDegree;
+    }
+  }
+}
+
+void EvidenceReader::ReadFilterPower(std::size_t place, std::vector<GateEvidence>& evidence)
+{
+  const std::size_t ray = grid.RayAt(place);
+  if (!sources.filterPower.Has(ray))
+  {
+    return;
+  }
+  ReadMoment(sources.filterPower, ray, geometry, codes, filterPower);
+  for (std::size_t i = 0; i < geometry.gates; ++i)
+  {
+    evidence[i].filterPower = filterPower[i];
   }
 }
 

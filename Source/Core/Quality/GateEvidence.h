@@ -12,22 +12,25 @@
 namespace nexrad
 {
 
-/// What is measured about the gates of one row, over windows of three rays. NoNumber where nothing
-/// is known.
-struct RowEvidence
+/// What is measured about one gate, over a window of three rays. NoNumber where nothing is known.
+struct GateEvidence
 {
-  std::vector<float> agreement;   ///< 0…1: part of the gates about it that are within 3 dB of it
-  std::vector<float> squares;     ///< dB², mean squared difference along the ray
-  std::vector<float> turns;       ///< 0…1: spin
-  std::vector<float> still;       ///< 0…1: part of the velocities that are near 0 and narrow
-  std::vector<float> ownStill;    ///< the same of the gate alone
-  std::vector<float> speed;       ///< m/s, mean |V|
-  std::vector<float> width;       ///< m/s, mean spectrum width
-  std::vector<float> correlation; ///< mean ρ_hv
-  std::vector<float> ratio;       ///< dB, mean Z_DR
-  std::vector<float> ratioSpread; ///< dB, standard deviation of Z_DR, of neighbouring gates
-  std::vector<float> phaseSpread; ///< degrees, the same of Φ_DP
-  std::vector<float> gradient;    ///< dB a degree, how much weaker the next tilt above is there
+  float reflectivity = NoNumber;   ///< dBZ
+  float agreement = NoNumber;      ///< 0…1: part of the gates about it that are within 3 dB of it
+  float squares = NoNumber;        ///< dB², mean squared difference along the ray
+  float turns = NoNumber;          ///< 0…1: spin
+  float still = NoNumber;          ///< 0…1: part of the velocities that are near 0 and narrow
+  float ownStill = NoNumber;       ///< the same of the gate alone
+  float speed = NoNumber;          ///< m/s, mean |V|
+  float ownSpeed = NoNumber;       ///< m/s, the same of the gate alone
+  float width = NoNumber;          ///< m/s, mean spectrum width
+  float correlation = NoNumber;    ///< mean ρ_hv
+  float ownCorrelation = NoNumber; ///< ρ_hv of the gate alone
+  float ratio = NoNumber;          ///< dB, mean Z_DR
+  float ratioSpread = NoNumber;    ///< dB, standard deviation of Z_DR, of neighbouring gates
+  float phaseSpread = NoNumber;    ///< degrees, the same of Φ_DP
+  float filterPower = NoNumber;    ///< dB that the clutter filter removed
+  float gradient = NoNumber;       ///< dB a degree, how much weaker the next tilt above is there
 };
 
 /// Reads the evidence of a sweep row by row. Rows that follow each other share work.
@@ -39,27 +42,30 @@ public:
   EvidenceReader(
     const EchoGrid& grid, const EchoGrid* above, const SweepSources& sources, std::size_t gates);
 
-  void Read(std::size_t place, RowEvidence& evidence);
+  /// Reads the evidence of the gates of a row that have a value; that of others stays as it is.
+  void Read(std::size_t place, std::vector<GateEvidence>& evidence);
 
 private:
-  struct RaySums
+  struct RowTextures
   {
     std::size_t place;
-    ReflectivitySums reflectivity;
-    VelocitySums velocity;
-    PolarimetricSums polarimetric;
+    RayTextures textures;
   };
 
-  const RaySums& SumsOf(std::size_t place);
-  void ReadAgreement(std::size_t place, RowEvidence& evidence) const;
-  void ReadGradient(std::size_t place, RowEvidence& evidence) const;
+  const RayTextures& TexturesOf(std::size_t place);
+  void ReadAgreement(std::size_t place, std::vector<GateEvidence>& evidence) const;
+  void ReadGradient(std::size_t place, std::vector<GateEvidence>& evidence) const;
+  void ReadFilterPower(std::size_t place, std::vector<GateEvidence>& evidence);
 
   const EchoGrid& grid;
   const EchoGrid* above;
   const SweepSources& sources;
   RowGeometry geometry;
-  std::array<RaySums, 3> kept;
+  std::array<RowTextures, 3> kept;
   std::size_t next = 0;
+  std::vector<GateSums> sums;
+  std::vector<std::uint16_t> codes;
+  std::vector<float> filterPower;
 };
 
 } // namespace nexrad

@@ -3,7 +3,6 @@
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
-#include "nexrad/Polar/PolarVolume.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,106 +16,136 @@ namespace
 
 constexpr double sameDirection = 0.75; // degrees
 
-// The rays of a sweep that have a moment, by azimuth.
-class RaysWith
+double TurnedAzimuth(const PolarRay& ray)
+{
+  const double turned = std::fmod(static_cast<double>(ray.azimuth), 360.0);
+  return turned < 0.0 ? turned + 360.0 : turned;
+}
+
+// The rays of a sweep by azimuth.
+class RaysByAzimuth
 {
 public:
-  RaysWith(const Sweep& sweep, MomentName moment)
+  explicit RaysByAzimuth(const PolarSweep& sweep)
   {
-    for (const Ray& ray : sweep.rays)
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
-      if (ray.Row(moment).gates > 0)
-      {
-        rays.emplace_back(static_cast<double>(ray.azimuth), &ray);
-      }
+      rays.emplace_back(TurnedAzimuth(sweep.rays[ray]), ray);
     }
     std::sort(rays.begin(), rays.end());
   }
 
-  // nullptr where none is near enough.
-  const Ray* Nearest(double azimuth) const
+  // MomentSource::NoRay where none is near enough.
+  std::size_t Nearest(double azimuth) const
   {
-    if (rays.empty())
-    {
-      return nullptr;
-    }
-    const auto next = std::lower_bound(rays.begin(), rays.end(), azimuth,
-      [](const auto& ray, double wanted) { return ray.first < wanted; });
+    const auto next =
+      std::lower_bound(rays.begin(), rays.end(), std::make_pair(azimuth, std::size_t(0)));
     const auto& after = next == rays.end() ? rays.front() : *next;
     const auto& before = next == rays.begin() ? rays.back() : *(next - 1);
     const double toAfter = std::abs(AngleDifference(after.first, azimuth));
     const double toBefore = std::abs(AngleDifference(before.first, azimuth));
-    const bool isAfter = toAfter < toBefore;
-    return std::min(toAfter, toBefore) > sameDirection ? nullptr
-                                                       : (isAfter ? after : before).second;
+    return std::min(toAfter, toBefore) > sameDirection
+             ? MomentSource::NoRay
+             : (toAfter <= toBefore ? after : before).second;
   }
 
 private:
-  std::vector<std::pair<double, const Ray*>> rays;
+  std::vector<std::pair<double, std::size_t>> rays;
 };
 
-// The sweep itself where it has a moment, else its neighbour at the same tilt that does; nullptr
-// where neither does.
-const Sweep* FindCutWith(const RadarVolume& volume, const std::vector<double>& elevations,
-  std::size_t own, MomentName moment)
+// The sweep of a cut, the one with the most rays where rays of several gate geometries make
+// several; nullptr when the volume has none.
+const PolarSweep* FindCut(const PolarVolume& volume, int elevationNumber)
 {
-  if (volume.sweeps[own].Has(moment))
+  const PolarSweep* found = nullptr;
+  for (const PolarSweep& sweep : volume.sweeps)
   {
-    return &volume.sweeps[own];
+    const bool serves = sweep.elevationNumber == elevationNumber && !sweep.rays.empty() &&
+                        sweep.gates > 0 && sweep.gateSpacing > 0.0;
+    found = serves && (!found || sweep.rays.size() > found->rays.size()) ? &sweep : found;
   }
-  const auto serves = [&](std::size_t other)
-  {
-    return other < volume.sweeps.size() &&
-           std::abs(elevations[other] - elevations[own]) <= SameTilt &&
-           volume.sweeps[other].Has(moment);
-  };
-  // Velocity comes after reflectivity in a split cut, and polarimetry before it.
-  const std::size_t after = own + 1;
-  const std::size_t before = own - 1; // beyond the end for the first
-  const bool later = moment == MomentName::VEL ? serves(after) || !serves(before) : !serves(before);
-  const std::size_t other = later ? after : before;
-  return serves(other) ? &volume.sweeps[other] : nullptr;
+  return found;
 }
 
-void FindRays(const Sweep* sweep, MomentName moment, const std::vector<const Ray*>& own,
-  std::vector<const Ray*>& found)
+bool IsSameTilt(const PolarSweep& one, const PolarSweep& other)
 {
-  found.assign(own.size(), nullptr);
-  if (sweep == nullptr)
+  return std::abs(MedianElevation(one) - MedianElevation(other)) <= SameTilt;
+}
+
+// The cut itself where it has a moment, else its neighbour at the same tilt that does; nullptr
+// where neither does. `after`: the later neighbour first.
+const PolarSweep* FindCutWith(const PolarVolume& volume, const PolarSweep& own, bool after)
+{
+  const int step = after ? 1 : -1;
+  for (const int number :
+    {own.elevationNumber, own.elevationNumber + step, own.elevationNumber - step})
   {
-    return;
+    const PolarSweep* found = FindCut(volume, number);
+    if (found && IsSameTilt(*found, own))
+    {
+      return found;
+    }
   }
-  const RaysWith rays(*sweep, moment);
-  for (std::size_t i = 0; i < own.size(); ++i)
+  return nullptr;
+}
+
+MomentSource FindSource(const PolarVolume& volume, const PolarSweep& own, bool after)
+{
+  MomentSource source;
+  source.sweep = FindCutWith(volume, own, after);
+  if (source.sweep)
   {
-    const bool itself = own[i]->Row(moment).gates > 0;
-    found[i] = itself ? own[i] : rays.Nearest(static_cast<double>(own[i]->azimuth));
+    const RaysByAzimuth rays(*source.sweep);
+    for (const PolarRay& ray : own.rays)
+    {
+      source.rays.push_back(rays.Nearest(TurnedAzimuth(ray)));
+    }
   }
+  return source;
+}
+
+// Whether a sweep is the Doppler half of the split cut whose surveillance half is the one before.
+bool IsDopplerHalf(const MeasuredMoments& moments, std::size_t sweep)
+{
+  const std::vector<PolarSweep>& all = moments.reflectivity.sweeps;
+  return sweep > 0 && IsSameTilt(all[sweep - 1], all[sweep]) &&
+         all[sweep - 1].elevationNumber + 1 == all[sweep].elevationNumber &&
+         FindCut(moments.velocity, all[sweep].elevationNumber) != nullptr &&
+         FindCut(moments.velocity, all[sweep - 1].elevationNumber) == nullptr;
 }
 
 } // namespace
 
-std::vector<SweepSources> FindSources(const RadarVolume& volume)
+MeasuredMoments::MeasuredMoments(const std::function<PolarVolume(MomentName)>& measured)
+  : reflectivity(measured(MomentName::REF))
+  , velocity(measured(MomentName::VEL))
+  , width(measured(MomentName::SW))
+  , correlation(measured(MomentName::RHO))
+  , ratio(measured(MomentName::ZDR))
+  , phase(measured(MomentName::PHI))
+  , filterPower(measured(MomentName::CFP))
 {
-  std::vector<double> elevations;
-  for (const Sweep& sweep : volume.sweeps)
-  {
-    elevations.push_back(sweep.MedianElevation());
-  }
+}
+
+std::vector<SweepSources> FindSources(const MeasuredMoments& moments)
+{
   std::vector<SweepSources> all;
-  for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
+  for (std::size_t i = 0; i < moments.reflectivity.sweeps.size(); ++i)
   {
-    for (std::vector<const Ray*>& rays : RaysByGeometry(volume.sweeps[i], MomentName::REF))
+    // In a split cut velocity comes after reflectivity, and polarimetry before it.
+    const PolarSweep& own = moments.reflectivity.sweeps[i];
+    SweepSources sources;
+    sources.velocity = FindSource(moments.velocity, own, true);
+    sources.width = FindSource(moments.width, own, true);
+    sources.correlation = FindSource(moments.correlation, own, false);
+    sources.ratio = FindSource(moments.ratio, own, false);
+    sources.phase = FindSource(moments.phase, own, false);
+    sources.filterPower = FindSource(moments.filterPower, own, false);
+    if (IsDopplerHalf(moments, i))
     {
-      SweepSources sources;
-      sources.sweep = i;
-      sources.own = std::move(rays);
-      FindRays(FindCutWith(volume, elevations, i, MomentName::VEL), MomentName::VEL, sources.own,
-        sources.velocity);
-      FindRays(FindCutWith(volume, elevations, i, MomentName::RHO), MomentName::RHO, sources.own,
-        sources.twoWaves);
-      all.push_back(std::move(sources));
+      sources.surveillance = i - 1;
     }
+    all.push_back(std::move(sources));
   }
   return all;
 }

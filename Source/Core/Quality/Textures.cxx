@@ -10,31 +10,38 @@ namespace nexrad
 namespace
 {
 
-constexpr float largestSquare = 400.0F; // dB²
-constexpr float stillSpeed = 1.3F;      // m/s
-constexpr float stillWidth = 1.8F;      // m/s
+constexpr float largestSquare = 400.0F;       // dB²
+constexpr float largestPhaseSquare = 3600.0F; // degrees²
+constexpr float stillSpeed = 1.3F;            // m/s
+constexpr float stillWidth = 1.8F;            // m/s
+constexpr float usualWidth = 2.0F;            // m/s, where none is measured
 
-// Replaces each element by the sum of those within `half` of it.
-void SumWindows(std::vector<float>& values, std::size_t half, std::vector<float>& prefix)
+// Sums of the gates within `half` of each.
+void SumWindows(const std::vector<GateSums>& own, std::size_t half, std::vector<GateSums>& prefix,
+  std::vector<GateSums>& windows)
 {
-  const std::size_t count = values.size();
+  const std::size_t count = own.size();
   prefix.resize(count + 1);
-  prefix[0] = 0.0F;
+  windows.resize(count);
+  GateSums sum{};
+  prefix[0] = sum;
   for (std::size_t i = 0; i < count; ++i)
   {
-    prefix[i + 1] = prefix[i] + values[i];
+    for (std::size_t each = 0; each < SumCount; ++each)
+    {
+      sum[each] += own[i][each];
+    }
+    prefix[i + 1] = sum;
   }
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::size_t from = i > half ? i - half : 0;
-    const std::size_t to = std::min(i + half + 1, count);
-    values[i] = prefix[to] - prefix[from];
+    const GateSums& from = prefix[i > half ? i - half : 0];
+    const GateSums& to = prefix[std::min(i + half + 1, count)];
+    for (std::size_t each = 0; each < SumCount; ++each)
+    {
+      windows[i][each] = to[each] - from[each];
+    }
   }
-}
-
-void Clear(std::vector<float>& values, std::size_t count)
-{
-  values.assign(count, 0.0F);
 }
 
 } // namespace
@@ -44,158 +51,134 @@ std::size_t RowGeometry::HalfWindow() const
   return static_cast<std::size_t>(std::clamp(std::lround(1000.0 / spacing), 2L, 20L));
 }
 
-void ReadMoment(const Ray* ray, MomentName moment, const RowGeometry& geometry, float* values)
+void ReadMoment(const MomentSource& source, std::size_t ray, const RowGeometry& geometry,
+  std::vector<std::uint16_t>& codes, std::vector<float>& values)
 {
-  std::fill(values, values + geometry.gates, NoNumber);
-  if (ray == nullptr)
+  values.assign(geometry.gates, NoNumber);
+  if (!source.Has(ray))
   {
     return;
   }
-  const MomentRow& row = ray->Row(moment);
-  if (row.gates == 0 || row.gateSpacing <= 0)
-  {
-    return;
-  }
-  const double step = geometry.spacing / row.gateSpacing;
-  const double from = (geometry.firstGate - row.firstGate) / row.gateSpacing + 0.5;
-  const float perWord = 1.0F / row.scale;
+  const PolarSweep& sweep = *source.sweep;
+  codes.resize(sweep.gates);
+  sweep.Read(source.rays[ray], codes.data());
+  const double step = geometry.spacing / sweep.gateSpacing;
+  const double from = (geometry.firstGate - sweep.firstGate) / sweep.gateSpacing + 0.5;
   for (std::size_t gate = 0; gate < geometry.gates; ++gate)
   {
     const double place = from + step * static_cast<double>(gate);
-    if (place < 0.0)
-    {
-      continue;
-    }
-    const auto at = static_cast<std::size_t>(place);
-    if (at >= row.gates)
+    const auto at = static_cast<std::size_t>(std::max(place, 0.0));
+    if (at >= sweep.gates)
     {
       break;
     }
-    const unsigned word = row.Raw(at);
-    values[gate] =
-      word >= row.firstValue ? (static_cast<float>(word) - row.offset) * perWord : NoNumber;
+    const float value = sweep.scale.ValueOf(codes[at]);
+    values[gate] = place >= 0.0 && codes[at] >= GateCode::FirstValue ? value : NoNumber;
   }
 }
 
-void ReflectivitySums::Set(const float* row, const RowGeometry& geometry)
+void RayTextures::Set(
+  const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry)
 {
-  const std::size_t count = geometry.gates;
-  Clear(pairs, count);
-  Clear(squares, count);
-  Clear(turns, count);
-  for (std::size_t i = 0; i + 1 < count; ++i)
-  {
-    const float difference = row[i + 1] - row[i];
-    const bool both = IsNumber(row[i]) && IsNumber(row[i + 1]);
-    pairs[i] = both ? 1.0F : 0.0F;
-    squares[i] = both ? std::min(difference * difference, largestSquare) : 0.0F;
-  }
-  for (std::size_t i = 1; i + 1 < count; ++i)
-  {
-    const float before = row[i] - row[i - 1];
-    const float after = row[i + 1] - row[i];
-    const bool all = pairs[i] + pairs[i - 1] > 1.5F;
-    const bool turn = before * after < 0.0F && std::abs(before) + std::abs(after) > 4.0F;
-    turns[i] = all && turn ? 1.0F : 0.0F;
-  }
-  std::vector<float> prefix;
-  const std::size_t half = geometry.HalfWindow();
-  for (std::vector<float>* each : {&pairs, &squares, &turns})
-  {
-    SumWindows(*each, half, prefix);
-  }
+  own.assign(geometry.gates, GateSums{});
+  this->AddReflectivity(row, geometry.gates);
+  this->AddVelocity(sources, ray, geometry);
+  this->AddPolarimetry(row, sources, ray, geometry);
+  SumWindows(own, geometry.HalfWindow(), prefix, windows);
 }
 
-void VelocitySums::Set(const Ray* ray, const RowGeometry& geometry)
+void RayTextures::AddReflectivity(const float* row, std::size_t gates)
 {
-  const std::size_t gates = geometry.gates;
-  for (std::vector<float>* each : {&ownCount, &ownStill, &ownSpeed, &ownWidth})
+  for (std::size_t i = 0; i + 1 < gates; ++i)
   {
-    Clear(*each, gates);
-  }
-  if (ray != nullptr)
-  {
-    const MomentRow& velocity = ray->Row(MomentName::VEL);
-    const MomentRow& spectrum = ray->Row(MomentName::SW);
-    const bool together = spectrum.gates >= velocity.gates &&
-                          spectrum.firstGate == velocity.firstGate &&
-                          spectrum.gateSpacing == velocity.gateSpacing;
-    const double perGate = velocity.gateSpacing / geometry.spacing;
-    const double from = (velocity.firstGate - geometry.firstGate) / geometry.spacing + 0.5;
-    for (std::size_t i = 0; i < velocity.gates; ++i)
+    if (!IsNumber(row[i]) || !IsNumber(row[i + 1]))
     {
-      const double place = from + perGate * static_cast<double>(i);
-      const auto at = static_cast<std::size_t>(std::max(place, 0.0));
-      if (at >= gates)
-      {
-        break;
-      }
-      if (place < 0.0 || velocity.State(i) != GateState::Valid)
-      {
-        continue;
-      }
-      const bool hasWidth = together && spectrum.State(i) == GateState::Valid;
-      const float ofSpeed = std::abs(velocity.Value(i));
-      const float ofWidth = hasWidth ? std::max(spectrum.Value(i), 0.0F) : 2.0F;
-      ownCount[at] += 1.0F;
-      ownSpeed[at] += ofSpeed;
-      ownWidth[at] += ofWidth;
-      ownStill[at] += ofSpeed < stillSpeed && ofWidth < stillWidth ? 1.0F : 0.0F;
+      continue;
+    }
+    const float after = row[i + 1] - row[i];
+    At(own[i], SumOf::Pairs) = 1.0F;
+    At(own[i], SumOf::Squares) = std::min(after * after, largestSquare);
+    if (i > 0 && IsNumber(row[i - 1]))
+    {
+      const float before = row[i] - row[i - 1];
+      const bool turn = before * after < 0.0F && std::abs(before) + std::abs(after) > 4.0F;
+      At(own[i], SumOf::Turns) = turn ? 1.0F : 0.0F;
     }
   }
-  std::vector<float> prefix;
-  const std::size_t half = geometry.HalfWindow();
-  count = ownCount;
-  still = ownStill;
-  speed = ownSpeed;
-  width = ownWidth;
-  for (std::vector<float>* each : {&count, &still, &speed, &width})
+}
+
+void RayTextures::AddVelocity(
+  const SweepSources& sources, std::size_t ray, const RowGeometry& geometry)
+{
+  if (!sources.velocity.Has(ray))
   {
-    SumWindows(*each, half, prefix);
+    return;
+  }
+  const PolarSweep& velocity = *sources.velocity.sweep;
+  codes.resize(velocity.gates);
+  velocity.Read(sources.velocity.rays[ray], codes.data());
+  const PolarSweep* width = sources.width.Has(ray) ? sources.width.sweep : nullptr;
+  widthCodes.assign(velocity.gates, GateCode::NotSampled);
+  if (width && width->firstGate == velocity.firstGate && width->gateSpacing == velocity.gateSpacing)
+  {
+    width->rows.Read(
+      sources.width.rays[ray], std::min(width->gates, velocity.gates), widthCodes.data());
+  }
+  const double perGate = velocity.gateSpacing / geometry.spacing;
+  const double from = (velocity.firstGate - geometry.firstGate) / geometry.spacing + 0.5;
+  for (std::size_t i = 0; i < velocity.gates; ++i)
+  {
+    const double place = from + perGate * static_cast<double>(i);
+    const auto at = static_cast<std::size_t>(std::max(place, 0.0));
+    if (at >= geometry.gates)
+    {
+      break;
+    }
+    if (place < 0.0 || codes[i] < GateCode::FirstValue)
+    {
+      continue;
+    }
+    const bool hasWidth = widthCodes[i] >= GateCode::FirstValue;
+    const float ofSpeed = std::abs(velocity.scale.ValueOf(codes[i]));
+    const float ofWidth =
+      hasWidth ? std::max(width->scale.ValueOf(widthCodes[i]), 0.0F) : usualWidth;
+    At(own[at], SumOf::Velocities) += 1.0F;
+    At(own[at], SumOf::Speed) += ofSpeed;
+    At(own[at], SumOf::Width) += ofWidth;
+    At(own[at], SumOf::Still) += ofSpeed < stillSpeed && ofWidth < stillWidth ? 1.0F : 0.0F;
   }
 }
 
-void PolarimetricSums::Set(const Ray* ray, const float* row, const RowGeometry& geometry)
+void RayTextures::AddPolarimetry(
+  const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry)
 {
-  const std::size_t gates = geometry.gates;
-  ownCorrelation.resize(gates);
-  ownRatio.resize(gates);
-  std::vector<float> phase(gates);
-  ReadMoment(ray, MomentName::RHO, geometry, ownCorrelation.data());
-  ReadMoment(ray, MomentName::ZDR, geometry, ownRatio.data());
-  ReadMoment(ray, MomentName::PHI, geometry, phase.data());
-  for (std::vector<float>* each :
-    {&count, &correlation, &ratio, &pairs, &ratioSquares, &phaseSquares})
+  if (!sources.correlation.Has(ray) || !sources.ratio.Has(ray))
   {
-    Clear(*each, gates);
+    return;
   }
+  ReadMoment(sources.correlation, ray, geometry, codes, correlation);
+  ReadMoment(sources.ratio, ray, geometry, codes, ratio);
+  ReadMoment(sources.phase, ray, geometry, codes, phase);
   const auto known = [&](std::size_t i)
-  { return IsNumber(ownCorrelation[i]) && IsNumber(ownRatio[i]) && IsNumber(row[i]); };
-  for (std::size_t i = 0; i < gates; ++i)
+  { return IsNumber(correlation[i]) && IsNumber(ratio[i]) && IsNumber(row[i]); };
+  for (std::size_t i = 0; i < geometry.gates; ++i)
   {
     if (!known(i))
     {
       continue;
     }
-    count[i] = 1.0F;
-    correlation[i] = std::min(ownCorrelation[i], 1.0F);
-    ratio[i] = ownRatio[i];
-    if (i + 1 < gates && known(i + 1) && IsNumber(phase[i]) && IsNumber(phase[i + 1]))
+    At(own[i], SumOf::Correlations) = 1.0F;
+    At(own[i], SumOf::Correlation) = std::min(correlation[i], 1.0F);
+    At(own[i], SumOf::Ratio) = ratio[i];
+    if (i + 1 < geometry.gates && known(i + 1) && IsNumber(phase[i]) && IsNumber(phase[i + 1]))
     {
-      const float ratios = ownRatio[i + 1] - ownRatio[i];
+      const float ratios = ratio[i + 1] - ratio[i];
       float phases = std::abs(phase[i + 1] - phase[i]);
       phases = phases > 180.0F ? 360.0F - phases : phases;
-      pairs[i] = 1.0F;
-      ratioSquares[i] = ratios * ratios;
-      phaseSquares[i] = phases * phases;
+      At(own[i], SumOf::RatioPairs) = 1.0F;
+      At(own[i], SumOf::RatioSquares) = ratios * ratios;
+      At(own[i], SumOf::PhaseSquares) = std::min(phases * phases, largestPhaseSquare);
     }
-  }
-  std::vector<float> prefix;
-  const std::size_t half = geometry.HalfWindow();
-  for (std::vector<float>* each :
-    {&count, &correlation, &ratio, &pairs, &ratioSquares, &phaseSquares})
-  {
-    SumWindows(*each, half, prefix);
   }
 }
 

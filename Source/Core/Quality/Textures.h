@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Model/RadarVolume.h"
 #include "nexrad/Quality/EchoGrid.h"
+#include "nexrad/Quality/SplitCuts.h"
 
+#include <array>
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace nexrad
@@ -21,52 +23,69 @@ struct RowGeometry
   std::size_t HalfWindow() const;
 };
 
-/// Sums over the windows about the gates of one row: what textures are made of. Rows of
-/// neighbouring rays are added up.
-struct ReflectivitySums
+/// What is summed over the gates of a window. Neighbouring rays are added up.
+enum class SumOf : std::uint8_t
 {
-  std::vector<float> pairs;   ///< neighbouring gates with values
-  std::vector<float> squares; ///< of their differences, dB², each at most 400
-  std::vector<float> turns;   ///< gates where the differences change their sign, by over 2 dB
-
-  /// `row` as EchoGrid::Row.
-  void Set(const float* row, const RowGeometry& geometry);
+  Pairs,        ///< neighbouring gates with reflectivity
+  Squares,      ///< of their differences, dB², each at most 400
+  Turns,        ///< gates where the differences change their sign, by over 2 dB
+  Velocities,   ///< gates with a velocity
+  Still,        ///< those with |V| < 1.3 m/s and a width below 1.8 m/s
+  Speed,        ///< |V|, m/s
+  Width,        ///< spectrum width, m/s
+  Correlations, ///< gates with ρ_hv and Z_DR
+  Correlation,  ///< ρ_hv
+  Ratio,        ///< Z_DR, dB
+  RatioPairs,   ///< neighbouring gates with Z_DR and Φ_DP
+  RatioSquares, ///< of the differences of Z_DR, dB²
+  PhaseSquares, ///< of the differences of Φ_DP, degrees², each at most 3600
+  Count
 };
+constexpr std::size_t SumCount = 16; // a multiple of four, for the processor
 
-/// The same of velocity and spectrum width, which are finer than reflectivity in old files: those
-/// of the gates within each gate of reflectivity. Each gate's own beside the windows'.
-struct VelocitySums
+/// The sums of one gate.
+using GateSums = std::array<float, SumCount>;
+
+inline float& At(GateSums& sums, SumOf which)
 {
-  std::vector<float> ownCount;
-  std::vector<float> ownStill; ///< gates with |V| < 1.3 m/s and a width below 1.8 m/s
-  std::vector<float> ownSpeed; ///< sum of |V|, m/s
-  std::vector<float> ownWidth; ///< sum of the spectrum widths, m/s
-  std::vector<float> count;
-  std::vector<float> still;
-  std::vector<float> speed;
-  std::vector<float> width;
-
-  /// `ray` may be nullptr: nothing is known.
-  void Set(const Ray* ray, const RowGeometry& geometry);
-};
-
-/// The same of the moments of two polarisations. `row` says which gates have reflectivity.
-struct PolarimetricSums
+  return sums[static_cast<std::size_t>(which)];
+}
+inline float At(const GateSums& sums, SumOf which)
 {
-  std::vector<float> count;          ///< gates with ρ_hv
-  std::vector<float> correlation;    ///< sum of ρ_hv
-  std::vector<float> ratio;          ///< sum of Z_DR, dB
-  std::vector<float> pairs;          ///< neighbouring gates with Z_DR and Φ_DP
-  std::vector<float> ratioSquares;   ///< of the differences of Z_DR, dB²
-  std::vector<float> phaseSquares;   ///< of the differences of Φ_DP, degrees²
-  std::vector<float> ownCorrelation; ///< of the gate; NoNumber where there is none
-  std::vector<float> ownRatio;       ///< dB; NoNumber where there is none
+  return sums[static_cast<std::size_t>(which)];
+}
 
-  /// `ray` may be nullptr: nothing is known.
-  void Set(const Ray* ray, const float* row, const RowGeometry& geometry);
+/// Sums over the windows about the gates of one ray.
+class RayTextures
+{
+public:
+  /// Reads a row of reflectivity, as EchoGrid::Row, and what its sources tell.
+  void Set(
+    const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry);
+
+  const std::vector<GateSums>& Windows() const { return windows; }
+  /// Of the gate alone, without the window.
+  const std::vector<GateSums>& Own() const { return own; }
+
+private:
+  void AddReflectivity(const float* row, std::size_t gates);
+  void AddVelocity(const SweepSources& sources, std::size_t ray, const RowGeometry& geometry);
+  void AddPolarimetry(
+    const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry);
+
+  std::vector<GateSums> own;
+  std::vector<GateSums> windows;
+  std::vector<GateSums> prefix;
+  std::vector<std::uint16_t> codes;
+  std::vector<std::uint16_t> widthCodes;
+  std::vector<float> correlation;
+  std::vector<float> ratio;
+  std::vector<float> phase;
 };
 
 /// Values of a moment at the gates of a row: of the nearest gate; NoNumber where it has none.
-void ReadMoment(const Ray* ray, MomentName moment, const RowGeometry& geometry, float* values);
+/// `codes` is room that is used.
+void ReadMoment(const MomentSource& source, std::size_t ray, const RowGeometry& geometry,
+  std::vector<std::uint16_t>& codes, std::vector<float>& values);
 
 } // namespace nexrad

@@ -1,0 +1,420 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Quality/EchoClassification.h"
+
+#include "nexrad/Model/Elevation.h"
+#include "nexrad/Quality/EchoGrid.h"
+#include "nexrad/Quality/EchoInterest.h"
+#include "nexrad/Quality/GateEvidence.h"
+#include "nexrad/Quality/GateRegions.h"
+#include "nexrad/Quality/SpikeTest.h"
+#include "nexrad/Quality/SplitCuts.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/System/ThreadGroup.h"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double earthRadius = 4.0 / 3.0 * 6'371'000.0; // m, effective
+constexpr double highestGround = 3000.0;                // m, of the beam's lower edge
+constexpr double halfBeam = 0.5;                        // degrees
+constexpr double surelyNear = 20'000.0;                 // m, where side lobes see the ground
+constexpr std::size_t rowsTogether = 30;
+constexpr std::size_t fewGates = 4;
+constexpr float seedInterest = 0.62F;
+constexpr float grownInterest = 0.5F;
+
+enum Mark : std::uint8_t
+{
+  Nothing,
+  Grown,
+  Seed
+};
+
+// One sweep in work. Arrays are rays × gates, in the order of the rays of the sweep.
+struct SweepWork
+{
+  std::unique_ptr<EchoGrid> grid;
+  const EchoGrid* above = nullptr;
+  std::size_t judged = 0; // gates of each ray that can be ground
+  std::vector<std::uint8_t> marks;
+  std::vector<EchoReason> reasons;
+};
+
+struct Task
+{
+  std::size_t sweep;
+  std::size_t begin; // rows
+  std::size_t end;
+};
+
+double HeightAt(double range, double elevation)
+{
+  return range * std::sin(elevation * 0.0174532925) + range * range / (2.0 * earthRadius);
+}
+
+std::size_t GatesNearGround(const EchoGrid& grid)
+{
+  std::size_t gates = grid.GatesWithin(surelyNear);
+  while (gates < grid.Gates() &&
+         HeightAt(grid.RangeOf(gates), grid.Elevation() - halfBeam) <= highestGround)
+  {
+    ++gates;
+  }
+  return gates;
+}
+
+bool IsUsable(const PolarSweep& sweep)
+{
+  return !sweep.rays.empty() && sweep.gates > 0 && sweep.gateSpacing > 0.0;
+}
+
+class Classifier
+{
+public:
+  Classifier(const MeasuredMoments& theMoments, const RangeLoop& theLoop)
+    : moments(theMoments)
+    , loop(theLoop)
+    , sources(FindSources(theMoments))
+    , sweeps(theMoments.reflectivity.sweeps.size())
+  {
+  }
+
+  EchoClassification Run()
+  {
+    this->MakeGrids();
+    this->Judge();
+    RunLoop(loop, static_cast<int>(sweeps.size()),
+      [this](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          this->Decide(static_cast<std::size_t>(i));
+        }
+      });
+    RunLoop(loop, static_cast<int>(sweeps.size()),
+      [this](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          this->Finish(static_cast<std::size_t>(i));
+        }
+      });
+    return this->Collect();
+  }
+
+private:
+  void MakeGrids()
+  {
+    for (std::size_t i = 0; i < sweeps.size(); ++i)
+    {
+      const PolarSweep& sweep = moments.reflectivity.sweeps[i];
+      if (IsUsable(sweep))
+      {
+        SweepWork& work = sweeps[i];
+        work.grid = std::make_unique<EchoGrid>(sweep, loop);
+        work.judged = sources[i].surveillance ? 0 : GatesNearGround(*work.grid);
+        work.marks.assign(work.grid->Rays() * work.grid->Gates(), Nothing);
+        work.reasons.assign(work.grid->Rays() * work.grid->Gates(), EchoReason::None);
+      }
+    }
+    for (SweepWork& work : sweeps)
+    {
+      work.above = this->FindAbove(work);
+    }
+  }
+
+  // The lowest sweep that lies higher by more than a repetition does.
+  const EchoGrid* FindAbove(const SweepWork& own) const
+  {
+    const EchoGrid* found = nullptr;
+    for (const SweepWork& other : sweeps)
+    {
+      const bool higher =
+        own.grid && other.grid && other.grid->Elevation() > own.grid->Elevation() + SameTilt;
+      found = higher && (!found || other.grid->Elevation() < found->Elevation()) ? other.grid.get()
+                                                                                 : found;
+    }
+    return found;
+  }
+
+  void Judge()
+  {
+    std::vector<Task> tasks;
+    for (std::size_t i = 0; i < sweeps.size(); ++i)
+    {
+      const std::size_t rows = sweeps[i].judged > 0 ? sweeps[i].grid->Rays() : 0;
+      for (std::size_t row = 0; row < rows; row += rowsTogether)
+      {
+        tasks.push_back({i, row, std::min(row + rowsTogether, rows)});
+      }
+    }
+    RunLoop(loop, static_cast<int>(tasks.size()),
+      [&](int begin, int end)
+      {
+        for (int i = begin; i < end; ++i)
+        {
+          this->JudgeRows(tasks[static_cast<std::size_t>(i)]);
+        }
+      });
+  }
+
+  void JudgeRows(const Task& task)
+  {
+    SweepWork& work = sweeps[task.sweep];
+    EvidenceReader reader(*work.grid, work.above, sources[task.sweep], work.judged);
+    std::vector<GateEvidence> evidence;
+    for (std::size_t place = task.begin; place < task.end; ++place)
+    {
+      reader.Read(place, evidence);
+      const float* row = work.grid->Row(place);
+      const std::size_t first = work.grid->RayAt(place) * work.grid->Gates();
+      for (std::size_t gate = 0; gate < work.judged; ++gate)
+      {
+        if (IsNumber(row[gate]))
+        {
+          const EchoInterest interest = InterestOf(evidence[gate]);
+          work.marks[first + gate] = interest.ground >= seedInterest    ? Seed
+                                     : interest.ground >= grownInterest ? Grown
+                                                                        : Nothing;
+          work.reasons[first + gate] =
+            interest.ground >= seedInterest
+              ? (interest.polarimetric ? EchoReason::GroundPolarimetry : EchoReason::GroundTexture)
+            : interest.flight >= 0.6F && row[gate] < 35.0F ? EchoReason::FlightPolarimetry
+                                                           : EchoReason::None;
+        }
+      }
+    }
+  }
+
+  void Decide(std::size_t number)
+  {
+    SweepWork& work = sweeps[number];
+    if (!work.grid)
+    {
+      return;
+    }
+    const EchoGrid& grid = *work.grid;
+    for (std::size_t place = 0; place < grid.Rays(); ++place)
+    {
+      const float* row = grid.Row(place);
+      EchoReason* own = work.reasons.data() + grid.RayAt(place) * grid.Gates();
+      const GateRange held = grid.Held(place);
+      for (std::size_t gate = held.begin; gate < held.end; ++gate)
+      {
+        if (IsNumber(row[gate]) && own[gate] == EchoReason::None)
+        {
+          own[gate] = row[gate] >= 45.0F ? EchoReason::StrongCore : EchoReason::Plain;
+        }
+      }
+    }
+    if (work.judged > 0)
+    {
+      this->Grow(work);
+    }
+    FindSpikes(grid, work.reasons);
+  }
+
+  // Ground: regions of likely gates that hold a gate that is surely ground.
+  void Grow(SweepWork& work)
+  {
+    const EchoGrid& grid = *work.grid;
+    const GateRegions regions(grid, work.marks);
+    std::vector<std::size_t> seeds(regions.Count(), 0);
+    std::vector<std::size_t> gates(regions.Count(), 0);
+    for (const GateRun& run : regions.Runs())
+    {
+      const std::size_t first = grid.RayAt(run.place) * grid.Gates();
+      for (std::size_t gate = run.begin; gate < run.end; ++gate)
+      {
+        ++gates[run.region];
+        seeds[run.region] += work.marks[first + gate] == Seed ? 1 : 0;
+      }
+    }
+    for (const GateRun& run : regions.Runs())
+    {
+      const std::size_t first = grid.RayAt(run.place) * grid.Gates();
+      for (std::size_t gate = run.begin; gate < run.end; ++gate)
+      {
+        if (work.marks[first + gate] == Grown && 4 * seeds[run.region] >= gates[run.region])
+        {
+          work.reasons[first + gate] = EchoReason::GroundRegion;
+        }
+      }
+    }
+  }
+
+  void Finish(std::size_t number)
+  {
+    SweepWork& work = sweeps[number];
+    if (!work.grid)
+    {
+      return;
+    }
+    if (sources[number].surveillance && sweeps[*sources[number].surveillance].grid)
+    {
+      this->CopyClasses(sweeps[*sources[number].surveillance], work);
+    }
+    this->FindSpeckle(work);
+  }
+
+  void CopyClasses(const SweepWork& from, SweepWork& to) const
+  {
+    const EchoGrid& grid = *to.grid;
+    for (std::size_t place = 0; place < grid.Rays(); ++place)
+    {
+      const std::size_t other = from.grid->PlaceAt(grid.AzimuthAt(place));
+      if (other == from.grid->Rays())
+      {
+        continue;
+      }
+      const float* row = grid.Row(place);
+      const EchoReason* source = from.reasons.data() + from.grid->RayAt(other) * from.grid->Gates();
+      EchoReason* own = to.reasons.data() + grid.RayAt(place) * grid.Gates();
+      for (std::size_t gate = 0; gate < grid.Gates(); ++gate)
+      {
+        const std::ptrdiff_t at = from.grid->GateAt(grid.RangeOf(gate));
+        if (!IsNumber(row[gate]) || at < 0 ||
+            at >= static_cast<std::ptrdiff_t>(from.grid->Gates()) ||
+            ClassOf(own[gate]) != EchoClass::Weather)
+        {
+          continue;
+        }
+        const EchoReason reason = source[at];
+        const EchoClass echoClass = ClassOf(reason);
+        if (echoClass == EchoClass::Ground || echoClass == EchoClass::Biological)
+        {
+          own[gate] = reason;
+        }
+      }
+    }
+  }
+
+  void FindSpeckle(SweepWork& work) const
+  {
+    const EchoGrid& grid = *work.grid;
+    std::vector<std::uint8_t> members(work.reasons.size());
+    std::transform(work.reasons.begin(), work.reasons.end(), members.begin(),
+      [](EchoReason reason)
+      {
+        const EchoClass echoClass = ClassOf(reason);
+        return std::uint8_t(
+          echoClass == EchoClass::Weather || echoClass == EchoClass::Biological ? 1 : 0);
+      });
+    const GateRegions regions(grid, members);
+    std::vector<std::size_t> gates(regions.Count(), 0);
+    for (const GateRun& run : regions.Runs())
+    {
+      gates[run.region] += run.end - run.begin;
+    }
+    for (const GateRun& run : regions.Runs())
+    {
+      if (gates[run.region] < fewGates)
+      {
+        const auto first =
+          work.reasons.begin() + static_cast<std::ptrdiff_t>(grid.RayAt(run.place) * grid.Gates());
+        std::fill(first + run.begin, first + run.end, EchoReason::FewGates);
+      }
+    }
+  }
+
+  EchoClassification Collect()
+  {
+    EchoClassification result;
+    for (std::size_t i = 0; i < sweeps.size(); ++i)
+    {
+      const PolarSweep& sweep = moments.reflectivity.sweeps[i];
+      result.sweeps.push_back(std::move(sweeps[i].reasons));
+      result.sweeps.back().resize(sweep.rays.size() * sweep.gates, EchoReason::None);
+      for (const EchoReason reason : result.sweeps.back())
+      {
+        ++result.counts[static_cast<std::size_t>(reason)];
+      }
+    }
+    return result;
+  }
+
+  const MeasuredMoments& moments;
+  const RangeLoop& loop;
+  std::vector<SweepSources> sources;
+  std::vector<SweepWork> sweeps;
+};
+
+} // namespace
+
+EchoClassification ClassifyEcho(
+  const std::function<PolarVolume(MomentName)>& measured, const RangeLoop& loop)
+{
+  const MeasuredMoments moments(measured);
+  const RangeLoop own = loop ? loop : ThreadLoop(CoreCount());
+  return Classifier(moments, own).Run();
+}
+
+bool RemovesClass(QualityLevel level, EchoClass echoClass)
+{
+  switch (echoClass)
+  {
+  case EchoClass::None:
+  case EchoClass::Weather:
+    return false;
+  case EchoClass::Biological:
+    return level == QualityLevel::Strict;
+  default:
+    return level != QualityLevel::Off;
+  }
+}
+
+ReasonCounts TakeOut(
+  PolarVolume& reflectivity, const EchoClassification& classification, QualityLevel level)
+{
+  if (classification.sweeps.size() != reflectivity.sweeps.size())
+  {
+    throw Error("echo classes of " + std::to_string(classification.sweeps.size()) +
+                " sweeps for a volume of " + std::to_string(reflectivity.sweeps.size()));
+  }
+  ReasonCounts counts{};
+  for (std::size_t i = 0; i < reflectivity.sweeps.size(); ++i)
+  {
+    PolarSweep& sweep = reflectivity.sweeps[i];
+    const std::vector<EchoReason>& reasons = classification.sweeps[i];
+    if (reasons.size() != sweep.rays.size() * sweep.gates)
+    {
+      throw Error("echo classes of " + std::to_string(reasons.size()) + " gates for a sweep of " +
+                  std::to_string(sweep.rays.size() * sweep.gates));
+    }
+    const auto removed = [level](EchoReason reason)
+    { return RemovesClass(level, ClassOf(reason)); };
+    if (std::none_of(reasons.begin(), reasons.end(), removed))
+    {
+      continue;
+    }
+    GateRows rows(sweep.rows.LargestCode());
+    std::vector<std::uint16_t> codes(sweep.gates);
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+    {
+      sweep.Read(ray, codes.data());
+      for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+      {
+        const EchoReason reason = reasons[ray * sweep.gates + gate];
+        if (codes[gate] >= GateCode::FirstValue && removed(reason))
+        {
+          codes[gate] = GateCode::Filtered;
+          ++counts[static_cast<std::size_t>(reason)];
+        }
+      }
+      rows.Append(codes.data(), codes.size());
+    }
+    rows.Finish();
+    sweep.rows = std::move(rows);
+  }
+  return counts;
+}
+
+} // namespace nexrad
