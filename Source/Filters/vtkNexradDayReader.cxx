@@ -29,8 +29,8 @@ vtkStandardNewMacro(vtkNexradDayReader);
 /// What merges the inputs, and the settings that it cannot change.
 struct vtkNexradDayReader::Day
 {
-  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64, int,
-    bool, bool, double, double>;
+  using Origin = std::tuple<std::vector<std::string>, std::string, std::string, vtkTypeInt64,
+    nexrad::MomentOptions>;
 
   Origin From;
   nexrad::SeriesMerger Merger;
@@ -161,8 +161,7 @@ bool vtkNexradDayReader::Open()
 {
   const nexrad::MergeOptions options = this->MakeDayOptions();
   const Day::Origin from = {this->FileNames, this->Moment, this->SiteName, this->MemoryLimit,
-    this->FewestNeighbours, this->Dealiasing, this->UseStormMotion, this->StormMotion[0],
-    this->StormMotion[1]};
+    nexrad::MomentOptionsOf(options)};
   if (this->Opened && this->Opened->From == from)
   {
     return this->Opened->Merger.SetOptions(options, vtkNexradProgress(this));

@@ -57,20 +57,6 @@ std::vector<nexrad::Position> PositionsOf(const std::vector<nexrad::PolarVolume>
   return positions;
 }
 
-// Another moment of a volume; one without sweeps where the sweeps do not have it.
-nexrad::PolarVolume FindVolume(vtkPartitionedDataSetCollection* sweeps, nexrad::MomentName moment,
-  const nexrad::PolarVolume& volume)
-{
-  for (nexrad::PolarVolume& each : vtkNexradSweepsToPolar(sweeps, moment))
-  {
-    if (each.site.name == volume.site.name && each.start == volume.start)
-    {
-      return std::move(each);
-    }
-  }
-  return {};
-}
-
 } // namespace
 
 vtkNexradGridAlgorithm::vtkNexradGridAlgorithm() = default;
@@ -143,6 +129,7 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
   options.furtherMoments.erase(options.furtherMoments.begin());
   options.grid = this->MakeGridRequest();
   options.method = this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam;
+  options.quality.level = static_cast<nexrad::QualityLevel>(this->Quality);
   options.quality.neighbours = this->FewestNeighbours;
   options.dealias = this->Dealiasing;
   if (this->UseStormMotion)
@@ -168,7 +155,7 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
 std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(vtkInformationVector* inputs)
 {
   const nexrad::MomentName moment = this->CheckMoment();
-  const nexrad::MomentOptions options = this->MakeMergeOptions();
+  const nexrad::MomentOptions options = nexrad::MomentOptionsOf(this->MakeMergeOptions());
   std::vector<nexrad::PolarVolume> volumes;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
@@ -177,7 +164,7 @@ std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(vtkInformati
       vtkNexradSweepsToPolar(sweeps, nexrad::MeasuredFor(moment)))
     {
       nexrad::MomentMaker maker([&](nexrad::MomentName other)
-        { return other == each.moment ? each : FindVolume(sweeps, other, each); },
+        { return other == each.moment ? each : vtkNexradFindPolar(sweeps, other, each); },
         options);
       volumes.push_back(maker.Make(moment));
       if (!maker.Note().empty())
@@ -288,6 +275,7 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Moment: " << this->Moment << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "FewestNeighbours: " << this->FewestNeighbours << "\n";
+  os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "Dealiasing: " << this->Dealiasing << "\n";
   os << indent << "UseStormMotion: " << this->UseStormMotion << "\n";
   os << indent << "StormMotion: " << this->StormMotion[0] << ", " << this->StormMotion[1] << "\n";

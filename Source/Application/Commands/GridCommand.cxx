@@ -4,6 +4,7 @@
 #include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/Counted.h"
+#include "Output/EchoReport.h"
 #include "Output/ProgressBar.h"
 #include "Parallel/JoinedProcesses.h"
 #include "Volumes/WriteVolumes.h"
@@ -83,6 +84,10 @@ int RunGrid(GridCommandOptions& options)
   {
     std::cout << report.index.string() << ": " << Counted(report.files.size(), "volume") << ", "
               << Counted(report.bytes, "byte") << '\n';
+    if (report.echo)
+    {
+      std::cout << DescribeTakenOut(*report.echo, options.job.options.quality.level) << '\n';
+    }
   }
   for (const std::string& problem : report.problems)
   {

@@ -4,6 +4,7 @@
 #include "Options/UnitOptions.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Model/SiteTable.h"
+#include "nexrad/Quality/Despeckling.h"
 
 #include <CLI/CLI.hpp>
 
@@ -83,6 +84,16 @@ double ParseOverlapLength(const std::string& text)
     throw Error("'" + text + "' is no length of overlap; write 1km to 1000km, as in 100km");
   }
   return length;
+}
+
+QualityLevel ParseQuality(const std::string& text)
+{
+  const auto level = ParseQualityLevel(text);
+  if (!level)
+  {
+    throw Error("'" + text + "' is no level of quality control; write off, standard or strict");
+  }
+  return *level;
 }
 
 // Along which motion the method beam interpolates in time.
@@ -171,6 +182,12 @@ void AddMethod(CLI::App& command, MergeOptions& options)
     "in a voxel)",
     "beam")
     ->group(group);
+  AddParsedOption(command, "--quality", options.quality.level, ParseQuality, "NAME",
+    "What quality control takes out of REF: standard (ground clutter and anomalous propagation, "
+    "spikes of the sun and of other transmitters, receiver faults, speckle), strict (birds and "
+    "insects too), or off",
+    "standard")
+    ->group(group);
   AddNumberOption(command, "--despeckle", options.quality.neighbours, 0, MostNeighbours, "NUMBER",
     "Take out gates of which fewer than this many of the 26 neighbours in ray, gate and tilt have "
     "a "
@@ -208,7 +225,7 @@ void AddVelocity(CLI::App& command, MergeOptions& options)
 // Options that the method beam has and the method thesis has not.
 constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill-columns", "--fill",
   "--linear-reflectivity", "--no-sharpening", "--ancillary", "--companions", "--motion",
-  "--no-dealiasing", "--storm-motion"};
+  "--no-dealiasing", "--storm-motion", "--quality"};
 
 void AddBeam(CLI::App& command, MergeOptions& options)
 {

@@ -139,7 +139,9 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
       [&] { block = WriteBlock(job, merger, ShareOf(progress, from, 1.0), processes); });
     if (merger.Confirm())
     {
-      return Conclude(job, merger.Times(), block, merger.Problems(), processes);
+      GridReport report = Conclude(job, merger.Times(), block, merger.Problems(), processes);
+      report.echo = merger.Echo();
+      return report;
     }
     block.files.Remove();
     RequireDone(merger.Scan(ShareOf(progress, 0.0, ScanShare)));

@@ -3,11 +3,13 @@
 
 #include "Volumes/StepWriter.h"
 #include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Quality/EchoClass.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,8 @@ struct GridReport
   std::vector<std::filesystem::path> files; ///< one for each time
   std::uintmax_t bytes = 0;                 ///< of the files together
   std::vector<std::string> problems;        ///< inputs that were damaged or left out, a line each
+  std::optional<ReasonCounts> echo;         ///< gates of reflectivity by what quality control found
+                                            ///< in the volumes that were merged; empty without it
 };
 
 /// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an

@@ -5,6 +5,7 @@
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Site.h"
+#include "nexrad/Quality/EchoClass.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/VolumeSelection.h"
 
@@ -31,7 +32,9 @@ struct SeriesVolume
   bool synthetic = false;                       ///< made by the simulator
   std::shared_ptr<const VolumeSummary> summary; ///< when it was asked for
   std::vector<MomentName> moments;              ///< all that some ray has
-  std::vector<MomentName> lacking; ///< of the moments that were asked for, those that no ray has
+  std::vector<MomentName> lacking;  ///< of the moments that were asked for, those that no ray has
+  std::optional<ReasonCounts> echo; ///< gates of reflectivity by what quality control found in
+                                    ///< them, once it was made; empty where quality control is off
 
   bool Has(MomentName moment) const;
 };
