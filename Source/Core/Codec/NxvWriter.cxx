@@ -80,7 +80,11 @@ Bytes StateBytes(const std::vector<VoxelState>& states)
 {
   Bytes bytes(states.size());
   std::transform(states.begin(), states.end(), bytes.begin(),
-    [](VoxelState state) { return static_cast<std::uint8_t>(state); });
+    [](VoxelState state)
+    {
+      const bool beyond = state == VoxelState::Filtered; // in an array of its own
+      return static_cast<std::uint8_t>(beyond ? VoxelState::NoEcho : state);
+    });
   return bytes;
 }
 
@@ -102,6 +106,29 @@ void AddStates(FileContent& content, MomentName moment, const Bytes& states)
   content.AddDeflated(array, states, DeflateSearch::Runs);
 }
 
+bool Holds(const std::vector<VoxelState>& states, VoxelState state)
+{
+  // std::find would look at them one by one.
+  return std::memchr(states.data(), static_cast<int>(state), states.size()) != nullptr;
+}
+
+// Which voxels are filtered, where some are. Readers that do not know the array take them for no
+// echo.
+void AddFiltered(FileContent& content, const GriddedVolume& volume)
+{
+  if (!Holds(volume.states, VoxelState::Filtered))
+  {
+    return;
+  }
+  Bytes filtered(volume.states.size());
+  std::transform(volume.states.begin(), volume.states.end(), filtered.begin(),
+    [](VoxelState state) { return static_cast<std::uint8_t>(state == VoxelState::Filtered); });
+  NxvArray array;
+  array.name = std::string(ToString(volume.moment)) + "_filtered";
+  array.type = NxvType::UInt8;
+  content.AddDeflated(array, filtered, DeflateSearch::Runs);
+}
+
 void AddFloats(FileContent& content, const GriddedVolume& volume)
 {
   CheckVoxelCount(volume);
@@ -109,6 +136,7 @@ void AddFloats(FileContent& content, const GriddedVolume& volume)
   array.type = NxvType::Float32;
   content.AddDeflated(array, FloatBytes(volume.values), DeflateSearch::Repeats);
   AddStates(content, volume.moment, StateBytes(volume.states));
+  AddFiltered(content, volume);
 }
 
 // The run-length stream of a volume's codes, made by pieces that stay in the processor's cache.
@@ -130,29 +158,16 @@ Bytes EncodeRuns(
   return encoder.Finish();
 }
 
-// Whether codes have none for a state: they say no echo in its place.
-bool IsBeyondCodes(VoxelState state)
-{
-  return state == VoxelState::RangeFolded || state == VoxelState::Filtered;
-}
-
-// Whether there are states that codes cannot say. std::find would look at them one by one.
-bool NeedsStates(const std::vector<VoxelState>& states)
-{
-  const auto has = [&states](VoxelState state)
-  { return std::memchr(states.data(), static_cast<int>(state), states.size()) != nullptr; };
-  return has(VoxelState::RangeFolded) || has(VoxelState::Filtered);
-}
-
-// The states that the 7-bit codes stand for, but those that they cannot say as they are. The echoes
+// The states that the 7-bit codes stand for, but range folded where the volume has it. The echoes
 // that became code 0 are no echo, with the array of states as without.
 Bytes StatesOfCodes(const Bytes& codes, const std::vector<VoxelState>& states)
 {
   Bytes bytes(codes.size());
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
-    bytes[i] = static_cast<std::uint8_t>(
-      IsBeyondCodes(states[i]) ? states[i] : Quantizer::StateOf(codes[i]));
+    const bool folded = states[i] == VoxelState::RangeFolded;
+    bytes[i] =
+      static_cast<std::uint8_t>(folded ? VoxelState::RangeFolded : Quantizer::StateOf(codes[i]));
   }
   return bytes;
 }
@@ -169,10 +184,11 @@ void AddRunLengths(FileContent& content, const GriddedVolume& volume,
   content.Add(array, storage == NxvStorage::RunLengthDeflated
                        ? DeflateBytes(stream.data(), stream.size())
                        : std::move(stream));
-  if (NeedsStates(volume.states))
+  if (Holds(volume.states, VoxelState::RangeFolded))
   {
     AddStates(content, volume.moment, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
   }
+  AddFiltered(content, volume);
 }
 
 // An echo that is not a number has the code, and with it the state, of not scanned.
@@ -184,7 +200,7 @@ void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
   array.offset = code.offset;
   array.scale = code.scale;
   content.AddDeflated(array, code.EncodeAll(volume), DeflateSearch::Runs);
-  if (NeedsStates(volume.states))
+  if (Holds(volume.states, VoxelState::RangeFolded))
   {
     Bytes states = StateBytes(volume.states);
     ForEachEcho(volume.states.data(), states.size(),
@@ -195,6 +211,7 @@ void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
       });
     AddStates(content, volume.moment, states);
   }
+  AddFiltered(content, volume);
 }
 
 // The first of finest × 1, 2, 5, 10, … of which 255 reach the largest value.
