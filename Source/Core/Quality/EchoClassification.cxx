@@ -29,9 +29,9 @@ constexpr double halfBeam = 0.5;                        // degrees
 constexpr double surelyNear = 20'000.0;                 // m, where side lobes see the ground
 constexpr std::size_t rowsTogether = 30;
 constexpr std::size_t fewGates = 3;
-constexpr float seedInterest = 0.65F;
-constexpr float highSeedInterest = 0.85F; // of gates as high as highestGround
-constexpr float growth = 0.12F;           // less interest is enough for grown gates
+constexpr float seedInterest = 0.62F;
+constexpr float highSeedInterest = 0.70F; // of gates as high as highestGround
+constexpr float growth = 0.15F;           // less interest is enough for grown gates
 
 constexpr std::uint8_t stillSpeed = 1 + 8 * 1; // 1 m/s, as SweepWork::speeds
 constexpr std::uint8_t slowSpeed = 1 + 8 * 4;  // 4 m/s, as SweepWork::speeds

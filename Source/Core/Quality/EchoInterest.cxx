@@ -83,6 +83,15 @@ float NotWeather(const GateEvidence& evidence)
   return mean.Value();
 }
 
+// What lessens the interest in ground of a gate among ground: it moves, without being gone in the
+// tilt above, or its own ρ_hv is that of weather.
+float SignsOfAir(const GateEvidence& evidence)
+{
+  const float moving = Ramp(evidence.ownSpeed, 2.0F, 5.0F) * Ramp(evidence.gradient, 20.0F, 10.0F);
+  const float uniform = Ramp(evidence.ownCorrelation, 0.93F, 0.97F);
+  return (1.0F - 0.25F * moving) * (1.0F - 0.3F * uniform);
+}
+
 // A gate that stands still where all about it moves one way: a target that is stronger than the
 // echo about it.
 float LoneTarget(const GateEvidence& evidence)
@@ -109,7 +118,8 @@ EchoInterest InterestOf(const GateEvidence& evidence)
   }
   // Nothing is surely ground that is not known to stand still.
   const bool stands = evidence.ownStill > 0.1F;
-  interest.ground = stands ? mean.Value() : std::min(mean.Value(), mostUnknown);
+  interest.ground =
+    stands ? mean.Value() : std::min(SignsOfAir(evidence) * mean.Value(), mostUnknown);
   interest.ground = std::max(interest.ground, 0.8F * LoneTarget(evidence));
   return interest;
 }
