@@ -23,13 +23,18 @@ namespace
 {
 
 constexpr double earthRadius = 4.0 / 3.0 * 6'371'000.0; // m, effective
-constexpr double highestGround = 3000.0;                // m, of the beam's lower edge
+constexpr double lowGround = 1000.0;                    // m, of the beam's lower edge
+constexpr double highestGround = 5000.0;                // m, the same
 constexpr double halfBeam = 0.5;                        // degrees
 constexpr double surelyNear = 20'000.0;                 // m, where side lobes see the ground
 constexpr std::size_t rowsTogether = 30;
-constexpr std::size_t fewGates = 4;
+constexpr std::size_t fewGates = 3;
 constexpr float seedInterest = 0.62F;
-constexpr float grownInterest = 0.5F;
+constexpr float highSeedInterest = 0.70F; // of gates as high as highestGround
+constexpr float growth = 0.15F;           // less interest is enough for grown gates
+
+constexpr std::uint8_t stillSpeed = 1 + 8 * 1; // 1 m/s, as SweepWork::speeds
+constexpr std::uint8_t slowSpeed = 1 + 8 * 4;  // 4 m/s, as SweepWork::speeds
 
 enum Mark : std::uint8_t
 {
@@ -43,8 +48,11 @@ struct SweepWork
 {
   std::unique_ptr<EchoGrid> grid;
   const EchoGrid* above = nullptr;
-  std::size_t judged = 0; // gates of each ray that can be ground
+  std::size_t judged = 0;    // gates of each ray that can be ground
+  std::vector<float> limits; // interest of a seed, for each of these gates
   std::vector<std::uint8_t> marks;
+  std::vector<std::uint8_t> speeds;   // |V| in 0.125 m/s and 1 more; 0 unknown
+  std::vector<std::int8_t> gradients; // dB a degree
   std::vector<EchoReason> reasons;
 };
 
@@ -69,6 +77,19 @@ std::size_t GatesNearGround(const EchoGrid& grid)
     ++gates;
   }
   return gates;
+}
+
+std::vector<float> FindLimits(const EchoGrid& grid, std::size_t gates)
+{
+  std::vector<float> limits;
+  for (std::size_t gate = 0; gate < gates; ++gate)
+  {
+    const double range = grid.RangeOf(gate);
+    const double height = range < surelyNear ? 0.0 : HeightAt(range, grid.Elevation() - halfBeam);
+    const float part = Ramp(static_cast<float>(height), lowGround, highestGround);
+    limits.push_back(seedInterest + part * (highSeedInterest - seedInterest));
+  }
+  return limits;
 }
 
 bool IsUsable(const PolarSweep& sweep)
@@ -121,7 +142,10 @@ private:
         SweepWork& work = sweeps[i];
         work.grid = std::make_unique<EchoGrid>(sweep, loop);
         work.judged = sources[i].surveillance ? 0 : GatesNearGround(*work.grid);
+        work.limits = FindLimits(*work.grid, work.judged);
         work.marks.assign(work.grid->Rays() * work.grid->Gates(), Nothing);
+        work.speeds.assign(work.marks.size(), 0);
+        work.gradients.assign(work.marks.size(), 0);
         work.reasons.assign(work.grid->Rays() * work.grid->Gates(), EchoReason::None);
       }
     }
@@ -181,14 +205,18 @@ private:
         if (IsNumber(row[gate]))
         {
           const EchoInterest interest = InterestOf(evidence[gate]);
-          work.marks[first + gate] = interest.ground >= seedInterest    ? Seed
-                                     : interest.ground >= grownInterest ? Grown
-                                                                        : Nothing;
-          work.reasons[first + gate] =
-            interest.ground >= seedInterest
-              ? (interest.polarimetric ? EchoReason::GroundPolarimetry : EchoReason::GroundTexture)
-            : interest.flight >= 0.6F && row[gate] < 35.0F ? EchoReason::FlightPolarimetry
-                                                           : EchoReason::None;
+          const float limit = work.limits[gate];
+          work.marks[first + gate] = interest.ground >= limit            ? Seed
+                                     : interest.ground >= limit - growth ? Grown
+                                                                         : Nothing;
+          const float speed = evidence[gate].ownSpeed;
+          work.speeds[first + gate] =
+            IsNumber(speed) ? static_cast<std::uint8_t>(std::min(8.0F * speed, 254.0F) + 1.0F) : 0;
+          work.gradients[first + gate] =
+            static_cast<std::int8_t>(std::clamp(evidence[gate].gradient, -100.0F, 100.0F));
+          work.reasons[first + gate] = interest.flight >= 0.6F && row[gate] < 35.0F
+                                         ? EchoReason::FlightPolarimetry
+                                         : EchoReason::None;
         }
       }
     }
@@ -217,37 +245,96 @@ private:
     }
     if (work.judged > 0)
     {
-      this->Grow(work);
+      this->Grow(sources[number].correlation.sweep != nullptr, work);
     }
     FindSpikes(grid, work.reasons);
   }
 
-  // Ground: regions of likely gates that hold a gate that is surely ground.
-  void Grow(SweepWork& work)
+  struct Region
+  {
+    std::size_t gates = 0;
+    std::size_t seeds = 0;
+    double gradients = 0.0;
+    double ranges = 0.0;
+    std::size_t border = 0; // gates beside it with a velocity
+    std::size_t slow = 0;   // those that move slowly
+  };
+
+  // Ground: regions of likely gates that hold enough gates that are surely ground.
+  void Grow(bool polarimetric, SweepWork& work)
   {
     const EchoGrid& grid = *work.grid;
     const GateRegions regions(grid, work.marks);
-    std::vector<std::size_t> seeds(regions.Count(), 0);
-    std::vector<std::size_t> gates(regions.Count(), 0);
+    std::vector<Region> all(regions.Count());
     for (const GateRun& run : regions.Runs())
     {
+      Region& region = all[run.region];
       const std::size_t first = grid.RayAt(run.place) * grid.Gates();
       for (std::size_t gate = run.begin; gate < run.end; ++gate)
       {
-        ++gates[run.region];
-        seeds[run.region] += work.marks[first + gate] == Seed ? 1 : 0;
+        ++region.gates;
+        region.seeds += work.marks[first + gate] == Seed ? 1 : 0;
+        region.gradients += work.gradients[first + gate];
+        region.ranges += grid.RangeOf(gate);
       }
+      this->AddBorder(work, run, region);
     }
     for (const GateRun& run : regions.Runs())
     {
+      if (!IsGround(all[run.region]))
+      {
+        continue;
+      }
       const std::size_t first = grid.RayAt(run.place) * grid.Gates();
       for (std::size_t gate = run.begin; gate < run.end; ++gate)
       {
-        if (work.marks[first + gate] == Grown && 4 * seeds[run.region] >= gates[run.region])
-        {
-          work.reasons[first + gate] = EchoReason::GroundRegion;
-        }
+        work.reasons[first + gate] = work.marks[first + gate] != Seed ? EchoReason::GroundRegion
+                                     : polarimetric ? EchoReason::GroundPolarimetry
+                                                    : EchoReason::GroundTexture;
       }
+    }
+  }
+
+  static bool IsGround(const Region& region)
+  {
+    if (4 * region.seeds < region.gates)
+    {
+      return false;
+    }
+    const auto gates = static_cast<double>(region.gates);
+    if (region.gradients > 8.0 * gates)
+    {
+      return true;
+    }
+    // Beside weather that moves across the beam, other weather moves slowly.
+    return region.border < 4 || 2 * region.slow < region.border;
+  }
+
+  void AddBorder(const SweepWork& work, const GateRun& run, Region& region) const
+  {
+    const EchoGrid& grid = *work.grid;
+    const auto add = [&](std::size_t place, std::size_t gate)
+    {
+      if (place >= grid.Rays() || gate >= grid.Gates())
+      {
+        return;
+      }
+      const std::size_t index = grid.RayAt(place) * grid.Gates() + gate;
+      const std::uint8_t speed = work.speeds[index];
+      if (speed >= stillSpeed && work.marks[index] == Nothing)
+      {
+        ++region.border;
+        region.slow += speed < slowSpeed ? 1 : 0;
+      }
+    };
+    add(run.place, run.begin - std::size_t(2));
+    add(run.place, run.end + std::size_t(1));
+    for (const int step : {-1, 1})
+    {
+      const std::size_t beside = grid.Beside(run.place, step);
+      add(beside, run.begin);
+      add(beside, (run.begin + run.end) / 2);
+      add(beside, run.end - std::size_t(1));
     }
   }
 

@@ -9,6 +9,9 @@ namespace nexrad
 namespace
 {
 
+// The most interest in ground of a gate that is not known to stand still.
+constexpr float mostUnknown = 0.6F;
+
 // A weighted mean of what is known.
 class Mean
 {
@@ -29,7 +32,7 @@ void AddTextures(const GateEvidence& evidence, Mean& mean)
 {
   if (IsNumber(evidence.squares))
   {
-    mean.Add(1.0F, Ramp(evidence.squares, 0.0F, 45.0F));
+    mean.Add(1.0F, Ramp(evidence.squares, 5.0F, 40.0F));
   }
   if (IsNumber(evidence.agreement))
   {
@@ -37,13 +40,20 @@ void AddTextures(const GateEvidence& evidence, Mean& mean)
   }
 }
 
+// The vertical test. Side lobes see the ground about the radar at all tilts.
+void AddGradient(const GateEvidence& evidence, Mean& mean)
+{
+  if (IsNumber(evidence.gradient))
+  {
+    mean.Add(Ramp(evidence.range, 5'000.0F, 25'000.0F), Ramp(evidence.gradient, 3.0F, 15.0F));
+  }
+}
+
 void AddVelocities(const GateEvidence& evidence, Mean& mean)
 {
   if (IsNumber(evidence.still))
   {
-    mean.Add(1.0F, evidence.still);
-    mean.Add(0.5F, Ramp(evidence.speed, 2.3F, 0.5F));
-    mean.Add(0.5F, Ramp(evidence.width, 3.2F, 0.5F));
+    mean.Add(1.0F, Ramp(evidence.still, 0.1F, 0.6F));
   }
   if (IsNumber(evidence.ownStill))
   {
@@ -55,6 +65,10 @@ float NotWeather(const GateEvidence& evidence)
 {
   Mean mean;
   mean.Add(1.0F, Ramp(evidence.correlation, 0.95F, 0.80F));
+  if (IsNumber(evidence.ownCorrelation))
+  {
+    mean.Add(1.0F, Ramp(evidence.ownCorrelation, 0.95F, 0.80F));
+  }
   mean.Add(1.0F, std::max(Ramp(evidence.ratio, 3.0F, 6.0F), Ramp(evidence.ratio, -2.0F, -4.0F)));
   if (IsNumber(evidence.ratioSpread))
   {
@@ -69,6 +83,24 @@ float NotWeather(const GateEvidence& evidence)
   return mean.Value();
 }
 
+// What lessens the interest in ground of a gate among ground: it moves, without being gone in the
+// tilt above, or its own ρ_hv is that of weather.
+float SignsOfAir(const GateEvidence& evidence)
+{
+  const float moving = Ramp(evidence.ownSpeed, 2.0F, 5.0F) * Ramp(evidence.gradient, 20.0F, 10.0F);
+  const float uniform = Ramp(evidence.ownCorrelation, 0.93F, 0.97F);
+  return (1.0F - 0.25F * moving) * (1.0F - 0.3F * uniform);
+}
+
+// A gate that stands still where all about it moves one way: a target that is stronger than the
+// echo about it.
+float LoneTarget(const GateEvidence& evidence)
+{
+  return IsNumber(evidence.ownStill) && evidence.flow > 0.7F
+           ? evidence.ownStill * Ramp(evidence.speed, 2.0F, 5.0F)
+           : 0.0F;
+}
+
 } // namespace
 
 EchoInterest InterestOf(const GateEvidence& evidence)
@@ -77,16 +109,18 @@ EchoInterest InterestOf(const GateEvidence& evidence)
   Mean mean;
   AddTextures(evidence, mean);
   AddVelocities(evidence, mean);
-  const float single = mean.Value();
+  AddGradient(evidence, mean);
   interest.polarimetric = IsNumber(evidence.correlation);
-  if (!interest.polarimetric)
+  if (interest.polarimetric)
   {
-    interest.ground = single;
-    return interest;
+    interest.flight = NotWeather(evidence);
+    mean.Add(2.0F, interest.flight);
   }
-  const float notWeather = NotWeather(evidence);
-  interest.ground = 0.5F * (notWeather + single);
-  interest.flight = notWeather;
+  // Nothing is surely ground that is not known to stand still.
+  const bool stands = evidence.ownStill > 0.1F;
+  interest.ground =
+    stands ? mean.Value() : std::min(SignsOfAir(evidence) * mean.Value(), mostUnknown);
+  interest.ground = std::max(interest.ground, 0.8F * LoneTarget(evidence));
   return interest;
 }
 

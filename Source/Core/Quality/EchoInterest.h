@@ -17,11 +17,4 @@ struct EchoInterest
 /// Formulas Q1 and Q2. Everything that is known counts, with fixed weights.
 EchoInterest InterestOf(const GateEvidence& evidence);
 
-/// 0 at `from`, 1 at `to`, linear between and constant beyond.
-inline float Ramp(float value, float from, float to)
-{
-  const float part = (value - from) / (to - from);
-  return part < 0.0F ? 0.0F : (part > 1.0F ? 1.0F : part);
-}
-
 } // namespace nexrad

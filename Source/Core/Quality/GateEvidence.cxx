@@ -34,6 +34,7 @@ void Evaluate(const GateSums& sums, const GateSums& own, GateEvidence& evidence)
   evidence.width = Mean(At(sums, SumOf::Width), velocities);
   evidence.ownStill = Mean(At(own, SumOf::Still), At(own, SumOf::Velocities));
   evidence.ownSpeed = Mean(At(own, SumOf::Speed), At(own, SumOf::Velocities));
+  evidence.flow = std::abs(At(sums, SumOf::Velocity)) / std::max(At(sums, SumOf::Speed), 0.1F);
   const float correlations = At(sums, SumOf::Correlations);
   evidence.correlation = Mean(At(sums, SumOf::Correlation), correlations);
   evidence.ratio = Mean(At(sums, SumOf::Ratio), correlations);
@@ -101,6 +102,7 @@ void EvidenceReader::Read(std::size_t place, std::vector<GateEvidence>& evidence
     {
       evidence[i] = GateEvidence();
       evidence[i].reflectivity = row[i];
+      evidence[i].range = static_cast<float>(grid.RangeOf(i));
       Evaluate(sums[i], own[i], evidence[i]);
     }
   }

@@ -16,13 +16,15 @@ namespace nexrad
 struct GateEvidence
 {
   float reflectivity = NoNumber;   ///< dBZ
+  float range = 0.0F;              ///< m, slant range
   float agreement = NoNumber;      ///< 0…1: part of the gates about it that are within 3 dB of it
   float squares = NoNumber;        ///< dB², mean squared difference along the ray
   float turns = NoNumber;          ///< 0…1: spin
   float still = NoNumber;          ///< 0…1: part of the velocities that are near 0 and narrow
   float ownStill = NoNumber;       ///< the same of the gate alone
   float speed = NoNumber;          ///< m/s, mean |V|
-  float ownSpeed = NoNumber;       ///< m/s, the same of the gate alone
+  float ownSpeed = NoNumber;       ///< m/s, mean |V| of the gate alone
+  float flow = NoNumber;           ///< 0…1: |mean V| / mean |V|, 1 where all move one way
   float width = NoNumber;          ///< m/s, mean spectrum width
   float correlation = NoNumber;    ///< mean ρ_hv
   float ownCorrelation = NoNumber; ///< ρ_hv of the gate alone

@@ -107,7 +107,10 @@ private:
     {
       this->Mark(place, EchoReason::ConstantPower,
         [&](std::size_t gate)
-        { return std::abs(row[gate] - spreading[gate] - power) <= 2.0F * steady; });
+        {
+          const float above = row[gate] - spreading[gate] - power;
+          return above <= steady && above >= -2.0F * steady;
+        });
     }
   }
 

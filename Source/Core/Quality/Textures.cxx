@@ -12,8 +12,8 @@ namespace
 
 constexpr float largestSquare = 400.0F;       // dB²
 constexpr float largestPhaseSquare = 3600.0F; // degrees²
-constexpr float stillSpeed = 1.3F;            // m/s
-constexpr float stillWidth = 1.8F;            // m/s
+constexpr float stillSpeed = 0.25F;           // m/s
+constexpr float movingSpeed = 1.5F;           // m/s
 constexpr float usualWidth = 2.0F;            // m/s, where none is measured
 
 // Sums of the gates within `half` of each.
@@ -139,13 +139,15 @@ void RayTextures::AddVelocity(
       continue;
     }
     const bool hasWidth = widthCodes[i] >= GateCode::FirstValue;
-    const float ofSpeed = std::abs(velocity.scale.ValueOf(codes[i]));
+    const float ofVelocity = velocity.scale.ValueOf(codes[i]);
+    const float ofSpeed = std::abs(ofVelocity);
     const float ofWidth =
       hasWidth ? std::max(width->scale.ValueOf(widthCodes[i]), 0.0F) : usualWidth;
     At(own[at], SumOf::Velocities) += 1.0F;
+    At(own[at], SumOf::Velocity) += ofVelocity;
     At(own[at], SumOf::Speed) += ofSpeed;
     At(own[at], SumOf::Width) += ofWidth;
-    At(own[at], SumOf::Still) += ofSpeed < stillSpeed && ofWidth < stillWidth ? 1.0F : 0.0F;
+    At(own[at], SumOf::Still) += Ramp(ofSpeed, movingSpeed, stillSpeed);
   }
 }
 

@@ -30,7 +30,8 @@ enum class SumOf : std::uint8_t
   Squares,      ///< of their differences, dB², each at most 400
   Turns,        ///< gates where the differences change their sign, by over 2 dB
   Velocities,   ///< gates with a velocity
-  Still,        ///< those with |V| < 1.3 m/s and a width below 1.8 m/s
+  Still,        ///< how near 0 they are: 1 at 0.25 m/s, falling to 0 at 1.5 m/s
+  Velocity,     ///< m/s, with its sign
   Speed,        ///< |V|, m/s
   Width,        ///< spectrum width, m/s
   Correlations, ///< gates with ρ_hv and Z_DR
@@ -53,6 +54,13 @@ inline float& At(GateSums& sums, SumOf which)
 inline float At(const GateSums& sums, SumOf which)
 {
   return sums[static_cast<std::size_t>(which)];
+}
+
+/// 0 at `from`, 1 at `to`, linear between and constant beyond.
+inline float Ramp(float value, float from, float to)
+{
+  const float part = (value - from) / (to - from);
+  return part < 0.0F ? 0.0F : (part > 1.0F ? 1.0F : part);
 }
 
 /// Sums over the windows about the gates of one ray.
