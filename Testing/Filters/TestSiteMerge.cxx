@@ -345,6 +345,7 @@ TEST_F(SiteMergeByHand, TakesTheSeriesReadersSweepsOfSeveralSites)
 TEST_F(SiteMergeByHand, ResamplerGridsOneVolumeAtItsOwnTime)
 {
   vtkNew<vtkNexradVolumeResampler> resampler;
+  resampler->SetQualityToOff(); // rays that hold one value are a fault of the receiver
   UseSmallGrid(resampler);
   resampler->SetInputConnection(this->Reader(keax, start, 30.0)->GetOutputPort());
   resampler->Update();
@@ -366,6 +367,7 @@ TEST_F(SiteMergeByHand, CoordinatesOfTheSweepsDoNotMatter)
 {
   const auto reader = this->Reader(keax, start, 30.0);
   vtkNew<vtkNexradVolumeResampler> resampler;
+  resampler->SetQualityToOff(); // rays that hold one value are a fault of the receiver
   UseSmallGrid(resampler);
   resampler->SetInputConnection(reader->GetOutputPort());
   resampler->Update();
