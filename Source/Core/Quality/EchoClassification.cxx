@@ -27,6 +27,7 @@ constexpr double lowGround = 1000.0;                    // m, of the beam's lowe
 constexpr double highestGround = 5000.0;                // m, the same
 constexpr double halfBeam = 0.5;                        // degrees
 constexpr double surelyNear = 20'000.0;                 // m, where side lobes see the ground
+constexpr double verticalStep = 0.75;                   // degrees between tilts that are compared
 constexpr std::size_t rowsTogether = 30;
 constexpr std::size_t fewGates = 3;
 constexpr float seedInterest = 0.62F;
@@ -155,14 +156,14 @@ private:
     }
   }
 
-  // The lowest sweep that lies higher by more than a repetition does.
+  // The lowest sweep that lies higher by so much that the difference of the tilts tells something.
   const EchoGrid* FindAbove(const SweepWork& own) const
   {
     const EchoGrid* found = nullptr;
     for (const SweepWork& other : sweeps)
     {
       const bool higher =
-        own.grid && other.grid && other.grid->Elevation() > own.grid->Elevation() + SameTilt;
+        own.grid && other.grid && other.grid->Elevation() > own.grid->Elevation() + verticalStep;
       found = higher && (!found || other.grid->Elevation() < found->Elevation()) ? other.grid.get()
                                                                                  : found;
     }

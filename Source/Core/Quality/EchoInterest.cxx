@@ -32,11 +32,11 @@ void AddTextures(const GateEvidence& evidence, Mean& mean)
 {
   if (IsNumber(evidence.squares))
   {
-    mean.Add(1.0F, Ramp(evidence.squares, 5.0F, 40.0F));
+    mean.Add(1.0F, Ramp(evidence.squares, 8.0F, 40.0F));
   }
   if (IsNumber(evidence.agreement))
   {
-    mean.Add(0.5F, Ramp(evidence.agreement, 0.8F, 0.3F));
+    mean.Add(0.5F, Ramp(evidence.agreement, 0.6F, 0.25F));
   }
 }
 
@@ -92,6 +92,13 @@ float SignsOfAir(const GateEvidence& evidence)
   return (1.0F - 0.25F * moving) * (1.0F - 0.3F * uniform);
 }
 
+// 0…1: velocities of both signs, as where weather turns past zero within a couplet.
+float Shear(const GateEvidence& evidence)
+{
+  return IsNumber(evidence.speed) ? (1.0F - evidence.flow) * Ramp(evidence.speed, 3.0F, 8.0F)
+                                  : 0.0F;
+}
+
 // A gate that stands still where all about it moves one way: a target that is stronger than the
 // echo about it.
 float LoneTarget(const GateEvidence& evidence)
@@ -120,6 +127,7 @@ EchoInterest InterestOf(const GateEvidence& evidence)
   const bool stands = evidence.ownStill > 0.1F;
   interest.ground =
     stands ? mean.Value() : std::min(SignsOfAir(evidence) * mean.Value(), mostUnknown);
+  interest.ground *= 1.0F - 0.5F * Shear(evidence);
   interest.ground = std::max(interest.ground, 0.8F * LoneTarget(evidence));
   return interest;
 }
