@@ -24,6 +24,7 @@ namespace
 
 constexpr double earthRadius = 4.0 / 3.0 * 6'371'000.0; // m, effective
 constexpr double lowGround = 1000.0;                    // m, of the beam's lower edge
+constexpr double trappedGround = 2500.0;                // m, the same
 constexpr double highestGround = 5000.0;                // m, the same
 constexpr double halfBeam = 0.5;                        // degrees
 constexpr double surelyNear = 20'000.0;                 // m, where side lobes see the ground
@@ -49,8 +50,9 @@ struct SweepWork
 {
   std::unique_ptr<EchoGrid> grid;
   const EchoGrid* above = nullptr;
-  std::size_t judged = 0;    // gates of each ray that can be ground
-  std::vector<float> limits; // interest of a seed, for each of these gates
+  std::size_t judged = 0;     // gates of each ray that can be ground
+  std::vector<float> heights; // m, of the lower edge of the beam, for each of these gates
+  std::vector<float> limits;  // interest of a seed, for each of these gates
   std::vector<std::uint8_t> marks;
   std::vector<std::uint8_t> speeds;   // |V| in 0.125 m/s and 1 more; 0 unknown
   std::vector<std::int8_t> gradients; // dB a degree
@@ -80,17 +82,19 @@ std::size_t GatesNearGround(const EchoGrid& grid)
   return gates;
 }
 
-std::vector<float> FindLimits(const EchoGrid& grid, std::size_t gates)
+// Heights of the beam's lower edge and the interest of seeds, for the gates that are judged.
+void SetHeights(SweepWork& work)
 {
-  std::vector<float> limits;
-  for (std::size_t gate = 0; gate < gates; ++gate)
+  const EchoGrid& grid = *work.grid;
+  for (std::size_t gate = 0; gate < work.judged; ++gate)
   {
     const double range = grid.RangeOf(gate);
-    const double height = range < surelyNear ? 0.0 : HeightAt(range, grid.Elevation() - halfBeam);
-    const float part = Ramp(static_cast<float>(height), lowGround, highestGround);
-    limits.push_back(seedInterest + part * (highSeedInterest - seedInterest));
+    const auto height = static_cast<float>(HeightAt(range, grid.Elevation() - halfBeam));
+    const float part =
+      range < surelyNear ? 0.0F : Ramp(height, lowGround, static_cast<float>(highestGround));
+    work.heights.push_back(height);
+    work.limits.push_back(seedInterest + part * (highSeedInterest - seedInterest));
   }
-  return limits;
 }
 
 bool IsUsable(const PolarSweep& sweep)
@@ -143,7 +147,7 @@ private:
         SweepWork& work = sweeps[i];
         work.grid = std::make_unique<EchoGrid>(sweep, loop);
         work.judged = sources[i].surveillance ? 0 : GatesNearGround(*work.grid);
-        work.limits = FindLimits(*work.grid, work.judged);
+        SetHeights(work);
         work.marks.assign(work.grid->Rays() * work.grid->Gates(), Nothing);
         work.speeds.assign(work.marks.size(), 0);
         work.gradients.assign(work.marks.size(), 0);
@@ -256,7 +260,7 @@ private:
     std::size_t gates = 0;
     std::size_t seeds = 0;
     double gradients = 0.0;
-    double ranges = 0.0;
+    double heights = 0.0;   // m, of the beam's lower edge
     std::size_t border = 0; // gates beside it with a velocity
     std::size_t slow = 0;   // those that move slowly
   };
@@ -276,7 +280,7 @@ private:
         ++region.gates;
         region.seeds += work.marks[first + gate] == Seed ? 1 : 0;
         region.gradients += work.gradients[first + gate];
-        region.ranges += grid.RangeOf(gate);
+        region.heights += work.heights[gate];
       }
       this->AddBorder(work, run, region);
     }
@@ -303,9 +307,9 @@ private:
       return false;
     }
     const auto gates = static_cast<double>(region.gates);
-    if (region.gradients > 8.0 * gates)
+    if (region.gradients > 8.0 * gates && region.heights < trappedGround * gates)
     {
-      return true;
+      return true; // gone in the tilt above, and so low that the air can bend the beam to it
     }
     // Beside weather that moves across the beam, other weather moves slowly.
     return region.border < 4 || 2 * region.slow < region.border;

@@ -40,12 +40,15 @@ void AddTextures(const GateEvidence& evidence, Mean& mean)
   }
 }
 
-// The vertical test. Side lobes see the ground about the radar at all tilts.
+// The vertical test. Side lobes see the ground about the radar at all tilts, and high tilts see it
+// with side lobes alone.
 void AddGradient(const GateEvidence& evidence, Mean& mean)
 {
   if (IsNumber(evidence.gradient))
   {
-    mean.Add(Ramp(evidence.range, 5'000.0F, 25'000.0F), Ramp(evidence.gradient, 3.0F, 15.0F));
+    const float known =
+      Ramp(evidence.range, 5'000.0F, 25'000.0F) * Ramp(evidence.elevation, 4.5F, 1.0F);
+    mean.Add(known, Ramp(evidence.gradient, 3.0F, 15.0F));
   }
 }
 

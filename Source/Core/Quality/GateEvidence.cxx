@@ -102,6 +102,7 @@ void EvidenceReader::Read(std::size_t place, std::vector<GateEvidence>& evidence
     {
       evidence[i] = GateEvidence();
       evidence[i].reflectivity = row[i];
+      evidence[i].elevation = static_cast<float>(grid.Elevation());
       evidence[i].range = static_cast<float>(grid.RangeOf(i));
       Evaluate(sums[i], own[i], evidence[i]);
     }
