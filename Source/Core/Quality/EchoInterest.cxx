@@ -88,11 +88,11 @@ float NotWeather(const GateEvidence& evidence)
 
 // What lessens the interest in ground of a gate among ground: it moves, without being gone in the
 // tilt above, or its own ρ_hv is that of weather.
-float SignsOfAir(const GateEvidence& evidence)
+float SignsOfAir(const GateEvidence& evidence, bool stands)
 {
   const float moving = Ramp(evidence.ownSpeed, 2.0F, 5.0F) * Ramp(evidence.gradient, 20.0F, 10.0F);
   const float uniform = Ramp(evidence.ownCorrelation, 0.93F, 0.97F);
-  return (1.0F - 0.25F * moving) * (1.0F - 0.3F * uniform);
+  return stands ? 1.0F - 0.2F * uniform : (1.0F - 0.25F * moving) * (1.0F - 0.45F * uniform);
 }
 
 // 0…1: velocities of both signs, as where weather turns past zero within a couplet.
@@ -128,8 +128,8 @@ EchoInterest InterestOf(const GateEvidence& evidence)
   }
   // Nothing is surely ground that is not known to stand still.
   const bool stands = evidence.ownStill > 0.1F;
-  interest.ground =
-    stands ? mean.Value() : std::min(SignsOfAir(evidence) * mean.Value(), mostUnknown);
+  const float ground = SignsOfAir(evidence, stands) * mean.Value();
+  interest.ground = stands ? ground : std::min(ground, mostUnknown);
   interest.ground *= 1.0F - 0.5F * Shear(evidence);
   interest.ground = std::max(interest.ground, 0.8F * LoneTarget(evidence));
   return interest;
