@@ -12,6 +12,7 @@
 #include "nexrad/System/ThreadGroup.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -205,7 +206,8 @@ private:
       reader.Read(place, evidence);
       const float* row = work.grid->Row(place);
       const std::size_t first = work.grid->RayAt(place) * work.grid->Gates();
-      for (std::size_t gate = 0; gate < work.judged; ++gate)
+      const std::size_t end = std::min(work.judged, work.grid->Held(place).end);
+      for (std::size_t gate = 0; gate < end; ++gate)
       {
         if (IsNumber(row[gate]))
         {
@@ -370,20 +372,21 @@ private:
       const float* row = grid.Row(place);
       const EchoReason* source = from.reasons.data() + from.grid->RayAt(other) * from.grid->Gates();
       EchoReason* own = to.reasons.data() + grid.RayAt(place) * grid.Gates();
-      for (std::size_t gate = 0; gate < grid.Gates(); ++gate)
+      const double step = grid.GateSpacing() / from.grid->GateSpacing();
+      const double start =
+        (grid.RangeOf(0) - from.grid->RangeOf(0)) / from.grid->GateSpacing() + 0.5;
+      const std::size_t end = grid.Held(place).end;
+      for (std::size_t gate = 0; gate < end; ++gate)
       {
-        const std::ptrdiff_t at = from.grid->GateAt(grid.RangeOf(gate));
-        if (!IsNumber(row[gate]) || at < 0 ||
-            at >= static_cast<std::ptrdiff_t>(from.grid->Gates()) ||
-            ClassOf(own[gate]) != EchoClass::Weather)
+        const double at = start + step * static_cast<double>(gate);
+        if (IsNumber(row[gate]) && at >= 0.0 && at < static_cast<double>(from.grid->Gates()) &&
+            ClassOf(own[gate]) == EchoClass::Weather)
         {
-          continue;
-        }
-        const EchoReason reason = source[at];
-        const EchoClass echoClass = ClassOf(reason);
-        if (echoClass == EchoClass::Ground || echoClass == EchoClass::Biological)
-        {
-          own[gate] = reason;
+          const EchoReason reason = source[static_cast<std::size_t>(at)];
+          const EchoClass echoClass = ClassOf(reason);
+          own[gate] = echoClass == EchoClass::Ground || echoClass == EchoClass::Biological
+                        ? reason
+                        : own[gate];
         }
       }
     }
@@ -392,14 +395,15 @@ private:
   void FindSpeckle(SweepWork& work) const
   {
     const EchoGrid& grid = *work.grid;
+    std::array<std::uint8_t, EchoReasonCount> stays{};
+    for (std::size_t reason = 0; reason < EchoReasonCount; ++reason)
+    {
+      const EchoClass echoClass = ClassOf(static_cast<EchoReason>(reason));
+      stays[reason] = echoClass == EchoClass::Weather || echoClass == EchoClass::Biological;
+    }
     std::vector<std::uint8_t> members(work.reasons.size());
     std::transform(work.reasons.begin(), work.reasons.end(), members.begin(),
-      [](EchoReason reason)
-      {
-        const EchoClass echoClass = ClassOf(reason);
-        return std::uint8_t(
-          echoClass == EchoClass::Weather || echoClass == EchoClass::Biological ? 1 : 0);
-      });
+      [&stays](EchoReason reason) { return stays[static_cast<std::size_t>(reason)]; });
     const GateRegions regions(grid, members);
     std::vector<std::size_t> gates(regions.Count(), 0);
     for (const GateRun& run : regions.Runs())
@@ -471,6 +475,11 @@ ReasonCounts TakeOut(
     throw Error("echo classes of " + std::to_string(classification.sweeps.size()) +
                 " sweeps for a volume of " + std::to_string(reflectivity.sweeps.size()));
   }
+  std::array<bool, EchoReasonCount> removes{};
+  for (std::size_t reason = 0; reason < EchoReasonCount; ++reason)
+  {
+    removes[reason] = RemovesClass(level, ClassOf(static_cast<EchoReason>(reason)));
+  }
   ReasonCounts counts{};
   for (std::size_t i = 0; i < reflectivity.sweeps.size(); ++i)
   {
@@ -481,8 +490,8 @@ ReasonCounts TakeOut(
       throw Error("echo classes of " + std::to_string(reasons.size()) + " gates for a sweep of " +
                   std::to_string(sweep.rays.size() * sweep.gates));
     }
-    const auto removed = [level](EchoReason reason)
-    { return RemovesClass(level, ClassOf(reason)); };
+    const auto removed = [&removes](EchoReason reason)
+    { return removes[static_cast<std::size_t>(reason)]; };
     if (std::none_of(reasons.begin(), reasons.end(), removed))
     {
       continue;
