@@ -12,6 +12,7 @@
 #include "nexrad/System/ThreadGroup.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -24,9 +25,11 @@ namespace
 
 constexpr double earthRadius = 4.0 / 3.0 * 6'371'000.0; // m, effective
 constexpr double lowGround = 1000.0;                    // m, of the beam's lower edge
+constexpr double trappedGround = 2500.0;                // m, the same
 constexpr double highestGround = 5000.0;                // m, the same
 constexpr double halfBeam = 0.5;                        // degrees
 constexpr double surelyNear = 20'000.0;                 // m, where side lobes see the ground
+constexpr double verticalStep = 0.75;                   // degrees between tilts that are compared
 constexpr std::size_t rowsTogether = 30;
 constexpr std::size_t fewGates = 3;
 constexpr float seedInterest = 0.62F;
@@ -48,8 +51,9 @@ struct SweepWork
 {
   std::unique_ptr<EchoGrid> grid;
   const EchoGrid* above = nullptr;
-  std::size_t judged = 0;    // gates of each ray that can be ground
-  std::vector<float> limits; // interest of a seed, for each of these gates
+  std::size_t judged = 0;     // gates of each ray that can be ground
+  std::vector<float> heights; // m, of the lower edge of the beam, for each of these gates
+  std::vector<float> limits;  // interest of a seed, for each of these gates
   std::vector<std::uint8_t> marks;
   std::vector<std::uint8_t> speeds;   // |V| in 0.125 m/s and 1 more; 0 unknown
   std::vector<std::int8_t> gradients; // dB a degree
@@ -79,17 +83,19 @@ std::size_t GatesNearGround(const EchoGrid& grid)
   return gates;
 }
 
-std::vector<float> FindLimits(const EchoGrid& grid, std::size_t gates)
+// Heights of the beam's lower edge and the interest of seeds, for the gates that are judged.
+void SetHeights(SweepWork& work)
 {
-  std::vector<float> limits;
-  for (std::size_t gate = 0; gate < gates; ++gate)
+  const EchoGrid& grid = *work.grid;
+  for (std::size_t gate = 0; gate < work.judged; ++gate)
   {
     const double range = grid.RangeOf(gate);
-    const double height = range < surelyNear ? 0.0 : HeightAt(range, grid.Elevation() - halfBeam);
-    const float part = Ramp(static_cast<float>(height), lowGround, highestGround);
-    limits.push_back(seedInterest + part * (highSeedInterest - seedInterest));
+    const auto height = static_cast<float>(HeightAt(range, grid.Elevation() - halfBeam));
+    const float part =
+      range < surelyNear ? 0.0F : Ramp(height, lowGround, static_cast<float>(highestGround));
+    work.heights.push_back(height);
+    work.limits.push_back(seedInterest + part * (highSeedInterest - seedInterest));
   }
-  return limits;
 }
 
 bool IsUsable(const PolarSweep& sweep)
@@ -142,7 +148,7 @@ private:
         SweepWork& work = sweeps[i];
         work.grid = std::make_unique<EchoGrid>(sweep, loop);
         work.judged = sources[i].surveillance ? 0 : GatesNearGround(*work.grid);
-        work.limits = FindLimits(*work.grid, work.judged);
+        SetHeights(work);
         work.marks.assign(work.grid->Rays() * work.grid->Gates(), Nothing);
         work.speeds.assign(work.marks.size(), 0);
         work.gradients.assign(work.marks.size(), 0);
@@ -155,14 +161,14 @@ private:
     }
   }
 
-  // The lowest sweep that lies higher by more than a repetition does.
+  // The lowest sweep that lies higher by so much that the difference of the tilts tells something.
   const EchoGrid* FindAbove(const SweepWork& own) const
   {
     const EchoGrid* found = nullptr;
     for (const SweepWork& other : sweeps)
     {
       const bool higher =
-        own.grid && other.grid && other.grid->Elevation() > own.grid->Elevation() + SameTilt;
+        own.grid && other.grid && other.grid->Elevation() > own.grid->Elevation() + verticalStep;
       found = higher && (!found || other.grid->Elevation() < found->Elevation()) ? other.grid.get()
                                                                                  : found;
     }
@@ -200,7 +206,8 @@ private:
       reader.Read(place, evidence);
       const float* row = work.grid->Row(place);
       const std::size_t first = work.grid->RayAt(place) * work.grid->Gates();
-      for (std::size_t gate = 0; gate < work.judged; ++gate)
+      const std::size_t end = std::min(work.judged, work.grid->Held(place).end);
+      for (std::size_t gate = 0; gate < end; ++gate)
       {
         if (IsNumber(row[gate]))
         {
@@ -255,7 +262,7 @@ private:
     std::size_t gates = 0;
     std::size_t seeds = 0;
     double gradients = 0.0;
-    double ranges = 0.0;
+    double heights = 0.0;   // m, of the beam's lower edge
     std::size_t border = 0; // gates beside it with a velocity
     std::size_t slow = 0;   // those that move slowly
   };
@@ -275,7 +282,7 @@ private:
         ++region.gates;
         region.seeds += work.marks[first + gate] == Seed ? 1 : 0;
         region.gradients += work.gradients[first + gate];
-        region.ranges += grid.RangeOf(gate);
+        region.heights += work.heights[gate];
       }
       this->AddBorder(work, run, region);
     }
@@ -302,9 +309,9 @@ private:
       return false;
     }
     const auto gates = static_cast<double>(region.gates);
-    if (region.gradients > 8.0 * gates)
+    if (region.gradients > 8.0 * gates && region.heights < trappedGround * gates)
     {
-      return true;
+      return true; // gone in the tilt above, and so low that the air can bend the beam to it
     }
     // Beside weather that moves across the beam, other weather moves slowly.
     return region.border < 4 || 2 * region.slow < region.border;
@@ -365,20 +372,21 @@ private:
       const float* row = grid.Row(place);
       const EchoReason* source = from.reasons.data() + from.grid->RayAt(other) * from.grid->Gates();
       EchoReason* own = to.reasons.data() + grid.RayAt(place) * grid.Gates();
-      for (std::size_t gate = 0; gate < grid.Gates(); ++gate)
+      const double step = grid.GateSpacing() / from.grid->GateSpacing();
+      const double start =
+        (grid.RangeOf(0) - from.grid->RangeOf(0)) / from.grid->GateSpacing() + 0.5;
+      const std::size_t end = grid.Held(place).end;
+      for (std::size_t gate = 0; gate < end; ++gate)
       {
-        const std::ptrdiff_t at = from.grid->GateAt(grid.RangeOf(gate));
-        if (!IsNumber(row[gate]) || at < 0 ||
-            at >= static_cast<std::ptrdiff_t>(from.grid->Gates()) ||
-            ClassOf(own[gate]) != EchoClass::Weather)
+        const double at = start + step * static_cast<double>(gate);
+        if (IsNumber(row[gate]) && at >= 0.0 && at < static_cast<double>(from.grid->Gates()) &&
+            ClassOf(own[gate]) == EchoClass::Weather)
         {
-          continue;
-        }
-        const EchoReason reason = source[at];
-        const EchoClass echoClass = ClassOf(reason);
-        if (echoClass == EchoClass::Ground || echoClass == EchoClass::Biological)
-        {
-          own[gate] = reason;
+          const EchoReason reason = source[static_cast<std::size_t>(at)];
+          const EchoClass echoClass = ClassOf(reason);
+          own[gate] = echoClass == EchoClass::Ground || echoClass == EchoClass::Biological
+                        ? reason
+                        : own[gate];
         }
       }
     }
@@ -387,14 +395,15 @@ private:
   void FindSpeckle(SweepWork& work) const
   {
     const EchoGrid& grid = *work.grid;
+    std::array<std::uint8_t, EchoReasonCount> stays{};
+    for (std::size_t reason = 0; reason < EchoReasonCount; ++reason)
+    {
+      const EchoClass echoClass = ClassOf(static_cast<EchoReason>(reason));
+      stays[reason] = echoClass == EchoClass::Weather || echoClass == EchoClass::Biological;
+    }
     std::vector<std::uint8_t> members(work.reasons.size());
     std::transform(work.reasons.begin(), work.reasons.end(), members.begin(),
-      [](EchoReason reason)
-      {
-        const EchoClass echoClass = ClassOf(reason);
-        return std::uint8_t(
-          echoClass == EchoClass::Weather || echoClass == EchoClass::Biological ? 1 : 0);
-      });
+      [&stays](EchoReason reason) { return stays[static_cast<std::size_t>(reason)]; });
     const GateRegions regions(grid, members);
     std::vector<std::size_t> gates(regions.Count(), 0);
     for (const GateRun& run : regions.Runs())
@@ -466,6 +475,11 @@ ReasonCounts TakeOut(
     throw Error("echo classes of " + std::to_string(classification.sweeps.size()) +
                 " sweeps for a volume of " + std::to_string(reflectivity.sweeps.size()));
   }
+  std::array<bool, EchoReasonCount> removes{};
+  for (std::size_t reason = 0; reason < EchoReasonCount; ++reason)
+  {
+    removes[reason] = RemovesClass(level, ClassOf(static_cast<EchoReason>(reason)));
+  }
   ReasonCounts counts{};
   for (std::size_t i = 0; i < reflectivity.sweeps.size(); ++i)
   {
@@ -476,8 +490,8 @@ ReasonCounts TakeOut(
       throw Error("echo classes of " + std::to_string(reasons.size()) + " gates for a sweep of " +
                   std::to_string(sweep.rays.size() * sweep.gates));
     }
-    const auto removed = [level](EchoReason reason)
-    { return RemovesClass(level, ClassOf(reason)); };
+    const auto removed = [&removes](EchoReason reason)
+    { return removes[static_cast<std::size_t>(reason)]; };
     if (std::none_of(reasons.begin(), reasons.end(), removed))
     {
       continue;

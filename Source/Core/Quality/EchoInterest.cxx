@@ -32,20 +32,23 @@ void AddTextures(const GateEvidence& evidence, Mean& mean)
 {
   if (IsNumber(evidence.squares))
   {
-    mean.Add(1.0F, Ramp(evidence.squares, 5.0F, 40.0F));
+    mean.Add(1.0F, Ramp(evidence.squares, 8.0F, 40.0F));
   }
   if (IsNumber(evidence.agreement))
   {
-    mean.Add(0.5F, Ramp(evidence.agreement, 0.8F, 0.3F));
+    mean.Add(0.5F, Ramp(evidence.agreement, 0.6F, 0.25F));
   }
 }
 
-// The vertical test. Side lobes see the ground about the radar at all tilts.
+// The vertical test. Side lobes see the ground about the radar at all tilts, and high tilts see it
+// with side lobes alone.
 void AddGradient(const GateEvidence& evidence, Mean& mean)
 {
   if (IsNumber(evidence.gradient))
   {
-    mean.Add(Ramp(evidence.range, 5'000.0F, 25'000.0F), Ramp(evidence.gradient, 3.0F, 15.0F));
+    const float known =
+      Ramp(evidence.range, 5'000.0F, 25'000.0F) * Ramp(evidence.elevation, 4.5F, 1.0F);
+    mean.Add(known, Ramp(evidence.gradient, 3.0F, 15.0F));
   }
 }
 
@@ -85,11 +88,18 @@ float NotWeather(const GateEvidence& evidence)
 
 // What lessens the interest in ground of a gate among ground: it moves, without being gone in the
 // tilt above, or its own ρ_hv is that of weather.
-float SignsOfAir(const GateEvidence& evidence)
+float SignsOfAir(const GateEvidence& evidence, bool stands)
 {
   const float moving = Ramp(evidence.ownSpeed, 2.0F, 5.0F) * Ramp(evidence.gradient, 20.0F, 10.0F);
   const float uniform = Ramp(evidence.ownCorrelation, 0.93F, 0.97F);
-  return (1.0F - 0.25F * moving) * (1.0F - 0.3F * uniform);
+  return stands ? 1.0F - 0.2F * uniform : (1.0F - 0.25F * moving) * (1.0F - 0.45F * uniform);
+}
+
+// 0…1: velocities of both signs, as where weather turns past zero within a couplet.
+float Shear(const GateEvidence& evidence)
+{
+  return IsNumber(evidence.speed) ? (1.0F - evidence.flow) * Ramp(evidence.speed, 3.0F, 8.0F)
+                                  : 0.0F;
 }
 
 // A gate that stands still where all about it moves one way: a target that is stronger than the
@@ -118,8 +128,9 @@ EchoInterest InterestOf(const GateEvidence& evidence)
   }
   // Nothing is surely ground that is not known to stand still.
   const bool stands = evidence.ownStill > 0.1F;
-  interest.ground =
-    stands ? mean.Value() : std::min(SignsOfAir(evidence) * mean.Value(), mostUnknown);
+  const float ground = SignsOfAir(evidence, stands) * mean.Value();
+  interest.ground = stands ? ground : std::min(ground, mostUnknown);
+  interest.ground *= 1.0F - 0.5F * Shear(evidence);
   interest.ground = std::max(interest.ground, 0.8F * LoneTarget(evidence));
   return interest;
 }

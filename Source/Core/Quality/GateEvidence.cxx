@@ -71,14 +71,17 @@ const RayTextures& EvidenceReader::TexturesOf(std::size_t place)
   RowTextures& row = kept[next];
   next = (next + 1) % kept.size();
   row.place = place;
-  row.textures.Set(grid.Row(place), sources, grid.RayAt(place), geometry);
+  RowGeometry held = geometry;
+  held.gates = std::min(geometry.gates, grid.Held(place).end);
+  row.textures.Set(grid.Row(place), sources, grid.RayAt(place), held);
   return row.textures;
 }
 
 void EvidenceReader::Read(std::size_t place, std::vector<GateEvidence>& evidence)
 {
+  const std::size_t gates = std::min(geometry.gates, grid.Held(place).end);
   evidence.resize(geometry.gates);
-  sums.assign(geometry.gates, GateSums{});
+  sums.assign(gates, GateSums{});
   for (const std::size_t each : {grid.Beside(place, -1), place, grid.Beside(place, 1)})
   {
     if (each == grid.Rays())
@@ -86,7 +89,7 @@ void EvidenceReader::Read(std::size_t place, std::vector<GateEvidence>& evidence
       continue;
     }
     const std::vector<GateSums>& windows = this->TexturesOf(each).Windows();
-    for (std::size_t i = 0; i < geometry.gates; ++i)
+    for (std::size_t i = 0; i < std::min(gates, windows.size()); ++i)
     {
       for (std::size_t which = 0; which < SumCount; ++which)
       {
@@ -96,12 +99,13 @@ void EvidenceReader::Read(std::size_t place, std::vector<GateEvidence>& evidence
   }
   const float* row = grid.Row(place);
   const std::vector<GateSums>& own = this->TexturesOf(place).Own();
-  for (std::size_t i = 0; i < geometry.gates; ++i)
+  for (std::size_t i = 0; i < gates; ++i)
   {
     if (IsNumber(row[i]))
     {
       evidence[i] = GateEvidence();
       evidence[i].reflectivity = row[i];
+      evidence[i].elevation = static_cast<float>(grid.Elevation());
       evidence[i].range = static_cast<float>(grid.RangeOf(i));
       Evaluate(sums[i], own[i], evidence[i]);
     }
@@ -113,7 +117,7 @@ void EvidenceReader::Read(std::size_t place, std::vector<GateEvidence>& evidence
 
 void EvidenceReader::ReadAgreement(std::size_t place, std::vector<GateEvidence>& evidence) const
 {
-  const auto count = static_cast<std::ptrdiff_t>(geometry.gates);
+  const auto count = static_cast<std::ptrdiff_t>(std::min(geometry.gates, grid.Held(place).end));
   const float* own = grid.Row(place);
   const auto far = static_cast<std::ptrdiff_t>(geometry.HalfWindow());
   const std::array<const float*, 3> rows = {
@@ -147,24 +151,24 @@ void EvidenceReader::ReadGradient(std::size_t place, std::vector<GateEvidence>& 
   {
     return;
   }
-  const std::size_t over = above->PlaceAt(grid.AzimuthAt(place));
-  if (over == above->Rays())
+  const std::size_t beyond = above->PlaceAt(grid.AzimuthAt(place));
+  if (beyond == above->Rays())
   {
     return;
   }
   const float* row = grid.Row(place);
-  const float* upper = above->Row(over);
+  const float* upper = above->Row(beyond);
   const auto perDegree = static_cast<float>(1.0 / (above->Elevation() - grid.Elevation()));
-  for (std::size_t i = 0; i < geometry.gates; ++i)
+  const double step = grid.GateSpacing() / above->GateSpacing();
+  const double from = (grid.RangeOf(0) - above->RangeOf(0)) / above->GateSpacing() + 0.5;
+  const std::size_t gates = std::min(geometry.gates, grid.Held(place).end);
+  for (std::size_t i = 0; i < gates; ++i)
   {
-    if (!IsNumber(row[i]))
+    const double at = from + step * static_cast<double>(i);
+    if (IsNumber(row[i]) && at >= 0.0 && at < static_cast<double>(above->Gates()))
     {
-      continue;
-    }
-    const std::ptrdiff_t at = above->GateAt(grid.RangeOf(i));
-    if (at >= 0 && at < static_cast<std::ptrdiff_t>(above->Gates()))
-    {
-      evidence[i].gradient = (row[i] - std::max(upper[at], std::min(weakest, row[i]))) * perDegree;
+      const float over = std::max(upper[static_cast<std::size_t>(at)], std::min(weakest, row[i]));
+      evidence[i].gradient = (row[i] - over) * perDegree;
     }
   }
 }
@@ -177,7 +181,7 @@ void EvidenceReader::ReadFilterPower(std::size_t place, std::vector<GateEvidence
     return;
   }
   ReadMoment(sources.filterPower, ray, geometry, codes, filterPower);
-  for (std::size_t i = 0; i < geometry.gates; ++i)
+  for (std::size_t i = 0; i < evidence.size(); ++i)
   {
     evidence[i].filterPower = filterPower[i];
   }

@@ -17,6 +17,7 @@ struct GateEvidence
 {
   float reflectivity = NoNumber;   ///< dBZ
   float range = 0.0F;              ///< m, slant range
+  float elevation = 0.0F;          ///< degrees
   float agreement = NoNumber;      ///< 0…1: part of the gates about it that are within 3 dB of it
   float squares = NoNumber;        ///< dB², mean squared difference along the ray
   float turns = NoNumber;          ///< 0…1: spin

@@ -71,12 +71,18 @@ public:
   }
 
 private:
-  bool IsOneValue()
+  // Of a ray at one value, one of these three gates has it.
+  bool IsOneValue() const
   {
-    const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-    std::nth_element(values.begin(), middle, values.end());
-    const auto same = std::count(values.begin(), values.end(), *middle);
-    return static_cast<float>(same) >= ofOneValue * static_cast<float>(values.size());
+    for (const std::size_t at : {values.size() / 4, values.size() / 2, 3 * values.size() / 4})
+    {
+      const auto same = std::count(values.begin(), values.end(), values[at]);
+      if (static_cast<float>(same) >= ofOneValue * static_cast<float>(values.size()))
+      {
+        return true;
+      }
+    }
+    return false;
   }
 
   void JudgePower(std::size_t place)

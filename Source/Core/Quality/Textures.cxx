@@ -22,7 +22,7 @@ void SumWindows(const std::vector<GateSums>& own, std::size_t half, std::vector<
 {
   const std::size_t count = own.size();
   prefix.resize(count + 1);
-  windows.resize(count);
+  windows.resize(count > 0 ? count + half : 0);
   GateSums sum{};
   prefix[0] = sum;
   for (std::size_t i = 0; i < count; ++i)
@@ -33,7 +33,7 @@ void SumWindows(const std::vector<GateSums>& own, std::size_t half, std::vector<
     }
     prefix[i + 1] = sum;
   }
-  for (std::size_t i = 0; i < count; ++i)
+  for (std::size_t i = 0; i < windows.size(); ++i)
   {
     const GateSums& from = prefix[i > half ? i - half : 0];
     const GateSums& to = prefix[std::min(i + half + 1, count)];
@@ -64,10 +64,12 @@ void ReadMoment(const MomentSource& source, std::size_t ray, const RowGeometry& 
   sweep.Read(source.rays[ray], codes.data());
   const double step = geometry.spacing / sweep.gateSpacing;
   const double from = (geometry.firstGate - sweep.firstGate) / sweep.gateSpacing + 0.5;
+  const bool same = step == 1.0 && from >= 0.0;
   for (std::size_t gate = 0; gate < geometry.gates; ++gate)
   {
     const double place = from + step * static_cast<double>(gate);
-    const auto at = static_cast<std::size_t>(std::max(place, 0.0));
+    const std::size_t at =
+      same ? gate + static_cast<std::size_t>(from) : static_cast<std::size_t>(std::max(place, 0.0));
     if (at >= sweep.gates)
     {
       break;

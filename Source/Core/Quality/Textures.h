@@ -4,6 +4,7 @@
 #include "nexrad/Quality/EchoGrid.h"
 #include "nexrad/Quality/SplitCuts.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -15,7 +16,7 @@ namespace nexrad
 /// Where the gates of a row of reflectivity lie.
 struct RowGeometry
 {
-  std::size_t gates = 0;
+  std::size_t gates = 0;  ///< the first ones that count
   double firstGate = 0.0; ///< m
   double spacing = 0.0;   ///< m
 
@@ -59,18 +60,20 @@ inline float At(const GateSums& sums, SumOf which)
 /// 0 at `from`, 1 at `to`, linear between and constant beyond.
 inline float Ramp(float value, float from, float to)
 {
-  const float part = (value - from) / (to - from);
-  return part < 0.0F ? 0.0F : (part > 1.0F ? 1.0F : part);
+  const float part = (value - from) * (1.0F / (to - from)); // a constant where the ends are
+  return std::min(std::max(part, 0.0F), 1.0F);
 }
 
 /// Sums over the windows about the gates of one ray.
 class RayTextures
 {
 public:
-  /// Reads a row of reflectivity, as EchoGrid::Row, and what its sources tell.
+  /// Reads a row of reflectivity, as EchoGrid::Row, and what its sources tell of the gates up to
+  /// `geometry.gates`, behind which nothing counts.
   void Set(
     const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry);
 
+  /// Of the gates up to half a window behind those that count.
   const std::vector<GateSums>& Windows() const { return windows; }
   /// Of the gate alone, without the window.
   const std::vector<GateSums>& Own() const { return own; }
