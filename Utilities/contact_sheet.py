@@ -4,6 +4,8 @@ make-pictures), the index.
   contact_sheet.py middle INFO                     middle of the file's time, and the reach of its radar
   contact_sheet.py sheet INFO LABEL SHEET MAP...   the maps, three in a row, with a caption; prints the caption
   contact_sheet.py pictures TEXT SHEET PICTURE...  pictures of one size, three in a row, with a caption
+  contact_sheet.py pairs TEXT SHEET COLUMNS WIDTH LABEL BEFORE AFTER...
+                                                   pairs of pictures, each WIDTH pixels wide, COLUMNS pairs in a row
   contact_sheet.py index SHEETS LEFT_OUT PAGE      an HTML page of lines "sheet, caption" and "input, reason"
 """
 
@@ -72,6 +74,31 @@ def write_sheet(text, sheet, maps):
     figure.savefig(sheet, facecolor="black")
 
 
+def write_pairs(text, sheet, columns, width, pairs):
+    """Each pair beside each other below its label. At most 128 colours, so that many maps fit a small file."""
+    import matplotlib.font_manager
+    from PIL import Image, ImageDraw, ImageFont
+
+    font = ImageFont.truetype(matplotlib.font_manager.findfont("DejaVu Sans"), 12)
+    with Image.open(pairs[0][1]) as first:
+        height = round(first.height * width / first.width)
+    gap, line = 8, 18
+    rows = -(-len(pairs) // columns)
+    size = (columns * (2 * width + gap) + gap, CAPTION + rows * (height + line + gap))
+    picture = Image.new("RGB", size, "black")
+    draw = ImageDraw.Draw(picture)
+    draw.text((gap, CAPTION / 2), text, fill="white", font=font, anchor="lm")
+    for number, (label, *maps) in enumerate(pairs):
+        left = gap + number % columns * (2 * width + gap)
+        top = CAPTION + number // columns * (height + line + gap)
+        draw.text((left, top + line / 2), label, fill="white", font=font, anchor="lm")
+        for place, path in enumerate(maps):
+            with Image.open(path) as one:
+                small = one.convert("RGB").resize((width - 1, height), Image.LANCZOS)
+            picture.paste(small, (left + place * width, top + line))
+    picture.quantize(128, dither=Image.Dither.NONE).save(sheet, optimize=True)
+
+
 def lines_of(path):
     with open(path, encoding="utf-8") as file:
         return [[html.escape(part) for part in line.rstrip("\n").split("\t", 1)] for line in file]
@@ -100,6 +127,9 @@ def main(task, *arguments):
         print(text)
     elif task == "pictures":
         write_sheet(arguments[0], arguments[1], arguments[2:])
+    elif task == "pairs":
+        text, sheet, columns, width, *rest = arguments
+        write_pairs(text, sheet, int(columns), int(width), list(zip(*[iter(rest)] * 3)))
     else:
         write_index(lines_of(arguments[0]), lines_of(arguments[1]), arguments[2])
 

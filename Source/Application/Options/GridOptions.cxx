@@ -86,16 +86,6 @@ double ParseOverlapLength(const std::string& text)
   return length;
 }
 
-QualityLevel ParseQuality(const std::string& text)
-{
-  const auto level = ParseQualityLevel(text);
-  if (!level)
-  {
-    throw Error("'" + text + "' is no level of quality control; write off, standard or strict");
-  }
-  return *level;
-}
-
 // Along which motion the method beam interpolates in time.
 void StoreMotion(const std::string& text, MergeOptions& options)
 {
@@ -314,6 +304,16 @@ void Finish(const CLI::App& command, MergeOptions& options)
 }
 
 } // namespace
+
+QualityLevel ParseQuality(const std::string& text)
+{
+  const auto level = ParseQualityLevel(text);
+  if (!level)
+  {
+    throw Error("'" + text + "' is no level of quality control; write off, standard or strict");
+  }
+  return *level;
+}
 
 void AddGridOptions(CLI::App& command, MergeOptions& options)
 {
