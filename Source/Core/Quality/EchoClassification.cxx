@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Quality/EchoClassification.h"
 
-#include "nexrad/Quality/ClearAirTest.h"
+#include "nexrad/Quality/BiologicalTest.h"
 #include "nexrad/Quality/Evidence/SplitCuts.h"
 #include "nexrad/Quality/GroundTest.h"
 #include "nexrad/Quality/SpeckleTest.h"
@@ -116,6 +116,10 @@ private:
   {
     SweepJudgement& sweep = sweeps[number];
     const bool polarimetric = sources[number].correlation.sweep != nullptr;
+    if (sweep.judged > 0 && polarimetric)
+    {
+      FindFlight(sweep);
+    }
     if (sweep.judged > 0)
     {
       FindGround(sweep, polarimetric);

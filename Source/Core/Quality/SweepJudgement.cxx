@@ -24,6 +24,8 @@ constexpr float likely = 0.15F;           // less interest is enough for likely 
 constexpr float overNoise = 4.0F;         // dB that echo must have over the weakest
 
 constexpr float notWeather = 0.6F;       // interest in flight
+constexpr float hardlyWeather = 0.4F;    // interest of gates beside such ones
+constexpr float couplet = 8.0F;          // m/s, mean |V|
 constexpr float strongest = 35.0F;       // dBZ of biological echo
 constexpr float highestFlight = 3500.0F; // m, lower beam edge
 constexpr float strongCore = 45.0F;      // dBZ
@@ -58,31 +60,45 @@ float WeakestPower(const EchoGrid& grid, const std::vector<float>& spreading)
   return *middle;
 }
 
+// Whether two polarisations can tell what a gate is: the echo is strong enough, and low.
+bool IsTelling(const GateEvidence& evidence, const SweepJudgement& sweep, std::size_t gate)
+{
+  return IsNumber(evidence.correlation) && sweep.heights[gate] <= highestFlight &&
+         evidence.reflectivity >= sweep.weakest[gate] + overNoise;
+}
+
 EchoReason ReasonOf(const GateEvidence& evidence, const EchoInterest& interest,
   const SweepJudgement& sweep, std::size_t gate)
 {
   const float value = evidence.reflectivity;
   const EchoReason weather = value >= strongCore ? EchoReason::StrongCore : EchoReason::Plain;
-  if (!interest.polarimetric || value < sweep.weakest[gate] + overNoise)
+  if (!IsTelling(evidence, sweep, gate))
   {
     return weather;
   }
-  const bool turns = evidence.flow < 0.5F && evidence.speed > 8.0F;
-  if (value >= debris)
+  const bool unsteady = IsNumber(evidence.speed) && evidence.flow < 0.5F;
+  if (interest.flight >= notWeather && unsteady)
   {
-    return interest.flight >= notWeather && turns ? EchoReason::Debris : weather;
-  }
-  if (interest.flight >= notWeather && sweep.heights[gate] <= highestFlight)
-  {
-    const bool unsteady = IsNumber(evidence.speed) && evidence.flow < 0.5F;
-    return evidence.filterPower >= filtered && unsteady ? EchoReason::GroundFilter
-           : value < strongest                          ? EchoReason::FlightPolarimetry
-                                                        : weather;
+    return value >= debris && evidence.speed > couplet ? EchoReason::Debris
+           : evidence.filterPower >= filtered          ? EchoReason::GroundFilter
+                                                       : weather;
   }
   const bool melts = evidence.correlation < 0.96F && evidence.correlation > 0.7F &&
-                     value >= 15.0F && sweep.heights[gate] > 500.0F && evidence.gradient < 15.0F &&
-                     evidence.squares < 30.0F;
-  return melts ? EchoReason::MeltingLayer : weather;
+                     value >= 15.0F && value < strongCore && sweep.heights[gate] > 500.0F &&
+                     evidence.gradient < 15.0F && evidence.squares < 30.0F;
+  return melts && interest.flight < notWeather ? EchoReason::MeltingLayer : weather;
+}
+
+std::uint8_t FlightOf(const GateEvidence& evidence, const EchoInterest& interest,
+  const SweepJudgement& sweep, std::size_t gate)
+{
+  if (!IsTelling(evidence, sweep, gate) || evidence.reflectivity >= strongest)
+  {
+    return FlightSign::None;
+  }
+  return interest.flight >= notWeather      ? FlightSign::Sure
+         : interest.flight >= hardlyWeather ? FlightSign::Likely
+                                            : FlightSign::None;
 }
 
 } // namespace
@@ -125,6 +141,7 @@ void SweepJudgement::Set(const PolarSweep& sweep, bool judges, const RangeLoop& 
     weakest.push_back(power + each);
   }
   signs.assign(reasons.size(), GroundSign::None);
+  flights.assign(reasons.size(), FlightSign::None);
   speeds.assign(reasons.size(), 0);
   gradients.assign(reasons.size(), 0);
 }
@@ -162,6 +179,9 @@ void JudgeRows(
       sweep.gradients[index] =
         static_cast<std::int8_t>(std::clamp(evidence[gate].gradient, -100.0F, 100.0F));
       sweep.reasons[index] = ReasonOf(evidence[gate], interest, sweep, gate);
+      sweep.flights[index] = sweep.reasons[index] == EchoReason::GroundFilter
+                               ? FlightSign::None
+                               : FlightOf(evidence[gate], interest, sweep, gate);
     }
   }
 }

@@ -21,6 +21,14 @@ struct GroundSign
   static constexpr std::uint8_t Sure = 2;
 };
 
+/// The same of birds and insects.
+struct FlightSign
+{
+  static constexpr std::uint8_t None = 0;
+  static constexpr std::uint8_t Likely = 1;
+  static constexpr std::uint8_t Sure = 2;
+};
+
 /// The gates of one sweep of reflectivity, judged one by one. Arrays are rays × gates, in the order
 /// of the rays of the sweep.
 struct SweepJudgement
@@ -31,7 +39,8 @@ struct SweepJudgement
   std::vector<float> heights;      ///< of these gates, m above the antenna: the lower beam edge
   std::vector<float> limits;       ///< of these gates: interest from which on ground is sure
   std::vector<float> weakest;      ///< of these gates, dBZ: echo that is hardly stronger than noise
-  std::vector<std::uint8_t> signs; ///< GroundSign
+  std::vector<std::uint8_t> flights; ///< FlightSign; only FindFlight makes reasons of them
+  std::vector<std::uint8_t> signs;   ///< GroundSign
   std::vector<std::uint8_t>
     speeds; ///< |V| in steps of 0.125 m/s and 1 more, at most 255; 0 unknown
   std::vector<std::int8_t> gradients; ///< dB a degree (GateEvidence)

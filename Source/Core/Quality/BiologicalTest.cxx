@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Quality/ClearAirTest.h"
+#include "nexrad/Quality/BiologicalTest.h"
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Quality/Evidence/GateRegions.h"
@@ -14,6 +14,7 @@ namespace nexrad
 namespace
 {
 
+constexpr std::size_t sureOfTen = 3;
 constexpr float strongest = 20.0F;     // dBZ
 constexpr double highest = 2500.0;     // m
 constexpr double freeHeight = 3000.0;  // m, where there must be no echo
@@ -85,6 +86,28 @@ void MarkRow(const SweepJudgement& sweep, const std::vector<FreeGate>& free, std
 }
 
 } // namespace
+
+void FindFlight(SweepJudgement& sweep)
+{
+  const GateRegions regions(*sweep.grid, sweep.flights);
+  std::vector<std::size_t> gates(regions.Count(), 0);
+  std::vector<std::size_t> sure(regions.Count(), 0);
+  for (const GateRun& run : regions.Runs())
+  {
+    const std::uint8_t* signs = sweep.flights.data() + sweep.Index(run.place, 0);
+    gates[run.region] += run.end - run.begin;
+    sure[run.region] +=
+      static_cast<std::size_t>(std::count(signs + run.begin, signs + run.end, FlightSign::Sure));
+  }
+  for (const GateRun& run : regions.Runs())
+  {
+    EchoReason* first = sweep.reasons.data() + sweep.Index(run.place, 0);
+    if (10 * sure[run.region] >= sureOfTen * gates[run.region])
+    {
+      std::fill(first + run.begin, first + run.end, EchoReason::FlightPolarimetry);
+    }
+  }
+}
 
 void FindClearAir(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep)
 {
