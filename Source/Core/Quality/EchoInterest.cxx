@@ -92,7 +92,7 @@ float SignsOfAir(const GateEvidence& evidence, bool stands)
 {
   const float moving = Ramp(evidence.ownSpeed, 2.0F, 5.0F) * Ramp(evidence.gradient, 20.0F, 10.0F);
   const float uniform = Ramp(evidence.ownCorrelation, 0.93F, 0.97F);
-  return stands ? 1.0F - 0.2F * uniform : (1.0F - 0.25F * moving) * (1.0F - 0.45F * uniform);
+  return stands ? 1.0F - 0.2F * uniform : (1.0F - 0.25F * moving) * (1.0F - 0.55F * uniform);
 }
 
 // 0…1: velocities of both signs, as where weather turns past zero within a couplet.

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <utility>
 
 namespace nexrad
 {
@@ -70,7 +70,36 @@ public:
     }
   }
 
+  // The rays beside spikes, where the beam's edge sees less of the same power: single gates there
+  // that have no echo behind them.
+  void MarkEdges()
+  {
+    for (const auto& [place, power] : spikes)
+    {
+      for (const int step : {-2, -1, 1, 2})
+      {
+        this->MarkEdge(grid.Beside(place, step), grid.RowBeside(place, 2 * step), power);
+      }
+    }
+  }
+
 private:
+  void MarkEdge(std::size_t place, const float* beyond, float power)
+  {
+    if (place >= grid.Rays())
+    {
+      return;
+    }
+    const float* row = grid.Row(place);
+    this->Mark(place, EchoReason::ConstantPower,
+      [&](std::size_t gate)
+      {
+        const bool inside = gate >= first && gate > 0 && gate + 1 < grid.Gates();
+        return inside && !(IsNumber(row[gate - 1]) && IsNumber(row[gate + 1])) &&
+               !IsNumber(beyond[gate]) && row[gate] - spreading[gate] - power <= steady;
+      });
+  }
+
   // Of a ray at one value, one of these three gates has it.
   bool IsOneValue() const
   {
@@ -117,6 +146,7 @@ private:
           const float above = row[gate] - spreading[gate] - power;
           return above <= steady && above >= -2.0F * steady;
         });
+      spikes.emplace_back(place, power);
     }
   }
 
@@ -153,6 +183,7 @@ private:
   std::size_t first;
   std::vector<float> values;
   std::vector<float> powers;
+  std::vector<std::pair<std::size_t, float>> spikes; // rows and their powers
 };
 
 } // namespace
@@ -164,6 +195,7 @@ void FindSpikes(const EchoGrid& grid, std::vector<EchoReason>& reasons)
   {
     search.Judge(place);
   }
+  search.MarkEdges();
 }
 
 } // namespace nexrad

@@ -229,7 +229,7 @@ TEST(NxvDamage, StatesMayNotContradictTheCodes)
   EXPECT_EQ(file.Last().states[1], VoxelState::RangeFolded);
   EXPECT_NE(errorWith(std::string("\1\1\2\3", 4)).find("voxel 2"), std::string::npos);
   EXPECT_NE(errorWith(std::string("\1\1\0\2", 4)).find("voxel 3"), std::string::npos);
-  EXPECT_NE(errorWith(std::string("\1\4\0\3", 4)).find("voxel 1"), std::string::npos);
+  EXPECT_NE(errorWith(std::string("\1\5\0\3", 4)).find("voxel 1"), std::string::npos);
 }
 
 TEST(NxvDamage, FilteredVoxelsMayNotContradictTheCodes)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Quality/GateRegions.h"
+#include "nexrad/Quality/Evidence/GateRegions.h"
 
 #include <algorithm>
 
@@ -13,14 +13,13 @@ GateRegions::GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& 
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
     firstRuns.push_back(runs.size());
-    const auto row = members.begin() + static_cast<std::ptrdiff_t>(grid.RayAt(place) * gates);
+    const std::uint8_t* row = members.data() + grid.RayAt(place) * gates;
     const GateRange held = grid.Held(place);
-    const auto last = row + static_cast<std::ptrdiff_t>(held.end);
+    const std::uint8_t* last = row + held.end;
     const auto isMember = [](std::uint8_t member) { return member != 0; };
-    for (auto begin = std::find_if(row + static_cast<std::ptrdiff_t>(held.begin), last, isMember);
-         begin != last;)
+    for (const std::uint8_t* begin = std::find_if(row + held.begin, last, isMember); begin != last;)
     {
-      const auto end = std::find(begin, last, std::uint8_t(0));
+      const std::uint8_t* end = std::find(begin, last, std::uint8_t(0));
       runs.push_back({static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(begin - row),
         static_cast<std::uint32_t>(end - row), 0});
       begin = std::find_if(end, last, isMember);

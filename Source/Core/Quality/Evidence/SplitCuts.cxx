@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Quality/SplitCuts.h"
+#include "nexrad/Quality/Evidence/SplitCuts.h"
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
