@@ -83,7 +83,7 @@ nexrad::ReasonCounts CountReasons(vtkPartitionedDataSetCollection* sweeps)
 
 } // namespace
 
-TEST(EchoClasses, AreThoseOfTheFile)
+TEST(EchoClassesFilter, AreThoseOfTheFile)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   for (const char* name : {"quality/KMLB19980707_220118.gz", "superres/KTLX20190715_120037_V06"})
@@ -112,7 +112,7 @@ TEST(EchoClasses, AreThoseOfTheFile)
   }
 }
 
-TEST(EchoClasses, AGateWithAValueHasTheClassOfItsReason)
+TEST(EchoClassesFilter, AGateWithAValueHasTheClassOfItsReason)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const std::filesystem::path file = data / "level2/quality/KMLB19980707_220118.gz";
@@ -149,7 +149,7 @@ TEST(EchoClasses, AGateWithAValueHasTheClassOfItsReason)
     { EXPECT_FALSE(grid->GetPointData()->HasArray("REF_class")) << "the input's own grid"; });
 }
 
-TEST(EchoClasses, NamesAreInTheFieldData)
+TEST(EchoClassesFilter, NamesAreInTheFieldData)
 {
   EXPECT_STREQ(vtkNexradEchoClasses::GetEchoClassName(2), "ground");
   EXPECT_STREQ(vtkNexradEchoClasses::GetEchoReasonName(5), "ground texture");
@@ -180,7 +180,7 @@ TEST(EchoClasses, NamesAreInTheFieldData)
   EXPECT_GT(grids, 0U);
 }
 
-TEST(EchoClasses, SweepsWithoutTheirFieldDataAreAnError)
+TEST(EchoClassesFilter, SweepsWithoutTheirFieldDataAreAnError)
 {
   const nexrad::testing::TemporaryFolder folder;
   const nexrad::Site site = {"KEAX", nexrad::Position{38.81, -94.264, 333.0}};
