@@ -86,13 +86,15 @@ float NotWeather(const GateEvidence& evidence)
   return mean.Value();
 }
 
-// What lessens the interest in ground of a gate among ground: it moves, without being gone in the
-// tilt above, or its own ρ_hv is that of weather.
+// What lessens the interest in ground of a gate among ground: velocities about it are broad, it
+// moves without being gone in the tilt above, or its own ρ_hv is that of weather.
 float SignsOfAir(const GateEvidence& evidence, bool stands)
 {
   const float moving = Ramp(evidence.ownSpeed, 2.0F, 5.0F) * Ramp(evidence.gradient, 20.0F, 10.0F);
   const float uniform = Ramp(evidence.ownCorrelation, 0.93F, 0.97F);
-  return stands ? 1.0F - 0.2F * uniform : (1.0F - 0.25F * moving) * (1.0F - 0.55F * uniform);
+  const float broad = 1.0F - 0.3F * Ramp(evidence.width, 3.5F, 5.5F);
+  return broad *
+         (stands ? 1.0F - 0.2F * uniform : (1.0F - 0.25F * moving) * (1.0F - 0.55F * uniform));
 }
 
 // 0…1: velocities of both signs, as where weather turns past zero within a couplet.

@@ -60,6 +60,14 @@ float WeakestPower(const EchoGrid& grid, const std::vector<float>& spreading)
   return *middle;
 }
 
+// How much more interest in ground it takes at a strong core that the tilt above has, too.
+float CoreMargin(const GateEvidence& evidence)
+{
+  return evidence.reflectivity < strongCore ? 0.0F
+                                            : 0.2F * Ramp(evidence.gradient, 12.0F, 6.0F) *
+                                                Ramp(evidence.range, 10'000.0F, 25'000.0F);
+}
+
 // Whether two polarisations can tell what a gate is: the echo is strong enough, and low.
 bool IsTelling(const GateEvidence& evidence, const SweepJudgement& sweep, std::size_t gate)
 {
@@ -170,7 +178,7 @@ void JudgeRows(
         continue;
       }
       const EchoInterest interest = InterestOf(evidence[gate]);
-      const float limit = sweep.limits[gate];
+      const float limit = sweep.limits[gate] + CoreMargin(evidence[gate]);
       sweep.signs[index] = interest.ground >= limit            ? GroundSign::Sure
                            : interest.ground >= limit - likely ? GroundSign::Likely
                                                                : GroundSign::None;

@@ -141,8 +141,8 @@ TEST(EchoOfRealFiles, WidespreadRainAndSnowStay)
       PercentOut(folder / "level2" / file.path, file.sweep, QualityLevel::Standard, Everywhere),
       file.most, file.path);
     EXPECT_AT_MOST(PercentOut(folder / "level2" / file.path, file.sweep, QualityLevel::Strict,
-                     [](const Place& place) { return place.value >= 40.0F; }),
-      0.1, "strong echo lost at the strict level, %");
+                     [](const Place& place) { return place.value >= 35.0F; }),
+      0.2, "strong echo lost at the strict level, %");
   }
 }
 
