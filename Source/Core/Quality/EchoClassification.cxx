@@ -167,9 +167,9 @@ private:
         {
           const EchoReason reason = source[static_cast<std::size_t>(at)];
           const EchoClass echoClass = ClassOf(reason);
-          own[gate] = echoClass == EchoClass::Ground || echoClass == EchoClass::Biological
-                        ? reason
-                        : own[gate];
+          const bool flies =
+            echoClass == EchoClass::Biological && row[gate] < StrongestBiologicalEcho;
+          own[gate] = echoClass == EchoClass::Ground || flies ? reason : own[gate];
         }
       }
     }

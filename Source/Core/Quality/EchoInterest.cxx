@@ -113,16 +113,33 @@ float LoneTarget(const GateEvidence& evidence)
            : 0.0F;
 }
 
+// Whether nothing that counts more than the vertical test can speak against weather: most gates of
+// rain, at which the rest need not be worked out.
+bool IsPlain(const GateEvidence& evidence)
+{
+  const bool moves = evidence.ownStill <= 0.0F && evidence.still < 0.1F;
+  const bool even = evidence.squares < 8.0F && evidence.agreement > 0.6F;
+  const bool uniform =
+    !IsNumber(evidence.correlation) ||
+    (evidence.correlation > 0.95F && evidence.ownCorrelation > 0.95F &&
+      evidence.ratioSpread < 1.0F && evidence.phaseSpread < 12.0F && evidence.ratio < 3.0F);
+  return moves && even && uniform;
+}
+
 } // namespace
 
 EchoInterest InterestOf(const GateEvidence& evidence)
 {
   EchoInterest interest;
+  interest.polarimetric = IsNumber(evidence.correlation);
+  if (IsPlain(evidence))
+  {
+    return interest;
+  }
   Mean mean;
   AddTextures(evidence, mean);
   AddVelocities(evidence, mean);
   AddGradient(evidence, mean);
-  interest.polarimetric = IsNumber(evidence.correlation);
   if (interest.polarimetric)
   {
     interest.flight = NotWeather(evidence);

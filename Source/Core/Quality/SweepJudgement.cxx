@@ -26,7 +26,6 @@ constexpr float overNoise = 4.0F;         // dB that echo must have over the wea
 constexpr float notWeather = 0.6F;       // interest in flight
 constexpr float hardlyWeather = 0.4F;    // interest of gates beside such ones
 constexpr float couplet = 8.0F;          // m/s, mean |V|
-constexpr float strongest = 35.0F;       // dBZ of biological echo
 constexpr float highestFlight = 3500.0F; // m, lower beam edge
 constexpr float strongCore = 45.0F;      // dBZ
 constexpr float filtered = 30.0F;        // dB that the clutter filter removed
@@ -100,7 +99,7 @@ EchoReason ReasonOf(const GateEvidence& evidence, const EchoInterest& interest,
 std::uint8_t FlightOf(const GateEvidence& evidence, const EchoInterest& interest,
   const SweepJudgement& sweep, std::size_t gate)
 {
-  if (!IsTelling(evidence, sweep, gate) || evidence.reflectivity >= strongest)
+  if (!IsTelling(evidence, sweep, gate) || evidence.reflectivity >= StrongestBiologicalEcho)
   {
     return FlightSign::None;
   }

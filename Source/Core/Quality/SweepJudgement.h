@@ -55,6 +55,9 @@ struct SweepJudgement
   }
 };
 
+/// Biological echo is weaker, dBZ.
+constexpr float StrongestBiologicalEcho = 35.0F;
+
 /// A speed as SweepJudgement::speeds has it.
 constexpr std::uint8_t SpeedCode(double metresPerSecond)
 {
