@@ -4,6 +4,9 @@ make-pictures), the index.
   contact_sheet.py middle INFO                     middle of the file's time, and the reach of its radar
   contact_sheet.py sheet INFO LABEL SHEET MAP...   the maps, three in a row, with a caption; prints the caption
   contact_sheet.py pictures TEXT SHEET PICTURE...  pictures of one size, three in a row, with a caption
+  contact_sheet.py pairs TEXT SHEET COLUMNS WIDTH PART LABEL BEFORE AFTER...
+                                                   pairs of pictures, each WIDTH pixels wide, COLUMNS pairs in a row;
+                                                   PART: whole, or map without what is about it
   contact_sheet.py index SHEETS LEFT_OUT PAGE      an HTML page of lines "sheet, caption" and "input, reason"
 """
 
@@ -72,6 +75,40 @@ def write_sheet(text, sheet, maps):
     figure.savefig(sheet, facecolor="black")
 
 
+MAP_PART = (0.14, 0.115, 0.875, 0.89)  # left, upper, right and lower edge of a square map in a picture of 8 : 7
+
+
+def shrunk(path, width, part):
+    from PIL import Image
+
+    with Image.open(path) as whole:
+        edges = [round(edge * size) for edge, size in zip(MAP_PART, whole.size * 2)]
+        picture = whole.convert("RGB").crop(edges) if part == "map" else whole.convert("RGB")
+    return picture.resize((width, round(picture.height * width / picture.width)), Image.LANCZOS)
+
+
+def write_pairs(text, sheet, columns, width, part, pairs):
+    """Each pair beside each other below its label. At most 128 colours, so that many maps fit a small file."""
+    import matplotlib.font_manager
+    from PIL import Image, ImageDraw, ImageFont
+
+    font = ImageFont.truetype(matplotlib.font_manager.findfont("DejaVu Sans"), 12)
+    height = shrunk(pairs[0][1], width - 1, part).height
+    gap, line = 8, 18
+    rows = -(-len(pairs) // columns)
+    size = (columns * (2 * width + gap) + gap, CAPTION + rows * (height + line + gap))
+    picture = Image.new("RGB", size, "black")
+    draw = ImageDraw.Draw(picture)
+    draw.text((gap, CAPTION / 2), text, fill="white", font=font, anchor="lm")
+    for number, (label, *maps) in enumerate(pairs):
+        left = gap + number % columns * (2 * width + gap)
+        top = CAPTION + number // columns * (height + line + gap)
+        draw.text((left, top + line / 2), label, fill="white", font=font, anchor="lm")
+        for place, path in enumerate(maps):
+            picture.paste(shrunk(path, width - 1, part), (left + place * width, top + line))
+    picture.quantize(128, dither=Image.Dither.NONE).save(sheet, optimize=True)
+
+
 def lines_of(path):
     with open(path, encoding="utf-8") as file:
         return [[html.escape(part) for part in line.rstrip("\n").split("\t", 1)] for line in file]
@@ -100,6 +137,9 @@ def main(task, *arguments):
         print(text)
     elif task == "pictures":
         write_sheet(arguments[0], arguments[1], arguments[2:])
+    elif task == "pairs":
+        text, sheet, columns, width, part, *rest = arguments
+        write_pairs(text, sheet, int(columns), int(width), part, list(zip(*[iter(rest)] * 3)))
     else:
         write_index(lines_of(arguments[0]), lines_of(arguments[1]), arguments[2])
 

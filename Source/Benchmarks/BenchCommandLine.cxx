@@ -5,6 +5,7 @@
 #include "BenchSheets.h"
 #include "BenchTables.h"
 #include "Options/DrawingOptions.h"
+#include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/ProgressBar.h"
 #include "Tables/ThesisFigures.h"
@@ -81,6 +82,9 @@ void AddOptions(CLI::App& command, BenchOptions& options)
   AddDimensions(command, options.request);
   AddParsedOption(command, "--method", options.request.options.method, ParseMethod, "NAME",
     "How rays become voxels", ToString(options.request.options.method));
+  AddParsedOption(command, "--quality", options.request.options.quality.level, ParseQuality, "NAME",
+    "What quality control takes out of REF: off, standard or strict; of the method beam",
+    "standard");
   AddParsedOption(command, "--max-gap", options.request.options.maximumGap, ParseDuration,
     "DURATION", "A site's volume farther than this from a time does not count", "15min");
   command
@@ -179,6 +183,11 @@ CommandAction ChooseWork(const CLI::App& command, const std::shared_ptr<BenchOpt
     {
       options->request.dimensions.push_back(figures.dimensions);
     }
+  }
+  if (options->request.options.method == MergeMethod::Thesis)
+  {
+    RefuseOptions(
+      command, {"--quality"}, "is of the method 'beam'; 'thesis' does not have this option");
   }
   return !options->compare.empty()         ? ChooseComparison(command, options)
          : !options->sheets.folder.empty() ? ChooseSheets(command, options)

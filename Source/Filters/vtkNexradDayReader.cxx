@@ -175,7 +175,7 @@ bool vtkNexradDayReader::Open()
 {
   const nexrad::MergeOptions options = this->MakeDayOptions();
   const Day::Origin from = {this->FileNames, this->Moment, this->SiteName, this->MemoryLimit,
-    options, options.measureBiases};
+    nexrad::MomentOptionsOf(options), options.measureBiases};
   if (this->Opened && this->Opened->From == from)
   {
     return this->Opened->Merger.SetOptions(options, vtkNexradProgress(this));

@@ -23,7 +23,6 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
-#include <map>
 
 namespace
 {
@@ -75,43 +74,6 @@ nexrad::RadarBiases BiasesFor(
   nexrad::RequireRadars(options.beam.biases, radars);
   return options.measureBiases ? nexrad::CompareRadars(echoes).biases : options.beam.biases;
 }
-
-// The volumes of one input by measured moment. Each moment is converted once.
-class InputVolumes
-{
-public:
-  explicit InputVolumes(vtkPartitionedDataSetCollection* theSweeps)
-    : sweeps(theSweeps)
-  {
-  }
-
-  const std::vector<nexrad::PolarVolume>& Of(nexrad::MomentName moment)
-  {
-    const auto [found, isNew] = volumes.try_emplace(moment);
-    if (isNew)
-    {
-      found->second = vtkNexradSweepsToPolar(sweeps, moment);
-    }
-    return found->second;
-  }
-
-  // The same radar's volume of the same time; one without sweeps where it lacks the moment.
-  nexrad::PolarVolume Find(nexrad::MomentName moment, const nexrad::PolarVolume& volume)
-  {
-    for (const nexrad::PolarVolume& each : this->Of(moment))
-    {
-      if (each.site.name == volume.site.name && each.start == volume.start)
-      {
-        return each;
-      }
-    }
-    return {};
-  }
-
-private:
-  vtkPartitionedDataSetCollection* sweeps;
-  std::map<nexrad::MomentName, std::vector<nexrad::PolarVolume>> volumes;
-};
 
 } // namespace
 
@@ -185,6 +147,7 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
   options.furtherMoments.erase(options.furtherMoments.begin());
   options.grid = this->MakeGridRequest();
   options.method = this->Method == THESIS ? nexrad::MergeMethod::Thesis : nexrad::MergeMethod::Beam;
+  options.quality.level = static_cast<nexrad::QualityLevel>(this->Quality);
   options.quality.neighbours = this->FewestNeighbours;
   options.dealias = this->Dealiasing;
   if (this->UseStormMotion)
@@ -213,11 +176,11 @@ nexrad::MergeOptions vtkNexradGridAlgorithm::MakeMergeOptions() const
 std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(vtkInformationVector* inputs)
 {
   const nexrad::MomentName moment = this->CheckMoment();
-  const nexrad::MomentOptions options = this->MakeMergeOptions();
+  const nexrad::MomentOptions options = nexrad::MomentOptionsOf(this->MakeMergeOptions());
   std::vector<nexrad::PolarVolume> volumes;
   for (int i = 0; i < inputs->GetNumberOfInformationObjects(); ++i)
   {
-    InputVolumes input(vtkPartitionedDataSetCollection::GetData(inputs, i));
+    vtkNexradPolarVolumes input(vtkPartitionedDataSetCollection::GetData(inputs, i));
     for (const nexrad::PolarVolume& each : input.Of(nexrad::MeasuredFor(moment)))
     {
       nexrad::MomentMaker maker(
@@ -332,6 +295,7 @@ void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Moment: " << this->Moment << "\n";
   os << indent << "Method: " << this->Method << "\n";
   os << indent << "FewestNeighbours: " << this->FewestNeighbours << "\n";
+  os << indent << "Quality: " << this->Quality << "\n";
   os << indent << "Dealiasing: " << this->Dealiasing << "\n";
   os << indent << "UseStormMotion: " << this->UseStormMotion << "\n";
   os << indent << "StormMotion: " << this->StormMotion[0] << ", " << this->StormMotion[1] << "\n";

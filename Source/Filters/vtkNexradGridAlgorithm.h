@@ -78,6 +78,16 @@ public:
   };
 
   /**
+   * What quality control takes out of REF, see SetQuality.
+   */
+  enum QualityLevelType
+  {
+    QUALITY_OFF = 0,
+    QUALITY_STANDARD = 1,
+    QUALITY_STRICT = 2
+  };
+
+  /**
    * PROJECTED: metres east and north of the domain's centre in the azimuthal equidistant
    * projection of WGS84. GEOGRAPHIC: degrees of longitude and latitude, as the thesis has them.
    */
@@ -165,6 +175,21 @@ public:
    */
   vtkSetClampMacro(FewestNeighbours, int, 0, 26);
   vtkGetMacro(FewestNeighbours, int);
+  ///@}
+
+  ///@{
+  /**
+   * What quality control takes out of REF before it is merged (Formulas Q1 to Q5).
+   * QUALITY_STANDARD: ground clutter and anomalous propagation, spikes of the sun and of other
+   * transmitters, receiver faults and speckle. QUALITY_STRICT: birds and insects too. QUALITY_OFF:
+   * nothing. Gates that are taken out carry no weight; a voxel that no other radar saw has the
+   * state 4, filtered. For BEAM; THESIS takes out nothing. QUALITY_STANDARD by default.
+   */
+  vtkSetClampMacro(Quality, int, QUALITY_OFF, QUALITY_STRICT);
+  vtkGetMacro(Quality, int);
+  void SetQualityToOff() { this->SetQuality(QUALITY_OFF); }
+  void SetQualityToStandard() { this->SetQuality(QUALITY_STANDARD); }
+  void SetQualityToStrict() { this->SetQuality(QUALITY_STRICT); }
   ///@}
 
   ///@{
@@ -369,6 +394,7 @@ protected:
   std::string Moment = "REF";
   int Method = BEAM;
   int FewestNeighbours = 0;
+  int Quality = QUALITY_STANDARD;
   bool Dealiasing = true;
   double StormMotion[2] = {0.0, 0.0};
   bool UseStormMotion = false;

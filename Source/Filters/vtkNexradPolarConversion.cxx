@@ -94,20 +94,21 @@ struct SweepGates
   std::vector<nexrad::GateState> States;
 };
 
-/// Copies one ray's gates unless none of them was sampled.
-void AppendRay(nexrad::PolarSweep& sweep, SweepGates& gates, const nexrad::PolarRay& ray,
+/// Copies one ray's gates unless none of them was sampled; whether it did.
+bool AppendRay(nexrad::PolarSweep& sweep, SweepGates& gates, const nexrad::PolarRay& ray,
   const float* values, const unsigned char* states)
 {
   const bool sampled = std::any_of(
     states, states + sweep.gates, [&](unsigned char each) { return each < NotSampled; });
   if (!sampled)
   {
-    return;
+    return false;
   }
   sweep.rays.push_back(ray);
   gates.Values.insert(gates.Values.end(), values, values + sweep.gates);
   std::transform(states, states + sweep.gates, std::back_inserter(gates.States),
     [&](unsigned char each) { return static_cast<nexrad::GateState>(std::min(each, NotSampled)); });
+  return true;
 }
 
 /// The gates up to the last that some ray reaches: another moment of the grid may go on farther.
@@ -134,7 +135,8 @@ nexrad::Waveform WaveformOf(const SweepGrid& source)
                : nexrad::Waveform::Unknown;
 }
 
-nexrad::PolarSweep ToPolarSweep(const SweepGrid& source, nexrad::MomentName moment)
+nexrad::PolarSweep ToPolarSweep(
+  const SweepGrid& source, nexrad::MomentName moment, std::vector<int>& rows)
 {
   const std::string name = nexrad::ToString(moment);
   auto* values = source.PointArray<vtkFloatArray>(name);
@@ -171,7 +173,10 @@ nexrad::PolarSweep ToPolarSweep(const SweepGrid& source, nexrad::MomentName mome
       nexrad::FromSeconds(times->GetComponent(i, 0)),
       nyquists ? static_cast<float>(nyquists->GetComponent(i, 0)) : 0.0F};
     const vtkIdType first = i * dimensions[0];
-    AppendRay(sweep, gates, ray, values->GetPointer(first), states->GetPointer(first));
+    if (AppendRay(sweep, gates, ray, values->GetPointer(first), states->GetPointer(first)))
+    {
+      rows.push_back(static_cast<int>(i));
+    }
   }
   nexrad::SetGates(sweep, gates.Values, gates.States);
   if (moment == nexrad::MomentName::REF)
@@ -198,8 +203,9 @@ nexrad::PolarVolume DescribeVolume(const SweepGrid& source, nexrad::MomentName m
   return volume;
 }
 
-void AppendGrid(
-  std::vector<nexrad::PolarVolume>& volumes, const SweepGrid& source, nexrad::MomentName moment)
+void AppendGrid(std::vector<nexrad::PolarVolume>& volumes,
+  std::vector<std::vector<vtkNexradSweepOrigin>>& origins, const SweepGrid& source,
+  nexrad::MomentName moment)
 {
   if (!source.Grid->GetPointData()->HasArray(nexrad::ToString(moment)))
   {
@@ -212,17 +218,22 @@ void AppendGrid(
   if (own == volumes.end())
   {
     volumes.push_back(std::move(description));
+    origins.emplace_back();
     own = volumes.end() - 1;
   }
-  own->sweeps.push_back(ToPolarSweep(source, moment));
+  std::vector<int> rows;
+  own->sweeps.push_back(ToPolarSweep(source, moment, rows));
+  origins[static_cast<std::size_t>(own - volumes.begin())].push_back(
+    {source.Grid, std::move(rows)});
 }
 
 } // namespace
 
-std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(
-  vtkPartitionedDataSetCollection* sweeps, nexrad::MomentName moment)
+std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(vtkPartitionedDataSetCollection* sweeps,
+  nexrad::MomentName moment, std::vector<std::vector<vtkNexradSweepOrigin>>* origins)
 {
   std::vector<nexrad::PolarVolume> volumes;
+  std::vector<std::vector<vtkNexradSweepOrigin>> found;
   for (unsigned int i = 0; i < sweeps->GetNumberOfPartitionedDataSets(); ++i)
   {
     const char* name =
@@ -233,9 +244,41 @@ std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(
       auto* grid = vtkStructuredGrid::SafeDownCast(grids->GetPartition(j));
       if (grid)
       {
-        AppendGrid(volumes, {grid, name ? name : "data set " + std::to_string(i)}, moment);
+        AppendGrid(volumes, found, {grid, name ? name : "data set " + std::to_string(i)}, moment);
       }
     }
   }
+  if (origins)
+  {
+    *origins = std::move(found);
+  }
   return volumes;
+}
+
+vtkNexradPolarVolumes::vtkNexradPolarVolumes(vtkPartitionedDataSetCollection* sweeps)
+  : Sweeps(sweeps)
+{
+}
+
+const std::vector<nexrad::PolarVolume>& vtkNexradPolarVolumes::Of(nexrad::MomentName moment)
+{
+  const auto [found, isNew] = this->Volumes.try_emplace(moment);
+  if (isNew)
+  {
+    found->second = vtkNexradSweepsToPolar(this->Sweeps, moment);
+  }
+  return found->second;
+}
+
+nexrad::PolarVolume vtkNexradPolarVolumes::Find(
+  nexrad::MomentName moment, const nexrad::PolarVolume& volume)
+{
+  for (const nexrad::PolarVolume& each : this->Of(moment))
+  {
+    if (each.site.name == volume.site.name && each.start == volume.start)
+    {
+      return each;
+    }
+  }
+  return {};
 }

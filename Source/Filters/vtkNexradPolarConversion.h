@@ -13,9 +13,20 @@
 
 #include "nexrad/Polar/PolarVolume.h"
 
+#include <map>
 #include <vector>
 
 class vtkPartitionedDataSetCollection;
+class vtkStructuredGrid;
+
+/**
+ * Where a polar sweep comes from: its grid, and of each of its rays the row in it.
+ */
+struct vtkNexradSweepOrigin
+{
+  vtkStructuredGrid* Grid = nullptr;
+  std::vector<int> Rows;
+};
 
 /**
  * The volumes whose sweeps are in the collection: those of one site with one start time make one
@@ -23,10 +34,31 @@ class vtkPartitionedDataSetCollection;
  * gate of. What decides which sweeps and gates count (`Waveform`, `UnambiguousRange`) may be
  * absent; then all do. So may `NyquistVelocity`, without which no velocity is unfolded. The moment
  * is a measured one. Throws nexrad::Error, naming the sweep and the array, for a grid with the
- * moment that lacks its field data, or in which they do not fit its dimensions.
+ * moment that lacks its field data, or in which they do not fit its dimensions. `origins`, when
+ * given, takes those of all sweeps of all volumes, in the order of the result.
  */
-std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(
-  vtkPartitionedDataSetCollection* sweeps, nexrad::MomentName moment);
+std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(vtkPartitionedDataSetCollection* sweeps,
+  nexrad::MomentName moment, std::vector<std::vector<vtkNexradSweepOrigin>>* origins = nullptr);
+
+/**
+ * The volumes of one collection by measured moment. Each moment is converted once.
+ */
+class vtkNexradPolarVolumes
+{
+public:
+  /// The collection must outlive this object.
+  explicit vtkNexradPolarVolumes(vtkPartitionedDataSetCollection* sweeps);
+
+  /// As vtkNexradSweepsToPolar gives them.
+  const std::vector<nexrad::PolarVolume>& Of(nexrad::MomentName moment);
+
+  /// The volume of the same radar and the same start; one without sweeps where it lacks the moment.
+  nexrad::PolarVolume Find(nexrad::MomentName moment, const nexrad::PolarVolume& volume);
+
+private:
+  vtkPartitionedDataSetCollection* Sweeps;
+  std::map<nexrad::MomentName, std::vector<nexrad::PolarVolume>> Volumes;
+};
 
 #endif
 // VTK-HeaderTest-Exclude: vtkNexradPolarConversion.h

@@ -102,9 +102,8 @@ void MarkMissing(vtkImageData* image, const std::string& name, std::vector<float
   const auto ancillary = SplitName(name);
   const std::string moment = ancillary ? nexrad::ToString(ancillary->first) : name;
   constexpr auto echo = static_cast<unsigned char>(nexrad::VoxelState::Echo);
-  constexpr auto notScanned = static_cast<unsigned char>(nexrad::VoxelState::NotScanned);
-  mark(FindBytes(image, moment + "_state"),
-    [&](unsigned char state) { return ancillary ? state == notScanned : state != echo; });
+  mark(FindBytes(image, moment + "_state"), [&](unsigned char state)
+    { return ancillary ? !nexrad::IsMeasured(nexrad::ToVoxelState(state)) : state != echo; });
   if (ancillary)
   {
     mark(FindBytes(image, moment + "_radars"), [](unsigned char radars) { return radars == 0; });

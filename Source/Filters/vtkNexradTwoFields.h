@@ -19,7 +19,8 @@
  * value". A mapper interpolates between voxels: so far away, nearly all of the way to a voxel
  * without a value has that colour, and no other value appears in between. A colour is seen where
  * all voxels about a point have values. A moment has no value where its state is not 0 (echo); an
- * ancillary array where its moment was not scanned, or no radar scanned (`_radars` 0, `_site` 255);
+ * ancillary array where the state of its moment is neither 0 nor 1 (no echo), or no radar scanned
+ * (`_radars` 0, `_site` 255);
  * any array where it is not finite.
  *
  * Errors (UserError): an array that the image does not have, or that has several components.

@@ -38,12 +38,6 @@ Array* Require(vtkFieldData* data, const std::string& name, vtkIdType count)
   return array;
 }
 
-nexrad::VoxelState StateOf(unsigned char state)
-{
-  return static_cast<nexrad::VoxelState>(
-    std::min(state, static_cast<unsigned char>(nexrad::VoxelState::NotScanned)));
-}
-
 nexrad::MomentName MomentOf(vtkImageData* volume)
 {
   vtkDataArray* scalars = volume->GetPointData()->GetScalars();
@@ -69,13 +63,13 @@ nexrad::VoxelSource SourceOf(vtkImageData* volume, const std::string& name)
       Require<vtkFloatArray>(field, name + "_code_values", CodeCount)->GetPointer(0);
     const unsigned char* states =
       Require<vtkUnsignedCharArray>(field, name + "_code_states", CodeCount)->GetPointer(0);
-    return {[=](std::size_t voxel) { return StateOf(states[code[voxel]]); },
+    return {[=](std::size_t voxel) { return nexrad::ToVoxelState(states[code[voxel]]); },
       [=](std::size_t voxel) { return values[code[voxel]]; }};
   }
   const float* values = Require<vtkFloatArray>(points, name, count)->GetPointer(0);
   const unsigned char* states =
     Require<vtkUnsignedCharArray>(points, name + "_state", count)->GetPointer(0);
-  return {[=](std::size_t voxel) { return StateOf(states[voxel]); },
+  return {[=](std::size_t voxel) { return nexrad::ToVoxelState(states[voxel]); },
     [=](std::size_t voxel) { return values[voxel]; }};
 }
 

@@ -18,7 +18,7 @@
  * section from A to B and from the lower to the upper face of the volume. Point data, here of REF:
  *
  * - `REF`, float32, the active scalars: NaN where there is no echo.
- * - `REF_state`, uint8: 0 echo, 1 no echo, 2 range folded, 3 not scanned.
+ * - `REF_state`, uint8: 0 echo, 1 no echo, 2 range folded, 3 not scanned, 4 filtered.
  *
  * The field data are those of the volume. Values are interpolated linearly among voxels with an
  * echo; whether a point has an echo is decided by the weights of the voxels about it

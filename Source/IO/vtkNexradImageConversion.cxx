@@ -209,10 +209,10 @@ nexrad::MomentName FindMoment(vtkPointData* points)
 
 nexrad::VoxelState ToState(unsigned char state, const std::string& array)
 {
-  if (state > static_cast<unsigned char>(nexrad::VoxelState::NotScanned))
+  if (state > static_cast<unsigned char>(nexrad::VoxelState::Filtered))
   {
     throw nexrad::Error(
-      "the image's array " + array + " holds " + std::to_string(state) + ": a state is 0 to 3");
+      "the image's array " + array + " holds " + std::to_string(state) + ": a state is 0 to 4");
   }
   return static_cast<nexrad::VoxelState>(state);
 }

@@ -7,7 +7,8 @@
  *
  * - `REF`, float32, the active scalars: values in the moment's unit; the fill value where there is
  *   no echo and where nothing was scanned.
- * - `REF_state`, uint8: 0 echo, 1 no echo, 2 range folded, 3 not scanned.
+ * - `REF_state`, uint8: 0 echo, 1 no echo, 2 range folded, 3 not scanned, 4 filtered (quality
+ *   control took the echo out, and no other radar saw the place).
  * - `vtkGhostType`, uint8: HIDDENPOINT where not scanned; of other moments than reflectivity, where
  *   there is no echo and hence no value.
  *
@@ -27,7 +28,7 @@
  * field data:
  *
  * - `REF`, uint8, the active scalars: codes, as the file has them; no `REF_state`, no
- *   `vtkGhostType`. Range folded has the code of no echo.
+ *   `vtkGhostType`. Range folded and filtered have the code of no echo.
  * - `REF_code_values`, float32, in the field data: 256 values, one for each code; the fill value
  * for codes of other states than echo.
  * - `REF_code_states` and `REF_code_ghosts`, uint8, likewise: the state and the vtkGhostType.

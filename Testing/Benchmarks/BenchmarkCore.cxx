@@ -10,6 +10,7 @@
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 #include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/Quality/EchoClassification.h"
 #include "nexrad/Simulation/SimulatedDay.h"
 #include "nexrad/System/RangeLoop.h"
 #include "nexrad/Thesis/ThesisMerge.h"
@@ -174,6 +175,32 @@ BENCHMARK_CAPTURE(DealiasVolume, KBLX2009, "superres/KBLX20090603_004417_V03.gz"
   ->Unit(benchmark::kMillisecond)
   ->MeasureProcessCPUTime()
   ->UseRealTime();
+
+// What the echo of a real volume comes from, on one thread, as a merge finds it. The polar volumes
+// that it needs are part of it.
+void ClassifyVolume(benchmark::State& state, const char* name)
+{
+  const auto folder = testing::TestDataFolder();
+  if (!folder)
+  {
+    state.SkipWithError("real radar files not found: set NEXRAD_TEST_DATA");
+    return;
+  }
+  const RadarVolume volume = ReadLevel2(*folder / "level2" / name);
+  const auto measured = [&volume](MomentName moment) { return MakePolarVolume(volume, moment); };
+  for (auto _ : state)
+  {
+    benchmark::DoNotOptimize(ClassifyEcho(measured, ThreadLoop(1)));
+  }
+}
+BENCHMARK_CAPTURE(ClassifyVolume, KMLB1998, "quality/KMLB19980707_220118.gz")
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ClassifyVolume, KBGM2005, "run-kbgm-20050821/KBGM20050821_024323.gz")
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ClassifyVolume, KBLX2009, "superres/KBLX20090603_004417_V03.gz")
+  ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(ClassifyVolume, KTLX2019, "superres/KTLX20190715_120037_V06")
+  ->Unit(benchmark::kMillisecond);
 
 // One site, columns × columns × columns / 2 voxels.
 void MergeAsTheThesis(benchmark::State& state)

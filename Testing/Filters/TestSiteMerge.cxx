@@ -140,11 +140,14 @@ TEST(SiteMerge, LeavesDopplerHalvesOutAsTheDayReaderDoes)
   const std::filesystem::path file = data / "level2/legacy/KVWX_20050626_221551.gz";
   const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2005-06-26T22:21:44Z"));
   vtkNew<vtkNexradDayReader> day;
+  // The sweeps have the impossible velocities of this file as stored, which are some evidence.
+  day->SetQualityToOff();
   UseSmallGrid(day);
   day->AddFileName(file.c_str());
   day->UpdateInformation();
   day->UpdateTimeStep(time);
   vtkNew<vtkNexradSiteMerge> merge;
+  merge->SetQualityToOff();
   UseSmallGrid(merge);
   merge->AddInputConnection(ReaderOf(file)->GetOutputPort());
   merge->SetTime(time);
@@ -407,6 +410,7 @@ TEST_F(SiteMergeByHand, TakesTheSeriesReadersSweepsOfSeveralSites)
 TEST_F(SiteMergeByHand, ResamplerGridsOneVolumeAtItsOwnTime)
 {
   vtkNew<vtkNexradVolumeResampler> resampler;
+  resampler->SetQualityToOff(); // rays that hold one value are a fault of the receiver
   UseSmallGrid(resampler);
   resampler->SetInputConnection(this->Reader(keax, start, 30.0)->GetOutputPort());
   resampler->Update();
@@ -428,6 +432,7 @@ TEST_F(SiteMergeByHand, CoordinatesOfTheSweepsDoNotMatter)
 {
   const auto reader = this->Reader(keax, start, 30.0);
   vtkNew<vtkNexradVolumeResampler> resampler;
+  resampler->SetQualityToOff(); // rays that hold one value are a fault of the receiver
   UseSmallGrid(resampler);
   resampler->SetInputConnection(reader->GetOutputPort());
   resampler->Update();

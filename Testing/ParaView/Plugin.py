@@ -20,6 +20,7 @@ SOURCES = {
 FILTERS = {
     "NexradVolumeResampler": "vtkNexradVolumeResampler",
     "NexradSiteMerge": "vtkNexradSiteMerge",
+    "NexradEchoClasses": "vtkNexradEchoClasses",
     "NexradTwoFields": "vtkNexradTwoFields",
 }
 

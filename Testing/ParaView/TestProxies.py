@@ -74,7 +74,8 @@ class Settings(unittest.TestCase):
         for group, name, kind in self.proxies:
             with self.subTest(proxy=name):
                 missing = own_setters(kind) - set(settings(Plugin.make(group, name)))
-                self.assertGreater(len(own_setters(kind)), 3)
+                if kind != "vtkNexradEchoClasses":  # which has no settings
+                    self.assertGreater(len(own_setters(kind)), 3)
                 self.assertEqual(missing, set())
 
     def test_properties_explain_themselves_with_units(self):

@@ -155,6 +155,30 @@ class Arrays(unittest.TestCase):
         numpy.testing.assert_array_equal(values[0], values[-1])  # all the way round
         self.assertEqual(vtknexrad.array(grid, "REF_state").dtype, numpy.uint8)
 
+    def test_echo_classes_are_arrays_of_the_gates(self):
+        sweeps = vtknexrad.update(level2_reader(SyntheticFiles.files()[0]))
+        pairs = vtknexrad.echo_classes(sweeps)
+        self.assertEqual(len(pairs), sweeps.GetNumberOfPartitionedDataSets())
+        self.assertIn(None, pairs)  # the Doppler halves of split cuts have no REF
+        values = vtknexrad.array(vtknexrad.sweep(sweeps, 0))
+        classes, reasons = pairs[0]
+        self.assertEqual(classes.dtype, numpy.uint8)
+        numpy.testing.assert_array_equal(classes == 0, numpy.isnan(values))
+        numpy.testing.assert_array_equal(reasons == 0, numpy.isnan(values))
+        names = [vtknexrad.vtkNexradEchoClasses.GetEchoClassName(number) for number in range(7)]
+        share = (classes == names.index("weather")).sum() / (classes > 0).sum()
+        self.assertGreater(share, 0.9)  # the synthetic day has storms alone
+
+    def test_quality_control_can_be_switched_off(self):
+        day = day_reader()
+        self.assertEqual(day.GetQuality(), 1)
+        states = {}
+        for quality in (0, 1):
+            day.SetQuality(quality)
+            states[quality] = vtknexrad.array(vtknexrad.update(day), "REF_state").copy()
+        self.assertNotIn(4, states[0])
+        self.assertFalse(numpy.array_equal(states[0], states[1]))
+
     def test_what_is_not_there_is_named(self):
         sweeps = vtknexrad.update(level2_reader(SyntheticFiles.files()[0]))
         with self.assertRaisesRegex(IndexError, "no sweep 99; there are"):

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Plan/PlanLayer.h"
 #include "Scene/Plan/PlanScale.h"
 #include "Scene/Plan/PlanView.h"
 #include "Scene/Scales/ColourScale.h"
@@ -18,7 +19,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 using namespace nexrad;
 using namespace nexrad::scene;
@@ -87,6 +90,28 @@ TEST(PlanView, TheLowestIsTheFirstThatWasScanned)
   const PlanView view = View(PlanLevel::Lowest);
   EXPECT_EQ(view.states, (std::vector<VoxelState>{echo, none, none, folded, open}));
   EXPECT_EQ(view.values[0], 50.0F);
+}
+
+// What quality control took out is passed over where something else of the column was measured.
+TEST(PlanView, FilteredVoxelsAreShownWhereNothingIsMeasured)
+{
+  GriddedVolume volume = FiveColumns();
+  const std::vector<VoxelState> lowest = {
+    VoxelState::Filtered, VoxelState::Filtered, VoxelState::Filtered, folded, VoxelState::Filtered};
+  std::copy(lowest.begin(), lowest.end(), volume.states.begin());
+  volume.states[7] = volume.states[12] = open;
+  for (const PlanLevel level : {PlanLevel::Composite, PlanLevel::Lowest})
+  {
+    const PlanView view = MakePlanView(SourceOf(volume), {level, 0.0, ""});
+    EXPECT_EQ(view.states[0], echo);
+    EXPECT_EQ(view.states[1], level == PlanLevel::Composite ? echo : none);
+    EXPECT_EQ(view.states[2], VoxelState::Filtered);
+    EXPECT_EQ(view.states[3], folded);
+    EXPECT_EQ(view.states[4], VoxelState::Filtered);
+    EXPECT_EQ(PlanKey(view), "violet: range folded, brown: filtered");
+  }
+  const PlanView height = MakePlanView(SourceOf(volume), {PlanLevel::Height, 0.0, ""});
+  EXPECT_EQ(height.states, lowest);
 }
 
 TEST(PlanView, AHeightIsItsLevelAndNothingElse)

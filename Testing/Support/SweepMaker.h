@@ -55,8 +55,8 @@ inline NumberSweep NumbersOf(const PolarSweep& sweep)
     sweep.Read(ray, codes.data());
     for (const std::uint16_t code : codes)
     {
-      constexpr GateState states[] = {
-        GateState::BelowThreshold, GateState::RangeFolded, GateState::NotSampled};
+      constexpr GateState states[] = {GateState::BelowThreshold, GateState::RangeFolded,
+        GateState::NotSampled, GateState::NotSampled}; // Filtered
       const bool valid = code >= GateCode::FirstValue;
       numbers.states.push_back(valid ? GateState::Valid : states[code]);
       numbers.values.push_back(

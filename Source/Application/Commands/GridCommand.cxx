@@ -5,6 +5,7 @@
 #include "Options/UnitOptions.h"
 #include "Output/BiasOutput.h"
 #include "Output/Counted.h"
+#include "Output/EchoReport.h"
 #include "Output/ProgressBar.h"
 #include "Parallel/JoinedProcesses.h"
 #include "Volumes/WriteVolumes.h"
@@ -70,10 +71,14 @@ void CheckCode(const GridJob& job)
   }
 }
 
-void PrintReport(const GridReport& report)
+void PrintReport(const GridReport& report, QualityLevel level)
 {
   std::cout << report.index.string() << ": " << Counted(report.files.size(), "volume") << ", "
             << Counted(report.bytes, "byte") << '\n';
+  if (report.echo)
+  {
+    std::cout << DescribeTakenOut(*report.echo, level) << '\n';
+  }
   PrintBiases(report.comparison, report.takenOff, std::cout);
 }
 
@@ -82,7 +87,8 @@ void PrintJson(const GridReport& report)
   nlohmann::ordered_json json = {{"index", report.index.string()},
     {"volumes", nlohmann::ordered_json::array()}, {"bytes", report.bytes},
     {"problems", report.problems}, {"notes", report.notes},
-    {"radars", MakeBiasJson(report.comparison, report.takenOff)}};
+    {"radars", MakeBiasJson(report.comparison, report.takenOff)},
+    {"echo", report.echo ? MakeEchoJson(*report.echo) : nlohmann::ordered_json()}};
   for (const std::filesystem::path& file : report.files)
   {
     json["volumes"].push_back(file.string());
@@ -109,7 +115,7 @@ int RunGrid(GridCommandOptions& options)
   }
   else if (!options.quiet)
   {
-    PrintReport(report);
+    PrintReport(report, options.job.options.quality.level);
   }
   for (const std::string& problem : report.problems)
   {

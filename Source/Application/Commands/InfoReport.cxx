@@ -2,13 +2,17 @@
 #include "Commands/InfoReport.h"
 
 #include "Output/Counted.h"
+#include "Output/EchoReport.h"
 #include "nexrad/Model/MomentLimits.h"
 #include "nexrad/Model/MomentSummary.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Model/SweepWaveforms.h"
+#include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/Quality/EchoClassification.h"
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <iomanip>
 #include <optional>
 #include <ostream>
@@ -209,6 +213,19 @@ std::vector<std::string> NotesOn(const RadarVolume& volume)
   return notes;
 }
 
+// What quality control finds in the reflectivity; empty without any.
+std::optional<ReasonCounts> CountEcho(const RadarVolume& volume)
+{
+  const bool any = std::any_of(volume.sweeps.begin(), volume.sweeps.end(),
+    [](const Sweep& sweep) { return sweep.Has(MomentName::REF); });
+  if (!any)
+  {
+    return std::nullopt;
+  }
+  const auto measured = [&volume](MomentName moment) { return MakePolarVolume(volume, moment); };
+  return ClassifyEcho(measured).counts;
+}
+
 } // namespace
 
 const Ray* FindRay(const RadarVolume& volume, const GateRequest& request)
@@ -230,7 +247,11 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
     {"vcp", OrNull(volume.coveragePatternNumber)}, {"message_type", OrNull(volume.messageType)},
     {"start", TimeOrNull(volume.Start())}, {"end", TimeOrNull(volume.End())},
     {"complete", volume.complete}, {"damage", Json::array()}, {"notes", NotesOn(volume)},
-    {"sweeps", Json::array()}};
+    {"echo", nullptr}, {"sweeps", Json::array()}};
+  if (const auto echo = CountEcho(volume))
+  {
+    info["echo"] = MakeEchoJson(*echo);
+  }
   for (const Damage& damage : volume.damage)
   {
     info["damage"].push_back({{"offset", damage.offset}, {"what", damage.what}});
@@ -277,6 +298,10 @@ void PrintInfoTable(
   for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
   {
     PrintSweep(volume.sweeps[index], index, out);
+  }
+  if (const auto echo = CountEcho(volume))
+  {
+    PrintEcho(*echo, out);
   }
   for (const GateRequest& request : requests)
   {

@@ -5,6 +5,7 @@
 #include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Model/SiteTable.h"
+#include "nexrad/Quality/Despeckling.h"
 
 #include <CLI/CLI.hpp>
 
@@ -172,6 +173,12 @@ void AddMethod(CLI::App& command, MergeOptions& options)
     "in a voxel)",
     "beam")
     ->group(group);
+  AddParsedOption(command, "--quality", options.quality.level, ParseQuality, "NAME",
+    "What quality control takes out of REF: standard (ground clutter and anomalous propagation, "
+    "spikes of the sun and of other transmitters, receiver faults, speckle), strict (birds and "
+    "insects too), or off",
+    "standard")
+    ->group(group);
   AddNumberOption(command, "--despeckle", options.quality.neighbours, 0, MostNeighbours, "NUMBER",
     "Take out gates of which fewer than this many of the 26 neighbours in ray, gate and tilt have "
     "a "
@@ -224,7 +231,7 @@ void AddBias(CLI::App& command, MergeOptions& options)
 // Options that the method beam has and the method thesis has not.
 constexpr const char* beamOptions[] = {"--overlap", "--overlap-length", "--fill-columns", "--fill",
   "--linear-reflectivity", "--no-sharpening", "--ancillary", "--companions", "--motion",
-  "--no-dealiasing", "--storm-motion", "--bias"};
+  "--no-dealiasing", "--storm-motion", "--quality", "--bias"};
 
 void AddBeam(CLI::App& command, MergeOptions& options)
 {
@@ -313,6 +320,16 @@ void Finish(const CLI::App& command, MergeOptions& options)
 }
 
 } // namespace
+
+QualityLevel ParseQuality(const std::string& text)
+{
+  const auto level = ParseQualityLevel(text);
+  if (!level)
+  {
+    throw Error("'" + text + "' is no level of quality control; write off, standard or strict");
+  }
+  return *level;
+}
 
 void AddGridOptions(CLI::App& command, MergeOptions& options)
 {

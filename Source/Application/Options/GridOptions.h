@@ -19,6 +19,9 @@ namespace nexrad::application
 /// `options`, which must outlive the parsing.
 void AddGridOptions(CLI::App& command, MergeOptions& options);
 
+/// The level of quality control that a text names. Throws Error when it names none.
+QualityLevel ParseQuality(const std::string& text);
+
 /// Why an option of merging is wrong with these moments, because none of them is merged by it;
 /// empty: it is right. `name` as in "--no-sharpening".
 std::string RefusalFor(const std::string& name, const std::vector<MomentName>& moments);

@@ -110,6 +110,7 @@ GridReport Conclude(
   }
   report.comparison = merger.CompareRadars();
   report.takenOff = merger.BiasesTakenOff();
+  report.echo = merger.Echo();
   processes.Together([&] { mine.files.Keep(); });
   processes.Together(
     [&]

@@ -4,11 +4,13 @@
 #include "Volumes/StepWriter.h"
 #include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Quality/EchoClass.h"
 #include "nexrad/System/Processes.h"
 #include "nexrad/System/Progress.h"
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,6 +37,8 @@ struct GridReport
   std::vector<std::string> notes;           ///< what is left out of inputs that are whole, as well
   BiasReport comparison;                    ///< of the radars, where there are several
   RadarBiases takenOff;                     ///< biases that were taken off reflectivity
+  std::optional<ReasonCounts> echo;         ///< gates of reflectivity by what quality control found
+                                            ///< in the volumes that were merged; empty without it
 };
 
 /// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an

@@ -112,7 +112,8 @@ void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, B
 
 bool IsMissing(std::uint16_t code)
 {
-  return code == GateCode::RangeFolded || code == GateCode::NotSampled;
+  return code == GateCode::RangeFolded || code == GateCode::NotSampled ||
+         code == GateCode::Filtered;
 }
 
 bool IsComplete(const BeamSweep& sweep)

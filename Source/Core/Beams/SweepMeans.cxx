@@ -113,6 +113,7 @@ struct Tally
   float echo = 0.0F;
   float none = 0.0F;
   float folded = 0.0F;
+  float filtered = 0.0F;
   float missing = 0.0F;
   float sum = 0.0F;  // over the echo: of codes, of Z, or of angles' cosines
   float sine = 0.0F; // over the echo, of angles
@@ -122,9 +123,22 @@ struct Tally
     echo += weight * other.echo;
     none += weight * other.none;
     folded += weight * other.folded;
+    filtered += weight * other.filtered;
     missing += weight * other.missing;
     sum += weight * other.sum;
     sine += weight * other.sine;
+  }
+
+  float Unmeasured() const { return folded + missing + filtered; }
+
+  // Of a cell of which nothing was measured.
+  std::uint16_t CodeOfNothing() const
+  {
+    if (filtered > folded)
+    {
+      return filtered >= missing ? GateCode::Filtered : GateCode::NotSampled;
+    }
+    return folded >= missing ? GateCode::RangeFolded : GateCode::NotSampled;
   }
 };
 
@@ -153,6 +167,9 @@ public:
     case GateCode::RangeFolded:
       to.folded += weight;
       return;
+    case GateCode::Filtered:
+      to.filtered += weight;
+      return;
     case GateCode::NotSampled:
       to.missing += weight;
       return;
@@ -166,13 +183,13 @@ public:
   SweepMeans::Cell CellOf(const Tally& tally, const SweepMeans& means) const
   {
     SweepMeans::Cell cell;
-    if (tally.echo + tally.folded + tally.missing <= 0.0F)
+    if (tally.echo + tally.Unmeasured() <= 0.0F)
     {
       return cell;
     }
     if (!(tally.echo + tally.none > 0.0F))
     {
-      cell.code = tally.folded >= tally.missing ? GateCode::RangeFolded : GateCode::NotSampled;
+      cell.code = tally.CodeOfNothing();
       cell.missing = 255;
       return cell;
     }
@@ -180,13 +197,13 @@ public:
     const auto partOf = [](float share) { return static_cast<int>(255.0F * share + 0.5F); };
     const int least = tally.echo > 0.0F ? 1 : 0;
     cell.echo = static_cast<std::uint8_t>(std::clamp(partOf(tally.echo), least, 255));
-    cell.missing = static_cast<std::uint8_t>(
-      std::min({partOf(tally.folded + tally.missing), 254, 255 - cell.echo}));
+    cell.missing =
+      static_cast<std::uint8_t>(std::min({partOf(tally.Unmeasured()), 254, 255 - cell.echo}));
     if (cell.echo > 0)
     {
-      const float code = this->MeanCode(tally, means) + 0.5F;
-      constexpr auto first = static_cast<float>(GateCode::FirstValue);
-      cell.code = static_cast<std::uint16_t>(std::clamp(code, first, 65'535.0F));
+      const float number = this->MeanNumber(tally, means) + 0.5F;
+      constexpr auto first = static_cast<float>(GateScale::FirstNumber);
+      cell.code = static_cast<std::uint16_t>(std::clamp(number, first, 65'535.0F));
     }
     return cell;
   }
@@ -206,11 +223,11 @@ private:
     }
     else
     {
-      to.sum += weight * static_cast<float>(code);
+      to.sum += weight * static_cast<float>(code - 1); // its number
     }
   }
 
-  float MeanCode(const Tally& tally, const SweepMeans& means) const
+  float MeanNumber(const Tally& tally, const SweepMeans& means) const
   {
     if (rule.period > 0.0F)
     {
@@ -219,7 +236,7 @@ private:
       return (part * rule.period - means.scale.base) / means.scale.step;
     }
     const float mean = tally.sum / tally.echo;
-    const float value = rule.linear ? 10.0F * std::log10(mean) : sweep.scale.ValueOf(mean);
+    const float value = rule.linear ? 10.0F * std::log10(mean) : sweep.scale.ValueOfNumber(mean);
     return (value - means.scale.base) / means.scale.step;
   }
 
@@ -435,7 +452,7 @@ GateScale ScaleOf(const BeamSweep& sweep, const ValueRule& rule)
   if (rule.period > 0.0F)
   {
     const float step = rule.period / angleCodes;
-    return {-step * static_cast<float>(GateCode::FirstValue), step};
+    return {-step * static_cast<float>(GateScale::FirstNumber), step};
   }
   const CodeRange codes = FindValueCodes(sweep);
   return codes.IsEmpty()

@@ -20,12 +20,12 @@ struct BeamSweep;
 /// elsewhere. Interpolated bilinearly, the cells smooth as much as a mean over the voxel.
 struct SweepMeans
 {
-  /// The mean over one cell: the value of the code over its echo, which fills echo/255 of the cell;
-  /// missing/255 of it was not measured, and the rest is no echo. A cell of which nothing was
-  /// measured has the code of the state that most of it has.
+  /// The mean over one cell: the value of the number (GateScale) over its echo, which fills
+  /// echo/255 of it; missing/255 of it was not measured, and the rest is no echo. A cell of which
+  /// nothing was measured has, in place of the number, the code of the state that most of it has.
   struct Cell
   {
-    std::uint16_t code = 0;
+    std::uint16_t code = 0; ///< the number, or the code of a state
     std::uint8_t echo = 0;
     std::uint8_t missing = 0;
 
@@ -48,7 +48,7 @@ struct SweepMeans
                                                          ///< serve, and from which gates do
   float firstRing = 0.0F;     ///< m, slant range of the first ring's middle
   float ringsPerMetre = 0.0F; ///< 1 / width of the rings
-  GateScale scale;            ///< of the codes; finer than that of the gates
+  GateScale scale;            ///< of the numbers; finer than that of the gates
   float spread = 0.0F;     ///< m along the ground: a gate farther from a column, but for its length
                            ///< and its ray's width, does not count in the column's sample
   std::vector<Ring> rings; ///< outwards

@@ -31,8 +31,9 @@ struct CodedVolume
   GriddedVolume volume; ///< without values and states
   VoxelCodes meaning;
   std::unique_ptr<std::uint8_t[]> codes; ///< x fastest, then y, then z upward
-  /// Some of the voxels without echo are range folded; no code tells which.
-  bool rangeFolded = false;
+  /// Some of the voxels that have the code of no echo are range folded or filtered; no code tells
+  /// which.
+  bool furtherStates = false;
 };
 
 } // namespace nexrad

@@ -215,23 +215,56 @@ bool IsOfStates(const NxvArray& array, MomentName moment)
   return array.name == std::string(ToString(moment)) + "_state" && array.type == NxvType::UInt8;
 }
 
+void RequireMomentBefore(const GriddedVolume& volume)
+{
+  if (volume.states.size() != volume.grid.VoxelCount())
+  {
+    throw Error("it must follow the array " + std::string(ToString(volume.moment)));
+  }
+}
+
 // Takes the states from their own array. With codes, it may only add what they cannot say.
 void ReadStates(const Reading& reading, std::uint64_t offset, const NxvArray& array,
   GriddedVolume& volume, bool fromCodes)
 {
+  RequireMomentBefore(volume);
   Bytes bytes(volume.grid.VoxelCount());
   reading.Inflate(offset, array, bytes.data(), bytes.size());
   for (std::size_t i = 0; i < bytes.size(); ++i)
   {
     const auto state = static_cast<VoxelState>(bytes[i]);
-    const bool folded = state == VoxelState::RangeFolded && volume.states[i] == VoxelState::NoEcho;
-    if (bytes[i] > static_cast<std::uint8_t>(VoxelState::NotScanned) ||
-        (fromCodes && state != volume.states[i] && !folded))
+    const bool beyondCodes = state == VoxelState::RangeFolded || state == VoxelState::Filtered;
+    const bool added = beyondCodes && volume.states[i] == VoxelState::NoEcho;
+    if (bytes[i] > static_cast<std::uint8_t>(VoxelState::Filtered) ||
+        (fromCodes && state != volume.states[i] && !added))
     {
       throw Error("state " + std::to_string(bytes[i]) + " of voxel " + std::to_string(i) +
                   (fromCodes ? " contradicts its code" : " is not known"));
     }
     volume.states[i] = state;
+  }
+}
+
+bool IsOfFiltered(const NxvArray& array, MomentName moment)
+{
+  return array.name == std::string(ToString(moment)) + "_filtered" && array.type == NxvType::UInt8;
+}
+
+// Which of the voxels that hold no echo by code or state are filtered.
+void ReadFiltered(
+  const Reading& reading, std::uint64_t offset, const NxvArray& array, GriddedVolume& volume)
+{
+  RequireMomentBefore(volume);
+  Bytes bytes(volume.grid.VoxelCount());
+  reading.Inflate(offset, array, bytes.data(), bytes.size());
+  for (std::size_t i = 0; i < bytes.size(); ++i)
+  {
+    if (bytes[i] > 1 || (bytes[i] == 1 && volume.states[i] != VoxelState::NoEcho))
+    {
+      throw Error(std::to_string(bytes[i]) + " at voxel " + std::to_string(i) +
+                  (bytes[i] > 1 ? " is neither 0 nor 1" : " contradicts its state"));
+    }
+    volume.states[i] = bytes[i] == 1 ? VoxelState::Filtered : volume.states[i];
   }
 }
 
@@ -318,6 +351,10 @@ void ReadArrayOfMoment(
     const NxvArray& values = ArrayOf(reading.content.header, volume.moment);
     ReadStates(reading, offset, array, volume, values.type != NxvType::Float32);
   }
+  else if (IsOfFiltered(array, volume.moment))
+  {
+    ReadFiltered(reading, offset, array, volume);
+  }
   else
   {
     ReadAncillaryArray(reading, offset, array, volume);
@@ -355,7 +392,8 @@ CodedVolume ReadCodedVoxels(const Reading& reading, MomentName moment)
       {
         coded.codes = ReadCodes(reading, offset, array, coded.volume.grid.VoxelCount());
       }
-      coded.rangeFolded = coded.rangeFolded || IsOfStates(array, moment);
+      coded.furtherStates =
+        coded.furtherStates || IsOfStates(array, moment) || IsOfFiltered(array, moment);
       ReadAncillaryArray(reading, offset, array, coded.volume);
     });
   return coded;
@@ -414,7 +452,7 @@ bool HasNxvCodes(const fs::path& path, const NxvReadOptions& options, bool allSt
       const NxvHeader header = OpenNxv(file).header;
       const auto moment = CodedMoment(header, options);
       const auto isOfStates = [&moment](const NxvArray& array)
-      { return IsOfStates(array, *moment); };
+      { return IsOfStates(array, *moment) || IsOfFiltered(array, *moment); };
       return moment &&
              !(allStates && std::any_of(header.arrays.begin(), header.arrays.end(), isOfStates));
     });

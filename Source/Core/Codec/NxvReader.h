@@ -41,7 +41,7 @@ std::optional<CodedVolume> ReadNxvCodes(
   const std::filesystem::path& path, const NxvReadOptions& options = {});
 
 /// Whether ReadNxvCodes would give something; and of `allStates`, something that tells range folded
-/// voxels too, because there are none.
+/// and filtered voxels too, because there are none.
 bool HasNxvCodes(
   const std::filesystem::path& path, const NxvReadOptions& options = {}, bool allStates = false);
 

@@ -80,7 +80,11 @@ Bytes StateBytes(const std::vector<VoxelState>& states)
 {
   Bytes bytes(states.size());
   std::transform(states.begin(), states.end(), bytes.begin(),
-    [](VoxelState state) { return static_cast<std::uint8_t>(state); });
+    [](VoxelState state)
+    {
+      const bool beyond = state == VoxelState::Filtered; // in an array of its own
+      return static_cast<std::uint8_t>(beyond ? VoxelState::NoEcho : state);
+    });
   return bytes;
 }
 
@@ -102,6 +106,29 @@ void AddStates(FileContent& content, MomentName moment, const Bytes& states)
   content.AddDeflated(array, states, DeflateSearch::Runs);
 }
 
+bool Holds(const std::vector<VoxelState>& states, VoxelState state)
+{
+  // std::find would look at them one by one.
+  return std::memchr(states.data(), static_cast<int>(state), states.size()) != nullptr;
+}
+
+// Which voxels are filtered, where some are. Readers that do not know the array take them for no
+// echo.
+void AddFiltered(FileContent& content, const GriddedVolume& volume)
+{
+  if (!Holds(volume.states, VoxelState::Filtered))
+  {
+    return;
+  }
+  Bytes filtered(volume.states.size());
+  std::transform(volume.states.begin(), volume.states.end(), filtered.begin(),
+    [](VoxelState state) { return static_cast<std::uint8_t>(state == VoxelState::Filtered); });
+  NxvArray array;
+  array.name = std::string(ToString(volume.moment)) + "_filtered";
+  array.type = NxvType::UInt8;
+  content.AddDeflated(array, filtered, DeflateSearch::Runs);
+}
+
 void AddFloats(FileContent& content, const GriddedVolume& volume)
 {
   CheckVoxelCount(volume);
@@ -109,6 +136,7 @@ void AddFloats(FileContent& content, const GriddedVolume& volume)
   array.type = NxvType::Float32;
   content.AddDeflated(array, FloatBytes(volume.values), DeflateSearch::Repeats);
   AddStates(content, volume.moment, StateBytes(volume.states));
+  AddFiltered(content, volume);
 }
 
 // The run-length stream of a volume's codes, made by pieces that stay in the processor's cache.
@@ -128,12 +156,6 @@ Bytes EncodeRuns(
     encoder.Feed(codes.data(), end - begin);
   }
   return encoder.Finish();
-}
-
-// std::find would look at them one by one.
-bool HasRangeFolded(const std::vector<VoxelState>& states)
-{
-  return std::memchr(states.data(), static_cast<int>(VoxelState::RangeFolded), states.size());
 }
 
 // The states that the 7-bit codes stand for, but range folded where the volume has it. The echoes
@@ -162,10 +184,11 @@ void AddRunLengths(FileContent& content, const GriddedVolume& volume,
   content.Add(array, storage == NxvStorage::RunLengthDeflated
                        ? DeflateBytes(stream.data(), stream.size())
                        : std::move(stream));
-  if (HasRangeFolded(volume.states))
+  if (Holds(volume.states, VoxelState::RangeFolded))
   {
     AddStates(content, volume.moment, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
   }
+  AddFiltered(content, volume);
 }
 
 // An echo that is not a number has the code, and with it the state, of not scanned.
@@ -177,7 +200,7 @@ void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
   array.offset = code.offset;
   array.scale = code.scale;
   content.AddDeflated(array, code.EncodeAll(volume), DeflateSearch::Runs);
-  if (HasRangeFolded(volume.states))
+  if (Holds(volume.states, VoxelState::RangeFolded))
   {
     Bytes states = StateBytes(volume.states);
     ForEachEcho(volume.states.data(), states.size(),
@@ -188,6 +211,7 @@ void AddRadarSteps(FileContent& content, const GriddedVolume& volume)
       });
     AddStates(content, volume.moment, states);
   }
+  AddFiltered(content, volume);
 }
 
 // The first of finest × 1, 2, 5, 10, … of which 255 reach the largest value.

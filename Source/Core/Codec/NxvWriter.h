@@ -36,15 +36,15 @@ struct NxvWriteOptions
 /// name and renames it. Throws Error when the file cannot be written; nothing half-written stays.
 ///
 /// All codes keep three states: an echo, no echo, not scanned. When a voxel is range folded
-/// the states go into the file beside them as an array of their own. AncillaryArrays follow when
-/// the volume has them: numbers and sites as they are; ages and weights in 255 steps, of 1 s and
-/// 0.01 or as many more (2, 5, 10, … times) as the largest value needs, but exact when Float is
-/// asked for.
+/// the states go into the file beside them as an array of their own; when one is filtered, an array
+/// that says which are. AncillaryArrays follow when the volume has them: numbers and sites as they
+/// are; ages and weights in 255 steps, of 1 s and 0.01 or as many more (2, 5, 10, … times) as the
+/// largest value needs, but exact when Float is asked for.
 void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
 
 /// Writes the first moment's bare run-length stream (Formulas T8), without any header. `encoding`
-/// of the options has no effect. Range folded becomes no echo.
+/// of the options has no effect. Range folded and filtered become no echo.
 void WriteRaw(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
 

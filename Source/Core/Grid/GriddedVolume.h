@@ -18,8 +18,35 @@ enum class VoxelState : std::uint8_t
   Echo = 0,
   NoEcho = 1, ///< scanned, and nothing there
   RangeFolded = 2,
-  NotScanned = 3 ///< no beam passed
+  NotScanned = 3, ///< no beam passed
+  Filtered = 4    ///< quality control took the echo out, and no other radar saw the place
+                  ///< (Formulas Q5)
 };
+
+constexpr std::size_t VoxelStateCount = 5;
+
+/// The state that a number of a `<NAME>_state` array stands for; NotScanned for one that has no
+/// meaning.
+constexpr VoxelState ToVoxelState(std::uint8_t number)
+{
+  return number < VoxelStateCount ? static_cast<VoxelState>(number) : VoxelState::NotScanned;
+}
+
+/// Whether a place was measured: echo or no echo.
+constexpr bool IsMeasured(VoxelState state)
+{
+  return state == VoxelState::Echo || state == VoxelState::NoEcho;
+}
+
+/// Of two states of places that were not measured the one that says more: range folded, then
+/// filtered, then not scanned.
+constexpr VoxelState MoreKnown(VoxelState first, VoxelState second)
+{
+  return first == VoxelState::RangeFolded || second == VoxelState::RangeFolded
+           ? VoxelState::RangeFolded
+         : first == VoxelState::Filtered ? first
+                                         : second;
+}
 
 /// The ancillary arrays of a merged volume, in the order of its values. They are made on demand:
 /// each is empty, or has a value for every voxel. Voxels that no radar scanned have age, number and
@@ -61,7 +88,7 @@ struct GriddedVolume
   std::string method;             ///< "thesis" or "beam"
   std::vector<std::string> sites; ///< names of the radars that took part
   bool synthetic = false;         ///< made from simulated files; pictures must say so
-  float fill = -33.0F;            ///< value where the state is NoEcho or NotScanned
+  float fill = -33.0F;            ///< value where the state is not Echo
   std::vector<float> values;      ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;
   AncillaryArrays ancillary; ///< of the method "beam", when asked for

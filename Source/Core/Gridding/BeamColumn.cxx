@@ -78,11 +78,12 @@ BeamColumn::BeamColumn(int levels, OverlapStrategy theStrategy, const ValueRule&
   {
     each->assign(count, 0.0F);
   }
-  for (std::vector<std::uint8_t>* each : {&folded, &radars, &nearestSites})
+  for (std::vector<std::uint8_t>* each : {&radars, &nearestSites})
   {
     each->assign(count, 0);
   }
   states.assign(count, VoxelState::NotScanned);
+  unknown = states;
 }
 
 void BeamColumn::Clear()
@@ -91,7 +92,7 @@ void BeamColumn::Clear()
   {
     std::fill(each->begin(), each->end(), 0.0F);
   }
-  std::fill(folded.begin(), folded.end(), std::uint8_t(0));
+  std::fill(unknown.begin(), unknown.end(), VoxelState::NotScanned);
   if (ancillary)
   {
     std::fill(ages.begin(), ages.end(), 0.0F);
@@ -183,15 +184,13 @@ void BeamColumn::AddGap(const SiteColumn& site, const Gap& gap)
     return;
   }
   // What is not measured carries no weight: the other counts within half a beam width (G3).
-  if (lower == VoxelState::RangeFolded || upper == VoxelState::RangeFolded)
+  if (IsUnknown(lower) || IsUnknown(upper))
   {
-    const bool foldedAlone = lower == VoxelState::NotScanned || upper == VoxelState::NotScanned;
-    const int from = foldedAlone && lower == VoxelState::NotScanned
-                       ? std::max(gap.from, gap.upperBegin)
-                       : gap.from;
-    const int to =
-      foldedAlone && upper == VoxelState::NotScanned ? std::min(gap.to, gap.lowerEnd) : gap.to;
-    this->AddFolded(from, to);
+    const int from =
+      lower == VoxelState::NotScanned ? std::max(gap.from, gap.upperBegin) : gap.from;
+    const int to = upper == VoxelState::NotScanned ? std::min(gap.to, gap.lowerEnd) : gap.to;
+    const bool isFolded = lower == VoxelState::RangeFolded || upper == VoxelState::RangeFolded;
+    this->AddUnknown(isFolded ? VoxelState::RangeFolded : VoxelState::Filtered, from, to);
   }
   if (measuredLower)
   {
@@ -397,11 +396,12 @@ void BeamColumn::AccumulateEcho(int from, int to)
   }
 }
 
-void BeamColumn::AddFolded(int from, int to)
+void BeamColumn::AddUnknown(VoxelState state, int from, int to)
 {
   for (int z = from; z < to; ++z)
   {
-    folded[static_cast<std::size_t>(z)] = 1;
+    VoxelState& known = unknown[static_cast<std::size_t>(z)];
+    known = known == VoxelState::RangeFolded ? known : state;
   }
 }
 
@@ -431,10 +431,7 @@ void BeamColumn::Finish(float fill)
     const bool isEcho = echo[z] > 0.0F && echo[z] >= half * scanned[z];
     const float mean = strategy == OverlapStrategy::Maximum ? sum[z] : sum[z] / echo[z];
     values[z] = isEcho ? mean : fill;
-    states[z] = isEcho              ? VoxelState::Echo
-                : scanned[z] > 0.0F ? VoxelState::NoEcho
-                : folded[z] != 0    ? VoxelState::RangeFolded
-                                    : VoxelState::NotScanned;
+    states[z] = isEcho ? VoxelState::Echo : scanned[z] > 0.0F ? VoxelState::NoEcho : unknown[z];
   }
   if (rule.linear || rule.period > 0.0F)
   {

@@ -78,7 +78,7 @@ private:
   void AddNone(const SiteColumn& site, const Gap& gap, int from, int to);
   void AddEcho(const SiteColumn& site, const Gap& gap, int from, int to, float lower, float upper);
   void AccumulateEcho(int from, int to);
-  void AddFolded(int from, int to);
+  void AddUnknown(VoxelState state, int from, int to);
   void AddState(const SiteColumn& site, const Gap& gap, const TiltSample& sample, int from, int to);
   void ConvertEchoes();
   void FillVoxel(std::size_t at, std::size_t from, std::size_t to, float part);
@@ -91,10 +91,10 @@ private:
   const ValueRule rule;
   const bool ancillary;
   const bool trend;
-  std::vector<float> scanned; // sum of the weights of the radars that scanned the voxel
-  std::vector<float> echo;    // of those that saw echo
-  std::vector<float> sum;     // of weight × value; for Maximum, the largest value
-  std::vector<std::uint8_t> folded;
+  std::vector<float> scanned;      // sum of the weights of the radars that scanned the voxel
+  std::vector<float> echo;         // of those that saw echo
+  std::vector<float> sum;          // of weight × value; for Maximum, the largest value
+  std::vector<VoxelState> unknown; // the state where no radar measured anything
   std::vector<float> ages;
   std::vector<std::uint8_t> radars;
   std::vector<std::uint8_t> nearestSites;

@@ -44,6 +44,7 @@ struct Tally
   float echo = 0.0F;
   float none = 0.0F;
   float folded = 0.0F;
+  float filtered = 0.0F;
   float missing = 0.0F;
   float value = 0.0F;
 
@@ -57,8 +58,21 @@ struct Tally
   }
   void AddNothing(std::uint16_t code, float weight)
   {
-    float& of = code == GateCode::NoEcho ? none : code == GateCode::RangeFolded ? folded : missing;
+    float& of = code == GateCode::NoEcho        ? none
+                : code == GateCode::RangeFolded ? folded
+                : code == GateCode::Filtered    ? filtered
+                                                : missing;
     of += weight;
+  }
+
+  // Of what lies about where nothing was measured.
+  VoxelState StateOfNothing() const
+  {
+    if (filtered > folded)
+    {
+      return filtered >= missing ? VoxelState::Filtered : VoxelState::NotScanned;
+    }
+    return folded >= missing ? VoxelState::RangeFolded : VoxelState::NotScanned;
   }
 };
 
@@ -81,8 +95,7 @@ void Decide(const Tally& about, const ValueRule& rule, Observed& observed)
   }
   else
   {
-    observed.state =
-      about.folded >= about.missing ? VoxelState::RangeFolded : VoxelState::NotScanned;
+    observed.state = about.StateOfNothing();
   }
 }
 
@@ -170,7 +183,7 @@ inline void AddCell(const SweepMeans& means, const SweepMeans::Cell& cell, float
   about.none += weight * static_cast<float>(none);
   if (cell.echo > 0)
   {
-    const float value = means.scale.ValueOf(cell.code);
+    const float value = means.scale.ValueOfNumber(static_cast<float>(cell.code));
     about.AddEcho(Interpolated(value, rule), weight * static_cast<float>(cell.echo), rule);
   }
 }
@@ -220,13 +233,13 @@ inline void ObserveMeans(const SweepMeans& means, const RayPlace& rays, float az
   const bool echoAlone = (cells[0].echo & cells[1].echo & cells[2].echo & cells[3].echo) == 255;
   if (echoAlone && !rule.linear && rule.period == 0.0F)
   {
-    float code = 0.0F;
+    float number = 0.0F;
     for (int i = 0; i < 4; ++i)
     {
-      code += weights[i] * static_cast<float>(cells[i].code);
+      number += weights[i] * static_cast<float>(cells[i].code);
     }
     observed.state = VoxelState::Echo;
-    observed.value = means.scale.ValueOf(code);
+    observed.value = means.scale.ValueOfNumber(number);
     return;
   }
   Tally about;
@@ -382,8 +395,7 @@ void BlendTimes(const Observed& before, const Observed& after, float share,
       rule.nearest ? nearer.value : Blend(before.value, after.value, share, context.rule);
     return;
   }
-  const bool measured =
-    before.state != VoxelState::RangeFolded && after.state != VoxelState::RangeFolded;
+  const bool measured = !IsUnknown(before.state) && !IsUnknown(after.state);
   if (measured && echoBefore != echoAfter && rule.zeroIsNone)
   {
     const float zero = rule.linear ? 1.0F : 0.0F;
@@ -392,10 +404,8 @@ void BlendTimes(const Observed& before, const Observed& after, float share,
     sample.state = sample.value > zero ? VoxelState::Echo : VoxelState::NoEcho;
     return;
   }
-  // A folded gate tells nothing: the other side stands alone.
-  const Observed& told = measured                                  ? nearer
-                         : before.state == VoxelState::RangeFolded ? after
-                                                                   : before;
+  // A folded or a filtered gate tells nothing: the other side stands alone.
+  const Observed& told = measured ? nearer : IsUnknown(before.state) ? after : before;
   sample.state = told.state;
   sample.value = told.value;
 }

@@ -9,6 +9,13 @@
 namespace nexrad
 {
 
+/// Whether there is an echo of which nothing is known: it is folded, or quality control took it
+/// out.
+inline bool IsUnknown(VoxelState state)
+{
+  return state == VoxelState::RangeFolded || state == VoxelState::Filtered;
+}
+
 /// What one radar has at one place of one tilt at the time of the merge. `value` is without meaning
 /// unless the state is Echo.
 struct TiltSample

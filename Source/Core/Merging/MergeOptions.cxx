@@ -30,7 +30,7 @@ SeriesOptions SeriesOptionsOf(const MergeOptions& options)
   SeriesOptions series;
   series.moment = options.moment;
   series.furtherMoments = options.furtherMoments;
-  static_cast<MomentOptions&>(series) = options;
+  static_cast<MomentOptions&>(series) = MomentOptionsOf(options);
   series.requirePosition = true;
   series.level2.siteName = options.siteName;
   return series;

@@ -32,6 +32,16 @@ std::optional<MergeMethod> ParseMergeMethod(std::string_view text)
   return std::nullopt;
 }
 
+MomentOptions MomentOptionsOf(const MergeRules& rules)
+{
+  MomentOptions options = rules;
+  if (rules.method == MergeMethod::Thesis)
+  {
+    options.quality.level = QualityLevel::Off;
+  }
+  return options;
+}
+
 void RequireMoment(MergeMethod method, MomentName moment)
 {
   if (method == MergeMethod::Thesis && moment != MomentName::REF)

@@ -35,6 +35,9 @@ enum class TimeInterpolationMethod
 /// volume are made before.
 struct MergeRules : MomentOptions
 {
+  /// Quality control takes out what QualityLevel::Standard does.
+  MergeRules() { quality.level = QualityLevel::Standard; }
+
   MergeMethod method = MergeMethod::Beam;
   Duration maximumGap = std::chrono::minutes(15); ///< what was seen farther from the time does not
                                                   ///< count: for Thesis a volume, by its start; for
@@ -45,6 +48,10 @@ struct MergeRules : MomentOptions
                                   ///< at most FastestEcho; without it other moments are
                                   ///< interpolated linearly
 };
+
+/// How the moments are made for the method of the rules: Thesis takes the gates as they are, but
+/// for despeckling.
+MomentOptions MomentOptionsOf(const MergeRules& rules);
 
 /// Throws Error when the method does not know the moment: Thesis knows REF alone.
 void RequireMoment(MergeMethod method, MomentName moment);

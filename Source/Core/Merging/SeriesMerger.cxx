@@ -9,6 +9,7 @@
 #include "nexrad/Thesis/ThesisGeometry.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
 #include <map>
 #include <mutex>
@@ -452,6 +453,24 @@ std::vector<InputProblem> SeriesMerger::Problems() const
   return gathered ? gathered->problems : this->Collect(loader->Known()).problems;
 }
 
+std::optional<ReasonCounts> SeriesMerger::Echo() const
+{
+  std::optional<ReasonCounts> all;
+  for (const SiteSeries& series : this->Gather().sites)
+  {
+    for (const SeriesVolume& volume : series.volumes)
+    {
+      if (volume.echo)
+      {
+        all = all.value_or(ReasonCounts{});
+        std::transform(
+          volume.echo->begin(), volume.echo->end(), all->begin(), all->begin(), std::plus<>());
+      }
+    }
+  }
+  return all;
+}
+
 std::vector<MomentName> SeriesMerger::Moments() const
 {
   const SeriesScan known = scan ? *scan : this->Collect(loader->Known());
@@ -703,7 +722,8 @@ SeriesScan SeriesMerger::Gather() const
       std::vector<ScannedFile> part = UnpackScannedFiles(message);
       for (std::size_t i = 0; i < part.size(); ++i)
       {
-        if (!known[i] && !(part[i].volumes.empty() && part[i].problems.empty()))
+        const bool holds = !(part[i].volumes.empty() && part[i].problems.empty());
+        if ((!known[i] && holds) || (known[i] && TellsEcho(part[i]) && !TellsEcho(*known[i])))
         {
           known[i] = std::move(part[i]);
         }

@@ -75,6 +75,10 @@ public:
   const std::vector<std::string>& Sites() const { return sites; }
   /// What was wrong in the inputs that were decoded so far, in their order.
   std::vector<InputProblem> Problems() const;
+  /// What quality control found in the reflectivity of the volumes that were decoded so far, gates
+  /// by reason; empty where it is off or no reflectivity was made. All processes call it, and all
+  /// get the same.
+  std::optional<ReasonCounts> Echo() const;
   /// The moments that some volume has, of those that were decoded so far.
   std::vector<MomentName> Moments() const;
   /// What the comparison of the radars found (Formulas Q6) in the volumes that the time steps take,

@@ -227,6 +227,10 @@ void VolumeLoader::Keep(std::size_t index, ScannedFile scanned, std::vector<Held
     file.scanned = std::move(scanned);
     this->Learn(sites[file.site], file.scanned);
   }
+  else if (TellsEcho(scanned) && !TellsEcho(file.scanned))
+  {
+    file.scanned = std::move(scanned);
+  }
 }
 
 // Called with the lock. Of two volumes with the same first ray the one with more rays stays, as in

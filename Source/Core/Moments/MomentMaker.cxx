@@ -3,6 +3,8 @@
 
 #include "nexrad/Moments/PhaseSlopes.h"
 #include "nexrad/Moments/StormMotion.h"
+#include "nexrad/Quality/Despeckling.h"
+#include "nexrad/Quality/EchoClassification.h"
 #include "nexrad/Velocity/Dealiasing.h"
 #include "nexrad/Velocity/VelocityDerivatives.h"
 
@@ -109,6 +111,8 @@ PolarVolume MomentMaker::MakeRaw(MomentName moment)
       return volume;
     }
     return measured(moment);
+  case MomentName::REF:
+    return this->MakeReflectivity();
   case MomentName::SRV:
     return this->MakeStormRelative();
   case MomentName::AZSHEAR:
@@ -121,6 +125,22 @@ PolarVolume MomentMaker::MakeRaw(MomentName moment)
   default:
     return measured(moment);
   }
+}
+
+PolarVolume MomentMaker::MakeReflectivity()
+{
+  PolarVolume volume = measured(MomentName::REF);
+  if (options.quality.level == QualityLevel::Off)
+  {
+    return volume;
+  }
+  // Whoever makes many volumes makes them on threads of their own.
+  const EchoClassification found = ClassifyEcho([&](MomentName moment)
+    { return moment == MomentName::REF ? volume : measured(moment); },
+    ThreadLoop(1));
+  TakeOut(volume, found, options.quality.level);
+  echo = found.counts;
+  return volume;
 }
 
 const MomentMaker::Velocities& MomentMaker::Unfolded()

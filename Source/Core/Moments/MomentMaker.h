@@ -3,6 +3,7 @@
 
 #include "nexrad/Moments/MomentOptions.h"
 #include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/Quality/EchoClass.h"
 #include "nexrad/Velocity/VelocityVolume.h"
 
 #include <functional>
@@ -23,10 +24,12 @@ namespace nexrad
 /// - AZSHEAR, DIV: shear along the azimuth and divergence along the ray of dealiased velocities
 ///   (V5); a gate with a velocity but without enough neighbours becomes NotSampled.
 /// - KDP: MakePhaseSlopes (V6).
-/// - other moments: as MakePolarVolume makes them.
+/// - REF: with the gates Filtered that QualityOptions::level takes out (TakeOut, Formulas Q1 to
+/// Q5).
+/// - other moments: as MakePolarVolume makes them. Quality control takes nothing out of them.
 ///
-/// MomentOptions::quality is applied to each of them last. Velocities are dealiased once for all
-/// moments that need them.
+/// QualityOptions::neighbours is applied to each of them last. Velocities are dealiased once for
+/// all moments that need them.
 class MomentMaker
 {
 public:
@@ -42,6 +45,10 @@ public:
   /// One line on why a moment that was made has no values; empty when there is nothing to say.
   const std::string& Note() const { return note; }
 
+  /// What quality control found in the reflectivity that was made, gates by reason; empty where it
+  /// is off, or no reflectivity was made.
+  const std::optional<ReasonCounts>& Echo() const { return echo; }
+
 private:
   struct Velocities
   {
@@ -51,6 +58,7 @@ private:
 
   const Velocities& Unfolded();
   PolarVolume MakeRaw(MomentName moment);
+  PolarVolume MakeReflectivity();
   PolarVolume MakeStormRelative();
   PolarVolume MakeDerivative(
     MomentName moment, std::vector<float> (*derivative)(const VelocitySweep&));
@@ -59,6 +67,7 @@ private:
   MomentOptions options;
   std::optional<Velocities> velocities;
   std::string note;
+  std::optional<ReasonCounts> echo;
 };
 
 } // namespace nexrad

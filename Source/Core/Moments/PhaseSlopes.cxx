@@ -71,17 +71,6 @@ private:
   std::vector<std::uint16_t> codes;
 };
 
-GateState StateOf(std::uint16_t code, float slope)
-{
-  if (code >= GateCode::FirstValue)
-  {
-    return std::isnan(slope) ? GateState::NotSampled : GateState::Valid;
-  }
-  return code == GateCode::NoEcho        ? GateState::BelowThreshold
-         : code == GateCode::RangeFolded ? GateState::RangeFolded
-                                         : GateState::NotSampled;
-}
-
 PolarSweep MakeSweep(const PolarSweep& phase, RayValues& reflectivity, RayValues& correlation)
 {
   std::vector<float> values;
@@ -103,7 +92,9 @@ PolarSweep MakeSweep(const PolarSweep& phase, RayValues& reflectivity, RayValues
     values.insert(values.end(), slopes.begin(), slopes.end());
     for (std::size_t gate = 0; gate < phase.gates; ++gate)
     {
-      states.push_back(StateOf(codes[gate], slopes[gate]));
+      const GateState state = StateOf(codes[gate]);
+      const bool unknown = state == GateState::Valid && std::isnan(slopes[gate]);
+      states.push_back(unknown ? GateState::NotSampled : state);
     }
   }
   PolarSweep sweep = phase;

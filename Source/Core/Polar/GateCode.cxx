@@ -26,10 +26,10 @@ double PowerOfTwo(double number)
 
 std::uint16_t GateScale::CodeOf(float value) const
 {
-  const float code = step > 0.0F ? (value - base) / step : 0.0F;
-  constexpr auto first = static_cast<float>(GateCode::FirstValue);
-  constexpr auto last = static_cast<float>(GateCode::Last);
-  return static_cast<std::uint16_t>(std::clamp(code, first, last) + 0.5F);
+  const float number = step > 0.0F ? (value - base) / step : 0.0F;
+  constexpr auto first = static_cast<float>(FirstNumber);
+  constexpr auto last = static_cast<float>(GateCode::Last - 1);
+  return static_cast<std::uint16_t>(std::clamp(number, first, last) + 1.5F);
 }
 
 GateScale GateScale::Between(float least, float most)
@@ -43,7 +43,7 @@ GateScale GateScale::Between(float least, float most)
   const double smallest = static_cast<double>(std::numeric_limits<float>::min());
   const double step = PowerOfTwo(std::max({wanted, told, smallest}));
   const double first = std::floor(from / step) * step;
-  return {static_cast<float>(first - step * GateCode::FirstValue), static_cast<float>(step)};
+  return {static_cast<float>(first - step * FirstNumber), static_cast<float>(step)};
 }
 
 } // namespace nexrad

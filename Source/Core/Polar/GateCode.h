@@ -6,26 +6,34 @@
 namespace nexrad
 {
 
-/// Codes of gates: three states without a value, and from FirstValue on values.
+/// Codes of gates: four states without a value, and from FirstValue on values.
 struct GateCode
 {
   static constexpr std::uint16_t NoEcho = 0;      ///< scanned, and below threshold
   static constexpr std::uint16_t RangeFolded = 1; ///< an echo whose range is ambiguous
   static constexpr std::uint16_t NotSampled = 2;  ///< the ray does not reach the gate
-  static constexpr std::uint16_t FirstValue = 3;
+  static constexpr std::uint16_t Filtered = 3;    ///< taken out by quality control (Formulas Q5)
+  static constexpr std::uint16_t FirstValue = 4;
   static constexpr std::uint16_t Last = 65'535;
 };
 
-/// What the codes of values stand for: value = base + step × code, in the unit of the moment.
+/// What the codes of values stand for: value = base + step × number, in the unit of the moment. The
+/// number of a value is its code less 1: the words of files, from which numbers follow, have no
+/// state Filtered.
 struct GateScale
 {
   float base = 0.0F;
   float step = 0.0F; ///< above 0, so that larger codes are larger values; 0 without any value
 
+  static constexpr int FirstNumber = GateCode::FirstValue - 1;
+
   /// The value of a code from FirstValue on.
-  float ValueOf(std::uint16_t code) const { return this->ValueOf(static_cast<float>(code)); }
-  /// The value between two codes.
-  float ValueOf(float code) const { return base + step * code; }
+  float ValueOf(std::uint16_t code) const
+  {
+    return this->ValueOfNumber(static_cast<float>(code - 1));
+  }
+  /// The value of a number, or between two.
+  float ValueOfNumber(float number) const { return base + step * number; }
   /// The code nearest to a value, from FirstValue on.
   std::uint16_t CodeOf(float value) const;
 

@@ -18,6 +18,9 @@ namespace
 
 using RayList = std::vector<const Ray*>;
 
+// Files have two states before the first word of a value.
+constexpr std::uint16_t codesBeforeWords = GateCode::FirstValue - 2;
+
 std::uint16_t CodeOf(GateState state)
 {
   switch (state)
@@ -36,7 +39,7 @@ struct Coding
 {
   GateScale scale;
   std::uint16_t largest = 0; // code
-  bool exact = false;        // the code of a value is its word + 1
+  bool exact = false;        // the code of a value is its word + codesBeforeWords
 };
 
 unsigned LargestWord(const MomentRow& row)
@@ -61,6 +64,7 @@ unsigned LargestWord(const MomentRow& row)
 // The words' own scale; not exact where the rays have none in common that codes can have.
 Coding FindWordCoding(const RayList& rays, MomentName moment)
 {
+  constexpr unsigned largestWord = GateCode::Last - codesBeforeWords;
   const MomentRow& first = rays.front()->Row(moment);
   Coding coding{{(-1.0F - first.offset) / first.scale, 1.0F / first.scale}, 0, true};
   unsigned largest = 0;
@@ -71,9 +75,9 @@ Coding FindWordCoding(const RayList& rays, MomentName moment)
                    row.firstValue == first.firstValue;
     largest = std::max(largest, LargestWord(row));
   }
-  coding.exact = coding.exact && largest < GateCode::Last && coding.scale.step > 0.0F &&
+  coding.exact = coding.exact && largest <= largestWord && coding.scale.step > 0.0F &&
                  std::isfinite(coding.scale.step) && std::isfinite(coding.scale.base);
-  coding.largest = static_cast<std::uint16_t>(std::min<unsigned>(largest, GateCode::Last - 1) + 1);
+  coding.largest = static_cast<std::uint16_t>(std::min(largest, largestWord) + codesBeforeWords);
   return coding;
 }
 
@@ -139,14 +143,15 @@ void SetWords(const MomentRow& row, const WordAt& wordAt, std::uint16_t* codes)
     for (std::size_t gate = 0; gate < row.gates; ++gate)
     {
       const std::uint16_t word = wordAt(gate);
-      codes[gate] = static_cast<std::uint16_t>(word + (word >= 2 ? 1 : 0));
+      codes[gate] = static_cast<std::uint16_t>(word + (word >= 2 ? codesBeforeWords : 0));
     }
     return;
   }
   for (std::size_t gate = 0; gate < row.gates; ++gate)
   {
     const std::uint16_t word = wordAt(gate);
-    codes[gate] = word >= first ? static_cast<std::uint16_t>(word + 1) : GateCode::NoEcho;
+    codes[gate] =
+      word >= first ? static_cast<std::uint16_t>(word + codesBeforeWords) : GateCode::NoEcho;
   }
 }
 
@@ -225,6 +230,22 @@ std::size_t GatesWithin(const PolarSweep& sweep, const PolarRay& ray)
 }
 
 } // namespace
+
+GateState StateOf(std::uint16_t code)
+{
+  switch (code)
+  {
+  case GateCode::NoEcho:
+    return GateState::BelowThreshold;
+  case GateCode::RangeFolded:
+    return GateState::RangeFolded;
+  case GateCode::NotSampled:
+  case GateCode::Filtered:
+    return GateState::NotSampled;
+  default:
+    return GateState::Valid;
+  }
+}
 
 std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentName moment)
 {

@@ -50,11 +50,15 @@ struct PolarVolume
   std::vector<PolarSweep> sweeps; ///< those that have the moment, in the order scanned
 };
 
+/// What a code says of its gate: Valid from GateCode::FirstValue on. Filtered gates are NotSampled:
+/// no file has them.
+GateState StateOf(std::uint16_t code);
+
 /// The rays of a sweep that have a moment, by gate geometry, in the order in which each geometry
 /// comes first. Nearly always there is one. The rays belong to the sweep.
 std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentName moment);
 
-/// The gates of one measured moment, as the file has them: the code of a value is its word + 1, and
+/// The gates of one measured moment, as the file has them: the code of a value is its word + 2, and
 /// the scale that of the words. Where that cannot be (rays of one sweep differ in the scale of
 /// their words, larger words are smaller values, or a word leaves no room for its code) the sweep's
 /// values are rounded to a scale of their own (GateScale::Between): what is interpolated between

@@ -98,11 +98,8 @@ private:
 // The state of a column whose product has no value, with one more voxel of it.
 VoxelState StateOfNone(VoxelState column, VoxelState voxel)
 {
-  if (column == VoxelState::NoEcho || voxel == VoxelState::Echo || voxel == VoxelState::NoEcho)
-  {
-    return VoxelState::NoEcho;
-  }
-  return voxel == VoxelState::RangeFolded ? voxel : column;
+  return column == VoxelState::NoEcho || IsMeasured(voxel) ? VoxelState::NoEcho
+                                                           : MoreKnown(column, voxel);
 }
 
 template <class Formula>

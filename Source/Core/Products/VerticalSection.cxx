@@ -64,7 +64,7 @@ public:
 
   Sample Linear(const AxisPlace& x, const AxisPlace& y, const AxisPlace& z) const
   {
-    std::array<double, 4> weights{}; // of each state
+    std::array<double, VoxelStateCount> weights{}; // of each state
     double sum = 0.0;
     for (unsigned corner = 0; corner < 8; ++corner)
     {
@@ -84,15 +84,16 @@ public:
   }
 
 private:
-  static Sample Decide(const std::array<double, 4>& weights, double sum)
+  static Sample Decide(const std::array<double, VoxelStateCount>& weights, double sum)
   {
     const auto of = [&](VoxelState state) { return weights[static_cast<std::size_t>(state)]; };
     const double scanned = of(VoxelState::Echo) + of(VoxelState::NoEcho);
     Sample sample;
     if (scanned <= 0.5)
     {
-      const bool folded = of(VoxelState::RangeFolded) > of(VoxelState::NotScanned);
-      sample.state = folded ? VoxelState::RangeFolded : VoxelState::NotScanned;
+      const auto more = [&of](VoxelState a, VoxelState b) { return of(a) > of(b) ? a : b; };
+      const VoxelState known = more(VoxelState::RangeFolded, VoxelState::Filtered);
+      sample.state = more(known, VoxelState::NotScanned);
     }
     else if (of(VoxelState::NoEcho) >= 0.5 * scanned)
     {

@@ -61,10 +61,11 @@ double LengthOf(const SectionLine& line, const GridSpecification& grid);
 SectionInterpolation UsualInterpolation(MomentName moment);
 
 /// The section of a grid from its lower to its upper face. Points outside of the grid are not
-/// scanned. With linear interpolation, as formula G6 has it: where voxels that were not scanned or
-/// are range folded hold at least half of the weight, the point has the state that holds more of
-/// it; else, where voxels without echo hold at least half of the rest, it has no echo; else it has
-/// the mean of the voxels with an echo alone. So no value is mixed with a missing one.
+/// scanned. With linear interpolation, as formula G6 has it: where voxels that were not scanned,
+/// are range folded or filtered hold at least half of the weight, the point has the one of these
+/// states that holds most of it; else, where voxels without echo hold at least half of the rest, it
+/// has no echo; else it has the mean of the voxels with an echo alone. So no value is mixed with a
+/// missing one.
 VerticalSection MakeVerticalSection(
   const GridSpecification& grid, const VoxelSource& voxels, const SectionSampling& sampling);
 

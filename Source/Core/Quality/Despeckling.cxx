@@ -220,7 +220,7 @@ void TakeOut(const std::vector<std::size_t>& speckle, PolarSweep& sweep)
     sweep.Read(ray, codes.data());
     for (; next != speckle.end() && *next < (ray + 1) * sweep.gates; ++next)
     {
-      codes[*next - ray * sweep.gates] = GateCode::NotSampled;
+      codes[*next - ray * sweep.gates] = GateCode::Filtered;
     }
     rows.Append(codes.data(), codes.size());
   }

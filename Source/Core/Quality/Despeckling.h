@@ -9,16 +9,6 @@
 namespace nexrad
 {
 
-/// What is taken out of a volume before it is merged.
-struct QualityOptions
-{
-  /// A gate with a value stays when as many of its 26 neighbours (ray, gate and tilt) have one;
-  /// 0…26, 0 keeps all. See Despeckle.
-  int neighbours = 0;
-
-  bool operator==(const QualityOptions& other) const { return neighbours == other.neighbours; }
-};
-
 /// The most neighbours that a gate can have.
 constexpr int MostNeighbours = 26;
 
@@ -29,7 +19,7 @@ constexpr int MostNeighbours = 26;
 /// gates are judged by the volume as it was. A neighbour that is not there (below the lowest tilt,
 /// beyond the last gate, across a gap between rays) has no value.
 ///
-/// A gate that is taken out becomes NotSampled: it carries no weight, and does not say that there
+/// A gate that is taken out becomes Filtered: it carries no weight, and does not say that there
 /// is no echo (Formulas Q5). Where it stood alone, its neighbours without echo fill its place.
 ///
 /// Returns how many gates were taken out of each sweep. Throws Error unless `neighbours` is 0…26.

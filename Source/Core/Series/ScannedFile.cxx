@@ -164,6 +164,7 @@ std::string Visit(SeriesVolume& description, const RadarVolume& volume,
   {
     description.summary = std::make_shared<const VolumeSummary>(std::move(summary));
   }
+  description.echo = maker.Echo();
   for (std::size_t i = 0; visitor && i < clean.size(); ++i)
   {
     visitor(description, volume, clean[i]);
@@ -243,6 +244,12 @@ std::vector<MomentName> SeriesOptions::Moments() const
 bool IsBefore(const SeriesVolume& a, const SeriesVolume& b)
 {
   return a.start != b.start ? a.start < b.start : a.rays > b.rays;
+}
+
+bool TellsEcho(const ScannedFile& file)
+{
+  return std::any_of(file.volumes.begin(), file.volumes.end(),
+    [](const auto& each) { return each.second.echo.has_value(); });
 }
 
 ScannedFile ScanFile(

@@ -56,6 +56,9 @@ struct ScannedFile
   std::vector<InputProblem> problems;
 };
 
+/// Whether quality control said of some volume of a file what it found.
+bool TellsEcho(const ScannedFile& file);
+
 /// Decodes one file and says what it holds; what is wrong goes to the problems.
 ScannedFile ScanFile(
   const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor);

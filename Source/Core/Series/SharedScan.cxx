@@ -57,6 +57,10 @@ Json PackVolume(const Site& site, const SeriesVolume& volume)
     packed["position"] = {
       site.position->latitude, site.position->longitude, site.position->altitude};
   }
+  if (volume.echo)
+  {
+    packed["echo"] = *volume.echo;
+  }
   if (volume.summary)
   {
     packed["summary"] = PackSummary(*volume.summary);
@@ -88,6 +92,10 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
   volume.synthetic = packed.at("synthetic");
   volume.moments = packed.at("moments").get<std::vector<MomentName>>();
   volume.lacking = packed.at("lacking").get<std::vector<MomentName>>();
+  if (packed.contains("echo"))
+  {
+    volume.echo = packed.at("echo").get<ReasonCounts>();
+  }
   if (packed.contains("summary"))
   {
     volume.summary = std::make_shared<const VolumeSummary>(UnpackSummary(packed.at("summary")));

@@ -6,6 +6,7 @@
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Site.h"
+#include "nexrad/Quality/EchoClass.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/Series/VolumeSelection.h"
 
@@ -33,7 +34,9 @@ struct SeriesVolume
   std::shared_ptr<const VolumeSummary> summary; ///< when it was asked for
   std::shared_ptr<const LowEcho> lowEcho;       ///< of reflectivity, when it was asked for
   std::vector<MomentName> moments;              ///< all that some ray has
-  std::vector<MomentName> lacking; ///< of the moments that were asked for, those that no ray has
+  std::vector<MomentName> lacking;  ///< of the moments that were asked for, those that no ray has
+  std::optional<ReasonCounts> echo; ///< gates of reflectivity by what quality control found in
+                                    ///< them, once it was made; empty where quality control is off
 
   bool Has(MomentName moment) const;
 };

@@ -13,21 +13,6 @@ namespace nexrad
 namespace
 {
 
-VelocityState StateOf(std::uint16_t code)
-{
-  switch (code)
-  {
-  case GateCode::NoEcho:
-    return VelocityState::BelowThreshold;
-  case GateCode::RangeFolded:
-    return VelocityState::RangeFolded;
-  case GateCode::NotSampled:
-    return VelocityState::NotSampled;
-  default:
-    return VelocityState::Valid;
-  }
-}
-
 VelocitySweep MakeSweep(const PolarSweep& polar)
 {
   VelocitySweep sweep;
@@ -46,7 +31,7 @@ VelocitySweep MakeSweep(const PolarSweep& polar)
     polar.Read(ray, codes.data());
     for (const std::uint16_t code : codes)
     {
-      const VelocityState state = StateOf(code);
+      const auto state = static_cast<VelocityState>(StateOf(code));
       sweep.states.push_back(state);
       sweep.values.push_back(state == VelocityState::Valid
                                ? polar.scale.ValueOf(code)

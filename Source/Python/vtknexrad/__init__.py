@@ -9,7 +9,7 @@ vtkNexradVolumeScene. They work beside VTK's own modules; help() of a class has 
 defaults and errors.
 
 Beside the classes, vtknexrad.data has what a script needs to get from them to numpy: update,
-time_steps, array, axes, sweep. They are names of vtknexrad as well.
+time_steps, array, axes, sweep, echo_classes. They are names of vtknexrad as well.
 """
 
 import importlib.util
@@ -24,4 +24,4 @@ from .vtkNexradFilters import *  # noqa: F401,F403
 from .vtkNexradRendering import *  # noqa: F401,F403
 if importlib.util.find_spec(".vtkNexradScene", __name__) is not None:  # not in a build for ParaView
     from .vtkNexradScene import *  # noqa: F401,F403
-from .data import array, axes, sweep, time_steps, update  # noqa: F401
+from .data import array, axes, echo_classes, sweep, time_steps, update  # noqa: F401

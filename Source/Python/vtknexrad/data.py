@@ -10,6 +10,8 @@ from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 import numpy
 
+from .vtkNexradFilters import vtkNexradEchoClasses
+
 
 class _Errors:
     """Gathers the errors that an algorithm reports while the block runs."""
@@ -81,7 +83,7 @@ def array(data_set, name="REF"):
     A merged volume (vtkImageData) gives (z, y, x); the grid of a sweep gives (ray, gate), its first
     ray once more at the end when the sweep goes all the way round. In a sweep NaN stands where
     there is no value; in a merged volume the fill value does, and NAME_state says why (0 echo,
-    1 no echo, 2 range folded, 3 not scanned).
+    1 no echo, 2 range folded, 3 not scanned, 4 filtered: taken out by quality control).
 
     Raises KeyError when there is no such array.
     """
@@ -124,3 +126,30 @@ def sweep(sweeps, index, moment="REF"):
         if grid.GetPointData().HasArray(moment):
             return grid
     raise KeyError(f"sweep {index} has no moment {moment!r}")
+
+
+def echo_classes(sweeps):
+    """What the echo of each gate of reflectivity comes from, as quality control finds it.
+
+    sweeps: the output of a vtkNexradLevel2Reader or vtkNexradSeriesReader with all its moments.
+
+    Gives a list with an entry for each sweep in the order scanned: a pair of arrays (class, reason)
+    of uint8 in the shape of array(grid, "REF"), or None for a sweep without REF. 0 stands where
+    there is no value. vtkNexradEchoClasses.GetEchoClassName and GetEchoReasonName name the numbers,
+    as "ground" and "ground texture".
+
+    Raises RuntimeError as update does.
+    """
+    classes = vtkNexradEchoClasses()
+    classes.SetInputDataObject(0, sweeps)
+    found = update(classes)
+    pairs = []
+    for index in range(found.GetNumberOfPartitionedDataSets()):
+        try:
+            grid = sweep(found, index)
+        except KeyError:
+            pairs.append(None)
+            continue
+        # The arrays live on when the output does not.
+        pairs.append((array(grid, "REF_class").copy(), array(grid, "REF_reason").copy()))
+    return pairs

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Captions/DataAge.h"
 
+#include "nexrad/Grid/GriddedVolume.h"
+
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
@@ -68,10 +70,9 @@ public:
   }
 
   bool AreKnown() const { return states != nullptr; }
-  bool IsScanned(vtkIdType voxel) const
+  bool IsKnown(vtkIdType voxel) const
   {
-    constexpr unsigned char notScanned = 3; // of the array of states
-    return (ofCode != nullptr ? ofCode[states[voxel]] : states[voxel]) != notScanned;
+    return IsMeasured(ToVoxelState(ofCode != nullptr ? ofCode[states[voxel]] : states[voxel]));
   }
 
 private:
@@ -97,7 +98,7 @@ std::vector<std::optional<double>> AgesOfData(
   for (vtkIdType i = 0; i < volume->GetNumberOfPoints(); ++i)
   {
     const std::size_t which = one ? 0 : site[i];
-    if (states.IsScanned(i) && which < sites && (one || radars[i] == 1))
+    if (states.IsKnown(i) && which < sites && (one || radars[i] == 1))
     {
       const auto bin = static_cast<std::size_t>(std::max(0.0F, age[i]) / binSeconds);
       ++histograms[which][std::min(bin, bins - 1)];

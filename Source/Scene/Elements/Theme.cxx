@@ -14,6 +14,7 @@ Theme MakeDark()
   theme.ground = {0.075, 0.09, 0.11};
   theme.notScanned = {0.17, 0.16, 0.16};
   theme.rangeFolded = {0.42, 0.22, 0.52};
+  theme.filtered = {0.30, 0.22, 0.12};
   theme.country = {0.62, 0.68, 0.74};
   theme.state = {0.50, 0.55, 0.60};
   theme.county = {0.235, 0.27, 0.305};
@@ -38,6 +39,7 @@ Theme MakeLight()
   theme.ground = {0.90, 0.905, 0.895};
   theme.notScanned = {0.72, 0.72, 0.72};
   theme.rangeFolded = {0.62, 0.45, 0.72};
+  theme.filtered = {0.80, 0.74, 0.64};
   theme.country = {0.25, 0.29, 0.33};
   theme.state = {0.38, 0.42, 0.46};
   theme.county = {0.70, 0.715, 0.72};

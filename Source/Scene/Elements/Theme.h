@@ -18,10 +18,10 @@ struct Theme
 {
   Colour skyBottom, skyTop;
   Colour ground;
-  Colour notScanned, rangeFolded; ///< of a map, where there is no value
-  Colour country, state, county;  ///< lines of the map
-  Colour ring;                    ///< of range, about a radar
-  Colour marker;                  ///< of a radar, with its name
+  Colour notScanned, rangeFolded, filtered; ///< of a map, where there is no value
+  Colour country, state, county;            ///< lines of the map
+  Colour ring;                              ///< of range, about a radar
+  Colour marker;                            ///< of a radar, with its name
   Colour placeName;
   Colour frame;   ///< edges of the domain
   Colour wall;    ///< lines of height on the far walls

@@ -23,6 +23,8 @@ Colour ColourOf(
     return theme.notScanned;
   case VoxelState::RangeFolded:
     return theme.rangeFolded;
+  case VoxelState::Filtered:
+    return theme.filtered;
   case VoxelState::NoEcho:
     return theme.ground;
   default:
@@ -66,10 +68,10 @@ vtkSmartPointer<vtkProp> MakePlanLayer(const PlanView& view, const ColourScale& 
 
 std::string PlanKey(const PlanView& view)
 {
-  std::string key = Holds(view, VoxelState::NotScanned) ? "grey: not scanned" : "";
-  if (Holds(view, VoxelState::RangeFolded))
+  std::string key;
+  for (const auto& [state, text] : StateTexts)
   {
-    key += (key.empty() ? "" : ", ") + std::string("violet: range folded");
+    key += Holds(view, state) ? (key.empty() ? "" : ", ") + std::string(text) : "";
   }
   return key;
 }

@@ -7,11 +7,18 @@
 
 #include <vtkSmartPointer.h>
 
+#include <utility>
+
 class vtkImageData;
 class vtkProp;
 
 namespace nexrad::scene
 {
+
+/// The states of places that were not measured, and what a key says of their colours.
+constexpr std::pair<VoxelState, const char*> StateTexts[] = {
+  {VoxelState::NotScanned, "grey: not scanned"}, {VoxelState::RangeFolded, "violet: range folded"},
+  {VoxelState::Filtered, "brown: filtered"}};
 
 /// A plan view in the colours of a scale, lying on the ground at the scene height `height`: each
 /// column of voxels a rectangle of one colour. Where there is no echo, or less than the scale's

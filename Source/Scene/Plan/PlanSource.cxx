@@ -42,12 +42,6 @@ auto* Require(vtkFieldData* data, const std::string& name, vtkIdType count)
   return values;
 }
 
-VoxelState StateOf(unsigned char state)
-{
-  return static_cast<VoxelState>(
-    std::min(state, static_cast<unsigned char>(VoxelState::NotScanned)));
-}
-
 using ReadVoxels = decltype(VoxelLines::read);
 
 ReadVoxels ReadCodes(vtkImageData* volume, const std::string& name, const unsigned char* codes)
@@ -62,7 +56,7 @@ ReadVoxels ReadCodes(vtkImageData* volume, const std::string& name, const unsign
     {
       const unsigned char code = codes[first + i];
       values[i] = meant[code];
-      states[i] = StateOf(known[code]);
+      states[i] = ToVoxelState(known[code]);
     }
   };
 }
@@ -76,7 +70,7 @@ ReadVoxels ReadValues(vtkImageData* volume, const std::string& name)
   return [=](std::size_t first, std::size_t count, float* values, VoxelState* states)
   {
     std::copy_n(all + first, count, values);
-    std::transform(known + first, known + first + count, states, StateOf);
+    std::transform(known + first, known + first + count, states, ToVoxelState);
   };
 }
 

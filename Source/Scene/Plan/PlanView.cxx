@@ -44,7 +44,8 @@ struct ShownVoxel
   bool settled = false; // no voxel above is taken for having been scanned
 };
 
-// The lowest that was scanned; without one the lowest that is range folded, or the lowest of all.
+// The lowest that was measured; without one the lowest that is range folded, else the lowest that
+// is filtered, or the lowest of all.
 struct LowestVoxel
 {
   void operator()(const ShownVoxel& voxel, ShownVoxel& shown) const
@@ -53,13 +54,11 @@ struct LowestVoxel
     {
       return;
     }
-    const bool scanned = voxel.state == VoxelState::Echo || voxel.state == VoxelState::NoEcho;
-    const bool folded =
-      voxel.state == VoxelState::RangeFolded && shown.state != VoxelState::RangeFolded;
-    if (shown.level < 0 || scanned || folded)
+    const bool measured = IsMeasured(voxel.state);
+    if (shown.level < 0 || measured || MoreKnown(shown.state, voxel.state) != shown.state)
     {
       shown = voxel;
-      shown.settled = scanned;
+      shown.settled = measured;
     }
   }
 };
@@ -162,15 +161,17 @@ std::string WhereText(const VoxelLines& volume, const PlanOptions& plan, int lev
               " (merge with ancillary arrays for more)");
 }
 
-// Whether some radar scanned the voxel; column filling also gives values to others.
+// Whether some radar measured the voxel; column filling also gives values to others.
 VoxelState StateOfAncillaryArray(const PlanSource& source, std::size_t voxel, VoxelState state)
 {
   const bool unseen =
     (source.radars != nullptr && source.radars[voxel] == 0) ||
     (source.nearestSite != nullptr && source.nearestSite[voxel] == AncillaryArrays::NoSite);
-  return state == VoxelState::RangeFolded            ? state
-         : unseen || state == VoxelState::NotScanned ? VoxelState::NotScanned
-                                                     : VoxelState::Echo;
+  if (!IsMeasured(state))
+  {
+    return state;
+  }
+  return unseen ? VoxelState::NotScanned : VoxelState::Echo;
 }
 
 // The values and states of an ancillary array in the voxels that are shown.

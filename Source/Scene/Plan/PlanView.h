@@ -17,8 +17,8 @@ struct PlanView
   int width = 0;             ///< columns to the east
   int height = 0;            ///< and to the north
   std::vector<float> values; ///< east fastest, then north; without meaning where nothing is known
-  /// Of the moment: the voxel's. Of an ancillary array: Echo where there is a value, NotScanned
-  /// where no radar stands behind the voxel, RangeFolded.
+  /// Of the moment: the voxel's. Of an ancillary array: Echo where there is a value, else that of
+  /// the moment; NotScanned where column filling made the value without any radar.
   std::vector<VoxelState> states;
   std::string where; ///< which voxels these are, for a caption
 };

@@ -229,7 +229,46 @@ TEST(NxvDamage, StatesMayNotContradictTheCodes)
   EXPECT_EQ(file.Last().states[1], VoxelState::RangeFolded);
   EXPECT_NE(errorWith(std::string("\1\1\2\3", 4)).find("voxel 2"), std::string::npos);
   EXPECT_NE(errorWith(std::string("\1\1\0\2", 4)).find("voxel 3"), std::string::npos);
-  EXPECT_NE(errorWith(std::string("\1\4\0\3", 4)).find("voxel 1"), std::string::npos);
+  EXPECT_NE(errorWith(std::string("\1\5\0\3", 4)).find("voxel 1"), std::string::npos);
+}
+
+TEST(NxvDamage, FilteredVoxelsMayNotContradictTheCodes)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.arrays.resize(2);
+  header.arrays[1].name = "REF_filtered";
+  header.arrays[1].type = NxvType::UInt8;
+  header.arrays[1].storage = NxvStorage::Deflated;
+  const std::string codes = "\x80\x80\xA3\xFF"; // no echo, no echo, 35 dBZ, not scanned
+  const auto errorWith = [&](const std::string& filtered) {
+    return file.ErrorOf(FileOf(header, {codes, Deflated(filtered)}));
+  };
+  EXPECT_EQ(errorWith(std::string("\0\1\0\0", 4)), "");
+  EXPECT_EQ(file.Last().states[0], VoxelState::NoEcho);
+  EXPECT_EQ(file.Last().states[1], VoxelState::Filtered);
+  EXPECT_NE(errorWith(std::string("\0\0\1\0", 4)).find("voxel 2"), std::string::npos);
+  EXPECT_NE(errorWith(std::string("\0\0\0\1", 4)).find("voxel 3"), std::string::npos);
+  EXPECT_NE(errorWith(std::string("\2\0\0\0", 4)).find("voxel 0"), std::string::npos);
+}
+
+// The reader used to write states into memory that was not there.
+TEST(NxvDamage, StatesBeforeTheirMomentAreErrors)
+{
+  for (const char* name : {"VEL_state", "VEL_filtered"})
+  {
+    const Damaged file;
+    NxvHeader header = SmallHeader();
+    header.arrays.resize(3, header.arrays[0]);
+    header.arrays[1].name = name;
+    header.arrays[1].type = NxvType::UInt8;
+    header.arrays[1].storage = NxvStorage::Deflated;
+    header.arrays[2].name = "VEL";
+    const std::string codes = "\x80\x80\xA3\xFF";
+    const std::string error =
+      file.ErrorOf(FileOf(header, {codes, Deflated(std::string("\1\1\0\3", 4)), codes}));
+    EXPECT_NE(error.find("must follow the array VEL"), std::string::npos) << error;
+  }
 }
 
 // Codes of one byte, and of two: lower bytes first.

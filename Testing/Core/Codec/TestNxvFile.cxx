@@ -361,7 +361,7 @@ TEST(NxvFile, CodesAreReadAsTheyAre)
     EXPECT_TRUE(HasNxvCodes(path, {}, true));
     const auto coded = ReadNxvCodes(path);
     ASSERT_TRUE(coded);
-    EXPECT_FALSE(coded->rangeFolded);
+    EXPECT_FALSE(coded->furtherStates);
     EXPECT_EQ(coded->volume.grid, volume.grid);
     GriddedVolume expanded = coded->volume;
     expanded.values.resize(volume.values.size());
@@ -385,10 +385,45 @@ TEST(NxvFile, CodesTellWhenVoxelsAreRangeFolded)
   WriteNxv(path, volume);
   const auto coded = ReadNxvCodes(path);
   ASSERT_TRUE(coded);
-  EXPECT_TRUE(coded->rangeFolded);
+  EXPECT_TRUE(coded->furtherStates);
   EXPECT_EQ(coded->meaning.states[coded->codes[5]], VoxelState::NoEcho);
   EXPECT_TRUE(HasNxvCodes(path));
   EXPECT_FALSE(HasNxvCodes(path, {}, true));
+}
+
+// In an array of their own, which versions that do not know it pass over: `_state` has no state
+// that they would refuse.
+TEST(NxvFile, FilteredVoxelsComeBackInAllEncodings)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "a.nxv";
+  for (const bool folded : {false, true})
+  {
+    GriddedVolume volume = MakeGriddedVolume({4, 3, 2});
+    for (const std::size_t voxel : {5, 7})
+    {
+      volume.states[voxel] = VoxelState::Filtered;
+      volume.values[voxel] = volume.fill;
+    }
+    if (folded)
+    {
+      volume.states[6] = VoxelState::RangeFolded;
+      volume.values[6] = volume.fill;
+    }
+    for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength,
+           NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+    {
+      WriteNxv(path, volume, With(encoding));
+      const GriddedVolume read = ReadNxv(path);
+      EXPECT_EQ(read.states[5], VoxelState::Filtered);
+      EXPECT_EQ(read.states[7], VoxelState::Filtered);
+      EXPECT_EQ(read.states[6], folded ? VoxelState::RangeFolded : volume.states[6]);
+      EXPECT_EQ(read.values[5], volume.fill);
+      const bool states = FileContent(path).find("REF_state") != std::string::npos;
+      EXPECT_EQ(states, folded || encoding == NxvEncoding::Float);
+      EXPECT_FALSE(HasNxvCodes(path, {}, true));
+    }
+  }
 }
 
 TEST(NxvFile, TheThesisWritesRunsOfTwo)

@@ -91,7 +91,7 @@ TEST(NxvMoments, OneMomentIsReadAsCodes)
   EXPECT_TRUE(HasNxvCodes(path, options));
   const auto coded = ReadNxvCodes(path, options);
   ASSERT_TRUE(coded);
-  EXPECT_TRUE(coded->rangeFolded);
+  EXPECT_TRUE(coded->furtherStates);
   EXPECT_EQ(coded->volume.moment, MomentName::VEL);
   const GriddedVolume read = ReadNxv(path, options);
   for (std::size_t i = 0; i < read.values.size(); ++i)

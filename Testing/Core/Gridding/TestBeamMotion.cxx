@@ -448,6 +448,51 @@ TEST(BeamMotion, WhatIsPassedOverHoldsNothing)
   }
 }
 
+namespace
+{
+
+// The same with filtered gates in place of range-folded ones.
+PolarVolume WithFilteredGates(PolarVolume volume)
+{
+  for (PolarSweep& sweep : volume.sweeps)
+  {
+    GateRows rows(sweep.rows.LargestCode());
+    std::vector<std::uint16_t> codes(sweep.gates);
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+    {
+      sweep.Read(ray, codes.data());
+      std::replace(codes.begin(), codes.end(), std::uint16_t(GateCode::RangeFolded),
+        std::uint16_t(GateCode::Filtered));
+      rows.Append(codes.data(), codes.size());
+    }
+    rows.Finish();
+    sweep.rows = std::move(rows);
+  }
+  return volume;
+}
+
+} // namespace
+
+// Neither has a weight, and neither is looked for along the motion.
+TEST(BeamMotion, FilteredGatesCountAsRangeFoldedOnes)
+{
+  const std::vector<PolarVolume> folded = {FourQuarters(-300.0), FourQuarters(200.0)};
+  const std::vector<PolarVolume> filtered = {
+    WithFilteredGates(folded[0]), WithFilteredGates(folded[1])};
+  const MotionField motion = MotionField::Constant(velocity);
+  for (const MotionField* each : {&motion, static_cast<const MotionField*>(nullptr)})
+  {
+    GriddedVolume expected = MergeMoving(folded, 0.0, each);
+    const GriddedVolume found = MergeMoving(filtered, 0.0, each);
+    EXPECT_GT(
+      std::count(expected.states.begin(), expected.states.end(), VoxelState::RangeFolded), 1000);
+    std::replace(expected.states.begin(), expected.states.end(), VoxelState::RangeFolded,
+      VoxelState::Filtered);
+    EXPECT_TRUE(found.states == expected.states);
+    EXPECT_TRUE(found.values == expected.values);
+  }
+}
+
 TEST(BeamMotion, RefusesTheMotionOfAnotherGrid)
 {
   MotionField motion;

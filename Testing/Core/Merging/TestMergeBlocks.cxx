@@ -276,6 +276,8 @@ protected:
     options.grid.range = 120'000.0;
     options.grid.top = 7'000.0;
     options.memory = 0;
+    options.quality.level =
+      QualityLevel::Off; // rays that hold one value are a fault of the receiver
   }
 
   // How the pieces of a pipeline are merged: all files are scanned first.

@@ -117,7 +117,7 @@ TEST(PolarVolume, ReadsWordsOfSixteenBits)
 // Formulas G13: no echo beyond the unambiguous range is not scanned. Of Doppler moments the radar
 // itself says where they end.
 // The codes are the words plus one, and so the file's scale and offset stay exact.
-TEST(PolarVolume, ACodeIsTheWordPlusOne)
+TEST(PolarVolume, ACodeIsTheWordPlusTwo)
 {
   Ray ray = MakeRay(10.0F, 5, 0);
   ray.Row(MomentName::PHI) = ray.Row(MomentName::REF);
@@ -131,11 +131,11 @@ TEST(PolarVolume, ACodeIsTheWordPlusOne)
     MakePolarVolume(MakeVolume({ray}), moment).sweeps[0].Read(0, codes.data());
     return codes;
   };
-  EXPECT_EQ(codesOf(MomentName::REF), (std::vector<std::uint16_t>{0, 1, 3, 67, 256}));
-  EXPECT_EQ(codesOf(MomentName::PHI), (std::vector<std::uint16_t>{0, 1, 3, 67, 256}));
-  EXPECT_EQ(codesOf(MomentName::CFP), (std::vector<std::uint16_t>{0, 0, 0, 67, 256}));
+  EXPECT_EQ(codesOf(MomentName::REF), (std::vector<std::uint16_t>{0, 1, 4, 68, 257}));
+  EXPECT_EQ(codesOf(MomentName::PHI), (std::vector<std::uint16_t>{0, 1, 4, 68, 257}));
+  EXPECT_EQ(codesOf(MomentName::CFP), (std::vector<std::uint16_t>{0, 0, 0, 68, 257}));
   const PolarVolume phase = MakePolarVolume(MakeVolume({ray}), MomentName::PHI);
-  EXPECT_FLOAT_EQ(phase.sweeps[0].scale.ValueOf(std::uint16_t(67)), 64.0F / 2.8361F);
+  EXPECT_FLOAT_EQ(phase.sweeps[0].scale.ValueOf(std::uint16_t(68)), 64.0F / 2.8361F);
 }
 
 // Between rays is interpolated: they get one scale, in which the values of both are.

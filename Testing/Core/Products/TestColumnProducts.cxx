@@ -18,6 +18,7 @@ constexpr VoxelState echo = VoxelState::Echo;
 constexpr VoxelState none = VoxelState::NoEcho;
 constexpr VoxelState folded = VoxelState::RangeFolded;
 constexpr VoxelState open = VoxelState::NotScanned;
+constexpr VoxelState filtered = VoxelState::Filtered;
 
 // A column of levels of 1 km, the first at 500 m.
 GriddedVolume ColumnOf(const std::vector<VoxelState>& states, const std::vector<float>& values)
@@ -67,6 +68,9 @@ TEST(ColumnProducts, ColumnsWithoutATopSayWhy)
   EXPECT_EQ(TopOf({none, open}, {-33.0F, -33.0F}).states[0], none);
   EXPECT_EQ(TopOf({open, folded}, {-33.0F, -33.0F}).states[0], folded);
   EXPECT_EQ(TopOf({open, open}, {-33.0F, -33.0F}).states[0], open);
+  EXPECT_EQ(TopOf({filtered, open}, {-33.0F, -33.0F}).states[0], filtered);
+  EXPECT_EQ(TopOf({filtered, folded}, {-33.0F, -33.0F}).states[0], folded);
+  EXPECT_EQ(TopOf({filtered, none}, {-33.0F, -33.0F}).states[0], none);
 }
 
 // By hand: 40 dBZ is Z = 10⁴, to the power of 4/7 193.07; 20 dBZ 13.895; 56 dBZ 1584.9. The sum

@@ -98,7 +98,7 @@ TEST(VerticalSection, NoEchoIsNotMixedIntoValues)
 
 TEST(VerticalSection, WhatWasNotScannedEndsHalfWay)
 {
-  for (const VoxelState missing : {open, folded})
+  for (const VoxelState missing : {open, folded, VoxelState::Filtered})
   {
     const VerticalSection section = Between(echo, missing);
     EXPECT_EQ(section.states[4], echo);

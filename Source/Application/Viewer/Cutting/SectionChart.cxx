@@ -3,6 +3,7 @@
 
 #include "Scene/Elements/TextPicture.h"
 #include "Scene/Elements/Theme.h"
+#include "Scene/Plan/PlanLayer.h"
 #include "Scene/Scales/ColourBar.h"
 #include "Scene/Scales/ColourScale.h"
 #include "nexrad/Grid/GriddedVolume.h"
@@ -26,7 +27,9 @@
 #include <QMouseEvent>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 
 namespace nexrad::viewer
 {
@@ -39,6 +42,7 @@ enum class WithoutBin
   NoEcho,
   NotScanned,
   RangeFolded,
+  Filtered,
   Count
 };
 
@@ -64,6 +68,7 @@ vtkSmartPointer<vtkLookupTable> TableOf(
   set(bins + static_cast<vtkIdType>(WithoutBin::NoEcho), theme.ground);
   set(bins + static_cast<vtkIdType>(WithoutBin::NotScanned), theme.notScanned);
   set(bins + static_cast<vtkIdType>(WithoutBin::RangeFolded), theme.rangeFolded);
+  set(bins + static_cast<vtkIdType>(WithoutBin::Filtered), theme.filtered);
   table->SetTableRange(-0.5, static_cast<double>(table->GetNumberOfTableValues()) - 0.5);
   return table;
 }
@@ -72,6 +77,11 @@ vtkDataArray* StatesOf(vtkImageData* section)
 {
   const std::string name = section->GetPointData()->GetScalars()->GetName();
   return section->GetPointData()->GetArray((name + "_state").c_str());
+}
+
+std::uint8_t StateAt(vtkDataArray* states, vtkIdType point)
+{
+  return static_cast<std::uint8_t>(states->GetTuple1(point));
 }
 
 int PlaceInTable(double value, VoxelState state, const scene::ColourScale& colours)
@@ -85,6 +95,7 @@ int PlaceInTable(double value, VoxelState state, const scene::ColourScale& colou
   }
   return state == VoxelState::NotScanned    ? without(WithoutBin::NotScanned)
          : state == VoxelState::RangeFolded ? without(WithoutBin::RangeFolded)
+         : state == VoxelState::Filtered    ? without(WithoutBin::Filtered)
                                             : without(WithoutBin::NoEcho);
 }
 
@@ -105,7 +116,7 @@ vtkSmartPointer<vtkImageData> PictureOf(vtkImageData* section, const scene::Colo
   vtkDataArray* states = StatesOf(section);
   for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
   {
-    const auto state = static_cast<VoxelState>(static_cast<int>(states->GetTuple1(i)));
+    const VoxelState state = ToVoxelState(StateAt(states, i));
     place[i] = static_cast<unsigned short>(PlaceInTable(values->GetTuple1(i), state, colours));
   }
   return picture;
@@ -114,16 +125,15 @@ vtkSmartPointer<vtkImageData> PictureOf(vtkImageData* section, const scene::Colo
 std::string TitleOf(vtkImageData* section, const scene::ColourScale& colours)
 {
   vtkDataArray* states = StatesOf(section);
-  double range[2];
-  states->GetRange(range);
-  std::string title = colours.title;
-  title += range[1] == static_cast<double>(VoxelState::NotScanned) ? "; grey: not scanned" : "";
+  std::array<bool, VoxelStateCount> held{};
   for (vtkIdType i = 0; i < states->GetNumberOfTuples(); ++i)
   {
-    if (states->GetTuple1(i) == static_cast<double>(VoxelState::RangeFolded))
-    {
-      return title + "; violet: range folded";
-    }
+    held[static_cast<std::size_t>(ToVoxelState(StateAt(states, i)))] = true;
+  }
+  std::string title = colours.title;
+  for (const auto& [state, text] : scene::StateTexts)
+  {
+    title += held[static_cast<std::size_t>(state)] ? std::string("; ") + text : "";
   }
   return title;
 }

@@ -49,6 +49,8 @@ QString StateText(int state)
     return "no echo";
   case VoxelState::RangeFolded:
     return "range folded";
+  case VoxelState::Filtered:
+    return "filtered: quality control took the echo out";
   default:
     return "not scanned";
   }

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Quality/SweepJudgement.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Finds the birds and insects of a sweep with dual polarisation: connected regions of gates with
+/// signs of flight, three in ten of which are sure (Formulas Q2). Sets the reasons of these gates
+/// to FlightPolarimetry.
+void FindFlight(SweepJudgement& sweep);
+
+/// Finds the clear-air echo of a sweep without dual polarisation: weak weather (below 20 dBZ) up to
+/// 2.5 km of height above which there is no echo at 3 km, in connected regions of 300 km² and more
+/// that reach within 40 km of the radar. Sets the reasons of these gates to ClearAir. `sweeps`: all
+/// of the volume.
+void FindClearAir(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep);
+
+} // namespace nexrad

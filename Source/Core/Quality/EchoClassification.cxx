@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Quality/EchoClassification.h"
+
+#include "nexrad/Quality/BiologicalTest.h"
+#include "nexrad/Quality/Evidence/SplitCuts.h"
+#include "nexrad/Quality/GroundTest.h"
+#include "nexrad/Quality/SpeckleTest.h"
+#include "nexrad/Quality/SpikeTest.h"
+#include "nexrad/Quality/SweepJudgement.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/System/ThreadGroup.h"
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <string>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double verticalStep = 0.75;    // degrees between tilts that are compared
+constexpr std::size_t rowsTogether = 30; // of one piece of work
+
+struct Rows
+{
+  std::size_t sweep;
+  std::size_t begin;
+  std::size_t end;
+};
+
+class Classifier
+{
+public:
+  Classifier(const MeasuredMoments& theMoments, const RangeLoop& theLoop)
+    : moments(theMoments)
+    , loop(theLoop)
+    , sources(FindSources(theMoments))
+    , sweeps(theMoments.reflectivity.sweeps.size())
+  {
+  }
+
+  EchoClassification Run()
+  {
+    for (std::size_t i = 0; i < sweeps.size(); ++i)
+    {
+      sweeps[i].Set(moments.reflectivity.sweeps[i], !sources[i].surveillance, loop);
+    }
+    for (SweepJudgement& sweep : sweeps)
+    {
+      sweep.above = this->FindAbove(sweep);
+    }
+    this->Judge();
+    // Halves of split cuts follow those that they copy.
+    this->ForSweeps([this](std::size_t number) { this->FindClasses(number); });
+    this->ForSweeps([this](std::size_t number) { this->FinishClasses(number); });
+    return this->Collect();
+  }
+
+private:
+  template <typename Work>
+  void ForSweeps(const Work& work)
+  {
+    RunLoop(loop, static_cast<int>(sweeps.size()),
+      [&](int begin, int end)
+      {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        {
+          if (sweeps[i].grid)
+          {
+            work(i);
+          }
+        }
+      });
+  }
+
+  // The lowest sweep that lies higher by so much that the difference of the tilts tells something.
+  const EchoGrid* FindAbove(const SweepJudgement& own) const
+  {
+    const EchoGrid* found = nullptr;
+    for (const SweepJudgement& other : sweeps)
+    {
+      const bool higher =
+        own.grid && other.grid && other.grid->Elevation() > own.grid->Elevation() + verticalStep;
+      found = higher && (!found || other.grid->Elevation() < found->Elevation()) ? other.grid.get()
+                                                                                 : found;
+    }
+    return found;
+  }
+
+  void Judge()
+  {
+    std::vector<Rows> pieces;
+    for (std::size_t i = 0; i < sweeps.size(); ++i)
+    {
+      const std::size_t rows = sweeps[i].grid ? sweeps[i].grid->Rays() : 0;
+      for (std::size_t row = 0; row < rows; row += rowsTogether)
+      {
+        pieces.push_back({i, row, std::min(row + rowsTogether, rows)});
+      }
+    }
+    RunLoop(loop, static_cast<int>(pieces.size()),
+      [&](int begin, int end)
+      {
+        for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+        {
+          const Rows& rows = pieces[i];
+          JudgeRows(sweeps[rows.sweep], sources[rows.sweep], rows.begin, rows.end);
+        }
+      });
+  }
+
+  void FindClasses(std::size_t number)
+  {
+    SweepJudgement& sweep = sweeps[number];
+    const bool polarimetric = sources[number].correlation.sweep != nullptr;
+    if (sweep.judged > 0 && polarimetric)
+    {
+      FindFlight(sweep);
+    }
+    if (sweep.judged > 0)
+    {
+      FindGround(sweep, polarimetric);
+    }
+    if (sweep.judged > 0 && !polarimetric)
+    {
+      FindClearAir(sweeps, sweep);
+    }
+    FindSpikes(*sweep.grid, sweep.reasons);
+  }
+
+  void FinishClasses(std::size_t number)
+  {
+    SweepJudgement& sweep = sweeps[number];
+    if (sources[number].surveillance && sweeps[*sources[number].surveillance].grid)
+    {
+      CopyClasses(sweeps[*sources[number].surveillance], sweep);
+    }
+    FindSpeckle(sweep);
+  }
+
+  // Ground and biological echo of the gates of another half of a split cut.
+  static void CopyClasses(const SweepJudgement& from, SweepJudgement& to)
+  {
+    const EchoGrid& grid = *to.grid;
+    for (std::size_t place = 0; place < grid.Rays(); ++place)
+    {
+      const std::size_t other = from.grid->PlaceAt(grid.AzimuthAt(place));
+      if (other == from.grid->Rays())
+      {
+        continue;
+      }
+      const float* row = grid.Row(place);
+      const EchoReason* source = from.reasons.data() + from.grid->RayAt(other) * from.grid->Gates();
+      EchoReason* own = to.reasons.data() + grid.RayAt(place) * grid.Gates();
+      const double step = grid.GateSpacing() / from.grid->GateSpacing();
+      const double start =
+        (grid.RangeOf(0) - from.grid->RangeOf(0)) / from.grid->GateSpacing() + 0.5;
+      const std::size_t end = grid.Held(place).end;
+      for (std::size_t gate = 0; gate < end; ++gate)
+      {
+        const double at = start + step * static_cast<double>(gate);
+        if (IsNumber(row[gate]) && at >= 0.0 && at < static_cast<double>(from.grid->Gates()) &&
+            ClassOf(own[gate]) == EchoClass::Weather)
+        {
+          const EchoReason reason = source[static_cast<std::size_t>(at)];
+          const EchoClass echoClass = ClassOf(reason);
+          const bool flies =
+            echoClass == EchoClass::Biological && row[gate] < StrongestBiologicalEcho;
+          own[gate] = echoClass == EchoClass::Ground || flies ? reason : own[gate];
+        }
+      }
+    }
+  }
+
+  EchoClassification Collect()
+  {
+    EchoClassification result;
+    for (std::size_t i = 0; i < sweeps.size(); ++i)
+    {
+      const PolarSweep& sweep = moments.reflectivity.sweeps[i];
+      result.sweeps.push_back(std::move(sweeps[i].reasons));
+      result.sweeps.back().resize(sweep.rays.size() * sweep.gates, EchoReason::None);
+      for (const EchoReason reason : result.sweeps.back())
+      {
+        ++result.counts[static_cast<std::size_t>(reason)];
+      }
+    }
+    return result;
+  }
+
+  const MeasuredMoments& moments;
+  const RangeLoop& loop;
+  std::vector<SweepSources> sources;
+  std::vector<SweepJudgement> sweeps;
+};
+
+} // namespace
+
+EchoClassification ClassifyEcho(
+  const std::function<PolarVolume(MomentName)>& measured, const RangeLoop& loop)
+{
+  const MeasuredMoments moments(measured);
+  const RangeLoop own = loop ? loop : ThreadLoop(CoreCount());
+  return Classifier(moments, own).Run();
+}
+
+bool RemovesClass(QualityLevel level, EchoClass echoClass)
+{
+  switch (echoClass)
+  {
+  case EchoClass::None:
+  case EchoClass::Weather:
+    return false;
+  case EchoClass::Biological:
+    return level == QualityLevel::Strict;
+  default:
+    return level != QualityLevel::Off;
+  }
+}
+
+ReasonCounts TakeOut(
+  PolarVolume& reflectivity, const EchoClassification& classification, QualityLevel level)
+{
+  if (classification.sweeps.size() != reflectivity.sweeps.size())
+  {
+    throw Error("echo classes of " + std::to_string(classification.sweeps.size()) +
+                " sweeps for a volume of " + std::to_string(reflectivity.sweeps.size()));
+  }
+  std::array<bool, EchoReasonCount> removes{};
+  for (std::size_t reason = 0; reason < EchoReasonCount; ++reason)
+  {
+    removes[reason] = RemovesClass(level, ClassOf(static_cast<EchoReason>(reason)));
+  }
+  ReasonCounts counts{};
+  for (std::size_t i = 0; i < reflectivity.sweeps.size(); ++i)
+  {
+    PolarSweep& sweep = reflectivity.sweeps[i];
+    const std::vector<EchoReason>& reasons = classification.sweeps[i];
+    if (reasons.size() != sweep.rays.size() * sweep.gates)
+    {
+      throw Error("echo classes of " + std::to_string(reasons.size()) + " gates for a sweep of " +
+                  std::to_string(sweep.rays.size() * sweep.gates));
+    }
+    const auto removed = [&removes](EchoReason reason)
+    { return removes[static_cast<std::size_t>(reason)]; };
+    if (std::none_of(reasons.begin(), reasons.end(), removed))
+    {
+      continue;
+    }
+    GateRows rows(sweep.rows.LargestCode());
+    std::vector<std::uint16_t> codes(sweep.gates);
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+    {
+      sweep.Read(ray, codes.data());
+      for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+      {
+        const EchoReason reason = reasons[ray * sweep.gates + gate];
+        if (codes[gate] >= GateCode::FirstValue && removed(reason))
+        {
+          codes[gate] = GateCode::Filtered;
+          ++counts[static_cast<std::size_t>(reason)];
+        }
+      }
+      rows.Append(codes.data(), codes.size());
+    }
+    rows.Finish();
+    sweep.rows = std::move(rows);
+  }
+  return counts;
+}
+
+} // namespace nexrad

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/Quality/EchoClass.h"
+#include "nexrad/Quality/QualityOptions.h"
+#include "nexrad/System/RangeLoop.h"
+
+#include <functional>
+#include <vector>
+
+namespace nexrad
+{
+
+/// What the echo of each gate of reflectivity comes from, and the test that decided it.
+struct EchoClassification
+{
+  /// `sweeps[sweep][ray * gates + gate]`, for the sweeps of the polar volume of REF, in their
+  /// order.
+  std::vector<std::vector<EchoReason>> sweeps;
+  ReasonCounts counts{}; ///< gates by reason, of all sweeps
+};
+
+/// Finds what the echo of each gate comes from (Formulas Q1 to Q4), from all moments that the
+/// volume has. `measured` makes the polar volume of a measured moment, one without sweeps where the
+/// volume has none; it is called once each for REF, VEL, SW, RHO, ZDR, PHI and CFP, on this thread.
+/// `loop` runs the work; an empty one stands for as many threads as there are cores. The result
+/// does not depend on it.
+EchoClassification ClassifyEcho(
+  const std::function<PolarVolume(MomentName)>& measured, const RangeLoop& loop = {});
+
+/// Whether a level takes out the gates of a class. Off: none; Standard: ground, spikes, receiver
+/// faults and speckle; Strict: biological echo, too.
+bool RemovesClass(QualityLevel level, EchoClass echoClass);
+
+/// Sets the gates whose class the level takes out to GateCode::Filtered. Returns how many there
+/// were for each reason. `reflectivity` must be the polar volume that was classified; throws Error
+/// when the number of sweeps or of gates differs.
+ReasonCounts TakeOut(
+  PolarVolume& reflectivity, const EchoClassification& classification, QualityLevel level);
+
+} // namespace nexrad

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Quality/Evidence/EchoGrid.h"
+
+#include "nexrad/Geometry/Angles.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double widestGap = 1.9; // degrees between two rays that are neighbours
+
+} // namespace
+
+EchoGrid::EchoGrid(const PolarSweep& sweep, const RangeLoop& loop)
+  : elevation(MedianElevation(sweep))
+  , first(sweep.firstGate)
+  , spacing(sweep.gateSpacing)
+  , gates(sweep.gates)
+  , values(sweep.rays.size() * sweep.gates)
+  , empty(sweep.gates, NoNumber)
+  , held(sweep.rays.size())
+{
+  std::vector<std::pair<double, std::size_t>> sorted;
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    const double turned = std::fmod(static_cast<double>(sweep.rays[ray].azimuth), 360.0);
+    sorted.emplace_back(turned < 0.0 ? turned + 360.0 : turned, ray);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (const auto& [azimuth, ray] : sorted)
+  {
+    azimuths.push_back(azimuth);
+    order.push_back(ray);
+  }
+  const auto read = [this, &sweep](int begin, int end)
+  {
+    std::vector<std::uint16_t> codes(gates);
+    for (auto place = static_cast<std::size_t>(begin); place < static_cast<std::size_t>(end);
+         ++place)
+    {
+      held[place] = sweep.rows.Held(order[place], gates);
+      sweep.Read(order[place], codes.data());
+      float* row = values.data() + place * gates;
+      for (std::size_t gate = 0; gate < gates; ++gate)
+      {
+        const float value = sweep.scale.ValueOf(codes[gate]);
+        row[gate] = codes[gate] >= GateCode::FirstValue ? value : NoNumber;
+      }
+    }
+  };
+  RunLoop(loop, static_cast<int>(order.size()), read);
+}
+
+std::ptrdiff_t EchoGrid::GateAt(double range) const
+{
+  return std::lround((range - first) / spacing);
+}
+
+std::size_t EchoGrid::GatesWithin(double range) const
+{
+  const double count = std::floor((range - first) / spacing) + 1.0;
+  return static_cast<std::size_t>(std::clamp(count, 0.0, static_cast<double>(gates)));
+}
+
+std::size_t EchoGrid::PlaceAt(double azimuth) const
+{
+  constexpr double farthest = 1.5; // degrees
+  const auto next = std::lower_bound(azimuths.begin(), azimuths.end(), azimuth);
+  const std::size_t after = static_cast<std::size_t>(next - azimuths.begin()) % order.size();
+  const std::size_t before = (after + order.size() - 1) % order.size();
+  const auto apart = [&](std::size_t place)
+  { return std::abs(AngleDifference(azimuths[place], azimuth)); };
+  const std::size_t nearest = apart(before) < apart(after) ? before : after;
+  return apart(nearest) <= farthest ? nearest : order.size();
+}
+
+std::size_t EchoGrid::Beside(std::size_t place, int step) const
+{
+  const std::size_t count = order.size();
+  for (int i = 0; i < std::abs(step); ++i)
+  {
+    const std::size_t next = (place + (step > 0 ? 1 : count - 1)) % count;
+    if (next == place || std::abs(AngleDifference(azimuths[place], azimuths[next])) > widestGap)
+    {
+      return count;
+    }
+    place = next;
+  }
+  return place;
+}
+
+const float* EchoGrid::RowBeside(std::size_t place, int step) const
+{
+  const std::size_t beside = this->Beside(place, step);
+  return beside < this->Rays() ? this->Row(beside) : empty.data();
+}
+
+} // namespace nexrad

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/System/RangeLoop.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace nexrad
+{
+
+/// In place of a number where a gate has none: it differs from every value by more than any
+/// threshold does.
+constexpr float NoNumber = -1000.0F;
+
+/// Whether a gate has a number.
+inline bool IsNumber(float value)
+{
+  return value > 0.5F * NoNumber;
+}
+
+/// Reflectivity of one sweep in dBZ, a row for each ray, in the order of azimuths.
+class EchoGrid
+{
+public:
+  /// Reads a sweep, which must outlive the grid and have rays and gates.
+  EchoGrid(const PolarSweep& sweep, const RangeLoop& loop);
+
+  std::size_t Rays() const { return order.size(); }
+  std::size_t Gates() const { return gates; }
+  /// Degrees, the median of the rays.
+  double Elevation() const { return elevation; }
+  double GateSpacing() const { return spacing; }
+  /// Slant range of a gate's centre, m.
+  double RangeOf(std::size_t gate) const { return first + spacing * static_cast<double>(gate); }
+  /// The gate nearest to a slant range in m; it need not exist.
+  std::ptrdiff_t GateAt(double range) const;
+  /// Gates of every ray whose centre lies within a slant range, m.
+  std::size_t GatesWithin(double range) const;
+
+  /// The ray of the sweep that a row is of, and its azimuth in degrees, 0…360.
+  std::size_t RayAt(std::size_t place) const { return order[place]; }
+  double AzimuthAt(std::size_t place) const { return azimuths[place]; }
+  /// The row nearest to an azimuth; Rays() where none is within 1.5°.
+  std::size_t PlaceAt(double azimuth) const;
+  /// The row after (`step` above 0) or before another, round the circle; Rays() across a gap of
+  /// more than 1.9° between two rays on the way.
+  std::size_t Beside(std::size_t place, int step) const;
+
+  /// Gates() numbers; NoNumber where there is no value.
+  const float* Row(std::size_t place) const { return values.data() + place * gates; }
+  /// The same of `Beside`; a row without any number where there is none.
+  const float* RowBeside(std::size_t place, int step) const;
+  /// Of a row the gates from the first to behind the last that has a value.
+  GateRange Held(std::size_t place) const { return held[place]; }
+
+private:
+  double elevation;
+  double first;
+  double spacing;
+  std::size_t gates;
+  std::vector<std::size_t> order;
+  std::vector<double> azimuths;
+  std::vector<float> values;
+  std::vector<float> empty;
+  std::vector<GateRange> held;
+};
+
+} // namespace nexrad

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Quality/Evidence/SplitCuts.h"
+
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Model/Elevation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double sameDirection = 0.75; // degrees
+
+double TurnedAzimuth(const PolarRay& ray)
+{
+  const double turned = std::fmod(static_cast<double>(ray.azimuth), 360.0);
+  return turned < 0.0 ? turned + 360.0 : turned;
+}
+
+// The rays of a sweep by azimuth.
+class RaysByAzimuth
+{
+public:
+  explicit RaysByAzimuth(const PolarSweep& sweep)
+  {
+    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+    {
+      rays.emplace_back(TurnedAzimuth(sweep.rays[ray]), ray);
+    }
+    std::sort(rays.begin(), rays.end());
+  }
+
+  // MomentSource::NoRay where none is near enough.
+  std::size_t Nearest(double azimuth) const
+  {
+    const auto next =
+      std::lower_bound(rays.begin(), rays.end(), std::make_pair(azimuth, std::size_t(0)));
+    const auto& after = next == rays.end() ? rays.front() : *next;
+    const auto& before = next == rays.begin() ? rays.back() : *(next - 1);
+    const double toAfter = std::abs(AngleDifference(after.first, azimuth));
+    const double toBefore = std::abs(AngleDifference(before.first, azimuth));
+    return std::min(toAfter, toBefore) > sameDirection
+             ? MomentSource::NoRay
+             : (toAfter <= toBefore ? after : before).second;
+  }
+
+private:
+  std::vector<std::pair<double, std::size_t>> rays;
+};
+
+// The sweep of a cut, the one with the most rays where rays of several gate geometries make
+// several; nullptr when the volume has none.
+const PolarSweep* FindCut(const PolarVolume& volume, int elevationNumber)
+{
+  const PolarSweep* found = nullptr;
+  for (const PolarSweep& sweep : volume.sweeps)
+  {
+    const bool serves = sweep.elevationNumber == elevationNumber && !sweep.rays.empty() &&
+                        sweep.gates > 0 && sweep.gateSpacing > 0.0;
+    found = serves && (!found || sweep.rays.size() > found->rays.size()) ? &sweep : found;
+  }
+  return found;
+}
+
+bool IsSameTilt(const PolarSweep& one, const PolarSweep& other)
+{
+  return std::abs(MedianElevation(one) - MedianElevation(other)) <= SameTilt;
+}
+
+// The cut itself where it has a moment, else its neighbour at the same tilt that does; nullptr
+// where neither does. `after`: the later neighbour first.
+const PolarSweep* FindCutWith(const PolarVolume& volume, const PolarSweep& own, bool after)
+{
+  const int step = after ? 1 : -1;
+  for (const int number :
+    {own.elevationNumber, own.elevationNumber + step, own.elevationNumber - step})
+  {
+    const PolarSweep* found = FindCut(volume, number);
+    if (found && IsSameTilt(*found, own))
+    {
+      return found;
+    }
+  }
+  return nullptr;
+}
+
+MomentSource FindSource(const PolarVolume& volume, const PolarSweep& own, bool after)
+{
+  MomentSource source;
+  source.sweep = FindCutWith(volume, own, after);
+  if (source.sweep)
+  {
+    const RaysByAzimuth rays(*source.sweep);
+    for (const PolarRay& ray : own.rays)
+    {
+      source.rays.push_back(rays.Nearest(TurnedAzimuth(ray)));
+    }
+  }
+  return source;
+}
+
+// Whether a sweep is the Doppler half of the split cut whose surveillance half is the one before.
+bool IsDopplerHalf(const MeasuredMoments& moments, std::size_t sweep)
+{
+  const std::vector<PolarSweep>& all = moments.reflectivity.sweeps;
+  return sweep > 0 && IsSameTilt(all[sweep - 1], all[sweep]) &&
+         all[sweep - 1].elevationNumber + 1 == all[sweep].elevationNumber &&
+         FindCut(moments.velocity, all[sweep].elevationNumber) != nullptr &&
+         FindCut(moments.velocity, all[sweep - 1].elevationNumber) == nullptr;
+}
+
+} // namespace
+
+MeasuredMoments::MeasuredMoments(const std::function<PolarVolume(MomentName)>& measured)
+  : reflectivity(measured(MomentName::REF))
+  , velocity(measured(MomentName::VEL))
+  , width(measured(MomentName::SW))
+  , correlation(measured(MomentName::RHO))
+  , ratio(measured(MomentName::ZDR))
+  , phase(measured(MomentName::PHI))
+  , filterPower(measured(MomentName::CFP))
+{
+}
+
+std::vector<SweepSources> FindSources(const MeasuredMoments& moments)
+{
+  std::vector<SweepSources> all;
+  for (std::size_t i = 0; i < moments.reflectivity.sweeps.size(); ++i)
+  {
+    // In a split cut velocity comes after reflectivity, and polarimetry before it.
+    const PolarSweep& own = moments.reflectivity.sweeps[i];
+    SweepSources sources;
+    sources.velocity = FindSource(moments.velocity, own, true);
+    sources.width = FindSource(moments.width, own, true);
+    sources.correlation = FindSource(moments.correlation, own, false);
+    sources.ratio = FindSource(moments.ratio, own, false);
+    sources.phase = FindSource(moments.phase, own, false);
+    sources.filterPower = FindSource(moments.filterPower, own, false);
+    if (IsDopplerHalf(moments, i))
+    {
+      sources.surveillance = i - 1;
+    }
+    all.push_back(std::move(sources));
+  }
+  return all;
+}
+
+} // namespace nexrad

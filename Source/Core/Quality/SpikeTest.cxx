@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Quality/SpikeTest.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double nearest = 10'000.0;    // m, from where on spikes are looked for
+constexpr std::size_t fewestGates = 40; // with a value
+constexpr float ofAllGates = 0.6F;      // of the gates of a spike have a value
+constexpr float ofOneValue = 0.9F;      // of the gates of a faulty ray
+constexpr float steady = 3.0F;          // dB, of a spike's power
+constexpr float ofSteady = 0.5F;        // of the gates are as steady
+constexpr float over = 4.0F;            // dB, over both neighbours
+constexpr float ofOver = 0.6F;          // of the gates are as much stronger
+
+// 20·log10 of the range of each gate in km.
+std::vector<float> FindSpreading(const EchoGrid& grid)
+{
+  std::vector<float> spreading;
+  for (std::size_t gate = 0; gate < grid.Gates(); ++gate)
+  {
+    spreading.push_back(
+      static_cast<float>(20.0 * std::log10(std::max(grid.RangeOf(gate), 100.0) / 1000.0)));
+  }
+  return spreading;
+}
+
+class SpikeSearch
+{
+public:
+  SpikeSearch(const EchoGrid& theGrid, std::vector<EchoReason>& theReasons)
+    : grid(theGrid)
+    , reasons(theReasons)
+    , spreading(FindSpreading(theGrid))
+    , first(theGrid.GatesWithin(nearest))
+  {
+  }
+
+  void Judge(std::size_t place)
+  {
+    values.clear();
+    powers.clear();
+    const float* row = grid.Row(place);
+    const GateRange held = grid.Held(place);
+    for (std::size_t gate = held.begin; gate < held.end; ++gate)
+    {
+      if (IsNumber(row[gate]))
+      {
+        values.push_back(row[gate]);
+        if (gate >= first)
+        {
+          powers.push_back(row[gate] - spreading[gate]);
+        }
+      }
+    }
+    if (values.size() >= fewestGates && this->IsOneValue())
+    {
+      this->Mark(place, EchoReason::ConstantValue, [](std::size_t) { return true; });
+    }
+    else if (powers.size() >= fewestGates)
+    {
+      this->JudgePower(place);
+    }
+  }
+
+  // The rays beside spikes, where the beam's edge sees less of the same power: single gates there
+  // that have no echo behind them.
+  void MarkEdges()
+  {
+    for (const auto& [place, power] : spikes)
+    {
+      for (const int step : {-2, -1, 1, 2})
+      {
+        this->MarkEdge(grid.Beside(place, step), grid.RowBeside(place, 2 * step), power);
+      }
+    }
+  }
+
+private:
+  void MarkEdge(std::size_t place, const float* beyond, float power)
+  {
+    if (place >= grid.Rays())
+    {
+      return;
+    }
+    const float* row = grid.Row(place);
+    this->Mark(place, EchoReason::ConstantPower,
+      [&](std::size_t gate)
+      {
+        const bool inside = gate >= first && gate > 0 && gate + 1 < grid.Gates();
+        return inside && !(IsNumber(row[gate - 1]) && IsNumber(row[gate + 1])) &&
+               !IsNumber(beyond[gate]) && row[gate] - spreading[gate] - power <= steady;
+      });
+  }
+
+  // Of a ray at one value, one of these three gates has it.
+  bool IsOneValue() const
+  {
+    for (const std::size_t at : {values.size() / 4, values.size() / 2, 3 * values.size() / 4})
+    {
+      const auto same = std::count(values.begin(), values.end(), values[at]);
+      if (static_cast<float>(same) >= ofOneValue * static_cast<float>(values.size()))
+      {
+        return true;
+      }
+    }
+    return false;
+  }
+
+  void JudgePower(std::size_t place)
+  {
+    const auto reach = static_cast<float>(grid.Gates() - std::min(first, grid.Gates()));
+    if (static_cast<float>(powers.size()) < ofAllGates * reach)
+    {
+      return;
+    }
+    const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
+    std::nth_element(powers.begin(), middle, powers.end());
+    const float power = *middle;
+    const float* row = grid.Row(place);
+    const auto isSteady = [&](std::size_t gate)
+    { return std::abs(row[gate] - spreading[gate] - power) <= steady; };
+    std::size_t alike = 0;
+    std::size_t alone = 0;
+    for (std::size_t gate = first; gate < grid.Gates(); ++gate)
+    {
+      if (IsNumber(row[gate]) && isSteady(gate))
+      {
+        ++alike;
+        alone += this->IsOverBoth(place, gate) ? 1 : 0;
+      }
+    }
+    if (static_cast<float>(alike) >= ofSteady * static_cast<float>(powers.size()) &&
+        static_cast<float>(alone) >= ofOver * static_cast<float>(alike))
+    {
+      this->Mark(place, EchoReason::ConstantPower,
+        [&](std::size_t gate)
+        {
+          const float above = row[gate] - spreading[gate] - power;
+          return above <= steady && above >= -2.0F * steady;
+        });
+      spikes.emplace_back(place, power);
+    }
+  }
+
+  // A spike is up to three rays wide: it is compared with the second neighbours, too.
+  bool IsOverBoth(std::size_t place, std::size_t gate) const
+  {
+    const float limit = grid.Row(place)[gate] - over;
+    const auto below = [&](int step)
+    {
+      return grid.RowBeside(place, step)[gate] < limit ||
+             grid.RowBeside(place, 2 * step)[gate] < limit ||
+             grid.RowBeside(place, 3 * step)[gate] < limit;
+    };
+    return below(1) && below(-1);
+  }
+
+  template <typename Condition>
+  void Mark(std::size_t place, EchoReason reason, const Condition& condition)
+  {
+    const float* row = grid.Row(place);
+    EchoReason* own = reasons.data() + grid.RayAt(place) * grid.Gates();
+    for (std::size_t gate = 0; gate < grid.Gates(); ++gate)
+    {
+      if (IsNumber(row[gate]) && condition(gate))
+      {
+        own[gate] = reason;
+      }
+    }
+  }
+
+  const EchoGrid& grid;
+  std::vector<EchoReason>& reasons;
+  std::vector<float> spreading;
+  std::size_t first;
+  std::vector<float> values;
+  std::vector<float> powers;
+  std::vector<std::pair<std::size_t, float>> spikes; // rows and their powers
+};
+
+} // namespace
+
+void FindSpikes(const EchoGrid& grid, std::vector<EchoReason>& reasons)
+{
+  SpikeSearch search(grid, reasons);
+  for (std::size_t place = 0; place < grid.Rays(); ++place)
+  {
+    search.Judge(place);
+  }
+  search.MarkEdges();
+}
+
+} // namespace nexrad

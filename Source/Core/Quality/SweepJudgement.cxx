@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Quality/SweepJudgement.h"
+
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Quality/EchoInterest.h"
+#include "nexrad/Quality/Evidence/GateEvidence.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr double halfBeam = 0.5;          // degrees
+constexpr double surelyNear = 20'000.0;   // m, range where side lobes see the ground
+constexpr float lowGround = 1000.0F;      // m, lower beam edge
+constexpr float highestGround = 5000.0F;  // m, lower beam edge: above it nothing is ground
+constexpr float surelyGround = 0.62F;     // interest of gates that are low
+constexpr float surelyHighGround = 0.70F; // interest of gates as high as highestGround
+constexpr float likely = 0.15F;           // less interest is enough for likely ground
+constexpr float overNoise = 4.0F;         // dB that echo must have over the weakest
+
+constexpr float notWeather = 0.6F;       // interest in flight
+constexpr float hardlyWeather = 0.4F;    // interest of gates beside such ones
+constexpr float couplet = 8.0F;          // m/s, mean |V|
+constexpr float highestFlight = 3500.0F; // m, lower beam edge
+constexpr float strongCore = 45.0F;      // dBZ
+constexpr float filtered = 30.0F;        // dB that the clutter filter removed
+constexpr float debris = 35.0F;          // dBZ
+
+// The power that the weakest echo of a sweep has, dBZ at 1 km: of half of the rays the weakest one
+// is stronger.
+float WeakestPower(const EchoGrid& grid, const std::vector<float>& spreading)
+{
+  std::vector<float> powers;
+  for (std::size_t place = 0; place < grid.Rays(); ++place)
+  {
+    const float* row = grid.Row(place);
+    float least = -NoNumber;
+    for (std::size_t gate = 0; gate < std::min(spreading.size(), grid.Held(place).end); ++gate)
+    {
+      const float power = IsNumber(row[gate]) ? row[gate] - spreading[gate] : least;
+      least = std::min(least, power);
+    }
+    if (least < -NoNumber)
+    {
+      powers.push_back(least);
+    }
+  }
+  if (powers.empty())
+  {
+    return NoNumber;
+  }
+  const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
+  std::nth_element(powers.begin(), middle, powers.end());
+  return *middle;
+}
+
+// How much more interest in ground it takes at a strong core that the tilt above has, too.
+float CoreMargin(const GateEvidence& evidence)
+{
+  return evidence.reflectivity < strongCore ? 0.0F
+                                            : 0.2F * Ramp(evidence.gradient, 12.0F, 6.0F) *
+                                                Ramp(evidence.range, 10'000.0F, 25'000.0F);
+}
+
+// Whether two polarisations can tell what a gate is: the echo is strong enough, and low.
+bool IsTelling(const GateEvidence& evidence, const SweepJudgement& sweep, std::size_t gate)
+{
+  return IsNumber(evidence.correlation) && sweep.heights[gate] <= highestFlight &&
+         evidence.reflectivity >= sweep.weakest[gate] + overNoise;
+}
+
+EchoReason ReasonOf(const GateEvidence& evidence, const EchoInterest& interest,
+  const SweepJudgement& sweep, std::size_t gate)
+{
+  const float value = evidence.reflectivity;
+  const EchoReason weather = value >= strongCore ? EchoReason::StrongCore : EchoReason::Plain;
+  if (!IsTelling(evidence, sweep, gate))
+  {
+    return weather;
+  }
+  const bool unsteady = IsNumber(evidence.speed) && evidence.flow < 0.5F;
+  if (interest.flight >= notWeather && unsteady)
+  {
+    return value >= debris && evidence.speed > couplet ? EchoReason::Debris
+           : evidence.filterPower >= filtered          ? EchoReason::GroundFilter
+                                                       : weather;
+  }
+  const bool melts = evidence.correlation < 0.96F && evidence.correlation > 0.7F &&
+                     value >= 15.0F && value < strongCore && sweep.heights[gate] > 500.0F &&
+                     evidence.gradient < 15.0F && evidence.squares < 30.0F;
+  return melts && interest.flight < notWeather ? EchoReason::MeltingLayer : weather;
+}
+
+std::uint8_t FlightOf(const GateEvidence& evidence, const EchoInterest& interest,
+  const SweepJudgement& sweep, std::size_t gate)
+{
+  if (!IsTelling(evidence, sweep, gate) || evidence.reflectivity >= StrongestBiologicalEcho)
+  {
+    return FlightSign::None;
+  }
+  return interest.flight >= notWeather      ? FlightSign::Sure
+         : interest.flight >= hardlyWeather ? FlightSign::Likely
+                                            : FlightSign::None;
+}
+
+} // namespace
+
+double BeamHeight(double range, double elevation)
+{
+  constexpr double earthRadius = 4.0 / 3.0 * 6'371'000.0; // m, effective
+  return range * std::sin(elevation * RadiansPerDegree) + range * range / (2.0 * earthRadius);
+}
+
+void SweepJudgement::Set(const PolarSweep& sweep, bool judges, const RangeLoop& loop)
+{
+  if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0))
+  {
+    return;
+  }
+  grid = std::make_unique<EchoGrid>(sweep, loop);
+  reasons.assign(grid->Rays() * grid->Gates(), EchoReason::None);
+  if (!judges)
+  {
+    return;
+  }
+  std::vector<float> spreading;
+  for (; judged < grid->Gates(); ++judged)
+  {
+    const double range = grid->RangeOf(judged);
+    const auto height = static_cast<float>(BeamHeight(range, grid->Elevation() - halfBeam));
+    if (range > surelyNear && height > highestGround)
+    {
+      break;
+    }
+    const float part = range < surelyNear ? 0.0F : Ramp(height, lowGround, highestGround);
+    heights.push_back(height);
+    limits.push_back(surelyGround + part * (surelyHighGround - surelyGround));
+    spreading.push_back(static_cast<float>(20.0 * std::log10(std::max(range, 1000.0) / 1000.0)));
+  }
+  const float power = WeakestPower(*grid, spreading);
+  for (const float each : spreading)
+  {
+    weakest.push_back(power + each);
+  }
+  signs.assign(reasons.size(), GroundSign::None);
+  flights.assign(reasons.size(), FlightSign::None);
+  speeds.assign(reasons.size(), 0);
+  gradients.assign(reasons.size(), 0);
+}
+
+void JudgeRows(
+  SweepJudgement& sweep, const SweepSources& sources, std::size_t begin, std::size_t end)
+{
+  const EchoGrid& grid = *sweep.grid;
+  EvidenceReader reader(grid, sweep.above, sources, sweep.judged);
+  std::vector<GateEvidence> evidence;
+  for (std::size_t place = begin; place < end; ++place)
+  {
+    reader.Read(place, evidence);
+    const float* row = grid.Row(place);
+    const std::size_t last = grid.Held(place).end;
+    for (std::size_t gate = 0; gate < last; ++gate)
+    {
+      const std::size_t index = sweep.Index(place, gate);
+      if (!IsNumber(row[gate]))
+      {
+        continue;
+      }
+      if (gate >= sweep.judged)
+      {
+        sweep.reasons[index] = row[gate] >= strongCore ? EchoReason::StrongCore : EchoReason::Plain;
+        continue;
+      }
+      const EchoInterest interest = InterestOf(evidence[gate]);
+      const float limit = sweep.limits[gate] + CoreMargin(evidence[gate]);
+      sweep.signs[index] = interest.ground >= limit            ? GroundSign::Sure
+                           : interest.ground >= limit - likely ? GroundSign::Likely
+                                                               : GroundSign::None;
+      const float speed = evidence[gate].ownSpeed;
+      sweep.speeds[index] = IsNumber(speed) ? SpeedCode(speed) : std::uint8_t(0);
+      sweep.gradients[index] =
+        static_cast<std::int8_t>(std::clamp(evidence[gate].gradient, -100.0F, 100.0F));
+      sweep.reasons[index] = ReasonOf(evidence[gate], interest, sweep, gate);
+      sweep.flights[index] = sweep.reasons[index] == EchoReason::GroundFilter
+                               ? FlightSign::None
+                               : FlightOf(evidence[gate], interest, sweep, gate);
+    }
+  }
+}
+
+} // namespace nexrad

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Quality/EchoClass.h"
+#include "nexrad/Quality/Evidence/EchoGrid.h"
+#include "nexrad/Quality/Evidence/SplitCuts.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Whether the evidence of a gate alone says that it is ground.
+struct GroundSign
+{
+  static constexpr std::uint8_t None = 0;
+  static constexpr std::uint8_t Likely = 1; ///< ground beside gates that surely are
+  static constexpr std::uint8_t Sure = 2;
+};
+
+/// The same of birds and insects.
+struct FlightSign
+{
+  static constexpr std::uint8_t None = 0;
+  static constexpr std::uint8_t Likely = 1;
+  static constexpr std::uint8_t Sure = 2;
+};
+
+/// The gates of one sweep of reflectivity, judged one by one. Arrays are rays × gates, in the order
+/// of the rays of the sweep.
+struct SweepJudgement
+{
+  std::unique_ptr<EchoGrid> grid;  ///< nullptr for a sweep without rays or gates
+  const EchoGrid* above = nullptr; ///< the tilt of the vertical test; nullptr where there is none
+  std::size_t judged = 0;          ///< gates of each ray that can be ground or biological echo
+  std::vector<float> heights;      ///< of these gates, m above the antenna: the lower beam edge
+  std::vector<float> limits;       ///< of these gates: interest from which on ground is sure
+  std::vector<float> weakest;      ///< of these gates, dBZ: echo that is hardly stronger than noise
+  std::vector<std::uint8_t> flights; ///< FlightSign; only FindFlight makes reasons of them
+  std::vector<std::uint8_t> signs;   ///< GroundSign
+  std::vector<std::uint8_t>
+    speeds; ///< |V| in steps of 0.125 m/s and 1 more, at most 255; 0 unknown
+  std::vector<std::int8_t> gradients; ///< dB a degree (GateEvidence)
+  std::vector<EchoReason> reasons;
+
+  /// `judges`: whether the gates are judged, or else take their classes of another sweep.
+  void Set(const PolarSweep& sweep, bool judges, const RangeLoop& loop);
+
+  std::size_t Index(std::size_t place, std::size_t gate) const
+  {
+    return grid->RayAt(place) * grid->Gates() + gate;
+  }
+};
+
+/// Biological echo is weaker, dBZ.
+constexpr float StrongestBiologicalEcho = 35.0F;
+
+/// A speed as SweepJudgement::speeds has it.
+constexpr std::uint8_t SpeedCode(double metresPerSecond)
+{
+  return static_cast<std::uint8_t>(metresPerSecond < 31.75 ? 8.0 * metresPerSecond + 1.0 : 255.0);
+}
+
+/// Height of a beam above the antenna in m, at a slant range in m and an elevation in degrees
+/// (Formulas B1, near the ground).
+double BeamHeight(double range, double elevation);
+
+/// Judges the rows from `begin` up to `end`, of all gates with a value.
+void JudgeRows(
+  SweepJudgement& sweep, const SweepSources& sources, std::size_t begin, std::size_t end);
+
+} // namespace nexrad

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Formulas Q1 and Q2 on real files: ground echo of three published cases, and weather that must
+// stay.
+#include "TestData.h"
+#include "Tolerance.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Quality/EchoClassification.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+struct Place
+{
+  double azimuth; // degrees
+  double range;   // m
+  float value;    // dBZ
+};
+
+// Percent of the gates of a sweep, of those that `isMeant` names, that a level takes out.
+double PercentOut(const std::filesystem::path& path, std::size_t number, QualityLevel level,
+  const std::function<bool(const Place&)>& isMeant)
+{
+  const RadarVolume volume = ReadLevel2(path);
+  const EchoClassification found =
+    ClassifyEcho([&](MomentName moment) { return MakePolarVolume(volume, moment); });
+  const PolarVolume reflectivity = MakePolarVolume(volume, MomentName::REF);
+  const PolarSweep& sweep = reflectivity.sweeps.at(number);
+  std::vector<std::uint16_t> codes(sweep.gates);
+  std::size_t all = 0;
+  std::size_t out = 0;
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    sweep.Read(ray, codes.data());
+    for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+    {
+      const Place place = {static_cast<double>(sweep.rays[ray].azimuth),
+        sweep.firstGate + sweep.gateSpacing * static_cast<double>(gate),
+        sweep.scale.ValueOf(codes[gate])};
+      if (codes[gate] >= GateCode::FirstValue && isMeant(place))
+      {
+        ++all;
+        const EchoReason reason = found.sweeps[number][ray * sweep.gates + gate];
+        out += RemovesClass(level, ClassOf(reason)) ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(all, 100U) << path;
+  return 100.0 * static_cast<double>(out) / static_cast<double>(all);
+}
+
+bool Everywhere(const Place&)
+{
+  return true;
+}
+
+bool IsCore(const Place& place)
+{
+  return place.value >= 45.0F;
+}
+
+} // namespace
+
+// Anomalous propagation of 42 to 74 dBZ within a squall line; nearly all of it is gone 1° higher.
+TEST(EchoOfRealFiles, GroundWithinASquallLineGoes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  const auto isGround = [](const Place& place)
+  {
+    return place.azimuth > 60.0 && place.azimuth < 115.0 && place.range > 65'000.0 &&
+           place.range < 110'000.0 && place.value >= 42.0F;
+  };
+  const auto path = folder / "level2" / "quality" / "KLSX19930707_040351.gz";
+  EXPECT_AT_LEAST(
+    PercentOut(path, 0, QualityLevel::Standard, isGround), 95.0, "ground of KLSX 1993 gone, %");
+  EXPECT_AT_MOST(PercentOut(path, 2, QualityLevel::Standard, Everywhere), 1.2,
+    "echo of KLSX 1993 at 2.4° gone, %");
+}
+
+TEST(EchoOfRealFiles, GroundBesideStormsGoes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  const auto isGround = [](const Place& place)
+  {
+    return (place.azimuth > 330.0 || place.azimuth < 30.0) && place.range > 50'000.0 &&
+           place.range < 110'000.0;
+  };
+  const auto path = folder / "level2" / "quality" / "KAMA19940525_003434.gz";
+  EXPECT_AT_LEAST(
+    PercentOut(path, 0, QualityLevel::Standard, isGround), 85.0, "ground of KAMA 1994 gone, %");
+  EXPECT_AT_MOST(
+    PercentOut(path, 2, QualityLevel::Standard, IsCore), 0.5, "cores of KAMA 1994 at 2.4° lost, %");
+}
+
+// Showers in a light wind: much of them has no radial velocity.
+TEST(EchoOfRealFiles, ShowersInALightWindStay)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  const auto path = folder / "level2" / "quality" / "KMLB19980707_220118.gz";
+  EXPECT_AT_MOST(PercentOut(path, 3, QualityLevel::Standard, Everywhere), 2.0,
+    "showers of KMLB 1998 at 3.4° lost, %");
+}
+
+TEST(EchoOfRealFiles, ATornadoStays)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  const auto path = folder / "level2" / "legacy" / "KTLX19990503_235621.gz";
+  const auto isHook = [](const Place& place)
+  {
+    return place.azimuth > 235.0 && place.azimuth < 275.0 && place.range > 25'000.0 &&
+           place.range < 60'000.0 && place.value >= 25.0F;
+  };
+  EXPECT_EQ(PercentOut(path, 0, QualityLevel::Strict, isHook), 0.0);
+  EXPECT_AT_MOST(
+    PercentOut(path, 0, QualityLevel::Standard, Everywhere), 2.4, "echo of KTLX 1999 gone, %");
+}
+
+TEST(EchoOfRealFiles, WidespreadRainAndSnowStay)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  struct File
+  {
+    const char* path;
+    std::size_t sweep;
+    double most; // percent
+  };
+  for (const File& file : {File{"superres/KCRP20170826_044114.bin", 0, 0.8},
+         File{"superres/KDMX20220305_232324.bin", 0, 3.6},
+         File{"superres/KBLX20090603_004417_V03.gz", 0, 4.6},
+         File{"tdwr/TDAL20191021021543V08.raw.gz", 1, 0.5},
+         File{"legacy/KVWX_20050626_221551.gz", 0, 1.1}})
+  {
+    EXPECT_AT_MOST(
+      PercentOut(folder / "level2" / file.path, file.sweep, QualityLevel::Standard, Everywhere),
+      file.most, file.path);
+  }
+}
+
+TEST(EchoOfRealFiles, StrongEchoOfStormsStaysAtTheStrictLevel)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  for (const char* path : {"superres/KCRP20170826_044114.bin", "superres/KDMX20220305_232324.bin",
+         "tdwr/TDAL20191021021543V08.raw.gz"})
+  {
+    EXPECT_AT_MOST(PercentOut(folder / "level2" / path, 1, QualityLevel::Strict,
+                     [](const Place& place) { return place.value >= 35.0F; }),
+      0.4, "echo from 35 dBZ on lost at the strict level, %")
+      << path;
+  }
+}
+
+// Insects and birds on a summer morning.
+TEST(EchoOfRealFiles, TheBloomOfASummerMorningIsBiological)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  const auto path = folder / "level2" / "superres" / "KTLX20190715_120037_V06";
+  EXPECT_AT_MOST(PercentOut(path, 0, QualityLevel::Standard, Everywhere), 3.2,
+    "bloom taken out at the standard level, %");
+  EXPECT_AT_LEAST(PercentOut(path, 0, QualityLevel::Strict, Everywhere), 65.0,
+    "bloom taken out at the strict level, %");
+}
