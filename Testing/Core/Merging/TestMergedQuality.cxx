@@ -131,9 +131,9 @@ TEST(MergedQuality, TheOtherRadarFillsWhatIsTakenOut)
       before.Add(std::abs(made.bothAsIs.values[i] - made.b.values[i]) < 1.0F);
     }
   }
-  EXPECT_AT_LEAST(like.all, 200, "voxels that A filters and B sees");
+  EXPECT_AT_LEAST(like.all, 300, "voxels that A filters and B sees");
   EXPECT_EQ(like.held, like.all);
-  EXPECT_AT_MOST(before.Percent(), 50.0, "of them within 1 dB of B without quality control, %");
+  EXPECT_AT_MOST(before.Percent(), 25.0, "of them within 1 dB of B without quality control, %");
 }
 
 // Also where a part of A's gates about a voxel is kept.
@@ -150,9 +150,9 @@ TEST(MergedQuality, ClutterUnderAGoodViewIsGone)
       before.Add(std::abs(made.bothAsIs.values[i] - made.b.values[i]) < 5.0F);
     }
   }
-  EXPECT_AT_LEAST(gone.all, 200, "voxels with clutter at A and echo at B");
-  EXPECT_AT_LEAST(gone.Percent(), 70.0, "of them within 5 dB of B, %");
-  EXPECT_AT_MOST(before.Percent(), 30.0, "the same without quality control, %");
+  EXPECT_AT_LEAST(gone.all, 600, "voxels with clutter at A and echo at B");
+  EXPECT_AT_LEAST(gone.Percent(), 80.0, "of them within 5 dB of B, %");
+  EXPECT_AT_MOST(before.Percent(), 1.8, "the same without quality control, %");
 }
 
 // A filtered gate does not say that there is no echo: rain over clutter gets no hole.
@@ -173,8 +173,9 @@ TEST(MergedQuality, NoEchoIsNotMadeOfWhatIsTakenOut)
       }
     }
   }
-  EXPECT_AT_LEAST(filtered.held, 10, "voxels of rain that A filters");
-  EXPECT_AT_MOST(holes.held, 5, "voxels of rain that A takes for no echo");
+  EXPECT_AT_LEAST(filtered.held, 5, "voxels of rain that A filters");
+  EXPECT_AT_MOST(holes.held, 5, "voxels of rain that A takes for no echo",
+    "none is measured; one at the edge of echo would be no hole");
 }
 
 // Where B measures nothing the place stays filtered; where it measures no echo there is none.
@@ -197,7 +198,7 @@ TEST(MergedQuality, FilteredIsWhatNoRadarMeasured)
       ASSERT_NE(made.both.states[i], VoxelState::Filtered) << i;
     }
   }
-  EXPECT_AT_LEAST(left, 20, "voxels that stay filtered");
+  EXPECT_AT_LEAST(left, 50, "voxels that stay filtered");
 }
 
 // The choice of the method decides, whatever the options of quality say.
