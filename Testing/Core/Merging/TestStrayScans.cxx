@@ -46,6 +46,7 @@ Outcome MergeFile(const std::filesystem::path& path)
   MergeOptions options;
   options.grid.dimensions = {60, 60, 20};
   options.grid.range = 150'000.0;
+  options.quality.level = QualityLevel::Off; // it judges echo by what is connected with it
   SeriesMerger merger({path}, options);
   merger.Open();
   Outcome outcome;

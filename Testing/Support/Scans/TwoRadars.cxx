@@ -18,8 +18,11 @@ HandMadeVolume RadarWith(const Site& site, double reflectivity)
   {
     HandMadeSweep sweep;
     sweep.elevation = elevation;
-    const std::uint8_t word = ReflectivityWord(reflectivity);
-    sweep.moments = {{MomentName::REF, 150, 1000, 1000, [word](int, int) { return word; }}};
+    // Rays of one value would be a fault of the receiver.
+    const std::uint8_t near = ReflectivityWord(reflectivity);
+    const std::uint8_t far = ReflectivityWord(reflectivity - 1.0);
+    sweep.moments = {{MomentName::REF, 150, 1000, 1000,
+      [near, far](int, int gate) { return gate < 60 ? near : far; }}};
     volume.sweeps.push_back(sweep);
   }
   return volume;
