@@ -10,7 +10,7 @@ namespace
 {
 
 // The most interest in ground of a gate that is not known to stand still.
-constexpr float mostUnknown = 0.6F;
+constexpr float mostUnknown = 0.58F;
 
 // A weighted mean of what is known.
 class Mean

@@ -2,6 +2,7 @@
 #include "nexrad/Quality/SpikeTest.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -125,6 +126,7 @@ private:
     std::nth_element(powers.begin(), middle, powers.end());
     const float power = *middle;
     const float* row = grid.Row(place);
+    const RowsAbout about = this->Around(place);
     const auto isSteady = [&](std::size_t gate)
     { return std::abs(row[gate] - spreading[gate] - power) <= steady; };
     std::size_t alike = 0;
@@ -134,7 +136,7 @@ private:
       if (IsNumber(row[gate]) && isSteady(gate))
       {
         ++alike;
-        alone += this->IsOverBoth(place, gate) ? 1 : 0;
+        alone += IsOverBoth(about, gate, row[gate]) ? 1 : 0;
       }
     }
     if (static_cast<float>(alike) >= ofSteady * static_cast<float>(powers.size()) &&
@@ -150,17 +152,23 @@ private:
     }
   }
 
-  // A spike is up to three rays wide: it is compared with the second neighbours, too.
-  bool IsOverBoth(std::size_t place, std::size_t gate) const
+  // A spike is up to three rays wide: it is compared with three rays on each side.
+  struct RowsAbout
   {
-    const float limit = grid.Row(place)[gate] - over;
-    const auto below = [&](int step)
-    {
-      return grid.RowBeside(place, step)[gate] < limit ||
-             grid.RowBeside(place, 2 * step)[gate] < limit ||
-             grid.RowBeside(place, 3 * step)[gate] < limit;
-    };
-    return below(1) && below(-1);
+    std::array<const float*, 3> before;
+    std::array<const float*, 3> after;
+  };
+  RowsAbout Around(std::size_t place) const
+  {
+    return {{grid.RowBeside(place, -1), grid.RowBeside(place, -2), grid.RowBeside(place, -3)},
+      {grid.RowBeside(place, 1), grid.RowBeside(place, 2), grid.RowBeside(place, 3)}};
+  }
+
+  static bool IsOverBoth(const RowsAbout& rows, std::size_t gate, float value)
+  {
+    const auto isBelow = [&](const float* row) { return row[gate] < value - over; };
+    return std::any_of(rows.before.begin(), rows.before.end(), isBelow) &&
+           std::any_of(rows.after.begin(), rows.after.end(), isBelow);
   }
 
   template <typename Condition>

@@ -18,8 +18,8 @@ constexpr double halfBeam = 0.5;          // degrees
 constexpr double surelyNear = 20'000.0;   // m, range where side lobes see the ground
 constexpr float lowGround = 1000.0F;      // m, lower beam edge
 constexpr float highestGround = 5000.0F;  // m, lower beam edge: above it nothing is ground
-constexpr float surelyGround = 0.62F;     // interest of gates that are low
-constexpr float surelyHighGround = 0.70F; // interest of gates as high as highestGround
+constexpr float surelyGround = 0.59F;     // interest of gates that are low
+constexpr float surelyHighGround = 0.65F; // interest of gates as high as highestGround
 constexpr float likely = 0.15F;           // less interest is enough for likely ground
 constexpr float overNoise = 4.0F;         // dB that echo must have over the weakest
 

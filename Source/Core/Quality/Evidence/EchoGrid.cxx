@@ -39,6 +39,12 @@ EchoGrid::EchoGrid(const PolarSweep& sweep, const RangeLoop& loop)
     azimuths.push_back(azimuth);
     order.push_back(ray);
   }
+  for (std::size_t place = 0; place < order.size(); ++place)
+  {
+    const std::size_t next = (place + 1) % order.size();
+    const double apart = std::abs(AngleDifference(azimuths[place], azimuths[next]));
+    linked.push_back(next != place && apart <= widestGap ? 1 : 0);
+  }
   const auto read = [this, &sweep](int begin, int end)
   {
     std::vector<std::uint16_t> codes(gates);
@@ -87,7 +93,7 @@ std::size_t EchoGrid::Beside(std::size_t place, int step) const
   for (int i = 0; i < std::abs(step); ++i)
   {
     const std::size_t next = (place + (step > 0 ? 1 : count - 1)) % count;
-    if (next == place || std::abs(AngleDifference(azimuths[place], azimuths[next])) > widestGap)
+    if (linked[step > 0 ? place : next] == 0)
     {
       return count;
     }

@@ -5,6 +5,7 @@
 #include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 namespace nexrad
@@ -62,6 +63,7 @@ private:
   std::size_t gates;
   std::vector<std::size_t> order;
   std::vector<double> azimuths;
+  std::vector<std::uint8_t> linked; // whether the row after each is its neighbour
   std::vector<float> values;
   std::vector<float> empty;
   std::vector<GateRange> held;
