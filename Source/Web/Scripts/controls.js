@@ -1,7 +1,7 @@
 // The controls of the page: they change the viewer, and show what it does.
 import { timeText } from './captions.js';
 
-const find = (id) => document.getElementById(id);
+export const find = (id) => document.getElementById(id);
 
 function fillPresets(viewer) {
   for (const [index, { name }] of viewer.scene.presets.entries()) {

@@ -4,7 +4,7 @@ import { Camera, fitCamera } from './camera.js';
 
 const margin = 0.03; // between the scene and the edges of the picture, of its height
 const pad = 4; // pixels between words and the edges of the picture
-const steepTilt = 70; // degrees; from here on the scene is seen as a map
+export const steepTilt = 70; // degrees; from here on the scene is seen as a map, and heights have no length
 
 export function sharedArea(a, b) {
   const width = Math.min(a.right, b.right) - Math.max(a.left, b.left);

@@ -22,7 +22,7 @@ function compile(gl, type, source) {
   return shader;
 }
 
-function report(gl, program, shaders) {
+function refuse(gl, program, shaders) {
   const texts = [gl.getProgramInfoLog(program), ...shaders.map((shader) => gl.getShaderInfoLog(shader))];
   throw new Error(`The graphics driver refuses a shader: ${texts.filter(Boolean).join(' ')}`);
 }
@@ -38,7 +38,7 @@ export class Program {
     shaders.forEach((shader) => gl.attachShader(this.handle, shader));
     gl.linkProgram(this.handle);
     if (!gl.getProgramParameter(this.handle, gl.LINK_STATUS) && !gl.isContextLost()) {
-      report(gl, this.handle, shaders);
+      refuse(gl, this.handle, shaders);
     }
     shaders.forEach((shader) => gl.deleteShader(shader));
     this.places = new Map();

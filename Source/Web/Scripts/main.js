@@ -1,5 +1,5 @@
 // Starts the page.
-import { connectControls, togglePanel } from './controls.js';
+import { connectControls, find, togglePanel } from './controls.js';
 import { whatIsMissing } from './graphics.js';
 import { watchKeys, watchPointers } from './pointer.js';
 import { ScenePicture } from './scenePicture.js';
@@ -7,7 +7,6 @@ import { EmbeddedSeries, FolderSeries } from './series.js';
 import { bytesOfBase64, inflate } from './unpacking.js';
 import { Viewer } from './viewer.js';
 
-const find = (id) => document.getElementById(id);
 
 function report(text) {
   find('message').textContent = text;

@@ -1,7 +1,7 @@
 // Reads the first moment of a volume file (Documentation/Formats/nxv.md).
 import { inflate } from './unpacking.js';
 
-const start = 8; // bytes before the header
+const prefixLength = 8; // bytes before the header
 const utf8 = new TextDecoder();
 
 // Collects a stream until `wanted` bytes of it have come.
@@ -35,7 +35,7 @@ class ByteCollector {
 export async function readNxv(stream) {
   const reader = stream.getReader();
   const collector = new ByteCollector(reader);
-  const first = await collector.collect(start);
+  const first = await collector.collect(prefixLength);
   if (utf8.decode(first.subarray(0, 4)) !== 'NXV1') {
     throw new Error('it is no volume file');
   }
@@ -43,9 +43,9 @@ export async function readNxv(stream) {
   if (headerLength > 1048576) {
     throw new Error('its header is too long');
   }
-  const head = await collector.collect(start + headerLength);
-  const header = JSON.parse(utf8.decode(head.subarray(start, start + headerLength)));
-  const payload = start + headerLength;
+  const head = await collector.collect(prefixLength + headerLength);
+  const header = JSON.parse(utf8.decode(head.subarray(prefixLength, prefixLength + headerLength)));
+  const payload = prefixLength + headerLength;
   const all = await collector.collect(payload + header.arrays[0].length);
   await reader.cancel().catch(() => {});
   return { header, payload: all.subarray(payload, payload + header.arrays[0].length) };

@@ -2,7 +2,7 @@
 
 const degreesPerHeight = 180; // of the camera for a way as long as the picture is high
 
-function middleOf(points) {
+function middleOfPointers(points) {
   const sum = points.reduce((total, point) => [total[0] + point.x, total[1] + point.y], [0, 0]);
   return { x: sum[0] / points.length, y: sum[1] / points.length };
 }
@@ -38,7 +38,7 @@ export function watchPointers(element, viewer) {
     if (after.length === 1) {
       moveScene(event, here.x - last.x, here.y - last.y);
     } else if (after.length === 2) {
-      const [from, to] = [middleOf(before), middleOf(after)];
+      const [from, to] = [middleOfPointers(before), middleOfPointers(after)];
       viewer.move((to.x - from.x) / element.clientHeight, -(to.y - from.y) / element.clientHeight);
       viewer.zoom(spreadOf(after) / Math.max(spreadOf(before), 1));
     }

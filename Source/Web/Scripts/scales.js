@@ -1,8 +1,8 @@
 // The lines that tell sizes: edges of the domain, lines of equal height on the two walls behind it, a scale of heights, a
 // bar of a round length and an arrow to the north. They follow Source/Scene/Scales. A line is a list of points.
 import { axesOf } from './camera.js';
+import { steepTilt } from './framing.js';
 
-const steepTilt = 70; // degrees; above, heights have no length in the picture
 
 // Corner of the domain: bit 0 of the index is east, bit 1 north, bit 2 top.
 export function cornerOf(box, index) {
