@@ -3,7 +3,7 @@ import { boxBeside } from './framing.js';
 
 const family = 'Inter, "Helvetica Neue", Arial, sans-serif';
 const lineSpacing = 1.25;
-const heightOfLetters = 1.21; // of a line, as a share of the size
+const heightOfLetters = 0.9; // of a line, as a share of the size
 
 const css = (colour) => `rgb(${colour.map((part) => Math.round(255 * part)).join(' ')})`;
 
@@ -58,7 +58,7 @@ export class Letters {
     context.fillStyle = css(style.colour);
     text.split('\n').forEach((line, i) => {
       const x = Math.round(box.left);
-      const baseline = Math.round(this.height - box.top + style.size * (0.97 + i * heightOfLetters * lineSpacing));
+      const baseline = Math.round(this.height - box.top + style.size * (0.74 + i * heightOfLetters * lineSpacing));
       context.strokeText(line, x, baseline);
       context.fillText(line, x, baseline);
     });
