@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where a volume has nothing to see. A brick is a cube of voxels with the least and the greatest byte that interpolation can
 // give anywhere in it.
 

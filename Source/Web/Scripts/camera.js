@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // From where the scene is looked at. Scene coordinates are km east and north of the middle of the map, and km above mean
 // sea level times the stretch of heights. The formulas are those of Source/Scene/Frame/CameraView.cxx.
 import { add, dot, radians, subtract, times } from './vectors.js';

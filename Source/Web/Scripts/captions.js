@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What the picture says at its edges: the time, what is shown, the radars, what the heights are, SYNTHETIC, and the colour
 // bar. Places and sizes are those of Source/Scene/Captions and Source/Scene/Scales/ColourBar.cxx.
 

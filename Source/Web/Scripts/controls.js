@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The controls of the page: they change the viewer, and show what it does.
 import { timeText } from './captions.js';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // One time of the volume as the graphics card takes it: a byte for each voxel, x fastest, then y, then z upward.
 import { Bricks } from './bricks.js';
 
@@ -18,9 +19,9 @@ export class Frame {
   }
 }
 
-// Unpacks the voxels of a page (Documentation/Developer/web.md). `runs` says for each column of voxels between which layers
-// echo lies, `values` has the codes of the echo, and `bytesOfCodes` what they stand for.
-export function unpackColumns([columns, rows, layers], runs, values, bytesOfCodes) {
+// Unpacks the voxels of a page (Documentation/Formats/web-page.md). `packedEnds` says for each column of voxels between
+// which layers echo lies, `differences` has the codes of the echo, and `bytesOfCodes` what they stand for.
+export function unpackColumns([columns, rows, layers], packedEnds, differences, bytesOfCodes) {
   const bytes = new Uint8Array(columns * rows * layers);
   const codes = new Uint8Array(bytes.length); // of the voxels, to add differences to
   const layer = columns * rows;
@@ -28,11 +29,11 @@ export function unpackColumns([columns, rows, layers], runs, values, bytesOfCode
   let next = 0;
   let left = []; // layers at which echo begins or ends in the column before
   for (let column = 0; column < layer; column++) {
-    const count = runs[place++];
+    const count = packedEnds[place++];
     const ends = [];
     for (let i = 0; i < count; i++) {
       const guess = count === left.length ? left[i] : i > 0 ? ends[i - 1] : 0;
-      ends.push((runs[place++] + guess) & 255);
+      ends.push((packedEnds[place++] + guess) & 255);
     }
     left = ends;
     const hasLeft = column % columns > 0;
@@ -40,12 +41,12 @@ export function unpackColumns([columns, rows, layers], runs, values, bytesOfCode
       for (let z = ends[i], voxel = column + ends[i] * layer; z < ends[i + 1]; z++, voxel += layer) {
         const guess = (z > 0 && codes[voxel - layer]) || (hasLeft && codes[voxel - 1]) ||
           (column >= columns && codes[voxel - columns]) || 0;
-        codes[voxel] = guess + values[next++];
+        codes[voxel] = guess + differences[next++];
         bytes[voxel] = bytesOfCodes[codes[voxel]];
       }
     }
   }
-  if (place !== runs.length || next !== values.length) {
+  if (place !== packedEnds.length || next !== differences.length) {
     throw new Error('The data of this page are damaged.');
   }
   return bytes;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Places the camera so that the scene is as large as it can be without covering the captions, as
 // Source/Scene/Frame/Framing.cxx does for pictures of the program. Pixels count from the lower left corner.
 import { Camera, fitCamera } from './camera.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Small helpers about WebGL2: programs, textures, and what the browser must be able to do.
 
 const version = '#version 300 es\n';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Words at points of the scene: on which side of its point each one stands, as Source/Scene/Frame/LabelLayout.cxx has it.
 import { boxBeside, sharedArea } from './framing.js';
 

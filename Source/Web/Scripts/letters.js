@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Letters over the picture, on a canvas of their own. Places count in pixels from the lower left corner, as in the program.
 import { boxBeside } from './framing.js';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws lines of the scene that are a few pixels wide, and the ground under them.
 import { Program } from './graphics.js';
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Starts the page.
 import { connectControls, find, togglePanel } from './controls.js';
 import { whatIsMissing } from './graphics.js';

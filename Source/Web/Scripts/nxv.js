@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Reads the first moment of a volume file (Documentation/Formats/nxv.md).
 import { inflate } from './unpacking.js';
 

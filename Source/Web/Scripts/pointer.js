@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Mouse, pen, fingers and keys on the picture.
 
 const degreesPerHeight = 180; // of the camera for a way as long as the picture is high

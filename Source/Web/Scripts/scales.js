@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The lines that tell sizes: edges of the domain, lines of equal height on the two walls behind it, a scale of heights, a
 // bar of a round length and an arrow to the north. They follow Source/Scene/Scales. A line is a list of points.
 import { axesOf } from './camera.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The whole picture: sky, ground, map, scales, volume, letters.
 import { Camera } from './camera.js';
 import { Captions, ColourBar, heightNote, timeText } from './captions.js';
@@ -92,11 +93,12 @@ export class ScenePicture {
     return { ...label, style, size: this.letters.sizeOf(label.text, style) };
   }
 
-  makeCaptions(time, preset) {
+  // `time`: milliseconds; `siteTexts`: words about the radars; `preset`: with bins.
+  makeCaptions({ time, siteTexts, preset }) {
     const { scene, width, height } = this;
     this.bar = new ColourBar(preset.bins, scene.unit, width, height, this.style(scene.theme.scale), this.letters);
     this.captions = new Captions({
-      time: timeText(time), title: scene.title, method: scene.method, sites: scene.sites, synthetic: scene.synthetic,
+      time: timeText(time), title: scene.title, method: scene.method, sites: siteTexts, synthetic: scene.synthetic,
       note: heightNote(this.stretch),
     }, width, height, this.bar.left, this.textSize, scene.theme, this.letters);
   }
@@ -108,7 +110,7 @@ export class ScenePicture {
       { width: this.width, height: this.height, right: this.bar.left, taken: this.captions.taken() });
   }
 
-  // `state`: view, moved (how far the camera was moved sideways, in the scene), time, preset (with bins), strength, cut,
+  // `state`: view, moved (how far the camera was moved sideways, in the scene), time, siteTexts, preset (with bins), strength, cut,
   // cutLines, quality (share of the pixels along an edge, step in voxels).
   draw(state) {
     const { gl, scene } = this;
@@ -138,7 +140,7 @@ export class ScenePicture {
   drawLetters(camera, state) {
     const { scene, letters } = this;
     letters.clear(this.width, this.height);
-    this.makeCaptions(state.time, state.preset);
+    this.makeCaptions(state);
     const radius = Math.max(2, 0.19 * this.textSize);
     const z = this.levelOf('marker', this.box);
     const radars = scene.radars.map(({ name, place }) => this.withStyle({

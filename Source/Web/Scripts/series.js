@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Where the volumes come from: the page itself, or volume files beside it on a server. A series has `times` (milliseconds
 // since 1970, ascending) and load(index), which gives a Frame.
 import { Frame, unpackColumns } from './frame.js';
@@ -40,9 +41,9 @@ export class EmbeddedSeries {
   }
   async unpack(index) {
     const part = (name) => inflate(bytesOfBase64(this.document.getElementById(`${name}-${index}`).textContent));
-    const [runs, values] = await Promise.all([part('runs'), part('values')]);
+    const [ends, differences] = await Promise.all([part('ends'), part('codes')]);
     const { size, codes, masked } = this.scene;
-    return new Frame(size, unpackColumns(size, runs, values, codes), masked);
+    return new Frame(size, unpackColumns(size, ends, differences, codes), masked);
   }
   follow() {}
 }

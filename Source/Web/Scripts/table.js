@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What values look like: colour and opacity over the texels of a volume, and their integrals.
 //
 // A volume is a texture of bytes. A preset has samples of red, green, blue and opacity, two for each step of the byte from

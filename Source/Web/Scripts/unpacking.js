@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Bytes of the page and of files: base64, zlib streams.
 
 export function bytesOfBase64(text) {

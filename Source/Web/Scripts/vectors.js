@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Vectors of three numbers, as plain arrays.
 
 export const radians = Math.PI / 180;

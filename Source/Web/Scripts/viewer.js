@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // What is shown and when it is drawn: the state of the page, playing, and how fine the picture is.
 import { axesOf } from './camera.js';
 import { cutLinesOf, makeCut } from './scenePicture.js';
-import { add, clamp, times } from './vectors.js';
+import { add, clamp, dot, subtract, times } from './vectors.js';
 
 const fine = { pixels: 1, step: 0.8 };
 const slowest = 0.06; // seconds a frame while something moves; if it takes longer, the picture becomes coarser
@@ -36,6 +37,11 @@ export class Viewer {
     return this.series.times[Math.floor(this.position)];
   }
 
+  // Words of the caption about the radars.
+  get siteTexts() {
+    return this.scene.siteTexts[Math.floor(this.position)] ?? this.scene.sites;
+  }
+
   start() {
     this.applyLook();
     this.picture.setStretch(this.settings.stretch);
@@ -51,7 +57,7 @@ export class Viewer {
   }
 
   frame() {
-    this.picture.makeCaptions(this.time, this.preset);
+    this.picture.makeCaptions(this);
     this.picture.frame(this.view);
     this.touch();
   }
@@ -60,6 +66,17 @@ export class Viewer {
     this.view = { ...this.scene.camera };
     this.moved = [0, 0, 0];
     this.frame();
+    if (this.scene.camera.lookAt !== null) {
+      this.lookAt(this.scene.camera.lookAt);
+    }
+  }
+
+  // Moves the camera sideways until a place (km east, north and up, not stretched) is in the middle of the picture.
+  lookAt([x, y, height]) {
+    const { back } = axesOf(this.view);
+    const way = subtract([x, y, height * this.settings.stretch], this.picture.placed.focus);
+    this.moved = subtract(way, times(back, dot(way, back)));
+    this.touch();
   }
 
   // Changes settings by name.
@@ -222,7 +239,7 @@ export class Viewer {
     const { settings } = this;
     const cut = settings.cut === null ? null : makeCut(this.picture.box, settings.cut.azimuth, settings.cut.offset);
     this.picture.draw({
-      view: this.view, moved: this.moved, time: this.time, preset: this.preset, strength: settings.strength, quality, cut,
+      view: this.view, moved: this.moved, time: this.time, siteTexts: this.siteTexts, preset: this.preset, strength: settings.strength, quality, cut,
       cutLines: cut === null ? [] : cutLinesOf(this.picture.box, cut),
     });
     this.framesDrawn++;

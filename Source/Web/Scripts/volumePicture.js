@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // Draws a volume: keeps the textures of two times, and marches along the rays of the pixels.
 import { Program, Texture } from './graphics.js';
 import { colourAt, entries, integrate, samples, SurfaceVisibility, Visibility } from './table.js';

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 precision highp float;
 
 out vec4 colour;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A rectangle of the scene: four corners.
 in vec3 corner;
 uniform mat4 toClip;

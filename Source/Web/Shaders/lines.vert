@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A line as a rectangle of pixels: one instance for each segment, four corners each. It is half a pixel wider on each side
 // than the line, for its soft edge.
 in vec3 begin;

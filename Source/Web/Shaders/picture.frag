@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The picture of the volume, which may have fewer pixels, over what is drawn behind it.
 precision highp float;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // The colours of the volume along the ray of a pixel, from front to back. Positions are in texture coordinates of the volume
 // (0 to 1 between its outer faces), lengths along the ray in km of the stretched scene.
 //
@@ -112,12 +113,15 @@ vec3 findGradient(vec3 position) {
   return gradient;
 }
 
-// A surface as a headlight shows it.
+// A surface as a headlight shows it, with the material that the program gives surfaces
+// (Source/Scene/VolumeAppearance.cxx). Premultiplied by its opacity.
 vec4 shadeSurface(vec3 position, vec3 toEye, vec2 surface) {
   vec3 own = texelFetch(colours, ivec2(int(surface.x * 510.0 + 0.5), 0), 0).rgb;
   vec3 gradient = findGradient(position);
   float facing = abs(dot(gradient, toEye)) / max(length(gradient), 1e-9);
   float shine = 0.2 * pow(facing, 10.0);
+  vec3 lit = min((0.1 + 0.7 * facing) * own + shine, vec3(1.0));
+  return vec4(lit, 1.0) * surface.y;
 }
 
 // Adds the surfaces that lie between two values, the nearest first.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: BSD-3-Clause
 // A triangle over the whole picture; `place` is -1 to 1 in both directions.
 out vec2 place;
 
