@@ -4,7 +4,10 @@ import { boxBeside } from './framing.js';
 
 const family = 'Inter, "Helvetica Neue", Arial, sans-serif';
 const lineSpacing = 1.25;
-const heightOfLetters = 0.9; // of a line, as a share of the size
+const wider = 0.5; // pixels by which hinting makes a short word of the program wider, on average over its sizes
+
+// From one line to the next, in pixels. The letters of the program are one pixel less high than their size.
+const lineHeight = (style) => Math.floor(lineSpacing * (style.size - 1));
 
 const css = (colour) => `rgb(${colour.map((part) => Math.round(255 * part)).join(' ')})`;
 
@@ -36,8 +39,7 @@ export class Letters {
       this.context.font = this.font(style);
       const lines = text.split('\n');
       const width = Math.max(...lines.map((line) => this.context.measureText(line).width));
-      this.sizes.set(key, [Math.ceil(width),
-        Math.round(style.size * (heightOfLetters + (lines.length - 1) * heightOfLetters * lineSpacing))]);
+      this.sizes.set(key, [Math.ceil(width + wider), style.size - 1 + (lines.length - 1) * lineHeight(style)]);
     }
     return this.sizes.get(key);
   }
@@ -59,7 +61,7 @@ export class Letters {
     context.fillStyle = css(style.colour);
     text.split('\n').forEach((line, i) => {
       const x = Math.round(box.left);
-      const baseline = Math.round(this.height - box.top + style.size * (0.74 + i * heightOfLetters * lineSpacing));
+      const baseline = Math.round(this.height - box.top + 0.74 * style.size + i * lineHeight(style));
       context.strokeText(line, x, baseline);
       context.fillText(line, x, baseline);
     });
