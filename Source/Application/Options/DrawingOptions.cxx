@@ -191,7 +191,7 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
   AddNumberOption(command, "--slices", options.slices, 1, 16384, "NUMBER",
     "Slices, or samples along the longest ray")
     ->group(group);
-  AddLookOptions(command, options);
+  AddAppearanceOptions(command, options);
   command
     .add_option("--colour-by,--color-by", options.colourBy,
       "Colours from another array than the moment, which then gives the opacities alone: a moment, "
@@ -311,7 +311,7 @@ void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool requi
   AddBoxOptions(command, request);
 }
 
-void AddLookOptions(CLI::App& command, scene::SceneOptions& options)
+void AddAppearanceOptions(CLI::App& command, scene::SceneOptions& options)
 {
   const char* const group = pictureGroup;
   AddParsedOption(command, "--exaggeration", options.exaggeration, ParseExaggeration, "FACTOR",

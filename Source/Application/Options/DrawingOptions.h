@@ -30,7 +30,7 @@ void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool requi
 void AddCameraOptions(CLI::App& command, scene::CameraView& camera);
 
 /// Colours, opacities, surfaces, stretch of heights, theme.
-void AddLookOptions(CLI::App& command, scene::SceneOptions& options);
+void AddAppearanceOptions(CLI::App& command, scene::SceneOptions& options);
 
 /// From where, how it looks, how large, and whether as a map.
 void AddDrawingOptions(CLI::App& command, scene::DrawingRequest& request);

@@ -92,14 +92,14 @@ std::vector<std::string> SitesOf(const std::vector<PageTime>& times)
   return sites;
 }
 
-PageCode MakeCode(const PageLooks& looks, const GriddedVolume& volume)
+PageCode MakeCode(const PagePresets& presets, const GriddedVolume& volume)
 {
   if (volume.moment == MomentName::REF)
   {
-    return PageCode::OfReflectivity(volume, LeastVisible(looks));
+    return PageCode::OfReflectivity(volume, LeastVisible(presets));
   }
   std::array<double, 2> range{};
-  looks.all[looks.first].function->GetRange(range.data());
+  presets.all[presets.first].function->GetRange(range.data());
   return PageCode::OfRange(range);
 }
 
@@ -116,8 +116,8 @@ PageScene::PageScene(const scene::WebRequest& webRequest, vtkImageData* image)
   array = ToString(volume.moment);
   method = volume.method;
   synthetic = volume.synthetic;
-  looks = LooksOf(request.scene, array);
-  code = MakeCode(looks, volume);
+  presets = PresetsOf(request.scene, array);
+  code = MakeCode(presets, volume);
   volume.values = {};
   volume.states = {};
   volume.further = {};
@@ -174,16 +174,16 @@ Json PageScene::MakeCamera() const
 std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::string& index) const
 {
   const auto scale = scene::MomentScale(array, {});
-  const Json presets = MakeLooksJson(looks, array, code);
-  const auto shown = std::find_if(presets.begin(), presets.end(),
-    [&](const Json& preset) { return preset["name"] == looks.all[looks.first].name; });
+  const Json offered = MakePresetsJson(presets, array, code);
+  const auto shown = std::find_if(offered.begin(), offered.end(),
+    [&](const Json& preset) { return preset["name"] == presets.all[presets.first].name; });
   Json json = {{"title", scale.title}, {"unit", scale.unit}, {"array", array}, {"method", method},
     {"sites", SitesOf(times)}, {"synthetic", synthetic}, {"masked", code.masked},
     {"size", this->Size()}, {"box", box}, {"stretch", frame.Exaggeration()},
     {"camera", this->MakeCamera()}, {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))},
     {"map", this->MakeMap()}, {"radars", this->MakeRadars(times)},
     {"scale", {{"first", code.first}, {"step", code.step}}}, {"floor", nullptr},
-    {"presets", presets}, {"preset", shown - presets.begin()}, {"codes", code.bytes},
+    {"presets", offered}, {"preset", shown - offered.begin()}, {"codes", code.bytes},
     {"series", nullptr}, {"times", Json::array()}, {"siteTexts", Json::array()}};
   if (code.floor)
   {

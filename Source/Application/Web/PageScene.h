@@ -4,7 +4,7 @@
 #include "Requests/WebRequest.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Web/PageCode.h"
-#include "Web/PageLook.h"
+#include "Web/PagePresets.h"
 
 #include <nlohmann/json_fwd.hpp>
 
@@ -26,12 +26,12 @@ struct PageTime
   std::vector<std::string> siteTexts; ///< words of the caption, with the age of the data
 };
 
-/// What a page shows beside the voxels: domain, map, radars, looks, camera, colours of the theme
+/// What a page shows beside the voxels: domain, map, radars, presets, camera, colours of the theme
 /// (Documentation/Formats/web-page.md).
 class PageScene
 {
 public:
-  /// `volume`: the first one of the page. Throws Error for a look or a place to look at that it
+  /// `volume`: the first one of the page. Throws Error for a preset or a place to look at that it
   /// cannot have, and for a volume without voxels or without a moment.
   PageScene(const scene::WebRequest& request, vtkImageData* volume);
 
@@ -62,7 +62,7 @@ private:
   std::string method;
   bool synthetic = false;
   GriddedVolume volume; ///< the first one, without its voxels
-  PageLooks looks;
+  PagePresets presets;
   PageCode code;
 };
 

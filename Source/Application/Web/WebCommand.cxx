@@ -71,7 +71,7 @@ void AddWebCommand(CLI::App& program, CommandAction& action)
     ->required();
   AddQuietOption(*command, options->quiet);
   AddCameraOptions(*command, request.camera);
-  AddLookOptions(*command, request.scene);
+  AddAppearanceOptions(*command, request.scene);
   AddGridOptions(*command, request.input.grid);
   const auto run = [options, command, &action]
   {

@@ -48,7 +48,7 @@ public:
   scene::WebReport MakeFolder()
   {
     const NamedFiles files = FindVolumeFiles(request.input.inputs);
-    this->Load(0); // fails for a look that the volumes cannot have before anything is written
+    this->Load(0); // fails for a preset that the volumes cannot have before anything is written
     const VolumeFolder volumes = FillVolumeFolder(files, request.output);
     scene::WebReport report =
       this->Finish(MakePageWithLetters(), request.output / "index.html", volumes.index);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Web/PageLook.h"
+#include "Web/PagePresets.h"
 
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/VolumeAppearance.h"
@@ -21,7 +21,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int samplesPerByte = 2; // as in Scripts/table.js
 constexpr int samples = 255 * samplesPerByte + 1;
-constexpr double searchStep = 0.01; // of the range of a look
+constexpr double searchStep = 0.01; // of the range of a preset
 constexpr int colourDigits = 4;
 constexpr int opacityDigits = 5; // low opacities add up along a ray
 
@@ -72,29 +72,29 @@ Json MakeBins(const scene::ColourTable& table)
 
 } // namespace
 
-PageLooks LooksOf(const scene::SceneOptions& options, const std::string& array)
+PagePresets PresetsOf(const scene::SceneOptions& options, const std::string& array)
 {
-  PageLooks looks;
+  PagePresets presets;
   const bool own =
     !options.colours.empty() || !options.opacities.empty() || !options.isoValues.empty();
   const auto chosen = scene::MakeTransferFunction(options, array); // throws for a wrong preset
   if (own)
   {
-    looks.all.push_back({"own", chosen});
+    presets.all.push_back({"own", chosen});
   }
   const char* name = nullptr;
   for (int i = 0; (name = vtkNexradTransferFunction::FindPreset(array.c_str(), i)) != nullptr; ++i)
   {
-    scene::SceneOptions preset;
-    preset.preset = name;
-    looks.first = !own && options.preset == name ? looks.all.size() : looks.first;
-    looks.all.push_back({name, scene::MakeTransferFunction(preset, array)});
+    scene::SceneOptions wanted;
+    wanted.preset = name;
+    presets.first = !own && options.preset == name ? presets.all.size() : presets.first;
+    presets.all.push_back({name, scene::MakeTransferFunction(wanted, array)});
   }
-  if (looks.all.empty()) // an array that is no moment
+  if (presets.all.empty()) // an array that is no moment
   {
-    looks.all.push_back({"usual", chosen});
+    presets.all.push_back({"usual", chosen});
   }
-  return looks;
+  return presets;
 }
 
 double LeastVisible(vtkNexradTransferFunction* function)
@@ -120,26 +120,26 @@ double LeastVisible(vtkNexradTransferFunction* function)
   return value;
 }
 
-double LeastVisible(const PageLooks& looks)
+double LeastVisible(const PagePresets& presets)
 {
-  const auto preset = std::find_if(
-    looks.all.begin(), looks.all.end(), [](const PageLook& look) { return look.name != "own"; });
-  const double least = LeastVisible(looks.all[looks.first].function);
-  return preset == looks.all.end() ? least : std::min(least, LeastVisible(preset->function));
+  const auto usual = std::find_if(presets.all.begin(), presets.all.end(),
+    [](const PagePreset& preset) { return preset.name != "own"; });
+  const double least = LeastVisible(presets.all[presets.first].function);
+  return usual == presets.all.end() ? least : std::min(least, LeastVisible(usual->function));
 }
 
-Json MakeLooksJson(const PageLooks& looks, const std::string& array, const PageCode& code)
+Json MakePresetsJson(const PagePresets& presets, const std::string& array, const PageCode& code)
 {
   Json json = Json::array();
-  for (const PageLook& look : looks.all)
+  for (const PagePreset& preset : presets.all)
   {
-    if (code.floor && LeastVisible(look.function) < *code.floor)
+    if (code.floor && LeastVisible(preset.function) < *code.floor)
     {
       continue;
     }
-    const auto scale = scene::MomentScale(array, scene::ColourStepsOf(look.function));
-    json.push_back({{"name", look.name}, {"surfaces", MakeSurfaces(look.function)},
-      {"bins", MakeBins(scale.bins)}, {"samples", MakeSamples(look.function, code)}});
+    const auto scale = scene::MomentScale(array, scene::ColourStepsOf(preset.function));
+    json.push_back({{"name", preset.name}, {"surfaces", MakeSurfaces(preset.function)},
+      {"bins", MakeBins(scale.bins)}, {"samples", MakeSamples(preset.function, code)}});
   }
   return json;
 }
