@@ -174,7 +174,12 @@ Json PageScene::MakeCamera() const
 std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::string& index) const
 {
   const auto scale = scene::MomentScale(array, {});
-  const Json offered = MakePresetsJson(presets, array, code);
+  PageCode shownCode = code;
+  if (!index.empty())
+  {
+    shownCode.floor.reset(); // volume files hold all echo
+  }
+  const Json offered = MakePresetsJson(presets, array, shownCode);
   const auto shown = std::find_if(offered.begin(), offered.end(),
     [&](const Json& preset) { return preset["name"] == presets.all[presets.first].name; });
   Json json = {{"title", scale.title}, {"unit", scale.unit}, {"array", array}, {"method", method},
@@ -185,9 +190,9 @@ std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::s
     {"scale", {{"first", code.first}, {"step", code.step}}}, {"floor", nullptr},
     {"presets", offered}, {"preset", shown - offered.begin()}, {"codes", code.bytes},
     {"series", nullptr}, {"times", Json::array()}, {"siteTexts", Json::array()}};
-  if (code.floor)
+  if (shownCode.floor)
   {
-    json["floor"] = *code.floor;
+    json["floor"] = *shownCode.floor;
   }
   if (!index.empty())
   {

@@ -190,6 +190,8 @@ TEST(WebCommand, AFolderGetsThePageTheVolumesAndTheirIndex)
   const std::string page = FileContent(site / "index.html");
   const nlohmann::json scene = SceneOf(page);
   EXPECT_EQ(scene["series"], "volumes.nxv.series");
+  EXPECT_EQ(scene["floor"], nullptr);
+  EXPECT_EQ(scene["presets"].size(), 6U);
   EXPECT_FALSE(ReadPagePart(page, "ends-0"));
   EXPECT_EQ(ReadNxvSeries(site / "volumes.nxv.series"), ReadNxvSeries(series));
   for (const auto& [name, seconds] : ReadNxvSeries(series))
