@@ -186,6 +186,14 @@ class PageTest:
             nexrad3d("web", *volumes[:3], "-o", site, "--quiet")
             self.browser.wait("document.getElementById('clock').textContent.includes('(3 of 3)')")
             self.assertEqual(self.browser.messages, [])
+            # Where the first volume goes, the time that is shown stays.
+            self.browser.run("nexrad3d.step(-1)")
+            self.browser.wait("nexrad3d.position === 1")
+            shown = self.browser.run("nexrad3d.time")
+            (site / "volumes.nxv.series").unlink()
+            nexrad3d("web", *volumes[1:3], "-o", site, "--quiet")
+            self.browser.wait("document.getElementById('clock').textContent.includes('(1 of 2)')")
+            self.assertEqual(self.browser.run("nexrad3d.time"), shown)
 
     def test_a_page_of_a_folder_says_that_it_needs_a_server(self):
         site = self.folder / f"lone-{self.name}"

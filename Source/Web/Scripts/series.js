@@ -85,8 +85,21 @@ export class FolderSeries {
       throw new Error(`${name}: ${problem.message}`);
     }
   }
-  // Looks at the index again and again, and says when there are new times.
+  // Looks at the index again and again, and says when there are other times, and when it can be read again.
   follow(changed, failed) {
-    setInterval(() => this.refresh().then((more) => more && changed(), failed), pollInterval);
+    let missing = false;
+    const look = async () => {
+      try {
+        const other = await this.refresh();
+        if (other || missing) {
+          changed();
+        }
+        missing = false;
+      } catch (problem) {
+        missing = true;
+        failed(problem);
+      }
+    };
+    setInterval(look, pollInterval);
   }
 }

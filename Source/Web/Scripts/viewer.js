@@ -148,6 +148,7 @@ export class Viewer {
       }
       this.position = position;
       this.shown = { frame, next, share };
+      this.shownTime = this.series.times[index];
       this.picture.volume.setFrames(frame, next, share);
       this.report('');
     } catch (problem) {
@@ -157,12 +158,11 @@ export class Viewer {
     this.touch();
   }
 
-  // New times came at the end of the series.
+  // The series has other times than before. The newest one is followed; any other stays, or the one before it when it is gone.
   async grow(wasNewest) {
-    if (wasNewest && !this.playing) {
-      await this.showPosition(this.series.times.length - 1);
-    }
-    this.touch();
+    const { times } = this.series;
+    const kept = times.findLastIndex((time) => time <= this.shownTime);
+    await this.showPosition(wasNewest && !this.playing ? times.length - 1 : Math.max(kept, 0));
   }
 
   isNewest() {
