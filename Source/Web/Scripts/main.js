@@ -66,11 +66,11 @@ function followSize(viewer) {
 }
 
 function followSeries(viewer, series) {
-  let newest = true;
+  let newest = viewer.isNewest(); // as it was before the series changed
   viewer.whenChanged(() => {
     newest = viewer.isNewest();
   });
-  series.follow(() => viewer.grow(newest || viewer.isNewest()), (problem) => report(problem.message));
+  series.follow(() => viewer.grow(newest), (problem) => report(problem.message));
 }
 
 async function start() {
