@@ -10,6 +10,7 @@
 #include "Commands/GridCommand.h"
 #include "Commands/RenderCommand.h"
 #include "Commands/ViewCommand.h"
+#include "Web/WebCommand.h"
 #endif
 
 int main(int argc, char** argv)
@@ -24,6 +25,7 @@ int main(int argc, char** argv)
       AddGridCommand,
       AddRenderCommand,
       AddViewCommand,
+      AddWebCommand,
       AddDemoCommand,
       AddBenchCommand,
 #endif

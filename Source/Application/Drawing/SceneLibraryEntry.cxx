@@ -2,6 +2,7 @@
 #include "Drawing/Render.h"
 #include "Drawing/View.h"
 #include "Libraries/LibraryCall.h"
+#include "Web/WebPage.h"
 
 /// The functions that the program looks for in this library.
 extern "C" __attribute__((visibility("default"))) void nexrad3dRender(
@@ -14,4 +15,10 @@ extern "C" __attribute__((visibility("default"))) void nexrad3dView(
   const nexrad::scene::ViewRequest* request, nexrad::scene::ViewReport* report)
 {
   nexrad::application::AnswerCall(nexrad::scene::View, request, report);
+}
+
+extern "C" __attribute__((visibility("default"))) void nexrad3dWeb(
+  const nexrad::scene::WebRequest* request, nexrad::scene::WebReport* report)
+{
+  nexrad::application::AnswerCall(nexrad::application::MakeWebPage, request, report);
 }

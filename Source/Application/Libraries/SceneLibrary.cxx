@@ -24,6 +24,11 @@ scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request)
   return CallLibrary<scene::ViewReport>(library, scene::viewFunctionName, request);
 }
 
+scene::WebReport WebWithLibrary(const scene::WebRequest& request)
+{
+  return CallLibrary<scene::WebReport>(library, scene::webFunctionName, request);
+}
+
 bool HasWindowLibrary()
 {
   return HasProgramLibrary(windowLibrary.file);

@@ -3,6 +3,7 @@
 
 #include "Requests/RenderRequest.h"
 #include "Requests/ViewRequest.h"
+#include "Requests/WebRequest.h"
 
 namespace nexrad::application
 {
@@ -12,6 +13,7 @@ namespace nexrad::application
 /// drawing itself fails at.
 scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
 scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request);
+scene::WebReport WebWithLibrary(const scene::WebRequest& request);
 
 /// Whether this program was built with the window of Qt.
 bool HasWindowLibrary();

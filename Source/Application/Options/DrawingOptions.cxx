@@ -167,15 +167,13 @@ scene::LookAt ParseLookAt(const std::string& text)
   return {{place[1], place[0], higher ? ParseLength(text.substr(last + 1)) : 0.0}, true};
 }
 
+constexpr char pictureGroup[] = "Picture";
+
 void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOptions& options)
 {
-  constexpr char group[] = "Picture";
+  const char* const group = pictureGroup;
   AddParsedOption(
     command, "--size", size, ParsePictureSize, "WxH", "Width and height in pixels", "1280x720")
-    ->group(group);
-  AddParsedOption(command, "--exaggeration", options.exaggeration, ParseExaggeration, "FACTOR",
-    "How much heights are stretched, 0.1 to 100; the picture states it (default: so much that the "
-    "domain stands a third as high as it is wide, 1 to 8)")
     ->group(group);
   AddParsedOption(command, "--mapper", options.mapper, ParseMapper, "NAME",
     "texture-slice, or ray-cast: VTK's, for comparison", "texture-slice")
@@ -193,33 +191,7 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
   AddNumberOption(command, "--slices", options.slices, 1, 16384, "NUMBER",
     "Slices, or samples along the longest ray")
     ->group(group);
-  command
-    .add_option("--preset", options.preset,
-      "Colours and opacities: six of REF, then one of each other moment (default: the first of "
-      "the moment)")
-    ->check(CLI::IsMember(
-      std::vector<std::string>(std::begin(scene::presetNames), std::end(scene::presetNames))))
-    ->group(group);
-  AddParsedOption(command, "--iso-values", options.isoValues, ParseIsoValues, "VALUE[:OPACITY],...",
-    "Draw the surfaces of these values in the unit of the moment, with the colours of the preset, "
-    "as in 20:0.3,40:0.6,50:1; usual opacities: from 0.35 for the lowest to 0.95 for the highest")
-    ->group(group);
-  command
-    .add_option("--colours,--colors", options.colours,
-      "Colours in place of the preset's, and opacities if the file has any (with --colour-by, "
-      "those of "
-      "its moment, without opacities): ParaView's .json, a "
-      ".pal table, or .csv with a heading, then lines dBZ,#rrggbb")
-    ->check(CLI::Validator(CLI::ExistingFile).description(""))
-    ->type_name("FILE")
-    ->group(group);
-  command
-    .add_option("--opacities", options.opacities,
-      "Opacities alone, in place of those of the preset and of --colours: such a file; with "
-      "--colour-by, of the moment that is shown")
-    ->check(CLI::Validator(CLI::ExistingFile).description(""))
-    ->type_name("FILE")
-    ->group(group);
+  AddAppearanceOptions(command, options);
   command
     .add_option("--colour-by,--color-by", options.colourBy,
       "Colours from another array than the moment, which then gives the opacities alone: a moment, "
@@ -241,9 +213,6 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     ->group(group);
   AddParsedOption(command, "--rings", options.ringSpacing, ParseRingSpacing, "LENGTH",
     "Rings of range about each radar at multiples of this, m or km; 0: none", "0")
-    ->group(group);
-  AddParsedOption(command, "--theme", options.theme, ParseTheme, "NAME",
-    "dark: light letters over a dark ground; light: dark letters over a pale one", "dark")
     ->group(group);
   command
     .add_flag_callback(
@@ -325,7 +294,7 @@ std::vector<scene::IsoValue> ParseIsoValues(const std::string& text)
   return isoValues;
 }
 
-void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required)
+void AddTimedInputs(CLI::App& command, scene::InputRequest& request, bool required)
 {
   command
     .add_option("input", request.inputs,
@@ -334,7 +303,51 @@ void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool requi
     ->type_name("INPUT");
   AddParsedOption(command, "--time", request.time, ParseTime, "TIME",
     "Draw this time alone, in UTC, as in 2006-03-12T18:00");
+}
+
+void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required)
+{
+  AddTimedInputs(command, request, required);
   AddBoxOptions(command, request);
+}
+
+void AddAppearanceOptions(CLI::App& command, scene::SceneOptions& options)
+{
+  const char* const group = pictureGroup;
+  AddParsedOption(command, "--exaggeration", options.exaggeration, ParseExaggeration, "FACTOR",
+    "How much heights are stretched, 0.1 to 100; the picture states it (default: so much that the "
+    "domain stands a third as high as it is wide, 1 to 8)")
+    ->group(group);
+  command
+    .add_option("--preset", options.preset,
+      "Colours and opacities: six of REF, then one of each other moment (default: the first of "
+      "the moment)")
+    ->check(CLI::IsMember(
+      std::vector<std::string>(std::begin(scene::presetNames), std::end(scene::presetNames))))
+    ->group(group);
+  AddParsedOption(command, "--iso-values", options.isoValues, ParseIsoValues, "VALUE[:OPACITY],...",
+    "Draw the surfaces of these values in the unit of the moment, with the colours of the preset, "
+    "as in 20:0.3,40:0.6,50:1; usual opacities: from 0.35 for the lowest to 0.95 for the highest")
+    ->group(group);
+  command
+    .add_option("--colours,--colors", options.colours,
+      "Colours in place of the preset's, and opacities if the file has any (with --colour-by, "
+      "those of "
+      "its moment, without opacities): ParaView's .json, a "
+      ".pal table, or .csv with a heading, then lines dBZ,#rrggbb")
+    ->check(CLI::Validator(CLI::ExistingFile).description(""))
+    ->type_name("FILE")
+    ->group(group);
+  command
+    .add_option("--opacities", options.opacities,
+      "Opacities alone, in place of those of the preset and of --colours: such a file; with "
+      "--colour-by, of the moment that is shown")
+    ->check(CLI::Validator(CLI::ExistingFile).description(""))
+    ->type_name("FILE")
+    ->group(group);
+  AddParsedOption(command, "--theme", options.theme, ParseTheme, "NAME",
+    "dark: light letters over a dark ground; light: dark letters over a pale one", "dark")
+    ->group(group);
 }
 
 void AddCameraOptions(CLI::App& command, scene::CameraView& camera)

@@ -21,10 +21,16 @@ constexpr double MapAzimuth = 180.0;
 constexpr double MapTilt = 90.0;
 
 /// What is drawn, and which time of it. `required`: whether an input must be named.
+void AddTimedInputs(CLI::App& command, scene::InputRequest& request, bool required = true);
+
+/// The same, with a box of it that is merged again in finer voxels.
 void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required = true);
 
 /// From where.
 void AddCameraOptions(CLI::App& command, scene::CameraView& camera);
+
+/// Colours, opacities, surfaces, stretch of heights, theme.
+void AddAppearanceOptions(CLI::App& command, scene::SceneOptions& options);
 
 /// From where, how it looks, how large, and whether as a map.
 void AddDrawingOptions(CLI::App& command, scene::DrawingRequest& request);

@@ -5,8 +5,7 @@
 #include "Scene/Elements/Marker.h"
 #include "Scene/Map/MapLines.h"
 #include "Scene/Map/MapNames.h"
-#include "nexrad/Grid/MakeGrid.h"
-#include "nexrad/Model/SiteTable.h"
+#include "Scene/Map/PlacedMap.h"
 
 #include <vtkActor.h>
 #include <vtkNew.h>
@@ -53,102 +52,39 @@ std::array<double, 4> Rectangle(const SceneFrame& frame)
   return {bounds[0], bounds[1], bounds[2], bounds[3]};
 }
 
-// Adds the parts of a polyline that lie over the domain.
-void AddClipped(LineBuilder& builder, const std::vector<std::array<double, 2>>& line,
+std::vector<ScenePoint> Raised(const GroundLine& line, double height)
+{
+  std::vector<ScenePoint> points;
+  for (const auto& [x, y] : line)
+  {
+    points.push_back({x, y, height});
+  }
+  return points;
+}
+
+// Adds the parts of a line that lie over the domain.
+void AddClipped(LineBuilder& builder, const GroundLine& line,
   const std::array<double, 4>& rectangle, double height)
 {
-  std::vector<ScenePoint> part;
-  const auto flush = [&]
+  for (const GroundLine& part : ClipLine(line, rectangle))
   {
-    if (part.size() > 1)
-    {
-      builder.Add(part);
-    }
-    part.clear();
-  };
-  for (std::size_t i = 0; i + 1 < line.size(); ++i)
-  {
-    const auto at = [&](double s) -> ScenePoint
-    {
-      return {line[i][0] + s * (line[i + 1][0] - line[i][0]),
-        line[i][1] + s * (line[i + 1][1] - line[i][1]), height};
-    };
-    double enters = 0.0;
-    double leaves = 1.0;
-    if (!ClipToRectangle(line[i], line[i + 1], rectangle, enters, leaves))
-    {
-      flush();
-      continue;
-    }
-    if (part.empty() || enters > 0.0)
-    {
-      flush();
-      part.push_back(at(enters));
-    }
-    part.push_back(at(leaves));
-    if (leaves < 1.0)
-    {
-      flush();
-    }
+    builder.Add(Raised(part, height));
   }
-  flush();
-}
-
-// Longitudes and latitudes that the domain can touch, so that the lines of the rest of the world
-// need not be projected. A quarter of the box is added for the curvature of its edges.
-GeographicBounds ReachOf(const SceneFrame& frame)
-{
-  const auto box = Rectangle(frame);
-  GeographicBounds reach{1e9, 1e9, -1e9, -1e9};
-  constexpr int steps = 8;
-  for (int i = 0; i <= steps; ++i)
-  {
-    for (int j = 0; j <= steps; ++j)
-    {
-      const auto [longitude, latitude] = frame.Geographic(
-        box[0] + (box[1] - box[0]) * i / steps, box[2] + (box[3] - box[2]) * j / steps);
-      reach = {std::min(reach.west, longitude), std::min(reach.south, latitude),
-        std::max(reach.east, longitude), std::max(reach.north, latitude)};
-    }
-  }
-  const double width = (reach.east - reach.west) / 4.0;
-  const double height = (reach.north - reach.south) / 4.0;
-  return {reach.west - width, reach.south - height, reach.east + width, reach.north + height};
-}
-
-bool Touches(const MapLine& line, const GeographicBounds& reach)
-{
-  return std::any_of(line.points.begin(), line.points.end(),
-    [&](const auto& point)
-    {
-      return point[0] >= reach.west && point[0] <= reach.east && point[1] >= reach.south &&
-             point[1] <= reach.north;
-    });
 }
 
 void AddMapLines(SceneLayer& layer, const SceneFrame& frame, const Theme& theme)
 {
   const std::array<Colour, 3> colours = {theme.country, theme.state, theme.county};
   constexpr std::array<Level, 3> levels = {Level::Countries, Level::States, Level::Counties};
-  std::array<LineBuilder, 3> builders;
-  const GeographicBounds reach = ReachOf(frame);
-  for (const MapLine& line : EmbeddedMapLines())
+  const auto placed = PlaceMapLines(frame);
+  for (std::size_t kind = 0; kind < placed.size(); ++kind)
   {
-    if (!Touches(line, reach))
+    LineBuilder builder;
+    for (const GroundLine& line : placed[kind])
     {
-      continue;
+      builder.Add(Raised(line, HeightOf(frame, levels[kind])));
     }
-    std::vector<std::array<double, 2>> placed;
-    for (const auto& [longitude, latitude] : line.points)
-    {
-      placed.push_back(frame.Place(longitude, latitude));
-    }
-    const auto kind = static_cast<std::size_t>(line.kind);
-    AddClipped(builders[kind], placed, Rectangle(frame), HeightOf(frame, levels[kind]));
-  }
-  for (std::size_t kind = 0; kind < builders.size(); ++kind)
-  {
-    layer.props.push_back(builders[kind].MakeActor(colours[kind], lineWidths[kind]));
+    layer.props.push_back(builder.MakeActor(colours[kind], lineWidths[kind]));
   }
 }
 
@@ -206,22 +142,16 @@ void AddSites(SceneLayer& layer, const SceneFrame& frame, const MapContents& con
 {
   LineBuilder rings;
   const auto box = Rectangle(frame);
-  for (const std::string& name : contents.sites)
+  for (const PlacedSite& site : PlaceSites(frame, contents.sites))
   {
-    const KnownSite* site = FindSite(name);
-    if (site == nullptr)
-    {
-      continue;
-    }
-    const auto place = frame.Place(site->position.longitude, site->position.latitude);
     const double spacing = contents.ringSpacing;
     for (int ring = 1; spacing > 0.0 && ring * spacing <= ringRange; ++ring)
     {
-      AddClipped(rings, Circle(place, ring * spacing), box, HeightOf(frame, Level::Rings));
+      AddClipped(rings, Circle(site.place, ring * spacing), box, HeightOf(frame, Level::Rings));
     }
-    if (IsWithin(place, box))
+    if (site.within)
     {
-      AddSite(layer, frame, name, place, textSize, theme);
+      AddSite(layer, frame, site.name, site.place, textSize, theme);
     }
   }
   layer.props.push_back(rings.MakeActor(theme.ring, 1.0));

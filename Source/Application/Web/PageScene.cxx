@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Web/PageScene.h"
+
+#include "Scene/Captions/Captions.h"
+#include "Scene/Captions/DataAge.h"
+#include "Scene/Elements/Theme.h"
+#include "Scene/Map/PlacedMap.h"
+#include "Scene/Scales/ColourScale.h"
+#include "Web/RoundedNumber.h"
+#include "nexrad/System/Error.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradTransferFunction.h"
+
+#include <nlohmann/json.hpp>
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace nexrad::application
+{
+namespace
+{
+
+using Json = nlohmann::ordered_json;
+
+constexpr int placeDigits = 2; // of km
+constexpr int colourDigits = 4;
+
+GriddedVolume VolumeOf(vtkImageData* image)
+{
+  if (image == nullptr || image->GetNumberOfPoints() == 0)
+  {
+    throw Error("the volume holds no voxels to draw");
+  }
+  return vtkNexradImageToVolume(image);
+}
+
+Json MakeTheme(const scene::Theme& theme)
+{
+  const std::pair<const char*, const scene::Colour*> colours[] = {{"skyBottom", &theme.skyBottom},
+    {"skyTop", &theme.skyTop}, {"ground", &theme.ground}, {"country", &theme.country},
+    {"state", &theme.state}, {"county", &theme.county}, {"marker", &theme.marker},
+    {"frame", &theme.frame}, {"wall", &theme.wall}, {"scale", &theme.scale},
+    {"title", &theme.title}, {"note", &theme.note}, {"warning", &theme.warning},
+    {"rim", &theme.rim}};
+  Json json;
+  for (const auto& [name, colour] : colours)
+  {
+    json[name] = *colour;
+  }
+  return json;
+}
+
+Json MakeLines(const std::vector<scene::GroundLine>& lines)
+{
+  Json json = Json::array();
+  for (const scene::GroundLine& line : lines)
+  {
+    Json points = Json::array();
+    for (const auto& [x, y] : line)
+    {
+      points.push_back(Rounded(x, placeDigits));
+      points.push_back(Rounded(y, placeDigits));
+    }
+    json.push_back(std::move(points));
+  }
+  return json;
+}
+
+double Milliseconds(Time time)
+{
+  return std::round(1000.0 * ToSeconds(time));
+}
+
+// All radars of the times, each once.
+std::vector<std::string> SitesOf(const std::vector<PageTime>& times)
+{
+  std::vector<std::string> sites;
+  for (const PageTime& time : times)
+  {
+    for (const std::string& site : time.sites)
+    {
+      if (std::find(sites.begin(), sites.end(), site) == sites.end())
+      {
+        sites.push_back(site);
+      }
+    }
+  }
+  return sites;
+}
+
+PageCode MakeCode(const PagePresets& presets, const GriddedVolume& volume)
+{
+  if (volume.moment == MomentName::REF)
+  {
+    return PageCode::OfReflectivity(volume, LeastVisible(presets));
+  }
+  std::array<double, 2> range{};
+  presets.all[presets.first].function->GetRange(range.data());
+  return PageCode::OfRange(range);
+}
+
+} // namespace
+
+PageScene::PageScene(const scene::WebRequest& webRequest, vtkImageData* image)
+  : request(webRequest)
+  , volume(VolumeOf(image))
+{
+  frame = scene::MakeSceneFrame(image, request.scene.exaggeration.value_or(0.0));
+  box = frame.Bounds();
+  box[4] /= frame.Exaggeration();
+  box[5] /= frame.Exaggeration();
+  array = ToString(volume.moment);
+  method = volume.method;
+  synthetic = volume.synthetic;
+  presets = PresetsOf(request.scene, array);
+  code = MakeCode(presets, volume);
+  volume.values = {};
+  volume.states = {};
+  volume.further = {};
+  this->MakeCamera(); // throws before work is done
+}
+
+std::vector<std::uint8_t> PageScene::Encode(vtkImageData* image) const
+{
+  const GriddedVolume other = VolumeOf(image);
+  if (other.grid != volume.grid || other.moment != volume.moment || other.fill != volume.fill)
+  {
+    throw Error("the volume of " + FormatIso8601(other.time) +
+                " has another grid or moment than the first one; name volumes of one series");
+  }
+  return code.Encode(other);
+}
+
+Json PageScene::MakeMap() const
+{
+  const auto lines = scene::PlaceMapLines(frame);
+  return {{"country", MakeLines(lines[static_cast<std::size_t>(scene::MapLineKind::Country)])},
+    {"state", MakeLines(lines[static_cast<std::size_t>(scene::MapLineKind::State)])},
+    {"county", MakeLines(lines[static_cast<std::size_t>(scene::MapLineKind::County)])}};
+}
+
+Json PageScene::MakeRadars(const std::vector<PageTime>& times) const
+{
+  Json json = Json::array();
+  for (const scene::PlacedSite& site : scene::PlaceSites(frame, SitesOf(times)))
+  {
+    if (site.within)
+    {
+      json.push_back({{"name", site.name},
+        {"place", {Rounded(site.place[0], placeDigits), Rounded(site.place[1], placeDigits)}}});
+    }
+  }
+  return json;
+}
+
+Json PageScene::MakeCamera() const
+{
+  const scene::CameraView& view = request.camera;
+  Json json = {{"azimuth", view.azimuth}, {"tilt", view.tilt}, {"zoom", view.zoom},
+    {"parallel", view.parallel}, {"lookAt", nullptr}};
+  if (view.lookAt)
+  {
+    auto point = frame.ToScene(frame.PlaceOf(*view.lookAt));
+    point[2] /= frame.Exaggeration();
+    json["lookAt"] = point;
+  }
+  return json;
+}
+
+std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::string& index) const
+{
+  const auto scale = scene::MomentScale(array, {});
+  PageCode shownCode = code;
+  if (!index.empty())
+  {
+    shownCode.floor.reset(); // volume files hold all echo
+  }
+  const Json offered = MakePresetsJson(presets, array, shownCode);
+  const auto shown = std::find_if(offered.begin(), offered.end(),
+    [&](const Json& preset) { return preset["name"] == presets.all[presets.first].name; });
+  Json json = {{"title", scale.title}, {"unit", scale.unit}, {"array", array}, {"method", method},
+    {"sites", SitesOf(times)}, {"synthetic", synthetic}, {"masked", code.masked},
+    {"size", this->Size()}, {"box", box}, {"stretch", frame.Exaggeration()},
+    {"camera", this->MakeCamera()}, {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))},
+    {"map", this->MakeMap()}, {"radars", this->MakeRadars(times)},
+    {"scale", {{"first", code.first}, {"step", code.step}}}, {"floor", nullptr},
+    {"presets", offered}, {"preset", shown - offered.begin()}, {"codes", code.bytes},
+    {"series", nullptr}, {"times", Json::array()}, {"siteTexts", Json::array()}};
+  if (shownCode.floor)
+  {
+    json["floor"] = *shownCode.floor;
+  }
+  if (!index.empty())
+  {
+    json["series"] = index;
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+  }
+  for (const PageTime& time : times)
+  {
+    json["times"].push_back(Milliseconds(time.time));
+    json["siteTexts"].push_back(time.siteTexts);
+  }
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string PageScene::Title(const std::vector<PageTime>& times) const
+{
+  std::string title = (synthetic ? "SYNTHETIC: " : "") + scene::MomentScale(array, {}).title;
+  for (const std::string& site : SitesOf(times))
+  {
+    title += " " + site;
+  }
+  return title + ", " + FormatIso8601(times.front().time).substr(0, 10);
+}
+
+PageTime CaptionsOf(vtkImageData* image, Time time)
+{
+  scene::CaptionTexts texts;
+  texts.information = scene::ReadVolumeInformation(image);
+  const auto& sites = texts.information.sites;
+  texts.ages = scene::AgesOfData(image, scene::ArrayOf(image), sites.size());
+  return {time, sites, scene::SiteWords(texts)};
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Requests/WebRequest.h"
+#include "Scene/Frame/SceneFrame.h"
+#include "Web/PageCode.h"
+#include "Web/PagePresets.h"
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+class vtkImageData;
+
+namespace nexrad::application
+{
+
+/// What the captions of a page say of one of its times.
+struct PageTime
+{
+  Time time{};
+  std::vector<std::string> sites;     ///< radars that took part
+  std::vector<std::string> siteTexts; ///< words of the caption, with the age of the data
+};
+
+/// What a page shows beside the voxels: domain, map, radars, presets, camera, colours of the theme
+/// (Documentation/Formats/web-page.md).
+class PageScene
+{
+public:
+  /// `volume`: the first one of the page. Throws Error for a preset or a place to look at that it
+  /// cannot have, and for a volume without voxels or without a moment.
+  PageScene(const scene::WebRequest& request, vtkImageData* volume);
+
+  const PageCode& Code() const { return code; }
+  /// Array that the page shows, as "REF".
+  const std::string& Array() const { return array; }
+  std::array<int, 3> Size() const { return volume.grid.dimensions; }
+
+  /// The voxels of a volume, whose codes it has. Throws Error for another grid or moment.
+  std::vector<std::uint8_t> Encode(vtkImageData* image) const;
+
+  /// The text for the page's script. `index`: name of the index of volume files beside the page;
+  /// empty: the volumes are in the page, `times` says when.
+  std::string MakeText(const std::vector<PageTime>& times, const std::string& index) const;
+
+  /// Title of the page: what it shows, of which radars, when.
+  std::string Title(const std::vector<PageTime>& times) const;
+
+private:
+  nlohmann::ordered_json MakeMap() const;
+  nlohmann::ordered_json MakeRadars(const std::vector<PageTime>& times) const;
+  nlohmann::ordered_json MakeCamera() const;
+
+  const scene::WebRequest& request;
+  scene::SceneFrame frame;
+  std::array<double, 6> box{}; ///< km, with heights as they are
+  std::string array;
+  std::string method;
+  bool synthetic = false;
+  GriddedVolume volume; ///< the first one, without its voxels
+  PagePresets presets;
+  PageCode code;
+};
+
+/// What the captions say of a volume.
+PageTime CaptionsOf(vtkImageData* volume, Time time);
+
+} // namespace nexrad::application

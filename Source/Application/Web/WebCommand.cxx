@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Web/WebCommand.h"
+
+#include "Libraries/SceneLibrary.h"
+#include "Options/DrawingOptions.h"
+#include "Options/GridOptions.h"
+#include "Options/UnitOptions.h"
+#include "Output/Counted.h"
+#include "Output/ProgressBar.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <memory>
+
+namespace nexrad::application
+{
+namespace
+{
+
+struct WebOptions
+{
+  scene::WebRequest request;
+  bool quiet = false;
+};
+
+std::filesystem::path ParsePage(const std::string& text)
+{
+  const std::filesystem::path path(text);
+  const std::string extension = path.extension().string();
+  const bool folder = extension.empty() || std::filesystem::is_directory(path);
+  if (text.empty() || (!folder && extension != ".html" && extension != ".htm"))
+  {
+    throw Error("'" + text +
+                "' is no page; write a name that ends in .html, or a folder for a page beside "
+                "volume files");
+  }
+  return path;
+}
+
+int RunWeb(WebOptions& options)
+{
+  ProgressBar bar("making the page", options.quiet);
+  options.request.progress = [&bar](double fraction) { return bar.Update(fraction); };
+  const scene::WebReport report = WebWithLibrary(options.request);
+  bar.Clear();
+  if (!options.quiet)
+  {
+    std::cout << report.page.string() << ": " << Counted(report.times, "time") << ", "
+              << Counted(report.bytes, "byte") << '\n';
+  }
+  for (const std::string& problem : report.problems)
+  {
+    std::cerr << problem << '\n';
+  }
+  return report.problems.empty() ? Done : DoneWithDamage;
+}
+
+} // namespace
+
+void AddWebCommand(CLI::App& program, CommandAction& action)
+{
+  const auto options = std::make_shared<WebOptions>();
+  scene::WebRequest& request = options->request;
+  CLI::App* command = program.add_subcommand(
+    "web", "Make a page that turns and plays volumes, or radar files, in a browser");
+  AddTimedInputs(*command, request.input);
+  AddParsedOption(*command, "-o,--output", request.output, ParsePage, "PAGE",
+    "One file (.html) that opens without a server or a network; or a folder, for a page that reads "
+    "volume files beside it from a server, and follows a series that grows")
+    ->required();
+  AddQuietOption(*command, options->quiet);
+  AddCameraOptions(*command, request.camera);
+  AddAppearanceOptions(*command, request.scene);
+  AddGridOptions(*command, request.input.grid);
+  const auto run = [options, command, &action]
+  {
+    options->request.input.momentNamed = command->count("--moment") > 0;
+    action = [options] { return RunWeb(*options); };
+  };
+  command->callback(run);
+}
+
+} // namespace nexrad::application

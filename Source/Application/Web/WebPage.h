@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Requests/WebRequest.h"
+
+#include <filesystem>
+
+namespace nexrad::application
+{
+
+/// Whether a page of that name has its volumes in it: a name that ends in .html. Any other name is
+/// that of a folder.
+bool IsSinglePage(const std::filesystem::path& output);
+
+/// Makes a page that draws merged volumes in a browser. Throws Error for inputs that cannot be
+/// opened, and volumes that are not of one series.
+scene::WebReport MakeWebPage(const scene::WebRequest& request);
+
+} // namespace nexrad::application

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Map/PlacedMap.h"
+
+#include "Scene/Elements/LineBuilder.h"
+#include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Model/SiteTable.h"
+
+#include <algorithm>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+std::array<double, 4> Rectangle(const SceneFrame& frame)
+{
+  const auto& bounds = frame.Bounds();
+  return {bounds[0], bounds[1], bounds[2], bounds[3]};
+}
+
+// Longitudes and latitudes that the domain can touch, so that the lines of the rest of the world
+// need not be projected. A quarter of the box is added for the curvature of its edges.
+GeographicBounds ReachOf(const SceneFrame& frame)
+{
+  const auto box = Rectangle(frame);
+  GeographicBounds reach{1e9, 1e9, -1e9, -1e9};
+  constexpr int steps = 8;
+  for (int i = 0; i <= steps; ++i)
+  {
+    for (int j = 0; j <= steps; ++j)
+    {
+      const auto [longitude, latitude] = frame.Geographic(
+        box[0] + (box[1] - box[0]) * i / steps, box[2] + (box[3] - box[2]) * j / steps);
+      reach = {std::min(reach.west, longitude), std::min(reach.south, latitude),
+        std::max(reach.east, longitude), std::max(reach.north, latitude)};
+    }
+  }
+  const double width = (reach.east - reach.west) / 4.0;
+  const double height = (reach.north - reach.south) / 4.0;
+  return {reach.west - width, reach.south - height, reach.east + width, reach.north + height};
+}
+
+bool Touches(const MapLine& line, const GeographicBounds& reach)
+{
+  return std::any_of(line.points.begin(), line.points.end(),
+    [&](const auto& point)
+    {
+      return point[0] >= reach.west && point[0] <= reach.east && point[1] >= reach.south &&
+             point[1] <= reach.north;
+    });
+}
+
+bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& box)
+{
+  return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3];
+}
+
+} // namespace
+
+std::vector<GroundLine> ClipLine(const GroundLine& line, const std::array<double, 4>& rectangle)
+{
+  std::vector<GroundLine> parts;
+  GroundLine part;
+  const auto flush = [&]
+  {
+    if (part.size() > 1)
+    {
+      parts.push_back(part);
+    }
+    part.clear();
+  };
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+  {
+    const auto at = [&](double s) -> std::array<double, 2>
+    {
+      return {line[i][0] + s * (line[i + 1][0] - line[i][0]),
+        line[i][1] + s * (line[i + 1][1] - line[i][1])};
+    };
+    double enters = 0.0;
+    double leaves = 1.0;
+    if (!ClipToRectangle(line[i], line[i + 1], rectangle, enters, leaves))
+    {
+      flush();
+      continue;
+    }
+    if (part.empty() || enters > 0.0)
+    {
+      flush();
+      part.push_back(at(enters));
+    }
+    part.push_back(at(leaves));
+    if (leaves < 1.0)
+    {
+      flush();
+    }
+  }
+  flush();
+  return parts;
+}
+
+std::array<std::vector<GroundLine>, 3> PlaceMapLines(const SceneFrame& frame)
+{
+  std::array<std::vector<GroundLine>, 3> placed;
+  if (!frame.HasMap())
+  {
+    return placed;
+  }
+  const GeographicBounds reach = ReachOf(frame);
+  for (const MapLine& line : EmbeddedMapLines())
+  {
+    if (!Touches(line, reach))
+    {
+      continue;
+    }
+    GroundLine points;
+    for (const auto& [longitude, latitude] : line.points)
+    {
+      points.push_back(frame.Place(longitude, latitude));
+    }
+    auto& parts = placed[static_cast<std::size_t>(line.kind)];
+    for (GroundLine& part : ClipLine(points, Rectangle(frame)))
+    {
+      parts.push_back(std::move(part));
+    }
+  }
+  return placed;
+}
+
+std::vector<PlacedSite> PlaceSites(const SceneFrame& frame, const std::vector<std::string>& sites)
+{
+  std::vector<PlacedSite> placed;
+  for (const std::string& name : sites)
+  {
+    const KnownSite* site = frame.HasMap() ? FindSite(name) : nullptr;
+    if (site != nullptr)
+    {
+      const auto place = frame.Place(site->position.longitude, site->position.latitude);
+      placed.push_back({name, place, IsWithin(place, Rectangle(frame))});
+    }
+  }
+  return placed;
+}
+
+} // namespace nexrad::scene

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Scene/Frame/SceneFrame.h"
+#include "Scene/Map/MapLines.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace nexrad::scene
+{
+
+/// A line on the ground: x and y of its points in the scene.
+using GroundLine = std::vector<std::array<double, 2>>;
+
+/// The parts of a line that lie over a rectangle (west, east, south, north).
+std::vector<GroundLine> ClipLine(const GroundLine& line, const std::array<double, 4>& rectangle);
+
+/// The parts of the map's lines (EmbeddedMapLines) that lie over the domain, indexed by
+/// MapLineKind. None where the frame has no map.
+std::array<std::vector<GroundLine>, 3> PlaceMapLines(const SceneFrame& frame);
+
+/// A radar on the ground.
+struct PlacedSite
+{
+  std::string name;
+  std::array<double, 2> place{}; ///< x and y in the scene
+  bool within = false;           ///< whether it lies in the domain
+};
+
+/// Those of the radars that the site table knows. None where the frame has no map.
+std::vector<PlacedSite> PlaceSites(const SceneFrame& frame, const std::vector<std::string>& sites);
+
+} // namespace nexrad::scene

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Reads the first moment of a volume file (Documentation/Formats/nxv.md).
+import { inflate } from './unpacking.js';
+
+const prefixLength = 8; // bytes before the header
+const utf8 = new TextDecoder();
+
+// Collects a stream until `wanted` bytes of it have come.
+class ByteCollector {
+  constructor(reader) {
+    this.reader = reader;
+    this.pieces = [];
+    this.count = 0;
+  }
+  async collect(wanted) {
+    while (this.count < wanted) {
+      const { done, value } = await this.reader.read();
+      if (done) {
+        throw new Error('the file ends too early');
+      }
+      this.pieces.push(value);
+      this.count += value.length;
+    }
+    const all = new Uint8Array(this.count);
+    let place = 0;
+    for (const piece of this.pieces) {
+      all.set(piece, place);
+      place += piece.length;
+    }
+    this.pieces = [all];
+    return all;
+  }
+}
+
+// Reads header and first array of a stream and leaves the arrays after it alone.
+export async function readNxv(stream) {
+  const reader = stream.getReader();
+  const collector = new ByteCollector(reader);
+  const first = await collector.collect(prefixLength);
+  if (utf8.decode(first.subarray(0, 4)) !== 'NXV1') {
+    throw new Error('it is no volume file');
+  }
+  const headerLength = new DataView(first.buffer).getUint32(4, true);
+  if (headerLength > 1048576) {
+    throw new Error('its header is too long');
+  }
+  const head = await collector.collect(prefixLength + headerLength);
+  const header = JSON.parse(utf8.decode(head.subarray(prefixLength, prefixLength + headerLength)));
+  const payload = prefixLength + headerLength;
+  const all = await collector.collect(payload + header.arrays[0].length);
+  await reader.cancel().catch(() => {});
+  return { header, payload: all.subarray(payload, payload + header.arrays[0].length) };
+}
+
+// Undoes run lengths (Formulas T8).
+function expandRuns(stream, voxels) {
+  const codes = new Uint8Array(voxels);
+  const view = new DataView(stream.buffer, stream.byteOffset, stream.length);
+  for (let place = 0, voxel = 0; voxel < voxels;) {
+    const byte = stream[place++];
+    if (byte >= 128) {
+      codes[voxel++] = byte - 128;
+    } else {
+      const count = view.getUint32(place, true);
+      codes.fill(byte, voxel, voxel + count);
+      place += 4;
+      voxel += count;
+    }
+  }
+  return codes;
+}
+
+// The value of each voxel as a byte of the page's scale (first, step); 0 where there is none. `masked`: 0 is kept for
+// voxels without a value.
+export async function bytesOfMoment({ header, payload }, scale, masked) {
+  const array = header.arrays[0];
+  const voxels = header.dimensions.reduce((product, count) => product * count, 1);
+  const stored = array.encoding === 'rle' ? payload : await inflate(payload);
+  const toByte = (value) => {
+    const byte = Math.round((value - scale.first) / scale.step);
+    return Math.min(Math.max(byte, masked ? 1 : 0), 255);
+  };
+  const isNothing = (code) => (array.type === 'uint7' ? code === 0 || code === 127 : code < 2);
+  const ofCode = (code) => (isNothing(code) ? 0 : toByte(array.offset + array.scale * code));
+  const bytes = new Uint8Array(voxels);
+  if (array.type === 'uint7' || array.type === 'uint8') {
+    const codes = array.type === 'uint7' ? expandRuns(stored, voxels) : stored;
+    const table = Uint8Array.from({ length: 256 }, (_, code) => ofCode(code));
+    for (let voxel = 0; voxel < voxels; voxel++) {
+      bytes[voxel] = table[codes[voxel]];
+    }
+  } else if (array.type === 'uint16') {
+    for (let voxel = 0; voxel < voxels; voxel++) {
+      bytes[voxel] = ofCode(stored[voxel] + 256 * stored[voxel + voxels]);
+    }
+  } else {
+    const values = new DataView(stored.buffer, stored.byteOffset, stored.length);
+    for (let voxel = 0; voxel < voxels; voxel++) {
+      const value = values.getFloat32(4 * voxel, true);
+      bytes[voxel] = value === array.fill || Number.isNaN(value) ? 0 : toByte(value);
+    }
+  }
+  return bytes;
+}

@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "NoDisplay.h"
+#include "PageParts.h"
+#include "ProgramRun.h"
+#include "StormVolume.h"
+#include "TestData.h"
+#include "Tolerance.h"
+#include "nexrad/Codec/NxvFile.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+nlohmann::json SceneOf(const std::string& page)
+{
+  const auto scene = ReadPagePart(page, "scene");
+  return scene ? nlohmann::json::parse(scene->begin(), scene->end()) : nlohmann::json();
+}
+
+// Makes a page, without a display, and returns its text.
+std::string MakePage(const TemporaryFolder& folder, std::vector<std::string> arguments)
+{
+  const NoDisplay none;
+  const fs::path page = folder.Path() / "page.html";
+  arguments.insert(arguments.begin(), "web");
+  arguments.insert(arguments.end(), {"-o", page.string(), "--quiet"});
+  const ProgramRun run = RunNexrad3d(arguments);
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.output, "");
+  return FileContent(page);
+}
+
+// Values of the voxels of one time of a page.
+std::vector<double> ValuesOf(const std::string& page, const nlohmann::json& scene, std::size_t time)
+{
+  const auto ends = ReadPagePart(page, "ends-" + std::to_string(time));
+  const auto codes = ReadPagePart(page, "codes-" + std::to_string(time));
+  std::vector<double> values;
+  if (ends && codes)
+  {
+    for (const auto code : UnpackColumns(scene["size"].get<std::array<int, 3>>(), *ends, *codes))
+    {
+      const double byte = scene["codes"][code];
+      values.push_back(
+        scene["scale"]["first"].get<double>() + scene["scale"]["step"].get<double>() * byte);
+    }
+  }
+  return values;
+}
+
+std::string Message(const std::vector<std::string>& arguments, int status)
+{
+  const ProgramRun run = RunNexrad3d(arguments);
+  EXPECT_EQ(run.status, status) << run.errors;
+  return run.errors;
+}
+
+} // namespace
+
+TEST(WebCommand, APageHoldsTheVolumesWithinAStep)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 3);
+  const std::string page = MakePage(folder, {series});
+  const nlohmann::json scene = SceneOf(page);
+  const NxvSeries index = ReadNxvSeries(series);
+  ASSERT_EQ(scene["times"].size(), 3U);
+  double worst = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    const auto& [name, seconds] = index[i];
+    EXPECT_EQ(scene["times"][i].get<double>(), 1000.0 * seconds);
+    const GriddedVolume volume = ReadNxv(folder.Path() / name);
+    const std::vector<double> values = ValuesOf(page, scene, i);
+    ASSERT_EQ(values.size(), volume.values.size());
+    for (std::size_t voxel = 0; voxel < values.size(); ++voxel)
+    {
+      const auto truth = static_cast<double>(volume.values[voxel]);
+      const bool visible = volume.states[voxel] == VoxelState::Echo && truth >= 5.0;
+      EXPECT_EQ(values[voxel] >= 5.0, visible);
+      worst = visible ? std::max(worst, std::abs(values[voxel] - truth)) : worst;
+    }
+  }
+  EXPECT_AT_MOST(
+    worst, 1.0, "greatest error of reflectivity that the command puts into a page, dBZ");
+}
+
+TEST(WebCommand, APageSaysWhatItShows)
+{
+  const TemporaryFolder folder;
+  const std::string page = MakePage(folder, {WriteStormFiles(folder.Path(), 2)});
+  EXPECT_NE(
+    page.find("<title>SYNTHETIC: Reflectivity KLSX KILX, 2006-03-12</title>"), std::string::npos);
+  const nlohmann::json scene = SceneOf(page);
+  EXPECT_EQ(scene["synthetic"], true);
+  EXPECT_EQ(scene["unit"], "dBZ");
+  EXPECT_EQ(scene["series"], nullptr);
+  EXPECT_EQ(scene["size"], nlohmann::json({48, 48, 16}));
+  EXPECT_EQ(scene["box"], nlohmann::json({-240.0, 240.0, -240.0, 240.0, 0.0, 20.0}));
+  EXPECT_EQ(scene["presets"][0]["name"], "all echo");
+  EXPECT_EQ(scene["presets"][0]["samples"].size(), 4U * 511U);
+  ASSERT_EQ(scene["radars"].size(), 2U);
+  EXPECT_EQ(scene["radars"][0]["name"], "KLSX");
+  // KLSX: 38.699 N, 90.683 W; the centre is 39 N, 90 W.
+  EXPECT_NEAR(scene["radars"][0]["place"][0], -59.4, 0.5);
+  EXPECT_NEAR(scene["radars"][0]["place"][1], -33.2, 0.5);
+  EXPECT_GT(scene["map"]["county"].size(), 50U);
+}
+
+// Whatever a page needs is in it.
+TEST(WebCommand, APageNamesNoOtherFile)
+{
+  const TemporaryFolder folder;
+  const std::string page = MakePage(folder, {WriteStormFiles(folder.Path(), 1)});
+  EXPECT_EQ(page.find("@"), page.find("@media")) << "a mark was not filled in";
+  for (const char* word :
+    {" src=", "@import", "url(", "href=\"http", "//cdn", "\nimport ", "\nexport "})
+  {
+    EXPECT_EQ(page.find(word), std::string::npos) << word;
+  }
+  for (const char* id : {"letters", "bold-letters"})
+  {
+    EXPECT_TRUE(ReadPagePart(page, id)) << id;
+  }
+  EXPECT_EQ(page.find("SPDX-License-Identifier"), std::string::npos);
+  EXPECT_NE(page.find("BSD-3-Clause"), std::string::npos);
+}
+
+TEST(WebCommand, CameraAndLooks)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 1);
+  const nlohmann::json scene =
+    SceneOf(MakePage(folder, {series, "--azimuth", "90", "--parallel", "--exaggeration", "2",
+                               "--look-at", "39,-90,4km", "--preset", "hail", "--theme", "light"}));
+  EXPECT_EQ(scene["camera"]["azimuth"], 90.0);
+  EXPECT_EQ(scene["camera"]["parallel"], true);
+  EXPECT_EQ(scene["stretch"], 2.0);
+  EXPECT_NEAR(scene["camera"]["lookAt"][0], 0.0, 1e-6);
+  EXPECT_NEAR(scene["camera"]["lookAt"][2], 4.0, 1e-6);
+  EXPECT_EQ(scene["presets"][scene["preset"].get<std::size_t>()]["name"], "hail");
+  EXPECT_GT(scene["theme"]["skyTop"][0], 0.9);
+
+  const nlohmann::json own = SceneOf(MakePage(folder, {series, "--iso-values", "30:0.5,45"}));
+  EXPECT_EQ(own["presets"][0]["name"], "own");
+  EXPECT_EQ(own["preset"], 0);
+  EXPECT_EQ(own["presets"][0]["surfaces"], nlohmann::json({{30.0, 0.5}, {45.0, 0.95}}));
+}
+
+// Weak echo is kept where the page shows it.
+TEST(WebCommand, TheFloorFollowsThePreset)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 1);
+  const nlohmann::json usual = SceneOf(MakePage(folder, {series}));
+  const nlohmann::json weak = SceneOf(MakePage(folder, {series, "--preset", "clear air"}));
+  EXPECT_EQ(usual["floor"], 5.0);
+  EXPECT_LT(weak["floor"].get<double>(), 0.0);
+  EXPECT_EQ(weak["presets"].size(), usual["presets"].size() + 1);
+}
+
+TEST(WebCommand, AnotherMomentHasNoValueWhereNothingIs)
+{
+  const TemporaryFolder folder;
+  const std::string page = MakePage(folder, {WriteTwoMoments(folder.Path()), "--moment", "VEL"});
+  const nlohmann::json scene = SceneOf(page);
+  EXPECT_EQ(scene["array"], "VEL");
+  EXPECT_EQ(scene["masked"], true);
+  EXPECT_EQ(scene["floor"], nullptr);
+  EXPECT_EQ(ValuesOf(page, scene, 0).size(), 48U * 48U * 16U);
+}
+
+TEST(WebCommand, AFolderGetsThePageTheVolumesAndTheirIndex)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 2);
+  const fs::path site = folder.Path() / "site";
+  EXPECT_EQ(Message({"web", series, "-o", site, "--quiet"}, 0), "");
+  const std::string page = FileContent(site / "index.html");
+  const nlohmann::json scene = SceneOf(page);
+  EXPECT_EQ(scene["series"], "volumes.nxv.series");
+  EXPECT_EQ(scene["floor"], nullptr);
+  EXPECT_EQ(scene["presets"].size(), 6U);
+  EXPECT_FALSE(ReadPagePart(page, "ends-0"));
+  EXPECT_EQ(ReadNxvSeries(site / "volumes.nxv.series"), ReadNxvSeries(series));
+  for (const auto& [name, seconds] : ReadNxvSeries(series))
+  {
+    EXPECT_EQ(FileContent(site / name), FileContent(folder.Path() / name));
+  }
+}
+
+TEST(WebCommand, AFolderOfVolumesKeepsItsIndex)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 2);
+  const std::string before = FileContent(series);
+  EXPECT_EQ(Message({"web", folder.Path(), "-o", folder.Path(), "--quiet"}, 0), "");
+  EXPECT_TRUE(fs::exists(folder.Path() / "index.html"));
+  EXPECT_EQ(FileContent(series), before);
+}
+
+TEST(WebCommand, WrongInputsAndOutputsAreNamed)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 1);
+  EXPECT_NE(Message({"web", series}, 2).find("--output"), std::string::npos);
+  EXPECT_NE(Message({"web", series, "-o", "page.png"}, 2).find("page.png"), std::string::npos);
+  const fs::path page = folder.Path() / "page.html";
+  EXPECT_NE(Message({"web", "nothing.nxv", "-o", page}, 1).find("nothing.nxv"), std::string::npos);
+  EXPECT_NE(Message({"web", series, "-o", page, "--preset", "velocity"}, 1).find("velocity"),
+    std::string::npos);
+
+  GriddedVolume other = MakeStorm(true);
+  other.time += std::chrono::minutes(30);
+  other.grid.spacing[2] = 1000.0;
+  WriteNxv(folder.Path() / "other.nxv", other);
+  const std::string grids = Message({"web", folder.Path(), "-o", page}, 1);
+  EXPECT_NE(grids.find("another grid"), std::string::npos) << grids;
+  EXPECT_FALSE(fs::exists(page));
+
+  std::ofstream(folder.Path() / "image.vti") << "x";
+  const std::string vti =
+    Message({"web", folder.Path() / "image.vti", "-o", folder.Path() / "site"}, 1);
+  EXPECT_NE(vti.find("image.vti"), std::string::npos) << vti;
+}
