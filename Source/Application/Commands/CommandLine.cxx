@@ -2,6 +2,7 @@
 #include "Commands/CommandLine.h"
 
 #include "Parallel/LaunchedProcess.h"
+#include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +12,7 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <system_error>
 
 namespace nexrad::application
 {
@@ -77,7 +79,17 @@ int RunAction(const CLI::App& program, const CommandAction& action)
   }
   catch (const std::bad_alloc&)
   {
-    Complain(program, "not enough memory");
+    Complain(program,
+      "not enough memory; fewer voxels (--dims) need less, and so does a smaller --memory");
+  }
+  catch (const nexrad::Error& error)
+  {
+    Complain(program, error.what());
+  }
+  catch (const std::system_error& error)
+  {
+    Complain(program, "the system refuses what the program needs: " + error.code().message() +
+                        "; raise the limits on processes, files and memory (ulimit -a)");
   }
   catch (const std::exception& error)
   {

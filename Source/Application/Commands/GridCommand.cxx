@@ -5,6 +5,7 @@
 #include "Options/UnitOptions.h"
 #include "Output/Counted.h"
 #include "Output/ProgressBar.h"
+#include "Output/StopSignal.h"
 #include "Parallel/JoinedProcesses.h"
 #include "Volumes/WriteVolumes.h"
 
@@ -13,6 +14,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace nexrad::application
@@ -67,12 +69,25 @@ void CheckCode(const GridJob& job)
   }
 }
 
+// All options that decide what the volumes contain.
+std::string RecipeOf(const CLI::App& command, const std::string& format, const std::string& code)
+{
+  std::string recipe = "nexrad3d " NEXRAD_VERSION "\n--format " + format + "\n--code " + code;
+  for (const OptionText& option : GivenGridOptions(command))
+  {
+    recipe += '\n' + option.name + ' ' + option.value;
+  }
+  return recipe;
+}
+
 int RunGrid(GridCommandOptions& options)
 {
   const Processes processes = options.joined.emplace().Get();
   ProgressBar bar("merging", options.quiet || !processes.IsFirst());
+  WatchStopSignals();
   const GridReport report = WriteVolumes(
-    options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
+    options.job, [&bar](double fraction) { return bar.Update(fraction) && !IsStopAsked(); },
+    processes);
   bar.Clear();
   const int status = report.problems.empty() ? Done : DoneWithDamage;
   if (!processes.IsFirst())
@@ -115,9 +130,12 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
   AddQuietOption(*command, options->quiet);
   AddGridOptions(*command, options->job.options);
   command->callback(
-    [options, &action]
+    [options, &action, command]
     {
       CheckCode(options->job);
+      const auto written = [command](const char* name)
+      { return command->count(name) > 0 ? command->get_option(name)->as<std::string>() : ""; };
+      options->job.recipe = RecipeOf(*command, written("--format"), written("--code"));
       action = [options] { return RunGrid(*options); };
     });
 }

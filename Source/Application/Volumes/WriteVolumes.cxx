@@ -3,11 +3,13 @@
 
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/Series/InputFiles.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 #include "vtkNexradThreads.h"
 
 #include <algorithm>
+#include <system_error>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -20,42 +22,96 @@ namespace
 // What one process makes, or all of them together.
 struct Block
 {
-  WrittenFiles files;
   std::uintmax_t bytes = 0;
   bool anySite = false; ///< some radar took part in a volume
 };
 
-// Merges and writes the steps of this process.
-Block WriteBlock(
-  const GridJob& job, SeriesMerger& merger, const Progress& progress, const Processes& processes)
+// The recipe of a job with its input files: a file that changed makes another recipe.
+std::string RecipeOf(const GridJob& job)
 {
-  const std::vector<Time>& times = merger.Times();
-  const auto [begin, end] = processes.Part(times.size());
-  if (begin < end)
+  if (job.recipe.empty())
   {
-    merger.EndAt(times[end - 1]);
+    return {};
   }
-  StepWriter writer(job.folder, job.format, job.nxv);
-  Block block;
-  GriddedVolume memory;
-  for (std::size_t i = begin; i < end; ++i)
+  std::string recipe = job.recipe;
+  for (const fs::path& path : FindInputFiles(job.inputs).paths)
   {
-    auto volume =
-      merger.Merge(times[i], ShareOf(progress, i - begin, end - begin), {}, std::move(memory));
+    std::error_code ignored;
+    const auto changed = fs::last_write_time(path, ignored).time_since_epoch().count();
+    const std::uintmax_t size = fs::is_directory(path, ignored) ? 0 : fs::file_size(path, ignored);
+    recipe += '\n' + path.string() + ' ' + std::to_string(size) + ' ' + std::to_string(changed);
+  }
+  return recipe;
+}
+
+// Merges and writes the steps of this process that are not there.
+class BlockWriter
+{
+public:
+  BlockWriter(const GridJob& theJob, SeriesMerger& theMerger, UnfinishedRun& theRun)
+    : job(theJob)
+    , merger(theMerger)
+    , run(theRun)
+    , writer(theRun, theJob.format, theJob.nxv)
+  {
+  }
+
+  Block Write(const Progress& progress, const Processes& processes)
+  {
+    const std::vector<Time>& times = merger.Times();
+    const auto [begin, end] = processes.Part(times.size());
+    if (begin < end)
+    {
+      merger.EndAt(times[end - 1]);
+    }
+    std::vector<Time> kept;
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      if (run.Has(this->NameOf(times[i])))
+      {
+        kept.push_back(times[i]);
+      }
+      else
+      {
+        this->Merge(times[i], ShareOf(progress, i - begin, end - begin));
+      }
+    }
+    // Whether a radar took part in what an earlier run made, one of its volumes tells.
+    for (std::size_t i = 0; i < kept.size() && !block.anySite; ++i)
+    {
+      this->Merge(kept[i], {});
+    }
+    writer.Finish();
+    for (std::size_t i = begin; i < end; ++i)
+    {
+      block.bytes += run.SizeOf(this->NameOf(times[i]));
+    }
+    return block;
+  }
+
+private:
+  std::string NameOf(Time time) const { return VolumeFileName(time, job.format).string(); }
+
+  void Merge(Time time, const Progress& progress)
+  {
+    auto volume = merger.Merge(time, progress, {}, std::move(memory));
     if (!volume)
     {
-      throw Error("stopped before all volumes were made");
+      throw Error("stopped before all volumes were made; the same command makes the rest");
     }
     block.anySite = block.anySite || !volume->sites.empty();
     memory = writer.Write(std::move(*volume));
   }
-  writer.Finish();
-  block.bytes = writer.Bytes();
-  block.files = writer.TakeFiles();
-  return block;
-}
 
-// The blocks of all processes as one, without the files.
+  const GridJob& job;
+  SeriesMerger& merger;
+  UnfinishedRun& run;
+  StepWriter writer;
+  Block block;
+  GriddedVolume memory;
+};
+
+// The blocks of all processes as one.
 Block AddUp(const Block& mine, const Processes& processes)
 {
   Block all;
@@ -81,13 +137,13 @@ void WriteIndex(
 }
 
 // The rest, once all volumes are there.
-GridReport Conclude(const GridJob& job, const std::vector<Time>& times, Block& mine,
-  const std::vector<InputProblem>& problems, const Processes& processes)
+GridReport Conclude(const GridJob& job, const std::vector<Time>& times, const Block& mine,
+  UnfinishedRun& run, const std::vector<InputProblem>& problems, const Processes& processes)
 {
   const Block block = AddUp(mine, processes);
   if (!block.anySite)
   {
-    mine.files.Remove();
+    run.Discard();
     throw Error("no radar has a volume within --max-gap of any time asked for, from " +
                 FormatIso8601(times.front()) + " to " + FormatIso8601(times.back()));
   }
@@ -101,7 +157,7 @@ GridReport Conclude(const GridJob& job, const std::vector<Time>& times, Block& m
     job.folder / (job.format == VolumeFormat::Nxv ? "volumes.nxv.series" : "volumes.vti.series");
   std::transform(problems.begin(), problems.end(), std::back_inserter(report.problems),
     [](const InputProblem& problem) { return problem.Line(); });
-  processes.Together([&] { mine.files.Keep(); });
+  run.End();
   processes.Together(
     [&]
     {
@@ -131,17 +187,18 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.processes = processes;
   SeriesMerger merger(job.inputs, job.options, setup);
   RequireDone(merger.Open(ShareOf(progress, 0.0, ScanShare)));
+  UnfinishedRun run(job.folder, RecipeOf(job), processes);
   for (;;)
   {
     Block block;
     const double from = merger.IsScanned() ? ScanShare : 0.0;
-    processes.Together(
-      [&] { block = WriteBlock(job, merger, ShareOf(progress, from, 1.0), processes); });
+    processes.Together([&]
+      { block = BlockWriter(job, merger, run).Write(ShareOf(progress, from, 1.0), processes); });
     if (merger.Confirm())
     {
-      return Conclude(job, merger.Times(), block, merger.Problems(), processes);
+      return Conclude(job, merger.Times(), block, run, merger.Problems(), processes);
     }
-    block.files.Remove();
+    run.Discard();
     RequireDone(merger.Scan(ShareOf(progress, 0.0, ScanShare)));
   }
 }

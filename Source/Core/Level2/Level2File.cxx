@@ -108,7 +108,8 @@ RadarVolume ReadChunks(
 std::optional<fs::path> FindOnlyFile(const fs::path& folder)
 {
   const std::vector<fs::path> files(fs::directory_iterator{folder}, fs::directory_iterator{});
-  const bool alone = files.size() == 1 && LooksLikeLevel2(files.front());
+  const bool alone =
+    files.size() == 1 && fs::is_regular_file(files.front()) && LooksLikeLevel2(files.front());
   return alone ? std::optional(files.front()) : std::nullopt;
 }
 

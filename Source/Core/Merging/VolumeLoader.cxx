@@ -65,7 +65,8 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
     }
   }
   std::stable_sort(order.begin(), order.end(), IsEarlier);
-  threads.Start(threadCount, [this] { this->Work(); });
+  threads.Start(
+    threadCount, [this] { this->Work(); }, 1);
 }
 
 VolumeLoader::~VolumeLoader()

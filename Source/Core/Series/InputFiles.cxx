@@ -64,11 +64,19 @@ public:
   InputFiles found;
 
 private:
-  // Deep enough for an archive's year/month/day/site, and an end to links that lead back up.
+  // Deep enough for an archive's year/month/day/site.
   static constexpr int MaximumDepth = 16;
 
   void AddFolder(const fs::path& folder, int depth)
   {
+    // Links may lead to one folder by several ways, or back up: each folder is listed once.
+    std::error_code failure;
+    const fs::path canonical = fs::canonical(folder, failure);
+    if (!this->listed.insert(failure ? folder : canonical).second)
+    {
+      ++this->seen;
+      return;
+    }
     if (IsChunkFolder(folder))
     {
       ++this->seen;
@@ -87,15 +95,31 @@ private:
         continue;
       }
       ++this->seen;
-      if (LooksLikeLevel2(entry))
-      {
-        this->Add(entry);
-      }
-      else
-      {
-        this->found.problems.push_back({entry.string(), {}, "not a Level II file: left out", true});
-      }
+      this->AddEntry(entry);
     }
+  }
+
+  // What stands in a folder and is none.
+  void AddEntry(const fs::path& entry)
+  {
+    std::error_code failure;
+    if (!fs::is_regular_file(entry, failure)) // opening a pipe would wait for a writer
+    {
+      this->Refuse(entry, failure ? failure.message() : "neither a file nor a folder");
+    }
+    else if (!LooksLikeLevel2(entry))
+    {
+      this->Refuse(entry, "not a Level II file");
+    }
+    else
+    {
+      this->Add(entry);
+    }
+  }
+
+  void Refuse(const fs::path& entry, const std::string& why)
+  {
+    this->found.problems.push_back({entry.string(), {}, why + ": left out", true});
   }
 
   void Add(const fs::path& path)
@@ -109,6 +133,7 @@ private:
   }
 
   std::set<fs::path> known;
+  std::set<fs::path> listed; // folders
   std::size_t seen = 0;
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <chrono>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct ProgramRun
 
 /// Runs a program with these arguments, each passed as it is.
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments);
+
+/// The same, and sends the program a signal after a time, when it still runs then.
+ProgramRun InterruptProgram(const std::string& program, const std::vector<std::string>& arguments,
+  std::chrono::milliseconds after, int signal);
 
 /// Where the program nexrad3d of this build stands.
 std::string Nexrad3dPath();

@@ -9,6 +9,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <new>
@@ -17,6 +20,8 @@ namespace nexrad
 {
 namespace
 {
+
+namespace fs = std::filesystem;
 
 using testing::ConstantVolume;
 using testing::TemporaryFolder;
@@ -135,6 +140,27 @@ TEST(SiteSeries, NamesWhatIsDamagedOrLeftOut)
   ASSERT_EQ(found.problems.size(), 1U);
   EXPECT_EQ(found.problems[0].Line(),
     (folder.Path() / "notes.txt").string() + ": not a Level II file: left out");
+}
+
+// Three links in every folder lead to as many ways as a listing of all of them never ends with.
+TEST(SiteSeries, LinksAndPipesInFoldersDoNotHoldUpTheSearch)
+{
+  const TemporaryFolder folder;
+  const fs::path inner = folder.Path() / "inner";
+  fs::create_directory(inner);
+  WriteLevel2(inner / "whole", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  for (const char* name : {"a", "b", "c"})
+  {
+    fs::create_directory_symlink("..", inner / name);
+    fs::create_directory_symlink("inner", folder.Path() / name);
+  }
+  ASSERT_EQ(mkfifo((inner / "pipe").c_str(), 0600), 0);
+  const InputFiles found = FindInputFiles({folder.Path(), folder.Path()});
+  EXPECT_EQ(found.paths.size(), 1U);
+  ASSERT_EQ(found.problems.size(), 1U);
+  EXPECT_NE(
+    found.problems[0].Line().find("pipe: neither a file nor a folder: left out"), std::string::npos)
+    << found.problems[0].Line();
 }
 
 TEST(SiteSeries, LeavesOutVolumesThatCannotBeUsed)
