@@ -22,13 +22,14 @@ namespace nexrad
 namespace
 {
 
-constexpr const char* Mark = ".part-";
+constexpr const char* mark = ".part-";
+constexpr std::size_t digitCount = 16;
 
 // Sixteen hexadecimal digits that nobody can guess.
 std::string RandomDigits()
 {
   std::random_device source;
-  char digits[17];
+  char digits[digitCount + 1];
   std::snprintf(digits, sizeof digits, "%08x%08x", source(), source());
   return digits;
 }
@@ -36,29 +37,37 @@ std::string RandomDigits()
 // What the temporary names for a path begin with.
 std::string TemporaryPrefix(const fs::path& path)
 {
-  return "." + path.stem().string() + Mark;
+  return "." + path.stem().string() + mark;
+}
+
+bool IsTemporaryFor(const fs::path& path, const fs::path& other)
+{
+  const std::string prefix = TemporaryPrefix(path);
+  const std::string ending = path.extension().string();
+  const std::string name = other.filename().string();
+  return name.size() == prefix.size() + digitCount + ending.size() &&
+         name.compare(0, prefix.size(), prefix) == 0 &&
+         name.find_first_not_of("0123456789abcdef", prefix.size()) >= prefix.size() + digitCount &&
+         name.compare(prefix.size() + digitCount, std::string::npos, ending) == 0;
 }
 
 // Removes what processes that were killed left behind for a path.
 void RemoveAbandoned(const fs::path& path)
 {
-  const std::string prefix = TemporaryPrefix(path);
   const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-  std::vector<fs::path> abandoned;
+  std::vector<fs::path> others;
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure))
   {
-    const fs::path& other = entry->path();
-    if (other.filename().string().rfind(prefix, 0) == 0 && other.extension() == path.extension() &&
-        IsAbandoned(other))
+    if (IsTemporaryFor(path, entry->path()))
     {
-      abandoned.push_back(other);
+      others.push_back(entry->path());
     }
   }
-  for (const fs::path& other : abandoned)
+  for (const fs::path& other : others)
   {
-    fs::remove(other, failure);
+    RemoveIfAbandoned(other);
   }
 }
 

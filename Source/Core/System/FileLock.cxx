@@ -39,10 +39,16 @@ bool TryLock(const FileDescriptor& file)
   return fstat(file.Number(), &status) != 0 || status.st_nlink > 0;
 }
 
-bool IsAbandoned(const std::filesystem::path& path)
+void RemoveIfAbandoned(const std::filesystem::path& path)
 {
   const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
-  return file.IsOpen() && flock(file.Number(), LOCK_EX | LOCK_NB) == 0;
+  struct stat status = {};
+  if (file.IsOpen() && fstat(file.Number(), &status) == 0 && S_ISREG(status.st_mode) &&
+      flock(file.Number(), LOCK_EX | LOCK_NB) == 0)
+  {
+    // While it is locked: a process that has just made it sees that its name is gone.
+    unlink(path.c_str());
+  }
 }
 
 } // namespace nexrad

@@ -37,7 +37,8 @@ private:
 /// True on file systems that know no locks.
 bool TryLock(const FileDescriptor& file);
 
-/// True when a file exists that no living process has locked with TryLock.
-bool IsAbandoned(const std::filesystem::path& path);
+/// Removes a regular file that no living process has locked with TryLock; on file systems that know
+/// no locks, none.
+void RemoveIfAbandoned(const std::filesystem::path& path);
 
 } // namespace nexrad
