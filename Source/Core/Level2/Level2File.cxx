@@ -97,9 +97,16 @@ RadarVolume ReadChunks(
     }
     NameMissingChunks(chunk, expected, assembler);
     expected = chunk.number + 1;
-    std::vector<std::uint8_t> bytes = ReadBytes(chunk.path, options.maximumFileBytes);
-    size = bytes.size();
-    DecodeStored(std::move(bytes), options, assembler, decoder);
+    try
+    {
+      std::vector<std::uint8_t> bytes = ReadBytes(chunk.path, options.maximumFileBytes);
+      size = bytes.size();
+      DecodeStored(std::move(bytes), options, assembler, decoder);
+    }
+    catch (const Error& error) // one chunk may have vanished since the folder was listed
+    {
+      assembler.AddDamage(0, error.what());
+    }
   }
   return assembler.Finish(folder.string(), size);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/SiteSeries.h"
 
+#include "Faults/Unprivileged.h"
 #include "HandMadeVolume.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -24,6 +25,7 @@ namespace
 namespace fs = std::filesystem;
 
 using testing::ConstantVolume;
+using testing::HoldsUnprivileged;
 using testing::TemporaryFolder;
 using testing::WriteLevel2;
 
@@ -161,6 +163,38 @@ TEST(SiteSeries, LinksAndPipesInFoldersDoNotHoldUpTheSearch)
   EXPECT_NE(
     found.problems[0].Line().find("pipe: neither a file nor a folder: left out"), std::string::npos)
     << found.problems[0].Line();
+}
+
+TEST(SiteSeries, WhatCannotBeReadIsNamedAndTheRestIsTaken)
+{
+  const TemporaryFolder folder;
+  fs::permissions(folder.Path(), fs::perms(0755));
+  for (const char* name : {"closed", "open"})
+  {
+    fs::create_directory(folder.Path() / name);
+    WriteLevel2(
+      folder.Path() / name / "volume", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  }
+  WriteLevel2(folder.Path() / "secret", {ConstantVolume(keax, At("2006-03-12T18:05:00Z"), 20.0)});
+  fs::create_symlink("nowhere", folder.Path() / "dangling");
+  fs::permissions(folder.Path() / "closed", fs::perms::none);
+  fs::permissions(folder.Path() / "secret", fs::perms::none);
+  EXPECT_TRUE(HoldsUnprivileged(
+    [&folder]
+    {
+      const InputFiles found = FindInputFiles({folder.Path()});
+      std::vector<std::string> lines;
+      for (const InputProblem& problem : found.problems)
+      {
+        lines.push_back(fs::relative(problem.Line(), folder.Path()));
+      }
+      return found.paths == std::vector<fs::path>{folder.Path() / "open" / "volume"} &&
+             lines == std::vector<std::string>{
+                        "closed: the folder cannot be read: Permission denied: left out",
+                        "dangling: No such file or directory: left out",
+                        "secret: cannot be read: Permission denied: left out"};
+    }));
+  fs::permissions(folder.Path() / "closed", fs::perms::owner_all);
 }
 
 TEST(SiteSeries, LeavesOutVolumesThatCannotBeUsed)
