@@ -12,8 +12,9 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -86,6 +87,16 @@ protected:
     return volumes;
   }
 
+  // Kills a run that writes into a folder as soon as it has written that many volumes.
+  ProgramRun InterruptAt(std::size_t volumes, const fs::path& output, const std::string& dimensions,
+    int signal = SIGKILL) const
+  {
+    return InterruptProgram(
+      Nexrad3dPath(), this->Command(output, dimensions),
+      [&] { return Volumes(output).size() + Volumes(output / ".grid.part").size() >= volumes; },
+      signal);
+  }
+
   const TemporaryFolder folder;
 };
 
@@ -97,7 +108,7 @@ TEST_F(InterruptedGrid, TwentyKillsEndWithTheBytesOfAnUndisturbedRun)
   const auto begun = std::chrono::steady_clock::now();
   ASSERT_EQ(RunNexrad3d(this->Command(whole, "80x80x20")).status, 0);
   const double undisturbed =
-    std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begun).count();
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   const auto expected = Contents(whole);
   ASSERT_EQ(expected.size(), 44U) << "43 volumes and their index";
 
@@ -109,9 +120,11 @@ TEST_F(InterruptedGrid, TwentyKillsEndWithTheBytesOfAnUndisturbedRun)
   std::map<std::string, ino_t> before;
   for (int attempt = 0; attempt < 20; ++attempt)
   {
-    const auto after = std::chrono::milliseconds(std::int64_t(undisturbed * share(random)));
-    const ProgramRun run =
-      InterruptProgram(Nexrad3dPath(), this->Command(disturbed, "80x80x20"), after, SIGKILL);
+    const auto end =
+      std::chrono::steady_clock::now() + std::chrono::duration<double>(undisturbed * share(random));
+    const ProgramRun run = InterruptProgram(
+      Nexrad3dPath(), this->Command(disturbed, "80x80x20"),
+      [end] { return std::chrono::steady_clock::now() >= end; }, SIGKILL);
     kills += run.status == -1 ? 1 : 0;
     const auto now = Volumes(disturbed);
     for (const auto& [name, entry] : before)
@@ -143,9 +156,9 @@ TEST_F(InterruptedGrid, AKilledRunOverAnotherLeavesTheOldVolumes)
   const fs::path fresh = folder.Path() / "fresh";
   ASSERT_EQ(RunNexrad3d(this->Command(fresh, "80x80x20")).status, 0);
   const auto expected = Contents(fresh);
-  for (const auto after : {150ms, 300ms})
+  for (const std::size_t written : {5U, 30U})
   {
-    InterruptProgram(Nexrad3dPath(), this->Command(output, "80x80x20"), after, SIGKILL);
+    this->InterruptAt(old.size() + written, output, "80x80x20");
     for (const auto& [name, bytes] : old)
     {
       const std::string now = FileContent(output / name);
@@ -160,7 +173,7 @@ TEST_F(InterruptedGrid, AKilledRunOverAnotherLeavesTheOldVolumes)
 TEST_F(InterruptedGrid, OtherOptionsOrFilesBeginAnew)
 {
   const fs::path output = folder.Path() / "volumes";
-  InterruptProgram(Nexrad3dPath(), this->Command(output, "80x80x20"), 200ms, SIGKILL);
+  EXPECT_EQ(this->InterruptAt(3, output, "80x80x20").status, -1);
   const fs::path fresh = folder.Path() / "fresh";
   ASSERT_EQ(RunNexrad3d(this->Command(fresh, "60x60x10")).status, 0);
   ASSERT_EQ(RunNexrad3d(this->Command(output, "60x60x10")).status, 0);
@@ -172,10 +185,70 @@ TEST_F(InterruptedGrid, CtrlCSaysHowToGoOn)
   const fs::path output = folder.Path() / "volumes";
   for (const int signal : {SIGINT, SIGTERM})
   {
-    const ProgramRun run =
-      InterruptProgram(Nexrad3dPath(), this->Command(output, "120x120x40"), 400ms, signal);
+    const std::size_t before = Volumes(output).size();
+    const ProgramRun run = this->InterruptAt(before + 1, output, "120x120x40", signal);
     EXPECT_EQ(run.status, 1);
-    EXPECT_NE(run.errors.find("the same command"), std::string::npos) << run.errors;
+    EXPECT_NE(run.errors.find("the same command makes the rest"), std::string::npos) << run.errors;
+    EXPECT_GT(Volumes(output).size(), before);
+    EXPECT_FALSE(fs::exists(output / "volumes.nxv.series"));
+  }
+}
+
+// The second run does not decode what the first one read, and names its damage all the same.
+TEST_F(InterruptedGrid, DamageThatTheFirstRunMetIsNamedByTheSecond)
+{
+  const fs::path damaged = folder.Path() / "in" / "e1";
+  fs::resize_file(damaged, fs::file_size(damaged) - 1000);
+  const fs::path whole = folder.Path() / "whole";
+  const ProgramRun undisturbed = RunNexrad3d(this->Command(whole, "60x60x10"));
+  EXPECT_EQ(undisturbed.status, 3);
+  EXPECT_NE(undisturbed.errors.find(damaged.string() + ": offset "), std::string::npos)
+    << undisturbed.errors;
+  for (const int signal : {SIGTERM, SIGKILL})
+  {
+    const fs::path output = folder.Path() / ("volumes" + std::to_string(signal));
+    this->InterruptAt(25, output, "60x60x10", signal);
+    const ProgramRun last = RunNexrad3d(this->Command(output, "60x60x10"));
+    EXPECT_EQ(last.status, 3);
+    EXPECT_EQ(last.errors, undisturbed.errors);
+    EXPECT_TRUE(Contents(output) == Contents(whole));
+  }
+}
+
+// Volumes of two grids in one folder would look like one series.
+TEST_F(InterruptedGrid, AnotherGridBesideTheVolumesOfARunIsRefused)
+{
+  const fs::path output = folder.Path() / "volumes";
+  std::vector<std::string> later = this->Command(output, "40x40x10");
+  later.insert(later.end(), {"--begin", "2006-03-12T18:20"});
+  ASSERT_EQ(RunNexrad3d(later).status, 0);
+  const auto before = Contents(output);
+  std::vector<std::string> earlier = this->Command(output, "30x30x10");
+  earlier.insert(earlier.end(), {"--end", "2006-03-12T18:10"});
+  const ProgramRun refused = RunNexrad3d(earlier);
+  EXPECT_EQ(refused.status, 1);
+  for (const char* part : {": holds 20060312T182000Z.nxv with 40x40x10 voxels of ",
+         ", and this run would add 30x30x10 voxels of ", "name another folder"})
+  {
+    EXPECT_NE(refused.errors.find(part), std::string::npos) << refused.errors;
+  }
+  EXPECT_TRUE(Contents(output) == before);
+}
+
+// "run.json" is also the name of a file with which the run keeps its recipe.
+TEST_F(InterruptedGrid, FilesOfOthersStay)
+{
+  const fs::path output = folder.Path() / "volumes";
+  fs::create_directory(output);
+  for (const char* name : {"run.json", "lock", "note-0", "notes.txt"})
+  {
+    std::ofstream(output / name) << "mine";
+  }
+  EXPECT_EQ(this->InterruptAt(3, output, "80x80x20").status, -1);
+  ASSERT_EQ(RunNexrad3d(this->Command(output, "80x80x20")).status, 0);
+  for (const char* name : {"run.json", "lock", "note-0", "notes.txt"})
+  {
+    EXPECT_EQ(FileContent(output / name), "mine") << name;
   }
 }
 
@@ -191,4 +264,28 @@ TEST_F(InterruptedGrid, TwoRunsIntoOneFolderDoNotMeet)
     << run.errors;
   close(lock);
   EXPECT_EQ(RunNexrad3d(this->Command(output, "40x40x10")).status, 0);
+}
+
+// A folder that has the name of a volume is in the way of that volume alone.
+TEST_F(InterruptedGrid, AfterAWriteThatFailsTheSameCommandMakesTheRest)
+{
+  const fs::path whole = folder.Path() / "whole";
+  ASSERT_EQ(RunNexrad3d(this->Command(whole, "40x40x10")).status, 0);
+  const fs::path output = folder.Path() / "volumes";
+  const fs::path inTheWay = output / "20060312T182000Z.nxv";
+  fs::create_directories(inTheWay);
+  const ProgramRun failed = RunNexrad3d(this->Command(output, "40x40x10"));
+  EXPECT_EQ(failed.status, 1);
+  EXPECT_NE(failed.errors.find(inTheWay.string() + ": cannot be written"), std::string::npos)
+    << failed.errors;
+  const auto made = Volumes(output);
+  EXPECT_FALSE(made.empty());
+  fs::remove(inTheWay);
+  ASSERT_EQ(RunNexrad3d(this->Command(output, "40x40x10")).status, 0);
+  EXPECT_TRUE(Contents(output) == Contents(whole));
+  const auto now = Volumes(output);
+  for (const auto& [name, entry] : made)
+  {
+    EXPECT_TRUE(name == inTheWay.filename() || now.at(name) == entry) << name << " is made again";
+  }
 }

@@ -86,8 +86,7 @@ int RunGrid(GridCommandOptions& options)
   ProgressBar bar("merging", options.quiet || !processes.IsFirst());
   WatchStopSignals();
   const GridReport report = WriteVolumes(
-    options.job, [&bar](double fraction) { return bar.Update(fraction) && !IsStopAsked(); },
-    processes);
+    options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
   bar.Clear();
   const int status = report.problems.empty() ? Done : DoneWithDamage;
   if (!processes.IsFirst())

@@ -40,7 +40,7 @@ GriddedVolume StepWriter::Write(GriddedVolume volume)
     as == VolumeFormat::Nxv ? WriteNxv(place, one, options) : WriteVti(place, one);
     return std::move(one);
   };
-  writing = std::async(std::launch::async, write, std::move(volume));
+  writing = std::async(std::launch::async | std::launch::deferred, write, std::move(volume));
   return last;
 }
 

@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -23,6 +24,7 @@ namespace
 
 constexpr const char* JournalName = "run.json";
 constexpr const char* LockName = "lock";
+constexpr const char* NoteName = "note-"; // and the rank of a process
 
 void Rename(const fs::path& from, const fs::path& to)
 {
@@ -48,6 +50,25 @@ std::set<std::string> FilesIn(const fs::path& folder)
     }
   }
   return names;
+}
+
+bool IsNote(const std::string& name)
+{
+  return name.rfind(NoteName, 0) == 0;
+}
+
+// Of the names in the hidden folder, those of files that will get the same name in the folder.
+std::set<std::string> WaitingIn(const fs::path& hidden)
+{
+  std::set<std::string> waiting;
+  for (const std::string& name : FilesIn(hidden))
+  {
+    if (name.front() != '.' && name != JournalName && name != LockName && !IsNote(name))
+    {
+      waiting.insert(name);
+    }
+  }
+  return waiting;
 }
 
 // Null when there is none that can be read.
@@ -80,10 +101,7 @@ UnfinishedRun::UnfinishedRun(
 UnfinishedRun::~UnfinishedRun()
 {
   std::error_code ignored;
-  std::set<std::string> kept = FilesIn(hidden);
-  kept.erase(JournalName);
-  kept.erase(LockName);
-  if (lock.IsOpen() && (!canGoOn || (written.empty() && kept.empty())))
+  if (lock.IsOpen() && (!canGoOn || (written.empty() && WaitingIn(hidden).empty())))
   {
     fs::remove_all(hidden, ignored);
   }
@@ -213,6 +231,26 @@ void UnfinishedRun::Add(const std::string& name)
   }
 }
 
+void UnfinishedRun::Note(const std::string& text)
+{
+  WriteFileAtomically(
+    hidden / (NoteName + std::to_string(processes.Rank())), text.data(), text.size());
+}
+
+std::vector<std::string> UnfinishedRun::Notes() const
+{
+  std::vector<std::string> notes;
+  for (const std::string& name : FilesIn(hidden))
+  {
+    if (IsNote(name))
+    {
+      std::ifstream file(hidden / name, std::ios::binary);
+      notes.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    }
+  }
+  return notes;
+}
+
 void UnfinishedRun::Discard()
 {
   std::error_code ignored;
@@ -230,12 +268,9 @@ void UnfinishedRun::End()
     {
       if (processes.IsFirst())
       {
-        for (const std::string& name : FilesIn(hidden))
+        for (const std::string& name : WaitingIn(hidden))
         {
-          if (replaced.count(name) > 0)
-          {
-            Rename(hidden / name, folder / name);
-          }
+          Rename(hidden / name, folder / name);
         }
         std::error_code ignored;
         fs::remove_all(hidden, ignored);

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <set>
 #include <string>
+#include <vector>
 
 namespace nexrad::application
 {
@@ -45,6 +46,12 @@ public:
   std::filesystem::path PlaceFor(const std::string& name) const;
   /// The file was written at its place. Throws Error when it cannot be given its name.
   void Add(const std::string& name);
+
+  /// Keeps a text of this process for a run that continues this one, in place of the text before.
+  /// Throws Error when it cannot be written.
+  void Note(const std::string& text);
+  /// The last texts that the processes of the interrupted run kept.
+  std::vector<std::string> Notes() const;
 
   /// Removes the files of this process, so that the run begins anew.
   void Discard();

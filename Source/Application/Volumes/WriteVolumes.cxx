@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/WriteVolumes.h"
 
+#include "Volumes/OtherVolumes.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
-#include "nexrad/Series/InputFiles.h"
+#include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 #include "vtkNexradThreads.h"
 
 #include <algorithm>
+#include <chrono>
+#include <optional>
+#include <set>
+#include <string>
 #include <system_error>
 #include <utility>
 
@@ -27,14 +32,14 @@ struct Block
 };
 
 // The recipe of a job with its input files: a file that changed makes another recipe.
-std::string RecipeOf(const GridJob& job)
+std::string RecipeOf(const GridJob& job, const std::vector<fs::path>& files)
 {
   if (job.recipe.empty())
   {
     return {};
   }
   std::string recipe = job.recipe;
-  for (const fs::path& path : FindInputFiles(job.inputs).paths)
+  for (const fs::path& path : files)
   {
     std::error_code ignored;
     const auto changed = fs::last_write_time(path, ignored).time_since_epoch().count();
@@ -64,22 +69,9 @@ public:
     {
       merger.EndAt(times[end - 1]);
     }
-    std::vector<Time> kept;
     for (std::size_t i = begin; i < end; ++i)
     {
-      if (run.Has(this->NameOf(times[i])))
-      {
-        kept.push_back(times[i]);
-      }
-      else
-      {
-        this->Merge(times[i], ShareOf(progress, i - begin, end - begin));
-      }
-    }
-    // Whether a radar took part in what an earlier run made, one of its volumes tells.
-    for (std::size_t i = 0; i < kept.size() && !block.anySite; ++i)
-    {
-      this->Merge(kept[i], {});
+      this->Make(times[i], ShareOf(progress, i - begin, end - begin));
     }
     writer.Finish();
     for (std::size_t i = begin; i < end; ++i)
@@ -90,18 +82,53 @@ public:
   }
 
 private:
+  using Clock = std::chrono::steady_clock;
+
   std::string NameOf(Time time) const { return VolumeFileName(time, job.format).string(); }
 
-  void Merge(Time time, const Progress& progress)
+  void Make(Time time, const Progress& progress)
   {
+    if (run.Has(this->NameOf(time)))
+    {
+      const std::optional<std::size_t> volumes = merger.Skip(time, progress);
+      if (!volumes)
+      {
+        this->Stop();
+      }
+      block.anySite = block.anySite || *volumes > 0;
+      return;
+    }
     auto volume = merger.Merge(time, progress, {}, std::move(memory));
     if (!volume)
     {
-      throw Error("stopped before all volumes were made; the same command makes the rest");
+      this->Stop();
     }
     block.anySite = block.anySite || !volume->sites.empty();
     memory = writer.Write(std::move(*volume));
+    if (Clock::now() - noted > betweenNotes)
+    {
+      this->Note();
+    }
   }
+
+  // What the files hold, a run that continues this one need not find out again.
+  void Note()
+  {
+    if (!job.recipe.empty())
+    {
+      run.Note(PackScannedFiles(merger.KnownFiles()));
+      noted = Clock::now();
+    }
+  }
+
+  [[noreturn]] void Stop()
+  {
+    writer.Finish();
+    this->Note();
+    throw Error("stopped before all volumes were made; the same command makes the rest");
+  }
+
+  static constexpr auto betweenNotes = std::chrono::seconds(5);
 
   const GridJob& job;
   SeriesMerger& merger;
@@ -109,7 +136,25 @@ private:
   StepWriter writer;
   Block block;
   GriddedVolume memory;
+  Clock::time_point noted = Clock::now();
 };
+
+// Tells the merger what the interrupted run knew of the files. What cannot be read is found out
+// again.
+void LearnFromNotes(const UnfinishedRun& run, SeriesMerger& merger)
+{
+  for (const std::string& note : run.Notes())
+  {
+    try
+    {
+      merger.LearnFiles(UnpackScannedFiles(note));
+    }
+    catch (const Error&)
+    {
+      continue;
+    }
+  }
+}
 
 // The blocks of all processes as one.
 Block AddUp(const Block& mine, const Processes& processes)
@@ -169,6 +214,17 @@ GridReport Conclude(const GridJob& job, const std::vector<Time>& times, const Bl
   return report;
 }
 
+// Throws Error where the volumes would stand beside others of another grid.
+void RequireRoom(const GridJob& job, const SeriesMerger& merger)
+{
+  std::set<std::string> own;
+  for (const Time time : merger.Times())
+  {
+    own.insert(VolumeFileName(time, job.format).string());
+  }
+  RequireSameGrid(job.folder, job.format, own, merger.Grid());
+}
+
 void RequireDone(bool done)
 {
   if (!done)
@@ -187,7 +243,9 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.processes = processes;
   SeriesMerger merger(job.inputs, job.options, setup);
   RequireDone(merger.Open(ShareOf(progress, 0.0, ScanShare)));
-  UnfinishedRun run(job.folder, RecipeOf(job), processes);
+  processes.Together([&] { RequireRoom(job, merger); });
+  UnfinishedRun run(job.folder, RecipeOf(job, merger.Files()), processes);
+  LearnFromNotes(run, merger);
   for (;;)
   {
     Block block;

@@ -7,6 +7,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <functional>
 #include <stdexcept>
@@ -79,14 +80,13 @@ ProgramRun RunProgram(const std::string& program, const std::vector<std::string>
 }
 
 ProgramRun InterruptProgram(const std::string& program, const std::vector<std::string>& arguments,
-  std::chrono::milliseconds after, int signal)
+  const std::function<bool()>& now, int signal)
 {
   return Run(program, arguments,
-    [after, signal](pid_t child)
+    [&now, signal](pid_t child)
     {
-      const auto until = std::chrono::steady_clock::now() + after;
       int status = 0;
-      while (std::chrono::steady_clock::now() < until)
+      while (!now())
       {
         if (waitpid(child, &status, WNOHANG) == child)
         {
