@@ -37,6 +37,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace nexrad::scene
@@ -53,6 +54,20 @@ void RequireVoxels(vtkImageData* data)
       data->GetPointData()->GetScalars() == nullptr)
   {
     throw Error("the volume holds no voxels to draw");
+  }
+}
+
+// Such a volume has no thickness, and VTK draws nothing of it.
+void RequireThickness(vtkImageData* data)
+{
+  const int* size = data->GetDimensions();
+  if (std::min({size[0], size[1], size[2]}) < 2)
+  {
+    throw Error(
+      "the volume of " + std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
+      std::to_string(size[2]) +
+      " voxels is one layer without thickness; merge it with two layers or more (--dims), "
+      "or draw it as a map (--map)");
   }
 }
 
@@ -313,8 +328,10 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
   if (options.plan)
   {
     MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
+    return;
   }
-  else if (!options.colourBy.empty())
+  RequireThickness(values);
+  if (!options.colourBy.empty())
   {
     MakeColourField(options, values, ReadVolumeInformation(values));
   }
@@ -329,6 +346,10 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   if (options.plan)
   {
     planView = MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
+  }
+  else
+  {
+    RequireThickness(data);
   }
   std::optional<ColourField> newField;
   if (!options.plan && !options.colourBy.empty())
