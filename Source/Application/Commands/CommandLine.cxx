@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/CommandLine.h"
 
+#include "Output/PrintableOutput.h"
 #include "Parallel/LaunchedProcess.h"
-#include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,8 +11,10 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
 #include <system_error>
+#include <unistd.h>
 
 namespace nexrad::application
 {
@@ -43,7 +45,7 @@ std::string ExplainMissingCommand(const CLI::App& program)
 // One line on standard error. Of several processes that were launched together, one speaks.
 void Complain(const CLI::App& program, const std::string& message)
 {
-  if (FindLaunchedProcess().IsFirst())
+  if (FindLaunchedProcess().Speaks())
   {
     std::cerr << CalledName(program) << ": " << message << '\n';
   }
@@ -61,7 +63,7 @@ int ReportParseError(const CLI::App& program, const CLI::ParseError& error)
   Complain(program, message + " (see " + CalledName(program) + " --help)");
   // The processes that mpiexec launched all read the same words. One that ended with an error would
   // make mpiexec end the others, and the first of them may not have spoken yet.
-  return FindLaunchedProcess().IsFirst() ? WrongUsage : Done;
+  return FindLaunchedProcess().Speaks() ? WrongUsage : Done;
 }
 
 int RunAction(const CLI::App& program, const CommandAction& action)
@@ -82,14 +84,12 @@ int RunAction(const CLI::App& program, const CommandAction& action)
     Complain(program,
       "not enough memory; fewer voxels (--dims) need less, and so does a smaller --memory");
   }
-  catch (const nexrad::Error& error)
-  {
-    Complain(program, error.what());
-  }
   catch (const std::system_error& error)
   {
-    Complain(program, "the system refuses what the program needs: " + error.code().message() +
-                        "; raise the limits on processes, files and memory (ulimit -a)");
+    const bool lacksThreads = error.code() == std::errc::resource_unavailable_try_again;
+    Complain(program, lacksThreads ? "no thread can be started; raise the limit on processes "
+                                     "(ulimit -u) or on memory (ulimit -v)"
+                                   : error.what());
   }
   catch (const std::exception& error)
   {
@@ -108,6 +108,12 @@ int RunProgram(int argc, const char* const* argv, const std::vector<AddCommand>&
   program.require_subcommand(1);
   program.footer("Exit status: 0 done; 1 failed; 2 wrong usage; 3 done, but some input was damaged "
                  "or left out.");
+  const PrintableOutput printableErrors(std::cerr);
+  std::optional<PrintableOutput> printable;
+  if (isatty(STDOUT_FILENO) == 1) // a script gets file names as they are
+  {
+    printable.emplace(std::cout);
+  }
   // A limit on the size of files shall be an error of writing, as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
   CommandAction action;
