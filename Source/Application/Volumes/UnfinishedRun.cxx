@@ -261,7 +261,7 @@ void UnfinishedRun::Discard()
   written.clear();
 }
 
-void UnfinishedRun::End()
+void UnfinishedRun::End(const std::function<void()>& last)
 {
   processes.Together(
     [&]
@@ -272,6 +272,7 @@ void UnfinishedRun::End()
         {
           Rename(hidden / name, folder / name);
         }
+        last();
         std::error_code ignored;
         fs::remove_all(hidden, ignored);
         lock.Close();

@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <set>
 #include <string>
 #include <vector>
@@ -55,9 +56,10 @@ public:
 
   /// Removes the files of this process, so that the run begins anew.
   void Discard();
-  /// All files are there: gives those that wait their names, and removes the hidden folder. All
-  /// processes call it. Throws Error, in all processes, when a file cannot be renamed.
-  void End();
+  /// All files are there: gives those that wait their names, calls `last` in the first process, and
+  /// removes the hidden folder. All processes call it. Throws Error, in all processes, when a file
+  /// cannot be renamed or `last` throws it.
+  void End(const std::function<void()>& last);
 
 private:
   void Open(const std::string& recipe);

@@ -202,15 +202,7 @@ GridReport Conclude(const GridJob& job, const std::vector<Time>& times, const Bl
     job.folder / (job.format == VolumeFormat::Nxv ? "volumes.nxv.series" : "volumes.vti.series");
   std::transform(problems.begin(), problems.end(), std::back_inserter(report.problems),
     [](const InputProblem& problem) { return problem.Line(); });
-  run.End();
-  processes.Together(
-    [&]
-    {
-      if (processes.IsFirst())
-      {
-        WriteIndex(report.index, report.files, times);
-      }
-    });
+  run.End([&] { WriteIndex(report.index, report.files, times); });
   return report;
 }
 
