@@ -48,26 +48,21 @@ namespace
 // The ground is drawn a little lower than mean sea level, in scene units.
 constexpr double groundHeight = -0.0032;
 
-void RequireVoxels(vtkImageData* data)
+// A volume of one layer has no thickness, and VTK draws nothing of it.
+void RequireVoxels(vtkImageData* data, const SceneOptions& options)
 {
   if (data == nullptr || data->GetNumberOfPoints() == 0 ||
       data->GetPointData()->GetScalars() == nullptr)
   {
     throw Error("the volume holds no voxels to draw");
   }
-}
-
-// Such a volume has no thickness, and VTK draws nothing of it.
-void RequireThickness(vtkImageData* data)
-{
   const int* size = data->GetDimensions();
-  if (std::min({size[0], size[1], size[2]}) < 2)
+  if (!options.plan && std::min({size[0], size[1], size[2]}) < 2)
   {
-    throw Error(
-      "the volume of " + std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
-      std::to_string(size[2]) +
-      " voxels is one layer without thickness; merge it with two layers or more (--dims), "
-      "or draw it as a map (--map)");
+    throw Error("the volume of " + std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
+                std::to_string(size[2]) +
+                " voxels is one layer without thickness; merge it with two layers or more "
+                "(--dims), or draw it as a map (--map)");
   }
 }
 
@@ -320,7 +315,7 @@ vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& op
 
 void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 {
-  RequireVoxels(data);
+  RequireVoxels(data, options);
   CheckCut(options.cut);
   CheckCutUnit(options.cut, data);
   const vtkSmartPointer<vtkImageData> values = AsDrawn(data, options);
@@ -328,10 +323,8 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
   if (options.plan)
   {
     MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
-    return;
   }
-  RequireThickness(values);
-  if (!options.colourBy.empty())
+  else if (!options.colourBy.empty())
   {
     MakeColourField(options, values, ReadVolumeInformation(values));
   }
@@ -339,17 +332,13 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 
 void RadarScene::SetVolume(vtkImageData* newVolume)
 {
-  RequireVoxels(newVolume);
+  RequireVoxels(newVolume, options);
   CheckCutUnit(options.cut, newVolume);
   const vtkSmartPointer<vtkImageData> data = AsDrawn(newVolume, options);
   std::optional<PlanView> planView;
   if (options.plan)
   {
     planView = MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
-  }
-  else
-  {
-    RequireThickness(data);
   }
   std::optional<ColourField> newField;
   if (!options.plan && !options.colourBy.empty())
@@ -445,7 +434,7 @@ void RadarScene::SetDetail(vtkImageData* newDetail)
 {
   if (newDetail != nullptr)
   {
-    RequireVoxels(newDetail);
+    RequireVoxels(newDetail, options);
     if (ArrayOf(newDetail) != array ||
         ReadVolumeInformation(newDetail).projection != information.projection)
     {
