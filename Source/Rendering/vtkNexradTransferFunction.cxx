@@ -12,15 +12,14 @@
 #include "vtkPiecewiseFunction.h"
 #include "vtkVolumeProperty.h"
 
-#include <vtksys/SystemInformation.hxx>
-
 #include <algorithm>
-#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <limits>
+#include <random>
+#include <string>
 
 namespace
 {
@@ -123,14 +122,13 @@ std::string EndingOf(const char* path)
   return path != nullptr ? std::filesystem::path(path).extension().string() : std::string();
 }
 
-// What was there before stays until all is written. (This module does without Core and its
-// AtomicFile.)
+// What was there before stays until all is written. Nobody can foresee the temporary name, and so
+// plant a link there. (This module does without Core and its AtomicFile.)
 bool WriteWhole(const std::filesystem::path& path, const std::string& text)
 {
-  static std::atomic<unsigned> count{0}; // of the threads that write to one folder
+  std::random_device random;
   std::filesystem::path part = path;
-  part += ".part-" + std::to_string(vtksys::SystemInformation().GetProcessId()) + "-" +
-          std::to_string(count++);
+  part += ".part-" + std::to_string(random()) + std::to_string(random());
   std::ofstream stream(part, std::ios::binary);
   stream << text;
   stream.close();

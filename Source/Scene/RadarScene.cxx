@@ -37,6 +37,7 @@
 #include <cmath>
 #include <optional>
 #include <sstream>
+#include <string>
 #include <utility>
 
 namespace nexrad::scene
@@ -47,12 +48,21 @@ namespace
 // The ground is drawn a little lower than mean sea level, in scene units.
 constexpr double groundHeight = -0.0032;
 
-void RequireVoxels(vtkImageData* data)
+// A volume of one layer has no thickness, and VTK draws nothing of it.
+void RequireVoxels(vtkImageData* data, const SceneOptions& options)
 {
   if (data == nullptr || data->GetNumberOfPoints() == 0 ||
       data->GetPointData()->GetScalars() == nullptr)
   {
     throw Error("the volume holds no voxels to draw");
+  }
+  const int* size = data->GetDimensions();
+  if (!options.plan && std::min({size[0], size[1], size[2]}) < 2)
+  {
+    throw Error("the volume of " + std::to_string(size[0]) + "x" + std::to_string(size[1]) + "x" +
+                std::to_string(size[2]) +
+                " voxels is one layer without thickness; merge it with two layers or more "
+                "(--dims), or draw it as a map (--map)");
   }
 }
 
@@ -305,7 +315,7 @@ vtkSmartPointer<vtkImageData> AsDrawn(vtkImageData* data, const SceneOptions& op
 
 void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 {
-  RequireVoxels(data);
+  RequireVoxels(data, options);
   CheckCut(options.cut);
   CheckCutUnit(options.cut, data);
   const vtkSmartPointer<vtkImageData> values = AsDrawn(data, options);
@@ -322,7 +332,7 @@ void RadarScene::Check(const SceneOptions& options, vtkImageData* data)
 
 void RadarScene::SetVolume(vtkImageData* newVolume)
 {
-  RequireVoxels(newVolume);
+  RequireVoxels(newVolume, options);
   CheckCutUnit(options.cut, newVolume);
   const vtkSmartPointer<vtkImageData> data = AsDrawn(newVolume, options);
   std::optional<PlanView> planView;
@@ -424,7 +434,7 @@ void RadarScene::SetDetail(vtkImageData* newDetail)
 {
   if (newDetail != nullptr)
   {
-    RequireVoxels(newDetail);
+    RequireVoxels(newDetail, options);
     if (ArrayOf(newDetail) != array ||
         ReadVolumeInformation(newDetail).projection != information.projection)
     {

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -249,6 +250,39 @@ TEST(RenderCommand, FailuresAreOneLine)
     EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << run.errors;
     EXPECT_FALSE(fs::exists(png));
   }
+}
+
+// VTK drew a coloured line in its place.
+TEST(RenderCommand, OneLayerIsNotDrawnAsAVolume)
+{
+  const TemporaryFolder folder;
+  const std::string radar = WriteLevel2(folder.Path() / "radar",
+    {ConstantVolume({"KEAX", Position{38.81, -94.264, 333.0}}, *ParseIso8601("2006-03-12"), 40.0)});
+  const fs::path layer = folder.Path() / "layer";
+  ASSERT_EQ(RunNexrad3d({"grid", radar, "-o", layer, "--dims", "16x16x1"}).status, 0);
+  const fs::path picture = folder.Path() / "x.png";
+  const ProgramRun refused = RunNexrad3d({"render", layer, "-o", picture, "--size", small});
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.errors.find("16x16x1"), std::string::npos) << refused.errors;
+  EXPECT_FALSE(fs::exists(picture));
+  const ProgramRun drawn =
+    RunNexrad3d({"render", layer, "-o", picture, "--size", small, "--map", "composite"});
+  EXPECT_EQ(drawn.status, 0) << drawn.errors;
+}
+
+// A movie that is stopped leaves no hidden file behind.
+TEST(RenderCommand, CtrlCLeavesNoFile)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 3);
+  const fs::path made = folder.Path() / "made";
+  fs::create_directory(made);
+  const ProgramRun run = InterruptProgram(
+    Nexrad3dPath(), {"render", series, "-o", made / "x.ogv", "--size", small, "--frames", "100000"},
+    [&made] { return !fs::is_empty(made); }, SIGINT);
+  EXPECT_EQ(run.status, 1) << run.errors;
+  EXPECT_NE(run.errors.find("stopped before all was drawn"), std::string::npos) << run.errors;
+  EXPECT_TRUE(fs::is_empty(made));
 }
 
 TEST(RenderCommand, WithoutADisplayItSaysSo)

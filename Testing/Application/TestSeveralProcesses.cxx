@@ -5,10 +5,14 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <map>
 #include <string>
+#include <system_error>
+#include <vector>
 
 using namespace nexrad::testing;
 namespace fs = std::filesystem;
@@ -181,4 +185,44 @@ TEST_F(SeveralProcesses, WhatIsWrongForAllIsSaidOnce)
   const ProgramRun usage = RunGrid(3, {"/nonexistent", "-o", "/nonexistent-too", "--dims", "x"});
   EXPECT_EQ(usage.status, 2);
   EXPECT_EQ(CountOf("'x' is no size of a grid", usage.errors), 1) << usage.errors;
+}
+
+// One process is killed in the middle of the run; one process alone makes the rest.
+TEST_F(SeveralProcesses, AfterADeathTheSameCommandMakesTheRest)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  const auto arguments = [&](const std::string& output)
+  {
+    return std::vector<std::string>{"grid", data / "level2" / "run-kbgm-20050821", "-o",
+      folder.Path() / output, "--dims", "64x64x24", "--step", "20s"};
+  };
+  ASSERT_EQ(RunNexrad3d(arguments("alone")).status, 0);
+  const auto expected = ContentOf(folder.Path() / "alone");
+  const fs::path output = folder.Path() / "volumes";
+  const fs::path numbers = folder.Path() / "process-";
+  const std::string command =
+    "echo $$ > " + numbers.string() + "$OMPI_COMM_WORLD_RANK; exec \"$0\" \"$@\"";
+  std::vector<std::string> words = {"-n", "2", "/bin/sh", "-c", command, Nexrad3dPath()};
+  const std::vector<std::string> own = arguments("volumes");
+  words.insert(words.end(), own.begin(), own.end());
+  bool killed = false;
+  const auto killSecond = [&]
+  {
+    const std::string second = FileContent(numbers.string() + "1");
+    std::error_code none;
+    const auto entries = std::distance(fs::directory_iterator(output, none), {});
+    if (!killed && !second.empty() && entries > 3)
+    {
+      killed = kill(std::stoi(second), SIGKILL) == 0;
+    }
+    return false; // mpiexec itself gets no signal
+  };
+  const ProgramRun run = InterruptProgram(NEXRAD_MPIEXEC, words, killSecond, SIGTERM);
+  EXPECT_TRUE(killed);
+  EXPECT_NE(run.status, 0);
+  EXPECT_FALSE(fs::exists(output / "volumes.nxv.series"));
+  const ProgramRun rest = RunNexrad3d(own);
+  EXPECT_EQ(rest.status, 0) << rest.errors;
+  EXPECT_TRUE(ContentOf(output) == expected);
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/CommandLine.h"
 #include "Commands/SimulateCommand.h"
+#include "Commands/SimulatedFiles.h"
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Simulation/SimulatedDay.h"
+#include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
@@ -172,4 +174,20 @@ TEST(SimulateCommand, APeriodWithoutAVolumeFails)
     FormatIso8601(justAfter), "--sites", "KEAX:32"});
   EXPECT_EQ(outcome.status, Failed);
   EXPECT_NE(outcome.errors.find("no volume begins"), std::string::npos) << outcome.errors;
+}
+
+// A stop leaves whole files and says that they are not all.
+TEST(SimulateCommand, AStopIsAFailure)
+{
+  SimulatedDayOptions day;
+  day.length = std::chrono::minutes(30);
+  day.sites = {{"KEAX", 32}};
+  ASSERT_GT(PlanSimulatedDay(day).size(), 2U);
+  const nexrad::testing::TemporaryFolder temporary;
+  EXPECT_THROW(WriteSimulatedFiles(day, temporary.Path(), [](double) { return false; }), Error);
+  for (const auto& entry : std::filesystem::directory_iterator(temporary.Path()))
+  {
+    EXPECT_NE(entry.path().filename().string().front(), '.') << entry.path();
+    EXPECT_TRUE(ReadLevel2(entry.path()).complete) << entry.path();
+  }
 }

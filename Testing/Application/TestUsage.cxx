@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -220,4 +221,40 @@ TEST(Usage, InputsThatDoNotExist)
   std::ofstream(folder.Path() / "text.txt") << "This is no radar file.";
   ExpectFailure({"grid", folder.Path() / "text.txt", "-o", output}, {"text.txt"});
   EXPECT_FALSE(fs::exists(output)) << "nothing was made, so no folder either";
+}
+
+// A program that mpiexec started may start others, which inherit its variables.
+TEST(Usage, AForeignLauncherSilencesNothing)
+{
+  setenv("OMPI_COMM_WORLD_RANK", "3", 1);
+  for (const char* count : {"4", "2", "many"})
+  {
+    setenv("OMPI_COMM_WORLD_SIZE", count, 1);
+    const Arguments wrong = {"-c", Nexrad3dPath() + " grid --dims x /nonexistent -o out; exit $?"};
+    const ProgramRun usage = RunProgram("/bin/sh", wrong);
+    EXPECT_EQ(usage.status, 2) << count;
+    EXPECT_TRUE(IsOneLine(usage.errors)) << usage.errors;
+    const Arguments missing = {"-c", Nexrad3dPath() + " info /nonexistent; exit $?"};
+    const ProgramRun failure = RunProgram("/bin/sh", missing);
+    EXPECT_EQ(failure.status, 1) << count;
+    EXPECT_NE(failure.errors.find("/nonexistent"), std::string::npos) << failure.errors;
+  }
+  unsetenv("OMPI_COMM_WORLD_RANK");
+  unsetenv("OMPI_COMM_WORLD_SIZE");
+}
+
+TEST(Usage, ControlCharactersOfFileNamesAreShownAsText)
+{
+  const ProgramRun run = RunNexrad3d({"info", "/nonexistent/\x1b[31mred\a\xc2\x9bJ é"});
+  EXPECT_EQ(run.status, 1);
+  EXPECT_NE(run.errors.find("/nonexistent/\\x1b[31mred\\x07"), std::string::npos) << run.errors;
+  EXPECT_EQ(run.errors.find('\x1b'), std::string::npos);
+  EXPECT_EQ(run.errors.find("\xc2\x9b"), std::string::npos);
+  EXPECT_NE(run.errors.find(" é"), std::string::npos);
+}
+
+TEST(Usage, AnEmptyNameOfAFolder)
+{
+  const TemporaryFolder folder;
+  ExpectFailure({"simulate", "", "--hours", "0.1"}, {"the folder to write to is empty"});
 }

@@ -164,10 +164,11 @@ TEST_F(WritingVolumes, OneTerminalRadarHasTheDomainOfItsReach)
   files.push_back(WriteLevel2(folder.Path() / "terminal", {ConstantVolume(terminal, start, 20.0)}));
   job.options = MergeOptions();
   job.options.grid.dimensions = {40, 24, 10};
-  const auto widthOf = [this](const std::vector<fs::path>& inputs)
+  int runs = 0;
+  const auto widthOf = [this, &runs](const std::vector<fs::path>& inputs)
   {
     job.inputs = inputs;
-    this->Contents("domain");
+    this->Contents("domain" + std::to_string(runs++));
     const GriddedVolume made = ReadNxv(report.files.front());
     return made.grid.spacing[0] * made.grid.dimensions[0];
   };
@@ -256,6 +257,32 @@ TEST_F(WritingVolumes, ARunThatSucceedsReplacesWhatWasThere)
   const auto expected = this->Contents("thesis");
   EXPECT_FALSE(expected == beam);
   EXPECT_TRUE(this->Contents("replaced") == expected);
+}
+
+// Volumes of two grids in one folder were drawn as one series.
+TEST_F(WritingVolumes, AFolderWithTwoGridsIsNotDrawn)
+{
+  job.options.end = start + 10min;
+  this->Contents("first");
+  job.options.begin = start + 20min;
+  job.options.end = start + 30min;
+  job.options.grid.dimensions = {20, 24, 10};
+  this->Contents("second");
+  fs::copy(folder.Path() / "second", folder.Path() / "first",
+    fs::copy_options::recursive | fs::copy_options::skip_existing);
+  try
+  {
+    scene::OpenVolumeFiles({folder.Path() / "first"});
+    FAIL() << "opened two grids as one series";
+  }
+  catch (const Error& error)
+  {
+    const std::string text = error.what();
+    EXPECT_NE(text.find("20060312T180000Z.nxv has 40x24x10"), std::string::npos) << text;
+    EXPECT_NE(text.find("20060312T182100Z.nxv has 20x24x10"), std::string::npos) << text;
+  }
+  EXPECT_EQ(
+    scene::OpenVolumeFiles({folder.Path() / "first" / "volumes.nxv.series"})->Times().size(), 4U);
 }
 
 // 681 million voxels in 500 bytes; the picture of them would take ten gigabytes.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/CommandLine.h"
 
+#include "Output/PrintableOutput.h"
 #include "Parallel/LaunchedProcess.h"
 
 #include <CLI/CLI.hpp>
@@ -10,7 +11,10 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <string>
+#include <system_error>
+#include <unistd.h>
 
 namespace nexrad::application
 {
@@ -41,7 +45,7 @@ std::string ExplainMissingCommand(const CLI::App& program)
 // One line on standard error. Of several processes that were launched together, one speaks.
 void Complain(const CLI::App& program, const std::string& message)
 {
-  if (FindLaunchedProcess().IsFirst())
+  if (FindLaunchedProcess().Speaks())
   {
     std::cerr << CalledName(program) << ": " << message << '\n';
   }
@@ -59,7 +63,7 @@ int ReportParseError(const CLI::App& program, const CLI::ParseError& error)
   Complain(program, message + " (see " + CalledName(program) + " --help)");
   // The processes that mpiexec launched all read the same words. One that ended with an error would
   // make mpiexec end the others, and the first of them may not have spoken yet.
-  return FindLaunchedProcess().IsFirst() ? WrongUsage : Done;
+  return FindLaunchedProcess().Speaks() ? WrongUsage : Done;
 }
 
 int RunAction(const CLI::App& program, const CommandAction& action)
@@ -77,7 +81,15 @@ int RunAction(const CLI::App& program, const CommandAction& action)
   }
   catch (const std::bad_alloc&)
   {
-    Complain(program, "not enough memory");
+    Complain(program,
+      "not enough memory; fewer voxels (--dims) need less, and so does a smaller --memory");
+  }
+  catch (const std::system_error& error)
+  {
+    const bool lacksThreads = error.code() == std::errc::resource_unavailable_try_again;
+    Complain(program, lacksThreads ? "no thread can be started; raise the limit on processes "
+                                     "(ulimit -u) or on memory (ulimit -v)"
+                                   : error.what());
   }
   catch (const std::exception& error)
   {
@@ -96,6 +108,12 @@ int RunProgram(int argc, const char* const* argv, const std::vector<AddCommand>&
   program.require_subcommand(1);
   program.footer("Exit status: 0 done; 1 failed; 2 wrong usage; 3 done, but some input was damaged "
                  "or left out.");
+  const PrintableOutput printableErrors(std::cerr);
+  std::optional<PrintableOutput> printable;
+  if (isatty(STDOUT_FILENO) == 1) // a script gets file names as they are
+  {
+    printable.emplace(std::cout);
+  }
   // A limit on the size of files shall be an error of writing, as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
   CommandAction action;

@@ -6,6 +6,7 @@
 #include "Options/UnitOptions.h"
 #include "Output/OutputFile.h"
 #include "Output/ProgressBar.h"
+#include "Output/StopSignal.h"
 #include "Volumes/WriteVolumes.h"
 #include "nexrad/System/Error.h"
 
@@ -140,6 +141,7 @@ int RunDemo(const DemoOptions& options)
 {
   const auto start = std::chrono::steady_clock::now();
   RequireDisplayVariable();
+  WatchStopSignals();
   MakeFolder(options.folder);
   const std::vector<fs::path> files = SimulateStage(options);
   DrawStages(options, GridStage(options, files));

@@ -7,6 +7,7 @@
 #include "Output/Counted.h"
 #include "Output/EchoReport.h"
 #include "Output/ProgressBar.h"
+#include "Output/StopSignal.h"
 #include "Parallel/JoinedProcesses.h"
 #include "Volumes/WriteVolumes.h"
 
@@ -16,6 +17,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 
 namespace nexrad::application
@@ -71,6 +73,17 @@ void CheckCode(const GridJob& job)
   }
 }
 
+// All options that decide what the volumes contain.
+std::string RecipeOf(const CLI::App& command, const std::string& format, const std::string& code)
+{
+  std::string recipe = "nexrad3d " NEXRAD_VERSION "\n--format " + format + "\n--code " + code;
+  for (const OptionText& option : GivenGridOptions(command))
+  {
+    recipe += '\n' + option.name + ' ' + option.value;
+  }
+  return recipe;
+}
+
 void PrintReport(const GridReport& report, QualityLevel level)
 {
   std::cout << report.index.string() << ": " << Counted(report.files.size(), "volume") << ", "
@@ -101,6 +114,7 @@ int RunGrid(GridCommandOptions& options)
 {
   const Processes processes = options.joined.emplace().Get();
   ProgressBar bar("merging", options.quiet || !processes.IsFirst());
+  WatchStopSignals();
   const GridReport report = WriteVolumes(
     options.job, [&bar](double fraction) { return bar.Update(fraction); }, processes);
   bar.Clear();
@@ -154,9 +168,12 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
   AddQuietOption(*command, options->quiet);
   AddGridOptions(*command, options->job.options);
   command->callback(
-    [options, &action]
+    [options, &action, command]
     {
       CheckCode(options->job);
+      const auto written = [command](const char* name)
+      { return command->count(name) > 0 ? command->get_option(name)->as<std::string>() : ""; };
+      options->job.recipe = RecipeOf(*command, written("--format"), written("--code"));
       action = [options] { return RunGrid(*options); };
     });
 }

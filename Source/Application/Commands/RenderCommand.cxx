@@ -6,6 +6,7 @@
 #include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/ProgressBar.h"
+#include "Output/StopSignal.h"
 
 #include <CLI/CLI.hpp>
 
@@ -53,6 +54,7 @@ void AddMovie(CLI::App& command, scene::RenderRequest& request)
 
 int RunRender(RenderOptions& options)
 {
+  WatchStopSignals();
   ProgressBar bar("drawing", options.quiet);
   options.request.progress = [&bar](double fraction) { return bar.Update(fraction); };
   const scene::RenderReport report = RenderWithLibrary(options.request);

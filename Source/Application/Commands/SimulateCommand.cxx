@@ -5,6 +5,7 @@
 #include "Options/UnitOptions.h"
 #include "Output/Counted.h"
 #include "Output/ProgressBar.h"
+#include "Output/StopSignal.h"
 #include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"
@@ -170,6 +171,7 @@ void Print(
 
 int RunSimulate(const SimulateCommandOptions& options, const SimulatedDayOptions& day)
 {
+  WatchStopSignals();
   ProgressBar bar("simulating", options.quiet);
   const SimulationReport report = WriteSimulatedFiles(
     day, options.folder, [&bar](double fraction) { return bar.Update(fraction); });

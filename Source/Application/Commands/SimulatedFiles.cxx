@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/SimulatedFiles.h"
 
+#include "nexrad/System/Error.h"
 #include "nexrad/System/ThreadGroup.h"
 
 #include "Output/OutputFile.h"
@@ -102,9 +103,10 @@ void FileFactory::Finish(std::uint64_t bytes)
   const std::lock_guard<std::mutex> lock(mutex);
   report.bytes += bytes;
   ++done;
-  if (progress && !progress(static_cast<double>(done) / static_cast<double>(volumes.size())))
+  if (progress && !progress(static_cast<double>(done) / static_cast<double>(volumes.size())) &&
+      done < volumes.size())
   {
-    next = volumes.size();
+    throw Error("stopped before all files were written");
   }
 }
 

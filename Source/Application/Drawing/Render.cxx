@@ -5,6 +5,7 @@
 #include "Drawing/PictureWindow.h"
 #include "Scene/RadarSession.h"
 #include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 
 #include <vtkImageData.h>
@@ -18,16 +19,26 @@ namespace nexrad::scene
 namespace
 {
 
+void GoOn(const Progress& progress)
+{
+  if (progress && !progress(1.0))
+  {
+    throw Error("stopped before all was drawn");
+  }
+}
+
 void DrawPictures(const RenderRequest& request, RadarSession& session, RenderReport& report)
 {
   PictureWindow window(session.Scene(), request.size);
   const Progress drawing = ShareOf(request.progress, ScanShare, 1.0);
   for (std::size_t i = 0; i < session.Count(); ++i)
   {
-    session.Show(i, ShareOf(drawing, i, session.Count()));
+    const Progress part = ShareOf(drawing, i, session.Count());
+    session.Show(i, part);
     const fs::path name = PictureName(request.output, session.TimeAt(i), session.Count() > 1);
     WritePng(window.Draw(), name);
     report.outputs.push_back(name);
+    GoOn(part);
   }
 }
 
@@ -46,10 +57,7 @@ void DrawMovie(const RenderRequest& request, RadarSession& session, RenderReport
     view.azimuth += request.turn * static_cast<double>(frame) / static_cast<double>(frames);
     session.Scene().SetCamera(view);
     writer->AddFrame(window.Draw());
-    if (part)
-    {
-      part(1.0);
-    }
+    GoOn(part);
   }
   writer->Finish();
   report.outputs.push_back(request.output);

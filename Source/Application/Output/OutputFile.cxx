@@ -56,6 +56,10 @@ void WriteFile(const fs::path& path, const unsigned char* bytes, std::size_t siz
 
 void MakeFolder(const fs::path& path)
 {
+  if (path.empty())
+  {
+    throw Error("the name of the folder to write to is empty; give it a name, or . for this one");
+  }
   std::error_code error;
   fs::create_directories(path, error);
   if (error || !fs::is_directory(path))

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/ProgressBar.h"
 
+#include "Output/StopSignal.h"
+
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
@@ -37,10 +39,16 @@ ProgressBar::~ProgressBar()
 
 bool ProgressBar::Update(double fraction)
 {
+  this->Draw(fraction);
+  return !IsStopAsked();
+}
+
+void ProgressBar::Draw(double fraction)
+{
   const auto now = Clock::now();
   if (!enabled || now - start < firstShown || now - drawn < betweenUpdates)
   {
-    return true;
+    return;
   }
   drawn = now;
   visible = true;
@@ -48,7 +56,6 @@ bool ProgressBar::Update(double fraction)
   const int filled = static_cast<int>(std::lround(part * width));
   std::cerr << '\r' << what << " [" << std::string(filled, '=') << std::string(width - filled, ' ')
             << "] " << std::lround(part * 100.0) << " %  " << std::flush;
-  return true;
 }
 
 void ProgressBar::Clear()

@@ -27,8 +27,8 @@ public:
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// Says that `fraction` (0…1) of the work is done. Returns true, so that it can serve as a
-  /// nexrad::Progress.
+  /// Says that `fraction` (0…1) of the work is done. It can serve as a nexrad::Progress: returns
+  /// false when a signal asked the program to stop (StopSignal.h).
   bool Update(double fraction);
 
   /// Wipes the line, so that other output can follow.
@@ -36,6 +36,8 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
+
+  void Draw(double fraction);
 
   std::string what;
   bool enabled;

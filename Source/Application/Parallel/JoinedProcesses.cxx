@@ -18,6 +18,10 @@ JoinedProcesses::JoinedProcesses()
     const auto join = reinterpret_cast<JoinFunction>(LoadProgramFunction("nexrad3d-mpi.so",
       joinFunctionName, "joins several processes", "nexrad3d-mpi (it needs VTK with MPI)"));
     controller = join();
+    if (controller->GetNumberOfProcesses() == 1)
+    {
+      ForgetLauncher(); // the variables were another program's
+    }
   }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/StepWriter.h"
 
-#include "Output/OutputFile.h"
 #include "Volumes/VtiFile.h"
 
 namespace fs = std::filesystem;
@@ -13,8 +12,9 @@ fs::path VolumeFileName(Time time, VolumeFormat format)
   return FormatForFileName(time) + (format == VolumeFormat::Nxv ? ".nxv" : ".vti");
 }
 
-StepWriter::StepWriter(fs::path toFolder, VolumeFormat theFormat, const NxvWriteOptions& nxvOptions)
-  : folder(std::move(toFolder))
+StepWriter::StepWriter(
+  UnfinishedRun& theRun, VolumeFormat theFormat, const NxvWriteOptions& nxvOptions)
+  : run(theRun)
   , format(theFormat)
   , nxv(nxvOptions)
 {
@@ -27,26 +27,20 @@ GriddedVolume StepWriter::TakeLast()
     return {};
   }
   GriddedVolume last = writing.get();
-  bytes += fs::file_size(place);
+  run.Add(name);
   return last;
 }
 
 GriddedVolume StepWriter::Write(GriddedVolume volume)
 {
   GriddedVolume last = this->TakeLast();
-  if (files.IsEmpty())
+  name = VolumeFileName(volume.time, format).string();
+  const auto write = [place = run.PlaceFor(name), as = format, options = nxv](GriddedVolume&& one)
   {
-    MakeFolder(folder); // not earlier: a failure so far leaves nothing behind
-  }
-  const fs::path path = folder / VolumeFileName(volume.time, format);
-  place = WrittenFiles::PlaceFor(path);
-  files.Add(place, path); // now, so that it is not forgotten when the next step fails
-  const auto write = [path = place, as = format, options = nxv](GriddedVolume&& one)
-  {
-    as == VolumeFormat::Nxv ? WriteNxv(path, one, options) : WriteVti(path, one);
+    as == VolumeFormat::Nxv ? WriteNxv(place, one, options) : WriteVti(place, one);
     return std::move(one);
   };
-  writing = std::async(std::launch::async, write, std::move(volume));
+  writing = std::async(std::launch::async | std::launch::deferred, write, std::move(volume));
   return last;
 }
 

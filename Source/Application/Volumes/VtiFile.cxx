@@ -7,6 +7,7 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkXMLImageDataReader.h>
 #include <vtkXMLImageDataWriter.h>
 
 #include <string>
@@ -28,6 +29,17 @@ void WriteVti(const std::filesystem::path& path, const GriddedVolume& volume)
   messages.ThrowFirstError();
   const std::string bytes = writer->GetOutputString();
   WriteFile(path, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+}
+
+GridSpecification ReadVtiGrid(const std::filesystem::path& path)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  vtkNexradMessages messages;
+  messages.Watch(reader);
+  reader->SetFileName(path.c_str());
+  reader->Update();
+  messages.ThrowFirstError();
+  return vtkNexradImageToGrid(reader->GetOutput());
 }
 
 } // namespace nexrad::application

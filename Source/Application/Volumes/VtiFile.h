@@ -12,4 +12,7 @@ namespace nexrad::application
 /// it cannot be written.
 void WriteVti(const std::filesystem::path& path, const GriddedVolume& volume);
 
+/// The grid of such a file. Throws Error when it cannot be read.
+GridSpecification ReadVtiGrid(const std::filesystem::path& path);
+
 } // namespace nexrad::application

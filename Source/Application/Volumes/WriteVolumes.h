@@ -25,6 +25,9 @@ struct GridJob
   VolumeFormat format = VolumeFormat::Nxv;
   NxvWriteOptions nxv; ///< how VolumeFormat::Nxv stores the values
   MergeOptions options;
+  /// All that decides what the volumes contain, beside the inputs, as text. A run that was
+  /// interrupted is continued by one with the same text and the same input files. Empty: never.
+  std::string recipe;
 };
 
 /// What WriteVolumes made.
@@ -45,12 +48,13 @@ struct GridReport
 /// index of them, volumes.nxv.series (or .vti, volumes.vti.series), in the form that ParaView uses
 /// for series. Each file appears whole or not at all; the index comes last. Volumes and index that
 /// were there before are replaced only when all new ones are there, so that a run which fails
-/// changes none of them. Files are decoded and
-/// volumes written while others are merged, in memory that does not grow with the number of steps;
-/// files that no step needs are not decoded. Several processes make a part of the times each, with
-/// the same files as one alone; the first writes the index when all are done, and all get the same
-/// report. Throws Error when no input holds a ray or a file cannot be written: in all processes
-/// when it fails in one.
+/// changes none of them. A run that was interrupted, by an error or by the end of the process, is
+/// continued by the next one with the same recipe (UnfinishedRun): it makes the volumes that are
+/// not there. Files are decoded and volumes written while others are merged, in memory that does
+/// not grow with the number of steps; files that no step needs are not decoded. Several processes
+/// make a part of the times each, with the same files as one alone; the first writes the index when
+/// all are done, and all get the same report. Throws Error when no input holds a ray or a file
+/// cannot be written: in all processes when it fails in one.
 GridReport WriteVolumes(
   const GridJob& job, const Progress& progress = {}, const Processes& processes = Processes());
 

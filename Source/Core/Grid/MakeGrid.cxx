@@ -108,6 +108,13 @@ void CheckRequest(const GridRequest& request)
   if (request.bounds)
   {
     CheckBounds(*request.bounds);
+    constexpr double widest = 180.0; // degrees; farther from its centre the projection turns over
+    const double width = request.bounds->east - request.bounds->west;
+    if (request.axes == GridAxes::Projected && width > widest)
+    {
+      Refuse("bounds from west ", request.bounds->west, " to east ", request.bounds->east,
+        ": a grid in metres is at most ", widest, " degrees wide");
+    }
   }
   else if (!(RangeOf(request) > 0.0) || RangeOf(request) > largestRange)
   {

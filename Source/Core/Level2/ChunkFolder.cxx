@@ -48,7 +48,9 @@ std::vector<Chunk> ListChunks(const fs::path& folder)
   for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
        entry.increment(error))
   {
-    if (auto chunk = ParseChunkName(entry->path()))
+    std::error_code ignored;
+    auto chunk = ParseChunkName(entry->path());
+    if (chunk && entry->is_regular_file(ignored)) // opening a pipe would wait for a writer
     {
       chunks.push_back(std::move(*chunk));
     }

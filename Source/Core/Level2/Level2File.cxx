@@ -97,9 +97,16 @@ RadarVolume ReadChunks(
     }
     NameMissingChunks(chunk, expected, assembler);
     expected = chunk.number + 1;
-    std::vector<std::uint8_t> bytes = ReadBytes(chunk.path, options.maximumFileBytes);
-    size = bytes.size();
-    DecodeStored(std::move(bytes), options, assembler, decoder);
+    try
+    {
+      std::vector<std::uint8_t> bytes = ReadBytes(chunk.path, options.maximumFileBytes);
+      size = bytes.size();
+      DecodeStored(std::move(bytes), options, assembler, decoder);
+    }
+    catch (const Error& error) // one chunk may have vanished since the folder was listed
+    {
+      assembler.AddDamage(0, error.what());
+    }
   }
   return assembler.Finish(folder.string(), size);
 }
@@ -108,7 +115,8 @@ RadarVolume ReadChunks(
 std::optional<fs::path> FindOnlyFile(const fs::path& folder)
 {
   const std::vector<fs::path> files(fs::directory_iterator{folder}, fs::directory_iterator{});
-  const bool alone = files.size() == 1 && LooksLikeLevel2(files.front());
+  const bool alone =
+    files.size() == 1 && fs::is_regular_file(files.front()) && LooksLikeLevel2(files.front());
   return alone ? std::optional(files.front()) : std::nullopt;
 }
 

@@ -5,6 +5,8 @@
 
 #include <cmath>
 #include <filesystem>
+#include <iomanip>
+#include <sstream>
 #include <string>
 
 namespace nexrad
@@ -115,6 +117,25 @@ void CheckHeight(RadarVolume& volume)
   }
 }
 
+// A radar far from where the site table has it is most likely one with a damaged position.
+void CheckPlace(RadarVolume& volume)
+{
+  constexpr double tolerated = 1.0; // degrees; radars have been moved by less
+  const KnownSite* known = FindSite(volume.site.name);
+  const Position& stated = *volume.site.position;
+  if (known == nullptr || (std::abs(stated.latitude - known->position.latitude) <= tolerated &&
+                            std::abs(stated.longitude - known->position.longitude) <= tolerated))
+  {
+    return;
+  }
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << "the file has " << volume.site.name << " at "
+       << stated.latitude << ", " << stated.longitude << " degrees, the site table at "
+       << known->position.latitude << ", " << known->position.longitude
+       << " degrees: the file's position is used";
+  volume.notes.push_back(text.str());
+}
+
 } // namespace
 
 void ResolveSite(const SiteEvidence& evidence, const Level2Options& options, RadarVolume& volume)
@@ -131,6 +152,7 @@ void ResolveSite(const SiteEvidence& evidence, const Level2Options& options, Rad
   }
   if (volume.site.position)
   {
+    CheckPlace(volume);
     CheckHeight(volume);
     return;
   }

@@ -120,7 +120,10 @@ void VolumeAssembler::AddRay(DecodedRay&& decoded, int messageType, std::uint64_
     volume.coveragePatternNumber = decoded.coveragePatternNumber;
   }
   rayName = rayName.empty() ? decoded.siteName : rayName;
-  position = position ? position : decoded.position;
+  if (decoded.position)
+  {
+    position.Add(*decoded.position, offset, pieces.size() - 1);
+  }
   volume.messageType = std::max(volume.messageType.value_or(0), messageType);
   volume.sweeps.back().rays.push_back(decoded.ray);
   places.back().push_back({offset, pieces.size() - 1});
@@ -182,6 +185,17 @@ void VolumeAssembler::CheckRays()
   MendRayTimes(volume, report);
 }
 
+void VolumeAssembler::CheckPosition()
+{
+  const PositionVote::Group others = position.Others();
+  if (others.rays > 0)
+  {
+    damage.Add(others.offset,
+      pieces[others.piece] + std::to_string(others.rays) + " of " + std::to_string(rayCount) +
+        " rays state another position of the radar than most do: that of most is used");
+  }
+}
+
 void VolumeAssembler::NoteTimes()
 {
   constexpr auto usualDifference = std::chrono::seconds(10);
@@ -208,6 +222,7 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   volume.file = name;
   this->FinishSweep(nullptr);
   this->CheckRays();
+  this->CheckPosition();
   volume.damage = damage.Take(piece.empty());
   // After the others, so that it is there however many they are.
   if (volume.sweeps.empty())
@@ -222,7 +237,7 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
     volume.damage.push_back({size, piece + "no end of volume: its last rays are missing"});
   }
   this->ChoosePattern();
-  ResolveSite({headerName, rayName, name, position}, options, volume);
+  ResolveSite({headerName, rayName, name, position.Winner()}, options, volume);
   ResolveWaveforms(volume);
   this->NoteTimes();
   // The decoder keeps rays that the antenna sent while it was not at its cut.

@@ -5,6 +5,7 @@
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Level2/Messages/DecodedRay.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
+#include "nexrad/Level2/PositionVote.h"
 #include "nexrad/Level2/SweepWatch.h"
 #include "nexrad/Model/RadarVolume.h"
 
@@ -56,6 +57,7 @@ private:
   void FinishSweep(const Ray* next);
   void CheckRays();
   void ChoosePattern();
+  void CheckPosition();
   void NoteTimes();
 
   Level2Options options;
@@ -66,7 +68,7 @@ private:
   bool hasHeader = false;
   std::string headerName;
   std::string rayName;
-  std::optional<StoredPosition> position;
+  PositionVote position;
   DamageList damage;
   SweepWatch watch;
   std::size_t rayCount = 0;

@@ -79,6 +79,12 @@ VolumeChoice ChoiceOf(const MergeRequest& request)
   { return ChooseVolumes(starts, ends, request); };
 }
 
+// What stands for a file of which nothing is known.
+bool IsUnknown(const ScannedFile& file)
+{
+  return file.volumes.empty() && file.problems.empty();
+}
+
 SeriesOptions OneThreadAFile(SeriesOptions series)
 {
   series.level2.threads = 1;
@@ -607,6 +613,41 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
   return this->MergeMoments(*volumes, request, run, progress, std::move(memory));
 }
 
+std::optional<std::size_t> SeriesMerger::Skip(Time time, const Progress& progress)
+{
+  if (const auto count = loader->CountAbout(time))
+  {
+    return count;
+  }
+  const auto volumes = loader->About(time, {}, progress);
+  return volumes ? std::optional(volumes->size()) : std::nullopt;
+}
+
+std::vector<ScannedFile> SeriesMerger::KnownFiles() const
+{
+  std::vector<ScannedFile> files;
+  for (const std::optional<ScannedFile>& file : loader->Known())
+  {
+    files.push_back(file.value_or(ScannedFile()));
+  }
+  return files;
+}
+
+void SeriesMerger::LearnFiles(const std::vector<ScannedFile>& files)
+{
+  if (files.size() != found.paths.size())
+  {
+    throw Error("these are descriptions of " + std::to_string(files.size()) + " files, not of " +
+                std::to_string(found.paths.size()));
+  }
+  std::vector<std::optional<ScannedFile>> known;
+  for (const ScannedFile& file : files)
+  {
+    known.push_back(IsUnknown(file) ? std::nullopt : std::optional(file));
+  }
+  loader->Learn(known);
+}
+
 // Those of reflectivity about a time, without sweeps; empty when `progress` asked to stop.
 std::optional<BeamVolumes> SeriesMerger::EchoAbout(Time time, const Progress& progress)
 {
@@ -712,18 +753,14 @@ SeriesScan SeriesMerger::Gather() const
   std::vector<std::optional<ScannedFile>> known = loader->Known();
   if (setup.processes.Count() > 1)
   {
-    std::vector<ScannedFile> own;
-    for (const std::optional<ScannedFile>& file : known)
-    {
-      own.push_back(file.value_or(ScannedFile()));
-    }
-    for (const std::string& message : setup.processes.Exchange(PackScannedFiles(own)))
+    for (const std::string& message :
+      setup.processes.Exchange(PackScannedFiles(this->KnownFiles())))
     {
       std::vector<ScannedFile> part = UnpackScannedFiles(message);
       for (std::size_t i = 0; i < part.size(); ++i)
       {
-        const bool holds = !(part[i].volumes.empty() && part[i].problems.empty());
-        if ((!known[i] && holds) || (known[i] && TellsEcho(part[i]) && !TellsEcho(*known[i])))
+        const bool told = known[i] && !TellsEcho(*known[i]) && TellsEcho(part[i]);
+        if (told || (!known[i] && !IsUnknown(part[i])))
         {
           known[i] = std::move(part[i]);
         }

@@ -87,6 +87,8 @@ public:
   BiasReport CompareRadars() const;
   /// The biases that are taken off reflectivity: those given, or those found.
   const RadarBiases& BiasesTakenOff() const { return request.beam.biases; }
+  /// The input files and chunk folders.
+  const std::vector<std::filesystem::path>& Files() const { return found.paths; }
   /// True when all files were decoded to learn what they hold.
   bool IsScanned() const { return scan.has_value(); }
   /// How many times a file was decoded for a volume.
@@ -100,6 +102,17 @@ public:
   /// asked to stop. Throws Error when it cannot be made.
   std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
+
+  /// Takes note of a time whose merged volume is there already, so that Confirm and Problems speak
+  /// of it too. Files are decoded only where it is not known what they hold (see LearnFiles).
+  /// Returns how many volumes Merge would take. Empty when `progress` asked to stop.
+  std::optional<std::size_t> Skip(Time time, const Progress& progress = {});
+
+  /// What the files hold, in their order, as far as it is known; empty ones where it is not.
+  std::vector<ScannedFile> KnownFiles() const;
+  /// Tells what KnownFiles said of the same inputs and options before. Throws Error when the files
+  /// are not as many.
+  void LearnFiles(const std::vector<ScannedFile>& files);
 
   /// A box of the domain at a time, in voxels of its own, from the volumes that Merge takes at that
   /// time; what was decoded and made ready for Merge is used, and the next Merge finds it as it

@@ -55,17 +55,10 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
       order.push_back(file);
     }
   }
-  for (std::size_t index = 0; index < series.known.size(); ++index)
-  {
-    if (series.known[index])
-    {
-      files[index].known = true;
-      files[index].scanned = std::move(*series.known[index]);
-      this->Learn(sites[files[index].site], files[index].scanned);
-    }
-  }
+  this->Learn(series.known);
   std::stable_sort(order.begin(), order.end(), IsEarlier);
-  threads.Start(threadCount, [this] { this->Work(); });
+  threads.Start(
+    threadCount, [this] { this->Work(); }, 1);
 }
 
 VolumeLoader::~VolumeLoader()
@@ -300,6 +293,20 @@ void VolumeLoader::EndAt(Time time)
   lastTime = time;
 }
 
+void VolumeLoader::Learn(const std::vector<std::optional<ScannedFile>>& known)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  for (std::size_t index = 0; index < known.size(); ++index)
+  {
+    if (known[index] && !files[index].known)
+    {
+      files[index].known = true;
+      files[index].scanned = *known[index];
+      this->Learn(sites[files[index].site], files[index].scanned);
+    }
+  }
+}
+
 void VolumeLoader::Expect(std::size_t index)
 {
   const std::lock_guard<std::mutex> lock(mutex);
@@ -414,6 +421,27 @@ VolumeLoader::HeldVolume* VolumeLoader::FindHeld(const SeriesVolume& volume)
   return found == held.end() ? nullptr : &*found;
 }
 
+// Called with the lock. The volumes that a time needs, when it is known what the files about it
+// hold.
+std::vector<VolumeLoader::Need> VolumeLoader::ChosenAt(Time time) const
+{
+  std::vector<Need> chosen;
+  for (const MomentName moment : moments)
+  {
+    for (std::size_t site = 0; site < sites.size(); ++site)
+    {
+      if (this->IsWanted(site))
+      {
+        for (const auto* volume : ChooseWith(moment, sites[site].volumes, this->ChoiceAt(time)))
+        {
+          chosen.push_back({moment, volume});
+        }
+      }
+    }
+  }
+  return chosen;
+}
+
 // Called with the lock. The volumes that a time needs; empty, and asked for, while some are not
 // there.
 std::optional<std::vector<VolumeLoader::Need>> VolumeLoader::Demand(Time time)
@@ -425,20 +453,7 @@ std::optional<std::vector<VolumeLoader::Need>> VolumeLoader::Demand(Time time)
   {
     return std::nullopt;
   }
-  std::vector<Need> needed;
-  for (const MomentName moment : moments)
-  {
-    for (std::size_t site = 0; site < sites.size(); ++site)
-    {
-      if (this->IsWanted(site))
-      {
-        for (const auto* volume : ChooseWith(moment, sites[site].volumes, this->ChoiceAt(time)))
-        {
-          needed.push_back({moment, volume});
-        }
-      }
-    }
-  }
+  std::vector<Need> needed = this->ChosenAt(time);
   bool there = true;
   for (const Need& need : needed)
   {
@@ -505,6 +520,26 @@ std::optional<std::vector<std::pair<std::string, SeriesVolume>>> VolumeLoader::K
     }
   }
   return volumes;
+}
+
+std::optional<std::size_t> VolumeLoader::CountAbout(Time time)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  wantedSites.clear();
+  const std::optional<Time> reachedBefore = reached;
+  const bool known = this->KnowsAbout(time);
+  reached = reachedBefore; // nothing is decoded ahead of this time
+  if (!known)
+  {
+    return std::nullopt;
+  }
+  Choice& choice = choices[time];
+  choice.clear();
+  for (const auto& [moment, volume] : this->ChosenAt(time))
+  {
+    choice.emplace_back(moment, volume->file, volume->cycle);
+  }
+  return choice.size();
 }
 
 // Called with the lock. Drops what the time did not need, but for what was decoded ahead of it, and

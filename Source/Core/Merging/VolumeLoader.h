@@ -89,8 +89,15 @@ public:
   std::optional<std::vector<std::pair<std::string, SeriesVolume>>> KnownAbout(
     Time time, MomentName moment);
 
+  /// Decides what a time needs, as About does, without loading the volumes, and returns how many
+  /// they are. Empty as long as it is not known what the files about the time hold.
+  std::optional<std::size_t> CountAbout(Time time);
+
   /// What each path holds, as far as it is known.
   std::vector<std::optional<ScannedFile>> Known() const;
+
+  /// Tells what files hold, in the order of the paths; what is known of a file already stays.
+  void Learn(const std::vector<std::optional<ScannedFile>>& known);
 
   /// How many times a file was decoded.
   std::size_t DecodedFiles() const { return decodedFiles; }
@@ -156,6 +163,7 @@ private:
   bool KnowsAbout(const SiteFiles& site, MomentName moment, Time time);
   bool KnowsAbout(Time time);
   VolumeChoice ChoiceAt(Time time) const;
+  std::vector<Need> ChosenAt(Time time) const;
   HeldVolume* FindHeld(const SeriesVolume& volume);
   std::optional<std::vector<Need>> Demand(Time time);
   void Release(Time time, const std::vector<Need>& needed);

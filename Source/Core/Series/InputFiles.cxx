@@ -5,7 +5,11 @@
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Series/InputError.h"
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <set>
 #include <system_error>
 
@@ -17,9 +21,8 @@ namespace fs = std::filesystem;
 namespace
 {
 
-std::vector<fs::path> SortedEntries(const fs::path& folder)
+std::vector<fs::path> SortedEntries(const fs::path& folder, std::error_code& failure)
 {
-  std::error_code failure;
   std::vector<fs::path> entries;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
        entry.increment(failure))
@@ -28,10 +31,6 @@ std::vector<fs::path> SortedEntries(const fs::path& folder)
     {
       entries.push_back(entry->path());
     }
-  }
-  if (failure)
-  {
-    throw InputError(folder.string() + ": the folder cannot be read: " + failure.message(), true);
   }
   std::sort(entries.begin(), entries.end());
   return entries;
@@ -64,38 +63,85 @@ public:
   InputFiles found;
 
 private:
-  // Deep enough for an archive's year/month/day/site, and an end to links that lead back up.
+  // Deep enough for an archive's year/month/day/site.
   static constexpr int MaximumDepth = 16;
 
   void AddFolder(const fs::path& folder, int depth)
   {
+    // Links may lead to one folder by several ways, or back up: each folder is listed once.
+    std::error_code failure;
+    const fs::path canonical = fs::canonical(folder, failure);
+    if (!this->listed.insert(failure ? folder : canonical).second)
+    {
+      ++this->seen;
+      return;
+    }
     if (IsChunkFolder(folder))
     {
       ++this->seen;
       this->Add(folder);
       return;
     }
-    for (const fs::path& entry : SortedEntries(folder))
+    const std::vector<fs::path> entries = SortedEntries(folder, failure);
+    if (failure)
     {
-      std::error_code failure;
-      if (fs::is_directory(entry, failure))
+      this->RefuseFolder(folder, depth, failure.message());
+    }
+    for (const fs::path& entry : entries)
+    {
+      if (!fs::is_directory(entry, failure))
       {
-        if (depth < MaximumDepth)
-        {
-          this->AddFolder(entry, depth + 1);
-        }
-        continue;
+        ++this->seen;
+        this->AddEntry(entry);
       }
-      ++this->seen;
-      if (LooksLikeLevel2(entry))
+      else if (depth < MaximumDepth)
       {
-        this->Add(entry);
+        this->AddFolder(entry, depth + 1);
       }
       else
       {
-        this->found.problems.push_back({entry.string(), {}, "not a Level II file: left out", true});
+        this->Refuse(entry, "more than " + std::to_string(MaximumDepth) + " folders deep");
       }
     }
+  }
+
+  // What is wrong with a folder in a folder that was named does not hold up the rest.
+  void RefuseFolder(const fs::path& folder, int depth, const std::string& why)
+  {
+    const std::string what = "the folder cannot be read: " + why;
+    if (depth == 0)
+    {
+      throw InputError(folder.string() + ": " + what, true);
+    }
+    ++this->seen;
+    this->Refuse(folder, what);
+  }
+
+  // What stands in a folder and is none.
+  void AddEntry(const fs::path& entry)
+  {
+    std::error_code failure;
+    if (!fs::is_regular_file(entry, failure)) // opening a pipe would wait for a writer
+    {
+      this->Refuse(entry, failure ? failure.message() : "neither a file nor a folder");
+    }
+    else if (access(entry.c_str(), R_OK) != 0)
+    {
+      this->Refuse(entry, std::string("cannot be read: ") + std::strerror(errno));
+    }
+    else if (!LooksLikeLevel2(entry))
+    {
+      this->Refuse(entry, "not a Level II file");
+    }
+    else
+    {
+      this->Add(entry);
+    }
+  }
+
+  void Refuse(const fs::path& entry, const std::string& why)
+  {
+    this->found.problems.push_back({entry.string(), {}, why + ": left out", true});
   }
 
   void Add(const fs::path& path)
@@ -109,6 +155,7 @@ private:
   }
 
   std::set<fs::path> known;
+  std::set<fs::path> listed; // folders
   std::size_t seen = 0;
 };
 

@@ -41,7 +41,8 @@ public:
       options.level2.threads = std::max(1U, CoreCount() / static_cast<unsigned>(atOnce));
     }
     {
-      const ThreadGroup threads(atOnce, [this] { this->Work(); });
+      const ThreadGroup threads(
+        atOnce, [this] { this->Work(); }, 1);
       this->Watch(progress);
     }
     if (failure)

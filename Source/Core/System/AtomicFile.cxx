@@ -7,26 +7,74 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
+#include <random>
 #include <string>
+#include <vector>
 
 namespace fs = std::filesystem;
 
 namespace nexrad
 {
 
-fs::path TemporaryPathFor(const fs::path& path)
+namespace
 {
-  static std::atomic<unsigned> count{0};
-  const std::string part = ".part-" + std::to_string(getpid()) + "-" + std::to_string(count++);
-  return path.parent_path() / ("." + path.stem().string() + part + path.extension().string());
+
+constexpr const char* mark = ".part-";
+constexpr std::size_t digitCount = 16;
+
+// Sixteen hexadecimal digits that nobody can guess.
+std::string RandomDigits()
+{
+  std::random_device source;
+  char digits[digitCount + 1];
+  std::snprintf(digits, sizeof digits, "%08x%08x", source(), source());
+  return digits;
 }
+
+// What the temporary names for a path begin with.
+std::string TemporaryPrefix(const fs::path& path)
+{
+  return "." + path.stem().string() + mark;
+}
+
+bool IsTemporaryFor(const fs::path& path, const fs::path& other)
+{
+  const std::string prefix = TemporaryPrefix(path);
+  const std::string ending = path.extension().string();
+  const std::string name = other.filename().string();
+  return name.size() == prefix.size() + digitCount + ending.size() &&
+         name.compare(0, prefix.size(), prefix) == 0 &&
+         name.find_first_not_of("0123456789abcdef", prefix.size()) >= prefix.size() + digitCount &&
+         name.compare(prefix.size() + digitCount, std::string::npos, ending) == 0;
+}
+
+// Removes what processes that were killed left behind for a path.
+void RemoveAbandoned(const fs::path& path)
+{
+  const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
+  std::vector<fs::path> others;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
+  {
+    if (IsTemporaryFor(path, entry->path()))
+    {
+      others.push_back(entry->path());
+    }
+  }
+  for (const fs::path& other : others)
+  {
+    RemoveIfAbandoned(other);
+  }
+}
+
+} // namespace
 
 AtomicFile::AtomicFile(const fs::path& path)
   : target(path)
-  , temporary(TemporaryPathFor(path))
 {
   std::error_code ignored;
   const fs::file_status status = fs::status(target, ignored);
@@ -34,18 +82,37 @@ AtomicFile::AtomicFile(const fs::path& path)
   {
     throw Error(target.string() + ": cannot be written: it is a folder or a device");
   }
-  descriptor = open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor < 0)
+  RemoveAbandoned(target);
+  this->Open();
+}
+
+// Another process that looks for what was left behind may remove the file before it is locked; then
+// another is made.
+void AtomicFile::Open()
+{
+  constexpr int attempts = 10;
+  for (int attempt = 0; attempt < attempts; ++attempt)
   {
-    this->Fail("cannot be written");
+    temporary = target.parent_path() /
+                (TemporaryPrefix(target) + RandomDigits() + target.extension().string());
+    descriptor = FileDescriptor(
+      open(temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (descriptor.IsOpen() && TryLock(descriptor))
+    {
+      return;
+    }
+    if (!descriptor.IsOpen() && errno != EEXIST)
+    {
+      break;
+    }
   }
+  this->Fail("cannot be written");
 }
 
 AtomicFile::~AtomicFile()
 {
-  if (descriptor >= 0)
+  if (descriptor.IsOpen())
   {
-    close(descriptor);
     unlink(temporary.c_str());
   }
 }
@@ -62,7 +129,7 @@ void AtomicFile::Write(const void* data, std::size_t size)
   const auto* bytes = static_cast<const char*>(data);
   while (size > 0)
   {
-    const ssize_t written = write(descriptor, bytes, std::min(size, largestWrite));
+    const ssize_t written = write(descriptor.Number(), bytes, std::min(size, largestWrite));
     if (written < 0 && errno == EINTR)
     {
       continue;
@@ -79,19 +146,15 @@ void AtomicFile::Write(const void* data, std::size_t size)
 void AtomicFile::Commit()
 {
   // A full disk or a broken network mount may show only now. Some file systems know no fsync.
-  if (fsync(descriptor) != 0 && errno != EINVAL && errno != ENOTSUP)
+  if (fsync(descriptor.Number()) != 0 && errno != EINVAL && errno != ENOTSUP)
   {
     this->Fail("cannot be written");
   }
-  if (close(descriptor) != 0 || rename(temporary.c_str(), target.c_str()) != 0)
+  // Renamed while it is locked: without its lock it could be taken for left behind.
+  if (rename(temporary.c_str(), target.c_str()) != 0 || !descriptor.Close())
   {
-    const int reason = errno;
-    unlink(temporary.c_str());
-    descriptor = -1;
-    errno = reason;
     this->Fail("cannot be written");
   }
-  descriptor = -1;
 }
 
 void WriteFileAtomically(const fs::path& path, const void* data, std::size_t size)

@@ -1,24 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/System/FileLock.h"
+
 #include <cstddef>
 #include <filesystem>
 
 namespace nexrad
 {
 
-/// A name for a file that is to take the place of `path` later: hidden, in the same folder, with
-/// the same extension, and unlike those of all other processes and calls.
-std::filesystem::path TemporaryPathFor(const std::filesystem::path& path);
-
 /// A file that appears complete or not at all: it is written under a temporary name in the same
 /// folder, and Commit gives it its name. Without Commit the temporary file is removed. Every
 /// failure (no such folder, no permission, a full disk) throws Error: path, what failed, why.
+///
+/// The temporary name is hidden (".NAME.part-" and 16 random hexadecimal digits, then the
+/// extension), and the file is locked while this object lives. What a process that was killed left
+/// behind for the same path has no lock, and the next AtomicFile for that path removes it.
 class AtomicFile
 {
 public:
-  /// Opens the temporary file. Refuses a path that is something other than a regular file (a
-  /// folder, a device).
+  /// Opens the temporary file, which no other process can have made before: not as a symbolic link
+  /// either. Refuses a path that is something other than a regular file (a folder, a device).
   explicit AtomicFile(const std::filesystem::path& path);
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
@@ -34,10 +36,11 @@ public:
 
 private:
   [[noreturn]] void Fail(const char* what) const;
+  void Open();
 
   std::filesystem::path target;
   std::filesystem::path temporary;
-  int descriptor = -1;
+  FileDescriptor descriptor;
 };
 
 /// Writes a whole file through AtomicFile.

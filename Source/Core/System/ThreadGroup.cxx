@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/System/ThreadGroup.h"
 
+#include "nexrad/System/Error.h"
+
 #include <algorithm>
+#include <string>
+#include <system_error>
 
 namespace nexrad
 {
 
-ThreadGroup::ThreadGroup(std::size_t count, const std::function<void()>& run)
+ThreadGroup::ThreadGroup(std::size_t count, const std::function<void()>& run, std::size_t least)
 {
-  this->Start(count, run);
+  this->Start(count, run, least);
 }
 
 ThreadGroup::~ThreadGroup()
@@ -16,11 +20,24 @@ ThreadGroup::~ThreadGroup()
   this->Join();
 }
 
-void ThreadGroup::Start(std::size_t count, const std::function<void()>& run)
+void ThreadGroup::Start(std::size_t count, const std::function<void()>& run, std::size_t least)
 {
-  for (std::size_t i = 0; i < count; ++i)
+  const std::size_t before = threads.size();
+  threads.reserve(before + count);
+  try
   {
-    threads.emplace_back(run);
+    while (threads.size() < before + count)
+    {
+      threads.emplace_back(run);
+    }
+  }
+  catch (const std::system_error& problem)
+  {
+    if (threads.size() < before + least)
+    {
+      throw Error(std::string("no thread can be started: ") + problem.code().message() +
+                  "; raise the limit on processes (ulimit -u) or on memory (ulimit -v)");
+    }
   }
 }
 

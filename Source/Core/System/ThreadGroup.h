@@ -14,14 +14,16 @@ class ThreadGroup
 {
 public:
   ThreadGroup() = default;
-  ThreadGroup(std::size_t count, const std::function<void()>& run);
+  /// Starts as Start does.
+  ThreadGroup(std::size_t count, const std::function<void()>& run, std::size_t least = 0);
   /// Waits until all of them have ended.
   ~ThreadGroup();
   ThreadGroup(const ThreadGroup&) = delete;
   ThreadGroup& operator=(const ThreadGroup&) = delete;
 
-  /// Starts `count` more.
-  void Start(std::size_t count, const std::function<void()>& run);
+  /// Starts `count` more, or as many of them as the system gives. Throws Error when these are fewer
+  /// than `least`, which may be 1 at most: whoever works with these threads needs none or one.
+  void Start(std::size_t count, const std::function<void()>& run, std::size_t least = 0);
   /// Waits until all of them have ended.
   void Join();
   std::size_t Count() const { return threads.size(); }

@@ -2,6 +2,7 @@
 #include "Scene/Series/VolumeFiles.h"
 
 #include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/GridText.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
@@ -17,6 +18,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <set>
 #include <system_error>
 #include <utility>
@@ -63,12 +65,19 @@ vtkSmartPointer<vtkImageData> ReadVti(const fs::path& path)
   return reader->GetOutput();
 }
 
-// The time that a volume file states. A .vti has to be read for it.
-Time TimeOf(const fs::path& path)
+// What has to be known of a volume file before it is drawn. A .vti has to be read for it.
+struct VolumeDescription
+{
+  Time time;
+  GridSpecification grid;
+};
+
+VolumeDescription Describe(const fs::path& path)
 {
   if (EndsWith(path, ".nxv"))
   {
-    return ReadNxvHeader(path).time;
+    const GriddedVolume header = ReadNxvHeader(path);
+    return {header.time, header.grid};
   }
   const auto image = ReadVti(path);
   const auto seconds = vtkNexradGetValue(image->GetFieldData(), "TimeValue");
@@ -76,7 +85,7 @@ Time TimeOf(const fs::path& path)
   {
     throw Error(path.string() + ": has no time (field data TimeValue); merge with nexrad3d grid");
   }
-  return FromSeconds(*seconds);
+  return {FromSeconds(*seconds), vtkNexradImageToGrid(image)};
 }
 
 // What drawing an image makes of a voxel: the words of its texture, before and behind their way to
@@ -104,9 +113,19 @@ void AddFolder(TimedFiles& files, const fs::path& folder)
       names.insert(entry.path());
     }
   }
+  std::optional<GridSpecification> grid;
   for (const fs::path& name : names)
   {
-    files.emplace_back(TimeOf(name), name);
+    const VolumeDescription volume = Describe(name);
+    if (grid && *grid != volume.grid)
+    {
+      throw Error(folder.string() + ": holds volumes of different runs: " +
+                  names.begin()->filename().string() + " has " + GridText(*grid) + ", " +
+                  name.filename().string() + " has " + GridText(volume.grid) +
+                  "; name the index of one run (volumes.nxv.series), or its volumes");
+    }
+    grid = volume.grid;
+    files.emplace_back(volume.time, name);
   }
 }
 
@@ -273,7 +292,7 @@ std::unique_ptr<VolumeSeries> OpenVolumeFiles(
     }
     else
     {
-      files.emplace_back(TimeOf(input), input);
+      files.emplace_back(Describe(input).time, input);
     }
   }
   if (files.empty())

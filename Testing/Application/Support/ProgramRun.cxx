@@ -7,7 +7,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
+#include <csignal>
+#include <functional>
 #include <stdexcept>
+#include <thread>
 
 namespace nexrad::testing
 {
@@ -27,9 +31,10 @@ void Execute(
   execv(arguments.front(), arguments.data());
 }
 
-} // namespace
-
-ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments)
+// Starts a program, lets `wait` wait for its end, and returns what it left behind. `wait` takes the
+// process and returns the status that waitpid gave.
+ProgramRun Run(const std::string& program, const std::vector<std::string>& arguments,
+  const std::function<int(pid_t)>& wait)
 {
   const TemporaryFolder folder;
   const std::string output = folder.Path() / "output";
@@ -48,13 +53,50 @@ ProgramRun RunProgram(const std::string& program, const std::vector<std::string>
     Execute(pointers, output, errors);
     _exit(127);
   }
-  int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) != child)
+  if (child < 0)
   {
     throw std::runtime_error("cannot run " + program);
   }
+  const int status = wait(child);
   return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, nexrad::testing::FileContent(output),
     nexrad::testing::FileContent(errors)};
+}
+
+int WaitForEnd(pid_t child)
+{
+  int status = 0;
+  if (waitpid(child, &status, 0) != child)
+  {
+    throw std::runtime_error("the end of a process was missed");
+  }
+  return status;
+}
+
+} // namespace
+
+ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments)
+{
+  return Run(program, arguments, WaitForEnd);
+}
+
+ProgramRun InterruptProgram(const std::string& program, const std::vector<std::string>& arguments,
+  const std::function<bool()>& now, int signal)
+{
+  return Run(program, arguments,
+    [&now, signal](pid_t child)
+    {
+      int status = 0;
+      while (!now())
+      {
+        if (waitpid(child, &status, WNOHANG) == child)
+        {
+          return status;
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      }
+      kill(child, signal);
+      return WaitForEnd(child);
+    });
 }
 
 std::string Nexrad3dPath()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,10 @@ struct ProgramRun
 
 /// Runs a program with these arguments, each passed as it is.
 ProgramRun RunProgram(const std::string& program, const std::vector<std::string>& arguments);
+
+/// The same, and sends the program a signal as soon as `now` is true, when it still runs then.
+ProgramRun InterruptProgram(const std::string& program, const std::vector<std::string>& arguments,
+  const std::function<bool()>& now, int signal);
 
 /// Where the program nexrad3d of this build stands.
 std::string Nexrad3dPath();

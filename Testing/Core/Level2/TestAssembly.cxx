@@ -9,6 +9,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <fstream>
 
 using namespace nexrad;
@@ -461,4 +463,37 @@ TEST(LooksLikeLevel2, KnowsTheFirstBytes)
   EXPECT_FALSE(looks(Bytes(100, 'x')));
   EXPECT_FALSE(LooksLikeLevel2(folder.Path() / "absent"));
   EXPECT_FALSE(LooksLikeLevel2(folder.Path()));
+}
+
+// One bit of the latitude of the first ray moved the radar by 16 degrees.
+TEST(Assembly, TheRadarStandsWhereMostRaysSay)
+{
+  RayPlan ray;
+  const Bytes sound = MakeSweepBytes(31, ray, 11, 4);
+  ray.latitude = 51.33F;
+  const RadarVolume volume = DecodeRays({MakeMessage31(ray), sound});
+  EXPECT_NEAR(volume.site.position->latitude, 35.33, 1e-5);
+  EXPECT_TRUE(HasDamage(volume, "1 of 12 rays state another position"));
+  EXPECT_FALSE(HasNote(volume, "the site table at"));
+}
+
+TEST(Assembly, APlaceFarFromTheSiteTableIsNoted)
+{
+  RayPlan ray;
+  ray.latitude = 51.33F;
+  const RadarVolume volume = DecodeRays({MakeSweepBytes(31, ray, 12, 4)});
+  EXPECT_NEAR(volume.site.position->latitude, 51.33, 1e-5);
+  EXPECT_TRUE(
+    HasNote(volume, "the file has KTLX at 51.330, -97.280 degrees, the site table at 35"));
+}
+
+TEST(Assembly, AFolderOfChunksWithWhatCannotBeRead)
+{
+  const TemporaryFolder folder;
+  Write(folder.Path() / "20050821-024319-001-S", MakeVolumeHeader());
+  Write(
+    folder.Path() / "20050821-024319-002-I", MakeLdmRecord(MakeSweepBytes(31, RayPlan(), 12, 4)));
+  // Nobody writes to this pipe; to open it would wait for ever.
+  ASSERT_EQ(mkfifo((folder.Path() / "20050821-024319-003-E").c_str(), 0600), 0);
+  EXPECT_EQ(ReadLevel2(folder.Path()).RayCount(), 12U);
 }

@@ -109,6 +109,61 @@ TEST_F(MergingASeries, AnyOrderOfTimesGivesTheSame)
   }
 }
 
+// Between the listing of the folder and the merge, one file is removed and another one cut.
+TEST_F(MergingASeries, FilesThatVanishOrShrinkAreNamed)
+{
+  SeriesMerger merger({folder.Path()}, options);
+  ASSERT_TRUE(merger.Open());
+  const std::filesystem::path& vanished = paths[9];
+  const std::filesystem::path& shrunk = paths[10];
+  std::filesystem::remove(vanished);
+  std::filesystem::resize_file(shrunk, std::filesystem::file_size(shrunk) / 2);
+  for (const Time time : merger.Times())
+  {
+    EXPECT_TRUE(merger.Merge(time)) << FormatIso8601(time);
+  }
+  std::string lines;
+  for (const InputProblem& problem : merger.Problems())
+  {
+    lines += problem.Line() + '\n';
+  }
+  EXPECT_NE(lines.find(vanished.string() + ": "), std::string::npos) << lines;
+  EXPECT_NE(lines.find("No such file or directory"), std::string::npos) << lines;
+  EXPECT_NE(lines.find(shrunk.string() + ": offset "), std::string::npos) << lines;
+}
+
+// A run that continues another one knows what that one knew of the files, and decodes none of them
+// for the volumes that are there.
+TEST_F(MergingASeries, WhatWasKnownOfTheFilesNeedNotBeDecodedAgain)
+{
+  SeriesMerger first({folder.Path()}, options);
+  ASSERT_TRUE(first.Open());
+  for (const Time time : first.Times())
+  {
+    ASSERT_TRUE(first.Merge(time));
+  }
+  const auto mergedCount = [&](SeriesMerger& merger)
+  {
+    std::size_t volumes = 0;
+    for (const Time time : merger.Times())
+    {
+      volumes += merger.Skip(time).value();
+    }
+    EXPECT_TRUE(merger.Confirm());
+    return volumes;
+  };
+  SeriesMerger second({folder.Path()}, options);
+  ASSERT_TRUE(second.Open());
+  second.LearnFiles(first.KnownFiles());
+  const std::size_t volumes = mergedCount(second);
+  EXPECT_EQ(second.DecodedFiles(), 4U) << "those that Open decoded";
+  SeriesMerger ignorant({folder.Path()}, options);
+  ASSERT_TRUE(ignorant.Open());
+  EXPECT_EQ(mergedCount(ignorant), volumes);
+  EXPECT_EQ(ignorant.DecodedFiles(), paths.size());
+  EXPECT_THROW(second.LearnFiles({}), Error);
+}
+
 TEST_F(MergingASeries, LittleMemoryGivesTheSame)
 {
   options.memory = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/SiteSeries.h"
 
+#include "Faults/Unprivileged.h"
 #include "HandMadeVolume.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -9,6 +10,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <filesystem>
 #include <fstream>
 #include <mutex>
 #include <new>
@@ -18,7 +22,10 @@ namespace nexrad
 namespace
 {
 
+namespace fs = std::filesystem;
+
 using testing::ConstantVolume;
+using testing::HoldsUnprivileged;
 using testing::TemporaryFolder;
 using testing::WriteLevel2;
 
@@ -135,6 +142,59 @@ TEST(SiteSeries, NamesWhatIsDamagedOrLeftOut)
   ASSERT_EQ(found.problems.size(), 1U);
   EXPECT_EQ(found.problems[0].Line(),
     (folder.Path() / "notes.txt").string() + ": not a Level II file: left out");
+}
+
+// Three links in every folder lead to as many ways as a listing of all of them never ends with.
+TEST(SiteSeries, LinksAndPipesInFoldersDoNotHoldUpTheSearch)
+{
+  const TemporaryFolder folder;
+  const fs::path inner = folder.Path() / "inner";
+  fs::create_directory(inner);
+  WriteLevel2(inner / "whole", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  for (const char* name : {"a", "b", "c"})
+  {
+    fs::create_directory_symlink("..", inner / name);
+    fs::create_directory_symlink("inner", folder.Path() / name);
+  }
+  ASSERT_EQ(mkfifo((inner / "pipe").c_str(), 0600), 0);
+  const InputFiles found = FindInputFiles({folder.Path(), folder.Path()});
+  EXPECT_EQ(found.paths.size(), 1U);
+  ASSERT_EQ(found.problems.size(), 1U);
+  EXPECT_NE(
+    found.problems[0].Line().find("pipe: neither a file nor a folder: left out"), std::string::npos)
+    << found.problems[0].Line();
+}
+
+TEST(SiteSeries, WhatCannotBeReadIsNamedAndTheRestIsTaken)
+{
+  const TemporaryFolder folder;
+  fs::permissions(folder.Path(), fs::perms(0755));
+  for (const char* name : {"closed", "open"})
+  {
+    fs::create_directory(folder.Path() / name);
+    WriteLevel2(
+      folder.Path() / name / "volume", {ConstantVolume(keax, At("2006-03-12T18:00:00Z"), 20.0)});
+  }
+  WriteLevel2(folder.Path() / "secret", {ConstantVolume(keax, At("2006-03-12T18:05:00Z"), 20.0)});
+  fs::create_symlink("nowhere", folder.Path() / "dangling");
+  fs::permissions(folder.Path() / "closed", fs::perms::none);
+  fs::permissions(folder.Path() / "secret", fs::perms::none);
+  EXPECT_TRUE(HoldsUnprivileged(
+    [&folder]
+    {
+      const InputFiles found = FindInputFiles({folder.Path()});
+      std::vector<std::string> lines;
+      for (const InputProblem& problem : found.problems)
+      {
+        lines.push_back(fs::relative(problem.Line(), folder.Path()));
+      }
+      return found.paths == std::vector<fs::path>{folder.Path() / "open" / "volume"} &&
+             lines == std::vector<std::string>{
+                        "closed: the folder cannot be read: Permission denied: left out",
+                        "dangling: No such file or directory: left out",
+                        "secret: cannot be read: Permission denied: left out"};
+    }));
+  fs::permissions(folder.Path() / "closed", fs::perms::owner_all);
 }
 
 TEST(SiteSeries, LeavesOutVolumesThatCannotBeUsed)

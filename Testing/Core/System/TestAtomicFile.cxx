@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <csignal>
 #include <fstream>
@@ -153,4 +155,34 @@ TEST(AtomicFile, RefusesFoldersAndDevices)
   EXPECT_THROW(AtomicFile{folder.Path()}, Error);
   EXPECT_THROW(AtomicFile("/dev/full"), Error);
   EXPECT_EQ(FilesIn(folder.Path()), 0u);
+}
+
+// A process that was killed cannot remove its file; the next writer of the same path does.
+TEST(AtomicFile, RemovesWhatADeadProcessLeftBehind)
+{
+  const TemporaryFolder folder;
+  const fs::path target = folder.Path() / "movie.ogv";
+  const pid_t child = fork();
+  if (child == 0)
+  {
+    const AtomicFile left(target);
+    raise(SIGKILL);
+  }
+  waitpid(child, nullptr, 0);
+  std::ofstream(folder.Path() / ".movie.part-0123.mp4") << "of another path";
+  ASSERT_EQ(FilesIn(folder.Path()), 2u);
+  const AtomicFile living(target);
+  EXPECT_EQ(FilesIn(folder.Path()), 2u);
+  WriteFileAtomically(target, "new", 3);
+  EXPECT_EQ(FileContent(target), "new");
+  EXPECT_EQ(FilesIn(folder.Path()), 3u) << "what a living process writes stays";
+}
+
+TEST(AtomicFile, NamesCannotBeForeseen)
+{
+  const TemporaryFolder folder;
+  const AtomicFile first(folder.Path() / "a");
+  const AtomicFile second(folder.Path() / "a");
+  EXPECT_EQ(first.TemporaryPath().filename().string().size(), std::string(".a.part-").size() + 16);
+  EXPECT_NE(first.TemporaryPath(), second.TemporaryPath());
 }

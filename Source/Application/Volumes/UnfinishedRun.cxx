@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Volumes/UnfinishedRun.h"
+
+#include "Output/OutputFile.h"
+#include "nexrad/System/AtomicFile.h"
+#include "nexrad/System/Error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <iterator>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace nexrad::application
+{
+namespace
+{
+
+constexpr const char* JournalName = "run.json";
+constexpr const char* LockName = "lock";
+constexpr const char* NoteName = "note-"; // and the rank of a process
+
+void Rename(const fs::path& from, const fs::path& to)
+{
+  std::error_code problem;
+  fs::rename(from, to, problem);
+  if (problem)
+  {
+    throw Error(to.string() + ": cannot be written: " + problem.message());
+  }
+}
+
+std::set<std::string> FilesIn(const fs::path& folder)
+{
+  std::set<std::string> names;
+  std::error_code failure;
+  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
+       entry.increment(failure))
+  {
+    std::error_code ignored;
+    if (entry->is_regular_file(ignored))
+    {
+      names.insert(entry->path().filename().string());
+    }
+  }
+  return names;
+}
+
+bool IsNote(const std::string& name)
+{
+  return name.rfind(NoteName, 0) == 0;
+}
+
+// Of the names in the hidden folder, those of files that will get the same name in the folder.
+std::set<std::string> WaitingIn(const fs::path& hidden)
+{
+  std::set<std::string> waiting;
+  for (const std::string& name : FilesIn(hidden))
+  {
+    if (name.front() != '.' && name != JournalName && name != LockName && !IsNote(name))
+    {
+      waiting.insert(name);
+    }
+  }
+  return waiting;
+}
+
+// Null when there is none that can be read.
+nlohmann::json ReadJson(const fs::path& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  return nlohmann::json::parse(file, nullptr, false);
+}
+
+} // namespace
+
+UnfinishedRun::UnfinishedRun(
+  const fs::path& theFolder, const std::string& recipe, const Processes& theProcesses)
+  : folder(theFolder)
+  , hidden(theFolder / ".grid.part")
+  , processes(theProcesses)
+  , canGoOn(!recipe.empty())
+{
+  processes.Together(
+    [&]
+    {
+      if (processes.IsFirst())
+      {
+        this->Open(recipe);
+      }
+    });
+  processes.Together([&] { this->ReadJournal(); });
+}
+
+UnfinishedRun::~UnfinishedRun()
+{
+  std::error_code ignored;
+  if (lock.IsOpen() && (!canGoOn || (written.empty() && WaitingIn(hidden).empty())))
+  {
+    fs::remove_all(hidden, ignored);
+  }
+}
+
+// Called by the first process.
+void UnfinishedRun::Open(const std::string& recipe)
+{
+  constexpr int attempts = 10;
+  for (int attempt = 0; attempt < attempts; ++attempt)
+  {
+    MakeFolder(folder);
+    MakeFolder(hidden);
+    if (fs::is_symlink(hidden))
+    {
+      throw Error(hidden.string() + ": is a symbolic link; remove it");
+    }
+    lock = FileDescriptor(
+      open((hidden / LockName).c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
+    if (!lock.IsOpen() && errno != ENOENT) // a run that ends removes the hidden folder
+    {
+      throw Error(folder.string() + ": cannot be written to: " + std::strerror(errno));
+    }
+    if (lock.IsOpen() && TryLock(lock))
+    {
+      if (!this->Continues(recipe))
+      {
+        this->Begin(recipe);
+      }
+      return;
+    }
+  }
+  throw Error(folder.string() +
+              ": another run writes volumes into this folder; wait until it has ended, or name "
+              "another folder");
+}
+
+bool UnfinishedRun::Continues(const std::string& recipe) const
+{
+  const nlohmann::json journal = ReadJson(hidden / JournalName);
+  return !recipe.empty() && journal.is_object() &&
+         journal.value("recipe", nlohmann::json()) == recipe &&
+         journal.value("replaced", nlohmann::json()).is_array();
+}
+
+void UnfinishedRun::Begin(const std::string& recipe)
+{
+  this->RemoveWaiting();
+  const nlohmann::json journal = {{"recipe", recipe}, {"replaced", FilesIn(folder)}};
+  const std::string text =
+    journal.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+  try
+  {
+    WriteFileAtomically(hidden / JournalName, text.data(), text.size());
+  }
+  catch (const Error&)
+  {
+    std::error_code ignored;
+    fs::remove_all(hidden, ignored);
+    throw;
+  }
+}
+
+void UnfinishedRun::ReadJournal()
+{
+  const nlohmann::json journal = ReadJson(hidden / JournalName);
+  if (!journal.is_object())
+  {
+    throw Error((hidden / JournalName).string() + ": cannot be read");
+  }
+  for (const nlohmann::json& name : journal.at("replaced"))
+  {
+    replaced.insert(name.get<std::string>());
+  }
+}
+
+void UnfinishedRun::RemoveWaiting()
+{
+  std::error_code ignored;
+  for (const std::string& name : FilesIn(hidden))
+  {
+    if (name != LockName)
+    {
+      fs::remove(hidden / name, ignored);
+    }
+  }
+}
+
+fs::path UnfinishedRun::PathOf(const std::string& name) const
+{
+  return replaced.count(name) > 0 ? hidden / name : folder / name;
+}
+
+bool UnfinishedRun::Has(const std::string& name)
+{
+  std::error_code ignored;
+  const bool there = fs::is_regular_file(this->PathOf(name), ignored);
+  if (there)
+  {
+    written.insert(name);
+  }
+  return there;
+}
+
+std::uintmax_t UnfinishedRun::SizeOf(const std::string& name) const
+{
+  std::error_code problem;
+  const std::uintmax_t size = fs::file_size(this->PathOf(name), problem);
+  if (problem)
+  {
+    throw Error(this->PathOf(name).string() + ": cannot be read: " + problem.message());
+  }
+  return size;
+}
+
+fs::path UnfinishedRun::PlaceFor(const std::string& name) const
+{
+  return hidden / name;
+}
+
+void UnfinishedRun::Add(const std::string& name)
+{
+  written.insert(name);
+  if (replaced.count(name) == 0)
+  {
+    Rename(hidden / name, folder / name);
+  }
+}
+
+void UnfinishedRun::Note(const std::string& text)
+{
+  WriteFileAtomically(
+    hidden / (NoteName + std::to_string(processes.Rank())), text.data(), text.size());
+}
+
+std::vector<std::string> UnfinishedRun::Notes() const
+{
+  std::vector<std::string> notes;
+  for (const std::string& name : FilesIn(hidden))
+  {
+    if (IsNote(name))
+    {
+      std::ifstream file(hidden / name, std::ios::binary);
+      notes.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());
+    }
+  }
+  return notes;
+}
+
+void UnfinishedRun::Discard()
+{
+  std::error_code ignored;
+  for (const std::string& name : written)
+  {
+    fs::remove(this->PathOf(name), ignored);
+  }
+  written.clear();
+}
+
+void UnfinishedRun::End(const std::function<void()>& last)
+{
+  processes.Together(
+    [&]
+    {
+      if (processes.IsFirst())
+      {
+        for (const std::string& name : WaitingIn(hidden))
+        {
+          Rename(hidden / name, folder / name);
+        }
+        last();
+        std::error_code ignored;
+        fs::remove_all(hidden, ignored);
+        lock.Close();
+      }
+    });
+}
+
+} // namespace nexrad::application
