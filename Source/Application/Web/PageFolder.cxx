@@ -51,19 +51,14 @@ std::vector<fs::path> VolumesOf(const fs::path& input)
 // Copies a file so that it appears whole or not at all.
 void CopyVolume(const fs::path& from, const fs::path& to)
 {
-  const fs::path temporary = TemporaryPathFor(to);
+  AtomicFile copy(to);
   std::error_code error;
-  fs::copy_file(from, temporary, error);
-  if (!error)
-  {
-    fs::rename(temporary, to, error);
-  }
+  fs::copy_file(from, copy.TemporaryPath(), fs::copy_options::overwrite_existing, error);
   if (error)
   {
-    std::error_code ignored;
-    fs::remove(temporary, ignored);
     throw Error(to.string() + ": cannot be written: " + error.message());
   }
+  copy.Commit();
 }
 
 bool LiesIn(const fs::path& file, const fs::path& folder)
