@@ -177,6 +177,17 @@ TEST_F(InterruptedGrid, OtherOptionsOrFilesBeginAnew)
   ASSERT_EQ(RunNexrad3d(this->Command(fresh, "60x60x10")).status, 0);
   ASSERT_EQ(RunNexrad3d(this->Command(output, "60x60x10")).status, 0);
   EXPECT_TRUE(Contents(output) == Contents(fresh));
+
+  const fs::path changed = folder.Path() / "changed";
+  EXPECT_EQ(this->InterruptAt(3, changed, "60x60x10").status, -1);
+  WriteLevel2(
+    folder.Path() / "in" / "e0", {ConstantVolume({"KEAX", Position{38.81, -94.264, 333.0}},
+                                   *ParseIso8601("2006-03-12T18:00:00Z"), 25.0)});
+  ASSERT_EQ(RunNexrad3d(this->Command(changed, "60x60x10")).status, 0);
+  fs::remove_all(fresh);
+  ASSERT_EQ(RunNexrad3d(this->Command(fresh, "60x60x10")).status, 0);
+  EXPECT_TRUE(Contents(changed) == Contents(fresh));
+  EXPECT_FALSE(Contents(changed) == Contents(output));
 }
 
 TEST_F(InterruptedGrid, CtrlCSaysHowToGoOn)

@@ -3,11 +3,13 @@
 #include "nexrad/Grid/MakeGrid.h"
 
 #include "nexrad/Geometry/SiteGeoreference.h"
+#include "nexrad/Grid/GridText.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 
 using namespace nexrad;
 
@@ -171,6 +173,41 @@ TEST(MakeGrid, RefusesWhatIsNoGrid)
   refuses(request, threeSites);
   request.bounds = GeographicBounds{-96.0, 36.0, std::nan(""), 42.0};
   refuses(request, threeSites);
+}
+
+// On a grid in metres the far side of the Earth has no place; on one in degrees it has.
+TEST(MakeGrid, RefusesMoreThanHalfTheEarthInMetres)
+{
+  GridRequest request;
+  request.bounds = GeographicBounds{-180.0, -90.0, 180.0, 90.0};
+  try
+  {
+    MakeGrid(request, threeSites);
+    FAIL() << "made a grid of the whole Earth";
+  }
+  catch (const Error& error)
+  {
+    EXPECT_NE(std::string(error.what()).find("at most 180 degrees wide"), std::string::npos)
+      << error.what();
+  }
+  request.axes = GridAxes::Geographic;
+  EXPECT_NO_THROW(MakeGrid(request, threeSites));
+  request.axes = GridAxes::Projected;
+  request.bounds = GeographicBounds{-90.0, -90.0, 90.0, 90.0};
+  EXPECT_NO_THROW(MakeGrid(request, threeSites));
+}
+
+TEST(GridSpecification, GridTextNamesVoxelsAndCentre)
+{
+  GridSpecification grid;
+  grid.dimensions = {64, 32, 8};
+  grid.spacing = {1000.0, 2000.0, 2500.0};
+  grid.centreLatitude = 38.5;
+  grid.centreLongitude = -94.25;
+  EXPECT_EQ(GridText(grid), "64x32x8 voxels of 1000 x 2000 x 2500 m about 38.5, -94.25");
+  grid.axes = GridAxes::Geographic;
+  grid.spacing = {0.25, 0.5, 500.0};
+  EXPECT_EQ(GridText(grid), "64x32x8 voxels of 0.25 x 0.5 degrees x 500 m");
 }
 
 TEST(GridSpecification, ProjectionIsEquidistantFromItsCentre)
