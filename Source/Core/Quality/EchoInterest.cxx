@@ -9,8 +9,10 @@ namespace nexrad
 namespace
 {
 
-// The most interest in ground of a gate that is not known to stand still.
+// The most interest in ground of a gate that is not known to stand still: less than it takes to be
+// surely ground.
 constexpr float mostUnknown = 0.58F;
+constexpr float mostUnknownOfOnePolarisation = 0.56F;
 
 // A weighted mean of what is known.
 class Mean
@@ -148,7 +150,8 @@ EchoInterest InterestOf(const GateEvidence& evidence)
   // Nothing is surely ground that is not known to stand still.
   const bool stands = evidence.ownStill > 0.1F;
   const float ground = SignsOfAir(evidence, stands) * mean.Value();
-  interest.ground = stands ? ground : std::min(ground, mostUnknown);
+  const float most = interest.polarimetric ? mostUnknown : mostUnknownOfOnePolarisation;
+  interest.ground = stands ? ground : std::min(ground, most);
   interest.ground *= 1.0F - 0.5F * Shear(evidence);
   interest.ground = std::max(interest.ground, 0.8F * LoneTarget(evidence));
   return interest;

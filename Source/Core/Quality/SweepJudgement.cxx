@@ -14,14 +14,15 @@ namespace nexrad
 namespace
 {
 
-constexpr double halfBeam = 0.5;          // degrees
-constexpr double surelyNear = 20'000.0;   // m, range where side lobes see the ground
-constexpr float lowGround = 1000.0F;      // m, lower beam edge
-constexpr float highestGround = 5000.0F;  // m, lower beam edge: above it nothing is ground
-constexpr float surelyGround = 0.59F;     // interest of gates that are low
-constexpr float surelyHighGround = 0.65F; // interest of gates as high as highestGround
-constexpr float likely = 0.15F;           // less interest is enough for likely ground
-constexpr float overNoise = 4.0F;         // dB that echo must have over the weakest
+constexpr double halfBeam = 0.5;           // degrees
+constexpr double surelyNear = 20'000.0;    // m, range where side lobes see the ground
+constexpr float lowGround = 1000.0F;       // m, lower beam edge
+constexpr float highestGround = 5000.0F;   // m, lower beam edge: above it nothing is ground
+constexpr float surelyGround = 0.59F;      // interest of gates that are low
+constexpr float ofOnePolarisation = 0.02F; // less interest is enough without two polarisations
+constexpr float surelyHighGround = 0.65F;  // interest of gates as high as highestGround
+constexpr float likely = 0.15F;            // less interest is enough for likely ground
+constexpr float overNoise = 4.0F;          // dB that echo must have over the weakest
 
 constexpr float notWeather = 0.6F;       // interest in flight
 constexpr float hardlyWeather = 0.4F;    // interest of gates beside such ones
@@ -177,7 +178,8 @@ void JudgeRows(
         continue;
       }
       const EchoInterest interest = InterestOf(evidence[gate]);
-      const float limit = sweep.limits[gate] + CoreMargin(evidence[gate]);
+      const float limit = sweep.limits[gate] + CoreMargin(evidence[gate]) -
+                          (interest.polarimetric ? 0.0F : ofOnePolarisation);
       sweep.signs[index] = interest.ground >= limit            ? GroundSign::Sure
                            : interest.ground >= limit - likely ? GroundSign::Likely
                                                                : GroundSign::None;
