@@ -20,6 +20,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <functional>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -125,9 +126,14 @@ bool ClassifySweeps(
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
     const nexrad::PolarVolume& volume = volumes[i];
-    const auto measured = [&](nexrad::MomentName moment)
-    { return moment == nexrad::MomentName::REF ? volume : others.Find(moment, volume); };
-    const nexrad::EchoClassification found = nexrad::ClassifyEcho(measured, vtkNexradRangeLoop());
+    std::mutex oneAtATime;
+    const auto measured = [&](nexrad::MomentName moment, const nexrad::WantedRange&)
+    {
+      const std::lock_guard<std::mutex> lock(oneAtATime);
+      return others.Find(moment, volume);
+    };
+    const nexrad::EchoClassification found =
+      nexrad::ClassifyEcho(volume, measured, vtkNexradRangeLoop());
     for (std::size_t sweep = 0; sweep < volume.sweeps.size(); ++sweep)
     {
       AddArrays(origins[i][sweep], volume.sweeps[sweep].gates, found.sweeps[sweep]);
@@ -177,6 +183,14 @@ int vtkNexradEchoClasses::GetClassOfReason(int reason)
   return reason >= 0 && reason < reasonCount
            ? static_cast<int>(nexrad::ClassOf(static_cast<nexrad::EchoReason>(reason)))
            : -1;
+}
+
+bool vtkNexradEchoClasses::IsTakenOut(int quality, int echoClass)
+{
+  return quality >= 0 && quality <= static_cast<int>(nexrad::QualityLevel::Strict) &&
+         echoClass >= 0 && echoClass < classCount &&
+         nexrad::RemovesClass(
+           static_cast<nexrad::QualityLevel>(quality), static_cast<nexrad::EchoClass>(echoClass));
 }
 
 int vtkNexradEchoClasses::RequestUpdateExtent(

@@ -54,6 +54,13 @@ public:
    */
   static int GetClassOfReason(int reason);
 
+  /**
+   * Whether quality control at a level takes out gates of a class before a merge. The levels are
+   * those of vtkNexradGridAlgorithm::SetQuality: 0 off, 1 standard, 2 strict. False for another
+   * level or class.
+   */
+  static bool IsTakenOut(int quality, int echoClass);
+
 protected:
   vtkNexradEchoClasses();
   ~vtkNexradEchoClasses() override;

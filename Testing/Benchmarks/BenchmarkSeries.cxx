@@ -115,7 +115,7 @@ std::filesystem::path WriteSyntheticSeries(const std::filesystem::path& folder)
   job.folder = folder / "volumes";
   job.options.begin = *ParseIso8601("2006-03-12T17:10");
   job.options.end = *ParseIso8601("2006-03-12T19:05");
-  return WriteVolumes(job).index;
+  return WriteVolumes(job).indices.front();
 }
 
 class Player

@@ -90,10 +90,7 @@ TEST(EchoClassesFilter, AreThoseOfTheFile)
   {
     const std::filesystem::path file = data / "level2" / name;
     const nexrad::RadarVolume volume = nexrad::ReadLevel2(file);
-    nexrad::ReasonCounts expected = nexrad::ClassifyEcho(
-      [&](nexrad::MomentName moment) {
-        return nexrad::MakePolarVolume(volume, moment);
-      }).counts;
+    nexrad::ReasonCounts expected = nexrad::ClassifyEcho(volume).counts;
     expected[0] = 0;
     vtkNew<vtkNexradLevel2Reader> reader;
     reader->SetFileName(file.c_str());
@@ -156,6 +153,13 @@ TEST(EchoClassesFilter, NamesAreInTheFieldData)
   EXPECT_EQ(vtkNexradEchoClasses::GetEchoClassName(7), nullptr);
   EXPECT_EQ(vtkNexradEchoClasses::GetEchoReasonName(-1), nullptr);
   EXPECT_EQ(vtkNexradEchoClasses::GetClassOfReason(15), -1);
+  for (int level = -1; level <= 3; ++level)
+  {
+    EXPECT_EQ(vtkNexradEchoClasses::IsTakenOut(level, 2), level == 1 || level == 2) << level;
+    EXPECT_EQ(vtkNexradEchoClasses::IsTakenOut(level, 3), level == 2) << level;
+    EXPECT_FALSE(vtkNexradEchoClasses::IsTakenOut(level, 1)) << level;
+    EXPECT_FALSE(vtkNexradEchoClasses::IsTakenOut(level, 7)) << level;
+  }
   const nexrad::testing::TemporaryFolder folder;
   const nexrad::Site site = {"KEAX", nexrad::Position{38.81, -94.264, 333.0}};
   const auto path = nexrad::testing::WriteLevel2(folder.Path() / "one",

@@ -29,8 +29,7 @@ std::vector<SortedRay> SortRays(const PolarSweep& sweep, const std::vector<std::
   std::vector<SortedRay> sorted;
   for (const std::size_t i : rays)
   {
-    const double turned = std::fmod(static_cast<double>(sweep.rays[i].azimuth), 360.0);
-    sorted.push_back({turned < 0.0 ? turned + 360.0 : turned, i});
+    sorted.push_back({ToFullTurn(static_cast<double>(sweep.rays[i].azimuth)), i});
   }
   // Of two rays in one direction the later comes first, and stays.
   const auto before = [&sweep](const SortedRay& a, const SortedRay& b)

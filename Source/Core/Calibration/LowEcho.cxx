@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Calibration/LowEcho.h"
 
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Polar/CutRays.h"
@@ -105,9 +106,9 @@ private:
 
   void AddRay(const PolarRay& ray)
   {
-    const double turned = std::fmod(static_cast<double>(ray.azimuth) + 360.0, 360.0);
+    const double azimuth = ToFullTurn(static_cast<double>(ray.azimuth));
     const int sector =
-      std::clamp(static_cast<int>(turned * LowEcho::Sectors / 360.0), 0, LowEcho::Sectors - 1);
+      std::clamp(static_cast<int>(azimuth * LowEcho::Sectors / 360.0), 0, LowEcho::Sectors - 1);
     for (std::size_t gate = begin; gate < end; ++gate)
     {
       if (places[gate] == noCell)

@@ -11,6 +11,20 @@ constexpr double RadiansPerDegree = Pi / 180.0;
 /// Length of a degree of latitude on a sphere of 6371 km, m.
 constexpr double MetresPerDegree = 6'371'000.0 * RadiansPerDegree;
 
+/// A direction in degrees as 0 to below 360.
+inline double ToFullTurn(double degrees)
+{
+  const double turned = std::fmod(degrees, 360.0);
+  return turned < 0.0 ? turned + 360.0 : turned;
+}
+
+/// Angle between two directions of 0 to 360 degrees: 0…180.
+inline double AngleBetween(double one, double other)
+{
+  const double apart = std::abs(one - other);
+  return apart <= 180.0 ? apart : 360.0 - apart;
+}
+
 /// Smallest turn from one direction to another, both in degrees: −180…180, clockwise positive.
 inline double AngleDifference(double from, double to)
 {

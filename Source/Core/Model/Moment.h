@@ -93,6 +93,8 @@ enum class GateState : std::uint8_t
 /// It does not own the words; they belong to the RadarVolume that holds the ray.
 struct MomentRow
 {
+  static constexpr std::size_t MostGates = 65'535;
+
   const std::uint8_t* words = nullptr; ///< big-endian words of wordBits each
   std::uint16_t gates = 0;             ///< number of gates; 0: the ray lacks the moment
   std::uint8_t wordBits = 8;           ///< 8 or 16

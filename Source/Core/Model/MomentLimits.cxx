@@ -46,35 +46,36 @@ WordRange FindWordRange(std::size_t gates, Word firstValue, const WordAt& wordAt
   return {least + unsigned(firstValue), most};
 }
 
-WordRange FindWordRange(const MomentRow& row)
+WordRange FindWordRange(const MomentRow& row, std::size_t gates)
 {
   const std::uint8_t* words = row.words;
   if (row.wordBits == 16)
   {
-    return FindWordRange<std::uint16_t>(row.gates, row.firstValue,
+    return FindWordRange<std::uint16_t>(gates, row.firstValue,
       [words](std::size_t gate)
       { return static_cast<std::uint16_t>(words[2 * gate] << 8 | words[2 * gate + 1]); });
   }
   return FindWordRange<std::uint8_t>(
-    row.gates, row.firstValue, [words](std::size_t gate) { return words[gate]; });
+    gates, row.firstValue, [words](std::size_t gate) { return words[gate]; });
 }
 
 // Gates whose word is a value outside the limits. Nearly always there is none, as the ends of the
 // words tell: values rise or fall with them.
-std::vector<std::size_t> GatesOutside(const MomentRow& row, const Limits& limits)
+std::vector<std::size_t> GatesOutside(const MomentRow& row, const Limits& limits, std::size_t gates)
 {
+  gates = std::min<std::size_t>(gates, row.gates);
   const auto isOutside = [&](unsigned word)
   {
     const float value = row.ValueOf(word);
     return value < limits.least || value > limits.most;
   };
   std::vector<std::size_t> outside;
-  const WordRange range = FindWordRange(row);
+  const WordRange range = FindWordRange(row, gates);
   if (range.least > range.most || !(isOutside(range.least) || isOutside(range.most)))
   {
     return outside;
   }
-  for (std::size_t gate = 0; gate < row.gates; ++gate)
+  for (std::size_t gate = 0; gate < gates; ++gate)
   {
     if (row.Raw(gate) >= row.firstValue && isOutside(row.Raw(gate)))
     {
@@ -84,9 +85,10 @@ std::vector<std::size_t> GatesOutside(const MomentRow& row, const Limits& limits
   return outside;
 }
 
-std::vector<std::size_t> NegativeWidths(const Ray& ray)
+std::vector<std::size_t> NegativeWidths(const Ray& ray, std::size_t gates)
 {
-  return GatesOutside(ray.Row(MomentName::SW), {0.0F, std::numeric_limits<float>::infinity()});
+  return GatesOutside(
+    ray.Row(MomentName::SW), {0.0F, std::numeric_limits<float>::infinity()}, gates);
 }
 
 bool HaveTheSameGates(const MomentRow& a, const MomentRow& b)
@@ -94,20 +96,20 @@ bool HaveTheSameGates(const MomentRow& a, const MomentRow& b)
   return a.gates == b.gates && a.firstGate == b.firstGate && a.gateSpacing == b.gateSpacing;
 }
 
-std::vector<std::size_t> ImpossibleVelocities(const Ray& ray)
+std::vector<std::size_t> ImpossibleVelocities(const Ray& ray, std::size_t gates)
 {
   const MomentRow& row = ray.Row(MomentName::VEL);
   std::vector<std::size_t> folded;
   if (ray.nyquist > 0.0F)
   {
     const float most = ray.nyquist + nyquistTolerance;
-    folded = GatesOutside(row, {-most, most});
+    folded = GatesOutside(row, {-most, most}, gates);
   }
   if (!HaveTheSameGates(row, ray.Row(MomentName::SW)))
   {
     return folded;
   }
-  std::vector<std::size_t> beside = NegativeWidths(ray);
+  std::vector<std::size_t> beside = NegativeWidths(ray, gates);
   beside.erase(std::remove_if(beside.begin(), beside.end(),
                  [&row](std::size_t gate) { return row.State(gate) != GateState::Valid; }),
     beside.end());
@@ -132,14 +134,14 @@ std::size_t CountGates(const std::vector<Sweep>& sweeps, MomentName moment)
 
 } // namespace
 
-std::vector<std::size_t> ImpossibleGates(const Ray& ray, MomentName moment)
+std::vector<std::size_t> ImpossibleGates(const Ray& ray, MomentName moment, std::size_t gates)
 {
   switch (moment)
   {
   case MomentName::VEL:
-    return ImpossibleVelocities(ray);
+    return ImpossibleVelocities(ray, gates);
   case MomentName::SW:
-    return NegativeWidths(ray);
+    return NegativeWidths(ray, gates);
   default:
     return {};
   }

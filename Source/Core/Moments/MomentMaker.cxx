@@ -74,8 +74,9 @@ bool MomentOptions::operator==(const MomentOptions& other) const
 }
 
 MomentMaker::MomentMaker(const RadarVolume& volume, const MomentOptions& theOptions)
-  : MomentMaker(
-      [&volume](MomentName moment) { return MakePolarVolume(volume, moment); }, theOptions)
+  : MomentMaker([&volume](MomentName moment, const WantedRange& wanted)
+      { return MakePolarVolume(volume, moment, wanted); },
+      theOptions)
 {
 }
 
@@ -110,7 +111,7 @@ PolarVolume MomentMaker::MakeRaw(MomentName moment)
       }
       return volume;
     }
-    return measured(moment);
+    return measured(moment, {});
   case MomentName::REF:
     return this->MakeReflectivity();
   case MomentName::SRV:
@@ -121,23 +122,21 @@ PolarVolume MomentMaker::MakeRaw(MomentName moment)
     return this->MakeDerivative(moment, RadialDivergence);
   case MomentName::KDP:
     return MakePhaseSlopes(
-      measured(MomentName::PHI), measured(MomentName::REF), measured(MomentName::RHO));
+      measured(MomentName::PHI, {}), measured(MomentName::REF, {}), measured(MomentName::RHO, {}));
   default:
-    return measured(moment);
+    return measured(moment, {});
   }
 }
 
 PolarVolume MomentMaker::MakeReflectivity()
 {
-  PolarVolume volume = measured(MomentName::REF);
+  PolarVolume volume = measured(MomentName::REF, {});
   if (options.quality.level == QualityLevel::Off)
   {
     return volume;
   }
   // Whoever makes many volumes makes them on threads of their own.
-  const EchoClassification found = ClassifyEcho([&](MomentName moment)
-    { return moment == MomentName::REF ? volume : measured(moment); },
-    ThreadLoop(1));
+  const EchoClassification found = ClassifyEcho(volume, measured, ThreadLoop(1));
   TakeOut(volume, found, options.quality.level);
   echo = found.counts;
   return volume;
@@ -148,7 +147,7 @@ const MomentMaker::Velocities& MomentMaker::Unfolded()
   if (!velocities)
   {
     velocities.emplace();
-    velocities->folded = measured(MomentName::VEL);
+    velocities->folded = measured(MomentName::VEL, {});
     velocities->unfolded = MakeVelocityVolume(velocities->folded);
     Dealias(velocities->unfolded);
   }

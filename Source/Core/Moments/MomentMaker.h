@@ -6,7 +6,6 @@
 #include "nexrad/Quality/EchoClass.h"
 #include "nexrad/Velocity/VelocityVolume.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -33,9 +32,6 @@ namespace nexrad
 class MomentMaker
 {
 public:
-  /// Makes the polar volume of a measured moment, one without sweeps where the volume has none.
-  using MeasuredVolume = std::function<PolarVolume(MomentName)>;
-
   /// The volume must outlive this object.
   MomentMaker(const RadarVolume& volume, const MomentOptions& options);
   MomentMaker(MeasuredVolume measured, const MomentOptions& options);

@@ -17,6 +17,7 @@ namespace
 {
 
 using RayList = std::vector<const Ray*>;
+using RowList = std::vector<MomentRow>;
 
 // Files have two states before the first word of a value.
 constexpr std::uint16_t codesBeforeWords = GateCode::FirstValue - 2;
@@ -62,15 +63,14 @@ unsigned LargestWord(const MomentRow& row)
 }
 
 // The words' own scale; not exact where the rays have none in common that codes can have.
-Coding FindWordCoding(const RayList& rays, MomentName moment)
+Coding FindWordCoding(const RowList& rows)
 {
   constexpr unsigned largestWord = GateCode::Last - codesBeforeWords;
-  const MomentRow& first = rays.front()->Row(moment);
+  const MomentRow& first = rows.front();
   Coding coding{{(-1.0F - first.offset) / first.scale, 1.0F / first.scale}, 0, true};
   unsigned largest = 0;
-  for (const Ray* ray : rays)
+  for (const MomentRow& row : rows)
   {
-    const MomentRow& row = ray->Row(moment);
     coding.exact = coding.exact && row.scale == first.scale && row.offset == first.offset &&
                    row.firstValue == first.firstValue;
     largest = std::max(largest, LargestWord(row));
@@ -110,12 +110,11 @@ private:
   float most = std::numeric_limits<float>::lowest();
 };
 
-Coding FindValueCoding(const RayList& rays, MomentName moment)
+Coding FindValueCoding(const RowList& rows)
 {
   ValueRange range;
-  for (const Ray* ray : rays)
+  for (const MomentRow& row : rows)
   {
-    const MomentRow& row = ray->Row(moment);
     for (std::size_t gate = 0; gate < row.gates; ++gate)
     {
       if (row.State(gate) == GateState::Valid)
@@ -133,21 +132,22 @@ std::uint16_t CodeOf(float value, const GateScale& scale)
 }
 
 // Every gate of every file passes here: the loops have no branch, and the compiler puts words side
-// by side.
+// by side. The row's own number of gates could be the memory of a code.
 template <class WordAt>
 void SetWords(const MomentRow& row, const WordAt& wordAt, std::uint16_t* codes)
 {
   const std::uint16_t first = row.firstValue;
+  const std::size_t gates = row.gates;
   if (first == 2) // then words below the first value are the codes of their states
   {
-    for (std::size_t gate = 0; gate < row.gates; ++gate)
+    for (std::size_t gate = 0; gate < gates; ++gate)
     {
       const std::uint16_t word = wordAt(gate);
       codes[gate] = static_cast<std::uint16_t>(word + (word >= 2 ? codesBeforeWords : 0));
     }
     return;
   }
-  for (std::size_t gate = 0; gate < row.gates; ++gate)
+  for (std::size_t gate = 0; gate < gates; ++gate)
   {
     const std::uint16_t word = wordAt(gate);
     codes[gate] =
@@ -179,7 +179,29 @@ void SetCodes(const MomentRow& row, const Coding& coding, std::uint16_t* codes)
   }
 }
 
-PolarSweep MakeSweep(const RayList& rays, Waveform waveform, MomentName moment)
+// Of the gates of a sweep those up to a slant range, at least one.
+std::size_t GatesUpTo(const PolarSweep& sweep, double range)
+{
+  const double last = std::floor((range - sweep.firstGate) / sweep.gateSpacing);
+  return static_cast<std::size_t>(std::clamp(last + 1.0, 1.0, static_cast<double>(sweep.gates)));
+}
+
+// The rows of the rays, without the gates from `gates` on.
+RowList RowsOf(const RayList& rays, MomentName moment, std::size_t gates)
+{
+  RowList rows;
+  rows.reserve(rays.size());
+  for (const Ray* ray : rays)
+  {
+    MomentRow row = ray->Row(moment);
+    row.gates = static_cast<std::uint16_t>(std::min<std::size_t>(row.gates, gates));
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+PolarSweep MakeSweep(
+  const RayList& rays, Waveform waveform, MomentName moment, const WantedRange& wanted)
 {
   PolarSweep sweep;
   sweep.waveform = waveform;
@@ -194,20 +216,24 @@ PolarSweep MakeSweep(const RayList& rays, Waveform waveform, MomentName moment)
     sweep.rays.push_back(
       {ray->azimuth, ray->elevation, ray->unambiguousRange, ray->time, ray->nyquist});
   }
-  Coding coding = FindWordCoding(rays, moment);
+  if (wanted && sweep.gateSpacing > 0.0)
+  {
+    sweep.gates = GatesUpTo(sweep, wanted(MedianElevation(sweep)));
+  }
+  const RowList rows = RowsOf(rays, moment, sweep.gates);
+  Coding coding = FindWordCoding(rows);
   if (!coding.exact)
   {
-    coding = FindValueCoding(rays, moment);
+    coding = FindValueCoding(rows);
   }
   sweep.scale = coding.scale;
   sweep.rows = GateRows(coding.largest);
   std::vector<std::uint16_t> codes(sweep.gates);
-  for (const Ray* ray : rays)
+  for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    const MomentRow& row = ray->Row(moment);
-    SetCodes(row, coding, codes.data());
-    std::fill(codes.begin() + row.gates, codes.end(), GateCode::NotSampled);
-    for (const std::size_t gate : ImpossibleGates(*ray, moment))
+    SetCodes(rows[i], coding, codes.data());
+    std::fill(codes.begin() + rows[i].gates, codes.end(), GateCode::NotSampled);
+    for (const std::size_t gate : ImpossibleGates(*rays[i], moment, sweep.gates))
     {
       codes[gate] = GateCode::NotSampled;
     }
@@ -351,7 +377,7 @@ double MedianElevation(const PolarSweep& sweep)
   return MedianOf(std::move(elevations));
 }
 
-PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment)
+PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment, const WantedRange& wanted)
 {
   PolarVolume polar;
   polar.site = volume.site;
@@ -363,7 +389,7 @@ PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment)
   {
     for (const RayList& rays : RaysByGeometry(sweep, moment))
     {
-      polar.sweeps.push_back(MakeSweep(rays, sweep.waveform, moment));
+      polar.sweeps.push_back(MakeSweep(rays, sweep.waveform, moment, wanted));
       if (moment == MomentName::REF)
       {
         LimitReach(polar.sweeps.back());

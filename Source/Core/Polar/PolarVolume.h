@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 namespace nexrad
@@ -58,6 +59,9 @@ GateState StateOf(std::uint16_t code);
 /// comes first. Nearly always there is one. The rays belong to the sweep.
 std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentName moment);
 
+/// Slant range in m up to which the gates of a sweep are wanted, by its elevation in degrees.
+using WantedRange = std::function<double(double)>;
+
 /// The gates of one measured moment, as the file has them: the code of a value is its word + 2, and
 /// the scale that of the words. Where that cannot be (rays of one sweep differ in the scale of
 /// their words, larger words are smaller values, or a word leaves no room for its code) the sweep's
@@ -66,8 +70,14 @@ std::vector<std::vector<const Ray*>> RaysByGeometry(const Sweep& sweep, MomentNa
 ///
 /// A sweep whose rays differ in gate geometry gives one PolarSweep for each geometry; shorter rays
 /// are padded with NotSampled, rays without the moment are left out. Values that no measurement can
-/// give (ImpossibleGates) are NotSampled. Of REF, LimitReach is applied to each sweep.
-PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment);
+/// give (ImpossibleGates) are NotSampled. Of REF, LimitReach is applied to each sweep. With
+/// `wanted`, gates behind that range are left out, all but one; an empty one wants them all.
+PolarVolume MakePolarVolume(
+  const RadarVolume& volume, MomentName moment, const WantedRange& wanted = {});
+
+/// Makes the polar volume of a measured moment, one without sweeps where there is none of it. It
+/// may leave out the gates behind the wanted range.
+using MeasuredVolume = std::function<PolarVolume(MomentName, const WantedRange&)>;
 
 /// Sets the gates of a sweep from numbers: the value and the state of each gate, rays × gates,
 /// gates fastest. Values are rounded to GateScale::Between the least and the largest; those that

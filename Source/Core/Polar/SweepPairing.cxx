@@ -37,12 +37,6 @@ std::vector<SweepRank> RankSweeps(const PolarVolume& volume)
   return ranks;
 }
 
-double ToFullTurn(double azimuth)
-{
-  const double turned = std::fmod(azimuth, 360.0);
-  return turned < 0.0 ? turned + 360.0 : turned;
-}
-
 } // namespace
 
 std::vector<std::optional<std::size_t>> PairSweeps(
@@ -96,8 +90,8 @@ std::optional<std::size_t> RayFinder::Nearest(double azimuth, double tolerance) 
     std::lower_bound(rays.begin(), rays.end(), std::make_pair(wanted, std::size_t(0)));
   const auto& above = next == rays.end() ? rays.front() : *next;
   const auto& below = next == rays.begin() ? rays.back() : *std::prev(next);
-  const double toAbove = std::abs(AngleDifference(wanted, above.first));
-  const double toBelow = std::abs(AngleDifference(wanted, below.first));
+  const double toAbove = AngleBetween(wanted, above.first);
+  const double toBelow = AngleBetween(wanted, below.first);
   if (std::min(toAbove, toBelow) > tolerance)
   {
     return std::nullopt;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <map>
 
 namespace nexrad
 {
@@ -21,28 +20,27 @@ constexpr double freeHeight = 3000.0;  // m, where there must be no echo
 constexpr double leastArea = 300.0e6;  // m²
 constexpr double nearRadar = 40'000.0; // m
 
-// The lowest sweep whose beam is as high as freeHeight at a range; nullptr where none is.
-const EchoGrid* FindFree(const std::vector<SweepJudgement>& sweeps, double range)
-{
-  const EchoGrid* found = nullptr;
-  for (const SweepJudgement& other : sweeps)
-  {
-    const bool serves = other.grid && BeamHeight(range, other.grid->Elevation()) >= freeHeight;
-    found =
-      serves && (!found || other.grid->Elevation() < found->Elevation()) ? other.grid.get() : found;
-  }
-  return found;
-}
-
-// For each gate of a ray up to `highest`: the gate where there must be no echo.
+// For each gate of a ray up to `highest`: the gate where there must be no echo, of the lowest sweep
+// whose beam is as high as freeHeight there.
 struct FreeGate
 {
-  const EchoGrid* grid = nullptr;
+  const EchoGrid* grid = nullptr; // nullptr where no beam is
   std::ptrdiff_t gate = 0;
 };
 std::vector<FreeGate> FindFreeGates(const std::vector<SweepJudgement>& sweeps, const EchoGrid& grid)
 {
+  std::vector<const EchoGrid*> upward;
+  for (const SweepJudgement& sweep : sweeps)
+  {
+    if (sweep.grid)
+    {
+      upward.push_back(sweep.grid.get());
+    }
+  }
+  std::stable_sort(upward.begin(), upward.end(),
+    [](const EchoGrid* a, const EchoGrid* b) { return a->Elevation() < b->Elevation(); });
   std::vector<FreeGate> free;
+  auto above = upward.end(); // the beams from here on are as high
   for (std::size_t gate = 0; gate < grid.Gates(); ++gate)
   {
     const double range = grid.RangeOf(gate);
@@ -50,8 +48,11 @@ std::vector<FreeGate> FindFreeGates(const std::vector<SweepJudgement>& sweeps, c
     {
       break;
     }
-    const EchoGrid* above = FindFree(sweeps, range);
-    free.push_back({above, above ? above->GateAt(range) : 0});
+    while (above != upward.begin() && BeamHeight(range, (*(above - 1))->Elevation()) >= freeHeight)
+    {
+      --above;
+    }
+    free.push_back(above == upward.end() ? FreeGate() : FreeGate{*above, (*above)->GateAt(range)});
   }
   return free;
 }
@@ -62,7 +63,8 @@ void MarkRow(const SweepJudgement& sweep, const std::vector<FreeGate>& free, std
 {
   const EchoGrid& grid = *sweep.grid;
   const float* row = grid.Row(place);
-  std::map<const EchoGrid*, const float*> rows;
+  const EchoGrid* rowOf = nullptr; // the grid of `upper`
+  const float* upper = nullptr;
   for (std::size_t gate = 0; gate < std::min(free.size(), grid.Held(place).end); ++gate)
   {
     const bool weak = IsNumber(row[gate]) && row[gate] < strongest &&
@@ -72,13 +74,12 @@ void MarkRow(const SweepJudgement& sweep, const std::vector<FreeGate>& free, std
     {
       continue;
     }
-    const auto found = rows.find(above);
-    if (found == rows.end())
+    if (above != rowOf)
     {
       const std::size_t beyond = above->PlaceAt(grid.AzimuthAt(place));
-      rows[above] = beyond < above->Rays() ? above->Row(beyond) : nullptr;
+      upper = beyond < above->Rays() ? above->Row(beyond) : nullptr;
+      rowOf = above;
     }
-    const float* upper = rows[above];
     const std::ptrdiff_t at = free[gate].gate;
     const bool beyond = at < 0 || at >= static_cast<std::ptrdiff_t>(above->Gates());
     members[gate] = upper && (beyond || !IsNumber(upper[at])) ? 1 : 0;

@@ -37,8 +37,7 @@ public:
   {
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
-      const double turned = std::fmod(static_cast<double>(sweep.rays[ray].azimuth), 360.0);
-      order.emplace_back(turned < 0.0 ? turned + 360.0 : turned, ray);
+      order.emplace_back(ToFullTurn(static_cast<double>(sweep.rays[ray].azimuth)), ray);
     }
     std::sort(order.begin(), order.end());
     std::vector<std::uint16_t> codes(sweep.gates);

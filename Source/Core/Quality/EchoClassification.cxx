@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Quality/EchoClassification.h"
 
+#include "nexrad/Model/Elevation.h"
 #include "nexrad/Quality/BiologicalTest.h"
 #include "nexrad/Quality/Evidence/SplitCuts.h"
 #include "nexrad/Quality/GroundTest.h"
@@ -13,6 +14,8 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace nexrad
@@ -23,6 +26,7 @@ namespace
 
 constexpr double verticalStep = 0.75;    // degrees between tilts that are compared
 constexpr std::size_t rowsTogether = 30; // of one piece of work
+constexpr double betweenGates = 2000.0;  // m, at most, between gates of two moments at one place
 
 struct Rows
 {
@@ -44,34 +48,44 @@ public:
 
   EchoClassification Run()
   {
-    for (std::size_t i = 0; i < sweeps.size(); ++i)
-    {
-      sweeps[i].Set(moments.reflectivity.sweeps[i], !sources[i].surveillance, loop);
-    }
+    this->ForAll([this](std::size_t number)
+      { sweeps[number].Set(moments.reflectivity.sweeps[number], !sources[number].surveillance); });
     for (SweepJudgement& sweep : sweeps)
     {
       sweep.above = this->FindAbove(sweep);
     }
     this->Judge();
-    // Halves of split cuts follow those that they copy.
     this->ForSweeps([this](std::size_t number) { this->FindClasses(number); });
-    this->ForSweeps([this](std::size_t number) { this->FinishClasses(number); });
+    // Halves of split cuts copy from others, which must be done then.
+    this->ForSweeps([this](std::size_t number) { this->FinishClasses(number, false); });
+    this->ForSweeps([this](std::size_t number) { this->FinishClasses(number, true); });
     return this->Collect();
   }
 
 private:
   template <typename Work>
-  void ForSweeps(const Work& work)
+  void ForAll(const Work& work)
   {
     RunLoop(loop, static_cast<int>(sweeps.size()),
       [&](int begin, int end)
       {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
         {
-          if (sweeps[i].grid)
-          {
-            work(i);
-          }
+          work(i);
+        }
+      });
+  }
+
+  // For the sweeps with gates.
+  template <typename Work>
+  void ForSweeps(const Work& work)
+  {
+    this->ForAll(
+      [&](std::size_t number)
+      {
+        if (sweeps[number].grid)
+        {
+          work(number);
         }
       });
   }
@@ -131,14 +145,19 @@ private:
     FindSpikes(*sweep.grid, sweep.reasons);
   }
 
-  void FinishClasses(std::size_t number)
+  // Of the sweeps that copy classes, or of the others.
+  void FinishClasses(std::size_t number, bool copies)
   {
-    SweepJudgement& sweep = sweeps[number];
-    if (sources[number].surveillance && sweeps[*sources[number].surveillance].grid)
+    const std::optional<std::size_t>& surveillance = sources[number].surveillance;
+    if (surveillance.has_value() != copies)
     {
-      CopyClasses(sweeps[*sources[number].surveillance], sweep);
+      return;
     }
-    FindSpeckle(sweep);
+    if (copies && sweeps[*surveillance].grid)
+    {
+      CopyClasses(sweeps[*surveillance], sweeps[number]);
+    }
+    FindSpeckle(sweeps[number]);
   }
 
   // Ground and biological echo of the gates of another half of a split cut.
@@ -178,15 +197,24 @@ private:
   EchoClassification Collect()
   {
     EchoClassification result;
-    for (std::size_t i = 0; i < sweeps.size(); ++i)
-    {
-      const PolarSweep& sweep = moments.reflectivity.sweeps[i];
-      result.sweeps.push_back(std::move(sweeps[i].reasons));
-      result.sweeps.back().resize(sweep.rays.size() * sweep.gates, EchoReason::None);
-      for (const EchoReason reason : result.sweeps.back())
+    result.sweeps.resize(sweeps.size());
+    std::vector<ReasonCounts> counts(sweeps.size());
+    this->ForAll(
+      [&](std::size_t number)
       {
-        ++result.counts[static_cast<std::size_t>(reason)];
-      }
+        const PolarSweep& sweep = moments.reflectivity.sweeps[number];
+        std::vector<EchoReason>& reasons = result.sweeps[number];
+        reasons = std::move(sweeps[number].reasons);
+        reasons.resize(sweep.rays.size() * sweep.gates, EchoReason::None);
+        for (const EchoReason reason : reasons)
+        {
+          ++counts[number][static_cast<std::size_t>(reason)];
+        }
+      });
+    for (const ReasonCounts& each : counts)
+    {
+      std::transform(
+        each.begin(), each.end(), result.counts.begin(), result.counts.begin(), std::plus<>());
     }
     return result;
   }
@@ -200,11 +228,22 @@ private:
 } // namespace
 
 EchoClassification ClassifyEcho(
-  const std::function<PolarVolume(MomentName)>& measured, const RangeLoop& loop)
+  const PolarVolume& reflectivity, const MeasuredVolume& measured, const RangeLoop& loop)
 {
-  const MeasuredMoments moments(measured);
+  const auto judged = [](double elevation)
+  { return JudgedRange(elevation - SameTilt) + betweenGates; };
   const RangeLoop own = loop ? loop : ThreadLoop(CoreCount());
+  const MeasuredMoments moments(reflectivity, measured, judged, own);
   return Classifier(moments, own).Run();
+}
+
+EchoClassification ClassifyEcho(const RadarVolume& volume, const RangeLoop& loop)
+{
+  return ClassifyEcho(
+    MakePolarVolume(volume, MomentName::REF),
+    [&volume](MomentName moment, const WantedRange& wanted)
+    { return MakePolarVolume(volume, moment, wanted); },
+    loop);
 }
 
 bool RemovesClass(QualityLevel level, EchoClass echoClass)

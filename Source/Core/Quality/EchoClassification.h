@@ -6,7 +6,6 @@
 #include "nexrad/Quality/QualityOptions.h"
 #include "nexrad/System/RangeLoop.h"
 
-#include <functional>
 #include <vector>
 
 namespace nexrad
@@ -22,12 +21,14 @@ struct EchoClassification
 };
 
 /// Finds what the echo of each gate comes from (Formulas Q1 to Q4), from all moments that the
-/// volume has. `measured` makes the polar volume of a measured moment, one without sweeps where the
-/// volume has none; it is called once each for REF, VEL, SW, RHO, ZDR, PHI and CFP, on this thread.
-/// `loop` runs the work; an empty one stands for as many threads as there are cores. The result
-/// does not depend on it.
+/// volume has. `measured` is called once each for VEL, SW, RHO, ZDR, PHI and CFP, by `loop`, which
+/// runs the work; an empty one stands for as many threads as there are cores. The result does not
+/// depend on it.
 EchoClassification ClassifyEcho(
-  const std::function<PolarVolume(MomentName)>& measured, const RangeLoop& loop = {});
+  const PolarVolume& reflectivity, const MeasuredVolume& measured, const RangeLoop& loop = {});
+
+/// The same of the reflectivity of a volume as MakePolarVolume makes it.
+EchoClassification ClassifyEcho(const RadarVolume& volume, const RangeLoop& loop = {});
 
 /// Whether a level takes out the gates of a class. Off: none; Standard: ground, spikes, receiver
 /// faults and speckle; Strict: biological echo, too.

@@ -3,18 +3,19 @@
 
 #include "nexrad/Quality/Evidence/GateEvidence.h"
 
+#include <vector>
+
 namespace nexrad
 {
 
-/// How much the evidence of a gate speaks for an origin, each 0…1.
-struct EchoInterest
+/// How much the evidence of each gate of a row speaks for an origin, 0…1.
+struct InterestRow
 {
-  float ground = 0.0F;       ///< ground clutter and anomalous propagation
-  float flight = 0.0F;       ///< birds and insects
-  bool polarimetric = false; ///< ρ_hv and Z_DR count in it
+  std::vector<float> ground; ///< ground clutter and anomalous propagation
+  std::vector<float> flight; ///< birds and insects
 };
 
 /// Formulas Q1 and Q2. Everything that is known counts, with fixed weights.
-EchoInterest InterestOf(const GateEvidence& evidence);
+void FindInterest(const EvidenceRow& evidence, InterestRow& interest);
 
 } // namespace nexrad

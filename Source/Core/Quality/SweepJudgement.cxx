@@ -14,11 +14,12 @@ namespace nexrad
 namespace
 {
 
-constexpr double halfBeam = 0.5;           // degrees
-constexpr double surelyNear = 20'000.0;    // m, range where side lobes see the ground
-constexpr float lowGround = 1000.0F;       // m, lower beam edge
-constexpr float highestGround = 5000.0F;   // m, lower beam edge: above it nothing is ground
-constexpr float surelyGround = 0.59F;      // interest of gates that are low
+constexpr double halfBeam = 0.5;         // degrees
+constexpr double surelyNear = 20'000.0;  // m, range where side lobes see the ground
+constexpr float lowGround = 1000.0F;     // m, lower beam edge
+constexpr float highestGround = 5000.0F; // m, lower beam edge: above it nothing is ground
+constexpr double effectiveRadius = 4.0 / 3.0 * 6'371'000.0; // m, of the earth
+constexpr float surelyGround = 0.59F;                       // interest of gates that are low
 constexpr float ofOnePolarisation = 0.02F; // less interest is enough without two polarisations
 constexpr float surelyHighGround = 0.65F;  // interest of gates as high as highestGround
 constexpr float likely = 0.15F;            // less interest is enough for likely ground
@@ -75,17 +76,22 @@ bool IsTelling(const GateEvidence& evidence, const SweepJudgement& sweep, std::s
          evidence.reflectivity >= sweep.weakest[gate] + overNoise;
 }
 
-EchoReason ReasonOf(const GateEvidence& evidence, const EchoInterest& interest,
-  const SweepJudgement& sweep, std::size_t gate)
+EchoReason WeatherOf(float reflectivity)
+{
+  return reflectivity >= strongCore ? EchoReason::StrongCore : EchoReason::Plain;
+}
+
+EchoReason ReasonOf(
+  const GateEvidence& evidence, float flight, const SweepJudgement& sweep, std::size_t gate)
 {
   const float value = evidence.reflectivity;
-  const EchoReason weather = value >= strongCore ? EchoReason::StrongCore : EchoReason::Plain;
+  const EchoReason weather = WeatherOf(value);
   if (!IsTelling(evidence, sweep, gate))
   {
     return weather;
   }
   const bool unsteady = IsNumber(evidence.speed) && evidence.flow < 0.5F;
-  if (interest.flight >= notWeather && unsteady)
+  if (flight >= notWeather && unsteady)
   {
     return value >= debris && evidence.speed > couplet ? EchoReason::Debris
            : evidence.filterPower >= filtered          ? EchoReason::GroundFilter
@@ -94,50 +100,71 @@ EchoReason ReasonOf(const GateEvidence& evidence, const EchoInterest& interest,
   const bool melts = evidence.correlation < 0.96F && evidence.correlation > 0.7F &&
                      value >= 15.0F && value < strongCore && sweep.heights[gate] > 500.0F &&
                      evidence.gradient < 15.0F && evidence.squares < 30.0F;
-  return melts && interest.flight < notWeather ? EchoReason::MeltingLayer : weather;
+  return melts && flight < notWeather ? EchoReason::MeltingLayer : weather;
 }
 
-std::uint8_t FlightOf(const GateEvidence& evidence, const EchoInterest& interest,
-  const SweepJudgement& sweep, std::size_t gate)
+std::uint8_t FlightOf(
+  const GateEvidence& evidence, float flight, const SweepJudgement& sweep, std::size_t gate)
 {
   if (!IsTelling(evidence, sweep, gate) || evidence.reflectivity >= StrongestBiologicalEcho)
   {
     return FlightSign::None;
   }
-  return interest.flight >= notWeather      ? FlightSign::Sure
-         : interest.flight >= hardlyWeather ? FlightSign::Likely
-                                            : FlightSign::None;
+  return flight >= notWeather      ? FlightSign::Sure
+         : flight >= hardlyWeather ? FlightSign::Likely
+                                   : FlightSign::None;
+}
+
+void JudgeGate(SweepJudgement& sweep, std::size_t index, std::size_t gate,
+  const GateEvidence& evidence, float ground, float flight)
+{
+  const float limit = sweep.limits[gate] + CoreMargin(evidence) -
+                      (IsNumber(evidence.correlation) ? 0.0F : ofOnePolarisation);
+  sweep.signs[index] = ground >= limit            ? GroundSign::Sure
+                       : ground >= limit - likely ? GroundSign::Likely
+                                                  : GroundSign::None;
+  sweep.speeds[index] =
+    IsNumber(evidence.ownSpeed) ? SpeedCode(evidence.ownSpeed) : std::uint8_t(0);
+  sweep.gradients[index] = static_cast<std::int8_t>(std::clamp(evidence.gradient, -100.0F, 100.0F));
+  sweep.reasons[index] = ReasonOf(evidence, flight, sweep, gate);
+  sweep.flights[index] = sweep.reasons[index] == EchoReason::GroundFilter
+                           ? FlightSign::None
+                           : FlightOf(evidence, flight, sweep, gate);
 }
 
 } // namespace
 
 double BeamHeight(double range, double elevation)
 {
-  constexpr double earthRadius = 4.0 / 3.0 * 6'371'000.0; // m, effective
-  return range * std::sin(elevation * RadiansPerDegree) + range * range / (2.0 * earthRadius);
+  return range * std::sin(elevation * RadiansPerDegree) + range * range / (2.0 * effectiveRadius);
 }
 
-void SweepJudgement::Set(const PolarSweep& sweep, bool judges, const RangeLoop& loop)
+double JudgedRange(double elevation)
+{
+  // Where BeamHeight is highestGround.
+  const double sine = effectiveRadius * std::sin((elevation - halfBeam) * RadiansPerDegree);
+  const double range = std::sqrt(sine * sine + 2.0 * effectiveRadius * highestGround) - sine;
+  return std::max(range, surelyNear);
+}
+
+void SweepJudgement::Set(const PolarSweep& sweep, bool judges)
 {
   if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0))
   {
     return;
   }
-  grid = std::make_unique<EchoGrid>(sweep, loop);
+  grid = std::make_unique<EchoGrid>(sweep);
   reasons.assign(grid->Rays() * grid->Gates(), EchoReason::None);
   if (!judges)
   {
     return;
   }
   std::vector<float> spreading;
-  for (; judged < grid->Gates(); ++judged)
+  const double farthest = JudgedRange(grid->Elevation());
+  for (; judged < grid->Gates() && grid->RangeOf(judged) <= farthest; ++judged)
   {
     const double range = grid->RangeOf(judged);
     const auto height = static_cast<float>(BeamHeight(range, grid->Elevation() - halfBeam));
-    if (range > surelyNear && height > highestGround)
-    {
-      break;
-    }
     const float part = range < surelyNear ? 0.0F : Ramp(height, lowGround, highestGround);
     heights.push_back(height);
     limits.push_back(surelyGround + part * (surelyHighGround - surelyGround));
@@ -159,38 +186,24 @@ void JudgeRows(
 {
   const EchoGrid& grid = *sweep.grid;
   EvidenceReader reader(grid, sweep.above, sources, sweep.judged);
-  std::vector<GateEvidence> evidence;
+  EvidenceRow evidence;
+  InterestRow interest;
   for (std::size_t place = begin; place < end; ++place)
   {
     reader.Read(place, evidence);
-    const float* row = grid.Row(place);
-    const std::size_t last = grid.Held(place).end;
-    for (std::size_t gate = 0; gate < last; ++gate)
+    FindInterest(evidence, interest);
+    for (std::size_t i = 0; i < evidence.gates.size(); ++i)
     {
-      const std::size_t index = sweep.Index(place, gate);
-      if (!IsNumber(row[gate]))
+      JudgeGate(sweep, sweep.Index(place, evidence.gates[i]), evidence.gates[i], evidence.At(i),
+        interest.ground[i], interest.flight[i]);
+    }
+    const float* row = grid.Row(place);
+    for (std::size_t gate = sweep.judged; gate < grid.Held(place).end; ++gate)
+    {
+      if (IsNumber(row[gate]))
       {
-        continue;
+        sweep.reasons[sweep.Index(place, gate)] = WeatherOf(row[gate]);
       }
-      if (gate >= sweep.judged)
-      {
-        sweep.reasons[index] = row[gate] >= strongCore ? EchoReason::StrongCore : EchoReason::Plain;
-        continue;
-      }
-      const EchoInterest interest = InterestOf(evidence[gate]);
-      const float limit = sweep.limits[gate] + CoreMargin(evidence[gate]) -
-                          (interest.polarimetric ? 0.0F : ofOnePolarisation);
-      sweep.signs[index] = interest.ground >= limit            ? GroundSign::Sure
-                           : interest.ground >= limit - likely ? GroundSign::Likely
-                                                               : GroundSign::None;
-      const float speed = evidence[gate].ownSpeed;
-      sweep.speeds[index] = IsNumber(speed) ? SpeedCode(speed) : std::uint8_t(0);
-      sweep.gradients[index] =
-        static_cast<std::int8_t>(std::clamp(evidence[gate].gradient, -100.0F, 100.0F));
-      sweep.reasons[index] = ReasonOf(evidence[gate], interest, sweep, gate);
-      sweep.flights[index] = sweep.reasons[index] == EchoReason::GroundFilter
-                               ? FlightSign::None
-                               : FlightOf(evidence[gate], interest, sweep, gate);
     }
   }
 }

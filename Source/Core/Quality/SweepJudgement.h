@@ -47,7 +47,7 @@ struct SweepJudgement
   std::vector<EchoReason> reasons;
 
   /// `judges`: whether the gates are judged, or else take their classes of another sweep.
-  void Set(const PolarSweep& sweep, bool judges, const RangeLoop& loop);
+  void Set(const PolarSweep& sweep, bool judges);
 
   std::size_t Index(std::size_t place, std::size_t gate) const
   {
@@ -67,6 +67,11 @@ constexpr std::uint8_t SpeedCode(double metresPerSecond)
 /// Height of a beam above the antenna in m, at a slant range in m and an elevation in degrees
 /// (Formulas B1, near the ground).
 double BeamHeight(double range, double elevation);
+
+/// Slant range in m of the gates that can be ground or biological echo, of a sweep at an elevation
+/// in degrees: the lower beam edge is at most 5 km high there, or they are within 20 km, where side
+/// lobes see the ground.
+double JudgedRange(double elevation);
 
 /// Judges the rows from `begin` up to `end`, of all gates with a value.
 void JudgeRows(

@@ -154,8 +154,8 @@ double LargestError(const std::vector<PolarVolume>& velocities, const Position& 
   std::vector<PolarVolume> shears;
   for (const PolarVolume& each : velocities)
   {
-    shears.push_back(
-      MomentMaker([&each](MomentName) { return each; }, {}).Make(MomentName::AZSHEAR));
+    shears.push_back(MomentMaker([&each](MomentName, const WantedRange&) { return each; }, {})
+                       .Make(MomentName::AZSHEAR));
   }
   std::vector<const PolarVolume*> chosen;
   for (const PolarVolume& each : shears)

@@ -111,7 +111,7 @@ TEST(MomentMaker, DoesNotSampleWhatHasNoFold)
   testing::SetGate(sweep, 90, 100, 9.0F);
   PolarVolume folded = testing::MakeVolume({38.7, -90.7, 200.0}, 0.0, {sweep});
   folded.moment = MomentName::VEL;
-  const auto measured = [&folded](MomentName) { return folded; };
+  const auto measured = [&folded](MomentName, const WantedRange&) { return folded; };
   MomentMaker maker(measured, {});
   const PolarVolume made = maker.Make(MomentName::VEL);
   EXPECT_EQ(NumbersOf(made.sweeps[0]).states[sweep.Index(90, 100)], GateState::NotSampled);
@@ -158,7 +158,7 @@ TEST(MomentMaker, SaysThatItHasNoStormMotion)
   NumberSweep sweep = testing::MakeSweep(1, 0.5, 360, 200, 250.0);
   testing::SetGate(sweep, 90, 100, 9.0F);
   PolarVolume folded = testing::MakeVolume({38.7, -90.7, 200.0}, 0.0, {sweep});
-  MomentMaker maker([&folded](MomentName) { return folded; }, {});
+  MomentMaker maker([&folded](MomentName, const WantedRange&) { return folded; }, {});
   const PolarVolume made = maker.Make(MomentName::SRV);
   EXPECT_EQ(NumbersOf(made.sweeps[0]).states[sweep.Index(90, 100)], GateState::NotSampled);
   EXPECT_NE(maker.Note().find("SRV has no values"), std::string::npos) << maker.Note();

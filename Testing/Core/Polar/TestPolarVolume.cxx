@@ -235,6 +235,32 @@ TEST(PolarVolume, PadsShorterRays)
   EXPECT_EQ(sweep.values[sweep.Index(1, 4)], 94.5F);
 }
 
+TEST(PolarVolume, LeavesOutGatesBehindTheWantedRange)
+{
+  const RadarVolume volume = MakeVolume({MakeRay(1.0F, 5, 0), MakeRay(2.0F, 3, 0)});
+  const PolarVolume whole = MakePolarVolume(volume, MomentName::REF);
+  const double spacing = whole.sweeps[0].gateSpacing;
+  for (const double range : {-1.0, 0.0, 1.0, 1.9, 3.0, 4.0, 9.0})
+  {
+    const PolarSweep part = MakePolarVolume(volume, MomentName::REF,
+      [&](double elevation)
+      {
+        EXPECT_EQ(elevation, MedianElevation(whole.sweeps[0]));
+        return range * spacing;
+      }).sweeps[0];
+    const auto gates = static_cast<std::size_t>(std::clamp(std::floor(range) + 1.0, 1.0, 5.0));
+    ASSERT_EQ(part.gates, gates) << range;
+    for (std::size_t ray = 0; ray < 2; ++ray)
+    {
+      std::vector<std::uint16_t> expected(gates);
+      whole.sweeps[0].rows.Read(ray, gates, expected.data());
+      std::vector<std::uint16_t> codes(gates);
+      part.Read(ray, codes.data());
+      EXPECT_EQ(codes, expected) << range << ", ray " << ray;
+    }
+  }
+}
+
 TEST(PolarVolume, SplitsSweepsOfTwoGateGeometries)
 {
   const PolarVolume polar =

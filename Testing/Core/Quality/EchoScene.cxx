@@ -87,7 +87,9 @@ PolarVolume EchoScene::Measured(MomentName moment) const
 
 EchoClassification EchoScene::Classify(const RangeLoop& loop) const
 {
-  return ClassifyEcho([this](MomentName moment) { return this->Measured(moment); }, loop);
+  return ClassifyEcho(
+    this->Measured(MomentName::REF),
+    [this](MomentName moment, const WantedRange&) { return this->Measured(moment); }, loop);
 }
 
 void EchoScene::Remove(MomentName moment)

@@ -29,8 +29,7 @@ double PercentOut(const std::filesystem::path& path, std::size_t number, Quality
   const std::function<bool(const Place&)>& isMeant)
 {
   const RadarVolume volume = ReadLevel2(path);
-  const EchoClassification found =
-    ClassifyEcho([&](MomentName moment) { return MakePolarVolume(volume, moment); });
+  const EchoClassification found = ClassifyEcho(volume);
   const PolarVolume reflectivity = MakePolarVolume(volume, MomentName::REF);
   const PolarSweep& sweep = reflectivity.sweeps.at(number);
   std::vector<std::uint16_t> codes(sweep.gates);
@@ -80,7 +79,7 @@ TEST(EchoOfRealFiles, GroundWithinASquallLineGoes)
   const auto path = folder / "level2" / "quality" / "KLSX19930707_040351.gz";
   EXPECT_AT_LEAST(
     PercentOut(path, 0, QualityLevel::Standard, isGround), 95.0, "ground of KLSX 1993 gone, %");
-  EXPECT_AT_MOST(PercentOut(path, 2, QualityLevel::Standard, Everywhere), 1.2,
+  EXPECT_AT_MOST(PercentOut(path, 2, QualityLevel::Standard, Everywhere), 0.95,
     "echo of KLSX 1993 at 2.4° gone, %");
 }
 
@@ -96,7 +95,7 @@ TEST(EchoOfRealFiles, GroundBesideStormsGoes)
   EXPECT_AT_LEAST(
     PercentOut(path, 0, QualityLevel::Standard, isGround), 85.0, "ground of KAMA 1994 gone, %");
   EXPECT_AT_MOST(
-    PercentOut(path, 2, QualityLevel::Standard, IsCore), 0.5, "cores of KAMA 1994 at 2.4° lost, %");
+    PercentOut(path, 2, QualityLevel::Standard, IsCore), 0.48, "cores of KAMA 1994 at 2.4° lost, %");
 }
 
 // Showers in a light wind: much of them has no radial velocity.
@@ -134,7 +133,7 @@ TEST(EchoOfRealFiles, WidespreadRainAndSnowStay)
   for (const File& file : {File{"superres/KCRP20170826_044114.bin", 0, 0.8},
          File{"superres/KDMX20220305_232324.bin", 0, 3.6},
          File{"superres/KBLX20090603_004417_V03.gz", 0, 4.6},
-         File{"tdwr/TDAL20191021021543V08.raw.gz", 1, 0.5},
+         File{"tdwr/TDAL20191021021543V08.raw.gz", 1, 0.44},
          File{"legacy/KVWX_20050626_221551.gz", 0, 1.1}})
   {
     EXPECT_AT_MOST(
@@ -161,8 +160,24 @@ TEST(EchoOfRealFiles, TheBloomOfASummerMorningIsBiological)
 {
   NEXRAD_REQUIRE_TEST_DATA(folder);
   const auto path = folder / "level2" / "superres" / "KTLX20190715_120037_V06";
-  EXPECT_AT_MOST(PercentOut(path, 0, QualityLevel::Standard, Everywhere), 3.2,
+  EXPECT_AT_MOST(PercentOut(path, 0, QualityLevel::Standard, Everywhere), 2.7,
     "bloom taken out at the standard level, %");
   EXPECT_AT_LEAST(PercentOut(path, 0, QualityLevel::Strict, Everywhere), 65.0,
     "bloom taken out at the strict level, %");
+}
+
+// Halves of split cuts take classes of each other, whichever thread comes first.
+TEST(EchoOfRealFiles, TheClassesDoNotDependOnTheOrderOfTheWork)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  const RadarVolume volume =
+    ReadLevel2(folder / "level2" / "superres" / "Level2_KFTG_20150430_1419.ar2v");
+  const RangeLoop backward = [](int count, const std::function<void(int, int)>& work)
+  {
+    for (int i = count - 1; i >= 0; --i)
+    {
+      work(i, i + 1);
+    }
+  };
+  EXPECT_EQ(ClassifyEcho(volume, ThreadLoop(1)).sweeps, ClassifyEcho(volume, backward).sweeps);
 }

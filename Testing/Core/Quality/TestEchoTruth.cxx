@@ -76,8 +76,7 @@ void AddVolume(const SimulatorOptions& given, int pattern, Score& score)
   ScanTruth truth;
   const RadarVolume volume = ScanVolume(StormField(), {"KLSX", FindSite("KLSX")->position}, pattern,
     *ParseIso8601("2006-03-12T18:03:12.500"), options, &truth);
-  const EchoClassification found =
-    ClassifyEcho([&](MomentName moment) { return MakePolarVolume(volume, moment); });
+  const EchoClassification found = ClassifyEcho(volume);
   std::size_t number = 0;
   for (std::size_t cut = 0; cut < volume.sweeps.size(); ++cut)
   {

@@ -136,7 +136,7 @@ TEST(Dealiasing, BearsNoise)
   scan.noise = 2.5;
   const FoldScore score = ScoreOf(scan, 12.0F);
   EXPECT_EQ(score.wrong, 0u);
-  EXPECT_AT_MOST(score.UnknownShare(), 0.7, "gates without a fold, %");
+  EXPECT_AT_MOST(score.UnknownShare(), 0.44, "gates without a fold, %");
 }
 
 // Two sides of a tornado are neighbours with a true jump near twice the Nyquist velocity. The

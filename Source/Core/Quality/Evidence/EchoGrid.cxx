@@ -18,7 +18,7 @@ constexpr double widestGap = 1.9; // degrees between two rays that are neighbour
 
 } // namespace
 
-EchoGrid::EchoGrid(const PolarSweep& sweep, const RangeLoop& loop)
+EchoGrid::EchoGrid(const PolarSweep& sweep)
   : elevation(MedianElevation(sweep))
   , first(sweep.firstGate)
   , spacing(sweep.gateSpacing)
@@ -30,8 +30,7 @@ EchoGrid::EchoGrid(const PolarSweep& sweep, const RangeLoop& loop)
   std::vector<std::pair<double, std::size_t>> sorted;
   for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
   {
-    const double turned = std::fmod(static_cast<double>(sweep.rays[ray].azimuth), 360.0);
-    sorted.emplace_back(turned < 0.0 ? turned + 360.0 : turned, ray);
+    sorted.emplace_back(ToFullTurn(static_cast<double>(sweep.rays[ray].azimuth)), ray);
   }
   std::sort(sorted.begin(), sorted.end());
   for (const auto& [azimuth, ray] : sorted)
@@ -42,26 +41,21 @@ EchoGrid::EchoGrid(const PolarSweep& sweep, const RangeLoop& loop)
   for (std::size_t place = 0; place < order.size(); ++place)
   {
     const std::size_t next = (place + 1) % order.size();
-    const double apart = std::abs(AngleDifference(azimuths[place], azimuths[next]));
+    const double apart = AngleBetween(azimuths[place], azimuths[next]);
     linked.push_back(next != place && apart <= widestGap ? 1 : 0);
   }
-  const auto read = [this, &sweep](int begin, int end)
+  std::vector<std::uint16_t> codes(gates);
+  for (std::size_t place = 0; place < order.size(); ++place)
   {
-    std::vector<std::uint16_t> codes(gates);
-    for (auto place = static_cast<std::size_t>(begin); place < static_cast<std::size_t>(end);
-         ++place)
+    held[place] = sweep.rows.Held(order[place], gates);
+    sweep.Read(order[place], codes.data());
+    float* row = values.data() + place * gates;
+    for (std::size_t gate = 0; gate < gates; ++gate)
     {
-      held[place] = sweep.rows.Held(order[place], gates);
-      sweep.Read(order[place], codes.data());
-      float* row = values.data() + place * gates;
-      for (std::size_t gate = 0; gate < gates; ++gate)
-      {
-        const float value = sweep.scale.ValueOf(codes[gate]);
-        row[gate] = codes[gate] >= GateCode::FirstValue ? value : NoNumber;
-      }
+      const float value = sweep.scale.ValueOf(codes[gate]);
+      row[gate] = codes[gate] >= GateCode::FirstValue ? value : NoNumber;
     }
-  };
-  RunLoop(loop, static_cast<int>(order.size()), read);
+  }
 }
 
 std::ptrdiff_t EchoGrid::GateAt(double range) const
@@ -81,8 +75,7 @@ std::size_t EchoGrid::PlaceAt(double azimuth) const
   const auto next = std::lower_bound(azimuths.begin(), azimuths.end(), azimuth);
   const std::size_t after = static_cast<std::size_t>(next - azimuths.begin()) % order.size();
   const std::size_t before = (after + order.size() - 1) % order.size();
-  const auto apart = [&](std::size_t place)
-  { return std::abs(AngleDifference(azimuths[place], azimuth)); };
+  const auto apart = [&](std::size_t place) { return AngleBetween(azimuths[place], azimuth); };
   const std::size_t nearest = apart(before) < apart(after) ? before : after;
   return apart(nearest) <= farthest ? nearest : order.size();
 }

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Polar/PolarVolume.h"
-#include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -26,7 +25,7 @@ class EchoGrid
 {
 public:
   /// Reads a sweep, which must outlive the grid and have rays and gates.
-  EchoGrid(const PolarSweep& sweep, const RangeLoop& loop);
+  explicit EchoGrid(const PolarSweep& sweep);
 
   std::size_t Rays() const { return order.size(); }
   std::size_t Gates() const { return gates; }

@@ -23,28 +23,76 @@ float Spread(float squares, float count)
   return count > 0.5F ? std::sqrt(std::max(0.5F * squares / count, 0.0F)) : NoNumber;
 }
 
-void Evaluate(const GateSums& sums, const GateSums& own, GateEvidence& evidence)
+void Evaluate(const GateSums& sums, const GateSums& own, std::size_t i, EvidenceRow& evidence)
 {
   const float pairs = At(sums, SumOf::Pairs);
-  evidence.squares = Mean(At(sums, SumOf::Squares), pairs);
-  evidence.turns = Mean(At(sums, SumOf::Turns), pairs);
+  evidence.squares[i] = Mean(At(sums, SumOf::Squares), pairs);
+  evidence.turns[i] = Mean(At(sums, SumOf::Turns), pairs);
   const float velocities = At(sums, SumOf::Velocities);
-  evidence.still = Mean(At(sums, SumOf::Still), velocities);
-  evidence.speed = Mean(At(sums, SumOf::Speed), velocities);
-  evidence.width = Mean(At(sums, SumOf::Width), velocities);
-  evidence.ownStill = Mean(At(own, SumOf::Still), At(own, SumOf::Velocities));
-  evidence.ownSpeed = Mean(At(own, SumOf::Speed), At(own, SumOf::Velocities));
-  evidence.flow = std::abs(At(sums, SumOf::Velocity)) / std::max(At(sums, SumOf::Speed), 0.1F);
-  const float correlations = At(sums, SumOf::Correlations);
-  evidence.correlation = Mean(At(sums, SumOf::Correlation), correlations);
-  evidence.ratio = Mean(At(sums, SumOf::Ratio), correlations);
-  evidence.ownCorrelation = Mean(At(own, SumOf::Correlation), At(own, SumOf::Correlations));
-  const float ratioPairs = At(sums, SumOf::RatioPairs);
-  evidence.ratioSpread = Spread(At(sums, SumOf::RatioSquares), ratioPairs);
-  evidence.phaseSpread = Spread(At(sums, SumOf::PhaseSquares), ratioPairs);
+  evidence.still[i] = Mean(At(sums, SumOf::Still), velocities);
+  evidence.speed[i] = Mean(At(sums, SumOf::Speed), velocities);
+  evidence.width[i] = Mean(At(sums, SumOf::Width), velocities);
+  evidence.ownStill[i] = Mean(At(own, SumOf::Still), At(own, SumOf::Velocities));
+  evidence.ownSpeed[i] = Mean(At(own, SumOf::Speed), At(own, SumOf::Velocities));
+  evidence.flow[i] = std::abs(At(sums, SumOf::Velocity)) / std::max(At(sums, SumOf::Speed), 0.1F);
+}
+
+void EvaluatePolarimetry(
+  const GateSums& sums, const GateSums& own, std::size_t i, EvidenceRow& evidence)
+{
+  const float correlations = At(sums, PolarimetricSumOf::Correlations);
+  evidence.correlation[i] = Mean(At(sums, PolarimetricSumOf::Correlation), correlations);
+  evidence.ratio[i] = Mean(At(sums, PolarimetricSumOf::Ratio), correlations);
+  evidence.ownCorrelation[i] =
+    Mean(At(own, PolarimetricSumOf::Correlation), At(own, PolarimetricSumOf::Correlations));
+  const float ratioPairs = At(sums, PolarimetricSumOf::RatioPairs);
+  evidence.ratioSpread[i] = Spread(At(sums, PolarimetricSumOf::RatioSquares), ratioPairs);
+  evidence.phaseSpread[i] = Spread(At(sums, PolarimetricSumOf::PhaseSquares), ratioPairs);
+}
+
+void AddWindows(const RowSums& row, std::vector<GateSums>& sums)
+{
+  for (std::size_t i = 0; i < std::min(sums.size(), row.windows.size()); ++i)
+  {
+    for (std::size_t which = 0; which < SumCount; ++which)
+    {
+      sums[i][which] += row.windows[i][which];
+    }
+  }
+}
+
+// Counts the gates of a row that lie `offset` gates behind each of another one, `own`, and those
+// that are alike, of the first `about.size()` gates.
+void CountAlike(const float* own, const float* row, std::ptrdiff_t offset,
+  std::vector<float>& about, std::vector<float>& like)
+{
+  const auto count = static_cast<std::ptrdiff_t>(about.size());
+  const std::ptrdiff_t end = count - std::max<std::ptrdiff_t>(offset, 0);
+  float* abouts = about.data();
+  float* likes = like.data();
+  for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(-offset, 0); i < end; ++i)
+  {
+    const float other = row[i + offset];
+    abouts[i] += IsNumber(other) ? 1.0F : 0.0F;
+    likes[i] += std::abs(other - own[i]) < alike ? 1.0F : 0.0F;
+  }
 }
 
 } // namespace
+
+void EvidenceRow::Clear()
+{
+  for (std::vector<float>* always : {&reflectivity, &range, &agreement, &squares, &turns, &still,
+         &ownStill, &speed, &ownSpeed, &flow, &width})
+  {
+    always->resize(gates.size());
+  }
+  for (std::vector<float>* sometimes :
+    {&correlation, &ownCorrelation, &ratio, &ratioSpread, &phaseSpread, &filterPower, &gradient})
+  {
+    sometimes->assign(gates.size(), NoNumber);
+  }
+}
 
 EvidenceReader::EvidenceReader(const EchoGrid& theGrid, const EchoGrid* theAbove,
   const SweepSources& theSources, std::size_t gates)
@@ -77,103 +125,110 @@ const RayTextures& EvidenceReader::TexturesOf(std::size_t place)
   return row.textures;
 }
 
-void EvidenceReader::Read(std::size_t place, std::vector<GateEvidence>& evidence)
+void EvidenceReader::Read(std::size_t place, EvidenceRow& evidence)
 {
-  const std::size_t gates = std::min(geometry.gates, grid.Held(place).end);
-  evidence.resize(geometry.gates);
-  sums.assign(gates, GateSums{});
-  for (const std::size_t each : {grid.Beside(place, -1), place, grid.Beside(place, 1)})
-  {
-    if (each == grid.Rays())
-    {
-      continue;
-    }
-    const std::vector<GateSums>& windows = this->TexturesOf(each).Windows();
-    for (std::size_t i = 0; i < std::min(gates, windows.size()); ++i)
-    {
-      for (std::size_t which = 0; which < SumCount; ++which)
-      {
-        sums[i][which] += windows[i][which];
-      }
-    }
-  }
   const float* row = grid.Row(place);
-  const std::vector<GateSums>& own = this->TexturesOf(place).Own();
-  for (std::size_t i = 0; i < gates; ++i)
+  const GateRange held = grid.Held(place);
+  evidence.gates.clear();
+  for (std::size_t gate = held.begin; gate < std::min(geometry.gates, held.end); ++gate)
   {
-    if (IsNumber(row[i]))
+    if (IsNumber(row[gate]))
     {
-      evidence[i] = GateEvidence();
-      evidence[i].reflectivity = row[i];
-      evidence[i].elevation = static_cast<float>(grid.Elevation());
-      evidence[i].range = static_cast<float>(grid.RangeOf(i));
-      Evaluate(sums[i], own[i], evidence[i]);
+      evidence.gates.push_back(gate);
     }
   }
+  evidence.Clear();
+  evidence.elevation = static_cast<float>(grid.Elevation());
+  for (std::size_t i = 0; i < evidence.gates.size(); ++i)
+  {
+    evidence.reflectivity[i] = row[evidence.gates[i]];
+    evidence.range[i] = static_cast<float>(grid.RangeOf(evidence.gates[i]));
+  }
+  this->ReadTextures(place, evidence);
   this->ReadAgreement(place, evidence);
   this->ReadGradient(place, evidence);
   this->ReadFilterPower(place, evidence);
 }
 
-void EvidenceReader::ReadAgreement(std::size_t place, std::vector<GateEvidence>& evidence) const
+void EvidenceReader::ReadTextures(std::size_t place, EvidenceRow& evidence)
 {
-  const auto count = static_cast<std::ptrdiff_t>(std::min(geometry.gates, grid.Held(place).end));
-  const float* own = grid.Row(place);
-  const auto far = static_cast<std::ptrdiff_t>(geometry.HalfWindow());
-  const std::array<const float*, 3> rows = {
-    grid.RowBeside(place, -1), own, grid.RowBeside(place, 1)};
-  for (std::ptrdiff_t i = 0; i < count; ++i)
+  const std::size_t gates = std::min(geometry.gates, grid.Held(place).end);
+  sums.assign(gates, GateSums{});
+  polarimetricSums.clear();
+  for (const std::size_t each : {grid.Beside(place, -1), place, grid.Beside(place, 1)})
   {
-    if (!IsNumber(own[i]))
+    if (each < grid.Rays())
     {
-      continue;
-    }
-    float about = 0.0F;
-    float like = 0.0F;
-    for (const std::ptrdiff_t at : {i - far, i - 1, i, i + 1, i + far})
-    {
-      for (std::size_t each = 0; each < rows.size() && at >= 0 && at < count; ++each)
+      const RayTextures& textures = this->TexturesOf(each);
+      AddWindows(textures.Sums(), sums);
+      if (!textures.PolarimetricSums().own.empty())
       {
-        const float other = rows[each][at];
-        about += IsNumber(other) ? 1.0F : 0.0F;
-        like += std::abs(other - own[i]) < alike ? 1.0F : 0.0F;
+        polarimetricSums.resize(gates);
+        AddWindows(textures.PolarimetricSums(), polarimetricSums);
       }
     }
-    // The gate itself is one of them.
-    evidence[static_cast<std::size_t>(i)].agreement =
-      about > 3.5F ? (like - 1.0F) / (about - 1.0F) : NoNumber;
+  }
+  const RayTextures& own = this->TexturesOf(place);
+  for (std::size_t i = 0; i < evidence.gates.size(); ++i)
+  {
+    const std::size_t gate = evidence.gates[i];
+    Evaluate(sums[gate], own.Sums().own[gate], i, evidence);
+  }
+  const std::vector<GateSums>& polarimetric = own.PolarimetricSums().own;
+  for (std::size_t i = 0; i < evidence.gates.size() && !polarimetricSums.empty(); ++i)
+  {
+    const std::size_t gate = evidence.gates[i];
+    EvaluatePolarimetry(
+      polarimetricSums[gate], polarimetric.empty() ? GateSums{} : polarimetric[gate], i, evidence);
   }
 }
 
-void EvidenceReader::ReadGradient(std::size_t place, std::vector<GateEvidence>& evidence) const
+void EvidenceReader::ReadAgreement(std::size_t place, EvidenceRow& evidence)
 {
-  if (above == nullptr)
+  const std::size_t count = std::min(geometry.gates, grid.Held(place).end);
+  const float* own = grid.Row(place);
+  const auto far = static_cast<std::ptrdiff_t>(geometry.HalfWindow());
+  about.assign(count, 0.0F);
+  like.assign(count, 0.0F);
+  for (const float* row : {grid.RowBeside(place, -1), own, grid.RowBeside(place, 1)})
+  {
+    for (const std::ptrdiff_t offset :
+      {-far, far, std::ptrdiff_t(-1), std::ptrdiff_t(0), std::ptrdiff_t(1)})
+    {
+      CountAlike(own, row, offset, about, like);
+    }
+  }
+  for (std::size_t i = 0; i < evidence.gates.size(); ++i)
+  {
+    const float all = about[evidence.gates[i]] - 1.0F; // the gate itself is one of them
+    evidence.agreement[i] = all > 2.5F ? (like[evidence.gates[i]] - 1.0F) / all : NoNumber;
+  }
+}
+
+void EvidenceReader::ReadGradient(std::size_t place, EvidenceRow& evidence) const
+{
+  const std::size_t beyond = above ? above->PlaceAt(grid.AzimuthAt(place)) : 0;
+  if (above == nullptr || beyond == above->Rays())
   {
     return;
   }
-  const std::size_t beyond = above->PlaceAt(grid.AzimuthAt(place));
-  if (beyond == above->Rays())
-  {
-    return;
-  }
-  const float* row = grid.Row(place);
   const float* upper = above->Row(beyond);
   const auto perDegree = static_cast<float>(1.0 / (above->Elevation() - grid.Elevation()));
   const double step = grid.GateSpacing() / above->GateSpacing();
   const double from = (grid.RangeOf(0) - above->RangeOf(0)) / above->GateSpacing() + 0.5;
-  const std::size_t gates = std::min(geometry.gates, grid.Held(place).end);
-  for (std::size_t i = 0; i < gates; ++i)
+  for (std::size_t i = 0; i < evidence.gates.size(); ++i)
   {
-    const double at = from + step * static_cast<double>(i);
-    if (IsNumber(row[i]) && at >= 0.0 && at < static_cast<double>(above->Gates()))
+    const double at = from + step * static_cast<double>(evidence.gates[i]);
+    if (at >= 0.0 && at < static_cast<double>(above->Gates()))
     {
-      const float over = std::max(upper[static_cast<std::size_t>(at)], std::min(weakest, row[i]));
-      evidence[i].gradient = (row[i] - over) * perDegree;
+      const float value = evidence.reflectivity[i];
+      const float over = std::max(upper[static_cast<std::size_t>(at)], std::min(weakest, value));
+      evidence.gradient[i] = (value - over) * perDegree;
     }
   }
 }
 
-void EvidenceReader::ReadFilterPower(std::size_t place, std::vector<GateEvidence>& evidence)
+void EvidenceReader::ReadFilterPower(std::size_t place, EvidenceRow& evidence)
 {
   const std::size_t ray = grid.RayAt(place);
   if (!sources.filterPower.Has(ray))
@@ -181,9 +236,9 @@ void EvidenceReader::ReadFilterPower(std::size_t place, std::vector<GateEvidence
     return;
   }
   ReadMoment(sources.filterPower, ray, geometry, codes, filterPower);
-  for (std::size_t i = 0; i < evidence.size(); ++i)
+  for (std::size_t i = 0; i < evidence.gates.size(); ++i)
   {
-    evidence[i].filterPower = filterPower[i];
+    evidence.filterPower[i] = filterPower[evidence.gates[i]];
   }
 }
 

@@ -36,6 +36,42 @@ struct GateEvidence
   float gradient = NoNumber;       ///< dB a degree, how much weaker the next tilt above is there
 };
 
+/// The evidence of those gates of a row that have a value: an array for each member of
+/// GateEvidence, so that the processor works on several gates at once.
+struct EvidenceRow
+{
+  std::vector<std::size_t> gates; ///< which they are
+  float elevation = 0.0F;
+  std::vector<float> reflectivity;
+  std::vector<float> range;
+  std::vector<float> agreement;
+  std::vector<float> squares;
+  std::vector<float> turns;
+  std::vector<float> still;
+  std::vector<float> ownStill;
+  std::vector<float> speed;
+  std::vector<float> ownSpeed;
+  std::vector<float> flow;
+  std::vector<float> width;
+  std::vector<float> correlation;
+  std::vector<float> ownCorrelation;
+  std::vector<float> ratio;
+  std::vector<float> ratioSpread;
+  std::vector<float> phaseSpread;
+  std::vector<float> filterPower;
+  std::vector<float> gradient;
+
+  /// Makes the arrays as long as `gates`, with NoNumber where not every gate has evidence.
+  void Clear();
+
+  GateEvidence At(std::size_t i) const
+  {
+    return {reflectivity[i], range[i], elevation, agreement[i], squares[i], turns[i], still[i],
+      ownStill[i], speed[i], ownSpeed[i], flow[i], width[i], correlation[i], ownCorrelation[i],
+      ratio[i], ratioSpread[i], phaseSpread[i], filterPower[i], gradient[i]};
+  }
+};
+
 /// Reads the evidence of a sweep row by row. Rows that follow each other share work.
 class EvidenceReader
 {
@@ -45,8 +81,7 @@ public:
   EvidenceReader(
     const EchoGrid& grid, const EchoGrid* above, const SweepSources& sources, std::size_t gates);
 
-  /// Reads the evidence of the gates of a row that have a value; that of others stays as it is.
-  void Read(std::size_t place, std::vector<GateEvidence>& evidence);
+  void Read(std::size_t place, EvidenceRow& evidence);
 
 private:
   struct RowTextures
@@ -56,9 +91,10 @@ private:
   };
 
   const RayTextures& TexturesOf(std::size_t place);
-  void ReadAgreement(std::size_t place, std::vector<GateEvidence>& evidence) const;
-  void ReadGradient(std::size_t place, std::vector<GateEvidence>& evidence) const;
-  void ReadFilterPower(std::size_t place, std::vector<GateEvidence>& evidence);
+  void ReadTextures(std::size_t place, EvidenceRow& evidence);
+  void ReadAgreement(std::size_t place, EvidenceRow& evidence);
+  void ReadGradient(std::size_t place, EvidenceRow& evidence) const;
+  void ReadFilterPower(std::size_t place, EvidenceRow& evidence);
 
   const EchoGrid& grid;
   const EchoGrid* above;
@@ -67,6 +103,9 @@ private:
   std::array<RowTextures, 3> kept;
   std::size_t next = 0;
   std::vector<GateSums> sums;
+  std::vector<GateSums> polarimetricSums;
+  std::vector<float> about;
+  std::vector<float> like;
   std::vector<std::uint16_t> codes;
   std::vector<float> filterPower;
 };

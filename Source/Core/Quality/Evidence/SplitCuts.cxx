@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Quality/Evidence/SplitCuts.h"
 
-#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
+#include "nexrad/Polar/SweepPairing.h"
 
-#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace nexrad
@@ -15,43 +15,6 @@ namespace
 {
 
 constexpr double sameDirection = 0.75; // degrees
-
-double TurnedAzimuth(const PolarRay& ray)
-{
-  const double turned = std::fmod(static_cast<double>(ray.azimuth), 360.0);
-  return turned < 0.0 ? turned + 360.0 : turned;
-}
-
-// The rays of a sweep by azimuth.
-class RaysByAzimuth
-{
-public:
-  explicit RaysByAzimuth(const PolarSweep& sweep)
-  {
-    for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
-    {
-      rays.emplace_back(TurnedAzimuth(sweep.rays[ray]), ray);
-    }
-    std::sort(rays.begin(), rays.end());
-  }
-
-  // MomentSource::NoRay where none is near enough.
-  std::size_t Nearest(double azimuth) const
-  {
-    const auto next =
-      std::lower_bound(rays.begin(), rays.end(), std::make_pair(azimuth, std::size_t(0)));
-    const auto& after = next == rays.end() ? rays.front() : *next;
-    const auto& before = next == rays.begin() ? rays.back() : *(next - 1);
-    const double toAfter = std::abs(AngleDifference(after.first, azimuth));
-    const double toBefore = std::abs(AngleDifference(before.first, azimuth));
-    return std::min(toAfter, toBefore) > sameDirection
-             ? MomentSource::NoRay
-             : (toAfter <= toBefore ? after : before).second;
-  }
-
-private:
-  std::vector<std::pair<double, std::size_t>> rays;
-};
 
 // The sweep of a cut, the one with the most rays where rays of several gate geometries make
 // several; nullptr when the volume has none.
@@ -95,10 +58,11 @@ MomentSource FindSource(const PolarVolume& volume, const PolarSweep& own, bool a
   source.sweep = FindCutWith(volume, own, after);
   if (source.sweep)
   {
-    const RaysByAzimuth rays(*source.sweep);
+    const RayFinder finder(*source.sweep);
     for (const PolarRay& ray : own.rays)
     {
-      source.rays.push_back(rays.Nearest(TurnedAzimuth(ray)));
+      source.rays.push_back(finder.Nearest(static_cast<double>(ray.azimuth), sameDirection)
+                              .value_or(MomentSource::NoRay));
     }
   }
   return source;
@@ -116,15 +80,21 @@ bool IsDopplerHalf(const MeasuredMoments& moments, std::size_t sweep)
 
 } // namespace
 
-MeasuredMoments::MeasuredMoments(const std::function<PolarVolume(MomentName)>& measured)
-  : reflectivity(measured(MomentName::REF))
-  , velocity(measured(MomentName::VEL))
-  , width(measured(MomentName::SW))
-  , correlation(measured(MomentName::RHO))
-  , ratio(measured(MomentName::ZDR))
-  , phase(measured(MomentName::PHI))
-  , filterPower(measured(MomentName::CFP))
+MeasuredMoments::MeasuredMoments(const PolarVolume& theReflectivity, const MeasuredVolume& measured,
+  const WantedRange& judged, const RangeLoop& loop)
+  : reflectivity(theReflectivity)
 {
+  const std::pair<MomentName, PolarVolume*> others[] = {{MomentName::VEL, &velocity},
+    {MomentName::SW, &width}, {MomentName::RHO, &correlation}, {MomentName::ZDR, &ratio},
+    {MomentName::PHI, &phase}, {MomentName::CFP, &filterPower}};
+  RunLoop(loop, static_cast<int>(std::size(others)),
+    [&](int begin, int end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        *others[i].second = measured(others[i].first, judged);
+      }
+    });
 }
 
 std::vector<SweepSources> FindSources(const MeasuredMoments& moments)

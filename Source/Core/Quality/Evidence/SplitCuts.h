@@ -2,9 +2,9 @@
 #pragma once
 
 #include "nexrad/Polar/PolarVolume.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -14,7 +14,7 @@ namespace nexrad
 /// The measured moments of a volume that tell what its echo is.
 struct MeasuredMoments
 {
-  PolarVolume reflectivity;
+  const PolarVolume& reflectivity;
   PolarVolume velocity;
   PolarVolume width;
   PolarVolume correlation; ///< ρ_hv
@@ -22,7 +22,10 @@ struct MeasuredMoments
   PolarVolume phase;       ///< Φ_DP
   PolarVolume filterPower; ///< power that the clutter filter removed
 
-  explicit MeasuredMoments(const std::function<PolarVolume(MomentName)>& measured);
+  /// Makes them by `measured` up to the slant range `judged` of their sweeps, through a loop. The
+  /// reflectivity must outlive them.
+  MeasuredMoments(const PolarVolume& reflectivity, const MeasuredVolume& measured,
+    const WantedRange& judged, const RangeLoop& loop);
 };
 
 /// Another moment in the directions of the rays of a sweep of reflectivity.

@@ -16,10 +16,11 @@ constexpr float stillSpeed = 0.25F;           // m/s
 constexpr float movingSpeed = 1.5F;           // m/s
 constexpr float usualWidth = 2.0F;            // m/s, where none is measured
 
-// Sums of the gates within `half` of each.
-void SumWindows(const std::vector<GateSums>& own, std::size_t half, std::vector<GateSums>& prefix,
-  std::vector<GateSums>& windows)
+// Sums up the gates within `half` of each. `prefix` is room that is used.
+void SumWindows(std::size_t half, std::vector<GateSums>& prefix, RowSums& sums)
 {
+  const std::vector<GateSums>& own = sums.own;
+  std::vector<GateSums>& windows = sums.windows;
   const std::size_t count = own.size();
   prefix.resize(count + 1);
   windows.resize(count > 0 ? count + half : 0);
@@ -42,6 +43,42 @@ void SumWindows(const std::vector<GateSums>& own, std::size_t half, std::vector<
       windows[i][each] = to[each] - from[each];
     }
   }
+}
+
+// The sums of the velocities of one gate.
+struct VelocitySums
+{
+  float velocities = 0.0F;
+  float still = 0.0F;
+  float velocity = 0.0F;
+  float speed = 0.0F;
+  float width = 0.0F;
+
+  void Add(float ofVelocity, float ofWidth)
+  {
+    const float ofSpeed = std::abs(ofVelocity);
+    velocities += 1.0F;
+    still += Ramp(ofSpeed, movingSpeed, stillSpeed);
+    velocity += ofVelocity;
+    speed += ofSpeed;
+    width += ofWidth;
+  }
+
+  void Set(GateSums& sums) const
+  {
+    At(sums, SumOf::Velocities) = velocities;
+    At(sums, SumOf::Still) = still;
+    At(sums, SumOf::Velocity) = velocity;
+    At(sums, SumOf::Speed) = speed;
+    At(sums, SumOf::Width) = width;
+  }
+};
+
+// The first number of a gate that is not below a place counted in gates.
+std::size_t FirstAtLeast(double place)
+{
+  const auto before = static_cast<std::int64_t>(std::max(place, 0.0));
+  return static_cast<std::size_t>(before) + (static_cast<double>(before) < place ? 1 : 0);
 }
 
 } // namespace
@@ -82,30 +119,31 @@ void ReadMoment(const MomentSource& source, std::size_t ray, const RowGeometry& 
 void RayTextures::Set(
   const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry)
 {
-  own.assign(geometry.gates, GateSums{});
+  sums.own.assign(geometry.gates, GateSums{});
   this->AddReflectivity(row, geometry.gates);
   this->AddVelocity(sources, ray, geometry);
-  this->AddPolarimetry(row, sources, ray, geometry);
-  SumWindows(own, geometry.HalfWindow(), prefix, windows);
+  SumWindows(geometry.HalfWindow(), prefix, sums);
+  const bool polarimetric = sources.correlation.Has(ray) && sources.ratio.Has(ray);
+  polarimetricSums.own.assign(polarimetric ? geometry.gates : 0, GateSums{});
+  if (polarimetric)
+  {
+    this->AddPolarimetry(row, sources, ray, geometry);
+  }
+  SumWindows(geometry.HalfWindow(), prefix, polarimetricSums);
 }
 
 void RayTextures::AddReflectivity(const float* row, std::size_t gates)
 {
+  float before = 0.0F; // the difference from the gate before; 0 where one of them has no number
   for (std::size_t i = 0; i + 1 < gates; ++i)
   {
-    if (!IsNumber(row[i]) || !IsNumber(row[i + 1]))
-    {
-      continue;
-    }
-    const float after = row[i + 1] - row[i];
-    At(own[i], SumOf::Pairs) = 1.0F;
-    At(own[i], SumOf::Squares) = std::min(after * after, largestSquare);
-    if (i > 0 && IsNumber(row[i - 1]))
-    {
-      const float before = row[i] - row[i - 1];
-      const bool turn = before * after < 0.0F && std::abs(before) + std::abs(after) > 4.0F;
-      At(own[i], SumOf::Turns) = turn ? 1.0F : 0.0F;
-    }
+    const bool pair = IsNumber(row[i]) && IsNumber(row[i + 1]);
+    const float after = pair ? row[i + 1] - row[i] : 0.0F;
+    const bool turn = before * after < 0.0F && std::abs(before) + std::abs(after) > 4.0F;
+    At(sums.own[i], SumOf::Pairs) = pair ? 1.0F : 0.0F;
+    At(sums.own[i], SumOf::Squares) = std::min(after * after, largestSquare);
+    At(sums.own[i], SumOf::Turns) = turn ? 1.0F : 0.0F;
+    before = after;
   }
 }
 
@@ -126,40 +164,32 @@ void RayTextures::AddVelocity(
     width->rows.Read(
       sources.width.rays[ray], std::min(width->gates, velocity.gates), widthCodes.data());
   }
-  const double perGate = velocity.gateSpacing / geometry.spacing;
+  const GateScale widthScale = width ? width->scale : GateScale();
+  const double inGates = geometry.spacing / velocity.gateSpacing;
   const double from = (velocity.firstGate - geometry.firstGate) / geometry.spacing + 0.5;
-  for (std::size_t i = 0; i < velocity.gates; ++i)
+  std::size_t i = FirstAtLeast(-from * inGates);
+  for (std::size_t at = 0; at < geometry.gates && i < velocity.gates; ++at)
   {
-    const double place = from + perGate * static_cast<double>(i);
-    const auto at = static_cast<std::size_t>(std::max(place, 0.0));
-    if (at >= geometry.gates)
+    const double behind = (static_cast<double>(at + 1) - from) * inGates;
+    const std::size_t end = std::min(FirstAtLeast(behind), velocity.gates);
+    VelocitySums own;
+    for (; i < end; ++i)
     {
-      break;
+      if (codes[i] >= GateCode::FirstValue)
+      {
+        const bool hasWidth = widthCodes[i] >= GateCode::FirstValue;
+        own.Add(velocity.scale.ValueOf(codes[i]),
+          hasWidth ? std::max(widthScale.ValueOf(widthCodes[i]), 0.0F) : usualWidth);
+      }
     }
-    if (place < 0.0 || codes[i] < GateCode::FirstValue)
-    {
-      continue;
-    }
-    const bool hasWidth = widthCodes[i] >= GateCode::FirstValue;
-    const float ofVelocity = velocity.scale.ValueOf(codes[i]);
-    const float ofSpeed = std::abs(ofVelocity);
-    const float ofWidth =
-      hasWidth ? std::max(width->scale.ValueOf(widthCodes[i]), 0.0F) : usualWidth;
-    At(own[at], SumOf::Velocities) += 1.0F;
-    At(own[at], SumOf::Velocity) += ofVelocity;
-    At(own[at], SumOf::Speed) += ofSpeed;
-    At(own[at], SumOf::Width) += ofWidth;
-    At(own[at], SumOf::Still) += Ramp(ofSpeed, movingSpeed, stillSpeed);
+    own.Set(sums.own[at]);
   }
 }
 
 void RayTextures::AddPolarimetry(
   const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry)
 {
-  if (!sources.correlation.Has(ray) || !sources.ratio.Has(ray))
-  {
-    return;
-  }
+  std::vector<GateSums>& own = polarimetricSums.own;
   ReadMoment(sources.correlation, ray, geometry, codes, correlation);
   ReadMoment(sources.ratio, ray, geometry, codes, ratio);
   ReadMoment(sources.phase, ray, geometry, codes, phase);
@@ -171,17 +201,17 @@ void RayTextures::AddPolarimetry(
     {
       continue;
     }
-    At(own[i], SumOf::Correlations) = 1.0F;
-    At(own[i], SumOf::Correlation) = std::min(correlation[i], 1.0F);
-    At(own[i], SumOf::Ratio) = ratio[i];
+    At(own[i], PolarimetricSumOf::Correlations) = 1.0F;
+    At(own[i], PolarimetricSumOf::Correlation) = std::min(correlation[i], 1.0F);
+    At(own[i], PolarimetricSumOf::Ratio) = ratio[i];
     if (i + 1 < geometry.gates && known(i + 1) && IsNumber(phase[i]) && IsNumber(phase[i + 1]))
     {
       const float ratios = ratio[i + 1] - ratio[i];
       float phases = std::abs(phase[i + 1] - phase[i]);
       phases = phases > 180.0F ? 360.0F - phases : phases;
-      At(own[i], SumOf::RatioPairs) = 1.0F;
-      At(own[i], SumOf::RatioSquares) = ratios * ratios;
-      At(own[i], SumOf::PhaseSquares) = std::min(phases * phases, largestPhaseSquare);
+      At(own[i], PolarimetricSumOf::RatioPairs) = 1.0F;
+      At(own[i], PolarimetricSumOf::RatioSquares) = ratios * ratios;
+      At(own[i], PolarimetricSumOf::PhaseSquares) = std::min(phases * phases, largestPhaseSquare);
     }
   }
 }

@@ -24,38 +24,52 @@ struct RowGeometry
   std::size_t HalfWindow() const;
 };
 
-/// What is summed over the gates of a window. Neighbouring rays are added up.
+/// What is summed over the gates of a window, of reflectivity and velocity. Neighbouring rays are
+/// added up.
 enum class SumOf : std::uint8_t
 {
-  Pairs,        ///< neighbouring gates with reflectivity
-  Squares,      ///< of their differences, dB², each at most 400
-  Turns,        ///< gates where the differences change their sign, by over 2 dB
-  Velocities,   ///< gates with a velocity
-  Still,        ///< how near 0 they are: 1 at 0.25 m/s, falling to 0 at 1.5 m/s
-  Velocity,     ///< m/s, with its sign
-  Speed,        ///< |V|, m/s
-  Width,        ///< spectrum width, m/s
+  Pairs,      ///< neighbouring gates with reflectivity
+  Squares,    ///< of their differences, dB², each at most 400
+  Turns,      ///< gates where the differences change their sign, by over 2 dB
+  Velocities, ///< gates with a velocity
+  Still,      ///< how near 0 they are: 1 at 0.25 m/s, falling to 0 at 1.5 m/s
+  Velocity,   ///< m/s, with its sign
+  Speed,      ///< |V|, m/s
+  Width       ///< spectrum width, m/s
+};
+
+/// The same of two polarisations.
+enum class PolarimetricSumOf : std::uint8_t
+{
   Correlations, ///< gates with ρ_hv and Z_DR
   Correlation,  ///< ρ_hv
   Ratio,        ///< Z_DR, dB
   RatioPairs,   ///< neighbouring gates with Z_DR and Φ_DP
   RatioSquares, ///< of the differences of Z_DR, dB²
-  PhaseSquares, ///< of the differences of Φ_DP, degrees², each at most 3600
-  Count
+  PhaseSquares  ///< of the differences of Φ_DP, degrees², each at most 3600
 };
-constexpr std::size_t SumCount = 16; // a multiple of four, for the processor
 
-/// The sums of one gate.
+/// The sums of one gate, of either kind.
+constexpr std::size_t SumCount = 8;
 using GateSums = std::array<float, SumCount>;
 
-inline float& At(GateSums& sums, SumOf which)
+template <class Which>
+float& At(GateSums& sums, Which which)
 {
   return sums[static_cast<std::size_t>(which)];
 }
-inline float At(const GateSums& sums, SumOf which)
+template <class Which>
+float At(const GateSums& sums, Which which)
 {
   return sums[static_cast<std::size_t>(which)];
 }
+
+/// The sums of the gates of a row.
+struct RowSums
+{
+  std::vector<GateSums> own;     ///< of each gate alone
+  std::vector<GateSums> windows; ///< of the window about it, up to half a window behind the last
+};
 
 /// 0 at `from`, 1 at `to`, linear between and constant beyond.
 inline float Ramp(float value, float from, float to)
@@ -73,10 +87,10 @@ public:
   void Set(
     const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry);
 
-  /// Of the gates up to half a window behind those that count.
-  const std::vector<GateSums>& Windows() const { return windows; }
-  /// Of the gate alone, without the window.
-  const std::vector<GateSums>& Own() const { return own; }
+  /// By SumOf.
+  const RowSums& Sums() const { return sums; }
+  /// By PolarimetricSumOf; empty where the ray has but one polarisation.
+  const RowSums& PolarimetricSums() const { return polarimetricSums; }
 
 private:
   void AddReflectivity(const float* row, std::size_t gates);
@@ -84,8 +98,8 @@ private:
   void AddPolarimetry(
     const float* row, const SweepSources& sources, std::size_t ray, const RowGeometry& geometry);
 
-  std::vector<GateSums> own;
-  std::vector<GateSums> windows;
+  RowSums sums;
+  RowSums polarimetricSums;
   std::vector<GateSums> prefix;
   std::vector<std::uint16_t> codes;
   std::vector<std::uint16_t> widthCodes;
