@@ -2,6 +2,7 @@
 #include "vtkNexradImageConversion.h"
 
 #include "nexrad/Codec/CodedVolume.h"
+#include "nexrad/Grid/RadarView.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
@@ -33,6 +34,39 @@ std::string StateName(nexrad::MomentName moment)
   return std::string(nexrad::ToString(moment)) + "_state";
 }
 
+// Of the sites, where they are known.
+void AddPositions(const std::vector<nexrad::Position>& positions, vtkFieldData* field)
+{
+  if (positions.empty())
+  {
+    return;
+  }
+  vtkNew<vtkDoubleArray> array;
+  array->SetName("SitePositions");
+  array->SetNumberOfComponents(3);
+  for (const nexrad::Position& position : positions)
+  {
+    array->InsertNextTuple3(position.latitude, position.longitude, position.altitude);
+  }
+  field->AddArray(array);
+}
+
+std::vector<nexrad::Position> TakePositions(vtkFieldData* field, std::size_t sites)
+{
+  std::vector<nexrad::Position> positions;
+  vtkDataArray* array = field ? field->GetArray("SitePositions") : nullptr;
+  if (array && array->GetNumberOfComponents() == 3 &&
+      array->GetNumberOfTuples() == static_cast<vtkIdType>(sites))
+  {
+    for (vtkIdType i = 0; i < array->GetNumberOfTuples(); ++i)
+    {
+      positions.push_back(
+        {array->GetComponent(i, 0), array->GetComponent(i, 1), array->GetComponent(i, 2)});
+    }
+  }
+  return positions;
+}
+
 void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
 {
   vtkNexradAddValues<vtkFloatArray, float>(field, "FillValue", {volume.fill});
@@ -41,7 +75,12 @@ void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
     field, "ProjectionCenter", {volume.grid.centreLatitude, volume.grid.centreLongitude});
   vtkNexradAddValues<vtkDoubleArray, double>(field, "TimeValue", {nexrad::ToSeconds(volume.time)});
   vtkNexradAddTexts(field, "Sites", volume.sites);
+  AddPositions(volume.sitePositions, field);
   vtkNexradAddTexts(field, "Method", {volume.method});
+  if (volume.ofOneRadar)
+  {
+    vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(field, "OneRadar", {1});
+  }
   vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(
     field, "Synthetic", {static_cast<unsigned char>(volume.synthetic ? 1 : 0)});
 }
@@ -301,9 +340,12 @@ void TakeFieldData(vtkFieldData* field, nexrad::GriddedVolume& volume)
 {
   volume.time = nexrad::FromSeconds(vtkNexradGetValue(field, "TimeValue").value_or(0.0));
   volume.sites = vtkNexradGetTexts(field, "Sites");
+  volume.sitePositions = TakePositions(field, volume.sites.size());
   const std::vector<std::string> method = vtkNexradGetTexts(field, "Method");
   volume.method = method.empty() ? std::string() : method[0];
   volume.synthetic = vtkNexradGetValue(field, "Synthetic").value_or(0.0) != 0.0;
+  volume.ofOneRadar =
+    vtkNexradGetValue(field, "OneRadar").value_or(0.0) != 0.0 && volume.sitePositions.size() == 1;
   volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));
 }
 
@@ -381,6 +423,33 @@ void vtkNexradVolumeToImage(const nexrad::GriddedVolume& volume, vtkImageData* i
     AddAncillary(further, image->GetPointData());
   }
   AddFieldData(volume, image->GetFieldData());
+}
+
+void vtkNexradAddRadarView(vtkImageData* image, const std::vector<std::string>& leaveOut)
+{
+  nexrad::GriddedVolume volume;
+  TakeFieldData(image->GetFieldData(), volume);
+  if (!volume.ofOneRadar)
+  {
+    return;
+  }
+  const nexrad::RadarView view = nexrad::MakeRadarView(
+    vtkNexradImageToGrid(image), volume.sitePositions.front(), vtkNexradRangeLoop());
+  const auto add = [&](const char* name, const std::vector<float>& values)
+  {
+    if (std::find(leaveOut.begin(), leaveOut.end(), name) != leaveOut.end())
+    {
+      return;
+    }
+    vtkNew<vtkFloatArray> array;
+    array->SetName(name);
+    array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
+    std::copy(values.begin(), values.end(), array->GetPointer(0));
+    const bool distance = name == std::string("slant_range");
+    array->GetInformation()->Set(vtkDataArray::UNITS_LABEL(), distance ? "m" : "degrees");
+    image->GetPointData()->AddArray(array);
+  };
+  nexrad::ForEachArray(view, add);
 }
 
 void vtkNexradCodesToValues(const nexrad::CodedVolume& coded, vtkImageData* image)

@@ -24,6 +24,13 @@
  * - `REF_weight`, float32: sum of their weights.
  * - `REF_site`, uint8: which of `Sites`, counted from 0, is the nearest of them; 255 for none.
  *
+ * Of a volume of one radar alone (`grid --per-radar`), on demand, the radar's view
+ * (vtkNexradAddRadarView):
+ *
+ * - `azimuth`, float32: degrees clockwise from north.
+ * - `elevation`, float32: degrees above the horizon, of the beam through the voxel.
+ * - `slant_range`, float32: m along the beam.
+ *
  * With codes (vtkNexradCodesToImage), the image has less point data, and what they stand for in its
  * field data:
  *
@@ -40,7 +47,10 @@
  * - `ProjectionCenter`, float64, two components: latitude and longitude in degrees.
  * - `TimeValue`, float64: seconds since 1970-01-01T00:00:00Z.
  * - `Sites`, strings: names of the radars that took part.
+ * - `SitePositions`, float64, three components, where they are known: of each of `Sites` latitude
+ *   and longitude in degrees, and altitude of the antenna in m above mean sea level.
  * - `Method`, string: "thesis" or "beam".
+ * - `OneRadar`, uint8, where it is so: 1, the volume is that of one of several radars alone.
  * - `Synthetic`, uint8: 1 when made from simulated files; pictures must say so.
  *
  * Points are the centres of the voxels. `TimeValue` is the name that VTK's XML readers take the
@@ -50,6 +60,9 @@
 #define vtkNexradImageConversion_h
 
 #include "vtkNexradIOModule.h" // For export macro
+
+#include <string>
+#include <vector>
 
 class vtkFieldData;
 class vtkImageData;
@@ -93,7 +106,15 @@ VTKNEXRADIO_EXPORT void vtkNexradVolumeToImage(
   const nexrad::GriddedVolume& volume, vtkImageData* image);
 
 /**
- * The same from codes, which are expanded to values, states and ghost types.
+ * Adds the view of its radar to the image of a volume of one radar alone, from the image's field
+ * data; arrays that `leaveOut` names are not added. Does nothing for other images.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradAddRadarView(
+  vtkImageData* image, const std::vector<std::string>& leaveOut = {});
+
+/**
+ * The same as vtkNexradVolumeToImage from codes, which are expanded to values, states and ghost
+ * types.
  */
 VTKNEXRADIO_EXPORT void vtkNexradCodesToValues(
   const nexrad::CodedVolume& coded, vtkImageData* image);

@@ -19,6 +19,7 @@ void WriteVti(const std::filesystem::path& path, const GriddedVolume& volume)
 {
   vtkNew<vtkImageData> image;
   vtkNexradVolumeToImage(volume, image);
+  vtkNexradAddRadarView(image);
   vtkNew<vtkXMLImageDataWriter> writer;
   vtkNexradMessages messages;
   messages.Watch(writer);

@@ -228,6 +228,42 @@ GridSpecification ParseGrid(const Json& json)
   return grid;
 }
 
+// Those of the sites, where a writer names them.
+std::vector<Position> ParsePositions(const Json& json, std::size_t sites)
+{
+  std::vector<Position> positions;
+  for (const Json& each : json)
+  {
+    if (!each.is_array() || each.size() != 3)
+    {
+      throw Error("header: site_positions must be latitude, longitude and altitude of each site");
+    }
+    const Position position{FiniteNumber(each[0], "site_positions"),
+      FiniteNumber(each[1], "site_positions"), FiniteNumber(each[2], "site_positions")};
+    if (std::abs(position.latitude) > 90.0)
+    {
+      throw Error("header: site_positions: latitude " + Excerpt(each[0].dump()) + " is over 90");
+    }
+    positions.push_back(position);
+  }
+  if (!positions.empty() && positions.size() != sites)
+  {
+    throw Error("header: " + std::to_string(positions.size()) + " site_positions of " +
+                std::to_string(sites) + " sites");
+  }
+  return positions;
+}
+
+Json FormatPositions(const std::vector<Position>& positions)
+{
+  Json json = Json::array();
+  for (const Position& position : positions)
+  {
+    json.push_back({position.latitude, position.longitude, position.altitude});
+  }
+  return json;
+}
+
 // The arrays of a volume begin with its moment.
 void ParseArrays(const Json& json, NxvHeader& header)
 {
@@ -264,8 +300,18 @@ NxvHeader ParseJson(const Json& json)
   }
   header.volume.time = *time;
   header.volume.sites = json.at("sites").get<std::vector<std::string>>();
+  if (json.contains("site_positions"))
+  {
+    header.volume.sitePositions =
+      ParsePositions(json.at("site_positions"), header.volume.sites.size());
+  }
   header.volume.method = json.at("method").get<std::string>();
   header.volume.synthetic = json.value("synthetic", false);
+  header.volume.ofOneRadar = json.value("one_radar", false);
+  if (header.volume.ofOneRadar && header.volume.sitePositions.size() != 1)
+  {
+    throw Error("header: one_radar needs one site and its site_positions");
+  }
   ParseArrays(json.at("arrays"), header);
   return header;
 }
@@ -292,8 +338,18 @@ std::string FormatNxvHeader(const NxvHeader& header)
   const GriddedVolume& volume = header.volume;
   Json json = {{"dimensions", volume.grid.dimensions}, {"origin", volume.grid.origin},
     {"spacing", volume.grid.spacing}, {"projection", volume.grid.Projection()},
-    {"time", FormatIso8601(volume.time)}, {"sites", volume.sites}, {"method", volume.method},
-    {"synthetic", volume.synthetic}, {"arrays", Json::array()}};
+    {"time", FormatIso8601(volume.time)}, {"sites", volume.sites}};
+  if (!volume.sitePositions.empty())
+  {
+    json["site_positions"] = FormatPositions(volume.sitePositions);
+  }
+  json["method"] = volume.method;
+  if (volume.ofOneRadar)
+  {
+    json["one_radar"] = true;
+  }
+  json["synthetic"] = volume.synthetic;
+  json["arrays"] = Json::array();
   for (const NxvArray& array : header.arrays)
   {
     json["arrays"].push_back(FormatArray(array));

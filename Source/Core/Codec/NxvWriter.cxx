@@ -8,6 +8,7 @@
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Codec/RunLength.h"
 #include "nexrad/Compression/Deflate.h"
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 
@@ -290,19 +291,6 @@ void AddAncillary(FileContent& content, const GriddedVolume& volume, bool exact)
     content.AddDeflated(array, bytes, DeflateSearch::Repeats);
   };
   ForEachAncillaryArray(volume.ancillary, add);
-}
-
-GriddedVolume WithoutVoxels(const GriddedVolume& volume)
-{
-  GriddedVolume description;
-  description.grid = volume.grid;
-  description.time = volume.time;
-  description.moment = volume.moment;
-  description.method = volume.method;
-  description.sites = volume.sites;
-  description.synthetic = volume.synthetic;
-  description.fill = volume.fill;
-  return description;
 }
 
 void AddMoment(FileContent& content, const GriddedVolume& volume, const NxvWriteOptions& options,

@@ -3,6 +3,7 @@
 
 #include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Model/Moment.h"
+#include "nexrad/Model/Site.h"
 #include "nexrad/Model/Time.h"
 
 #include <cstdint>
@@ -85,11 +86,15 @@ struct GriddedVolume
   GridSpecification grid;
   Time time{};
   MomentName moment = MomentName::REF;
-  std::string method;             ///< "thesis" or "beam"
-  std::vector<std::string> sites; ///< names of the radars that took part
-  bool synthetic = false;         ///< made from simulated files; pictures must say so
-  float fill = -33.0F;            ///< value where the state is not Echo
-  std::vector<float> values;      ///< x fastest, then y, then z upward
+  std::string method;                  ///< "thesis" or "beam"
+  std::vector<std::string> sites;      ///< names of the radars that took part
+  std::vector<Position> sitePositions; ///< of `sites`, in their order; empty when not known
+  bool ofOneRadar =
+    false; ///< of one of several radars alone, on the grid of all: what is made of it
+           ///< (images, NetCDF files) has the radar's view of the grid (RadarView)
+  bool synthetic = false;    ///< made from simulated files; pictures must say so
+  float fill = -33.0F;       ///< value where the state is not Echo
+  std::vector<float> values; ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;
   AncillaryArrays ancillary; ///< of the method "beam", when asked for
 

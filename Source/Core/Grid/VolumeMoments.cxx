@@ -14,9 +14,35 @@ namespace nexrad
 namespace
 {
 
-// Names a volume's radars by another list, which has all of them.
-void SetSites(GriddedVolume& volume, const std::vector<std::string>& sites)
+// The radars of several volumes: each name once, with its position where all are known.
+struct RadarList
 {
+  std::vector<std::string> names;
+  std::vector<Position> positions;
+
+  void Add(const GriddedVolume& volume)
+  {
+    const bool known = volume.sitePositions.size() == volume.sites.size();
+    for (std::size_t i = 0; i < volume.sites.size(); ++i)
+    {
+      if (std::find(names.begin(), names.end(), volume.sites[i]) == names.end())
+      {
+        names.push_back(volume.sites[i]);
+        if (known)
+        {
+          positions.push_back(volume.sitePositions[i]);
+        }
+      }
+    }
+  }
+};
+
+// Names a volume's radars by another list, which has all of them.
+void SetSites(GriddedVolume& volume, const RadarList& radars)
+{
+  const std::vector<std::string>& sites = radars.names;
+  volume.sitePositions =
+    radars.positions.size() == sites.size() ? radars.positions : std::vector<Position>();
   if (volume.sites == sites)
   {
     return;
@@ -38,20 +64,33 @@ void SetSites(GriddedVolume& volume, const std::vector<std::string>& sites)
 
 } // namespace
 
+GriddedVolume WithoutVoxels(const GriddedVolume& volume)
+{
+  GriddedVolume description;
+  description.grid = volume.grid;
+  description.time = volume.time;
+  description.moment = volume.moment;
+  description.method = volume.method;
+  description.sites = volume.sites;
+  description.sitePositions = volume.sitePositions;
+  description.ofOneRadar = volume.ofOneRadar;
+  description.synthetic = volume.synthetic;
+  description.fill = volume.fill;
+  return description;
+}
+
 GriddedVolume JoinMoments(std::vector<GriddedVolume> moments)
 {
-  std::vector<std::string> sites = moments.front().sites;
+  RadarList radars;
   for (const GriddedVolume& moment : moments)
   {
-    std::copy_if(moment.sites.begin(), moment.sites.end(), std::back_inserter(sites),
-      [&](const std::string& site)
-      { return std::find(sites.begin(), sites.end(), site) == sites.end(); });
+    radars.Add(moment);
   }
   const bool synthetic = std::any_of(
     moments.begin(), moments.end(), [](const GriddedVolume& moment) { return moment.synthetic; });
   for (GriddedVolume& moment : moments)
   {
-    SetSites(moment, sites);
+    SetSites(moment, radars);
     moment.synthetic = synthetic;
   }
   GriddedVolume joined = std::move(moments.front());

@@ -8,6 +8,9 @@
 namespace nexrad
 {
 
+/// What a volume says of itself, without its voxels and its further moments.
+GriddedVolume WithoutVoxels(const GriddedVolume& volume);
+
 /// Moments that were merged at one time on one grid, at least one, as one volume: the first, with
 /// the others as its further ones. Each names the radars that took part in any of them.
 GriddedVolume JoinMoments(std::vector<GriddedVolume> moments);

@@ -489,7 +489,9 @@ GriddedVolume BeamMerger::VolumeToFill(
   }
   for (const auto& group : GroupBySite(volumes))
   {
-    volume.sites.push_back(group.second.front()->site.name);
+    const Site& site = group.second.front()->site;
+    volume.sites.push_back(site.name);
+    volume.sitePositions.push_back(site.position.value());
   }
   const std::size_t count = block.VoxelCount();
   // What used memory holds stays: the merge sets every value.

@@ -13,6 +13,11 @@ struct Position
   double latitude = 0.0;  ///< degrees, north positive
   double longitude = 0.0; ///< degrees, east positive
   double altitude = 0.0;  ///< m above mean sea level; of the antenna, for a radar
+
+  bool operator==(const Position& other) const
+  {
+    return latitude == other.latitude && longitude == other.longitude && altitude == other.altitude;
+  }
 };
 
 /// A radar. Name and position are unknown when neither the file nor the site table has them.

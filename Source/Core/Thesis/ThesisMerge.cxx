@@ -303,6 +303,7 @@ GriddedVolume EmptyVolume(const std::vector<SiteBracket>& sites, const GridSpeci
     }
     const PolarVolume& any = site.before != nullptr ? *site.before : *site.after;
     volume.sites.push_back(any.site.name);
+    volume.sitePositions.push_back(any.site.position.value());
     volume.moment = any.moment;
   }
   return volume;
