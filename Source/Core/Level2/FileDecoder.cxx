@@ -15,6 +15,12 @@
 namespace nexrad
 {
 
+std::string FileCapText(const Level2Options& options)
+{
+  return "the file is larger than its cap of " + std::to_string(options.maximumFileBytes) +
+         " bytes; the rest is left";
+}
+
 FileDecoder::FileDecoder(VolumeAssembler& target, const Level2Options& options)
   : assembler(target)
   , maximumRecordBytes(options.maximumRecordBytes)

@@ -15,6 +15,9 @@
 namespace nexrad
 {
 
+/// What the damage list says of a file that reaches the cap of Level2Options::maximumFileBytes.
+std::string FileCapText(const Level2Options& options);
+
 /// Decodes files into an assembler: takes their containers off, cuts them into records and
 /// messages, and hands over what these hold. One decoder for all files of a folder: they share the
 /// cap on decompressed bytes.

@@ -3,6 +3,7 @@
 
 #include "nexrad/Compression/Container.h"
 #include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/ChunkDecoder.h"
 #include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/FileDecoder.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
@@ -32,83 +33,41 @@ std::size_t LikelySize(const fs::path& path)
   return failure ? 0 : static_cast<std::size_t>(size);
 }
 
-// The bytes of a file, at most `cap`: what a file says of its size, or a device that never ends,
-// takes no more memory than that. They come through a window that stays in the processor's cache,
-// because a vector that grows would be filled with zeros first.
-std::vector<std::uint8_t> ReadBytes(const fs::path& path, std::size_t cap)
-{
-  std::vector<char> window(std::size_t(1) << 18);
-  std::vector<std::uint8_t> bytes;
-  bytes.reserve(std::min(LikelySize(path), cap));
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  while (file && bytes.size() < cap)
-  {
-    const std::size_t wanted = std::min(window.size(), cap - bytes.size());
-    file.read(window.data(), static_cast<std::streamsize>(wanted));
-    bytes.insert(bytes.end(), window.data(), window.data() + file.gcount());
-  }
-  if (!file.is_open() || file.bad())
-  {
-    throw Error(path.string() + ": cannot read: " + std::strerror(errno != 0 ? errno : EIO));
-  }
-  return bytes;
-}
-
 void DecodeStored(std::vector<std::uint8_t>&& stored, const Level2Options& options,
   VolumeAssembler& assembler, FileDecoder& decoder)
 {
   if (stored.size() >= options.maximumFileBytes)
   {
-    assembler.AddDamage(stored.size(), "the file is larger than its cap of " +
-                                         std::to_string(options.maximumFileBytes) +
-                                         " bytes; the rest is left");
+    assembler.AddDamage(stored.size(), FileCapText(options));
   }
   decoder.Decode(std::move(stored));
-}
-
-// Numbers that lie between two chunks, or before the first.
-void NameMissingChunks(const Chunk& chunk, int expected, VolumeAssembler& assembler)
-{
-  if (chunk.number > expected)
-  {
-    const int missing = chunk.number - expected;
-    assembler.AddDamage(0,
-      std::to_string(missing) + (missing == 1 ? " chunk" : " chunks") + " missing before this one");
-  }
 }
 
 RadarVolume ReadChunks(
   const fs::path& folder, const std::vector<Chunk>& chunks, const Level2Options& options)
 {
-  VolumeAssembler assembler(options);
-  FileDecoder decoder(assembler, options);
+  ChunkDecoder decoder(options);
   // A folder is one volume. Where it holds chunks of older ones too, the newest is wanted.
   const std::string& newest = chunks.back().volume;
-  int expected = 1;
-  std::uint64_t size = 0;
   for (const Chunk& chunk : chunks)
   {
-    assembler.BeginPiece(chunk.path.filename().string());
+    const std::string name = chunk.path.filename().string();
     if (chunk.volume != newest)
     {
-      assembler.AddDamage(0, "a chunk of another volume, left out");
+      decoder.AddOther(name);
       continue;
     }
-    NameMissingChunks(chunk, expected, assembler);
-    expected = chunk.number + 1;
+    decoder.Begin(chunk.number, name);
     try
     {
-      std::vector<std::uint8_t> bytes = ReadBytes(chunk.path, options.maximumFileBytes);
-      size = bytes.size();
-      DecodeStored(std::move(bytes), options, assembler, decoder);
+      decoder.Decode(ReadStoredBytes(chunk.path, options.maximumFileBytes));
     }
     catch (const Error& error) // one chunk may have vanished since the folder was listed
     {
-      assembler.AddDamage(0, error.what());
+      decoder.AddDamage(error.what());
     }
   }
-  return assembler.Finish(folder.string(), size);
+  return decoder.VolumeSoFar(folder.string());
 }
 
 // The only file of a folder, when it is a Level II file: a chunk that lost its name.
@@ -137,6 +96,27 @@ RadarVolume ReadFolder(const fs::path& folder, const Level2Options& options)
 
 } // namespace
 
+std::vector<std::uint8_t> ReadStoredBytes(const fs::path& path, std::size_t cap)
+{
+  // A window stays in the processor's cache; a vector that grows would be filled with zeros first.
+  std::vector<char> window(std::size_t(1) << 18);
+  std::vector<std::uint8_t> bytes;
+  bytes.reserve(std::min(LikelySize(path), cap));
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  while (file && bytes.size() < cap)
+  {
+    const std::size_t wanted = std::min(window.size(), cap - bytes.size());
+    file.read(window.data(), static_cast<std::streamsize>(wanted));
+    bytes.insert(bytes.end(), window.data(), window.data() + file.gcount());
+  }
+  if (!file.is_open() || file.bad())
+  {
+    throw Error(path.string() + ": cannot read: " + std::strerror(errno != 0 ? errno : EIO));
+  }
+  return bytes;
+}
+
 RadarVolume ReadLevel2(const fs::path& path, const Level2Options& options)
 {
   std::error_code ignored; // opening the path will say what is wrong with it
@@ -144,7 +124,7 @@ RadarVolume ReadLevel2(const fs::path& path, const Level2Options& options)
   {
     return ReadFolder(path, options);
   }
-  return DecodeLevel2(ReadBytes(path, options.maximumFileBytes), path.string(), options);
+  return DecodeLevel2(ReadStoredBytes(path, options.maximumFileBytes), path.string(), options);
 }
 
 RadarVolume DecodeLevel2(

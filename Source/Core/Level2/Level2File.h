@@ -31,7 +31,11 @@ struct Level2Options
 /// the path cannot be opened or a folder holds neither.
 RadarVolume ReadLevel2(const std::filesystem::path& path, const Level2Options& options = {});
 
-/// The same for bytes in memory; `name` stands for the path (the site's name may be taken from it).
+/// The bytes of a file as it is stored, at most `cap`: what a file says of its size, or a device
+/// that never ends, takes no more memory than that. Throws Error when the file cannot be read.
+std::vector<std::uint8_t> ReadStoredBytes(const std::filesystem::path& path, std::size_t cap);
+
+/// The same as ReadLevel2 for bytes in memory; `name` stands for the path (the site's name may be taken from it).
 RadarVolume DecodeLevel2(
   std::vector<std::uint8_t> bytes, const std::string& name, const Level2Options& options = {});
 

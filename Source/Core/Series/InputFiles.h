@@ -10,15 +10,13 @@
 namespace nexrad
 {
 
-/// Something about one input that the user should know: damage, a file that could not be used, or a
-/// note on what the merge leaves out of an input that is as the radar sent it.
+/// What is wrong with one input: damage, or why it could not be used.
 struct InputProblem
 {
   std::string file;                    ///< path as found
   std::optional<std::uint64_t> offset; ///< byte offset in the stored file, when one is known
   std::string what;                    ///< one line
   bool leftOut = false;                ///< nothing of the file, or of one cycle of it, is used
-  bool note = false;                   ///< nothing is wrong with the file
 
   /// "FILE: offset N: WHAT", or "FILE: WHAT" without an offset.
   std::string Line() const;

@@ -176,15 +176,15 @@ std::string Visit(SeriesVolume& description, const RadarVolume& volume,
 void AddCycle(const RadarVolume& volume, const std::filesystem::path& path, std::size_t cycle,
   const SeriesOptions& options, const VolumeVisitor& visitor, ScannedFile& scanned)
 {
-  const auto tell = [&](const std::string& what, bool leftOut, bool note)
+  const auto tell = [&](const std::string& what, bool leftOut)
   {
     if (!what.empty())
     {
-      scanned.problems.push_back({path.string(), {}, what, leftOut, note});
+      scanned.problems.push_back({path.string(), {}, what, leftOut});
     }
   };
   const std::string reason = ReasonToLeaveOut(volume, options);
-  tell(reason, true, false);
+  tell(reason, true);
   if (!reason.empty())
   {
     return;
@@ -193,10 +193,13 @@ void AddCycle(const RadarVolume& volume, const std::filesystem::path& path, std:
   SeriesVolume& description = scanned.volumes.back().second;
   if (!description.lacking.empty())
   {
-    tell("no ray has " + NamesOf(description.lacking), false, false);
+    tell("no ray has " + NamesOf(description.lacking), false);
   }
-  tell(SummarizeStrays(volume), false, true);
-  tell(Visit(description, volume, options, visitor), false, false);
+  if (const std::string strays = SummarizeStrays(volume); !strays.empty())
+  {
+    scanned.notes.push_back(path.string() + ": " + strays);
+  }
+  tell(Visit(description, volume, options, visitor), false);
 }
 
 ScannedFile ScanWithinMemory(
@@ -217,16 +220,7 @@ ScannedFile ScanWithinMemory(
     scanned.problems.push_back({path.string(), {}, what, true});
     return scanned;
   }
-  for (const Damage& damage : whole.damage)
-  {
-    scanned.problems.push_back({path.string(), damage.offset, damage.what, false});
-  }
-  const std::vector<RadarVolume> cycles = SplitCycles(whole);
-  for (std::size_t cycle = 0; cycle < cycles.size(); ++cycle)
-  {
-    AddCycle(cycles[cycle], path, cycle, options, visitor, scanned);
-  }
-  return scanned;
+  return ScanVolume(whole, path, options, visitor);
 }
 
 } // namespace
@@ -250,6 +244,22 @@ bool TellsEcho(const ScannedFile& file)
 {
   return std::any_of(file.volumes.begin(), file.volumes.end(),
     [](const auto& each) { return each.second.echo.has_value(); });
+}
+
+ScannedFile ScanVolume(const RadarVolume& whole, const std::filesystem::path& path,
+  const SeriesOptions& options, const VolumeVisitor& visitor)
+{
+  ScannedFile scanned;
+  for (const Damage& damage : whole.damage)
+  {
+    scanned.problems.push_back({path.string(), damage.offset, damage.what, false});
+  }
+  const std::vector<RadarVolume> cycles = SplitCycles(whole);
+  for (std::size_t cycle = 0; cycle < cycles.size(); ++cycle)
+  {
+    AddCycle(cycles[cycle], path, cycle, options, visitor, scanned);
+  }
+  return scanned;
 }
 
 ScannedFile ScanFile(
@@ -276,6 +286,7 @@ SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<S
   for (const ScannedFile& file : files)
   {
     scan.problems.insert(scan.problems.end(), file.problems.begin(), file.problems.end());
+    scan.notes.insert(scan.notes.end(), file.notes.begin(), file.notes.end());
     for (const auto& [site, volume] : file.volumes)
     {
       SiteSeries& group = groups[KeyOf(site)];

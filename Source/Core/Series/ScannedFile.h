@@ -12,6 +12,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -54,6 +55,8 @@ struct ScannedFile
 {
   std::vector<std::pair<Site, SeriesVolume>> volumes;
   std::vector<InputProblem> problems;
+  std::vector<std::string> notes; ///< what the merge leaves out although nothing is wrong with it,
+                                  ///< a line each, with the file
 };
 
 /// Whether quality control said of some volume of a file what it found.
@@ -62,6 +65,10 @@ bool TellsEcho(const ScannedFile& file);
 /// Decodes one file and says what it holds; what is wrong goes to the problems.
 ScannedFile ScanFile(
   const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor);
+
+/// The same of a file that was decoded before, or of a part of it; `path` names it.
+ScannedFile ScanVolume(const RadarVolume& whole, const std::filesystem::path& path,
+  const SeriesOptions& options, const VolumeVisitor& visitor);
 
 /// The order of a site's volumes: by their first rays; of two that share it the one that stays,
 /// with more rays, first.

@@ -112,7 +112,7 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
 Json PackProblem(const InputProblem& problem)
 {
   return {{"file", problem.file}, {"what", problem.what}, {"leftOut", problem.leftOut},
-    {"note", problem.note}, {"offset", problem.offset ? Json(*problem.offset) : Json()}};
+    {"offset", problem.offset ? Json(*problem.offset) : Json()}};
 }
 
 InputProblem UnpackProblem(const Json& packed)
@@ -121,7 +121,6 @@ InputProblem UnpackProblem(const Json& packed)
   problem.file = packed.at("file");
   problem.what = packed.at("what");
   problem.leftOut = packed.at("leftOut");
-  problem.note = packed.at("note");
   if (!packed.at("offset").is_null())
   {
     problem.offset = packed.at("offset").get<std::uint64_t>();
@@ -223,7 +222,7 @@ std::string PackScannedFiles(const std::vector<ScannedFile>& files)
   Json list = Json::array();
   for (const ScannedFile& file : files)
   {
-    Json packed = {{"volumes", Json::array()}, {"problems", Json::array()}};
+    Json packed = {{"volumes", Json::array()}, {"problems", Json::array()}, {"notes", file.notes}};
     for (const auto& [site, volume] : file.volumes)
     {
       packed["volumes"].push_back(PackVolume(site, volume));
@@ -255,6 +254,7 @@ std::vector<ScannedFile> UnpackScannedFiles(const std::string& bytes)
       {
         file.problems.push_back(UnpackProblem(problem));
       }
+      file.notes = packed.at("notes").get<std::vector<std::string>>();
     }
     return files;
   }

@@ -68,6 +68,7 @@ struct SeriesScan
 {
   std::vector<SiteSeries> sites;      ///< by name
   std::vector<InputProblem> problems; ///< in the order of the inputs
+  std::vector<std::string> notes;     ///< of the files, as in ScannedFile, in their order
 
   /// Times of the first and of the last ray of all volumes; empty without volumes.
   std::optional<Time> First() const;

@@ -143,6 +143,27 @@ void AtomicFile::Write(const void* data, std::size_t size)
   }
 }
 
+void AtomicFile::RequireRoom(std::size_t bytes)
+{
+  const off_t end = lseek(descriptor.Number(), 0, SEEK_END);
+  int failure = end < 0 ? errno : 0;
+  do
+  {
+    failure = failure == 0 || failure == EINTR
+                ? posix_fallocate(descriptor.Number(), end, static_cast<off_t>(bytes))
+                : failure;
+  } while (failure == EINTR);
+  if (end >= 0 && ftruncate(descriptor.Number(), end) != 0 && failure == 0)
+  {
+    failure = errno;
+  }
+  if (failure != 0)
+  {
+    errno = failure;
+    this->Fail("cannot be written");
+  }
+}
+
 void AtomicFile::Commit()
 {
   // A full disk or a broken network mount may show only now. Some file systems know no fsync.

@@ -28,6 +28,10 @@ public:
 
   void Write(const void* data, std::size_t size);
 
+  /// Throws Error as Write does where so many bytes more do not fit on the disk: for a library that
+  /// writes beside this file and does not survive a full disk. Takes them and gives them back.
+  void RequireRoom(std::size_t bytes);
+
   /// For writers that open the file themselves, by its name, in place of Write.
   const std::filesystem::path& TemporaryPath() const { return temporary; }
 

@@ -186,3 +186,19 @@ TEST(AtomicFile, NamesCannotBeForeseen)
   EXPECT_EQ(first.TemporaryPath().filename().string().size(), std::string(".a.part-").size() + 16);
   EXPECT_NE(first.TemporaryPath(), second.TemporaryPath());
 }
+
+TEST(AtomicFile, SaysBeforehandThatThereIsNoRoom)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "file";
+  {
+    AtomicFile file(path);
+    file.Write("abc", 3);
+    const SmallDisk disk(10'000);
+    EXPECT_NO_THROW(file.RequireRoom(9'997));
+    EXPECT_THROW(file.RequireRoom(9'998), Error);
+    file.Write("def", 3);
+    file.Commit();
+  }
+  EXPECT_EQ(FileContent(path), "abcdef");
+}

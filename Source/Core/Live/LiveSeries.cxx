@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Live/LiveSeries.h"
+
+#include "nexrad/Grid/GridText.h"
+#include "nexrad/System/Error.h"
+
+#include <algorithm>
+
+namespace nexrad
+{
+
+namespace
+{
+
+SeriesOptions ScanOptionsOf(const MergeOptions& options)
+{
+  if (options.measureBiases)
+  {
+    throw Error(
+      "biases cannot be measured while volumes arrive: all of them would have to be known "
+      "before the first merge; give the biases");
+  }
+  SeriesOptions series = SeriesOptionsOf(options);
+  series.level2.threads = 1; // several inputs are prepared at a time
+  return series;
+}
+
+// One moment of one volume of an input, before it is made ready.
+using Moments = std::vector<std::pair<std::size_t, std::shared_ptr<const PolarVolume>>>;
+
+} // namespace
+
+LiveSeries::LiveSeries(const MergeOptions& theOptions, RangeLoop loop)
+  : options(theOptions)
+  , series(ScanOptionsOf(theOptions))
+  , request(MergeRequestOf(theOptions, std::move(loop)))
+{
+}
+
+void LiveSeries::PlanGrid()
+{
+  std::vector<Position> positions;
+  for (const auto& [name, site] : sites)
+  {
+    positions.push_back(*site.first.position);
+  }
+  request.grid =
+    GridOf(options, positions, sites.size() == 1 ? sites.begin()->second.second : DefaultRange);
+}
+
+void LiveSeries::Expect(const Site& site, double range)
+{
+  if (!keepsGrid && sites.emplace(site.name, std::pair(site, range)).second)
+  {
+    this->PlanGrid();
+  }
+}
+
+std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
+{
+  std::vector<ScannedFile> scanned(inputs.size());
+  std::vector<Moments> moments(inputs.size());
+  const int count = static_cast<int>(inputs.size());
+  RunLoop(request.loop, count,
+    [&](int begin, int end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        const auto keep = [&of = moments[i]](const SeriesVolume& volume, const RadarVolume&,
+                            const std::shared_ptr<const PolarVolume>& polar)
+        { of.emplace_back(volume.cycle, polar); };
+        scanned[i] = ScanVolume(inputs[i].volume, inputs[i].path, series, keep);
+      }
+    });
+  for (const ScannedFile& file : scanned)
+  {
+    for (const auto& [site, volume] : file.volumes)
+    {
+      this->Expect(site, RangeOf(site, volume));
+    }
+  }
+  std::vector<std::vector<Volume>> made(inputs.size());
+  RunLoop(request.loop, count,
+    [&](int begin, int end)
+    {
+      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
+      {
+        for (const auto& [site, description] : scanned[i].volumes)
+        {
+          made[i].push_back({site.name, description, {}, inputs[i].finished});
+          for (const auto& [cycle, polar] : moments[i])
+          {
+            if (cycle == description.cycle)
+            {
+              made[i].back().ready.push_back(MakeReady(polar, request));
+            }
+          }
+        }
+      }
+    });
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    volumes.erase(inputs[i].key);
+    if (!made[i].empty())
+    {
+      volumes[inputs[i].key] = std::move(made[i]);
+    }
+  }
+  return scanned;
+}
+
+// The volumes of each radar by their first rays; of two that share it the one with more rays.
+std::map<std::string, LiveSeries::Volumes> LiveSeries::BySite() const
+{
+  std::map<std::string, Volumes> bySite;
+  for (const auto& [key, input] : volumes)
+  {
+    for (const Volume& volume : input)
+    {
+      bySite[volume.site].push_back(&volume);
+    }
+  }
+  for (auto& [site, own] : bySite)
+  {
+    std::stable_sort(own.begin(), own.end(),
+      [](const Volume* a, const Volume* b) { return IsBefore(a->description, b->description); });
+    own.erase(std::unique(own.begin(), own.end(),
+                [](const Volume* a, const Volume* b)
+                { return a->description.start == b->description.start; }),
+      own.end());
+  }
+  return bySite;
+}
+
+// Of a radar's volumes with a moment, those that take part at a time.
+LiveSeries::Volumes LiveSeries::ChosenAt(Time time, MomentName moment, const Volumes& own) const
+{
+  Volumes having;
+  std::vector<Time> starts;
+  std::vector<Time> ends;
+  for (const Volume* volume : own)
+  {
+    if (volume->description.Has(moment))
+    {
+      having.push_back(volume);
+      starts.push_back(volume->description.start);
+      ends.push_back(volume->description.end);
+    }
+  }
+  MergeRequest at = request;
+  at.time = time;
+  Volumes chosen;
+  for (const std::size_t index : ChooseVolumes(starts, ends, at))
+  {
+    chosen.push_back(having[index]);
+  }
+  return chosen;
+}
+
+void LiveSeries::Forget(Time from)
+{
+  std::set<const Volume*> needed;
+  for (const auto& [site, own] : this->BySite())
+  {
+    for (const MomentName moment : options.Moments())
+    {
+      const Volumes chosen = this->ChosenAt(from, moment, own);
+      needed.insert(chosen.begin(), chosen.end());
+    }
+  }
+  for (auto input = volumes.begin(); input != volumes.end();)
+  {
+    const bool isOver = std::all_of(input->second.begin(), input->second.end(),
+      [&](const Volume& volume)
+      {
+        return volume.finished && volume.description.start <= from &&
+               volume.description.end <= from && needed.count(&volume) == 0;
+      });
+    input = isOver ? volumes.erase(input) : std::next(input);
+  }
+}
+
+std::optional<Time> LiveSeries::First() const
+{
+  std::optional<Time> first;
+  for (const auto& [key, input] : volumes)
+  {
+    for (const Volume& volume : input)
+    {
+      first = std::min(first.value_or(volume.description.start), volume.description.start);
+    }
+  }
+  return first;
+}
+
+std::optional<Time> LiveSeries::Newest() const
+{
+  std::optional<Time> newest;
+  for (const auto& [site, time] : this->NewestByRadar())
+  {
+    newest = std::max(newest.value_or(time), time);
+  }
+  return newest;
+}
+
+std::map<std::string, Time> LiveSeries::NewestByRadar() const
+{
+  std::map<std::string, Time> newest;
+  for (const auto& [key, input] : volumes)
+  {
+    for (const Volume& volume : input)
+    {
+      Time& time = newest.emplace(volume.site, volume.description.end).first->second;
+      time = std::max(time, volume.description.end);
+    }
+  }
+  return newest;
+}
+
+std::size_t LiveSeries::MemoryBytes() const
+{
+  std::size_t bytes = 0;
+  for (const auto& [key, input] : volumes)
+  {
+    for (const Volume& volume : input)
+    {
+      for (const ReadyVolume& ready : volume.ready)
+      {
+        bytes += ready.beam ? ready.beam->MemoryBytes() : MemoryOf(*ready.polar);
+      }
+    }
+  }
+  return bytes;
+}
+
+std::string LiveSeries::InputsAt(Time time) const
+{
+  std::string text = GridText(request.grid);
+  for (const auto& [site, own] : this->BySite())
+  {
+    for (const MomentName moment : options.Moments())
+    {
+      for (const Volume* volume : this->ChosenAt(time, moment, own))
+      {
+        const SeriesVolume& description = volume->description;
+        text += std::string("\n") + ToString(moment) + ' ' + site + ' ' +
+                FormatIso8601(description.start) + ' ' + FormatIso8601(description.end) + ' ' +
+                std::to_string(description.rays);
+      }
+    }
+  }
+  return text;
+}
+
+bool LiveSeries::IsSettled(Time time, const std::set<std::string>& silent) const
+{
+  const auto isSettled = [&](const Volumes& own)
+  {
+    const bool goesOn = std::any_of(own.begin(), own.end(),
+      [time](const Volume* volume)
+      { return volume->finished && volume->description.start > time; });
+    const bool finished = std::all_of(own.begin(), own.end(),
+      [time](const Volume* volume)
+      { return volume->finished || volume->description.start > time; });
+    return goesOn && finished;
+  };
+  const auto bySite = this->BySite();
+  return std::all_of(bySite.begin(), bySite.end(),
+    [&](const auto& site) { return silent.count(site.first) > 0 || isSettled(site.second); });
+}
+
+std::optional<GriddedVolume> LiveSeries::Merge(
+  Time time, const Progress& progress, GriddedVolume memory)
+{
+  request.time = time;
+  std::vector<ReadyVolume> ready;
+  const auto bySite = this->BySite();
+  for (const MomentName moment : options.Moments())
+  {
+    for (const auto& [site, own] : bySite)
+    {
+      for (const Volume* volume : this->ChosenAt(time, moment, own))
+      {
+        ready.push_back(*std::find_if(volume->ready.begin(), volume->ready.end(),
+          [moment](const ReadyVolume& each) { return each.Moment() == moment; }));
+      }
+    }
+  }
+  return MergeMoments(ready, options.Moments(), request, progress, run, std::move(memory));
+}
+
+} // namespace nexrad

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Merging/TimeMerge.h"
+#include "nexrad/Series/ScannedFile.h"
+#include "nexrad/System/Progress.h"
+#include "nexrad/System/RangeLoop.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nexrad
+{
+
+/// What one file, or the folder of the chunks of one volume, holds now.
+struct LiveInput
+{
+  std::string key;            ///< tells it from all others
+  std::filesystem::path path; ///< named in problems
+  RadarVolume volume;
+  bool finished = false; ///< nothing more is expected of it
+};
+
+/// The newest volumes of any number of radars, made ready for merges, while they arrive. A volume
+/// that grows replaces what was there of it; the others stay as they were made. Once all volumes
+/// about a time are finished, Merge makes what SeriesMerger makes of the same files at that time.
+class LiveSeries
+{
+public:
+  /// `loop` prepares volumes and runs the rows of merges. Throws Error for moments that the method
+  /// does not know, and when biases shall be measured (MergeOptions::measureBiases), for which all
+  /// volumes would have to be known.
+  LiveSeries(const MergeOptions& options, RangeLoop loop);
+
+  /// Takes inputs in place of those with the same keys. Returns what each of them holds, in their
+  /// order; a volume that cannot be used is among the problems there.
+  std::vector<ScannedFile> Put(const std::vector<LiveInput>& inputs);
+  /// The domain stays as it is now, whatever radars come.
+  void KeepGrid() { keepsGrid = true; }
+  /// A radar that is known from an earlier run, before its first volume comes; `range` in m as
+  /// RangeOf.
+  void Expect(const Site& site, double range);
+
+  /// Drops finished volumes that no time from `from` on needs.
+  void Forget(Time from);
+
+  /// True as soon as a radar is known.
+  bool HasGrid() const { return !sites.empty(); }
+  const GridSpecification& Grid() const { return request.grid; }
+  /// The radars that made the domain, by name, with their own ranges, m.
+  const std::map<std::string, std::pair<Site, double>>& Sites() const { return sites; }
+  /// First ray of the volumes that are held; empty without any.
+  std::optional<Time> First() const;
+  /// Last ray of the volumes that are held; empty without any.
+  std::optional<Time> Newest() const;
+  /// Last ray of the held volumes of each radar.
+  std::map<std::string, Time> NewestByRadar() const;
+  std::size_t VolumeCount() const { return volumes.size(); }
+  /// Bytes that the prepared volumes take.
+  std::size_t MemoryBytes() const;
+
+  /// All that decides what the volume merged at a time contains, beside the options: radar, first
+  /// and last ray and number of rays of each volume that takes part, and the domain.
+  std::string InputsAt(Time time) const;
+  /// True when all volumes that take part at a time are finished, and each radar but those that are
+  /// `silent` has a finished volume that begins later.
+  bool IsSettled(Time time, const std::set<std::string>& silent) const;
+
+  /// The merged volume at a time, with all moments. The arrays of `memory` are used again. Empty
+  /// when `progress` asked to stop.
+  std::optional<GriddedVolume> Merge(
+    Time time, const Progress& progress = {}, GriddedVolume memory = {});
+
+private:
+  struct Volume
+  {
+    std::string site;
+    SeriesVolume description;
+    std::vector<ReadyVolume> ready; ///< each moment that it has
+    bool finished = false;
+  };
+  using Volumes = std::vector<const Volume*>;
+
+  std::map<std::string, Volumes> BySite() const;
+  Volumes ChosenAt(Time time, MomentName moment, const Volumes& own) const;
+  void PlanGrid();
+
+  const MergeOptions options;
+  const SeriesOptions series;
+  MergeRequest request;
+  MergeRun run;
+  bool keepsGrid = false;
+  std::map<std::string, std::pair<Site, double>> sites;
+  std::map<std::string, std::vector<Volume>> volumes; ///< by key, one a cycle
+};
+
+} // namespace nexrad

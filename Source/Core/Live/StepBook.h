@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Model/Time.h"
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// Which time steps a series that grows has.
+struct StepRules
+{
+  Duration step = std::chrono::minutes(5);  ///< above 0
+  std::optional<Time> begin;                ///< in place of the first ray
+  std::optional<Time> end;                  ///< no step after it
+  Duration late = std::chrono::minutes(30); ///< a step that is older than the newest ray by more
+                                            ///< than this changes no more
+};
+
+/// The time steps of a series that grows: which of them may still change, and of what the volume of
+/// each was made. The steps are the multiples of the rules' step between the first and the newest
+/// ray, as those of `grid` are.
+class StepBook
+{
+public:
+  explicit StepBook(const StepRules& rules);
+
+  /// The first and the newest ray of all that arrived. The first may become earlier, and the newest
+  /// later. Where the newest leaps by more than a day (LongestPause), there are no steps in
+  /// between.
+  void Extend(Time first, Time newest);
+
+  /// The steps that may have to be made or made again, ascending.
+  std::vector<Time> Open() const;
+  /// True for an open step that is older than the rules allow to change: it has its last chance.
+  bool IsClosing(Time step) const;
+  /// True when the volume of a step has to be made. `inputs`: of what it would be made now;
+  /// `settled`: these will not change, as far as is known. A step is made at once, and once more
+  /// when what it is made of has settled.
+  bool IsDue(Time step, const std::string& inputs, bool settled) const;
+  /// The volume of a step was made of this. `settled`: as for IsDue.
+  void Make(Time step, const std::string& inputs, bool settled);
+  /// All steps that are closing are done with.
+  void Close();
+  /// Forgets steps before a time; they are not made again.
+  void Drop(Time before);
+  /// The volumes of all steps are gone, as of a domain that changed: those that are open are made
+  /// anew.
+  void Restart() { made.clear(); }
+
+  /// Steps whose volumes were made, ascending.
+  std::vector<Time> Made() const;
+  /// No step is before it may change.
+  std::optional<Time> ClosedUntil() const { return closedUntil; }
+  std::optional<Time> First() const { return first; }
+
+  /// All of it as text, for a run that goes on with it.
+  std::string Pack() const;
+  /// Takes what Pack gave, but for the newest ray: what is about a step has to arrive once more
+  /// before it closes. Throws Error when it is none.
+  void Unpack(const std::string& text);
+
+private:
+  struct Step
+  {
+    std::string inputs;
+    bool settled = false;
+  };
+
+  StepRules rules;
+  std::optional<Time> first;
+  std::optional<Time> newest;
+  std::optional<Time> closedUntil; ///< the steps at and before it
+  std::map<Time, Step> made;
+};
+
+} // namespace nexrad

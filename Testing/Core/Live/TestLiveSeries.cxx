@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Live/LiveSeries.h"
+
+#include "Feed/ChunkMaker.h"
+#include "TestData.h"
+#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Live/ChunkedVolume.h"
+#include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+const Site keax = {"KEAX", Position{38.81, -94.264, 333.0}};
+const Site klsx = {"KLSX", Position{38.699, -90.683, 220.0}};
+const Time start = *ParseIso8601("2006-03-12T18:00:00Z");
+
+/// Half an hour of two radars (synthetic), a folder of chunks for each volume.
+class LiveMerges : public ::testing::Test
+{
+protected:
+  LiveMerges()
+  {
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Write(keax, i, start + i * 5min, 10.0 + i);
+      this->Write(klsx, i, start + i * 6min + 20s, 30.0 + i);
+    }
+    options.grid.dimensions = {32, 16, 8};
+    options.grid.range = 100'000.0;
+    options.step = 2min;
+    options.quality.level = QualityLevel::Off; // rays of one value are a fault of the receiver
+  }
+
+  void Write(const Site& site, int number, Time time, double value)
+  {
+    const fs::path path = folder.Path() / site.name / std::to_string(number);
+    WriteChunks(path, CutIntoChunks(VolumeOfSweeps(site, time, 3, value)));
+    folders.push_back(path);
+  }
+
+  static LiveInput Whole(const fs::path& path)
+  {
+    return {path.string(), path, ReadLevel2(path), true};
+  }
+
+  void ExpectAsGrid(LiveSeries& series) const
+  {
+    SeriesMerger merger({folder.Path()}, options);
+    ASSERT_TRUE(merger.Open());
+    EXPECT_EQ(series.Grid(), merger.Grid());
+    for (const Time time : merger.Times())
+    {
+      const auto expected = merger.Merge(time);
+      const auto made = series.Merge(time);
+      ASSERT_TRUE(expected && made);
+      EXPECT_TRUE(made->values == expected->values) << FormatIso8601(time);
+      EXPECT_TRUE(made->states == expected->states) << FormatIso8601(time);
+      EXPECT_EQ(made->sites, expected->sites);
+    }
+  }
+
+  const TemporaryFolder folder;
+  std::vector<fs::path> folders;
+  MergeOptions options;
+};
+
+} // namespace
+
+TEST_F(LiveMerges, AreThoseOfTheFinishedFilesWhateverTheOrder)
+{
+  std::mt19937 random(16);
+  for (int attempt = 0; attempt < 3; ++attempt)
+  {
+    std::shuffle(folders.begin(), folders.end(), random);
+    LiveSeries series(options, {});
+    for (const fs::path& path : folders)
+    {
+      // First a part of it, as it would be while it arrives.
+      LiveInput part = Whole(path);
+      part.volume.sweeps.resize(1 + random() % 2);
+      part.finished = false;
+      series.Put({part});
+      series.Merge(*series.Newest());
+      series.Put({Whole(path)});
+    }
+    this->ExpectAsGrid(series);
+  }
+}
+
+TEST_F(LiveMerges, OfSeveralMomentsToo)
+{
+  options.furtherMoments = {MomentName::VEL};
+  LiveSeries series(options, ThreadLoop(2));
+  std::vector<LiveInput> inputs;
+  for (const fs::path& path : folders)
+  {
+    inputs.push_back(Whole(path));
+  }
+  for (const ScannedFile& file : series.Put(inputs))
+  {
+    ASSERT_EQ(file.problems.size(), 1U);
+    EXPECT_EQ(file.problems[0].what, "no ray has VEL");
+  }
+  EXPECT_EQ(series.VolumeCount(), 12U);
+  this->ExpectAsGrid(series);
+}
+
+// A volume in progress has its new sweeps low, and those of the volume before high.
+TEST_F(LiveMerges, AVolumeInProgressLeavesTheUpperTiltsToTheOneBefore)
+{
+  LiveSeries series(options, {});
+  series.Put({Whole(folder.Path() / "KEAX" / "0")});
+  LiveInput part = Whole(folder.Path() / "KEAX" / "1");
+  part.volume.sweeps.resize(1);
+  part.finished = false;
+  series.Put({part});
+  const Time newest = *series.Newest();
+  EXPECT_EQ(newest, part.volume.sweeps[0].rays.back().time);
+  const std::string inputs = series.InputsAt(newest);
+  EXPECT_NE(inputs.find("2006-03-12T18:00:00.000Z"), std::string::npos) << inputs;
+  EXPECT_NE(inputs.find("2006-03-12T18:05:00.000Z"), std::string::npos) << inputs;
+  const auto merged = series.Merge(newest);
+  ASSERT_TRUE(merged);
+  std::size_t low = 0;
+  std::size_t high = 0;
+  for (std::size_t i = 0; i < merged->values.size(); ++i)
+  {
+    low += merged->values[i] == 11.0F ? 1 : 0;  // lowest sweep, of the second volume
+    high += merged->values[i] == 12.0F ? 1 : 0; // highest sweep, of the first
+  }
+  EXPECT_GT(low, 0U);
+  EXPECT_GT(high, 0U);
+}
+
+TEST_F(LiveMerges, ATimeIsSettledWhenEachRadarHasGoneOn)
+{
+  LiveSeries series(options, {});
+  series.Put({Whole(folder.Path() / "KEAX" / "0"), Whole(folder.Path() / "KLSX" / "0")});
+  EXPECT_FALSE(series.IsSettled(start + 2min, {}));
+  EXPECT_TRUE(series.IsSettled(start + 2min, {"KEAX", "KLSX"}));
+  LiveInput next = Whole(folder.Path() / "KEAX" / "1");
+  next.finished = false;
+  series.Put({next});
+  EXPECT_FALSE(series.IsSettled(start + 2min, {"KLSX"}));
+  next.finished = true;
+  series.Put({next});
+  EXPECT_TRUE(series.IsSettled(start + 2min, {"KLSX"}));
+  EXPECT_FALSE(series.IsSettled(start + 2min, {}));
+}
+
+TEST_F(LiveMerges, ForgetWhatNoLaterTimeNeeds)
+{
+  LiveSeries series(options, {});
+  for (const fs::path& path : folders)
+  {
+    series.Put({Whole(path)});
+  }
+  EXPECT_EQ(series.VolumeCount(), 12U);
+  SeriesMerger merger({folder.Path()}, options);
+  ASSERT_TRUE(merger.Open());
+  const Time from = start + 20min;
+  series.Forget(from);
+  EXPECT_LT(series.VolumeCount(), 8U);
+  for (Time time = from; time <= start + 28min; time += 2min)
+  {
+    EXPECT_TRUE(series.Merge(time)->values == merger.Merge(time)->values) << FormatIso8601(time);
+  }
+}
+
+TEST_F(LiveMerges, TheDomainGrowsUntilItIsKept)
+{
+  LiveSeries series(options, {});
+  EXPECT_FALSE(series.HasGrid());
+  series.Put({Whole(folder.Path() / "KEAX" / "0")});
+  const GridSpecification one = series.Grid();
+  LiveSeries kept(options, {});
+  kept.Put({Whole(folder.Path() / "KEAX" / "0")});
+  kept.KeepGrid();
+  for (LiveSeries* each : {&series, &kept})
+  {
+    each->Put({Whole(folder.Path() / "KLSX" / "0")});
+  }
+  EXPECT_FALSE(series.Grid() == one);
+  EXPECT_TRUE(kept.Grid() == one);
+  // A run that goes on knows the radars before they send anything.
+  LiveSeries next(options, {});
+  for (const auto& [name, site] : series.Sites())
+  {
+    next.Expect(site.first, site.second);
+  }
+  EXPECT_TRUE(next.Grid() == series.Grid());
+}
+
+TEST_F(LiveMerges, WhatCannotBeUsedIsAProblem)
+{
+  LiveSeries series(options, {});
+  LiveInput none = Whole(folders.front());
+  none.volume.sweeps.clear();
+  const auto scanned = series.Put({none});
+  ASSERT_FALSE(scanned.at(0).problems.empty());
+  EXPECT_EQ(scanned[0].problems.back().what, "no ray could be read: left out");
+  EXPECT_EQ(series.VolumeCount(), 0U);
+  options.measureBiases = true;
+  EXPECT_THROW(LiveSeries(options, {}), Error);
+}

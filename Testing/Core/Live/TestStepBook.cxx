@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Live/StepBook.h"
+
+#include "nexrad/System/Error.h"
+
+#include <gtest/gtest.h>
+
+using namespace nexrad;
+using namespace std::chrono_literals;
+
+namespace
+{
+
+const Time noon = *ParseIso8601("2006-03-12T12:00:00Z");
+
+} // namespace
+
+TEST(StepBooks, HaveTheStepsBetweenFirstAndNewestRay)
+{
+  StepBook book({5min, {}, {}, 15min});
+  EXPECT_TRUE(book.Open().empty());
+  book.Extend(noon + 1min, noon + 4min);
+  EXPECT_TRUE(book.Open().empty());
+  book.Extend(noon + 1min, noon + 10min);
+  EXPECT_EQ(book.Open(), (std::vector<Time>{noon + 5min, noon + 10min}));
+  book.Extend(noon - 1min, noon + 10min);
+  EXPECT_EQ(book.Open().front(), noon);
+}
+
+TEST(StepBooks, BeginAndEndWhereTheRulesSay)
+{
+  StepBook book({5min, noon + 10min, noon + 20min, 1h});
+  book.Extend(noon, noon + 40min);
+  EXPECT_EQ(book.Open(), (std::vector<Time>{noon + 10min, noon + 15min, noon + 20min}));
+}
+
+TEST(StepBooks, AStepIsMadeAtOnceAndAgainWhenItsInputsHaveSettled)
+{
+  StepBook book({5min, {}, {}, 15min});
+  book.Extend(noon, noon + 1min);
+  EXPECT_TRUE(book.IsDue(noon, "some sweeps", false));
+  book.Make(noon, "some sweeps", false);
+  EXPECT_FALSE(book.IsDue(noon, "more sweeps", false));
+  EXPECT_TRUE(book.IsDue(noon, "all sweeps", true));
+  book.Make(noon, "all sweeps", true);
+  EXPECT_FALSE(book.IsDue(noon, "all sweeps", true));
+}
+
+TEST(StepBooks, AStepHasALastChanceBeforeItCloses)
+{
+  StepBook book({5min, {}, {}, 15min});
+  book.Extend(noon, noon + 1min);
+  book.Make(noon, "some sweeps", false);
+  book.Extend(noon, noon + 16min);
+  EXPECT_TRUE(book.IsClosing(noon));
+  EXPECT_FALSE(book.IsClosing(noon + 5min));
+  EXPECT_TRUE(book.IsDue(noon, "more sweeps", false));
+  book.Make(noon, "more sweeps", false);
+  book.Close();
+  EXPECT_EQ(book.Open().front(), noon + 5min);
+  EXPECT_EQ(book.Made(), std::vector<Time>{noon});
+}
+
+// Nobody wants a volume for each five minutes of the days in which nothing arrived.
+TEST(StepBooks, HaveNoStepsInAPauseOfDays)
+{
+  StepBook book({5min, {}, {}, 15min});
+  book.Extend(noon, noon + 1min);
+  book.Make(noon, "some sweeps", false);
+  book.Extend(noon, noon + 100h);
+  ASSERT_FALSE(book.Open().empty());
+  EXPECT_GE(book.Open().front(), noon + 100h - 20min);
+}
+
+TEST(StepBooks, GoOnWhereTheyWere)
+{
+  StepBook book({5min, {}, {}, 15min});
+  book.Extend(noon, noon + 21min);
+  for (const Time step : book.Open())
+  {
+    book.Make(step, "of " + FormatIso8601(step), true);
+  }
+  book.Close();
+  StepBook next({5min, {}, {}, 15min});
+  next.Unpack(book.Pack());
+  EXPECT_TRUE(next.Open().empty()) << "nothing arrived in this run";
+  next.Extend(noon + 2min, noon + 21min);
+  EXPECT_EQ(next.Open(), book.Open());
+  EXPECT_EQ(next.Made(), book.Made());
+  EXPECT_FALSE(next.IsDue(noon + 10min, "of " + FormatIso8601(noon + 10min), true));
+  EXPECT_THROW(next.Unpack("{}"), Error);
+  EXPECT_THROW(next.Unpack("["), Error);
+  EXPECT_EQ(next.Made(), book.Made());
+}
+
+TEST(StepBooks, AreMadeAnewForAnotherDomain)
+{
+  StepBook book({5min, {}, {}, 15min});
+  book.Extend(noon, noon + 1min);
+  book.Make(noon, "one radar", true);
+  book.Restart();
+  EXPECT_TRUE(book.IsDue(noon, "one radar", false));
+  EXPECT_TRUE(book.Made().empty());
+}
+
+TEST(StepBooks, DroppedStepsAreNotMadeAgain)
+{
+  StepBook book({5min, {}, {}, 15min});
+  book.Extend(noon, noon + 21min);
+  for (const Time step : book.Open())
+  {
+    book.Make(step, "", true);
+  }
+  book.Drop(noon + 15min);
+  EXPECT_EQ(book.Made(), (std::vector<Time>{noon + 15min, noon + 20min}));
+  EXPECT_EQ(book.Open().front(), noon + 15min);
+}
