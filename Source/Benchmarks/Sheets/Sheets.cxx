@@ -57,10 +57,7 @@ SheetReport DrawSheets(const SheetRequest& request)
   SheetReport report;
   for (const InputProblem& problem : source.scan.problems)
   {
-    if (!problem.note)
-    {
-      report.problems.push_back(problem.Line());
-    }
+    report.problems.push_back(problem.Line());
   }
   for (std::size_t i = 0; i < std::size(drawers); ++i)
   {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/SeriesMerger.h"
 
-#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/Series/InputError.h"
 #include "nexrad/Series/ScanInputs.h"
 #include "nexrad/Series/SharedScan.h"
@@ -64,11 +63,11 @@ std::vector<std::pair<Site, SeriesVolume>> FindVolumes(
   return {};
 }
 
-std::vector<ReadyVolume> OfMoment(const std::vector<ReadyVolume>& volumes, MomentName moment)
+std::vector<ReadyVolume> OfRadar(const std::vector<ReadyVolume>& volumes, const std::string& name)
 {
   std::vector<ReadyVolume> own;
   std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(own),
-    [moment](const ReadyVolume& volume) { return volume.Moment() == moment; });
+    [&name](const ReadyVolume& volume) { return volume.RadarName() == name; });
   return own;
 }
 
@@ -362,7 +361,7 @@ bool SeriesMerger::OpenByHeaders()
 
 void SeriesMerger::Plan(const Extent& extent)
 {
-  std::vector<Position> positions;
+  positions.clear();
   for (const Site& site : extent.sites)
   {
     positions.push_back(*site.position);
@@ -418,7 +417,8 @@ void SeriesMerger::PlanByScan()
     sites.push_back(series.site.name);
   }
   this->FindBiases();
-  request.grid = GridOf(options, scan->Positions(), scan->Range());
+  positions = scan->Positions();
+  request.grid = GridOf(options, positions, scan->Range());
   planned = std::make_shared<SharedRequest>(request);
   planned->Set(request);
   this->MakeLoader(this->FilesByScan());
@@ -441,7 +441,7 @@ BiasReport SeriesMerger::CompareRadars() const
   {
     return nexrad::CompareRadars(AllLowEchoes(*scan));
   }
-  const SeriesScan known = gathered ? *gathered : this->Collect(loader->Known());
+  const SeriesScan known = this->KnownScan();
   LowEchoes echoes;
   for (const SiteSeries& series : known.sites)
   {
@@ -452,11 +452,12 @@ BiasReport SeriesMerger::CompareRadars() const
 
 std::vector<InputProblem> SeriesMerger::Problems() const
 {
-  if (scan)
-  {
-    return scan->problems;
-  }
-  return gathered ? gathered->problems : this->Collect(loader->Known()).problems;
+  return this->KnownScan().problems;
+}
+
+std::vector<std::string> SeriesMerger::Notes() const
+{
+  return request.method == MergeMethod::Beam ? this->KnownScan().notes : std::vector<std::string>();
 }
 
 std::optional<ReasonCounts> SeriesMerger::Echo() const
@@ -553,28 +554,6 @@ void SeriesMerger::AddSweepless(
   }
 }
 
-// Merges each moment of volumes that are ready.
-std::optional<GriddedVolume> SeriesMerger::MergeMoments(const std::vector<ReadyVolume>& volumes,
-  const MergeRequest& asked, MergeRun& asRun, const Progress& progress, GriddedVolume memory)
-{
-  const std::vector<MomentName> moments = options.Moments();
-  std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
-  memories.resize(moments.size());
-  std::vector<GriddedVolume> merged;
-  for (std::size_t i = 0; i < moments.size(); ++i)
-  {
-    std::optional<GriddedVolume> one = MergeVolumes(OfMoment(volumes, moments[i]), asked,
-      ShareOf(progress, i, moments.size()), asRun, std::move(memories[i]));
-    if (!one)
-    {
-      return std::nullopt;
-    }
-    one->moment = moments[i]; // which a merge of no volumes does not know
-    merged.push_back(std::move(*one));
-  }
-  return JoinMoments(std::move(merged));
-}
-
 // Empty when `progress` asked to stop.
 std::optional<std::vector<ReadyVolume>> SeriesMerger::VolumesAbout(
   Time time, const std::vector<bool>& reaching, const Progress& progress)
@@ -610,7 +589,43 @@ std::optional<GriddedVolume> SeriesMerger::Merge(
     return std::nullopt;
   }
   this->AddSweepless(reaching, *volumes);
-  return this->MergeMoments(*volumes, request, run, progress, std::move(memory));
+  return MergeMoments(*volumes, options.Moments(), request, progress, run, std::move(memory));
+}
+
+std::optional<std::size_t> SeriesMerger::MergeEachRadar(
+  Time time, const std::function<void(GriddedVolume)>& take, const Progress& progress)
+{
+  request.time = time;
+  request.block = std::nullopt;
+  const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, progress);
+  if (!volumes)
+  {
+    return std::nullopt;
+  }
+  radarRuns.resize(sites.size());
+  std::size_t present = 0;
+  for (std::size_t i = 0; i < sites.size(); ++i)
+  {
+    const std::vector<ReadyVolume> own = OfRadar(*volumes, sites[i]);
+    present += own.empty() ? 0 : 1;
+    std::optional<GriddedVolume> merged = MergeMoments(
+      own, options.Moments(), request, ShareOf(progress, i, sites.size()), radarRuns[i], {});
+    if (!merged)
+    {
+      return std::nullopt;
+    }
+    merged->sites = {sites[i]};
+    merged->sitePositions = {positions[i]};
+    merged->ofOneRadar = true;
+    for (GriddedVolume& further : merged->further)
+    {
+      further.sites = merged->sites;
+      further.sitePositions = merged->sitePositions;
+      further.ofOneRadar = true;
+    }
+    take(std::move(*merged));
+  }
+  return present;
 }
 
 std::optional<std::size_t> SeriesMerger::Skip(Time time, const Progress& progress)
@@ -734,7 +749,7 @@ std::optional<GriddedVolume> SeriesMerger::MergeBox(
   asked.time = time;
   const Progress merging = ShareOf(progress, following, 1.0);
   const std::optional<std::vector<ReadyVolume>> volumes = this->VolumesAbout(time, {}, merging);
-  return volumes ? this->MergeMoments(*volumes, asked, boxRun, merging, {}) : std::nullopt;
+  return volumes ? MergeMoments(*volumes, options.Moments(), asked, merging, boxRun) : std::nullopt;
 }
 
 SeriesScan SeriesMerger::Collect(const std::vector<std::optional<ScannedFile>>& known) const
@@ -745,6 +760,16 @@ SeriesScan SeriesMerger::Collect(const std::vector<std::optional<ScannedFile>>& 
     files.push_back(file.value_or(ScannedFile()));
   }
   return CollectSeries(found.problems, files);
+}
+
+// What is known of the inputs so far.
+SeriesScan SeriesMerger::KnownScan() const
+{
+  if (scan)
+  {
+    return *scan;
+  }
+  return gathered ? *gathered : this->Collect(loader->Known());
 }
 
 // What all processes decoded.

@@ -13,6 +13,7 @@
 
 #include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -75,6 +76,9 @@ public:
   const std::vector<std::string>& Sites() const { return sites; }
   /// What was wrong in the inputs that were decoded so far, in their order.
   std::vector<InputProblem> Problems() const;
+  /// What the merge leaves out of inputs in which nothing is wrong, a line each: rays that the
+  /// antenna scanned beside their cut. Empty for MergeMethod::Thesis, which takes all rays.
+  std::vector<std::string> Notes() const;
   /// What quality control found in the reflectivity of the volumes that were decoded so far, gates
   /// by reason; empty where it is off or no reflectivity was made. All processes call it, and all
   /// get the same.
@@ -102,6 +106,13 @@ public:
   /// asked to stop. Throws Error when it cannot be made.
   std::optional<GriddedVolume> Merge(Time time, const Progress& progress = {},
     const std::optional<VoxelBlock>& block = {}, GriddedVolume memory = {});
+
+  /// The volume of each radar alone at a time, in the order of Sites, given to `take`: what a merge
+  /// of its files alone makes on this grid. A radar without any in reach has a volume in which no
+  /// voxel is scanned. Files are decoded once for all of them. Returns how many radars had volumes.
+  /// Empty when `progress` asked to stop. Throws Error as Merge does.
+  std::optional<std::size_t> MergeEachRadar(
+    Time time, const std::function<void(GriddedVolume)>& take, const Progress& progress = {});
 
   /// Takes note of a time whose merged volume is there already, so that Confirm and Problems speak
   /// of it too. Files are decoded only where it is not known what they hold (see LearnFiles).
@@ -149,6 +160,7 @@ private:
   SeriesFiles FilesByHeaders() const;
   SeriesFiles FilesByScan() const;
   SeriesScan Collect(const std::vector<std::optional<ScannedFile>>& known) const;
+  SeriesScan KnownScan() const;
   SeriesScan Gather() const;
   std::vector<bool> FindReaching();
   void AddSweepless(const std::vector<bool>& reaching, std::vector<ReadyVolume>& volumes);
@@ -158,8 +170,6 @@ private:
   SeriesMerger* MergerOfEcho(const Progress& progress);
   std::optional<std::array<double, 2>> WayOf(
     const BoxRequest& box, Time time, const Progress& progress);
-  std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
-    const MergeRequest& asked, MergeRun& asRun, const Progress& progress, GriddedVolume memory);
 
   const std::vector<std::filesystem::path> inputs;
   const MergerSetup setup;
@@ -180,6 +190,8 @@ private:
   std::unique_ptr<SeriesMerger> echoMerger; ///< of reflectivity, where it is not merged here
   std::vector<Time> times;
   std::vector<std::string> sites;
+  std::vector<Position> positions; ///< of `sites`
+  std::vector<MergeRun> radarRuns; ///< of MergeEachRadar, one for each of `sites`
 };
 
 } // namespace nexrad

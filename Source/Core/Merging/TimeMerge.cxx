@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/TimeMerge.h"
 
+#include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/Model/SiteKey.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <string>
@@ -104,6 +106,14 @@ bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
          a.linearReflectivity == b.linearReflectivity && a.fillColumns == b.fillColumns &&
          a.ancillary == b.ancillary && a.sharpen == b.sharpen && a.means == b.means &&
          a.trend == b.trend && a.biases == b.biases;
+}
+
+std::vector<ReadyVolume> OfMoment(const std::vector<ReadyVolume>& volumes, MomentName moment)
+{
+  std::vector<ReadyVolume> own;
+  std::copy_if(volumes.begin(), volumes.end(), std::back_inserter(own),
+    [moment](const ReadyVolume& volume) { return volume.Moment() == moment; });
+  return own;
 }
 
 void CheckMotion(const Velocity& motion)
@@ -224,6 +234,27 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volume
     polar.push_back(volume.polar.get());
   }
   return MergeVolumes(polar, request, progress, &run);
+}
+
+std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
+  const std::vector<MomentName>& moments, const MergeRequest& request, const Progress& progress,
+  MergeRun& run, GriddedVolume memory)
+{
+  std::vector<GriddedVolume> memories = SplitMoments(std::move(memory));
+  memories.resize(moments.size());
+  std::vector<GriddedVolume> merged;
+  for (std::size_t i = 0; i < moments.size(); ++i)
+  {
+    std::optional<GriddedVolume> one = MergeVolumes(OfMoment(volumes, moments[i]), request,
+      ShareOf(progress, i, moments.size()), run, std::move(memories[i]));
+    if (!one)
+    {
+      return std::nullopt;
+    }
+    one->moment = moments[i]; // which a merge of no volumes does not know
+    merged.push_back(std::move(*one));
+  }
+  return JoinMoments(std::move(merged));
 }
 
 ReadyVolume MergeRun::WithoutSweeps(

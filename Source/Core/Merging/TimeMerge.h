@@ -32,6 +32,7 @@ struct ReadyVolume
   std::shared_ptr<const BeamVolume> beam;   ///< for Beam
 
   MomentName Moment() const { return beam ? beam->moment : polar->moment; }
+  const std::string& RadarName() const { return beam ? beam->site.name : polar->site.name; }
 };
 
 /// Makes a volume ready for a request, whatever its time. As long as the grid is not known, a
@@ -87,5 +88,10 @@ std::optional<GriddedVolume> MergeVolumes(const std::vector<const PolarVolume*>&
 /// `memory` is a volume that is no longer needed: its arrays become those of the result.
 std::optional<GriddedVolume> MergeVolumes(const std::vector<ReadyVolume>& volumes,
   const MergeRequest& request, const Progress& progress, MergeRun& run, GriddedVolume memory = {});
+
+/// The same of several moments, each merged from the volumes that are of it, as one volume.
+std::optional<GriddedVolume> MergeMoments(const std::vector<ReadyVolume>& volumes,
+  const std::vector<MomentName>& moments, const MergeRequest& request, const Progress& progress,
+  MergeRun& run, GriddedVolume memory = {});
 
 } // namespace nexrad

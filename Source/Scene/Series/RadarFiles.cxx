@@ -71,10 +71,7 @@ public:
     std::vector<std::string> lines;
     for (const InputProblem& problem : merger.Problems())
     {
-      if (!problem.note)
-      {
-        lines.push_back(problem.Line());
-      }
+      lines.push_back(problem.Line());
     }
     return lines;
   }
