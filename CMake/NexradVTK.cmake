@@ -14,11 +14,11 @@ endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore FiltersExtraction FiltersSources
-  ImagingCore IOCore IOImage IOXML IOOggTheora
+  ImagingCore IOCore IOImage IONetCDF IOXML IOOggTheora
   ParallelCore
   InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingUI RenderingVolume RenderingVolumeOpenGL2
-  vtksys
+  netcdf tiff vtksys
   OPTIONAL_COMPONENTS ParallelMPI ${nexrad_vtk_for_python} ${nexrad_vtk_for_qt})
 
 set(nexrad_module_files

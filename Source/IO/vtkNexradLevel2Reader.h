@@ -15,8 +15,9 @@
  * ```
  *
  * The output is a vtkPartitionedDataSetCollection: each sweep is a vtkPartitionedDataSet, named
- * like "Sweep 03 1.45 deg" (its index, from 0 in the order scanned, and the mean elevation angle;
- * in the data assembly the same name made valid). In it stands one vtkStructuredGrid (gates x rays
+ * like "Sweep 03 1.45 deg" (its index, from 0 in the order scanned, and the angle of its cut in the
+ * coverage pattern, or the median of its rays where that is unknown; in the data assembly the same
+ * name made valid). In it stands one vtkStructuredGrid (gates x rays
  * x 1) for each distinct gate geometry, because in most sweeps reflectivity and velocity differ in
  * it: partitions, since both are the same cone. Points are the centres of the gates; rays are in
  * the order scanned, the first repeated at the end when the sweep goes all the way round. Gates at

@@ -129,10 +129,7 @@ int vtkNexradSeriesReader::Scan()
   }
   for (const nexrad::InputProblem& problem : series->Scan.problems)
   {
-    if (!problem.note)
-    {
-      this->AddDamage(problem.Line());
-    }
+    this->AddDamage(problem.Line());
   }
   std::set<double> times;
   for (const nexrad::SiteSeries& site : series->Scan.sites)
@@ -184,9 +181,7 @@ int vtkNexradSeriesReader::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkNexradForgetAbort(this);
   vtkInformation* info = output->GetInformationObject(0);
-  const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-                        ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-                        : this->Scanned->Times.front();
+  const double time = vtkNexradRequestedTime(info, this->Scanned->Times.front());
   auto* sweeps = vtkPartitionedDataSetCollection::GetData(output, 0);
   try
   {

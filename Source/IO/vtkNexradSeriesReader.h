@@ -13,8 +13,8 @@
  * the times of the first rays of all volumes, in seconds since 1970-01-01T00:00:00Z; a file with
  * several cycles counts as several volumes. The output at a time holds, for each site, the sweeps
  * of its latest volume that starts at or before that time; a site that has not begun is absent. So
- * every scan stays in view until the radar's next one. Without a requested time the output is that
- * of the first time step.
+ * every scan stays in view until the radar's next one. Without a requested time, or for
+ * one more than a day before the first time step, the output is that of the first time step.
  *
  * The output is that of vtkNexradLevel2Reader, with the site's name before each sweep's ("KEAX
  * Sweep 03 1.45 deg"); its field data are those of the last site. With several sites PROJECTED

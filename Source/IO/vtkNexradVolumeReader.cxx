@@ -6,6 +6,7 @@
 #include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
+#include "vtkNexradArrayChoice.h"
 #include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
@@ -52,31 +53,6 @@ namespace
 bool IsIndex(const std::filesystem::path& path)
 {
   return path.extension() == ".series";
-}
-
-// Empty: all that a file has.
-std::vector<nexrad::MomentName> MomentsToRead(const std::string& names)
-{
-  std::vector<nexrad::MomentName> moments = nexrad::ParseMomentNames(names);
-  if (moments.empty() && !names.empty())
-  {
-    throw nexrad::Error("moments " + names + " are unknown: set names as in REF,VEL");
-  }
-  return moments;
-}
-
-// Those that are off.
-std::vector<std::string> NamesToLeaveOut(vtkDataArraySelection* selection)
-{
-  std::vector<std::string> names;
-  for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
-  {
-    if (selection->GetArraySetting(i) == 0)
-    {
-      names.emplace_back(selection->GetArrayName(i));
-    }
-  }
-  return names;
 }
 
 } // namespace
@@ -171,19 +147,11 @@ void vtkNexradVolumeReader::ListAncillaryArrays()
   {
     names = nexrad::ReadNxvAncillaryArrayNames(this->Opened->Steps.front().second);
   }
-  // Names that are known keep what the user chose for them.
-  for (int i = this->AncillaryArraySelection->GetNumberOfArrays(); i-- > 0;)
+  if (this->Opened->First.ofOneRadar)
   {
-    const std::string known = this->AncillaryArraySelection->GetArrayName(i);
-    if (std::find(names.begin(), names.end(), known) == names.end())
-    {
-      this->AncillaryArraySelection->RemoveArrayByIndex(i);
-    }
+    names.insert(names.end(), {"azimuth", "elevation", "slant_range"});
   }
-  for (const std::string& name : names)
-  {
-    this->AncillaryArraySelection->AddArray(name.c_str());
-  }
+  vtkNexradListArrays(names, this->AncillaryArraySelection);
 }
 
 int vtkNexradVolumeReader::RequestInformation(
@@ -201,7 +169,7 @@ int vtkNexradVolumeReader::RequestInformation(
     this->ReadHeader();
     this->ListAncillaryArrays();
     nexrad::NxvReadOptions options;
-    options.moments = MomentsToRead(this->Moments);
+    options.moments = vtkNexradMomentsToRead(this->Moments);
     this->Opened->HasCodes =
       !this->RawStream && nexrad::HasNxvCodes(this->Opened->Steps.front().second, options);
   }
@@ -246,12 +214,13 @@ void vtkNexradVolumeReader::ReadImage(
   {
     throw nexrad::Error(path.string() + ": its grid is not that of the first volume of the series");
   }
-  vtkNexradReadVolumeFile({path.string(), NamesToLeaveOut(this->AncillaryArraySelection),
-                            MomentsToRead(this->Moments), this->ScalarsAsCodes},
+  vtkNexradReadVolumeFile({path.string(), vtkNexradNamesToLeaveOut(this->AncillaryArraySelection),
+                            vtkNexradMomentsToRead(this->Moments), this->ScalarsAsCodes},
     image);
   const int extent[6] = {block.begin[0], block.end[0] - 1, block.begin[1], block.end[1] - 1,
     block.begin[2], block.end[2] - 1};
   image->Crop(extent);
+  vtkNexradAddRadarView(image, vtkNexradNamesToLeaveOut(this->AncillaryArraySelection));
 }
 
 int vtkNexradVolumeReader::RequestData(

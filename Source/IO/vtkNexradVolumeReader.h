@@ -96,9 +96,10 @@ public:
   ///@}
 
   /**
-   * Which of the ancillary arrays (`REF_age`, `REF_radars`, `REF_weight`, `REF_site`) are read. It
-   * lists those of the file, of a series those of its first volume, once the information is up to
-   * date; all are on by default.
+   * Which of the ancillary arrays (`REF_age`, `REF_radars`, `REF_weight`, `REF_site`; of a volume
+   * of one radar alone also `azimuth`, `elevation`, `slant_range`, which are computed) are given.
+   * It lists those of the file, of a series those of its first volume, once the information is up
+   * to date; all are on by default.
    */
   vtkDataArraySelection* GetAncillaryArraySelection();
 

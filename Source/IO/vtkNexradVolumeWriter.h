@@ -10,11 +10,8 @@
  *   its time (`20060312T180000Z.nxv`); then the index that names them.
  * - anything else: the input as it is goes into that file.
  *
- * A file is written under a temporary name and renamed when it is whole. An error (a full disk, an
- * input without the arrays or that cannot be made) stops the run: Write returns 0, the error code
- * is set, and no index is written; volumes of earlier steps stay. So it is after an abort, without
- * an error code. Error codes are NoFileNameError, OutOfDiskSpaceError, CannotOpenFileError, and
- * UserError for an input that cannot be written.
+ * A file is written under a temporary name and renamed when it is whole. When a run stops early
+ * (vtkNexradStepWriter), no index is written; volumes of earlier steps stay.
  *
  * Source: Documentation/Formats/nxv.md.
  */
@@ -22,24 +19,22 @@
 #define vtkNexradVolumeWriter_h
 
 #include "vtkNexradIOModule.h" // For export macro
-#include "vtkWriter.h"
+#include "vtkNexradStepWriter.h"
 
 #include <string>  // For members
 #include <utility> // For members
 #include <vector>  // For members
 
-class vtkImageData;
 namespace nexrad
 {
-struct GriddedVolume;
 struct NxvWriteOptions;
-} // namespace nexrad
+}
 
-class VTKNEXRADIO_EXPORT vtkNexradVolumeWriter : public vtkWriter
+class VTKNEXRADIO_EXPORT vtkNexradVolumeWriter : public vtkNexradStepWriter
 {
 public:
   static vtkNexradVolumeWriter* New();
-  vtkTypeMacro(vtkNexradVolumeWriter, vtkWriter);
+  vtkTypeMacro(vtkNexradVolumeWriter, vtkNexradStepWriter);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -56,14 +51,6 @@ public:
     FLOAT = 3,
     RADAR_STEPS = 4
   };
-
-  ///@{
-  /**
-   * Path of the file, or of the index.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   ///@{
   /**
@@ -93,27 +80,15 @@ public:
   vtkBooleanMacro(RawStream, bool);
   ///@}
 
-  /**
-   * Writes. Returns 1 when all is written, else 0.
-   */
-  int Write() override;
-
-  /**
-   * Paths of the files of the last run, the index last.
-   */
-  int GetNumberOfWrittenFiles() const;
-  const char* GetWrittenFile(int index) const;
-
 protected:
   vtkNexradVolumeWriter();
   ~vtkNexradVolumeWriter() override;
 
-  vtkTypeBool ProcessRequest(
-    vtkInformation* request, vtkInformationVector** input, vtkInformationVector* output) override;
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  void WriteData() override;
+  bool WritesAllSteps() const override { return this->IsSeries(); }
+  void BeginSteps() override;
+  void WriteVolume(const nexrad::GriddedVolume& volume) override;
+  void EndSteps() override;
 
-  char* FileName = nullptr;
   int Encoding = AUTOMATIC;
   double CodeScale = 1.0;
   double CodeOffset = 0.0;
@@ -123,20 +98,9 @@ private:
   vtkNexradVolumeWriter(const vtkNexradVolumeWriter&) = delete;
   void operator=(const vtkNexradVolumeWriter&) = delete;
 
-  bool IsSeries() const;
-  void Begin();
-  void ReadTimeSteps(vtkInformation* inputInformation);
-  int WriteStep(vtkInformation* request);
-  void WriteVolume(const nexrad::GriddedVolume& volume);
-  void WriteIndex();
   nexrad::NxvWriteOptions MakeOptions() const;
-  void Fail(unsigned long code, const std::string& line);
 
-  std::vector<double> TimeSteps; ///< of the input
-  std::size_t CurrentStep = 0;
   std::vector<std::pair<std::string, double>> Index; ///< volumes written so far
-  std::vector<std::string> Written;
-  bool Complete = false; ///< the last run wrote all that it had to
 };
 
 #endif

@@ -85,12 +85,12 @@ TEST_F(SeriesReader, ShowsEachSitesLatestVolume)
 {
   vtkPartitionedDataSetCollection* sweeps = this->At(start);
   ASSERT_EQ(sweeps->GetNumberOfPartitionedDataSets(), 1U);
-  EXPECT_EQ(NameOf(sweeps, 0), "KEAX Sweep 00 0.50 deg");
+  EXPECT_EQ(NameOf(sweeps, 0), "KEAX Sweep 00 0.48 deg");
   EXPECT_EQ(FirstValue(sweeps, 0), 10.0);
 
   sweeps = this->At(start + 4min); // between time steps
   ASSERT_EQ(sweeps->GetNumberOfPartitionedDataSets(), 2U);
-  EXPECT_EQ(NameOf(sweeps, 1), "KLSX Sweep 00 0.50 deg");
+  EXPECT_EQ(NameOf(sweeps, 1), "KLSX Sweep 00 0.48 deg");
   EXPECT_EQ(FirstValue(sweeps, 0), 10.0);
   EXPECT_EQ(FirstValue(sweeps, 1), 50.0);
   EXPECT_EQ(sweeps->GetInformation()->Get(vtkDataObject::DATA_TIME_STEP()),

@@ -3,6 +3,9 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkErrorCode.h"
+#include "vtkInformation.h"
+#include "vtkInformationDoubleKey.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <filesystem>
 #include <fstream>
@@ -49,6 +52,14 @@ std::function<bool(double)> vtkNexradProgress(vtkAlgorithm* algorithm, double fr
     }
     return !vtkNexradShouldAbort(algorithm);
   };
+}
+
+double vtkNexradRequestedTime(vtkInformation* outputInformation, double firstTimeStep)
+{
+  constexpr double day = 86400.0;
+  vtkInformationDoubleKey* const key = vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP();
+  const double asked = outputInformation->Has(key) ? outputInformation->Get(key) : firstTimeStep;
+  return asked < firstTimeStep - day ? firstTimeStep : asked;
 }
 
 unsigned long vtkNexradPathError(const char* path)

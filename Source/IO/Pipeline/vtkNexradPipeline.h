@@ -14,6 +14,7 @@
 #include <string>
 
 class vtkAlgorithm;
+class vtkInformation;
 
 /**
  * Whether the algorithm was asked to stop: CheckAbort where VTK has it (which also looks at the
@@ -34,6 +35,14 @@ VTKNEXRADIO_EXPORT void vtkNexradForgetAbort(vtkAlgorithm* algorithm);
  */
 VTKNEXRADIO_EXPORT std::function<bool(double)> vtkNexradProgress(
   vtkAlgorithm* algorithm, double from = 0.0, double to = 1.0);
+
+/**
+ * The time that a request asks for. Where it asks for none, or for one more than a day before the
+ * first time step, the first time step: before anything plays, the time of a program that shows
+ * data is 0, which is the year 1970.
+ */
+VTKNEXRADIO_EXPORT double vtkNexradRequestedTime(
+  vtkInformation* outputInformation, double firstTimeStep);
 
 /**
  * The vtkErrorCode of a path that cannot be read as a radar file or volume: NoFileNameError,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSweepConversion.h"
 
+#include "nexrad/Simulation/ScanStrategy.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradSweepLayout.h"
 
@@ -162,10 +163,27 @@ vtkNew<vtkStructuredGrid> MakeGrid(const nexrad::Sweep& sweep, const vtkNexradGa
   return grid;
 }
 
-std::string SweepName(const nexrad::Sweep& sweep, std::size_t index, const std::string& prefix)
+// The angle of the cut in the coverage pattern, which is the same in all volumes; where neither the
+// file nor the patterns that are known have it, that of the rays.
+double NominalElevation(const nexrad::RadarVolume& volume, const nexrad::Sweep& sweep)
+{
+  const auto cut = static_cast<std::size_t>(sweep.elevationNumber) - 1;
+  if (volume.coveragePattern && cut < volume.coveragePattern->cuts.size())
+  {
+    return volume.coveragePattern->cuts[cut].elevation;
+  }
+  const auto* known = nexrad::FindScanStrategy(volume.coveragePatternNumber.value_or(0));
+  return known && cut < known->size() ? (*known)[cut].cut.elevation : sweep.MedianElevation();
+}
+
+// Two volumes of a coverage pattern have the same names, so that what is chosen by name stays
+// chosen as time goes on.
+std::string SweepName(
+  const nexrad::RadarVolume& volume, std::size_t index, const std::string& prefix)
 {
   char text[64];
-  std::snprintf(text, sizeof text, "Sweep %02zu %.2f deg", index, sweep.MedianElevation());
+  std::snprintf(text, sizeof text, "Sweep %02zu %.2f deg", index,
+    NominalElevation(volume, volume.sweeps[index]));
   return prefix + text;
 }
 
@@ -211,7 +229,7 @@ bool vtkNexradAppendSweeps(const nexrad::RadarVolume& volume, const vtkNexradSwe
       AddSweepFieldData(sweep, index, gates, grid->GetFieldData());
       grids->SetPartition(grids->GetNumberOfPartitions(), grid);
     }
-    AppendPartition(output, grids, SweepName(sweep, index, options.NamePrefix));
+    AppendPartition(output, grids, SweepName(volume, index, options.NamePrefix));
   }
   AddVolumeFieldData(volume, output->GetFieldData());
   return true;

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkNexradNetCDFOutput.h"
+
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/System/AtomicFile.h"
+#include "nexrad/System/Error.h"
+#include "vtkNexradNetCDFFile.h"
+#include "vtkNexradNetCDFGrid.h"
+#include "vtkNexradNetCDFRadars.h"
+#include "vtkNexradNetCDFTerms.h"
+#include "vtkNexradNetCDFVoxels.h"
+
+#include "vtk_netcdf.h"
+
+#include <array>
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace
+{
+
+// The time of writing, or the one that SOURCE_DATE_EPOCH sets so that two runs make the same bytes.
+nexrad::Time WritingTime()
+{
+  const char* const set = std::getenv("SOURCE_DATE_EPOCH");
+  const std::string text = set != nullptr ? set : "";
+  if (!text.empty() && text.size() < 12 && text.find_first_not_of("0123456789") == text.npos)
+  {
+    return nexrad::FromSeconds(std::stod(text));
+  }
+  return std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
+}
+
+// Bytes of what does not depend on the number of voxels.
+constexpr std::size_t ofAnyFile = std::size_t(4) << 20;
+
+// A name beside that of an AtomicFile, made as its own: what another process that looks for
+// abandoned files finds while the NetCDF library has it open and locked.
+fs::path NameBeside(const fs::path& temporary)
+{
+  std::string stem = temporary.stem().string();
+  stem.back() = stem.back() == '0' ? '1' : '0';
+  return temporary.parent_path() / (stem + temporary.extension().string());
+}
+
+// The same where there is room for a file. A full disk would leave the NetCDF library with a file
+// that it can neither write nor close, and end the program.
+fs::path MakeRoomBeside(nexrad::AtomicFile& target)
+{
+  target.RequireRoom(ofAnyFile);
+  return NameBeside(target.TemporaryPath());
+}
+
+// At least as many bytes as a volume takes in the file, other than what all files have.
+std::size_t MostBytes(const nexrad::GriddedVolume& volume)
+{
+  // Values and states, the ancillary arrays, and the view of one radar.
+  constexpr std::size_t ofVoxel = 4 + 1 + 4 + 1 + 4 + 2 + 3 * 4;
+  return volume.values.size() * ofVoxel * (1 + volume.further.size());
+}
+
+} // namespace
+
+/// The library locks the files that it writes, and so does AtomicFile. So the library writes a file
+/// of its own, whose bytes are copied when it is complete.
+class vtkNexradNetCDFOutput::Parts
+{
+public:
+  Parts(const fs::path& path, const std::string& theHistory)
+    : target(path)
+    , written(MakeRoomBeside(target))
+    , file(written, vtkNexradNetCDFFile::Mode::Create, path.string())
+    , history(nexrad::FormatIso8601(WritingTime()) + ": " + theHistory)
+  {
+  }
+
+  ~Parts()
+  {
+    std::error_code ignored;
+    fs::remove(written, ignored);
+  }
+
+  Parts(const Parts&) = delete;
+  Parts& operator=(const Parts&) = delete;
+
+  void Add(const nexrad::GriddedVolume& volume)
+  {
+    target.RequireRoom(MostBytes(volume) + ofAnyFile);
+    if (count == 0)
+    {
+      this->Begin(volume);
+    }
+    if (volume.grid != first.grid || volume.method != first.method)
+    {
+      file.Fail("a volume at " + nexrad::FormatIso8601(volume.time) +
+                " has another grid or method than the first");
+    }
+    if (count > 0 && volume.time <= last)
+    {
+      file.Fail("the volume at " + nexrad::FormatIso8601(volume.time) + " follows one at " +
+                nexrad::FormatIso8601(last) + ": times must ascend");
+    }
+    last = volume.time;
+    const double seconds = nexrad::ToSeconds(volume.time);
+    file.Check(nc_put_var1_double(file.Id(), timeVariable, &count, &seconds), "time");
+    const std::vector<short> places = radars->Add(volume, count);
+    voxels->Write(volume, count, places);
+    ++count;
+  }
+
+  void Commit()
+  {
+    if (count == 0)
+    {
+      file.Fail("has no volume");
+    }
+    voxels->NameRadars(radars->Names());
+    file.Close();
+    this->Copy();
+    target.Commit();
+  }
+
+private:
+  void Begin(const nexrad::GriddedVolume& volume)
+  {
+    first.grid = volume.grid;
+    first.method = volume.method;
+    vtkNexradWriteProvenance(file, volume, history);
+    const vtkNexradNetCDFDimensions dimensions = vtkNexradWriteGrid(file, volume.grid);
+    file.Check(
+      nc_def_var(file.Id(), "time", NC_DOUBLE, 1, &dimensions.Time, &timeVariable), "time");
+    const std::size_t chunk = 512;
+    file.Check(nc_def_var_chunking(file.Id(), timeVariable, NC_CHUNKED, &chunk), "time");
+    file.SetText(timeVariable, "standard_name", "time");
+    file.SetText(timeVariable, "long_name", "time of the volume, UTC");
+    file.SetText(timeVariable, "units", "seconds since 1970-01-01T00:00:00Z");
+    file.SetText(timeVariable, "calendar", "standard");
+    file.SetText(timeVariable, "axis", "T");
+    radars = std::make_unique<vtkNexradNetCDFRadars>(file, dimensions.Time);
+    voxels = std::make_unique<vtkNexradNetCDFVoxels>(file, dimensions, volume);
+  }
+
+  void Copy()
+  {
+    std::ifstream source(written, std::ios::binary);
+    std::vector<char> block(std::size_t(1) << 20);
+    while (source)
+    {
+      source.read(block.data(), static_cast<std::streamsize>(block.size()));
+      target.Write(block.data(), static_cast<std::size_t>(source.gcount()));
+    }
+    if (!source.eof())
+    {
+      file.Fail("cannot be written: its temporary file cannot be read");
+    }
+  }
+
+  nexrad::AtomicFile target;
+  const fs::path written;
+  vtkNexradNetCDFFile file;
+  const std::string history;
+  std::unique_ptr<vtkNexradNetCDFRadars> radars;
+  std::unique_ptr<vtkNexradNetCDFVoxels> voxels;
+  int timeVariable = -1;
+  std::size_t count = 0;
+  nexrad::Time last{};
+  nexrad::GriddedVolume first; // its grid and its method
+};
+
+vtkNexradNetCDFOutput::vtkNexradNetCDFOutput(const fs::path& path, const std::string& history)
+{
+  const vtkNexradNetCDFLock lock;
+  this->File = std::make_unique<Parts>(path, history);
+}
+
+vtkNexradNetCDFOutput::~vtkNexradNetCDFOutput()
+{
+  const vtkNexradNetCDFLock lock;
+  this->File.reset();
+}
+
+void vtkNexradNetCDFOutput::Add(const nexrad::GriddedVolume& volume)
+{
+  const vtkNexradNetCDFLock lock;
+  this->File->Add(volume);
+}
+
+void vtkNexradNetCDFOutput::Commit()
+{
+  const vtkNexradNetCDFLock lock;
+  this->File->Commit();
+}
+
+void vtkNexradWriteNetCDF(
+  const fs::path& path, const nexrad::GriddedVolume& volume, const std::string& history)
+{
+  vtkNexradNetCDFOutput output(path, history);
+  output.Add(volume);
+  output.Commit();
+}
