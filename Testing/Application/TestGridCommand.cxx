@@ -333,7 +333,7 @@ TEST(GridCommand, TimesWithoutAnyRadarAreAFailure)
 TEST(GridCommand, AFullDiskLeavesNothingHalfWritten)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
-  for (const char* format : {"nxv", "vti"})
+  for (const char* format : {"nxv", "vti", "nc"})
   {
     const TemporaryFolder folder;
     const FileSizeLimit limit(2'000);

@@ -136,7 +136,10 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage({"grid", "a", "-o", "b", "--motion", "90,-130"}, {"--motion", "150 m/s"});
   ExpectWrongUsage(
     {"grid", "a", "-o", "b", "--motion", "1,2", "--method", "thesis"}, {"--motion", "beam"});
-  ExpectWrongUsage({"grid", "a", "-o", "b", "--format", "hdf"}, {"--format", "nxv", "vti"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--format", "hdf"}, {"--format", "nxv", "vti", "nc"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--one-file"}, {"--one-file", "nc alone"});
+  ExpectWrongUsage(
+    {"grid", "a", "-o", "b", "--per-radar", "--method", "thesis"}, {"--per-radar", "beam"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--site", "ZZZZ"}, {"--site", "ZZZZ"});
 }
 

@@ -225,7 +225,7 @@ TEST_F(WritingVolumes, AFailureChangesNothingThatWasThere)
   job.options.end = start + 10min;
   const auto before = this->Contents("kept");
   ASSERT_EQ(before.size(), 4U);
-  const std::string index = FileContent(report.index);
+  const std::string index = FileContent(report.indices.front());
   job.options.method = MergeMethod::Thesis;
   job.options.maximumGap = 1s; // none of these steps is that near to a volume
   job.options.begin = start + 3min;
@@ -246,7 +246,7 @@ TEST_F(WritingVolumes, AFailureChangesNothingThatWasThere)
     }
   }
   EXPECT_EQ(kept, before.size());
-  EXPECT_EQ(FileContent(report.index), index);
+  EXPECT_EQ(FileContent(report.indices.front()), index);
 }
 
 TEST_F(WritingVolumes, ARunThatSucceedsReplacesWhatWasThere)

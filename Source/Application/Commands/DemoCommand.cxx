@@ -99,7 +99,7 @@ GridReport GridStage(const DemoOptions& options, const std::vector<fs::path>& fi
   job.folder = options.folder / "volumes";
   job.options.grid.dimensions = options.dimensions;
   const GridReport report = WriteVolumes(job, stage.GetProgress());
-  stage.Finish(report.files.size(), "merged volumes", report.bytes, report.index);
+  stage.Finish(report.files.size(), "merged volumes", report.bytes, report.indices.front());
   return report;
 }
 
@@ -128,7 +128,7 @@ void DrawStages(const DemoOptions& options, const GridReport& volumes)
   DrawStage(options, above, "picture");
 
   scene::RenderRequest movie;
-  movie.input.inputs = {volumes.index};
+  movie.input.inputs = {volumes.indices.front()};
   movie.size = {options.size[0] * 3 / 4, options.size[1] * 3 / 4};
   movie.output = options.folder / "storms.ogv";
   movie.frames = static_cast<int>(4 * volumes.files.size());

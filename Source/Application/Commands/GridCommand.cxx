@@ -37,11 +37,16 @@ struct GridCommandOptions
 
 VolumeFormat ParseFormat(const std::string& text)
 {
-  if (text != "nxv" && text != "vti")
+  constexpr std::pair<const char*, VolumeFormat> names[] = {
+    {"nxv", VolumeFormat::Nxv}, {"vti", VolumeFormat::Vti}, {"nc", VolumeFormat::NetCDF}};
+  for (const auto& [name, format] : names)
   {
-    throw Error("'" + text + "' is no format of volumes; write nxv or vti");
+    if (text == name)
+    {
+      return format;
+    }
   }
-  return text == "nxv" ? VolumeFormat::Nxv : VolumeFormat::Vti;
+  throw Error("'" + text + "' is no format of volumes; write nxv, vti or nc");
 }
 
 NxvEncoding ParseCode(const std::string& text)
@@ -58,16 +63,24 @@ NxvEncoding ParseCode(const std::string& text)
   throw Error("'" + text + "' is no code of volumes; write radar, thesis or exact");
 }
 
-// The codes of the thesis are whole dBZ.
-void CheckCode(const GridJob& job)
+// Which formats have which options; and the codes of the thesis are whole dBZ.
+void CheckFormat(const GridJob& job)
 {
-  if (job.nxv.encoding && job.format != VolumeFormat::Nxv)
+  if (job.written.nxv.encoding && job.written.format != VolumeFormat::Nxv)
   {
     throw CLI::ValidationError("--code", "is of --format nxv alone");
   }
+  if (job.perRadar && job.options.method == MergeMethod::Thesis)
+  {
+    throw CLI::ValidationError("--per-radar", "is of the method 'beam'");
+  }
+  if (job.oneFile && job.written.format != VolumeFormat::NetCDF)
+  {
+    throw CLI::ValidationError("--one-file", "is of --format nc alone");
+  }
   const bool reflectivityAlone =
     job.options.moment == MomentName::REF && job.options.furtherMoments.empty();
-  if (job.nxv.encoding == NxvEncoding::RunLength && !reflectivityAlone)
+  if (job.written.nxv.encoding == NxvEncoding::RunLength && !reflectivityAlone)
   {
     throw CLI::ValidationError("--code", "'thesis' is of --moment REF alone");
   }
@@ -84,10 +97,27 @@ std::string RecipeOf(const CLI::App& command, const std::string& format, const s
   return recipe;
 }
 
-void PrintReport(const GridReport& report, QualityLevel level)
+// The command, but for the names of its files: what a volume's origin is, for other programs.
+std::string HistoryOf(const CLI::App& command)
 {
-  std::cout << report.index.string() << ": " << Counted(report.files.size(), "volume") << ", "
-            << Counted(report.bytes, "byte") << '\n';
+  std::string history = "nexrad3d " NEXRAD_VERSION " grid";
+  history += command.count("--per-radar") > 0 ? " --per-radar" : "";
+  for (const OptionText& option : GivenGridOptions(command))
+  {
+    history += ' ' + option.name + (option.value.empty() ? "" : ' ' + option.value);
+  }
+  return history;
+}
+
+// `noun` is what a file is called.
+void PrintReport(const GridReport& report, const char* noun, QualityLevel level)
+{
+  for (std::size_t i = 0; i < report.indices.size(); ++i)
+  {
+    std::cout << (i > 0 ? ", " : "") << report.indices[i].string();
+  }
+  std::cout << ": " << Counted(report.files.size(), noun) << ", " << Counted(report.bytes, "byte")
+            << '\n';
   if (report.echo)
   {
     std::cout << DescribeTakenOut(*report.echo, level) << '\n';
@@ -97,7 +127,7 @@ void PrintReport(const GridReport& report, QualityLevel level)
 
 void PrintJson(const GridReport& report)
 {
-  nlohmann::ordered_json json = {{"index", report.index.string()},
+  nlohmann::ordered_json json = {{"index", report.indices.front().string()},
     {"volumes", nlohmann::ordered_json::array()}, {"bytes", report.bytes},
     {"problems", report.problems}, {"notes", report.notes},
     {"radars", MakeBiasJson(report.comparison, report.takenOff)},
@@ -105,6 +135,10 @@ void PrintJson(const GridReport& report)
   for (const std::filesystem::path& file : report.files)
   {
     json["volumes"].push_back(file.string());
+  }
+  for (const std::filesystem::path& index : report.indices)
+  {
+    json["indices"].push_back(index.string());
   }
   // A file's name need not be UTF-8; JSON must be.
   std::cout << json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
@@ -129,7 +163,7 @@ int RunGrid(GridCommandOptions& options)
   }
   else if (!options.quiet)
   {
-    PrintReport(report, options.job.options.quality.level);
+    PrintReport(report, options.job.oneFile ? "file" : "volume", options.job.options.quality.level);
   }
   for (const std::string& problem : report.problems)
   {
@@ -158,9 +192,18 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
       "Folder that takes the volumes and their index; made when it does not exist")
     ->required()
     ->type_name("DIR");
-  AddParsedOption(*command, "--format", options->job.format, ParseFormat, "NAME",
-    "nxv: compressed volumes of this project; vti: VTK XML image data", "nxv");
-  AddParsedOption(*command, "--code", options->job.nxv.encoding, ParseCode, "NAME",
+  AddParsedOption(*command, "--format", options->job.written.format, ParseFormat, "NAME",
+    "nxv: compressed volumes of this project; nc: NetCDF with the CF conventions, for other "
+    "programs; "
+    "vti: VTK XML image data",
+    "nxv");
+  command->add_flag("--one-file", options->job.oneFile,
+    "Write all times into one file, volumes.nc (default: a file for each time); of --format nc");
+  command->add_flag("--per-radar", options->job.perRadar,
+    "Write a volume of each radar alone, on the grid of all, with azimuth, elevation, slant range "
+    "and "
+    "age, as multi-Doppler analysis needs them (default: merge the radars)");
+  AddParsedOption(*command, "--code", options->job.written.nxv.encoding, ParseCode, "NAME",
     "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), thesis (REF "
     "alone, whole dBZ from 1 to 80), or exact (default: as --method, radar for beam)");
   command->add_flag(
@@ -170,10 +213,14 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
   command->callback(
     [options, &action, command]
     {
-      CheckCode(options->job);
+      CheckFormat(options->job);
+      options->job.options.beam.ancillary |= options->job.perRadar;
       const auto written = [command](const char* name)
       { return command->count(name) > 0 ? command->get_option(name)->as<std::string>() : ""; };
       options->job.recipe = RecipeOf(*command, written("--format"), written("--code"));
+      options->job.recipe += options->job.oneFile ? "\n--one-file" : "";
+      options->job.recipe += options->job.perRadar ? "\n--per-radar" : "";
+      options->job.written.history = HistoryOf(*command);
       action = [options] { return RunGrid(*options); };
     });
 }

@@ -222,8 +222,7 @@ std::optional<ReasonCounts> CountEcho(const RadarVolume& volume)
   {
     return std::nullopt;
   }
-  const auto measured = [&volume](MomentName moment) { return MakePolarVolume(volume, moment); };
-  return ClassifyEcho(measured).counts;
+  return ClassifyEcho(volume).counts;
 }
 
 } // namespace

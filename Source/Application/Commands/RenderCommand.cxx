@@ -31,10 +31,11 @@ std::filesystem::path ParseOutput(const std::string& text)
 {
   const std::filesystem::path path(text);
   const std::string extension = path.extension().string();
-  if (extension != ".png" && extension != ".ogv" && extension != ".mp4")
+  if (extension != ".png" && extension != ".ogv" && extension != ".mp4" && extension != ".tif")
   {
     throw Error(
-      "'" + text + "' is no picture or movie; write a name that ends in .png, .ogv or .mp4");
+      "'" + text +
+      "' is no picture, movie or map; write a name that ends in .png, .ogv, .mp4 or .tif");
   }
   return path;
 }
@@ -84,7 +85,7 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
   AddInputOptions(*command, request.input);
   AddParsedOption(*command, "-o,--output", request.output, ParseOutput, "FILE",
     "Picture (.png; one for each time, with the time in its name, when there are several) or movie "
-    "(.ogv, or .mp4 where ffmpeg is installed)")
+    "(.ogv, or .mp4 where ffmpeg is installed); with --map also a GeoTIFF of its numbers (.tif)")
     ->required();
   AddQuietOption(*command, options->quiet);
   AddDrawingOptions(*command, request);
@@ -93,6 +94,10 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
   const auto run = [options, command, &action]
   {
     FinishDrawingOptions(*command, options->request);
+    if (options->request.output.extension() == ".tif" && !options->request.scene.plan)
+    {
+      throw CLI::ValidationError("--output", "a .tif is a map; write --map composite as well");
+    }
     action = [options] { return RunRender(*options); };
   };
   command->callback(run);

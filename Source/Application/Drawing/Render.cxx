@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/Render.h"
 
+#include "Drawing/MapFiles.h"
 #include "Drawing/MovieOutput.h"
 #include "Drawing/PictureWindow.h"
 #include "Scene/RadarSession.h"
@@ -67,6 +68,10 @@ void DrawMovie(const RenderRequest& request, RadarSession& session, RenderReport
 
 RenderReport Render(const RenderRequest& request)
 {
+  if (request.output.extension() == ".tif")
+  {
+    return WriteMaps(request);
+  }
   RequireDisplay();
   auto series = OpenInputs(request.input, request.progress);
   std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);

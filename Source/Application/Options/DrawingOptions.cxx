@@ -332,9 +332,9 @@ void AddAppearanceOptions(CLI::App& command, scene::SceneOptions& options)
   command
     .add_option("--colours,--colors", options.colours,
       "Colours in place of the preset's, and opacities if the file has any (with --colour-by, "
-      "those of "
-      "its moment, without opacities): ParaView's .json, a "
-      ".pal table, or .csv with a heading, then lines dBZ,#rrggbb")
+      "those "
+      "of its moment, without opacities): ParaView's .json, a .pal table, or .csv with a heading, "
+      "then lines dBZ,#rrggbb")
     ->check(CLI::Validator(CLI::ExistingFile).description(""))
     ->type_name("FILE")
     ->group(group);

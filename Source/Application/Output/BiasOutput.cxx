@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/BiasOutput.h"
 
+#include "nexrad/Merging/MergeRules.h"
 #include "nexrad/Moments/MomentMaker.h"
 
 #include <nlohmann/json.hpp>
@@ -43,7 +44,7 @@ void AddLowEchoes(const RadarVolume& file, LowEchoes& echoes)
   {
     if (CanBeCompared(volume))
     {
-      MomentMaker maker(volume, MomentOptions());
+      MomentMaker maker(volume, MomentOptionsOf(MergeRules())); // as grid does without options
       echoes.push_back(std::make_shared<const LowEcho>(maker.Make(MomentName::REF)));
     }
   }

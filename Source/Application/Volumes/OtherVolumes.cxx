@@ -5,6 +5,7 @@
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradNetCDFInput.h"
 
 #include <optional>
 #include <system_error>
@@ -20,7 +21,16 @@ std::optional<GridSpecification> GridIn(const fs::path& file, VolumeFormat forma
 {
   try
   {
-    return format == VolumeFormat::Nxv ? ReadNxvHeader(file).grid : ReadVtiGrid(file);
+    switch (format)
+    {
+    case VolumeFormat::Nxv:
+      return ReadNxvHeader(file).grid;
+    case VolumeFormat::Vti:
+      return ReadVtiGrid(file);
+    case VolumeFormat::NetCDF:
+      return vtkNexradReadNetCDFContents(file).Grid;
+    }
+    return std::nullopt;
   }
   catch (const Error&)
   {
@@ -31,7 +41,7 @@ std::optional<GridSpecification> GridIn(const fs::path& file, VolumeFormat forma
 // Names of the volume files in a folder.
 std::set<std::string> VolumesIn(const fs::path& folder, VolumeFormat format)
 {
-  const fs::path extension = VolumeFileName(Time(), format).extension();
+  const fs::path extension = ExtensionOf(format);
   std::set<std::string> names;
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;

@@ -2,21 +2,46 @@
 #include "Volumes/StepWriter.h"
 
 #include "Volumes/VtiFile.h"
+#include "vtkNexradNetCDFOutput.h"
 
 namespace fs = std::filesystem;
 
 namespace nexrad::application
 {
-fs::path VolumeFileName(Time time, VolumeFormat format)
+namespace
 {
-  return FormatForFileName(time) + (format == VolumeFormat::Nxv ? ".nxv" : ".vti");
+
+void WriteVolume(const fs::path& path, const GriddedVolume& volume, const VolumeFiles& files)
+{
+  switch (files.format)
+  {
+  case VolumeFormat::Nxv:
+    WriteNxv(path, volume, files.nxv);
+    break;
+  case VolumeFormat::Vti:
+    WriteVti(path, volume);
+    break;
+  case VolumeFormat::NetCDF:
+    vtkNexradWriteNetCDF(path, volume, files.history);
+    break;
+  }
 }
 
-StepWriter::StepWriter(
-  UnfinishedRun& theRun, VolumeFormat theFormat, const NxvWriteOptions& nxvOptions)
+} // namespace
+
+const char* ExtensionOf(VolumeFormat format)
+{
+  return format == VolumeFormat::Nxv ? ".nxv" : format == VolumeFormat::Vti ? ".vti" : ".nc";
+}
+
+fs::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar)
+{
+  return (radar.empty() ? "" : radar + "_") + FormatForFileName(time) + ExtensionOf(format);
+}
+
+StepWriter::StepWriter(UnfinishedRun& theRun, const VolumeFiles& theFiles)
   : run(theRun)
-  , format(theFormat)
-  , nxv(nxvOptions)
+  , files(theFiles)
 {
 }
 
@@ -34,10 +59,11 @@ GriddedVolume StepWriter::TakeLast()
 GriddedVolume StepWriter::Write(GriddedVolume volume)
 {
   GriddedVolume last = this->TakeLast();
-  name = VolumeFileName(volume.time, format).string();
-  const auto write = [place = run.PlaceFor(name), as = format, options = nxv](GriddedVolume&& one)
+  const std::string radar = volume.ofOneRadar ? volume.sites.front() : "";
+  name = VolumeFileName(volume.time, files.format, radar).string();
+  const auto write = [place = run.PlaceFor(name), as = files](GriddedVolume&& one)
   {
-    as == VolumeFormat::Nxv ? WriteNxv(place, one, options) : WriteVti(place, one);
+    WriteVolume(place, one, as);
     return std::move(one);
   };
   writing = std::async(std::launch::async | std::launch::deferred, write, std::move(volume));

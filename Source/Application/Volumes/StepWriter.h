@@ -15,19 +15,31 @@ namespace nexrad::application
 /// Files that merged volumes are written to.
 enum class VolumeFormat
 {
-  Nxv, ///< this project's compressed volumes (Documentation/Formats/nxv.md)
-  Vti  ///< VTK XML image data
+  Nxv,   ///< this project's compressed volumes (Documentation/Formats/nxv.md)
+  Vti,   ///< VTK XML image data
+  NetCDF ///< NetCDF that follows the CF conventions (Documentation/Formats/netcdf.md)
 };
 
-/// "20060312T180500Z.nxv".
-std::filesystem::path VolumeFileName(Time time, VolumeFormat format);
+/// How volumes are written.
+struct VolumeFiles
+{
+  VolumeFormat format = VolumeFormat::Nxv;
+  NxvWriteOptions nxv; ///< of VolumeFormat::Nxv
+  std::string history; ///< of VolumeFormat::NetCDF: the command that makes the volumes
+};
+
+/// ".nxv", ".vti" or ".nc".
+const char* ExtensionOf(VolumeFormat format);
+
+/// "20060312T180500Z.nxv"; of one radar alone "KEAX_20060312T180500Z.nxv".
+std::filesystem::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar = {});
 
 /// Writes the volumes of a run, each on a thread of its own while the next one is being made.
 class StepWriter
 {
 public:
-  /// `run` is not owned. `nxv` is for VolumeFormat::Nxv.
-  StepWriter(UnfinishedRun& run, VolumeFormat format, const NxvWriteOptions& nxv);
+  /// `run` is not owned.
+  StepWriter(UnfinishedRun& run, const VolumeFiles& files);
   StepWriter(const StepWriter&) = delete;
   StepWriter& operator=(const StepWriter&) = delete;
 
@@ -42,8 +54,7 @@ private:
   GriddedVolume TakeLast();
 
   UnfinishedRun& run;
-  const VolumeFormat format;
-  const NxvWriteOptions nxv;
+  const VolumeFiles files;
   std::string name;                   // of the volume that is being written
   std::future<GriddedVolume> writing; // the volume comes back
 };

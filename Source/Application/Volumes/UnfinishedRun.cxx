@@ -23,7 +23,6 @@ namespace
 {
 
 constexpr const char* JournalName = "run.json";
-constexpr const char* LockName = "lock";
 constexpr const char* NoteName = "note-"; // and the rank of a process
 
 void Rename(const fs::path& from, const fs::path& to)
@@ -63,7 +62,8 @@ std::set<std::string> WaitingIn(const fs::path& hidden)
   std::set<std::string> waiting;
   for (const std::string& name : FilesIn(hidden))
   {
-    if (name.front() != '.' && name != JournalName && name != LockName && !IsNote(name))
+    if (name.front() != '.' && name != JournalName && name != UnfinishedRun::LockName &&
+        !IsNote(name))
     {
       waiting.insert(name);
     }
@@ -83,7 +83,7 @@ nlohmann::json ReadJson(const fs::path& path)
 UnfinishedRun::UnfinishedRun(
   const fs::path& theFolder, const std::string& recipe, const Processes& theProcesses)
   : folder(theFolder)
-  , hidden(theFolder / ".grid.part")
+  , hidden(theFolder / HiddenName)
   , processes(theProcesses)
   , canGoOn(!recipe.empty())
 {
@@ -192,7 +192,7 @@ void UnfinishedRun::RemoveWaiting()
 
 fs::path UnfinishedRun::PathOf(const std::string& name) const
 {
-  return replaced.count(name) > 0 ? hidden / name : folder / name;
+  return this->Waits(name) ? hidden / name : folder / name;
 }
 
 bool UnfinishedRun::Has(const std::string& name)
@@ -225,7 +225,7 @@ fs::path UnfinishedRun::PlaceFor(const std::string& name) const
 void UnfinishedRun::Add(const std::string& name)
 {
   written.insert(name);
-  if (replaced.count(name) == 0)
+  if (!this->Waits(name))
   {
     Rename(hidden / name, folder / name);
   }

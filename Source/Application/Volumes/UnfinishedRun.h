@@ -27,6 +27,9 @@ namespace nexrad::application
 class UnfinishedRun
 {
 public:
+  static constexpr const char* HiddenName = ".grid.part";
+  static constexpr const char* LockName = "lock"; ///< in the hidden folder; a run has it locked
+
   /// `recipe`: all that decides what the files contain, as text; empty: what an interrupted run
   /// left is never taken. The folder is made when it does not exist. All processes call it. Throws
   /// Error, in all processes, when the folder cannot be made or written to, and when another run
@@ -37,6 +40,10 @@ public:
   ~UnfinishedRun();
   UnfinishedRun(const UnfinishedRun&) = delete;
   UnfinishedRun& operator=(const UnfinishedRun&) = delete;
+
+  /// From now on all files wait in the hidden folder until the run has succeeded, so that others
+  /// can be made of them (PlaceFor tells where they are).
+  void HoldBack() { holdsBack = true; }
 
   /// True when this run, or the interrupted one that it continues, wrote the file; it counts as
   /// written by this process from then on.
@@ -67,13 +74,15 @@ private:
   bool Continues(const std::string& recipe) const;
   void ReadJournal();
   void RemoveWaiting();
+  bool Waits(const std::string& name) const { return holdsBack || replaced.count(name) > 0; }
   std::filesystem::path PathOf(const std::string& name) const;
 
   const std::filesystem::path folder;
   const std::filesystem::path hidden;
   const Processes processes;
   const bool canGoOn;
-  FileDescriptor lock;            ///< of the first process
+  FileDescriptor lock; ///< of the first process
+  bool holdsBack = false;
   std::set<std::string> replaced; ///< names that the folder had before the run
   std::set<std::string> written;  ///< by this process
 };

@@ -2,11 +2,14 @@
 #include "Volumes/WriteVolumes.h"
 
 #include "Volumes/OtherVolumes.h"
+#include "Volumes/RunFiles.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
+#include "vtkNexradNetCDFInput.h"
+#include "vtkNexradNetCDFOutput.h"
 #include "vtkNexradThreads.h"
 
 #include <algorithm>
@@ -49,6 +52,12 @@ std::string RecipeOf(const GridJob& job, const std::vector<fs::path>& files)
   return recipe;
 }
 
+RunFiles FilesOf(const GridJob& job, const SeriesMerger& merger)
+{
+  return {
+    job.written.format, job.perRadar ? merger.Sites() : std::vector<std::string>(), job.oneFile};
+}
+
 // Merges and writes the steps of this process that are not there.
 class BlockWriter
 {
@@ -57,7 +66,8 @@ public:
     : job(theJob)
     , merger(theMerger)
     , run(theRun)
-    , writer(theRun, theJob.format, theJob.nxv)
+    , files(FilesOf(theJob, theMerger))
+    , writer(theRun, theJob.written)
   {
   }
 
@@ -76,7 +86,10 @@ public:
     writer.Finish();
     for (std::size_t i = begin; i < end; ++i)
     {
-      block.bytes += run.SizeOf(this->NameOf(times[i]));
+      for (const std::string& name : files.At(times[i]))
+      {
+        block.bytes += run.SizeOf(name);
+      }
     }
     return block;
   }
@@ -84,31 +97,46 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
 
-  std::string NameOf(Time time) const { return VolumeFileName(time, job.format).string(); }
+  bool HasAll(Time time)
+  {
+    const std::vector<std::string> names = files.At(time);
+    return std::all_of(
+      names.begin(), names.end(), [this](const std::string& name) { return run.Has(name); });
+  }
 
   void Make(Time time, const Progress& progress)
   {
-    if (run.Has(this->NameOf(time)))
-    {
-      const std::optional<std::size_t> volumes = merger.Skip(time, progress);
-      if (!volumes)
-      {
-        this->Stop();
-      }
-      block.anySite = block.anySite || *volumes > 0;
-      return;
-    }
-    auto volume = merger.Merge(time, progress, {}, std::move(memory));
-    if (!volume)
+    const std::optional<std::size_t> volumes = this->HasAll(time) ? merger.Skip(time, progress)
+                                               : job.perRadar     ? this->MakeEach(time, progress)
+                                                              : this->MakeMerged(time, progress);
+    if (!volumes)
     {
       this->Stop();
     }
-    block.anySite = block.anySite || !volume->sites.empty();
-    memory = writer.Write(std::move(*volume));
+    block.anySite = block.anySite || *volumes > 0;
     if (Clock::now() - noted > betweenNotes)
     {
       this->Note();
     }
+  }
+
+  // Both return how many radars or volumes took part; nothing when asked to stop.
+  std::optional<std::size_t> MakeMerged(Time time, const Progress& progress)
+  {
+    auto volume = merger.Merge(time, progress, {}, std::move(memory));
+    if (!volume)
+    {
+      return std::nullopt;
+    }
+    const std::size_t radars = volume->sites.size();
+    memory = writer.Write(std::move(*volume));
+    return radars;
+  }
+
+  std::optional<std::size_t> MakeEach(Time time, const Progress& progress)
+  {
+    return merger.MergeEachRadar(
+      time, [this](GriddedVolume volume) { writer.Write(std::move(volume)); }, progress);
   }
 
   // What the files hold, a run that continues this one need not find out again.
@@ -133,6 +161,7 @@ private:
   const GridJob& job;
   SeriesMerger& merger;
   UnfinishedRun& run;
+  const RunFiles files;
   StepWriter writer;
   Block block;
   GriddedVolume memory;
@@ -171,14 +200,71 @@ Block AddUp(const Block& mine, const Processes& processes)
 
 // The index of all volumes, whichever process made them.
 void WriteIndex(
-  const fs::path& path, const std::vector<fs::path>& files, const std::vector<Time>& times)
+  const fs::path& path, const std::vector<std::string>& files, const std::vector<Time>& times)
 {
   NxvSeries index;
   for (std::size_t i = 0; i < times.size(); ++i)
   {
-    index.emplace_back(files[i].filename().string(), ToSeconds(times[i]));
+    index.emplace_back(files[i], ToSeconds(times[i]));
   }
   WriteNxvSeries(path, index);
+}
+
+// The files of all times, which wait in the run's folder, as one in their place. Returns its size
+// in bytes.
+std::uintmax_t JoinFiles(
+  const RunFiles::Series& series, const std::string& history, const UnfinishedRun& run)
+{
+  vtkNexradNetCDFOutput joined(run.PlaceFor(series.name), history);
+  for (const std::string& file : series.files)
+  {
+    joined.Add(vtkNexradReadNetCDF(run.PlaceFor(file)));
+  }
+  joined.Commit();
+  for (const std::string& file : series.files)
+  {
+    std::error_code ignored;
+    fs::remove(run.PlaceFor(file), ignored);
+  }
+  return fs::file_size(run.PlaceFor(series.name));
+}
+
+// The last files of a run: indices of the volumes, or files of all times.
+void FinishFiles(const GridJob& job, const std::vector<RunFiles::Series>& all,
+  const std::vector<Time>& times, UnfinishedRun& run, const Processes& processes,
+  GridReport& report)
+{
+  for (const RunFiles::Series& series : all)
+  {
+    report.indices.push_back(job.folder / series.name);
+    for (const std::string& file : series.files)
+    {
+      report.files.push_back(job.folder / file);
+    }
+  }
+  const auto join = [&]
+  {
+    report.files = report.indices;
+    report.bytes = 0;
+    for (const RunFiles::Series& series : all)
+    {
+      report.bytes += processes.IsFirst() ? JoinFiles(series, job.written.history, run) : 0;
+    }
+  };
+  const auto index = [&]
+  {
+    for (std::size_t i = 0; i < all.size(); ++i)
+    {
+      WriteIndex(report.indices[i], all[i].files, times);
+    }
+  };
+  if (job.oneFile)
+  {
+    processes.Together(join);
+    run.End([] {});
+    return;
+  }
+  run.End(index);
 }
 
 // The rest, once all volumes are there.
@@ -194,25 +280,16 @@ GridReport Conclude(const GridJob& job, const SeriesMerger& merger, const Block&
                 FormatIso8601(times.front()) + " to " + FormatIso8601(times.back()));
   }
   GridReport report;
-  for (const Time time : times)
-  {
-    report.files.push_back(job.folder / VolumeFileName(time, job.format));
-  }
   report.bytes = block.bytes;
-  report.index =
-    job.folder / (job.format == VolumeFormat::Nxv ? "volumes.nxv.series" : "volumes.vti.series");
-  const bool leavesOut = job.options.method == MergeMethod::Beam; // the thesis takes all rays
   for (const InputProblem& problem : merger.Problems())
   {
-    if (!problem.note || leavesOut)
-    {
-      (problem.note ? report.notes : report.problems).push_back(problem.Line());
-    }
+    report.problems.push_back(problem.Line());
   }
+  report.notes = merger.Notes();
   report.comparison = merger.CompareRadars();
   report.takenOff = merger.BiasesTakenOff();
   report.echo = merger.Echo();
-  run.End([&] { WriteIndex(report.index, report.files, times); });
+  FinishFiles(job, FilesOf(job, merger).SeriesOf(times), times, run, processes, report);
   return report;
 }
 
@@ -220,11 +297,12 @@ GridReport Conclude(const GridJob& job, const SeriesMerger& merger, const Block&
 void RequireRoom(const GridJob& job, const SeriesMerger& merger)
 {
   std::set<std::string> own;
-  for (const Time time : merger.Times())
+  for (const RunFiles::Series& series : FilesOf(job, merger).SeriesOf(merger.Times()))
   {
-    own.insert(VolumeFileName(time, job.format).string());
+    own.insert(series.files.begin(), series.files.end());
+    own.insert(series.name);
   }
-  RequireSameGrid(job.folder, job.format, own, merger.Grid());
+  RequireSameGrid(job.folder, job.written.format, own, merger.Grid());
 }
 
 void RequireDone(bool done)
@@ -250,6 +328,10 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   processes.Together([&] { RequireRoom(job, merger); });
   UnfinishedRun run(job.folder, RecipeOf(job, merger.Files()), processes);
   LearnFromNotes(run, merger);
+  if (job.oneFile)
+  {
+    run.HoldBack();
+  }
   for (;;)
   {
     Block block;

@@ -22,8 +22,10 @@ struct GridJob
 {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path folder; ///< made when it does not exist
-  VolumeFormat format = VolumeFormat::Nxv;
-  NxvWriteOptions nxv; ///< how VolumeFormat::Nxv stores the values
+  VolumeFiles written;          ///< how the volumes are stored
+  bool perRadar =
+    false; ///< a volume of each radar alone, on the grid of all, in place of the merged
+  bool oneFile = false; ///< of VolumeFormat::NetCDF: all times in one file, volumes.nc
   MergeOptions options;
   /// All that decides what the volumes contain, beside the inputs, as text. A run that was
   /// interrupted is continued by one with the same text and the same input files. Empty: never.
@@ -33,28 +35,31 @@ struct GridJob
 /// What WriteVolumes made.
 struct GridReport
 {
-  std::filesystem::path index;              ///< of the series
-  std::vector<std::filesystem::path> files; ///< one for each time
-  std::uintmax_t bytes = 0;                 ///< of the files together
-  std::vector<std::string> problems;        ///< inputs that were damaged or left out, a line each
-  std::vector<std::string> notes;           ///< what is left out of inputs that are whole, as well
-  BiasReport comparison;                    ///< of the radars, where there are several
-  RadarBiases takenOff;                     ///< biases that were taken off reflectivity
-  std::optional<ReasonCounts> echo;         ///< gates of reflectivity by what quality control found
-                                            ///< in the volumes that were merged; empty without it
+  std::vector<std::filesystem::path> indices; ///< of the series: one, or one of each radar; where
+                                              ///< all times are in one file, that
+  std::vector<std::filesystem::path> files;   ///< one for each time, or one
+  std::uintmax_t bytes = 0;                   ///< of the files together
+  std::vector<std::string> problems;          ///< inputs that were damaged or left out, a line each
+  std::vector<std::string> notes;   ///< what is left out of inputs in which nothing is wrong
+  BiasReport comparison;            ///< of the radars, where there are several
+  RadarBiases takenOff;             ///< biases that were taken off reflectivity
+  std::optional<ReasonCounts> echo; ///< gates of reflectivity by what quality control found
+                                    ///< in the volumes that were merged; empty without it
 };
 
 /// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an
-/// index of them, volumes.nxv.series (or .vti, volumes.vti.series), in the form that ParaView uses
-/// for series. Each file appears whole or not at all; the index comes last. Volumes and index that
-/// were there before are replaced only when all new ones are there, so that a run which fails
-/// changes none of them. A run that was interrupted, by an error or by the end of the process, is
-/// continued by the next one with the same recipe (UnfinishedRun): it makes the volumes that are
-/// not there. Files are decoded and volumes written while others are merged, in memory that does
-/// not grow with the number of steps; files that no step needs are not decoded. Several processes
-/// make a part of the times each, with the same files as one alone; the first writes the index when
-/// all are done, and all get the same report. Throws Error when no input holds a ray or a file
-/// cannot be written: in all processes when it fails in one.
+/// index of them, volumes.nxv.series (or .vti, volumes.vti.series; .nc, volumes.nc.series), in the
+/// form that ParaView uses for series; or, of NetCDF, one file of all times in place of both. Each
+/// radar has a series of its own where they are not merged (RunFiles). Each file appears whole or
+/// not at all; the index comes last. Volumes and index that were there before are replaced only
+/// when all new ones are there, so that a run which fails changes none of them. A run that was
+/// interrupted, by an error or by the end of the process, is continued by the next one with the
+/// same recipe (UnfinishedRun): it makes the volumes that are not there. Files are decoded and
+/// volumes written while others are merged, in memory that does not grow with the number of steps;
+/// files that no step needs are not decoded. Several processes make a part of the times each, with
+/// the same files as one alone; the first writes the index when all are done, and all get the same
+/// report. Throws Error when no input holds a ray or a file cannot be written: in all processes
+/// when it fails in one.
 GridReport WriteVolumes(
   const GridJob& job, const Progress& progress = {}, const Processes& processes = Processes());
 

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Drawing/MapFiles.h"
+
+#include "Drawing/GeoTiff.h"
+#include "Drawing/MovieOutput.h"
+#include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Plan/PlanView.h"
+#include "Scene/Series/InputSeries.h"
+#include "Scene/Series/VolumeSeries.h"
+#include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/Model/Moment.h"
+#include "nexrad/System/Error.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradThreads.h"
+
+#include <vtkImageData.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <sstream>
+#include <tuple>
+#include <utility>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+// What the values of a map are, and their unit.
+std::pair<std::string, std::string> TermsOf(
+  const PlanOptions& plan, const PlanView& view, MomentName moment)
+{
+  if (plan.level == PlanLevel::EchoTop)
+  {
+    std::ostringstream title;
+    title << "Echo top above mean sea level, " << plan.threshold << " dBZ";
+    return {title.str(), "m"};
+  }
+  if (plan.level == PlanLevel::Liquid)
+  {
+    return {"Vertically integrated liquid", "kg/m^2"};
+  }
+  const std::string array = plan.array.empty() ? ToString(moment) : plan.array;
+  const bool ofMoment = array == ToString(moment);
+  const std::string title = ofMoment ? TitleOf(moment) : array;
+  const std::string unit = ofMoment                                     ? UnitOf(moment)
+                           : array == AncillaryArrayName(moment, "age") ? "s"
+                                                                        : "";
+  return {title + ". " + view.where, unit};
+}
+
+GeoMap MapOf(vtkImageData* volume, const PlanOptions& plan)
+{
+  const PlanSource source = SourceOf(volume);
+  PlanView view = MakePlanView(source, plan, vtkNexradRangeLoop());
+  const VolumeInformation information = ReadVolumeInformation(volume);
+  GeoMap map;
+  map.grid = vtkNexradImageToGrid(volume);
+  std::tie(map.title, map.unit) = TermsOf(plan, view, source.voxels.moment);
+  map.time = information.time.value_or(Time());
+  map.synthetic = information.synthetic;
+  map.values = std::move(view.values);
+  map.states = std::move(view.states);
+  return map;
+}
+
+} // namespace
+
+RenderReport WriteMaps(const RenderRequest& request)
+{
+  auto series = OpenInputs(request.input, request.progress);
+  const std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
+  const Progress writing = ShareOf(request.progress, ScanShare, 1.0);
+  RenderReport report;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+  {
+    const Progress part = ShareOf(writing, i, chosen.size());
+    const vtkSmartPointer<vtkImageData> volume = series->Load(chosen[i], part);
+    if (!volume || (part && !part(1.0)))
+    {
+      throw Error("stopped before all maps were written");
+    }
+    const Time time = series->Times()[chosen[i]];
+    report.outputs.push_back(PictureName(request.output, time, chosen.size() > 1));
+    WriteGeoTiff(report.outputs.back(), MapOf(volume, request.scene.plan.value()));
+  }
+  report.problems = series->Problems();
+  return report;
+}
+
+} // namespace nexrad::scene
