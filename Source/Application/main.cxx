@@ -10,6 +10,7 @@
 #include "Commands/GridCommand.h"
 #include "Commands/RenderCommand.h"
 #include "Commands/ViewCommand.h"
+#include "Live/WatchCommand.h"
 #include "Web/WebCommand.h"
 #endif
 
@@ -25,6 +26,7 @@ int main(int argc, char** argv)
       AddGridCommand,
       AddRenderCommand,
       AddViewCommand,
+      AddWatchCommand,
       AddWebCommand,
       AddDemoCommand,
       AddBenchCommand,

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Live/LiveFolder.h"
+
+#include "Output/OutputFile.h"
+#include "Volumes/UnfinishedRun.h"
+#include "Volumes/VtiFile.h"
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/System/AtomicFile.h"
+#include "nexrad/System/Error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fcntl.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace nexrad::application
+{
+namespace
+{
+
+constexpr const char* hiddenName = ".watch";
+
+std::string Extension(VolumeFormat format)
+{
+  return VolumeFileName(Time(), format).extension().string();
+}
+
+std::string Text(const nlohmann::json& json)
+{
+  return json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + '\n';
+}
+
+void WriteText(const fs::path& path, const std::string& text)
+{
+  WriteFileAtomically(path, text.data(), text.size());
+}
+
+FileDescriptor OpenLock(const fs::path& path)
+{
+  FileDescriptor file(open(path.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
+  if (!file.IsOpen())
+  {
+    throw Error(path.string() + ": cannot be written: " + std::strerror(errno));
+  }
+  return file;
+}
+
+nlohmann::json RadarJson(const std::pair<Site, double>& radar)
+{
+  const Position& position = *radar.first.position;
+  return {{"name", radar.first.name}, {"latitude", position.latitude},
+    {"longitude", position.longitude}, {"altitude_m", position.altitude},
+    {"range_m", radar.second}};
+}
+
+std::pair<Site, double> RadarIn(const nlohmann::json& json)
+{
+  return {Site{json.at("name").get<std::string>(),
+            Position{json.at("latitude").get<double>(), json.at("longitude").get<double>(),
+              json.at("altitude_m").get<double>()}},
+    json.at("range_m").get<double>()};
+}
+
+} // namespace
+
+LiveFolder::LiveFolder(fs::path theFolder, VolumeFormat theFormat,
+  const NxvWriteOptions& nxvOptions, std::string theRecipe)
+  : folder(std::move(theFolder))
+  , format(theFormat)
+  , nxv(nxvOptions)
+  , recipe(std::move(theRecipe))
+{
+  MakeFolder(folder);
+  MakeFolder(folder / hiddenName);
+  this->Lock();
+  try
+  {
+    this->ReadState();
+  }
+  catch (...)
+  {
+    this->Unlock();
+    throw;
+  }
+}
+
+LiveFolder::~LiveFolder()
+{
+  this->Unlock();
+}
+
+void LiveFolder::Unlock()
+{
+  std::error_code ignored;
+  const fs::path ofGrid = folder / UnfinishedRun::HiddenName;
+  fs::remove(ofGrid / UnfinishedRun::LockName, ignored);
+  fs::remove(ofGrid, ignored); // unless an interrupted run of grid left something there
+}
+
+void LiveFolder::Lock()
+{
+  const fs::path ofGrid = folder / UnfinishedRun::HiddenName;
+  MakeFolder(ofGrid);
+  lock = OpenLock(folder / hiddenName / "lock");
+  gridLock = OpenLock(ofGrid / UnfinishedRun::LockName);
+  if (!TryLock(lock) || !TryLock(gridLock))
+  {
+    gridLock.Close();
+    throw Error(folder.string() +
+                ": another run writes volumes into this folder; wait until it has ended, or name "
+                "another folder");
+  }
+}
+
+void LiveFolder::ReadState()
+{
+  const fs::path path = folder / hiddenName / "state.json";
+  std::ifstream file(path, std::ios::binary);
+  if (!file)
+  {
+    return;
+  }
+  try
+  {
+    const nlohmann::json json = nlohmann::json::parse(file);
+    if (json.at("recipe") != recipe)
+    {
+      throw Error(folder.string() +
+                  ": holds a series of other options; give the same options to go on with it, or "
+                  "name another folder");
+    }
+    before.steps = json.at("steps").get<std::string>();
+    before.keepsGrid = json.at("keeps_grid").get<bool>();
+    for (const nlohmann::json& radar : json.at("radars"))
+    {
+      before.radars.push_back(RadarIn(radar));
+    }
+  }
+  catch (const nlohmann::json::exception&)
+  {
+    throw Error(path.string() + ": cannot be read; remove it to begin the series anew");
+  }
+}
+
+fs::path LiveFolder::NewestVolume() const
+{
+  return folder / ("newest" + Extension(format));
+}
+
+fs::path LiveFolder::Index() const
+{
+  return folder / ("volumes" + Extension(format) + ".series");
+}
+
+void LiveFolder::WriteVolume(const fs::path& path, const GriddedVolume& volume) const
+{
+  format == VolumeFormat::Nxv ? WriteNxv(path, volume, nxv) : WriteVti(path, volume);
+}
+
+void LiveFolder::WriteNewest(const GriddedVolume& volume) const
+{
+  this->WriteVolume(this->NewestVolume(), volume);
+}
+
+void LiveFolder::WriteStep(const GriddedVolume& volume) const
+{
+  this->WriteVolume(folder / VolumeFileName(volume.time, format), volume);
+}
+
+void LiveFolder::RemoveStep(Time time) const
+{
+  std::error_code ignored;
+  fs::remove(folder / VolumeFileName(time, format), ignored);
+}
+
+void LiveFolder::WriteIndex(const std::vector<Time>& steps) const
+{
+  NxvSeries index;
+  for (const Time time : steps)
+  {
+    index.emplace_back(VolumeFileName(time, format).string(), ToSeconds(time));
+  }
+  WriteNxvSeries(this->Index(), index);
+}
+
+void LiveFolder::WriteState(const LiveState& state) const
+{
+  nlohmann::json json = {{"recipe", recipe}, {"steps", state.steps},
+    {"keeps_grid", state.keepsGrid}, {"radars", nlohmann::json::array()}};
+  for (const auto& radar : state.radars)
+  {
+    json["radars"].push_back(RadarJson(radar));
+  }
+  WriteText(folder / hiddenName / "state.json", Text(json));
+}
+
+void LiveFolder::WriteStatus(const std::string& text) const
+{
+  WriteText(folder / "status.json", text);
+}
+
+} // namespace nexrad::application

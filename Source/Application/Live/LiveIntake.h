@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "Live/ArrivalCounts.h"
+#include "Live/FolderListing.h"
+#include "Live/LiveClock.h"
+#include "nexrad/Level2/ChunkFolder.h"
+#include "nexrad/Live/ChunkExtent.h"
+#include "nexrad/Live/ChunkedVolume.h"
+#include "nexrad/Live/LiveSeries.h"
+
+#include <chrono>
+#include <deque>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace nexrad::application
+{
+
+/// How long is waited for what does not come.
+struct IntakeRules
+{
+  Level2Options level2;
+  Duration patience = std::chrono::seconds(30); ///< for a chunk that is missing or half-written,
+                                                ///< by the clock of the data
+  Duration idle = std::chrono::minutes(10);     ///< for anything of a volume in progress
+  std::chrono::milliseconds settle = std::chrono::seconds(2); ///< how long a file must not have
+                                                              ///< grown that does not tell its
+                                                              ///< length; real time
+};
+
+/// A volume that has more complete sweeps than before, or is finished.
+struct IntakeChange
+{
+  LiveInput input;
+  /// When the last byte came that completed its newest sweep; empty where a missing chunk was
+  /// given up.
+  std::optional<std::filesystem::file_time_type> completed;
+};
+
+/// What arrives of one radar.
+struct ArrivingRadar
+{
+  std::string volume;               ///< name of the newest volume: its chunks' folder, or its file
+  std::vector<SweepArrival> sweeps; ///< of it
+  bool finished = false;            ///< nothing more is expected of it
+  std::vector<int> awaited;         ///< numbers of chunks of it that are missing now
+  std::size_t waiting = 0;          ///< files that are not whole yet
+  ArrivalCounts counts;             ///< of all its volumes since the start
+};
+
+/// Makes volumes of the files that arrive, chunks of volumes or whole ones, in any order: late,
+/// repeated, half-written or not at all.
+///
+/// The sweeps of a volume that arrives in chunks are used as they become complete. What follows a
+/// missing chunk waits for it as long as the rules say. The volume is finished when its last chunk
+/// is there and none before it is missing or waited for, when a later volume of the radar has begun
+/// and nothing more came for as long, or when nothing came for the longer time of the rules. What
+/// comes afterwards opens it again. A finished volume is what ReadLevel2 reads of its folder.
+class LiveIntake
+{
+public:
+  /// `clock` must outlive this object.
+  LiveIntake(const IntakeRules& rules, const LiveClock& clock);
+
+  /// Files that came or changed; they are taken in the order of their volumes' times.
+  void Arrive(const std::vector<ArrivedFile>& files);
+  /// True while some of them have not been taken.
+  bool IsBehind() const { return !queue.empty(); }
+
+  /// Takes files for about `longest`, and gives up waiting where it is time. Returns what changed.
+  /// Files that are not whole yet are watched in the listing.
+  std::vector<IntakeChange> Take(FolderListing& listing, std::chrono::milliseconds longest);
+
+  /// Nothing more comes: finishes all volumes with what is there.
+  std::vector<IntakeChange> FinishAll(FolderListing& listing);
+
+  /// Files of volumes that begin before this time are passed over, and such volumes are forgotten.
+  void SetOldest(Time time);
+
+  /// What arrives, by the radars' names; "" has what belongs to none yet.
+  std::map<std::string, ArrivingRadar> Radars() const;
+  /// Time of the earliest volume of which a file is not whole yet; empty without any.
+  std::optional<Time> OldestWaiting() const;
+  /// Since the last file came.
+  Duration SilentFor() const { return clock.Elapsed() - lastArrival; }
+
+  /// What was wrong with files since the last call, a line each.
+  std::vector<std::string> TakeProblems();
+
+private:
+  using FileTime = std::filesystem::file_time_type;
+  struct Queued
+  {
+    ArrivedFile file;
+    std::optional<Chunk> chunk;
+    std::optional<Time> time; ///< of its volume, by its name or its header
+  };
+  struct WaitingFile
+  {
+    Queued queued;
+    Duration since{};                                  ///< by the clock, when it last grew
+    std::chrono::steady_clock::time_point realSince{}; ///< the same in real time
+    ChunkExtent extent = ChunkExtent::Cut;
+  };
+  struct Volume
+  {
+    std::filesystem::path path; ///< of the file, or of the folder of the chunks
+    std::string stamp;          ///< of the chunks
+    std::optional<Time> time;
+    std::unique_ptr<ChunkedVolume> chunks; ///< nullptr: a file of the whole volume
+    std::optional<RadarVolume> whole;      ///< the file's, until it is handed on
+    std::map<std::filesystem::path, std::pair<std::uintmax_t, FileTime>> files; ///< that were taken
+    std::string radar;
+    std::vector<SweepArrival> sweeps;
+    std::size_t completeSweeps = 0;
+    std::optional<FileTime> newestByte; ///< of the files taken since the last sweep was complete
+    bool gaveUp = false;                ///< since then, something was waited for in vain
+    std::optional<Duration> gapSince;   ///< since when a number is missing
+    int firstMissing = 0;
+    Duration lastArrival{};
+    bool dirty = false;
+    bool again = false; ///< what was decoded before changed
+    bool expired = false;
+    bool finished = false;
+    ArrivalCounts counts;
+  };
+
+  void TakeQueued(const Queued& queued, FolderListing& listing, bool asItIs);
+  bool HasSettled(FileTime changed, ChunkExtent extent) const;
+  bool IsReadable(const Queued& queued, Volume& volume);
+  void Wait(const Queued& queued, ChunkExtent extent, Volume& volume);
+  void AddChunk(const Queued& queued, Volume& volume, std::vector<std::uint8_t> bytes);
+  bool Reopen(Volume& volume);
+  void AddFile(const Queued& queued, Volume& volume, std::vector<std::uint8_t> bytes);
+  void TakeWaiting(FolderListing& listing, bool all);
+  void GiveUpWaiting();
+  bool IsSuperseded(const Volume& volume) const;
+  std::vector<IntakeChange> Changes();
+  std::optional<IntakeChange> ChangeOf(const std::string& key, Volume& volume);
+  std::optional<IntakeChange> ChangeOfChunks(const std::string& key, Volume& volume);
+  bool IsOfTheFuture(const RadarVolume& decoded, Volume& volume);
+
+  const IntakeRules rules;
+  const LiveClock& clock;
+  std::deque<Queued> queue;
+  std::map<std::filesystem::path, WaitingFile> waiting;
+  std::map<std::string, Volume> volumes;
+  std::map<std::string, ArrivalCounts> forgotten; ///< by radar
+  std::optional<Time> oldest;
+  Duration lastArrival{};
+  std::vector<std::string> problems;
+};
+
+} // namespace nexrad::application

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Live/WatchCommand.h"
+
+#include "Live/WatchRun.h"
+#include "Options/GridOptions.h"
+#include "Options/UnitOptions.h"
+#include "Output/Counted.h"
+#include "Output/ProgressBar.h"
+#include "Output/StopSignal.h"
+#include "nexrad/System/Error.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+#include <sstream>
+
+namespace nexrad::application
+{
+namespace
+{
+
+constexpr char group[] = "Following folders";
+
+struct WatchOptions
+{
+  WatchJob job;
+  bool noPicture = false;
+  std::string drawing;
+  bool quiet = false;
+};
+
+// "2006-03-12T18:00,20".
+ReplayRequest ParseReplay(const std::string& text)
+{
+  const std::vector<std::string> parts = SplitAtCommas(text);
+  const auto time = ParseIso8601(parts.front());
+  const std::vector<double> speed = parts.size() == 2 ? FindNumbers(parts[1]) : FindNumbers("");
+  if (!time || speed.size() != 1 || !(speed[0] > 0.0 && speed[0] <= 1000.0))
+  {
+    throw Error("'" + text +
+                "' is no time and speed; write as in 2006-03-12T18:00,20: a time in UTC, and how "
+                "many times as fast as the real clock, up to 1000");
+  }
+  return {*time, speed[0]};
+}
+
+std::chrono::milliseconds ParsePoll(const std::string& text)
+{
+  const Duration poll = ParseDuration(text);
+  if (poll < std::chrono::milliseconds(50) || poll > std::chrono::minutes(10))
+  {
+    throw Error("'" + text + "' is no interval; write 0.05s to 10min");
+  }
+  return poll;
+}
+
+void AddWaiting(CLI::App& command, WatchJob& job)
+{
+  AddParsedOption(command, "--poll", job.poll, ParsePoll, "DURATION",
+    "Time between two listings of the folders", "0.25s")
+    ->group(group);
+  AddParsedOption(command, "--patience", job.intake.patience, ParseDuration, "DURATION",
+    "How long a chunk is waited for that is missing or half-written; then what follows it is used "
+    "without it. When it comes after all, it is used",
+    "30s")
+    ->group(group);
+  AddParsedOption(command, "--stale", job.stale, ParseDuration, "DURATION",
+    "A radar whose newest ray is older is STALE, else LIVE; a volume in progress of which nothing "
+    "came for so long is taken as it is",
+    "10min")
+    ->group(group);
+  AddParsedOption(command, "--late", job.late, ParseDuration, "DURATION",
+    "What arrives later than this after the newest ray changes the series no more", "30min")
+    ->group(group);
+  AddParsedOption(command, "--keep", job.keep, ParseDuration, "DURATION",
+    "Remove volumes of the series that are older than this (default: all stay)")
+    ->group(group);
+  AddParsedOption(command, "--stop-after", job.stopAfter, ParseDuration, "DURATION",
+    "End when nothing arrived for so long: all that is there is finished then (default: follow "
+    "until Ctrl+C)")
+    ->group(group);
+  AddParsedOption(command, "--replay", job.replay, ParseReplay, "TIME,SPEED",
+    "The feed is played again: the clock shows TIME at the start, and runs SPEED times as fast. "
+    "All durations here but --poll are by that clock")
+    ->group(group);
+}
+
+std::vector<std::string> DrawingWords(const std::string& text)
+{
+  std::istringstream words(text);
+  std::vector<std::string> drawing = {
+    std::istream_iterator<std::string>(words), std::istream_iterator<std::string>()};
+  if (drawing.empty())
+  {
+    drawing = {"--size", "1280x720"};
+  }
+  return drawing;
+}
+
+// All options that decide what the volumes contain.
+std::string RecipeOf(const CLI::App& command)
+{
+  std::string recipe = "nexrad3d watch";
+  for (const OptionText& option : GivenGridOptions(command))
+  {
+    recipe += '\n' + option.name + ' ' + option.value;
+  }
+  return recipe;
+}
+
+int RunWatch(const WatchOptions& options)
+{
+  WatchStopSignals();
+  const WatchReport report = WatchFolders(
+    options.job,
+    [&options](const std::string& line)
+    {
+      if (!options.quiet)
+      {
+        std::cout << line << std::endl;
+      }
+    },
+    [](const std::string& line) { std::cerr << line << std::endl; });
+  if (!options.quiet)
+  {
+    std::cout << options.job.output.string() << ": " << Counted(report.newest, "newest volume")
+              << ", " << Counted(report.steps, "volume") << " of the series, "
+              << Counted(report.problems, "problem") << '\n';
+  }
+  if (report.newest == 0 && !IsStopAsked())
+  {
+    throw Error("nothing arrived of which a volume can be merged");
+  }
+  return report.problems == 0 ? Done : DoneWithDamage;
+}
+
+} // namespace
+
+void AddWatchCommand(CLI::App& program, CommandAction& action)
+{
+  const auto options = std::make_shared<WatchOptions>();
+  WatchJob& job = options->job;
+  CLI::App* command = program.add_subcommand("watch",
+    "Follow folders into which volumes or real-time chunks of any number of sites arrive; keep the "
+    "newest merged volume, its picture and a series of volumes current");
+  command
+    ->add_option("folder", job.folders,
+      "Folders with Level II files, chunks named as 20060312-180000-001-S, or folders of these")
+    ->required()
+    ->type_name("FOLDER");
+  command
+    ->add_option("-o,--output", job.output,
+      "Folder that takes newest.nxv, newest.png, the volumes of the time steps with their index, "
+      "and status.json; made when it does not exist")
+    ->required()
+    ->type_name("DIR");
+  AddWaiting(*command, job);
+  CLI::Option* without =
+    command->add_flag("--no-picture", options->noPicture, "Draw no picture")->group(group);
+  command
+    ->add_option("--draw", options->drawing,
+      "Options of render for the picture, as in \"--size 800x600 --tilt 60\" (default: --size "
+      "1280x720)")
+    ->type_name("OPTIONS")
+    ->excludes(without)
+    ->group(group);
+  AddQuietOption(*command, options->quiet);
+  AddGridOptions(*command, job.options);
+  command->callback(
+    [options, &action, command]
+    {
+      WatchJob& given = options->job;
+      given.recipe = RecipeOf(*command);
+      given.intake.idle = given.stale;
+      given.intake.level2.siteName = given.options.siteName;
+      given.drawing =
+        options->noPicture ? std::vector<std::string>() : DrawingWords(options->drawing);
+      action = [options] { return RunWatch(*options); };
+    });
+}
+
+} // namespace nexrad::application

@@ -1,0 +1,505 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Live/WatchRun.h"
+
+#include "Live/LiveFolder.h"
+#include "Live/LiveStatus.h"
+#include "Live/PictureProcess.h"
+#include "Output/StopSignal.h"
+#include "Volumes/OtherVolumes.h"
+#include "nexrad/Grid/GridText.h"
+#include "nexrad/Live/LiveSeries.h"
+#include "nexrad/Live/StepBook.h"
+#include "nexrad/System/Error.h"
+#include "vtkNexradThreads.h"
+
+#include <algorithm>
+#include <set>
+#include <thread>
+#include <utility>
+
+namespace fs = std::filesystem;
+
+namespace nexrad::application
+{
+namespace
+{
+
+using FileTime = fs::file_time_type;
+using Tell = std::function<void(const std::string&)>;
+
+// The longest volume, and what a header's time may err: what began so long before the oldest time
+// that needs it can be passed over.
+constexpr auto longestVolume = std::chrono::hours(1);
+
+// For how long files are taken before what they hold is merged.
+constexpr auto intakeTime = std::chrono::milliseconds(500);
+
+// Real time between two writings of the status when nothing happens but that data grow older.
+constexpr auto statusInterval = std::chrono::seconds(1);
+
+StepRules StepRulesOf(const WatchJob& job)
+{
+  return {job.options.step.value_or(DefaultStep), job.options.begin, job.options.end, job.late};
+}
+
+class WatchRun
+{
+public:
+  WatchRun(const WatchJob& theJob, Tell theTell, Tell theComplain)
+    : job(theJob)
+    , tell(std::move(theTell))
+    , complain(std::move(theComplain))
+    , clock(job.replay)
+    , listing(job.folders)
+    , intake(job.intake, clock)
+    , series(job.options, vtkNexradRangeLoop())
+    , book(StepRulesOf(job))
+    , folder(job.output, job.format, job.nxv, job.recipe)
+  {
+    this->GoOn();
+  }
+
+  WatchReport Run()
+  {
+    while (!IsStopAsked())
+    {
+      const bool busy = this->Round();
+      if (job.stopAfter && !busy && intake.SilentFor() > *job.stopAfter)
+      {
+        this->Conclude();
+        break;
+      }
+      if (!busy)
+      {
+        this->Rest();
+      }
+    }
+    this->WriteStatus("stopped");
+    return report;
+  }
+
+private:
+  void GoOn();
+  bool Round();
+  void Rest() const;
+  void Conclude();
+  void Use(std::vector<IntakeChange> changes);
+  void FollowGrid(const std::optional<GridSpecification>& before);
+  bool MakeNewest();
+  bool MakeSteps(bool all);
+  bool MakeStep(Time step, const std::string& inputs, bool settled);
+  void Forget();
+  void Draw();
+  std::set<std::string> SilentRadars() const;
+  std::map<std::string, RadarStatus> RadarStates() const;
+  void WriteStatus(const std::string& state);
+  void WriteState() const;
+  void TellProblems(const std::vector<std::string>& lines);
+  Progress Going() const
+  {
+    return [](double) { return !IsStopAsked(); };
+  }
+
+  const WatchJob& job;
+  const Tell tell;
+  const Tell complain;
+  const LiveClock clock;
+  FolderListing listing;
+  LiveIntake intake;
+  LiveSeries series;
+  StepBook book;
+  LiveFolder folder;
+  PictureProcess picture;
+  LiveStatus status;
+  WatchReport report;
+  std::map<std::string, Time> newestRays; // of each radar, also when its volumes are dropped
+  std::string newestInputs;
+  GriddedVolume memory; // arrays that are used again
+  const FileTime begun = FileTime::clock::now();
+  std::optional<FileTime> waitingSince; // last byte of the first sweep that no volume has yet
+  std::optional<Time> drawn;
+  bool concluding = false;
+  std::map<std::string, bool> wasLive;
+  std::chrono::steady_clock::time_point statusWritten{};
+};
+
+// Takes up what an earlier run left.
+void WatchRun::GoOn()
+{
+  const LiveState& before = folder.Before();
+  for (const auto& [site, range] : before.radars)
+  {
+    series.Expect(site, range);
+  }
+  if (before.keepsGrid)
+  {
+    series.KeepGrid();
+  }
+  if (!before.steps.empty())
+  {
+    book.Unpack(before.steps);
+  }
+  if (book.ClosedUntil())
+  {
+    intake.SetOldest(*book.ClosedUntil() - job.options.maximumGap - longestVolume);
+  }
+  status.staleAge = job.stale;
+  status.newestFile = folder.NewestVolume().filename().string();
+  status.pictureFile = job.drawing.empty() ? "" : "newest.png";
+}
+
+// One turn: takes what arrived, and makes what follows from it. False when there was nothing to do.
+bool WatchRun::Round()
+{
+  intake.Arrive(listing.Poll());
+  this->TellProblems(listing.TakeProblems());
+  this->Use(intake.Take(listing, intakeTime));
+  const bool newest = !intake.IsBehind() && this->MakeNewest();
+  const bool steps = this->MakeSteps(false);
+  if (steps)
+  {
+    this->Forget();
+    folder.WriteIndex(book.Made());
+    this->WriteState();
+  }
+  this->Draw();
+  if (newest || steps || std::chrono::steady_clock::now() - statusWritten > statusInterval)
+  {
+    this->WriteStatus("running");
+  }
+  return newest || steps || intake.IsBehind();
+}
+
+void WatchRun::Rest() const
+{
+  constexpr auto slice = std::chrono::milliseconds(50); // in which a signal is noticed
+  const auto end = std::chrono::steady_clock::now() + job.poll;
+  while (!IsStopAsked() && std::chrono::steady_clock::now() < end)
+  {
+    std::this_thread::sleep_for(
+      std::min<std::chrono::steady_clock::duration>(slice, end - std::chrono::steady_clock::now()));
+  }
+}
+
+// Nothing more comes: all that is there is finished, and each step is made of it.
+void WatchRun::Conclude()
+{
+  concluding = true;
+  this->Use(intake.FinishAll(listing));
+  this->MakeNewest();
+  this->MakeSteps(true);
+  folder.WriteIndex(book.Made());
+  this->WriteState();
+  while (picture.IsRunning() && !IsStopAsked())
+  {
+    this->Rest();
+  }
+}
+
+void WatchRun::TellProblems(const std::vector<std::string>& lines)
+{
+  report.problems += lines.size();
+  for (const std::string& line : lines)
+  {
+    complain(line);
+  }
+}
+
+void WatchRun::Use(std::vector<IntakeChange> changes)
+{
+  this->TellProblems(intake.TakeProblems());
+  if (changes.empty())
+  {
+    return;
+  }
+  const auto before = series.HasGrid() ? std::optional(series.Grid()) : std::nullopt;
+  std::vector<LiveInput> inputs;
+  for (IntakeChange& change : changes)
+  {
+    if (change.completed && *change.completed > begun)
+    {
+      waitingSince = std::min(waitingSince.value_or(*change.completed), *change.completed);
+    }
+    inputs.push_back(std::move(change.input));
+  }
+  const std::vector<ScannedFile> scanned = series.Put(inputs);
+  for (std::size_t i = 0; i < inputs.size(); ++i)
+  {
+    std::vector<std::string> lines;
+    for (const InputProblem& problem : scanned[i].problems)
+    {
+      if (inputs[i].finished)
+      {
+        lines.push_back(problem.Line());
+      }
+    }
+    this->TellProblems(lines);
+  }
+  this->FollowGrid(before);
+  for (const auto& [radar, time] : series.NewestByRadar())
+  {
+    newestRays[radar] = time;
+  }
+  if (series.First())
+  {
+    book.Extend(*series.First(), *series.Newest());
+  }
+}
+
+// A radar that comes while all steps may still change makes the domain larger. Later the series
+// keeps the domain that it has.
+void WatchRun::FollowGrid(const std::optional<GridSpecification>& before)
+{
+  if (!series.HasGrid())
+  {
+    return;
+  }
+  if (!before)
+  {
+    std::set<std::string> own;
+    for (const Time step : book.Made())
+    {
+      own.insert(VolumeFileName(step, job.format).string());
+    }
+    own.insert(folder.NewestVolume().filename().string());
+    RequireSameGrid(job.output, job.format, own, series.Grid());
+  }
+  else if (*before != series.Grid())
+  {
+    for (const Time step : book.Made())
+    {
+      folder.RemoveStep(step);
+    }
+    book.Restart();
+    folder.WriteIndex({});
+  }
+  for (const auto& [radar, time] : series.NewestByRadar())
+  {
+    const std::string note = radar +
+                             " came when the domain was settled: it has no part in its size; "
+                             "give --bounds, or name another folder (-o), for a larger one";
+    if (series.Sites().count(radar) == 0 &&
+        std::find(status.notes.begin(), status.notes.end(), note) == status.notes.end())
+    {
+      status.notes.push_back(note);
+      tell(note);
+    }
+  }
+}
+
+// The merged volume at the time of the newest ray. False when there is nothing new.
+bool WatchRun::MakeNewest()
+{
+  const std::optional<Time> newest = series.Newest();
+  if (!newest)
+  {
+    return false;
+  }
+  const std::string inputs = FormatIso8601(*newest) + series.InputsAt(*newest);
+  if (inputs == newestInputs)
+  {
+    waitingSince.reset();
+    return false;
+  }
+  std::optional<GriddedVolume> volume = series.Merge(*newest, this->Going(), std::move(memory));
+  if (!volume)
+  {
+    return false; // asked to stop
+  }
+  folder.WriteNewest(*volume);
+  memory = std::move(*volume);
+  newestInputs = inputs;
+  status.newest = newest;
+  ++report.newest;
+  if (waitingSince)
+  {
+    status.delays.Add(
+      std::chrono::duration<double>(FileTime::clock::now() - *waitingSince).count());
+    waitingSince.reset();
+  }
+  return true;
+}
+
+bool WatchRun::MakeStep(Time step, const std::string& inputs, bool settled)
+{
+  std::optional<GriddedVolume> volume = series.Merge(step, this->Going(), std::move(memory));
+  if (!volume)
+  {
+    return false; // asked to stop
+  }
+  folder.WriteStep(*volume);
+  memory = std::move(*volume);
+  book.Make(step, inputs, settled);
+  ++report.steps;
+  return true;
+}
+
+// Makes the steps that have their last chance, and one more that is due; `all`: all that are due,
+// as if nothing more came. False when none was due.
+bool WatchRun::MakeSteps(bool all)
+{
+  if (!series.Newest())
+  {
+    return false;
+  }
+  const std::set<std::string> silent = this->SilentRadars();
+  bool made = false;
+  bool closing = false;
+  // A file of an old volume that will be taken as soon as it is known to be whole still counts.
+  const std::optional<Time> waiting = intake.OldestWaiting();
+  const bool mayClose = !waiting || *waiting > *series.Newest() - job.late;
+  for (const Time step : book.Open())
+  {
+    const bool isClosing = mayClose && book.IsClosing(step);
+    const bool settled = all || series.IsSettled(step, silent);
+    closing = closing || isClosing;
+    const std::string inputs = series.InputsAt(step);
+    const bool waits = intake.IsBehind() && !isClosing && !settled;
+    if (waits || !book.IsDue(step, inputs, settled))
+    {
+      continue;
+    }
+    if (!this->MakeStep(step, inputs, settled))
+    {
+      return made;
+    }
+    made = true;
+    if (!isClosing && !all)
+    {
+      break; // the newest volume comes first
+    }
+  }
+  if (closing)
+  {
+    series.KeepGrid();
+    book.Close();
+  }
+  return made || closing;
+}
+
+void WatchRun::Forget()
+{
+  if (!book.ClosedUntil() || !series.Newest())
+  {
+    return;
+  }
+  const std::vector<Time> open = book.Open();
+  const Time from = open.empty() ? *series.Newest() : open.front();
+  series.Forget(from);
+  intake.SetOldest(from - job.options.maximumGap - longestVolume);
+  if (job.keep)
+  {
+    const Time oldest = *series.Newest() - *job.keep;
+    for (const Time step : book.Made())
+    {
+      if (step < oldest)
+      {
+        folder.RemoveStep(step);
+      }
+    }
+    book.Drop(oldest);
+  }
+}
+
+// Draws the newest volume, unless the one before is still being drawn.
+void WatchRun::Draw()
+{
+  if (job.drawing.empty() || picture.IsRunning() || !status.newest || drawn == status.newest)
+  {
+    return;
+  }
+  if (picture.LastStatus() != 0)
+  {
+    const std::string note = "the picture cannot be drawn: see standard error; no more are drawn";
+    if (std::find(status.notes.begin(), status.notes.end(), note) == status.notes.end())
+    {
+      status.notes.push_back(note);
+      status.pictureFile.clear();
+      complain(note);
+    }
+    return;
+  }
+  std::vector<std::string> words = {"render", folder.NewestVolume().string(), "-o",
+    (job.output / status.pictureFile).string(), "--quiet"};
+  words.insert(words.end(), job.drawing.begin(), job.drawing.end());
+  picture.Start(words);
+  drawn = status.newest;
+  status.pictureTime = drawn;
+}
+
+std::map<std::string, RadarStatus> WatchRun::RadarStates() const
+{
+  std::map<std::string, RadarStatus> states;
+  for (const auto& [name, arriving] : intake.Radars())
+  {
+    states[name].arriving = arriving;
+  }
+  const Time now = clock.Now();
+  for (const auto& [radar, newest] : newestRays)
+  {
+    states[radar].newest = newest;
+    states[radar].live = now - newest <= job.stale;
+  }
+  return states;
+}
+
+// Those of which nothing is waited for any more.
+std::set<std::string> WatchRun::SilentRadars() const
+{
+  std::set<std::string> silent;
+  const Time now = clock.Now();
+  for (const auto& [radar, newest] : newestRays)
+  {
+    if (concluding || now - newest > job.stale)
+    {
+      silent.insert(radar);
+    }
+  }
+  return silent;
+}
+
+void WatchRun::WriteStatus(const std::string& state)
+{
+  status.state = state;
+  status.written = clock.Now();
+  status.radars = this->RadarStates();
+  status.steps = book.Made();
+  status.problems = report.problems;
+  folder.WriteStatus(StatusJson(status));
+  statusWritten = std::chrono::steady_clock::now();
+  std::map<std::string, bool> live;
+  for (const auto& [name, radar] : status.radars)
+  {
+    if (radar.newest)
+    {
+      live[name] = radar.live;
+    }
+  }
+  if (live != wasLive)
+  {
+    wasLive = std::move(live);
+    tell(StatusLine(status));
+  }
+}
+
+void WatchRun::WriteState() const
+{
+  LiveState state;
+  state.steps = book.Pack();
+  state.keepsGrid = book.ClosedUntil().has_value();
+  for (const auto& [name, site] : series.Sites())
+  {
+    state.radars.push_back(site);
+  }
+  folder.WriteState(state);
+}
+
+} // namespace
+
+WatchReport WatchFolders(const WatchJob& job, const std::function<void(const std::string&)>& tell,
+  const std::function<void(const std::string&)>& complain)
+{
+  return WatchRun(job, tell, complain).Run();
+}
+
+} // namespace nexrad::application
