@@ -3,6 +3,7 @@
 
 #include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Merging/SeriesMerger.h"
+#include "nexrad/Merging/VolumeCache.h"
 #include "nexrad/Series/InputError.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
@@ -21,8 +22,12 @@
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
+#include <map>
+#include <optional>
 #include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 vtkStandardNewMacro(vtkNexradDayReader);
 
@@ -35,7 +40,44 @@ struct vtkNexradDayReader::Day
   Origin From;
   nexrad::SeriesMerger Merger;
   std::set<std::string> Reported; ///< lines of problems
+  nexrad::VolumeCache Merged;     ///< outputs, as the settings of MergedWith make them
+  vtkMTimeType MergedWith = 0;
+  bool MergedByScan = false; ///< whether all files were known then
+  int Merges = 0;
+
+  Day(Origin origin, const nexrad::MergeOptions& options, nexrad::MergerSetup setup)
+    : From(std::move(origin))
+    , Merger({std::get<0>(From).begin(), std::get<0>(From).end()}, options, std::move(setup))
+    , Merged(options.memory)
+  {
+  }
+
+  std::optional<nexrad::GriddedVolume> Merge(nexrad::Time time, const nexrad::VoxelBlock& block,
+    vtkMTimeType settings, const nexrad::Progress& progress);
 };
+
+std::optional<nexrad::GriddedVolume> vtkNexradDayReader::Day::Merge(nexrad::Time time,
+  const nexrad::VoxelBlock& block, vtkMTimeType settings, const nexrad::Progress& progress)
+{
+  // A scan may show that a header erred, and that another volume belongs to a time.
+  if (MergedWith != settings || MergedByScan != Merger.IsScanned())
+  {
+    Merged.Clear();
+    MergedWith = settings;
+  }
+  if (auto kept = Merged.Find(block, time))
+  {
+    return kept;
+  }
+  std::optional<nexrad::GriddedVolume> merged = Merger.Merge(time, progress, block);
+  MergedByScan = Merger.IsScanned();
+  if (merged)
+  {
+    ++Merges;
+    Merged.Keep(block, *merged);
+  }
+  return merged;
+}
 
 vtkNexradDayReader::vtkNexradDayReader()
 {
@@ -96,6 +138,11 @@ vtkMultiProcessController* vtkNexradDayReader::GetController() const
 int vtkNexradDayReader::GetNumberOfDecodedFiles() const
 {
   return this->Opened ? static_cast<int>(this->Opened->Merger.DecodedFiles()) : 0;
+}
+
+int vtkNexradDayReader::GetNumberOfMerges() const
+{
+  return this->Opened ? this->Opened->Merges : 0;
 }
 
 vtkStringArray* vtkNexradDayReader::GetDamage()
@@ -182,10 +229,7 @@ bool vtkNexradDayReader::Open()
   }
   this->Damage->Initialize();
   this->LeftOut->Initialize();
-  this->Opened = std::unique_ptr<Day>(new Day{from,
-    nexrad::SeriesMerger(
-      {this->FileNames.begin(), this->FileNames.end()}, options, this->MakeSetup()),
-    {}});
+  this->Opened = std::make_unique<Day>(from, options, this->MakeSetup());
   if (!this->Opened->Merger.Open(vtkNexradProgress(this)))
   {
     this->Opened.reset();
@@ -196,17 +240,28 @@ bool vtkNexradDayReader::Open()
 
 void vtkNexradDayReader::ReportProblems()
 {
+  std::map<std::string, std::vector<std::string>> ofFile; // lines that are new
   for (const nexrad::InputProblem& problem : this->Opened->Merger.Problems())
   {
-    if (!problem.note && this->Opened->Reported.insert(problem.Line()).second)
+    if (this->Opened->Reported.insert(problem.Line()).second)
     {
       this->Damage->InsertNextValue(problem.Line());
       if (problem.leftOut)
       {
         this->LeftOut->InsertNextValue(problem.file);
       }
-      vtkWarningMacro(<< problem.Line());
+      ofFile[problem.file].push_back(problem.Line());
     }
+  }
+  // One message a file: a cut file has several faults, and one cause.
+  for (const auto& [file, lines] : ofFile)
+  {
+    std::string text = lines.front();
+    for (std::size_t i = 1; i < lines.size(); ++i)
+    {
+      text += "\n" + lines[i];
+    }
+    vtkWarningMacro(<< text);
   }
 }
 
@@ -275,9 +330,7 @@ int vtkNexradDayReader::RequestData(
   this->SetErrorCode(vtkErrorCode::NoError);
   vtkNexradForgetAbort(this);
   vtkInformation* info = output->GetInformationObject(0);
-  const double time = info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-                        ? info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP())
-                        : this->TimeSteps->GetValue(0);
+  const double time = vtkNexradRequestedTime(info, this->TimeSteps->GetValue(0));
   const nexrad::GridSpecification grid = this->Opened->Merger.Grid();
   const nexrad::VoxelBlock block = vtkNexradRequestedBlock(info, grid);
   if (block.VoxelCount() == 0)
@@ -286,8 +339,8 @@ int vtkNexradDayReader::RequestData(
   }
   try
   {
-    const std::optional<nexrad::GriddedVolume> merged =
-      this->Opened->Merger.Merge(nexrad::FromSeconds(time), vtkNexradProgress(this), block);
+    const std::optional<nexrad::GriddedVolume> merged = this->Opened->Merge(
+      nexrad::FromSeconds(time), block, this->GetMTime(), vtkNexradProgress(this));
     this->ReportProblems();
     if (merged)
     {

@@ -19,11 +19,13 @@
  * EndTime; where there is none from the first ray to the last, the middle between these. Any other
  * time can be asked for as well. Where nothing was scanned for more than a day between two volumes,
  * BeginTime or EndTime must say what is meant (UserError). Times are seconds since
- * 1970-01-01T00:00:00Z. Without a requested time the output is that of the first time step.
+ * 1970-01-01T00:00:00Z. Without a requested time, or for one more than a day before the
+ * first time step, the output is that of the first time step.
  *
  * The headers of the files tell which of them lie about a time, so that only those are decoded for
- * an output; for the time steps one or two files of each radar are. Rays stay in memory up to
- * MemoryLimit; what does not fit is decoded again when it is needed. Where the headers do not tell,
+ * an output; for the time steps one or two files of each radar are. Rays, and the outputs that were
+ * made, stay in memory up to MemoryLimit each; what does not fit is decoded, or merged, again when
+ * it is needed. Where the headers do not tell,
  * or a file turns out to hold another radar's rays or those of another time than its header says,
  * all files are decoded first.
  *
@@ -113,8 +115,9 @@ public:
 
   ///@{
   /**
-   * Memory in bytes for the rays of volumes that were read. 1 GiB by default. The volumes about the
-   * time that is being made live beside it.
+   * Memory in bytes for the rays of volumes that were read, and as much again for the outputs that
+   * were made, which are kept packed. 1 GiB by default. The volumes about the time that is being
+   * made live beside it.
    */
   vtkSetClampMacro(MemoryLimit, vtkTypeInt64, 0, VTK_TYPE_INT64_MAX);
   vtkGetMacro(MemoryLimit, vtkTypeInt64);
@@ -166,8 +169,14 @@ public:
   int GetNumberOfDecodedFiles() const;
 
   /**
+   * How many outputs this process merged. An output that is still in memory is not merged again
+   * when its time is asked for again with the same settings.
+   */
+  int GetNumberOfMerges() const;
+
+  /**
    * What was wrong in the inputs that were decoded so far, one line each ("FILE: offset N: WHAT").
-   * The same lines come as warnings.
+   * The same lines come as warnings, those of a file as one.
    */
   vtkStringArray* GetDamage();
 

@@ -183,8 +183,9 @@ std::vector<nexrad::PolarVolume> vtkNexradGridAlgorithm::ReadSweeps(vtkInformati
     vtkNexradPolarVolumes input(vtkPartitionedDataSetCollection::GetData(inputs, i));
     for (const nexrad::PolarVolume& each : input.Of(nexrad::MeasuredFor(moment)))
     {
-      nexrad::MomentMaker maker(
-        [&](nexrad::MomentName measured) { return input.Find(measured, each); }, options);
+      nexrad::MomentMaker maker([&](nexrad::MomentName measured, const nexrad::WantedRange&)
+        { return input.Find(measured, each); },
+        options);
       volumes.push_back(maker.Make(moment));
       if (!maker.Note().empty())
       {
