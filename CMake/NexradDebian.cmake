@@ -33,8 +33,9 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-vtknexrad)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
   "${same_version}, python3-vtk9, python3-numpy, python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR})")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-xarray")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION
-  "The Python package vtknexrad: the classes of vtk-nexrad beside VTK's own, and numpy beside them.")
+  "The Python package vtknexrad: radar files and merged volumes as numpy arrays and xarray datasets, and the classes of vtk-nexrad beside VTK's own.")
 
 foreach(package IN ITEMS runtime:vtk-nexrad development:vtk-nexrad-dev python:python3-vtknexrad)
   string(REPLACE ":" ";" package "${package}")
@@ -48,6 +49,6 @@ install(FILES "${PROJECT_SOURCE_DIR}/Data/README.md"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/vtk-nexrad" RENAME data-and-licences.md COMPONENT runtime)
 install(DIRECTORY "${PROJECT_SOURCE_DIR}/Documentation/User/Examples"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/doc/python3-vtknexrad" COMPONENT python
-  FILES_MATCHING PATTERN "*.py")
+  FILES_MATCHING PATTERN "*.py" PATTERN "*.ipynb")
 
 include(CPack)

@@ -51,6 +51,46 @@ def merged_volume():
     return sorted(glob.glob(os.path.join(folder, "*.nxv")))[0]
 
 
+class Usage(unittest.TestCase):
+    names = sorted(os.path.splitext(os.path.basename(path))[0]
+                   for path in glob.glob(os.path.join(os.environ["NEXRAD_EXAMPLES"], "*.py"))
+                   if "paraview" not in path)  # ParaView's Python runs that
+
+    def refused(self, name, *arguments):
+        done = subprocess.run([sys.executable, "-W", "error", example(name), *arguments], capture_output=True, text=True)
+        self.assertNotIn("Traceback", done.stderr, name)
+        self.assertEqual(done.stdout, "", name)
+        return done.returncode, done.stderr
+
+    def test_without_arguments_an_example_says_how_it_is_used(self):
+        self.assertEqual(len(self.names), 8)
+        for name in self.names:
+            status, said = self.refused(name)
+            self.assertEqual(status, 2, name)
+            self.assertTrue(said.startswith(f"usage: {name}.py "), said)
+
+    def test_a_file_that_cannot_be_read_is_one_line(self):
+        picture = picture_path("none")
+        for name in self.names:
+            if name == "slices_in_vtk":
+                continue  # it reads no file
+            for path in ("/nowhere/file", __file__):
+                arguments = {"merge_day": (SyntheticFiles.folder(), path),
+                             "radar_seam": (path, path, "KILX", "KLSX", picture)}.get(name, (path, picture))
+                status, said = self.refused(name, *arguments)
+                self.assertEqual(status, 1, name)
+                self.assertRegex(said, rf"\A{name}.py: [^\n]*{re.escape(path)}[^\n]*\n\Z")
+        self.assertFalse(os.path.exists(picture))
+
+    def test_what_is_not_in_the_file_is_one_line(self):
+        file, picture = SyntheticFiles.files()[0], picture_path("none")
+        self.assertEqual(self.refused("plot_sweep", file, picture, "99"),
+                         (1, "plot_sweep.py: no sweep 99; there are 16, counted from 0\n"))
+        self.assertEqual(self.refused("plot_sweep", file, picture, "0", "VEL"),
+                         (1, "plot_sweep.py: sweep 0 has no 'VEL'; it has REF\n"))
+        self.assertEqual(self.refused("render_volume", merged_volume(), picture, "storm")[0], 2)
+
+
 class Examples(unittest.TestCase):
     def test_plot_sweep(self):
         picture = picture_path("sweep")

@@ -33,7 +33,7 @@ def day_reader():
 class Classes(unittest.TestCase):
     concrete = (
         "vtkNexradLevel2Reader", "vtkNexradSeriesReader", "vtkNexradVolumeReader",
-        "vtkNexradVolumeWriter", "vtkNexradDayReader", "vtkNexradSiteMerge",
+        "vtkNexradVolumeWriter", "vtkNexradNetCDFReader", "vtkNexradNetCDFWriter", "vtkNexradDayReader", "vtkNexradSiteMerge",
         "vtkNexradVolumeResampler", "vtkOpenGLTextureSliceVolumeMapper",
         "vtkNexradTransferFunction", "vtkTextureSliceObjectFactory", "vtkNexradVolumeScene",
         "vtkNexradSession")

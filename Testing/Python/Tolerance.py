@@ -10,6 +10,12 @@ def at_least(test, measured, bound, what, reason=""):
     test.assertGreaterEqual(measured, bound, what)
 
 
+def at_most(test, measured, bound, what, reason=""):
+    """Asserts measured <= bound; appends a line to the file that NEXRAD_TOLERANCES names."""
+    _record(test, what, measured, bound, "most", reason)
+    test.assertLessEqual(measured, bound, what)
+
+
 def _record(test, *columns):
     path = os.environ.get("NEXRAD_TOLERANCES")
     if path:

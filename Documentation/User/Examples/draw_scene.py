@@ -5,6 +5,7 @@ INPUT is a merged volume or a folder of them, or a folder of radar files, which 
 picture shows the first time.
 """
 
+import argparse
 import sys
 
 import vtknexrad
@@ -12,11 +13,19 @@ from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import vtkRenderWindow, vtkWindowToImageFilter
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description="Draws the picture that nexrad3d render draws, off screen.")
+    parser.add_argument("input", metavar="INPUT", help="merged volume, or a folder of volumes or radar files")
+    parser.add_argument("picture", metavar="PICTURE.png")
+    return parser.parse_args()
+
+
 def main():
+    given = arguments()
     session = vtknexrad.vtkNexradSession()
-    session.AddFileName(sys.argv[1])
-    if not session.ShowTimeStep(0):
-        sys.exit("nothing to draw")
+    session.AddFileName(given.input)
+    with vtknexrad.errors_of(session):  # an error in the file ends here, in one line
+        session.ShowTimeStep(0)
 
     window = vtkRenderWindow()
     window.SetOffScreenRendering(True)
@@ -29,10 +38,13 @@ def main():
     image.SetInput(window)
     image.ReadFrontBufferOff()  # the front buffer of a window off screen has no smooth edges
     writer = vtkPNGWriter()
-    writer.SetFileName(sys.argv[2])
+    writer.SetFileName(given.picture)
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (OSError, vtknexrad.Error) as error:
+        sys.exit(f"draw_scene.py: {error}")

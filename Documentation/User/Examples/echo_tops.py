@@ -5,6 +5,7 @@ The echo top is the height of the highest voxel with at least that reflectivity 
 above mean sea level. Its error is up to half the distance between two levels of voxels.
 """
 
+import argparse
 import sys
 
 import matplotlib
@@ -23,25 +24,31 @@ def echo_tops(volume, threshold):
     return numpy.where(reached.any(axis=0), height[highest], numpy.nan)
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description="Draws a map of the heights of echo tops.")
+    parser.add_argument("volume", metavar="VOLUME.nxv", help="merged volume")
+    parser.add_argument("picture", metavar="PICTURE.png")
+    parser.add_argument("threshold", metavar="DBZ", nargs="?", type=float, default=18.0, help="default 18")
+    return parser.parse_args()
+
+
 def main():
-    file, picture = sys.argv[1:3]
-    threshold = float(sys.argv[3]) if len(sys.argv) > 3 else 18.0
+    given = arguments()
+    volume = vtknexrad.Volume.open(given.volume)
+    tops = echo_tops(volume.image, given.threshold)
 
-    reader = vtknexrad.vtkNexradVolumeReader()
-    reader.SetFileName(file)
-    volume = vtknexrad.update(reader)
-    tops = echo_tops(volume, threshold)
-
-    east, north, _up = vtknexrad.axes(volume)
     figure, plot = matplotlib.pyplot.subplots(figsize=(7, 6))
-    mesh = plot.pcolormesh(east / 1000.0, north / 1000.0, tops / 1000.0, shading="nearest",
+    mesh = plot.pcolormesh(volume.x / 1000.0, volume.y / 1000.0, tops / 1000.0, shading="nearest",
                            vmin=0.0, vmax=16.0)
-    figure.colorbar(mesh, label=f"top of {threshold:g} dBZ, km above mean sea level")
+    figure.colorbar(mesh, label=f"top of {given.threshold:g} dBZ, km above mean sea level")
     plot.set(xlabel="km east", ylabel="km north", aspect="equal",
-             title=f"Echo tops, {vtknexrad.time_steps(reader)[0]:%Y-%m-%d %H:%M} UTC")
-    figure.savefig(picture, dpi=100)
+             title=f"Echo tops, {str(volume.time)[:16].replace('T', ' ')} UTC")
+    figure.savefig(given.picture, dpi=100)
     print(f"{numpy.isfinite(tops).sum()} columns, highest {numpy.nanmax(tops) / 1000.0:.1f} km")
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (OSError, vtknexrad.Error) as error:
+        sys.exit(f"echo_tops.py: {error}")

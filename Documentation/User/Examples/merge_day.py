@@ -1,35 +1,29 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Merges radar files into volumes, one for each time step: merge_day.py FOLDER INPUT..."""
 
-import os
+import argparse
 import sys
 
 import vtknexrad
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description="Merges radar files into volumes, one for each time step.")
+    parser.add_argument("folder", metavar="FOLDER", help="takes the volumes")
+    parser.add_argument("inputs", metavar="INPUT", nargs="+", help="files and folders, of any number of radars")
+    return parser.parse_args()
+
+
 def main():
-    folder, inputs = sys.argv[1], sys.argv[2:]
-
-    day = vtknexrad.vtkNexradDayReader()
-    for path in inputs:  # files and folders, of any number of radars
-        day.AddFileName(path)
-    day.SetDimensions(128, 128, 64)
-    day.SetTimeStep(300.0)  # s
-
-    steps = vtknexrad.time_steps(day)
-    sites = day.GetSites()
-    names = [sites.GetValue(index) for index in range(sites.GetNumberOfValues())]
-    print(f"{', '.join(names)}: {len(steps)} volumes from {steps[0]:%Y-%m-%d %H:%M} UTC")
-
-    # The writer asks the reader for one time step after the other.
-    os.makedirs(folder, exist_ok=True)
-    writer = vtknexrad.vtkNexradVolumeWriter()
-    writer.SetInputConnection(day.GetOutputPort())
-    writer.SetFileName(os.path.join(folder, "day.nxv.series"))
-    if not writer.Write():
-        sys.exit("not all volumes were written")
-    print(f"{writer.GetNumberOfWrittenFiles()} files in {folder}")
+    given = arguments()
+    series = vtknexrad.merge(given.inputs, dims=(128, 128, 64), step=300.0)  # s
+    print(f"{', '.join(series.sites)}: {len(series)} volumes from {str(series.times[0])[:16]} UTC")
+    index = series.write(given.folder, name="day.nxv.series")
+    print(f"{index} written")
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (OSError, vtknexrad.Error) as error:
+        sys.exit(f"merge_day.py: {error}")

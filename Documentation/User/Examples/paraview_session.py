@@ -13,7 +13,6 @@ import sys
 from paraview.simple import *
 
 RADARS, STORM = "multisite-20100911", "run-kbgm-20050821"
-UNIT_DISTANCE = 5000  # m, the unit distance of the opacities in the colour map
 
 
 def load_plugin(path):
@@ -28,13 +27,10 @@ def open_day(folder, **settings):
 
 
 def show(day, view, representation, colours):
-    display = Show(day, view)
-    ColorBy(display, ("POINTS", "REF"))
+    display = Show(day, view)  # coloured, lit, heights stretched
     for function in (GetColorTransferFunction("REF"), GetOpacityTransferFunction("REF")):
         function.ApplyPreset(colours, False)
     display.SetRepresentationType(representation)
-    display.ScalarOpacityUnitDistance = UNIT_DISTANCE
-    display.Scale = [1, 1, 10]  # heights stretched ten times
     display.SetScalarBarVisibility(view, True)
     return display
 
@@ -67,17 +63,12 @@ def sweeps(folder, output):
     reader = NEXRADLevelIISeries(FileNames=[os.path.join(folder, STORM)])
     reader.Moments = ["REF"]  # moments with other gates are separate grids at the same places
     view.ViewTime = reader.TimestepValues[1]
-    display = Show(reader, view)
-    ColorBy(display, ("POINTS", "REF"))
-    colours = GetColorTransferFunction("REF")
-    colours.ApplyPreset("NEXRAD all echo", False)
-    colours.NanOpacity = 0.0  # gates without echo
-    display.Scale = [1, 1, 10]
+    display = Show(reader, view)  # the first cut alone
+    display.BlockSelectors = ["/"]  # all of them
     view.CameraViewUp = [0, 0, 1]
     view.CameraFocalPoint = [-60e3, 0, 20e3]
     view.CameraPosition = [-120e3, -420e3, 280e3]
     save_picture(view, output, "storm-sweeps")
-    colours.NanOpacity = 1.0
     Delete(reader)
 
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Draws a merged volume, off screen: render_volume.py VOLUME.nxv PICTURE.png [PRESET]"""
 
+import argparse
 import sys
 
 import vtknexrad
@@ -9,12 +10,21 @@ from vtkmodules.vtkRenderingCore import (
     vtkRenderer, vtkRenderWindow, vtkVolume, vtkWindowToImageFilter)
 
 
-def main():
-    file, picture = sys.argv[1:3]
-    preset = sys.argv[3] if len(sys.argv) > 3 else "all echo"
+def arguments():
+    look = vtknexrad.vtkNexradTransferFunction
+    presets = [look.GetPresetName(index) for index in range(look.GetNumberOfPresets())]
+    parser = argparse.ArgumentParser(description="Draws a merged volume, off screen.")
+    parser.add_argument("volume", metavar="VOLUME.nxv", help="merged volume")
+    parser.add_argument("picture", metavar="PICTURE.png")
+    parser.add_argument("preset", metavar="PRESET", nargs="?", default="all echo", choices=presets,
+                        help=f"{', '.join(presets)} (default all echo)")
+    return parser.parse_args()
 
+
+def main():
+    given = arguments()
     reader = vtknexrad.vtkNexradVolumeReader()
-    reader.SetFileName(file)
+    reader.SetFileName(given.volume)
     vtknexrad.update(reader)  # an error in the file stops here, in one line
 
     mapper = vtknexrad.vtkOpenGLTextureSliceVolumeMapper()
@@ -27,7 +37,7 @@ def main():
     volume.GetProperty().SetScalarOpacityUnitDistance(5000.0)  # m
     volume.GetProperty().SetInterpolationTypeToLinear()
     look = vtknexrad.vtkNexradTransferFunction()
-    look.ApplyPreset(preset)
+    look.ApplyPreset(given.preset)
     look.FillProperty(volume.GetProperty())
 
     renderer = vtkRenderer()
@@ -45,10 +55,13 @@ def main():
     image = vtkWindowToImageFilter()
     image.SetInput(window)
     writer = vtkPNGWriter()
-    writer.SetFileName(picture)
+    writer.SetFileName(given.picture)
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (OSError, vtknexrad.Error) as error:
+        sys.exit(f"render_volume.py: {error}")

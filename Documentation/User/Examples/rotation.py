@@ -7,6 +7,7 @@ said, that of a mesocyclone) in echo of 20 dBZ and more. Surfaces that are less 
 left out: they are gust fronts and noise.
 """
 
+import argparse
 import sys
 
 import numpy
@@ -72,12 +73,18 @@ def volume_to_scene(scene):
     return transform
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description="Draws the rotation inside storms.")
+    parser.add_argument("volume", metavar="VOLUME.nxv", help="merged volume with the moments REF and AZSHEAR")
+    parser.add_argument("picture", metavar="PICTURE.png")
+    parser.add_argument("shear", metavar="SHEAR", nargs="?", type=float, default=0.01, help="per second (default 0.01)")
+    return parser.parse_args()
+
+
 def main():
-    file, picture = sys.argv[1:3]
-    shear = float(sys.argv[3]) if len(sys.argv) > 3 else 0.01
-    reader = vtknexrad.vtkNexradVolumeReader()
-    reader.SetFileName(file)
-    volume = vtknexrad.update(reader)
+    given = arguments()
+    shear = given.shear
+    volume = vtknexrad.Volume.open(given.volume, moments="REF,AZSHEAR").image
     scene = vtknexrad.vtkNexradVolumeScene()
     scene.SetVolume(volume)
     scene.SetAzimuth(165.0)
@@ -117,11 +124,14 @@ def main():
     image.SetInput(window)
     image.ReadFrontBufferOff()
     writer = vtkPNGWriter()
-    writer.SetFileName(picture)
+    writer.SetFileName(given.picture)
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
     print(f"surfaces of {shear:g}/s that are at least {LEAST_HEIGHT / 1000:g} km high: {count}")
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (OSError, vtknexrad.Error) as error:
+        sys.exit(f"rotation.py: {error}")

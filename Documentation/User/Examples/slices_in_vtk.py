@@ -5,7 +5,7 @@ After Activate, VTK creates the texture-slice mapper wherever a vtkGPUVolumeRayC
 The script below does not name the mapper.
 """
 
-import sys
+import argparse
 
 import vtknexrad
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
@@ -16,7 +16,14 @@ from vtkmodules.vtkRenderingCore import (
 from vtkmodules.vtkRenderingVolumeOpenGL2 import vtkSmartVolumeMapper
 
 
+def arguments():
+    parser = argparse.ArgumentParser(description="Draws a volume without radar data by slices.")
+    parser.add_argument("picture", metavar="PICTURE.png")
+    return parser.parse_args()
+
+
 def main():
+    given = arguments()
     vtknexrad.vtkTextureSliceObjectFactory.Activate()
 
     wavelet = vtkRTAnalyticSource()
@@ -50,7 +57,7 @@ def main():
     image = vtkWindowToImageFilter()
     image.SetInput(window)
     writer = vtkPNGWriter()
-    writer.SetFileName(sys.argv[1])
+    writer.SetFileName(given.picture)
     writer.SetInputConnection(image.GetOutputPort())
     writer.Write()
 
