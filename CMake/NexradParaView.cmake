@@ -5,7 +5,7 @@ find_package(ParaView 5.11 REQUIRED COMPONENTS
   OPTIONAL_COMPONENTS Python)
 find_package(VTK REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  IOCore ParallelCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 vtksys
+  IOCore ParallelCore RenderingCore RenderingOpenGL2 RenderingVolume RenderingVolumeOpenGL2 netcdf vtksys
   OPTIONAL_COMPONENTS glew opengl Python WrappingPythonCore
   PATHS "${ParaView_DIR}/vtk" NO_DEFAULT_PATH)
 

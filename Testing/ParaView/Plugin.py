@@ -21,6 +21,7 @@ FILTERS = {
     "NexradVolumeResampler": "vtkNexradVolumeResampler",
     "NexradSiteMerge": "vtkNexradSiteMerge",
     "NexradEchoClasses": "vtkNexradEchoClasses",
+    "NexradEchoOnly": "vtkNexradEchoOnly",
     "NexradTwoFields": "vtkNexradTwoFields",
 }
 

@@ -39,6 +39,7 @@ class PictureTest(unittest.TestCase):
         self.opacity.ApplyPreset("NEXRAD all echo", False)
         self.display.Scale = [1, 1, 10]
         self.display.ScalarOpacityUnitDistance = 5000
+        self.display.ShadowStrength = self.display.AmbientOcclusionStrength = 0  # as ParaView's own
 
     def tearDown(self):
         for proxy in (self.display, self.day, self.view):
@@ -84,6 +85,10 @@ class Slices(PictureTest):
 
     def test_number_of_slices_is_a_property(self):
         fine = self.draw(SLICES)
+        # As many as the voxels ask for: a volume of 96 x 96 x 48, seen almost along a side.
+        self.assertGreater(self.mapper().GetNumberOfDrawnSlices(), 96)
+        self.display.NumberOfSlices = 256
+        self.draw(SLICES)
         self.assertEqual(self.mapper().GetNumberOfDrawnSlices(), 256)
         self.display.NumberOfSlices = 12
         coarse = self.draw(SLICES)

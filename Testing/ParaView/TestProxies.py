@@ -75,11 +75,12 @@ class Settings(unittest.TestCase):
             with self.subTest(proxy=name):
                 missing = own_setters(kind) - set(settings(Plugin.make(group, name)))
                 if kind != "vtkNexradEchoClasses":  # which has no settings
-                    self.assertGreater(len(own_setters(kind)), 3)
+                    self.assertGreaterEqual(len(own_setters(kind)), 3)
                 self.assertEqual(missing, set())
 
     def test_properties_explain_themselves_with_units(self):
-        for group, name, _ in self.proxies + [("representations", "NexradTextureSliceRepresentation", "")]:
+        for group, name, _ in self.proxies + [("filters", "NexradMap", ""), ("filters", "NexradTimeText", ""),
+                                             ("representations", "NexradTextureSliceRepresentation", "")]:
             base = Plugin.make("representations", "UniformGridVolumeRepresentation")
             theirs = {key for key, _ in properties(base)} if group == "representations" else set()
             for key, one in properties(Plugin.make(group, name)):
@@ -93,7 +94,8 @@ class Settings(unittest.TestCase):
 
     def test_every_proxy_is_a_name_of_paraview_simple(self):
         for name in ("NEXRADRadarDay", "NEXRADLevelIISeries", "NEXRADLevelIIReader",
-                     "NEXRADVolumeResampler", "NEXRADSiteMerge", "NEXRADTwoFields", "NEXRADVolumeReader"):
+                     "NEXRADVolumeResampler", "NEXRADSiteMerge", "NEXRADTwoFields", "NEXRADVolumeReader", "NEXRADEchoOnly",
+                     "NEXRADMap", "NEXRADTime"):
             self.assertTrue(hasattr(simple, name), name)
 
 
@@ -124,7 +126,7 @@ class Presets(unittest.TestCase):
                 sys.stdout.write(done.stdout)
                 self.assertEqual(done.returncode, 0)
                 found = re.search(r"^opacity (\S+)$", done.stdout, re.MULTILINE)
-                self.assertAlmostEqual(float(found.group(1)), function.Evaluate(3, 60.0), delta=0.01)
+                self.assertAlmostEqual(float(found.group(1)), function.Evaluate(3, 60.0), delta=0.02)
             self.assertTrue(any("Settings" in name for _, _, names in os.walk(home) for name in names))
 
     def test_colour_maps_are_the_transfer_function_s(self):
@@ -141,9 +143,12 @@ class Presets(unittest.TestCase):
                 color = [0.0, 0.0, 0.0]
                 lut.GetClientSideObject().GetColor(dBZ, color)
                 for channel in range(3):
-                    self.assertAlmostEqual(color[channel], function.Evaluate(channel, dBZ), delta=0.01)
+                    self.assertAlmostEqual(color[channel], function.Evaluate(channel, dBZ), delta=0.02)
                 self.assertAlmostEqual(opacity.GetClientSideObject().GetValue(dBZ),
-                                       function.Evaluate(3, dBZ), delta=0.01)
+                                       function.Evaluate(3, dBZ), delta=0.02)
+            # Few enough for a person to edit them.
+            self.assertLess(len(lut.RGBPoints) // 4, 80, name)
+            self.assertLess(len(opacity.Points) // 4, 45, name)
 
 
 if __name__ == "__main__":

@@ -70,6 +70,7 @@ def draw(day, path, representation):
         function.ApplyPreset("NEXRAD clear air", False)
     display.SetRepresentationType(representation)
     display.ScalarOpacityUnitDistance = 5000
+    display.ShadowStrength = display.AmbientOcclusionStrength = 0  # as ParaView's own
     display.Scale = [1, 1, 10]
     view.CameraViewUp = [0, 0, 1]
     view.CameraFocalPoint = [0, 0, 60e3]

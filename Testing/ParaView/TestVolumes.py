@@ -212,10 +212,27 @@ class Files(PipelineTest):
                 self.assertSameVolume(Plugin.fetch(read, time), Plugin.fetch(self.day, time))
 
 
+class Damage(unittest.TestCase):
+    def test_cut_file_is_one_message(self):
+        content = pathlib.Path(Plugin.real_files("run-kbgm-20050821")[0]).read_bytes()
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "KBGM20050821_024323.gz")
+            pathlib.Path(path).write_bytes(content[:400000])
+            reader = vtknexrad.vtkNexradDayReader()
+            reader.AddFileName(path)
+            reader.SetDimensions(GRID)
+            warnings = []
+            reader.AddObserver("WarningEvent", lambda *_: warnings.append(1))
+            reader.Update()
+            self.assertEqual(len(warnings), 1)
+            self.assertGreater(reader.GetDamage().GetNumberOfValues(), 2, "each fault is listed")
+
+
 class OpenDialog(unittest.TestCase):
     """Which readers ParaView offers for a file: it asks by name, then the reader by content."""
 
-    level2 = {"NexradLevel2Series", "NexradLevel2Reader", "NexradRadarDay"}
+    # One reader, so that the dialog asks nothing; the menu Sources has those of sweeps.
+    level2 = {"NexradRadarDay"}
 
     def offered(self, path):
         factory = servermanager.vtkSMProxyManager.GetProxyManager().GetReaderFactory()
@@ -223,7 +240,7 @@ class OpenDialog(unittest.TestCase):
         readers = factory.GetReaders(path, session) if not os.path.isdir(path) \
             else factory.GetPossibleReaders(path, session)
         return {readers.GetString(i) for i in range(1, readers.GetLength(), 3)} & (
-            self.level2 | {"NexradVolumeReader"})
+            self.level2 | {"NexradLevel2Series", "NexradLevel2Reader", "NexradVolumeReader"})
 
     def patterns(self):
         """The names that the dialog shows among the supported types."""
@@ -231,7 +248,7 @@ class OpenDialog(unittest.TestCase):
         hint = hints.FindNestedElementByName("ReaderFactory")
         return hint.GetAttribute("filename_patterns").split()
 
-    def test_level2_files_are_for_sweeps_and_for_a_day(self):
+    def test_level2_files_are_a_day(self):
         self.assertEqual(self.offered(SyntheticFiles.files()[0]), self.level2)
 
     def test_names_as_the_archives_write_them(self):
@@ -248,9 +265,19 @@ class OpenDialog(unittest.TestCase):
             pathlib.Path(path).write_text("no radar")
             self.assertEqual(self.offered(path), set())
 
-    def test_folder_of_files_is_for_the_readers_of_many(self):
+    def test_sources_are_in_the_menu(self):
+        for name in Plugin.SOURCES:
+            shown = Plugin.make("sources", name).GetHints().FindNestedElementByName("ShowInMenu")
+            self.assertEqual(shown.GetAttribute("category"), "NEXRAD", name)
+
+    def test_groups_of_names_are_shown(self):
+        """The dialog shows names that differ in a number at their end as one, with two points for it."""
+        for name in ("KLSX20060312_..", "KTYX20100911_..gz", "Level2_KLSX_20060312_..ar2v"):
+            self.assertTrue(any(fnmatch.fnmatch(name, one) for one in self.patterns()), name)
+
+    def test_folder_of_files_is_a_day(self):
         folder = os.path.dirname(SyntheticFiles.files()[0])
-        self.assertEqual(self.offered(folder), {"NexradLevel2Series", "NexradRadarDay"})
+        self.assertEqual(self.offered(folder), self.level2)
         with tempfile.TemporaryDirectory() as empty:
             self.assertEqual(self.offered(empty), set())
 

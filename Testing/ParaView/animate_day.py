@@ -19,6 +19,7 @@ for function in (simple.GetColorTransferFunction("REF"), simple.GetOpacityTransf
     function.ApplyPreset("NEXRAD all echo", False)
 display.SetRepresentationType("Volume (slices)")
 display.ScalarOpacityUnitDistance = 5000
+display.ShadowStrength = display.AmbientOcclusionStrength = 0  # each process would shade its part alone
 display.Scale = [1, 1, 10]
 view.CameraViewUp = [0, 0, 1]
 view.CameraFocalPoint = [0, 0, 60e3]

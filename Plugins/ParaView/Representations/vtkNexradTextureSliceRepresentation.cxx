@@ -14,6 +14,7 @@ vtkNexradTextureSliceRepresentation::vtkNexradTextureSliceRepresentation()
 {
   this->VolumeMapper = vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
   this->SetPreIntegration(true);
+  this->SetNumberOfSlices(0);
 }
 
 vtkNexradTextureSliceRepresentation::~vtkNexradTextureSliceRepresentation() = default;

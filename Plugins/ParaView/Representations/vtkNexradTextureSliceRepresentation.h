@@ -25,8 +25,8 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * Slices between the nearest and the farthest point of the volume, 0 to 16384; 0 takes the
-   * distance from the voxels. 256 by default.
+   * Slices between the nearest and the farthest point of the volume, 0 to 16384; 0 (the
+   * default) takes the distance from the voxels.
    */
   void SetNumberOfSlices(int slices);
   int GetNumberOfSlices();

@@ -14,7 +14,6 @@
 #include <vtkProperty.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace nexrad::scene
 {
@@ -23,8 +22,6 @@ namespace
 
 // Pixels, indexed by MapLineKind.
 constexpr std::array<double, 3> lineWidths = {2.0, 1.6, 1.0};
-constexpr double ringRange = 230'000.0; // m, of the WSR-88D's quantitative reflectivity
-constexpr double degrees = 180.0 / 3.14159265358979323846;
 
 // Things on the ground are stacked a little above each other, in parts of the domain's width, so
 // that they do not fight for the same depth.
@@ -105,21 +102,6 @@ vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame, const Colour& colou
   return actor;
 }
 
-// A circle of a radius in m about a radar, as points of the map. Small enough for the flat
-// approximation: the azimuthal projection bends it by far less than a pixel.
-std::vector<std::array<double, 2>> Circle(const std::array<double, 2>& centre, double radius)
-{
-  constexpr int corners = 180;
-  std::vector<std::array<double, 2>> points;
-  for (int i = 0; i <= corners; ++i)
-  {
-    const double angle = 2.0 * i / corners * 180.0 / degrees;
-    points.push_back({centre[0] + radius / 1000.0 * std::sin(angle),
-      centre[1] + radius / 1000.0 * std::cos(angle)});
-  }
-  return points;
-}
-
 bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& box)
 {
   return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3];
@@ -144,10 +126,9 @@ void AddSites(SceneLayer& layer, const SceneFrame& frame, const MapContents& con
   const auto box = Rectangle(frame);
   for (const PlacedSite& site : PlaceSites(frame, contents.sites))
   {
-    const double spacing = contents.ringSpacing;
-    for (int ring = 1; spacing > 0.0 && ring * spacing <= ringRange; ++ring)
+    for (const GroundLine& ring : PlaceRings(site.place, contents.ringSpacing))
     {
-      AddClipped(rings, Circle(site.place, ring * spacing), box, HeightOf(frame, Level::Rings));
+      AddClipped(rings, ring, box, HeightOf(frame, Level::Rings));
     }
     if (site.within)
     {

@@ -6,11 +6,30 @@
 #include "nexrad/Model/SiteTable.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nexrad::scene
 {
 namespace
 {
+
+constexpr double ringRange = 230'000.0; // m, of the WSR-88D's quantitative reflectivity
+constexpr double fullCircle = 2.0 * 3.14159265358979323846;
+
+// A circle of a radius in m about a radar, as points of the map. Small enough for the flat
+// approximation: the azimuthal projection bends it by far less than a pixel.
+GroundLine Circle(const std::array<double, 2>& centre, double radius)
+{
+  constexpr int corners = 180;
+  GroundLine points;
+  for (int i = 0; i <= corners; ++i)
+  {
+    const double angle = fullCircle * i / corners;
+    points.push_back({centre[0] + radius / 1000.0 * std::sin(angle),
+      centre[1] + radius / 1000.0 * std::cos(angle)});
+  }
+  return points;
+}
 
 std::array<double, 4> Rectangle(const SceneFrame& frame)
 {
@@ -139,6 +158,16 @@ std::vector<PlacedSite> PlaceSites(const SceneFrame& frame, const std::vector<st
     }
   }
   return placed;
+}
+
+std::vector<GroundLine> PlaceRings(const std::array<double, 2>& place, double spacing)
+{
+  std::vector<GroundLine> rings;
+  for (int ring = 1; spacing > 0.0 && ring * spacing <= ringRange; ++ring)
+  {
+    rings.push_back(Circle(place, ring * spacing));
+  }
+  return rings;
 }
 
 } // namespace nexrad::scene

@@ -32,4 +32,8 @@ struct PlacedSite
 /// Those of the radars that the site table knows. None where the frame has no map.
 std::vector<PlacedSite> PlaceSites(const SceneFrame& frame, const std::vector<std::string>& sites);
 
+/// Rings of range about a radar at a place of the scene: circles at the multiples of `spacing` in m
+/// up to 230 km. None where the spacing is 0. They may leave the domain.
+std::vector<GroundLine> PlaceRings(const std::array<double, 2>& place, double spacing);
+
 } // namespace nexrad::scene
