@@ -13,12 +13,8 @@
  * (or in degrees, when the volume was made so). vtkNexradImageConversion.h lists arrays and field
  * data.
  *
- * A pipeline may ask for any box of the voxels (UPDATE_EXTENT). The file is decoded as a whole for
- * it, since its runs cross rows, and the rest let go.
- *
- * A .nxv file is one time step. An index gives the time steps of its files; a requested time shows
- * the latest volume at or before it (before the first, the first). All volumes of a series must
- * have the extent, origin and spacing of its first.
+ * A .nxv file is one time step. An index gives the time steps of its files. FileName is the path of
+ * either, or of a bare stream.
  *
  * With RawStream on, the file is the bare run-length stream of the codes, which knows nothing of
  * its grid: RawDimensions, RawOrigin and RawSpacing say it. Its values are whole dBZ.
@@ -29,35 +25,20 @@
 #ifndef vtkNexradVolumeReader_h
 #define vtkNexradVolumeReader_h
 
-#include "vtkImageAlgorithm.h"
-#include "vtkNew.h"            // For members
 #include "vtkNexradIOModule.h" // For export macro
-
-#include <filesystem> // For file names
-#include <memory>     // For members
-#include <string>     // For members
-
-class vtkDataArraySelection;
+#include "vtkNexradStepReader.h"
 
 namespace nexrad
 {
-struct VoxelBlock;
+struct GriddedVolume;
 }
 
-class VTKNEXRADIO_EXPORT vtkNexradVolumeReader : public vtkImageAlgorithm
+class VTKNEXRADIO_EXPORT vtkNexradVolumeReader : public vtkNexradStepReader
 {
 public:
   static vtkNexradVolumeReader* New();
-  vtkTypeMacro(vtkNexradVolumeReader, vtkImageAlgorithm);
+  vtkTypeMacro(vtkNexradVolumeReader, vtkNexradStepReader);
   void PrintSelf(ostream& os, vtkIndent indent) override;
-
-  ///@{
-  /**
-   * Path of a .nxv file, a .nxv.series index, or (with RawStream) a bare stream.
-   */
-  vtkSetFilePathMacro(FileName);
-  vtkGetFilePathMacro(FileName);
-  ///@}
 
   /**
    * 1 when the path is a .nxv file, or an index that names files; else 0.
@@ -88,25 +69,6 @@ public:
 
   ///@{
   /**
-   * Names of the moments to read of a file that has several, as "VEL,REF": the first gives the
-   * active scalars and the ghost flags. Empty, the default: all, in the order of the file.
-   */
-  vtkSetMacro(Moments, std::string);
-  vtkGetMacro(Moments, std::string);
-  ///@}
-
-  /**
-   * Which of the ancillary arrays (`REF_age`, `REF_radars`, `REF_weight`, `REF_site`; of a volume
-   * of one radar alone also `azimuth`, `elevation`, `slant_range`, which are computed) are given.
-   * It lists those of the file, of a series those of its first volume, once the information is up
-   * to date; all are on by default.
-   */
-  vtkDataArraySelection* GetAncillaryArraySelection();
-
-  vtkMTimeType GetMTime() override;
-
-  ///@{
-  /**
    * Grid of a bare stream: voxels along x, y, z (256, 256, 128 by default), centre of the first
    * voxel (0, 0, 0) and distance between centres (1, 1, 1) in metres.
    */
@@ -122,14 +84,11 @@ protected:
   vtkNexradVolumeReader();
   ~vtkNexradVolumeReader() override;
 
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
-  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
+  vtkNexradVolumeSteps ListSteps() override;
+  void ReadStep(const vtkNexradVolumeStep& step, vtkImageData* image) override;
 
-  char* FileName = nullptr;
   bool ScalarsAsCodes = false;
   bool RawStream = false;
-  std::string Moments;
   int RawDimensions[3] = {256, 256, 128};
   double RawOrigin[3] = {0.0, 0.0, 0.0};
   double RawSpacing[3] = {1.0, 1.0, 1.0};
@@ -138,15 +97,7 @@ private:
   vtkNexradVolumeReader(const vtkNexradVolumeReader&) = delete;
   void operator=(const vtkNexradVolumeReader&) = delete;
 
-  int Fail(unsigned long code, const std::string& line);
-  void ReadHeader();
-  void ListAncillaryArrays();
-  void ReadImage(
-    const std::filesystem::path& path, const nexrad::VoxelBlock& block, vtkImageData* image);
-
-  vtkNew<vtkDataArraySelection> AncillaryArraySelection;
-  struct Files;
-  std::unique_ptr<Files> Opened;
+  nexrad::GriddedVolume BareVolume() const;
 };
 
 #endif

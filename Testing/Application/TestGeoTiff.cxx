@@ -101,7 +101,9 @@ TEST(GeoTiff, ProductsAreThoseOfTheCore)
   const TemporaryFolder folder;
   const GriddedVolume volume = MakeColumns();
   const fs::path input = folder.Path() / "volume.nxv";
-  WriteNxv(input, volume, {NxvEncoding::Float});
+  NxvWriteOptions exact;
+  exact.encoding = NxvEncoding::Float;
+  WriteNxv(input, volume, exact);
   unsetenv("DISPLAY"); // none is needed
   const VoxelLines lines = LinesOf(volume);
   const ColumnProduct tops = MakeEchoTops(lines, 25.0);

@@ -89,9 +89,9 @@ struct GriddedVolume
   std::string method;                  ///< "thesis" or "beam"
   std::vector<std::string> sites;      ///< names of the radars that took part
   std::vector<Position> sitePositions; ///< of `sites`, in their order; empty when not known
-  bool ofOneRadar =
-    false; ///< of one of several radars alone, on the grid of all: what is made of it
-           ///< (images, NetCDF files) has the radar's view of the grid (RadarView)
+  /// Of one of several radars alone, on the grid of all. What is made of it (images, NetCDF files)
+  /// has the radar's view of the grid (RadarView).
+  bool ofOneRadar = false;
   bool synthetic = false;    ///< made from simulated files; pictures must say so
   float fill = -33.0F;       ///< value where the state is not Echo
   std::vector<float> values; ///< x fastest, then y, then z upward
