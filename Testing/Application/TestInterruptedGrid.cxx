@@ -56,10 +56,14 @@ protected:
       "--range", "150km", "--quality", "off"};
   }
 
-  // All that stands in a folder, hidden names too.
+  // All that stands in a folder, hidden names too; nothing where a run was killed before it made it.
   static std::map<std::string, std::string> Contents(const fs::path& folder)
   {
     std::map<std::string, std::string> contents;
+    if (!fs::exists(folder))
+    {
+      return contents;
+    }
     for (const auto& entry : fs::recursive_directory_iterator(folder))
     {
       if (entry.is_regular_file())

@@ -50,9 +50,42 @@ void LiveSeries::PlanGrid()
 
 void LiveSeries::Expect(const Site& site, double range)
 {
-  if (!keepsGrid && sites.emplace(site.name, std::pair(site, range)).second)
+  if (keepsGrid)
   {
+    return;
+  }
+  const auto [known, isNew] = sites.emplace(site.name, std::pair(site, range));
+  if (isNew || known->second.second != range)
+  {
+    known->second.second = range;
     this->PlanGrid();
+  }
+}
+
+// The radars of what arrived. The range of each is that of its first volume, which may still grow.
+void LiveSeries::ExpectRadarsOf(const std::vector<ScannedFile>& scanned)
+{
+  std::map<std::string, Time> firsts;
+  for (const auto& [name, own] : this->BySite())
+  {
+    firsts[name] = own.front()->description.start;
+  }
+  std::map<std::string, std::pair<Site, double>> ranges;
+  for (const ScannedFile& file : scanned)
+  {
+    for (const auto& [site, volume] : file.volumes)
+    {
+      const auto first = firsts.emplace(site.name, volume.start).first;
+      if (volume.start <= first->second)
+      {
+        first->second = volume.start;
+        ranges[site.name] = {site, RangeOf(site, volume)};
+      }
+    }
+  }
+  for (const auto& [name, radar] : ranges)
+  {
+    this->Expect(radar.first, radar.second);
   }
 }
 
@@ -72,13 +105,7 @@ std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
         scanned[i] = ScanVolume(inputs[i].volume, inputs[i].path, series, keep);
       }
     });
-  for (const ScannedFile& file : scanned)
-  {
-    for (const auto& [site, volume] : file.volumes)
-    {
-      this->Expect(site, RangeOf(site, volume));
-    }
-  }
+  this->ExpectRadarsOf(scanned);
   std::vector<std::vector<Volume>> made(inputs.size());
   RunLoop(request.loop, count,
     [&](int begin, int end)

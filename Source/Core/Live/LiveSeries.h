@@ -45,7 +45,7 @@ public:
   /// The domain stays as it is now, whatever radars come.
   void KeepGrid() { keepsGrid = true; }
   /// A radar that is known from an earlier run, before its first volume comes; `range` in m as
-  /// RangeOf.
+  /// RangeOf. As long as the domain may change, the range of a radar is that of its first volume.
   void Expect(const Site& site, double range);
 
   /// Drops finished volumes that no time from `from` on needs.
@@ -91,6 +91,7 @@ private:
   std::map<std::string, Volumes> BySite() const;
   Volumes ChosenAt(Time time, MomentName moment, const Volumes& own) const;
   void PlanGrid();
+  void ExpectRadarsOf(const std::vector<ScannedFile>& scanned);
 
   const MergeOptions options;
   const SeriesOptions series;

@@ -202,6 +202,36 @@ TEST_F(LiveMerges, TheDomainGrowsUntilItIsKept)
   EXPECT_TRUE(next.Grid() == series.Grid());
 }
 
+// The low sweeps of a terminal radar, which come first, reach farther than most of its sweeps do.
+TEST_F(LiveMerges, TheRangeOfATerminalRadarIsThatOfItsWholeFirstVolume)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const fs::path path = data / "level2" / "chunks" / "TORD-20260811";
+  options.grid.range.reset();
+  SeriesMerger merger({path}, options);
+  ASSERT_TRUE(merger.Open());
+  LiveSeries series(options, {});
+  LiveInput part = Whole(path);
+  part.volume.sweeps.resize(3);
+  part.finished = false;
+  series.Put({part});
+  EXPECT_FALSE(series.Grid() == merger.Grid());
+  series.Put({Whole(path)});
+  EXPECT_TRUE(series.Grid() == merger.Grid());
+  // A later volume, which has just begun, changes nothing.
+  LiveInput next = part;
+  next.key = "next";
+  for (Sweep& sweep : next.volume.sweeps)
+  {
+    for (Ray& ray : sweep.rays)
+    {
+      ray.time += 6min;
+    }
+  }
+  series.Put({next});
+  EXPECT_TRUE(series.Grid() == merger.Grid());
+}
+
 TEST_F(LiveMerges, WhatCannotBeUsedIsAProblem)
 {
   LiveSeries series(options, {});
