@@ -32,6 +32,21 @@ class ByteCollector {
   }
 }
 
+// Bytes of a voxel, by the type of an array; a run of voxels of the first takes 5 at most.
+const bytesOfType = { uint7: 5, uint8: 1, uint16: 2, float32: 4 };
+
+// The header, of which only what is used here must be right.
+function parseHeader(text) {
+  const header = JSON.parse(text);
+  const array = header?.arrays?.[0];
+  const isCount = (value) => Number.isSafeInteger(value) && value >= 0;
+  if (!isCount(array?.length) || !Object.hasOwn(bytesOfType, array.type) || !Array.isArray(header.dimensions) ||
+      !header.dimensions.every(isCount)) {
+    throw new Error('its header is damaged');
+  }
+  return header;
+}
+
 // Reads header and first array of a stream and leaves the arrays after it alone.
 export async function readNxv(stream) {
   const reader = stream.getReader();
@@ -45,7 +60,7 @@ export async function readNxv(stream) {
     throw new Error('its header is too long');
   }
   const head = await collector.collect(prefixLength + headerLength);
-  const header = JSON.parse(utf8.decode(head.subarray(prefixLength, prefixLength + headerLength)));
+  const header = parseHeader(utf8.decode(head.subarray(prefixLength, prefixLength + headerLength)));
   const payload = prefixLength + headerLength;
   const all = await collector.collect(payload + header.arrays[0].length);
   await reader.cancel().catch(() => {});
@@ -62,6 +77,9 @@ function expandRuns(stream, voxels) {
       codes[voxel++] = byte - 128;
     } else {
       const count = view.getUint32(place, true);
+      if (count > voxels - voxel) {
+        throw new Error('it has more codes than voxels');
+      }
       codes.fill(byte, voxel, voxel + count);
       place += 4;
       voxel += count;
@@ -75,7 +93,11 @@ function expandRuns(stream, voxels) {
 export async function bytesOfMoment({ header, payload }, scale, masked) {
   const array = header.arrays[0];
   const voxels = header.dimensions.reduce((product, count) => product * count, 1);
-  const stored = array.encoding === 'rle' ? payload : await inflate(payload);
+  const most = voxels * bytesOfType[array.type];
+  const stored = array.encoding === 'rle' ? payload : await inflate(payload, most);
+  if (array.type !== 'uint7' && stored.length !== most) {
+    throw new Error(`it has ${stored.length} bytes of codes, not ${most}`);
+  }
   const toByte = (value) => {
     const byte = Math.round((value - scale.first) / scale.step);
     return Math.min(Math.max(byte, masked ? 1 : 0), 255);

@@ -48,6 +48,15 @@ export class EmbeddedSeries {
   follow() {}
 }
 
+// The entries of an index, by their times.
+function filesOfIndex(index, name) {
+  const isFile = (file) => typeof file?.name === 'string' && Number.isFinite(file.time);
+  if (!Array.isArray(index?.files) || !index.files.every(isFile)) {
+    throw new Error(`${name} is no index of a series.`);
+  }
+  return index.files.slice().sort((a, b) => a.time - b.time);
+}
+
 // The volumes that an index beside the page names.
 export class FolderSeries {
   constructor(scene, fetchFile) {
@@ -59,7 +68,7 @@ export class FolderSeries {
     if (!response.ok) {
       throw new Error(`${this.scene.series} cannot be read from the server (${response.status}).`);
     }
-    const files = (await response.json()).files.slice().sort((a, b) => a.time - b.time);
+    const files = filesOfIndex(await response.json(), this.scene.series);
     const changed = files.map(({ name }) => name).join() !== this.names.join();
     this.names = files.map(({ name }) => name);
     this.times = files.map(({ time }) => Math.round(1000 * time));

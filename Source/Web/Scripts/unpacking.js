@@ -10,8 +10,18 @@ export function bytesOfBase64(text) {
   return bytes;
 }
 
-// Inflates a zlib stream (RFC 1950).
-export async function inflate(bytes) {
+// Inflates a zlib stream (RFC 1950) of at most so many bytes: a few bytes may stand for gigabytes.
+export async function inflate(bytes, most = Infinity) {
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
-  return new Uint8Array(await new Response(stream).arrayBuffer());
+  let count = 0;
+  const counter = new TransformStream({
+    transform(piece, controller) {
+      count += piece.length;
+      if (count > most) {
+        throw new Error(`it has more than ${most} bytes when it is inflated`);
+      }
+      controller.enqueue(piece);
+    },
+  });
+  return new Uint8Array(await new Response(stream.pipeThrough(counter)).arrayBuffer());
 }
