@@ -2,8 +2,10 @@
 #include "nexrad/Model/SiteTable.h"
 
 #include "nexrad/System/Embedded.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <charconv>
 #include <sstream>
 
 namespace nexrad
@@ -12,9 +14,25 @@ namespace nexrad
 namespace
 {
 
+// The whole cell as a number within the limits. No locale has a say in it.
+double NumberOf(const std::string& cell, double least, double most)
+{
+  double number = 0.0;
+  const char* const end = cell.data() + cell.size();
+  const auto read = std::from_chars(cell.data(), end, number);
+  if (read.ec != std::errc() || read.ptr != end || !(number >= least && number <= most))
+  {
+    throw Error("\"" + cell.substr(0, 80) + "\" must be a number from " + std::to_string(least) +
+                " to " + std::to_string(most));
+  }
+  return number;
+}
+
 // Columns: icao, kind, name, state, latitude_deg, longitude_deg, ground_m_msl, antenna_m_msl.
 KnownSite ParseRow(const std::string& line)
 {
+  constexpr double lowest = -500.0; // m; the shore of the Dead Sea lies at -430
+  constexpr double highest = 9'000.0;
   std::vector<std::string> cells;
   std::istringstream row(line);
   for (std::string cell; std::getline(row, cell, ',');)
@@ -22,9 +40,14 @@ KnownSite ParseRow(const std::string& line)
     cells.push_back(cell);
   }
   cells.resize(8);
-  const std::string& altitude = cells.at(7).empty() ? cells.at(6) : cells.at(7);
-  return {cells.at(0), cells.at(2), cells.at(3), cells.at(1) == "tdwr",
-    {std::stod(cells.at(4)), std::stod(cells.at(5)), std::stod(altitude)}};
+  if (cells[0].empty())
+  {
+    throw Error("the radar has no name");
+  }
+  const std::string& altitude = cells[7].empty() ? cells[6] : cells[7];
+  return {cells[0], cells[2], cells[3], cells[1] == "tdwr",
+    {NumberOf(cells[4], -90.0, 90.0), NumberOf(cells[5], -180.0, 180.0),
+      NumberOf(altitude, lowest, highest)}};
 }
 
 bool ByName(const KnownSite& first, const KnownSite& second)
@@ -32,26 +55,33 @@ bool ByName(const KnownSite& first, const KnownSite& second)
   return first.name < second.name;
 }
 
-std::vector<KnownSite> ParseTable()
+} // namespace
+
+std::vector<KnownSite> ParseSiteTable(const std::string& text)
 {
-  std::istringstream table(
-    std::string(embedded::radarSites, embedded::radarSites + embedded::radarSitesSize));
+  std::istringstream table(text);
   std::vector<KnownSite> sites;
   std::string line;
-  std::getline(table, line);
-  while (std::getline(table, line))
+  std::getline(table, line); // the heading
+  for (int number = 2; std::getline(table, line); ++number)
   {
-    sites.push_back(ParseRow(line));
+    try
+    {
+      sites.push_back(ParseRow(line));
+    }
+    catch (const Error& problem)
+    {
+      throw Error("line " + std::to_string(number) + " of the site table: " + problem.what());
+    }
   }
   std::sort(sites.begin(), sites.end(), ByName);
   return sites;
 }
 
-} // namespace
-
 const std::vector<KnownSite>& KnownSites()
 {
-  static const std::vector<KnownSite> sites = ParseTable();
+  static const std::vector<KnownSite> sites = ParseSiteTable(
+    std::string(embedded::radarSites, embedded::radarSites + embedded::radarSitesSize));
   return sites;
 }
 

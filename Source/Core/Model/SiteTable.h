@@ -20,6 +20,10 @@ struct KnownSite
   Position position;     ///< altitude is the antenna's, m above mean sea level
 };
 
+/// The rows of a table, in the order of their names. Throws Error, with the number of the line, for
+/// a row that has no name or no position, or a position that is not on Earth.
+std::vector<KnownSite> ParseSiteTable(const std::string& text);
+
 /// All radars that the program knows, in the order of their names.
 const std::vector<KnownSite>& KnownSites();
 

@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Model/SiteTable.h"
 
+#include "nexrad/System/Error.h"
+
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <string>
 
 using namespace nexrad;
 
@@ -34,5 +39,37 @@ TEST(SiteTable, EveryPositionIsOnEarth)
     EXPECT_LE(std::abs(site.position.longitude), 180.0) << site.name;
     EXPECT_GT(site.position.altitude, -50.0) << site.name;
     EXPECT_LT(site.position.altitude, 3500.0) << site.name;
+  }
+}
+
+TEST(SiteTable, RowsAreReadAndOrdered)
+{
+  const std::vector<KnownSite> sites = ParseSiteTable("heading\nTBBB,tdwr,B,KS,-37.5,97.25,,28.5\n"
+                                                      "KAAA,wsr88d,A,MO,38.5,-90.25,185,220\n");
+  ASSERT_EQ(sites.size(), 2U);
+  EXPECT_EQ(sites[0].name, "KAAA");
+  EXPECT_EQ(sites[0].position, (Position{38.5, -90.25, 220.0}));
+  EXPECT_TRUE(sites[1].terminal);
+  EXPECT_EQ(sites[1].position.altitude, 28.5);
+}
+
+// A number that was none ended the program, and one with a comma lost what followed.
+TEST(SiteTable, AWrongRowIsNamed)
+{
+  for (const char* row : {"KAAA", "KAAA,wsr88d,A,MO,,-90.25,185,220",
+         ",wsr88d,A,MO,38.5,-90.25,185,220", "KAAA,wsr88d,A,MO,north,-90.25,185,220",
+         "KAAA,wsr88d,A,MO,38.5x,-90.25,185,220", "KAAA,wsr88d,A,MO,90.5,-90.25,185,220",
+         "KAAA,wsr88d,A,MO,38.5,nan,185,220", "KAAA,wsr88d,A,MO,38.5,-90.25,185,1e999", ""})
+  {
+    try
+    {
+      ParseSiteTable(std::string("heading\n") + row + "\n");
+      ADD_FAILURE() << row;
+    }
+    catch (const Error& error)
+    {
+      EXPECT_EQ(std::string(error.what()).rfind("line 2 of the site table: ", 0), 0U)
+        << error.what();
+    }
   }
 }
