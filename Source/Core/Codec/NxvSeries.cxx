@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvSeries.h"
 
+#include "nexrad/Model/TimeLimits.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 
@@ -28,7 +29,12 @@ NxvSeries ParseSeries(const Json& json)
   NxvSeries series;
   for (const Json& entry : json.at("files"))
   {
-    series.emplace_back(entry.at("name").get<std::string>(), entry.at("time").get<double>());
+    const auto time = entry.at("time").get<double>();
+    if (!(time >= ToSeconds(EarliestTime) && time <= ToSeconds(LatestTime)))
+    {
+      throw Error("time " + entry.at("time").dump() + ": must lie in the years 1 to 9999");
+    }
+    series.emplace_back(entry.at("name").get<std::string>(), time);
   }
   return series;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Live/StepBook.h"
 
+#include "nexrad/Model/TimeLimits.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 
@@ -25,9 +26,20 @@ nlohmann::json ToJson(const std::optional<Time>& time)
   return time ? nlohmann::json(Number(*time)) : nlohmann::json();
 }
 
-std::optional<Time> TimeIn(const nlohmann::json& json)
+Time TimeIn(const nlohmann::json& json)
 {
-  return json.is_null() ? std::nullopt : std::optional(Time(Duration(json.get<std::int64_t>())));
+  const bool tooLarge = json.is_number_unsigned() &&
+                        json.get<std::uint64_t>() > static_cast<std::uint64_t>(Number(LatestTime));
+  if (!json.is_number_integer() || tooLarge || json.get<std::int64_t>() < Number(EarliestTime))
+  {
+    throw Error("a time step is no time of the years 1 to 9999");
+  }
+  return Time(Duration(json.get<std::int64_t>()));
+}
+
+std::optional<Time> OptionalTimeIn(const nlohmann::json& json)
+{
+  return json.is_null() ? std::nullopt : std::optional(TimeIn(json));
 }
 
 } // namespace
@@ -135,11 +147,11 @@ void StepBook::Unpack(const std::string& text)
   {
     const nlohmann::json json = nlohmann::json::parse(text);
     StepBook book(rules);
-    book.first = TimeIn(json.at("first"));
-    book.closedUntil = TimeIn(json.at("closed_until"));
+    book.first = OptionalTimeIn(json.at("first"));
+    book.closedUntil = OptionalTimeIn(json.at("closed_until"));
     for (const nlohmann::json& step : json.at("steps"))
     {
-      book.made[*TimeIn(step.at(0))] = {step.at(1).get<std::string>(), step.at(2).get<bool>()};
+      book.made[TimeIn(step.at(0))] = {step.at(1).get<std::string>(), step.at(2).get<bool>()};
     }
     *this = std::move(book);
   }

@@ -493,7 +493,10 @@ TEST(NxvSeries, RefusesWhatIsNone)
          "{\"file-series-version\":\"2.0\",\"files\":[]}",
          "{\"file-series-version\":\"1.0\",\"files\":[{\"name\":1,\"time\":2}]}",
          "{\"file-series-version\":\"1.0\",\"files\":[{\"name\":\"a\"}]}",
-         "{\"file-series-version\":\"1.0\",\"files\":7}"})
+         "{\"file-series-version\":\"1.0\",\"files\":7}",
+         // Such times have no milliseconds in 64 bits, and no year that can be written.
+         "{\"file-series-version\":\"1.0\",\"files\":[{\"name\":\"a\",\"time\":1e300}]}",
+         "{\"file-series-version\":\"1.0\",\"files\":[{\"name\":\"a\",\"time\":-1e12}]}"})
   {
     std::ofstream(path) << text;
     EXPECT_THROW(ReadNxvSeries(path), Error) << text;

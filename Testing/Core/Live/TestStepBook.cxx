@@ -115,3 +115,26 @@ TEST(StepBooks, DroppedStepsAreNotMadeAgain)
   EXPECT_EQ(book.Made(), (std::vector<Time>{noon + 15min, noon + 20min}));
   EXPECT_EQ(book.Open().front(), noon + 15min);
 }
+
+// The step without a time was read from where no time is; the others overflowed in sums.
+TEST(StepBooks, RefuseTimesThatAreNone)
+{
+  StepBook book({5min, {}, {}, 15min});
+  const auto with = [&book](
+                      const std::string& first, const std::string& closed, const std::string& step)
+  {
+    book.Unpack("{\"first\":" + first + ",\"closed_until\":" + closed + ",\"steps\":[[" + step +
+                ",\"inputs\",true]]}");
+  };
+  const std::string usual = std::to_string(noon.time_since_epoch().count());
+  EXPECT_NO_THROW(with("null", "null", usual));
+  EXPECT_NO_THROW(with(usual, usual, usual));
+  EXPECT_THROW(with("null", "null", "null"), Error);
+  for (const char* time : {"9223372036854775807", "-9223372036854775808", "253402300800000",
+         "18446744073709551615", "1e300", "\"noon\""})
+  {
+    EXPECT_THROW(with(time, "null", usual), Error) << time;
+    EXPECT_THROW(with("null", time, usual), Error) << time;
+    EXPECT_THROW(with("null", "null", time), Error) << time;
+  }
+}
