@@ -480,6 +480,61 @@ TEST(TransferFunction, WrongFilesAreNamedInOneLine)
   EXPECT_PRED2(Holds, ErrorOf("a.txt", ""), ".json, .pal or .csv");
 }
 
+// Slopes between such places were infinite, and values at nodes no numbers.
+TEST(TransferFunction, PlacesBetweenWhichNoSlopeCanBeComputedAreErrors)
+{
+  const std::string colors = "\nColor: 1e308 0 0 0\nColor: -1e308 9 9 9\n";
+  EXPECT_NE(ErrorOf("far.pal", colors).find("beyond 1e30"), std::string::npos);
+  EXPECT_NE(
+    ErrorOf("scaled.pal", "Scale: 1e-300\nColor: 1e20 0 0 0\nColor: 2 9 9 9\n").find("beyond"),
+    std::string::npos);
+  EXPECT_NE(ErrorOf("near.pal", "Color: 0 0 0 0\nColor: 5e-324 9 9 9\n").find("same value"),
+    std::string::npos);
+  EXPECT_NE(
+    ErrorOf("near.csv", "dbz,colour\n1,#000000\n1.0000000000000002,#ffffff\n").find("line 3"),
+    std::string::npos);
+  EXPECT_NE(ErrorOf("far.json", R"({"RGBPoints":[-1e308,0,0,0,1e308,1,1,1]})").find("RGBPoints"),
+    std::string::npos);
+  const std::string nodes =
+    R"({"vtkNexradNodes":{"red":[0,0,5e-324,1],"green":[],"blue":[],"opacity":[]})";
+  EXPECT_NE(
+    ErrorOf("near.json", nodes + R"(,"vtkNexradBins":[0,5e-324,0,0,0,1,1,1]})").find("Bins"),
+    std::string::npos);
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  ASSERT_TRUE(function->ReadFile(WriteText(folder, "nodes.json", nodes + "}").c_str()));
+  EXPECT_EQ(function->GetNumberOfNodes(Function::RED), 1) << "two nodes at one place are one";
+  EXPECT_EQ(function->Evaluate(Function::RED, 0.0), 1.0);
+}
+
+TEST(TransferFunction, ColoursOfBinsAreClamped)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  ASSERT_TRUE(function->ReadFile(WriteText(folder, "bins.json",
+    R"({"vtkNexradNodes":{"red":[],"green":[],"blue":[],"opacity":[]},)"
+    R"("vtkNexradBins":[0,5,-1,0,0,1e300,1,1]})")
+                                   .c_str()));
+  double range[2];
+  std::array<double, 3> lower{};
+  std::array<double, 3> upper{};
+  ASSERT_TRUE(function->GetBin(0, range, lower.data(), upper.data()));
+  EXPECT_EQ(lower, (std::array<double, 3>{0.0, 0.0, 0.0}));
+  EXPECT_EQ(upper, (std::array<double, 3>{1.0, 1.0, 1.0}));
+}
+
+// The name of such a file became the name of the map, which JSON cannot hold: an exception that
+// nobody caught.
+TEST(TransferFunction, AFileNameInAnotherEncodingCanBeWritten)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  const auto palette = WriteText(folder, "Gew\xE4hlt.pal", "Color: 0 0 0 0\nColor: 9 9 9 9\n");
+  ASSERT_TRUE(function->ReadFile(palette.c_str()));
+  EXPECT_NE(function->FormatJSON().find("Gew\xEF\xBF\xBDhlt"), std::string::npos);
+  EXPECT_TRUE(function->WriteFile((folder.Path() / "map.json").c_str()));
+}
+
 TEST(TransferFunction, AFileThatCannotBeWrittenIsAnError)
 {
   vtkNew<Function> function;

@@ -1,6 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradColorMap.h"
 
+#include <algorithm>
+#include <cmath>
+
+bool vtkNexradColorMap::IsAbove(double place, double other)
+{
+  constexpr double leastShare = 1e-9; // of the larger of the two
+  constexpr double leastDistance = 1e-30;
+  return place - other >
+         std::max(leastDistance, leastShare * std::max(std::abs(place), std::abs(other)));
+}
+
 void vtkNexradColorMap::MakeColorNodesFromBins()
 {
   for (std::size_t channel = 0; channel < 3; ++channel)

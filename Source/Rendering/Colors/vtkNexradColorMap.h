@@ -29,6 +29,13 @@ struct vtkNexradColorMap
     }
   };
 
+  /// Places of nodes and bins lie within plus and minus this, so that slopes between them can be
+  /// computed.
+  static constexpr double LargestPlace = 1e30;
+
+  /// Whether a place lies so far above another that slopes between them can be computed.
+  static bool IsAbove(double place, double other);
+
   std::string Name;
   std::string Array = "REF"; ///< the moment whose values the places are
   /// Red, green, blue, opacity; places ascend within each. A file without opacities leaves the last

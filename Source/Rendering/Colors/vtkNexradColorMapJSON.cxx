@@ -23,7 +23,8 @@ constexpr std::array<const char*, 4> channelNames = {"red", "green", "blue", "op
 
 constexpr int samplesBetweenPoints = 8;
 
-// Numbers in groups of `width`, the first of each ascending. False when they are not that.
+// Numbers in groups of `width`, the first of each a place, which ascend. False when they are not
+// that.
 bool ReadGroups(const Json& list, std::size_t width, std::vector<double>& numbers)
 {
   if (!list.is_array() || list.empty() || list.size() % width != 0)
@@ -37,6 +38,11 @@ bool ReadGroups(const Json& list, std::size_t width, std::vector<double>& number
       return false;
     }
     numbers.push_back(each.get<double>());
+    const bool isPlace = (numbers.size() - 1) % width == 0;
+    if (isPlace && std::abs(numbers.back()) > vtkNexradColorMap::LargestPlace)
+    {
+      return false;
+    }
   }
   for (std::size_t i = width; i < numbers.size(); i += width)
   {
@@ -51,8 +57,9 @@ bool ReadGroups(const Json& list, std::size_t width, std::vector<double>& number
 // Adds a node, unless one stands there: of two points at one place the later counts.
 void AddNode(std::vector<vtkNexradColorMap::Node>& nodes, double place, double value)
 {
-  const vtkNexradColorMap::Node node = {place, std::clamp(value, 0.0, 1.0)};
-  if (!nodes.empty() && nodes.back()[0] == place)
+  const double share = std::isfinite(value) ? std::clamp(value, 0.0, 1.0) : 0.0;
+  const vtkNexradColorMap::Node node = {place, share};
+  if (!nodes.empty() && !vtkNexradColorMap::IsAbove(place, nodes.back()[0]))
   {
     nodes.back() = node;
   }
@@ -192,10 +199,11 @@ bool ReadOwnBins(const Json& list, vtkNexradColorMap& map)
   }
   for (auto at = numbers.begin(); at != numbers.end(); at += width)
   {
-    if (!(at[0] < at[1]))
+    if (!vtkNexradColorMap::IsAbove(at[1], at[0]) || at[1] > vtkNexradColorMap::LargestPlace)
     {
       return false;
     }
+    std::for_each(at + 2, at + width, [](double& share) { share = std::clamp(share, 0.0, 1.0); });
     map.Bins.push_back({at[0], at[1], {at[2], at[3], at[4]}, {at[5], at[6], at[7]}});
   }
   return true;
@@ -291,7 +299,8 @@ std::string FormatJSON(
   std::vector<double> isoValues = map.IsoValues;
   std::sort(isoValues.begin(), isoValues.end());
   result[isoValuesKey] = isoValues;
-  return Json::array({result}).dump(2) + "\n";
+  // The name may be that of a file, in any encoding.
+  return Json::array({result}).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 } // namespace vtkNexradColorMapText

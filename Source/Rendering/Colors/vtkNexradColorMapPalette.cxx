@@ -174,12 +174,16 @@ std::string Finish(std::vector<Statement>& statements, const Units& units, vtkNe
   for (Statement& statement : statements)
   {
     statement.From = (statement.From - units.Offset) / units.Scale;
+    if (!(std::abs(statement.From) <= vtkNexradColorMap::LargestPlace))
+    {
+      return "a colour stands at a value beyond 1e30; check Scale and Offset";
+    }
   }
   const auto lower = [](const Statement& a, const Statement& b) { return a.From < b.From; };
   std::stable_sort(statements.begin(), statements.end(), lower);
   for (std::size_t i = 1; i < statements.size(); ++i)
   {
-    if (!(statements[i - 1].From < statements[i].From))
+    if (!vtkNexradColorMap::IsAbove(statements[i].From, statements[i - 1].From))
     {
       return "two colours stand at the same value; each needs a value of its own";
     }
@@ -332,7 +336,8 @@ std::string ParseTable(const std::string& text, vtkNexradColorMap& map)
     const auto color =
       comma == std::string::npos ? std::nullopt : ParseHexColor(Trim(content.substr(comma + 1)));
     if (!complete || value.size() != 1 || !color ||
-        (!statements.empty() && !(value[0] > statements.back().From)))
+        !(std::abs(value[0]) <= vtkNexradColorMap::LargestPlace) ||
+        (!statements.empty() && !vtkNexradColorMap::IsAbove(value[0], statements.back().From)))
     {
       return LineError(number,
         "'" + content + "' is no row of a colour table; write an ascending value in dBZ and a " +
