@@ -151,10 +151,11 @@ bool vtkTextureSliceTarget::CopyDepth(vtkOpenGLRenderWindow* window, unsigned in
   const auto [left, bottom, width, height] = viewport;
   const Size full{static_cast<unsigned int>(width), static_cast<unsigned int>(height)};
   vtkOpenGLState* state = window->GetState();
-  const auto copy = [&](int x, int y, int toWidth, int toHeight)
+  // C++17 has no lambda that takes one of the four.
+  const auto copy = [&viewport, state](int x, int y, int toWidth, int toHeight)
   {
-    state->vtkglBlitFramebuffer(
-      x, y, x + width, y + height, 0, 0, toWidth, toHeight, GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    state->vtkglBlitFramebuffer(x, y, x + viewport[2], y + viewport[3], 0, 0, toWidth, toHeight,
+      GL_DEPTH_BUFFER_BIT, GL_NEAREST);
   };
   if (HasSize(this->Color, window, full))
   {
