@@ -8,6 +8,8 @@
 #include <QSurfaceFormat>
 #include <QVTKOpenGLNativeWidget.h>
 
+#include <clocale>
+
 namespace nexrad::viewer
 {
 
@@ -22,6 +24,8 @@ scene::ViewReport RunWindow(const scene::ViewRequest& request)
   char name[] = "nexrad3d";
   char* arguments[] = {name, nullptr};
   QApplication application(count, arguments);
+  // Qt takes the user's locale, in which numbers in files may have a comma.
+  std::setlocale(LC_NUMERIC, "C");
   MainWindow window(request);
   window.show();
   if (request.progress)
