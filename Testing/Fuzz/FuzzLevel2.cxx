@@ -1,37 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Feeds bytes to the Level II decoder and looks at all that comes out. With clang it is a libFuzzer
-// target (-fsanitize=fuzzer); MutationDriver.cxx runs it without.
+// Feeds bytes to the Level II decoder, bare and in each container, and looks at all that comes out.
+#include "FuzzTarget.h"
+
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/MomentSummary.h"
 #include "nexrad/Polar/PolarVolume.h"
 
-#include <cstddef>
-#include <cstdint>
-#include <cstdlib>
-#include <vector>
+#include <cmath>
 
 using namespace nexrad;
+using namespace nexrad::testing;
 
 namespace
 {
 
-// What every volume promises, whatever the bytes were.
-void Check(bool holds)
-{
-  if (!holds)
-  {
-    std::abort();
-  }
-}
-
 void LookAtSweep(const Sweep& sweep)
 {
-  Check(!sweep.rays.empty());
+  Require(!sweep.rays.empty(), "a sweep has rays");
   for (const Ray& ray : sweep.rays)
   {
-    Check(ray.azimuth >= 0.0F && ray.azimuth <= 360.0F);
-    Check(ray.elevation >= -2.0F && ray.elevation <= 90.0F);
-    Check(ray.elevationNumber == sweep.elevationNumber);
+    Require(ray.azimuth >= 0.0F && ray.azimuth <= 360.0F, "azimuths are 0 to 360 degrees");
+    Require(ray.elevation >= -10.0F && ray.elevation <= 90.0F, "elevations are -10 to 90 degrees");
+    Require(ray.elevationNumber == sweep.elevationNumber, "rays of a sweep are of one cut");
+    Require(std::isfinite(ray.nyquist) && ray.nyquist >= 0.0F, "Nyquist velocities are numbers");
+    Require(std::isfinite(ray.unambiguousRange), "unambiguous ranges are numbers");
   }
   for (const MomentName name : AllMoments)
   {
@@ -39,21 +31,92 @@ void LookAtSweep(const Sweep& sweep)
   }
 }
 
+void LookAtDamage(const RadarVolume& volume, std::size_t fileSize)
+{
+  for (const nexrad::Damage& damage : volume.damage)
+  {
+    Require(damage.offset <= fileSize, "damage lies within the file");
+    RequireMessage(damage.what);
+  }
+  for (const std::string& note : volume.notes)
+  {
+    RequireMessage(note);
+  }
+  Require(!volume.sweeps.empty() || !volume.damage.empty(), "no ray is damage");
+  Require(volume.complete || !volume.damage.empty(), "no end is damage");
+}
+
+void LookAtSize(const RadarVolume& volume, const Level2Options& options)
+{
+  std::size_t bytes = 0;
+  for (const auto& buffer : volume.buffers)
+  {
+    bytes += buffer->size();
+  }
+  Require(bytes <= options.maximumFileBytes, "the cap on decompressed bytes holds");
+}
+
+void LookAtCycles(const RadarVolume& volume)
+{
+  std::size_t rays = 0;
+  for (const RadarVolume& cycle : SplitCycles(volume))
+  {
+    rays += cycle.RayCount();
+  }
+  Require(rays == volume.RayCount(), "cycles have the rays of the volume");
+}
+
+// The ways that look at the first bytes alone.
+void LookAtStart(const std::uint8_t* data, std::size_t size)
+{
+  static const InputFile file("volume");
+  file.Write(data, size);
+  LooksLikeLevel2(file.Path());
+  PeekVolumeHeader(file.Path());
+}
+
 } // namespace
+
+namespace nexrad::testing
+{
+
+std::vector<Bytes> FuzzSeeds()
+{
+  std::vector<Bytes> seeds;
+  for (const unsigned type : {1U, 31U})
+  {
+    const Bytes bare = MakeSmallVolume(type);
+    const Bytes rest(bare.begin() + 24, bare.end());
+    const auto middle = rest.begin() + (type == 1 ? 12 : 2) * 2432; // whole messages
+    const Bytes records = Join({MakeVolumeHeader(), MakeLdmRecord({rest.begin(), middle}),
+      MakeLdmRecord({middle, rest.end()}, true)});
+    seeds.insert(seeds.end(),
+      {bare, Gzip(bare), Bzip2(bare), Compress(bare), Compress(bare, 10), records, Gzip(records)});
+  }
+  return seeds;
+}
+
+} // namespace nexrad::testing
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   Level2Options options;
   options.maximumRecordBytes = std::size_t(1) << 20;
   options.maximumFileBytes = std::size_t(4) << 20;
+  options.threads = 1;
   const RadarVolume volume =
     DecodeLevel2(std::vector<std::uint8_t>(data, data + size), "fuzz", options);
   for (const Sweep& sweep : volume.sweeps)
   {
     LookAtSweep(sweep);
   }
-  Check(!volume.sweeps.empty() || !volume.damage.empty());
-  Check(volume.complete || !volume.damage.empty());
-  MakePolarVolume(volume, MomentName::REF);
+  LookAtDamage(volume, size);
+  LookAtSize(volume, options);
+  LookAtCycles(volume);
+  for (const MomentName moment : {MomentName::REF, MomentName::VEL, MomentName::SW})
+  {
+    MakePolarVolume(volume, moment);
+  }
+  LookAtStart(data, size);
   return 0;
 }
