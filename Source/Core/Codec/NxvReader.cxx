@@ -223,7 +223,8 @@ void RequireMomentBefore(const GriddedVolume& volume)
   }
 }
 
-// Takes the states from their own array. With codes, it may only add what they cannot say.
+// Takes the states from their own array. With codes, it may only add what they cannot say. Without,
+// a writer may have left any value where no echo is.
 void ReadStates(const Reading& reading, std::uint64_t offset, const NxvArray& array,
   GriddedVolume& volume, bool fromCodes)
 {
@@ -242,6 +243,7 @@ void ReadStates(const Reading& reading, std::uint64_t offset, const NxvArray& ar
                   (fromCodes ? " contradicts its code" : " is not known"));
     }
     volume.states[i] = state;
+    volume.values[i] = state == VoxelState::Echo ? volume.values[i] : volume.fill;
   }
 }
 

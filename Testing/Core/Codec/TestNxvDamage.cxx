@@ -232,6 +232,24 @@ TEST(NxvDamage, StatesMayNotContradictTheCodes)
   EXPECT_NE(errorWith(std::string("\1\5\0\3", 4)).find("voxel 1"), std::string::npos);
 }
 
+// Such values were taken for those of no echo, in pictures and in files written again.
+TEST(NxvDamage, FloatsWithoutEchoGetTheFillValue)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.arrays.resize(2);
+  header.arrays[0].type = NxvType::Float32;
+  header.arrays[0].storage = NxvStorage::Deflated;
+  header.arrays[0].fill = -33.0;
+  header.arrays[1].name = "REF_state";
+  header.arrays[1].type = NxvType::UInt8;
+  header.arrays[1].storage = NxvStorage::Deflated;
+  const std::string ones("\0\0\x80\x3F\0\0\x80\x3F\0\0\x80\x3F\0\0\x80\x3F", 16);
+  EXPECT_EQ(
+    file.ErrorOf(FileOf(header, {Deflated(ones), Deflated(std::string("\0\1\2\3", 4))})), "");
+  EXPECT_EQ(file.Last().values, (std::vector<float>{1.0F, -33.0F, -33.0F, -33.0F}));
+}
+
 TEST(NxvDamage, FilteredVoxelsMayNotContradictTheCodes)
 {
   const Damaged file;
