@@ -201,15 +201,16 @@ std::vector<Bytes> FuzzSeeds()
   constexpr unsigned start = 0;
   constexpr unsigned middle = 1;
   constexpr unsigned end = 2;
+  constexpr int level = 1; // the smallest blocks: decompressors take little memory
   RayPlan first;
   first.status = 3;
   RayPlan second;
   second.cut = 2;
   second.status = 0;
   const Bytes metadata = Join({MakeVolumeHeader(),
-    MakeLdmRecord(Join({MakeMessage2(21, 190), MakeMessage5(21, {0.5, 1.5})}))});
-  const Bytes one = MakeLdmRecord(MakeSweepBytes(31, first, 6, 2));
-  const Bytes two = MakeLdmRecord(MakeSweepBytes(31, second, 6, 4), true);
+    MakeLdmRecord(Join({MakeMessage2(21, 190), MakeMessage5(21, {0.5, 1.5})}), false, level)});
+  const Bytes one = MakeLdmRecord(MakeSweepBytes(31, first, 6, 2), false, level);
+  const Bytes two = MakeLdmRecord(MakeSweepBytes(31, second, 6, 4), true, level);
   const Bytes a = PieceBytes(1, start, metadata);
   const Bytes b = PieceBytes(2, middle, one);
   const Bytes c = PieceBytes(3, end, two);

@@ -82,16 +82,24 @@ namespace nexrad::testing
 
 std::vector<Bytes> FuzzSeeds()
 {
+  constexpr int level = 1; // the smallest blocks: decompressors take little memory
   std::vector<Bytes> seeds;
   for (const unsigned type : {1U, 31U})
   {
-    const Bytes bare = MakeSmallVolume(type);
-    const Bytes rest(bare.begin() + 24, bare.end());
-    const auto middle = rest.begin() + (type == 1 ? 12 : 2) * 2432; // whole messages
-    const Bytes records = Join({MakeVolumeHeader(), MakeLdmRecord({rest.begin(), middle}),
-      MakeLdmRecord({middle, rest.end()}, true)});
-    seeds.insert(seeds.end(),
-      {bare, Gzip(bare), Bzip2(bare), Compress(bare), Compress(bare, 10), records, Gzip(records)});
+    RayPlan first;
+    first.status = 3;
+    RayPlan second;
+    second.status = 0;
+    second.cut = 2;
+    second.elevation = 1.5;
+    const Bytes metadata = Join({MakeMessage2(21, 1900), MakeMessage5(21, {0.5, 1.5})});
+    const Bytes low = MakeSweepBytes(type, first, 4, 2);
+    const Bytes high = MakeSweepBytes(type, second, 3, 4);
+    const Bytes bare = Join({MakeVolumeHeader(), metadata, low, high});
+    const Bytes records = Join({MakeVolumeHeader(), MakeLdmRecord(metadata, false, level),
+      MakeLdmRecord(low, false, level), MakeLdmRecord(high, true, level)});
+    seeds.insert(seeds.end(), {bare, Gzip(bare), Bzip2(bare, level), Compress(bare),
+                                Compress(bare, 10), records, Gzip(records), MakeSmallVolume(type)});
   }
   return seeds;
 }

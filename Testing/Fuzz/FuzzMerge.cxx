@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Merges what the Level II decoder makes of any bytes: quality control, dealiasing and both methods
-// get rays that no radar would send.
+// get rays that no radar would send. How it is merged depends on the length of the input.
 #include "FuzzTarget.h"
 
 #include "nexrad/Level2/Level2File.h"
@@ -17,15 +17,24 @@ namespace
 
 constexpr std::array<int, 3> dimensions = {8, 8, 4};
 
-MergeOptions OptionsOf(MergeMethod method)
+MergeOptions OptionsOf(std::size_t choice)
 {
   MergeOptions options;
-  options.method = method;
   options.grid.dimensions = dimensions;
   options.grid.range = 20'000.0;
-  if (method == MergeMethod::Beam)
+  switch (choice % 4)
   {
-    options.furtherMoments = {MomentName::VEL, MomentName::AZSHEAR};
+  case 0:
+    options.method = MergeMethod::Thesis;
+    break;
+  case 1:
+    options.moment = MomentName::AZSHEAR;
+    break;
+  case 2:
+    options.furtherMoments = {MomentName::VEL};
+    break;
+  default:
+    break;
   }
   return options;
 }
@@ -47,11 +56,11 @@ void LookAt(const GriddedVolume& volume)
   }
 }
 
-void MergeWith(const RadarVolume& volume, MergeMethod method)
+void Merge(const RadarVolume& volume, const MergeOptions& options)
 {
   try
   {
-    LiveSeries series(OptionsOf(method), {});
+    LiveSeries series(options, {});
     for (const ScannedFile& file : series.Put({{"fuzz", "fuzz", volume, true}}))
     {
       for (const InputProblem& problem : file.problems)
@@ -111,9 +120,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   options.threads = 1;
   const RadarVolume volume =
     DecodeLevel2(std::vector<std::uint8_t>(data, data + size), "KTLX", options);
-  for (const MergeMethod method : {MergeMethod::Beam, MergeMethod::Thesis})
-  {
-    MergeWith(volume, method);
-  }
+  Merge(volume, OptionsOf(size));
   return 0;
 }

@@ -272,13 +272,14 @@ Bytes MakeSmallVolume(unsigned messageType)
     MakeSweepBytes(messageType, low, 12, 2), MakeSweepBytes(messageType, high, 12, 4)});
 }
 
-Bytes Bzip2(const Bytes& content)
+Bytes Bzip2(const Bytes& content, int level)
 {
   auto size = static_cast<unsigned>(content.size() + content.size() / 50 + 600);
   Bytes stored(size);
-  Bytes input = content;
+  Bytes input = content; // the interface takes it as non-const, and no null pointer
+  input.push_back(0);
   if (BZ2_bzBuffToBuffCompress(reinterpret_cast<char*>(stored.data()), &size,
-        reinterpret_cast<char*>(input.data()), static_cast<unsigned>(input.size()), 9, 0,
+        reinterpret_cast<char*>(input.data()), static_cast<unsigned>(content.size()), level, 0,
         0) != BZ_OK)
   {
     throw std::runtime_error("bzip2 failed");
@@ -308,9 +309,9 @@ Bytes Gzip(const Bytes& content)
   return stored;
 }
 
-Bytes MakeLdmRecord(const Bytes& content, bool last)
+Bytes MakeLdmRecord(const Bytes& content, bool last, int level)
 {
-  const Bytes stream = Bzip2(content);
+  const Bytes stream = Bzip2(content, level);
   const auto length = static_cast<std::int32_t>(stream.size());
   return BlockWriter(4)
     .U32(0, static_cast<std::uint32_t>(last ? -length : length))

@@ -90,10 +90,11 @@ Bytes MakeSweepBytes(unsigned messageType, RayPlan first, unsigned rays, unsigne
 /// A whole volume of two sweeps of 12 rays behind a header: bare.
 Bytes MakeSmallVolume(unsigned messageType);
 
-Bytes Bzip2(const Bytes& content);
+/// A bzip2 stream of blocks of `level` × 100 kB: a decompressor takes its memory by that.
+Bytes Bzip2(const Bytes& content, int level = 9);
 Bytes Gzip(const Bytes& content);
 /// A bzip2 stream behind its length, negative for the last one.
-Bytes MakeLdmRecord(const Bytes& content, bool last = false);
+Bytes MakeLdmRecord(const Bytes& content, bool last = false, int level = 9);
 /// The Unix program compress, with codes of 9 to `maximumWidth` (10 to 16) bits; clears its table
 /// when full.
 Bytes Compress(const Bytes& content, unsigned maximumWidth = 16);

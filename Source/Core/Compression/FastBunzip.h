@@ -32,8 +32,8 @@ public:
   FastBunzip& operator=(const FastBunzip&) = delete;
 
   /// Decompresses one stream to at most `maximumBytes`. Bytes of the input that belong to it; empty
-  /// when the stream is not whole and correct, is longer than that, or has randomised blocks, which
-  /// no compressor has written for long.
+  /// when the stream is not whole and correct, is longer than that, or has what no compressor
+  /// writes: randomised blocks (none has for long), and lengths of codes that cannot all be.
   std::optional<std::size_t> Run(ByteView stored, std::size_t maximumBytes);
 
   /// What came out of the last stream, and where its blocks end in the input.
