@@ -14,7 +14,7 @@ endif()
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
   FiltersCore FiltersExtraction FiltersSources
-  ImagingCore IOCore IOImage IONetCDF IOXML IOOggTheora
+  ImagingCore IOCore IOGeometry IOImage IONetCDF IOXML IOOggTheora
   ParallelCore
   InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2
   RenderingUI RenderingVolume RenderingVolumeOpenGL2

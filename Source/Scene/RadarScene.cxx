@@ -530,7 +530,8 @@ void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
   scale = ScaleFor(shown, *options.plan, information.sites, MomentScale(array, steps));
   const std::string key = PlanKey(shown);
   note = shown.where + (key.empty() ? "" : "; " + key);
-  this->Replace(plan, {MakePlanLayer(shown, scale, placed, PictureHeight(frame), theme)});
+  this->Replace(
+    plan, {MakePlanLayer(shown, scale, placed, HeightOf(frame, GroundLevel::Picture), theme)});
 }
 
 void RadarScene::Replace(Props& group, Props replacement)
@@ -574,8 +575,8 @@ void RadarScene::DrawSection()
   SceneLayer layer;
   if (options.cut.section)
   {
-    layer =
-      MakeSectionMark(*options.cut.section, frame, SectionHeight(frame), this->TextSize(), theme);
+    layer = MakeSectionMark(
+      *options.cut.section, frame, HeightOf(frame, GroundLevel::Section), this->TextSize(), theme);
   }
   this->Replace(section, std::move(layer.props));
   sectionLabels = std::move(layer.labels);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace nexrad::scene
@@ -166,19 +167,30 @@ bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
   return caster != nullptr && caster->PreLoadData(renderer, volume);
 }
 
-void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction)
+std::vector<IsoValue> WithOpacities(std::vector<IsoValue> isoValues)
 {
   std::sort(isoValues.begin(), isoValues.end(),
     [](const IsoValue& a, const IsoValue& b) { return a.value < b.value; });
-  const auto last = static_cast<double>(isoValues.size() - 1);
+  const auto last = static_cast<double>(isoValues.size()) - 1.0;
+  double place = 0.0;
+  for (IsoValue& isoValue : isoValues)
+  {
+    const double rank = last > 0.0 ? place / last : 1.0;
+    const double usual = outermostOpacity + rank * (innermostOpacity - outermostOpacity);
+    isoValue.opacity = isoValue.opacity.value_or(usual);
+    ++place;
+  }
+  return isoValues;
+}
+
+void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction)
+{
   std::vector<double> values;
   std::vector<double> opacities;
-  for (const IsoValue& isoValue : isoValues)
+  for (const IsoValue& isoValue : WithOpacities(std::move(isoValues)))
   {
-    const double rank = last > 0.0 ? static_cast<double>(values.size()) / last : 1.0;
-    const double usual = outermostOpacity + rank * (innermostOpacity - outermostOpacity);
     values.push_back(isoValue.value);
-    opacities.push_back(isoValue.opacity.value_or(usual));
+    opacities.push_back(*isoValue.opacity);
   }
   transferFunction->SetOpacityToIsoValues(
     values.data(), opacities.data(), static_cast<int>(values.size()));

@@ -51,8 +51,11 @@ bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 vtkSmartPointer<vtkNexradTransferFunction> MakeTransferFunction(
   const SceneOptions& options, const std::string& array = "REF");
 
-/// Makes the opacities shells about values, and the values those of surfaces. Opacities that are
-/// not given are 0.35 for the lowest to 0.95 for the highest value.
+/// The values in ascending order, each with an opacity: where none is given, from 0.35 for the
+/// lowest to 0.95 for the highest value.
+std::vector<IsoValue> WithOpacities(std::vector<IsoValue> isoValues);
+
+/// Makes the opacities shells about values, and the values those of surfaces, WithOpacities.
 void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* transferFunction);
 
 /// The boxes of the look's colour bar: its own steps, or one for each 5 dBZ (another round width

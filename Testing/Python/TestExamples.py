@@ -63,7 +63,7 @@ class Usage(unittest.TestCase):
         return done.returncode, done.stderr
 
     def test_without_arguments_an_example_says_how_it_is_used(self):
-        self.assertEqual(len(self.names), 8)
+        self.assertEqual(len(self.names), 9)
         for name in self.names:
             status, said = self.refused(name)
             self.assertEqual(status, 2, name)
@@ -166,6 +166,12 @@ class Examples(unittest.TestCase):
         said = run("rotation", glob.glob(os.path.join(folder, "*.nxv"))[0], picture, "0.004")
         self.assertRegex(said, r"^surfaces of 0.004/s that are at least 3 km high: [1-9]\d*\n$")
         at_least(self, len(numpy.unique(pixels(picture), axis=0)), 1500, "colours of the picture")
+
+    def test_draw_model(self):
+        model, picture = os.path.join(SyntheticFiles.folder(), "storm.glb"), picture_path("model")
+        subprocess.run([os.environ["NEXRAD3D"], "render", merged_volume(), "-o", model, "--quiet"], check=True)
+        run("draw_model", model, picture)
+        at_least(self, len(numpy.unique(pixels(picture), axis=0)), 1000, "colours of the picture")
 
     def test_slices_in_vtk(self):
         picture = picture_path("slices")

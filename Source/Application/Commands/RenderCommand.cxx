@@ -10,6 +10,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iostream>
 #include <locale>
@@ -31,11 +33,12 @@ std::filesystem::path ParseOutput(const std::string& text)
 {
   const std::filesystem::path path(text);
   const std::string extension = path.extension().string();
-  if (extension != ".png" && extension != ".ogv" && extension != ".mp4" && extension != ".tif")
+  constexpr std::array<const char*, 5> known = {".png", ".ogv", ".mp4", ".tif", ".glb"};
+  if (std::find(known.begin(), known.end(), extension) == known.end())
   {
-    throw Error(
-      "'" + text +
-      "' is no picture, movie or map; write a name that ends in .png, .ogv, .mp4 or .tif");
+    throw Error("'" + text +
+                "' is no picture, movie, map or model; write a name that ends in .png, .ogv, .mp4, "
+                ".tif or .glb");
   }
   return path;
 }
@@ -51,6 +54,24 @@ void AddMovie(CLI::App& command, scene::RenderRequest& request)
   AddNumberOption(command, "--turn", request.turn, -36'000.0, 36'000.0, "DEGREES",
     "How far the camera goes round during the movie")
     ->group(group);
+}
+
+// Throws for what a file of that kind cannot show.
+void CheckOutput(const scene::RenderRequest& request)
+{
+  const std::string extension = request.output.extension().string();
+  if (extension == ".tif" && !request.scene.plan)
+  {
+    throw CLI::ValidationError("--output", "a .tif is a map; write --map composite as well");
+  }
+  if (extension == ".glb" && request.scene.plan)
+  {
+    throw CLI::ValidationError("--output", "a .glb has surfaces; a map is a .png or a .tif");
+  }
+  if (extension == ".glb" && !request.scene.colourBy.empty())
+  {
+    throw CLI::ValidationError("--colour-by", "is of pictures; a surface of a .glb has one colour");
+  }
 }
 
 int RunRender(RenderOptions& options)
@@ -85,7 +106,8 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
   AddInputOptions(*command, request.input);
   AddParsedOption(*command, "-o,--output", request.output, ParseOutput, "FILE",
     "Picture (.png; one for each time, with the time in its name, when there are several) or movie "
-    "(.ogv, or .mp4 where ffmpeg is installed); with --map also a GeoTIFF of its numbers (.tif)")
+    "(.ogv, or .mp4 where ffmpeg is installed); the surfaces of --iso-values as glTF (.glb); with "
+    "--map also a GeoTIFF of its numbers (.tif)")
     ->required();
   AddQuietOption(*command, options->quiet);
   AddDrawingOptions(*command, request);
@@ -94,10 +116,7 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
   const auto run = [options, command, &action]
   {
     FinishDrawingOptions(*command, options->request);
-    if (options->request.output.extension() == ".tif" && !options->request.scene.plan)
-    {
-      throw CLI::ValidationError("--output", "a .tif is a map; write --map composite as well");
-    }
+    CheckOutput(options->request);
     action = [options] { return RunRender(*options); };
   };
   command->callback(run);

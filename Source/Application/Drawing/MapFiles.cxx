@@ -2,21 +2,15 @@
 #include "Drawing/MapFiles.h"
 
 #include "Drawing/GeoTiff.h"
-#include "Drawing/MovieOutput.h"
+#include "Drawing/VolumeOutputs.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Plan/PlanView.h"
-#include "Scene/Series/InputSeries.h"
-#include "Scene/Series/VolumeSeries.h"
-#include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Model/Moment.h"
-#include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradThreads.h"
 
 #include <vtkImageData.h>
-#include <vtkSmartPointer.h>
 
-#include <memory>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -68,24 +62,9 @@ GeoMap MapOf(vtkImageData* volume, const PlanOptions& plan)
 
 RenderReport WriteMaps(const RenderRequest& request)
 {
-  auto series = OpenInputs(request.input, request.progress);
-  const std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
-  const Progress writing = ShareOf(request.progress, ScanShare, 1.0);
-  RenderReport report;
-  for (std::size_t i = 0; i < chosen.size(); ++i)
-  {
-    const Progress part = ShareOf(writing, i, chosen.size());
-    const vtkSmartPointer<vtkImageData> volume = series->Load(chosen[i], part);
-    if (!volume || (part && !part(1.0)))
-    {
-      throw Error("stopped before all maps were written");
-    }
-    const Time time = series->Times()[chosen[i]];
-    report.outputs.push_back(PictureName(request.output, time, chosen.size() > 1));
-    WriteGeoTiff(report.outputs.back(), MapOf(volume, request.scene.plan.value()));
-  }
-  report.problems = series->Problems();
-  return report;
+  const auto write = [&request](const std::filesystem::path& path, vtkImageData* volume)
+  { WriteGeoTiff(path, MapOf(volume, request.scene.plan.value())); };
+  return WriteEachVolume(request, write);
 }
 
 } // namespace nexrad::scene

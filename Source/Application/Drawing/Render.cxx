@@ -4,6 +4,7 @@
 #include "Drawing/MapFiles.h"
 #include "Drawing/MovieOutput.h"
 #include "Drawing/PictureWindow.h"
+#include "Drawing/SurfaceFiles.h"
 #include "Scene/RadarSession.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Error.h"
@@ -71,6 +72,10 @@ RenderReport Render(const RenderRequest& request)
   if (request.output.extension() == ".tif")
   {
     return WriteMaps(request);
+  }
+  if (request.output.extension() == ".glb")
+  {
+    return WriteSurfaces(request);
   }
   RequireDisplay();
   auto series = OpenInputs(request.input, request.progress);

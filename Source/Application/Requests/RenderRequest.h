@@ -14,7 +14,7 @@ namespace nexrad::scene
 /// What the render command asks of the scene library.
 struct RenderRequest : DrawingRequest
 {
-  std::filesystem::path output; ///< .png, .ogv or .mp4; of a map also .tif
+  std::filesystem::path output; ///< .png, .ogv, .mp4 or .glb; of a map also .tif
   int framesPerSecond = 8;      ///< of a movie
   int frames = 0;               ///< of a movie; 0: one for each time
   double turn = 0.0;            ///< degrees by which the camera goes round during a movie

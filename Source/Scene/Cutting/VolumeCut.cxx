@@ -7,6 +7,7 @@
 #include <vtkMath.h>
 #include <vtkNew.h>
 #include <vtkPlane.h>
+#include <vtkPlaneCollection.h>
 #include <vtkVolumeMapper.h>
 
 #include <algorithm>
@@ -24,15 +25,14 @@ bool AreFinite(const Numbers& numbers)
     numbers.begin(), numbers.end(), [](double number) { return std::isfinite(number); });
 }
 
-// What the normal points to is drawn.
 void AddPlane(
-  vtkVolumeMapper* mapper, const std::array<double, 3>& origin, std::array<double, 3> normal)
+  vtkPlaneCollection* planes, const std::array<double, 3>& origin, std::array<double, 3> normal)
 {
   vtkMath::Normalize(normal.data());
   vtkNew<vtkPlane> plane;
   plane->SetOrigin(origin.data());
   plane->SetNormal(normal.data());
-  mapper->AddClippingPlane(plane);
+  planes->AddItem(plane);
 }
 
 } // namespace
@@ -67,9 +67,9 @@ void CheckCutUnit(const CutOptions& cut, vtkImageData* volume)
   }
 }
 
-void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame& frame)
+vtkSmartPointer<vtkPlaneCollection> CutPlanesOf(const CutOptions& cut, const SceneFrame& frame)
 {
-  mapper->RemoveAllClippingPlanes();
+  auto planes = vtkSmartPointer<vtkPlaneCollection>::New();
   if (cut.box)
   {
     // Cropping planes would do, but there is one set of them, and a finer volume in place of a part
@@ -81,9 +81,9 @@ void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame&
     {
       std::array<double, 3> normal{};
       normal[axis] = 1.0;
-      AddPlane(mapper, low, normal);
+      AddPlane(planes, low, normal);
       normal[axis] = -1.0;
-      AddPlane(mapper, high, normal);
+      AddPlane(planes, high, normal);
     }
   }
   if (cut.plane)
@@ -96,8 +96,14 @@ void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame&
     {
       normal[axis] /= one[axis] - zero[axis];
     }
-    AddPlane(mapper, frame.ToScene(cut.plane->origin), normal);
+    AddPlane(planes, frame.ToScene(cut.plane->origin), normal);
   }
+  return planes;
+}
+
+void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame& frame)
+{
+  mapper->SetClippingPlanes(CutPlanesOf(cut, frame));
 }
 
 } // namespace nexrad::scene

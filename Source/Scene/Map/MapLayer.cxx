@@ -23,26 +23,6 @@ namespace
 // Pixels, indexed by MapLineKind.
 constexpr std::array<double, 3> lineWidths = {2.0, 1.6, 1.0};
 
-// Things on the ground are stacked a little above each other, in parts of the domain's width, so
-// that they do not fight for the same depth.
-enum class Level
-{
-  Ground = -2, // well below the lines: its depth varies within a pixel
-  Picture = -1,
-  Counties = 0,
-  States = 1,
-  Countries = 2,
-  Rings = 3,
-  Markers = 4,
-  Section = 5
-};
-
-double HeightOf(const SceneFrame& frame, Level level)
-{
-  const auto& bounds = frame.Bounds();
-  return bounds[4] + 8e-4 * static_cast<int>(level) * (bounds[1] - bounds[0]);
-}
-
 std::array<double, 4> Rectangle(const SceneFrame& frame)
 {
   const auto& bounds = frame.Bounds();
@@ -71,24 +51,23 @@ void AddClipped(LineBuilder& builder, const GroundLine& line,
 
 void AddMapLines(SceneLayer& layer, const SceneFrame& frame, const Theme& theme)
 {
-  const std::array<Colour, 3> colours = {theme.country, theme.state, theme.county};
-  constexpr std::array<Level, 3> levels = {Level::Countries, Level::States, Level::Counties};
   const auto placed = PlaceMapLines(frame);
   for (std::size_t kind = 0; kind < placed.size(); ++kind)
   {
+    const auto ofLines = static_cast<MapLineKind>(kind);
     LineBuilder builder;
     for (const GroundLine& line : placed[kind])
     {
-      builder.Add(Raised(line, HeightOf(frame, levels[kind])));
+      builder.Add(Raised(line, HeightOf(frame, LevelOf(ofLines))));
     }
-    layer.props.push_back(builder.MakeActor(colours[kind], lineWidths[kind]));
+    layer.props.push_back(builder.MakeActor(ColourOf(ofLines, theme), lineWidths[kind]));
   }
 }
 
 vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame, const Colour& colour)
 {
   const auto& box = frame.Bounds();
-  const double height = HeightOf(frame, Level::Ground);
+  const double height = HeightOf(frame, GroundLevel::Ground);
   vtkNew<vtkPlaneSource> plane;
   plane->SetOrigin(box[0], box[2], height);
   plane->SetPoint1(box[1], box[2], height);
@@ -111,7 +90,7 @@ void AddSite(SceneLayer& layer, const SceneFrame& frame, const std::string& name
   const std::array<double, 2>& place, int textSize, const Theme& theme)
 {
   const double radius = std::max(2.0, 0.19 * textSize); // pixels
-  const ScenePoint point = {place[0], place[1], HeightOf(frame, Level::Markers)};
+  const ScenePoint point = {place[0], place[1], HeightOf(frame, GroundLevel::Markers)};
   layer.props.push_back(MakeMarker(point, radius, theme.marker, theme.rim));
   layer.labels.push_back({name, point, {textSize, theme.marker, theme.rim},
     {LabelSide::Right, LabelSide::AboveRight, LabelSide::BelowRight, LabelSide::Left,
@@ -128,7 +107,7 @@ void AddSites(SceneLayer& layer, const SceneFrame& frame, const MapContents& con
   {
     for (const GroundLine& ring : PlaceRings(site.place, contents.ringSpacing))
     {
-      AddClipped(rings, ring, box, HeightOf(frame, Level::Rings));
+      AddClipped(rings, ring, box, HeightOf(frame, GroundLevel::Rings));
     }
     if (site.within)
     {
@@ -148,7 +127,7 @@ void AddNames(SceneLayer& layer, const SceneFrame& frame, int textSize, const Th
     {
       Label label;
       label.text = name.name;
-      label.point = {place[0], place[1], HeightOf(frame, Level::Markers)};
+      label.point = {place[0], place[1], HeightOf(frame, GroundLevel::Markers)};
       label.style = {letters, theme.placeName, theme.rim};
       label.sides = {LabelSide::Centre, LabelSide::Above, LabelSide::Below};
       label.optional = true;
@@ -159,14 +138,36 @@ void AddNames(SceneLayer& layer, const SceneFrame& frame, int textSize, const Th
 
 } // namespace
 
-double PictureHeight(const SceneFrame& frame)
+double HeightOf(const SceneFrame& frame, GroundLevel level)
 {
-  return HeightOf(frame, Level::Picture);
+  const auto& bounds = frame.Bounds();
+  return bounds[4] + 8e-4 * static_cast<int>(level) * (bounds[1] - bounds[0]);
 }
 
-double SectionHeight(const SceneFrame& frame)
+GroundLevel LevelOf(MapLineKind kind)
 {
-  return HeightOf(frame, Level::Section);
+  switch (kind)
+  {
+  case MapLineKind::Country:
+    return GroundLevel::Countries;
+  case MapLineKind::State:
+    return GroundLevel::States;
+  default:
+    return GroundLevel::Counties;
+  }
+}
+
+const Colour& ColourOf(MapLineKind kind, const Theme& theme)
+{
+  switch (kind)
+  {
+  case MapLineKind::Country:
+    return theme.country;
+  case MapLineKind::State:
+    return theme.state;
+  default:
+    return theme.county;
+  }
 }
 
 SceneLayer MakeMapLayer(

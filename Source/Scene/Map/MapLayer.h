@@ -4,6 +4,7 @@
 #include "Scene/Elements/Label.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/Frame/SceneFrame.h"
+#include "Scene/Map/MapLines.h"
 
 #include <string>
 #include <vector>
@@ -19,11 +20,28 @@ struct MapContents
   bool names = false;             ///< of states and provinces
 };
 
-/// The scene height of a picture that lies on the ground, under the map's lines.
-double PictureHeight(const SceneFrame& frame);
+/// Things on the ground are stacked a little above each other, in parts of the domain's width, so
+/// that they do not fight for the same depth.
+enum class GroundLevel
+{
+  Ground = -2,  ///< well below the lines: its depth varies within a pixel
+  Picture = -1, ///< that lies on the ground
+  Counties = 0,
+  States = 1,
+  Countries = 2,
+  Rings = 3,
+  Markers = 4,
+  Section = 5
+};
 
-/// The scene height of the line of a section, over them.
-double SectionHeight(const SceneFrame& frame);
+/// The scene height of what lies on the ground.
+double HeightOf(const SceneFrame& frame, GroundLevel level);
+
+/// The level of a line of the map.
+GroundLevel LevelOf(MapLineKind kind);
+
+/// Its colour.
+const Colour& ColourOf(MapLineKind kind, const Theme& theme);
 
 /// What lies on the ground under a volume: a plane, the map's lines cut at the domain's edge, and
 /// for each radar that the site table knows a marker, with its name as a label, and rings of range.
