@@ -33,6 +33,9 @@ std::optional<PlanOptions> PlanOf(vtkNexradVolumeScene* scene)
   case vtkNexradVolumeScene::LIQUID:
     plan.level = PlanLevel::Liquid;
     return plan;
+  case vtkNexradVolumeScene::LIQUID_DENSITY:
+    plan.level = PlanLevel::LiquidDensity;
+    return plan;
   default:
     return std::nullopt;
   }

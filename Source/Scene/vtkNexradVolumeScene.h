@@ -68,7 +68,7 @@ public:
    * volume is shown. COMPOSITE: the largest value; of velocity, the largest speed. LOWEST: the
    * lowest voxel that was scanned. AT_HEIGHT: the voxel at PlanHeight. ECHO_TOP: the height at
    * which reflectivity falls below EchoTopThreshold. LIQUID: the vertically integrated liquid of
-   * the reflectivity in kg/m².
+   * the reflectivity in kg/m². LIQUID_DENSITY: that through the height of the echo top, in g/m³.
    */
   enum PlanType
   {
@@ -77,7 +77,8 @@ public:
     LOWEST = 2,
     AT_HEIGHT = 3,
     ECHO_TOP = 4,
-    LIQUID = 5
+    LIQUID = 5,
+    LIQUID_DENSITY = 6
   };
 
   /**
@@ -356,7 +357,7 @@ public:
    * Shows a plan view in place of the volume. NO_PLAN by default. A plan view is usually seen from
    * above: SetCameraFromAbove.
    */
-  vtkSetClampMacro(Plan, int, NO_PLAN, LIQUID);
+  vtkSetClampMacro(Plan, int, NO_PLAN, LIQUID_DENSITY);
   vtkGetMacro(Plan, int);
   ///@}
 
@@ -370,7 +371,7 @@ public:
 
   ///@{
   /**
-   * For ECHO_TOP: the threshold in dBZ. 18 by default.
+   * For ECHO_TOP and LIQUID_DENSITY: the threshold in dBZ. 18 by default.
    */
   vtkSetMacro(EchoTopThreshold, double);
   vtkGetMacro(EchoTopThreshold, double);

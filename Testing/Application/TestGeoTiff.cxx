@@ -108,10 +108,11 @@ TEST(GeoTiff, ProductsAreThoseOfTheCore)
   const VoxelLines lines = LinesOf(volume);
   const ColumnProduct tops = MakeEchoTops(lines, 25.0);
   const ColumnProduct liquid = MakeIntegratedLiquid(lines);
+  const ColumnProduct density = MakeLiquidDensity(lines, 25.0);
   ColumnProduct composite = liquid;
   std::copy_n(volume.values.begin(), 30, composite.values.begin()); // they fall with height
-  const std::pair<const char*, const ColumnProduct*> products[] = {
-    {"composite", &composite}, {"echo-top:25", &tops}, {"vil", &liquid}};
+  const std::pair<const char*, const ColumnProduct*> products[] = {{"composite", &composite},
+    {"echo-top:25", &tops}, {"vil", &liquid}, {"vil-density:25", &density}};
   for (const auto& [name, product] : products)
   {
     const fs::path output = folder.Path() / "map.tif";

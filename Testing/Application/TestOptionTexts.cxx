@@ -100,6 +100,7 @@ TEST(OptionTexts, DefaultsAreLeftOut)
 {
   EXPECT_EQ(Joined(OptionTextsOf(scene::DrawingRequest())), "");
   EXPECT_EQ(Joined(ReadAndWrite({{"--map", "composite"}})), "--map=composite ");
+  EXPECT_EQ(Joined(ReadAndWrite({{"--map", "vil-density"}})), "--map=vil-density:18 ");
 }
 
 TEST(OptionTexts, AllOptionsAreWrittenAsTheyWereRead)

@@ -111,7 +111,8 @@ TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)
     return FileContent(folder.Path() / name);
   };
   std::set<std::string> pictures;
-  for (const char* map : {"composite", "lowest", "3km", "echo-top", "echo-top:30", "vil"})
+  for (const char* map : {"composite", "lowest", "3km", "echo-top", "echo-top:30", "vil",
+         "vil-density", "vil-density:30"})
   {
     pictures.insert(draw("a.png", {"--map", map}));
   }
@@ -120,7 +121,7 @@ TEST(RenderCommand, MapsOfTheMomentAndOfWhatStandsBehindIt)
   {
     pictures.insert(draw("b.png", {"--map", "3km", "--array", array}));
   }
-  EXPECT_EQ(pictures.size(), 10u);
+  EXPECT_EQ(pictures.size(), 12u);
   EXPECT_EQ(pictures.count(draw("c.png", {"--map", "3km", "--array", "REF"})), 1u);
 }
 

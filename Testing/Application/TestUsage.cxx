@@ -171,8 +171,12 @@ TEST(Usage, WrongOptionsOfTheMethodBeamAreNamed)
 
 TEST(Usage, WrongMapsAreNamed)
 {
-  ExpectWrongUsage(
-    {"render", "a", "-o", "b.png", "--map", "top"}, {"--map", "composite", "lowest", "3km"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--map", "top"},
+    {"--map", "composite", "lowest", "vil-density", "3km"});
+  for (const char* map : {"vil-density:", "vil-density:x", "vil-density:101", "vil-density30"})
+  {
+    ExpectWrongUsage({"render", "a", "-o", "b.png", "--map", map}, {"--map", "vil-density:30"});
+  }
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--array", "REF_age"}, {"--array", "--map"});
 }
 

@@ -13,7 +13,8 @@ class Gdal(unittest.TestCase):
         import netCDF4
 
         volume = sorted(files.gridded("--format", "nxv").glob("*.nxv"))[0]
-        for which, unit in (("composite", "dBZ"), ("echo-top", "m"), ("vil", "kg/m^2")):
+        for which, unit in (("composite", "dBZ"), ("echo-top", "m"), ("vil", "kg/m^2"),
+                            ("vil-density", "g/m^3")):
             path = pathlib.Path(files.FOLDER.name) / f"{which}.tif"
             files.nexrad3d("render", volume, "-o", path, "--map", which, "--quiet")
             info = gdal_info(path)

@@ -151,6 +151,7 @@ class Pictures(unittest.TestCase):
         self.draw(settings(kinds.AT_HEIGHT), "--map", "3km")
         self.draw(settings(kinds.ECHO_TOP), "--map", "echo-top")
         self.draw(settings(kinds.LIQUID), "--map", "vil")
+        self.draw(settings(kinds.LIQUID_DENSITY), "--map", "vil-density")
         self.draw(settings(kinds.AT_HEIGHT, "REF_age"), "--map", "3km", "--array", "REF_age")
 
     def test_what_is_seen_at_a_pixel(self):

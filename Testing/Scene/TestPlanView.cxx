@@ -192,13 +192,20 @@ TEST(PlanView, EchoTopsAndLiquidAreOfWholeColumns)
   EXPECT_EQ(mass.unit, "kg/m²");
   EXPECT_EQ(mass.bins[static_cast<std::size_t>(FindBin(mass, 2.6539))].from, 2.5);
   EXPECT_EQ(FindBin(mass, static_cast<double>(liquid.values[1])), -1) << "a weak echo";
+  plan.level = PlanLevel::LiquidDensity;
+  const PlanView density = MakePlanView(SourceOf(FiveColumns()), plan);
+  EXPECT_EQ(density.states, tops.states);
+  EXPECT_NEAR(static_cast<double>(density.values[0]), 1.32695, 0.0003); // through 2000 m
+  EXPECT_EQ(ScaleFor(density, plan, {}, {}).unit, "g/m³");
+  EXPECT_EQ(ScaleFor(density, plan, {}, {}).title, "VIL density, echo top at 40 dBZ");
+  EXPECT_NE(density.where.find("40 dBZ above mean sea level"), std::string::npos) << density.where;
 }
 
 TEST(PlanView, EchoTopsAndLiquidAreOfReflectivityAlone)
 {
   GriddedVolume volume = FiveColumns();
   volume.moment = MomentName::VEL;
-  for (const PlanLevel level : {PlanLevel::EchoTop, PlanLevel::Liquid})
+  for (const PlanLevel level : {PlanLevel::EchoTop, PlanLevel::Liquid, PlanLevel::LiquidDensity})
   {
     EXPECT_THROW(MakePlanView(SourceOf(volume), {level, 0.0, ""}), Error);
     EXPECT_EQ(
@@ -289,7 +296,7 @@ TEST(PlanView, AVolumeOfCodesHasTheMapsOfItsValues)
   ASSERT_NE(vtkUnsignedCharArray::SafeDownCast(codes->GetPointData()->GetScalars()), nullptr);
   const GriddedVolume read = ReadNxv(folder.Path() / "storm.nxv");
   for (const PlanLevel level : {PlanLevel::Composite, PlanLevel::Lowest, PlanLevel::Height,
-         PlanLevel::EchoTop, PlanLevel::Liquid})
+         PlanLevel::EchoTop, PlanLevel::Liquid, PlanLevel::LiquidDensity})
   {
     const PlanOptions plan{level, 3000.0, ""};
     const PlanView wanted = MakePlanView(SourceOf(read), plan);

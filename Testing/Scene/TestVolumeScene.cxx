@@ -260,6 +260,8 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
         scene->SetEchoTopThreshold(30.0);
       }},
     {"liquid", [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID); }},
+    {"liquid density",
+      [](vtkNexradVolumeScene* scene) { scene->SetPlan(vtkNexradVolumeScene::LIQUID_DENSITY); }},
     {"crop",
       [](vtkNexradVolumeScene* scene)
       {

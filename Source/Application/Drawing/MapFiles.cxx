@@ -24,11 +24,17 @@ namespace
 std::pair<std::string, std::string> TermsOf(
   const PlanOptions& plan, const PlanView& view, MomentName moment)
 {
+  std::ostringstream threshold;
+  threshold << plan.threshold << " dBZ";
   if (plan.level == PlanLevel::EchoTop)
   {
-    std::ostringstream title;
-    title << "Echo top above mean sea level, " << plan.threshold << " dBZ";
-    return {title.str(), "m"};
+    return {"Echo top above mean sea level, " + threshold.str(), "m"};
+  }
+  if (plan.level == PlanLevel::LiquidDensity)
+  {
+    return {"VIL density: vertically integrated liquid through the height of the echo top, " +
+              threshold.str(),
+      "g/m^3"};
   }
   if (plan.level == PlanLevel::Liquid)
   {

@@ -66,7 +66,8 @@ void SetPlan(const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
     {scene::PlanLevel::Lowest, vtkNexradVolumeScene::LOWEST},
     {scene::PlanLevel::Height, vtkNexradVolumeScene::AT_HEIGHT},
     {scene::PlanLevel::EchoTop, vtkNexradVolumeScene::ECHO_TOP},
-    {scene::PlanLevel::Liquid, vtkNexradVolumeScene::LIQUID}};
+    {scene::PlanLevel::Liquid, vtkNexradVolumeScene::LIQUID},
+    {scene::PlanLevel::LiquidDensity, vtkNexradVolumeScene::LIQUID_DENSITY}};
   scene->SetPlan(plans.at(options.plan->level));
   scene->SetPlanHeight(options.plan->height);
   scene->SetPlanArray(options.plan->array);

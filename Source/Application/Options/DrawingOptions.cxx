@@ -105,19 +105,26 @@ scene::LightDirection ParseLightDirection(const std::string& text)
   return {angles[0], angles[1]};
 }
 
-// What follows "echo-top": nothing, or a colon and dBZ.
-double ParseThreshold(const std::string& text, const std::string& end, double usual)
+// The map of that name, which a colon and the threshold of its echo top in dBZ may follow. False
+// where the text begins otherwise.
+bool ParseThresholdMap(const std::string& text, const std::string& name, double& threshold)
 {
-  if (end.empty())
+  if (text.compare(0, name.size(), name) != 0)
   {
-    return usual;
+    return false;
   }
-  const std::vector<double> threshold = FindNumbers(end.substr(1));
-  if (end.front() != ':' || threshold.size() != 1 || std::abs(threshold[0]) > 100.0)
+  if (text.size() == name.size())
   {
-    throw Error("'" + text + "' is no echo top; write echo-top, or echo-top:30 for that of 30 dBZ");
+    return true;
   }
-  return threshold[0];
+  const std::vector<double> written = FindNumbers(text.substr(name.size() + 1));
+  if (text[name.size()] != ':' || written.size() != 1 || std::abs(written[0]) > 100.0)
+  {
+    throw Error("'" + text + "' is no " + name + "; write " + name + ", or " + name +
+                ":30 for an echo top of 30 dBZ");
+  }
+  threshold = written[0];
+  return true;
 }
 
 scene::PlanOptions ParsePlan(const std::string& text)
@@ -133,10 +140,14 @@ scene::PlanOptions ParsePlan(const std::string& text)
     plan.level = scene::PlanLevel::Liquid;
     return plan;
   }
-  if (const std::string echoTop = "echo-top"; text.compare(0, echoTop.size(), echoTop) == 0)
+  if (ParseThresholdMap(text, "echo-top", plan.threshold))
   {
     plan.level = scene::PlanLevel::EchoTop;
-    plan.threshold = ParseThreshold(text, text.substr(echoTop.size()), plan.threshold);
+    return plan;
+  }
+  if (ParseThresholdMap(text, "vil-density", plan.threshold))
+  {
+    plan.level = scene::PlanLevel::LiquidDensity;
     return plan;
   }
   try
@@ -146,8 +157,9 @@ scene::PlanOptions ParsePlan(const std::string& text)
   }
   catch (const Error&)
   {
-    throw Error(
-      "'" + text + "' is no map; write composite, lowest, echo-top, vil, or a height as in 3km");
+    throw Error("'" + text +
+                "' is no map; write composite, lowest, echo-top, vil, vil-density, or a height as "
+                "in 3km");
   }
   return plan;
 }
@@ -230,8 +242,9 @@ void AddMapOptions(CLI::App& command, scene::SceneOptions& options)
   AddParsedOption(command, "--map", options.plan, ParsePlan, "WHICH",
     "Of each column the largest value (composite; of VEL the fastest), the lowest that was scanned "
     "(lowest), the one at a height above mean sea level, m or km, the height of the echo top at 18 "
-    "dBZ or another threshold (echo-top, echo-top:30), or the vertically integrated liquid (vil); "
-    "seen from above, north up")
+    "dBZ or another threshold (echo-top, echo-top:30), the vertically integrated liquid (vil), or "
+    "the liquid through the height of the echo top (vil-density, vil-density:30); seen from above, "
+    "north up")
     ->group(group);
   command
     .add_option("--array",

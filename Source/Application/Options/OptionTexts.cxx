@@ -76,6 +76,8 @@ std::string MapTextOf(const scene::PlanOptions& plan)
     return "echo-top:" + TextOf(plan.threshold);
   case scene::PlanLevel::Liquid:
     return "vil";
+  case scene::PlanLevel::LiquidDensity:
+    return "vil-density:" + TextOf(plan.threshold);
   default:
     return "composite";
   }

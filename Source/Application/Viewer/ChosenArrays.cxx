@@ -20,9 +20,7 @@ namespace
 // The map that a moment has in place of that of another one: PHI and RHO have no largest value.
 scene::PlanOptions PlanOf(scene::PlanOptions plan, MomentName moment)
 {
-  const bool product =
-    plan.level == scene::PlanLevel::EchoTop || plan.level == scene::PlanLevel::Liquid;
-  if (product && moment != MomentName::REF)
+  if (scene::IsColumnProduct(plan.level) && moment != MomentName::REF)
   {
     plan.level = scene::PlanLevel::Composite;
   }

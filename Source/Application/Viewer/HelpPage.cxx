@@ -39,7 +39,7 @@ constexpr Task tasks[] = {
   {"Surfaces at values", "the preset iso-values; or write values into Iso-values, in the editor of "
                          "the transfer function (T)"},
   {"Velocity, or another moment", "Moment, in the panel Look"},
-  {"Maps: composite, echo top, VIL", "View, in the panel Look"},
+  {"Maps: composite, echo top, VIL, VIL density", "View, in the panel Look"},
   {"Cut the volume open", "the tab Cut beside the panel Look: Crop or Clip"},
   {"A vertical section", "X, then drag over the ground; Remove takes the line away"},
   {"The first view again", "R"},

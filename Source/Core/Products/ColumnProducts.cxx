@@ -95,6 +95,41 @@ private:
   double depth;
 };
 
+// The liquid of one column, in g, through the height of its echo top.
+class LiquidDensity
+{
+public:
+  LiquidDensity(const VoxelLines& voxels, double threshold)
+    : liquid(voxels)
+    , top(voxels, threshold)
+  {
+  }
+
+  struct Column
+  {
+    Liquid::Column liquid;
+    EchoTop::Column top;
+  };
+
+  void Add(int level, float voxel, bool echo, Column& column) const
+  {
+    liquid.Add(level, voxel, echo, column.liquid);
+    top.Add(level, voxel, echo, column.top);
+  }
+
+  std::optional<double> Of(const Column& column) const
+  {
+    constexpr double gramsPerKilogram = 1000.0;
+    const double height = top.Of(column.top).value_or(0.0);
+    return height > 0.0 ? std::optional(gramsPerKilogram * *liquid.Of(column.liquid) / height)
+                        : std::nullopt;
+  }
+
+private:
+  Liquid liquid;
+  EchoTop top;
+};
+
 // The state of a column whose product has no value, with one more voxel of it.
 VoxelState StateOfNone(VoxelState column, VoxelState voxel)
 {
@@ -149,6 +184,11 @@ ColumnProduct MakeEchoTops(const VoxelLines& voxels, double threshold, const Ran
 ColumnProduct MakeIntegratedLiquid(const VoxelLines& voxels, const RangeLoop& loop)
 {
   return MakeProduct(voxels, "vertically integrated liquid", Liquid(voxels), loop);
+}
+
+ColumnProduct MakeLiquidDensity(const VoxelLines& voxels, double threshold, const RangeLoop& loop)
+{
+  return MakeProduct(voxels, "VIL density", LiquidDensity(voxels, threshold), loop);
 }
 
 } // namespace nexrad

@@ -130,6 +130,18 @@ ColourScale LiquidScale()
   return scale;
 }
 
+// Storms with large hail are sought from 3.5 g/m³ on (Amburn and Wolf 1997).
+ColourScale LiquidDensityScale(double threshold)
+{
+  ColourScale scale;
+  scale.bins = BinsFrom({0.25, 0.5, 0.75, 1, 1.25, 1.5, 1.75, 2, 2.5, 3, 3.5, 4, 4.5, 5, 6});
+  scale.unit = "g/m³";
+  std::ostringstream title;
+  title << "VIL density, echo top at " << threshold << " dBZ";
+  scale.title = title.str();
+  return scale;
+}
+
 bool EndsWith(const std::string& text, const std::string& end)
 {
   return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
@@ -146,6 +158,8 @@ ColourScale ScaleFor(const PlanView& view, const PlanOptions& plan,
     return EchoTopScale(plan.threshold);
   case PlanLevel::Liquid:
     return LiquidScale();
+  case PlanLevel::LiquidDensity:
+    return LiquidDensityScale(plan.threshold);
   default:
     return ScaleFor(view, plan.array, sites, moment);
   }

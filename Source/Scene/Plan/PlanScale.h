@@ -16,8 +16,8 @@ namespace nexrad::scene
 ColourScale ScaleFor(const PlanView& view, const std::string& array,
   const std::vector<std::string>& sites, const ColourScale& moment);
 
-/// The scale of a plan: of echo tops in km and of liquid in kg/m² one that is the same for all
-/// volumes, else that for the map of its array.
+/// The scale of a plan: of echo tops in km, of liquid in kg/m² and of its density in g/m³ one that
+/// is the same for all volumes, else that for the map of its array.
 ColourScale ScaleFor(const PlanView& view, const PlanOptions& plan,
   const std::vector<std::string>& sites, const ColourScale& moment);
 

@@ -208,9 +208,38 @@ void TakeMoment(const std::vector<ShownVoxel>& shown, PlanView& view)
   }
 }
 
-bool IsProduct(PlanLevel level)
+ColumnProduct MakeProduct(const VoxelLines& volume, const PlanOptions& plan, const RangeLoop& loop)
 {
-  return level == PlanLevel::EchoTop || level == PlanLevel::Liquid;
+  switch (plan.level)
+  {
+  case PlanLevel::EchoTop:
+    return MakeEchoTops(volume, plan.threshold, loop);
+  case PlanLevel::LiquidDensity:
+    return MakeLiquidDensity(volume, plan.threshold, loop);
+  default:
+    return MakeIntegratedLiquid(volume, loop);
+  }
+}
+
+std::string ProductText(const PlanOptions& plan)
+{
+  constexpr char capped[] = "above 56 dBZ as 56 dBZ";
+  std::ostringstream text;
+  switch (plan.level)
+  {
+  case PlanLevel::EchoTop:
+    text << "Highest place of each column with " << plan.threshold
+         << " dBZ, in km above mean sea level";
+    break;
+  case PlanLevel::LiquidDensity:
+    text << "Liquid of each column (" << capped << ") through the height of its echo top at "
+         << plan.threshold << " dBZ above mean sea level";
+    break;
+  default:
+    text << "Of all voxels of each column; " << capped;
+    break;
+  }
+  return text.str();
 }
 
 PlanView MakeProductView(const VoxelLines& volume, const PlanOptions& plan, const RangeLoop& loop)
@@ -219,18 +248,13 @@ PlanView MakeProductView(const VoxelLines& volume, const PlanOptions& plan, cons
   {
     throw Error("echo tops and liquid are computed of REF, not of " + plan.array);
   }
-  const bool top = plan.level == PlanLevel::EchoTop;
-  ColumnProduct product =
-    top ? MakeEchoTops(volume, plan.threshold, loop) : MakeIntegratedLiquid(volume, loop);
+  ColumnProduct product = MakeProduct(volume, plan, loop);
   PlanView view;
   view.width = product.width;
   view.height = product.height;
   view.values = std::move(product.values);
   view.states = std::move(product.states);
-  std::ostringstream where;
-  where << "Highest place of each column with " << plan.threshold
-        << " dBZ, in km above mean sea level";
-  view.where = top ? where.str() : "Of all voxels of each column; above 56 dBZ as 56 dBZ";
+  view.where = ProductText(plan);
   return view;
 }
 
@@ -239,7 +263,7 @@ PlanView MakeProductView(const VoxelLines& volume, const PlanOptions& plan, cons
 PlanView MakePlanView(const PlanSource& source, const PlanOptions& plan, const RangeLoop& loop)
 {
   const VoxelLines& volume = source.voxels;
-  if (IsProduct(plan.level))
+  if (IsColumnProduct(plan.level))
   {
     return MakeProductView(volume, plan, loop);
   }

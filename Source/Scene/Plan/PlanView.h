@@ -23,7 +23,8 @@ struct PlanView
   std::string where; ///< which voxels these are, for a caption
 };
 
-/// Takes one voxel of each column, or computes the echo top in m or the liquid in kg/m². Of an
+/// Takes one voxel of each column, or computes the echo top in m, the liquid in kg/m² or its
+/// density in g/m³. Of an
 /// ancillary array (`plan.array`) its value in that voxel, so that the map of the array belongs to
 /// the map of the moment with the same choice. Throws Error for an array that the volume does not
 /// have, naming those it has, for a height outside it, for a composite of PHI or RHO, and for an

@@ -175,7 +175,7 @@ TEST_F(WindowCoverageTest, VolumesWithTheArraysShowThemAtAHeight)
   }
   WriteNxv(folder.Path() / "halves.nxv", volume);
   this->OpenFirst(folder.Path() / "halves.nxv");
-  this->Choose("View", 5);
+  this->Choose("View", 6);
   EXPECT_EQ(this->Scene()->GetPlan(), vtkNexradVolumeScene::AT_HEIGHT);
   EXPECT_EQ(this->Scene()->GetPlanHeight(), 3000.0);
   this->Choose("Map of", 1);
@@ -190,6 +190,6 @@ TEST_F(WindowCoverageTest, VolumesWithTheArraysShowThemAtAHeight)
     "map at a height in the window and of the copied command, of 255", contextReason);
   this->Enter("Map height", "7.5");
   EXPECT_EQ(this->Scene()->GetPlanHeight(), 7500.0);
-  this->Choose("View", -2);
+  this->Choose("View", -3);
   EXPECT_EQ(this->Scene()->GetPlanArray(), "") << "an echo top is of reflectivity";
 }

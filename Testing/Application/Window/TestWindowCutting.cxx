@@ -402,4 +402,6 @@ TEST_F(WindowCuttingTest, TheViewShowsEchoTopsAndLiquid)
     "pixels that differ between echo tops and liquid, part");
   EXPECT_EQ(scene->GetPlan(), vtkNexradVolumeScene::LIQUID);
   window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowLiquid.png");
+  this->Choose("View", 1);
+  EXPECT_EQ(scene->GetPlan(), vtkNexradVolumeScene::LIQUID_DENSITY);
 }

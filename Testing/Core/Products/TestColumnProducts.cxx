@@ -91,12 +91,37 @@ TEST(ColumnProducts, AWeakEchoAddsLittleAndNoEchoNothing)
   EXPECT_EQ(MakeIntegratedLiquid(LinesOf(ColumnOf({none}, {-33.0F}))).states[0], none);
 }
 
+// By hand: 50 dBZ is Z = 10⁵, to the power of 4/7 719.69; 28 dBZ 39.811, 8 dBZ 2.8649. The sum
+// 762.36 times 3.44e-6 times 1000 m is 2.62253 kg/m²; the echo top of 18 dBZ is at 2000 m, that of
+// 40 dBZ at 500 m + 10/22 · 1000 m.
+TEST(ColumnProducts, LiquidDensityIsLiquidThroughTheEchoTop)
+{
+  const GriddedVolume column = ColumnOf({echo, echo, echo, none}, {50.0F, 28.0F, 8.0F, -33.0F});
+  const ColumnProduct usual = MakeLiquidDensity(LinesOf(column), 18.0);
+  EXPECT_EQ(usual.states[0], echo);
+  EXPECT_NEAR(static_cast<double>(usual.values[0]), 1.31126, 0.0002);
+  const ColumnProduct higher = MakeLiquidDensity(LinesOf(column), 40.0);
+  EXPECT_NEAR(static_cast<double>(higher.values[0]), 2.74741, 0.0004);
+}
+
+TEST(ColumnProducts, WithoutAnEchoTopThereIsNoLiquidDensity)
+{
+  const auto stateOf = [](const GriddedVolume& column)
+  { return MakeLiquidDensity(LinesOf(column), 18.0).states[0]; };
+  EXPECT_EQ(stateOf(ColumnOf({echo, none}, {10.0F, -33.0F})), none) << "liquid, but no top";
+  EXPECT_EQ(stateOf(ColumnOf({open, folded}, {-33.0F, -33.0F})), folded);
+  GriddedVolume below = ColumnOf({echo}, {50.0F});
+  below.grid.origin[2] = -20.0; // m, and the top with it
+  EXPECT_EQ(stateOf(below), none);
+}
+
 TEST(ColumnProducts, AreOfReflectivityAlone)
 {
   GriddedVolume volume = ColumnOf({echo}, {10.0F});
   volume.moment = MomentName::VEL;
   EXPECT_THROW(MakeEchoTops(LinesOf(volume), 18.0), Error);
   EXPECT_THROW(MakeIntegratedLiquid(LinesOf(volume)), Error);
+  EXPECT_THROW(MakeLiquidDensity(LinesOf(volume), 18.0), Error);
 }
 
 // More columns than are visited together.

@@ -40,9 +40,10 @@ int PlaceOf(int slices)
 }
 
 // What the choice of views offers, in its order.
-constexpr std::array<int, 6> plans = {vtkNexradVolumeScene::NO_PLAN,
+constexpr std::array<int, 7> plans = {vtkNexradVolumeScene::NO_PLAN,
   vtkNexradVolumeScene::COMPOSITE, vtkNexradVolumeScene::LOWEST, vtkNexradVolumeScene::ECHO_TOP,
-  vtkNexradVolumeScene::LIQUID, vtkNexradVolumeScene::AT_HEIGHT};
+  vtkNexradVolumeScene::LIQUID, vtkNexradVolumeScene::LIQUID_DENSITY,
+  vtkNexradVolumeScene::AT_HEIGHT};
 constexpr double kilometre = 1000.0;
 constexpr double usualHeight = 3.0; // km, of a map at a height that was not set
 
@@ -58,7 +59,8 @@ constexpr char nothingOpen[] = "Nothing open";
 // Computed of the reflectivity of all voxels of a column; other maps show one voxel of it.
 bool IsProduct(int plan)
 {
-  return plan == vtkNexradVolumeScene::ECHO_TOP || plan == vtkNexradVolumeScene::LIQUID;
+  return plan == vtkNexradVolumeScene::ECHO_TOP || plan == vtkNexradVolumeScene::LIQUID ||
+         plan == vtkNexradVolumeScene::LIQUID_DENSITY;
 }
 
 } // namespace
@@ -204,7 +206,7 @@ void LookPanel::AddMaps(QFormLayout* form)
   views = this->AddChoice(
     form, "View", "The volume, or a map of one value of each column",
     {"Volume", "Largest value of each column", "Lowest value that was scanned",
-      "Echo top at 18 dBZ", "Vertically integrated liquid", "At a height"},
+      "Echo top at 18 dBZ", "Vertically integrated liquid (VIL)", "VIL density", "At a height"},
     [this] { return PlaceOfPlan(scene->GetPlan()); },
     [this](int index) { this->ChooseView(plans[static_cast<std::size_t>(index)]); });
   mapArray = this->AddChoice(
