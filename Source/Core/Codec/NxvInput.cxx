@@ -22,6 +22,24 @@ std::uint32_t LittleEndian(const std::uint8_t* bytes)
          static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
 }
 
+std::uint64_t BytesOf(NxvType type)
+{
+  return type == NxvType::Float32 ? 4 : type == NxvType::UInt16 ? 2 : 1;
+}
+
+// Throws Error for a payload that is too short for its voxels, however well it is compressed:
+// before memory is taken for them.
+void CheckExpansion(const NxvArray& array, std::uint64_t voxels)
+{
+  constexpr std::uint64_t strongest = 1032; // bytes of a byte (zlib's technical details)
+  const std::uint64_t bytes = voxels * BytesOf(array.type);
+  if (array.storage == NxvStorage::Deflated && bytes / strongest > array.length)
+  {
+    throw Error("array \"" + array.name + "\": " + std::to_string(array.length) +
+                " bytes cannot be decompressed to " + std::to_string(bytes));
+  }
+}
+
 void CheckLengths(const NxvInput& file, const NxvContent& content)
 {
   std::uint64_t left = file.Length() - content.payloads;
@@ -33,6 +51,7 @@ void CheckLengths(const NxvInput& file, const NxvContent& content)
                                         std::to_string(array.length) + " bytes, the file has " +
                                         std::to_string(left));
     }
+    CheckExpansion(array, content.header.volume.grid.VoxelCount());
     left -= array.length;
   }
   if (left != 0)

@@ -213,6 +213,24 @@ TEST(NxvDamage, AGridBeyondTheMemoryAllowedIsAnError)
   EXPECT_EQ(ReadNxv(file.Path(), {24}).values.size(), 4u);
 }
 
+// A deflated byte stands for 1032 at most: no memory is taken for voxels that a file cannot hold.
+TEST(NxvDamage, AGridThatItsBytesCannotHoldIsAnError)
+{
+  const Damaged file;
+  NxvHeader header = SmallHeader();
+  header.arrays[0].type = NxvType::UInt8;
+  header.arrays[0].storage = NxvStorage::Deflated;
+  header.volume.grid.dimensions = {100, 100, 100};
+  const std::string all = Deflated(std::string(1'000'000, '\0'));
+  EXPECT_EQ(file.ErrorOf(FileOf(header, {all})), "");
+  EXPECT_NE(file.ErrorOf(FileOf(header, {all.substr(0, 900)}))
+              .find("900 bytes cannot be decompressed to 1000000"),
+    std::string::npos);
+  header.arrays[0].type = NxvType::Float32;
+  EXPECT_NE(file.ErrorOf(FileOf(header, {all})).find("cannot be decompressed to 4000000"),
+    std::string::npos);
+}
+
 TEST(NxvDamage, StatesMayNotContradictTheCodes)
 {
   const Damaged file;
