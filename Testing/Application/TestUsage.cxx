@@ -84,13 +84,14 @@ TEST(Usage, HelpAndVersionAreNoFailure)
 TEST(Usage, HelpHasUnitsAndDefaults)
 {
   const std::string help = WithEqualSigns(RunNexrad3d({"grid", "--help"}).output);
-  for (const char* text : {"--dims XxYxZ=256x256x128", "--step DURATION=5min",
-         "--max-gap DURATION=15min", "--range LENGTH=230km", "--height LOWER,UPPER=0,20km",
-         "--moment NAME,...=REF", "--method NAME=beam", "--format NAME=nxv",
-         "--overlap NAME=distance", "--overlap-length LENGTH=100km", "--fill-columns",
-         "--linear-reflectivity", "--ancillary", "--motion MOTION=estimated", "--memory SIZE=1GiB",
-         "--no-sharpening", "--despeckle NUMBER=0", "--no-dealiasing", "--storm-motion EAST,NORTH",
-         "--bias BIAS=off", "--quality NAME=standard", "degrees", "km", "UTC"})
+  for (const char* text :
+    {"--dims XxYxZ=256x256x128", "--step DURATION=5min", "--max-gap DURATION=15min",
+      "--range LENGTH=230km", "--height LOWER,UPPER=0,20km", "--moment NAME,...=REF",
+      "--method NAME=beam", "--format NAME=nxv", "--overlap NAME=distance",
+      "--overlap-length LENGTH=100km", "--fill-columns", "--linear-reflectivity", "--ancillary",
+      "--motion MOTION=estimated", "--memory SIZE", "--threads NUMBER", "--no-sharpening",
+      "--despeckle NUMBER=0", "--no-dealiasing", "--storm-motion EAST,NORTH", "--bias BIAS=off",
+      "--quality NAME=standard", "degrees", "km", "UTC"})
   {
     EXPECT_NE(help.find(text), std::string::npos) << text;
   }

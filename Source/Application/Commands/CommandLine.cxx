@@ -82,7 +82,8 @@ int RunAction(const CLI::App& program, const CommandAction& action)
   catch (const std::bad_alloc&)
   {
     Complain(program,
-      "not enough memory; fewer voxels (--dims) need less, and so does a smaller --memory");
+      "not enough memory; fewer voxels (--dims) need less, and --memory refuses beforehand what "
+      "does not fit");
   }
   catch (const std::system_error& error)
   {

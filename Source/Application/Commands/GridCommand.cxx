@@ -2,6 +2,7 @@
 #include "Commands/GridCommand.h"
 
 #include "Options/GridOptions.h"
+#include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/BiasOutput.h"
 #include "Output/Counted.h"
@@ -210,6 +211,7 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
     "--json", options->json, "Print what was made as JSON (default: lines of text)");
   AddQuietOption(*command, options->quiet);
   AddGridOptions(*command, options->job.options);
+  AddThreadsOption(*command);
   command->callback(
     [options, &action, command]
     {

@@ -4,6 +4,7 @@
 #include "Libraries/SceneLibrary.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
+#include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/ProgressBar.h"
 #include "Output/StopSignal.h"
@@ -113,6 +114,7 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
   AddDrawingOptions(*command, request);
   AddMovie(*command, request);
   AddGridOptions(*command, request.input.grid);
+  AddThreadsOption(*command);
   const auto run = [options, command, &action]
   {
     FinishDrawingOptions(*command, options->request);

@@ -5,6 +5,7 @@
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
 #include "Options/SessionFile.h"
+#include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/ProgressBar.h"
 
@@ -98,6 +99,7 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
     ->type_name("DIR")
     ->capture_default_str();
   AddGridOptions(*command, request.input.grid);
+  AddThreadsOption(*command);
   const auto run = [options, command, &action]
   {
     options->plain = options->plain || !HasWindowLibrary();

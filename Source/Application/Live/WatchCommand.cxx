@@ -3,14 +3,17 @@
 
 #include "Live/WatchRun.h"
 #include "Options/GridOptions.h"
+#include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/Counted.h"
 #include "Output/ProgressBar.h"
 #include "Output/StopSignal.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradThreads.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -168,6 +171,7 @@ void AddWatchCommand(CLI::App& program, CommandAction& action)
     ->group(group);
   AddQuietOption(*command, options->quiet);
   AddGridOptions(*command, job.options);
+  AddThreadsOption(*command);
   command->callback(
     [options, &action, command]
     {
@@ -175,8 +179,16 @@ void AddWatchCommand(CLI::App& program, CommandAction& action)
       given.recipe = RecipeOf(*command);
       given.intake.idle = given.stale;
       given.intake.level2.siteName = given.options.siteName;
-      given.drawing =
-        options->noPicture ? std::vector<std::string>() : DrawingWords(options->drawing);
+      given.intake.level2.threads = vtkNexradThreadCount();
+      if (!options->noPicture)
+      {
+        given.drawing = DrawingWords(options->drawing);
+        const std::vector<std::string> threads = GivenThreads(*command);
+        const bool own =
+          std::find(given.drawing.begin(), given.drawing.end(), "--threads") != given.drawing.end();
+        given.drawing.insert(
+          given.drawing.end(), threads.begin(), own ? threads.begin() : threads.end());
+      }
       action = [options] { return RunWatch(*options); };
     });
 }

@@ -6,6 +6,7 @@
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Quality/Despeckling.h"
+#include "nexrad/System/MachineMemory.h"
 
 #include <CLI/CLI.hpp>
 
@@ -19,6 +20,7 @@ namespace
 {
 
 constexpr char group[] = "Merging radar files";
+constexpr char machineGroup[] = "Memory and threads"; // change no volume
 constexpr char hidden[] = ""; // the group of names that options had in earlier versions
 
 Duration ParseStep(const std::string& text)
@@ -184,15 +186,28 @@ void AddMethod(CLI::App& command, MergeOptions& options)
     "a "
     "value; 0: none")
     ->group(group);
-  AddParsedOption(command, "--memory", options.memory, ParseMemory, "SIZE",
-    "Memory for decoded volumes that are kept for times in any order, MiB or GiB; what does not "
-    "fit is "
-    "decoded again",
-    "1GiB")
-    ->group(group);
   AddParsedOption(command, "--site", options.siteName, ParseSite, "NAME",
     "Treat all files as data of this radar, in place of the name in each file")
     ->group(group);
+}
+
+void AddMemory(CLI::App& command, MergeOptions& options)
+{
+  options.memoryLimit = {MachineMemory().value_or(0), ""};
+  const auto take = [&options](const std::string& text)
+  {
+    options.memoryLimit = {ParseMemory(text), "--memory"};
+    if (options.memoryLimit.bytes == 0)
+    {
+      throw Error("'" + text + "' is no memory to work with; write 512MiB or more");
+    }
+  };
+  AddTextOption(command, "--memory", take, "SIZE",
+    "Memory that the merges may take, MiB or GiB: a grid that needs more is refused before "
+    "anything is decoded. What is left, at most 1 GiB, keeps decoded volumes where times are asked "
+    "for in any order; what does not fit is decoded again (default: what this machine, or the "
+    "container, has)")
+    ->group(machineGroup);
 }
 
 void AddVelocity(CLI::App& command, MergeOptions& options)
@@ -336,6 +351,7 @@ void AddGridOptions(CLI::App& command, MergeOptions& options)
   AddTimes(command, options);
   AddDomain(command, options);
   AddMethod(command, options);
+  AddMemory(command, options);
   AddVelocity(command, options);
   AddBias(command, options);
   AddBeam(command, options);

@@ -39,6 +39,25 @@ fs::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar
   return (radar.empty() ? "" : radar + "_") + FormatForFileName(time) + ExtensionOf(format);
 }
 
+VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)
+{
+  const std::size_t moments = 1 + options.furtherMoments.size();
+  const bool exact = files.nxv.encoding == NxvEncoding::Float;
+  const std::size_t ofImage =
+    sizeof(float) + sizeof(VoxelState) + (options.beam.ancillary ? 10 : 0);
+  constexpr std::size_t ghostType = 1;
+  switch (files.format)
+  {
+  case VolumeFormat::Nxv:
+    return {1, exact ? 2 * sizeof(float) : 2};
+  case VolumeFormat::Vti:
+    return {1, moments * ofImage + ghostType};
+  case VolumeFormat::NetCDF:
+    return {1, moments * ofImage + ghostType};
+  }
+  return {1, 0};
+}
+
 StepWriter::StepWriter(UnfinishedRun& theRun, const VolumeFiles& theFiles)
   : run(theRun)
   , files(theFiles)

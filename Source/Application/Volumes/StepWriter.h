@@ -4,6 +4,7 @@
 #include "Volumes/UnfinishedRun.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Merging/MergeOptions.h"
 
 #include <filesystem>
 #include <future>
@@ -33,6 +34,10 @@ const char* ExtensionOf(VolumeFormat format);
 
 /// "20060312T180500Z.nxv"; of one radar alone "KEAX_20060312T180500Z.nxv".
 std::filesystem::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar = {});
+
+/// What becomes of the merged volumes that StepWriter writes: the one before, and what is made of
+/// it for its file.
+VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options);
 
 /// Writes the volumes of a run, each on a thread of its own while the next one is being made.
 class StepWriter

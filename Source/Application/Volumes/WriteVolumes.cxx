@@ -321,6 +321,7 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.loop = vtkNexradRangeLoop();
   setup.threads = vtkNexradThreadCount();
   setup.processes = processes;
+  setup.use = UseOfWriting(job.written, job.options);
   MergeOptions options = job.options;
   options.compareRadars = true;
   SeriesMerger merger(job.inputs, options, setup);

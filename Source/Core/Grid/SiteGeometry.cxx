@@ -78,7 +78,7 @@ public:
   {
     const auto [column, right] = this->Place(0, x);
     const auto [row, up] = this->Place(1, y);
-    const auto width = static_cast<std::size_t>(lastNode[0] - firstNode[0] + 1);
+    const auto width = static_cast<std::size_t>(lastNode[0] - firstNode[0]) + 1;
     const Offset* below = nodes.data() + static_cast<std::size_t>(row - firstNode[1]) * width +
                           static_cast<std::size_t>(column - firstNode[0]);
     const Offset* above = below + width;
@@ -153,6 +153,15 @@ ColumnBox PartWithin(const ColumnBox& box, const VoxelBlock& block)
 }
 
 } // namespace
+
+std::size_t SiteGeometry::MemoryBytesOf(
+  const GridSpecification& grid, const Position& site, double reach)
+{
+  const ColumnBox box = BoxAbout(grid, site, reach);
+  const auto width = static_cast<std::size_t>(box.last[0] - box.first[0]);
+  const auto height = static_cast<std::size_t>(box.last[1] - box.first[1]);
+  return box.IsEmpty() ? 0 : width * height * sizeof(ColumnDirection);
+}
 
 SiteGeometry::SiteGeometry(const GridSpecification& grid, const Position& site, double reach,
   const BeamModel& beam, const std::optional<VoxelBlock>& block)

@@ -49,6 +49,9 @@ public:
   float Nearest() const { return nearest; }
 
   std::size_t MemoryBytes() const { return columns.size() * sizeof(ColumnDirection); }
+  /// What MemoryBytes of a whole grid will be.
+  static std::size_t MemoryBytesOf(
+    const GridSpecification& grid, const Position& site, double reach);
 
 private:
   std::size_t Width() const { return static_cast<std::size_t>(end[0] - begin[0]); }

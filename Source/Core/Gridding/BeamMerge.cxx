@@ -290,6 +290,16 @@ BeamVolume PrepareForGrid(
   return prepared;
 }
 
+std::size_t GeometryBytes(const GridSpecification& grid, const std::vector<Position>& radars)
+{
+  std::size_t bytes = 0;
+  for (const Position& radar : radars)
+  {
+    bytes += SiteGeometry::MemoryBytesOf(grid, radar, farthestGate);
+  }
+  return bytes;
+}
+
 BeamMerger::BeamMerger(const GridSpecification& theGrid, const BeamMergeOptions& theOptions)
   : grid(theGrid)
   , options(theOptions)

@@ -60,6 +60,9 @@ struct SiteReach
 BeamVolume PrepareForGrid(
   const PolarVolume& volume, const GridSpecification& grid, const BeamMergeOptions& options);
 
+/// Bytes that a BeamMerger keeps of the geometry of radars on a whole grid.
+std::size_t GeometryBytes(const GridSpecification& grid, const std::vector<Position>& radars);
+
 /// The default method: merges volumes of any number of radars on a grid by the geometry of their
 /// beams.
 ///

@@ -2,6 +2,7 @@
 #include "nexrad/Live/LiveSeries.h"
 
 #include "nexrad/Grid/GridText.h"
+#include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -28,13 +29,27 @@ SeriesOptions ScanOptionsOf(const MergeOptions& options)
 // One moment of one volume of an input, before it is made ready.
 using Moments = std::vector<std::pair<std::size_t, std::shared_ptr<const PolarVolume>>>;
 
+// One volume at a time is merged and written, of nine bytes at most beside those of its values.
+constexpr VolumeUse LiveUse = {0, 9};
+
+// The volumes of each radar that are held while they arrive; how large they are is not known.
+InputSizes InputsOf(std::size_t radars)
+{
+  constexpr std::size_t held = 4;
+  InputSizes inputs;
+  inputs.radars = radars;
+  inputs.files = radars * held;
+  return inputs;
+}
+
 } // namespace
 
-LiveSeries::LiveSeries(const MergeOptions& theOptions, RangeLoop loop)
+LiveSeries::LiveSeries(const MergeOptions& theOptions, const RangeLoop& loop)
   : options(theOptions)
   , series(ScanOptionsOf(theOptions))
-  , request(MergeRequestOf(theOptions, std::move(loop)))
+  , request(MergeRequestOf(theOptions, loop))
 {
+  RequireMemory(options, InputsOf(1), 1, LiveUse);
 }
 
 void LiveSeries::PlanGrid()
@@ -46,6 +61,7 @@ void LiveSeries::PlanGrid()
   }
   request.grid =
     GridOf(options, positions, sites.size() == 1 ? sites.begin()->second.second : DefaultRange);
+  RequireMemory(options, InputsOf(sites.size()), 1, LiveUse, request.grid, positions);
 }
 
 void LiveSeries::Expect(const Site& site, double range)

@@ -36,8 +36,9 @@ class LiveSeries
 public:
   /// `loop` prepares volumes and runs the rows of merges. Throws Error for moments that the method
   /// does not know, and when biases shall be measured (MergeOptions::measureBiases), for which all
-  /// volumes would have to be known.
-  LiveSeries(const MergeOptions& options, RangeLoop loop);
+  /// volumes would have to be known; and, as later for the first volume of each radar, for a grid
+  /// that needs more memory than MergeOptions::memoryLimit.
+  LiveSeries(const MergeOptions& options, const RangeLoop& loop);
 
   /// Takes inputs in place of those with the same keys. Returns what each of them holds, in their
   /// order; a volume that cannot be used is among the problems there.

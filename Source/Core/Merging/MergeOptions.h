@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Grid/MakeGrid.h"
+#include "nexrad/Merging/MemoryLimit.h"
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Series/ScannedFile.h"
 #include "nexrad/Series/SiteSeries.h"
@@ -35,6 +36,8 @@ struct MergeOptions : MergeRules
   std::string siteName;       ///< in place of the names in the files; empty: as the files say
   std::size_t memory = std::size_t(1) << 30; ///< bytes for rays that are kept for later steps; 0
                                              ///< keeps none
+  MemoryLimit memoryLimit; ///< of all that the run takes: a grid that needs more is refused before
+                           ///< anything is decoded (RequireMemory)
 
   /// `moment` and those beside it.
   std::vector<MomentName> Moments() const;

@@ -171,7 +171,6 @@ SeriesMerger::SeriesMerger(std::vector<std::filesystem::path> theInputs,
   : inputs(std::move(theInputs))
   , setup(std::move(theSetup))
   , options(theOptions)
-  , cache(setup.anyOrder ? std::make_shared<PolarCache>(options.memory) : nullptr)
 {
 }
 
@@ -213,6 +212,10 @@ void SeriesMerger::FindFiles()
       SeriesOptionsOf(options); // throws for what cannot be met, before anything is read
       found = FindInputFiles(inputs);
       headers = ListByHeaders(found.paths, options.siteName);
+      sizes = SizesOf(found.paths, headers ? headers->size() : 1);
+      const MemoryNeed need = RequireMemory(options, sizes, setup.threads, setup.use);
+      memoryForRays = MemoryForKeptRays(options, need);
+      cache = setup.anyOrder ? std::make_shared<PolarCache>(memoryForRays) : nullptr;
     });
   std::string names = headers ? "told by headers" : "unknown";
   for (const std::filesystem::path& path : found.paths)
@@ -224,6 +227,11 @@ void SeriesMerger::FindFiles()
   {
     throw Error("the processes do not find the same input files; all need the same folders");
   }
+}
+
+void SeriesMerger::RequireMemoryOfGrid() const
+{
+  RequireMemory(options, sizes, setup.threads, setup.use, request.grid, positions);
 }
 
 // Whether there may be several; true as long as the headers do not tell.
@@ -373,6 +381,7 @@ void SeriesMerger::Plan(const Extent& extent)
   }
   this->FindBiases();
   request.grid = GridOf(options, positions, extent.sites.size() == 1 ? extent.range : DefaultRange);
+  this->RequireMemoryOfGrid();
   planned->Set(request);
   times = TimeStepsOf(options, extent.first, extent.last, extent.volumes);
 }
@@ -381,10 +390,11 @@ bool SeriesMerger::ScanFiles(const Progress& progress)
 {
   if (!cache)
   {
-    cache = std::make_shared<PolarCache>(options.memory);
+    cache = std::make_shared<PolarCache>(memoryForRays);
   }
   SeriesOptions series = this->ScanOptions();
   series.processes = setup.processes;
+  series.threads = setup.threads;
   series.order = setup.order;
   series.summaries = setup.scanFirst;
   const auto keep = [this](const SeriesVolume& key, const RadarVolume&,
@@ -419,6 +429,7 @@ void SeriesMerger::PlanByScan()
   this->FindBiases();
   positions = scan->Positions();
   request.grid = GridOf(options, positions, scan->Range());
+  this->RequireMemoryOfGrid();
   planned = std::make_shared<SharedRequest>(request);
   planned->Set(request);
   this->MakeLoader(this->FilesByScan());

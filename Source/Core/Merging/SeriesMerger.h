@@ -5,6 +5,7 @@
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Merging/BoxFollower.h"
 #include "nexrad/Merging/EchoHistory.h"
+#include "nexrad/Merging/MemoryNeed.h"
 #include "nexrad/Merging/MergeOptions.h"
 #include "nexrad/Merging/PolarCache.h"
 #include "nexrad/Merging/VolumeLoader.h"
@@ -40,6 +41,7 @@ struct MergerSetup
   /// take part in the search for motion without being decoded.
   bool scanFirst = false;
   ScanOrder order = ScanOrder::ByTime; ///< of the parts of processes that scan first
+  VolumeUse use; ///< of the merged volumes, which counts for MergeOptions::memoryLimit
 };
 
 /// Merges the files of any number of radars at any times: the one way from files to merged volumes.
@@ -148,6 +150,7 @@ private:
   class SharedRequest;
 
   void FindFiles();
+  void RequireMemoryOfGrid() const;
   bool OpenByHeaders();
   std::optional<Extent> FindExtent();
   bool HasSeveralRadars() const;
@@ -176,6 +179,8 @@ private:
   MergeOptions options;
   MergeRequest request;
   InputFiles found;
+  InputSizes sizes;                                 ///< of the files that were found
+  std::size_t memoryForRays = 0;                    ///< of the cache
   std::optional<std::vector<SiteFileList>> headers; ///< of the files; empty when they do not tell
   std::optional<SeriesScan> scan;                   ///< of all files
   std::optional<SeriesScan> gathered; ///< of the files that any process decoded; after Confirm

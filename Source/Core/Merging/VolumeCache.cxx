@@ -50,6 +50,7 @@ private:
   static std::size_t EndOfRun(const std::vector<Value>& values, std::size_t at)
   {
     std::size_t end = at + 1;
+    // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
     while (end < values.size() && std::memcmp(&values[end], &values[at], sizeof(Value)) == 0)
     {
       ++end;

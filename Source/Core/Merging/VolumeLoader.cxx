@@ -17,10 +17,6 @@ namespace
 // ended, and one more because a header's time is not that of the first ray.
 constexpr std::size_t filesBefore = 3;
 
-// So many files a thread are decoded ahead of what was asked for: enough that no thread waits while
-// a volume is merged, few enough to need little memory.
-constexpr std::size_t filesAhead = 3;
-
 // A header's time is within seconds of the first ray's in the files of the archive.
 constexpr Duration largestHeaderError = std::chrono::minutes(10);
 
@@ -137,7 +133,7 @@ std::vector<TimedFile>::const_iterator VolumeLoader::FirstAhead(Time time) const
 std::vector<TimedFile>::const_iterator VolumeLoader::EndOfAhead(Time time) const
 {
   const auto first = this->FirstAhead(time);
-  return first + std::min<std::ptrdiff_t>(filesAhead * threadCount, order.end() - first);
+  return first + std::min<std::ptrdiff_t>(FilesAhead * threadCount, order.end() - first);
 }
 
 const ReadyVolume& VolumeLoader::HeldVolume::Of(MomentName moment) const

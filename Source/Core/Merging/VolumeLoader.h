@@ -26,6 +26,10 @@
 namespace nexrad
 {
 
+/// So many files a thread are decoded ahead of what was asked for: enough that no thread waits
+/// while a volume is merged, few enough to need little memory.
+constexpr std::size_t FilesAhead = 3;
+
 /// What a VolumeLoader does with the volumes.
 struct LoaderWork
 {

@@ -35,10 +35,11 @@ public:
     // Each decoding holds a whole volume in memory, so their number is bounded; the other cores
     // help to decompress.
     constexpr std::size_t mostAtOnce = 8;
-    const std::size_t atOnce = std::min<std::size_t>({CoreCount(), mostAtOnce, paths.size()});
+    const unsigned wanted = options.threads > 0 ? options.threads : CoreCount();
+    const std::size_t atOnce = std::min<std::size_t>({wanted, mostAtOnce, paths.size()});
     if (options.level2.threads == 0 && atOnce > 0)
     {
-      options.level2.threads = std::max(1U, CoreCount() / static_cast<unsigned>(atOnce));
+      options.level2.threads = std::max(1U, wanted / static_cast<unsigned>(atOnce));
     }
     {
       const ThreadGroup threads(

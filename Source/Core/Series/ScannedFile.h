@@ -37,6 +37,7 @@ struct SeriesOptions : MomentOptions
   bool requirePosition = false;           ///< a volume of a site without a position is left out
   bool lowEchoes = false; ///< make SeriesVolume::lowEcho where REF is among the moments
   bool summaries = false; ///< make the summaries of the volumes, of the moments, one at least
+  unsigned threads = 0;   ///< that decode files; 0: as many as there are cores
   Processes processes;    ///< that scan the inputs together
   ScanOrder order = ScanOrder::ByTime; ///< of the parts that they scan
 

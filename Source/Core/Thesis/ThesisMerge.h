@@ -6,6 +6,8 @@
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/System/Progress.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
@@ -19,6 +21,9 @@ struct SiteBracket
   const PolarVolume* before = nullptr;
   const PolarVolume* after = nullptr;
 };
+
+/// Bytes a voxel that MergeThesis has beside those of its result: sums, counts and means.
+constexpr std::size_t ThesisBytesAVoxel = sizeof(double) + sizeof(std::uint32_t) + sizeof(float);
 
 /// Merges the sites as the thesis does (Formulas T1–T7): each gate interpolated in time between the
 /// two volumes (T4), limited to 0…80 dBZ (T5), dropped into its cell (T1–T3), averaged (T6), gaps

@@ -20,3 +20,8 @@ unsigned vtkNexradThreadCount()
 {
   return static_cast<unsigned>(std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()));
 }
+
+void vtkNexradSetThreadCount(unsigned count)
+{
+  vtkSMPTools::Initialize(static_cast<int>(std::max(1U, count)));
+}

@@ -21,5 +21,11 @@ vtkNexradRangeLoop();
  */
 VTKNEXRADIO_EXPORT unsigned vtkNexradThreadCount();
 
+/**
+ * Lets vtkSMPTools use this many threads, at least 1 and at most as many as the machine has cores;
+ * until it is called, as many as VTK_SMP_MAX_THREADS says, or all.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradSetThreadCount(unsigned count);
+
 #endif
 // VTK-HeaderTest-Exclude: vtkNexradThreads.h

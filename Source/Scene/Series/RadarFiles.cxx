@@ -16,12 +16,16 @@ namespace nexrad::scene
 namespace
 {
 
+// Of each voxel that is shown: the image, and the texels of the mapper.
+constexpr std::size_t bytesOfScene = 12;
+
 MergerSetup SetupForAnyOrder()
 {
   MergerSetup setup;
   setup.loop = vtkNexradRangeLoop();
   setup.threads = vtkNexradThreadCount();
   setup.anyOrder = true;
+  setup.use = {0, bytesOfScene};
   return setup;
 }
 

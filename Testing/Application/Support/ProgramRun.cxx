@@ -4,6 +4,7 @@
 #include "TestData.h"
 
 #include <fcntl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -31,10 +32,17 @@ void Execute(
   execv(arguments.front(), arguments.data());
 }
 
+// What the system tells of a process that ended.
+struct Ended
+{
+  int status = 0; // as waitpid gives it
+  rusage usage{};
+};
+
 // Starts a program, lets `wait` wait for its end, and returns what it left behind. `wait` takes the
-// process and returns the status that waitpid gave.
+// process.
 ProgramRun Run(const std::string& program, const std::vector<std::string>& arguments,
-  const std::function<int(pid_t)>& wait)
+  const std::function<Ended(pid_t)>& wait)
 {
   const TemporaryFolder folder;
   const std::string output = folder.Path() / "output";
@@ -57,19 +65,21 @@ ProgramRun Run(const std::string& program, const std::vector<std::string>& argum
   {
     throw std::runtime_error("cannot run " + program);
   }
-  const int status = wait(child);
-  return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, nexrad::testing::FileContent(output),
-    nexrad::testing::FileContent(errors)};
+  const Ended ended = wait(child);
+  constexpr std::size_t kibibyte = 1024;
+  return {WIFEXITED(ended.status) ? WEXITSTATUS(ended.status) : -1,
+    nexrad::testing::FileContent(output), nexrad::testing::FileContent(errors),
+    static_cast<std::size_t>(ended.usage.ru_maxrss) * kibibyte};
 }
 
-int WaitForEnd(pid_t child)
+Ended WaitForEnd(pid_t child)
 {
-  int status = 0;
-  if (waitpid(child, &status, 0) != child)
+  Ended ended;
+  if (wait4(child, &ended.status, 0, &ended.usage) != child)
   {
     throw std::runtime_error("the end of a process was missed");
   }
-  return status;
+  return ended;
 }
 
 } // namespace
@@ -85,12 +95,12 @@ ProgramRun InterruptProgram(const std::string& program, const std::vector<std::s
   return Run(program, arguments,
     [&now, signal](pid_t child)
     {
-      int status = 0;
+      Ended ended;
       while (!now())
       {
-        if (waitpid(child, &status, WNOHANG) == child)
+        if (wait4(child, &ended.status, WNOHANG, &ended.usage) == child)
         {
-          return status;
+          return ended;
         }
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
       }

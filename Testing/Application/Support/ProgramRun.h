@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -14,6 +15,7 @@ struct ProgramRun
   int status = -1; ///< exit status; -1 when a signal ended it
   std::string output;
   std::string errors;
+  std::size_t peakMemory = 0; ///< largest resident memory, bytes
 };
 
 /// Runs a program with these arguments, each passed as it is.

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Merging/MemoryNeed.h"
+
+#include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Gridding/BeamMerge.h"
+#include "nexrad/Merging/VolumeLoader.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/System/MachineMemory.h"
+#include "nexrad/Thesis/ThesisMerge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <system_error>
+
+namespace fs = std::filesystem;
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr std::size_t mebibyte = std::size_t(1) << 20;
+
+// The program with VTK's libraries and the tables of the decoders.
+constexpr std::size_t programBytes = 100 * mebibyte;
+
+// Of the files of the archive, by `BenchmarkSizing` and `grid` on the files of
+// Documentation/Developer/faults.md: bytes for each byte of the file as it is stored.
+constexpr std::size_t decodedBytes = 16;    // of a file while it is decoded, with its polar data
+constexpr std::size_t readyBytes = 8;       // of a moment that is ready for merges
+constexpr std::size_t leastFile = mebibyte; // smaller files stand for the start of larger ones
+
+// Volumes of a radar that a time takes, and one of the time before.
+constexpr std::size_t volumesOfARadar = 4;
+
+std::size_t RayBytes(const MergeOptions& options, const InputSizes& inputs, unsigned threads)
+{
+  const std::size_t file = std::max(inputs.fileBytes, leastFile);
+  const std::size_t ahead = FilesAhead * threads;
+  const std::size_t held = std::min(inputs.files, volumesOfARadar * inputs.radars + ahead);
+  const std::size_t decoding = std::min<std::size_t>(inputs.files, threads);
+  return file * (decoding * decodedBytes + held * readyBytes * options.Moments().size());
+}
+
+// Of a moment of one volume.
+std::size_t BytesOfAVoxel(const MergeOptions& options)
+{
+  std::size_t bytes = sizeof(float) + sizeof(VoxelState);
+  if (options.beam.ancillary)
+  {
+    const AncillaryArrays none;
+    ForEachAncillaryArray(none, [&bytes](const char*, const auto& values)
+      { bytes += sizeof(typename std::decay_t<decltype(values)>::value_type); });
+  }
+  return bytes;
+}
+
+std::size_t VoxelBytes(
+  const MergeOptions& options, const std::array<int, 3>& dimensions, const VolumeUse& use)
+{
+  const std::size_t ofMoments = options.Moments().size() * BytesOfAVoxel(options);
+  const bool thesis = options.method == MergeMethod::Thesis;
+  const std::size_t ofMerge = thesis ? ThesisBytesAVoxel : 0;
+  double voxels = static_cast<double>(ofMoments * (1 + use.others) + use.bytesAVoxel + ofMerge);
+  for (const int size : dimensions)
+  {
+    voxels *= static_cast<double>(size);
+  }
+  constexpr double most = 1e18; // whatever the dimensions, the sum of the needs can be counted
+  return static_cast<std::size_t>(std::min(voxels, most));
+}
+
+std::string DimensionText(const std::array<int, 3>& dimensions)
+{
+  return std::to_string(dimensions[0]) + "x" + std::to_string(dimensions[1]) + "x" +
+         std::to_string(dimensions[2]);
+}
+
+// The largest dimensions of the same proportions whose voxels take no more than `bytes`.
+std::array<int, 3> DimensionsWithin(
+  const MergeOptions& options, const VolumeUse& use, double geometry, double bytes)
+{
+  std::array<int, 3> fitting = {0, 0, 0};
+  double lower = 0.0; // that fit, and do not fit, parts of the dimensions asked for
+  double upper = 1.0;
+  for (int halving = 0; halving < 40; ++halving)
+  {
+    const double part = 0.5 * (lower + upper);
+    std::array<int, 3> dimensions = options.grid.dimensions;
+    for (int& size : dimensions)
+    {
+      size = std::max(1, static_cast<int>(part * size));
+    }
+    const auto voxels = static_cast<double>(VoxelBytes(options, dimensions, use));
+    const bool fits = voxels + geometry * part * part <= bytes;
+    (fits ? lower : upper) = part;
+    fitting = fits ? dimensions : fitting;
+  }
+  return fitting;
+}
+
+[[noreturn]] void Refuse(const MergeOptions& options, const MemoryNeed& need, const VolumeUse& use)
+{
+  const MemoryLimit& limit = options.memoryLimit;
+  const std::size_t further = options.furtherMoments.size();
+  std::string text = "a grid of " + DimensionText(options.grid.dimensions) + " voxels" +
+                     (further > 0 ? " with " + std::to_string(further + 1) + " moments" : "") +
+                     " needs " + MemoryText(need.Total()) + " of memory; " +
+                     (limit.option.empty() ? "there is " + MemoryText(limit.bytes)
+                                           : limit.option + " allows " + MemoryText(limit.bytes));
+  const std::size_t fixed = need.rays + need.program;
+  const std::array<int, 3> fitting =
+    limit.bytes > fixed ? DimensionsWithin(options, use, static_cast<double>(need.geometry),
+                            static_cast<double>(limit.bytes - fixed))
+                        : std::array<int, 3>{0, 0, 0};
+  if (fitting[0] > 0)
+  {
+    text += "; --dims " + DimensionText(fitting) + " fits";
+  }
+  else
+  {
+    text += ", of which the rays and the program need " + MemoryText(fixed);
+  }
+  if (!limit.option.empty())
+  {
+    const std::size_t enough = (need.Total() / mebibyte + 1);
+    text += (fitting[0] > 0 ? ", and so does " : "; what fits is ") + limit.option + " " +
+            std::to_string(enough) + "MiB";
+  }
+  throw Error(text);
+}
+
+const MemoryNeed& Require(const MergeOptions& options, const MemoryNeed& need, const VolumeUse& use)
+{
+  if (options.memoryLimit.bytes > 0 && need.Total() > options.memoryLimit.bytes)
+  {
+    Refuse(options, need, use);
+  }
+  return need;
+}
+
+} // namespace
+
+InputSizes SizesOf(const std::vector<fs::path>& paths, std::size_t radars)
+{
+  std::vector<std::size_t> sizes;
+  for (const fs::path& path : paths)
+  {
+    std::error_code failure;
+    const std::uintmax_t size = fs::file_size(path, failure); // fails for folders
+    if (!failure)
+    {
+      sizes.push_back(static_cast<std::size_t>(size));
+    }
+  }
+  InputSizes inputs;
+  inputs.radars = radars;
+  inputs.files = std::max<std::size_t>(1, paths.size());
+  if (!sizes.empty())
+  {
+    const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
+    std::nth_element(sizes.begin(), middle, sizes.end());
+    inputs.fileBytes = std::min(*middle, Level2Options().maximumFileBytes);
+  }
+  return inputs;
+}
+
+MemoryNeed NeedOf(const MergeOptions& options, const std::array<int, 3>& dimensions,
+  const InputSizes& inputs, unsigned threads, const VolumeUse& use)
+{
+  MemoryNeed need;
+  need.voxels = VoxelBytes(options, dimensions, use);
+  need.rays = RayBytes(options, inputs, threads);
+  need.program = programBytes;
+  return need;
+}
+
+MemoryNeed RequireMemory(
+  const MergeOptions& options, const InputSizes& inputs, unsigned threads, const VolumeUse& use)
+{
+  return Require(options, NeedOf(options, options.grid.dimensions, inputs, threads, use), use);
+}
+
+MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,
+  const VolumeUse& use, const GridSpecification& grid, const std::vector<Position>& radars)
+{
+  MemoryNeed need = NeedOf(options, grid.dimensions, inputs, threads, use);
+  if (options.method == MergeMethod::Beam)
+  {
+    need.geometry = GeometryBytes(grid, radars);
+  }
+  return Require(options, need, use);
+}
+
+std::size_t MemoryForKeptRays(const MergeOptions& options, const MemoryNeed& need)
+{
+  const std::size_t limit = options.memoryLimit.bytes;
+  const std::size_t left = limit - std::min(limit, need.Total());
+  return limit > 0 ? std::min(options.memory, left) : options.memory;
+}
+
+} // namespace nexrad

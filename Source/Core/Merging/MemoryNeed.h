@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Grid/GridSpecification.h"
+#include "nexrad/Merging/MemoryLimit.h"
+#include "nexrad/Merging/MergeOptions.h"
+#include "nexrad/Model/Site.h"
+
+#include <array>
+#include <cstddef>
+#include <filesystem>
+#include <vector>
+
+namespace nexrad
+{
+
+/// The most memory that a run of merges has at a time, by what it is for, bytes. An estimate from
+/// the sizes of the buffers; what a run takes is 0.5 to 1 times as much.
+struct MemoryNeed
+{
+  std::size_t voxels = 0;   ///< merged volumes, and what is made of them
+  std::size_t geometry = 0; ///< columns of the grid as seen from the radars
+  std::size_t rays = 0;     ///< files that are decoded, and volumes made ready; not kept ones
+  std::size_t program = 0;  ///< the program and its libraries
+
+  std::size_t Total() const { return voxels + geometry + rays + program; }
+};
+
+/// What is known of the input files before any of them is decoded.
+struct InputSizes
+{
+  std::size_t radars = 1; ///< or fewer than there are, where headers do not tell
+  std::size_t files = 1;
+  std::size_t fileBytes = 0; ///< of the file in the middle, by size, as it is stored
+};
+
+/// The sizes of files; a chunk folder counts as no file. Reads directories alone.
+InputSizes SizesOf(const std::vector<std::filesystem::path>& paths, std::size_t radars);
+
+/// The need of merges with these options for a grid of these dimensions. `threads` decode files.
+/// Without `geometry`, which depends on where the radars are.
+MemoryNeed NeedOf(const MergeOptions& options, const std::array<int, 3>& dimensions,
+  const InputSizes& inputs, unsigned threads, const VolumeUse& use);
+
+/// The same; throws Error when it is above the limit of the options: how much is needed, which
+/// dimensions of the same proportions fit, and which limit does.
+MemoryNeed RequireMemory(
+  const MergeOptions& options, const InputSizes& inputs, unsigned threads, const VolumeUse& use);
+
+/// The same once the grid and the radars are known.
+MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,
+  const VolumeUse& use, const GridSpecification& grid, const std::vector<Position>& radars);
+
+/// Bytes for rays that are kept for later steps (MergeOptions::memory), as far as the limit leaves
+/// them.
+std::size_t MemoryForKeptRays(const MergeOptions& options, const MemoryNeed& need);
+
+} // namespace nexrad

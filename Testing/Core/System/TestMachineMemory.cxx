@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/System/MachineMemory.h"
+
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+using namespace nexrad;
+using nexrad::testing::TemporaryFolder;
+namespace fs = std::filesystem;
+
+namespace
+{
+
+void Write(const fs::path& path, const std::string& text)
+{
+  fs::create_directories(path.parent_path());
+  std::ofstream(path) << text << '\n';
+}
+
+} // namespace
+
+TEST(MachineMemory, IsWhatTheMachineHasOrLess)
+{
+  const auto memory = MachineMemory();
+  ASSERT_TRUE(memory);
+  EXPECT_GT(*memory, std::size_t(64) << 20);
+  EXPECT_LT(*memory, std::size_t(1) << 50);
+}
+
+TEST(MachineMemory, TheLeastLimitOfTheGroupsAboveCounts)
+{
+  const TemporaryFolder folder;
+  const fs::path& root = folder.Path();
+  Write(root / "outer" / "memory.max", "2147483648");
+  Write(root / "outer" / "inner" / "memory.max", "max");
+  EXPECT_EQ(ControlGroupMemory("0::/outer/inner\n", root), std::size_t(2) << 30);
+  Write(root / "outer" / "inner" / "memory.max", "1073741824");
+  EXPECT_EQ(ControlGroupMemory("0::/outer/inner\n", root), std::size_t(1) << 30);
+  EXPECT_EQ(ControlGroupMemory("0::/outer\n", root), std::size_t(2) << 30);
+  // In a container the group of the process is the root.
+  EXPECT_EQ(ControlGroupMemory("0::/\n", root), std::nullopt);
+  Write(root / "memory.max", "536870912");
+  EXPECT_EQ(ControlGroupMemory("0::/\n", root), std::size_t(1) << 29);
+}
+
+TEST(MachineMemory, GroupsOfVersion1AreKnown)
+{
+  const TemporaryFolder folder;
+  Write(folder.Path() / "memory" / "group" / "memory.limit_in_bytes", "3145728");
+  const std::string membership = "5:cpu,cpuacct:/other\n4:hugetlb,memory:/group\n0::/group\n";
+  EXPECT_EQ(ControlGroupMemory(membership, folder.Path()), std::size_t(3) << 20);
+  EXPECT_EQ(ControlGroupMemory("5:cpu:/group\nno group\n", folder.Path()), std::nullopt);
+}
+
+TEST(MachineMemory, SizesAreTextForMessages)
+{
+  EXPECT_EQ(MemoryText(1), "1 MiB");
+  EXPECT_EQ(MemoryText(std::size_t(512) << 20), "512 MiB");
+  EXPECT_EQ(MemoryText(std::size_t(5) << 29), "2.5 GiB");
+}
