@@ -132,6 +132,7 @@ TEST(NxvFile, FloatsAndStatesAreExact)
 {
   GriddedVolume volume = MakeGriddedVolume();
   volume.states[0] = VoxelState::RangeFolded;
+  volume.values[0] = volume.fill;
   ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::Float)), volume);
 }
 
