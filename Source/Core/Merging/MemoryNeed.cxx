@@ -25,10 +25,10 @@ namespace
 constexpr std::size_t mebibyte = std::size_t(1) << 20;
 
 // The program with VTK's libraries and the tables of the decoders.
-constexpr std::size_t programBytes = 100 * mebibyte;
+constexpr std::size_t programBytes = 80 * mebibyte;
 
-// Of the files of the archive, by `BenchmarkSizing` and `grid` on the files of
-// Documentation/Developer/faults.md: bytes for each byte of the file as it is stored.
+// Bytes for each byte of a file of the archive as it is stored. Documentation/User/6-benchmarks.md
+// compares the sum with what runs took.
 constexpr std::size_t decodedBytes = 16;    // of a file while it is decoded, with its polar data
 constexpr std::size_t readyBytes = 8;       // of a moment that is ready for merges
 constexpr std::size_t leastFile = mebibyte; // smaller files stand for the start of larger ones
