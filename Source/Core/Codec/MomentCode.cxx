@@ -127,11 +127,10 @@ void MomentCode::DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume
   const std::size_t count = codes.size() / bytes;
   volume.values.resize(count);
   volume.states.resize(count);
-  const std::uint8_t* const lower = codes.data();
-  const std::uint8_t* const higher = bytes == 2 ? lower + count : nullptr;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const unsigned code = higher ? lower[i] | static_cast<unsigned>(higher[i]) << 8 : lower[i];
+    const unsigned higher = bytes == 2 ? codes[count + i] : 0;
+    const unsigned code = codes[i] | higher << 8;
     volume.values[i] = values[code];
     volume.states[i] = StateOf(code);
   }

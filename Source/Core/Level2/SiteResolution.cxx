@@ -44,7 +44,7 @@ std::string ResolveName(
   {
     return evidence.rayName;
   }
-  const std::string name = FindNameInPath(evidence.path);
+  std::string name = FindNameInPath(evidence.path);
   notes.push_back(name.empty() ? "the site has no name, neither in the file nor in the file's name"
                                : "the site's name, " + name + ", is from the file's name");
   return name;
