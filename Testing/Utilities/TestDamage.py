@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""The script that damages a synthetic day: what it finds in an hour, and that its checks can fail."""
+"""The script that damages a synthetic day: what it finds in 36 minutes, and that its checks can fail."""
 
 import importlib.machinery
 import importlib.util
@@ -22,18 +22,18 @@ def load_script():
     return module
 
 
-class OneHour(unittest.TestCase):
+class PartOfADay(unittest.TestCase):
     def test_damage_is_named_and_changes_nothing_else(self):
-        """Three radars; one file in twenty is cut, one has a wrong bit, one is missing."""
+        """Three radars; of 21 files one is cut, one has a wrong bit, one is missing."""
         run = subprocess.run(
-            [sys.executable, UTILITIES / "try-damage", "--program", PROGRAM, "--hours", "1", "--rate", "5", "--dims", "64x64x32"],
+            [sys.executable, UTILITIES / "try-damage", "--program", PROGRAM, "--hours", "0.6", "--rate", "5", "--dims", "48x48x16"],
             capture_output=True, text=True, timeout=280, check=False)
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
         report = json.loads(run.stdout)
         self.assertEqual(report["names"]["not_named"], [])
         self.assertEqual(report["volumes"]["other_bytes"], [])
-        self.assertGreaterEqual(report["names"]["named"], 2)
-        self.assertGreaterEqual(report["volumes"]["untouched"], 2)
+        self.assertEqual(report["names"]["named"], 2)
+        self.assertGreaterEqual(report["volumes"]["untouched"], 1)
 
 
 class TheChecksThemselves(unittest.TestCase):
