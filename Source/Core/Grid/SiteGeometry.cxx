@@ -163,6 +163,12 @@ std::size_t SiteGeometry::MemoryBytesOf(
   return box.IsEmpty() ? 0 : width * height * sizeof(ColumnDirection);
 }
 
+std::size_t SiteGeometry::MostMemoryBytes(const std::array<int, 3>& dimensions)
+{
+  return static_cast<std::size_t>(dimensions[0]) * static_cast<std::size_t>(dimensions[1]) *
+         sizeof(ColumnDirection);
+}
+
 SiteGeometry::SiteGeometry(const GridSpecification& grid, const Position& site, double reach,
   const BeamModel& beam, const std::optional<VoxelBlock>& block)
 {

@@ -6,6 +6,7 @@
 #include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Model/Site.h"
 
+#include <array>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -52,6 +53,8 @@ public:
   /// What MemoryBytes of a whole grid will be.
   static std::size_t MemoryBytesOf(
     const GridSpecification& grid, const Position& site, double reach);
+  /// The most that it can be for a grid of these dimensions, wherever the radar stands.
+  static std::size_t MostMemoryBytes(const std::array<int, 3>& dimensions);
 
 private:
   std::size_t Width() const { return static_cast<std::size_t>(end[0] - begin[0]); }

@@ -2,6 +2,7 @@
 #include "nexrad/Merging/MemoryNeed.h"
 
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Grid/SiteGeometry.h"
 #include "nexrad/Gridding/BeamMerge.h"
 #include "nexrad/Merging/VolumeLoader.h"
 #include "nexrad/System/Error.h"
@@ -102,7 +103,9 @@ std::array<int, 3> DimensionsWithin(
   return fitting;
 }
 
-[[noreturn]] void Refuse(const MergeOptions& options, const MemoryNeed& need, const VolumeUse& use)
+// `most`: the need where the radars see as much of the grid as they can.
+[[noreturn]] void Refuse(
+  const MergeOptions& options, const MemoryNeed& need, const MemoryNeed& most, const VolumeUse& use)
 {
   const MemoryLimit& limit = options.memoryLimit;
   const std::size_t further = options.furtherMoments.size();
@@ -113,7 +116,7 @@ std::array<int, 3> DimensionsWithin(
                                            : limit.option + " allows " + MemoryText(limit.bytes));
   const std::size_t fixed = need.rays + need.program;
   const std::array<int, 3> fitting =
-    limit.bytes > fixed ? DimensionsWithin(options, use, static_cast<double>(need.geometry),
+    limit.bytes > fixed ? DimensionsWithin(options, use, static_cast<double>(most.geometry),
                             static_cast<double>(limit.bytes - fixed))
                         : std::array<int, 3>{0, 0, 0};
   if (fitting[0] > 0)
@@ -126,18 +129,19 @@ std::array<int, 3> DimensionsWithin(
   }
   if (!limit.option.empty())
   {
-    const std::size_t enough = (need.Total() / mebibyte + 1);
+    const std::size_t enough = (most.Total() / mebibyte + 1);
     text += (fitting[0] > 0 ? ", and so does " : "; what fits is ") + limit.option + " " +
             std::to_string(enough) + "MiB";
   }
   throw Error(text);
 }
 
-const MemoryNeed& Require(const MergeOptions& options, const MemoryNeed& need, const VolumeUse& use)
+const MemoryNeed& Require(
+  const MergeOptions& options, const MemoryNeed& need, const MemoryNeed& most, const VolumeUse& use)
 {
   if (options.memoryLimit.bytes > 0 && need.Total() > options.memoryLimit.bytes)
   {
-    Refuse(options, need, use);
+    Refuse(options, need, most, use);
   }
   return need;
 }
@@ -181,7 +185,14 @@ MemoryNeed NeedOf(const MergeOptions& options, const std::array<int, 3>& dimensi
 MemoryNeed RequireMemory(
   const MergeOptions& options, const InputSizes& inputs, unsigned threads, const VolumeUse& use)
 {
-  return Require(options, NeedOf(options, options.grid.dimensions, inputs, threads, use), use);
+  const std::array<int, 3>& dimensions = options.grid.dimensions;
+  const MemoryNeed need = NeedOf(options, dimensions, inputs, threads, use);
+  MemoryNeed most = need;
+  if (options.method == MergeMethod::Beam)
+  {
+    most.geometry = inputs.radars * SiteGeometry::MostMemoryBytes(dimensions);
+  }
+  return Require(options, need, most, use);
 }
 
 MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,
@@ -192,7 +203,7 @@ MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, 
   {
     need.geometry = GeometryBytes(grid, radars);
   }
-  return Require(options, need, use);
+  return Require(options, need, need, use);
 }
 
 std::size_t MemoryForKeptRays(const MergeOptions& options, const MemoryNeed& need)
