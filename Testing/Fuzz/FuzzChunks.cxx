@@ -159,7 +159,9 @@ public:
       paths.push_back(Folder() / name);
       std::FILE* const file = std::fopen(paths.back().c_str(), "wb");
       Require(file != nullptr, "the temporary folder can be written to");
-      std::fwrite(piece->bytes.data(), 1, piece->bytes.size(), file);
+      const std::size_t size = piece->bytes.size(); // no bytes may have no address
+      Require(size == 0 || std::fwrite(piece->bytes.data(), 1, size, file) == size,
+        "the temporary folder has room");
       std::fclose(file);
     }
   }

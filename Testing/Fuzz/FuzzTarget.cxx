@@ -40,7 +40,8 @@ void InputFile::Write(const std::uint8_t* data, std::size_t size) const
 {
   std::FILE* const file = std::fopen(path.c_str(), "wb");
   Require(file != nullptr, "the temporary folder can be written to");
-  Require(std::fwrite(data, 1, size, file) == size, "the temporary folder has room");
+  // No bytes may have no address.
+  Require(size == 0 || std::fwrite(data, 1, size, file) == size, "the temporary folder has room");
   std::fclose(file);
 }
 
