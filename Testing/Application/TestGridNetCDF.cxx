@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "ProgramRun.h"
 #include "TestData.h"
+#include "VolumeComparison.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "vtkNexradNetCDFInput.h"
 
@@ -34,21 +35,6 @@ ProgramRun GridThreeRadars(
   return RunNexrad3d(arguments);
 }
 
-void ExpectSameVoxels(const GriddedVolume& volume, const GriddedVolume& expected)
-{
-  EXPECT_EQ(volume.grid, expected.grid);
-  EXPECT_EQ(volume.time, expected.time);
-  EXPECT_EQ(volume.moment, expected.moment);
-  EXPECT_EQ(volume.sites, expected.sites);
-  EXPECT_EQ(volume.sitePositions, expected.sitePositions);
-  EXPECT_EQ(volume.values, expected.values);
-  EXPECT_EQ(volume.states, expected.states);
-  EXPECT_EQ(volume.ancillary.age, expected.ancillary.age);
-  EXPECT_EQ(volume.ancillary.radars, expected.ancillary.radars);
-  EXPECT_EQ(volume.ancillary.weight, expected.ancillary.weight);
-  EXPECT_EQ(volume.ancillary.nearestSite, expected.ancillary.nearestSite);
-}
-
 } // namespace
 
 // Values, states and ancillary arrays are those of exact .nxv files, in one file for each time and
@@ -76,9 +62,9 @@ TEST(GridNetCDF, HasWhatExactVolumesHave)
     ++request.Time;
     for (const GriddedVolume* volume : {&alone, &among})
     {
-      ExpectSameVoxels(*volume, expected);
+      ExpectSameVolume(*volume, expected);
       ASSERT_EQ(volume->further.size(), 1);
-      ExpectSameVoxels(volume->further.front(), expected.further.front());
+      ExpectSameVolume(volume->further.front(), expected.further.front());
     }
   }
 }

@@ -56,7 +56,8 @@ protected:
       "--range", "150km", "--quality", "off"};
   }
 
-  // All that stands in a folder, hidden names too; nothing where a run was killed before it made it.
+  // All that stands in a folder, hidden names too; nothing where a run was killed before it made
+  // it.
   static std::map<std::string, std::string> Contents(const fs::path& folder)
   {
     std::map<std::string, std::string> contents;

@@ -2,6 +2,7 @@
 #include "EventCounter.h"
 #include "TestData.h"
 #include "Tolerance.h"
+#include "VolumeComparison.h"
 #include "VolumeMaker.h"
 
 #include "nexrad/Codec/NxvSeries.h"
@@ -44,6 +45,7 @@ using nexrad::GriddedVolume;
 using nexrad::VoxelState;
 using nexrad::testing::AddAncillary;
 using nexrad::testing::EventCounter;
+using nexrad::testing::ExpectSameVolume;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::TemporaryFolder;
 
@@ -66,31 +68,13 @@ GriddedVolume MakeVolume(std::chrono::minutes later = {})
   return volume;
 }
 
-void ExpectSameMoment(const GriddedVolume& volume, const GriddedVolume& expected)
-{
-  EXPECT_EQ(volume.grid, expected.grid);
-  EXPECT_EQ(volume.time, expected.time);
-  EXPECT_EQ(volume.moment, expected.moment);
-  EXPECT_EQ(volume.method, expected.method);
-  EXPECT_EQ(volume.sites, expected.sites);
-  EXPECT_EQ(volume.sitePositions, expected.sitePositions);
-  EXPECT_EQ(volume.synthetic, expected.synthetic);
-  EXPECT_EQ(volume.fill, expected.fill);
-  EXPECT_EQ(volume.values, expected.values);
-  EXPECT_EQ(volume.states, expected.states);
-  EXPECT_EQ(volume.ancillary.age, expected.ancillary.age);
-  EXPECT_EQ(volume.ancillary.radars, expected.ancillary.radars);
-  EXPECT_EQ(volume.ancillary.weight, expected.ancillary.weight);
-  EXPECT_EQ(volume.ancillary.nearestSite, expected.ancillary.nearestSite);
-}
-
 void ExpectSame(const GriddedVolume& volume, const GriddedVolume& expected)
 {
-  ExpectSameMoment(volume, expected);
+  ExpectSameVolume(volume, expected);
   ASSERT_EQ(volume.further.size(), expected.further.size());
   for (std::size_t i = 0; i < volume.further.size(); ++i)
   {
-    ExpectSameMoment(volume.further[i], expected.further[i]);
+    ExpectSameVolume(volume.further[i], expected.further[i]);
   }
 }
 

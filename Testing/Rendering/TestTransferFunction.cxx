@@ -391,6 +391,27 @@ TEST(TransferFunction, OtherColourSpacesLookAsVTKDrawsThem)
   }
 }
 
+// The end of a ramp was 1.0000000000000002.
+TEST(TransferFunction, RoundingLeadsNoColourBeyondItsRange)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  ASSERT_TRUE(function->ReadFile(
+    WriteText(folder, "map.pal", "Color: 0 0 0 0\nColor: 809 255 255 255\nColor: 43 1 251 1\n")
+      .c_str()));
+  ASSERT_GT(function->GetNumberOfNodes(Function::RED), 1);
+  for (const int channel : {Function::RED, Function::GREEN, Function::BLUE})
+  {
+    for (int i = 0; i < function->GetNumberOfNodes(channel); ++i)
+    {
+      double node[2];
+      ASSERT_TRUE(function->GetNode(channel, i, node));
+      EXPECT_GE(node[1], 0.0);
+      EXPECT_LE(node[1], 1.0);
+    }
+  }
+}
+
 TEST(TransferFunction, ReadsPalTables)
 {
   const TemporaryFolder folder;

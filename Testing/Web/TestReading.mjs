@@ -47,6 +47,6 @@ for (const change of [(header) => { header.arrays = []; }, (header) => { delete 
 const index = (files) => new FolderSeries(scene, async () => new Response(JSON.stringify({ files }))).refresh();
 assert.equal(await index([{ name: 'a.nxv', time: 1142186400 }]), true);
 // An entry without a time had a time that is no number.
-for (const files of [[{ name: 'a.nxv' }], [{ name: 1, time: 1 }], [null], 'a.nxv', undefined]) {
+for (const files of [[{ name: 'a.nxv' }], [{ name: 'a.nxv', time: 1e308 }], [{ name: 1, time: 1 }], [null], 'a.nxv', undefined]) {
   await assert.rejects(index(files), { message: 'day.nxv.series is no index of a series.' });
 }

@@ -5,6 +5,7 @@
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Map/MapLines.h"
 #include "Scene/Map/PlacedMap.h"
+#include "nexrad/Geometry/Angles.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -129,7 +130,7 @@ void AddDisc(MapBuilder& builder, const std::array<double, 2>& place, double rad
   GroundLine disc;
   for (int i = 0; i < corners; ++i)
   {
-    const double angle = 2.0 * 3.14159265358979323846 * i / corners;
+    const double angle = 2.0 * nexrad::Pi * i / corners;
     disc.push_back({place[0] + radius * std::cos(angle), place[1] + radius * std::sin(angle)});
   }
   builder.AddPolygon(disc, vtkNexradMap::RADAR);

@@ -24,8 +24,8 @@ public:
   /// The files of one radar, or of all.
   struct Series
   {
-    std::string
-      name; ///< "volumes.nxv.series", "KEAX.nxv.series"; of one file "volumes.nc", "KEAX.nc"
+    /// "volumes.nxv.series", "KEAX.nxv.series"; of one file "volumes.nc", "KEAX.nc".
+    std::string name;
     std::vector<std::string> files; ///< one for each time
   };
   std::vector<Series> SeriesOf(const std::vector<Time>& times) const;

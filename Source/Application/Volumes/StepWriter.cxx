@@ -2,6 +2,7 @@
 #include "Volumes/StepWriter.h"
 
 #include "Volumes/VtiFile.h"
+#include "nexrad/Merging/MemoryNeed.h"
 #include "vtkNexradNetCDFOutput.h"
 
 namespace fs = std::filesystem;
@@ -42,20 +43,13 @@ fs::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar
 VolumeUse UseOfWriting(const VolumeFiles& files, const MergeOptions& options)
 {
   const std::size_t moments = 1 + options.furtherMoments.size();
-  const bool exact = files.nxv.encoding == NxvEncoding::Float;
-  const std::size_t ofImage =
-    sizeof(float) + sizeof(VoxelState) + (options.beam.ancillary ? 10 : 0);
-  constexpr std::size_t ghostType = 1;
-  switch (files.format)
+  if (files.format == VolumeFormat::Nxv)
   {
-  case VolumeFormat::Nxv:
+    const bool exact = files.nxv.encoding == NxvEncoding::Float;
     return {1, exact ? 2 * sizeof(float) : 2};
-  case VolumeFormat::Vti:
-    return {1, moments * ofImage + ghostType};
-  case VolumeFormat::NetCDF:
-    return {1, moments * ofImage + ghostType};
   }
-  return {1, 0};
+  constexpr std::size_t ghostType = 1;
+  return {1, moments * BytesOfAVoxel(options) + ghostType};
 }
 
 StepWriter::StepWriter(UnfinishedRun& theRun, const VolumeFiles& theFiles)

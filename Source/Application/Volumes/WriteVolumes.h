@@ -23,8 +23,8 @@ struct GridJob
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path folder; ///< made when it does not exist
   VolumeFiles written;          ///< how the volumes are stored
-  bool perRadar =
-    false; ///< a volume of each radar alone, on the grid of all, in place of the merged
+  /// A volume of each radar alone, on the grid of all, in place of the merged one.
+  bool perRadar = false;
   bool oneFile = false; ///< of VolumeFormat::NetCDF: all times in one file, volumes.nc
   MergeOptions options;
   /// All that decides what the volumes contain, beside the inputs, as text. A run that was

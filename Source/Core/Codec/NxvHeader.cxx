@@ -370,7 +370,7 @@ NxvHeader ParseNxvHeader(const std::string& text)
   }
   catch (const Json::exception& problem)
   {
-    throw Error(std::string("header: ") + problem.what());
+    throw Error("header: " + Shortened(problem.what()));
   }
 }
 

@@ -66,7 +66,7 @@ NxvSeries ReadNxvSeries(const std::filesystem::path& path)
   catch (const std::exception& problem)
   {
     // JSON's, ours, or the stream's own (a folder opens and then cannot be read).
-    throw Error(path.string() + ": not a series index: " + problem.what());
+    throw Error(path.string() + ": not a series index: " + Shortened(problem.what()));
   }
 }
 

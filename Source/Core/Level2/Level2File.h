@@ -35,7 +35,8 @@ RadarVolume ReadLevel2(const std::filesystem::path& path, const Level2Options& o
 /// that never ends, takes no more memory than that. Throws Error when the file cannot be read.
 std::vector<std::uint8_t> ReadStoredBytes(const std::filesystem::path& path, std::size_t cap);
 
-/// The same as ReadLevel2 for bytes in memory; `name` stands for the path (the site's name may be taken from it).
+/// The same as ReadLevel2 for bytes in memory; `name` stands for the path (the site's name may be
+/// taken from it).
 RadarVolume DecodeLevel2(
   std::vector<std::uint8_t> bytes, const std::string& name, const Level2Options& options = {});
 

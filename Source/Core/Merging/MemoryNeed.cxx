@@ -46,19 +46,6 @@ std::size_t RayBytes(const MergeOptions& options, const InputSizes& inputs, unsi
   return file * (decoding * decodedBytes + held * readyBytes * options.Moments().size());
 }
 
-// Of a moment of one volume.
-std::size_t BytesOfAVoxel(const MergeOptions& options)
-{
-  std::size_t bytes = sizeof(float) + sizeof(VoxelState);
-  if (options.beam.ancillary)
-  {
-    const AncillaryArrays none;
-    ForEachAncillaryArray(none, [&bytes](const char*, const auto& values)
-      { bytes += sizeof(typename std::decay_t<decltype(values)>::value_type); });
-  }
-  return bytes;
-}
-
 std::size_t VoxelBytes(
   const MergeOptions& options, const std::array<int, 3>& dimensions, const VolumeUse& use)
 {
@@ -147,6 +134,18 @@ const MemoryNeed& Require(
 }
 
 } // namespace
+
+std::size_t BytesOfAVoxel(const MergeOptions& options)
+{
+  std::size_t bytes = sizeof(float) + sizeof(VoxelState);
+  if (options.beam.ancillary)
+  {
+    const AncillaryArrays none;
+    ForEachAncillaryArray(none, [&bytes](const char*, const auto& values)
+      { bytes += sizeof(typename std::decay_t<decltype(values)>::value_type); });
+  }
+  return bytes;
+}
 
 InputSizes SizesOf(const std::vector<fs::path>& paths, std::size_t radars)
 {

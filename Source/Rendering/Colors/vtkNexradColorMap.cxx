@@ -34,12 +34,15 @@ void vtkNexradColorMap::MakeColorNodesFromBins()
       const double slope = (upper - lower) / width;
       const double first = bin.From + (jumpsBelow ? 0.25 * width : 0.0);
       const double last = bin.To - (jumpsAbove ? 0.25 * width : 0.0);
+      // Rounding may lead beyond the ends of the ramp.
+      const auto shareAt = [&](double place)
+      { return std::clamp(lower + slope * (place - bin.From), 0.0, 1.0); };
       // The end of a ramp is the beginning of the next where they meet.
       if (nodes.empty() || nodes.back()[0] < first)
       {
-        nodes.push_back({first, lower + slope * (first - bin.From)});
+        nodes.push_back({first, shareAt(first)});
       }
-      nodes.push_back({last, lower + slope * (last - bin.From)});
+      nodes.push_back({last, shareAt(last)});
     }
   }
 }

@@ -48,9 +48,14 @@ export class EmbeddedSeries {
   follow() {}
 }
 
+// Seconds since 1970 of the years 1 to 9999.
+const earliestTime = -62135596800;
+const latestTime = 253402300799.999;
+
 // The entries of an index, by their times.
 function filesOfIndex(index, name) {
-  const isFile = (file) => typeof file?.name === 'string' && Number.isFinite(file.time);
+  const isTime = (time) => Number.isFinite(time) && time >= earliestTime && time <= latestTime;
+  const isFile = (file) => typeof file?.name === 'string' && isTime(file.time);
   if (!Array.isArray(index?.files) || !index.files.every(isFile)) {
     throw new Error(`${name} is no index of a series.`);
   }

@@ -505,3 +505,22 @@ TEST(NxvSeries, RefusesWhatIsNone)
   EXPECT_THROW(ReadNxvSeries(folder.Path() / "none"), Error);
   EXPECT_THROW(ReadNxvSeries(folder.Path()), Error);
 }
+
+// The parser's message repeated all that it had read.
+TEST(NxvSeries, MessagesAreShort)
+{
+  const TemporaryFolder folder;
+  const fs::path path = folder.Path() / "bad.nxv.series";
+  std::ofstream(path) << "{" << std::string(2000, '\n') << "x";
+  try
+  {
+    ReadNxvSeries(path);
+    FAIL() << "the index was accepted";
+  }
+  catch (const Error& error)
+  {
+    const std::string line = error.what();
+    EXPECT_LT(line.size(), path.string().size() + 400) << line;
+    EXPECT_NE(line.find("not a series index"), std::string::npos) << line;
+  }
+}

@@ -4,6 +4,7 @@
 #include "nexrad/Grid/VolumeMoments.h"
 
 #include "TestData.h"
+#include "VolumeComparison.h"
 #include "VolumeMaker.h"
 #include "nexrad/System/Error.h"
 
@@ -11,6 +12,7 @@
 
 using namespace nexrad;
 using nexrad::testing::AddAncillary;
+using nexrad::testing::ExpectSameVolume;
 using nexrad::testing::FileContent;
 using nexrad::testing::MakeGriddedVolume;
 using nexrad::testing::TemporaryFolder;
@@ -37,20 +39,6 @@ std::vector<GriddedVolume> MakeMoments()
   return moments;
 }
 
-void ExpectSame(const GriddedVolume& actual, const GriddedVolume& expected)
-{
-  EXPECT_EQ(actual.moment, expected.moment);
-  EXPECT_EQ(actual.values, expected.values);
-  EXPECT_EQ(actual.states, expected.states);
-  EXPECT_EQ(actual.ancillary.age, expected.ancillary.age);
-  EXPECT_EQ(actual.ancillary.radars, expected.ancillary.radars);
-  EXPECT_EQ(actual.ancillary.weight, expected.ancillary.weight);
-  EXPECT_EQ(actual.ancillary.nearestSite, expected.ancillary.nearestSite);
-  EXPECT_EQ(actual.sites, expected.sites);
-  EXPECT_EQ(actual.time, expected.time);
-  EXPECT_TRUE(actual.grid == expected.grid);
-}
-
 } // namespace
 
 TEST(NxvMoments, EachIsWhatAFileOfItAloneHolds)
@@ -68,11 +56,11 @@ TEST(NxvMoments, EachIsWhatAFileOfItAloneHolds)
     {
       WriteNxv(folder.Path() / "one.nxv", MakeMoments()[i], options);
       const GriddedVolume alone = ReadNxv(folder.Path() / "one.nxv");
-      ExpectSame(read[i], alone);
+      ExpectSameVolume(read[i], alone);
       NxvReadOptions choice;
       choice.moments = {alone.moment};
       const GriddedVolume chosen = ReadNxv(path, choice);
-      ExpectSame(chosen, alone);
+      ExpectSameVolume(chosen, alone);
       EXPECT_TRUE(chosen.further.empty());
     }
   }

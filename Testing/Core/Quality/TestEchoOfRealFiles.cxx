@@ -94,8 +94,8 @@ TEST(EchoOfRealFiles, GroundBesideStormsGoes)
   const auto path = folder / "level2" / "quality" / "KAMA19940525_003434.gz";
   EXPECT_AT_LEAST(
     PercentOut(path, 0, QualityLevel::Standard, isGround), 85.0, "ground of KAMA 1994 gone, %");
-  EXPECT_AT_MOST(
-    PercentOut(path, 2, QualityLevel::Standard, IsCore), 0.48, "cores of KAMA 1994 at 2.4° lost, %");
+  EXPECT_AT_MOST(PercentOut(path, 2, QualityLevel::Standard, IsCore), 0.48,
+    "cores of KAMA 1994 at 2.4° lost, %");
 }
 
 // Showers in a light wind: much of them has no radial velocity.
