@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Comparison/VolumeComparison.h"
 #include "ProgramRun.h"
 #include "TestData.h"
-#include "VolumeComparison.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "vtkNexradNetCDFInput.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Comparison/VolumeComparison.h"
 #include "EventCounter.h"
 #include "TestData.h"
 #include "Tolerance.h"
-#include "VolumeComparison.h"
 #include "VolumeMaker.h"
 
 #include "nexrad/Codec/NxvSeries.h"

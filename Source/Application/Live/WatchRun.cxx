@@ -345,9 +345,10 @@ bool WatchRun::MakeSteps(bool all)
   const std::set<std::string> silent = this->SilentRadars();
   bool made = false;
   bool closing = false;
-  // A file of an old volume that will be taken as soon as it is known to be whole still counts.
+  // A file that will be taken as soon as it is known to be whole still counts for the steps before
+  // its volume, with which it is merged.
   const std::optional<Time> waiting = intake.OldestWaiting();
-  const bool mayClose = !waiting || *waiting > *series.Newest() - job.late;
+  const bool mayClose = !waiting || *waiting - job.options.maximumGap > *series.Newest() - job.late;
   for (const Time step : book.Open())
   {
     const bool isClosing = mayClose && book.IsClosing(step);

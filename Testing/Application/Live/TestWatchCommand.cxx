@@ -143,6 +143,25 @@ TEST_F(Watches, AnHourInFilesAndChunksIsTheSeriesOfGrid)
   EXPECT_EQ(status["radars"][1]["files"]["used"], 10);
 }
 
+// A file without compressed records is known to be whole once it has not grown for a while. As long
+// as one is waited for, the steps before its volume, with which it is merged, stay open, however
+// old they are.
+TEST_F(Watches, StepsBeforeAVolumeThatIsWaitedForStayOpen)
+{
+  this->WriteRadar(keax, 5min, 12, true);
+  this->WriteRadar(klsx, 6min, 10, false);
+  for (const auto& file : fs::directory_iterator(in / "KLSX"))
+  {
+    if (file.path().filename() < "KLSX20060312T182500Z")
+    {
+      fs::last_write_time(file.path(), fs::file_time_type::clock::now() - 1h);
+    }
+  }
+  const ProgramRun run = RunNexrad3d(this->Command({"--stop-after", "4s"}));
+  EXPECT_EQ(run.status, 0) << run.errors;
+  ExpectSame(Series(out), this->OfGrid());
+}
+
 TEST_F(Watches, AnAgeIsLiveByTheClockOfTheData)
 {
   this->WriteRadar(keax, 5min, 3, true);

@@ -3,7 +3,7 @@
 // truth.
 #pragma once
 
-#include "TruthComparison.h"
+#include "Comparison/TruthComparison.h"
 #include "nexrad/Simulation/SimulatedDay.h"
 #include "nexrad/Thesis/ThesisMerge.h"
 

@@ -2,9 +2,9 @@
 // How well the thesis's method finds the synthetic storm again, and how large its volumes are on
 // disk. Both are printed for comparison with the thesis and with later methods; the assertions only
 // hold the method to what a sound geometry gives.
+#include "Comparison/TruthComparison.h"
 #include "ScannedDay.h"
 #include "Tolerance.h"
-#include "TruthComparison.h"
 #include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Codec/RunLength.h"
 #include "nexrad/Compression/Deflate.h"

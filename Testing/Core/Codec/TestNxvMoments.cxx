@@ -3,8 +3,8 @@
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/VolumeMoments.h"
 
+#include "Comparison/VolumeComparison.h"
 #include "TestData.h"
-#include "VolumeComparison.h"
 #include "VolumeMaker.h"
 #include "nexrad/System/Error.h"
 

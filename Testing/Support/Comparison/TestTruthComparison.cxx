@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "TruthComparison.h"
+#include "Comparison/TruthComparison.h"
 
 #include "nexrad/System/Error.h"
 
