@@ -34,7 +34,7 @@ struct BeamSweep
   GateScale scale;            ///< of the codes
   int elevationNumber = 0;
   bool strays = false;   ///< rays that stray from the cut were left out
-  bool complete = false; ///< the rays leave no gap, and all of their gates were measured
+  bool complete = false; ///< the rays leave no gap, and all of their gates were sampled
   Time begin{};          ///< earliest ray
   Time end{};            ///< latest ray
 

@@ -109,12 +109,6 @@ void SetCodes(const PolarSweep& source, const std::vector<SortedRay>& entries, B
   to.codes = codes;
 }
 
-bool IsMissing(std::uint16_t code)
-{
-  return code == GateCode::RangeFolded || code == GateCode::NotSampled ||
-         code == GateCode::Filtered;
-}
-
 bool IsComplete(const BeamSweep& sweep)
 {
   if (!sweep.IsClosed())
@@ -125,7 +119,8 @@ bool IsComplete(const BeamSweep& sweep)
   {
     const std::uint16_t* codes = sweep.Row(entry);
     const GateRange& held = sweep.held[entry];
-    if (std::any_of(codes + held.begin, codes + held.end, IsMissing))
+    const std::uint16_t* end = codes + held.end;
+    if (std::find(codes + held.begin, end, GateCode::NotSampled) != end)
     {
       return false;
     }

@@ -469,7 +469,7 @@ inline void ObserveAlong(const FoundObservation& found, const ColumnDirection& c
 }
 
 // How much of an observation is to be found: all, or when and with what beam it was taken, and
-// whether it measured something, which needs no gates of a sweep that is complete.
+// whether it scanned the place, which needs no gates of a sweep that is complete.
 enum class ObservedDetail
 {
   All,
@@ -543,10 +543,6 @@ inline bool FollowMotion(const FoundObservation& before, const FoundObservation&
   const ColumnDirection& column, const ColumnMotion& motion, const SamplingContext& context,
   Observed& source, Observed& target)
 {
-  if (!TellsSomething(before.observed) && !TellsSomething(after.observed))
-  {
-    return false;
-  }
   ObserveAlong(before, column, motion, context, source);
   ObserveAlong(after, column, motion, context, target);
   return TellsSomething(source) && TellsSomething(target);

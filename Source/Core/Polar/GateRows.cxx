@@ -92,11 +92,25 @@ void GateRows::Append(const std::uint16_t* codes, std::size_t gates)
   {
     const std::size_t begin = gate;
     gate = EndOfStretch(codes, begin, end);
-    this->AppendStretch(codes, begin, gate);
+    const Stretch stretch = {static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(gate)};
+    const std::size_t first = bytes.size();
+    stretches.push_back(stretch);
+    bytes.resize(first + this->BytesOf(stretch));
+    this->Write(codes, stretch, bytes.data() + first);
   }
   if (end < gates)
   {
     stretches.push_back({static_cast<std::uint16_t>(end), 0});
+  }
+}
+
+void GateRows::Replace(std::size_t row, const std::uint16_t* codes)
+{
+  std::uint8_t* to = bytes.data() + rows[row].firstByte;
+  for (std::size_t i = rows[row].firstStretch; i < this->EndOfRow(row) && stretches[i].end > 0; ++i)
+  {
+    this->Write(codes, stretches[i], to);
+    to += this->BytesOf(stretches[i]);
   }
 }
 
@@ -159,14 +173,16 @@ std::size_t GateRows::EndOfRow(std::size_t row) const
   return row + 1 < rows.size() ? rows[row + 1].firstStretch : stretches.size();
 }
 
-void GateRows::AppendStretch(const std::uint16_t* codes, std::size_t begin, std::size_t end)
+std::size_t GateRows::BytesOf(const Stretch& stretch) const
 {
-  stretches.push_back({static_cast<std::uint16_t>(begin), static_cast<std::uint16_t>(end)});
-  const std::size_t count = end - begin;
-  const std::size_t first = bytes.size();
-  bytes.resize(first + count * (wide ? 2 : 1));
-  std::uint8_t* to = bytes.data() + first;
-  const std::uint16_t* from = codes + begin;
+  return static_cast<std::size_t>(stretch.end - stretch.begin) * (wide ? 2 : 1);
+}
+
+// Writes the codes of a stretch, of those of a row.
+void GateRows::Write(const std::uint16_t* codes, const Stretch& stretch, std::uint8_t* to) const
+{
+  const std::uint16_t* from = codes + stretch.begin;
+  const std::size_t count = stretch.end - stretch.begin;
   if (!wide)
   {
     std::transform(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -16,6 +17,14 @@ struct GateRange
 
   bool IsEmpty() const { return begin >= end; }
 };
+
+/// From the first to the last gate of either range.
+inline GateRange Hull(const GateRange& a, const GateRange& b)
+{
+  return a.IsEmpty()   ? b
+         : b.IsEmpty() ? a
+                       : GateRange{std::min(a.begin, b.begin), std::max(a.end, b.end)};
+}
 
 /// The codes (GateCode) of the gates of a sweep, a row a ray. Most gates of a sweep hold no echo:
 /// only the stretches between them are kept, in bytes where the codes of the sweep fit, which takes
@@ -33,6 +42,9 @@ public:
   /// Adds the next row: as many gates as the other rows have, at most MostGates, with codes up
   /// to LargestCode().
   void Append(const std::uint16_t* codes, std::size_t gates);
+  /// Puts other codes in place of those of a row, of which the same hold no echo or are behind the
+  /// last that was sampled. row < Count().
+  void Replace(std::size_t row, const std::uint16_t* codes);
   /// Call it after the last row: hands memory that was kept for further rows back.
   void Finish();
 
@@ -62,7 +74,8 @@ private:
   };
 
   std::size_t EndOfRow(std::size_t row) const;
-  void AppendStretch(const std::uint16_t* codes, std::size_t begin, std::size_t end);
+  std::size_t BytesOf(const Stretch& stretch) const;
+  void Write(const std::uint16_t* codes, const Stretch& stretch, std::uint8_t* to) const;
 
   bool wide = false; // codes of two bytes, the lower one first
   std::vector<Row> rows;

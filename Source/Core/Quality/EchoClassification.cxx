@@ -4,6 +4,7 @@
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Quality/BiologicalTest.h"
 #include "nexrad/Quality/Evidence/SplitCuts.h"
+#include "nexrad/Quality/GroundSearch.h"
 #include "nexrad/Quality/GroundTest.h"
 #include "nexrad/Quality/SpeckleTest.h"
 #include "nexrad/Quality/SpikeTest.h"
@@ -27,6 +28,19 @@ namespace
 constexpr double verticalStep = 0.75;    // degrees between tilts that are compared
 constexpr std::size_t rowsTogether = 30; // of one piece of work
 constexpr double betweenGates = 2000.0;  // m, at most, between gates of two moments at one place
+
+// Counts the gates of each reason, of which there are long runs.
+void CountRuns(const std::vector<EchoReason>& reasons, ReasonCounts& counts)
+{
+  for (auto begin = reasons.begin(); begin != reasons.end();)
+  {
+    const EchoReason reason = *begin;
+    const auto end =
+      std::find_if(begin, reasons.end(), [reason](EchoReason each) { return each != reason; });
+    counts[static_cast<std::size_t>(reason)] += static_cast<std::size_t>(end - begin);
+    begin = end;
+  }
+}
 
 struct Rows
 {
@@ -104,15 +118,23 @@ private:
     return found;
   }
 
+  bool IsPolarimetric(std::size_t number) const
+  {
+    return sources[number].correlation.sweep != nullptr;
+  }
+
+  // All gates of sweeps of two polarisations, some rows a piece of work, and those gates of the
+  // others that can be ground.
   void Judge()
   {
     std::vector<Rows> pieces;
     for (std::size_t i = 0; i < sweeps.size(); ++i)
     {
-      const std::size_t rows = sweeps[i].grid ? sweeps[i].grid->Rays() : 0;
-      for (std::size_t row = 0; row < rows; row += rowsTogether)
+      const std::size_t rows = sweeps[i].judged > 0 ? sweeps[i].grid->Rays() : 0;
+      const std::size_t together = this->IsPolarimetric(i) ? rowsTogether : rows;
+      for (std::size_t row = 0; row < rows; row += together)
       {
-        pieces.push_back({i, row, std::min(row + rowsTogether, rows)});
+        pieces.push_back({i, row, std::min(row + together, rows)});
       }
     }
     RunLoop(loop, static_cast<int>(pieces.size()),
@@ -120,16 +142,31 @@ private:
       {
         for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
         {
-          const Rows& rows = pieces[i];
-          JudgeRows(sweeps[rows.sweep], sources[rows.sweep], rows.begin, rows.end);
+          this->JudgeRows(pieces[i]);
         }
       });
+  }
+
+  void JudgeRows(const Rows& rows)
+  {
+    SweepJudgement& sweep = sweeps[rows.sweep];
+    if (!this->IsPolarimetric(rows.sweep))
+    {
+      SearchGround(sweep, sources[rows.sweep]);
+      return;
+    }
+    const std::vector<GateRange> wanted(sweep.grid->Rays(), GateRange{0, sweep.judged});
+    RowJudge judge(sweep, sources[rows.sweep], wanted);
+    for (std::size_t row = rows.begin; row < rows.end; ++row)
+    {
+      judge.Judge(row);
+    }
   }
 
   void FindClasses(std::size_t number)
   {
     SweepJudgement& sweep = sweeps[number];
-    const bool polarimetric = sources[number].correlation.sweep != nullptr;
+    const bool polarimetric = this->IsPolarimetric(number);
     if (sweep.judged > 0 && polarimetric)
     {
       FindFlight(sweep);
@@ -206,10 +243,7 @@ private:
         std::vector<EchoReason>& reasons = result.sweeps[number];
         reasons = std::move(sweeps[number].reasons);
         reasons.resize(sweep.rays.size() * sweep.gates, EchoReason::None);
-        for (const EchoReason reason : reasons)
-        {
-          ++counts[number][static_cast<std::size_t>(reason)];
-        }
+        CountRuns(reasons, counts[number]);
       });
     for (const ReasonCounts& each : counts)
     {
@@ -285,28 +319,26 @@ ReasonCounts TakeOut(
     }
     const auto removed = [&removes](EchoReason reason)
     { return removes[static_cast<std::size_t>(reason)]; };
-    if (std::none_of(reasons.begin(), reasons.end(), removed))
-    {
-      continue;
-    }
-    GateRows rows(sweep.rows.LargestCode());
     std::vector<std::uint16_t> codes(sweep.gates);
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
     {
-      sweep.Read(ray, codes.data());
-      for (std::size_t gate = 0; gate < sweep.gates; ++gate)
+      const EchoReason* own = reasons.data() + ray * sweep.gates;
+      const GateRange held = sweep.rows.Held(ray, sweep.gates);
+      if (std::none_of(own + held.begin, own + held.end, removed))
       {
-        const EchoReason reason = reasons[ray * sweep.gates + gate];
-        if (codes[gate] >= GateCode::FirstValue && removed(reason))
+        continue;
+      }
+      sweep.Read(ray, codes.data());
+      for (std::size_t gate = held.begin; gate < held.end; ++gate)
+      {
+        if (codes[gate] >= GateCode::FirstValue && removed(own[gate]))
         {
           codes[gate] = GateCode::Filtered;
-          ++counts[static_cast<std::size_t>(reason)];
+          ++counts[static_cast<std::size_t>(own[gate])];
         }
       }
-      rows.Append(codes.data(), codes.size());
+      sweep.rows.Replace(ray, codes.data());
     }
-    rows.Finish();
-    sweep.rows = std::move(rows);
   }
   return counts;
 }

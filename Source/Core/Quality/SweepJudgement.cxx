@@ -2,8 +2,6 @@
 #include "nexrad/Quality/SweepJudgement.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Quality/EchoInterest.h"
-#include "nexrad/Quality/Evidence/GateEvidence.h"
 
 #include <algorithm>
 #include <cmath>
@@ -81,6 +79,23 @@ EchoReason WeatherOf(float reflectivity)
   return reflectivity >= strongCore ? EchoReason::StrongCore : EchoReason::Plain;
 }
 
+// The reasons of all gates that have a value.
+std::vector<EchoReason> AllWeather(const EchoGrid& grid)
+{
+  std::vector<EchoReason> reasons(grid.Rays() * grid.Gates(), EchoReason::None);
+  for (std::size_t place = 0; place < grid.Rays(); ++place)
+  {
+    const float* row = grid.Row(place);
+    const GateRange held = grid.Held(place);
+    EchoReason* own = reasons.data() + grid.RayAt(place) * grid.Gates();
+    for (std::size_t gate = held.begin; gate < held.end; ++gate)
+    {
+      own[gate] = IsNumber(row[gate]) ? WeatherOf(row[gate]) : EchoReason::None;
+    }
+  }
+  return reasons;
+}
+
 EchoReason ReasonOf(
   const GateEvidence& evidence, float flight, const SweepJudgement& sweep, std::size_t gate)
 {
@@ -154,7 +169,7 @@ void SweepJudgement::Set(const PolarSweep& sweep, bool judges)
     return;
   }
   grid = std::make_unique<EchoGrid>(sweep);
-  reasons.assign(grid->Rays() * grid->Gates(), EchoReason::None);
+  reasons = AllWeather(*grid);
   if (!judges)
   {
     return;
@@ -181,30 +196,21 @@ void SweepJudgement::Set(const PolarSweep& sweep, bool judges)
   gradients.assign(reasons.size(), 0);
 }
 
-void JudgeRows(
-  SweepJudgement& sweep, const SweepSources& sources, std::size_t begin, std::size_t end)
+RowJudge::RowJudge(
+  SweepJudgement& theSweep, const SweepSources& sources, const std::vector<GateRange>& wanted)
+  : sweep(theSweep)
+  , reader(*theSweep.grid, theSweep.above, sources, theSweep.judged, wanted)
 {
-  const EchoGrid& grid = *sweep.grid;
-  EvidenceReader reader(grid, sweep.above, sources, sweep.judged);
-  EvidenceRow evidence;
-  InterestRow interest;
-  for (std::size_t place = begin; place < end; ++place)
+}
+
+void RowJudge::Judge(std::size_t place)
+{
+  reader.Read(place, evidence);
+  FindInterest(evidence, interest);
+  for (std::size_t i = 0; i < evidence.gates.size(); ++i)
   {
-    reader.Read(place, evidence);
-    FindInterest(evidence, interest);
-    for (std::size_t i = 0; i < evidence.gates.size(); ++i)
-    {
-      JudgeGate(sweep, sweep.Index(place, evidence.gates[i]), evidence.gates[i], evidence.At(i),
-        interest.ground[i], interest.flight[i]);
-    }
-    const float* row = grid.Row(place);
-    for (std::size_t gate = sweep.judged; gate < grid.Held(place).end; ++gate)
-    {
-      if (IsNumber(row[gate]))
-      {
-        sweep.reasons[sweep.Index(place, gate)] = WeatherOf(row[gate]);
-      }
-    }
+    JudgeGate(sweep, sweep.Index(place, evidence.gates[i]), evidence.gates[i], evidence.At(i),
+      interest.ground[i], interest.flight[i]);
   }
 }
 

@@ -2,7 +2,9 @@
 #pragma once
 
 #include "nexrad/Quality/EchoClass.h"
+#include "nexrad/Quality/EchoInterest.h"
 #include "nexrad/Quality/Evidence/EchoGrid.h"
+#include "nexrad/Quality/Evidence/GateEvidence.h"
 #include "nexrad/Quality/Evidence/SplitCuts.h"
 
 #include <cstddef>
@@ -44,7 +46,7 @@ struct SweepJudgement
   std::vector<std::uint8_t>
     speeds; ///< |V| in steps of 0.125 m/s and 1 more, at most 255; 0 unknown
   std::vector<std::int8_t> gradients; ///< dB a degree (GateEvidence)
-  std::vector<EchoReason> reasons;
+  std::vector<EchoReason> reasons;    ///< weather where nothing else is known
 
   /// `judges`: whether the gates are judged, or else take their classes of another sweep.
   void Set(const PolarSweep& sweep, bool judges);
@@ -73,8 +75,22 @@ double BeamHeight(double range, double elevation);
 /// lobes see the ground.
 double JudgedRange(double elevation);
 
-/// Judges the rows from `begin` up to `end`, of all gates with a value.
-void JudgeRows(
-  SweepJudgement& sweep, const SweepSources& sources, std::size_t begin, std::size_t end);
+/// Judges the gates of a sweep that have a value, row by row. Rows that follow each other share
+/// work.
+class RowJudge
+{
+public:
+  /// `wanted`: of each row the gates that are judged. All arguments must outlive this object.
+  RowJudge(
+    SweepJudgement& sweep, const SweepSources& sources, const std::vector<GateRange>& wanted);
+
+  void Judge(std::size_t place);
+
+private:
+  SweepJudgement& sweep;
+  EvidenceReader reader;
+  EvidenceRow evidence;
+  InterestRow interest;
+};
 
 } // namespace nexrad

@@ -122,6 +122,30 @@ TEST(GateRows, TakeTheLongestRow)
   ExpectSame(RowsOf({row}), {row});
 }
 
+TEST(GateRows, ReplaceCodesWhereSomethingIsHeld)
+{
+  for (const std::uint16_t largest : {std::uint16_t(255), std::uint16_t(300)})
+  {
+    std::vector<Codes> all;
+    for (std::uint16_t first = 0; first < 3; ++first)
+    {
+      Codes row(200, GateCode::NoEcho);
+      std::fill(row.begin() + 20 * first, row.begin() + 50, largest);
+      std::fill(row.begin() + 52, row.begin() + 54, std::uint16_t(9));
+      std::fill(row.begin() + 100, row.begin() + 110, std::uint16_t(8));
+      std::fill(row.begin() + 150, row.end(), GateCode::NotSampled);
+      all.push_back(row);
+    }
+    GateRows rows = RowsOf(all);
+    const std::size_t bytes = rows.MemoryBytes();
+    std::replace(all[1].begin(), all[1].end(), std::uint16_t(8), GateCode::Filtered);
+    std::replace(all[1].begin(), all[1].begin() + 40, largest, std::uint16_t(7));
+    rows.Replace(1, all[1].data());
+    ExpectSame(rows, all);
+    EXPECT_EQ(rows.MemoryBytes(), bytes);
+  }
+}
+
 TEST(GateRows, NoGatesAndNoRows)
 {
   ExpectSame(RowsOf({Codes(), Codes()}), {Codes(), Codes()});

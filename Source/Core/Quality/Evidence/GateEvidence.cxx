@@ -50,31 +50,36 @@ void EvaluatePolarimetry(
   evidence.phaseSpread[i] = Spread(At(sums, PolarimetricSumOf::PhaseSquares), ratioPairs);
 }
 
-void AddWindows(const RowSums& row, std::vector<GateSums>& sums)
+// Adds the windows about the gates of a range; the first window of the row is about `begin`.
+void AddWindows(
+  const RowSums& row, std::size_t begin, const GateRange& range, std::vector<GateSums>& sums)
 {
-  for (std::size_t i = 0; i < std::min(sums.size(), row.windows.size()); ++i)
+  const std::size_t end = std::min(range.end, begin + row.windows.size());
+  for (std::size_t gate = std::max(range.begin, begin); gate < end; ++gate)
   {
     for (std::size_t which = 0; which < SumCount; ++which)
     {
-      sums[i][which] += row.windows[i][which];
+      sums[gate - range.begin][which] += row.windows[gate - begin][which];
     }
   }
 }
 
 // Counts the gates of a row that lie `offset` gates behind each of another one, `own`, and those
-// that are alike, of the first `about.size()` gates.
-void CountAlike(const float* own, const float* row, std::ptrdiff_t offset,
-  std::vector<float>& about, std::vector<float>& like)
+// that are alike, for the gates of a range. Of either row the first `gates` gates count.
+void CountAlike(const float* own, const float* row, std::ptrdiff_t offset, const GateRange& range,
+  std::size_t gates, std::vector<float>& about, std::vector<float>& like)
 {
-  const auto count = static_cast<std::ptrdiff_t>(about.size());
-  const std::ptrdiff_t end = count - std::max<std::ptrdiff_t>(offset, 0);
+  const auto first = static_cast<std::ptrdiff_t>(range.begin);
+  const std::ptrdiff_t begin = std::max(first, -offset);
+  const std::ptrdiff_t end = std::min(static_cast<std::ptrdiff_t>(range.end),
+    static_cast<std::ptrdiff_t>(gates) - std::max<std::ptrdiff_t>(offset, 0));
   float* abouts = about.data();
   float* likes = like.data();
-  for (std::ptrdiff_t i = std::max<std::ptrdiff_t>(-offset, 0); i < end; ++i)
+  for (std::ptrdiff_t i = begin; i < end; ++i)
   {
     const float other = row[i + offset];
-    abouts[i] += IsNumber(other) ? 1.0F : 0.0F;
-    likes[i] += std::abs(other - own[i]) < alike ? 1.0F : 0.0F;
+    abouts[i - first] += IsNumber(other) ? 1.0F : 0.0F;
+    likes[i - first] += std::abs(other - own[i]) < alike ? 1.0F : 0.0F;
   }
 }
 
@@ -95,11 +100,12 @@ void EvidenceRow::Clear()
 }
 
 EvidenceReader::EvidenceReader(const EchoGrid& theGrid, const EchoGrid* theAbove,
-  const SweepSources& theSources, std::size_t gates)
+  const SweepSources& theSources, std::size_t gates, const std::vector<GateRange>& theWanted)
   : grid(theGrid)
   , above(theAbove)
   , sources(theSources)
   , geometry{gates, theGrid.RangeOf(0), theGrid.GateSpacing()}
+  , wanted(theWanted)
 {
   for (RowTextures& each : kept)
   {
@@ -107,30 +113,54 @@ EvidenceReader::EvidenceReader(const EchoGrid& theGrid, const EchoGrid* theAbove
   }
 }
 
-const RayTextures& EvidenceReader::TexturesOf(std::size_t place)
+// Gates of a row, from the first, that count.
+std::size_t EvidenceReader::Counted(std::size_t place) const
+{
+  return std::min(geometry.gates, grid.Held(place).end);
+}
+
+// The gates of a row that windows about wanted gates of it and of its neighbours hold, and one more
+// at either end, with which the outermost are compared.
+GateRange EvidenceReader::SummedGates(std::size_t place) const
+{
+  GateRange all = wanted[place];
+  for (const int step : {-1, 1})
+  {
+    const std::size_t beside = grid.Beside(place, step);
+    all = beside < grid.Rays() ? Hull(all, wanted[beside]) : all;
+  }
+  const std::size_t margin = geometry.HalfWindow() + 1;
+  return {all.begin - std::min(margin, all.begin), std::min(all.end + margin, Counted(place))};
+}
+
+const EvidenceReader::RowTextures& EvidenceReader::TexturesOf(std::size_t place)
 {
   for (const RowTextures& each : kept)
   {
     if (each.place == place)
     {
-      return each.textures;
+      return each;
     }
   }
   RowTextures& row = kept[next];
   next = (next + 1) % kept.size();
+  const GateRange summed = this->SummedGates(place);
   row.place = place;
-  RowGeometry held = geometry;
-  held.gates = std::min(geometry.gates, grid.Held(place).end);
-  row.textures.Set(grid.Row(place), sources, grid.RayAt(place), held);
-  return row.textures;
+  row.begin = summed.begin;
+  RowGeometry part = geometry;
+  part.gates = summed.IsEmpty() ? 0 : summed.end - summed.begin;
+  part.firstGate = grid.RangeOf(summed.begin);
+  row.textures.Set(grid.Row(place) + summed.begin, sources, grid.RayAt(place), part);
+  return row;
 }
 
 void EvidenceReader::Read(std::size_t place, EvidenceRow& evidence)
 {
   const float* row = grid.Row(place);
-  const GateRange held = grid.Held(place);
+  const GateRange range = {std::max(wanted[place].begin, grid.Held(place).begin),
+    std::min(wanted[place].end, this->Counted(place))};
   evidence.gates.clear();
-  for (std::size_t gate = held.begin; gate < std::min(geometry.gates, held.end); ++gate)
+  for (std::size_t gate = range.begin; gate < range.end; ++gate)
   {
     if (IsNumber(row[gate]))
     {
@@ -138,70 +168,73 @@ void EvidenceReader::Read(std::size_t place, EvidenceRow& evidence)
     }
   }
   evidence.Clear();
+  if (evidence.gates.empty())
+  {
+    return;
+  }
   evidence.elevation = static_cast<float>(grid.Elevation());
   for (std::size_t i = 0; i < evidence.gates.size(); ++i)
   {
     evidence.reflectivity[i] = row[evidence.gates[i]];
     evidence.range[i] = static_cast<float>(grid.RangeOf(evidence.gates[i]));
   }
-  this->ReadTextures(place, evidence);
-  this->ReadAgreement(place, evidence);
+  this->ReadTextures(place, range, evidence);
+  this->ReadAgreement(place, range, evidence);
   this->ReadGradient(place, evidence);
   this->ReadFilterPower(place, evidence);
 }
 
-void EvidenceReader::ReadTextures(std::size_t place, EvidenceRow& evidence)
+void EvidenceReader::ReadTextures(std::size_t place, const GateRange& range, EvidenceRow& evidence)
 {
-  const std::size_t gates = std::min(geometry.gates, grid.Held(place).end);
-  sums.assign(gates, GateSums{});
+  sums.assign(range.end - range.begin, GateSums{});
   polarimetricSums.clear();
   for (const std::size_t each : {grid.Beside(place, -1), place, grid.Beside(place, 1)})
   {
     if (each < grid.Rays())
     {
-      const RayTextures& textures = this->TexturesOf(each);
-      AddWindows(textures.Sums(), sums);
-      if (!textures.PolarimetricSums().own.empty())
+      const RowTextures& row = this->TexturesOf(each);
+      AddWindows(row.textures.Sums(), row.begin, range, sums);
+      if (!row.textures.PolarimetricSums().own.empty())
       {
-        polarimetricSums.resize(gates);
-        AddWindows(textures.PolarimetricSums(), polarimetricSums);
+        polarimetricSums.resize(range.end - range.begin);
+        AddWindows(row.textures.PolarimetricSums(), row.begin, range, polarimetricSums);
       }
     }
   }
-  const RayTextures& own = this->TexturesOf(place);
+  const RowTextures& own = this->TexturesOf(place);
   for (std::size_t i = 0; i < evidence.gates.size(); ++i)
   {
     const std::size_t gate = evidence.gates[i];
-    Evaluate(sums[gate], own.Sums().own[gate], i, evidence);
+    Evaluate(sums[gate - range.begin], own.textures.Sums().own[gate - own.begin], i, evidence);
   }
-  const std::vector<GateSums>& polarimetric = own.PolarimetricSums().own;
+  const std::vector<GateSums>& polarimetric = own.textures.PolarimetricSums().own;
   for (std::size_t i = 0; i < evidence.gates.size() && !polarimetricSums.empty(); ++i)
   {
     const std::size_t gate = evidence.gates[i];
-    EvaluatePolarimetry(
-      polarimetricSums[gate], polarimetric.empty() ? GateSums{} : polarimetric[gate], i, evidence);
+    EvaluatePolarimetry(polarimetricSums[gate - range.begin],
+      polarimetric.empty() ? GateSums{} : polarimetric[gate - own.begin], i, evidence);
   }
 }
 
-void EvidenceReader::ReadAgreement(std::size_t place, EvidenceRow& evidence)
+void EvidenceReader::ReadAgreement(std::size_t place, const GateRange& range, EvidenceRow& evidence)
 {
-  const std::size_t count = std::min(geometry.gates, grid.Held(place).end);
   const float* own = grid.Row(place);
   const auto far = static_cast<std::ptrdiff_t>(geometry.HalfWindow());
-  about.assign(count, 0.0F);
-  like.assign(count, 0.0F);
+  about.assign(range.end - range.begin, 0.0F);
+  like.assign(range.end - range.begin, 0.0F);
   for (const float* row : {grid.RowBeside(place, -1), own, grid.RowBeside(place, 1)})
   {
     for (const std::ptrdiff_t offset :
       {-far, far, std::ptrdiff_t(-1), std::ptrdiff_t(0), std::ptrdiff_t(1)})
     {
-      CountAlike(own, row, offset, about, like);
+      CountAlike(own, row, offset, range, this->Counted(place), about, like);
     }
   }
   for (std::size_t i = 0; i < evidence.gates.size(); ++i)
   {
-    const float all = about[evidence.gates[i]] - 1.0F; // the gate itself is one of them
-    evidence.agreement[i] = all > 2.5F ? (like[evidence.gates[i]] - 1.0F) / all : NoNumber;
+    const std::size_t at = evidence.gates[i] - range.begin;
+    const float all = about[at] - 1.0F; // the gate itself is one of them
+    evidence.agreement[i] = all > 2.5F ? (like[at] - 1.0F) / all : NoNumber;
   }
 }
 

@@ -76,23 +76,27 @@ struct EvidenceRow
 class EvidenceReader
 {
 public:
-  /// `above`: the next tilt; nullptr where there is none. `gates`: the first ones alone count. All
-  /// arguments must outlive the reader.
-  EvidenceReader(
-    const EchoGrid& grid, const EchoGrid* above, const SweepSources& sources, std::size_t gates);
+  /// `above`: the next tilt; nullptr where there is none. `gates`: the first ones alone count.
+  /// `wanted`: of each row the gates whose evidence is read. All arguments must outlive the reader.
+  EvidenceReader(const EchoGrid& grid, const EchoGrid* above, const SweepSources& sources,
+    std::size_t gates, const std::vector<GateRange>& wanted);
 
   void Read(std::size_t place, EvidenceRow& evidence);
 
 private:
+  // Sums of a row; the first gate of them is `begin`.
   struct RowTextures
   {
     std::size_t place;
+    std::size_t begin = 0;
     RayTextures textures;
   };
 
-  const RayTextures& TexturesOf(std::size_t place);
-  void ReadTextures(std::size_t place, EvidenceRow& evidence);
-  void ReadAgreement(std::size_t place, EvidenceRow& evidence);
+  std::size_t Counted(std::size_t place) const;
+  GateRange SummedGates(std::size_t place) const;
+  const RowTextures& TexturesOf(std::size_t place);
+  void ReadTextures(std::size_t place, const GateRange& range, EvidenceRow& evidence);
+  void ReadAgreement(std::size_t place, const GateRange& range, EvidenceRow& evidence);
   void ReadGradient(std::size_t place, EvidenceRow& evidence) const;
   void ReadFilterPower(std::size_t place, EvidenceRow& evidence);
 
@@ -100,6 +104,7 @@ private:
   const EchoGrid* above;
   const SweepSources& sources;
   RowGeometry geometry;
+  const std::vector<GateRange>& wanted;
   std::array<RowTextures, 3> kept;
   std::size_t next = 0;
   std::vector<GateSums> sums;

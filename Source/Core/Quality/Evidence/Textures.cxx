@@ -13,7 +13,6 @@ namespace
 constexpr float largestSquare = 400.0F;       // dB²
 constexpr float largestPhaseSquare = 3600.0F; // degrees²
 constexpr float stillSpeed = 0.25F;           // m/s
-constexpr float movingSpeed = 1.5F;           // m/s
 constexpr float usualWidth = 2.0F;            // m/s, where none is measured
 
 // Sums up the gates within `half` of each. `prefix` is room that is used.
@@ -58,7 +57,7 @@ struct VelocitySums
   {
     const float ofSpeed = std::abs(ofVelocity);
     velocities += 1.0F;
-    still += Ramp(ofSpeed, movingSpeed, stillSpeed);
+    still += Ramp(ofSpeed, MovingSpeed, stillSpeed);
     velocity += ofVelocity;
     speed += ofSpeed;
     width += ofWidth;
@@ -114,6 +113,39 @@ void ReadMoment(const MomentSource& source, std::size_t ray, const RowGeometry& 
     const float value = sweep.scale.ValueOf(codes[at]);
     values[gate] = place >= 0.0 && codes[at] >= GateCode::FirstValue ? value : NoNumber;
   }
+}
+
+GateRange StillGates(const float* row, const MomentSource& velocity, std::size_t ray,
+  const RowGeometry& geometry, std::vector<std::uint16_t>& codes)
+{
+  if (!velocity.Has(ray) || geometry.gates == 0)
+  {
+    return {};
+  }
+  const PolarSweep& sweep = *velocity.sweep;
+  codes.resize(sweep.gates);
+  sweep.Read(velocity.rays[ray], codes.data());
+  const double step = sweep.gateSpacing / geometry.spacing;
+  const double from = (sweep.firstGate - geometry.firstGate) / geometry.spacing + 0.5;
+  const auto last = static_cast<double>(geometry.gates - 1);
+  const auto gateOf = [&](std::size_t i)
+  { return static_cast<std::size_t>(std::clamp(from + step * static_cast<double>(i), 0.0, last)); };
+  const auto isStill = [&](std::size_t i)
+  {
+    return codes[i] >= GateCode::FirstValue &&
+           std::abs(sweep.scale.ValueOf(codes[i])) < MovingSpeed && IsNumber(row[gateOf(i)]);
+  };
+  std::size_t begin = 0;
+  std::size_t end = sweep.gates;
+  while (begin < end && !isStill(begin))
+  {
+    ++begin;
+  }
+  while (begin < end && !isStill(end - 1))
+  {
+    --end;
+  }
+  return begin < end ? GateRange{gateOf(begin), gateOf(end - 1) + 1} : GateRange();
 }
 
 void RayTextures::Set(

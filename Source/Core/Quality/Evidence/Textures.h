@@ -24,6 +24,9 @@ struct RowGeometry
   std::size_t HalfWindow() const;
 };
 
+/// |V| in m/s from which on SumOf::Still counts nothing.
+constexpr float MovingSpeed = 1.5F;
+
 /// What is summed over the gates of a window, of reflectivity and velocity. Neighbouring rays are
 /// added up.
 enum class SumOf : std::uint8_t
@@ -107,6 +110,11 @@ private:
   std::vector<float> ratio;
   std::vector<float> phase;
 };
+
+/// Of the gates of a row those from the first to behind the last that has a value and, beside or in
+/// it, a velocity of less than MovingSpeed; empty without any. `codes` is room that is used.
+GateRange StillGates(const float* row, const MomentSource& velocity, std::size_t ray,
+  const RowGeometry& geometry, std::vector<std::uint16_t>& codes);
 
 /// Values of a moment at the gates of a row: of the nearest gate; NoNumber where it has none.
 /// `codes` is room that is used.
