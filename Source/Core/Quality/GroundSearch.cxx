@@ -15,9 +15,8 @@ namespace nexrad
 namespace
 {
 
-constexpr std::size_t besideRuns = 2;    // gates before and behind a run that FindGround looks at
-constexpr std::size_t firstReach = 16;   // gates beyond those that are missing
-constexpr std::size_t gatesOfAReach = 8; // for each ray beyond them
+constexpr std::size_t besideRuns = 2; // gates before and behind a run that FindGround looks at
+constexpr int firstReach = 2;         // rays beyond one whose gates are missing
 
 class GroundSearcher
 {
@@ -34,9 +33,9 @@ public:
   void Run()
   {
     this->WantStillGates();
-    for (std::size_t reach = firstReach; this->JudgeChanged(); reach *= 2)
+    for (int reach = firstReach; this->JudgeChanged(); reach *= 2)
     {
-      this->WantGatesAboutGround(reach);
+      this->WantRaysAboutGround(reach);
     }
   }
 
@@ -47,9 +46,12 @@ private:
     std::vector<std::uint16_t> codes;
     for (std::size_t place = 0; place < grid.Rays(); ++place)
     {
-      wanted[place] =
+      const GateRange still =
         StillGates(grid.Row(place), sources.velocity, grid.RayAt(place), geometry, codes);
-      changed[place] = wanted[place].IsEmpty() ? 0 : 1;
+      const GateRange all = this->AllOf(place);
+      // Where most gates are asked for, the others may soon be, too.
+      wanted[place] = 2 * Length(still) > Length(all) ? all : still;
+      changed[place] = still.IsEmpty() ? 0 : 1;
     }
   }
 
@@ -70,9 +72,9 @@ private:
     return any;
   }
 
-  // Wants the gates in and beside regions with sure ground; where some of them have not been
-  // judged, as many more as reach.
-  void WantGatesAboutGround(std::size_t reach)
+  // Wants the rays through and beside regions with sure ground whose gates have not been judged,
+  // and as many more to either side as reach.
+  void WantRaysAboutGround(int reach)
   {
     if (std::find(sweep.signs.begin(), sweep.signs.end(), GroundSign::Sure) == sweep.signs.end())
     {
@@ -90,52 +92,54 @@ private:
     {
       if (isSure[run.region] != 0)
       {
-        this->WantGatesAbout(run, reach);
+        this->WantRaysAbout(run, reach);
       }
     }
   }
 
-  void WantGatesAbout(const GateRun& run, std::size_t reach)
+  void WantRaysAbout(const GateRun& run, int reach)
   {
+    const GateRange about = {
+      run.begin - std::min<std::size_t>(besideRuns, run.begin), run.end + besideRuns};
     for (const int step : {-1, 0, 1})
     {
       const std::size_t beside = grid.Beside(run.place, step);
-      if (beside < grid.Rays() && this->Lacks(beside, About(run, besideRuns)))
+      if (beside < grid.Rays() && this->Lacks(beside, about))
       {
-        const auto rays = static_cast<int>(reach / gatesOfAReach);
-        for (int each = -rays; each <= rays; ++each)
+        for (int each = -reach; each <= reach; ++each)
         {
-          this->Want(grid.Beside(run.place, each), About(run, reach));
+          this->WantAllOf(grid.Beside(run.place, each));
         }
         return;
       }
     }
   }
 
-  static GateRange About(const GateRun& run, std::size_t margin)
+  static std::size_t Length(const GateRange& range)
   {
-    return {run.begin - std::min<std::size_t>(margin, run.begin), run.end + margin};
+    return range.IsEmpty() ? 0 : range.end - range.begin;
   }
 
-  // The part of a range that can have a value.
-  GateRange Within(std::size_t place, const GateRange& range) const
+  // The gates of a ray that can be judged.
+  GateRange AllOf(std::size_t place) const
   {
     const GateRange held = grid.Held(place);
-    return {std::max(range.begin, held.begin), std::min({range.end, held.end, sweep.judged})};
+    return {held.begin, std::min(held.end, sweep.judged)};
   }
 
   bool Lacks(std::size_t place, const GateRange& range) const
   {
-    const GateRange needed = this->Within(place, range);
+    const GateRange all = this->AllOf(place);
+    const GateRange needed = {std::max(range.begin, all.begin), std::min(range.end, all.end)};
     return !needed.IsEmpty() &&
            (needed.begin < wanted[place].begin || needed.end > wanted[place].end);
   }
 
-  void Want(std::size_t place, const GateRange& range)
+  void WantAllOf(std::size_t place)
   {
-    if (place < grid.Rays() && this->Lacks(place, range))
+    if (place < grid.Rays() && this->Lacks(place, this->AllOf(place)))
     {
-      wanted[place] = Hull(wanted[place], this->Within(place, range));
+      wanted[place] = this->AllOf(place);
       changed[place] = 1;
     }
   }
