@@ -273,7 +273,9 @@ void UnfinishedRun::End(const std::function<void()>& last)
           Rename(hidden / name, folder / name);
         }
         last();
+        // First, since a run without journal has ended, and one that lost only its notes has not.
         std::error_code ignored;
+        fs::remove(hidden / JournalName, ignored);
         fs::remove_all(hidden, ignored);
         lock.Close();
       }
