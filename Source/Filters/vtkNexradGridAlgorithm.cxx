@@ -274,6 +274,12 @@ int vtkNexradGridAlgorithm::RequestUpdateExtent(
   return 1;
 }
 
+void vtkNexradGridAlgorithm::SetExecutive(vtkExecutive* executive)
+{
+  vtkNexradKeepToOneMessage(executive);
+  this->Superclass::SetExecutive(executive);
+}
+
 int vtkNexradGridAlgorithm::Fail(unsigned long code, const std::string& line)
 {
   this->SetErrorCode(code);

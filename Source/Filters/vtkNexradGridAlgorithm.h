@@ -312,6 +312,8 @@ public:
   vtkBooleanMacro(AncillaryArrays, bool);
   ///@}
 
+  void SetExecutive(vtkExecutive* executive) override;
+
 protected:
   vtkNexradGridAlgorithm();
   ~vtkNexradGridAlgorithm() override;

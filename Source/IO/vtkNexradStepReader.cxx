@@ -70,6 +70,12 @@ vtkMTimeType vtkNexradStepReader::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->AncillaryArraySelection->GetMTime());
 }
 
+void vtkNexradStepReader::SetExecutive(vtkExecutive* executive)
+{
+  vtkNexradKeepToOneMessage(executive);
+  this->Superclass::SetExecutive(executive);
+}
+
 const vtkNexradVolumeSteps& vtkNexradStepReader::OpenedSteps() const
 {
   return *this->Opened;

@@ -61,6 +61,8 @@ public:
 
   vtkMTimeType GetMTime() override;
 
+  void SetExecutive(vtkExecutive* executive) override;
+
 protected:
   vtkNexradStepReader();
   ~vtkNexradStepReader() override;

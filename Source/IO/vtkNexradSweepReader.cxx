@@ -2,6 +2,7 @@
 #include "vtkNexradSweepReader.h"
 
 #include "nexrad/Level2/Level2File.h"
+#include "vtkNexradPipeline.h"
 #include "vtkNexradSweepConversion.h"
 
 #include "vtkDataArraySelection.h"
@@ -36,6 +37,12 @@ vtkStringArray* vtkNexradSweepReader::GetDamage()
 vtkMTimeType vtkNexradSweepReader::GetMTime()
 {
   return std::max(this->Superclass::GetMTime(), this->MomentSelection->GetMTime());
+}
+
+void vtkNexradSweepReader::SetExecutive(vtkExecutive* executive)
+{
+  vtkNexradKeepToOneMessage(executive);
+  this->Superclass::SetExecutive(executive);
 }
 
 nexrad::Level2Options vtkNexradSweepReader::MakeLevel2Options() const

@@ -116,6 +116,8 @@ public:
 
   vtkMTimeType GetMTime() override;
 
+  void SetExecutive(vtkExecutive* executive) override;
+
 protected:
   vtkNexradSweepReader();
   ~vtkNexradSweepReader() override;

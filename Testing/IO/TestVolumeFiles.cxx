@@ -21,14 +21,18 @@
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkOutputWindow.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+#include "vtkStringOutputWindow.h"
 #include "vtkXMLImageDataReader.h"
 #include "vtkXMLImageDataWriter.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 
@@ -203,6 +207,29 @@ TEST(VolumeFiles, AMomentOfSeveralIsReadAsTheOnlyOne)
     reader->Update();
     EXPECT_EQ(reader->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::FileFormatError));
     EXPECT_TRUE(AnyHolds(events->errors, names));
+  }
+}
+
+// As in ParaView, which shows what goes to the output window.
+TEST(VolumeFiles, ACutFileIsOneMessage)
+{
+  const TemporaryFolder folder;
+  const std::filesystem::path path = folder.Path() / "cut.nxv";
+  nexrad::WriteNxv(path, MakeVolume(start));
+  for (const double part : {0.9, 0.01}) // without some voxels, and without a whole header
+  {
+    const auto size = static_cast<double>(std::filesystem::file_size(path));
+    std::filesystem::resize_file(path, static_cast<std::uintmax_t>(part * size));
+    const vtkSmartPointer<vtkOutputWindow> shown = vtkOutputWindow::GetInstance();
+    const vtkNew<vtkStringOutputWindow> messages;
+    vtkOutputWindow::SetInstance(messages);
+    const vtkNew<vtkNexradVolumeReader> reader;
+    reader->SetFileName(path.c_str());
+    reader->Update();
+    vtkOutputWindow::SetInstance(shown);
+    const std::string text = messages->GetOutput();
+    EXPECT_NE(text.find(path.string() + ": "), std::string::npos) << text;
+    EXPECT_EQ(text.find("ERROR:"), text.rfind("ERROR:")) << text;
   }
 }
 

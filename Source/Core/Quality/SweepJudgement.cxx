@@ -12,14 +12,15 @@ namespace nexrad
 namespace
 {
 
-constexpr double halfBeam = 0.5;         // degrees
-constexpr double surelyNear = 20'000.0;  // m, range where side lobes see the ground
-constexpr float lowGround = 1000.0F;     // m, lower beam edge
-constexpr float highestGround = 5000.0F; // m, lower beam edge: above it nothing is ground
+constexpr double halfBeam = 0.5;          // degrees
+constexpr double surelyNear = 20'000.0;   // m, range where side lobes see the ground
+constexpr float lowGround = 1000.0F;      // m, lower beam edge
+constexpr float highGround = 5000.0F;     // m, from which on ground takes the most interest
+constexpr float highestGround = 15000.0F; // m: higher up not even side lobes show ground
 constexpr double effectiveRadius = 4.0 / 3.0 * 6'371'000.0; // m, of the earth
 constexpr float surelyGround = 0.59F;                       // interest of gates that are low
 constexpr float ofOnePolarisation = 0.02F; // less interest is enough without two polarisations
-constexpr float surelyHighGround = 0.65F;  // interest of gates as high as highestGround
+constexpr float surelyHighGround = 0.65F;  // interest of gates from highGround on
 constexpr float likely = 0.15F;            // less interest is enough for likely ground
 constexpr float overNoise = 4.0F;          // dB that echo must have over the weakest
 
@@ -180,7 +181,7 @@ void SweepJudgement::Set(const PolarSweep& sweep, bool judges)
   {
     const double range = grid->RangeOf(judged);
     const auto height = static_cast<float>(BeamHeight(range, grid->Elevation() - halfBeam));
-    const float part = range < surelyNear ? 0.0F : Ramp(height, lowGround, highestGround);
+    const float part = range < surelyNear ? 0.0F : Ramp(height, lowGround, highGround);
     heights.push_back(height);
     limits.push_back(surelyGround + part * (surelyHighGround - surelyGround));
     spreading.push_back(static_cast<float>(20.0 * std::log10(std::max(range, 1000.0) / 1000.0)));

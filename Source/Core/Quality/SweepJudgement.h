@@ -71,8 +71,8 @@ constexpr std::uint8_t SpeedCode(double metresPerSecond)
 double BeamHeight(double range, double elevation);
 
 /// Slant range in m of the gates that can be ground or biological echo, of a sweep at an elevation
-/// in degrees: the lower beam edge is at most 5 km high there, or they are within 20 km, where side
-/// lobes see the ground.
+/// in degrees: the lower beam edge is at most 15 km high there, or they are within 20 km. Side
+/// lobes see mountains at such heights (Formulas Q1).
 double JudgedRange(double elevation);
 
 /// Judges the gates of a sweep that have a value, row by row. Rows that follow each other share

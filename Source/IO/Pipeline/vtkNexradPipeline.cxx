@@ -2,11 +2,16 @@
 #include "vtkNexradPipeline.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkErrorCode.h"
+#include "vtkExecutive.h"
 #include "vtkInformation.h"
 #include "vtkInformationDoubleKey.h"
+#include "vtkNew.h"
+#include "vtkOutputWindow.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -26,6 +31,23 @@ bool ShouldAbort(Algorithm* algorithm, long)
 {
   return algorithm->GetAbortExecute() != 0;
 }
+
+// Takes the errors of an executive, and shows all but the one that repeats what its algorithm said.
+class ExecutiveErrors : public vtkCommand
+{
+public:
+  static ExecutiveErrors* New() { return new ExecutiveErrors; }
+  vtkTypeMacro(ExecutiveErrors, vtkCommand);
+
+  void Execute(vtkObject* executive, unsigned long, void* text) override
+  {
+    const char* line = static_cast<const char*>(text);
+    if (line && !std::strstr(line, "returned failure for request"))
+    {
+      vtkOutputWindowDisplayErrorText(__FILE__, __LINE__, line, executive);
+    }
+  }
+};
 
 } // namespace
 
@@ -52,6 +74,15 @@ std::function<bool(double)> vtkNexradProgress(vtkAlgorithm* algorithm, double fr
     }
     return !vtkNexradShouldAbort(algorithm);
   };
+}
+
+void vtkNexradKeepToOneMessage(vtkExecutive* executive)
+{
+  if (executive)
+  {
+    const vtkNew<ExecutiveErrors> errors;
+    executive->AddObserver(vtkCommand::ErrorEvent, errors);
+  }
 }
 
 double vtkNexradRequestedTime(vtkInformation* outputInformation, double firstTimeStep)

@@ -14,6 +14,7 @@
 #include <string>
 
 class vtkAlgorithm;
+class vtkExecutive;
 class vtkInformation;
 
 /**
@@ -35,6 +36,12 @@ VTKNEXRADIO_EXPORT void vtkNexradForgetAbort(vtkAlgorithm* algorithm);
  */
 VTKNEXRADIO_EXPORT std::function<bool(double)> vtkNexradProgress(
   vtkAlgorithm* algorithm, double from = 0.0, double to = 1.0);
+
+/**
+ * For SetExecutive of an algorithm that says itself why a request failed: the executive, which may
+ * be null, no longer adds its own message that the algorithm returned failure.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradKeepToOneMessage(vtkExecutive* executive);
 
 /**
  * The time that a request asks for. Where it asks for none, or for one more than a day before the
