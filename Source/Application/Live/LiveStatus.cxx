@@ -98,7 +98,8 @@ std::string StatusJson(const LiveStatus& status)
     {"delay_s", {{"last", delays.last}, {"largest", delays.largest},
                   {"mean", delays.count > 0 ? delays.sum / static_cast<double>(delays.count) : 0.0},
                   {"volumes", delays.count}}},
-    {"radars", Json::array()}, {"problems", status.problems}, {"notes", status.notes}};
+    {"radars", Json::array()}, {"problems", status.problems}, {"held_bytes", status.heldBytes},
+    {"notes", status.notes}};
   for (const auto& [name, radar] : status.radars)
   {
     json["radars"].push_back(RadarJson(name, radar, status.written));

@@ -44,6 +44,7 @@ struct LiveStatus
   std::vector<Time> steps; ///< of the series
   std::map<std::string, RadarStatus> radars;
   std::size_t problems = 0;
+  std::size_t heldBytes = 0; ///< that the held volumes take
   LiveDelays delays;
   std::vector<std::string> notes;
 };

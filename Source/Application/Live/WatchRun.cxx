@@ -466,6 +466,7 @@ void WatchRun::WriteStatus(const std::string& state)
   status.radars = this->RadarStates();
   status.steps = book.Made();
   status.problems = report.problems;
+  status.heldBytes = series.MemoryBytes();
   folder.WriteStatus(StatusJson(status));
   statusWritten = std::chrono::steady_clock::now();
   std::map<std::string, bool> live;
