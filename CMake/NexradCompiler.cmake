@@ -20,6 +20,9 @@ if(VTKNexrad_SANITIZE)
   add_compile_options("-fsanitize=${VTKNexrad_SANITIZE}" -fno-sanitize-recover=all
     -fno-omit-frame-pointer)
   add_link_options("-fsanitize=${VTKNexrad_SANITIZE}")
+  if(VTKNexrad_SANITIZE_WITHOUT)
+    add_compile_options("-fno-sanitize=${VTKNexrad_SANITIZE_WITHOUT}")
+  endif()
 endif()
 
 # Targets of this project call this; code of other projects is not held to our warnings.
