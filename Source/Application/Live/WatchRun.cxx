@@ -10,6 +10,7 @@
 #include "nexrad/Live/LiveSeries.h"
 #include "nexrad/Live/StepBook.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/MachineMemory.h"
 #include "vtkNexradThreads.h"
 
 #include <algorithm>
@@ -159,6 +160,7 @@ bool WatchRun::Round()
   if (steps)
   {
     this->Forget();
+    ReturnFreedMemory();
     folder.WriteIndex(book.Made());
     this->WriteState();
   }

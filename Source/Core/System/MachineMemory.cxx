@@ -2,6 +2,9 @@
 #include "nexrad/System/MachineMemory.h"
 
 #include <unistd.h>
+#ifdef __GLIBC__
+#include <malloc.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -90,6 +93,13 @@ std::optional<std::size_t> MachineMemory()
   std::ifstream file("/proc/self/cgroup");
   const std::string membership(std::istreambuf_iterator<char>(file), {});
   return Less(PhysicalMemory(), ControlGroupMemory(membership, "/sys/fs/cgroup"));
+}
+
+void ReturnFreedMemory()
+{
+#ifdef __GLIBC__
+  malloc_trim(0);
+#endif
 }
 
 std::string MemoryText(std::size_t bytes)

@@ -20,6 +20,11 @@ std::optional<std::size_t> MachineMemory();
 std::optional<std::size_t> ControlGroupMemory(
   const std::string& membership, const std::filesystem::path& root);
 
+/// Gives freed memory back to the system, which the C library otherwise keeps for later requests:
+/// of a program that runs for days its pieces pile up between memory in use. Takes some
+/// milliseconds. Does nothing with a C library that cannot.
+void ReturnFreedMemory();
+
 /// A number of bytes for a message: "512 MiB", "2.5 GiB".
 std::string MemoryText(std::size_t bytes);
 

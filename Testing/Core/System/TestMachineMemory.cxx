@@ -5,8 +5,13 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <cstddef>
 #include <filesystem>
 #include <fstream>
+#include <string>
+#include <vector>
 
 using namespace nexrad;
 using nexrad::testing::TemporaryFolder;
@@ -19,6 +24,15 @@ void Write(const fs::path& path, const std::string& text)
 {
   fs::create_directories(path.parent_path());
   std::ofstream(path) << text << '\n';
+}
+
+// Bytes that the process has in memory.
+std::size_t ResidentBytes()
+{
+  std::size_t all = 0;
+  std::size_t resident = 0;
+  std::ifstream("/proc/self/statm") >> all >> resident;
+  return resident * static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
 }
 
 } // namespace
@@ -61,4 +75,27 @@ TEST(MachineMemory, SizesAreTextForMessages)
   EXPECT_EQ(MemoryText(1), "1 MiB");
   EXPECT_EQ(MemoryText(std::size_t(512) << 20), "512 MiB");
   EXPECT_EQ(MemoryText(std::size_t(5) << 29), "2.5 GiB");
+}
+
+// As after hours of volumes that came and went: between pieces in use lie freed ones.
+TEST(MachineMemory, FreedPiecesBetweenOthersGoBackToTheSystem)
+{
+#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "another allocator than that of glibc";
+#else
+  constexpr std::size_t pieceBytes = 60'000; // less than what the C library maps by itself
+  std::vector<std::vector<char>> pieces(1'000);
+  for (std::vector<char>& piece : pieces)
+  {
+    piece.assign(pieceBytes, 'x');
+  }
+  for (std::size_t i = 0; i < pieces.size(); i += 2)
+  {
+    std::vector<char>().swap(pieces[i]);
+  }
+  const std::size_t before = ResidentBytes();
+  ReturnFreedMemory();
+  EXPECT_LT(ResidentBytes() + pieces.size() / 2 * pieceBytes / 2, before);
+  EXPECT_EQ(pieces.back().back(), 'x');
+#endif
 }
