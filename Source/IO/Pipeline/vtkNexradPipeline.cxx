@@ -11,7 +11,6 @@
 #include "vtkOutputWindow.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <system_error>
@@ -32,19 +31,19 @@ bool ShouldAbort(Algorithm* algorithm, long)
   return algorithm->GetAbortExecute() != 0;
 }
 
-// Takes the errors of an executive, and shows all but the one that repeats what its algorithm said.
+// Takes the errors of an executive, and shows those of which its algorithm has said nothing.
 class ExecutiveErrors : public vtkCommand
 {
 public:
   static ExecutiveErrors* New() { return new ExecutiveErrors; }
   vtkTypeMacro(ExecutiveErrors, vtkCommand);
 
-  void Execute(vtkObject* executive, unsigned long, void* text) override
+  void Execute(vtkObject* caller, unsigned long, void* text) override
   {
-    const char* line = static_cast<const char*>(text);
-    if (line && !std::strstr(line, "returned failure for request"))
+    vtkAlgorithm* algorithm = vtkExecutive::SafeDownCast(caller)->GetAlgorithm();
+    if (!algorithm || algorithm->GetErrorCode() == vtkErrorCode::NoError)
     {
-      vtkOutputWindowDisplayErrorText(__FILE__, __LINE__, line, executive);
+      vtkOutputWindow::GetInstance()->DisplayErrorText(static_cast<const char*>(text));
     }
   }
 };

@@ -38,8 +38,9 @@ VTKNEXRADIO_EXPORT std::function<bool(double)> vtkNexradProgress(
   vtkAlgorithm* algorithm, double from = 0.0, double to = 1.0);
 
 /**
- * For SetExecutive of an algorithm that says itself why a request failed: the executive, which may
- * be null, no longer adds its own message that the algorithm returned failure.
+ * For SetExecutive of an algorithm that says itself why a request failed and sets its error code:
+ * the executive, which may be null, no longer adds messages of its own that the algorithm returned
+ * failure or gave no extent.
  */
 VTKNEXRADIO_EXPORT void vtkNexradKeepToOneMessage(vtkExecutive* executive);
 
