@@ -4,8 +4,9 @@ include(GoogleTest)
 #   [LOCK <what>])
 #
 # One GoogleTest program. CTest runs each of its tests in a process of its own; with TOGETHER it runs them all
-# in one, so that they share what they simulate. Labels: "quick" (the default), "display" needs an X server,
-# "slow" is left out of the sanitised run.
+# in one, so that they share what they simulate. With VTKNexrad_QUICK_TESTS_TOGETHER it does so with all quick
+# programs, for builds whose processes take long to start, as under the sanitisers.
+# Labels: "quick" (the default), "display" needs an X server, "slow" is left out of the sanitised run.
 # CTest never runs two tests at once whose programs LOCK the same thing, as "clipboard": an X server has one.
 function(nexrad_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "TOGETHER" "TIMEOUT;LABEL;LOCK" "SOURCES;LIBRARIES")
@@ -36,6 +37,10 @@ function(nexrad_add_test name)
   set(properties TIMEOUT ${arg_TIMEOUT} LABELS ${arg_LABEL} ${cost})
   if(arg_LOCK)
     list(APPEND properties RESOURCE_LOCK ${arg_LOCK})
+  endif()
+  if(VTKNexrad_QUICK_TESTS_TOGETHER AND arg_LABEL STREQUAL "quick")
+    set(arg_TOGETHER ON)
+    list(APPEND properties TIMEOUT 900)
   endif()
   if(arg_TOGETHER)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1) # prints the tests that fail

@@ -26,6 +26,12 @@ void Write(const fs::path& path, const std::string& text)
   std::ofstream(path) << text << '\n';
 }
 
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+constexpr bool allocatorIsOfGlibc = true;
+#else
+constexpr bool allocatorIsOfGlibc = false; // the sanitisers have their own
+#endif
+
 // Bytes that the process has in memory.
 std::size_t ResidentBytes()
 {
@@ -80,9 +86,10 @@ TEST(MachineMemory, SizesAreTextForMessages)
 // As after hours of volumes that came and went: between pieces in use lie freed ones.
 TEST(MachineMemory, FreedPiecesBetweenOthersGoBackToTheSystem)
 {
-#if !defined(__GLIBC__) || defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
-  GTEST_SKIP() << "another allocator than that of glibc";
-#else
+  if (!allocatorIsOfGlibc)
+  {
+    GTEST_SKIP() << "another allocator than that of glibc";
+  }
   constexpr std::size_t pieceBytes = 60'000; // less than what the C library maps by itself
   std::vector<std::vector<char>> pieces(1'000);
   for (std::vector<char>& piece : pieces)
@@ -97,5 +104,4 @@ TEST(MachineMemory, FreedPiecesBetweenOthersGoBackToTheSystem)
   ReturnFreedMemory();
   EXPECT_LT(ResidentBytes() + pieces.size() / 2 * pieceBytes / 2, before);
   EXPECT_EQ(pieces.back().back(), 'x');
-#endif
 }
