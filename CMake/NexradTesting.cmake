@@ -34,13 +34,13 @@ function(nexrad_add_test name)
   target_compile_definitions(${name} PRIVATE
     NEXRAD_BASELINE_DIR="${CMAKE_SOURCE_DIR}/Testing/Baseline"
     NEXRAD_TEST_OUTPUT_DIR="${CMAKE_BINARY_DIR}/Testing/Output")
+  if(VTKNexrad_QUICK_TESTS_TOGETHER AND arg_LABEL STREQUAL "quick")
+    set(arg_TOGETHER ON)
+    set(arg_TIMEOUT 900)
+  endif()
   set(properties TIMEOUT ${arg_TIMEOUT} LABELS ${arg_LABEL} ${cost})
   if(arg_LOCK)
     list(APPEND properties RESOURCE_LOCK ${arg_LOCK})
-  endif()
-  if(VTKNexrad_QUICK_TESTS_TOGETHER AND arg_LABEL STREQUAL "quick")
-    set(arg_TOGETHER ON)
-    list(APPEND properties TIMEOUT 900)
   endif()
   if(arg_TOGETHER)
     add_test(NAME ${name} COMMAND ${name} --gtest_brief=1) # prints the tests that fail

@@ -145,6 +145,18 @@ Score ScoreOfAll(const std::vector<Scan>& scans, const SimulatorOptions& options
 
 } // namespace
 
+TEST(EchoTruth, OfOnePolarisationEarly)
+{
+  const Score score = ScoreOfAll(
+    {{"KLSX", "2006-03-12T18:03:12.500", 32}, {"KLSX", "2006-03-12T18:03:12.500", 21}}, {});
+  EXPECT_AT_LEAST(score.ground.Percent(), 95.0, "ground gone, message 1, early, %");
+  EXPECT_AT_LEAST(score.spikes.Percent(), 98.0, "spikes and faults gone, message 1, early, %");
+  EXPECT_AT_LEAST(score.speckle.Percent(), 76.0, "speckle gone, message 1, early, %");
+  EXPECT_AT_MOST(score.weather.Percent(), 0.5, "weather lost, message 1, early, %");
+  EXPECT_AT_MOST(score.cores.Percent(), 0.1, "weather from 45 dBZ on lost, message 1, early, %");
+  ASSERT_GT(score.cores.all, 1'000U);
+}
+
 TEST(EchoTruth, OfOnePolarisation)
 {
   const Score score =
@@ -164,10 +176,12 @@ TEST(EchoTruth, OfTwoPolarisations)
   SimulatorOptions options;
   options.superResolution = true;
   options.dualPolarisation = true;
-  const Score score = ScoreOfAll(
-    {{"KLSX", "2006-03-12T18:03:12.500", 212}, {"KSGF", "2006-03-12T20:40", 215}}, options);
+  const Score early = ScoreOf({"KLSX", "2006-03-12T18:03:12.500", 212}, options);
+  EXPECT_AT_MOST(early.weather.Percent(), 0.4, "weather lost, dual polarisation, early, %");
+  Score score = early;
+  score.Add(ScoreOf({"KSGF", "2006-03-12T20:40", 215}, options));
   EXPECT_AT_LEAST(score.ground.Percent(), 95.0, "ground gone, dual polarisation, %");
-  EXPECT_AT_LEAST(score.spikes.Percent(), 98.0, "spikes and faults gone, dual polarisation, %");
+  EXPECT_AT_LEAST(score.spikes.Percent(), 98.5, "spikes and faults gone, dual polarisation, %");
   EXPECT_AT_LEAST(score.speckle.Percent(), 80.0, "speckle gone, dual polarisation, %");
   EXPECT_AT_MOST(score.weather.Percent(), 0.5, "weather lost, dual polarisation, %");
   EXPECT_AT_MOST(score.cores.Percent(), 0.1, "weather from 45 dBZ on lost, dual polarisation, %");
