@@ -47,14 +47,18 @@ install_packages() {
     apt-get install -y -qq --no-install-recommends $missing >/dev/null
 }
 
-# build PRESET [OPTION...]: configures, then builds what changed; the options go to cmake --build.
+# build PRESET [-DNAME=VALUE...] [OPTION...]: configures with the values, then builds what changed with the options.
 build() {
-  local preset=$1 log="$project/build/configure-$1.log"
+  local preset=$1 log="$project/build/configure-$1.log" values=()
   shift
+  while [[ ${1:-} == -D* ]]; do
+    values+=("$1")
+    shift
+  done
   say "Building the $preset preset in build/$preset"
   mkdir -p "$project/build"
   cd "$project"
-  cmake --preset "$preset" -DPython3_EXECUTABLE=/usr/bin/python3 >"$log" 2>&1 || {
+  cmake --preset "$preset" -DPython3_EXECUTABLE=/usr/bin/python3 "${values[@]}" >"$log" 2>&1 || {
     cat "$log" >&2
     exit 1
   }
