@@ -4,8 +4,8 @@ include(GoogleTest)
 #   [LOCK <what>])
 #
 # One GoogleTest program. CTest runs each of its tests in a process of its own; with TOGETHER it runs them all
-# in one, so that they share what they simulate. With VTKNexrad_QUICK_TESTS_TOGETHER it does so with all quick
-# programs, for builds whose processes take long to start, as under the sanitisers.
+# in one, so that they share what they simulate. It does so with all programs whose label VTKNexrad_TESTS_TOGETHER
+# names: processes take long to start under the sanitisers, and where they open a window.
 # Labels: "quick" (the default), "display" needs an X server, "slow" is left out of the sanitised run.
 # CTest never runs two tests at once whose programs LOCK the same thing, as "clipboard": an X server has one.
 function(nexrad_add_test name)
@@ -34,7 +34,7 @@ function(nexrad_add_test name)
   target_compile_definitions(${name} PRIVATE
     NEXRAD_BASELINE_DIR="${CMAKE_SOURCE_DIR}/Testing/Baseline"
     NEXRAD_TEST_OUTPUT_DIR="${CMAKE_BINARY_DIR}/Testing/Output")
-  if(VTKNexrad_QUICK_TESTS_TOGETHER AND arg_LABEL STREQUAL "quick")
+  if(arg_LABEL IN_LIST VTKNexrad_TESTS_TOGETHER)
     set(arg_TOGETHER ON)
     set(arg_TIMEOUT 900)
   endif()
