@@ -1,15 +1,15 @@
 include(GoogleTest)
 
-# nexrad_add_test(<name> SOURCES <file>... [LIBRARIES <target>...] [LABEL <label>] [TIMEOUT <s>] [TOGETHER]
-#   [LOCK <what>])
+# nexrad_add_test(<name> SOURCES <file>... [LIBRARIES <target>...] [LABEL <label>] [TIMEOUT <s>]
+#   [TOGETHER|APART] [LOCK <what>])
 #
 # One GoogleTest program. CTest runs each of its tests in a process of its own; with TOGETHER it runs them all
 # in one, so that they share what they simulate. It does so with all programs whose label VTKNexrad_TESTS_TOGETHER
-# names: processes take long to start under the sanitisers, and where they open a window.
+# names and that are not to stay APART: processes take long to start under the sanitisers, and where they draw.
 # Labels: "quick" (the default), "display" needs an X server, "slow" is left out of the sanitised run.
 # CTest never runs two tests at once whose programs LOCK the same thing, as "clipboard": an X server has one.
 function(nexrad_add_test name)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "TOGETHER" "TIMEOUT;LABEL;LOCK" "SOURCES;LIBRARIES")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "TOGETHER;APART" "TIMEOUT;LABEL;LOCK" "SOURCES;LIBRARIES")
   if(arg_TIMEOUT)
     # Those that take long start first, so that none of them runs alone in the end.
     set(cost COST ${arg_TIMEOUT})
@@ -34,7 +34,7 @@ function(nexrad_add_test name)
   target_compile_definitions(${name} PRIVATE
     NEXRAD_BASELINE_DIR="${CMAKE_SOURCE_DIR}/Testing/Baseline"
     NEXRAD_TEST_OUTPUT_DIR="${CMAKE_BINARY_DIR}/Testing/Output")
-  if(arg_LABEL IN_LIST VTKNexrad_TESTS_TOGETHER)
+  if(arg_LABEL IN_LIST VTKNexrad_TESTS_TOGETHER AND NOT arg_APART)
     set(arg_TOGETHER ON)
     set(arg_TIMEOUT 900)
   endif()
