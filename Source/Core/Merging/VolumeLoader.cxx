@@ -36,6 +36,7 @@ VolumeLoader::VolumeLoader(SeriesFiles series, SeriesOptions theOptions, LoaderW
   , cache(std::move(theCache))
   , threadCount(std::max(1U, theThreadCount))
   , files(paths.size())
+  , looksAhead(cache == nullptr)
 {
   for (std::size_t index = 0; index < paths.size(); ++index)
   {
@@ -109,7 +110,7 @@ std::optional<std::size_t> VolumeLoader::NextFile()
       return index;
     }
   }
-  if (!reached)
+  if (!reached || !looksAhead)
   {
     return std::nullopt;
   }
@@ -470,6 +471,7 @@ std::optional<std::vector<ReadyVolume>> VolumeLoader::About(
   std::unique_lock<std::mutex> lock(mutex);
   wantedSites = ofSites;
   farthest = time < current ? std::nullopt : farthest;
+  looksAhead = looksAhead || (current != Time::min() && time != current);
   current = time;
   std::optional<std::vector<Need>> needed;
   const auto allThere = [&]

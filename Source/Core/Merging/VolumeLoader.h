@@ -58,7 +58,8 @@ struct SeriesFiles
 /// header that errs may hide a volume: IsAsIn and HeadersErr find that out. What a time needs does
 /// not depend on the times asked for before. When times ascend, each file is decoded once, and
 /// memory does not grow with the length of the day; when they do not, a file is taken from the
-/// cache, or decoded again.
+/// cache, or decoded again. With a cache nothing is decoded ahead of the first time, whose volume
+/// somebody waits for, and who may want no other.
 class VolumeLoader
 {
 public:
@@ -195,6 +196,7 @@ private:
   std::optional<Time> farthest;   // the latest `reached` since times ascend: it shrinks again once
                                   // files are known that were asked for in case they are needed
   Time lastTime = Time::max();    // that will be asked for
+  bool looksAhead;                // a file is decoded before a time needs it
   bool stopped = false;
   std::exception_ptr failure;
   std::map<Time, Choice> choices;

@@ -11,9 +11,11 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <fstream>
 #include <mutex>
 #include <stdexcept>
+#include <thread>
 
 namespace nexrad
 {
@@ -199,6 +201,31 @@ TEST_F(VolumeLoading, TimesMayComeInAnyOrder)
       EXPECT_LE(loader->DecodedFiles(), paths.size()); // each once at most
     }
   }
+}
+
+TEST_F(VolumeLoading, WithACacheNothingIsDecodedAheadOfTheFirstTime)
+{
+  // Decodes a file ahead in some milliseconds, or not at all.
+  const auto looksAhead = [](const VolumeLoader& loader, std::size_t needed, Duration longest)
+  {
+    const auto end = std::chrono::steady_clock::now() + longest;
+    while (loader.DecodedFiles() <= needed && std::chrono::steady_clock::now() < end)
+    {
+      std::this_thread::sleep_for(5ms);
+    }
+    return loader.DecodedFiles() > needed;
+  };
+  const auto loader = this->Open(1, std::make_shared<PolarCache>(std::size_t(1) << 30));
+  loader->About(start + 61min);
+  const std::size_t needed = loader->DecodedFiles();
+  loader->About(start + 61min);
+  EXPECT_FALSE(looksAhead(*loader, needed, 300ms));
+  loader->About(start + 62min); // which needs the same files
+  EXPECT_TRUE(looksAhead(*loader, needed, 10s));
+
+  const auto other = this->Open(1);
+  other->About(start + 61min);
+  EXPECT_TRUE(looksAhead(*other, needed, 10s));
 }
 
 TEST_F(VolumeLoading, AFileThatChangedIsAnError)
