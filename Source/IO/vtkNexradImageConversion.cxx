@@ -7,6 +7,7 @@
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradThreads.h"
+#include "vtkNexradVoxelArray.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -95,9 +96,9 @@ unsigned char GhostTypeOf(nexrad::VoxelState state, nexrad::MomentName moment)
 // The point data of a volume, to be filled.
 struct VoxelArrays
 {
-  vtkNew<vtkFloatArray> Values;
-  vtkNew<vtkUnsignedCharArray> States;
-  vtkNew<vtkUnsignedCharArray> Ghosts;
+  vtkNew<vtkNexradVoxelArray<vtkFloatArray>> Values;
+  vtkNew<vtkNexradVoxelArray<vtkUnsignedCharArray>> States;
+  vtkNew<vtkNexradVoxelArray<vtkUnsignedCharArray>> Ghosts;
 
   VoxelArrays(nexrad::MomentName moment, vtkIdType count)
   {
@@ -118,13 +119,39 @@ struct VoxelArrays
   }
 };
 
+// Calls fill(begin, end) for stretches of so many voxels, on several threads.
+template <class Function>
+void FillStretches(std::size_t count, const Function& fill)
+{
+  constexpr std::size_t stretch = std::size_t(1) << 18;
+  vtkNexradRangeLoop()(static_cast<int>((count + stretch - 1) / stretch),
+    [&](int first, int last)
+    {
+      fill(static_cast<std::size_t>(first) * stretch,
+        std::min(count, static_cast<std::size_t>(last) * stretch));
+    });
+}
+
 void Fill(const VoxelArrays& arrays, const nexrad::GriddedVolume& volume)
 {
-  std::copy(volume.values.begin(), volume.values.end(), arrays.Values->GetPointer(0));
-  std::transform(volume.states.begin(), volume.states.end(), arrays.States->GetPointer(0),
-    [](nexrad::VoxelState state) { return static_cast<unsigned char>(state); });
-  std::transform(volume.states.begin(), volume.states.end(), arrays.Ghosts->GetPointer(0),
-    [&volume](nexrad::VoxelState state) { return GhostTypeOf(state, volume.moment); });
+  std::array<unsigned char, nexrad::VoxelStateCount> ghostOf{};
+  for (std::size_t state = 0; state < ghostOf.size(); ++state)
+  {
+    ghostOf[state] = GhostTypeOf(static_cast<nexrad::VoxelState>(state), volume.moment);
+  }
+  float* const values = arrays.Values->GetPointer(0);
+  unsigned char* const states = arrays.States->GetPointer(0);
+  unsigned char* const ghosts = arrays.Ghosts->GetPointer(0);
+  FillStretches(volume.values.size(),
+    [&](std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        values[i] = volume.values[i];
+        states[i] = static_cast<unsigned char>(volume.states[i]);
+        ghosts[i] = ghostOf[states[i]];
+      }
+    });
 }
 
 // A moment beside the first. The ghost flags are the first one's, so that only what is not a number
@@ -167,18 +194,15 @@ ByteOfCode GhostTypesOf(const nexrad::VoxelCodes& meaning, nexrad::MomentName mo
 // Expands codes to values, states and ghost types, on several threads.
 void Expand(const nexrad::CodedVolume& coded, const VoxelArrays& arrays)
 {
-  constexpr std::size_t stretch = std::size_t(1) << 18;
   const ByteOfCode stateOf = StatesOf(coded.meaning);
   const ByteOfCode ghostOf = GhostTypesOf(coded.meaning, coded.volume.moment);
-  const std::size_t count = coded.volume.grid.VoxelCount();
   float* const values = arrays.Values->GetPointer(0);
   unsigned char* const states = arrays.States->GetPointer(0);
   unsigned char* const ghosts = arrays.Ghosts->GetPointer(0);
-  vtkNexradRangeLoop()(static_cast<int>((count + stretch - 1) / stretch),
-    [&](int first, int last)
+  FillStretches(coded.volume.grid.VoxelCount(),
+    [&](std::size_t begin, std::size_t end)
     {
-      const std::size_t end = std::min(count, static_cast<std::size_t>(last) * stretch);
-      for (std::size_t i = static_cast<std::size_t>(first) * stretch; i < end; ++i)
+      for (std::size_t i = begin; i < end; ++i)
       {
         const std::uint8_t code = coded.codes[i];
         values[i] = coded.meaning.values[code];
@@ -218,7 +242,7 @@ void AddAncillary(const nexrad::GriddedVolume& volume, vtkPointData* points)
     {
       return;
     }
-    vtkNew<ArrayFor<decltype(values)>> array;
+    vtkNew<vtkNexradVoxelArray<ArrayFor<decltype(values)>>> array;
     array->SetName(nexrad::AncillaryArrayName(volume.moment, name).c_str());
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
     std::copy(values.begin(), values.end(), array->GetPointer(0));
@@ -441,7 +465,7 @@ void vtkNexradAddRadarView(vtkImageData* image, const std::vector<std::string>& 
     {
       return;
     }
-    vtkNew<vtkFloatArray> array;
+    vtkNew<vtkNexradVoxelArray<vtkFloatArray>> array;
     array->SetName(name);
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
     std::copy(values.begin(), values.end(), array->GetPointer(0));

@@ -35,6 +35,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
+#include <limits>
 
 namespace
 {
@@ -141,6 +142,43 @@ TEST(VolumeFiles, ImageHoldsWhatTheContractSays)
   EXPECT_EQ(bounds[0], -1000.0);
   EXPECT_EQ(bounds[5], 3500.0);
   ExpectSame(vtkNexradImageToVolume(image), volume);
+}
+
+TEST(VolumeFiles, RangesAreThoseOfPlainArrays)
+{
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  GriddedVolume volume = MakeVolume(start);
+  volume.grid.dimensions = {90, 80, 50}; // more than one thread's share
+  volume.states.assign(volume.grid.VoxelCount(), VoxelState::NoEcho);
+  volume.values.assign(volume.grid.VoxelCount(), -33.0F);
+  volume.values.front() = none;
+  volume.values[7] = 61.5F;
+  volume.values.back() = -40.0F;
+  volume.states.back() = VoxelState::Filtered;
+  for (const bool anyValue : {true, false})
+  {
+    vtkNew<vtkImageData> image;
+    vtkNexradVolumeToImage(volume, image);
+    vtkPointData* points = image->GetPointData();
+    ASSERT_GE(points->GetNumberOfArrays(), 3);
+    for (int i = 0; i < points->GetNumberOfArrays(); ++i)
+    {
+      vtkDataArray* array = points->GetArray(i);
+      const auto plain = vtkSmartPointer<vtkDataArray>::Take(array->NewInstance());
+      EXPECT_STREQ(plain->GetClassName(), array->GetClassName());
+      plain->DeepCopy(array);
+      for (const bool finite : {false, true})
+      {
+        double found[2] = {};
+        double expected[2] = {};
+        finite ? array->GetFiniteRange(found) : array->GetRange(found);
+        finite ? plain->GetFiniteRange(expected) : plain->GetRange(expected);
+        EXPECT_EQ(found[0], expected[0]) << array->GetName() << " " << anyValue << finite;
+        EXPECT_EQ(found[1], expected[1]) << array->GetName() << " " << anyValue << finite;
+      }
+    }
+    volume.values.assign(volume.grid.VoxelCount(), none);
+  }
 }
 
 // No echo is a low reflectivity, but no velocity at all.
