@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""A NetCDF file of nexrad3d grid as xarray, PROJ, GDAL and checkers of the CF conventions read it."""
+"""A NetCDF file of nexrad3d grid as xarray, PROJ, GDAL, CDO, UDUNITS and checkers of the CF conventions read it."""
 
 import subprocess
 import unittest
@@ -80,6 +80,63 @@ class Gdal(unittest.TestCase):
         away = max(metres(place, column[2:]) for place, column in zip(places, columns, strict=True))
         print(f"largest distance between GDAL and the file: {away:.2f} m")
         self.assertLess(away, MOST_METRES)
+
+
+def cdo(*words):
+    """What the Climate Data Operators print; without the names of the radars, which are text and which they skip."""
+    run = subprocess.run(["cdo", "-s", *map(str, words)], capture_output=True, text=True, check=True)
+    warnings = [line for line in run.stderr.splitlines() if line and "skipped variable radar_name" not in line]
+    assert not warnings, warnings
+    return run.stdout
+
+
+class Cdo(unittest.TestCase):
+    """The Climate Data Operators, which take axes, projection and times from the conventions' attributes alone."""
+
+    def test_axes_times_and_values(self):
+        import netCDF4
+        import numpy
+
+        path = files.volumes()
+        grid = dict(line.split(" = ", 1) for line in map(" ".join, map(str.split, cdo("griddes", path).splitlines()))
+                    if " = " in line)
+        with netCDF4.Dataset(path) as dataset:
+            mapping = dataset["projection"]
+            self.assertEqual(grid["grid_mapping_name"], mapping.grid_mapping_name)
+            self.assertAlmostEqual(float(grid["latitude_of_projection_origin"]), mapping.latitude_of_projection_origin, 4)
+            self.assertEqual((int(grid["xsize"]), int(grid["ysize"])), (len(dataset["x"]), len(dataset["y"])))
+            self.assertAlmostEqual(float(grid["xinc"]), dataset["x"].spacing, 2)
+            times = netCDF4.num2date(dataset["time"][:], dataset["time"].units)
+            self.assertEqual(cdo("showtimestamp", path).split(), [time.strftime("%Y-%m-%dT%H:%M:%S") for time in times])
+            levels = [float(word) for word in cdo("showlevel", "-selname,REF", path).split()]
+            numpy.testing.assert_allclose(levels, dataset["z"][:], rtol=1e-5)
+            mean = float(cdo("outputf,%.9g", "-fldmean,weights=FALSE", "-vertmean,weights=FALSE", "-timmean", "-selname,REF_state", path))
+            self.assertAlmostEqual(mean, float(dataset["REF_state"][:].mean(dtype=float)), 3)
+
+
+class Units(unittest.TestCase):
+    """Each unit is one of UDUNITS, and can be converted to that of the standard name in the conventions' table."""
+
+    CANONICAL = {
+        "time": "s since 1970-01-01", "altitude": "m", "latitude": "degree_north", "longitude": "degree_east",
+        "projection_x_coordinate": "m", "projection_y_coordinate": "m", "equivalent_reflectivity_factor": "dBZ",
+        "radial_velocity_of_scatterers_away_from_instrument": "m s-1",
+    }
+
+    def test_units_are_those_of_udunits(self):
+        import netCDF4
+
+        with netCDF4.Dataset(files.volumes()) as dataset:
+            known = [variable for variable in dataset.variables.values() if "units" in variable.ncattrs()]
+            self.assertGreater(len(known), 10)
+            for variable in known:
+                name = getattr(variable, "standard_name", "")
+                canonical = self.CANONICAL[name] if name and not name.endswith("status_flag") else "1"
+                canonical = variable.units if not name else canonical
+                with self.subTest(variable=variable.name):
+                    run = subprocess.run(["udunits2", "-H", variable.units, "-W", canonical],
+                                         capture_output=True, text=True, check=False)
+                    self.assertEqual(run.returncode, 0, run.stderr)
 
 
 class ConventionsIoos(unittest.TestCase):
