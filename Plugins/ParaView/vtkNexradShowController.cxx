@@ -8,7 +8,6 @@
 #include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
 #include "vtkSMPropertyHelper.h"
-#include "vtkSMProxySelectionModel.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
@@ -184,14 +183,11 @@ void vtkNexradShowController::ShowCompanion(
   vtkSMPropertyHelper(companion, "Input").Set(producer);
   this->PostInitializeProxy(companion);
   const std::string unique = manager->GetUniqueProxyName("sources", name, false);
-  this->RegisterPipelineProxy(companion, unique.c_str());
+  // Without the controller, which would make the companion the active source: the window would make
+  // its panel, and then again that of what was applied.
+  manager->RegisterProxy("sources", unique.c_str(), companion);
   companion->UpdateVTKObjects();
   this->Show(companion, 0, view);
-  // Registering made the companion the active source; the panel stays that of what was applied.
-  if (vtkSMProxySelectionModel* active = manager->GetSelectionModel("ActiveSources"))
-  {
-    active->SetCurrentProxy(producer, vtkSMProxySelectionModel::CLEAR_AND_SELECT);
-  }
 }
 
 void vtkNexradStartShowController()
