@@ -4,6 +4,7 @@
 #include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Merging/VolumeCache.h"
+#include "nexrad/Model/TimeLimits.h"
 #include "nexrad/Series/InputError.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradExtent.h"
@@ -21,7 +22,9 @@
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
+#include "vtkVariant.h"
 
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -30,6 +33,44 @@
 #include <vector>
 
 vtkStandardNewMacro(vtkNexradDayReader);
+
+namespace
+{
+
+// False for VTK_DOUBLE_MIN and VTK_DOUBLE_MAX, which stand for the times of the data.
+bool IsTime(double seconds)
+{
+  return seconds >= nexrad::ToSeconds(nexrad::EarliestTime) &&
+         seconds <= nexrad::ToSeconds(nexrad::LatestTime);
+}
+
+// Seconds; `none` for an empty text and for a number that is no time. Empty when the text is
+// neither a time nor a number.
+std::optional<double> SecondsOf(const std::string& text, double none)
+{
+  if (text.empty())
+  {
+    return none;
+  }
+  if (const std::optional<nexrad::Time> time = nexrad::ParseIso8601(text))
+  {
+    return nexrad::ToSeconds(*time);
+  }
+  bool isNumber = false;
+  const double seconds = vtkVariant(text).ToDouble(&isNumber);
+  if (!isNumber || std::isnan(seconds))
+  {
+    return std::nullopt;
+  }
+  return IsTime(seconds) ? seconds : none;
+}
+
+std::string TextOf(double seconds)
+{
+  return IsTime(seconds) ? nexrad::FormatIso8601(nexrad::FromSeconds(seconds)) : std::string();
+}
+
+} // namespace
 
 /// What merges the inputs, and the settings that it cannot change.
 struct vtkNexradDayReader::Day
@@ -114,6 +155,36 @@ const char* vtkNexradDayReader::GetFileName(int index) const
   return index >= 0 && index < this->GetNumberOfFileNames()
            ? this->FileNames[static_cast<std::size_t>(index)].c_str()
            : nullptr;
+}
+
+void vtkNexradDayReader::SetBeginTimeText(const std::string& text)
+{
+  if (const auto seconds = SecondsOf(text, VTK_DOUBLE_MIN))
+  {
+    this->SetBeginTime(*seconds);
+    return;
+  }
+  vtkErrorMacro(<< "BeginTime: '" << text << "' is no time; write it as 2010-09-11T20:05 (UTC)");
+}
+
+std::string vtkNexradDayReader::GetBeginTimeText() const
+{
+  return TextOf(this->BeginTime);
+}
+
+void vtkNexradDayReader::SetEndTimeText(const std::string& text)
+{
+  if (const auto seconds = SecondsOf(text, VTK_DOUBLE_MAX))
+  {
+    this->SetEndTime(*seconds);
+    return;
+  }
+  vtkErrorMacro(<< "EndTime: '" << text << "' is no time; write it as 2010-09-11T20:05 (UTC)");
+}
+
+std::string vtkNexradDayReader::GetEndTimeText() const
+{
+  return TextOf(this->EndTime);
 }
 
 int vtkNexradDayReader::CanReadFile(const char* path)
@@ -271,6 +342,8 @@ int vtkNexradDayReader::RequestInformation(
   this->SetErrorCode(vtkErrorCode::NoError);
   this->TimeSteps->Initialize();
   this->Sites->Initialize();
+  this->FirstRay.clear();
+  this->LastRay.clear();
   if (this->FileNames.empty())
   {
     this->Opened.reset();
@@ -297,6 +370,8 @@ int vtkNexradDayReader::RequestInformation(
   }
   this->ReportProblems();
   const nexrad::SeriesMerger& merger = this->Opened->Merger;
+  this->FirstRay = nexrad::FormatIso8601(merger.Rays().first);
+  this->LastRay = nexrad::FormatIso8601(merger.Rays().last);
   for (const nexrad::Time time : merger.Times())
   {
     this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));

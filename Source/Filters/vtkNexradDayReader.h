@@ -107,6 +107,18 @@ public:
 
   ///@{
   /**
+   * BeginTime and EndTime as text for a panel: UTC like "2010-09-11T20:05" (ISO 8601, without
+   * seconds or with them, a space in place of T), or seconds since 1970-01-01T00:00:00Z. Empty
+   * where they are those of the data. A text that is no time is an error, and changes nothing.
+   */
+  virtual void SetBeginTimeText(const std::string& text);
+  std::string GetBeginTimeText() const;
+  virtual void SetEndTimeText(const std::string& text);
+  std::string GetEndTimeText() const;
+  ///@}
+
+  ///@{
+  /**
    * A volume that starts farther from the time takes no part, in seconds. 900 by default.
    */
   vtkSetClampMacro(MaximumGap, double, 0.0, 1e9);
@@ -197,6 +209,16 @@ public:
   vtkDoubleArray* GetTimeSteps();
   vtkStringArray* GetSites();
 
+  ///@{
+  /**
+   * After UpdateInformation: the times of the first and the last ray of all inputs, as
+   * "2010-09-11T20:05:12.345Z", whatever BeginTime and EndTime are. Empty before, and after an
+   * error.
+   */
+  vtkGetMacro(FirstRay, std::string);
+  vtkGetMacro(LastRay, std::string);
+  ///@}
+
 protected:
   vtkNexradDayReader();
   ~vtkNexradDayReader() override;
@@ -233,6 +255,8 @@ private:
   vtkNew<vtkStringArray> RadarComparison;
   vtkNew<vtkStringArray> Sites;
   vtkNew<vtkDoubleArray> TimeSteps;
+  std::string FirstRay;
+  std::string LastRay;
   struct Day;
   std::unique_ptr<Day> Opened;
 };

@@ -156,6 +156,58 @@ TEST_F(DayReader, StepsAreMultiplesFromTheFirstRayToTheLast)
   EXPECT_EQ(reader->GetTimeSteps()->GetValue(0), nexrad::ToSeconds(start - 2min));
 }
 
+TEST_F(DayReader, TheTimesOfTheDataAreThoseOfAllFilesWhateverTheBeginAndTheEnd)
+{
+  EXPECT_EQ(reader->GetFirstRay(), "");
+  reader->UpdateInformation();
+  EXPECT_EQ(reader->GetFirstRay(), nexrad::FormatIso8601(start));
+  EXPECT_EQ(reader->GetLastRay(), nexrad::FormatIso8601(start + 12min + 7s + 180ms));
+
+  reader->SetBeginTimeText(nexrad::FormatIso8601(start + 2min));
+  reader->SetEndTimeText(nexrad::FormatIso8601(start + 3min));
+  reader->UpdateInformation();
+  EXPECT_EQ(reader->GetTimeSteps()->GetNumberOfValues(), 2);
+  EXPECT_EQ(reader->GetFirstRay(), nexrad::FormatIso8601(start));
+  EXPECT_EQ(reader->GetLastRay(), nexrad::FormatIso8601(start + 12min + 7s + 180ms));
+
+  // A reader that is given an end at once has not read the last files for its time steps.
+  vtkNew<vtkNexradDayReader> other;
+  other->AddFileName(folder.Path().c_str());
+  other->SetTimeStep(60.0);
+  other->SetEndTime(nexrad::ToSeconds(start + 3min));
+  other->UpdateInformation();
+  EXPECT_EQ(other->GetLastRay(), reader->GetLastRay());
+
+  reader->ClearFileNames();
+  this->ExpectFailure(vtkErrorCode::NoFileNameError, "no file name");
+  EXPECT_EQ(reader->GetFirstRay(), "");
+  EXPECT_EQ(reader->GetLastRay(), "");
+}
+
+TEST_F(DayReader, BeginAndEndAreTextOrSecondsOrEmpty)
+{
+  EXPECT_EQ(reader->GetBeginTimeText(), "");
+  EXPECT_EQ(reader->GetEndTimeText(), "");
+  reader->SetBeginTimeText("2010-09-11 20:05");
+  EXPECT_EQ(reader->GetBeginTimeText(), "2010-09-11T20:05:00.000Z");
+  reader->SetEndTimeText("1284235500.5");
+  EXPECT_EQ(reader->GetEndTimeText(), "2010-09-11T20:05:00.500Z");
+  EXPECT_EQ(reader->GetEndTime(), 1284235500.5);
+
+  for (const char* text : {"tomorrow", "2010-09-31", "nan"})
+  {
+    events->errors.clear();
+    reader->SetEndTimeText(text);
+    EXPECT_TRUE(AnyHolds(events->errors, text)) << text;
+    EXPECT_EQ(reader->GetEndTime(), 1284235500.5) << text;
+  }
+
+  reader->SetBeginTimeText("");
+  reader->SetEndTimeText("1e+299"); // as states of ParaView say it
+  EXPECT_EQ(reader->GetBeginTime(), VTK_DOUBLE_MIN);
+  EXPECT_EQ(reader->GetEndTime(), VTK_DOUBLE_MAX);
+}
+
 TEST_F(DayReader, OneVolumeWithoutAMultipleOfTheStepIsMadeAtItsMiddle)
 {
   reader->ClearFileNames();

@@ -16,6 +16,7 @@ from paraview import simple
 NOT_SETTINGS = {
     "SetController",  # processes that read together: the application's matter
     "SetScalarsAsCodes",  # ParaView's own filters take each number for a value, never for a code
+    "SetBeginTime", "SetEndTime",  # the panel takes them as text
 }
 # What the plugin decides otherwise than the class: the processes of a server share the work.
 OTHER_DEFAULTS = {"SetUseGlobalController": 1}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What comes out of the proxies is what the classes and the program make, bit by bit."""
 
+import datetime
 import fnmatch
 import glob
 import os
@@ -14,6 +15,7 @@ import Plugin
 import SyntheticFiles
 import vtknexrad
 from paraview import servermanager, simple
+from vtkmodules.vtkCommonCore import vtkSMPTools
 
 GRID = [48, 40, 24]
 
@@ -124,6 +126,27 @@ class Merging(PipelineTest):
             volume = Plugin.fetch(proxy, time)
             self.assertIn("REF_age", Plugin.point_arrays(volume))
             self.assertSameVolume(volume, vtknexrad.update(reader, time))
+
+    def test_day_shows_the_times_of_its_files_and_takes_others_as_text(self):
+        day = simple.NEXRADRadarDay(FileNames=SyntheticFiles.files(), Dimensions=GRID)
+        day.UpdatePipelineInformation()
+        reader = vtknexrad.vtkNexradDayReader()
+        for path in SyntheticFiles.files():
+            reader.AddFileName(path)
+        reader.UpdateInformation()
+        self.assertRegex(day.FirstRay, r"^20\d\d-\d\d-\d\dT\d\d:\d\d:\d\d\.\d\d\dZ$")
+        self.assertEqual((day.FirstRay, day.LastRay), (reader.GetFirstRay(), reader.GetLastRay()))
+        steps = list(day.TimestepValues)
+        self.assertGreater(len(steps), 2)
+        day.BeginTime = datetime.datetime.fromtimestamp(steps[1], datetime.timezone.utc).strftime("%Y-%m-%dT%H:%M")
+        day.UpdatePipelineInformation()
+        self.assertEqual(list(day.TimestepValues), steps[1:])
+        self.assertEqual(day.FirstRay, reader.GetFirstRay())
+
+    def test_loops_of_vtk_use_all_cores(self):
+        # Debian's ParaView would use one.
+        self.assertEqual(vtkSMPTools.GetBackend() == "Sequential",
+                         os.environ.get("VTK_SMP_BACKEND_IN_USE") == "Sequential")
 
     def test_real_day_is_the_program_s(self):
         # The files of REF hold whole dBZ, those of VEL exact numbers.

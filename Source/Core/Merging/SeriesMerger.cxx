@@ -301,7 +301,7 @@ void SeriesMerger::MakeLoader(SeriesFiles files)
 // From one file of each site or two. Empty when a site has none that can be used.
 std::optional<SeriesMerger::Extent> SeriesMerger::FindExtent()
 {
-  const bool needsLast = !options.end || options.time;
+  const bool needsLast = setup.anyOrder || !options.end || options.time;
   for (const SiteFileList& site : *headers)
   {
     loader->Expect(site.files.front().index);
@@ -383,6 +383,7 @@ void SeriesMerger::Plan(const Extent& extent)
   request.grid = GridOf(options, positions, extent.sites.size() == 1 ? extent.range : DefaultRange);
   this->RequireMemoryOfGrid();
   planned->Set(request);
+  rays = {extent.first, extent.last};
   times = TimeStepsOf(options, extent.first, extent.last, extent.volumes);
 }
 
@@ -433,6 +434,7 @@ void SeriesMerger::PlanByScan()
   planned = std::make_shared<SharedRequest>(request);
   planned->Set(request);
   this->MakeLoader(this->FilesByScan());
+  rays = {*scan->First(), *scan->Last()};
   times = TimeStepsOf(options, *scan);
 }
 

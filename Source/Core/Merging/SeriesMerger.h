@@ -74,6 +74,9 @@ public:
   // After Open.
   const GridSpecification& Grid() const { return request.grid; }
   const std::vector<Time>& Times() const { return times; }
+  /// First and last ray of all inputs, as far as headers and rays tell; whatever
+  /// MergeOptions::begin and end are where MergerSetup::anyOrder is set.
+  const TimeSpan& Rays() const { return rays; }
   /// Names of the radars, ascending.
   const std::vector<std::string>& Sites() const { return sites; }
   /// What was wrong in the inputs that were decoded so far, in their order.
@@ -194,6 +197,7 @@ private:
   std::shared_ptr<BoxFollower> follower;    ///< of the boxes, until the volumes or the grid change
   std::unique_ptr<SeriesMerger> echoMerger; ///< of reflectivity, where it is not merged here
   std::vector<Time> times;
+  TimeSpan rays; ///< of all inputs
   std::vector<std::string> sites;
   std::vector<Position> positions; ///< of `sites`
   std::vector<MergeRun> radarRuns; ///< of MergeEachRadar, one for each of `sites`
