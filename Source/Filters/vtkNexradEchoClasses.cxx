@@ -223,8 +223,7 @@ int vtkNexradEchoClasses::RequestData(
   {
     sweeps->Initialize();
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< error.what());
-    return 0;
+    return vtkNexradFail(this, error.what());
   }
   return 1;
 }

@@ -16,6 +16,7 @@
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkNew.h"
+#include "vtkNexradPipeline.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
@@ -38,6 +39,10 @@ vtkUnsignedCharArray* FindStates(vtkImageData* image, const std::string& moment)
   const std::string name = !moment.empty()                 ? moment
                            : scalars && scalars->GetName() ? scalars->GetName()
                                                            : "";
+  if (name.empty())
+  {
+    throw nexrad::Error("the image has no active scalars: name its moment");
+  }
   auto* states =
     vtkUnsignedCharArray::SafeDownCast(image->GetPointData()->GetArray((name + "_state").c_str()));
   if (!states || states->GetNumberOfComponents() != 1)
@@ -245,8 +250,7 @@ int vtkNexradEchoOnly::RequestData(
   catch (const nexrad::Error& error)
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< error.what());
-    return 0;
+    return vtkNexradFail(this, error.what());
   }
   return 1;
 }

@@ -274,17 +274,10 @@ int vtkNexradGridAlgorithm::RequestUpdateExtent(
   return 1;
 }
 
-void vtkNexradGridAlgorithm::SetExecutive(vtkExecutive* executive)
-{
-  vtkNexradKeepToOneMessage(executive);
-  this->Superclass::SetExecutive(executive);
-}
-
 int vtkNexradGridAlgorithm::Fail(unsigned long code, const std::string& line)
 {
   this->SetErrorCode(code);
-  vtkErrorMacro(<< line);
-  return 0;
+  return vtkNexradFail(this, line);
 }
 
 void vtkNexradGridAlgorithm::PrintSelf(ostream& os, vtkIndent indent)

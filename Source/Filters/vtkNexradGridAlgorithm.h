@@ -312,8 +312,6 @@ public:
   vtkBooleanMacro(AncillaryArrays, bool);
   ///@}
 
-  void SetExecutive(vtkExecutive* executive) override;
-
 protected:
   vtkNexradGridAlgorithm();
   ~vtkNexradGridAlgorithm() override;

@@ -3,6 +3,7 @@
 
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
+#include "vtkNexradPipeline.h"
 #include "vtkNexradTwoFields.h"
 
 #include "vtkArrayDispatch.h"
@@ -381,8 +382,7 @@ int vtkNexradHistogram::RequestData(
   catch (const nexrad::Error& error)
   {
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< error.what());
-    return 0;
+    return vtkNexradFail(this, error.what());
   }
   return 1;
 }

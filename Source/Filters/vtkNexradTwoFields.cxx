@@ -4,6 +4,7 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradPipeline.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkErrorCode.h"
@@ -58,7 +59,9 @@ vtkDataArray* FindArray(vtkImageData* image, const std::string& name)
   if (!array || array->GetNumberOfComponents() != 1)
   {
     throw nexrad::Error(array ? "the point array " + name + " has several components"
-                              : "the image has no point array " + name);
+                        : name.empty()
+                          ? "an array is not named: set ColorArrayName and OpacityArrayName"
+                          : "the image has no point array " + name);
   }
   return array;
 }
@@ -237,8 +240,7 @@ int vtkNexradTwoFields::RequestData(
   {
     image->Initialize();
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< error.what());
-    return 0;
+    return vtkNexradFail(this, error.what());
   }
   return 1;
 }

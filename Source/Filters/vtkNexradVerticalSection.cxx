@@ -4,6 +4,7 @@
 #include "nexrad/Products/VerticalSection.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradPipeline.h"
 
 #include "vtkErrorCode.h"
 #include "vtkFieldData.h"
@@ -158,8 +159,7 @@ int vtkNexradVerticalSection::RequestData(
   {
     section->Initialize();
     this->SetErrorCode(vtkErrorCode::UserError);
-    vtkErrorMacro(<< error.what());
-    return 0;
+    return vtkNexradFail(this, error.what());
   }
   return 1;
 }

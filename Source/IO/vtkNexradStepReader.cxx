@@ -70,12 +70,6 @@ vtkMTimeType vtkNexradStepReader::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->AncillaryArraySelection->GetMTime());
 }
 
-void vtkNexradStepReader::SetExecutive(vtkExecutive* executive)
-{
-  vtkNexradKeepToOneMessage(executive);
-  this->Superclass::SetExecutive(executive);
-}
-
 const vtkNexradVolumeSteps& vtkNexradStepReader::OpenedSteps() const
 {
   return *this->Opened;
@@ -84,8 +78,7 @@ const vtkNexradVolumeSteps& vtkNexradStepReader::OpenedSteps() const
 int vtkNexradStepReader::Fail(unsigned long code, const std::string& line)
 {
   this->SetErrorCode(code);
-  vtkErrorMacro(<< line);
-  return 0;
+  return vtkNexradFail(this, line);
 }
 
 int vtkNexradStepReader::RequestInformation(

@@ -61,8 +61,6 @@ public:
 
   vtkMTimeType GetMTime() override;
 
-  void SetExecutive(vtkExecutive* executive) override;
-
 protected:
   vtkNexradStepReader();
   ~vtkNexradStepReader() override;

@@ -39,12 +39,6 @@ vtkMTimeType vtkNexradSweepReader::GetMTime()
   return std::max(this->Superclass::GetMTime(), this->MomentSelection->GetMTime());
 }
 
-void vtkNexradSweepReader::SetExecutive(vtkExecutive* executive)
-{
-  vtkNexradKeepToOneMessage(executive);
-  this->Superclass::SetExecutive(executive);
-}
-
 nexrad::Level2Options vtkNexradSweepReader::MakeLevel2Options() const
 {
   nexrad::Level2Options options;
@@ -96,8 +90,7 @@ void vtkNexradSweepReader::AddDamage(const std::string& line)
 int vtkNexradSweepReader::Fail(unsigned long code, const std::string& line)
 {
   this->SetErrorCode(code);
-  vtkErrorMacro(<< line);
-  return 0;
+  return vtkNexradFail(this, line);
 }
 
 void vtkNexradSweepReader::PrintSelf(ostream& os, vtkIndent indent)

@@ -116,8 +116,6 @@ public:
 
   vtkMTimeType GetMTime() override;
 
-  void SetExecutive(vtkExecutive* executive) override;
-
 protected:
   vtkNexradSweepReader();
   ~vtkNexradSweepReader() override;

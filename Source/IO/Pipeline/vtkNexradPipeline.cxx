@@ -9,6 +9,7 @@
 #include "vtkInformationDoubleKey.h"
 #include "vtkNew.h"
 #include "vtkOutputWindow.h"
+#include "vtkSetGet.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <filesystem>
@@ -75,13 +76,16 @@ std::function<bool(double)> vtkNexradProgress(vtkAlgorithm* algorithm, double fr
   };
 }
 
-void vtkNexradKeepToOneMessage(vtkExecutive* executive)
+int vtkNexradFail(vtkAlgorithm* algorithm, const std::string& line)
 {
-  if (executive)
+  static const vtkNew<ExecutiveErrors> errors;
+  vtkExecutive* const executive = algorithm->GetExecutive();
+  if (!executive->HasObserver(vtkCommand::ErrorEvent, errors))
   {
-    const vtkNew<ExecutiveErrors> errors;
     executive->AddObserver(vtkCommand::ErrorEvent, errors);
   }
+  vtkErrorWithObjectMacro(algorithm, << line);
+  return 0;
 }
 
 double vtkNexradRequestedTime(vtkInformation* outputInformation, double firstTimeStep)

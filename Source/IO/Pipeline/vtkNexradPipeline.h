@@ -14,7 +14,6 @@
 #include <string>
 
 class vtkAlgorithm;
-class vtkExecutive;
 class vtkInformation;
 
 /**
@@ -38,11 +37,11 @@ VTKNEXRADIO_EXPORT std::function<bool(double)> vtkNexradProgress(
   vtkAlgorithm* algorithm, double from = 0.0, double to = 1.0);
 
 /**
- * For SetExecutive of an algorithm that says itself why a request failed and sets its error code:
- * the executive, which may be null, no longer adds messages of its own that the algorithm returned
- * failure or gave no extent.
+ * For the end of a request that failed, after the algorithm has set its error code: reports the
+ * line as an error of the algorithm. Its executive then adds no message of its own that the
+ * algorithm returned failure or gave no extent. Returns 0, which a request returns when it fails.
  */
-VTKNEXRADIO_EXPORT void vtkNexradKeepToOneMessage(vtkExecutive* executive);
+VTKNEXRADIO_EXPORT int vtkNexradFail(vtkAlgorithm* algorithm, const std::string& line);
 
 /**
  * The time that a request asks for. Where it asks for none, or for one more than a day before the
