@@ -327,8 +327,8 @@ ScannedFile VolumeLoader::Scan(std::size_t index)
   return files[index].scanned;
 }
 
-// Called with the lock. How many volumes that start after a time it may need: two when none is
-// chosen of those that started before it, as far as is known, else one.
+// Called with the lock. How many volumes that start after a time it may need, where all that
+// started before it are known: two when none of those is chosen, else one.
 std::size_t VolumeLoader::LaterNeeded(const SiteFiles& site, MomentName moment, Time time) const
 {
   std::vector<Time> starts;
@@ -384,7 +384,7 @@ bool VolumeLoader::KnowsAbout(const SiteFiles& site, MomentName moment, Time tim
   {
     started += look(own[place - 1], 0) ? 1 : 0;
   }
-  const std::size_t needed = this->LaterNeeded(site, moment, time);
+  const std::size_t needed = there ? this->LaterNeeded(site, moment, time) : 1;
   std::optional<Time> last = later >= needed ? std::optional(time) : std::nullopt;
   for (std::size_t place = next; place < own.size() && !(last && own[place].time > *last); ++place)
   {
