@@ -352,8 +352,9 @@ VolumeChoice VolumeLoader::ChoiceAt(Time time) const
 
 // Called with the lock. Asks for the files about a time of which it is not known what they hold of
 // a moment. Before the time these are filesBefore files with a volume that started by then. After
-// it, all up to those that hold as many later volumes as are needed, and those whose headers have
-// the same time as the last one's. True when nothing had to be asked for.
+// it, all up to those that hold as many later volumes as are needed (one, until all before the time
+// are known), and those whose headers have the same time as the last one's. True when nothing had
+// to be asked for.
 bool VolumeLoader::KnowsAbout(const SiteFiles& site, MomentName moment, Time time)
 {
   const std::vector<TimedFile>& own = site.list.files;
