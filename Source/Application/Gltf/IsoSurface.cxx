@@ -6,15 +6,18 @@
 #include "vtkNexradThreads.h"
 
 #include <vtkCellArray.h>
+#include <vtkCleanPolyData.h>
 #include <vtkClipPolyData.h>
 #include <vtkFloatArray.h>
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
+#include <vtkMath.h>
 #include <vtkPlane.h>
 #include <vtkPlaneCollection.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkTriangle.h>
 #include <vtkTriangleFilter.h>
 #include <vtkTriangleMeshPointNormals.h>
 
@@ -159,6 +162,51 @@ vtkSmartPointer<vtkPolyData> Cut(vtkSmartPointer<vtkPolyData> surface, vtkPlaneC
   return surface;
 }
 
+// The surface without points that no triangle has: those of a voxel that alone has the value of the
+// surface, whose triangles had no area, and those of triangles that are not between voxels that
+// count.
+vtkSmartPointer<vtkPolyData> WithoutUnusedPoints(vtkPolyData* surface)
+{
+  vtkNew<vtkCleanPolyData> clean;
+  clean->SetInputData(surface);
+  clean->PointMergingOff();
+  clean->Update();
+  return clean->GetOutput();
+}
+
+// The normals of triangles cancel at the corner of a sheet, where voxels side by side have the
+// value of the surface and lower ones are above and below: such a corner takes that of one
+// triangle. Any direction is right where no triangle has an area.
+void FillNormals(vtkPolyData* surface)
+{
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  const auto isNone = [normals](vtkIdType point)
+  { return vtkMath::Norm(normals->GetTuple3(point)) == 0.0; };
+  vtkIdType size = 0;
+  const vtkIdType* corners = nullptr;
+  vtkCellArray* cells = surface->GetPolys();
+  for (cells->InitTraversal(); cells->GetNextCell(size, corners) != 0;)
+  {
+    for (const vtkIdType* corner = corners; corner != corners + size; ++corner)
+    {
+      if (isNone(*corner))
+      {
+        std::array<double, 3> normal{};
+        vtkTriangle::ComputeNormal(
+          surface->GetPoints(), static_cast<int>(size), corners, normal.data());
+        normals->SetTuple(*corner, normal.data());
+      }
+    }
+  }
+  for (vtkIdType point = 0; point < surface->GetNumberOfPoints(); ++point)
+  {
+    if (isNone(point))
+    {
+      normals->SetTuple3(point, 0.0, 0.0, 1.0);
+    }
+  }
+}
+
 } // namespace
 
 SurfaceMaker::SurfaceMaker(vtkImageData* volume, const SceneFrame& frame)
@@ -179,8 +227,9 @@ vtkSmartPointer<vtkPolyData> SurfaceMaker::Make(double value, vtkPlaneCollection
   contour->ComputeScalarsOff();
   contour->Update();
   vtkNew<vtkTriangleMeshPointNormals> normals;
-  normals->SetInputData(Cut(CountingPart(contour->GetOutput()), planes));
+  normals->SetInputData(WithoutUnusedPoints(Cut(CountingPart(contour->GetOutput()), planes)));
   normals->Update();
+  FillNormals(normals->GetOutput());
   return normals->GetOutput();
 }
 

@@ -22,7 +22,9 @@
 #include <cmath>
 #include <functional>
 #include <map>
+#include <random>
 #include <utility>
+#include <vector>
 
 using namespace nexrad;
 using namespace nexrad::scene;
@@ -232,6 +234,37 @@ TEST(IsoSurface, AVoxelWithTheValueGivesNoTriangleWithoutArea)
     [](const auto& corners) {
       EXPECT_TRUE(corners[0] != corners[1] && corners[1] != corners[2] && corners[2] != corners[0]);
     });
+}
+
+// Values of 20, 30 and 40 dBZ without order, and voxels that do not count: some have the value of
+// the surface alone, others side by side, and give points without a triangle and sheets.
+TEST(IsoSurface, EachPointHasATriangleAndANormal)
+{
+  std::minstd_rand random(1);
+  const auto speckled = MakeBall([&random](const auto&)
+    { return random() % 8 == 0 ? VoxelState::NotScanned : VoxelState::Echo; });
+  vtkDataArray* values = speckled->GetPointData()->GetArray("REF");
+  for (vtkIdType i = 0; i < values->GetNumberOfTuples(); ++i)
+  {
+    values->SetTuple1(i, 20.0 + 10.0 * static_cast<double>(random() % 16 / 14 + random() % 2));
+  }
+  const auto surface = SurfaceOf(speckled, 30.0);
+  ASSERT_GT(surface->GetNumberOfCells(), 1000);
+  std::vector<bool> used(static_cast<std::size_t>(surface->GetNumberOfPoints()));
+  ForEachTriangle(surface,
+    [&used](const auto& corners)
+    {
+      for (const vtkIdType corner : corners)
+      {
+        used[static_cast<std::size_t>(corner)] = true;
+      }
+    });
+  EXPECT_EQ(std::count(used.begin(), used.end(), false), 0);
+  vtkDataArray* normals = surface->GetPointData()->GetNormals();
+  for (vtkIdType i = 0; i < normals->GetNumberOfTuples(); ++i)
+  {
+    EXPECT_NEAR(vtkMath::Norm(normals->GetTuple3(i)), 1.0, 1e-5);
+  }
 }
 
 TEST(IsoSurface, PlanesCutIt)
