@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <numeric>
 #include <utility>
 
 namespace nexrad
@@ -231,6 +233,8 @@ void SetRegionFold(SweepFolds& sweep, std::size_t region, int fold)
   sweep.regionFold[region] = fold >= -MostFolds && fold <= MostFolds ? Fold(fold) : NoFold;
 }
 
+// Other sweeps read the folds of gates, and those of regions only their own sweep: while several
+// sweeps are placed at a time, only the latter may change.
 void SetGateFolds(SweepFolds& sweep)
 {
   for (std::size_t index = 0; index < sweep.gateFold.size(); ++index)
@@ -251,7 +255,6 @@ void SetClusterFolds(SweepFolds& sweep, const std::vector<int>& folds)
       SetRegionFold(sweep, region, fold + sweep.clusters.offset[region]);
     }
   }
-  SetGateFolds(sweep);
 }
 
 // The fold that brings the mean velocity of the largest cluster nearest to 0.
@@ -348,18 +351,29 @@ void CorrectRegions(SweepFolds& sweep, const ExpectedVelocities& expected)
       sweep.regionFold[region] = Fold(best);
     }
   }
-  SetGateFolds(sweep);
 }
 
-// Sweeps by elevation, in two halves of which none is beside another of its half: so what a sweep
-// reads of others does not change while it reads.
+// Places the regions of some sweeps, and then their gates: what they read of each other does not
+// depend on which of them is placed first, nor on the number of threads.
+void PlaceAll(std::vector<SweepFolds>& sweeps, const std::vector<std::size_t>& which,
+  const RangeLoop& loop, const std::function<void(std::size_t)>& place)
+{
+  const auto forEach = [&](const std::function<void(std::size_t)>& work)
+  {
+    RunLoop(loop, int(which.size()),
+      [&](int begin, int end)
+      { std::for_each(which.begin() + begin, which.begin() + end, work); });
+  };
+  forEach(place);
+  forEach([&](std::size_t index) { SetGateFolds(sweeps[index]); });
+}
+
+// Sweeps by elevation, in two halves of which none is next to another of its half: so most of what
+// a sweep reads of others was placed just before.
 std::array<std::vector<std::size_t>, 2> HalvesOf(const std::vector<SweepFolds>& sweeps)
 {
   std::vector<std::size_t> order(sweeps.size());
-  for (std::size_t index = 0; index < order.size(); ++index)
-  {
-    order[index] = index;
-  }
+  std::iota(order.begin(), order.end(), std::size_t(0));
   std::stable_sort(order.begin(), order.end(),
     [&](std::size_t a, std::size_t b)
     { return sweeps[a].ring.elevation < sweeps[b].ring.elevation; });
@@ -375,20 +389,18 @@ std::array<std::vector<std::size_t>, 2> HalvesOf(const std::vector<SweepFolds>& 
 
 void PlaceClusters(std::vector<SweepFolds>& sweeps, const WindProfile& wind, const RangeLoop& loop)
 {
-  const auto count = int(sweeps.size());
-  RunLoop(loop, count,
-    [&](int begin, int end)
+  std::vector<std::size_t> all(sweeps.size());
+  std::iota(all.begin(), all.end(), std::size_t(0));
+  PlaceAll(sweeps, all, loop,
+    [&](std::size_t index)
     {
-      for (auto index = std::size_t(begin); index < std::size_t(end); ++index)
+      if (wind.levels.empty())
       {
-        if (wind.levels.empty())
-        {
-          PlaceNearZero(sweeps[index]);
-        }
-        else
-        {
-          PlaceSweep(sweeps[index], ExpectedVelocities(sweeps, index, wind), false);
-        }
+        PlaceNearZero(sweeps[index]);
+      }
+      else
+      {
+        PlaceSweep(sweeps[index], ExpectedVelocities(sweeps, index, wind), false);
       }
     });
   const auto halves = HalvesOf(sweeps);
@@ -396,21 +408,17 @@ void PlaceClusters(std::vector<SweepFolds>& sweeps, const WindProfile& wind, con
   {
     for (const std::vector<std::size_t>& half : halves)
     {
-      RunLoop(loop, int(half.size()),
-        [&](int begin, int end)
+      PlaceAll(sweeps, half, loop,
+        [&](std::size_t index)
         {
-          for (auto place = std::size_t(begin); place < std::size_t(end); ++place)
+          const ExpectedVelocities expected(sweeps, index, wind);
+          if (pass + 1 < passes)
           {
-            const std::size_t index = half[place];
-            const ExpectedVelocities expected(sweeps, index, wind);
-            if (pass + 1 < passes)
-            {
-              PlaceSweep(sweeps[index], expected, true);
-            }
-            else
-            {
-              CorrectRegions(sweeps[index], expected);
-            }
+            PlaceSweep(sweeps[index], expected, true);
+          }
+          else
+          {
+            CorrectRegions(sweeps[index], expected);
           }
         });
     }

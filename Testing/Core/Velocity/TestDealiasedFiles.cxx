@@ -11,7 +11,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <filesystem>
+#include <functional>
 #include <ostream>
 #include <string>
 
@@ -163,4 +165,32 @@ TEST(DealiasedFile, KeepsTheCoupletOfATornado)
   Dealias(volume);
   EXPECT_AT_LEAST(LargestShear(volume.sweeps.front(), 255.0, 259.0, 37'000.0, 40'000.0), 49.0,
     "velocity difference of the couplet, dealiased, m/s");
+}
+
+// The sweeps that place each other may be worked on in any order, by any number of threads.
+TEST(DealiasedFile, IsTheSameInWhateverOrderItsSweepsArePlaced)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  const VelocityVolume measured = ReadVelocities(folder, "superres/KLSX20130206_175044_V06.gz");
+  VelocityVolume forward = measured;
+  Dealias(forward);
+  DealiasOptions options;
+  options.loop = [](int count, const std::function<void(int, int)>& work)
+  {
+    for (int index = count - 1; index >= 0; --index)
+    {
+      work(index, index + 1);
+    }
+  };
+  VelocityVolume backward = measured;
+  Dealias(backward, options);
+  ASSERT_EQ(forward.sweeps.size(), backward.sweeps.size());
+  for (std::size_t sweep = 0; sweep < forward.sweeps.size(); ++sweep)
+  {
+    EXPECT_EQ(forward.sweeps[sweep].states, backward.sweeps[sweep].states) << "sweep " << sweep;
+    EXPECT_EQ(std::memcmp(forward.sweeps[sweep].values.data(), backward.sweeps[sweep].values.data(),
+                forward.sweeps[sweep].values.size() * sizeof(float)),
+      0)
+      << "sweep " << sweep; // NaN equals itself, bit by bit
+  }
 }
