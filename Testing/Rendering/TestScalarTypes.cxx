@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // One volume in every scalar type gives one picture.
+#include "RendererBound.h"
 #include "RenderingTest.h"
 #include "Tolerance.h"
 
@@ -112,8 +113,10 @@ TEST_F(ScalarTypes, SignedTypesBelowZero)
 TEST_F(ScalarTypes, LargeOffsetsKeepTheirDifferences)
 {
   const Picture reference = this->Draw(VTK_FLOAT, 0.0);
-  this->ExpectLike(reference, VTK_SHORT, -32000.0, 0.0058);
-  this->ExpectLike(reference, VTK_UNSIGNED_SHORT, 65000.0, 0.0058);
+  // An NVIDIA H100 has this difference from 0 on too: it rounds between texels of 16 bits.
+  const double shorts = BoundOfRenderer(0.0058, 0.41);
+  this->ExpectLike(reference, VTK_SHORT, -32000.0, shorts);
+  this->ExpectLike(reference, VTK_UNSIGNED_SHORT, 65000.0, shorts);
   this->ExpectLike(reference, VTK_INT, 2.0e9, 0.0058); // a float has steps of 128 there
   this->ExpectLike(reference, VTK_DOUBLE, 1.0e12, 0.0058);
 }
