@@ -97,13 +97,18 @@ TEST(SessionFile, WhatIsWrongIsOneLineWithFileAndKey)
     {SessionWith(R"("inputs": ["x"], "options": {"tilt": "200"})"), "options: --tilt"},
     {SessionWith(R"("inputs": ["x"], "options": {"names": false})"), "options: --names"},
     {SessionWith(R"("inputs": ["x"], "options": {"help": true})"), "options: --help"},
-    {SessionWith(R"("inputs": ["x"], "options": {"hue": "1"})"), "options: --hue"}};
+    {SessionWith(R"("inputs": ["x"], "options": {"hue": "1"})"), "options: --hue"},
+    {SessionWith(R"("inputs": ["x"], "options": {"h\nue": "1"})"), "options: --h ue"},
+    {SessionWith(R"("inputs": ["x"], "options": {"size": "a\r\nb"})"), "options: --size"},
+    {SessionWith(R"("inputs": ["x"], "c\nd": 1)"), "c d: there is no such key"},
+    {SessionWith(R"("inputs": ["x"], ")" + std::string(10'000, 'k') + R"(": 1)"), "kkkk"}};
   for (const auto& [text, words] : cases)
   {
     const std::string refusal = Refusal(text);
     EXPECT_NE(refusal.find("day.nxsession: " + words), std::string::npos)
       << words << " in: " << refusal;
-    EXPECT_EQ(refusal.find('\n'), std::string::npos) << refusal;
+    EXPECT_EQ(refusal.find_first_of("\r\n"), std::string::npos) << refusal;
+    EXPECT_LE(refusal.size(), 2'000u) << words;
   }
   EXPECT_EQ(Refusal(SessionWith(R"("inputs": ["x"])")), "");
 }

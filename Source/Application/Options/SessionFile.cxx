@@ -9,6 +9,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <exception>
@@ -128,6 +129,16 @@ Json ParseText(const std::string& text)
   return json;
 }
 
+// A message is one line, and short, whatever the texts of the file that it quotes.
+std::string MessageOf(const std::exception& problem)
+{
+  constexpr std::size_t longest = 1000;
+  std::string text = problem.what();
+  std::replace_if(
+    text.begin(), text.end(), [](char letter) { return letter == '\n' || letter == '\r'; }, ' ');
+  return text.size() <= longest ? text : text.substr(0, longest) + "…";
+}
+
 Session SessionOf(const Json& json, const fs::path& folder)
 {
   Session session;
@@ -218,7 +229,7 @@ Session ReadSession(const fs::path& path)
   }
   catch (const std::exception& problem)
   {
-    throw Error(path.string() + ": " + problem.what());
+    throw Error(path.string() + ": " + MessageOf(problem));
   }
 }
 

@@ -361,8 +361,7 @@ void PlaceAll(std::vector<SweepFolds>& sweeps, const std::vector<std::size_t>& w
   const auto forEach = [&](const std::function<void(std::size_t)>& work)
   {
     RunLoop(loop, int(which.size()),
-      [&](int begin, int end)
-      { std::for_each(which.begin() + begin, which.begin() + end, work); });
+      [&](int begin, int end) { std::for_each(which.begin() + begin, which.begin() + end, work); });
   };
   forEach(place);
   forEach([&](std::size_t index) { SetGateFolds(sweeps[index]); });
