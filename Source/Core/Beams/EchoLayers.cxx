@@ -20,8 +20,8 @@ namespace
 
 constexpr std::size_t sectors = TiltMeans::Sectors;
 constexpr std::size_t rings = EchoLayers::Rings;
-constexpr double ringWidth =
-  static_cast<double>(TiltMeans::Rings / rings) * TiltMeans::RingWidth; // m
+constexpr std::size_t ringsOfMeans = TiltMeans::Rings / rings;
+constexpr double ringWidth = static_cast<double>(ringsOfMeans) * TiltMeans::RingWidth; // m
 constexpr std::size_t ringsPerShare = rings / LayerShares::Rings;
 constexpr std::size_t knots = std::tuple_size_v<EchoLayers::Changes>;
 

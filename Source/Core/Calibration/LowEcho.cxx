@@ -109,6 +109,7 @@ private:
     const double azimuth = ToFullTurn(static_cast<double>(ray.azimuth));
     const int sector =
       std::clamp(static_cast<int>(azimuth * LowEcho::Sectors / 360.0), 0, LowEcho::Sectors - 1);
+    const std::size_t firstRing = static_cast<std::size_t>(sector) * LowEcho::Rings;
     for (std::size_t gate = begin; gate < end; ++gate)
     {
       if (places[gate] == noCell)
@@ -116,7 +117,7 @@ private:
         continue;
       }
       const std::uint16_t code = codes[gate];
-      CellSum& cell = sums[static_cast<std::size_t>(places[gate] + sector * LowEcho::Rings)];
+      CellSum& cell = sums[firstRing + static_cast<std::size_t>(places[gate])];
       ++cell.gates;
       if (code >= GateCode::FirstValue)
       {

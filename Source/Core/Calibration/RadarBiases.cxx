@@ -142,6 +142,16 @@ std::string Print(const char* format, Values... values)
   return text;
 }
 
+// `part` of the whole text names one radar and its bias.
+void AddBias(const std::string& part, const std::string& text, RadarBiases& biases)
+{
+  const auto [site, bias] = ParseBias(part);
+  if (!biases.emplace(site, bias).second)
+  {
+    throw Error("radar " + site + " has two biases in '" + text + "'; give one");
+  }
+}
+
 } // namespace
 
 RadarBiases ParseBiases(const std::string& text)
@@ -150,11 +160,7 @@ RadarBiases ParseBiases(const std::string& text)
   for (std::size_t begin = 0; begin <= text.size();)
   {
     const std::size_t comma = std::min(text.find(',', begin), text.size());
-    const auto [site, bias] = ParseBias(text.substr(begin, comma - begin));
-    if (!biases.emplace(site, bias).second)
-    {
-      throw Error("radar " + site + " has two biases in '" + text + "'; give one");
-    }
+    AddBias(text.substr(begin, comma - begin), text, biases);
     begin = comma + 1;
   }
   return biases;
@@ -177,19 +183,20 @@ BiasRequest ParseBiasRequest(const std::string& text)
 
 void RequireRadars(const RadarBiases& biases, const std::vector<std::string>& radars)
 {
-  for (const auto& [radar, bias] : biases)
+  const auto stray = std::find_if(biases.begin(), biases.end(),
+    [&](const auto& each)
+    { return std::find(radars.begin(), radars.end(), each.first) == radars.end(); });
+  if (stray == biases.end())
   {
-    if (std::find(radars.begin(), radars.end(), radar) == radars.end())
-    {
-      std::string names;
-      for (const std::string& name : radars)
-      {
-        names += (names.empty() ? "" : ", ") + name;
-      }
-      throw Error(
-        "a bias is given for " + radar + ", which none of the inputs is of; they are of " + names);
-    }
+    return;
   }
+  std::string names;
+  for (const std::string& name : radars)
+  {
+    names += (names.empty() ? "" : ", ") + name;
+  }
+  throw Error("a bias is given for " + stray->first +
+              ", which none of the inputs is of; they are of " + names);
 }
 
 RadarBiases ReconcileBiases(const std::vector<BiasPair>& pairs)

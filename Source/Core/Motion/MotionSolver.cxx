@@ -302,8 +302,9 @@ void MotionSolver::Solve(const std::vector<Demand>& demands)
 // One Gauss–Seidel update: the best displacement of a node while its neighbours keep theirs.
 void MotionSolver::Relax(const std::vector<Demand>& demands, int column, int row)
 {
-  const int width = lattice.nodes[0];
-  const auto index = static_cast<std::size_t>(row * width + column);
+  const auto width = static_cast<std::size_t>(lattice.nodes[0]);
+  const std::size_t index =
+    static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
   const Demand& demand = demands[index];
   const double perPixel = demand.pixels > 0.0 ? 1.0 / demand.pixels : 0.0;
   const double xx = demand.xx * perPixel;
@@ -326,9 +327,9 @@ void MotionSolver::Relax(const std::vector<Demand>& demands, int column, int row
     }
   };
   lean(column > 0, index - 1);
-  lean(column + 1 < width, index + 1);
-  lean(row > 0, index - static_cast<std::size_t>(width));
-  lean(row + 1 < lattice.nodes[1], index + static_cast<std::size_t>(width));
+  lean(column + 1 < lattice.nodes[0], index + 1);
+  lean(row > 0, index - width);
+  lean(row + 1 < lattice.nodes[1], index + width);
 
   // Positive: the pull is, and the demand's own determinant is no less than 0.
   const double determinant = (xx + pull) * (yy + pull) - xy * xy;
