@@ -41,8 +41,9 @@ RayBlocks::RayBlocks(const CutLayout& layout, int polarimetricCount, std::uint8_
 
 std::size_t RayBlocks::Bytes(const CutLayout& layout, int polarimetricCount)
 {
-  return static_cast<std::size_t>(
-    layout.reflectivity.gates + 2 * layout.doppler.gates + 4 * polarimetricCount);
+  return static_cast<std::size_t>(layout.reflectivity.gates) +
+         2 * static_cast<std::size_t>(layout.doppler.gates) +
+         4 * static_cast<std::size_t>(polarimetricCount);
 }
 
 void RayBlocks::Describe(Ray& ray) const

@@ -92,13 +92,14 @@ public:
     const double farthest = layout.Range(layout.gates - 1);
     double strongest = nothing;
     const double trip = std::floor(range / unambiguousRange);
-    for (double other = range - trip * unambiguousRange; other <= farthest;
-         other += unambiguousRange)
+    double other = range - trip * unambiguousRange;
+    while (other <= farthest)
     {
       if (std::abs(other - range) > 1.0)
       {
         strongest = std::max(strongest, this->At(other));
       }
+      other += unambiguousRange;
     }
     return strongest;
   }

@@ -150,19 +150,22 @@ float ScoreOf(const Layer& layer, const Wind& wind, const CosineTable& cosine)
 
 void Climb(const Layer& layer, const CosineTable& cosine, WindCandidate& candidate)
 {
-  for (double step = 0.5 * coarseStep; step >= 0.4; step *= 0.5)
+  double step = 0.5 * coarseStep;
+  while (step >= 0.4)
   {
     const Wind centre = candidate.wind;
     for (int place = 0; place < 9; ++place)
     {
-      const Wind wind = {
-        centre.east + step * (place % 3 - 1), centre.north + step * (place / 3 - 1)};
+      const int column = place % 3 - 1;
+      const int row = place / 3 - 1;
+      const Wind wind = {centre.east + step * column, centre.north + step * row};
       const float score = ScoreOf(layer, wind, cosine);
       if (score > candidate.score)
       {
         candidate = {wind, score};
       }
     }
+    step *= 0.5;
   }
 }
 
@@ -171,7 +174,9 @@ std::vector<WindCandidate> FindCandidates(const Layer& layer, const CosineTable&
 {
   constexpr int reach = static_cast<int>(highestSpeed / coarseStep);
   constexpr int width = 2 * reach + 1;
-  std::vector<float> scores(std::size_t(width * width), -1.0e9F);
+  const auto indexOf = [](int x, int y)
+  { return std::size_t(y) * std::size_t(width) + std::size_t(x); };
+  std::vector<float> scores(indexOf(0, width), -1.0e9F);
   for (int y = 0; y < width; ++y)
   {
     for (int x = 0; x < width; ++x)
@@ -179,7 +184,7 @@ std::vector<WindCandidate> FindCandidates(const Layer& layer, const CosineTable&
       const Wind wind = {coarseStep * (x - reach), coarseStep * (y - reach)};
       if (wind.Speed() <= highestSpeed)
       {
-        scores[std::size_t(y * width + x)] = ScoreOf(layer, wind, cosine);
+        scores[indexOf(x, y)] = ScoreOf(layer, wind, cosine);
       }
     }
   }
@@ -188,11 +193,11 @@ std::vector<WindCandidate> FindCandidates(const Layer& layer, const CosineTable&
   {
     for (int x = 1; x + 1 < width; ++x)
     {
-      const float score = scores[std::size_t(y * width + x)];
+      const float score = scores[indexOf(x, y)];
       bool highest = score > 0.0F;
       for (int place = 0; place < 9 && highest; ++place)
       {
-        highest = scores[std::size_t((y + place / 3 - 1) * width + x + place % 3 - 1)] <= score;
+        highest = scores[indexOf(x + place % 3 - 1, y + place / 3 - 1)] <= score;
       }
       if (highest)
       {

@@ -31,8 +31,10 @@ std::vector<WindVector> MakeTable()
     const WindVector below = Components(levels[upper - 1]);
     const WindVector above = Components(levels[upper]);
     const double depth = levels[upper].height - levels[upper - 1].height;
-    for (double up = 0.0; up < depth; up += step)
+    const auto steps = static_cast<int>(std::ceil(depth / step));
+    for (int each = 0; each < steps; ++each)
     {
+      const double up = each * step;
       table.push_back({below.east + (above.east - below.east) * up / depth,
         below.north + (above.north - below.north) * up / depth});
     }
