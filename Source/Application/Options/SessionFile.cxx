@@ -136,7 +136,7 @@ std::string MessageOf(const std::exception& problem)
   std::string text = problem.what();
   std::replace_if(
     text.begin(), text.end(), [](char letter) { return letter == '\n' || letter == '\r'; }, ' ');
-  return text.size() <= longest ? text : text.substr(0, longest) + "…";
+  return Excerpt(text, longest);
 }
 
 Session SessionOf(const Json& json, const fs::path& folder)

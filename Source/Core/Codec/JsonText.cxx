@@ -50,9 +50,8 @@ void RequireShallowJson(std::string_view text)
   }
 }
 
-std::string Excerpt(const std::string& text)
+std::string Excerpt(const std::string& text, std::size_t longest)
 {
-  constexpr std::size_t longest = 80;
   return text.size() <= longest ? text : text.substr(0, longest) + "…";
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,7 @@ namespace nexrad
 /// Nothing else of the text is checked.
 void RequireShallowJson(std::string_view text);
 
-/// The first 80 bytes of a text that goes into a message, with "…" when there are more.
-std::string Excerpt(const std::string& text);
+/// The first `longest` bytes of a text that goes into a message, with "…" when there are more.
+std::string Excerpt(const std::string& text, std::size_t longest = 80);
 
 } // namespace nexrad

@@ -25,14 +25,19 @@ bool IsOfVTKsRayCaster(const std::string& message)
          (message.find("`g_") != std::string::npos || message.find("`clip_") != std::string::npos);
 }
 
+/// What NVIDIA's driver says with medium severity where it compiles a shader again for a new state.
+bool IsOfRecompiling(GLenum type, const std::string& message)
+{
+  return type == GL_DEBUG_TYPE_PERFORMANCE &&
+         message.find("recompiled based on GL state") != std::string::npos;
+}
+
 void GLAPIENTRY Receive(GLenum, GLenum type, GLuint id, GLenum severity, GLsizei,
   const GLchar* message, const void* collector)
 {
-  // NVIDIA's driver says with medium severity that it compiles a shader again for a new state.
-  const bool severe = type != GL_DEBUG_TYPE_PERFORMANCE &&
-                      (severity == GL_DEBUG_SEVERITY_HIGH || severity == GL_DEBUG_SEVERITY_MEDIUM);
-  const bool wrong = type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR;
-  if ((wrong || severe) && !IsOfVTKsRayCaster(message))
+  const bool grave = type == GL_DEBUG_TYPE_ERROR || type == GL_DEBUG_TYPE_UNDEFINED_BEHAVIOR ||
+                     severity == GL_DEBUG_SEVERITY_HIGH || severity == GL_DEBUG_SEVERITY_MEDIUM;
+  if (grave && !IsOfVTKsRayCaster(message) && !IsOfRecompiling(type, message))
   {
     std::ostringstream line;
     line << "OpenGL message " << id << ", type 0x" << std::hex << type << ", severity 0x"

@@ -12,9 +12,9 @@ namespace nexrad::testing
 
 /**
  * Collects the messages of OpenGL's debug output (GL_KHR_debug): errors, undefined behaviour, and
- * whatever has high or medium severity. Left out are notices of low severity, those of performance,
- * which depend on the driver, and what compiling the shaders of VTK's own ray caster causes. Must
- * live as long as the windows that it watches draw.
+ * whatever has high or medium severity. Left out are notices of low severity, that a driver
+ * compiles a shader again for a new state, and what compiling the shaders of VTK's own ray caster
+ * causes. Must live as long as the windows that it watches draw.
  */
 class OpenGLMessages
 {
