@@ -20,20 +20,6 @@ namespace nexrad
 namespace
 {
 
-using SweepWork = std::function<void(std::size_t)>;
-
-void ForEachSweep(const RangeLoop& loop, std::size_t count, const SweepWork& work)
-{
-  RunLoop(loop, int(count),
-    [&work](int begin, int end)
-    {
-      for (auto index = std::size_t(begin); index < std::size_t(end); ++index)
-      {
-        work(index);
-      }
-    });
-}
-
 std::vector<SweepFolds> FindClusters(const VelocityVolume& volume, const RangeLoop& loop)
 {
   std::vector<std::optional<SweepFolds>> found(volume.sweeps.size());

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numeric>
 #include <utility>
@@ -358,13 +357,8 @@ void CorrectRegions(SweepFolds& sweep, const ExpectedVelocities& expected)
 void PlaceAll(std::vector<SweepFolds>& sweeps, const std::vector<std::size_t>& which,
   const RangeLoop& loop, const std::function<void(std::size_t)>& place)
 {
-  const auto forEach = [&](const std::function<void(std::size_t)>& work)
-  {
-    RunLoop(loop, int(which.size()),
-      [&](int begin, int end) { std::for_each(which.begin() + begin, which.begin() + end, work); });
-  };
-  forEach(place);
-  forEach([&](std::size_t index) { SetGateFolds(sweeps[index]); });
+  ForEachSweep(loop, which.size(), [&](std::size_t index) { place(which[index]); });
+  ForEachSweep(loop, which.size(), [&](std::size_t index) { SetGateFolds(sweeps[which[index]]); });
 }
 
 // Sweeps by elevation, in two halves of which none is next to another of its half: so most of what
@@ -385,6 +379,19 @@ std::array<std::vector<std::size_t>, 2> HalvesOf(const std::vector<SweepFolds>& 
 }
 
 } // namespace
+
+void ForEachSweep(
+  const RangeLoop& loop, std::size_t count, const std::function<void(std::size_t)>& work)
+{
+  RunLoop(loop, int(count),
+    [&work](int begin, int end)
+    {
+      for (auto index = std::size_t(begin); index < std::size_t(end); ++index)
+      {
+        work(index);
+      }
+    });
+}
 
 void PlaceClusters(std::vector<SweepFolds>& sweeps, const WindProfile& wind, const RangeLoop& loop)
 {

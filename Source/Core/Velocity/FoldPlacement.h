@@ -7,6 +7,8 @@
 #include "nexrad/Velocity/VelocityRegions.h"
 #include "nexrad/Velocity/WindProfile.h"
 
+#include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace nexrad
@@ -65,6 +67,11 @@ private:
   std::vector<float> cosine;
   std::vector<OtherSweep> others;
 };
+
+/// Calls `work` with 0 to `count` - 1, several at a time through a loop, and returns when all is
+/// done.
+void ForEachSweep(
+  const RangeLoop& loop, std::size_t count, const std::function<void(std::size_t)>& work);
 
 /// Finds the folds of the clusters of regions of all sweeps: first of those that the wind profile
 /// places clearly, then of those that clusters beside them and sweeps below and above place
