@@ -10,9 +10,10 @@ namespace nexrad
 {
 
 /// Finds the birds and insects of a sweep with dual polarisation: connected regions of gates with
-/// signs of flight, three in ten of which are sure (Formulas Q2). Sets the reasons of these gates
-/// to FlightPolarimetry.
-void FindFlight(SweepJudgement& sweep);
+/// signs of flight, three in ten of which are sure, and above three quarters of which there is no
+/// echo at 4 km (Formulas Q2). Sets the reasons of these gates to FlightPolarimetry, but of those
+/// under such echo. `sweeps`: all of the volume.
+void FindFlight(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep);
 
 /// Finds the clear-air echo of a sweep without dual polarisation: weak weather (below 20 dBZ) up to
 /// 2.5 km of height above which there is no echo at 3 km, in connected regions of 300 km² and more

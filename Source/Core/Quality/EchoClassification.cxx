@@ -169,7 +169,7 @@ private:
     const bool polarimetric = this->IsPolarimetric(number);
     if (sweep.judged > 0 && polarimetric)
     {
-      FindFlight(sweep);
+      FindFlight(sweeps, sweep);
     }
     if (sweep.judged > 0)
     {

@@ -101,14 +101,26 @@ float LoneTarget(const GateEvidence& evidence)
   return oneWay * evidence.ownStill * Known(evidence.ownStill) * Ramp(evidence.speed, 2.0F, 5.0F);
 }
 
-float GroundOf(const GateEvidence& evidence, float flight)
+// The depolarisation ratio (1 + z − 2ρ√z)/(1 + z + 2ρ√z), z the linear Z_DR (Ryzhkov et al. 2017,
+// J. Appl. Meteor. Climatol. 56, 1877), is (1 − ρ₀)/(1 + ρ₀) with ρ₀ = ρ/cosh(ln(z)/2).
+float RoundCorrelation(const GateEvidence& evidence)
+{
+  constexpr float halfLogarithm = 0.115129255F; // of the linear Z_DR, for each dB
+  const float angle = halfLogarithm * evidence.ratio;
+  const float square = angle * angle;
+  const float cosh = 1.0F + square * (0.5F + square * (1.0F / 24.0F + square * (1.0F / 720.0F)));
+  const float known = Known(evidence.correlation);
+  return known * evidence.correlation / cosh + 1.0F - known;
+}
+
+float GroundOf(const GateEvidence& evidence, float notWeather)
 {
   const float polarimetric = Known(evidence.correlation);
   Mean mean;
   AddTextures(evidence, mean);
   AddVelocities(evidence, mean);
   AddGradient(evidence, mean);
-  mean.Add(2.0F * polarimetric, flight);
+  mean.Add(2.0F * polarimetric, notWeather);
   // Nothing is surely ground that is not known to stand still.
   const float stands = evidence.ownStill > 0.1F ? 1.0F : 0.0F;
   const float all = SignsOfAir(evidence, stands) * mean.Value();
@@ -124,21 +136,25 @@ void FindInterest(const EvidenceRow& evidence, InterestRow& interest)
 {
   const std::size_t gates = evidence.gates.size();
   interest.ground.resize(gates);
-  interest.flight.resize(gates);
+  interest.notWeather.resize(gates);
+  interest.roundCorrelation.resize(gates);
   for (std::size_t first = 0; first < gates; first += gatesTogether)
   {
     // Arrays of this function's own: no other array can be the same memory.
     float ground[gatesTogether];
-    float flight[gatesTogether];
+    float notWeather[gatesTogether];
+    float roundCorrelation[gatesTogether];
     const std::size_t count = std::min(gatesTogether, gates - first);
     for (std::size_t i = 0; i < count; ++i)
     {
       const GateEvidence gate = evidence.At(first + i);
-      flight[i] = Known(gate.correlation) * NotWeather(gate);
-      ground[i] = GroundOf(gate, flight[i]);
+      notWeather[i] = Known(gate.correlation) * NotWeather(gate);
+      ground[i] = GroundOf(gate, notWeather[i]);
+      roundCorrelation[i] = RoundCorrelation(gate);
     }
     std::copy_n(ground, count, interest.ground.data() + first);
-    std::copy_n(flight, count, interest.flight.data() + first);
+    std::copy_n(notWeather, count, interest.notWeather.data() + first);
+    std::copy_n(roundCorrelation, count, interest.roundCorrelation.data() + first);
   }
 }
 

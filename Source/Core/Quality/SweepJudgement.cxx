@@ -24,16 +24,18 @@ constexpr float surelyHighGround = 0.65F;  // interest of gates from highGround 
 constexpr float likely = 0.15F;            // less interest is enough for likely ground
 constexpr float overNoise = 4.0F;          // dB that echo must have over the weakest
 
-constexpr float notWeather = 0.6F;       // interest in flight
-constexpr float hardlyWeather = 0.4F;    // interest of gates beside such ones
+constexpr float surelyNotWeather = 0.6F; // interest in what is not weather
+constexpr float surelyFlight = 0.776F;   // ρ₀: a depolarisation ratio of −9 dB
+constexpr float likelyFlight = 0.868F;   // ρ₀: a depolarisation ratio of −11.5 dB
+constexpr float uniformTargets = 0.95F;  // ρ_hv from which on targets are all alike
 constexpr float couplet = 8.0F;          // m/s, mean |V|
 constexpr float highestFlight = 3500.0F; // m, lower beam edge
 constexpr float strongCore = 45.0F;      // dBZ
 constexpr float filtered = 30.0F;        // dB that the clutter filter removed
 constexpr float debris = 35.0F;          // dBZ
 
-// The power that the weakest echo of a sweep has, dBZ at 1 km: of half of the rays the weakest one
-// is stronger.
+// The power that the weakest echo of a sweep has, dBZ at 1 km: of nine rays in ten the weakest one
+// is stronger. Where birds fill most rays, few show how weak echo can be.
 float WeakestPower(const EchoGrid& grid, const std::vector<float>& spreading)
 {
   std::vector<float> powers;
@@ -55,17 +57,19 @@ float WeakestPower(const EchoGrid& grid, const std::vector<float>& spreading)
   {
     return NoNumber;
   }
-  const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
-  std::nth_element(powers.begin(), middle, powers.end());
-  return *middle;
+  const auto tenth = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 10);
+  std::nth_element(powers.begin(), tenth, powers.end());
+  return *tenth;
 }
 
-// How much more interest in ground it takes at a strong core that the tilt above has, too.
+// How much more interest in ground it takes at a strong core: where the tilt above has it, too, and
+// where ρ_hv about it is that of weather, so that a gate which stands still is no lone target.
 float CoreMargin(const GateEvidence& evidence)
 {
-  return evidence.reflectivity < strongCore ? 0.0F
-                                            : 0.2F * Ramp(evidence.gradient, 12.0F, 6.0F) *
-                                                Ramp(evidence.range, 10'000.0F, 25'000.0F);
+  const float above =
+    Ramp(evidence.gradient, 12.0F, 6.0F) * Ramp(evidence.range, 10'000.0F, 25'000.0F);
+  const float uniform = Ramp(evidence.correlation, 0.90F, uniformTargets);
+  return evidence.reflectivity < strongCore ? 0.0F : 0.2F * (above + uniform);
 }
 
 // Whether two polarisations can tell what a gate is: the echo is strong enough, and low.
@@ -98,7 +102,7 @@ std::vector<EchoReason> AllWeather(const EchoGrid& grid)
 }
 
 EchoReason ReasonOf(
-  const GateEvidence& evidence, float flight, const SweepJudgement& sweep, std::size_t gate)
+  const GateEvidence& evidence, float notWeather, const SweepJudgement& sweep, std::size_t gate)
 {
   const float value = evidence.reflectivity;
   const EchoReason weather = WeatherOf(value);
@@ -107,7 +111,7 @@ EchoReason ReasonOf(
     return weather;
   }
   const bool unsteady = IsNumber(evidence.speed) && evidence.flow < 0.5F;
-  if (flight >= notWeather && unsteady)
+  if (notWeather >= surelyNotWeather && unsteady)
   {
     return value >= debris && evidence.speed > couplet ? EchoReason::Debris
            : evidence.filterPower >= filtered          ? EchoReason::GroundFilter
@@ -116,24 +120,26 @@ EchoReason ReasonOf(
   const bool melts = evidence.correlation < 0.96F && evidence.correlation > 0.7F &&
                      value >= 15.0F && value < strongCore && sweep.heights[gate] > 500.0F &&
                      evidence.gradient < 15.0F && evidence.squares < 30.0F;
-  return melts && flight < notWeather ? EchoReason::MeltingLayer : weather;
+  return melts && notWeather < surelyNotWeather ? EchoReason::MeltingLayer : weather;
 }
 
-std::uint8_t FlightOf(
-  const GateEvidence& evidence, float flight, const SweepJudgement& sweep, std::size_t gate)
+std::uint8_t FlightOf(const GateEvidence& evidence, float roundCorrelation,
+  const SweepJudgement& sweep, std::size_t gate)
 {
-  if (!IsTelling(evidence, sweep, gate) || evidence.reflectivity >= StrongestBiologicalEcho)
+  if (!IsTelling(evidence, sweep, gate) || evidence.correlation >= uniformTargets ||
+      evidence.reflectivity >= StrongestBiologicalEcho)
   {
     return FlightSign::None;
   }
-  return flight >= notWeather      ? FlightSign::Sure
-         : flight >= hardlyWeather ? FlightSign::Likely
-                                   : FlightSign::None;
+  return roundCorrelation <= surelyFlight   ? FlightSign::Sure
+         : roundCorrelation <= likelyFlight ? FlightSign::Likely
+                                            : FlightSign::None;
 }
 
 void JudgeGate(SweepJudgement& sweep, std::size_t index, std::size_t gate,
-  const GateEvidence& evidence, float ground, float flight)
+  const GateEvidence& evidence, const InterestRow& interest, std::size_t i)
 {
+  const float ground = interest.ground[i];
   const float limit = sweep.limits[gate] + CoreMargin(evidence) -
                       (IsNumber(evidence.correlation) ? 0.0F : ofOnePolarisation);
   sweep.signs[index] = ground >= limit            ? GroundSign::Sure
@@ -142,10 +148,10 @@ void JudgeGate(SweepJudgement& sweep, std::size_t index, std::size_t gate,
   sweep.speeds[index] =
     IsNumber(evidence.ownSpeed) ? SpeedCode(evidence.ownSpeed) : std::uint8_t(0);
   sweep.gradients[index] = static_cast<std::int8_t>(std::clamp(evidence.gradient, -100.0F, 100.0F));
-  sweep.reasons[index] = ReasonOf(evidence, flight, sweep, gate);
+  sweep.reasons[index] = ReasonOf(evidence, interest.notWeather[i], sweep, gate);
   sweep.flights[index] = sweep.reasons[index] == EchoReason::GroundFilter
                            ? FlightSign::None
-                           : FlightOf(evidence, flight, sweep, gate);
+                           : FlightOf(evidence, interest.roundCorrelation[i], sweep, gate);
 }
 
 } // namespace
@@ -210,8 +216,8 @@ void RowJudge::Judge(std::size_t place)
   FindInterest(evidence, interest);
   for (std::size_t i = 0; i < evidence.gates.size(); ++i)
   {
-    JudgeGate(sweep, sweep.Index(place, evidence.gates[i]), evidence.gates[i], evidence.At(i),
-      interest.ground[i], interest.flight[i]);
+    JudgeGate(
+      sweep, sweep.Index(place, evidence.gates[i]), evidence.gates[i], evidence.At(i), interest, i);
   }
 }
 

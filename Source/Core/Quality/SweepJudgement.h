@@ -23,12 +23,13 @@ struct GroundSign
   static constexpr std::uint8_t Sure = 2;
 };
 
-/// The same of birds and insects.
+/// The same of birds and insects, by their depolarisation (Formulas Q2).
 struct FlightSign
 {
   static constexpr std::uint8_t None = 0;
-  static constexpr std::uint8_t Likely = 1;
+  static constexpr std::uint8_t Likely = 1; ///< of birds or insects beside gates that surely are
   static constexpr std::uint8_t Sure = 2;
+  static constexpr std::uint8_t UnderEcho = 3; ///< either, below echo where none of them fly
 };
 
 /// The gates of one sweep of reflectivity, judged one by one. Arrays are rays × gates, in the order
