@@ -19,20 +19,32 @@ constexpr double highest = 2500.0;     // m
 constexpr double freeHeight = 3000.0;  // m, where there must be no echo
 constexpr double leastArea = 300.0e6;  // m²
 constexpr double nearRadar = 40'000.0; // m
+constexpr double mostHigh = 3.0;       // of the area below `highest`, above it
 
-// For each gate of a ray up to `highest`: the gate where there must be no echo, of the lowest sweep
-// whose beam is as high as freeHeight there.
+// A region without echo in the air above it.
+struct ClearAirRegion
+{
+  double low = 0.0;  // m², with the beam up to `highest`
+  double high = 0.0; // m², above
+  bool isNear = false;
+};
+
+// For each gate of a ray that can be judged: the gate where there must be no echo, of the lowest
+// sweep above whose beam is as high as freeHeight there.
 struct FreeGate
 {
   const EchoGrid* grid = nullptr; // nullptr where no beam is
   std::ptrdiff_t gate = 0;
 };
-std::vector<FreeGate> FindFreeGates(const std::vector<SweepJudgement>& sweeps, const EchoGrid& grid)
+std::vector<FreeGate> FindFreeGates(
+  const std::vector<SweepJudgement>& sweeps, const SweepJudgement& own)
 {
+  constexpr double leastRise = 0.5; // degrees: repetitions of a cut are not above it
+  const EchoGrid& grid = *own.grid;
   std::vector<const EchoGrid*> upward;
   for (const SweepJudgement& sweep : sweeps)
   {
-    if (sweep.grid)
+    if (sweep.grid && sweep.grid->Elevation() > grid.Elevation() + leastRise)
     {
       upward.push_back(sweep.grid.get());
     }
@@ -41,13 +53,9 @@ std::vector<FreeGate> FindFreeGates(const std::vector<SweepJudgement>& sweeps, c
     [](const EchoGrid* a, const EchoGrid* b) { return a->Elevation() < b->Elevation(); });
   std::vector<FreeGate> free;
   auto above = upward.end(); // the beams from here on are as high
-  for (std::size_t gate = 0; gate < grid.Gates(); ++gate)
+  for (std::size_t gate = 0; gate < own.judged; ++gate)
   {
     const double range = grid.RangeOf(gate);
-    if (BeamHeight(range, grid.Elevation()) > highest)
-    {
-      break;
-    }
     while (above != upward.begin() && BeamHeight(range, (*(above - 1))->Elevation()) >= freeHeight)
     {
       --above;
@@ -113,25 +121,28 @@ void FindFlight(SweepJudgement& sweep)
 void FindClearAir(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep)
 {
   const EchoGrid& grid = *sweep.grid;
-  const std::vector<FreeGate> free = FindFreeGates(sweeps, grid);
+  const std::vector<FreeGate> free = FindFreeGates(sweeps, sweep);
   std::vector<std::uint8_t> members(sweep.reasons.size(), 0);
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
     MarkRow(sweep, free, place, members.data() + sweep.Index(place, 0));
   }
   const GateRegions regions(grid, members);
-  std::vector<double> areas(regions.Count(), 0.0);
-  std::vector<char> isNear(regions.Count(), 0);
+  std::vector<ClearAirRegion> all(regions.Count());
   const double perRange =
     grid.GateSpacing() * 360.0 * RadiansPerDegree / static_cast<double>(grid.Rays());
   for (const GateRun& run : regions.Runs())
   {
-    areas[run.region] += perRange * grid.RangeOf((run.begin + run.end) / 2) * (run.end - run.begin);
-    isNear[run.region] |= grid.RangeOf(run.begin) < nearRadar ? 1 : 0;
+    const double range = grid.RangeOf((run.begin + run.end) / 2);
+    ClearAirRegion& region = all[run.region];
+    (BeamHeight(range, grid.Elevation()) > highest ? region.high : region.low) +=
+      perRange * range * (run.end - run.begin);
+    region.isNear = region.isNear || grid.RangeOf(run.begin) < nearRadar;
   }
   for (const GateRun& run : regions.Runs())
   {
-    if (areas[run.region] >= leastArea && isNear[run.region])
+    const ClearAirRegion& region = all[run.region];
+    if (region.isNear && region.low >= leastArea && region.high <= mostHigh * region.low)
     {
       EchoReason* first = sweep.reasons.data() + sweep.Index(run.place, 0);
       std::fill(first + run.begin, first + run.end, EchoReason::ClearAir);
