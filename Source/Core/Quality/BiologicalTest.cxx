@@ -2,7 +2,6 @@
 #include "nexrad/Quality/BiologicalTest.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Model/Elevation.h"
 #include "nexrad/Quality/Evidence/GateRegions.h"
 
 #include <algorithm>
@@ -24,6 +23,15 @@ constexpr double highest = 2500.0;     // m
 constexpr double freeHeight = 3000.0;  // m, where there must be no echo
 constexpr double leastArea = 300.0e6;  // m²
 constexpr double nearRadar = 40'000.0; // m
+constexpr double mostHigh = 3.0;       // of the area below `highest`, above it
+
+// A region without echo in the air above it.
+struct ClearAirRegion
+{
+  double low = 0.0;  // m², with the beam up to `highest`
+  double high = 0.0; // m², above
+  bool isNear = false;
+};
 
 // The echo above the gates of a sweep: at each slant range, of the lowest other tilt whose beam is
 // as high as asked for.
@@ -35,10 +43,11 @@ public:
     double height)
     : grid(theGrid)
   {
+    constexpr double leastRise = 0.5; // degrees: repetitions of a cut are not above it
     std::vector<const EchoGrid*> upward;
     for (const SweepJudgement& sweep : sweeps)
     {
-      if (sweep.grid && sweep.grid->Elevation() > grid.Elevation() + SameTilt)
+      if (sweep.grid && sweep.grid->Elevation() > grid.Elevation() + leastRise)
       {
         upward.push_back(sweep.grid.get());
       }
@@ -97,17 +106,6 @@ private:
   const EchoGrid* rowOf = nullptr; // the grid of `row`
   const float* row = nullptr;
 };
-
-// Gates of a sweep up to `highest`.
-std::size_t LowGates(const EchoGrid& grid)
-{
-  std::size_t count = 0;
-  while (count < grid.Gates() && BeamHeight(grid.RangeOf(count), grid.Elevation()) <= highest)
-  {
-    ++count;
-  }
-  return count;
-}
 
 // Whether each gate of a row may be clear-air echo.
 void MarkRow(
@@ -180,25 +178,28 @@ void FindFlight(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep
 void FindClearAir(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep)
 {
   const EchoGrid& grid = *sweep.grid;
-  EchoAbove above(sweeps, grid, LowGates(grid), freeHeight);
+  EchoAbove above(sweeps, grid, sweep.judged, freeHeight);
   std::vector<std::uint8_t> members(sweep.reasons.size(), 0);
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
     MarkRow(sweep, above, place, members.data() + sweep.Index(place, 0));
   }
   const GateRegions regions(grid, members);
-  std::vector<double> areas(regions.Count(), 0.0);
-  std::vector<char> isNear(regions.Count(), 0);
+  std::vector<ClearAirRegion> all(regions.Count());
   const double perRange =
     grid.GateSpacing() * 360.0 * RadiansPerDegree / static_cast<double>(grid.Rays());
   for (const GateRun& run : regions.Runs())
   {
-    areas[run.region] += perRange * grid.RangeOf((run.begin + run.end) / 2) * (run.end - run.begin);
-    isNear[run.region] |= grid.RangeOf(run.begin) < nearRadar ? 1 : 0;
+    const double range = grid.RangeOf((run.begin + run.end) / 2);
+    ClearAirRegion& region = all[run.region];
+    (BeamHeight(range, grid.Elevation()) > highest ? region.high : region.low) +=
+      perRange * range * (run.end - run.begin);
+    region.isNear = region.isNear || grid.RangeOf(run.begin) < nearRadar;
   }
   for (const GateRun& run : regions.Runs())
   {
-    if (areas[run.region] >= leastArea && isNear[run.region])
+    const ClearAirRegion& region = all[run.region];
+    if (region.isNear && region.low >= leastArea && region.high <= mostHigh * region.low)
     {
       EchoReason* first = sweep.reasons.data() + sweep.Index(run.place, 0);
       std::fill(first + run.begin, first + run.end, EchoReason::ClearAir);

@@ -15,10 +15,10 @@ namespace nexrad
 /// under such echo. `sweeps`: all of the volume.
 void FindFlight(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep);
 
-/// Finds the clear-air echo of a sweep without dual polarisation: weak weather (below 20 dBZ) up to
-/// 2.5 km of height above which there is no echo at 3 km, in connected regions of 300 km² and more
-/// that reach within 40 km of the radar. Sets the reasons of these gates to ClearAir. `sweeps`: all
-/// of the volume.
+/// Finds the clear-air echo of a sweep without dual polarisation: weak weather (below 20 dBZ) above
+/// which there is no echo at 3 km, nor in the tilt above, in connected regions that reach within 40
+/// km of the radar. 300 km² and more of a region, and a quarter of it, lie where the beam is up to
+/// 2.5 km high. Sets the reasons of these gates to ClearAir. `sweeps`: all of the volume.
 void FindClearAir(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep);
 
 } // namespace nexrad

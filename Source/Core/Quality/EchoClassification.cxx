@@ -6,6 +6,7 @@
 #include "nexrad/Quality/Evidence/SplitCuts.h"
 #include "nexrad/Quality/GroundSearch.h"
 #include "nexrad/Quality/GroundTest.h"
+#include "nexrad/Quality/PropagationTest.h"
 #include "nexrad/Quality/SpeckleTest.h"
 #include "nexrad/Quality/SpikeTest.h"
 #include "nexrad/Quality/SweepJudgement.h"
@@ -174,6 +175,7 @@ private:
     if (sweep.judged > 0)
     {
       FindGround(sweep, polarimetric);
+      FindPropagation(sweep, polarimetric);
     }
     if (sweep.judged > 0 && !polarimetric)
     {

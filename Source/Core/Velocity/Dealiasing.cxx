@@ -3,6 +3,7 @@
 
 #include "nexrad/Velocity/FoldFilling.h"
 #include "nexrad/Velocity/FoldPlacement.h"
+#include "nexrad/Velocity/FoldSupport.h"
 #include "nexrad/Velocity/FoldedWind.h"
 
 #include <algorithm>
@@ -108,13 +109,12 @@ DealiasCounts Dealias(VelocityVolume& volume, const DealiasOptions& options)
   ForEachSweep(options.loop, sweeps.size(),
     [&](std::size_t index)
     { folds[index] = PlaceLoneGates(sweeps[index], ExpectedVelocities(sweeps, index, wind)); });
+  ForEachSweep(options.loop, sweeps.size(),
+    [&](std::size_t index) { sweeps[index].gateFold = std::move(folds[index]); });
+  RemoveUnsupportedFolds(sweeps, wind, options.loop);
   std::vector<DealiasCounts> counts(sweeps.size());
   ForEachSweep(options.loop, sweeps.size(),
-    [&](std::size_t index)
-    {
-      sweeps[index].gateFold = std::move(folds[index]);
-      counts[index] = SetVelocities(sweeps[index], volume.sweeps[index]);
-    });
+    [&](std::size_t index) { counts[index] = SetVelocities(sweeps[index], volume.sweeps[index]); });
   DealiasCounts sum;
   for (const DealiasCounts& each : counts)
   {

@@ -23,6 +23,7 @@ constexpr double nearest = 5'000.0; // m: closer in, the beam's side lobes see t
 constexpr double farthest = 120'000.0;
 constexpr float fewestGates = 6.0F; // of a sector
 constexpr float enoughGates = 40.0F;
+constexpr float leastRays = 0.6F;     // of the rays of a sector: interference fills a few degrees
 constexpr double highestSpeed = 80.0; // m/s
 constexpr double coarseStep = 4.0;    // m/s
 constexpr std::size_t mostCandidates = 12;
@@ -50,6 +51,8 @@ struct PhaseSum
   float cosine = 0.0F;
   float sine = 0.0F;
   float count = 0.0F;
+  float rays = 0.0F; // with a velocity
+  std::size_t lastRow = 0;
 };
 
 // The layer of each gate; layerCount for gates that are not used.
@@ -75,6 +78,7 @@ void AddSectors(const SweepRing& ring, float nyquist, std::vector<Layer>& layers
 {
   const std::vector<std::size_t> layerOf = LayersOfGates(ring);
   std::vector<PhaseSum> sums(layerCount * sectorCount);
+  std::array<float, sectorCount> rays{}; // of each sector
   for (std::size_t row = 0; row < ring.rows; ++row)
   {
     if (ring.nyquist[row] != nyquist)
@@ -82,6 +86,7 @@ void AddSectors(const SweepRing& ring, float nyquist, std::vector<Layer>& layers
       continue;
     }
     const auto sector = std::min(sectorCount - 1, std::size_t(ring.azimuth[row] / 10.0F));
+    rays[sector] += 1.0F;
     for (std::size_t gate = row % 2; gate < ring.gates; gate += 2) // half of them are plenty
     {
       const float value = ring.velocity[row * ring.gates + gate];
@@ -92,6 +97,8 @@ void AddSectors(const SweepRing& ring, float nyquist, std::vector<Layer>& layers
         sum.cosine += std::cos(angle);
         sum.sine += std::sin(angle);
         sum.count += 1.0F;
+        sum.rays += sum.lastRow == row + 1 ? 0.0F : 1.0F;
+        sum.lastRow = row + 1;
       }
     }
   }
@@ -99,7 +106,7 @@ void AddSectors(const SweepRing& ring, float nyquist, std::vector<Layer>& layers
   for (std::size_t place = 0; place < sums.size(); ++place)
   {
     const PhaseSum& sum = sums[place];
-    if (sum.count < fewestGates)
+    if (sum.count < fewestGates || sum.rays < leastRays * rays[place % sectorCount])
     {
       continue;
     }
@@ -268,6 +275,17 @@ float WeightOf(const Layer& layer)
   return weight;
 }
 
+// The standard deviation of the score of a layer whose phases are random.
+float DeviationOf(const Layer& layer)
+{
+  float squares = 0.0F;
+  for (const SectorPhase& sector : layer)
+  {
+    squares += sector.weight * sector.weight;
+  }
+  return std::sqrt(0.5F * squares);
+}
+
 // Sectors that some sweep of the layer has.
 std::size_t DirectionsOf(const Layer& layer)
 {
@@ -365,6 +383,7 @@ void FindWays(const std::vector<Layer>& layers, std::vector<LayerChoice>& choice
 WindProfile FindFoldedWind(const std::vector<const SweepRing*>& sweeps, const RangeLoop& loop)
 {
   constexpr float leastAgreement = 0.5F;
+  constexpr float leastDeviations = 3.5F;
   const std::vector<Layer> layers = LayersOf(sweeps, loop);
   std::vector<LayerChoice> choices = FindChoices(layers, loop);
   WindProfile profile;
@@ -379,10 +398,12 @@ WindProfile FindFoldedWind(const std::vector<const SweepRing*>& sweeps, const Ra
   {
     const LayerChoice& choice = choices[index];
     const WindCandidate& candidate = choice.candidates[chosen];
-    if (candidate.score >= leastAgreement * WeightOf(layers[choice.layer]))
+    const Layer& layer = layers[choice.layer];
+    if (candidate.score >= leastAgreement * WeightOf(layer) &&
+        candidate.score >= leastDeviations * DeviationOf(layer))
     {
       profile.levels.push_back({(static_cast<double>(choice.layer) + 0.5) * layerDepth,
-        candidate.wind, 0.0, layers[choice.layer].size()});
+        candidate.wind, 0.0, layer.size()});
     }
     chosen = choice.from[chosen];
   }

@@ -2,12 +2,12 @@
 #include "nexrad/Velocity/VelocityRegions.h"
 
 #include "nexrad/Geometry/Angles.h"
+#include "nexrad/Velocity/ConnectedGates.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <numeric>
 
 namespace nexrad
 {
@@ -146,38 +146,6 @@ std::vector<std::uint8_t> FindSteadyGates(const SweepRing& ring)
   }
   return steady;
 }
-
-// Which gates are connected: each gate refers to an earlier one of its region, or to itself.
-class ConnectedGates
-{
-public:
-  explicit ConnectedGates(std::size_t count)
-    : parent(count)
-  {
-    std::iota(parent.begin(), parent.end(), std::int32_t(0));
-  }
-
-  std::int32_t Find(std::int32_t gate)
-  {
-    while (parent[std::size_t(gate)] != gate)
-    {
-      std::int32_t& up = parent[std::size_t(gate)];
-      up = parent[std::size_t(up)];
-      gate = up;
-    }
-    return gate;
-  }
-
-  void Join(std::size_t a, std::size_t b)
-  {
-    const std::int32_t first = this->Find(std::int32_t(a));
-    const std::int32_t second = this->Find(std::int32_t(b));
-    parent[std::size_t(std::max(first, second))] = std::min(first, second);
-  }
-
-private:
-  std::vector<std::int32_t> parent;
-};
 
 // How closely the gates of a sweep are joined: at level 0 those that differ by less than the limit,
 // at each further level by half as much.
