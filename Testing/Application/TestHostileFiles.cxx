@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // The program with files that were made to do harm, within a limit of memory. The folder is beside
 // the real files (NEXRAD_TEST_DATA/hostile); TestHostileBytes makes the like of them in code.
+#include "Faults/HostileFiles.h"
 #include "ProgramRun.h"
 #include "Scene/Series/VolumeFiles.h"
 #include "TestData.h"
+#include "Tolerance.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -11,9 +13,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <set>
 #include <string>
 #include <sys/resource.h>
+#include <vector>
 
 using namespace nexrad::testing;
 namespace fs = std::filesystem;
@@ -91,10 +95,51 @@ private:
 
 TEST_F(HostileFiles, InfoSaysWhatIsWrong)
 {
+  radarFiles.insert(data / "reports" / "faults" / "vheaders-mutated.gz");
   for (const fs::path& file : radarFiles)
   {
-    ExpectOrderly(RunNexrad3d({"info", file}), file);
+    const ProgramRun run = RunNexrad3d({"info", file});
+    ExpectOrderly(run, file);
+    EXPECT_AT_MOST(
+      static_cast<double>(run.peakMemory) / 1e6, 100.0, "memory of info of a hostile file, MB");
   }
+}
+
+// TestDecodingCosts decodes all of these.
+TEST(MadeHostileFiles, GridKeepsToItsMemory)
+{
+  const std::set<std::string> tried = {"zeros", "zeros-bzip2", "volume-headers", "records-of-zeros",
+    "cycle-a-ray-of-all-moments", "geometry-a-ray", "shared-gates-65000", "wide-rays",
+    "a-wide-ray-a-sweep"};
+  std::size_t found = 0;
+  for (const HostileFile& file : MakeHostileFiles())
+  {
+    if (tried.count(file.name) == 0)
+    {
+      continue;
+    }
+    ++found;
+    const TemporaryFolder folder;
+    const Bytes stored = file.make();
+    std::vector<std::string> arguments = {"grid"};
+    for (const char* name : {"a.gz", "b.gz", "c.gz", "d.gz"})
+    {
+      arguments.push_back(folder.Path() / name);
+      std::ofstream(arguments.back(), std::ios::binary)
+        .write(reinterpret_cast<const char*>(stored.data()),
+          static_cast<std::streamsize>(stored.size()));
+    }
+    for (const char* argument : {"-o", "", "--memory", "200MiB", "--dims", "32x32x8"})
+    {
+      arguments.emplace_back(argument);
+    }
+    arguments[6] = folder.Path() / "v";
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_TRUE(run.status == 0 || run.status == 1 || run.status == 3) << file.name << run.errors;
+    EXPECT_AT_MOST(static_cast<double>(run.peakMemory) / (1 << 20), 160.0,
+      "memory of grid --memory 200MiB of four hostile files, MiB");
+  }
+  EXPECT_EQ(found, tried.size());
 }
 
 // Each beside five volumes of a real radar: the rest of the day is made.

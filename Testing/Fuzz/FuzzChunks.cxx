@@ -63,8 +63,11 @@ std::vector<Piece> PiecesOf(const std::uint8_t* data, std::size_t size)
 Level2Options Caps()
 {
   Level2Options options;
-  options.maximumRecordBytes = std::size_t(1) << 20;
-  options.maximumFileBytes = std::size_t(2) << 20;
+  if (IsSanitised)
+  {
+    options.maximumRecordBytes = std::size_t(1) << 20;
+    options.maximumFileBytes = std::size_t(2) << 20;
+  }
   options.threads = 1;
   return options;
 }

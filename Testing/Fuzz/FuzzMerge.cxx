@@ -115,8 +115,11 @@ std::vector<Bytes> FuzzSeeds()
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size)
 {
   Level2Options options;
-  options.maximumRecordBytes = std::size_t(1) << 20;
-  options.maximumFileBytes = std::size_t(1) << 20;
+  if (IsSanitised)
+  {
+    options.maximumRecordBytes = std::size_t(1) << 20;
+    options.maximumFileBytes = std::size_t(1) << 20;
+  }
   options.threads = 1;
   const RadarVolume volume =
     DecodeLevel2(std::vector<std::uint8_t>(data, data + size), "KTLX", options);

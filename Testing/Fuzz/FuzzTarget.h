@@ -25,6 +25,16 @@ void Require(bool holds, const char* promise);
 /// Requires that a message is one line of at most 2000 bytes.
 void RequireMessage(const std::string& message);
 
+/// Whether the address sanitiser makes everything larger and slower. Without it, targets use the
+/// limits that users have.
+#if defined(__SANITIZE_ADDRESS__)
+constexpr bool IsSanitised = true;
+#elif defined(__has_feature)
+constexpr bool IsSanitised = __has_feature(address_sanitizer);
+#else
+constexpr bool IsSanitised = false;
+#endif
+
 /// The bytes of a text.
 Bytes BytesOf(const std::string& text);
 

@@ -6,6 +6,8 @@
 //   TARGET FILE...       these inputs as they are, such as a finding of libFuzzer
 #include "FuzzTarget.h"
 
+#include "Faults/AllocationPeak.h"
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -82,13 +84,16 @@ void Damage(Bytes& bytes, Random& random)
   }
 }
 
-/// Hands inputs to the target, and counts them.
+/// Hands inputs to the target, and counts them and what they allocate.
 class Runs
 {
 public:
   void Run(const Bytes& bytes)
   {
+    constexpr std::size_t mostBytes = 300'000'000;
+    const AllocationPeak peak;
     LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+    Require(peak.Bytes() <= mostBytes, "an input takes at most 300 MB");
     ++count;
   }
   std::size_t Count() const { return count; }

@@ -103,7 +103,8 @@ void BareDecompression::OpenWrapper()
     throw Error("is compressed with compress, which no library here decompresses");
   }
   std::vector<Damage> damage;
-  unwrapped = OpenContainer(stored, largestFile, damage).bytes;
+  DecodingBudget budget(largestFile, largestFile);
+  unwrapped = OpenContainer(stored, budget, damage).bytes;
   if (!damage.empty())
   {
     throw Error("offset " + std::to_string(damage.front().offset) + ": " + damage.front().what);

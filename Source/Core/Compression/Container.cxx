@@ -34,9 +34,10 @@ unsigned SmallCount(std::size_t count)
 class GzipReader
 {
 public:
-  GzipReader(ByteView storedBytes, std::size_t maximumBytes)
+  GzipReader(ByteView storedBytes, std::size_t maximumBytes, DecodingBudget& theBudget)
     : stored(storedBytes)
     , maximum(maximumBytes)
+    , budget(theBudget)
     , window(windowBytes)
   {
     result.bytes.reserve(std::min(this->LikelySize(), maximum));
@@ -110,7 +111,9 @@ private:
   {
     if (DetectStream(stored.Sub(position)) == StreamFormat::Gzip)
     {
-      return inflateReset(&stream) == Z_OK;
+      const bool paid = budget.Spend(DecodingBudget::StreamCost);
+      result.problem = paid ? result.problem : budget.Explain();
+      return paid && inflateReset(&stream) == Z_OK;
     }
     const ByteView rest = stored.Sub(position);
     if (std::any_of(rest.Data(), rest.Data() + rest.Size(), [](auto byte) { return byte != 0; }))
@@ -122,6 +125,7 @@ private:
 
   ByteView stored;
   std::size_t maximum;
+  DecodingBudget& budget;
   std::vector<std::uint8_t> window;
   z_stream stream{};
   std::size_t position = 0;
@@ -159,17 +163,32 @@ Unpacked UnpackBzip2(ByteView stored, std::size_t maximumBytes)
   return result;
 }
 
-Unpacked Unpack(StreamFormat format, ByteView stored, std::size_t maximumBytes)
+Unpacked Unpack(
+  StreamFormat format, ByteView stored, std::size_t maximumBytes, DecodingBudget& budget)
 {
   switch (format)
   {
   case StreamFormat::Gzip:
-    return GzipReader(stored, maximumBytes).Run();
+    return GzipReader(stored, maximumBytes, budget).Run();
   case StreamFormat::Bzip2:
     return UnpackBzip2(stored, maximumBytes);
   default:
     return Unlzw(stored, maximumBytes);
   }
+}
+
+// The same, paid from the budget. A third of it stays for what is made of the bytes.
+Unpacked UnpackWithin(StreamFormat format, ByteView stored, DecodingBudget& budget)
+{
+  Unpacked result;
+  if (!budget.Spend(DecodingBudget::CompressedByteCost * stored.Size()))
+  {
+    result.problem = budget.Explain();
+    return result;
+  }
+  result = Unpack(format, stored, budget.Left() - budget.Left() / 3, budget);
+  budget.Spend(result.bytes.size());
+  return result;
 }
 
 std::string ExplainBzip2(int status)
@@ -204,9 +223,9 @@ StreamFormat DetectStream(ByteView bytes)
 
 std::size_t Bzip2Reader::Room(std::size_t used, std::size_t maximumBytes)
 {
-  if (output.size() == used)
+  if (output.size() == used && used < maximumBytes)
   {
-    output.resize(std::max(windowBytes, used * 2));
+    output.resize(std::min(std::max(windowBytes, used * 2), maximumBytes));
   }
   return std::min({output.size(), maximumBytes, used + largestStepBytes}) - used;
 }
@@ -264,7 +283,7 @@ Bunzipped Bzip2Reader::RunSlowly(ByteView stored, std::size_t maximumBytes)
 }
 
 PlainFile OpenContainer(
-  std::vector<std::uint8_t> stored, std::size_t maximumBytes, std::vector<Damage>& damage)
+  std::vector<std::uint8_t> stored, DecodingBudget& budget, std::vector<Damage>& damage)
 {
   PlainFile file;
   file.bytes = std::move(stored);
@@ -276,7 +295,7 @@ PlainFile OpenContainer(
     {
       break;
     }
-    Unpacked inner = Unpack(format, view, maximumBytes);
+    Unpacked inner = UnpackWithin(format, view, budget);
     if (!inner.problem.empty())
     {
       damage.push_back({file.offsets.ToStored(inner.problemOffset), inner.problem});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Compression/BigEndian.h"
+#include "nexrad/Compression/DecodingBudget.h"
 #include "nexrad/Compression/FastBunzip.h"
 #include "nexrad/Compression/OffsetMap.h"
 #include "nexrad/Model/RadarVolume.h"
@@ -60,8 +61,8 @@ struct PlainFile
 
 /// Takes off the streams round a file (gzip round bzip2 and the like, three deep at most). What was
 /// readable of a broken stream is the result, and the break goes to `damage`. Memory is taken as
-/// bytes come out, up to `maximumBytes`.
+/// bytes come out; they, and the bytes that they come out of, are paid from the budget.
 PlainFile OpenContainer(
-  std::vector<std::uint8_t> stored, std::size_t maximumBytes, std::vector<Damage>& damage);
+  std::vector<std::uint8_t> stored, DecodingBudget& budget, std::vector<Damage>& damage);
 
 } // namespace nexrad

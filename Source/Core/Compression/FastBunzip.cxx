@@ -553,6 +553,7 @@ std::optional<std::size_t> FastBunzip::Run(ByteView stored, std::size_t maximumB
   }
   catch (const Unusual&)
   {
+    std::vector<std::uint8_t>().swap(memory->output); // who takes over needs as much once more
     return std::nullopt;
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Compression/ParallelBunzip.h"
 
+#include "nexrad/Compression/DecodingBudget.h"
 #include "nexrad/System/ThreadGroup.h"
 
 #include <algorithm>
@@ -19,6 +20,16 @@ namespace
 // So many records decompress ahead of the one to be received: the receiver may stop because the
 // file is larger than its cap, and until then no more than these take memory.
 constexpr std::size_t recordsAhead = 16;
+// So much may come out of any record, and of a longer one as much as its stored bytes pay for:
+// those ahead take no more than a file may. Radars send records of 0.3 to 1.5 MB.
+constexpr std::size_t freeRecordBytes = std::size_t(4) << 20;
+
+std::size_t MostBytesOf(const LdmRecord& record, std::size_t maximumBytes)
+{
+  DecodingBudget budget(maximumBytes, freeRecordBytes);
+  budget.AddStored(record.compressed.Size());
+  return budget.Left();
+}
 
 class RecordQueue
 {
@@ -73,7 +84,8 @@ private:
   {
     const std::size_t index = next++;
     lock.unlock();
-    Bunzipped content = reader.Run(records[index].compressed, maximumRecordBytes);
+    Bunzipped content =
+      reader.Run(records[index].compressed, MostBytesOf(records[index], maximumRecordBytes));
     lock.lock();
     this->Place(index) = std::move(content);
     changed.notify_all();

@@ -15,6 +15,17 @@
 namespace nexrad
 {
 
+namespace
+{
+
+// Thrown where a file costs more than its budget.
+struct OverBudget
+{
+  std::uint64_t storedOffset; // of what there is no budget for
+};
+
+} // namespace
+
 std::string FileCapText(const Level2Options& options)
 {
   return "the file is larger than its cap of " + std::to_string(options.maximumFileBytes) +
@@ -25,15 +36,23 @@ FileDecoder::FileDecoder(VolumeAssembler& target, const Level2Options& options)
   : assembler(target)
   , maximumRecordBytes(options.maximumRecordBytes)
   , threads(options.threads)
-  , budget(options.maximumFileBytes)
+  , budget(options.maximumFileBytes, options.freeBytes)
 {
 }
 
-bool FileDecoder::Spend(std::size_t bytes)
+// Ends the decoding of a file that costs too much.
+void FileDecoder::Spend(std::size_t cost, std::uint64_t storedOffset)
 {
-  const bool fits = bytes <= budget;
-  budget -= fits ? bytes : budget;
-  return fits;
+  if (!budget.Spend(cost))
+  {
+    throw OverBudget{storedOffset};
+  }
+}
+
+void FileDecoder::AddDamage(std::uint64_t storedOffset, const std::string& what)
+{
+  this->Spend(DecodingBudget::DamageCost, storedOffset);
+  assembler.AddDamage(storedOffset, what);
 }
 
 void FileDecoder::Decode(std::vector<std::uint8_t> stored)
@@ -43,13 +62,26 @@ void FileDecoder::Decode(std::vector<std::uint8_t> stored)
     assembler.AddDamage(0, "the file is empty");
     return;
   }
+  budget.AddStored(stored.size());
   std::vector<Damage> damage;
   PlainFile file = OpenContainer(std::move(stored), budget, damage);
   for (const Damage& entry : damage)
   {
     assembler.AddDamage(entry.offset, entry.what);
   }
-  const auto buffer = std::make_shared<const std::vector<std::uint8_t>>(std::move(file.bytes));
+  try
+  {
+    this->DecodePlain(
+      std::make_shared<const std::vector<std::uint8_t>>(std::move(file.bytes)), file.offsets);
+  }
+  catch (const OverBudget& over)
+  {
+    assembler.AddDamage(over.storedOffset, budget.Explain());
+  }
+}
+
+void FileDecoder::DecodePlain(const Buffer& buffer, const OffsetMap& offsets)
+{
   const ByteView plain(buffer->data(), buffer->size());
   const auto header = ParseVolumeHeader(plain);
   if (header)
@@ -59,37 +91,28 @@ void FileDecoder::Decode(std::vector<std::uint8_t> stored)
   const std::size_t start = header ? VolumeHeader::bytes : 0;
   if (!MessageStream::IsMessage(plain, start) && FindLdmRecord(plain, start) < plain.Size())
   {
-    this->DecodeRecords(plain, start, file.offsets);
+    this->DecodeRecords(plain, start, offsets);
     return;
   }
-  this->Spend(plain.Size());
-  const std::size_t before = assembler.RayCount();
+  const OffsetFinder storedOffset = [&](std::size_t offset)
+  { return offsets.ToStored(start + offset); };
   MessageStream stream(plain.Sub(start), [&](std::size_t offset, const std::string& what)
-    { assembler.AddDamage(file.offsets.ToStored(start + offset), what); });
-  while (const auto message = stream.Next())
-  {
-    this->DecodeMessage(*message, file.offsets.ToStored(start + message->offset));
-  }
-  if (assembler.RayCount() > before)
-  {
-    assembler.AddBuffer(buffer);
-  }
+    { this->AddDamage(storedOffset(offset), what); });
+  this->DecodeMessages(stream, buffer, storedOffset);
 }
 
 void FileDecoder::DecodeRecords(ByteView plain, std::size_t start, const OffsetMap& offsets)
 {
   const std::vector<LdmRecord> records = FindLdmRecords(plain, start,
     [&](std::size_t offset, const std::string& what)
-    { assembler.AddDamage(offsets.ToStored(offset), what); });
+    { this->AddDamage(offsets.ToStored(offset), what); });
   const auto receive = [&](std::size_t index, Bunzipped&& content)
   {
     const std::uint64_t offset = offsets.ToStored(records[index].offset);
-    if (!this->Spend(content.bytes.size()))
-    {
-      assembler.AddDamage(offset, "the file is larger than its cap when decompressed; the rest "
-                                  "is left");
-      return false;
-    }
+    const std::size_t compressed = records[index].compressed.Size();
+    this->Spend(DecodingBudget::StreamCost + DecodingBudget::CompressedByteCost * compressed +
+                  content.bytes.size(),
+      offset);
     this->DecodeRecord(std::move(content), offset);
     return true;
   };
@@ -100,33 +123,58 @@ void FileDecoder::DecodeRecord(Bunzipped&& content, std::uint64_t storedOffset)
 {
   if (!content.problem.empty())
   {
-    assembler.AddDamage(storedOffset, "compressed record: " + content.problem);
+    this->AddDamage(storedOffset, "compressed record: " + content.problem);
   }
   const auto buffer = std::make_shared<const std::vector<std::uint8_t>>(std::move(content.bytes));
-  const std::size_t before = assembler.RayCount();
   MessageStream stream(ByteView(buffer->data(), buffer->size()),
     [&](std::size_t offset, const std::string& what)
     {
-      assembler.AddDamage(
+      this->AddDamage(
         storedOffset, "compressed record, its byte " + std::to_string(offset) + ": " + what);
     });
-  while (const auto message = stream.Next())
-  {
-    this->DecodeMessage(*message, storedOffset);
-  }
-  if (assembler.RayCount() > before)
-  {
-    assembler.AddBuffer(buffer);
-  }
+  this->DecodeMessages(stream, buffer, [storedOffset](std::size_t) { return storedOffset; });
 }
 
-void FileDecoder::DecodeMessage(const Message& message, std::uint64_t storedOffset)
+void FileDecoder::DecodeMessages(
+  MessageStream& stream, const Buffer& buffer, const OffsetFinder& storedOffset)
+{
+  const std::size_t before = assembler.RayCount();
+  const auto keepBytesOfRays = [&]
+  {
+    if (assembler.RayCount() > before)
+    {
+      assembler.AddBuffer(buffer);
+    }
+  };
+  try
+  {
+    const std::uint8_t* farthest = buffer->data(); // a message may be found within the one before
+    while (const auto message = stream.Next())
+    {
+      const std::uint8_t* end = message->body.Data() + message->body.Size();
+      const auto beyond = static_cast<std::size_t>(std::max(end, farthest) - farthest);
+      this->DecodeMessage(
+        *message, std::min(beyond, message->body.Size()), storedOffset(message->offset));
+      farthest = std::max(end, farthest);
+    }
+  }
+  catch (const OverBudget&)
+  {
+    keepBytesOfRays();
+    throw;
+  }
+  keepBytesOfRays();
+}
+
+// `newBytes`: of the message, those that no message before has.
+void FileDecoder::DecodeMessage(
+  const Message& message, std::size_t newBytes, std::uint64_t storedOffset)
 {
   switch (message.type)
   {
   case 1:
   case 31:
-    this->DecodeRay(message, storedOffset);
+    this->DecodeRay(message, newBytes, storedOffset);
     break;
   case 2:
     if (const auto status = DecodeMessage2(message.body))
@@ -151,25 +199,28 @@ void FileDecoder::DecodeMessage(const Message& message, std::uint64_t storedOffs
   }
 }
 
-void FileDecoder::DecodeRay(const Message& message, std::uint64_t storedOffset)
+void FileDecoder::DecodeRay(
+  const Message& message, std::size_t newBytes, std::uint64_t storedOffset)
 {
+  this->Spend(DecodingBudget::RayCost, storedOffset);
   try
   {
     if (message.cut)
     {
-      assembler.AddDamage(storedOffset, "the stream ends in the middle of a ray's message");
+      this->AddDamage(storedOffset, "the stream ends in the middle of a ray's message");
     }
     DecodedRay ray =
       message.type == 1 ? DecodeMessage1(message.body) : DecodeMessage31(message.body);
+    this->Spend(rayCosts.Of(ray, newBytes), storedOffset);
     assembler.AddRay(std::move(ray), static_cast<int>(message.type), storedOffset);
   }
   catch (const MessageError& error)
   {
-    assembler.AddDamage(storedOffset, error.what());
+    this->AddDamage(storedOffset, error.what());
   }
   catch (const std::out_of_range&)
   {
-    assembler.AddDamage(storedOffset, "a ray's message is too short");
+    this->AddDamage(storedOffset, "a ray's message is too short");
   }
 }
 

@@ -162,7 +162,9 @@ std::optional<VolumeHeader> PeekVolumeHeader(const fs::path& path)
   file.read(reinterpret_cast<char*>(start.data()), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
   std::vector<Damage> ignored; // the stream is cut, of course
-  const PlainFile plain = OpenContainer(std::move(start), VolumeHeader::bytes, ignored);
+  DecodingBudget budget(
+    2 * VolumeHeader::bytes + DecodingBudget::CompressedByteCost * start.size());
+  const PlainFile plain = OpenContainer(std::move(start), budget, ignored);
   return ParseVolumeHeader(ByteView(plain.bytes.data(), plain.bytes.size()));
 }
 

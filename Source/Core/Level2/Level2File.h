@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Compression/DecodingBudget.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 #include "nexrad/Model/RadarVolume.h"
 
@@ -20,7 +21,8 @@ struct Level2Options
   std::string siteName;             ///< replaces the name in the file when not empty
   std::optional<Position> position; ///< replaces the position in the file
   std::size_t maximumRecordBytes = std::size_t(64) << 20; ///< cap of one decompressed LDM record
-  std::size_t maximumFileBytes = std::size_t(1) << 30;    ///< cap of one decompressed file
+  std::size_t maximumFileBytes = std::size_t(1) << 30;    ///< cap of one file, and of its decoding
+  std::size_t freeBytes = DecodingBudget::FreeBytes; ///< that decoding may cost whatever is stored
   unsigned threads = 0; ///< that decompress the records of one file; 0: as many as there are cores
 };
 

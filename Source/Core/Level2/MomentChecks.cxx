@@ -5,8 +5,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <map>
+#include <set>
 #include <tuple>
+#include <utility>
+#include <vector>
 
 namespace nexrad
 {
@@ -62,32 +66,60 @@ std::string DescribeCoding(const Coding& coding)
   return text;
 }
 
-// The coding of more than half of the rays that have the moment; nullptr when there is none.
-const Coding* FindCommonCoding(const std::map<Coding, std::size_t>& counts)
+// Of the properties that rows of a sweep have, counted by rays, those that most have. Who makes a
+// table of a sweep makes one for each.
+template <class Property>
+std::set<Property> FindCommon(const std::map<Property, std::size_t>& counts)
+{
+  constexpr std::size_t mostKept = 4;
+  std::vector<std::pair<std::size_t, Property>> sorted;
+  for (const auto& [property, rays] : counts)
+  {
+    sorted.emplace_back(rays, property);
+  }
+  const std::size_t kept = std::min(sorted.size(), mostKept);
+  std::partial_sort(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(kept),
+    sorted.end(), std::greater<>());
+  std::set<Property> common;
+  for (std::size_t i = 0; i < kept; ++i)
+  {
+    common.insert(sorted[i].second);
+  }
+  return common;
+}
+
+// The coding of more than half of the rays that have the moment; the most common ones where there
+// is none.
+std::set<Coding> FindCommonCodings(const std::map<Coding, std::size_t>& counts)
 {
   std::size_t all = 0;
   for (const auto& entry : counts)
   {
     all += entry.second;
   }
-  const auto common = std::find_if(
-    counts.begin(), counts.end(), [all](const auto& entry) { return 2 * entry.second > all; });
-  return common == counts.end() ? nullptr : &common->first;
+  for (const auto& [coding, rays] : counts)
+  {
+    if (2 * rays > all)
+    {
+      return {coding};
+    }
+  }
+  return FindCommon(counts);
 }
 
 // Why the row of a ray cannot be believed; "" when it can.
-std::string FindCodingFault(MomentName name, const MomentRow& row, const Coding* common)
+std::string FindCodingFault(MomentName name, const MomentRow& row, const std::set<Coding>& common)
 {
+  const bool possible = IsPossible(name, row);
+  if (possible && common.count(CodingOf(row)) > 0)
+  {
+    return {};
+  }
   const std::string has = std::string(ToString(name)) + " has " + DescribeCoding(CodingOf(row));
-  if (!IsPossible(name, row))
-  {
-    return has + ", which give values that it cannot have: left out";
-  }
-  if (common != nullptr && CodingOf(row) != *common)
-  {
-    return has + ", most rays of its sweep have " + DescribeCoding(*common) + ": left out";
-  }
-  return {};
+  return has +
+         (possible ? ", most rays of its sweep have " + DescribeCoding(*common.begin())
+                   : std::string(", which give values that it cannot have")) +
+         ": left out";
 }
 
 void CheckCodings(
@@ -102,18 +134,47 @@ void CheckCodings(
       ++counts[CodingOf(ray.Row(name))];
     }
   }
-  const Coding* common = FindCommonCoding(counts);
+  const std::set<Coding> common = FindCommonCodings(counts);
   for (std::size_t ray = 0; ray < rays.size(); ++ray)
   {
     MomentRow& row = rays[ray].Row(name);
-    if (row.gates == 0 || (common != nullptr && CodingOf(row) == *common && IsPossible(name, row)))
-    {
-      continue;
-    }
-    const std::string fault = FindCodingFault(name, row, common);
+    const std::string fault = row.gates > 0 ? FindCodingFault(name, row, common) : "";
     if (!fault.empty())
     {
       report(index, ray, fault);
+      row = MomentRow{};
+    }
+  }
+}
+
+using GateGeometry = std::pair<std::int32_t, std::int32_t>; // first gate and distance, m
+
+GateGeometry GeometryOf(const MomentRow& row)
+{
+  return {row.firstGate, row.gateSpacing};
+}
+
+void CheckGeometries(
+  RadarVolume& volume, std::size_t index, MomentName name, const RayDamageReceiver& report)
+{
+  std::vector<Ray>& rays = volume.sweeps[index].rays;
+  std::map<GateGeometry, std::size_t> counts;
+  for (const Ray& ray : rays)
+  {
+    if (ray.Row(name).gates > 0)
+    {
+      ++counts[GeometryOf(ray.Row(name))];
+    }
+  }
+  const std::set<GateGeometry> common = FindCommon(counts);
+  for (std::size_t ray = 0; ray < rays.size(); ++ray)
+  {
+    MomentRow& row = rays[ray].Row(name);
+    if (row.gates > 0 && common.count(GeometryOf(row)) == 0)
+    {
+      report(index, ray,
+        std::string(ToString(name)) +
+          " has its gates where few rays of its sweep have theirs: left out");
       row = MomentRow{};
     }
   }
@@ -129,7 +190,7 @@ struct SweepSize
   std::size_t Places() const { return rays * widest; }
 };
 
-constexpr std::size_t placesPerGate = 8;
+constexpr std::size_t placesPerGate = 2;
 
 SweepSize SizeOf(const Sweep& sweep, MomentName name)
 {
@@ -181,9 +242,20 @@ void RemoveStrayCodings(RadarVolume& volume, const RayDamageReceiver& report)
   }
 }
 
+void RemoveStrayGeometries(RadarVolume& volume, const RayDamageReceiver& report)
+{
+  for (std::size_t index = 0; index < volume.sweeps.size(); ++index)
+  {
+    for (const MomentName name : AllMoments)
+    {
+      CheckGeometries(volume, index, name, report);
+    }
+  }
+}
+
 void CutWideRows(RadarVolume& volume, const RayDamageReceiver& report)
 {
-  constexpr std::size_t alwaysAllowed = std::size_t(1) << 26;
+  constexpr std::size_t alwaysAllowed = std::size_t(1) << 22;
   std::size_t places = 0;
   std::size_t gates = 0;
   for (const Sweep& sweep : volume.sweeps)

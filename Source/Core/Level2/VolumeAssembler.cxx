@@ -181,6 +181,7 @@ void VolumeAssembler::CheckRays()
     damage.Add(place.offset, pieces[place.piece] + what);
   };
   RemoveStrayCodings(volume, report);
+  RemoveStrayGeometries(volume, report);
   CutWideRows(volume, report);
   MendRayTimes(volume, report);
 }

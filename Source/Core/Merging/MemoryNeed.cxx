@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/MemoryNeed.h"
 
+#include "nexrad/Compression/DecodingBudget.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/SiteGeometry.h"
 #include "nexrad/Gridding/BeamMerge.h"
@@ -203,6 +204,20 @@ MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, 
     need.geometry = GeometryBytes(grid, radars);
   }
   return Require(options, need, need, use);
+}
+
+std::size_t FreeBytesOfAFile(const MergeOptions& options, unsigned threads)
+{
+  constexpr std::size_t memoryForAByte = 4; // of the budget, where quality control judges all of it
+  constexpr std::size_t least = 4 * mebibyte;
+  const std::size_t limit = options.memoryLimit.bytes;
+  if (limit == 0)
+  {
+    return DecodingBudget::FreeBytes;
+  }
+  const std::size_t left = (limit - std::min(limit, programBytes)) / 2;
+  return std::clamp(
+    left / (memoryForAByte * std::max(1U, threads)), least, DecodingBudget::FreeBytes);
 }
 
 std::size_t MemoryForKeptRays(const MergeOptions& options, const MemoryNeed& need)

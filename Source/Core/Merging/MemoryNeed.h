@@ -54,6 +54,10 @@ MemoryNeed RequireMemory(
 MemoryNeed RequireMemory(const MergeOptions& options, const InputSizes& inputs, unsigned threads,
   const VolumeUse& use, const GridSpecification& grid, const std::vector<Position>& radars);
 
+/// Level2Options::freeBytes where `threads` files are decoded at a time: small files that hold much
+/// take no more than half of the limit of the options.
+std::size_t FreeBytesOfAFile(const MergeOptions& options, unsigned threads);
+
 /// Bytes for rays that are kept for later steps (MergeOptions::memory), as far as the limit leaves
 /// them.
 std::size_t MemoryForKeptRays(const MergeOptions& options, const MemoryNeed& need);

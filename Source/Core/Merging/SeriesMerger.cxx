@@ -243,6 +243,7 @@ bool SeriesMerger::HasSeveralRadars() const
 SeriesOptions SeriesMerger::ScanOptions() const
 {
   SeriesOptions series = SeriesOptionsOf(options);
+  series.level2.freeBytes = FreeBytesOfAFile(options, setup.threads);
   series.lowEchoes = (options.compareRadars || options.measureBiases) && this->HasSeveralRadars();
   return series;
 }

@@ -12,44 +12,49 @@ namespace nexrad
 namespace
 {
 
-// How often each word occurs among rays of one scale and offset. Sweeps have one, but nothing in
-// the format says so.
-class WordCounts
+// What Summarize needs of the words of rays of one scale and offset. Sweeps have one, but nothing
+// in the format says so.
+class WordSums
 {
 public:
-  explicit WordCounts(const MomentRow& row)
+  explicit WordSums(const MomentRow& row)
     : scale(row.scale)
     , offset(row.offset)
     , firstValue(row.firstValue)
-    , counts(std::size_t(1) << 16)
   {
   }
 
   bool Fits(const MomentRow& row) const { return row.scale == scale && row.offset == offset; }
   void Add(const MomentRow& row)
   {
-    for (std::size_t gate = 0; gate < row.gates; ++gate)
+    gates += row.gates;
+    const std::uint8_t* words = row.words;
+    if (row.wordBits == 16)
     {
-      ++counts[row.Raw(gate)];
+      this->AddWords(row.gates,
+        [words](std::size_t gate) { return unsigned(words[2 * gate] << 8 | words[2 * gate + 1]); });
+    }
+    else
+    {
+      this->AddWords(row.gates, [words](std::size_t gate) { return unsigned(words[gate]); });
     }
   }
   // Adds the codes below the first value, and the values' count, extremes and sum.
   void AddTo(MomentSummary& summary, double& sum) const
   {
-    for (std::size_t raw = 0; raw < firstValue; ++raw)
+    if (firstValue > 2)
     {
-      (firstValue > 2 ? summary.status
-        : raw == 1    ? summary.rangeFolded
-                      : summary.belowThreshold) += counts[raw];
+      summary.status += gates - values;
     }
-    std::uint64_t values = 0;
-    std::uint64_t rawSum = 0;
-    for (std::size_t raw = firstValue; raw < counts.size(); ++raw)
+    else
     {
-      if (counts[raw] > 0)
+      summary.rangeFolded += ones;
+      summary.belowThreshold += gates - values - ones;
+    }
+    for (const unsigned raw : {least, most})
+    {
+      if (values > 0)
       {
-        values += counts[raw];
-        rawSum += raw * counts[raw];
         const double value = (static_cast<double>(raw) - offset) / scale;
         summary.minimum = std::min(summary.minimum, value);
         summary.maximum = std::max(summary.maximum, value);
@@ -60,10 +65,31 @@ public:
   }
 
 private:
+  // Every word of every file passes here: the loop has no branch.
+  template <class WordAt>
+  void AddWords(std::size_t count, const WordAt& wordAt)
+  {
+    for (std::size_t gate = 0; gate < count; ++gate)
+    {
+      const unsigned raw = wordAt(gate);
+      const bool isValue = raw >= firstValue;
+      values += isValue ? 1 : 0;
+      ones += raw == 1 ? 1 : 0;
+      rawSum += isValue ? raw : 0;
+      least = std::min(least, isValue ? raw : least);
+      most = std::max(most, raw);
+    }
+  }
+
   double scale;
   double offset;
-  std::size_t firstValue;
-  std::vector<std::size_t> counts;
+  unsigned firstValue;
+  std::size_t gates = 0;
+  std::size_t values = 0;
+  std::size_t ones = 0; // gates whose word is 1
+  std::uint64_t rawSum = 0;
+  unsigned least = std::numeric_limits<unsigned>::max(); // of the values
+  unsigned most = 0;
 };
 
 } // namespace
@@ -71,7 +97,7 @@ private:
 MomentSummary Summarize(const Sweep& sweep, MomentName moment)
 {
   MomentSummary summary;
-  std::vector<WordCounts> groups;
+  std::vector<WordSums> groups;
   for (const Ray& ray : sweep.rays)
   {
     const MomentRow& row = ray.Row(moment);
@@ -86,7 +112,7 @@ MomentSummary Summarize(const Sweep& sweep, MomentName moment)
     }
     summary.gates = std::max<std::size_t>(summary.gates, row.gates);
     auto group = std::find_if(
-      groups.begin(), groups.end(), [&row](const WordCounts& each) { return each.Fits(row); });
+      groups.begin(), groups.end(), [&row](const WordSums& each) { return each.Fits(row); });
     if (group == groups.end())
     {
       group = groups.emplace(groups.end(), row);
@@ -96,7 +122,7 @@ MomentSummary Summarize(const Sweep& sweep, MomentName moment)
   double sum = 0.0;
   summary.minimum = std::numeric_limits<double>::infinity();
   summary.maximum = -summary.minimum;
-  for (const WordCounts& group : groups)
+  for (const WordSums& group : groups)
   {
     group.AddTo(summary, sum);
   }

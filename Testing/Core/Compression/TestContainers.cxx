@@ -3,6 +3,7 @@
 #include "nexrad/Compression/LdmRecords.h"
 #include "nexrad/Compression/Unlzw.h"
 
+#include "Faults/HostileFiles.h"
 #include "Level2Bytes.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -41,7 +42,8 @@ Bytes MakeText(std::size_t size)
 
 PlainFile Open(const Bytes& stored, std::vector<Damage>& damage)
 {
-  return OpenContainer(stored, 16 * mebibyte, damage);
+  DecodingBudget budget(16 * mebibyte);
+  return OpenContainer(stored, budget, damage);
 }
 
 } // namespace
@@ -144,17 +146,39 @@ TEST(Container, NamesABrokenStreamWithItsOffset)
   EXPECT_EQ(damage[0].what, "3 bytes after the end of the gzip stream");
 }
 
+// A third of the budget stays for what is made of the bytes.
 TEST(Container, StopsAtItsCap)
 {
   for (const Bytes& stored :
     {Gzip(Bytes(3 * mebibyte)), Bzip2(Bytes(3 * mebibyte)), Compress(Bytes(3 * mebibyte))})
   {
     std::vector<Damage> damage;
-    const PlainFile file = OpenContainer(stored, mebibyte, damage);
-    EXPECT_EQ(file.bytes.size(), mebibyte);
+    const std::size_t cost = DecodingBudget::CompressedByteCost * stored.size();
+    DecodingBudget budget(1'500'000 + cost);
+    const PlainFile file = OpenContainer(stored, budget, damage);
+    EXPECT_EQ(file.bytes.size(), 1'000'000U);
+    EXPECT_EQ(budget.Left(), 500'000U);
     ASSERT_EQ(damage.size(), 1U);
-    EXPECT_NE(damage[0].what.find("more than 1048576 bytes"), std::string::npos);
+    EXPECT_NE(damage[0].what.find("more than 1000000 bytes"), std::string::npos);
   }
+}
+
+// Streams of a few bytes, and what comes out of nested ones, are paid for.
+TEST(Container, AllStreamsOfAFileArePaidFromOneBudget)
+{
+  const Bytes text = MakeText(200'000);
+  const Bytes once = Gzip(text);
+  const Bytes twice = Gzip(once);
+  std::vector<Damage> damage;
+  DecodingBudget budget(16 * mebibyte);
+  OpenContainer(twice, budget, damage);
+  EXPECT_EQ(16 * mebibyte - budget.Left(),
+    DecodingBudget::CompressedByteCost * (twice.size() + once.size()) + once.size() + text.size());
+  DecodingBudget small(mebibyte);
+  OpenContainer(Repeat(Gzip({}), 1000), small, damage);
+  ASSERT_EQ(damage.size(), 1U);
+  EXPECT_EQ(small.Left(), 0U);
+  EXPECT_EQ(damage[0].what, small.Explain());
 }
 
 TEST(Container, MapsOffsetsThroughNestedStreams)

@@ -4,7 +4,9 @@
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 
 #include <algorithm>
+#include <cstring>
 #include <string>
+#include <utility>
 
 namespace nexrad
 {
@@ -19,6 +21,9 @@ constexpr unsigned lastKnownType = 33;
 constexpr unsigned longestFramedHalfwords = frameBytes / 2; // some count their whole frame
 constexpr unsigned lengthElsewhere = 65535; // then the segment fields hold a length in bytes
 constexpr std::size_t longestMessageBytes = std::size_t(1) << 20;
+// Among bytes that are no message, less than one in a thousand looks as if a message began there.
+constexpr std::size_t bytesForATry = 32;
+constexpr std::size_t fewestTries = 1000;
 constexpr std::uint32_t dayMilliseconds = 86'400'000;
 constexpr std::uint32_t leapSecond = 1000;
 constexpr unsigned lastDay = 40'000; // in the year 2079
@@ -77,10 +82,11 @@ struct Header
   unsigned segment;
 };
 
+// All are 0 when the first is, and each is as the one before it.
 bool IsZero(ByteView bytes)
 {
-  return std::all_of(
-    bytes.Data(), bytes.Data() + bytes.Size(), [](auto byte) { return byte == 0; });
+  return bytes.Size() == 0 ||
+         (bytes.U8(0) == 0 && std::memcmp(bytes.Data(), bytes.Data() + 1, bytes.Size() - 1) == 0);
 }
 
 // A frame of zeros, or of type 0, fills up the metadata at the start of a volume. Some radars leave
@@ -109,16 +115,22 @@ bool IsBoundary(ByteView bytes, std::size_t offset)
 
 // A place to go on reading after bytes that are no message. Here, unlike at a frame's end, nothing
 // but the bytes themselves speaks for it, so it needs a date, and what follows the message must
-// make sense too.
-std::size_t FindMessage(ByteView bytes, std::size_t from)
+// make sense too. `tries` is how often a whole frame may still be looked at for that.
+std::size_t FindMessage(ByteView bytes, std::size_t from, std::size_t& tries)
 {
-  for (std::size_t offset = from; bytes.Has(offset, headerBytes); ++offset)
+  for (std::size_t offset = from; bytes.Has(offset, headerBytes) && tries > 0; ++offset)
   {
-    if (IsVolumeHeader(bytes, offset) ||
-        (MessageStream::IsMessage(bytes, offset) && Header(bytes, offset).day >= 1 &&
-          IsBoundary(bytes, offset + Header(bytes, offset).FrameBytes())))
+    if (IsVolumeHeader(bytes, offset))
     {
       return offset;
+    }
+    if (MessageStream::IsMessage(bytes, offset) && Header(bytes, offset).day >= 1)
+    {
+      --tries;
+      if (IsBoundary(bytes, offset + Header(bytes, offset).FrameBytes()))
+      {
+        return offset;
+      }
     }
   }
   return bytes.Size();
@@ -135,6 +147,13 @@ bool MessageStream::IsMessage(ByteView bytes, std::size_t offset)
   const Header header(bytes, offset);
   return header.type >= 1 && header.type <= lastKnownType && header.LengthMakesSense() &&
          header.TimeMakesSense() && header.ChannelMakesSense() && header.SegmentsMakeSense();
+}
+
+MessageStream::MessageStream(ByteView bytes, DamageReceiver receiver)
+  : stream(bytes)
+  , tries(fewestTries + bytes.Size() / bytesForATry)
+  , report(std::move(receiver))
+{
 }
 
 std::optional<Message> MessageStream::Next()
@@ -180,7 +199,7 @@ Message MessageStream::TakeMessage()
 
 void MessageStream::SkipToNextMessage()
 {
-  const std::size_t next = FindMessage(stream, searchFrom);
+  const std::size_t next = FindMessage(stream, searchFrom, tries);
   if (next < position)
   {
     report(next, "bytes are missing: the message before this one is cut short");

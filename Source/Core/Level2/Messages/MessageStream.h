@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
-#include <utility>
 
 namespace nexrad
 {
@@ -28,11 +27,7 @@ struct Message
 class MessageStream
 {
 public:
-  MessageStream(ByteView bytes, DamageReceiver receiver)
-    : stream(bytes)
-    , report(std::move(receiver))
-  {
-  }
+  MessageStream(ByteView bytes, DamageReceiver receiver);
 
   /// The next message; empty at the end.
   std::optional<Message> Next();
@@ -47,6 +42,7 @@ private:
   ByteView stream;
   std::size_t position = 0;
   std::size_t searchFrom = 0; ///< a message whose frame is cut short may be followed from here
+  std::size_t tries = 0;      ///< to go on behind bytes that are no message
   DamageReceiver report;
 };
 

@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <utility>
 
 namespace nexrad
@@ -16,19 +17,31 @@ namespace
 
 constexpr double sameDirection = 0.75; // degrees
 
-// The sweep of a cut, the one with the most rays where rays of several gate geometries make
-// several; nullptr when the volume has none.
-const PolarSweep* FindCut(const PolarVolume& volume, int elevationNumber)
+// The sweeps of a volume by their cuts.
+class CutTable
 {
-  const PolarSweep* found = nullptr;
-  for (const PolarSweep& sweep : volume.sweeps)
+public:
+  explicit CutTable(const PolarVolume& volume)
   {
-    const bool serves = sweep.elevationNumber == elevationNumber && !sweep.rays.empty() &&
-                        sweep.gates > 0 && sweep.gateSpacing > 0.0;
-    found = serves && (!found || sweep.rays.size() > found->rays.size()) ? &sweep : found;
+    for (const PolarSweep& sweep : volume.sweeps)
+    {
+      const bool serves = !sweep.rays.empty() && sweep.gates > 0 && sweep.gateSpacing > 0.0;
+      const PolarSweep*& found = cuts[sweep.elevationNumber];
+      found = serves && (!found || sweep.rays.size() > found->rays.size()) ? &sweep : found;
+    }
   }
-  return found;
-}
+
+  // The sweep of a cut, the one with the most rays where rays of several gate geometries make
+  // several; nullptr when the volume has none.
+  const PolarSweep* Find(int elevationNumber) const
+  {
+    const auto found = cuts.find(elevationNumber);
+    return found == cuts.end() ? nullptr : found->second;
+  }
+
+private:
+  std::map<int, const PolarSweep*> cuts;
+};
 
 bool IsSameTilt(const PolarSweep& one, const PolarSweep& other)
 {
@@ -37,13 +50,13 @@ bool IsSameTilt(const PolarSweep& one, const PolarSweep& other)
 
 // The cut itself where it has a moment, else its neighbour at the same tilt that does; nullptr
 // where neither does. `after`: the later neighbour first.
-const PolarSweep* FindCutWith(const PolarVolume& volume, const PolarSweep& own, bool after)
+const PolarSweep* FindCutWith(const CutTable& cuts, const PolarSweep& own, bool after)
 {
   const int step = after ? 1 : -1;
   for (const int number :
     {own.elevationNumber, own.elevationNumber + step, own.elevationNumber - step})
   {
-    const PolarSweep* found = FindCut(volume, number);
+    const PolarSweep* found = cuts.Find(number);
     if (found && IsSameTilt(*found, own))
     {
       return found;
@@ -52,10 +65,10 @@ const PolarSweep* FindCutWith(const PolarVolume& volume, const PolarSweep& own, 
   return nullptr;
 }
 
-MomentSource FindSource(const PolarVolume& volume, const PolarSweep& own, bool after)
+MomentSource FindSource(const CutTable& cuts, const PolarSweep& own, bool after)
 {
   MomentSource source;
-  source.sweep = FindCutWith(volume, own, after);
+  source.sweep = FindCutWith(cuts, own, after);
   if (source.sweep)
   {
     const RayFinder finder(*source.sweep);
@@ -69,13 +82,12 @@ MomentSource FindSource(const PolarVolume& volume, const PolarSweep& own, bool a
 }
 
 // Whether a sweep is the Doppler half of the split cut whose surveillance half is the one before.
-bool IsDopplerHalf(const MeasuredMoments& moments, std::size_t sweep)
+bool IsDopplerHalf(const std::vector<PolarSweep>& all, const CutTable& velocity, std::size_t sweep)
 {
-  const std::vector<PolarSweep>& all = moments.reflectivity.sweeps;
   return sweep > 0 && IsSameTilt(all[sweep - 1], all[sweep]) &&
          all[sweep - 1].elevationNumber + 1 == all[sweep].elevationNumber &&
-         FindCut(moments.velocity, all[sweep].elevationNumber) != nullptr &&
-         FindCut(moments.velocity, all[sweep - 1].elevationNumber) == nullptr;
+         velocity.Find(all[sweep].elevationNumber) != nullptr &&
+         velocity.Find(all[sweep - 1].elevationNumber) == nullptr;
 }
 
 } // namespace
@@ -99,19 +111,25 @@ MeasuredMoments::MeasuredMoments(const PolarVolume& theReflectivity, const Measu
 
 std::vector<SweepSources> FindSources(const MeasuredMoments& moments)
 {
+  const CutTable velocity(moments.velocity);
+  const CutTable width(moments.width);
+  const CutTable correlation(moments.correlation);
+  const CutTable ratio(moments.ratio);
+  const CutTable phase(moments.phase);
+  const CutTable filterPower(moments.filterPower);
   std::vector<SweepSources> all;
   for (std::size_t i = 0; i < moments.reflectivity.sweeps.size(); ++i)
   {
     // In a split cut velocity comes after reflectivity, and polarimetry before it.
     const PolarSweep& own = moments.reflectivity.sweeps[i];
     SweepSources sources;
-    sources.velocity = FindSource(moments.velocity, own, true);
-    sources.width = FindSource(moments.width, own, true);
-    sources.correlation = FindSource(moments.correlation, own, false);
-    sources.ratio = FindSource(moments.ratio, own, false);
-    sources.phase = FindSource(moments.phase, own, false);
-    sources.filterPower = FindSource(moments.filterPower, own, false);
-    if (IsDopplerHalf(moments, i))
+    sources.velocity = FindSource(velocity, own, true);
+    sources.width = FindSource(width, own, true);
+    sources.correlation = FindSource(correlation, own, false);
+    sources.ratio = FindSource(ratio, own, false);
+    sources.phase = FindSource(phase, own, false);
+    sources.filterPower = FindSource(filterPower, own, false);
+    if (IsDopplerHalf(moments.reflectivity.sweeps, velocity, i))
     {
       sources.surveillance = i - 1;
     }
