@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "HandMadeVolume.h"
 #include "ProgramRun.h"
 #include "TestData.h"
+#include "Tolerance.h"
 #include "VolumeMaker.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Products/ColumnProducts.h"
@@ -16,6 +18,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 using namespace nexrad;
@@ -146,6 +149,40 @@ TEST(GeoTiff, PlaceIsThatOfTheGrid)
   const double north = 250.0 + 4.5 * 1700.0;
   EXPECT_EQ(raster.tiepoint, (std::vector<double>{0.0, 0.0, 0.0, west, north, 0.0}));
   EXPECT_EQ(raster.parameters, (std::vector<double>{0.0, 0.0, -91.7, 39.21}));
+}
+
+// Three tilts, the middle one the strongest everywhere: the deconvolution raises it. A map of radar
+// files shows what the radar measured; of a volume, what the volume has.
+TEST(GeoTiff, AMapOfRadarFilesIsOfMeasuredReflectivity)
+{
+  const TemporaryFolder folder;
+  HandMadeVolume storm;
+  storm.start = *ParseIso8601("2006-03-12T18:00Z");
+  for (const auto& [elevation, value] : {std::pair(1.0F, 20.0), {2.0F, 40.0}, {3.0F, 20.0}})
+  {
+    HandMadeSweep sweep = ConstantVolume(storm.site, storm.start, value).sweeps.front();
+    sweep.elevation = elevation;
+    storm.sweeps.push_back(sweep);
+  }
+  const std::string file = WriteLevel2(folder.Path() / "radar", {storm}).string();
+  const std::vector<std::string> grid{
+    "--dims", "60x60x80", "--range", "80km", "--height", "0,8km", "--quality", "off"};
+  const auto largestOf = [&](const std::string& input, const std::vector<std::string>& options)
+  {
+    const std::string output = folder.Path() / "map.tif";
+    std::vector<std::string> command{"render", input, "-o", output, "--map", "composite"};
+    command.insert(command.end(), options.begin(), options.end());
+    const ProgramRun run = RunNexrad3d(command);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    const Raster raster = ReadRaster(output, 60, 60);
+    return *std::max_element(raster.values.begin(), raster.values.end());
+  };
+  EXPECT_WITHIN(largestOf(file, grid), 40.0F, 0.01F, "composite of measured 40 dBZ, dBZ");
+  const std::string volumes = folder.Path() / "volumes";
+  std::vector<std::string> make{"grid", file, "-o", volumes};
+  make.insert(make.end(), grid.begin(), grid.end());
+  ASSERT_EQ(RunNexrad3d(make).status, 0);
+  EXPECT_GT(largestOf(volumes, {}), 41.0F);
 }
 
 TEST(GeoTiff, FailuresAreOneLine)

@@ -81,6 +81,22 @@ TEST(WindCommand, PrintsATable)
   EXPECT_NE(run.output.find("          833  20.0           270"), std::string::npos) << run.output;
 }
 
+// A terminal radar sends no Nyquist velocity. A volume of 2 × 360 × 200 velocities is made.
+TEST(WindCommand, CountsVelocitiesOfRaysWithoutANyquistVelocity)
+{
+  const TemporaryFolder folder;
+  HandMadeVolume volume = WestWind();
+  for (HandMadeSweep& sweep : volume.sweeps)
+  {
+    sweep.nyquist = 0.0F;
+  }
+  const std::string file = WriteLevel2(folder.Path() / "volume", {volume}).string();
+  const ProgramRun run = RunNexrad3d({"wind", "--json", file});
+  const auto report = nlohmann::json::parse(run.output);
+  EXPECT_EQ(report[0]["velocities"], 2 * 360 * 200);
+  EXPECT_EQ(report[0]["unfolded"], 0);
+}
+
 TEST(WindCommand, SaysWhatAFileLacks)
 {
   const TemporaryFolder folder;

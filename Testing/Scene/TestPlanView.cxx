@@ -198,7 +198,8 @@ TEST(PlanView, EchoTopsAndLiquidAreOfWholeColumns)
   EXPECT_NEAR(static_cast<double>(density.values[0]), 1.32695, 0.0003); // through 2000 m
   EXPECT_EQ(ScaleFor(density, plan, {}, {}).unit, "g/m³");
   EXPECT_EQ(ScaleFor(density, plan, {}, {}).title, "VIL density, echo top at 40 dBZ");
-  EXPECT_NE(density.where.find("40 dBZ above mean sea level"), std::string::npos) << density.where;
+  EXPECT_NE(density.where.find("40 dBZ above the ground at the nearest radar"), std::string::npos)
+    << density.where;
 }
 
 TEST(PlanView, EchoTopsAndLiquidAreOfReflectivityAlone)

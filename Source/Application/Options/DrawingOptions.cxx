@@ -402,6 +402,8 @@ void FinishDrawingOptions(const CLI::App& command, scene::DrawingRequest& reques
     throw CLI::ValidationError("--iso-values", "are of a volume; a map has no surfaces");
   }
   FinishMap(command, request);
+  // Numbers of a map are compared with those of other programs, which show what radars measured.
+  request.input.grid.beam.sharpen = request.input.grid.beam.sharpen && !options.plan;
   request.input.momentNamed = command.count("--moment") > 0;
   request.input.colourBy = options.colourBy;
   request.merging = GivenGridOptions(command);

@@ -307,6 +307,7 @@ NxvHeader ParseJson(const Json& json)
   }
   header.volume.method = json.at("method").get<std::string>();
   header.volume.synthetic = json.value("synthetic", false);
+  header.volume.sharpened = json.value("sharpened", false);
   header.volume.ofOneRadar = json.value("one_radar", false);
   if (header.volume.ofOneRadar && header.volume.sitePositions.size() != 1)
   {
@@ -349,6 +350,7 @@ std::string FormatNxvHeader(const NxvHeader& header)
     json["one_radar"] = true;
   }
   json["synthetic"] = volume.synthetic;
+  json["sharpened"] = volume.sharpened;
   json["arrays"] = Json::array();
   for (const NxvArray& array : header.arrays)
   {

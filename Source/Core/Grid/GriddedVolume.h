@@ -93,6 +93,7 @@ struct GriddedVolume
   /// has the radar's view of the grid (RadarView).
   bool ofOneRadar = false;
   bool synthetic = false;    ///< made from simulated files; pictures must say so
+  bool sharpened = false;    ///< REF was deconvolved in elevation (Formulas G9); maps must say so
   float fill = -33.0F;       ///< value where the state is not Echo
   std::vector<float> values; ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;

@@ -75,6 +75,7 @@ GriddedVolume WithoutVoxels(const GriddedVolume& volume)
   description.sitePositions = volume.sitePositions;
   description.ofOneRadar = volume.ofOneRadar;
   description.synthetic = volume.synthetic;
+  description.sharpened = volume.sharpened;
   description.fill = volume.fill;
   return description;
 }
@@ -86,12 +87,18 @@ GriddedVolume JoinMoments(std::vector<GriddedVolume> moments)
   {
     radars.Add(moment);
   }
-  const bool synthetic = std::any_of(
-    moments.begin(), moments.end(), [](const GriddedVolume& moment) { return moment.synthetic; });
+  const auto any = [&moments](bool GriddedVolume::*what)
+  {
+    return std::any_of(
+      moments.begin(), moments.end(), [what](const GriddedVolume& moment) { return moment.*what; });
+  };
+  const bool synthetic = any(&GriddedVolume::synthetic);
+  const bool sharpened = any(&GriddedVolume::sharpened);
   for (GriddedVolume& moment : moments)
   {
     SetSites(moment, radars);
     moment.synthetic = synthetic;
+    moment.sharpened = sharpened;
   }
   GriddedVolume joined = std::move(moments.front());
   joined.further.assign(

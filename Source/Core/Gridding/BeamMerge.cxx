@@ -237,6 +237,12 @@ void CheckOptions(const GridSpecification& grid, const BeamMergeOptions& options
   }
 }
 
+// Of what the radar measures, reflectivity in dBZ alone is known to be a mean of Z.
+bool IsSharpened(MomentName moment, const BeamMergeOptions& options)
+{
+  return moment == MomentName::REF && !options.linearReflectivity && options.sharpen;
+}
+
 void RequireSameMoment(const PolarVolume& volume, const PolarVolume& first)
 {
   if (!volume.site.position)
@@ -275,9 +281,8 @@ BeamVolume PrepareForGrid(
   const double beamWidth = options.beamWidth.value_or(BeamWidthOf(volume.site));
   BeamVolume prepared = PrepareBeamVolume(volume, beamWidth);
   TakeBiasOff(options.biases, prepared);
-  // Of what the radar measures, reflectivity in dBZ alone is known to be a mean of Z.
   const bool decibels = volume.moment == MomentName::REF && !options.linearReflectivity;
-  if (decibels && options.sharpen)
+  if (IsSharpened(volume.moment, options))
   {
     SharpenSweeps(prepared.sweeps, beamWidth, options.beam);
   }
@@ -496,6 +501,7 @@ GriddedVolume BeamMerger::VolumeToFill(
   {
     volume.moment = each->moment;
     volume.synthetic = volume.synthetic || each->synthetic;
+    volume.sharpened = IsSharpened(each->moment, options);
   }
   for (const auto& group : GroupBySite(volumes))
   {

@@ -45,9 +45,11 @@ KnownSite ParseRow(const std::string& line)
     throw Error("the radar has no name");
   }
   const std::string& altitude = cells[7].empty() ? cells[6] : cells[7];
+  const std::string& ground = cells[6].empty() ? cells[7] : cells[6];
   return {cells[0], cells[2], cells[3], cells[1] == "tdwr",
     {NumberOf(cells[4], -90.0, 90.0), NumberOf(cells[5], -180.0, 180.0),
-      NumberOf(altitude, lowest, highest)}};
+      NumberOf(altitude, lowest, highest)},
+    NumberOf(ground, lowest, highest)};
 }
 
 bool ByName(const KnownSite& first, const KnownSite& second)

@@ -18,6 +18,7 @@ struct KnownSite
   std::string state;     ///< "MO"
   bool terminal = false; ///< a Terminal Doppler Weather Radar
   Position position;     ///< altitude is the antenna's, m above mean sea level
+  double ground = 0.0;   ///< m above mean sea level, of the ground at the radar
 };
 
 /// The rows of a table, in the order of their names. Throws Error, with the number of the line, for

@@ -47,7 +47,7 @@ public:
     column.below = false;
   }
 
-  std::optional<double> Of(const Column& column) const
+  std::optional<double> Of(const Column& column, std::size_t) const
   {
     return column.found ? std::optional(column.top) : std::nullopt;
   }
@@ -85,7 +85,7 @@ public:
     }
   }
 
-  std::optional<double> Of(const Column& column) const
+  std::optional<double> Of(const Column& column, std::size_t) const
   {
     constexpr double factor = 3.44e-6; // Greene and Clark 1972
     return column.any ? std::optional(factor * column.sum * depth) : std::nullopt;
@@ -95,13 +95,15 @@ private:
   double depth;
 };
 
-// The liquid of one column, in g, through the height of its echo top.
+// The liquid of one column, in g, through the height of its echo top above the ground.
 class LiquidDensity
 {
 public:
   LiquidDensity(const VoxelLines& voxels, double threshold)
     : liquid(voxels)
     , top(voxels, threshold)
+    , grid(voxels.grid)
+    , ground(voxels.ground)
   {
   }
 
@@ -117,17 +119,21 @@ public:
     top.Add(level, voxel, echo, column.top);
   }
 
-  std::optional<double> Of(const Column& column) const
+  std::optional<double> Of(const Column& column, std::size_t index) const
   {
     constexpr double gramsPerKilogram = 1000.0;
-    const double height = top.Of(column.top).value_or(0.0);
-    return height > 0.0 ? std::optional(gramsPerKilogram * *liquid.Of(column.liquid) / height)
-                        : std::nullopt;
+    const std::optional<double> highest = top.Of(column.top, index);
+    const double height = highest ? *highest - ground.Below(grid, index) : 0.0;
+    return height > 0.0
+             ? std::optional(gramsPerKilogram * *liquid.Of(column.liquid, index) / height)
+             : std::nullopt;
   }
 
 private:
   Liquid liquid;
   EchoTop top;
+  GridSpecification grid;
+  GroundHeight ground;
 };
 
 // The state of a column whose product has no value, with one more voxel of it.
@@ -167,7 +173,7 @@ ColumnProduct MakeProduct(
   product.values.resize(count);
   for (std::size_t column = 0; column < count; ++column)
   {
-    const std::optional<double> value = formula.Of(columns[column]);
+    const std::optional<double> value = formula.Of(columns[column], column);
     product.values[column] = static_cast<float>(value.value_or(0.0));
     product.states[column] = value ? VoxelState::Echo : product.states[column];
   }

@@ -32,8 +32,9 @@ ColumnProduct MakeEchoTops(const VoxelLines& voxels, double threshold, const Ran
 ColumnProduct MakeIntegratedLiquid(const VoxelLines& voxels, const RangeLoop& loop = {});
 
 /// Formula P4: the density of the vertically integrated liquid in g/m³: the liquid of P3 through
-/// the height of the echo top of P2 above mean sea level at a threshold in dBZ. Columns without an
-/// echo top above 0 m have no value. Throws Error for another moment than REF.
+/// the height of the echo top of P2 at a threshold in dBZ above the ground at the nearest radar
+/// (VoxelLines::ground). Columns without an echo top above the ground have no value. Throws Error
+/// for another moment than REF.
 ColumnProduct MakeLiquidDensity(
   const VoxelLines& voxels, double threshold, const RangeLoop& loop = {});
 

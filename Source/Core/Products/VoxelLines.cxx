@@ -23,7 +23,8 @@ VoxelLines LinesOf(const GriddedVolume& volume)
     std::copy_n(volume.values.data() + first, count, values);
     std::copy_n(volume.states.data() + first, count, states);
   };
-  return {volume.grid, volume.moment, read};
+  return {volume.grid, volume.moment, read,
+    GroundHeight(volume.grid, volume.sites, volume.sitePositions)};
 }
 
 void WalkColumns(const VoxelLines& voxels, int first, int last, const RangeLoop& loop,

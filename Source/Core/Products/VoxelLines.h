@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Products/GroundHeight.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <cstddef>
@@ -19,6 +20,7 @@ struct VoxelLines
   /// Writes the values and states of `count` voxels from the index `first` on (x fastest, then y,
   /// then z). Values of voxels without an echo have no meaning. Several threads may call it.
   std::function<void(std::size_t first, std::size_t count, float* values, VoxelState* states)> read;
+  GroundHeight ground = {}; ///< below the columns; sea level where no radar is known
 };
 
 /// Those of a volume, which must outlive them.

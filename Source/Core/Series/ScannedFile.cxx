@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/ScannedFile.h"
 
+#include "nexrad/Model/Elevation.h"
 #include "nexrad/Model/SiteKey.h"
 #include "nexrad/Model/StrayRays.h"
 #include "nexrad/Moments/MomentMaker.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <new>
@@ -63,25 +65,35 @@ std::string ReasonToLeaveOut(const RadarVolume& volume, const SeriesOptions& opt
   return {};
 }
 
-// Slant range to which half of the sweeps with the moment see, or farther, m.
+// Slant range to which two tilts with the moment see, or the only one, m. A terminal radar sees
+// far beyond the others with one cut, and its many high tilts end where they leave the weather.
 double ReachOf(const RadarVolume& volume, MomentName moment)
 {
-  std::vector<double> reaches;
+  struct SweepReach
+  {
+    double reach;
+    double elevation;
+  };
+  std::vector<SweepReach> sweeps;
   for (const Sweep& sweep : volume.sweeps)
   {
     const MomentRow& row = sweep.rays.front().Row(MeasuredFor(moment));
     if (row.gates > 0)
     {
-      reaches.push_back(row.firstGate + (row.gates - 0.5) * row.gateSpacing);
+      sweeps.push_back(
+        {row.firstGate + (row.gates - 0.5) * row.gateSpacing, sweep.MedianElevation()});
     }
   }
-  if (reaches.empty())
+  if (sweeps.empty())
   {
     return 0.0;
   }
-  const auto middle = reaches.begin() + static_cast<std::ptrdiff_t>((reaches.size() - 1) / 2);
-  std::nth_element(reaches.begin(), middle, reaches.end());
-  return *middle;
+  std::sort(sweeps.begin(), sweeps.end(),
+    [](const SweepReach& a, const SweepReach& b) { return a.reach > b.reach; });
+  const auto second = std::find_if(sweeps.begin(), sweeps.end(),
+    [&farthest = sweeps.front()](const SweepReach& each)
+    { return std::abs(each.elevation - farthest.elevation) > SameTilt; });
+  return second == sweeps.end() ? sweeps.front().reach : second->reach;
 }
 
 SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& path,

@@ -29,7 +29,8 @@ struct SeriesVolume
   Time start{};               ///< first ray
   Time end{};                 ///< last ray
   std::size_t rays = 0;
-  double reach = 0.0; ///< m, slant range to which half of its sweeps of the moment see, or farther
+  double reach =
+    0.0; ///< m, slant range to which two of its tilts of the moment see, or its only one
   bool synthetic = false;                       ///< made by the simulator
   std::shared_ptr<const VolumeSummary> summary; ///< when it was asked for
   std::shared_ptr<const LowEcho> lowEcho;       ///< of reflectivity, when it was asked for

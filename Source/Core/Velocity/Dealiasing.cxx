@@ -66,6 +66,9 @@ WindProfile ProfileFor(const std::vector<SweepFolds>& sweeps, const DealiasOptio
 DealiasCounts SetVelocities(const SweepFolds& folds, VelocitySweep& sweep)
 {
   DealiasCounts counts;
+  // Before they change: also those of rays without a Nyquist velocity, which the ring leaves out.
+  counts.measured = static_cast<std::size_t>(std::count_if(
+    sweep.values.begin(), sweep.values.end(), [](float value) { return !std::isnan(value); }));
   for (std::size_t row = 0; row < folds.ring.rows; ++row)
   {
     const std::size_t first = sweep.Index(folds.ring.ray[row], 0);
@@ -77,7 +80,6 @@ DealiasCounts SetVelocities(const SweepFolds& folds, VelocitySweep& sweep)
         continue;
       }
       const bool known = folds.gateFold[index] != NoFold;
-      ++counts.measured;
       counts.unknown += known ? 0 : 1;
       counts.unfolded += known && folds.gateFold[index] != 0 ? 1 : 0;
       sweep.values[first + gate] = folds.Unfolded(row, gate); // NaN when not known

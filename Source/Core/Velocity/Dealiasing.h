@@ -22,7 +22,7 @@ struct DealiasOptions
 /// How many gates were dealiased.
 struct DealiasCounts
 {
-  std::size_t measured = 0; ///< gates with a velocity and a Nyquist velocity
+  std::size_t measured = 0; ///< gates with a velocity
   std::size_t unfolded = 0; ///< of them, those whose velocity was changed
   std::size_t unknown = 0;  ///< of them, those whose fold nothing tells
 };

@@ -124,6 +124,7 @@ nexrad::GriddedVolume vtkNexradReadNetCDF(
     volume.moment = moment;
     volume.method = file.Text(NC_GLOBAL, "method").value_or("");
     volume.synthetic = file.Text(NC_GLOBAL, "synthetic").value_or("") == "yes";
+    volume.sharpened = file.Text(NC_GLOBAL, "sharpened").value_or("") == "yes";
     const std::vector<int> places = vtkNexradReadRadars(file, request.Time, volume);
     volume.ofOneRadar = contents.OfOneRadar && volume.sitePositions.size() == 1;
     vtkNexradReadNetCDFVoxels(file, request.Time, places, request.LeaveOut, volume);

@@ -150,5 +150,6 @@ void vtkNexradWriteProvenance(
     set("one_radar", "yes");
   }
   set("synthetic", volume.synthetic ? "yes" : "no");
+  set("sharpened", volume.sharpened ? "yes" : "no");
   file.SetNumbers(NC_GLOBAL, vtkNexradNetCDFVersionName, {vtkNexradNetCDFVersion});
 }

@@ -52,6 +52,7 @@
  * - `Method`, string: "thesis" or "beam".
  * - `OneRadar`, uint8, where it is so: 1, the volume is that of one of several radars alone.
  * - `Synthetic`, uint8: 1 when made from simulated files; pictures must say so.
+ * - `Sharpened`, uint8: 1 when `REF` was deconvolved in elevation (Formulas G9); maps must say so.
  *
  * Points are the centres of the voxels. `TimeValue` is the name that VTK's XML readers take the
  * time from.

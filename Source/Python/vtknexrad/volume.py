@@ -81,6 +81,11 @@ class Volume:
         return bool(self._values("Synthetic", 0)[0])
 
     @functools.cached_property
+    def sharpened(self) -> bool:
+        """Whether REF was deconvolved in elevation: column maxima are higher than measured."""
+        return bool(self._values("Sharpened", 0)[0])
+
+    @functools.cached_property
     def projection(self) -> str:
         """What x and y are, as a PROJ string."""
         return "".join(self._texts("Projection")[:1])

@@ -22,6 +22,7 @@ struct VolumeInformation
   std::string method;     ///< "thesis" or "beam", "" when unknown
   std::string projection; ///< PROJ string of x and y, "" when unknown
   bool synthetic = false; ///< made from simulated files
+  bool sharpened = false; ///< REF was deconvolved in elevation
 };
 
 VolumeInformation ReadVolumeInformation(vtkImageData* volume);

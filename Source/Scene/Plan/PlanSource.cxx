@@ -81,7 +81,7 @@ PlanSource SourceOf(const GriddedVolume& volume)
   const AncillaryArrays& arrays = volume.ancillary;
   const auto valuesOf = [](const auto& values) { return values.empty() ? nullptr : values.data(); };
   return {LinesOf(volume), valuesOf(arrays.age), valuesOf(arrays.radars), valuesOf(arrays.weight),
-    valuesOf(arrays.nearestSite)};
+    valuesOf(arrays.nearestSite), volume.sharpened};
 }
 
 PlanSource SourceOf(vtkImageData* volume)
@@ -96,12 +96,16 @@ PlanSource SourceOf(vtkImageData* volume)
   const vtkIdType voxels = volume->GetNumberOfPoints();
   const unsigned char* codes = Find<vtkUnsignedCharArray>(points, name, voxels);
   PlanSource source;
-  source.voxels = {vtkNexradImageToGrid(volume), *moment,
-    codes != nullptr ? ReadCodes(volume, name, codes) : ReadValues(volume, name)};
+  const GridSpecification grid = vtkNexradImageToGrid(volume);
+  const VolumeInformation information = ReadVolumeInformation(volume);
+  source.voxels = {grid, *moment,
+    codes != nullptr ? ReadCodes(volume, name, codes) : ReadValues(volume, name),
+    GroundHeight(grid, information.sites, {})};
   source.age = Find<vtkFloatArray>(points, name + "_age", voxels);
   source.radars = Find<vtkUnsignedCharArray>(points, name + "_radars", voxels);
   source.weight = Find<vtkFloatArray>(points, name + "_weight", voxels);
   source.nearestSite = Find<vtkUnsignedCharArray>(points, name + "_site", voxels);
+  source.sharpened = information.sharpened;
   return source;
 }
 

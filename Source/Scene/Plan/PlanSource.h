@@ -19,6 +19,7 @@ struct PlanSource
   const std::uint8_t* radars = nullptr;
   const float* weight = nullptr;
   const std::uint8_t* nearestSite = nullptr;
+  bool sharpened = false; ///< GriddedVolume::sharpened
 };
 
 /// Calls `visit(name, values)` for each ancillary array, as ForEachAncillaryArray does.

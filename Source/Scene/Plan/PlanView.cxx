@@ -233,7 +233,7 @@ std::string ProductText(const PlanOptions& plan)
     break;
   case PlanLevel::LiquidDensity:
     text << "Liquid of each column (" << capped << ") through the height of its echo top at "
-         << plan.threshold << " dBZ above mean sea level";
+         << plan.threshold << " dBZ above the ground at the nearest radar";
     break;
   default:
     text << "Of all voxels of each column; " << capped;
@@ -263,9 +263,15 @@ PlanView MakeProductView(const VoxelLines& volume, const PlanOptions& plan, cons
 PlanView MakePlanView(const PlanSource& source, const PlanOptions& plan, const RangeLoop& loop)
 {
   const VoxelLines& volume = source.voxels;
+  const bool moment = plan.array.empty() || plan.array == ToString(volume.moment);
+  const char* sharpened = source.sharpened && moment && volume.moment == MomentName::REF
+                            ? "; the beam width is deconvolved in elevation"
+                            : "";
   if (IsColumnProduct(plan.level))
   {
-    return MakeProductView(volume, plan, loop);
+    PlanView view = MakeProductView(volume, plan, loop);
+    view.where += sharpened;
+    return view;
   }
   if (plan.level == PlanLevel::Composite)
   {
@@ -276,9 +282,8 @@ PlanView MakePlanView(const PlanSource& source, const PlanOptions& plan, const R
   PlanView view;
   view.width = volume.grid.dimensions[0];
   view.height = volume.grid.dimensions[1];
-  const bool moment = plan.array.empty() || plan.array == ToString(volume.moment);
   moment ? TakeMoment(shown, view) : TakeAncillaryArray(source, plan.array, shown, view);
-  view.where = WhereText(volume, plan, level);
+  view.where = WhereText(volume, plan, level) + sharpened;
   return view;
 }
 

@@ -171,6 +171,7 @@ TEST(BeamSharpening, IsForReflectivityInDecibels)
     [](const PolarVolume& volume, const BeamMergeOptions& options, float expected)
   {
     const GriddedVolume merged = MergeAt({volume}, 0.0, options);
+    EXPECT_EQ(merged.sharpened, expected == 29.06F) << "maps say so";
     std::size_t voxels = 0;
     const auto check = [&](const SeenVoxel& voxel)
     {

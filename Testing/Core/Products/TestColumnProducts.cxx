@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Products/ColumnProducts.h"
 
+#include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
 #include <atomic>
 #include <cmath>
+#include <string>
 #include <vector>
 
 using namespace nexrad;
@@ -102,6 +104,25 @@ TEST(ColumnProducts, LiquidDensityIsLiquidThroughTheEchoTop)
   EXPECT_NEAR(static_cast<double>(usual.values[0]), 1.31126, 0.0002);
   const ColumnProduct higher = MakeLiquidDensity(LinesOf(column), 40.0);
   EXPECT_NEAR(static_cast<double>(higher.values[0]), 2.74741, 0.0004);
+}
+
+// KFTG's ground is at 1675 m by the site table, KDDC's at 789 m. By hand, of the same column 2000 m
+// higher: 2.62253 kg/m² through 4000 m − 1675 m and through 4000 m − 789 m.
+TEST(ColumnProducts, LiquidDensityCountsFromTheGroundAtTheNearestRadar)
+{
+  ASSERT_EQ(FindSite("KFTG")->ground, 1675.0);
+  ASSERT_EQ(FindSite("KDDC")->ground, 789.0);
+  const auto densityNear = [](const std::string& site)
+  {
+    GriddedVolume column = ColumnOf({echo, echo, echo, none}, {50.0F, 28.0F, 8.0F, -33.0F});
+    column.grid.origin[2] += 2'000.0;
+    column.grid.centreLatitude = FindSite(site)->position.latitude;
+    column.grid.centreLongitude = FindSite(site)->position.longitude;
+    column.sites = {"KFTG", "KDDC"};
+    return static_cast<double>(MakeLiquidDensity(LinesOf(column), 18.0).values[0]);
+  };
+  EXPECT_NEAR(densityNear("KFTG"), 2622.53 / (4'000.0 - 1'675.0), 0.0002);
+  EXPECT_NEAR(densityNear("KDDC"), 2622.53 / (4'000.0 - 789.0), 0.0002);
 }
 
 TEST(ColumnProducts, WithoutAnEchoTopThereIsNoLiquidDensity)

@@ -243,6 +243,18 @@ TEST(SiteSeries, FindsFoldersWithinFoldersAndChunkFolders)
   EXPECT_EQ(found.paths[1].filename(), "chunks");
 }
 
+// Real radars: their lowest cut sees to 417 km, the other low tilts to 89 km, half of all cuts to
+// less than 50 km.
+TEST(SiteSeries, TheRangeOfATerminalRadarIsThatOfItsLowTilts)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  for (const char* path : {"tdwr/Level2_TSTL_20220213_2357.ar2v",
+         "tdwr/TDAL20191021021543V08.raw.gz", "chunks/TORD-20260811"})
+  {
+    EXPECT_EQ(ScanInputs({data / "level2" / path}).value().Range(), 89'000.0) << path;
+  }
+}
+
 TEST(SiteSeries, StopsWhenAskedTo)
 {
   const TemporaryFolder folder;
