@@ -110,6 +110,18 @@ Json MakeGate(const RadarVolume& volume, const GateRequest& request)
   return gate;
 }
 
+Json MakeCuts(const RadarVolume& volume)
+{
+  Json volumes = Json::array();
+  for (const VolumeCuts& cuts : volume.cuts)
+  {
+    volumes.push_back({{"vcp", OrNull(cuts.patternNumber)}, {"expected", OrNull(cuts.expected)},
+      {"missing", cuts.missing}, {"not_scanned", cuts.notScanned}, {"repeated", cuts.repeated},
+      {"end", ToString(cuts.end)}});
+  }
+  return volumes;
+}
+
 std::string DescribePosition(const Site& site)
 {
   if (!site.position)
@@ -245,8 +257,8 @@ Json MakeInfoJson(const RadarVolume& volume, const std::vector<GateRequest>& req
       position ? Json(volume.storedAltitude.value_or(position->altitude)) : Json(nullptr)},
     {"vcp", OrNull(volume.coveragePatternNumber)}, {"message_type", OrNull(volume.messageType)},
     {"start", TimeOrNull(volume.Start())}, {"end", TimeOrNull(volume.End())},
-    {"complete", volume.complete}, {"damage", Json::array()}, {"notes", NotesOn(volume)},
-    {"echo", nullptr}, {"sweeps", Json::array()}};
+    {"complete", volume.complete}, {"cuts", MakeCuts(volume)}, {"damage", Json::array()},
+    {"notes", NotesOn(volume)}, {"echo", nullptr}, {"sweeps", Json::array()}};
   if (const auto echo = CountEcho(volume))
   {
     info["echo"] = MakeEchoJson(*echo);

@@ -29,12 +29,42 @@ std::string FindNameInPath(const std::string& path)
   return {};
 }
 
+// Degrees; radars have been moved by less.
+constexpr double farFromTable = 1.0;
+
+bool IsNear(const KnownSite& known, double latitude, double longitude)
+{
+  return std::abs(latitude - known.position.latitude) <= farFromTable &&
+         std::abs(longitude - known.position.longitude) <= farFromTable;
+}
+
+// Whether the rays are of another radar than the header says: they state its name, and its place
+// by the site table, where the header's radar is not.
+bool HeaderNamesOther(const SiteEvidence& evidence)
+{
+  const KnownSite* ofRays = FindSite(evidence.rayName);
+  const KnownSite* ofHeader = FindSite(evidence.headerName);
+  if (ofRays == nullptr || ofHeader == nullptr || !evidence.position || ofRays == ofHeader)
+  {
+    return false;
+  }
+  const StoredPosition& stated = *evidence.position;
+  return IsNear(*ofRays, stated.latitude, stated.longitude) &&
+         !IsNear(*ofHeader, stated.latitude, stated.longitude);
+}
+
 std::string ResolveName(
   const SiteEvidence& evidence, const Level2Options& options, std::vector<std::string>& notes)
 {
   if (!options.siteName.empty())
   {
     return options.siteName;
+  }
+  if (HeaderNamesOther(evidence))
+  {
+    notes.push_back("the volume header names " + evidence.headerName + ", and the rays are of " +
+                    evidence.rayName + " and state its position: they count");
+    return evidence.rayName;
   }
   if (!evidence.headerName.empty())
   {
@@ -120,11 +150,9 @@ void CheckHeight(RadarVolume& volume)
 // A radar far from where the site table has it is most likely one with a damaged position.
 void CheckPlace(RadarVolume& volume)
 {
-  constexpr double tolerated = 1.0; // degrees; radars have been moved by less
   const KnownSite* known = FindSite(volume.site.name);
   const Position& stated = *volume.site.position;
-  if (known == nullptr || (std::abs(stated.latitude - known->position.latitude) <= tolerated &&
-                            std::abs(stated.longitude - known->position.longitude) <= tolerated))
+  if (known == nullptr || IsNear(*known, stated.latitude, stated.longitude))
   {
     return;
   }

@@ -21,7 +21,9 @@ struct SiteEvidence
 };
 
 /// Sets `volume.site` and writes into its notes where name and position are from, when that is not
-/// the file itself. Name: the option, the header, the rays, a known site in the file's name.
+/// the file itself. Name: the option, the header (but the rays, where they also state the place of
+/// the radar that they name, and the header's radar is elsewhere), the rays, a known site in the
+/// file's name.
 /// Position: the option, message 31, the site table by the name.
 void ResolveSite(const SiteEvidence& evidence, const Level2Options& options, RadarVolume& volume);
 

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/VolumeAssembler.h"
 
+#include "nexrad/Level2/Assembly/CutCheck.h"
+#include "nexrad/Level2/Assembly/RadarVote.h"
+#include "nexrad/Level2/Assembly/RayOrder.h"
 #include "nexrad/Level2/MomentChecks.h"
-#include "nexrad/Level2/RayTimes.h"
 #include "nexrad/Level2/SiteResolution.h"
 #include "nexrad/Model/StrayRays.h"
 #include "nexrad/Model/SweepWaveforms.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <utility>
 
 namespace nexrad
@@ -21,19 +22,8 @@ namespace
 // Twenty times as many as any volume has. Without a limit a few compressed megabytes of empty rays
 // would fill the memory.
 constexpr std::size_t mostRays = 300'000;
-// Thirty times as many as any file has. Each may be a cycle of its own, and so a volume.
-constexpr std::size_t mostSweeps = 2'000;
-constexpr double longestTurn = 400.0; // degrees in one sweep
-constexpr std::uint8_t startOfCut = 0;
-constexpr std::uint8_t startOfVolume = 3;
-constexpr std::uint8_t endOfVolume = 4;
-constexpr std::uint8_t startOfLastCut = 5;
-
-bool StartsCut(const Ray& ray)
-{
-  return ray.radialStatus == startOfCut || ray.radialStatus == startOfVolume ||
-         ray.radialStatus == startOfLastCut;
-}
+// More than any file has: one for each of its volumes.
+constexpr std::size_t mostPatterns = 100;
 
 bool HasData(const Ray& ray)
 {
@@ -69,10 +59,17 @@ void VolumeAssembler::AddHeader(const VolumeHeader& header)
 
 void VolumeAssembler::AddPattern(CoveragePattern pattern)
 {
-  // A file of several cycles has one each; the first belongs to the first rays.
-  if (!volume.coveragePattern)
+  if (patterns.size() < mostPatterns)
   {
-    volume.coveragePattern = std::move(pattern);
+    patterns.push_back(std::move(pattern));
+  }
+}
+
+void VolumeAssembler::AddStatus(const RadarStatus& status)
+{
+  if (statuses.size() < mostPatterns)
+  {
+    statuses.push_back(status);
   }
 }
 
@@ -91,80 +88,12 @@ void VolumeAssembler::AddRay(DecodedRay&& decoded, int messageType, std::uint64_
   {
     return;
   }
-  if (rayCount == mostRays)
+  if (arrived.size() == mostRays)
   {
     this->AddDamage(offset, "more than " + std::to_string(mostRays) + " rays; the rest is left");
     return;
   }
-  if (this->BeginsSweep(decoded.ray))
-  {
-    if (volume.sweeps.size() == mostSweeps)
-    {
-      this->AddDamage(
-        offset, "more than " + std::to_string(mostSweeps) + " sweeps; the rest is left");
-      return;
-    }
-    this->FinishSweep(&decoded.ray);
-    volume.sweeps.emplace_back();
-    places.emplace_back();
-    volume.sweeps.back().elevationNumber = decoded.ray.elevationNumber;
-    watch.Begin();
-  }
-  const bool allThere = watch.Missing() == 0;
-  watch.Add(decoded, offset);
-  missingPiece = allThere ? piece : missingPiece;
-  lastRayPiece = piece;
-  volume.complete = volume.complete || decoded.ray.radialStatus == endOfVolume;
-  if (!volume.coveragePatternNumber && decoded.coveragePatternNumber > 0)
-  {
-    volume.coveragePatternNumber = decoded.coveragePatternNumber;
-  }
-  rayName = rayName.empty() ? decoded.siteName : rayName;
-  if (decoded.position)
-  {
-    position.Add(*decoded.position, offset, pieces.size() - 1);
-  }
-  volume.messageType = std::max(volume.messageType.value_or(0), messageType);
-  volume.sweeps.back().rays.push_back(decoded.ray);
-  places.back().push_back({offset, pieces.size() - 1});
-  ++rayCount;
-}
-
-bool VolumeAssembler::BeginsSweep(const Ray& ray)
-{
-  return volume.sweeps.empty() || volume.sweeps.back().elevationNumber != ray.elevationNumber ||
-         StartsCut(ray) || std::abs(watch.TurnTo(ray.azimuth)) > longestTurn;
-}
-
-// Says what is missing in the sweep that ends here. `next` is the first ray of the next sweep, or
-// nullptr at the end of the volume.
-void VolumeAssembler::FinishSweep(const Ray* next)
-{
-  if (volume.sweeps.empty())
-  {
-    return;
-  }
-  const std::size_t index = volume.sweeps.size() - 1;
-  const Sweep& sweep = volume.sweeps.back();
-  if (watch.Missing() > 0)
-  {
-    damage.Add(watch.MissingOffset(), missingPiece + watch.Describe(index, sweep.elevationNumber));
-  }
-  if (next == nullptr || !watch.IsCutOff())
-  {
-    return;
-  }
-  const std::string cut = "sweep " + std::to_string(index) + " (elevation number " +
-                          std::to_string(sweep.elevationNumber) + ")";
-  // The radar may break a cut off and scan it again; then nothing was lost.
-  if (next->elevationNumber == sweep.elevationNumber && StartsCut(*next))
-  {
-    volume.notes.push_back(cut + " was interrupted and restarted");
-  }
-  else
-  {
-    damage.Add(watch.LastOffset(), lastRayPiece + "rays missing at the end of " + cut);
-  }
+  arrived.push_back({std::move(decoded), messageType, offset, pieces.size() - 1});
 }
 
 void VolumeAssembler::AddDamage(std::uint64_t offset, const std::string& what)
@@ -172,29 +101,34 @@ void VolumeAssembler::AddDamage(std::uint64_t offset, const std::string& what)
   damage.Add(offset, piece + what);
 }
 
-// What shows only beside the other rays.
-void VolumeAssembler::CheckRays()
+void VolumeAssembler::Report(const ArrivedRay& at, const std::string& what)
 {
-  const auto report = [this](std::size_t sweep, std::size_t ray, const std::string& what)
+  damage.Add(at.offset, pieces[at.piece] + what);
+}
+
+void VolumeAssembler::AddSweeps(const std::vector<ArrivedSweep>& sweeps)
+{
+  for (const ArrivedSweep& sweep : sweeps)
   {
-    const RayPlace& place = places[sweep][ray];
-    damage.Add(place.offset, pieces[place.piece] + what);
-  };
+    Sweep& added = volume.sweeps.emplace_back();
+    added.elevationNumber = sweep.rays.front()->ray.elevationNumber;
+    added.rays.reserve(sweep.rays.size());
+    for (const ArrivedRay* ray : sweep.rays)
+    {
+      added.rays.push_back(ray->ray);
+    }
+    volume.messageType = sweep.rays.front()->messageType; // all rays of one radar have the same
+  }
+}
+
+// What shows only beside the other rays.
+void VolumeAssembler::CheckRays(const std::vector<ArrivedSweep>& sweeps)
+{
+  const auto report = [&](std::size_t sweep, std::size_t ray, const std::string& what)
+  { this->Report(*sweeps[sweep].rays[ray], what); };
   RemoveStrayCodings(volume, report);
   RemoveStrayGeometries(volume, report);
   CutWideRows(volume, report);
-  MendRayTimes(volume, report);
-}
-
-void VolumeAssembler::CheckPosition()
-{
-  const PositionVote::Group others = position.Others();
-  if (others.rays > 0)
-  {
-    damage.Add(others.offset,
-      pieces[others.piece] + std::to_string(others.rays) + " of " + std::to_string(rayCount) +
-        " rays state another position of the radar than most do: that of most is used");
-  }
 }
 
 void VolumeAssembler::NoteTimes()
@@ -218,29 +152,66 @@ void VolumeAssembler::NoteTimes()
   }
 }
 
-RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
+void VolumeAssembler::NoteCuts()
 {
-  volume.file = name;
-  this->FinishSweep(nullptr);
-  this->CheckRays();
-  this->CheckPosition();
-  volume.damage = damage.Take(piece.empty());
-  // After the others, so that it is there however many they are.
+  for (std::size_t index = 0; index < volume.cuts.size(); ++index)
+  {
+    const std::string place =
+      volume.cuts.size() > 1 ? "volume " + std::to_string(index + 1) + " of the file: " : "";
+    for (const std::string& line : DescribeCuts(volume.cuts[index]))
+    {
+      volume.notes.push_back(place + line);
+    }
+  }
+}
+
+// Damage that is there however long the list is.
+void VolumeAssembler::CheckEnd(std::uint64_t size)
+{
   if (volume.sweeps.empty())
   {
     const char* what = hasHeader
                          ? "no ray can be read"
                          : "no ray can be read, and no volume header: is this a Level II file?";
     volume.damage.push_back({size, piece + what});
+    return;
   }
-  else if (!volume.complete)
+  const VolumeCuts& last = volume.cuts.back();
+  if (last.end != VolumeEnd::Missing)
   {
-    volume.damage.push_back({size, piece + "no end of volume: its last rays are missing"});
+    return;
   }
+  const auto rest = std::upper_bound(
+    last.missing.begin(), last.missing.end(), volume.sweeps.back().elevationNumber);
+  const std::vector<int> lost(rest, last.missing.end());
+  volume.damage.push_back({size,
+    piece + "no end of volume: its last rays are missing" +
+      (lost.empty() ? "" : ", and " + CutsText(lost) + " of " + std::to_string(*last.expected))});
+}
+
+RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
+{
+  const auto report = [this](const ArrivedRay& at, const std::string& what)
+  { this->Report(at, what); };
+  volume.file = name;
+  RayList rays;
+  for (ArrivedRay& ray : arrived)
+  {
+    rays.push_back(&ray);
+  }
+  const RadarOfRays radar = KeepOneRadar(rays, headerName, report);
+  OrderRays(rays, volume.headerTime, report, volume.notes);
+  const std::vector<ArrivedSweep> sweeps = BuildSweeps(rays, report, volume.notes);
+  this->AddSweeps(sweeps);
+  CheckCuts(sweeps, patterns, volume, report);
+  this->CheckRays(sweeps);
+  volume.damage = damage.Take(piece.empty());
+  this->CheckEnd(size);
   this->ChoosePattern();
-  ResolveSite({headerName, rayName, name, position.Winner()}, options, volume);
+  ResolveSite({headerName, radar.name, name, radar.position}, options, volume);
   ResolveWaveforms(volume);
   this->NoteTimes();
+  this->NoteCuts();
   // The decoder keeps rays that the antenna sent while it was not at its cut.
   for (std::string& stray : DescribeStrays(volume))
   {
@@ -253,19 +224,33 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   return std::move(volume);
 }
 
-// The rays' own number came first; these are what is left when no ray has one.
+// The pattern of the first volume. The rays' own number comes first; the others are what is left
+// when no ray has one.
 void VolumeAssembler::ChoosePattern()
 {
-  if (!volume.coveragePatternNumber)
+  if (!volume.cuts.empty())
   {
-    if (volume.coveragePattern)
-    {
-      volume.coveragePatternNumber = volume.coveragePattern->number;
-    }
-    else if (volume.status && volume.status->coveragePatternNumber > 0)
-    {
-      volume.coveragePatternNumber = volume.status->coveragePatternNumber;
-    }
+    volume.coveragePatternNumber = volume.cuts.front().patternNumber;
+    volume.coveragePattern = volume.cuts.front().pattern;
+  }
+  if (!volume.coveragePattern && !patterns.empty())
+  {
+    volume.coveragePattern = patterns.front();
+  }
+  const auto isOfRadar = [this](const RadarStatus& status)
+  { return status.coveragePatternNumber == volume.coveragePatternNumber; };
+  const auto own = std::find_if(statuses.rbegin(), statuses.rend(), isOfRadar);
+  if (!statuses.empty())
+  {
+    volume.status = own != statuses.rend() ? *own : statuses.back();
+  }
+  if (!volume.coveragePatternNumber && volume.coveragePattern)
+  {
+    volume.coveragePatternNumber = volume.coveragePattern->number;
+  }
+  if (!volume.coveragePatternNumber && volume.status && volume.status->coveragePatternNumber > 0)
+  {
+    volume.coveragePatternNumber = volume.status->coveragePatternNumber;
   }
 }
 

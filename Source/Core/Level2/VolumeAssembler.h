@@ -2,14 +2,14 @@
 #pragma once
 
 #include "nexrad/Compression/DamageList.h"
+#include "nexrad/Level2/Assembly/ArrivedRay.h"
+#include "nexrad/Level2/Assembly/SweepBuilder.h"
 #include "nexrad/Level2/Level2File.h"
-#include "nexrad/Level2/Messages/DecodedRay.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
-#include "nexrad/Level2/PositionVote.h"
-#include "nexrad/Level2/SweepWatch.h"
 #include "nexrad/Model/RadarVolume.h"
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -19,8 +19,8 @@
 namespace nexrad
 {
 
-/// Makes a volume of the parts of a file, or of the files of a folder, as they come: rays into
-/// sweeps, damage into one list, and at the end what can only be known then.
+/// Makes a volume of the parts of a file, or of the files of a folder. It gathers them as they
+/// come, and puts the rays of one radar in order and into sweeps when all are there.
 class VolumeAssembler
 {
 public:
@@ -32,48 +32,38 @@ public:
   /// `offset` is that of the message in the stored file.
   void AddRay(DecodedRay&& decoded, int messageType, std::uint64_t offset);
   void AddPattern(CoveragePattern pattern);
-  void AddStatus(const RadarStatus& status) { volume.status = status; }
+  void AddStatus(const RadarStatus& status);
   /// The file says that it was simulated.
   void AddSyntheticMark() { volume.synthetic = true; }
   /// The bytes that rays point into.
   void AddBuffer(std::shared_ptr<const std::vector<std::uint8_t>> buffer);
   void AddDamage(std::uint64_t offset, const std::string& what);
 
-  std::size_t RayCount() const { return rayCount; }
+  std::size_t RayCount() const { return arrived.size(); }
 
   /// The volume. `name` is the path as the user gave it, `size` the bytes of the (last) stored
   /// file.
   RadarVolume Finish(const std::string& name, std::uint64_t size);
 
 private:
-  /// Where a ray's message stands.
-  struct RayPlace
-  {
-    std::uint64_t offset;
-    std::size_t piece; ///< of `pieces`
-  };
-
-  bool BeginsSweep(const Ray& ray);
-  void FinishSweep(const Ray* next);
-  void CheckRays();
+  void AddSweeps(const std::vector<ArrivedSweep>& sweeps);
   void ChoosePattern();
-  void CheckPosition();
+  void CheckRays(const std::vector<ArrivedSweep>& sweeps);
+  void CheckEnd(std::uint64_t size);
   void NoteTimes();
+  void NoteCuts();
+  void Report(const ArrivedRay& at, const std::string& what);
 
   Level2Options options;
   RadarVolume volume;
-  std::string piece;        ///< "name: " of the file in hand; "" when it is the only one
-  std::string missingPiece; ///< the piece where the sweep's first missing ray should be
-  std::string lastRayPiece;
+  std::string piece; ///< "name: " of the file in hand; "" when it is the only one
   bool hasHeader = false;
   std::string headerName;
-  std::string rayName;
-  PositionVote position;
   DamageList damage;
-  SweepWatch watch;
-  std::size_t rayCount = 0;
-  std::vector<std::string> pieces = {""};    ///< all that `piece` was
-  std::vector<std::vector<RayPlace>> places; ///< of the rays, by sweep
+  std::vector<std::string> pieces = {""}; ///< all that `piece` was
+  std::deque<ArrivedRay> arrived;         ///< in the order of the file; they do not move
+  std::vector<CoveragePattern> patterns;  ///< of messages 5
+  std::vector<RadarStatus> statuses;      ///< of messages 2
 };
 
 } // namespace nexrad

@@ -3,6 +3,7 @@
 
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/Merging/MemoryNeed.h"
+#include "nexrad/Model/SiteKey.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -105,6 +106,31 @@ void LiveSeries::ExpectRadarsOf(const std::vector<ScannedFile>& scanned)
   }
 }
 
+// Volumes of a radar that stands elsewhere than the first of its name does.
+void LiveSeries::LeaveOutOthers(std::vector<ScannedFile>& scanned) const
+{
+  std::map<std::string, Site> places;
+  for (const auto& [name, site] : sites)
+  {
+    places.emplace(name, site.first);
+  }
+  for (ScannedFile& file : scanned)
+  {
+    std::vector<std::pair<Site, SeriesVolume>> kept;
+    for (auto& [site, volume] : file.volumes)
+    {
+      const Site& known = places.emplace(site.name, site).first->second;
+      if (StandApart(known, site))
+      {
+        file.problems.push_back({volume.file.string(), {}, DescribePlaces(site, known), true});
+        continue;
+      }
+      kept.emplace_back(site, std::move(volume));
+    }
+    file.volumes = std::move(kept);
+  }
+}
+
 std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
 {
   std::vector<ScannedFile> scanned(inputs.size());
@@ -121,6 +147,7 @@ std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
         scanned[i] = ScanVolume(inputs[i].volume, inputs[i].path, series, keep);
       }
     });
+  this->LeaveOutOthers(scanned);
   this->ExpectRadarsOf(scanned);
   std::vector<std::vector<Volume>> made(inputs.size());
   RunLoop(request.loop, count,

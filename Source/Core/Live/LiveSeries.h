@@ -92,6 +92,7 @@ private:
   std::map<std::string, Volumes> BySite() const;
   Volumes ChosenAt(Time time, MomentName moment, const Volumes& own) const;
   void PlanGrid();
+  void LeaveOutOthers(std::vector<ScannedFile>& scanned) const;
   void ExpectRadarsOf(const std::vector<ScannedFile>& scanned);
 
   const MergeOptions options;

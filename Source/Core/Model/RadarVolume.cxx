@@ -62,12 +62,24 @@ std::size_t RadarVolume::RayCount() const
 
 std::optional<Time> RadarVolume::Start() const
 {
-  return sweeps.empty() ? std::nullopt : std::optional<Time>(sweeps.front().rays.front().time);
+  std::optional<Time> start;
+  for (const Sweep& sweep : sweeps)
+  {
+    const Time first = sweep.rays.front().time;
+    start = std::min(start.value_or(first), first);
+  }
+  return start;
 }
 
 std::optional<Time> RadarVolume::End() const
 {
-  return sweeps.empty() ? std::nullopt : std::optional<Time>(sweeps.back().rays.back().time);
+  std::optional<Time> end;
+  for (const Sweep& sweep : sweeps)
+  {
+    const Time last = std::max(sweep.rays.front().time, sweep.rays.back().time);
+    end = std::max(end.value_or(last), last);
+  }
+  return end;
 }
 
 namespace
@@ -107,22 +119,45 @@ std::vector<Buffer> BuffersOf(const std::vector<Sweep>& sweeps, const std::vecto
   return buffers;
 }
 
+// What was found of the cuts of each cycle when the file was decoded.
+void SetCuts(const std::vector<VolumeCuts>& cuts, std::vector<RadarVolume>& cycles)
+{
+  for (std::size_t i = 0; i < cycles.size() && cuts.size() == cycles.size(); ++i)
+  {
+    cycles[i].cuts = {cuts[i]};
+    cycles[i].complete = cuts[i].IsComplete();
+    if (i > 0)
+    {
+      cycles[i].coveragePatternNumber = cuts[i].patternNumber;
+      cycles[i].coveragePattern = cuts[i].pattern;
+    }
+  }
+}
+
 } // namespace
+
+bool BeginsCycle(const Sweep& before, const Sweep& sweep)
+{
+  constexpr std::uint8_t startOfVolume = 3;
+  constexpr std::uint8_t endOfVolume = 4;
+  return sweep.rays.front().radialStatus == startOfVolume ||
+         before.rays.back().radialStatus == endOfVolume ||
+         sweep.elevationNumber < before.elevationNumber;
+}
 
 std::vector<RadarVolume> SplitCycles(const RadarVolume& volume)
 {
-  constexpr std::uint8_t startOfVolume = 3;
   RadarVolume common = volume;
   common.sweeps.clear();
   common.damage.clear();
   common.notes.clear();
+  common.cuts.clear();
   std::vector<Buffer> sorted = std::move(common.buffers);
   common.buffers.clear();
   std::vector<RadarVolume> cycles;
   for (const Sweep& sweep : volume.sweeps)
   {
-    if (cycles.empty() || sweep.rays.front().radialStatus == startOfVolume ||
-        sweep.elevationNumber < cycles.back().sweeps.back().elevationNumber)
+    if (cycles.empty() || BeginsCycle(cycles.back().sweeps.back(), sweep))
     {
       cycles.push_back(common);
     }
@@ -138,6 +173,7 @@ std::vector<RadarVolume> SplitCycles(const RadarVolume& volume)
   {
     cycle.buffers = BuffersOf(cycle.sweeps, sorted);
   }
+  SetCuts(volume.cuts, cycles);
   cycles.front().damage = volume.damage;
   cycles.front().notes = volume.notes;
   return cycles;

@@ -5,6 +5,7 @@
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Site.h"
 #include "nexrad/Model/Time.h"
+#include "nexrad/Model/VolumeCuts.h"
 
 #include <array>
 #include <cstdint>
@@ -82,22 +83,28 @@ struct RadarVolume
   std::optional<double> storedAltitude; ///< m, of the antenna as the file has it, where that cannot
                                         ///< be and `site` has another; empty otherwise
   std::vector<Sweep> sweeps;            ///< in the order scanned
-  bool complete = false;                ///< an end-of-volume radial was read
+  std::vector<VolumeCuts> cuts; ///< of each volume in the file, in the order of SplitCycles; empty
+                                ///< in a volume that was not decoded
+  bool complete = false;  ///< the radar ended the last volume of the file, and no cut was lost
   bool synthetic = false; ///< the file says that it was simulated (Level2/SyntheticMark.h)
   std::vector<Damage> damage;
   std::vector<std::string> notes; ///< worth knowing, and not damage
   std::vector<std::shared_ptr<const std::vector<std::uint8_t>>> buffers; ///< decompressed records
 
   std::size_t RayCount() const;
-  /// Times of the first and the last ray in the order scanned; empty without rays.
+  /// Times of the earliest first and the latest last ray of the sweeps; empty without rays.
   std::optional<Time> Start() const;
   std::optional<Time> End() const;
 };
 
-/// Cuts a volume that holds several cycles under one header into one volume a cycle (a new one
-/// begins at a sweep whose first ray has radial status 3, or whose cut number is lower than the
-/// last sweep's, because that ray may be missing). Each keeps the buffers that its rays point into;
-/// damage and notes, which are the file's, stay with the first.
+/// True when a sweep begins a new cycle: its first ray has radial status 3, the sweep before it
+/// ends with radial status 4, or its cut number is lower than that sweep's, because both rays may
+/// be missing.
+bool BeginsCycle(const Sweep& before, const Sweep& sweep);
+
+/// Cuts a volume that holds several cycles under one header into one volume a cycle. Each keeps the
+/// buffers that its rays point into, and has its own cuts and coverage pattern; damage and notes,
+/// which are the file's, stay with the first.
 std::vector<RadarVolume> SplitCycles(const RadarVolume& volume);
 
 } // namespace nexrad

@@ -9,7 +9,8 @@ namespace nexrad
 {
 
 /// Tells radars apart: by their names; those without a name by where they stand. A radar whose
-/// stored position differs between two of its files is one radar all the same.
+/// stored position differs a little between two of its files is one radar all the same
+/// (StandApart).
 struct SiteKey
 {
   std::string name;       ///< empty when the files give none
@@ -22,5 +23,10 @@ struct SiteKey
 
 /// The key of a radar.
 SiteKey KeyOf(const Site& site);
+
+/// True when two radars of one name stand more than 5 km from each other, so that they are two, or
+/// the position of one is wrong. Positions of one radar in the test data, and those of the site
+/// table, differ by less than 1 km. False where a position is unknown.
+bool StandApart(const Site& a, const Site& b);
 
 } // namespace nexrad

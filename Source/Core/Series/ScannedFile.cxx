@@ -9,9 +9,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <iterator>
 #include <map>
 #include <new>
+#include <sstream>
 #include <string>
 
 namespace nexrad
@@ -214,6 +216,56 @@ void AddCycle(const RadarVolume& volume, const std::filesystem::path& path, std:
   tell(Visit(description, volume, options, visitor), false);
 }
 
+// Where each radar stands by most of its volumes; of two places with as many, the first.
+class SitePlaces
+{
+public:
+  explicit SitePlaces(const std::vector<ScannedFile>& files)
+  {
+    for (const ScannedFile& file : files)
+    {
+      for (const auto& [site, volume] : file.volumes)
+      {
+        this->Add(site);
+      }
+    }
+  }
+
+  // The radar of that name, where it stands elsewhere than `site` does; else nullptr.
+  const Site* FindOther(const Site& site) const
+  {
+    const auto places = sites.find(KeyOf(site));
+    if (places == sites.end())
+    {
+      return nullptr;
+    }
+    const auto most = std::max_element(places->second.begin(), places->second.end(),
+      [](const Place& a, const Place& b) { return a.volumes < b.volumes; });
+    return StandApart(most->site, site) ? &most->site : nullptr;
+  }
+
+private:
+  struct Place
+  {
+    Site site;
+    std::size_t volumes = 0;
+  };
+
+  void Add(const Site& site)
+  {
+    if (!site.position)
+    {
+      return;
+    }
+    std::vector<Place>& places = sites[KeyOf(site)];
+    const auto own = std::find_if(places.begin(), places.end(),
+      [&site](const Place& place) { return !StandApart(place.site, site); });
+    ++(own != places.end() ? *own : places.emplace_back(Place{site})).volumes;
+  }
+
+  std::map<SiteKey, std::vector<Place>> sites;
+};
+
 ScannedFile ScanWithinMemory(
   const std::filesystem::path& path, const SeriesOptions& options, const VolumeVisitor& visitor)
 {
@@ -290,17 +342,33 @@ ScannedFile ScanFile(
   }
 }
 
+std::string DescribePlaces(const Site& site, const Site& other)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(3) << "has a radar " << site.name << " at "
+       << site.position->latitude << ", " << site.position->longitude
+       << " degrees, and other files have it at " << other.position->latitude << ", "
+       << other.position->longitude << " degrees: left out (--site names another radar)";
+  return text.str();
+}
+
 SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<ScannedFile>& files)
 {
   SeriesScan scan;
   scan.problems = std::move(problems);
   std::map<SiteKey, SiteSeries> groups;
+  const SitePlaces places(files);
   for (const ScannedFile& file : files)
   {
     scan.problems.insert(scan.problems.end(), file.problems.begin(), file.problems.end());
     scan.notes.insert(scan.notes.end(), file.notes.begin(), file.notes.end());
     for (const auto& [site, volume] : file.volumes)
     {
+      if (const Site* other = places.FindOther(site))
+      {
+        scan.problems.push_back({volume.file.string(), {}, DescribePlaces(site, *other), true});
+        continue;
+      }
       SiteSeries& group = groups[KeyOf(site)];
       if (!group.site.position)
       {

@@ -75,7 +75,13 @@ ScannedFile ScanVolume(const RadarVolume& whole, const std::filesystem::path& pa
 /// with more rays, first.
 bool IsBefore(const SeriesVolume& a, const SeriesVolume& b);
 
-/// Puts what the files hold together by sites. `problems` are those known before.
+/// Says that two radars of one name stand at two places (StandApart): where `site` stands, and
+/// where others of its name do.
+std::string DescribePlaces(const Site& site, const Site& other);
+
+/// Puts what the files hold together by sites. `problems` are those known before. A radar stands
+/// where most of its volumes say; volumes of its name that stand apart from there are left out, and
+/// each is a problem.
 SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<ScannedFile>& files);
 
 } // namespace nexrad

@@ -182,6 +182,7 @@ TEST(Assembly, ACutThatIsScannedAgainIsNoDamage)
   ray.status = 3;
   const Bytes brokenOff = MakeSweepBytes(31, ray, 30, 1);
   ray.status = 0;
+  ray.milliseconds += 3'000;
   const RadarVolume volume = DecodeRays({brokenOff, MakeSweepBytes(31, ray, 40, 4)});
   ASSERT_EQ(volume.sweeps.size(), 2U);
   EXPECT_TRUE(volume.damage.empty());
@@ -299,7 +300,9 @@ TEST(Assembly, TakesTheNameFromWhereItIs)
       .site.name;
   };
   EXPECT_EQ(named("KLSX", "KTLX", "KEAX20060312", "KILX"), "KILX");
-  EXPECT_EQ(named("KLSX", "KTLX", "KEAX20060312", ""), "KLSX");
+  // The rays state where KTLX stands.
+  EXPECT_EQ(named("KLSX", "KTLX", "KEAX20060312", ""), "KTLX");
+  EXPECT_EQ(named("KLSX", "KDDC", "KEAX20060312", ""), "KLSX");
   EXPECT_EQ(named("    ", "KTLX", "KEAX20060312", ""), "KTLX");
   EXPECT_EQ(named("", "", "/data/KEAX20060312_1800.gz", ""), "KEAX");
   EXPECT_EQ(named("", "", "Level2_KFTG_20150430", ""), "KFTG");
@@ -311,6 +314,7 @@ TEST(Assembly, TheAntennasHeightCountsTheFeedhornButForTdwr)
   RayPlan ray;
   const auto altitude = [&ray] { return DecodeRays({MakeMessage31(ray)}).site.position->altitude; };
   EXPECT_EQ(altitude(), 390.0);
+  ray.site = "TDAL";
   const Bytes terminal = Join({MakeVolumeHeader("AR2V0008", "TDAL"), MakeMessage31(ray)});
   EXPECT_EQ(Decode(terminal).site.position->altitude, 370.0);
   // A terminal radar that the table does not know shows itself by its pattern.
@@ -327,7 +331,9 @@ TEST(Assembly, HeightsInFeetAreFoundByTheSiteTable)
   RayPlan ray;
   ray.siteHeight = 171;
   ray.feedhornHeight = 9;
-  const auto decode = [&ray](const char* site) {
+  const auto decode = [&ray](const char* site)
+  {
+    ray.site = site;
     return Decode(Join({MakeVolumeHeader("AR2V0004", site), MakeMessage31(ray)}));
   };
   const double listed = FindSite("KTYX")->position.altitude;
@@ -390,8 +396,15 @@ TEST(Assembly, NotesAHeaderOfAnotherTimeAndMidnight)
 
 TEST(Assembly, SeveralCyclesUnderOneHeaderComeApart)
 {
-  const Bytes once = MakeSmallVolume(31);
-  const Bytes twice = Join({once, {once.begin() + 24, once.end()}});
+  RayPlan again;
+  again.status = 3;
+  again.milliseconds += 5'000;
+  RayPlan second = again;
+  second.cut = 2;
+  second.status = 0;
+  second.milliseconds += 1'000;
+  const Bytes twice = Join(
+    {MakeSmallVolume(31), MakeSweepBytes(31, again, 12, 2), MakeSweepBytes(31, second, 12, 4)});
   const RadarVolume volume = Decode(twice);
   EXPECT_EQ(volume.sweeps.size(), 4U);
   EXPECT_EQ(SplitCycles(volume).size(), 2U);
@@ -400,6 +413,7 @@ TEST(Assembly, SeveralCyclesUnderOneHeaderComeApart)
   ray.cut = 2;
   RayPlan restart;
   restart.number = 5;
+  restart.milliseconds += 5'000;
   EXPECT_EQ(SplitCycles(DecodeRays({MakeMessage31(ray), MakeMessage31(restart)})).size(), 2U);
 }
 
@@ -413,18 +427,18 @@ TEST(ChunkFolders, AreReadInTheOrderOfTheirNumbers)
                                                    [&]
                                                    {
                                                      RayPlan last = ray;
-                                                     last.cut = 3;
+                                                     last.cut = 2;
                                                      last.status = 0;
                                                      return last;
                                                    }(),
                                                    5, 4)));
   Write(folder.Path() / "20210729-123848-001-S",
-    Join({MakeVolumeHeader(), MakeLdmRecord(MakeMessage5(21, {0.5}))}));
+    Join({MakeVolumeHeader(), MakeLdmRecord(MakeMessage5(21, {0.5, 1.5}))}));
   Write(folder.Path() / "20210729-123848-002-I", MakeLdmRecord(MakeSweepBytes(31, ray, 5, 2)));
   Write(folder.Path() / "notes.txt", {'x'});
   const RadarVolume volume = ReadLevel2(folder.Path());
   ASSERT_EQ(volume.sweeps.size(), 2U);
-  EXPECT_EQ(volume.sweeps[1].elevationNumber, 3);
+  EXPECT_EQ(volume.sweeps[1].elevationNumber, 2);
   EXPECT_TRUE(volume.damage.empty());
   EXPECT_TRUE(volume.complete);
 
@@ -469,10 +483,19 @@ TEST(LooksLikeLevel2, KnowsTheFirstBytes)
 // One bit of the latitude of the first ray moved the radar by 16 degrees.
 TEST(Assembly, TheRadarStandsWhereMostRaysSay)
 {
-  RayPlan ray;
-  const Bytes sound = MakeSweepBytes(31, ray, 11, 4);
-  ray.latitude = 51.33F;
-  const RadarVolume volume = DecodeRays({MakeMessage31(ray), sound});
+  std::vector<Bytes> rays;
+  for (unsigned number = 1; number <= 12; ++number)
+  {
+    RayPlan ray;
+    ray.number = number;
+    ray.azimuth = number;
+    ray.milliseconds += number * 50;
+    ray.status = number == 1 ? 3 : number == 12 ? 4 : 1;
+    ray.latitude = number == 1 ? 51.33F : ray.latitude;
+    rays.push_back(MakeMessage31(ray));
+  }
+  const RadarVolume volume = DecodeRays(rays);
+  EXPECT_EQ(volume.RayCount(), 12U);
   EXPECT_NEAR(volume.site.position->latitude, 35.33, 1e-5);
   EXPECT_TRUE(HasDamage(volume, "1 of 12 rays state another position"));
   EXPECT_FALSE(HasNote(volume, "the site table at"));

@@ -141,6 +141,7 @@ TEST(HostileBytes, SweepsWithoutEnd)
   for (unsigned index = 0; index < 2'500; ++index)
   {
     ray.status = 3; // each a volume of its own
+    ray.milliseconds += 100;
     parts.push_back(MakeMessage31(ray));
   }
   const RadarVolume volume = DecodeLevel2(Join(parts), "file");
@@ -151,11 +152,16 @@ TEST(HostileBytes, SweepsWithoutEnd)
 // Two thousand cycles with all records and all damage each would be four million of them.
 TEST(HostileBytes, CyclesShareTheirFilesMemory)
 {
+  std::vector<Bytes> parts = {MakeVolumeHeader()};
   RayPlan ray;
   ray.status = 3;
-  const Bytes record = MakeLdmRecord(MakeMessage31(ray));
-  const RadarVolume volume =
-    DecodeLevel2(Join({MakeVolumeHeader(), Repeat(record, 5), {1, 2, 3}}), "file");
+  for (int index = 0; index < 5; ++index)
+  {
+    parts.push_back(MakeLdmRecord(MakeMessage31(ray)));
+    ray.milliseconds += 100;
+  }
+  parts.push_back({1, 2, 3});
+  const RadarVolume volume = DecodeLevel2(Join(parts), "file");
   ASSERT_EQ(volume.buffers.size(), 5U);
   ASSERT_FALSE(volume.damage.empty());
   const std::vector<RadarVolume> cycles = SplitCycles(volume);

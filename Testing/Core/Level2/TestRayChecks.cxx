@@ -150,13 +150,17 @@ TEST(RayChecks, VolumesHoursApartInOneFileKeepTheirTimes)
   for (std::size_t index = 40; index < 80; ++index)
   {
     plans[index].milliseconds += 5 * 3'600'000;
+    plans[index].number -= 40;
   }
+  plans[39].status = 4;
+  plans[40].status = 3;
   const RadarVolume volume = Decode(plans);
   EXPECT_TRUE(volume.damage.empty()) << volume.damage[0].what;
   EXPECT_GT(*volume.End() - *volume.Start(), 5h);
 }
 
-// A few rays of as many dates: the header's time decides.
+// A few rays of as many dates, which are those of one sweep by their numbers and times of day: the
+// header's time decides.
 TEST(RayChecks, WithoutAMajorityTheHeadersTimeDecides)
 {
   std::vector<RayPlan> plans = PlanRays(5);
@@ -166,8 +170,9 @@ TEST(RayChecks, WithoutAMajorityTheHeadersTimeDecides)
   }
   ASSERT_EQ(plans[3].day, day);
   const RadarVolume volume = Decode(plans);
-  EXPECT_EQ(*volume.Start(), *volume.End());
-  EXPECT_EQ(*volume.Start(), FromLevel2Date(day, 9'799'000 + 3 * rayStep));
+  ASSERT_EQ(volume.RayCount(), 5U);
+  EXPECT_EQ(*volume.Start(), FromLevel2Date(day, 9'799'000));
+  EXPECT_EQ(*volume.End(), FromLevel2Date(day, 9'799'000 + 4 * rayStep));
 }
 
 // No real file has a coding or a date that the checks take for wrong.

@@ -232,6 +232,21 @@ TEST_F(LiveMerges, TheRangeOfATerminalRadarIsThatOfItsWholeFirstVolume)
   EXPECT_TRUE(series.Grid() == merger.Grid());
 }
 
+// The second of two radars of one name never stands at the place of the first.
+TEST_F(LiveMerges, ANamesakeFarAwayIsAProblem)
+{
+  LiveSeries series(options, {});
+  LiveInput other = Whole(folders[2]);
+  other.volume.site.position->latitude += 3.0;
+  EXPECT_TRUE(series.Put({Whole(folders[0])}).at(0).problems.empty());
+  const auto scanned = series.Put({other});
+  ASSERT_EQ(scanned.at(0).problems.size(), 1U);
+  EXPECT_TRUE(scanned[0].problems[0].leftOut);
+  EXPECT_NE(scanned[0].problems[0].what.find("other files have it at 38.810"), std::string::npos)
+    << scanned[0].problems[0].what;
+  EXPECT_EQ(series.VolumeCount(), 1U);
+}
+
 TEST_F(LiveMerges, WhatCannotBeUsedIsAProblem)
 {
   LiveSeries series(options, {});

@@ -117,6 +117,28 @@ TEST(SiteSeries, KeepsTheFullerOfTwoCopies)
   EXPECT_NE(scan->problems[0].Line().find("a-half: the same volume as"), std::string::npos);
 }
 
+// Two radars of one name, or a wrong position: the second never stands at the first's place.
+TEST(SiteSeries, NamesakesFarApartAreNotMerged)
+{
+  const TemporaryFolder folder;
+  const Site moved = {"KEAX", Position{38.84, -94.264, 340.0}}; // 3.3 km
+  const Site other = {"KEAX", Position{41.0, -94.264, 333.0}};
+  WriteLevel2(folder.Path() / "a", {ConstantVolume(other, At("2006-03-12T18:00:00Z"), 20.0)});
+  WriteLevel2(folder.Path() / "b", {ConstantVolume(keax, At("2006-03-12T18:05:00Z"), 20.0)});
+  WriteLevel2(folder.Path() / "c", {ConstantVolume(moved, At("2006-03-12T18:10:00Z"), 20.0)});
+  const auto scan = ScanInputs({folder.Path()});
+  ASSERT_EQ(scan->sites.size(), 1U);
+  EXPECT_EQ(scan->sites[0].volumes.size(), 2U);
+  EXPECT_NEAR(scan->sites[0].site.position->latitude, 38.81, 1e-4);
+  ASSERT_EQ(scan->problems.size(), 1U);
+  EXPECT_TRUE(scan->problems[0].leftOut);
+  EXPECT_EQ(scan->problems[0].Line().find((folder.Path() / "a").string()), 0U);
+  EXPECT_NE(scan->problems[0].Line().find("has a radar KEAX at 41.000, -94.264 degrees, and other "
+                                          "files have it at 38.810, -94.264 degrees"),
+    std::string::npos)
+    << scan->problems[0].Line();
+}
+
 TEST(SiteSeries, NamesWhatIsDamagedOrLeftOut)
 {
   const TemporaryFolder folder;

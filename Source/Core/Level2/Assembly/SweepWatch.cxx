@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Level2/SweepWatch.h"
+#include "nexrad/Level2/Assembly/SweepWatch.h"
 
 #include <cmath>
 #include <cstdio>
@@ -13,47 +13,41 @@ namespace
 constexpr std::uint8_t endOfCut = 2;
 constexpr std::uint8_t endOfVolume = 4;
 
-bool StartsCut(std::uint8_t radialStatus)
-{
-  return radialStatus == 0 || radialStatus == 3 || radialStatus == 5;
-}
-
 } // namespace
 
 double SweepWatch::TurnTo(float azimuth) const
 {
   // The remainder lies within -180 and 180 degrees: the antenna goes the short way between rays.
-  return rays == 0 ? 0.0
-                   : turned + std::remainder(static_cast<double>(azimuth) - lastAzimuth, 360.0);
+  return last == nullptr ? 0.0
+                         : turned + std::remainder(static_cast<double>(azimuth) -
+                                                     static_cast<double>(last->ray.azimuth),
+                                      360.0);
 }
 
-void SweepWatch::Add(const DecodedRay& decoded, std::uint64_t offset)
+void SweepWatch::Add(const ArrivedRay& arrived)
 {
-  const Ray& ray = decoded.ray;
-  const unsigned number = decoded.azimuthNumber;
-  if (rays == 0 && number > 1 && !StartsCut(ray.radialStatus))
+  const Ray& ray = arrived.ray;
+  const unsigned number = arrived.azimuthNumber;
+  if (last == nullptr && number > 1 && !StartsCut(ray))
   {
-    this->Count(number - 1, ray.azimuth, ray.azimuth, offset);
+    this->Count(number - 1, ray.azimuth, arrived);
   }
-  else if (rays > 0 && number > lastNumber + 1)
+  else if (last != nullptr && number > last->azimuthNumber + 1)
   {
-    this->Count(number - lastNumber - 1, lastAzimuth, ray.azimuth, offset);
+    this->Count(number - last->azimuthNumber - 1, last->ray.azimuth, arrived);
   }
   turned = this->TurnTo(ray.azimuth);
-  lastAzimuth = ray.azimuth;
-  lastNumber = number;
-  lastStatus = ray.radialStatus;
-  lastOffset = offset;
-  ++rays;
+  first = first != nullptr ? first : &arrived;
+  last = &arrived;
 }
 
-void SweepWatch::Count(std::size_t lost, float from, float to, std::uint64_t offset)
+void SweepWatch::Count(std::size_t lost, float from, const ArrivedRay& behind)
 {
   if (gaps == 0)
   {
     gapFrom = from;
-    gapTo = to;
-    missingOffset = offset;
+    gapTo = behind.ray.azimuth;
+    behindGap = &behind;
   }
   missing += lost;
   ++gaps;
@@ -62,8 +56,8 @@ void SweepWatch::Count(std::size_t lost, float from, float to, std::uint64_t off
 bool SweepWatch::IsCutOff() const
 {
   constexpr double almostFull = 358.0; // a full turn less one ray at each end
-  return rays > 0 && lastStatus != endOfCut && lastStatus != endOfVolume &&
-         std::abs(turned) < almostFull;
+  return last != nullptr && last->ray.radialStatus != endOfCut &&
+         last->ray.radialStatus != endOfVolume && std::abs(turned) < almostFull;
 }
 
 std::string SweepWatch::Describe(std::size_t sweepIndex, int elevationNumber) const

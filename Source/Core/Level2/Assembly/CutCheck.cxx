@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Level2/Assembly/CutCheck.h"
+
+#include "nexrad/Level2/Assembly/PatternChoice.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr std::uint8_t startOfVolume = 3;
+constexpr std::uint8_t endOfVolume = 4;
+constexpr double fullTurn = 360.0; // degrees
+
+int NumberOf(const ArrivedSweep& sweep)
+{
+  return sweep.rays.front()->ray.elevationNumber;
+}
+
+std::vector<int> NumbersFrom(int first, int last)
+{
+  std::vector<int> numbers(static_cast<std::size_t>(std::max(0, last - first + 1)));
+  std::iota(numbers.begin(), numbers.end(), first);
+  return numbers;
+}
+
+void Append(const std::vector<int>& more, std::vector<int>& numbers)
+{
+  numbers.insert(numbers.end(), more.begin(), more.end());
+}
+
+// The sweeps of one volume of the file, and the ray behind them.
+struct Cycle
+{
+  const ArrivedSweep& operator[](std::size_t index) const { return sweeps[begin + index]; }
+  std::size_t Size() const { return end - begin; }
+  const ArrivedSweep& Last() const { return sweeps[end - 1]; }
+  const ArrivedRay* Next() const
+  {
+    return end < sweeps.size() ? sweeps[end].rays.front() : nullptr;
+  }
+
+  const std::vector<ArrivedSweep>& sweeps;
+  std::size_t begin;
+  std::size_t end;
+};
+
+// Checks one volume.
+class CycleCheck
+{
+public:
+  CycleCheck(const Cycle& theCycle, VolumeCuts& theCuts, const ArrivedDamage& theReport)
+    : cycle(theCycle)
+    , cuts(theCuts)
+    , report(theReport)
+  {
+  }
+
+  void Check()
+  {
+    this->CheckNumbers();
+    this->CheckSweepEnds();
+    this->CheckEnd();
+    this->FindRepeated();
+  }
+
+private:
+  std::string OfAll() const
+  {
+    return cuts.expected ? " of " + std::to_string(*cuts.expected) : std::string();
+  }
+
+  // Cuts that the numbers of the sweeps leave out.
+  void CheckNumbers()
+  {
+    int before = 0;
+    for (std::size_t i = 0; i < cycle.Size(); ++i)
+    {
+      const int number = NumberOf(cycle[i]);
+      const std::vector<int> lost = NumbersFrom(before + 1, number - 1);
+      if (!lost.empty())
+      {
+        Append(lost, cuts.missing);
+        report(*cycle[i].rays.front(),
+          this->Missing(lost) + ": " +
+            (before == 0 ? "the first elevation number is " + std::to_string(number)
+                         : "the elevation numbers go from " + std::to_string(before) + " to " +
+                             std::to_string(number)));
+      }
+      before = number;
+    }
+    if (cuts.expected && before > *cuts.expected)
+    {
+      cuts.expected.reset(); // another pattern
+      cuts.pattern.reset();
+    }
+  }
+
+  std::string Missing(const std::vector<int>& lost) const
+  {
+    return CutsText(lost) + this->OfAll() + (lost.size() == 1 ? " is missing" : " are missing");
+  }
+
+  // The radar may break a cut off and scan it again; then nothing was lost.
+  void CheckSweepEnds()
+  {
+    for (std::size_t i = 0; i + 1 < cycle.Size(); ++i)
+    {
+      if (cycle[i].cutOff && !cycle[i].restarted)
+      {
+        this->ReportEnd(i);
+      }
+    }
+  }
+
+  void ReportEnd(std::size_t index)
+  {
+    report(*cycle[index].rays.back(),
+      "rays missing at the end of " + NameOfSweep(cycle.begin + index, cycle[index]));
+  }
+
+  void CheckEnd()
+  {
+    const ArrivedSweep& last = cycle.Last();
+    const std::vector<int> rest =
+      NumbersFrom(NumberOf(last) + 1, cuts.expected.value_or(NumberOf(last)));
+    if (last.rays.back()->ray.radialStatus == endOfVolume)
+    {
+      cuts.end = rest.empty() ? VolumeEnd::LastCut : VolumeEnd::Early;
+      cuts.notScanned = rest;
+      return;
+    }
+    if (cycle.Next() != nullptr && this->BeginsAtOnce(*cycle.Next(), rest.size()))
+    {
+      cuts.end = VolumeEnd::NewVolume;
+      cuts.notScanned = rest;
+      return;
+    }
+    Append(rest, cuts.missing);
+    if (cycle.Next() == nullptr)
+    {
+      return; // VolumeAssembler says that the end is missing
+    }
+    if (!rest.empty())
+    {
+      report(*last.rays.back(), this->Missing(rest) + " before the next volume");
+    }
+    if (last.cutOff)
+    {
+      this->ReportEnd(cycle.Size() - 1);
+    }
+  }
+
+  // Whether a new volume begins before the radar can have scanned half of the rest of this one, as
+  // fast as the last sweep: then it never did.
+  bool BeginsAtOnce(const ArrivedRay& next, std::size_t cutsLeft) const
+  {
+    const ArrivedSweep& last = cycle.Last();
+    const Duration pause = next.ray.time - last.rays.back()->ray.time;
+    const Duration taken = last.rays.back()->ray.time - last.rays.front()->ray.time;
+    const double left = fullTurn * static_cast<double>(cutsLeft) +
+                        (last.cutOff ? fullTurn - std::abs(last.turned) : 0.0);
+    return next.ray.radialStatus == startOfVolume && std::abs(last.turned) > 0.0 &&
+           static_cast<double>(pause.count()) * std::abs(last.turned) <
+             0.5 * left * static_cast<double>(taken.count());
+  }
+
+  void FindRepeated()
+  {
+    for (const int number : cuts.pattern ? RepeatedCuts(*cuts.pattern) : std::vector<int>())
+    {
+      for (std::size_t i = 0; i < cycle.Size(); ++i)
+      {
+        if (NumberOf(cycle[i]) == number)
+        {
+          cuts.repeated.push_back(number);
+          break;
+        }
+      }
+    }
+  }
+
+  const Cycle& cycle;
+  VolumeCuts& cuts;
+  const ArrivedDamage& report;
+};
+
+} // namespace
+
+void CheckCuts(const std::vector<ArrivedSweep>& sweeps,
+  const std::vector<CoveragePattern>& patterns, RadarVolume& volume, const ArrivedDamage& report)
+{
+  for (std::size_t begin = 0; begin < sweeps.size();)
+  {
+    std::size_t end = begin + 1;
+    while (end < sweeps.size() && !BeginsCycle(volume.sweeps[end - 1], volume.sweeps[end]))
+    {
+      ++end;
+    }
+    const Cycle cycle{sweeps, begin, end};
+    VolumeCuts& cuts = volume.cuts.emplace_back(ChoosePattern(sweeps, begin, end, patterns));
+    CycleCheck(cycle, cuts, report).Check();
+    begin = end;
+  }
+  volume.complete = !volume.cuts.empty() && volume.cuts.back().end != VolumeEnd::Missing &&
+                    std::all_of(volume.cuts.begin(), volume.cuts.end(),
+                      [](const VolumeCuts& cuts) { return cuts.missing.empty(); });
+}
+
+} // namespace nexrad

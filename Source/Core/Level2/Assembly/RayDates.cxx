@@ -1,0 +1,291 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Level2/Assembly/RayDates.h"
+
+#include "nexrad/Level2/Assembly/RayStretches.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace nexrad
+{
+
+namespace
+{
+
+constexpr Duration widestGap = std::chrono::hours(1);
+constexpr Duration day = std::chrono::hours(24);
+
+// Midnight before the first ray of `after`, when that goes on from `before` in the file but for its
+// date, which is still the old one.
+std::optional<Time> FindOldDate(
+  const RayList& rays, const RayStretch& before, const RayStretch& after)
+{
+  constexpr Duration longestPause = std::chrono::minutes(10);
+  constexpr std::size_t fewestRays = 10; // fewer may have a wrong date
+  const Time last = rays[before.end - 1]->ray.time;
+  const Time first = rays[after.begin]->ray.time;
+  const Duration pause = first + day - last;
+  const Time midnight(first.time_since_epoch() / day * day);
+  const bool goesOn = pause >= Duration(0) && pause <= longestPause && last < midnight + day &&
+                      before.Size() >= fewestRays && after.Size() >= fewestRays &&
+                      MayFollow(*rays[before.end - 1], *rays[after.begin]);
+  return goesOn ? std::optional(midnight) : std::nullopt;
+}
+
+void GoOnAtMidnight(const RayList& rays, std::vector<std::string>& notes)
+{
+  const std::vector<RayStretch> stretches = CutStretches(rays);
+  std::optional<Time> oldDate;
+  for (std::size_t i = 1; i < stretches.size() && !oldDate; ++i)
+  {
+    oldDate = FindOldDate(rays, stretches[i - 1], stretches[i]);
+  }
+  std::size_t mended = 0;
+  for (ArrivedRay* ray : rays)
+  {
+    if (oldDate && ray->ray.time >= *oldDate && ray->ray.time < *oldDate + day / 2)
+    {
+      ray->ray.time += day;
+      ++mended;
+    }
+  }
+  if (mended > 0)
+  {
+    notes.push_back("the date does not go on at midnight: " + CountRays(mended) +
+                    " get the date of the next day");
+  }
+}
+
+// Whole days, rounded.
+Duration::rep DaysBetween(Time from, Time to)
+{
+  return static_cast<Duration::rep>(
+    std::llround(static_cast<double>((to - from).count()) / static_cast<double>(day.count())));
+}
+
+// Times between which no gap is wider than an hour.
+struct TimeGroup
+{
+  bool Has(Time time) const { return time >= first && time <= last; }
+
+  Time first;
+  Time last;
+  Time middle; // of the rays' times
+  std::size_t rays = 0;
+};
+
+std::vector<TimeGroup> GroupTimes(const RayList& rays)
+{
+  std::vector<Time> times;
+  for (const ArrivedRay* ray : rays)
+  {
+    times.push_back(ray->ray.time);
+  }
+  std::sort(times.begin(), times.end());
+  std::vector<TimeGroup> groups;
+  for (std::size_t begin = 0; begin < times.size();)
+  {
+    std::size_t end = begin + 1;
+    while (end < times.size() && times[end] - times[end - 1] <= widestGap)
+    {
+      ++end;
+    }
+    groups.push_back({times[begin], times[end - 1], times[(begin + end) / 2], end - begin});
+    begin = end;
+  }
+  return groups;
+}
+
+TimeGroup FindLargest(const std::vector<TimeGroup>& groups, std::optional<Time> headerTime)
+{
+  const auto isSmaller = [&headerTime](const TimeGroup& a, const TimeGroup& b)
+  {
+    if (a.rays != b.rays || !headerTime)
+    {
+      return a.rays < b.rays;
+    }
+    return std::chrono::abs(a.middle - *headerTime) > std::chrono::abs(b.middle - *headerTime);
+  };
+  return *std::max_element(groups.begin(), groups.end(), isSmaller);
+}
+
+// Rays of a group, by their places in the file.
+struct GroupPlaces
+{
+  std::size_t first = 0;
+  std::size_t last = 0;
+  bool startsVolume = false;
+};
+
+GroupPlaces PlacesOf(const RayList& rays, const TimeGroup& group)
+{
+  constexpr std::uint8_t startOfVolume = 3;
+  GroupPlaces places;
+  places.first = rays.size();
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    if (group.Has(rays[i]->ray.time))
+    {
+      places.first = std::min(places.first, i);
+      places.last = i;
+      places.startsVolume = places.startsVolume || rays[i]->ray.radialStatus == startOfVolume;
+    }
+  }
+  return places;
+}
+
+// Whether a group is a volume of its own, before or behind the largest one.
+bool IsOwnVolume(const RayList& rays, const TimeGroup& group, const TimeGroup& largest)
+{
+  constexpr std::size_t fewestRays = 30;
+  constexpr std::size_t raysOfCut = 300; // a start may be lost
+  if (group.rays < fewestRays || group.first < largest.middle - day ||
+      group.last > largest.middle + day)
+  {
+    return false;
+  }
+  const GroupPlaces own = PlacesOf(rays, group);
+  const GroupPlaces others = PlacesOf(rays, largest);
+  const bool inOrder =
+    group.first < largest.first ? own.last < others.first : own.first > others.last;
+  return inOrder && (own.startsVolume || group.rays >= raysOfCut);
+}
+
+// The rays of a file whose times are right, and how the others become right.
+class RightTimes
+{
+public:
+  RightTimes(const RayList& theRays, std::optional<Time> headerTime, const ArrivedDamage& theReport)
+    : rays(theRays)
+    , report(theReport)
+    , isRight(theRays.size())
+  {
+    const std::vector<TimeGroup> groups = GroupTimes(rays);
+    const TimeGroup largest = FindLargest(groups, headerTime);
+    std::size_t examined = 0;
+    for (const TimeGroup& group : groups)
+    {
+      constexpr std::size_t mostGroups = 100; // each is looked for in all rays
+      const bool isLargest = group.first == largest.first;
+      if (isLargest || (++examined <= mostGroups && IsOwnVolume(rays, group, largest)))
+      {
+        this->Accept(group);
+      }
+    }
+  }
+
+  // Goes from the first to the last ray, and then back, so that rays that were mended help others.
+  void Mend()
+  {
+    const std::vector<RayStretch> stretches = CutStretches(rays);
+    std::vector<ArrivedRay*> next(stretches.size()); // the first right ray behind each
+    for (std::size_t i = stretches.size() - 1; i > 0; --i)
+    {
+      next[i - 1] = isRight[stretches[i].begin] ? rays[stretches[i].begin] : next[i];
+    }
+    const ArrivedRay* before = nullptr;
+    for (std::size_t i = 0; i < stretches.size(); ++i)
+    {
+      const bool right =
+        isRight[stretches[i].begin] || this->MendOne(before, stretches[i], next[i]);
+      before = right ? rays[stretches[i].end - 1] : before;
+    }
+    const ArrivedRay* after = nullptr;
+    for (auto stretch = stretches.rbegin(); stretch != stretches.rend(); ++stretch)
+    {
+      const bool right = isRight[stretch->begin] || this->MendOne(nullptr, *stretch, after);
+      after = right ? rays[stretch->begin] : after;
+    }
+  }
+
+  RayList LeftOut() const { return this->Those(false); }
+  RayList Right() const { return this->Those(true); }
+
+private:
+  void Accept(const TimeGroup& group)
+  {
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      isRight[i] = isRight[i] || group.Has(rays[i]->ray.time);
+    }
+  }
+
+  RayList Those(bool right) const
+  {
+    RayList those;
+    for (std::size_t i = 0; i < rays.size(); ++i)
+    {
+      if (isRight[i] == right)
+      {
+        those.push_back(rays[i]);
+      }
+    }
+    return those;
+  }
+
+  bool MendOne(const ArrivedRay* before, const RayStretch& stretch, const ArrivedRay* after)
+  {
+    const ArrivedRay& first = *rays[stretch.begin];
+    const ArrivedRay& last = *rays[stretch.end - 1];
+    return BelongsBetween(before, first, last, after) &&
+           (before != nullptr ? this->MoveBeside(stretch, first.ray.time, before->ray.time)
+                              : this->MoveBeside(stretch, last.ray.time, after->ray.time));
+  }
+
+  // `nearest` is the time of the stretch's ray that is next to a right one, at `beside`.
+  bool MoveBeside(const RayStretch& stretch, Time nearest, Time beside)
+  {
+    constexpr std::size_t mostInARow = 10;
+    const Duration shift = DaysBetween(nearest, beside) * day;
+    const bool dayFits = std::chrono::abs(nearest + shift - beside) <= LongestStep;
+    if (!dayFits && stretch.Size() >= mostInARow)
+    {
+      return false;
+    }
+    const ArrivedRay& first = *rays[stretch.begin];
+    const Time old = first.ray.time;
+    for (std::size_t i = stretch.begin; i < stretch.end; ++i)
+    {
+      Time& time = rays[i]->ray.time;
+      time = dayFits ? time + shift : beside;
+      isRight[i] = true;
+    }
+    report(first, (stretch.Size() == 1 ? "a ray" : CountRays(stretch.Size())) +
+                    std::string(" of ") + FormatIso8601(old) +
+                    ", hours from the other rays of the file; taken for " +
+                    FormatIso8601(first.ray.time));
+    return true;
+  }
+
+  const RayList& rays;
+  const ArrivedDamage& report;
+  std::vector<bool> isRight;
+};
+
+} // namespace
+
+void MendDates(RayList& rays, std::optional<Time> headerTime, const ArrivedDamage& report,
+  std::vector<std::string>& notes)
+{
+  const auto extremes = std::minmax_element(rays.begin(), rays.end(),
+    [](const ArrivedRay* a, const ArrivedRay* b) { return a->ray.time < b->ray.time; });
+  if (rays.empty() || (*extremes.second)->ray.time - (*extremes.first)->ray.time <= widestGap)
+  {
+    return;
+  }
+  GoOnAtMidnight(rays, notes);
+  RightTimes times(rays, headerTime, report);
+  times.Mend();
+  const RayList leftOut = times.LeftOut();
+  if (!leftOut.empty())
+  {
+    report(*leftOut.front(), CountRays(leftOut.size()) + " of " +
+                               FormatIso8601(leftOut.front()->ray.time) +
+                               (leftOut.size() == 1 ? "" : " and other times") +
+                               ", an hour or more from the other rays of the file: left out");
+  }
+  rays = times.Right();
+}
+
+} // namespace nexrad

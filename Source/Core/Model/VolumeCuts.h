@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Model/CoveragePattern.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace nexrad
+{
+
+/// What ended a volume.
+enum class VolumeEnd : std::uint8_t
+{
+  Missing,   ///< nothing in the file: its last rays are lost, or still to come
+  LastCut,   ///< the radar, behind the last cut of the pattern or of an unknown pattern
+  Early,     ///< the radar, with cuts of the pattern left: AVSET, when nothing is to be seen higher
+  NewVolume, ///< the radar broke it off and began the next one
+};
+
+/// "last cut", "early", "new volume"; "missing" when nothing ended it.
+const char* ToString(VolumeEnd end);
+
+/// The cuts of one volume by their elevation numbers, each list ascending.
+struct VolumeCuts
+{
+  /// True when the radar ended the volume and nothing was lost.
+  bool IsComplete() const { return end != VolumeEnd::Missing && missing.empty(); }
+
+  std::optional<int> patternNumber;       ///< VCP, as the volume's rays say
+  std::optional<CoveragePattern> pattern; ///< message 5 of that pattern
+  std::optional<int> expected; ///< how many cuts the pattern has; of message 5, or where that is
+                               ///< absent and rays are of message 1, of the published patterns
+  std::vector<int> missing;    ///< lost
+  std::vector<int> notScanned; ///< left by the radar, which ended the volume before them
+  std::vector<int> repeated;   ///< scanned, at an elevation below former ones: SAILS and MRLE
+  VolumeEnd end = VolumeEnd::Missing;
+};
+
+/// "cut 5", "cuts 5 and 6", "cuts 3 to 9", "cuts 3, 5 and 7 to 9" for ascending numbers.
+std::string CutsText(const std::vector<int>& numbers);
+
+/// What the radar itself did with its pattern, a line each: cuts that it scanned again, and cuts
+/// that it left out.
+std::vector<std::string> DescribeCuts(const VolumeCuts& cuts);
+
+} // namespace nexrad

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// A part of a real file that is repeated, late, swapped, or of another radar, at every place of the
+// file, changes no ray of the volume. What is merged is computed of these rays alone.
+#include "nexrad/Level2/Level2File.h"
+
+#include "FileParts.h"
+#include "TestData.h"
+
+#include <gtest/gtest.h>
+
+#include <cctype>
+
+#include <filesystem>
+#include <string>
+
+using namespace nexrad;
+using namespace nexrad::testing;
+
+namespace
+{
+
+struct SpoiltFile
+{
+  const char* name;      // in the test data's folder level2
+  std::size_t messages;  // in a part, where the file has no records
+  const char* foreigner; // the file that the foreign part is of
+  bool asStored = false; // records stay compressed
+};
+
+// Formats: message 1 of 1991 to 2006, with and without the radar's name, times of whole seconds,
+// several cycles with lost rays; message 31 in bzip2 records, without records, in gzip; split cuts,
+// AVSET; terminal radars.
+const SpoiltFile files[] = {
+  {"legacy/KTLX19910605_162126.gz", 60, "quality/KLSX19930707_040351.gz"},
+  {"legacy/KTLX19990503_235621.gz", 90, "legacy/KVWX_20050626_221551.gz"},
+  {"legacy/KVWX_20050626_221551.gz", 61, "run-kbgm-20050821/KBGM20050821_024323.gz"},
+  {"pairs/KBBX20060113_170337.gz", 203, "pairs/KLIX20050828_180149.gz"},
+  {"superres/KTLX20100501_000444_V03.gz", 60, "superres/KBLX20090603_004417_V03.gz"},
+  {"superres/PGUA20160602_055618_V06.raw.gz", 71, "pairs/KVBX20190501_093433_V06"},
+  {"superres/Level2_KFTG_20150430_1419.ar2v", 90, "pairs/KVBX20190501_093433_V06"},
+  {"superres/KTLX20190715_120037_V06", 60, "superres/KLOT20220317_000842_V06", true},
+  {"superres/KLSX20251229_065156_V06", 80, "superres/KDMX20250101_225441_V06"},
+  {"tdwr/Level2_TSTL_20220213_2357.ar2v", 53, "superres/KLOT20220317_000842_V06"},
+  {"tdwr/TDAL20191021021543V08.raw.gz", 47, "tdwr/Level2_TSTL_20220213_2357.ar2v"},
+};
+
+class EveryPosition : public ::testing::TestWithParam<SpoiltFile>
+{
+};
+
+} // namespace
+
+TEST_P(EveryPosition, GivesTheSameRays)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const SpoiltFile& spoilt = GetParam();
+  FileParts file = CutFile(data / "level2" / spoilt.name, spoilt.messages);
+  FileParts other = CutFile(data / "level2" / spoilt.foreigner, spoilt.messages);
+  ASSERT_GT(file.parts.size(), 20U);
+  if (!spoilt.asStored)
+  {
+    file = Decompress(file);
+    other = Decompress(other);
+  }
+  const RadarVolume clean = DecodeLevel2(file.Whole(), spoilt.name);
+  for (std::size_t place = 0; place < file.parts.size(); ++place)
+  {
+    const Bytes& foreignPart = other.parts[place % other.parts.size()];
+    for (const ChangedFile& changed : ChangeAt(file, place, foreignPart))
+    {
+      const RadarVolume volume = DecodeLevel2(changed.bytes, spoilt.name);
+      EXPECT_EQ(DifferenceOf(volume, clean), "") << changed.what;
+    }
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(RealFiles, EveryPosition, ::testing::ValuesIn(files),
+  [](const auto& file)
+  {
+    std::string name = std::filesystem::path(file.param.name).filename().string();
+    for (char& letter : name)
+    {
+      letter = std::isalnum(static_cast<unsigned char>(letter)) != 0 ? letter : '_';
+    }
+    return name;
+  });
