@@ -307,6 +307,11 @@ NxvHeader ParseJson(const Json& json)
   }
   header.volume.method = json.at("method").get<std::string>();
   header.volume.synthetic = json.value("synthetic", false);
+  header.volume.biologicalShare = json.value("biological_share", 0.0F);
+  if (!(header.volume.biologicalShare >= 0.0F && header.volume.biologicalShare <= 1.0F))
+  {
+    throw Error("header: biological_share must be from 0 to 1");
+  }
   header.volume.ofOneRadar = json.value("one_radar", false);
   if (header.volume.ofOneRadar && header.volume.sitePositions.size() != 1)
   {
@@ -349,6 +354,10 @@ std::string FormatNxvHeader(const NxvHeader& header)
     json["one_radar"] = true;
   }
   json["synthetic"] = volume.synthetic;
+  if (volume.biologicalShare > 0.0F)
+  {
+    json["biological_share"] = std::round(1.0e4 * double(volume.biologicalShare)) / 1.0e4;
+  }
   json["arrays"] = Json::array();
   for (const NxvArray& array : header.arrays)
   {

@@ -75,6 +75,7 @@ GriddedVolume WithoutVoxels(const GriddedVolume& volume)
   description.sitePositions = volume.sitePositions;
   description.ofOneRadar = volume.ofOneRadar;
   description.synthetic = volume.synthetic;
+  description.biologicalShare = volume.biologicalShare;
   description.fill = volume.fill;
   return description;
 }
@@ -88,10 +89,15 @@ GriddedVolume JoinMoments(std::vector<GriddedVolume> moments)
   }
   const bool synthetic = std::any_of(
     moments.begin(), moments.end(), [](const GriddedVolume& moment) { return moment.synthetic; });
+  const float biological = std::max_element(moments.begin(), moments.end(),
+    [](const GriddedVolume& a, const GriddedVolume& b) {
+      return a.biologicalShare < b.biologicalShare;
+    })->biologicalShare;
   for (GriddedVolume& moment : moments)
   {
     SetSites(moment, radars);
     moment.synthetic = synthetic;
+    moment.biologicalShare = biological;
   }
   GriddedVolume joined = std::move(moments.front());
   joined.further.assign(

@@ -84,6 +84,10 @@ void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
   }
   vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(
     field, "Synthetic", {static_cast<unsigned char>(volume.synthetic ? 1 : 0)});
+  if (volume.biologicalShare > 0.0F)
+  {
+    vtkNexradAddValues<vtkFloatArray, float>(field, "BiologicalShare", {volume.biologicalShare});
+  }
 }
 
 // Of a voxel with that state.
@@ -368,6 +372,8 @@ void TakeFieldData(vtkFieldData* field, nexrad::GriddedVolume& volume)
   const std::vector<std::string> method = vtkNexradGetTexts(field, "Method");
   volume.method = method.empty() ? std::string() : method[0];
   volume.synthetic = vtkNexradGetValue(field, "Synthetic").value_or(0.0) != 0.0;
+  volume.biologicalShare =
+    static_cast<float>(vtkNexradGetValue(field, "BiologicalShare").value_or(0.0));
   volume.ofOneRadar =
     vtkNexradGetValue(field, "OneRadar").value_or(0.0) != 0.0 && volume.sitePositions.size() == 1;
   volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));

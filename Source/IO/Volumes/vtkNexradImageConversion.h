@@ -52,6 +52,8 @@
  * - `Method`, string: "thesis" or "beam".
  * - `OneRadar`, uint8, where it is so: 1, the volume is that of one of several radars alone.
  * - `Synthetic`, uint8: 1 when made from simulated files; pictures must say so.
+ * - `BiologicalShare`, float32, where it is above 0: of the gates of reflectivity that were merged,
+ *   the part that quality control calls biological.
  *
  * Points are the centres of the voxels. `TimeValue` is the name that VTK's XML readers take the
  * time from.

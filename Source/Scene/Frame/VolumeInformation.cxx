@@ -50,6 +50,7 @@ VolumeInformation ReadVolumeInformation(vtkImageData* volume)
   information.method = Text(fields, "Method");
   information.projection = Text(fields, "Projection");
   information.synthetic = Number(fields, "Synthetic").value_or(0.0) != 0.0;
+  information.biologicalShare = Number(fields, "BiologicalShare").value_or(0.0);
   return information;
 }
 

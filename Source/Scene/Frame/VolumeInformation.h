@@ -22,6 +22,8 @@ struct VolumeInformation
   std::string method;     ///< "thesis" or "beam", "" when unknown
   std::string projection; ///< PROJ string of x and y, "" when unknown
   bool synthetic = false; ///< made from simulated files
+  /// Part of the echo that quality control calls biological, 0…1; 0 when unknown.
+  double biologicalShare = 0.0;
 };
 
 VolumeInformation ReadVolumeInformation(vtkImageData* volume);
