@@ -122,6 +122,40 @@ TEST(Captions, SayTimeRadarsAndAges)
   EXPECT_EQ(SiteWords(texts)[4], "KLSX,");
 }
 
+TEST(Captions, SayThatMostEchoIsBiological)
+{
+  GriddedVolume volume = nexrad::testing::MakeStorm(false);
+  volume.biologicalShare = 0.877F;
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  CaptionTexts texts = MakeTexts(false);
+  texts.information = ReadVolumeInformation(image);
+  EXPECT_EQ(SiteWords(texts), (Words{"KLSX", "KILX;", "88", "%", "of", "the", "echo", "is",
+                                "biological", "(birds,", "insects)"}));
+  texts.information.biologicalShare = 0.49;
+  EXPECT_EQ(SiteWords(texts), (Words{"KLSX", "KILX"}));
+  texts.information.biologicalShare = 0.9;
+  texts.information.sites.clear();
+  EXPECT_TRUE(SiteWords(texts).empty());
+}
+
+// A file tells it as well, with the other moments of its volume.
+TEST(Captions, LearnOfFilesThatMostEchoIsBiological)
+{
+  const nexrad::testing::TemporaryFolder folder;
+  const std::string path = folder.Path() / "a.nxv";
+  GriddedVolume volume = nexrad::testing::MakeStorm(false);
+  volume.biologicalShare = 0.877F;
+  WriteNxv(path, volume);
+  vtkNew<vtkImageData> image;
+  vtkNexradReadVolumeFile({path, {}, {}, false}, image);
+  EXPECT_WITHIN(
+    ReadVolumeInformation(image).biologicalShare, 0.877, 1e-4, "biological share of a file");
+  WriteNxv(path, nexrad::testing::MakeStorm(false));
+  vtkNexradReadVolumeFile({path, {}, {}, false}, image);
+  EXPECT_EQ(ReadVolumeInformation(image).biologicalShare, 0.0);
+}
+
 // Time and radars, the note, SYNTHETIC: in narrow pictures as well they are off each other and in
 // the picture.
 TEST(Captions, AreOffEachOtherInEveryPicture)

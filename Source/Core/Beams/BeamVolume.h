@@ -22,6 +22,7 @@ struct BeamVolume
   Time start{}; ///< first ray
   Time end{};   ///< last ray
   bool synthetic = false;
+  EchoGates echo;                ///< of reflectivity
   std::vector<BeamSweep> sweeps; ///< in the order scanned
   VolumeComposite composite;     ///< of the sweeps
   EchoLayers layers;             ///< of reflectivity, when PrepareForGrid was asked for them

@@ -308,6 +308,11 @@ NxvHeader ParseJson(const Json& json)
   header.volume.method = json.at("method").get<std::string>();
   header.volume.synthetic = json.value("synthetic", false);
   header.volume.sharpened = json.value("sharpened", false);
+  header.volume.biologicalShare = json.value("biological_share", 0.0F);
+  if (!(header.volume.biologicalShare >= 0.0F && header.volume.biologicalShare <= 1.0F))
+  {
+    throw Error("header: biological_share must be from 0 to 1");
+  }
   header.volume.ofOneRadar = json.value("one_radar", false);
   if (header.volume.ofOneRadar && header.volume.sitePositions.size() != 1)
   {
@@ -351,6 +356,10 @@ std::string FormatNxvHeader(const NxvHeader& header)
   }
   json["synthetic"] = volume.synthetic;
   json["sharpened"] = volume.sharpened;
+  if (volume.biologicalShare > 0.0F)
+  {
+    json["biological_share"] = std::round(1.0e4 * double(volume.biologicalShare)) / 1.0e4;
+  }
   json["arrays"] = Json::array();
   for (const NxvArray& array : header.arrays)
   {

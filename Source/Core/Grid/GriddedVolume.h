@@ -92,8 +92,11 @@ struct GriddedVolume
   /// Of one of several radars alone, on the grid of all. What is made of it (images, NetCDF files)
   /// has the radar's view of the grid (RadarView).
   bool ofOneRadar = false;
-  bool synthetic = false;    ///< made from simulated files; pictures must say so
   bool sharpened = false;    ///< REF was deconvolved in elevation (Formulas G9); maps must say so
+  bool synthetic = false; ///< made from simulated files; pictures must say so
+  /// Of the gates of reflectivity that were merged, the part that quality control calls biological,
+  /// 0…1; 0 where it is off.
+  float biologicalShare = 0.0F;
   float fill = -33.0F;       ///< value where the state is not Echo
   std::vector<float> values; ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;

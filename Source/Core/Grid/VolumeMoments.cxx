@@ -76,6 +76,7 @@ GriddedVolume WithoutVoxels(const GriddedVolume& volume)
   description.ofOneRadar = volume.ofOneRadar;
   description.synthetic = volume.synthetic;
   description.sharpened = volume.sharpened;
+  description.biologicalShare = volume.biologicalShare;
   description.fill = volume.fill;
   return description;
 }
@@ -94,11 +95,16 @@ GriddedVolume JoinMoments(std::vector<GriddedVolume> moments)
   };
   const bool synthetic = any(&GriddedVolume::synthetic);
   const bool sharpened = any(&GriddedVolume::sharpened);
+  const float biological = std::max_element(moments.begin(), moments.end(),
+    [](const GriddedVolume& a, const GriddedVolume& b) {
+      return a.biologicalShare < b.biologicalShare;
+    })->biologicalShare;
   for (GriddedVolume& moment : moments)
   {
     SetSites(moment, radars);
     moment.synthetic = synthetic;
     moment.sharpened = sharpened;
+    moment.biologicalShare = biological;
   }
   GriddedVolume joined = std::move(moments.front());
   joined.further.assign(

@@ -497,12 +497,17 @@ GriddedVolume BeamMerger::VolumeToFill(
   volume.grid = PartOf(grid, block);
   volume.time = time;
   volume.method = "beam";
+  EchoGates echo;
   for (const std::shared_ptr<const BeamVolume>& each : volumes)
   {
     volume.moment = each->moment;
     volume.synthetic = volume.synthetic || each->synthetic;
     volume.sharpened = IsSharpened(each->moment, options);
+    echo.all += each->echo.all;
+    echo.biological += each->echo.biological;
   }
+  volume.biologicalShare =
+    static_cast<float>(echo.biological) / static_cast<float>(std::max<std::size_t>(echo.all, 1));
   for (const auto& group : GroupBySite(volumes))
   {
     const Site& site = group.second.front()->site;

@@ -263,7 +263,7 @@ ReadyVolume MergeRun::WithoutSweeps(
   if (request.method == MergeMethod::Thesis)
   {
     return {std::make_shared<const PolarVolume>(
-              PolarVolume{site, moment, volume.start, volume.end, volume.synthetic, {}}),
+              PolarVolume{site, moment, volume.start, volume.end, volume.synthetic, {}, {}}),
       nullptr};
   }
   const bool pictured = LooksForMotion(request, moment);

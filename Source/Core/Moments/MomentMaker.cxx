@@ -138,6 +138,7 @@ PolarVolume MomentMaker::MakeReflectivity()
   // Whoever makes many volumes makes them on threads of their own.
   const EchoClassification found = ClassifyEcho(volume, measured, ThreadLoop(1));
   TakeOut(volume, found, options.quality.level);
+  volume.echo = GatesLeft(found.counts, options.quality.level);
   echo = found.counts;
   return volume;
 }

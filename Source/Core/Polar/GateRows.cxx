@@ -42,6 +42,18 @@ std::size_t SkipNoEcho(const std::uint16_t* codes, std::size_t gate, std::size_t
 // The first gate from `gate` on that holds no echo; `end` when all hold something.
 std::size_t SkipEcho(const std::uint16_t* codes, std::size_t gate, std::size_t end)
 {
+  std::uint64_t four = 0;
+  constexpr std::size_t count = sizeof four / sizeof *codes;
+  constexpr std::uint64_t ones = 0x0001'0001'0001'0001U;
+  constexpr std::uint64_t highest = 0x8000'8000'8000'8000U;
+  for (; gate + count <= end; gate += count)
+  {
+    std::memcpy(&four, codes + gate, sizeof four);
+    if (((four - ones) & ~four & highest) != 0) // one of them is 0
+    {
+      break;
+    }
+  }
   while (gate < end && codes[gate] != GateCode::NoEcho)
   {
     ++gate;

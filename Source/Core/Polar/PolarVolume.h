@@ -40,6 +40,13 @@ struct PolarSweep
   void Read(std::size_t ray, std::uint16_t* codes) const { rows.Read(ray, gates, codes); }
 };
 
+/// Gates of reflectivity that quality control leaves in a volume.
+struct EchoGates
+{
+  std::size_t all = 0; ///< with a value; 0 where it is off
+  std::size_t biological = 0;
+};
+
 /// What gridding needs of a radar volume: one moment of one site.
 struct PolarVolume
 {
@@ -49,6 +56,7 @@ struct PolarVolume
   Time end{};                     ///< last ray
   bool synthetic = false;         ///< from a simulated file
   std::vector<PolarSweep> sweeps; ///< those that have the moment, in the order scanned
+  EchoGates echo;                 ///< of reflectivity
 };
 
 /// What a code says of its gate: Valid from GateCode::FirstValue on. Filtered gates are NotSampled:

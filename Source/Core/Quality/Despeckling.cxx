@@ -27,10 +27,10 @@ constexpr std::size_t noRay = std::numeric_limits<std::size_t>::max();
 using RayPlaces = std::array<std::size_t, 3>;
 
 // Which gates of a sweep have a value, and the rays in the order of their azimuths.
-class EchoGates
+class HeldGates
 {
 public:
-  explicit EchoGates(const PolarSweep& theSweep)
+  explicit HeldGates(const PolarSweep& theSweep)
     : sweep(theSweep)
     , elevation(MedianElevation(theSweep))
     , cosine(std::cos(elevation * RadiansPerDegree))
@@ -126,20 +126,20 @@ private:
   std::vector<std::uint8_t> valid;                   // 1 for a gate with a value, rays × gates
 };
 
-using Cuts = std::vector<const EchoGates*>;
+using Cuts = std::vector<const HeldGates*>;
 
 // All cuts of the next tilt below (side −1) or above (side 1).
-Cuts FindNextTilt(const std::vector<EchoGates>& sweeps, const EchoGates& own, double side)
+Cuts FindNextTilt(const std::vector<HeldGates>& sweeps, const HeldGates& own, double side)
 {
-  const auto rise = [&own, side](const EchoGates& other)
+  const auto rise = [&own, side](const HeldGates& other)
   { return side * (other.Elevation() - own.Elevation()); };
   double nearest = std::numeric_limits<double>::infinity();
-  for (const EchoGates& other : sweeps)
+  for (const HeldGates& other : sweeps)
   {
     nearest = rise(other) > SameTilt ? std::min(nearest, rise(other)) : nearest;
   }
   Cuts cuts;
-  for (const EchoGates& other : sweeps)
+  for (const HeldGates& other : sweeps)
   {
     if (rise(other) > SameTilt && rise(other) <= nearest + SameTilt)
     {
@@ -156,7 +156,7 @@ class BesideRay
 public:
   BesideRay(const Cuts& cuts, double azimuth)
   {
-    for (const EchoGates* cut : cuts)
+    for (const HeldGates* cut : cuts)
     {
       places.emplace_back(cut, cut->PlacesAbout(azimuth));
     }
@@ -173,12 +173,12 @@ public:
   }
 
 private:
-  std::vector<std::pair<const EchoGates*, RayPlaces>> places;
+  std::vector<std::pair<const HeldGates*, RayPlaces>> places;
 };
 
 // Indices of the gates of a sweep that have too few neighbours, ascending.
-std::vector<std::size_t> FindSpeckle(const PolarSweep& sweep, const EchoGates& own,
-  const std::vector<EchoGates>& sweeps, int neighbours)
+std::vector<std::size_t> FindSpeckle(const PolarSweep& sweep, const HeldGates& own,
+  const std::vector<HeldGates>& sweeps, int neighbours)
 {
   const Cuts below = FindNextTilt(sweeps, own, -1.0);
   const Cuts above = FindNextTilt(sweeps, own, 1.0);
@@ -242,7 +242,7 @@ std::vector<std::size_t> Despeckle(PolarVolume& volume, int neighbours)
   {
     return removed;
   }
-  std::vector<EchoGates> sweeps;
+  std::vector<HeldGates> sweeps;
   std::vector<std::size_t> numbers;
   for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
   {

@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <optional>
 #include <string>
@@ -30,16 +31,38 @@ constexpr double verticalStep = 0.75;    // degrees between tilts that are compa
 constexpr std::size_t rowsTogether = 30; // of one piece of work
 constexpr double betweenGates = 2000.0;  // m, at most, between gates of two moments at one place
 
-// Counts the gates of each reason, of which there are long runs.
-void CountRuns(const std::vector<EchoReason>& reasons, ReasonCounts& counts)
+constexpr std::size_t countedTogether = 64; // gates: their number fits in a byte
+
+// Gates of a reason, of up to countedTogether ones. The compiler counts several at once.
+std::size_t CountOf(const EchoReason* reasons, std::size_t gates, EchoReason reason)
 {
-  for (auto begin = reasons.begin(); begin != reasons.end();)
+  std::uint8_t count = 0;
+  for (std::size_t gate = 0; gate < gates; ++gate)
   {
-    const EchoReason reason = *begin;
-    const auto end =
-      std::find_if(begin, reasons.end(), [reason](EchoReason each) { return each != reason; });
-    counts[static_cast<std::size_t>(reason)] += static_cast<std::size_t>(end - begin);
-    begin = end;
+    count = static_cast<std::uint8_t>(count + (reasons[gate] == reason ? 1 : 0));
+  }
+  return count;
+}
+
+// Counts the gates of each reason. Most have none or are plain weather.
+void CountReasons(const std::vector<EchoReason>& reasons, ReasonCounts& counts)
+{
+  for (std::size_t begin = 0; begin < reasons.size(); begin += countedTogether)
+  {
+    const EchoReason* first = reasons.data() + begin;
+    const std::size_t gates = std::min(countedTogether, reasons.size() - begin);
+    const std::size_t none = CountOf(first, gates, EchoReason::None);
+    const std::size_t plain = CountOf(first, gates, EchoReason::Plain);
+    if (none + plain == gates)
+    {
+      counts[static_cast<std::size_t>(EchoReason::None)] += none;
+      counts[static_cast<std::size_t>(EchoReason::Plain)] += plain;
+      continue;
+    }
+    for (std::size_t gate = 0; gate < gates; ++gate)
+    {
+      ++counts[static_cast<std::size_t>(first[gate])];
+    }
   }
 }
 
@@ -64,7 +87,7 @@ public:
   EchoClassification Run()
   {
     this->ForAll([this](std::size_t number)
-      { sweeps[number].Set(moments.reflectivity.sweeps[number], !sources[number].surveillance); });
+      { sweeps[number].Set(moments.reflectivity.sweeps[number], sources[number]); });
     for (SweepJudgement& sweep : sweeps)
     {
       sweep.above = this->FindAbove(sweep);
@@ -245,7 +268,7 @@ private:
         std::vector<EchoReason>& reasons = result.sweeps[number];
         reasons = std::move(sweeps[number].reasons);
         reasons.resize(sweep.rays.size() * sweep.gates, EchoReason::None);
-        CountRuns(reasons, counts[number]);
+        CountReasons(reasons, counts[number]);
       });
     for (const ReasonCounts& each : counts)
     {
@@ -294,6 +317,19 @@ bool RemovesClass(QualityLevel level, EchoClass echoClass)
   default:
     return level != QualityLevel::Off;
   }
+}
+
+EchoGates GatesLeft(const ReasonCounts& counts, QualityLevel level)
+{
+  EchoGates left;
+  for (std::size_t reason = 0; reason < EchoReasonCount; ++reason)
+  {
+    const EchoClass echoClass = ClassOf(static_cast<EchoReason>(reason));
+    const bool stays = echoClass != EchoClass::None && !RemovesClass(level, echoClass);
+    left.all += stays ? counts[reason] : 0;
+    left.biological += stays && echoClass == EchoClass::Biological ? counts[reason] : 0;
+  }
+  return left;
 }
 
 ReasonCounts TakeOut(

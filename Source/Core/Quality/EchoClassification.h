@@ -34,6 +34,9 @@ EchoClassification ClassifyEcho(const RadarVolume& volume, const RangeLoop& loop
 /// faults and speckle; Strict: biological echo, too.
 bool RemovesClass(QualityLevel level, EchoClass echoClass);
 
+/// Gates that have a value when a level has taken out its classes, of the gates by reason.
+EchoGates GatesLeft(const ReasonCounts& counts, QualityLevel level);
+
 /// Sets the gates whose class the level takes out to GateCode::Filtered. Returns how many there
 /// were for each reason. `reflectivity` must be the polar volume that was classified; throws Error
 /// when the number of sweeps or of gates differs.

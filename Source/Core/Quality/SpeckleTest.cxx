@@ -4,7 +4,6 @@
 #include "nexrad/Quality/Evidence/GateRegions.h"
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -17,19 +16,22 @@ namespace
 
 constexpr std::size_t fewGates = 3;
 
+// Whether a gate is weather or biological echo. The compiler compares several at once.
+bool Stays(EchoReason reason)
+{
+  const bool weather = (reason >= EchoReason::Plain) & (reason <= EchoReason::Debris);
+  const bool biological =
+    (reason >= EchoReason::FlightPolarimetry) & (reason <= EchoReason::ClearAir);
+  return weather | biological;
+}
+
 } // namespace
 
 void FindSpeckle(SweepJudgement& sweep)
 {
-  std::array<std::uint8_t, EchoReasonCount> stays{};
-  for (std::size_t reason = 0; reason < EchoReasonCount; ++reason)
-  {
-    const EchoClass echoClass = ClassOf(static_cast<EchoReason>(reason));
-    stays[reason] = echoClass == EchoClass::Weather || echoClass == EchoClass::Biological ? 1 : 0;
-  }
   std::vector<std::uint8_t> members(sweep.reasons.size());
   std::transform(sweep.reasons.begin(), sweep.reasons.end(), members.begin(),
-    [&stays](EchoReason reason) { return stays[static_cast<std::size_t>(reason)]; });
+    [](EchoReason reason) -> std::uint8_t { return Stays(reason) ? 1 : 0; });
   const GateRegions regions(*sweep.grid, members);
   std::vector<std::size_t> gates(regions.Count(), 0);
   for (const GateRun& run : regions.Runs())

@@ -46,26 +46,21 @@ public:
 
   void Judge(std::size_t place)
   {
-    values.clear();
-    powers.clear();
-    const float* row = grid.Row(place);
     const GateRange held = grid.Held(place);
-    for (std::size_t gate = held.begin; gate < held.end; ++gate)
+    const std::size_t far = std::clamp(first, held.begin, std::max(held.begin, held.end));
+    values.clear();
+    this->Collect(place, {held.begin, far});
+    const std::size_t ofNear = values.size();
+    this->Collect(place, {far, held.end});
+    if (values.size() < fewestGates)
     {
-      if (IsNumber(row[gate]))
-      {
-        values.push_back(row[gate]);
-        if (gate >= first)
-        {
-          powers.push_back(row[gate] - spreading[gate]);
-        }
-      }
+      return;
     }
-    if (values.size() >= fewestGates && this->IsOneValue())
+    if (this->IsOneValue())
     {
       this->Mark(place, EchoReason::ConstantValue, [](std::size_t) { return true; });
     }
-    else if (powers.size() >= fewestGates)
+    else if (this->IsFilled(values.size() - ofNear))
     {
       this->JudgePower(place);
     }
@@ -101,6 +96,31 @@ private:
       });
   }
 
+  // Adds the values of some gates of a row.
+  void Collect(std::size_t place, const GateRange& range)
+  {
+    if (range.IsEmpty())
+    {
+      return;
+    }
+    const float* row = grid.Row(place);
+    std::size_t count = values.size();
+    values.resize(count + range.end - range.begin);
+    for (std::size_t gate = range.begin; gate < range.end; ++gate)
+    {
+      values[count] = row[gate]; // the next one takes its place where it is none
+      count += IsNumber(row[gate]) ? 1 : 0;
+    }
+    values.resize(count);
+  }
+
+  // Whether so many gates from `first` on may be those of a spike.
+  bool IsFilled(std::size_t count) const
+  {
+    const auto reach = static_cast<float>(grid.Gates() - std::min(first, grid.Gates()));
+    return count >= fewestGates && static_cast<float>(count) >= ofAllGates * reach;
+  }
+
   // Of a ray at one value, one of these three gates has it.
   bool IsOneValue() const
   {
@@ -117,15 +137,18 @@ private:
 
   void JudgePower(std::size_t place)
   {
-    const auto reach = static_cast<float>(grid.Gates() - std::min(first, grid.Gates()));
-    if (static_cast<float>(powers.size()) < ofAllGates * reach)
+    const float* row = grid.Row(place);
+    powers.clear();
+    for (std::size_t gate = first; gate < grid.Held(place).end; ++gate)
     {
-      return;
+      if (IsNumber(row[gate]))
+      {
+        powers.push_back(row[gate] - spreading[gate]);
+      }
     }
     const auto middle = powers.begin() + static_cast<std::ptrdiff_t>(powers.size() / 2);
     std::nth_element(powers.begin(), middle, powers.end());
     const float power = *middle;
-    const float* row = grid.Row(place);
     const RowsAbout about = this->Around(place);
     const auto isSteady = [&](std::size_t gate)
     { return std::abs(row[gate] - spreading[gate] - power) <= steady; };

@@ -149,9 +149,10 @@ void JudgeGate(SweepJudgement& sweep, std::size_t index, std::size_t gate,
     IsNumber(evidence.ownSpeed) ? SpeedCode(evidence.ownSpeed) : std::uint8_t(0);
   sweep.gradients[index] = static_cast<std::int8_t>(std::clamp(evidence.gradient, -100.0F, 100.0F));
   sweep.reasons[index] = ReasonOf(evidence, interest.notWeather[i], sweep, gate);
-  sweep.flights[index] = sweep.reasons[index] == EchoReason::GroundFilter
-                           ? FlightSign::None
-                           : FlightOf(evidence, interest.roundCorrelation[i], sweep, gate);
+  if (!sweep.flights.empty() && sweep.reasons[index] != EchoReason::GroundFilter)
+  {
+    sweep.flights[index] = FlightOf(evidence, interest.roundCorrelation[i], sweep, gate);
+  }
 }
 
 } // namespace
@@ -169,7 +170,7 @@ double JudgedRange(double elevation)
   return std::max(range, surelyNear);
 }
 
-void SweepJudgement::Set(const PolarSweep& sweep, bool judges)
+void SweepJudgement::Set(const PolarSweep& sweep, const SweepSources& sources)
 {
   if (sweep.rays.empty() || sweep.gates == 0 || !(sweep.gateSpacing > 0.0))
   {
@@ -177,7 +178,7 @@ void SweepJudgement::Set(const PolarSweep& sweep, bool judges)
   }
   grid = std::make_unique<EchoGrid>(sweep);
   reasons = AllWeather(*grid);
-  if (!judges)
+  if (sources.surveillance)
   {
     return;
   }
@@ -198,7 +199,7 @@ void SweepJudgement::Set(const PolarSweep& sweep, bool judges)
     weakest.push_back(power + each);
   }
   signs.assign(reasons.size(), GroundSign::None);
-  flights.assign(reasons.size(), FlightSign::None);
+  flights.assign(sources.correlation.sweep ? reasons.size() : 0, FlightSign::None);
   speeds.assign(reasons.size(), 0);
   gradients.assign(reasons.size(), 0);
 }

@@ -42,15 +42,17 @@ struct SweepJudgement
   std::vector<float> heights;      ///< of these gates, m above the antenna: the lower beam edge
   std::vector<float> limits;       ///< of these gates: interest from which on ground is sure
   std::vector<float> weakest;      ///< of these gates, dBZ: echo that is hardly stronger than noise
-  std::vector<std::uint8_t> flights; ///< FlightSign; only FindFlight makes reasons of them
-  std::vector<std::uint8_t> signs;   ///< GroundSign
+  /// FlightSign, of two polarisations; only FindFlight makes reasons of them.
+  std::vector<std::uint8_t> flights;
+  std::vector<std::uint8_t> signs; ///< GroundSign
   std::vector<std::uint8_t>
     speeds; ///< |V| in steps of 0.125 m/s and 1 more, at most 255; 0 unknown
   std::vector<std::int8_t> gradients; ///< dB a degree (GateEvidence)
   std::vector<EchoReason> reasons;    ///< weather where nothing else is known
 
-  /// `judges`: whether the gates are judged, or else take their classes of another sweep.
-  void Set(const PolarSweep& sweep, bool judges);
+  /// `sources`: whether the gates are judged, by two polarisations or one, or take their classes of
+  /// another sweep.
+  void Set(const PolarSweep& sweep, const SweepSources& sources);
 
   std::size_t Index(std::size_t place, std::size_t gate) const
   {

@@ -86,6 +86,10 @@ void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
     field, "Synthetic", {static_cast<unsigned char>(volume.synthetic ? 1 : 0)});
   vtkNexradAddValues<vtkUnsignedCharArray, unsigned char>(
     field, "Sharpened", {static_cast<unsigned char>(volume.sharpened ? 1 : 0)});
+  if (volume.biologicalShare > 0.0F)
+  {
+    vtkNexradAddValues<vtkFloatArray, float>(field, "BiologicalShare", {volume.biologicalShare});
+  }
 }
 
 // Of a voxel with that state.
@@ -371,6 +375,8 @@ void TakeFieldData(vtkFieldData* field, nexrad::GriddedVolume& volume)
   volume.method = method.empty() ? std::string() : method[0];
   volume.synthetic = vtkNexradGetValue(field, "Synthetic").value_or(0.0) != 0.0;
   volume.sharpened = vtkNexradGetValue(field, "Sharpened").value_or(0.0) != 0.0;
+  volume.biologicalShare =
+    static_cast<float>(vtkNexradGetValue(field, "BiologicalShare").value_or(0.0));
   volume.ofOneRadar =
     vtkNexradGetValue(field, "OneRadar").value_or(0.0) != 0.0 && volume.sitePositions.size() == 1;
   volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));

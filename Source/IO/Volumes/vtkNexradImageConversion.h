@@ -53,6 +53,8 @@
  * - `OneRadar`, uint8, where it is so: 1, the volume is that of one of several radars alone.
  * - `Synthetic`, uint8: 1 when made from simulated files; pictures must say so.
  * - `Sharpened`, uint8: 1 when `REF` was deconvolved in elevation (Formulas G9); maps must say so.
+ * - `BiologicalShare`, float32, where it is above 0: of the gates of reflectivity that were merged,
+ *   the part that quality control calls biological.
  *
  * Points are the centres of the voxels. `TimeValue` is the name that VTK's XML readers take the
  * time from.

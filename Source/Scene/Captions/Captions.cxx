@@ -10,6 +10,7 @@ namespace
 {
 
 constexpr char warningWord[] = "SYNTHETIC";
+constexpr double mostEcho = 0.5; // part of the echo from which on captions name it
 
 // Breaks words into lines of a width in pixels.
 std::string Wrap(const std::vector<std::string>& words, double width, const TextStyle& style,
@@ -44,6 +45,18 @@ std::vector<std::string> WordsOf(const std::string& text)
     begin = end + 1;
   }
   return words;
+}
+
+// Says behind the radars how much of the echo is biological, where most of it is.
+void AddEcho(double share, std::vector<std::string>& words)
+{
+  if (share > mostEcho && !words.empty())
+  {
+    words.back() += ";";
+    const std::vector<std::string> more = WordsOf(
+      std::to_string(std::lround(100.0 * share)) + " % of the echo is biological (birds, insects)");
+    words.insert(words.end(), more.begin(), more.end());
+  }
 }
 
 // Puts captions into a picture, each beside a point in pixels.
@@ -116,6 +129,7 @@ std::vector<std::string> SiteWords(const CaptionTexts& texts)
     const bool last = i + 1 == sites.size();
     words.push_back(word + (texts.ages.empty() || last ? "" : ","));
   }
+  AddEcho(texts.information.biologicalShare, words);
   return words;
 }
 

@@ -43,7 +43,8 @@ CaptionLayer MakeCaptions(const CaptionTexts& texts, const std::array<int, 2>& s
 /// "2010-09-11 01:20:00 UTC", or that it is unknown.
 std::string TimeText(const VolumeInformation& information);
 
-/// Radars, each with the age of its data where it is known.
+/// Radars, each with the age of its data where it is known; then, where most of the echo is
+/// biological, how much of it.
 std::vector<std::string> SiteWords(const CaptionTexts& texts);
 
 } // namespace nexrad::scene

@@ -51,6 +51,7 @@ VolumeInformation ReadVolumeInformation(vtkImageData* volume)
   information.projection = Text(fields, "Projection");
   information.synthetic = Number(fields, "Synthetic").value_or(0.0) != 0.0;
   information.sharpened = Number(fields, "Sharpened").value_or(0.0) != 0.0;
+  information.biologicalShare = Number(fields, "BiologicalShare").value_or(0.0);
   return information;
 }
 

@@ -23,6 +23,8 @@ struct VolumeInformation
   std::string projection; ///< PROJ string of x and y, "" when unknown
   bool synthetic = false; ///< made from simulated files
   bool sharpened = false; ///< REF was deconvolved in elevation
+  /// Part of the echo that quality control calls biological, 0…1; 0 when unknown.
+  double biologicalShare = 0.0;
 };
 
 VolumeInformation ReadVolumeInformation(vtkImageData* volume);

@@ -8,8 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstddef>
 #include <functional>
 #include <string>
+#include <vector>
 
 using namespace nexrad;
 using namespace nexrad::testing;
@@ -53,6 +56,99 @@ double PercentOut(const std::filesystem::path& path, std::size_t number, Quality
   }
   EXPECT_GT(all, 100U) << path;
   return 100.0 * static_cast<double>(out) / static_cast<double>(all);
+}
+
+// Gates of weather, and those that the strict level takes out; cores are those from 45 dBZ on.
+struct WeatherLost
+{
+  std::size_t weather = 0;
+  std::size_t gone = 0;
+  std::size_t cores = 0;
+  std::size_t coresGone = 0;
+};
+
+// The values of a sweep, rays × gates; NaN where a gate has none.
+std::vector<float> ValuesOf(const PolarSweep& sweep)
+{
+  std::vector<float> values;
+  std::vector<std::uint16_t> codes(sweep.gates);
+  for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
+  {
+    sweep.Read(ray, codes.data());
+    for (const std::uint16_t code : codes)
+    {
+      values.push_back(code >= GateCode::FirstValue ? sweep.scale.ValueOf(code) : std::nanf(""));
+    }
+  }
+  return values;
+}
+
+// Whether ρ_hv of 0.95 and more prevails about a gate: of the gates of five rays and nine gates
+// that have one, seven in ten.
+bool IsUniform(const PolarSweep& sweep, const std::vector<float>& values, std::size_t at)
+{
+  const auto gates = static_cast<std::ptrdiff_t>(sweep.gates);
+  const auto size = static_cast<std::ptrdiff_t>(values.size());
+  std::size_t known = 0;
+  std::size_t high = 0;
+  for (std::ptrdiff_t ray = -2; ray <= 2; ++ray)
+  {
+    for (std::ptrdiff_t gate = -4; gate <= 4; ++gate)
+    {
+      const std::ptrdiff_t index =
+        (static_cast<std::ptrdiff_t>(at) + ray * gates + gate + size) % size;
+      const float value = values[static_cast<std::size_t>(index)];
+      known += std::isnan(value) ? 0 : 1;
+      high += value >= 0.95F ? 1 : 0;
+    }
+  }
+  return 10 * high >= 7 * known;
+}
+
+void AddSweep(const PolarSweep& reflectivity, const PolarSweep& correlation,
+  const std::vector<EchoReason>& reasons, WeatherLost& lost)
+{
+  const std::vector<float> echo = ValuesOf(reflectivity);
+  const std::vector<float> uniform = ValuesOf(correlation);
+  for (std::size_t i = 0; i < uniform.size(); ++i)
+  {
+    const std::size_t ray = i / correlation.gates;
+    const std::size_t gate = i % correlation.gates;
+    const std::size_t own = ray * reflectivity.gates + gate;
+    if (gate < reflectivity.gates && echo[own] >= 0.0F && uniform[i] >= 0.85F &&
+        IsUniform(correlation, uniform, i))
+    {
+      const bool gone = RemovesClass(QualityLevel::Strict, ClassOf(reasons[own]));
+      const bool core = echo[own] >= 45.0F;
+      ++lost.weather;
+      lost.gone += gone ? 1 : 0;
+      lost.cores += core ? 1 : 0;
+      lost.coresGone += core && gone ? 1 : 0;
+    }
+  }
+}
+
+// Of the sweeps with two polarisations whose gates of both moments lie together.
+WeatherLost LostIn(const std::filesystem::path& path)
+{
+  const RadarVolume volume = ReadLevel2(path);
+  const EchoClassification found = ClassifyEcho(volume);
+  const PolarVolume reflectivity = MakePolarVolume(volume, MomentName::REF);
+  const PolarVolume correlation = MakePolarVolume(volume, MomentName::RHO);
+  WeatherLost lost;
+  for (std::size_t i = 0; i < reflectivity.sweeps.size(); ++i)
+  {
+    const PolarSweep& sweep = reflectivity.sweeps[i];
+    for (const PolarSweep& other : correlation.sweeps)
+    {
+      if (other.elevationNumber == sweep.elevationNumber &&
+          other.rays.size() == sweep.rays.size() && other.firstGate == sweep.firstGate)
+      {
+        AddSweep(sweep, other, found.sweeps[i], lost);
+      }
+    }
+  }
+  return lost;
 }
 
 bool Everywhere(const Place&)
@@ -164,6 +260,47 @@ TEST(EchoOfRealFiles, TheBloomOfASummerMorningIsBiological)
     "bloom taken out at the standard level, %");
   EXPECT_AT_LEAST(PercentOut(path, 0, QualityLevel::Strict, Everywhere), 65.0,
     "bloom taken out at the strict level, %");
+}
+
+// A night of birds that fly smoothly spread, and two others.
+TEST(EchoOfRealFiles, BirdsOfANightAreBiological)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  const auto isAirborne = [](const Place& place)
+  { return place.range > 20'000.0 && place.range < 50'000.0 && place.value > 0.0F; };
+  struct File
+  {
+    const char* path;
+    std::size_t sweep;
+    double least; // percent
+  };
+  for (const File& file : {File{"reports/radar/birds-as-weather/KBGM20151010_000227_V06", 0, 98.5},
+         File{"reports/radar/birds-as-weather/KBGM20151010_000227_V06", 1, 98.5},
+         File{"level2/pairs/KVBX20190501_093433_V06", 0, 95.0},
+         File{"level2/pairs/KVBX20190501_094607_V06", 0, 95.0},
+         File{"level2/damaged/KATX20160427_095248_V06.gz", 0, 91.0}})
+  {
+    EXPECT_AT_LEAST(PercentOut(folder / file.path, file.sweep, QualityLevel::Strict, isAirborne),
+      file.least, file.path);
+    EXPECT_AT_MOST(PercentOut(folder / file.path, file.sweep, QualityLevel::Standard, isAirborne),
+      5.0, std::string(file.path) + ", standard");
+  }
+}
+
+// Weather lost at the strict level: of storms, and of rain beside birds and clear air.
+TEST(EchoOfRealFiles, WeatherStaysAtTheStrictLevel)
+{
+  NEXRAD_REQUIRE_TEST_DATA(folder);
+  for (const char* path : {"superres/KCRP20170826_044114.bin", "superres/KDMX20220305_232324.bin",
+         "superres/PGUA20160602_055618_V06.raw.gz", "chunks/KLOT-20210729",
+         "chunks/KHDX-20240401-partial", "damaged/KATX20160427_095248_V06.gz"})
+  {
+    const WeatherLost lost = LostIn(folder / "level2" / path);
+    EXPECT_GT(lost.weather, 5'000U) << path;
+    EXPECT_AT_MOST(
+      100.0 * static_cast<double>(lost.gone) / static_cast<double>(lost.weather), 0.15, path);
+    EXPECT_EQ(lost.coresGone, 0U) << path << ", of " << lost.cores;
+  }
 }
 
 // Halves of split cuts take classes of each other, whichever thread comes first.

@@ -27,7 +27,7 @@ std::vector<SweepJudgement> FindGroundIn(const MeasuredMoments& moments, const J
   std::vector<SweepJudgement> sweeps(sources.size());
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {
-    sweeps[i].Set(moments.reflectivity.sweeps[i], true);
+    sweeps[i].Set(moments.reflectivity.sweeps[i], sources[i]);
   }
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {

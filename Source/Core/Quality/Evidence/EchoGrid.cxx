@@ -23,7 +23,7 @@ EchoGrid::EchoGrid(const PolarSweep& sweep)
   , first(sweep.firstGate)
   , spacing(sweep.gateSpacing)
   , gates(sweep.gates)
-  , values(sweep.rays.size() * sweep.gates)
+  , values(sweep.rays.size() * sweep.gates, NoNumber)
   , empty(sweep.gates, NoNumber)
   , held(sweep.rays.size())
 {
@@ -48,9 +48,9 @@ EchoGrid::EchoGrid(const PolarSweep& sweep)
   for (std::size_t place = 0; place < order.size(); ++place)
   {
     held[place] = sweep.rows.Held(order[place], gates);
-    sweep.Read(order[place], codes.data());
+    sweep.rows.Read(order[place], held[place].end, codes.data());
     float* row = values.data() + place * gates;
-    for (std::size_t gate = 0; gate < gates; ++gate)
+    for (std::size_t gate = held[place].begin; gate < held[place].end; ++gate)
     {
       const float value = sweep.scale.ValueOf(codes[gate]);
       row[gate] = codes[gate] >= GateCode::FirstValue ? value : NoNumber;
@@ -72,7 +72,14 @@ std::size_t EchoGrid::GatesWithin(double range) const
 std::size_t EchoGrid::PlaceAt(double azimuth) const
 {
   constexpr double farthest = 1.5; // degrees
-  const auto next = std::lower_bound(azimuths.begin(), azimuths.end(), azimuth);
+  // Nearly always the rays lie evenly about the circle.
+  const auto even = static_cast<std::size_t>(azimuth / 360.0 * static_cast<double>(order.size()));
+  const std::size_t low = even - std::min<std::size_t>(even, 2);
+  const std::size_t high = std::min<std::size_t>(even + 3, order.size());
+  const bool lies = low < high && azimuths[low] < azimuth && azimuths[high - 1] >= azimuth;
+  const auto begin = azimuths.begin() + static_cast<std::ptrdiff_t>(lies ? low : 0);
+  const auto end = azimuths.begin() + static_cast<std::ptrdiff_t>(lies ? high : order.size());
+  const auto next = std::lower_bound(begin, end, azimuth);
   const std::size_t after = static_cast<std::size_t>(next - azimuths.begin()) % order.size();
   const std::size_t before = (after + order.size() - 1) % order.size();
   const auto apart = [&](std::size_t place) { return AngleBetween(azimuths[place], azimuth); };

@@ -2,9 +2,30 @@
 #include "nexrad/Quality/Evidence/GateRegions.h"
 
 #include <algorithm>
+#include <cstring>
 
 namespace nexrad
 {
+
+namespace
+{
+
+// The first of some gates that counts; `end` without any.
+const std::uint8_t* FindMember(const std::uint8_t* gate, const std::uint8_t* end)
+{
+  std::uint64_t eight = 0;
+  for (; end - gate >= 8; gate += 8)
+  {
+    std::memcpy(&eight, gate, sizeof eight);
+    if (eight != 0)
+    {
+      break;
+    }
+  }
+  return std::find_if(gate, end, [](std::uint8_t member) { return member != 0; });
+}
+
+} // namespace
 
 GateRegions::GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& members)
 {
@@ -16,13 +37,12 @@ GateRegions::GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& 
     const std::uint8_t* row = members.data() + grid.RayAt(place) * gates;
     const GateRange held = grid.Held(place);
     const std::uint8_t* last = row + held.end;
-    const auto isMember = [](std::uint8_t member) { return member != 0; };
-    for (const std::uint8_t* begin = std::find_if(row + held.begin, last, isMember); begin != last;)
+    for (const std::uint8_t* begin = FindMember(row + held.begin, last); begin != last;)
     {
       const std::uint8_t* end = std::find(begin, last, std::uint8_t(0));
       runs.push_back({static_cast<std::uint32_t>(place), static_cast<std::uint32_t>(begin - row),
         static_cast<std::uint32_t>(end - row), 0});
-      begin = std::find_if(end, last, isMember);
+      begin = FindMember(end, last);
     }
   }
   firstRuns.push_back(runs.size());

@@ -73,6 +73,42 @@ struct VelocitySums
   }
 };
 
+// Codes from `first` up to `last`; none where the first is the larger one.
+struct CodeRange
+{
+  std::uint16_t first;
+  std::uint16_t last;
+
+  bool Holds(std::uint16_t code) const { return code >= first && code <= last; }
+};
+
+// Those of velocities below MovingSpeed.
+CodeRange StillCodes(const GateScale& scale)
+{
+  const auto isStill = [&scale](std::uint16_t code)
+  { return std::abs(scale.ValueOf(code)) < MovingSpeed; };
+  CodeRange range = {GateCode::FirstValue, GateCode::FirstValue};
+  if (scale.step > 0.0F)
+  {
+    range = {scale.CodeOf(-MovingSpeed), scale.CodeOf(MovingSpeed)};
+  }
+  range.first += isStill(range.first) ? 0 : 1; // CodeOf rounds
+  range.last -= isStill(range.last) ? 0 : 1;
+  return range;
+}
+
+// Whether some of `count` codes are of a range. No branch: the compiler compares several at once.
+bool HoldsAny(const std::uint16_t* codes, std::size_t count, const CodeRange& range)
+{
+  unsigned any = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    any |= static_cast<unsigned>(codes[i] >= range.first) & // both sides, without a branch
+           static_cast<unsigned>(codes[i] <= range.last);
+  }
+  return any != 0;
+}
+
 // The first number of a gate that is not below a place counted in gates.
 std::size_t FirstAtLeast(double place)
 {
@@ -123,23 +159,24 @@ GateRange StillGates(const float* row, const MomentSource& velocity, std::size_t
     return {};
   }
   const PolarSweep& sweep = *velocity.sweep;
+  const GateRange held = sweep.rows.Held(velocity.rays[ray], sweep.gates);
   codes.resize(sweep.gates);
-  sweep.Read(velocity.rays[ray], codes.data());
+  sweep.rows.Read(velocity.rays[ray], held.end, codes.data());
+  const CodeRange still = StillCodes(sweep.scale);
   const double step = sweep.gateSpacing / geometry.spacing;
   const double from = (sweep.firstGate - geometry.firstGate) / geometry.spacing + 0.5;
   const auto last = static_cast<double>(geometry.gates - 1);
   const auto gateOf = [&](std::size_t i)
   { return static_cast<std::size_t>(std::clamp(from + step * static_cast<double>(i), 0.0, last)); };
   const auto isStill = [&](std::size_t i)
-  {
-    return codes[i] >= GateCode::FirstValue &&
-           std::abs(sweep.scale.ValueOf(codes[i])) < MovingSpeed && IsNumber(row[gateOf(i)]);
-  };
-  std::size_t begin = 0;
-  std::size_t end = sweep.gates;
+  { return still.Holds(codes[i]) && IsNumber(row[gateOf(i)]); };
+  constexpr std::size_t together = 32;
+  std::size_t begin = held.begin;
+  std::size_t end = held.end;
   while (begin < end && !isStill(begin))
   {
-    ++begin;
+    const bool skips = begin + together <= end && !HoldsAny(&codes[begin], together, still);
+    begin += skips ? together : 1;
   }
   while (begin < end && !isStill(end - 1))
   {
