@@ -3,7 +3,6 @@
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Geometry/Beam.h"
-#include "nexrad/Velocity/ConnectedGates.h"
 
 #include <algorithm>
 #include <cmath>
