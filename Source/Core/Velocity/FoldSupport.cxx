@@ -3,7 +3,6 @@
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Geometry/Beam.h"
-#include "nexrad/Velocity/ConnectedGates.h"
 
 #include <algorithm>
 #include <cmath>
@@ -73,6 +72,8 @@ public:
   }
 
 private:
+  static constexpr std::int32_t None = -1;
+
   // The wind at the place of each gate of a ray.
   struct GateWind
   {
@@ -228,24 +229,39 @@ private:
     }
   }
 
+  // The patches that have gates whose fold is not 0.
   void Describe()
   {
-    patches.resize(unfolded.size());
+    numbers.assign(unfolded.size(), None);
     for (std::size_t index = 0; index < unfolded.size(); ++index)
     {
-      if (std::isnan(unfolded[index]))
-      {
-        continue;
-      }
-      Patch& patch = patches[std::size_t(connected.Find(std::int32_t(index)))];
-      ++patch.gates;
       if (this->IsMoved(index))
       {
+        std::int32_t& number = this->NumberOf(index);
+        if (number == None)
+        {
+          number = static_cast<std::int32_t>(patches.size());
+          patches.emplace_back();
+        }
+        Patch& patch = patches[std::size_t(number)];
         ++patch.moved;
         patch.border += atBroad[index];
         this->AddWind(index, patch);
       }
     }
+    for (std::size_t index = 0; index < unfolded.size(); ++index)
+    {
+      const std::int32_t number = std::isnan(unfolded[index]) ? None : this->NumberOf(index);
+      if (number != None)
+      {
+        ++patches[std::size_t(number)].gates;
+      }
+    }
+  }
+
+  std::int32_t& NumberOf(std::size_t index)
+  {
+    return numbers[std::size_t(connected.Find(std::int32_t(index)))];
   }
 
   // Whether the rays of a patch vouch for it.
@@ -264,30 +280,26 @@ private:
 
   std::vector<DoubtfulGates> Collect()
   {
-    std::vector<std::size_t> number(patches.size(), 0);
-    std::vector<DoubtfulGates> doubtful;
+    std::vector<DoubtfulGates> doubtful(patches.size());
     for (std::size_t index = 0; index < unfolded.size(); ++index)
     {
       if (!this->IsMoved(index))
       {
         continue;
       }
-      const auto root = std::size_t(connected.Find(std::int32_t(index)));
-      const Patch& patch = patches[root];
+      const auto number = std::size_t(this->NumberOf(index));
+      const Patch& patch = patches[number];
       const bool isNearWind = IsNearWind(patch, broad[index] != 0);
-      if (this->HoldsTogether(patch, broad[index] != 0) ||
-          (isNearWind && std::abs(static_cast<double>(unfolded[index])) <=
-                           FastestWind(winds[index % ring.gates].height)))
+      if (!this->HoldsTogether(patch, broad[index] != 0) &&
+          !(isNearWind && std::abs(static_cast<double>(unfolded[index])) <=
+                            FastestWind(winds[index % ring.gates].height)))
       {
-        continue;
+        doubtful[number].push_back(index);
       }
-      if (number[root] == 0)
-      {
-        doubtful.emplace_back();
-        number[root] = doubtful.size();
-      }
-      doubtful[number[root] - 1].push_back(index);
     }
+    doubtful.erase(std::remove_if(doubtful.begin(), doubtful.end(),
+                     [](const DoubtfulGates& gates) { return gates.empty(); }),
+      doubtful.end());
     return doubtful;
   }
 
@@ -298,7 +310,8 @@ private:
   std::vector<std::uint8_t> broad;   // of each gate: whether a chain through it is broad
   std::vector<std::uint8_t> atBroad; // of each gate that is not: whether it is beside one that is
   ConnectedGates connected;
-  std::vector<Patch> patches; // at the first gate of each
+  std::vector<std::int32_t> numbers; // of each first gate of a patch: its place in `patches`
+  std::vector<Patch> patches;
 };
 
 bool HasFolds(const SweepFolds& sweep)

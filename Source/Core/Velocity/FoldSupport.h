@@ -12,7 +12,7 @@ namespace nexrad
 /// the velocity of the file. A gate with another fold keeps it when
 /// - it is of a broad patch of like velocities, over more than 5° of azimuth, that holds gates of
 ///   fold 0 as well, or of a narrow patch along whose edge there are broad ones; or
-/// - the patch is near to the wind profile at its place, and the gate no faster than FastestWind; or
+/// - the patch is near to the wind profile at its place, for gates up to FastestWind; or
 /// - the patch is near to velocities of other sweeps at its place, for which one of these vouches.
 ///
 /// Radio interference, the sun and noise give patches of a few rays; echo of an earlier pulse gives

@@ -2,7 +2,6 @@
 #include "nexrad/Velocity/VelocityRegions.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Velocity/ConnectedGates.h"
 
 #include <algorithm>
 #include <array>
