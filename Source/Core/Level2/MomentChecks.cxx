@@ -117,8 +117,10 @@ std::string FindCodingFault(MomentName name, const MomentRow& row, const std::se
   }
   const std::string has = std::string(ToString(name)) + " has " + DescribeCoding(CodingOf(row));
   return has +
-         (possible ? ", most rays of its sweep have " + DescribeCoding(*common.begin())
-                   : std::string(", which give values that it cannot have")) +
+         (!possible ? ", which give values that it cannot have"
+           : common.size() > 1
+             ? ", which few rays of its sweep have"
+             : ", most rays of its sweep have " + DescribeCoding(*common.begin())) +
          ": left out";
 }
 

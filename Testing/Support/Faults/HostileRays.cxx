@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Faults/HostileRays.h"
 
+#include <random>
+
 namespace nexrad::testing
 {
 
@@ -169,6 +171,21 @@ std::vector<HostileFile> MakeDisagreeingRays()
     RaysOf("nyquist-a-ray", [](RayPlan& ray, unsigned i) { ray.nyquist = i; })};
 }
 
+// Words without any order: regions of one gate, for whoever looks for regions.
+MomentPlan MakeNoise(const std::string& name, unsigned gates)
+{
+  std::minstd_rand random(1);
+  MomentPlan moment;
+  moment.name = name;
+  moment.gates = gates;
+  moment.words = Bytes(gates);
+  for (std::uint8_t& word : moment.words)
+  {
+    word = static_cast<std::uint8_t>(random() % 254 + 2);
+  }
+  return moment;
+}
+
 // Rays of many gates, or of few among such.
 std::vector<HostileFile> MakeWideRays()
 {
@@ -222,6 +239,11 @@ std::vector<HostileFile> MakeWideRays()
           moment.spacing = 1;
         }
       },
+      31, 720),
+    RaysOf(
+      "noise", [](RayPlan& ray, unsigned) { ray.moments = {MakeNoise("REF", 1'800)}; }, 31, 720),
+    RaysOf(
+      "noise-of-velocity", [](RayPlan& ray, unsigned) { ray.moments = {MakeNoise("VEL", 1'800)}; },
       31, 720),
     RaysOf("a-moment-after-the-other",
       [](RayPlan& ray, unsigned i)

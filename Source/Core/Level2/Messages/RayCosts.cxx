@@ -3,6 +3,7 @@
 
 #include "nexrad/Compression/DecodingBudget.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace nexrad
@@ -16,7 +17,8 @@ std::size_t RayCosts::Of(const DecodedRay& decoded, std::size_t newBytes)
     words += row.gates * std::size_t(row.wordBits) / 8;
   }
   return (words > newBytes ? words - newBytes : 0) +
-         DecodingBudget::JudgedGateCost * decoded.ray.Row(MomentName::REF).gates +
+         DecodingBudget::JudgedGateCost * std::max(decoded.ray.Row(MomentName::REF).gates,
+                                            decoded.ray.Row(MomentName::VEL).gates) +
          (this->MayBeginSweep(decoded.ray) ? DecodingBudget::SweepCost : 0) +
          DecodingBudget::DamageCost * decoded.problems.size();
 }

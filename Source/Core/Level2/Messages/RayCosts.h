@@ -12,9 +12,10 @@ namespace nexrad
 class RayCosts
 {
 public:
-  /// The cost of the next ray: that of a sweep where it can begin one; of its gates of
-  /// reflectivity; of its damage; and the bytes of its words that exceed the `newBytes` of its
-  /// message, because moments share them, or because they belong to another message too.
+  /// The cost of the next ray: that of a sweep where it can begin one; of its gates
+  /// that quality control or dealiasing judges; of its damage; and the bytes of its words that
+  /// exceed the `newBytes` of its message, because moments share them, or because they belong to
+  /// another message too.
   std::size_t Of(const DecodedRay& decoded, std::size_t newBytes);
 
 private:
