@@ -30,7 +30,7 @@ SiteKey KeyOf(const Site& site)
 
 bool StandApart(const Site& a, const Site& b)
 {
-  constexpr double farthest = 5.0;            // km
+  constexpr double farthest = 2.0;            // km
   constexpr double kilometresADegree = 111.2; // of a great circle
   constexpr double radiansADegree = 0.017453292519943295;
   if (!a.position || !b.position)

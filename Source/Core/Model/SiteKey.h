@@ -24,9 +24,9 @@ struct SiteKey
 /// The key of a radar.
 SiteKey KeyOf(const Site& site);
 
-/// True when two radars of one name stand more than 5 km from each other, so that they are two, or
+/// True when two radars of one name stand more than 2 km from each other, so that they are two, or
 /// the position of one is wrong. Positions of one radar in the test data, and those of the site
-/// table, differ by less than 1 km. False where a position is unknown.
+/// table, differ by less than 50 m. False where a position is unknown.
 bool StandApart(const Site& a, const Site& b);
 
 } // namespace nexrad

@@ -121,7 +121,7 @@ TEST(SiteSeries, KeepsTheFullerOfTwoCopies)
 TEST(SiteSeries, NamesakesFarApartAreNotMerged)
 {
   const TemporaryFolder folder;
-  const Site moved = {"KEAX", Position{38.84, -94.264, 340.0}}; // 3.3 km
+  const Site moved = {"KEAX", Position{38.82, -94.264, 340.0}}; // 1.1 km
   const Site other = {"KEAX", Position{41.0, -94.264, 333.0}};
   WriteLevel2(folder.Path() / "a", {ConstantVolume(other, At("2006-03-12T18:00:00Z"), 20.0)});
   WriteLevel2(folder.Path() / "b", {ConstantVolume(keax, At("2006-03-12T18:05:00Z"), 20.0)});

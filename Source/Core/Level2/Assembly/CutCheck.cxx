@@ -150,7 +150,7 @@ private:
     {
       report(*last.rays.back(), this->Missing(rest) + " before the next volume");
     }
-    if (last.cutOff)
+    if (last.cutOff && !last.restarted)
     {
       this->ReportEnd(cycle.Size() - 1);
     }

@@ -49,7 +49,8 @@ bool MendFew(const RayList& rays, const std::vector<RayStretch>& stretches, std:
 }
 
 // Where cuts and numbers go on from one stretch to the next, and the clock goes back.
-void MendStep(const RayList& rays, const RayStretch& after, const ArrivedDamage& report)
+void MendStep(const RayList& rays, const RayStretch& after, const ArrivedDamage& report,
+  std::vector<std::string>& notes)
 {
   const ArrivedRay& last = *rays[after.begin - 1];
   const ArrivedRay& first = *rays[after.begin];
@@ -60,16 +61,25 @@ void MendStep(const RayList& rays, const RayStretch& after, const ArrivedDamage&
   }
   const std::size_t behind = rays.size() - after.begin;
   const bool moveBehind = behind <= after.begin;
-  report(first, "the clock goes back by " + std::to_string(step.count()) + " ms; the " +
-                  CountRays(moveBehind ? behind : after.begin) +
-                  (moveBehind ? " from here on" : " before this place") + " are moved");
+  const std::string what = "the clock goes back by " + std::to_string(step.count()) + " ms at " +
+                           FormatIso8601(last.ray.time) + "; the " +
+                           CountRays(moveBehind ? behind : after.begin) +
+                           (moveBehind ? " behind that" : " before that") + " are moved";
+  if (step > LongestStep)
+  {
+    report(first, what);
+  }
+  else
+  {
+    notes.push_back(what);
+  }
   MoveTimes(rays, moveBehind ? RayStretch{after.begin, rays.size()} : RayStretch{0, after.begin},
     moveBehind ? step : -step);
 }
 
 } // namespace
 
-void MendClock(const RayList& rays, const ArrivedDamage& report)
+void MendClock(const RayList& rays, const ArrivedDamage& report, std::vector<std::string>& notes)
 {
   const std::vector<RayStretch> stretches = CutStretches(rays);
   if (stretches.size() < 2)
@@ -90,7 +100,7 @@ void MendClock(const RayList& rays, const ArrivedDamage& report)
   {
     if (stretch.begin > 0)
     {
-      MendStep(rays, stretch, report);
+      MendStep(rays, stretch, report, notes);
     }
   }
 }

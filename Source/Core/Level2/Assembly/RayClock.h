@@ -3,6 +3,9 @@
 
 #include "nexrad/Level2/Assembly/ArrivedRay.h"
 
+#include <string>
+#include <vector>
+
 namespace nexrad
 {
 
@@ -11,9 +14,9 @@ namespace nexrad
 /// order of the times; a record that came late is the reverse of that, and is left as it is.
 ///
 /// - Up to ten rays between two that follow each other in time get the time of the ray before them.
-/// - Where the clock goes back, the rays before or those behind it are moved, whichever are fewer.
-///
-/// Both are reported.
-void MendClock(const RayList& rays, const ArrivedDamage& report);
+///   This is reported.
+/// - Where the clock goes back, the rays before or those behind it are moved, whichever are fewer:
+///   a note, and damage where it goes back by more than LongestStep.
+void MendClock(const RayList& rays, const ArrivedDamage& report, std::vector<std::string>& notes);
 
 } // namespace nexrad

@@ -242,7 +242,7 @@ void OrderRays(RayList& rays, std::optional<Time> headerTime, const ArrivedDamag
   }
   RemoveRepeated(rays, notes);
   MendDates(rays, headerTime, report, notes);
-  MendClock(rays, report);
+  MendClock(rays, report, notes);
   SortRays(rays, notes, report);
 }
 
