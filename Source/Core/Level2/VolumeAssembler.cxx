@@ -217,6 +217,34 @@ void VolumeAssembler::NoteTimes()
   }
 }
 
+// What is missing at the end, after the other damage, so that it is there however much that is. The
+// archive has files that hold metadata alone, beside those of the volumes.
+void VolumeAssembler::CheckEnd(std::uint64_t size)
+{
+  if (!volume.sweeps.empty())
+  {
+    if (!volume.complete)
+    {
+      volume.damage.push_back({size, piece + "no end of volume: its last rays are missing"});
+    }
+    return;
+  }
+  if (hasHeader && piece.empty() && volume.damage.empty() && !metadata.empty())
+  {
+    std::string types;
+    for (const unsigned type : metadata)
+    {
+      types += (types.empty() ? "" : ", ") + std::to_string(type);
+    }
+    volume.notes.push_back("metadata alone, no ray: message " + types);
+    return;
+  }
+  const char* what = hasHeader
+                       ? "no ray can be read"
+                       : "no ray can be read, and no volume header: is this a Level II file?";
+  volume.damage.push_back({size, piece + what});
+}
+
 RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
 {
   volume.file = name;
@@ -224,18 +252,7 @@ RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)
   this->CheckRays();
   this->CheckPosition();
   volume.damage = damage.Take(piece.empty());
-  // After the others, so that it is there however many they are.
-  if (volume.sweeps.empty())
-  {
-    const char* what = hasHeader
-                         ? "no ray can be read"
-                         : "no ray can be read, and no volume header: is this a Level II file?";
-    volume.damage.push_back({size, piece + what});
-  }
-  else if (!volume.complete)
-  {
-    volume.damage.push_back({size, piece + "no end of volume: its last rays are missing"});
-  }
+  this->CheckEnd(size);
   this->ChoosePattern();
   ResolveSite({headerName, rayName, name, position.Winner()}, options, volume);
   ResolveWaveforms(volume);

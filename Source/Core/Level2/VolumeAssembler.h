@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,8 @@ public:
   void AddRay(DecodedRay&& decoded, int messageType, std::uint64_t offset);
   void AddPattern(CoveragePattern pattern);
   void AddStatus(const RadarStatus& status) { volume.status = status; }
+  /// The type of a message that is no ray.
+  void AddMetadata(unsigned messageType) { metadata.insert(messageType); }
   /// The file says that it was simulated.
   void AddSyntheticMark() { volume.synthetic = true; }
   /// The bytes that rays point into.
@@ -58,6 +61,7 @@ private:
   void CheckRays();
   void ChoosePattern();
   void CheckPosition();
+  void CheckEnd(std::uint64_t size);
   void NoteTimes();
 
   Level2Options options;
@@ -66,6 +70,7 @@ private:
   std::string missingPiece; ///< the piece where the sweep's first missing ray should be
   std::string lastRayPiece;
   bool hasHeader = false;
+  std::set<unsigned> metadata; ///< types of messages
   std::string headerName;
   std::string rayName;
   PositionVote position;
