@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradLevel2Reader.h"
 
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/System/Error.h"
@@ -18,7 +19,6 @@
 
 #include <array>
 #include <filesystem>
-#include <system_error>
 #include <tuple>
 
 vtkStandardNewMacro(vtkNexradLevel2Reader);
@@ -46,7 +46,8 @@ int vtkNexradLevel2Reader::CanReadFile(const char* path)
   {
     return 0;
   }
-  return nexrad::IsChunkFolder(path) || nexrad::LooksLikeLevel2(path) ? 1 : 0;
+  const bool folder = nexrad::KindOf(path) == nexrad::StoredKind::Folder;
+  return (folder ? nexrad::IsChunkFolder(path) : nexrad::LooksLikeLevel2(path)) ? 1 : 0;
 }
 
 int vtkNexradLevel2Reader::ReadFile()
@@ -57,9 +58,7 @@ int vtkNexradLevel2Reader::ReadFile()
     this->File.reset();
     return this->Fail(pathError, vtkNexradPathErrorText(pathError, this->FileName));
   }
-  std::error_code ignored;
-  const Decoded::Origin from = {this->FileName,
-    std::filesystem::last_write_time(this->FileName, ignored), this->SiteName,
+  const Decoded::Origin from = {this->FileName, nexrad::ChangedAt(this->FileName), this->SiteName,
     this->UseSitePosition, {this->SitePosition[0], this->SitePosition[1], this->SitePosition[2]}};
   if (this->File && this->File->From == from)
   {

@@ -24,8 +24,9 @@
  * negative range are left out. vtkNexradSweepConversion.h lists arrays and field data.
  *
  * In: archive files (ARCHIVE2., AR2V0001 to AR2V0008; messages 1 and 31) in any container the
- * archive uses, plain, gzip, bzip2, compress, LDM records; and folders of real-time chunks. A file
- * with several volume cycles gives the sweeps of all of them.
+ * archive uses, plain, gzip, bzip2, compress, LDM records, also as a member of a tar archive
+ * ("day.tar/KTLX20130520_200356_V06.gz"); and folders of real-time chunks. A file with several
+ * volume cycles gives the sweeps of all of them.
  *
  * Damage gives a warning that names the file, the byte offset and what is wrong; what can be read
  * is read. A file without any ray is an error, with the vtkErrorCode FileFormatError (or

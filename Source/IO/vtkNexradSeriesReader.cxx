@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSeriesReader.h"
 
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Series/ScanInputs.h"
@@ -21,7 +22,6 @@
 
 #include <algorithm>
 #include <array>
-#include <filesystem>
 #include <set>
 #include <tuple>
 
@@ -80,7 +80,7 @@ int vtkNexradSeriesReader::CanReadFile(const char* path)
   {
     return 0;
   }
-  if (!std::filesystem::is_directory(path))
+  if (nexrad::KindOf(path) != nexrad::StoredKind::Folder)
   {
     return vtkNexradLevel2Reader::CanReadFile(path);
   }

@@ -44,7 +44,8 @@ public:
 
   ///@{
   /**
-   * The inputs: Level II files, chunk folders, and folders of files (read with their subfolders).
+   * The inputs: Level II files, chunk folders, and folders and tar archives of files (read with
+   * those within).
    */
   virtual void AddFileName(const char* path);
   virtual void ClearFileNames();

@@ -42,8 +42,9 @@ void LookAtDamage(const RadarVolume& volume, std::size_t fileSize)
   {
     RequireMessage(note);
   }
-  Require(!volume.sweeps.empty() || !volume.damage.empty(), "no ray is damage");
-  Require(volume.complete || !volume.damage.empty(), "no end is damage");
+  Require(!volume.sweeps.empty() || !volume.damage.empty() || !volume.notes.empty(),
+    "no ray is damage, or noted where metadata stand alone");
+  Require(volume.complete || volume.sweeps.empty() || !volume.damage.empty(), "no end is damage");
 }
 
 void LookAtSize(const RadarVolume& volume, const Level2Options& options)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EventCounter.h"
+#include "Feed/TarMaker.h"
 #include "HandMadeVolume.h"
 #include "SweepAccess.h"
 #include "TestData.h"
 #include "Tolerance.h"
 
+#include "vtkNexradLevel2Reader.h"
 #include "vtkNexradSeriesReader.h"
 
 #include "vtkCallbackCommand.h"
@@ -22,6 +24,7 @@
 #include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <vector>
 
 namespace
 {
@@ -79,6 +82,30 @@ TEST_F(SeriesReader, TimeStepsAreTheStartsOfAllVolumes)
   EXPECT_EQ(steps[1], nexrad::ToSeconds(start + 2min));
   EXPECT_EQ(steps[2], nexrad::ToSeconds(start + 5min));
   EXPECT_TRUE(events->warnings.empty());
+}
+
+TEST_F(SeriesReader, ReadsATarArchiveAsItsFolder)
+{
+  std::vector<nexrad::testing::TarEntry> entries;
+  for (const char* name : {"a", "b", "c"})
+  {
+    const std::string content = nexrad::testing::FileContent(folder.Path() / name);
+    entries.push_back({name, {content.begin(), content.end()}});
+  }
+  const nexrad::testing::TemporaryFolder other;
+  const auto tar =
+    nexrad::testing::WriteBytes(other.Path() / "day.tar", nexrad::testing::MakeTar(entries));
+  EXPECT_EQ(vtkNexradSeriesReader::CanReadFile(tar.c_str()), 1);
+  reader->ClearFileNames();
+  reader->AddFileName(tar.c_str());
+  EXPECT_EQ(FirstValue(this->At(start), 0), 10.0);
+  EXPECT_EQ(FirstValue(this->At(start + 5min), 0), 20.0);
+  vtkNew<vtkNexradLevel2Reader> alone;
+  EXPECT_EQ(vtkNexradLevel2Reader::CanReadFile(tar.c_str()), 0);
+  EXPECT_EQ(vtkNexradLevel2Reader::CanReadFile((tar / "b").c_str()), 1);
+  alone->SetFileName((tar / "b").c_str());
+  alone->Update();
+  EXPECT_EQ(FirstValue(alone->GetOutput(), 0), 50.0);
 }
 
 TEST_F(SeriesReader, ShowsEachSitesLatestVolume)

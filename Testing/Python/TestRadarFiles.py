@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import shutil
+import tarfile
 import subprocess
 import unittest
 import warnings
@@ -230,6 +231,17 @@ class Errors(unittest.TestCase):
         with open(path, "w", encoding="ascii") as file:
             file.write("nothing")
         self.refused(path, vtknexrad.Error)
+
+    def test_tar_archives(self):
+        path = os.path.join(SyntheticFiles.folder(), "day.tar")
+        with tarfile.open(path, "w") as archive:
+            for file in SyntheticFiles.files()[:2]:
+                archive.add(file, os.path.basename(file))
+        self.assertIn("a tar archive of radar files: vtknexrad.merge merges them", self.refused(path, vtknexrad.Error))
+        member = os.path.join(path, os.path.basename(SyntheticFiles.files()[0]))
+        self.assertEqual(vtknexrad.open(member).time, vtknexrad.open(SyntheticFiles.files()[0]).time)
+        self.refused(os.path.join(path, "nothing"), FileNotFoundError)
+        self.assertEqual(len(vtknexrad.merge([path], dims=(8, 8, 4))), 2)
 
     def test_folders(self):
         folder = os.path.join(SyntheticFiles.folder(), "kinds")

@@ -5,9 +5,8 @@
 #include "Output/BiasOutput.h"
 #include "Output/Counted.h"
 #include "Output/ExplainedRead.h"
+#include "Output/InputSubjects.h"
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Series/InputFiles.h"
-#include "nexrad/System/Error.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -15,12 +14,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <optional>
 #include <string>
-#include <system_error>
 #include <vector>
 
 namespace nexrad::application
@@ -97,48 +94,6 @@ bool NameMissingGates(const RadarVolume& volume, const std::vector<GateRequest>&
   return missing;
 }
 
-// A file of the output, and how much is said of it.
-struct Subject
-{
-  std::string file;
-  bool ofFolder = false; // one of many: a line in the table
-};
-
-// Each argument, with the radar files in it in place of a folder that is none of chunks. What is
-// wrong with a folder is said, and the folder stays as what cannot be read. `leftOut` becomes true
-// for a file in a folder that is no radar file.
-std::vector<Subject> FindSubjects(const std::vector<std::string>& arguments, bool& leftOut)
-{
-  std::vector<Subject> subjects;
-  for (const std::string& argument : arguments)
-  {
-    std::error_code failure;
-    if (!std::filesystem::is_directory(argument, failure) || IsChunkFolder(argument))
-    {
-      subjects.push_back({argument});
-      continue;
-    }
-    try
-    {
-      const InputFiles found = FindInputFiles({argument});
-      for (const InputProblem& problem : found.problems)
-      {
-        std::cerr << problem.Line() << '\n';
-        leftOut = true;
-      }
-      for (const std::filesystem::path& path : found.paths)
-      {
-        subjects.push_back({path.string(), true});
-      }
-    }
-    catch (const Error&)
-    {
-      subjects.push_back({argument}); // reading it says why
-    }
-  }
-  return subjects;
-}
-
 void PrintJson(nlohmann::ordered_json& report, const BiasReport& comparison)
 {
   for (nlohmann::ordered_json& file : report)
@@ -156,8 +111,8 @@ void PrintJson(nlohmann::ordered_json& report, const BiasReport& comparison)
 struct InfoOutput
 {
   nlohmann::ordered_json report = nlohmann::ordered_json::array();
-  LowEchoes echoes; // where there are several files
-  bool anyRay = false;
+  LowEchoes echoes;    // where there are several files
+  bool anyUse = false; // some file has rays, or the metadata that it should have
   bool anyDamage = false;
   bool missingGates = false;
 };
@@ -170,11 +125,11 @@ void ReadSubjects(const InfoOptions& options, const Level2Options& readOptions, 
   {
     requests.push_back(*ParseGate(gate));
   }
-  const std::vector<Subject> subjects = FindSubjects(options.files, output.anyDamage);
-  for (const Subject& subject : subjects)
+  const std::vector<InputSubject> subjects = FindSubjects(options.files, output.anyDamage);
+  for (const InputSubject& subject : subjects)
   {
     const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
-    output.anyRay = output.anyRay || !volume.sweeps.empty();
+    output.anyUse = output.anyUse || !volume.sweeps.empty() || HoldsMetadataAlone(volume);
     output.anyDamage = output.anyDamage || !volume.damage.empty();
     output.missingGates = NameMissingGates(volume, requests) || output.missingGates;
     if (subjects.size() > 1)
@@ -218,7 +173,7 @@ int RunInfo(const InfoOptions& options)
   {
     PrintBiases(comparison, {}, std::cout);
   }
-  return !output.anyRay        ? Failed
+  return !output.anyUse        ? Failed
          : output.missingGates ? WrongUsage
          : output.anyDamage    ? DoneWithDamage
                                : Done;
@@ -233,7 +188,9 @@ void AddInfoCommand(CLI::App& program, CommandAction& action)
     "Says what is in Level II files: site, position, VCP, times, sweeps, moments, gates, damage");
   command
     ->add_option("FILE", options->files,
-      "Level II files, folders of real-time chunks, or folders of files: a line for each file")
+      "Level II files, folders of real-time chunks, or folders and tar archives of files: a line "
+      "for "
+      "each file")
     ->required();
   command->add_flag("--json", options->json,
     "print JSON: metres, degrees, metres a second, UTC (default: a table)");

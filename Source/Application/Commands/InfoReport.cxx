@@ -3,6 +3,7 @@
 
 #include "Output/Counted.h"
 #include "Output/EchoReport.h"
+#include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/MomentLimits.h"
 #include "nexrad/Model/MomentSummary.h"
 #include "nexrad/Model/SiteTable.h"
@@ -284,7 +285,7 @@ void PrintInfoLine(const RadarVolume& volume, std::ostream& out)
   out << volume.file << ": ";
   if (volume.sweeps.empty())
   {
-    out << "no ray can be read\n";
+    out << (HoldsMetadataAlone(volume) ? "metadata alone, no ray\n" : "no ray can be read\n");
     return;
   }
   out << (volume.site.name.empty() ? "unnamed site" : volume.site.name) << ", "

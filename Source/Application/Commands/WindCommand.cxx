@@ -3,6 +3,7 @@
 
 #include "Commands/WindReport.h"
 #include "Output/ExplainedRead.h"
+#include "Output/InputSubjects.h"
 #include "nexrad/System/ThreadGroup.h"
 #include "nexrad/Velocity/VelocityAzimuthDisplay.h"
 
@@ -71,10 +72,15 @@ int RunWind(const WindOptions& options)
   nlohmann::ordered_json result = nlohmann::ordered_json::array();
   bool anyRay = false;
   bool anyDamage = false;
-  for (const std::string& file : options.files)
+  for (const auto& [file, ofFolder] : FindSubjects(options.files, anyDamage))
   {
     const RadarVolume volume = ReadOrExplain(file);
     anyDamage = anyDamage || !volume.damage.empty();
+    if (HoldsMetadataAlone(volume))
+    {
+      std::cerr << file << ": metadata alone, no ray: passed over\n";
+      continue;
+    }
     for (const RadarVolume& cycle : SplitCycles(volume))
     {
       const std::optional<WindReport> report = reporter.Report(cycle);
@@ -103,7 +109,9 @@ void AddWindCommand(CLI::App& program, CommandAction& action)
   CLI::App* command = program.add_subcommand("wind",
     "Prints the wind profile over the radar for each volume: the velocity-azimuth display of "
     "dealiased velocities");
-  command->add_option("FILE", options->files, "Level II files, or folders of real-time chunks")
+  command
+    ->add_option("FILE", options->files,
+      "Level II files, folders of real-time chunks, or folders and tar archives of files")
     ->required();
   command->add_flag("--json", options->json,
     "print JSON: metres, metres a second, degrees, UTC (default: a table)");

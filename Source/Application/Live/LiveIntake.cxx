@@ -2,6 +2,7 @@
 #include "Live/LiveIntake.h"
 
 #include "Output/Counted.h"
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/System/Error.h"
 
@@ -187,9 +188,13 @@ bool LiveIntake::IsReadable(const Queued& queued, Volume& volume)
     throw Error(queued.file.path.string() + ": is dated " + FormatIso8601(*queued.time) +
                 ", in the future: left out");
   }
+  if (FindArchive(queued.file.path))
+  {
+    throw Error(queued.file.path.string() + ": an archive, which is not followed: left out");
+  }
   if (!queued.chunk && !LooksLikeLevel2(queued.file.path) && queued.file.size > 0)
   {
-    throw Error(queued.file.path.string() + ": not a Level II file: left out");
+    throw Error(queued.file.path.string() + ": " + WhyNotLevel2(queued.file.path) + ": left out");
   }
   return true;
 }

@@ -3,6 +3,7 @@
 
 #include "Volumes/OtherVolumes.h"
 #include "Volumes/RunFiles.h"
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Series/SharedScan.h"
@@ -44,10 +45,9 @@ std::string RecipeOf(const GridJob& job, const std::vector<fs::path>& files)
   std::string recipe = job.recipe;
   for (const fs::path& path : files)
   {
-    std::error_code ignored;
-    const auto changed = fs::last_write_time(path, ignored).time_since_epoch().count();
-    const std::uintmax_t size = fs::is_directory(path, ignored) ? 0 : fs::file_size(path, ignored);
-    recipe += '\n' + path.string() + ' ' + std::to_string(size) + ' ' + std::to_string(changed);
+    const auto changed = ChangedAt(path).time_since_epoch().count();
+    recipe +=
+      '\n' + path.string() + ' ' + std::to_string(StoredSize(path)) + ' ' + std::to_string(changed);
   }
   return recipe;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/ChunkFolder.h"
 
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -45,12 +46,10 @@ std::vector<Chunk> ListChunks(const fs::path& folder)
 {
   std::vector<Chunk> chunks;
   std::error_code error;
-  for (fs::directory_iterator entry(folder, error), end; !error && entry != end;
-       entry.increment(error))
+  for (const fs::path& entry : ListFolder(folder, error))
   {
-    std::error_code ignored;
-    auto chunk = ParseChunkName(entry->path());
-    if (chunk && entry->is_regular_file(ignored)) // opening a pipe would wait for a writer
+    auto chunk = ParseChunkName(entry);
+    if (chunk && KindOf(entry) == StoredKind::File) // opening a pipe would wait for a writer
     {
       chunks.push_back(std::move(*chunk));
     }

@@ -170,12 +170,19 @@ void FileDecoder::DecodeMessages(
 void FileDecoder::DecodeMessage(
   const Message& message, std::size_t newBytes, std::uint64_t storedOffset)
 {
+  if (message.type == 1 || message.type == 31)
+  {
+    this->DecodeRay(message, newBytes, storedOffset);
+    return;
+  }
+  assembler.AddMetadata(message.type);
+  if (message.cut)
+  {
+    this->AddDamage(storedOffset,
+      "the stream ends in the middle of a message of type " + std::to_string(message.type));
+  }
   switch (message.type)
   {
-  case 1:
-  case 31:
-    this->DecodeRay(message, newBytes, storedOffset);
-    break;
   case 2:
     if (const auto status = DecodeMessage2(message.body))
     {

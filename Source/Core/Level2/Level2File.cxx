@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/Level2File.h"
 
+#include "nexrad/Archives/ForeignFormats.h"
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Compression/Container.h"
 #include "nexrad/Compression/LdmRecords.h"
 #include "nexrad/Level2/ChunkDecoder.h"
@@ -11,7 +13,6 @@
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -73,9 +74,10 @@ RadarVolume ReadChunks(
 // The only file of a folder, when it is a Level II file: a chunk that lost its name.
 std::optional<fs::path> FindOnlyFile(const fs::path& folder)
 {
-  const std::vector<fs::path> files(fs::directory_iterator{folder}, fs::directory_iterator{});
-  const bool alone =
-    files.size() == 1 && fs::is_regular_file(files.front()) && LooksLikeLevel2(files.front());
+  std::error_code failure;
+  const std::vector<fs::path> files = ListFolder(folder, failure);
+  const bool alone = files.size() == 1 && KindOf(files.front()) == StoredKind::File &&
+                     LooksLikeLevel2(files.front());
   return alone ? std::optional(files.front()) : std::nullopt;
 }
 
@@ -91,13 +93,20 @@ RadarVolume ReadFolder(const fs::path& folder, const Level2Options& options)
     return ReadLevel2(*file, options);
   }
   throw Error(
-    folder.string() + ": holds no chunk of the real-time feed, named like 20210729-123848-001-S");
+    folder.string() + (FindArchive(folder) ? ": an archive of several files, of which one "
+                                             "is to be read: name it behind a slash"
+                                           : ": holds no chunk of the real-time feed, "
+                                             "named like 20210729-123848-001-S"));
 }
 
 } // namespace
 
 std::vector<std::uint8_t> ReadStoredBytes(const fs::path& path, std::size_t cap)
 {
+  if (const auto member = FindMember(path))
+  {
+    return member->Start(cap);
+  }
   // A window stays in the processor's cache; a vector that grows would be filled with zeros first.
   std::vector<char> window(std::size_t(1) << 18);
   std::vector<std::uint8_t> bytes;
@@ -119,12 +128,22 @@ std::vector<std::uint8_t> ReadStoredBytes(const fs::path& path, std::size_t cap)
 
 RadarVolume ReadLevel2(const fs::path& path, const Level2Options& options)
 {
-  std::error_code ignored; // opening the path will say what is wrong with it
-  if (fs::is_directory(path, ignored))
+  if (KindOf(path) == StoredKind::Folder)
   {
     return ReadFolder(path, options);
   }
-  return DecodeLevel2(ReadStoredBytes(path, options.maximumFileBytes), path.string(), options);
+  std::vector<std::uint8_t> bytes = ReadStoredBytes(path, options.maximumFileBytes);
+  const std::string foreign = NameForeignFormat(ByteView(bytes.data(), bytes.size()));
+  if (!foreign.empty())
+  {
+    throw Error(path.string() + ": " + foreign);
+  }
+  return DecodeLevel2(std::move(bytes), path.string(), options);
+}
+
+bool HoldsMetadataAlone(const RadarVolume& volume)
+{
+  return volume.sweeps.empty() && volume.damage.empty();
 }
 
 RadarVolume DecodeLevel2(
@@ -139,28 +158,29 @@ RadarVolume DecodeLevel2(
 
 bool LooksLikeLevel2(const fs::path& path)
 {
-  std::array<std::uint8_t, VolumeHeader::bytes> start{};
-  std::ifstream file(path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(start.data()), start.size());
-  const ByteView view(start.data(), static_cast<std::size_t>(file.gcount()));
+  const std::vector<std::uint8_t> start = ReadStart(path, VolumeHeader::bytes);
+  const ByteView view(start.data(), start.size());
   return IsVolumeHeader(view, 0) || IsLdmRecord(view, 0) ||
          DetectStream(view) != StreamFormat::None;
+}
+
+std::string WhyNotLevel2(const fs::path& path)
+{
+  const std::vector<std::uint8_t> start = ReadStart(path, foreignStartBytes);
+  const std::string foreign = NameForeignFormat(ByteView(start.data(), start.size()));
+  return foreign.empty() ? "not a Level II file" : foreign;
 }
 
 std::optional<VolumeHeader> PeekVolumeHeader(const fs::path& path)
 {
   constexpr std::size_t peekedBytes = 4096; // enough of any stream but bzip2 for a header
-  std::error_code failure;
-  const bool isFolder = fs::is_directory(path, failure);
+  const bool isFolder = KindOf(path) == StoredKind::Folder;
   const std::vector<Chunk> chunks = isFolder ? ListChunks(path) : std::vector<Chunk>();
-  if (failure || (isFolder && chunks.empty()))
+  if (isFolder && chunks.empty())
   {
     return std::nullopt;
   }
-  std::vector<std::uint8_t> start(peekedBytes);
-  std::ifstream file(isFolder ? chunks.front().path : path, std::ios::binary);
-  file.read(reinterpret_cast<char*>(start.data()), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(file.gcount()));
+  std::vector<std::uint8_t> start = ReadStart(isFolder ? chunks.front().path : path, peekedBytes);
   std::vector<Damage> ignored; // the stream is cut, of course
   DecodingBudget budget(
     2 * VolumeHeader::bytes + DecodingBudget::CompressedByteCost * start.size());

@@ -28,10 +28,16 @@ struct Level2Options
 
 /// Reads a Level II file, or a folder of real-time chunks, in any container that the archive uses
 /// (Documentation/Formats/level2.md lists them). Every ray that can be read is in the result; what
-/// is wrong is in `damage`, and a file without a single ray is a volume without sweeps. A folder
-/// that holds a single Level II file, whatever its name, is read as that file. Throws Error when
-/// the path cannot be opened or a folder holds neither.
+/// is wrong is in `damage`, and a file without a single ray is a volume without sweeps; when
+/// nothing is wrong either, it holds metadata alone (HoldsMetadataAlone). A folder that holds a
+/// single Level II file, whatever its name, is read as that file. A tar archive counts as a folder,
+/// and its members are files ("day.tar/KTLX20130520_200356_V06.gz"). Throws Error when the path
+/// cannot be opened, a folder holds neither, and for a file of another well-known format.
 RadarVolume ReadLevel2(const std::filesystem::path& path, const Level2Options& options = {});
+
+/// True for the volume of a file that holds metadata and no ray, as it should: the archive has such
+/// files ("KTLX20130520_200356_V06_MDM") beside those of the volumes.
+bool HoldsMetadataAlone(const RadarVolume& volume);
 
 /// The bytes of a file as it is stored, at most `cap`: what a file says of its size, or a device
 /// that never ends, takes no more memory than that. Throws Error when the file cannot be read.
@@ -46,6 +52,10 @@ RadarVolume DecodeLevel2(
 /// an LDM record, gzip, bzip2 or compress. Reads no more than a few dozen bytes; false when the
 /// path cannot be read.
 bool LooksLikeLevel2(const std::filesystem::path& path);
+
+/// What a file is for which LooksLikeLevel2 is false: "a zip archive; unpack it first", or else
+/// "not a Level II file".
+std::string WhyNotLevel2(const std::filesystem::path& path);
 
 /// The volume header, from the first bytes of a file or of a folder's first chunk. Its time may
 /// differ from the rays' times. Empty when there is none, or it cannot be had without decompressing

@@ -165,15 +165,31 @@ void VolumeAssembler::NoteCuts()
   }
 }
 
+// Without a ray. The archive has files that hold metadata alone, beside those of the volumes.
+void VolumeAssembler::CheckMetadata(std::uint64_t size)
+{
+  if (hasHeader && piece.empty() && volume.damage.empty() && !metadata.empty())
+  {
+    std::string types;
+    for (const unsigned type : metadata)
+    {
+      types += (types.empty() ? "" : ", ") + std::to_string(type);
+    }
+    volume.notes.push_back("metadata alone, no ray: message " + types);
+    return;
+  }
+  const char* what = hasHeader
+                       ? "no ray can be read"
+                       : "no ray can be read, and no volume header: is this a Level II file?";
+  volume.damage.push_back({size, piece + what});
+}
+
 // Damage that is there however long the list is.
 void VolumeAssembler::CheckEnd(std::uint64_t size)
 {
   if (volume.sweeps.empty())
   {
-    const char* what = hasHeader
-                         ? "no ray can be read"
-                         : "no ray can be read, and no volume header: is this a Level II file?";
-    volume.damage.push_back({size, piece + what});
+    this->CheckMetadata(size);
     return;
   }
   const VolumeCuts& last = volume.cuts.back();

@@ -12,6 +12,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -33,6 +34,8 @@ public:
   void AddRay(DecodedRay&& decoded, int messageType, std::uint64_t offset);
   void AddPattern(CoveragePattern pattern);
   void AddStatus(const RadarStatus& status);
+  /// The type of a message that is no ray.
+  void AddMetadata(unsigned messageType) { metadata.insert(messageType); }
   /// The file says that it was simulated.
   void AddSyntheticMark() { volume.synthetic = true; }
   /// The bytes that rays point into.
@@ -49,6 +52,7 @@ private:
   void AddSweeps(const std::vector<ArrivedSweep>& sweeps);
   void ChoosePattern();
   void CheckRays(const std::vector<ArrivedSweep>& sweeps);
+  void CheckMetadata(std::uint64_t size);
   void CheckEnd(std::uint64_t size);
   void NoteTimes();
   void NoteCuts();
@@ -58,6 +62,7 @@ private:
   RadarVolume volume;
   std::string piece; ///< "name: " of the file in hand; "" when it is the only one
   bool hasHeader = false;
+  std::set<unsigned> metadata; ///< types of messages
   std::string headerName;
   DamageList damage;
   std::vector<std::string> pieces = {""}; ///< all that `piece` was

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Merging/MemoryNeed.h"
 
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Compression/DecodingBudget.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/SiteGeometry.h"
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <limits>
 #include <string>
-#include <system_error>
 
 namespace fs = std::filesystem;
 
@@ -153,9 +153,8 @@ InputSizes SizesOf(const std::vector<fs::path>& paths, std::size_t radars)
   std::vector<std::size_t> sizes;
   for (const fs::path& path : paths)
   {
-    std::error_code failure;
-    const std::uintmax_t size = fs::file_size(path, failure); // fails for folders
-    if (!failure)
+    const std::uintmax_t size = StoredSize(path);
+    if (size > 0) // 0: of folders
     {
       sizes.push_back(static_cast<std::size_t>(size));
     }

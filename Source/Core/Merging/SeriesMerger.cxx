@@ -21,16 +21,17 @@ namespace nexrad
 namespace
 {
 
-// An input that is damaged throughout explains why there is nothing to merge.
-std::string DescribeProblems(const std::vector<InputProblem>& problems)
+// An input that is damaged throughout, or holds metadata alone, explains why there is nothing to
+// merge.
+std::string ExplainNothing(const SeriesScan& scan)
 {
-  if (problems.empty())
+  const std::size_t reasons = scan.problems.empty() ? scan.notes.size() : scan.problems.size();
+  if (reasons == 0)
   {
     return {};
   }
-  const std::size_t others = problems.size() - 1;
-  return ": " + problems.front().Line() +
-         (others > 0 ? " (and " + std::to_string(others) + " more)" : "");
+  return ": " + (scan.problems.empty() ? scan.notes.front() : scan.problems.front().Line()) +
+         (reasons > 1 ? " (and " + std::to_string(reasons - 1) + " more)" : "");
 }
 
 // When the files' volumes began, as their headers say.
@@ -81,7 +82,7 @@ VolumeChoice ChoiceOf(const MergeRequest& request)
 // What stands for a file of which nothing is known.
 bool IsUnknown(const ScannedFile& file)
 {
-  return file.volumes.empty() && file.problems.empty();
+  return file.volumes.empty() && file.problems.empty() && file.notes.empty();
 }
 
 SeriesOptions OneThreadAFile(SeriesOptions series)
@@ -419,8 +420,7 @@ void SeriesMerger::PlanByScan()
 {
   if (scan->sites.empty())
   {
-    throw InputError(
-      "no input holds a volume that can be used" + DescribeProblems(scan->problems), false);
+    throw InputError("no input holds a volume that can be used" + ExplainNothing(*scan), false);
   }
   request = MergeRequestOf(options, setup.loop);
   sites.clear();

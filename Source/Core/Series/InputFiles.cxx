@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Series/InputFiles.h"
 
+#include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Series/InputError.h"
@@ -23,15 +24,7 @@ namespace
 
 std::vector<fs::path> SortedEntries(const fs::path& folder, std::error_code& failure)
 {
-  std::vector<fs::path> entries;
-  for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
-       entry.increment(failure))
-  {
-    if (entry->path().filename().string().front() != '.')
-    {
-      entries.push_back(entry->path());
-    }
-  }
+  std::vector<fs::path> entries = ListFolder(folder, failure);
   std::sort(entries.begin(), entries.end());
   return entries;
 }
@@ -41,13 +34,12 @@ class Finder
 public:
   void AddInput(const fs::path& input)
   {
-    std::error_code failure;
-    const fs::file_status status = fs::status(input, failure);
-    if (!fs::exists(status))
+    const StoredKind kind = KindOf(input);
+    if (kind == StoredKind::Nothing)
     {
       throw InputError(input.string() + ": no such file or folder", true);
     }
-    if (!fs::is_directory(status))
+    if (kind != StoredKind::Folder)
     {
       this->Add(input);
       return;
@@ -76,6 +68,7 @@ private:
       ++this->seen;
       return;
     }
+    this->AddProblemsOfArchive(folder);
     if (IsChunkFolder(folder))
     {
       ++this->seen;
@@ -89,7 +82,7 @@ private:
     }
     for (const fs::path& entry : entries)
     {
-      if (!fs::is_directory(entry, failure))
+      if (KindOf(entry) != StoredKind::Folder)
       {
         ++this->seen;
         this->AddEntry(entry);
@@ -117,21 +110,37 @@ private:
     this->Refuse(folder, what);
   }
 
+  // An archive is a folder of its members.
+  void AddProblemsOfArchive(const fs::path& path)
+  {
+    const auto archive = FindArchive(path);
+    for (const ArchiveProblem& problem :
+      archive ? archive->problems : std::vector<ArchiveProblem>())
+    {
+      ++this->seen;
+      const std::string member = problem.member.empty() ? "" : '/' + problem.member;
+      const auto offset = problem.leftOut ? std::nullopt : std::optional(problem.offset);
+      found.problems.push_back({path.string() + member, offset, problem.what, problem.leftOut});
+    }
+  }
+
   // What stands in a folder and is none.
   void AddEntry(const fs::path& entry)
   {
     std::error_code failure;
-    if (!fs::is_regular_file(entry, failure)) // opening a pipe would wait for a writer
+    const StoredKind kind = KindOf(entry);
+    if (kind != StoredKind::File) // opening a pipe would wait for a writer
     {
-      this->Refuse(entry, failure ? failure.message() : "neither a file nor a folder");
+      const fs::file_status status = fs::status(entry, failure);
+      this->Refuse(entry, fs::exists(status) ? "neither a file nor a folder" : failure.message());
     }
-    else if (access(entry.c_str(), R_OK) != 0)
+    else if (access(entry.c_str(), R_OK) != 0 && errno != ENOTDIR && errno != ENAMETOOLONG)
     {
       this->Refuse(entry, std::string("cannot be read: ") + std::strerror(errno));
     }
     else if (!LooksLikeLevel2(entry))
     {
-      this->Refuse(entry, "not a Level II file");
+      this->Refuse(entry, WhyNotLevel2(entry));
     }
     else
     {
@@ -169,19 +178,9 @@ std::string InputProblem::Line() const
 bool IsChunkFolder(const fs::path& path)
 {
   std::error_code failure;
-  if (!fs::is_directory(path, failure))
-  {
-    return false;
-  }
-  fs::directory_iterator entry(path, failure);
-  for (const fs::directory_iterator end; !failure && entry != end; entry.increment(failure))
-  {
-    if (ParseChunkName(entry->path()))
-    {
-      return true;
-    }
-  }
-  return false;
+  const std::vector<fs::path> entries = ListFolder(path, failure);
+  return std::any_of(entries.begin(), entries.end(),
+    [](const fs::path& entry) { return ParseChunkName(entry).has_value(); });
 }
 
 InputFiles FindInputFiles(const std::vector<fs::path>& inputs)

@@ -25,7 +25,8 @@ struct InputProblem
 /// The radar files that a user's list of files and folders stands for.
 struct InputFiles
 {
-  std::vector<std::filesystem::path> paths; ///< Level II files, and chunk folders as one path each
+  std::vector<std::filesystem::path> paths; ///< Level II files, also members of tar archives, and
+                                            ///< chunk folders as one path each
   std::vector<InputProblem> problems;       ///< files in the folders that are no Level II files
 };
 
@@ -34,9 +35,9 @@ struct InputFiles
 bool IsChunkFolder(const std::filesystem::path& path);
 
 /// Replaces each folder by the files in it and in its folders, in the order of their names; a chunk
-/// folder stays one path. Files whose name begins with a dot are passed over. A path that is given
-/// twice counts once. Throws InputError for a path that does not exist and for a folder without a
-/// file.
+/// folder stays one path. A tar archive counts as a folder of its members. Files whose name begins
+/// with a dot are passed over. A path that is given twice counts once. Throws InputError for a path
+/// that does not exist and for a folder without a file.
 InputFiles FindInputFiles(const std::vector<std::filesystem::path>& inputs);
 
 } // namespace nexrad

@@ -318,6 +318,11 @@ ScannedFile ScanVolume(const RadarVolume& whole, const std::filesystem::path& pa
   {
     scanned.problems.push_back({path.string(), damage.offset, damage.what, false});
   }
+  if (HoldsMetadataAlone(whole))
+  {
+    scanned.notes.push_back(path.string() + ": metadata alone, no ray: passed over");
+    return scanned;
+  }
   const std::vector<RadarVolume> cycles = SplitCycles(whole);
   for (std::size_t cycle = 0; cycle < cycles.size(); ++cycle)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradPipeline.h"
 
+#include "nexrad/Archives/StoredFiles.h"
+
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
 #include "vtkErrorCode.h"
@@ -102,13 +104,15 @@ unsigned long vtkNexradPathError(const char* path)
   {
     return vtkErrorCode::NoFileNameError;
   }
-  std::error_code failure;
-  const std::filesystem::file_status status = std::filesystem::status(path, failure);
-  if (!std::filesystem::exists(status))
+  const nexrad::StoredKind kind = nexrad::KindOf(path);
+  if (kind == nexrad::StoredKind::Nothing)
   {
     return vtkErrorCode::FileNotFoundError;
   }
-  if (!std::filesystem::is_directory(status) && !std::ifstream(path, std::ios::binary))
+  // The members of archives can be read where they are found.
+  std::error_code failure;
+  if (kind != nexrad::StoredKind::Folder && std::filesystem::exists(path, failure) &&
+      !std::ifstream(path, std::ios::binary))
   {
     return vtkErrorCode::CannotOpenFileError;
   }

@@ -9,7 +9,7 @@ from typing import Any, Optional, Union
 from vtkmodules.vtkCommonExecutionModel import vtkStreamingDemandDrivenPipeline
 
 from .errors import run
-from .vtkNexradIO import vtkNexradVolumeReader, vtkNexradVolumeWriter
+from .vtkNexradIO import vtkNexradLevel2Reader, vtkNexradVolumeReader, vtkNexradVolumeWriter
 
 Path = Union[str, "os.PathLike[str]"]
 
@@ -18,9 +18,9 @@ CODES = {"automatic": 0, "thesis": 2, "exact": 3, "radar": 4}
 
 
 def existing(path: Path) -> str:
-    """The path as text. Raises FileNotFoundError where there is nothing."""
+    """The path as text, also of a member of a tar archive. Raises FileNotFoundError where there is nothing."""
     text = os.fspath(path)
-    if not os.path.exists(text):
+    if not os.path.exists(text) and not vtkNexradLevel2Reader.CanReadFile(text):
         raise FileNotFoundError(f"{text}: no such file or folder")
     return text
 

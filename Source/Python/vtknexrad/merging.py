@@ -54,7 +54,7 @@ def merge(paths: Union[Path, Iterable[Path]], *,
     options of `nexrad3d grid` (user guide, chapter 3), and have their defaults. Lengths are in metres,
     durations in seconds (or timedelta), times as in `Time` (UTC).
 
-    paths: Level II files, folders of them (with their subfolders) and folders of real-time chunks.
+    paths: Level II files, folders and tar archives of them (with those within), and folders of real-time chunks.
     moments: names, as "REF,VEL" or ["REF", "VEL"]; the first is the volumes' own.
     step: between two volumes; the times are multiples of it in UTC.
     begin, end: the first and the last time that count, both included; None for those of the data.

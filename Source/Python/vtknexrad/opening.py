@@ -19,14 +19,15 @@ from .vtkNexradIO import vtkNexradLevel2Reader, vtkNexradSeriesReader, vtkNexrad
 def open(path: Path, **options: Any) -> Union[RadarVolume, Volume, VolumeSeries]:
     """Opens a file or folder by what it contains.
 
-    - A Level II file, or a folder of real-time chunks: a RadarVolume.
+    - A Level II file, also in a tar archive ("day.tar/KLSX20060312_180145"), or a folder of real-time chunks: a
+      RadarVolume.
     - A merged volume (.nxv): a Volume.
     - An index (.nxv.series), or a folder with one or with .nxv files: a VolumeSeries.
 
     options: those of the class: `quality`, `site` and `position` of RadarVolume, `moments` of the others.
 
     Raises FileNotFoundError for a path that does not exist, and Error, in one line, for a file of another
-    kind, one that cannot be read, and a folder of radar files, which `merge` takes.
+    kind, one that cannot be read, and a folder or tar archive of radar files, which `merge` takes.
 
     >>> vtknexrad.open("KLSX20060312_180145").radar
     'KLSX'
@@ -46,6 +47,8 @@ def open(path: Path, **options: Any) -> Union[RadarVolume, Volume, VolumeSeries]
         return VolumeSeries.open(text, **options)
     if text.endswith(".nxv") or vtkNexradVolumeReader.CanReadFile(text):
         return Volume.open(text, **options)
+    if not vtkNexradLevel2Reader.CanReadFile(text) and vtkNexradSeriesReader.CanReadFile(text):
+        raise _several(text, "a tar archive")
     return RadarVolume(text, **options)
 
 
@@ -55,6 +58,9 @@ def _open_folder(folder: str, options: dict[str, Any]) -> Union[RadarVolume, Vol
     if vtkNexradLevel2Reader.CanReadFile(folder):
         return RadarVolume(folder, **options)
     if vtkNexradSeriesReader.CanReadFile(folder):
-        raise Error(f"{folder}: a folder of radar files: vtknexrad.merge merges them, "
-                    "vtknexrad.open opens one of them")
+        raise _several(folder, "a folder")
     raise Error(f"{folder}: no radar file and no merged volume in the folder")
+
+
+def _several(path: str, kind: str) -> Error:
+    return Error(f"{path}: {kind} of radar files: vtknexrad.merge merges them, vtknexrad.open opens one of them")

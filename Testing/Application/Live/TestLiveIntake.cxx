@@ -2,6 +2,7 @@
 #include "Live/LiveIntake.h"
 
 #include "Feed/ChunkMaker.h"
+#include "Feed/TarMaker.h"
 #include "TestData.h"
 
 #include <gtest/gtest.h>
@@ -222,6 +223,7 @@ TEST_F(LiveIntakes, NameWhatCannotBeUsed)
 {
   fs::create_directories(folder.Path() / "KEAX");
   std::ofstream(folder.Path() / "KEAX" / "readme.txt") << "no radar file";
+  WriteBytes(folder.Path() / "KEAX" / "day.tar", MakeTar({{"KEAX1", MakeSmallVolume(31)}}));
   WriteChunks(this->FolderOf(1), CutIntoChunks(VolumeOfSweeps(keax, start + 48h, 1, 20.0)));
   std::vector<std::string> problems;
   this->TakeUntil(
@@ -231,7 +233,7 @@ TEST_F(LiveIntakes, NameWhatCannotBeUsed)
       {
         problems.push_back(std::move(line));
       }
-      return problems.size() == 5;
+      return problems.size() == 6;
     });
   const auto has = [&problems](const std::string& part)
   {
@@ -239,8 +241,9 @@ TEST_F(LiveIntakes, NameWhatCannotBeUsed)
       [&part](const std::string& line) { return line.find(part) != std::string::npos; });
   };
   EXPECT_EQ(has("readme.txt: not a Level II file: left out"), 1);
+  EXPECT_EQ(has("day.tar: an archive, which is not followed: left out"), 1);
   EXPECT_EQ(has("in the future: left out"), 4);
-  EXPECT_EQ(intake.Radars().at("").counts.refused, 5U);
+  EXPECT_EQ(intake.Radars().at("").counts.refused, 6U);
 }
 
 TEST_F(LiveIntakes, PassOverWhatIsTooOld)

@@ -252,6 +252,7 @@ TEST_F(LiveMerges, WhatCannotBeUsedIsAProblem)
   LiveSeries series(options, {});
   LiveInput none = Whole(folders.front());
   none.volume.sweeps.clear();
+  none.volume.damage.push_back({0, "no ray can be read"});
   const auto scanned = series.Put({none});
   ASSERT_FALSE(scanned.at(0).problems.empty());
   EXPECT_EQ(scanned[0].problems.back().what, "no ray could be read: left out");
