@@ -9,6 +9,7 @@
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 #include "nexrad/Level2/VolumeAssembler.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/OrdinaryFile.h"
 
 #include <algorithm>
 #include <array>
@@ -98,6 +99,7 @@ RadarVolume ReadFolder(const fs::path& folder, const Level2Options& options)
 
 std::vector<std::uint8_t> ReadStoredBytes(const fs::path& path, std::size_t cap)
 {
+  RequireOrdinaryFile(path);
   // A window stays in the processor's cache; a vector that grows would be filled with zeros first.
   std::vector<char> window(std::size_t(1) << 18);
   std::vector<std::uint8_t> bytes;
@@ -139,6 +141,10 @@ RadarVolume DecodeLevel2(
 
 bool LooksLikeLevel2(const fs::path& path)
 {
+  if (!IsOrdinaryFile(path))
+  {
+    return false;
+  }
   std::array<std::uint8_t, VolumeHeader::bytes> start{};
   std::ifstream file(path, std::ios::binary);
   file.read(reinterpret_cast<char*>(start.data()), start.size());
@@ -153,12 +159,13 @@ std::optional<VolumeHeader> PeekVolumeHeader(const fs::path& path)
   std::error_code failure;
   const bool isFolder = fs::is_directory(path, failure);
   const std::vector<Chunk> chunks = isFolder ? ListChunks(path) : std::vector<Chunk>();
-  if (failure || (isFolder && chunks.empty()))
+  const fs::path first = chunks.empty() ? path : chunks.front().path;
+  if (failure || !IsOrdinaryFile(first))
   {
     return std::nullopt;
   }
   std::vector<std::uint8_t> start(peekedBytes);
-  std::ifstream file(isFolder ? chunks.front().path : path, std::ios::binary);
+  std::ifstream file(first, std::ios::binary);
   file.read(reinterpret_cast<char*>(start.data()), static_cast<std::streamsize>(start.size()));
   start.resize(static_cast<std::size_t>(file.gcount()));
   std::vector<Damage> ignored; // the stream is cut, of course

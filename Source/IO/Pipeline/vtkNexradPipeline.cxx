@@ -108,7 +108,8 @@ unsigned long vtkNexradPathError(const char* path)
   {
     return vtkErrorCode::FileNotFoundError;
   }
-  if (!std::filesystem::is_directory(status) && !std::ifstream(path, std::ios::binary))
+  const bool waits = std::filesystem::is_other(status); // for a writer, as a pipe does
+  if (waits || (!std::filesystem::is_directory(status) && !std::ifstream(path, std::ios::binary)))
   {
     return vtkErrorCode::CannotOpenFileError;
   }
