@@ -10,6 +10,7 @@
 #include "Commands/GridCommand.h"
 #include "Commands/RenderCommand.h"
 #include "Commands/ViewCommand.h"
+#include "Libraries/VtkErrors.h"
 #include "Live/WatchCommand.h"
 #include "Web/WebCommand.h"
 #endif
@@ -17,7 +18,10 @@
 int main(int argc, char** argv)
 {
   using namespace nexrad::application;
-  return RunProgram(argc, argv,
+#ifdef NEXRAD_WITH_VTK
+  TakeVtkErrors();
+#endif
+  const int status = RunProgram(argc, argv,
     {
       AddInfoCommand,
       AddSimulateCommand,
@@ -32,4 +36,9 @@ int main(int argc, char** argv)
       AddBenchCommand,
 #endif
     });
+#ifdef NEXRAD_WITH_VTK
+  return status == Failed || IsFreeOfVtkErrors() ? status : Failed;
+#else
+  return status;
+#endif
 }

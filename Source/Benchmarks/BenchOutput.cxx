@@ -3,6 +3,7 @@
 
 #include "Commands/Command.h"
 
+#include "Output/MessageOutput.h"
 #include <nlohmann/json.hpp>
 
 #include <iostream>
@@ -19,7 +20,7 @@ int PrintProblems(const std::vector<std::string>& problems)
 {
   for (const std::string& problem : problems)
   {
-    std::cerr << problem << '\n';
+    PrintMessage(problem);
   }
   return problems.empty() ? Done : DoneWithDamage;
 }

@@ -51,8 +51,7 @@ public:
 
   ///@{
   /**
-   * What the file's attribute `history` says after the time of writing. "vtkNexradNetCDFWriter" by
-   * default.
+   * What the file's attribute `history` says. "vtkNexradNetCDFWriter" by default.
    */
   vtkSetMacro(History, std::string);
   vtkGetMacro(History, std::string);

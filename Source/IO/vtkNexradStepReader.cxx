@@ -78,7 +78,9 @@ const vtkNexradVolumeSteps& vtkNexradStepReader::OpenedSteps() const
 int vtkNexradStepReader::Fail(unsigned long code, const std::string& line)
 {
   this->SetErrorCode(code);
-  return vtkNexradFail(this, line);
+  // What is wrong with a file that an index names is said of the index.
+  const std::string name = this->FileName != nullptr ? this->FileName : "";
+  return vtkNexradFail(this, line.rfind(name, 0) == 0 ? line : name + ": " + line);
 }
 
 int vtkNexradStepReader::RequestInformation(

@@ -522,6 +522,12 @@ bool vtkNexradTransferFunction::ReadFile(const char* path)
                   << ": a colour map to read ends in .json, .pal or .csv");
     return false;
   }
+  std::error_code ignored;
+  if (std::filesystem::is_other(path, ignored)) // opening a pipe would wait for a writer
+  {
+    vtkErrorMacro(<< path << ": neither a file nor a folder; name a file");
+    return false;
+  }
   std::ifstream stream(path, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   vtkNexradColorMap map;

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -79,4 +80,25 @@ TEST(GridNetCDF, OneFileIsReplacedAsAWhole)
   ASSERT_EQ(GridThreeRadars(data, folder.Path(), options).status, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.Path()), {}), 1);
   EXPECT_EQ(vtkNexradReadNetCDFContents(folder.Path() / "volumes.nc").Times.size(), 2);
+}
+
+// Nothing in a file tells when it was written.
+TEST(GridNetCDF, TheSameCommandMakesTheSameBytes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const TemporaryFolder folder;
+  for (const char* run : {"first", "second"})
+  {
+    const auto now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+    while (std::chrono::system_clock::to_time_t(std::chrono::system_clock::now()) == now)
+    {
+    }
+    ASSERT_EQ(GridThreeRadars(data, folder.Path() / run, {"--format", "nc"}).status, 0);
+  }
+  for (const char* name : {"20100911T011500Z.nc", "20100911T012000Z.nc"})
+  {
+    EXPECT_TRUE(
+      FileContent(folder.Path() / "first" / name) == FileContent(folder.Path() / "second" / name))
+      << name;
+  }
 }

@@ -319,3 +319,26 @@ TEST_F(InterruptedGrid, AfterAWriteThatFailsTheSameCommandMakesTheRest)
     EXPECT_TRUE(name == inTheWay.filename() || now.at(name) == entry) << name << " is made again";
   }
 }
+
+// A run keeps its notes in a folder of that name, and removes them.
+TEST_F(InterruptedGrid, AFolderOfOthersStays)
+{
+  const fs::path output = folder.Path() / "volumes";
+  const fs::path theirs = output / ".grid.part";
+  fs::create_directories(theirs / "photographs");
+  std::ofstream(theirs / "letter.txt") << "mine";
+  std::ofstream(theirs / "photographs" / "cat") << "mine";
+  const ProgramRun refused = RunNexrad3d(this->Command(output, "40x40x10"));
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.errors.find(theirs.string() + ": is not of a run of grid"), std::string::npos)
+    << refused.errors;
+  EXPECT_EQ(FileContent(theirs / "letter.txt"), "mine");
+  // A folder in that of an interrupted run.
+  const fs::path other = folder.Path() / "other";
+  EXPECT_EQ(this->InterruptAt(3, other, "80x80x20").status, -1);
+  fs::create_directories(other / ".grid.part" / "photographs");
+  std::ofstream(other / ".grid.part" / "photographs" / "cat") << "mine";
+  ASSERT_EQ(RunNexrad3d(this->Command(other, "80x80x20")).status, 0);
+  EXPECT_EQ(Contents(other / ".grid.part"),
+    (std::map<std::string, std::string>{{"photographs/cat", "mine"}}));
+}

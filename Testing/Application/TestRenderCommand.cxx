@@ -349,3 +349,28 @@ TEST(RenderCommand, ColoursFromAnotherArray)
               .status,
     2);
 }
+
+// Wider than the texture of any OpenGL. An empty sky would look like no echo.
+TEST(RenderCommand, AVolumeThatCannotBeDrawnIsAFailure)
+{
+  const TemporaryFolder folder;
+  GriddedVolume wide = MakeStorm(true);
+  wide.grid.dimensions = {40'000, 2, 2};
+  wide.grid.spacing = {12.0, 100'000.0, 10'000.0};
+  wide.values.assign(wide.grid.VoxelCount(), 40.0F);
+  wide.states.assign(wide.grid.VoxelCount(), VoxelState::Echo);
+  const fs::path volume = folder.Path() / "wide.nxv";
+  WriteNxv(volume, wide);
+  for (const char* name : {"wide.png", "wide.ogv"})
+  {
+    const fs::path picture = folder.Path() / name;
+    const ProgramRun run = RunNexrad3d({"render", volume, "-o", picture, "--size", small});
+    EXPECT_EQ(run.status, 1);
+    EXPECT_EQ(run.errors.find("nexrad3d render: " + picture.string() + ": cannot be drawn: "), 0U)
+      << run.errors;
+    EXPECT_NE(run.errors.find("40000 x 2 x 2 voxels"), std::string::npos) << run.errors;
+    EXPECT_NE(run.errors.find("--dims"), std::string::npos) << run.errors;
+    EXPECT_EQ(run.errors.find('\n'), run.errors.size() - 1) << run.errors;
+  }
+  EXPECT_EQ(NamesIn(folder.Path()), std::set<std::string>{"wide.nxv"});
+}

@@ -4,7 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -265,4 +268,75 @@ TEST(Usage, AnEmptyNameOfAFolder)
 {
   const TemporaryFolder folder;
   ExpectFailure({"simulate", "", "--hours", "0.1"}, {"the folder to write to is empty"});
+}
+
+// Whoever reads a log by lines finds each message whole.
+TEST(Usage, AMessageIsOneLineWhateverTheNameOfTheFile)
+{
+  const TemporaryFolder folder;
+  const std::string name = folder.Path() / "two\nlines";
+  std::ofstream(name) << "This is no radar file.";
+  fs::create_directory(folder.Path() / "in");
+  std::ofstream(folder.Path() / "in" / "two\nlines") << "This is no radar file.";
+  for (const char* ending : {".nxv", ".nxv.series", ".vti", ".json", ".pal", ".nxsession"})
+  {
+    std::ofstream(name + ending) << "{}";
+  }
+  const std::string out = folder.Path() / "out";
+  const Arguments commands[] = {{"info", name + " none"}, {"wind", name + " none"},
+    {"grid", name, "-o", out}, {"grid", folder.Path() / "in", "-o", out},
+    {"grid", "in", "-o", name}, {"render", name + ".nxv", "-o", "x.tif", "--map", "composite"},
+    {"render", name + ".nxv.series", "-o", "x.tif", "--map", "composite"},
+    {"render", name + ".vti", "-o", "x.tif", "--map", "composite"},
+    {"web", name + ".nxv.series", "-o", out}, {"web", name + ".nxv", "-o", "x.html"},
+    {"watch", name, "-o", name}};
+  for (const Arguments& arguments : commands)
+  {
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 1) << arguments.front() << run.errors;
+    EXPECT_TRUE(IsOneLine(run.errors)) << run.errors;
+  }
+  ExpectWrongUsage({"render", "a", "-o", name}, {"two"});
+}
+
+// Whatever opens a pipe waits until somebody writes into it.
+TEST(Usage, PipesAndDevicesAreNamedAndNotOpened)
+{
+  const TemporaryFolder folder;
+  const std::string pipe = folder.Path() / "pipe";
+  for (const char* ending : {"", ".nxv", ".nxv.series", ".vti"})
+  {
+    ASSERT_EQ(mkfifo((pipe + ending).c_str(), 0600), 0);
+  }
+  const std::string out = folder.Path() / "out";
+  const Arguments commands[] = {{"info", pipe}, {"info", "/dev/zero"}, {"wind", pipe},
+    {"grid", pipe, "-o", out}, {"grid", "/dev/zero", "-o", out},
+    {"render", pipe + ".nxv", "-o", "x.tif", "--map", "composite"},
+    {"render", pipe + ".nxv.series", "-o", "x.tif", "--map", "composite"},
+    {"render", pipe + ".vti", "-o", "x.tif", "--map", "composite"},
+    {"web", pipe + ".nxv", "-o", "x.html"}, {"web", pipe, "-o", out}};
+  for (const Arguments& arguments : commands)
+  {
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 1) << arguments.front() << run.errors;
+    EXPECT_TRUE(IsOneLine(run.errors)) << run.errors;
+    EXPECT_NE(run.errors.find(arguments[1]), std::string::npos) << run.errors;
+  }
+}
+
+// A script's shell starts what it runs in the background with SIGINT ignored.
+TEST(Usage, TheFirstSignalEndsACommand)
+{
+  const TemporaryFolder folder;
+  const fs::path begun = folder.Path() / "begun";
+  const std::string script = "trap '' INT; touch " + begun.string() + "; exec " + Nexrad3dPath() +
+                             " simulate " + (folder.Path() / "day").string() +
+                             " --hours 24 --quiet";
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  {
+    const ProgramRun run = InterruptProgram(
+      "/bin/sh", {"-c", script}, [&] { return fs::exists(folder.Path() / "day"); }, signal);
+    EXPECT_EQ(run.status, 1) << signal << run.errors;
+    fs::remove_all(folder.Path() / "day");
+  }
 }

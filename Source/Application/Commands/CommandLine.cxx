@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/CommandLine.h"
 
+#include "Output/MessageOutput.h"
 #include "Output/PrintableOutput.h"
 #include "Parallel/LaunchedProcess.h"
 
@@ -47,7 +48,7 @@ void Complain(const CLI::App& program, const std::string& message)
 {
   if (FindLaunchedProcess().Speaks())
   {
-    std::cerr << CalledName(program) << ": " << message << '\n';
+    PrintMessage(CalledName(program) + ": " + message);
   }
 }
 
@@ -117,6 +118,8 @@ int RunProgram(int argc, const char* const* argv, const std::vector<AddCommand>&
   }
   // A limit on the size of files shall be an error of writing, as a full disk is.
   std::signal(SIGXFSZ, SIG_IGN);
+  // A shell script starts what runs in the background with SIGINT ignored; it ends every command.
+  std::signal(SIGINT, SIG_DFL);
   CommandAction action;
   for (const AddCommand add : commands)
   {

@@ -7,6 +7,7 @@
 #include "Output/BiasOutput.h"
 #include "Output/Counted.h"
 #include "Output/EchoReport.h"
+#include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
 #include "Output/StopSignal.h"
 #include "Parallel/JoinedProcesses.h"
@@ -168,11 +169,11 @@ int RunGrid(GridCommandOptions& options)
   }
   for (const std::string& problem : report.problems)
   {
-    std::cerr << problem << '\n';
+    PrintMessage(problem);
   }
   for (const std::string& note : report.notes)
   {
-    std::cerr << note << '\n';
+    PrintMessage(note);
   }
   return status;
 }

@@ -6,6 +6,7 @@
 #include "Output/Counted.h"
 #include "Output/ExplainedRead.h"
 #include "Output/InputSubjects.h"
+#include "Output/MessageOutput.h"
 #include "nexrad/Model/SiteTable.h"
 
 #include <CLI/CLI.hpp>
@@ -85,9 +86,10 @@ bool NameMissingGates(const RadarVolume& volume, const std::vector<GateRequest>&
   {
     if (!volume.sweeps.empty() && FindRay(volume, request) == nullptr)
     {
-      std::cerr << "nexrad3d info: --gate " << request.sweep << ',' << request.ray << ','
-                << request.gate << ": " << volume.file << " has no such ray; it has "
-                << Counted(volume.sweeps.size(), "sweep") << ", counted from 0\n";
+      PrintMessage("nexrad3d info: --gate " + std::to_string(request.sweep) + ',' +
+                   std::to_string(request.ray) + ',' + std::to_string(request.gate) + ": " +
+                   volume.file + " has no such ray; it has " +
+                   Counted(volume.sweeps.size(), "sweep") + ", counted from 0");
       missing = true;
     }
   }
@@ -158,8 +160,8 @@ int RunInfo(const InfoOptions& options)
   readOptions.position = ParsePosition(options.position);
   if (!options.site.empty() && FindSite(options.site) == nullptr && !readOptions.position)
   {
-    std::cerr << "nexrad3d info: --site: unknown site '" << options.site
-              << "'; give a site of the table, such as KLSX, or its --position too\n";
+    PrintMessage("nexrad3d info: --site: unknown site '" + options.site +
+                 "'; give a site of the table, such as KLSX, or its --position too");
     return WrongUsage;
   }
   InfoOutput output;

@@ -6,6 +6,7 @@
 #include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
+#include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
 #include "Output/StopSignal.h"
 
@@ -91,7 +92,7 @@ int RunRender(RenderOptions& options)
   }
   for (const std::string& problem : report.problems)
   {
-    std::cerr << problem << '\n';
+    PrintMessage(problem);
   }
   return report.problems.empty() ? Done : DoneWithDamage;
 }

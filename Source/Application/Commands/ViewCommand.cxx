@@ -7,6 +7,7 @@
 #include "Options/SessionFile.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
+#include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
 
 #include <CLI/CLI.hpp>
@@ -72,7 +73,7 @@ int RunView(ViewOptions& options)
   }
   for (const std::string& problem : report.problems)
   {
-    std::cerr << problem << '\n';
+    PrintMessage(problem);
   }
   return report.problems.empty() ? Done : DoneWithDamage;
 }

@@ -4,6 +4,7 @@
 #include "Commands/WindReport.h"
 #include "Output/ExplainedRead.h"
 #include "Output/InputSubjects.h"
+#include "Output/MessageOutput.h"
 #include "nexrad/System/ThreadGroup.h"
 #include "nexrad/Velocity/VelocityAzimuthDisplay.h"
 
@@ -86,7 +87,10 @@ int RunWind(const WindOptions& options)
       const std::optional<WindReport> report = reporter.Report(cycle);
       if (!report)
       {
-        std::cerr << file << ": no ray has velocities; a wind profile needs the moment VEL\n";
+        if (!volume.sweeps.empty()) // else reading it said what is wrong
+        {
+          PrintMessage(file + ": no ray has velocities; a wind profile needs the moment VEL");
+        }
         anyDamage = true;
         continue;
       }

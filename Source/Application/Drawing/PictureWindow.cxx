@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/PictureWindow.h"
 
+#include "Libraries/VtkErrors.h"
 #include "Output/OutputFile.h"
 #include "nexrad/System/Error.h"
 
@@ -53,7 +54,9 @@ void PictureWindow::MakeCurrent()
 
 vtkSmartPointer<vtkImageData> PictureWindow::Draw()
 {
-  return GrabPicture(window);
+  vtkSmartPointer<vtkImageData> picture = GrabPicture(window);
+  application::ThrowVtkErrors();
+  return picture;
 }
 
 vtkSmartPointer<vtkImageData> GrabPicture(vtkRenderWindow* window)

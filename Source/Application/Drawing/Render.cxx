@@ -8,10 +8,12 @@
 #include "Scene/RadarSession.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
 #include "nexrad/System/Progress.h"
 
 #include <vtkImageData.h>
 
+#include <string>
 #include <utility>
 
 namespace fs = std::filesystem;
@@ -29,6 +31,19 @@ void GoOn(const Progress& progress)
   }
 }
 
+// Draws the picture of a file; an error names the file.
+vtkSmartPointer<vtkImageData> DrawFor(const fs::path& file, PictureWindow& window)
+{
+  try
+  {
+    return window.Draw();
+  }
+  catch (const Error& problem)
+  {
+    throw FileError(file, std::string("cannot be drawn: ") + problem.what());
+  }
+}
+
 void DrawPictures(const RenderRequest& request, RadarSession& session, RenderReport& report)
 {
   PictureWindow window(session.Scene(), request.size);
@@ -38,7 +53,7 @@ void DrawPictures(const RenderRequest& request, RadarSession& session, RenderRep
     const Progress part = ShareOf(drawing, i, session.Count());
     session.Show(i, part);
     const fs::path name = PictureName(request.output, session.TimeAt(i), session.Count() > 1);
-    WritePng(window.Draw(), name);
+    WritePng(DrawFor(name, window), name);
     report.outputs.push_back(name);
     GoOn(part);
   }
@@ -58,7 +73,7 @@ void DrawMovie(const RenderRequest& request, RadarSession& session, RenderReport
     CameraView view = request.camera;
     view.azimuth += request.turn * static_cast<double>(frame) / static_cast<double>(frames);
     session.Scene().SetCamera(view);
-    writer->AddFrame(window.Draw());
+    writer->AddFrame(DrawFor(request.output, window));
     GoOn(part);
   }
   writer->Finish();

@@ -3,6 +3,7 @@
 
 #include "Drawing/PictureWindow.h"
 #include "Drawing/ViewerStyle.h"
+#include "Libraries/VtkErrors.h"
 #include "Output/Counted.h"
 #include "Scene/Elements/SceneText.h"
 
@@ -303,6 +304,13 @@ void Viewer::Draw()
   const Time time = session.TimeAt(session.Shown().value_or(0));
   window->SetWindowName(("nexrad3d " + FormatIso8601(time)).c_str());
   window->Render();
+  const std::string failure = application::NextVtkError();
+  if (!failure.empty())
+  {
+    this->Report(failure);
+    this->DrawStatus();
+    window->Render();
+  }
 }
 
 // The keys are not part of the picture.

@@ -7,6 +7,7 @@
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/OrdinaryFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -14,7 +15,9 @@
 
 #include <cerrno>
 #include <cstring>
+#include <exception>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -25,6 +28,9 @@ namespace
 {
 
 constexpr const char* hiddenName = ".watch";
+// A file that is given up for the last status where the disk is full.
+constexpr const char* roomName = "room";
+constexpr std::size_t roomBytes = std::size_t(1) << 18; // a status of hundreds of radars
 
 std::string Extension(VolumeFormat format)
 {
@@ -79,15 +85,6 @@ LiveFolder::LiveFolder(fs::path theFolder, VolumeFormat theFormat,
   MakeFolder(folder);
   MakeFolder(folder / hiddenName);
   this->Lock();
-  try
-  {
-    this->ReadState();
-  }
-  catch (...)
-  {
-    this->Unlock();
-    throw;
-  }
 }
 
 LiveFolder::~LiveFolder()
@@ -99,8 +96,13 @@ void LiveFolder::Unlock()
 {
   std::error_code ignored;
   const fs::path ofGrid = folder / UnfinishedRun::HiddenName;
+  const auto held = std::distance(fs::directory_iterator(ofGrid, ignored), {});
+  if (held > 1)
+  {
+    return; // an interrupted run of grid left something there
+  }
   fs::remove(ofGrid / UnfinishedRun::LockName, ignored);
-  fs::remove(ofGrid, ignored); // unless an interrupted run of grid left something there
+  fs::remove(ofGrid, ignored);
 }
 
 void LiveFolder::Lock()
@@ -118,9 +120,20 @@ void LiveFolder::Lock()
   }
 }
 
+void LiveFolder::GoOn()
+{
+  this->ReadState();
+  const fs::path room = folder / hiddenName / roomName;
+  if (!fs::exists(room))
+  {
+    WriteText(room, std::string(roomBytes, ' '));
+  }
+}
+
 void LiveFolder::ReadState()
 {
   const fs::path path = folder / hiddenName / "state.json";
+  RequireOrdinaryFile(path);
   std::ifstream file(path, std::ios::binary);
   if (!file)
   {
@@ -203,6 +216,20 @@ void LiveFolder::WriteState(const LiveState& state) const
 void LiveFolder::WriteStatus(const std::string& text) const
 {
   WriteText(folder / "status.json", text);
+}
+
+void LiveFolder::WriteLastStatus(const std::string& text) const noexcept
+{
+  try
+  {
+    std::error_code ignored;
+    fs::remove(folder / hiddenName / roomName, ignored);
+    this->WriteStatus(text);
+  }
+  catch (const std::exception&)
+  {
+    return; // the caller says what went wrong before
+  }
 }
 
 } // namespace nexrad::application

@@ -29,8 +29,8 @@ struct LiveState
 class LiveFolder
 {
 public:
-  /// Makes the folder when it does not exist. Throws Error when it cannot be written to, when
-  /// another run writes into it, and when an earlier run with another recipe left a series in it.
+  /// Makes the folder when it does not exist. Throws Error when it cannot be written to, and when
+  /// another run writes into it.
   LiveFolder(std::filesystem::path folder, VolumeFormat format, const NxvWriteOptions& nxv,
     std::string recipe);
   ~LiveFolder();
@@ -41,6 +41,9 @@ public:
   std::filesystem::path NewestVolume() const;
   std::filesystem::path Index() const;
 
+  /// Reads what the run before left, and keeps room for the last status. Throws Error when that run
+  /// had another recipe, or what it left cannot be read.
+  void GoOn();
   /// What the run before left; as new without one.
   const LiveState& Before() const { return before; }
 
@@ -51,6 +54,9 @@ public:
   void RemoveStep(Time time) const;
   void WriteIndex(const std::vector<Time>& steps) const;
   void WriteState(const LiveState& state) const;
+  /// The status of a run that fails, perhaps because the disk is full: takes room that was kept for
+  /// it. Does nothing where it cannot be written all the same.
+  void WriteLastStatus(const std::string& text) const noexcept;
   void WriteStatus(const std::string& text) const;
 
 private:

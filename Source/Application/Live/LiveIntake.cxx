@@ -7,6 +7,7 @@
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <new>
 #include <set>
 #include <system_error>
 #include <tuple>
@@ -63,6 +64,11 @@ void LiveIntake::Arrive(const std::vector<ArrivedFile>& files)
     const auto time = chunk ? TimeOfStamp(chunk->volume) : TimeInHeader(file.path);
     queue.push_back({file, std::move(chunk), time});
   }
+  if (!files.empty())
+  {
+    this->FindFeed();
+    this->FindStrays();
+  }
   lastArrival = files.empty() ? lastArrival : clock.Elapsed();
   const auto place = [](const Queued& each)
   { return std::tuple(each.time.value_or(Time()), each.chunk ? each.chunk->number : 0); };
@@ -70,13 +76,86 @@ void LiveIntake::Arrive(const std::vector<ArrivedFile>& files)
     [&place](const Queued& a, const Queued& b) { return place(a) < place(b); });
 }
 
+// The begin of the feed moves on as time goes by; it stays where the clock jumps away from the
+// data.
+void LiveIntake::FindFeed()
+{
+  std::vector<Time> times;
+  const Time now = clock.Now();
+  const auto add = [&times, now](const std::optional<Time>& time)
+  {
+    if (time && *time <= now + clockError)
+    {
+      times.push_back(*time);
+    }
+  };
+  std::for_each(queue.begin(), queue.end(), [&add](const Queued& each) { add(each.time); });
+  std::for_each(volumes.begin(), volumes.end(),
+    [&add](const auto& each) { each.second.isOld ? void() : add(each.second.time); });
+  std::sort(times.rbegin(), times.rend());
+  if (times.empty() || now - times.front() > rules.longestPause)
+  {
+    if (newestUsed && *newestUsed <= now + clockError)
+    {
+      const Time begin = *newestUsed - rules.longestPause;
+      feedBegin = std::max(feedBegin.value_or(begin), begin);
+    }
+    return;
+  }
+  Time begin = times.front();
+  for (const Time time : times)
+  {
+    if (begin - time > rules.longestPause)
+    {
+      break;
+    }
+    begin = time;
+  }
+  feedBegin = std::max(feedBegin.value_or(begin), begin);
+}
+
+// Files that came before the first ones of the feed look like an archive. As long as no time step
+// is done with, what was made of them can be taken back.
+void LiveIntake::FindStrays()
+{
+  for (auto& [key, volume] : volumes)
+  {
+    const bool isBefore = feedBegin && volume.time && *volume.time < *feedBegin;
+    if (isBefore && !oldest && !volume.isOld && !volume.sweeps.empty())
+    {
+      volume.isStray = true;
+      volume.dirty = true;
+    }
+  }
+}
+
+// Names a volume that is older than the feed; what was taken of it counts as old.
+void LiveIntake::PassOver(Time time, Volume& volume)
+{
+  volume.counts.old += std::exchange(volume.counts.used, 0);
+  if (!std::exchange(volume.isOld, true))
+  {
+    problems.push_back(volume.path.string() + ": is of " + FormatIso8601(time) +
+                       ", long before the feed, which goes back to " + FormatIso8601(*feedBegin) +
+                       ": passed over as old");
+  }
+}
+
 std::vector<IntakeChange> LiveIntake::Take(
   FolderListing& listing, std::chrono::milliseconds longest)
 {
   const auto end = std::chrono::steady_clock::now() + longest;
   this->TakeWaiting(listing, false);
+  std::optional<Time> before;
   while (!queue.empty() && std::chrono::steady_clock::now() < end)
   {
+    const std::optional<Time>& time = queue.front().time;
+    if (before && time && *time - *before > rules.longestPause)
+    {
+      break; // what was scanned before the pause is done with first
+    }
+    const bool isOfFeed = time && (!feedBegin || *time >= *feedBegin);
+    before = isOfFeed ? time : before;
     const Queued queued = std::move(queue.front());
     queue.pop_front();
     this->TakeQueued(queued, listing, false);
@@ -150,10 +229,19 @@ void LiveIntake::TakeQueued(const Queued& queued, FolderListing& listing, bool a
   }
   catch (const Error& error)
   {
-    waiting.erase(path);
-    ++volume.counts.refused;
-    problems.emplace_back(error.what());
+    this->Refuse(path, volume, error.what());
   }
+  catch (const std::bad_alloc&)
+  {
+    this->Refuse(path, volume, path.string() + ": needs more memory than there is: left out");
+  }
+}
+
+void LiveIntake::Refuse(const fs::path& path, Volume& volume, const std::string& why)
+{
+  waiting.erase(path);
+  ++volume.counts.refused;
+  problems.push_back(why);
 }
 
 // Whether so much time has passed since the last byte of a file that no more is expected. The clock
@@ -178,6 +266,12 @@ std::optional<Time> LiveIntake::OldestWaiting() const
 // False for a file that is passed over by its time.
 bool LiveIntake::IsReadable(const Queued& queued, Volume& volume)
 {
+  if (queued.time && feedBegin && *queued.time < *feedBegin)
+  {
+    this->PassOver(*queued.time, volume);
+    ++volume.counts.old;
+    return false;
+  }
   if (queued.time && oldest && *queued.time < *oldest)
   {
     ++volume.counts.old;
@@ -361,6 +455,11 @@ std::vector<IntakeChange> LiveIntake::Changes()
     if (volume.dirty)
     {
       volume.dirty = false;
+      if (volume.isStray)
+      {
+        changes.push_back(this->TakeBack(key, volume));
+        continue;
+      }
       auto change = volume.chunks ? this->ChangeOfChunks(key, volume) : this->ChangeOf(key, volume);
       if (change)
       {
@@ -371,16 +470,42 @@ std::vector<IntakeChange> LiveIntake::Changes()
   return changes;
 }
 
-bool LiveIntake::IsOfTheFuture(const RadarVolume& decoded, Volume& volume)
+// False for a volume that is left out by the times of its rays, whatever its header says.
+bool LiveIntake::IsUsable(const RadarVolume& decoded, Volume& volume)
 {
-  if (!decoded.End() || *decoded.End() <= clock.Now() + rayClockError)
+  const std::optional<Time> end = decoded.End();
+  if (!end)
   {
+    return true;
+  }
+  if (*end > clock.Now() + rayClockError)
+  {
+    ++volume.counts.refused;
+    problems.push_back(
+      volume.path.string() + ": has rays of " + FormatIso8601(*end) + ", in the future: left out");
     return false;
   }
-  ++volume.counts.refused;
-  problems.push_back(volume.path.string() + ": has rays of " + FormatIso8601(*decoded.End()) +
-                     ", in the future: left out");
+  if (feedBegin && *end + clockError < *feedBegin)
+  {
+    this->PassOver(*end, volume);
+    return false;
+  }
+  newestUsed = std::max(newestUsed.value_or(*end), *end);
   return true;
+}
+
+// A volume that was used and is none of the feed is taken out.
+IntakeChange LiveIntake::TakeBack(const std::string& key, Volume& volume)
+{
+  volume.isStray = false;
+  volume.finished = true;
+  volume.sweeps.clear();
+  if (volume.chunks)
+  {
+    volume.chunks->Close();
+  }
+  this->PassOver(*volume.time, volume);
+  return {{key, volume.path, RadarVolume(), false}, std::nullopt, true};
 }
 
 // A whole file.
@@ -391,11 +516,11 @@ std::optional<IntakeChange> LiveIntake::ChangeOf(const std::string& key, Volume&
   volume.radar = decoded.site.name;
   volume.sweeps = ArrivedSweeps(decoded);
   volume.finished = true;
-  if (this->IsOfTheFuture(decoded, volume))
+  if (!this->IsUsable(decoded, volume))
   {
     return std::nullopt;
   }
-  return IntakeChange{{key, volume.path, std::move(decoded), true}, volume.newestByte};
+  return IntakeChange{{key, volume.path, std::move(decoded), true}, volume.newestByte, false};
 }
 
 std::optional<IntakeChange> LiveIntake::ChangeOfChunks(const std::string& key, Volume& volume)
@@ -409,7 +534,7 @@ std::optional<IntakeChange> LiveIntake::ChangeOfChunks(const std::string& key, V
   const bool changed = volume.again || complete != volume.completeSweeps;
   volume.completeSweeps = complete;
   volume.again = false;
-  if (this->IsOfTheFuture(decoded, volume))
+  if (!this->IsUsable(decoded, volume))
   {
     finished ? volume.chunks->Close() : void();
     volume.finished = finished;
@@ -434,7 +559,7 @@ std::optional<IntakeChange> LiveIntake::ChangeOfChunks(const std::string& key, V
   {
     completed.reset();
   }
-  return IntakeChange{{key, volume.path, std::move(decoded), finished}, completed};
+  return IntakeChange{{key, volume.path, std::move(decoded), finished}, completed, false};
 }
 
 void LiveIntake::SetOldest(Time time)

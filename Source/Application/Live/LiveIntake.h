@@ -8,6 +8,7 @@
 #include "nexrad/Live/ChunkExtent.h"
 #include "nexrad/Live/ChunkedVolume.h"
 #include "nexrad/Live/LiveSeries.h"
+#include "nexrad/Series/VolumeSelection.h"
 
 #include <chrono>
 #include <deque>
@@ -32,6 +33,7 @@ struct IntakeRules
   std::chrono::milliseconds settle = std::chrono::seconds(2); ///< how long a file must not have
                                                               ///< grown that does not tell its
                                                               ///< length; real time
+  Duration longestPause = LongestPause; ///< what is older than the feed by more is none of it
 };
 
 /// A volume that has more complete sweeps than before, or is finished.
@@ -41,6 +43,7 @@ struct IntakeChange
   /// When the last byte came that completed its newest sweep; empty where a missing chunk was
   /// given up.
   std::optional<std::filesystem::file_time_type> completed;
+  bool isTakenBack = false; ///< it was used, and proved to be older than the feed; without rays
 };
 
 /// What arrives of one radar.
@@ -62,6 +65,10 @@ struct ArrivingRadar
 /// is there and none before it is missing or waited for, when a later volume of the radar has begun
 /// and nothing more came for as long, or when nothing came for the longer time of the rules. What
 /// comes afterwards opens it again. A finished volume is what ReadLevel2 reads of its folder.
+///
+/// Where the newest files are near the clock, the feed is what goes back from them without a longer
+/// pause than the rules allow; elsewhere, as with an archive, what is not older than its newest
+/// file by more. A file from before the feed is named once, counted as old and passed over.
 class LiveIntake
 {
 public:
@@ -73,8 +80,9 @@ public:
   /// True while some of them have not been taken.
   bool IsBehind() const { return !queue.empty(); }
 
-  /// Takes files for about `longest`, and gives up waiting where it is time. Returns what changed.
-  /// Files that are not whole yet are watched in the listing.
+  /// Takes files for about `longest`, at most up to the next pause in their times, and gives up
+  /// waiting where it is time. Returns what changed. Files that are not whole yet are watched in
+  /// the listing.
   std::vector<IntakeChange> Take(FolderListing& listing, std::chrono::milliseconds longest);
 
   /// Nothing more comes: finishes all volumes with what is there.
@@ -127,6 +135,8 @@ private:
     bool dirty = false;
     bool again = false; ///< what was decoded before changed
     bool expired = false;
+    bool isOld = false;   ///< older than the feed
+    bool isStray = false; ///< was used before that was known
     bool finished = false;
     ArrivalCounts counts;
   };
@@ -144,7 +154,12 @@ private:
   std::vector<IntakeChange> Changes();
   std::optional<IntakeChange> ChangeOf(const std::string& key, Volume& volume);
   std::optional<IntakeChange> ChangeOfChunks(const std::string& key, Volume& volume);
-  bool IsOfTheFuture(const RadarVolume& decoded, Volume& volume);
+  bool IsUsable(const RadarVolume& decoded, Volume& volume);
+  void FindFeed();
+  void FindStrays();
+  void PassOver(Time time, Volume& volume);
+  IntakeChange TakeBack(const std::string& key, Volume& volume);
+  void Refuse(const std::filesystem::path& path, Volume& volume, const std::string& why);
 
   const IntakeRules rules;
   const LiveClock& clock;
@@ -153,6 +168,8 @@ private:
   std::map<std::string, Volume> volumes;
   std::map<std::string, ArrivalCounts> forgotten; ///< by radar
   std::optional<Time> oldest;
+  std::optional<Time> newestUsed; ///< last ray of all that was used
+  std::optional<Time> feedBegin;
   Duration lastArrival{};
   std::vector<std::string> problems;
 };

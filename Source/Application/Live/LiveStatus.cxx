@@ -86,8 +86,9 @@ void LiveDelays::Add(double seconds)
 std::string StatusJson(const LiveStatus& status)
 {
   const LiveDelays& delays = status.delays;
-  Json json = {{"state", status.state}, {"written", FormatIso8601(status.written)},
-    {"stale_s", Seconds(status.staleAge)},
+  Json json = {{"state", status.state},
+    {"reason", status.reason.empty() ? Json() : Json(status.reason)},
+    {"written", FormatIso8601(status.written)}, {"stale_s", Seconds(status.staleAge)},
     {"newest", {{"time", TimeJson(status.newest)}, {"file", status.newestFile}}},
     {"picture", status.pictureFile.empty()
                   ? Json()

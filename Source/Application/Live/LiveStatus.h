@@ -35,6 +35,7 @@ struct RadarStatus
 struct LiveStatus
 {
   std::string state = "running"; ///< running, or stopped
+  std::string reason;            ///< why it stopped
   Time written{};                ///< by the clock
   Duration staleAge{};           ///< a radar whose newest ray is older is STALE
   std::optional<Time> newest;    ///< time of the newest volume

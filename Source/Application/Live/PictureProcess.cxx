@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Live/PictureProcess.h"
 
-#include "nexrad/System/Error.h"
-
 #include <spawn.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
-#include <cstring>
 
 namespace nexrad::application
 {
@@ -47,9 +44,10 @@ void PictureProcess::Start(const std::vector<std::string>& words)
   pid_t started = 0;
   const int failure =
     posix_spawn(&started, "/proc/self/exe", nullptr, nullptr, arguments.data(), environ);
-  if (failure != 0)
+  if (failure != 0) // too many processes, or too little memory
   {
-    throw Error(std::string("no picture can be drawn: ") + std::strerror(failure));
+    status = failure;
+    return;
   }
   constexpr int gently = 10;
   setpriority(PRIO_PROCESS, static_cast<id_t>(started), gently);

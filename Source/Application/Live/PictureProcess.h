@@ -22,8 +22,8 @@ public:
 
   /// True while a picture is being drawn.
   bool IsRunning();
-  /// Begins to draw with these words of a command line, "render" first. Throws Error when no
-  /// process can be started.
+  /// Begins to draw with these words of a command line, "render" first. Where no
+  /// process can be started, LastStatus is not 0.
   void Start(const std::vector<std::string>& words);
   /// Exit status of the last one that ended; below 0: a signal.
   int LastStatus() const { return status; }

@@ -6,6 +6,7 @@
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/Counted.h"
+#include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
 #include "Output/StopSignal.h"
 #include "nexrad/System/Error.h"
@@ -14,6 +15,7 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <iostream>
 #include <iterator>
 #include <memory>
@@ -116,6 +118,7 @@ std::string RecipeOf(const CLI::App& command)
 int RunWatch(const WatchOptions& options)
 {
   WatchStopSignals();
+  std::signal(SIGPIPE, SIG_IGN); // the feed is followed when nobody reads the lines any more
   const WatchReport report = WatchFolders(
     options.job,
     [&options](const std::string& line)
@@ -125,7 +128,7 @@ int RunWatch(const WatchOptions& options)
         std::cout << line << std::endl;
       }
     },
-    [](const std::string& line) { std::cerr << line << std::endl; });
+    PrintMessage);
   if (!options.quiet)
   {
     std::cout << options.job.output.string() << ": " << Counted(report.newest, "newest volume")
@@ -178,6 +181,7 @@ void AddWatchCommand(CLI::App& program, CommandAction& action)
       WatchJob& given = options->job;
       given.recipe = RecipeOf(*command);
       given.intake.idle = given.stale;
+      given.intake.longestPause = std::max(LongestPause, given.late);
       given.intake.level2.siteName = given.options.siteName;
       given.intake.level2.threads = vtkNexradThreadCount();
       if (!options->noPicture)

@@ -9,11 +9,12 @@
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/Live/LiveSeries.h"
 #include "nexrad/Live/StepBook.h"
-#include "nexrad/System/Error.h"
 #include "nexrad/System/MachineMemory.h"
+#include "nexrad/System/MessageText.h"
 #include "vtkNexradThreads.h"
 
 #include <algorithm>
+#include <exception>
 #include <set>
 #include <thread>
 #include <utility>
@@ -46,16 +47,18 @@ StepRules StepRulesOf(const WatchJob& job)
 class WatchRun
 {
 public:
-  WatchRun(const WatchJob& theJob, Tell theTell, Tell theComplain)
+  WatchRun(const WatchJob& theJob, const LiveClock& theClock, LiveFolder& theFolder,
+    LiveStatus& theStatus, Tell theTell, Tell theComplain)
     : job(theJob)
     , tell(std::move(theTell))
     , complain(std::move(theComplain))
-    , clock(job.replay)
+    , clock(theClock)
     , listing(job.folders)
     , intake(job.intake, clock)
     , series(job.options, vtkNexradRangeLoop())
     , book(StepRulesOf(job))
-    , folder(job.output, job.format, job.nxv, job.recipe)
+    , folder(theFolder)
+    , status(theStatus)
   {
     this->GoOn();
   }
@@ -68,6 +71,7 @@ public:
       if (job.stopAfter && !busy && intake.SilentFor() > *job.stopAfter)
       {
         this->Conclude();
+        status.reason = "nothing arrived for the time of --stop-after";
         break;
       }
       if (!busy)
@@ -75,6 +79,7 @@ public:
         this->Rest();
       }
     }
+    status.reason = IsStopAsked() ? "a signal asked for it" : status.reason;
     this->WriteStatus("stopped");
     return report;
   }
@@ -85,6 +90,8 @@ private:
   void Rest() const;
   void Conclude();
   void Use(std::vector<IntakeChange> changes);
+  void EndBeforePause(const std::vector<LiveInput>& inputs);
+  void DropStrays();
   void FollowGrid(const std::optional<GridSpecification>& before);
   bool MakeNewest();
   bool MakeSteps(bool all);
@@ -104,14 +111,14 @@ private:
   const WatchJob& job;
   const Tell tell;
   const Tell complain;
-  const LiveClock clock;
+  const LiveClock& clock;
   FolderListing listing;
   LiveIntake intake;
   LiveSeries series;
   StepBook book;
-  LiveFolder folder;
+  LiveFolder& folder;
   PictureProcess picture;
-  LiveStatus status;
+  LiveStatus& status;
   WatchReport report;
   std::map<std::string, Time> newestRays; // of each radar, also when its volumes are dropped
   std::string newestInputs;
@@ -224,6 +231,7 @@ void WatchRun::Use(std::vector<IntakeChange> changes)
     }
     inputs.push_back(std::move(change.input));
   }
+  this->EndBeforePause(inputs);
   const std::vector<ScannedFile> scanned = series.Put(inputs);
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
@@ -237,15 +245,54 @@ void WatchRun::Use(std::vector<IntakeChange> changes)
     }
     this->TellProblems(lines);
   }
+  if (std::any_of(changes.begin(), changes.end(),
+        [](const IntakeChange& change) { return change.isTakenBack; }))
+  {
+    this->DropStrays();
+  }
   this->FollowGrid(before);
   for (const auto& [radar, time] : series.NewestByRadar())
   {
     newestRays[radar] = time;
   }
-  if (series.First())
+  for (const TimeSpan& span : series.Spans())
   {
-    book.Extend(*series.First(), *series.Newest());
+    book.Extend(span.first, span.last);
   }
+}
+
+// What was scanned before a pause of more than a day is as if nothing more came: its steps are
+// made before the series leaps over the pause.
+void WatchRun::EndBeforePause(const std::vector<LiveInput>& inputs)
+{
+  const std::optional<Time> newest = series.Newest();
+  const bool leaps = std::any_of(inputs.begin(), inputs.end(),
+    [&newest](const LiveInput& input)
+    {
+      const std::optional<Time> start = input.volume.Start();
+      return newest && start && *start - *newest > LongestPause;
+    });
+  if (leaps)
+  {
+    this->MakeSteps(true);
+  }
+}
+
+// Steps of files that proved to be older than the feed: all of them are taken back, and the book
+// begins anew, as no step is done with then.
+void WatchRun::DropStrays()
+{
+  if (book.ClosedUntil())
+  {
+    return;
+  }
+  for (const Time step : book.Made())
+  {
+    folder.RemoveStep(step);
+  }
+  book = StepBook(StepRulesOf(job));
+  newestRays.clear();
+  folder.WriteIndex({});
 }
 
 // A radar that comes while all steps may still change makes the domain larger. Later the series
@@ -503,7 +550,22 @@ void WatchRun::WriteState() const
 WatchReport WatchFolders(const WatchJob& job, const std::function<void(const std::string&)>& tell,
   const std::function<void(const std::string&)>& complain)
 {
-  return WatchRun(job, tell, complain).Run();
+  const LiveClock clock(job.replay);
+  LiveFolder folder(job.output, job.format, job.nxv, job.recipe);
+  LiveStatus status;
+  try
+  {
+    folder.GoOn();
+    return WatchRun(job, clock, folder, status, tell, complain).Run();
+  }
+  catch (const std::exception& problem)
+  {
+    status.state = "stopped";
+    status.written = clock.Now();
+    status.reason = MessageLine(problem.what());
+    folder.WriteLastStatus(StatusJson(status));
+    throw;
+  }
 }
 
 } // namespace nexrad::application

@@ -50,7 +50,8 @@ struct WatchReport
 /// time steps with their index, and status.json. Only the radar of which something came is made
 /// ready anew. Memory does not grow with time: what no open time step needs is dropped. A run that
 /// was ended in any way is continued by the next one with the same recipe. `tell` takes lines for
-/// the user, `complain` lines on files. Throws Error when the output cannot be written.
+/// the user, `complain` lines on files. Throws Error when the output cannot be written. However the
+/// run ends, but for a kill, status.json says that it stopped, and why.
 WatchReport WatchFolders(const WatchJob& job, const std::function<void(const std::string&)>& tell,
   const std::function<void(const std::string&)>& complain);
 

@@ -6,10 +6,11 @@
 #include "nexrad/Codec/JsonText.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
+#include "nexrad/System/OrdinaryFile.h"
 
 #include <nlohmann/json.hpp>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <exception>
@@ -129,16 +130,6 @@ Json ParseText(const std::string& text)
   return json;
 }
 
-// A message is one line, and short, whatever the texts of the file that it quotes.
-std::string MessageOf(const std::exception& problem)
-{
-  constexpr std::size_t longest = 1000;
-  std::string text = problem.what();
-  std::replace_if(
-    text.begin(), text.end(), [](char letter) { return letter == '\n' || letter == '\r'; }, ' ');
-  return Excerpt(text, longest);
-}
-
 Session SessionOf(const Json& json, const fs::path& folder)
 {
   Session session;
@@ -150,7 +141,7 @@ Session SessionOf(const Json& json, const fs::path& folder)
     }
     catch (const std::exception& problem)
     {
-      throw Error(key + ": " + problem.what());
+      throw Error(Excerpt(key) + ": " + problem.what());
     }
   }
   if (session.drawing.input.inputs.empty() && !session.synthetic)
@@ -223,13 +214,14 @@ void WriteSession(const fs::path& path, const Session& session)
 
 Session ReadSession(const fs::path& path)
 {
+  RequireOrdinaryFile(path);
   try
   {
     return SessionOf(ParseText(TextOf(path)), fs::absolute(path).parent_path());
   }
   catch (const std::exception& problem)
   {
-    throw Error(path.string() + ": " + MessageOf(problem));
+    throw FileError(path, problem.what());
   }
 }
 

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/ExplainedRead.h"
 
+#include "Output/MessageOutput.h"
 #include "nexrad/System/Error.h"
-
-#include <iostream>
 
 namespace nexrad::application
 {
@@ -15,13 +14,13 @@ RadarVolume ReadOrExplain(const std::string& file, const Level2Options& options)
     RadarVolume volume = ReadLevel2(file, options);
     for (const Damage& damage : volume.damage)
     {
-      std::cerr << file << ": offset " << damage.offset << ": " << damage.what << '\n';
+      PrintMessage(file + ": offset " + std::to_string(damage.offset) + ": " + damage.what);
     }
     return volume;
   }
   catch (const Error& error)
   {
-    std::cerr << error.what() << '\n';
+    PrintMessage(error.what());
     RadarVolume volume;
     volume.file = file;
     volume.damage.push_back({0, error.what()});

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/InputSubjects.h"
 
+#include "Output/MessageOutput.h"
 #include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Series/InputFiles.h"
 #include "nexrad/System/Error.h"
-
-#include <iostream>
 
 namespace nexrad::application
 {
@@ -25,7 +24,7 @@ std::vector<InputSubject> FindSubjects(const std::vector<std::string>& arguments
       const InputFiles found = FindInputFiles({argument});
       for (const InputProblem& problem : found.problems)
       {
-        std::cerr << problem.Line() << '\n';
+        PrintMessage(problem.Line());
         leftOut = true;
       }
       for (const std::filesystem::path& path : found.paths)

@@ -3,11 +3,15 @@
 
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/FileLock.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <unistd.h>
 
 #include <cerrno>
-#include <cstdio>
 #include <cstring>
-#include <memory>
+#include <ctime>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -22,20 +26,41 @@ namespace
   throw Error(path.string() + ": cannot be written: " + std::strerror(code));
 }
 
+// Opens a device or a pipe. A pipe is waited for until somebody reads it, in pieces that a signal
+// ends: the call itself would begin anew after the signal's handler.
+FileDescriptor OpenDirectly(const fs::path& path)
+{
+  constexpr timespec piece = {0, 50'000'000};
+  for (;;)
+  {
+    FileDescriptor file(open(path.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC));
+    if (file.IsOpen())
+    {
+      return file;
+    }
+    if (errno != ENXIO || nanosleep(&piece, nullptr) != 0)
+    {
+      FailToWrite(path, errno);
+    }
+  }
+}
+
 // A device or a pipe, which cannot be replaced.
 void WriteDirectly(const fs::path& path, const unsigned char* bytes, std::size_t size)
 {
-  struct Closer
+  FileDescriptor file = OpenDirectly(path);
+  for (std::size_t written = 0; written < size;)
   {
-    void operator()(std::FILE* file) const { std::fclose(file); }
-  };
-  std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "wb"));
-  if (file == nullptr)
-  {
-    FailToWrite(path, errno);
+    const ssize_t count = write(file.Number(), bytes + written, size - written);
+    written += count > 0 ? static_cast<std::size_t>(count) : 0;
+    pollfd reader = {file.Number(), POLLOUT, 0};
+    const bool waits = count < 0 && errno == EAGAIN;
+    if ((count < 0 && !waits) || (waits && poll(&reader, 1, -1) < 0))
+    {
+      FailToWrite(path, errno);
+    }
   }
-  // fwrite and fclose both may be the one that meets the full disk.
-  if (std::fwrite(bytes, 1, size, file.get()) != size || std::fclose(file.release()) != 0)
+  if (!file.Close())
   {
     FailToWrite(path, errno);
   }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Output/PrintableOutput.h"
 
-#include <cstdio>
+#include "nexrad/System/MessageText.h"
+
 #include <streambuf>
+#include <string>
 
 namespace nexrad::application
 {
@@ -25,9 +27,8 @@ protected:
       return traits_type::not_eof(value);
     }
     const auto byte = static_cast<unsigned char>(traits_type::to_char_type(value));
-    // U+0080 to U+009F are control characters too; in UTF-8 their first byte is 0xC2.
-    const bool control = (byte < 0x20 && byte != '\n' && byte != '\r' && byte != '\t') ||
-                         byte == 0x7F || (before == 0xC2 && byte >= 0x80 && byte < 0xA0);
+    const bool layout = byte == '\n' || byte == '\r' || byte == '\t';
+    const bool control = !layout && IsControlByte(byte, before);
     before = byte;
     return (control ? this->PutCode(byte) : this->PutByte(byte)) ? value : traits_type::eof();
   }
@@ -43,9 +44,9 @@ private:
 
   bool PutCode(unsigned char byte)
   {
-    char code[5];
-    const int length = std::snprintf(code, sizeof code, "\\x%02x", byte);
-    return target->sputn(code, length) == length;
+    const std::string code = ControlText(byte);
+    const auto length = static_cast<std::streamsize>(code.size());
+    return target->sputn(code.data(), length) == length;
   }
 
   std::streambuf* const target;

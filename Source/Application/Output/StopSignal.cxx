@@ -25,6 +25,12 @@ void WatchStopSignals()
   sigemptyset(&action.sa_mask);
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  struct sigaction hangUp = {};
+  sigaction(SIGHUP, nullptr, &hangUp);
+  if (hangUp.sa_handler != SIG_IGN) // as nohup wants it
+  {
+    sigaction(SIGHUP, &action, nullptr);
+  }
 }
 
 bool IsStopAsked()

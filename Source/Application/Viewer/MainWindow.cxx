@@ -149,6 +149,7 @@ void MainWindow::MakeDocks()
   lookDock->setWidget(scroll);
   this->addDockWidget(Qt::RightDockWidgetArea, lookDock);
   connect(look, &LookPanel::Changed, view, &SceneView::DrawSoon);
+  connect(view, &SceneView::DrawingFailed, this, &MainWindow::Report);
   colours = MakeTransferFunctionDock(*this, *view, *look, lookDock);
   connect(look, &LookPanel::MomentChosen, this, &MainWindow::ShowMoment);
   connect(look, &LookPanel::ColoursChosen, this, &MainWindow::ColourBy);

@@ -48,7 +48,9 @@ std::set<std::string> VolumesIn(const fs::path& folder, VolumeFormat format)
        entry.increment(failure))
   {
     const fs::path name = entry->path().filename();
-    if (name.extension() == extension && name.string().front() != '.')
+    std::error_code ignored;
+    if (name.extension() == extension && name.string().front() != '.' &&
+        entry->is_regular_file(ignored))
     {
       names.insert(name.string());
     }

@@ -71,6 +71,24 @@ std::set<std::string> WaitingIn(const fs::path& hidden)
   return waiting;
 }
 
+// Throws Error for a folder of that name that no run made: it would lose its files.
+void RequireOwnFolder(const fs::path& hidden)
+{
+  if (fs::is_symlink(hidden))
+  {
+    throw Error(hidden.string() + ": is a symbolic link; remove it");
+  }
+  std::error_code failure;
+  const bool isEmpty = fs::is_empty(hidden, failure);
+  if (!failure && !isEmpty && !fs::exists(hidden / UnfinishedRun::LockName, failure) &&
+      !fs::exists(hidden / JournalName, failure))
+  {
+    throw Error(hidden.string() +
+                ": is not of a run of grid, whose notes need this name; rename it, or name another "
+                "folder (-o)");
+  }
+}
+
 // Null when there is none that can be read.
 nlohmann::json ReadJson(const fs::path& path)
 {
@@ -100,10 +118,9 @@ UnfinishedRun::UnfinishedRun(
 
 UnfinishedRun::~UnfinishedRun()
 {
-  std::error_code ignored;
   if (lock.IsOpen() && (!canGoOn || (written.empty() && WaitingIn(hidden).empty())))
   {
-    fs::remove_all(hidden, ignored);
+    this->RemoveHidden();
   }
 }
 
@@ -115,10 +132,7 @@ void UnfinishedRun::Open(const std::string& recipe)
   {
     MakeFolder(folder);
     MakeFolder(hidden);
-    if (fs::is_symlink(hidden))
-    {
-      throw Error(hidden.string() + ": is a symbolic link; remove it");
-    }
+    RequireOwnFolder(hidden);
     lock = FileDescriptor(
       open((hidden / LockName).c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0666));
     if (!lock.IsOpen() && errno != ENOENT) // a run that ends removes the hidden folder
@@ -159,8 +173,7 @@ void UnfinishedRun::Begin(const std::string& recipe)
   }
   catch (const Error&)
   {
-    std::error_code ignored;
-    fs::remove_all(hidden, ignored);
+    this->RemoveHidden();
     throw;
   }
 }
@@ -188,6 +201,16 @@ void UnfinishedRun::RemoveWaiting()
       fs::remove(hidden / name, ignored);
     }
   }
+}
+
+// The files of the run, and the folder; what others put into folders of their own in it stays, and
+// keeps it. The lock comes last: it tells whose folder it is.
+void UnfinishedRun::RemoveHidden()
+{
+  this->RemoveWaiting();
+  std::error_code ignored;
+  fs::remove(hidden / LockName, ignored);
+  fs::remove(hidden, ignored);
 }
 
 fs::path UnfinishedRun::PathOf(const std::string& name) const
@@ -276,7 +299,7 @@ void UnfinishedRun::End(const std::function<void()>& last)
         // First, since a run without journal has ended, and one that lost only its notes has not.
         std::error_code ignored;
         fs::remove(hidden / JournalName, ignored);
-        fs::remove_all(hidden, ignored);
+        this->RemoveHidden();
         lock.Close();
       }
     });

@@ -74,6 +74,7 @@ private:
   bool Continues(const std::string& recipe) const;
   void ReadJournal();
   void RemoveWaiting();
+  void RemoveHidden();
   bool Waits(const std::string& name) const { return holdsBack || replaced.count(name) > 0; }
   std::filesystem::path PathOf(const std::string& name) const;
 

@@ -2,6 +2,7 @@
 #include "Volumes/VtiFile.h"
 
 #include "Output/OutputFile.h"
+#include "nexrad/System/MessageText.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradMessages.h"
 
@@ -27,7 +28,10 @@ void WriteVti(const std::filesystem::path& path, const GriddedVolume& volume)
   // To memory first: VTK's writer leaves a cut file behind when the disk is full.
   writer->WriteToOutputStringOn();
   writer->Write();
-  messages.ThrowFirstError();
+  if (!messages.Errors().empty())
+  {
+    throw FileError(path, messages.Errors().front());
+  }
   const std::string bytes = writer->GetOutputString();
   WriteFile(path, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
 }
@@ -39,7 +43,10 @@ GridSpecification ReadVtiGrid(const std::filesystem::path& path)
   messages.Watch(reader);
   reader->SetFileName(path.c_str());
   reader->Update();
-  messages.ThrowFirstError();
+  if (!messages.Errors().empty())
+  {
+    throw FileError(path, messages.Errors().front());
+  }
   return vtkNexradImageToGrid(reader->GetOutput());
 }
 

@@ -2,11 +2,15 @@
 #include "Web/PageFolder.h"
 
 #include "Output/OutputFile.h"
+#include "Web/PageText.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/OrdinaryFile.h"
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 #include <system_error>
 
 namespace fs = std::filesystem;
@@ -67,6 +71,59 @@ bool LiesIn(const fs::path& file, const fs::path& folder)
   return fs::equivalent(parent.empty() ? fs::path(".") : parent, folder);
 }
 
+[[noreturn]] void RefuseToReplace(const fs::path& file)
+{
+  throw Error(file.string() + ": was not written by nexrad3d web, and stays as it is; move it, or "
+                              "name another folder (-o)");
+}
+
+bool HaveSameBytes(const fs::path& a, const fs::path& b)
+{
+  if (!IsOrdinaryFile(a) || !IsOrdinaryFile(b) || fs::file_size(a) != fs::file_size(b))
+  {
+    return false;
+  }
+  std::ifstream first(a, std::ios::binary);
+  std::ifstream second(b, std::ios::binary);
+  return std::equal(std::istreambuf_iterator<char>(first), std::istreambuf_iterator<char>(),
+    std::istreambuf_iterator<char>(second));
+}
+
+// The files that have to be brought into the folder. Those that are there already stay; `written`
+// are the names that may be replaced.
+NamedFiles FindMissing(
+  const NamedFiles& files, const fs::path& folder, const std::set<std::string>& written)
+{
+  NamedFiles missing;
+  for (const auto& [name, file] : files)
+  {
+    const fs::path place = folder / name;
+    const bool isThere = fs::exists(fs::symlink_status(place));
+    const bool isSame = LiesIn(file, folder) || (isThere && HaveSameBytes(file, place));
+    if (isThere && !isSame && written.count(name) == 0)
+    {
+      RefuseToReplace(place);
+    }
+    if (!isSame)
+    {
+      missing.emplace(name, file);
+    }
+  }
+  return missing;
+}
+
+NxvSeries SeriesOf(const NamedFiles& files)
+{
+  NxvSeries series;
+  for (const auto& [name, file] : files)
+  {
+    series.emplace_back(name, ToSeconds(ReadNxvHeader(file).time));
+  }
+  std::stable_sort(
+    series.begin(), series.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  return series;
+}
+
 } // namespace
 
 NamedFiles FindVolumeFiles(const std::vector<fs::path>& inputs)
@@ -79,7 +136,7 @@ NamedFiles FindVolumeFiles(const std::vector<fs::path>& inputs)
       const std::string name = file.filename();
       if (file.extension() != ".nxv")
       {
-        throw Error(file.string() +
+        throw Error((file == input ? "" : input.string() + ": ") + file.string() +
                     ": is no volume file (.nxv), and a browser reads those alone; "
                     "make some with nexrad3d grid, or write one page, as storm.html");
       }
@@ -97,26 +154,34 @@ NamedFiles FindVolumeFiles(const std::vector<fs::path>& inputs)
 VolumeFolder FillVolumeFolder(const NamedFiles& files, const fs::path& folder)
 {
   MakeFolder(folder);
+  VolumeFolder filled{indexName, 0, ReadWrittenFiles(folder / PageName)};
   const fs::path index = folder / indexName;
   const bool allThere = std::all_of(
     files.begin(), files.end(), [&](const auto& file) { return LiesIn(file.second, folder); });
   if (allThere && fs::exists(index))
   {
-    return {indexName, ReadNxvSeries(index).size()};
+    filled.times = ReadNxvSeries(index).size();
+    return filled;
   }
-  NxvSeries series;
-  for (const auto& [name, file] : files)
+  const NxvSeries series = SeriesOf(files);
+  filled.times = series.size();
+  const NamedFiles missing = FindMissing(files, folder, filled.written);
+  const bool hasIndex = filled.written.count(indexName) == 0 && fs::exists(index);
+  if (hasIndex && ReadNxvSeries(index) != series)
   {
-    if (!LiesIn(file, folder))
-    {
-      CopyVolume(file, folder / name);
-    }
-    series.emplace_back(name, ToSeconds(ReadNxvHeader(folder / name).time));
+    RefuseToReplace(index);
   }
-  std::stable_sort(
-    series.begin(), series.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  WriteNxvSeries(index, series);
-  return {indexName, series.size()};
+  for (const auto& [name, file] : missing)
+  {
+    CopyVolume(file, folder / name);
+    filled.written.insert(name);
+  }
+  if (!hasIndex)
+  {
+    WriteNxvSeries(index, series);
+    filled.written.insert(indexName);
+  }
+  return filled;
 }
 
 } // namespace nexrad::application

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <filesystem>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,9 +14,13 @@ namespace nexrad::application
 /// Volume files beside a page, and their index.
 struct VolumeFolder
 {
-  std::string index;     ///< name of the index, in the folder
-  std::size_t times = 0; ///< in the index
+  std::string index;             ///< name of the index, in the folder
+  std::size_t times = 0;         ///< in the index
+  std::set<std::string> written; ///< names of the files there that a page of this folder brought
 };
+
+/// The page in its folder.
+constexpr char PageName[] = "index.html";
 
 /// Files by their names.
 using NamedFiles = std::map<std::string, std::filesystem::path>;
@@ -27,7 +32,8 @@ NamedFiles FindVolumeFiles(const std::vector<std::filesystem::path>& inputs);
 /// Brings volume files into the folder of a page and writes the index volumes.nxv.series of them.
 /// Files that lie in the folder stay as they are; where all do, and the folder has an index, so
 /// does the index: whoever adds volumes to the folder keeps it. Throws Error for what cannot be
-/// written.
+/// written; and, before anything is, where a file of others stands in the place of one of these or
+/// of the page, PageName.
 VolumeFolder FillVolumeFolder(const NamedFiles& files, const std::filesystem::path& folder);
 
 } // namespace nexrad::application

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@ public:
   void AddPart(const std::string& id, const std::vector<std::uint8_t>& bytes);
   void AddTextPart(const std::string& id, const std::string& text);
 
+  /// Adds the names of the files that were written beside the page, for ReadWrittenFiles.
+  void AddWrittenFiles(const std::set<std::string>& names);
+
   /// The page. `title`: plain text.
   std::string Make(const std::string& title) const;
 
@@ -28,6 +32,10 @@ private:
 
 /// A page without parts, with the faces of its letters.
 PageText MakePageWithLetters();
+
+/// The names that AddWrittenFiles put into a page; empty where there is no such page. Throws Error
+/// for a file of that name that is no page of this program.
+std::set<std::string> ReadWrittenFiles(const std::filesystem::path& page);
 
 /// Text with the letters that mean something in HTML as entities.
 std::string EscapeHtml(const std::string& text);

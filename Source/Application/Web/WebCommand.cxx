@@ -6,6 +6,7 @@
 #include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/Counted.h"
+#include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
 
 #include <CLI/CLI.hpp>
@@ -51,7 +52,7 @@ int RunWeb(WebOptions& options)
   }
   for (const std::string& problem : report.problems)
   {
-    std::cerr << problem << '\n';
+    PrintMessage(problem);
   }
   return report.problems.empty() ? Done : DoneWithDamage;
 }

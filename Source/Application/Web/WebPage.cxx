@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Web/WebPage.h"
 
+#include "Libraries/VtkErrors.h"
 #include "Output/OutputFile.h"
 #include "Scene/Series/InputSeries.h"
 #include "Web/ColumnPacking.h"
@@ -50,8 +51,10 @@ public:
     const NamedFiles files = FindVolumeFiles(request.input.inputs);
     this->Load(0); // fails for a preset that the volumes cannot have before anything is written
     const VolumeFolder volumes = FillVolumeFolder(files, request.output);
+    PageText text = MakePageWithLetters();
+    text.AddWrittenFiles(volumes.written);
     scene::WebReport report =
-      this->Finish(MakePageWithLetters(), request.output / "index.html", volumes.index);
+      this->Finish(std::move(text), request.output / PageName, volumes.index);
     report.times = volumes.times;
     return report;
   }
@@ -81,6 +84,7 @@ private:
   scene::WebReport Finish(PageText text, const fs::path& path, const std::string& index)
   {
     text.AddTextPart("scene", page->MakeText(times, index));
+    ThrowVtkErrors();
     const std::string html = text.Make(page->Title(times));
     WriteFile(path, reinterpret_cast<const unsigned char*>(html.data()), html.size());
     scene::WebReport report;
@@ -102,7 +106,8 @@ private:
 
 bool IsSinglePage(const fs::path& output)
 {
-  return output.extension() == ".html" || output.extension() == ".htm";
+  const bool isPage = output.extension() == ".html" || output.extension() == ".htm";
+  return isPage && !fs::is_directory(output);
 }
 
 scene::WebReport MakeWebPage(const scene::WebRequest& request)

@@ -8,8 +8,8 @@
 namespace nexrad::application
 {
 
-/// Whether a page of that name has its volumes in it: a name that ends in .html. Any other name is
-/// that of a folder.
+/// Whether a page of that name has its volumes in it: a name that ends in .html and is not that of
+/// a folder. Any other name is.
 bool IsSinglePage(const std::filesystem::path& output);
 
 /// Makes a page that draws merged volumes in a browser. Throws Error for inputs that cannot be

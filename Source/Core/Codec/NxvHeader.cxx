@@ -114,8 +114,8 @@ void ParsePieces(const Json& json, NxvArray& array)
     array.pieces.push_back(length.is_number_unsigned() ? length.get<std::uint64_t>() : 0);
     if (array.pieces.back() < 1 || array.pieces.back() > left)
     {
-      throw Error("header: array \"" + array.name + "\": a piece of " + Excerpt(length.dump()) +
-                  " bytes where " + std::to_string(left) + " are left");
+      throw Error("header: array \"" + Excerpt(array.name) + "\": a piece of " +
+                  Excerpt(length.dump()) + " bytes where " + std::to_string(left) + " are left");
     }
     left -= array.pieces.back();
   }
@@ -139,14 +139,14 @@ NxvArray ParseArray(const Json& json)
   array.storage = ValueOf(storageNames, "encoding", json.at("encoding"));
   if (!json.at("length").is_number_unsigned() || !json.at("crc32").is_number_unsigned())
   {
-    throw Error(
-      "header: length and crc32 of array \"" + array.name + "\" must be whole numbers, 0 or more");
+    throw Error("header: length and crc32 of array \"" + Excerpt(array.name) +
+                "\" must be whole numbers, 0 or more");
   }
   array.length = json.at("length").get<std::uint64_t>();
   const auto crc = json.at("crc32").get<std::uint64_t>();
   if (array.scale <= 0.0 || crc > std::numeric_limits<std::uint32_t>::max())
   {
-    throw Error("header: array \"" + array.name + "\" has a scale or crc32 out of range");
+    throw Error("header: array \"" + Excerpt(array.name) + "\" has a scale or crc32 out of range");
   }
   array.crc32 = static_cast<std::uint32_t>(crc);
   ParsePieces(json, array);
@@ -188,7 +188,7 @@ void ParseProjection(const std::string& projection, GridSpecification& grid)
   if (projection.find("+proj=aeqd") == std::string::npos || !latitude || !longitude ||
       std::abs(*latitude) > 90.0)
   {
-    throw Error("header: projection \"" + projection +
+    throw Error("header: projection \"" + Excerpt(projection) +
                 "\": must be +proj=aeqd with +lat_0 and +lon_0, or +proj=longlat");
   }
   grid.centreLatitude = *latitude;
@@ -282,8 +282,8 @@ void ParseArrays(const Json& json, NxvHeader& header)
   {
     if ((array.type == NxvType::UInt7) == (array.storage == NxvStorage::Deflated))
     {
-      throw Error(
-        "header: array \"" + array.name + "\": rle is for uint7, deflate for the other types");
+      throw Error("header: array \"" + Excerpt(array.name) +
+                  "\": rle is for uint7, deflate for the other types");
     }
   }
 }
@@ -296,7 +296,7 @@ NxvHeader ParseJson(const Json& json)
   const auto time = ParseIso8601(text);
   if (!time)
   {
-    throw Error("header: time \"" + text + "\" is not ISO 8601");
+    throw Error("header: time \"" + Excerpt(text) + "\" is not ISO 8601");
   }
   header.volume.time = *time;
   header.volume.sites = json.at("sites").get<std::vector<std::string>>();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvInput.h"
 
+#include "nexrad/Codec/JsonText.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
 
@@ -35,7 +36,7 @@ void CheckExpansion(const NxvArray& array, std::uint64_t voxels)
   const std::uint64_t bytes = voxels * BytesOf(array.type);
   if (array.storage == NxvStorage::Deflated && bytes / strongest > array.length)
   {
-    throw Error("array \"" + array.name + "\": " + std::to_string(array.length) +
+    throw Error("array \"" + Excerpt(array.name) + "\": " + std::to_string(array.length) +
                 " bytes cannot be decompressed to " + std::to_string(bytes));
   }
 }
@@ -47,7 +48,7 @@ void CheckLengths(const NxvInput& file, const NxvContent& content)
   {
     if (array.length > left)
     {
-      RefuseNxv(file.Length() - left, "array \"" + array.name + "\" should have " +
+      RefuseNxv(file.Length() - left, "array \"" + Excerpt(array.name) + "\" should have " +
                                         std::to_string(array.length) + " bytes, the file has " +
                                         std::to_string(left));
     }
@@ -154,7 +155,7 @@ void CheckNxvPayloads(NxvInput& file, const NxvContent& content)
       [&crc](const std::uint8_t* data, std::size_t size) { crc = Crc32(data, size, crc); });
     if (crc != array.crc32)
     {
-      RefuseNxv(offset, "array \"" + array.name + "\": its CRC-32 is wrong");
+      RefuseNxv(offset, "array \"" + Excerpt(array.name) + "\": its CRC-32 is wrong");
     }
     offset += array.length;
   }

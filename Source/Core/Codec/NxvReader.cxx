@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvReader.h"
 
+#include "nexrad/Codec/JsonText.h"
 #include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
@@ -10,6 +11,7 @@
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/HugePages.h"
+#include "nexrad/System/MessageText.h"
 
 #include <algorithm>
 #include <cstring>
@@ -43,7 +45,7 @@ auto NamingTheFile(const fs::path& path, const Work& work)
   }
   catch (const Error& problem)
   {
-    throw Error(path.string() + ": " + problem.what());
+    throw FileError(path, problem.what());
   }
 }
 
@@ -77,7 +79,7 @@ std::vector<MomentName> MomentsOf(const NxvHeader& header)
     const auto moment = ParseMomentName(array.name);
     if (moment && std::find(moments.begin(), moments.end(), *moment) != moments.end())
     {
-      throw Error("the file has two arrays \"" + array.name + "\"");
+      throw Error("the file has two arrays \"" + Excerpt(array.name) + "\"");
     }
     if (moment)
     {
@@ -325,7 +327,7 @@ void ReadEachArray(const NxvContent& content, const Read& read)
     }
     catch (const Error& problem)
     {
-      RefuseNxv(offset, "array \"" + array.name + "\": " + problem.what());
+      RefuseNxv(offset, "array \"" + Excerpt(array.name) + "\": " + problem.what());
     }
     offset += array.length;
   }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/NxvSeries.h"
 
+#include "nexrad/Codec/JsonText.h"
 #include "nexrad/Model/TimeLimits.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
+#include "nexrad/System/OrdinaryFile.h"
 
 #include <nlohmann/json.hpp>
 
@@ -24,7 +27,8 @@ NxvSeries ParseSeries(const Json& json)
 {
   if (json.at("file-series-version").get<std::string>().rfind("1.", 0) != 0)
   {
-    throw Error("file-series-version " + json.at("file-series-version").dump() + ": must be 1.x");
+    throw Error(
+      "file-series-version " + Excerpt(json.at("file-series-version").dump()) + ": must be 1.x");
   }
   NxvSeries series;
   for (const Json& entry : json.at("files"))
@@ -32,7 +36,7 @@ NxvSeries ParseSeries(const Json& json)
     const auto time = entry.at("time").get<double>();
     if (!(time >= ToSeconds(EarliestTime) && time <= ToSeconds(LatestTime)))
     {
-      throw Error("time " + entry.at("time").dump() + ": must lie in the years 1 to 9999");
+      throw Error("time " + Excerpt(entry.at("time").dump()) + ": must lie in the years 1 to 9999");
     }
     series.emplace_back(entry.at("name").get<std::string>(), time);
   }
@@ -54,6 +58,7 @@ void WriteNxvSeries(const std::filesystem::path& path, const NxvSeries& series)
 
 NxvSeries ReadNxvSeries(const std::filesystem::path& path)
 {
+  RequireOrdinaryFile(path);
   std::ifstream file(path, std::ios::binary);
   if (!file)
   {
@@ -66,7 +71,7 @@ NxvSeries ReadNxvSeries(const std::filesystem::path& path)
   catch (const std::exception& problem)
   {
     // JSON's, ours, or the stream's own (a folder opens and then cannot be read).
-    throw Error(path.string() + ": not a series index: " + Shortened(problem.what()));
+    throw FileError(path, std::string("not a series index: ") + problem.what());
   }
 }
 

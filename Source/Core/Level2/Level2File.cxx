@@ -11,6 +11,7 @@
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 #include "nexrad/Level2/VolumeAssembler.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/OrdinaryFile.h"
 
 #include <algorithm>
 #include <cerrno>
@@ -107,6 +108,7 @@ std::vector<std::uint8_t> ReadStoredBytes(const fs::path& path, std::size_t cap)
   {
     return member->Start(cap);
   }
+  RequireOrdinaryFile(path);
   // A window stays in the processor's cache; a vector that grows would be filled with zeros first.
   std::vector<char> window(std::size_t(1) << 18);
   std::vector<std::uint8_t> bytes;

@@ -39,8 +39,8 @@ RadarVolume ReadLevel2(const std::filesystem::path& path, const Level2Options& o
 /// files ("KTLX20130520_200356_V06_MDM") beside those of the volumes.
 bool HoldsMetadataAlone(const RadarVolume& volume);
 
-/// The bytes of a file as it is stored, at most `cap`: what a file says of its size, or a device
-/// that never ends, takes no more memory than that. Throws Error when the file cannot be read.
+/// The bytes of a file as it is stored, at most `cap`, whatever it says of its size. Throws Error
+/// when the file cannot be read, and for a pipe or a device.
 std::vector<std::uint8_t> ReadStoredBytes(const std::filesystem::path& path, std::size_t cap);
 
 /// The same as ReadLevel2 for bytes in memory; `name` stands for the path (the site's name may be

@@ -43,6 +43,19 @@ InputSizes InputsOf(std::size_t radars)
   return inputs;
 }
 
+// Takes the volumes of a radar out of what a file holds.
+void LeaveOutRadar(const std::string& radar, const std::string& why,
+  const std::filesystem::path& path, ScannedFile& file)
+{
+  const auto own = std::remove_if(file.volumes.begin(), file.volumes.end(),
+    [&radar](const auto& each) { return each.first.name == radar; });
+  if (own != file.volumes.end())
+  {
+    file.volumes.erase(own, file.volumes.end());
+    file.problems.push_back({path.string(), {}, radar + " is left out: " + why, true});
+  }
+}
+
 } // namespace
 
 LiveSeries::LiveSeries(const MergeOptions& theOptions, const RangeLoop& loop)
@@ -80,7 +93,8 @@ void LiveSeries::Expect(const Site& site, double range)
 }
 
 // The radars of what arrived. The range of each is that of its first volume, which may still grow.
-void LiveSeries::ExpectRadarsOf(const std::vector<ScannedFile>& scanned)
+void LiveSeries::ExpectRadarsOf(
+  const std::vector<LiveInput>& inputs, std::vector<ScannedFile>& scanned)
 {
   std::map<std::string, Time> firsts;
   for (const auto& [name, own] : this->BySite())
@@ -102,7 +116,31 @@ void LiveSeries::ExpectRadarsOf(const std::vector<ScannedFile>& scanned)
   }
   for (const auto& [name, radar] : ranges)
   {
-    this->Expect(radar.first, radar.second);
+    try
+    {
+      this->Expect(radar.first, radar.second);
+    }
+    catch (const Error& problem)
+    {
+      if (sites.size() < 2) // it is the options that cannot be met
+      {
+        throw;
+      }
+      for (std::size_t i = 0; i < inputs.size(); ++i)
+      {
+        LeaveOutRadar(name, problem.what(), inputs[i].path, scanned[i]);
+      }
+      this->ForgetRadar(name);
+    }
+  }
+}
+
+// Takes a radar out of a domain that may still change.
+void LiveSeries::ForgetRadar(const std::string& radar)
+{
+  if (!keepsGrid && sites.erase(radar) > 0 && !sites.empty())
+  {
+    this->PlanGrid();
   }
 }
 
@@ -148,7 +186,7 @@ std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
       }
     });
   this->LeaveOutOthers(scanned);
-  this->ExpectRadarsOf(scanned);
+  this->ExpectRadarsOf(inputs, scanned);
   std::vector<std::vector<Volume>> made(inputs.size());
   RunLoop(request.loop, count,
     [&](int begin, int end)
@@ -170,10 +208,17 @@ std::vector<ScannedFile> LiveSeries::Put(const std::vector<LiveInput>& inputs)
     });
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
-    volumes.erase(inputs[i].key);
-    if (!made[i].empty())
+    const std::vector<Volume> before = std::exchange(volumes[inputs[i].key], std::move(made[i]));
+    if (volumes[inputs[i].key].empty())
     {
-      volumes[inputs[i].key] = std::move(made[i]);
+      volumes.erase(inputs[i].key);
+    }
+    for (const Volume& volume : before)
+    {
+      if (this->NewestByRadar().count(volume.site) == 0)
+      {
+        this->ForgetRadar(volume.site);
+      }
     }
   }
   return scanned;
@@ -271,6 +316,21 @@ std::optional<Time> LiveSeries::Newest() const
     newest = std::max(newest.value_or(time), time);
   }
   return newest;
+}
+
+std::vector<TimeSpan> LiveSeries::Spans() const
+{
+  std::vector<TimeSpan> spans;
+  for (const auto& [key, input] : volumes)
+  {
+    for (const Volume& volume : input)
+    {
+      spans.push_back({volume.description.start, volume.description.end});
+    }
+  }
+  std::sort(spans.begin(), spans.end(),
+    [](const TimeSpan& a, const TimeSpan& b) { return a.first < b.first; });
+  return spans;
 }
 
 std::map<std::string, Time> LiveSeries::NewestByRadar() const

@@ -41,7 +41,9 @@ public:
   LiveSeries(const MergeOptions& options, const RangeLoop& loop);
 
   /// Takes inputs in place of those with the same keys. Returns what each of them holds, in their
-  /// order; a volume that cannot be used is among the problems there.
+  /// order; a volume that cannot be used is among the problems there, as one of a further radar
+  /// for which there is no memory. As long as the domain may change, a radar whose last volume
+  /// is taken out, by an input without rays, has no part in it.
   std::vector<ScannedFile> Put(const std::vector<LiveInput>& inputs);
   /// The domain stays as it is now, whatever radars come.
   void KeepGrid() { keepsGrid = true; }
@@ -61,6 +63,8 @@ public:
   std::optional<Time> First() const;
   /// Last ray of the volumes that are held; empty without any.
   std::optional<Time> Newest() const;
+  /// First and last ray of each volume that is held, in the order of their first rays.
+  std::vector<TimeSpan> Spans() const;
   /// Last ray of the held volumes of each radar.
   std::map<std::string, Time> NewestByRadar() const;
   std::size_t VolumeCount() const { return volumes.size(); }
@@ -93,7 +97,8 @@ private:
   Volumes ChosenAt(Time time, MomentName moment, const Volumes& own) const;
   void PlanGrid();
   void LeaveOutOthers(std::vector<ScannedFile>& scanned) const;
-  void ExpectRadarsOf(const std::vector<ScannedFile>& scanned);
+  void ExpectRadarsOf(const std::vector<LiveInput>& inputs, std::vector<ScannedFile>& scanned);
+  void ForgetRadar(const std::string& radar);
 
   const MergeOptions options;
   const SeriesOptions series;

@@ -49,16 +49,22 @@ StepBook::StepBook(const StepRules& theRules)
 {
 }
 
-void StepBook::Extend(Time theFirst, Time theNewest)
+void StepBook::Extend(Time theFirst, Time theLast)
 {
-  const auto before = newest || made.empty() ? newest : std::optional(made.rbegin()->first);
-  if (before && theNewest - *before > LongestPause)
+  if (newest && *newest - theLast > std::max(LongestPause, rules.late))
   {
-    const Time until = theNewest - rules.late - rules.step;
+    return;
+  }
+  const auto before = newest || made.empty() ? newest : std::optional(made.rbegin()->first);
+  if (before && theLast - *before > LongestPause)
+  {
+    const Time until = theLast - rules.late - rules.step;
     closedUntil = std::max(closedUntil.value_or(until), until);
   }
+  // No volume is longer than a day: a ray that was dated before is not where the series begins.
+  theFirst = std::max(theFirst, theLast - LongestPause);
   first = std::min(first.value_or(theFirst), theFirst);
-  newest = std::max(newest.value_or(theNewest), theNewest);
+  newest = std::max(newest.value_or(theLast), theLast);
 }
 
 std::vector<Time> StepBook::Open() const

@@ -29,10 +29,10 @@ class StepBook
 public:
   explicit StepBook(const StepRules& rules);
 
-  /// The first and the newest ray of all that arrived. The first may become earlier, and the newest
-  /// later. Where the newest leaps by more than a day (LongestPause), there are no steps in
-  /// between.
-  void Extend(Time first, Time newest);
+  /// The first and the last ray of a volume that arrived. Where the newest ray of the series leaps
+  /// by more than a day (LongestPause), there are no steps in between; a volume that is older than
+  /// that, and than what may come late, is none of the series.
+  void Extend(Time first, Time last);
 
   /// The steps that may have to be made or made again, ascending.
   std::vector<Time> Open() const;

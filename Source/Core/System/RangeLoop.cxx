@@ -4,6 +4,8 @@
 #include "nexrad/System/ThreadGroup.h"
 
 #include <atomic>
+#include <exception>
+#include <mutex>
 
 namespace nexrad
 {
@@ -13,15 +15,30 @@ RangeLoop ThreadLoop(unsigned threads)
   return [threads](int count, const std::function<void(int, int)>& work)
   {
     std::atomic<int> next{0};
-    const auto run = [&next, count, &work]
+    std::exception_ptr thrown;
+    std::mutex mutex;
+    const auto run = [&]
     {
-      for (int each = next++; each < count; each = next++)
+      try
       {
-        work(each, each + 1);
+        for (int each = next++; each < count; each = next++)
+        {
+          work(each, each + 1);
+        }
+      }
+      catch (...) // what leaves a thread would end the program
+      {
+        const std::lock_guard<std::mutex> lock(mutex);
+        thrown = std::current_exception();
       }
     };
-    const ThreadGroup others(threads - 1, run);
+    ThreadGroup others(threads - 1, run);
     run();
+    others.Join();
+    if (thrown)
+    {
+      std::rethrow_exception(thrown);
+    }
   };
 }
 

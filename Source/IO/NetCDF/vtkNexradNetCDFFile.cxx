@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradNetCDFFile.h"
 
-#include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
+#include "nexrad/System/OrdinaryFile.h"
 
 #include "vtk_netcdf.h"
 
@@ -66,6 +67,10 @@ vtkNexradNetCDFFile::vtkNexradNetCDFFile(
   : Shown(std::move(shown))
 {
   const bool create = mode == Mode::Create;
+  if (!create)
+  {
+    nexrad::RequireOrdinaryFile(path);
+  }
   const int status = create ? nc_create(path.c_str(), NC_NETCDF4 | NC_NOCLOBBER, &this->Identifier)
                             : nc_open(path.c_str(), NC_NOWRITE, &this->Identifier);
   if (status != NC_NOERR)
@@ -93,7 +98,7 @@ void vtkNexradNetCDFFile::Check(int status, const std::string& what) const
 
 void vtkNexradNetCDFFile::Fail(const std::string& problem) const
 {
-  throw nexrad::Error(this->Shown + ": " + problem);
+  throw nexrad::FileError(this->Shown, problem);
 }
 
 void vtkNexradNetCDFFile::Close()

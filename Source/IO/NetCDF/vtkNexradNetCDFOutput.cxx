@@ -13,8 +13,6 @@
 #include "vtk_netcdf.h"
 
 #include <array>
-#include <chrono>
-#include <cstdlib>
 #include <fstream>
 #include <system_error>
 #include <utility>
@@ -24,18 +22,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-
-// The time of writing, or the one that SOURCE_DATE_EPOCH sets so that two runs make the same bytes.
-nexrad::Time WritingTime()
-{
-  const char* const set = std::getenv("SOURCE_DATE_EPOCH");
-  const std::string text = set != nullptr ? set : "";
-  if (!text.empty() && text.size() < 12 && text.find_first_not_of("0123456789") == text.npos)
-  {
-    return nexrad::FromSeconds(std::stod(text));
-  }
-  return std::chrono::time_point_cast<std::chrono::seconds>(std::chrono::system_clock::now());
-}
 
 // Bytes of what does not depend on the number of voxels.
 constexpr std::size_t ofAnyFile = std::size_t(4) << 20;
@@ -76,7 +62,7 @@ public:
     : target(path)
     , written(MakeRoomBeside(target))
     , file(written, vtkNexradNetCDFFile::Mode::Create, path.string())
-    , history(nexrad::FormatIso8601(WritingTime()) + ": " + theHistory)
+    , history(theHistory)
   {
   }
 

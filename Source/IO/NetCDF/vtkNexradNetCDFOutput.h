@@ -27,7 +27,7 @@ class VTKNEXRADIO_EXPORT vtkNexradNetCDFOutput
 public:
   /**
    * `history` says what made the volumes, as a command line does; the file's attribute of that name
-   * has it after the time of writing (which the environment's SOURCE_DATE_EPOCH replaces).
+   * is that text, without the time of writing: the same volumes make the same bytes.
    */
   vtkNexradNetCDFOutput(const std::filesystem::path& path, const std::string& history);
   ~vtkNexradNetCDFOutput();

@@ -109,10 +109,10 @@ unsigned long vtkNexradPathError(const char* path)
   {
     return vtkErrorCode::FileNotFoundError;
   }
-  // The members of archives can be read where they are found.
+  // The members of archives can be read where they are found; a pipe waits for a writer.
   std::error_code failure;
-  if (kind != nexrad::StoredKind::Folder && std::filesystem::exists(path, failure) &&
-      !std::ifstream(path, std::ios::binary))
+  const bool onDisk = kind == nexrad::StoredKind::File && std::filesystem::exists(path, failure);
+  if (kind == nexrad::StoredKind::Other || (onDisk && !std::ifstream(path, std::ios::binary)))
   {
     return vtkErrorCode::CannotOpenFileError;
   }

@@ -52,6 +52,15 @@ unsigned int TexelType(int scalarType)
   }
 }
 
+/// Takes the errors that OpenGL keeps of calls before, one of each kind.
+void ForgetErrors()
+{
+  constexpr int kinds = 8; // without a context there is no end of them
+  for (int i = 0; i < kinds && glGetError() != GL_NO_ERROR; ++i)
+  {
+  }
+}
+
 /// Whether scalars of that number and type can become a texture.
 bool Check(const vtkTextureSliceScalars& source, std::string& error)
 {
@@ -141,7 +150,7 @@ bool vtkTextureSliceTexture::Allocate(
             std::to_string(limit) + " along an axis: resample it to " +
             std::to_string(std::min(size[0], limit)) + " x " +
             std::to_string(std::min(size[1], limit)) + " x " +
-            std::to_string(std::min(size[2], limit)) + " or less";
+            std::to_string(std::min(size[2], limit)) + " or less (nexrad3d grid --dims)";
     return false;
   }
   const int channels = this->Texels.CountChannels();
@@ -156,12 +165,15 @@ bool vtkTextureSliceTexture::Allocate(
   this->Texture->ResetFormatAndType();
   this->Texture->SetInternalFormat(InternalFormat(scalarType, channels));
   this->ChooseWrap();
-  if (!this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
-        static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels,
-        scalarType, nullptr))
+  ForgetErrors();
+  const bool created = this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
+    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels, scalarType,
+    nullptr);
+  if (!created || glGetError() != GL_NO_ERROR)
   {
     error = "OpenGL could not make a texture of " + std::to_string(size[0]) + " x " +
-            std::to_string(size[1]) + " x " + std::to_string(size[2]) + " voxels";
+            std::to_string(size[1]) + " x " + std::to_string(size[2]) +
+            " voxels: it may lack the memory; fewer voxels need less (nexrad3d grid --dims)";
     return false;
   }
   this->Allocated = wanted;

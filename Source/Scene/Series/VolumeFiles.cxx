@@ -5,6 +5,7 @@
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradMessages.h"
@@ -60,7 +61,7 @@ vtkSmartPointer<vtkImageData> ReadVti(const fs::path& path)
   reader->Update();
   if (!messages.Errors().empty())
   {
-    throw Error(path.string() + ": " + messages.Errors().front());
+    throw FileError(path, messages.Errors().front());
   }
   return reader->GetOutput();
 }
@@ -92,13 +93,37 @@ VolumeDescription Describe(const fs::path& path)
 // the graphics memory.
 constexpr std::size_t pictureBytesPerVoxel = 4;
 
-using TimedFiles = std::vector<std::pair<Time, fs::path>>;
+// A volume file, and the index that names it; without one, an empty path.
+struct TimedFile
+{
+  Time time;
+  fs::path path;
+  fs::path index;
+};
+using TimedFiles = std::vector<TimedFile>;
+
+// Does what reads a file. An error names the file, and before it the index that the user named.
+template <typename Work>
+auto NamingTheIndex(const TimedFile& file, const Work& work)
+{
+  try
+  {
+    return work(file.path);
+  }
+  catch (const Error& problem)
+  {
+    std::string line = problem.what();
+    const std::string path = file.path.string();
+    line = line.rfind(path, 0) == 0 ? line : path + ": " + line;
+    throw Error(file.index.empty() ? line : file.index.string() + ": " + line);
+  }
+}
 
 void AddIndex(TimedFiles& files, const fs::path& index)
 {
   for (const auto& [name, seconds] : ReadNxvSeries(index))
   {
-    files.emplace_back(FromSeconds(seconds), index.parent_path() / name);
+    files.push_back({FromSeconds(seconds), index.parent_path() / name, index});
   }
 }
 
@@ -125,7 +150,7 @@ void AddFolder(TimedFiles& files, const fs::path& folder)
                   "; name the index of one run (volumes.nxv.series), or its volumes");
     }
     grid = volume.grid;
-    files.emplace_back(volume.time, name);
+    files.push_back({volume.time, name, {}});
   }
 }
 
@@ -201,10 +226,10 @@ public:
     , request(std::move(momentRequest))
   {
     std::stable_sort(
-      files.begin(), files.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (const auto& file : files)
+      files.begin(), files.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    for (const TimedFile& file : files)
     {
-      times.push_back(file.first);
+      times.push_back(file.time);
     }
   }
 
@@ -213,13 +238,29 @@ public:
   void AllowCodes(bool allowed) override { codes = allowed; }
   std::vector<MomentName> Moments() const override
   {
-    const fs::path& first = files.front().second;
-    return EndsWith(first, ".nxv") ? ReadNxvMoments(first) : MomentsOf(ReadVti(first));
+    return NamingTheIndex(files.front(), [](const fs::path& first)
+      { return EndsWith(first, ".nxv") ? ReadNxvMoments(first) : MomentsOf(ReadVti(first)); });
   }
 
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress&) override
   {
-    const fs::path& path = files[index].second;
+    return NamingTheIndex(
+      files[index], [this](const fs::path& path) { return this->LoadFile(path); });
+  }
+
+  std::string Contents(std::size_t index) const override
+  {
+    const fs::path& path = files[index].path;
+    std::error_code gone;
+    const auto written = fs::last_write_time(path, gone).time_since_epoch().count();
+    const std::uintmax_t bytes = gone ? 0 : fs::file_size(path, gone);
+    return gone ? std::string()
+                : path.string() + ' ' + std::to_string(written) + ' ' + std::to_string(bytes);
+  }
+
+private:
+  vtkSmartPointer<vtkImageData> LoadFile(const fs::path& path) const
+  {
     if (EndsWith(path, ".vti"))
     {
       return Showing(request.moments, ReadVti(path));
@@ -231,17 +272,6 @@ public:
     return image;
   }
 
-  std::string Contents(std::size_t index) const override
-  {
-    const fs::path& path = files[index].second;
-    std::error_code gone;
-    const auto written = fs::last_write_time(path, gone).time_since_epoch().count();
-    const std::uintmax_t bytes = gone ? 0 : fs::file_size(path, gone);
-    return gone ? std::string()
-                : path.string() + ' ' + std::to_string(written) + ' ' + std::to_string(bytes);
-  }
-
-private:
   TimedFiles files;
   const MomentRequest request;
   std::vector<Time> times;
@@ -292,7 +322,7 @@ std::unique_ptr<VolumeSeries> OpenVolumeFiles(
     }
     else
     {
-      files.emplace_back(Describe(input).time, input);
+      files.push_back({Describe(input).time, input, {}});
     }
   }
   if (files.empty())

@@ -326,3 +326,64 @@ TEST_F(LiveIntakes, AccountForEveryChunkOfAFeedInDisorder)
   EXPECT_GE(counts.repeated, again);
   EXPECT_EQ(counts.refused + counts.old + counts.cut, 0U);
 }
+
+// A file of another decade, whether it comes with the feed, after it or before it.
+TEST_F(LiveIntakes, PassOverWhatIsOfAnotherDecade)
+{
+  const Site old = {"KIWX", Position{41.36, -85.7, 320.0}};
+  const auto writeOld = [&](int number)
+  {
+    WriteChunks(folder.Path() / "KIWX" / std::to_string(number),
+      CutIntoChunks(VolumeOfSweeps(old, start - 80'000h + number * 10min, 1, 20.0)));
+  };
+  writeOld(1);
+  const auto first = this->Take();
+  ASSERT_EQ(first.size(), 1U) << "it may be an archive";
+  EXPECT_TRUE(intake.TakeProblems().empty());
+  // With the next one comes the feed.
+  writeOld(2);
+  this->Write(1, CutIntoChunks(VolumeOfSweeps(keax, start + 5min, 1, 20.0))[0]);
+  for (const MadeChunk& chunk : CutIntoChunks(VolumeOfSweeps(keax, start + 5min, 1, 20.0)))
+  {
+    this->Write(1, chunk);
+  }
+  const auto changes = this->Take();
+  ASSERT_EQ(changes.size(), 2U);
+  EXPECT_TRUE(changes[1].isTakenBack);
+  EXPECT_EQ(changes[1].input.key, first[0].input.key);
+  EXPECT_TRUE(changes[1].input.volume.sweeps.empty());
+  EXPECT_EQ(changes[0].input.volume.site.name, "KEAX");
+  writeOld(3);
+  EXPECT_TRUE(this->Take().empty());
+  const std::vector<std::string> problems = intake.TakeProblems();
+  ASSERT_EQ(problems.size(), 3U) << "one line for each volume";
+  for (const std::string& line : problems)
+  {
+    EXPECT_NE(line.find("KIWX/"), std::string::npos) << line;
+    EXPECT_NE(line.find("long before the feed"), std::string::npos) << line;
+  }
+  std::size_t counted = 0;
+  for (const auto& [name, radar] : intake.Radars())
+  {
+    counted += radar.counts.old;
+    EXPECT_EQ(radar.counts.used, name == "KEAX" ? 4U : 0U) << name;
+  }
+  EXPECT_EQ(counted, 3U * 4U);
+}
+
+// What an archive has before a pause comes alone, so that its steps can be made first.
+TEST_F(LiveIntakes, StopAtAPauseOfAnArchive)
+{
+  for (const auto ago : {9'000h, 8'000h})
+  {
+    WriteChunks(this->FolderOf(static_cast<int>(ago.count() % 999)),
+      CutIntoChunks(VolumeOfSweeps(keax, start - ago, 1, 20.0)));
+  }
+  intake.Arrive(listing.Poll());
+  ASSERT_EQ(intake.Take(listing, 10s).size(), 1U);
+  EXPECT_TRUE(intake.IsBehind());
+  const auto second = intake.Take(listing, 10s);
+  ASSERT_EQ(second.size(), 1U);
+  EXPECT_EQ(*second[0].input.volume.Start(), start - 8'000h);
+  EXPECT_TRUE(intake.TakeProblems().empty());
+}

@@ -325,3 +325,72 @@ TEST_F(Watches, RealSetsOfChunksAreReplayed)
     EXPECT_TRUE(Series(out) == Series(made)) << name;
   }
 }
+
+// It is years older, and of a radar far away: with it the series would have a million steps.
+TEST_F(Watches, AFileOfAnotherDecadeChangesNothing)
+{
+  this->WriteRadar(keax, 5min, 4, true);
+  const auto expected = this->OfGrid();
+  const std::vector<std::string> replay = {"--replay", "2006-03-12T18:20,1", "--stop-after", "2s"};
+  const auto writeOld = [this]
+  {
+    WriteLevel2(in / "KFTG19960312_180000",
+      {ConstantVolume({"KFTG", Position{39.78, -104.54, 1705.0}}, start - 87'660h, 40.0)});
+  };
+  writeOld();
+  const ProgramRun with = RunNexrad3d(this->Command(replay));
+  EXPECT_EQ(with.status, 3) << with.errors;
+  EXPECT_NE(with.errors.find("KFTG19960312_180000: is of 1996-03-12T06:00:00.000Z, long before"),
+    std::string::npos)
+    << with.errors;
+  ExpectSame(Series(out), expected);
+
+  fs::remove_all(out);
+  fs::rename(in / "KEAX", folder.Path() / "KEAX");
+  const ProgramRun before = InterruptProgram(
+    Nexrad3dPath(), this->Command(replay),
+    [&]
+    {
+      const bool isMade = fs::exists(out / "19960312T060000Z.nxv");
+      if (isMade && fs::exists(folder.Path() / "KEAX"))
+      {
+        fs::rename(folder.Path() / "KEAX", in / "KEAX");
+      }
+      return false;
+    },
+    SIGTERM);
+  EXPECT_EQ(before.status, 3) << before.errors;
+  EXPECT_NE(before.errors.find("KFTG19960312_180000: is of 1996"), std::string::npos)
+    << before.errors;
+  ExpectSame(Series(out), expected);
+}
+
+TEST_F(Watches, TheStatusOfARunThatFailsSaysWhy)
+{
+  this->WriteRadar(keax, 5min, 2, true);
+  const auto expectStopped = [this](const ProgramRun& run, const std::string& why)
+  {
+    EXPECT_EQ(run.status, 1) << run.errors;
+    EXPECT_EQ(this->Status().at("state"), "stopped");
+    const std::string reason = this->Status().at("reason");
+    EXPECT_NE(reason.find(why), std::string::npos) << reason;
+    EXPECT_NE(run.errors.find(reason), std::string::npos) << run.errors;
+  };
+  expectStopped(RunNexrad3d(this->Command({"--bias", "auto"})), "biases cannot be measured");
+  fs::create_directory(out / "newest.nxv");
+  expectStopped(RunNexrad3d(this->Command()), "newest.nxv: cannot be written");
+  fs::remove(out / "newest.nxv");
+  ASSERT_EQ(RunNexrad3d(this->Command()).status, 0);
+  EXPECT_EQ(this->Status().at("reason"), "nothing arrived for the time of --stop-after");
+  expectStopped(RunNexrad3d(this->Command({"--max-gap", "3min"})), "a series of other options");
+}
+
+TEST_F(Watches, ATerminalThatClosesEndsItInOrder)
+{
+  this->WriteRadar(keax, 5min, 2, true);
+  const ProgramRun run = InterruptProgram(
+    Nexrad3dPath(), this->Command({}), [&] { return fs::exists(out / "newest.nxv"); }, SIGHUP);
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(this->Status().at("state"), "stopped");
+  EXPECT_EQ(this->Status().at("reason"), "a signal asked for it");
+}

@@ -6,6 +6,7 @@
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Codec/NxvHeader.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <string>
 
 using namespace nexrad;
@@ -233,4 +235,86 @@ TEST(WebCommand, WrongInputsAndOutputsAreNamed)
   const std::string vti =
     Message({"web", folder.Path() / "image.vti", "-o", folder.Path() / "site"}, 1);
   EXPECT_NE(vti.find("image.vti"), std::string::npos) << vti;
+}
+
+// A folder may be that of a web site, or of volumes that somebody made.
+TEST(WebCommand, FilesOfOthersStay)
+{
+  const TemporaryFolder folder;
+  fs::create_directory(folder.Path() / "in");
+  const fs::path series = WriteStormFiles(folder.Path() / "in", 2);
+  const NxvSeries index = ReadNxvSeries(series);
+  for (const std::string& name :
+    {std::string("index.html"), std::string("volumes.nxv.series"), index.back().first})
+  {
+    const fs::path site = folder.Path() / ("site-of-" + name);
+    fs::create_directory(site);
+    std::ofstream(site / name) << "{\"file-series-version\": \"1.0\", \"files\": []}";
+    const std::string before = FileContent(site / name);
+    const std::string line = Message({"web", series, "-o", site, "--quiet"}, 1);
+    EXPECT_NE(line.find((site / name).string() + ": "), std::string::npos) << line;
+    EXPECT_NE(line.find("stays as it is"), std::string::npos) << line;
+    EXPECT_EQ(FileContent(site / name), before);
+    EXPECT_EQ(std::distance(fs::directory_iterator(site), {}), 1) << name;
+  }
+}
+
+TEST(WebCommand, WhatItWroteItReplaces)
+{
+  const TemporaryFolder folder;
+  const fs::path site = folder.Path() / "site";
+  fs::create_directory(folder.Path() / "in");
+  const fs::path series = WriteStormFiles(folder.Path() / "in", 2);
+  EXPECT_EQ(Message({"web", series, "-o", site, "--quiet"}, 0), "");
+  GriddedVolume other = ReadNxv(folder.Path() / "in" / ReadNxvSeries(series)[0].first);
+  other.values.front() = 40.0F;
+  other.states.front() = VoxelState::Echo;
+  const std::string name = ReadNxvSeries(series)[0].first;
+  WriteNxv(folder.Path() / "in" / name, other);
+  EXPECT_EQ(Message({"web", series, "-o", site, "--quiet"}, 0), "");
+  EXPECT_EQ(FileContent(site / name), FileContent(folder.Path() / "in" / name));
+  // A file of others with the bytes of one of these does not become the command's own.
+  const fs::path shared = folder.Path() / "shared";
+  fs::create_directory(shared);
+  fs::copy(site / name, shared / name);
+  EXPECT_EQ(Message({"web", series, "-o", shared, "--quiet"}, 0), "");
+  other.values.front() = 45.0F;
+  WriteNxv(folder.Path() / "in" / name, other);
+  EXPECT_NE(Message({"web", series, "-o", shared, "--quiet"}, 1).find(name), std::string::npos);
+}
+
+// Headers choose the words of the messages about them.
+TEST(WebCommand, AMessageIsShortAndNamesTheFileAndItsIndex)
+{
+  const TemporaryFolder folder;
+  const fs::path series = folder.Path() / "s.nxv.series";
+  WriteNxvSeries(series, {{"gone.nxv", 0.0}, {"/dev/zero", 300.0}});
+  for (const fs::path& output : {folder.Path() / "page.html", folder.Path() / "site"})
+  {
+    const std::string line = Message({"web", series, "-o", output}, 1);
+    EXPECT_EQ(line.find("nexrad3d web: " + series.string() + ": "), 0U) << line;
+    EXPECT_NE(
+      line.find(output.extension().empty() ? "/dev/zero: " : "gone.nxv: "), std::string::npos)
+      << line;
+  }
+  const fs::path file = folder.Path() / "long.nxv";
+  for (const char* key : {"time", "projection", "method", "name"})
+  {
+    NxvHeader header;
+    header.volume = MakeStorm(true);
+    std::string text = FormatNxvHeader(header);
+    text = text.substr(0, text.rfind(",\"header_crc32")) + "}";
+    const std::string longText(5'000, 'x');
+    const auto json = nlohmann::ordered_json::parse(text);
+    auto changed = json;
+    changed[key] = longText;
+    text = changed.dump();
+    std::ofstream stream(file, std::ios::binary);
+    const auto size = static_cast<std::uint32_t>(text.size());
+    stream.write("NXV1", 4).write(reinterpret_cast<const char*>(&size), 4) << text;
+    stream.close();
+    const std::string line = Message({"web", file, "-o", folder.Path() / "page.html"}, 1);
+    EXPECT_EQ(line.find("nexrad3d web: " + file.string() + ": "), 0U) << line;
+    EXPECT_LT(line.size(), file.string().size() + 350U) << key;
+  }
 }

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <random>
 
 using namespace nexrad;
@@ -259,4 +260,54 @@ TEST_F(LiveMerges, WhatCannotBeUsedIsAProblem)
   EXPECT_EQ(series.VolumeCount(), 0U);
   options.measureBiases = true;
   EXPECT_THROW(LiveSeries(options, {}), Error);
+}
+
+// The memory is enough for the radars that are there; the feed goes on without a further one.
+TEST_F(LiveMerges, ARadarForWhichThereIsNoMemoryIsLeftOut)
+{
+  std::unique_ptr<LiveSeries> series;
+  for (double mebibytes = 1.0; !series; mebibytes *= 1.1)
+  {
+    options.memoryLimit = {static_cast<std::size_t>(mebibytes * 1024.0 * 1024.0), "--memory"};
+    try
+    {
+      auto made = std::make_unique<LiveSeries>(options, RangeLoop());
+      made->Put({Whole(folders[0])});
+      series = std::move(made);
+    }
+    catch (const Error&) // even one radar needs more
+    {
+      continue;
+    }
+  }
+  for (int i = 0; i < 30; ++i)
+  {
+    const std::string name = "KX" + std::to_string(10 + i);
+    this->Write({name, Position{38.0 + 0.1 * i, -94.0, 300.0}}, 0, start, 40.0);
+    const fs::path path = folders.back();
+    const ScannedFile scanned = series->Put({Whole(path)}).front();
+    if (!scanned.problems.empty())
+    {
+      EXPECT_TRUE(scanned.problems.front().leftOut);
+      EXPECT_EQ(scanned.problems.front().file, path.string());
+      EXPECT_EQ(scanned.problems.front().what.rfind(name + " is left out: ", 0), 0U);
+      EXPECT_EQ(series->Sites().count(name), 0U);
+      EXPECT_EQ(series->InputsAt(start + 4min).find(name), std::string::npos);
+      return;
+    }
+  }
+  FAIL() << "thirty radars fit where hardly one did";
+}
+
+TEST_F(LiveMerges, ARadarWhoseVolumesAreTakenOutLeavesTheDomain)
+{
+  LiveSeries alone(options, {});
+  alone.Put({Whole(folders[0])});
+  LiveSeries series(options, {});
+  series.Put({Whole(folders[0]), Whole(folders[1])});
+  EXPECT_FALSE(series.Grid() == alone.Grid());
+  series.Put({{folders[1].string(), folders[1], RadarVolume(), false}});
+  EXPECT_EQ(series.Grid(), alone.Grid());
+  EXPECT_EQ(series.Sites().count("KLSX"), 0U);
+  EXPECT_EQ(series.VolumeCount(), 1U);
 }

@@ -138,3 +138,22 @@ TEST(StepBooks, RefuseTimesThatAreNone)
     EXPECT_THROW(with("null", "null", time), Error) << time;
   }
 }
+
+// More than a million steps, or a hundred thousand of a year: nobody waits for them.
+TEST(StepBooks, HaveNoStepsSinceAVolumeOfAnotherDecade)
+{
+  StepBook book({5min, {}, {}, 15min});
+  book.Extend(noon - 90'000h, noon - 90'000h + 4min);
+  book.Extend(noon, noon + 4min);
+  EXPECT_GE(book.Open().front(), noon - 20min);
+  EXPECT_EQ(book.Open().back(), noon);
+
+  StepBook late({5min, {}, {}, 15min});
+  late.Extend(noon, noon + 4min);
+  late.Extend(noon - 9'000h, noon - 9'000h + 4min);
+  EXPECT_EQ(late.Open(), std::vector<Time>{noon});
+
+  StepBook wide({5min, {}, {}, 15min});
+  wide.Extend(noon - 90'000h, noon + 4min);
+  EXPECT_GE(wide.Open().front(), noon - 24h) << "no volume is longer";
+}

@@ -3,6 +3,7 @@
 
 #include "Faults/Unprivileged.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <gtest/gtest.h>
 
@@ -64,4 +65,18 @@ TEST(ThreadGroup, SaysWhenNoThreadCanStart)
         return none && std::string(error.what()).find("ulimit -u") != std::string::npos;
       }
     }));
+}
+
+// What leaves a thread of its own would end the program, as of a computation without memory.
+TEST(RangeLoops, ThrowWhatTheirWorkThrows)
+{
+  const auto failing = [](int begin, int)
+  {
+    if (begin == 7)
+    {
+      throw Error("seven");
+    }
+  };
+  EXPECT_THROW(ThreadLoop(4)(100, failing), Error);
+  EXPECT_THROW(ThreadLoop(1)(100, failing), Error);
 }

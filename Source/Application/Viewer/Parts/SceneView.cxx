@@ -4,6 +4,7 @@
 #include "Drawing/PictureWindow.h"
 #include "Drawing/ViewerStyle.h"
 #include "Export/SceneState.h"
+#include "Libraries/VtkErrors.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/SceneOptions.h"
 #include "Viewer/Parts/CameraMouse.h"
@@ -183,6 +184,11 @@ void SceneView::Draw()
   {
     window->Render();
     ++drawn;
+    const std::string failure = application::NextVtkError();
+    if (!failure.empty())
+    {
+      emit DrawingFailed(QString::fromStdString(failure));
+    }
   }
 }
 

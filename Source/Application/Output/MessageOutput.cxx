@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Output/MessageOutput.h"
+
+#include "nexrad/System/MessageText.h"
+
+#include <iostream>
+
+namespace nexrad::application
+{
+
+void PrintMessage(const std::string& message)
+{
+  std::cerr << MessageLine(message) + '\n' << std::flush;
+}
+
+} // namespace nexrad::application
