@@ -163,8 +163,7 @@ double ReachOf(const PolarSweep& sweep)
 
 std::size_t BeamVolume::MemoryBytes() const
 {
-  std::size_t bytes = sizeof(BeamVolume) + composite.values.size() * sizeof(float) +
-                      composite.cells.size() * (sizeof(VolumeComposite::Cell) + 1);
+  std::size_t bytes = sizeof(BeamVolume) + composite.MemoryBytes() + lowest.MemoryBytes();
   bytes += layers.MemoryBytes();
   for (const BeamSweep& sweep : sweeps)
   {
@@ -204,6 +203,10 @@ BeamVolume PrepareBeamVolume(const PolarVolume& volume, std::optional<double> be
     }
   }
   prepared.composite = MakeComposite(prepared.sweeps);
+  if (prepared.moment == MomentName::REF)
+  {
+    prepared.lowest = MakeLowestComposite(prepared.sweeps);
+  }
   return prepared;
 }
 

@@ -25,6 +25,7 @@ struct BeamVolume
   EchoGates echo;                ///< of reflectivity
   std::vector<BeamSweep> sweeps; ///< in the order scanned
   VolumeComposite composite;     ///< of the sweeps
+  VolumeComposite lowest;        ///< of reflectivity: of the first sweep of the lowest tilt
   EchoLayers layers;             ///< of reflectivity, when PrepareForGrid was asked for them
   double voxelSide = 0.0; ///< m, of the voxels for which the sweeps' means were made; 0: for none
 

@@ -4,6 +4,7 @@
 #include "nexrad/Beams/BeamSweep.h"
 #include "nexrad/Beams/SweepPlaces.h"
 #include "nexrad/Geometry/Beam.h"
+#include "nexrad/Model/Elevation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,6 +55,7 @@ public:
   void AddAll()
   {
     const double begin = ToSeconds(sweep.begin);
+    composite.tilts.push_back({sweep.elevation, 0.0});
     for (std::size_t entry = 1; entry + 1 < sweep.azimuths.size(); ++entry)
     {
       this->FindStrongest(entry);
@@ -65,6 +67,7 @@ public:
       this->Spread(entry, own, 1, 0.5F * (sweep.azimuths[entry + 1] - azimuth), azimuth);
       composite.echoTime += rayEcho * (begin + static_cast<double>(sweep.times[entry]));
       composite.echo += rayEcho;
+      composite.tilts.back().echo += rayEcho;
     }
   }
 
@@ -142,24 +145,22 @@ private:
   double rayEcho = 0.0;
 };
 
-} // namespace
-
-VolumeComposite MakeComposite(const std::vector<BeamSweep>& sweeps)
+VolumeComposite CompositeOf(const std::vector<const BeamSweep*>& sweeps)
 {
   VolumeComposite composite;
-  for (const BeamSweep& sweep : sweeps)
+  for (const BeamSweep* sweep : sweeps)
   {
-    composite.rings = std::max(composite.rings, RingsOf(sweep));
+    composite.rings = std::max(composite.rings, RingsOf(*sweep));
   }
   const std::size_t size = composite.Index(VolumeComposite::Sectors, 0);
   composite.cells.assign(size, VolumeComposite::Cell::NotScanned);
   composite.tops.assign(size, 0);
   composite.values.assign(size, 0.0F);
-  for (const BeamSweep& sweep : sweeps)
+  for (const BeamSweep* sweep : sweeps)
   {
-    if (RingsOf(sweep) > 0)
+    if (RingsOf(*sweep) > 0)
     {
-      SweepAdder(sweep, composite).AddAll();
+      SweepAdder(*sweep, composite).AddAll();
     }
   }
   if (composite.echo > 0.0)
@@ -167,6 +168,30 @@ VolumeComposite MakeComposite(const std::vector<BeamSweep>& sweeps)
     composite.echoTime /= composite.echo;
   }
   return composite;
+}
+
+} // namespace
+
+VolumeComposite MakeComposite(const std::vector<BeamSweep>& sweeps)
+{
+  std::vector<const BeamSweep*> all;
+  for (const BeamSweep& sweep : sweeps)
+  {
+    all.push_back(&sweep);
+  }
+  return CompositeOf(all);
+}
+
+VolumeComposite MakeLowestComposite(const std::vector<BeamSweep>& sweeps)
+{
+  const auto lower = [](const BeamSweep& a, const BeamSweep& b)
+  { return a.elevation < b.elevation; };
+  const auto lowest = std::min_element(sweeps.begin(), sweeps.end(), lower);
+  const auto isLowest = [&lowest](const BeamSweep& sweep)
+  { return sweep.elevation - lowest->elevation <= static_cast<float>(SameTilt); };
+  const auto first = std::find_if(sweeps.begin(), sweeps.end(), isLowest);
+  return CompositeOf(first != sweeps.end() ? std::vector<const BeamSweep*>{&*first}
+                                           : std::vector<const BeamSweep*>{});
 }
 
 } // namespace nexrad

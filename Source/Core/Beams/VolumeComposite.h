@@ -28,6 +28,13 @@ struct VolumeComposite
     Held ///< a gate holds something else: a value, or the mark of a folded or unsampled gate
   };
 
+  /// How much echo one sweep has.
+  struct Tilt
+  {
+    float elevation = 0.0F; ///< degrees
+    double echo = 0.0;      ///< its part of the sum
+  };
+
   int rings = 0;
   std::vector<Cell> cells; ///< rings × sectors, rings fastest
   std::vector<std::uint8_t>
@@ -36,11 +43,16 @@ struct VolumeComposite
   float widestGap = 0.0F;    ///< degrees between neighbouring rays that are interpolated between
   double echoTime = 0.0;     ///< s since 1970, mean over the echo, each gate by its value
   double echo = 0.0;         ///< sum of the values in that mean; 0 without echo
+  std::vector<Tilt> tilts;   ///< of the sweeps, in the order scanned
 
   std::size_t Index(int sector, int ring) const
   {
     return static_cast<std::size_t>(sector) * static_cast<std::size_t>(rings) +
            static_cast<std::size_t>(ring);
+  }
+  std::size_t MemoryBytes() const
+  {
+    return values.size() * (sizeof(float) + sizeof(Cell) + 1) + tilts.size() * sizeof(Tilt);
   }
 };
 
@@ -52,5 +64,8 @@ inline std::uint8_t ElevationCode(float elevation)
 
 /// The composite of sweeps of one moment.
 VolumeComposite MakeComposite(const std::vector<BeamSweep>& sweeps);
+
+/// The composite of the first sweep of the lowest tilt alone; of no sweep without any.
+VolumeComposite MakeLowestComposite(const std::vector<BeamSweep>& sweeps);
 
 } // namespace nexrad

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Beams/VolumeSummary.h"
 
-#include "nexrad/Beams/BeamVolume.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -44,6 +43,12 @@ std::vector<float> PackPicture(const VolumeComposite& composite)
   return picture;
 }
 
+PackedComposite Pack(const VolumeComposite& composite)
+{
+  return {
+    composite.rings, composite.echoTime, composite.echo, composite.tilts, PackPicture(composite)};
+}
+
 // The cells of a composite, one after the other.
 class CellWriter
 {
@@ -77,14 +82,20 @@ private:
 
 } // namespace
 
-VolumeSummary MakeSummary(const VolumeComposite& composite)
+std::size_t VolumeSummary::MemoryBytes() const
 {
-  VolumeSummary summary;
-  summary.rings = composite.rings;
-  summary.echoTime = composite.echoTime;
-  summary.echo = composite.echo;
-  summary.picture = PackPicture(composite);
-  return summary;
+  std::size_t bytes = sizeof(*this);
+  for (const PackedComposite* packed : {&composite, &lowest})
+  {
+    bytes +=
+      packed->picture.size() * sizeof(float) + packed->tilts.size() * sizeof(VolumeComposite::Tilt);
+  }
+  return bytes;
+}
+
+VolumeSummary MakeSummary(const BeamVolume& volume)
+{
+  return {0.0, Pack(volume.composite), Pack(volume.lowest)};
 }
 
 VolumeSummary MakeSummary(const PolarVolume& volume)
@@ -92,7 +103,7 @@ VolumeSummary MakeSummary(const PolarVolume& volume)
   VolumeSummary summary;
   if (volume.moment == MomentName::REF)
   {
-    summary = MakeSummary(PrepareBeamVolume(volume).composite);
+    summary = MakeSummary(PrepareBeamVolume(volume));
   }
   for (const PolarSweep& sweep : volume.sweeps)
   {
@@ -102,19 +113,20 @@ VolumeSummary MakeSummary(const PolarVolume& volume)
   return summary;
 }
 
-VolumeComposite CompositeOf(const VolumeSummary& summary)
+VolumeComposite CompositeOf(const PackedComposite& packed)
 {
   VolumeComposite composite;
-  composite.rings = summary.rings;
-  composite.echoTime = summary.echoTime;
-  composite.echo = summary.echo;
+  composite.rings = packed.rings;
+  composite.echoTime = packed.echoTime;
+  composite.echo = packed.echo;
+  composite.tilts = packed.tilts;
   const std::size_t size = composite.Index(VolumeComposite::Sectors, 0);
   composite.cells.assign(size, VolumeComposite::Cell::NotScanned);
   composite.tops.assign(size, 0);
   composite.values.assign(size, 0.0F);
   CellWriter writer(composite);
   std::size_t count = 1;
-  for (const float word : summary.picture)
+  for (const float word : packed.picture)
   {
     if (word <= -2.0F)
     {

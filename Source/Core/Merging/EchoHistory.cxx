@@ -16,7 +16,7 @@ void EchoHistory::Remember(const std::vector<ReadyVolume>& volumes)
       {
         entry.site = beam.site;
         entry.end = beam.end;
-        entry.summary = std::make_shared<const VolumeSummary>(MakeSummary(beam.composite));
+        entry.summary = std::make_shared<const VolumeSummary>(MakeSummary(beam));
       }
     }
   }
@@ -31,7 +31,8 @@ std::shared_ptr<const BeamVolume> EchoHistory::VolumeOf(Entry& entry, Time start
     volume.site = entry.site;
     volume.start = start;
     volume.end = entry.end;
-    volume.composite = CompositeOf(*entry.summary);
+    volume.composite = CompositeOf(entry.summary->composite);
+    volume.lowest = CompositeOf(entry.summary->lowest);
     made = std::make_shared<const BeamVolume>(std::move(volume));
     entry.made = made;
   }

@@ -286,7 +286,8 @@ ReadyVolume MergeRun::WithoutSweeps(
   without.synthetic = volume.synthetic;
   if (pictured)
   {
-    without.composite = CompositeOf(*volume.summary);
+    without.composite = CompositeOf(volume.summary->composite);
+    without.lowest = CompositeOf(volume.summary->lowest);
   }
   auto made = std::make_shared<const BeamVolume>(std::move(without));
   sweepless.push_back({volume.summary, pictured, made});

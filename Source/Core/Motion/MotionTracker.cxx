@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace nexrad
 {
@@ -19,6 +20,9 @@ constexpr double finestPixel = 4'000.0; // m
 constexpr double spacing = 40'000.0;    // m, between nodes of the motion
 // Farther out beams are too wide, and too high, to show how storms move.
 constexpr double imageReach = 240'000.0; // m
+// Two volumes are compared as wholes when this part of the echo of each lies on tilts of the other.
+constexpr double leastShared = 0.75;
+constexpr float halfBeam = 0.5F; // degrees between tilts that see nearly the same
 
 // The box of a grid in pixels of at most imagePixel.
 GridSpecification PixelsOf(const GridSpecification& grid)
@@ -110,6 +114,44 @@ Time MiddleOf(const BeamVolume& volume)
   return volume.start + (volume.end - volume.start) / 2;
 }
 
+double SecondsOf(Duration duration)
+{
+  return std::chrono::duration<double>(duration).count();
+}
+
+// The part of the echo of a composite that lies on tilts of another one, 0…1.
+double SharedEcho(const VolumeComposite& composite, const VolumeComposite& other)
+{
+  double shared = 0.0;
+  for (const VolumeComposite::Tilt& tilt : composite.tilts)
+  {
+    const auto isSame = [&tilt](const VolumeComposite::Tilt& each)
+    { return std::abs(each.elevation - tilt.elevation) <= halfBeam; };
+    shared += std::any_of(other.tilts.begin(), other.tilts.end(), isSame) ? tilt.echo : 0.0;
+  }
+  return composite.echo > 0.0 ? shared / composite.echo : 0.0;
+}
+
+// Whether two composites show nearly the same heights.
+bool AreAlike(const VolumeComposite& a, const VolumeComposite& b)
+{
+  return std::min(SharedEcho(a, b), SharedEcho(b, a)) >= leastShared;
+}
+
+Velocity Slowed(const Velocity& velocity, double part)
+{
+  return {part * velocity.east, part * velocity.north};
+}
+
+// What makes one pair of volumes worse than another, the weightiest first: how much its time base
+// is too short, its distance from the time of the merge, and how far its volumes are apart.
+using PairRank = std::tuple<double, Duration, double>;
+
+PairRank RankOf(double timeBase, Duration away)
+{
+  return {std::max(0.0, SecondsOf(ShortestMotionInterval) - timeBase), away, timeBase};
+}
+
 } // namespace
 
 MotionTracker::MotionTracker(const GridSpecification& theGrid, const BeamModel& theBeam)
@@ -119,6 +161,31 @@ MotionTracker::MotionTracker(const GridSpecification& theGrid, const BeamModel& 
 {
   options.finestPixel = finestPixel;
   options.spacing = spacing;
+}
+
+const VolumeComposite& MotionTracker::Picture::Composite() const
+{
+  return lowest ? volume->lowest : volume->composite;
+}
+
+bool MotionTracker::Picture::operator==(const Picture& other) const
+{
+  return volume == other.volume && lowest == other.lowest;
+}
+
+double MotionTracker::Pair::Seconds() const
+{
+  return after.Composite().echoTime - before.Composite().echoTime;
+}
+
+double MotionTracker::Pair::TimeBase() const
+{
+  return before.lowest ? 0.5 * this->Seconds() : this->Seconds();
+}
+
+bool MotionTracker::Pair::operator==(const Pair& other) const
+{
+  return before == other.before && after == other.after;
 }
 
 std::vector<MotionTracker::Pair> MotionTracker::FindPairs(const BeamVolumes& volumes, Time time)
@@ -148,26 +215,54 @@ std::optional<MotionTracker::Pair> MotionTracker::FindPair(BeamVolumes own, Time
   std::sort(own.begin(), own.end(),
     [](const Volume& a, const Volume& b)
     { return std::make_pair(MiddleOf(*a), a->start) < std::make_pair(MiddleOf(*b), b->start); });
-  std::optional<Pair> nearest;
-  Duration least = Duration::max();
-  for (std::size_t i = 1; i < own.size(); ++i)
+  std::optional<Pair> best;
+  PairRank least;
+  for (std::size_t i = 0; i < own.size(); ++i)
   {
-    const Pair pair = {own[i - 1], own[i]};
-    const double seconds = pair.after->composite.echoTime - pair.before->composite.echoTime;
-    if (seconds <= 0.0 || seconds > std::chrono::duration<double>(LongestMotionInterval).count())
+    for (std::size_t j = i + 1; j < own.size(); ++j)
     {
-      continue;
-    }
-    // At the middle of a volume the later pair's motion begins.
-    const Duration away =
-      std::max({MiddleOf(*pair.before) - time, time - MiddleOf(*pair.after), Duration::zero()});
-    if (away <= least)
-    {
-      nearest = pair;
-      least = away;
+      const std::optional<Pair> pair = Compare(own[i], own[j]);
+      if (!pair)
+      {
+        continue;
+      }
+      const Duration away =
+        std::max({MiddleOf(*own[i]) - time, time - MiddleOf(*own[j]), Duration::zero()});
+      const PairRank rank = RankOf(pair->TimeBase(), away);
+      if (!best || rank <= least)
+      {
+        best = pair;
+        least = rank;
+      }
     }
   }
-  return nearest;
+  return best;
+}
+
+// Empty where nothing can be compared, and where the time between is 0 or too long.
+std::optional<MotionTracker::Pair> MotionTracker::Compare(const Volume& before, const Volume& after)
+{
+  const bool alike = AreAlike(before->composite, after->composite);
+  const Pair pair = {{before, !alike}, {after, !alike}};
+  if (!alike && !AreAlike(before->lowest, after->lowest))
+  {
+    return std::nullopt;
+  }
+  const double seconds = pair.Seconds();
+  const bool near = seconds > 0.0 && seconds <= SecondsOf(LongestMotionInterval);
+  return near ? std::optional<Pair>(pair) : std::nullopt;
+}
+
+// How much of the motion that was found is kept, up to 1.
+double MotionTracker::TrustIn(const std::vector<Pair>& pairs)
+{
+  double squares = 0.0; // s²
+  for (const Pair& pair : pairs)
+  {
+    squares += pair.TimeBase() * pair.TimeBase();
+  }
+  const double enough = SecondsOf(ShortestMotionInterval);
+  return std::min(1.0, squares / (enough * enough));
 }
 
 const SiteGeometry& MotionTracker::GeometryOf(const Position& position)
@@ -187,17 +282,25 @@ const SiteGeometry& MotionTracker::GeometryOf(const Position& position)
 void MotionTracker::MakeImages(const BeamVolumes& volumes, const RangeLoop& loop)
 {
   std::vector<KeptPyramid> next;
-  std::vector<std::size_t> missing;
-  for (const Volume& volume : volumes)
+  for (KeptPyramid& each : kept)
   {
-    const auto same = [&volume](const KeptPyramid& each) { return each.volume == volume; };
-    const auto found = std::find_if(kept.begin(), kept.end(), same);
-    if (found == kept.end())
+    if (std::find(volumes.begin(), volumes.end(), each.picture.volume) != volumes.end())
     {
-      missing.push_back(next.size());
-      this->GeometryOf(*volume->site.position); // made here, before several threads ask
+      next.push_back(std::move(each));
     }
-    next.push_back({volume, found != kept.end() ? std::move(found->images) : MotionPyramid()});
+  }
+  const std::size_t known = next.size();
+  for (const Pair& pair : pairs)
+  {
+    for (const Picture& picture : {pair.before, pair.after})
+    {
+      const auto same = [&picture](const KeptPyramid& each) { return each.picture == picture; };
+      if (std::none_of(next.begin(), next.end(), same))
+      {
+        next.push_back({picture, MotionPyramid()});
+        this->GeometryOf(*picture.volume->site.position); // made before several threads ask
+      }
+    }
   }
   const std::array<double, 2> voxelsPerPixel = {
     pixels.spacing[0] / grid.spacing[0], pixels.spacing[1] / grid.spacing[1]};
@@ -205,44 +308,48 @@ void MotionTracker::MakeImages(const BeamVolumes& volumes, const RangeLoop& loop
   {
     for (int i = begin; i < end; ++i)
     {
-      KeptPyramid& to = next[missing[static_cast<std::size_t>(i)]];
-      const SiteGeometry& geometry = this->GeometryOf(*to.volume->site.position);
+      KeptPyramid& to = next[known + static_cast<std::size_t>(i)];
+      const SiteGeometry& geometry = this->GeometryOf(*to.picture.volume->site.position);
       to.images = MakePyramid(
-        MakeImage(to.volume->composite, geometry, voxelsPerPixel, beam.EffectiveRadius()), grid,
+        MakeImage(to.picture.Composite(), geometry, voxelsPerPixel, beam.EffectiveRadius()), grid,
         options.finestPixel);
     }
   };
-  RunLoop(loop, static_cast<int>(missing.size()), make);
+  RunLoop(loop, static_cast<int>(next.size() - known), make);
   kept = std::move(next);
 }
 
-const MotionPyramid& MotionTracker::ImagesOf(const Volume& volume) const
+const MotionPyramid& MotionTracker::ImagesOf(const Picture& picture) const
 {
-  const auto same = [&volume](const KeptPyramid& each) { return each.volume == volume; };
+  const auto same = [&picture](const KeptPyramid& each) { return each.picture == picture; };
   return std::find_if(kept.begin(), kept.end(), same)->images;
 }
 
 std::shared_ptr<const MotionField> MotionTracker::Find(
   const BeamVolumes& volumes, Time time, const RangeLoop& loop)
 {
-  const std::vector<Pair> wanted = FindPairs(volumes, time);
-  const auto same = [](const Pair& a, const Pair& b)
-  { return a.before == b.before && a.after == b.after; };
-  if (std::equal(wanted.begin(), wanted.end(), pairs.begin(), pairs.end(), same))
+  std::vector<Pair> wanted = FindPairs(volumes, time);
+  if (wanted == pairs)
   {
     return motion;
   }
+  pairs = std::move(wanted);
   this->MakeImages(volumes, loop);
   std::vector<MotionPair> images;
-  for (const Pair& pair : wanted)
+  for (const Pair& pair : pairs)
   {
-    images.push_back({&this->ImagesOf(pair.before), &this->ImagesOf(pair.after),
-      pair.after->composite.echoTime - pair.before->composite.echoTime});
+    images.push_back({&this->ImagesOf(pair.before), &this->ImagesOf(pair.after), pair.Seconds()});
   }
-  pairs = wanted;
-  motion = images.empty()
-             ? nullptr
-             : std::make_shared<const MotionField>(EstimateMotion(images, grid, options));
+  motion = nullptr;
+  if (!images.empty())
+  {
+    MotionField found = EstimateMotion(images, grid, options);
+    for (Velocity& velocity : found.velocities)
+    {
+      velocity = Slowed(velocity, TrustIn(pairs));
+    }
+    motion = std::make_shared<const MotionField>(std::move(found));
+  }
   return motion;
 }
 
@@ -257,14 +364,14 @@ std::optional<Velocity> MotionTracker::FindWithin(
   std::vector<AreaPair> images;
   for (const Pair& pair : pairs)
   {
-    const VolumeComposite& before = pair.before->composite;
-    const double seconds = pair.after->composite.echoTime - before.echoTime;
-    images.push_back({{&this->ImagesOf(pair.before), &this->ImagesOf(pair.after), seconds},
-      ToSeconds(time) - before.echoTime});
+    images.push_back({{&this->ImagesOf(pair.before), &this->ImagesOf(pair.after), pair.Seconds()},
+      ToSeconds(time) - pair.before.Composite().echoTime});
   }
   const double column = (0.5 * (area[0] + area[1]) - grid.origin[0]) / grid.spacing[0];
   const double row = (0.5 * (area[2] + area[3]) - grid.origin[1]) / grid.spacing[1];
-  return EstimateMotionWithin(area, images, grid, field->At(column, row), options);
+  const double trust = TrustIn(pairs);
+  const Velocity first = Slowed(field->At(column, row), 1.0 / trust);
+  return Slowed(EstimateMotionWithin(area, images, grid, first, options), trust);
 }
 
 } // namespace nexrad

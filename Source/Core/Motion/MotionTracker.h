@@ -14,10 +14,12 @@ namespace nexrad
 {
 
 /// Finds the motion of the echo for the merges of one run (Formulas A3a): at a time, the one motion
-/// that fits two volumes of each radar: of neighbours with echo, those between whose middles the
-/// time lies, else those whose middles are nearest to it. Each volume's images are made once, and
-/// kept as long as the volume takes part; where the volumes are those of the call before, so is the
-/// motion. What is found depends on the volumes and the time alone.
+/// that fits two volumes of each radar with echo: of those far enough apart in time the nearest to
+/// each other between whose middles the time lies, else those whose middles are nearest to it. Two
+/// volumes of which one lacks most of the tilts of the other are compared by their lowest tilts.
+/// Each volume's images are made once, and kept as long as the volume takes part; where the volumes
+/// are those of the call before, so is the motion. What is found depends on the volumes and the
+/// time alone.
 class MotionTracker
 {
 public:
@@ -37,14 +39,27 @@ public:
 
 private:
   using Volume = std::shared_ptr<const BeamVolume>;
+  // What is compared of a volume: the strongest echo of all its tilts, or of its lowest one.
+  struct Picture
+  {
+    Volume volume;
+    bool lowest = false;
+
+    const VolumeComposite& Composite() const;
+    bool operator==(const Picture& other) const;
+  };
   struct Pair
   {
-    Volume before;
-    Volume after;
+    Picture before;
+    Picture after;
+
+    double Seconds() const;  // between their echo
+    double TimeBase() const; // s, less where one tilt alone is compared
+    bool operator==(const Pair& other) const;
   };
   struct KeptPyramid
   {
-    Volume volume;
+    Picture picture;
     MotionPyramid images;
   };
   struct KeptGeometry
@@ -55,9 +70,11 @@ private:
 
   static std::vector<Pair> FindPairs(const BeamVolumes& volumes, Time time);
   static std::optional<Pair> FindPair(BeamVolumes own, Time time);
+  static std::optional<Pair> Compare(const Volume& before, const Volume& after);
+  static double TrustIn(const std::vector<Pair>& pairs);
   void MakeImages(const BeamVolumes& volumes, const RangeLoop& loop);
   const SiteGeometry& GeometryOf(const Position& position);
-  const MotionPyramid& ImagesOf(const Volume& volume) const;
+  const MotionPyramid& ImagesOf(const Picture& picture) const;
 
   const GridSpecification grid;
   const GridSpecification pixels; // the same box in pixels of the images

@@ -139,7 +139,7 @@ void SortVolumes(SiteSeries& series, std::vector<InputProblem>& problems)
 void AddTo(VolumeSummary& all, VolumeSummary&& one)
 {
   const double reach = std::max(all.reach, one.reach);
-  if (all.picture.empty())
+  if (all.composite.picture.empty())
   {
     all = std::move(one); // of reflectivity alone there is a picture
   }

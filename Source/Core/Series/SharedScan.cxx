@@ -25,25 +25,45 @@ constexpr char scanDone = 'd';
 constexpr char scanStopped = 's';
 constexpr char scanFailed = 'f';
 
+Json PackComposite(const PackedComposite& composite)
+{
+  std::vector<std::uint8_t> bytes(composite.picture.size() * sizeof(float));
+  std::memcpy(bytes.data(), composite.picture.data(), bytes.size());
+  Json tilts = Json::array();
+  for (const VolumeComposite::Tilt& tilt : composite.tilts)
+  {
+    tilts.push_back({tilt.elevation, tilt.echo});
+  }
+  return {{"rings", composite.rings}, {"echoTime", composite.echoTime}, {"echo", composite.echo},
+    {"tilts", std::move(tilts)}, {"picture", Json::binary(std::move(bytes))}};
+}
+
+PackedComposite UnpackComposite(const Json& packed)
+{
+  PackedComposite composite;
+  composite.rings = packed.at("rings");
+  composite.echoTime = packed.at("echoTime");
+  composite.echo = packed.at("echo");
+  for (const Json& tilt : packed.at("tilts"))
+  {
+    composite.tilts.push_back({tilt.at(0), tilt.at(1)});
+  }
+  const Json::binary_t& bytes = packed.at("picture").get_binary();
+  composite.picture.resize(bytes.size() / sizeof(float));
+  std::memcpy(composite.picture.data(), bytes.data(), composite.picture.size() * sizeof(float));
+  return composite;
+}
+
 Json PackSummary(const VolumeSummary& summary)
 {
-  std::vector<std::uint8_t> bytes(summary.picture.size() * sizeof(float));
-  std::memcpy(bytes.data(), summary.picture.data(), bytes.size());
-  return {{"reach", summary.reach}, {"rings", summary.rings}, {"echoTime", summary.echoTime},
-    {"echo", summary.echo}, {"picture", Json::binary(std::move(bytes))}};
+  return {{"reach", summary.reach}, {"composite", PackComposite(summary.composite)},
+    {"lowest", PackComposite(summary.lowest)}};
 }
 
 VolumeSummary UnpackSummary(const Json& packed)
 {
-  VolumeSummary summary;
-  summary.reach = packed.at("reach");
-  summary.rings = packed.at("rings");
-  summary.echoTime = packed.at("echoTime");
-  summary.echo = packed.at("echo");
-  const Json::binary_t& bytes = packed.at("picture").get_binary();
-  summary.picture.resize(bytes.size() / sizeof(float));
-  std::memcpy(summary.picture.data(), bytes.data(), summary.picture.size() * sizeof(float));
-  return summary;
+  return {packed.at("reach"), UnpackComposite(packed.at("composite")),
+    UnpackComposite(packed.at("lowest"))};
 }
 
 Json PackVolume(const Site& site, const SeriesVolume& volume)

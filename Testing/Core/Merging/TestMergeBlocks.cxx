@@ -218,6 +218,26 @@ TEST(MergeBlocks, ABlockMustLieInTheGrid)
   }
 }
 
+void ExpectSame(const VolumeComposite& found, const VolumeComposite& expected)
+{
+  ASSERT_EQ(found.cells.size(), expected.cells.size());
+  EXPECT_EQ(found.rings, expected.rings);
+  EXPECT_EQ(found.values, expected.values);
+  EXPECT_EQ(found.echo, expected.echo);
+  EXPECT_EQ(found.echoTime, expected.echoTime);
+  for (std::size_t i = 0; i < found.cells.size(); ++i)
+  {
+    const auto none = VolumeComposite::Cell::NotScanned;
+    ASSERT_EQ(found.cells[i] == none, expected.cells[i] == none);
+  }
+  ASSERT_EQ(found.tilts.size(), expected.tilts.size());
+  for (std::size_t i = 0; i < found.tilts.size(); ++i)
+  {
+    EXPECT_EQ(found.tilts[i].elevation, expected.tilts[i].elevation);
+    EXPECT_EQ(found.tilts[i].echo, expected.tilts[i].echo);
+  }
+}
+
 TEST(MergeBlocks, ASummaryKeepsWhatTheSearchForMotionLooksAt)
 {
   for (const PolarVolume& volume : ThreeRadars())
@@ -225,20 +245,11 @@ TEST(MergeBlocks, ASummaryKeepsWhatTheSearchForMotionLooksAt)
     const VolumeSummary summary = MakeSummary(volume);
     EXPECT_EQ(summary.reach, 141'000.0);
     EXPECT_AT_MOST(summary.MemoryBytes(), 19'000u, "memory of a summary, bytes");
-    const VolumeComposite expected = PrepareBeamVolume(volume).composite;
-    const VolumeComposite found = CompositeOf(summary);
-    ASSERT_EQ(found.cells.size(), expected.cells.size());
-    EXPECT_EQ(found.rings, expected.rings);
-    EXPECT_EQ(found.values, expected.values);
-    EXPECT_EQ(found.echo, expected.echo);
-    EXPECT_EQ(found.echoTime, expected.echoTime);
-    for (std::size_t i = 0; i < found.cells.size(); ++i)
-    {
-      const auto none = VolumeComposite::Cell::NotScanned;
-      ASSERT_EQ(found.cells[i] == none, expected.cells[i] == none);
-    }
+    const BeamVolume expected = PrepareBeamVolume(volume);
+    ExpectSame(CompositeOf(summary.composite), expected.composite);
+    ExpectSame(CompositeOf(summary.lowest), expected.lowest);
   }
-  VolumeSummary torn = MakeSummary(ThreeRadars().front());
+  PackedComposite torn = MakeSummary(ThreeRadars().front()).composite;
   torn.rings -= 1;
   EXPECT_THROW(CompositeOf(torn), Error);
   torn.rings += 2;
