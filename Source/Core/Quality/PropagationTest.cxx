@@ -19,6 +19,7 @@ namespace
 constexpr double highestTilt = 1.0;    // degrees: above, the air hardly bends a beam to earth
 constexpr float weakestEcho = 5.0F;    // dBZ of the gates of a region
 constexpr double about = 1000.0;       // m along the ray: the tilt above has echo near to a gate
+constexpr std::size_t widestGap = 3;   // km along the ray, within a region
 constexpr float steepest = 0.012F;     // dB a metre of height by which weather becomes weaker
 constexpr float poorest = -4.0F;       // dBZ at 50 km that the poorest of 38 real files has
 constexpr float overNoise = 5.0F;      // dB over the weakest echo of the sweep
@@ -143,8 +144,8 @@ private:
     return isConfirmed ? Confirmed : Alone;
   }
 
-  // Gates that are alone, and the gaps of one ray and of 1 km along the ray between such gates:
-  // propagation comes in patches.
+  // Gates that are alone, and the gaps of two rays and of widestGap between such gates: propagation
+  // comes in patches.
   std::vector<std::uint8_t> Members() const
   {
     std::vector<std::uint8_t> along(marks.size(), 0);
@@ -155,7 +156,7 @@ private:
       std::size_t reach = 0; // gates that a gate before still makes members
       for (std::size_t gate = 0; gate < sweep.judged; ++gate)
       {
-        reach = marks[first + gate] == Alone ? step + 1 : reach;
+        reach = marks[first + gate] == Alone ? widestGap * step + 1 : reach;
         along[first + gate] = reach > 0 && marks[first + gate] != Confirmed ? 1 : 0;
         reach -= reach > 0 ? 1 : 0;
       }
@@ -163,7 +164,7 @@ private:
     for (std::size_t place = 0; place < grid.Rays(); ++place)
     {
       const std::size_t first = sweep.Index(place, 0);
-      for (const int beside : {0, 1})
+      for (const int beside : {0, 1, 2})
       {
         const std::size_t other = grid.Beside(place, beside);
         for (std::size_t gate = 0; other < grid.Rays() && gate < sweep.judged; ++gate)
