@@ -11,6 +11,7 @@
 #include <cctype>
 
 #include <filesystem>
+#include <iostream>
 #include <string>
 
 using namespace nexrad;
@@ -63,6 +64,7 @@ TEST_P(EveryPosition, GivesTheSameRays)
     other = Decompress(other);
   }
   const RadarVolume clean = DecodeLevel2(file.Whole(), spoilt.name);
+  std::size_t changedFiles = 0;
   for (std::size_t place = 0; place < file.parts.size(); ++place)
   {
     const Bytes& foreignPart = other.parts[place % other.parts.size()];
@@ -70,8 +72,10 @@ TEST_P(EveryPosition, GivesTheSameRays)
     {
       const RadarVolume volume = DecodeLevel2(changed.bytes, spoilt.name);
       EXPECT_EQ(DifferenceOf(volume, clean), "") << changed.what;
+      ++changedFiles;
     }
   }
+  std::cout << spoilt.name << ": " << changedFiles << " changed files\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(RealFiles, EveryPosition, ::testing::ValuesIn(files),

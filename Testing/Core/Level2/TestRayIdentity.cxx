@@ -252,6 +252,21 @@ TEST(RayIdentity, RaysOfAnotherYearAreOneLineOfDamage)
   }
 }
 
+TEST(RayIdentity, TheHeadersTimeDecidesAgainstMoreRaysOfAnotherYear)
+{
+  std::vector<RayPlan> plans = PlanVolume(2);
+  std::vector<RayPlan> others = PlanVolume(4, 30'000'000);
+  for (RayPlan& plan : others)
+  {
+    plan.day -= 700;
+  }
+  plans.insert(plans.begin() + 20, others.begin(), others.end());
+  const RadarVolume volume = Decode(plans);
+  EXPECT_EQ(volume.RayCount(), 24U);
+  EXPECT_EQ(volume.sweeps.size(), 2U);
+  EXPECT_TRUE(Has(DamageOf(volume), "48 rays of 2003")) << DamageOf(volume);
+}
+
 TEST(RayIdentity, ADateThatStaysAtMidnightGoesOn)
 {
   // Cut 2 is behind midnight.

@@ -97,15 +97,22 @@ std::vector<TimeGroup> GroupTimes(const RayList& rays)
   return groups;
 }
 
-TimeGroup FindLargest(const std::vector<TimeGroup>& groups, std::optional<Time> headerTime)
+// The group that is right: of the header's time, when it has a tenth of the rays, or of most rays.
+TimeGroup FindLargest(
+  const std::vector<TimeGroup>& groups, std::size_t rays, std::optional<Time> headerTime)
 {
-  const auto isSmaller = [&headerTime](const TimeGroup& a, const TimeGroup& b)
+  constexpr std::size_t share = 10;
+  const auto distance = [&headerTime](const TimeGroup& group)
+  { return headerTime ? std::chrono::abs(group.middle - *headerTime) : Duration(0); };
+  const auto isOfHeader = [&](const TimeGroup& group)
+  { return headerTime && distance(group) <= widestGap && group.rays * share >= rays; };
+  const auto isSmaller = [&](const TimeGroup& a, const TimeGroup& b)
   {
-    if (a.rays != b.rays || !headerTime)
+    if (isOfHeader(a) != isOfHeader(b))
     {
-      return a.rays < b.rays;
+      return isOfHeader(b);
     }
-    return std::chrono::abs(a.middle - *headerTime) > std::chrono::abs(b.middle - *headerTime);
+    return a.rays != b.rays ? a.rays < b.rays : distance(a) > distance(b);
   };
   return *std::max_element(groups.begin(), groups.end(), isSmaller);
 }
@@ -162,7 +169,7 @@ public:
     , isRight(theRays.size())
   {
     const std::vector<TimeGroup> groups = GroupTimes(rays);
-    const TimeGroup largest = FindLargest(groups, headerTime);
+    const TimeGroup largest = FindLargest(groups, rays.size(), headerTime);
     std::size_t examined = 0;
     for (const TimeGroup& group : groups)
     {

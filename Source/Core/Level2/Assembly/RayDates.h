@@ -15,7 +15,8 @@ namespace nexrad
 ///
 /// - A date that does not go on at midnight goes on: a note.
 /// - Times that lie within an hour of each other form a group. The group of most rays is right (of
-///   two alike the one nearest to the header's time). Another group is right when it is a volume of
+///   two alike the one nearest to the header's time); one within an hour of the header's time goes
+///   before it when it has a tenth of the rays. Another group is right when it is a volume of
 ///   its own: it is before or behind the first one in the file as in time, and within a day of it;
 ///   and it has thirty rays or more and the start of a volume, or 300 rays.
 /// - Other rays that belong between right ones of the file by cut and number are of the file: they
