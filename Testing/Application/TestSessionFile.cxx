@@ -98,9 +98,9 @@ TEST(SessionFile, WhatIsWrongIsOneLineWithFileAndKey)
     {SessionWith(R"("inputs": ["x"], "options": {"names": false})"), "options: --names"},
     {SessionWith(R"("inputs": ["x"], "options": {"help": true})"), "options: --help"},
     {SessionWith(R"("inputs": ["x"], "options": {"hue": "1"})"), "options: --hue"},
-    {SessionWith(R"("inputs": ["x"], "options": {"h\nue": "1"})"), "options: --h ue"},
+    {SessionWith(R"("inputs": ["x"], "options": {"h\nue": "1"})"), "options: --h\\x0aue"},
     {SessionWith(R"("inputs": ["x"], "options": {"size": "a\r\nb"})"), "options: --size"},
-    {SessionWith(R"("inputs": ["x"], "c\nd": 1)"), "c d: there is no such key"},
+    {SessionWith(R"("inputs": ["x"], "c\nd": 1)"), "c\\x0ad: there is no such key"},
     {SessionWith(R"("inputs": ["x"], ")" + std::string(10'000, 'k') + R"(": 1)"), "kkkk"}};
   for (const auto& [text, words] : cases)
   {
