@@ -99,7 +99,8 @@ FileParts CutFile(const std::filesystem::path& path, std::size_t messages)
 FileParts CutFile(Bytes stored, std::size_t messages)
 {
   std::vector<Damage> ignored;
-  const Bytes plain = OpenContainer(std::move(stored), std::size_t(1) << 30, ignored).bytes;
+  DecodingBudget budget(std::size_t(1) << 30, std::size_t(1) << 30);
+  const Bytes plain = OpenContainer(std::move(stored), budget, ignored).bytes;
   std::vector<std::size_t> bounds = BoundsOfRecords(plain);
   bounds = bounds.empty() ? BoundsOfMessages(plain, messages) : bounds;
   FileParts file;

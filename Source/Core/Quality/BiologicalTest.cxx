@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <optional>
 
 namespace nexrad
 {
@@ -62,66 +61,75 @@ public:
       {
         --above;
       }
-      gates.push_back(above == upward.end() ? Gate() : Gate{*above, (*above)->GateAt(range)});
+      this->AddGate(gate, above == upward.end() ? nullptr : *above);
     }
   }
 
   std::size_t Count() const { return gates.size(); }
 
-  // From here on At means the gates of this row.
-  void Seek(std::size_t thePlace)
+  // Reads dBZ above the gates of a range of a row; NoNumber where there is no echo.
+  void Read(std::size_t place, const GateRange& range, std::vector<float>& values) const
   {
-    place = thePlace;
-    rowOf = nullptr;
+    values.resize(range.IsEmpty() ? 0 : range.end - range.begin);
+    for (const Part& part : parts)
+    {
+      const std::size_t begin = std::max(range.begin, part.gates.begin);
+      const std::size_t end = std::min(range.end, part.gates.end);
+      const std::size_t beyond =
+        begin < end && part.grid ? part.grid->PlaceAt(grid.AzimuthAt(place)) : 0;
+      const float* row = part.grid && beyond < part.grid->Rays() ? part.grid->Row(beyond) : nullptr;
+      for (std::size_t gate = begin; gate < end; ++gate)
+      {
+        values[gate - range.begin] = row == nullptr           ? NoBeam
+                                     : gates[gate] == outside ? NoNumber
+                                                              : row[gates[gate]];
+      }
+    }
   }
 
-  // dBZ; NoNumber where there is no echo, empty where no beam is.
-  std::optional<float> At(std::size_t gate)
-  {
-    const auto [above, at] = gates[gate];
-    if (above == nullptr)
-    {
-      return std::nullopt;
-    }
-    if (above != rowOf)
-    {
-      const std::size_t beyond = above->PlaceAt(grid.AzimuthAt(place));
-      row = beyond < above->Rays() ? above->Row(beyond) : nullptr;
-      rowOf = above;
-    }
-    const bool inside = at >= 0 && at < static_cast<std::ptrdiff_t>(above->Gates());
-    return row == nullptr ? std::nullopt : std::optional(inside ? row[at] : NoNumber);
-  }
+  static constexpr float NoBeam = -NoNumber; // above any echo: no beam is there
 
 private:
-  struct Gate
+  static constexpr std::size_t outside = static_cast<std::size_t>(-1);
+
+  // Gates below one tilt; nullptr where there is none.
+  struct Part
   {
-    const EchoGrid* grid = nullptr; // nullptr where no beam is
-    std::ptrdiff_t gate = 0;
+    const EchoGrid* grid;
+    GateRange gates;
   };
 
+  void AddGate(std::size_t gate, const EchoGrid* above)
+  {
+    if (parts.empty() || parts.back().grid != above)
+    {
+      parts.push_back({above, {gate, gate}});
+    }
+    parts.back().gates.end = gate + 1;
+    const std::ptrdiff_t at = above ? above->GateAt(grid.RangeOf(gate)) : -1;
+    const bool inside = at >= 0 && at < static_cast<std::ptrdiff_t>(above ? above->Gates() : 0);
+    gates.push_back(inside ? static_cast<std::size_t>(at) : outside);
+  }
+
   const EchoGrid& grid;
-  std::vector<Gate> gates;
-  std::size_t place = 0;
-  const EchoGrid* rowOf = nullptr; // the grid of `row`
-  const float* row = nullptr;
+  std::vector<std::size_t> gates; // of the tilt above, for each gate
+  std::vector<Part> parts;
 };
 
-// Whether each gate of a row may be clear-air echo.
-void MarkRow(
-  const SweepJudgement& sweep, EchoAbove& above, std::size_t place, std::uint8_t* members)
+// Whether each gate of a row may be clear-air echo. `over` is room that is used.
+void MarkRow(const SweepJudgement& sweep, const EchoAbove& above, std::size_t place,
+  std::vector<float>& over, std::uint8_t* members)
 {
-  const float* row = sweep.grid->Row(place);
-  const std::size_t end = std::min(above.Count(), sweep.grid->Held(place).end);
-  above.Seek(place);
-  for (std::size_t gate = 0; gate < end; ++gate)
+  const GateRange held = sweep.grid->Held(place);
+  const GateRange range = {held.begin, std::min(above.Count(), held.end)};
+  above.Read(place, range, over);
+  const float* row = sweep.grid->Row(place) + range.begin;
+  const EchoReason* reasons = sweep.reasons.data() + sweep.Index(place, range.begin);
+  for (std::size_t i = 0; i < over.size(); ++i)
   {
-    if (IsNumber(row[gate]) && row[gate] < strongest &&
-        sweep.reasons[sweep.Index(place, gate)] == EchoReason::Plain)
-    {
-      const std::optional<float> over = above.At(gate);
-      members[gate] = over && !IsNumber(*over) ? 1 : 0;
-    }
+    const bool weak = IsNumber(row[i]) && row[i] < strongest;
+    const bool free = !IsNumber(over[i]);
+    members[range.begin + i] = weak && free && reasons[i] == EchoReason::Plain ? 1 : 0;
   }
 }
 
@@ -135,18 +143,19 @@ struct FlightRegion
   bool IsFlight() const { return 10 * sure >= sureOfTen * gates && fewestUnder * under < gates; }
 };
 
-// Counts the gates of a run, and marks those under echo.
-void AddRun(SweepJudgement& sweep, EchoAbove& above, const GateRun& run, FlightRegion& region)
+// Counts the gates of a run, and marks those under echo. `over` is room that is used.
+void AddRun(SweepJudgement& sweep, const EchoAbove& above, const GateRun& run,
+  std::vector<float>& over, FlightRegion& region)
 {
-  std::uint8_t* signs = sweep.flights.data() + sweep.Index(run.place, 0);
-  above.Seek(run.place);
-  for (std::size_t gate = run.begin; gate < run.end; ++gate)
+  std::uint8_t* signs = sweep.flights.data() + sweep.Index(run.place, run.begin);
+  above.Read(run.place, {run.begin, run.end}, over);
+  for (std::size_t i = 0; i < over.size(); ++i)
   {
     ++region.gates;
-    region.sure += signs[gate] == FlightSign::Sure ? 1 : 0;
-    if (above.At(gate).value_or(NoNumber) >= echoAloft)
+    region.sure += signs[i] == FlightSign::Sure ? 1 : 0;
+    if (over[i] >= echoAloft && over[i] < EchoAbove::NoBeam)
     {
-      signs[gate] = FlightSign::UnderEcho;
+      signs[i] = FlightSign::UnderEcho;
       ++region.under;
     }
   }
@@ -157,11 +166,12 @@ void AddRun(SweepJudgement& sweep, EchoAbove& above, const GateRun& run, FlightR
 void FindFlight(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep)
 {
   const GateRegions regions(*sweep.grid, sweep.flights);
-  EchoAbove above(sweeps, *sweep.grid, sweep.judged, aboveFlight);
+  const EchoAbove above(sweeps, *sweep.grid, sweep.judged, aboveFlight);
+  std::vector<float> over;
   std::vector<FlightRegion> all(regions.Count());
   for (const GateRun& run : regions.Runs())
   {
-    AddRun(sweep, above, run, all[run.region]);
+    AddRun(sweep, above, run, over, all[run.region]);
   }
   for (const GateRun& run : regions.Runs())
   {
@@ -178,11 +188,12 @@ void FindFlight(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep
 void FindClearAir(const std::vector<SweepJudgement>& sweeps, SweepJudgement& sweep)
 {
   const EchoGrid& grid = *sweep.grid;
-  EchoAbove above(sweeps, grid, sweep.judged, freeHeight);
+  const EchoAbove above(sweeps, grid, sweep.judged, freeHeight);
+  std::vector<float> over;
   std::vector<std::uint8_t> members(sweep.reasons.size(), 0);
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
-    MarkRow(sweep, above, place, members.data() + sweep.Index(place, 0));
+    MarkRow(sweep, above, place, over, members.data() + sweep.Index(place, 0));
   }
   const GateRegions regions(grid, members);
   std::vector<ClearAirRegion> all(regions.Count());

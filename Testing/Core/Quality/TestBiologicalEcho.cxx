@@ -144,7 +144,8 @@ TEST(BiologicalEcho, DeepEchoOfALowCorrelationIsWeather)
     const EchoScene scene(
       [reflectivity](std::size_t tilt, std::size_t ray, std::size_t gate)
       {
-        return IsPatch(ray, gate)
+        return IsWeakest(ray, gate) ? Make(-30.0F, birds, tilt, ray, gate)
+               : IsPatch(ray, gate)
                  ? Make(reflectivity, {0.5F, 0.2F, 2.0F, 2.0F, 30.0F}, tilt, ray, gate)
                  : SceneGate();
       });
@@ -159,7 +160,8 @@ TEST(BiologicalEcho, ShallowEchoOfALowCorrelationIsBiological)
   const EchoScene scene(
     [](std::size_t tilt, std::size_t ray, std::size_t gate)
     {
-      return tilt < 2 && IsPatch(ray, gate)
+      return IsWeakest(ray, gate) ? Make(-30.0F, birds, tilt, ray, gate)
+             : tilt < 2 && IsPatch(ray, gate)
                ? Make(18.0F, {0.5F, 0.2F, 2.0F, 2.0F, 30.0F}, tilt, ray, gate)
                : SceneGate();
     });

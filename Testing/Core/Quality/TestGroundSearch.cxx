@@ -23,10 +23,11 @@ namespace
 template <typename Judge>
 std::vector<SweepJudgement> FindGroundIn(const MeasuredMoments& moments, const Judge& judge)
 {
-  const std::vector<SweepSources> sources = FindSources(moments);
+  std::vector<SweepSources> sources = FindSources(moments);
   std::vector<SweepJudgement> sweeps(sources.size());
   for (std::size_t i = 0; i < sweeps.size(); ++i)
   {
+    sources[i].surveillance.reset(); // so that Doppler halves are judged, too
     sweeps[i].Set(moments.reflectivity.sweeps[i], sources[i]);
   }
   for (std::size_t i = 0; i < sweeps.size(); ++i)
