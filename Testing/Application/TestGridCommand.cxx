@@ -284,7 +284,8 @@ TEST(GridCommand, NoRayAtAllIsAFailureThatSaysWhy)
   const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "damaged" / "KJKL_20240227_102059",
     "-o", folder.Path() / "v", "--dims", "16x16x8"});
   EXPECT_EQ(run.status, 1) << run.errors;
-  EXPECT_NE(run.errors.find("KJKL_20240227_102059: metadata alone"), std::string::npos) << run.errors;
+  EXPECT_NE(run.errors.find("KJKL_20240227_102059: metadata alone"), std::string::npos)
+    << run.errors;
   EXPECT_FALSE(fs::exists(folder.Path() / "v"));
 }
 

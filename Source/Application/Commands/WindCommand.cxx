@@ -79,7 +79,7 @@ int RunWind(const WindOptions& options)
     anyDamage = anyDamage || !volume.damage.empty();
     if (HoldsMetadataAlone(volume))
     {
-      std::cerr << file << ": metadata alone, no ray: passed over\n";
+      PrintMessage(file + ": metadata alone, no ray: passed over");
       continue;
     }
     for (const RadarVolume& cycle : SplitCycles(volume))

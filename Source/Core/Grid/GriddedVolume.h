@@ -92,7 +92,7 @@ struct GriddedVolume
   /// Of one of several radars alone, on the grid of all. What is made of it (images, NetCDF files)
   /// has the radar's view of the grid (RadarView).
   bool ofOneRadar = false;
-  bool sharpened = false;    ///< REF was deconvolved in elevation (Formulas G9); maps must say so
+  bool sharpened = false; ///< REF was deconvolved in elevation (Formulas G9); maps must say so
   bool synthetic = false; ///< made from simulated files; pictures must say so
   /// Of the gates of reflectivity that were merged, the part that quality control calls biological,
   /// 0…1; 0 where it is off.

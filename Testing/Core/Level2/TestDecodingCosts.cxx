@@ -124,8 +124,13 @@ TEST(DecodingCosts, LeaveWhatIsReadFirst)
 // A budget of the caller's, as with a limit of memory.
 TEST(DecodingCosts, AreLessWhereTheFreeBytesAreFewer)
 {
-  const Bytes rays = Repeat(MakeSweepBytes(31, RayPlan(), 360, 2), 40);
-  const Bytes stored = Gzip(Join({MakeVolumeHeader(), rays}));
+  RayPlan first;
+  std::vector<Bytes> parts = {MakeVolumeHeader()};
+  for (first.status = 0; parts.size() <= 40; first.milliseconds += 20'000)
+  {
+    parts.push_back(MakeSweepBytes(31, first, 360, 2));
+  }
+  const Bytes stored = Gzip(Join(parts));
   Level2Options options;
   options.freeBytes = 0;
   const RadarVolume decoded = DecodeAll(stored, options);
