@@ -220,8 +220,8 @@ private:
       ++region.gates;
       region.telling += row[gate] >= needed[gate] ? 1 : 0;
       region.strong += row[gate] >= strongEcho ? 1 : 0;
-      region.doubted +=
-        sweep.flights[index] != FlightSign::None || sweep.signs[index] != GroundSign::None ? 1 : 0;
+      const bool flies = !sweep.flights.empty() && sweep.flights[index] != FlightSign::None;
+      region.doubted += flies || sweep.signs[index] != GroundSign::None ? 1 : 0;
       if (gate >= step && IsNumber(row[gate - step]))
       {
         const auto difference = static_cast<double>(row[gate] - row[gate - step]);
