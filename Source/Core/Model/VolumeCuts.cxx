@@ -79,6 +79,11 @@ std::string DescribeRepeated(const VolumeCuts& cuts)
 std::vector<std::string> DescribeCuts(const VolumeCuts& cuts)
 {
   std::vector<std::string> lines;
+  if (cuts.excerpt)
+  {
+    lines.push_back("an excerpt of a volume: without " + CutsText(cuts.missing) +
+                    (cuts.expected ? " of " + std::to_string(*cuts.expected) : ""));
+  }
   if (!cuts.repeated.empty() && cuts.pattern)
   {
     lines.push_back(DescribeRepeated(cuts));

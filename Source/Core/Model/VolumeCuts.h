@@ -33,7 +33,9 @@ struct VolumeCuts
   std::optional<CoveragePattern> pattern; ///< message 5 of that pattern
   std::optional<int> expected; ///< how many cuts the pattern has; of message 5, or where that is
                                ///< absent and rays are of message 1, of the published patterns
-  std::vector<int> missing;    ///< lost
+  std::vector<int> missing;    ///< lost, or left out of an excerpt
+  bool excerpt = false; ///< the end is there, and fewer than half of the cuts before it: somebody
+                        ///< chose them, and the others are not lost
   std::vector<int> notScanned; ///< left by the radar, which ended the volume before them
   std::vector<int> repeated;   ///< scanned, at an elevation below former ones: SAILS and MRLE
   VolumeEnd end = VolumeEnd::Missing;
@@ -42,8 +44,8 @@ struct VolumeCuts
 /// "cut 5", "cuts 5 and 6", "cuts 3 to 9", "cuts 3, 5 and 7 to 9" for ascending numbers.
 std::string CutsText(const std::vector<int>& numbers);
 
-/// What the radar itself did with its pattern, a line each: cuts that it scanned again, and cuts
-/// that it left out.
+/// What became of the pattern without loss, a line each: cuts that the radar scanned again, cuts
+/// that it left out, and those that an excerpt is without.
 std::vector<std::string> DescribeCuts(const VolumeCuts& cuts);
 
 } // namespace nexrad

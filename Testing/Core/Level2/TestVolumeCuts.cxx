@@ -114,6 +114,20 @@ TEST(VolumeCuts, AMissingInteriorCutIsDamage)
     "cut 1 is missing: the first elevation number is 2\n");
 }
 
+// People hand out single tilts of a volume; a loss takes some cuts, not most of them.
+TEST(VolumeCuts, AFewCutsWithTheEndAreAnExcerpt)
+{
+  const RadarVolume volume = FileOfCuts().Pattern(35, fiveAngles).Cut(2, 3).Cut(5, 0, 4).Decode();
+  EXPECT_EQ(DamageOf(volume), "");
+  EXPECT_FALSE(volume.complete);
+  EXPECT_TRUE(volume.cuts[0].excerpt);
+  EXPECT_EQ(volume.cuts[0].missing, (std::vector<int>{1, 3, 4}));
+  EXPECT_EQ(
+    DescribeCuts(volume.cuts[0]).front(), "an excerpt of a volume: without cuts 1, 3 and 4 of 5");
+  EXPECT_NE(DamageOf(FileOfCuts().Pattern(35, fiveAngles).Cut(2, 3).Cut(5).Decode()), "")
+    << "without its end it may be what a loss left";
+}
+
 TEST(VolumeCuts, AVolumeThatTheRadarEndsEarlyIsNoDamage)
 {
   const RadarVolume volume =

@@ -75,9 +75,23 @@ private:
     return cuts.expected ? " of " + std::to_string(*cuts.expected) : std::string();
   }
 
+  // A volume with its end and fewer than half of its cuts: losses take some cuts, not most.
+  bool IsExcerpt() const
+  {
+    int scanned = 0;
+    int before = 0;
+    for (std::size_t i = 0; i < cycle.Size(); ++i)
+    {
+      scanned += NumberOf(cycle[i]) != before ? 1 : 0;
+      before = NumberOf(cycle[i]);
+    }
+    return 2 * scanned < before && cycle.Last().rays.back()->ray.radialStatus == endOfVolume;
+  }
+
   // Cuts that the numbers of the sweeps leave out.
   void CheckNumbers()
   {
+    cuts.excerpt = this->IsExcerpt();
     int before = 0;
     for (std::size_t i = 0; i < cycle.Size(); ++i)
     {
@@ -86,11 +100,7 @@ private:
       if (!lost.empty())
       {
         Append(lost, cuts.missing);
-        report(*cycle[i].rays.front(),
-          this->Missing(lost) + ": " +
-            (before == 0 ? "the first elevation number is " + std::to_string(number)
-                         : "the elevation numbers go from " + std::to_string(before) + " to " +
-                             std::to_string(number)));
+        this->ReportLost(lost, before, *cycle[i].rays.front());
       }
       before = number;
     }
@@ -98,6 +108,18 @@ private:
     {
       cuts.expected.reset(); // another pattern
       cuts.pattern.reset();
+    }
+  }
+
+  void ReportLost(const std::vector<int>& lost, int before, const ArrivedRay& next) const
+  {
+    if (!cuts.excerpt)
+    {
+      const int number = next.ray.elevationNumber;
+      report(next, this->Missing(lost) + ": " +
+                     (before == 0 ? "the first elevation number is " + std::to_string(number)
+                                  : "the elevation numbers go from " + std::to_string(before) +
+                                      " to " + std::to_string(number)));
     }
   }
 
