@@ -195,7 +195,8 @@ TEST(PlanView, EchoTopsAndLiquidAreOfWholeColumns)
   plan.level = PlanLevel::LiquidDensity;
   const PlanView density = MakePlanView(SourceOf(FiveColumns()), plan);
   EXPECT_EQ(density.states, tops.states);
-  EXPECT_NEAR(static_cast<double>(density.values[0]), 1.32695, 0.0003); // through 2000 m
+  // Through 2000 m, less the 185 m of the ground at the nearest radar.
+  EXPECT_NEAR(static_cast<double>(density.values[0]), 1.46220, 0.0003);
   EXPECT_EQ(ScaleFor(density, plan, {}, {}).unit, "g/m³");
   EXPECT_EQ(ScaleFor(density, plan, {}, {}).title, "VIL density, echo top at 40 dBZ");
   EXPECT_NE(density.where.find("40 dBZ above the ground at the nearest radar"), std::string::npos)
