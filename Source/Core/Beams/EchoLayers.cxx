@@ -23,7 +23,8 @@ constexpr std::size_t rings = EchoLayers::Rings;
 constexpr std::size_t ringsOfMeans = TiltMeans::Rings / rings;
 constexpr double ringWidth = static_cast<double>(ringsOfMeans) * TiltMeans::RingWidth; // m
 constexpr std::size_t ringsPerShare = rings / LayerShares::Rings;
-constexpr std::size_t knots = std::tuple_size_v<EchoLayers::Changes>;
+constexpr std::size_t knots = std::tuple_size_v<decltype(EchoLayers::Changes::atKnots)>;
+constexpr std::size_t codesOfCell = knots + 1; // of the changes, and of the most
 
 // One sweep of each tilt, the one with the most gates, ascending.
 std::vector<const BeamSweep*> OneOfEachTilt(const std::vector<BeamSweep>& sweeps)
@@ -82,6 +83,11 @@ LevelPlaces FindPlaces(
   return places;
 }
 
+std::int8_t CodeOf(float number)
+{
+  return static_cast<std::int8_t>(std::clamp(number, -127.0F, 127.0F));
+}
+
 // Works out the changes in one gap.
 class GapWork
 {
@@ -102,7 +108,7 @@ public:
     return static_cast<double>(knot + 1) / static_cast<double>(knots + 1);
   }
 
-  // Writes the changes of one cell; false when there are none.
+  // Writes the codes of one cell; false when nothing is changed there.
   bool Change(std::size_t sector, std::size_t ring, float share, std::int8_t* to)
   {
     this->PlaceRing(ring);
@@ -133,6 +139,7 @@ public:
     }
     const TiltInterpolation upwards(column, edges[gap]);
     bool any = false;
+    float most = 0.0F;
     for (std::size_t knot = 0; knot < knots; ++knot)
     {
       const LevelPlaces& at = places[ring * knots + knot];
@@ -141,11 +148,12 @@ public:
       const float straight = upwards.At(static_cast<float>(ShareOf(knot)));
       const float change = share * at.part * (level - straight);
       const bool known = at.part > 0.0F && !std::isnan(change);
-      to[knot] = known ? static_cast<std::int8_t>(
-                           std::clamp(std::round(change / EchoLayers::Precision), -127.0F, 127.0F))
-                       : std::int8_t(0);
+      to[knot] = known ? CodeOf(std::round(change / EchoLayers::Precision)) : std::int8_t(0);
       any = any || to[knot] != 0;
+      most = std::fmax(most, known ? level : 0.0F);
     }
+    constexpr float gatesVary = 1.0F; // dB, about the means of the cells
+    to[knots] = CodeOf(std::ceil(most + gatesVary));
     return any;
   }
 
@@ -266,14 +274,15 @@ EchoLayers::EchoLayers(
       for (std::size_t ring = 0; ring < rings; ++ring)
       {
         const float share = row[ring / ringsPerShare];
-        std::array<std::int8_t, knots> changes{};
+        std::array<std::int8_t, codesOfCell> changes{};
         if (share >= least && work.Change(sector, ring, share, changes.data()))
         {
-          gap.changes.resize(sectors * rings * knots);
+          gap.changes.resize(sectors * rings * codesOfCell);
           changed.resize(sectors * rings);
           changed[sector * rings + ring] |= std::uint32_t(1) << i;
           std::copy(changes.begin(), changes.end(),
-            gap.changes.begin() + static_cast<std::ptrdiff_t>((sector * rings + ring) * knots));
+            gap.changes.begin() +
+              static_cast<std::ptrdiff_t>((sector * rings + ring) * codesOfCell));
         }
       }
     }
@@ -300,8 +309,8 @@ EchoLayers::Place EchoLayers::FindPlace(const ColumnDirection& direction) const
   const float sectorPlace = direction.azimuth + static_cast<float>(sectors) - 0.5F;
   const auto ring = static_cast<std::size_t>(ringPlace);
   const auto sector = static_cast<std::size_t>(sectorPlace);
-  return {(sector % sectors * rings + ring) * knots,
-    ((sector + 1) % sectors * rings + ring) * knots, ringPlace - static_cast<float>(ring),
+  return {(sector % sectors * rings + ring) * codesOfCell,
+    ((sector + 1) % sectors * rings + ring) * codesOfCell, ringPlace - static_cast<float>(ring),
     sectorPlace - static_cast<float>(sector)};
 }
 
@@ -315,9 +324,13 @@ void EchoLayers::Add(int gap, const Place& place, float weight, Changes& to) con
     const auto on = [&place, knot](const std::int8_t* ray)
     {
       const auto near = static_cast<float>(ray[knot]);
-      return near + place.along * (static_cast<float>(ray[knots + knot]) - near);
+      return near + place.along * (static_cast<float>(ray[codesOfCell + knot]) - near);
     };
-    to[knot] += Precision * weight * (on(first) + place.across * (on(second) - on(first)));
+    to.atKnots[knot] += Precision * weight * (on(first) + place.across * (on(second) - on(first)));
+  }
+  for (const std::int8_t* ray : {first, second})
+  {
+    to.most = std::max(to.most, static_cast<float>(std::max(ray[knots], ray[codesOfCell + knots])));
   }
 }
 

@@ -23,9 +23,17 @@ struct BeamSweep;
 class EchoLayers
 {
 public:
-  /// dB, to be added to what the interpolation in elevation gives (Formulas G11) at a quarter, half
-  /// and three quarters of the way from a tilt to the next; nothing is added at the tilts.
-  using Changes = std::array<float, 3>;
+  /// What is changed in one gap over a column.
+  struct Changes
+  {
+    /// dB, to be added to what the interpolation in elevation gives (Formulas G11) at a quarter,
+    /// half and three quarters of the way from a tilt to the next; nothing is added at the tilts.
+    std::array<float, 3> atKnots{};
+    /// dBZ; what is added raises no echo above it: the strongest V nearby, and 1 dB.
+    float most = 0.0F;
+
+    bool Any() const { return atKnots != std::array<float, 3>{}; }
+  };
   /// Volumes have fewer gaps between tilts; what lies above is not changed.
   static constexpr std::size_t MostGaps = 32;
   static constexpr std::size_t Rings = 150; ///< of 2 km
@@ -42,21 +50,25 @@ public:
   {
   public:
     explicit Curve(const Changes& changes)
-      : values{0.0F, changes[0], changes[1], changes[2], 0.0F}
+      : values{0.0F, changes.atKnots[0], changes.atKnots[1], changes.atKnots[2], 0.0F}
+      , most(changes.most)
     {
     }
 
-    /// What is changed `share` of the way, 0…1, from the lower tilt to the upper one, dB.
-    float At(float share) const
+    /// What `value`, dBZ, becomes `share` of the way, 0…1, from the lower tilt to the upper one.
+    float Change(float value, float share) const
     {
       const float place = 4.0F * share;
       const auto before = std::min(static_cast<std::size_t>(place), std::size_t(3));
-      return values[before] +
-             (place - static_cast<float>(before)) * (values[before + 1] - values[before]);
+      const float changed =
+        value + values[before] +
+        (place - static_cast<float>(before)) * (values[before + 1] - values[before]);
+      return changed > value ? std::max(value, std::min(changed, most)) : changed;
     }
 
   private:
     std::array<float, 5> values;
+    float most;
   };
 
   /// The number of the gap between two neighbouring tilts, degrees; −1 when the volume has none.
@@ -97,8 +109,8 @@ private:
   {
     float lower = 0.0F; // degrees
     float upper = 0.0F;
-    std::vector<std::int8_t>
-      changes; // in Precision; rings × sectors × 3, the three fastest; or empty
+    std::vector<std::int8_t> changes; // rings × sectors × 4, the four fastest: the changes in
+                                      // Precision, and the most in dBZ; or empty
   };
 
   float ringsPerTangent = 0.0F;     // rings in a unit of halfTangent

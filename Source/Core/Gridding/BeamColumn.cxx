@@ -35,7 +35,7 @@ float UpperEdge(const TiltEdges& tilt, const TiltSample& sample)
 // Whether layers change anything in the gap above a tilt.
 bool ChangedByLayers(const SiteColumn& site, std::size_t tilt)
 {
-  return site.layers != nullptr && site.layers[tilt] != EchoLayers::Changes{};
+  return site.layers != nullptr && site.layers[tilt].Any();
 }
 
 // An echo of 0 dBZ or less beside none: it would not differ from none where no echo counts as 0
@@ -246,7 +246,7 @@ void BeamColumn::AddTrend(const SiteColumn& site, const Gap& gap)
     for (int level = gap.from; level < gap.to; ++level)
     {
       const auto at = static_cast<std::size_t>(level);
-      values[at] += changes.At(shares[at]);
+      values[at] = changes.Change(values[at], shares[at]);
     }
   }
   this->WeighLevels(site, gap, gap.from, gap.to);

@@ -110,27 +110,36 @@ TEST(TiltGap, TakesWhatIsMeasuredAlone)
 
 TEST(EchoLayers, AddChangesThatVanishAtTheTilts)
 {
-  const EchoLayers::Curve changes({4.0F, -2.0F, 6.0F});
-  EXPECT_FLOAT_EQ(changes.At(0.0F), 0.0F);
-  EXPECT_FLOAT_EQ(changes.At(0.125F), 2.0F);
-  EXPECT_FLOAT_EQ(changes.At(0.25F), 4.0F);
-  EXPECT_FLOAT_EQ(changes.At(0.375F), 1.0F);
-  EXPECT_FLOAT_EQ(changes.At(0.75F), 6.0F);
-  EXPECT_FLOAT_EQ(changes.At(1.0F), 0.0F);
+  const EchoLayers::Curve changes({{4.0F, -2.0F, 6.0F}, 40.0F});
+  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.0F), 20.0F);
+  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.125F), 22.0F);
+  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.25F), 24.0F);
+  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.375F), 21.0F);
+  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.75F), 26.0F);
+  EXPECT_FLOAT_EQ(changes.Change(20.0F, 1.0F), 20.0F);
+}
+
+TEST(EchoLayers, RaiseNoEchoAboveTheStrongestAtEqualHeight)
+{
+  const EchoLayers::Curve changes({{4.0F, -2.0F, 6.0F}, 22.0F});
+  EXPECT_FLOAT_EQ(changes.Change(20.0F, 0.25F), 22.0F);
+  EXPECT_FLOAT_EQ(changes.Change(25.0F, 0.25F), 25.0F) << "what is stronger already is left";
+  EXPECT_FLOAT_EQ(changes.Change(25.0F, 0.5F), 23.0F) << "and weakened where layers say so";
 }
 
 namespace
 {
 
-// Sweeps at the tilts of coverage pattern 21 of a field of height and azimuth, dBZ; 0 or less is no
-// echo.
+const std::vector<double> pattern21 = {0.5, 1.45, 2.4, 3.35, 4.3, 6.0, 9.9, 14.6, 19.5};
+
+// Sweeps at those elevations, degrees, of a field of height and azimuth, dBZ; 0 or less is no echo.
 template <class Field>
-PolarVolume Scan(const Field& field)
+PolarVolume Scan(const Field& field, const std::vector<double>& elevations = pattern21)
 {
   std::vector<NumberSweep> sweeps;
   int number = 0;
   const BeamModel beam;
-  for (const double elevation : {0.5, 1.45, 2.4, 3.35, 4.3, 6.0, 9.9, 14.6, 19.5})
+  for (const double elevation : elevations)
   {
     NumberSweep sweep = UniformSweep(++number, elevation, 10.0F);
     for (std::size_t ray = 0; ray < sweep.rays.size(); ++ray)
@@ -189,6 +198,24 @@ TEST(EchoLayers, FollowALayerFromTiltToTilt)
   std::printf("a layer: RMSE %.2f dBZ linear, %.2f dBZ followed\n", linear, followed);
   EXPECT_AT_MOST(
     followed / linear, 0.4, "RMSE of a followed layer, part of that of the linear interpolation");
+}
+
+// An echo of 30 dBZ that ends at 9 km, at tilts 5° apart as a terminal radar's pattern 90 has:
+// where a tilt leaves the echo, nothing between the tilts becomes much stronger than the echo.
+TEST(EchoLayers, MakeNoRingsWhereTiltsLeaveAnEcho)
+{
+  const auto block = [](const BeamPoint& point, double)
+  { return point.height < 9000.0 ? 30.0 : 0.0; };
+  BeamMergeOptions options = AsMeasured();
+  options.trend = true;
+  GridSpecification grid = SceneGrid();
+  grid.spacing = {1000.0, 1000.0, 250.0};
+  grid.origin = {-30'000.0, -30'000.0, 250.0};
+  const PolarVolume scanned = Scan(block, {0.3, 1.0, 2.7, 6.0, 10.0, 15.0, 20.0, 25.0, 30.0});
+  const GriddedVolume volume = MergeAt({scanned}, 0.0, options, grid);
+  const float most = *std::max_element(volume.values.begin(), volume.values.end());
+  std::printf("a block of 30 dBZ: at most %.2f dBZ\n", static_cast<double>(most));
+  EXPECT_AT_MOST(most, 33.0, "strongest echo of a merge of 30 dBZ");
 }
 
 // Columns of echo 12 km wide, from the ground to 12 km: nothing is taken from beside them.
