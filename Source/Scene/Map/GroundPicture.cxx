@@ -16,7 +16,6 @@ namespace nexrad::scene
 namespace
 {
 
-constexpr int longSide = 1024;    // texels
 constexpr int texelsPerShade = 4; // the elevations are much coarser than coasts
 
 vtkSmartPointer<vtkImageData> MakePicture(int columns, int rows)
@@ -48,7 +47,7 @@ vtkSmartPointer<vtkImageData> MakePlainPicture(const Colour& colour)
 }
 
 // Texels of a side in steps of texelsPerShade.
-int TexelsOf(double length, double longest)
+int TexelsOf(double length, double longest, int longSide)
 {
   const double shades = longSide / texelsPerShade * length / longest;
   return texelsPerShade * std::max(1, static_cast<int>(std::lround(shades)));
@@ -100,7 +99,8 @@ private:
 
 } // namespace
 
-vtkSmartPointer<vtkImageData> MakeGroundPicture(const SceneFrame& frame, const Theme& theme)
+vtkSmartPointer<vtkImageData> MakeGroundPicture(
+  const SceneFrame& frame, const Theme& theme, int longSide)
 {
   const auto& box = frame.Bounds();
   const Elevations& elevations = EmbeddedElevations();
@@ -112,8 +112,8 @@ vtkSmartPointer<vtkImageData> MakeGroundPicture(const SceneFrame& frame, const T
     return MakePlainPicture(theme.ground);
   }
   const double longest = std::max(box[1] - box[0], box[3] - box[2]);
-  const int columns = TexelsOf(box[1] - box[0], longest);
-  const int rows = TexelsOf(box[3] - box[2], longest);
+  const int columns = TexelsOf(box[1] - box[0], longest, longSide);
+  const int rows = TexelsOf(box[3] - box[2], longest, longSide);
   const std::vector<std::uint8_t> land = PaintLand(frame, EmbeddedMapAreas(), columns, rows);
   const HeightGrid ground =
     MakeHeightGrid(frame, elevations, columns / texelsPerShade, rows / texelsPerShade);

@@ -24,7 +24,7 @@ namespace
 {
 
 // Pixels, indexed by MapLineKind.
-constexpr std::array<double, 3> lineWidths = {2.0, 1.6, 1.0};
+constexpr std::array<double, 3> lineWidths = {1.3, 1.3, 1.0};
 
 std::array<double, 4> Rectangle(const SceneFrame& frame)
 {
@@ -154,7 +154,7 @@ void AddTowns(SceneLayer& layer, const SceneFrame& frame, int textSize, const Th
 {
   constexpr std::size_t most = 60; // that are tried
   const std::size_t before = layer.labels.size();
-  const int letters = std::max(9, textSize * 3 / 4);
+  const int letters = std::max(9, textSize * 5 / 6);
   const double dot = std::max(1.5, 0.1 * textSize); // pixels
   for (const MapName& town : EmbeddedTowns())
   {

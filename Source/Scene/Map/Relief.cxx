@@ -3,6 +3,8 @@
 
 #include "nexrad/Geometry/Angles.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -15,14 +17,14 @@ namespace
 constexpr double stretch = 15.0; // of heights
 constexpr double gain = 3.0;     // of the change in brightness, before it is compressed
 
-// Level and western, eastern, southern and northern neighbours, those beyond the edge the cell
-// itself.
+// Rise a length towards the east and the north.
 struct Slope
 {
   double east;
   double north;
 };
 
+// Between the neighbours on both sides; at the edge, between the cell and its neighbour.
 Slope SlopeAt(const HeightGrid& ground, int column, int row)
 {
   const auto at = [&](int i, int j)
@@ -44,16 +46,26 @@ HeightGrid MakeHeightGrid(
 {
   const auto& box = frame.Bounds();
   HeightGrid ground{columns, rows, (box[1] - box[0]) / columns, (box[3] - box[2]) / rows, {}};
-  ground.heights.reserve(static_cast<std::size_t>(columns) * rows);
-  for (int row = 0; row < rows; ++row)
+  ground.heights.resize(static_cast<std::size_t>(columns) * rows);
+  const auto fillRow = [&](vtkIdType row)
   {
     for (int column = 0; column < columns; ++column)
     {
-      const auto [longitude, latitude] = frame.Geographic(
-        box[0] + (column + 0.5) * ground.cellWidth, box[2] + (row + 0.5) * ground.cellHeight);
-      ground.heights.push_back(elevations.At(longitude, latitude).value_or(0.0));
+      const auto [longitude, latitude] =
+        frame.Geographic(box[0] + (column + 0.5) * ground.cellWidth,
+          box[2] + (static_cast<double>(row) + 0.5) * ground.cellHeight);
+      ground.heights[static_cast<std::size_t>(row) * columns + column] =
+        elevations.At(longitude, latitude).value_or(0.0);
     }
-  }
+  };
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        fillRow(row);
+      }
+    });
   return ground;
 }
 
