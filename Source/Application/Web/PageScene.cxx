@@ -4,6 +4,7 @@
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
 #include "Scene/Elements/Theme.h"
+#include "Scene/Map/GroundPicture.h"
 #include "Scene/Map/PlacedMap.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Web/RoundedNumber.h"
@@ -28,6 +29,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr int placeDigits = 2; // of km
 constexpr int colourDigits = 4;
+constexpr int groundTexels = 512; // along the longer side
 
 GriddedVolume VolumeOf(vtkImageData* image)
 {
@@ -122,6 +124,7 @@ PageScene::PageScene(const scene::WebRequest& webRequest, vtkImageData* image)
   volume.states = {};
   volume.further = {};
   this->MakeCamera(); // throws before work is done
+  ground = scene::MakeGroundPicture(frame, scene::ThemeOf(request.scene.theme), groundTexels);
 }
 
 std::vector<std::uint8_t> PageScene::Encode(vtkImageData* image) const
@@ -137,10 +140,21 @@ std::vector<std::uint8_t> PageScene::Encode(vtkImageData* image) const
 
 Json PageScene::MakeMap() const
 {
-  const auto lines = scene::PlaceMapLines(frame);
+  auto lines = scene::PlaceMapLines(frame);
+  if (!scene::ShowsCounties(frame))
+  {
+    lines[static_cast<std::size_t>(scene::MapLineKind::County)].clear();
+  }
   return {{"country", MakeLines(lines[static_cast<std::size_t>(scene::MapLineKind::Country)])},
     {"state", MakeLines(lines[static_cast<std::size_t>(scene::MapLineKind::State)])},
     {"county", MakeLines(lines[static_cast<std::size_t>(scene::MapLineKind::County)])}};
+}
+
+std::vector<std::uint8_t> PageScene::GroundTexels() const
+{
+  constexpr int channels = 3;
+  const auto* first = static_cast<const std::uint8_t*>(ground->GetScalarPointer());
+  return {first, first + channels * ground->GetNumberOfPoints()};
 }
 
 Json PageScene::MakeRadars(const std::vector<PageTime>& times) const
@@ -186,10 +200,11 @@ std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::s
     {"sites", SitesOf(times)}, {"synthetic", synthetic}, {"masked", code.masked},
     {"size", this->Size()}, {"box", box}, {"stretch", frame.Exaggeration()},
     {"camera", this->MakeCamera()}, {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))},
-    {"map", this->MakeMap()}, {"radars", this->MakeRadars(times)},
-    {"scale", {{"first", code.first}, {"step", code.step}}}, {"floor", nullptr},
-    {"presets", offered}, {"preset", shown - offered.begin()}, {"codes", code.bytes},
-    {"series", nullptr}, {"times", Json::array()}, {"siteTexts", Json::array()}};
+    {"ground", {ground->GetDimensions()[0], ground->GetDimensions()[1]}}, {"map", this->MakeMap()},
+    {"radars", this->MakeRadars(times)}, {"scale", {{"first", code.first}, {"step", code.step}}},
+    {"floor", nullptr}, {"presets", offered}, {"preset", shown - offered.begin()},
+    {"codes", code.bytes}, {"series", nullptr}, {"times", Json::array()},
+    {"siteTexts", Json::array()}};
   if (shownCode.floor)
   {
     json["floor"] = *shownCode.floor;

@@ -6,6 +6,8 @@
 #include "Web/PageCode.h"
 #include "Web/PagePresets.h"
 
+#include <vtkSmartPointer.h>
+
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
@@ -47,6 +49,9 @@ public:
   /// empty: the volumes are in the page, `times` says when.
   std::string MakeText(const std::vector<PageTime>& times, const std::string& index) const;
 
+  /// The picture of the ground: bytes of red, green and blue, from its south-western corner on.
+  std::vector<std::uint8_t> GroundTexels() const;
+
   /// Title of the page: what it shows, of which radars, when.
   std::string Title(const std::vector<PageTime>& times) const;
 
@@ -57,6 +62,7 @@ private:
 
   const scene::WebRequest& request;
   scene::SceneFrame frame;
+  vtkSmartPointer<vtkImageData> ground;
   std::array<double, 6> box{}; ///< km, with heights as they are
   std::string array;
   std::string method;

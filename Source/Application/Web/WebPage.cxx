@@ -84,6 +84,7 @@ private:
   scene::WebReport Finish(PageText text, const fs::path& path, const std::string& index)
   {
     text.AddTextPart("scene", page->MakeText(times, index));
+    text.AddPart("ground", page->GroundTexels());
     ThrowVtkErrors();
     const std::string html = text.Make(page->Title(times));
     WriteFile(path, reinterpret_cast<const unsigned char*>(html.data()), html.size());

@@ -21,6 +21,8 @@ struct Label
   std::vector<LabelSide> sides; ///< where it may stand, the best first
   double gap = 0.0;             ///< pixels between the point and the letters
   bool optional = false;        ///< left out where it would lie over other letters
+  double room = 0.0;            ///< pixels, distance of an optional label from others that have one
+  double dot = 0.0;             ///< pixels, radius of a dot at the point; 0: none
 };
 
 /// A part of a scene, and the words that belong to it.

@@ -28,6 +28,8 @@ Theme MakeDark()
   theme.note = {0.74, 0.78, 0.83};
   theme.warning = {1.0, 0.78, 0.10};
   theme.rim = {0.02, 0.025, 0.03};
+  theme.water = {0.040, 0.062, 0.095};
+  theme.relief = 0.35;
   return theme;
 }
 
@@ -53,6 +55,7 @@ Theme MakeLight()
   theme.note = {0.29, 0.32, 0.37};
   theme.warning = {0.76, 0.32, 0.0};
   theme.rim = {1.0, 1.0, 1.0};
+  theme.water = {0.78, 0.835, 0.885};
   return theme;
 }
 

@@ -30,6 +30,8 @@ struct Theme
   Colour note;    ///< the other captions
   Colour warning; ///< the word SYNTHETIC
   Colour rim;     ///< about letters that may lie over echo
+  Colour water;
+  double relief = 0.12; ///< how much brighter or darker than the ground its slopes are at most
 };
 
 const Theme& ThemeOf(ThemeChoice choice);

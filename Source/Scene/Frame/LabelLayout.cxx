@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <numeric>
 
 namespace nexrad::scene
 {
@@ -15,12 +16,28 @@ double AreaOutside(const PixelBox& box, const std::array<int, 2>& size)
   return (box.right - box.left) * (box.top - box.bottom) - box.Shared(picture);
 }
 
+bool IsInPicture(const std::array<double, 2>& point, const std::array<int, 2>& size)
+{
+  return point[0] >= 0.0 && point[0] <= size[0] && point[1] >= 0.0 && point[1] <= size[1];
+}
+
 // The marker at the point of a label.
 PixelBox MarkerOf(const Label& label, const Projection& project)
 {
   const auto place = project(label.point);
-  const double radius = 0.5 * label.gap;
+  const double radius = label.optional ? 0.0 : 0.5 * label.gap;
   return {place[0] - radius, place[1] - radius, place[0] + radius, place[1] + radius};
+}
+
+PixelBox Grown(const PixelBox& box, double by)
+{
+  return {box.left - by, box.bottom - by, box.right + by, box.top + by};
+}
+
+double SharedWith(const std::vector<PixelBox>& others, const PixelBox& box)
+{
+  return std::accumulate(others.begin(), others.end(), 0.0,
+    [&](double sum, const PixelBox& other) { return sum + box.Shared(other); });
 }
 
 // Twice the area of the triangle; its sign is the sense of turn.
@@ -61,20 +78,23 @@ std::vector<std::optional<LabelSide>> ChooseSides(const std::vector<Label>& labe
   {
     taken.push_back(MarkerOf(label, project));
   }
+  std::vector<PixelBox> apart; // of labels with room about them
   std::vector<std::optional<LabelSide>> chosen;
   for (const Label& label : labels)
   {
+    if (label.optional && !IsInPicture(project(label.point), project.Size()))
+    {
+      chosen.emplace_back();
+      continue;
+    }
     const TextPicture& picture = pictures.Get(label.text, label.style);
     double least = std::numeric_limits<double>::infinity();
     LabelSide best = label.sides.front();
     for (const LabelSide side : label.sides)
     {
       const PixelBox box = picture.BoxAt(project(label.point), side, label.gap);
-      double covered = AreaOutside(box, project.Size());
-      for (const PixelBox& other : taken)
-      {
-        covered += box.Shared(other);
-      }
+      const double covered = AreaOutside(box, project.Size()) + SharedWith(taken, box) +
+                             SharedWith(apart, Grown(box, label.room));
       best = covered < least ? side : best;
       least = std::min(least, covered);
     }
@@ -86,6 +106,10 @@ std::vector<std::optional<LabelSide>> ChooseSides(const std::vector<Label>& labe
     }
     chosen.emplace_back(best);
     taken.push_back(box);
+    if (label.room > 0.0)
+    {
+      apart.push_back(box);
+    }
   }
   return chosen;
 }

@@ -6,19 +6,77 @@
 #include <vtkImageData.h>
 #include <vtkPointData.h>
 #include <vtkTexture.h>
-#include <vtkTransform.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace nexrad::scene
 {
+namespace
+{
+
+// What the texels of the light volume's lowest layer leave of the ground's brightness, 0…1.
+std::vector<float> BrightnessOf(vtkImageData* light, const LightOptions& options)
+{
+  constexpr double full = 65535.0;
+  vtkDataArray* arriving = light->GetPointData()->GetScalars();
+  const int* size = light->GetDimensions();
+  std::vector<float> brightness(static_cast<std::size_t>(size[0]) * size[1]);
+  for (std::size_t i = 0; i < brightness.size(); ++i)
+  {
+    const auto id = static_cast<vtkIdType>(i);
+    const double ofLight = 1.0 - options.shadow * (1.0 - arriving->GetComponent(id, 0) / full);
+    const double ofSky = 1.0 - options.occlusion * (1.0 - arriving->GetComponent(id, 1) / full);
+    brightness[i] = static_cast<float>(ofLight * ofSky);
+  }
+  return brightness;
+}
+
+// Where a cell of a picture lies among coarser texels: those on both sides of its middle.
+struct Place
+{
+  int before, after;
+  float share; // of the later one
+};
+
+// The places of all cells along an axis. The last texel may stand for fewer voxels than the others:
+// the voxels take `part` of the length of all texels.
+std::vector<Place> PlacesOf(int cells, int texels, double part)
+{
+  std::vector<Place> places;
+  for (int cell = 0; cell < cells; ++cell)
+  {
+    const double place = std::clamp((cell + 0.5) / cells * part * texels - 0.5, 0.0, texels - 1.0);
+    const int before = static_cast<int>(place);
+    places.push_back(
+      {before, std::min(before + 1, texels - 1), static_cast<float>(place - before)});
+  }
+  return places;
+}
+
+float Between(float from, float to, float share)
+{
+  return from + share * (to - from);
+}
+
+// The cell of a picture of `from` cells in place of one of `to` cells.
+std::size_t SameCell(int cell, int to, int from)
+{
+  return static_cast<std::size_t>(cell) * static_cast<std::size_t>(from) /
+         static_cast<std::size_t>(to);
+}
+
+} // namespace
 
 GroundShadow::GroundShadow()
 {
   texture->SetInputData(image);
   texture->InterpolateOn();
+  texture->MipmapOn();
   texture->EdgeClampOn();
-  texture->SetTransform(transform);
 }
 
 GroundShadow::~GroundShadow() = default;
@@ -26,44 +84,62 @@ GroundShadow::~GroundShadow() = default;
 void GroundShadow::Show(
   vtkActor* ground, vtkImageData* light, const LightOptions& options, vtkImageData* volume)
 {
+  const bool newGround = ground->GetTexture() != texture && ground->GetTexture() != lit;
+  if (newGround)
+  {
+    lit = ground->GetTexture();
+  }
   if (light == nullptr)
   {
-    ground->SetTexture(nullptr);
+    ground->SetTexture(lit);
     return;
   }
-  if (light->GetMTime() != made || options.shadow != shadow || options.occlusion != occlusion)
+  if (newGround || light->GetMTime() != made || options.shadow != shadow ||
+      options.occlusion != occlusion)
   {
-    this->Fill(light, options);
+    this->Fill(light, options, volume);
     made = light->GetMTime();
     shadow = options.shadow;
     occlusion = options.occlusion;
-    // The last texel may stand for fewer voxels than the others.
-    const auto scale = [&](int axis)
-    {
-      return volume->GetDimensions()[axis] * volume->GetSpacing()[axis] /
-             (light->GetDimensions()[axis] * light->GetSpacing()[axis]);
-    };
-    transform->Identity();
-    transform->Scale(scale(0), scale(1), 1.0);
   }
   ground->SetTexture(texture);
 }
 
-void GroundShadow::Fill(vtkImageData* light, const LightOptions& options)
+void GroundShadow::Fill(vtkImageData* light, const LightOptions& options, vtkImageData* volume)
 {
-  constexpr double full = 65535.0;
-  const int* size = light->GetDimensions();
+  vtkImageData* picture = lit->GetInput();
+  const int* colours = picture->GetDimensions();
+  const int* texels = light->GetDimensions();
+  std::array<int, 2> size{};
+  std::array<std::vector<Place>, 2> places;
+  for (int axis = 0; axis < 2; ++axis)
+  {
+    size[axis] = std::max(colours[axis], texels[axis]);
+    const double part = volume->GetDimensions()[axis] * volume->GetSpacing()[axis] /
+                        (texels[axis] * light->GetSpacing()[axis]);
+    places[axis] = PlacesOf(size[axis], texels[axis], part);
+  }
   image->SetDimensions(size[0], size[1], 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  const std::vector<float> brightness = BrightnessOf(light, options);
+  const auto* from = static_cast<const unsigned char*>(picture->GetScalarPointer());
   auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
-  vtkDataArray* arriving = light->GetPointData()->GetScalars();
-  for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
+  for (int row = 0; row < size[1]; ++row)
   {
-    const double ofLight = 1.0 - options.shadow * (1.0 - arriving->GetComponent(i, 0) / full);
-    const double ofSky = 1.0 - options.occlusion * (1.0 - arriving->GetComponent(i, 1) / full);
-    for (int channel = 0; channel < 3; ++channel)
+    const Place& y = places[1][row];
+    const float* below = brightness.data() + static_cast<std::size_t>(y.before) * texels[0];
+    const float* above = brightness.data() + static_cast<std::size_t>(y.after) * texels[0];
+    const unsigned char* line = from + 3 * SameCell(row, size[1], colours[1]) * colours[0];
+    for (int column = 0; column < size[0]; ++column)
     {
-      *texel++ = static_cast<unsigned char>(std::lround(255.0 * ofLight * ofSky));
+      const Place& x = places[0][column];
+      const float left = Between(Between(below[x.before], below[x.after], x.share),
+        Between(above[x.before], above[x.after], x.share), y.share);
+      const unsigned char* colour = line + 3 * SameCell(column, size[0], colours[0]);
+      for (int channel = 0; channel < 3; ++channel)
+      {
+        *texel++ = static_cast<unsigned char>(colour[channel] * left + 0.5F);
+      }
     }
   }
   image->Modified();

@@ -3,15 +3,18 @@
 
 #include "Scene/Elements/LineBuilder.h"
 #include "Scene/Elements/Marker.h"
+#include "Scene/Map/GroundPicture.h"
 #include "Scene/Map/MapLines.h"
 #include "Scene/Map/MapNames.h"
 #include "Scene/Map/PlacedMap.h"
 
 #include <vtkActor.h>
+#include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPlaneSource.h>
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
+#include <vtkTexture.h>
 
 #include <algorithm>
 
@@ -21,7 +24,7 @@ namespace
 {
 
 // Pixels, indexed by MapLineKind.
-constexpr std::array<double, 3> lineWidths = {2.0, 1.6, 1.0};
+constexpr std::array<double, 3> lineWidths = {1.3, 1.3, 1.0};
 
 std::array<double, 4> Rectangle(const SceneFrame& frame)
 {
@@ -55,6 +58,10 @@ void AddMapLines(SceneLayer& layer, const SceneFrame& frame, const Theme& theme)
   for (std::size_t kind = 0; kind < placed.size(); ++kind)
   {
     const auto ofLines = static_cast<MapLineKind>(kind);
+    if (ofLines == MapLineKind::County && !ShowsCounties(frame))
+    {
+      continue;
+    }
     LineBuilder builder;
     for (const GroundLine& line : placed[kind])
     {
@@ -64,7 +71,7 @@ void AddMapLines(SceneLayer& layer, const SceneFrame& frame, const Theme& theme)
   }
 }
 
-vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame, const Colour& colour)
+vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame, const Theme& theme)
 {
   const auto& box = frame.Bounds();
   const double height = HeightOf(frame, GroundLevel::Ground);
@@ -76,8 +83,13 @@ vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame, const Colour& colou
   mapper->SetInputConnection(plane->GetOutputPort());
   auto actor = vtkSmartPointer<vtkActor>::New();
   actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(colour[0], colour[1], colour[2]);
   actor->GetProperty()->LightingOff();
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(MakeGroundPicture(frame, theme));
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->EdgeClampOn();
+  actor->SetTexture(texture);
   return actor;
 }
 
@@ -136,6 +148,33 @@ void AddNames(SceneLayer& layer, const SceneFrame& frame, int textSize, const Th
   }
 }
 
+// The largest towns of the domain; the layout of the labels leaves out those for which a picture
+// has no room.
+void AddTowns(SceneLayer& layer, const SceneFrame& frame, int textSize, const Theme& theme)
+{
+  constexpr std::size_t most = 60; // that are tried
+  const std::size_t before = layer.labels.size();
+  const int letters = std::max(9, textSize * 5 / 6);
+  const double dot = std::max(1.5, 0.1 * textSize); // pixels
+  for (const MapName& town : EmbeddedTowns())
+  {
+    const auto place = frame.Place(town.longitude, town.latitude);
+    if (IsWithin(place, Rectangle(frame)) && layer.labels.size() < before + most)
+    {
+      Label label;
+      label.text = town.name;
+      label.point = {place[0], place[1], HeightOf(frame, GroundLevel::Markers)};
+      label.style = {letters, theme.placeName, theme.rim};
+      label.sides = {LabelSide::Right, LabelSide::Left, LabelSide::Above, LabelSide::Below};
+      label.gap = dot + 0.2 * textSize;
+      label.optional = true;
+      label.room = 7.0 * textSize;
+      label.dot = dot;
+      layer.labels.push_back(label);
+    }
+  }
+}
+
 } // namespace
 
 double HeightOf(const SceneFrame& frame, GroundLevel level)
@@ -174,7 +213,7 @@ SceneLayer MakeMapLayer(
   const SceneFrame& frame, const MapContents& contents, int textSize, const Theme& theme)
 {
   SceneLayer layer;
-  layer.props.push_back(MakeGround(frame, theme.ground));
+  layer.props.push_back(MakeGround(frame, theme));
   if (frame.HasMap())
   {
     AddMapLines(layer, frame, theme);
@@ -183,6 +222,7 @@ SceneLayer MakeMapLayer(
     {
       AddNames(layer, frame, textSize, theme);
     }
+    AddTowns(layer, frame, textSize, theme);
   }
   return layer;
 }

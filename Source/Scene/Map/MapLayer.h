@@ -43,9 +43,10 @@ GroundLevel LevelOf(MapLineKind kind);
 /// Its colour.
 const Colour& ColourOf(MapLineKind kind, const Theme& theme);
 
-/// What lies on the ground under a volume: a plane, the map's lines cut at the domain's edge, and
-/// for each radar that the site table knows a marker, with its name as a label, and rings of range.
-/// `textSize` in pixels.
+/// What lies on the ground under a volume: a plane with shaded relief and water, the map's lines
+/// cut at the domain's edge (counties on small domains alone), names of towns, and for each radar
+/// that the site table knows a marker, with its name as a label, and rings of range. `textSize` in
+/// pixels.
 SceneLayer MakeMapLayer(
   const SceneFrame& frame, const MapContents& contents, int textSize, const Theme& theme);
 

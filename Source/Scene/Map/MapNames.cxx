@@ -11,6 +11,8 @@ namespace nexrad::embedded
 {
 extern const unsigned char mapNames[];
 extern const std::size_t mapNamesSize;
+extern const unsigned char mapTowns[];
+extern const std::size_t mapTownsSize;
 } // namespace nexrad::embedded
 
 namespace nexrad::scene
@@ -46,6 +48,13 @@ const std::vector<MapName>& EmbeddedMapNames()
   static const std::vector<MapName> names =
     ParseMapNames(std::string(embedded::mapNames, embedded::mapNames + embedded::mapNamesSize));
   return names;
+}
+
+const std::vector<MapName>& EmbeddedTowns()
+{
+  static const std::vector<MapName> towns =
+    ParseMapNames(std::string(embedded::mapTowns, embedded::mapTowns + embedded::mapTownsSize));
+  return towns;
 }
 
 } // namespace nexrad::scene

@@ -23,4 +23,8 @@ std::vector<MapName> ParseMapNames(const std::string& text);
 /// and provinces of Canada, each at a point far from its borders.
 const std::vector<MapName>& EmbeddedMapNames();
 
+/// The towns that are compiled in (Data/map_towns.csv): those within 8° of each radar, the largest
+/// first.
+const std::vector<MapName>& EmbeddedTowns();
+
 } // namespace nexrad::scene

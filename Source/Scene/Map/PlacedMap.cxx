@@ -2,7 +2,6 @@
 #include "Scene/Map/PlacedMap.h"
 
 #include "Scene/Elements/LineBuilder.h"
-#include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/SiteTable.h"
 
 #include <algorithm>
@@ -37,8 +36,25 @@ std::array<double, 4> Rectangle(const SceneFrame& frame)
   return {bounds[0], bounds[1], bounds[2], bounds[3]};
 }
 
-// Longitudes and latitudes that the domain can touch, so that the lines of the rest of the world
-// need not be projected. A quarter of the box is added for the curvature of its edges.
+bool Touches(const MapLine& line, const GeographicBounds& reach)
+{
+  return std::any_of(line.points.begin(), line.points.end(),
+    [&](const auto& point)
+    {
+      return point[0] >= reach.west && point[0] <= reach.east && point[1] >= reach.south &&
+             point[1] <= reach.north;
+    });
+}
+
+bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& box)
+{
+  return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3];
+}
+
+} // namespace
+
+// Lines of the rest of the world need not be projected. A quarter of the box is added for the
+// curvature of its edges.
 GeographicBounds ReachOf(const SceneFrame& frame)
 {
   const auto box = Rectangle(frame);
@@ -58,23 +74,6 @@ GeographicBounds ReachOf(const SceneFrame& frame)
   const double height = (reach.north - reach.south) / 4.0;
   return {reach.west - width, reach.south - height, reach.east + width, reach.north + height};
 }
-
-bool Touches(const MapLine& line, const GeographicBounds& reach)
-{
-  return std::any_of(line.points.begin(), line.points.end(),
-    [&](const auto& point)
-    {
-      return point[0] >= reach.west && point[0] <= reach.east && point[1] >= reach.south &&
-             point[1] <= reach.north;
-    });
-}
-
-bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& box)
-{
-  return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3];
-}
-
-} // namespace
 
 std::vector<GroundLine> ClipLine(const GroundLine& line, const std::array<double, 4>& rectangle)
 {
@@ -143,6 +142,13 @@ std::array<std::vector<GroundLine>, 3> PlaceMapLines(const SceneFrame& frame)
     }
   }
   return placed;
+}
+
+bool ShowsCounties(const SceneFrame& frame)
+{
+  constexpr double widest = 300.0; // km
+  const auto& box = frame.Bounds();
+  return std::max(box[1] - box[0], box[3] - box[2]) <= widest;
 }
 
 std::vector<PlacedSite> PlaceSites(const SceneFrame& frame, const std::vector<std::string>& sites)

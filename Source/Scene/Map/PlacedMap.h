@@ -3,6 +3,7 @@
 
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Map/MapLines.h"
+#include "nexrad/Grid/MakeGrid.h"
 
 #include <array>
 #include <string>
@@ -17,9 +18,15 @@ using GroundLine = std::vector<std::array<double, 2>>;
 /// The parts of a line that lie over a rectangle (west, east, south, north).
 std::vector<GroundLine> ClipLine(const GroundLine& line, const std::array<double, 4>& rectangle);
 
+/// Longitudes and latitudes that the domain can touch, and some more. Needs HasMap.
+GeographicBounds ReachOf(const SceneFrame& frame);
+
 /// The parts of the map's lines (EmbeddedMapLines) that lie over the domain, indexed by
 /// MapLineKind. None where the frame has no map.
 std::array<std::vector<GroundLine>, 3> PlaceMapLines(const SceneFrame& frame);
+
+/// Whether counties are drawn: only where the domain is small enough to tell them apart.
+bool ShowsCounties(const SceneFrame& frame);
 
 /// A radar on the ground.
 struct PlacedSite

@@ -85,6 +85,7 @@ const formats = {
   byteAndMask: (gl) => [gl.RG8, gl.RG, gl.UNSIGNED_BYTE, true],
   distance: (gl) => [gl.R8UI, gl.RED_INTEGER, gl.UNSIGNED_BYTE, false],
   float4: (gl) => [gl.RGBA32F, gl.RGBA, gl.FLOAT, false],
+  picture: (gl) => [gl.RGB8, gl.RGB, gl.UNSIGNED_BYTE, true],
   colour: (gl) => [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE, true],
 };
 

@@ -36,11 +36,13 @@ export class LinePicture {
     this.gl.drawArrays(this.gl.TRIANGLES, 0, 3);
   }
 
-  drawGround(toClip, corners, colour) {
+  // `picture`: a texture, from its south-western corner on.
+  drawGround(toClip, corners, picture) {
     const { gl, groundProgram } = this;
     gl.disable(gl.BLEND);
     groundProgram.use();
-    groundProgram.set({ toClip, groundColour: colour });
+    groundProgram.set({ toClip });
+    groundProgram.bind({ picture });
     gl.bindBuffer(gl.ARRAY_BUFFER, this.corners);
     gl.bufferData(gl.ARRAY_BUFFER, new Float32Array(corners.flat()), gl.STREAM_DRAW);
     const place = groundProgram.attribute('corner');

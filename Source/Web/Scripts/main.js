@@ -15,8 +15,8 @@ function report(text) {
 }
 
 async function readScene() {
-  const text = await inflate(bytesOfBase64(find('scene').textContent));
-  return JSON.parse(new TextDecoder().decode(text));
+  const [text, groundTexels] = await Promise.all(['scene', 'ground'].map((id) => inflate(bytesOfBase64(find(id).textContent))));
+  return { ...JSON.parse(new TextDecoder().decode(text)), groundTexels };
 }
 
 async function loadFaces() {

@@ -3,6 +3,7 @@
 import { Camera } from './camera.js';
 import { Captions, ColourBar, heightNote, timeText } from './captions.js';
 import { frameScene } from './framing.js';
+import { Texture } from './graphics.js';
 import { drawLabels } from './labels.js';
 import { Letters } from './letters.js';
 import { LineGroup, LinePicture } from './linePicture.js';
@@ -10,7 +11,7 @@ import { makeScales, cornerOf } from './scales.js';
 import { subtract } from './vectors.js';
 import { VolumePicture } from './volumePicture.js';
 
-const lineWidths = { country: 2, state: 1.6, county: 1 }; // pixels
+const lineWidths = { country: 1.3, state: 1.3, county: 1 }; // pixels
 const lineLevels = { ground: -2, county: 0, state: 1, country: 2, marker: 4 };
 const levelHeight = 8e-4; // from one level to the next, of the width of the domain
 const leastLetters = 11; // height in pixels of the screen
@@ -35,6 +36,8 @@ export class ScenePicture {
     }
     this.letters = new Letters(lettersCanvas);
     this.lines = new LinePicture(this.gl, shaders);
+    this.ground = new Texture(this.gl, 'picture', scene.ground);
+    this.ground.fill(scene.groundTexels);
     this.volume = new VolumePicture(this.gl, shaders, scene.size, scene.masked);
     this.groups = [];
     this.scaleGroups = [];
@@ -128,7 +131,7 @@ export class ScenePicture {
     const scale = Math.max(1, this.pixelRatio);
     this.lines.draw(this.scaleGroups.slice(0, 2), toClip, size, scale);
     const ground = [0, 1, 2, 3].map((corner) => [...cornerOf(this.box, corner).slice(0, 2), this.levelOf('ground', this.box)]);
-    this.lines.drawGround(toClip, ground, scene.theme.ground);
+    this.lines.drawGround(toClip, ground, this.ground);
     this.lines.draw([...this.scaleGroups, ...this.groups], toClip, size, scale);
     const cutGroup = new LineGroup(gl, state.cutLines, scene.theme.scale, 1);
     this.lines.draw([cutGroup], toClip, size, scale);

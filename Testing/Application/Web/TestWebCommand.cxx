@@ -117,7 +117,10 @@ TEST(WebCommand, APageSaysWhatItShows)
   // KLSX: 38.699 N, 90.683 W; the centre is 39 N, 90 W.
   EXPECT_NEAR(scene["radars"][0]["place"][0], -59.4, 0.5);
   EXPECT_NEAR(scene["radars"][0]["place"][1], -33.2, 0.5);
-  EXPECT_GT(scene["map"]["county"].size(), 50U);
+  EXPECT_GT(scene["map"]["state"].size(), 5U);
+  EXPECT_TRUE(scene["map"]["county"].empty()) << "the domain is 480 km wide";
+  EXPECT_EQ(scene["ground"], nlohmann::json({512, 512}));
+  EXPECT_EQ(ReadPagePart(page, "ground").value_or(Bytes()).size(), 3U * 512U * 512U);
 }
 
 // Whatever a page needs is in it.

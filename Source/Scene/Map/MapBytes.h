@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace nexrad::scene
+{
+
+/// Reads the bytes of a file of the map one after the other. Throws Error, naming the byte offset,
+/// for bytes that end too early.
+class MapBytes
+{
+public:
+  /// `name`: of the file, for errors.
+  MapBytes(const unsigned char* first, std::size_t count, std::string name);
+
+  [[noreturn]] void Fail(const std::string& what) const;
+
+  /// Throws Error when the bytes do not begin so.
+  void SkipMagic(const std::string& magic);
+  unsigned char Byte();
+  /// Seven bits a byte, the lowest first; the top bit says that more follow. Throws Error for a
+  /// number of more than 28 bits.
+  std::uint32_t Unsigned();
+  /// 0, -1, 1, -2, 2, … are stored as 0, 1, 2, 3, 4, …
+  std::int32_t Signed();
+
+  std::size_t Remaining() const { return size - offset; }
+  /// What was not read yet.
+  const unsigned char* Rest() const { return bytes + offset; }
+
+private:
+  const unsigned char* bytes;
+  std::size_t size;
+  std::size_t offset = 0;
+  std::string file;
+};
+
+/// A line of a file of the map.
+struct MapPolyline
+{
+  std::uint8_t kind = 0;
+  std::vector<std::array<double, 2>> points; ///< longitude and latitude, degrees; at least two
+};
+
+/// Reads all lines of a file (Documentation/Formats/map-lines.md). `kinds`: how many there are.
+/// Throws Error for a kind beyond, a line of fewer than two points, and bytes that do not end with
+/// the last line.
+std::vector<MapPolyline> ReadMapPolylines(
+  MapBytes bytes, const std::string& magic, std::uint8_t kinds);
+
+} // namespace nexrad::scene
