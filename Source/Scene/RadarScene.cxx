@@ -5,6 +5,7 @@
 #include "Scene/Captions/DataAge.h"
 #include "Scene/Cutting/SectionMark.h"
 #include "Scene/Cutting/VolumeCut.h"
+#include "Scene/EchoFraming.h"
 #include "Scene/Frame/Framing.h"
 #include "Scene/Frame/LabelLayout.h"
 #include "Scene/Map/MapLayer.h"
@@ -129,7 +130,13 @@ void RadarScene::SetColours(const SceneOptions& other)
   wanted.opacities = other.opacities;
   wanted.isoValues = other.isoValues;
   transferFunction = MakeTransferFunction(wanted, array);
+  const bool otherPreset = wanted.preset != options.preset;
   options = std::move(wanted);
+  if (otherPreset && shownData != nullptr && !holdsEcho)
+  {
+    echo.reset(); // another preset may show other echo
+    this->SetVolume(vtkSmartPointer<vtkImageData>(shownData));
+  }
 }
 
 void RadarScene::SetTransferFunction(
@@ -193,13 +200,50 @@ void RadarScene::FillProperty()
   }
 }
 
-void RadarScene::SetSlices(int slices)
+void RadarScene::SetSlices(const std::optional<int>& count)
 {
-  options.slices = slices;
+  options.slices = count;
+  this->UpdateSlices();
+}
+
+void RadarScene::UpdateSlices()
+{
+  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  {
+    slices = options.slices.value_or(
+      SlicesFor(vtkImageData::SafeDownCast(mapper->GetDataSetInput())));
+  }
   for (vtkVolumeMapper* mapper : this->Mappers())
   {
     scene::SetSlices(mapper, slices, mapper->GetInput()->GetLength());
   }
+}
+
+void RadarScene::HoldEcho(const std::optional<EchoExtent>& held)
+{
+  echo = held;
+  holdsEcho = held.has_value();
+}
+
+// The frame of a volume. It follows the echo only as far as it must: a series does not pump.
+SceneFrame RadarScene::FollowEcho(vtkImageData* newData)
+{
+  if (!holdsEcho)
+  {
+    const bool sameGrid = shownData != nullptr && ArrayOf(newData) == array &&
+                          ReadVolumeInformation(newData).projection == information.projection &&
+                          SceneFrame(newData, frame.Exaggeration()).Bounds() == frame.Bounds();
+    const auto found = MeasureEcho(newData, options);
+    if (!sameGrid || !echo)
+    {
+      echo = found;
+    }
+    else if (found && !frame.Holds(found->box))
+    {
+      echo->box = Join(*echo, *found).box;
+    }
+  }
+  return FrameVolume(newData, echo, options);
 }
 
 void RadarScene::SetLight(const LightOptions& light)
@@ -334,43 +378,45 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
 {
   RequireVoxels(newVolume, options);
   CheckCutUnit(options.cut, newVolume);
-  const vtkSmartPointer<vtkImageData> data = AsDrawn(newVolume, options);
+  const vtkSmartPointer<vtkImageData> drawn = AsDrawn(newVolume, options);
   std::optional<PlanView> planView;
   if (options.plan)
   {
-    planView = MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
+    planView = MakePlanView(SourceOf(drawn), *options.plan, vtkNexradRangeLoop());
   }
   std::optional<ColourField> newField;
   if (!options.plan && !options.colourBy.empty())
   {
-    newField = MakeColourField(options, data, ReadVolumeInformation(data));
+    newField = MakeColourField(options, drawn, ReadVolumeInformation(drawn));
   }
-  SceneFrame newFrame(
-    data, options.exaggeration ? *options.exaggeration : DefaultExaggeration(data));
   if (view.lookAt)
   {
-    newFrame.PlaceOf(*view.lookAt); // throws before anything changes
+    SceneFrame(drawn, 1.0).PlaceOf(*view.lookAt); // throws before anything changes
   }
+  SceneFrame newFrame = this->FollowEcho(drawn);
   note = ScaleText(newFrame.Exaggeration());
   note += newField && !newField->note.empty() ? "; " + newField->note : "";
   if (options.plan)
   {
     newFrame.Flatten();
   }
-  const bool sameGround = newFrame.Bounds() == frame.Bounds() && !ground.empty();
+  const bool sameBox = newFrame.Bounds() == frame.Bounds() && !ground.empty();
+  const bool sameGround = sameBox && newFrame.Framed() == frame.Framed();
   const std::vector<std::string> oldSites = information.sites;
   field = std::move(newField);
-  this->FollowArray(data);
+  this->FollowArray(drawn);
   if (field)
   {
     this->TransferFunctionChanged(); // the scale of the colours is this volume's
   }
   frame = newFrame;
-  information = ReadVolumeInformation(data);
-  ages = AgesOfData(data, array, information.sites.size());
+  shownData = newVolume;
+  volume->GetProperty()->SetScalarOpacityUnitDistance(frame.OpacityDistance());
+  information = ReadVolumeInformation(drawn);
+  ages = AgesOfData(drawn, array, information.sites.size());
 
   vtkNew<vtkImageData> placed;
-  placed->ShallowCopy(field ? field->volume.Get() : data.Get());
+  placed->ShallowCopy(field ? field->volume.Get() : drawn.Get());
   frame.MoveToScene(placed);
   if (planView)
   {
@@ -378,7 +424,7 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   }
   else
   {
-    this->DrawVolume(placed, sameGround);
+    this->DrawVolume(placed, sameBox);
   }
   if (!sameGround)
   {
@@ -426,7 +472,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
   }
   volume->GetMapper()->SetInputDataObject(placed);
   this->PlaceDetail();
-  this->SetSlices(options.slices);
+  this->UpdateSlices();
   this->SetCut(options.cut);
 }
 
@@ -444,7 +490,7 @@ void RadarScene::SetDetail(vtkImageData* newDetail)
   detailData = newDetail;
   this->PlaceDetail();
   this->DrawMark(); // which names its time
-  this->SetSlices(options.slices);
+  this->UpdateSlices();
   this->SetCut(options.cut);
 }
 

@@ -22,6 +22,10 @@ namespace nexrad::scene
 /// A mapper of that kind; pre-integration is of the slices alone.
 vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration);
 
+/// About as many slices as a usual view of the volume, as it stands in the scene, meets voxels one
+/// behind the other: 128 to 768.
+int SlicesFor(vtkImageData* placed);
+
 /// Sets the number of slices, or of samples along the longest ray through the volume, whose length
 /// is `diagonal` in scene units.
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
@@ -63,7 +67,7 @@ void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* tr
 ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction);
 
 /// A property for volumes whose colours and opacities come from a transferFunction; the opacities
-/// are those of OpacityUnitDistance.
+/// are those of OpacityUnitDistance until the scene sets another distance.
 vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty();
 
 } // namespace nexrad::scene
