@@ -110,8 +110,9 @@ vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preI
 
 int SlicesFor(vtkImageData* placed)
 {
+  constexpr double voxelsForEach = 2.0; // a slab integrates over what lies between its faces
   constexpr double fewest = 128.0;
-  constexpr double most = 768.0;
+  constexpr double most = 1024.0;
   const CameraView view;
   const double azimuth = vtkMath::RadiansFromDegrees(view.azimuth);
   const double tilt = vtkMath::RadiansFromDegrees(view.tilt);
@@ -126,7 +127,7 @@ int SlicesFor(vtkImageData* placed)
     depth += along * edge * placed->GetDimensions()[axis];
     shortest = std::min(shortest, edge / along);
   }
-  return static_cast<int>(std::clamp(std::round(depth / shortest), fewest, most));
+  return static_cast<int>(std::clamp(std::round(depth / (voxelsForEach * shortest)), fewest, most));
 }
 
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
@@ -134,6 +135,7 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
   if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
   {
     slicer->SetNumberOfSlices(slices);
+    if (getenv("ISD")) slicer->SetImageSampleDistance(atof(getenv("ISD")));
   }
   else if (auto* caster = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper))
   {

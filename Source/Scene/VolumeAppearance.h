@@ -22,8 +22,8 @@ namespace nexrad::scene
 /// A mapper of that kind; pre-integration is of the slices alone.
 vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration);
 
-/// About as many slices as a usual view of the volume, as it stands in the scene, meets voxels one
-/// behind the other: 128 to 768.
+/// About one slice for each two voxels that the usual view meets one behind the other, of the volume
+/// as it stands in the scene: 128 to 1024.
 int SlicesFor(vtkImageData* placed);
 
 /// Sets the number of slices, or of samples along the longest ray through the volume, whose length

@@ -240,25 +240,75 @@ void LeaveOutSpecks(const std::array<int, 2>& count, std::vector<double>& seen)
   }
 }
 
-// Where the sum of the weights reaches a part of it, in elements from the beginning of the first.
-double Quantile(const std::vector<double>& weights, double part)
+// Columns along x and y: the first one, and the one after the last.
+using Rectangle = std::array<int, 4>;
+
+double SumOf(
+  const std::vector<double>& seen, const std::array<int, 2>& count, const Rectangle& rectangle)
 {
-  double left = part * std::accumulate(weights.begin(), weights.end(), 0.0);
-  for (std::size_t i = 0; i < weights.size(); ++i)
+  double sum = 0.0;
+  for (int y = rectangle[2]; y < rectangle[3]; ++y)
   {
-    if (weights[i] > 0.0 && left <= weights[i])
-    {
-      return static_cast<double>(i) + left / weights[i];
-    }
-    left -= weights[i];
+    const auto row = seen.begin() + static_cast<std::ptrdiff_t>(y) * count[0];
+    sum = std::accumulate(row + rectangle[0], row + rectangle[1], sum);
   }
-  return static_cast<double>(weights.size());
+  return sum;
+}
+
+// A strip that is cut off a side.
+struct Strip
+{
+  double gain = 0.0; // part of the area, less a multiple of the part of the echo; above 0: a gain
+  Rectangle left{};  // without it
+  double lost = 0.0; // of the echo
+};
+
+// The strip without which the rectangle is filled best.
+Strip BestStrip(const std::vector<double>& seen, const std::array<int, 2>& count,
+  const Rectangle& rectangle, double mayLose)
+{
+  constexpr double weightOfEcho = 4.0;
+  const double all = SumOf(seen, count, rectangle);
+  Strip best;
+  for (std::size_t side = 0; side < rectangle.size(); ++side)
+  {
+    const std::size_t axis = side / 2;
+    const int width = rectangle[2 * axis + 1] - rectangle[2 * axis];
+    for (int strip = 1; strip < width; ++strip)
+    {
+      Rectangle left = rectangle;
+      left[side] += side % 2 == 0 ? strip : -strip;
+      const double lost = all - SumOf(seen, count, left);
+      const double gain = static_cast<double>(strip) / width - weightOfEcho * lost / all;
+      if (lost > mayLose)
+      {
+        break;
+      }
+      best = gain > best.gain ? Strip{gain, left, lost} : best;
+    }
+  }
+  return best;
+}
+
+// The columns that are framed.
+Rectangle FindRectangle(const std::vector<double>& seen, const std::array<int, 2>& count)
+{
+  constexpr double mayLose = 0.1;
+  Rectangle rectangle = {0, count[0], 0, count[1]};
+  double left = mayLose * SumOf(seen, count, rectangle);
+  for (Strip strip = BestStrip(seen, count, rectangle, left); strip.gain > 0.0;
+       strip = BestStrip(seen, count, rectangle, left))
+  {
+    rectangle = strip.left;
+    left -= strip.lost;
+  }
+  return rectangle;
 }
 
 // Per km; what is above a layer that has it is not seen.
 constexpr float faintestTop = 0.004f;
 
-// How much is seen of columns whose echo ends in each layer.
+// How much is seen of the columns whose echo ends in each layer.
 std::vector<double> Tops(const Columns& columns, const std::vector<double>& seen)
 {
   std::vector<double> tops(static_cast<std::size_t>(columns.layers));
@@ -275,29 +325,33 @@ std::vector<double> Tops(const Columns& columns, const std::vector<double>& seen
   return tops;
 }
 
+// The layer below which the echo of nearly all columns ends.
+int HighestTop(const std::vector<double>& tops)
+{
+  constexpr double out = 0.005;
+  double left = out * std::accumulate(tops.begin(), tops.end(), 0.0);
+  auto top = static_cast<int>(tops.size());
+  while (top > 1 && left >= tops[static_cast<std::size_t>(top - 1)])
+  {
+    --top;
+    left -= tops[static_cast<std::size_t>(top)];
+  }
+  return top;
+}
+
 std::array<double, 6> BoxOf(
   vtkImageData* volume, const Columns& columns, const std::vector<double>& seen)
 {
-  constexpr double out = 0.005; // of what is seen, at each side
-  std::array<std::vector<double>, 2> sums;
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    sums[axis].resize(static_cast<std::size_t>(columns.count[axis]));
-  }
-  for (std::size_t i = 0; i < seen.size(); ++i)
-  {
-    sums[0][i % sums[0].size()] += seen[i];
-    sums[1][i / sums[0].size()] += seen[i];
-  }
+  const Rectangle rectangle = FindRectangle(seen, columns.count);
   std::array<double, 6> box = FacesOf(volume);
   for (std::size_t axis = 0; axis < 2; ++axis)
   {
     const double edge = volume->GetSpacing()[axis] * columns.voxels[axis];
     const double first = box[2 * axis];
-    box[2 * axis + 1] = std::min(box[2 * axis + 1], first + edge * Quantile(sums[axis], 1.0 - out));
-    box[2 * axis] = first + edge * Quantile(sums[axis], out);
+    box[2 * axis] = first + edge * rectangle[2 * axis];
+    box[2 * axis + 1] = std::min(box[2 * axis + 1], first + edge * rectangle[2 * axis + 1]);
   }
-  box[5] = box[4] + volume->GetSpacing()[2] * Quantile(Tops(columns, seen), 1.0 - out);
+  box[5] = box[4] + volume->GetSpacing()[2] * HighestTop(Tops(columns, seen));
   return box;
 }
 

@@ -59,7 +59,9 @@ void GroundShadow::Fill(vtkImageData* light, const LightOptions& options)
   vtkDataArray* arriving = light->GetPointData()->GetScalars();
   for (vtkIdType i = 0; i < image->GetNumberOfPoints(); ++i)
   {
-    const double ofLight = 1.0 - options.shadow * (1.0 - arriving->GetComponent(i, 0) / full);
+    // The light of the volume comes farther into cores than to the ground.
+    const double share = arriving->GetComponent(i, 0) / full;
+    const double ofLight = 1.0 - options.shadow * (1.0 - share * share);
     const double ofSky = 1.0 - options.occlusion * (1.0 - arriving->GetComponent(i, 1) / full);
     for (int channel = 0; channel < 3; ++channel)
     {

@@ -3,6 +3,7 @@
 
 #include "Scene/Scales/ScaleLayer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -47,7 +48,14 @@ std::vector<double> RoundHeights(const SceneFrame& frame)
   const auto& box = frame.Framed();
   const double bottom = box[4] / frame.Exaggeration(); // km
   const double top = box[5] / frame.Exaggeration();
-  const double step = RoundLength((top - bottom) / 3.0);
+  // Of a flat frame, numbers at every third of its height would lie on each other.
+  constexpr double leastStep = 0.04; // of the frame's width
+  const double least = leastStep * std::max(box[1] - box[0], box[3] - box[2]) / frame.Exaggeration();
+  double step = RoundLength((top - bottom) / 3.0);
+  while (step < least && 2.0 * step <= top - bottom)
+  {
+    step = RoundLength(2.5 * step);
+  }
   std::vector<double> heights;
   for (double count = std::ceil(bottom / step); count * step <= top + 1e-6; ++count)
   {
