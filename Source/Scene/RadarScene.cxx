@@ -176,6 +176,7 @@ void RadarScene::FollowIsoValues()
     DrawSurfaces(mapper, surfaces);
     scene::SetLight(mapper, options.light);
   }
+  this->UpdateSlices();
 }
 
 // What draws the volume, and the finer one in it.
@@ -216,7 +217,16 @@ void RadarScene::UpdateSlices()
   for (vtkVolumeMapper* mapper : this->Mappers())
   {
     scene::SetSlices(mapper, slices, mapper->GetInput()->GetLength());
+    auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
+    SetPixelSize(mapper, options.slices ? 1.0 : this->PixelsOf(image->GetSpacing()[0]));
   }
+}
+
+// About how wide a length of the scene is in the picture.
+double RadarScene::PixelsOf(double length) const
+{
+  const auto& framed = frame.Framed();
+  return view.zoom * length * size[0] / (framed[1] - framed[0]);
 }
 
 void RadarScene::HoldEcho(const std::optional<EchoExtent>& held)
@@ -323,6 +333,7 @@ std::array<double, 2> RadarScene::PixelOf(const std::array<double, 2>& groundPoi
 void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
 {
   size = pictureSize;
+  this->UpdateSlices();
   this->DrawGround();
   this->DrawSection();
   this->DrawScales();
@@ -333,6 +344,7 @@ void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
 void RadarScene::SetCamera(const CameraView& cameraView)
 {
   view = cameraView;
+  this->UpdateSlices();
   this->DrawScales();
   this->Aim();
 }

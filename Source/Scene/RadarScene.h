@@ -139,6 +139,7 @@ private:
   void DrawScales();
   void FillProperty();
   void UpdateSlices();
+  double PixelsOf(double length) const;
   void DrawVolume(vtkImageData* placed, bool sameMapper);
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
   void PlaceDetail();

@@ -135,11 +135,23 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
   if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
   {
     slicer->SetNumberOfSlices(slices);
-    if (getenv("ISD")) slicer->SetImageSampleDistance(atof(getenv("ISD")));
   }
   else if (auto* caster = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper))
   {
     caster->SetSampleDistance(static_cast<float>(diagonal / slices));
+  }
+}
+
+void SetPixelSize(vtkVolumeMapper* mapper, double pixelsOfVoxel)
+{
+  constexpr double leastOfVoxel = 3.0;
+  constexpr float largest = 1.5F;
+  auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper);
+  if (slicer != nullptr)
+  {
+    const bool surfaces = slicer->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND;
+    slicer->SetImageSampleDistance(
+      surfaces ? 1.0F : std::clamp(static_cast<float>(pixelsOfVoxel / leastOfVoxel), 1.0F, largest));
   }
 }
 

@@ -146,7 +146,7 @@ double DefaultExaggeration(double width, double height)
   constexpr double least = 3.0;
   constexpr double most = 8.0;
   constexpr double widthForEach = 120.0; // km
-  constexpr double heightToWidth = 0.5;
+  constexpr double heightToWidth = 0.75;
   const double ofWidth = std::clamp(width / widthForEach, least, most);
   const double ofHeight = height > 0.0 ? heightToWidth * width / height : least;
   return std::max(1.0, 0.5 * std::floor(2.0 * std::min(ofWidth, ofHeight)));

@@ -84,7 +84,7 @@ private:
 
 /// How much heights are stretched when nobody says, for what is framed, in km: 3 times for what one
 /// radar sees, up to 8 times for what many see. A frame that is high for its width is stretched
-/// less, so that it stands at most half as high as it is wide, but at least to scale.
+/// less, so that it stands at most 3/4 as high as it is wide, but at least to scale.
 double DefaultExaggeration(double width, double height);
 
 } // namespace nexrad::scene
