@@ -209,16 +209,18 @@ void RadarScene::SetSlices(const std::optional<int>& count)
 
 void RadarScene::UpdateSlices()
 {
-  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  auto* whole = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  auto* image = vtkImageData::SafeDownCast(whole != nullptr ? whole->GetDataSetInput() : nullptr);
+  if (image == nullptr)
   {
-    slices = options.slices.value_or(
-      SlicesFor(vtkImageData::SafeDownCast(mapper->GetDataSetInput())));
+    return; // before the first volume
   }
+  slices = options.slices.value_or(SlicesFor(image));
   for (vtkVolumeMapper* mapper : this->Mappers())
   {
+    const double edge = vtkImageData::SafeDownCast(mapper->GetDataSetInput())->GetSpacing()[0];
     scene::SetSlices(mapper, slices, mapper->GetInput()->GetLength());
-    auto* image = vtkImageData::SafeDownCast(mapper->GetDataSetInput());
-    SetPixelSize(mapper, options.slices ? 1.0 : this->PixelsOf(image->GetSpacing()[0]));
+    SetPixelSize(mapper, options.slices ? 1.0 : this->PixelsOf(edge));
   }
 }
 

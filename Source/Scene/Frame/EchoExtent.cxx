@@ -267,7 +267,7 @@ struct Strip
 Strip BestStrip(const std::vector<double>& seen, const std::array<int, 2>& count,
   const Rectangle& rectangle, double mayLose)
 {
-  constexpr double weightOfEcho = 4.0;
+  constexpr double weightOfEcho = 3.0;
   const double all = SumOf(seen, count, rectangle);
   Strip best;
   for (std::size_t side = 0; side < rectangle.size(); ++side)
@@ -293,7 +293,7 @@ Strip BestStrip(const std::vector<double>& seen, const std::array<int, 2>& count
 // The columns that are framed.
 Rectangle FindRectangle(const std::vector<double>& seen, const std::array<int, 2>& count)
 {
-  constexpr double mayLose = 0.1;
+  constexpr double mayLose = 0.15;
   Rectangle rectangle = {0, count[0], 0, count[1]};
   double left = mayLose * SumOf(seen, count, rectangle);
   for (Strip strip = BestStrip(seen, count, rectangle, left); strip.gain > 0.0;
