@@ -493,6 +493,7 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
     this->FollowScattering(request.Property, settings);
   }
   settings.Density = this->ShadowDensity;
+  settings.Exposure = this->Exposure;
   std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
   std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
   // The same border as for the image sample distance; the window's own rate, because the time of a
@@ -697,6 +698,7 @@ void vtkOpenGLTextureSliceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "ShadowStrength: " << this->ShadowStrength << "\n";
   os << indent << "OcclusionStrength: " << this->OcclusionStrength << "\n";
   os << indent << "ShadowDensity: " << this->ShadowDensity << "\n";
+  os << indent << "Exposure: " << this->Exposure << "\n";
   os << indent << "LightDirection: " << this->LightDirection[0] << " " << this->LightDirection[1]
      << " " << this->LightDirection[2] << "\n";
   os << indent << "Zenith: " << this->Zenith[0] << " " << this->Zenith[1] << " " << this->Zenith[2]

@@ -128,6 +128,16 @@ public:
 
   ///@{
   /**
+   * What shadow and occlusion leave of a colour without shading is multiplied by this, up to the
+   * colour itself: above 1, the side towards the light, which sees but a part of the sky, keeps its
+   * colours. 1 to 4; 1 by default.
+   */
+  vtkSetClampMacro(Exposure, double, 1.0, 4.0);
+  vtkGetMacro(Exposure, double);
+  ///@}
+
+  ///@{
+  /**
    * Direction from the volume to the light that casts the shadows, in world coordinates, of any
    * length; with (0, 0, 0) there is no shadow. It does not move with the camera. (-1, -1, 2) by
    * default.
@@ -255,6 +265,7 @@ protected:
   double ShadowStrength = 0.0;
   double OcclusionStrength = 0.0;
   double ShadowDensity = 1.0;
+  double Exposure = 1.0;
   double LightDirection[3] = {-1.0, -1.0, 2.0};
   double Zenith[3] = {0.0, 0.0, 1.0};
   bool PreIntegration = false;

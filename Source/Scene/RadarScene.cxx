@@ -5,6 +5,7 @@
 #include "Scene/Captions/DataAge.h"
 #include "Scene/Cutting/SectionMark.h"
 #include "Scene/Cutting/VolumeCut.h"
+#include "Scene/EchoFraming.h"
 #include "Scene/Elements/Marker.h"
 #include "Scene/Frame/Framing.h"
 #include "Scene/Frame/LabelLayout.h"
@@ -130,7 +131,13 @@ void RadarScene::SetColours(const SceneOptions& other)
   wanted.opacities = other.opacities;
   wanted.isoValues = other.isoValues;
   transferFunction = MakeTransferFunction(wanted, array);
+  const bool otherPreset = wanted.preset != options.preset;
   options = std::move(wanted);
+  if (otherPreset && shownData != nullptr && !holdsEcho)
+  {
+    echo.reset(); // another preset may show other echo
+    this->SetVolume(vtkSmartPointer<vtkImageData>(shownData));
+  }
 }
 
 void RadarScene::SetTransferFunction(
@@ -170,6 +177,7 @@ void RadarScene::FollowIsoValues()
     DrawSurfaces(mapper, surfaces);
     scene::SetLight(mapper, options.light);
   }
+  this->UpdateSlices();
 }
 
 // What draws the volume, and the finer one in it.
@@ -194,13 +202,61 @@ void RadarScene::FillProperty()
   }
 }
 
-void RadarScene::SetSlices(int slices)
+void RadarScene::SetSlices(const std::optional<int>& count)
 {
-  options.slices = slices;
+  options.slices = count;
+  this->UpdateSlices();
+}
+
+void RadarScene::UpdateSlices()
+{
+  auto* whole = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
+  auto* image = vtkImageData::SafeDownCast(whole != nullptr ? whole->GetDataSetInput() : nullptr);
+  if (image == nullptr)
+  {
+    return; // before the first volume
+  }
+  slices = options.slices.value_or(SlicesFor(image));
   for (vtkVolumeMapper* mapper : this->Mappers())
   {
+    const double edge = vtkImageData::SafeDownCast(mapper->GetDataSetInput())->GetSpacing()[0];
     scene::SetSlices(mapper, slices, mapper->GetInput()->GetLength());
+    SetPixelSize(mapper, options.slices ? 1.0 : this->PixelsOf(edge));
   }
+}
+
+// About how wide a length of the scene is in the picture.
+double RadarScene::PixelsOf(double length) const
+{
+  const auto& framed = frame.Framed();
+  return view.zoom * length * size[0] / (framed[1] - framed[0]);
+}
+
+void RadarScene::HoldEcho(const std::optional<EchoExtent>& held)
+{
+  echo = held;
+  holdsEcho = held.has_value();
+}
+
+// The frame of a volume. It follows the echo only as far as it must: a series does not pump.
+SceneFrame RadarScene::FollowEcho(vtkImageData* newData)
+{
+  if (!holdsEcho)
+  {
+    const bool sameGrid = shownData != nullptr && ArrayOf(newData) == array &&
+                          ReadVolumeInformation(newData).projection == information.projection &&
+                          SceneFrame(newData, frame.Exaggeration()).Bounds() == frame.Bounds();
+    const auto found = MeasureEcho(newData, options);
+    if (!sameGrid || !echo)
+    {
+      echo = found;
+    }
+    else if (found && !frame.Holds(found->box))
+    {
+      echo->box = Join(*echo, *found).box;
+    }
+  }
+  return FrameVolume(newData, echo, options);
 }
 
 void RadarScene::SetLight(const LightOptions& light)
@@ -275,6 +331,7 @@ std::array<double, 2> RadarScene::PixelOf(const std::array<double, 2>& groundPoi
 void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
 {
   size = pictureSize;
+  this->UpdateSlices();
   this->DrawGround();
   this->DrawSection();
   this->DrawScales();
@@ -285,6 +342,7 @@ void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
 void RadarScene::SetCamera(const CameraView& cameraView)
 {
   view = cameraView;
+  this->UpdateSlices();
   this->DrawScales();
   this->Aim();
 }
@@ -330,43 +388,45 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
 {
   RequireVoxels(newVolume, options);
   CheckCutUnit(options.cut, newVolume);
-  const vtkSmartPointer<vtkImageData> data = AsDrawn(newVolume, options);
+  const vtkSmartPointer<vtkImageData> drawn = AsDrawn(newVolume, options);
   std::optional<PlanView> planView;
   if (options.plan)
   {
-    planView = MakePlanView(SourceOf(data), *options.plan, vtkNexradRangeLoop());
+    planView = MakePlanView(SourceOf(drawn), *options.plan, vtkNexradRangeLoop());
   }
   std::optional<ColourField> newField;
   if (!options.plan && !options.colourBy.empty())
   {
-    newField = MakeColourField(options, data, ReadVolumeInformation(data));
+    newField = MakeColourField(options, drawn, ReadVolumeInformation(drawn));
   }
-  SceneFrame newFrame(
-    data, options.exaggeration ? *options.exaggeration : DefaultExaggeration(data));
   if (view.lookAt)
   {
-    newFrame.PlaceOf(*view.lookAt); // throws before anything changes
+    SceneFrame(drawn, 1.0).PlaceOf(*view.lookAt); // throws before anything changes
   }
+  SceneFrame newFrame = this->FollowEcho(drawn);
   note = ScaleText(newFrame.Exaggeration());
   note += newField && !newField->note.empty() ? "; " + newField->note : "";
   if (options.plan)
   {
     newFrame.Flatten();
   }
-  const bool sameGround = newFrame.Bounds() == frame.Bounds() && !ground.empty();
+  const bool sameBox = newFrame.Bounds() == frame.Bounds() && !ground.empty();
+  const bool sameGround = sameBox && newFrame.Framed() == frame.Framed();
   const std::vector<std::string> oldSites = information.sites;
   field = std::move(newField);
-  this->FollowArray(data);
+  this->FollowArray(drawn);
   if (field)
   {
     this->TransferFunctionChanged(); // the scale of the colours is this volume's
   }
   frame = newFrame;
-  information = ReadVolumeInformation(data);
-  ages = AgesOfData(data, array, information.sites.size());
+  shownData = newVolume;
+  volume->GetProperty()->SetScalarOpacityUnitDistance(frame.OpacityDistance());
+  information = ReadVolumeInformation(drawn);
+  ages = AgesOfData(drawn, array, information.sites.size());
 
   vtkNew<vtkImageData> placed;
-  placed->ShallowCopy(field ? field->volume.Get() : data.Get());
+  placed->ShallowCopy(field ? field->volume.Get() : drawn.Get());
   frame.MoveToScene(placed);
   if (planView)
   {
@@ -374,7 +434,7 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   }
   else
   {
-    this->DrawVolume(placed, sameGround);
+    this->DrawVolume(placed, sameBox);
   }
   if (!sameGround)
   {
@@ -422,7 +482,7 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
   }
   volume->GetMapper()->SetInputDataObject(placed);
   this->PlaceDetail();
-  this->SetSlices(options.slices);
+  this->UpdateSlices();
   this->SetCut(options.cut);
 }
 
@@ -440,7 +500,7 @@ void RadarScene::SetDetail(vtkImageData* newDetail)
   detailData = newDetail;
   this->PlaceDetail();
   this->DrawMark(); // which names its time
-  this->SetSlices(options.slices);
+  this->UpdateSlices();
   this->SetCut(options.cut);
 }
 

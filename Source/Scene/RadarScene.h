@@ -7,6 +7,7 @@
 #include "Scene/Elements/TextPicture.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/Frame/CameraView.h"
+#include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Map/GroundShadow.h"
@@ -99,9 +100,14 @@ public:
   void SetLetters(TextPictures letters) { pictures = std::move(letters); }
   void TransferFunctionChanged();
 
-  /// Slices, or samples along the longest ray; at least 1.
-  int Slices() const { return options.slices; }
-  void SetSlices(int slices);
+  /// Slices, or samples along the longest ray, at least 1, as the options or the volume ask for.
+  int Slices() const { return slices; }
+  /// Empty: as many as the volume asks for.
+  void SetSlices(const std::optional<int>& slices);
+
+  /// Frames that echo, whatever the volumes from the next on show. Nothing: that of the first volume
+  /// of a grid and a moment, which grows where the echo of another leaves it.
+  void HoldEcho(const std::optional<EchoExtent>& held);
 
   /// The light that the volume stands in.
   void SetLight(const LightOptions& light);
@@ -123,6 +129,7 @@ public:
 private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
+  SceneFrame FollowEcho(vtkImageData* data);
   void Replace(Props& group, Props replacement);
   void OrderProps();
   void FollowArray(vtkImageData* data);
@@ -131,6 +138,8 @@ private:
   void DrawSection();
   void DrawScales();
   void FillProperty();
+  void UpdateSlices();
+  double PixelsOf(double length) const;
   void DrawVolume(vtkImageData* placed, bool sameMapper);
   void DrawPlan(const PlanView& shown, vtkImageData* placed);
   void PlaceDetail();
@@ -148,6 +157,10 @@ private:
   std::array<int, 2> size = {1280, 720};
   CameraView view;
   SceneFrame frame;
+  std::optional<EchoExtent> echo;
+  bool holdsEcho = false; ///< and measures none
+  vtkSmartPointer<vtkImageData> shownData; ///< as it was given
+  int slices = 256;                   ///< that are drawn
   VolumeInformation information;
   vtkSmartPointer<vtkRenderer> renderer;
   unsigned long startTag = 0; ///< of the observer of the renderer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/RadarSession.h"
 
+#include "Scene/EchoFraming.h"
 #include "Scene/PlayAhead.h"
 
 #include <vtkImageData.h>
@@ -12,11 +13,13 @@ namespace nexrad::scene
 
 RadarSession::RadarSession(std::unique_ptr<VolumeSeries> source, std::vector<std::size_t> steps,
   const SceneOptions& options, const std::optional<BoxRequest>& finerBox)
-  : series(finerBox ? std::move(source) : PlayAhead(std::move(source), steps, options))
+  : echo(MeasureSeries(*source, steps, options))
+  , series(finerBox ? std::move(source) : PlayAhead(std::move(source), steps, options))
   , chosen(std::move(steps))
   , box(finerBox)
   , scene(options)
 {
+  scene.HoldEcho(echo);
 }
 
 bool RadarSession::Load(std::size_t step, const Progress& progress)

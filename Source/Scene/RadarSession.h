@@ -51,6 +51,7 @@ private:
     vtkSmartPointer<vtkImageData> box;
   };
 
+  std::optional<EchoExtent> echo; ///< of all that is shown, where that is more than one time
   std::unique_ptr<VolumeSeries> series;
   std::vector<std::size_t> chosen;
   std::optional<std::size_t> shown;

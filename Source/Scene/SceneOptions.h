@@ -21,6 +21,13 @@ enum class MapperChoice
   RayCast       ///< VTK's GPU ray caster, for comparison
 };
 
+/// What the camera looks at, with walls and scales about it.
+enum class FrameChoice
+{
+  Echo,  ///< the echo, and the radars near it
+  Domain ///< the whole domain
+};
+
 /// The presets of colour and opacity (vtkNexradTransferFunction): of reflectivity, its default
 /// first, then one of each other moment.
 constexpr const char* presetNames[] = {"all echo", "storm cores", "hail", "clear air", "iso-values",
@@ -60,14 +67,30 @@ struct SceneOptions
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
   bool linearInterpolation =
     true;                   ///< between voxels; else each place has its nearest voxel's value
-  int slices = 256;         ///< or samples along the longest ray; from 1 on
+  std::optional<int> slices; ///< or samples along the longest ray, from 1 on; empty: about one for
+                             ///< each voxel along the view
+  std::optional<double> opacityDistance; ///< km of the scene to which opacities belong, above 0;
+                                         ///< empty: OpacityDistanceOf the echo
+  FrameChoice framing = FrameChoice::Echo;
   double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
-  ThemeChoice theme = ThemeChoice::Dark;
+  ThemeChoice theme = ThemeChoice::Light;
   bool heightWalls = true; ///< lines of equal height on the walls behind the volume
   bool placeNames = false; ///< names of states and provinces on the map
   LightOptions light;
   std::optional<PlanOptions> plan;
   CutOptions cut;
 };
+
+/// The look of earlier versions: a dark, unlit scene about the whole domain, stretched eight times.
+inline void UseClassicLook(SceneOptions& options)
+{
+  options.theme = ThemeChoice::Dark;
+  options.light.shadow = 0.0;
+  options.light.occlusion = 0.0;
+  options.framing = FrameChoice::Domain;
+  options.exaggeration = 8.0;
+  options.opacityDistance = 5.0;
+  options.slices = 256;
+}
 
 } // namespace nexrad::scene

@@ -82,7 +82,16 @@ SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
                      : MapperChoice::TextureSlice;
   options.preIntegration = scene->GetPreIntegration();
   options.linearInterpolation = scene->GetLinearInterpolation();
-  options.slices = scene->GetNumberOfSlices();
+  if (scene->GetNumberOfSlices() > 0)
+  {
+    options.slices = scene->GetNumberOfSlices();
+  }
+  if (scene->GetOpacityDistance() > 0.0)
+  {
+    options.opacityDistance = scene->GetOpacityDistance();
+  }
+  options.framing = scene->GetFraming() == vtkNexradVolumeScene::DOMAIN ? FrameChoice::Domain
+                                                                        : FrameChoice::Echo;
   options.light = {scene->GetShadowStrength(), scene->GetOcclusionStrength(),
     {scene->GetLightAzimuth(), scene->GetLightElevation()}};
   options.ringSpacing = scene->GetRingSpacing();

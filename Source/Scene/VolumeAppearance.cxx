@@ -7,11 +7,13 @@
 #include "vtkNexradTransferFunction.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
+#include <vtkImageData.h>
 #include <vtkMath.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkVolumeProperty.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string>
 #include <utility>
@@ -26,6 +28,8 @@ namespace
 // Surfaces take as much of it as their opacity says.
 constexpr double shadowDensity = 0.35;
 constexpr double shadowDensityOfSurfaces = 1.0;
+// A side that sees the light and half of the sky keeps its colours.
+constexpr double exposure = 1.25;
 
 // What surfaces return of the light: VTK's own, and where there are shadows more of the ambient
 // light, so that colours can be told apart in the shadow, and occlusion is seen.
@@ -104,6 +108,28 @@ vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preI
   return mapper;
 }
 
+int SlicesFor(vtkImageData* placed)
+{
+  constexpr double voxelsForEach = 2.0; // a slab integrates over what lies between its faces
+  constexpr double fewest = 128.0;
+  constexpr double most = 1024.0;
+  const CameraView view;
+  const double azimuth = vtkMath::RadiansFromDegrees(view.azimuth);
+  const double tilt = vtkMath::RadiansFromDegrees(view.tilt);
+  const std::array<double, 3> direction = {
+    std::sin(azimuth) * std::cos(tilt), std::cos(azimuth) * std::cos(tilt), std::sin(tilt)};
+  double depth = 0.0;
+  double shortest = 1e9; // along the view from one voxel to the next
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    const double along = std::abs(direction[axis]);
+    const double edge = placed->GetSpacing()[axis];
+    depth += along * edge * placed->GetDimensions()[axis];
+    shortest = std::min(shortest, edge / along);
+  }
+  return static_cast<int>(std::clamp(std::round(depth / (voxelsForEach * shortest)), fewest, most));
+}
+
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
 {
   if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
@@ -113,6 +139,19 @@ void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal)
   else if (auto* caster = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper))
   {
     caster->SetSampleDistance(static_cast<float>(diagonal / slices));
+  }
+}
+
+void SetPixelSize(vtkVolumeMapper* mapper, double pixelsOfVoxel)
+{
+  constexpr double leastOfVoxel = 3.0;
+  constexpr float largest = 1.5F;
+  auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper);
+  if (slicer != nullptr)
+  {
+    const bool surfaces = slicer->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND;
+    slicer->SetImageSampleDistance(
+      surfaces ? 1.0F : std::clamp(static_cast<float>(pixelsOfVoxel / leastOfVoxel), 1.0F, largest));
   }
 }
 
@@ -145,6 +184,7 @@ void SetLight(vtkVolumeMapper* mapper, const LightOptions& light)
     slicer->SetShadowDensity(slicer->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND
                                ? shadowDensityOfSurfaces
                                : shadowDensity);
+    slicer->SetExposure(exposure);
     slicer->SetLightDirection(std::sin(azimuth) * std::cos(elevation),
       std::cos(azimuth) * std::cos(elevation), std::sin(elevation));
   }

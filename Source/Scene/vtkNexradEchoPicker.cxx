@@ -33,9 +33,10 @@ namespace
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-SceneFrame FrameOf(vtkNexradVolumeScene* scene)
+// The scene is up to date, and shows a volume.
+const SceneFrame& FrameOf(vtkNexradVolumeScene* scene)
 {
-  return nexrad::scene::MakeSceneFrame(scene->GetVolume(), scene->GetExaggeration());
+  return *scene->GetSceneFrame();
 }
 
 // The distance at which the ray meets the ground of the domain.

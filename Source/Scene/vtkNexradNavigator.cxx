@@ -46,9 +46,10 @@ ScenePoint AtDepth(vtkCamera* camera, const ViewRay& ray, double depth)
   return ray.At((depth - first) / vtkMath::Dot(ray.direction.data(), forward));
 }
 
-SceneFrame FrameOf(vtkNexradVolumeScene* scene)
+// The scene is up to date, and shows a volume.
+const SceneFrame& FrameOf(vtkNexradVolumeScene* scene)
 {
-  return nexrad::scene::MakeSceneFrame(scene->GetVolume(), scene->GetExaggeration());
+  return *scene->GetSceneFrame();
 }
 
 ViewRay RayAt(vtkRenderer* renderer, double x, double y)
@@ -100,7 +101,7 @@ void vtkNexradNavigator::FindPoint(double x, double y, double point[3])
     return;
   }
   vtkCamera* camera = renderer->GetActiveCamera();
-  const std::array<double, 6> box = FrameOf(this->Scene).Bounds();
+  const std::array<double, 6> box = FrameOf(this->Scene).Framed();
   const double middle[3] = {
     (box[0] + box[1]) / 2.0, (box[2] + box[3]) / 2.0, (box[4] + box[5]) / 2.0};
   const ScenePoint found = AtDepth(camera, RayAt(renderer, x, y), DepthOf(camera, middle));

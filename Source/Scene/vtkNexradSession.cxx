@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSession.h"
 
+#include "Scene/EchoFraming.h"
 #include "Scene/PlayAhead.h"
 #include "Scene/Series/DayVolumes.h"
 #include "Scene/Series/VolumeFiles.h"
@@ -98,6 +99,7 @@ vtkNexradVolumeScene* vtkNexradSession::GetScene() const
 
 void vtkNexradSession::Open()
 {
+  this->Scene->ClearFrame();
   std::vector<std::filesystem::path> paths;
   for (int i = 0; i < this->GetNumberOfFileNames(); ++i)
   {
@@ -112,6 +114,11 @@ void vtkNexradSession::Open()
     auto files = nexrad::scene::OpenVolumeFiles(paths);
     std::vector<std::size_t> order(files->Times().size());
     std::iota(order.begin(), order.end(), std::size_t(0));
+    if (this->Scene->GetFraming() == vtkNexradVolumeScene::ECHO)
+    {
+      nexrad::scene::ForFraming(
+        *files, order, [this](vtkImageData* volume) { this->Scene->AddToFrame(volume); });
+    }
     this->Series->volumes =
       nexrad::scene::PlayAhead(std::move(files), order, this->Series->options);
     return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradVolumeScene.h"
 
+#include "Scene/EchoFraming.h"
 #include "Scene/RadarScene.h"
 #include "Scene/SceneSettings.h"
 #include "nexrad/System/Error.h"
@@ -20,6 +21,7 @@
 #include <utility>
 
 using nexrad::scene::CameraView;
+using nexrad::scene::EchoExtent;
 using nexrad::scene::LightOptions;
 using nexrad::scene::LookAt;
 using nexrad::scene::RadarScene;
@@ -54,7 +56,8 @@ bool SameLight(const LightOptions& a, const LightOptions& b)
 bool SameButForWhatCanChange(const SceneOptions& a, const SceneOptions& b)
 {
   return a.colourBy == b.colourBy && (a.colourBy.empty() || SameColors(a, b)) && SamePlan(a, b) &&
-         a.exaggeration == b.exaggeration && a.mapper == b.mapper &&
+         a.exaggeration == b.exaggeration && a.framing == b.framing &&
+         a.opacityDistance == b.opacityDistance && a.mapper == b.mapper &&
          a.preIntegration == b.preIntegration && a.linearInterpolation == b.linearInterpolation &&
          a.ringSpacing == b.ringSpacing && a.theme == b.theme && a.heightWalls == b.heightWalls &&
          a.placeNames == b.placeNames;
@@ -86,6 +89,7 @@ struct vtkNexradVolumeScene::Drawing
   std::optional<std::array<double, 4>> mark;
   vtkMTimeType colorTime = 0;
   bool remakeColors = false;
+  std::optional<EchoExtent> held; // of AddToFrame
   std::unique_ptr<RadarScene> scene;
   vtkMTimeType tried = 0; // time of the settings that the last update was for
   bool succeeded = true;
@@ -95,6 +99,7 @@ struct vtkNexradVolumeScene::Drawing
   static CameraView ViewOf(const vtkNexradVolumeScene* self);
   void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
+  void HoldEcho();
   void MakeColors(const SceneOptions& wanted);
   void FollowColors();
   void FollowBox(const vtkNexradVolumeScene* self, bool anew);
@@ -146,6 +151,7 @@ void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const Sc
   {
     scene->SetTransferFunction(colors, array);
   }
+  scene->HoldEcho(held);
   scene->SetCamera(view);
   scene->SetPictureSize(size);
   this->ShowVolume(self->Volume);
@@ -160,6 +166,15 @@ void vtkNexradVolumeScene::Drawing::ShowVolume(vtkImageData* newVolume)
   scene->SetVolume(newVolume);
   volume = newVolume;
   volumeTime = newVolume->GetMTime();
+}
+
+void vtkNexradVolumeScene::Drawing::HoldEcho()
+{
+  volume = nullptr; // shown again, within the other frame
+  if (scene)
+  {
+    scene->HoldEcho(held);
+  }
 }
 
 void vtkNexradVolumeScene::Drawing::MakeColors(const SceneOptions& wanted)
@@ -379,6 +394,34 @@ void vtkNexradVolumeScene::RemoveAllIsoValues()
     this->IsoValues.clear();
     this->Modified();
   }
+}
+
+void vtkNexradVolumeScene::AddToFrame(vtkImageData* volume)
+{
+  try
+  {
+    std::optional<EchoExtent>& held = this->Drawn->held;
+    const auto echo = nexrad::scene::MeasureEcho(volume, Drawing::OptionsOf(this));
+    held = held && echo ? nexrad::scene::Join(*held, *echo) : (echo ? echo : held);
+    this->Drawn->HoldEcho();
+    this->Modified();
+  }
+  catch (const std::exception& error)
+  {
+    vtkErrorMacro(<< error.what());
+  }
+}
+
+void vtkNexradVolumeScene::ClearFrame()
+{
+  this->Drawn->held.reset();
+  this->Drawn->HoldEcho();
+  this->Modified();
+}
+
+const SceneFrame* vtkNexradVolumeScene::GetSceneFrame() const
+{
+  return this->Drawn->scene ? &this->Drawn->scene->Frame() : nullptr;
 }
 
 vtkNexradTransferFunction* vtkNexradVolumeScene::GetTransferFunction() const
@@ -614,6 +657,8 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << "\n";
   os << indent << "ColorArray: " << this->ColorArray << "\n";
   os << indent << "Exaggeration: " << this->Exaggeration << "\n";
+  os << indent << "Framing: " << this->Framing << "\n";
+  os << indent << "OpacityDistance: " << this->OpacityDistance << "\n";
   os << indent << "Mapper: " << this->Mapper << "\n";
   os << indent << "PreIntegration: " << (this->PreIntegration ? "On" : "Off") << "\n";
   os << indent << "LinearInterpolation: " << (this->LinearInterpolation ? "On" : "Off") << "\n";

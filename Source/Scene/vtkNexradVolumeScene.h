@@ -46,6 +46,14 @@ class vtkImageData;
 class vtkNexradTransferFunction;
 class vtkRenderer;
 
+namespace nexrad
+{
+namespace scene // as VTK's wrapper reads it
+{
+class SceneFrame;
+}
+} // namespace nexrad
+
 class VTKNEXRADSCENE_EXPORT vtkNexradVolumeScene : public vtkObject
 {
 public:
@@ -82,13 +90,23 @@ public:
   };
 
   /**
-   * Colours of the sky, the ground, lines and letters. DARK: light letters over a dark ground.
-   * LIGHT: dark letters over a pale ground, for paper.
+   * Colours of the sky, the ground, lines and letters. DARK: light letters over a grey ground.
+   * LIGHT: dark letters over a pale ground.
    */
   enum ThemeType
   {
     DARK = 0,
     LIGHT = 1
+  };
+
+  /**
+   * What the camera looks at, with walls and scales about it. ECHO: the echo, and the radars near
+   * it. DOMAIN: the whole domain.
+   */
+  enum FramingType
+  {
+    ECHO = 0,
+    DOMAIN = 1
   };
 
   ///@{
@@ -233,11 +251,39 @@ public:
 
   ///@{
   /**
-   * How many times heights are stretched; the picture states it. 0, the default, stretches so much
-   * that the domain stands a third as high as it is wide, 1 to 8 times.
+   * How many times heights are stretched; the picture states it. 0, the default, goes by the size
+   * of what is framed: 3 times for what one radar sees, up to 8 for many radars.
    */
   vtkSetClampMacro(Exaggeration, double, 0.0, 1000.0);
   vtkGetMacro(Exaggeration, double);
+  ///@}
+
+  ///@{
+  /**
+   * What the camera looks at, with walls and scales about it. ECHO by default: the box that holds
+   * the echo of the first volume, and grows where that of another volume of its grid and moment
+   * leaves it. A plan view shows the domain.
+   */
+  vtkSetClampMacro(Framing, int, ECHO, DOMAIN);
+  vtkGetMacro(Framing, int);
+  ///@}
+
+  ///@{
+  /**
+   * Takes the echo of a volume into the frame, which then stays the same whatever volumes are
+   * shown: a movie has one frame for all of its times. ClearFrame: of none any more.
+   */
+  void AddToFrame(vtkImageData* volume);
+  void ClearFrame();
+  ///@}
+
+  ///@{
+  /**
+   * The length along a ray to which the opacities belong, in km of the scene. 0, the default,
+   * chooses it by the echo, so that what is seen is neither faint nor solid.
+   */
+  vtkSetClampMacro(OpacityDistance, double, 0.0, 1000.0);
+  vtkGetMacro(OpacityDistance, double);
   ///@}
 
   ///@{
@@ -273,16 +319,17 @@ public:
 
   ///@{
   /**
-   * Slices, or samples along the longest ray. From 1 to 16384; 256 by default.
+   * Slices, or samples along the longest ray. From 1 to 16384; 0, the default, takes about one for
+   * each voxel along the view.
    */
-  vtkSetClampMacro(NumberOfSlices, int, 1, 16384);
+  vtkSetClampMacro(NumberOfSlices, int, 0, 16384);
   vtkGetMacro(NumberOfSlices, int);
   ///@}
 
   ///@{
   /**
-   * How strong the shadows are that the volume casts on itself and on the ground, 0 (none, the
-   * default) to 1. The ray caster draws none.
+   * How strong the shadows are that the volume casts on itself and on the ground, 0 (none) to 1;
+   * 0.5 by default. The ray caster draws none.
    */
   vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
   vtkGetMacro(ShadowStrength, double);
@@ -291,7 +338,7 @@ public:
   ///@{
   /**
    * How strong ambient occlusion is: how much darker the volume and the ground are where they see
-   * little of the sky, 0 (none, the default) to 1. The ray caster draws none.
+   * little of the sky, 0 (none) to 1; 0.4 by default. The ray caster draws none.
    */
   vtkSetClampMacro(OcclusionStrength, double, 0.0, 1.0);
   vtkGetMacro(OcclusionStrength, double);
@@ -326,7 +373,7 @@ public:
 
   ///@{
   /**
-   * Colours beside those of the data. DARK by default.
+   * Colours beside those of the data. LIGHT by default.
    */
   vtkSetClampMacro(Theme, int, DARK, LIGHT);
   vtkGetMacro(Theme, int);
@@ -491,6 +538,12 @@ public:
   bool SceneToVolume(const double scenePoint[3], double point[3]);
   ///@}
 
+#ifndef __VTK_WRAP__
+  /// How the volume stands in the scene; for the parts of this module. Null before the first volume
+  /// is shown.
+  const nexrad::scene::SceneFrame* GetSceneFrame() const;
+#endif
+
   /**
    * Points the camera straight down, north up, in parallel projection.
    */
@@ -516,13 +569,15 @@ protected:
   int Mapper = TEXTURE_SLICE;
   bool PreIntegration = true;
   bool LinearInterpolation = true;
-  int NumberOfSlices = 256;
-  double ShadowStrength = 0.0;
-  double OcclusionStrength = 0.0;
+  int NumberOfSlices = 0;
+  double ShadowStrength = 0.5;
+  double OcclusionStrength = 0.4;
+  int Framing = ECHO;
+  double OpacityDistance = 0.0;
   double LightAzimuth = 250.0;
   double LightElevation = 45.0;
   double RingSpacing = 0.0;
-  int Theme = DARK;
+  int Theme = LIGHT;
   bool HeightWalls = true;
   bool PlaceNames = false;
   int Plan = NO_PLAN;

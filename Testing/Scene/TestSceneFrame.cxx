@@ -54,21 +54,28 @@ TEST(SceneFrame, BoundsAreTheOuterFacesInKilometres)
   EXPECT_NEAR(frame.Height(10'000.0), 80.0, 1e-12);
 }
 
-// A third as high as it is wide, whatever the domain; at most as much as that of one radar.
-TEST(SceneFrame, HeightsAreStretchedByTheDomain)
+// 3 to 4 times for what one radar sees, up to 8 for many; less where a frame is high for its width.
+TEST(SceneFrame, HeightsAreStretchedByTheFrame)
 {
-  const auto volume = MakeStormVolume(false); // 480 km wide and 20 km high
-  const auto stretchOf = [&volume](double width, double height)
+  EXPECT_EQ(DefaultExaggeration(178.0, 16.0), 3.0);
+  EXPECT_EQ(DefaultExaggeration(460.0, 16.0), 3.5);
+  EXPECT_EQ(DefaultExaggeration(1400.0, 16.0), 8.0);
+  EXPECT_EQ(DefaultExaggeration(48.0, 18.0), 2.0);
+  EXPECT_EQ(DefaultExaggeration(15.0, 20.0), 1.0);
+}
+
+TEST(SceneFrame, AFrameIsAPartOfTheDomain)
+{
+  SceneFrame frame(MakeStormVolume(false), 8.0);
+  EXPECT_EQ(frame.Framed(), frame.Bounds());
+  frame.SetFramed({-300e3, 0.0, -100e3, 100e3, 0.0, 15e3});
+  const std::array<double, 6> expected = {-240.0, 0.0, -100.0, 100.0, 0.0, 120.0};
+  for (std::size_t i = 0; i < expected.size(); ++i)
   {
-    volume->SetSpacing(width / 48.0, width / 48.0, height / 16.0);
-    return DefaultExaggeration(volume);
-  };
-  EXPECT_EQ(stretchOf(480e3, 20e3), 8.0);
-  EXPECT_EQ(stretchOf(178e3, 20e3), 3.0);
-  EXPECT_EQ(stretchOf(120e3, 20e3), 2.0);
-  EXPECT_EQ(stretchOf(1400e3, 20e3), 8.0);
-  EXPECT_EQ(stretchOf(30e3, 20e3), 1.0);
-  EXPECT_EQ(stretchOf(120e3, 10e3), 4.0);
+    EXPECT_NEAR(frame.Framed()[i], expected[i], 1e-9) << i;
+  }
+  EXPECT_TRUE(frame.Holds({-200e3, -50e3, -90e3, 90e3, 0.0, 10e3}));
+  EXPECT_FALSE(frame.Holds({-200e3, 50e3, -90e3, 90e3, 0.0, 10e3}));
 }
 
 TEST(SceneFrame, PlacesAreKilometresFromTheCentre)

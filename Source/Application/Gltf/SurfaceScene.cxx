@@ -5,6 +5,7 @@
 #include "Gltf/IsoSurface.h"
 #include "Gltf/MeshBuilder.h"
 #include "Scene/Cutting/VolumeCut.h"
+#include "Scene/EchoFraming.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/RadarScene.h"
@@ -144,7 +145,7 @@ GlbScene MakeSurfaceScene(vtkImageData* volume, const SceneOptions& options)
   {
     throw Error("the volume's active scalars are no radar moment: '" + array + "'");
   }
-  const SceneFrame frame = MakeSceneFrame(volume, options.exaggeration.value_or(0.0));
+  const SceneFrame frame = FrameVolume(volume, MeasureEcho(volume, options), options);
   const VolumeInformation information = ReadVolumeInformation(volume);
   const std::string caption = CaptionOf(*moment, information.time);
   std::vector<GlbMesh> surfaces = MakeSurfaces(volume, *moment, options, frame);

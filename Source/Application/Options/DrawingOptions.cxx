@@ -20,6 +20,8 @@ namespace nexrad::application
 namespace
 {
 
+constexpr char pictureGroup[] = "Picture";
+
 scene::MapperChoice ParseMapper(const std::string& text)
 {
   if (text != "texture-slice" && text != "ray-cast")
@@ -74,6 +76,57 @@ scene::ThemeChoice ParseTheme(const std::string& text)
     throw Error("'" + text + "' is no theme; write dark or light");
   }
   return text == "light" ? scene::ThemeChoice::Light : scene::ThemeChoice::Dark;
+}
+
+scene::FrameChoice ParseFraming(const std::string& text)
+{
+  if (text != "echo" && text != "domain")
+  {
+    throw Error("'" + text + "' is no frame; write echo or domain");
+  }
+  return text == "domain" ? scene::FrameChoice::Domain : scene::FrameChoice::Echo;
+}
+
+int ParseSlices(const std::string& text)
+{
+  const std::vector<double> count = FindNumbers(text);
+  if (count.size() != 1 || count[0] < 1.0 || count[0] > 16384.0 || count[0] != std::round(count[0]))
+  {
+    throw Error("'" + text + "' is no number of slices; write a whole number from 1 to 16384");
+  }
+  return static_cast<int>(count[0]);
+}
+
+double ParseOpacityDistance(const std::string& text)
+{
+  const double distance = ParseLength(text) / 1000.0;
+  if (distance < 0.001 || distance > 1000.0)
+  {
+    throw Error("'" + text + "' is no length of opacities; write 1m to 1000km, as in 5km");
+  }
+  return distance;
+}
+
+// Settings that other options may change again, wherever they stand: it is added before them.
+void AddLook(CLI::App& command, scene::SceneOptions& options)
+{
+  AddTextOption(
+    command, "--look",
+    [&options](const std::string& text)
+    {
+      if (text != "classic" && text != "usual")
+      {
+        throw Error("'" + text + "' is no look; write usual or classic");
+      }
+      if (text == "classic")
+      {
+        UseClassicLook(options);
+      }
+    },
+    "NAME",
+    "usual; or classic, the look of earlier versions: a dark, unlit scene about the whole domain, "
+    "8 times as high, with 256 slices. Other options change what it sets")
+    ->group(pictureGroup);
 }
 
 // One entry of a list of iso-values: "35" or "35:0.5". Empty where it is none.
@@ -179,11 +232,10 @@ scene::LookAt ParseLookAt(const std::string& text)
   return {{place[1], place[0], higher ? ParseLength(text.substr(last + 1)) : 0.0}, true};
 }
 
-constexpr char pictureGroup[] = "Picture";
-
 void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::SceneOptions& options)
 {
   const char* const group = pictureGroup;
+  AddLook(command, options);
   AddParsedOption(
     command, "--size", size, ParsePictureSize, "WxH", "Width and height in pixels", "1280x720")
     ->group(group);
@@ -200,8 +252,9 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     "NAME", "Between voxels: linear; or nearest, which shows each voxel as a box of one value",
     "linear")
     ->group(group);
-  AddNumberOption(command, "--slices", options.slices, 1, 16384, "NUMBER",
-    "Slices, or samples along the longest ray")
+  AddParsedOption(command, "--slices", options.slices, ParseSlices, "NUMBER",
+    "Slices, or samples along the longest ray, 1 to 16384 (default: about one for each voxel along "
+    "the view)")
     ->group(group);
   AddAppearanceOptions(command, options);
   command
@@ -328,8 +381,12 @@ void AddAppearanceOptions(CLI::App& command, scene::SceneOptions& options)
 {
   const char* const group = pictureGroup;
   AddParsedOption(command, "--exaggeration", options.exaggeration, ParseExaggeration, "FACTOR",
-    "How much heights are stretched, 0.1 to 100; the picture states it (default: so much that the "
-    "domain stands a third as high as it is wide, 1 to 8)")
+    "How much heights are stretched, 0.1 to 100; the picture states it (default: by the size of "
+    "the frame, 3 for what one radar sees, up to 8 for many radars)")
+    ->group(group);
+  AddParsedOption(command, "--frame", options.framing, ParseFraming, "WHAT",
+    "What fills the picture: echo, with the radars near it, at all times of a movie; or domain",
+    "echo")
     ->group(group);
   command
     .add_option("--preset", options.preset,
@@ -358,8 +415,13 @@ void AddAppearanceOptions(CLI::App& command, scene::SceneOptions& options)
     ->check(CLI::Validator(CLI::ExistingFile).description(""))
     ->type_name("FILE")
     ->group(group);
+  AddParsedOption(command, "--opacity-distance", options.opacityDistance, ParseOpacityDistance,
+    "LENGTH",
+    "The length along a ray to which opacities belong (default: so that the echo is seen neither "
+    "faint nor solid)")
+    ->group(group);
   AddParsedOption(command, "--theme", options.theme, ParseTheme, "NAME",
-    "dark: light letters over a dark ground; light: dark letters over a pale one", "dark")
+    "light: dark letters over a pale ground; dark: light letters over a grey one", "light")
     ->group(group);
 }
 
@@ -367,17 +429,17 @@ void AddCameraOptions(CLI::App& command, scene::CameraView& camera)
 {
   constexpr char group[] = "Camera";
   AddNumberOption(command, "--azimuth", camera.azimuth, -3600.0, 3600.0, "DEGREES",
-    "Where the camera stands, clockwise from north about the domain's centre: 180 looks north")
+    "Where the camera stands, clockwise from north about the frame: 180 looks north")
     ->group(group);
   AddNumberOption(command, "--tilt", camera.tilt, -90.0, 90.0, "DEGREES",
     "Height of the camera above the horizon; 90 looks straight down")
     ->group(group);
   AddNumberOption(command, "--zoom", camera.zoom, 0.01, 1000.0, "FACTOR",
-    "1 shows the whole domain, 2 half of its width")
+    "1 shows the whole frame, 2 half of its width")
     ->group(group);
   AddParsedOption(command, "--look-at", camera.lookAt, ParseLookAt, "LATITUDE,LONGITUDE[,HEIGHT]",
-    "What is in the middle of the picture, as in 35.3,-97.3,4km (default: the whole domain fills "
-    "the picture)")
+    "What is in the middle of the picture, as in 35.3,-97.3,4km (default: the frame fills the "
+    "picture)")
     ->group(group);
   command.add_flag("--parallel", camera.parallel, "Parallel in place of perspective projection")
     ->group(group);

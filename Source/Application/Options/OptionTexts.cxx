@@ -110,6 +110,8 @@ void AddCamera(const scene::CameraView& camera, bool map, OptionList& options)
   options.AddFlag("--perspective", map && !camera.parallel);
 }
 
+constexpr double metresPerKilometre = 1000.0;
+
 void AddVolume(const scene::SceneOptions& scene, OptionList& options)
 {
   const scene::SceneOptions usual;
@@ -125,7 +127,18 @@ void AddVolume(const scene::SceneOptions& scene, OptionList& options)
   {
     options.Add("--interpolation", "nearest");
   }
-  options.AddUnless(usual.slices, "--slices", scene.slices);
+  if (scene.slices)
+  {
+    options.Add("--slices", std::to_string(*scene.slices));
+  }
+  if (scene.opacityDistance)
+  {
+    options.Add("--opacity-distance", LengthTextOf(metresPerKilometre * *scene.opacityDistance));
+  }
+  if (scene.framing == scene::FrameChoice::Domain)
+  {
+    options.Add("--frame", "domain");
+  }
   options.AddIfAny("--preset", scene.preset);
   options.AddIfAny("--iso-values", IsoValuesTextOf(scene.isoValues));
   if (!scene.colours.empty())
@@ -157,9 +170,9 @@ void AddSurroundings(const scene::SceneOptions& scene, OptionList& options)
   {
     options.Add("--rings", LengthTextOf(scene.ringSpacing));
   }
-  if (scene.theme == scene::ThemeChoice::Light)
+  if (scene.theme == scene::ThemeChoice::Dark)
   {
-    options.Add("--theme", "light");
+    options.Add("--theme", "dark");
   }
   options.AddFlag("--no-walls", !scene.heightWalls);
   options.AddFlag("--names", scene.placeNames);

@@ -3,6 +3,7 @@
 
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
+#include "Scene/EchoFraming.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/Map/GroundPicture.h"
 #include "Scene/Map/PlacedMap.h"
@@ -111,7 +112,7 @@ PageScene::PageScene(const scene::WebRequest& webRequest, vtkImageData* image)
   : request(webRequest)
   , volume(VolumeOf(image))
 {
-  frame = scene::MakeSceneFrame(image, request.scene.exaggeration.value_or(0.0));
+  frame = scene::FrameVolume(image, scene::MeasureEcho(image, request.scene), request.scene);
   box = frame.Bounds();
   box[4] /= frame.Exaggeration();
   box[5] /= frame.Exaggeration();

@@ -23,6 +23,9 @@ namespace nexrad::scene
 namespace
 {
 
+// How much heights are stretched, whatever is drawn: times of volumes are compared.
+constexpr double exaggeration = 8.0;
+
 // The value after "NAME:" in the lines of a report.
 std::string Entry(const std::string& report, const std::string& name)
 {
@@ -63,7 +66,7 @@ VolumeStage::~VolumeStage() = default;
 
 void VolumeStage::SetVolume(MapperChoice choice, vtkImageData* data)
 {
-  const SceneFrame frame(data, UsualExaggeration);
+  const SceneFrame frame(data, exaggeration);
   placed = vtkSmartPointer<vtkImageData>::New();
   placed->ShallowCopy(data);
   frame.MoveToScene(placed);

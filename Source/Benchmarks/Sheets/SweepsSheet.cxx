@@ -71,7 +71,7 @@ vtkSmartPointer<vtkImageData> DrawLayers(const std::vector<SweepLayer>& layers, 
   scene.SetVolume(domain);
   vtkNew<vtkColorTransferFunction> colours;
   scene.TransferFunction()->FillSteppedColorFunction(colours);
-  SweepStyle style{colours, least, DefaultExaggeration(domain)};
+  SweepStyle style{colours, least, scene.Frame().Exaggeration()};
   style.textSize = std::max(9, size[1] / 45);
   for (std::size_t i = 0; i < layers.size(); ++i)
   {

@@ -326,9 +326,11 @@ void vtkTextureSliceShadows::Update(
   // Surfaces and shading weigh shadow and occlusion apart.
   const bool apart = surfaces || source.Request->IsShaded();
   const std::array<float, 2> joined = apart ? std::array<float, 2>{} : this->Strength;
-  if (this->Texture->GetHandle() == 0 || joined != this->Joined)
+  const auto exposure = static_cast<float>(settings.Exposure);
+  if (this->Texture->GetHandle() == 0 || joined != this->Joined || exposure != this->Exposure)
   {
     this->Joined = joined;
+    this->Exposure = exposure;
     this->Upload(window);
   }
 }
@@ -397,7 +399,8 @@ std::vector<float> vtkTextureSliceShadows::Join() const
   std::vector<float> left(light.size() / 2);
   for (std::size_t i = 0; i < left.size(); ++i)
   {
-    left[i] = weaken(light[2 * i], this->Joined[0]) * weaken(light[2 * i + 1], this->Joined[1]);
+    left[i] = std::min(1.0f, this->Exposure * weaken(light[2 * i], this->Joined[0]) *
+                               weaken(light[2 * i + 1], this->Joined[1]));
   }
   return left;
 }

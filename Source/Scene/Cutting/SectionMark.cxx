@@ -37,7 +37,7 @@ SceneLayer MakeSectionMark(
   const ScenePoint a = {from[0], from[1], height};
   const ScenePoint b = {to[0], to[1], height};
   // The rim lies a little lower, so that the two do not fight for the same depth.
-  const double drop = 4e-4 * (frame.Bounds()[1] - frame.Bounds()[0]);
+  const double drop = 4e-4 * (frame.Framed()[1] - frame.Framed()[0]);
   LineBuilder rim;
   rim.Add({{a[0], a[1], height - drop}, {b[0], b[1], height - drop}});
   LineBuilder middle;

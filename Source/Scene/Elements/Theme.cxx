@@ -9,20 +9,20 @@ namespace
 Theme MakeDark()
 {
   Theme theme;
-  theme.skyBottom = {0.030, 0.036, 0.046};
-  theme.skyTop = {0.055, 0.070, 0.095};
-  theme.ground = {0.075, 0.09, 0.11};
+  theme.skyBottom = {0.13, 0.145, 0.165};
+  theme.skyTop = {0.07, 0.085, 0.11};
+  theme.ground = {0.30, 0.32, 0.34};
   theme.notScanned = {0.17, 0.16, 0.16};
   theme.rangeFolded = {0.42, 0.22, 0.52};
   theme.filtered = {0.30, 0.22, 0.12};
-  theme.country = {0.62, 0.68, 0.74};
-  theme.state = {0.50, 0.55, 0.60};
-  theme.county = {0.235, 0.27, 0.305};
-  theme.ring = {0.30, 0.42, 0.50};
+  theme.country = {0.72, 0.77, 0.82};
+  theme.state = {0.62, 0.66, 0.71};
+  theme.county = {0.41, 0.435, 0.46};
+  theme.ring = {0.46, 0.60, 0.70};
   theme.marker = {1.0, 1.0, 1.0};
   theme.placeName = {0.66, 0.71, 0.77};
-  theme.frame = {0.27, 0.30, 0.34};
-  theme.wall = {0.20, 0.225, 0.255};
+  theme.frame = {0.44, 0.47, 0.51};
+  theme.wall = {0.30, 0.33, 0.365};
   theme.scale = {0.82, 0.86, 0.90};
   theme.title = {0.95, 0.96, 0.98};
   theme.note = {0.74, 0.78, 0.83};

@@ -9,8 +9,8 @@ namespace nexrad::scene
 /// Which colours a scene has beside those of the data.
 enum class ThemeChoice
 {
-  Dark, ///< light letters over a dark sky and ground
-  Light ///< dark letters over a white sky and a pale ground, for paper
+  Dark, ///< light letters over a dark sky and a grey ground
+  Light ///< dark letters over a white sky and a pale ground
 };
 
 /// The colours of a scene beside those of the data.

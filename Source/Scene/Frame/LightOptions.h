@@ -15,8 +15,8 @@ struct LightDirection
 /// vtkOpenGLTextureSliceVolumeMapper. With both at 0 the volume is drawn without shadows.
 struct LightOptions
 {
-  double shadow = 0.0;    ///< strength of shadows on the volume and the ground, 0…1
-  double occlusion = 0.0; ///< strength of ambient occlusion, 0…1
+  double shadow = 0.5;    ///< strength of shadows on the volume and the ground, 0…1
+  double occlusion = 0.4; ///< strength of ambient occlusion, 0…1
   LightDirection direction;
 
   bool HasShadows() const { return shadow > 0.0 || occlusion > 0.0; }

@@ -59,6 +59,7 @@ SceneFrame::SceneFrame(vtkImageData* volume, double verticalExaggeration)
     bounds[2 * axis] = (cells[2 * axis] - spacing[axis] / 2.0 - middle) * scale[axis];
     bounds[2 * axis + 1] = (cells[2 * axis + 1] + spacing[axis] / 2.0 - middle) * scale[axis];
   }
+  framed = bounds;
 }
 
 std::array<double, 2> SceneFrame::FromVolume(const std::array<double, 2>& point) const
@@ -116,21 +117,39 @@ void SceneFrame::MoveToScene(vtkImageData* volume) const
   volume->SetSpacing(spacing[0] * kilometres[0], spacing[1] * kilometres[1], spacing[2] * vertical);
 }
 
-double DefaultExaggeration(vtkImageData* volume)
+void SceneFrame::SetFramed(const std::array<double, 6>& box)
 {
-  constexpr double heightToWidth = 0.35;
-  constexpr double least = 1.0;
-  const std::array<double, 6> box = SceneFrame(volume, 1.0).Bounds();
-  const double width = std::sqrt((box[1] - box[0]) * (box[3] - box[2]));
-  const double height = box[5] - box[4];
-  const double stretch = height > 0.0 ? heightToWidth * width / height : least;
-  const double rounded = stretch < 4.0 ? 0.5 * std::round(2.0 * stretch) : std::round(stretch);
-  return std::min(std::max(rounded, least), UsualExaggeration);
+  const std::array<double, 3> lower = this->ToScene({box[0], box[2], box[4]});
+  const std::array<double, 3> upper = this->ToScene({box[1], box[3], box[5]});
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    framed[2 * axis] = std::max(bounds[2 * axis], lower[axis]);
+    framed[2 * axis + 1] = std::min(bounds[2 * axis + 1], upper[axis]);
+  }
 }
 
-SceneFrame MakeSceneFrame(vtkImageData* volume, double exaggeration)
+bool SceneFrame::Holds(const std::array<double, 6>& box) const
 {
-  return SceneFrame(volume, exaggeration > 0.0 ? exaggeration : DefaultExaggeration(volume));
+  SceneFrame joined = *this;
+  joined.SetFramed(box);
+  bool within = true;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    within = within && joined.framed[2 * axis] >= framed[2 * axis] &&
+             joined.framed[2 * axis + 1] <= framed[2 * axis + 1];
+  }
+  return within;
+}
+
+double DefaultExaggeration(double width, double height)
+{
+  constexpr double least = 3.0;
+  constexpr double most = 8.0;
+  constexpr double widthForEach = 120.0; // km
+  constexpr double heightToWidth = 0.75;
+  const double ofWidth = std::clamp(width / widthForEach, least, most);
+  const double ofHeight = height > 0.0 ? heightToWidth * width / height : least;
+  return std::max(1.0, 0.5 * std::floor(2.0 * std::min(ofWidth, ofHeight)));
 }
 
 } // namespace nexrad::scene

@@ -12,6 +12,10 @@ class vtkImageData;
 namespace nexrad::scene
 {
 
+/// The length along a ray that the opacities of presets belong to, in scene units: km along the
+/// ground.
+constexpr double OpacityUnitDistance = 5.0;
+
 /// How a volume stands in the scene. Scene coordinates are km east and north of the projection's
 /// centre, and km above mean sea level times the vertical exaggeration, so that all three axes of
 /// the scene have one unit and no actor needs a matrix.
@@ -26,6 +30,17 @@ public:
 
   /// Outer faces of the volume: west, east, south, north, bottom, top.
   const std::array<double, 6>& Bounds() const { return bounds; }
+  /// The part of these that the camera looks at, with walls and scales about it. All of them, until
+  /// SetFramed is called.
+  const std::array<double, 6>& Framed() const { return framed; }
+  /// Frames the part of the volume within a box in its x and y, and heights in m.
+  void SetFramed(const std::array<double, 6>& box);
+  /// Whether such a box lies in what is framed.
+  bool Holds(const std::array<double, 6>& box) const;
+
+  /// The length along a ray to which opacities belong, in scene units.
+  double OpacityDistance() const { return opacityDistance; }
+  void SetOpacityDistance(double distance) { opacityDistance = distance; }
   double Exaggeration() const { return exaggeration; }
 
   /// Scene height of a height in m above mean sea level.
@@ -48,31 +63,28 @@ public:
   std::array<double, 3> PlaceOf(const LookAt& lookAt) const;
 
   /// Takes the height out of the bounds, for a scene that is a map.
-  void Flatten() { bounds[5] = bounds[4]; }
+  void Flatten()
+  {
+    bounds[5] = bounds[4];
+    framed[5] = framed[4];
+  }
 
   /// Gives the volume the origin and spacing of the scene. The arrays stay shared.
   void MoveToScene(vtkImageData* volume) const;
 
 private:
   std::array<double, 6> bounds = {-1.0, 1.0, -1.0, 1.0, 0.0, 1.0};
+  std::array<double, 6> framed = bounds;
   std::array<double, 2> kilometres = {0.001, 0.001}; // of one unit of the volume's x and y
   std::array<double, 2> centre = {0.0, 0.0};         // volume's x and y at the scene's origin
   double exaggeration = 1.0;
+  double opacityDistance = OpacityUnitDistance;
   std::optional<GridSpecification> map;
 };
 
-/// The length along a ray that opacities belong to, in scene units: km along the ground.
-constexpr double OpacityUnitDistance = 5.0;
-
-/// How much heights of wide domains are stretched when nobody says.
-constexpr double UsualExaggeration = 8.0;
-
-/// How much heights are stretched when nobody says: so much that the volume stands about a third as
-/// high as it is wide, but at least 1 time, and at most UsualExaggeration, which the default domain
-/// of one radar has, 460 km wide and 20 km high.
-double DefaultExaggeration(vtkImageData* volume);
-
-/// The frame of a volume with that exaggeration; with the default one for 0.
-SceneFrame MakeSceneFrame(vtkImageData* volume, double exaggeration);
+/// How much heights are stretched when nobody says, for what is framed, in km: 3 times for what one
+/// radar sees, up to 8 times for what many see. A frame that is high for its width is stretched
+/// less, so that it stands at most 3/4 as high as it is wide, but at least to scale.
+double DefaultExaggeration(double width, double height);
 
 } // namespace nexrad::scene

@@ -28,7 +28,9 @@ std::vector<float> BrightnessOf(vtkImageData* light, const LightOptions& options
   for (std::size_t i = 0; i < brightness.size(); ++i)
   {
     const auto id = static_cast<vtkIdType>(i);
-    const double ofLight = 1.0 - options.shadow * (1.0 - arriving->GetComponent(id, 0) / full);
+    // The light of the volume comes farther into cores than to the ground.
+    const double share = arriving->GetComponent(id, 0) / full;
+    const double ofLight = 1.0 - options.shadow * (1.0 - share * share);
     const double ofSky = 1.0 - options.occlusion * (1.0 - arriving->GetComponent(id, 1) / full);
     brightness[i] = static_cast<float>(ofLight * ofSky);
   }

@@ -179,8 +179,8 @@ void AddTowns(SceneLayer& layer, const SceneFrame& frame, int textSize, const Th
 
 double HeightOf(const SceneFrame& frame, GroundLevel level)
 {
-  const auto& bounds = frame.Bounds();
-  return bounds[4] + 8e-4 * static_cast<int>(level) * (bounds[1] - bounds[0]);
+  const auto& framed = frame.Framed();
+  return framed[4] + 8e-4 * static_cast<int>(level) * (framed[1] - framed[0]);
 }
 
 GroundLevel LevelOf(MapLineKind kind)

@@ -20,7 +20,7 @@ struct MapContents
   bool names = false;             ///< of states and provinces
 };
 
-/// Things on the ground are stacked a little above each other, in parts of the domain's width, so
+/// Things on the ground are stacked a little above each other, in parts of the frame's width, so
 /// that they do not fight for the same depth.
 enum class GroundLevel
 {

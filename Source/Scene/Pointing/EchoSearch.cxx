@@ -21,8 +21,9 @@ constexpr double opaque = 0.99; // what lies behind is not seen
 class Opacity
 {
 public:
-  explicit Opacity(vtkNexradTransferFunction* theFunction)
+  Opacity(vtkNexradTransferFunction* theFunction, double unitDistance)
     : function(theFunction)
+    , distance(unitDistance)
   {
     for (int i = 0; i < function->GetNumberOfIsoValues(); ++i)
     {
@@ -45,7 +46,7 @@ private:
 
   double OfVolume(double value, double length) const
   {
-    return 1.0 - std::pow(1.0 - this->Of(value), length / OpacityUnitDistance);
+    return 1.0 - std::pow(1.0 - this->Of(value), length / distance);
   }
 
   double OfSurfaces(double lower, double upper) const
@@ -60,6 +61,7 @@ private:
   }
 
   vtkNexradTransferFunction* function;
+  double distance; // to which its opacities belong
   std::vector<double> isoValues;
 };
 
@@ -131,7 +133,7 @@ std::optional<SeenEcho> FindEcho(const VoxelReader& voxels, const VoxelReader* d
   const std::array<double, 3> last = frame.ToVolume(ray.At(end));
   const int samples = SamplesOf(voxels.IndexAt(first), voxels.IndexAt(last));
   const double length = (end - begin) / samples;
-  const Opacity opacity(transferFunction);
+  const Opacity opacity(transferFunction, frame.OpacityDistance());
   SeenAlong seen;
   std::optional<double> before;
   for (int i = 0; i <= samples && !seen.IsOpaque(); ++i)

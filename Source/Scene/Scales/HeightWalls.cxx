@@ -3,6 +3,7 @@
 
 #include "Scene/Scales/ScaleLayer.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -15,7 +16,7 @@ namespace
 int NearestCorner(const SceneFrame& frame, const CameraView& view)
 {
   const auto right = RightOf(view);
-  return FarthestCorner(frame.Bounds(), {right[1], -right[0]});
+  return FarthestCorner(frame.Framed(), {right[1], -right[0]});
 }
 
 } // namespace
@@ -44,10 +45,17 @@ int FarthestCorner(const std::array<double, 6>& box, const std::array<double, 2>
 
 std::vector<double> RoundHeights(const SceneFrame& frame)
 {
-  const auto& box = frame.Bounds();
+  const auto& box = frame.Framed();
   const double bottom = box[4] / frame.Exaggeration(); // km
   const double top = box[5] / frame.Exaggeration();
-  const double step = RoundLength((top - bottom) / 3.0);
+  // Of a flat frame, numbers at every third of its height would lie on each other.
+  constexpr double leastStep = 0.04; // of the frame's width
+  const double least = leastStep * std::max(box[1] - box[0], box[3] - box[2]) / frame.Exaggeration();
+  double step = RoundLength((top - bottom) / 3.0);
+  while (step < least && 2.0 * step <= top - bottom)
+  {
+    step = RoundLength(2.5 * step);
+  }
   std::vector<double> heights;
   for (double count = std::ceil(bottom / step); count * step <= top + 1e-6; ++count)
   {
@@ -69,7 +77,7 @@ std::unique_ptr<LineBuilder> MakeEdges(const SceneFrame& frame, const CameraView
       const bool before = other >= 4 && ((corner & 3) == nearest || (other & 3) == nearest);
       if (other != corner && !(open && before))
       {
-        lines->Add({CornerOfBox(frame.Bounds(), corner), CornerOfBox(frame.Bounds(), other)});
+        lines->Add({CornerOfBox(frame.Framed(), corner), CornerOfBox(frame.Framed(), other)});
       }
     }
   }
@@ -79,7 +87,7 @@ std::unique_ptr<LineBuilder> MakeEdges(const SceneFrame& frame, const CameraView
 std::unique_ptr<LineBuilder> MakeHeightLines(const SceneFrame& frame, const CameraView& view)
 {
   auto lines = std::make_unique<LineBuilder>();
-  const auto& box = frame.Bounds();
+  const auto& box = frame.Framed();
   const int nearest = NearestCorner(frame, view);
   for (const double height : RoundHeights(frame))
   {

@@ -26,7 +26,7 @@ std::string Number(double value)
 void AddHeights(
   ScaleLayer& layer, const SceneFrame& frame, const CameraView& view, const TextStyle& style)
 {
-  const auto& box = frame.Bounds();
+  const auto& box = frame.Framed();
   const auto right = RightOf(view);
   const ScenePoint foot = CornerOfBox(box, FarthestCorner(box, {-right[0], -right[1]}));
   const double tick = 0.012 * (box[1] - box[0]);
@@ -48,7 +48,7 @@ class NearEdge
 {
 public:
   NearEdge(const SceneFrame& frame, const CameraView& view)
-    : box(frame.Bounds())
+    : box(frame.Framed())
   {
     const auto right = RightOf(view);
     // The edge's outward normal lies in the plane of view.
@@ -148,9 +148,9 @@ ScaleLayer MakeScaleLayer(
   ScaleLayer layer;
   for (int corner = 0; corner < 8; ++corner)
   {
-    layer.outline.push_back(CornerOfBox(frame.Bounds(), corner));
+    layer.outline.push_back(CornerOfBox(frame.Framed(), corner));
   }
-  const bool flat = frame.Bounds()[5] <= frame.Bounds()[4];
+  const bool flat = frame.Framed()[5] <= frame.Framed()[4];
   const bool steep = std::abs(view.tilt) >= steepTilt;
   layer.props.push_back(MakeEdges(frame, view, !steep && !flat)->MakeActor(theme.frame, 1.0));
   if (!steep && !flat)

@@ -31,12 +31,16 @@ namespace
 
 constexpr std::array<int, 5> sliceCounts = {64, 128, 256, 512, 1024};
 
-// The nearest of the slice counts.
+// The nearest of the slice counts, after the automatic one.
 int PlaceOf(int slices)
 {
+  if (slices == 0)
+  {
+    return 0;
+  }
   const auto nearest = std::min_element(sliceCounts.begin(), sliceCounts.end(),
     [slices](int a, int b) { return std::abs(a - slices) < std::abs(b - slices); });
-  return static_cast<int>(nearest - sliceCounts.begin());
+  return 1 + static_cast<int>(nearest - sliceCounts.begin());
 }
 
 // What the choice of views offers, in its order.
@@ -166,7 +170,7 @@ void LookPanel::AddDrawing(QFormLayout* form)
     form, "Preset", "Colours and opacities of the moment that is shown; iso-values draws surfaces",
     {}, [] { return 0; }, [this](int) { scene->SetPreset(presets->currentText().toStdString()); });
   follow.back() = [this] { this->FollowPresets(); };
-  std::vector<QString> counts;
+  std::vector<QString> counts = {"automatic"};
   for (const int count : sliceCounts)
   {
     counts.push_back(QString::number(count));
@@ -174,7 +178,10 @@ void LookPanel::AddDrawing(QFormLayout* form)
   this->AddChoice(
     form, "Slices", "Slices through the volume: more are finer, and take longer", counts,
     [this] { return PlaceOf(scene->GetNumberOfSlices()); },
-    [this](int index) { scene->SetNumberOfSlices(sliceCounts[static_cast<std::size_t>(index)]); });
+    [this](int index)
+    {
+      scene->SetNumberOfSlices(index == 0 ? 0 : sliceCounts[static_cast<std::size_t>(index - 1)]);
+    });
   this->AddSwitch(
     form, "Pre-integrated",
     "Integrate colours and opacities between two slices: narrow steps of colour leave no rings",
@@ -191,9 +198,13 @@ void LookPanel::AddDrawing(QFormLayout* form)
     [this](int index) { scene->SetMapper(index); });
   this->AddNumber(
     form, "Stretch",
-    "How many times heights are stretched; 0: automatic, by the size of the domain", 0.0, 50.0, 0.5,
+    "How many times heights are stretched; 0: automatic, by the size of the frame", 0.0, 50.0, 0.5,
     " ×", "automatic", [this] { return scene->GetExaggeration(); },
     [this](double times) { scene->SetExaggeration(times); });
+  this->AddChoice(
+    form, "Frame", "What fills the view at a magnification of 1: the echo, or the whole domain",
+    {"Echo", "Domain"}, [this] { return scene->GetFraming(); },
+    [this](int index) { scene->SetFraming(index); });
   this->AddChoice(
     form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
     [this] { return scene->GetParallelProjection() ? 1 : 0; },
@@ -304,7 +315,7 @@ void LookPanel::AddLight(QFormLayout* form)
 void LookPanel::AddSurroundings(QFormLayout* form)
 {
   this->AddChoice(
-    form, "Theme", "Light letters over a dark ground, or dark letters over a pale one",
+    form, "Theme", "Light letters over a grey ground, or dark letters over a pale one",
     {"Dark", "Light"}, [this] { return scene->GetTheme(); },
     [this](int index) { scene->SetTheme(index); });
   this->AddSwitch(
