@@ -142,8 +142,7 @@ void SetWords(const MomentRow& row, const WordAt& wordAt, std::uint16_t* codes)
   {
     for (std::size_t gate = 0; gate < gates; ++gate)
     {
-      const std::uint16_t word = wordAt(gate);
-      codes[gate] = static_cast<std::uint16_t>(word + (word >= 2 ? codesBeforeWords : 0));
+      codes[gate] = CodeOfWord(wordAt(gate));
     }
     return;
   }
@@ -200,6 +199,20 @@ RowList RowsOf(const RayList& rays, MomentName moment, std::size_t gates)
   return rows;
 }
 
+// Whether the words of all rays can stay where they are (GateRows::AppendWords).
+bool CanStay(const RayList& rays, const RowList& rows, MomentName moment, const Coding& coding)
+{
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    if (rows[i].wordBits != 8 || rows[i].firstValue != 2 ||
+        !ImpossibleGates(*rays[i], moment, rows[i].gates).empty())
+    {
+      return false;
+    }
+  }
+  return coding.exact;
+}
+
 PolarSweep MakeSweep(
   const RayList& rays, Waveform waveform, MomentName moment, const WantedRange& wanted)
 {
@@ -228,6 +241,14 @@ PolarSweep MakeSweep(
   }
   sweep.scale = coding.scale;
   sweep.rows = GateRows(coding.largest);
+  if (wanted && CanStay(rays, rows, moment, coding))
+  {
+    for (const MomentRow& row : rows)
+    {
+      sweep.rows.AppendWords(row.words, row.gates);
+    }
+    return sweep;
+  }
   std::vector<std::uint16_t> codes(sweep.gates);
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
