@@ -62,8 +62,9 @@ unsigned LargestWord(const MomentRow& row)
   return largest;
 }
 
-// The words' own scale; not exact where the rays have none in common that codes can have.
-Coding FindWordCoding(const RowList& rows)
+// The words' own scale; not exact where the rays have none in common that codes can have. The
+// largest code is that of the rows, or with `any` of all words as long as theirs.
+Coding FindWordCoding(const RowList& rows, bool any)
 {
   constexpr unsigned largestWord = GateCode::Last - codesBeforeWords;
   const MomentRow& first = rows.front();
@@ -73,7 +74,7 @@ Coding FindWordCoding(const RowList& rows)
   {
     coding.exact = coding.exact && row.scale == first.scale && row.offset == first.offset &&
                    row.firstValue == first.firstValue;
-    largest = std::max(largest, LargestWord(row));
+    largest = std::max(largest, any && row.wordBits == 8 ? 255U : LargestWord(row));
   }
   coding.exact = coding.exact && largest <= largestWord && coding.scale.step > 0.0F &&
                  std::isfinite(coding.scale.step) && std::isfinite(coding.scale.base);
@@ -234,7 +235,7 @@ PolarSweep MakeSweep(
     sweep.gates = GatesUpTo(sweep, wanted(MedianElevation(sweep)));
   }
   const RowList rows = RowsOf(rays, moment, sweep.gates);
-  Coding coding = FindWordCoding(rows);
+  Coding coding = FindWordCoding(rows, static_cast<bool>(wanted));
   if (!coding.exact)
   {
     coding = FindValueCoding(rows);

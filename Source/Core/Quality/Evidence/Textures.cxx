@@ -151,28 +151,33 @@ void ReadMoment(const MomentSource& source, std::size_t ray, const RowGeometry& 
   }
 }
 
-GateRange StillGates(const float* row, const MomentSource& velocity, std::size_t ray,
-  const RowGeometry& geometry, std::vector<std::uint16_t>& codes)
+GateRange StillGates(const float* row, const GateRange& held, const MomentSource& velocity,
+  std::size_t ray, const RowGeometry& geometry, std::vector<std::uint16_t>& codes)
 {
-  if (!velocity.Has(ray) || geometry.gates == 0)
+  if (!velocity.Has(ray) || geometry.gates == 0 || held.IsEmpty())
   {
     return {};
   }
   const PolarSweep& sweep = *velocity.sweep;
-  const GateRange held = sweep.rows.Held(velocity.rays[ray], sweep.gates);
-  codes.resize(sweep.gates);
-  sweep.rows.Read(velocity.rays[ray], held.end, codes.data());
   const CodeRange still = StillCodes(sweep.scale);
   const double step = sweep.gateSpacing / geometry.spacing;
   const double from = (sweep.firstGate - geometry.firstGate) / geometry.spacing + 0.5;
+  // The first velocity in or behind a gate of the row.
+  const auto firstIn = [&](std::size_t gate)
+  {
+    const double place = (static_cast<double>(gate) - from) / step;
+    return std::min(FirstAtLeast(place), sweep.gates);
+  };
+  std::size_t begin = firstIn(std::min(held.begin, geometry.gates));
+  std::size_t end = firstIn(std::min(held.end, geometry.gates));
+  codes.resize(end);
+  sweep.rows.Read(velocity.rays[ray], end, codes.data());
   const auto last = static_cast<double>(geometry.gates - 1);
   const auto gateOf = [&](std::size_t i)
   { return static_cast<std::size_t>(std::clamp(from + step * static_cast<double>(i), 0.0, last)); };
   const auto isStill = [&](std::size_t i)
   { return still.Holds(codes[i]) && IsNumber(row[gateOf(i)]); };
   constexpr std::size_t together = 32;
-  std::size_t begin = held.begin;
-  std::size_t end = held.end;
   while (begin < end && !isStill(begin))
   {
     const bool skips = begin + together <= end && !HoldsAny(&codes[begin], together, still);
