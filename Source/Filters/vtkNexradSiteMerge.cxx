@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSiteMerge.h"
 
+#include "nexrad/Model/SiteKey.h"
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/System/Error.h"
 
@@ -9,6 +10,41 @@
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
+
+#include <cstdio>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace
+{
+
+std::string PlaceOf(const nexrad::Position& position)
+{
+  char text[64];
+  std::snprintf(text, sizeof text, "%.3f, %.3f", position.latitude, position.longitude);
+  return text;
+}
+
+// Two radars of one name at two places are two radars, or one position is wrong.
+void RequireOnePlaceForEachRadar(const std::vector<nexrad::PolarVolume>& volumes)
+{
+  std::map<nexrad::SiteKey, nexrad::Site> sites;
+  for (const nexrad::PolarVolume& volume : volumes)
+  {
+    nexrad::Site& first = sites.emplace(nexrad::KeyOf(volume.site), volume.site).first->second;
+    first = first.position ? first : volume.site;
+    if (nexrad::StandApart(first, volume.site))
+    {
+      throw nexrad::Error("one input has a radar " + volume.site.name + " at " +
+                          PlaceOf(*first.position) + " degrees, and another at " +
+                          PlaceOf(*volume.site.position) +
+                          " degrees: give one of them another name (SiteName of its reader)");
+    }
+  }
+}
+
+} // namespace
 
 vtkStandardNewMacro(vtkNexradSiteMerge);
 
@@ -45,6 +81,7 @@ int vtkNexradSiteMerge::RequestData(
     {
       throw nexrad::Error("no input holds a sweep with " + this->Moment);
     }
+    RequireOnePlaceForEachRadar(volumes);
     this->MergeSweeps(volumes, this->Time, this->MaximumGap, output);
   }
   catch (const nexrad::Error& error)

@@ -12,8 +12,9 @@
  * that time. A radar without a position is an error. vtkNexradDayReader does the same from files,
  * for any time that the pipeline asks for.
  *
- * The error code of inputs that cannot be merged is UserError. An aborted run leaves an empty
- * output; Modified() makes it run again.
+ * The error code of inputs that cannot be merged is UserError, also of two radars of one name that
+ * stand more than 2 km from each other. An aborted run leaves an empty output; Modified() makes it
+ * run again.
  */
 #ifndef vtkNexradSiteMerge_h
 #define vtkNexradSiteMerge_h

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <set>
@@ -147,6 +148,24 @@ TEST(Info, NamesDamageWithFileAndOffset)
   const ProgramRun run = RunNexrad3d({"info", cut});
   EXPECT_EQ(run.errors, cut.string() + ": offset " + std::to_string(whole.size() - 2432) +
                           ": no end of volume: its last rays are missing\n");
+}
+
+TEST(Info, ARestartInTheNextFileIsNoDamage)
+{
+  const TemporaryFolder folder;
+  HandMadeVolume half;
+  half.start = *ParseIso8601("2006-03-12T18:00:00Z");
+  half.sweeps.push_back({0.5F, 180, 0.5, 180.0, 25.0F, {{MomentName::REF, 10, 1000, 1000}}});
+  half.complete = false;
+  const fs::path file = WriteLevel2(folder.Path() / "a", {half});
+  EXPECT_EQ(RunNexrad3d({"info", file}).status, 3);
+  WriteLevel2(folder.Path() / "b",
+    {ConstantVolume(half.site, half.start + std::chrono::milliseconds(5000), 20.0)});
+  const ProgramRun run = RunNexrad3d({"info", folder.Path()});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_EQ(run.errors, "");
+  const ProgramRun json = RunNexrad3d({"info", "--json", folder.Path()});
+  EXPECT_EQ(Json::parse(json.output).at(0).at("cuts").at(0).at("end"), "new volume");
 }
 
 TEST(Info, WrongUsageNamesTheOption)

@@ -461,4 +461,21 @@ TEST_F(SiteMergeByHand, InputsThatCannotBeMergedAreErrors)
   this->ExpectFailure(merge, "no input holds a sweep with REF");
 }
 
+// As in a series: two radars of one name, or a wrong position.
+TEST_F(SiteMergeByHand, NamesakesFarApartAreAnError)
+{
+  const nexrad::Site moved = {"KEAX", nexrad::Position{38.82, -94.264, 340.0}}; // 1.1 km
+  const nexrad::Site other = {"KEAX", nexrad::Position{41.0, -94.264, 333.0}};
+  vtkNew<vtkNexradSiteMerge> merge;
+  UseSmallGrid(merge);
+  merge->SetTime(nexrad::ToSeconds(start));
+  merge->AddInputConnection(this->Reader(keax, start, 30.0)->GetOutputPort());
+  merge->AddInputConnection(this->Reader(moved, start + 1min, 30.0)->GetOutputPort());
+  merge->Update();
+  EXPECT_EQ(merge->GetErrorCode(), static_cast<unsigned long>(vtkErrorCode::NoError));
+  merge->AddInputConnection(this->Reader(other, start + 2min, 30.0)->GetOutputPort());
+  this->ExpectFailure(merge, "one input has a radar KEAX at 38.810, -94.264 degrees, and another "
+                             "at 41.000, -94.264 degrees");
+}
+
 } // namespace

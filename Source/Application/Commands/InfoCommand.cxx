@@ -128,9 +128,10 @@ void ReadSubjects(const InfoOptions& options, const Level2Options& readOptions, 
     requests.push_back(*ParseGate(gate));
   }
   const std::vector<InputSubject> subjects = FindSubjects(options.files, output.anyDamage);
+  ExplainedReader reader(subjects, readOptions);
   for (const InputSubject& subject : subjects)
   {
-    const RadarVolume volume = ReadOrExplain(subject.file, readOptions);
+    const RadarVolume volume = reader.Next();
     output.anyUse = output.anyUse || !volume.sweeps.empty() || HoldsMetadataAlone(volume);
     output.anyDamage = output.anyDamage || !volume.damage.empty();
     output.missingGates = NameMissingGates(volume, requests) || output.missingGates;

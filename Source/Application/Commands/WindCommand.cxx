@@ -73,9 +73,11 @@ int RunWind(const WindOptions& options)
   nlohmann::ordered_json result = nlohmann::ordered_json::array();
   bool anyRay = false;
   bool anyDamage = false;
-  for (const auto& [file, ofFolder] : FindSubjects(options.files, anyDamage))
+  const std::vector<InputSubject> subjects = FindSubjects(options.files, anyDamage);
+  ExplainedReader reader(subjects);
+  for (const auto& [file, ofFolder] : subjects)
   {
-    const RadarVolume volume = ReadOrExplain(file);
+    const RadarVolume volume = reader.Next();
     anyDamage = anyDamage || !volume.damage.empty();
     if (HoldsMetadataAlone(volume))
     {

@@ -2,30 +2,56 @@
 #include "Output/ExplainedRead.h"
 
 #include "Output/MessageOutput.h"
+#include "nexrad/Level2/VolumeEnding.h"
 #include "nexrad/System/Error.h"
+
+#include <string>
+#include <utility>
 
 namespace nexrad::application
 {
 
-RadarVolume ReadOrExplain(const std::string& file, const Level2Options& options)
+ExplainedReader::ExplainedReader(
+  const std::vector<InputSubject>& theSubjects, const Level2Options& theOptions)
+  : subjects(theSubjects)
+  , options(theOptions)
 {
+}
+
+ExplainedReader::Reading ExplainedReader::Read(std::size_t which) const
+{
+  const std::string& file = subjects[which].file;
   try
   {
-    RadarVolume volume = ReadLevel2(file, options);
-    for (const Damage& damage : volume.damage)
-    {
-      PrintMessage(file + ": offset " + std::to_string(damage.offset) + ": " + damage.what);
-    }
-    return volume;
+    return {ReadLevel2(file, options)};
   }
   catch (const Error& error)
   {
-    PrintMessage(error.what());
-    RadarVolume volume;
-    volume.file = file;
-    volume.damage.push_back({0, error.what()});
-    return volume;
+    Reading reading;
+    reading.failed = true;
+    reading.volume.file = file;
+    reading.volume.damage.push_back({0, error.what()});
+    return reading;
   }
+}
+
+RadarVolume ExplainedReader::Next()
+{
+  Reading own = ahead ? std::move(*ahead) : this->Read(index);
+  ahead.reset();
+  ++index;
+  if (LacksEnd(own.volume) && index < subjects.size())
+  {
+    ahead = this->Read(index);
+    EndWithNext(own.volume, ahead->volume);
+  }
+  for (const Damage& damage : own.volume.damage)
+  {
+    PrintMessage(own.failed ? damage.what
+                            : subjects[index - 1].file + ": offset " +
+                                std::to_string(damage.offset) + ": " + damage.what);
+  }
+  return std::move(own.volume);
 }
 
 } // namespace nexrad::application

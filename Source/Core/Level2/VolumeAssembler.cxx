@@ -201,7 +201,7 @@ void VolumeAssembler::CheckEnd(std::uint64_t size)
     last.missing.begin(), last.missing.end(), volume.sweeps.back().elevationNumber);
   const std::vector<int> lost(rest, last.missing.end());
   volume.damage.push_back({size,
-    piece + "no end of volume: its last rays are missing" +
+    piece + std::string(NoEndOfVolume) + ": its last rays are missing" +
       (lost.empty() ? "" : ", and " + CutsText(lost) + " of " + std::to_string(*last.expected))});
 }
 

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "nexrad/Model/CoveragePattern.h"
+#include "nexrad/Model/Time.h"
 
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace nexrad
@@ -19,6 +21,9 @@ enum class VolumeEnd : std::uint8_t
   Early,     ///< the radar, with cuts of the pattern left: AVSET, when nothing is to be seen higher
   NewVolume, ///< the radar broke it off and began the next one
 };
+
+/// What the damage of a volume without an end begins with.
+constexpr std::string_view NoEndOfVolume = "no end of volume";
 
 /// "last cut", "early", "new volume"; "missing" when nothing ended it.
 const char* ToString(VolumeEnd end);
@@ -39,7 +44,17 @@ struct VolumeCuts
   std::vector<int> notScanned; ///< left by the radar, which ended the volume before them
   std::vector<int> repeated;   ///< scanned, at an elevation below former ones: SAILS and MRLE
   VolumeEnd end = VolumeEnd::Missing;
+  bool begun = false; ///< its first ray begins a volume
+  Duration left{};    ///< what the radar, as fast as in the last sweep, would have needed for the
+                      ///< rest of a volume that ends with the file; 0 when not known
 };
+
+/// Whether the radar broke off a volume to begin the next one: that begins before the radar can
+/// have scanned half of what was left. `pause`: from the last ray to the first of the next volume.
+constexpr bool IsBrokenOff(Duration left, Duration pause, bool nextIsBegun)
+{
+  return nextIsBegun && 2 * pause < left;
+}
 
 /// "cut 5", "cuts 5 and 6", "cuts 3 to 9", "cuts 3, 5 and 7 to 9" for ascending numbers.
 std::string CutsText(const std::vector<int>& numbers);

@@ -17,6 +17,13 @@ struct GateCode
   static constexpr std::uint16_t Last = 65'535;
 };
 
+/// The code of a word of a moment whose words 0 and 1 are the codes of their states: files have no
+/// words of NotSampled and Filtered.
+constexpr std::uint16_t CodeOfWord(std::uint16_t word)
+{
+  return static_cast<std::uint16_t>(word + (word >= 2 ? GateCode::FirstValue - 2 : 0));
+}
+
 /// What the codes of values stand for: value = base + step × number, in the unit of the moment. The
 /// number of a value is its code less 1: the words of files, from which numbers follow, have no
 /// state Filtered.

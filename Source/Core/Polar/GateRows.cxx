@@ -78,6 +78,40 @@ std::size_t EndOfStretch(const std::uint16_t* codes, std::size_t gate, std::size
   return gate;
 }
 
+// The first of some bytes that is not 0; `end` without any.
+const std::uint8_t* SkipZeros(const std::uint8_t* byte, const std::uint8_t* end)
+{
+  std::uint64_t eight = 0;
+  for (; end - byte >= 8; byte += 8)
+  {
+    std::memcpy(&eight, byte, sizeof eight);
+    if (eight != 0)
+    {
+      break;
+    }
+  }
+  return std::find_if(byte, end, [](std::uint8_t each) { return each != 0; });
+}
+
+// Behind the last of some bytes that is not 0; `byte` without any.
+const std::uint8_t* SkipZerosBack(const std::uint8_t* byte, const std::uint8_t* end)
+{
+  std::uint64_t eight = 0;
+  for (; end - byte >= 8; end -= 8)
+  {
+    std::memcpy(&eight, end - 8, sizeof eight);
+    if (eight != 0)
+    {
+      break;
+    }
+  }
+  while (end != byte && *(end - 1) == 0)
+  {
+    --end;
+  }
+  return end;
+}
+
 } // namespace
 
 GateRows::GateRows(std::uint16_t largest)
@@ -116,6 +150,11 @@ void GateRows::Append(const std::uint16_t* codes, std::size_t gates)
   }
 }
 
+void GateRows::AppendWords(const std::uint8_t* rowWords, std::size_t gates)
+{
+  words.push_back({rowWords, gates});
+}
+
 void GateRows::Replace(std::size_t row, const std::uint16_t* codes)
 {
   std::uint8_t* to = bytes.data() + rows[row].firstByte;
@@ -128,6 +167,7 @@ void GateRows::Replace(std::size_t row, const std::uint16_t* codes)
 
 void GateRows::Finish()
 {
+  words.shrink_to_fit();
   rows.shrink_to_fit();
   stretches.shrink_to_fit();
   bytes.shrink_to_fit();
@@ -135,6 +175,14 @@ void GateRows::Finish()
 
 void GateRows::Read(std::size_t row, std::size_t gates, std::uint16_t* codes) const
 {
+  if (!words.empty())
+  {
+    const std::uint8_t* word = words[row].first;
+    const std::size_t count = std::min(gates, words[row].gates);
+    std::transform(word, word + count, codes, CodeOfWord);
+    std::fill(codes + count, codes + gates, GateCode::NotSampled);
+    return;
+  }
   const std::uint8_t* from = bytes.data() + rows[row].firstByte;
   std::size_t done = 0;
   for (std::size_t i = rows[row].firstStretch; i < this->EndOfRow(row) && done < gates; ++i)
@@ -164,6 +212,17 @@ void GateRows::Read(std::size_t row, std::size_t gates, std::uint16_t* codes) co
 
 GateRange GateRows::Held(std::size_t row, std::size_t gates) const
 {
+  if (!words.empty())
+  {
+    const Words& own = words[row];
+    const std::uint8_t* last = own.first + std::min(gates, own.gates);
+    const std::uint8_t* begin = SkipZeros(own.first, last);
+    const std::uint8_t* end = SkipZerosBack(begin, last);
+    const bool isWhole = own.gates >= gates; // else the last gates are NotSampled
+    return begin == end && isWhole ? GateRange()
+                                   : GateRange{static_cast<std::size_t>(begin - own.first),
+                                       isWhole ? static_cast<std::size_t>(end - own.first) : gates};
+  }
   const std::size_t first = rows[row].firstStretch;
   const std::size_t end = this->EndOfRow(row);
   if (first == end)
@@ -177,7 +236,8 @@ GateRange GateRows::Held(std::size_t row, std::size_t gates) const
 
 std::size_t GateRows::MemoryBytes() const
 {
-  return rows.capacity() * sizeof(Row) + stretches.capacity() * sizeof(Stretch) + bytes.capacity();
+  return rows.capacity() * sizeof(Row) + stretches.capacity() * sizeof(Stretch) + bytes.capacity() +
+         words.capacity() * sizeof(Words);
 }
 
 std::size_t GateRows::EndOfRow(std::size_t row) const

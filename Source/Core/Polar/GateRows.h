@@ -29,6 +29,7 @@ inline GateRange Hull(const GateRange& a, const GateRange& b)
 /// The codes (GateCode) of the gates of a sweep, a row a ray. Most gates of a sweep hold no echo:
 /// only the stretches between them are kept, in bytes where the codes of the sweep fit, which takes
 /// about a seventh of the memory of a code for each gate. A row is written and read as a whole.
+/// Rows that are read once or twice can stay where they are, in the words of a file (AppendWords).
 class GateRows
 {
 public:
@@ -42,13 +43,17 @@ public:
   /// Adds the next row: as many gates as the other rows have, at most MostGates, with codes up
   /// to LargestCode().
   void Append(const std::uint16_t* codes, std::size_t gates);
-  /// Puts other codes in place of those of a row, of which the same hold no echo or are behind the
-  /// last that was sampled. row < Count().
+  /// Adds the next row without a copy: `words[gate]` is its code, and 2 less from 2 on; the gates
+  /// behind the last word were not sampled. At most MostGates. The words must outlive this object,
+  /// whose other rows must come the same way.
+  void AppendWords(const std::uint8_t* words, std::size_t gates);
+  /// Puts other codes in place of those of a row that was appended as codes, of which the same hold
+  /// no echo or are behind the last that was sampled. row < Count().
   void Replace(std::size_t row, const std::uint16_t* codes);
   /// Call it after the last row: hands memory that was kept for further rows back.
   void Finish();
 
-  std::size_t Count() const { return rows.size(); }
+  std::size_t Count() const { return words.empty() ? rows.size() : words.size(); }
   /// Reads the first `gates` gates of a row: all that were appended, or fewer. row < Count().
   void Read(std::size_t row, std::size_t gates, std::uint16_t* codes) const;
   /// Of the first `gates` gates of a row those from the first that holds anything but no echo, and
@@ -73,6 +78,12 @@ private:
     std::uint16_t end;
   };
 
+  struct Words
+  {
+    const std::uint8_t* first;
+    std::size_t gates;
+  };
+
   std::size_t EndOfRow(std::size_t row) const;
   std::size_t BytesOf(const Stretch& stretch) const;
   void Write(const std::uint16_t* codes, const Stretch& stretch, std::uint8_t* to) const;
@@ -81,6 +92,7 @@ private:
   std::vector<Row> rows;
   std::vector<Stretch> stretches;
   std::vector<std::uint8_t> bytes;
+  std::vector<Words> words; // of rows that are not kept here
 };
 
 } // namespace nexrad

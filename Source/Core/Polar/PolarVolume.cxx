@@ -62,8 +62,9 @@ unsigned LargestWord(const MomentRow& row)
   return largest;
 }
 
-// The words' own scale; not exact where the rays have none in common that codes can have.
-Coding FindWordCoding(const RowList& rows)
+// The words' own scale; not exact where the rays have none in common that codes can have. The
+// largest code is that of the rows, or with `any` of all words as long as theirs.
+Coding FindWordCoding(const RowList& rows, bool any)
 {
   constexpr unsigned largestWord = GateCode::Last - codesBeforeWords;
   const MomentRow& first = rows.front();
@@ -73,7 +74,7 @@ Coding FindWordCoding(const RowList& rows)
   {
     coding.exact = coding.exact && row.scale == first.scale && row.offset == first.offset &&
                    row.firstValue == first.firstValue;
-    largest = std::max(largest, LargestWord(row));
+    largest = std::max(largest, any && row.wordBits == 8 ? 255U : LargestWord(row));
   }
   coding.exact = coding.exact && largest <= largestWord && coding.scale.step > 0.0F &&
                  std::isfinite(coding.scale.step) && std::isfinite(coding.scale.base);
@@ -142,8 +143,7 @@ void SetWords(const MomentRow& row, const WordAt& wordAt, std::uint16_t* codes)
   {
     for (std::size_t gate = 0; gate < gates; ++gate)
     {
-      const std::uint16_t word = wordAt(gate);
-      codes[gate] = static_cast<std::uint16_t>(word + (word >= 2 ? codesBeforeWords : 0));
+      codes[gate] = CodeOfWord(wordAt(gate));
     }
     return;
   }
@@ -200,6 +200,20 @@ RowList RowsOf(const RayList& rays, MomentName moment, std::size_t gates)
   return rows;
 }
 
+// Whether the words of all rays can stay where they are (GateRows::AppendWords).
+bool CanStay(const RayList& rays, const RowList& rows, MomentName moment, const Coding& coding)
+{
+  for (std::size_t i = 0; i < rays.size(); ++i)
+  {
+    if (rows[i].wordBits != 8 || rows[i].firstValue != 2 ||
+        !ImpossibleGates(*rays[i], moment, rows[i].gates).empty())
+    {
+      return false;
+    }
+  }
+  return coding.exact;
+}
+
 PolarSweep MakeSweep(
   const RayList& rays, Waveform waveform, MomentName moment, const WantedRange& wanted)
 {
@@ -221,13 +235,21 @@ PolarSweep MakeSweep(
     sweep.gates = GatesUpTo(sweep, wanted(MedianElevation(sweep)));
   }
   const RowList rows = RowsOf(rays, moment, sweep.gates);
-  Coding coding = FindWordCoding(rows);
+  Coding coding = FindWordCoding(rows, static_cast<bool>(wanted));
   if (!coding.exact)
   {
     coding = FindValueCoding(rows);
   }
   sweep.scale = coding.scale;
   sweep.rows = GateRows(coding.largest);
+  if (wanted && CanStay(rays, rows, moment, coding))
+  {
+    for (const MomentRow& row : rows)
+    {
+      sweep.rows.AppendWords(row.words, row.gates);
+    }
+    return sweep;
+  }
   std::vector<std::uint16_t> codes(sweep.gates);
   for (std::size_t i = 0; i < rays.size(); ++i)
   {

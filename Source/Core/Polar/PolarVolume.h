@@ -79,12 +79,13 @@ using WantedRange = std::function<double(double)>;
 /// A sweep whose rays differ in gate geometry gives one PolarSweep for each geometry; shorter rays
 /// are padded with NotSampled, rays without the moment are left out. Values that no measurement can
 /// give (ImpossibleGates) are NotSampled. Of REF, LimitReach is applied to each sweep. With
-/// `wanted`, gates behind that range are left out, all but one; an empty one wants them all.
+/// `wanted`, gates behind that range are left out, all but one, and rows can refer to the words of
+/// the volume, which must outlive them (GateRows::AppendWords); an empty one wants all gates.
 PolarVolume MakePolarVolume(
   const RadarVolume& volume, MomentName moment, const WantedRange& wanted = {});
 
 /// Makes the polar volume of a measured moment, one without sweeps where there is none of it. It
-/// may leave out the gates behind the wanted range.
+/// may leave out the gates behind the wanted range; what is made with one is for use at once.
 using MeasuredVolume = std::function<PolarVolume(MomentName, const WantedRange&)>;
 
 /// Sets the gates of a sweep from numbers: the value and the state of each gate, rays × gates,

@@ -75,14 +75,9 @@ public:
     {
       const std::size_t begin = std::max(range.begin, part.gates.begin);
       const std::size_t end = std::min(range.end, part.gates.end);
-      const std::size_t beyond =
-        begin < end && part.grid ? part.grid->PlaceAt(grid.AzimuthAt(place)) : 0;
-      const float* row = part.grid && beyond < part.grid->Rays() ? part.grid->Row(beyond) : nullptr;
-      for (std::size_t gate = begin; gate < end; ++gate)
+      if (begin < end)
       {
-        values[gate - range.begin] = row == nullptr           ? NoBeam
-                                     : gates[gate] == outside ? NoNumber
-                                                              : row[gates[gate]];
+        this->ReadPart(part, place, {begin, end}, values.data() + (begin - range.begin));
       }
     }
   }
@@ -90,29 +85,59 @@ public:
   static constexpr float NoBeam = -NoNumber; // above any echo: no beam is there
 
 private:
-  static constexpr std::size_t outside = static_cast<std::size_t>(-1);
-
-  // Gates below one tilt; nullptr where there is none.
+  // Gates below one tilt, and whether its rays have gates there; nullptr where there is none.
   struct Part
   {
     const EchoGrid* grid;
+    bool inside;
     GateRange gates;
+    bool abreast; // the gates above them follow each other as they do
   };
 
   void AddGate(std::size_t gate, const EchoGrid* above)
   {
-    if (parts.empty() || parts.back().grid != above)
-    {
-      parts.push_back({above, {gate, gate}});
-    }
-    parts.back().gates.end = gate + 1;
     const std::ptrdiff_t at = above ? above->GateAt(grid.RangeOf(gate)) : -1;
     const bool inside = at >= 0 && at < static_cast<std::ptrdiff_t>(above ? above->Gates() : 0);
-    gates.push_back(inside ? static_cast<std::size_t>(at) : outside);
+    gates.push_back(inside ? static_cast<std::size_t>(at) : 0);
+    if (parts.empty() || parts.back().grid != above || parts.back().inside != inside)
+    {
+      parts.push_back({above, inside, {gate, gate}, true});
+    }
+    Part& part = parts.back();
+    part.gates.end = gate + 1;
+    const std::size_t first = part.gates.begin;
+    part.abreast = part.abreast && gates[gate] - gates[first] == gate - first;
+  }
+
+  // Some gates of a part.
+  void ReadPart(const Part& part, std::size_t place, const GateRange& range, float* to) const
+  {
+    const std::size_t count = range.end - range.begin;
+    const std::size_t beyond = part.grid ? part.grid->PlaceAt(grid.AzimuthAt(place)) : 0;
+    if (part.grid == nullptr || beyond == part.grid->Rays())
+    {
+      std::fill_n(to, count, NoBeam);
+      return;
+    }
+    if (!part.inside)
+    {
+      std::fill_n(to, count, NoNumber);
+      return;
+    }
+    const float* row = part.grid->Row(beyond);
+    if (part.abreast)
+    {
+      std::copy_n(row + gates[range.begin], count, to);
+      return;
+    }
+    for (std::size_t gate = range.begin; gate < range.end; ++gate)
+    {
+      to[gate - range.begin] = row[gates[gate]];
+    }
   }
 
   const EchoGrid& grid;
-  std::vector<std::size_t> gates; // of the tilt above, for each gate
+  std::vector<std::size_t> gates; // of the tilt above, for each gate inside it
   std::vector<Part> parts;
 };
 
@@ -127,9 +152,9 @@ void MarkRow(const SweepJudgement& sweep, const EchoAbove& above, std::size_t pl
   const EchoReason* reasons = sweep.reasons.data() + sweep.Index(place, range.begin);
   for (std::size_t i = 0; i < over.size(); ++i)
   {
-    const bool weak = IsNumber(row[i]) && row[i] < strongest;
+    const bool weak = row[i] < strongest; // and plain weather, so that there is a number
     const bool free = !IsNumber(over[i]);
-    members[range.begin + i] = weak && free && reasons[i] == EchoReason::Plain ? 1 : 0;
+    members[range.begin + i] = weak & free & (reasons[i] == EchoReason::Plain) ? 1 : 0;
   }
 }
 

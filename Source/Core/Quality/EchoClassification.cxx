@@ -45,12 +45,12 @@ std::size_t CountOf(const EchoReason* reasons, std::size_t gates, EchoReason rea
 }
 
 // Counts the gates of each reason. Most have none or are plain weather.
-void CountReasons(const std::vector<EchoReason>& reasons, ReasonCounts& counts)
+void CountReasons(const EchoReason* reasons, std::size_t count, ReasonCounts& counts)
 {
-  for (std::size_t begin = 0; begin < reasons.size(); begin += countedTogether)
+  for (std::size_t begin = 0; begin < count; begin += countedTogether)
   {
-    const EchoReason* first = reasons.data() + begin;
-    const std::size_t gates = std::min(countedTogether, reasons.size() - begin);
+    const EchoReason* first = reasons + begin;
+    const std::size_t gates = std::min(countedTogether, count - begin);
     const std::size_t none = CountOf(first, gates, EchoReason::None);
     const std::size_t plain = CountOf(first, gates, EchoReason::Plain);
     if (none + plain == gates)
@@ -268,7 +268,7 @@ private:
         std::vector<EchoReason>& reasons = result.sweeps[number];
         reasons = std::move(sweeps[number].reasons);
         reasons.resize(sweep.rays.size() * sweep.gates, EchoReason::None);
-        CountReasons(reasons, counts[number]);
+        counts[number] = CountHeld(reasons, sweeps[number]);
       });
     for (const ReasonCounts& each : counts)
     {
@@ -276,6 +276,22 @@ private:
         each.begin(), each.end(), result.counts.begin(), result.counts.begin(), std::plus<>());
     }
     return result;
+  }
+
+  // Gates that hold no echo have no reason.
+  static ReasonCounts CountHeld(const std::vector<EchoReason>& reasons, const SweepJudgement& sweep)
+  {
+    ReasonCounts counts{};
+    std::size_t held = 0;
+    for (std::size_t place = 0; sweep.grid && place < sweep.grid->Rays(); ++place)
+    {
+      const GateRange range = sweep.grid->Held(place);
+      CountReasons(
+        reasons.data() + sweep.Index(place, range.begin), range.end - range.begin, counts);
+      held += range.end - range.begin;
+    }
+    counts[static_cast<std::size_t>(EchoReason::None)] += reasons.size() - held;
+    return counts;
   }
 
   const MeasuredMoments& moments;

@@ -46,8 +46,8 @@ private:
     std::vector<std::uint16_t> codes;
     for (std::size_t place = 0; place < grid.Rays(); ++place)
     {
-      const GateRange still =
-        StillGates(grid.Row(place), sources.velocity, grid.RayAt(place), geometry, codes);
+      const GateRange still = StillGates(
+        grid.Row(place), grid.Held(place), sources.velocity, grid.RayAt(place), geometry, codes);
       const GateRange all = this->AllOf(place);
       // Where most gates are asked for, the others may soon be, too.
       wanted[place] = 2 * Length(still) > Length(all) ? all : still;

@@ -29,9 +29,15 @@ bool Stays(EchoReason reason)
 
 void FindSpeckle(SweepJudgement& sweep)
 {
-  std::vector<std::uint8_t> members(sweep.reasons.size());
-  std::transform(sweep.reasons.begin(), sweep.reasons.end(), members.begin(),
-    [](EchoReason reason) -> std::uint8_t { return Stays(reason) ? 1 : 0; });
+  std::vector<std::uint8_t> members(sweep.reasons.size(), 0);
+  for (std::size_t place = 0; place < sweep.grid->Rays(); ++place)
+  {
+    const GateRange held = sweep.grid->Held(place);
+    const EchoReason* reasons = sweep.reasons.data() + sweep.Index(place, 0);
+    std::transform(reasons + held.begin, reasons + held.end,
+      members.data() + sweep.Index(place, held.begin),
+      [](EchoReason reason) -> std::uint8_t { return Stays(reason) ? 1 : 0; });
+  }
   const GateRegions regions(*sweep.grid, members);
   std::vector<std::size_t> gates(regions.Count(), 0);
   for (const GateRun& run : regions.Runs())

@@ -47,6 +47,10 @@ public:
   void Judge(std::size_t place)
   {
     const GateRange held = grid.Held(place);
+    if (held.end < held.begin + fewestGates)
+    {
+      return;
+    }
     const std::size_t far = std::clamp(first, held.begin, std::max(held.begin, held.end));
     values.clear();
     this->Collect(place, {held.begin, far});

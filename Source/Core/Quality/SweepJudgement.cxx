@@ -42,11 +42,12 @@ float WeakestPower(const EchoGrid& grid, const std::vector<float>& spreading)
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
     const float* row = grid.Row(place);
+    const std::size_t end = std::min(spreading.size(), grid.Held(place).end);
     float least = -NoNumber;
-    for (std::size_t gate = 0; gate < std::min(spreading.size(), grid.Held(place).end); ++gate)
+    for (std::size_t gate = 0; gate < end; ++gate)
     {
-      const float power = IsNumber(row[gate]) ? row[gate] - spreading[gate] : least;
-      least = std::min(least, power);
+      const float power = IsNumber(row[gate]) ? row[gate] - spreading[gate] : -NoNumber;
+      least = power < least ? power : least;
     }
     if (least < -NoNumber)
     {

@@ -107,6 +107,11 @@ SeriesVolume Describe(const RadarVolume& volume, const std::filesystem::path& pa
   description.cycle = cycle;
   description.start = *volume.Start();
   description.end = *volume.End();
+  if (!volume.cuts.empty())
+  {
+    description.begun = volume.cuts.front().begun;
+    description.left = volume.cuts.front().left;
+  }
   description.rays = volume.RayCount();
   description.reach = ReachOf(volume, moments.empty() ? MomentName::REF : moments.front());
   description.synthetic = volume.synthetic;
@@ -133,6 +138,27 @@ void SortVolumes(SiteSeries& series, std::vector<InputProblem>& problems)
     kept.push_back(std::move(volume));
   }
   volumes = std::move(kept);
+}
+
+// Volumes that the radar broke off for the next one, which another file holds, lack no end: a note
+// takes the place of the damage.
+void NoteRestarts(const std::vector<SeriesVolume>& volumes, SeriesScan& scan)
+{
+  for (std::size_t i = 0; i + 1 < volumes.size(); ++i)
+  {
+    const SeriesVolume& next = volumes[i + 1];
+    const std::string file = volumes[i].file.string();
+    const auto lacksEnd = [&file](const InputProblem& problem)
+    { return problem.file == file && problem.what.find(NoEndOfVolume) != std::string::npos; };
+    const auto damage = std::find_if(scan.problems.begin(), scan.problems.end(), lacksEnd);
+    if (damage != scan.problems.end() &&
+        IsBrokenOff(volumes[i].left, next.start - volumes[i].end, next.begun))
+    {
+      scan.problems.erase(damage);
+      scan.notes.push_back(
+        file + ": the radar broke the volume off and began the new one of " + next.file.string());
+    }
+  }
 }
 
 // What has to be known of all moments of a volume together.
@@ -385,6 +411,7 @@ SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<S
   for (auto& group : groups)
   {
     SortVolumes(group.second, scan.problems);
+    NoteRestarts(group.second.volumes, scan);
     scan.sites.push_back(std::move(group.second));
   }
   return scan;

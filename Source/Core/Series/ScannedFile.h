@@ -56,8 +56,8 @@ struct ScannedFile
 {
   std::vector<std::pair<Site, SeriesVolume>> volumes;
   std::vector<InputProblem> problems;
-  std::vector<std::string> notes; ///< what the merge leaves out although nothing is wrong with it,
-                                  ///< a line each, with the file
+  std::vector<std::string> notes; ///< what the merge leaves out, or lacks, although nothing is
+                                  ///< wrong with it, a line each, with the file
 };
 
 /// Whether quality control said of some volume of a file what it found.
@@ -81,7 +81,8 @@ std::string DescribePlaces(const Site& site, const Site& other);
 
 /// Puts what the files hold together by sites. `problems` are those known before. A radar stands
 /// where most of its volumes say; volumes of its name that stand apart from there are left out, and
-/// each is a problem.
+/// each is a problem. That a file lacks the end of its volume is a note where the radar broke the
+/// volume off (IsBrokenOff) and began the next one, in another file.
 SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<ScannedFile>& files);
 
 } // namespace nexrad

@@ -70,7 +70,8 @@ Json PackVolume(const Site& site, const SeriesVolume& volume)
 {
   Json packed = {{"site", site.name}, {"file", volume.file.string()}, {"cycle", volume.cycle},
     {"start", volume.start.time_since_epoch().count()},
-    {"end", volume.end.time_since_epoch().count()}, {"rays", volume.rays}, {"reach", volume.reach},
+    {"end", volume.end.time_since_epoch().count()}, {"begun", volume.begun},
+    {"left", volume.left.count()}, {"rays", volume.rays}, {"reach", volume.reach},
     {"synthetic", volume.synthetic}, {"moments", volume.moments}, {"lacking", volume.lacking}};
   if (site.position)
   {
@@ -107,6 +108,8 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
   volume.cycle = packed.at("cycle");
   volume.start = Time(Duration(packed.at("start").get<Duration::rep>()));
   volume.end = Time(Duration(packed.at("end").get<Duration::rep>()));
+  volume.begun = packed.at("begun");
+  volume.left = Duration(packed.at("left").get<Duration::rep>());
   volume.rays = packed.at("rays");
   volume.reach = packed.at("reach");
   volume.synthetic = packed.at("synthetic");

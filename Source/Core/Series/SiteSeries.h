@@ -28,6 +28,8 @@ struct SeriesVolume
   std::size_t cycle = 0;      ///< which of the cycles in the file (SplitCycles), from 0
   Time start{};               ///< first ray
   Time end{};                 ///< last ray
+  bool begun = false;         ///< its first ray begins a volume
+  Duration left{};            ///< VolumeCuts::left
   std::size_t rays = 0;
   double reach =
     0.0; ///< m, slant range to which two of its tilts of the moment see, or its only one

@@ -3,6 +3,7 @@
 #include "nexrad/Level2/Level2File.h"
 
 #include "Level2Bytes.h"
+#include "nexrad/Level2/VolumeEnding.h"
 
 #include <gtest/gtest.h>
 
@@ -209,4 +210,33 @@ TEST(VolumeCuts, ALaterVolumeIsNoRestart)
   EXPECT_EQ(DamageOf(volume), "cuts 3 to 5 of 5 are missing before the next volume\n"
                               "rays missing at the end of sweep 1 (elevation number 2)\n");
   EXPECT_FALSE(volume.complete);
+}
+
+// The file of the new volume tells what became of the one before.
+TEST(VolumeCuts, ARestartInTheNextFileIsAShortVolume)
+{
+  constexpr unsigned taken = 22'400; // ms, of the first file
+  FileOfCuts first;
+  first.Pattern(35, fiveAngles).Cut(1, 3).Cut(2, 0, 1, 20);
+  RadarVolume volume = first.Decode();
+  ASSERT_TRUE(LacksEnd(volume));
+  FileOfCuts later;
+  EndWithNext(volume, later.Wait(taken + 45'000).Cut(1, 3).Cut(2, 5, 4).Decode());
+  FileOfCuts within;
+  EndWithNext(volume, within.Wait(taken + 5'000).Cut(1).Cut(2, 5, 4).Decode());
+  FileOfCuts next;
+  RadarVolume ofOther = next.Wait(taken + 5'000).Cut(1, 3).Cut(2, 5, 4).Decode();
+  ofOther.site.name = "KOUN";
+  EndWithNext(volume, ofOther);
+  EXPECT_EQ(DamageOf(volume), DamageOf(first.Decode()));
+  EXPECT_NE(DamageOf(volume), "");
+  EndWithNext(volume, next.Decode());
+  EXPECT_EQ(DamageOf(volume), "");
+  EXPECT_TRUE(volume.complete);
+  EXPECT_FALSE(LacksEnd(volume));
+  EXPECT_EQ(volume.cuts[0].end, VolumeEnd::NewVolume);
+  EXPECT_EQ(volume.cuts[0].notScanned, (std::vector<int>{3, 4, 5}));
+  EXPECT_TRUE(volume.cuts[0].missing.empty());
+  EXPECT_TRUE(HasNote(
+    volume, "the radar broke the volume off after cut 2 of 5 and began a new one, of file"));
 }

@@ -110,6 +110,30 @@ TEST(GateRows, GiveBackLongRowsOfAllStates)
   ExpectSame(RowsOf(all), all);
 }
 
+TEST(GateRows, GiveBackWordsThatStayWhereTheyAre)
+{
+  std::mt19937 random(4);
+  std::vector<Codes> expected;
+  std::vector<std::vector<std::uint8_t>> words;
+  for (std::size_t row = 0; row < 200; ++row)
+  {
+    words.emplace_back(row % 7 == 0 ? 40 : 60, std::uint8_t(0)); // of 60 gates
+    for (std::size_t gate = random() % 40; gate < words.back().size() && random() % 30 > 0; ++gate)
+    {
+      words.back()[gate] = static_cast<std::uint8_t>(random() % 3 == 0 ? random() % 256 : 0);
+    }
+    expected.emplace_back(60, GateCode::NotSampled);
+    std::transform(words.back().begin(), words.back().end(), expected.back().begin(), CodeOfWord);
+  }
+  GateRows rows(255);
+  for (const std::vector<std::uint8_t>& each : words)
+  {
+    rows.AppendWords(each.data(), each.size());
+  }
+  rows.Finish();
+  ExpectSame(rows, expected);
+}
+
 TEST(GateRows, TakeTheLongestRow)
 {
   Codes row(GateRows::MostGates, GateCode::NoEcho);

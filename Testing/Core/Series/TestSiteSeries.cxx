@@ -117,6 +117,33 @@ TEST(SiteSeries, KeepsTheFullerOfTwoCopies)
   EXPECT_NE(scan->problems[0].Line().find("a-half: the same volume as"), std::string::npos);
 }
 
+// A volume of half a turn of 3.6 s, and the next one in another file.
+TEST(SiteSeries, ARestartOfTheRadarIsANote)
+{
+  const Time first = At("2006-03-12T18:00:00Z");
+  testing::HandMadeVolume half = ConstantVolume(keax, first, 20.0);
+  half.sweeps[0].rays = 180;
+  half.sweeps[0].turn = 180.0;
+  half.complete = false;
+  for (const int pause : {1000, 3000}) // ms: less and more than half of the rest takes
+  {
+    const TemporaryFolder folder;
+    WriteLevel2(folder.Path() / "a", {half});
+    WriteLevel2(folder.Path() / "b", {ConstantVolume(keax, first + Duration(3600 + pause), 20.0)});
+    const auto scan = ScanInputs({folder.Path()});
+    ASSERT_TRUE(scan);
+    EXPECT_EQ(scan->sites.at(0).volumes.size(), 2U);
+    EXPECT_EQ(scan->problems.size(), pause < 1800 ? 0U : 1U);
+    ASSERT_EQ(scan->notes.size(), pause < 1800 ? 1U : 0U);
+    for (const std::string& note : scan->notes)
+    {
+      EXPECT_EQ(note, (folder.Path() / "a").string() +
+                        ": the radar broke the volume off and began the new one of " +
+                        (folder.Path() / "b").string());
+    }
+  }
+}
+
 // Two radars of one name, or a wrong position: the second never stands at the first's place.
 TEST(SiteSeries, NamesakesFarApartAreNotMerged)
 {

@@ -63,6 +63,7 @@ public:
 
   void Check()
   {
+    cuts.begun = cycle[0].rays.front()->ray.radialStatus == startOfVolume;
     this->CheckNumbers();
     this->CheckSweepEnds();
     this->CheckEnd();
@@ -157,7 +158,8 @@ private:
       cuts.notScanned = rest;
       return;
     }
-    if (cycle.Next() != nullptr && this->BeginsAtOnce(*cycle.Next(), rest.size()))
+    const Duration left = this->TimeLeft(rest.size());
+    if (cycle.Next() != nullptr && this->IsBrokenOffBy(*cycle.Next(), left))
     {
       cuts.end = VolumeEnd::NewVolume;
       cuts.notScanned = rest;
@@ -166,6 +168,7 @@ private:
     Append(rest, cuts.missing);
     if (cycle.Next() == nullptr)
     {
+      cuts.left = left;
       return; // VolumeAssembler says that the end is missing
     }
     if (!rest.empty())
@@ -178,18 +181,22 @@ private:
     }
   }
 
-  // Whether a new volume begins before the radar can have scanned half of the rest of this one, as
-  // fast as the last sweep: then it never did.
-  bool BeginsAtOnce(const ArrivedRay& next, std::size_t cutsLeft) const
+  bool IsBrokenOffBy(const ArrivedRay& next, Duration left) const
+  {
+    return IsBrokenOff(left, next.ray.time - cycle.Last().rays.back()->ray.time,
+      next.ray.radialStatus == startOfVolume);
+  }
+
+  // What the rest of the volume takes, as fast as the last sweep; 0 where that tells no speed.
+  Duration TimeLeft(std::size_t cutsLeft) const
   {
     const ArrivedSweep& last = cycle.Last();
-    const Duration pause = next.ray.time - last.rays.back()->ray.time;
+    const double turned = std::abs(last.turned);
     const Duration taken = last.rays.back()->ray.time - last.rays.front()->ray.time;
-    const double left = fullTurn * static_cast<double>(cutsLeft) +
-                        (last.cutOff ? fullTurn - std::abs(last.turned) : 0.0);
-    return next.ray.radialStatus == startOfVolume && std::abs(last.turned) > 0.0 &&
-           static_cast<double>(pause.count()) * std::abs(last.turned) <
-             0.5 * left * static_cast<double>(taken.count());
+    const double left =
+      fullTurn * static_cast<double>(cutsLeft) + (last.cutOff ? fullTurn - turned : 0.0);
+    return turned > 0.0 ? Duration(std::llround(left / turned * static_cast<double>(taken.count())))
+                        : Duration();
   }
 
   void FindRepeated()

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <numeric>
 
 namespace nexrad
 {
@@ -46,10 +47,8 @@ GateRegions::GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& 
     }
   }
   firstRuns.push_back(runs.size());
-  for (std::size_t i = 0; i < runs.size(); ++i)
-  {
-    parents.push_back(static_cast<std::uint32_t>(i));
-  }
+  parents.resize(runs.size());
+  std::iota(parents.begin(), parents.end(), std::uint32_t(0));
   for (std::size_t place = 0; place < grid.Rays(); ++place)
   {
     const std::size_t beside = grid.Beside(place, 1);

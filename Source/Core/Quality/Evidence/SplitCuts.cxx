@@ -4,6 +4,7 @@
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Polar/SweepPairing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -65,11 +66,24 @@ const PolarSweep* FindCutWith(const CutTable& cuts, const PolarSweep& own, bool 
   return nullptr;
 }
 
-MomentSource FindSource(const CutTable& cuts, const PolarSweep& own, bool after)
+// Whether two moments are of the same rays.
+bool HaveSameRays(const PolarSweep& one, const PolarSweep& other)
+{
+  return std::equal(one.rays.begin(), one.rays.end(), other.rays.begin(), other.rays.end(),
+    [](const PolarRay& a, const PolarRay& b) { return a.azimuth == b.azimuth; });
+}
+
+// `alike`: a source of another moment for the same sweep, whose rays are nearly always the same.
+MomentSource FindSource(
+  const CutTable& cuts, const PolarSweep& own, bool after, const MomentSource& alike = {})
 {
   MomentSource source;
   source.sweep = FindCutWith(cuts, own, after);
-  if (source.sweep)
+  if (source.sweep && alike.sweep && HaveSameRays(*source.sweep, *alike.sweep))
+  {
+    source.rays = alike.rays;
+  }
+  else if (source.sweep)
   {
     const RayFinder finder(*source.sweep);
     for (const PolarRay& ray : own.rays)
@@ -124,10 +138,10 @@ std::vector<SweepSources> FindSources(const MeasuredMoments& moments)
     const PolarSweep& own = moments.reflectivity.sweeps[i];
     SweepSources sources;
     sources.velocity = FindSource(velocity, own, true);
-    sources.width = FindSource(width, own, true);
+    sources.width = FindSource(width, own, true, sources.velocity);
     sources.correlation = FindSource(correlation, own, false);
-    sources.ratio = FindSource(ratio, own, false);
-    sources.phase = FindSource(phase, own, false);
+    sources.ratio = FindSource(ratio, own, false, sources.correlation);
+    sources.phase = FindSource(phase, own, false, sources.correlation);
     sources.filterPower = FindSource(filterPower, own, false);
     if (IsDopplerHalf(moments.reflectivity.sweeps, velocity, i))
     {

@@ -151,28 +151,33 @@ void ReadMoment(const MomentSource& source, std::size_t ray, const RowGeometry& 
   }
 }
 
-GateRange StillGates(const float* row, const MomentSource& velocity, std::size_t ray,
-  const RowGeometry& geometry, std::vector<std::uint16_t>& codes)
+GateRange StillGates(const float* row, const GateRange& held, const MomentSource& velocity,
+  std::size_t ray, const RowGeometry& geometry, std::vector<std::uint16_t>& codes)
 {
-  if (!velocity.Has(ray) || geometry.gates == 0)
+  if (!velocity.Has(ray) || geometry.gates == 0 || held.IsEmpty())
   {
     return {};
   }
   const PolarSweep& sweep = *velocity.sweep;
-  const GateRange held = sweep.rows.Held(velocity.rays[ray], sweep.gates);
-  codes.resize(sweep.gates);
-  sweep.rows.Read(velocity.rays[ray], held.end, codes.data());
   const CodeRange still = StillCodes(sweep.scale);
   const double step = sweep.gateSpacing / geometry.spacing;
   const double from = (sweep.firstGate - geometry.firstGate) / geometry.spacing + 0.5;
+  // The first velocity in or behind a gate of the row.
+  const auto firstIn = [&](std::size_t gate)
+  {
+    const double place = (static_cast<double>(gate) - from) / step;
+    return std::min(FirstAtLeast(place), sweep.gates);
+  };
+  std::size_t begin = firstIn(std::min(held.begin, geometry.gates));
+  std::size_t end = firstIn(std::min(held.end, geometry.gates));
+  codes.resize(end);
+  sweep.rows.Read(velocity.rays[ray], end, codes.data());
   const auto last = static_cast<double>(geometry.gates - 1);
   const auto gateOf = [&](std::size_t i)
   { return static_cast<std::size_t>(std::clamp(from + step * static_cast<double>(i), 0.0, last)); };
   const auto isStill = [&](std::size_t i)
   { return still.Holds(codes[i]) && IsNumber(row[gateOf(i)]); };
   constexpr std::size_t together = 32;
-  std::size_t begin = held.begin;
-  std::size_t end = held.end;
   while (begin < end && !isStill(begin))
   {
     const bool skips = begin + together <= end && !HoldsAny(&codes[begin], together, still);
@@ -180,7 +185,9 @@ GateRange StillGates(const float* row, const MomentSource& velocity, std::size_t
   }
   while (begin < end && !isStill(end - 1))
   {
-    --end;
+    const bool skips =
+      begin + together <= end && !HoldsAny(&codes[end - together], together, still);
+    end -= skips ? together : 1;
   }
   return begin < end ? GateRange{gateOf(begin), gateOf(end - 1) + 1} : GateRange();
 }
@@ -224,23 +231,28 @@ void RayTextures::AddVelocity(
     return;
   }
   const PolarSweep& velocity = *sources.velocity.sweep;
-  codes.resize(velocity.gates);
-  velocity.Read(sources.velocity.rays[ray], codes.data());
-  const PolarSweep* width = sources.width.Has(ray) ? sources.width.sweep : nullptr;
-  widthCodes.assign(velocity.gates, GateCode::NotSampled);
-  if (width && width->firstGate == velocity.firstGate && width->gateSpacing == velocity.gateSpacing)
-  {
-    width->rows.Read(
-      sources.width.rays[ray], std::min(width->gates, velocity.gates), widthCodes.data());
-  }
-  const GateScale widthScale = width ? width->scale : GateScale();
   const double inGates = geometry.spacing / velocity.gateSpacing;
   const double from = (velocity.firstGate - geometry.firstGate) / geometry.spacing + 0.5;
-  std::size_t i = FirstAtLeast(-from * inGates);
-  for (std::size_t at = 0; at < geometry.gates && i < velocity.gates; ++at)
+  // The first gate of velocity behind a gate of the row.
+  const auto behind = [&](std::size_t gate)
   {
-    const double behind = (static_cast<double>(at + 1) - from) * inGates;
-    const std::size_t end = std::min(FirstAtLeast(behind), velocity.gates);
+    const double place = (static_cast<double>(gate + 1) - from) * inGates;
+    return std::min(FirstAtLeast(place), velocity.gates);
+  };
+  const std::size_t gates = geometry.gates > 0 ? behind(geometry.gates - 1) : 0;
+  codes.resize(gates);
+  velocity.rows.Read(sources.velocity.rays[ray], gates, codes.data());
+  const PolarSweep* width = sources.width.Has(ray) ? sources.width.sweep : nullptr;
+  widthCodes.assign(gates, GateCode::NotSampled);
+  if (width && width->firstGate == velocity.firstGate && width->gateSpacing == velocity.gateSpacing)
+  {
+    width->rows.Read(sources.width.rays[ray], std::min(width->gates, gates), widthCodes.data());
+  }
+  const GateScale widthScale = width ? width->scale : GateScale();
+  std::size_t i = FirstAtLeast(-from * inGates);
+  for (std::size_t at = 0; at < geometry.gates && i < gates; ++at)
+  {
+    const std::size_t end = behind(at);
     VelocitySums own;
     for (; i < end; ++i)
     {
