@@ -8,7 +8,8 @@ namespace nexrad
 
 bool IsVolumeHeader(ByteView stream, std::size_t offset)
 {
-  return stream.Has(offset, VolumeHeader::bytes) &&
+  // The first letter alone answers for most bytes of a damaged stream, each of which is asked.
+  return stream.Has(offset, VolumeHeader::bytes) && stream.U8(offset) == 'A' &&
          (stream.StartsWith("ARCHIVE2.", offset) ||
            (stream.StartsWith("AR2V00", offset) && stream.U8(offset + 8) == '.'));
 }
