@@ -136,6 +136,7 @@ private:
   void PlaceDetail();
   void DrawMark();
   std::vector<vtkVolumeMapper*> Mappers() const;
+  void LookForEcho();
   void DrawCaptions();
   void Aim();
   void DrawLabels();
@@ -157,11 +158,12 @@ private:
   std::optional<std::array<double, 4>> markFaces; ///< in the volume's units
   vtkSmartPointer<vtkNexradTransferFunction> transferFunction;
   std::string array;                ///< that is shown
-  ColourTable steps;                ///< of the colour bar
   std::optional<ColourField> field; ///< where another array gives the colours
   ColourScale scale;
   std::string note;                        ///< what the heights are, or which voxels a map shows
   std::vector<std::optional<double>> ages; ///< min, of the radars' data
+  vtkSmartPointer<vtkImageData> shownData; ///< the volume, where one is drawn
+  std::string nothing;                     ///< what is said where nothing is to be seen
   TextPictures pictures;
   Props plan;
   Props ground; ///< the ground itself is the first

@@ -63,8 +63,9 @@ struct SceneOptions
   int slices = 256;         ///< or samples along the longest ray; from 1 on
   double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
   ThemeChoice theme = ThemeChoice::Dark;
-  bool heightWalls = true; ///< lines of equal height on the walls behind the volume
-  bool placeNames = false; ///< names of states and provinces on the map
+  bool heightWalls = true;  ///< lines of equal height on the walls behind the volume
+  bool placeNames = false;  ///< names of states and provinces on the map
+  bool namesOptions = true; ///< captions name options of the program; else settings
   LightOptions light;
   std::optional<PlanOptions> plan;
   CutOptions cut;
