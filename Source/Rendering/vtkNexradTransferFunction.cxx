@@ -67,13 +67,16 @@ double Hermite(const Nodes& nodes, std::size_t index, double dBZ)
          t * rest * width * (rest * SlopeAt(nodes, index) - t * SlopeAt(nodes, index + 1));
 }
 
-// The nodes' places of some channels, and evenly spaced ones between.
-std::vector<double> PlacesOf(const Nodes* from, int channels)
+// The nodes' places of some channels, and where one of them is a spline, evenly spaced ones
+// between.
+std::vector<double> PlacesOf(const vtkNexradColorMap& map, std::size_t first, std::size_t channels)
 {
   std::vector<double> nodes;
-  for (int channel = 0; channel < channels; ++channel)
+  bool splines = false;
+  for (std::size_t channel = first; channel < first + channels; ++channel)
   {
-    for (const Node& node : from[channel])
+    splines = splines || !map.Linear[channel];
+    for (const Node& node : map.Channels[channel])
     {
       nodes.push_back(node[0]);
     }
@@ -83,7 +86,7 @@ std::vector<double> PlacesOf(const Nodes* from, int channels)
   std::vector<double> places;
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
-    for (int piece = 1; i > 0 && piece < piecesBetweenNodes; ++piece)
+    for (int piece = 1; splines && i > 0 && piece < piecesBetweenNodes; ++piece)
     {
       const double share = static_cast<double>(piece) / piecesBetweenNodes;
       places.push_back(nodes[i - 1] + share * (nodes[i] - nodes[i - 1]));
@@ -98,7 +101,7 @@ std::vector<std::array<double, 5>> SamplesOf(
   vtkNexradTransferFunction* function, const vtkNexradColorMap& map)
 {
   std::vector<std::array<double, 5>> samples;
-  for (const double dBZ : PlacesOf(map.Channels.data(), numberOfChannels))
+  for (const double dBZ : PlacesOf(map, 0, numberOfChannels))
   {
     std::array<double, 5>& sample = samples.emplace_back();
     sample[0] = dBZ;
@@ -206,7 +209,8 @@ bool vtkNexradTransferFunction::IsEqual(vtkNexradTransferFunction* other) const
   }
   const vtkNexradColorMap& a = this->Internal->Map;
   const vtkNexradColorMap& b = other->Internal->Map;
-  return a.Channels == b.Channels && a.IsoValues == b.IsoValues && a.Bins == b.Bins;
+  return a.Channels == b.Channels && a.Linear == b.Linear && a.IsoValues == b.IsoValues &&
+         a.Bins == b.Bins && a.Bar == b.Bar && a.RangeFolded == b.RangeFolded;
 }
 
 int vtkNexradTransferFunction::GetNumberOfNodes(int channel) const
@@ -283,9 +287,24 @@ void vtkNexradTransferFunction::RemoveAllNodes(int channel)
   if (this->GetNumberOfNodes(channel) > 0)
   {
     this->Internal->Channel(channel).clear();
+    this->Internal->Map.Linear[static_cast<std::size_t>(channel)] = false;
     this->Internal->Changed(channel);
     this->Modified();
   }
+}
+
+void vtkNexradTransferFunction::SetLinear(int channel, bool linear)
+{
+  if (IsChannel(channel) && this->IsLinear(channel) != linear)
+  {
+    this->Internal->Map.Linear[static_cast<std::size_t>(channel)] = linear;
+    this->Modified();
+  }
+}
+
+bool vtkNexradTransferFunction::IsLinear(int channel) const
+{
+  return IsChannel(channel) && this->Internal->Map.Linear[static_cast<std::size_t>(channel)];
 }
 
 double vtkNexradTransferFunction::Evaluate(int channel, double dBZ)
@@ -301,6 +320,12 @@ double vtkNexradTransferFunction::Evaluate(int channel, double dBZ)
     return next == nodes.begin() ? nodes.front()[1] : nodes.back()[1];
   }
   const auto index = static_cast<std::size_t>(next - nodes.begin());
+  if (this->IsLinear(channel))
+  {
+    const Node& before = nodes[index - 1];
+    const double share = (dBZ - before[0]) / ((*next)[0] - before[0]);
+    return (1.0 - share) * before[1] + share * (*next)[1];
+  }
   return std::clamp(Hermite(nodes, index - 1, dBZ), 0.0, 1.0);
 }
 
@@ -351,7 +376,7 @@ void vtkNexradTransferFunction::FillColorFunction(vtkColorTransferFunction* func
 {
   function->RemoveAllPoints();
   function->SetColorSpaceToRGB();
-  for (const double dBZ : PlacesOf(&this->Internal->Map.Channels[RED], 3))
+  for (const double dBZ : PlacesOf(this->Internal->Map, RED, 3))
   {
     function->AddRGBPoint(
       dBZ, this->Evaluate(RED, dBZ), this->Evaluate(GREEN, dBZ), this->Evaluate(BLUE, dBZ));
@@ -361,7 +386,7 @@ void vtkNexradTransferFunction::FillColorFunction(vtkColorTransferFunction* func
 void vtkNexradTransferFunction::FillOpacityFunction(vtkPiecewiseFunction* function)
 {
   function->RemoveAllPoints();
-  for (const double dBZ : PlacesOf(&this->Internal->Map.Channels[OPACITY], 1))
+  for (const double dBZ : PlacesOf(this->Internal->Map, OPACITY, 1))
   {
     function->AddPoint(dBZ, this->Evaluate(OPACITY, dBZ));
   }
@@ -413,6 +438,41 @@ bool vtkNexradTransferFunction::GetBin(
   std::copy(bin.Lower.begin(), bin.Lower.end(), lower);
   std::copy(bin.Upper.begin(), bin.Upper.end(), upper);
   return true;
+}
+
+const char* vtkNexradTransferFunction::GetLabelUnit() const
+{
+  return this->Internal->Map.Bar.Unit.c_str();
+}
+
+double vtkNexradTransferFunction::GetLabelFactor() const
+{
+  return this->Internal->Map.Bar.Factor;
+}
+
+double vtkNexradTransferFunction::GetLabelOffset() const
+{
+  return this->Internal->Map.Bar.Offset;
+}
+
+double vtkNexradTransferFunction::GetLabelStep() const
+{
+  return this->Internal->Map.Bar.Step;
+}
+
+int vtkNexradTransferFunction::GetLabelDecimals() const
+{
+  return this->Internal->Map.Bar.Decimals;
+}
+
+bool vtkNexradTransferFunction::GetRangeFoldedColor(double color[3]) const
+{
+  const auto& rangeFolded = this->Internal->Map.RangeFolded;
+  if (rangeFolded)
+  {
+    std::copy(rangeFolded->begin(), rangeFolded->end(), color);
+  }
+  return rangeFolded.has_value();
 }
 
 void vtkNexradTransferFunction::FillSteppedColorFunction(vtkColorTransferFunction* function)
@@ -505,6 +565,7 @@ void vtkNexradTransferFunction::SetOpacityToIsoValues(
   std::transform(values, values + count, opacities, std::back_inserter(shells),
     [](double value, double opacity) { return vtkNexradIsoShell(value, opacity); });
   this->Internal->Channel(OPACITY) = vtkNexradIsoShells(shells, halfWidth);
+  this->Internal->Map.Linear[OPACITY] = false;
   this->Internal->Map.IsoValues.assign(values, values + count);
   this->Modified();
 }
@@ -537,9 +598,14 @@ bool vtkNexradTransferFunction::ReadFile(const char* path)
     vtkErrorMacro(<< path << ": " << problem);
     return false;
   }
+  for (const std::string& line : map.PassedOver)
+  {
+    vtkWarningMacro(<< path << ": passed over: " << line);
+  }
   if (map.Channels[OPACITY].empty())
   {
     map.Channels[OPACITY] = this->Internal->Channel(OPACITY);
+    map.Linear[OPACITY] = this->IsLinear(OPACITY);
     map.IsoValues = this->Internal->Map.IsoValues;
     if (!map.Bins.empty())
     {

@@ -7,7 +7,8 @@
  * reflectivity, m/s for velocity, …) with Cardinal tangents of tension
  * 0 at nodes that need not be evenly spaced (Formulas T10): at a node the slope is that from the
  * node before to the node after, at the first and last node that to the neighbour. Beyond the first
- * and last node a channel keeps its value. Results are clamped to 0 to 1.
+ * and last node a channel keeps its value. Results are clamped to 0 to 1. A channel that a table of
+ * ramps or of opacities set goes from node to node in straight lines instead.
  *
  * A new object has the National Weather Service's reflectivity colours (Formulas R4), each colour's
  * node in the middle of its 5 dBZ, and the opacity of the preset "all echo".
@@ -68,6 +69,15 @@ public:
   void RemoveAllNodes(int channel);
   ///@}
 
+  ///@{
+  /**
+   * Whether a channel goes from node to node in straight lines, in place of a spline. Off by
+   * default; removing all nodes of a channel switches it off.
+   */
+  void SetLinear(int channel, bool linear);
+  bool IsLinear(int channel) const;
+  ///@}
+
   /**
    * Value of a channel, 0 to 1; 0 without nodes, and for what is not a number.
    */
@@ -86,7 +96,8 @@ public:
 
   ///@{
   /**
-   * Puts the splines into VTK's functions, sixteen linear pieces between neighbouring nodes.
+   * Puts the channels into VTK's functions, splines as sixteen linear pieces between neighbouring
+   * nodes.
    */
   void FillColorFunction(vtkColorTransferFunction* function);
   void FillOpacityFunction(vtkPiecewiseFunction* function);
@@ -116,6 +127,24 @@ public:
   int GetNumberOfBins() const;
   bool GetBin(int index, double range[2], double lower[3], double upper[3]) const;
   ///@}
+
+  ///@{
+  /**
+   * How a colour bar writes the values: factor × value + offset in a unit of its own, with so much
+   * from one label to the next (0: any) and so many decimals (-1: as many as it takes). Tables of
+   * GRLevelX set it, as knots for data in m/s; by default the unit is empty, that of the data.
+   */
+  const char* GetLabelUnit() const;
+  double GetLabelFactor() const;
+  double GetLabelOffset() const;
+  double GetLabelStep() const;
+  int GetLabelDecimals() const;
+  ///@}
+
+  /**
+   * The colour of range-folded values; false when the map has none.
+   */
+  bool GetRangeFoldedColor(double color[3]) const;
 
   /**
    * The colours in steps, as a colour bar shows them; as FillColorFunction without bins.
@@ -162,8 +191,9 @@ public:
    * iso-values come back as they were), .pal (GRLevelX tables, colours in bytes: the bins without
    * opacity, or samples of the splines with it), .csv (read only: lines "dbz,#rrggbb" below a
    * heading). A file without opacities leaves the opacity as it is, but of a table nothing shows
-   * below its first step. Returns false, with an error of one line that names the file and what is
-   * wrong; then nothing changed.
+   * below its first step. Each line of a .pal table that cannot be read is passed over, with a
+   * warning of one line that names the file and the line. Returns false, with an error of one line
+   * that names the file and what is wrong; then nothing changed.
    */
   bool ReadFile(const char* path);
   bool WriteFile(const char* path);

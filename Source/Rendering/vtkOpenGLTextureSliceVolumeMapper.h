@@ -181,9 +181,10 @@ public:
    * mode with linear interpolation and one-dimensional functions, with all that goes with them;
    * other blend modes, nearest interpolation and two-dimensional functions ignore it. Of two or
    * four dependent components the opacity is integrated, and the colour is that of the middle of
-   * the slab. The number of slices is rounded up to a multiple of four. Rays end exactly at
-   * clipping planes and opaque geometry, in place of at the nearest slice. Default: off, the
-   * picture of VTK's ray caster.
+   * the slab. The number of slices is rounded up to a multiple of four, and is larger, up to four
+   * times, where what is drawn is thinner than four slices. Rays end exactly at clipping planes and
+   * opaque geometry, in place of at the nearest slice. Default: off, the picture of VTK's ray
+   * caster.
    */
   vtkSetMacro(PreIntegration, bool);
   vtkGetMacro(PreIntegration, bool);

@@ -86,7 +86,7 @@ void SetMomentColours(const SceneOptions& options, ColourField& field)
   vtkNew<vtkVolumeProperty> property;
   function->FillProperty(property);
   field.colours->DeepCopy(property->GetRGBTransferFunction());
-  field.scale = MomentScale(options.colourBy, ColourStepsOf(function));
+  field.scale = ScaleOf(options.colourBy, function);
 }
 
 void SetAncillaryColours(

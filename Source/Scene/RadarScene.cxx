@@ -3,6 +3,7 @@
 
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
+#include "Scene/Captions/EchoShown.h"
 #include "Scene/Cutting/SectionMark.h"
 #include "Scene/Cutting/VolumeCut.h"
 #include "Scene/EchoFraming.h"
@@ -157,11 +158,11 @@ void RadarScene::TransferFunctionChanged()
 {
   this->FillProperty();
   this->FollowIsoValues();
-  steps = ColourStepsOf(transferFunction);
   if (!options.plan)
   {
-    scale = field ? field->scale : MomentScale(array, steps);
+    scale = field ? field->scale : ScaleOf(array, transferFunction);
   }
+  this->LookForEcho();
   this->DrawCaptions();
   this->Aim();
 }
@@ -284,6 +285,7 @@ void RadarScene::SetCut(const CutOptions& cut)
 {
   CheckCut(cut);
   const bool sameSection = cut.section == options.cut.section;
+  const bool sameBox = cut.box == options.cut.box;
   options.cut = cut;
   if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
   {
@@ -297,6 +299,25 @@ void RadarScene::SetCut(const CutOptions& cut)
   {
     this->DrawSection();
     this->DrawLabels();
+  }
+  if (!sameBox && shownData)
+  {
+    this->LookForEcho();
+    this->DrawCaptions();
+    this->DrawLabels();
+  }
+}
+
+// An empty box says why it is empty.
+void RadarScene::LookForEcho()
+{
+  nothing.clear();
+  if (shownData && !options.plan)
+  {
+    const PresetWords words = options.namesOptions ? PresetWords::Option : PresetWords::Setting;
+    nothing =
+      WordsForNothing(FindEchoShown(shownData, options.cut.box, OpacitiesOf(transferFunction)),
+        array, LeastShown(transferFunction), information.biologicalShare, words);
   }
 }
 
@@ -424,6 +445,7 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   volume->GetProperty()->SetScalarOpacityUnitDistance(frame.OpacityDistance());
   information = ReadVolumeInformation(drawn);
   ages = AgesOfData(drawn, array, information.sites.size());
+  this->LookForEcho();
 
   vtkNew<vtkImageData> placed;
   placed->ShallowCopy(field ? field->volume.Get() : drawn.Get());
@@ -583,8 +605,8 @@ void RadarScene::DrawMark()
 
 void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
 {
-  scale = ScaleFor(shown, *options.plan, information.sites, MomentScale(array, steps));
-  const std::string key = PlanKey(shown);
+  scale = ScaleFor(shown, *options.plan, information.sites, ScaleOf(array, transferFunction));
+  const std::string key = PlanKey(shown, scale);
   note = shown.where + (key.empty() ? "" : "; " + key);
   this->Replace(
     plan, {MakePlanLayer(shown, scale, placed, HeightOf(frame, GroundLevel::Picture), theme)});
@@ -650,8 +672,8 @@ void RadarScene::DrawCaptions()
 {
   Props props = MakeColourBar(scale, size, this->NoteStyle(), theme.frame, pictures);
   right = LeftOfColourBar(scale, size, this->NoteStyle(), pictures);
-  CaptionLayer layer = MakeCaptions(
-    {scale.title, note, information, ages}, size, right, this->TextSize(), theme, pictures);
+  CaptionLayer layer = MakeCaptions({scale.title, note, information, ages, nothing}, size, right,
+    this->TextSize(), theme, pictures);
   props.insert(props.end(), layer.props.begin(), layer.props.end());
   taken = std::move(layer.taken);
   this->Replace(captions, std::move(props));

@@ -105,8 +105,8 @@ public:
   /// Empty: as many as the volume asks for.
   void SetSlices(const std::optional<int>& slices);
 
-  /// Frames that echo, whatever the volumes from the next on show. Nothing: that of the first volume
-  /// of a grid and a moment, which grows where the echo of another leaves it.
+  /// Frames that echo, whatever the volumes from the next on show. Nothing: that of the first
+  /// volume of a grid and a moment, which grows where the echo of another leaves it.
   void HoldEcho(const std::optional<EchoExtent>& held);
 
   /// The light that the volume stands in.
@@ -145,6 +145,7 @@ private:
   void PlaceDetail();
   void DrawMark();
   std::vector<vtkVolumeMapper*> Mappers() const;
+  void LookForEcho();
   void DrawCaptions();
   void Aim();
   void DrawLabels();
@@ -158,9 +159,9 @@ private:
   CameraView view;
   SceneFrame frame;
   std::optional<EchoExtent> echo;
-  bool holdsEcho = false; ///< and measures none
+  bool holdsEcho = false;                  ///< and measures none
   vtkSmartPointer<vtkImageData> shownData; ///< as it was given
-  int slices = 256;                   ///< that are drawn
+  int slices = 256;                        ///< that are drawn
   VolumeInformation information;
   vtkSmartPointer<vtkRenderer> renderer;
   unsigned long startTag = 0; ///< of the observer of the renderer
@@ -170,11 +171,11 @@ private:
   std::optional<std::array<double, 4>> markFaces; ///< in the volume's units
   vtkSmartPointer<vtkNexradTransferFunction> transferFunction;
   std::string array;                ///< that is shown
-  ColourTable steps;                ///< of the colour bar
   std::optional<ColourField> field; ///< where another array gives the colours
   ColourScale scale;
   std::string note;                        ///< what the heights are, or which voxels a map shows
   std::vector<std::optional<double>> ages; ///< min, of the radars' data
+  std::string nothing;                     ///< what is said where nothing is to be seen
   TextPictures pictures;
   Props plan;
   Props ground; ///< the ground itself is the first

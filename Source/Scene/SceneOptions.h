@@ -66,7 +66,7 @@ struct SceneOptions
                               ///< slices are drawn, of one moment
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
   bool linearInterpolation =
-    true;                   ///< between voxels; else each place has its nearest voxel's value
+    true;                    ///< between voxels; else each place has its nearest voxel's value
   std::optional<int> slices; ///< or samples along the longest ray, from 1 on; empty: about one for
                              ///< each voxel along the view
   std::optional<double> opacityDistance; ///< km of the scene to which opacities belong, above 0;
@@ -74,8 +74,9 @@ struct SceneOptions
   FrameChoice framing = FrameChoice::Echo;
   double ringSpacing = 0.0; ///< m, between rings about each radar; 0: none
   ThemeChoice theme = ThemeChoice::Light;
-  bool heightWalls = true; ///< lines of equal height on the walls behind the volume
-  bool placeNames = false; ///< names of states and provinces on the map
+  bool heightWalls = true;  ///< lines of equal height on the walls behind the volume
+  bool placeNames = false;  ///< names of states and provinces on the map
+  bool namesOptions = true; ///< captions name options of the program; else settings
   LightOptions light;
   std::optional<PlanOptions> plan;
   CutOptions cut;

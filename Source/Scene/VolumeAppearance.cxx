@@ -9,6 +9,7 @@
 
 #include <vtkImageData.h>
 #include <vtkMath.h>
+#include <vtkNew.h>
 #include <vtkOpenGLGPUVolumeRayCastMapper.h>
 #include <vtkVolumeProperty.h>
 
@@ -275,6 +276,7 @@ void TakeOpacities(const std::filesystem::path& path, vtkNexradTransferFunction*
   {
     function->AddNode(opacity, node[0], node[1]);
   }
+  function->SetLinear(opacity, read->IsLinear(opacity));
   std::vector<IsoValue> isoValues;
   for (int i = 0; i < read->GetNumberOfIsoValues(); ++i)
   {
@@ -320,10 +322,11 @@ ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction)
   Colour upper{};
   for (int i = 0; transferFunction->GetBin(i, range, lower.data(), upper.data()); ++i)
   {
-    Colour mean{};
-    std::transform(lower.begin(), lower.end(), upper.begin(), mean.begin(),
-      [](double a, double b) { return 0.5 * (a + b); });
-    table.push_back({range[0], mean});
+    table.push_back({range[0], lower});
+    if (lower != upper)
+    {
+      table.back().ramp = ColourEnd{range[1], upper};
+    }
   }
   if (table.size() >= 2)
   {
@@ -342,6 +345,67 @@ ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction)
                              transferFunction->Evaluate(vtkNexradTransferFunction::BLUE, middle)}});
   }
   return table;
+}
+
+namespace
+{
+
+// Writes the values of a scale as the labels of a colour table do. One whose unit is not known
+// would be misread.
+void SetLabels(vtkNexradTransferFunction* look, ColourScale& scale)
+{
+  const std::string unit = look->GetLabelUnit();
+  const double factor = look->GetLabelFactor();
+  const double offset = look->GetLabelOffset();
+  const bool other = factor != 1.0 || offset != 0.0;
+  if (other && (unit.empty() || !(factor > 0.0)))
+  {
+    return;
+  }
+  scale.unit = other || scale.unit.empty() ? unit : scale.unit;
+  scale.factor = factor;
+  scale.offset = offset;
+  scale.step = look->GetLabelStep();
+  scale.decimals = look->GetLabelDecimals();
+  for (ColourBin& bin : scale.bins)
+  {
+    bin.from = bin.from * factor + offset;
+    if (bin.ramp)
+    {
+      bin.ramp->at = bin.ramp->at * factor + offset;
+    }
+  }
+}
+
+} // namespace
+
+ColourScale ScaleOf(const std::string& array, vtkNexradTransferFunction* transferFunction)
+{
+  ColourScale scale = MomentScale(array, ColourStepsOf(transferFunction));
+  SetLabels(transferFunction, scale);
+  Colour rangeFolded{};
+  if (transferFunction->GetRangeFoldedColor(rangeFolded.data()))
+  {
+    scale.rangeFolded = rangeFolded;
+  }
+  return scale;
+}
+
+std::vector<std::string> LinesPassedOver(const SceneOptions& options)
+{
+  std::vector<std::string> lines;
+  for (const auto& path : {options.colours, options.opacities})
+  {
+    if (!path.empty() && (lines.empty() || path != options.colours))
+    {
+      vtkNew<vtkNexradTransferFunction> read;
+      vtkNexradMessages messages;
+      messages.Watch(read);
+      read->ReadFile(path.c_str());
+      lines.insert(lines.end(), messages.Warnings().begin(), messages.Warnings().end());
+    }
+  }
+  return lines;
 }
 
 vtkSmartPointer<vtkVolumeProperty> MakeVolumeProperty()

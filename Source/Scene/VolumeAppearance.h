@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Scene/Elements/ColourTable.h"
+#include "Scene/Scales/ColourScale.h"
 #include "Scene/SceneOptions.h"
 
 #include <vtkSmartPointer.h>
@@ -69,6 +70,13 @@ void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* tr
 /// The boxes of the look's colour bar: its own steps, or one for each 5 dBZ (another round width
 /// where the colours span less than 20 or more than 120).
 ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction);
+
+/// The scale of a moment, or of another array of that name, in the colours of a look: with the unit
+/// and the labels of its colour table, where it has any.
+ColourScale ScaleOf(const std::string& array, vtkNexradTransferFunction* transferFunction);
+
+/// The lines that were passed over in the options' files of colours and opacities, each once.
+std::vector<std::string> LinesPassedOver(const SceneOptions& options);
 
 /// A property for volumes whose colours and opacities come from a transferFunction; the opacities
 /// are those of OpacityUnitDistance until the scene sets another distance.

@@ -108,6 +108,7 @@ struct vtkNexradVolumeScene::Drawing
 SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(vtkNexradVolumeScene* self)
 {
   SceneOptions options = nexrad::scene::SettingsOf(self);
+  options.namesOptions = false;
   for (const std::array<double, 2>& isoValue : self->IsoValues)
   {
     options.isoValues.push_back(

@@ -12,10 +12,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 #include <utility>
@@ -39,6 +41,7 @@ struct Raster
   std::vector<double> tiepoint;
   std::vector<double> parameters;
   std::string description;
+  std::vector<std::array<unsigned char, 4>> colours; // of the second page
 };
 
 std::vector<double> NumbersOf(TIFF* tiff, std::uint32_t tag)
@@ -77,6 +80,14 @@ Raster ReadRaster(const fs::path& path, std::size_t width, std::size_t height)
   char* text = nullptr;
   raster.description =
     TIFFGetField(tiff.get(), TIFFTAG_IMAGEDESCRIPTION, &text) == 1 ? text : std::string();
+  EXPECT_EQ(TIFFReadDirectory(tiff.get()), 1);
+  EXPECT_EQ(NumbersOf(tiff.get(), 33922), raster.tiepoint);
+  raster.colours.resize(width * height);
+  for (std::size_t y = 0; y < height; ++y)
+  {
+    auto* const row = raster.colours.data() + (height - 1 - y) * width;
+    EXPECT_EQ(TIFFReadScanline(tiff.get(), row, static_cast<std::uint32_t>(y), 0), 1);
+  }
   return raster;
 }
 
@@ -149,6 +160,34 @@ TEST(GeoTiff, PlaceIsThatOfTheGrid)
   const double north = 250.0 + 4.5 * 1700.0;
   EXPECT_EQ(raster.tiepoint, (std::vector<double>{0.0, 0.0, 0.0, west, north, 0.0}));
   EXPECT_EQ(raster.parameters, (std::vector<double>{0.0, 0.0, -91.7, 39.21}));
+}
+
+TEST(GeoTiff, TheSecondPageHasTheColoursOfTheMoment)
+{
+  using Colour = std::array<unsigned char, 4>;
+  const TemporaryFolder folder;
+  GriddedVolume volume = MakeColumns();
+  const auto draw = [&](const std::vector<std::string>& more)
+  {
+    const fs::path input = folder.Path() / "volume.nxv";
+    WriteNxv(input, volume);
+    std::vector<std::string> arguments = {
+      "render", input, "-o", folder.Path() / "map.tif", "--map", "composite"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return ReadRaster(folder.Path() / "map.tif", 6, 5).colours;
+  };
+  const auto reflectivity = draw({});
+  EXPECT_EQ(reflectivity[0], (Colour{0, 0, 0, 0})) << "not scanned";
+  EXPECT_EQ(reflectivity[1], (Colour{0, 0, 0, 0})) << "no echo";
+  EXPECT_EQ(reflectivity[11], (Colour{0x02, 0xfd, 0x02, 255})) << "22 dBZ";
+  volume.moment = MomentName::VEL;
+  const auto velocity = draw({});
+  EXPECT_GT(velocity[11][0], velocity[11][1]) << "22 m/s away from the radar are red";
+  const fs::path table = folder.Path() / "my.pal";
+  std::ofstream(table) << "Scale: 2\nUnits: x\nColor: 0 0 0 0\nColor: 88 0 0 255\n";
+  EXPECT_EQ(draw({"--colours", table})[11], (Colour{0, 0, 128, 255}));
 }
 
 // Three tilts, the middle one the strongest everywhere: the deconvolution raises it. A map of radar

@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
@@ -46,7 +47,8 @@ TEST(RenderCommand, OnePictureForEachTime)
   const ProgramRun run =
     RunNexrad3d({"render", series, "-o", folder.Path() / "out" / "storm.png", "--size", small});
   EXPECT_EQ(run.status, 0) << run.errors;
-  EXPECT_EQ(run.errors, "");
+  EXPECT_NE(run.errors.find("storm.png: 3 times make as many pictures"), std::string::npos)
+    << run.errors;
   const std::set<std::string> expected = {
     "storm-20060312T183000Z.png", "storm-20060312T183500Z.png", "storm-20060312T184000Z.png"};
   EXPECT_EQ(NamesIn(folder.Path() / "out"), expected);
@@ -136,6 +138,111 @@ TEST(RenderCommand, Movies)
   EXPECT_EQ(movie.substr(0, 4), "OggS");
   EXPECT_NE(movie.find("theora"), std::string::npos);
   EXPECT_AT_LEAST(movie.size(), 30'000U, "size of the movie, bytes");
+}
+
+namespace
+{
+
+// The mean colour about a place of the middle frame of a movie, as ffmpeg decodes it by its tags;
+// of a picture likewise.
+std::array<int, 3> ColourIn(const fs::path& file, const std::array<int, 2>& place)
+{
+  const std::string raw = file.string() + ".rgb";
+  const std::string crop = "crop=4:4:" + std::to_string(place[0]) + ":" + std::to_string(place[1]);
+  const std::string command = "ffmpeg -y -v error -i '" + file.string() + "' -frames:v 1 -vf " +
+                              crop + ",scale=1:1:flags=area -pix_fmt rgb24 -f rawvideo '" + raw +
+                              "'";
+  EXPECT_EQ(std::system(command.c_str()), 0) << command;
+  const std::string bytes = FileContent(raw);
+  std::array<int, 3> colour{};
+  for (std::size_t i = 0; i < 3 && bytes.size() == 3; ++i)
+  {
+    colour[i] = static_cast<unsigned char>(bytes[i]);
+  }
+  return colour;
+}
+
+} // namespace
+
+// An .mp4 says by which matrix it was made, else players guess by its size; Theora is of BT.601 by
+// its specification.
+TEST(RenderCommand, MoviesHaveTheColoursOfPictures)
+{
+  if (std::system("command -v ffmpeg ffprobe > /dev/null 2>&1") != 0)
+  {
+    GTEST_SKIP() << "needs the programs ffmpeg and ffprobe";
+  }
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 1);
+  for (const char* name : {"a.png", "a.mp4", "a.ogv"})
+  {
+    const ProgramRun run = RunNexrad3d({"render", series, "-o", folder.Path() / name});
+    ASSERT_EQ(run.status, 0) << run.errors;
+  }
+  const fs::path tags = folder.Path() / "tags";
+  const std::string probe =
+    "ffprobe -v error -show_entries stream=color_range,color_space,color_transfer,color_primaries "
+    "-of csv=p=0 '" +
+    (folder.Path() / "a.mp4").string() + "' > '" + tags.string() + "'";
+  ASSERT_EQ(std::system(probe.c_str()), 0);
+  EXPECT_EQ(FileContent(tags), "pc,bt709,bt709,bt709\n");
+  // In the boxes of the colour bar: all of its colours, the letters of which begin at 97 %.
+  constexpr int x = 1231;
+  for (int box = 0; box < 14; ++box)
+  {
+    const std::array<int, 2> place = {x, static_cast<int>(720 * (0.90 - 0.052 * (box + 0.5))) - 2};
+    const std::array<int, 3> wanted = ColourIn(folder.Path() / "a.png", place);
+    for (const char* name : {"a.mp4", "a.ogv"})
+    {
+      const std::array<int, 3> shown = ColourIn(folder.Path() / name, place);
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        EXPECT_AT_MOST(std::abs(shown[i] - wanted[i]), 6,
+          std::string("error of a colour of 0 to 255 in ") + name)
+          << "box " << box;
+      }
+    }
+  }
+}
+
+// As users do with a folder of one volume of each radar.
+TEST(RenderCommand, OneFileOfEachRadarMakesOnePictureOfAll)
+{
+  const TemporaryFolder folder;
+  const fs::path files = folder.Path() / "files";
+  fs::create_directory(files);
+  const auto at = [](const char* text) { return *ParseIso8601(text); };
+  WriteLevel2(files / "a",
+    {ConstantVolume({"KEAX", Position{38.81, -94.264, 333.0}}, at("2006-03-12T18:01:10"), 40.0)});
+  WriteLevel2(files / "b",
+    {ConstantVolume({"KLSX", Position{38.699, -90.683, 214.0}}, at("2006-03-12T18:41:00"), 30.0)});
+  const auto draw = [&](const std::vector<std::string>& more)
+  {
+    std::vector<std::string> arguments = {
+      "render", files, "-o", folder.Path() / "x.png", "--size", small, "--dims", "32x32x16"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    const ProgramRun run = RunNexrad3d(arguments);
+    EXPECT_EQ(run.status, 0) << run.errors;
+    return run;
+  };
+  const ProgramRun one = draw({});
+  EXPECT_EQ(one.output, (folder.Path() / "x.png").string() + "\n");
+  EXPECT_NE(one.errors.find("one picture of all radars, at 2006-03-12T18:21"), std::string::npos)
+    << one.errors;
+  EXPECT_NE(draw({"--step", "10min"}).errors.find("4 times make as many"), std::string::npos);
+}
+
+TEST(RenderCommand, LinesOfAColourTableThatCannotBeReadAreNamed)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 1);
+  const fs::path table = folder.Path() / "my.pal";
+  std::ofstream(table) << "TABLE BY somebody\nColor: 0 0 0 255\nColor: 60 255 0 0\n";
+  const ProgramRun run = RunNexrad3d({"render", series, "-o", folder.Path() / "a.png", "--size",
+    small, "--colours", table, "--quiet"});
+  EXPECT_EQ(run.status, 0);
+  EXPECT_NE(run.errors.find("my.pal: passed over: line 1: 'TABLE BY somebody'"), std::string::npos)
+    << run.errors;
 }
 
 TEST(RenderCommand, Mp4NeedsFfmpegAndSaysSo)

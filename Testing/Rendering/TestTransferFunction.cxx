@@ -9,6 +9,7 @@
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
 #include <vtkPiecewiseFunction.h>
+#include <vtkSmartPointer.h>
 #include <vtkVolumeProperty.h>
 
 #include <gtest/gtest.h>
@@ -442,6 +443,126 @@ TEST(TransferFunction, ReadsPalTables)
   EXPECT_NEAR(function->Evaluate(Function::OPACITY, 30.0), 0.2, 1e-12);
 }
 
+// GRLevelX's specification of colour tables: a statement is a ramp up to the next one's colour, or
+// up to its own second colour; a solid one is a step; one without alpha is opaque.
+TEST(TransferFunction, OpacitiesOfPalTablesAreRampsAndSteps)
+{
+  const TemporaryFolder folder;
+  const auto read = [&folder](const char* text)
+  {
+    auto function = vtkSmartPointer<Function>::New();
+    EXPECT_TRUE(function->ReadFile(WriteText(folder, "map.pal", text).c_str()));
+    return function;
+  };
+  const auto opacity = [](Function* function, double dBZ)
+  { return function->Evaluate(Function::OPACITY, dBZ); };
+  const auto mixed = read("Color4: -10 0 0 0 0\nColor: 10 106 90 205\nColor: 50 72 61 139\n");
+  EXPECT_NEAR(opacity(mixed, 0.0), 0.5, 1e-12);
+  EXPECT_EQ(opacity(mixed, 10.0), 1.0);
+  EXPECT_EQ(opacity(mixed, 49.0), 1.0);
+  const auto solid = read("SolidColor4: 0 0 0 255 0\nSolidColor4: 20 0 255 0 255\n"
+                          "SolidColor4: 40 255 0 0 255\n");
+  EXPECT_EQ(opacity(solid, 15.0), 0.0);
+  EXPECT_NEAR(opacity(solid, 19.99), 0.0, 1e-12);
+  EXPECT_EQ(opacity(solid, 20.0), 1.0);
+  const auto pairs = read("Color4: 0 0 0 255 0 0 0 255 128\nColor4: 20 0 255 0 255 0 255 0 255\n"
+                          "Color4: 40 255 0 0 255 255 0 0 255\n");
+  EXPECT_NEAR(opacity(pairs, 10.0), 64.0 / byte, 1e-12);
+  EXPECT_NEAR(opacity(pairs, 19.99), 127.9 / byte, 2e-4);
+  EXPECT_EQ(opacity(pairs, 20.0), 1.0);
+  const auto opaque = read("Color4: 5 0 0 255 255\nColor: 20 0 255 0\n");
+  EXPECT_EQ(opacity(opaque, 4.9), 0.0) << "below the table";
+  EXPECT_EQ(opacity(opaque, 5.0), 1.0);
+  // What the volume property gets has the step as well.
+  vtkNew<vtkPiecewiseFunction> filled;
+  solid->FillOpacityFunction(filled);
+  EXPECT_NEAR(filled->GetValue(19.99), 0.0, 1e-12);
+  EXPECT_EQ(filled->GetValue(20.0), 1.0);
+}
+
+TEST(TransferFunction, RampsOfPalTablesAreStraightAndJumpWhereTheTableDoes)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  const std::string path = WriteText(folder, "map.pal",
+    "\xEF\xBB\xBF"
+    "Product: BR\r\nUnits: dBZ\r\nND: 0 0 0\r\nRF: 124 24 124\r\n"
+    "Color: 60 255 0 0 128 0 0\r\nColor: 40 255 255 0 255 128 0\r\n"
+    "Color: 20 0 255 0 0 128 0\r\nSolidColor: 5 0 0 255\r\n");
+  ASSERT_TRUE(function->ReadFile(path.c_str()));
+  const auto green = [&](double dBZ) { return byte * function->Evaluate(Function::GREEN, dBZ); };
+  EXPECT_EQ(green(19.99), 0.0);
+  EXPECT_EQ(green(20.0), 255.0);
+  EXPECT_NEAR(green(30.0), 191.5, 1e-2);
+  EXPECT_NEAR(green(39.99), 128.1, 0.1);
+  EXPECT_EQ(green(40.0), 255.0);
+  double rangeFolded[3];
+  ASSERT_TRUE(function->GetRangeFoldedColor(rangeFolded));
+  EXPECT_EQ(rangeFolded[1], 24.0 / byte);
+  // As the window saves it and reads it again.
+  const std::string json = (folder.Path() / "map.json").string();
+  ASSERT_TRUE(function->WriteFile(json.c_str()));
+  vtkNew<Function> again;
+  ASSERT_TRUE(again->ReadFile(json.c_str()));
+  EXPECT_TRUE(again->IsEqual(function));
+  ASSERT_TRUE(function->WriteFile(path.c_str()));
+  ASSERT_TRUE(again->ReadFile(path.c_str()));
+  EXPECT_NEAR(byte * again->Evaluate(Function::GREEN, 30.0), 191.5, 1e-2);
+}
+
+TEST(TransferFunction, PalTablesNameTheirUnitByTheirScale)
+{
+  const TemporaryFolder folder;
+  vtkNew<EventCounter> events;
+  const auto read = [&](const std::string& head)
+  {
+    auto function = vtkSmartPointer<Function>::New();
+    events->Observe(function);
+    EXPECT_TRUE(function->ReadFile(
+      WriteText(folder, "map.pal", head + "color: -90 0 255 0\ncolor: 90 255 0 0\n").c_str()));
+    return function;
+  };
+  const auto knots = read("units: KTS\nstep: 05\nscale: 1.9426\nDecimals: 1\n");
+  EXPECT_STREQ(knots->GetLabelUnit(), "kt");
+  EXPECT_EQ(knots->GetLabelFactor(), 1.9426);
+  EXPECT_EQ(knots->GetLabelStep(), 5.0);
+  EXPECT_EQ(knots->GetLabelDecimals(), 1);
+  double range[2];
+  double lower[3];
+  double upper[3];
+  ASSERT_TRUE(knots->GetBin(0, range, lower, upper));
+  EXPECT_NEAR(range[0], -90.0 / 1.9426, 1e-12) << "m/s";
+  EXPECT_STREQ(read("Scale: 2.23694\n")->GetLabelUnit(), "mph") << "without Units";
+  EXPECT_STREQ(read("Units: in\nScale: 0.5\n")->GetLabelUnit(), "in");
+  EXPECT_TRUE(events->warnings.empty());
+  EXPECT_STREQ(read("Units: MPH\nScale: 1.94384\n")->GetLabelUnit(), "kt");
+  ASSERT_EQ(events->warnings.size(), 1U);
+  EXPECT_PRED2(Holds, events->warnings[0], "map.pal: passed over: line 1: the unit MPH");
+}
+
+// As other programs do, with a warning for each.
+TEST(TransferFunction, LinesOfPalTablesThatCannotBeReadArePassedOver)
+{
+  const TemporaryFolder folder;
+  vtkNew<Function> function;
+  vtkNew<EventCounter> events;
+  events->Observe(function);
+  ASSERT_TRUE(function->ReadFile(WriteText(folder, "map.pal",
+    "TABLE BY somebody#9800\nProduct: BR\nColor: 0 0 0 255\nColor: 10 1 2\nScale: 0\n"
+    "Color: 20 0 255 0\nColour: 30 0 0 0\nColor: 20 255 255 0 ; the later counts\n"
+    "Color: 40 255 0 256\nColor: 60 255 0 0\n")
+                                   .c_str()));
+  ASSERT_EQ(function->GetNumberOfBins(), 3);
+  EXPECT_EQ(function->Evaluate(Function::RED, 20.0), 1.0);
+  ASSERT_EQ(events->warnings.size(), 5U);
+  EXPECT_PRED2(
+    Holds, events->warnings[0], "map.pal: passed over: line 1: 'TABLE BY somebody#9800'");
+  EXPECT_PRED2(Holds, events->warnings[1], "line 4: 'Color: 10 1 2' must hold a value and three");
+  EXPECT_PRED2(Holds, events->warnings[2], "line 5: 'Scale: 0'");
+  EXPECT_PRED2(Holds, events->warnings[3], "line 7: 'Colour: 30 0 0 0' is no statement");
+  EXPECT_PRED2(Holds, events->warnings[4], "line 9: 'Color: 40 255 0 256'");
+}
+
 TEST(TransferFunction, NothingShowsBelowATableOfColours)
 {
   const TemporaryFolder folder;
@@ -495,7 +616,7 @@ TEST(TransferFunction, WrongFilesAreNamedInOneLine)
   EXPECT_PRED2(Holds, ErrorOf("a.pal", "Scale: 0\n"), "line 1");
   EXPECT_PRED2(Holds, ErrorOf("a.pal", "hello\n"), "no statement");
   EXPECT_PRED2(Holds, ErrorOf("a.pal", ""), "two colours");
-  EXPECT_PRED2(Holds, ErrorOf("a.pal", "Color: 5 1 1 1\nColor: 5 2 2 2\n"), "same value");
+  EXPECT_PRED2(Holds, ErrorOf("a.pal", "Color: 5 1 1 1\nColor: 5 2 2 2\n"), "two colours");
   EXPECT_PRED2(Holds, ErrorOf("a.csv", "dbz,rgb\n5,#000000\n5,#ffffff\n"), "line 3");
   EXPECT_PRED2(Holds, ErrorOf("a.csv", "dbz,rgb\n5,#00000g\n"), "line 2");
   EXPECT_PRED2(Holds, ErrorOf("a.txt", ""), ".json, .pal or .csv");
@@ -509,7 +630,7 @@ TEST(TransferFunction, PlacesBetweenWhichNoSlopeCanBeComputedAreErrors)
   EXPECT_NE(
     ErrorOf("scaled.pal", "Scale: 1e-300\nColor: 1e20 0 0 0\nColor: 2 9 9 9\n").find("beyond"),
     std::string::npos);
-  EXPECT_NE(ErrorOf("near.pal", "Color: 0 0 0 0\nColor: 5e-324 9 9 9\n").find("same value"),
+  EXPECT_NE(ErrorOf("near.pal", "Color: 0 0 0 0\nColor: 5e-324 9 9 9\n").find("two colours"),
     std::string::npos);
   EXPECT_NE(
     ErrorOf("near.csv", "dbz,colour\n1,#000000\n1.0000000000000002,#ffffff\n").find("line 3"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
+#include "Scene/Captions/EchoShown.h"
+#include "Scene/VolumeAppearance.h"
 #include "StormVolume.h"
 #include "TestData.h"
 #include "Tolerance.h"
@@ -8,6 +10,7 @@
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradTransferFunction.h"
 #include "vtkNexradVolumeFile.h"
 
 #include <vtkImageData.h>
@@ -137,6 +140,83 @@ TEST(Captions, SayThatMostEchoIsBiological)
   texts.information.biologicalShare = 0.9;
   texts.information.sites.clear();
   EXPECT_TRUE(SiteWords(texts).empty());
+}
+
+namespace
+{
+
+// The storm with other values: those of its voxels that have echo, less something.
+GriddedVolume WeakerStorm(float less)
+{
+  GriddedVolume volume = nexrad::testing::MakeStorm(false);
+  for (float& value : volume.values)
+  {
+    value -= less;
+  }
+  return volume;
+}
+
+std::string SaidOf(const GriddedVolume& volume, const std::string& preset,
+  const std::optional<std::array<double, 6>>& box = {}, double biological = 0.0)
+{
+  SceneOptions options;
+  options.preset = preset;
+  const std::string array = ToString(volume.moment);
+  const auto look = MakeTransferFunction(options, array);
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  return WordsForNothing(FindEchoShown(image, box, OpacitiesOf(look)), array, LeastShown(look),
+    biological, PresetWords::Option);
+}
+
+} // namespace
+
+TEST(Captions, SayWhatThereIsWhereNothingIsToBeSeen)
+{
+  EXPECT_EQ(SaidOf(WeakerStorm(0.0F), ""), "");
+  EXPECT_EQ(SaidOf(WeakerStorm(0.0F), "hail"), "") << "of 62 dBZ";
+  const std::string clear = SaidOf(WeakerStorm(59.0F), "");
+  EXPECT_EQ(clear.substr(0, 22), "No echo above 5 dBZ; c") << clear;
+  EXPECT_NE(clear.find("clear-air echo up to "), std::string::npos) << clear;
+  EXPECT_NE(clear.find(": --preset \"clear air\""), std::string::npos) << clear;
+  const std::string birds = SaidOf(WeakerStorm(59.0F), "", {}, 0.8);
+  EXPECT_NE(birds.find("biological echo up to "), std::string::npos) << birds;
+  const std::string weak = SaidOf(WeakerStorm(30.0F), "hail");
+  EXPECT_EQ(weak.find("No echo above 45 dBZ; echo up to "), 0U) << weak;
+  EXPECT_NE(weak.find("--preset \"all echo\""), std::string::npos) << weak;
+  const std::string veil = SaidOf(WeakerStorm(54.5F), "");
+  EXPECT_EQ(veil.find("Hardly any echo above 5 dBZ; echo up to "), 0U) << veil;
+  EXPECT_NE(veil.find("--preset \"clear air\""), std::string::npos) << veil;
+  GriddedVolume none = WeakerStorm(0.0F);
+  none.states.assign(none.states.size(), VoxelState::NoEcho);
+  EXPECT_EQ(SaidOf(none, ""), "No echo");
+  none.states.front() = VoxelState::Filtered;
+  EXPECT_EQ(SaidOf(none, ""), "No echo: quality control took out all that there was");
+  none.states.assign(none.states.size(), VoxelState::NotScanned);
+  EXPECT_EQ(SaidOf(none, ""), "Nothing was scanned here");
+}
+
+// The storm stands in the south west.
+TEST(Captions, SayThatACropShowsNothing)
+{
+  const std::array<double, 6> northEast = {100e3, 230e3, 100e3, 230e3, 0.0, 20e3};
+  EXPECT_EQ(SaidOf(WeakerStorm(0.0F), "", northEast), "No echo");
+  EXPECT_EQ(SaidOf(WeakerStorm(0.0F), "", std::array{-240e3, 0.0, -240e3, 0.0, 0.0, 20e3}), "");
+}
+
+TEST(Captions, SayWhereAVolumeEnds)
+{
+  GriddedVolume volume = nexrad::testing::MakeStorm(false);
+  volume.notes = {"KLSX: volume ends at 6.4°, cut off"};
+  const nexrad::testing::TemporaryFolder folder;
+  const std::string path = folder.Path() / "a.nxv";
+  WriteNxv(path, volume);
+  vtkNew<vtkImageData> image;
+  vtkNexradReadVolumeFile({path, {}, {}, false}, image);
+  CaptionTexts texts = MakeTexts(false);
+  texts.information = ReadVolumeInformation(image);
+  EXPECT_EQ(SiteWords(texts),
+    (Words{"KLSX", "KILX;", "KLSX:", "volume", "ends", "at", "6.4°,", "cut", "off"}));
 }
 
 // A file tells it as well, with the other moments of its volume.

@@ -108,7 +108,7 @@ TEST(PlanView, FilteredVoxelsAreShownWhereNothingIsMeasured)
     EXPECT_EQ(view.states[2], VoxelState::Filtered);
     EXPECT_EQ(view.states[3], folded);
     EXPECT_EQ(view.states[4], VoxelState::Filtered);
-    EXPECT_EQ(PlanKey(view), "violet: range folded, brown: filtered");
+    EXPECT_EQ(PlanKey(view, {}), "violet: range folded, brown: filtered");
   }
   const PlanView height = MakePlanView(SourceOf(volume), {PlanLevel::Height, 0.0, ""});
   EXPECT_EQ(height.states, lowest);

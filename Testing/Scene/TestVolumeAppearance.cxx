@@ -101,6 +101,52 @@ TEST(VolumeAppearance, AWrongPresetOrFileIsAnError)
   }
 }
 
+TEST(VolumeAppearance, RampsOfATableAreRampsOfTheScale)
+{
+  const TemporaryFolder folder;
+  SceneOptions options;
+  options.colours = folder.Path() / "two.pal";
+  std::ofstream(options.colours) << "Color: 40 255 255 0 255 128 0\nColor: 20 0 255 0 0 128 0\n"
+                                    "SolidColor: 5 0 0 255\nRF: 255 0 255\nhello\n";
+  const auto look = MakeTransferFunction(options);
+  const ColourScale scale = ScaleOf("REF", look);
+  EXPECT_TRUE(HasRamps(scale.bins));
+  EXPECT_FALSE(ColourAt(scale, 4.9));
+  EXPECT_EQ(ColourAt(scale, 19.9), (Colour{0.0, 0.0, 1.0}));
+  EXPECT_EQ(ColourAt(scale, 20.0), (Colour{0.0, 1.0, 0.0}));
+  EXPECT_NEAR((*ColourAt(scale, 30.0))[1], 191.5 / 255.0, 1e-12);
+  EXPECT_NEAR((*ColourAt(scale, 39.99))[1], 128.1 / 255.0, 1e-3);
+  EXPECT_NEAR((*ColourAt(scale, 99.0))[1], 128.0 / 255.0, 1e-12) << "above the last";
+  EXPECT_EQ(scale.rangeFolded, (Colour{1.0, 0.0, 1.0}));
+  const ColourScale flat = WithoutRamps(scale);
+  EXPECT_FALSE(HasRamps(flat.bins));
+  EXPECT_NEAR((*ColourAt(flat, 30.1))[1], 191.5 / 255.0, 0.01);
+  EXPECT_EQ(ColourAt(flat, 6.0), (Colour{0.0, 0.0, 1.0}));
+  const std::vector<std::string> lines = LinesPassedOver(options);
+  ASSERT_EQ(lines.size(), 1U);
+  EXPECT_NE(lines[0].find("two.pal: passed over: line 5"), std::string::npos) << lines[0];
+  EXPECT_TRUE(LinesPassedOver({}).empty());
+}
+
+TEST(VolumeAppearance, ATableInKnotsHasAScaleInKnots)
+{
+  const TemporaryFolder folder;
+  SceneOptions options;
+  options.colours = folder.Path() / "knots.pal";
+  std::ofstream(options.colours) << "Units: KTS\nScale: 1.94384\nStep: 10\n"
+                                    "Color: -90 0 255 0\nColor: 0 9 9 9\nColor: 90 255 0 0\n";
+  const ColourScale scale = ScaleOf("VEL", MakeTransferFunction(options, "VEL"));
+  EXPECT_EQ(scale.unit, "kt");
+  EXPECT_NEAR(scale.bins[0].from, -90.0, 1e-9);
+  EXPECT_EQ(scale.step, 10.0);
+  // 45 kt towards the radar are 23.15 m/s.
+  EXPECT_NEAR((*ColourAt(scale, -45.0 / 1.94384))[1], 132.0 / 255.0, 1e-6);
+  std::ofstream(options.colours) << "Scale: 7\nColor: 0 0 255 0\nColor: 70 255 0 0\n";
+  const ColourScale own = ScaleOf("VEL", MakeTransferFunction(options, "VEL"));
+  EXPECT_EQ(own.unit, "m/s") << "of what the seventh part is nobody knows";
+  EXPECT_NEAR(own.bins[1].from, 10.0, 1e-9);
+}
+
 // As the window writes them, where another array gives the colours.
 TEST(VolumeAppearance, OpacitiesAreTakenFromAFileWithoutItsColours)
 {

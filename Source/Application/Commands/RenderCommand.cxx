@@ -90,6 +90,10 @@ int RunRender(RenderOptions& options)
       std::cout << path.string() << '\n';
     }
   }
+  for (const std::string& note : report.notes)
+  {
+    PrintMessage(note);
+  }
   for (const std::string& problem : report.problems)
   {
     PrintMessage(problem);
@@ -107,7 +111,8 @@ void AddRenderCommand(CLI::App& program, CommandAction& action)
     program.add_subcommand("render", "Draw volumes, or radar files, as pictures or a movie");
   AddInputOptions(*command, request.input);
   AddParsedOption(*command, "-o,--output", request.output, ParseOutput, "FILE",
-    "Picture (.png; one for each time, with the time in its name, when there are several) or movie "
+    "Picture (.png; one for each time, with the time in its name, when there are several, and one "
+    "of all radars where each has one file) or movie "
     "(.ogv, or .mp4 where ffmpeg is installed); the surfaces of --iso-values as glTF (.glb); with "
     "--map also a GeoTIFF of its numbers (.tif)")
     ->required();

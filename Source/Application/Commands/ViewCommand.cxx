@@ -71,6 +71,10 @@ int RunView(ViewOptions& options)
       std::cout << path.string() << '\n';
     }
   }
+  for (const std::string& note : report.notes)
+  {
+    PrintMessage(note);
+  }
   for (const std::string& problem : report.problems)
   {
     PrintMessage(problem);

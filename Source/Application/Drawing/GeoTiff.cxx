@@ -190,6 +190,42 @@ bool WriteRows(TIFF* tiff, const GeoMap& map)
       }
     }
   }
+  return TIFFWriteDirectory(tiff) == 1;
+}
+
+// A page of its own with the colours, which programs show as they are. False when the disk is full.
+bool WriteColours(TIFF* tiff, const GeoMap& map)
+{
+  constexpr int channels = 4;
+  constexpr int bits = 8;
+  const auto width = static_cast<std::size_t>(map.grid.dimensions[0]);
+  const auto height = static_cast<std::size_t>(map.grid.dimensions[1]);
+  const std::uint16_t extra = EXTRASAMPLE_UNASSALPHA;
+  AddTags(tiff); // a page knows none of the one before
+  TIFFSetField(tiff, TIFFTAG_SUBFILETYPE, FILETYPE_PAGE);
+  TIFFSetField(tiff, TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(width));
+  TIFFSetField(tiff, TIFFTAG_IMAGELENGTH, static_cast<std::uint32_t>(height));
+  TIFFSetField(tiff, TIFFTAG_SAMPLESPERPIXEL, channels);
+  TIFFSetField(tiff, TIFFTAG_EXTRASAMPLES, 1, &extra);
+  TIFFSetField(tiff, TIFFTAG_BITSPERSAMPLE, bits);
+  TIFFSetField(tiff, TIFFTAG_PLANARCONFIG, PLANARCONFIG_CONTIG);
+  TIFFSetField(tiff, TIFFTAG_PHOTOMETRIC, PHOTOMETRIC_RGB);
+  TIFFSetField(tiff, TIFFTAG_COMPRESSION, COMPRESSION_ADOBE_DEFLATE);
+  SetPlace(tiff, map.grid);
+  std::vector<unsigned char> row(channels * width);
+  for (std::size_t y = 0; y < height; ++y)
+  {
+    auto out = row.begin();
+    for (std::size_t x = 0; x < width; ++x)
+    {
+      const auto& colour = map.colours[(height - 1 - y) * width + x];
+      out = std::copy(colour.begin(), colour.end(), out);
+    }
+    if (TIFFWriteScanline(tiff, row.data(), static_cast<std::uint32_t>(y), 0) != 1)
+    {
+      return false;
+    }
+  }
   return TIFFFlush(tiff) == 1;
 }
 
@@ -209,7 +245,7 @@ void WriteGeoTiff(const std::filesystem::path& path, const GeoMap& map)
   SetLayout(tiff.get(), map.grid);
   SetPlace(tiff.get(), map.grid);
   Describe(tiff.get(), map);
-  if (!WriteRows(tiff.get(), map))
+  if (!WriteRows(tiff.get(), map) || !WriteColours(tiff.get(), map))
   {
     throw Error(path.string() + ": cannot be written: the disk may be full");
   }

@@ -4,13 +4,20 @@
 #include "Drawing/GeoTiff.h"
 #include "Drawing/VolumeOutputs.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Plan/PlanScale.h"
 #include "Scene/Plan/PlanView.h"
+#include "Scene/VolumeAppearance.h"
 #include "nexrad/Model/Moment.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradThreads.h"
+#include "vtkNexradTransferFunction.h"
 
 #include <vtkImageData.h>
 
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
 #include <sstream>
 #include <tuple>
 #include <utility>
@@ -49,8 +56,35 @@ std::pair<std::string, std::string> TermsOf(
   return {title + ". " + view.where, unit};
 }
 
-GeoMap MapOf(vtkImageData* volume, const PlanOptions& plan)
+// The colours of a picture of the map. What has no value is transparent, but for range folding.
+std::vector<std::array<unsigned char, 4>> ColoursOf(
+  const PlanView& view, const ColourScale& scale, const Theme& theme)
 {
+  std::vector<std::array<unsigned char, 4>> colours(view.values.size());
+  for (std::size_t i = 0; i < colours.size(); ++i)
+  {
+    std::optional<Colour> colour;
+    if (view.states[i] == VoxelState::Echo)
+    {
+      colour = ColourAt(scale, static_cast<double>(view.values[i]));
+    }
+    else if (view.states[i] == VoxelState::RangeFolded)
+    {
+      colour = scale.rangeFolded.value_or(theme.rangeFolded);
+    }
+    if (colour)
+    {
+      std::transform(colour->begin(), colour->end(), colours[i].begin(),
+        [](double part) { return static_cast<unsigned char>(std::lround(255.0 * part)); });
+      colours[i][3] = 255;
+    }
+  }
+  return colours;
+}
+
+GeoMap MapOf(vtkImageData* volume, const SceneOptions& options)
+{
+  const PlanOptions& plan = options.plan.value();
   const PlanSource source = SourceOf(volume);
   PlanView view = MakePlanView(source, plan, vtkNexradRangeLoop());
   const VolumeInformation information = ReadVolumeInformation(volume);
@@ -59,6 +93,10 @@ GeoMap MapOf(vtkImageData* volume, const PlanOptions& plan)
   std::tie(map.title, map.unit) = TermsOf(plan, view, source.voxels.moment);
   map.time = information.time.value_or(Time());
   map.synthetic = information.synthetic;
+  const std::string array = ToString(source.voxels.moment);
+  const ColourScale moment = ScaleOf(array, MakeTransferFunction(options, array));
+  map.colours =
+    ColoursOf(view, ScaleFor(view, plan, information.sites, moment), ThemeOf(options.theme));
   map.values = std::move(view.values);
   map.states = std::move(view.states);
   return map;
@@ -69,7 +107,7 @@ GeoMap MapOf(vtkImageData* volume, const PlanOptions& plan)
 RenderReport WriteMaps(const RenderRequest& request)
 {
   const auto write = [&request](const std::filesystem::path& path, vtkImageData* volume)
-  { WriteGeoTiff(path, MapOf(volume, request.scene.plan.value())); };
+  { WriteGeoTiff(path, MapOf(volume, request.scene)); };
   return WriteEachVolume(request, write);
 }
 

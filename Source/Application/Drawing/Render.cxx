@@ -5,7 +5,9 @@
 #include "Drawing/MovieOutput.h"
 #include "Drawing/PictureWindow.h"
 #include "Drawing/SurfaceFiles.h"
+#include "Drawing/VolumeOutputs.h"
 #include "Scene/RadarSession.h"
+#include "Scene/VolumeAppearance.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MessageText.h"
@@ -13,6 +15,7 @@
 
 #include <vtkImageData.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 
@@ -82,8 +85,9 @@ void DrawMovie(const RenderRequest& request, RadarSession& session, RenderReport
 
 } // namespace
 
-RenderReport Render(const RenderRequest& request)
+RenderReport Render(const RenderRequest& asked)
 {
+  RenderRequest request = asked;
   if (request.output.extension() == ".tif")
   {
     return WriteMaps(request);
@@ -93,14 +97,18 @@ RenderReport Render(const RenderRequest& request)
     return WriteSurfaces(request);
   }
   RequireDisplay();
-  auto series = OpenInputs(request.input, request.progress);
+  RenderReport report;
+  report.notes = LinesPassedOver(request.scene);
+  const bool pictures = request.output.extension() == ".png";
+  auto series =
+    pictures ? OpenForPictures(request, report) : OpenInputs(request.input, request.progress);
   std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
   RadarSession session(std::move(series), std::move(chosen), request.scene, request.input.box);
   session.Scene().SetCamera(request.camera);
-  RenderReport report;
-  if (request.output.extension() == ".png")
+  if (pictures)
   {
     DrawPictures(request, session, report);
+    SayThatThereAreSeveral(request, report);
   }
   else
   {

@@ -4,6 +4,7 @@
 #include "Drawing/PictureWindow.h"
 #include "Drawing/Viewer.h"
 #include "Scene/RadarSession.h"
+#include "Scene/VolumeAppearance.h"
 
 namespace nexrad::scene
 {
@@ -22,6 +23,7 @@ ViewReport View(const ViewRequest& request)
   viewer.Run();
   ViewReport report;
   report.pictures = viewer.Pictures();
+  report.notes = LinesPassedOver(request.scene);
   report.problems = session.Problems();
   report.problems.insert(report.problems.end(), viewer.Problems().begin(), viewer.Problems().end());
   return report;

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "Requests/RenderRequest.h"
+#include "Scene/Series/VolumeSeries.h"
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 
 class vtkImageData;
 
@@ -16,5 +18,14 @@ namespace nexrad::scene
 /// volume cannot be read or the progress says no.
 RenderReport WriteEachVolume(const RenderRequest& request,
   const std::function<void(const std::filesystem::path&, vtkImageData*)>& write);
+
+/// Opens the inputs of a request whose output is a file for each time. Files of several radars, one
+/// of each and within an hour, make one file of all, unless the request names times: then the
+/// request gets the middle of their times, and takes rays as far from there as the farthest is, and
+/// the report gets a note.
+std::unique_ptr<VolumeSeries> OpenForPictures(RenderRequest& request, RenderReport& report);
+
+/// Adds a note where several times made several files of one name.
+void SayThatThereAreSeveral(const RenderRequest& request, RenderReport& report);
 
 } // namespace nexrad::scene

@@ -58,6 +58,7 @@ MovieExport::~MovieExport()
 void MovieExport::Begin()
 {
   scene::SceneOptions options = job.shown.drawing.scene;
+  options.namesOptions = false; // as in the window
   if (!job.shown.colours.empty())
   {
     colours = WriteTemporaryColours(job.shown.colours);

@@ -26,6 +26,7 @@ struct RenderReport
 {
   std::vector<std::filesystem::path> outputs;
   std::vector<std::string> problems; ///< inputs that were damaged or left out, a line each
+  std::vector<std::string> notes;    ///< what else is to be said, a line each
   std::string error;                 ///< why nothing was made; "" when all went well
 };
 

@@ -24,6 +24,7 @@ struct ViewReport
 {
   std::vector<std::filesystem::path> pictures; ///< screenshots
   std::vector<std::string> problems; ///< inputs that were damaged or left out, a line each
+  std::vector<std::string> notes;    ///< what else is to be said, a line each
   std::string error;                 ///< why there was no window; "" when all went well
 };
 

@@ -27,6 +27,7 @@ struct WebReport
   std::uintmax_t bytes = 0;          ///< of the page
   std::size_t times = 0;             ///< in the page, or in the index beside it
   std::vector<std::string> problems; ///< inputs that were damaged or left out, a line each
+  std::vector<std::string> notes;    ///< what else is to be said, a line each
   std::string error;                 ///< why nothing was made; "" when all went well
 };
 

@@ -2,6 +2,7 @@
 #include "Viewer/RunWindow.h"
 
 #include "Drawing/PictureWindow.h"
+#include "Scene/VolumeAppearance.h"
 #include "Viewer/MainWindow.h"
 
 #include <QApplication>
@@ -35,6 +36,7 @@ scene::ViewReport RunWindow(const scene::ViewRequest& request)
   QApplication::exec();
   scene::ViewReport report;
   report.pictures = window.Pictures();
+  report.notes = scene::LinesPassedOver(request.scene);
   for (const QString& line : window.Problems())
   {
     report.problems.push_back(line.toStdString());

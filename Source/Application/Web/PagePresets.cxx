@@ -55,19 +55,36 @@ Json MakeSurfaces(vtkNexradTransferFunction* function)
   return json;
 }
 
+Json MakeColour(const scene::Colour& colour)
+{
+  Json json = Json::array();
+  for (const double part : colour)
+  {
+    json.push_back(Rounded(part, colourDigits));
+  }
+  return json;
+}
+
 Json MakeBins(const scene::ColourTable& table)
 {
   Json json = Json::array();
   for (const scene::ColourBin& bin : table)
   {
-    Json colour = Json::array();
-    for (const double part : bin.colour)
+    json.push_back({{"from", bin.from}, {"colour", MakeColour(bin.colour)}});
+    if (bin.ramp)
     {
-      colour.push_back(Rounded(part, colourDigits));
+      json.back()["to"] = bin.ramp->at;
+      json.back()["upper"] = MakeColour(bin.ramp->colour);
     }
-    json.push_back({{"from", bin.from}, {"colour", colour}});
   }
   return json;
+}
+
+// What the bar writes of a look whose colour table has a unit of its own.
+Json MakeLabels(const scene::ColourScale& scale)
+{
+  return {{"unit", scale.unit}, {"factor", scale.factor}, {"offset", scale.offset},
+    {"step", scale.step}, {"decimals", scale.decimals}};
 }
 
 } // namespace
@@ -137,9 +154,10 @@ Json MakePresetsJson(const PagePresets& presets, const std::string& array, const
     {
       continue;
     }
-    const auto scale = scene::MomentScale(array, scene::ColourStepsOf(preset.function));
+    const auto scale = scene::ScaleOf(array, preset.function);
     json.push_back({{"name", preset.name}, {"surfaces", MakeSurfaces(preset.function)},
-      {"bins", MakeBins(scale.bins)}, {"samples", MakeSamples(preset.function, code)}});
+      {"bins", MakeBins(scale.bins)}, {"labels", MakeLabels(scale)},
+      {"samples", MakeSamples(preset.function, code)}});
   }
   return json;
 }

@@ -3,11 +3,13 @@
 
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
+#include "Scene/Captions/EchoShown.h"
 #include "Scene/EchoFraming.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/Map/GroundPicture.h"
 #include "Scene/Map/PlacedMap.h"
 #include "Scene/Scales/ColourScale.h"
+#include "Scene/VolumeAppearance.h"
 #include "Web/RoundedNumber.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
@@ -233,12 +235,21 @@ std::string PageScene::Title(const std::vector<PageTime>& times) const
   return title + ", " + FormatIso8601(times.front().time).substr(0, 10);
 }
 
-PageTime CaptionsOf(vtkImageData* image, Time time)
+PageTime CaptionsOf(vtkImageData* image, Time time, const scene::SceneOptions& options)
 {
   scene::CaptionTexts texts;
   texts.information = scene::ReadVolumeInformation(image);
   const auto& sites = texts.information.sites;
-  texts.ages = scene::AgesOfData(image, scene::ArrayOf(image), sites.size());
+  const std::string array = scene::ArrayOf(image);
+  texts.ages = scene::AgesOfData(image, array, sites.size());
+  const auto look = scene::MakeTransferFunction(options, array);
+  const std::string nothing = scene::WordsForNothing(
+    scene::FindEchoShown(image, options.cut.box, scene::OpacitiesOf(look)), array,
+    scene::LeastShown(look), texts.information.biologicalShare, scene::PresetWords::Setting);
+  if (!nothing.empty())
+  {
+    texts.information.notes.push_back(nothing);
+  }
   return {time, sites, scene::SiteWords(texts)};
 }
 

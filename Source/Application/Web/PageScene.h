@@ -73,6 +73,6 @@ private:
 };
 
 /// What the captions say of a volume.
-PageTime CaptionsOf(vtkImageData* volume, Time time);
+PageTime CaptionsOf(vtkImageData* volume, Time time, const scene::SceneOptions& options);
 
 } // namespace nexrad::application

@@ -50,6 +50,10 @@ int RunWeb(WebOptions& options)
     std::cout << report.page.string() << ": " << Counted(report.times, "time") << ", "
               << Counted(report.bytes, "byte") << '\n';
   }
+  for (const std::string& note : report.notes)
+  {
+    PrintMessage(note);
+  }
   for (const std::string& problem : report.problems)
   {
     PrintMessage(problem);

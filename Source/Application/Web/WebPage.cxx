@@ -4,6 +4,7 @@
 #include "Libraries/VtkErrors.h"
 #include "Output/OutputFile.h"
 #include "Scene/Series/InputSeries.h"
+#include "Scene/VolumeAppearance.h"
 #include "Web/ColumnPacking.h"
 #include "Web/PageFolder.h"
 #include "Web/PageScene.h"
@@ -72,7 +73,7 @@ private:
     {
       page.emplace(request, image);
     }
-    times.push_back(CaptionsOf(image, series->Times()[chosen[i]]));
+    times.push_back(CaptionsOf(image, series->Times()[chosen[i]], request.scene));
     return image;
   }
 
@@ -92,6 +93,7 @@ private:
     report.page = path;
     report.bytes = html.size();
     report.times = times.size();
+    report.notes = scene::LinesPassedOver(request.scene);
     report.problems = series->Problems();
     return report;
   }

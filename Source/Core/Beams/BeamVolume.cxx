@@ -185,6 +185,7 @@ BeamVolume PrepareBeamVolume(const PolarVolume& volume, std::optional<double> be
   prepared.end = volume.end;
   prepared.synthetic = volume.synthetic;
   prepared.echo = volume.echo;
+  prepared.endsAt = volume.endsAt;
   for (std::size_t i = 0; i < volume.sweeps.size(); ++i)
   {
     const PolarSweep& sweep = volume.sweeps[i];

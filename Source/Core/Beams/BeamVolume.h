@@ -22,11 +22,12 @@ struct BeamVolume
   Time start{}; ///< first ray
   Time end{};   ///< last ray
   bool synthetic = false;
-  EchoGates echo;                ///< of reflectivity
-  std::vector<BeamSweep> sweeps; ///< in the order scanned
-  VolumeComposite composite;     ///< of the sweeps
-  VolumeComposite lowest;        ///< of reflectivity: of the first sweep of the lowest tilt
-  EchoLayers layers;             ///< of reflectivity, when PrepareForGrid was asked for them
+  EchoGates echo;                              ///< of reflectivity
+  std::optional<double> endsAt = std::nullopt; ///< PolarVolume::endsAt
+  std::vector<BeamSweep> sweeps;               ///< in the order scanned
+  VolumeComposite composite;                   ///< of the sweeps
+  VolumeComposite lowest; ///< of reflectivity: of the first sweep of the lowest tilt
+  EchoLayers layers;      ///< of reflectivity, when PrepareForGrid was asked for them
   double voxelSide = 0.0; ///< m, of the voxels for which the sweeps' means were made; 0: for none
 
   std::size_t MemoryBytes() const;

@@ -313,6 +313,7 @@ NxvHeader ParseJson(const Json& json)
   {
     throw Error("header: biological_share must be from 0 to 1");
   }
+  header.volume.notes = json.value("notes", std::vector<std::string>());
   header.volume.ofOneRadar = json.value("one_radar", false);
   if (header.volume.ofOneRadar && header.volume.sitePositions.size() != 1)
   {
@@ -359,6 +360,10 @@ std::string FormatNxvHeader(const NxvHeader& header)
   if (volume.biologicalShare > 0.0F)
   {
     json["biological_share"] = std::round(1.0e4 * double(volume.biologicalShare)) / 1.0e4;
+  }
+  if (!volume.notes.empty())
+  {
+    json["notes"] = volume.notes;
   }
   json["arrays"] = Json::array();
   for (const NxvArray& array : header.arrays)

@@ -97,8 +97,10 @@ struct GriddedVolume
   /// Of the gates of reflectivity that were merged, the part that quality control calls biological,
   /// 0…1; 0 where it is off.
   float biologicalShare = 0.0F;
-  float fill = -33.0F;       ///< value where the state is not Echo
-  std::vector<float> values; ///< x fastest, then y, then z upward
+  std::vector<std::string> notes; ///< what pictures must say of the radars' volumes, a phrase each:
+                                  ///< "KTLX: volume ends at 6.4°, cut off"
+  float fill = -33.0F;            ///< value where the state is not Echo
+  std::vector<float> values;      ///< x fastest, then y, then z upward
   std::vector<VoxelState> states;
   AncillaryArrays ancillary; ///< of the method "beam", when asked for
 

@@ -77,6 +77,7 @@ GriddedVolume WithoutVoxels(const GriddedVolume& volume)
   description.synthetic = volume.synthetic;
   description.sharpened = volume.sharpened;
   description.biologicalShare = volume.biologicalShare;
+  description.notes = volume.notes;
   description.fill = volume.fill;
   return description;
 }
@@ -99,9 +100,15 @@ GriddedVolume JoinMoments(std::vector<GriddedVolume> moments)
     [](const GriddedVolume& a, const GriddedVolume& b) {
       return a.biologicalShare < b.biologicalShare;
     })->biologicalShare;
+  // A moment that a radar lacks has no note of it.
+  const std::vector<std::string> notes = std::max_element(moments.begin(), moments.end(),
+    [](const GriddedVolume& a, const GriddedVolume& b) {
+      return a.notes.size() < b.notes.size();
+    })->notes;
   for (GriddedVolume& moment : moments)
   {
     SetSites(moment, radars);
+    moment.notes = notes;
     moment.synthetic = synthetic;
     moment.sharpened = sharpened;
     moment.biologicalShare = biological;

@@ -8,7 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <locale>
 #include <map>
+#include <sstream>
 
 namespace nexrad
 {
@@ -488,6 +490,31 @@ std::vector<MergeSite> BeamMerger::MakeSites(
   return sites;
 }
 
+namespace
+{
+
+// Says of a radar all of whose volumes are cut off where they end. Another volume fills up what one
+// lacks.
+void AddNote(const std::vector<const BeamVolume*>& ofSite, std::vector<std::string>& notes)
+{
+  double highest = 0.0;
+  for (const BeamVolume* volume : ofSite)
+  {
+    if (!volume->endsAt)
+    {
+      return;
+    }
+    highest = std::max(highest, *volume->endsAt);
+  }
+  std::ostringstream note;
+  note.imbue(std::locale::classic());
+  note << ofSite.front()->site.name << ": volume ends at " << std::round(10.0 * highest) / 10.0
+       << "°, cut off";
+  notes.push_back(note.str());
+}
+
+} // namespace
+
 GriddedVolume BeamMerger::VolumeToFill(
   const BeamVolumes& volumes, Time time, GriddedVolume memory) const
 {
@@ -511,6 +538,7 @@ GriddedVolume BeamMerger::VolumeToFill(
   for (const auto& group : GroupBySite(volumes))
   {
     const Site& site = group.second.front()->site;
+    AddNote(group.second, volume.notes);
     volume.sites.push_back(site.name);
     volume.sitePositions.push_back(site.position.value());
   }

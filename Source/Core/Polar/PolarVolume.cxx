@@ -399,6 +399,28 @@ double MedianElevation(const PolarSweep& sweep)
   return MedianOf(std::move(elevations));
 }
 
+namespace
+{
+
+// An excerpt was cut off on purpose.
+std::optional<double> WhereCutOff(const RadarVolume& volume)
+{
+  const bool lost = !volume.cuts.empty() && volume.cuts.back().end == VolumeEnd::Missing &&
+                    !volume.cuts.back().excerpt && !volume.sweeps.empty();
+  if (!lost)
+  {
+    return std::nullopt;
+  }
+  std::vector<double> elevations;
+  for (const Ray& ray : volume.sweeps.back().rays)
+  {
+    elevations.push_back(static_cast<double>(ray.elevation));
+  }
+  return elevations.empty() ? std::nullopt : std::optional(MedianOf(std::move(elevations)));
+}
+
+} // namespace
+
 PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment, const WantedRange& wanted)
 {
   PolarVolume polar;
@@ -407,6 +429,7 @@ PolarVolume MakePolarVolume(const RadarVolume& volume, MomentName moment, const 
   polar.start = volume.Start().value_or(Time{});
   polar.end = volume.End().value_or(Time{});
   polar.synthetic = volume.synthetic;
+  polar.endsAt = WhereCutOff(volume);
   for (const Sweep& sweep : volume.sweeps)
   {
     for (const RayList& rays : RaysByGeometry(sweep, moment))

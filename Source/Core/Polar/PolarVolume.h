@@ -57,6 +57,8 @@ struct PolarVolume
   bool synthetic = false;         ///< from a simulated file
   std::vector<PolarSweep> sweeps; ///< those that have the moment, in the order scanned
   EchoGates echo;                 ///< of reflectivity
+  /// Degrees: of a volume whose last cuts are lost, the elevation of its last sweep.
+  std::optional<double> endsAt = std::nullopt;
 };
 
 /// What a code says of its gate: Valid from GateCode::FirstValue on. Filtered gates are NotSampled:

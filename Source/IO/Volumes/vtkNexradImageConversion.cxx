@@ -90,6 +90,10 @@ void AddFieldData(const nexrad::GriddedVolume& volume, vtkFieldData* field)
   {
     vtkNexradAddValues<vtkFloatArray, float>(field, "BiologicalShare", {volume.biologicalShare});
   }
+  if (!volume.notes.empty())
+  {
+    vtkNexradAddTexts(field, "Notes", volume.notes);
+  }
 }
 
 // Of a voxel with that state.
@@ -377,6 +381,7 @@ void TakeFieldData(vtkFieldData* field, nexrad::GriddedVolume& volume)
   volume.sharpened = vtkNexradGetValue(field, "Sharpened").value_or(0.0) != 0.0;
   volume.biologicalShare =
     static_cast<float>(vtkNexradGetValue(field, "BiologicalShare").value_or(0.0));
+  volume.notes = vtkNexradGetTexts(field, "Notes");
   volume.ofOneRadar =
     vtkNexradGetValue(field, "OneRadar").value_or(0.0) != 0.0 && volume.sitePositions.size() == 1;
   volume.fill = static_cast<float>(vtkNexradGetValue(field, "FillValue").value_or(volume.fill));

@@ -55,6 +55,7 @@
  * - `Sharpened`, uint8: 1 when `REF` was deconvolved in elevation (Formulas G9); maps must say so.
  * - `BiologicalShare`, float32, where it is above 0: of the gates of reflectivity that were merged,
  *   the part that quality control calls biological.
+ * - `Notes`, strings, where there are any: what pictures must say of the radars' volumes.
  *
  * Points are the centres of the voxels. `TimeValue` is the name that VTK's XML readers take the
  * time from.

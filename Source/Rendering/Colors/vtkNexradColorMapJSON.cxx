@@ -15,10 +15,14 @@ namespace
 
 using Json = nlohmann::json;
 
-// Ours among ParaView's keys: the nodes of the splines, by channel, the bins, and the iso-values.
+// Ours among ParaView's keys: the nodes of the splines, by channel, which channels are straight
+// lines instead, the bins, the iso-values, and what the colour bar writes.
 constexpr const char* nodesKey = "vtkNexradNodes";
 constexpr const char* binsKey = "vtkNexradBins";
 constexpr const char* isoValuesKey = "vtkNexradIsoValues";
+constexpr const char* linearKey = "vtkNexradLinear";
+constexpr const char* labelsKey = "vtkNexradLabels";
+constexpr const char* rangeFoldedKey = "vtkNexradRangeFolded";
 constexpr std::array<const char*, 4> channelNames = {"red", "green", "blue", "opacity"};
 
 constexpr int samplesBetweenPoints = 8;
@@ -209,6 +213,67 @@ bool ReadOwnBins(const Json& list, vtkNexradColorMap& map)
   return true;
 }
 
+bool ReadLinear(const Json& list, vtkNexradColorMap& map)
+{
+  return list.is_array() &&
+         std::all_of(list.begin(), list.end(),
+           [&map](const Json& name)
+           {
+             const auto found = std::find(channelNames.begin(), channelNames.end(), name);
+             if (found == channelNames.end())
+             {
+               return false;
+             }
+             map.Linear[static_cast<std::size_t>(found - channelNames.begin())] = true;
+             return true;
+           });
+}
+
+bool ReadLabels(const Json& source, vtkNexradColorMap::Labels& labels)
+{
+  const auto number = [&source](const char* key, double& value)
+  {
+    const auto found = source.find(key);
+    if (found == source.end() || !found->is_number())
+    {
+      return false;
+    }
+    value = found->get<double>();
+    return std::isfinite(value);
+  };
+  constexpr double mostDecimals = 6.0;
+  double decimals = 0.0;
+  if (!source.is_object() || !source.contains("unit") || !source["unit"].is_string() ||
+      !number("factor", labels.Factor) || labels.Factor == 0.0 ||
+      !number("offset", labels.Offset) || !number("step", labels.Step) ||
+      !number("decimals", decimals) || !(decimals >= -1.0 && decimals <= mostDecimals))
+  {
+    return false;
+  }
+  labels.Unit = source["unit"].get<std::string>();
+  labels.Decimals = static_cast<int>(decimals);
+  return true;
+}
+
+bool ReadRangeFolded(const Json& list, vtkNexradColorMap& map)
+{
+  vtkNexradColorMap::Color color{};
+  if (!list.is_array() || list.size() != color.size())
+  {
+    return false;
+  }
+  for (std::size_t i = 0; i < color.size(); ++i)
+  {
+    if (!list[i].is_number())
+    {
+      return false;
+    }
+    color[i] = std::clamp(list[i].get<double>(), 0.0, 1.0);
+  }
+  map.RangeFolded = color;
+  return true;
+}
+
 // What FormatJSON added to ParaView's keys. Says what is wrong.
 std::string ReadOwn(const Json& source, vtkNexradColorMap& map)
 {
@@ -225,6 +290,18 @@ std::string ReadOwn(const Json& source, vtkNexradColorMap& map)
       !ReadGroups(source[isoValuesKey], 1, map.IsoValues))
   {
     return std::string(isoValuesKey) + " must be a list of ascending values";
+  }
+  if (source.contains(linearKey) && !ReadLinear(source[linearKey], map))
+  {
+    return std::string(linearKey) + " must be a list of red, green, blue and opacity";
+  }
+  if (source.contains(labelsKey) && !ReadLabels(source[labelsKey], map.Bar))
+  {
+    return std::string(labelsKey) + " must hold unit, factor, offset, step and decimals";
+  }
+  if (source.contains(rangeFoldedKey) && !ReadRangeFolded(source[rangeFoldedKey], map))
+  {
+    return std::string(rangeFoldedKey) + " must hold red, green and blue";
   }
   return {};
 }
@@ -265,6 +342,32 @@ std::string ParseJSON(const std::string& text, vtkNexradColorMap& map)
   return {};
 }
 
+namespace
+{
+
+// Keys that most maps do without.
+void WriteOwnLabels(const vtkNexradColorMap& map, Json& result)
+{
+  for (std::size_t channel = 0; channel < channelNames.size(); ++channel)
+  {
+    if (map.Linear[channel])
+    {
+      result[linearKey].push_back(channelNames[channel]);
+    }
+  }
+  if (!(map.Bar == vtkNexradColorMap::Labels()))
+  {
+    result[labelsKey] = {{"unit", map.Bar.Unit}, {"factor", map.Bar.Factor},
+      {"offset", map.Bar.Offset}, {"step", map.Bar.Step}, {"decimals", map.Bar.Decimals}};
+  }
+  if (map.RangeFolded)
+  {
+    result[rangeFoldedKey] = *map.RangeFolded;
+  }
+}
+
+} // namespace
+
 std::string FormatJSON(
   const vtkNexradColorMap& map, const std::vector<std::array<double, 5>>& samples)
 {
@@ -299,7 +402,8 @@ std::string FormatJSON(
   std::vector<double> isoValues = map.IsoValues;
   std::sort(isoValues.begin(), isoValues.end());
   result[isoValuesKey] = isoValues;
-  // The name may be that of a file, in any encoding.
+  WriteOwnLabels(map, result);
+  // The name and the unit may be of a file, in any encoding.
   return Json::array({result}).dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -1,44 +1,29 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradColorMapPalette.h"
 
+#include "vtkNexradPaletteStatements.h"
+
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <locale>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace
 {
 
 constexpr double highestByte = 255.0;
 
-// A colour statement of a .pal table.
-struct Statement
-{
-  double From = 0.0;
-  std::array<double, 4> Color{};                // red, green, blue, opacity
-  std::optional<std::array<double, 4>> Towards; // what the ramp ends in; empty: the next colour
-  bool Solid = false;
-  bool HasOpacity = false;
-};
-
-std::istringstream Stream(const std::string& text)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  return stream;
-}
-
-std::string LineError(int number, const std::string& what)
-{
-  return "line " + std::to_string(number) + ": " + what;
-}
+using Statement = vtkNexradPaletteStatement;
+using Node = vtkNexradColorMap::Node;
 
 std::vector<double> ReadNumbers(const std::string& text, bool& complete)
 {
-  std::istringstream stream = Stream(text);
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
   std::vector<double> numbers;
   double number = 0.0;
   while (stream >> number)
@@ -49,89 +34,6 @@ std::vector<double> ReadNumbers(const std::string& text, bool& complete)
   return numbers;
 }
 
-bool AreBytes(std::vector<double>::const_iterator from, std::vector<double>::const_iterator to)
-{
-  return std::all_of(from, to, [](double byte) { return byte >= 0.0 && byte <= highestByte; });
-}
-
-std::array<double, 4> ColorOf(std::vector<double>::const_iterator from, std::size_t channels)
-{
-  std::array<double, 4> color{0.0, 0.0, 0.0, 1.0};
-  for (std::size_t i = 0; i < channels; ++i)
-  {
-    color[i] = from[static_cast<std::ptrdiff_t>(i)] / highestByte;
-  }
-  return color;
-}
-
-// Value, colour and perhaps a second colour; empty when the numbers are not that.
-std::optional<Statement> ReadStatement(const std::string& key, const std::string& rest)
-{
-  bool complete = false;
-  const std::vector<double> numbers = ReadNumbers(rest, complete);
-  const std::size_t channels = key.back() == '4' ? 4 : 3;
-  const bool two = numbers.size() == 1 + 2 * channels;
-  if (!complete || !(two || numbers.size() == 1 + channels) || !std::isfinite(numbers[0]) ||
-      !AreBytes(numbers.begin() + 1, numbers.end()))
-  {
-    return std::nullopt;
-  }
-  Statement statement;
-  statement.From = numbers[0];
-  statement.Solid = key.front() == 's';
-  statement.HasOpacity = channels == 4;
-  statement.Color = ColorOf(numbers.begin() + 1, channels);
-  if (two && !statement.Solid)
-  {
-    statement.Towards =
-      ColorOf(numbers.begin() + 1 + static_cast<std::ptrdiff_t>(channels), channels);
-  }
-  return statement;
-}
-
-vtkNexradColorMap::Color RedGreenBlue(const std::array<double, 4>& color)
-{
-  return {color[0], color[1], color[2]};
-}
-
-// The last statement has no successor: its box is as wide as the one before it.
-double EndOf(const std::vector<Statement>& statements, std::size_t i)
-{
-  const std::size_t last = statements.size() - 1;
-  return i < last ? statements[i + 1].From
-                  : 2.0 * statements[last].From - statements[last - 1].From;
-}
-
-void AddBins(const std::vector<Statement>& statements, vtkNexradColorMap& map)
-{
-  for (std::size_t i = 0; i < statements.size(); ++i)
-  {
-    const Statement& statement = statements[i];
-    std::array<double, 4> end = statement.Color;
-    if (statement.Towards)
-    {
-      end = *statement.Towards;
-    }
-    else if (!statement.Solid && i + 1 < statements.size())
-    {
-      end = statements[i + 1].Color;
-    }
-    map.Bins.push_back(
-      {statement.From, EndOf(statements, i), RedGreenBlue(statement.Color), RedGreenBlue(end)});
-    if (statement.HasOpacity)
-    {
-      map.Channels[3].push_back({statement.From, statement.Color[3]});
-    }
-  }
-}
-
-std::string ToLower(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-    [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return text;
-}
-
 std::string Trim(const std::string& text)
 {
   const char* blanks = " \t\r";
@@ -140,57 +42,143 @@ std::string Trim(const std::string& text)
                                     : text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-bool IsColorKey(const std::string& key)
+vtkNexradColorMap::Color RedGreenBlue(const Statement::Color& color)
 {
-  return key == "color" || key == "color4" || key == "solidcolor" || key == "solidcolor4";
+  return {color[0], color[1], color[2]};
 }
 
-// Values of the table are scale × dBZ + offset.
-struct Units
+// Where the box of a statement ends. The last one has no successor: its box is as wide as the one
+// before it.
+double EndOf(const std::vector<Statement>& statements, std::size_t i)
 {
-  double Scale = 1.0;
-  double Offset = 0.0;
-};
-
-bool ReadUnits(const std::string& key, const std::string& rest, Units& units)
-{
-  bool complete = false;
-  const std::vector<double> numbers = ReadNumbers(rest, complete);
-  if (!complete || numbers.size() != 1 || !std::isfinite(numbers[0]) ||
-      (key == "scale" && numbers[0] == 0.0))
-  {
-    return false;
-  }
-  (key == "scale" ? units.Scale : units.Offset) = numbers[0];
-  return true;
+  const std::size_t last = statements.size() - 1;
+  return i < last ? statements[i + 1].From
+                  : 2.0 * statements[last].From - statements[last - 1].From;
 }
 
-std::string Finish(std::vector<Statement>& statements, const Units& units, vtkNexradColorMap& map)
+// The colour just below that end.
+Statement::Color UpperOf(const std::vector<Statement>& statements, std::size_t i)
 {
-  if (statements.size() < 2)
+  const Statement& statement = statements[i];
+  const bool towardsNext = !statement.Solid && i + 1 < statements.size();
+  return statement.Towards ? *statement.Towards
+         : towardsNext     ? statements[i + 1].Lower
+                           : statement.Lower;
+}
+
+void AddBins(const std::vector<Statement>& statements, vtkNexradColorMap& map)
+{
+  for (std::size_t i = 0; i < statements.size(); ++i)
   {
-    return "a colour table needs two colours at least, as in 'Color: 20 2 253 2'";
+    map.Bins.push_back({statements[i].From, EndOf(statements, i), RedGreenBlue(statements[i].Lower),
+      RedGreenBlue(UpperOf(statements, i))});
   }
-  for (Statement& statement : statements)
+}
+
+// A place just below another: values jump between the two.
+double JustBelow(double place, double width)
+{
+  constexpr double share = 1e-6;    // of the width of a box
+  constexpr double relative = 1e-8; // far enough for vtkNexradColorMap::IsAbove
+  return place - std::min(0.5 * width, std::max(share * width, relative * std::abs(place)));
+}
+
+// One channel of the statements in straight lines, with a node where its slope changes and two
+// where it jumps.
+std::vector<Node> LinearNodes(const std::vector<Statement>& statements, std::size_t channel)
+{
+  std::vector<Node> nodes = {{statements[0].From, statements[0].Lower[channel]}};
+  for (std::size_t i = 1; i < statements.size(); ++i)
   {
-    statement.From = (statement.From - units.Offset) / units.Scale;
-    if (!(std::abs(statement.From) <= vtkNexradColorMap::LargestPlace))
+    const double from = statements[i].From;
+    const double value = statements[i].Lower[channel];
+    const double below = UpperOf(statements, i - 1)[channel];
+    const double before = statements[i - 1].Lower[channel];
+    const double above = UpperOf(statements, i)[channel];
+    if (before == value && below == value && above == value)
     {
-      return "a colour stands at a value beyond 1e30; check Scale and Offset";
+      continue;
+    }
+    if (below != value)
+    {
+      const double width = from - statements[i - 1].From;
+      const double place = JustBelow(from, width);
+      const double share = (place - statements[i - 1].From) / width;
+      nodes.push_back({place, before + share * (below - before)});
+    }
+    nodes.push_back({from, value});
+  }
+  const std::size_t last = statements.size() - 1;
+  const double end = UpperOf(statements, last)[channel];
+  if (end != statements[last].Lower[channel])
+  {
+    nodes.push_back({EndOf(statements, last), end});
+  }
+  return nodes;
+}
+
+// Nothing shows below the first statement.
+void SetOpacities(const std::vector<Statement>& statements, vtkNexradColorMap& map)
+{
+  constexpr std::size_t opacity = 3;
+  std::vector<Node>& nodes = map.Channels[opacity];
+  nodes = LinearNodes(statements, opacity);
+  map.Linear[opacity] = true;
+  if (nodes.front()[1] > 0.0)
+  {
+    const double width = statements[1].From - statements[0].From;
+    nodes.insert(nodes.begin(), Node{JustBelow(nodes.front()[0], width), 0.0});
+  }
+}
+
+void SetColors(const std::vector<Statement>& statements, vtkNexradColorMap& map)
+{
+  const bool ramps = std::any_of(map.Bins.begin(), map.Bins.end(),
+    [](const vtkNexradColorMap::Bin& bin) { return !(bin.Lower == bin.Upper); });
+  if (!ramps)
+  {
+    map.MakeColorNodesFromBins();
+    return;
+  }
+  for (std::size_t channel = 0; channel < 3; ++channel)
+  {
+    map.Channels[channel] = LinearNodes(statements, channel);
+    map.Linear[channel] = true;
+  }
+}
+
+// The statements in ascending order of the data's values. Those too far off are passed over; of two
+// at one value the later counts.
+std::vector<Statement> InOrder(const std::vector<Statement>& all,
+  const vtkNexradColorMap::Labels& labels, vtkNexradColorMap& map)
+{
+  std::vector<Statement> placed;
+  for (Statement statement : all)
+  {
+    statement.From = (statement.From - labels.Offset) / labels.Factor;
+    if (std::abs(statement.From) <= vtkNexradColorMap::LargestPlace)
+    {
+      placed.push_back(statement);
+    }
+    else
+    {
+      map.PassedOver.push_back(vtkNexradPaletteLine(
+        statement.Line, "a colour stands at a value beyond 1e30; check Scale and Offset"));
     }
   }
   const auto lower = [](const Statement& a, const Statement& b) { return a.From < b.From; };
-  std::stable_sort(statements.begin(), statements.end(), lower);
-  for (std::size_t i = 1; i < statements.size(); ++i)
+  std::stable_sort(placed.begin(), placed.end(), lower);
+  std::vector<Statement> ordered;
+  for (const Statement& statement : placed)
   {
-    if (!vtkNexradColorMap::IsAbove(statements[i].From, statements[i - 1].From))
+    if (!ordered.empty() && !vtkNexradColorMap::IsAbove(statement.From, ordered.back().From))
     {
-      return "two colours stand at the same value; each needs a value of its own";
+      ordered.back() = statement.Line > ordered.back().Line ? statement : ordered.back();
+      continue;
     }
+    ordered.push_back(statement);
   }
-  AddBins(statements, map);
-  map.MakeColorNodesFromBins();
-  return {};
+  return ordered;
 }
 
 int ByteOf(double value)
@@ -232,41 +220,24 @@ namespace vtkNexradColorMapText
 
 std::string ParsePalette(const std::string& text, vtkNexradColorMap& map)
 {
-  std::istringstream lines(text);
-  std::vector<Statement> statements;
-  Units units;
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number)
+  vtkNexradPaletteStatements read = vtkNexradReadPaletteStatements(text);
+  map.PassedOver = std::move(read.PassedOver);
+  const std::vector<Statement> statements = InOrder(read.Colors, read.Labels, map);
+  if (statements.size() < 2)
   {
-    const std::string content = Trim(line.substr(0, line.find(';')));
-    const std::size_t colon = content.find(':');
-    if (content.empty())
-    {
-      continue;
-    }
-    if (colon == std::string::npos)
-    {
-      return LineError(number, "'" + content + "' is no statement; write 'Color: 20 2 253 2'");
-    }
-    const std::string key = ToLower(Trim(content.substr(0, colon)));
-    const std::string rest = content.substr(colon + 1);
-    if (IsColorKey(key))
-    {
-      const std::optional<Statement> statement = ReadStatement(key, rest);
-      if (!statement)
-      {
-        return LineError(number, "'" + content + "' must hold a value and " +
-                                   (key.back() == '4' ? "four" : "three") +
-                                   " numbers from 0 to 255, once or twice");
-      }
-      statements.push_back(*statement);
-    }
-    else if ((key == "scale" || key == "offset") && !ReadUnits(key, rest, units))
-    {
-      return LineError(number, "'" + content + "' must hold one number, and no scale of 0");
-    }
+    const std::string first = map.PassedOver.empty() ? "" : map.PassedOver.front() + "; ";
+    return first + "a colour table needs two colours at least, as in 'Color: 20 2 253 2'";
   }
-  return Finish(statements, units, map);
+  map.Bar = read.Labels;
+  map.RangeFolded = read.RangeFolded;
+  AddBins(statements, map);
+  SetColors(statements, map);
+  if (std::any_of(statements.begin(), statements.end(),
+        [](const Statement& statement) { return statement.HasOpacity; }))
+  {
+    SetOpacities(statements, map);
+  }
+  return {};
 }
 
 namespace
@@ -289,21 +260,42 @@ std::string ProductOf(const std::string& array)
   return "";
 }
 
+std::string LabelsOf(const vtkNexradColorMap::Labels& labels)
+{
+  std::ostringstream lines;
+  lines.imbue(std::locale::classic());
+  lines.precision(std::numeric_limits<double>::max_digits10);
+  lines << (labels.Unit.empty() ? "" : "Units: " + labels.Unit + "\n") << "Scale: " << labels.Factor
+        << "\nOffset: " << labels.Offset << '\n';
+  if (labels.Step > 0.0)
+  {
+    lines << "Step: " << labels.Step << '\n';
+  }
+  if (labels.Decimals >= 0)
+  {
+    lines << "Decimals: " << labels.Decimals << '\n';
+  }
+  return lines.str();
+}
+
 } // namespace
 
 std::string FormatPalette(
   const vtkNexradColorMap& map, const std::vector<std::array<double, 5>>& samples)
 {
-  std::string text = "; " + map.Name + "\n" + ProductOf(map.Array);
+  const bool own = map.Bar == vtkNexradColorMap::Labels();
+  std::string text = "; " + map.Name + "\n" + (own ? ProductOf(map.Array) : LabelsOf(map.Bar));
+  const auto written = [&map](double place) { return place * map.Bar.Factor + map.Bar.Offset; };
   for (const vtkNexradColorMap::Bin& bin : map.Bins)
   {
+    const double from = written(bin.From);
     if (bin.Lower == bin.Upper)
     {
-      text += FormatNumbers("SolidColor:", bin.From, {bin.Lower[0], bin.Lower[1], bin.Lower[2]});
+      text += FormatNumbers("SolidColor:", from, {bin.Lower[0], bin.Lower[1], bin.Lower[2]});
     }
     else
     {
-      text += FormatNumbers("Color:", bin.From,
+      text += FormatNumbers("Color:", from,
         {bin.Lower[0], bin.Lower[1], bin.Lower[2], bin.Upper[0], bin.Upper[1], bin.Upper[2]});
     }
   }
@@ -311,7 +303,8 @@ std::string FormatPalette(
   {
     for (const std::array<double, 5>& sample : samples)
     {
-      text += FormatNumbers("Color4:", sample[0], {sample[1], sample[2], sample[3], sample[4]});
+      text +=
+        FormatNumbers("Color4:", written(sample[0]), {sample[1], sample[2], sample[3], sample[4]});
     }
   }
   return text;
@@ -339,14 +332,14 @@ std::string ParseTable(const std::string& text, vtkNexradColorMap& map)
         !(std::abs(value[0]) <= vtkNexradColorMap::LargestPlace) ||
         (!statements.empty() && !vtkNexradColorMap::IsAbove(value[0], statements.back().From)))
     {
-      return LineError(number,
+      return vtkNexradPaletteLine(number,
         "'" + content + "' is no row of a colour table; write an ascending value in dBZ and a " +
           "colour, as in 20,#02fd02");
     }
     Statement statement;
     statement.From = value[0];
     statement.Solid = true;
-    statement.Color = {(*color)[0], (*color)[1], (*color)[2], 1.0};
+    statement.Lower = {(*color)[0], (*color)[1], (*color)[2], 1.0};
     statements.push_back(statement);
   }
   if (statements.size() < 2)

@@ -15,8 +15,13 @@
 namespace vtkNexradColorMapText
 {
 
-/// A .pal table of GRLevelX and its kin: Color, Color4, SolidColor, SolidColor4, Scale, Offset;
-/// other statements are passed over.
+/// A .pal table of GRLevelX, after its published "Color Table File Specification": Color and Color4
+/// are ramps up to the second colour or the next statement's, SolidColor and SolidColor4 one
+/// colour; one without alpha is opaque where others have one. Of two at one value the later counts.
+/// Units, Scale, Offset, Step and Decimals are of the colour bar, RF the colour of range folding. A
+/// line that cannot be read is passed over, and named in the map. A table with a ramp goes from
+/// colour to colour in straight lines; the colours of others are splines through the middles of
+/// their boxes.
 std::string ParsePalette(const std::string& text, vtkNexradColorMap& map);
 
 /// The bins as a .pal table; without bins, ramps between the samples.

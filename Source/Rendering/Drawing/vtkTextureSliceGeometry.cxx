@@ -31,6 +31,11 @@ Vector Cross(const Vector& a, const Vector& b)
   return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
+double Dot(const Vector& a, const Vector& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
 double Length(const Vector& v)
 {
   return std::hypot(v[0], v[1], v[2]);
@@ -47,11 +52,9 @@ Vector Solve(const std::array<double, 16>& m, const Vector& rhs)
   const Vector x{m[0], m[4], m[8]};
   const Vector y{m[1], m[5], m[9]};
   const Vector z{m[2], m[6], m[10]};
-  const auto dot = [](const Vector& a, const Vector& b)
-  { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; };
-  const double determinant = dot(x, Cross(y, z));
-  return {dot(rhs, Cross(y, z)) / determinant, dot(x, Cross(rhs, z)) / determinant,
-    dot(x, Cross(y, rhs)) / determinant};
+  const double determinant = Dot(x, Cross(y, z));
+  return {Dot(rhs, Cross(y, z)) / determinant, Dot(x, Cross(rhs, z)) / determinant,
+    Dot(x, Cross(y, rhs)) / determinant};
 }
 
 vtkTextureSliceEye MakeEye(const vtkTextureSliceView& view)
@@ -163,6 +166,69 @@ int CountSlices(const vtkTextureSliceView& view, double thickness, const Vector&
   const double count = std::ceil(thickness * DataLength(view, direction) / view.SampleDistance);
   return static_cast<int>(
     std::clamp(count, 1.0, double{vtkTextureSliceGeometry::MaximumNumberOfSlices}));
+}
+
+/// Directions of the rays through the corners of the part, for one unit of depth; of a parallel
+/// view that of all rays.
+std::vector<Vector> RaysToCorners(const vtkTextureSliceView& view, const vtkTextureSliceEye& eye)
+{
+  std::vector<Vector> rays = {eye.Direction};
+  for (std::size_t corner = 0; corner < 8 && !view.Parallel; ++corner)
+  {
+    const Vector p{view.Part[corner & 1], view.Part[2 + ((corner >> 1) & 1)],
+      view.Part[4 + ((corner >> 2) & 1)]};
+    const double depth = Evaluate(eye.Depth, p);
+    if (depth > view.NearDepth && depth > 0.0)
+    {
+      rays.push_back({(p[0] - eye.Position[0]) / depth, (p[1] - eye.Position[1]) / depth,
+        (p[2] - eye.Position[2]) / depth});
+    }
+  }
+  return rays;
+}
+
+/// The least depth that a ray goes through between two parallel planes that limit what is drawn.
+double LeastDepth(const vtkTextureSliceView& view, const vtkTextureSliceEye& eye)
+{
+  const std::vector<Plane> limits = MakeLimits(view);
+  const std::vector<Vector> rays = RaysToCorners(view, eye);
+  double least = std::numeric_limits<double>::max();
+  for (const Plane& limit : limits)
+  {
+    const Vector normal{limit[0], limit[1], limit[2]};
+    for (const Plane& other : limits)
+    {
+      const Vector otherNormal{other[0], other[1], other[2]};
+      const double cosine = Dot(normal, otherNormal) / (Length(normal) * Length(otherNormal));
+      constexpr double opposite = -1.0 + 1e-9;
+      if (!(cosine < opposite))
+      {
+        continue;
+      }
+      const double thickness = limit[3] / Length(normal) + other[3] / Length(otherNormal);
+      for (const Vector& ray : rays)
+      {
+        const double approach = std::abs(Dot(normal, ray)) / Length(normal);
+        least = thickness > 0.0 && approach > 0.0 ? std::min(least, thickness / approach) : least;
+      }
+    }
+  }
+  return least;
+}
+
+/// Planes for so many slices. Where slices stand for slabs, a plane has several of them: a layer
+/// that is thinner than the way between two planes has as many as it takes for each ray to meet
+/// one, up to one for each slice.
+int CountPlanes(
+  const vtkTextureSliceView& view, const vtkTextureSliceEye& eye, int slices, double thickness)
+{
+  const int slabs = std::max(1, view.Slabs);
+  const int planes = (slices + slabs - 1) / slabs;
+  const int most = std::min(slices, vtkTextureSliceGeometry::MaximumNumberOfSlices / slabs);
+  const double needed = thickness / LeastDepth(view, eye);
+  return slabs == 1 || planes >= most
+           ? planes
+           : static_cast<int>(std::clamp(std::ceil(needed), 1.0 * planes, 1.0 * most));
 }
 
 /// Dense bricks, if enough slices of them make the picture opaque soon enough to be worth it.
@@ -422,10 +488,9 @@ void vtkTextureSliceGeometry::Build(const vtkTextureSliceView& view)
     this->BuildPlane(view, eye);
     return;
   }
-  this->NumberOfSlices = CountSlices(view, farthest - nearest, eye.Direction);
-  const int slabs = std::max(1, view.Slabs);
-  this->NumberOfPlanes = (this->NumberOfSlices + slabs - 1) / slabs;
-  this->NumberOfSlices = this->NumberOfPlanes * slabs;
+  const int count = CountSlices(view, farthest - nearest, eye.Direction);
+  this->NumberOfPlanes = CountPlanes(view, eye, count, farthest - nearest);
+  this->NumberOfSlices = this->NumberOfPlanes * std::max(1, view.Slabs);
   this->DepthStep = (farthest - nearest) / this->NumberOfPlanes;
   this->DataStep = this->DepthStep * DataLength(view, eye.Direction);
   this->ClipStep = MakeClipStep(view, eye, this->DepthStep);

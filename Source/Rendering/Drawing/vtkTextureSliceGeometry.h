@@ -37,7 +37,8 @@ struct vtkTextureSliceView
   /// Slices between the nearest and the farthest point of the part; 0: from SampleDistance.
   int NumberOfSlices = 256;
   /// Slabs that each slice stands for; 0: none, it is a layer of samples. The number of slices
-  /// counts slabs then, and fewer planes are cut.
+  /// counts slabs then, and fewer planes are cut; more of them through a part that is thinner than
+  /// the way from one plane to the next.
   int Slabs = 0;
   /// Whether a pixel of a slice also shows what is between it and the slice in front.
   bool Surfaces = false;

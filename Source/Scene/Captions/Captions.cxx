@@ -47,14 +47,13 @@ std::vector<std::string> WordsOf(const std::string& text)
   return words;
 }
 
-// Says behind the radars how much of the echo is biological, where most of it is.
-void AddEcho(double share, std::vector<std::string>& words)
+// Says more behind the radars.
+void AddPhrase(const std::string& phrase, std::vector<std::string>& words)
 {
-  if (share > mostEcho && !words.empty())
+  if (!words.empty())
   {
     words.back() += ";";
-    const std::vector<std::string> more = WordsOf(
-      std::to_string(std::lround(100.0 * share)) + " % of the echo is biological (birds, insects)");
+    const std::vector<std::string> more = WordsOf(phrase);
     words.insert(words.end(), more.begin(), more.end());
   }
 }
@@ -88,6 +87,22 @@ public:
       centred ? box.right : box.left + eighth * std::ceil((box.right - box.left) / eighth);
     layer.taken.push_back(taken);
     return box;
+  }
+
+  // Above the middle of what is left of the colour bar, over the scene, which need not stay off it.
+  // What a semicolon ends has lines of its own.
+  void AddInTheMiddle(const std::string& text, double right, const TextStyle& style)
+  {
+    std::string lines;
+    for (std::size_t begin = 0; begin < text.size();)
+    {
+      const std::size_t end = std::min(text.find("; ", begin), text.size());
+      const std::string part = text.substr(begin, end - begin);
+      lines += (lines.empty() ? "" : "\n") + Wrap(WordsOf(part), 0.8 * right, style, pictures);
+      begin = end + 2;
+    }
+    const std::array<double, 2> middle = {0.5 * right / size[0], 0.6};
+    layer.props.push_back(pictures.Get(lines, style).MakeCaption(middle, LabelSide::Below));
   }
 
   CaptionLayer layer;
@@ -129,7 +144,17 @@ std::vector<std::string> SiteWords(const CaptionTexts& texts)
     const bool last = i + 1 == sites.size();
     words.push_back(word + (texts.ages.empty() || last ? "" : ","));
   }
-  AddEcho(texts.information.biologicalShare, words);
+  const double share = texts.information.biologicalShare;
+  if (share > mostEcho)
+  {
+    AddPhrase(
+      std::to_string(std::lround(100.0 * share)) + " % of the echo is biological (birds, insects)",
+      words);
+  }
+  for (const std::string& each : texts.information.notes)
+  {
+    AddPhrase(each, words);
+  }
   return words;
 }
 
@@ -157,6 +182,10 @@ CaptionLayer MakeCaptions(const CaptionTexts& texts, const std::array<int, 2>& s
     writer.Add(lines, note, {left, timeBox.bottom - 0.4 * textSize}, LabelSide::BelowRight);
   writer.Add(Wrap(WordsOf(texts.note), right - 2.0 * left, note, pictures), note,
     {left, 0.75 * textSize}, LabelSide::AboveRight);
+  if (!texts.nothing.empty())
+  {
+    writer.AddInTheMiddle(texts.nothing, right, title);
+  }
   if (above)
   {
     writer.Add(warningWord, warning, {middle, top}, LabelSide::Below);

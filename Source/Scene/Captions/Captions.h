@@ -24,6 +24,7 @@ struct CaptionTexts
   std::string note;  ///< what the heights are, or which voxels a map shows
   VolumeInformation information;
   std::vector<std::optional<double>> ages; ///< min, of the sites' data; empty when unknown
+  std::string nothing; ///< what is said in the middle of a picture that shows nothing; else empty
 };
 
 /// The captions, and the rectangles that they take. Their widths are rounded up to an eighth of the
@@ -44,7 +45,7 @@ CaptionLayer MakeCaptions(const CaptionTexts& texts, const std::array<int, 2>& s
 std::string TimeText(const VolumeInformation& information);
 
 /// Radars, each with the age of its data where it is known; then, where most of the echo is
-/// biological, how much of it.
+/// biological, how much of it, and what else is to be said of their volumes.
 std::vector<std::string> SiteWords(const CaptionTexts& texts);
 
 } // namespace nexrad::scene

@@ -52,6 +52,7 @@ VolumeInformation ReadVolumeInformation(vtkImageData* volume)
   information.synthetic = Number(fields, "Synthetic").value_or(0.0) != 0.0;
   information.sharpened = Number(fields, "Sharpened").value_or(0.0) != 0.0;
   information.biologicalShare = Number(fields, "BiologicalShare").value_or(0.0);
+  information.notes = Texts(fields, "Notes");
   return information;
 }
 

@@ -25,6 +25,7 @@ struct VolumeInformation
   bool sharpened = false; ///< REF was deconvolved in elevation
   /// Part of the echo that quality control calls biological, 0…1; 0 when unknown.
   double biologicalShare = 0.0;
+  std::vector<std::string> notes; ///< GriddedVolume::notes
 };
 
 VolumeInformation ReadVolumeInformation(vtkImageData* volume);

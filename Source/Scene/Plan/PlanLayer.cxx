@@ -22,7 +22,7 @@ Colour ColourOf(
   case VoxelState::NotScanned:
     return theme.notScanned;
   case VoxelState::RangeFolded:
-    return theme.rangeFolded;
+    return scale.rangeFolded.value_or(theme.rangeFolded);
   case VoxelState::Filtered:
     return theme.filtered;
   case VoxelState::NoEcho:
@@ -30,8 +30,7 @@ Colour ColourOf(
   default:
     break;
   }
-  const int bin = FindBin(scale, static_cast<double>(view.values[column]));
-  return bin < 0 ? theme.ground : scale.bins[static_cast<std::size_t>(bin)].colour;
+  return ColourAt(scale, static_cast<double>(view.values[column])).value_or(theme.ground);
 }
 
 bool Holds(const PlanView& view, VoxelState state)
@@ -66,12 +65,14 @@ vtkSmartPointer<vtkProp> MakePlanLayer(const PlanView& view, const ColourScale& 
   return actor;
 }
 
-std::string PlanKey(const PlanView& view)
+std::string PlanKey(const PlanView& view, const ColourScale& scale)
 {
   std::string key;
   for (const auto& [state, text] : StateTexts)
   {
-    key += Holds(view, state) ? (key.empty() ? "" : ", ") + std::string(text) : "";
+    const bool ofTable = state == VoxelState::RangeFolded && scale.rangeFolded;
+    const std::string words = ofTable ? "RF of the colour table: range folded" : text;
+    key += Holds(view, state) ? (key.empty() ? "" : ", ") + words : "";
   }
   return key;
 }

@@ -27,6 +27,6 @@ vtkSmartPointer<vtkProp> MakePlanLayer(const PlanView& view, const ColourScale& 
   vtkImageData* placed, double height, const Theme& theme);
 
 /// What the colours without a value mean, for a caption; empty when there are none.
-std::string PlanKey(const PlanView& view);
+std::string PlanKey(const PlanView& view, const ColourScale& scale);
 
 } // namespace nexrad::scene

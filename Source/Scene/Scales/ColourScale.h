@@ -3,6 +3,7 @@
 
 #include "Scene/Elements/ColourTable.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,12 +14,16 @@ namespace nexrad::scene
 struct ColourScale
 {
   ColourTable bins;
-  std::vector<std::string> labels; ///< of each bin, beside its middle; empty: the value at which
-                                   ///< it begins, beside its lower edge
-  std::string unit;                ///< above the bar
-  std::string title;               ///< of the picture
-  double factor = 1.0;             ///< from the array's unit to that of the bins
-  bool openBelow = false;          ///< values below the first bin have its colour, not none
+  std::vector<std::string> labels;   ///< of each bin, beside its middle; empty: the value at which
+                                     ///< it begins, beside its lower edge
+  std::string unit;                  ///< above the bar
+  std::string title;                 ///< of the picture
+  double factor = 1.0;               ///< from the array's unit to that of the bins
+  double offset = 0.0;               ///< added then, unit of the bins
+  bool openBelow = false;            ///< values below the first bin have its colour, not none
+  double step = 0.0;                 ///< between values beside ramps, unit of the bins; 0: any
+  int decimals = -1;                 ///< of these values; -1: as many as it takes
+  std::optional<Colour> rangeFolded; ///< of range-folded voxels; empty: the theme's
 };
 
 /// The scale of a moment, or of another array of that name, in a table's colours. Reflectivity
@@ -28,5 +33,14 @@ ColourScale MomentScale(const std::string& array, const ColourTable& table);
 /// The bin that holds a value of the array; -1 below the first, unless the scale is open there. The
 /// last has no upper end.
 int FindBin(const ColourScale& scale, double value);
+
+/// The colour of a value of the array; nothing where it has no bin.
+std::optional<Colour> ColourAt(const ColourScale& scale, double value);
+
+/// The same scale with each ramp cut into bins of one colour each, for what draws no ramps.
+ColourScale WithoutRamps(const ColourScale& scale);
+
+/// Whether a table has a ramp.
+bool HasRamps(const ColourTable& table);
 
 } // namespace nexrad::scene

@@ -70,6 +70,13 @@ public:
     return ImageOf(merger.MergeBox(merger.Times()[index], box, progress));
   }
 
+  std::optional<TimeSpan> OneLook() const override
+  {
+    const bool oneEach =
+      merger.Sites().size() > 1 && merger.Files().size() == merger.Sites().size();
+    return oneEach ? std::optional(merger.Rays()) : std::nullopt;
+  }
+
   std::vector<std::string> Problems() const override
   {
     std::vector<std::string> lines;

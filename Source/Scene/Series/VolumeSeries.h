@@ -4,6 +4,7 @@
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Model/Moment.h"
 #include "nexrad/Model/Time.h"
+#include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
 
@@ -11,6 +12,7 @@
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -54,6 +56,10 @@ public:
   /// Whether Load gives ancillary arrays (age, number of radars, weight, nearest radar) where they
   /// are asked for.
   virtual bool MakesAncillaryArrays() const { return false; }
+
+  /// Of several radars with one file each, the time from their first to their last ray: such files
+  /// are one look at the echo rather than a series. Else nothing.
+  virtual std::optional<TimeSpan> OneLook() const { return std::nullopt; }
 
   /// Inputs that were damaged or left out so far, a line each.
   virtual std::vector<std::string> Problems() const { return {}; }

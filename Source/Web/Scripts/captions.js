@@ -88,31 +88,66 @@ function boxOf(letters, text, style, [x, y], side) {
   return { left, bottom, right: left + width, top: bottom + height };
 }
 
-// The colours of a preset, with the values at which they begin and the unit above.
+const numberText = (value, decimals) => (decimals < 0 ? String(Number(value.toPrecision(6))) : value.toFixed(decimals));
+
+// Boxes of one height with the values at which they begin, as many as there is room for.
+function boxLayout(bins, { decimals }, most) {
+  const every = Math.max(1, Math.ceil(bins.length / most));
+  const edges = [...bins.keys(), bins.length].map((edge) => edge / bins.length);
+  const labels = bins.map(({ from }, bin) => ({ place: edges[bin], text: numberText(from, decimals) }));
+  return { edges, labels: labels.filter((_, bin) => bin % every === 0) };
+}
+
+// From one label to the next: 1, 2, 5, 10, … times the step of the labels, or else times a power of ten.
+function labelStep(step, least) {
+  for (let decade = step > 0 ? step : 10 ** Math.floor(Math.log10(least)); ; decade *= 10) {
+    const factor = [1, 2, 5].find((each) => each * decade >= least);
+    if (factor) {
+      return factor * decade;
+    }
+  }
+}
+
+// Bins as high as they are wide in values, with round values.
+function valueLayout(bins, { step, decimals }, most) {
+  const last = bins[bins.length - 1];
+  const [lowest, highest] = [bins[0].from, last.to ?? 2 * last.from - bins[bins.length - 2].from];
+  const share = (value) => (value - lowest) / (highest - lowest);
+  const every = labelStep(step, (highest - lowest) / most);
+  const labels = [];
+  for (let i = Math.ceil(lowest / every - 1e-9); i <= highest / every + 1e-9; i += 1) {
+    labels.push({ place: share(i * every), text: numberText(i * every + 0, decimals) });
+  }
+  return { edges: [...bins.map(({ from }) => share(from)), 1], labels };
+}
+
+// The colours of a preset, with their values and the unit above.
 export class ColourBar {
-  // `bins`: { from, colour }, ascending.
-  constructor(bins, unit, width, height, style, letters) {
-    Object.assign(this, { bins, unit, height, style, letters });
+  // `preset`: bins ({ from, colour, and of a ramp to and upper }, ascending) and labels.
+  constructor({ bins, labels }, width, height, style, letters) {
+    Object.assign(this, { bins, unit: labels.unit, height, style, letters });
+    const most = Math.max(1, ((bar.top - bar.bottom) * height) / (1.15 * style.size));
+    const ramps = bins.length > 1 && bins.some(({ upper }) => upper);
+    this.layout = ramps ? valueLayout(bins, labels, 0.6 * most) : boxLayout(bins, labels, most);
     const gap = 0.5 * style.size;
-    this.words = bins.map(({ from }) => String(from));
-    const longest = Math.max(...this.words.map((word) => letters.sizeOf(word, style)[0]));
+    const longest = Math.max(...this.layout.labels.map(({ text }) => letters.sizeOf(text, style)[0]));
     this.right = width - longest - 2 * gap;
     this.barLeft = this.right - bar.width * width;
-    this.left = Math.min(this.barLeft, width - gap - letters.sizeOf(unit, style)[0]);
+    this.left = Math.min(this.barLeft, width - gap - letters.sizeOf(this.unit, style)[0]);
   }
 
-  heightOf(bin) {
-    return this.height * (bar.bottom + ((bar.top - bar.bottom) * bin) / this.bins.length);
+  heightOf(share) {
+    return this.height * (bar.bottom + (bar.top - bar.bottom) * share);
   }
 
   draw(edge) {
-    const { letters, style, bins } = this;
+    const { letters, style, bins, layout } = this;
     const box = (low, high) => ({ left: this.barLeft, right: this.right, bottom: this.heightOf(low), top: this.heightOf(high) });
-    bins.forEach(({ colour }, bin) => letters.rectangle(box(bin, bin + 1), colour));
-    letters.frame(box(0, bins.length), edge);
-    const every = Math.max(1, Math.ceil((1.15 * style.size) / (this.heightOf(1) - this.heightOf(0))));
-    for (let bin = 0; bin < bins.length; bin += every) {
-      letters.draw(this.words[bin], style, [this.right + 0.5 * style.size, this.heightOf(bin)], 'right');
+    bins.forEach(({ colour, upper }, bin) =>
+      letters.rectangle(box(layout.edges[bin], layout.edges[bin + 1]), colour, upper));
+    letters.frame(box(0, 1), edge);
+    for (const { place, text } of layout.labels) {
+      letters.draw(text, style, [this.right + 0.5 * style.size, this.heightOf(place)], 'right');
     }
     letters.draw(this.unit, style, [this.left, this.height * bar.top + 0.9 * style.size], 'right');
   }

@@ -11,8 +11,9 @@ function fillPresets(viewer) {
 }
 
 function prepareSurface(viewer) {
-  const { bins } = viewer.scene.presets[0];
-  const [low, high] = [viewer.scene.floor ?? bins[0].from, bins[bins.length - 1].from];
+  const { bins, labels } = viewer.scene.presets[0];
+  const valueOf = ({ from }) => (from - labels.offset) / labels.factor;
+  const [low, high] = [viewer.scene.floor ?? valueOf(bins[0]), valueOf(bins[bins.length - 1])];
   Object.assign(find('surface-value'), { min: low, max: high, step: (high - low) / 140, value: low + 0.6 * (high - low) });
 }
 

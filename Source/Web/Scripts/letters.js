@@ -78,9 +78,18 @@ export class Letters {
     }
   }
 
-  rectangle(box, colour) {
+  // `upper`: the colour at the top of a ramp.
+  rectangle(box, colour, upper) {
     this.context.fillStyle = css(colour);
-    this.context.fillRect(box.left, this.height - box.top, box.right - box.left, box.top - box.bottom);
+    if (upper) {
+      const ramp = this.context.createLinearGradient(0, this.height - box.bottom, 0, this.height - box.top);
+      ramp.addColorStop(0, css(colour));
+      ramp.addColorStop(1, css(upper));
+      this.context.fillStyle = ramp;
+    }
+    // Whole pixels: between rectangles that meet nothing shows through.
+    const [top, bottom] = [Math.round(this.height - box.top), Math.round(this.height - box.bottom)];
+    this.context.fillRect(box.left, top, box.right - box.left, bottom - top);
   }
 
   frame(box, colour) {

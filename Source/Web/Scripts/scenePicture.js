@@ -96,10 +96,10 @@ export class ScenePicture {
     return { ...label, style, size: this.letters.sizeOf(label.text, style) };
   }
 
-  // `time`: milliseconds; `siteTexts`: words about the radars; `preset`: with bins.
+  // `time`: milliseconds; `siteTexts`: words about the radars; `preset`: with bins and labels.
   makeCaptions({ time, siteTexts, preset }) {
     const { scene, width, height } = this;
-    this.bar = new ColourBar(preset.bins, scene.unit, width, height, this.style(scene.theme.scale), this.letters);
+    this.bar = new ColourBar(preset, width, height, this.style(scene.theme.scale), this.letters);
     this.captions = new Captions({
       time: timeText(time), title: scene.title, method: scene.method, sites: siteTexts, synthetic: scene.synthetic,
       note: heightNote(this.stretch),
@@ -113,7 +113,7 @@ export class ScenePicture {
       { width: this.width, height: this.height, right: this.bar.left, taken: this.captions.taken() });
   }
 
-  // `state`: view, moved (how far the camera was moved sideways, in the scene), time, siteTexts, preset (with bins), strength, cut,
+  // `state`: view, moved (how far the camera was moved sideways, in the scene), time, siteTexts, preset, strength, cut,
   // cutLines, quality (share of the pixels along an edge, step in voxels).
   draw(state) {
     const { gl, scene } = this;

@@ -24,6 +24,8 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QToolButton>
 #include <QtTest/QtTest>
 
@@ -380,6 +382,22 @@ TEST_F(WindowCuttingTest, TheClipPlaneIsPushedWithTheMouse)
   EXPECT_AT_LEAST(-scene->GetClipOrigin()[1] / 1000.0, 17.0,
     "way of a clip plane that the mouse pushes over 80 km of the picture, km");
   EXPECT_NEAR(scene->GetClipNormal()[1], 1.0, 1e-9) << "it was pushed, not turned";
+}
+
+// No number is out of sight on the smallest screens that are common.
+TEST_F(WindowCuttingTest, TheCutPageFitsASmallWindow)
+{
+  this->OpenWide(1);
+  window->resize(1024, 600);
+  auto* dock = this->Find<QDockWidget>("cut dock");
+  dock->raise();
+  QTest::qWait(300);
+  auto* scroll = qobject_cast<QScrollArea*>(dock->widget());
+  ASSERT_NE(scroll, nullptr);
+  EXPECT_EQ(window->height(), 600);
+  EXPECT_EQ(scroll->verticalScrollBar()->maximum(), 0) << "pixels out of sight";
+  EXPECT_EQ(scroll->horizontalScrollBar()->maximum(), 0) << "pixels out of sight";
+  window->grab().save(QString(NEXRAD_TEST_OUTPUT_DIR) + "/WindowCutPage.png");
 }
 
 TEST_F(WindowCuttingTest, HandlesCanBeHidden)

@@ -96,6 +96,26 @@ TEST(TimeMerge, VolumesBeyondTheGapTakeNoPart)
   ExpectEcho(*MergeVolumes({&volume}, request), 30.0F);
 }
 
+// A picture of it must say so; another volume of the radar fills up what is missing.
+TEST(TimeMerge, AVolumeThatWasCutOffIsNoted)
+{
+  RadarVolume decoded = testing::MakeRadarVolume(ConstantVolume(keax, start, 30.0));
+  EXPECT_FALSE(MakePolarVolume(decoded, MomentName::REF).endsAt);
+  decoded.cuts.emplace_back(); // whose end is missing
+  const PolarVolume cutOff = MakePolarVolume(decoded, MomentName::REF);
+  ASSERT_TRUE(cutOff.endsAt);
+  EXPECT_NEAR(*cutOff.endsAt, MedianElevation(cutOff.sweeps.back()), 1e-6);
+  decoded.cuts.back().excerpt = true;
+  EXPECT_FALSE(MakePolarVolume(decoded, MomentName::REF).endsAt) << "cut off on purpose";
+  MergeRequest request = Request({*keax.position}, start);
+  request.method = MergeMethod::Beam;
+  const auto alone = MergeVolumes({&cutOff}, request);
+  ASSERT_EQ(alone->notes.size(), 1U);
+  EXPECT_EQ(alone->notes[0].find("KEAX: volume ends at 0.5°, cut off"), 0U) << alone->notes[0];
+  const PolarVolume whole = Polar(keax, start + 5min, 30.0);
+  EXPECT_TRUE(MergeVolumes({&cutOff, &whole}, request)->notes.empty());
+}
+
 TEST(TimeMerge, EachSiteHasItsOwnBracket)
 {
   const PolarVolume before = Polar(keax, start, 10.0);

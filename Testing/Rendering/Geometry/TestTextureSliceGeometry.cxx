@@ -99,6 +99,36 @@ TEST(TextureSliceGeometry, SlabsShareAPlane)
   EXPECT_NEAR(TotalArea(geometry) * geometry.GetDepthStep(), 1.0, 1e-7);
 }
 
+// A layer between two planes of four slabs was not drawn.
+TEST(TextureSliceGeometry, EachRayMeetsAThinLayer)
+{
+  vtkTextureSliceView view = TurnedView(5.0);
+  view.Parallel = true;
+  view.Slabs = 4;
+  view.NumberOfSlices = 256;
+  vtkTextureSliceGeometry geometry;
+  geometry.Build(view);
+  ASSERT_EQ(geometry.GetNumberOfPlanes(), 64);
+  // By the part, and by clipping planes.
+  for (const bool clips : {false, true})
+  {
+    view.Part = {0.0, 1.0, 0.0, 1.0, clips ? 0.0 : 0.5, clips ? 1.0 : 0.51};
+    view.ClippingPlanes = {{0.0, 0.0, 1.0, -0.5}, {0.0, 0.0, -2.0, 1.02}};
+    if (!clips)
+    {
+      view.ClippingPlanes.clear();
+    }
+    geometry.Build(view);
+    // The depth of a ray within the layer, by the direction of depth in the box.
+    const double along = std::abs(view.BoxToCamera[10]);
+    EXPECT_LE(geometry.GetDepthStep(), 0.01 / along);
+    EXPECT_LE(geometry.GetNumberOfPlanes(), 256);
+  }
+  view.NumberOfSlices = 4;
+  geometry.Build(view);
+  EXPECT_EQ(geometry.GetNumberOfPlanes(), 4) << "one for each slice at most";
+}
+
 TEST(TextureSliceGeometry, ClippingPlaneAndPartLeaveTheirShare)
 {
   vtkTextureSliceView view = TurnedView(5.0);

@@ -15,6 +15,7 @@
 #include <QCheckBox>
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
@@ -30,6 +31,16 @@ namespace
 constexpr double kilometre = 1000.0;
 constexpr double thinnest = 0.1; // of the box, in the unit of its numbers
 constexpr double farOff = 9e6;   // m: only a face that was never set is so far away
+
+QWidget* SideBySide(QWidget* first, QWidget* second)
+{
+  auto* both = new QWidget;
+  auto* row = new QHBoxLayout(both);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(first, 1);
+  row->addWidget(second, 1);
+  return both;
+}
 
 void Show(QDoubleSpinBox* box, double value)
 {
@@ -66,14 +77,12 @@ CutPanel::CutPanel(const ShownScene& sceneView, QWidget* parent)
   this->Follow();
 }
 
-QCheckBox* CutPanel::AddSwitch(QFormLayout* form, const QString& name, const QString& tip)
+QCheckBox* CutPanel::MakeSwitch(const QString& name, const QString& tip)
 {
-  auto* box = Named(new QCheckBox(name, this), name, tip);
-  form->addRow(box);
-  return box;
+  return Named(new QCheckBox(name, this), name, tip);
 }
 
-QDoubleSpinBox* CutPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip)
+QDoubleSpinBox* CutPanel::MakeNumber(const QString& tip)
 {
   auto* box = new QDoubleSpinBox(this);
   box->setObjectName(tip);
@@ -82,26 +91,28 @@ QDoubleSpinBox* CutPanel::AddNumber(QFormLayout* form, const QString& name, cons
   box->setRange(-2000.0, 2000.0);
   box->setDecimals(1);
   box->setKeyboardTracking(false);
-  form->addRow(name, box);
   return box;
 }
 
 void CutPanel::AddBox(QFormLayout* form)
 {
-  crop = this->AddSwitch(form, "Crop", "Show the part of the volume within the box alone");
+  crop = this->MakeSwitch("Crop", "Show the part of the volume within the box alone");
   const std::array<const char*, 6> names = {"West", "East", "South", "North", "Bottom", "Top"};
+  auto* whole = new QPushButton("Whole volume", this);
+  whole->setObjectName("Whole volume");
+  whole->setToolTip("Make the box as large as the volume");
+  form->addRow(SideBySide(crop, whole));
   for (std::size_t i = 0; i < faces.size(); ++i)
   {
     const QString where = i < 4 ? "km east or north of the centre, or degrees on geographic axes"
                                 : "km above mean sea level";
-    faces[i] = this->AddNumber(
-      form, names[i], QString("%1 face of the crop box, %2").arg(names[i]).arg(where));
+    faces[i] = this->MakeNumber(QString("%1 face of the crop box, %2").arg(names[i]).arg(where));
     connect(faces[i], qOverload<double>(&QDoubleSpinBox::valueChanged), this, &CutPanel::TakeBox);
   }
-  auto* whole = new QPushButton("Whole volume", this);
-  whole->setObjectName("Whole volume");
-  whole->setToolTip("Make the box as large as the volume");
-  form->addRow(whole);
+  // In pairs, so that the page is no higher than a small screen.
+  form->addRow("West, east", SideBySide(faces[0], faces[1]));
+  form->addRow("South, north", SideBySide(faces[2], faces[3]));
+  form->addRow("Bottom, top", SideBySide(faces[4], faces[5]));
   connect(crop, &QCheckBox::clicked, this, &CutPanel::SwitchCrop);
   connect(whole, &QPushButton::clicked, this,
     [this]
@@ -116,18 +127,21 @@ void CutPanel::AddBox(QFormLayout* form)
 
 void CutPanel::AddPlane(QFormLayout* form)
 {
-  clip =
-    this->AddSwitch(form, "Clip", "Show the part of the volume on one side of the plane alone");
-  origin = {this->AddNumber(form, "East", "A point of the clip plane: km east of the centre"),
-    this->AddNumber(form, "North", "A point of the clip plane: km north of the centre"),
-    this->AddNumber(form, "Height", "A point of the clip plane: km above mean sea level")};
-  azimuth = this->AddNumber(
-    form, "Shown towards", "Direction to the part that is shown, degrees clockwise from north");
+  clip = this->MakeSwitch("Clip", "Show the part of the volume on one side of the plane alone");
+  form->addRow(clip);
+  origin = {this->MakeNumber("A point of the clip plane: km east of the centre"),
+    this->MakeNumber("A point of the clip plane: km north of the centre"),
+    this->MakeNumber("A point of the clip plane: km above mean sea level")};
+  form->addRow("East, north", SideBySide(origin[0], origin[1]));
+  form->addRow("Height", origin[2]);
+  azimuth = this->MakeNumber("Direction to the part that is shown, degrees clockwise from north");
+  form->addRow("Shown towards", azimuth);
   azimuth->setRange(0.0, 359.9);
   azimuth->setWrapping(true);
-  elevation = this->AddNumber(form, "and upwards",
+  elevation = this->MakeNumber(
     "Elevation of that direction in degrees, for heights that are not stretched; 0: the plane is "
     "vertical");
+  form->addRow("and upwards", elevation);
   elevation->setRange(-90.0, 90.0);
   for (QDoubleSpinBox* box : {origin[0], origin[1], origin[2], azimuth, elevation})
   {

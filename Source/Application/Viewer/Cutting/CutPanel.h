@@ -32,8 +32,8 @@ public slots:
   void FollowSoon();
 
 private:
-  QCheckBox* AddSwitch(QFormLayout* form, const QString& name, const QString& tip);
-  QDoubleSpinBox* AddNumber(QFormLayout* form, const QString& name, const QString& tip);
+  QCheckBox* MakeSwitch(const QString& name, const QString& tip);
+  QDoubleSpinBox* MakeNumber(const QString& tip);
   void AddBox(QFormLayout* form);
   void AddPlane(QFormLayout* form);
   void SwitchCrop(bool on);

@@ -187,10 +187,11 @@ void SectionChart::Show(
   renderer->SetBackground(sky[0], sky[1], sky[2]);
   if (section != nullptr && section->GetNumberOfPoints() > 0)
   {
+    const scene::ColourScale flat = scene::WithoutRamps(colours);
     shown = std::make_unique<Shown>(
-      Shown{PictureOf(section, colours), colours, &theme, TitleOf(section, colours)});
+      Shown{PictureOf(section, flat), colours, &theme, TitleOf(section, colours)});
     plot->SetInputData(shown->picture);
-    plot->SetTransferFunction(TableOf(colours, theme));
+    plot->SetTransferFunction(TableOf(flat, theme));
   }
   this->Draw();
 }

@@ -229,8 +229,7 @@ void SectionPanel::Cut()
   filter->Update();
   vtkImageData* section = filter->GetOutput();
   const char* name = volume->GetPointData()->GetScalars()->GetName();
-  chart->Show(section, scene::MomentScale(name, scene::ColourStepsOf(scene->GetTransferFunction())),
-    ThemeOf(scene));
+  chart->Show(section, scene::ScaleOf(name, scene->GetTransferFunction()), ThemeOf(scene));
 }
 
 void SectionPanel::Tell(const QPoint& pixel)

@@ -87,6 +87,7 @@ void CopyChannel(Function* from, Function* to, int channel)
   {
     to->AddNode(channel, node[0], node[1]);
   }
+  to->SetLinear(channel, from->IsLinear(channel));
 }
 
 // Whether colours and opacities are those of a preset.
@@ -586,6 +587,11 @@ void TransferFunctionEditor::ReadFile(const QString& path)
   {
     this->Finish("Open " + QFileInfo(path).fileName());
     emit Changed();
+    for (const std::string& line : messages.Warnings())
+    {
+      this->Say(
+        (message->isHidden() ? QString() : message->text() + '\n') + QString::fromStdString(line));
+    }
   }
   else if (!messages.Errors().empty())
   {

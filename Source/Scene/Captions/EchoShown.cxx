@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Scene/Captions/EchoShown.h"
+
+#include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Plan/PlanSource.h"
+#include "nexrad/Model/Moment.h"
+#include "nexrad/System/Error.h"
+#include "vtkNexradTransferFunction.h"
+
+#include <vtkImageData.h>
+#include <vtkNew.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <utility>
+#include <vector>
+
+namespace nexrad::scene
+{
+namespace
+{
+
+constexpr double mostEcho = 0.5; // part of the echo from which on words name it
+
+// Which of a volume's voxels along an axis lie between two places: from the first to before the
+// second.
+std::array<int, 2> VoxelsBetween(vtkImageData* volume, int axis, double from, double to)
+{
+  const double origin = volume->GetOrigin()[axis];
+  const double spacing = volume->GetSpacing()[axis];
+  const int count = volume->GetDimensions()[axis];
+  const auto at = [&](double place)
+  { return static_cast<int>(std::clamp(std::ceil((place - origin) / spacing), 0.0, 1.0 * count)); };
+  return {at(from), at(to)};
+}
+
+// Takes note of a line of voxels.
+void Add(const std::vector<float>& values, const std::vector<VoxelState>& states,
+  const std::function<double(double)>& opacityOf, EchoShown& found)
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    found.filtered = found.filtered || states[i] == VoxelState::Filtered;
+    found.scanned = found.scanned || states[i] != VoxelState::NotScanned;
+    if (states[i] != VoxelState::Echo)
+    {
+      continue;
+    }
+    const double value = static_cast<double>(values[i]);
+    found.lowest = found.echo == 0 ? value : std::min(found.lowest, value);
+    const double opacity = opacityOf(value);
+    if (found.echo == 0 || value > found.highest)
+    {
+      found.highest = value;
+      found.opacityOfHighest = opacity;
+    }
+    ++found.echo;
+    found.shown += opacity;
+  }
+}
+
+// How much must be shown, as a sum of opacities over the voxels: in 256 × 256 columns fifteen voxels
+// of 35 dBZ, or a hundred of the weakest rain.
+double Enough(vtkImageData* volume)
+{
+  constexpr double ofColumn = 5e-5;
+  constexpr double least = 0.02; // a voxel of rain, where there are few
+  const int* size = volume->GetDimensions();
+  return std::max(least, ofColumn * size[0] * size[1]);
+}
+
+bool Shows(vtkNexradTransferFunction* look, double value)
+{
+  return look->Evaluate(vtkNexradTransferFunction::OPACITY, value) > 0.0;
+}
+
+std::string Text(double value)
+{
+  std::ostringstream text;
+  text << std::round(10.0 * value) / 10.0 + 0.0;
+  return text.str();
+}
+
+// The first preset of the array, in their order, that shows a value well, and clearly better than
+// with an opacity; nullptr: none does.
+const char* PresetThatShows(const std::string& array, double value, double opacity)
+{
+  constexpr double seen = 0.015;
+  constexpr double better = 2.0;
+  const double wanted = std::max(seen, better * opacity);
+  vtkNew<vtkNexradTransferFunction> look;
+  const char* name = nullptr;
+  for (int i = 0; (name = vtkNexradTransferFunction::FindPreset(array.c_str(), i)) != nullptr; ++i)
+  {
+    if (look->ApplyPreset(name) &&
+        look->Evaluate(vtkNexradTransferFunction::OPACITY, value) >= wanted)
+    {
+      return name;
+    }
+  }
+  return nullptr;
+}
+
+// What there is in place of what the look shows, and the preset that shows it.
+std::string WordsForTheRest(const EchoShown& found, const std::string& array,
+  const std::string& unit, double biologicalShare, PresetWords presets)
+{
+  const bool reflectivity = array == ToString(MomentName::REF);
+  std::string words;
+  if (reflectivity)
+  {
+    constexpr double weakest = 5.0; // dBZ: the weather service's colours begin there
+    const char* kind = biologicalShare > mostEcho ? "biological echo"
+                       : found.highest < weakest  ? "clear-air echo"
+                                                  : "echo";
+    words = std::string(kind) + " up to " + Text(found.highest) + " " + unit;
+  }
+  else
+  {
+    words = "values from " + Text(found.lowest) + " to " + Text(found.highest) + " " + unit;
+  }
+  const char* preset = PresetThatShows(array, found.highest, found.opacityOfHighest);
+  if (preset != nullptr)
+  {
+    words +=
+      std::string(presets == PresetWords::Option ? ": --preset \"" : ": preset \"") + preset + "\"";
+  }
+  return words;
+}
+
+} // namespace
+
+EchoShown FindEchoShown(vtkImageData* volume, const std::optional<std::array<double, 6>>& box,
+  const std::function<double(double)>& opacityOf)
+{
+  EchoShown found;
+  found.isKnown = ParseMomentName(ArrayOf(volume)).has_value();
+  if (!found.isKnown)
+  {
+    return found;
+  }
+  PlanSource source;
+  try
+  {
+    source = SourceOf(volume);
+  }
+  catch (const Error&) // a volume of values alone, without states
+  {
+    found.isKnown = false;
+    return found;
+  }
+  const int* size = volume->GetDimensions();
+  std::array<std::array<int, 2>, 3> part = {{{0, size[0]}, {0, size[1]}, {0, size[2]}}};
+  for (int axis = 0; box && axis < 3; ++axis)
+  {
+    const auto face = static_cast<std::size_t>(2 * axis);
+    part[static_cast<std::size_t>(axis)] =
+      VoxelsBetween(volume, axis, (*box)[face], (*box)[face + 1]);
+  }
+  const auto& [x, y, z] = part;
+  const double enough = Enough(volume);
+  std::vector<float> values(static_cast<std::size_t>(std::max(0, x[1] - x[0])));
+  std::vector<VoxelState> states(values.size());
+  for (int k = z[0]; k < z[1]; ++k)
+  {
+    for (int j = y[0]; j < y[1] && found.shown < enough; ++j)
+    {
+      const std::size_t line = static_cast<std::size_t>(k) * static_cast<std::size_t>(size[1]) +
+                               static_cast<std::size_t>(j);
+      source.voxels.read(line * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(x[0]),
+        values.size(), values.data(), states.data());
+      Add(values, states, opacityOf, found);
+    }
+  }
+  found.enough = found.shown >= enough;
+  return found;
+}
+
+std::function<double(double)> OpacitiesOf(vtkNexradTransferFunction* look)
+{
+  constexpr std::size_t last = 4095;
+  double range[2];
+  look->GetRange(range);
+  const double first = range[0];
+  const double step = std::max(range[1] - range[0], 1e-12) / last;
+  std::vector<double> table;
+  for (std::size_t i = 0; i <= last; ++i)
+  {
+    table.push_back(
+      look->Evaluate(vtkNexradTransferFunction::OPACITY, first + step * static_cast<double>(i)));
+  }
+  return [table = std::move(table), first, step](double value)
+  {
+    const double place = std::clamp(std::round((value - first) / step), 0.0, 1.0 * last);
+    return table[static_cast<std::size_t>(place)];
+  };
+}
+
+std::optional<double> LeastShown(vtkNexradTransferFunction* look)
+{
+  constexpr int steps = 2000;
+  double range[2];
+  look->GetRange(range);
+  const double step = (range[1] - range[0]) / steps;
+  if (!Shows(look, range[1]) || !(step > 0.0))
+  {
+    return std::nullopt;
+  }
+  int least = steps;
+  while (least > 0 && Shows(look, range[0] + step * (least - 1)))
+  {
+    --least;
+  }
+  const bool alsoBelow = least > 0 && Shows(look, range[0]);
+  return alsoBelow ? std::nullopt : std::optional(range[0] + step * std::max(0, least - 1));
+}
+
+std::string WordsForNothing(const EchoShown& found, const std::string& array,
+  const std::optional<double>& leastShown, double biologicalShare, PresetWords presets)
+{
+  if (found.enough || !found.isKnown)
+  {
+    return {};
+  }
+  if (!found.scanned)
+  {
+    return "Nothing was scanned here";
+  }
+  const std::string what = array == ToString(MomentName::REF) ? "echo" : array;
+  if (found.echo == 0)
+  {
+    return found.filtered ? "No " + what + ": quality control took out all that there was"
+                          : "No " + what;
+  }
+  const std::string unit = UnitOf(*ParseMomentName(array));
+  return (found.shown > 0.0 ? "Hardly any " : "No ") + what +
+         (leastShown ? " above " + Text(*leastShown) + " " + unit : std::string(" is shown")) +
+         "; " + WordsForTheRest(found, array, unit, biologicalShare, presets);
+}
+
+} // namespace nexrad::scene

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+
+class vtkImageData;
+class vtkNexradTransferFunction;
+
+namespace nexrad::scene
+{
+
+/// What echo a volume has, and whether a picture shows any of it.
+struct EchoShown
+{
+  bool isKnown = true;   ///< false: the volume's array is no moment
+  bool enough = false;   ///< something is to be seen; then nothing further is counted
+  double shown = 0.0;    ///< sum of the opacities of the voxels
+  bool scanned = false;  ///< some voxel was measured, or is range folded
+  bool filtered = false; ///< quality control took echo out of some voxel
+  std::size_t echo = 0;  ///< voxels with a value
+  double lowest = 0.0;   ///< of their values, in the unit of the moment
+  double highest = 0.0;
+  double opacityOfHighest = 0.0; ///< of the value `highest`
+};
+
+/// Looks through the voxels of a volume of values or of codes whose middles lie in a box: west,
+/// east, south, north, bottom and top in the units of the volume; empty: in all. `opacityOf` says
+/// how opaque a value is drawn, 0…1.
+EchoShown FindEchoShown(vtkImageData* volume, const std::optional<std::array<double, 6>>& box,
+  const std::function<double(double)>& opacityOf);
+
+/// The opacity of each value in a look, for FindEchoShown.
+std::function<double(double)> OpacitiesOf(vtkNexradTransferFunction* look);
+
+/// The value from which a look shows all that is above it; nothing where it shows other values.
+std::optional<double> LeastShown(vtkNexradTransferFunction* look);
+
+/// How a caption names a preset: as an option of the program, or as a setting.
+enum class PresetWords
+{
+  Option, ///< --preset "clear air"
+  Setting ///< preset "clear air"
+};
+
+/// What a picture that shows nothing, or next to nothing, says: that there is no echo above the
+/// value from which it is shown (nothing where no such value is), and what there is; empty where
+/// something is to be seen. `biologicalShare`: of the echo, 0…1.
+std::string WordsForNothing(const EchoShown& found, const std::string& array,
+  const std::optional<double>& leastShown, double biologicalShare, PresetWords presets);
+
+} // namespace nexrad::scene
