@@ -60,6 +60,7 @@ template <typename Settings>
 Picture DrawStorm(const std::string& name, const Settings& set)
 {
   vtkNew<vtkNexradVolumeScene> scene;
+  UseClassicLook(scene);
   scene->SetVolume(MakeStormWithVelocity());
   scene->SetAzimuth(180.0);
   scene->SetTilt(60.0);
