@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr double exaggeration = 8.0;
+constexpr double exaggeration = 3.0;
 
 // Writes the surfaces of volumes, without a display.
 ProgramRun WriteSurfaces(
