@@ -105,8 +105,8 @@ public:
   /// Empty: as many as the volume asks for.
   void SetSlices(const std::optional<int>& slices);
 
-  /// Frames that echo, whatever the volumes from the next on show. Nothing: that of the first volume
-  /// of a grid and a moment, which grows where the echo of another leaves it.
+  /// Frames that echo, whatever the volumes from the next on show. Nothing: that of the first
+  /// volume of a grid and a moment, which grows where the echo of another leaves it.
   void HoldEcho(const std::optional<EchoExtent>& held);
 
   /// The light that the volume stands in.
@@ -158,9 +158,9 @@ private:
   CameraView view;
   SceneFrame frame;
   std::optional<EchoExtent> echo;
-  bool holdsEcho = false; ///< and measures none
+  bool holdsEcho = false;                  ///< and measures none
   vtkSmartPointer<vtkImageData> shownData; ///< as it was given
-  int slices = 256;                   ///< that are drawn
+  int slices = 256;                        ///< that are drawn
   VolumeInformation information;
   vtkSmartPointer<vtkRenderer> renderer;
   unsigned long startTag = 0; ///< of the observer of the renderer

@@ -66,7 +66,7 @@ struct SceneOptions
                               ///< slices are drawn, of one moment
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
   bool linearInterpolation =
-    true;                   ///< between voxels; else each place has its nearest voxel's value
+    true;                    ///< between voxels; else each place has its nearest voxel's value
   std::optional<int> slices; ///< or samples along the longest ray, from 1 on; empty: about one for
                              ///< each voxel along the view
   std::optional<double> opacityDistance; ///< km of the scene to which opacities belong, above 0;

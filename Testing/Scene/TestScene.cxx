@@ -45,7 +45,8 @@ SceneOptions Classic()
 }
 
 // Draws a volume, and leaves the picture in the tests' output folder for a person to look at.
-Picture Draw(vtkImageData* volume, const std::string& name, const SceneOptions& options = Classic(), const CameraView& view = {})
+Picture Draw(vtkImageData* volume, const std::string& name, const SceneOptions& options = Classic(),
+  const CameraView& view = {})
 {
   RadarScene scene(options);
   scene.SetCamera(view);
@@ -216,12 +217,12 @@ TEST(Scene, CameraAndExaggerationChangeThePicture)
   const auto volume = MakeStormVolume(false);
   const auto first = Draw(volume, "First");
   EXPECT_EQ(Difference(first, Draw(volume, "FirstAgain")), 0);
-  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Above", Classic(), {200.0, 90.0, 1.0, false})), 40'000,
-    "pixels changed from above");
-  EXPECT_AT_LEAST(Difference(first, Draw(volume, "East", Classic(), {90.0, 35.0, 1.0, false})), 30'000,
-    "pixels changed from the east");
-  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Parallel", Classic(), {200.0, 35.0, 1.0, true})), 30'000,
-    "pixels changed by the parallel projection");
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Above", Classic(), {200.0, 90.0, 1.0, false})),
+    40'000, "pixels changed from above");
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "East", Classic(), {90.0, 35.0, 1.0, false})),
+    30'000, "pixels changed from the east");
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Parallel", Classic(), {200.0, 35.0, 1.0, true})),
+    30'000, "pixels changed by the parallel projection");
   SceneOptions flat = Classic();
   flat.exaggeration = 1.0;
   EXPECT_AT_LEAST(
@@ -366,7 +367,8 @@ TEST(Scene, TheLitSideKeepsItsBrightness)
     }
     return sum / (0.5 * static_cast<double>(channels.size()));
   };
-  const double ratio = brightest(Draw(volume, "Lit", dark)) / brightest(Draw(volume, "Unlit", unlit));
+  const double ratio =
+    brightest(Draw(volume, "Lit", dark)) / brightest(Draw(volume, "Unlit", unlit));
   EXPECT_AT_LEAST(ratio, 0.9, "brightness of the lit half of the echo, part of that without light");
 }
 

@@ -189,13 +189,13 @@ std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::s
     [&](const Json& preset) { return preset["name"] == presets.all[presets.first].name; });
   Json json = {{"title", scale.title}, {"unit", scale.unit}, {"array", array}, {"method", method},
     {"sites", SitesOf(times)}, {"synthetic", synthetic}, {"masked", code.masked},
-    {"size", this->Size()}, {"box", box}, {"framed", framed},
-    {"stretch", frame.Exaggeration()}, {"opacityDistance", frame.OpacityDistance()},
-    {"camera", this->MakeCamera()}, {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))},
-    {"map", this->MakeMap()}, {"radars", this->MakeRadars(times)},
-    {"scale", {{"first", code.first}, {"step", code.step}}}, {"floor", nullptr},
-    {"presets", offered}, {"preset", shown - offered.begin()}, {"codes", code.bytes},
-    {"series", nullptr}, {"times", Json::array()}, {"siteTexts", Json::array()}};
+    {"size", this->Size()}, {"box", box}, {"framed", framed}, {"stretch", frame.Exaggeration()},
+    {"opacityDistance", frame.OpacityDistance()}, {"camera", this->MakeCamera()},
+    {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))}, {"map", this->MakeMap()},
+    {"radars", this->MakeRadars(times)}, {"scale", {{"first", code.first}, {"step", code.step}}},
+    {"floor", nullptr}, {"presets", offered}, {"preset", shown - offered.begin()},
+    {"codes", code.bytes}, {"series", nullptr}, {"times", Json::array()},
+    {"siteTexts", Json::array()}};
   if (shownCode.floor)
   {
     json["floor"] = *shownCode.floor;
