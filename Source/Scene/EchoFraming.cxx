@@ -134,9 +134,8 @@ SceneFrame FrameVolume(
 {
   const SceneFrame toScale(volume, 1.0);
   const bool aboutEcho = echo && options.framing == FrameChoice::Echo && !options.plan;
-  const Box box = aboutEcho
-                    ? Around(*echo, toScale, ReadVolumeInformation(volume).sites)
-                    : toScale.Bounds();
+  const Box box =
+    aboutEcho ? Around(*echo, toScale, ReadVolumeInformation(volume).sites) : toScale.Bounds();
   SceneFrame framed = toScale;
   const auto lower = toScale.ToVolume({box[0], box[2], box[4]});
   const auto upper = toScale.ToVolume({box[1], box[3], box[5]});

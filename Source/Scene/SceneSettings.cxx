@@ -90,8 +90,8 @@ SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
   {
     options.opacityDistance = scene->GetOpacityDistance();
   }
-  options.framing = scene->GetFraming() == vtkNexradVolumeScene::DOMAIN ? FrameChoice::Domain
-                                                                        : FrameChoice::Echo;
+  options.framing =
+    scene->GetFraming() == vtkNexradVolumeScene::DOMAIN ? FrameChoice::Domain : FrameChoice::Echo;
   options.light = {scene->GetShadowStrength(), scene->GetOcclusionStrength(),
     {scene->GetLightAzimuth(), scene->GetLightElevation()}};
   options.ringSpacing = scene->GetRingSpacing();

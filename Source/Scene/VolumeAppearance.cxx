@@ -152,7 +152,8 @@ void SetPixelSize(vtkVolumeMapper* mapper, double pixelsOfVoxel)
   {
     const bool surfaces = slicer->GetBlendMode() == vtkVolumeMapper::ISOSURFACE_BLEND;
     slicer->SetImageSampleDistance(
-      surfaces ? 1.0F : std::clamp(static_cast<float>(pixelsOfVoxel / leastOfVoxel), 1.0F, largest));
+      surfaces ? 1.0F
+               : std::clamp(static_cast<float>(pixelsOfVoxel / leastOfVoxel), 1.0F, largest));
   }
 }
 

@@ -23,16 +23,17 @@ namespace nexrad::scene
 /// A mapper of that kind; pre-integration is of the slices alone.
 vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration);
 
-/// About one slice for each two voxels that the usual view meets one behind the other, of the volume
-/// as it stands in the scene: 128 to 1024.
+/// About one slice for each two voxels that the usual view meets one behind the other, of the
+/// volume as it stands in the scene: 128 to 1024.
 int SlicesFor(vtkImageData* placed);
 
 /// Sets the number of slices, or of samples along the longest ray through the volume, whose length
 /// is `diagonal` in scene units.
 void SetSlices(vtkVolumeMapper* mapper, int slices, double diagonal);
 
-/// Draws a volume, not surfaces, in pixels up to 1.5 times as wide as the picture's where each voxel
-/// still has at least 3 of them across: less than half of the work for what cannot be told apart.
+/// Draws a volume, not surfaces, in pixels up to 1.5 times as wide as the picture's where each
+/// voxel still has at least 3 of them across: less than half of the work for what cannot be told
+/// apart.
 void SetPixelSize(vtkVolumeMapper* mapper, double pixelsOfVoxel);
 
 /// Lights the surfaces of a property, or none of it. `shadows`: whether what is drawn has any.

@@ -49,10 +49,11 @@ std::vector<OptionText> AllOptions(const std::string& colours)
     {"--classification", "sampled"}, {"--interpolation", "nearest"}, {"--slices", "512"},
     {"--preset", "storm cores"}, {"--iso-values", "20:0.3,40"}, {"--colours", colours},
     {"--opacities", colours}, {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"},
-    {"--light", "-30,20"}, {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "light"},
-    {"--no-walls", ""}, {"--names", ""}, {"--crop", "-50km,20km,-40km,60km,0km,15km"},
-    {"--clip", "-20km,0km,90,5km,-30"}, {"--section", "-20km,0km,30km,1500m"},
-    {"--box", "-50km,10km,-40500m,20km"}, {"--follow-from", "2006-03-12T18:05:00.000Z"}};
+    {"--light", "-30,20"}, {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "dark"},
+    {"--frame", "domain"}, {"--opacity-distance", "10km"}, {"--no-walls", ""}, {"--names", ""},
+    {"--crop", "-50km,20km,-40km,60km,0km,15km"}, {"--clip", "-20km,0km,90,5km,-30"},
+    {"--section", "-20km,0km,30km,1500m"}, {"--box", "-50km,10km,-40500m,20km"},
+    {"--follow-from", "2006-03-12T18:05:00.000Z"}};
 }
 
 const std::vector<OptionText> mapOptions = {{"--azimuth", "170"}, {"--tilt", "60"},
@@ -163,7 +164,7 @@ TEST(OptionTexts, WrongOptionsAreNamed)
   const std::vector<std::pair<OptionText, std::string>> cases = {
     {{"--colour", "red"}, "--colour: there is no such option"},
     {{"input", "x"}, "input: there is no such option"},
-    {{"--slices", "0"}, "--slices: '0' is no number"},
+    {{"--slices", "0"}, "--slices: '0' is no number of slices"},
     {{"--theme", "blue"}, "--theme: 'blue' is no theme"}, {{"--dims", "1"}, "--dims"},
     {{"--crop", "-98deg,20km,35deg,36deg,0,15km"}, "--crop: '20km': some places"},
     {{"--box", "-98deg,20km,35deg,36deg"}, "--box: '20km': some places"},

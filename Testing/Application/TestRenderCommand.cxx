@@ -94,7 +94,7 @@ TEST(RenderCommand, OneTimeAndTheCamera)
     draw("written.png", {"--iso-values", "20:0.35,35:0.65,50:0.95"}));
   EXPECT_NE(surfaces, draw("shaded-surfaces.png", {"--preset", "iso-values", "--shadow", "0.7"}));
   EXPECT_NE(first, draw("parallel.png", {"--parallel"}));
-  EXPECT_NE(first, draw("light.png", {"--theme", "light"}));
+  EXPECT_NE(first, draw("dark.png", {"--theme", "dark"}));
   EXPECT_NE(first, draw("walls.png", {"--no-walls"}));
 }
 

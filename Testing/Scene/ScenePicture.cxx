@@ -2,6 +2,7 @@
 #include "ScenePicture.h"
 #include "RendererBound.h"
 #include "Tolerance.h"
+#include "vtkNexradVolumeScene.h"
 
 #include <vtkImageData.h>
 #include <vtkPNGReader.h>
@@ -73,6 +74,17 @@ Picture OffScreenWindow::Draw()
   grabber->ReadFrontBufferOff();
   grabber->Update();
   return grabber->GetOutput();
+}
+
+void UseClassicLook(vtkNexradVolumeScene* scene)
+{
+  scene->SetThemeToDark();
+  scene->SetShadowStrength(0.0);
+  scene->SetOcclusionStrength(0.0);
+  scene->SetFraming(vtkNexradVolumeScene::DOMAIN);
+  scene->SetExaggeration(8.0);
+  scene->SetOpacityDistance(5.0);
+  scene->SetNumberOfSlices(256);
 }
 
 std::array<int, 3> PixelOf(const Picture& picture, int x, int y)

@@ -8,6 +8,7 @@
 #include <string>
 
 class vtkImageData;
+class vtkNexradVolumeScene;
 class vtkRenderWindow;
 class vtkRenderer;
 
@@ -30,6 +31,9 @@ public:
 private:
   vtkNew<vtkRenderWindow> window;
 };
+
+/// The look of scene::UseClassicLook, for tests of one thing: no light, no automatic choices.
+void UseClassicLook(vtkNexradVolumeScene* scene);
 
 std::array<int, 3> PixelOf(const Picture& picture, int x, int y);
 

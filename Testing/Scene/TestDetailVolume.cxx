@@ -66,6 +66,7 @@ TEST(DetailVolume, APartInPlaceOfItselfChangesLittle)
   const vtkSmartPointer<vtkImageData> storm = MakeStormVolume(true);
   const vtkSmartPointer<vtkImageData> tower = CutTower();
   vtkNew<vtkNexradVolumeScene> scene;
+  UseClassicLook(scene);
   scene->SetVolume(storm);
   scene->SetNumberOfSlices(1024);
   OffScreenWindow window(scene->GetRenderer(), size);

@@ -36,6 +36,7 @@ class Navigator : public ::testing::Test
 protected:
   void SetUp() override
   {
+    UseClassicLook(scene);
     scene->SetVolume(MakeStormVolume(true));
     scene->SetTilt(25.0);
     window = std::make_unique<OffScreenWindow>(scene->GetRenderer(), size);

@@ -25,6 +25,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 using namespace nexrad;
 using namespace nexrad::scene;
@@ -35,8 +36,16 @@ namespace
 
 constexpr std::array<int, 2> size = {640, 360};
 
+// No light, and no automatic choices.
+SceneOptions Classic()
+{
+  SceneOptions options;
+  UseClassicLook(options);
+  return options;
+}
+
 // Draws a volume, and leaves the picture in the tests' output folder for a person to look at.
-Picture Draw(vtkImageData* volume, const std::string& name, const SceneOptions& options = {},
+Picture Draw(vtkImageData* volume, const std::string& name, const SceneOptions& options = Classic(),
   const CameraView& view = {})
 {
   RadarScene scene(options);
@@ -208,13 +217,13 @@ TEST(Scene, CameraAndExaggerationChangeThePicture)
   const auto volume = MakeStormVolume(false);
   const auto first = Draw(volume, "First");
   EXPECT_EQ(Difference(first, Draw(volume, "FirstAgain")), 0);
-  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Above", {}, {200.0, 90.0, 1.0, false})), 40'000,
-    "pixels changed from above");
-  EXPECT_AT_LEAST(Difference(first, Draw(volume, "East", {}, {90.0, 35.0, 1.0, false})), 30'000,
-    "pixels changed from the east");
-  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Parallel", {}, {200.0, 35.0, 1.0, true})), 30'000,
-    "pixels changed by the parallel projection");
-  SceneOptions flat;
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Above", Classic(), {200.0, 90.0, 1.0, false})),
+    40'000, "pixels changed from above");
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "East", Classic(), {90.0, 35.0, 1.0, false})),
+    30'000, "pixels changed from the east");
+  EXPECT_AT_LEAST(Difference(first, Draw(volume, "Parallel", Classic(), {200.0, 35.0, 1.0, true})),
+    30'000, "pixels changed by the parallel projection");
+  SceneOptions flat = Classic();
   flat.exaggeration = 1.0;
   EXPECT_AT_LEAST(
     Difference(first, Draw(volume, "Flat", flat)), 50'000, "pixels changed by the exaggeration");
@@ -224,7 +233,7 @@ TEST(Scene, CameraAndExaggerationChangeThePicture)
 TEST(Scene, BothMappersDrawTheSameStorm)
 {
   const auto volume = MakeStormVolume(false);
-  SceneOptions rays;
+  SceneOptions rays = Classic();
   rays.mapper = MapperChoice::RayCast;
   const auto sliced = Draw(volume, "Slices");
   EXPECT_AT_MOST(MeanDifference(sliced, Draw(volume, "Rays", rays)), 0.041,
@@ -235,7 +244,7 @@ TEST(Scene, BothMappersDrawTheSameStorm)
 // south west quarter; where the volume was not scanned the ground is grey.
 TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
 {
-  SceneOptions options;
+  SceneOptions options = Classic();
   options.plan = PlanOptions();
   const CameraView above = {180.0, 90.0, 1.0, true};
   GriddedVolume storm = nexrad::testing::MakeStorm(false);
@@ -315,7 +324,7 @@ TEST(Scene, AFileIsDrawnFromItsCodesAsFromItsValues)
 
   const Picture expected = Draw(values, "OfValues");
   EXPECT_GT(Count(expected, withoutBar, IsStrongEcho), 300);
-  RadarSession session(OpenVolumeFiles({index}), {0}, {});
+  RadarSession session(OpenVolumeFiles({index}), {0}, Classic());
   ASSERT_TRUE(session.Show(0));
   session.Scene().SetPictureSize(size);
   const Picture ofSession = OffScreenWindow(session.Scene().GetRenderer(), size).Draw();
@@ -324,6 +333,79 @@ TEST(Scene, AFileIsDrawnFromItsCodesAsFromItsValues)
     EXPECT_AT_MOST(LargestDifference(drawn, expected), 1,
       "largest difference of codes and values, of 255", OneCode);
   }
+}
+
+// The tower, which is lit from the left behind the camera, is as bright in the light as without.
+TEST(Scene, TheLitSideKeepsItsBrightness)
+{
+  const auto volume = MakeStormVolume(false);
+  SceneOptions dark; // its sky and ground are not as bright as echo
+  dark.theme = ThemeChoice::Dark;
+  SceneOptions unlit = dark;
+  unlit.light.shadow = 0.0;
+  unlit.light.occlusion = 0.0;
+  const auto brightest = [](const Picture& picture)
+  {
+    std::vector<int> channels;
+    for (int y = 40; y < 300; ++y)
+    {
+      for (int x = 0; x < 550; ++x)
+      {
+        const auto rgb = PixelOf(picture, x, y);
+        const auto [least, most] = std::minmax_element(rgb.begin(), rgb.end());
+        if (*most - *least > 60)
+        {
+          channels.push_back(*most);
+        }
+      }
+    }
+    std::sort(channels.begin(), channels.end());
+    double sum = 0.0; // of the brighter half
+    for (std::size_t i = channels.size() / 2; i < channels.size(); ++i)
+    {
+      sum += channels[i];
+    }
+    return sum / (0.5 * static_cast<double>(channels.size()));
+  };
+  const double ratio =
+    brightest(Draw(volume, "Lit", dark)) / brightest(Draw(volume, "Unlit", unlit));
+  EXPECT_AT_LEAST(ratio, 0.9, "brightness of the lit half of the echo, part of that without light");
+}
+
+// The frame holds the echo of all times from the first picture on, and stays.
+TEST(Scene, TheFrameOfASeriesStays)
+{
+  const TemporaryFolder folder;
+  const std::filesystem::path index = WriteStormFiles(folder.Path(), 4);
+  RadarSession session(OpenVolumeFiles({index}), {0, 1, 2, 3}, {});
+  ASSERT_TRUE(session.Show(0));
+  const auto framed = session.Scene().Frame().Framed();
+  const double distance = session.Scene().Frame().OpacityDistance();
+  RadarSession first(OpenVolumeFiles({index}), {0}, {});
+  ASSERT_TRUE(first.Show(0));
+  EXPECT_GT(framed[1], first.Scene().Frame().Framed()[1] + 40.0) << "the storm moves 60 km east";
+  for (std::size_t step = 1; step < 4; ++step)
+  {
+    ASSERT_TRUE(session.Show(step));
+    EXPECT_EQ(session.Scene().Frame().Framed(), framed) << step;
+    EXPECT_EQ(session.Scene().Frame().OpacityDistance(), distance) << step;
+  }
+}
+
+// Of a series whose end nobody knows, the frame grows when the echo leaves it, and does not shrink.
+TEST(Scene, AFrameGrowsOnlyWhenEchoLeavesIt)
+{
+  const TemporaryFolder folder;
+  const auto series = OpenVolumeFiles({WriteStormFiles(folder.Path(), 4)});
+  RadarScene scene{SceneOptions()};
+  scene.SetVolume(series->Load(0, {}));
+  const auto first = scene.Frame().Framed();
+  scene.SetVolume(series->Load(3, {}));
+  const auto grown = scene.Frame().Framed();
+  EXPECT_GT(grown[1], first[1]);
+  EXPECT_LE(grown[0], first[0] + 1.0);
+  scene.SetVolume(series->Load(0, {}));
+  EXPECT_EQ(scene.Frame().Framed(), grown);
 }
 
 TEST(Scene, NothingToDrawIsAnError)

@@ -51,15 +51,15 @@ void SetNothing(vtkNexradVolumeScene*) {}
 
 } // namespace
 
-// The picture: the storm, green with a red core, over a map with rings about two radars, with the
-// colour bar at the right and SYNTHETIC above.
+// The picture: the lit storm, green with a red core, and its shadow on a pale map with rings about
+// two radars, with the colour bar at the right and SYNTHETIC above.
 TEST(VolumeScene, DrawsStormMapAndScales)
 {
   ExpectSceneBaseline(
     DrawStorm([](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(100e3); }), "Storm");
 }
 
-// The picture: discs of flat colours in the south west of a dark square, seen from above.
+// The picture: discs of flat colours in the south west of a pale square, seen from above.
 TEST(VolumeScene, DrawsAPlanView)
 {
   const auto set = [](vtkNexradVolumeScene* scene)
@@ -75,6 +75,7 @@ TEST(VolumeScene, DrawsAnotherPresetFromAnotherSide)
 {
   const auto set = [](vtkNexradVolumeScene* scene)
   {
+    UseClassicLook(scene);
     scene->SetPreset("storm cores");
     scene->SetAzimuth(120.0);
     scene->SetTilt(15.0);
@@ -90,6 +91,7 @@ TEST(VolumeScene, DrawsALightTheme)
 {
   const auto set = [](vtkNexradVolumeScene* scene)
   {
+    UseClassicLook(scene);
     scene->SetThemeToLight();
     scene->PlaceNamesOn();
     scene->SetPreset("colour-blind safe");
@@ -135,6 +137,7 @@ double WrongPart(vtkNexradVolumeScene* scene, const Picture& shown, const Pictur
 
 void SeeFromAbove(vtkNexradVolumeScene* scene)
 {
+  UseClassicLook(scene);
   scene->SetCameraFromAbove();
   scene->HeightWallsOff();
 }
@@ -214,6 +217,7 @@ TEST(VolumeScene, PlacesOfTheGroundAndPixelsBelongTogether)
   vtkNew<vtkNexradVolumeScene> scene;
   double place[2];
   EXPECT_FALSE(scene->FindGround(10.0, 10.0, place)) << "before the first picture";
+  UseClassicLook(scene);
   scene->SetVolume(MakeStormVolume(true));
   OffScreenWindow window(scene->GetRenderer(), size);
   window.Draw();
@@ -251,7 +255,10 @@ TEST(VolumeScene, ASettingTakesEffectInTheNextPicture)
     {"classification", [](vtkNexradVolumeScene* scene) { scene->PreIntegrationOff(); }},
     {"slices", [](vtkNexradVolumeScene* scene) { scene->SetNumberOfSlices(11); }},
     {"rings", [](vtkNexradVolumeScene* scene) { scene->SetRingSpacing(50e3); }},
-    {"theme", [](vtkNexradVolumeScene* scene) { scene->SetThemeToLight(); }},
+    {"theme", [](vtkNexradVolumeScene* scene) { scene->SetThemeToDark(); }},
+    {"framing",
+      [](vtkNexradVolumeScene* scene) { scene->SetFraming(vtkNexradVolumeScene::DOMAIN); }},
+    {"opacities", [](vtkNexradVolumeScene* scene) { scene->SetOpacityDistance(20.0); }},
     {"walls", [](vtkNexradVolumeScene* scene) { scene->HeightWallsOff(); }},
     {"shadow", [](vtkNexradVolumeScene* scene) { scene->SetShadowStrength(0.8); }},
     {"occlusion", [](vtkNexradVolumeScene* scene) { scene->SetOcclusionStrength(0.8); }},
@@ -321,6 +328,7 @@ TEST(VolumeScene, TheVolumeShadesTheGround)
     return DrawStorm(
       [=](vtkNexradVolumeScene* scene)
       {
+        UseClassicLook(scene);
         scene->SetCameraFromAbove();
         scene->SetShadowStrength(shadow);
         scene->SetLightAzimuth(225.0);
@@ -354,9 +362,14 @@ TEST(VolumeScene, TheVolumeShadesTheGround)
 // Shadows on surfaces come and go without a trace, and each surface has an opacity of its own.
 TEST(VolumeScene, SurfacesHaveShadowsAndOpacities)
 {
-  const auto useSurfaces = [](vtkNexradVolumeScene* scene) { scene->SetPreset("iso-values"); };
+  const auto useSurfaces = [](vtkNexradVolumeScene* scene)
+  {
+    UseClassicLook(scene);
+    scene->SetPreset("iso-values");
+  };
   const auto useShadows = [](vtkNexradVolumeScene* scene)
   {
+    UseClassicLook(scene);
     scene->SetPreset("iso-values");
     scene->SetShadowStrength(0.8);
     scene->SetOcclusionStrength(0.6);

@@ -116,8 +116,12 @@ PageScene::PageScene(const scene::WebRequest& webRequest, vtkImageData* image)
 {
   frame = scene::FrameVolume(image, scene::MeasureEcho(image, request.scene), request.scene);
   box = frame.Bounds();
-  box[4] /= frame.Exaggeration();
-  box[5] /= frame.Exaggeration();
+  framed = frame.Framed();
+  for (std::array<double, 6>* each : {&box, &framed})
+  {
+    (*each)[4] /= frame.Exaggeration();
+    (*each)[5] /= frame.Exaggeration();
+  }
   array = ToString(volume.moment);
   method = volume.method;
   synthetic = volume.synthetic;
@@ -201,8 +205,9 @@ std::string PageScene::MakeText(const std::vector<PageTime>& times, const std::s
     [&](const Json& preset) { return preset["name"] == presets.all[presets.first].name; });
   Json json = {{"title", scale.title}, {"unit", scale.unit}, {"array", array}, {"method", method},
     {"sites", SitesOf(times)}, {"synthetic", synthetic}, {"masked", code.masked},
-    {"size", this->Size()}, {"box", box}, {"stretch", frame.Exaggeration()},
-    {"camera", this->MakeCamera()}, {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))},
+    {"size", this->Size()}, {"box", box}, {"framed", framed}, {"stretch", frame.Exaggeration()},
+    {"opacityDistance", frame.OpacityDistance()}, {"camera", this->MakeCamera()},
+    {"theme", MakeTheme(scene::ThemeOf(request.scene.theme))},
     {"ground", {ground->GetDimensions()[0], ground->GetDimensions()[1]}}, {"map", this->MakeMap()},
     {"radars", this->MakeRadars(times)}, {"scale", {{"first", code.first}, {"step", code.step}}},
     {"floor", nullptr}, {"presets", offered}, {"preset", shown - offered.begin()},

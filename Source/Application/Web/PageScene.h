@@ -63,7 +63,8 @@ private:
   const scene::WebRequest& request;
   scene::SceneFrame frame;
   vtkSmartPointer<vtkImageData> ground;
-  std::array<double, 6> box{}; ///< km, with heights as they are
+  std::array<double, 6> box{};    ///< of the domain; km, with heights as they are
+  std::array<double, 6> framed{}; ///< the part that the camera looks at, likewise
   std::string array;
   std::string method;
   bool synthetic = false;

@@ -33,7 +33,7 @@ struct vtkTextureSliceShadowSettings
   double Scattering = 0.0;
   std::array<double, 3> ToLight{0, 0, 1};
   std::array<double, 3> Zenith{0, 0, 1};
-  double Density = 1.0; ///< extinction for the light over that for the viewer
+  double Density = 1.0;  ///< extinction for the light over that for the viewer
   double Exposure = 1.0; ///< times what shadow and occlusion leave of a colour, up to all of it
   double Reach = 1.0;    ///< as vtkTextureSliceLightVolume::Lights
   /// Whether the frame is one of an interaction: a change then asks for a coarse volume.
@@ -105,7 +105,7 @@ private:
   /// The strengths with which the texture has shadow and occlusion in one channel, for colours
   /// without shading; (0, 0): it has them in two, as they are.
   std::array<float, 2> Joined{};
-  float Exposure = 1.0f; ///< that the texture has
+  float Exposure = 1.0f;                ///< that the texture has
   std::array<float, 3> ToLight{};       ///< in data coordinates, of length 1; (0, 0, 0): no light
   std::array<float, 3> InverseAspect{}; ///< as the frame's
   std::vector<float> Surfaces;          ///< value, 0 to 1 as in the shader, and what each takes

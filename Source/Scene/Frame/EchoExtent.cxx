@@ -136,11 +136,13 @@ Columns ColumnsOf(vtkImageData* volume, const Extinction& extinction)
     {
       table[code] = extinction.Of(meant->GetComponent(static_cast<vtkIdType>(code), 0));
     }
-    SumVoxels(codes->GetPointer(0), size, [&](unsigned char code) { return table[code]; }, columns);
+    SumVoxels(
+      codes->GetPointer(0), size, [&](unsigned char code) { return table[code]; }, columns);
   }
   else if (auto* floats = vtkFloatArray::SafeDownCast(scalars))
   {
-    SumVoxels(floats->GetPointer(0), size,
+    SumVoxels(
+      floats->GetPointer(0), size,
       [&](float value) { return extinction.Of(static_cast<double>(value)); }, columns);
   }
   return columns;

@@ -50,7 +50,8 @@ std::vector<double> RoundHeights(const SceneFrame& frame)
   const double top = box[5] / frame.Exaggeration();
   // Of a flat frame, numbers at every third of its height would lie on each other.
   constexpr double leastStep = 0.04; // of the frame's width
-  const double least = leastStep * std::max(box[1] - box[0], box[3] - box[2]) / frame.Exaggeration();
+  const double least =
+    leastStep * std::max(box[1] - box[0], box[3] - box[2]) / frame.Exaggeration();
   double step = RoundLength((top - bottom) / 3.0);
   while (step < least && 2.0 * step <= top - bottom)
   {

@@ -38,7 +38,7 @@ export class ScenePicture {
     this.lines = new LinePicture(this.gl, shaders);
     this.ground = new Texture(this.gl, 'picture', scene.ground);
     this.ground.fill(scene.groundTexels);
-    this.volume = new VolumePicture(this.gl, shaders, scene.size, scene.masked);
+    this.volume = new VolumePicture(this.gl, shaders, scene);
     this.groups = [];
     this.scaleGroups = [];
     this.placed = null;
@@ -54,9 +54,8 @@ export class ScenePicture {
     this.canvas.height = this.height;
   }
 
-  // The domain in scene coordinates: west, east, south, north, bottom, top.
-  boxFor(stretch) {
-    const { box } = this.scene;
+  // A box in scene coordinates: west, east, south, north, bottom, top.
+  boxFor(box, stretch) {
     return [...box.slice(0, 4), box[4] * stretch, box[5] * stretch];
   }
 
@@ -72,17 +71,18 @@ export class ScenePicture {
   setStretch(stretch) {
     const { gl, scene } = this;
     this.stretch = stretch;
-    this.box = this.boxFor(stretch);
+    this.box = this.boxFor(scene.box, stretch); // the domain
+    this.framed = this.boxFor(scene.framed, stretch);
     this.groups.forEach((group) => group.free());
     this.groups = ['county', 'state', 'country'].map((kind) => {
-      const z = this.levelOf(kind, this.box);
+      const z = this.levelOf(kind, this.framed);
       return new LineGroup(gl, scene.map[kind].map((line) => pairs(line, z)), scene.theme[kind], lineWidths[kind]);
     });
   }
 
   setScales(view) {
     const { gl, scene } = this;
-    const scales = makeScales(this.box, this.stretch, view, this.textSize);
+    const scales = makeScales(this.framed, this.stretch, view, this.textSize);
     this.scaleGroups.forEach((group) => group.free());
     this.scaleGroups = [
       new LineGroup(gl, scales.edges, scene.theme.frame, 1), new LineGroup(gl, scales.walls, scene.theme.wall, 1),
@@ -106,7 +106,7 @@ export class ScenePicture {
     }, width, height, this.bar.left, this.textSize, scene.theme, this.letters);
   }
 
-  // Places the camera so that the domain fills the picture.
+  // Places the camera so that the frame fills the picture.
   frame(view) {
     this.setScales(view);
     this.placed = frameScene(view, { outline: this.outline, labels: this.labels },
@@ -130,7 +130,7 @@ export class ScenePicture {
     const size = [this.width, this.height];
     const scale = Math.max(1, this.pixelRatio);
     this.lines.draw(this.scaleGroups.slice(0, 2), toClip, size, scale);
-    const ground = [0, 1, 2, 3].map((corner) => [...cornerOf(this.box, corner).slice(0, 2), this.levelOf('ground', this.box)]);
+    const ground = [0, 1, 2, 3].map((corner) => [...cornerOf(this.box, corner).slice(0, 2), this.levelOf('ground', this.framed)]);
     this.lines.drawGround(toClip, ground, this.ground);
     this.lines.draw([...this.scaleGroups, ...this.groups], toClip, size, scale);
     const cutGroup = new LineGroup(gl, state.cutLines, scene.theme.scale, 1);
@@ -145,7 +145,7 @@ export class ScenePicture {
     letters.clear(this.width, this.height);
     this.makeCaptions(state);
     const radius = Math.max(2, 0.19 * this.textSize);
-    const z = this.levelOf('marker', this.box);
+    const z = this.levelOf('marker', this.framed);
     const radars = scene.radars.map(({ name, place }) => this.withStyle({
       text: name, point: [...place, z], gap: radius + 0.35 * this.textSize,
       sides: ['right', 'above right', 'below right', 'left', 'above left', 'below left', 'above', 'below'],

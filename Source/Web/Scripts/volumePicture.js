@@ -5,7 +5,6 @@ import { colourAt, entries, integrate, samples, SurfaceVisibility, Visibility } 
 import { brickSize } from './bricks.js';
 import { divide, subtract } from './vectors.js';
 
-const unitDistance = 5; // km of the stretched scene, to which the opacities of presets belong
 const farCut = [0, 0, 0, 1]; // leaves everything
 
 // The textures of one time.
@@ -40,9 +39,9 @@ function withMask(bytes) {
 }
 
 export class VolumePicture {
-  // `size`: voxels; `masked`: byte 0 is no value.
-  constructor(gl, shaders, size, masked) {
-    Object.assign(this, { gl, shaders, size, masked });
+  // `size`: voxels; `masked`: byte 0 is no value; `opacityDistance`: km of the stretched scene, to which opacities belong.
+  constructor(gl, shaders, { size, masked, opacityDistance }) {
+    Object.assign(this, { gl, shaders, size, masked, opacityDistance });
     this.slots = [new VolumeSlot(gl, size, masked), new VolumeSlot(gl, size, masked)];
     this.integrals = new Texture(gl, 'float4', [entries, 1]);
     this.colours = new Texture(gl, 'float4', [samples, 1]);
@@ -108,7 +107,7 @@ export class VolumePicture {
       rayOriginX: divide(rays.originX, extent), rayOriginY: divide(rays.originY, extent),
       rayDirection: divide(rays.direction, extent),
       rayDirectionX: divide(rays.directionX, extent), rayDirectionY: divide(rays.directionY, extent),
-      cut: cut === null ? farCut : cutInBox(cut, corner, extent), stepVoxels, depthPerKilometre: strength / unitDistance,
+      cut: cut === null ? farCut : cutInBox(cut, corner, extent), stepVoxels, depthPerKilometre: strength / this.opacityDistance,
     });
     if (this.surfaces.length > 0) {
       gl.uniform2fv(program.place('surfaces'), this.surfaces.flatMap(([byte, opacity]) => [byte / 255, opacity]));

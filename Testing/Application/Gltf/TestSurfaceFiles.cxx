@@ -31,7 +31,7 @@ namespace fs = std::filesystem;
 namespace
 {
 
-constexpr double exaggeration = 8.0;
+constexpr double exaggeration = 3.0;
 
 // Writes the surfaces of volumes, without a display.
 ProgramRun WriteSurfaces(
@@ -187,7 +187,7 @@ TEST_F(SurfaceFiles, OptionsOfPicturesCount)
 {
   std::set<std::string> contents;
   const std::vector<std::vector<std::string>> options = {{}, {"--iso-values", "30"},
-    {"--exaggeration", "2"}, {"--theme", "light"}, {"--crop", "-200km,-70km,-200km,200km,0,20km"},
+    {"--exaggeration", "2"}, {"--theme", "dark"}, {"--crop", "-200km,-70km,-200km,200km,0,20km"},
     {"--clip", "-70km,-70km,90"}, {"--section", "-100km,-100km,0km,0km"}, {"--rings", "100km"}};
   for (const auto& some : options)
   {

@@ -178,8 +178,7 @@ void LookPanel::AddDrawing(QFormLayout* form)
   this->AddChoice(
     form, "Slices", "Slices through the volume: more are finer, and take longer", counts,
     [this] { return PlaceOf(scene->GetNumberOfSlices()); },
-    [this](int index)
-    {
+    [this](int index) {
       scene->SetNumberOfSlices(index == 0 ? 0 : sliceCounts[static_cast<std::size_t>(index - 1)]);
     });
   this->AddSwitch(
@@ -197,9 +196,8 @@ void LookPanel::AddDrawing(QFormLayout* form)
     {"Slices", "VTK's ray caster"}, [this] { return scene->GetMapper(); },
     [this](int index) { scene->SetMapper(index); });
   this->AddNumber(
-    form, "Stretch",
-    "How many times heights are stretched; 0: automatic, by the size of the frame", 0.0, 50.0, 0.5,
-    " ×", "automatic", [this] { return scene->GetExaggeration(); },
+    form, "Stretch", "How many times heights are stretched; 0: automatic, by the size of the frame",
+    0.0, 50.0, 0.5, " ×", "automatic", [this] { return scene->GetExaggeration(); },
     [this](double times) { scene->SetExaggeration(times); });
   this->AddChoice(
     form, "Frame", "What fills the view at a magnification of 1: the echo, or the whole domain",
