@@ -75,7 +75,7 @@ void WindowTest::OpenWindow(const std::array<int, 2>& size)
 {
   request.size = size;
   request.pictures = folder.Path();
-  request.scene.framing = scene::FrameChoice::Domain; // tests reach for its faces
+  scene::UseClassicLook(request.scene); // tests reach for the faces of the domain
   window = std::make_unique<MainWindow>(request);
   window->show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(window.get()));

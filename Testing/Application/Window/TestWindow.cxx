@@ -108,10 +108,10 @@ TEST_F(WindowTest, SettingsChangeThePicture)
   EXPECT_AT_LEAST(this->Changes([&] { this->Choose("Preset", 1); }), 0.01,
     "pixels that the preset of the cores changes, part");
   EXPECT_EQ(window->View()->Scene()->GetPreset(), "storm cores");
-  this->Choose("Slices", 4);
+  this->Choose("Slices", 1);
   EXPECT_EQ(window->View()->Scene()->GetNumberOfSlices(), 512);
   EXPECT_AT_LEAST(
-    this->Changes([&] { this->Choose("Theme", -1); }), 0.5, "pixels that the theme changes, part");
+    this->Changes([&] { this->Choose("Theme", 1); }), 0.5, "pixels that the theme changes, part");
   EXPECT_AT_LEAST(this->Changes([&] { this->Choose("Projection", 1); }), 0.02,
     "pixels that parallel projection changes, part");
   auto* stretch = this->Find<QDoubleSpinBox>("Stretch");
