@@ -534,6 +534,8 @@ TEST(TransferFunction, PalTablesNameTheirUnitByTheirScale)
   EXPECT_NEAR(range[0], -90.0 / 1.9426, 1e-12) << "m/s";
   EXPECT_STREQ(read("Scale: 2.23694\n")->GetLabelUnit(), "mph") << "without Units";
   EXPECT_STREQ(read("Units: in\nScale: 0.5\n")->GetLabelUnit(), "in");
+  EXPECT_STREQ(read("Units: \xB0/km\nScale: 2\n")->GetLabelUnit(), "\xEF\xBF\xBD/km")
+    << "a letter of Latin-1 is replaced";
   EXPECT_TRUE(events->warnings.empty());
   EXPECT_STREQ(read("Units: MPH\nScale: 1.94384\n")->GetLabelUnit(), "kt");
   ASSERT_EQ(events->warnings.size(), 1U);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradPaletteStatements.h"
 
+#include <nlohmann/json.hpp>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -102,6 +104,14 @@ std::optional<Statement> ReadColor(const std::string& key, const std::string& re
   return statement;
 }
 
+// Tables are in any encoding: bytes that are no UTF-8 become its replacement character.
+std::string ValidText(const std::string& text)
+{
+  using Json = nlohmann::json;
+  return Json::parse(Json(text).dump(-1, ' ', false, Json::error_handler_t::replace))
+    .get<std::string>();
+}
+
 const Speed* FindSpeed(const std::string& unit)
 {
   const auto found = std::find_if(Speeds().begin(), Speeds().end(),
@@ -183,7 +193,7 @@ private:
     }
     else if (key == "units")
     {
-      Found.Labels.Unit = ToLower(rest) == "dbz" ? "dBZ" : rest;
+      Found.Labels.Unit = ToLower(rest) == "dbz" ? "dBZ" : ValidText(rest);
       unitLine = number;
     }
     else if (key == "rf")
