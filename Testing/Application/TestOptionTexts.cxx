@@ -47,13 +47,13 @@ std::vector<OptionText> AllOptions(const std::string& colours)
   return {{"--size", "900x600"}, {"--azimuth", "123.456"}, {"--tilt", "-20.1"}, {"--zoom", "2.5"},
     {"--look-at", "35.3,-97.25,4km"}, {"--parallel", ""}, {"--mapper", "ray-cast"},
     {"--classification", "sampled"}, {"--interpolation", "nearest"}, {"--slices", "512"},
-    {"--preset", "storm cores"}, {"--iso-values", "20:0.3,40"}, {"--colours", colours},
-    {"--opacities", colours}, {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"},
-    {"--light", "-30,20"}, {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "dark"},
-    {"--frame", "domain"}, {"--opacity-distance", "10km"}, {"--no-walls", ""}, {"--names", ""},
-    {"--crop", "-50km,20km,-40km,60km,0km,15km"}, {"--clip", "-20km,0km,90,5km,-30"},
-    {"--section", "-20km,0km,30km,1500m"}, {"--box", "-50km,10km,-40500m,20km"},
-    {"--follow-from", "2006-03-12T18:05:00.000Z"}};
+    {"--opacity-distance", "10km"}, {"--frame", "domain"}, {"--preset", "storm cores"},
+    {"--iso-values", "20:0.3,40"}, {"--colours", colours}, {"--opacities", colours},
+    {"--colour-by", "VEL"}, {"--shadow", "0.7"}, {"--occlusion", "0.5"}, {"--light", "-30,20"},
+    {"--exaggeration", "2.5"}, {"--rings", "50km"}, {"--theme", "dark"}, {"--no-walls", ""},
+    {"--names", ""}, {"--crop", "-50km,20km,-40km,60km,0km,15km"},
+    {"--clip", "-20km,0km,90,5km,-30"}, {"--section", "-20km,0km,30km,1500m"},
+    {"--box", "-50km,10km,-40500m,20km"}, {"--follow-from", "2006-03-12T18:05:00.000Z"}};
 }
 
 const std::vector<OptionText> mapOptions = {{"--azimuth", "170"}, {"--tilt", "60"},
@@ -104,6 +104,13 @@ TEST(OptionTexts, DefaultsAreLeftOut)
   EXPECT_EQ(Joined(ReadAndWrite({{"--map", "vil-density"}})), "--map=vil-density:18 ");
 }
 
+TEST(OptionTexts, ALookIsWrittenAsTheOptionsThatItSets)
+{
+  EXPECT_EQ(Joined(ReadAndWrite({{"--look", "classic"}})),
+    "--slices=256 --opacity-distance=5km --frame=domain --shadow=0 --occlusion=0 "
+    "--exaggeration=8 --theme=dark ");
+}
+
 TEST(OptionTexts, AllOptionsAreWrittenAsTheyWereRead)
 {
   const TemporaryFolder folder;
@@ -123,6 +130,7 @@ TEST(OptionTexts, NoOptionOfThePictureIsForgotten)
   AddDrawingOptions(command, request);
   std::vector<OptionText> known = AllOptions("x");
   known.insert(known.end(), mapOptions.begin(), mapOptions.end());
+  known.push_back({"--look", "classic"}); // is written as the options that it sets
   for (const CLI::Option* option : command.get_options())
   {
     const std::string name = "--" + option->get_lnames().front();
