@@ -33,9 +33,10 @@ Bytes Wrap(unsigned container, const Bytes& start, const Bytes& repeated)
     return Gzip(Join({Gzip(start), GzipOfRepeated(piece, count)}));
   case 2:
   {
-    // A record cannot be repeated within: as many records as bytes of the file are wanted.
+    // A record cannot be repeated within: as many records as bytes of the file are wanted. They are
+    // compressed together, because what a file may cost grows with its stored bytes.
     const Bytes record = MakeLdmRecord(piece);
-    return Join({Gzip(start), GzipOfRepeated(record, filledBytes / 4 / record.size())});
+    return Gzip(Join({start, Repeat(record, filledBytes / 4 / record.size())}));
   }
   default:
     return Join({start, Repeat(MakeLdmRecord(piece), 60)});
