@@ -60,8 +60,8 @@ void Add(const std::vector<float>& values, const std::vector<VoxelState>& states
   }
 }
 
-// How much must be shown, as a sum of opacities over the voxels: in 256 × 256 columns fifteen voxels
-// of 35 dBZ, or a hundred of the weakest rain.
+// How much must be shown, as a sum of opacities over the voxels: in 256 × 256 columns fifteen
+// voxels of 35 dBZ, or a hundred of the weakest rain.
 double Enough(vtkImageData* volume)
 {
   constexpr double ofColumn = 5e-5;
