@@ -32,6 +32,12 @@ vtkSmartPointer<vtkNexradTransferFunction> PresetOf(
                                               : function;
 }
 
+// Whether the frame or the opacities go by the echo.
+bool NeedsEcho(const SceneOptions& options)
+{
+  return !options.plan && (options.framing == FrameChoice::Echo || !options.opacityDistance);
+}
+
 void AddMargin(Box& box)
 {
   constexpr double part = 0.04;
@@ -89,7 +95,7 @@ Box Around(const EchoExtent& echo, const SceneFrame& frame, const std::vector<st
 
 std::optional<EchoExtent> MeasureEcho(vtkImageData* volume, const SceneOptions& options)
 {
-  return options.plan ? std::nullopt : FindExtent(volume, PresetOf(options, ArrayOf(volume)));
+  return NeedsEcho(options) ? FindExtent(volume, PresetOf(options, ArrayOf(volume))) : std::nullopt;
 }
 
 void ForFraming(VolumeSeries& series, const std::vector<std::size_t>& steps,
@@ -117,7 +123,7 @@ std::optional<EchoExtent> MeasureSeries(
   VolumeSeries& series, const std::vector<std::size_t>& steps, const SceneOptions& options)
 {
   std::optional<EchoExtent> all;
-  if (!options.plan)
+  if (NeedsEcho(options))
   {
     ForFraming(series, steps,
       [&](vtkImageData* volume)

@@ -4,6 +4,7 @@
 #include "Scene/Cutting/CutOptions.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/Frame/LightOptions.h"
+#include "Scene/Frame/SceneFrame.h"
 #include "Scene/Plan/PlanOptions.h"
 
 #include <filesystem>
@@ -68,7 +69,7 @@ struct SceneOptions
   bool linearInterpolation =
     true;                    ///< between voxels; else each place has its nearest voxel's value
   std::optional<int> slices; ///< or samples along the longest ray, from 1 on; empty: about one for
-                             ///< each voxel along the view
+                             ///< each two voxels along the view
   std::optional<double> opacityDistance; ///< km of the scene to which opacities belong, above 0;
                                          ///< empty: OpacityDistanceOf the echo
   FrameChoice framing = FrameChoice::Echo;
@@ -90,7 +91,7 @@ inline void UseClassicLook(SceneOptions& options)
   options.light.occlusion = 0.0;
   options.framing = FrameChoice::Domain;
   options.exaggeration = 8.0;
-  options.opacityDistance = 5.0;
+  options.opacityDistance = OpacityUnitDistance;
   options.slices = 256;
 }
 

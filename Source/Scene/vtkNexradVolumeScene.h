@@ -320,7 +320,7 @@ public:
   ///@{
   /**
    * Slices, or samples along the longest ray. From 1 to 16384; 0, the default, takes about one for
-   * each voxel along the view.
+   * each two voxels along the view.
    */
   vtkSetClampMacro(NumberOfSlices, int, 0, 16384);
   vtkGetMacro(NumberOfSlices, int);

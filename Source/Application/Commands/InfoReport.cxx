@@ -117,8 +117,8 @@ Json MakeCuts(const RadarVolume& volume)
   for (const VolumeCuts& cuts : volume.cuts)
   {
     volumes.push_back({{"vcp", OrNull(cuts.patternNumber)}, {"expected", OrNull(cuts.expected)},
-      {"missing", cuts.missing}, {"excerpt", cuts.excerpt}, {"not_scanned", cuts.notScanned}, {"repeated", cuts.repeated},
-      {"end", ToString(cuts.end)}});
+      {"missing", cuts.missing}, {"excerpt", cuts.excerpt}, {"not_scanned", cuts.notScanned},
+      {"repeated", cuts.repeated}, {"end", ToString(cuts.end)}});
   }
   return volumes;
 }

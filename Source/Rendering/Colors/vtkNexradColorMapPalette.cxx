@@ -20,28 +20,6 @@ constexpr double highestByte = 255.0;
 using Statement = vtkNexradPaletteStatement;
 using Node = vtkNexradColorMap::Node;
 
-std::vector<double> ReadNumbers(const std::string& text, bool& complete)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  std::vector<double> numbers;
-  double number = 0.0;
-  while (stream >> number)
-  {
-    numbers.push_back(number);
-  }
-  complete = stream.eof();
-  return numbers;
-}
-
-std::string Trim(const std::string& text)
-{
-  const char* blanks = " \t\r";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? std::string()
-                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
 vtkNexradColorMap::Color RedGreenBlue(const Statement::Color& color)
 {
   return {color[0], color[1], color[2]};
@@ -318,26 +296,27 @@ std::string ParseTable(const std::string& text, vtkNexradColorMap& map)
   std::vector<Statement> statements;
   for (int number = 2; std::getline(lines, line); ++number)
   {
-    const std::string content = Trim(line);
+    const std::string content = vtkNexradTrimmed(line);
     if (content.empty())
     {
       continue;
     }
     const std::size_t comma = content.find(',');
-    bool complete = false;
-    const std::vector<double> value = ReadNumbers(content.substr(0, comma), complete);
-    const auto color =
-      comma == std::string::npos ? std::nullopt : ParseHexColor(Trim(content.substr(comma + 1)));
-    if (!complete || value.size() != 1 || !color ||
-        !(std::abs(value[0]) <= vtkNexradColorMap::LargestPlace) ||
-        (!statements.empty() && !vtkNexradColorMap::IsAbove(value[0], statements.back().From)))
+    const auto value = vtkNexradReadNumbers(content.substr(0, comma));
+    const auto color = comma == std::string::npos
+                         ? std::nullopt
+                         : ParseHexColor(vtkNexradTrimmed(content.substr(comma + 1)));
+    if (!value || value->size() != 1 || !color ||
+        !(std::abs(value->front()) <= vtkNexradColorMap::LargestPlace) ||
+        (!statements.empty() &&
+          !vtkNexradColorMap::IsAbove(value->front(), statements.back().From)))
     {
       return vtkNexradPaletteLine(number,
         "'" + content + "' is no row of a colour table; write an ascending value in dBZ and a " +
           "colour, as in 20,#02fd02");
     }
     Statement statement;
-    statement.From = value[0];
+    statement.From = value->front();
     statement.Solid = true;
     statement.Lower = {(*color)[0], (*color)[1], (*color)[2], 1.0};
     statements.push_back(statement);

@@ -41,30 +41,6 @@ std::string ToLower(std::string text)
   return text;
 }
 
-std::string Trim(const std::string& text)
-{
-  const char* blanks = " \t";
-  const std::size_t first = text.find_first_not_of(blanks);
-  return first == std::string::npos ? std::string()
-                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
-}
-
-// Empty when the text holds anything else.
-std::optional<std::vector<double>> ReadNumbers(const std::string& text)
-{
-  std::istringstream stream(text);
-  stream.imbue(std::locale::classic());
-  std::vector<double> numbers;
-  double number = 0.0;
-  while (stream >> number)
-  {
-    numbers.push_back(number);
-  }
-  const bool finite =
-    std::all_of(numbers.begin(), numbers.end(), [](double each) { return std::isfinite(each); });
-  return stream.eof() && finite ? std::optional(numbers) : std::nullopt;
-}
-
 using Numbers = std::vector<double>::const_iterator;
 
 bool AreBytes(Numbers from, Numbers to)
@@ -83,7 +59,7 @@ Statement::Color ColorOf(Numbers from, std::size_t channels)
 // Value, colour and perhaps a second colour; empty when the numbers are not that.
 std::optional<Statement> ReadColor(const std::string& key, const std::string& rest)
 {
-  const auto numbers = ReadNumbers(rest);
+  const auto numbers = vtkNexradReadNumbers(rest);
   const std::size_t channels = key.back() == '4' ? 4 : 3;
   const bool two = numbers && numbers->size() == 1 + 2 * channels;
   if (!numbers || !(two || numbers->size() == 1 + channels) ||
@@ -140,7 +116,7 @@ public:
   void Read(const std::string& line)
   {
     ++number;
-    content = Trim(line.substr(0, line.find(';')));
+    content = vtkNexradTrimmed(line.substr(0, line.find(';')));
     if (content.empty())
     {
       return;
@@ -151,7 +127,8 @@ public:
       this->PassOver("is no statement; write 'Color: 20 2 253 2'");
       return;
     }
-    this->ReadStatement(ToLower(Trim(content.substr(0, colon))), Trim(content.substr(colon + 1)));
+    this->ReadStatement(ToLower(vtkNexradTrimmed(content.substr(0, colon))),
+      vtkNexradTrimmed(content.substr(colon + 1)));
   }
 
   // A bar that called knots miles an hour would be read wrongly: the scale decides.
@@ -223,7 +200,7 @@ private:
   void SetNumber(const std::string& key, const std::string& rest)
   {
     constexpr double mostDecimals = 6.0;
-    const auto numbers = ReadNumbers(rest);
+    const auto numbers = vtkNexradReadNumbers(rest);
     if (!numbers || numbers->size() != 1)
     {
       this->PassOver("must hold one number");
@@ -255,7 +232,7 @@ private:
 
   void SetRangeFolded(const std::string& rest)
   {
-    const auto numbers = ReadNumbers(rest);
+    const auto numbers = vtkNexradReadNumbers(rest);
     if (!numbers || numbers->size() < 3 || !AreBytes(numbers->begin(), numbers->end()))
     {
       this->PassOver("must hold three numbers from 0 to 255");
@@ -286,6 +263,29 @@ std::string Plain(const std::string& text)
 }
 
 } // namespace
+
+std::string vtkNexradTrimmed(const std::string& text)
+{
+  const char* blanks = " \t\r";
+  const std::size_t first = text.find_first_not_of(blanks);
+  return first == std::string::npos ? std::string()
+                                    : text.substr(first, text.find_last_not_of(blanks) - first + 1);
+}
+
+std::optional<std::vector<double>> vtkNexradReadNumbers(const std::string& text)
+{
+  std::istringstream stream(text);
+  stream.imbue(std::locale::classic());
+  std::vector<double> numbers;
+  double number = 0.0;
+  while (stream >> number)
+  {
+    numbers.push_back(number);
+  }
+  const bool finite =
+    std::all_of(numbers.begin(), numbers.end(), [](double each) { return std::isfinite(each); });
+  return stream.eof() && finite ? std::optional(numbers) : std::nullopt;
+}
 
 std::string vtkNexradPaletteLine(int number, const std::string& what)
 {

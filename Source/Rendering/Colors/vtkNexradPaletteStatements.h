@@ -35,6 +35,12 @@ struct vtkNexradPaletteStatements
 /// Reads the lines; in any order, keys in any case, text behind a semicolon is a comment.
 vtkNexradPaletteStatements vtkNexradReadPaletteStatements(const std::string& text);
 
+/// A text of a table without the blanks at its ends.
+std::string vtkNexradTrimmed(const std::string& text);
+
+/// The finite numbers of such a text; empty when it holds anything else.
+std::optional<std::vector<double>> vtkNexradReadNumbers(const std::string& text);
+
 /// "line 3: what".
 std::string vtkNexradPaletteLine(int number, const std::string& what);
 

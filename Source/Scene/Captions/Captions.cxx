@@ -10,7 +10,6 @@ namespace
 {
 
 constexpr char warningWord[] = "SYNTHETIC";
-constexpr double mostEcho = 0.5; // part of the echo from which on captions name it
 
 // Breaks words into lines of a width in pixels.
 std::string Wrap(const std::vector<std::string>& words, double width, const TextStyle& style,
@@ -145,7 +144,7 @@ std::vector<std::string> SiteWords(const CaptionTexts& texts)
     words.push_back(word + (texts.ages.empty() || last ? "" : ","));
   }
   const double share = texts.information.biologicalShare;
-  if (share > mostEcho)
+  if (share > MostlyBiological)
   {
     AddPhrase(
       std::to_string(std::lround(100.0 * share)) + " % of the echo is biological (birds, insects)",

@@ -21,8 +21,6 @@ namespace nexrad::scene
 namespace
 {
 
-constexpr double mostEcho = 0.5; // part of the echo from which on words name it
-
 // Which of a volume's voxels along an axis lie between two places: from the first to before the
 // second.
 std::array<int, 2> VoxelsBetween(vtkImageData* volume, int axis, double from, double to)
@@ -111,9 +109,9 @@ std::string WordsForTheRest(const EchoShown& found, const std::string& array,
   if (reflectivity)
   {
     constexpr double weakest = 5.0; // dBZ: the weather service's colours begin there
-    const char* kind = biologicalShare > mostEcho ? "biological echo"
-                       : found.highest < weakest  ? "clear-air echo"
-                                                  : "echo";
+    const char* kind = biologicalShare > MostlyBiological ? "biological echo"
+                       : found.highest < weakest          ? "clear-air echo"
+                                                          : "echo";
     words = std::string(kind) + " up to " + Text(found.highest) + " " + unit;
   }
   else

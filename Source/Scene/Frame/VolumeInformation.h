@@ -14,6 +14,9 @@ class vtkImageData;
 namespace nexrad::scene
 {
 
+/// The part of the echo from which on words say that it is biological.
+constexpr double MostlyBiological = 0.5;
+
 /// What the field data of a merged volume say about it.
 struct VolumeInformation
 {

@@ -53,51 +53,34 @@ int TexelsOf(double length, double longest, int longSide)
   return texelsPerShade * std::max(1, static_cast<int>(std::lround(shades)));
 }
 
-// Shades between those of cells.
-class ShadeReader
+float Between(float from, float to, float share)
 {
-public:
-  ShadeReader(const std::vector<float>& theShades, int theColumns, int theRows)
-    : shades(theShades)
-    , columns(theColumns)
-    , rows(theRows)
-  {
-  }
-
-  double At(int texelColumn, int texelRow) const
-  {
-    const auto [left, right, x] = Between(texelColumn, columns);
-    const auto [below, above, y] = Between(texelRow, rows);
-    const auto along = [&, left = left, right = right, x = x](int row)
-    { return (1.0 - x) * this->Shade(left, row) + x * this->Shade(right, row); };
-    return (1.0 - y) * along(below) + y * along(above);
-  }
-
-private:
-  struct Neighbours
-  {
-    int before, after;
-    double share;
-  };
-
-  static Neighbours Between(int texel, int count)
-  {
-    const double place = std::clamp((texel + 0.5) / texelsPerShade - 0.5, 0.0, count - 1.0);
-    const int before = static_cast<int>(place);
-    return {before, std::min(before + 1, count - 1), place - before};
-  }
-
-  double Shade(int column, int row) const
-  {
-    return shades[static_cast<std::size_t>(row) * columns + column];
-  }
-
-  const std::vector<float>& shades;
-  int columns;
-  int rows;
-};
+  return from + share * (to - from);
+}
 
 } // namespace
+
+std::vector<CellPlace> PlacesAmong(int cells, int coarser, double part)
+{
+  std::vector<CellPlace> places;
+  for (int cell = 0; cell < cells; ++cell)
+  {
+    const double place =
+      std::clamp((cell + 0.5) / cells * part * coarser - 0.5, 0.0, coarser - 1.0);
+    const int before = static_cast<int>(place);
+    places.push_back(
+      {before, std::min(before + 1, coarser - 1), static_cast<float>(place - before)});
+  }
+  return places;
+}
+
+float ValueAt(const std::vector<float>& values, int columns, const CellPlace& x, const CellPlace& y)
+{
+  const float* below = values.data() + static_cast<std::size_t>(y.before) * columns;
+  const float* above = values.data() + static_cast<std::size_t>(y.after) * columns;
+  return Between(Between(below[x.before], below[x.after], x.share),
+    Between(above[x.before], above[x.after], x.share), y.share);
+}
 
 vtkSmartPointer<vtkImageData> MakeGroundPicture(
   const SceneFrame& frame, const Theme& theme, int longSide)
@@ -118,16 +101,19 @@ vtkSmartPointer<vtkImageData> MakeGroundPicture(
   const HeightGrid ground =
     MakeHeightGrid(frame, elevations, columns / texelsPerShade, rows / texelsPerShade);
   const std::vector<float> shades = ShadeRelief(ground, LightDirection());
-  const ShadeReader shade(shades, ground.columns, ground.rows);
+  const std::vector<CellPlace> acrossX = PlacesAmong(columns, ground.columns);
+  const std::vector<CellPlace> acrossY = PlacesAmong(rows, ground.rows);
   auto picture = MakePicture(columns, rows);
   auto* texel = static_cast<unsigned char*>(picture->GetScalarPointer());
   auto onLand = land.begin();
-  for (int row = 0; row < rows; ++row)
+  for (const CellPlace& y : acrossY)
   {
-    for (int column = 0; column < columns; ++column)
+    for (const CellPlace& x : acrossX)
     {
-      *onLand++ != 0 ? Paint(texel, theme.ground, 1.0 + theme.relief * shade.At(column, row))
-                     : Paint(texel, theme.water, 1.0);
+      *onLand++ != 0
+        ? Paint(texel, theme.ground,
+            1.0 + theme.relief * static_cast<double>(ValueAt(shades, ground.columns, x, y)))
+        : Paint(texel, theme.water, 1.0);
     }
   }
   return picture;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/GroundShadow.h"
 
+#include "Scene/Map/GroundPicture.h"
+
 #include <vtkActor.h>
 #include <vtkDataArray.h>
 #include <vtkImageData.h>
@@ -35,33 +37,6 @@ std::vector<float> BrightnessOf(vtkImageData* light, const LightOptions& options
     brightness[i] = static_cast<float>(ofLight * ofSky);
   }
   return brightness;
-}
-
-// Where a cell of a picture lies among coarser texels: those on both sides of its middle.
-struct Place
-{
-  int before, after;
-  float share; // of the later one
-};
-
-// The places of all cells along an axis. The last texel may stand for fewer voxels than the others:
-// the voxels take `part` of the length of all texels.
-std::vector<Place> PlacesOf(int cells, int texels, double part)
-{
-  std::vector<Place> places;
-  for (int cell = 0; cell < cells; ++cell)
-  {
-    const double place = std::clamp((cell + 0.5) / cells * part * texels - 0.5, 0.0, texels - 1.0);
-    const int before = static_cast<int>(place);
-    places.push_back(
-      {before, std::min(before + 1, texels - 1), static_cast<float>(place - before)});
-  }
-  return places;
-}
-
-float Between(float from, float to, float share)
-{
-  return from + share * (to - from);
 }
 
 // The cell of a picture of `from` cells in place of one of `to` cells.
@@ -113,13 +88,13 @@ void GroundShadow::Fill(vtkImageData* light, const LightOptions& options, vtkIma
   const int* colours = picture->GetDimensions();
   const int* texels = light->GetDimensions();
   std::array<int, 2> size{};
-  std::array<std::vector<Place>, 2> places;
+  std::array<std::vector<CellPlace>, 2> places;
   for (int axis = 0; axis < 2; ++axis)
   {
     size[axis] = std::max(colours[axis], texels[axis]);
     const double part = volume->GetDimensions()[axis] * volume->GetSpacing()[axis] /
                         (texels[axis] * light->GetSpacing()[axis]);
-    places[axis] = PlacesOf(size[axis], texels[axis], part);
+    places[axis] = PlacesAmong(size[axis], texels[axis], part);
   }
   image->SetDimensions(size[0], size[1], 1);
   image->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
@@ -128,15 +103,10 @@ void GroundShadow::Fill(vtkImageData* light, const LightOptions& options, vtkIma
   auto* texel = static_cast<unsigned char*>(image->GetScalarPointer());
   for (int row = 0; row < size[1]; ++row)
   {
-    const Place& y = places[1][row];
-    const float* below = brightness.data() + static_cast<std::size_t>(y.before) * texels[0];
-    const float* above = brightness.data() + static_cast<std::size_t>(y.after) * texels[0];
     const unsigned char* line = from + 3 * SameCell(row, size[1], colours[1]) * colours[0];
     for (int column = 0; column < size[0]; ++column)
     {
-      const Place& x = places[0][column];
-      const float left = Between(Between(below[x.before], below[x.after], x.share),
-        Between(above[x.before], above[x.after], x.share), y.share);
+      const float left = ValueAt(brightness, texels[0], places[0][column], places[1][row]);
       const unsigned char* colour = line + 3 * SameCell(column, size[0], colours[0]);
       for (int channel = 0; channel < 3; ++channel)
       {
