@@ -152,6 +152,8 @@ void RadarScene::SetTransferFunction(
 void RadarScene::ShowVolume(bool shown)
 {
   volume->SetVisibility(shown ? 1 : 0);
+  this->LookForEcho();
+  this->DrawCaptions();
 }
 
 void RadarScene::TransferFunctionChanged()
@@ -308,11 +310,11 @@ void RadarScene::SetCut(const CutOptions& cut)
   }
 }
 
-// An empty box says why it is empty.
+// An empty box says why it is empty; where the volume is hidden, it is not seen for another reason.
 void RadarScene::LookForEcho()
 {
   nothing.clear();
-  if (shownData && !options.plan)
+  if (shownData && volume->GetVisibility() != 0 && !options.plan)
   {
     const PresetWords words = options.namesOptions ? PresetWords::Option : PresetWords::Setting;
     nothing =

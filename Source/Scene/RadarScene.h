@@ -75,7 +75,8 @@ public:
   /// Throws Error for whatever a scene with these options would throw for in SetVolume.
   static void Check(const SceneOptions& options, vtkImageData* volume);
 
-  /// Hides the volume, and shows it again; the map and the letters stay.
+  /// Hides the volume and the words where no echo is seen, and shows them again; map and captions
+  /// stay.
   void ShowVolume(bool shown);
 
   /// Brings the volume into texture memory now, rather than when it is drawn; the renderer must be

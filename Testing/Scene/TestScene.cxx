@@ -309,6 +309,21 @@ TEST(Scene, AVolumeThatChangesIsDrawnAnew)
   EXPECT_EQ(Count(window.Draw(), withoutBar, IsStrongEcho), 0);
 }
 
+// Words say why an empty volume shows nothing; where the volume is hidden, they would be wrong.
+TEST(Scene, AHiddenVolumeIsNotCalledEmpty)
+{
+  RadarScene scene{Classic()};
+  scene.SetPictureSize(size);
+  scene.SetVolume(MakeEmptyVolume());
+  OffScreenWindow window(scene.GetRenderer(), size);
+  const Picture said = window.Draw();
+  scene.ShowVolume(false);
+  const Picture silent = window.Draw();
+  EXPECT_GT(LargestDifference(said, silent), 100);
+  scene.ShowVolume(true);
+  EXPECT_EQ(LargestDifference(said, window.Draw()), 0);
+}
+
 // What the program shows of a series of files, read as codes, beside the values read from the same
 // file: at most one of 255 apart.
 TEST(Scene, AFileIsDrawnFromItsCodesAsFromItsValues)

@@ -59,7 +59,7 @@ def actor_of(mesh):
 def main():
     given = arguments()
     renderer = vtkRenderer()
-    renderer.SetBackground(0.03, 0.036, 0.046)
+    renderer.SetBackground(0.93, 0.95, 0.98)
     renderer.SetUseDepthPeeling(True)  # surfaces behind each other
     renderer.SetMaximumNumberOfPeels(20)
     renderer.SetOcclusionRatio(0.0)

@@ -116,7 +116,7 @@ def main():
     caption.SetInput(f"Grey: azimuthal shear of {shear:g}/s and more")
     caption.SetPosition(26, 606)
     caption.GetTextProperty().SetFontSize(18)
-    caption.GetTextProperty().SetColor(0.85, 0.85, 0.85)
+    caption.GetTextProperty().SetColor(0.3, 0.3, 0.3)
     scene.GetRenderer().AddActor(caption)
     window.Render()
 

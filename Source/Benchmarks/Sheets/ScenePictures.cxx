@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Sheets/ScenePictures.h"
 
+#include "Scene/EchoFraming.h"
+
 #include <vtkImageData.h>
 
 namespace nexrad::scene
@@ -23,6 +25,11 @@ ScenePictures::ScenePictures(const CameraView& view, const std::array<int, 2>& s
   , window(scene, size)
 {
   scene.SetCamera(view);
+}
+
+void ScenePictures::HoldEchoOf(VolumeSeries& series, const std::vector<std::size_t>& steps)
+{
+  scene.HoldEcho(MeasureSeries(series, steps, SampledOptions()));
 }
 
 vtkSmartPointer<vtkImageData> ScenePictures::DrawWithoutVolume()

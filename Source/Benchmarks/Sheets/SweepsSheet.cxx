@@ -69,6 +69,7 @@ vtkSmartPointer<vtkImageData> DrawLayers(const std::vector<SweepLayer>& layers, 
   ScenePictures pictures(view, size);
   RadarScene& scene = pictures.Scene();
   scene.SetVolume(domain);
+  scene.ShowVolume(false); // the layers are what is seen
   vtkNew<vtkColorTransferFunction> colours;
   scene.TransferFunction()->FillSteppedColorFunction(colours);
   SweepStyle style{colours, least, scene.Frame().Exaggeration()};

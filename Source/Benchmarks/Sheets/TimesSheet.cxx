@@ -111,7 +111,9 @@ Sheet DrawTimesSheet(const SheetSource& source)
     {}};
   std::vector<SheetPanel> panels;
   const Duration step = source.request.grid.step.value_or(DefaultStep);
-  for (const std::size_t index : ChooseTimesOfDay(series->Times(), step))
+  const std::vector<std::size_t> chosen = ChooseTimesOfDay(series->Times(), step);
+  pictures.HoldEchoOf(*series, chosen);
+  for (const std::size_t index : chosen)
   {
     const Time time = series->Times()[index];
     const vtkSmartPointer<vtkImageData> volume = series->Load(index, {});
