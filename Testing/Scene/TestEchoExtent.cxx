@@ -13,6 +13,7 @@
 #include <vtkImageData.h>
 #include <vtkNew.h>
 
+#include <algorithm>
 #include <cmath>
 
 using namespace nexrad;
@@ -40,6 +41,28 @@ void SetEcho(GriddedVolume& volume, int x, int y, int z, float value)
   volume.states[voxel] = VoxelState::Echo;
 }
 
+// Echo of 35 dBZ in 3 × 3 columns about one, up to a layer.
+void AddCell(GriddedVolume& volume, int x, int y, int layers)
+{
+  for (int i = 0; i < 9 * layers; ++i)
+  {
+    SetEcho(volume, x - 1 + i % 3, y - 1 + i / 3 % 3, i / 9, 35.0F);
+  }
+}
+
+// A storm in the middle as large as 24 of these cells.
+GriddedVolume MakeWideStorm()
+{
+  GriddedVolume volume = MakeStorm(false);
+  std::fill(volume.values.begin(), volume.values.end(), volume.fill);
+  std::fill(volume.states.begin(), volume.states.end(), VoxelState::NoEcho);
+  for (int cell = 0; cell < 24; ++cell)
+  {
+    AddCell(volume, 17 + 3 * (cell % 6), 18 + 3 * (cell / 6), 8);
+  }
+  return volume;
+}
+
 } // namespace
 
 // The storm of 62 dBZ about 80 km west and south of the centre.
@@ -62,6 +85,23 @@ TEST(EchoExtent, SpecksDoNotDecide)
   SetEcho(specked, 1, 47, 12, 35.0F);
   SetEcho(specked, 47, 1, 15, 35.0F);
   EXPECT_EQ(ExtentOf(specked).box, without.box);
+}
+
+// Cells in the corners of the domain, each with 1 in 30 of the echo, widen the frame neither alone
+// nor together. A second storm with a fifth of the echo does.
+TEST(EchoExtent, DistantCellsDoNotDecideTogether)
+{
+  const EchoExtent alone = ExtentOf(MakeWideStorm());
+  GriddedVolume cells = MakeWideStorm();
+  GriddedVolume storms = MakeWideStorm();
+  for (int i = 0; i < 6; ++i)
+  {
+    AddCell(cells, i % 2 == 0 ? 2 : 45, i < 2 ? 2 : (i < 4 ? 24 : 45), 8);
+    AddCell(storms, 38 + 3 * (i % 3), 42 + 3 * (i / 3), 8);
+  }
+  EXPECT_EQ(ExtentOf(cells).box, alone.box);
+  EXPECT_GE(ExtentOf(storms).box[1], 210e3);
+  EXPECT_GE(ExtentOf(storms).box[3], 210e3);
 }
 
 TEST(EchoExtent, NothingIsFoundWithoutVisibleEcho)

@@ -295,11 +295,15 @@ Strip BestStrip(const std::vector<double>& seen, const std::array<int, 2>& count
 // The columns that are framed.
 Rectangle FindRectangle(const std::vector<double>& seen, const std::array<int, 2>& count)
 {
-  constexpr double mayLose = 0.15;
+  // A storm with more of the echo is not left out, but several smaller ones may be.
+  constexpr double mayLoseAtOnce = 0.15;
+  constexpr double mayLose = 0.25;
   Rectangle rectangle = {0, count[0], 0, count[1]};
-  double left = mayLose * SumOf(seen, count, rectangle);
-  for (Strip strip = BestStrip(seen, count, rectangle, left); strip.gain > 0.0;
-       strip = BestStrip(seen, count, rectangle, left))
+  const double all = SumOf(seen, count, rectangle);
+  double left = mayLose * all;
+  const auto next = [&]
+  { return BestStrip(seen, count, rectangle, std::min(left, mayLoseAtOnce * all)); };
+  for (Strip strip = next(); strip.gain > 0.0; strip = next())
   {
     rectangle = strip.left;
     left -= strip.lost;

@@ -26,10 +26,10 @@ struct EchoExtent
 /// The middle optical depth of a line of EchoExtent::Depths, with opacities of OpacityUnitDistance.
 double DepthOf(std::size_t line);
 
-/// The echo of a volume as those opacities show it. The box holds at least 17/20 of what a view
-/// from above shows: strips at its sides with much less echo than the rest, and regions of less
-/// than 1 in 200 of the echo, are left out, so that neither specks nor a distant shower decide.
-/// Nothing where no echo is seen.
+/// The echo of a volume as those opacities show it. The box holds at least 3/4 of what a view from
+/// above shows: strips at its sides with much less echo than the rest, each with at most 3/20 of
+/// the echo, and regions of less than 1 in 200, are left out, so that neither specks nor distant
+/// showers decide. Nothing where no echo is seen.
 std::optional<EchoExtent> FindExtent(vtkImageData* volume, vtkNexradTransferFunction* opacities);
 
 /// What holds both.
