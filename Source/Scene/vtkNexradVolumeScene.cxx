@@ -401,11 +401,9 @@ void vtkNexradVolumeScene::AddToFrame(vtkImageData* volume)
 {
   try
   {
-    std::optional<EchoExtent>& held = this->Drawn->held;
+    const std::optional<EchoExtent>& held = this->Drawn->held;
     const auto echo = nexrad::scene::MeasureEcho(volume, Drawing::OptionsOf(this));
-    held = held && echo ? nexrad::scene::Join(*held, *echo) : (echo ? echo : held);
-    this->Drawn->HoldEcho();
-    this->Modified();
+    this->HoldEcho(held && echo ? nexrad::scene::Join(*held, *echo) : (echo ? echo : held));
   }
   catch (const std::exception& error)
   {
@@ -415,7 +413,12 @@ void vtkNexradVolumeScene::AddToFrame(vtkImageData* volume)
 
 void vtkNexradVolumeScene::ClearFrame()
 {
-  this->Drawn->held.reset();
+  this->HoldEcho(std::nullopt);
+}
+
+void vtkNexradVolumeScene::HoldEcho(const std::optional<EchoExtent>& echo)
+{
+  this->Drawn->held = echo;
   this->Drawn->HoldEcho();
   this->Modified();
 }
@@ -533,6 +536,16 @@ bool vtkNexradVolumeScene::VolumeToScene(const double point[3], double scenePoin
   {
     const auto place = this->Drawn->scene->Frame().ToScene({point[0], point[1], point[2]});
     std::copy(place.begin(), place.end(), scenePoint);
+  }
+  return this->Drawn->scene != nullptr;
+}
+
+bool vtkNexradVolumeScene::GetFrameBounds(double bounds[6])
+{
+  if (this->Drawn->scene)
+  {
+    const auto framed = this->Drawn->scene->Frame().FramedInVolume();
+    std::copy(framed.begin(), framed.end(), bounds);
   }
   return this->Drawn->scene != nullptr;
 }

@@ -36,10 +36,11 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For members
 
-#include <array>  // For members
-#include <memory> // For members
-#include <string> // For members
-#include <vector> // For members
+#include <array>    // For members
+#include <memory>   // For members
+#include <optional> // For members
+#include <string>   // For members
+#include <vector>   // For members
 
 class vtkCamera;
 class vtkImageData;
@@ -51,7 +52,8 @@ namespace nexrad
 namespace scene // as VTK's wrapper reads it
 {
 class SceneFrame;
-}
+struct EchoExtent;
+} // namespace scene
 } // namespace nexrad
 
 class VTKNEXRADSCENE_EXPORT vtkNexradVolumeScene : public vtkObject
@@ -473,6 +475,12 @@ public:
   vtkGetVector6Macro(CropBounds, double);
   ///@}
 
+  /**
+   * The part of the volume that walls and scales stand about, as CropBounds has it: a crop box to
+   * start with. False before the first picture.
+   */
+  bool GetFrameBounds(double bounds[6]);
+
   ///@{
   /**
    * Whether the part of the volume in front of the clip plane alone is shown. Off by default.
@@ -542,6 +550,8 @@ public:
   /// How the volume stands in the scene; for the parts of this module. Null before the first volume
   /// is shown.
   const nexrad::scene::SceneFrame* GetSceneFrame() const;
+  /// The frame is that of this echo, as after AddToFrame.
+  void HoldEcho(const std::optional<nexrad::scene::EchoExtent>& echo);
 #endif
 
   /**

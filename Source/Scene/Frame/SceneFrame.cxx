@@ -128,6 +128,13 @@ void SceneFrame::SetFramed(const std::array<double, 6>& box)
   }
 }
 
+std::array<double, 6> SceneFrame::FramedInVolume() const
+{
+  const auto lower = this->ToVolume({framed[0], framed[2], framed[4]});
+  const auto upper = this->ToVolume({framed[1], framed[3], framed[5]});
+  return {lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]};
+}
+
 bool SceneFrame::Holds(const std::array<double, 6>& box) const
 {
   SceneFrame joined = *this;

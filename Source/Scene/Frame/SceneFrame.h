@@ -35,6 +35,8 @@ public:
   const std::array<double, 6>& Framed() const { return framed; }
   /// Frames the part of the volume within a box in its x and y, and heights in m.
   void SetFramed(const std::array<double, 6>& box);
+  /// That box, within the volume; all of the volume until SetFramed is called.
+  std::array<double, 6> FramedInVolume() const;
   /// Whether such a box lies in what is framed.
   bool Holds(const std::array<double, 6>& box) const;
 

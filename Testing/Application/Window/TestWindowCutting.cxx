@@ -24,6 +24,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QScrollBar>
 #include <QToolButton>
@@ -32,6 +33,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace nexrad;
@@ -314,9 +316,20 @@ TEST_F(WindowCuttingTest, TheCropBoxHidesWhatIsOutsideByNumbers)
 {
   this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
+  scene->SetFraming(vtkNexradVolumeScene::ECHO);
+  EXPECT_TRUE(scene->Update());
   this->Tick("Crop");
   EXPECT_TRUE(scene->GetCropping());
-  EXPECT_EQ(scene->GetCropBounds()[0], -240'000.0) << "first the whole volume";
+  std::array<double, 6> frame{};
+  EXPECT_TRUE(scene->GetFrameBounds(frame.data()));
+  EXPECT_LT(frame[1], 200'000.0);
+  for (std::size_t i = 0; i < frame.size(); ++i)
+  {
+    EXPECT_NEAR(scene->GetCropBounds()[i], frame[i], 1.0) << "first the frame";
+  }
+  scene->SetFraming(vtkNexradVolumeScene::DOMAIN);
+  this->Find<QPushButton>("Whole volume")->click();
+  EXPECT_EQ(scene->GetCropBounds()[0], -240'000.0);
   EXPECT_AT_LEAST(this->Changes(
                     [&]
                     {
@@ -335,6 +348,8 @@ TEST_F(WindowCuttingTest, TheCropBoxIsChangedByItsHandles)
   this->OpenWide(1);
   vtkNexradVolumeScene* scene = window->View()->Scene();
   this->Tick("Crop");
+  this->Find<QPushButton>("Whole volume")->click();
+  this->WaitForPicture();
   const double azimuth = scene->GetAzimuth();
   const QPoint ball = this->PixelOfPoint({240.0, 0.0, 10.0});
   const QPoint there = this->PixelOfPoint({-70.0, 0.0, 10.0});

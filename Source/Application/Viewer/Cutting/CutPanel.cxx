@@ -42,6 +42,18 @@ QWidget* SideBySide(QWidget* first, QWidget* second)
   return both;
 }
 
+// A face that was never set becomes that of the frame.
+std::array<double, 6> BoxOf(vtkNexradVolumeScene* scene)
+{
+  std::array<double, 6> box{};
+  scene->GetCropBounds(box.data());
+  std::array<double, 6> first = scene::FacesOf(scene->GetVolume());
+  scene->GetFrameBounds(first.data());
+  std::transform(box.begin(), box.end(), first.begin(), box.begin(),
+    [](double face, double framed) { return std::abs(face) > farOff ? framed : face; });
+  return box;
+}
+
 void Show(QDoubleSpinBox* box, double value)
 {
   const QSignalBlocker quiet(box);
@@ -152,14 +164,13 @@ void CutPanel::AddPlane(QFormLayout* form)
   connect(clip, &QCheckBox::clicked, this, &CutPanel::SwitchClip);
 }
 
-// A box that was never set is larger than every volume: then it becomes the volume's.
+// A box beside the volume becomes as large as it.
 void CutPanel::SwitchCrop(bool on)
 {
   vtkNexradVolumeScene* scene = view.scene;
   if (vtkImageData* volume = scene->GetVolume())
   {
-    std::array<double, 6> box{};
-    scene->GetCropBounds(box.data());
+    std::array<double, 6> box = BoxOf(scene);
     const std::array<double, 6> whole = scene::FacesOf(volume);
     for (std::size_t i = 0; i < box.size(); i += 2)
     {
@@ -251,10 +262,7 @@ void CutPanel::FollowBox()
   scene->GetCropBounds(box.data());
   if (volume != nullptr && !scene->GetCropping())
   {
-    const std::array<double, 6> whole = scene::FacesOf(volume);
-    std::transform(box.begin(), box.end(), whole.begin(), box.begin(),
-      [](double face, double outer)
-      { return std::abs(face) > farOff ? outer : face; }); // was never set
+    box = BoxOf(scene);
   }
   crop->setChecked(scene->GetCropping());
   for (std::size_t i = 0; i < faces.size(); ++i)
