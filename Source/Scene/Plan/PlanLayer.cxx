@@ -8,13 +8,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace nexrad::scene
 {
 namespace
 {
 
-Colour ColourOf(
+// None where the ground is seen.
+std::optional<Colour> ColourOf(
   const PlanView& view, const ColourScale& scale, std::size_t column, const Theme& theme)
 {
   switch (view.states[column])
@@ -26,11 +28,10 @@ Colour ColourOf(
   case VoxelState::Filtered:
     return theme.filtered;
   case VoxelState::NoEcho:
-    return theme.ground;
+    return std::nullopt;
   default:
-    break;
+    return ColourAt(scale, static_cast<double>(view.values[column]));
   }
-  return ColourAt(scale, static_cast<double>(view.values[column])).value_or(theme.ground);
 }
 
 bool Holds(const PlanView& view, VoxelState state)
@@ -47,14 +48,16 @@ vtkSmartPointer<vtkProp> MakePlanLayer(const PlanView& view, const ColourScale& 
   picture->SetDimensions(view.width, view.height, 1);
   picture->SetOrigin(placed->GetOrigin()[0], placed->GetOrigin()[1], height);
   picture->SetSpacing(placed->GetSpacing()[0], placed->GetSpacing()[1], 1.0);
-  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 3);
+  picture->AllocateScalars(VTK_UNSIGNED_CHAR, 4);
   auto* pixel = static_cast<unsigned char*>(picture->GetScalarPointer());
   for (std::size_t column = 0; column < view.values.size(); ++column)
   {
-    for (const double component : ColourOf(view, scale, column, theme))
+    const std::optional<Colour> colour = ColourOf(view, scale, column, theme);
+    for (const double component : colour.value_or(Colour()))
     {
       *pixel++ = static_cast<unsigned char>(std::lround(255.0 * component));
     }
+    *pixel++ = colour ? 255 : 0;
   }
   auto actor = vtkSmartPointer<vtkImageActor>::New();
   vtkNew<vtkImageSliceMapper> mapper;

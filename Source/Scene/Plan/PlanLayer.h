@@ -22,7 +22,7 @@ constexpr std::pair<VoxelState, const char*> StateTexts[] = {
 
 /// A plan view in the colours of a scale, lying on the ground at the scene height `height`: each
 /// column of voxels a rectangle of one colour. Where there is no echo, or less than the scale's
-/// first value, the ground's colour. `placed` is the volume as the scene has it (SceneFrame).
+/// first value, the ground is seen. `placed` is the volume as the scene has it (SceneFrame).
 vtkSmartPointer<vtkProp> MakePlanLayer(const PlanView& view, const ColourScale& scale,
   vtkImageData* placed, double height, const Theme& theme);
 
