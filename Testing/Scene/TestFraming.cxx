@@ -209,6 +209,37 @@ TEST(LabelLayout, LabelsGiveWayToEachOther)
   EXPECT_FALSE(choose({optional}).front()) << "it would end beyond the ground";
 }
 
+// Seen from above, 1 pixel a unit.
+TEST(LabelLayout, TownsKeepOffTheNamesOfRadars)
+{
+  vtkNew<vtkCamera> camera;
+  PointCamera(camera, {180.0, 90.0, 1.0, true}, {-200.0, 200.0, -200.0, 200.0, 0.0, 0.0}, 1.0, {});
+  const Projection project(camera, {400, 400});
+  const std::array<ScenePoint, 4> ground = {ScenePoint{-200.0, -200.0, 0.0},
+    ScenePoint{200.0, -200.0, 0.0}, ScenePoint{200.0, 200.0, 0.0}, ScenePoint{-200.0, 200.0, 0.0}};
+  TextPictures pictures;
+  const Label radar = MakeTestLabel("KLSX", {0.0, 0.0, 0.0});
+  const PixelBox letters =
+    pictures.Get(radar.text, radar.style).BoxAt(project(radar.point), LabelSide::Right, radar.gap);
+  Label town = MakeTestLabel("Alton", {});
+  town.optional = true;
+  town.dot = 2.0;
+  const double height = letters.top - letters.bottom;
+  const auto townAt = [&](double x, double y, LabelSide side)
+  {
+    town.point = {x - 200.0, y - 200.0, 0.0};
+    town.sides = {side};
+    return ChooseSides({radar, town}, ground, project, pictures, {})[1].has_value();
+  };
+  const double above = letters.top + 0.5 * height;
+  EXPECT_TRUE(townAt(letters.left, above + 1.5 * town.gap, LabelSide::Right));
+  EXPECT_FALSE(townAt(letters.left, above + 0.5 * town.gap, LabelSide::Right))
+    << "its letters would touch";
+  EXPECT_TRUE(townAt(letters.right + 3.0, 200.0, LabelSide::Right));
+  EXPECT_FALSE(townAt(letters.right - 1.0, 200.0, LabelSide::Right))
+    << "its dot would lie on the letters";
+}
+
 TEST(LabelLayout, NamesOfStatesMayBeLeftOut)
 {
   const SceneFrame frame(MakeStormVolume(false), 8.0); // 240 km about 39° north, 90° west

@@ -40,6 +40,15 @@ double SharedWith(const std::vector<PixelBox>& others, const PixelBox& box)
     [&](double sum, const PixelBox& other) { return sum + box.Shared(other); });
 }
 
+// An optional label keeps its gap from other letters, and so does its dot.
+double CoveredBy(const Label& label, const PixelBox& box, const std::array<double, 2>& place,
+  const std::vector<PixelBox>& taken)
+{
+  const PixelBox dot = Grown({place[0], place[1], place[0], place[1]}, label.dot);
+  return label.optional ? SharedWith(taken, Grown(box, label.gap)) + SharedWith(taken, dot)
+                        : SharedWith(taken, box);
+}
+
 // Twice the area of the triangle; its sign is the sense of turn.
 double Turn(const std::array<double, 2>& a, const std::array<double, 2>& b, double x, double y)
 {
@@ -93,7 +102,8 @@ std::vector<std::optional<LabelSide>> ChooseSides(const std::vector<Label>& labe
     for (const LabelSide side : label.sides)
     {
       const PixelBox box = picture.BoxAt(project(label.point), side, label.gap);
-      const double covered = AreaOutside(box, project.Size()) + SharedWith(taken, box) +
+      const double covered = AreaOutside(box, project.Size()) +
+                             CoveredBy(label, box, project(label.point), taken) +
                              SharedWith(apart, Grown(box, label.room));
       best = covered < least ? side : best;
       least = std::min(least, covered);
