@@ -351,19 +351,15 @@ ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction)
 namespace
 {
 
-// Writes the values of a scale as the labels of a colour table do. One whose unit is not known
-// would be misread.
+// Writes the values of a scale as the labels of a colour table do.
 void SetLabels(vtkNexradTransferFunction* look, ColourScale& scale)
 {
-  const std::string unit = look->GetLabelUnit();
-  const double factor = look->GetLabelFactor();
-  const double offset = look->GetLabelOffset();
-  const bool other = factor != 1.0 || offset != 0.0;
-  if (other && (unit.empty() || !(factor > 0.0)))
+  const auto [unit, factor, offset] = LabelUnitOf(look, scale.unit);
+  if (factor != look->GetLabelFactor() || offset != look->GetLabelOffset())
   {
-    return;
+    return; // its step is in the unit that is not known
   }
-  scale.unit = other || scale.unit.empty() ? unit : scale.unit;
+  scale.unit = unit;
   scale.factor = factor;
   scale.offset = offset;
   scale.step = look->GetLabelStep();
@@ -379,6 +375,19 @@ void SetLabels(vtkNexradTransferFunction* look, ColourScale& scale)
 }
 
 } // namespace
+
+LabelUnit LabelUnitOf(const vtkNexradTransferFunction* look, const std::string& ofData)
+{
+  const std::string unit = look != nullptr ? look->GetLabelUnit() : "";
+  const double factor = look != nullptr ? look->GetLabelFactor() : 1.0;
+  const double offset = look != nullptr ? look->GetLabelOffset() : 0.0;
+  const bool other = factor != 1.0 || offset != 0.0;
+  if (other && !unit.empty() && factor > 0.0)
+  {
+    return {unit, factor, offset};
+  }
+  return {!other && ofData.empty() ? unit : ofData};
+}
 
 ColourScale ScaleOf(const std::string& array, vtkNexradTransferFunction* transferFunction)
 {

@@ -72,6 +72,21 @@ void SetIsoValues(std::vector<IsoValue> isoValues, vtkNexradTransferFunction* tr
 /// where the colours span less than 20 or more than 120).
 ColourTable ColourStepsOf(vtkNexradTransferFunction* transferFunction);
 
+/// How values are written where people read them: factor × value + offset in this unit.
+struct LabelUnit
+{
+  std::string name;
+  double factor = 1.0; ///< above 0
+  double offset = 0.0; ///< in the unit
+
+  double ToLabel(double value) const { return factor * value + offset; }
+  double ToValue(double label) const { return (label - offset) / factor; }
+};
+
+/// The unit of a look's colour table, as knots; that of the data where the table has none, or has
+/// another scale and no unit, as that would be misread. `look` may be nullptr.
+LabelUnit LabelUnitOf(const vtkNexradTransferFunction* look, const std::string& ofData);
+
 /// The scale of a moment, or of another array of that name, in the colours of a look: with the unit
 /// and the labels of its colour table, where it has any.
 ColourScale ScaleOf(const std::string& array, vtkNexradTransferFunction* transferFunction);

@@ -7,6 +7,7 @@
 #include "Scene/Pointing/NearestRadar.h"
 #include "Scene/Pointing/ViewRay.h"
 #include "Scene/Pointing/VoxelReader.h"
+#include "Scene/VolumeAppearance.h"
 #include "vtkNexradVolumeScene.h"
 
 #include "nexrad/Model/Moment.h"
@@ -238,8 +239,9 @@ std::string vtkNexradEchoPicker::GetText() const
   std::string text;
   if (this->Found == ECHO)
   {
-    text = Fixed(this->Value, DigitsOfArray(this->ArrayName));
-    text += this->Units.empty() ? "" : " " + this->Units;
+    const auto unit = nexrad::scene::LabelUnitOf(this->Scene->GetTransferFunction(), this->Units);
+    text = Fixed(unit.ToLabel(this->Value), DigitsOfArray(this->ArrayName));
+    text += unit.name.empty() ? "" : " " + unit.name;
     text += this->ArrayName.empty() ? ", " : " (" + this->ArrayName + "), ";
   }
   if (!std::isnan(this->Latitude))

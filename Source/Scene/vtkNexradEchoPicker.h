@@ -113,7 +113,8 @@ public:
 
   /**
    * All of it as one line, as "41.5 dBZ (REF), 35.333° N 97.278° W, 4.2 km above sea level, KTLX 43
-   * km 238°". Empty where nothing was found.
+   * km 238°". Empty where nothing was found. The value is in the unit of the colour bar, as knots
+   * where a table of GRLevelX says so; GetValue and GetUnits have that of the volume.
    */
   std::string GetText() const;
 

@@ -6,6 +6,7 @@
 
 #include "ScenePicture.h"
 #include "StormVolume.h"
+#include "TestData.h"
 #include "Tolerance.h"
 
 #include <vtkCoordinate.h>
@@ -18,6 +19,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <string>
 
@@ -103,6 +106,19 @@ TEST_F(Navigator, PicksTheEchoThatIsSeen)
   EXPECT_NEAR(DistanceOf(this->PixelOf(this->Picked()), pixel), 0.0, 1e-6);
   EXPECT_EQ(picker->GetSiteName(), "KLSX");
   EXPECT_NE(picker->GetText().find(" dBZ (REF), 38."), std::string::npos) << picker->GetText();
+}
+
+TEST_F(Navigator, SaysTheValueInTheUnitOfTheColourTable)
+{
+  const TemporaryFolder folder;
+  const std::filesystem::path table = folder.Path() / "knots.pal";
+  std::ofstream(table) << "Units: KTS\nScale: 1.94384\nColor: 0 0 255 0\nColor: 140 255 0 0\n";
+  scene->SetColorFileName(table.string());
+  scene->Update();
+  ASSERT_EQ(this->Pick(Tower(scene)), vtkNexradEchoPicker::ECHO);
+  EXPECT_EQ(picker->GetUnits(), "dBZ");
+  EXPECT_NEAR(std::stod(picker->GetText()), 1.94384 * picker->GetValue(), 0.06);
+  EXPECT_NE(picker->GetText().find(" kt (REF), 38."), std::string::npos) << picker->GetText();
 }
 
 // KLSX lies at 38.6986° N 90.6828° W; half a pixel of this picture is a kilometre.

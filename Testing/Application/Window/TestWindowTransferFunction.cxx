@@ -377,6 +377,21 @@ TEST_F(WindowTransferFunction, AFileComesBackAsItWas)
   EXPECT_EQ(this->Find<QLineEdit>("Iso-values")->text(), "25:0.5, 45:0.95");
 }
 
+TEST_F(WindowTransferFunction, ATableInKnotsIsEditedInKnots)
+{
+  this->OpenEditor();
+  const std::filesystem::path table = folder.Path() / "knots.pal";
+  std::ofstream(table) << "Units: KTS\nScale: 1.94384\nColor: 0 0 255 0\nColor: 140 255 0 0\n";
+  this->ChooseFile("Open transfer function", table);
+  this->WaitForPicture();
+  auto* value = this->Find<QDoubleSpinBox>("Value of the point");
+  this->Find<QSpinBox>("Point")->setValue(2);
+  EXPECT_EQ(value->suffix(), " kt");
+  EXPECT_NEAR(value->value(), 1.94384 * this->Node(1)[0], 0.01);
+  this->Type<QDoubleSpinBox>("Value of the point", "17");
+  EXPECT_NEAR(this->Node(1)[0], 17.0 / 1.94384, 1e-6);
+}
+
 TEST_F(WindowTransferFunction, AFileThatIsNoColourMapIsOneLine)
 {
   this->OpenEditor();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/TransferFunction/TransferFunctionChart.h"
 
+#include "Scene/VolumeAppearance.h"
 #include "Viewer/TransferFunction/SplinePointsItem.h"
 
 #include <vtkAxis.h>
@@ -18,6 +19,7 @@
 #include <vtkPlotBar.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
@@ -244,8 +246,37 @@ void TransferFunctionChart::FollowRange()
   const double step = StepOf(0.5 * (needed[1] - needed[0]));
   range = {std::floor(needed[0] / step) * step, std::ceil(needed[1] / step) * step};
   chart->GetAxis(vtkAxis::BOTTOM)->SetRange(range.data());
+  this->FollowLabels();
   double bounds[4] = {range[0], range[1], 0.0, 1.0};
   points->SetUserBounds(bounds);
+}
+
+// The axis has round numbers in the unit of the colour bar.
+void TransferFunctionChart::FollowLabels()
+{
+  const scene::LabelUnit unit = scene::LabelUnitOf(function, "");
+  vtkAxis* axis = chart->GetAxis(vtkAxis::BOTTOM);
+  if (unit.ToLabel(range[0]) == range[0] && unit.ToLabel(range[1]) == range[1])
+  {
+    axis->SetCustomTickPositions(nullptr);
+    return;
+  }
+  constexpr double most = 9.0; // labels
+  const double least = unit.ToLabel(range[0]);
+  const double greatest = unit.ToLabel(range[1]);
+  double step = std::pow(10.0, std::floor(std::log10((greatest - least) / most)));
+  while ((greatest - least) / step > most)
+  {
+    step *= 2.0;
+  }
+  vtkNew<vtkDoubleArray> places;
+  vtkNew<vtkStringArray> texts;
+  for (double label = std::ceil(least / step) * step; label <= greatest; label += step)
+  {
+    places->InsertNextValue(unit.ToValue(label));
+    texts->InsertNextValue(QString::number(label, 'g', 6).toStdString());
+  }
+  axis->SetCustomTickPositions(places, texts);
 }
 
 void TransferFunctionChart::FollowCurves()

@@ -75,6 +75,7 @@ protected:
 private:
   void MakePlots();
   void FollowRange();
+  void FollowLabels();
   void FollowCurves();
   void FollowColours();
   void StylePlots();

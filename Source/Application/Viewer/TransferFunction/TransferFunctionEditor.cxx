@@ -59,11 +59,10 @@ QString UnitOfArray(const std::string& array)
   return moment ? QString::fromUtf8(UnitOf(*moment)) : QString();
 }
 
-QString TitleOfArray(const std::string& array)
+QString TitleOfArray(const std::string& array, const QString& unit)
 {
   const auto moment = ParseMomentName(array);
   const QString title = moment ? TitleOf(*moment) : QString::fromStdString(array);
-  const QString unit = UnitOfArray(array);
   return unit.isEmpty() ? title : title + " (" + unit + ")";
 }
 
@@ -344,18 +343,25 @@ void TransferFunctionEditor::FollowMoment(const std::string& name)
     return;
   }
   moment = name;
-  const QString unit = UnitOfArray(moment);
-  chart->SetTitle(TitleOfArray(moment));
+  this->FollowUnit();
+  history.clear();
+  known = TransferFunctionState::Of(scene);
+}
+
+// Values are in the unit of the colour bar.
+void TransferFunctionEditor::FollowUnit()
+{
+  labels = scene::LabelUnitOf(this->Shown(), UnitOfArray(moment).toStdString());
+  const QString unit = QString::fromStdString(labels.name);
   double usual[2] = {-1000.0, 1000.0};
   vtkNexradTwoFields::GetUsualRange(moment.c_str(), usual);
   const double width = usual[1] - usual[0];
+  chart->SetTitle(TitleOfArray(moment, unit));
   const QSignalBlocker quiet(value);
-  value->setRange(usual[0] - width, usual[1] + width);
+  value->setRange(labels.ToLabel(usual[0] - width), labels.ToLabel(usual[1] + width));
   value->setSingleStep(width > 50.0 ? 1.0 : width > 5.0 ? 0.1 : 0.01);
   value->setSuffix(unit.isEmpty() ? "" : " " + unit);
   value->setToolTip("Value of the selected point" + (unit.isEmpty() ? "" : " in " + unit));
-  history.clear();
-  known = TransferFunctionState::Of(scene);
 }
 
 void TransferFunctionEditor::FollowVolume()
@@ -390,6 +396,7 @@ void TransferFunctionEditor::ShowHistogram()
 void TransferFunctionEditor::FollowFunction()
 {
   chart->FollowFunction();
+  this->FollowUnit();
   this->FollowPoint();
   if (!chart->IsHeld())
   {
@@ -415,7 +422,7 @@ void TransferFunctionEditor::FollowPoint()
   value->setEnabled(any);
   level->setEnabled(any);
   remove->setEnabled(any && count > 1);
-  value->setValue(node[0]);
+  value->setValue(labels.ToLabel(node[0]));
   level->setValue(node[1]);
 }
 
@@ -482,7 +489,7 @@ void TransferFunctionEditor::MovePoint()
   if (this->Shown() != nullptr && chart->SelectedPoint() >= 0)
   {
     this->Shown()->MoveNode(
-      chart->Channel(), chart->SelectedPoint(), value->value(), level->value());
+      chart->Channel(), chart->SelectedPoint(), labels.ToValue(value->value()), level->value());
     this->Finish("Set point");
     emit Changed();
   }

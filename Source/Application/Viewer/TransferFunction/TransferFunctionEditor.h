@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/VolumeAppearance.h"
 #include "Viewer/TransferFunction/TransferFunctionHistory.h"
 
 #include <vtkSmartPointer.h>
@@ -97,6 +98,7 @@ private:
   void FollowSoon();
   void FollowVolume();
   void FollowMoment(const std::string& name);
+  void FollowUnit();
   void FollowFunction();
   void FollowPoint();
   void FollowPresets();
@@ -131,6 +133,7 @@ private:
   QLineEdit* isoValues = nullptr;
   QLabel* message = nullptr;
   std::string moment;                   ///< of the volume, as "REF"
+  scene::LabelUnit labels;              ///< in which values are shown
   vtkWeakPointer<vtkImageData> counted; ///< volume of the histogram
   vtkMTimeType countedTime = 0;
   QTimer pause; ///< after a histogram: a series that plays may change more often
