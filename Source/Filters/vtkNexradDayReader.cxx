@@ -431,6 +431,16 @@ int vtkNexradDayReader::RequestData(
 
 bool vtkNexradDayReader::MergeBox(double time, const double faces[4], vtkImageData* box)
 {
+  return this->Merge(time, {{faces[0], faces[1], faces[2], faces[3]}}, box);
+}
+
+bool vtkNexradDayReader::MergeCoarse(double time, vtkImageData* volume)
+{
+  return this->Merge(time, nexrad::CoarseDomain(), volume);
+}
+
+bool vtkNexradDayReader::Merge(double time, const nexrad::BoxRequest& request, vtkImageData* image)
+{
   this->UpdateInformation();
   if (!this->Opened)
   {
@@ -438,9 +448,9 @@ bool vtkNexradDayReader::MergeBox(double time, const double faces[4], vtkImageDa
   }
   try
   {
-    const std::optional<nexrad::GriddedVolume> merged = this->Opened->Merger.MergeBox(
-      nexrad::FromSeconds(time), {{faces[0], faces[1], faces[2], faces[3]}});
-    vtkNexradVolumeToImage(*merged, box);
+    const std::optional<nexrad::GriddedVolume> merged =
+      this->Opened->Merger.MergeBox(nexrad::FromSeconds(time), request);
+    vtkNexradVolumeToImage(*merged, image);
     return true;
   }
   catch (const nexrad::Error& error)

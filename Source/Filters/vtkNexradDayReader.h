@@ -60,8 +60,9 @@ class vtkStringArray;
 
 namespace nexrad
 {
+struct BoxRequest;
 struct MergerSetup;
-}
+} // namespace nexrad
 
 class VTKNEXRADFILTERS_EXPORT vtkNexradDayReader : public vtkNexradGridAlgorithm
 {
@@ -175,6 +176,12 @@ public:
   bool MergeBox(double time, const double faces[4], vtkImageData* box);
 
   /**
+   * Merges the whole domain at a time in larger voxels, in which it can be seen where echo is: at
+   * most 128 x 128 columns of voxels that are 312.5 m high. False after an error, as of MergeBox.
+   */
+  bool MergeCoarse(double time, vtkImageData* volume);
+
+  /**
    * How many times this process decoded a file for its outputs. A file whose rays are still in
    * memory is not decoded again. Of several processes, the files that they scan together do not
    * count.
@@ -249,6 +256,7 @@ private:
    */
   bool Open();
   void ReportProblems();
+  bool Merge(double time, const nexrad::BoxRequest& request, vtkImageData* image);
 
   vtkSmartPointer<vtkMultiProcessController> Controller;
   vtkNew<vtkStringArray> Damage;

@@ -98,39 +98,24 @@ std::optional<EchoExtent> MeasureEcho(vtkImageData* volume, const SceneOptions& 
   return NeedsEcho(options) ? FindExtent(volume, PresetOf(options, ArrayOf(volume))) : std::nullopt;
 }
 
-void ForFraming(VolumeSeries& series, const std::vector<std::size_t>& steps,
-  const std::function<void(vtkImageData*)>& use)
+std::optional<EchoExtent> MeasureSeries(
+  VolumeSeries& series, const std::vector<std::size_t>& steps, const SceneOptions& options)
 {
   constexpr std::size_t most = 8;
-  const std::size_t count = std::min(most, steps.size());
+  const std::size_t count = std::min(most, NeedsEcho(options) ? steps.size() : 0);
+  std::optional<EchoExtent> all;
   for (std::size_t i = 0; count > 1 && i < count; ++i)
   {
     try
     {
-      if (const auto volume = series.Load(steps[i * (steps.size() - 1) / (count - 1)], {}))
-      {
-        use(volume);
-      }
+      const auto volume = series.LoadCoarse(steps[i * (steps.size() - 1) / (count - 1)]);
+      const auto echo = volume ? MeasureEcho(volume, options) : std::nullopt;
+      all = all && echo ? Join(*all, *echo) : (echo ? echo : all);
     }
     catch (const Error&)
     {
       continue;
     }
-  }
-}
-
-std::optional<EchoExtent> MeasureSeries(
-  VolumeSeries& series, const std::vector<std::size_t>& steps, const SceneOptions& options)
-{
-  std::optional<EchoExtent> all;
-  if (NeedsEcho(options))
-  {
-    ForFraming(series, steps,
-      [&](vtkImageData* volume)
-      {
-        const auto echo = MeasureEcho(volume, options);
-        all = all && echo ? Join(*all, *echo) : (echo ? echo : all);
-      });
   }
   return all;
 }

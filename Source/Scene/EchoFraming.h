@@ -6,7 +6,6 @@
 #include "Scene/SceneOptions.h"
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <vector>
 
@@ -22,12 +21,9 @@ class VolumeSeries;
 /// has the same frame. Nothing where a scene with these options needs none, or no echo is seen.
 std::optional<EchoExtent> MeasureEcho(vtkImageData* volume, const SceneOptions& options);
 
-/// Gives several volumes of a series to `use`, of many a few that are spread evenly. Those that
-/// cannot be read are passed over: they say so when they are shown. None where there is one volume.
-void ForFraming(VolumeSeries& series, const std::vector<std::size_t>& steps,
-  const std::function<void(vtkImageData*)>& use);
-
-/// The echo of these volumes together.
+/// The echo of several volumes of a series together, coarse where it merges, of many that of eight
+/// which are spread evenly. Those that cannot be read are passed over: they say so when they are
+/// shown. Nothing where there is one volume.
 std::optional<EchoExtent> MeasureSeries(
   VolumeSeries& series, const std::vector<std::size_t>& steps, const SceneOptions& options);
 

@@ -3,6 +3,7 @@
 
 #include "Scene/EchoFraming.h"
 #include "Scene/PlayAhead.h"
+#include "Scene/SceneSettings.h"
 #include "Scene/Series/DayVolumes.h"
 #include "Scene/Series/VolumeFiles.h"
 #include "nexrad/System/Error.h"
@@ -29,6 +30,8 @@ struct vtkNexradSession::Opened
   vtkMTimeType time = 0;
   nexrad::scene::SceneOptions options; ///< of the scene, as far as reading depends on them
   std::unique_ptr<VolumeSeries> volumes;
+  std::vector<std::size_t> order;                    ///< of all of these
+  std::optional<nexrad::scene::SceneOptions> framed; ///< what the frame was measured with
 };
 
 namespace
@@ -54,6 +57,13 @@ bool AreReadAlike(const nexrad::scene::SceneOptions& a, const nexrad::scene::Sce
 {
   return a.scalarsAsCodes == b.scalarsAsCodes && a.mapper == b.mapper &&
          a.colourBy.empty() == b.colourBy.empty() && a.plan.has_value() == b.plan.has_value();
+}
+
+bool AreFramedAlike(const nexrad::scene::SceneOptions& a, const nexrad::scene::SceneOptions& b)
+{
+  return a.preset == b.preset && a.framing == b.framing &&
+         a.opacityDistance.has_value() == b.opacityDistance.has_value() &&
+         a.plan.has_value() == b.plan.has_value();
 }
 
 } // namespace
@@ -99,7 +109,6 @@ vtkNexradVolumeScene* vtkNexradSession::GetScene() const
 
 void vtkNexradSession::Open()
 {
-  this->Scene->ClearFrame();
   std::vector<std::filesystem::path> paths;
   for (int i = 0; i < this->GetNumberOfFileNames(); ++i)
   {
@@ -112,18 +121,27 @@ void vtkNexradSession::Open()
   if (nexrad::scene::AreVolumes(paths))
   {
     auto files = nexrad::scene::OpenVolumeFiles(paths);
-    std::vector<std::size_t> order(files->Times().size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    if (this->Scene->GetFraming() == vtkNexradVolumeScene::ECHO)
-    {
-      nexrad::scene::ForFraming(
-        *files, order, [this](vtkImageData* volume) { this->Scene->AddToFrame(volume); });
-    }
+    this->Series->order.resize(files->Times().size());
+    std::iota(this->Series->order.begin(), this->Series->order.end(), std::size_t(0));
     this->Series->volumes =
-      nexrad::scene::PlayAhead(std::move(files), order, this->Series->options);
+      nexrad::scene::PlayAhead(std::move(files), this->Series->order, this->Series->options);
     return;
   }
   this->Series->volumes = nexrad::scene::OpenDayVolumes(this->DayReader);
+  this->Series->order.resize(this->Series->volumes->Times().size());
+  std::iota(this->Series->order.begin(), this->Series->order.end(), std::size_t(0));
+}
+
+// The frame holds the echo of all times, as the scene's preset shows it.
+void vtkNexradSession::MeasureFrame()
+{
+  const nexrad::scene::SceneOptions options = nexrad::scene::SettingsOf(this->Scene);
+  if (!this->Series->framed || !AreFramedAlike(*this->Series->framed, options))
+  {
+    this->Series->framed = options;
+    this->Scene->HoldEcho(
+      nexrad::scene::MeasureSeries(*this->Series->volumes, this->Series->order, options));
+  }
 }
 
 bool vtkNexradSession::UpdateInformation()
@@ -183,6 +201,7 @@ bool vtkNexradSession::ShowTimeStep(int index)
   const int shownIndex = this->TimeStepIndex;
   try
   {
+    this->MeasureFrame();
     if (index != this->TimeStepIndex)
     {
       this->Load(index);

@@ -16,7 +16,8 @@
  * ```
  *
  * Merged volumes that follow the one shown are read ahead on another thread, so that a series plays
- * on without waiting.
+ * on without waiting. The frame of the scene holds the echo of all time steps, of many that of
+ * eight. It is measured when a time step is shown for the first time, and with each other preset.
  *
  * Errors: an input that does not exist or cannot be used, volumes mixed with radar files, a volume
  * that cannot be read or merged, and those of vtkNexradVolumeScene. After an error the scene shows
@@ -120,6 +121,7 @@ private:
 
   void Open();
   void Load(int index);
+  void MeasureFrame();
 
   vtkNew<vtkNexradDayReader> DayReader;
   vtkNew<vtkNexradVolumeScene> Scene;

@@ -204,6 +204,18 @@ TEST(ReadAhead, ASeriesThatPlaysOnIsLoadedOnAnotherThread)
   EXPECT_EQ(loads.OnOtherThreads(), 9) << "all but the first";
 }
 
+TEST(ReadAhead, ACoarseVolumeLeavesWhatIsLoadedAhead)
+{
+  Loads loads;
+  const auto series = Series(loads);
+  EXPECT_EQ(Slices(*series, 0), 1);
+  EXPECT_EQ(loads.FullAfter(4), 4);
+  EXPECT_EQ(series->LoadCoarse(2)->GetDimensions()[2], 3);
+  EXPECT_EQ(loads.All(), 5);
+  EXPECT_EQ(Slices(*series, 1), 2);
+  EXPECT_EQ(loads.FullAfter(6), 6) << "the first again";
+}
+
 TEST(ReadAhead, HoldsNoMoreMemoryThanAllowed)
 {
   Loads loads;

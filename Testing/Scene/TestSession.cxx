@@ -3,6 +3,7 @@
 
 #include "StormVolume.h"
 #include "TestData.h"
+#include "vtkNexradDayReader.h"
 #include "vtkNexradMessages.h"
 #include "vtkNexradVolumeScene.h"
 
@@ -13,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <string>
 #include <utility>
 
@@ -45,6 +47,56 @@ TEST(Session, ShowsTheTimesOfASeries)
     EXPECT_EQ(session->GetTimeStepIndex(), step) << seconds;
   }
   EXPECT_EQ(session->GetDamage()->GetNumberOfValues(), 0);
+}
+
+namespace
+{
+
+std::array<double, 6> FrameOf(vtkNexradSession* session, int step)
+{
+  std::array<double, 6> frame{};
+  EXPECT_TRUE(session->ShowTimeStep(step));
+  EXPECT_TRUE(session->GetScene()->GetFrameBounds(frame.data()));
+  return frame;
+}
+
+} // namespace
+
+// The storm moves 60 km to the east.
+TEST(Session, TheFrameHoldsAllTimesOfEachPreset)
+{
+  const TemporaryFolder folder;
+  vtkNew<vtkNexradSession> session;
+  session->AddFileName(WriteStormFiles(folder.Path(), 4).c_str());
+  const std::array<double, 6> all = FrameOf(session, 0);
+  EXPECT_EQ(FrameOf(session, 3), all);
+  vtkNew<vtkNexradSession> last;
+  last->AddFileName((folder.Path() / "20060312T184500Z.nxv").c_str());
+  EXPECT_LE(FrameOf(last, 0)[1], all[1]);
+  EXPECT_GE(FrameOf(last, 0)[0], all[0] + 40e3);
+  session->GetScene()->SetPreset("hail");
+  const std::array<double, 6> hail = FrameOf(session, 3);
+  EXPECT_LT(hail[1] - hail[0], 0.8 * (all[1] - all[0]));
+  EXPECT_EQ(FrameOf(session, 0), hail);
+}
+
+TEST(Session, TheFrameHoldsAllTimesOfRadarFiles)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  vtkNew<vtkNexradSession> session;
+  session->AddFileName((data / "level2" / "run-kbgm-20050821").c_str());
+  session->GetDayReader()->SetDimensions(64, 64, 32);
+  session->GetDayReader()->SetTimeStep(600.0);
+  const std::array<double, 6> all = FrameOf(session, 0);
+  EXPECT_EQ(FrameOf(session, 2), all);
+  vtkNexradVolumeScene* scene = session->GetScene();
+  scene->ClearFrame();
+  scene->AddToFrame(scene->GetVolume()); // of the usual voxels, at the last time
+  const std::array<double, 6> last = FrameOf(session, 2);
+  for (std::size_t i = 0; i < last.size(); ++i)
+  {
+    EXPECT_LE((i % 2 == 0 ? 1.0 : -1.0) * (all[i] - last[i]), i < 4 ? 15e3 : 1e3) << i;
+  }
 }
 
 TEST(Session, AnErrorLeavesWhatIsShown)

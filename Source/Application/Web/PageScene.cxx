@@ -110,11 +110,13 @@ PageCode MakeCode(const PagePresets& presets, const GriddedVolume& volume)
 
 } // namespace
 
-PageScene::PageScene(const scene::WebRequest& webRequest, vtkImageData* image)
+PageScene::PageScene(const scene::WebRequest& webRequest, vtkImageData* image,
+  const std::optional<scene::EchoExtent>& echo)
   : request(webRequest)
   , volume(VolumeOf(image))
 {
-  frame = scene::FrameVolume(image, scene::MeasureEcho(image, request.scene), request.scene);
+  frame = scene::FrameVolume(
+    image, echo ? echo : scene::MeasureEcho(image, request.scene), request.scene);
   box = frame.Bounds();
   framed = frame.Framed();
   for (std::array<double, 6>* each : {&box, &framed})

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Requests/WebRequest.h"
+#include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Web/PageCode.h"
 #include "Web/PagePresets.h"
@@ -12,6 +13,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,9 +35,11 @@ struct PageTime
 class PageScene
 {
 public:
-  /// `volume`: the first one of the page. Throws Error for a preset or a place to look at that it
+  /// `volume`: the first one of the page. `echo`: what the frame holds; that of the volume where
+  /// there is none. Throws Error for a preset or a place to look at that it
   /// cannot have, and for a volume without voxels or without a moment.
-  PageScene(const scene::WebRequest& request, vtkImageData* volume);
+  PageScene(const scene::WebRequest& request, vtkImageData* volume,
+    const std::optional<scene::EchoExtent>& echo);
 
   const PageCode& Code() const { return code; }
   /// Array that the page shows, as "REF".

@@ -3,6 +3,7 @@
 
 #include "Libraries/VtkErrors.h"
 #include "Output/OutputFile.h"
+#include "Scene/EchoFraming.h"
 #include "Scene/Series/InputSeries.h"
 #include "Scene/VolumeAppearance.h"
 #include "Web/ColumnPacking.h"
@@ -32,6 +33,7 @@ public:
     : request(webRequest)
     , series(scene::OpenInputs(webRequest.input, webRequest.progress))
     , chosen(scene::ChooseTimes(*series, webRequest.input))
+    , echo(scene::MeasureSeries(*series, chosen, webRequest.scene))
   {
   }
 
@@ -71,7 +73,7 @@ private:
     }
     if (!page)
     {
-      page.emplace(request, image);
+      page.emplace(request, image, echo);
     }
     times.push_back(CaptionsOf(image, series->Times()[chosen[i]], request.scene));
     return image;
@@ -101,7 +103,8 @@ private:
   const scene::WebRequest& request;
   std::unique_ptr<scene::VolumeSeries> series;
   std::vector<std::size_t> chosen;
-  std::optional<PageScene> page; ///< once the first volume is there
+  std::optional<scene::EchoExtent> echo; ///< of all times, where there are several
+  std::optional<PageScene> page;         ///< once the first volume is there
   std::vector<PageTime> times;
 };
 

@@ -77,6 +77,14 @@ bool operator==(const BoxRequest& a, const BoxRequest& b)
          std::tie(b.faces, b.spacing, b.mostVoxels, b.followedFrom);
 }
 
+BoxRequest CoarseDomain()
+{
+  constexpr double beyond = 1e9;
+  constexpr double height = 312.5;
+  constexpr int columns = 128;
+  return {{-beyond, beyond, -beyond, beyond}, height, columns};
+}
+
 std::array<double, 4> RoomToMove(const GridSpecification& domain, const BoxRequest& request)
 {
   std::array<double, 4> room{};

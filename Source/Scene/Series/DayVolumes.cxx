@@ -49,6 +49,20 @@ public:
     return volume;
   }
 
+  vtkSmartPointer<vtkImageData> LoadCoarse(std::size_t index) override
+  {
+    if (reader->GetMethod() != vtkNexradGridAlgorithm::BEAM)
+    {
+      return this->Load(index, {});
+    }
+    vtkNexradMessages messages;
+    messages.Watch(reader);
+    auto volume = vtkSmartPointer<vtkImageData>::New();
+    reader->MergeCoarse(reader->GetTimeSteps()->GetValue(static_cast<vtkIdType>(index)), volume);
+    messages.ThrowFirstError();
+    return volume;
+  }
+
   std::vector<std::string> Problems() const override
   {
     std::vector<std::string> lines;

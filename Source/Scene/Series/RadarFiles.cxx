@@ -64,6 +64,11 @@ public:
     return ImageOf(merger.Merge(merger.Times()[index], progress));
   }
 
+  vtkSmartPointer<vtkImageData> LoadCoarse(std::size_t index) override
+  {
+    return beam ? this->LoadBox(index, CoarseDomain(), {}) : this->Load(index, {});
+  }
+
   vtkSmartPointer<vtkImageData> LoadBox(
     std::size_t index, const BoxRequest& box, const Progress& progress) override
   {

@@ -95,6 +95,33 @@ public:
     return loaded.volume;
   }
 
+  // What is loaded ahead stays.
+  Volume LoadCoarse(std::size_t index) override
+  {
+    std::unique_lock<std::mutex> lock(mutex);
+    const bool goesOn = std::exchange(started, false);
+    changed.wait(lock, [this] { return !loading; });
+    lock.unlock();
+    Loaded loaded;
+    try
+    {
+      loaded.volume = series->LoadCoarse(index);
+    }
+    catch (...)
+    {
+      loaded.failure = std::current_exception();
+    }
+    lock.lock();
+    started = goesOn;
+    lock.unlock();
+    changed.notify_all();
+    if (loaded.failure)
+    {
+      std::rethrow_exception(loaded.failure);
+    }
+    return loaded.volume;
+  }
+
 private:
   // How many of the order come between the volume asked for last and this one.
   std::size_t PlacesAhead(std::size_t index) const

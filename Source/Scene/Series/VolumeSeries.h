@@ -32,6 +32,13 @@ public:
   /// cannot be read or made.
   virtual vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) = 0;
 
+  /// The same in voxels that are large enough to be merged fast, and small enough to tell where
+  /// echo is, where the series merges; else as Load.
+  virtual vtkSmartPointer<vtkImageData> LoadCoarse(std::size_t index)
+  {
+    return this->Load(index, {});
+  }
+
   /// A box of the domain at one of the times, merged again in finer voxels. Empty when `progress`
   /// asked to stop. Throws Error when it cannot be made: volume files have no rays to make it of.
   virtual vtkSmartPointer<vtkImageData> LoadBox(std::size_t, const BoxRequest&, const Progress&)

@@ -123,6 +123,19 @@ TEST(WebCommand, APageSaysWhatItShows)
   EXPECT_EQ(ReadPagePart(page, "ground").value_or(Bytes()).size(), 3U * 512U * 512U);
 }
 
+// The storm moves 60 km to the east.
+TEST(WebCommand, TheFrameHoldsAllTimes)
+{
+  const TemporaryFolder folder;
+  const fs::path series = WriteStormFiles(folder.Path(), 4);
+  const nlohmann::json all = SceneOf(MakePage(folder, {series}))["framed"];
+  const auto framedAt = [&](const std::string& time) {
+    return SceneOf(MakePage(folder, {series, "--time", time}))["framed"];
+  };
+  EXPECT_LE(all[0], framedAt("2006-03-12T18:30")[0]);
+  EXPECT_GE(all[1], framedAt("2006-03-12T18:45")[1]);
+}
+
 // Whatever a page needs is in it.
 TEST(WebCommand, APageNamesNoOtherFile)
 {
