@@ -12,6 +12,7 @@
 #include "vtkNexradTransferFunction.h"
 #include "vtkNexradVolumeFile.h"
 
+#include <vtkImageActor.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
@@ -74,6 +75,21 @@ std::string ErrorOf(const PlanOptions& plan)
 }
 
 } // namespace
+
+// Water and relief are seen through the columns without echo, and those below the colour bar.
+TEST(PlanView, TheGroundIsSeenWhereNoEchoIs)
+{
+  vtkNew<vtkImageData> placed;
+  const auto layer = MakePlanLayer(View(PlanLevel::Composite),
+    ScaleOf("REF", MakeTransferFunction(SceneOptions())), placed, 0.0, ThemeOf(ThemeChoice::Light));
+  vtkImageData* picture = vtkImageActor::SafeDownCast(layer)->GetInput();
+  ASSERT_EQ(picture->GetNumberOfScalarComponents(), 4);
+  for (int x = 0; x < 5; ++x)
+  {
+    const bool hidden = x == 0 || x >= 3; // storm, folded, not scanned
+    EXPECT_EQ(picture->GetScalarComponentAsDouble(x, 0, 0, 3), hidden ? 255.0 : 0.0) << x;
+  }
+}
 
 TEST(PlanView, ACompositeShowsTheLargestEchoOfEachColumn)
 {
