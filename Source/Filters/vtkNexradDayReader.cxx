@@ -436,7 +436,9 @@ bool vtkNexradDayReader::MergeBox(double time, const double faces[4], vtkImageDa
 
 bool vtkNexradDayReader::MergeCoarse(double time, vtkImageData* volume)
 {
-  return this->Merge(time, nexrad::CoarseDomain(), volume);
+  this->UpdateInformation();
+  return this->Opened &&
+         this->Merge(time, nexrad::CoarseDomain(this->Opened->Merger.Grid()), volume);
 }
 
 bool vtkNexradDayReader::Merge(double time, const nexrad::BoxRequest& request, vtkImageData* image)

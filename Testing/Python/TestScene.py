@@ -205,6 +205,7 @@ class Pictures(unittest.TestCase):
         session.GetDayReader().SetDimensions(48, 48, 24)
         session.GetDayReader().SetSharpening(False)
         self.assertTrue(session.ShowTimeStep(0))
+        session.GetScene().ClearFrame()
         steps = vtknexrad.time_steps(session.GetDayReader())
         numpy.testing.assert_array_equal(
             picture(session),

@@ -77,12 +77,14 @@ bool operator==(const BoxRequest& a, const BoxRequest& b)
          std::tie(b.faces, b.spacing, b.mostVoxels, b.followedFrom);
 }
 
-BoxRequest CoarseDomain()
+BoxRequest CoarseDomain(const GridSpecification& domain)
 {
-  constexpr double beyond = 1e9;
   constexpr double height = 312.5;
   constexpr int columns = 128;
-  return {{-beyond, beyond, -beyond, beyond}, height, columns};
+  const Span x = DomainAlong(domain, 0);
+  const Span y = DomainAlong(domain, 1);
+  return {{x.lower, x.upper, y.lower, y.upper}, std::max(height, domain.spacing[2]),
+    std::min(columns, std::max(domain.dimensions[0], domain.dimensions[1]))};
 }
 
 std::array<double, 4> RoomToMove(const GridSpecification& domain, const BoxRequest& request)

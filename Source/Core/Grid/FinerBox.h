@@ -25,9 +25,9 @@ struct BoxRequest
 
 bool operator==(const BoxRequest& a, const BoxRequest& b);
 
-/// All of a domain that is 40 km wide or more, in at most 128 × 128 columns of voxels that are
-/// 312.5 m high: where echo is, is found in them at an eighth of the work of the usual grid.
-BoxRequest CoarseDomain();
+/// All of a domain in at most 128 × 128 columns of voxels that are at least 312.5 m high, and no
+/// finer than its own: where echo is, is found in them at an eighth of the work of the usual grid.
+BoxRequest CoarseDomain(const GridSpecification& domain);
 
 /// A grid that reaches over a domain, and the block of it that is the box. Boxes of one domain with
 /// voxels of one size have one grid: the faces are moved by half a voxel at most. The box is as

@@ -66,7 +66,7 @@ public:
 
   vtkSmartPointer<vtkImageData> LoadCoarse(std::size_t index) override
   {
-    return beam ? this->LoadBox(index, CoarseDomain(), {}) : this->Load(index, {});
+    return beam ? this->LoadBox(index, CoarseDomain(merger.Grid()), {}) : this->Load(index, {});
   }
 
   vtkSmartPointer<vtkImageData> LoadBox(

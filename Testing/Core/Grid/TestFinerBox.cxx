@@ -69,6 +69,24 @@ TEST(FinerBox, ABoxThatMovedHasTheSameVoxelsAndStaysInTheDomain)
     (std::array<double, 4>{-240'000.0, 160'000.0, -190'000.0, 210'000.0}));
 }
 
+TEST(FinerBox, ACoarseDomainIsTheWholeAndNoFiner)
+{
+  GridSpecification usual;
+  usual.dimensions = {256, 200, 128};
+  usual.spacing = {1800.0, 2304.0, 156.25};
+  usual.origin = {-229'500.0, -229'248.0, 78.125};
+  const FinerBox coarse = MakeFinerBox(usual, CoarseDomain(usual));
+  EXPECT_EQ(coarse.grid.dimensions, (std::array<int, 3>{128, 128, 64}));
+  EXPECT_EQ(coarse.block.Size(0), 128);
+  EXPECT_NEAR(coarse.grid.spacing[1], 3600.0, 1e-6);
+  GridSpecification small = usual;
+  small.dimensions = {64, 50, 32};
+  small.spacing = {7200.0, 9216.0, 625.0};
+  small.origin = {-226'800.0, -225'792.0, 312.5};
+  EXPECT_EQ(
+    MakeFinerBox(small, CoarseDomain(small)).grid.dimensions, (std::array<int, 3>{64, 64, 32}));
+}
+
 TEST(FinerBox, RefusesABoxBesideTheDomain)
 {
   EXPECT_THROW(MakeFinerBox(Domain(), {{240'000.0, 300'000.0, 0.0, 10'000.0}}), Error);
