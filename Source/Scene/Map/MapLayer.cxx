@@ -71,28 +71,6 @@ void AddMapLines(SceneLayer& layer, const SceneFrame& frame, const Theme& theme)
   }
 }
 
-vtkSmartPointer<vtkProp> MakeGround(const SceneFrame& frame, const Theme& theme)
-{
-  const auto& box = frame.Bounds();
-  const double height = HeightOf(frame, GroundLevel::Ground);
-  vtkNew<vtkPlaneSource> plane;
-  plane->SetOrigin(box[0], box[2], height);
-  plane->SetPoint1(box[1], box[2], height);
-  plane->SetPoint2(box[0], box[3], height);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(plane->GetOutputPort());
-  auto actor = vtkSmartPointer<vtkActor>::New();
-  actor->SetMapper(mapper);
-  actor->GetProperty()->LightingOff();
-  vtkNew<vtkTexture> texture;
-  texture->SetInputData(MakeGroundPicture(frame, theme));
-  texture->InterpolateOn();
-  texture->MipmapOn();
-  texture->EdgeClampOn();
-  actor->SetTexture(texture);
-  return actor;
-}
-
 bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& box)
 {
   return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3];
@@ -209,11 +187,33 @@ const Colour& ColourOf(MapLineKind kind, const Theme& theme)
   }
 }
 
+vtkSmartPointer<vtkActor> MakeGroundActor(const SceneFrame& frame, const Theme& theme)
+{
+  const auto& box = frame.Bounds();
+  const double height = HeightOf(frame, GroundLevel::Ground);
+  vtkNew<vtkPlaneSource> plane;
+  plane->SetOrigin(box[0], box[2], height);
+  plane->SetPoint1(box[1], box[2], height);
+  plane->SetPoint2(box[0], box[3], height);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(plane->GetOutputPort());
+  auto actor = vtkSmartPointer<vtkActor>::New();
+  actor->SetMapper(mapper);
+  actor->GetProperty()->LightingOff();
+  vtkNew<vtkTexture> texture;
+  texture->SetInputData(MakeGroundPicture(frame, theme));
+  texture->InterpolateOn();
+  texture->MipmapOn();
+  texture->EdgeClampOn();
+  actor->SetTexture(texture);
+  return actor;
+}
+
 SceneLayer MakeMapLayer(
   const SceneFrame& frame, const MapContents& contents, int textSize, const Theme& theme)
 {
   SceneLayer layer;
-  layer.props.push_back(MakeGround(frame, theme));
+  layer.props.push_back(MakeGroundActor(frame, theme));
   if (frame.HasMap())
   {
     AddMapLines(layer, frame, theme);

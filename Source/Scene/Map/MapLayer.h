@@ -6,8 +6,12 @@
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Map/MapLines.h"
 
+#include <vtkSmartPointer.h>
+
 #include <string>
 #include <vector>
+
+class vtkActor;
 
 namespace nexrad::scene
 {
@@ -42,6 +46,9 @@ GroundLevel LevelOf(MapLineKind kind);
 
 /// Its colour.
 const Colour& ColourOf(MapLineKind kind, const Theme& theme);
+
+/// The ground under a volume: a plane with its picture (MakeGroundPicture) as texture.
+vtkSmartPointer<vtkActor> MakeGroundActor(const SceneFrame& frame, const Theme& theme);
 
 /// What lies on the ground under a volume: a plane with shaded relief and water, the map's lines
 /// cut at the domain's edge (counties on small domains alone), names of towns, and for each radar
