@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTimeText.h"
 
+#include "Scene/Captions/EchoShown.h"
+#include "Scene/Frame/VolumeInformation.h"
+#include "Scene/VolumeAppearance.h"
 #include "nexrad/Model/Time.h"
 #include "vtkNexradFieldData.h"
+#include "vtkNexradTransferFunction.h"
 
 #include "vtkDataObject.h"
+#include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -48,6 +53,19 @@ std::string ReadableTime(double seconds)
   return text + " UTC";
 }
 
+// What there is in a volume of which its moment's usual preset shows nothing; else nothing.
+std::string WordsFor(vtkImageData* volume)
+{
+  using namespace nexrad::scene;
+  if (volume == nullptr || ArrayOf(volume).empty())
+  {
+    return "";
+  }
+  const auto usual = MakeTransferFunction(SceneOptions(), ArrayOf(volume));
+  return WordsForNothing(FindEchoShown(volume, std::nullopt, OpacitiesOf(usual)), ArrayOf(volume),
+    LeastShown(usual), ReadVolumeInformation(volume).biologicalShare, PresetWords::Setting);
+}
+
 } // namespace
 
 vtkNexradTimeText::vtkNexradTimeText() = default;
@@ -86,6 +104,11 @@ int vtkNexradTimeText::RequestData(
   {
     text += "\nSYNTHETIC";
   }
+  // A process that has a part of a volume does not know of the others.
+  const int parts = output->GetInformationObject(0)->Get(
+    vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES());
+  const std::string nothing = parts > 1 ? "" : WordsFor(vtkImageData::SafeDownCast(data));
+  text += nothing.empty() ? "" : "\n" + nothing;
   vtkNew<vtkStringArray> column;
   column->SetName("Text");
   column->InsertNextValue(text);
