@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTextureSliceRepresentation.h"
 
+#include "VolumeGround.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
 #include "vtkAlgorithm.h"
+#include "vtkCommand.h"
 #include "vtkInformation.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
+#include "vtkPVLODVolume.h"
+#include "vtkPVRenderView.h"
+#include "vtkRenderer.h"
 
 vtkStandardNewMacro(vtkNexradTextureSliceRepresentation);
 
 vtkNexradTextureSliceRepresentation::vtkNexradTextureSliceRepresentation()
+  : DrawnGround(std::make_unique<VolumeGround>())
 {
   this->VolumeMapper = vtkSmartPointer<vtkOpenGLTextureSliceVolumeMapper>::New();
   this->SetPreIntegration(true);
@@ -76,14 +81,55 @@ void vtkNexradTextureSliceRepresentation::SetShadowDensity(double density)
   this->GetSliceMapper()->SetShadowDensity(density);
 }
 
+void vtkNexradTextureSliceRepresentation::SetExposure(double exposure)
+{
+  this->GetSliceMapper()->SetExposure(exposure);
+}
+
 void vtkNexradTextureSliceRepresentation::SetLightDirection(double x, double y, double z)
 {
   this->GetSliceMapper()->SetLightDirection(x, y, z);
 }
 
+void vtkNexradTextureSliceRepresentation::SetGround(bool shown)
+{
+  this->Ground = shown;
+}
+
+bool vtkNexradTextureSliceRepresentation::AddToView(vtkView* view)
+{
+  auto* drawing = vtkPVRenderView::SafeDownCast(view);
+  if (drawing == nullptr || !this->Superclass::AddToView(view))
+  {
+    return false;
+  }
+  vtkRenderer* renderer = drawing->GetRenderer();
+  this->DrawnGround->AddTo(renderer);
+  this->FrameTag = renderer->AddObserver(
+    vtkCommand::StartEvent, this, &vtkNexradTextureSliceRepresentation::UpdateGround);
+  return true;
+}
+
+bool vtkNexradTextureSliceRepresentation::RemoveFromView(vtkView* view)
+{
+  if (auto* drawing = vtkPVRenderView::SafeDownCast(view))
+  {
+    drawing->GetRenderer()->RemoveObserver(this->FrameTag);
+  }
+  this->DrawnGround->Remove();
+  return this->Superclass::RemoveFromView(view);
+}
+
+// The ground is drawn before the volume, and shows the shadow that this frame has.
+void vtkNexradTextureSliceRepresentation::UpdateGround()
+{
+  this->DrawnGround->Update(this->GetSliceMapper(), this->Actor, this->Ground);
+}
+
 void vtkNexradTextureSliceRepresentation::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Ground: " << this->Ground << "\n";
   os << indent << "SliceMapper:\n";
   this->GetSliceMapper()->PrintSelf(os, indent.GetNextIndent());
 }

@@ -14,6 +14,9 @@
 #include "vtkImageVolumeRepresentation.h"
 #include "vtkNexradRepresentationsModule.h" // For export macro
 
+#include <memory>
+
+class VolumeGround;
 class vtkOpenGLTextureSliceVolumeMapper;
 
 class VTKNEXRADREPRESENTATIONS_EXPORT vtkNexradTextureSliceRepresentation
@@ -54,13 +57,20 @@ public:
 
   /**
    * How strong shadows and ambient occlusion are, 0 (off, the default) to 1, how dense the volume
-   * is for their light, and the direction from the volume to the light: those of
-   * vtkOpenGLTextureSliceVolumeMapper.
+   * is for their light, what they leave is multiplied by, and the direction from the volume to the
+   * light: those of vtkOpenGLTextureSliceVolumeMapper.
    */
   void SetShadowStrength(double strength);
   void SetOcclusionStrength(double strength);
   void SetShadowDensity(double density);
+  void SetExposure(double exposure);
   void SetLightDirection(double x, double y, double z);
+
+  /**
+   * Whether the ground lies under the volume: shaded relief and water where its field data have a
+   * projection, else a plane of one colour, with the volume's shadow. Off by default.
+   */
+  void SetGround(bool shown);
 
   /**
    * The mapper that draws.
@@ -72,8 +82,16 @@ protected:
   ~vtkNexradTextureSliceRepresentation() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
+  bool AddToView(vtkView* view) override;
+  bool RemoveFromView(vtkView* view) override;
 
 private:
+  void UpdateGround();
+
+  std::unique_ptr<VolumeGround> DrawnGround;
+  bool Ground = false;
+  unsigned long FrameTag = 0; // of what is told that a frame begins
+
   vtkNexradTextureSliceRepresentation(const vtkNexradTextureSliceRepresentation&) = delete;
   void operator=(const vtkNexradTextureSliceRepresentation&) = delete;
 };
