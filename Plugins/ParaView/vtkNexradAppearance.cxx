@@ -1,19 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradAppearance.h"
 
+#include "Scene/Frame/LightOptions.h"
+#include "Scene/Frame/SceneFrame.h"
+#include "Scene/VolumeAppearance.h"
 #include "nexrad/Model/Moment.h"
+#include "vtkNexradFirstView.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 
 #include "vtkBoundingBox.h"
 #include "vtkDataAssembly.h"
 #include "vtkDataObject.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkNew.h"
 #include "vtkPVArrayInformation.h"
 #include "vtkPVDataInformation.h"
 #include "vtkPVDataSetAttributesInformation.h"
 #include "vtkSMPVRepresentationProxy.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMSessionProxyManager.h"
 #include "vtkSMSourceProxy.h"
 #include "vtkSMViewProxy.h"
+#include "vtkSmartPointer.h"
 
 #include <algorithm>
 #include <array>
@@ -23,17 +31,6 @@
 
 namespace
 {
-
-constexpr double UnitDistance = 5000.0; // m, that the presets' opacities are for
-// Where x and y are degrees and z is metres, distances have no unit; this gives pictures like those
-// in metres.
-constexpr double GeographicUnitDistance = 1000.0;
-constexpr double GeographicSlices = 256.0;
-constexpr double MostExaggeration = 8.0; // as of nexrad3d
-constexpr double MetresPerDegree = 111'195.0;
-constexpr double ShadowStrength = 0.5;
-constexpr double OcclusionStrength = 0.5;
-constexpr std::array<double, 3> Background = {0.04, 0.05, 0.07};
 
 vtkPVDataInformation* InputInformation(vtkSMProxy* representation)
 {
@@ -60,23 +57,6 @@ std::string FirstMoment(vtkPVDataInformation* data)
     data->GetPointDataInformation()->GetAttributeInformation(vtkDataSetAttributes::SCALARS);
   const char* name = active ? active->GetName() : nullptr;
   return name && nexrad::ParseMomentName(name) ? name : first;
-}
-
-// Whether x and y are degrees: then a volume is far higher, in numbers, than it is wide.
-bool IsGeographic(const double bounds[6])
-{
-  return std::abs(bounds[0]) <= 540.0 && std::abs(bounds[1]) <= 540.0 &&
-         std::abs(bounds[2]) <= 90.0 && std::abs(bounds[3]) <= 90.0;
-}
-
-// What heights are multiplied with.
-double HeightScale(const double bounds[6])
-{
-  const double unit = IsGeographic(bounds) ? MetresPerDegree : 1.0;
-  const double width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]) * unit;
-  const double height = bounds[5] - bounds[4];
-  const double wanted = height > 0.0 ? width / 3.0 / height : 1.0;
-  return std::clamp(wanted, 1.0, MostExaggeration) / unit;
 }
 
 // The selectors of the first sweep of each radar: its block is named "KLSX Sweep 00 0.50 deg".
@@ -120,29 +100,29 @@ void Set(vtkSMProxy* proxy, const char* property, const std::array<double, 3>& v
   vtkSMPropertyHelper(proxy, property, true).Set(values.data(), 3);
 }
 
-} // namespace
-
-bool vtkNexradShowsData(vtkSMViewProxy* view)
+// Nothing where there are no data.
+std::optional<vtkNexradBox> BoundsOf(vtkPVDataInformation* data)
 {
-  const vtkSMPropertyHelper shown(view, "Representations");
-  for (unsigned int i = 0; i < shown.GetNumberOfElements(); ++i)
+  vtkNexradBox bounds{};
+  if (data != nullptr)
   {
-    auto* each = vtkSMPVRepresentationProxy::SafeDownCast(shown.GetAsProxy(i));
-    if (each && vtkSMPropertyHelper(each, "Visibility").GetAsInt() != 0)
-    {
-      return true;
-    }
+    data->GetBounds(bounds.data());
   }
-  return false;
+  return data != nullptr && vtkBoundingBox(bounds.data()).IsValid() ? std::optional(bounds)
+                                                                    : std::nullopt;
 }
 
-void vtkNexradDressData(vtkSMProxy* representation, bool isVolume)
+vtkNexradBox Scaled(vtkNexradBox box, const std::array<double, 3>& scale)
 {
-  vtkPVDataInformation* data = InputInformation(representation);
-  if (!data)
+  for (std::size_t side = 0; side < box.size(); ++side)
   {
-    return;
+    box[side] *= scale[side / 2];
   }
+  return box;
+}
+
+void ColorByFirstMoment(vtkSMProxy* representation, vtkPVDataInformation* data)
+{
   const std::string moment = FirstMoment(data);
   if (!moment.empty())
   {
@@ -151,36 +131,95 @@ void vtkNexradDressData(vtkSMProxy* representation, bool isVolume)
     vtkSMPVRepresentationProxy::SetScalarColoring(
       representation, moment.c_str(), isPoints ? vtkDataObject::POINT : vtkDataObject::CELL);
   }
-  double bounds[6];
-  data->GetBounds(bounds);
-  if (vtkBoundingBox(bounds).IsValid())
+}
+
+// The box that vtkNexradFraming found, once it has set what it found.
+vtkNexradBox Frame(vtkSMProxy* representation, double time)
+{
+  const vtkSMPropertyHelper input(representation, "Input");
+  vtkSMProxy* volume = input.GetAsProxy();
+  const auto made = vtkSmartPointer<vtkSMProxy>::Take(
+    volume->GetSessionProxyManager()->NewProxy("internal_filters", "NexradFraming"));
+  auto* framing = vtkSMSourceProxy::SafeDownCast(made);
+  vtkSMPropertyHelper(framing, "Input").Set(volume, input.GetOutputPort());
+  framing->UpdateVTKObjects();
+  framing->UpdatePipeline(time);
+  framing->UpdatePropertyInformation();
+  std::array<double, 3> scale{};
+  vtkNexradBox box{};
+  vtkSMPropertyHelper(framing, "Scale").Get(scale.data(), 3);
+  vtkSMPropertyHelper(framing, "Framed").Get(box.data(), 6);
+  Set(representation, "Scale", scale);
+  Set(representation, "ScalarOpacityUnitDistance",
+    vtkSMPropertyHelper(framing, "OpacityDistance").GetAsDouble());
+  Set(representation, "NumberOfSlices", vtkSMPropertyHelper(framing, "Slices").GetAsDouble());
+  return Scaled(box, scale);
+}
+
+// The light of the scene, as it is set on a mapper.
+void Light(vtkSMProxy* representation)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> lit;
+  nexrad::scene::SetLight(lit, nexrad::scene::LightOptions());
+  Set(representation, "ShadowStrength", lit->GetShadowStrength());
+  Set(representation, "AmbientOcclusionStrength", lit->GetOcclusionStrength());
+  Set(representation, "ShadowDensity", lit->GetShadowDensity());
+  Set(representation, "Exposure", lit->GetExposure());
+  const double* toLight = lit->GetLightDirection();
+  Set(representation, "LightDirection", {toLight[0], toLight[1], toLight[2]});
+}
+
+// How the view shows the input of a filter; nullptr where it does not.
+vtkSMProxy* RepresentationOfInput(vtkSMProxy* filter, vtkSMViewProxy* view)
+{
+  const vtkSMPropertyHelper input(filter, "Input");
+  auto* producer = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
+  return producer ? view->FindRepresentation(producer, input.GetOutputPort()) : nullptr;
+}
+
+std::array<double, 3> ScaleOf(vtkSMProxy* representation)
+{
+  std::array<double, 3> scale{};
+  vtkSMPropertyHelper(representation, "Scale").Get(scale.data(), 3);
+  return scale;
+}
+
+} // namespace
+
+std::optional<vtkNexradBox> vtkNexradDressVolume(vtkSMProxy* representation, double time)
+{
+  vtkPVDataInformation* data = InputInformation(representation);
+  if (!BoundsOf(data))
   {
-    Set(representation, "Scale", {1.0, 1.0, HeightScale(bounds)});
-    if (isVolume)
-    {
-      const bool isGeographic = IsGeographic(bounds);
-      Set(representation, "ScalarOpacityUnitDistance",
-        isGeographic ? GeographicUnitDistance : UnitDistance);
-      if (isGeographic)
-      {
-        // Voxels that are 400 m high and 0.05 degrees wide do not tell how far slices may lie
-        // apart.
-        Set(representation, "NumberOfSlices", GeographicSlices);
-      }
-    }
+    return std::nullopt;
   }
-  if (isVolume)
-  {
-    Set(representation, "ShadowStrength", ShadowStrength);
-    Set(representation, "AmbientOcclusionStrength", OcclusionStrength);
-  }
-  else
-  {
-    ShowFirstSweeps(representation, data);
-    Set(representation, "Ambient", 1.0); // the colours of the legend, whatever way a sweep faces
-    Set(representation, "Diffuse", 0.0);
-  }
+  ColorByFirstMoment(representation, data);
+  Light(representation);
+  Set(representation, "Ground", 1.0);
+  const vtkNexradBox box = Frame(representation, time);
   representation->UpdateVTKObjects();
+  return box;
+}
+
+std::optional<vtkNexradBox> vtkNexradDressSweeps(vtkSMProxy* representation)
+{
+  vtkPVDataInformation* data = InputInformation(representation);
+  const auto bounds = BoundsOf(data);
+  if (!bounds)
+  {
+    return std::nullopt;
+  }
+  ColorByFirstMoment(representation, data);
+  const auto& [west, east, south, north, bottom, top] = *bounds;
+  const double width = std::sqrt((east - west) * (north - south));
+  const std::array<double, 3> scale = {
+    1.0, 1.0, nexrad::scene::DefaultExaggeration(width / 1000.0, (top - bottom) / 1000.0)};
+  Set(representation, "Scale", scale);
+  ShowFirstSweeps(representation, data);
+  Set(representation, "Ambient", 1.0); // the colours of the legend, whatever way a sweep faces
+  Set(representation, "Diffuse", 0.0);
+  representation->UpdateVTKObjects();
+  return Scaled(*bounds, scale);
 }
 
 void vtkNexradDressMap(vtkSMProxy* representation, vtkSMViewProxy* view)
@@ -189,47 +228,21 @@ void vtkNexradDressMap(vtkSMProxy* representation, vtkSMViewProxy* view)
   Set(representation, "MapScalars", 0.0); // its values are colours
   Set(representation, "Ambient", 1.0);    // lines have no side that faces a light
   Set(representation, "Diffuse", 0.0);
-  auto* map =
-    vtkSMSourceProxy::SafeDownCast(vtkSMPropertyHelper(representation, "Input").GetAsProxy());
-  const vtkSMPropertyHelper input(map, "Input");
-  auto* volume = vtkSMSourceProxy::SafeDownCast(input.GetAsProxy());
-  if (vtkSMProxy* shown =
-        volume ? view->FindRepresentation(volume, input.GetOutputPort()) : nullptr)
+  vtkSMProxy* map = vtkSMPropertyHelper(representation, "Input").GetAsProxy();
+  if (vtkSMProxy* shown = RepresentationOfInput(map, view))
   {
-    std::array<double, 3> scale{};
-    vtkSMPropertyHelper(shown, "Scale").Get(scale.data(), 3);
-    Set(representation, "Scale", scale);
+    Set(representation, "Scale", ScaleOf(shown));
   }
   representation->UpdateVTKObjects();
 }
 
-void vtkNexradDressView(vtkSMViewProxy* view, vtkSMProxy* representation, bool isVolume)
+void vtkNexradSizeLetters(vtkSMProxy* map, vtkSMViewProxy* view)
 {
-  vtkPVDataInformation* data = InputInformation(representation);
-  double bounds[6];
-  data->GetBounds(bounds);
-  if (!vtkBoundingBox(bounds).IsValid())
+  vtkSMProxy* shown = RepresentationOfInput(map, view);
+  if (const auto bounds = shown != nullptr ? BoundsOf(InputInformation(shown)) : std::nullopt)
   {
-    return;
+    const vtkNexradBox box = Scaled(*bounds, ScaleOf(shown));
+    Set(map, "LetterHeight",
+      vtkNexradLetterHeight(view) / std::max(box[1] - box[0], box[3] - box[2]));
   }
-  Set(view, "UseColorPaletteForBackground", 0.0);
-  vtkSMPropertyHelper(view, "BackgroundColorMode", true).Set("Single Color");
-  Set(view, "Background", Background);
-  const double scale = HeightScale(bounds);
-  const double width = std::max(bounds[1] - bounds[0], bounds[3] - bounds[2]);
-  const std::array<double, 3> middle = {(bounds[0] + bounds[1]) / 2.0,
-    (bounds[2] + bounds[3]) / 2.0, scale * (bounds[4] + (bounds[5] - bounds[4]) / 4.0)};
-  Set(view, "CameraFocalPoint", middle);
-  if (isVolume)
-  {
-    Set(view, "CameraPosition",
-      {middle[0] - 0.35 * width, middle[1] - 1.15 * width, middle[2] + 0.9 * width});
-    Set(view, "CameraViewUp", {0.0, 0.0, 1.0});
-  }
-  else
-  {
-    Set(view, "CameraPosition", {middle[0], middle[1], middle[2] + 2.0 * width});
-    Set(view, "CameraViewUp", {0.0, 1.0, 0.0});
-  }
-  view->UpdateVTKObjects();
 }

@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file   vtkNexradAppearance.h
- * @brief  how ParaView's representations and views show radar data where nobody chose
+ * @brief  how ParaView's representations show radar data where nobody chose: as the scene does
  */
 #ifndef vtkNexradAppearance_h
 #define vtkNexradAppearance_h
+
+#include <array>
+#include <optional>
 
 class vtkSMProxy;
 class vtkSMViewProxy;
 
 /**
- * Whether any data are visible in a view; legends and texts are none.
+ * A box of a view: from, to of x, y and z.
  */
-bool vtkNexradShowsData(vtkSMViewProxy* view);
+using vtkNexradBox = std::array<double, 6>;
 
 /**
- * Colours a representation by the first moment of its input and stretches its heights. A volume is
- * lit, with opacities for 5 km; of sweeps the first of each radar is shown, in the colours of the
- * legend.
+ * Colours the representation of a volume by its first moment, lights it over the ground, and gives
+ * it the stretch of heights, the distance of opacities and the number of slices that suit its echo
+ * at a time (vtkNexradFraming). What a view is to look at; nothing where there is no volume.
  */
-void vtkNexradDressData(vtkSMProxy* representation, bool isVolume);
+std::optional<vtkNexradBox> vtkNexradDressVolume(vtkSMProxy* representation, double time);
+
+/**
+ * Shows the first sweep of each radar, in the colours of the legend, with stretched heights. What a
+ * view is to look at; nothing where there are no sweeps.
+ */
+std::optional<vtkNexradBox> vtkNexradDressSweeps(vtkSMProxy* representation);
 
 /**
  * Gives a map its own colours, and the heights of its input's representation in the view.
@@ -27,9 +36,8 @@ void vtkNexradDressData(vtkSMProxy* representation, bool isVolume);
 void vtkNexradDressMap(vtkSMProxy* representation, vtkSMViewProxy* view);
 
 /**
- * Gives a view a dark background, and a camera that looks at what the representation shows: at a
- * volume from the south and from above, at sweeps straight from above.
+ * Gives the filter of a map, whose input a view shows, letters that can be read there.
  */
-void vtkNexradDressView(vtkSMViewProxy* view, vtkSMProxy* representation, bool isVolume);
+void vtkNexradSizeLetters(vtkSMProxy* map, vtkSMViewProxy* view);
 
 #endif

@@ -3,11 +3,13 @@
 
 #include "nexrad/Model/Moment.h"
 #include "vtkNexradAppearance.h"
+#include "vtkNexradFirstView.h"
 
 #include "vtkObjectFactory.h"
 #include "vtkPVXMLElement.h"
 #include "vtkProcessModule.h"
 #include "vtkSMPropertyHelper.h"
+#include "vtkSMProxySelectionModel.h"
 #include "vtkSMSessionProxyManager.h"
 #include "vtkSMSettings.h"
 #include "vtkSMSourceProxy.h"
@@ -86,6 +88,14 @@ std::string PresetOf(const std::string& name)
                                          : std::string();
 }
 
+// That in which a person works; nullptr where there is none.
+vtkSMProxy* ActiveView(vtkSMProxy* proxy)
+{
+  vtkSMProxySelectionModel* active =
+    proxy->GetSessionProxyManager()->GetSelectionModel("ActiveView");
+  return active != nullptr ? active->GetCurrentProxy() : nullptr;
+}
+
 } // namespace
 
 vtkSMProxy* vtkNexradShowController::Show(
@@ -104,12 +114,18 @@ vtkSMProxy* vtkNexradShowController::Show(
   {
     vtkNexradDressMap(shown, view);
   }
+  else if (kind == "time")
+  {
+    vtkNexradDressWords(shown, {"Color"}, view);
+  }
   else if (kind == "volume" || kind == "sweeps")
   {
-    vtkNexradDressData(shown, kind == "volume");
-    if (isAlone)
+    const auto box = kind == "volume" ? vtkNexradDressVolume(shown,
+                                          vtkSMPropertyHelper(view, "ViewTime").GetAsDouble())
+                                      : vtkNexradDressSweeps(shown);
+    if (box && isAlone)
     {
-      vtkNexradDressView(view, shown, kind == "volume");
+      vtkNexradDressView(view, *box, kind == "sweeps");
     }
   }
   return shown;
@@ -154,6 +170,7 @@ bool vtkNexradShowController::PostInitializeProxy(vtkSMProxy* proxy)
       }
       vtkSMPropertyHelper(proxy, "AutomaticLabelFormat", true).Set(0);
       proxy->UpdateVTKObjects();
+      vtkNexradDressWords(proxy, {"TitleColor", "LabelColor"}, ActiveView(proxy));
     }
   }
   return true;
@@ -181,6 +198,10 @@ void vtkNexradShowController::ShowCompanion(
   }
   this->PreInitializeProxy(companion);
   vtkSMPropertyHelper(companion, "Input").Set(producer);
+  if (KindOf(companion) == "map")
+  {
+    vtkNexradSizeLetters(companion, view);
+  }
   this->PostInitializeProxy(companion);
   const std::string unique = manager->GetUniqueProxyName("sources", name, false);
   // Without the controller, which would make the companion the active source: the window would make

@@ -7,15 +7,15 @@
  * When the output of a source whose hints have the element NexradShow is shown in a view for the
  * first time:
  *
- * - kind="volume": it is coloured by its first moment; heights are stretched so that the volume
- *   stands a third as high as it is wide, but at most 8 times; opacities belong to 5 km; shadows
- * and ambient occlusion are on.
- * - kind="sweeps": coloured by its first moment, heights stretched in the same way; the first sweep
- *   of each radar alone is visible, without lighting.
+ * - kind="volume": it is coloured by its first moment, and lit over the ground; stretch of heights,
+ * opacities and slices suit its echo, as in the scene (vtkNexradFraming).
+ * - kind="sweeps": coloured by its first moment, heights stretched by the scene's rule; the first
+ * sweep of each radar alone is visible, without lighting.
  * - kind="map": drawn in its own colours, with the heights of its input.
  *
- * In a render view in which nothing else is visible, volumes and sweeps get a dark background, and
- * a camera that looks at them from the south, from above.
+ * In a render view in which nothing else is visible, volumes and sweeps get the sky of the scene's
+ * light theme, with dark letters, and a camera: at the echo of a volume from the scene's direction,
+ * at sweeps straight from above.
  *
  * A new opacity function of a moment's array gets the opacities of the moment's preset; ParaView
  * itself takes only the colours of a preset. The legend of a moment has numbers without exponents.
