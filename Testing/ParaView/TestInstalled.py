@@ -8,7 +8,7 @@ import SyntheticFiles
 from paraview import simple
 
 LIBRARIES = {"VTKNexrad", "libVTKNexradCore", "libvtkNexradIO", "libvtkNexradFilters",
-             "libvtkNexradRendering", "libvtkNexradRepresentations", "libvtkNexradAnnotations"}
+             "libvtkNexradRendering", "libvtkNexradScene", "libvtkNexradRepresentations", "libvtkNexradAnnotations"}
 
 
 class Installed(unittest.TestCase):

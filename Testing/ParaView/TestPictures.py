@@ -40,6 +40,7 @@ class PictureTest(unittest.TestCase):
         self.display.Scale = [1, 1, 10]
         self.display.ScalarOpacityUnitDistance = 5000
         self.display.ShadowStrength = self.display.AmbientOcclusionStrength = 0  # as ParaView's own
+        self.display.Ground = 0
 
     def tearDown(self):
         for proxy in (self.display, self.day, self.view):

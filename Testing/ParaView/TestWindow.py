@@ -26,11 +26,11 @@ class Guide(unittest.TestCase):
                 self.assertLessEqual(len(window.actions), 6)
             # The view below its buttons; rows count from below.
             view = Plugin.picture(picture)[-760:-215, 320:1150, :3]
-            dark = (view.max(axis=2) < 40).mean()
+            light = (view.min(axis=2) > 200).mean()
             coloured = (view.max(axis=2) - view.min(axis=2) > 60).mean()
-            print(f"{100 * dark:.0f} % of the view is dark, {100 * coloured:.1f} % is coloured")
-            self.assertGreater(dark, 0.5)
-            self.assertGreater(coloured, 0.01)
+            print(f"{100 * light:.0f} % of the view is light, {100 * coloured:.1f} % is coloured")
+            self.assertGreater(light, 0.4)
+            self.assertGreater(coloured, 0.06)
 
 
 if __name__ == "__main__":
