@@ -169,6 +169,14 @@ void Light(vtkSMProxy* representation)
   Set(representation, "LightDirection", {toLight[0], toLight[1], toLight[2]});
 }
 
+// As the scene does. `voxel`: its width, as a part of the width of the view.
+void SizePixels(vtkSMProxy* representation, vtkSMViewProxy* view, double voxel)
+{
+  vtkNew<vtkOpenGLTextureSliceVolumeMapper> sized;
+  nexrad::scene::SetPixelSize(sized, voxel * vtkSMPropertyHelper(view, "ViewSize").GetAsDouble(0));
+  Set(representation, "ImageSampleDistance", static_cast<double>(sized->GetImageSampleDistance()));
+}
+
 // How the view shows the input of a filter; nullptr where it does not.
 vtkSMProxy* RepresentationOfInput(vtkSMProxy* filter, vtkSMViewProxy* view)
 {
@@ -186,17 +194,23 @@ std::array<double, 3> ScaleOf(vtkSMProxy* representation)
 
 } // namespace
 
-std::optional<vtkNexradBox> vtkNexradDressVolume(vtkSMProxy* representation, double time)
+std::optional<vtkNexradBox> vtkNexradDressVolume(vtkSMProxy* representation, vtkSMViewProxy* view)
 {
   vtkPVDataInformation* data = InputInformation(representation);
-  if (!BoundsOf(data))
+  const auto bounds = BoundsOf(data);
+  if (!bounds)
   {
     return std::nullopt;
   }
   ColorByFirstMoment(representation, data);
   Light(representation);
   Set(representation, "Ground", 1.0);
-  const vtkNexradBox box = Frame(representation, time);
+  const vtkNexradBox box =
+    Frame(representation, vtkSMPropertyHelper(view, "ViewTime").GetAsDouble());
+  const vtkNexradBox whole = Scaled(*bounds, ScaleOf(representation));
+  const int* extent = data->GetExtent();
+  SizePixels(
+    representation, view, (whole[1] - whole[0]) / (extent[1] - extent[0]) / (box[1] - box[0]));
   representation->UpdateVTKObjects();
   return box;
 }

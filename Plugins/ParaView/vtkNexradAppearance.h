@@ -20,9 +20,10 @@ using vtkNexradBox = std::array<double, 6>;
 /**
  * Colours the representation of a volume by its first moment, lights it over the ground, and gives
  * it the stretch of heights, the distance of opacities and the number of slices that suit its echo
- * at a time (vtkNexradFraming). What a view is to look at; nothing where there is no volume.
+ * at the time of the view (vtkNexradFraming), and the size of pixels that suits its voxels there.
+ * What the view is to look at; nothing where there is no volume.
  */
-std::optional<vtkNexradBox> vtkNexradDressVolume(vtkSMProxy* representation, double time);
+std::optional<vtkNexradBox> vtkNexradDressVolume(vtkSMProxy* representation, vtkSMViewProxy* view);
 
 /**
  * Shows the first sweep of each radar, in the colours of the legend, with stretched heights. What a

@@ -120,9 +120,8 @@ vtkSMProxy* vtkNexradShowController::Show(
   }
   else if (kind == "volume" || kind == "sweeps")
   {
-    const auto box = kind == "volume" ? vtkNexradDressVolume(shown,
-                                          vtkSMPropertyHelper(view, "ViewTime").GetAsDouble())
-                                      : vtkNexradDressSweeps(shown);
+    const auto box =
+      kind == "volume" ? vtkNexradDressVolume(shown, view) : vtkNexradDressSweeps(shown);
     if (box && isAlone)
     {
       vtkNexradDressView(view, *box, kind == "sweeps");

@@ -41,6 +41,7 @@ class PictureTest(unittest.TestCase):
         self.display.ScalarOpacityUnitDistance = 5000
         self.display.ShadowStrength = self.display.AmbientOcclusionStrength = 0  # as ParaView's own
         self.display.Ground = 0
+        self.display.ImageSampleDistance = 1
 
     def tearDown(self):
         for proxy in (self.display, self.day, self.view):

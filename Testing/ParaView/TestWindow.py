@@ -22,7 +22,7 @@ class Guide(unittest.TestCase):
             picture = os.path.join(home, "window.png")
             with Window.Window(os.environ["NEXRAD_PLUGIN"], folder, home) as window:
                 Window.open_day(window, len(files))
-                window.picture(picture, "PNG24")
+                window.picture(picture)
                 self.assertLessEqual(len(window.actions), 6)
             # The view below its buttons; rows count from below.
             view = Plugin.picture(picture)[-760:-215, 320:1150, :3]

@@ -87,10 +87,9 @@ class Window:
         freed = ("keyup", key) if key else ()
         return self.act(what, "mousemove", *place, *held, "click", 1, *freed)
 
-    def picture(self, path, kind="PNG8"):
-        """Takes a picture of the screen; of few colours, which makes small files, or as it is with PNG24."""
-        few = ("+dither", "-colors", "200") if kind == "PNG8" else ()
-        run("import", "-window", "root", *few, f"{kind}:{path}")
+    def picture(self, path):
+        """Takes a picture of the screen."""
+        run("import", "-window", "root", f"PNG24:{path}")
 
 
 def place_in(window, fraction):

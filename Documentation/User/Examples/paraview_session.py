@@ -21,26 +21,18 @@ def load_plugin(path):
 
 def open_day(folder, **settings):
     """Opens all files of a folder, of any number of radars, as one source."""
-    day = NEXRADRadarDay(FileNames=[folder], **settings)
+    day = NEXRADRadarDay(registrationName="Day", FileNames=[folder], **settings)
     day.UpdatePipelineInformation()
     return day
 
 
 def show(day, view, representation, colours):
-    display = Show(day, view)  # coloured, lit, heights stretched
+    display = Show(day, view)  # coloured, lit, framed
     for function in (GetColorTransferFunction("REF"), GetOpacityTransferFunction("REF")):
         function.ApplyPreset(colours, False)
     display.SetRepresentationType(representation)
     display.SetScalarBarVisibility(view, True)
     return display
-
-
-def look_from_south(view):
-    ResetCamera(view)
-    view.CameraViewUp = [0, 0, 1]
-    view.CameraFocalPoint = [0, 0, 40e3]
-    away = view.CameraParallelScale
-    view.CameraPosition = [-0.5 * away, -1.9 * away, 1.5 * away]
 
 
 def save_picture(view, output, name):
@@ -51,9 +43,8 @@ def several_radars(folder, output):
     view = GetActiveViewOrCreate("RenderView")
     view.ViewSize = [900, 600]
     day = open_day(os.path.join(folder, RADARS), MaximumGap=2700)
-    show(day, view, "Volume (slices)", "NEXRAD clear air")
-    look_from_south(view)
     GetAnimationScene().AnimationTime = day.TimestepValues[len(day.TimestepValues) // 2]
+    show(day, view, "Volume (slices)", "NEXRAD all echo")
     save_picture(view, output, "radars-slices")
     Delete(day)
 
@@ -65,6 +56,7 @@ def sweeps(folder, output):
     view.ViewTime = reader.TimestepValues[1]
     display = Show(reader, view)  # the first cut alone
     display.BlockSelectors = ["/"]  # all of them
+    GetColorTransferFunction("REF").ApplyPreset("NEXRAD clear air", False)
     view.CameraViewUp = [0, 0, 1]
     view.CameraFocalPoint = [-60e3, 0, 20e3]
     view.CameraPosition = [-120e3, -420e3, 280e3]
@@ -76,12 +68,11 @@ def storm_in_time(folder, output):
     view = GetActiveViewOrCreate("RenderView")
     view.ViewSize = [900, 600]
     day = open_day(os.path.join(folder, STORM))
-    display = show(day, view, "Volume (slices)", "NEXRAD all echo")
-    look_from_south(view)
-
     scene = GetAnimationScene()
     scene.UpdateAnimationUsingDataTimeSteps()
     scene.GoToFirst()
+    display = show(day, view, "Volume (slices)", "NEXRAD all echo")
+    Show(NEXRADMap(Input=day), view)
     save_picture(view, output, "storm-first")
     scene.GoToNext()
     scene.GoToNext()
@@ -95,13 +86,14 @@ def storm_in_time(folder, output):
     opacity.Points = [35, 0, 0.5, 0, 40, 0.2, 0.5, 0, 55, 0.9, 0.5, 0]
     save_picture(view, output, "storm-cores")
 
+    SetActiveSource(day)
     SaveState(os.path.join(output, "session.pvsm"))
     SaveAnimation(os.path.join(output, "storm.ogv"), view, FrameRate=2)
 
 
 def again(output):
     LoadState(os.path.join(output, "session.pvsm"))
-    SetActiveSource(list(GetSources().values())[0])
+    SetActiveSource(FindSource("Day"))
     save_picture(GetRenderViews()[0], output, "storm-again")
 
 
