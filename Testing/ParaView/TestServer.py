@@ -80,6 +80,17 @@ def draw(day, path, representation):
     return Plugin.picture(path)
 
 
+def first_look(day):
+    """What the echo of the whole day decides: scale, slices, camera and the distance of opacities."""
+    view = simple.CreateView("RenderView")
+    view.ViewSize = [400, 300]
+    view.ViewTime = TIME
+    display = simple.Show(day, view)
+    look = list(display.Scale) + [display.NumberOfSlices], list(view.CameraPosition), display.ScalarOpacityUnitDistance
+    simple.Delete(view)
+    return look
+
+
 def describe(day):
     information = day.GetDataInformation()
     array = information.GetPointDataInformation().GetArrayInformation("REF")
@@ -102,6 +113,7 @@ class Server(unittest.TestCase):
     def test_two_processes_show_what_one_shows(self):
         day = open_day(self.files)
         alone = describe(day)
+        scale, camera, distance = first_look(day)
         expected = {each: draw(day, self.path("alone.png"), each) for each in self.REPRESENTATIONS}
         port = free_port()
         type(self).server = start_server(port)
@@ -110,6 +122,12 @@ class Server(unittest.TestCase):
         day = open_day(self.files)
         self.assertEqual(servermanager.ActiveConnection.GetNumberOfDataPartitions(), PROCESSES)
         self.assertEqual(describe(day), alone)
+        of_two = first_look(day)
+        print(f"camera at {camera} and {of_two[1]}, opacities of {distance:.0f} and {of_two[2]:.0f} m")
+        self.assertEqual(of_two[0], scale)
+        for one, other in zip(camera, of_two[1]):
+            self.assertAlmostEqual(one, other, delta=1)
+        self.assertAlmostEqual(of_two[2], distance, delta=1)
         for each in self.REPRESENTATIONS:
             apart, largest = Plugin.difference(expected[each], draw(day, self.path("two.png"), each))
             echo, _ = Plugin.difference(expected[each], expected["Outline"])

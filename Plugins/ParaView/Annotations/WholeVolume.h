@@ -13,3 +13,8 @@ void AskForOwnPart(vtkInformation* input, vtkInformation* output);
 /// The whole volume of which a pipeline has a part, without voxels: its place, its size and its
 /// field data.
 vtkSmartPointer<vtkImageData> DescribeWhole(vtkInformation* input);
+
+/// The volume of which each process has a part, with at most 128 voxels along x and along y: the
+/// same in all processes, which must all call this. Values are floats of its scalars' name, very
+/// low ones where no process has any.
+vtkSmartPointer<vtkImageData> GatherThinned(vtkImageData* part, vtkImageData* whole);

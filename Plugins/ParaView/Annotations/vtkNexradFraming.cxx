@@ -10,18 +10,13 @@
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
-#include "vtkMultiProcessController.h"
-#include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
-#include <array>
 #include <cmath>
-#include <cstring>
 #include <optional>
-#include <type_traits>
-#include <vector>
 
 vtkStandardNewMacro(vtkNexradFraming);
 
@@ -31,42 +26,13 @@ namespace
 using nexrad::scene::EchoExtent;
 using nexrad::scene::SceneFrame;
 
-// What processes exchange: numbers alone.
-struct Found
+std::optional<EchoExtent> EchoOf(vtkImageData* part, vtkImageData* whole, int parts)
 {
-  double any = 0.0; // 1: there is echo
-  EchoExtent echo;
-};
-constexpr std::size_t numbers = sizeof(Found) / sizeof(double);
-static_assert(std::is_trivially_copyable_v<Found> && numbers * sizeof(double) == sizeof(Found));
-
-std::optional<EchoExtent> JoinOfProcesses(const std::optional<EchoExtent>& own)
-{
-  vtkMultiProcessController* processes = vtkMultiProcessController::GetGlobalController();
-  const Found mine = own ? Found{1.0, *own} : Found();
-  std::array<double, numbers> sent{};
-  std::memcpy(sent.data(), &mine, sizeof(mine));
-  std::vector<double> all(numbers * static_cast<std::size_t>(processes->GetNumberOfProcesses()));
-  processes->AllGather(sent.data(), all.data(), static_cast<vtkIdType>(numbers));
-  std::optional<EchoExtent> joined;
-  for (std::size_t first = 0; first < all.size(); first += numbers)
-  {
-    Found found;
-    std::memcpy(static_cast<void*>(&found), all.data() + first, sizeof(found));
-    if (found.any > 0.0)
-    {
-      joined = joined ? Join(*joined, found.echo) : found.echo;
-    }
-  }
-  return joined;
-}
-
-std::optional<EchoExtent> EchoOf(vtkImageData* part, int parts)
-{
-  const std::optional<EchoExtent> own = part->GetPointData()->GetScalars() != nullptr
-                                          ? MeasureEcho(part, nexrad::scene::SceneOptions())
-                                          : std::nullopt;
-  return parts > 1 ? JoinOfProcesses(own) : own;
+  const vtkSmartPointer<vtkImageData> volume =
+    parts > 1 ? GatherThinned(part, whole) : vtkSmartPointer<vtkImageData>(part);
+  return volume->GetPointData()->GetScalars() != nullptr
+           ? MeasureEcho(volume, nexrad::scene::SceneOptions())
+           : std::nullopt;
 }
 
 // In the volume's coordinates, of a line of sight of one unit of the scene.
@@ -106,7 +72,7 @@ int vtkNexradFraming::RequestData(
   vtkInformation* asked = output->GetInformationObject(0);
   const auto volume = DescribeWhole(input[0]->GetInformationObject(0));
   const SceneFrame frame = FrameVolume(volume,
-    EchoOf(vtkImageData::GetData(input[0]),
+    EchoOf(vtkImageData::GetData(input[0]), volume,
       asked->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())),
     nexrad::scene::SceneOptions());
   const auto origin = frame.ToScene({0.0, 0.0, 0.0});

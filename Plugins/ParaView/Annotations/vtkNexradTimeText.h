@@ -12,8 +12,8 @@
  *     SYNTHETIC
  *
  * The last line stands there where the data were simulated. Further lines say what there is in a
- * volume of which the usual preset of its moment shows nothing, or next to nothing. Without a time in the field data the
- * time is that of the pipeline, in seconds since 1970-01-01T00:00:00Z.
+ * volume of which the usual preset of its moment shows nothing, or next to nothing. Without a time
+ * in the field data the time is that of the pipeline, in seconds since 1970-01-01T00:00:00Z.
  */
 #ifndef vtkNexradTimeText_h
 #define vtkNexradTimeText_h
