@@ -7,6 +7,7 @@
 #include "Output/StopSignal.h"
 #include "Volumes/OtherVolumes.h"
 #include "nexrad/Grid/GridText.h"
+#include "nexrad/Live/AwaitedEnds.h"
 #include "nexrad/Live/LiveSeries.h"
 #include "nexrad/Live/StepBook.h"
 #include "nexrad/System/MachineMemory.h"
@@ -38,6 +39,16 @@ constexpr auto intakeTime = std::chrono::milliseconds(500);
 
 // Real time between two writings of the status when nothing happens but that data grow older.
 constexpr auto statusInterval = std::chrono::seconds(1);
+
+std::vector<std::string> LinesOf(const std::vector<InputProblem>& problems)
+{
+  std::vector<std::string> lines;
+  for (const InputProblem& problem : problems)
+  {
+    lines.push_back(problem.Line());
+  }
+  return lines;
+}
 
 StepRules StepRulesOf(const WatchJob& job)
 {
@@ -79,6 +90,8 @@ public:
         this->Rest();
       }
     }
+    concluding = true;
+    this->TellEnds();
     status.reason = IsStopAsked() ? "a signal asked for it" : status.reason;
     this->WriteStatus("stopped");
     return report;
@@ -90,6 +103,7 @@ private:
   void Rest() const;
   void Conclude();
   void Use(std::vector<IntakeChange> changes);
+  void TellEnds();
   void EndBeforePause(const std::vector<LiveInput>& inputs);
   void DropStrays();
   void FollowGrid(const std::optional<GridSpecification>& before);
@@ -115,6 +129,7 @@ private:
   FolderListing listing;
   LiveIntake intake;
   LiveSeries series;
+  AwaitedEnds ends;
   StepBook book;
   LiveFolder& folder;
   PictureProcess picture;
@@ -162,6 +177,7 @@ bool WatchRun::Round()
   intake.Arrive(listing.Poll());
   this->TellProblems(listing.TakeProblems());
   this->Use(intake.Take(listing, intakeTime));
+  this->TellEnds();
   const bool newest = !intake.IsBehind() && this->MakeNewest();
   const bool steps = this->MakeSteps(false);
   if (steps)
@@ -232,18 +248,15 @@ void WatchRun::Use(std::vector<IntakeChange> changes)
     inputs.push_back(std::move(change.input));
   }
   this->EndBeforePause(inputs);
-  const std::vector<ScannedFile> scanned = series.Put(inputs);
+  std::vector<ScannedFile> scanned = series.Put(inputs);
   for (std::size_t i = 0; i < inputs.size(); ++i)
   {
-    std::vector<std::string> lines;
-    for (const InputProblem& problem : scanned[i].problems)
+    if (!inputs[i].finished)
     {
-      if (inputs[i].finished)
-      {
-        lines.push_back(problem.Line());
-      }
+      scanned[i].problems.clear();
     }
-    this->TellProblems(lines);
+    ends.Keep(scanned[i]);
+    this->TellProblems(LinesOf(scanned[i].problems));
   }
   if (std::any_of(changes.begin(), changes.end(),
         [](const IntakeChange& change) { return change.isTakenBack; }))
@@ -258,6 +271,17 @@ void WatchRun::Use(std::vector<IntakeChange> changes)
   for (const TimeSpan& span : series.Spans())
   {
     book.Extend(span.first, span.last);
+  }
+}
+
+// Of volumes that lack their end, those of which it is known why.
+void WatchRun::TellEnds()
+{
+  const AwaitedEnds::Decided decided = ends.TakeDecided(this->SilentRadars());
+  this->TellProblems(LinesOf(decided.problems));
+  for (const std::string& note : decided.notes)
+  {
+    tell(note);
   }
 }
 

@@ -201,8 +201,9 @@ void VolumeAssembler::CheckEnd(std::uint64_t size)
     last.missing.begin(), last.missing.end(), volume.sweeps.back().elevationNumber);
   const std::vector<int> lost(rest, last.missing.end());
   volume.damage.push_back({size,
-    piece + std::string(NoEndOfVolume) + ": its last rays are missing" +
-      (lost.empty() ? "" : ", and " + CutsText(lost) + " of " + std::to_string(*last.expected))});
+    piece + "no end of volume: its last rays are missing" +
+      (lost.empty() ? "" : ", and " + CutsText(lost) + " of " + std::to_string(*last.expected)),
+    true});
 }
 
 RadarVolume VolumeAssembler::Finish(const std::string& name, std::uint64_t size)

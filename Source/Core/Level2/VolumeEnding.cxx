@@ -4,7 +4,6 @@
 #include "nexrad/Model/SiteKey.h"
 
 #include <algorithm>
-#include <string>
 
 namespace nexrad
 {
@@ -40,8 +39,7 @@ void EndWithNext(RadarVolume& volume, const RadarVolume& next)
   }
   VolumeCuts& cuts = volume.cuts.back();
   LeaveRest(volume.sweeps.back().elevationNumber, cuts);
-  const auto isEnd = [](const Damage& damage)
-  { return damage.what.find(NoEndOfVolume) != std::string::npos; };
+  const auto isEnd = [](const Damage& damage) { return damage.isMissingEnd; };
   volume.damage.erase(
     std::remove_if(volume.damage.begin(), volume.damage.end(), isEnd), volume.damage.end());
   volume.complete = std::all_of(volume.cuts.begin(), volume.cuts.end(),

@@ -58,8 +58,9 @@ struct Sweep
 /// Something wrong in a file. The rest of the file was read.
 struct Damage
 {
-  std::uint64_t offset = 0; ///< byte offset in the file as it is stored (not as decompressed)
-  std::string what;         ///< one line: what is wrong there
+  std::uint64_t offset = 0;  ///< byte offset in the file as it is stored (not as decompressed)
+  std::string what;          ///< one line: what is wrong there
+  bool isMissingEnd = false; ///< the file ends before the radar ended its last volume
 };
 
 /// What the radar says of itself (message 2).

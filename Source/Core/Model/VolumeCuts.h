@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 namespace nexrad
@@ -21,9 +20,6 @@ enum class VolumeEnd : std::uint8_t
   Early,     ///< the radar, with cuts of the pattern left: AVSET, when nothing is to be seen higher
   NewVolume, ///< the radar broke it off and began the next one
 };
-
-/// What the damage of a volume without an end begins with.
-constexpr std::string_view NoEndOfVolume = "no end of volume";
 
 /// "last cut", "early", "new volume"; "missing" when nothing ended it.
 const char* ToString(VolumeEnd end);

@@ -17,6 +17,7 @@ struct InputProblem
   std::optional<std::uint64_t> offset; ///< byte offset in the stored file, when one is known
   std::string what;                    ///< one line
   bool leftOut = false;                ///< nothing of the file, or of one cycle of it, is used
+  bool isMissingEnd = false;           ///< Damage::isMissingEnd
 
   /// "FILE: offset N: WHAT", or "FILE: WHAT" without an offset.
   std::string Line() const;

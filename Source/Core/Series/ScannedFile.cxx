@@ -146,17 +146,14 @@ void NoteRestarts(const std::vector<SeriesVolume>& volumes, SeriesScan& scan)
 {
   for (std::size_t i = 0; i + 1 < volumes.size(); ++i)
   {
-    const SeriesVolume& next = volumes[i + 1];
-    const std::string file = volumes[i].file.string();
-    const auto lacksEnd = [&file](const InputProblem& problem)
-    { return problem.file == file && problem.what.find(NoEndOfVolume) != std::string::npos; };
+    const auto lacksEnd = [file = volumes[i].file.string()](const InputProblem& problem)
+    { return problem.file == file && problem.isMissingEnd; };
     const auto damage = std::find_if(scan.problems.begin(), scan.problems.end(), lacksEnd);
-    if (damage != scan.problems.end() &&
-        IsBrokenOff(volumes[i].left, next.start - volumes[i].end, next.begun))
+    const std::string note = DescribeRestart(volumes[i], volumes[i + 1]);
+    if (damage != scan.problems.end() && !note.empty())
     {
       scan.problems.erase(damage);
-      scan.notes.push_back(
-        file + ": the radar broke the volume off and began the new one of " + next.file.string());
+      scan.notes.push_back(note);
     }
   }
 }
@@ -342,7 +339,8 @@ ScannedFile ScanVolume(const RadarVolume& whole, const std::filesystem::path& pa
   ScannedFile scanned;
   for (const Damage& damage : whole.damage)
   {
-    scanned.problems.push_back({path.string(), damage.offset, damage.what, false});
+    scanned.problems.push_back(
+      {path.string(), damage.offset, damage.what, false, damage.isMissingEnd});
   }
   if (HoldsMetadataAlone(whole))
   {
@@ -371,6 +369,14 @@ ScannedFile ScanFile(
       {path.string(), {}, "needs more memory than there is: left out", true});
     return scanned;
   }
+}
+
+std::string DescribeRestart(const SeriesVolume& volume, const SeriesVolume& next)
+{
+  return IsBrokenOff(volume.left, next.start - volume.end, next.begun)
+           ? volume.file.string() + ": the radar broke the volume off and began the new one of " +
+               next.file.string()
+           : std::string();
 }
 
 std::string DescribePlaces(const Site& site, const Site& other)

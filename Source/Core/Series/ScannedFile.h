@@ -79,10 +79,14 @@ bool IsBefore(const SeriesVolume& a, const SeriesVolume& b);
 /// where others of its name do.
 std::string DescribePlaces(const Site& site, const Site& other);
 
+/// The note on a volume whose file lacks its end where the radar broke it off (IsBrokenOff) and
+/// began `next`, of another file; else empty.
+std::string DescribeRestart(const SeriesVolume& volume, const SeriesVolume& next);
+
 /// Puts what the files hold together by sites. `problems` are those known before. A radar stands
 /// where most of its volumes say; volumes of its name that stand apart from there are left out, and
-/// each is a problem. That a file lacks the end of its volume is a note where the radar broke the
-/// volume off (IsBrokenOff) and began the next one, in another file.
+/// each is a problem. That a file lacks the end of its volume is a note where DescribeRestart
+/// says so.
 SeriesScan CollectSeries(std::vector<InputProblem> problems, const std::vector<ScannedFile>& files);
 
 } // namespace nexrad

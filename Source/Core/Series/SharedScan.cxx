@@ -135,6 +135,7 @@ std::pair<Site, SeriesVolume> UnpackVolume(const Json& packed)
 Json PackProblem(const InputProblem& problem)
 {
   return {{"file", problem.file}, {"what", problem.what}, {"leftOut", problem.leftOut},
+    {"isMissingEnd", problem.isMissingEnd},
     {"offset", problem.offset ? Json(*problem.offset) : Json()}};
 }
 
@@ -144,6 +145,7 @@ InputProblem UnpackProblem(const Json& packed)
   problem.file = packed.at("file");
   problem.what = packed.at("what");
   problem.leftOut = packed.at("leftOut");
+  problem.isMissingEnd = packed.at("isMissingEnd");
   if (!packed.at("offset").is_null())
   {
     problem.offset = packed.at("offset").get<std::uint64_t>();

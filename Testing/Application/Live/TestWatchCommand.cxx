@@ -283,6 +283,21 @@ TEST_F(Watches, DamageIsNamedAndTheExitStatusSaysSo)
   ExpectSame(Series(out), this->OfGrid());
 }
 
+TEST_F(Watches, ARestartInTheNextFileIsNoDamage)
+{
+  HandMadeVolume half = ConstantVolume(keax, start, 20.0); // 3.6 s, and as much is left
+  half.sweeps[0].rays = 180;
+  half.sweeps[0].turn = 180.0;
+  half.complete = false;
+  fs::create_directories(in);
+  WriteLevel2(in / "a", {half});
+  WriteLevel2(in / "b", {ConstantVolume(keax, start + 4600ms, 20.0)});
+  const ProgramRun run = RunNexrad3d(this->Command({"--stop-after", "1s"}));
+  EXPECT_EQ(run.status, 0) << run.errors;
+  EXPECT_EQ(run.errors.find("no end of volume"), std::string::npos) << run.errors;
+  EXPECT_EQ(this->Status().at("problems"), 0);
+}
+
 TEST_F(Watches, AFeedWithoutARadarIsAFailure)
 {
   fs::create_directories(in);
