@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A part of a real file that is repeated, late, swapped, or of another radar changes no ray of the
-// volume. What is merged is computed of these rays alone. The environment variable
-// NEXRAD_EVERY_POSITION tries every place of the files; without it each seventh is tried.
+// volume, and no byte of what is merged of it. With the environment variable NEXRAD_EVERY_POSITION
+// every place of the files is tried and merged; without it the rays of each seventh are compared,
+// and few are merged.
 #include "nexrad/Level2/Level2File.h"
 
 #include "FileParts.h"
 #include "TestData.h"
+#include "nexrad/Live/LiveSeries.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cctype>
 #include <cstdlib>
 #include <filesystem>
@@ -46,13 +49,78 @@ const SpoiltFile files[] = {
   {"tdwr/TDAL20191021021543V08.raw.gz", 47, "tdwr/Level2_TSTL_20220213_2357.ar2v"},
 };
 
+bool TriesEveryPlace()
+{
+  return std::getenv("NEXRAD_EVERY_POSITION") != nullptr;
+}
+
+MergeOptions SmallMerges()
+{
+  MergeOptions options;
+  options.grid.dimensions = {64, 64, 16};
+  return options;
+}
+
+RadarVolume Later(RadarVolume volume, Duration by)
+{
+  for (Sweep& sweep : volume.sweeps)
+  {
+    for (Ray& ray : sweep.rays)
+    {
+      ray.time += by;
+    }
+  }
+  return volume;
+}
+
+/// Merges as the program does when nobody says otherwise, with quality control and motion: at the
+/// end of the volume, between it and the clean one of the file scanned again.
+class MergeWithNext
+{
+public:
+  explicit MergeWithNext(const RadarVolume& clean)
+    : series(SmallMerges(), {})
+    , end(*clean.End())
+  {
+    series.Put({{"next", "next", Later(clean, *clean.End() - *clean.Start()), true}});
+    expected = this->Merged(clean);
+  }
+
+  /// What differs from the merge of the clean file; "" when nothing does.
+  std::string DifferenceOf(const RadarVolume& volume)
+  {
+    const GriddedVolume made = this->Merged(volume);
+    const bool same = made.values == expected.values && made.states == expected.states &&
+                      made.sites == expected.sites && made.notes == expected.notes &&
+                      made.biologicalShare == expected.biologicalShare;
+    return same ? "" : "the merged volume";
+  }
+
+  std::size_t EchoCount() const
+  {
+    return static_cast<std::size_t>(
+      std::count(expected.states.begin(), expected.states.end(), VoxelState::Echo));
+  }
+
+private:
+  GriddedVolume Merged(const RadarVolume& volume)
+  {
+    series.Put({{"volume", "volume", volume, true}});
+    return series.Merge(end).value();
+  }
+
+  LiveSeries series;
+  const Time end;
+  GriddedVolume expected;
+};
+
 class EveryPosition : public ::testing::TestWithParam<SpoiltFile>
 {
 };
 
 } // namespace
 
-TEST_P(EveryPosition, GivesTheSameRays)
+TEST_P(EveryPosition, GivesTheSameRaysAndMerges)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const SpoiltFile& spoilt = GetParam();
@@ -65,8 +133,12 @@ TEST_P(EveryPosition, GivesTheSameRays)
     other = Decompress(other);
   }
   const RadarVolume clean = DecodeLevel2(file.Whole(), spoilt.name);
+  MergeWithNext merge(clean);
+  EXPECT_GT(merge.EchoCount(), 100U);
   std::size_t changedFiles = 0;
-  const std::size_t step = std::getenv("NEXRAD_EVERY_POSITION") != nullptr ? 1 : 7;
+  std::size_t merges = 0;
+  const std::size_t step = TriesEveryPlace() ? 1 : 7;
+  const std::size_t mergeStep = TriesEveryPlace() ? 1 : 35;
   for (std::size_t place = 0; place < file.parts.size(); place += step)
   {
     const Bytes& foreignPart = other.parts[place % other.parts.size()];
@@ -74,10 +146,14 @@ TEST_P(EveryPosition, GivesTheSameRays)
     {
       const RadarVolume volume = DecodeLevel2(changed.bytes, spoilt.name);
       EXPECT_EQ(DifferenceOf(volume, clean), "") << changed.what;
-      ++changedFiles;
+      if (changedFiles++ % mergeStep == mergeStep / 2)
+      {
+        EXPECT_EQ(merge.DifferenceOf(volume), "") << changed.what;
+        ++merges;
+      }
     }
   }
-  std::cout << spoilt.name << ": " << changedFiles << " changed files\n";
+  std::cout << spoilt.name << ": " << changedFiles << " changed files, " << merges << " merged\n";
 }
 
 INSTANTIATE_TEST_SUITE_P(RealFiles, EveryPosition, ::testing::ValuesIn(files),
