@@ -670,6 +670,24 @@ inline float ShareOfAfter(const Observed& before, const Observed& after, float g
   return sum > 0.0F ? weightAfter / sum : until < since ? 1.0F : 0.0F;
 }
 
+inline float Ramp(float value, float from, float to)
+{
+  return std::clamp((value - from) / (to - from), 0.0F, 1.0F);
+}
+
+// The same along the motion, where cells grow and decay between the observations: the stronger one
+// counts more (Formulas A2b).
+inline float ShareAmongCells(const Observed& before, const Observed& after, float share)
+{
+  const float first = before.state == VoxelState::Echo ? before.value : 0.0F;
+  const float second = after.state == VoxelState::Echo ? after.value : 0.0F;
+  const float part =
+    Ramp(std::max(first, second), 30.0F, 40.0F) * Ramp(std::abs(first - second), 3.0F, 8.0F);
+  const float weaker = first > second ? share : 1.0F - share;
+  const float less = part * (weaker - weaker * weaker * std::sqrt(weaker)); // to weaker^2.5
+  return first > second ? share - less : share + less;
+}
+
 // One observation without its counterpart, as it is.
 TiltSample SampleOf(const Observed& observed, float gap)
 {
@@ -776,7 +794,8 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
   const BeamTilt& tilt = tilts[number];
   FoundObservation before;
   FoundObservation after;
-  const bool follow = motion != nullptr && !nothingAbout;
+  const bool moves = motion != nullptr && (motion->away != 0.0F || motion->clockwise != 0.0F);
+  const bool follow = moves && !nothingAbout;
   const ObservedDetail detail = follow ? ObservedDetail::Circumstances : ObservedDetail::All;
   FindObserved(tilt.before, column, context, false, detail, before);
   FindObserved(tilt.after, column, context, true, detail, after);
@@ -820,7 +839,11 @@ TiltSample SampleTilt(const std::vector<BeamTilt>& tilts, std::size_t number,
     sample.state = VoxelState::NoEcho;
     return sample;
   }
-  const float share = ShareOfAfter(first, second, context.gap);
+  float share = ShareOfAfter(first, second, context.gap);
+  if (moved && context.rule.zeroIsNone && !context.rule.linear)
+  {
+    share = ShareAmongCells(first, second, share);
+  }
   BlendTimes(first, second, share, context, sample);
   return sample;
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 using namespace nexrad;
 using namespace nexrad::testing;
@@ -96,6 +97,32 @@ TEST(BeamMotion, EchoStandsWhereItWasAtTheTime)
     "largest error along the motion, dBZ");
   EXPECT_AT_LEAST(LargestError(MergeMoving(volumes, 0.0, nullptr), TestField(), 0.0), 8.0,
     "largest error without the motion, dBZ");
+}
+
+// Formulas A2b: of a cell that decays between two volumes the stronger observation counts more. The
+// last tilt is scanned 110 s before and 190 s after the time.
+TEST(BeamMotion, OfCellsThatChangeTheStrongerCountsMore)
+{
+  const auto strongest = [](double before, double after)
+  {
+    MovingEcho first;
+    first.storms = {{30e3, 20e3, before}};
+    first.velocity = velocity;
+    MovingEcho second = first;
+    second.storms[0].dbz = after;
+    const MotionField motion = MotionField::Constant(velocity);
+    const GriddedVolume merged = MergeMoving(
+      {ScanEcho(first, site, sceneTime, -210.0, {}), ScanEcho(second, site, sceneTime, 90.0, {})},
+      0.0, &motion);
+    return static_cast<double>(*std::max_element(merged.values.begin(), merged.values.end()));
+  };
+  constexpr double share = 110.0 / 300.0;
+  EXPECT_WITHIN(strongest(45.0, 35.0), 45.0 - 10.0 * std::pow(share, 2.5), 0.5,
+    "strongest echo of a cell that decays, dBZ");
+  EXPECT_WITHIN(strongest(45.0, 42.0), 45.0 - 3.0 * share, 0.5,
+    "strongest echo of a cell that hardly decays, dBZ");
+  EXPECT_WITHIN(
+    strongest(25.0, 15.0), 25.0 - 10.0 * share, 0.5, "strongest echo that is no cell, dBZ");
 }
 
 // In the middle of a sweep, and of a volume: for half of the directions this sweep is the last
