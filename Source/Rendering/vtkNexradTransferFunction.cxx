@@ -96,6 +96,36 @@ std::vector<double> PlacesOf(const vtkNexradColorMap& map, std::size_t first, st
   return places;
 }
 
+// The step of the bar that holds a value, or null.
+const vtkNexradColorMap::Bin* FindBin(const vtkNexradColorMap& map, double value)
+{
+  const auto holds = [value](const vtkNexradColorMap::Bin& bin)
+  { return bin.From <= value && value < bin.To; };
+  const auto found = std::find_if(map.Bins.begin(), map.Bins.end(), holds);
+  return found != map.Bins.end() ? &*found : nullptr;
+}
+
+// About each value an interval in which a surface has one colour, so that a table that is sampled
+// near the value has it, too.
+std::vector<std::array<double, 2>> SurfaceIntervals(const vtkNexradColorMap& map)
+{
+  constexpr double shareOfBin = 0.1;
+  constexpr double shareOfGap = 0.3;
+  std::vector<double> values = map.IsoValues;
+  std::sort(values.begin(), values.end());
+  values.erase(std::unique(values.begin(), values.end()), values.end());
+  std::vector<std::array<double, 2>> intervals;
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const vtkNexradColorMap::Bin* bin = FindBin(map, values[i]);
+    double half = bin != nullptr ? shareOfBin * (bin->To - bin->From) : 0.0;
+    half = i > 0 ? std::min(half, shareOfGap * (values[i] - values[i - 1])) : half;
+    half = i + 1 < values.size() ? std::min(half, shareOfGap * (values[i + 1] - values[i])) : half;
+    intervals.push_back({values[i] - half, values[i] + half});
+  }
+  return intervals;
+}
+
 // What a file of samples holds: dBZ, red, green, blue, opacity.
 std::vector<std::array<double, 5>> SamplesOf(
   vtkNexradTransferFunction* function, const vtkNexradColorMap& map)
@@ -376,6 +406,17 @@ void vtkNexradTransferFunction::FillColorFunction(vtkColorTransferFunction* func
 {
   function->RemoveAllPoints();
   function->SetColorSpaceToRGB();
+  for (const auto& [from, to] : SurfaceIntervals(this->Internal->Map))
+  {
+    double color[3];
+    this->GetSurfaceColor(0.5 * (from + to), color);
+    function->AddRGBPoint(from, color[0], color[1], color[2]);
+    function->AddRGBPoint(to, color[0], color[1], color[2]);
+  }
+  if (this->GetNumberOfIsoValues() > 0)
+  {
+    return;
+  }
   for (const double dBZ : PlacesOf(this->Internal->Map, RED, 3))
   {
     function->AddRGBPoint(
@@ -418,6 +459,16 @@ double vtkNexradTransferFunction::GetIsoValue(int index) const
   return index >= 0 && index < this->GetNumberOfIsoValues()
            ? this->Internal->Map.IsoValues[static_cast<std::size_t>(index)]
            : 0.0;
+}
+
+void vtkNexradTransferFunction::GetSurfaceColor(double value, double color[3])
+{
+  const vtkNexradColorMap::Bin* bin = FindBin(this->Internal->Map, value);
+  for (int channel = RED; channel <= BLUE; ++channel)
+  {
+    color[channel] = bin == nullptr ? this->Evaluate(channel, value)
+                                    : bin->GetColor(value)[static_cast<std::size_t>(channel)];
+  }
 }
 
 int vtkNexradTransferFunction::GetNumberOfBins() const

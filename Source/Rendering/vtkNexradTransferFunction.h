@@ -119,6 +119,14 @@ public:
   double GetIsoValue(int index) const; ///< 0 for no such index
   ///@}
 
+  /**
+   * The colour of the surface of a value: that of the bar's step which holds the value (a step
+   * holds its lower end); where there is none, that of the channels. FillColorFunction has these
+   * colours about the iso-values, so that a surface between two steps does not get a mixture of
+   * both.
+   */
+  void GetSurfaceColor(double value, double color[3]);
+
   ///@{
   /**
    * The steps of a colour bar: each has a range in dBZ, a colour at its lower and one at its upper

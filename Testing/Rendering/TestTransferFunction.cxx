@@ -276,6 +276,47 @@ TEST(TransferFunction, ShellsThatTouchAreOne)
   EXPECT_EQ(function->Evaluate(Function::OPACITY, 30.0), 0.0);
 }
 
+// Between two steps the splines mix their colours: the surface of 20 dBZ was teal, half of the blue
+// below it and half of the green above, and no such colour is on the bar.
+TEST(TransferFunction, SurfacesHaveColoursOfTheBar)
+{
+  vtkNew<Function> function;
+  ASSERT_TRUE(function->ApplyPreset("iso-values"));
+  vtkNew<vtkColorTransferFunction> bar;
+  function->FillSteppedColorFunction(bar);
+  vtkNew<vtkColorTransferFunction> drawn;
+  function->FillColorFunction(drawn);
+  constexpr double stepOfTables = 0.25; // dBZ, the widest between two entries of a table
+  for (const double value : {20.0, 35.0, 50.0})
+  {
+    std::array<double, 3> onBar{};
+    bar->GetColor(value, onBar.data());
+    std::array<double, 3> surface{};
+    function->GetSurfaceColor(value, surface.data());
+    EXPECT_EQ(surface, onBar) << value;
+    for (const double place : {value - stepOfTables, value, value + stepOfTables})
+    {
+      drawn->GetColor(place, surface.data());
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        EXPECT_NEAR(surface[i], onBar[i], 1e-12) << place;
+      }
+    }
+  }
+}
+
+TEST(TransferFunction, SurfacesBetweenStepsKeepTheirColoursApart)
+{
+  vtkNew<Function> function;
+  const std::array<double, 4> values = {20.1, 19.9, 20.1, 90.0}; // two of one value, one above all
+  function->SetOpacityToIsoValues(values.data(), 4);
+  vtkNew<vtkColorTransferFunction> drawn;
+  function->FillColorFunction(drawn);
+  EXPECT_AT_MOST(drawn->GetBlueValue(20.1), 0.01, "blue in the green step");
+  EXPECT_AT_MOST(drawn->GetGreenValue(19.9), 0.01, "green in the blue step");
+  EXPECT_EQ(drawn->GetRedValue(90.0), function->Evaluate(Function::RED, 90.0));
+}
+
 TEST(TransferFunction, EachIsoValueHasItsOpacity)
 {
   vtkNew<Function> function;

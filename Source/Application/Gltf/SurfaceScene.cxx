@@ -74,9 +74,9 @@ std::string NameOf(MomentName moment, double value)
 
 Colour ColourAt(vtkNexradTransferFunction* transferFunction, double value)
 {
-  return {transferFunction->Evaluate(vtkNexradTransferFunction::RED, value),
-    transferFunction->Evaluate(vtkNexradTransferFunction::GREEN, value),
-    transferFunction->Evaluate(vtkNexradTransferFunction::BLUE, value)};
+  Colour colour{};
+  transferFunction->GetSurfaceColor(value, colour.data());
+  return colour;
 }
 
 // The surfaces, also those without a triangle.

@@ -5,6 +5,8 @@
 #include "Scene/VolumeAppearance.h"
 #include "Web/PageCode.h"
 #include "Web/RoundedNumber.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkNew.h"
 #include "vtkNexradTransferFunction.h"
 
 #include <nlohmann/json.hpp>
@@ -27,15 +29,17 @@ constexpr int opacityDigits = 5; // low opacities add up along a ray
 
 Json MakeSamples(vtkNexradTransferFunction* function, const PageCode& code)
 {
-  constexpr std::array<int, 3> channels = {vtkNexradTransferFunction::RED,
-    vtkNexradTransferFunction::GREEN, vtkNexradTransferFunction::BLUE};
+  vtkNew<vtkColorTransferFunction> colours;
+  function->FillColorFunction(colours);
   Json json = Json::array();
   for (int sample = 0; sample < samples; ++sample)
   {
     const double value = code.first + code.step * sample / samplesPerByte;
-    for (const int channel : channels)
+    std::array<double, 3> colour{};
+    colours->GetColor(value, colour.data());
+    for (const double part : colour)
     {
-      json.push_back(Rounded(function->Evaluate(channel, value), colourDigits));
+      json.push_back(Rounded(part, colourDigits));
     }
     json.push_back(
       Rounded(function->Evaluate(vtkNexradTransferFunction::OPACITY, value), opacityDigits));

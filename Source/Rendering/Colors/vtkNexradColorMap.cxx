@@ -12,6 +12,17 @@ bool vtkNexradColorMap::IsAbove(double place, double other)
          std::max(leastDistance, leastShare * std::max(std::abs(place), std::abs(other)));
 }
 
+vtkNexradColorMap::Color vtkNexradColorMap::Bin::GetColor(double value) const
+{
+  const double share = (value - this->From) / (this->To - this->From);
+  Color color{};
+  for (std::size_t i = 0; i < color.size(); ++i)
+  {
+    color[i] = (1.0 - share) * this->Lower[i] + share * this->Upper[i];
+  }
+  return color;
+}
+
 void vtkNexradColorMap::MakeColorNodesFromBins()
 {
   for (std::size_t channel = 0; channel < 3; ++channel)

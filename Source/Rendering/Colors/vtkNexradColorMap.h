@@ -23,6 +23,9 @@ struct vtkNexradColorMap
     Color Lower{};
     Color Upper{};
 
+    /// The colour at a value between From and To.
+    Color GetColor(double value) const;
+
     bool operator==(const Bin& other) const
     {
       return this->From == other.From && this->To == other.To && this->Lower == other.Lower &&
