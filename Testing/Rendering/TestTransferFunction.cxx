@@ -226,6 +226,26 @@ TEST(TransferFunction, EveryMomentHasAPreset)
   EXPECT_EQ(Function::GetPresetArray(-1), nullptr);
 }
 
+// A core of 55 dBZ behind 10 km of 40 dBZ and 10 km of 20 dBZ: most of the colour that is seen is
+// that of the core. Yet weak echo is seen, and what is stronger hides more.
+TEST(TransferFunction, CoresShowThroughWhatIsAboutThem)
+{
+  vtkNew<Function> function;
+  const auto kept = [&](double dBZ, double steps)
+  { return std::pow(1.0 - function->Evaluate(Function::OPACITY, dBZ), steps); };
+  const double before = kept(20.0, 2.0) * kept(40.0, 2.0);
+  const double core = before * (1.0 - kept(55.0, 2.0));
+  EXPECT_AT_LEAST(
+    core / (1.0 - before * kept(55.0, 2.0)), 0.6, "part of the colour that is the core's");
+  EXPECT_AT_LEAST(1.0 - kept(10.0, 8.0), 0.2, "opacity of 40 km of 10 dBZ");
+  for (double dBZ = 5.0; dBZ < 75.0; dBZ += 0.5)
+  {
+    EXPECT_LE(
+      function->Evaluate(Function::OPACITY, dBZ), function->Evaluate(Function::OPACITY, dBZ + 0.5))
+      << dBZ;
+  }
+}
+
 // Green towards the radar, red away from it, grey between; the fast hides more than the slow.
 TEST(TransferFunction, VelocityDivergesAboutZero)
 {

@@ -184,7 +184,7 @@ TEST(Captions, SayWhatThereIsWhereNothingIsToBeSeen)
   const std::string weak = SaidOf(WeakerStorm(30.0F), "hail");
   EXPECT_EQ(weak.find("No echo above 45 dBZ; echo up to "), 0U) << weak;
   EXPECT_NE(weak.find("--preset \"all echo\""), std::string::npos) << weak;
-  const std::string veil = SaidOf(WeakerStorm(54.5F), "");
+  const std::string veil = SaidOf(WeakerStorm(55.5F), "");
   EXPECT_EQ(veil.find("Hardly any echo above 5 dBZ; echo up to "), 0U) << veil;
   EXPECT_NE(veil.find("--preset \"clear air\""), std::string::npos) << veil;
   GriddedVolume none = WeakerStorm(0.0F);

@@ -29,9 +29,10 @@ enum class Colors
   EvenLightness
 };
 
-// Opacities of 5 km of the scene of nexrad3d, whose heights are stretched eight times. Of "all
-// echo": 40 km of it (5 km of height) through rain of 20 dBZ hide four tenths of the map, through
-// 30 dBZ seven tenths, and 10 km through a core of 50 dBZ look solid.
+// Opacities of 5 km of a scene whose heights are stretched eight times. Of "all echo": 40 km of it
+// (5 km of height) through rain of 20 dBZ hide four tenths of the map, through 30 dBZ half, and
+// 10 km through a core of 50 dBZ look solid. Up to 45 dBZ opacity rises slowly, so that what lies
+// about a core does not hide it.
 struct Preset
 {
   const char* Name;
@@ -42,8 +43,8 @@ struct Preset
 
 Nodes AllEcho()
 {
-  return {{5.0, 0.0}, {10.0, 0.025}, {20.0, 0.065}, {30.0, 0.14}, {40.0, 0.25}, {50.0, 0.75},
-    {60.0, 0.93}, {75.0, 0.98}};
+  return {{5.0, 0.0}, {10.0, 0.04}, {20.0, 0.07}, {30.0, 0.09}, {40.0, 0.13}, {45.0, 0.23},
+    {50.0, 0.78}, {60.0, 0.94}, {75.0, 0.99}};
 }
 
 const std::vector<Preset>& Presets()
