@@ -7,6 +7,7 @@
 #include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
@@ -25,6 +26,7 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -133,6 +135,33 @@ protected:
     this->Input->GetPointData()->AddArray(
       FlagLowX(int(Edge) + 1, vtkDataSetAttributes::HIDDENPOINT));
   }
+
+  /// The same cube of voxels an eighth as high as wide, its scalars those of y; points above a
+  /// slanted plane are hidden.
+  void HideAboveSlope()
+  {
+    constexpr int flat = 8; // voxels in the height of one
+    vtkNew<vtkImageData> slope;
+    slope->SetDimensions(int(Edge) + 1, int(Edge) + 1, flat * int(Edge) + 1);
+    slope->SetSpacing(1.0, 1.0, 1.0 / flat);
+    slope->AllocateScalars(VTK_FLOAT, 1);
+    vtkNew<vtkUnsignedCharArray> ghosts;
+    ghosts->SetName(vtkDataSetAttributes::GhostArrayName());
+    for (vtkIdType id = 0; id < slope->GetNumberOfPoints(); ++id)
+    {
+      double point[3];
+      slope->GetPoint(id, point);
+      const bool isHidden = point[2] > SlopeAt(point[0]);
+      ghosts->InsertNextValue(isHidden ? vtkDataSetAttributes::HIDDENPOINT : 0);
+      slope->GetPointData()->GetScalars()->SetComponent(id, 0, isHidden ? -5.0 : point[1]);
+    }
+    slope->GetPointData()->AddArray(ghosts);
+    this->Input = slope;
+    this->Mapper->SetInputData(slope);
+  }
+
+  /// Height of the highest visible point.
+  static double SlopeAt(double x) { return 2.0 + 0.5 * x; }
 
   std::unique_ptr<Scene> Stage;
   vtkSmartPointer<vtkImageData> Input;
@@ -299,6 +328,34 @@ TEST_F(AnalyticPictures, HiddenPointsOfCellScalarsEndHalfWayToTheNextPoint)
   this->Input->GetCellData()->SetScalars(scalars);
   this->Input->GetPointData()->AddArray(FlagLowX(int(Edge) + 1, vtkDataSetAttributes::HIDDENPOINT));
   this->ExpectToBeginAt(3.5);
+}
+
+// A surface across the view, whose points are hidden above a plane that rises by four voxels from
+// column to column. Its edge was a stair: up to 0.2 beside the plane.
+TEST_F(AnalyticPictures, SurfacesEndAtTheSlopeOfHiddenPoints)
+{
+  this->HideAboveSlope();
+  vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+  camera->SetPosition(Edge / 2, -20.0, Edge / 2);
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 4.3);
+  this->Mapper->SetBlendMode(vtkVolumeMapper::ISOSURFACE_BLEND);
+  const Picture picture = this->Draw();
+  double farthest = 0.0;
+  constexpr double unitsPerPixel = 10.0 / Size;
+  for (int x = 40; x < 90; ++x)
+  {
+    int y = 20; // within the surface
+    EXPECT_GT(PixelAt(picture, x, y)[0], 0.0) << x;
+    while (y < Size && PixelAt(picture, x, y)[0] > 0.0)
+    {
+      ++y;
+    }
+    const double edge = y * unitsPerPixel - 1.0;
+    const double expected = SlopeAt((x + 0.5) * unitsPerPixel - 1.0) + 0.5 / 8.0;
+    farthest = std::max(farthest, std::abs(edge - expected));
+  }
+  EXPECT_AT_MOST(farthest, 0.07, "distance of the edge from the slope, of a voxel's width");
 }
 
 TEST_F(AnalyticPictures, ScalarsThatAreNotFiniteContributeNothing)

@@ -58,6 +58,18 @@ void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolu
   vtkMatrix4x4::Multiply4x4(volumeToWorld, this->BoxToWorld, this->BoxToWorld);
 }
 
+std::array<float, 4> vtkTextureSliceFrame::GetStair() const
+{
+  constexpr float most = 4.0f;
+  const auto [longest, shortest] = std::minmax_element(this->InverseAspect.begin(),
+    this->InverseAspect.end(), [](float a, float b) { return std::abs(a) < std::abs(b); });
+  const auto axis = static_cast<std::size_t>(shortest - this->InverseAspect.begin());
+  std::array<float, 4> stair{};
+  stair[axis] = this->VoxelStep[axis];
+  stair[3] = std::min(most, std::floor(0.5f * std::abs(*shortest / *longest)));
+  return stair;
+}
+
 void vtkTextureSliceFrame::SetCamera(vtkRenderer* renderer)
 {
   auto* camera = vtkOpenGLCamera::SafeDownCast(renderer->GetActiveCamera());

@@ -76,6 +76,9 @@ public:
   const std::array<float, 3>& GetVoxelStep() const { return this->VoxelStep; }
   /// The mean spacing over twice the (signed) spacing along each axis.
   const std::array<float, 3>& GetInverseAspect() const { return this->InverseAspect; }
+  /// One voxel along its shortest edge as texture coordinates, and how many of them make half of
+  /// its longest edge: 0 for cubes, 4 at most.
+  std::array<float, 4> GetStair() const;
   /// Box to camera coordinates, and gradients in data coordinates to normals in camera
   /// coordinates, column by column as OpenGL reads them.
   std::array<float, 16> GetBoxToCameraColumns() const;

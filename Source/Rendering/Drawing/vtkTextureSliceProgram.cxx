@@ -70,6 +70,7 @@ void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& unifo
   program->SetUniform3f("cropHigh", frame.GetCropHigh().data());
   program->SetUniformi("cropFlags", uniforms.CropFlags);
   program->SetUniform3f("voxelStep", frame.GetVoxelStep().data());
+  program->SetUniform4f("stair", frame.GetStair().data());
   program->SetUniform3f("inverseAspect", frame.GetInverseAspect().data());
   program->SetUniform2f("averageRange", uniforms.AverageRange.data());
 }

@@ -38,6 +38,28 @@ uniform vec3 blankScale;
 uniform vec3 blankBias;
 #endif
 
+#if defined TEXTURE_SLICE_MASKED && TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+#define TEXTURE_SLICE_STAIR 1
+// One voxel along its shortest edge, as texture coordinates, and how many of them make half of its
+// longest one.
+uniform vec4 stair;
+
+// The visible part of the points about a place between visible and hidden ones. A slanted edge of what
+// is visible is a stair of voxels, whose steps are many voxels high where voxels are flat: the mean over
+// about the height of a step makes a slope of it. For surfaces alone, whose ends are sharp: software
+// renderers run through the branch at each sample.
+float FindVisiblePart(vec3 at, float here)
+{
+  float sum = here;
+  for (float i = 1.0; i <= stair.w; ++i)
+  {
+    sum += texture(volumeTexture, Place(at - i * stair.xyz))[TEXTURE_SLICE_COMPONENTS];
+    sum += texture(volumeTexture, Place(at + i * stair.xyz))[TEXTURE_SLICE_COMPONENTS];
+  }
+  return sum / (1.0 + 2.0 * stair.w);
+}
+#endif
+
 #if defined TEXTURE_SLICE_MASKED || defined TEXTURE_SLICE_BLANKED
 #define TEXTURE_SLICE_HIDING 1
 // Below 0 where there is nothing to see. The last component of masked texels is 1 at visible points
@@ -51,7 +73,18 @@ float FetchVisibility(vec3 at, out vec4 scalars)
 #else
   float visible = 1.0;
 #endif
-  scalars = texel / max(visible, 0.5) * scalarScale + scalarBias;
+#ifdef TEXTURE_SLICE_STAIR
+  const float least = 0.0625; // of visible points
+#else
+  const float least = 0.5;
+#endif
+  scalars = texel / max(visible, least) * scalarScale + scalarBias;
+#ifdef TEXTURE_SLICE_STAIR
+  if (abs(visible - 0.5) < 0.5 - least)
+  {
+    visible = FindVisiblePart(at, visible);
+  }
+#endif
 #ifdef TEXTURE_SLICE_BLANKED
   if (texture(blankTexture, Place(at) * blankScale + blankBias).r > 0.0)
   {
