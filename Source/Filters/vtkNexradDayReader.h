@@ -177,7 +177,8 @@ public:
 
   /**
    * Merges the whole domain at a time in larger voxels, in which it can be seen where echo is: at
-   * most 128 x 128 columns of voxels that are at least 312.5 m high. False after an error, as of MergeBox.
+   * most 128 x 128 columns of voxels that are at least 312.5 m high. False after an error, as of
+   * MergeBox.
    */
   bool MergeCoarse(double time, vtkImageData* volume);
 

@@ -34,8 +34,8 @@ private:
 
 } // namespace nexrad::testing
 
-/// At the start of a test that needs real files: where they are absent, skips it, or fails when the environment
-/// variable NEXRAD_REQUIRE_TEST_DATA is 1, as the test command sets it.
+/// At the start of a test that needs real files: where they are absent, skips it, or fails when the
+/// environment variable NEXRAD_REQUIRE_TEST_DATA is 1, as the test command sets it.
 #define NEXRAD_REQUIRE_TEST_DATA(folder)                                                           \
   const auto folder##Found = nexrad::testing::TestDataFolder();                                    \
   if (!folder##Found)                                                                              \

@@ -47,9 +47,9 @@ struct RowOptions
 };
 
 /// Merges the rows [beginRow, endRow) of a grid that the block has: its columns (x, y) for these y.
-/// `volume` has its fill value and arrays of the block's size, of which every value of these rows is
-/// set; its ancillary arrays are made when they have their size. Ranges of rows write apart
-/// from each other and can be run side by side. A voxel's value does not depend on the block.
+/// `volume` has its fill value and arrays of the block's size, of which every value of these rows
+/// is set; its ancillary arrays are made when they have their size. Ranges of rows write apart from
+/// each other and can be run side by side. A voxel's value does not depend on the block.
 void MergeRows(const std::vector<MergeSite>& sites, const RowOptions& options, int beginRow,
   int endRow, GriddedVolume& volume);
 
