@@ -188,16 +188,16 @@ TEST_F(WindowTransferFunction, DraggingAPointOfOpacityChangesThePicture)
   const QPoint from = this->PlaceOf(before);
   EXPECT_AT_LEAST(this->Changes(
                     [&] {
-                      this->Drag(from, this->PlaceOf({before[0], 0.02}));
+                      this->Drag(from, this->PlaceOf({before[0], 0.5}));
                     }),
     0.01, "pixels that a dragged opacity changes, part");
-  EXPECT_WITHIN(this->Node(core)[1], 0.02, onePixel, "opacity of a dragged point", halfPixel);
+  EXPECT_WITHIN(this->Node(core)[1], 0.5, onePixel, "opacity of a dragged point", halfPixel);
   EXPECT_EQ(this->Find<QSpinBox>("Point")->value(), core + 1) << "it is selected";
   EXPECT_EQ(this->Find<QComboBox>("Transfer function preset")->currentText(), "all echo, changed");
   this->Undo();
   EXPECT_EQ(this->Node(core), before) << "one step for the whole drag";
   this->Redo();
-  EXPECT_WITHIN(this->Node(core)[1], 0.02, onePixel, "opacity of a dragged point", halfPixel);
+  EXPECT_WITHIN(this->Node(core)[1], 0.5, onePixel, "opacity of a dragged point", halfPixel);
 }
 
 TEST_F(WindowTransferFunction, TheVolumeFollowsWhileThePointMoves)
@@ -208,10 +208,10 @@ TEST_F(WindowTransferFunction, TheVolumeFollowsWhileThePointMoves)
   EXPECT_AT_LEAST(
     this->Changes(
       [&] {
-        this->Mouse(QEvent::MouseMove, this->PlaceOf({node[0], 0.02}), Qt::LeftButton);
+        this->Mouse(QEvent::MouseMove, this->PlaceOf({node[0], 0.5}), Qt::LeftButton);
       }),
     0.01, "pixels that a moving opacity changes, part");
-  this->Mouse(QEvent::MouseButtonRelease, this->PlaceOf({node[0], 0.02}), Qt::LeftButton);
+  this->Mouse(QEvent::MouseButtonRelease, this->PlaceOf({node[0], 0.5}), Qt::LeftButton);
 }
 
 TEST_F(WindowTransferFunction, AClickAddsAPointAndButtonsDeleteIt)
