@@ -253,8 +253,8 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     "linear")
     ->group(group);
   AddParsedOption(command, "--slices", options.slices, ParseSlices, "NUMBER",
-    "Slices, or samples along the longest ray, 1 to 16384 (default: about one for each two voxels "
-    "along the view)")
+    "Slices, or samples along the longest ray, 1 to 16384 (default: about two for every five "
+    "voxels along the view)")
     ->group(group);
   AddAppearanceOptions(command, options);
   command
