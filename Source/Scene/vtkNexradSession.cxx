@@ -30,7 +30,6 @@ struct vtkNexradSession::Opened
   vtkMTimeType time = 0;
   nexrad::scene::SceneOptions options; ///< of the scene, as far as reading depends on them
   std::unique_ptr<VolumeSeries> volumes;
-  std::vector<std::size_t> order;                    ///< of all of these
   std::optional<nexrad::scene::SceneOptions> framed; ///< what the frame was measured with
 };
 
@@ -57,6 +56,13 @@ bool AreReadAlike(const nexrad::scene::SceneOptions& a, const nexrad::scene::Sce
 {
   return a.scalarsAsCodes == b.scalarsAsCodes && a.mapper == b.mapper &&
          a.colourBy.empty() == b.colourBy.empty() && a.plan.has_value() == b.plan.has_value();
+}
+
+std::vector<std::size_t> AllSteps(const VolumeSeries& volumes)
+{
+  std::vector<std::size_t> steps(volumes.Times().size());
+  std::iota(steps.begin(), steps.end(), std::size_t(0));
+  return steps;
 }
 
 bool AreFramedAlike(const nexrad::scene::SceneOptions& a, const nexrad::scene::SceneOptions& b)
@@ -121,15 +127,12 @@ void vtkNexradSession::Open()
   if (nexrad::scene::AreVolumes(paths))
   {
     auto files = nexrad::scene::OpenVolumeFiles(paths);
-    this->Series->order.resize(files->Times().size());
-    std::iota(this->Series->order.begin(), this->Series->order.end(), std::size_t(0));
+    const std::vector<std::size_t> order = AllSteps(*files);
     this->Series->volumes =
-      nexrad::scene::PlayAhead(std::move(files), this->Series->order, this->Series->options);
+      nexrad::scene::PlayAhead(std::move(files), order, this->Series->options);
     return;
   }
   this->Series->volumes = nexrad::scene::OpenDayVolumes(this->DayReader);
-  this->Series->order.resize(this->Series->volumes->Times().size());
-  std::iota(this->Series->order.begin(), this->Series->order.end(), std::size_t(0));
 }
 
 // The frame holds the echo of all times, as the scene's preset shows it.
@@ -139,8 +142,8 @@ void vtkNexradSession::MeasureFrame()
   if (!this->Series->framed || !AreFramedAlike(*this->Series->framed, options))
   {
     this->Series->framed = options;
-    this->Scene->HoldEcho(
-      nexrad::scene::MeasureSeries(*this->Series->volumes, this->Series->order, options));
+    VolumeSeries& volumes = *this->Series->volumes;
+    this->Scene->HoldEcho(nexrad::scene::MeasureSeries(volumes, AllSteps(volumes), options));
   }
 }
 

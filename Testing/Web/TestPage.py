@@ -20,7 +20,8 @@ import pixels
 
 DRAWN = "window.nexrad3d?.framesDrawn > 0"
 AT_REST = "window.nexrad3d?.framesDrawn > 0 && !nexrad3d.scheduled"
-SHARE = 6.0  # of 255: the greatest mean difference between a page and a picture of the program
+SHARE = 4.0  # of 255: the greatest mean difference between a page and a picture of the program
+SURFACES = 5.0  # the same of surfaces: a page closes them where nothing was scanned
 
 
 def nexrad3d(*arguments):
@@ -115,7 +116,7 @@ class PageTest:
                          "--occlusion", 0, *options)  # pages have no shadows
                 difference = pixels.mean_difference(seen, drawn)
                 print(f"{self.name}, {name}: mean difference {difference:.2f} of 255")
-                self.assertLess(difference, SHARE)
+                self.assertLess(difference, SURFACES if name == "surfaces" else SHARE)
                 shutil.copy(drawn, seen.with_name(f"{self.name}-{name}-program.png"))
 
     def test_keys_play_and_turn(self):

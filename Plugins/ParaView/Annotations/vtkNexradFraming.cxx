@@ -15,6 +15,7 @@
 #include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -77,14 +78,11 @@ int vtkNexradFraming::RequestData(
     nexrad::scene::SceneOptions());
   const auto origin = frame.ToScene({0.0, 0.0, 0.0});
   const auto unit = frame.ToScene({1.0, 1.0, 1.0});
-  const auto& framed = frame.Framed();
-  const auto lower = frame.ToVolume({framed[0], framed[2], framed[4]});
-  const auto upper = frame.ToVolume({framed[1], framed[3], framed[5]});
+  const auto framed = frame.FramedInVolume();
+  std::copy(framed.begin(), framed.end(), this->Framed);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     this->Scale[axis] = (unit[axis] - origin[axis]) / (unit[1] - origin[1]);
-    this->Framed[2 * axis] = lower[axis];
-    this->Framed[2 * axis + 1] = upper[axis];
   }
   this->OpacityDistance = frame.OpacityDistance() * LengthOfSight(frame);
   frame.MoveToScene(volume);

@@ -264,11 +264,7 @@ void TransferFunctionChart::FollowLabels()
   constexpr double most = 9.0; // labels
   const double least = unit.ToLabel(range[0]);
   const double greatest = unit.ToLabel(range[1]);
-  double step = std::pow(10.0, std::floor(std::log10((greatest - least) / most)));
-  while ((greatest - least) / step > most)
-  {
-    step *= 2.0;
-  }
+  const double step = vtkAxis::NiceNumber((greatest - least) / most, true);
   vtkNew<vtkDoubleArray> places;
   vtkNew<vtkStringArray> texts;
   for (double label = std::ceil(least / step) * step; label <= greatest; label += step)
