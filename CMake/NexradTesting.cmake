@@ -7,7 +7,7 @@ include(GoogleTest)
 # in one, so that they share what they simulate. It does so with all programs whose label VTKNexrad_TESTS_TOGETHER
 # names and that are not to stay APART: processes take long to start under the sanitisers, and where they draw.
 # Labels: "quick" (the default), "display" needs an X server, "slow" is left out of the sanitised run.
-# CTest never runs two tests at once whose programs LOCK the same thing, as "clipboard": an X server has one.
+# CTest never runs two tests at once whose programs LOCK the same thing, as "screen": its keyboard goes to one window.
 function(nexrad_add_test name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "TOGETHER;APART" "TIMEOUT;LABEL;LOCK" "SOURCES;LIBRARIES")
   if(arg_TIMEOUT)

@@ -7,9 +7,6 @@
 #include <QCheckBox>
 #include <QClipboard>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
-#include <QLineEdit>
-#include <QTimer>
 #include <QtTest/QtTest>
 
 #include <cstdlib>
@@ -38,30 +35,6 @@ double MeanDifference(const QImage& a, const QImage& b)
     }
   }
   return static_cast<double>(sum) / (3.0 * a.width() * a.height());
-}
-
-void AnswerDialog(const std::filesystem::path& path)
-{
-  auto* asks = new QTimer(qApp);
-  QObject::connect(asks, &QTimer::timeout, asks,
-    [asks, path]
-    {
-      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-      auto* name = dialog != nullptr ? dialog->findChild<QLineEdit*>("fileNameEdit") : nullptr;
-      if (name == nullptr || !name->isVisible())
-      {
-        return; // not yet
-      }
-      name->clear();
-      QTest::keyClicks(name, QString::fromStdString(path.string()));
-      QTest::keyClick(name, Qt::Key_Enter);
-      if (!dialog->isVisible()) // else the list of completions took the key
-      {
-        asks->stop();
-        asks->deleteLater();
-      }
-    });
-  asks->start(300);
 }
 
 QImage WindowPictureTest::TakePicture()

@@ -22,9 +22,6 @@ constexpr char contextReason[] =
 /// Mean over all pixels and colours of the absolute difference, 0 to 255.
 double MeanDifference(const QImage& a, const QImage& b);
 
-/// Types a name into the next dialog of files, and accepts it.
-void AnswerDialog(const std::filesystem::path& path);
-
 class WindowPictureTest : public WindowTest
 {
 protected:

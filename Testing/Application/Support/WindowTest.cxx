@@ -6,8 +6,11 @@
 #include "Viewer/Parts/SceneView.h"
 
 #include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
 #include <QSettings>
 #include <QSurfaceFormat>
+#include <QTimer>
 #include <QToolButton>
 #include <QVTKOpenGLNativeWidget.h>
 #include <QtTest/QtTest>
@@ -38,6 +41,35 @@ double Difference(const QImage& a, const QImage& b)
     }
   }
   return static_cast<double>(different) / static_cast<double>(a.width() * a.height());
+}
+
+void AnswerDialog(const std::filesystem::path& path)
+{
+  constexpr int mostTries = 200;
+  auto* asks = new QTimer(qApp);
+  QObject::connect(asks, &QTimer::timeout, asks,
+    [asks, path, tries = 0]() mutable
+    {
+      auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+      auto* name = dialog != nullptr ? dialog->findChild<QLineEdit*>("fileNameEdit") : nullptr;
+      if (name == nullptr || !name->isVisible())
+      {
+        return; // not yet
+      }
+      name->setText(QString::fromStdString(path.string()));
+      QMetaObject::invokeMethod(dialog, "accept"); // may do nothing while the folder is read
+      if (dialog->isVisible() && ++tries == mostTries)
+      {
+        ADD_FAILURE() << "the dialog stays open: " << path;
+        dialog->reject();
+      }
+      if (!dialog->isVisible())
+      {
+        asks->stop();
+        asks->deleteLater();
+      }
+    });
+  asks->start(100);
 }
 
 void WindowTest::SetUpTestSuite()

@@ -12,6 +12,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -20,6 +21,9 @@ namespace nexrad::testing
 
 /// Visibly different pixels, of all.
 double Difference(const QImage& a, const QImage& b);
+
+/// Writes a path into the next dialog of files, and accepts it, until the dialog closes.
+void AnswerDialog(const std::filesystem::path& path);
 
 /// A window with settings of its own, on synthetic storms.
 class WindowTest : public ::testing::Test

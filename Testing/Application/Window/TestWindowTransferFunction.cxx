@@ -18,12 +18,10 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
-#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QSpinBox>
-#include <QTimer>
 #include <QToolButton>
 #include <QtTest/QtTest>
 
@@ -116,16 +114,7 @@ protected:
   /// Presses a button that opens a file dialog, and types a name into it.
   void ChooseFile(const char* button, const std::filesystem::path& path)
   {
-    QTimer::singleShot(300, window.get(),
-      [path]
-      {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-        ASSERT_NE(name, nullptr);
-        name->setText(QString::fromStdString(path.string()));
-        QTest::keyClick(name, Qt::Key_Return);
-      });
+    AnswerDialog(path);
     this->Click(button);
   }
 
@@ -205,11 +194,10 @@ TEST_F(WindowTransferFunction, TheVolumeFollowsWhileThePointMoves)
   this->OpenEditor();
   const auto node = this->Node(4); // of 40 dBZ
   this->Mouse(QEvent::MouseButtonPress, this->PlaceOf(node), Qt::LeftButton);
-  EXPECT_AT_LEAST(
-    this->Changes(
-      [&] {
-        this->Mouse(QEvent::MouseMove, this->PlaceOf({node[0], 0.5}), Qt::LeftButton);
-      }),
+  EXPECT_AT_LEAST(this->Changes(
+                    [&] {
+                      this->Mouse(QEvent::MouseMove, this->PlaceOf({node[0], 0.5}), Qt::LeftButton);
+                    }),
     0.01, "pixels that a moving opacity changes, part");
   this->Mouse(QEvent::MouseButtonRelease, this->PlaceOf({node[0], 0.5}), Qt::LeftButton);
 }

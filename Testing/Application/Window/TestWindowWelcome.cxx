@@ -18,7 +18,6 @@
 #include <QDoubleSpinBox>
 #include <QFileDialog>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QScrollArea>
@@ -49,21 +48,6 @@ protected:
   void SetUp() override { QSettings().remove("recent"); }
 
   WelcomePage* Page() { return this->Find<WelcomePage>("welcome"); }
-
-  // Answers the next dialog of files with a path, as a user types it.
-  static void Answer(const std::filesystem::path& path)
-  {
-    QTimer::singleShot(300, qApp,
-      [path]
-      {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        ASSERT_NE(dialog, nullptr);
-        auto* name = dialog->findChild<QLineEdit*>("fileNameEdit");
-        name->clear();
-        QTest::keyClicks(name, QString::fromStdString(path.string()));
-        QMetaObject::invokeMethod(dialog, "accept"); // its button waits for the folder's list
-      });
-  }
 
   bool WaitForVolume()
   {
@@ -177,7 +161,7 @@ TEST_F(WindowWelcomeTest, ItsButtonsOpenFilesByKeys)
   ASSERT_TRUE(this->Wait([&] { return QApplication::focusWidget() == files; }));
   QTest::keyClick(files, Qt::Key_Tab);
   EXPECT_EQ(QApplication::focusWidget(), this->Find<QCommandLinkButton>("welcome folder"));
-  Answer(folder.Path() / "20060312T183000Z.nxv");
+  AnswerDialog(folder.Path() / "20060312T183000Z.nxv");
   QTest::keyClick(files, Qt::Key_Return);
   EXPECT_TRUE(this->WaitForVolume());
   EXPECT_FALSE(this->Page()->isVisible());
