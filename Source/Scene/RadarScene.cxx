@@ -4,6 +4,7 @@
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
 #include "Scene/Captions/EchoShown.h"
+#include "Scene/Captions/MapShown.h"
 #include "Scene/Cutting/SectionMark.h"
 #include "Scene/Cutting/VolumeCut.h"
 #include "Scene/EchoFraming.h"
@@ -74,6 +75,11 @@ std::string ScaleText(double exaggeration)
   std::ostringstream stream;
   stream << "Height above mean sea level, stretched " << exaggeration << " times";
   return exaggeration == 1.0 ? "Height above mean sea level, to scale" : stream.str();
+}
+
+PresetWords NamesOfPresets(const SceneOptions& options)
+{
+  return options.namesOptions ? PresetWords::Option : PresetWords::Setting;
 }
 
 } // namespace
@@ -311,15 +317,19 @@ void RadarScene::SetCut(const CutOptions& cut)
 }
 
 // An empty box says why it is empty; where the volume is hidden, it is not seen for another reason.
+// A map has its words from DrawPlan.
 void RadarScene::LookForEcho()
 {
-  nothing.clear();
-  if (shownData && volume->GetVisibility() != 0 && !options.plan)
+  if (options.plan)
   {
-    const PresetWords words = options.namesOptions ? PresetWords::Option : PresetWords::Setting;
+    return;
+  }
+  nothing.clear();
+  if (shownData && volume->GetVisibility() != 0)
+  {
     nothing =
       WordsForNothing(FindEchoShown(shownData, options.cut.box, OpacitiesOf(transferFunction)),
-        array, LeastShown(transferFunction), information.biologicalShare, words);
+        array, LeastShown(transferFunction), information.biologicalShare, NamesOfPresets(options));
   }
 }
 
@@ -610,6 +620,7 @@ void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
   scale = ScaleFor(shown, *options.plan, information.sites, ScaleOf(array, transferFunction));
   const std::string key = PlanKey(shown, scale);
   note = shown.where + (key.empty() ? "" : "; " + key);
+  nothing = WordsForMap(shown, *options.plan, scale, shownData, NamesOfPresets(options));
   this->Replace(
     plan, {MakePlanLayer(shown, scale, placed, HeightOf(frame, GroundLevel::Picture), theme)});
 }

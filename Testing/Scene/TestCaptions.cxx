@@ -2,6 +2,8 @@
 #include "Scene/Captions/Captions.h"
 #include "Scene/Captions/DataAge.h"
 #include "Scene/Captions/EchoShown.h"
+#include "Scene/Captions/MapShown.h"
+#include "Scene/Plan/PlanScale.h"
 #include "Scene/VolumeAppearance.h"
 #include "StormVolume.h"
 #include "TestData.h"
@@ -202,6 +204,71 @@ TEST(Captions, SayThatACropShowsNothing)
   const std::array<double, 6> northEast = {100e3, 230e3, 100e3, 230e3, 0.0, 20e3};
   EXPECT_EQ(SaidOf(WeakerStorm(0.0F), "", northEast), "No echo");
   EXPECT_EQ(SaidOf(WeakerStorm(0.0F), "", std::array{-240e3, 0.0, -240e3, 0.0, 0.0, 20e3}), "");
+}
+
+namespace
+{
+
+std::string SaidOfMap(const GriddedVolume& volume, PlanLevel level = PlanLevel::Composite,
+  double height = 3'000.0, double threshold = 18.0)
+{
+  const PlanOptions plan = {level, height, "", threshold};
+  const std::string array = ToString(volume.moment);
+  const auto look = MakeTransferFunction(SceneOptions(), array);
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  const PlanView view = MakePlanView(SourceOf(image), plan);
+  const ColourScale scale = ScaleFor(view, plan, volume.sites, ScaleOf(array, look));
+  return WordsForMap(view, plan, scale, image, PresetWords::Option);
+}
+
+} // namespace
+
+// The storm of 62 dBZ, and the same less 59 dB.
+TEST(Captions, SayWhatThereIsWhereAMapShowsNothing)
+{
+  const GriddedVolume storm = WeakerStorm(0.0F);
+  const GriddedVolume weak = WeakerStorm(59.0F);
+  for (const PlanLevel level : {PlanLevel::Composite, PlanLevel::Lowest, PlanLevel::Height,
+         PlanLevel::EchoTop, PlanLevel::Liquid, PlanLevel::LiquidDensity})
+  {
+    EXPECT_EQ(SaidOfMap(storm, level), "");
+    EXPECT_NE(SaidOfMap(weak, level), "");
+  }
+  const std::string clear = SaidOfMap(weak);
+  EXPECT_EQ(clear.find("No echo above 5 dBZ; clear-air echo up to "), 0U) << clear;
+  EXPECT_NE(clear.find(": --preset \"clear air\""), std::string::npos) << clear;
+  const std::string top = SaidOfMap(weak, PlanLevel::EchoTop);
+  EXPECT_EQ(top.find("No echo top: no echo of 18 dBZ; clear-air echo up to "), 0U) << top;
+  const std::string density = SaidOfMap(weak, PlanLevel::LiquidDensity);
+  EXPECT_EQ(density.find("No VIL density: no echo of 18 dBZ; clear-air echo up to "), 0U)
+    << density;
+  EXPECT_EQ(SaidOfMap(weak, PlanLevel::Liquid),
+    "No vertically integrated liquid above 0.5 kg/m²; values up to 0.033 kg/m²");
+  EXPECT_EQ(SaidOfMap(WeakerStorm(45.0F), PlanLevel::LiquidDensity, 0.0, 0.0),
+    "No VIL density above 0.25 g/m³; values up to 0.018 g/m³");
+}
+
+TEST(Captions, SayWhyAMapHasNoValue)
+{
+  GriddedVolume volume = WeakerStorm(0.0F);
+  const std::string high = SaidOfMap(volume, PlanLevel::Height, 19'000.0);
+  EXPECT_EQ(high.find("No echo at this height; echo up to "), 0U) << high;
+  for (std::size_t voxel = 0; voxel < 48 * 48; ++voxel)
+  {
+    volume.states[voxel] = VoxelState::NoEcho;
+  }
+  const std::string low = SaidOfMap(volume, PlanLevel::Lowest);
+  EXPECT_EQ(low.find("No echo in the lowest voxels; echo up to "), 0U) << low;
+  volume.states.assign(volume.states.size(), VoxelState::NoEcho);
+  EXPECT_EQ(SaidOfMap(volume), "No echo");
+  EXPECT_EQ(SaidOfMap(volume, PlanLevel::LiquidDensity), "No echo");
+  volume.states.front() = VoxelState::Filtered;
+  EXPECT_EQ(
+    SaidOfMap(volume, PlanLevel::Liquid), "No echo: quality control took out all that there was");
+  volume.states.assign(volume.states.size(), VoxelState::NotScanned);
+  EXPECT_EQ(SaidOfMap(volume), "Nothing was scanned here");
+  EXPECT_EQ(SaidOfMap(volume, PlanLevel::EchoTop), "Nothing was scanned here");
 }
 
 TEST(Captions, SayWhereAVolumeEnds)

@@ -324,6 +324,23 @@ TEST(Scene, AHiddenVolumeIsNotCalledEmpty)
   EXPECT_EQ(LargestDifference(said, window.Draw()), 0);
 }
 
+// An empty map and one with a storm have the words in the middle that tell them apart.
+TEST(Scene, AMapWithoutAValueSaysSo)
+{
+  SceneOptions options = Classic();
+  options.plan = PlanOptions();
+  options.plan->level = PlanLevel::LiquidDensity;
+  RadarScene scene{options};
+  scene.SetPictureSize(size);
+  scene.SetVolume(MakeEmptyVolume());
+  OffScreenWindow window(scene.GetRenderer(), size);
+  constexpr PictureArea middle = {0.25, 0.7, 0.5, 0.6};
+  const auto isBright = [](const std::array<int, 3>& rgb) { return rgb[0] > 200 && rgb[2] > 200; };
+  const Picture said = window.Draw();
+  KeepPicture(said, "SceneEmptyMap");
+  EXPECT_AT_LEAST(Count(said, middle, isBright), 600, "bright pixels of letters");
+}
+
 // What the program shows of a series of files, read as codes, beside the values read from the same
 // file: at most one of 255 apart.
 TEST(Scene, AFileIsDrawnFromItsCodesAsFromItsValues)

@@ -33,41 +33,6 @@ std::array<int, 2> VoxelsBetween(vtkImageData* volume, int axis, double from, do
   return {at(from), at(to)};
 }
 
-// Takes note of a line of voxels.
-void Add(const std::vector<float>& values, const std::vector<VoxelState>& states,
-  const std::function<double(double)>& opacityOf, EchoShown& found)
-{
-  for (std::size_t i = 0; i < values.size(); ++i)
-  {
-    found.filtered = found.filtered || states[i] == VoxelState::Filtered;
-    found.scanned = found.scanned || states[i] != VoxelState::NotScanned;
-    if (states[i] != VoxelState::Echo)
-    {
-      continue;
-    }
-    const double value = static_cast<double>(values[i]);
-    found.lowest = found.echo == 0 ? value : std::min(found.lowest, value);
-    const double opacity = opacityOf(value);
-    if (found.echo == 0 || value > found.highest)
-    {
-      found.highest = value;
-      found.opacityOfHighest = opacity;
-    }
-    ++found.echo;
-    found.shown += opacity;
-  }
-}
-
-// How much must be shown, as a sum of opacities over the voxels: in 256 × 256 columns fifteen
-// voxels of 35 dBZ, or a hundred of the weakest rain.
-double Enough(vtkImageData* volume)
-{
-  constexpr double ofColumn = 5e-5;
-  constexpr double least = 0.02; // a voxel of rain, where there are few
-  const int* size = volume->GetDimensions();
-  return std::max(least, ofColumn * size[0] * size[1]);
-}
-
 bool Shows(vtkNexradTransferFunction* look, double value)
 {
   return look->Evaluate(vtkNexradTransferFunction::OPACITY, value) > 0.0;
@@ -104,20 +69,10 @@ const char* PresetThatShows(const std::string& array, double value, double opaci
 std::string WordsForTheRest(const EchoShown& found, const std::string& array,
   const std::string& unit, double biologicalShare, PresetWords presets)
 {
-  const bool reflectivity = array == ToString(MomentName::REF);
-  std::string words;
-  if (reflectivity)
-  {
-    constexpr double weakest = 5.0; // dBZ: the weather service's colours begin there
-    const char* kind = biologicalShare > MostlyBiological ? "biological echo"
-                       : found.highest < weakest          ? "clear-air echo"
-                                                          : "echo";
-    words = std::string(kind) + " up to " + Text(found.highest) + " " + unit;
-  }
-  else
-  {
-    words = "values from " + Text(found.lowest) + " to " + Text(found.highest) + " " + unit;
-  }
+  std::string words =
+    array == ToString(MomentName::REF)
+      ? EchoUpTo(found, biologicalShare)
+      : "values from " + Text(found.lowest) + " to " + Text(found.highest) + " " + unit;
   const char* preset = PresetThatShows(array, found.highest, found.opacityOfHighest);
   if (preset != nullptr)
   {
@@ -128,6 +83,33 @@ std::string WordsForTheRest(const EchoShown& found, const std::string& array,
 }
 
 } // namespace
+
+void EchoShown::Add(VoxelState state, double value, const std::function<double(double)>& opacityOf)
+{
+  filtered = filtered || state == VoxelState::Filtered;
+  scanned = scanned || state != VoxelState::NotScanned;
+  if (state != VoxelState::Echo)
+  {
+    return;
+  }
+  lowest = echo == 0 ? value : std::min(lowest, value);
+  const double opacity = opacityOf(value);
+  if (echo == 0 || value > highest)
+  {
+    highest = value;
+    opacityOfHighest = opacity;
+  }
+  ++echo;
+  shown += opacity;
+}
+
+// In 256 × 256 columns fifteen voxels of 35 dBZ, or a hundred of the weakest rain.
+double EnoughShown(int width, int height)
+{
+  constexpr double ofColumn = 5e-5;
+  constexpr double least = 0.02; // a voxel of rain, where there are few
+  return std::max(least, ofColumn * width * height);
+}
 
 EchoShown FindEchoShown(vtkImageData* volume, const std::optional<std::array<double, 6>>& box,
   const std::function<double(double)>& opacityOf)
@@ -157,7 +139,7 @@ EchoShown FindEchoShown(vtkImageData* volume, const std::optional<std::array<dou
       VoxelsBetween(volume, axis, (*box)[face], (*box)[face + 1]);
   }
   const auto& [x, y, z] = part;
-  const double enough = Enough(volume);
+  const double enough = EnoughShown(size[0], size[1]);
   std::vector<float> values(static_cast<std::size_t>(std::max(0, x[1] - x[0])));
   std::vector<VoxelState> states(values.size());
   for (int k = z[0]; k < z[1]; ++k)
@@ -168,7 +150,10 @@ EchoShown FindEchoShown(vtkImageData* volume, const std::optional<std::array<dou
                                static_cast<std::size_t>(j);
       source.voxels.read(line * static_cast<std::size_t>(size[0]) + static_cast<std::size_t>(x[0]),
         values.size(), values.data(), states.data());
-      Add(values, states, opacityOf, found);
+      for (std::size_t i = 0; i < values.size(); ++i)
+      {
+        found.Add(states[i], static_cast<double>(values[i]), opacityOf);
+      }
     }
   }
   found.enough = found.shown >= enough;
@@ -214,6 +199,29 @@ std::optional<double> LeastShown(vtkNexradTransferFunction* look)
   return alsoBelow ? std::nullopt : std::optional(range[0] + step * std::max(0, least - 1));
 }
 
+std::string EchoUpTo(const EchoShown& found, double biologicalShare)
+{
+  constexpr double weakest = 5.0; // dBZ: the weather service's colours begin there
+  const char* kind = biologicalShare > MostlyBiological ? "biological echo"
+                     : found.highest < weakest          ? "clear-air echo"
+                                                        : "echo";
+  return std::string(kind) + " up to " + Text(found.highest) + " " + UnitOf(MomentName::REF);
+}
+
+std::string WordFor(const std::string& array)
+{
+  return array == ToString(MomentName::REF) ? "echo" : array;
+}
+
+std::string WordsForNone(const EchoShown& found, const std::string& name)
+{
+  if (!found.scanned)
+  {
+    return "Nothing was scanned here";
+  }
+  return "No " + name + (found.filtered ? ": quality control took out all that there was" : "");
+}
+
 std::string WordsForNothing(const EchoShown& found, const std::string& array,
   const std::optional<double>& leastShown, double biologicalShare, PresetWords presets)
 {
@@ -221,15 +229,10 @@ std::string WordsForNothing(const EchoShown& found, const std::string& array,
   {
     return {};
   }
-  if (!found.scanned)
-  {
-    return "Nothing was scanned here";
-  }
-  const std::string what = array == ToString(MomentName::REF) ? "echo" : array;
+  const std::string what = WordFor(array);
   if (found.echo == 0)
   {
-    return found.filtered ? "No " + what + ": quality control took out all that there was"
-                          : "No " + what;
+    return WordsForNone(found, what);
   }
   const std::string unit = UnitOf(*ParseMomentName(array));
   return (found.shown > 0.0 ? "Hardly any " : "No ") + what +

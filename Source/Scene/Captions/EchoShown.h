@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Grid/GriddedVolume.h"
+
 #include <array>
 #include <cstddef>
 #include <functional>
@@ -13,9 +15,13 @@ class vtkNexradTransferFunction;
 namespace nexrad::scene
 {
 
-/// What echo a volume has, and whether a picture shows any of it.
+/// What echo a volume or a map has, and whether a picture shows any of it.
 struct EchoShown
 {
+  /// Takes note of a voxel, or of a column of a map. `opacityOf` says how opaque its value is
+  /// drawn.
+  void Add(VoxelState state, double value, const std::function<double(double)>& opacityOf);
+
   bool isKnown = true;   ///< false: the volume's array is no moment
   bool enough = false;   ///< something is to be seen; then nothing further is counted
   double shown = 0.0;    ///< sum of the opacities of the voxels
@@ -33,11 +39,25 @@ struct EchoShown
 EchoShown FindEchoShown(vtkImageData* volume, const std::optional<std::array<double, 6>>& box,
   const std::function<double(double)>& opacityOf);
 
+/// The sum of opacities from which something is to be seen, among columns seen from above.
+double EnoughShown(int width, int height);
+
 /// The opacity of each value in a look, for FindEchoShown.
 std::function<double(double)> OpacitiesOf(vtkNexradTransferFunction* look);
 
 /// The value from which a look shows all that is above it; nothing where it shows other values.
 std::optional<double> LeastShown(vtkNexradTransferFunction* look);
+
+/// The echo of a volume in words: "clear-air echo up to 3 dBZ". `biologicalShare`: of the echo,
+/// 0…1.
+std::string EchoUpTo(const EchoShown& found, double biologicalShare);
+
+/// What the values of an array are called: "echo", or the name of the array.
+std::string WordFor(const std::string& array);
+
+/// What is said where no voxel has a value of that name: that there is none, or that nothing was
+/// scanned.
+std::string WordsForNone(const EchoShown& found, const std::string& name);
 
 /// How a caption names a preset: as an option of the program, or as a setting.
 enum class PresetWords
@@ -48,7 +68,7 @@ enum class PresetWords
 
 /// What a picture that shows nothing, or next to nothing, says: that there is no echo above the
 /// value from which it is shown (nothing where no such value is), and what there is; empty where
-/// something is to be seen. `biologicalShare`: of the echo, 0…1.
+/// something is to be seen.
 std::string WordsForNothing(const EchoShown& found, const std::string& array,
   const std::optional<double>& leastShown, double biologicalShare, PresetWords presets);
 
