@@ -689,6 +689,7 @@ void RadarScene::DrawCaptions()
     this->TextSize(), theme, pictures);
   props.insert(props.end(), layer.props.begin(), layer.props.end());
   taken = std::move(layer.taken);
+  overScene = layer.overScene;
   this->Replace(captions, std::move(props));
 }
 
@@ -700,6 +701,10 @@ void RadarScene::DrawLabels()
   all.insert(all.end(), markLabels.begin(), markLabels.end());
   all.insert(all.end(), groundLabels.begin(), groundLabels.end());
   std::vector<PixelBox> boxes = taken;
+  if (overScene)
+  {
+    boxes.push_back(*overScene);
+  }
   boxes.push_back({right, 0.0, static_cast<double>(size[0]), static_cast<double>(size[1])});
   // The ground's corners come first in the outline, those in the north after those in the south.
   const auto sides = ChooseSides(all, {outline[0], outline[1], outline[3], outline[2]},

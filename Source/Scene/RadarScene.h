@@ -190,9 +190,10 @@ private:
   std::vector<Label> sectionLabels;
   std::vector<Label> markLabels;
   std::vector<Label> scaleLabels;
-  std::vector<ScenePoint> outline; ///< of the domain and its scales
-  std::vector<PixelBox> taken;     ///< by captions
-  double right = 0.0;              ///< pixels, of what is left of the colour bar
+  std::vector<ScenePoint> outline;   ///< of the domain and its scales
+  std::vector<PixelBox> taken;       ///< by captions
+  std::optional<PixelBox> overScene; ///< by the words where nothing is to be seen
+  double right = 0.0;                ///< pixels, of what is left of the colour bar
 };
 
 } // namespace nexrad::scene

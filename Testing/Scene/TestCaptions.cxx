@@ -320,6 +320,7 @@ TEST(Captions, AreOffEachOtherInEveryPicture)
     const CaptionLayer layer = MakeCaptions(texts, size, right, letters, theme, pictures);
     ASSERT_EQ(layer.taken.size(), 4U);
     ASSERT_EQ(layer.props.size(), 4U);
+    EXPECT_FALSE(layer.overScene);
     for (std::size_t i = 0; i < layer.taken.size(); ++i)
     {
       EXPECT_GE(layer.taken[i].left, 0.0) << size[0] << ' ' << i;
@@ -331,4 +332,22 @@ TEST(Captions, AreOffEachOtherInEveryPicture)
       }
     }
   }
+}
+
+// The words of an empty picture stand over the scene: it need not stay off them, but labels do.
+TEST(Captions, TellWhereTheWordsOfAnEmptyPictureStand)
+{
+  const std::array<int, 2> size = {1280, 720};
+  CaptionTexts texts = MakeTexts(false);
+  texts.nothing = "No echo above 5 dBZ; clear-air echo up to 3 dBZ";
+  TextPictures pictures;
+  const CaptionLayer layer =
+    MakeCaptions(texts, size, 1200.0, 16, ThemeOf(ThemeChoice::Light), pictures);
+  EXPECT_EQ(layer.taken.size(), 3U);
+  ASSERT_TRUE(layer.overScene);
+  EXPECT_EQ(layer.overScene->top, 432.0);
+  EXPECT_WITHIN(0.5 * (layer.overScene->left + layer.overScene->right), 600.0, 1.0,
+    "middle of the words, pixels", "a pixel is the least that can be wrong");
+  EXPECT_WITHIN(layer.overScene->top - layer.overScene->bottom, 2.0 * 1.25 * 24.0, 12.0,
+    "height of two lines, pixels");
 }

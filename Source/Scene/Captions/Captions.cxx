@@ -100,8 +100,11 @@ public:
       lines += (lines.empty() ? "" : "\n") + Wrap(WordsOf(part), 0.8 * right, style, pictures);
       begin = end + 2;
     }
-    const std::array<double, 2> middle = {0.5 * right / size[0], 0.6};
-    layer.props.push_back(pictures.Get(lines, style).MakeCaption(middle, LabelSide::Below));
+    const std::array<double, 2> middle = {0.5 * right, 0.6 * size[1]};
+    layer.props.push_back(
+      pictures.Get(lines, style)
+        .MakeCaption({middle[0] / size[0], middle[1] / size[1]}, LabelSide::Below));
+    layer.overScene = this->BoxOf(lines, style, middle, LabelSide::Below);
   }
 
   CaptionLayer layer;

@@ -33,6 +33,7 @@ struct CaptionLayer
 {
   std::vector<vtkSmartPointer<vtkProp>> props;
   std::vector<PixelBox> taken;
+  std::optional<PixelBox> overScene; ///< that of `nothing`, which labels alone stay off
 };
 
 /// Time, what is shown, and radars with the age of their data in the upper left corner, the note in
