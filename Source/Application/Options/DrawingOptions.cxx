@@ -396,8 +396,9 @@ void AddAppearanceOptions(CLI::App& command, scene::SceneOptions& options)
       std::vector<std::string>(std::begin(scene::presetNames), std::end(scene::presetNames))))
     ->group(group);
   AddParsedOption(command, "--iso-values", options.isoValues, ParseIsoValues, "VALUE[:OPACITY],...",
-    "Draw the surfaces of these values in the unit of the moment, with the colours of the preset, "
-    "as in 20:0.3,40:0.6,50:1; usual opacities: from 0.35 for the lowest to 0.95 for the highest")
+    "Draw the surfaces of these values in the unit of the moment, as m/s, whatever unit the colour "
+    "bar has, with the colours of the preset, as in 20:0.3,40:0.6,50:1; usual opacities: from 0.35 "
+    "for the lowest to 0.95 for the highest")
     ->group(group);
   command
     .add_option("--colours,--colors", options.colours,

@@ -378,6 +378,11 @@ TEST_F(WindowTransferFunction, ATableInKnotsIsEditedInKnots)
   EXPECT_NEAR(value->value(), 1.94384 * this->Node(1)[0], 0.01);
   this->Type<QDoubleSpinBox>("Value of the point", "17");
   EXPECT_NEAR(this->Node(1)[0], 17.0 / 1.94384, 1e-6);
+  this->Type<QLineEdit>("Iso-values", "20:0.5, 40");
+  ASSERT_EQ(this->Colours()->GetNumberOfIsoValues(), 2);
+  EXPECT_NEAR(this->Colours()->GetIsoValue(0), 20.0 / 1.94384, 1e-6);
+  EXPECT_NEAR(this->Colours()->GetIsoValue(1), 40.0 / 1.94384, 1e-6);
+  EXPECT_EQ(this->Find<QLineEdit>("Iso-values")->text(), "20:0.5, 40:0.95");
 }
 
 TEST_F(WindowTransferFunction, AFileThatIsNoColourMapIsOneLine)

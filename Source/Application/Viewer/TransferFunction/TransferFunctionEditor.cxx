@@ -39,6 +39,8 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
+#include <vector>
 
 namespace nexrad::viewer
 {
@@ -66,13 +68,15 @@ QString TitleOfArray(const std::string& array, const QString& unit)
   return unit.isEmpty() ? title : title + " (" + unit + ")";
 }
 
-QString TextOfIsoValues(Function* function)
+QString TextOfIsoValues(Function* function, const scene::LabelUnit& labels)
 {
   QStringList entries;
   for (int i = 0; i < function->GetNumberOfIsoValues(); ++i)
   {
     const double value = function->GetIsoValue(i);
-    entries << QString("%1:%2").arg(value).arg(function->Evaluate(Function::OPACITY, value));
+    entries << QString("%1:%2")
+                 .arg(labels.ToLabel(value))
+                 .arg(function->Evaluate(Function::OPACITY, value));
   }
   return entries.join(", ");
 }
@@ -259,9 +263,9 @@ void TransferFunctionEditor::AddIsoValues(QBoxLayout* column)
   column->addLayout(row);
   row->addWidget(new QLabel("Iso-values", this));
   isoValues = Named(new QLineEdit(this), "Iso-values",
-    "Values whose surfaces are drawn, each with an opacity above 0 and up to 1 if it is not to "
-    "have "
-    "the usual one: 20:0.3, 40:0.6, 50. Empty: the volume is drawn. A point of opacity that is "
+    "Values whose surfaces are drawn, in the unit of the colour bar, each with an opacity above 0 "
+    "and up to 1 if it is not to have the usual one: 20:0.3, 40:0.6, 50. Empty: the volume is "
+    "drawn. A point of opacity that is "
     "edited makes the surfaces shells of the volume.");
   isoValues->setPlaceholderText("none; as in 20:0.3, 40:0.6, 50");
   connect(isoValues, &QLineEdit::editingFinished, this, &TransferFunctionEditor::SetIsoValues);
@@ -402,7 +406,7 @@ void TransferFunctionEditor::FollowFunction()
   {
     this->FollowPresets();
     const QSignalBlocker quiet(isoValues);
-    isoValues->setText(this->Shown() != nullptr ? TextOfIsoValues(this->Shown()) : "");
+    isoValues->setText(this->Shown() != nullptr ? TextOfIsoValues(this->Shown(), labels) : "");
   }
 }
 
@@ -533,7 +537,7 @@ void TransferFunctionEditor::SetIsoValues()
 {
   Function* function = this->Shown();
   const QString text = isoValues->text().remove(' ');
-  if (function == nullptr || text == TextOfIsoValues(function).remove(' '))
+  if (function == nullptr || text == TextOfIsoValues(function, labels).remove(' '))
   {
     return;
   }
@@ -550,7 +554,12 @@ void TransferFunctionEditor::SetIsoValues()
     }
     else
     {
-      scene::SetIsoValues(application::ParseIsoValues(text.toStdString()), function);
+      std::vector<scene::IsoValue> wanted = application::ParseIsoValues(text.toStdString());
+      for (scene::IsoValue& isoValue : wanted)
+      {
+        isoValue.value = labels.ToValue(isoValue.value);
+      }
+      scene::SetIsoValues(std::move(wanted), function);
     }
     this->Finish("Iso-values");
     emit Changed();
