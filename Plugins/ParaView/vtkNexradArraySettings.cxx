@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradArraySettings.h"
 
+#include "Scene/Elements/Theme.h"
+#include "Scene/SceneOptions.h"
 #include "nexrad/Model/Moment.h"
 #include "vtkNexradTransferFunction.h"
 
@@ -29,6 +31,15 @@ Json::Value LookupTableOf(nexrad::MomentName moment)
   table["Title"] = LegendTitleOf(moment);
   table["PVLookupTable"]["AutomaticRescaleRangeMode"] = never;
   table["PVLookupTable"]["NanOpacity"] = 0.0;
+  if (moment == nexrad::MomentName::REF)
+  {
+    // Reflectivity below the legend has none of its colours, but that of the ground.
+    table["PVLookupTable"]["UseBelowRangeColor"] = 1;
+    for (const double part : ThemeOf(nexrad::scene::SceneOptions().theme).ground)
+    {
+      table["PVLookupTable"]["BelowRangeColor"].append(part);
+    }
+  }
   return table;
 }
 

@@ -216,6 +216,11 @@ class Sweeps(ShowTest):
         self.assertGreater(self.coloured(), 0.01, "echo is seen")
         sky = self.picture().min(axis=2) >= 235
         self.assertGreater(sky.mean(), 0.5, "gates without echo are not")
+        # Below 5 dBZ a gate has the colour of the ground, not the first one of the legend.
+        colours = simple.GetColorTransferFunction("REF")
+        self.assertEqual(colours.UseBelowRangeColor, 1)
+        self.assertLess(max(colours.BelowRangeColor) - min(colours.BelowRangeColor), 0.02)
+        self.assertEqual(simple.GetColorTransferFunction("VEL").UseBelowRangeColor, 0)
 
     def test_names_of_blocks_do_not_change_with_time(self):
         sweeps = simple.NEXRADLevelIISeries(FileNames=Plugin.real_files("run-kbgm-20050821"))
