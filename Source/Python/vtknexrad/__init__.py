@@ -26,8 +26,6 @@ time_steps, array, axes, sweep, echo_classes. They are names of vtknexrad as wel
 `from vtknexrad import *` leaves Python's own `open` as it is.
 """
 
-import importlib.util as _importlib_util
-
 # Without these imports VTK's object factories have no OpenGL classes to give.
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401
 import vtkmodules.vtkRenderingVolumeOpenGL2  # noqa: F401
@@ -36,8 +34,7 @@ import vtkmodules.vtkRenderingFreeType  # noqa: F401
 from .vtkNexradIO import *  # noqa: F401,F403
 from .vtkNexradFilters import *  # noqa: F401,F403
 from .vtkNexradRendering import *  # noqa: F401,F403
-if _importlib_util.find_spec(".vtkNexradScene", __name__) is not None:  # not in a build for ParaView
-    from .vtkNexradScene import *  # noqa: F401,F403
+from .vtkNexradScene import *  # noqa: F401,F403
 from ._version import __version__ as __version__
 from .data import (array as array, axes as axes, echo_classes as echo_classes, sweep as sweep,
                    time_steps as time_steps, update as update)

@@ -14,7 +14,7 @@ from vtkmodules.vtkRenderingCore import vtkColorTransferFunction
 
 from .errors import UnknownName
 from .times import text_of
-from .vtkNexradRendering import vtkNexradTransferFunction
+from .vtkNexradScene import vtkNexradTransferFunction
 
 if TYPE_CHECKING:
     from .fields import Field

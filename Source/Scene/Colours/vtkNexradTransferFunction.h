@@ -19,7 +19,7 @@
 #ifndef vtkNexradTransferFunction_h
 #define vtkNexradTransferFunction_h
 
-#include "vtkNexradRenderingModule.h" // for the export macro
+#include "vtkNexradSceneModule.h" // for the export macro
 #include "vtkObject.h"
 
 #include <memory> // for std::unique_ptr
@@ -29,7 +29,7 @@ class vtkColorTransferFunction;
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
-class VTKNEXRADRENDERING_EXPORT vtkNexradTransferFunction : public vtkObject
+class VTKNEXRADSCENE_EXPORT vtkNexradTransferFunction : public vtkObject
 {
 public:
   static vtkNexradTransferFunction* New();
