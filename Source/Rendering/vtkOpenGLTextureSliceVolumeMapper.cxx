@@ -134,7 +134,7 @@ vtkOpenGLTextureSliceVolumeMapper::~vtkOpenGLTextureSliceVolumeMapper()
 
 int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
 {
-  return this->Parts->Geometry.GetNumberOfSlices();
+  return this->Parts->Planes.GetNumberOfSlices();
 }
 
 vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
@@ -368,38 +368,26 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUpCuts()
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
-  vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request)
+  vtkImageData* image, const vtkTextureSliceRequest& request)
 {
   vtkTextureSliceParts& parts = *this->Parts;
-  const vtkTextureSliceFeatures features = request.GetFeatures();
   parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable,
     &parts.Table2D, &parts.Frame, this->CroppingRegionFlags, &parts.Coordinates});
+  parts.Frame.SetPlane(request.GetSlicePlane());
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
-  if (vtkPlane* plane = request.GetSlicePlane())
-  {
-    view.Plane = parts.Frame.ToBox(plane);
-  }
-  view.Slabs = features.Slabs;
-  view.Surfaces = features.IsoValues > 0;
   view.SampleDistance = this->ChooseSampleDistance(image, parts.Frame.GetShortestVoxelEdge());
-  view.Occupancy = &parts.EmptySpace.GetOccupancy();
-  view.Dense = parts.EmptySpace.GetDense();
-  if (view.Dense != nullptr)
+  if (request.IsNearest())
   {
-    view.DenseTransmittance = std::pow(1.0 - parts.Table.GetDenseOpacity(0),
-      1.0 / request.Property->GetScalarOpacityUnitDistance(0)); // Formulas R1
+    view.Faces = parts.Frame.GetIntervals();
+    view.FirstFace = parts.Frame.GetFirstFace();
   }
-  view.Viewport = vtkTextureSliceTarget::GetSize(renderer, parts.PixelSize);
-  parts.Geometry.Build(view);
-  parts.HasCover =
-    features.BlendMode == vtkVolumeMapper::ADDITIVE_BLEND && parts.EmptySpace.LeavesOutSamples();
-  if (parts.HasCover)
-  {
-    view.Occupancy = nullptr;
-    parts.Cover.Build(view);
-  }
-  return parts.Geometry.GetNumberOfVertices() > 0 || parts.HasCover;
+  view.Viewport = vtkTextureSliceTarget::GetSize(parts.Window, parts.PixelSize);
+  parts.Planes.Place(view);
+  // A sum is black where all that was sampled is clear.
+  const bool isSeen =
+    request.BlendMode == vtkVolumeMapper::ADDITIVE_BLEND || !parts.EmptySpace.IsNothingVisible();
+  return parts.Planes.GetNumberOfSlices() > 0 && isSeen;
 }
 
 std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
@@ -412,7 +400,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
     return error;
   }
   this->SetUpFrame(renderer);
-  if (!this->PlaceSlices(renderer, image, request))
+  if (!this->PlaceSlices(image, request))
   {
     return "";
   }
@@ -424,11 +412,11 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
   for (int picture = 0; picture < parts.Peeling.CountPictures(); ++picture)
   {
     parts.Peeling.SetPicture(picture);
-    if (!parts.Draw(renderer, uniforms, error))
+    if (!parts.Draw(uniforms, error))
     {
       return error;
     }
-    parts.Composite(renderer, uniforms, 1.0f / this->FinalColorWindow,
+    parts.Composite(uniforms, 1.0f / this->FinalColorWindow,
       0.5f - this->FinalColorLevel / this->FinalColorWindow);
   }
   return "";
@@ -440,7 +428,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* rendere
   vtkTextureSliceParts& parts = *this->Parts;
   std::string error;
   // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
-  const bool nearest = request.Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+  const bool nearest = request.IsNearest();
   if (!this->Upload(renderer, image, scalars, error) ||
       !parts.UpdateTables(request, nearest, error))
   {
@@ -640,10 +628,9 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.Peel = parts.Peeling.GetStage();
   uniforms.Peeling = &parts.Peeling;
   uniforms.PixelSize = parts.PixelSize;
-  if (uniforms.Features.Slabs > 0)
-  {
-    uniforms.Features.ClippingPlanes = static_cast<int>(parts.Frame.GetPlanesInPart().size() / 4);
-  }
+  uniforms.Features.ClippingPlanes =
+    static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
+  uniforms.Features.Skipping = parts.EmptySpace.IsSkippingWorthwhile();
   if (request.IsShaded())
   {
     uniforms.Features.Lights = parts.Lights.CountForShader();
@@ -654,6 +641,8 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
     selector->GetPropColorValue(uniforms.SelectionColor.data());
   }
   uniforms.Frame = &parts.Frame;
+  uniforms.Planes = &parts.Planes;
+  uniforms.Distances = &parts.EmptySpace.GetDistances();
   uniforms.Volume = parts.Texture.GetTexture();
   uniforms.Table = &parts.Table;
   uniforms.Table2D = &parts.Table2D;

@@ -293,8 +293,8 @@ private:
   void UpdateShadows(
     vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request);
   void FollowScattering(vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings);
-  bool PlaceSlices(
-    vtkRenderer* renderer, vtkImageData* image, const vtkTextureSliceRequest& request);
+  /// @return false where nothing is to be seen
+  bool PlaceSlices(vtkImageData* image, const vtkTextureSliceRequest& request);
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
   /// Both return why nothing can be drawn, in one line, or an empty text.
   std::string DrawVolume(vtkRenderer* renderer, vtkVolume* volume);

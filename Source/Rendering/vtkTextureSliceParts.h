@@ -7,12 +7,11 @@
 #include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceFrame.h"
-#include "vtkTextureSliceGeometry.h"
 #include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceLights.h"
-#include "vtkTextureSliceOpaquePixels.h"
+#include "vtkTextureSliceMarch.h"
 #include "vtkTextureSlicePeeling.h"
-#include "vtkTextureSliceProgram.h"
+#include "vtkTextureSlicePlanes.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceResolution.h"
 #include "vtkTextureSliceShadows.h"
@@ -20,6 +19,7 @@
 #include "vtkTextureSliceTable2D.h"
 #include "vtkTextureSliceTarget.h"
 #include "vtkTextureSliceTexture.h"
+#include "vtkTextureSliceUniforms.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -28,7 +28,6 @@
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
-class vtkRenderer;
 
 /**
  * What vtkOpenGLTextureSliceVolumeMapper works with, one job each; every part decides for itself
@@ -52,18 +51,14 @@ public:
   vtkTextureSliceIntegralTable LabelIntegrals;
   vtkTextureSliceFrame Frame;
   vtkTextureSliceEmptySpace EmptySpace;
-  vtkTextureSliceGeometry Geometry;
-  /// Whole slices: where the sum of an additive picture is 0, although there are samples.
-  vtkTextureSliceGeometry Cover;
-  bool HasCover = false;
+  vtkTextureSlicePlanes Planes;
   vtkTextureSliceLights Lights;
   vtkTextureSliceShadows Shadows;
   vtkTextureSliceResolution Resolution;
   /// Image sample distance of this frame.
   double PixelSize = 1.0;
   vtkTextureSliceTarget Target;
-  vtkTextureSliceProgram Program;
-  vtkTextureSliceOpaquePixels OpaquePixels;
+  vtkTextureSliceMarch March;
   vtkTextureSlicePeeling Peeling;
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
@@ -83,18 +78,13 @@ public:
   /// Brings the tables of transfer functions up to date. @return false with one line in @a error
   bool UpdateTables(const vtkTextureSliceRequest& request, bool nearest, std::string& error);
   /// Draws the slices into the target. @return false with one line in @a error
-  bool Draw(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, std::string& error);
+  bool Draw(const vtkTextureSliceUniforms& uniforms, std::string& error);
   /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level
-  void Composite(vtkRenderer* renderer, const vtkTextureSliceUniforms& uniforms, float colorScale,
-    float colorBias);
+  void Composite(const vtkTextureSliceUniforms& uniforms, float colorScale, float colorBias);
 
 private:
-  /// Brings the integrals of the tables up to date, for slabs as thick as those of the geometry.
+  /// Brings the integrals of the tables up to date, for slabs as thick as the planes are distant.
   void UpdateIntegrals(const vtkTextureSliceUniforms& uniforms);
-  /// Slices after which to look for opaque pixels for the first time; 0: never.
-  int ChooseGroup(const vtkTextureSliceUniforms& uniforms);
-  /// Draws the slices into the target that is bound. @return false if the shaders do not compile
-  bool DrawSlices(const vtkTextureSliceUniforms& uniforms);
 };
 
 #endif

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceFeatures.h"
 
+#include "vtkTextureSlicePeeling.h"
+
 #include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
 
@@ -23,6 +25,12 @@ void DefineIf(bool condition, std::string& defines, const char* name)
 /// Highlights where the eye sees the light mirrored (Phong), as VTK draws them from 9.2 on, and not
 /// where the surface faces half-way between light and eye (Blinn).
 constexpr bool MirroredHighlights = VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0);
+
+/// Where a ray ends, because what is behind adds less than a quarter of one of 255.
+constexpr const char* Opaque = "(1023.0 / 1024.0)";
+/// What each ray has, however short its way.
+constexpr const char* LeastSamples = "2.0";
+constexpr const char* LeastSlabs = "4.0";
 
 /// What a vtkTextureSliceTable of so many rows is in the shader.
 const char* SamplerOf(int rows)
@@ -79,16 +87,23 @@ std::string vtkTextureSliceFeatures::GetDefines() const
     Define(defines, "LIGHTS", this->Lights);
     DefineIf(MirroredHighlights, defines, "MIRRORED_HIGHLIGHTS");
   }
-  if (this->Slabs > 0)
+  Define(defines, "CLIPPING_PLANES", this->ClippingPlanes);
+  DefineIf(this->Skipping, defines, "SKIPPING");
+  defines += "#define TEXTURE_SLICE_OPAQUE " + std::string(Opaque) + '\n';
+  defines += "#define TEXTURE_SLICE_LEAST_SLICES " +
+             std::string(this->Slabs ? LeastSlabs : LeastSamples) + '\n';
+  if (this->Slabs)
   {
-    Define(defines, "SLABS", this->Slabs);
-    Define(defines, "CLIPPING_PLANES", this->ClippingPlanes);
+    Define(defines, "SLABS", 1);
     defines += std::string("#define TEXTURE_SLICE_INTEGRAL_TABLE ") +
                (this->GetIntegralDimensions() == 1 ? "sampler1D" : "sampler2D") + '\n';
   }
   if (this->Peel > 0)
   {
     Define(defines, "PEEL", this->Peel);
+    Define(defines, "PEEL_OUTSIDE", vtkTextureSlicePeeling::Outside);
+    Define(defines, "PEEL_BETWEEN", vtkTextureSlicePeeling::Between);
+    Define(defines, "PEEL_REST", vtkTextureSlicePeeling::Rest);
   }
   if (this->IsoValues > 0)
   {

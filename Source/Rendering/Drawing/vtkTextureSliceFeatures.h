@@ -30,13 +30,13 @@ struct vtkTextureSliceFeatures
   bool Scattering = false;  ///< a part of the light is scattered, and shadowed in full
   int Lights = -1;          ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
-  /// Slabs that a fragment integrates over (Formulas L1); 0: it takes one sample.
-  int Slabs = 0;
+  bool Slabs = false; ///< the functions are integrated over slabs (Formulas L1)
   /// An extreme of dependent components: all of them are those of the sample with the extreme of
-  /// the last one. The depth test finds it, so the shader compares with the depth of the geometry.
+  /// the last one.
   bool ExtremeSample = false;
-  int ClippingPlanes = 0; ///< counted for slabs alone
-  int Peel = 0;           ///< vtkTextureSlicePeeling::Stage
+  int ClippingPlanes = 0;
+  bool Skipping = false; ///< rays leap over empty bricks
+  int Peel = 0;          ///< vtkTextureSlicePeeling::Stage
 
   /// Rows of the transfer table: functions, then their gradient opacities.
   int CountRows() const { return this->Functions * (this->GradientOpacity ? 2 : 1); }
@@ -50,7 +50,7 @@ struct vtkTextureSliceFeatures
            this->Lights >= 0 || (this->Shadows && this->IsoValues > 0);
   }
   /// Whether the shader reads the depth of the opaque geometry; peeling has depths of its own.
-  bool NeedsDepth() const { return (this->Slabs > 0 || this->ExtremeSample) && this->Peel == 0; }
+  bool NeedsDepth() const { return this->Peel == 0; }
   bool HasMask() const { return this->BinaryMask || this->Labels > 0; }
   /// The first lines of the fragment shaders.
   std::string GetDefines() const;

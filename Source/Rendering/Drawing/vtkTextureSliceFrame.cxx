@@ -37,6 +37,7 @@ void vtkTextureSliceFrame::SetVolume(vtkImageData* image, bool cellData, vtkVolu
   {
     const auto a = static_cast<std::size_t>(axis);
     const int intervals = extent[2 * axis + 1] - extent[2 * axis];
+    this->Intervals[a] = intervals;
     boxToIndex->SetElement(axis, axis, intervals);
     boxToIndex->SetElement(axis, 3, extent[2 * axis]);
     this->Origin[a] += extent[2 * axis] * spacing[axis];
@@ -91,7 +92,6 @@ void vtkTextureSliceFrame::SetCamera(vtkRenderer* renderer)
   vtkNew<vtkMatrix4x4> boxToClipRows;
   vtkMatrix4x4::Transpose(this->BoxToClip, boxToClipRows);
   std::copy(boxToClipRows->GetData(), boxToClipRows->GetData() + 16, this->View.BoxToClip.begin());
-  this->View.Parallel = camera->GetParallelProjection() != 0;
   this->View.NearDepth = camera->GetClippingRange()[0];
 }
 
@@ -129,6 +129,22 @@ void vtkTextureSliceFrame::SetClippingPlanes(vtkPlaneCollection* planes)
   {
     this->View.ClippingPlanes.push_back(this->ToBox(planes->GetItem(i)));
   }
+}
+
+void vtkTextureSliceFrame::SetPlane(vtkPlane* plane)
+{
+  this->View.Plane.reset();
+  if (plane != nullptr)
+  {
+    this->View.Plane = this->ToBox(plane);
+  }
+}
+
+std::array<double, 3> vtkTextureSliceFrame::GetFirstFace() const
+{
+  // Between two points, or at the faces of cells.
+  const double half = this->CellData ? 0.0 : 0.5;
+  return {half / this->Intervals[0], half / this->Intervals[1], half / this->Intervals[2]};
 }
 
 std::array<double, 4> vtkTextureSliceFrame::ToBox(vtkPlane* plane) const
@@ -170,34 +186,35 @@ std::array<double, 3> vtkTextureSliceFrame::GetDataDirection(
   return data;
 }
 
-std::vector<float> vtkTextureSliceFrame::GetPlanesInPart() const
+std::array<float, 4> vtkTextureSliceFrame::ToTexture(const std::array<double, 4>& box) const
 {
-  std::vector<std::array<double, 4>> planes = this->View.ClippingPlanes;
-  const auto& m = this->View.BoxToCamera;
-  const std::array<double, 4> front{-m[8], -m[9], -m[10], -m[11] - this->View.NearDepth};
-  planes.push_back(front);
-  std::vector<float> values;
-  for (const std::array<double, 4>& plane : planes)
+  std::array<float, 4> texture{};
+  double constant = box[3];
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    double atMiddle = plane[3];
-    double reach = 0.0;
+    const double coefficient = box[axis] / static_cast<double>(this->TextureScale[axis]);
+    texture[axis] = static_cast<float>(coefficient);
+    constant -= coefficient * static_cast<double>(this->TextureBias[axis]);
+  }
+  texture[3] = static_cast<float>(constant);
+  return texture;
+}
+
+std::vector<float> vtkTextureSliceFrame::GetClippingPlanesInTexture() const
+{
+  std::vector<float> values;
+  for (const std::array<double, 4>& plane : this->View.ClippingPlanes)
+  {
+    double least = plane[3];
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double low = this->View.Part[2 * axis];
-      const double high = this->View.Part[2 * axis + 1];
-      atMiddle += plane[axis] * 0.5 * (low + high);
-      reach += 0.5 * std::abs(plane[axis]) * (high - low);
+      least += plane[axis] * this->View.Part[2 * axis + (plane[axis] < 0.0 ? 1 : 0)];
     }
-    if (reach < atMiddle)
+    if (least < 0.0)
     {
-      continue; // it cuts nothing off
+      const std::array<float, 4> texture = this->ToTexture(plane);
+      values.insert(values.end(), texture.begin(), texture.end());
     }
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      const double size = this->View.Part[2 * axis + 1] - this->View.Part[2 * axis];
-      values.push_back(static_cast<float>(plane[axis] * size));
-    }
-    values.push_back(static_cast<float>(atMiddle));
   }
   return values;
 }

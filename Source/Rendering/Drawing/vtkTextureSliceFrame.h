@@ -4,7 +4,7 @@
 #define vtkTextureSliceFrame_h
 
 #include "vtkNew.h"
-#include "vtkTextureSliceGeometry.h"
+#include "vtkTextureSlicePlanes.h"
 
 #include <array>
 
@@ -39,6 +39,9 @@ public:
   /// Planes in world coordinates; nullptr means none.
   void SetClippingPlanes(vtkPlaneCollection* planes);
 
+  /// The one plane to draw, in world coordinates; nullptr: none.
+  void SetPlane(vtkPlane* plane);
+
   /// A plane in world coordinates as a, b, c, d of a*x + b*y + c*z + d in box coordinates.
   std::array<double, 4> ToBox(vtkPlane* plane) const;
 
@@ -62,10 +65,11 @@ public:
   std::array<double, 3> GetDataDirection(const std::array<double, 3>& world) const;
   /// Whether the scalars are those of the image's cells.
   bool IsOfCells() const { return this->CellData; }
-  /// The planes that cut rays off within the box: clipping planes, and the near plane if the box
-  /// reaches behind it. Four numbers each, for the part of the box that is drawn as -0.5 to 0.5
-  /// along each axis; what is below 0 is cut away.
-  std::vector<float> GetPlanesInPart() const;
+  /// A plane in box coordinates as one in texture coordinates.
+  std::array<float, 4> ToTexture(const std::array<double, 4>& box) const;
+  /// The clipping planes that cut something of the part off, four numbers each, in texture
+  /// coordinates; what is below 0 is cut away.
+  std::vector<float> GetClippingPlanesInTexture() const;
 
   /// Signed data length of the box's edges.
   std::array<float, 3> GetEdges() const;
@@ -84,6 +88,9 @@ public:
   std::array<float, 16> GetBoxToCameraColumns() const;
   std::array<float, 9> GetGradientToCameraColumns() const;
 
+  /// Voxels' edges in the box, and where the first face between two voxels is, along each axis.
+  const std::array<double, 3>& GetIntervals() const { return this->Intervals; }
+  std::array<double, 3> GetFirstFace() const;
   /// World length of the shortest edge of a voxel.
   double GetShortestVoxelEdge() const { return this->ShortestVoxelEdge; }
 
@@ -101,6 +108,7 @@ private:
   bool CropTest = false;
   std::array<float, 3> CropLow{};
   std::array<float, 3> CropHigh{};
+  std::array<double, 3> Intervals{};
   double ShortestVoxelEdge = 1.0;
 };
 

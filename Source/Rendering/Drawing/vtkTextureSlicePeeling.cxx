@@ -70,11 +70,10 @@ bool vtkTextureSlicePeeling::Update(vtkAbstractMapper* mapper, vtkVolume* volume
   return true;
 }
 
-void vtkTextureSlicePeeling::SetUniforms(vtkShaderProgram* program, double pixelSize) const
+void vtkTextureSlicePeeling::SetUniforms(vtkShaderProgram* program) const
 {
   this->Pass->SetShaderParameters(program, this->Mapper, this->Volume);
   program->SetUniformi("peelInFront", this->CountPictures() == 2 && this->Picture == 0 ? 1 : 0);
-  program->SetUniformf("peelPixelSize", static_cast<float>(pixelSize));
 }
 
 void vtkTextureSlicePeeling::SetBlending(vtkOpenGLState* state) const

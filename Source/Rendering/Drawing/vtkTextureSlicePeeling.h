@@ -39,11 +39,8 @@ public:
   /// Chooses the picture that is drawn next.
   void SetPicture(int picture) { this->Picture = picture; }
 
-  /**
-   * Sets what TextureSlicePeelFS reads.
-   * @param pixelSize pixels of the viewport that one pixel of the picture stands for.
-   */
-  void SetUniforms(vtkShaderProgram* program, double pixelSize) const;
+  /// Sets what TextureSlicePeelFS reads.
+  void SetUniforms(vtkShaderProgram* program) const;
   /// How a picture joins the textures of the pass.
   void SetBlending(vtkOpenGLState* state) const;
 

@@ -18,10 +18,6 @@ namespace
 /// VTK's ray caster spreads gradient opacity over a quarter of the scalars' range.
 constexpr double GradientRange = 0.25;
 
-/// Neighbouring slabs of a fragment share a sample: four take five samples, not eight. More slabs
-/// save little more, and skip less empty space.
-constexpr int SlabsOfFragment = 4;
-
 double Width(const vtkTextureSliceComponent& component)
 {
   return component.Range[1] > component.Range[0] ? component.Range[1] - component.Range[0] : 1.0;
@@ -180,6 +176,11 @@ bool vtkTextureSliceRequest::IsEmpty() const
   return this->BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND && this->GetIsoValues().empty();
 }
 
+bool vtkTextureSliceRequest::IsNearest() const
+{
+  return this->Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION;
+}
+
 bool vtkTextureSliceRequest::IsIndependent() const
 {
   return this->Property->GetIndependentComponents() != 0;
@@ -209,7 +210,7 @@ bool vtkTextureSliceRequest::ShowsPlaces() const
 bool vtkTextureSliceRequest::IntegratesSlabs() const
 {
   return this->PreIntegration && this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND &&
-         !this->Has2D() && this->Property->GetInterpolationType() != VTK_NEAREST_INTERPOLATION;
+         !this->Has2D() && !this->IsNearest();
 }
 
 bool vtkTextureSliceRequest::IsShaded() const
@@ -247,7 +248,7 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.SecondArray = this->ReadsSecondArray() ? this->SecondArray : 0;
   features.BinaryMask = this->BinaryMask;
   features.Labels = this->CountLabels();
-  features.Slabs = this->IntegratesSlabs() ? SlabsOfFragment : 0;
+  features.Slabs = this->IntegratesSlabs();
   features.IsoValues = static_cast<int>(this->GetIsoValues().size());
   return features;
 }

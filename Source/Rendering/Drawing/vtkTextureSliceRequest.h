@@ -4,9 +4,9 @@
 #define vtkTextureSliceRequest_h
 
 #include "vtkTextureSliceFeatures.h"
-#include "vtkTextureSliceProgram.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTexture.h"
+#include "vtkTextureSliceUniforms.h"
 
 #include "vtkType.h"
 
@@ -48,6 +48,8 @@ struct vtkTextureSliceRequest
   vtkPlane* GetSlicePlane() const;
   /// Whether nothing is to be seen: isosurfaces without values.
   bool IsEmpty() const;
+  /// Whether scalars are not interpolated.
+  bool IsNearest() const;
   /// Whether each component has its own functions.
   bool IsIndependent() const;
   /// Whether samples are lit: only where a blend mode shows places, not projected scalars.

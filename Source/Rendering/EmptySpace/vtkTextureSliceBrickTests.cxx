@@ -120,7 +120,7 @@ double vtkTextureSliceBrickTests::GetMargin(const Source& source)
     // Its entries lie in the middle of equal parts of the domain.
     return 0.5 / static_cast<double>(std::max(2, source.Table2D->GetWidth()) - 1);
   }
-  if (features.Slabs == 0)
+  if (!features.Slabs)
   {
     return 0.0;
   }

@@ -18,15 +18,6 @@ namespace
 
 using Range = vtkTextureSliceBricks::Range;
 
-/// Whether the table alone decides on a sample's opacity.
-bool IsTableAlone(const vtkTextureSliceEmptySpace::Source& source)
-{
-  const vtkTextureSliceFeatures features = source.Request->GetFeatures();
-  return features.BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && features.Functions == 1 &&
-         !features.Table2D && !features.GradientOpacity && !features.HasMask() &&
-         !source.Texture->IsMasked() && !source.Frame->NeedsCropTest();
-}
-
 /// For each brick between two borders along an axis, one bit for each of the three parts between
 /// the cropping planes that it touches.
 std::vector<unsigned int> FindParts(
@@ -64,6 +55,24 @@ bool IsKept(const std::array<unsigned int, 3>& parts, int cropFlags)
   return false;
 }
 
+/// Bricks of the box that even parts of each axis touch: the first, and the one after the last.
+using Touched = std::vector<std::array<std::size_t, 2>>;
+
+Touched FindTouched(const std::vector<double>& borders, double edge, double margin)
+{
+  Touched touched;
+  for (std::size_t part = 0; part + 1 < borders.size(); ++part)
+  {
+    const double begin = static_cast<double>(part) * edge - margin;
+    const double end = static_cast<double>(part + 1) * edge + margin;
+    const auto first = std::upper_bound(borders.begin() + 1, borders.end() - 1, begin);
+    const auto last = std::lower_bound(borders.begin() + 1, borders.end() - 1, end);
+    touched.push_back({static_cast<std::size_t>(first - borders.begin()) - 1,
+      static_cast<std::size_t>(last - borders.begin())});
+  }
+  return touched;
+}
+
 } // namespace
 
 vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& source)
@@ -83,13 +92,17 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
     return;
   }
   this->Last = std::move(key);
-  this->FindDense(source);
   this->FindVisible(source);
   if (source.Frame->NeedsCropTest())
   {
     this->HideCropped(source);
   }
-  this->Build(source, this->Occupancy);
+  if (source.Coordinates->IsUsed())
+  {
+    this->MakeEven(source);
+  }
+  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
+  this->Distances.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
 }
 
 std::array<std::vector<double>, 3> vtkTextureSliceEmptySpace::FindBorders(const Source& source)
@@ -108,40 +121,29 @@ std::array<std::vector<double>, 3> vtkTextureSliceEmptySpace::FindBorders(const 
   return borders;
 }
 
-void vtkTextureSliceEmptySpace::Build(const Source& source, vtkTextureSliceOccupancy& occupancy)
+void vtkTextureSliceEmptySpace::MakeEven(const Source& source)
 {
-  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
-  occupancy.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
-  if (source.Coordinates->IsUsed())
+  const std::array<std::vector<double>, 3> borders = FindBorders(source);
+  const std::array<double, 3>& edge = source.Texture->GetBricks().GetEdge();
+  const double margin = source.Coordinates->GetMargin();
+  std::array<std::size_t, 3> stride{1, borders[0].size() - 1, 0};
+  stride[2] = stride[1] * (borders[1].size() - 1);
+  // What an even part touches along one axis after the other.
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    occupancy.SetBorders(FindBorders(source), source.Coordinates->GetMargin());
-  }
-}
-
-void vtkTextureSliceEmptySpace::FindDense(const Source& source)
-{
-  this->HasDense = false;
-  if (!IsTableAlone(source))
-  {
-    return;
-  }
-  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
-  const std::size_t components = source.Texture->GetComponents().size();
-  const auto [low, high] = source.Texture->GetComponents().back().Range;
-  const double scale = low < high ? 1.0 / (high - low) : 1.0;
-  const double margin = vtkTextureSliceBrickTests::GetMargin(source);
-  this->Visible.clear();
-  for (std::size_t i = components - 1; i < bricks.GetRanges().size(); i += components)
-  {
-    const Range& range = bricks.GetRanges()[i];
-    const bool dense = !source.Table->GetThin(0).IsVisible(
-      (range.Low - low) * scale - margin, (range.High - low) * scale + margin);
-    this->Visible.push_back(dense ? 1 : 0);
-    this->HasDense = this->HasDense || dense;
-  }
-  if (this->HasDense)
-  {
-    this->Build(source, this->Dense);
+    const Touched touched = FindTouched(borders[axis], edge[axis], margin);
+    const std::vector<unsigned char> before = this->Visible;
+    for (std::size_t brick = 0; brick < before.size(); ++brick)
+    {
+      const std::size_t part = brick / stride[axis] % touched.size();
+      const std::size_t line = brick - part * stride[axis];
+      unsigned char visible = 0;
+      for (std::size_t i = touched[part][0]; i < touched[part][1]; ++i)
+      {
+        visible = std::max(visible, before[line + i * stride[axis]]);
+      }
+      this->Visible[brick] = visible;
+    }
   }
 }
 
@@ -150,7 +152,6 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
   const std::vector<Range>& ranges = source.Texture->GetBricks().GetRanges();
   const std::size_t components = source.Texture->GetComponents().size();
   this->Visible.resize(ranges.size() / components);
-  this->LeavesOut = false;
   const std::vector<vtkTextureSliceBrickTests::Test> tests =
     vtkTextureSliceBrickTests::Make(source);
   for (std::size_t brick = 0; brick < this->Visible.size(); ++brick)
@@ -159,7 +160,6 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
     const bool visible = std::any_of(tests.begin(), tests.end(),
       [own](const vtkTextureSliceBrickTests::Test& test) { return test(own); });
     this->Visible[brick] = visible ? 1 : 0;
-    this->LeavesOut = this->LeavesOut || (!visible && own->Low <= own->High);
   }
 }
 

@@ -3,7 +3,7 @@
 #ifndef vtkTextureSliceEmptySpace_h
 #define vtkTextureSliceEmptySpace_h
 
-#include "vtkTextureSliceOccupancy.h"
+#include "vtkTextureSliceDistanceMap.h"
 #include "vtkType.h"
 
 #include <array>
@@ -41,16 +41,17 @@ public:
   /// Does nothing where nothing has changed.
   void Update(const Source& source);
 
-  const vtkTextureSliceOccupancy& GetOccupancy() const { return this->Occupancy; }
-
-  /// Whether bricks that have samples are left out, because these add nothing.
-  bool LeavesOutSamples() const { return this->LeavesOut; }
-
-  /// Bricks in which each sample has the opacity of the table's densest part; nullptr: not known.
-  const vtkTextureSliceOccupancy* GetDense() const
+  /// How far it is to the next visible brick. The bricks of a rectilinear grid are equal parts of
+  /// the box here.
+  vtkTextureSliceDistanceMap& GetDistances() { return this->Distances; }
+  /// Whether so much is empty that looking for it costs less than it saves.
+  bool IsSkippingWorthwhile() const
   {
-    return this->HasDense ? &this->Dense : nullptr;
+    constexpr double mostVisible = 0.75;
+    return this->Distances.GetVisibleShare() < mostVisible;
   }
+  /// Whether no sample can be seen.
+  bool IsNothingVisible() const { return this->Distances.GetVisibleShare() <= 0.0; }
 
 private:
   /// All that the answers depend on, the order that of MakeKey.
@@ -60,16 +61,12 @@ private:
   static Key MakeKey(const Source& source);
 
   static std::array<std::vector<double>, 3> FindBorders(const Source& source);
-  void Build(const Source& source, vtkTextureSliceOccupancy& occupancy);
-  void FindDense(const Source& source);
   void FindVisible(const Source& source);
   void HideCropped(const Source& source);
+  void MakeEven(const Source& source);
 
   Key Last;
-  bool LeavesOut = false;
-  vtkTextureSliceOccupancy Occupancy;
-  bool HasDense = false;
-  vtkTextureSliceOccupancy Dense;
+  vtkTextureSliceDistanceMap Distances;
   std::vector<unsigned char> Visible; ///< not 0 where a brick counts
 };
 

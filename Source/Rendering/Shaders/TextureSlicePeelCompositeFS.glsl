@@ -1,5 +1,7 @@
 // Depth peeling: the pass has a texture of what is behind the geometry that is left, and one of what is
 // in front of it. Only peeled volumes have this code, since a second output must have a texture.
+// Whether the picture is that of what lies in front of the geometry that is left.
+uniform int peelInFront;
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_BETWEEN
 // What was peeled from the front so far.
 uniform sampler2D lastFrontColorTex;

@@ -2,14 +2,9 @@
 // Depth peeling: between which depths of the window a pixel's part of the volume lies. The textures
 // have the names that VTK's pass gives them. Each has a negative nearest depth and a farthest depth;
 // -1 stands for none.
-#define TEXTURE_SLICE_PEEL_OUTSIDE 1
-#define TEXTURE_SLICE_PEEL_BETWEEN 2
-#define TEXTURE_SLICE_PEEL_REST 3
 
 // Whether the picture is that of what lies in front of the geometry that is left.
 uniform int peelInFront;
-// Pixels of the pass's textures for one pixel of the picture.
-uniform float peelPixelSize;
 
 const vec2 nothing = vec2(3.0, -3.0);
 const float nearest = -2.0;
@@ -17,7 +12,7 @@ const float farthest = 2.0;
 
 vec2 FetchPeel(sampler2D depths)
 {
-  return texelFetch(depths, ivec2(gl_FragCoord.xy * peelPixelSize), 0).xy;
+  return texelFetch(depths, windowPixel, 0).xy;
 }
 
 #if TEXTURE_SLICE_PEEL == TEXTURE_SLICE_PEEL_REST
@@ -65,11 +60,4 @@ vec2 PeelRange()
 }
 #endif
 #endif
-
-// Whether a sample of that depth belongs to this picture: each belongs to one picture alone.
-bool IsInPeel(float depth)
-{
-  vec2 range = PeelRange();
-  return depth >= range.x && depth < range.y;
-}
 #endif

@@ -19,8 +19,8 @@ uniform vec3 placeBias;
 vec3 Place(vec3 at)
 {
   vec3 entry = (at - placeBias) / placeScale * coordinateScaleAndBias.x + coordinateScaleAndBias.y;
-  vec3 part = vec3(texture(coordinateTable, entry.x).x, texture(coordinateTable, entry.y).y,
-    texture(coordinateTable, entry.z).z);
+  vec3 part = vec3(textureLod(coordinateTable, entry.x, 0.0).x, textureLod(coordinateTable, entry.y, 0.0).y,
+    textureLod(coordinateTable, entry.z, 0.0).z);
   return part * placeScale + placeBias;
 }
 #else
@@ -53,8 +53,8 @@ float FindVisiblePart(vec3 at, float here)
   float sum = here;
   for (float i = 1.0; i <= stair.w; ++i)
   {
-    sum += texture(volumeTexture, Place(at - i * stair.xyz))[TEXTURE_SLICE_COMPONENTS];
-    sum += texture(volumeTexture, Place(at + i * stair.xyz))[TEXTURE_SLICE_COMPONENTS];
+    sum += textureLod(volumeTexture, Place(at - i * stair.xyz), 0.0)[TEXTURE_SLICE_COMPONENTS];
+    sum += textureLod(volumeTexture, Place(at + i * stair.xyz), 0.0)[TEXTURE_SLICE_COMPONENTS];
   }
   return sum / (1.0 + 2.0 * stair.w);
 }
@@ -67,7 +67,7 @@ float FindVisiblePart(vec3 at, float here)
 // alone; where the hidden ones weigh more, there is nothing to see.
 float FetchVisibility(vec3 at, out vec4 scalars)
 {
-  vec4 texel = texture(volumeTexture, Place(at));
+  vec4 texel = textureLod(volumeTexture, Place(at), 0.0);
 #ifdef TEXTURE_SLICE_MASKED
   float visible = texel[TEXTURE_SLICE_COMPONENTS];
 #else
@@ -86,7 +86,7 @@ float FetchVisibility(vec3 at, out vec4 scalars)
   }
 #endif
 #ifdef TEXTURE_SLICE_BLANKED
-  if (texture(blankTexture, Place(at) * blankScale + blankBias).r > 0.0)
+  if (textureLod(blankTexture, Place(at) * blankScale + blankBias, 0.0).r > 0.0)
   {
     return -0.5;
   }
@@ -103,7 +103,7 @@ bool FetchScalars(vec3 at, out vec4 scalars)
 // False where there is nothing to see.
 bool FetchScalars(vec3 at, out vec4 scalars)
 {
-  scalars = texture(volumeTexture, Place(at)) * scalarScale + scalarBias;
+  scalars = textureLod(volumeTexture, Place(at), 0.0) * scalarScale + scalarBias;
   return true;
 }
 #endif
@@ -117,7 +117,7 @@ uniform vec4 secondBias;
 // 0 to 1 over the component's range; of masked texels, the mean of the visible points.
 float FetchSecond(vec3 at, int component)
 {
-  vec4 texel = texture(secondTexture, Place(at));
+  vec4 texel = textureLod(secondTexture, Place(at), 0.0);
 #ifdef TEXTURE_SLICE_SECOND_MASKED
   texel /= max(texel[TEXTURE_SLICE_SECOND_ARRAY], 0.5);
 #endif
@@ -132,7 +132,7 @@ uniform sampler3D maskTexture;
 // 0: no label, or one beyond the last that has functions of its own.
 int FetchLabel(vec3 at)
 {
-  int label = int(texture(maskTexture, Place(at)).r * 255.0 + 0.5);
+  int label = int(textureLod(maskTexture, Place(at), 0.0).r * 255.0 + 0.5);
 #ifdef TEXTURE_SLICE_LABELS
   label = label > TEXTURE_SLICE_LABELS ? 0 : label;
 #endif
@@ -192,3 +192,35 @@ vec4 Gradient(vec4 scalars, int component)
   return vec4(gradient, clamp(4.0 * length(gradient), 0.0, 1.0));
 }
 #endif
+
+#ifdef TEXTURE_SLICE_CROPPED
+// The six cropping planes as texture coordinates, and one bit for each of the 27 regions between them.
+uniform vec3 cropLow;
+uniform vec3 cropHigh;
+uniform int cropFlags;
+
+bool IsCropped(vec3 at)
+{
+  ivec3 region = ivec3(greaterThanEqual(at, cropLow)) +
+    ivec3(greaterThan(at, cropHigh));
+  return ((cropFlags >> (region.x + 3 * region.y + 9 * region.z)) & 1) == 0;
+}
+#endif
+
+// Whether cropping and mask leave what is there.
+bool IsLeft(vec3 at)
+{
+#ifdef TEXTURE_SLICE_CROPPED
+  if (IsCropped(at))
+  {
+    return false;
+  }
+#endif
+#ifdef TEXTURE_SLICE_BINARY_MASK
+  if (FetchLabel(at) == 0)
+  {
+    return false;
+  }
+#endif
+  return true;
+}

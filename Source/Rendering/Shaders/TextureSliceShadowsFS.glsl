@@ -14,7 +14,7 @@ const vec3 lightTextureScale = vec3(1.0);
 // What shadow and occlusion leave of a colour that has no shading: the light texture holds that.
 float FetchLight()
 {
-  return texture(lightTexture, textureCoordinate * lightTextureScale).r;
+  return textureLod(lightTexture, textureCoordinate * lightTextureScale, 0.0).r;
 }
 #else
 // Of the texture, red: the transmittance to the light; green: its mean over the sky (Formulas L2).
@@ -30,7 +30,7 @@ uniform float scattering;
 // Of the light, and of the sky's, with shadow and occlusion at full strength.
 vec2 FetchTransmittance()
 {
-  return texture(lightTexture, textureCoordinate * lightTextureScale).rg;
+  return textureLod(lightTexture, textureCoordinate * lightTextureScale, 0.0).rg;
 }
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
@@ -81,7 +81,7 @@ vec2 FetchTransmittanceBeside(vec3 gradient)
   float way = clearance * min(1.0 / max(approach, 1e-3), max(4.0 * approach, 0.0));
   vec3 cells = way * toLight + (clearance - way * approach) * normal;
   vec2 arriving =
-    texture(lightTexture, textureCoordinate * lightTextureScale + cells * lightCell).rg;
+    textureLod(lightTexture, textureCoordinate * lightTextureScale + cells * lightCell, 0.0).rg;
 #if TEXTURE_SLICE_ISO_VALUES > 1
   arriving *= CrossOtherSurfaces(dot(gradient * gradientToChange, cells));
 #endif

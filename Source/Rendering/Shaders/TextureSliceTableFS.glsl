@@ -9,12 +9,12 @@ uniform float tableBias;
 
 vec4 LookUpRow(sampler1D table, float at, int row, int rows)
 {
-  return texture(table, at);
+  return textureLod(table, at, 0.0);
 }
 
 vec4 LookUpRow(sampler2D table, float at, int row, int rows)
 {
-  return texture(table, vec2(at, (float(row) + 0.5) / float(rows)));
+  return textureLod(table, vec2(at, (float(row) + 0.5) / float(rows)), 0.0);
 }
 
 vec4 LookUp(float scalar, int row)

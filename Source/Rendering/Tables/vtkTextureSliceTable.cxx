@@ -218,27 +218,12 @@ void vtkTextureSliceTable::Fill(int width)
 void vtkTextureSliceTable::IndexOpacities(std::size_t width)
 {
   this->Visibilities.resize(this->Rows.size());
-  this->Thin.resize(this->Rows.size());
-  this->MostOpacities.assign(this->Rows.size(), 0.0);
   for (std::size_t row = 0; row < this->Rows.size(); ++row)
   {
     const float* opacities = this->Entries.data() + row * width * 4 + 3;
-    for (std::size_t i = 0; i < width; ++i)
-    {
-      this->MostOpacities[row] = std::max(this->MostOpacities[row], double(opacities[4 * i]));
-    }
-    const auto dense = static_cast<float>(this->GetDenseOpacity(row));
     this->Visibilities[row].Build(
       opacities, width, 4, [](float opacity) { return opacity > 0.0f; });
-    this->Thin[row].Build(opacities, width, 4, [dense](float opacity) { return opacity < dense; });
   }
-}
-
-double vtkTextureSliceTable::GetDenseOpacity(std::size_t row) const
-{
-  // Functions that show something solid have a plateau there, and it is what hides most.
-  constexpr double share = 0.999999;
-  return share * this->GetMostOpacity(row);
 }
 
 std::vector<float> vtkTextureSliceTable::GetOpticalDepths(std::size_t row) const

@@ -67,9 +67,6 @@ public:
   {
     return this->Visibilities[row];
   }
-  /// Where a row's opacity is below its densest part's, GetDenseOpacity.
-  const vtkTextureSliceVisibility& GetThin(std::size_t row) const { return this->Thin[row]; }
-  double GetDenseOpacity(std::size_t row) const;
   /// Of a row that holds optical depths: those of a unit distance at each entry, for each factor of
   /// 2 that it weakens what is behind (Formulas R1).
   std::vector<float> GetOpticalDepths(std::size_t row) const;
@@ -82,8 +79,6 @@ public:
   }
   /// Entries of a row.
   std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Rows.size()); }
-  /// The greatest opacity of a row.
-  double GetMostOpacity(std::size_t row) const { return this->MostOpacities[row]; }
   /// Texture coordinate of a scalar that is s of the way through its domain (0 to 1):
   /// s * GetScale() + GetBias() (Formulas R2).
   double GetScale() const { return this->Scale; }
@@ -99,8 +94,6 @@ private:
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
-  std::vector<vtkTextureSliceVisibility> Thin;
-  std::vector<double> MostOpacities;
   vtkTimeStamp FillTime;
   double Scale = 1.0;
   double Bias = 0.0;

@@ -1,24 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The shader program of the slices and the buffer of their vertices.
-#ifndef vtkTextureSliceProgram_h
-#define vtkTextureSliceProgram_h
+// Everything that the shaders of the slices read in one frame.
+#ifndef vtkTextureSliceUniforms_h
+#define vtkTextureSliceUniforms_h
 
-#include "vtkNew.h"
 #include "vtkTextureSliceFeatures.h"
 
 #include <array>
-#include <functional>
 #include <vector>
 
-class vtkOpenGLBufferObject;
-class vtkOpenGLRenderWindow;
-class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkTextureSliceBlanks;
 class vtkTextureSliceCoordinates;
+class vtkTextureSliceDistanceMap;
 class vtkTextureSliceFrame;
-class vtkTextureSliceGeometry;
+class vtkTextureSlicePlanes;
 class vtkTextureSliceIntegralTable;
 class vtkTextureSliceLights;
 class vtkTextureSlicePeeling;
@@ -43,6 +39,8 @@ struct vtkTextureSliceUniforms
 {
   vtkTextureSliceFeatures Features;
   const vtkTextureSliceFrame* Frame = nullptr;
+  const vtkTextureSlicePlanes* Planes = nullptr;
+  const vtkTextureSliceDistanceMap* Distances = nullptr; ///< used if Features.Skipping
   vtkTextureObject* Volume = nullptr;
   /// Texel to 0 to 1 over the range of each component.
   std::array<float, 4> ScalarScale{1, 1, 1, 1};
@@ -57,7 +55,7 @@ struct vtkTextureSliceUniforms
   vtkTextureObject* Mask = nullptr;                       ///< used if Features.HasMask()
   vtkTextureSliceTable* LabelTable = nullptr;             ///< used if Features.Labels is above 0
   float LabelWeight = 1.0f;                               ///< how much the label's functions count
-  vtkTextureSliceIntegralTable* Integrals = nullptr;      ///< used if Features.Slabs is above 0
+  vtkTextureSliceIntegralTable* Integrals = nullptr;      ///< used if Features.Slabs
   vtkTextureSliceIntegralTable* LabelIntegrals = nullptr; ///< the same, with labels
   vtkTextureObject* GeometryDepth = nullptr;              ///< used if Features.NeedsDepth()
   const vtkTextureSlicePeeling* Peeling = nullptr;        ///< used if Features.Peel is above 0
@@ -73,50 +71,8 @@ struct vtkTextureSliceUniforms
 
   /// The textures that the features need.
   std::vector<vtkTextureObject*> GetTextures() const;
-  /// The table and the weights, which the last step of the extremes reads as well. The table must
-  /// be active.
-  void SetTable(vtkShaderProgram* program) const;
-};
-
-class vtkTextureSliceProgram
-{
-public:
-  vtkTextureSliceProgram();
-  ~vtkTextureSliceProgram();
-
-  /// Called after a group of slices with the vertices of the last one: the buffer, the first and
-  /// their number.
-  using AfterGroup = std::function<void(vtkOpenGLBufferObject*, int, int)>;
-
-  /// Slices are drawn in groups.
-  struct Groups
-  {
-    int First = 0;  ///< slices in the first one; 0: all slices are one group
-    int Growth = 1; ///< each further one has so many times the slices of the one before
-  };
-
-  /**
-   * Draws all slices, the nearest first, and calls @a afterGroup between two groups.
-   * @return false if the shaders do not compile
-   */
-  bool Draw(vtkOpenGLRenderWindow* window, const vtkTextureSliceGeometry& geometry,
-    const vtkTextureSliceUniforms& uniforms, const Groups& groups, const AfterGroup& afterGroup);
-  /// The window that owns the resources must be current.
-  void ReleaseGraphicsResources();
-
-  /// Those of the last Draw.
-  vtkOpenGLBufferObject* GetVertices() { return this->Vertices; }
-
-private:
-  vtkShaderProgram* Ready(
-    vtkOpenGLRenderWindow* window, const vtkTextureSliceFeatures& features) const;
-  bool Upload(vtkShaderProgram* program, const vtkTextureSliceGeometry& geometry);
-  void DrawGroups(vtkOpenGLRenderWindow* window, const std::vector<int>& firstVertices,
-    const Groups& groups, const AfterGroup& afterGroup);
-
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
-  vtkNew<vtkOpenGLBufferObject> Vertices;
-  vtkShaderProgram* Program = nullptr; ///< of the last Draw; the shader cache owns it
+  /// Hands everything to a shader; the textures must be active.
+  void Set(vtkShaderProgram* program) const;
 };
 
 #endif

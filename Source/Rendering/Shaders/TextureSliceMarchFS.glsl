@@ -1,0 +1,107 @@
+// From front to back along a ray.
+
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_PLANE
+// In texture coordinates; the plane that is shown is where it is 0.
+uniform vec4 slicePlane;
+
+vec4 March()
+{
+  float at = -dot(slicePlane, vec4(rayOrigin, 1.0)) / dot(slicePlane.xyz, rayStep);
+  if (at >= raySpan.x && at <= raySpan.y)
+  {
+    GatherSample(PlaceAt(at));
+  }
+  return FindPicture();
+}
+#elif defined TEXTURE_SLICE_SLABS || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+// What lies between two neighbouring planes, or a plane and an end of the ray, is gathered together.
+vec4 March()
+{
+  float at = raySpan.x;
+  bool begins = true; // there is no piece in front of this one
+#ifdef TEXTURE_SLICE_SKIPPING
+  float known = at; // up to there the ray is in a brick that was looked at
+#endif
+  while (at < raySpan.y)
+  {
+    float next = min(floor(at) + 1.0, raySpan.y);
+#ifdef TEXTURE_SLICE_SKIPPING
+    if (at >= known)
+    {
+      bool empty;
+      float reach = at + FindReach(at, empty);
+      if (empty && reach >= next)
+      {
+        at = max(next, floor(reach));
+        begins = true;
+        continue;
+      }
+      known = max(reach, next);
+    }
+#endif
+    GatherPiece(at, next, begins);
+    begins = false;
+    if (picture.a > TEXTURE_SLICE_OPAQUE)
+    {
+      break;
+    }
+    at = next;
+  }
+  return FindPicture();
+}
+#else
+// Slices that the sample on a plane stands for: half of one on either side. The first and the last
+// sample on a ray stand for all up to its end, so that each ray has its exact length.
+float CountSlices(float at)
+{
+  vec2 ends = vec2(at - raySpan.x, raySpan.y - at);
+  return (ends.x < 1.0 ? ends.x : 0.5) + (ends.y < 1.0 ? ends.y : 0.5);
+}
+
+// Samples on the planes.
+vec4 March()
+{
+  int i = int(ceil(raySpan.x));
+  int last = int(floor(raySpan.y));
+  float unitsOfSlice = length(sampleStep);
+#ifdef TEXTURE_SLICE_SKIPPING
+  int first = i;
+  int known = i; // before it the ray is in a brick that was looked at
+#endif
+  while (i <= last)
+  {
+#ifdef TEXTURE_SLICE_SKIPPING
+    if (i >= known)
+    {
+      bool empty;
+      known = i + int(FindReach(float(i), empty)) + 1;
+      if (empty)
+      {
+        i = known;
+        continue;
+      }
+    }
+#endif
+    float at = float(i);
+    sampleUnits = CountSlices(at) * unitsOfSlice;
+    GatherSample(PlaceAt(at));
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+    if (picture.a > TEXTURE_SLICE_OPAQUE)
+    {
+      break;
+    }
+#endif
+    ++i;
+  }
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE && defined TEXTURE_SLICE_SKIPPING
+  // A sum of 0 is black wherever there are samples.
+  for (i = first; i <= last && picture.a <= 0.0; ++i)
+  {
+    vec4 scalars;
+    textureCoordinate = PlaceAt(float(i));
+    picture.a = IsLeft(textureCoordinate) && FetchScalars(textureCoordinate, scalars) ? 1.0 : 0.0;
+  }
+#endif
+  return FindPicture();
+}
+#endif

@@ -1,0 +1,107 @@
+// The ray of a pixel. Places on it are counted in slices: 0 is the nearest plane, 1 the next one.
+
+// Columns to the right, up, and at the corner of the picture: a pixel's place on the nearest plane, and
+// its way to the next one, as texture coordinates.
+uniform mat3 placeOfPixel;
+uniform mat3 stepOfPixel;
+// From texture coordinates to data lengths along the axes, in the first component's unit distances.
+uniform vec3 stepToUnits;
+// The part of the box that is drawn.
+uniform vec3 partLow;
+uniform vec3 partHigh;
+#if TEXTURE_SLICE_CLIPPING_PLANES > 0
+// In texture coordinates; what is below 0 is cut away.
+uniform vec4 clippingPlanes[TEXTURE_SLICE_CLIPPING_PLANES];
+#endif
+// See vtkTextureSlicePlanes::GetDepthToSlice.
+uniform vec4 depthToSlice;
+// Pixels of the window for one pixel of the picture.
+uniform float pixelSize;
+#ifndef TEXTURE_SLICE_PEEL
+// Depth of the opaque geometry, 0 to 1.
+uniform sampler2D geometryDepth;
+#endif
+
+vec3 rayOrigin = vec3(0.0);
+vec3 rayStep = vec3(0.0);
+// To the next slice along the ray, in the first component's unit distances.
+vec3 sampleStep = vec3(0.0);
+// Where the ray enters and leaves what is drawn.
+vec2 raySpan = vec2(0.0);
+// The pixel of the window.
+ivec2 windowPixel = ivec2(0);
+
+// Where the volume is sampled, as texture coordinates, and how many unit distances the sample stands for.
+vec3 textureCoordinate = vec3(0.0);
+float sampleUnits = 0.0;
+
+//VTK::TextureSlice::Peel
+
+vec3 PlaceAt(float at)
+{
+  return rayOrigin + at * rayStep;
+}
+
+// The place on the ray at a depth of the window.
+float SliceAtDepth(float depth)
+{
+  float lack = 2.0 * (1.0 - depth);
+  return (depthToSlice.x - lack * depthToSlice.y) / (depthToSlice.z + lack * depthToSlice.w);
+}
+
+// Between the faces of the part, the near plane, the clipping planes and the opaque geometry.
+vec2 FindSpan()
+{
+  vec3 perStep = 1.0 / (rayStep + 1e-20); // not 0 along a face
+  vec3 low = (partLow - rayOrigin) * perStep;
+  vec3 high = (partHigh - rayOrigin) * perStep;
+  vec3 entry = min(low, high);
+  vec3 exit = max(low, high);
+  vec2 span = vec2(max(max(entry.x, entry.y), max(entry.z, -0.5)), min(min(exit.x, exit.y), exit.z));
+#if TEXTURE_SLICE_CLIPPING_PLANES > 0
+  for (int i = 0; i < TEXTURE_SLICE_CLIPPING_PLANES; ++i)
+  {
+    float distance = dot(clippingPlanes[i], vec4(rayOrigin, 1.0));
+    float approach = dot(clippingPlanes[i].xyz, rayStep);
+    approach = approach == 0.0 ? 1e-20 : approach;
+    float crossing = -distance / approach;
+    span = approach > 0.0 ? vec2(max(span.x, crossing), span.y) : vec2(span.x, min(span.y, crossing));
+  }
+#endif
+#ifdef TEXTURE_SLICE_PEEL
+  vec2 range = PeelRange();
+  if (range.x >= range.y)
+  {
+    return vec2(0.0);
+  }
+  span.x = range.x > 0.0 ? max(span.x, SliceAtDepth(range.x)) : span.x;
+  span.y = min(span.y, SliceAtDepth(min(range.y, 1.0)));
+#else
+  span.y = min(span.y, SliceAtDepth(texelFetch(geometryDepth, windowPixel, 0).r));
+#endif
+  return span;
+}
+
+// False where the ray meets nothing that is drawn. A ray whose way is short against the distance of two
+// planes has slices of its own, as many as that.
+bool StartRay(vec2 pixel, float leastSlices)
+{
+  windowPixel = ivec2(pixel * pixelSize);
+  rayOrigin = placeOfPixel * vec3(pixel, 1.0);
+  rayStep = stepOfPixel * vec3(pixel, 1.0);
+  raySpan = FindSpan();
+  float way = raySpan.y - raySpan.x;
+  if (!(way > 0.0))
+  {
+    return false;
+  }
+  if (way < leastSlices)
+  {
+    float own = way / leastSlices;
+    rayOrigin = PlaceAt(raySpan.x + 0.5 * own);
+    rayStep *= own;
+    raySpan = vec2(-0.5, leastSlices - 0.5);
+  }
+  sampleStep = rayStep * stepToUnits;
+  return true;
+}

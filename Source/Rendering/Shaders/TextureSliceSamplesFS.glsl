@@ -1,0 +1,223 @@
+// What the samples of a ray add up to.
+
+// What was gathered so far, in the terms of the blend mode.
+vec4 picture = vec4(0.0);
+
+#if defined TEXTURE_SLICE_BLENDS_SAMPLES && !defined TEXTURE_SLICE_SLABS
+// Formulas R1: the opacity of a step, from the optical depth of a unit distance; two-dimensional
+// tables hold its opacity. A plane has no thickness: its opacity is that of the table.
+float StepOpacity(float alpha, int component)
+{
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_PLANE
+  return alpha;
+#elif defined TEXTURE_SLICE_TABLE_2D
+  return 1.0 - pow(1.0 - alpha, CountUnits(component));
+#else
+  return 1.0 - exp2(-alpha * CountUnits(component));
+#endif
+}
+
+// Colour of one step for a component that has functions of its own, or for a single set of functions.
+vec4 StepColor(vec4 color, vec4 scalars, int component, int label)
+{
+  if (color.a <= 0.0)
+  {
+    return vec4(0.0);
+  }
+  color.a = StepOpacity(color.a, component);
+  return Finish(color, scalars, component, label);
+}
+
+#if TEXTURE_SLICE_FUNCTIONS > 1
+vec4 Classify(vec4 scalars, int component)
+{
+#ifdef TEXTURE_SLICE_TABLE_2D
+  return LookUp2D(scalars, scalars[component], component);
+#else
+  return LookUp(scalars[component], component);
+#endif
+}
+
+bool Gather(vec4 scalars, out vec4 gathered)
+{
+  vec4 colors[TEXTURE_SLICE_COMPONENTS];
+  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  {
+    colors[i] = StepColor(Classify(scalars, i), scalars, i, 0);
+  }
+  gathered = AddComponents(colors);
+  return gathered.a > 0.0;
+}
+#else
+vec4 LookUpBoth(vec4 scalars, float scalar)
+{
+#ifdef TEXTURE_SLICE_TABLE_2D
+  return LookUp2D(scalars, scalar, 0);
+#else
+  return LookUp(scalar, 0);
+#endif
+}
+
+// Colour and what StepOpacity takes.
+vec4 Classify(vec4 scalars)
+{
+#if TEXTURE_SLICE_COMPONENTS == 1
+  return LookUpBoth(scalars, scalars.x);
+#elif TEXTURE_SLICE_COMPONENTS == 2
+  return vec4(LookUpBoth(scalars, scalars.x).rgb, LookUpBoth(scalars, scalars.y).a);
+#else
+  return vec4(clamp(scalars.rgb, 0.0, 1.0), LookUpBoth(scalars, scalars.a).a);
+#endif
+}
+
+bool Gather(vec4 scalars, out vec4 gathered)
+{
+  vec4 color = StepColor(Classify(scalars), scalars, 0, 0);
+#ifdef TEXTURE_SLICE_LABELS
+  int label = FetchLabel(textureCoordinate);
+  if (label > 0)
+  {
+    vec4 labelled = StepColor(LookUpLabel(scalars.x, label - 1), scalars, 0, label);
+    color = mix(color, labelled, labelWeight);
+  }
+#endif
+  gathered = vec4(color.rgb * color.a, color.a);
+  return color.a > 0.0;
+}
+#endif
+#endif
+
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MINIMUM
+// The extremes are coloured at the end of the ray.
+bool Gather(vec4 scalars, out vec4 gathered)
+{
+  gathered = scalars;
+  return true;
+}
+#endif
+
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
+// Red: the sum of scalar times opacity. Alpha: above 0 where there are samples.
+bool Gather(vec4 scalars, out vec4 gathered)
+{
+  float sum = 0.0;
+#if TEXTURE_SLICE_FUNCTIONS > 1
+  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  {
+    sum += scalars[i] * LookUp(scalars[i], i).a * CountUnits(i) * componentWeight[i];
+  }
+#else
+  sum = scalars.x * LookUp(scalars[TEXTURE_SLICE_COMPONENTS - 1], 0).a * CountUnits(0);
+#endif
+  gathered = vec4(sum, 0.0, 0.0, 1.0);
+  return true;
+}
+#endif
+
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
+// The scalars that count, 0 to 1 as they are.
+uniform vec2 averageRange;
+
+// Red: the sum of scalar times opacity. Alpha: the number of samples.
+bool Gather(vec4 scalars, out vec4 gathered)
+{
+#if TEXTURE_SLICE_FUNCTIONS > 1
+  float sum = 0.0;
+  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  {
+    sum += scalars[i] * LookUp(scalars[i], i).a * componentWeight[i];
+  }
+  gathered = vec4(sum, 0.0, 0.0, 1.0);
+  return true;
+#else
+  gathered = vec4(scalars.x * LookUp(scalars[TEXTURE_SLICE_COMPONENTS - 1], 0).a, 0.0, 0.0, 1.0);
+  return scalars.x >= averageRange.x && scalars.x <= averageRange.y;
+#endif
+}
+#endif
+
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MINIMUM
+bool isSampled = false;
+
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM
+#define FARTHER(a, b) max(a, b)
+#else
+#define FARTHER(a, b) min(a, b)
+#endif
+
+void Add(vec4 scalars)
+{
+#ifdef TEXTURE_SLICE_EXTREME_SAMPLE
+  // All components of the sample with the extreme of the last one, the nearest of several.
+  const int last = TEXTURE_SLICE_COMPONENTS - 1;
+  picture = isSampled && FARTHER(picture[last], scalars[last]) == picture[last] ? picture : scalars;
+#else
+  picture = isSampled ? FARTHER(picture, scalars) : scalars;
+#endif
+  isSampled = true;
+}
+
+vec4 FindPicture()
+{
+  if (!isSampled)
+  {
+    return vec4(0.0);
+  }
+#ifdef TEXTURE_SLICE_EXTREME_SAMPLE
+#if TEXTURE_SLICE_COMPONENTS == 2
+  vec4 color = vec4(LookUp(picture.x, 0).rgb, LookUp(picture.y, 0).a);
+#else
+  vec4 color = vec4(clamp(picture.rgb, 0.0, 1.0), LookUp(picture.a, 0).a);
+#endif
+  return vec4(color.rgb * color.a, color.a);
+#else
+  vec4 sum = vec4(0.0);
+  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  {
+    vec4 color = LookUp(picture[i], i);
+    sum += componentWeight[i] * vec4(color.rgb * color.a, color.a);
+  }
+  return sum;
+#endif
+}
+#elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
+void Add(vec4 gathered)
+{
+  picture += gathered;
+}
+
+// Grey, opaque where there are samples.
+vec4 FindPicture()
+{
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
+  float grey = picture.r / max(picture.a, 1.0);
+#else
+  float grey = picture.r;
+#endif
+  return picture.a > 0.0 ? vec4(vec3(clamp(grey, 0.0, 1.0)), 1.0) : vec4(0.0);
+}
+#else
+// Formulas T9, R3: associated colour, front to back.
+void Add(vec4 gathered)
+{
+  picture += (1.0 - picture.a) * gathered;
+}
+
+vec4 FindPicture()
+{
+  return picture;
+}
+#endif
+
+#if !defined TEXTURE_SLICE_SLABS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
+void GatherSample(vec3 place)
+{
+  textureCoordinate = place;
+  vec4 scalars;
+  vec4 gathered;
+  if (IsLeft(place) && FetchScalars(place, scalars) && Gather(scalars, gathered))
+  {
+    Add(gathered);
+  }
+}
+#endif
