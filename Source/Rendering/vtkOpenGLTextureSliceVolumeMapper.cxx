@@ -613,6 +613,19 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::str
   return true;
 }
 
+std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
+{
+  std::array<double, 6> seen = this->Parts->Frame.GetView().Part;
+  // A sum is black wherever there are samples.
+  for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
+  {
+    const std::array<double, 6>& visible = this->Parts->EmptySpace.GetSeen();
+    seen[2 * axis] = std::max(seen[2 * axis], visible[2 * axis]);
+    seen[2 * axis + 1] = std::min(seen[2 * axis + 1], visible[2 * axis + 1]);
+  }
+  return seen;
+}
+
 vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   vtkRenderer* renderer, const vtkTextureSliceRequest& request)
 {
@@ -642,6 +655,7 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   }
   uniforms.Frame = &parts.Frame;
   uniforms.Planes = &parts.Planes;
+  uniforms.Seen = this->FindSeen();
   uniforms.Distances = &parts.EmptySpace.GetDistances();
   uniforms.Volume = parts.Texture.GetTexture();
   uniforms.Table = &parts.Table;

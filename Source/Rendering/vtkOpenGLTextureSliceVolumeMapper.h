@@ -56,6 +56,7 @@
 #include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkSmartPointer.h"          // for what is prepared
 
+#include <array>  // for parts of the box
 #include <memory> // for std::unique_ptr
 #include <string> // for errors
 
@@ -304,6 +305,8 @@ private:
     vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);
   vtkDataArray* FindMaskValues();
   bool UpdateMask(vtkImageData* image, std::string& error);
+  /// The part of the box whose pixels are drawn.
+  std::array<double, 6> FindSeen() const;
   vtkTextureSliceUniforms MakeUniforms(
     vtkRenderer* renderer, const vtkTextureSliceRequest& request);
 };

@@ -126,7 +126,7 @@ void vtkTextureSliceParts::Composite(
   const bool smooth = this->PixelSize != 1.0 &&
                       blendMode != vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND &&
                       blendMode != vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
-  this->Target.Composite(smooth, uniforms.Features,
+  this->Target.Composite(smooth, uniforms,
     [&](vtkShaderProgram* program)
     {
       if (peeled)

@@ -53,22 +53,16 @@ bool vtkTextureSliceMarch::Draw(
 {
   const std::string defines = uniforms.Features.GetDefines();
   vtkShaderProgram* program =
-    this->Screen.Ready(window, defines, [&defines] { return MakeShader(defines); });
+    this->Box.Ready(window, defines, [&defines] { return MakeShader(defines); });
   if (program == nullptr)
   {
     return false;
   }
-  vtkOpenGLState* state = window->GetState();
-  state->vtkglDisable(GL_BLEND);
-  state->vtkglDisable(GL_DEPTH_TEST);
-  state->vtkglEnable(GL_SCISSOR_TEST);
-  const std::array<int, 4>& rectangle = uniforms.Planes->GetRectangle();
-  state->vtkglScissor(rectangle[0], rectangle[1], rectangle[2], rectangle[3]);
+  window->GetState()->vtkglDisable(GL_BLEND);
   const std::vector<vtkTextureObject*> textures = uniforms.GetTextures();
   std::for_each(textures.begin(), textures.end(), [](vtkTextureObject* t) { t->Activate(); });
   uniforms.Set(program);
-  this->Screen.Draw();
+  this->Box.Draw(*uniforms.Frame, uniforms.Seen);
   std::for_each(textures.rbegin(), textures.rend(), [](vtkTextureObject* t) { t->Deactivate(); });
-  state->vtkglDisable(GL_SCISSOR_TEST);
   return true;
 }

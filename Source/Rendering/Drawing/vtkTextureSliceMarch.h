@@ -3,7 +3,7 @@
 #ifndef vtkTextureSliceMarch_h
 #define vtkTextureSliceMarch_h
 
-#include "vtkTextureSliceScreen.h"
+#include "vtkTextureSliceBox.h"
 
 class vtkOpenGLRenderWindow;
 struct vtkTextureSliceUniforms;
@@ -13,10 +13,10 @@ class vtkTextureSliceMarch
 public:
   /// Draws into the framebuffer that is bound. @return false if the shaders do not compile
   bool Draw(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
-  void ReleaseGraphicsResources() { this->Screen.ReleaseGraphicsResources(); }
+  void ReleaseGraphicsResources() { this->Box.ReleaseGraphicsResources(); }
 
 private:
-  vtkTextureSliceScreen Screen;
+  vtkTextureSliceBox Box;
 };
 
 #endif

@@ -147,32 +147,6 @@ std::array<float, 4> MapDepths(
     static_cast<float>(wStep)};
 }
 
-std::array<int, 4> FindRectangle(const vtkTextureSliceView& view)
-{
-  std::array<double, 2> low{std::numeric_limits<double>::max(), std::numeric_limits<double>::max()};
-  std::array<double, 2> high{0.0, 0.0};
-  for (std::size_t corner = 0; corner < 8; ++corner)
-  {
-    const Vector p = Corner(view, corner);
-    const double w = Evaluate(RowOf(view.BoxToClip, 3), p);
-    for (std::size_t axis = 0; axis < 2; ++axis)
-    {
-      const double size = view.Viewport[axis];
-      const double pixel = 0.5 * size * (Evaluate(RowOf(view.BoxToClip, axis), p) / w + 1.0);
-      // A corner behind the eye is seen nowhere: the box may fill the picture.
-      low[axis] = w > 0.0 ? std::min(low[axis], std::clamp(pixel - 1.0, 0.0, size)) : 0.0;
-      high[axis] = w > 0.0 ? std::max(high[axis], std::clamp(pixel + 1.0, 0.0, size)) : size;
-    }
-  }
-  std::array<int, 4> rectangle{};
-  for (std::size_t axis = 0; axis < 2; ++axis)
-  {
-    rectangle[axis] = static_cast<int>(std::floor(low[axis]));
-    rectangle[axis + 2] = static_cast<int>(std::ceil(high[axis])) - rectangle[axis];
-  }
-  return rectangle;
-}
-
 } // namespace
 
 void vtkTextureSlicePlanes::Place(const vtkTextureSliceView& view)
@@ -195,5 +169,4 @@ void vtkTextureSlicePlanes::Place(const vtkTextureSliceView& view)
   this->Steps = {Minus(next.Right, this->Places.Right), Minus(next.Up, this->Places.Up),
     Minus(next.Origin, this->Places.Origin)};
   this->DepthToSlice = MapDepths(view, this->Places.Origin, this->Steps.Origin);
-  this->Rectangle = FindRectangle(view);
 }

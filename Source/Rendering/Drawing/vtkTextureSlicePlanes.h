@@ -78,8 +78,6 @@ public:
    * what the depth lacks to 1, it is (a - m * b) / (c + m * d).
    */
   const std::array<float, 4>& GetDepthToSlice() const { return this->DepthToSlice; }
-  /// The pixels that can show the part: left, bottom, width, height.
-  const std::array<int, 4>& GetRectangle() const { return this->Rectangle; }
 
 private:
   int NumberOfSlices = 0;
@@ -89,7 +87,6 @@ private:
   vtkTextureSlicePixelMap Places;
   vtkTextureSlicePixelMap Steps;
   std::array<float, 4> DepthToSlice{};
-  std::array<int, 4> Rectangle{};
 };
 
 #endif

@@ -5,6 +5,7 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
+#include "vtkTextureSliceUniforms.h"
 
 #include "TextureSliceCompositeFS.h"
 #include "TextureSlicePeelCompositeFS.h"
@@ -204,25 +205,30 @@ void vtkTextureSliceTarget::End()
   state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
 }
 
-void vtkTextureSliceTarget::Composite(bool smooth, const vtkTextureSliceFeatures& features,
+void vtkTextureSliceTarget::Composite(bool smooth, const vtkTextureSliceUniforms& uniforms,
   const std::function<void(vtkShaderProgram*)>& setUniforms)
 {
-  vtkShaderProgram* program = this->Screen.Ready(
+  const vtkTextureSliceFeatures& features = uniforms.Features;
+  vtkShaderProgram* program = this->Box.Ready(
     this->Window, features.GetDefines(), [&features] { return MakeCompositeShader(features); });
-  this->Window->GetState()->vtkglDisable(GL_DEPTH_TEST);
   const int filter = smooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
   this->Color->SetMinificationFilter(filter);
   this->Color->SetMagnificationFilter(filter);
   this->Color->Activate();
   program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
+  const std::array<float, 4> toPicture{1.0f / static_cast<float>(this->Viewport[2]),
+    1.0f / static_cast<float>(this->Viewport[3]),
+    -static_cast<float>(this->Viewport[0]) / static_cast<float>(this->Viewport[2]),
+    -static_cast<float>(this->Viewport[1]) / static_cast<float>(this->Viewport[3])};
+  program->SetUniform4f("toPicture", toPicture.data());
   setUniforms(program);
-  this->Screen.Draw();
+  this->Box.Draw(*uniforms.Frame, uniforms.Seen);
   this->Color->Deactivate();
 }
 
 void vtkTextureSliceTarget::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Screen.ReleaseGraphicsResources();
+  this->Box.ReleaseGraphicsResources();
   this->Framebuffer->ReleaseGraphicsResources(window);
   this->DepthFramebuffer->ReleaseGraphicsResources(window);
   this->Color->ReleaseGraphicsResources(window);

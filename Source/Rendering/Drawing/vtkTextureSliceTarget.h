@@ -6,8 +6,7 @@
 #include "vtkNew.h"
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
-#include "vtkTextureSliceFeatures.h"
-#include "vtkTextureSliceScreen.h"
+#include "vtkTextureSliceBox.h"
 
 #include <array>
 #include <functional>
@@ -15,6 +14,7 @@
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
+struct vtkTextureSliceUniforms;
 class vtkWindow;
 
 /**
@@ -47,10 +47,9 @@ public:
   /**
    * Blends the picture over the viewport of the last Begin.
    * @param smooth whether to interpolate between its pixels if it has another size.
-   * @param features what TextureSliceCompositeFS must be able to do.
    * @param setUniforms sets what that shader reads besides the picture.
    */
-  void Composite(bool smooth, const vtkTextureSliceFeatures& features,
+  void Composite(bool smooth, const vtkTextureSliceUniforms& uniforms,
     const std::function<void(vtkShaderProgram*)>& setUniforms);
 
   void ReleaseGraphicsResources(vtkWindow* window);
@@ -62,7 +61,7 @@ private:
   vtkNew<vtkOpenGLFramebufferObject> DepthFramebuffer;
   vtkNew<vtkTextureObject> Color;
   vtkNew<vtkTextureObject> Depth;
-  vtkTextureSliceScreen Screen;
+  vtkTextureSliceBox Box;
   vtkOpenGLRenderWindow* Window = nullptr;
   std::array<int, 4> Viewport{}; ///< left, bottom, width, height
   int DepthKey = -1;             ///< the depth format that Depth has

@@ -40,6 +40,8 @@ struct vtkTextureSliceUniforms
   vtkTextureSliceFeatures Features;
   const vtkTextureSliceFrame* Frame = nullptr;
   const vtkTextureSlicePlanes* Planes = nullptr;
+  /// The part of the box with something to see: lower x, upper x, lower y and so on.
+  std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   const vtkTextureSliceDistanceMap* Distances = nullptr; ///< used if Features.Skipping
   vtkTextureObject* Volume = nullptr;
   /// Texel to 0 to 1 over the range of each component.

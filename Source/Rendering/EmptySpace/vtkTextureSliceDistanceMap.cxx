@@ -82,6 +82,34 @@ void vtkTextureSliceDistanceMap::Spread(std::size_t axis)
     });
 }
 
+std::array<double, 6> vtkTextureSliceDistanceMap::FindSeen() const
+{
+  std::array<int, 6> bricks{this->Count[0], -1, this->Count[1], -1, this->Count[2], -1};
+  const unsigned char* distance = this->Distances.data();
+  for (int z = 0; z < this->Count[2]; ++z)
+  {
+    for (int y = 0; y < this->Count[1]; ++y)
+    {
+      for (int x = 0; x < this->Count[0]; ++x, ++distance)
+      {
+        const std::array<int, 3> brick{x, y, z};
+        for (std::size_t axis = 0; axis < 3 && *distance == 0; ++axis)
+        {
+          bricks[2 * axis] = std::min(bricks[2 * axis], brick[axis]);
+          bricks[2 * axis + 1] = std::max(bricks[2 * axis + 1], brick[axis]);
+        }
+      }
+    }
+  }
+  std::array<double, 6> seen{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
+  {
+    seen[2 * axis] = bricks[2 * axis] * this->Edge[axis];
+    seen[2 * axis + 1] = std::min(1.0, (bricks[2 * axis + 1] + 1) * this->Edge[axis]);
+  }
+  return seen;
+}
+
 void vtkTextureSliceDistanceMap::Upload(vtkOpenGLRenderWindow* window)
 {
   if (this->Uploaded && this->Texture->GetContext() == window && this->Texture->GetHandle() != 0)

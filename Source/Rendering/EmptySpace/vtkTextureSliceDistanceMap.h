@@ -39,6 +39,9 @@ public:
   /// Part of the bricks that are visible, 0 to 1.
   double GetVisibleShare() const { return this->VisibleShare; }
 
+  /// The part of the box about all visible bricks: lower x, upper x, lower y and so on.
+  std::array<double, 6> FindSeen() const;
+
   /// Brings the texture up to date.
   void Upload(vtkOpenGLRenderWindow* window);
   void ReleaseGraphicsResources(vtkWindow* window);

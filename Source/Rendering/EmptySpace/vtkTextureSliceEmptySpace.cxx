@@ -103,6 +103,7 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
   }
   const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
   this->Distances.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
+  this->Seen = this->Distances.FindSeen();
 }
 
 std::array<std::vector<double>, 3> vtkTextureSliceEmptySpace::FindBorders(const Source& source)

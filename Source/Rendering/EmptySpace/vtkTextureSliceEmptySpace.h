@@ -50,6 +50,8 @@ public:
     constexpr double mostVisible = 0.75;
     return this->Distances.GetVisibleShare() < mostVisible;
   }
+  /// Where all that can be seen lies: lower x, upper x, lower y and so on, in box coordinates.
+  const std::array<double, 6>& GetSeen() const { return this->Seen; }
   /// Whether no sample can be seen.
   bool IsNothingVisible() const { return this->Distances.GetVisibleShare() <= 0.0; }
 
@@ -67,6 +69,7 @@ private:
 
   Key Last;
   vtkTextureSliceDistanceMap Distances;
+  std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   std::vector<unsigned char> Visible; ///< not 0 where a brick counts
 };
 

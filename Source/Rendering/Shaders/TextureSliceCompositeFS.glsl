@@ -6,11 +6,17 @@
 // See vtkTextureSliceFeatures::GetDefines.
 //VTK::TextureSlice::Defines
 
-in vec2 texCoord;
+// From a pixel of the window to the picture: scale and bias.
+uniform vec4 toPicture;
 
 uniform sampler2D volumeImage;
 uniform float colorScale;
 uniform float colorBias;
+
+vec4 FetchPicture()
+{
+  return texture(volumeImage, gl_FragCoord.xy * toPicture.xy + toPicture.zw);
+}
 
 #ifdef TEXTURE_SLICE_SELECTION
 uniform vec3 selectionColor;
@@ -18,7 +24,7 @@ uniform vec3 selectionColor;
 void main()
 {
   // As in VTK's ray caster, what is fainter cannot be picked.
-  if (texture(volumeImage, texCoord).a <= 3.0 / 255.0)
+  if (FetchPicture().a <= 3.0 / 255.0)
   {
     discard;
   }
@@ -28,7 +34,7 @@ void main()
 // With the final window and level.
 vec4 FinalColor()
 {
-  vec4 color = texture(volumeImage, texCoord);
+  vec4 color = FetchPicture();
   return vec4(color.rgb * colorScale + colorBias * color.a, color.a);
 }
 

@@ -20,6 +20,7 @@ vec4 March()
   float at = raySpan.x;
   bool begins = true; // there is no piece in front of this one
 #ifdef TEXTURE_SLICE_SKIPPING
+  StartSkipping();
   float known = at; // up to there the ray is in a brick that was looked at
 #endif
   while (at < raySpan.y)
@@ -65,21 +66,22 @@ vec4 March()
   int last = int(floor(raySpan.y));
   float unitsOfSlice = length(sampleStep);
 #ifdef TEXTURE_SLICE_SKIPPING
+  StartSkipping();
   int first = i;
   int known = i; // before it the ray is in a brick that was looked at
 #endif
   while (i <= last)
   {
 #ifdef TEXTURE_SLICE_SKIPPING
-    if (i >= known)
+    while (i >= known && i <= last)
     {
       bool empty;
       known = i + int(FindReach(float(i), empty)) + 1;
-      if (empty)
-      {
-        i = known;
-        continue;
-      }
+      i = empty ? known : i;
+    }
+    if (i > last)
+    {
+      break;
     }
 #endif
     float at = float(i);

@@ -6,17 +6,29 @@ uniform vec3 brickScale;
 uniform vec3 brickBias;
 uniform vec3 lastBrick;
 
+// The ray in bricks, its slices for each brick, and whether it goes towards higher bricks.
+vec3 brickOrigin = vec3(0.0);
+vec3 brickStep = vec3(0.0);
+vec3 perBrick = vec3(0.0);
+vec3 forward = vec3(0.0);
+
+void StartSkipping()
+{
+  brickOrigin = rayOrigin * brickScale + brickBias;
+  brickStep = rayStep * brickScale;
+  perBrick = 1.0 / (brickStep + 1e-20);
+  forward = step(0.0, perBrick);
+}
+
 // How many slices on from a place the ray leaves its brick, or the empty bricks about it.
 float FindReach(float at, out bool empty)
 {
-  vec3 place = PlaceAt(at) * brickScale + brickBias;
+  vec3 place = brickOrigin + at * brickStep;
   vec3 brick = clamp(floor(place), vec3(0.0), lastBrick);
   float distance = floor(texelFetch(distanceMap, ivec3(brick), 0).r * 255.0 + 0.5);
   empty = distance > 0.0;
   float around = max(distance - 1.0, 0.0);
-  vec3 perBrick = 1.0 / (rayStep * brickScale + 1e-20);
-  vec3 leaving = brick + mix(vec3(-around), vec3(around + 1.0), step(0.0, perBrick));
-  vec3 reach = (leaving - place) * perBrick;
+  vec3 reach = (brick - around + forward * (2.0 * around + 1.0) - place) * perBrick;
   return clamp(min(reach.x, min(reach.y, reach.z)), 0.0, 32768.0);
 }
 #endif

@@ -35,7 +35,7 @@ std::array<int, 3> CountIntervals(const vtkTextureSliceBricks::Source& source)
 /// along an axis cost more to look at than they save.
 int ChooseEdge(const std::array<int, 3>& intervals)
 {
-  constexpr int least = 2;
+  constexpr int least = 4;
   constexpr int mostBricks = 64;
   const int longest = *std::max_element(intervals.begin(), intervals.end());
   return std::max(least, (longest + mostBricks - 1) / mostBricks);

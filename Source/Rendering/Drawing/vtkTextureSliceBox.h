@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// A fragment shader that runs for each pixel of the viewport.
-#ifndef vtkTextureSliceScreen_h
-#define vtkTextureSliceScreen_h
+// A fragment shader that runs for each pixel of the volume's box.
+#ifndef vtkTextureSliceBox_h
+#define vtkTextureSliceBox_h
 
 #include "vtkNew.h"
 
+#include <array>
 #include <functional>
 #include <string>
 
 class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
+class vtkTextureSliceFrame;
 
-class vtkTextureSliceScreen
+class vtkTextureSliceBox
 {
 public:
-  vtkTextureSliceScreen();
-  ~vtkTextureSliceScreen();
+  vtkTextureSliceBox();
+  ~vtkTextureSliceBox();
 
   /**
    * Makes the shader the current one.
@@ -25,13 +27,17 @@ public:
    */
   vtkShaderProgram* Ready(vtkOpenGLRenderWindow* window, const std::string& key,
     const std::function<std::string()>& makeShader);
-  /// After Ready.
-  void Draw();
+  /**
+   * After Ready.
+   * @param seen the part of the box whose pixels are drawn: lower x, upper x, lower y and so on.
+   */
+  void Draw(const vtkTextureSliceFrame& frame, const std::array<double, 6>& seen);
   void ReleaseGraphicsResources();
 
 private:
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray; ///< OpenGL draws with one, although it is empty
-  vtkShaderProgram* Program = nullptr;            ///< the shader cache owns it
+  vtkOpenGLRenderWindow* Window = nullptr;
+  vtkShaderProgram* Program = nullptr; ///< the shader cache owns it
   std::string Key;
 };
 
