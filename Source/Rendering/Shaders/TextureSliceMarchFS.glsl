@@ -1,4 +1,5 @@
-// From front to back along a ray.
+// From front to back along a ray. Where there is something to skip, an inner loop leaps until all rays that a
+// processor goes along together stand in visible bricks: software OpenGL has loops, but no branches.
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_PLANE
 // In texture coordinates; the plane that is shown is where it is 0.
@@ -14,7 +15,18 @@ vec4 March()
   return FindPicture();
 }
 #elif defined TEXTURE_SLICE_SLABS || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
-// What lies between two neighbouring planes, or a plane and an end of the ray, is gathered together.
+// What lies between two planes, or a plane and an end of the ray, is gathered together.
+#ifdef TEXTURE_SLICE_SLABS
+const float piece = float(TEXTURE_SLICE_SLABS);
+#else
+const float piece = 1.0;
+#endif
+
+float EndOfPiece(float at)
+{
+  return min((floor(at / piece) + 1.0) * piece, raySpan.y);
+}
+
 vec4 March()
 {
   float at = raySpan.x;
@@ -25,21 +37,23 @@ vec4 March()
 #endif
   while (at < raySpan.y)
   {
-    float next = min(floor(at) + 1.0, raySpan.y);
 #ifdef TEXTURE_SLICE_SKIPPING
-    if (at >= known)
+    while (at >= known && at < raySpan.y)
     {
       bool empty;
+      float next = EndOfPiece(at);
       float reach = at + FindReach(at, empty);
-      if (empty && reach >= next)
-      {
-        at = max(next, floor(reach));
-        begins = true;
-        continue;
-      }
-      known = max(reach, next);
+      bool leaps = empty && reach >= next;
+      begins = begins || leaps;
+      at = leaps ? max(next, floor(reach / piece) * piece) : at;
+      known = leaps ? at : max(reach, next);
+    }
+    if (at >= raySpan.y)
+    {
+      break;
     }
 #endif
+    float next = EndOfPiece(at);
     GatherPiece(at, next, begins);
     begins = false;
     if (picture.a > TEXTURE_SLICE_OPAQUE)
@@ -58,6 +72,13 @@ float CountSlices(float at)
   vec2 ends = vec2(at - raySpan.x, raySpan.y - at);
   return (ends.x < 1.0 ? ends.x : 0.5) + (ends.y < 1.0 ? ends.y : 0.5);
 }
+
+// Several samples in one turn of the loop cost software OpenGL less than as many turns.
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+const int samplesInTurn = 2;
+#else
+const int samplesInTurn = 4;
+#endif
 
 // Samples on the planes.
 vec4 March()
@@ -84,16 +105,23 @@ vec4 March()
       break;
     }
 #endif
-    float at = float(i);
-    sampleUnits = CountSlices(at) * unitsOfSlice;
-    GatherSample(PlaceAt(at));
+    int end = min(i + samplesInTurn, last + 1);
+    for (int k = 0; k < samplesInTurn; ++k)
+    {
+      if (i + k < end)
+      {
+        float at = float(i + k);
+        sampleUnits = CountSlices(at) * unitsOfSlice;
+        GatherSample(PlaceAt(at));
+      }
+    }
+    i = end;
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
     if (picture.a > TEXTURE_SLICE_OPAQUE)
     {
       break;
     }
 #endif
-    ++i;
   }
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE && defined TEXTURE_SLICE_SKIPPING
   // A sum of 0 is black wherever there are samples.

@@ -1,6 +1,6 @@
 #ifdef TEXTURE_SLICE_SLABS
-// Pre-integrated classification (Formulas L1): slabs between two planes. Along a slab, the scalar is
-// linear from its front to its middle, and from there to its back.
+// Pre-integrated classification (Formulas L1). A piece of the ray is divided into slabs with samples at their
+// ends. Along a slab, the scalar is linear from its front to its middle, and from there to its back.
 
 // For each set of functions, the integrals over the scalars from 0 on: colour times optical depth of
 // a unit distance, and that depth; the integrals are counted in entries.
@@ -43,6 +43,25 @@ float FindVisibleShare(SlabEnd front, SlabEnd back)
 #endif
 }
 
+// A hidden end has the scalars of a visible end beside it.
+void FillHiddenEnds(inout SlabEnd ends[TEXTURE_SLICE_SLABS + 1])
+{
+#ifdef TEXTURE_SLICE_HIDING
+  for (int i = 0; i <= TEXTURE_SLICE_SLABS; ++i)
+  {
+    int before = max(i - 1, 0);
+    int after = min(i + 1, TEXTURE_SLICE_SLABS);
+    if (ends[i].visible < 0.0)
+    {
+      ends[i].scalars = ends[before].visible < 0.0 ? ends[after].scalars : ends[before].scalars;
+    }
+  }
+#endif
+}
+
+// The scalars at the ends of the slabs and in their middles, the nearest first.
+#define POINTS (2 * TEXTURE_SLICE_SLABS + 1)
+
 // The second difference of the scalars about three ends in a row.
 vec4 FindBend(SlabEnd before, SlabEnd here, SlabEnd after)
 {
@@ -60,6 +79,24 @@ vec4 FindBend(SlabEnd before, SlabEnd here, SlabEnd after)
 vec4 LimitBend(vec4 a, vec4 b)
 {
   return 0.5 * (sign(a) + sign(b)) * min(abs(a), abs(b));
+}
+
+// The middle of a slab is where the parabola has it that its ends and the next ones lie on.
+void FindPoints(SlabEnd ends[TEXTURE_SLICE_SLABS + 1], out vec4 points[POINTS])
+{
+  vec4 bends[TEXTURE_SLICE_SLABS - 1];
+  for (int i = 0; i < TEXTURE_SLICE_SLABS - 1; ++i)
+  {
+    bends[i] = FindBend(ends[i], ends[i + 1], ends[i + 2]);
+  }
+  points[0] = ends[0].scalars;
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+  {
+    int first = clamp(i - 1, 0, TEXTURE_SLICE_SLABS - 3);
+    vec4 bend = LimitBend(bends[first], bends[first + 1]);
+    points[2 * i + 1] = 0.5 * (ends[i].scalars + ends[i + 1].scalars) - 0.125 * bend;
+    points[2 * i + 2] = ends[i + 1].scalars;
+  }
 }
 
 // Integrals are read at whole entries, because interpolating two of them costs a software renderer
@@ -98,33 +135,37 @@ vec4 AddPart(vec4 color, vec4 front, vec4 back, float scale)
   return color + opacity * vec4(clamp(sum.rgb / max(sum.a, 1e-30), 0.0, 1.0), 1.0);
 }
 
-// Associated colour of a slab, so many unit distances thick, by one component's functions. A slab has two
-// parts, because its front hides some of its back. scalars: front, middle and back.
-vec4 IntegrateComponent(vec4 scalars[3], float units, int row)
+// Associated colours of the slabs, so many unit distances thick, by one component's functions. A slab
+// has two parts, because its front hides some of its back.
+void IntegrateComponent(
+  vec4 points[POINTS], float units[TEXTURE_SLICE_SLABS], int row, out vec4 colors[TEXTURE_SLICE_SLABS])
 {
 #if TEXTURE_SLICE_FUNCTIONS > 1
   int component = row;
-  units *= unitDistanceRatio[row];
+  float ratio = unitDistanceRatio[row];
 #else
   const int component = TEXTURE_SLICE_COMPONENTS - 1;
+  const float ratio = 1.0;
 #endif
-  float last = FindEntry(scalars[0][component], lastIntegral);
+  float last = FindEntry(points[0][component], lastIntegral);
   vec4 front = FetchIntegrals(integralTable, last, row);
-  vec4 color = vec4(0.0);
-  for (int k = 1; k <= 2; ++k)
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
   {
-    float entry = FindNextEntry(last, scalars[k][component], lastIntegral);
-    vec4 back = FetchIntegrals(integralTable, entry, row);
-    color = AddPart(color, front, back, 0.5 * units / abs(entry - last));
-    last = entry;
-    front = back;
-  }
+    colors[i] = vec4(0.0);
+    for (int k = 1; k <= 2; ++k)
+    {
+      float entry = FindNextEntry(last, points[2 * i + k][component], lastIntegral);
+      vec4 back = FetchIntegrals(integralTable, entry, row);
+      colors[i] = AddPart(colors[i], front, back, 0.5 * ratio * units[i] / abs(entry - last));
+      last = entry;
+      front = back;
+    }
 #if TEXTURE_SLICE_FUNCTIONS == 1 && TEXTURE_SLICE_COMPONENTS == 2
-  color.rgb = color.a * LookUp(scalars[1].x, 0).rgb;
+    colors[i].rgb = colors[i].a * LookUp(points[2 * i + 1].x, 0).rgb;
 #elif TEXTURE_SLICE_FUNCTIONS == 1 && TEXTURE_SLICE_COMPONENTS > 2
-  color.rgb = color.a * clamp(scalars[1].rgb, 0.0, 1.0);
+    colors[i].rgb = colors[i].a * clamp(points[2 * i + 1].rgb, 0.0, 1.0);
 #endif
-  return color;
+  }
 }
 
 // A slab with its colours before gradient opacity and light.
@@ -166,20 +207,6 @@ void AddLabel(inout Slab slab, vec3 scalars, float units)
 }
 #endif
 
-// Whether any function shows something of a slab.
-bool IsVisible(Slab slab)
-{
-  float opacity = 0.0;
-  for (int i = 0; i < TEXTURE_SLICE_FUNCTIONS; ++i)
-  {
-    opacity += slab.colors[i].a;
-  }
-#ifdef TEXTURE_SLICE_LABELS
-  opacity += slab.labelled.a;
-#endif
-  return opacity > 0.0;
-}
-
 // Gradient opacity and light on an associated colour.
 vec4 FinishColor(vec4 color, vec4 scalars, int component, int label)
 {
@@ -215,80 +242,52 @@ vec4 FinishSlab(Slab slab)
 #endif
 }
 
-// The ends of slabs in a row: before the slab, its front, its back, and behind it.
-SlabEnd ends[4];
-bool isFirstSlab = true;
+// The end of the piece in front.
+SlabEnd lastEnd;
 
-void FetchEnds(float front, float back, bool begins)
-{
-  isFirstSlab = begins;
-  if (begins)
-  {
-    ends[1] = FetchEnd(PlaceAt(front));
-    ends[2] = FetchEnd(PlaceAt(back));
-  }
-  else
-  {
-    ends[0] = ends[1];
-    ends[1] = ends[2];
-    ends[2] = ends[3];
-  }
-  if (back < raySpan.y)
-  {
-    ends[3] = FetchEnd(PlaceAt(min(back + 1.0, raySpan.y)));
-  }
-}
-
-// How far the middle of the slab is off the line between its ends: where the parabola has it that they
-// and the next ones lie on. A slab that ends between two planes is taken as linear.
-vec4 FindBow(float front, float back)
-{
-  if (back - front < 0.999)
-  {
-    return vec4(0.0);
-  }
-  bool isLastSlab = back >= raySpan.y;
-  vec4 before = isFirstSlab ? vec4(0.0) : FindBend(ends[0], ends[1], ends[2]);
-  vec4 behind = isLastSlab ? before : FindBend(ends[1], ends[2], ends[3]);
-  return -0.125 * LimitBend(isFirstSlab ? behind : before, behind);
-}
-
-void FindScalars(float front, float back, out vec4 scalars[3])
-{
-  scalars[0] = ends[1].scalars;
-  scalars[2] = ends[2].scalars;
-#ifdef TEXTURE_SLICE_HIDING
-  // A hidden end has the scalars of the visible one.
-  scalars[0] = ends[1].visible < 0.0 ? scalars[2] : scalars[0];
-  scalars[2] = ends[2].visible < 0.0 ? scalars[0] : scalars[2];
-#endif
-  scalars[1] = 0.5 * (scalars[0] + scalars[2]) + FindBow(front, back);
-}
-
+// Divides a piece of the ray into slabs, the nearest first.
 void GatherPiece(float front, float back, bool begins)
 {
-  FetchEnds(front, back, begins);
-  Slab slab;
-  slab.place = PlaceAt(0.5 * (front + back));
-  float share = IsLeft(slab.place) ? FindVisibleShare(ends[1], ends[2]) : 0.0;
-  if (share <= 0.0)
+  float thickness = (back - front) / float(TEXTURE_SLICE_SLABS);
+  SlabEnd ends[TEXTURE_SLICE_SLABS + 1];
+  if (begins)
   {
-    return;
+    lastEnd = FetchEnd(PlaceAt(front));
   }
-  float units = share * (back - front) * length(sampleStep);
-  vec4 scalars[3];
-  FindScalars(front, back, scalars);
-  slab.scalars = scalars[1];
+  ends[0] = lastEnd;
+  for (int i = 1; i <= TEXTURE_SLICE_SLABS; ++i)
+  {
+    ends[i] = FetchEnd(PlaceAt(front + float(i) * thickness));
+  }
+  lastEnd = ends[TEXTURE_SLICE_SLABS];
+  FillHiddenEnds(ends);
+  vec4 points[POINTS];
+  FindPoints(ends, points);
+  Slab slabs[TEXTURE_SLICE_SLABS];
+  float units[TEXTURE_SLICE_SLABS];
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+  {
+    slabs[i].place = PlaceAt(front + (float(i) + 0.5) * thickness);
+    slabs[i].scalars = points[2 * i + 1];
+    units[i] = !IsLeft(slabs[i].place)
+      ? 0.0
+      : FindVisibleShare(ends[i], ends[i + 1]) * thickness * length(sampleStep);
+#ifdef TEXTURE_SLICE_LABELS
+    AddLabel(slabs[i], vec3(points[2 * i].x, points[2 * i + 1].x, points[2 * i + 2].x), units[i]);
+#endif
+  }
   for (int row = 0; row < TEXTURE_SLICE_FUNCTIONS; ++row)
   {
-    slab.colors[row] = IntegrateComponent(scalars, units, row);
+    vec4 colors[TEXTURE_SLICE_SLABS];
+    IntegrateComponent(points, units, row, colors);
+    for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+    {
+      slabs[i].colors[row] = colors[i];
+    }
   }
-#ifdef TEXTURE_SLICE_LABELS
-  AddLabel(slab, vec3(scalars[0].x, scalars[1].x, scalars[2].x), units);
-#endif
-  if (IsVisible(slab))
+  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
   {
-    Add(FinishSlab(slab));
+    Add(FinishSlab(slabs[i]));
   }
 }
 #endif
