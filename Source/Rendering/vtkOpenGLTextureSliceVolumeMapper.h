@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkOpenGLTextureSliceVolumeMapper
- * @brief   Draws a volume as slices of a 3-D texture, parallel to the image plane
+ * @brief   Draws a volume by its samples on slices of a 3-D texture, parallel to the image plane
  *
- * A drop-in for vtkOpenGLGPUVolumeRayCastMapper that gives the same picture: the slices are drawn
- * front to back, each sample coloured by the property's transfer functions, its opacity corrected
- * for the distance between two samples along its own ray (which grows away from the centre of a
- * perspective view), so that the picture does not depend on the number of slices. Blending is done
- * in floating point.
+ * A drop-in for vtkOpenGLGPUVolumeRayCastMapper that gives the same picture: along the ray of each
+ * pixel, from front to back, there is a sample on each slice, coloured by the property's transfer
+ * functions. Its opacity is corrected for the distance between two samples along its own ray (which
+ * grows away from the centre of a perspective view), and the first and the last sample reach to the
+ * ends of the ray, so that the picture does not depend on the number of slices. Rays end exactly at
+ * the faces of the volume, clipping planes, the near plane and opaque geometry; a short ray has two
+ * samples at least. Bricks of voxels in which the functions show nothing are skipped.
  *
  * Input: a vtkImageData, with any spacing and direction matrix, or a vtkRectilinearGrid, whose
  * coordinates ascend; one to four components of point or cell scalars of any number type, with any
@@ -174,18 +176,15 @@ public:
 
   ///@{
   /**
-   * Pre-integrated classification (Engel, Kraus and Ertl 2001): a slice stands for a slab of the
-   * volume, along which the scalar is taken as linear, and the transfer functions are integrated
-   * from the scalar at its front to the scalar at its back, in place of the look-up of one sample.
-   * What the functions show between two samples (an iso-value, a narrow colour step) is then found:
-   * steep functions leave no rings, and fewer slices are enough. It holds in the composite blend
-   * mode with linear interpolation and one-dimensional functions, with all that goes with them;
-   * other blend modes, nearest interpolation and two-dimensional functions ignore it. Of two or
-   * four dependent components the opacity is integrated, and the colour is that of the middle of
-   * the slab. The number of slices is rounded up to a multiple of four, and is larger, up to four
-   * times, where what is drawn is thinner than four slices. Rays end exactly at clipping planes and
-   * opaque geometry, in place of at the nearest slice. Default: off, the picture of VTK's ray
-   * caster.
+   * Pre-integrated classification (Engel, Kraus and Ertl 2001): a ray consists of slabs between two
+   * slices, along which the scalar is taken as linear, and the transfer functions are integrated
+   * from the scalar at the front of a slab to that at its back, in place of the look-up of one
+   * sample. What the functions show between two samples (an iso-value, a narrow colour step) is
+   * then found: steep functions leave no rings, and fewer slices are enough. It holds in the
+   * composite blend mode with linear interpolation and one-dimensional functions, with all that
+   * goes with them; other blend modes, nearest interpolation and two-dimensional functions ignore
+   * it. Of two or four dependent components the opacity is integrated, and the colour is that of
+   * the middle of the slab. Default: off, the picture of VTK's ray caster.
    */
   vtkSetMacro(PreIntegration, bool);
   vtkGetMacro(PreIntegration, bool);
@@ -193,7 +192,8 @@ public:
   ///@}
 
   /**
-   * Slices that the last frame drew; 0 before the first.
+   * Slices that the last frame drew; 0 before the first. With nearest interpolation there is one
+   * more than NumberOfSlices where slices would lie on faces between voxels.
    */
   int GetNumberOfDrawnSlices() const;
 
