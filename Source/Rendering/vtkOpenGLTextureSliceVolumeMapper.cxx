@@ -100,7 +100,6 @@ std::string FindIgnored(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
   { ignored += asked ? (ignored.empty() ? "" : ", ") + std::string(name) : ""; };
   vtkShaderProperty* shaders = volume->GetShaderProperty();
   add(mapper->GetUseDepthPass() != 0, "UseDepthPass");
-  add(volume->GetProperty()->GetUseClippedVoxelIntensity() != 0, "UseClippedVoxelIntensity");
   add(mapper->GetRenderToImage() != 0, "RenderToImage");
   add(shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasFragmentShaderCode() ||
         shaders->HasVertexShaderCode(),

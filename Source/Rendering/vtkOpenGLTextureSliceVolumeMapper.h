@@ -26,9 +26,10 @@
  * linearly, has the value, whatever the number of slices; of two dependent components the second
  * has the surfaces and gives their opacity, the first gives the colour. Light and gradient opacity
  * as in VTK's ray caster; they count where places are shown (composite, isosurface, slice), not in
- * projections. Two-dimensional transfer functions (scalar and gradient magnitude, or scalar and the
- * array that Transfer2DYAxisArray names) in the composite mode. A mask of the volume's dimensions,
- * one unsigned char each: binary, or labels with functions of their own. Cropping, clipping planes,
+ * projections. UseClippedVoxelIntensity gives what is clipped away a scalar of its own there.
+ * Two-dimensional transfer functions (scalar and gradient magnitude, or scalar and the array that
+ * Transfer2DYAxisArray names) in the composite mode. A mask of the volume's dimensions, one
+ * unsigned char each: binary, or labels with functions of their own. Cropping, clipping planes,
  * opaque geometry, a camera inside the volume, and final window and level work as in VTK's ray
  * caster. Translucent geometry is behind the volume, unless the renderer peels both by depth
  * (SetUseDepthPeelingForVolumes).
@@ -47,9 +48,8 @@
  * the range, volumes larger than the largest 3-D texture, and a 2-D image, which has no thickness.
  * Refused with an error when it is met: four components with hidden points, and render passes that
  * peel volumes in a way that is not VTK's. What is refused or ignored is said once, not in each
- * frame. Jittering is ignored; UseDepthPass, RenderToImage, user shaders and
- * UseClippedVoxelIntensity are ignored with a warning. A hardware selection finds the volume, not
- * its voxels.
+ * frame. Jittering is ignored; UseDepthPass, RenderToImage and user shaders are ignored with a
+ * warning. A hardware selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h

@@ -347,9 +347,6 @@ TEST_F(RenderSupport, SaysOnceWhatIsLeftOut)
   EXPECT_EQ(count("UseDepthPass, RenderToImage, which"), 1);
   mapper->UseDepthPassOff();
   mapper->RenderToImageOff();
-  property->UseClippedVoxelIntensityOn();
-  EXPECT_EQ(count("UseClippedVoxelIntensity"), 1);
-  property->UseClippedVoxelIntensityOff();
   auto* shaders = this->Stage->GetVolume()->GetShaderProperty();
   shaders->AddFragmentShaderReplacement("//VTK::Base::Init", true, "", false);
   EXPECT_EQ(count("the shader property"), 1);

@@ -289,6 +289,21 @@ TEST_F(SubjectsOfVTK, ShadedClipping)
   this->ExpectSamePicture("subject-shaded-clipping", 0.65);
 }
 
+// Some programs make each clipped surface one of its own, for gradients that end there.
+TEST_F(SubjectsOfVTK, ShadedClippingWithClippedVoxelIntensity)
+{
+  this->UseTallStorm();
+  this->Stage->GetProperty()->ShadeOn();
+  vtkNew<vtkTransform> nothing;
+  this->Clip({-6.0, -6.0, 0.0}, {-0.6, 0.8, 0.0}, nothing);
+  const Picture without = this->Stage->Draw(this->Configure(this->Slices));
+  this->Stage->GetProperty()->UseClippedVoxelIntensityOn();
+  this->Stage->GetProperty()->SetClippedVoxelIntensity(-30.0);
+  const Picture with = this->ExpectSamePicture("subject-clipped-voxel-intensity", 0.9);
+  EXPECT_AT_LEAST(Compare(without, with, this->Stage->Draw(nullptr)).LargestMean(), 0.5,
+    "what the intensity changes, of 255");
+}
+
 // Each of the 27 regions alone, in a fog that shows all of the box.
 TEST_F(SubjectsOfVTK, EveryCroppingRegion)
 {

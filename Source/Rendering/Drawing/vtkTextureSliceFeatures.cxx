@@ -32,7 +32,8 @@ constexpr const char* Opaque = "(1023.0 / 1024.0)";
 constexpr const char* LeastSamples = "2.0";
 constexpr const char* LeastSlabs = "4.0";
 
-/// Neighbouring slabs share a sample, and four in a row are computed faster than one after the other.
+/// Neighbouring slabs share a sample, and four in a row are computed faster than one after the
+/// other.
 constexpr int SlabsOfPiece = 4;
 
 /// What a vtkTextureSliceTable of so many rows is in the shader.
@@ -64,6 +65,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->Parallel, defines, "PARALLEL");
   DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
   DefineIf(this->SmoothGradient, defines, "SMOOTH_GRADIENT");
+  DefineIf(this->ClippedScalars && this->ClippingPlanes > 0, defines, "CLIPPED_SCALARS");
   DefineIf(this->Table2D, defines, "TABLE_2D");
   DefineIf(this->ExtremeSample, defines, "EXTREME_SAMPLE");
   DefineIf(this->NeedsGradient(), defines, "GRADIENT");

@@ -19,8 +19,9 @@ struct vtkTextureSliceFeatures
   bool Parallel = false;
   bool GradientOpacity = false;
   bool SmoothGradient = false;
-  bool Table2D = false; ///< functions over scalar and gradient magnitude, or a second array
-  int SecondArray = 0;  ///< components of the second array; 0: there is none
+  bool ClippedScalars = false; ///< gradients take one scalar for what is clipped away
+  bool Table2D = false;        ///< functions over scalar and gradient magnitude, or a second array
+  int SecondArray = 0;         ///< components of the second array; 0: there is none
   bool SecondMasked = false;
   bool BinaryMask = false;  ///< samples outside of the mask are left out
   int Labels = 0;           ///< labels that have functions of their own

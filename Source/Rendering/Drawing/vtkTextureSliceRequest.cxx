@@ -244,6 +244,7 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
     IsExtreme(this->BlendMode) && this->Components > 1 && !this->IsIndependent();
   features.GradientOpacity = this->ShowsPlaces() && this->HasGradientOpacity();
   features.SmoothGradient = this->SmoothGradient;
+  features.ClippedScalars = this->Property->GetUseClippedVoxelIntensity() != 0;
   features.Table2D = this->Has2D();
   features.SecondArray = this->ReadsSecondArray() ? this->SecondArray : 0;
   features.BinaryMask = this->BinaryMask;
@@ -382,6 +383,8 @@ void vtkTextureSliceRequest::SetUniforms(
     }
     uniforms.ScalarScale[c] = static_cast<float>(target.Scale / Width(target));
     uniforms.ScalarBias[c] = static_cast<float>(Normalized(target.Bias, target));
+    uniforms.ClippedScalars[c] =
+      static_cast<float>(Normalized(this->Property->GetClippedVoxelIntensity(), target));
   }
   uniforms.Surfaces = this->MakeSurfaces();
   uniforms.IsoValues = this->MakeIsoValues(components.back());

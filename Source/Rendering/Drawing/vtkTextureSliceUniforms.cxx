@@ -64,6 +64,7 @@ void SetVolume(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniform
   program->SetUniform4f("stair", frame.GetStair().data());
   program->SetUniform3f("inverseAspect", frame.GetInverseAspect().data());
   program->SetUniform2f("averageRange", uniforms.AverageRange.data());
+  program->SetUniform4f("clippedScalars", uniforms.ClippedScalars.data());
   if (uniforms.Features.IsoValues > 0)
   {
     SetArray(program, "isoValues", uniforms.IsoValues);

@@ -67,6 +67,7 @@ struct vtkTextureSliceUniforms
   const vtkTextureSliceShadows* Shadows = nullptr; ///< used if Features.Shadows
   int CropFlags = 0;
   std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are
+  std::array<float, 4> ClippedScalars{};   ///< likewise; used if Features.ClippedScalars
   std::vector<float> IsoValues;            ///< ascending, 0 to 1 as the scalars are
 
   std::array<float, 3> SelectionColor{}; ///< used if Features.Selection

@@ -146,9 +146,23 @@ uniform vec3 voxelStep;
 // The mean spacing over twice the spacing along each axis.
 uniform vec3 inverseAspect;
 
+#ifdef TEXTURE_SLICE_CLIPPED_SCALARS
+// What is clipped away has this scalar, 0 to 1 over the range of each component.
+uniform vec4 clippedScalars;
+#endif
+
 // A hidden neighbour counts as the sample itself: the edge of what is visible is not a slope.
 float FetchNeighbour(vec3 at, int component, float here)
 {
+#ifdef TEXTURE_SLICE_CLIPPED_SCALARS
+  for (int i = 0; i < TEXTURE_SLICE_CLIPPING_PLANES; ++i)
+  {
+    if (dot(clippingPlanes[i], vec4(at, 1.0)) < 0.0)
+    {
+      return clippedScalars[component];
+    }
+  }
+#endif
   vec4 scalars;
   return FetchScalars(at, scalars) ? scalars[component] : here;
 }
