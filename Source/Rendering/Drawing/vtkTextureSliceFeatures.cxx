@@ -32,10 +32,6 @@ constexpr const char* Opaque = "(1023.0 / 1024.0)";
 constexpr const char* LeastSamples = "2.0";
 constexpr const char* LeastSlabs = "4.0";
 
-/// Neighbouring slabs share a sample, and four in a row are computed faster than one after the
-/// other.
-constexpr int SlabsOfPiece = 4;
-
 /// What a vtkTextureSliceTable of so many rows is in the shader.
 const char* SamplerOf(int rows)
 {

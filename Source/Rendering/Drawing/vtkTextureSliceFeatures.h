@@ -31,6 +31,8 @@ struct vtkTextureSliceFeatures
   bool Scattering = false;  ///< a part of the light is scattered, and shadowed in full
   int Lights = -1;          ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
+  /// Neighbouring slabs share a sample, and several are computed faster than one after the other.
+  static constexpr int SlabsOfPiece = 4;
   bool Slabs = false; ///< the functions are integrated over slabs (Formulas L1)
   /// An extreme of dependent components: all of them are those of the sample with the extreme of
   /// the last one.

@@ -188,6 +188,7 @@ void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms
 {
   program->SetUniformi("integralTable", uniforms.Integrals->GetTexture()->GetTextureUnit());
   program->SetUniformf("lastIntegral", GetLastEntry(*uniforms.Integrals));
+  program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
   if (uniforms.Features.Labels > 0)
   {
     program->SetUniformi(

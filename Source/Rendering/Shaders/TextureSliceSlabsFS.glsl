@@ -242,6 +242,12 @@ vec4 FinishSlab(Slab slab)
 #endif
 }
 
+#ifdef TEXTURE_SLICE_GRADIENT
+// TEXTURE_SLICE_SLABS, as a number that the compiler does not know: it would take seconds for several copies of
+// gradient and light.
+uniform int slabsOfPiece;
+#endif
+
 // The end of the piece in front.
 SlabEnd lastEnd;
 
@@ -285,7 +291,12 @@ void GatherPiece(float front, float back, bool begins)
       slabs[i].colors[row] = colors[i];
     }
   }
-  for (int i = 0; i < TEXTURE_SLICE_SLABS; ++i)
+#ifdef TEXTURE_SLICE_GRADIENT
+  int count = slabsOfPiece;
+#else
+  const int count = TEXTURE_SLICE_SLABS;
+#endif
+  for (int i = 0; i < count; ++i)
   {
     Add(FinishSlab(slabs[i]));
   }
