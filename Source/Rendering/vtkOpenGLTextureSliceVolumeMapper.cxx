@@ -277,10 +277,9 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
   {
     return unsupported;
   }
-  if (!this->Parts->Peeling.Update(this, volume))
+  if (const char* unsupported = this->Parts->Peeling.Update(renderer, this, volume))
   {
-    return "a render pass peels the volume in a way that is not known: call "
-           "SetUseDepthPeelingForVolumes(false) on the renderer";
+    return unsupported;
   }
   if (request.IsEmpty())
   {

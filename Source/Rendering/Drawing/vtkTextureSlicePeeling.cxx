@@ -6,6 +6,8 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkOpenGLRenderPass.h"
 #include "vtkOpenGLState.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
 #include "vtkVolume.h"
@@ -45,9 +47,20 @@ vtkTextureSlicePeeling::Stage FindStage(const std::string& declared)
   return vtkTextureSlicePeeling::None;
 }
 
+/// VTK's pass cannot read the opaque geometry's depth from several samples a pixel, and takes all
+/// that is translucent for hidden. Passes of the renderer's own draw into pictures without them.
+const char* FindUnsupported(vtkRenderer* renderer)
+{
+  return renderer->GetPass() == nullptr && renderer->GetRenderWindow()->GetMultiSamples() > 0
+           ? "VTK's depth peeling draws nothing in a window with multisamples: call "
+             "SetMultiSamples(0) on the window"
+           : nullptr;
+}
+
 } // namespace
 
-bool vtkTextureSlicePeeling::Update(vtkAbstractMapper* mapper, vtkVolume* volume)
+const char* vtkTextureSlicePeeling::Update(
+  vtkRenderer* renderer, vtkAbstractMapper* mapper, vtkVolume* volume)
 {
   this->Asked = None;
   this->Picture = 0;
@@ -64,10 +77,13 @@ bool vtkTextureSlicePeeling::Update(vtkAbstractMapper* mapper, vtkVolume* volume
     {
       this->Pass = pass;
       this->Asked = FindStage(declared);
-      return this->Asked != None;
+      return this->Asked == None
+               ? "a render pass peels the volume in a way that is not known: call "
+                 "SetUseDepthPeelingForVolumes(false) on the renderer"
+               : FindUnsupported(renderer);
     }
   }
-  return true;
+  return nullptr;
 }
 
 void vtkTextureSlicePeeling::SetUniforms(vtkShaderProgram* program) const

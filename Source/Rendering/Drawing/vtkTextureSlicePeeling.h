@@ -6,6 +6,7 @@
 class vtkAbstractMapper;
 class vtkOpenGLRenderPass;
 class vtkOpenGLState;
+class vtkRenderer;
 class vtkShaderProgram;
 class vtkVolume;
 
@@ -29,9 +30,9 @@ public:
 
   /**
    * Asks the render passes that draw the volume what they want.
-   * @return false if a pass peels in a way that is not known.
+   * @return one line that says why they cannot have it; nullptr if they can
    */
-  bool Update(vtkAbstractMapper* mapper, vtkVolume* volume);
+  const char* Update(vtkRenderer* renderer, vtkAbstractMapper* mapper, vtkVolume* volume);
   Stage GetStage() const { return this->Asked; }
 
   /// The pictures to be drawn one after the other; picture 0 is in front if there are two.

@@ -52,7 +52,9 @@ struct vtkTextureSlicePixelMap
 
 /**
  * Planes of equal depth, in the middle of equal intervals between the nearest and the farthest
- * point of what is drawn. Places on a ray are counted in slices: 0 is the nearest plane.
+ * point of what is drawn. Where many of them would lie on faces between voxels, all are nearer by a
+ * quarter of a voxel, or of an interval. Places on a ray are counted in slices: 0 is the nearest
+ * plane.
  */
 class VTKNEXRADRENDERING_EXPORT vtkTextureSlicePlanes
 {

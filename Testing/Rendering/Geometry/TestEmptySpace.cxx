@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What is left out of a volume, against a look at every voxel and every pixel.
-#include "Tolerance.h"
+// What is left out of a volume, against a look at every voxel and every brick.
 #include "vtkTextureSliceBricks.h"
-#include "vtkTextureSliceOccupancy.h"
-#include "vtkTextureSliceTiles.h"
+#include "vtkTextureSliceDistanceMap.h"
 #include "vtkTextureSliceVisibility.h"
 
 #include "vtkFloatArray.h"
@@ -13,19 +11,18 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <limits>
-#include <numeric>
+#include <cstdlib>
 #include <random>
+#include <vector>
 
 namespace
 {
 
-using Share = vtkTextureSliceOccupancy::Share;
-using vtkTextureSlice::Polygon;
-using vtkTextureSlice::Vector;
+using Vector = std::array<double, 3>;
 
-constexpr std::array<int, 3> Size{11, 7, 9};
+constexpr std::array<int, 3> Size{22, 14, 19};
 
 vtkIdType Id(int x, int y, int z)
 {
@@ -160,224 +157,93 @@ TEST(EmptySpace, VisibilityIsThatOfTheInterpolatedTable)
   EXPECT_TRUE(visible(-9.0, -8.0)) << "beyond its ends a table holds its last entries";
 }
 
-TEST(EmptySpace, OccupancyCountsTheBricksThatABoxTouches)
-{
-  std::mt19937 random(3);
-  const std::array<int, 3> count{5, 4, 3};
-  std::vector<unsigned char> visible(60);
-  for (unsigned char& brick : visible)
-  {
-    brick = random() % 6 == 0 ? 1 : 0;
-  }
-  vtkTextureSliceOccupancy occupancy;
-  occupancy.Build(count, {0.2, 0.25, 0.4}, visible); // the last along z is half as high
-  std::uniform_real_distribution<double> place(-0.2, 1.2);
-  std::array<int, 3> found{};
-  for (int trial = 0; trial < 2000; ++trial)
-  {
-    Vector low{place(random), place(random), place(random)};
-    Vector high{place(random), place(random), place(random)};
-    int touched = 0;
-    int touchedVisible = 0;
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      high[axis] = low[axis] + 0.5 * std::abs(high[axis] - low[axis]);
-    }
-    for (int brick = 0; brick < 60; ++brick)
-    {
-      const std::array<double, 3> begin{brick % 5 * 0.2, brick / 5 % 4 * 0.25, brick / 20 * 0.4};
-      const std::array<double, 3> edge{0.2, 0.25, brick / 20 == 2 ? 0.2 : 0.4};
-      bool touches = true;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        touches = touches && low[axis] <= begin[axis] + edge[axis] && high[axis] >= begin[axis];
-      }
-      touched += touches ? 1 : 0;
-      touchedVisible += touches ? visible[std::size_t(brick)] : 0;
-    }
-    const Share expected = touchedVisible == 0         ? Share::Nothing
-                           : touchedVisible == touched ? Share::Everything
-                                                       : Share::Something;
-    EXPECT_EQ(occupancy.Find(low, high), expected) << "trial " << trial;
-    ++found[std::size_t(expected)];
-  }
-  EXPECT_AT_LEAST(*std::min_element(found.begin(), found.end()), 20, "boxes of the rarest answer")
-    << "each answer must be asked for";
-}
-
 namespace
 {
 
-bool Contains(const Polygon& polygon, double x, double y)
+constexpr std::array<int, 3> Bricks{19, 11, 70};
+
+/// So many random bricks are visible.
+std::vector<unsigned char> MakeVisible(int number, unsigned int seed)
 {
-  int left = 0;
-  int right = 0;
-  for (std::size_t i = 0; i < polygon.size(); ++i)
+  std::mt19937 random(seed);
+  std::vector<unsigned char> visible(19 * 11 * 70, 0);
+  for (int i = 0; i < number; ++i)
   {
-    const Vector& a = polygon[i];
-    const Vector& b = polygon[(i + 1) % polygon.size()];
-    const double side = (b[0] - a[0]) * (y - a[1]) - (b[1] - a[1]) * (x - a[0]);
-    left += side > 0.0 ? 1 : 0;
-    right += side < 0.0 ? 1 : 0;
+    visible[random() % visible.size()] = 1;
   }
-  return left == 0 || right == 0;
+  return visible;
+}
+
+std::array<int, 3> IndexOf(std::size_t brick)
+{
+  const int id = static_cast<int>(brick);
+  return {id % Bricks[0], id / Bricks[0] % Bricks[1], id / (Bricks[0] * Bricks[1])};
 }
 
 } // namespace
 
-TEST(EmptySpace, TilesEndBehindDenseSlicesThatCoverThem)
+TEST(EmptySpace, DistancesAreThoseOfAChessboard)
 {
-  // Everything is visible, the lower x half dense; three dense slices make a pixel opaque.
-  vtkTextureSliceOccupancy everything;
-  vtkTextureSliceOccupancy dense;
-  dense.Build({2, 1, 1}, {0.5, 1.0, 1.0}, {1, 0});
-  vtkTextureSliceOnScreen slice;
-  slice.Outline = {{0.0, 0.0, 0.0}, {250.0, 0.0, 0.0}, {250.0, 128.0, 0.0}, {0.0, 128.0, 0.0}};
-  slice.Right = {1.0 / 256, 0.0, 0.0};
-  slice.Up = {0.0, 1.0 / 128, 0.0};
-  vtkTextureSliceTiles tiles(everything, {0, 0, 256, 128}, {&dense, 3});
-  for (int layer = 0; layer < 6; ++layer)
+  for (const int number : {1, 2, 9, 400})
   {
-    slice.Origin = {0.0, 0.0, 0.1 * layer};
-    const std::vector<Polygon>& parts = tiles.Cover(slice);
-    const auto covers = [&](double x, double y)
+    const std::vector<unsigned char> visible =
+      MakeVisible(number, static_cast<unsigned int>(number));
+    vtkTextureSliceDistanceMap map;
+    map.Build(Bricks, {1.0 / 19, 1.0 / 11, 1.0 / 70}, visible);
+    std::vector<std::array<int, 3>> seen;
+    for (std::size_t brick = 0; brick < visible.size(); ++brick)
     {
-      return std::any_of(
-        parts.begin(), parts.end(), [&](const Polygon& part) { return Contains(part, x, y); });
-    };
-    EXPECT_EQ(covers(20.5, 60.5), layer < 3) << "slice " << layer;
-    EXPECT_EQ(covers(100.5, 100.5), layer < 3) << "slice " << layer;
-    EXPECT_TRUE(covers(140.5, 60.5)) << "slice " << layer;
-    EXPECT_TRUE(covers(249.5, 127.5)) << "slice " << layer;
-  }
-}
-
-TEST(EmptySpace, DenseSlicesHideWhatIsBehindTheirOutline)
-{
-  // All of a block is dense, and three slices make a pixel opaque; it leans upwards, so that each
-  // slice shows a little more at its upper edge.
-  const vtkTextureSliceOccupancy everything;
-  vtkTextureSliceTiles tiles(everything, {0, 0, 256, 192}, {&everything, 3});
-  std::vector<int> layers(256 * 192, 0);
-  for (int number = 0; number < 24; ++number)
-  {
-    const double up = 5.31 * number;
-    vtkTextureSliceOnScreen slice;
-    slice.Outline = {{-9.1, up - 20.0, 0.0}, {230.4, up - 9.0, 0.0}, {240.7, up + 60.37, 0.0},
-      {10.3, up + 43.0, 0.0}};
-    slice.Right = {1.0 / 256, 0.0, 0.0};
-    slice.Up = {0.0, 1.0 / 192, 0.0};
-    slice.Origin = {0.0, 0.0, number / 24.0};
-    const std::vector<Polygon>& parts = tiles.Cover(slice);
-    for (std::size_t pixel = 0; pixel < layers.size(); ++pixel)
-    {
-      const double x = static_cast<double>(pixel % 256) + 0.5;
-      const double y = static_cast<double>(pixel / 256) + 0.5;
-      const auto covered = std::count_if(
-        parts.begin(), parts.end(), [&](const Polygon& part) { return Contains(part, x, y); });
-      const bool inOutline = Contains(slice.Outline, x, y);
-      ASSERT_LE(covered, inOutline ? 1 : 0) << "slice " << number << ", pixel " << x << ", " << y;
-      ASSERT_TRUE(covered == 1 || !inOutline || layers[pixel] >= 3)
-        << "slice " << number << ", pixel " << x << ", " << y;
-      layers[pixel] += int(covered);
-    }
-  }
-  const auto drawn = std::accumulate(layers.begin(), layers.end(), 0);
-  const auto visible = std::count_if(layers.begin(), layers.end(), [](int n) { return n > 0; });
-  // Three slices each, one more along outlines and in tiles at corners.
-  EXPECT_AT_MOST(
-    static_cast<double>(drawn) / static_cast<double>(visible), 5.0, "slices drawn a visible pixel");
-}
-
-TEST(EmptySpace, TilesCoverEachVisiblePixelOnce)
-{
-  // A slice askew through a volume of which one brick in eight is visible, partly outside of the
-  // viewport.
-  std::mt19937 random(11);
-  const std::array<int, 3> count{16, 16, 8};
-  const std::array<double, 3> edge{1.0 / 16, 1.0 / 16, 1.0 / 8};
-  std::vector<unsigned char> visible(16 * 16 * 8);
-  for (unsigned char& brick : visible)
-  {
-    brick = random() % 8 == 0 ? 1 : 0;
-  }
-  vtkTextureSliceOccupancy occupancy;
-  occupancy.Build(count, edge, visible);
-
-  vtkTextureSliceOnScreen slice;
-  slice.Outline = {{40.3, -30.0, 0.0}, {520.2, 60.7, 0.0}, {400.5, 330.1, 0.0}, {90.9, 250.6, 0.0}};
-  slice.Origin = {-0.05, 0.02, 0.9};
-  slice.Right = {0.0019, 0.0004, -0.0006};
-  slice.Up = {-0.0003, 0.0026, -0.0014};
-  const std::array<int, 2> viewport{480, 320};
-  vtkTextureSliceTiles tiles(occupancy, {0, 0, viewport[0], viewport[1]});
-  const std::vector<Polygon>& parts = tiles.Cover(slice);
-
-  int drawn = 0;
-  int needed = 0;
-  int inside = 0;
-  for (int j = 0; j < viewport[1]; ++j)
-  {
-    for (int i = 0; i < viewport[0]; ++i)
-    {
-      const double x = i + 0.5;
-      const double y = j + 0.5;
-      const auto covered = std::count_if(
-        parts.begin(), parts.end(), [&](const Polygon& part) { return Contains(part, x, y); });
-      ASSERT_LE(covered, 1) << "pixel " << i << ", " << j;
-      std::array<int, 3> brick;
-      bool inBox = true;
-      for (std::size_t axis = 0; axis < 3; ++axis)
+      if (visible[brick] != 0)
       {
-        const double place = slice.Origin[axis] + x * slice.Right[axis] + y * slice.Up[axis];
-        inBox = inBox && place >= 0.0 && place < 1.0;
-        brick[axis] = int(place / edge[axis]);
+        seen.push_back(IndexOf(brick));
       }
-      const bool inOutline = Contains(slice.Outline, x, y);
-      const bool need =
-        inBox && inOutline && visible[std::size_t((brick[2] * 16 + brick[1]) * 16 + brick[0])] != 0;
-      ASSERT_TRUE(covered == 1 || !need) << "pixel " << i << ", " << j;
-      ASSERT_TRUE(covered == 0 || inOutline) << "pixel " << i << ", " << j;
-      drawn += int(covered);
-      needed += need ? 1 : 0;
-      inside += inOutline ? 1 : 0;
     }
+    for (std::size_t brick = 0; brick < visible.size(); ++brick)
+    {
+      const std::array<int, 3> here = IndexOf(brick);
+      int nearest = vtkTextureSliceDistanceMap::MostDistance;
+      for (const std::array<int, 3>& there : seen)
+      {
+        nearest = std::min(nearest, std::max({std::abs(here[0] - there[0]),
+                                      std::abs(here[1] - there[1]), std::abs(here[2] - there[2])}));
+      }
+      ASSERT_EQ(map.GetDistances()[brick], nearest) << number << " visible, brick " << brick;
+    }
+    EXPECT_EQ(map.GetVisibleShare(),
+      static_cast<double>(seen.size()) / static_cast<double>(visible.size()));
   }
-  EXPECT_AT_LEAST(needed, 5'000, "tiles needed");
-  EXPECT_AT_MOST(static_cast<double>(drawn) / static_cast<double>(inside), 0.28,
-    "pixels drawn, part of those inside");
 }
 
-// A plane through the middle of the box, and a brick far behind or before it: what counts is
-// whether the rays' segments reach it.
-TEST(EmptySpace, SegmentsReachBricksBesideTheSlice)
+TEST(EmptySpace, TheSeenPartIsThatAboutAllVisibleBricks)
 {
-  vtkTextureSliceOccupancy occupancy;
-  occupancy.Build({1, 1, 4}, {1.0, 1.0, 0.25}, {1, 0, 0, 0});
-  vtkTextureSliceOnScreen slice;
-  slice.Outline = {{0, 0, 0}, {100, 0, 0}, {100, 100, 0}, {0, 100, 0}};
-  slice.Origin = {0.1, 0.1, 0.5};
-  slice.Right = {0.005, 0.0, 0.0};
-  slice.Up = {0.0, 0.005, 0.0};
-  const vtkTextureSlicePixels picture{0, 0, 100, 100};
-  const auto find = [&] { return vtkTextureSliceTiles::FindVisible(occupancy, slice, picture); };
-  EXPECT_EQ(find(), Share::Nothing);
-  slice.Segments.Reach = {0.5, 0.5};
-  slice.Segments.Step = {0.0, 0.0, 0.6};
-  EXPECT_EQ(find(), Share::Something);
-  slice.Segments.Step = {0.0, 0.0, -0.6}; // it is before the slice then
-  EXPECT_EQ(find(), Share::Something);
-  slice.Segments.Step = {0.0, 0.0, 0.4};
-  EXPECT_EQ(find(), Share::Nothing);
-  // The first segment of a ray reaches to the face of the part.
-  slice.Segments.Part[4] = 0.2;
-  EXPECT_EQ(find(), Share::Something);
-  // Rays that diverge from a point in the middle of the far face.
-  slice.Segments.Part[4] = 0.0;
-  slice.Segments.Growth = 1.2;
-  slice.Segments.Step = {-0.6, -0.6, -1.2};
-  EXPECT_EQ(find(), Share::Something);
-  slice.Segments.Growth = 0.4;
-  slice.Segments.Step = {-0.2, -0.2, -0.4};
-  EXPECT_EQ(find(), Share::Nothing);
+  std::vector<unsigned char> visible(19 * 11 * 70, 0);
+  const auto show = [&visible](int x, int y, int z)
+  { visible[static_cast<std::size_t>((z * Bricks[1] + y) * Bricks[0] + x)] = 1; };
+  vtkTextureSliceDistanceMap map;
+  const auto find = [&]
+  {
+    map.Build(Bricks, {1.0 / 19, 1.0 / 11, 1.0 / 69.5}, visible); // the last along z is cut
+    return map.FindSeen();
+  };
+  show(3, 10, 5);
+  show(7, 2, 6);
+  const std::array<double, 6> inside{3 / 19.0, 8 / 19.0, 2 / 11.0, 1.0, 5 / 69.5, 7 / 69.5};
+  std::array<double, 6> seen = find();
+  for (std::size_t side = 0; side < 6; ++side)
+  {
+    EXPECT_NEAR(seen[side], inside[side], 1e-12) << "side " << side;
+  }
+  show(0, 0, 69);
+  seen = find();
+  EXPECT_EQ(seen[5], 1.0);
+  EXPECT_EQ(seen[0], 0.0);
+}
+
+TEST(EmptySpace, WithoutVisibleBricksNothingIsSeen)
+{
+  vtkTextureSliceDistanceMap map;
+  map.Build(Bricks, {1.0 / 19, 1.0 / 11, 1.0 / 70}, std::vector<unsigned char>(19 * 11 * 70, 0));
+  EXPECT_EQ(map.GetVisibleShare(), 0.0);
+  EXPECT_EQ(*std::min_element(map.GetDistances().begin(), map.GetDistances().end()),
+    vtkTextureSliceDistanceMap::MostDistance);
 }
