@@ -2,9 +2,11 @@
 // Volumes that VTK's dual depth peeling draws among translucent geometry, beside VTK's GPU ray
 // caster.
 #include "RayCasterComparison.h"
+#include "Scenes.h"
 #include "Tolerance.h"
 
 #include "vtkActor.h"
+#include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkContourValues.h"
 #include "vtkImageData.h"
@@ -192,6 +194,25 @@ TEST_F(DepthPeeling, OtherPasses)
   this->AddGlass();
   this->Stage->GetRenderer()->UseSSAOOn();
   this->ExpectSamePicture("ambient-occlusion-of-geometry", 0.22);
+}
+
+// VTK's pass draws nothing translucent there, and OpenGL refuses its copy of the depth.
+TEST_F(DepthPeeling, MultisamplesAreRefusedOnce)
+{
+  constexpr int multisamples = 4;
+  Scene scene(PictureSize, PictureSize, multisamples, false);
+  SetStormFunctions(scene.GetProperty(), VTK_FLOAT);
+  scene.GetRenderer()->SetActiveCamera(this->Stage->GetRenderer()->GetActiveCamera());
+  this->AddGlass();
+  scene.GetRenderer()->AddActor(this->Stage->GetRenderer()->GetActors()->GetLastActor());
+  scene.GetWindow()->SetAlphaBitPlanes(1);
+  scene.GetRenderer()->SetUseDepthPeeling(1);
+  scene.GetRenderer()->SetUseDepthPeelingForVolumes(true);
+  scene.GetVolume()->SetMapper(this->Configure(this->Slices));
+  scene.GetWindow()->Render();
+  EXPECT_NE(this->TakeMessages().find("SetMultiSamples(0)"), std::string::npos);
+  scene.GetWindow()->Render();
+  EXPECT_EQ(this->TakeMessages(), "");
 }
 
 TEST_F(DepthPeeling, UnknownPassesAreRefusedOnce)

@@ -11,13 +11,17 @@
 #include "vtkImageData.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
+#include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
+#include "vtkSSAAPass.h"
 #include "vtkSmartVolumeMapper.h"
 #include "vtkSphereSource.h"
 #include "vtkTextureSliceObjectFactory.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
+
+#include <iostream>
 
 namespace
 {
@@ -115,6 +119,40 @@ TEST_F(GeometryBeside, TwoVolumes)
   EXPECT_AT_MOST(Compare(actual, expected, background).LargestMean(), Allowed(0.21),
     "mean difference to the ray caster, of 255");
   EXPECT_GT(Compare(actual, single, background).Pixels, Compare(single, single, background).Pixels);
+}
+
+// A pass that draws into a picture four times as wide and high, and averages: the storm stands
+// where it stands without it, hidden by the same ball.
+TEST_F(GeometryBeside, PassWithALargerPicture)
+{
+  this->AddSphere(-12.0, -12.0, 8.0, 8.0, 1.0);
+  this->Configure(this->Slices);
+  const auto draw = [&](bool larger)
+  {
+    vtkNew<vtkRenderStepsPass> steps;
+    vtkNew<vtkSSAAPass> pass;
+    pass->SetDelegatePass(steps);
+    this->Stage->GetRenderer()->SetPass(larger ? pass.Get() : nullptr);
+    Picture picture = this->Stage->Draw(this->Slices);
+    pass->ReleaseGraphicsResources(this->Stage->GetWindow());
+    this->Stage->GetRenderer()->SetPass(nullptr);
+    return picture;
+  };
+  for (const bool coarse : {false, true})
+  {
+    this->Slices->SetImageSampleDistance(coarse ? 2.0f : 1.0f);
+    this->Slices->SetPreIntegration(coarse);
+    const Picture background = this->Stage->Draw(nullptr);
+    const Picture plain = draw(false);
+    const Picture larger = draw(true);
+    WritePicture(larger, "pass-larger");
+    const double difference = Compare(larger, plain, background).LargestMean();
+    const double moved = Compare(larger, MovedPicture(plain), background).LargestMean();
+    std::cout << (coarse ? "coarse slabs" : "samples") << ": mean difference " << difference
+              << ", moved by a pixel " << moved << '\n';
+    EXPECT_AT_MOST(difference, 2.0, "a pass with a larger picture: mean difference, of 255");
+    EXPECT_AT_LEAST(moved, 2.0 * difference, "mean difference to the picture moved by a pixel");
+  }
 }
 
 // A selection finds the storm where it can be seen, the ball before it, and nothing in the corner.
