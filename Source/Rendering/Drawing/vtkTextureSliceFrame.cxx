@@ -15,6 +15,27 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+
+/// The first and the last of the three parts of an axis of which some region is drawn.
+std::array<std::size_t, 2> FindKeptParts(int regionFlags, std::size_t axis)
+{
+  constexpr std::array<unsigned int, 3> weights{1, 3, 9};
+  std::array<std::size_t, 2> kept{2, 0};
+  for (unsigned int region = 0; region < 27; ++region)
+  {
+    if ((static_cast<unsigned int>(regionFlags) >> region & 1U) != 0)
+    {
+      const std::size_t part = region / weights[axis] % 3;
+      kept = {std::min(kept[0], part), std::max(kept[1], part)};
+    }
+  }
+  return kept;
+}
+
+} // namespace
+
 vtkTextureSliceFrame::vtkTextureSliceFrame() = default;
 vtkTextureSliceFrame::~vtkTextureSliceFrame() = default;
 
@@ -108,12 +129,12 @@ void vtkTextureSliceFrame::SetCropping(const vtkTextureSliceCropping& cropping)
   {
     double low = (cropping.Planes[2 * axis] - this->Origin[axis]) / this->Edge[axis];
     double high = (cropping.Planes[2 * axis + 1] - this->Origin[axis]) / this->Edge[axis];
-    if (!this->CropTest)
-    {
-      const auto [lower, upper] = std::minmax(low, high); // a negative spacing swaps them
-      this->View.Part[2 * axis] = std::clamp(lower, 0.0, 1.0);
-      this->View.Part[2 * axis + 1] = std::clamp(upper, 0.0, 1.0);
-    }
+    const auto [lower, upper] = std::minmax(low, high); // a negative spacing swaps them
+    const std::array<double, 4> borders{
+      0.0, std::clamp(lower, 0.0, 1.0), std::clamp(upper, 0.0, 1.0), 1.0};
+    const auto [first, last] = FindKeptParts(cropping.RegionFlags, axis);
+    this->View.Part[2 * axis] = borders[first];
+    this->View.Part[2 * axis + 1] = borders[last + 1];
     this->CropLow[axis] =
       static_cast<float>(low) * this->TextureScale[axis] + this->TextureBias[axis];
     this->CropHigh[axis] =
