@@ -136,6 +136,11 @@ int vtkOpenGLTextureSliceVolumeMapper::GetNumberOfDrawnSlices() const
   return this->Parts->Planes.GetNumberOfSlices();
 }
 
+int vtkOpenGLTextureSliceVolumeMapper::GetDrawnWay() const
+{
+  return this->Parts->Ways.GetDrawn();
+}
+
 vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData)
 {
@@ -318,6 +323,11 @@ void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkV
     vtkWarningMacro(
       "the slices are drawn without " << ignored << ", which only VTK's ray caster knows");
   }
+  const std::string fallback = this->Parts->Ways.GetFallback();
+  if (vtkTextureSliceParts::IsNews(this->Parts->Fallback, fallback))
+  {
+    vtkWarningMacro(<< fallback);
+  }
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::GPURender(vtkRenderer* renderer, vtkVolume* volume)
@@ -407,6 +417,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
 
   const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
   const StateKeeper keeper(parts.Window->GetState());
+  parts.Ways.SetAsked(this->Way);
   for (int picture = 0; picture < parts.Peeling.CountPictures(); ++picture)
   {
     parts.Peeling.SetPicture(picture);
@@ -705,5 +716,6 @@ void vtkOpenGLTextureSliceVolumeMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Zenith: " << this->Zenith[0] << " " << this->Zenith[1] << " " << this->Zenith[2]
      << "\n";
   os << indent << "PreIntegration: " << (this->PreIntegration ? "On" : "Off") << "\n";
+  os << indent << "Way: " << this->Way << "\n";
   os << indent << "NumberOfDrawnSlices: " << this->GetNumberOfDrawnSlices() << "\n";
 }

@@ -191,6 +191,33 @@ public:
   vtkBooleanMacro(PreIntegration, bool);
   ///@}
 
+  ///@{
+  /**
+   * What draws the volume. All ways draw the same picture up to rounding, away from the faces of
+   * the box. Fragments: one fragment a pixel goes along the pixel's ray (OpenGL 3.2). Compute: a
+   * compute shader does the same (OpenGL 4.3, or 4.2 with ARB_compute_shader). Polygons: one polygon
+   * for each slice, blended, which is slow and shows how slices work; composite blending without
+   * PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default) times fragments and compute
+   * once for each card and takes the faster one; polygons where no other shader compiles. A way
+   * that the context does not have is replaced with a warning. The environment variable
+   * VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
+   */
+  enum Ways
+  {
+    AUTOMATIC,
+    FRAGMENTS,
+    COMPUTE,
+    POLYGONS
+  };
+  vtkSetClampMacro(Way, int, AUTOMATIC, POLYGONS);
+  vtkGetMacro(Way, int);
+  ///@}
+
+  /**
+   * The way that the last frame was drawn in; AUTOMATIC before the first.
+   */
+  int GetDrawnWay() const;
+
   /**
    * Slices that the last frame drew; 0 before the first. With nearest interpolation there is one
    * more than NumberOfSlices where slices would lie on faces between voxels.
@@ -271,6 +298,7 @@ protected:
   double LightDirection[3] = {-1.0, -1.0, 2.0};
   double Zenith[3] = {0.0, 0.0, 1.0};
   bool PreIntegration = false;
+  int Way = AUTOMATIC;
 
 private:
   vtkOpenGLTextureSliceVolumeMapper(const vtkOpenGLTextureSliceVolumeMapper&) = delete;

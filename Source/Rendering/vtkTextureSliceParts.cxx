@@ -35,7 +35,7 @@ void vtkTextureSliceParts::Release(vtkOpenGLRenderWindow* window)
   this->Integrals.ReleaseGraphicsResources(window);
   this->LabelIntegrals.ReleaseGraphicsResources(window);
   this->Target.ReleaseGraphicsResources(window);
-  this->March.ReleaseGraphicsResources();
+  this->Ways.ReleaseGraphicsResources(window);
   this->EmptySpace.GetDistances().ReleaseGraphicsResources(window);
   window->PopContext();
   this->Window = nullptr;
@@ -87,7 +87,13 @@ void vtkTextureSliceParts::UpdateIntegrals(const vtkTextureSliceUniforms& unifor
 bool vtkTextureSliceParts::Draw(const vtkTextureSliceUniforms& uniforms, std::string& error)
 {
   const vtkTextureSliceFeatures& features = uniforms.Features;
-  if (!this->Target.Begin(this->Window, this->PixelSize, features.NeedsDepth(), error))
+  if (!this->Ways.Choose(this->Window, uniforms))
+  {
+    error = "OpenGL could not compile the shaders of the slices";
+    return false;
+  }
+  if (!this->Target.Begin(this->Window, this->PixelSize, features.NeedsDepth(),
+        this->Ways.NeedsFullPrecision(), error))
   {
     return false;
   }
@@ -99,13 +105,9 @@ bool vtkTextureSliceParts::Draw(const vtkTextureSliceUniforms& uniforms, std::st
   {
     this->EmptySpace.GetDistances().Upload(this->Window);
   }
-  const bool drawn = this->March.Draw(this->Window, uniforms);
+  this->Ways.Draw(this->Window, uniforms, this->Target.GetPicture());
   this->Target.End();
-  if (!drawn)
-  {
-    error = "OpenGL could not compile the shaders of the slices";
-  }
-  return drawn;
+  return true;
 }
 
 void vtkTextureSliceParts::Composite(

@@ -9,7 +9,6 @@
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceLights.h"
-#include "vtkTextureSliceMarch.h"
 #include "vtkTextureSlicePeeling.h"
 #include "vtkTextureSlicePlanes.h"
 #include "vtkTextureSliceRequest.h"
@@ -20,6 +19,7 @@
 #include "vtkTextureSliceTarget.h"
 #include "vtkTextureSliceTexture.h"
 #include "vtkTextureSliceUniforms.h"
+#include "vtkTextureSliceWays.h"
 
 #include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
@@ -58,13 +58,15 @@ public:
   /// Image sample distance of this frame.
   double PixelSize = 1.0;
   vtkTextureSliceTarget Target;
-  vtkTextureSliceMarch March;
+  vtkTextureSliceWays Ways;
   vtkTextureSlicePeeling Peeling;
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   /// What the last frame refused, and what it ignored: the same is not said again.
   std::string Refused;
   std::string Ignored;
+  /// Why it was drawn in another way than asked for.
+  std::string Fallback;
 
   /// Whether a message that is repeated each frame is another one than in the last frame.
   static bool IsNews(std::string& last, const std::string& message);

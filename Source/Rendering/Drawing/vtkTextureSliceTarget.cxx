@@ -153,23 +153,36 @@ bool vtkTextureSliceTarget::CopyDepth(std::string& error)
   return true;
 }
 
-bool vtkTextureSliceTarget::Begin(
-  vtkOpenGLRenderWindow* window, double pixelSize, bool copiesDepth, std::string& error)
+bool vtkTextureSliceTarget::MakePicture(
+  int width, int height, bool fullPrecision, std::string& error)
+{
+  if (HasSize(this->Color, this->Window, width, height) && this->FullPrecision == fullPrecision)
+  {
+    return true;
+  }
+  this->Framebuffer->ReleaseGraphicsResources(this->Window);
+  Prepare(this->Color, this->Window);
+  this->Color->SetInternalFormat(fullPrecision ? GL_RGBA32F : GL_RGBA16F);
+  this->FullPrecision = fullPrecision;
+  if (!this->Color->Allocate2D(
+        static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT))
+  {
+    error = "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
+            std::to_string(height) + " pixels";
+    return false;
+  }
+  return true;
+}
+
+bool vtkTextureSliceTarget::Begin(vtkOpenGLRenderWindow* window, double pixelSize, bool copiesDepth,
+  bool fullPrecision, std::string& error)
 {
   this->Window = window;
   this->Viewport = GetViewport(window);
   const auto [width, height] = GetSize(window, pixelSize);
-  if (!HasSize(this->Color, window, width, height))
+  if (!this->MakePicture(width, height, fullPrecision, error))
   {
-    this->Framebuffer->ReleaseGraphicsResources(window);
-    Prepare(this->Color, window);
-    if (!this->Color->Allocate2D(
-          static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT))
-    {
-      error = "OpenGL could not make a floating-point picture of " + std::to_string(width) + " x " +
-              std::to_string(height) + " pixels";
-      return false;
-    }
+    return false;
   }
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();

@@ -35,9 +35,11 @@ public:
    * End must follow.
    * @param pixelSize pixels of the viewport that one pixel of the picture stands for along an axis.
    * @param copiesDepth whether GetGeometryDepth is read.
+   * @param fullPrecision whether the picture has floats of 32 bits in place of 16.
    * @return false, with one line in @a error, if it cannot be made; then End must not follow.
    */
-  bool Begin(vtkOpenGLRenderWindow* window, double pixelSize, bool copiesDepth, std::string& error);
+  bool Begin(vtkOpenGLRenderWindow* window, double pixelSize, bool copiesDepth, bool fullPrecision,
+    std::string& error);
   /// The depth of what is drawn already, of the viewport's size.
   vtkTextureObject* GetGeometryDepth() { return this->Depth; }
   vtkTextureObject* GetPicture() { return this->Color; }
@@ -55,6 +57,7 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  bool MakePicture(int width, int height, bool fullPrecision, std::string& error);
   bool CopyDepth(std::string& error);
 
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
@@ -64,6 +67,7 @@ private:
   vtkTextureSliceBox Box;
   vtkOpenGLRenderWindow* Window = nullptr;
   std::array<int, 4> Viewport{}; ///< left, bottom, width, height
+  bool FullPrecision = false;    ///< of Color
   int DepthKey = -1;             ///< the depth format that Depth has
 };
 

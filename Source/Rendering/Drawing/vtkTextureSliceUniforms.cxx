@@ -249,6 +249,16 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   return textures;
 }
 
+void vtkTextureSliceUniforms::Use(
+  vtkShaderProgram* program, const std::function<void()>& draw) const
+{
+  const std::vector<vtkTextureObject*> textures = this->GetTextures();
+  std::for_each(textures.begin(), textures.end(), [](vtkTextureObject* t) { t->Activate(); });
+  this->Set(program);
+  draw();
+  std::for_each(textures.rbegin(), textures.rend(), [](vtkTextureObject* t) { t->Deactivate(); });
+}
+
 void vtkTextureSliceUniforms::Set(vtkShaderProgram* program) const
 {
   SetRays(program, *this);

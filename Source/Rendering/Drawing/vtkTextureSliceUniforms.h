@@ -6,6 +6,7 @@
 #include "vtkTextureSliceFeatures.h"
 
 #include <array>
+#include <functional>
 #include <vector>
 
 class vtkShaderProgram;
@@ -74,7 +75,11 @@ struct vtkTextureSliceUniforms
 
   /// The textures that the features need.
   std::vector<vtkTextureObject*> GetTextures() const;
-  /// Hands everything to a shader; the textures must be active.
+  /// Draws with a shader that is ready, which gets everything that it reads.
+  void Use(vtkShaderProgram* program, const std::function<void()>& draw) const;
+
+private:
+  /// The textures must be active.
   void Set(vtkShaderProgram* program) const;
 };
 

@@ -3,20 +3,7 @@
 // A pixel of the volume: its ray, from front to back.
 //VTK::Output::Dec
 
-// See vtkTextureSliceFeatures::GetDefines.
-//VTK::TextureSlice::Defines
-
-//VTK::TextureSlice::Ray
-//VTK::TextureSlice::Sampling
-//VTK::TextureSlice::Lighting
-//VTK::TextureSlice::Shadows
-//VTK::TextureSlice::Table
-//VTK::TextureSlice::Coloring
-//VTK::TextureSlice::Samples
-//VTK::TextureSlice::Slabs
-//VTK::TextureSlice::Surfaces
-//VTK::TextureSlice::Skipping
-//VTK::TextureSlice::March
+//VTK::TextureSlice::Parts
 
 void main()
 {

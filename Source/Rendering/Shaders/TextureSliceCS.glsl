@@ -1,0 +1,21 @@
+//VTK::TextureSlice::Version
+// SPDX-License-Identifier: BSD-3-Clause
+// A pixel of the volume: its ray, from front to back, as a compute shader.
+layout(local_size_x = TEXTURE_SLICE_GROUP, local_size_y = TEXTURE_SLICE_GROUP) in;
+
+layout(rgba16f) writeonly uniform image2D pictureImage;
+// The rectangle of pixels to be drawn: the lower left one, and where it ends.
+uniform ivec2 firstPixel;
+uniform ivec2 endOfPixels;
+
+//VTK::TextureSlice::Parts
+
+void main()
+{
+  ivec2 pixel = firstPixel + ivec2(gl_GlobalInvocationID.xy);
+  if (all(lessThan(pixel, endOfPixels)))
+  {
+    bool meets = StartRay(vec2(pixel) + 0.5, TEXTURE_SLICE_LEAST_SLICES);
+    imageStore(pictureImage, pixel, meets ? March() : vec4(0.0));
+  }
+}

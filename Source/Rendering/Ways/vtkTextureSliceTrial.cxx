@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "vtkTextureSliceTrial.h"
+
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
+#include "vtkTextureSliceBox.h"
+#include "vtkTextureSliceCompute.h"
+#include "vtkTextureSliceFrame.h"
+#include "vtkTextureSliceOpenGL.h"
+#include "vtkTextureSliceShader.h"
+#include "vtkTextureSliceTarget.h"
+
+#include "TextureSliceCS.h"
+#include "TextureSliceFS.h"
+
+#include <algorithm>
+#include <chrono>
+#include <functional>
+#include <map>
+#include <mutex>
+#include <string>
+
+namespace
+{
+
+constexpr int Size = 256;          ///< of the picture, along both axes
+constexpr int FewestSamples = 4;   ///< on a ray
+constexpr int MostSamples = 1024;  ///< on a ray
+constexpr double LongEnough = 2.0; ///< milliseconds
+/// Compute must win by more than what two measurements of the same differ by.
+constexpr double MostOfFragments = 0.8;
+
+class Trial
+{
+public:
+  Trial(vtkOpenGLRenderWindow* window, vtkTextureObject* volume)
+    : Window(window)
+    , Volume(volume)
+  {
+  }
+  ~Trial()
+  {
+    this->Box.ReleaseGraphicsResources();
+    this->Compute.ReleaseGraphicsResources(this->Window);
+    this->Target.ReleaseGraphicsResources(this->Window);
+  }
+
+  bool IsComputeFaster()
+  {
+    vtkOpenGLState* state = this->Window->GetState();
+    vtkOpenGLState::ScopedglViewport viewport(state);
+    vtkOpenGLState::ScopedglScissor scissor(state);
+    vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+    vtkOpenGLState::ScopedglClearColor clearColor(state);
+    vtkOpenGLState::ScopedglColorMask colorMask(state);
+    state->vtkglViewport(0, 0, Size, Size);
+    std::string error;
+    if (!this->Target.Begin(this->Window, 1.0, false, false, error))
+    {
+      return false;
+    }
+    state->vtkglDisable(GL_BLEND);
+    this->Volume->Activate();
+    const bool faster = this->Compare();
+    this->Volume->Deactivate();
+    this->Target.End();
+    return faster;
+  }
+
+private:
+  bool Compare()
+  {
+    const auto fragments = [this](int samples) { return this->DrawFragments(samples); };
+    const auto compute = [this](int samples) { return this->DrawCompute(samples); };
+    // Drivers finish shaders when they are used first.
+    if (!fragments(FewestSamples) || !compute(FewestSamples))
+    {
+      return false;
+    }
+    for (int samples = FewestSamples;; samples *= 2)
+    {
+      const double byFragments = Measure(fragments, samples);
+      const double byCompute = Measure(compute, samples);
+      if (std::max(byFragments, byCompute) > LongEnough || samples >= MostSamples)
+      {
+        return byCompute < MostOfFragments * byFragments;
+      }
+    }
+  }
+
+  /// Milliseconds of one of the ways.
+  static double Measure(const std::function<bool(int)>& draw, int samples)
+  {
+    glFinish();
+    const auto begin = std::chrono::steady_clock::now();
+    draw(samples);
+    glFinish();
+    const auto end = std::chrono::steady_clock::now();
+    return std::chrono::duration<double, std::milli>(end - begin).count();
+  }
+
+  bool DrawFragments(int samples)
+  {
+    vtkShaderProgram* program = this->Box.Ready(
+      this->Window, "", [] { return vtkTextureSliceShader::MakeTrial(TextureSliceFS); });
+    if (program != nullptr)
+    {
+      this->SetUniforms(program, samples);
+      // Without a camera, the box from -1 to 1 is the whole picture.
+      this->Box.Draw(vtkTextureSliceFrame(), {-1, 1, -1, 1, -1, 1});
+    }
+    return program != nullptr;
+  }
+
+  bool DrawCompute(int samples)
+  {
+    vtkShaderProgram* program = this->Compute.Ready(
+      this->Window, "", [] { return vtkTextureSliceShader::MakeTrial(TextureSliceCS); });
+    if (program != nullptr)
+    {
+      this->SetUniforms(program, samples);
+      this->Compute.Dispatch(this->Target.GetPicture(), {0, 0, Size, Size});
+    }
+    return program != nullptr;
+  }
+
+  void SetUniforms(vtkShaderProgram* program, int samples)
+  {
+    program->SetUniformi("volumeTexture", this->Volume->GetTextureUnit());
+    program->SetUniformi("samples", samples);
+    program->SetUniformf("pixelToTexture", 1.0f / Size);
+  }
+
+  vtkOpenGLRenderWindow* Window;
+  vtkTextureObject* Volume;
+  vtkTextureSliceTarget Target;
+  vtkTextureSliceBox Box;
+  vtkTextureSliceCompute Compute;
+};
+
+std::string GetRendererName()
+{
+  return reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+}
+
+} // namespace
+
+bool vtkTextureSliceTrial::IsComputeFaster(vtkOpenGLRenderWindow* window, vtkTextureObject* volume)
+{
+  static std::mutex mutex;
+  static std::map<std::string, bool> known;
+  const std::lock_guard<std::mutex> lock(mutex);
+  const std::string renderer = GetRendererName();
+  const auto found = known.find(renderer);
+  if (found != known.end())
+  {
+    return found->second;
+  }
+  return known[renderer] = Trial(window, volume).IsComputeFaster();
+}

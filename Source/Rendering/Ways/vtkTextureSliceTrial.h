@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Finds out whether a card draws faster by compute shaders than by fragments.
+#ifndef vtkTextureSliceTrial_h
+#define vtkTextureSliceTrial_h
+
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+
+namespace vtkTextureSliceTrial
+{
+
+/**
+ * Times both ways with the same short rays through a volume's texture, in a picture of 256 x 256
+ * pixels, and remembers the result for all contexts of the same renderer. The number of samples
+ * grows until the slower way takes two milliseconds. The context, which must have compute shaders,
+ * is current.
+ */
+bool IsComputeFaster(vtkOpenGLRenderWindow* window, vtkTextureObject* volume);
+
+} // namespace vtkTextureSliceTrial
+
+#endif

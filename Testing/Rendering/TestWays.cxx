@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: BSD-3-Clause
+// Fragments, compute shaders and polygons draw the same picture.
+#include "RayCasterComparison.h"
+#include "Tolerance.h"
+
+#include "vtkActor.h"
+#include "vtkCamera.h"
+#include "vtkContourValues.h"
+#include "vtkImageData.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSphereSource.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <cstdlib>
+#include <iostream>
+#include <string>
+
+namespace
+{
+
+using namespace nexrad::testing;
+using Mapper = vtkOpenGLTextureSliceVolumeMapper;
+
+/// Sets an environment variable, and takes it away again.
+class Variable
+{
+public:
+  Variable(const char* name, const char* value)
+    : Name(name)
+  {
+    setenv(name, value, 1);
+  }
+  ~Variable() { unsetenv(this->Name); }
+  Variable(const Variable&) = delete;
+  Variable& operator=(const Variable&) = delete;
+
+private:
+  const char* Name;
+};
+
+class Ways : public StormAgainstRayCaster
+{
+protected:
+  Picture DrawIn(int way)
+  {
+    this->Slices->SetWay(way);
+    return this->Stage->Draw(this->Configure(this->Slices));
+  }
+
+  /// The pictures of all ways that the context has. @param byPolygons whether polygons can draw it
+  void ExpectSame(const std::string& name, bool byPolygons = true)
+  {
+    const Picture background = this->Stage->Draw(nullptr);
+    const Picture fragments = this->DrawIn(Mapper::FRAGMENTS);
+    EXPECT_EQ(this->Slices->GetDrawnWay(), Mapper::FRAGMENTS);
+    EXPECT_GT(Compare(fragments, background, background).Worst, 60.0) << name << ": too faint";
+    const Picture compute = this->DrawIn(Mapper::COMPUTE);
+    if (this->Slices->GetDrawnWay() == Mapper::COMPUTE)
+    {
+      this->Expect(name + ", compute", compute, fragments, background);
+    }
+    else
+    {
+      EXPECT_NE(this->TakeMessages().find("no compute shaders"), std::string::npos);
+    }
+    const Picture polygons = this->DrawIn(Mapper::POLYGONS);
+    EXPECT_EQ(this->Slices->GetDrawnWay() == Mapper::POLYGONS, byPolygons);
+    this->Expect(name + ", polygons", polygons, fragments, background);
+  }
+
+  void AddSphere(double opacity)
+  {
+    vtkNew<vtkSphereSource> sphere;
+    sphere->SetCenter(-12.0, -14.0, 8.0);
+    sphere->SetRadius(8.0);
+    sphere->SetThetaResolution(40);
+    sphere->SetPhiResolution(40);
+    vtkNew<vtkPolyDataMapper> mapper;
+    mapper->SetInputConnection(sphere->GetOutputPort());
+    vtkNew<vtkActor> actor;
+    actor->SetMapper(mapper);
+    actor->GetProperty()->SetOpacity(opacity);
+    this->Stage->GetRenderer()->AddActor(actor);
+  }
+
+  /// Odd and even columns of voxels have labels 1 and 2, the first third none.
+  vtkSmartPointer<vtkImageData> MakeMask()
+  {
+    auto mask = vtkSmartPointer<vtkImageData>::New();
+    mask->CopyStructure(this->Input);
+    vtkNew<vtkUnsignedCharArray> values;
+    const vtkIdType points = mask->GetNumberOfPoints();
+    const int columns = mask->GetDimensions()[0];
+    for (vtkIdType id = 0; id < points; ++id)
+    {
+      const auto column = static_cast<int>(id % columns);
+      values->InsertNextValue(
+        static_cast<unsigned char>(column < columns / 3 ? 0 : 1 + column % 2));
+    }
+    mask->GetPointData()->SetScalars(values);
+    return mask;
+  }
+
+private:
+  void Expect(const std::string& name, const Picture& picture, const Picture& fragments,
+    const Picture& background)
+  {
+    const Difference difference = Compare(picture, fragments, background);
+    std::cout << name << ": differs by at most " << difference.Worst << " of 255, mean "
+              << difference.LargestMean() << '\n';
+    EXPECT_LE(difference.Worst, 1.0) << name;
+    if (difference.Worst > 1.0)
+    {
+      WritePicture(picture, "ways-" + name);
+      WritePicture(fragments, "ways-" + name + "-fragments");
+      WritePicture(DifferencePicture(picture, fragments), "ways-" + name + "-difference");
+    }
+  }
+};
+
+} // namespace
+
+TEST_F(Ways, Views)
+{
+  this->ExpectSame("perspective");
+  this->Slices->SetImageSampleDistance(2.5f);
+  this->ExpectSame("coarse");
+  this->Slices->SetImageSampleDistance(1.0f);
+  this->Stage->GetProperty()->SetInterpolationTypeToNearest();
+  this->ExpectSame("nearest");
+  this->Stage->GetProperty()->SetInterpolationTypeToLinear();
+  this->AimCamera(true);
+  this->ExpectSame("parallel");
+  this->AimCamera(false);
+  vtkCamera* camera = this->Stage->GetRenderer()->GetActiveCamera();
+  camera->SetPosition(10.0, -20.0, 6.0);
+  camera->SetFocalPoint(-12.0, -12.0, 8.0);
+  this->Stage->GetRenderer()->ResetCameraClippingRange(-80, 80, -80, 80, -80, 80);
+  this->ExpectSame("inside");
+}
+
+TEST_F(Ways, Cuts)
+{
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(-12.0, -12.0, 8.0);
+  plane->SetNormal(0.3, 1.0, 0.2);
+  this->Slices->AddClippingPlane(plane);
+  this->ExpectSame("clipped");
+  this->Slices->RemoveAllClippingPlanes();
+  this->Slices->CroppingOn();
+  this->Slices->SetCroppingRegionPlanes(-12.0, 10.0, -12.0, 10.0, 2.0, 9.0);
+  this->Slices->SetCroppingRegionFlagsToInvertedCross();
+  this->ExpectSame("cropped");
+}
+
+TEST_F(Ways, Geometry)
+{
+  this->AddSphere(1.0);
+  this->ExpectSame("geometry in front");
+}
+
+TEST_F(Ways, PeeledGeometry)
+{
+  this->AddSphere(0.4);
+  this->Stage->GetWindow()->SetAlphaBitPlanes(1);
+  this->Stage->GetRenderer()->SetUseDepthPeeling(1);
+  this->Stage->GetRenderer()->SetUseDepthPeelingForVolumes(true);
+  this->ExpectSame("peeled");
+}
+
+TEST_F(Ways, LightAndMask)
+{
+  this->Stage->GetProperty()->ShadeOn();
+  this->ExpectSame("lit");
+  this->Slices->SetShadowStrength(0.7);
+  this->ExpectSame("in shadow");
+  this->Slices->SetMaskInput(this->MakeMask());
+  this->Slices->SetMaskTypeToBinary();
+  this->ExpectSame("masked");
+}
+
+TEST_F(Ways, Modes)
+{
+  this->Slices->PreIntegrationOn();
+  this->ExpectSame("integrated", false);
+  this->Slices->SetBlendModeToMaximumIntensity();
+  this->ExpectSame("maximum", false);
+  this->Slices->SetBlendModeToIsoSurface();
+  this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 40.0);
+  this->ExpectSame("isosurface", false);
+}
+
+TEST_F(Ways, TheEnvironmentTakesPrecedence)
+{
+  EXPECT_EQ(this->Slices->GetDrawnWay(), Mapper::AUTOMATIC);
+  const Variable variable("VTK_TEXTURE_SLICE_WAY", "polygons");
+  this->DrawIn(Mapper::FRAGMENTS);
+  EXPECT_EQ(this->Slices->GetDrawnWay(), Mapper::POLYGONS);
+}
+
+TEST_F(Ways, AnUnknownNameIsSaidOnce)
+{
+  const Variable variable("VTK_TEXTURE_SLICE_WAY", "polygon");
+  this->DrawIn(Mapper::FRAGMENTS);
+  this->DrawIn(Mapper::FRAGMENTS);
+  EXPECT_EQ(this->Slices->GetDrawnWay(), Mapper::FRAGMENTS);
+  const std::string messages = this->TakeMessages();
+  const std::size_t first = messages.find("VTK_TEXTURE_SLICE_WAY is \"polygon\"");
+  EXPECT_NE(first, std::string::npos) << messages;
+  EXPECT_EQ(messages.find("VTK_TEXTURE_SLICE_WAY", first + 1), std::string::npos) << messages;
+}
+
+TEST_F(Ways, TheFasterOneIsChosen)
+{
+  this->DrawIn(Mapper::AUTOMATIC);
+  const int first = this->Slices->GetDrawnWay();
+  EXPECT_TRUE(first == Mapper::FRAGMENTS || first == Mapper::COMPUTE) << first;
+  this->DrawIn(Mapper::AUTOMATIC);
+  EXPECT_EQ(this->Slices->GetDrawnWay(), first);
+}
