@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Frame times of the slices, sampled and pre-integrated, beside VTK's ray casters, on the synthetic
-// storm volume and on volumes that are visible everywhere: 796 x 532 pixels, 256 slices, as many
-// samples along the axis of the view, 12 views. Then the same storms with and without shadows and
-// occlusion, and how long a new light volume takes; and with each blend mode. Usage:
-// BenchmarkMapper [light|modes] [points along x ...]: 128, 256, 512; default all three; light:
-// shadows and occlusion alone; modes: blend modes alone.
+// Frame times of the slices, by fragments and by compute shaders, sampled and pre-integrated,
+// beside VTK's ray casters, on the synthetic storm volume and on volumes that are visible
+// everywhere, 12 views: of the whole frame, of the processor, and of the card for the volume alone.
+// Then the same storms with and without shadows and occlusion, and how long a new light volume
+// takes; and with each blend mode. Rays have as many samples along the axis of the view as there
+// are slices. Usage: BenchmarkMapper [--size WIDTHxHEIGHT] [--slices N] [light|modes] [points along
+// x ...] Default: 796x532 pixels, 256 slices, 128 256 512, all three parts. With --size, VTK's
+// fixed-point ray caster, which works on the processor, is left out.
+#include "FrameTimes.h"
 #include "RenderingTest.h"
 #include "Scenes.h"
 #include "SyntheticStorm.h"
@@ -16,7 +19,6 @@
 #include "vtkImageData.h"
 #include "vtkMath.h"
 #include "vtkNew.h"
-#include "vtkOpenGLGPUVolumeRayCastMapper.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPointData.h"
@@ -31,40 +33,29 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <memory>
-#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace
 {
 
 using namespace nexrad::testing;
+using namespace nexrad::benchmarks;
 using Clock = std::chrono::steady_clock;
 
-constexpr int Slices = 256;
+/// Of all pictures.
+int Width = 796;
+int Height = 532;
+bool WithFixedPoint = true;
+int Slices = 256;
 constexpr int Views = 12;
 /// 40 km of rain of 30 dBZ hide two thirds of what is behind.
 constexpr double StormUnitDistance = 0.25;
 
-/// What stands between the data and the eye.
-struct Look
-{
-  std::string Name;
-  /// Opacity of one unit, whatever the scalar; none: that of SetStormFunctions.
-  std::optional<double> Everywhere;
-};
-
 double Milliseconds(Clock::time_point begin)
 {
   return std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
-}
-
-double Median(std::vector<double>& times)
-{
-  const auto middle = times.begin() + static_cast<std::ptrdiff_t>(times.size() / 2);
-  std::nth_element(times.begin(), middle, times.end());
-  return *middle;
 }
 
 /// From 30 degrees above the horizon, all round; the volume fills the picture.
@@ -97,102 +88,71 @@ double SampleDistance(vtkRenderer* renderer, vtkImageData* image)
   return thickness / Slices;
 }
 
-/// A mapper and the times of its frames.
-struct Contender
+vtkSmartPointer<vtkVolumeProperty> MakeProperty(int scalarType)
 {
-  vtkSmartPointer<vtkVolumeMapper> Mapper;
-  /// Its own: VTK's fixed-point ray caster adds a gradient opacity to the property, which the
-  /// others would then have to heed.
-  vtkSmartPointer<vtkVolumeProperty> Property;
-  std::vector<double> Times;
+  auto property = vtkSmartPointer<vtkVolumeProperty>::New();
+  SetStormFunctions(property, scalarType);
+  property->SetScalarOpacityUnitDistance(StormUnitDistance);
+  return property;
+}
 
-  double GetMedian() { return Median(this->Times); }
-};
-
+/// The storm, or something else of its size, drawn by all contenders.
 class Contest
 {
 public:
-  Contest(vtkImageData* image, int scalarType)
+  Contest(vtkImageData* image, std::vector<Contender> contenders)
     : Image(image)
-  {
-    this->Stage = std::make_unique<Scene>(796, 532, 0, false);
-    this->Slicer->SetNumberOfSlices(Slices);
-    this->Integrator->SetNumberOfSlices(Slices);
-    this->Integrator->PreIntegrationOn();
-    this->Rays->AutoAdjustSampleDistancesOff();
-    this->FixedPoint->AutoAdjustSampleDistancesOff();
-    this->FixedPoint->SetImageSampleDistance(1.0f);
-    for (vtkVolumeMapper* mapper : {static_cast<vtkVolumeMapper*>(this->Slicer.Get()),
-           static_cast<vtkVolumeMapper*>(this->Integrator.Get()),
-           static_cast<vtkVolumeMapper*>(this->Rays.Get()),
-           static_cast<vtkVolumeMapper*>(this->FixedPoint.Get())})
-    {
-      mapper->SetInputDataObject(image);
-      auto property = vtkSmartPointer<vtkVolumeProperty>::New();
-      SetStormFunctions(property, scalarType);
-      this->Contenders.push_back({mapper, property, {}});
-    }
-  }
-
-  void Run(const Look& look)
+    , Contenders(std::move(contenders))
   {
     for (Contender& contender : this->Contenders)
     {
-      contender.Times.clear();
-      contender.Property->SetScalarOpacityUnitDistance(look.Everywhere ? 1.0 : StormUnitDistance);
-      if (look.Everywhere)
-      {
-        contender.Property->GetScalarOpacity()->RemoveAllPoints();
-        contender.Property->GetScalarOpacity()->AddPoint(0.0, *look.Everywhere);
-      }
-      this->Draw(contender, 0); // uploads, shaders
+      contender.Mapper->SetInputDataObject(image);
     }
+  }
+
+  std::vector<Contender>& GetContenders() { return this->Contenders; }
+
+  void Run(const std::string& name)
+  {
+    for (Contender& contender : this->Contenders)
+    {
+      this->Draw(contender, 0); // uploads, shaders
+      contender.ForgetTimes();
+    }
+    RemoveMissing(this->Contenders);
     for (int view = 0; view < Views; ++view)
     {
       for (Contender& contender : this->Contenders)
       {
-        contender.Times.push_back(this->Draw(contender, view));
+        this->Draw(contender, view);
       }
     }
-    this->Print(look);
+    const int* size = this->Image->GetDimensions();
+    char drawn[200];
+    std::snprintf(drawn, sizeof(drawn), "%dx%dx%d | %s | %s", size[0], size[1], size[2],
+      this->Image->GetScalarTypeAsString(), name.c_str());
+    PrintTimes(drawn, this->Contenders);
   }
 
 private:
-  double Draw(Contender& contender, int view)
+  void Draw(Contender& contender, int view)
   {
-    vtkRenderWindow* window = this->Stage->GetWindow();
-    AimCamera(this->Stage->GetRenderer(), this->Image, view);
+    AimCamera(this->Stage.GetRenderer(), this->Image, view);
     const auto distance =
-      static_cast<float>(SampleDistance(this->Stage->GetRenderer(), this->Image));
-    this->Rays->SetSampleDistance(distance);
-    this->FixedPoint->SetSampleDistance(distance);
-    this->Stage->GetVolume()->SetMapper(contender.Mapper);
-    this->Stage->GetVolume()->SetProperty(contender.Property);
-    const auto begin = Clock::now();
-    window->Render();
-    window->WaitForCompletion();
-    return Milliseconds(begin);
-  }
-
-  void Print(const Look& look)
-  {
-    const double slices = this->Contenders[0].GetMedian();
-    const double integrated = this->Contenders[1].GetMedian();
-    const double rays = this->Contenders[2].GetMedian();
-    const double fixedPoint = this->Contenders[3].GetMedian();
-    const int* size = this->Image->GetDimensions();
-    std::printf("| %dx%dx%d | %s | %s | %.1f | %.1f | %.1f | %.1f | %.2f | %.2f | %.2f |\n",
-      size[0], size[1], size[2], this->Image->GetScalarTypeAsString(), look.Name.c_str(), slices,
-      integrated, rays, fixedPoint, integrated / slices, slices / rays, slices / fixedPoint);
-    std::fflush(stdout);
+      static_cast<float>(SampleDistance(this->Stage.GetRenderer(), this->Image));
+    if (auto* rays = vtkGPUVolumeRayCastMapper::SafeDownCast(contender.Mapper))
+    {
+      rays->SetSampleDistance(distance);
+    }
+    if (auto* fixedPoint = vtkFixedPointVolumeRayCastMapper::SafeDownCast(contender.Mapper))
+    {
+      fixedPoint->SetSampleDistance(distance);
+    }
+    contender.Draw(this->Stage.GetWindow(), this->Stage.GetVolume());
   }
 
   vtkImageData* Image;
-  std::unique_ptr<Scene> Stage;
-  vtkNew<vtkOpenGLTextureSliceVolumeMapper> Slicer;
-  vtkNew<vtkOpenGLTextureSliceVolumeMapper> Integrator;
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> Rays;
-  vtkNew<vtkFixedPointVolumeRayCastMapper> FixedPoint;
+  Scene Stage{Width, Height, 0, false};
   std::vector<Contender> Contenders;
 };
 
@@ -297,7 +257,7 @@ private:
 
   vtkImageData* Image;
   bool Surfaces;
-  Scene Stage{796, 532, 0, false};
+  Scene Stage{Width, Height, 0, false};
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> Plain;
   vtkNew<vtkOpenGLTextureSliceVolumeMapper> Lit;
   std::vector<double> PlainTimes;
@@ -339,54 +299,38 @@ vtkSmartPointer<vtkImageData> MakeFunction2D()
 
 void MeasureMode(const Mode& mode, vtkImageData* storm)
 {
-  Scene stage(796, 532, 0, false);
-  SetStormFunctions(stage.GetProperty(), VTK_FLOAT);
-  stage.GetProperty()->SetScalarOpacityUnitDistance(StormUnitDistance);
-  stage.GetProperty()->GetIsoSurfaceValues()->SetValue(0, 30.0);
-  stage.GetProperty()->GetIsoSurfaceValues()->SetValue(1, 45.0);
-  if (mode.Table2D)
+  const auto makeProperty = [&mode]
   {
-    stage.GetProperty()->SetTransferFunction2D(MakeFunction2D());
-  }
-  vtkNew<vtkOpenGLTextureSliceVolumeMapper> slices;
-  slices->SetNumberOfSlices(Slices);
-  vtkNew<vtkOpenGLGPUVolumeRayCastMapper> rays;
-  rays->SetAutoAdjustSampleDistances(0);
-  rays->SetUseJittering(0);
-  const std::array<vtkGPUVolumeRayCastMapper*, 2> mappers = {slices.Get(), rays.Get()};
-  std::array<std::vector<double>, 2> times;
-  for (int view = -1; view < Views; ++view) // the first ones upload and compile
-  {
-    AimCamera(stage.GetRenderer(), storm, std::max(view, 0));
-    rays->SetSampleDistance(static_cast<float>(SampleDistance(stage.GetRenderer(), storm)));
-    for (std::size_t i = 0; i < mappers.size(); ++i)
+    auto property = MakeProperty(VTK_FLOAT);
+    property->GetIsoSurfaceValues()->SetValue(0, 30.0);
+    property->GetIsoSurfaceValues()->SetValue(1, 45.0);
+    if (mode.Table2D)
     {
-      mappers[i]->SetInputData(storm);
-      mappers[i]->SetBlendMode(mode.BlendMode);
-      mappers[i]->SetAverageIPScalarRange(30.0, 90.0);
-      stage.GetVolume()->SetMapper(mappers[i]);
-      const auto begin = Clock::now();
-      stage.GetWindow()->Render();
-      stage.GetWindow()->WaitForCompletion();
-      if (view >= 0)
-      {
-        times[i].push_back(Milliseconds(begin));
-      }
+      property->SetTransferFunction2D(MakeFunction2D());
     }
+    return property;
+  };
+  Contest contest(storm, MakeContenders(Slices, false, makeProperty));
+  for (Contender& contender : contest.GetContenders())
+  {
+    auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(contender.Mapper);
+    mapper->SetUseJittering(0);
+    mapper->SetBlendMode(mode.BlendMode);
+    mapper->SetAverageIPScalarRange(30.0, 90.0);
   }
-  const int* size = storm->GetDimensions();
-  const double ofSlices = Median(times[0]);
-  const double ofRays = Median(times[1]);
-  std::printf("| %dx%dx%d | %s | %.1f | %.1f | %.2f |\n", size[0], size[1], size[2], mode.Name,
-    ofSlices, ofRays, ofSlices / ofRays);
-  std::fflush(stdout);
+  contest.Run(mode.Name);
+}
+
+void PrintHeading(const char* title, const char* drawn)
+{
+  std::printf("\n%s, milliseconds\n\n| volume | scalars | %s | %s |\n"
+              "|---|---|---|---|---|---|---|---|---|---|\n",
+    title, drawn, TimesHeading);
 }
 
 void MeasureModes(const std::vector<int>& sizes)
 {
-  std::printf("\nBlend modes on the storms, milliseconds\n\n"
-              "| volume | blend mode | slices | GPU ray caster | slices / GPU |\n"
-              "|---|---|---|---|---|\n");
+  PrintHeading("Blend modes on the storms", "blend mode");
   for (const int size : sizes)
   {
     const auto storm = nexrad::benchmarks::MakeSyntheticStorm({size, size, size / 2}, VTK_FLOAT);
@@ -408,22 +352,41 @@ double VisibleFraction(vtkImageData* image, vtkVolumeProperty* property)
   return double(visible) / double(scalars->GetNumberOfTuples());
 }
 
+std::vector<Contender> MakeAllContenders(int scalarType)
+{
+  const auto makeProperty = [scalarType] { return MakeProperty(scalarType); };
+  std::vector<Contender> contenders = MakeContenders(Slices, true, makeProperty);
+  if (WithFixedPoint)
+  {
+    auto fixedPoint = vtkSmartPointer<vtkFixedPointVolumeRayCastMapper>::New();
+    fixedPoint->AutoAdjustSampleDistancesOff();
+    fixedPoint->SetImageSampleDistance(1.0f);
+    contenders.push_back(
+      {"fixed-point ray caster", fixedPoint, nullptr, makeProperty(), {}, {}, {}});
+  }
+  return contenders;
+}
+
 void MeasureSize(int size)
 {
   for (const int scalarType : {VTK_FLOAT, VTK_UNSIGNED_CHAR})
   {
     const auto storm = nexrad::benchmarks::MakeSyntheticStorm({size, size, size / 2}, scalarType);
-    vtkNew<vtkVolumeProperty> property;
-    SetStormFunctions(property, scalarType);
     std::fprintf(stderr, "%d points along x, %s: %.1f %% of the voxels are visible\n", size,
-      storm->GetScalarTypeAsString(), 100.0 * VisibleFraction(storm, property));
-    Contest contest(storm, scalarType);
-    contest.Run({"storms", {}});
+      storm->GetScalarTypeAsString(), 100.0 * VisibleFraction(storm, MakeProperty(scalarType)));
+    Contest contest(storm, MakeAllContenders(scalarType));
+    contest.Run("storms");
     for (const double opacity : {0.02, 0.5, 1.0})
     {
+      for (Contender& contender : contest.GetContenders())
+      {
+        contender.Property->SetScalarOpacityUnitDistance(1.0);
+        contender.Property->GetScalarOpacity()->RemoveAllPoints();
+        contender.Property->GetScalarOpacity()->AddPoint(0.0, opacity);
+      }
       char name[64];
       std::snprintf(name, sizeof(name), "everywhere %.2f", opacity);
-      contest.Run({name, opacity});
+      contest.Run(name);
     }
   }
 }
@@ -446,42 +409,82 @@ void MeasureLight(const std::vector<int>& sizes)
   }
 }
 
-} // namespace
-
-int main(int argc, char* argv[])
+void MeasureSizes(const std::vector<int>& sizes)
 {
-  const std::string part = argc > 1 ? argv[1] : "";
-  const bool partAlone = part == "light" || part == "modes";
-  std::vector<int> sizes;
-  for (int i = partAlone ? 2 : 1; i < argc; ++i)
-  {
-    sizes.push_back(std::atoi(argv[i]));
-    if (sizes.back() < 4 || sizes.back() > 2048)
-    {
-      std::fprintf(
-        stderr, "usage: BenchmarkMapper [light|modes] [points along x, 4 to 2048 ...]\n");
-      return 2;
-    }
-  }
-  if (sizes.empty())
-  {
-    sizes = {128, 256, 512};
-  }
-  if (partAlone)
-  {
-    part == "light" ? MeasureLight(sizes) : MeasureModes(sizes);
-    return 0;
-  }
-  std::printf("796 x 532 pixels, %d slices, median of %d views, milliseconds\n\n"
-              "| volume | scalars | visible | slices | pre-integrated | GPU ray caster | "
-              "fixed-point ray caster | pre-integrated / slices | slices / GPU | "
-              "slices / fixed-point |\n|---|---|---|---|---|---|---|---|---|---|---|\n",
-    Slices, Views);
+  PrintHeading("Frames", "visible");
   for (const int size : sizes)
   {
     MeasureSize(size);
   }
-  MeasureLight(sizes);
-  MeasureModes(sizes);
+}
+
+/// What is measured.
+struct Arguments
+{
+  std::string Part; ///< empty: all
+  std::vector<int> Sizes;
+};
+
+/// @return false if something is wrong
+bool Parse(const std::vector<std::string>& words, Arguments& arguments)
+{
+  for (std::size_t i = 0; i < words.size(); ++i)
+  {
+    const bool hasValue = i + 1 < words.size();
+    if (words[i] == "--size" && hasValue)
+    {
+      WithFixedPoint = false;
+      if (std::sscanf(words[++i].c_str(), "%dx%d", &Width, &Height) != 2)
+      {
+        return false;
+      }
+    }
+    else if (words[i] == "--slices" && hasValue)
+    {
+      Slices = std::atoi(words[++i].c_str());
+    }
+    else if (words[i] == "light" || words[i] == "modes")
+    {
+      arguments.Part = words[i];
+    }
+    else
+    {
+      arguments.Sizes.push_back(std::atoi(words[i].c_str()));
+    }
+  }
+  return Width > 0 && Height > 0 && Slices > 0 &&
+         std::all_of(arguments.Sizes.begin(), arguments.Sizes.end(),
+           [](int size) { return size >= 4 && size <= 2048; });
+}
+
+} // namespace
+
+int main(int argc, char* argv[])
+{
+  Arguments arguments;
+  if (!Parse({argv + 1, argv + argc}, arguments))
+  {
+    std::fprintf(stderr, "usage: BenchmarkMapper [--size WIDTHxHEIGHT] [--slices N] [light|modes] "
+                         "[points along x, 4 to 2048 ...]\n");
+    return 2;
+  }
+  if (arguments.Sizes.empty())
+  {
+    arguments.Sizes = {128, 256, 512};
+  }
+  PrintRenderer(Scene(16, 16, 0, false).GetWindow());
+  std::printf("%d x %d pixels, %d slices, median of %d views\n", Width, Height, Slices, Views);
+  if (arguments.Part.empty())
+  {
+    MeasureSizes(arguments.Sizes);
+  }
+  if (arguments.Part != "modes")
+  {
+    MeasureLight(arguments.Sizes);
+  }
+  if (arguments.Part != "light")
+  {
+    MeasureModes(arguments.Sizes);
+  }
   return 0;
 }

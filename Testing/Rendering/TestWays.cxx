@@ -217,11 +217,12 @@ TEST_F(Ways, AnUnknownNameIsSaidOnce)
   EXPECT_EQ(messages.find("VTK_TEXTURE_SLICE_WAY", first + 1), std::string::npos) << messages;
 }
 
-TEST_F(Ways, TheFasterOneIsChosen)
+TEST_F(Ways, TheFasterOneIsChosenWithTheSecondFrame)
 {
   this->DrawIn(Mapper::AUTOMATIC);
-  const int first = this->Slices->GetDrawnWay();
-  EXPECT_TRUE(first == Mapper::FRAGMENTS || first == Mapper::COMPUTE) << first;
   this->DrawIn(Mapper::AUTOMATIC);
-  EXPECT_EQ(this->Slices->GetDrawnWay(), first);
+  const int chosen = this->Slices->GetDrawnWay();
+  EXPECT_TRUE(chosen == Mapper::FRAGMENTS || chosen == Mapper::COMPUTE) << chosen;
+  this->DrawIn(Mapper::AUTOMATIC);
+  EXPECT_EQ(this->Slices->GetDrawnWay(), chosen);
 }

@@ -3,19 +3,25 @@
 #ifndef vtkTextureSliceTrial_h
 #define vtkTextureSliceTrial_h
 
+#include <optional>
+
 class vtkOpenGLRenderWindow;
 class vtkTextureObject;
 
 namespace vtkTextureSliceTrial
 {
 
+/// Whether compute was faster for the renderer of the context that is current; none: there was no
+/// trial yet.
+std::optional<bool> Recall();
+
 /**
  * Times both ways with the same short rays through a volume's texture, in a picture of 256 x 256
  * pixels, and remembers the result for all contexts of the same renderer. The number of samples
  * grows until the slower way takes two milliseconds. The context, which must have compute shaders,
- * is current.
+ * is current. @return whether compute is faster
  */
-bool IsComputeFaster(vtkOpenGLRenderWindow* window, vtkTextureObject* volume);
+bool Run(vtkOpenGLRenderWindow* window, vtkTextureObject* volume);
 
 } // namespace vtkTextureSliceTrial
 

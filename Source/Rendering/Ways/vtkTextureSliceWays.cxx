@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <optional>
 
 namespace
 {
@@ -37,9 +38,17 @@ vtkTextureSliceWays::Way vtkTextureSliceWays::FindAsked()
 vtkTextureSliceWays::Way vtkTextureSliceWays::ChooseByTrial(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms)
 {
-  const bool compute = !this->ComputeFails && vtkTextureSliceCompute::IsSupported() &&
-                       vtkTextureSliceTrial::IsComputeFaster(window, uniforms.Volume);
-  return compute ? Compute : Fragments;
+  if (this->ComputeFails || !vtkTextureSliceCompute::IsSupported())
+  {
+    return Fragments;
+  }
+  const std::optional<bool> known = vtkTextureSliceTrial::Recall();
+  if (!known && this->Drawn == Automatic)
+  {
+    return Fragments;
+  }
+  const bool isFaster = known ? *known : vtkTextureSliceTrial::Run(window, uniforms.Volume);
+  return isFaster ? Compute : Fragments;
 }
 
 bool vtkTextureSliceWays::ReadyCompute(

@@ -42,7 +42,8 @@ public:
 
 private:
   Way FindAsked();
-  /// The faster one.
+  /// The faster one. The first picture is drawn by fragments where there was no trial yet, because
+  /// a trial takes longer than a program with one picture can gain by it.
   Way ChooseByTrial(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
   bool ReadyCompute(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
   bool ReadyFragments(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
