@@ -20,6 +20,7 @@
 
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 
 namespace
@@ -28,21 +29,29 @@ namespace
 using namespace nexrad::testing;
 using Mapper = vtkOpenGLTextureSliceVolumeMapper;
 
-/// Sets an environment variable, and takes it away again.
-class Variable
+/// The environment variable that overrides the way; it is put back.
+class WayVariable
 {
 public:
-  Variable(const char* name, const char* value)
-    : Name(name)
+  /// @param value nullptr: it is not set
+  explicit WayVariable(const char* value)
   {
-    setenv(name, value, 1);
+    if (const char* before = std::getenv(Name))
+    {
+      this->Before = before;
+    }
+    Set(value);
   }
-  ~Variable() { unsetenv(this->Name); }
-  Variable(const Variable&) = delete;
-  Variable& operator=(const Variable&) = delete;
+  ~WayVariable() { Set(this->Before ? this->Before->c_str() : nullptr); }
+  WayVariable(const WayVariable&) = delete;
+  WayVariable& operator=(const WayVariable&) = delete;
 
 private:
-  const char* Name;
+  static constexpr const char* Name = "VTK_TEXTURE_SLICE_WAY";
+
+  static void Set(const char* value) { value != nullptr ? setenv(Name, value, 1) : unsetenv(Name); }
+
+  std::optional<std::string> Before;
 };
 
 class Ways : public StormAgainstRayCaster
@@ -109,6 +118,8 @@ protected:
   }
 
 private:
+  const WayVariable Unset{nullptr};
+
   void Expect(const std::string& name, const Picture& picture, const Picture& fragments,
     const Picture& background)
   {
@@ -200,14 +211,14 @@ TEST_F(Ways, Modes)
 TEST_F(Ways, TheEnvironmentTakesPrecedence)
 {
   EXPECT_EQ(this->Slices->GetDrawnWay(), Mapper::AUTOMATIC);
-  const Variable variable("VTK_TEXTURE_SLICE_WAY", "polygons");
+  const WayVariable variable("polygons");
   this->DrawIn(Mapper::FRAGMENTS);
   EXPECT_EQ(this->Slices->GetDrawnWay(), Mapper::POLYGONS);
 }
 
 TEST_F(Ways, AnUnknownNameIsSaidOnce)
 {
-  const Variable variable("VTK_TEXTURE_SLICE_WAY", "polygon");
+  const WayVariable variable("polygon");
   this->DrawIn(Mapper::FRAGMENTS);
   this->DrawIn(Mapper::FRAGMENTS);
   EXPECT_EQ(this->Slices->GetDrawnWay(), Mapper::FRAGMENTS);
