@@ -59,12 +59,18 @@ Polygon Clip(const Polygon& polygon, const Plane& plane)
   return kept;
 }
 
-/// Half-spaces whose intersection is what is seen of the volume.
+/// Half-spaces whose intersection is what is seen of the volume and a little more: whether the
+/// place on a pixel's ray is drawn is decided by the ray.
 std::vector<Plane> MakeLimits(const vtkTextureSliceView& view, const std::array<double, 6>& seen)
 {
   std::vector<Plane> limits{{1, 0, 0, -seen[0]}, {-1, 0, 0, seen[1]}, {0, 1, 0, -seen[2]},
     {0, -1, 0, seen[3]}, {0, 0, 1, -seen[4]}, {0, 0, -1, seen[5]}};
   limits.insert(limits.end(), view.ClippingPlanes.begin(), view.ClippingPlanes.end());
+  constexpr double margin = 1e-3; // of the box; OpenGL rounds corners to a part of a pixel
+  for (Plane& limit : limits)
+  {
+    limit[3] += margin * std::hypot(limit[0], limit[1], limit[2]);
+  }
   return limits;
 }
 

@@ -73,7 +73,7 @@ bool vtkTextureSliceWays::ReadyFragments(
   const bool canBePolygons = vtkTextureSlicePolygons::CanDraw(uniforms.Features);
   const bool tries = !this->FragmentsFail || !canBePolygons;
   this->FragmentsFail = !tries || !this->March.ReadyFragments(window, uniforms);
-  if (this->FragmentsFail)
+  if (this->FragmentsFail && canBePolygons)
   {
     this->Fallback = "the fragment shader does not compile: polygons draw the volume";
   }
