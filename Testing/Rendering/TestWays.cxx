@@ -266,6 +266,7 @@ TEST_F(Ways, TheFasterOneIsChosenWithTheSecondFrame)
   this->DrawIn(Mapper::AUTOMATIC);
   this->DrawIn(Mapper::AUTOMATIC);
   const int chosen = this->Slices->GetDrawnWay();
+  std::cout << "chosen: " << (chosen == Mapper::COMPUTE ? "compute" : "fragments") << '\n';
   EXPECT_TRUE(chosen == Mapper::FRAGMENTS || chosen == Mapper::COMPUTE) << chosen;
   this->DrawIn(Mapper::AUTOMATIC);
   EXPECT_EQ(this->Slices->GetDrawnWay(), chosen);

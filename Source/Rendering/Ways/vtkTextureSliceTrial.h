@@ -18,7 +18,7 @@ std::optional<bool> Recall();
 /**
  * Times both ways with the same short rays through a volume's texture, in a picture of 256 x 256
  * pixels, and remembers the result for all contexts of the same renderer. The number of samples
- * grows until the slower way takes two milliseconds. The context, which must have compute shaders,
+ * grows until the slower way takes a millisecond. The context, which must have compute shaders,
  * is current. @return whether compute is faster
  */
 bool Run(vtkOpenGLRenderWindow* window, vtkTextureObject* volume);
