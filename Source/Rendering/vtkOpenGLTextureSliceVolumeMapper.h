@@ -195,11 +195,12 @@ public:
   /**
    * What draws the volume. All ways draw the same picture up to rounding, away from the faces of
    * the box. Fragments: one fragment a pixel goes along the pixel's ray (OpenGL 3.2). Compute: a
-   * compute shader does the same (OpenGL 4.3, or 4.2 with ARB_compute_shader). Polygons: one polygon
-   * for each slice, blended, which is slow and shows how slices work; composite blending without
-   * PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default) draws the first frame by fragments; with the second one it times
-   * both once for each card, and keeps the faster one; polygons where no other shader compiles. A way
-   * that the context does not have is replaced with a warning. The environment variable
+   * compute shader does the same (OpenGL 4.3, or 4.2 with ARB_compute_shader). Polygons: one
+   * polygon for each slice, blended, which is slow and shows how slices work; composite blending
+   * without PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default) draws the first frame
+   * by fragments; with the second one it times both once for each card, and goes on by compute
+   * shaders where these are twice as fast; polygons where no other shader compiles. A way that the
+   * context does not have is replaced with a warning. The environment variable
    * VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
    */
   enum Ways

@@ -31,11 +31,11 @@ constexpr int FewestSamples = 4;   ///< on a ray
 constexpr int MostSamples = 1024;  ///< on a ray
 constexpr double LongEnough = 1.0; ///< milliseconds
 constexpr int Rounds = 5;
-/// Compute must win by more than the factor 2 by which times differ where other programs take one of
-/// two processors from a software renderer.
+/// Compute must win by more than the factor 2 by which times differ where other programs take one
+/// of two processors from a software renderer.
 constexpr double MostOfFragments = 0.5;
 
-/// Whether compute is faster, for each renderer that had a trial.
+/// Whether compute is twice as fast, for each renderer that had a trial.
 std::map<std::string, bool> Results;
 std::mutex ResultsMutex;
 
@@ -54,7 +54,7 @@ public:
     this->Target.ReleaseGraphicsResources(this->Window);
   }
 
-  bool IsComputeFaster()
+  bool IsComputeTwiceAsFast()
   {
     vtkOpenGLState* state = this->Window->GetState();
     vtkOpenGLState::ScopedglViewport viewport(state);
@@ -170,7 +170,7 @@ std::optional<bool> vtkTextureSliceTrial::Recall()
 
 bool vtkTextureSliceTrial::Run(vtkOpenGLRenderWindow* window, vtkTextureObject* volume)
 {
-  const bool isFaster = Trial(window, volume).IsComputeFaster();
+  const bool isFaster = Trial(window, volume).IsComputeTwiceAsFast();
   const std::lock_guard<std::mutex> lock(ResultsMutex);
   Results[GetRendererName()] = isFaster;
   return isFaster;

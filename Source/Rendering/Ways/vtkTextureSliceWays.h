@@ -14,10 +14,10 @@ public:
   /// The values are those of vtkOpenGLTextureSliceVolumeMapper::Ways.
   enum Way
   {
-    Automatic, ///< the faster one of fragments and compute (vtkTextureSliceTrial)
+    Automatic, ///< fragments, or compute where it is much faster (vtkTextureSliceTrial)
     Fragments,
     Compute,
-    Polygons ///< what they cannot draw, the faster one of the others draws
+    Polygons ///< what they cannot draw is drawn as by Automatic
   };
 
   /// What the environment variable VTK_TEXTURE_SLICE_WAY names takes precedence.
@@ -42,8 +42,8 @@ public:
 
 private:
   Way FindAsked();
-  /// The faster one. The first picture is drawn by fragments where there was no trial yet, because
-  /// a trial takes longer than a program with one picture can gain by it.
+  /// What Automatic stands for. The first picture is drawn by fragments where there was no trial
+  /// yet, because a trial takes longer than a program with one picture can gain by it.
   Way ChooseByTrial(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
   bool ReadyCompute(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
   bool ReadyFragments(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
