@@ -46,10 +46,11 @@
  * several components or two-dimensional functions, one or three dependent components, four that are
  * not unsigned char, isosurfaces of other components, averages of several components over part of
  * the range, volumes larger than the largest 3-D texture, and a 2-D image, which has no thickness.
- * Refused with an error when it is met: four components with hidden points, and render passes that
- * peel volumes in a way that is not VTK's. What is refused or ignored is said once, not in each
- * frame. Jittering is ignored; UseDepthPass, RenderToImage and user shaders are ignored with a
- * warning. A hardware selection finds the volume, not its voxels.
+ * Refused with an error when it is met: four components with hidden points, render passes that peel
+ * volumes in a way that is not VTK's, and VTK's peeling in a window with multisamples, which draws
+ * nothing translucent. What is refused or ignored is said once, not in each frame. Jittering is
+ * ignored; UseDepthPass, RenderToImage and user shaders are ignored with a warning. A hardware
+ * selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -220,8 +221,7 @@ public:
   int GetDrawnWay() const;
 
   /**
-   * Slices that the last frame drew; 0 before the first. With nearest interpolation there is one
-   * more than NumberOfSlices where slices would lie on faces between voxels.
+   * Slices that the last frame drew; 0 before the first.
    */
   int GetNumberOfDrawnSlices() const;
 
