@@ -32,6 +32,8 @@ namespace
 using namespace nexrad::testing;
 
 constexpr int Frames = 1000;
+/// Until then the shaders of all combinations are compiled, and the memory grows with them.
+constexpr int Settled = 600;
 
 class Endurance : public RenderingTest
 {
@@ -195,19 +197,19 @@ TEST_F(Endurance, AThousandFrames)
   {
     drawn += this->DrawFrame(frame) ? 1 : 0;
     ASSERT_FALSE(HasFailure()) << "frame " << frame;
-    if (frame == 3 * Frames / 10)
+    if (frame == Settled)
     {
       settled = MemoryUsed();
     }
   }
   this->Stage.reset();
   const double growth = MemoryUsed() - settled;
-  std::cout << "grown by " << growth << " MiB in the last " << Frames - 3 * Frames / 10
-            << " frames, " << drawn << " of " << Frames << " frames drawn\n";
+  std::cout << "grown by " << growth << " MiB in the last " << Frames - Settled << " frames, "
+            << drawn << " of " << Frames << " frames drawn\n";
   EXPECT_AT_LEAST(drawn, 7 * Frames / 10, "frames drawn");
 #ifndef __SANITIZE_ADDRESS__ // which keeps what was freed for a while
-  // A leak of one volume texture a frame, or of one picture a window, would be more.
-  EXPECT_AT_MOST(growth, 16.0, "growth of the memory, MiB");
+  // A leak of one picture a frame would be more.
+  EXPECT_AT_MOST(growth, 8.0, "growth of the memory, MiB");
 #endif
 }
 
@@ -226,7 +228,7 @@ TEST_F(Endurance, NoObjectIsLeftBehind)
   };
   const auto before = released();
   EXPECT_LT(before.at("textures"), held.at("textures")) << "the mapper's textures are not counted";
-  EXPECT_LT(before.at("buffers"), held.at("buffers"));
+  EXPECT_LT(before.at("vertex arrays"), held.at("vertex arrays"));
   std::vector<std::map<std::string, int>> rounds;
   for (int round = 0; round < 2; ++round)
   {
