@@ -18,21 +18,14 @@ vec4 March()
 // What lies between two planes, or a plane and an end of the ray, is gathered together.
 #ifdef TEXTURE_SLICE_SLABS
 const float piece = float(TEXTURE_SLICE_SLABS);
-
-// The first and the last piece of a ray are half as long as the others at least, and half as long again at most.
-float EndOfPiece(float at)
-{
-  float end = (floor(at / piece + 0.5) + 1.0) * piece;
-  return end > raySpan.y - 0.5 * piece ? raySpan.y : end;
-}
 #else
 const float piece = 1.0;
+#endif
 
 float EndOfPiece(float at)
 {
-  return min(floor(at) + 1.0, raySpan.y);
+  return min((floor(at / piece) + 1.0) * piece, raySpan.y);
 }
-#endif
 
 vec4 March()
 {
