@@ -5,7 +5,6 @@
 #include "Scenes.h"
 #include "Tolerance.h"
 
-#include "vtkActor.h"
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkContourValues.h"
@@ -14,12 +13,10 @@
 #include "vtkInformationObjectBaseVectorKey.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderPass.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkShaderProgram.h"
-#include "vtkSphereSource.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
@@ -45,21 +42,6 @@ protected:
     }
   }
 
-  void AddSphere(double x, double y, double z, double radius, double opacity)
-  {
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetCenter(x, y, z);
-    sphere->SetRadius(radius);
-    sphere->SetThetaResolution(40);
-    sphere->SetPhiResolution(40);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(sphere->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    actor->GetProperty()->SetOpacity(opacity);
-    this->Stage->GetRenderer()->AddActor(actor);
-  }
   /// Two that overlap in the tall tower, one in front of the storm.
   void AddGlass()
   {

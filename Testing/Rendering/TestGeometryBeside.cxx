@@ -9,14 +9,11 @@
 #include "vtkCamera.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 #include "vtkRenderStepsPass.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
 #include "vtkSSAAPass.h"
 #include "vtkSmartVolumeMapper.h"
-#include "vtkSphereSource.h"
 #include "vtkTextureSliceObjectFactory.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -30,22 +27,6 @@ using namespace nexrad::testing;
 
 class GeometryBeside : public StormAgainstRayCaster
 {
-protected:
-  void AddSphere(double x, double y, double z, double radius, double opacity)
-  {
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetCenter(x, y, z);
-    sphere->SetRadius(radius);
-    sphere->SetThetaResolution(40);
-    sphere->SetPhiResolution(40);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(sphere->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
-    actor->GetProperty()->SetOpacity(opacity);
-    this->Stage->GetRenderer()->AddActor(actor);
-  }
 };
 
 } // namespace

@@ -3,17 +3,14 @@
 #include "RayCasterComparison.h"
 #include "Scenes.h"
 
-#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkContourValues.h"
 #include "vtkImageData.h"
 #include "vtkPlane.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
 #include "vtkRenderWindow.h"
 #include "vtkRenderer.h"
-#include "vtkSphereSource.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
@@ -84,21 +81,6 @@ protected:
     const Picture polygons = this->DrawIn(Mapper::POLYGONS);
     EXPECT_EQ(this->Slices->GetDrawnWay() == Mapper::POLYGONS, byPolygons);
     this->Expect(name + ", polygons", polygons, fragments, background);
-  }
-
-  void AddSphere(double opacity)
-  {
-    vtkNew<vtkSphereSource> sphere;
-    sphere->SetCenter(-12.0, -14.0, 8.0);
-    sphere->SetRadius(8.0);
-    sphere->SetThetaResolution(40);
-    sphere->SetPhiResolution(40);
-    vtkNew<vtkPolyDataMapper> mapper;
-    mapper->SetInputConnection(sphere->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(mapper);
-    actor->GetProperty()->SetOpacity(opacity);
-    this->Stage->GetRenderer()->AddActor(actor);
   }
 
   /// Odd and even columns of voxels have labels 1 and 2, the first third none.
@@ -175,13 +157,13 @@ TEST_F(Ways, Cuts)
 
 TEST_F(Ways, Geometry)
 {
-  this->AddSphere(1.0);
+  this->AddSphere(-12.0, -14.0, 8.0, 8.0, 1.0);
   this->ExpectSame("geometry in front");
 }
 
 TEST_F(Ways, PeeledGeometry)
 {
-  this->AddSphere(0.4);
+  this->AddSphere(-12.0, -14.0, 8.0, 8.0, 0.4);
   this->Stage->GetWindow()->SetAlphaBitPlanes(1);
   this->Stage->GetRenderer()->SetUseDepthPeeling(1);
   this->Stage->GetRenderer()->SetUseDepthPeelingForVolumes(true);

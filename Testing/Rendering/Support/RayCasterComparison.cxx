@@ -4,9 +4,14 @@
 #include "Scenes.h"
 #include "Tolerance.h"
 
+#include "vtkActor.h"
 #include "vtkCamera.h"
 #include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPolyDataMapper.h"
+#include "vtkProperty.h"
 #include "vtkRenderer.h"
+#include "vtkSphereSource.h"
 #include "vtkVersionMacros.h"
 #include "vtkVolume.h"
 
@@ -149,6 +154,22 @@ void AgainstRayCaster::Crop(const std::array<double, 6>& planes, int flags)
   this->Slices->CroppingOn();
   this->Slices->SetCroppingRegionPlanes(planes.data());
   this->Slices->SetCroppingRegionFlags(flags);
+}
+
+void StormAgainstRayCaster::AddSphere(double x, double y, double z, double radius, double opacity)
+{
+  vtkNew<vtkSphereSource> sphere;
+  sphere->SetCenter(x, y, z);
+  sphere->SetRadius(radius);
+  sphere->SetThetaResolution(40);
+  sphere->SetPhiResolution(40);
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputConnection(sphere->GetOutputPort());
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetColor(1.0, 1.0, 1.0);
+  actor->GetProperty()->SetOpacity(opacity);
+  this->Stage->GetRenderer()->AddActor(actor);
 }
 
 } // namespace nexrad::testing

@@ -87,6 +87,9 @@ class StormAgainstRayCaster : public AgainstRayCaster
 {
 protected:
   void SetUp() override;
+
+  /// A white ball beside the storm.
+  void AddSphere(double x, double y, double z, double radius, double opacity);
 };
 
 } // namespace nexrad::testing
