@@ -27,6 +27,9 @@ float EndOfPiece(float at)
   return min((floor(at / piece) + 1.0) * piece, raySpan.y);
 }
 
+// Slices; rounding would leave a ray on the face that it goes through.
+const float intoNextBrick = 1e-3;
+
 vec4 March()
 {
   float at = raySpan.x;
@@ -38,20 +41,22 @@ vec4 March()
   while (at < raySpan.y)
   {
 #ifdef TEXTURE_SLICE_SKIPPING
-    while (at >= known && at < raySpan.y)
+    // A piece may be longer than a brick: it is left out where all bricks that it goes through are empty.
+    float clear = at;
+    bool empty = at >= known;
+    while (empty && clear < raySpan.y)
     {
-      bool empty;
-      float next = EndOfPiece(at);
-      float reach = at + FindReach(at, empty);
-      bool leaps = empty && reach >= next;
-      begins = begins || leaps;
-      at = leaps ? max(next, floor(reach / piece) * piece) : at;
-      known = leaps ? at : max(reach, next);
+      float reach = FindReach(clear, empty);
+      known = clear + reach;
+      clear = empty ? known + intoNextBrick : clear;
     }
-    if (at >= raySpan.y)
+    if (clear >= raySpan.y)
     {
       break;
     }
+    float start = max(at, floor(clear / piece) * piece);
+    begins = begins || start > at;
+    at = start;
 #endif
     float next = EndOfPiece(at);
     GatherPiece(at, next, begins);
