@@ -92,7 +92,9 @@ void AddArrays(const vtkNexradSweepOrigin& origin, std::size_t gates,
   const std::vector<nexrad::EchoReason>& reasons)
 {
   vtkStructuredGrid* grid = origin.Grid;
-  const vtkIdType columns = grid->GetDimensions()[0];
+  int dimensions[3];
+  grid->GetDimensions(dimensions);
+  const vtkIdType columns = dimensions[0];
   const auto classes = MakeArray(grid, "REF_class");
   const auto numbers = MakeArray(grid, "REF_reason");
   for (std::size_t ray = 0; ray < origin.Rows.size(); ++ray)

@@ -170,9 +170,8 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
 
 vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindSecondArray(vtkDataSet* input, bool cellData)
 {
-  vtkDataSetAttributes* attributes =
-    cellData ? static_cast<vtkDataSetAttributes*>(input->GetCellData()) : input->GetPointData();
-  return attributes->GetArray(this->Transfer2DYAxisArray);
+  return input->GetAttributes(cellData ? vtkDataObject::CELL : vtkDataObject::POINT)
+    ->GetArray(this->Transfer2DYAxisArray);
 }
 
 const char* vtkOpenGLTextureSliceVolumeMapper::FindUnsupported(
@@ -222,20 +221,19 @@ void vtkOpenGLTextureSliceVolumeMapper::GetReductionRatio(double ratio[3])
   }
 }
 
-double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance(
-  vtkImageData* image, double shortestVoxelEdge)
+double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance()
 {
   if (this->AutoAdjustSampleDistances)
   {
-    return shortestVoxelEdge;
+    return this->Parts->Frame.GetShortestVoxelEdge();
   }
+  vtkImageData* image = this->Parts->Image;
   return this->LockSampleDistanceToInputSpacing
            ? this->SpacingAdjustedSampleDistance(image->GetSpacing(), image->GetExtent())
            : static_cast<double>(this->SampleDistance);
 }
 
-vtkImageData* vtkOpenGLTextureSliceVolumeMapper::TakeInput(
-  vtkDataArray*& scalars, std::string& error)
+std::string vtkOpenGLTextureSliceVolumeMapper::TakeInput()
 {
   // VTK 9.1 keeps the class of its copy when an image takes the place of a grid, or a grid that of
   // an image: such a copy has the arrays of the new input alone.
@@ -244,79 +242,109 @@ vtkImageData* vtkOpenGLTextureSliceVolumeMapper::TakeInput(
   {
     input = this->GetInput(0);
   }
-  auto* image = vtkImageData::SafeDownCast(input);
+  vtkTextureSliceParts& parts = *this->Parts;
   auto* grid = vtkRectilinearGrid::SafeDownCast(input);
+  parts.Image = vtkImageData::SafeDownCast(input);
   if (grid != nullptr)
   {
     if (const char* unsupported = vtkTextureSliceCoordinates::FindUnsupported(grid))
     {
-      error = unsupported;
-      return nullptr;
+      return unsupported;
     }
-    this->Parts->GridAsImage = vtkTextureSliceCoordinates::MakeImage(grid);
-    image = this->Parts->GridAsImage;
+    parts.Image = vtkTextureSliceCoordinates::MakeImage(grid);
   }
-  if (image == nullptr)
+  if (parts.Image == nullptr)
   {
-    error = "the input must be a vtkImageData or a vtkRectilinearGrid";
-    return nullptr;
+    return "the input must be a vtkImageData or a vtkRectilinearGrid";
   }
-  this->Parts->Coordinates.Set(grid);
-  scalars = this->GetScalars(
-    image, this->ScalarMode, this->ArrayAccessMode, this->ArrayId, this->ArrayName, this->CellFlag);
-  return image;
+  parts.Coordinates.Set(grid);
+  parts.Scalars = this->GetScalars(parts.Image, this->ScalarMode, this->ArrayAccessMode,
+    this->ArrayId, this->ArrayName, this->CellFlag);
+  return "";
 }
 
-std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer, vtkVolume* volume)
+std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(
+  vtkRenderer* renderer, vtkVolume* volume)
 {
-  std::string error;
-  vtkDataArray* scalars = nullptr;
-  vtkImageData* image = this->TakeInput(scalars, error);
-  if (image == nullptr)
+  vtkTextureSliceParts& parts = *this->Parts;
+  std::string error = this->TakeInput();
+  if (!error.empty())
   {
     return error;
   }
-  const vtkTextureSliceRequest request =
-    this->MakeRequest(volume->GetProperty(), image, scalars, this->CellFlag == 1);
-  if (const char* unsupported = this->FindUnsupported(request))
+  const bool cellData = this->CellFlag == 1;
+  parts.Request = this->MakeRequest(volume->GetProperty(), parts.Image, parts.Scalars, cellData);
+  if (const char* unsupported = this->FindUnsupported(parts.Request))
   {
     return unsupported;
   }
-  if (const char* unsupported = this->Parts->Peeling.Update(renderer, this, volume))
-  {
-    return unsupported;
-  }
-  if (request.IsEmpty())
-  {
-    return "";
-  }
-  this->Parts->Frame.SetVolume(image, this->CellFlag == 1, volume);
-  if (this->Parts->Frame.IsFlat())
+  parts.Frame.SetVolume(parts.Image, cellData, volume);
+  if (parts.Frame.IsFlat())
   {
     return "the volume has no thickness: every axis needs at least two points and an invertible "
            "matrix";
   }
+  parts.Use(vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()));
+  vtkDataArray* second =
+    parts.Request.ReadsSecondArray() ? this->FindSecondArray(parts.Image, cellData) : nullptr;
+  if (!this->UpdateMask(error) || !parts.UpdateVolume(cellData, second, error))
+  {
+    return error;
+  }
+  const char* unsupported = parts.Request.FindUnsupportedRange(parts.Texture.GetComponents());
+  return unsupported != nullptr ? unsupported : "";
+}
+
+bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVolume* volume)
+{
+  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
+  if (window == nullptr || !this->ValidateRender(renderer, volume))
+  {
+    return false;
+  }
+  window->Initialize(); // it may not have been drawn yet
+  const std::string refused = this->UpdateVolume(renderer, volume);
+  return refused.empty() || this->Accept(refused);
+}
+
+bool vtkOpenGLTextureSliceVolumeMapper::Accept(const std::string& refused)
+{
+  if (vtkTextureSliceParts::IsNews(this->Parts->Refused, refused))
+  {
+    vtkErrorMacro(<< refused);
+  }
+  return refused.empty();
+}
+
+std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer, vtkVolume* volume)
+{
+  vtkTextureSliceParts& parts = *this->Parts;
+  const std::string refused = this->UpdateVolume(renderer, volume);
+  if (!refused.empty() || parts.Request.IsEmpty())
+  {
+    return refused;
+  }
+  if (const char* unsupported = parts.Peeling.Update(renderer, this, volume))
+  {
+    return unsupported;
+  }
   const double allowedTime = volume->GetAllocatedRenderTime();
-  this->Parts->PixelSize = this->ChooseImageSampleDistance(allowedTime);
+  parts.PixelSize = this->ChooseImageSampleDistance(allowedTime);
   vtkNew<vtkTimerLog> timer;
   timer->StartTimer();
-  error = this->DrawSlices(renderer, image, scalars, request);
+  const std::string error = this->DrawSlices(renderer);
   if (this->AutoAdjustSampleDistances && vtkTextureSliceResolution::IsInteractive(allowedTime))
   {
     glFinish();
     timer->StopTimer();
-    this->Parts->Resolution.Report(timer->GetElapsedTime());
+    parts.Resolution.Report(timer->GetElapsedTime());
   }
   return error;
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
 {
-  const std::string refused = this->DrawVolume(renderer, volume);
-  if (vtkTextureSliceParts::IsNews(this->Parts->Refused, refused))
-  {
-    vtkErrorMacro(<< refused);
-  }
+  this->Accept(this->DrawVolume(renderer, volume));
   const std::string ignored = FindIgnored(this, volume);
   if (vtkTextureSliceParts::IsNews(this->Parts->Ignored, ignored))
   {
@@ -358,34 +386,16 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseImageSampleDistance(double allow
     std::max<double>(asked, this->MaximumImageSampleDistance));
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::SetUpFrame(vtkRenderer* renderer)
-{
-  this->Parts->Frame.SetCamera(renderer);
-  this->SetUpCuts();
-}
-
-void vtkOpenGLTextureSliceVolumeMapper::SetUpCuts()
-{
-  vtkTextureSliceCropping cropping;
-  cropping.On = this->Cropping != 0;
-  cropping.RegionFlags = this->CroppingRegionFlags;
-  std::copy(this->CroppingRegionPlanes, this->CroppingRegionPlanes + 6, cropping.Planes.begin());
-  vtkTextureSliceFrame& frame = this->Parts->Frame;
-  frame.SetCropping(cropping);
-  frame.SetClippingPlanes(this->GetClippingPlanes());
-}
-
-bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
-  vtkImageData* image, const vtkTextureSliceRequest& request)
+bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()
 {
   vtkTextureSliceParts& parts = *this->Parts;
-  parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable,
+  parts.EmptySpace.Update({&parts.Request, &parts.Texture, &parts.Table, &parts.LabelTable,
     &parts.Table2D, &parts.Frame, this->CroppingRegionFlags, &parts.Coordinates});
-  parts.Frame.SetPlane(request.GetSlicePlane());
+  parts.Frame.SetPlane(parts.Request.GetSlicePlane());
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
-  view.SampleDistance = this->ChooseSampleDistance(image, parts.Frame.GetShortestVoxelEdge());
-  if (request.IsNearest())
+  view.SampleDistance = this->ChooseSampleDistance();
+  if (parts.Request.IsNearest())
   {
     view.Faces = parts.Frame.GetIntervals();
     view.FirstFace = parts.Frame.GetFirstFace();
@@ -393,73 +403,36 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
   view.Viewport = vtkTextureSliceTarget::GetSize(parts.Window, parts.PixelSize);
   parts.Planes.Place(view);
   // A sum is black where all that was sampled is clear.
-  const bool isSeen =
-    request.BlendMode == vtkVolumeMapper::ADDITIVE_BLEND || !parts.EmptySpace.IsNothingVisible();
-  return parts.Planes.GetNumberOfSlices() > 0 && isSeen;
+  return parts.Planes.GetNumberOfSlices() > 0 &&
+         (this->BlendMode == ADDITIVE_BLEND || !parts.EmptySpace.IsNothingVisible());
 }
 
-std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer,
-  vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
+std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
 {
   vtkTextureSliceParts& parts = *this->Parts;
-  std::string error = this->UpdateVolume(renderer, image, scalars, request);
-  if (!error.empty())
-  {
-    return error;
-  }
-  this->SetUpFrame(renderer);
-  if (!this->PlaceSlices(image, request))
+  parts.Frame.SetCamera(renderer);
+  parts.Frame.SetCuts(this);
+  if (!this->PlaceSlices())
   {
     return "";
   }
   parts.Lights.Update(renderer);
-  this->UpdateShadows(image, scalars, request);
-
-  const vtkTextureSliceUniforms uniforms = this->MakeUniforms(renderer, request);
+  this->UpdateShadows();
+  this->SetUniforms(renderer);
   const StateKeeper keeper(parts.Window->GetState());
   parts.Ways.SetAsked(this->Way);
   for (int picture = 0; picture < parts.Peeling.CountPictures(); ++picture)
   {
     parts.Peeling.SetPicture(picture);
-    if (!parts.Draw(uniforms, error))
+    std::string error;
+    if (!parts.Draw(error))
     {
       return error;
     }
-    parts.Composite(uniforms, 1.0f / this->FinalColorWindow,
-      0.5f - this->FinalColorLevel / this->FinalColorWindow);
+    parts.Composite(
+      1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
   }
   return "";
-}
-
-std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* renderer,
-  vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
-{
-  vtkTextureSliceParts& parts = *this->Parts;
-  std::string error;
-  // As in VTK's ray caster, "nearest" holds for the table as well as for the volume.
-  const bool nearest = request.IsNearest();
-  if (!this->Upload(renderer, image, scalars, error) ||
-      !parts.UpdateTables(request, nearest, error))
-  {
-    return error;
-  }
-  if (const char* unsupported = request.FindUnsupportedRange(parts.Texture.GetComponents()))
-  {
-    return unsupported;
-  }
-  parts.Texture.SetNearest(nearest);
-  if (parts.Coordinates.IsUsed())
-  {
-    parts.Coordinates.Update(parts.Window);
-  }
-  if (request.ReadsSecondArray())
-  {
-    const bool cellData = this->CellFlag == 1;
-    parts.SecondArray.Update(
-      parts.Window, image, this->FindSecondArray(image, cellData), cellData, error);
-    parts.SecondArray.SetNearest(nearest);
-  }
-  return error;
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
@@ -477,8 +450,7 @@ void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
 #endif
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
-  vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request)
+void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows()
 {
   vtkTextureSliceParts& parts = *this->Parts;
   vtkTextureSliceShadowSettings settings;
@@ -487,7 +459,7 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
   {
     settings.Shadow = this->ShadowStrength;
     settings.Occlusion = this->OcclusionStrength;
-    this->FollowScattering(request.Property, settings);
+    this->FollowScattering(parts.Request.Property, settings);
   }
   settings.Density = this->ShadowDensity;
   settings.Exposure = this->Exposure;
@@ -498,60 +470,27 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows(
   settings.Interactive =
     this->AutoAdjustSampleDistances != 0 &&
     vtkTextureSliceResolution::IsInteractive(1.0 / parts.Window->GetDesiredUpdateRate());
-  vtkTextureSliceShadows::Source source{&request, image, scalars, &parts.Texture, &parts.Table,
-    &parts.LabelTable, nullptr, &parts.Frame, this->CroppingRegionFlags,
-    static_cast<double>(this->MaskBlendFactor)};
-  if (this->MaskInput != nullptr)
-  {
-    source.MaskValues = this->FindMaskValues();
-  }
-  parts.Shadows.Update(parts.Window, source, settings);
+  parts.Shadows.Update(parts.Window,
+    {&parts.Request, parts.Image, parts.Scalars, &parts.Texture, &parts.Table, &parts.LabelTable,
+      this->FindMaskValues(), &parts.Frame, this->CroppingRegionFlags,
+      static_cast<double>(this->MaskBlendFactor)},
+    settings);
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::UpdateLight(vtkRenderer* renderer, vtkVolume* volume)
 {
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window == nullptr || !this->ValidateRender(renderer, volume))
+  if (!this->PreLoadData(renderer, volume))
   {
     return false;
   }
-  window->Initialize(); // it may not have been drawn yet
-  std::string error;
-  vtkDataArray* scalars = nullptr;
-  vtkImageData* image = this->TakeInput(scalars, error);
-  if (image == nullptr)
-  {
-    return false;
-  }
-  const vtkTextureSliceRequest request =
-    this->MakeRequest(volume->GetProperty(), image, scalars, this->CellFlag == 1);
-  if (this->FindUnsupported(request) != nullptr)
-  {
-    return false; // drawing says why
-  }
-  this->Parts->Frame.SetVolume(image, this->CellFlag == 1, volume);
-  if (this->Parts->Frame.IsFlat() || !this->UpdateVolume(renderer, image, scalars, request).empty())
-  {
-    return false;
-  }
-  this->SetUpCuts();
-  this->UpdateShadows(image, scalars, request);
+  this->Parts->Frame.SetCuts(this);
+  this->UpdateShadows();
   return true;
 }
 
 vtkImageData* vtkOpenGLTextureSliceVolumeMapper::GetLightVolume()
 {
   return this->Parts->Shadows.GetImage();
-}
-
-bool vtkOpenGLTextureSliceVolumeMapper::Upload(
-  vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error)
-{
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  this->Parts->Use(window);
-  return this->Parts->Texture.Update(window, image, scalars, this->CellFlag == 1, error) &&
-         this->Parts->Blanks.Update(window, image, this->CellFlag == 1, error) &&
-         this->UpdateMask(image, error);
 }
 
 vtkSmartPointer<vtkObject> vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
@@ -569,57 +508,34 @@ vtkSmartPointer<vtkObject> vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(
     vtkTextureSliceChecksums::SafeDownCast(before));
 }
 
-bool vtkOpenGLTextureSliceVolumeMapper::PreLoadData(vtkRenderer* renderer, vtkVolume* volume)
-{
-  auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
-  if (window == nullptr || !this->ValidateRender(renderer, volume))
-  {
-    return false;
-  }
-  window->Initialize(); // it may not have been drawn yet
-  std::string error;
-  vtkDataArray* scalars = nullptr;
-  vtkImageData* image = this->TakeInput(scalars, error);
-  if (image == nullptr || !this->Upload(renderer, image, scalars, error))
-  {
-    vtkErrorMacro(<< error);
-    return false;
-  }
-  return true;
-}
-
 vtkDataArray* vtkOpenGLTextureSliceVolumeMapper::FindMaskValues()
 {
-  vtkDataSetAttributes* attributes =
-    this->CellFlag == 1 ? static_cast<vtkDataSetAttributes*>(this->MaskInput->GetCellData())
-                        : this->MaskInput->GetPointData();
-  return attributes->GetScalars();
+  return this->MaskInput != nullptr
+           ? this->MaskInput
+               ->GetAttributes(this->CellFlag == 1 ? vtkDataObject::CELL : vtkDataObject::POINT)
+               ->GetScalars()
+           : nullptr;
 }
 
-bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::string& error)
+bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
 {
   if (this->MaskInput == nullptr)
   {
     return true;
   }
+  vtkTextureSliceParts& parts = *this->Parts;
   const bool cellData = this->CellFlag == 1;
   vtkDataArray* values = this->FindMaskValues();
   if (values == nullptr || values->GetDataType() != VTK_UNSIGNED_CHAR ||
       values->GetNumberOfComponents() != 1 ||
       vtkTextureSliceScalars::GetSize(this->MaskInput, cellData) !=
-        vtkTextureSliceScalars::GetSize(image, cellData))
+        vtkTextureSliceScalars::GetSize(parts.Image, cellData))
   {
     error = std::string("the mask must have the dimensions of the volume and ") +
             (cellData ? "cell" : "point") + " scalars of one unsigned char";
     return false;
   }
-  vtkTextureSliceTexture& mask = this->Parts->Mask;
-  if (!mask.Update(this->Parts->Window, this->MaskInput, values, cellData, error))
-  {
-    return false;
-  }
-  mask.SetNearest(true);
-  return true;
+  return parts.UpdateArray(parts.Mask, this->MaskInput, values, cellData, true, error);
 }
 
 std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
@@ -635,61 +551,36 @@ std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
   return seen;
 }
 
-vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
-  vtkRenderer* renderer, const vtkTextureSliceRequest& request)
+void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
 {
   vtkTextureSliceParts& parts = *this->Parts;
-  vtkTextureSliceUniforms uniforms;
-  uniforms.Features = request.GetFeatures();
-  uniforms.Features.Masked = parts.Texture.IsMasked();
-  uniforms.Features.Cropped = parts.Frame.NeedsCropTest();
-  uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
-  uniforms.Features.Shadows = parts.Shadows.IsUsed();
-  uniforms.Features.ScaledLight = parts.Shadows.IsScaled();
-  uniforms.Features.Scattering = parts.Shadows.IsScattering();
-  uniforms.Features.Peel = parts.Peeling.GetStage();
-  uniforms.Peeling = &parts.Peeling;
-  uniforms.PixelSize = parts.PixelSize;
-  uniforms.Features.ClippingPlanes =
-    static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
-  uniforms.Features.Skipping = parts.EmptySpace.IsSkippingWorthwhile();
-  if (request.IsShaded())
+  vtkTextureSliceFeatures& features = parts.Features;
+  features = parts.Request.GetFeatures();
+  features.Masked = parts.Texture.IsMasked();
+  features.SecondMasked = features.SecondArray > 0 && parts.SecondArray.IsMasked();
+  features.Rectilinear = parts.Coordinates.IsUsed();
+  features.Blanked = parts.Blanks.IsUsed();
+  features.Cropped = parts.Frame.NeedsCropTest();
+  features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
+  features.Shadows = parts.Shadows.IsUsed();
+  features.ScaledLight = parts.Shadows.IsScaled();
+  features.Scattering = parts.Shadows.IsScattering();
+  features.Peel = parts.Peeling.GetStage();
+  features.ClippingPlanes = static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
+  features.Skipping = parts.EmptySpace.IsSkippingWorthwhile();
+  features.Lights = parts.Request.IsShaded() ? parts.Lights.CountForShader() : -1;
+  vtkHardwareSelector* selector = renderer->GetSelector();
+  features.Selection = selector != nullptr;
+  if (selector != nullptr)
   {
-    uniforms.Features.Lights = parts.Lights.CountForShader();
+    selector->GetPropColorValue(parts.SelectionColor.data());
   }
-  if (vtkHardwareSelector* selector = renderer->GetSelector())
-  {
-    uniforms.Features.Selection = true;
-    selector->GetPropColorValue(uniforms.SelectionColor.data());
-  }
-  uniforms.Frame = &parts.Frame;
-  uniforms.Planes = &parts.Planes;
-  uniforms.Seen = this->FindSeen();
-  uniforms.Distances = &parts.EmptySpace.GetDistances();
-  uniforms.Volume = parts.Texture.GetTexture();
-  uniforms.Table = &parts.Table;
-  uniforms.Table2D = &parts.Table2D;
-  uniforms.Features.Rectilinear = parts.Coordinates.IsUsed();
-  uniforms.Coordinates = &parts.Coordinates;
-  uniforms.Features.Blanked = parts.Blanks.IsUsed();
-  uniforms.Blanks = &parts.Blanks;
-  if (uniforms.Features.SecondArray > 0)
-  {
-    uniforms.Features.SecondMasked = parts.SecondArray.IsMasked();
-    uniforms.SecondArray = parts.SecondArray.GetTexture();
-    vtkTextureSliceRequest::SetSecondArray(parts.SecondArray.GetComponents(), uniforms);
-  }
-  uniforms.Mask = parts.Mask.GetTexture();
-  uniforms.LabelTable = &parts.LabelTable;
-  uniforms.LabelWeight = this->MaskBlendFactor;
-  uniforms.Integrals = &parts.Integrals;
-  uniforms.LabelIntegrals = &parts.LabelIntegrals;
-  uniforms.GeometryDepth = parts.Target.GetGeometryDepth();
-  uniforms.Lights = &parts.Lights;
-  uniforms.Shadows = &parts.Shadows;
-  uniforms.CropFlags = this->CroppingRegionFlags;
-  request.SetUniforms(parts.Texture.GetComponents(), uniforms);
-  return uniforms;
+  parts.Seen = this->FindSeen();
+  parts.Distances = &parts.EmptySpace.GetDistances();
+  parts.GeometryDepth = parts.Target.GetGeometryDepth();
+  parts.LabelWeight = this->MaskBlendFactor;
+  parts.CropFlags = this->CroppingRegionFlags;
+  parts.Request.SetUniforms(parts);
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

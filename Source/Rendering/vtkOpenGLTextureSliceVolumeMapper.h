@@ -69,7 +69,6 @@ class vtkImageData;
 class vtkTextureSliceParts;
 struct vtkTextureSliceRequest;
 struct vtkTextureSliceShadowSettings;
-struct vtkTextureSliceUniforms;
 
 class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper
 {
@@ -197,12 +196,12 @@ public:
    * What draws the volume. All ways draw the same picture up to rounding, away from the faces of
    * the box. Fragments: one fragment a pixel goes along the pixel's ray (OpenGL 3.2). Compute: a
    * compute shader does the same (OpenGL 4.3, or 4.2 with ARB_compute_shader). Polygons: one
-   * polygon for each slice, blended, which is slow and shows how slices work; composite blending
-   * without PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default) draws the first frame
-   * by fragments; with the second one it times both once for each card, and goes on by compute
-   * shaders where these are twice as fast; polygons where no other shader compiles. A way that the
-   * context does not have is replaced with a warning. The environment variable
-   * VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
+   * for each slice, the outline of the volume, blended, which is slow and shows how slices work;
+   * composite blending without PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default)
+   * draws the first frame by fragments; with the second one it times both once for each card, and
+   * goes on by compute shaders where these are twice as fast; polygons where no other shader
+   * compiles. A way that the context does not have is replaced with a warning. The environment
+   * variable VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
    */
   enum Ways
   {
@@ -307,37 +306,30 @@ private:
 
   std::unique_ptr<vtkTextureSliceParts> Parts;
 
-  vtkImageData* TakeInput(vtkDataArray*& scalars, std::string& error);
+  // These return in one line why nothing can be drawn, or an empty text.
+  std::string TakeInput();
+  std::string UpdateVolume(vtkRenderer* renderer, vtkVolume* volume);
+  std::string DrawVolume(vtkRenderer* renderer, vtkVolume* volume);
+  std::string DrawSlices(vtkRenderer* renderer);
+  /// Whether that text is empty; else it is said, unless it was said of the last frame.
+  bool Accept(const std::string& refused);
+  void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
   vtkTextureSliceRequest MakeRequest(
     vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData);
+  const char* FindUnsupported(const vtkTextureSliceRequest& request);
   /// The array that Transfer2DYAxisArray names, of the points or of the cells; nullptr: none.
   vtkDataArray* FindSecondArray(vtkDataSet* input, bool cellData);
-  const char* FindUnsupported(const vtkTextureSliceRequest& request);
+  vtkDataArray* FindMaskValues();
+  bool UpdateMask(std::string& error);
   double ChooseImageSampleDistance(double allowedTime);
-  double ChooseSampleDistance(vtkImageData* image, double shortestVoxelEdge);
-  void SetUpFrame(vtkRenderer* renderer);
-  void SetUpCuts();
-  /// Returns why it cannot, or an empty text.
-  std::string UpdateVolume(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
-    const vtkTextureSliceRequest& request);
-  void UpdateShadows(
-    vtkImageData* image, vtkDataArray* scalars, const vtkTextureSliceRequest& request);
+  double ChooseSampleDistance();
+  void UpdateShadows();
   void FollowScattering(vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings);
   /// @return false where nothing is to be seen
-  bool PlaceSlices(vtkImageData* image, const vtkTextureSliceRequest& request);
-  void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);
-  /// Both return why nothing can be drawn, in one line, or an empty text.
-  std::string DrawVolume(vtkRenderer* renderer, vtkVolume* volume);
-  std::string DrawSlices(vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars,
-    const vtkTextureSliceRequest& request);
-  bool Upload(
-    vtkRenderer* renderer, vtkImageData* image, vtkDataArray* scalars, std::string& error);
-  vtkDataArray* FindMaskValues();
-  bool UpdateMask(vtkImageData* image, std::string& error);
+  bool PlaceSlices();
   /// The part of the box whose pixels are drawn.
   std::array<double, 6> FindSeen() const;
-  vtkTextureSliceUniforms MakeUniforms(
-    vtkRenderer* renderer, const vtkTextureSliceRequest& request);
+  void SetUniforms(vtkRenderer* renderer);
 };
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceParts.h"
 
+#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
@@ -51,84 +52,107 @@ void vtkTextureSliceParts::Use(vtkOpenGLRenderWindow* window)
   window->MakeCurrent();
 }
 
-bool vtkTextureSliceParts::UpdateTables(
-  const vtkTextureSliceRequest& request, bool nearest, std::string& error)
+bool vtkTextureSliceParts::UpdateArray(vtkTextureSliceTexture& texture, vtkImageData* image,
+  vtkDataArray* values, bool cellData, bool nearest, std::string& error)
 {
-  const auto& components = this->Texture.GetComponents();
-  const vtkTextureSliceFeatures features = request.GetFeatures();
-  this->Table.Update(this->Window, request.MakeRows(components), nearest);
-  if (features.Labels > 0)
+  if (!texture.Update(this->Window, image, values, cellData, error))
   {
-    this->LabelTable.Update(this->Window, request.MakeLabelRows(components), nearest);
+    return false;
   }
-  return !features.Table2D ||
-         this->Table2D.Update(this->Window, request.MakeTables2D(), nearest, error);
+  texture.SetNearest(nearest);
+  return true;
 }
 
-void vtkTextureSliceParts::UpdateIntegrals(const vtkTextureSliceUniforms& uniforms)
+bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std::string& error)
 {
-  const vtkTextureSliceFeatures& features = uniforms.Features;
+  // As in VTK's ray caster, "nearest" holds for the tables as well as for the volume.
+  const bool nearest = this->Request.IsNearest();
+  if (this->Coordinates.IsUsed())
+  {
+    this->Coordinates.Update(this->Window);
+  }
+  return this->UpdateArray(this->Texture, this->Image, this->Scalars, cellData, nearest, error) &&
+         this->Blanks.Update(this->Window, this->Image, cellData, error) &&
+         (second == nullptr ||
+           this->UpdateArray(this->SecondArray, this->Image, second, cellData, nearest, error)) &&
+         this->UpdateTables(nearest, error);
+}
+
+bool vtkTextureSliceParts::UpdateTables(bool nearest, std::string& error)
+{
+  const auto& components = this->Texture.GetComponents();
+  const vtkTextureSliceFeatures features = this->Request.GetFeatures();
+  this->Table.Update(this->Window, this->Request.MakeRows(components), nearest);
+  if (features.Labels > 0)
+  {
+    this->LabelTable.Update(this->Window, this->Request.MakeLabelRows(components), nearest);
+  }
+  return !features.Table2D ||
+         this->Table2D.Update(this->Window, this->Request.MakeTables2D(), nearest, error);
+}
+
+void vtkTextureSliceParts::UpdateIntegrals()
+{
   double unitDistance = 0.0; // the longest
-  for (const vtkTextureSliceSurface& surface : uniforms.Surfaces)
+  for (const vtkTextureSliceSurface& surface : this->Surfaces)
   {
     unitDistance = std::max(unitDistance, 1.0 / static_cast<double>(surface.InverseUnitDistance));
   }
   const double slab = this->Planes.GetDataStep();
   const double mostDepth = vtkTextureSliceIntegralTable::ChooseMostDepth(slab / unitDistance);
-  const int dimensions = features.GetIntegralDimensions();
-  this->Integrals.Update(this->Window, this->Table, features.Functions, dimensions, mostDepth);
-  if (features.Labels > 0)
+  const int dimensions = this->Features.GetIntegralDimensions();
+  this->Integrals.Update(
+    this->Window, this->Table, this->Features.Functions, dimensions, mostDepth);
+  if (this->Features.Labels > 0)
   {
     this->LabelIntegrals.Update(
-      this->Window, this->LabelTable, features.Labels, dimensions, mostDepth);
+      this->Window, this->LabelTable, this->Features.Labels, dimensions, mostDepth);
   }
 }
 
-bool vtkTextureSliceParts::Draw(const vtkTextureSliceUniforms& uniforms, std::string& error)
+bool vtkTextureSliceParts::Draw(std::string& error)
 {
-  const vtkTextureSliceFeatures& features = uniforms.Features;
-  if (!this->Ways.Choose(this->Window, uniforms))
+  if (!this->Ways.Choose(this->Window, *this))
   {
     error = "OpenGL could not compile the shaders of the slices";
     return false;
   }
-  if (!this->Target.Begin(this->Window, this->PixelSize, features.NeedsDepth(),
+  if (!this->Target.Begin(this->Window, this->PixelSize, this->Features.NeedsDepth(),
         this->Ways.NeedsFullPrecision(), error))
   {
     return false;
   }
-  if (features.Slabs)
+  if (this->Features.Slabs)
   {
-    this->UpdateIntegrals(uniforms);
+    this->UpdateIntegrals();
   }
-  if (features.Skipping)
+  if (this->Features.Skipping)
   {
     this->EmptySpace.GetDistances().Upload(this->Window);
   }
-  this->Ways.Draw(this->Window, uniforms, this->Target.GetPicture());
+  this->Ways.Draw(this->Window, *this, this->Target.GetPicture());
   this->Target.End();
   return true;
 }
 
-void vtkTextureSliceParts::Composite(
-  const vtkTextureSliceUniforms& uniforms, float colorScale, float colorBias)
+void vtkTextureSliceParts::Composite(float colorScale, float colorBias)
 {
   // Associated colour over the window; identifiers as they are.
   vtkOpenGLState* state = this->Window->GetState();
   state->vtkglBlendEquation(GL_FUNC_ADD);
   state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
-  state->SetEnumState(GL_BLEND, !uniforms.Features.Selection);
-  const bool peeled = uniforms.Features.Peel > 0;
+  state->SetEnumState(GL_BLEND, !this->Features.Selection);
+  const bool peeled = this->Features.Peel > 0;
   if (peeled)
   {
     this->Peeling.SetBlending(state);
   }
   // Between an extreme and no sample at all there is nothing.
-  const int blendMode = uniforms.Features.BlendMode;
+  const int blendMode = this->Features.BlendMode;
   const bool smooth = this->PixelSize != 1.0 &&
                       blendMode != vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND &&
                       blendMode != vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
-  this->Target.Composite(smooth, uniforms,
+  this->Target.Composite(smooth, *this,
     [&](vtkShaderProgram* program)
     {
       if (peeled)
@@ -137,6 +161,6 @@ void vtkTextureSliceParts::Composite(
       }
       program->SetUniformf("colorScale", colorScale);
       program->SetUniformf("colorBias", colorBias);
-      program->SetUniform3f("selectionColor", uniforms.SelectionColor.data());
+      program->SetUniform3f("selectionColor", this->SelectionColor.data());
     });
 }

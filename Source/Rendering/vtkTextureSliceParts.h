@@ -3,21 +3,10 @@
 #ifndef vtkTextureSliceParts_h
 #define vtkTextureSliceParts_h
 
-#include "vtkTextureSliceBlanks.h"
-#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceEmptySpace.h"
-#include "vtkTextureSliceFrame.h"
-#include "vtkTextureSliceIntegralTable.h"
-#include "vtkTextureSliceLights.h"
-#include "vtkTextureSlicePeeling.h"
-#include "vtkTextureSlicePlanes.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceResolution.h"
-#include "vtkTextureSliceShadows.h"
-#include "vtkTextureSliceTable.h"
-#include "vtkTextureSliceTable2D.h"
 #include "vtkTextureSliceTarget.h"
-#include "vtkTextureSliceTexture.h"
 #include "vtkTextureSliceUniforms.h"
 #include "vtkTextureSliceWays.h"
 
@@ -26,40 +15,25 @@
 
 #include <string>
 
+class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 
 /**
- * What vtkOpenGLTextureSliceVolumeMapper works with, one job each; every part decides for itself
- * what a change makes it do anew.
+ * What vtkOpenGLTextureSliceVolumeMapper works with, one job each: what the shaders read, and what
+ * finds and draws it.
  */
-class vtkTextureSliceParts
+class vtkTextureSliceParts : public vtkTextureSliceUniforms
 {
 public:
-  vtkTextureSliceTexture Texture;
-  vtkTextureSliceTable Table;
-  vtkTextureSliceTable2D Table2D;
-  vtkTextureSliceTexture Mask;
-  /// What two-dimensional functions have in place of the gradient magnitude.
-  vtkTextureSliceTexture SecondArray;
-  vtkTextureSliceBlanks Blanks;
-  /// Used where the input is a rectilinear grid.
-  vtkTextureSliceCoordinates Coordinates;
-  vtkSmartPointer<vtkImageData> GridAsImage;
-  vtkTextureSliceTable LabelTable;
-  vtkTextureSliceIntegralTable Integrals;
-  vtkTextureSliceIntegralTable LabelIntegrals;
-  vtkTextureSliceFrame Frame;
+  /// The volume of this frame; of a rectilinear grid, an image of its points or cells.
+  vtkSmartPointer<vtkImageData> Image;
+  vtkDataArray* Scalars = nullptr;
+  vtkTextureSliceRequest Request;
   vtkTextureSliceEmptySpace EmptySpace;
-  vtkTextureSlicePlanes Planes;
-  vtkTextureSliceLights Lights;
-  vtkTextureSliceShadows Shadows;
   vtkTextureSliceResolution Resolution;
-  /// Image sample distance of this frame.
-  double PixelSize = 1.0;
   vtkTextureSliceTarget Target;
   vtkTextureSliceWays Ways;
-  vtkTextureSlicePeeling Peeling;
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
   /// What the last frame refused, and what it ignored: the same is not said again.
@@ -77,16 +51,22 @@ public:
   /// Makes that window the owner; another one gives its resources up first.
   void Use(vtkOpenGLRenderWindow* window);
 
-  /// Brings the tables of transfer functions up to date. @return false with one line in @a error
-  bool UpdateTables(const vtkTextureSliceRequest& request, bool nearest, std::string& error);
+  /// Brings the textures of the volume and of the functions up to date.
+  /// @param second of two-dimensional functions; or nullptr
+  /// @return false with one line in @a error
+  bool UpdateVolume(bool cellData, vtkDataArray* second, std::string& error);
+  /// The same for one texture.
+  bool UpdateArray(vtkTextureSliceTexture& texture, vtkImageData* image, vtkDataArray* values,
+    bool cellData, bool nearest, std::string& error);
   /// Draws the slices into the target. @return false with one line in @a error
-  bool Draw(const vtkTextureSliceUniforms& uniforms, std::string& error);
+  bool Draw(std::string& error);
   /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level
-  void Composite(const vtkTextureSliceUniforms& uniforms, float colorScale, float colorBias);
+  void Composite(float colorScale, float colorBias);
 
 private:
+  bool UpdateTables(bool nearest, std::string& error);
   /// Brings the integrals of the tables up to date, for slabs as thick as the planes are distant.
-  void UpdateIntegrals(const vtkTextureSliceUniforms& uniforms);
+  void UpdateIntegrals();
 };
 
 #endif

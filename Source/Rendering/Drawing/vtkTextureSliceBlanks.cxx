@@ -53,7 +53,7 @@ bool vtkTextureSliceBlanks::Update(
   return true;
 }
 
-void vtkTextureSliceBlanks::SetUniforms(vtkShaderProgram* program)
+void vtkTextureSliceBlanks::SetUniforms(vtkShaderProgram* program) const
 {
   program->SetUniformi("blankTexture", this->GetTexture()->GetTextureUnit());
   program->SetUniform3f("blankScale", this->Scale.data());

@@ -32,9 +32,9 @@ public:
     vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData, std::string& error);
   /// Whether there is a flag that hides something.
   bool IsUsed() const { return this->Used; }
-  vtkTextureObject* GetTexture() { return this->Texture.GetTexture(); }
+  vtkTextureObject* GetTexture() const { return this->Texture.GetTexture(); }
   /// The texture must be active.
-  void SetUniforms(vtkShaderProgram* program);
+  void SetUniforms(vtkShaderProgram* program) const;
   void ReleaseGraphicsResources(vtkWindow* window)
   {
     this->Texture.ReleaseGraphicsResources(window);

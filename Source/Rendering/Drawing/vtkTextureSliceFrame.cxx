@@ -116,39 +116,33 @@ void vtkTextureSliceFrame::SetCamera(vtkRenderer* renderer)
   this->View.NearDepth = camera->GetClippingRange()[0];
 }
 
-void vtkTextureSliceFrame::SetCropping(const vtkTextureSliceCropping& cropping)
+void vtkTextureSliceFrame::SetCuts(vtkVolumeMapper* mapper)
 {
-  this->View.Part = {0, 1, 0, 1, 0, 1};
-  this->CropTest = false;
-  if (!cropping.On)
+  this->View.ClippingPlanes.clear();
+  vtkPlaneCollection* planes = mapper->GetClippingPlanes();
+  const int count = planes != nullptr ? planes->GetNumberOfItems() : 0;
+  for (int i = 0; i < count; ++i)
   {
-    return;
+    this->View.ClippingPlanes.push_back(this->ToBox(planes->GetItem(i)));
   }
-  this->CropTest = cropping.RegionFlags != VTK_CROP_SUBVOLUME;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  this->View.Part = {0, 1, 0, 1, 0, 1};
+  const int regions = mapper->GetCroppingRegionFlags();
+  this->CropTest = mapper->GetCropping() != 0 && regions != VTK_CROP_SUBVOLUME;
+  const double* cropping = mapper->GetCroppingRegionPlanes();
+  for (std::size_t axis = 0; axis < 3 && mapper->GetCropping() != 0; ++axis)
   {
-    double low = (cropping.Planes[2 * axis] - this->Origin[axis]) / this->Edge[axis];
-    double high = (cropping.Planes[2 * axis + 1] - this->Origin[axis]) / this->Edge[axis];
+    double low = (cropping[2 * axis] - this->Origin[axis]) / this->Edge[axis];
+    double high = (cropping[2 * axis + 1] - this->Origin[axis]) / this->Edge[axis];
     const auto [lower, upper] = std::minmax(low, high); // a negative spacing swaps them
     const std::array<double, 4> borders{
       0.0, std::clamp(lower, 0.0, 1.0), std::clamp(upper, 0.0, 1.0), 1.0};
-    const auto [first, last] = FindKeptParts(cropping.RegionFlags, axis);
+    const auto [first, last] = FindKeptParts(regions, axis);
     this->View.Part[2 * axis] = borders[first];
     this->View.Part[2 * axis + 1] = borders[last + 1];
     this->CropLow[axis] =
       static_cast<float>(low) * this->TextureScale[axis] + this->TextureBias[axis];
     this->CropHigh[axis] =
       static_cast<float>(high) * this->TextureScale[axis] + this->TextureBias[axis];
-  }
-}
-
-void vtkTextureSliceFrame::SetClippingPlanes(vtkPlaneCollection* planes)
-{
-  this->View.ClippingPlanes.clear();
-  const int count = planes != nullptr ? planes->GetNumberOfItems() : 0;
-  for (int i = 0; i < count; ++i)
-  {
-    this->View.ClippingPlanes.push_back(this->ToBox(planes->GetItem(i)));
   }
 }
 

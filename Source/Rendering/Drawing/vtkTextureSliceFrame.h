@@ -11,17 +11,9 @@
 class vtkImageData;
 class vtkMatrix4x4;
 class vtkPlane;
-class vtkPlaneCollection;
 class vtkRenderer;
 class vtkVolume;
-
-/// Cropping of a vtkVolumeMapper.
-struct vtkTextureSliceCropping
-{
-  bool On = false;
-  std::array<double, 6> Planes{}; ///< in data coordinates: lower x, upper x, lower y and so on
-  int RegionFlags = 0;            ///< one bit for each of the 27 regions
-};
+class vtkVolumeMapper;
 
 /**
  * The box is the volume's bounds, 0 to 1 along each of its axes; data coordinates are the image's
@@ -35,10 +27,8 @@ public:
 
   void SetVolume(vtkImageData* image, bool cellData, vtkVolume* volume);
   void SetCamera(vtkRenderer* renderer);
-  void SetCropping(const vtkTextureSliceCropping& cropping);
-  /// Planes in world coordinates; nullptr means none.
-  void SetClippingPlanes(vtkPlaneCollection* planes);
-
+  /// The mapper's cropping and clipping planes.
+  void SetCuts(vtkVolumeMapper* mapper);
   /// The one plane to draw, in world coordinates; nullptr: none.
   void SetPlane(vtkPlane* plane);
 

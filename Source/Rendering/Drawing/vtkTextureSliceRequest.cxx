@@ -370,9 +370,9 @@ std::vector<float> vtkTextureSliceRequest::MakeIsoValues(
   return values;
 }
 
-void vtkTextureSliceRequest::SetUniforms(
-  const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms) const
+void vtkTextureSliceRequest::SetUniforms(vtkTextureSliceUniforms& uniforms) const
 {
+  const std::vector<vtkTextureSliceComponent>& components = uniforms.Texture.GetComponents();
   const bool colors = this->Components == 4 && !this->IsIndependent();
   for (std::size_t c = 0; c < components.size(); ++c)
   {
@@ -392,14 +392,13 @@ void vtkTextureSliceRequest::SetUniforms(
   {
     uniforms.AverageRange[i] = static_cast<float>(Normalized(this->AverageRange[i], components[0]));
   }
-}
-
-void vtkTextureSliceRequest::SetSecondArray(
-  const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms)
-{
-  for (std::size_t c = 0; c < components.size(); ++c)
+  if (this->ReadsSecondArray())
   {
-    uniforms.SecondScale[c] = static_cast<float>(components[c].Scale / Width(components[c]));
-    uniforms.SecondBias[c] = static_cast<float>(Normalized(components[c].Bias, components[c]));
+    const auto& second = uniforms.SecondArray.GetComponents();
+    for (std::size_t c = 0; c < second.size(); ++c)
+    {
+      uniforms.SecondScale[c] = static_cast<float>(second[c].Scale / Width(second[c]));
+      uniforms.SecondBias[c] = static_cast<float>(Normalized(second[c].Bias, second[c]));
+    }
   }
 }

@@ -66,15 +66,8 @@ struct vtkTextureSliceRequest
   /// Whether two-dimensional functions read a second array.
   bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray > 0; }
 
-  /**
-   * Sets what follows from the request and the scalars: how texels become 0 to 1, surfaces, average
-   * range, iso-values.
-   */
-  void SetUniforms(const std::vector<vtkTextureSliceComponent>& components,
-    vtkTextureSliceUniforms& uniforms) const;
-  /// The same for the components of the second array.
-  static void SetSecondArray(
-    const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms);
+  /// Sets what follows from the request and the ranges of the scalars.
+  void SetUniforms(vtkTextureSliceUniforms& uniforms) const;
   /// One for each component.
   std::vector<vtkTextureSliceSurface> MakeSurfaces() const;
 

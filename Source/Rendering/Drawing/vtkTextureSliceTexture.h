@@ -40,7 +40,7 @@ public:
   void SetNearest(bool nearest);
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  vtkTextureObject* GetTexture() { return this->Texture; }
+  vtkTextureObject* GetTexture() const { return this->Texture; }
   /// The scalars' ranges in small parts of the volume; after an Update without error.
   const vtkTextureSliceBricks& GetBricks() const { return this->Checksum->GetBricks(); }
   /// Whether the component of the mask is there.

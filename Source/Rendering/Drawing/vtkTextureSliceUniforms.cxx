@@ -3,17 +3,7 @@
 
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtkTextureSliceBlanks.h"
-#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceDistanceMap.h"
-#include "vtkTextureSliceFrame.h"
-#include "vtkTextureSliceIntegralTable.h"
-#include "vtkTextureSliceLights.h"
-#include "vtkTextureSlicePeeling.h"
-#include "vtkTextureSlicePlanes.h"
-#include "vtkTextureSliceShadows.h"
-#include "vtkTextureSliceTable.h"
-#include "vtkTextureSliceTable2D.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +28,9 @@ void SetArray(vtkShaderProgram* program, const char* name, const std::vector<flo
 
 void SetTable(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
 {
-  program->SetUniformi("transferTable", uniforms.Table->GetTexture()->GetTextureUnit());
-  program->SetUniformf("tableScale", static_cast<float>(uniforms.Table->GetScale()));
-  program->SetUniformf("tableBias", static_cast<float>(uniforms.Table->GetBias()));
+  program->SetUniformi("transferTable", uniforms.Table.GetTexture()->GetTextureUnit());
+  program->SetUniformf("tableScale", static_cast<float>(uniforms.Table.GetScale()));
+  program->SetUniformf("tableBias", static_cast<float>(uniforms.Table.GetBias()));
   SetArray(program, "componentWeight",
     Gather(uniforms.Surfaces, [](const auto& surface) { return surface.Weight; }));
   const float inverseUnitDistance = uniforms.Surfaces.front().InverseUnitDistance;
@@ -51,10 +41,10 @@ void SetTable(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms
 
 void SetVolume(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
 {
-  const vtkTextureSliceFrame& frame = *uniforms.Frame;
+  const vtkTextureSliceFrame& frame = uniforms.Frame;
   program->SetUniform3f("textureScale", frame.GetTextureScale().data());
   program->SetUniform3f("textureBias", frame.GetTextureBias().data());
-  program->SetUniformi("volumeTexture", uniforms.Volume->GetTextureUnit());
+  program->SetUniformi("volumeTexture", uniforms.Texture.GetTexture()->GetTextureUnit());
   program->SetUniform4f("scalarScale", uniforms.ScalarScale.data());
   program->SetUniform4f("scalarBias", uniforms.ScalarBias.data());
   program->SetUniform3f("cropLow", frame.GetCropLow().data());
@@ -76,35 +66,35 @@ void SetMaskAndTables(vtkShaderProgram* program, const vtkTextureSliceUniforms& 
   const vtkTextureSliceFeatures& features = uniforms.Features;
   if (features.Table2D)
   {
-    program->SetUniformi("transferTable2D", uniforms.Table2D->GetTexture()->GetTextureUnit());
-    program->SetUniformf("table2DRows", static_cast<float>(uniforms.Table2D->GetNumberOfRows()));
+    program->SetUniformi("transferTable2D", uniforms.Table2D.GetTexture()->GetTextureUnit());
+    program->SetUniformf("table2DRows", static_cast<float>(uniforms.Table2D.GetNumberOfRows()));
   }
   if (features.Rectilinear)
   {
-    program->SetUniformi("coordinateTable", uniforms.Coordinates->GetTexture()->GetTextureUnit());
-    const auto entry = static_cast<float>(uniforms.Coordinates->GetMargin());
+    program->SetUniformi("coordinateTable", uniforms.Coordinates.GetTexture()->GetTextureUnit());
+    const auto entry = static_cast<float>(uniforms.Coordinates.GetMargin());
     const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
     program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
-    program->SetUniform3f("placeScale", uniforms.Frame->GetTextureScale().data());
-    program->SetUniform3f("placeBias", uniforms.Frame->GetTextureBias().data());
+    program->SetUniform3f("placeScale", uniforms.Frame.GetTextureScale().data());
+    program->SetUniform3f("placeBias", uniforms.Frame.GetTextureBias().data());
   }
   if (features.SecondArray > 0)
   {
-    program->SetUniformi("secondTexture", uniforms.SecondArray->GetTextureUnit());
+    program->SetUniformi("secondTexture", uniforms.SecondArray.GetTexture()->GetTextureUnit());
     program->SetUniform4f("secondScale", uniforms.SecondScale.data());
     program->SetUniform4f("secondBias", uniforms.SecondBias.data());
   }
   if (features.Blanked)
   {
-    uniforms.Blanks->SetUniforms(program);
+    uniforms.Blanks.SetUniforms(program);
   }
   if (features.HasMask())
   {
-    program->SetUniformi("maskTexture", uniforms.Mask->GetTextureUnit());
+    program->SetUniformi("maskTexture", uniforms.Mask.GetTexture()->GetTextureUnit());
   }
   if (features.Labels > 0)
   {
-    vtkTextureSliceTable& table = *uniforms.LabelTable;
+    const vtkTextureSliceTable& table = uniforms.LabelTable;
     program->SetUniformi("labelTable", table.GetTexture()->GetTextureUnit());
     program->SetUniformf("labelTableScale", static_cast<float>(table.GetScale()));
     program->SetUniformf("labelTableBias", static_cast<float>(table.GetBias()));
@@ -120,7 +110,7 @@ void SetLight(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms
     material.insert(material.end(), surface.Material.begin(), surface.Material.end());
   }
   program->SetUniform4fv("material", static_cast<int>(uniforms.Surfaces.size()), material.data());
-  uniforms.Lights->SetUniforms(program, *uniforms.Frame);
+  uniforms.Lights.SetUniforms(program, uniforms.Frame);
 }
 
 /// Columns of a matrix that takes a pixel to a place, or with a bias of 0 a way, in the texture.
@@ -142,8 +132,8 @@ std::array<float, 9> ToTexture(const vtkTextureSlicePixelMap& map,
 /// The rays, and where they begin and end.
 void SetRays(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
 {
-  const vtkTextureSliceFrame& frame = *uniforms.Frame;
-  const vtkTextureSlicePlanes& planes = *uniforms.Planes;
+  const vtkTextureSliceFrame& frame = uniforms.Frame;
+  const vtkTextureSlicePlanes& planes = uniforms.Planes;
   const auto& scale = frame.GetTextureScale();
   const auto& bias = frame.GetTextureBias();
   auto places = ToTexture(planes.GetPlaces(), scale, bias);
@@ -186,14 +176,14 @@ float GetLastEntry(const vtkTextureSliceIntegralTable& integrals)
 
 void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
 {
-  program->SetUniformi("integralTable", uniforms.Integrals->GetTexture()->GetTextureUnit());
-  program->SetUniformf("lastIntegral", GetLastEntry(*uniforms.Integrals));
+  program->SetUniformi("integralTable", uniforms.Integrals.GetTexture()->GetTextureUnit());
+  program->SetUniformf("lastIntegral", GetLastEntry(uniforms.Integrals));
   program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
   if (uniforms.Features.Labels > 0)
   {
     program->SetUniformi(
-      "labelIntegralTable", uniforms.LabelIntegrals->GetTexture()->GetTextureUnit());
-    program->SetUniformf("lastLabelIntegral", GetLastEntry(*uniforms.LabelIntegrals));
+      "labelIntegralTable", uniforms.LabelIntegrals.GetTexture()->GetTextureUnit());
+    program->SetUniformf("lastLabelIntegral", GetLastEntry(uniforms.LabelIntegrals));
   }
 }
 
@@ -201,34 +191,34 @@ void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms
 
 std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
 {
-  std::vector<vtkTextureObject*> textures{this->Volume, this->Table->GetTexture()};
+  std::vector<vtkTextureObject*> textures{this->Texture.GetTexture(), this->Table.GetTexture()};
   if (this->Features.Table2D)
   {
-    textures.push_back(this->Table2D->GetTexture());
+    textures.push_back(this->Table2D.GetTexture());
   }
   if (this->Features.Rectilinear)
   {
-    textures.push_back(this->Coordinates->GetTexture());
+    textures.push_back(this->Coordinates.GetTexture());
   }
   if (this->Features.SecondArray > 0)
   {
-    textures.push_back(this->SecondArray);
+    textures.push_back(this->SecondArray.GetTexture());
   }
   if (this->Features.Blanked)
   {
-    textures.push_back(this->Blanks->GetTexture());
+    textures.push_back(this->Blanks.GetTexture());
   }
   if (this->Features.HasMask())
   {
-    textures.push_back(this->Mask);
+    textures.push_back(this->Mask.GetTexture());
   }
   if (this->Features.Labels > 0)
   {
-    textures.push_back(this->LabelTable->GetTexture());
+    textures.push_back(this->LabelTable.GetTexture());
   }
   if (this->Features.Shadows)
   {
-    textures.push_back(this->Shadows->GetTexture());
+    textures.push_back(this->Shadows.GetTexture());
   }
   if (this->Features.NeedsDepth())
   {
@@ -240,10 +230,10 @@ std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
   }
   if (this->Features.Slabs)
   {
-    textures.push_back(this->Integrals->GetTexture());
+    textures.push_back(this->Integrals.GetTexture());
     if (this->Features.Labels > 0)
     {
-      textures.push_back(this->LabelIntegrals->GetTexture());
+      textures.push_back(this->LabelIntegrals.GetTexture());
     }
   }
   return textures;
@@ -271,11 +261,11 @@ void vtkTextureSliceUniforms::Set(vtkShaderProgram* program) const
   }
   if (this->Features.Shadows)
   {
-    this->Shadows->SetUniforms(program);
+    this->Shadows.SetUniforms(program);
   }
   if (this->Features.Skipping)
   {
-    this->Distances->SetUniforms(program, *this->Frame);
+    this->Distances->SetUniforms(program, this->Frame);
   }
   if (this->Features.NeedsDepth())
   {
@@ -283,7 +273,7 @@ void vtkTextureSliceUniforms::Set(vtkShaderProgram* program) const
   }
   if (this->Features.Peel > 0)
   {
-    this->Peeling->SetUniforms(program);
+    this->Peeling.SetUniforms(program);
   }
   if (this->Features.Slabs)
   {

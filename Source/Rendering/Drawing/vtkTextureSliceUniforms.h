@@ -3,7 +3,18 @@
 #ifndef vtkTextureSliceUniforms_h
 #define vtkTextureSliceUniforms_h
 
+#include "vtkTextureSliceBlanks.h"
+#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceFeatures.h"
+#include "vtkTextureSliceFrame.h"
+#include "vtkTextureSliceIntegralTable.h"
+#include "vtkTextureSliceLights.h"
+#include "vtkTextureSlicePeeling.h"
+#include "vtkTextureSlicePlanes.h"
+#include "vtkTextureSliceShadows.h"
+#include "vtkTextureSliceTable.h"
+#include "vtkTextureSliceTable2D.h"
+#include "vtkTextureSliceTexture.h"
 
 #include <array>
 #include <functional>
@@ -11,17 +22,7 @@
 
 class vtkShaderProgram;
 class vtkTextureObject;
-class vtkTextureSliceBlanks;
-class vtkTextureSliceCoordinates;
 class vtkTextureSliceDistanceMap;
-class vtkTextureSliceFrame;
-class vtkTextureSlicePlanes;
-class vtkTextureSliceIntegralTable;
-class vtkTextureSliceLights;
-class vtkTextureSlicePeeling;
-class vtkTextureSliceShadows;
-class vtkTextureSliceTable;
-class vtkTextureSliceTable2D;
 
 /// How much of a light a component returns: vtkVolumeProperty's ambient, diffuse, specular and
 /// specular power.
@@ -35,43 +36,46 @@ struct vtkTextureSliceSurface
   vtkTextureSliceMaterial Material{};
 };
 
-/// Everything the shaders read in one frame.
+/**
+ * Everything the shaders read in one frame: the parts of the mapper that hold it, each of which
+ * decides for itself what a change makes it do anew, and what each frame sets anew.
+ */
 struct vtkTextureSliceUniforms
 {
+  vtkTextureSliceFrame Frame;
+  vtkTextureSlicePlanes Planes;
+  vtkTextureSliceTexture Texture;
+  vtkTextureSliceTable Table;
+  vtkTextureSliceCoordinates Coordinates;      ///< used if Features.Rectilinear
+  vtkTextureSliceTexture SecondArray;          ///< used if Features.SecondArray is above 0
+  vtkTextureSliceTable2D Table2D;              ///< used if Features.Table2D
+  vtkTextureSliceBlanks Blanks;                ///< used if Features.Blanked
+  vtkTextureSliceTexture Mask;                 ///< used if Features.HasMask()
+  vtkTextureSliceTable LabelTable;             ///< used if Features.Labels is above 0
+  vtkTextureSliceIntegralTable Integrals;      ///< used if Features.Slabs
+  vtkTextureSliceIntegralTable LabelIntegrals; ///< the same, with labels
+  vtkTextureSliceLights Lights;
+  vtkTextureSliceShadows Shadows; ///< used if Features.Shadows
+  vtkTextureSlicePeeling Peeling; ///< used if Features.Peel is above 0
+
   vtkTextureSliceFeatures Features;
-  const vtkTextureSliceFrame* Frame = nullptr;
-  const vtkTextureSlicePlanes* Planes = nullptr;
   /// The part of the box with something to see: lower x, upper x, lower y and so on.
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   const vtkTextureSliceDistanceMap* Distances = nullptr; ///< used if Features.Skipping
-  vtkTextureObject* Volume = nullptr;
+  vtkTextureObject* GeometryDepth = nullptr;             ///< used if Features.NeedsDepth()
+  double PixelSize = 1.0; ///< pixels of the viewport for one of the picture
   /// Texel to 0 to 1 over the range of each component.
-  std::array<float, 4> ScalarScale{1, 1, 1, 1};
-  std::array<float, 4> ScalarBias{0, 0, 0, 0};
-  vtkTextureSliceTable* Table = nullptr;
-  const vtkTextureSliceCoordinates* Coordinates = nullptr; ///< used if Features.Rectilinear
-  vtkTextureObject* SecondArray = nullptr; ///< used if Features.SecondArray is above 0
-  std::array<float, 4> SecondScale{1, 1, 1, 1};
-  std::array<float, 4> SecondBias{0, 0, 0, 0};
-  vtkTextureSliceTable2D* Table2D = nullptr;              ///< used if Features.Table2D
-  vtkTextureSliceBlanks* Blanks = nullptr;                ///< used if Features.Blanked
-  vtkTextureObject* Mask = nullptr;                       ///< used if Features.HasMask()
-  vtkTextureSliceTable* LabelTable = nullptr;             ///< used if Features.Labels is above 0
-  float LabelWeight = 1.0f;                               ///< how much the label's functions count
-  vtkTextureSliceIntegralTable* Integrals = nullptr;      ///< used if Features.Slabs
-  vtkTextureSliceIntegralTable* LabelIntegrals = nullptr; ///< the same, with labels
-  vtkTextureObject* GeometryDepth = nullptr;              ///< used if Features.NeedsDepth()
-  const vtkTextureSlicePeeling* Peeling = nullptr;        ///< used if Features.Peel is above 0
-  double PixelSize = 1.0;                       ///< pixels of the viewport for one of the picture
+  std::array<float, 4> ScalarScale{};
+  std::array<float, 4> ScalarBias{};
+  std::array<float, 4> SecondScale{}; ///< the same for the second array
+  std::array<float, 4> SecondBias{};
+  float LabelWeight = 1.0f;                     ///< how much the label's functions count
   std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
-  const vtkTextureSliceLights* Lights = nullptr;
-  const vtkTextureSliceShadows* Shadows = nullptr; ///< used if Features.Shadows
   int CropFlags = 0;
   std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are
   std::array<float, 4> ClippedScalars{};   ///< likewise; used if Features.ClippedScalars
   std::vector<float> IsoValues;            ///< ascending, 0 to 1 as the scalars are
-
-  std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
+  std::array<float, 3> SelectionColor{};   ///< used if Features.Selection
 
   /// The textures that the features need.
   std::vector<vtkTextureObject*> GetTextures() const;

@@ -6,6 +6,8 @@ uniform mat4 boxToClip;
 // In box coordinates.
 uniform vec3 seenLow;
 uniform vec3 seenHigh;
+// Where the box is drawn once a plane: the number of the plane.
+flat out float slice;
 
 // A corner has one bit for each axis. The two triangles of each face turn the same way as seen from outside.
 const int corners[36] = int[36](0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 5, 4, 2, 6, 3, 3, 6, 7, 0, 4,
@@ -13,6 +15,7 @@ const int corners[36] = int[36](0, 2, 1, 1, 2, 3, 4, 5, 6, 5, 7, 6, 0, 1, 4, 1, 
 
 void main()
 {
+  slice = float(gl_InstanceID);
   int corner = corners[gl_VertexID];
   vec3 side = vec3(ivec3(corner, corner >> 1, corner >> 2) & 1);
   gl_Position = boxToClip * vec4(mix(seenLow, seenHigh, side), 1.0);

@@ -1,6 +1,6 @@
 //VTK::System::Dec
 // SPDX-License-Identifier: BSD-3-Clause
-// A pixel of a polygon: the one sample of the pixel's ray on the polygon's plane.
+// A pixel of one plane: the one sample of the pixel's ray on that plane.
 //VTK::Output::Dec
 
 flat in float slice;

@@ -38,7 +38,7 @@ public:
     int dimensions, double mostDepth);
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  vtkTextureObject* GetTexture() { return this->Texture; }
+  vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Entries of a row.
   std::size_t GetWidth() const { return this->Width; }
 

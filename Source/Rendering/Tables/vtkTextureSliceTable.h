@@ -60,7 +60,7 @@ public:
     vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest);
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  vtkTextureObject* GetTexture() { return this->Texture; }
+  vtkTextureObject* GetTexture() const { return this->Texture; }
   int GetNumberOfRows() const { return static_cast<int>(this->Rows.size()); }
   /// Where a row's opacity is above 0, over its domain as 0 to 1.
   const vtkTextureSliceVisibility& GetVisibility(std::size_t row) const

@@ -33,7 +33,7 @@ public:
     std::string& error);
   void ReleaseGraphicsResources(vtkWindow* window);
 
-  vtkTextureObject* GetTexture() { return this->Texture; }
+  vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Rows of one image.
   int GetNumberOfRows() const { return this->Rows; }
   /// Entries of a row.

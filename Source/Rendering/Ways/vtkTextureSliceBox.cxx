@@ -29,7 +29,8 @@ vtkShaderProgram* vtkTextureSliceBox::Ready(vtkOpenGLRenderWindow* window, const
   return cache->ReadyShaderProgram(this->Program);
 }
 
-void vtkTextureSliceBox::Draw(const vtkTextureSliceFrame& frame, const std::array<double, 6>& seen)
+void vtkTextureSliceBox::Draw(
+  const vtkTextureSliceFrame& frame, const std::array<double, 6>& seen, int times)
 {
   vtkMatrix4x4* boxToClip = frame.GetBoxToClip();
   std::array<float, 3> low{};
@@ -52,7 +53,7 @@ void vtkTextureSliceBox::Draw(const vtkTextureSliceFrame& frame, const std::arra
   // Faces beyond the far plane count as well.
   glEnable(GL_DEPTH_CLAMP);
   this->VertexArray->Bind();
-  glDrawArrays(GL_TRIANGLES, 0, 36);
+  glDrawArraysInstanced(GL_TRIANGLES, 0, 36, times);
   this->VertexArray->Release();
   glDisable(GL_DEPTH_CLAMP);
   state->vtkglCullFace(GL_BACK);

@@ -30,8 +30,9 @@ public:
   /**
    * After Ready.
    * @param seen the part of the box whose pixels are drawn: lower x, upper x, lower y and so on.
+   * @param times how often, one after the other: the shader gets the number as "slice".
    */
-  void Draw(const vtkTextureSliceFrame& frame, const std::array<double, 6>& seen);
+  void Draw(const vtkTextureSliceFrame& frame, const std::array<double, 6>& seen, int times = 1);
   void ReleaseGraphicsResources();
 
 private:

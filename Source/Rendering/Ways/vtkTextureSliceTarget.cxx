@@ -235,7 +235,7 @@ void vtkTextureSliceTarget::Composite(bool smooth, const vtkTextureSliceUniforms
     -static_cast<float>(this->Viewport[1]) / static_cast<float>(this->Viewport[3])};
   program->SetUniform4f("toPicture", toPicture.data());
   setUniforms(program);
-  this->Box.Draw(*uniforms.Frame, uniforms.Seen);
+  this->Box.Draw(uniforms.Frame, uniforms.Seen);
   this->Color->Deactivate();
 }
 

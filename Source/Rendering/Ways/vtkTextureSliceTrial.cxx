@@ -39,120 +39,50 @@ constexpr double MostOfFragments = 0.5;
 std::map<std::string, bool> Results;
 std::mutex ResultsMutex;
 
-class Trial
+/// Draws rays of that number of samples; false: the shader does not compile.
+using Way = std::function<bool(int samples)>;
+
+/// Milliseconds of one of the ways.
+double Measure(const Way& draw, int samples)
 {
-public:
-  Trial(vtkOpenGLRenderWindow* window, vtkTextureObject* volume)
-    : Window(window)
-    , Volume(volume)
-  {
-  }
-  ~Trial()
-  {
-    this->Box.ReleaseGraphicsResources();
-    this->Compute.ReleaseGraphicsResources(this->Window);
-    this->Target.ReleaseGraphicsResources(this->Window);
-  }
+  glFinish();
+  const auto begin = std::chrono::steady_clock::now();
+  draw(samples);
+  glFinish();
+  const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
+  return time.count();
+}
 
-  bool IsComputeTwiceAsFast()
+bool IsComputeTwiceAsFast(const Way& fragments, const Way& compute)
+{
+  // Drivers finish shaders when they are used first.
+  if (!fragments(FewestSamples) || !compute(FewestSamples))
   {
-    vtkOpenGLState* state = this->Window->GetState();
-    vtkOpenGLState::ScopedglViewport viewport(state);
-    vtkOpenGLState::ScopedglScissor scissor(state);
-    vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
-    vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
-    vtkOpenGLState::ScopedglClearColor clearColor(state);
-    vtkOpenGLState::ScopedglColorMask colorMask(state);
-    state->vtkglViewport(0, 0, Size, Size);
-    std::string error;
-    if (!this->Target.Begin(this->Window, 1.0, false, false, error))
-    {
-      return false;
-    }
-    state->vtkglDisable(GL_BLEND);
-    this->Volume->Activate();
-    const bool faster = this->Compare();
-    this->Volume->Deactivate();
-    this->Target.End();
-    return faster;
+    return false;
   }
-
-private:
-  bool Compare()
+  int samples = FewestSamples;
+  while (samples < MostSamples &&
+         std::max(Measure(fragments, samples), Measure(compute, samples)) < LongEnough)
   {
-    const auto fragments = [this](int samples) { return this->DrawFragments(samples); };
-    const auto compute = [this](int samples) { return this->DrawCompute(samples); };
-    // Drivers finish shaders when they are used first.
-    if (!fragments(FewestSamples) || !compute(FewestSamples))
-    {
-      return false;
-    }
-    int samples = FewestSamples;
-    while (samples < MostSamples &&
-           std::max(Measure(fragments, samples), Measure(compute, samples)) < LongEnough)
-    {
-      samples *= 2;
-    }
-    // The shortest times in turn, since other programs use the machine as well.
-    double byFragments = std::numeric_limits<double>::max();
-    double byCompute = byFragments;
-    for (int round = 0; round < Rounds; ++round)
-    {
-      byFragments = std::min(byFragments, Measure(fragments, samples));
-      byCompute = std::min(byCompute, Measure(compute, samples));
-    }
-    return byCompute < MostOfFragments * byFragments;
+    samples *= 2;
   }
-
-  /// Milliseconds of one of the ways.
-  static double Measure(const std::function<bool(int)>& draw, int samples)
+  // The shortest times in turn, since other programs use the machine as well.
+  double byFragments = std::numeric_limits<double>::max();
+  double byCompute = byFragments;
+  for (int round = 0; round < Rounds; ++round)
   {
-    glFinish();
-    const auto begin = std::chrono::steady_clock::now();
-    draw(samples);
-    glFinish();
-    const std::chrono::duration<double, std::milli> time = std::chrono::steady_clock::now() - begin;
-    return time.count();
+    byFragments = std::min(byFragments, Measure(fragments, samples));
+    byCompute = std::min(byCompute, Measure(compute, samples));
   }
+  return byCompute < MostOfFragments * byFragments;
+}
 
-  bool DrawFragments(int samples)
-  {
-    vtkShaderProgram* program = this->Box.Ready(
-      this->Window, "", [] { return vtkTextureSliceShader::MakeTrial(TextureSliceFS); });
-    if (program != nullptr)
-    {
-      this->SetUniforms(program, samples);
-      // Without a camera, the box from -1 to 1 is the whole picture.
-      this->Box.Draw(vtkTextureSliceFrame(), {-1, 1, -1, 1, -1, 1});
-    }
-    return program != nullptr;
-  }
-
-  bool DrawCompute(int samples)
-  {
-    vtkShaderProgram* program = this->Compute.Ready(
-      this->Window, "", [] { return vtkTextureSliceShader::MakeTrial(TextureSliceCS); });
-    if (program != nullptr)
-    {
-      this->SetUniforms(program, samples);
-      this->Compute.Dispatch(this->Target.GetPicture(), {0, 0, Size, Size});
-    }
-    return program != nullptr;
-  }
-
-  void SetUniforms(vtkShaderProgram* program, int samples)
-  {
-    program->SetUniformi("volumeTexture", this->Volume->GetTextureUnit());
-    program->SetUniformi("samples", samples);
-    program->SetUniformf("pixelToTexture", 1.0f / Size);
-  }
-
-  vtkOpenGLRenderWindow* Window;
-  vtkTextureObject* Volume;
-  vtkTextureSliceTarget Target;
-  vtkTextureSliceBox Box;
-  vtkTextureSliceCompute Compute;
-};
+void SetUniforms(vtkShaderProgram* program, vtkTextureObject* volume, int samples)
+{
+  program->SetUniformi("volumeTexture", volume->GetTextureUnit());
+  program->SetUniformi("samples", samples);
+  program->SetUniformf("pixelToTexture", 1.0f / Size);
+}
 
 std::string GetRendererName()
 {
@@ -170,7 +100,48 @@ std::optional<bool> vtkTextureSliceTrial::Recall()
 
 bool vtkTextureSliceTrial::Run(vtkOpenGLRenderWindow* window, vtkTextureObject* volume)
 {
-  const bool isFaster = Trial(window, volume).IsComputeTwiceAsFast();
+  vtkTextureSliceTarget target;
+  vtkTextureSliceBox box;
+  vtkTextureSliceCompute computeShaders;
+  const Way fragments = [&](int samples)
+  {
+    vtkShaderProgram* program =
+      box.Ready(window, "", [] { return vtkTextureSliceShader::MakeTrial(TextureSliceFS); });
+    if (program != nullptr)
+    {
+      SetUniforms(program, volume, samples);
+      // Without a camera, the box from -1 to 1 is the whole picture.
+      box.Draw(vtkTextureSliceFrame(), {-1, 1, -1, 1, -1, 1});
+    }
+    return program != nullptr;
+  };
+  const Way compute = [&](int samples)
+  {
+    vtkShaderProgram* program = computeShaders.Ready(
+      window, "", [] { return vtkTextureSliceShader::MakeTrial(TextureSliceCS); });
+    if (program != nullptr)
+    {
+      SetUniforms(program, volume, samples);
+      computeShaders.Dispatch(target.GetPicture(), {0, 0, Size, Size});
+    }
+    return program != nullptr;
+  };
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglViewport viewport(state);
+  state->vtkglViewport(0, 0, Size, Size);
+  state->vtkglDisable(GL_BLEND);
+  std::string error;
+  bool isFaster = false;
+  if (target.Begin(window, 1.0, false, false, error))
+  {
+    volume->Activate();
+    isFaster = IsComputeTwiceAsFast(fragments, compute);
+    volume->Deactivate();
+    target.End();
+  }
+  box.ReleaseGraphicsResources();
+  computeShaders.ReleaseGraphicsResources(window);
+  target.ReleaseGraphicsResources(window);
   const std::lock_guard<std::mutex> lock(ResultsMutex);
   Results[GetRendererName()] = isFaster;
   return isFaster;

@@ -3,11 +3,25 @@
 #ifndef vtkTextureSliceWays_h
 #define vtkTextureSliceWays_h
 
-#include "vtkTextureSliceMarch.h"
-#include "vtkTextureSlicePolygons.h"
+#include "vtkTextureSliceBox.h"
+#include "vtkTextureSliceCompute.h"
 
+#include <set>
 #include <string>
 
+class vtkOpenGLRenderWindow;
+class vtkTextureObject;
+struct vtkTextureSliceUniforms;
+
+/**
+ * For each pixel, one fragment or one invocation of a compute shader goes along the pixel's ray.
+ * Polygons are slices as graphics cards have drawn them since they have textures: the outline of
+ * the volume's box once a plane, the nearest plane first, each blended behind those before. A
+ * fragment is then the one sample of its ray on that plane. This is what the other ways are
+ * compared with, and what is left where their shaders do not compile. Polygons draw composite
+ * blending of samples alone; of a ray that is shorter than two slices they have the samples on
+ * planes alone.
+ */
 class vtkTextureSliceWays
 {
 public:
@@ -32,7 +46,8 @@ public:
   Way GetDrawn() const { return this->Drawn; }
   /// Why the last picture was not drawn as asked for, in one line; or an empty text.
   const std::string& GetFallback() const { return this->Fallback; }
-  /// Whether the picture must have 32-bit floats.
+  /// Whether the picture must have 32-bit floats: polygons round hundreds of samples in it, one
+  /// after the other.
   bool NeedsFullPrecision() const { return this->Drawn == Polygons; }
   /// After Choose: draws the picture, which is bound.
   void Draw(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms,
@@ -45,17 +60,17 @@ private:
   /// What Automatic stands for. The first picture is drawn by fragments where there was no trial
   /// yet, because a trial takes longer than a program with one picture can gain by it.
   Way ChooseByTrial(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
-  bool ReadyCompute(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
-  bool ReadyFragments(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
+  /// @param instead says what draws the volume where the shader of that way does not compile.
+  bool Ready(Way way, vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms,
+    const char* instead);
 
-  vtkTextureSliceMarch March;
-  vtkTextureSlicePolygons PolygonsOfPlanes;
+  vtkTextureSliceBox Box; ///< of fragments and polygons
+  vtkTextureSliceCompute ComputeShaders;
+  vtkShaderProgram* Program = nullptr; ///< that is ready
   Way Asked = Automatic;
   Way Drawn = Automatic;
   std::string Fallback;
-  // What failed is not tried again in each frame.
-  bool ComputeFails = false;
-  bool FragmentsFail = false;
+  std::set<std::string> Failed; ///< shaders that do not compile are not tried in each frame
 };
 
 #endif
