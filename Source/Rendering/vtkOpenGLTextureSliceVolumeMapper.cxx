@@ -3,6 +3,7 @@
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
+#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -93,18 +94,14 @@ bool CanHold(vtkOpenGLRenderWindow* window, vtkDataSet* input, bool cellData)
 }
 
 /// What VTK's ray caster would do and the slices leave out; empty: nothing.
-std::string FindIgnored(vtkGPUVolumeRayCastMapper* mapper, vtkVolume* volume)
+std::string FindIgnored(vtkVolume* volume)
 {
-  std::string ignored;
-  const auto add = [&ignored](bool asked, const char* name)
-  { ignored += asked ? (ignored.empty() ? "" : ", ") + std::string(name) : ""; };
   vtkShaderProperty* shaders = volume->GetShaderProperty();
-  add(mapper->GetUseDepthPass() != 0, "UseDepthPass");
-  add(mapper->GetRenderToImage() != 0, "RenderToImage");
-  add(shaders->GetNumberOfShaderReplacements() > 0 || shaders->HasFragmentShaderCode() ||
-        shaders->HasVertexShaderCode(),
-    "the shader property");
-  return ignored;
+  const bool isAsked = shaders->GetNumberOfShaderReplacements() > 0 ||
+                       shaders->HasFragmentShaderCode() || shaders->HasVertexShaderCode();
+  return isAsked ? "the volume is drawn without the code of its shader property, which only VTK's "
+                   "ray caster knows: make one by vtkOpenGLGPUVolumeRayCastMapper::New()"
+                 : "";
 }
 
 /// The ranges of the scalars alone, as far as a request needs to know them.
@@ -153,6 +150,12 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
     request.ScalarType = scalars->GetDataType();
   }
   request.PreIntegration = this->PreIntegration;
+  if (this->UseDepthPass && this->BlendMode == COMPOSITE_BLEND)
+  {
+    vtkContourValues* contours = this->GetDepthPassContourValues();
+    request.Contours.assign(
+      contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
+  }
   request.AverageRange = {this->AverageIPScalarRange[0], this->AverageIPScalarRange[1]};
   request.NativeColor = this->ColorRangeType == NATIVE;
   request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
@@ -324,7 +327,11 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
   {
     return refused;
   }
-  if (const char* unsupported = parts.Peeling.Update(renderer, this, volume))
+  if (this->RenderToImage)
+  {
+    parts.Peeling = {}; // the images are of the volume alone
+  }
+  else if (const char* unsupported = parts.Peeling.Update(renderer, this, volume))
   {
     return unsupported;
   }
@@ -345,11 +352,10 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawVolume(vtkRenderer* renderer,
 void vtkOpenGLTextureSliceVolumeMapper::RenderVolume(vtkRenderer* renderer, vtkVolume* volume)
 {
   this->Accept(this->DrawVolume(renderer, volume));
-  const std::string ignored = FindIgnored(this, volume);
+  const std::string ignored = FindIgnored(volume);
   if (vtkTextureSliceParts::IsNews(this->Parts->Ignored, ignored))
   {
-    vtkWarningMacro(
-      "the slices are drawn without " << ignored << ", which only VTK's ray caster knows");
+    vtkWarningMacro(<< ignored);
   }
   const std::string fallback = this->Parts->Ways.GetFallback();
   if (vtkTextureSliceParts::IsNews(this->Parts->Fallback, fallback))
@@ -414,7 +420,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
   parts.Frame.SetCuts(this);
   if (!this->PlaceSlices())
   {
-    return "";
+    return this->RenderToImage ? this->TakeImages(false) : "";
   }
   parts.Lights.Update(renderer);
   this->UpdateShadows();
@@ -429,10 +435,57 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
     {
       return error;
     }
+    if (this->RenderToImage)
+    {
+      return this->TakeImages(true);
+    }
     parts.Composite(
       1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
   }
   return "";
+}
+
+std::string vtkOpenGLTextureSliceVolumeMapper::TakeImages(bool isDrawn)
+{
+  vtkTextureSliceParts& parts = *this->Parts;
+  const auto size = vtkTextureSliceTarget::GetSize(parts.Window, parts.PixelSize);
+  std::vector<float> colors(4 * static_cast<std::size_t>(size[0]) * size[1]);
+  std::vector<float> places = colors;
+  if (isDrawn)
+  {
+    colors = vtkTextureSliceImages::Download(parts.Target.GetPicture());
+    // Projections have the depths of what their functions would show of places.
+    parts.Features.Places = true;
+    parts.Features.Slabs = false;
+    parts.Features.BlendMode =
+      parts.Request.ShowsPlaces() ? this->BlendMode : static_cast<int>(COMPOSITE_BLEND);
+    parts.Seen = parts.Frame.GetView().Part;
+    std::string error;
+    if (!parts.Draw(error))
+    {
+      return error;
+    }
+    places = vtkTextureSliceImages::Download(parts.Target.GetPicture());
+  }
+  for (std::size_t i = 0; i < colors.size(); ++i)
+  {
+    const float level = 0.5f * this->FinalColorWindow - this->FinalColorLevel;
+    colors[i] =
+      i % 4 == 3 ? colors[i] : (colors[i] + level * colors[i | 3]) / this->FinalColorWindow;
+  }
+  parts.Images.Fill(
+    size, this->DepthImageScalarType, colors, places, parts.Frame, this->ClampDepthToBackface != 0);
+  return "";
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::GetColorImage(vtkImageData* output)
+{
+  output->DeepCopy(this->Parts->Images.Color);
+}
+
+void vtkOpenGLTextureSliceVolumeMapper::GetDepthImage(vtkImageData* output)
+{
+  output->DeepCopy(this->Parts->Images.Depth);
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
@@ -567,7 +620,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   features.Scattering = parts.Shadows.IsScattering();
   features.Peel = parts.Peeling.GetStage();
   features.ClippingPlanes = static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
-  features.Skipping = parts.EmptySpace.IsSkippingWorthwhile();
+  features.Skipping = parts.EmptySpace.IsSkippingWorthwhile() && features.Contours == 0;
   features.Lights = parts.Request.IsShaded() ? parts.Lights.CountForShader() : -1;
   vtkHardwareSelector* selector = renderer->GetSelector();
   features.Selection = selector != nullptr;

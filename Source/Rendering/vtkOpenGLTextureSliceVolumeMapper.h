@@ -49,8 +49,8 @@
  * Refused with an error when it is met: four components with hidden points, render passes that peel
  * volumes in a way that is not VTK's, and VTK's peeling in a window with multisamples, which draws
  * nothing translucent. What is refused or ignored is said once, not in each frame. Jittering is
- * ignored; UseDepthPass, RenderToImage and user shaders are ignored with a warning. A hardware
- * selection finds the volume, not its voxels.
+ * ignored; user shaders are ignored with a warning. A hardware selection finds the volume, not its
+ * voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -262,6 +262,17 @@ public:
    */
   bool PreLoadData(vtkRenderer* renderer, vtkVolume* volume);
 
+  ///@{
+  /**
+   * With RenderToImageOn, which leaves the window alone, the last frame. Four unsigned char a
+   * pixel: associated colour, transparent white beside the volume. Of DepthImageScalarType: the
+   * window's depth of the first sample that is seen, 1 where there is none; with
+   * ClampDepthToBackface, that of the face where the ray enters, as VTK 9.1 has it.
+   */
+  void GetColorImage(vtkImageData* output) override;
+  void GetDepthImage(vtkImageData* output) override;
+  ///@}
+
   /**
    * Factors that would make the input fit the largest 3-D texture; 1 where it fits already. An
    * OpenGL context must be current.
@@ -311,6 +322,7 @@ private:
   std::string UpdateVolume(vtkRenderer* renderer, vtkVolume* volume);
   std::string DrawVolume(vtkRenderer* renderer, vtkVolume* volume);
   std::string DrawSlices(vtkRenderer* renderer);
+  std::string TakeImages(bool isDrawn);
   /// Whether that text is empty; else it is said, unless it was said of the last frame.
   bool Accept(const std::string& refused);
   void RenderVolume(vtkRenderer* renderer, vtkVolume* volume);

@@ -118,7 +118,7 @@ bool vtkTextureSliceParts::Draw(std::string& error)
     return false;
   }
   if (!this->Target.Begin(this->Window, this->PixelSize, this->Features.NeedsDepth(),
-        this->Ways.NeedsFullPrecision(), error))
+        this->Ways.NeedsFullPrecision() || this->Features.Places, error))
   {
     return false;
   }

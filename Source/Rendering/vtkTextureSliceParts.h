@@ -4,6 +4,7 @@
 #define vtkTextureSliceParts_h
 
 #include "vtkTextureSliceEmptySpace.h"
+#include "vtkTextureSliceImages.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceResolution.h"
 #include "vtkTextureSliceTarget.h"
@@ -33,6 +34,7 @@ public:
   vtkTextureSliceEmptySpace EmptySpace;
   vtkTextureSliceResolution Resolution;
   vtkTextureSliceTarget Target;
+  vtkTextureSliceImages Images;
   vtkTextureSliceWays Ways;
   /// The window whose context owns the graphics resources.
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

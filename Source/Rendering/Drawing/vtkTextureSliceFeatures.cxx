@@ -90,6 +90,7 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   }
   Define(defines, "CLIPPING_PLANES", this->ClippingPlanes);
   DefineIf(this->Skipping, defines, "SKIPPING");
+  DefineIf(this->Places, defines, "PLACES");
   defines += "#define TEXTURE_SLICE_OPAQUE " + std::string(Opaque) + '\n';
   defines += "#define TEXTURE_SLICE_LEAST_SLICES " +
              std::string(this->Slabs ? LeastSlabs : LeastSamples) + '\n';
@@ -109,6 +110,10 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   if (this->IsoValues > 0)
   {
     Define(defines, "ISO_VALUES", this->IsoValues);
+  }
+  if (this->Contours > 0)
+  {
+    Define(defines, "CONTOURS", this->Contours);
   }
   return defines;
 }

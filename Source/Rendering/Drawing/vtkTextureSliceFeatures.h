@@ -31,6 +31,7 @@ struct vtkTextureSliceFeatures
   bool Scattering = false;  ///< a part of the light is scattered, and shadowed in full
   int Lights = -1;          ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
+  int Contours = 0; ///< rays begin at the first contour of these values; 0: where they enter
   /// Neighbouring slabs share a sample, and several are computed faster than one after the other.
   static constexpr int SlabsOfPiece = 4;
   bool Slabs = false; ///< the functions are integrated over slabs (Formulas L1)
@@ -39,6 +40,7 @@ struct vtkTextureSliceFeatures
   bool ExtremeSample = false;
   int ClippingPlanes = 0;
   bool Skipping = false; ///< rays leap over empty bricks
+  bool Places = false;   ///< the picture is of the first places that are seen, not of colours
   int Peel = 0;          ///< vtkTextureSlicePeeling::Stage
 
   /// Rows of the transfer table: functions, then their gradient opacities.

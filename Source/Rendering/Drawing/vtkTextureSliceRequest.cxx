@@ -29,6 +29,17 @@ double Normalized(double scalar, const vtkTextureSliceComponent& component)
   return (scalar - component.Range[0]) / Width(component);
 }
 
+std::vector<float> Normalize(
+  const std::vector<double>& scalars, const vtkTextureSliceComponent& component)
+{
+  std::vector<float> values;
+  for (const double scalar : scalars)
+  {
+    values.push_back(static_cast<float>(Normalized(scalar, component)));
+  }
+  return values;
+}
+
 /// Whether a function is 1 whatever it is asked for.
 bool IsOneEverywhere(vtkPiecewiseFunction* function)
 {
@@ -209,8 +220,9 @@ bool vtkTextureSliceRequest::ShowsPlaces() const
 
 bool vtkTextureSliceRequest::IntegratesSlabs() const
 {
-  return this->PreIntegration && this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND &&
-         !this->Has2D() && !this->IsNearest();
+  return this->PreIntegration && this->Contours.empty() &&
+         this->BlendMode == vtkVolumeMapper::COMPOSITE_BLEND && !this->Has2D() &&
+         !this->IsNearest();
 }
 
 bool vtkTextureSliceRequest::IsShaded() const
@@ -251,6 +263,7 @@ vtkTextureSliceFeatures vtkTextureSliceRequest::GetFeatures() const
   features.Labels = this->CountLabels();
   features.Slabs = this->IntegratesSlabs();
   features.IsoValues = static_cast<int>(this->GetIsoValues().size());
+  features.Contours = static_cast<int>(this->Contours.size());
   return features;
 }
 
@@ -359,17 +372,6 @@ std::vector<vtkTextureSliceSurface> vtkTextureSliceRequest::MakeSurfaces() const
   return surfaces;
 }
 
-std::vector<float> vtkTextureSliceRequest::MakeIsoValues(
-  const vtkTextureSliceComponent& component) const
-{
-  std::vector<float> values;
-  for (const double value : this->GetIsoValues())
-  {
-    values.push_back(static_cast<float>(Normalized(value, component)));
-  }
-  return values;
-}
-
 void vtkTextureSliceRequest::SetUniforms(vtkTextureSliceUniforms& uniforms) const
 {
   const std::vector<vtkTextureSliceComponent>& components = uniforms.Texture.GetComponents();
@@ -387,7 +389,8 @@ void vtkTextureSliceRequest::SetUniforms(vtkTextureSliceUniforms& uniforms) cons
       static_cast<float>(Normalized(this->Property->GetClippedVoxelIntensity(), target));
   }
   uniforms.Surfaces = this->MakeSurfaces();
-  uniforms.IsoValues = this->MakeIsoValues(components.back());
+  uniforms.IsoValues = Normalize(this->GetIsoValues(), components.back());
+  uniforms.Contours = Normalize(this->Contours, components.front());
   for (std::size_t i = 0; i < 2; ++i)
   {
     uniforms.AverageRange[i] = static_cast<float>(Normalized(this->AverageRange[i], components[0]));

@@ -30,6 +30,9 @@ struct vtkTextureSliceRequest
   bool NativeOpacity = false;
   bool NativeGradientOpacity = false;
   bool PreIntegration = false;
+  /// The contours of the first component at which rays begin (UseDepthPass); none: where they
+  /// enter the volume.
+  std::vector<double> Contours;
   bool BinaryMask = false; ///< there is a mask, and it says what is seen
   bool SmoothGradient = false;
   /// Components of the array that two-dimensional functions have in place of the gradient
@@ -52,7 +55,9 @@ struct vtkTextureSliceRequest
   bool IsNearest() const;
   /// Whether each component has its own functions.
   bool IsIndependent() const;
-  /// Whether samples are lit: only where a blend mode shows places, not projected scalars.
+  /// Whether the blend mode shows places, not projected scalars.
+  bool ShowsPlaces() const;
+  /// Whether samples are lit: only where places are shown.
   bool IsShaded() const;
   /// What these ask of the shaders; what the frame and the texture add is left out.
   vtkTextureSliceFeatures GetFeatures() const;
@@ -73,7 +78,6 @@ struct vtkTextureSliceRequest
 
 private:
   const char* FindUnsupportedSecondArray() const;
-  bool ShowsPlaces() const;
   /// Whether slabs are integrated over: where samples are blended by one-dimensional functions of
   /// scalars that are interpolated.
   bool IntegratesSlabs() const;
@@ -84,7 +88,6 @@ private:
   int CountLabels() const;
   vtkTextureSliceRow MakeRow(int functions, const vtkTextureSliceComponent& color,
     const vtkTextureSliceComponent& opacity) const;
-  std::vector<float> MakeIsoValues(const vtkTextureSliceComponent& component) const;
 };
 
 #endif

@@ -59,6 +59,10 @@ void SetVolume(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniform
   {
     SetArray(program, "isoValues", uniforms.IsoValues);
   }
+  if (uniforms.Features.Contours > 0)
+  {
+    SetArray(program, "contours", uniforms.Contours);
+  }
 }
 
 void SetMaskAndTables(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)

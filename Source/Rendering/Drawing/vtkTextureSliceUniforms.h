@@ -75,6 +75,7 @@ struct vtkTextureSliceUniforms
   std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are
   std::array<float, 4> ClippedScalars{};   ///< likewise; used if Features.ClippedScalars
   std::vector<float> IsoValues;            ///< ascending, 0 to 1 as the scalars are
+  std::vector<float> Contours;             ///< likewise; used if Features.Contours is above 0
   std::array<float, 3> SelectionColor{};   ///< used if Features.Selection
 
   /// The textures that the features need.

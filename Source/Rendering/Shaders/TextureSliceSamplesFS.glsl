@@ -196,6 +196,18 @@ vec4 FindPicture()
 #endif
   return picture.a > 0.0 ? vec4(vec3(clamp(grey, 0.0, 1.0)), 1.0) : vec4(0.0);
 }
+#elif defined TEXTURE_SLICE_PLACES
+// The first place that is seen, as texture coordinates; alpha is 1 there.
+void Add(vec4 gathered)
+{
+  picture = picture.a > 0.0 || gathered.a <= 0.0 ? picture : vec4(textureCoordinate, 1.0);
+}
+
+// Where nothing is seen, the beginning of the ray, with an alpha of one half.
+vec4 FindPicture()
+{
+  return picture.a > 0.0 ? picture : vec4(PlaceAt(raySpan.x), 0.5);
+}
 #else
 // Formulas T9, R3: associated colour, front to back.
 void Add(vec4 gathered)
@@ -209,13 +221,42 @@ vec4 FindPicture()
 }
 #endif
 
+#ifdef TEXTURE_SLICE_CONTOURS
+// Contours of the first component, 0 to 1 as the scalars are: what is in front of the first one is left out.
+uniform float contours[TEXTURE_SLICE_CONTOURS];
+float scalarBefore = 0.0;
+bool isSampleBefore = false;
+bool isBehindContour = false;
+
+bool IsBehindContour(float scalar)
+{
+  for (int i = 0; i < TEXTURE_SLICE_CONTOURS && isSampleBefore; ++i)
+  {
+    isBehindContour = isBehindContour || (scalarBefore < contours[i]) != (scalar < contours[i]);
+  }
+  scalarBefore = scalar;
+  isSampleBefore = true;
+  return isBehindContour;
+}
+#endif
+
 #if !defined TEXTURE_SLICE_SLABS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
 void GatherSample(vec3 place)
 {
   textureCoordinate = place;
   vec4 scalars;
   vec4 gathered;
-  if (IsLeft(place) && FetchScalars(place, scalars) && Gather(scalars, gathered))
+  if (!IsLeft(place) || !FetchScalars(place, scalars))
+  {
+    return;
+  }
+#ifdef TEXTURE_SLICE_CONTOURS
+  if (!IsBehindContour(scalars.x))
+  {
+    return;
+  }
+#endif
+  if (Gather(scalars, gathered))
   {
     Add(gathered);
   }

@@ -94,7 +94,7 @@ bool vtkTextureSliceWays::Choose(
 {
   this->Fallback.clear();
   const bool canBePolygons = CanBePolygons(uniforms.Features);
-  Way way = this->FindAsked();
+  Way way = uniforms.Features.Places ? Fragments : this->FindAsked();
   if (way == Automatic || (way == Polygons && !canBePolygons))
   {
     way = this->ChooseByTrial(window, uniforms);
