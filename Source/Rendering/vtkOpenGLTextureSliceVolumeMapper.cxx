@@ -31,39 +31,6 @@ vtkStandardNewMacro(vtkOpenGLTextureSliceVolumeMapper);
 namespace
 {
 
-/// Keeps what drawing changes in VTK's record of the OpenGL state, and puts it back.
-class StateKeeper
-{
-public:
-  explicit StateKeeper(vtkOpenGLState* state)
-    : Viewport(state)
-    , Scissor(state)
-    , ClearColor(state)
-    , ColorMask(state)
-    , DepthMask(state)
-    , DepthFunc(state)
-    , BlendFunc(state)
-    , ScissorTest(state, GL_SCISSOR_TEST)
-    , DepthTest(state, GL_DEPTH_TEST)
-    , Blend(state, GL_BLEND)
-    , CullFace(state, GL_CULL_FACE)
-  {
-  }
-
-private:
-  vtkOpenGLState::ScopedglViewport Viewport;
-  vtkOpenGLState::ScopedglScissor Scissor;
-  vtkOpenGLState::ScopedglClearColor ClearColor;
-  vtkOpenGLState::ScopedglColorMask ColorMask;
-  vtkOpenGLState::ScopedglDepthMask DepthMask;
-  vtkOpenGLState::ScopedglDepthFunc DepthFunc;
-  vtkOpenGLState::ScopedglBlendFuncSeparate BlendFunc;
-  vtkOpenGLState::ScopedglEnableDisable ScissorTest;
-  vtkOpenGLState::ScopedglEnableDisable DepthTest;
-  vtkOpenGLState::ScopedglEnableDisable Blend;
-  vtkOpenGLState::ScopedglEnableDisable CullFace;
-};
-
 /// Points along each axis; empty for what is neither an image nor a rectilinear grid.
 std::vector<int> FindDimensions(vtkDataSet* input)
 {
@@ -425,24 +392,24 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
   parts.Lights.Update(renderer);
   this->UpdateShadows();
   this->SetUniforms(renderer);
-  const StateKeeper keeper(parts.Window->GetState());
   parts.Ways.SetAsked(this->Way);
-  for (int picture = 0; picture < parts.Peeling.CountPictures(); ++picture)
+  std::string error;
+  parts.Window->GetState()->Push();
+  for (int picture = 0; picture < parts.Peeling.CountPictures() && error.empty(); ++picture)
   {
     parts.Peeling.SetPicture(picture);
-    std::string error;
-    if (!parts.Draw(error))
+    if (parts.Draw(error) && this->RenderToImage)
     {
-      return error;
+      error = this->TakeImages(true);
     }
-    if (this->RenderToImage)
+    else if (error.empty())
     {
-      return this->TakeImages(true);
+      parts.Composite(
+        1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
     }
-    parts.Composite(
-      1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
   }
-  return "";
+  parts.Window->GetState()->Pop();
+  return error;
 }
 
 std::string vtkOpenGLTextureSliceVolumeMapper::TakeImages(bool isDrawn)

@@ -44,8 +44,6 @@ void vtkTextureSliceBox::Draw(
   this->Program->SetUniform3f("seenLow", low.data());
   this->Program->SetUniform3f("seenHigh", high.data());
   vtkOpenGLState* state = this->Window->GetState();
-  vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
-  vtkOpenGLState::ScopedglEnableDisable depthTest(state, GL_DEPTH_TEST);
   state->vtkglDisable(GL_DEPTH_TEST);
   state->vtkglEnable(GL_CULL_FACE);
   // A matrix that mirrors turns the triangles round.
@@ -56,7 +54,6 @@ void vtkTextureSliceBox::Draw(
   glDrawArraysInstanced(GL_TRIANGLES, 0, 36, times);
   this->VertexArray->Release();
   glDisable(GL_DEPTH_CLAMP);
-  state->vtkglCullFace(GL_BACK);
 }
 
 void vtkTextureSliceBox::ReleaseGraphicsResources()
