@@ -25,13 +25,6 @@ class VTKNEXRADRENDERING_EXPORT vtkTextureSliceCodes
 public:
   static constexpr std::size_t Count = 256;
 
-  /// Codes from First to Last, both included.
-  struct Interval
-  {
-    unsigned char First;
-    unsigned char Last;
-  };
-
   /// Nothing where the scalars are no codes.
   static std::optional<vtkTextureSliceCodes> Find(vtkImageData* image, vtkDataArray* scalars);
 
@@ -45,7 +38,6 @@ public:
   }
 
   bool IsHidden(std::size_t code) const { return this->Hidden[code] != 0; }
-  const std::vector<Interval>& GetHiddenIntervals() const { return this->HiddenIntervals; }
   double GetValue(std::size_t code) const { return this->Values[code]; }
   /// Least and greatest value of the codes from `low` to `high` that are seen. Exact where the
   /// values ascend with the codes; else those of all codes that are seen.
@@ -61,13 +53,11 @@ public:
   unsigned char GetByte(std::size_t code) const { return this->Bytes[code]; }
 
 private:
-  void FindHiddenIntervals();
-  void FindOrder();
-  void FindBytes();
+  /// @param seen the values of codes that are not hidden, ascending.
+  void FindBytes(const std::vector<double>& seen);
 
   std::array<double, Count> Values;
   std::array<unsigned char, Count> Hidden;
-  std::vector<Interval> HiddenIntervals;
   bool Ascending = true;
   std::array<double, 2> WholeRange{}; ///< of the codes that are seen
   double Step = 0.0;                  ///< 0: the values lie on no 256 even steps

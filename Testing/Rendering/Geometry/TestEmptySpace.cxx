@@ -56,7 +56,7 @@ public:
 
   vtkNew<vtkFloatArray> Scalars;
   vtkNew<vtkUnsignedCharArray> Ghosts;
-  vtkTextureSliceBricks::Source Source;
+  vtkTextureSliceScalars Source;
 };
 
 /// The range of the texels whose weight can be above 0 somewhere in a part of the box.
