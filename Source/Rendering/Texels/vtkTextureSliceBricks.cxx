@@ -54,9 +54,13 @@ public:
       {
         this->Rows.MarkVisible(y, z, 0, this->Rows.Length, this->Marks.data());
         invisible = invisible || std::memchr(this->Marks.data(), 0, this->Rows.Length) != nullptr;
-        // A constant step lets the compiler take several texels at a time.
-        this->Rows.Components == 1 ? this->Extend(y, z, 1)
-                                   : this->Extend(y, z, this->Rows.Components);
+        const std::size_t components = this->Rows.Components;
+        for (std::size_t c = 0; c < components; ++c)
+        {
+          // A constant step lets the compiler take several texels at a time.
+          components == 1 ? this->Extend(this->Rows.GetScalars(y, z), 0, 1)
+                          : this->Extend(this->Rows.GetScalars(y, z), c, components);
+        }
       }
     }
     for (int brick = 0; brick < this->Count[0]; ++brick, ranges += this->Rows.Components)
@@ -76,24 +80,22 @@ private:
     return {std::max(0, first - before), std::min(this->Source.Size[axis], first + this->Edge + 1)};
   }
 
-  /// Takes a row of texels into the extremes of the columns.
-  void Extend(int y, int z, std::size_t step)
+  /// Takes one component of a row of texels into the extremes of the columns.
+  void Extend(const Scalar* row, std::size_t component, std::size_t step)
   {
     constexpr Scalar most = std::numeric_limits<Scalar>::max();
     constexpr Scalar least = std::numeric_limits<Scalar>::lowest();
-    for (std::size_t component = 0; component < step; ++component)
+    Scalar* low = this->Low.data() + component;
+    Scalar* high = this->High.data() + component;
+    const unsigned char* counts = this->Marks.data();
+    const std::size_t length = this->Rows.Length;
+    for (std::size_t i = 0; i < length; ++i)
     {
-      const Scalar* row = this->Rows.GetScalars(y, z) + component;
-      Scalar* low = this->Low.data() + component;
-      Scalar* high = this->High.data() + component;
-      const unsigned char* counts = this->Marks.data();
-      for (std::size_t i = 0; i < this->Rows.Length; ++i)
-      {
-        const Scalar forLow = counts[i] != 0 ? row[i * step] : most;
-        const Scalar forHigh = counts[i] != 0 ? row[i * step] : least;
-        low[i * step] = forLow < low[i * step] ? forLow : low[i * step];
-        high[i * step] = high[i * step] < forHigh ? forHigh : high[i * step];
-      }
+      const Scalar scalar = row[i * step + component];
+      const Scalar forLow = counts[i] != 0 ? scalar : most;
+      const Scalar forHigh = counts[i] != 0 ? scalar : least;
+      low[i * step] = forLow < low[i * step] ? forLow : low[i * step];
+      high[i * step] = high[i * step] < forHigh ? forHigh : high[i * step];
     }
   }
 

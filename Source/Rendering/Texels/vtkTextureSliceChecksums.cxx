@@ -21,18 +21,22 @@ namespace
 std::vector<std::array<double, 2>> FindRanges(
   const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks)
 {
-  vtkTextureSliceBricks::Range ofCodes;
-  for (const vtkTextureSliceBricks::Range& brick : bricks.GetRanges())
+  const auto components = static_cast<std::size_t>(source.Scalars->GetNumberOfComponents());
+  std::vector<vtkTextureSliceBricks::Range> ofBricks(components);
+  for (std::size_t i = 0; i < bricks.GetRanges().size(); ++i)
   {
-    ofCodes = {std::min(ofCodes.Low, brick.Low), std::max(ofCodes.High, brick.High)};
+    vtkTextureSliceBricks::Range& range = ofBricks[i % components];
+    range = {std::min(range.Low, bricks.GetRanges()[i].Low),
+      std::max(range.High, bricks.GetRanges()[i].High)};
   }
-  std::vector<std::array<double, 2>> ranges(1, {ofCodes.Low, ofCodes.High});
-  if (!source.Codes)
+  std::vector<std::array<double, 2>> ranges;
+  for (std::size_t c = 0; c < components; ++c)
   {
-    ranges.resize(static_cast<std::size_t>(source.Scalars->GetNumberOfComponents()));
-    for (std::size_t c = 0; c < ranges.size(); ++c)
+    ranges.push_back({ofBricks[c].Low, ofBricks[c].High});
+    if (source.Ghosts != nullptr && !source.Codes)
     {
-      source.Scalars->GetFiniteRange(ranges[c].data(), static_cast<int>(c));
+      // Several times as long as a look at all bricks.
+      source.Scalars->GetFiniteRange(ranges.back().data(), static_cast<int>(c));
     }
   }
   return ranges;

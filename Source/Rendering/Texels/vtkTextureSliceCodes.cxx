@@ -52,18 +52,17 @@ std::optional<vtkTextureSliceCodes> vtkTextureSliceCodes::Find(
 vtkTextureSliceCodes::vtkTextureSliceCodes(
   const std::array<double, Count>& values, const std::array<unsigned char, Count>& hidden)
   : Values(values)
-  , Hidden(hidden)
 {
   std::vector<double> seen;
   for (std::size_t code = 0; code < Count; ++code)
   {
     if (!std::isfinite(values[code]))
     {
-      this->Hidden[code] = 1;
       this->Values[code] = std::numeric_limits<double>::infinity(); // equals itself, unlike NaN
     }
-    else if (!this->IsHidden(code))
+    else if (hidden[code] == 0)
     {
+      this->Visible[code] = 1;
       seen.push_back(values[code]);
     }
   }

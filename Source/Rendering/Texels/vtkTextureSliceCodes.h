@@ -34,10 +34,12 @@ public:
 
   bool operator==(const vtkTextureSliceCodes& other) const
   {
-    return this->Values == other.Values && this->Hidden == other.Hidden;
+    return this->Values == other.Values && this->Visible == other.Visible;
   }
 
-  bool IsHidden(std::size_t code) const { return this->Hidden[code] != 0; }
+  bool IsHidden(std::size_t code) const { return this->Visible[code] == 0; }
+  /// 1 for each code that is seen, else 0.
+  const unsigned char* GetVisible() const { return this->Visible.data(); }
   double GetValue(std::size_t code) const { return this->Values[code]; }
   /// Least and greatest value of the codes from `low` to `high` that are seen. Exact where the
   /// values ascend with the codes; else those of all codes that are seen.
@@ -57,7 +59,7 @@ private:
   void FindBytes(const std::vector<double>& seen);
 
   std::array<double, Count> Values;
-  std::array<unsigned char, Count> Hidden;
+  std::array<unsigned char, Count> Visible{};
   bool Ascending = true;
   std::array<double, 2> WholeRange{}; ///< of the codes that are seen
   double Step = 0.0;                  ///< 0: the values lie on no 256 even steps

@@ -28,7 +28,7 @@ public:
     , Height(static_cast<std::size_t>(source.Size[1]))
     , Scalars(static_cast<const Scalar*>(source.Scalars->GetVoidPointer(0)))
     , Ghosts(source.Ghosts != nullptr ? source.Ghosts->GetPointer(0) : nullptr)
-    , Codes(source.Codes ? &*source.Codes : nullptr)
+    , VisibleCodes(source.Codes ? source.Codes->GetVisible() : nullptr)
   {
   }
 
@@ -51,9 +51,11 @@ public:
     std::fill_n(visible, count, static_cast<unsigned char>(1));
     if constexpr (std::is_same_v<Scalar, unsigned char>)
     {
-      for (std::size_t i = 0; this->Codes != nullptr && i < count; ++i)
+      // A copy of the pointer, because bytes that are written could be the member.
+      const unsigned char* const ofCode = this->VisibleCodes;
+      for (std::size_t i = 0; ofCode != nullptr && i < count; ++i)
       {
-        visible[i] = this->Codes->IsHidden(scalars[i]) ? 0 : 1;
+        visible[i] = ofCode[scalars[i]];
       }
     }
     if constexpr (std::is_floating_point_v<Scalar>)
@@ -96,7 +98,7 @@ private:
   const std::size_t Height;
   const Scalar* const Scalars;
   const unsigned char* const Ghosts;
-  const vtkTextureSliceCodes* const Codes; ///< nullptr: the scalars are none
+  const unsigned char* const VisibleCodes; ///< nullptr: the scalars are no codes
 };
 
 } // namespace vtkTextureSlice
