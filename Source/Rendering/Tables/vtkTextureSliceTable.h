@@ -67,9 +67,9 @@ public:
   {
     return this->Visibilities[row];
   }
-  /// Of a row that holds optical depths: those of a unit distance at each entry, for each factor of
-  /// 2 that it weakens what is behind (Formulas R1).
-  std::vector<float> GetOpticalDepths(std::size_t row) const;
+  /// Opacities, or optical depths of a unit distance for each factor of 2 that it weakens what is
+  /// behind (Formulas R1), of the entries of a row.
+  std::vector<float> GetAlphas(std::size_t row) const;
   /// When the rows were filled last.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
   /// RGBA of the entries of a row as they are in the texture.
@@ -88,7 +88,6 @@ private:
   bool NeedsUpdate(
     vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows) const;
   void Fill(int width);
-  void IndexOpacities(std::size_t width);
   void Upload(std::size_t width);
 
   vtkNew<vtkTextureObject> Texture;

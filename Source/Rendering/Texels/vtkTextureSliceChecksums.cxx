@@ -7,42 +7,10 @@
 #include "vtkObjectFactory.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <algorithm>
 #include <utility>
 
 vtkStandardNewMacro(vtkTextureSliceChecksums);
 vtkInformationKeyMacro(vtkTextureSliceChecksums, PREPARED, ObjectBase);
-
-namespace
-{
-
-/// Hidden scalars that are finite count, unlike in the ranges of the bricks. The values of hidden
-/// codes are added later (vtkTextureSliceTexels).
-std::vector<std::array<double, 2>> FindRanges(
-  const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks)
-{
-  const auto components = static_cast<std::size_t>(source.Scalars->GetNumberOfComponents());
-  std::vector<vtkTextureSliceBricks::Range> ofBricks(components);
-  for (std::size_t i = 0; i < bricks.GetRanges().size(); ++i)
-  {
-    vtkTextureSliceBricks::Range& range = ofBricks[i % components];
-    range = {std::min(range.Low, bricks.GetRanges()[i].Low),
-      std::max(range.High, bricks.GetRanges()[i].High)};
-  }
-  std::vector<std::array<double, 2>> ranges;
-  for (std::size_t c = 0; c < components; ++c)
-  {
-    ranges.push_back({ofBricks[c].Low, ofBricks[c].High});
-    if (source.Ghosts != nullptr && !source.Codes)
-    {
-      // Several times as long as a look at all bricks.
-      source.Scalars->GetFiniteRange(ranges.back().data(), static_cast<int>(c));
-    }
-  }
-  return ranges;
-}
-
-} // namespace
 
 vtkTextureSliceChecksums::Key vtkTextureSliceChecksums::MakeKey(
   const vtkTextureSliceScalars& source)
@@ -56,13 +24,15 @@ void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)
 {
   this->Made = MakeKey(source);
   this->Bricks.Build(source);
-  this->Texels = {source, FindRanges(source, this->Bricks), this->Bricks.HasInvisible()};
+  this->Texels = {source, this->Bricks};
   this->Blocks.Build(source);
 }
 
 vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Prepare(
   const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before)
 {
+  // The array makes its information when it is first asked, and counts as changed by that.
+  vtkInformation* information = source.Scalars->GetInformation();
   auto checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();
   checksum->Build(source);
   if (before != nullptr)
@@ -70,15 +40,19 @@ vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Prepare(
     checksum->Prepared = checksum->TakeChanges(source, before);
     checksum->PreparedOver = before->Made;
   }
-  source.Scalars->GetInformation()->Set(PREPARED(), checksum);
+  information->Set(PREPARED(), checksum);
   return checksum;
 }
 
 vtkSmartPointer<vtkTextureSliceChecksums> vtkTextureSliceChecksums::Get(
   const vtkTextureSliceScalars& source)
 {
-  vtkSmartPointer<vtkTextureSliceChecksums> checksum =
-    vtkTextureSliceChecksums::SafeDownCast(source.Scalars->GetInformation()->Get(PREPARED()));
+  vtkSmartPointer<vtkTextureSliceChecksums> checksum;
+  if (source.Scalars->HasInformation())
+  {
+    checksum =
+      vtkTextureSliceChecksums::SafeDownCast(source.Scalars->GetInformation()->Get(PREPARED()));
+  }
   if (checksum == nullptr || checksum->Made != MakeKey(source))
   {
     checksum = vtkSmartPointer<vtkTextureSliceChecksums>::New();

@@ -110,15 +110,3 @@ std::array<double, 2> vtkTextureSliceCodes::GetRange(std::size_t low, std::size_
   return this->Ascending ? std::array<double, 2>{this->Values[low], this->Values[high]}
                          : this->WholeRange;
 }
-
-void vtkTextureSliceCodes::AddHidden(std::array<double, 2>& range) const
-{
-  for (std::size_t code = 0; code < Count; ++code)
-  {
-    if (this->IsHidden(code) && std::isfinite(this->Values[code]))
-    {
-      range[0] = std::min(range[0], this->Values[code]);
-      range[1] = std::max(range[1], this->Values[code]);
-    }
-  }
-}

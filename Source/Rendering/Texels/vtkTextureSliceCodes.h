@@ -44,9 +44,6 @@ public:
   /// Least and greatest value of the codes from `low` to `high` that are seen. Exact where the
   /// values ascend with the codes; else those of all codes that are seen.
   std::array<double, 2> GetRange(std::size_t low, std::size_t high) const;
-  /// Extends a range by the finite values that hidden codes have: like hidden scalars, they count
-  /// for the domain of transfer functions.
-  void AddHidden(std::array<double, 2>& range) const;
 
   /// Whether a byte can hold each value that is seen: the value of byte b is b * step + base.
   bool HasBytes() const { return this->Step > 0.0; }

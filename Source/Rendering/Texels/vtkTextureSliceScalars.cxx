@@ -2,7 +2,6 @@
 #include "vtkTextureSliceScalars.h"
 
 #include "vtkCellData.h"
-#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
@@ -24,8 +23,6 @@ vtkTextureSliceScalars vtkTextureSliceScalars::Find(
 {
   vtkTextureSliceScalars found;
   found.Scalars = scalars;
-  // The array makes its information when it is first asked, and counts as changed by that.
-  scalars->GetInformation();
   found.Size = GetSize(image, cellData);
   found.CellData = cellData;
   found.Codes = vtkTextureSliceCodes::Find(image, scalars);

@@ -118,28 +118,31 @@ void EncodeRows(const vtkTextureSlice::Rows<Scalar>& rows, const Box& box, bool 
 
 } // namespace
 
-vtkTextureSliceTexels::vtkTextureSliceTexels(const vtkTextureSliceScalars& source,
-  const std::vector<std::array<double, 2>>& ranges, bool masked)
+vtkTextureSliceTexels::vtkTextureSliceTexels(
+  const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks)
   : SourceType(source.Scalars->GetDataType())
   , Size(source.Size)
-  , Masked(masked)
+  , Masked(bricks.HasInvisible())
   , Codes(source.Codes)
+  , Components(static_cast<std::size_t>(source.Scalars->GetNumberOfComponents()))
 {
-  for (const std::array<double, 2>& range : ranges)
+  for (std::size_t c = 0; c < this->Components.size(); ++c)
   {
-    this->Components.emplace_back();
-    Component& component = this->Components.back();
-    component.Range = range[0] <= range[1] ? range : component.Range;
+    vtkTextureSliceBricks::Range range;
+    for (std::size_t i = c; i < bricks.GetRanges().size(); i += this->Components.size())
+    {
+      range.Low = std::min(range.Low, bricks.GetRanges()[i].Low);
+      range.High = std::max(range.High, bricks.GetRanges()[i].High);
+    }
+    Component& component = this->Components[c];
+    component.Range =
+      range.Low <= range.High ? std::array<double, 2>{range.Low, range.High} : component.Range;
     switch (this->Codes ? VTK_VOID : this->SourceType)
     {
       vtkTemplateMacro(SetScale<VTK_TT>(component); this->ScalarType = TypeOf<TexelOf<VTK_TT>>);
     default:
       break;
     }
-  }
-  if (this->Codes)
-  {
-    this->Codes->AddHidden(this->Components.front().Range);
   }
   if (this->AreCodeBytes())
   {

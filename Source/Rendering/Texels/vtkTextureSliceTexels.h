@@ -4,6 +4,7 @@
 #define vtkTextureSliceTexels_h
 
 #include "vtkTextureSliceBlocks.h"
+#include "vtkTextureSliceBricks.h"
 #include "vtkTextureSliceScalars.h"
 #include "vtkType.h"
 
@@ -16,7 +17,7 @@
 /// One component of the scalars.
 struct vtkTextureSliceComponent
 {
-  std::array<double, 2> Range{0.0, 1.0}; ///< least and greatest finite scalar
+  std::array<double, 2> Range{0.0, 1.0}; ///< least and greatest visible scalar
   double Scale = 1.0;                    ///< the scalar of a texel t: t * Scale + Bias
   double Bias = 0.0;
 };
@@ -41,9 +42,7 @@ class vtkTextureSliceTexels
 {
 public:
   vtkTextureSliceTexels() = default;
-  /// @param ranges of the finite scalars of each component
-  vtkTextureSliceTexels(const vtkTextureSliceScalars& source,
-    const std::vector<std::array<double, 2>>& ranges, bool masked);
+  vtkTextureSliceTexels(const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks);
 
   /// VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT or VTK_FLOAT.
   int GetScalarType() const { return this->ScalarType; }
