@@ -648,11 +648,12 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.ScaledLight = parts.Shadows.IsScaled();
   uniforms.Features.Scattering = parts.Shadows.IsScattering();
   uniforms.Features.Peel = parts.Peeling.GetStage();
-  uniforms.Peeling = &parts.Peeling;
-  uniforms.PixelSize = parts.PixelSize;
   uniforms.Features.ClippingPlanes =
     static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
   uniforms.Features.Skipping = parts.EmptySpace.IsSkippingWorthwhile();
+  uniforms.Features.Rectilinear = parts.Coordinates.IsUsed();
+  uniforms.Features.Blanked = parts.Blanks.IsUsed();
+  uniforms.Features.SecondMasked = request.ReadsSecondArray() && parts.SecondArray.IsMasked();
   if (request.IsShaded())
   {
     uniforms.Features.Lights = parts.Lights.CountForShader();
@@ -665,30 +666,17 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Frame = &parts.Frame;
   uniforms.Planes = &parts.Planes;
   uniforms.Seen = this->FindSeen();
-  uniforms.Distances = &parts.EmptySpace.GetDistances();
+  uniforms.PixelSize = parts.PixelSize;
+  uniforms.Surfaces = request.MakeSurfaces();
   uniforms.Volume = parts.Texture.GetTexture();
-  uniforms.Table = &parts.Table;
-  uniforms.Table2D = &parts.Table2D;
-  uniforms.Features.Rectilinear = parts.Coordinates.IsUsed();
-  uniforms.Coordinates = &parts.Coordinates;
-  uniforms.Features.Blanked = parts.Blanks.IsUsed();
-  uniforms.Blanks = &parts.Blanks;
-  if (uniforms.Features.SecondArray > 0)
+  parts.AddTextures(uniforms);
+  uniforms.SetParts = [this, &request, features = uniforms.Features](vtkShaderProgram* program)
   {
-    uniforms.Features.SecondMasked = parts.SecondArray.IsMasked();
-    uniforms.SecondArray = parts.SecondArray.GetTexture();
-    vtkTextureSliceRequest::SetSecondArray(parts.SecondArray.GetComponents(), uniforms);
-  }
-  uniforms.Mask = parts.Mask.GetTexture();
-  uniforms.LabelTable = &parts.LabelTable;
-  uniforms.LabelWeight = this->MaskBlendFactor;
-  uniforms.Integrals = &parts.Integrals;
-  uniforms.LabelIntegrals = &parts.LabelIntegrals;
-  uniforms.GeometryDepth = parts.Target.GetGeometryDepth();
-  uniforms.Lights = &parts.Lights;
-  uniforms.Shadows = &parts.Shadows;
-  uniforms.CropFlags = this->CroppingRegionFlags;
-  request.SetUniforms(parts.Texture.GetComponents(), uniforms);
+    request.SetUniforms(this->Parts->Texture.GetComponents(), program);
+    program->SetUniformi("cropFlags", this->CroppingRegionFlags);
+    program->SetUniformf("labelWeight", this->MaskBlendFactor);
+    this->Parts->SetUniforms(features, program);
+  };
   return uniforms;
 }
 

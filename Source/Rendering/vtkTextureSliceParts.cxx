@@ -65,6 +65,74 @@ bool vtkTextureSliceParts::UpdateTables(
          this->Table2D.Update(this->Window, request.MakeTables2D(), nearest, error);
 }
 
+void vtkTextureSliceParts::AddTextures(vtkTextureSliceUniforms& uniforms)
+{
+  const vtkTextureSliceFeatures& features = uniforms.Features;
+  const auto add = [&uniforms](bool needed, const char* sampler, vtkTextureObject* texture)
+  {
+    if (needed)
+    {
+      uniforms.Textures.emplace_back(sampler, texture);
+    }
+  };
+  add(true, "volumeTexture", this->Texture.GetTexture());
+  add(true, "transferTable", this->Table.GetTexture());
+  add(features.Table2D, "transferTable2D", this->Table2D.GetTexture());
+  add(features.Rectilinear, "coordinateTable", this->Coordinates.GetTexture());
+  add(features.SecondArray > 0, "secondTexture", this->SecondArray.GetTexture());
+  add(features.Blanked, "blankTexture", this->Blanks.GetTexture());
+  add(features.HasMask(), "maskTexture", this->Mask.GetTexture());
+  add(features.Labels > 0, "labelTable", this->LabelTable.GetTexture());
+  add(features.Shadows, "lightTexture", this->Shadows.GetTexture());
+  add(features.NeedsDepth(), "geometryDepth", this->Target.GetGeometryDepth());
+  add(features.Skipping, "distanceMap", this->EmptySpace.GetDistances().GetTexture());
+  add(features.Slabs, "integralTable", this->Integrals.GetTexture());
+  add(
+    features.Slabs && features.Labels > 0, "labelIntegralTable", this->LabelIntegrals.GetTexture());
+}
+
+void vtkTextureSliceParts::SetUniforms(
+  const vtkTextureSliceFeatures& features, vtkShaderProgram* program)
+{
+  this->Table.SetUniforms("table", program);
+  this->Blanks.SetUniforms(program);
+  this->EmptySpace.GetDistances().SetUniforms(program, this->Frame);
+  if (features.Labels > 0)
+  {
+    this->LabelTable.SetUniforms("labelTable", program);
+  }
+  if (features.Table2D)
+  {
+    program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
+  }
+  if (features.Rectilinear)
+  {
+    this->Coordinates.SetUniforms(program);
+  }
+  if (features.SecondArray > 0)
+  {
+    vtkTextureSliceRequest::SetSecondArray(this->SecondArray.GetComponents(), program);
+  }
+  if (features.Lights >= 0)
+  {
+    this->Lights.SetUniforms(program, this->Frame);
+  }
+  if (features.Shadows)
+  {
+    this->Shadows.SetUniforms(program);
+  }
+  if (features.Peel > 0)
+  {
+    this->Peeling.SetUniforms(program);
+  }
+  if (features.Slabs)
+  {
+    program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
+    this->Integrals.SetUniforms("lastIntegral", program);
+    this->LabelIntegrals.SetUniforms("lastLabelIntegral", program);
+  }
+}
+
 void vtkTextureSliceParts::UpdateIntegrals(const vtkTextureSliceUniforms& uniforms)
 {
   const vtkTextureSliceFeatures& features = uniforms.Features;

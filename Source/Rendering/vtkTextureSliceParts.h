@@ -28,6 +28,7 @@
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
 
 /**
  * What vtkOpenGLTextureSliceVolumeMapper works with, one job each; every part decides for itself
@@ -79,6 +80,10 @@ public:
 
   /// Brings the tables of transfer functions up to date. @return false with one line in @a error
   bool UpdateTables(const vtkTextureSliceRequest& request, bool nearest, std::string& error);
+  /// Adds the textures that the features need.
+  void AddTextures(vtkTextureSliceUniforms& uniforms);
+  /// Sets what the shaders read of the parts, beside their textures.
+  void SetUniforms(const vtkTextureSliceFeatures& features, vtkShaderProgram* program);
   /// Draws the slices into the target. @return false with one line in @a error
   bool Draw(const vtkTextureSliceUniforms& uniforms, std::string& error);
   /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level

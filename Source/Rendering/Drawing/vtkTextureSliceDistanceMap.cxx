@@ -153,7 +153,6 @@ void vtkTextureSliceDistanceMap::SetUniforms(
     bias[axis] = -frame.GetTextureBias()[axis] * scale[axis];
     last[axis] = static_cast<float>(this->Count[axis] - 1);
   }
-  program->SetUniformi("distanceMap", this->Texture->GetTextureUnit());
   program->SetUniform3f("brickScale", scale.data());
   program->SetUniform3f("brickBias", bias.data());
   program->SetUniform3f("lastBrick", last.data());

@@ -6,6 +6,7 @@
 #include "vtkMath.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
+#include "vtkShaderProgram.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
@@ -24,9 +25,24 @@ double Width(const vtkTextureSliceComponent& component)
 }
 
 /// Where a scalar lies in the component's range, 0 to 1 inside it.
-double Normalized(double scalar, const vtkTextureSliceComponent& component)
+float Normalized(double scalar, const vtkTextureSliceComponent& component)
 {
-  return (scalar - component.Range[0]) / Width(component);
+  return static_cast<float>((scalar - component.Range[0]) / Width(component));
+}
+
+/// How texels become 0 to 1 over the range of each component.
+void SetScales(const std::vector<vtkTextureSliceComponent>& components, const char* scaleName,
+  const char* biasName, vtkShaderProgram* program)
+{
+  std::array<float, 4> scale{1.0f, 1.0f, 1.0f, 1.0f};
+  std::array<float, 4> bias{};
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    scale[c] = static_cast<float>(components[c].Scale / Width(components[c]));
+    bias[c] = Normalized(components[c].Bias, components[c]);
+  }
+  program->SetUniform4f(scaleName, scale.data());
+  program->SetUniform4f(biasName, bias.data());
 }
 
 /// Whether a function is 1 whatever it is asked for.
@@ -359,47 +375,36 @@ std::vector<vtkTextureSliceSurface> vtkTextureSliceRequest::MakeSurfaces() const
   return surfaces;
 }
 
-std::vector<float> vtkTextureSliceRequest::MakeIsoValues(
-  const vtkTextureSliceComponent& component) const
+void vtkTextureSliceRequest::SetUniforms(
+  const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const
 {
-  std::vector<float> values;
+  std::vector<vtkTextureSliceComponent> targets = components;
+  if (this->Components == 4 && !this->IsIndependent())
+  {
+    std::for_each(targets.begin(), targets.begin() + 3,
+      [](vtkTextureSliceComponent& color) {
+        color.Range = {0.0, FullColor};
+      });
+  }
+  SetScales(targets, "scalarScale", "scalarBias", program);
+  std::array<float, 4> clipped{};
+  std::transform(targets.begin(), targets.end(), clipped.begin(),
+    [this](const vtkTextureSliceComponent& target)
+    { return Normalized(this->Property->GetClippedVoxelIntensity(), target); });
+  program->SetUniform4f("clippedScalars", clipped.data());
+  std::vector<float> isoValues;
   for (const double value : this->GetIsoValues())
   {
-    values.push_back(static_cast<float>(Normalized(value, component)));
+    isoValues.push_back(Normalized(value, components.back()));
   }
-  return values;
-}
-
-void vtkTextureSliceRequest::SetUniforms(
-  const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms) const
-{
-  const bool colors = this->Components == 4 && !this->IsIndependent();
-  for (std::size_t c = 0; c < components.size(); ++c)
-  {
-    vtkTextureSliceComponent target = components[c];
-    if (colors && c < 3)
-    {
-      target.Range = {0.0, FullColor};
-    }
-    uniforms.ScalarScale[c] = static_cast<float>(target.Scale / Width(target));
-    uniforms.ScalarBias[c] = static_cast<float>(Normalized(target.Bias, target));
-    uniforms.ClippedScalars[c] =
-      static_cast<float>(Normalized(this->Property->GetClippedVoxelIntensity(), target));
-  }
-  uniforms.Surfaces = this->MakeSurfaces();
-  uniforms.IsoValues = this->MakeIsoValues(components.back());
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    uniforms.AverageRange[i] = static_cast<float>(Normalized(this->AverageRange[i], components[0]));
-  }
+  program->SetUniform1fv("isoValues", static_cast<int>(isoValues.size()), isoValues.data());
+  const std::array<float, 2> averageRange{Normalized(this->AverageRange[0], components[0]),
+    Normalized(this->AverageRange[1], components[0])};
+  program->SetUniform2f("averageRange", averageRange.data());
 }
 
 void vtkTextureSliceRequest::SetSecondArray(
-  const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms)
+  const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program)
 {
-  for (std::size_t c = 0; c < components.size(); ++c)
-  {
-    uniforms.SecondScale[c] = static_cast<float>(components[c].Scale / Width(components[c]));
-    uniforms.SecondBias[c] = static_cast<float>(Normalized(components[c].Bias, components[c]));
-  }
+  SetScales(components, "secondScale", "secondBias", program);
 }

@@ -15,6 +15,7 @@
 
 class vtkImageData;
 class vtkPlane;
+class vtkShaderProgram;
 class vtkVolumeProperty;
 
 struct vtkTextureSliceRequest
@@ -66,15 +67,13 @@ struct vtkTextureSliceRequest
   /// Whether two-dimensional functions read a second array.
   bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray > 0; }
 
-  /**
-   * Sets what follows from the request and the scalars: how texels become 0 to 1, surfaces, average
-   * range, iso-values.
-   */
-  void SetUniforms(const std::vector<vtkTextureSliceComponent>& components,
-    vtkTextureSliceUniforms& uniforms) const;
+  /// Sets what follows from the request and the scalars: how texels become 0 to 1, average range,
+  /// iso-values.
+  void SetUniforms(
+    const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const;
   /// The same for the components of the second array.
   static void SetSecondArray(
-    const std::vector<vtkTextureSliceComponent>& components, vtkTextureSliceUniforms& uniforms);
+    const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program);
   /// One for each component.
   std::vector<vtkTextureSliceSurface> MakeSurfaces() const;
 
@@ -91,7 +90,6 @@ private:
   int CountLabels() const;
   vtkTextureSliceRow MakeRow(int functions, const vtkTextureSliceComponent& color,
     const vtkTextureSliceComponent& opacity) const;
-  std::vector<float> MakeIsoValues(const vtkTextureSliceComponent& component) const;
 };
 
 #endif

@@ -4,6 +4,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -189,9 +190,6 @@ bool vtkTextureSliceTable::NeedsUpdate(
 
 void vtkTextureSliceTable::Fill(int width)
 {
-  // The first and the last scalar lie at the centres of the outermost texels.
-  this->Scale = (width - 1.0) / width;
-  this->Bias = 0.5 / width;
   this->RowsTime = 0;
   this->Entries.resize(this->Rows.size() * static_cast<std::size_t>(width) * 4);
   float* entries = this->Entries.data();
@@ -247,6 +245,14 @@ void vtkTextureSliceTable::Upload(std::size_t width)
     this->Texture->Create2DFromRaw(
       columns, static_cast<unsigned int>(this->Rows.size()), 4, VTK_FLOAT, this->Entries.data());
   }
+}
+
+void vtkTextureSliceTable::SetUniforms(const std::string& name, vtkShaderProgram* program) const
+{
+  // The first and the last scalar lie at the centres of the outermost texels.
+  const auto texel = static_cast<float>(1.0 / static_cast<double>(this->GetWidth()));
+  program->SetUniformf((name + "Scale").c_str(), 1.0f - texel);
+  program->SetUniformf((name + "Bias").c_str(), 0.5f * texel);
 }
 
 void vtkTextureSliceTable::ReleaseGraphicsResources(vtkWindow* window)

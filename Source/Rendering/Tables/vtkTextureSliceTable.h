@@ -10,11 +10,13 @@
 #include "vtkType.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 class vtkColorTransferFunction;
 class vtkOpenGLRenderWindow;
 class vtkPiecewiseFunction;
+class vtkShaderProgram;
 class vtkWindow;
 
 /// A function over the range of a component, and whether its own range clamps the scalar first
@@ -61,7 +63,6 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() { return this->Texture; }
-  int GetNumberOfRows() const { return static_cast<int>(this->Rows.size()); }
   /// Where a row's opacity is above 0, over its domain as 0 to 1.
   const vtkTextureSliceVisibility& GetVisibility(std::size_t row) const
   {
@@ -79,10 +80,9 @@ public:
   }
   /// Entries of a row.
   std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Rows.size()); }
-  /// Texture coordinate of a scalar that is s of the way through its domain (0 to 1):
-  /// s * GetScale() + GetBias() (Formulas R2).
-  double GetScale() const { return this->Scale; }
-  double GetBias() const { return this->Bias; }
+  /// Sets NAMEScale and NAMEBias: the texture coordinate of a scalar that is s of the way through
+  /// its domain (0 to 1) is s * scale + bias (Formulas R2).
+  void SetUniforms(const std::string& name, vtkShaderProgram* program) const;
 
 private:
   bool NeedsUpdate(
@@ -94,8 +94,6 @@ private:
   std::vector<float> Entries;
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   vtkTimeStamp FillTime;
-  double Scale = 1.0;
-  double Bias = 0.0;
 
   std::vector<vtkTextureSliceRow> Rows; ///< what the texture was made from
   vtkMTimeType RowsTime = 0;            ///< and when those were changed last
