@@ -600,7 +600,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   parts.GeometryDepth = parts.Target.GetGeometryDepth();
   parts.LabelWeight = this->MaskBlendFactor;
   parts.CropFlags = this->CroppingRegionFlags;
-  parts.Request.SetUniforms(parts);
+  parts.Surfaces = parts.Request.MakeSurfaces();
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

@@ -5,7 +5,6 @@
 
 #include "vtkTextureSliceEmptySpace.h"
 #include "vtkTextureSliceImages.h"
-#include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceResolution.h"
 #include "vtkTextureSliceTarget.h"
 #include "vtkTextureSliceUniforms.h"
@@ -30,7 +29,6 @@ public:
   /// The volume of this frame; of a rectilinear grid, an image of its points or cells.
   vtkSmartPointer<vtkImageData> Image;
   vtkDataArray* Scalars = nullptr;
-  vtkTextureSliceRequest Request;
   vtkTextureSliceEmptySpace EmptySpace;
   vtkTextureSliceResolution Resolution;
   vtkTextureSliceTarget Target;

@@ -55,7 +55,6 @@ bool vtkTextureSliceBlanks::Update(
 
 void vtkTextureSliceBlanks::SetUniforms(vtkShaderProgram* program) const
 {
-  program->SetUniformi("blankTexture", this->GetTexture()->GetTextureUnit());
   program->SetUniform3f("blankScale", this->Scale.data());
   program->SetUniform3f("blankBias", this->Bias.data());
 }

@@ -33,7 +33,6 @@ public:
   /// Whether there is a flag that hides something.
   bool IsUsed() const { return this->Used; }
   vtkTextureObject* GetTexture() const { return this->Texture.GetTexture(); }
-  /// The texture must be active.
   void SetUniforms(vtkShaderProgram* program) const;
   void ReleaseGraphicsResources(vtkWindow* window)
   {

@@ -2,29 +2,58 @@
 #include "vtkTextureSliceDistanceMap.h"
 
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
 
 #include <algorithm>
+#include <cstddef>
 
 namespace
 {
 
-/// Along a line of bricks whose distances hold across it: those that hold along it as well.
-void SpreadLine(const std::vector<unsigned char>& before, std::vector<unsigned char>& after)
+/// Bricks that are one further than the nearest of four rows of bricks, or than the brick before
+/// them in the row.
+void Spread(unsigned char* row, std::ptrdiff_t length, const std::array<std::ptrdiff_t, 4>& rows,
+  std::ptrdiff_t step, std::vector<unsigned char>& nearest)
 {
-  const int length = static_cast<int>(before.size());
-  for (int i = 0; i < length; ++i)
+  const auto one = [](unsigned char distance) { return static_cast<unsigned char>(distance + 1); };
+  for (std::ptrdiff_t i = -1; i <= length; ++i)
   {
-    int best = before[static_cast<std::size_t>(i)];
-    for (int way = 1; way < best; ++way)
+    const unsigned char* near = row + i;
+    nearest[static_cast<std::size_t>(i + 1)] =
+      std::min(std::min(near[rows[0]], near[rows[1]]), std::min(near[rows[2]], near[rows[3]]));
+  }
+  const unsigned char* around = nearest.data() + 1;
+  for (std::ptrdiff_t i = 0; i < length; ++i)
+  {
+    row[i] = std::min(row[i], one(std::min(around[i], std::min(around[i - 1], around[i + 1]))));
+  }
+  unsigned char* brick = step > 0 ? row : row + length - 1;
+  unsigned char before = brick[-step];
+  for (std::ptrdiff_t i = 0; i < length; ++i, brick += step)
+  {
+    before = *brick = std::min(*brick, one(before));
+  }
+}
+
+/// Distances of bricks, with a frame one brick wide about them (Rosenfeld and Pfaltz 1968): from
+/// the bricks before each one, then from those after it.
+void Spread(const std::array<int, 3>& count, unsigned char* framed)
+{
+  const std::ptrdiff_t row = count[0] + 2;
+  const std::ptrdiff_t layer = row * (count[1] + 2);
+  const int rows = count[1] * count[2];
+  std::vector<unsigned char> nearest(static_cast<std::size_t>(row));
+  for (const int step : {1, -1})
+  {
+    for (int i = 0; i < rows; ++i)
     {
-      const int low = i >= way ? before[static_cast<std::size_t>(i - way)] : best;
-      const int high = i + way < length ? before[static_cast<std::size_t>(i + way)] : best;
-      best = std::min(best, std::max(way, std::min(low, high)));
+      const int place = step > 0 ? i : rows - 1 - i;
+      unsigned char* const first =
+        framed + (place / count[1] + 1) * layer + (place % count[1] + 1) * row + 1;
+      Spread(first, count[0],
+        {-step * (layer + row), -step * layer, -step * (layer - row), -step * row}, step, nearest);
     }
-    after[static_cast<std::size_t>(i)] = static_cast<unsigned char>(best);
   }
 }
 
@@ -35,51 +64,29 @@ void vtkTextureSliceDistanceMap::Build(const std::array<int, 3>& count,
 {
   this->Count = count;
   this->Edge = edge;
-  this->Distances.resize(visible.size());
-  std::transform(visible.begin(), visible.end(), this->Distances.begin(),
-    [](unsigned char brick) { return brick != 0 ? 0 : MostDistance; });
-  const auto seen = std::count(this->Distances.begin(), this->Distances.end(), 0);
+  this->Uploaded = false;
+  const auto seen =
+    visible.size() - static_cast<std::size_t>(std::count(visible.begin(), visible.end(), 0));
   this->VisibleShare =
     static_cast<double>(seen) / static_cast<double>(std::max<std::size_t>(1, visible.size()));
-  if (seen > 0)
+  const auto length = static_cast<std::size_t>(count[0]);
+  const auto height = static_cast<std::size_t>(count[1]);
+  const std::size_t row = length + 2;
+  std::vector<unsigned char> framed(
+    row * (height + 2) * static_cast<std::size_t>(count[2] + 2), MostDistance);
+  const auto framedRow = [&](std::size_t at)
+  { return framed.data() + ((at / height + 1) * (height + 2) + at % height + 1) * row + 1; };
+  this->Distances.resize(visible.size());
+  for (std::size_t i = 0; i * length < visible.size(); ++i)
   {
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      this->Spread(axis);
-    }
+    std::transform(visible.data() + i * length, visible.data() + (i + 1) * length, framedRow(i),
+      [](unsigned char brick) { return brick != 0 ? 0 : MostDistance; });
   }
-  this->Uploaded = false;
-}
-
-void vtkTextureSliceDistanceMap::Spread(std::size_t axis)
-{
-  const std::array<std::size_t, 3> strides{1, static_cast<std::size_t>(this->Count[0]),
-    static_cast<std::size_t>(this->Count[0]) * static_cast<std::size_t>(this->Count[1])};
-  const std::size_t other = axis == 0 ? 1 : 0;
-  const std::size_t last = axis == 2 ? 1 : 2;
-  const auto length = static_cast<std::size_t>(this->Count[axis]);
-  vtkSMPTools::For(0, this->Count[last],
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::vector<unsigned char> before(length);
-      std::vector<unsigned char> after(length);
-      for (vtkIdType line = begin * this->Count[other]; line < end * this->Count[other]; ++line)
-      {
-        unsigned char* const first =
-          this->Distances.data() +
-          static_cast<std::size_t>(line % this->Count[other]) * strides[other] +
-          static_cast<std::size_t>(line / this->Count[other]) * strides[last];
-        for (std::size_t i = 0; i < length; ++i)
-        {
-          before[i] = first[i * strides[axis]];
-        }
-        SpreadLine(before, after);
-        for (std::size_t i = 0; i < length; ++i)
-        {
-          first[i * strides[axis]] = after[i];
-        }
-      }
-    });
+  Spread(count, framed.data());
+  for (std::size_t i = 0; i * length < visible.size(); ++i)
+  {
+    std::copy_n(framedRow(i), length, this->Distances.data() + i * length);
+  }
 }
 
 std::array<double, 6> vtkTextureSliceDistanceMap::FindSeen() const
@@ -146,7 +153,6 @@ void vtkTextureSliceDistanceMap::SetUniforms(
     bias[axis] = -frame.GetTextureBias()[axis] * scale[axis];
     last[axis] = static_cast<float>(this->Count[axis] - 1);
   }
-  program->SetUniformi("distanceMap", this->Texture->GetTextureUnit());
   program->SetUniform3f("brickScale", scale.data());
   program->SetUniform3f("brickBias", bias.data());
   program->SetUniform3f("lastBrick", last.data());

@@ -50,8 +50,6 @@ public:
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceFrame& frame) const;
 
 private:
-  void Spread(std::size_t axis);
-
   std::array<int, 3> Count{1, 1, 1};
   std::array<double, 3> Edge{1.0, 1.0, 1.0};
   std::vector<unsigned char> Distances;

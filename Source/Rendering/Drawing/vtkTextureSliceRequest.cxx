@@ -6,6 +6,7 @@
 #include "vtkMath.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkPlane.h"
+#include "vtkShaderProgram.h"
 #include "vtkVolumeMapper.h"
 #include "vtkVolumeProperty.h"
 
@@ -24,20 +25,35 @@ double Width(const vtkTextureSliceComponent& component)
 }
 
 /// Where a scalar lies in the component's range, 0 to 1 inside it.
-double Normalized(double scalar, const vtkTextureSliceComponent& component)
+float Normalized(double scalar, const vtkTextureSliceComponent& component)
 {
-  return (scalar - component.Range[0]) / Width(component);
+  return static_cast<float>((scalar - component.Range[0]) / Width(component));
 }
 
-std::vector<float> Normalize(
-  const std::vector<double>& scalars, const vtkTextureSliceComponent& component)
+/// How texels become 0 to 1 over the range of each component.
+void SetScales(const std::vector<vtkTextureSliceComponent>& components, const char* scaleName,
+  const char* biasName, vtkShaderProgram* program)
+{
+  std::array<float, 4> scale{1.0f, 1.0f, 1.0f, 1.0f};
+  std::array<float, 4> bias{};
+  for (std::size_t c = 0; c < components.size(); ++c)
+  {
+    scale[c] = static_cast<float>(components[c].Scale / Width(components[c]));
+    bias[c] = Normalized(components[c].Bias, components[c]);
+  }
+  program->SetUniform4f(scaleName, scale.data());
+  program->SetUniform4f(biasName, bias.data());
+}
+
+void SetValues(const std::vector<double>& scalars, const vtkTextureSliceComponent& component,
+  const char* name, vtkShaderProgram* program)
 {
   std::vector<float> values;
   for (const double scalar : scalars)
   {
-    values.push_back(static_cast<float>(Normalized(scalar, component)));
+    values.push_back(Normalized(scalar, component));
   }
-  return values;
+  program->SetUniform1fv(name, static_cast<int>(values.size()), values.data());
 }
 
 /// Whether a function is 1 whatever it is asked for.
@@ -372,36 +388,32 @@ std::vector<vtkTextureSliceSurface> vtkTextureSliceRequest::MakeSurfaces() const
   return surfaces;
 }
 
-void vtkTextureSliceRequest::SetUniforms(vtkTextureSliceUniforms& uniforms) const
+void vtkTextureSliceRequest::SetUniforms(
+  const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const
 {
-  const std::vector<vtkTextureSliceComponent>& components = uniforms.Texture.GetComponents();
-  const bool colors = this->Components == 4 && !this->IsIndependent();
-  for (std::size_t c = 0; c < components.size(); ++c)
+  std::vector<vtkTextureSliceComponent> targets = components;
+  if (this->Components == 4 && !this->IsIndependent())
   {
-    vtkTextureSliceComponent target = components[c];
-    if (colors && c < 3)
-    {
-      target.Range = {0.0, FullColor};
-    }
-    uniforms.ScalarScale[c] = static_cast<float>(target.Scale / Width(target));
-    uniforms.ScalarBias[c] = static_cast<float>(Normalized(target.Bias, target));
-    uniforms.ClippedScalars[c] =
-      static_cast<float>(Normalized(this->Property->GetClippedVoxelIntensity(), target));
+    std::for_each(targets.begin(), targets.begin() + 3,
+      [](vtkTextureSliceComponent& color) {
+        color.Range = {0.0, FullColor};
+      });
   }
-  uniforms.Surfaces = this->MakeSurfaces();
-  uniforms.IsoValues = Normalize(this->GetIsoValues(), components.back());
-  uniforms.Contours = Normalize(this->Contours, components.front());
-  for (std::size_t i = 0; i < 2; ++i)
-  {
-    uniforms.AverageRange[i] = static_cast<float>(Normalized(this->AverageRange[i], components[0]));
-  }
-  if (this->ReadsSecondArray())
-  {
-    const auto& second = uniforms.SecondArray.GetComponents();
-    for (std::size_t c = 0; c < second.size(); ++c)
-    {
-      uniforms.SecondScale[c] = static_cast<float>(second[c].Scale / Width(second[c]));
-      uniforms.SecondBias[c] = static_cast<float>(Normalized(second[c].Bias, second[c]));
-    }
-  }
+  SetScales(targets, "scalarScale", "scalarBias", program);
+  std::array<float, 4> clipped{};
+  std::transform(targets.begin(), targets.end(), clipped.begin(),
+    [this](const vtkTextureSliceComponent& target)
+    { return Normalized(this->Property->GetClippedVoxelIntensity(), target); });
+  program->SetUniform4f("clippedScalars", clipped.data());
+  SetValues(this->GetIsoValues(), components.back(), "isoValues", program);
+  SetValues(this->Contours, components.front(), "contours", program);
+  const std::array<float, 2> averageRange{Normalized(this->AverageRange[0], components[0]),
+    Normalized(this->AverageRange[1], components[0])};
+  program->SetUniform2f("averageRange", averageRange.data());
+}
+
+void vtkTextureSliceRequest::SetSecondArray(
+  const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program)
+{
+  SetScales(components, "secondScale", "secondBias", program);
 }

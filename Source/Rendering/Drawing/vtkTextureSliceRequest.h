@@ -6,7 +6,6 @@
 #include "vtkTextureSliceFeatures.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTexture.h"
-#include "vtkTextureSliceUniforms.h"
 
 #include "vtkType.h"
 
@@ -15,7 +14,18 @@
 
 class vtkImageData;
 class vtkPlane;
+class vtkShaderProgram;
 class vtkVolumeProperty;
+
+/// How one component is coloured.
+struct vtkTextureSliceSurface
+{
+  float InverseUnitDistance = 1.0f; ///< one over the data length that its opacity stands for
+  float Weight = 1.0f;
+  /// How much of a light it returns: vtkVolumeProperty's ambient, diffuse, specular and specular
+  /// power.
+  std::array<float, 4> Material{};
+};
 
 struct vtkTextureSliceRequest
 {
@@ -71,8 +81,13 @@ struct vtkTextureSliceRequest
   /// Whether two-dimensional functions read a second array.
   bool ReadsSecondArray() const { return this->Has2D() && this->SecondArray > 0; }
 
-  /// Sets what follows from the request and the ranges of the scalars.
-  void SetUniforms(vtkTextureSliceUniforms& uniforms) const;
+  /// Sets what follows from the request and the scalars: how texels become 0 to 1, average range,
+  /// iso-values.
+  void SetUniforms(
+    const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const;
+  /// The same for the components of the second array.
+  static void SetSecondArray(
+    const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program);
   /// One for each component.
   std::vector<vtkTextureSliceSurface> MakeSurfaces() const;
 

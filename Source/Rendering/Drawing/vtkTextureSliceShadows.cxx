@@ -86,7 +86,7 @@ std::vector<float> FindScales(const vtkTextureSliceRequest& request, double dens
 Function MakeFunction(const vtkTextureSliceTable& table, std::size_t row,
   const vtkTextureSliceComponent& component, std::size_t index, float scale)
 {
-  Function function{index, component.Range, table.GetOpticalDepths(row)};
+  Function function{index, component.Range, table.GetAlphas(row)};
   for (float& entry : function.Entries)
   {
     entry *= scale;

@@ -129,13 +129,12 @@ void vtkTextureSliceTexture::Upload(
   const unsigned int type = TexelType(this->Texels.GetScalarType());
   this->Texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  changes.ForEach(
-    [&](const vtkTextureSliceBlocks::Box& box, const unsigned char* texels)
-    {
-      const auto& [begin, end] = box;
-      glTexSubImage3D(GL_TEXTURE_3D, 0, begin[0], begin[1], begin[2], end[0] - begin[0],
-        end[1] - begin[1], end[2] - begin[2], format, type, texels);
-    });
+  for (std::size_t i = 0; i < changes.Boxes.size(); ++i)
+  {
+    const auto& [begin, end] = changes.Boxes[i];
+    glTexSubImage3D(GL_TEXTURE_3D, 0, begin[0], begin[1], begin[2], end[0] - begin[0],
+      end[1] - begin[1], end[2] - begin[2], format, type, changes.Bytes.get() + changes.Begins[i]);
+  }
   this->Texture->Deactivate();
 }
 

@@ -7,114 +7,38 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
-#include <iterator>
 
 namespace
 {
 
-std::vector<float> Gather(const std::vector<vtkTextureSliceSurface>& surfaces,
-  const std::function<float(const vtkTextureSliceSurface&)>& get)
+void SetSurfaces(vtkShaderProgram* program, const std::vector<vtkTextureSliceSurface>& surfaces)
 {
-  std::vector<float> values;
-  std::transform(surfaces.begin(), surfaces.end(), std::back_inserter(values), get);
-  return values;
+  std::vector<float> weights;
+  std::vector<float> ratios;
+  std::vector<float> material;
+  for (const vtkTextureSliceSurface& surface : surfaces)
+  {
+    weights.push_back(surface.Weight);
+    ratios.push_back(surface.InverseUnitDistance / surfaces.front().InverseUnitDistance);
+    material.insert(material.end(), surface.Material.begin(), surface.Material.end());
+  }
+  const int count = static_cast<int>(surfaces.size());
+  program->SetUniform1fv("componentWeight", count, weights.data());
+  program->SetUniform1fv("unitDistanceRatio", count, ratios.data());
+  program->SetUniform4fv("material", count, material.data());
 }
 
-void SetArray(vtkShaderProgram* program, const char* name, const std::vector<float>& values)
+void SetFrame(vtkShaderProgram* program, const vtkTextureSliceFrame& frame)
 {
-  program->SetUniform1fv(name, static_cast<int>(values.size()), values.data());
-}
-
-void SetTable(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
-{
-  program->SetUniformi("transferTable", uniforms.Table.GetTexture()->GetTextureUnit());
-  program->SetUniformf("tableScale", static_cast<float>(uniforms.Table.GetScale()));
-  program->SetUniformf("tableBias", static_cast<float>(uniforms.Table.GetBias()));
-  SetArray(program, "componentWeight",
-    Gather(uniforms.Surfaces, [](const auto& surface) { return surface.Weight; }));
-  const float inverseUnitDistance = uniforms.Surfaces.front().InverseUnitDistance;
-  SetArray(program, "unitDistanceRatio",
-    Gather(uniforms.Surfaces, [inverseUnitDistance](const auto& surface)
-      { return surface.InverseUnitDistance / inverseUnitDistance; }));
-}
-
-void SetVolume(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
-{
-  const vtkTextureSliceFrame& frame = uniforms.Frame;
   program->SetUniform3f("textureScale", frame.GetTextureScale().data());
   program->SetUniform3f("textureBias", frame.GetTextureBias().data());
-  program->SetUniformi("volumeTexture", uniforms.Texture.GetTexture()->GetTextureUnit());
-  program->SetUniform4f("scalarScale", uniforms.ScalarScale.data());
-  program->SetUniform4f("scalarBias", uniforms.ScalarBias.data());
+  program->SetUniform3f("placeScale", frame.GetTextureScale().data());
+  program->SetUniform3f("placeBias", frame.GetTextureBias().data());
   program->SetUniform3f("cropLow", frame.GetCropLow().data());
   program->SetUniform3f("cropHigh", frame.GetCropHigh().data());
-  program->SetUniformi("cropFlags", uniforms.CropFlags);
   program->SetUniform3f("voxelStep", frame.GetVoxelStep().data());
   program->SetUniform4f("stair", frame.GetStair().data());
   program->SetUniform3f("inverseAspect", frame.GetInverseAspect().data());
-  program->SetUniform2f("averageRange", uniforms.AverageRange.data());
-  program->SetUniform4f("clippedScalars", uniforms.ClippedScalars.data());
-  if (uniforms.Features.IsoValues > 0)
-  {
-    SetArray(program, "isoValues", uniforms.IsoValues);
-  }
-  if (uniforms.Features.Contours > 0)
-  {
-    SetArray(program, "contours", uniforms.Contours);
-  }
-}
-
-void SetMaskAndTables(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
-{
-  const vtkTextureSliceFeatures& features = uniforms.Features;
-  if (features.Table2D)
-  {
-    program->SetUniformi("transferTable2D", uniforms.Table2D.GetTexture()->GetTextureUnit());
-    program->SetUniformf("table2DRows", static_cast<float>(uniforms.Table2D.GetNumberOfRows()));
-  }
-  if (features.Rectilinear)
-  {
-    program->SetUniformi("coordinateTable", uniforms.Coordinates.GetTexture()->GetTextureUnit());
-    const auto entry = static_cast<float>(uniforms.Coordinates.GetMargin());
-    const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
-    program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
-    program->SetUniform3f("placeScale", uniforms.Frame.GetTextureScale().data());
-    program->SetUniform3f("placeBias", uniforms.Frame.GetTextureBias().data());
-  }
-  if (features.SecondArray > 0)
-  {
-    program->SetUniformi("secondTexture", uniforms.SecondArray.GetTexture()->GetTextureUnit());
-    program->SetUniform4f("secondScale", uniforms.SecondScale.data());
-    program->SetUniform4f("secondBias", uniforms.SecondBias.data());
-  }
-  if (features.Blanked)
-  {
-    uniforms.Blanks.SetUniforms(program);
-  }
-  if (features.HasMask())
-  {
-    program->SetUniformi("maskTexture", uniforms.Mask.GetTexture()->GetTextureUnit());
-  }
-  if (features.Labels > 0)
-  {
-    const vtkTextureSliceTable& table = uniforms.LabelTable;
-    program->SetUniformi("labelTable", table.GetTexture()->GetTextureUnit());
-    program->SetUniformf("labelTableScale", static_cast<float>(table.GetScale()));
-    program->SetUniformf("labelTableBias", static_cast<float>(table.GetBias()));
-    program->SetUniformf("labelWeight", uniforms.LabelWeight);
-  }
-}
-
-void SetLight(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
-{
-  std::vector<float> material;
-  for (const vtkTextureSliceSurface& surface : uniforms.Surfaces)
-  {
-    material.insert(material.end(), surface.Material.begin(), surface.Material.end());
-  }
-  program->SetUniform4fv("material", static_cast<int>(uniforms.Surfaces.size()), material.data());
-  uniforms.Lights.SetUniforms(program, uniforms.Frame);
 }
 
 /// Columns of a matrix that takes a pixel to a place, or with a bias of 0 a way, in the texture.
@@ -172,115 +96,95 @@ void SetRays(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
   }
 }
 
-/// The number of the last entry of a row.
-float GetLastEntry(const vtkTextureSliceIntegralTable& integrals)
-{
-  return static_cast<float>(integrals.GetWidth() - 1);
-}
-
-void SetSlabs(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms)
-{
-  program->SetUniformi("integralTable", uniforms.Integrals.GetTexture()->GetTextureUnit());
-  program->SetUniformf("lastIntegral", GetLastEntry(uniforms.Integrals));
-  program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
-  if (uniforms.Features.Labels > 0)
-  {
-    program->SetUniformi(
-      "labelIntegralTable", uniforms.LabelIntegrals.GetTexture()->GetTextureUnit());
-    program->SetUniformf("lastLabelIntegral", GetLastEntry(uniforms.LabelIntegrals));
-  }
-}
-
 } // namespace
 
-std::vector<vtkTextureObject*> vtkTextureSliceUniforms::GetTextures() const
+std::vector<std::pair<const char*, vtkTextureObject*>> vtkTextureSliceUniforms::FindTextures() const
 {
-  std::vector<vtkTextureObject*> textures{this->Texture.GetTexture(), this->Table.GetTexture()};
-  if (this->Features.Table2D)
+  const vtkTextureSliceFeatures& features = this->Features;
+  std::vector<std::pair<const char*, vtkTextureObject*>> textures;
+  const auto add = [&textures](bool needed, const char* sampler, vtkTextureObject* texture)
   {
-    textures.push_back(this->Table2D.GetTexture());
-  }
-  if (this->Features.Rectilinear)
-  {
-    textures.push_back(this->Coordinates.GetTexture());
-  }
-  if (this->Features.SecondArray > 0)
-  {
-    textures.push_back(this->SecondArray.GetTexture());
-  }
-  if (this->Features.Blanked)
-  {
-    textures.push_back(this->Blanks.GetTexture());
-  }
-  if (this->Features.HasMask())
-  {
-    textures.push_back(this->Mask.GetTexture());
-  }
-  if (this->Features.Labels > 0)
-  {
-    textures.push_back(this->LabelTable.GetTexture());
-  }
-  if (this->Features.Shadows)
-  {
-    textures.push_back(this->Shadows.GetTexture());
-  }
-  if (this->Features.NeedsDepth())
-  {
-    textures.push_back(this->GeometryDepth);
-  }
-  if (this->Features.Skipping)
-  {
-    textures.push_back(this->Distances->GetTexture());
-  }
-  if (this->Features.Slabs)
-  {
-    textures.push_back(this->Integrals.GetTexture());
-    if (this->Features.Labels > 0)
+    if (needed)
     {
-      textures.push_back(this->LabelIntegrals.GetTexture());
+      textures.emplace_back(sampler, texture);
     }
-  }
+  };
+  add(true, "volumeTexture", this->Texture.GetTexture());
+  add(true, "transferTable", this->Table.GetTexture());
+  add(features.Table2D, "transferTable2D", this->Table2D.GetTexture());
+  add(features.Rectilinear, "coordinateTable", this->Coordinates.GetTexture());
+  add(features.SecondArray > 0, "secondTexture", this->SecondArray.GetTexture());
+  add(features.Blanked, "blankTexture", this->Blanks.GetTexture());
+  add(features.HasMask(), "maskTexture", this->Mask.GetTexture());
+  add(features.Labels > 0, "labelTable", this->LabelTable.GetTexture());
+  add(features.Shadows, "lightTexture", this->Shadows.GetTexture());
+  add(features.NeedsDepth(), "geometryDepth", this->GeometryDepth);
+  add(features.Skipping, "distanceMap", this->Distances->GetTexture());
+  add(features.Slabs, "integralTable", this->Integrals.GetTexture());
+  add(
+    features.Slabs && features.Labels > 0, "labelIntegralTable", this->LabelIntegrals.GetTexture());
   return textures;
+}
+
+void vtkTextureSliceUniforms::SetParts(vtkShaderProgram* program) const
+{
+  const vtkTextureSliceFeatures& features = this->Features;
+  this->Request.SetUniforms(this->Texture.GetComponents(), program);
+  program->SetUniformi("cropFlags", this->CropFlags);
+  this->Table.SetUniforms("table", program);
+  this->Blanks.SetUniforms(program);
+  this->Distances->SetUniforms(program, this->Frame);
+  if (features.Labels > 0)
+  {
+    this->LabelTable.SetUniforms("labelTable", program);
+    program->SetUniformf("labelWeight", this->LabelWeight);
+  }
+  if (features.Table2D)
+  {
+    program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
+  }
+  if (features.Rectilinear)
+  {
+    this->Coordinates.SetUniforms(program);
+  }
+  if (features.SecondArray > 0)
+  {
+    vtkTextureSliceRequest::SetSecondArray(this->SecondArray.GetComponents(), program);
+  }
+  if (features.Lights >= 0)
+  {
+    this->Lights.SetUniforms(program, this->Frame);
+  }
+  if (features.Shadows)
+  {
+    this->Shadows.SetUniforms(program);
+  }
+  if (features.Peel > 0)
+  {
+    this->Peeling.SetUniforms(program);
+  }
+  if (features.Slabs)
+  {
+    program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
+    this->Integrals.SetUniforms("lastIntegral", program);
+    this->LabelIntegrals.SetUniforms("lastLabelIntegral", program);
+  }
 }
 
 void vtkTextureSliceUniforms::Use(
   vtkShaderProgram* program, const std::function<void()>& draw) const
 {
-  const std::vector<vtkTextureObject*> textures = this->GetTextures();
-  std::for_each(textures.begin(), textures.end(), [](vtkTextureObject* t) { t->Activate(); });
-  this->Set(program);
-  draw();
-  std::for_each(textures.rbegin(), textures.rend(), [](vtkTextureObject* t) { t->Deactivate(); });
-}
-
-void vtkTextureSliceUniforms::Set(vtkShaderProgram* program) const
-{
+  const auto textures = this->FindTextures();
+  for (const auto& [sampler, texture] : textures)
+  {
+    texture->Activate();
+    program->SetUniformi(sampler, texture->GetTextureUnit());
+  }
   SetRays(program, *this);
-  SetVolume(program, *this);
-  SetTable(program, *this);
-  SetMaskAndTables(program, *this);
-  if (this->Features.Lights >= 0)
-  {
-    SetLight(program, *this);
-  }
-  if (this->Features.Shadows)
-  {
-    this->Shadows.SetUniforms(program);
-  }
-  if (this->Features.Skipping)
-  {
-    this->Distances->SetUniforms(program, this->Frame);
-  }
-  if (this->Features.NeedsDepth())
-  {
-    program->SetUniformi("geometryDepth", this->GeometryDepth->GetTextureUnit());
-  }
-  if (this->Features.Peel > 0)
-  {
-    this->Peeling.SetUniforms(program);
-  }
-  if (this->Features.Slabs)
-  {
-    SetSlabs(program, *this);
-  }
+  SetFrame(program, this->Frame);
+  SetSurfaces(program, this->Surfaces);
+  this->SetParts(program);
+  draw();
+  std::for_each(
+    textures.rbegin(), textures.rend(), [](const auto& named) { named.second->Deactivate(); });
 }

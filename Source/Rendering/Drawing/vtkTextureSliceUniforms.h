@@ -5,12 +5,12 @@
 
 #include "vtkTextureSliceBlanks.h"
 #include "vtkTextureSliceCoordinates.h"
-#include "vtkTextureSliceFeatures.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceIntegralTable.h"
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSlicePeeling.h"
 #include "vtkTextureSlicePlanes.h"
+#include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceShadows.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTable2D.h"
@@ -18,23 +18,12 @@
 
 #include <array>
 #include <functional>
+#include <utility>
 #include <vector>
 
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkTextureSliceDistanceMap;
-
-/// How much of a light a component returns: vtkVolumeProperty's ambient, diffuse, specular and
-/// specular power.
-using vtkTextureSliceMaterial = std::array<float, 4>;
-
-/// How one component is coloured.
-struct vtkTextureSliceSurface
-{
-  float InverseUnitDistance = 1.0f; ///< one over the data length that its opacity stands for
-  float Weight = 1.0f;
-  vtkTextureSliceMaterial Material{};
-};
 
 /**
  * Everything the shaders read in one frame: the parts of the mapper that hold it, each of which
@@ -42,6 +31,7 @@ struct vtkTextureSliceSurface
  */
 struct vtkTextureSliceUniforms
 {
+  vtkTextureSliceRequest Request;
   vtkTextureSliceFrame Frame;
   vtkTextureSlicePlanes Planes;
   vtkTextureSliceTexture Texture;
@@ -63,29 +53,19 @@ struct vtkTextureSliceUniforms
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   const vtkTextureSliceDistanceMap* Distances = nullptr; ///< used if Features.Skipping
   vtkTextureObject* GeometryDepth = nullptr;             ///< used if Features.NeedsDepth()
-  double PixelSize = 1.0; ///< pixels of the viewport for one of the picture
-  /// Texel to 0 to 1 over the range of each component.
-  std::array<float, 4> ScalarScale{};
-  std::array<float, 4> ScalarBias{};
-  std::array<float, 4> SecondScale{}; ///< the same for the second array
-  std::array<float, 4> SecondBias{};
+  double PixelSize = 1.0;                       ///< pixels of the viewport for one of the picture
   float LabelWeight = 1.0f;                     ///< how much the label's functions count
   std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
   int CropFlags = 0;
-  std::array<float, 2> AverageRange{0, 1}; ///< 0 to 1 as the scalars are
-  std::array<float, 4> ClippedScalars{};   ///< likewise; used if Features.ClippedScalars
-  std::vector<float> IsoValues;            ///< ascending, 0 to 1 as the scalars are
-  std::vector<float> Contours;             ///< likewise; used if Features.Contours is above 0
-  std::array<float, 3> SelectionColor{};   ///< used if Features.Selection
+  std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
 
-  /// The textures that the features need.
-  std::vector<vtkTextureObject*> GetTextures() const;
   /// Draws with a shader that is ready, which gets everything that it reads.
   void Use(vtkShaderProgram* program, const std::function<void()>& draw) const;
 
 private:
-  /// The textures must be active.
-  void Set(vtkShaderProgram* program) const;
+  /// The textures that the features need, and the names of their samplers.
+  std::vector<std::pair<const char*, vtkTextureObject*>> FindTextures() const;
+  void SetParts(vtkShaderProgram* program) const;
 };
 
 #endif

@@ -20,18 +20,14 @@
  * - average: the scalars that the average counts, whatever their opacity;
  * - isosurface: an iso-value is in the range.
  */
-class vtkTextureSliceBrickTests
+namespace vtkTextureSliceBrickTests
 {
-public:
-  using Range = vtkTextureSliceBricks::Range;
-  using Test = std::function<bool(const Range* ranges)>;
 
-  /// The request's component functions decide; those of labels as well.
-  static std::vector<Test> Make(const vtkTextureSliceEmptySpace::Source& source);
+using Test = std::function<bool(const vtkTextureSliceBricks::Range* ranges)>;
 
-  /// How far from its scalars a slab looks at the table, of the width of the functions' domain:
-  /// an entry of the integrals. 0 where samples are drawn.
-  static double GetMargin(const vtkTextureSliceEmptySpace::Source& source);
-};
+/// The request's component functions decide; those of labels as well.
+std::vector<Test> Make(const vtkTextureSliceEmptySpace::Source& source);
+
+} // namespace vtkTextureSliceBrickTests
 
 #endif

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceEmptySpace.h"
 
+#include "vtkSMPTools.h"
 #include "vtkTextureSliceBrickTests.h"
 #include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceFrame.h"
@@ -16,43 +17,29 @@
 namespace
 {
 
-using Range = vtkTextureSliceBricks::Range;
-
-/// For each brick between two borders along an axis, one bit for each of the three parts between
-/// the cropping planes that it touches.
-std::vector<unsigned int> FindParts(
+/// For each brick between two borders along an axis, the regions (one bit each) between the
+/// cropping planes that it touches, whatever the other axes.
+std::vector<unsigned int> FindRegions(
   const vtkTextureSliceFrame& frame, const std::vector<double>& borders, std::size_t axis)
 {
+  constexpr std::array<std::array<unsigned int, 3>, 3> parts{
+    {{0x1249249, 0x2492492, 0x4924924}, {0x1C0E07, 0xE07038, 0x70381C0},
+      {0x1FF, 0x3FE00, 0x7FC0000}}}; // of 27 bits, those of the lower, middle and upper part
   const double scale = static_cast<double>(frame.GetTextureScale()[axis]);
   const double bias = static_cast<double>(frame.GetTextureBias()[axis]);
   const double low = static_cast<double>(frame.GetCropLow()[axis]);
   const double high = static_cast<double>(frame.GetCropHigh()[axis]);
   constexpr double margin = 1e-5; // what a sample's position may err by
-  std::vector<unsigned int> parts;
+  std::vector<unsigned int> regions;
   for (std::size_t brick = 0; brick + 1 < borders.size(); ++brick)
   {
     const double begin = borders[brick] * scale + bias - margin;
     const double end = borders[brick + 1] * scale + bias + margin;
-    parts.push_back(
-      (begin < low ? 1U : 0U) | (end >= low && begin <= high ? 2U : 0U) | (end > high ? 4U : 0U));
+    regions.push_back((begin < low ? parts[axis][0] : 0U) |
+                      (end >= low && begin <= high ? parts[axis][1] : 0U) |
+                      (end > high ? parts[axis][2] : 0U));
   }
-  return parts;
-}
-
-/// Whether some region that a brick touches is drawn.
-bool IsKept(const std::array<unsigned int, 3>& parts, int cropFlags)
-{
-  for (unsigned int region = 0; region < 27; ++region)
-  {
-    const bool touched = (parts[0] >> region % 3 & 1U) != 0 &&
-                         (parts[1] >> region / 3 % 3 & 1U) != 0 &&
-                         (parts[2] >> region / 9 & 1U) != 0;
-    if (touched && (static_cast<unsigned int>(cropFlags) >> region & 1U) != 0)
-    {
-      return true;
-    }
-  }
-  return false;
+  return regions;
 }
 
 /// Bricks of the box that even parts of each axis touch: the first, and the one after the last.
@@ -150,26 +137,30 @@ void vtkTextureSliceEmptySpace::MakeEven(const Source& source)
 
 void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
 {
-  const std::vector<Range>& ranges = source.Texture->GetBricks().GetRanges();
+  const std::vector<vtkTextureSliceBricks::Range>& ranges = source.Texture->GetBricks().GetRanges();
   const std::size_t components = source.Texture->GetComponents().size();
   this->Visible.resize(ranges.size() / components);
-  const std::vector<vtkTextureSliceBrickTests::Test> tests =
-    vtkTextureSliceBrickTests::Make(source);
-  for (std::size_t brick = 0; brick < this->Visible.size(); ++brick)
-  {
-    const Range* const own = ranges.data() + brick * components;
-    const bool visible = std::any_of(tests.begin(), tests.end(),
-      [own](const vtkTextureSliceBrickTests::Test& test) { return test(own); });
-    this->Visible[brick] = visible ? 1 : 0;
-  }
+  const auto tests = vtkTextureSliceBrickTests::Make(source);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Visible.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto brick = static_cast<std::size_t>(begin); brick < static_cast<std::size_t>(end);
+           ++brick)
+      {
+        const auto* const own = ranges.data() + brick * components;
+        const bool visible = std::any_of(tests.begin(), tests.end(),
+          [own](const vtkTextureSliceBrickTests::Test& test) { return test(own); });
+        this->Visible[brick] = visible ? 1 : 0;
+      }
+    });
 }
 
 void vtkTextureSliceEmptySpace::HideCropped(const Source& source)
 {
   const std::array<std::vector<double>, 3> borders = FindBorders(source);
-  const auto alongX = FindParts(*source.Frame, borders[0], 0);
-  const auto alongY = FindParts(*source.Frame, borders[1], 1);
-  const auto alongZ = FindParts(*source.Frame, borders[2], 2);
+  const auto alongX = FindRegions(*source.Frame, borders[0], 0);
+  const auto alongY = FindRegions(*source.Frame, borders[1], 1);
+  const auto alongZ = FindRegions(*source.Frame, borders[2], 2);
   auto visible = this->Visible.begin();
   for (const unsigned int z : alongZ)
   {
@@ -177,7 +168,8 @@ void vtkTextureSliceEmptySpace::HideCropped(const Source& source)
     {
       for (const unsigned int x : alongX)
       {
-        *visible = *visible != 0 && IsKept({x, y, z}, source.CropFlags) ? 1 : 0;
+        const bool kept = (x & y & z & static_cast<unsigned int>(source.CropFlags)) != 0;
+        *visible = kept ? *visible : 0;
         ++visible;
       }
     }

@@ -7,6 +7,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
+#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -162,6 +163,13 @@ void vtkTextureSliceCoordinates::Update(vtkOpenGLRenderWindow* window)
   this->Texture->Create1DFromRaw(
     static_cast<unsigned int>(this->Width), 4, VTK_FLOAT, entries.data());
   this->FillTime = this->GetBuildTime();
+}
+
+void vtkTextureSliceCoordinates::SetUniforms(vtkShaderProgram* program) const
+{
+  const auto entry = static_cast<float>(this->GetMargin());
+  const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
+  program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
 }
 
 void vtkTextureSliceCoordinates::ReleaseGraphicsResources(vtkWindow* window)

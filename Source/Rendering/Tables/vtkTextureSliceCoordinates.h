@@ -17,6 +17,7 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRectilinearGrid;
+class vtkShaderProgram;
 class vtkWindow;
 
 /**
@@ -46,6 +47,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
   /// One channel for each axis: from the place in the box to the part of the intervals before it.
   vtkTextureObject* GetTexture() const { return this->Texture; }
+  /// Sets how a place in the box becomes one in the table.
+  void SetUniforms(vtkShaderProgram* program) const;
   /// How far a place of the table may be off, in box coordinates.
   double GetMargin() const { return 1.0 / static_cast<double>(this->Width); }
 

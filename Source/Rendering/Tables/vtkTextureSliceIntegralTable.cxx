@@ -2,6 +2,7 @@
 #include "vtkTextureSliceIntegralTable.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
 #include "vtkTextureSliceTable.h"
 
 #include <algorithm>
@@ -108,6 +109,11 @@ void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
     this->Texture->Create2DFromRaw(
       columns, static_cast<unsigned int>(rows), 4, VTK_FLOAT, integrals.data());
   }
+}
+
+void vtkTextureSliceIntegralTable::SetUniforms(const char* name, vtkShaderProgram* program) const
+{
+  program->SetUniformf(name, static_cast<float>(this->Width) - 1.0f);
 }
 
 void vtkTextureSliceIntegralTable::ReleaseGraphicsResources(vtkWindow* window)

@@ -11,6 +11,7 @@
 #include <cstddef>
 
 class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
 class vtkTextureSliceTable;
 class vtkWindow;
 
@@ -39,8 +40,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  /// Entries of a row.
-  std::size_t GetWidth() const { return this->Width; }
+  /// Sets the number of the last entry of a row.
+  void SetUniforms(const char* name, vtkShaderProgram* program) const;
 
   /// Entries of a row for functions of so many entries.
   static std::size_t ChooseWidth(std::size_t entries);

@@ -4,6 +4,7 @@
 #include "vtkColorTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
+#include "vtkShaderProgram.h"
 
 #include <algorithm>
 #include <cmath>
@@ -54,48 +55,43 @@ int ChooseWidth(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSlice
   return width;
 }
 
-/// Calls put(i, scalar) for each of the entries, with the scalar that the function is asked for.
-template <typename Function, typename Put>
-void Sample(Function* function, const vtkTextureSliceDomain& domain, int width, Put put)
+/// The function, or where its own range clamps the scalar a copy that holds its last values.
+template <typename Function>
+vtkSmartPointer<Function> Clamp(Function* function, bool native)
 {
-  const auto range = EntryRange(domain);
-  const double step = (range[1] - range[0]) / (width - 1);
-  double own[2];
-  function->GetRange(own);
-  for (int i = 0; i < width; ++i)
+  auto clamped = vtkSmartPointer<Function>::New();
+  clamped->DeepCopy(function);
+  clamped->ClampingOn();
+  return native ? clamped : vtkSmartPointer<Function>(function);
+}
+
+void FillColor(const vtkTextureSliceRow& row, int width, float* entries)
+{
+  const auto [low, high] = EntryRange(row.ColorDomain);
+  const std::size_t channels = row.Gray != nullptr ? 1 : 3;
+  std::vector<float> colors(channels * static_cast<std::size_t>(width));
+  if (row.Gray != nullptr)
   {
-    const double scalar = range[0] + i * step;
-    put(i, domain.Native ? std::clamp(scalar, own[0], own[1]) : scalar);
+    Clamp(row.Gray, row.ColorDomain.Native)->GetTable(low, high, width, colors.data());
+  }
+  else
+  {
+    Clamp(row.Color, row.ColorDomain.Native)->GetTable(low, high, width, colors.data());
+  }
+  for (std::size_t i = 0; i < 3 * static_cast<std::size_t>(width); ++i)
+  {
+    entries[4 * (i / 3) + i % 3] = colors[channels == 1 ? i / 3 : i];
   }
 }
 
-/// How far entry i of a row is on its way from 0 to 1.
-float Ramp(int i, int width)
+void FillOpacity(const vtkTextureSliceRow& row, int width, float* entries)
 {
-  return static_cast<float>(i) / static_cast<float>(width - 1);
-}
-
-void FillColor(
-  vtkColorTransferFunction* color, const vtkTextureSliceDomain& domain, int width, float* entries)
-{
-  Sample(color, domain, width,
-    [&](int i, double scalar)
-    {
-      double rgb[3];
-      color->GetColor(scalar, rgb);
-      std::copy(rgb, rgb + 3, entries + 4 * i);
-    });
-}
-
-void FillOpacity(
-  vtkPiecewiseFunction* opacity, const vtkTextureSliceDomain& domain, int width, float* entries)
-{
-  Sample(opacity, domain, width,
-    [&](int i, double scalar)
-    {
-      const double value = std::clamp(opacity->GetValue(scalar), 0.0, 1.0);
-      entries[4 * i + 3] = static_cast<float>(value);
-    });
+  const auto [low, high] = EntryRange(row.OpacityDomain);
+  Clamp(row.Opacity, row.OpacityDomain.Native)->GetTable(low, high, width, entries + 3, 4);
+  for (int i = 0; i < width; ++i)
+  {
+    entries[4 * i + 3] = std::clamp(entries[4 * i + 3], 0.0f, 1.0f);
+  }
 }
 
 /// As in VTK's ray caster, functions without points are ramps: black to white, clear to half
@@ -105,13 +101,14 @@ void FillRamps(const vtkTextureSliceRow& row, int width, float* entries)
   constexpr float mostOpaque = 0.5f;
   for (int i = 0; i < width; ++i)
   {
+    const float ramp = static_cast<float>(i) / static_cast<float>(width - 1);
     if (row.Color != nullptr && row.Color->GetSize() == 0)
     {
-      std::fill_n(entries + 4 * i, 3, Ramp(i, width));
+      std::fill_n(entries + 4 * i, 3, ramp);
     }
     if (row.Opacity != nullptr && row.Opacity->GetSize() == 0)
     {
-      entries[4 * i + 3] = mostOpaque * Ramp(i, width);
+      entries[4 * i + 3] = mostOpaque * ramp;
     }
   }
 }
@@ -119,19 +116,13 @@ void FillRamps(const vtkTextureSliceRow& row, int width, float* entries)
 void FillRow(const vtkTextureSliceRow& row, int width, float* entries)
 {
   std::fill(entries, entries + 4 * width, 1.0f);
-  if (row.Gray != nullptr)
+  if (row.Gray != nullptr || row.Color != nullptr)
   {
-    Sample(row.Gray, row.ColorDomain, width,
-      [&](int i, double scalar)
-      { std::fill_n(entries + 4 * i, 3, static_cast<float>(row.Gray->GetValue(scalar))); });
-  }
-  else if (row.Color != nullptr)
-  {
-    FillColor(row.Color, row.ColorDomain, width, entries);
+    FillColor(row, width, entries);
   }
   if (row.Opacity != nullptr)
   {
-    FillOpacity(row.Opacity, row.OpacityDomain, width, entries);
+    FillOpacity(row, width, entries);
   }
   FillRamps(row, width, entries);
 }
@@ -199,9 +190,6 @@ bool vtkTextureSliceTable::NeedsUpdate(
 
 void vtkTextureSliceTable::Fill(int width)
 {
-  // The first and the last scalar lie at the centres of the outermost texels.
-  this->Scale = (width - 1.0) / width;
-  this->Bias = 0.5 / width;
   this->RowsTime = 0;
   this->Entries.resize(this->Rows.size() * static_cast<std::size_t>(width) * 4);
   float* entries = this->Entries.data();
@@ -211,30 +199,23 @@ void vtkTextureSliceTable::Fill(int width)
     FillRow(row, width, entries);
     entries += static_cast<std::size_t>(width) * 4;
   }
-  this->IndexOpacities(static_cast<std::size_t>(width));
+  this->Visibilities.clear();
+  for (std::size_t row = 0; row < this->Rows.size(); ++row)
+  {
+    this->Visibilities.emplace_back(this->GetAlphas(row));
+  }
   this->FillTime.Modified();
 }
 
-void vtkTextureSliceTable::IndexOpacities(std::size_t width)
+std::vector<float> vtkTextureSliceTable::GetAlphas(std::size_t row) const
 {
-  this->Visibilities.resize(this->Rows.size());
-  for (std::size_t row = 0; row < this->Rows.size(); ++row)
-  {
-    const float* opacities = this->Entries.data() + row * width * 4 + 3;
-    this->Visibilities[row].Build(
-      opacities, width, 4, [](float opacity) { return opacity > 0.0f; });
-  }
-}
-
-std::vector<float> vtkTextureSliceTable::GetOpticalDepths(std::size_t row) const
-{
-  const std::size_t width = this->Entries.size() / (4 * this->Rows.size());
-  std::vector<float> depths(width);
+  const std::size_t width = this->GetWidth();
+  std::vector<float> alphas(width);
   for (std::size_t i = 0; i < width; ++i)
   {
-    depths[i] = this->Entries[4 * (row * width + i) + 3];
+    alphas[i] = this->Entries[4 * (row * width + i) + 3];
   }
-  return depths;
+  return alphas;
 }
 
 void vtkTextureSliceTable::Upload(std::size_t width)
@@ -264,6 +245,14 @@ void vtkTextureSliceTable::Upload(std::size_t width)
     this->Texture->Create2DFromRaw(
       columns, static_cast<unsigned int>(this->Rows.size()), 4, VTK_FLOAT, this->Entries.data());
   }
+}
+
+void vtkTextureSliceTable::SetUniforms(const std::string& name, vtkShaderProgram* program) const
+{
+  // The first and the last scalar lie at the centres of the outermost texels.
+  const auto texel = static_cast<float>(1.0 / static_cast<double>(this->GetWidth()));
+  program->SetUniformf((name + "Scale").c_str(), 1.0f - texel);
+  program->SetUniformf((name + "Bias").c_str(), 0.5f * texel);
 }
 
 void vtkTextureSliceTable::ReleaseGraphicsResources(vtkWindow* window)

@@ -10,11 +10,13 @@
 #include "vtkType.h"
 
 #include <array>
+#include <string>
 #include <vector>
 
 class vtkColorTransferFunction;
 class vtkOpenGLRenderWindow;
 class vtkPiecewiseFunction;
+class vtkShaderProgram;
 class vtkWindow;
 
 /// A function over the range of a component, and whether its own range clamps the scalar first
@@ -61,15 +63,14 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  int GetNumberOfRows() const { return static_cast<int>(this->Rows.size()); }
   /// Where a row's opacity is above 0, over its domain as 0 to 1.
   const vtkTextureSliceVisibility& GetVisibility(std::size_t row) const
   {
     return this->Visibilities[row];
   }
-  /// Of a row that holds optical depths: those of a unit distance at each entry, for each factor of
-  /// 2 that it weakens what is behind (Formulas R1).
-  std::vector<float> GetOpticalDepths(std::size_t row) const;
+  /// Opacities, or optical depths of a unit distance for each factor of 2 that it weakens what is
+  /// behind (Formulas R1), of the entries of a row.
+  std::vector<float> GetAlphas(std::size_t row) const;
   /// When the rows were filled last.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
   /// RGBA of the entries of a row as they are in the texture.
@@ -79,24 +80,20 @@ public:
   }
   /// Entries of a row.
   std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Rows.size()); }
-  /// Texture coordinate of a scalar that is s of the way through its domain (0 to 1):
-  /// s * GetScale() + GetBias() (Formulas R2).
-  double GetScale() const { return this->Scale; }
-  double GetBias() const { return this->Bias; }
+  /// Sets NAMEScale and NAMEBias: the texture coordinate of a scalar that is s of the way through
+  /// its domain (0 to 1) is s * scale + bias (Formulas R2).
+  void SetUniforms(const std::string& name, vtkShaderProgram* program) const;
 
 private:
   bool NeedsUpdate(
     vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows) const;
   void Fill(int width);
-  void IndexOpacities(std::size_t width);
   void Upload(std::size_t width);
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   vtkTimeStamp FillTime;
-  double Scale = 1.0;
-  double Bias = 0.0;
 
   std::vector<vtkTextureSliceRow> Rows; ///< what the texture was made from
   vtkMTimeType RowsTime = 0;            ///< and when those were changed last

@@ -102,7 +102,7 @@ bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)
 void vtkTextureSliceTable2D::IndexOpacities(const std::vector<float>& entries, std::size_t images)
 {
   const auto width = static_cast<std::size_t>(this->Width);
-  this->Visibilities.resize(images);
+  this->Visibilities.clear();
   for (std::size_t image = 0; image < images; ++image)
   {
     std::vector<float> most(width, 0.0f);
@@ -111,8 +111,7 @@ void vtkTextureSliceTable2D::IndexOpacities(const std::vector<float>& entries, s
     {
       most[i % width] = std::max(most[i % width], alpha[4 * i + 3]);
     }
-    this->Visibilities[image].Build(
-      most.data(), width, 1, [](float opacity) { return opacity > 0.0f; });
+    this->Visibilities.emplace_back(most);
   }
   this->FillTime.Modified();
 }

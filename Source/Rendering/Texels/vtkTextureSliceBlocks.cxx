@@ -17,48 +17,30 @@ constexpr int Edge = vtkTextureSliceBlocks::Edge;
 constexpr std::uint64_t Seed = 0x9E3779B97F4A7C15;
 constexpr std::uint64_t Factor = 0xD6E8FEB86659FD93; // odd, so that no two words give the same
 
-std::uint64_t Mix(std::uint64_t sum, std::uint64_t word)
+/// Takes bytes into a sum, the last word filled with zeros.
+std::uint64_t MixBytes(std::uint64_t sum, const unsigned char* bytes, std::size_t count)
 {
-  const std::uint64_t product = (sum ^ word) * Factor;
-  return product ^ (product >> 32);
-}
-
-/// Takes bytes into a sum, the last word filled with zeros. Only the bits of `mask` count.
-std::uint64_t MixBytes(
-  std::uint64_t sum, const unsigned char* bytes, std::size_t count, std::uint64_t mask)
-{
-  std::uint64_t word = 0;
-  for (; count >= sizeof(word); count -= sizeof(word), bytes += sizeof(word))
+  constexpr std::size_t size = sizeof(std::uint64_t);
+  for (std::size_t i = 0; i < count; i += size)
   {
-    std::memcpy(&word, bytes, sizeof(word));
-    sum = Mix(sum, word & mask);
-  }
-  if (count > 0)
-  {
-    word = 0;
-    std::memcpy(&word, bytes, count);
-    sum = Mix(sum, word & mask);
+    std::uint64_t word = 0;
+    i + size <= count ? std::memcpy(&word, bytes + i, size)
+                      : std::memcpy(&word, bytes + i, count - i);
+    const std::uint64_t product = (sum ^ word) * Factor;
+    sum = product ^ (product >> 32);
   }
   return sum;
 }
 
 /// Takes a row of texels into the sums of the blocks along it.
-void MixRow(const unsigned char* row, std::size_t length, std::size_t bytesOfTexel,
-  std::uint64_t mask, std::uint64_t* sums)
+void MixRow(
+  const unsigned char* row, std::size_t length, std::size_t bytesOfTexel, std::uint64_t* sums)
 {
   constexpr auto edge = static_cast<std::size_t>(Edge);
-  if (bytesOfTexel == 1)
-  {
-    // A row of a block is one word: no loop within it.
-    for (; length >= edge; length -= edge, row += edge, ++sums)
-    {
-      *sums = MixBytes(*sums, row, edge, mask);
-    }
-  }
   for (std::size_t begin = 0; begin < length; begin += edge, ++sums)
   {
     const std::size_t texels = std::min(edge, length - begin);
-    *sums = MixBytes(*sums, row + begin * bytesOfTexel, texels * bytesOfTexel, mask);
+    *sums = MixBytes(*sums, row + begin * bytesOfTexel, texels * bytesOfTexel);
   }
 }
 
@@ -66,40 +48,30 @@ void MixRow(const unsigned char* row, std::size_t length, std::size_t bytesOfTex
 template <typename Scalar>
 void SumRowOfBlocks(const vtkTextureSlice::Rows<Scalar>& rows, const Box& box, std::uint64_t* sums)
 {
-  constexpr std::uint64_t all = ~std::uint64_t(0);
   for (int z = box.Begin[2]; z < box.End[2]; ++z)
   {
     for (int y = box.Begin[1]; y < box.End[1]; ++y)
     {
       MixRow(reinterpret_cast<const unsigned char*>(rows.GetScalars(y, z)), rows.Length,
-        rows.Components * sizeof(Scalar), all, sums);
+        rows.Components * sizeof(Scalar), sums);
       if (const unsigned char* ghosts = rows.GetGhosts(y, z))
       {
-        MixRow(ghosts, rows.Length, 1, all, sums);
+        MixRow(ghosts, rows.Length, 1, sums);
       }
     }
   }
 }
 
-/// Joins a box to one of the boxes if together they are a box along that axis.
-bool Join(std::vector<Box>& boxes, const Box& box, std::size_t axis)
+/// Adds a box, or extends one with the same texels along x that ends where it begins along y.
+void Add(const Box& box, std::vector<Box>& boxes)
 {
-  const auto continues = [&](const Box& other)
-  {
-    bool same = other.End[axis] == box.Begin[axis];
-    for (std::size_t i = 0; i < 3; ++i)
+  const auto before = std::find_if(boxes.begin(), boxes.end(),
+    [&box](const Box& other)
     {
-      same = same && (i == axis || (other.Begin[i] == box.Begin[i] && other.End[i] == box.End[i]));
-    }
-    return same;
-  };
-  const auto found = std::find_if(boxes.begin(), boxes.end(), continues);
-  if (found == boxes.end())
-  {
-    return false;
-  }
-  found->End[axis] = box.End[axis];
-  return true;
+      return other.Begin[0] == box.Begin[0] && other.End[0] == box.End[0] &&
+             other.End[1] == box.Begin[1];
+    });
+  before != boxes.end() ? static_cast<void>(before->End[1] = box.End[1]) : boxes.push_back(box);
 }
 
 } // namespace
@@ -118,14 +90,11 @@ void vtkTextureSliceBlocks::Build(const vtkTextureSliceScalars& source)
     vtkSMPTools::For(0, rowsOfBlocks,
       [&](vtkIdType begin, vtkIdType end)
       {
-        for (vtkIdType row = begin; row < end; ++row)
+        for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
         {
-          const int y = static_cast<int>(row % this->Count[1]) * Edge;
-          const int z = static_cast<int>(row / this->Count[1]) * Edge;
           SumRowOfBlocks(rows,
-            {{0, y, z}, {this->Size[0], std::min(y + Edge, this->Size[1]),
-                          std::min(z + Edge, this->Size[2])}},
-            this->Checksums.data() + row * this->Count[0]);
+            this->GetBox(0, this->Count[0] - 1, row % this->Count[1], row / this->Count[1]),
+            this->Checksums.data() + std::ptrdiff_t{row} * this->Count[0]);
         }
       });
   };
@@ -135,71 +104,39 @@ void vtkTextureSliceBlocks::Build(const vtkTextureSliceScalars& source)
   }
 }
 
-void vtkTextureSliceBlocks::AddChangesOfLayer(
-  const vtkTextureSliceBlocks& other, int layer, std::vector<Box>& boxes) const
-{
-  std::vector<Box> ofLayer;
-  for (int y = 0; y < this->Count[1]; ++y)
-  {
-    std::vector<Box> ofRow;
-    for (int x = 0; x < this->Count[0]; ++x)
-    {
-      if (this->DiffersAt(other, {x, y, layer}))
-      {
-        const Box box = this->GetBox({x, y, layer});
-        if (!Join(ofRow, box, 0))
-        {
-          ofRow.push_back(box);
-        }
-      }
-    }
-    for (const Box& box : ofRow)
-    {
-      if (!Join(ofLayer, box, 1))
-      {
-        ofLayer.push_back(box);
-      }
-    }
-  }
-  boxes.insert(boxes.end(), ofLayer.begin(), ofLayer.end());
-}
-
 std::vector<Box> vtkTextureSliceBlocks::FindChanges(const vtkTextureSliceBlocks* other) const
 {
   std::vector<Box> boxes;
-  for (int layer = 0; layer < this->Count[2]; ++layer)
+  std::size_t row = 0; // the first block of a row of blocks
+  for (int z = 0; z < this->Count[2]; ++z)
   {
-    if (other != nullptr)
+    std::vector<Box> ofLayer;
+    for (int y = 0; y < this->Count[1]; ++y, row += static_cast<std::size_t>(this->Count[0]))
     {
-      this->AddChangesOfLayer(*other, layer, boxes);
+      int unchanged = -1; // the last block that is as in the other volume
+      for (int x = 0; x <= this->Count[0]; ++x)
+      {
+        const std::size_t block = row + static_cast<std::size_t>(x);
+        if (x < this->Count[0] &&
+            (other == nullptr || this->Checksums[block] != other->Checksums[block]))
+        {
+          continue;
+        }
+        if (unchanged + 1 < x)
+        {
+          Add(this->GetBox(unchanged + 1, x - 1, y, z), ofLayer);
+        }
+        unchanged = x;
+      }
     }
-    else
-    {
-      Box box = this->GetBox({this->Count[0] - 1, this->Count[1] - 1, layer});
-      box.Begin[0] = box.Begin[1] = 0;
-      boxes.push_back(box);
-    }
+    boxes.insert(boxes.end(), ofLayer.begin(), ofLayer.end());
   }
   return boxes;
 }
 
-bool vtkTextureSliceBlocks::DiffersAt(
-  const vtkTextureSliceBlocks& other, const std::array<int, 3>& block) const
+Box vtkTextureSliceBlocks::GetBox(int first, int last, int y, int z) const
 {
-  const auto id = static_cast<std::size_t>(block[0]) +
-                  static_cast<std::size_t>(this->Count[0]) *
-                    (static_cast<std::size_t>(block[1]) + static_cast<std::size_t>(this->Count[1]) *
-                                                            static_cast<std::size_t>(block[2]));
-  return this->Checksums[id] != other.Checksums[id];
-}
-
-Box vtkTextureSliceBlocks::GetBox(const std::array<int, 3>& block) const
-{
-  Box box;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    box.Begin[axis] = block[axis] * Edge;
-    box.End[axis] = std::min(box.Begin[axis] + Edge, this->Size[axis]);
-  }
-  return box;
+  const auto end = [this](int block, std::size_t axis)
+  { return std::min((block + 1) * Edge, this->Size[axis]); };
+  return {{first * Edge, y * Edge, z * Edge}, {end(last, 0), end(y, 1), end(z, 2)}};
 }

@@ -36,10 +36,8 @@ public:
   std::vector<Box> FindChanges(const vtkTextureSliceBlocks* other) const;
 
 private:
-  void AddChangesOfLayer(
-    const vtkTextureSliceBlocks& other, int layer, std::vector<Box>& boxes) const;
-  bool DiffersAt(const vtkTextureSliceBlocks& other, const std::array<int, 3>& block) const;
-  Box GetBox(const std::array<int, 3>& block) const;
+  /// The box of the blocks from `first` to `last` of a row of blocks.
+  Box GetBox(int first, int last, int y, int z) const;
 
   std::array<int, 3> Size{};  ///< texels along each axis
   std::array<int, 3> Count{}; ///< blocks along each axis

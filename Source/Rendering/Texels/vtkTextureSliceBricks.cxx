@@ -6,38 +6,21 @@
 #include "vtkTextureSliceRows.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstddef>
+#include <cstring>
 
 namespace
 {
 
 using Range = vtkTextureSliceBricks::Range;
 
-/// Texels [Begin, End) along one axis.
-struct Span
-{
-  int Begin;
-  int End;
-};
-
-/// Intervals between texels that the box spans.
-std::array<int, 3> CountIntervals(const vtkTextureSliceBricks::Source& source)
-{
-  std::array<int, 3> intervals = source.Size;
-  for (int& count : intervals)
-  {
-    count -= source.CellData ? 0 : 1;
-  }
-  return intervals;
-}
-
 /// Intervals along a brick's edge: small bricks follow the data closely, but more than 64 of them
 /// along an axis cost more to look at than they save.
-int ChooseEdge(const std::array<int, 3>& intervals)
+int ChooseEdge(int longest)
 {
   constexpr int least = 4;
   constexpr int mostBricks = 64;
-  const int longest = *std::max_element(intervals.begin(), intervals.end());
   return std::max(least, (longest + mostBricks - 1) / mostBricks);
 }
 
@@ -46,32 +29,50 @@ template <typename Scalar>
 class RowScanner
 {
 public:
-  RowScanner(const vtkTextureSliceBricks::Source& source, int edge, const std::array<int, 3>& count,
-    std::vector<Range>& ranges)
+  RowScanner(const vtkTextureSliceScalars& source, int edge, const std::array<int, 3>& count)
     : Source(source)
     , Edge(edge)
     , Count(count)
-    , Ranges(ranges)
     , Rows(source)
+    , Marks(Rows.Length)
+    , Low(Rows.Length * Rows.Components)
+    , High(Rows.Length * Rows.Components)
   {
   }
 
-  void operator()(vtkIdType begin, vtkIdType end) const
+  /// @return whether there are texels that do not count
+  bool Scan(int row, Range* ranges)
   {
-    vtkTextureSlice::ColumnExtremes<Scalar> extremes(this->Rows.Length, this->Rows.Components);
-    std::vector<unsigned char> counts(this->Rows.Length);
-    for (auto row = static_cast<int>(begin); row < static_cast<int>(end); ++row)
+    std::fill(this->Low.begin(), this->Low.end(), std::numeric_limits<Scalar>::max());
+    std::fill(this->High.begin(), this->High.end(), std::numeric_limits<Scalar>::lowest());
+    const auto [firstY, endY] = this->Reach(row % this->Count[1], 1);
+    const auto [firstZ, endZ] = this->Reach(row / this->Count[1], 2);
+    bool invisible = false;
+    for (int z = firstZ; z < endZ; ++z)
     {
-      const std::array<int, 2> brick{row % this->Count[1], row / this->Count[1]};
-      extremes.Reset();
-      this->ScanRow(brick, extremes, counts);
-      this->SetRanges(brick, extremes);
+      for (int y = firstY; y < endY; ++y)
+      {
+        this->Rows.MarkVisible(y, z, 0, this->Rows.Length, this->Marks.data());
+        invisible = invisible || std::memchr(this->Marks.data(), 0, this->Rows.Length) != nullptr;
+        const std::size_t components = this->Rows.Components;
+        for (std::size_t c = 0; c < components; ++c)
+        {
+          // A constant step lets the compiler take several texels at a time.
+          components == 1 ? this->Extend(this->Rows.GetScalars(y, z), 0, 1)
+                          : this->Extend(this->Rows.GetScalars(y, z), c, components);
+        }
+      }
     }
+    for (int brick = 0; brick < this->Count[0]; ++brick, ranges += this->Rows.Components)
+    {
+      this->SetRanges(brick, ranges);
+    }
+    return invisible;
   }
 
 private:
-  /// The texels that samples inside a brick can reach.
-  Span Reach(int brick, std::size_t axis) const
+  /// The first texel that samples inside a brick can reach along an axis, and the end of them.
+  std::array<int, 2> Reach(int brick, std::size_t axis) const
   {
     // Point scalars stand on the bricks' faces, cell scalars half a cell inside of them.
     const int first = brick * this->Edge;
@@ -79,67 +80,105 @@ private:
     return {std::max(0, first - before), std::min(this->Source.Size[axis], first + this->Edge + 1)};
   }
 
-  void ScanRow(const std::array<int, 2>& brick, vtkTextureSlice::ColumnExtremes<Scalar>& extremes,
-    std::vector<unsigned char>& counts) const
+  /// Takes one component of a row of texels into the extremes of the columns.
+  void Extend(const Scalar* row, std::size_t component, std::size_t step)
   {
-    const Span y = this->Reach(brick[0], 1);
-    const Span z = this->Reach(brick[1], 2);
-    for (int k = z.Begin; k < z.End; ++k)
+    constexpr Scalar most = std::numeric_limits<Scalar>::max();
+    constexpr Scalar least = std::numeric_limits<Scalar>::lowest();
+    Scalar* low = this->Low.data() + component;
+    Scalar* high = this->High.data() + component;
+    const unsigned char* counts = this->Marks.data();
+    const std::size_t length = this->Rows.Length;
+    for (std::size_t i = 0; i < length; ++i)
     {
-      for (int j = y.Begin; j < y.End; ++j)
+      const Scalar scalar = row[i * step + component];
+      const Scalar forLow = counts[i] != 0 ? scalar : most;
+      const Scalar forHigh = counts[i] != 0 ? scalar : least;
+      low[i * step] = forLow < low[i * step] ? forLow : low[i * step];
+      high[i * step] = high[i * step] < forHigh ? forHigh : high[i * step];
+    }
+  }
+
+  /// The ranges of a brick's columns.
+  void SetRanges(int brick, Range* ranges) const
+  {
+    const std::size_t components = this->Rows.Components;
+    const auto [first, end] = this->Reach(brick, 0);
+    for (std::size_t i = static_cast<std::size_t>(first) * components;
+         i < static_cast<std::size_t>(end) * components; ++i)
+    {
+      if (this->Low[i] <= this->High[i]) // else nothing counted
       {
-        this->Rows.MarkVisible(j, k, 0, this->Rows.Length, counts.data());
-        extremes.Extend(this->Rows.GetScalars(j, k), counts.data());
+        Range& range = ranges[i % components];
+        range.Low = std::min(range.Low, static_cast<double>(this->Low[i]));
+        range.High = std::max(range.High, static_cast<double>(this->High[i]));
       }
     }
   }
 
-  void SetRanges(
-    const std::array<int, 2>& brick, const vtkTextureSlice::ColumnExtremes<Scalar>& extremes) const
-  {
-    auto range = this->Ranges.begin() + static_cast<std::ptrdiff_t>(this->Rows.Components) *
-                                          this->Count[0] * (brick[1] * this->Count[1] + brick[0]);
-    for (int i = 0; i < this->Count[0]; ++i)
-    {
-      const Span x = this->Reach(i, 0);
-      for (std::size_t c = 0; c < this->Rows.Components; ++c, ++range)
-      {
-        extremes.ExtendRange(
-          static_cast<std::size_t>(x.Begin), static_cast<std::size_t>(x.End), c, *range);
-      }
-    }
-  }
-
-  const vtkTextureSliceBricks::Source& Source;
+  const vtkTextureSliceScalars& Source;
   int Edge;
   const std::array<int, 3>& Count;
-  std::vector<Range>& Ranges;
   vtkTextureSlice::Rows<Scalar> Rows;
+  std::vector<unsigned char> Marks; ///< 1 for texels of a row that count
+  std::vector<Scalar> Low;          ///< of each component of each column of texels
+  std::vector<Scalar> High;
 };
+
+/// Makes ranges of values of ranges of codes.
+void ToValues(const vtkTextureSliceCodes& codes, std::vector<Range>& ranges)
+{
+  for (Range& range : ranges)
+  {
+    if (range.Low <= range.High)
+    {
+      const auto [low, high] =
+        codes.GetRange(static_cast<std::size_t>(range.Low), static_cast<std::size_t>(range.High));
+      range = {low, high};
+    }
+  }
+}
 
 } // namespace
 
-void vtkTextureSliceBricks::Build(const Source& source)
+void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
 {
-  const std::array<int, 3> intervals = CountIntervals(source);
-  const int edge = ChooseEdge(intervals);
+  std::array<int, 3> intervals = source.Size; // between the texels that the box spans
+  std::for_each(intervals.begin(), intervals.end(),
+    [&source](int& count) { count -= source.CellData ? 0 : 1; });
+  const int edge = ChooseEdge(*std::max_element(intervals.begin(), intervals.end()));
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     this->Count[axis] = (intervals[axis] + edge - 1) / edge;
     this->Edge[axis] = double(edge) / intervals[axis];
   }
   const vtkIdType rows = static_cast<vtkIdType>(this->Count[1]) * this->Count[2];
-  this->Ranges.assign(
-    static_cast<std::size_t>(rows * this->Count[0] * source.Scalars->GetNumberOfComponents()),
-    Range());
+  const vtkIdType rangesOfRow =
+    static_cast<vtkIdType>(this->Count[0]) * source.Scalars->GetNumberOfComponents();
+  this->Ranges.assign(static_cast<std::size_t>(rows * rangesOfRow), Range());
+  std::atomic<bool> invisible(false);
+  const auto scan = [&](auto scalar)
+  {
+    vtkSMPTools::For(0, rows,
+      [&](vtkIdType begin, vtkIdType end)
+      {
+        RowScanner<decltype(scalar)> scanner(source, edge, this->Count);
+        for (vtkIdType row = begin; row < end; ++row)
+        {
+          const bool found =
+            scanner.Scan(static_cast<int>(row), this->Ranges.data() + row * rangesOfRow);
+          invisible = invisible || found;
+        }
+      });
+  };
   switch (source.Scalars->GetDataType())
   {
-    vtkTemplateMacro(
-      vtkSMPTools::For(0, rows, RowScanner<VTK_TT>(source, edge, this->Count, this->Ranges)));
+    vtkTemplateMacro(scan(VTK_TT()));
   }
+  this->Invisible = invisible;
   if (source.Codes)
   {
-    vtkTextureSlice::ToValues(*source.Codes, this->Ranges);
+    ToValues(*source.Codes, this->Ranges);
   }
   this->BuildTime.Modified();
 }

@@ -27,11 +27,8 @@ public:
     double High = -std::numeric_limits<double>::infinity();
   };
 
-  /// What the ranges are made from.
-  using Source = vtkTextureSliceScalars;
-
   /// Goes once over all scalars, on several threads.
-  void Build(const Source& source);
+  void Build(const vtkTextureSliceScalars& source);
 
   /// Bricks along each axis.
   const std::array<int, 3>& GetCount() const { return this->Count; }
@@ -39,12 +36,15 @@ public:
   const std::array<double, 3>& GetEdge() const { return this->Edge; }
   /// One for each component of each brick; the component varies fastest, then x.
   const std::vector<Range>& GetRanges() const { return this->Ranges; }
+  /// Whether there are texels that do not count.
+  bool HasInvisible() const { return this->Invisible; }
   vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
 
 private:
   std::array<int, 3> Count{};
   std::array<double, 3> Edge{};
   std::vector<Range> Ranges;
+  bool Invisible = false;
   vtkTimeStamp BuildTime;
 };
 

@@ -7,7 +7,6 @@
 #include "vtkSmartPointer.h"
 #include "vtkTextureSliceBlocks.h"
 #include "vtkTextureSliceBricks.h"
-#include "vtkTextureSliceChanges.h"
 #include "vtkTextureSliceScalars.h"
 #include "vtkTextureSliceTexels.h"
 
@@ -41,9 +40,7 @@ public:
    */
   static vtkSmartPointer<vtkTextureSliceChecksums> Prepare(
     const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before);
-  /// The checksum that was prepared, if nothing has changed since; or nullptr.
-  static vtkSmartPointer<vtkTextureSliceChecksums> Find(const vtkTextureSliceScalars& source);
-  /// The checksum that was prepared, or a new one.
+  /// The checksum that was prepared, if nothing has changed since, or a new one.
   static vtkSmartPointer<vtkTextureSliceChecksums> Get(const vtkTextureSliceScalars& source);
 
   /// What has to be uploaded over a texture that holds `before`; nullptr: what it holds is not
@@ -66,9 +63,6 @@ private:
   /// Where it is kept in an array's information.
   static vtkInformationObjectBaseKey* PREPARED();
   void Build(const vtkTextureSliceScalars& source);
-
-  vtkTextureSliceChanges MakeChanges(
-    const vtkTextureSliceScalars& source, const vtkTextureSliceChecksums* before) const;
 
   Key Made;
   vtkTextureSliceTexels Texels;

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <vector>
 
 namespace
 {
@@ -51,73 +52,32 @@ std::optional<vtkTextureSliceCodes> vtkTextureSliceCodes::Find(
 vtkTextureSliceCodes::vtkTextureSliceCodes(
   const std::array<double, Count>& values, const std::array<unsigned char, Count>& hidden)
   : Values(values)
-  , Hidden(hidden)
-{
-  for (std::size_t code = 0; code < Count; ++code)
-  {
-    if (!std::isfinite(values[code]))
-    {
-      this->Hidden[code] = 1;
-      this->Values[code] = std::numeric_limits<double>::infinity(); // equals itself, unlike NaN
-    }
-  }
-  this->FindHiddenIntervals();
-  this->FindOrder();
-  this->FindBytes();
-}
-
-void vtkTextureSliceCodes::FindHiddenIntervals()
-{
-  for (std::size_t code = 0; code < Count; ++code)
-  {
-    if (!this->IsHidden(code))
-    {
-      continue;
-    }
-    const auto byte = static_cast<unsigned char>(code);
-    if (code > 0 && this->IsHidden(code - 1))
-    {
-      this->HiddenIntervals.back().Last = byte;
-    }
-    else
-    {
-      this->HiddenIntervals.push_back({byte, byte});
-    }
-  }
-}
-
-void vtkTextureSliceCodes::FindOrder()
-{
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  this->WholeRange = {infinity, -infinity};
-  for (std::size_t code = 0; code < Count; ++code)
-  {
-    if (!this->IsHidden(code))
-    {
-      const double value = this->Values[code];
-      this->Ascending = this->Ascending && value >= this->WholeRange[1];
-      this->WholeRange[0] = std::min(this->WholeRange[0], value);
-      this->WholeRange[1] = std::max(this->WholeRange[1], value);
-    }
-  }
-}
-
-void vtkTextureSliceCodes::FindBytes()
 {
   std::vector<double> seen;
   for (std::size_t code = 0; code < Count; ++code)
   {
-    if (!this->IsHidden(code))
+    if (!std::isfinite(values[code]))
     {
-      seen.push_back(this->Values[code]);
+      this->Values[code] = std::numeric_limits<double>::infinity(); // equals itself, unlike NaN
+    }
+    else if (hidden[code] == 0)
+    {
+      this->Visible[code] = 1;
+      seen.push_back(values[code]);
     }
   }
+  this->Ascending = std::is_sorted(seen.begin(), seen.end());
   std::sort(seen.begin(), seen.end());
   seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
-  if (seen.empty())
+  if (!seen.empty())
   {
-    return;
+    this->WholeRange = {seen.front(), seen.back()};
+    this->FindBytes(seen);
   }
+}
+
+void vtkTextureSliceCodes::FindBytes(const std::vector<double>& seen)
+{
   // The least distance of two values, of which all others must be a multiple. Values may be rounded
   // to floats: it is made exact by the whole range.
   constexpr double tolerance = 1e-3;
@@ -149,16 +109,4 @@ std::array<double, 2> vtkTextureSliceCodes::GetRange(std::size_t low, std::size_
 {
   return this->Ascending ? std::array<double, 2>{this->Values[low], this->Values[high]}
                          : this->WholeRange;
-}
-
-void vtkTextureSliceCodes::AddHidden(std::array<double, 2>& range) const
-{
-  for (std::size_t code = 0; code < Count; ++code)
-  {
-    if (this->IsHidden(code) && std::isfinite(this->Values[code]))
-    {
-      range[0] = std::min(range[0], this->Values[code]);
-      range[1] = std::max(range[1], this->Values[code]);
-    }
-  }
 }

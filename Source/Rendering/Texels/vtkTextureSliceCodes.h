@@ -25,13 +25,6 @@ class VTKNEXRADRENDERING_EXPORT vtkTextureSliceCodes
 public:
   static constexpr std::size_t Count = 256;
 
-  /// Codes from First to Last, both included.
-  struct Interval
-  {
-    unsigned char First;
-    unsigned char Last;
-  };
-
   /// Nothing where the scalars are no codes.
   static std::optional<vtkTextureSliceCodes> Find(vtkImageData* image, vtkDataArray* scalars);
 
@@ -41,18 +34,16 @@ public:
 
   bool operator==(const vtkTextureSliceCodes& other) const
   {
-    return this->Values == other.Values && this->Hidden == other.Hidden;
+    return this->Values == other.Values && this->Visible == other.Visible;
   }
 
-  bool IsHidden(std::size_t code) const { return this->Hidden[code] != 0; }
-  const std::vector<Interval>& GetHiddenIntervals() const { return this->HiddenIntervals; }
+  bool IsHidden(std::size_t code) const { return this->Visible[code] == 0; }
+  /// 1 for each code that is seen, else 0.
+  const unsigned char* GetVisible() const { return this->Visible.data(); }
   double GetValue(std::size_t code) const { return this->Values[code]; }
   /// Least and greatest value of the codes from `low` to `high` that are seen. Exact where the
   /// values ascend with the codes; else those of all codes that are seen.
   std::array<double, 2> GetRange(std::size_t low, std::size_t high) const;
-  /// Extends a range by the finite values that hidden codes have: like hidden scalars, they count
-  /// for the domain of transfer functions.
-  void AddHidden(std::array<double, 2>& range) const;
 
   /// Whether a byte can hold each value that is seen: the value of byte b is b * step + base.
   bool HasBytes() const { return this->Step > 0.0; }
@@ -61,13 +52,11 @@ public:
   unsigned char GetByte(std::size_t code) const { return this->Bytes[code]; }
 
 private:
-  void FindHiddenIntervals();
-  void FindOrder();
-  void FindBytes();
+  /// @param seen the values of codes that are not hidden, ascending.
+  void FindBytes(const std::vector<double>& seen);
 
   std::array<double, Count> Values;
-  std::array<unsigned char, Count> Hidden;
-  std::vector<Interval> HiddenIntervals;
+  std::array<unsigned char, Count> Visible{};
   bool Ascending = true;
   std::array<double, 2> WholeRange{}; ///< of the codes that are seen
   double Step = 0.0;                  ///< 0: the values lie on no 256 even steps

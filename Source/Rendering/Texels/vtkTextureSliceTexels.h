@@ -6,18 +6,29 @@
 #include "vtkTextureSliceBlocks.h"
 #include "vtkTextureSliceBricks.h"
 #include "vtkTextureSliceScalars.h"
+#include "vtkType.h"
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <vector>
 
 /// One component of the scalars.
 struct vtkTextureSliceComponent
 {
-  std::array<double, 2> Range{0.0, 1.0}; ///< least and greatest finite scalar
+  std::array<double, 2> Range{0.0, 1.0}; ///< least and greatest visible scalar
   double Scale = 1.0;                    ///< the scalar of a texel t: t * Scale + Bias
   double Bias = 0.0;
+};
+
+/// Boxes of a texture, and their texels one after the other, x fastest.
+struct vtkTextureSliceChanges
+{
+  std::vector<vtkTextureSliceBlocks::Box> Boxes;
+  std::vector<std::size_t> Begins; ///< of each box in Bytes
+  /// Not set to 0 first: the threads that encode are the first to touch it.
+  std::unique_ptr<unsigned char[]> Bytes;
 };
 
 /**
@@ -31,14 +42,10 @@ class vtkTextureSliceTexels
 {
 public:
   vtkTextureSliceTexels() = default;
-  /// @param ranges of the finite scalars of each component
-  vtkTextureSliceTexels(const vtkTextureSliceScalars& source,
-    const std::vector<vtkTextureSliceBricks::Range>& ranges, bool masked);
+  vtkTextureSliceTexels(const vtkTextureSliceScalars& source, const vtkTextureSliceBricks& bricks);
 
-  /// Of the source; VTK_VOID before there is one.
-  int GetSourceType() const { return this->SourceType; }
   /// VTK_UNSIGNED_CHAR, VTK_UNSIGNED_SHORT or VTK_FLOAT.
-  int GetScalarType() const;
+  int GetScalarType() const { return this->ScalarType; }
   /// Whether the texels are bytes that stand for the values of codes.
   bool AreCodeBytes() const { return this->Codes && this->Codes->HasBytes(); }
   /// Whether the component of the mask is there.
@@ -53,16 +60,16 @@ public:
   /// Whether the same scalars become the same texels.
   bool IsLike(const vtkTextureSliceTexels& other) const;
 
-  using Box = vtkTextureSliceBlocks::Box;
-  /// Bytes that the texels of a box take.
-  std::size_t CountBytes(const Box& box) const;
-  /// Writes the texels of a box, x fastest.
-  void Encode(const vtkTextureSliceScalars& source, const Box& box, unsigned char* texels) const;
+  /// The texels of some boxes, made on several threads.
+  vtkTextureSliceChanges Encode(
+    const vtkTextureSliceScalars& source, std::vector<vtkTextureSliceBlocks::Box> boxes) const;
 
 private:
-  void SetScaleOfCodes();
+  void EncodeBox(const vtkTextureSliceScalars& source, const vtkTextureSliceBlocks::Box& box,
+    unsigned char* texels) const;
 
-  int SourceType = 0;
+  int SourceType = VTK_VOID;
+  int ScalarType = VTK_FLOAT;
   std::array<int, 3> Size{};
   bool Masked = false;
   std::optional<vtkTextureSliceCodes> Codes;

@@ -56,7 +56,7 @@ public:
 
   vtkNew<vtkFloatArray> Scalars;
   vtkNew<vtkUnsignedCharArray> Ghosts;
-  vtkTextureSliceBricks::Source Source;
+  vtkTextureSliceScalars Source;
 };
 
 /// The range of the texels whose weight can be above 0 somewhere in a part of the box.
@@ -136,11 +136,10 @@ TEST(EmptySpace, RangesOfBricksOfCellsReachAcrossTheirFaces)
 TEST(EmptySpace, VisibilityIsThatOfTheInterpolatedTable)
 {
   // Entries 3 and 10 of 0 to 15 are visible, and so is what lies between them and their neighbours.
-  std::array<float, 32> opacities{};
-  opacities[2 * 3] = 0.5f;
-  opacities[2 * 10] = 1.0f;
-  vtkTextureSliceVisibility visibility;
-  visibility.Build(opacities.data(), 16, 2, [](float opacity) { return opacity > 0.0f; });
+  std::vector<float> opacities(16, 0.0f);
+  opacities[3] = 0.5f;
+  opacities[10] = 1.0f;
+  vtkTextureSliceVisibility visibility(opacities);
   const auto visible = [&](double from, double to)
   { return visibility.IsVisible(from / 15.0, to / 15.0); };
   EXPECT_FALSE(visible(-9.0, 1.9));
@@ -153,7 +152,7 @@ TEST(EmptySpace, VisibilityIsThatOfTheInterpolatedTable)
   EXPECT_FALSE(visible(11.1, 99.0));
   EXPECT_FALSE(visible(5.0, 3.0)) << "a brick without scalars";
   opacities[0] = 1.0f;
-  visibility.Build(opacities.data(), 16, 2, [](float opacity) { return opacity > 0.0f; });
+  visibility = vtkTextureSliceVisibility(opacities);
   EXPECT_TRUE(visible(-9.0, -8.0)) << "beyond its ends a table holds its last entries";
 }
 
