@@ -645,7 +645,6 @@ vtkTextureSliceUniforms vtkOpenGLTextureSliceVolumeMapper::MakeUniforms(
   uniforms.Features.Cropped = parts.Frame.NeedsCropTest();
   uniforms.Features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   uniforms.Features.Shadows = parts.Shadows.IsUsed();
-  uniforms.Features.ScaledLight = parts.Shadows.IsScaled();
   uniforms.Features.Scattering = parts.Shadows.IsScattering();
   uniforms.Features.Peel = parts.Peeling.GetStage();
   uniforms.Peeling = &parts.Peeling;
