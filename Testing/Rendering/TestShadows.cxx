@@ -4,6 +4,7 @@
 #include "Scenes.h"
 
 #include "vtkCamera.h"
+#include "vtkColorTransferFunction.h"
 #include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
@@ -260,6 +261,9 @@ TEST_F(Shadows, LightIsMadeAnewForTheVolumeItsFunctionsAndTheLightAloneNotForThe
   EXPECT_FALSE(isMadeAnew([&] { this->Stage->GetVolume()->SetPosition(1.0, 2.0, 3.0); }));
   EXPECT_FALSE(isMadeAnew([&] { this->Mapper->SetShadowStrength(0.7); }));
   EXPECT_FALSE(isMadeAnew([&] { this->Stage->GetWindow()->SetSize(100, 90); }));
+  EXPECT_FALSE(
+    isMadeAnew([&] { property->GetRGBTransferFunction()->AddRGBPoint(33.0, 1.0, 0.0, 0.0); }));
+  EXPECT_FALSE(isMadeAnew([&] { property->GetScalarOpacity()->Modified(); }));
   EXPECT_TRUE(isMadeAnew([&] { this->Mapper->SetLightDirection(1.0, 0.0, 1.0); }));
   EXPECT_TRUE(isMadeAnew([&] { this->Mapper->SetZenith(0.0, 1.0, 1.0); }));
   EXPECT_TRUE(isMadeAnew([&] { property->GetScalarOpacity()->AddPoint(30.0, 0.1); }));

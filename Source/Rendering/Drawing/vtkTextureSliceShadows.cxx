@@ -58,15 +58,22 @@ Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& set
     (settings.Shadow > 0.0 || settings.Scattering > 0.0) && IsDirection(settings.ToLight);
   lights.Occlusion = settings.Occlusion > 0.0 && IsDirection(settings.Zenith);
   lights.Reach = settings.Reach;
-  lights.ToLight = source.Frame->GetDataDirection(settings.ToLight);
-  double east[3];
-  double north[3];
-  std::array<double, 3> zenith = settings.Zenith;
-  vtkMath::Normalize(zenith.data());
-  vtkMath::Perpendiculars(zenith.data(), east, north, 0.0);
-  lights.Sky = {source.Frame->GetDataDirection({east[0], east[1], east[2]}),
-    source.Frame->GetDataDirection({north[0], north[1], north[2]}),
-    source.Frame->GetDataDirection(zenith)};
+  lights.ToLight = {};
+  if (lights.Shadow)
+  {
+    lights.ToLight = source.Frame->GetDataDirection(settings.ToLight);
+  }
+  if (lights.Occlusion)
+  {
+    double east[3];
+    double north[3];
+    std::array<double, 3> zenith = settings.Zenith;
+    vtkMath::Normalize(zenith.data());
+    vtkMath::Perpendiculars(zenith.data(), east, north, 0.0);
+    lights.Sky = {source.Frame->GetDataDirection({east[0], east[1], east[2]}),
+      source.Frame->GetDataDirection({north[0], north[1], north[2]}),
+      source.Frame->GetDataDirection(zenith)};
+  }
   return lights;
 }
 
@@ -130,18 +137,13 @@ std::optional<vtkTextureSliceLightCells::Cut> FindCut(const Source& source)
   return whole ? std::nullopt : std::optional(cut);
 }
 
-/// A value of the component that has the surfaces as the shader knows it, 0 to 1 over the range.
-double Normalize(const Source& source, double value)
-{
-  const std::array<double, 2>& range = source.Texture->GetComponents().back().Range;
-  return (value - range[0]) / (range[1] > range[0] ? range[1] - range[0] : 1.0);
-}
-
 /// The opacity of a surface as the shader looks it up in the first row of the table.
 double FindOpacity(const Source& source, double value)
 {
   const auto last = static_cast<double>(source.Table->GetWidth() - 1);
-  const double entry = std::clamp(Normalize(source, value), 0.0, 1.0) * last;
+  const std::array<double, 2>& range = source.Texture->GetComponents().back().Range;
+  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
+  const double entry = std::clamp((value - range[0]) / width, 0.0, 1.0) * last;
   const auto low = static_cast<std::size_t>(entry);
   const std::size_t high = std::min(low + 1, source.Table->GetWidth() - 1);
   const double part = entry - static_cast<double>(low);
@@ -209,12 +211,13 @@ void vtkTextureSliceShadows::Update(
   {
     return;
   }
-  this->Strength = {static_cast<float>(settings.Shadow), static_cast<float>(settings.Occlusion)};
   this->HalfScattering = static_cast<float>(settings.Scattering / 2.0);
   Key key{{source.Texture->GetBricks().GetBuildTime(),
             features.HasMask() ? source.MaskValues->GetMTime() : 0},
     MakeCells(source, settings.Density), FindLights(source, settings)};
-  this->FindSurfaces(source, key);
+  // The shader weakens by surfaces themselves, too: not without a light, or a sky.
+  this->Strength = {key.From.Shadow ? static_cast<float>(settings.Shadow) : 0.0f,
+    key.From.Occlusion ? static_cast<float>(settings.Occlusion) : 0.0f};
   const bool finer = this->Coarse && !settings.Interactive;
   if (key.Times != this->Last.Times || !key.Cells.IsLike(this->Last.Cells) ||
       !(key.From == this->Last.From) || finer)
@@ -236,28 +239,6 @@ void vtkTextureSliceShadows::Update(
     this->Exposure = exposure;
     this->Upload(window);
   }
-}
-
-void vtkTextureSliceShadows::FindSurfaces(const Source& source, const Key& key)
-{
-  this->Surfaces.clear();
-  for (const auto& [value, depth] : key.Cells.Surfaces)
-  {
-    const double normalized = Normalize(source, static_cast<double>(value));
-    this->Surfaces.push_back({static_cast<float>(normalized), 1.0f - std::exp(-depth)});
-  }
-  if (this->Surfaces.empty())
-  {
-    return;
-  }
-  this->InverseAspect = source.Frame->GetInverseAspect();
-  // The shader weakens by the surfaces themselves, too: not without a light, or a sky.
-  this->Strength = {
-    key.From.Shadow ? this->Strength[0] : 0.0f, key.From.Occlusion ? this->Strength[1] : 0.0f};
-  std::array<double, 3> toLight = key.From.ToLight;
-  vtkMath::Normalize(toLight.data());
-  std::transform(toLight.begin(), toLight.end(), this->ToLight.begin(),
-    [&](double part) { return key.From.Shadow ? static_cast<float>(part) : 0.0f; });
 }
 
 void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
@@ -317,44 +298,50 @@ void vtkTextureSliceShadows::MakeImage(vtkImageData* volume, bool cellData)
   this->Image->GetPointData()->SetScalars(this->Volume.GetLight());
 }
 
-void vtkTextureSliceShadows::SetUniforms(vtkShaderProgram* program) const
+void vtkTextureSliceShadows::SetUniforms(
+  vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const
 {
   program->SetUniformi("lightTexture", this->Texture->GetTextureUnit());
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
   program->SetUniformf("scattering", this->HalfScattering);
-  this->SetSurfaces(program);
+  if (!this->Last.Cells.Surfaces.empty())
+  {
+    this->SetSurfaces(program, uniforms);
+  }
 }
 
-void vtkTextureSliceShadows::SetSurfaces(vtkShaderProgram* program) const
+void vtkTextureSliceShadows::SetSurfaces(
+  vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const
 {
-  if (this->Surfaces.empty())
-  {
-    return;
-  }
   const vtkTextureSliceLightGrid& grid = this->Volume.GetGrid();
-  std::array<float, 3> toLight{};
+  std::array<double, 3> toLight = this->Last.From.ToLight;
   std::array<float, 3> gradientToCells{};
   std::array<float, 3> gradientToChange{};
   std::array<float, 3> cell{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // The gradient is the change over two voxels, times the signed aspect of the shader.
-    const float aspect = this->InverseAspect[axis];
+    const float aspect = uniforms.Frame->GetInverseAspect()[axis];
     const float sign = aspect < 0.0f ? -1.0f : 1.0f;
-    const auto edge = static_cast<float>(grid.CellEdge[axis]);
-    toLight[axis] = this->ToLight[axis] / edge;
-    gradientToCells[axis] = sign * edge;
+    toLight[axis] /= grid.CellEdge[axis];
+    gradientToCells[axis] = sign * static_cast<float>(grid.CellEdge[axis]);
     gradientToChange[axis] = 0.5f * static_cast<float>(grid.Factor[axis]) / aspect;
     cell[axis] = 1.0f / static_cast<float>(grid.Size[axis]);
   }
   vtkMath::Normalize(toLight.data());
+  std::vector<float> surfaces; // value and what it takes of the light
+  for (std::size_t i = 0; i < uniforms.IsoValues.size(); ++i)
+  {
+    surfaces.push_back(uniforms.IsoValues[i]);
+    surfaces.push_back(1.0f - std::exp(-this->Last.Cells.Surfaces[i].Depth));
+  }
   program->SetUniform3f("toLight", toLight.data());
   program->SetUniform3f("gradientToCells", gradientToCells.data());
   program->SetUniform3f("gradientToChange", gradientToChange.data());
   program->SetUniform3f("lightCell", cell.data());
-  program->SetUniform2fv("lightSurfaces", static_cast<int>(this->Surfaces.size()),
-    reinterpret_cast<const float(*)[2]>(this->Surfaces.data()));
+  program->SetUniform2fv("lightSurfaces", static_cast<int>(surfaces.size() / 2),
+    reinterpret_cast<const float(*)[2]>(surfaces.data()));
 }
 
 void vtkTextureSliceShadows::ReleaseGraphicsResources(vtkWindow* window)

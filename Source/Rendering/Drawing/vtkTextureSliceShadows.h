@@ -20,7 +20,7 @@ class vtkTextureSliceTable;
 class vtkTextureSliceTexture;
 class vtkWindow;
 struct vtkTextureSliceRequest;
-struct vtkTextureSliceSurface;
+struct vtkTextureSliceUniforms;
 
 /// Where light comes from, in world coordinates, and how much it matters.
 struct vtkTextureSliceShadowSettings
@@ -70,15 +70,13 @@ public:
   /// Whether a part of the light is scattered, too.
   bool IsScattering() const { return this->Used && this->HalfScattering > 0.0f; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  void SetUniforms(vtkShaderProgram* program) const;
+  void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
 
   /// The volume in data coordinates, of two components; nullptr if not used.
   vtkImageData* GetImage() const { return this->Used ? this->Image.Get() : nullptr; }
 
 private:
-  using Lights = vtkTextureSliceLightVolume::Lights;
-
-  /// All that the volume depends on but its resolution.
+  /// All that the volume depends on but its resolution. Pointers hold while it is built alone.
   struct Key
   {
     std::array<vtkMTimeType, 2> Times{}; ///< of scalars and mask
@@ -86,9 +84,7 @@ private:
     vtkTextureSliceLightVolume::Lights From;
   };
 
-  /// What the shader must know of isosurfaces; none in other blend modes.
-  void FindSurfaces(const Source& source, const Key& key);
-  void SetSurfaces(vtkShaderProgram* program) const;
+  void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
   void Upload(vtkOpenGLRenderWindow* window);
   std::vector<float> Join() const;
   void MakeImage(vtkImageData* volume, bool cellData);
@@ -101,10 +97,7 @@ private:
   /// The strengths with which the texture has shadow and occlusion in one channel, for colours
   /// without shading; (0, 0): it has them in two, as they are.
   std::array<float, 2> Joined{};
-  float Exposure = 1.0f;                ///< that the texture has
-  std::array<float, 3> ToLight{};       ///< in data coordinates, of length 1; (0, 0, 0): no light
-  std::array<float, 3> InverseAspect{}; ///< as the frame's
-  std::vector<std::array<float, 2>> Surfaces; ///< value, 0 to 1 as in the shader, and what it takes
+  float Exposure = 1.0f; ///< that the texture has
   float HalfScattering = 0.0f;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image;

@@ -271,7 +271,7 @@ void vtkTextureSliceUniforms::Set(vtkShaderProgram* program) const
   }
   if (this->Features.Shadows)
   {
-    this->Shadows->SetUniforms(program);
+    this->Shadows->SetUniforms(program, *this);
   }
   if (this->Features.Skipping)
   {

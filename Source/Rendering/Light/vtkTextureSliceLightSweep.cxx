@@ -34,15 +34,9 @@ inline float Transmit(float depth)
   return scale * power;
 }
 
-/// A place along an axis of the rays: a whole number of rays, and a fraction.
+/// A place along an axis of the rays.
 struct Shift
 {
-  explicit Shift(double place)
-    : Whole(static_cast<int>(std::floor(place)))
-    , Fraction(static_cast<float>(place - this->Whole))
-  {
-  }
-
   int Whole;
   float Fraction;
 };
@@ -61,7 +55,8 @@ struct Axis
 
   Shift At(int plane) const
   {
-    return Shift(std::max(0.0, this->Slope * plane + this->Offset)); // rounding may pass 0
+    const double place = std::max(0.0, this->Slope * plane + this->Offset); // rounding may pass 0
+    return {static_cast<int>(place), static_cast<float>(place - std::floor(place))};
   }
   /// Steps that the ray at a place before the cell 0 of a plane has been inside of the sides of the
   /// volume, and how much more it is for the ray at the next cell.

@@ -52,18 +52,13 @@ void GatherSurfaces(vec3 nearEnd, float nearScalar, vec3 farEnd, float farScalar
 {
   bool rising = farScalar > nearScalar;
   vec2 between = vec2(min(nearScalar, farScalar), max(nearScalar, farScalar));
-  ivec2 range = ivec2(0);
   for (int i = 0; i < TEXTURE_SLICE_ISO_VALUES; ++i)
   {
-    range += ivec2(greaterThan(between, vec2(isoValues[i])));
-  }
-  // A software renderer leaves a loop that has nothing to do, but not a branch.
-  for (int i = range.x; i < range.y; ++i)
-  {
-    int surface = rising ? i : range.x + range.y - 1 - i;
+    int surface = rising ? i : TEXTURE_SLICE_ISO_VALUES - 1 - i;
     float isoValue = isoValues[surface];
     vec4 onSurface;
-    if (FindSurface(isoValue, nearEnd, nearScalar, farEnd, farScalar, onSurface) &&
+    if (isoValue >= between.x && isoValue < between.y &&
+      FindSurface(isoValue, nearEnd, nearScalar, farEnd, farScalar, onSurface) &&
       IsLeft(textureCoordinate))
     {
 #ifdef TEXTURE_SLICE_SHADOWS
