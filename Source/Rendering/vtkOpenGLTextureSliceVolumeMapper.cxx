@@ -583,7 +583,6 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   features.Cropped = parts.Frame.NeedsCropTest();
   features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   features.Shadows = parts.Shadows.IsUsed();
-  features.ScaledLight = parts.Shadows.IsScaled();
   features.Scattering = parts.Shadows.IsScattering();
   features.Peel = parts.Peeling.GetStage();
   features.ClippingPlanes = static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
@@ -601,6 +600,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   parts.LabelWeight = this->MaskBlendFactor;
   parts.CropFlags = this->CroppingRegionFlags;
   parts.Surfaces = parts.Request.MakeSurfaces();
+  parts.IsoValues = parts.Request.FindIsoValues(parts.Texture.GetComponents());
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

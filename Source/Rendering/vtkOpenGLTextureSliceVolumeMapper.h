@@ -165,12 +165,12 @@ public:
   bool UpdateLight(vtkRenderer* renderer, vtkVolume* volume);
 
   /**
-   * How much light arrives, as the last frame (or UpdateLight) used it: an image of unsigned short
-   * in the coordinates of the input, of at most 1,048,576 points (half of the resolution of 256 x
-   * 256 x 128), an eighth of these during an interaction. First component: the transmittance to the
-   * light (65535: all of it arrives); second: its mean over the sky. A component whose strength is
-   * 0 is 65535. nullptr where both are off. It is made anew when the volume, its functions, its
-   * cuts or a direction change; never when the camera moves.
+   * How much light arrives, as the last frame (or UpdateLight) used it: an image of floats in the
+   * coordinates of the input, of at most 1,048,576 points (half of the resolution of 256 x 256 x
+   * 128), an eighth of these during an interaction. First component: the transmittance to the light
+   * (0 to 1: all of it arrives); second: its mean over the sky. A component whose strength is 0 is
+   * 1. nullptr where both are off. It is made anew when the volume, its opacities, its cuts or a
+   * direction change; never when the camera moves or colours change.
    */
   vtkImageData* GetLightVolume();
 

@@ -190,7 +190,7 @@ public:
     vtkPiecewiseFunction* opacity = this->Stage.GetProperty()->GetScalarOpacity();
     std::vector<double> light = this->Renew(
       [&](int i) { this->Lit->SetLightDirection(std::cos(0.5 * i), std::sin(0.5 * i), 1.0); });
-    std::vector<double> table = this->Renew([&](int) { opacity->Modified(); });
+    std::vector<double> table = this->Renew([&](int) { Lower(opacity); });
     std::vector<double> volume = this->Renew(
       [&](int)
       {
@@ -198,7 +198,7 @@ public:
         this->Lit->PreLoadData(this->Stage.GetRenderer(), this->Stage.GetVolume());
       });
     this->Stage.GetWindow()->SetDesiredUpdateRate(15.0);
-    std::vector<double> dragged = this->Renew([&](int) { opacity->Modified(); });
+    std::vector<double> dragged = this->Renew([&](int) { Lower(opacity); });
     const int* size = this->Image->GetDimensions();
     const double plain = Median(this->PlainTimes);
     const double lit = Median(this->LitTimes);
@@ -210,6 +210,18 @@ public:
   }
 
 private:
+  /// Makes all of a function a little less.
+  static void Lower(vtkPiecewiseFunction* function)
+  {
+    for (int i = 0; i < function->GetSize(); ++i)
+    {
+      double node[4];
+      function->GetNodeValue(i, node);
+      node[1] *= 0.99;
+      function->SetNodeValue(i, node);
+    }
+  }
+
   /// Those of the preset "iso-values", lit as in the scene of nexrad3d.
   void UseSurfaces()
   {

@@ -231,10 +231,9 @@ TEST(GroundShadow, DarkensThePictureOfTheGround)
   };
   const auto picture = makeImage({4, 2}, VTK_UNSIGNED_CHAR, 3);
   std::fill_n(static_cast<unsigned char*>(picture->GetScalarPointer()), 24, 200);
-  const auto light = makeImage({2, 2}, VTK_UNSIGNED_SHORT, 2);
-  const std::array<unsigned short, 8> arriving = {0, 65535, 65535, 65535, 0, 65535, 65535, 65535};
-  std::copy(
-    arriving.begin(), arriving.end(), static_cast<unsigned short*>(light->GetScalarPointer()));
+  const auto light = makeImage({2, 2}, VTK_FLOAT, 2);
+  const std::array<float, 8> arriving = {0, 1, 1, 1, 0, 1, 1, 1};
+  std::copy(arriving.begin(), arriving.end(), static_cast<float*>(light->GetScalarPointer()));
   vtkNew<vtkActor> ground;
   vtkNew<vtkTexture> own;
   own->SetInputData(picture);

@@ -73,7 +73,6 @@ std::string vtkTextureSliceFeatures::GetDefines() const
   DefineIf(this->BinaryMask, defines, "BINARY_MASK");
   DefineIf(this->Selection, defines, "SELECTION");
   DefineIf(this->Shadows, defines, "SHADOWS");
-  DefineIf(this->ScaledLight, defines, "SCALED_LIGHT");
   DefineIf(this->Scattering, defines, "SCATTERING");
   defines += std::string("#define TEXTURE_SLICE_TABLE ") + SamplerOf(this->CountRows()) + '\n';
   if (this->Labels > 0)

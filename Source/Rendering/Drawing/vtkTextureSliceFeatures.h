@@ -23,13 +23,12 @@ struct vtkTextureSliceFeatures
   bool Table2D = false;        ///< functions over scalar and gradient magnitude, or a second array
   int SecondArray = 0;         ///< components of the second array; 0: there is none
   bool SecondMasked = false;
-  bool BinaryMask = false;  ///< samples outside of the mask are left out
-  int Labels = 0;           ///< labels that have functions of their own
-  bool Selection = false;   ///< what is seen gets the one colour that a hardware selection asks for
-  bool Shadows = false;     ///< the light volume says how much light arrives
-  bool ScaledLight = false; ///< the cells of the light end beyond the volume
-  bool Scattering = false;  ///< a part of the light is scattered, and shadowed in full
-  int Lights = -1;          ///< -1: unlit; 0: a single headlight; else the number of lights
+  bool BinaryMask = false; ///< samples outside of the mask are left out
+  int Labels = 0;          ///< labels that have functions of their own
+  bool Selection = false;  ///< what is seen gets the one colour that a hardware selection asks for
+  bool Shadows = false;    ///< the light volume says how much light arrives
+  bool Scattering = false; ///< a part of the light is scattered, and shadowed in full
+  int Lights = -1;         ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
   int Contours = 0; ///< rays begin at the first contour of these values; 0: where they enter
   /// Neighbouring slabs share a sample, and several are computed faster than one after the other.

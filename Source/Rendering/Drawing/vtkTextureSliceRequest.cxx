@@ -45,14 +45,19 @@ void SetScales(const std::vector<vtkTextureSliceComponent>& components, const ch
   program->SetUniform4f(biasName, bias.data());
 }
 
-void SetValues(const std::vector<double>& scalars, const vtkTextureSliceComponent& component,
-  const char* name, vtkShaderProgram* program)
+std::vector<float> Normalize(
+  const std::vector<double>& scalars, const vtkTextureSliceComponent& component)
 {
   std::vector<float> values;
   for (const double scalar : scalars)
   {
     values.push_back(Normalized(scalar, component));
   }
+  return values;
+}
+
+void SetValues(vtkShaderProgram* program, const char* name, const std::vector<float>& values)
+{
   program->SetUniform1fv(name, static_cast<int>(values.size()), values.data());
 }
 
@@ -388,6 +393,12 @@ std::vector<vtkTextureSliceSurface> vtkTextureSliceRequest::MakeSurfaces() const
   return surfaces;
 }
 
+std::vector<float> vtkTextureSliceRequest::FindIsoValues(
+  const std::vector<vtkTextureSliceComponent>& components) const
+{
+  return Normalize(this->GetIsoValues(), components.back());
+}
+
 void vtkTextureSliceRequest::SetUniforms(
   const std::vector<vtkTextureSliceComponent>& components, vtkShaderProgram* program) const
 {
@@ -405,8 +416,8 @@ void vtkTextureSliceRequest::SetUniforms(
     [this](const vtkTextureSliceComponent& target)
     { return Normalized(this->Property->GetClippedVoxelIntensity(), target); });
   program->SetUniform4f("clippedScalars", clipped.data());
-  SetValues(this->GetIsoValues(), components.back(), "isoValues", program);
-  SetValues(this->Contours, components.front(), "contours", program);
+  SetValues(program, "isoValues", this->FindIsoValues(components));
+  SetValues(program, "contours", Normalize(this->Contours, components.front()));
   const std::array<float, 2> averageRange{Normalized(this->AverageRange[0], components[0]),
     Normalized(this->AverageRange[1], components[0])};
   program->SetUniform2f("averageRange", averageRange.data());

@@ -57,6 +57,8 @@ struct vtkTextureSliceRequest
   const char* FindUnsupportedRange(const std::vector<vtkTextureSliceComponent>& components) const;
   /// The values of the isosurfaces, ascending; none in other blend modes.
   std::vector<double> GetIsoValues() const;
+  /// The same, 0 to 1 as the scalars are.
+  std::vector<float> FindIsoValues(const std::vector<vtkTextureSliceComponent>& components) const;
   /// The plane that slice blending shows; nullptr in other blend modes.
   vtkPlane* GetSlicePlane() const;
   /// Whether nothing is to be seen: isosurfaces without values.

@@ -13,7 +13,6 @@
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTexture.h"
-#include "vtkUnsignedShortArray.h"
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
@@ -23,7 +22,7 @@
 namespace
 {
 
-using Function = vtkTextureSliceExtinction::Function;
+using Function = vtkTextureSliceLightCells::Function;
 using Lights = vtkTextureSliceLightVolume::Lights;
 using Source = vtkTextureSliceShadows::Source;
 
@@ -59,124 +58,92 @@ Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& set
     (settings.Shadow > 0.0 || settings.Scattering > 0.0) && IsDirection(settings.ToLight);
   lights.Occlusion = settings.Occlusion > 0.0 && IsDirection(settings.Zenith);
   lights.Reach = settings.Reach;
-  lights.ToLight = source.Frame->GetDataDirection(settings.ToLight);
-  double east[3];
-  double north[3];
-  std::array<double, 3> zenith = settings.Zenith;
-  vtkMath::Normalize(zenith.data());
-  vtkMath::Perpendiculars(zenith.data(), east, north, 0.0);
-  lights.Sky = {source.Frame->GetDataDirection({east[0], east[1], east[2]}),
-    source.Frame->GetDataDirection({north[0], north[1], north[2]}),
-    source.Frame->GetDataDirection(zenith)};
+  lights.ToLight = {};
+  if (lights.Shadow)
+  {
+    lights.ToLight = source.Frame->GetDataDirection(settings.ToLight);
+  }
+  if (lights.Occlusion)
+  {
+    double east[3];
+    double north[3];
+    std::array<double, 3> zenith = settings.Zenith;
+    vtkMath::Normalize(zenith.data());
+    vtkMath::Perpendiculars(zenith.data(), east, north, 0.0);
+    lights.Sky = {source.Frame->GetDataDirection({east[0], east[1], east[2]}),
+      source.Frame->GetDataDirection({north[0], north[1], north[2]}),
+      source.Frame->GetDataDirection(zenith)};
+  }
   return lights;
 }
 
-/// What turns a row's optical depths, in halvings of a unit distance, into extinctions.
-std::vector<float> FindScales(const vtkTextureSliceRequest& request, double density)
+/// The functions of each value of the mask, if there is one; a label's own count as much as its
+/// weight says.
+std::vector<std::vector<Function>> MakeFunctions(const Source& source, double density)
 {
-  std::vector<float> scales;
-  for (const vtkTextureSliceSurface& surface : request.MakeSurfaces())
-  {
-    scales.push_back(
-      static_cast<float>(density * std::log(2.0)) * surface.InverseUnitDistance * surface.Weight);
-  }
-  return scales;
-}
-
-Function MakeFunction(const vtkTextureSliceTable& table, std::size_t row,
-  const vtkTextureSliceComponent& component, std::size_t index, float scale)
-{
-  Function function{index, component.Range, table.GetAlphas(row)};
-  for (float& entry : function.Entries)
-  {
-    entry *= scale;
-  }
-  return function;
-}
-
-/// One function for each component that has its own, or that of the opacity.
-std::vector<Function> MakeFunctions(const Source& source, double density)
-{
+  const vtkTextureSliceFeatures features = source.Request->GetFeatures();
   const auto& components = source.Texture->GetComponents();
-  const std::vector<float> scales = FindScales(*source.Request, density);
-  const auto count = static_cast<std::size_t>(source.Request->GetFeatures().Functions);
-  std::vector<Function> functions;
+  const std::vector<vtkTextureSliceSurface> surfaces = source.Request->MakeSurfaces();
+  // The table has halvings of a unit distance.
+  const auto make = [&](const vtkTextureSliceTable& table, std::size_t row, std::size_t component,
+                      const vtkTextureSliceSurface& surface, double weight)
+  {
+    Function function{component, components[component].Range, table.GetAlphas(row)};
+    const float scale = static_cast<float>(density * std::log(2.0) * weight) *
+                        surface.InverseUnitDistance * surface.Weight;
+    for (float& entry : function.Entries)
+    {
+      entry *= scale;
+    }
+    return function;
+  };
+  const auto count = static_cast<std::size_t>(features.Functions);
+  std::vector<std::vector<Function>> functions(features.BinaryMask ? 2 : 1);
   for (std::size_t i = 0; i < count; ++i)
   {
+    // One function for each component, or that of the opacity.
     const std::size_t component = count > 1 ? i : components.size() - 1;
-    functions.push_back(
-      MakeFunction(*source.Table, i, components[component], component, scales[i]));
+    functions.back().push_back(make(*source.Table, i, component, surfaces[i], 1.0));
   }
-  return functions;
-}
-
-/// The functions of each label; a label's own count as much as its weight says.
-std::vector<std::vector<Function>> MakeLabelFunctions(
-  const Source& source, int labels, double density)
-{
-  const Function common = MakeFunctions(source, density).front();
-  const auto& component = source.Texture->GetComponents().front();
-  const float scale = FindScales(*source.Request, density).front();
-  std::vector<std::vector<Function>> functions{{common}};
-  for (int label = 0; label < labels; ++label)
+  for (int label = 0; label < features.Labels; ++label)
   {
     const auto row = static_cast<std::size_t>(label);
-    const auto weight = static_cast<float>(source.LabelWeight);
-    functions.push_back(
-      {MakeFunction(*source.LabelTable, row, component, 0, scale * weight), common});
-    for (float& entry : functions.back()[1].Entries)
-    {
-      entry *= 1.0f - weight;
-    }
+    functions.push_back({make(*source.LabelTable, row, 0, surfaces[0], source.LabelWeight),
+      make(*source.Table, 0, 0, surfaces[0], 1.0 - source.LabelWeight)});
   }
   return functions;
 }
 
-/// Whether a place of the box is outside of what cropping and clipping planes leave.
-std::function<bool(const std::array<double, 3>&)> MakeCut(const Source& source)
+/// What cropping and clipping planes leave of the box; nothing: all of it.
+std::optional<vtkTextureSliceLightCells::Cut> FindCut(const Source& source)
 {
   const vtkTextureSliceFrame& frame = *source.Frame;
-  const vtkTextureSliceView& view = frame.GetView();
-  const bool whole = view.Part == std::array<double, 6>{0, 1, 0, 1, 0, 1};
-  if (whole && view.ClippingPlanes.empty() && !frame.NeedsCropTest())
+  vtkTextureSliceLightCells::Cut cut{frame.GetView().Part, frame.GetView().ClippingPlanes};
+  if (frame.NeedsCropTest())
   {
-    return {};
-  }
-  return [&frame, &view, flags = source.CropFlags](const std::array<double, 3>& at)
-  {
-    int region = 0;
-    constexpr std::array<int, 3> weights{1, 3, 9};
+    cut.CropFlags = source.CropFlags;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      if (at[axis] < view.Part[2 * axis] || at[axis] > view.Part[2 * axis + 1])
+      const auto toBox = [&](float texture)
       {
-        return true;
-      }
-      const double texture = at[axis] * static_cast<double>(frame.GetTextureScale()[axis]) +
-                             static_cast<double>(frame.GetTextureBias()[axis]);
-      region +=
-        weights[axis] * ((texture >= static_cast<double>(frame.GetCropLow()[axis]) ? 1 : 0) +
-                          (texture > static_cast<double>(frame.GetCropHigh()[axis]) ? 1 : 0));
+        return static_cast<double>(texture - frame.GetTextureBias()[axis]) /
+               static_cast<double>(frame.GetTextureScale()[axis]);
+      };
+      cut.CropLow[axis] = toBox(frame.GetCropLow()[axis]);
+      cut.CropHigh[axis] = toBox(frame.GetCropHigh()[axis]);
     }
-    const bool clipped = std::any_of(view.ClippingPlanes.begin(), view.ClippingPlanes.end(),
-      [&](const std::array<double, 4>& plane)
-      { return plane[0] * at[0] + plane[1] * at[1] + plane[2] * at[2] + plane[3] < 0.0; });
-    return clipped || (frame.NeedsCropTest() && (flags >> region & 1) == 0);
-  };
-}
-
-/// A value of the component that has the surfaces as the shader knows it, 0 to 1 over the range.
-double Normalize(const Source& source, double value)
-{
-  const std::array<double, 2>& range = source.Texture->GetComponents().back().Range;
-  return (value - range[0]) / (range[1] > range[0] ? range[1] - range[0] : 1.0);
+  }
+  const bool whole = cut == vtkTextureSliceLightCells::Cut();
+  return whole ? std::nullopt : std::optional(cut);
 }
 
 /// The opacity of a surface as the shader looks it up in the first row of the table.
 double FindOpacity(const Source& source, double value)
 {
   const auto last = static_cast<double>(source.Table->GetWidth() - 1);
-  const double entry = std::clamp(Normalize(source, value), 0.0, 1.0) * last;
+  const std::array<double, 2>& range = source.Texture->GetComponents().back().Range;
+  const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
+  const double entry = std::clamp((value - range[0]) / width, 0.0, 1.0) * last;
   const auto low = static_cast<std::size_t>(entry);
   const std::size_t high = std::min(low + 1, source.Table->GetWidth() - 1);
   const double part = entry - static_cast<double>(low);
@@ -186,10 +153,9 @@ double FindOpacity(const Source& source, double value)
 }
 
 /// The isosurfaces as light crosses them; none in other blend modes.
-std::vector<vtkTextureSliceSurfaceScalars::Surface> MakeSurfaces(
-  const Source& source, double density)
+std::vector<vtkTextureSliceLightCells::Surface> MakeSurfaces(const Source& source, double density)
 {
-  std::vector<vtkTextureSliceSurfaceScalars::Surface> surfaces;
+  std::vector<vtkTextureSliceLightCells::Surface> surfaces;
   for (const double value : source.Request->GetIsoValues())
   {
     const double opacity = FindOpacity(source, value);
@@ -200,95 +166,33 @@ std::vector<vtkTextureSliceSurfaceScalars::Surface> MakeSurfaces(
   return surfaces;
 }
 
-vtkTextureSliceSurfaceScalars::Source MakeSurfaceSource(const Source& source, double density)
-{
-  vtkTextureSliceSurfaceScalars::Source made;
-  made.Scalars =
-    vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame->IsOfCells());
-  made.Component = source.Texture->GetComponents().size() - 1;
-  made.Masked = source.Texture->IsMasked();
-  if (source.Request->GetFeatures().HasMask())
-  {
-    made.Mask = static_cast<const unsigned char*>(source.MaskValues->GetVoidPointer(0));
-  }
-  const double* spacing = source.Image->GetSpacing();
-  made.VoxelEdge = {std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2])};
-  made.IsCut = MakeCut(source);
-  made.Surfaces = MakeSurfaces(source, density);
-  return made;
-}
-
-vtkTextureSliceExtinction::Source MakeSource(const Source& source, double density)
+vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density)
 {
   const vtkTextureSliceFeatures features = source.Request->GetFeatures();
-  vtkTextureSliceExtinction::Source made;
+  vtkTextureSliceLightCells::Source made;
   made.Scalars =
     vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame->IsOfCells());
   made.Masked = source.Texture->IsMasked();
-  if (features.Labels > 0)
-  {
-    made.Functions = MakeLabelFunctions(source, features.Labels, density);
-  }
-  else if (features.BinaryMask)
-  {
-    made.Functions = {{}, MakeFunctions(source, density)};
-  }
-  else
-  {
-    made.Functions = {MakeFunctions(source, density)};
-  }
   if (features.HasMask())
   {
     made.Mask = static_cast<const unsigned char*>(source.MaskValues->GetVoidPointer(0));
   }
+  if (HasSurfaces(features))
+  {
+    made.Surfaces = MakeSurfaces(source, density);
+    made.Component = source.Texture->GetComponents().size() - 1;
+  }
+  else
+  {
+    made.Functions = MakeFunctions(source, density);
+  }
   const double* spacing = source.Image->GetSpacing();
   made.VoxelEdge = {std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2])};
-  made.IsCut = MakeCut(source);
+  made.Left = FindCut(source);
   return made;
 }
 
 } // namespace
-
-vtkTextureSliceShadows::vtkTextureSliceShadows() = default;
-vtkTextureSliceShadows::~vtkTextureSliceShadows() = default;
-
-vtkTextureSliceShadows::Key vtkTextureSliceShadows::MakeKey(
-  const Source& source, const Lights& lights, double density)
-{
-  const vtkTextureSliceFeatures features = source.Request->GetFeatures();
-  const vtkTextureSliceFrame& frame = *source.Frame;
-  std::vector<double> numbers(frame.GetView().Part.begin(), frame.GetView().Part.end());
-  const double* spacing = source.Image->GetSpacing();
-  numbers.insert(numbers.end(), spacing, spacing + 3);
-  numbers.push_back(source.LabelWeight);
-  const auto add = [&numbers](const auto& values)
-  { numbers.insert(numbers.end(), values.begin(), values.end()); };
-  if (lights.Shadow)
-  {
-    add(lights.ToLight);
-    numbers.push_back(lights.Reach);
-  }
-  for (std::size_t i = 0; i < 3 && lights.Occlusion; ++i)
-  {
-    add(lights.Sky[i]);
-  }
-  if (frame.NeedsCropTest())
-  {
-    add(frame.GetCropLow());
-    add(frame.GetCropHigh());
-  }
-  const std::array<vtkMTimeType, 4> times{source.Texture->GetBricks().GetBuildTime(),
-    source.Table->GetFillTime(), features.Labels > 0 ? source.LabelTable->GetFillTime() : 0,
-    features.HasMask() ? source.MaskValues->GetMTime() : 0};
-  for (const auto& [value, depth] : MakeSurfaces(source, density))
-  {
-    add(std::array<float, 2>{value, depth});
-  }
-  const int parts = (lights.Shadow ? 1 : 0) + (lights.Occlusion ? 2 : 0);
-  const int cropped = frame.NeedsCropTest() ? source.CropFlags : -1;
-  return {times, features.GetDefines() + std::to_string(parts),
-    FindScales(*source.Request, density), numbers, frame.GetView().ClippingPlanes, cropped};
-}
 
 void vtkTextureSliceShadows::Update(
   vtkOpenGLRenderWindow* window, const Source& source, const vtkTextureSliceShadowSettings& asked)
@@ -307,20 +211,22 @@ void vtkTextureSliceShadows::Update(
   {
     return;
   }
-  this->Strength = {static_cast<float>(settings.Shadow), static_cast<float>(settings.Occlusion)};
   this->HalfScattering = static_cast<float>(settings.Scattering / 2.0);
-  const Lights lights = FindLights(source, settings);
-  this->FindSurfaces(source, lights, settings.Density);
-  Key key = MakeKey(source, lights, settings.Density);
+  Key key{{source.Texture->GetBricks().GetBuildTime(),
+            features.HasMask() ? source.MaskValues->GetMTime() : 0},
+    MakeCells(source, settings.Density), FindLights(source, settings)};
+  // The shader weakens by surfaces themselves, too: not without a light, or a sky.
+  this->Strength = {key.From.Shadow ? static_cast<float>(settings.Shadow) : 0.0f,
+    key.From.Occlusion ? static_cast<float>(settings.Occlusion) : 0.0f};
   const bool finer = this->Coarse && !settings.Interactive;
-  if (key != this->Last || finer)
+  if (key.Times != this->Last.Times || !key.Cells.IsLike(this->Last.Cells) ||
+      !(key.From == this->Last.From) || finer)
   {
-    const std::size_t mostCells = settings.Interactive ? MostCellsOfInteraction : MostCells;
-    surfaces ? this->Volume.Build(MakeSurfaceSource(source, settings.Density), lights, mostCells)
-             : this->Volume.Build(MakeSource(source, settings.Density), lights, mostCells);
+    this->Volume.Build(
+      key.Cells, key.From, settings.Interactive ? MostCellsOfInteraction : MostCells);
     this->Coarse = settings.Interactive;
     this->Last = std::move(key);
-    this->PlaceImage(source.Image, source.Frame->IsOfCells());
+    this->MakeImage(source.Image, source.Frame->IsOfCells());
     this->Texture->ReleaseGraphicsResources(window);
   }
   // Surfaces and shading weigh shadow and occlusion apart.
@@ -335,83 +241,41 @@ void vtkTextureSliceShadows::Update(
   }
 }
 
-void vtkTextureSliceShadows::FindSurfaces(
-  const Source& source, const Lights& lights, double density)
-{
-  this->Surfaces.clear();
-  for (const auto& [value, depth] : MakeSurfaces(source, density))
-  {
-    this->Surfaces.push_back(static_cast<float>(Normalize(source, static_cast<double>(value))));
-    this->Surfaces.push_back(1.0f - std::exp(-depth));
-  }
-  if (this->Surfaces.empty())
-  {
-    return;
-  }
-  this->InverseAspect = source.Frame->GetInverseAspect();
-  // The shader weakens by the surfaces themselves, too: not without a light, or a sky.
-  this->Strength = {
-    lights.Shadow ? this->Strength[0] : 0.0f, lights.Occlusion ? this->Strength[1] : 0.0f};
-  const double length = std::hypot(lights.ToLight[0], lights.ToLight[1], lights.ToLight[2]);
-  std::transform(lights.ToLight.begin(), lights.ToLight.end(), this->ToLight.begin(),
-    [&](double part) { return lights.Shadow ? static_cast<float>(part / length) : 0.0f; });
-}
-
 void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
 {
   const auto& size = this->Volume.GetGrid().Size;
   const bool apart = this->Joined == std::array<float, 2>{};
+  std::vector<float> joined = apart ? std::vector<float>() : this->Join();
   this->Texture->ReleaseGraphicsResources(window);
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
+  // A software renderer converts texels of 16 bits whenever it reads them.
   this->Texture->SetInternalFormat(apart ? GL_RG16 : GL_R32F);
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
   this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
-  const auto create = [&](int channels, int type, void* texels)
-  {
-    this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
-      static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels, type,
-      texels);
-  };
-  if (apart)
-  {
-    std::vector<std::uint16_t> texels = this->Volume.GetTexels();
-    create(2, VTK_UNSIGNED_SHORT, texels.data());
-  }
-  else
-  {
-    // Floats, because a software renderer converts all other texels whenever it reads them.
-    std::vector<float> texels = this->Join();
-    create(1, VTK_FLOAT, texels.data());
-  }
+  this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
+    static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), apart ? 2 : 1,
+    VTK_FLOAT, apart ? this->Volume.GetLight()->GetPointer(0) : joined.data());
 }
 
 /// What shadow and occlusion leave of a colour, for each cell (Formulas L2).
 std::vector<float> vtkTextureSliceShadows::Join() const
 {
-  constexpr float full = 65535.0f;
-  const std::vector<std::uint16_t>& light = this->Volume.GetTexels();
-  const auto weaken = [](std::uint16_t texel, float strength)
-  { return 1.0f - strength * (1.0f - static_cast<float>(texel) / full); };
-  std::vector<float> left(light.size() / 2);
-  for (std::size_t i = 0; i < left.size(); ++i)
+  const float* light = this->Volume.GetLight()->GetPointer(0);
+  std::vector<float> left(this->Volume.GetGrid().CountCells());
+  for (float& of : left)
   {
-    left[i] = std::min(1.0f, this->Exposure * weaken(light[2 * i], this->Joined[0]) *
-                               weaken(light[2 * i + 1], this->Joined[1]));
+    const float shadow = 1.0f - this->Joined[0] * (1.0f - *light++);
+    const float occlusion = 1.0f - this->Joined[1] * (1.0f - *light++);
+    of = std::min(1.0f, this->Exposure * shadow * occlusion);
   }
   return left;
 }
 
-bool vtkTextureSliceShadows::IsScaled() const
-{
-  const std::array<float, 3> same{1.0f, 1.0f, 1.0f};
-  return this->Used && this->Volume.GetGrid().GetTextureScale() != same;
-}
-
-void vtkTextureSliceShadows::PlaceImage(vtkImageData* volume, bool cellData)
+void vtkTextureSliceShadows::MakeImage(vtkImageData* volume, bool cellData)
 {
   const vtkTextureSliceLightGrid& grid = this->Volume.GetGrid();
   double first[3];
@@ -431,65 +295,52 @@ void vtkTextureSliceShadows::PlaceImage(vtkImageData* volume, bool cellData)
   this->Image->SetOrigin(origin);
   this->Image->SetSpacing(spacing);
   this->Image->SetDirectionMatrix(volume->GetDirectionMatrix());
+  this->Image->GetPointData()->SetScalars(this->Volume.GetLight());
 }
 
-vtkImageData* vtkTextureSliceShadows::GetImage()
+void vtkTextureSliceShadows::SetUniforms(
+  vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const
 {
-  if (!this->Used)
-  {
-    return nullptr;
-  }
-  if (this->Image->GetPointData()->GetScalars() == nullptr)
-  {
-    const std::vector<std::uint16_t>& texels = this->Volume.GetTexels();
-    vtkNew<vtkUnsignedShortArray> light;
-    light->SetName("light");
-    light->SetNumberOfComponents(2);
-    light->SetNumberOfTuples(this->Image->GetNumberOfPoints());
-    std::copy(texels.begin(), texels.end(), light->GetPointer(0));
-    this->Image->GetPointData()->SetScalars(light);
-  }
-  return this->Image;
-}
-
-void vtkTextureSliceShadows::SetUniforms(vtkShaderProgram* program) const
-{
-  program->SetUniformi("lightTexture", this->Texture->GetTextureUnit());
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
   program->SetUniformf("scattering", this->HalfScattering);
-  this->SetSurfaces(program);
+  if (!this->Last.Cells.Surfaces.empty())
+  {
+    this->SetSurfaces(program, uniforms);
+  }
 }
 
-void vtkTextureSliceShadows::SetSurfaces(vtkShaderProgram* program) const
+void vtkTextureSliceShadows::SetSurfaces(
+  vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const
 {
-  if (this->Surfaces.empty())
-  {
-    return;
-  }
   const vtkTextureSliceLightGrid& grid = this->Volume.GetGrid();
-  std::array<float, 3> toLight{};
+  std::array<double, 3> toLight = this->Last.From.ToLight;
   std::array<float, 3> gradientToCells{};
   std::array<float, 3> gradientToChange{};
   std::array<float, 3> cell{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // The gradient is the change over two voxels, times the signed aspect of the shader.
-    const float aspect = this->InverseAspect[axis];
+    const float aspect = uniforms.Frame.GetInverseAspect()[axis];
     const float sign = aspect < 0.0f ? -1.0f : 1.0f;
-    const auto edge = static_cast<float>(grid.CellEdge[axis]);
-    toLight[axis] = this->ToLight[axis] / edge;
-    gradientToCells[axis] = sign * edge;
+    toLight[axis] /= grid.CellEdge[axis];
+    gradientToCells[axis] = sign * static_cast<float>(grid.CellEdge[axis]);
     gradientToChange[axis] = 0.5f * static_cast<float>(grid.Factor[axis]) / aspect;
     cell[axis] = 1.0f / static_cast<float>(grid.Size[axis]);
   }
   vtkMath::Normalize(toLight.data());
+  std::vector<float> surfaces; // value and what it takes of the light
+  for (std::size_t i = 0; i < uniforms.IsoValues.size(); ++i)
+  {
+    surfaces.push_back(uniforms.IsoValues[i]);
+    surfaces.push_back(1.0f - std::exp(-this->Last.Cells.Surfaces[i].Depth));
+  }
   program->SetUniform3f("toLight", toLight.data());
   program->SetUniform3f("gradientToCells", gradientToCells.data());
   program->SetUniform3f("gradientToChange", gradientToChange.data());
   program->SetUniform3f("lightCell", cell.data());
-  program->SetUniform2fv("lightSurfaces", static_cast<int>(this->Surfaces.size() / 2),
-    reinterpret_cast<const float(*)[2]>(this->Surfaces.data()));
+  program->SetUniform2fv("lightSurfaces", static_cast<int>(surfaces.size() / 2),
+    reinterpret_cast<const float(*)[2]>(surfaces.data()));
 }
 
 void vtkTextureSliceShadows::ReleaseGraphicsResources(vtkWindow* window)

@@ -9,8 +9,6 @@
 #include "vtkType.h"
 
 #include <array>
-#include <string>
-#include <tuple>
 #include <vector>
 
 class vtkDataArray;
@@ -22,7 +20,7 @@ class vtkTextureSliceTable;
 class vtkTextureSliceTexture;
 class vtkWindow;
 struct vtkTextureSliceRequest;
-struct vtkTextureSliceSurface;
+struct vtkTextureSliceUniforms;
 
 /// Where light comes from, in world coordinates, and how much it matters.
 struct vtkTextureSliceShadowSettings
@@ -48,9 +46,6 @@ struct vtkTextureSliceShadowSettings
 class vtkTextureSliceShadows
 {
 public:
-  vtkTextureSliceShadows();
-  ~vtkTextureSliceShadows();
-
   /// What the volume is made from; all of it must be up to date.
   struct Source
   {
@@ -74,28 +69,25 @@ public:
   bool IsUsed() const { return this->Used; }
   /// Whether a part of the light is scattered, too.
   bool IsScattering() const { return this->Used && this->HalfScattering > 0.0f; }
-  /// Whether the volume's size is no multiple of the cells', so that texture coordinates differ.
-  bool IsScaled() const;
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  void SetUniforms(vtkShaderProgram* program) const;
+  void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
 
-  /// The volume in data coordinates, as unsigned short of two components; nullptr if not used.
-  vtkImageData* GetImage();
+  /// The volume in data coordinates, of two components; nullptr if not used.
+  vtkImageData* GetImage() const { return this->Used ? this->Image.Get() : nullptr; }
 
 private:
-  /// All that the volume depends on but its resolution, the order that of MakeKey.
-  using Key = std::tuple<std::array<vtkMTimeType, 4>, std::string, std::vector<float>,
-    std::vector<double>, std::vector<std::array<double, 4>>, int>;
-  static Key MakeKey(
-    const Source& source, const vtkTextureSliceLightVolume::Lights& lights, double density);
+  /// All that the volume depends on but its resolution. Pointers hold while it is built alone.
+  struct Key
+  {
+    std::array<vtkMTimeType, 2> Times{}; ///< of scalars and mask
+    vtkTextureSliceLightCells::Source Cells;
+    vtkTextureSliceLightVolume::Lights From;
+  };
 
-  /// What the shader must know of isosurfaces; none in other blend modes.
-  void FindSurfaces(
-    const Source& source, const vtkTextureSliceLightVolume::Lights& lights, double density);
-  void SetSurfaces(vtkShaderProgram* program) const;
+  void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
   void Upload(vtkOpenGLRenderWindow* window);
   std::vector<float> Join() const;
-  void PlaceImage(vtkImageData* volume, bool cellData);
+  void MakeImage(vtkImageData* volume, bool cellData);
 
   bool Used = false;
   bool Coarse = false;
@@ -105,13 +97,10 @@ private:
   /// The strengths with which the texture has shadow and occlusion in one channel, for colours
   /// without shading; (0, 0): it has them in two, as they are.
   std::array<float, 2> Joined{};
-  float Exposure = 1.0f;                ///< that the texture has
-  std::array<float, 3> ToLight{};       ///< in data coordinates, of length 1; (0, 0, 0): no light
-  std::array<float, 3> InverseAspect{}; ///< as the frame's
-  std::vector<float> Surfaces;          ///< value, 0 to 1 as in the shader, and what each takes
+  float Exposure = 1.0f; ///< that the texture has
   float HalfScattering = 0.0f;
   vtkNew<vtkTextureObject> Texture;
-  vtkNew<vtkImageData> Image; ///< without scalars until it is asked for
+  vtkNew<vtkImageData> Image;
 };
 
 #endif

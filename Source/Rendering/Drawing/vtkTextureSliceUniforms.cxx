@@ -157,7 +157,7 @@ void vtkTextureSliceUniforms::SetParts(vtkShaderProgram* program) const
   }
   if (features.Shadows)
   {
-    this->Shadows.SetUniforms(program);
+    this->Shadows.SetUniforms(program, *this);
   }
   if (features.Peel > 0)
   {

@@ -56,6 +56,7 @@ struct vtkTextureSliceUniforms
   double PixelSize = 1.0;                       ///< pixels of the viewport for one of the picture
   float LabelWeight = 1.0f;                     ///< how much the label's functions count
   std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
+  std::vector<float> IsoValues; ///< of isosurfaces, ascending, 0 to 1 as the scalars are
   int CropFlags = 0;
   std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceLightGrid.h"
 
-#include "vtkSMPTools.h"
-
 #include <algorithm>
 
 vtkTextureSliceLightGrid vtkTextureSliceLightGrid::Choose(const std::array<int, 3>& voxels,
@@ -51,31 +49,6 @@ double vtkTextureSliceLightGrid::GetPlace(int cell, std::size_t axis) const
   const double low = this->GetMargin(axis, false);
   const double intervals = low + this->Size[axis] - 1 + this->GetMargin(axis, true);
   return (cell + low) / intervals;
-}
-
-void vtkTextureSliceLightGrid::Replace(
-  const Cut& isCut, float value, std::vector<float>& values) const
-{
-  if (!isCut)
-  {
-    return;
-  }
-  const auto [nx, ny, nz] = this->Size;
-  vtkSMPTools::For(0, vtkIdType{ny} * nz,
-    [&, nx = nx, ny = ny](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType row = begin; row < end; ++row)
-      {
-        std::array<double, 3> at{0.0, this->GetPlace(static_cast<int>(row % ny), 1),
-          this->GetPlace(static_cast<int>(row / ny), 2)};
-        float* cells = values.data() + row * nx;
-        for (int x = 0; x < nx; ++x)
-        {
-          at[0] = this->GetPlace(x, 0);
-          cells[x] = isCut(at) ? value : cells[x];
-        }
-      }
-    });
 }
 
 double vtkTextureSliceLightGrid::GetMargin(std::size_t axis, bool high) const

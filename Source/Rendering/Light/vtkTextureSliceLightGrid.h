@@ -7,8 +7,6 @@
 
 #include <array>
 #include <cstddef>
-#include <functional>
-#include <vector>
 
 /**
  * A volume cut into cells of whole voxels, as near to cubes as they can be. Lengths are data
@@ -39,10 +37,6 @@ struct VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightGrid
   Rows GetRows(int cell, std::size_t axis) const;
   /// Where the centre of a cell lies in the volume, 0 to 1 along an axis.
   double GetPlace(int cell, std::size_t axis) const;
-  /// Says whether a place of the volume (0 to 1 along each axis) is cut away; empty: none is.
-  using Cut = std::function<bool(const std::array<double, 3>&)>;
-  /// Gives the cells whose centre is cut away that value.
-  void Replace(const Cut& isCut, float value, std::vector<float>& values) const;
   /// Cells from the centre of the outermost cell to the face of the volume; below 0 where the
   /// centre of an incomplete cell is outside.
   double GetMargin(std::size_t axis, bool high) const;

@@ -15,68 +15,34 @@ namespace
 
 using Lights = vtkTextureSliceLightVolume::Lights;
 
-void SetComponent(
-  const std::vector<float>& light, std::size_t component, std::vector<std::uint16_t>& texels)
+/// Light between the centres of cells, beyond them that of the outermost ones.
+float Interpolate(
+  const std::vector<float>& light, const std::array<int, 3>& size, const std::array<double, 3>& at)
 {
-  constexpr float full = vtkTextureSliceLightVolume::FullLight;
-  vtkSMPTools::For(0, static_cast<vtkIdType>(light.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (auto i = static_cast<std::size_t>(begin); i < static_cast<std::size_t>(end); ++i)
-      {
-        const float rounded = light[i] * full + 0.5f;
-        texels[2 * i + component] =
-          static_cast<std::uint16_t>(static_cast<int>(rounded < full ? rounded : full));
-      }
-    });
-}
-
-/// A sampled quantity between the centres of cells, beyond them that of the outermost ones.
-class Interpolation
-{
-public:
-  Interpolation(const std::vector<float>& values, const std::array<int, 3>& size)
-    : Values(values)
-    , Size(size)
+  std::array<vtkIdType, 3> low{};
+  std::array<float, 3> fraction{};
+  for (std::size_t axis = 0; axis < 3; ++axis)
   {
+    const double inside = std::clamp(at[axis], 0.0, size[axis] - 1.0);
+    low[axis] = static_cast<vtkIdType>(inside);
+    fraction[axis] = static_cast<float>(inside - static_cast<double>(low[axis]));
   }
-
-  float operator()(const std::array<double, 3>& at) const
+  float sum = 0.0f;
+  for (int corner = 0; corner < 8; ++corner)
   {
-    std::array<std::size_t, 3> low{};
-    std::array<float, 3> fraction{};
-    std::array<std::size_t, 3> next{};
-    std::size_t stride = 1;
-    std::size_t first = 0;
+    float weight = 1.0f;
+    std::array<vtkIdType, 3> cell{};
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
-      const double inside = std::clamp(at[axis], 0.0, this->Size[axis] - 1.0);
-      low[axis] = static_cast<std::size_t>(inside);
-      fraction[axis] = static_cast<float>(inside - static_cast<double>(low[axis]));
-      next[axis] = fraction[axis] > 0.0f ? stride : 0;
-      first += low[axis] * stride;
-      stride *= static_cast<std::size_t>(this->Size[axis]);
+      const bool upper = (corner >> axis & 1) != 0;
+      weight *= upper ? fraction[axis] : 1.0f - fraction[axis];
+      cell[axis] = std::min(low[axis] + (upper ? 1 : 0), vtkIdType{size[axis] - 1});
     }
-    float sum = 0.0f;
-    for (std::size_t corner = 0; corner < 8; ++corner)
-    {
-      float weight = 1.0f;
-      std::size_t place = first;
-      for (std::size_t axis = 0; axis < 3; ++axis)
-      {
-        const bool upper = (corner >> axis & 1) != 0;
-        weight *= upper ? fraction[axis] : 1.0f - fraction[axis];
-        place += upper ? next[axis] : 0;
-      }
-      sum += weight * this->Values[place];
-    }
-    return sum;
+    sum +=
+      weight * light[static_cast<std::size_t>((cell[2] * size[1] + cell[1]) * size[0] + cell[0])];
   }
-
-private:
-  const std::vector<float>& Values;
-  const std::array<int, 3> Size;
-};
+  return sum;
+}
 
 /// Leaves, of the way that light takes to each cell, the part next to the cell: the transmittance
 /// of the whole way over that of the rest.
@@ -85,7 +51,6 @@ void LimitReach(
 {
   constexpr float nothing = 1e-9f;
   const std::vector<float> whole = light;
-  const Interpolation interpolation(whole, grid.Size);
   const double length = std::hypot(lights.ToLight[0], lights.ToLight[1], lights.ToLight[2]);
   std::array<double, 3> towards{}; // in cells, one of them along the axis of the most
   double most = 0.0;
@@ -109,7 +74,7 @@ void LimitReach(
     {
       at[axis] += kept * towards[axis] / most;
     }
-    return kept < steps ? interpolation(at) : 1.0f;
+    return kept < steps ? Interpolate(whole, grid.Size, at) : 1.0f;
   };
   vtkSMPTools::For(0, static_cast<vtkIdType>(light.size()),
     [&](vtkIdType begin, vtkIdType end)
@@ -143,42 +108,24 @@ std::vector<std::array<double, 3>> vtkTextureSliceLightVolume::GetSkyDirections(
 }
 
 void vtkTextureSliceLightVolume::Build(
-  const vtkTextureSliceExtinction::Source& source, const Lights& lights, std::size_t mostCells)
+  const vtkTextureSliceLightCells::Source& source, const Lights& lights, std::size_t mostCells)
 {
-  vtkTextureSliceExtinction extinction;
-  extinction.Build(source, mostCells);
-  this->Grid = extinction.GetGrid();
-  vtkTextureSliceLightSweep sweep(extinction);
-  this->Fill(sweep, lights, SkyDirections);
-}
-
-void vtkTextureSliceLightVolume::Build(
-  const vtkTextureSliceSurfaceScalars::Source& source, const Lights& lights, std::size_t mostCells)
-{
-  vtkTextureSliceSurfaceScalars scalars;
-  scalars.Build(source, mostCells);
-  this->Grid = scalars.GetGrid();
-  vtkTextureSliceLightSweep sweep(scalars, source.Surfaces);
-  this->Fill(sweep, lights, SkyDirectionsOfSurfaces);
-}
-
-void vtkTextureSliceLightVolume::Fill(
-  vtkTextureSliceLightSweep& sweep, const Lights& lights, int skyDirections)
-{
-  this->Texels.assign(2 * this->Grid.CountCells(), FullLight);
+  const vtkTextureSliceLightCells cells(source, mostCells);
+  this->Grid = cells.GetGrid();
+  std::vector<float> shadow(this->Grid.CountCells(), lights.Shadow ? 0.0f : 1.0f);
+  std::vector<float> occlusion(this->Grid.CountCells(), lights.Occlusion ? 0.0f : 1.0f);
   if (lights.Shadow)
   {
-    sweep.Add(lights.ToLight, 1.0);
-    std::vector<float> light = sweep.TakeSums();
+    vtkTextureSliceLightSweep::Add(cells, lights.ToLight, 1.0, shadow);
     if (lights.Reach < 1.0)
     {
-      LimitReach(this->Grid, lights, light);
+      LimitReach(this->Grid, lights, shadow);
     }
-    SetComponent(light, 0, this->Texels);
   }
   if (lights.Occlusion)
   {
-    for (const auto& direction : GetSkyDirections(skyDirections))
+    const int count = source.Surfaces.empty() ? SkyDirections : SkyDirectionsOfSurfaces;
+    for (const auto& direction : GetSkyDirections(count))
     {
       std::array<double, 3> towards{};
       for (std::size_t axis = 0; axis < 3; ++axis)
@@ -186,8 +133,17 @@ void vtkTextureSliceLightVolume::Fill(
         towards[axis] = lights.Sky[0][axis] * direction[0] + lights.Sky[1][axis] * direction[1] +
                         lights.Sky[2][axis] * direction[2];
       }
-      sweep.Add(towards, 1.0 / skyDirections);
+      vtkTextureSliceLightSweep::Add(cells, towards, 1.0 / count, occlusion);
     }
-    SetComponent(sweep.TakeSums(), 1, this->Texels);
+  }
+  this->Light = vtkSmartPointer<vtkFloatArray>::New();
+  this->Light->SetName("light");
+  this->Light->SetNumberOfComponents(2);
+  this->Light->SetNumberOfTuples(static_cast<vtkIdType>(shadow.size()));
+  float* light = this->Light->GetPointer(0);
+  for (std::size_t i = 0; i < shadow.size(); ++i)
+  {
+    *light++ = shadow[i];
+    *light++ = occlusion[i];
   }
 }

@@ -3,27 +3,25 @@
 #ifndef vtkTextureSliceLightVolume_h
 #define vtkTextureSliceLightVolume_h
 
+#include "vtkFloatArray.h"
 #include "vtkNexradRenderingModule.h" // for the export macro
-#include "vtkTextureSliceExtinction.h"
+#include "vtkSmartPointer.h"
+#include "vtkTextureSliceLightCells.h"
 #include "vtkTextureSliceLightGrid.h"
-#include "vtkTextureSliceSurfaceScalars.h"
 
 #include <array>
 #include <cstddef>
-#include <cstdint>
+#include <tuple>
 #include <vector>
 
-class vtkTextureSliceLightSweep;
-
 /**
- * Two components for each cell of a vtkTextureSliceLightGrid, 0 to 65535 (all light): the
- * transmittance to the light, and its mean over directions all over the upper half of the sky
- * (Formulas L2). A component that is not asked for is 65535 everywhere. It needs no OpenGL.
+ * Two components for each cell of a vtkTextureSliceLightGrid, 0 to 1 (all light): the transmittance
+ * to the light, and its mean over directions all over the upper half of the sky (Formulas L2). A
+ * component that is not asked for is 1 everywhere. It needs no OpenGL.
  */
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceLightVolume
 {
 public:
-  static constexpr std::uint16_t FullLight = 65535;
   /// Directions of the sky. The shadows of surfaces have edges that a mean of few of them shows.
   static constexpr int SkyDirections = 12;
   static constexpr int SkyDirectionsOfSurfaces = 36;
@@ -39,25 +37,27 @@ public:
     double Reach = 1.0;
     /// The columns of a matrix from directions about the sky's zenith (0, 0, 1).
     std::array<std::array<double, 3>, 3> Sky{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+
+    bool operator==(const Lights& other) const
+    {
+      return std::tie(this->Shadow, this->Occlusion, this->ToLight, this->Reach, this->Sky) ==
+             std::tie(other.Shadow, other.Occlusion, other.ToLight, other.Reach, other.Sky);
+    }
   };
 
   void Build(
-    const vtkTextureSliceExtinction::Source& source, const Lights& lights, std::size_t mostCells);
-  /// Of isosurfaces: light loses at each crossing what the surface takes.
-  void Build(const vtkTextureSliceSurfaceScalars::Source& source, const Lights& lights,
-    std::size_t mostCells);
+    const vtkTextureSliceLightCells::Source& source, const Lights& lights, std::size_t mostCells);
 
   const vtkTextureSliceLightGrid& GetGrid() const { return this->Grid; }
-  const std::vector<std::uint16_t>& GetTexels() const { return this->Texels; }
+  /// A new array with each Build.
+  vtkFloatArray* GetLight() const { return this->Light; }
 
   /// Unit directions that are spread evenly over the half of the sky about (0, 0, 1).
   static std::vector<std::array<double, 3>> GetSkyDirections(int count = SkyDirections);
 
 private:
-  void Fill(vtkTextureSliceLightSweep& sweep, const Lights& lights, int skyDirections);
-
   vtkTextureSliceLightGrid Grid;
-  std::vector<std::uint16_t> Texels;
+  vtkSmartPointer<vtkFloatArray> Light;
 };
 
 #endif

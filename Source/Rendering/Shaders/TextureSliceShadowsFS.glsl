@@ -3,12 +3,8 @@
 
 uniform sampler3D lightTexture;
 
-#ifdef TEXTURE_SLICE_SCALED_LIGHT
 // From the volume's texture coordinates to those of the light.
 uniform vec3 lightTextureScale;
-#else
-const vec3 lightTextureScale = vec3(1.0);
-#endif
 
 #if !defined TEXTURE_SLICE_LIGHTS && TEXTURE_SLICE_BLEND != TEXTURE_SLICE_ISOSURFACE
 // What shadow and occlusion leave of a colour that has no shading: the light texture holds that.

@@ -23,7 +23,6 @@ namespace
 // What the texels of the light volume's lowest layer leave of the ground's brightness, 0…1.
 std::vector<float> BrightnessOf(vtkImageData* light, const LightOptions& options)
 {
-  constexpr double full = 65535.0;
   vtkDataArray* arriving = light->GetPointData()->GetScalars();
   const int* size = light->GetDimensions();
   std::vector<float> brightness(static_cast<std::size_t>(size[0]) * size[1]);
@@ -31,9 +30,9 @@ std::vector<float> BrightnessOf(vtkImageData* light, const LightOptions& options
   {
     const auto id = static_cast<vtkIdType>(i);
     // The light of the volume comes farther into cores than to the ground.
-    const double share = arriving->GetComponent(id, 0) / full;
+    const double share = arriving->GetComponent(id, 0);
     const double ofLight = 1.0 - options.shadow * (1.0 - share * share);
-    const double ofSky = 1.0 - options.occlusion * (1.0 - arriving->GetComponent(id, 1) / full);
+    const double ofSky = 1.0 - options.occlusion * (1.0 - arriving->GetComponent(id, 1));
     brightness[i] = static_cast<float>(ofLight * ofSky);
   }
   return brightness;

@@ -24,8 +24,6 @@ namespace
 
 using Lights = vtkTextureSliceLightVolume::Lights;
 
-constexpr double Full = vtkTextureSliceLightVolume::FullLight;
-
 /// The length from a place to the face of a box from 0 on, where a direction leaves it.
 double LengthInside(const std::array<double, 3>& at, const std::array<double, 3>& towards,
   const std::array<double, 3>& box)
@@ -105,11 +103,11 @@ protected:
   }
 
   /// Light at a cell, 0 to 1.
-  double At(const std::array<int, 3>& cell, std::size_t component = 0) const
+  double At(const std::array<int, 3>& cell, int component = 0) const
   {
     const auto& size = this->Volume.GetGrid().Size;
-    const auto index = static_cast<std::size_t>((cell[2] * size[1] + cell[1]) * size[0] + cell[0]);
-    return this->Volume.GetTexels()[2 * index + component] / Full;
+    const vtkIdType index = (cell[2] * size[1] + cell[1]) * size[0] + cell[0];
+    return static_cast<double>(this->Volume.GetLight()->GetValue(2 * index + component));
   }
 
   /// Where a cell's centre lies; the volume begins at 0.
@@ -169,7 +167,7 @@ protected:
   }
 
   vtkNew<vtkFloatArray> Scalars;
-  vtkTextureSliceExtinction::Source Source;
+  vtkTextureSliceLightCells::Source Source;
   vtkTextureSliceLightVolume Volume;
 };
 
