@@ -264,15 +264,17 @@ private:
   std::vector<double> LitTimes;
 };
 
-/// A blend mode, or two-dimensional functions.
+/// A blend mode, two-dimensional functions, or jittered samples as far apart as the mappers choose.
 struct Mode
 {
   const char* Name;
   int BlendMode;
   bool Table2D = false;
+  bool Jittered = false;
 };
 
-constexpr std::array<Mode, 7> Modes = {{{"composite", vtkVolumeMapper::COMPOSITE_BLEND},
+constexpr std::array<Mode, 8> Modes = {{{"composite", vtkVolumeMapper::COMPOSITE_BLEND},
+  {"jittered, 0 slices", vtkVolumeMapper::COMPOSITE_BLEND, false, true},
   {"two-dimensional functions", vtkVolumeMapper::COMPOSITE_BLEND, true},
   {"isosurfaces of 30 and 45 dBZ", vtkVolumeMapper::ISOSURFACE_BLEND},
   {"maximum", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND},
@@ -314,7 +316,12 @@ void MeasureMode(const Mode& mode, vtkImageData* storm)
   for (Contender& contender : contest.GetContenders())
   {
     auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(contender.Mapper);
-    mapper->SetUseJittering(0);
+    mapper->SetUseJittering(mode.Jittered);
+    mapper->SetAutoAdjustSampleDistances(mode.Jittered);
+    if (auto* slices = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
+    {
+      slices->SetNumberOfSlices(mode.Jittered ? 0 : Slices);
+    }
     mapper->SetBlendMode(mode.BlendMode);
     mapper->SetAverageIPScalarRange(30.0, 90.0);
   }
