@@ -108,7 +108,7 @@ float CountSlices(float at)
 // Several samples in one turn of the loop cost software OpenGL less than as many turns.
 #if defined TEXTURE_SLICE_GRADIENT
 const int samplesInTurn = 1; // it would take too long to compile
-#elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+#elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
 const int samplesInTurn = 2;
 #else
 const int samplesInTurn = 4;
