@@ -113,7 +113,7 @@ TEST_F(DepthPeeling, OtherBlendModes)
   this->ExpectSamePicture("peeled-maximum", 0.23);
   this->RaySamples = 16.0;
   this->ForBoth([](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAdditive(); });
-  this->ExpectSamePicture("peeled-additive", 0.11);
+  this->ExpectSamePicture("peeled-additive", 0.1);
   this->ForBoth(
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAverageIntensity(); });
   this->ExpectSamePicture("peeled-average", 0.08);

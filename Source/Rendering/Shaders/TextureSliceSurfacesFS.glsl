@@ -6,15 +6,6 @@ uniform float isoValues[TEXTURE_SLICE_ISO_VALUES];
 // A surface is that of the last component, which gives its opacity; the first one gives the colour.
 const int surfaceComponent = TEXTURE_SLICE_COMPONENTS - 1;
 
-vec4 SurfaceColor(float isoValue, vec4 scalars)
-{
-  vec4 color = LookUp(isoValue, 0);
-#if TEXTURE_SLICE_COMPONENTS > 1
-  color.rgb = LookUp(scalars.x, 0).rgb;
-#endif
-  return color.a > 0.0 ? Finish(color, scalars, surfaceComponent, 0) : vec4(0.0);
-}
-
 // One end of a piece of the ray, and the scalar there.
 struct PieceEnd
 {
@@ -83,7 +74,11 @@ void GatherSurface()
     litSurface = lightSurfaces[surface];
     sideOfEye = rising ? -1.0 : 1.0;
 #endif
-    vec4 color = SurfaceColor(isoValues[surface], onSurface);
+    vec4 color = LookUp(isoValues[surface], 0);
+#if TEXTURE_SLICE_COMPONENTS > 1
+    color.rgb = LookUp(onSurface.x, 0).rgb;
+#endif
+    color = Finish(color, onSurface, surfaceComponent, 0);
     Add(vec4(color.rgb * color.a, color.a));
   }
 }
