@@ -211,7 +211,7 @@ void RadarScene::FillProperty()
   }
 }
 
-void RadarScene::SetSlices(const std::optional<int>& count)
+void RadarScene::SetSlices(int count)
 {
   options.slices = count;
   this->UpdateSlices();
@@ -225,12 +225,12 @@ void RadarScene::UpdateSlices()
   {
     return; // before the first volume
   }
-  slices = options.slices.value_or(SlicesFor(image));
+  slices = options.slices > 0 ? options.slices : SlicesFor(image);
   for (vtkVolumeMapper* mapper : this->Mappers())
   {
     const double edge = vtkImageData::SafeDownCast(mapper->GetDataSetInput())->GetSpacing()[0];
     scene::SetSlices(mapper, slices, mapper->GetInput()->GetLength());
-    SetPixelSize(mapper, options.slices ? 1.0 : this->PixelsOf(edge));
+    SetPixelSize(mapper, options.slices > 0 ? 1.0 : this->PixelsOf(edge));
   }
 }
 

@@ -103,8 +103,8 @@ public:
 
   /// Slices, or samples along the longest ray, at least 1, as the options or the volume ask for.
   int Slices() const { return slices; }
-  /// Empty: as many as the volume asks for.
-  void SetSlices(const std::optional<int>& slices);
+  /// 0: as many as the volume asks for.
+  void SetSlices(int slices);
 
   /// Frames that echo, whatever the volumes from the next on show. Nothing: that of the first
   /// volume of a grid and a moment, which grows where the echo of another leaves it.

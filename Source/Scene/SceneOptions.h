@@ -67,9 +67,9 @@ struct SceneOptions
                               ///< slices are drawn, of one moment
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
   bool linearInterpolation =
-    true;                    ///< between voxels; else each place has its nearest voxel's value
-  std::optional<int> slices; ///< or samples along the longest ray, from 1 on; empty: about two for
-                             ///< every five voxels along the view
+    true;         ///< between voxels; else each place has its nearest voxel's value
+  int slices = 0; ///< or samples along the longest ray; 0: about two for every five voxels along
+                  ///< the view
   std::optional<double> opacityDistance; ///< km of the scene to which opacities belong, above 0;
                                          ///< empty: OpacityDistanceOf the echo
   FrameChoice framing = FrameChoice::Echo;

@@ -82,10 +82,7 @@ SceneOptions SettingsOf(vtkNexradVolumeScene* scene)
                      : MapperChoice::TextureSlice;
   options.preIntegration = scene->GetPreIntegration();
   options.linearInterpolation = scene->GetLinearInterpolation();
-  if (scene->GetNumberOfSlices() > 0)
-  {
-    options.slices = scene->GetNumberOfSlices();
-  }
+  options.slices = scene->GetNumberOfSlices();
   if (scene->GetOpacityDistance() > 0.0)
   {
     options.opacityDistance = scene->GetOpacityDistance();

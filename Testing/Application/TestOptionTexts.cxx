@@ -100,6 +100,7 @@ TEST(OptionTexts, NumbersAreWrittenInFull)
 TEST(OptionTexts, DefaultsAreLeftOut)
 {
   EXPECT_EQ(Joined(OptionTextsOf(scene::DrawingRequest())), "");
+  EXPECT_EQ(Joined(ReadAndWrite({{"--slices", "0"}})), "");
   EXPECT_EQ(Joined(ReadAndWrite({{"--map", "composite"}})), "--map=composite ");
   EXPECT_EQ(Joined(ReadAndWrite({{"--map", "vil-density"}})), "--map=vil-density:18 ");
 }
@@ -172,7 +173,7 @@ TEST(OptionTexts, WrongOptionsAreNamed)
   const std::vector<std::pair<OptionText, std::string>> cases = {
     {{"--colour", "red"}, "--colour: there is no such option"},
     {{"input", "x"}, "input: there is no such option"},
-    {{"--slices", "0"}, "--slices: '0' is no number of slices"},
+    {{"--slices", "-1"}, "--slices: '-1' is no number from 0 to 16384"},
     {{"--theme", "blue"}, "--theme: 'blue' is no theme"}, {{"--dims", "1"}, "--dims"},
     {{"--crop", "-98deg,20km,35deg,36deg,0,15km"}, "--crop: '20km': some places"},
     {{"--box", "-98deg,20km,35deg,36deg"}, "--box: '20km': some places"},

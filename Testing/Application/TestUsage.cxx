@@ -212,7 +212,7 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
     {"--iso-values", "'20:0.4' twice"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--iso-values", "20", "--map", "composite"},
     {"--iso-values", "a map has no surfaces"});
-  ExpectWrongUsage({"render", "a", "-o", "b.png", "--slices", "0"}, {"--slices", "1"});
+  ExpectWrongUsage({"render", "a", "-o", "b.png", "--slices", "-1"}, {"--slices", "0"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--mapper", "x"}, {"--mapper", "texture-slice"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--theme", "x"}, {"--theme", "dark or light"});
   ExpectWrongUsage({"render", "a", "-o", "b.png", "--classification", "x"},

@@ -38,8 +38,8 @@ namespace
 using namespace nexrad::viewer;
 using Clock = std::chrono::steady_clock;
 
-constexpr int rounds = 30;
-constexpr int warmUp = 3;
+constexpr int rounds = 11;
+constexpr int warmUp = 1;
 constexpr double settled = 150.0; // ms, after which nothing is left to draw
 
 double Milliseconds(Clock::time_point begin)

@@ -96,6 +96,15 @@ vtkSmartPointer<vtkVolumeProperty> MakeProperty(int scalarType)
   return property;
 }
 
+/// The last point, down by a thousandth of its height.
+void MovePoint(vtkPiecewiseFunction* function)
+{
+  double point[4];
+  function->GetNodeValue(function->GetSize() - 1, point);
+  point[1] *= 0.999;
+  function->SetNodeValue(function->GetSize() - 1, point);
+}
+
 /// The storm, or something else of its size, drawn by all contenders.
 class Contest
 {
@@ -112,7 +121,8 @@ public:
 
   std::vector<Contender>& GetContenders() { return this->Contenders; }
 
-  void Run(const std::string& name)
+  /// @param drags whether the functions change before each picture
+  void Run(const std::string& name, bool drags = false)
   {
     for (Contender& contender : this->Contenders)
     {
@@ -124,6 +134,10 @@ public:
     {
       for (Contender& contender : this->Contenders)
       {
+        if (drags)
+        {
+          MovePoint(contender.Property->GetScalarOpacity());
+        }
         this->Draw(contender, view);
       }
     }
@@ -276,16 +290,25 @@ private:
   std::vector<double> LitTimes;
 };
 
-/// A blend mode, or two-dimensional functions.
+enum class Special
+{
+  None,
+  Dragged,  ///< a point of opacity moves before each picture
+  Jittered, ///< samples as far apart as the mappers choose
+  Table2D   ///< two-dimensional functions
+};
+
 struct Mode
 {
   const char* Name;
   int BlendMode;
-  bool Table2D = false;
+  Special Particular = Special::None;
 };
 
-constexpr std::array<Mode, 7> Modes = {{{"composite", vtkVolumeMapper::COMPOSITE_BLEND},
-  {"two-dimensional functions", vtkVolumeMapper::COMPOSITE_BLEND, true},
+constexpr std::array<Mode, 9> Modes = {{{"composite", vtkVolumeMapper::COMPOSITE_BLEND},
+  {"a point dragged", vtkVolumeMapper::COMPOSITE_BLEND, Special::Dragged},
+  {"jittered, 0 slices", vtkVolumeMapper::COMPOSITE_BLEND, Special::Jittered},
+  {"two-dimensional functions", vtkVolumeMapper::COMPOSITE_BLEND, Special::Table2D},
   {"isosurfaces of 30 and 45 dBZ", vtkVolumeMapper::ISOSURFACE_BLEND},
   {"maximum", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND},
   {"minimum", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND},
@@ -316,7 +339,7 @@ void MeasureMode(const Mode& mode, vtkImageData* storm)
     auto property = MakeProperty(VTK_FLOAT);
     property->GetIsoSurfaceValues()->SetValue(0, 30.0);
     property->GetIsoSurfaceValues()->SetValue(1, 45.0);
-    if (mode.Table2D)
+    if (mode.Particular == Special::Table2D)
     {
       property->SetTransferFunction2D(MakeFunction2D());
     }
@@ -326,11 +349,17 @@ void MeasureMode(const Mode& mode, vtkImageData* storm)
   for (Contender& contender : contest.GetContenders())
   {
     auto* mapper = vtkGPUVolumeRayCastMapper::SafeDownCast(contender.Mapper);
-    mapper->SetUseJittering(0);
+    const bool jittered = mode.Particular == Special::Jittered;
+    mapper->SetUseJittering(jittered);
+    mapper->SetAutoAdjustSampleDistances(jittered);
+    if (auto* slices = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
+    {
+      slices->SetNumberOfSlices(jittered ? 0 : Slices);
+    }
     mapper->SetBlendMode(mode.BlendMode);
     mapper->SetAverageIPScalarRange(30.0, 90.0);
   }
-  contest.Run(mode.Name);
+  contest.Run(mode.Name, mode.Particular == Special::Dragged);
 }
 
 void PrintHeading(const char* title, const char* drawn)

@@ -139,11 +139,12 @@ TEST_F(BlendModes, Additive)
 // Two shells, 25 and 45 dBZ, the inner one seen through the outer one.
 TEST_F(BlendModes, Isosurfaces)
 {
+  this->SampleDistance /= 4.0; // else it is chance which mapper finds a surface that a ray grazes
   this->Use(vtkVolumeMapper::ISOSURFACE_BLEND);
   this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 25.0);
   this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(1, 45.0);
   this->UseRamp(0.0, 0.8);
-  this->ExpectSamePicture("storm-isosurfaces", 0.55);
+  this->ExpectSamePicture("storm-isosurfaces", 0.15);
 }
 
 // The same shells, lit.

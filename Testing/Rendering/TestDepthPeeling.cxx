@@ -102,18 +102,22 @@ TEST_F(DepthPeeling, FewPeels)
   this->ExpectSamePicture("peeled-few", 0.48);
 }
 
-// In projections, each part of the volume between two walls is projected alone.
+// In projections, each part of the volume between two walls is projected alone. With as many
+// samples as there are slices, the ray caster counts a sample too many or too few in each part: its
+// sums differ from those of sixteen times as many samples by 0.4 of 255, its means by 0.5.
 TEST_F(DepthPeeling, OtherBlendModes)
 {
   this->AddGlass();
   this->ForBoth(
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToMaximumIntensity(); });
   this->ExpectSamePicture("peeled-maximum", 0.23);
+  this->RaySamples = 16.0;
   this->ForBoth([](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAdditive(); });
-  this->ExpectSamePicture("peeled-additive", 0.78);
+  this->ExpectSamePicture("peeled-additive", 0.1);
   this->ForBoth(
     [](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToAverageIntensity(); });
-  this->ExpectSamePicture("peeled-average", 0.9);
+  this->ExpectSamePicture("peeled-average", 0.08);
+  this->RaySamples = 1.0;
   this->Stage->GetProperty()->GetIsoSurfaceValues()->SetValue(0, 20.0);
   this->ForBoth([](vtkGPUVolumeRayCastMapper* mapper) { mapper->SetBlendModeToIsoSurface(); });
   this->ExpectSamePicture("peeled-isosurface", 0.14, 20.0);

@@ -87,16 +87,6 @@ scene::FrameChoice ParseFraming(const std::string& text)
   return text == "domain" ? scene::FrameChoice::Domain : scene::FrameChoice::Echo;
 }
 
-int ParseSlices(const std::string& text)
-{
-  const std::vector<double> count = FindNumbers(text);
-  if (count.size() != 1 || count[0] < 1.0 || count[0] > 16384.0 || count[0] != std::round(count[0]))
-  {
-    throw Error("'" + text + "' is no number of slices; write a whole number from 1 to 16384");
-  }
-  return static_cast<int>(count[0]);
-}
-
 double ParseOpacityDistance(const std::string& text)
 {
   const double distance = ParseLength(text) / 1000.0;
@@ -252,9 +242,9 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     "NAME", "Between voxels: linear; or nearest, which shows each voxel as a box of one value",
     "linear")
     ->group(group);
-  AddParsedOption(command, "--slices", options.slices, ParseSlices, "NUMBER",
-    "Slices, or samples along the longest ray, 1 to 16384 (default: about two for every five "
-    "voxels along the view)")
+  AddNumberOption(command, "--slices", options.slices, 0, 16384, "NUMBER",
+    "Slices, or samples along the longest ray, up to 16384; 0: about two for every five voxels "
+    "along the view")
     ->group(group);
   AddAppearanceOptions(command, options);
   command

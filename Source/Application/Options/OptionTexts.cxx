@@ -127,9 +127,9 @@ void AddVolume(const scene::SceneOptions& scene, OptionList& options)
   {
     options.Add("--interpolation", "nearest");
   }
-  if (scene.slices)
+  if (scene.slices > 0)
   {
-    options.Add("--slices", std::to_string(*scene.slices));
+    options.Add("--slices", std::to_string(scene.slices));
   }
   if (scene.opacityDistance)
   {

@@ -3,7 +3,7 @@
 // A pixel of the volume: its ray, from front to back, as a compute shader.
 layout(local_size_x = TEXTURE_SLICE_GROUP, local_size_y = TEXTURE_SLICE_GROUP) in;
 
-layout(rgba16f) writeonly uniform image2D pictureImage;
+layout(rgba16) writeonly uniform image2D pictureImage;
 // The rectangle of pixels to be drawn: the lower left one, and where it ends.
 uniform ivec2 firstPixel;
 uniform ivec2 endOfPixels;

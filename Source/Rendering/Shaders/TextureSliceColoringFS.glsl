@@ -73,9 +73,7 @@ float GradientOpacity(float magnitude, int component, int label)
 #endif
   return LookUp(magnitude, TEXTURE_SLICE_FUNCTIONS + component).a;
 }
-#endif
 
-#ifdef TEXTURE_SLICE_GRADIENT_OPACITY
 // The opacity of a step as the gradient weakens it: VTK's ray caster multiplies the opacity of a
 // sample; of a slab, the extinction is multiplied, which is the limit for many samples.
 float WeakenOpacity(float opacity, float gradientOpacity)

@@ -14,21 +14,48 @@ vec4 March()
   }
   return FindPicture();
 }
-#elif defined TEXTURE_SLICE_SLABS || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
-// What lies between two planes, or a plane and an end of the ray, is gathered together.
-#ifdef TEXTURE_SLICE_SLABS
-const float piece = float(TEXTURE_SLICE_SLABS);
-#else
-const float piece = 1.0;
+#elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ISOSURFACE
+// Surfaces between two planes, or a plane and an end of the ray. An inner loop goes on until all rays that
+// a processor goes along together have crossed a surface: light costs many times as much as a step.
+vec4 March()
+{
+#ifdef TEXTURE_SLICE_SKIPPING
+  StartSkipping();
+  float known = raySpan.x; // up to there the ray is in bricks that were looked at
 #endif
+  GoOn(raySpan.x, true);
+  while (picture.a <= TEXTURE_SLICE_OPAQUE)
+  {
+    while (nearEnd.level == farEnd.level && farEnd.at < raySpan.y)
+    {
+      float next = floor(farEnd.at) + 1.0;
+      bool empty = false;
+#ifdef TEXTURE_SLICE_SKIPPING
+      if (farEnd.at >= known)
+      {
+        known = farEnd.at + FindReach(farEnd.at, empty);
+        known += empty ? intoNextBrick : 0.0;
+        next = empty ? max(farEnd.at, floor(known)) : next;
+      }
+#endif
+      GoOn(min(next, raySpan.y), empty);
+    }
+    if (nearEnd.level == farEnd.level)
+    {
+      break;
+    }
+    GatherSurface();
+  }
+  return FindPicture();
+}
+#elif defined TEXTURE_SLICE_SLABS
+// What lies between two planes, or a plane and an end of the ray, is gathered together.
+const float piece = float(TEXTURE_SLICE_SLABS);
 
 float EndOfPiece(float at)
 {
   return min((floor(at / piece) + 1.0) * piece, raySpan.y);
 }
-
-// Slices; rounding would leave a ray on the face that it goes through.
-const float intoNextBrick = 1e-3;
 
 vec4 March()
 {
@@ -81,7 +108,7 @@ float CountSlices(float at)
 // Several samples in one turn of the loop cost software OpenGL less than as many turns.
 #if defined TEXTURE_SLICE_GRADIENT
 const int samplesInTurn = 1; // it would take too long to compile
-#elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE
+#elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_COMPOSITE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
 const int samplesInTurn = 2;
 #else
 const int samplesInTurn = 4;

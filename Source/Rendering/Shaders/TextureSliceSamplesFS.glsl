@@ -3,6 +3,30 @@
 // What was gathered so far, in the terms of the blend mode.
 vec4 picture = vec4(0.0);
 
+// What a set of functions makes of a scalar.
+vec4 Classify(vec4 scalars, float scalar, int functions)
+{
+#ifdef TEXTURE_SLICE_TABLE_2D
+  return LookUp2D(scalars, scalar, functions);
+#else
+  return LookUp(scalar, functions);
+#endif
+}
+
+#if TEXTURE_SLICE_FUNCTIONS == 1
+// Of dependent components the last one gives the opacity.
+vec4 ClassifyDependent(vec4 scalars)
+{
+  vec4 color = Classify(scalars, scalars[TEXTURE_SLICE_COMPONENTS - 1], 0);
+#if TEXTURE_SLICE_COMPONENTS == 2
+  color.rgb = Classify(scalars, scalars.x, 0).rgb;
+#elif TEXTURE_SLICE_COMPONENTS > 2
+  color.rgb = clamp(scalars.rgb, 0.0, 1.0);
+#endif
+  return color;
+}
+#endif
+
 #if defined TEXTURE_SLICE_BLENDS_SAMPLES && !defined TEXTURE_SLICE_SLABS
 // Formulas R1: the opacity of a step, from the optical depth of a unit distance; two-dimensional
 // tables hold its opacity. A plane has no thickness: its opacity is that of the table.
@@ -29,50 +53,20 @@ vec4 StepColor(vec4 color, vec4 scalars, int component, int label)
 }
 
 #if TEXTURE_SLICE_FUNCTIONS > 1
-vec4 Classify(vec4 scalars, int component)
-{
-#ifdef TEXTURE_SLICE_TABLE_2D
-  return LookUp2D(scalars, scalars[component], component);
-#else
-  return LookUp(scalars[component], component);
-#endif
-}
-
 bool Gather(vec4 scalars, out vec4 gathered)
 {
   vec4 colors[TEXTURE_SLICE_COMPONENTS];
   for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
   {
-    colors[i] = StepColor(Classify(scalars, i), scalars, i, 0);
+    colors[i] = StepColor(Classify(scalars, scalars[i], i), scalars, i, 0);
   }
   gathered = AddComponents(colors);
   return gathered.a > 0.0;
 }
 #else
-vec4 LookUpBoth(vec4 scalars, float scalar)
-{
-#ifdef TEXTURE_SLICE_TABLE_2D
-  return LookUp2D(scalars, scalar, 0);
-#else
-  return LookUp(scalar, 0);
-#endif
-}
-
-// Colour and what StepOpacity takes.
-vec4 Classify(vec4 scalars)
-{
-#if TEXTURE_SLICE_COMPONENTS == 1
-  return LookUpBoth(scalars, scalars.x);
-#elif TEXTURE_SLICE_COMPONENTS == 2
-  return vec4(LookUpBoth(scalars, scalars.x).rgb, LookUpBoth(scalars, scalars.y).a);
-#else
-  return vec4(clamp(scalars.rgb, 0.0, 1.0), LookUpBoth(scalars, scalars.a).a);
-#endif
-}
-
 bool Gather(vec4 scalars, out vec4 gathered)
 {
-  vec4 color = StepColor(Classify(scalars), scalars, 0, 0);
+  vec4 color = StepColor(ClassifyDependent(scalars), scalars, 0, 0);
 #ifdef TEXTURE_SLICE_LABELS
   int label = FetchLabel(textureCoordinate);
   if (label > 0)
@@ -96,42 +90,28 @@ bool Gather(vec4 scalars, out vec4 gathered)
 }
 #endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
-// Red: the sum of scalar times opacity. Alpha: above 0 where there are samples.
-bool Gather(vec4 scalars, out vec4 gathered)
-{
-  float sum = 0.0;
-#if TEXTURE_SLICE_FUNCTIONS > 1
-  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
-  {
-    sum += scalars[i] * LookUp(scalars[i], i).a * CountUnits(i) * componentWeight[i];
-  }
-#else
-  sum = scalars.x * LookUp(scalars[TEXTURE_SLICE_COMPONENTS - 1], 0).a * CountUnits(0);
-#endif
-  gathered = vec4(sum, 0.0, 0.0, 1.0);
-  return true;
-}
-#endif
-
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
-// The scalars that count, 0 to 1 as they are.
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
+// The scalars that count in a mean of one component, 0 to 1 as they are.
 uniform vec2 averageRange;
 
 // Red: the sum of scalar times opacity. Alpha: the number of samples.
 bool Gather(vec4 scalars, out vec4 gathered)
 {
-#if TEXTURE_SLICE_FUNCTIONS > 1
   float sum = 0.0;
-  for (int i = 0; i < TEXTURE_SLICE_COMPONENTS; ++i)
+  for (int i = 0; i < TEXTURE_SLICE_FUNCTIONS; ++i)
   {
-    sum += scalars[i] * LookUp(scalars[i], i).a * componentWeight[i];
+    // Of dependent components the last one gives the opacity.
+    float opacity = LookUp(scalars[i + TEXTURE_SLICE_COMPONENTS - TEXTURE_SLICE_FUNCTIONS], i).a;
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
+    opacity *= CountUnits(i);
+#endif
+    sum += scalars[i] * opacity * componentWeight[i];
   }
   gathered = vec4(sum, 0.0, 0.0, 1.0);
-  return true;
-#else
-  gathered = vec4(scalars.x * LookUp(scalars[TEXTURE_SLICE_COMPONENTS - 1], 0).a, 0.0, 0.0, 1.0);
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE && TEXTURE_SLICE_FUNCTIONS == 1
   return scalars.x >= averageRange.x && scalars.x <= averageRange.y;
+#else
+  return true;
 #endif
 }
 #endif
@@ -164,11 +144,7 @@ vec4 FindPicture()
     return vec4(0.0);
   }
 #ifdef TEXTURE_SLICE_EXTREME_SAMPLE
-#if TEXTURE_SLICE_COMPONENTS == 2
-  vec4 color = vec4(LookUp(picture.x, 0).rgb, LookUp(picture.y, 0).a);
-#else
-  vec4 color = vec4(clamp(picture.rgb, 0.0, 1.0), LookUp(picture.a, 0).a);
-#endif
+  vec4 color = ClassifyDependent(picture);
   return vec4(color.rgb * color.a, color.a);
 #else
   vec4 sum = vec4(0.0);

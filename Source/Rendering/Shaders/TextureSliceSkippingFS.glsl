@@ -12,6 +12,9 @@ vec3 brickStep = vec3(0.0);
 vec3 perBrick = vec3(0.0);
 vec3 forward = vec3(0.0);
 
+// Slices; rounding would leave a ray on the face that it goes through.
+const float intoNextBrick = 1e-3;
+
 void StartSkipping()
 {
   brickOrigin = rayOrigin * brickScale + brickBias;

@@ -6,26 +6,44 @@ uniform float isoValues[TEXTURE_SLICE_ISO_VALUES];
 // A surface is that of the last component, which gives its opacity; the first one gives the colour.
 const int surfaceComponent = TEXTURE_SLICE_COMPONENTS - 1;
 
-vec4 SurfaceColor(float isoValue, vec4 scalars)
+// One end of a piece of the ray, and the scalar there.
+struct PieceEnd
 {
-  vec4 color = LookUp(isoValue, 0);
-#if TEXTURE_SLICE_COMPONENTS > 1
-  color.rgb = LookUp(scalars.x, 0).rgb;
-#endif
-  return color.a > 0.0 ? Finish(color, scalars, surfaceComponent, 0) : vec4(0.0);
+  float at;
+  float scalar;
+  int level; // how many of the values are lower
+};
+
+// The piece of the ray that is looked at: between its ends no surface lies where their levels are equal.
+PieceEnd nearEnd = PieceEnd(0.0, 0.0, 0);
+PieceEnd farEnd = PieceEnd(0.0, 0.0, 0);
+bool isSeen = false; // something at the far end
+
+// Looks at the piece from the far end of this one on, or, after empty space, at the far end alone.
+void GoOn(float next, bool empty)
+{
+  vec4 scalars;
+  bool isNextSeen = FetchScalars(PlaceAt(next), scalars);
+  nearEnd = farEnd;
+  farEnd = PieceEnd(next, scalars[surfaceComponent], 0);
+  for (int i = 0; i < TEXTURE_SLICE_ISO_VALUES; ++i)
+  {
+    farEnd.level += isoValues[i] < farEnd.scalar ? 1 : 0;
+  }
+  nearEnd.level = empty || !isSeen || !isNextSeen ? farEnd.level : nearEnd.level;
+  isSeen = isNextSeen;
 }
 
-// Where a surface crosses the ray between two samples, and the scalars there: three steps of the
-// secant method that keep the surface enclosed. False where nothing is to be seen.
-bool FindSurface(float isoValue, vec3 nearEnd, float nearScalar, vec3 farEnd, float farScalar,
-  out vec4 scalars)
+// Where a surface crosses the piece, and the scalars there: three steps of the secant method that keep
+// the surface enclosed. False where nothing is to be seen.
+bool FindSurface(float isoValue, out vec4 scalars)
 {
-  vec2 ends = vec2(0.0, 1.0);
-  vec2 offsets = vec2(nearScalar, farScalar) - isoValue;
+  vec2 ends = vec2(nearEnd.at, farEnd.at);
+  vec2 offsets = vec2(nearEnd.scalar, farEnd.scalar) - isoValue;
   for (int i = 0; i < 3; ++i)
   {
     float at = (ends.x * offsets.y - ends.y * offsets.x) / (offsets.y - offsets.x);
-    textureCoordinate = mix(nearEnd, farEnd, at);
+    textureCoordinate = PlaceAt(at);
     if (!FetchScalars(textureCoordinate, scalars))
     {
       return false;
@@ -43,49 +61,25 @@ bool FindSurface(float isoValue, vec3 nearEnd, float nearScalar, vec3 farEnd, fl
   return true;
 }
 
-// The scalars of the last place on the ray, and whether there is something to see.
-vec4 lastScalars;
-bool isLastSeen = false;
-
-// The surfaces between two scalars in a row, the nearest first.
-void GatherSurfaces(vec3 nearEnd, float nearScalar, vec3 farEnd, float farScalar)
+// The nearest surface of the piece; what is behind it is left.
+void GatherSurface()
 {
-  bool rising = farScalar > nearScalar;
-  vec2 between = vec2(min(nearScalar, farScalar), max(nearScalar, farScalar));
-  for (int i = 0; i < TEXTURE_SLICE_ISO_VALUES; ++i)
+  bool rising = farEnd.level > nearEnd.level;
+  int surface = rising ? nearEnd.level : nearEnd.level - 1;
+  nearEnd.level += rising ? 1 : -1;
+  vec4 onSurface;
+  if (FindSurface(isoValues[surface], onSurface) && IsLeft(textureCoordinate))
   {
-    int surface = rising ? i : TEXTURE_SLICE_ISO_VALUES - 1 - i;
-    float isoValue = isoValues[surface];
-    vec4 onSurface;
-    if (isoValue >= between.x && isoValue < between.y &&
-      FindSurface(isoValue, nearEnd, nearScalar, farEnd, farScalar, onSurface) &&
-      IsLeft(textureCoordinate))
-    {
 #ifdef TEXTURE_SLICE_SHADOWS
-      litSurface = lightSurfaces[surface];
-      sideOfEye = rising ? -1.0 : 1.0;
+    litSurface = lightSurfaces[surface];
+    sideOfEye = rising ? -1.0 : 1.0;
 #endif
-      vec4 color = SurfaceColor(isoValue, onSurface);
-      Add(vec4(color.rgb * color.a, color.a));
-    }
+    vec4 color = LookUp(isoValues[surface], 0);
+#if TEXTURE_SLICE_COMPONENTS > 1
+    color.rgb = LookUp(onSurface.x, 0).rgb;
+#endif
+    color = Finish(color, onSurface, surfaceComponent, 0);
+    Add(vec4(color.rgb * color.a, color.a));
   }
-}
-
-void GatherPiece(float front, float back, bool begins)
-{
-  vec3 nearEnd = PlaceAt(front);
-  vec3 farEnd = PlaceAt(back);
-  if (begins)
-  {
-    isLastSeen = FetchScalars(nearEnd, lastScalars);
-  }
-  vec4 scalars;
-  bool isSeen = FetchScalars(farEnd, scalars);
-  if (isLastSeen && isSeen)
-  {
-    GatherSurfaces(nearEnd, lastScalars[surfaceComponent], farEnd, scalars[surfaceComponent]);
-  }
-  lastScalars = scalars;
-  isLastSeen = isSeen;
 }
 #endif

@@ -125,7 +125,7 @@ bool vtkTextureSliceCompute::IsSupported()
   const bool hasShaders =
     GetVersion() >= 43 || (GetVersion() >= 42 && HasExtension("GL_ARB_compute_shader") &&
                             HasExtension("GL_ARB_internalformat_query2"));
-  return hasShaders && FindGroupSize() > 0 && CanStore(GL_RGBA16F);
+  return hasShaders && FindGroupSize() > 0 && CanStore(GL_RGBA16);
 }
 
 vtkShaderProgram* vtkTextureSliceCompute::Ready(vtkOpenGLRenderWindow* window,
@@ -154,12 +154,12 @@ void vtkTextureSliceCompute::Dispatch(
   this->Program->SetUniform2i("firstPixel", pixels.data());
   this->Program->SetUniform2i("endOfPixels", pixels.data() + 2);
   this->Program->SetUniformi("pictureImage", imageUnit);
-  glBindImageTexture(imageUnit, picture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+  glBindImageTexture(imageUnit, picture->GetHandle(), 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
   glDispatchCompute(countGroups(pixels[0], pixels[2]), countGroups(pixels[1], pixels[3]), 1);
   // The picture is read as a texture, and cleared or stored into again for the next one.
   glMemoryBarrier(
     GL_TEXTURE_FETCH_BARRIER_BIT | GL_FRAMEBUFFER_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-  glBindImageTexture(imageUnit, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16F);
+  glBindImageTexture(imageUnit, 0, 0, GL_FALSE, 0, GL_WRITE_ONLY, GL_RGBA16);
 }
 
 void vtkTextureSliceCompute::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)

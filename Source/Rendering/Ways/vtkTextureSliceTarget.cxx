@@ -162,7 +162,7 @@ bool vtkTextureSliceTarget::MakePicture(
   }
   this->Framebuffer->ReleaseGraphicsResources(this->Window);
   Prepare(this->Color, this->Window);
-  this->Color->SetInternalFormat(fullPrecision ? GL_RGBA32F : GL_RGBA16F);
+  this->Color->SetInternalFormat(fullPrecision ? GL_RGBA32F : GL_RGBA16);
   this->FullPrecision = fullPrecision;
   if (!this->Color->Allocate2D(
         static_cast<unsigned int>(width), static_cast<unsigned int>(height), 4, VTK_FLOAT))

@@ -128,7 +128,8 @@ vtkGPUVolumeRayCastMapper* AgainstRayCaster::Configure(vtkGPUVolumeRayCastMapper
 {
   mapper->SetInputData(this->Input);
   mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetSampleDistance(static_cast<float>(this->SampleDistance));
+  const double samples = mapper == this->RayCaster.Get() ? this->RaySamples : 1.0;
+  mapper->SetSampleDistance(static_cast<float>(this->SampleDistance / samples));
   return mapper;
 }
 

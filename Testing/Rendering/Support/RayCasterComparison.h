@@ -76,6 +76,7 @@ protected:
   std::unique_ptr<Scene> Stage;
   vtkSmartPointer<vtkImageData> Input;
   double SampleDistance = 0.3;
+  double RaySamples = 1.0; ///< of the ray caster, for each of the slices
   /// What a mean channel of integrated slabs may differ by from samples. Measured: 0.54.
   double IntegratedTolerance = 1.08;
   vtkNew<vtkOpenGLGPUVolumeRayCastMapper> RayCaster;

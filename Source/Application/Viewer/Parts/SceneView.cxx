@@ -119,7 +119,7 @@ void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraVie
                      : vtkNexradVolumeScene::TEXTURE_SLICE);
   scene->SetPreIntegration(options.preIntegration);
   scene->SetLinearInterpolation(options.linearInterpolation);
-  scene->SetNumberOfSlices(options.slices.value_or(0));
+  scene->SetNumberOfSlices(options.slices);
   scene->SetOpacityDistance(options.opacityDistance.value_or(0.0));
   scene->SetFraming(options.framing == scene::FrameChoice::Domain ? vtkNexradVolumeScene::DOMAIN
                                                                   : vtkNexradVolumeScene::ECHO);
