@@ -13,6 +13,7 @@
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceTable.h"
 #include "vtkTextureSliceTexture.h"
+#include "vtkTextureSliceUniforms.h"
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
