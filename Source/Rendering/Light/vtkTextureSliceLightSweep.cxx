@@ -209,48 +209,60 @@ private:
   {
     const std::ptrdiff_t at =
       std::ptrdiff_t{ray - this->Begin} * this->Way.Column.Rays + column.Whole;
-    const int rays = this->Way.Column.Cells + 1;
-    const float* here = this->Here.data();
     float* depths = this->Depths.data() + at;
     float* before = this->Before.data() + at;
-    const auto [firstSteps, stepsOfACell] = this->Way.Column.FindSteps(column.Fraction);
+    const std::array<float, 2> steps = this->Way.Column.FindSteps(column.Fraction);
     const float most = std::min(plane == 0 ? this->Way.Margin : 1.0f, mostSteps);
     // The centre of an incomplete cell may be outside, before the face.
     const float least = plane == 0 ? std::min(0.0f, this->Way.Margin) : 0.0f;
-    const auto stepsOf = [&, firstSteps = firstSteps, stepsOfACell = stepsOfACell](int i)
+    const auto stepsOf = [=](int i)
     {
-      const float steps = firstSteps + static_cast<float>(i) * stepsOfACell;
-      const float atMost = steps < most ? steps : most;
+      const float inside = steps[0] + static_cast<float>(i) * steps[1];
+      const float atMost = inside < most ? inside : most;
       return atMost > least ? atMost : least;
     };
-    const auto& surfaces = this->Way.Cells->GetSurfaces();
-    for (int i = 0; i < rays && surfaces.empty(); ++i)
+    this->Way.Cells->GetSurfaces().empty() ? this->Weaken(stepsOf, before, depths)
+                                           : this->Cross(stepsOf, before, depths);
+    std::swap(this->Transmittances, this->Previous);
+    const float* here = this->Here.data();
+    float* transmittances = this->Transmittances.data();
+    for (int i = 0; i <= this->Way.Column.Cells; ++i)
+    {
+      before[i] = here[i];
+      transmittances[i] = Transmit(depths[i]);
+    }
+  }
+
+  template <typename StepsOf>
+  void Weaken(const StepsOf& stepsOf, const float* before, float* depths) const
+  {
+    const float* here = this->Here.data();
+    for (int i = 0; i <= this->Way.Column.Cells; ++i)
     {
       // Where a ray has come in on its way from the plane before, it knows this plane alone.
       const float steps = stepsOf(i);
       const float mean = steps < 1.0f ? steps * here[i] : 0.5f * (before[i] + here[i]);
       depths[i] += this->Way.Step * mean;
     }
-    for (int i = 0; i < rays && !surfaces.empty(); ++i)
+  }
+
+  template <typename StepsOf>
+  void Cross(const StepsOf& stepsOf, float* before, float* depths) const
+  {
+    const float* here = this->Here.data();
+    for (int i = 0; i <= this->Way.Column.Cells; ++i)
     {
       // There is nothing to cross from outside of the volume, and to or from what is hidden (not a
       // number, so that the comparison is false).
       const bool inside = stepsOf(i) >= 1.0f && std::abs(here[i] - before[i]) <= Most;
       before[i] = inside ? before[i] : here[i];
     }
-    for (const auto& [value, depth] : surfaces)
+    for (const auto& [value, depth] : this->Way.Cells->GetSurfaces())
     {
-      for (int i = 0; i < rays; ++i)
+      for (int i = 0; i <= this->Way.Column.Cells; ++i)
       {
         depths[i] += (before[i] > value) != (here[i] > value) ? depth : 0.0f;
       }
-    }
-    std::swap(this->Transmittances, this->Previous);
-    float* transmittances = this->Transmittances.data();
-    for (int i = 0; i < rays; ++i)
-    {
-      before[i] = here[i];
-      transmittances[i] = Transmit(depths[i]);
     }
   }
 
