@@ -37,7 +37,9 @@ float StepOpacity(float alpha, int component)
 #elif defined TEXTURE_SLICE_TABLE_2D
   return 1.0 - pow(1.0 - alpha, CountUnits(component));
 #else
-  return 1.0 - exp2(-alpha * CountUnits(component));
+  // Of a small depth the difference has few digits: two terms of its series err by less.
+  float depth = 0.69314718 * alpha * CountUnits(component);
+  return depth < 0.01 ? depth * (1.0 - 0.5 * depth) : 1.0 - exp(-depth);
 #endif
 }
 
@@ -88,35 +90,7 @@ bool Gather(vec4 scalars, out vec4 gathered)
   gathered = scalars;
   return true;
 }
-#endif
 
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
-// The scalars that count in a mean of one component, 0 to 1 as they are.
-uniform vec2 averageRange;
-
-// Red: the sum of scalar times opacity. Alpha: the number of samples.
-bool Gather(vec4 scalars, out vec4 gathered)
-{
-  float sum = 0.0;
-  for (int i = 0; i < TEXTURE_SLICE_FUNCTIONS; ++i)
-  {
-    // Of dependent components the last one gives the opacity.
-    float opacity = LookUp(scalars[i + TEXTURE_SLICE_COMPONENTS - TEXTURE_SLICE_FUNCTIONS], i).a;
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
-    opacity *= CountUnits(i);
-#endif
-    sum += scalars[i] * opacity * componentWeight[i];
-  }
-  gathered = vec4(sum, 0.0, 0.0, 1.0);
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE && TEXTURE_SLICE_FUNCTIONS == 1
-  return scalars.x >= averageRange.x && scalars.x <= averageRange.y;
-#else
-  return true;
-#endif
-}
-#endif
-
-#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MINIMUM
 bool isSampled = false;
 
 #if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_MAXIMUM
@@ -157,6 +131,30 @@ vec4 FindPicture()
 #endif
 }
 #elif TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE || TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE
+// The scalars that count in a mean of one component, 0 to 1 as they are.
+uniform vec2 averageRange;
+
+// Red: the sum of scalar times opacity. Alpha: the number of samples.
+bool Gather(vec4 scalars, out vec4 gathered)
+{
+  float sum = 0.0;
+  for (int i = 0; i < TEXTURE_SLICE_FUNCTIONS; ++i)
+  {
+    // Of dependent components the last one gives the opacity.
+    float opacity = LookUp(scalars[i + TEXTURE_SLICE_COMPONENTS - TEXTURE_SLICE_FUNCTIONS], i).a;
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_ADDITIVE
+    opacity *= CountUnits(i);
+#endif
+    sum += scalars[i] * opacity * componentWeight[i];
+  }
+  gathered = vec4(sum, 0.0, 0.0, 1.0);
+#if TEXTURE_SLICE_BLEND == TEXTURE_SLICE_AVERAGE && TEXTURE_SLICE_FUNCTIONS == 1
+  return scalars.x >= averageRange.x && scalars.x <= averageRange.y;
+#else
+  return true;
+#endif
+}
+
 void Add(vec4 gathered)
 {
   picture += gathered;
