@@ -2,58 +2,50 @@
 #include "vtkTextureSliceDistanceMap.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
 
 #include <algorithm>
-#include <cstddef>
 
 namespace
 {
 
-/// Bricks that are one further than the nearest of four rows of bricks, or than the brick before
-/// them in the row.
-void Spread(unsigned char* row, std::ptrdiff_t length, const std::array<std::ptrdiff_t, 4>& rows,
-  std::ptrdiff_t step, std::vector<unsigned char>& nearest)
-{
-  const auto one = [](unsigned char distance) { return static_cast<unsigned char>(distance + 1); };
-  for (std::ptrdiff_t i = -1; i <= length; ++i)
-  {
-    const unsigned char* near = row + i;
-    nearest[static_cast<std::size_t>(i + 1)] =
-      std::min(std::min(near[rows[0]], near[rows[1]]), std::min(near[rows[2]], near[rows[3]]));
-  }
-  const unsigned char* around = nearest.data() + 1;
-  for (std::ptrdiff_t i = 0; i < length; ++i)
-  {
-    row[i] = std::min(row[i], one(std::min(around[i], std::min(around[i - 1], around[i + 1]))));
-  }
-  unsigned char* brick = step > 0 ? row : row + length - 1;
-  unsigned char before = brick[-step];
-  for (std::ptrdiff_t i = 0; i < length; ++i, brick += step)
-  {
-    before = *brick = std::min(*brick, one(before));
-  }
-}
+constexpr unsigned char most = vtkTextureSliceDistanceMap::MostDistance;
 
-/// Distances of bricks, with a frame one brick wide about them (Rosenfeld and Pfaltz 1968): from
-/// the bricks before each one, then from those after it.
-void Spread(const std::array<int, 3>& count, unsigned char* framed)
+/// One row of bricks.
+struct Row
 {
-  const std::ptrdiff_t row = count[0] + 2;
-  const std::ptrdiff_t layer = row * (count[1] + 2);
-  const int rows = count[1] * count[2];
-  std::vector<unsigned char> nearest(static_cast<std::size_t>(row));
-  for (const int step : {1, -1})
+  const unsigned char* Visible;
+  unsigned char* Distances;
+  int Length;
+  int ToNext; ///< 1 or -1: where rays go
+};
+
+/// Distances of a row, from its far end back: one more than the least of the seven bricks ahead.
+/// @param beside distances of the three rows ahead.
+/// @param nearest, limits room for Length + 2 and for Length numbers.
+void FillRow(const Row& row, const std::array<const unsigned char*, 3>& beside,
+  unsigned char* nearest, unsigned char* limits)
+{
+  const auto [besideY, besideZ, besideBoth] = beside;
+  nearest[0] = nearest[row.Length + 1] = most;
+  for (int x = 0; x < row.Length; ++x)
   {
-    for (int i = 0; i < rows; ++i)
-    {
-      const int place = step > 0 ? i : rows - 1 - i;
-      unsigned char* const first =
-        framed + (place / count[1] + 1) * layer + (place % count[1] + 1) * row + 1;
-      Spread(first, count[0],
-        {-step * (layer + row), -step * layer, -step * (layer - row), -step * row}, step, nearest);
-    }
+    nearest[x + 1] = std::min(std::min(besideY[x], besideZ[x]), besideBoth[x]);
+  }
+  for (int x = 0; x < row.Length; ++x)
+  {
+    const unsigned char clear = std::min(nearest[x + 1], nearest[x + 1 + row.ToNext]);
+    const auto further = static_cast<unsigned char>(clear + (clear < most ? 1 : 0));
+    limits[x] = row.Visible[x] != 0 ? static_cast<unsigned char>(0) : further;
+  }
+  int distance = most;
+  int x = row.ToNext > 0 ? row.Length - 1 : 0;
+  for (int i = 0; i < row.Length; ++i, x -= row.ToNext)
+  {
+    distance = std::min(distance + 1, static_cast<int>(limits[x]));
+    row.Distances[x] = static_cast<unsigned char>(distance);
   }
 }
 
@@ -64,28 +56,47 @@ void vtkTextureSliceDistanceMap::Build(const std::array<int, 3>& count,
 {
   this->Count = count;
   this->Edge = edge;
-  this->Uploaded = false;
-  const auto seen =
-    visible.size() - static_cast<std::size_t>(std::count(visible.begin(), visible.end(), 0));
+  this->Distances.resize(Octants * visible.size());
+  vtkSMPTools::For(0, Octants,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType octant = begin; octant < end; ++octant)
+      {
+        this->Fill(static_cast<unsigned int>(octant), visible);
+      }
+    });
+  const auto hidden = std::count(visible.begin(), visible.end(), 0);
   this->VisibleShare =
-    static_cast<double>(seen) / static_cast<double>(std::max<std::size_t>(1, visible.size()));
-  const auto length = static_cast<std::size_t>(count[0]);
-  const auto height = static_cast<std::size_t>(count[1]);
-  const std::size_t row = length + 2;
-  std::vector<unsigned char> framed(
-    row * (height + 2) * static_cast<std::size_t>(count[2] + 2), MostDistance);
-  const auto framedRow = [&](std::size_t at)
-  { return framed.data() + ((at / height + 1) * (height + 2) + at % height + 1) * row + 1; };
-  this->Distances.resize(visible.size());
-  for (std::size_t i = 0; i * length < visible.size(); ++i)
+    visible.empty() ? 0.0 : 1.0 - static_cast<double>(hidden) / static_cast<double>(visible.size());
+  this->Uploaded = false;
+}
+
+void vtkTextureSliceDistanceMap::Fill(
+  unsigned int octant, const std::vector<unsigned char>& visible)
+{
+  const auto [length, height, layers] = this->Count;
+  unsigned char* const map = this->Distances.data() + octant * visible.size();
+  const auto along = [octant](unsigned int axis) { return (octant >> axis & 1) != 0 ? -1 : 1; };
+  const auto begin = [this](int y, int z)
+  { return static_cast<std::size_t>(z * this->Count[1] + y) * this->Count[0]; };
+  const std::vector<unsigned char> outside(static_cast<std::size_t>(length), most);
+  const auto rowAt = [&](int y, int z)
   {
-    std::transform(visible.data() + i * length, visible.data() + (i + 1) * length, framedRow(i),
-      [](unsigned char brick) { return brick != 0 ? 0 : MostDistance; });
-  }
-  Spread(count, framed.data());
-  for (std::size_t i = 0; i * length < visible.size(); ++i)
+    const bool inside = y >= 0 && y < this->Count[1] && z >= 0 && z < this->Count[2];
+    return inside ? map + begin(y, z) : outside.data();
+  };
+  std::vector<unsigned char> nearest(static_cast<std::size_t>(length) + 2);
+  std::vector<unsigned char> limits(static_cast<std::size_t>(length));
+  for (int iz = 0; iz < layers; ++iz)
   {
-    std::copy_n(framedRow(i), length, this->Distances.data() + i * length);
+    const int z = along(2) > 0 ? layers - 1 - iz : iz;
+    for (int iy = 0; iy < height; ++iy)
+    {
+      const int y = along(1) > 0 ? height - 1 - iy : iy;
+      FillRow({visible.data() + begin(y, z), map + begin(y, z), length, along(0)},
+        {rowAt(y + along(1), z), rowAt(y, z + along(2)), rowAt(y + along(1), z + along(2))},
+        nearest.data(), limits.data());
+    }
   }
 }
 
@@ -130,8 +141,8 @@ void vtkTextureSliceDistanceMap::Upload(vtkOpenGLRenderWindow* window)
   this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
   this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
   this->Texture->Create3DFromRaw(static_cast<unsigned int>(this->Count[0]),
-    static_cast<unsigned int>(this->Count[1]), static_cast<unsigned int>(this->Count[2]), 1,
-    VTK_UNSIGNED_CHAR, this->Distances.data());
+    static_cast<unsigned int>(this->Count[1]), static_cast<unsigned int>(Octants * this->Count[2]),
+    1, VTK_UNSIGNED_CHAR, this->Distances.data());
   this->Uploaded = true;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// How far it is from each brick of a volume to the nearest one with something to see.
+// How far rays may go from each brick of a volume until there is something to see.
 #ifndef vtkTextureSliceDistanceMap_h
 #define vtkTextureSliceDistanceMap_h
 
@@ -16,14 +16,18 @@ class vtkTextureSliceFrame;
 class vtkWindow;
 
 /**
- * A ray that enters a brick of distance d passes d - 1 bricks in any direction without a look at
- * them (the chessboard distance). A visible brick has the distance 0.
+ * For each octant of directions, a brick has the edge, in bricks, of the largest cube without a
+ * visible brick that begins with it and lies ahead of a ray of that octant. A ray in the brick may
+ * leave that cube without another look. A visible brick has 0.
  */
 class VTKNEXRADRENDERING_EXPORT vtkTextureSliceDistanceMap
 {
 public:
   /// Larger distances are stored as this one.
-  static constexpr unsigned char MostDistance = 31;
+  static constexpr unsigned char MostDistance = 255;
+  /// Bit 0 of an octant's number is set where rays go towards lower x, bit 1 lower y, bit 2 lower
+  /// z.
+  static constexpr int Octants = 8;
 
   /**
    * @param count bricks along each axis.
@@ -34,7 +38,7 @@ public:
   void Build(const std::array<int, 3>& count, const std::array<double, 3>& edge,
     const std::vector<unsigned char>& visible);
 
-  /// One for each brick, x fastest.
+  /// One octant after the other, each with one distance for each brick, x fastest.
   const std::vector<unsigned char>& GetDistances() const { return this->Distances; }
   /// Part of the bricks that are visible, 0 to 1.
   double GetVisibleShare() const { return this->VisibleShare; }
@@ -50,6 +54,8 @@ public:
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceFrame& frame) const;
 
 private:
+  void Fill(unsigned int octant, const std::vector<unsigned char>& visible);
+
   std::array<int, 3> Count{1, 1, 1};
   std::array<double, 3> Edge{1.0, 1.0, 1.0};
   std::vector<unsigned char> Distances;

@@ -8,29 +8,12 @@
 #include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
+#include <cstring>
 #include <type_traits>
 #include <utility>
 
 namespace
 {
-
-/// The format of a texture of 1 to 4 components.
-unsigned int InternalFormat(int scalarType, int channels)
-{
-  constexpr std::array<unsigned int, 4> bytes{GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
-  constexpr std::array<unsigned int, 4> shorts{GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
-  constexpr std::array<unsigned int, 4> floats{GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
-  const auto index = static_cast<std::size_t>(channels - 1);
-  switch (scalarType)
-  {
-  case VTK_UNSIGNED_CHAR:
-    return bytes[index];
-  case VTK_UNSIGNED_SHORT:
-    return shorts[index];
-  default:
-    return floats[index];
-  }
-}
 
 /// The format of the texels that are handed over.
 unsigned int TexelFormat(int channels)
@@ -50,6 +33,14 @@ unsigned int TexelType(int scalarType)
   default:
     return GL_FLOAT;
   }
+}
+
+/// Mesa's software renderer interpolates bytes in eight bits, and shorts as floats. Codes need
+/// that: their values are a byte's steps apart, and what lies between two of them is drawn as such.
+bool IsLlvmpipe()
+{
+  const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
+  return renderer != nullptr && std::strstr(renderer, "llvmpipe") != nullptr;
 }
 
 /// Takes the errors that OpenGL keeps of calls before, one of each kind.
@@ -111,12 +102,13 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
             "supported: leave out a component or the ghost array";
     return false;
   }
+  const auto allocated = this->Allocated;
   if (!this->Allocate(window, source.Size, error))
   {
     return false;
   }
-  this->ChooseWrap();
-  this->Upload(window, checksum->TakeChanges(source, there ? before : nullptr));
+  const bool kept = there && allocated == this->Allocated;
+  this->Upload(window, checksum->TakeChanges(source, kept ? before : nullptr));
   this->Checksum = checksum;
   this->Last = key;
   return true;
@@ -154,7 +146,10 @@ bool vtkTextureSliceTexture::Allocate(
   }
   const int channels = this->Texels.CountChannels();
   const int scalarType = this->Texels.GetScalarType();
-  const std::array<int, 5> wanted{size[0], size[1], size[2], scalarType, channels};
+  const bool wide = this->Texels.AreCodeBytes() && IsLlvmpipe();
+  const unsigned int format = this->Texture->GetDefaultInternalFormat(
+    wide ? VTK_UNSIGNED_SHORT : scalarType, channels, false);
+  const std::array<int, 4> wanted{size[0], size[1], size[2], static_cast<int>(format)};
   if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
       wanted == this->Allocated)
   {
@@ -162,8 +157,10 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
-  this->Texture->SetInternalFormat(InternalFormat(scalarType, channels));
-  this->ChooseWrap();
+  this->Texture->SetInternalFormat(format);
+  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
   ForgetErrors();
   const bool created = this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
     static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels, scalarType,
@@ -177,19 +174,6 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Allocated = wanted;
   return true;
-}
-
-void vtkTextureSliceTexture::ChooseWrap()
-{
-  // No sample lies outside of the texture, so that both give the same; but Mesa's software renderer
-  // interpolates bytes that are clamped in eight bits, and mirrored ones as floats. Codes need
-  // that: their values are a byte's steps apart, and what lies between two of them is drawn as
-  // such.
-  const int wrap =
-    this->Texels.AreCodeBytes() ? vtkTextureObject::MirroredRepeat : vtkTextureObject::ClampToEdge;
-  this->Texture->SetWrapS(wrap);
-  this->Texture->SetWrapT(wrap);
-  this->Texture->SetWrapR(wrap);
 }
 
 void vtkTextureSliceTexture::SetNearest(bool nearest)

@@ -53,7 +53,6 @@ public:
 
 private:
   bool Allocate(vtkOpenGLRenderWindow* window, const std::array<int, 3>& size, std::string& error);
-  void ChooseWrap();
   void Upload(vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes);
 
   vtkNew<vtkTextureObject> Texture;
@@ -61,7 +60,7 @@ private:
   /// Of what is in the texture; nullptr: not known.
   vtkSmartPointer<vtkTextureSliceChecksums> Checksum;
   vtkTextureSliceChecksums::Key Last;
-  std::array<int, 5> Allocated{}; ///< size, scalar type and number of the texture's components
+  std::array<int, 4> Allocated{}; ///< size and internal format
 };
 
 #endif
