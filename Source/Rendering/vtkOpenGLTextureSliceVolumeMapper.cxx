@@ -455,8 +455,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(vtkRenderer* rendere
   if (request.ReadsSecondArray())
   {
     const bool cellData = this->CellFlag == 1;
-    parts.SecondArray.Update(
-      parts.Window, image, this->FindSecondArray(image, cellData), cellData, error);
+    parts.SecondArray.Update(parts.Window,
+      vtkTextureSliceScalars::Find(image, this->FindSecondArray(image, cellData), cellData), error);
     parts.SecondArray.SetNearest(nearest);
   }
   return error;
@@ -549,7 +549,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::Upload(
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Parts->Use(window);
-  return this->Parts->Texture.Update(window, image, scalars, this->CellFlag == 1, error) &&
+  const auto source = vtkTextureSliceScalars::Find(image, scalars, this->CellFlag == 1);
+  return this->Parts->Texture.Update(window, source, error) &&
          this->Parts->Blanks.Update(window, image, this->CellFlag == 1, error) &&
          this->UpdateMask(image, error);
 }
@@ -614,7 +615,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(vtkImageData* image, std::str
     return false;
   }
   vtkTextureSliceTexture& mask = this->Parts->Mask;
-  if (!mask.Update(this->Parts->Window, this->MaskInput, values, cellData, error))
+  const auto source = vtkTextureSliceScalars::Find(this->MaskInput, values, cellData);
+  if (!mask.Update(this->Parts->Window, source, error))
   {
     return false;
   }

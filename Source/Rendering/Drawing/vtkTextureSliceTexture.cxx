@@ -2,7 +2,6 @@
 #include "vtkTextureSliceTexture.h"
 
 #include "vtkDataArray.h"
-#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureSliceOpenGL.h"
@@ -13,44 +12,6 @@
 
 namespace
 {
-
-/// The format of a texture of 1 to 4 components.
-unsigned int InternalFormat(int scalarType, int channels)
-{
-  constexpr std::array<unsigned int, 4> bytes{GL_R8, GL_RG8, GL_RGB8, GL_RGBA8};
-  constexpr std::array<unsigned int, 4> shorts{GL_R16, GL_RG16, GL_RGB16, GL_RGBA16};
-  constexpr std::array<unsigned int, 4> floats{GL_R32F, GL_RG32F, GL_RGB32F, GL_RGBA32F};
-  const auto index = static_cast<std::size_t>(channels - 1);
-  switch (scalarType)
-  {
-  case VTK_UNSIGNED_CHAR:
-    return bytes[index];
-  case VTK_UNSIGNED_SHORT:
-    return shorts[index];
-  default:
-    return floats[index];
-  }
-}
-
-/// The format of the texels that are handed over.
-unsigned int TexelFormat(int channels)
-{
-  constexpr std::array<unsigned int, 4> formats{GL_RED, GL_RG, GL_RGB, GL_RGBA};
-  return formats[static_cast<std::size_t>(channels - 1)];
-}
-
-unsigned int TexelType(int scalarType)
-{
-  switch (scalarType)
-  {
-  case VTK_UNSIGNED_CHAR:
-    return GL_UNSIGNED_BYTE;
-  case VTK_UNSIGNED_SHORT:
-    return GL_UNSIGNED_SHORT;
-  default:
-    return GL_FLOAT;
-  }
-}
 
 /// Takes the errors that OpenGL keeps of calls before, one of each kind.
 void ForgetErrors()
@@ -87,10 +48,9 @@ bool Check(const vtkTextureSliceScalars& source, std::string& error)
 
 } // namespace
 
-bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData* image,
-  vtkDataArray* scalars, bool cellData, std::string& error)
+bool vtkTextureSliceTexture::Update(
+  vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, std::string& error)
 {
-  const auto source = vtkTextureSliceScalars::Find(image, scalars, cellData);
   const vtkTextureSliceChecksums::Key key = vtkTextureSliceChecksums::MakeKey(source);
   const bool there = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
   if (there && this->Checksum != nullptr && key == this->Last)
@@ -125,8 +85,10 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
 void vtkTextureSliceTexture::Upload(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes)
 {
-  const unsigned int format = TexelFormat(this->Texels.CountChannels());
-  const unsigned int type = TexelType(this->Texels.GetScalarType());
+  const int scalarType = this->Texels.GetScalarType();
+  const unsigned int format =
+    this->Texture->GetDefaultFormat(scalarType, this->Texels.CountChannels(), false);
+  const auto type = static_cast<unsigned int>(this->Texture->GetDefaultDataType(scalarType));
   this->Texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (std::size_t i = 0; i < changes.Boxes.size(); ++i)
@@ -162,7 +124,6 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
-  this->Texture->SetInternalFormat(InternalFormat(scalarType, channels));
   this->ChooseWrap();
   ForgetErrors();
   const bool created = this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),

@@ -148,6 +148,13 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
            ++brick)
       {
         const auto* const own = ranges.data() + brick * components;
+        // Bricks without echoes have the ranges of those before them.
+        if (static_cast<vtkIdType>(brick) > begin &&
+            std::equal(own, own + components, own - components))
+        {
+          this->Visible[brick] = this->Visible[brick - 1];
+          continue;
+        }
         const bool visible = std::any_of(tests.begin(), tests.end(),
           [own](const vtkTextureSliceBrickTests::Test& test) { return test(own); });
         this->Visible[brick] = visible ? 1 : 0;

@@ -10,8 +10,6 @@
 
 #include <array>
 #include <cstddef>
-#include <string>
-#include <tuple>
 #include <vector>
 
 class vtkImageData;
@@ -53,10 +51,8 @@ public:
   double GetMargin() const { return 1.0 / static_cast<double>(this->Width); }
 
 private:
-  using Key = std::tuple<std::array<const void*, 3>, std::array<vtkMTimeType, 3>>;
   void Fill(std::vector<float>& entries) const;
 
-  Key Last;
   std::array<std::vector<double>, 3> Places; ///< of the points in the box, ascending from 0 to 1
   std::size_t Width = 1;                     ///< entries of the table
   vtkTimeStamp BuildTime;
