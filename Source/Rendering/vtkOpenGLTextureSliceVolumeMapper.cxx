@@ -380,7 +380,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices(
 {
   vtkTextureSliceParts& parts = *this->Parts;
   parts.EmptySpace.Update({&request, &parts.Texture, &parts.Table, &parts.LabelTable,
-    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags, &parts.Coordinates});
+    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags});
   parts.Frame.SetPlane(request.GetSlicePlane());
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
@@ -549,7 +549,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::Upload(
 {
   auto* window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   this->Parts->Use(window);
-  const auto source = vtkTextureSliceScalars::Find(image, scalars, this->CellFlag == 1);
+  auto source = vtkTextureSliceScalars::Find(image, scalars, this->CellFlag == 1);
+  source.Places = this->Parts->Coordinates.GetPlaces();
   return this->Parts->Texture.Update(window, source, error) &&
          this->Parts->Blanks.Update(window, image, this->CellFlag == 1, error) &&
          this->UpdateMask(image, error);

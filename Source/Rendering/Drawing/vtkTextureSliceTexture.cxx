@@ -22,6 +22,12 @@ void ForgetErrors()
   }
 }
 
+std::string ToText(const std::array<int, 3>& size)
+{
+  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+         std::to_string(size[2]);
+}
+
 /// Whether scalars of that number and type can become a texture.
 bool Check(const vtkTextureSliceScalars& source, std::string& error)
 {
@@ -106,12 +112,10 @@ bool vtkTextureSliceTexture::Allocate(
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
   if (*std::max_element(size.begin(), size.end()) > limit)
   {
-    error = "the volume has " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-            std::to_string(size[2]) + " voxels, this OpenGL takes at most " +
+    error = "the volume has " + ToText(size) + " voxels, this OpenGL takes at most " +
             std::to_string(limit) + " along an axis: resample it to " +
-            std::to_string(std::min(size[0], limit)) + " x " +
-            std::to_string(std::min(size[1], limit)) + " x " +
-            std::to_string(std::min(size[2], limit)) + " or less (nexrad3d grid --dims)";
+            ToText({std::min(size[0], limit), std::min(size[1], limit), std::min(size[2], limit)}) +
+            " or less (nexrad3d grid --dims)";
     return false;
   }
   const int channels = this->Texels.CountChannels();
@@ -124,15 +128,13 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
-  this->ChooseWrap();
   ForgetErrors();
   const bool created = this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
     static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels, scalarType,
     nullptr);
   if (!created || glGetError() != GL_NO_ERROR)
   {
-    error = "OpenGL could not make a texture of " + std::to_string(size[0]) + " x " +
-            std::to_string(size[1]) + " x " + std::to_string(size[2]) +
+    error = "OpenGL could not make a texture of " + ToText(size) +
             " voxels: it may lack the memory; fewer voxels need less (nexrad3d grid --dims)";
     return false;
   }

@@ -74,7 +74,7 @@ void vtkTextureSliceCoordinates::Set(vtkRectilinearGrid* grid)
   if (places != this->Places)
   {
     this->Places = places;
-    this->BuildTime.Modified();
+    this->Filled = false;
     const auto wanted = static_cast<std::size_t>(std::min(16.0 / shortest, 1.0 * MostWidth));
     this->Width = std::clamp(wanted, LeastWidth, MostWidth);
   }
@@ -104,16 +104,6 @@ vtkSmartPointer<vtkImageData> vtkTextureSliceCoordinates::MakeImage(vtkRectiline
   return image;
 }
 
-double vtkTextureSliceCoordinates::ToBox(std::size_t axis, double part) const
-{
-  const std::vector<double>& places = this->Places[axis];
-  const auto last = static_cast<double>(places.size() - 1);
-  const double point = std::clamp(part, 0.0, 1.0) * last;
-  const auto before = static_cast<std::size_t>(std::min(std::floor(point), last - 1.0));
-  const double beyond = point - static_cast<double>(before);
-  return places[before] + beyond * (places[before + 1] - places[before]);
-}
-
 void vtkTextureSliceCoordinates::Fill(std::vector<float>& entries) const
 {
   entries.assign(4 * this->Width, 0.0f);
@@ -137,8 +127,7 @@ void vtkTextureSliceCoordinates::Fill(std::vector<float>& entries) const
 
 void vtkTextureSliceCoordinates::Update(vtkOpenGLRenderWindow* window)
 {
-  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
-      this->FillTime == this->GetBuildTime())
+  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window && this->Filled)
   {
     return;
   }
@@ -150,12 +139,12 @@ void vtkTextureSliceCoordinates::Update(vtkOpenGLRenderWindow* window)
   this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
   this->Texture->Create1DFromRaw(
     static_cast<unsigned int>(this->Width), 4, VTK_FLOAT, entries.data());
-  this->FillTime = this->GetBuildTime();
+  this->Filled = true;
 }
 
 void vtkTextureSliceCoordinates::SetUniforms(vtkShaderProgram* program) const
 {
-  const auto entry = static_cast<float>(this->GetMargin());
+  const auto entry = static_cast<float>(1.0 / static_cast<double>(this->Width));
   const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
   program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
 }

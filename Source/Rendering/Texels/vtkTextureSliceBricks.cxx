@@ -83,11 +83,24 @@ private:
   /// The first texel that samples inside a brick can reach along an axis, and the end of them.
   std::array<int, 2> Reach(int brick, std::size_t axis) const
   {
-    // Point scalars stand on the bricks' faces, cell scalars half a cell inside of them.
-    const int first = brick * this->Edges[axis];
-    const int before = this->Source.CellData ? 1 : 0;
-    return {std::max(0, first - before),
-      std::min(this->Source.Size[axis], first + this->Edges[axis] + 1)};
+    int first = brick * this->Edges[axis]; // interval between points
+    int end = first + this->Edges[axis];
+    const std::vector<double>& places = this->Source.Places[axis];
+    if (!places.empty())
+    {
+      // The intervals that an equal part of the box touches.
+      constexpr double margin = 1.0 / 1024; // what the shaders' places may be off at most
+      const double edge = this->Edges[axis] / static_cast<double>(places.size() - 1);
+      const auto low =
+        std::upper_bound(places.begin() + 1, places.end() - 1, brick * edge - margin);
+      const auto high =
+        std::lower_bound(places.begin() + 1, places.end() - 1, (brick + 1) * edge + margin);
+      first = static_cast<int>(low - places.begin()) - 1;
+      end = static_cast<int>(high - places.begin());
+    }
+    // Point scalars stand at the intervals' ends, cell scalars half a cell inside of them.
+    return {std::max(0, this->Source.CellData ? first - 1 : first),
+      std::min(this->Source.Size[axis], end + 1)};
   }
 
   /// Takes one component of a row of texels into the extremes of the columns.

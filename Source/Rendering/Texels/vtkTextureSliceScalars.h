@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 class vtkDataArray;
 class vtkImageData;
@@ -25,6 +26,8 @@ struct vtkTextureSliceScalars
   std::optional<vtkTextureSliceCodes> Codes = {};
   /// Data lengths of a voxel's edges; they decide on the shape of bricks alone.
   std::array<double, 3> Spacing{1.0, 1.0, 1.0};
+  /// Where the points of a rectilinear grid lie in the box, 0 to 1 along each axis; empty: evenly.
+  std::array<std::vector<double>, 3> Places = {};
 
   /// Texels of an image along each axis.
   static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
