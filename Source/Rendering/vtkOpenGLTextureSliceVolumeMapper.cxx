@@ -363,7 +363,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()
 {
   vtkTextureSliceParts& parts = *this->Parts;
   parts.EmptySpace.Update({&parts.Request, &parts.Texture, &parts.Table, &parts.LabelTable,
-    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags, &parts.Coordinates});
+    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags});
   parts.Frame.SetPlane(parts.Request.GetSlicePlane());
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
@@ -555,7 +555,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
             (cellData ? "cell" : "point") + " scalars of one unsigned char";
     return false;
   }
-  return parts.UpdateArray(parts.Mask, this->MaskInput, values, cellData, true, error);
+  return parts.UpdateArray(
+    parts.Mask, vtkTextureSliceScalars::Find(this->MaskInput, values, cellData), true, error);
 }
 
 std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const

@@ -52,10 +52,10 @@ void vtkTextureSliceParts::Use(vtkOpenGLRenderWindow* window)
   window->MakeCurrent();
 }
 
-bool vtkTextureSliceParts::UpdateArray(vtkTextureSliceTexture& texture, vtkImageData* image,
-  vtkDataArray* values, bool cellData, bool nearest, std::string& error)
+bool vtkTextureSliceParts::UpdateArray(vtkTextureSliceTexture& texture,
+  const vtkTextureSliceScalars& source, bool nearest, std::string& error)
 {
-  if (!texture.Update(this->Window, image, values, cellData, error))
+  if (!texture.Update(this->Window, source, error))
   {
     return false;
   }
@@ -71,10 +71,13 @@ bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std
   {
     this->Coordinates.Update(this->Window);
   }
-  return this->UpdateArray(this->Texture, this->Image, this->Scalars, cellData, nearest, error) &&
+  auto source = vtkTextureSliceScalars::Find(this->Image, this->Scalars, cellData);
+  source.Places = this->Coordinates.GetPlaces();
+  return this->UpdateArray(this->Texture, source, nearest, error) &&
          this->Blanks.Update(this->Window, this->Image, cellData, error) &&
          (second == nullptr ||
-           this->UpdateArray(this->SecondArray, this->Image, second, cellData, nearest, error)) &&
+           this->UpdateArray(this->SecondArray,
+             vtkTextureSliceScalars::Find(this->Image, second, cellData), nearest, error)) &&
          this->UpdateTables(nearest, error);
 }
 

@@ -56,8 +56,8 @@ public:
   /// @return false with one line in @a error
   bool UpdateVolume(bool cellData, vtkDataArray* second, std::string& error);
   /// The same for one texture.
-  bool UpdateArray(vtkTextureSliceTexture& texture, vtkImageData* image, vtkDataArray* values,
-    bool cellData, bool nearest, std::string& error);
+  bool UpdateArray(vtkTextureSliceTexture& texture, const vtkTextureSliceScalars& source,
+    bool nearest, std::string& error);
   /// Draws the slices into the target. @return false with one line in @a error
   bool Draw(std::string& error);
   /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level

@@ -1,44 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkTextureSliceBlanks.h"
 
-#include "vtkCellData.h"
-#include "vtkDataSetAttributes.h"
 #include "vtkImageData.h"
-#include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 #include "vtkUnsignedCharArray.h"
-
-namespace
-{
-
-/// nullptr where no flag hides anything.
-vtkUnsignedCharArray* FindFlags(vtkImageData* image, bool ofCells)
-{
-  vtkDataSetAttributes* attributes =
-    ofCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
-  const vtkIdType count = ofCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
-  auto* flags = vtkUnsignedCharArray::SafeDownCast(
-    attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  return flags != nullptr && flags->GetNumberOfTuples() == count && flags->GetRange()[1] > 0.0
-           ? flags
-           : nullptr;
-}
-
-} // namespace
 
 bool vtkTextureSliceBlanks::Update(
   vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData, std::string& error)
 {
-  vtkUnsignedCharArray* flags = FindFlags(image, !cellData);
-  this->Used = flags != nullptr;
+  vtkUnsignedCharArray* flags = vtkTextureSliceScalars::FindGhosts(image, !cellData);
+  this->Used = flags != nullptr && flags->GetRange()[1] > 0.0;
   if (!this->Used)
   {
     return true;
   }
   const auto size = vtkTextureSliceScalars::GetSize(image, !cellData);
   const auto texels = vtkTextureSliceScalars::GetSize(image, cellData);
-  this->Flags->SetDimensions(size.data());
-  if (!this->Texture.Update(window, this->Flags, flags, false, error))
+  if (!this->Texture.Update(window, {flags, size}, error))
   {
     return false;
   }

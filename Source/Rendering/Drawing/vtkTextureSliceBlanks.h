@@ -4,7 +4,6 @@
 #ifndef vtkTextureSliceBlanks_h
 #define vtkTextureSliceBlanks_h
 
-#include "vtkNew.h"
 #include "vtkTextureSliceTexture.h"
 
 #include <array>
@@ -13,7 +12,6 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkUnsignedCharArray;
 class vtkWindow;
 
 /**
@@ -41,7 +39,6 @@ public:
 
 private:
   vtkTextureSliceTexture Texture;
-  vtkNew<vtkImageData> Flags; ///< the flags alone, as the scalars of an image
   bool Used = false;
   /// From texture coordinates of the scalars to those of the flags.
   std::array<float, 3> Scale{};

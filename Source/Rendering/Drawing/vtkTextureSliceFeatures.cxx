@@ -6,21 +6,10 @@
 #include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
 
+#include <utility>
+
 namespace
 {
-
-void Define(std::string& defines, const char* name, int value)
-{
-  defines += std::string("#define TEXTURE_SLICE_") + name + ' ' + std::to_string(value) + '\n';
-}
-
-void DefineIf(bool condition, std::string& defines, const char* name)
-{
-  if (condition)
-  {
-    Define(defines, name, 1);
-  }
-}
 
 /// Highlights where the eye sees the light mirrored (Phong), as VTK draws them from 9.2 on, and not
 /// where the surface faces half-way between light and eye (Blinn).
@@ -32,7 +21,7 @@ constexpr const char* Opaque = "(1023.0 / 1024.0)";
 constexpr const char* LeastSamples = "2.0";
 constexpr const char* LeastSlabs = "4.0";
 
-/// What a vtkTextureSliceTable of so many rows is in the shader.
+/// What a table of so many rows is in the shader.
 const char* SamplerOf(int rows)
 {
   return rows == 1 ? "sampler1D" : "sampler2D";
@@ -43,76 +32,51 @@ const char* SamplerOf(int rows)
 std::string vtkTextureSliceFeatures::GetDefines() const
 {
   std::string defines;
-  Define(defines, "COMPOSITE", vtkVolumeMapper::COMPOSITE_BLEND);
-  Define(defines, "MAXIMUM", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND);
-  Define(defines, "MINIMUM", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND);
-  Define(defines, "AVERAGE", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND);
-  Define(defines, "ADDITIVE", vtkVolumeMapper::ADDITIVE_BLEND);
-  Define(defines, "ISOSURFACE", vtkVolumeMapper::ISOSURFACE_BLEND);
-  Define(defines, "PLANE", vtkVolumeMapper::SLICE_BLEND);
-  Define(defines, "BLEND", this->BlendMode);
-  Define(defines, "COMPONENTS", this->Components);
-  Define(defines, "FUNCTIONS", this->Functions);
-  Define(defines, "ROWS", this->CountRows());
-  DefineIf(this->Masked, defines, "MASKED");
-  DefineIf(this->Blanked, defines, "BLANKED");
-  DefineIf(this->Rectilinear, defines, "RECTILINEAR");
-  DefineIf(this->Cropped, defines, "CROPPED");
-  DefineIf(this->Parallel, defines, "PARALLEL");
-  DefineIf(this->GradientOpacity, defines, "GRADIENT_OPACITY");
-  DefineIf(this->SmoothGradient, defines, "SMOOTH_GRADIENT");
-  DefineIf(this->ClippedScalars && this->ClippingPlanes > 0, defines, "CLIPPED_SCALARS");
-  DefineIf(this->Table2D, defines, "TABLE_2D");
-  DefineIf(this->ExtremeSample, defines, "EXTREME_SAMPLE");
-  DefineIf(this->NeedsGradient(), defines, "GRADIENT");
-  if (this->SecondArray > 0)
+  const auto define = [&defines](const char* name, const std::string& text)
+  { defines += std::string("#define TEXTURE_SLICE_") + name + ' ' + text + '\n'; };
+  using Named = std::pair<const char*, int>;
+  for (const auto& [name, number] :
+    {Named("COMPOSITE", vtkVolumeMapper::COMPOSITE_BLEND),
+      {"MAXIMUM", vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND},
+      {"MINIMUM", vtkVolumeMapper::MINIMUM_INTENSITY_BLEND},
+      {"AVERAGE", vtkVolumeMapper::AVERAGE_INTENSITY_BLEND},
+      {"ADDITIVE", vtkVolumeMapper::ADDITIVE_BLEND},
+      {"ISOSURFACE", vtkVolumeMapper::ISOSURFACE_BLEND}, {"PLANE", vtkVolumeMapper::SLICE_BLEND},
+      {"BLEND", this->BlendMode}, {"COMPONENTS", this->Components}, {"FUNCTIONS", this->Functions},
+      {"ROWS", this->CountRows()}, {"LABEL_ROWS", this->CountLabelRows()},
+      {"CLIPPING_PLANES", this->ClippingPlanes}, {"PEEL_OUTSIDE", vtkTextureSlicePeeling::Outside},
+      {"PEEL_BETWEEN", vtkTextureSlicePeeling::Between},
+      {"PEEL_REST", vtkTextureSlicePeeling::Rest}})
   {
-    Define(defines, "SECOND_ARRAY", this->SecondArray);
-    DefineIf(this->SecondMasked, defines, "SECOND_MASKED");
+    define(name, std::to_string(number));
   }
-  DefineIf(this->BinaryMask, defines, "BINARY_MASK");
-  DefineIf(this->Selection, defines, "SELECTION");
-  DefineIf(this->Shadows, defines, "SHADOWS");
-  DefineIf(this->Scattering, defines, "SCATTERING");
-  defines += std::string("#define TEXTURE_SLICE_TABLE ") + SamplerOf(this->CountRows()) + '\n';
-  if (this->Labels > 0)
+  // Defined where they are above 0.
+  for (const auto& [name, number] :
+    {Named("MASKED", this->Masked), {"BLANKED", this->Blanked}, {"RECTILINEAR", this->Rectilinear},
+      {"CROPPED", this->Cropped}, {"PARALLEL", this->Parallel},
+      {"GRADIENT_OPACITY", this->GradientOpacity}, {"SMOOTH_GRADIENT", this->SmoothGradient},
+      {"CLIPPED_SCALARS", this->ClippedScalars && this->ClippingPlanes > 0},
+      {"TABLE_2D", this->Table2D}, {"EXTREME_SAMPLE", this->ExtremeSample},
+      {"GRADIENT", this->NeedsGradient()}, {"SECOND_ARRAY", this->SecondArray},
+      {"SECOND_MASKED", this->SecondMasked}, {"BINARY_MASK", this->BinaryMask},
+      {"SELECTION", this->Selection}, {"SHADOWS", this->Shadows}, {"SCATTERING", this->Scattering},
+      {"LABELS", this->Labels}, {"MIRRORED_HIGHLIGHTS", MirroredHighlights},
+      {"SKIPPING", this->Skipping}, {"SLABS", this->Slabs ? SlabsOfPiece : 0}, {"PEEL", this->Peel},
+      {"PLACES", this->Places}, {"ISO_VALUES", this->IsoValues}, {"CONTOURS", this->Contours}})
   {
-    defines +=
-      std::string("#define TEXTURE_SLICE_LABEL_TABLE ") + SamplerOf(this->CountLabelRows()) + '\n';
-    Define(defines, "LABELS", this->Labels);
-    Define(defines, "LABEL_ROWS", this->CountLabelRows());
+    if (number > 0)
+    {
+      define(name, std::to_string(number));
+    }
   }
   if (this->Lights >= 0)
   {
-    Define(defines, "LIGHTS", this->Lights);
-    DefineIf(MirroredHighlights, defines, "MIRRORED_HIGHLIGHTS");
+    define("LIGHTS", std::to_string(this->Lights));
   }
-  Define(defines, "CLIPPING_PLANES", this->ClippingPlanes);
-  DefineIf(this->Skipping, defines, "SKIPPING");
-  DefineIf(this->Places, defines, "PLACES");
-  defines += "#define TEXTURE_SLICE_OPAQUE " + std::string(Opaque) + '\n';
-  defines += "#define TEXTURE_SLICE_LEAST_SLICES " +
-             std::string(this->Slabs ? LeastSlabs : LeastSamples) + '\n';
-  if (this->Slabs)
-  {
-    Define(defines, "SLABS", SlabsOfPiece);
-    defines += std::string("#define TEXTURE_SLICE_INTEGRAL_TABLE ") +
-               (this->GetIntegralDimensions() == 1 ? "sampler1D" : "sampler2D") + '\n';
-  }
-  if (this->Peel > 0)
-  {
-    Define(defines, "PEEL", this->Peel);
-    Define(defines, "PEEL_OUTSIDE", vtkTextureSlicePeeling::Outside);
-    Define(defines, "PEEL_BETWEEN", vtkTextureSlicePeeling::Between);
-    Define(defines, "PEEL_REST", vtkTextureSlicePeeling::Rest);
-  }
-  if (this->IsoValues > 0)
-  {
-    Define(defines, "ISO_VALUES", this->IsoValues);
-  }
-  if (this->Contours > 0)
-  {
-    Define(defines, "CONTOURS", this->Contours);
-  }
+  define("TABLE", SamplerOf(this->CountRows()));
+  define("LABEL_TABLE", SamplerOf(this->CountLabelRows()));
+  define("INTEGRAL_TABLE", this->GetIntegralDimensions() == 1 ? "sampler1D" : "sampler2D");
+  define("OPAQUE", Opaque);
+  define("LEAST_SLICES", this->Slabs ? LeastSlabs : LeastSamples);
   return defines;
 }

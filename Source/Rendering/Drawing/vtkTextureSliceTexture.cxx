@@ -2,7 +2,6 @@
 #include "vtkTextureSliceTexture.h"
 
 #include "vtkDataArray.h"
-#include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 #include "vtkTextureSliceOpenGL.h"
@@ -14,26 +13,6 @@
 
 namespace
 {
-
-/// The format of the texels that are handed over.
-unsigned int TexelFormat(int channels)
-{
-  constexpr std::array<unsigned int, 4> formats{GL_RED, GL_RG, GL_RGB, GL_RGBA};
-  return formats[static_cast<std::size_t>(channels - 1)];
-}
-
-unsigned int TexelType(int scalarType)
-{
-  switch (scalarType)
-  {
-  case VTK_UNSIGNED_CHAR:
-    return GL_UNSIGNED_BYTE;
-  case VTK_UNSIGNED_SHORT:
-    return GL_UNSIGNED_SHORT;
-  default:
-    return GL_FLOAT;
-  }
-}
 
 /// Mesa's software renderer interpolates bytes in eight bits, and shorts as floats. Codes need
 /// that: their values are a byte's steps apart, and what lies between two of them is drawn as such.
@@ -50,6 +29,12 @@ void ForgetErrors()
   for (int i = 0; i < kinds && glGetError() != GL_NO_ERROR; ++i)
   {
   }
+}
+
+std::string ToText(const std::array<int, 3>& size)
+{
+  return std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
+         std::to_string(size[2]);
 }
 
 /// Whether scalars of that number and type can become a texture.
@@ -78,10 +63,9 @@ bool Check(const vtkTextureSliceScalars& source, std::string& error)
 
 } // namespace
 
-bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData* image,
-  vtkDataArray* scalars, bool cellData, std::string& error)
+bool vtkTextureSliceTexture::Update(
+  vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, std::string& error)
 {
-  const auto source = vtkTextureSliceScalars::Find(image, scalars, cellData);
   const vtkTextureSliceChecksums::Key key = vtkTextureSliceChecksums::MakeKey(source);
   const bool there = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
   if (there && this->Checksum != nullptr && key == this->Last)
@@ -117,8 +101,10 @@ bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window, vtkImageData*
 void vtkTextureSliceTexture::Upload(
   vtkOpenGLRenderWindow* window, const vtkTextureSliceChanges& changes)
 {
-  const unsigned int format = TexelFormat(this->Texels.CountChannels());
-  const unsigned int type = TexelType(this->Texels.GetScalarType());
+  const int scalarType = this->Texels.GetScalarType();
+  const unsigned int format =
+    this->Texture->GetDefaultFormat(scalarType, this->Texels.CountChannels(), false);
+  const auto type = static_cast<unsigned int>(this->Texture->GetDefaultDataType(scalarType));
   this->Texture->Activate();
   window->GetState()->vtkglPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   for (std::size_t i = 0; i < changes.Boxes.size(); ++i)
@@ -136,26 +122,23 @@ bool vtkTextureSliceTexture::Allocate(
   const int limit = vtkTextureObject::GetMaximumTextureSize3D(window);
   if (*std::max_element(size.begin(), size.end()) > limit)
   {
-    error = "the volume has " + std::to_string(size[0]) + " x " + std::to_string(size[1]) + " x " +
-            std::to_string(size[2]) + " voxels, this OpenGL takes at most " +
+    error = "the volume has " + ToText(size) + " voxels, this OpenGL takes at most " +
             std::to_string(limit) + " along an axis: resample it to " +
-            std::to_string(std::min(size[0], limit)) + " x " +
-            std::to_string(std::min(size[1], limit)) + " x " +
-            std::to_string(std::min(size[2], limit)) + " or less (nexrad3d grid --dims)";
+            ToText({std::min(size[0], limit), std::min(size[1], limit), std::min(size[2], limit)}) +
+            " or less (nexrad3d grid --dims)";
     return false;
   }
   const int channels = this->Texels.CountChannels();
   const int scalarType = this->Texels.GetScalarType();
+  this->Texture->SetContext(window);
   const bool wide = this->Texels.AreCodeBytes() && IsLlvmpipe();
   const unsigned int format = this->Texture->GetDefaultInternalFormat(
     wide ? VTK_UNSIGNED_SHORT : scalarType, channels, false);
   const std::array<int, 4> wanted{size[0], size[1], size[2], static_cast<int>(format)};
-  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
-      wanted == this->Allocated)
+  if (this->Texture->GetHandle() != 0 && wanted == this->Allocated)
   {
     return true;
   }
-  this->Texture->SetContext(window);
   this->Texture->ResetFormatAndType();
   this->Texture->SetInternalFormat(format);
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
@@ -167,8 +150,7 @@ bool vtkTextureSliceTexture::Allocate(
     nullptr);
   if (!created || glGetError() != GL_NO_ERROR)
   {
-    error = "OpenGL could not make a texture of " + std::to_string(size[0]) + " x " +
-            std::to_string(size[1]) + " x " + std::to_string(size[2]) +
+    error = "OpenGL could not make a texture of " + ToText(size) +
             " voxels: it may lack the memory; fewer voxels need less (nexrad3d grid --dims)";
     return false;
   }

@@ -13,8 +13,6 @@
 #include <string>
 #include <vector>
 
-class vtkDataArray;
-class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
@@ -35,8 +33,8 @@ public:
    * Uploads the scalars if they, the ghost array, the dimensions or the window changed.
    * @return false, with one line in @a error, if the volume does not fit.
    */
-  bool Update(vtkOpenGLRenderWindow* window, vtkImageData* image, vtkDataArray* scalars,
-    bool cellData, std::string& error);
+  bool Update(
+    vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, std::string& error);
   void SetNearest(bool nearest);
   void ReleaseGraphicsResources(vtkWindow* window);
 

@@ -3,7 +3,6 @@
 
 #include "vtkSMPTools.h"
 #include "vtkTextureSliceBrickTests.h"
-#include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceTable.h"
@@ -17,10 +16,10 @@
 namespace
 {
 
-/// For each brick between two borders along an axis, the regions (one bit each) between the
+/// For each brick along an axis, the regions (one bit each) between the
 /// cropping planes that it touches, whatever the other axes.
 std::vector<unsigned int> FindRegions(
-  const vtkTextureSliceFrame& frame, const std::vector<double>& borders, std::size_t axis)
+  const vtkTextureSliceFrame& frame, const vtkTextureSliceBricks& bricks, std::size_t axis)
 {
   constexpr std::array<std::array<unsigned int, 3>, 3> parts{
     {{0x1249249, 0x2492492, 0x4924924}, {0x1C0E07, 0xE07038, 0x70381C0},
@@ -31,33 +30,15 @@ std::vector<unsigned int> FindRegions(
   const double high = static_cast<double>(frame.GetCropHigh()[axis]);
   constexpr double margin = 1e-5; // what a sample's position may err by
   std::vector<unsigned int> regions;
-  for (std::size_t brick = 0; brick + 1 < borders.size(); ++brick)
+  for (int brick = 0; brick < bricks.GetCount()[axis]; ++brick)
   {
-    const double begin = borders[brick] * scale + bias - margin;
-    const double end = borders[brick + 1] * scale + bias + margin;
+    const double begin = brick * bricks.GetEdge()[axis] * scale + bias - margin;
+    const double end = (brick + 1) * bricks.GetEdge()[axis] * scale + bias + margin;
     regions.push_back((begin < low ? parts[axis][0] : 0U) |
                       (end >= low && begin <= high ? parts[axis][1] : 0U) |
                       (end > high ? parts[axis][2] : 0U));
   }
   return regions;
-}
-
-/// Bricks of the box that even parts of each axis touch: the first, and the one after the last.
-using Touched = std::vector<std::array<std::size_t, 2>>;
-
-Touched FindTouched(const std::vector<double>& borders, double edge, double margin)
-{
-  Touched touched;
-  for (std::size_t part = 0; part + 1 < borders.size(); ++part)
-  {
-    const double begin = static_cast<double>(part) * edge - margin;
-    const double end = static_cast<double>(part + 1) * edge + margin;
-    const auto first = std::upper_bound(borders.begin() + 1, borders.end() - 1, begin);
-    const auto last = std::lower_bound(borders.begin() + 1, borders.end() - 1, end);
-    touched.push_back({static_cast<std::size_t>(first - borders.begin()) - 1,
-      static_cast<std::size_t>(last - borders.begin())});
-  }
-  return touched;
 }
 
 } // namespace
@@ -68,7 +49,7 @@ vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& 
     source.LabelTable->GetFillTime(), source.Table2D->GetFillTime(), source.Request->AverageRange,
     source.Request->GetIsoValues(), source.Request->GetFeatures().GetDefines(),
     source.Frame->NeedsCropTest(), source.Frame->GetCropLow(), source.Frame->GetCropHigh(),
-    source.CropFlags, source.Coordinates->GetBuildTime()};
+    source.CropFlags};
 }
 
 void vtkTextureSliceEmptySpace::Update(const Source& source)
@@ -84,55 +65,9 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
   {
     this->HideCropped(source);
   }
-  if (source.Coordinates->IsUsed())
-  {
-    this->MakeEven(source);
-  }
   const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
   this->Distances.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
   this->Seen = this->Distances.FindSeen();
-}
-
-std::array<std::vector<double>, 3> vtkTextureSliceEmptySpace::FindBorders(const Source& source)
-{
-  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
-  std::array<std::vector<double>, 3> borders;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    for (int brick = 0; brick <= bricks.GetCount()[axis]; ++brick)
-    {
-      const double part = brick * bricks.GetEdge()[axis];
-      borders[axis].push_back(
-        source.Coordinates->IsUsed() ? source.Coordinates->ToBox(axis, part) : part);
-    }
-  }
-  return borders;
-}
-
-void vtkTextureSliceEmptySpace::MakeEven(const Source& source)
-{
-  const std::array<std::vector<double>, 3> borders = FindBorders(source);
-  const std::array<double, 3>& edge = source.Texture->GetBricks().GetEdge();
-  const double margin = source.Coordinates->GetMargin();
-  std::array<std::size_t, 3> stride{1, borders[0].size() - 1, 0};
-  stride[2] = stride[1] * (borders[1].size() - 1);
-  // What an even part touches along one axis after the other.
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    const Touched touched = FindTouched(borders[axis], edge[axis], margin);
-    const std::vector<unsigned char> before = this->Visible;
-    for (std::size_t brick = 0; brick < before.size(); ++brick)
-    {
-      const std::size_t part = brick / stride[axis] % touched.size();
-      const std::size_t line = brick - part * stride[axis];
-      unsigned char visible = 0;
-      for (std::size_t i = touched[part][0]; i < touched[part][1]; ++i)
-      {
-        visible = std::max(visible, before[line + i * stride[axis]]);
-      }
-      this->Visible[brick] = visible;
-    }
-  }
 }
 
 void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
@@ -148,6 +83,13 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
            ++brick)
       {
         const auto* const own = ranges.data() + brick * components;
+        // Bricks without echoes have the ranges of those before them.
+        if (static_cast<vtkIdType>(brick) > begin &&
+            std::equal(own, own + components, own - components))
+        {
+          this->Visible[brick] = this->Visible[brick - 1];
+          continue;
+        }
         const bool visible = std::any_of(tests.begin(), tests.end(),
           [own](const vtkTextureSliceBrickTests::Test& test) { return test(own); });
         this->Visible[brick] = visible ? 1 : 0;
@@ -157,10 +99,10 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
 
 void vtkTextureSliceEmptySpace::HideCropped(const Source& source)
 {
-  const std::array<std::vector<double>, 3> borders = FindBorders(source);
-  const auto alongX = FindRegions(*source.Frame, borders[0], 0);
-  const auto alongY = FindRegions(*source.Frame, borders[1], 1);
-  const auto alongZ = FindRegions(*source.Frame, borders[2], 2);
+  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
+  const auto alongX = FindRegions(*source.Frame, bricks, 0);
+  const auto alongY = FindRegions(*source.Frame, bricks, 1);
+  const auto alongZ = FindRegions(*source.Frame, bricks, 2);
   auto visible = this->Visible.begin();
   for (const unsigned int z : alongZ)
   {

@@ -11,7 +11,6 @@
 #include <tuple>
 #include <vector>
 
-class vtkTextureSliceCoordinates;
 class vtkTextureSliceFrame;
 class vtkTextureSliceTable;
 class vtkTextureSliceTable2D;
@@ -35,14 +34,12 @@ public:
     const vtkTextureSliceTable2D* Table2D = nullptr;  ///< used where the request has such functions
     const vtkTextureSliceFrame* Frame = nullptr;      ///< knows the cropping planes
     int CropFlags = 0;
-    const vtkTextureSliceCoordinates* Coordinates = nullptr;
   };
 
   /// Does nothing where nothing has changed.
   void Update(const Source& source);
 
-  /// How far it is to the next visible brick. The bricks of a rectilinear grid are equal parts of
-  /// the box here.
+  /// How far it is to the next visible brick.
   vtkTextureSliceDistanceMap& GetDistances() { return this->Distances; }
   /// Whether so much is empty that looking for it costs less than it saves.
   bool IsSkippingWorthwhile() const
@@ -57,15 +54,13 @@ public:
 
 private:
   /// All that the answers depend on, the order that of MakeKey.
-  using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType,
-    std::array<double, 2>, std::vector<double>, std::string, bool, std::array<float, 3>,
-    std::array<float, 3>, int, vtkMTimeType>;
+  using Key =
+    std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
+      std::vector<double>, std::string, bool, std::array<float, 3>, std::array<float, 3>, int>;
   static Key MakeKey(const Source& source);
 
-  static std::array<std::vector<double>, 3> FindBorders(const Source& source);
   void FindVisible(const Source& source);
   void HideCropped(const Source& source);
-  void MakeEven(const Source& source);
 
   Key Last;
   vtkTextureSliceDistanceMap Distances;

@@ -56,40 +56,28 @@ const char* vtkTextureSliceCoordinates::FindUnsupported(vtkRectilinearGrid* grid
 
 void vtkTextureSliceCoordinates::Set(vtkRectilinearGrid* grid)
 {
-  Key key;
-  if (grid != nullptr)
-  {
-    const auto coordinates = GetCoordinates(grid);
-    for (std::size_t axis = 0; axis < 3; ++axis)
-    {
-      std::get<0>(key)[axis] = coordinates[axis];
-      std::get<1>(key)[axis] = coordinates[axis]->GetMTime();
-    }
-  }
-  if (key == this->Last)
-  {
-    return;
-  }
-  this->Last = key;
-  this->BuildTime.Modified();
+  std::array<std::vector<double>, 3> places;
   double shortest = 1.0;
-  for (std::size_t axis = 0; axis < 3; ++axis)
+  for (std::size_t axis = 0; axis < 3 && grid != nullptr; ++axis)
   {
-    std::vector<double>& places = this->Places[axis];
-    places.clear();
-    vtkDataArray* coordinates = grid != nullptr ? GetCoordinates(grid)[axis] : nullptr;
-    const vtkIdType points = coordinates != nullptr ? coordinates->GetNumberOfTuples() : 0;
+    vtkDataArray* coordinates = GetCoordinates(grid)[axis];
+    const vtkIdType points = coordinates->GetNumberOfTuples();
+    const double first = coordinates->GetComponent(0, 0);
+    const double length = coordinates->GetComponent(points - 1, 0) - first;
     for (vtkIdType i = 0; i < points; ++i)
     {
-      const double first = coordinates->GetComponent(0, 0);
-      const double length = coordinates->GetComponent(points - 1, 0) - first;
-      places.push_back(length > 0.0 ? (coordinates->GetComponent(i, 0) - first) / length : 0.0);
-      shortest = i > 0 ? std::min(shortest, places[places.size() - 1] - places[places.size() - 2])
-                       : shortest;
+      const double place = (coordinates->GetComponent(i, 0) - first) / length;
+      places[axis].push_back(points > 1 ? place : 0.0);
+      shortest = i > 0 ? std::min(shortest, place - *(places[axis].end() - 2)) : shortest;
     }
   }
-  const auto wanted = static_cast<std::size_t>(std::min(16.0 / shortest, 1.0 * MostWidth));
-  this->Width = std::clamp(wanted, LeastWidth, MostWidth);
+  if (places != this->Places)
+  {
+    this->Places = places;
+    this->Filled = false;
+    const auto wanted = static_cast<std::size_t>(std::min(16.0 / shortest, 1.0 * MostWidth));
+    this->Width = std::clamp(wanted, LeastWidth, MostWidth);
+  }
 }
 
 vtkSmartPointer<vtkImageData> vtkTextureSliceCoordinates::MakeImage(vtkRectilinearGrid* grid)
@@ -116,16 +104,6 @@ vtkSmartPointer<vtkImageData> vtkTextureSliceCoordinates::MakeImage(vtkRectiline
   return image;
 }
 
-double vtkTextureSliceCoordinates::ToBox(std::size_t axis, double part) const
-{
-  const std::vector<double>& places = this->Places[axis];
-  const auto last = static_cast<double>(places.size() - 1);
-  const double point = std::clamp(part, 0.0, 1.0) * last;
-  const auto before = static_cast<std::size_t>(std::min(std::floor(point), last - 1.0));
-  const double beyond = point - static_cast<double>(before);
-  return places[before] + beyond * (places[before + 1] - places[before]);
-}
-
 void vtkTextureSliceCoordinates::Fill(std::vector<float>& entries) const
 {
   entries.assign(4 * this->Width, 0.0f);
@@ -149,8 +127,7 @@ void vtkTextureSliceCoordinates::Fill(std::vector<float>& entries) const
 
 void vtkTextureSliceCoordinates::Update(vtkOpenGLRenderWindow* window)
 {
-  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
-      this->FillTime == this->GetBuildTime())
+  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window && this->Filled)
   {
     return;
   }
@@ -162,12 +139,12 @@ void vtkTextureSliceCoordinates::Update(vtkOpenGLRenderWindow* window)
   this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
   this->Texture->Create1DFromRaw(
     static_cast<unsigned int>(this->Width), 4, VTK_FLOAT, entries.data());
-  this->FillTime = this->GetBuildTime();
+  this->Filled = true;
 }
 
 void vtkTextureSliceCoordinates::SetUniforms(vtkShaderProgram* program) const
 {
-  const auto entry = static_cast<float>(this->GetMargin());
+  const auto entry = static_cast<float>(1.0 / static_cast<double>(this->Width));
   const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
   program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
 }

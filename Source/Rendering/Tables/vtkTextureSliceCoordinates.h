@@ -6,12 +6,9 @@
 #include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkTextureObject.h"
-#include "vtkTimeStamp.h"
 
 #include <array>
 #include <cstddef>
-#include <string>
-#include <tuple>
 #include <vector>
 
 class vtkImageData;
@@ -37,10 +34,8 @@ public:
   static vtkSmartPointer<vtkImageData> MakeImage(vtkRectilinearGrid* grid);
 
   bool IsUsed() const { return !this->Places[0].empty(); }
-  /// When the coordinates changed last.
-  vtkMTimeType GetBuildTime() const { return this->BuildTime.GetMTime(); }
-  /// Where in the box (0 to 1) a part of the points' intervals ends, 0 to 1 for all of them.
-  double ToBox(std::size_t axis, double part) const;
+  /// Where the points lie in the box along each axis, ascending from 0 to 1; empty for an image.
+  const std::array<std::vector<double>, 3>& GetPlaces() const { return this->Places; }
 
   /// Makes the table of all axes for a window.
   void Update(vtkOpenGLRenderWindow* window);
@@ -49,18 +44,13 @@ public:
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Sets how a place in the box becomes one in the table.
   void SetUniforms(vtkShaderProgram* program) const;
-  /// How far a place of the table may be off, in box coordinates.
-  double GetMargin() const { return 1.0 / static_cast<double>(this->Width); }
 
 private:
-  using Key = std::tuple<std::array<const void*, 3>, std::array<vtkMTimeType, 3>>;
   void Fill(std::vector<float>& entries) const;
 
-  Key Last;
-  std::array<std::vector<double>, 3> Places; ///< of the points in the box, ascending from 0 to 1
-  std::size_t Width = 1;                     ///< entries of the table
-  vtkTimeStamp BuildTime;
-  vtkMTimeType FillTime = 0;
+  std::array<std::vector<double>, 3> Places;
+  std::size_t Width = 1; ///< entries of the table
+  bool Filled = false;
   vtkNew<vtkTextureObject> Texture;
 };
 

@@ -73,21 +73,17 @@ double vtkTextureSliceIntegralTable::ChooseMostDepth(double unitsOfSlab)
 void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
   const vtkTextureSliceTable& table, int rows, int dimensions, double mostDepth)
 {
-  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window &&
-      this->FillTime == table.GetFillTime() && this->Rows == rows &&
-      this->Dimensions == dimensions && this->MostDepth == mostDepth)
+  const Key key{table.GetFillTime(), rows, dimensions, mostDepth};
+  if (this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window && key == this->Last)
   {
     return;
   }
+  this->Last = key;
   this->Texture->SetContext(window);
-  if (this->Dimensions != dimensions)
+  if (this->Texture->GetNumberOfDimensions() != dimensions)
   {
     this->Texture->ReleaseGraphicsResources(window);
   }
-  this->FillTime = table.GetFillTime();
-  this->Rows = rows;
-  this->Dimensions = dimensions;
-  this->MostDepth = mostDepth;
   const std::size_t width = table.GetWidth();
   this->Width = ChooseWidth(width);
   std::vector<float> integrals(static_cast<std::size_t>(rows) * this->Width * 4);

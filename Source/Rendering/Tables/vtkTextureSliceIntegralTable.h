@@ -9,6 +9,7 @@
 #include "vtkType.h"
 
 #include <cstddef>
+#include <tuple>
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -61,12 +62,12 @@ public:
     const float* entries, std::size_t width, double mostDepth, float* integrals);
 
 private:
+  /// When the table was filled, rows, dimensions and limit of depth.
+  using Key = std::tuple<vtkMTimeType, int, int, double>;
+
   vtkNew<vtkTextureObject> Texture;
-  vtkMTimeType FillTime = 0; ///< of the table
   std::size_t Width = 0;
-  int Rows = 0;
-  int Dimensions = 0;
-  double MostDepth = 0.0;
+  Key Last{};
 };
 
 #endif

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace
 {
@@ -39,7 +40,7 @@ int CountSamples(const vtkTextureSliceRow& row)
   return samples;
 }
 
-int ChooseWidth(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows)
+std::size_t ChooseWidth(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows)
 {
   int samples = 0;
   for (const vtkTextureSliceRow& row : rows)
@@ -52,7 +53,7 @@ int ChooseWidth(vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSlice
   {
     width *= 2;
   }
-  return width;
+  return static_cast<std::size_t>(width);
 }
 
 /// The function, or where its own range clamps the scalar a copy that holds its last values.
@@ -137,105 +138,71 @@ double ToOpticalDepth(double opacity)
 
 } // namespace
 
-vtkMTimeType vtkTextureSliceRow::GetTime() const
+vtkTextureSliceTable::Key vtkTextureSliceTable::MakeKey(const vtkTextureSliceRow& row)
 {
-  vtkMTimeType time = 0;
-  for (vtkObject* function : {static_cast<vtkObject*>(this->Color),
-         static_cast<vtkObject*>(this->Gray), static_cast<vtkObject*>(this->Opacity)})
-  {
-    time = std::max(time, function != nullptr ? function->GetMTime() : 0);
-  }
-  return time;
-}
-
-bool vtkTextureSliceRow::IsLike(const vtkTextureSliceRow& other) const
-{
-  const auto same = [](const vtkTextureSliceDomain& a, const vtkTextureSliceDomain& b)
-  { return a.Range == b.Range && a.Native == b.Native; };
-  return this->Color == other.Color && this->Gray == other.Gray && this->Opacity == other.Opacity &&
-         this->OpticalDepth == other.OpticalDepth && same(this->ColorDomain, other.ColorDomain) &&
-         same(this->OpacityDomain, other.OpacityDomain);
+  const auto timeOf = [](vtkObject* function)
+  { return function != nullptr ? function->GetMTime() : vtkMTimeType{0}; };
+  return {{row.Color, row.Gray, row.Opacity},
+    {timeOf(row.Color), timeOf(row.Gray), timeOf(row.Opacity)}, row.ColorDomain.Range,
+    row.ColorDomain.Native, row.OpacityDomain.Range, row.OpacityDomain.Native, row.OpticalDepth};
 }
 
 void vtkTextureSliceTable::Update(
   vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest)
 {
-  this->Texture->SetContext(window);
-  if (this->NeedsUpdate(window, rows))
+  std::vector<Key> keys;
+  std::transform(rows.begin(), rows.end(), std::back_inserter(keys), MakeKey);
+  if (this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
+      keys != this->Last)
   {
-    this->Rows = rows;
-    const int width = ChooseWidth(window, rows);
-    this->Fill(width);
-    this->Upload(static_cast<std::size_t>(width));
+    this->Texture->SetContext(window);
+    this->Last = keys;
+    this->Fill(rows, ChooseWidth(window, rows));
+    this->Upload();
   }
   const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
   this->Texture->SetMagnificationFilter(filter);
   this->Texture->SetMinificationFilter(filter);
 }
 
-bool vtkTextureSliceTable::NeedsUpdate(
-  vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows) const
+void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width)
 {
-  vtkMTimeType time = 0;
-  for (const vtkTextureSliceRow& row : rows)
-  {
-    time = std::max(time, row.GetTime());
-  }
-  const auto like = [](const vtkTextureSliceRow& a, const vtkTextureSliceRow& b)
-  { return a.IsLike(b); };
-  return this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
-         time > this->RowsTime ||
-         !std::equal(rows.begin(), rows.end(), this->Rows.begin(), this->Rows.end(), like);
-}
-
-void vtkTextureSliceTable::Fill(int width)
-{
-  this->RowsTime = 0;
-  this->Entries.resize(this->Rows.size() * static_cast<std::size_t>(width) * 4);
-  float* entries = this->Entries.data();
-  for (const vtkTextureSliceRow& row : this->Rows)
-  {
-    this->RowsTime = std::max(this->RowsTime, row.GetTime());
-    FillRow(row, width, entries);
-    entries += static_cast<std::size_t>(width) * 4;
-  }
+  this->Entries.resize(rows.size() * width * 4);
   this->Visibilities.clear();
-  for (std::size_t row = 0; row < this->Rows.size(); ++row)
+  for (std::size_t row = 0; row < rows.size(); ++row)
   {
+    float* const entries = this->Entries.data() + row * width * 4;
+    FillRow(rows[row], static_cast<int>(width), entries);
     this->Visibilities.emplace_back(this->GetAlphas(row));
+    for (std::size_t i = 0; rows[row].OpticalDepth && i < width; ++i)
+    {
+      entries[4 * i + 3] =
+        static_cast<float>(ToOpticalDepth(static_cast<double>(entries[4 * i + 3])));
+    }
   }
   this->FillTime.Modified();
 }
 
 std::vector<float> vtkTextureSliceTable::GetAlphas(std::size_t row) const
 {
-  const std::size_t width = this->GetWidth();
-  std::vector<float> alphas(width);
-  for (std::size_t i = 0; i < width; ++i)
+  std::vector<float> alphas(this->GetWidth());
+  for (std::size_t i = 0; i < alphas.size(); ++i)
   {
-    alphas[i] = this->Entries[4 * (row * width + i) + 3];
+    alphas[i] = this->GetEntries(row)[4 * i + 3];
   }
   return alphas;
 }
 
-void vtkTextureSliceTable::Upload(std::size_t width)
+void vtkTextureSliceTable::Upload()
 {
-  for (std::size_t row = 0; row < this->Rows.size(); ++row)
-  {
-    for (std::size_t i = row * width; this->Rows[row].OpticalDepth && i < (row + 1) * width; ++i)
-    {
-      float& alpha = this->Entries[4 * i + 3];
-      alpha = static_cast<float>(ToOpticalDepth(static_cast<double>(alpha)));
-    }
-  }
-  const int dimensions = this->Rows.size() == 1 ? 1 : 2;
+  const int dimensions = this->Last.size() == 1 ? 1 : 2;
   if (this->Texture->GetNumberOfDimensions() != dimensions)
   {
     this->Texture->ReleaseGraphicsResources(this->Texture->GetContext());
   }
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  const auto columns = static_cast<unsigned int>(width);
+  const auto columns = static_cast<unsigned int>(this->GetWidth());
   if (dimensions == 1)
   {
     this->Texture->Create1DFromRaw(columns, 4, VTK_FLOAT, this->Entries.data());
@@ -243,7 +210,7 @@ void vtkTextureSliceTable::Upload(std::size_t width)
   else
   {
     this->Texture->Create2DFromRaw(
-      columns, static_cast<unsigned int>(this->Rows.size()), 4, VTK_FLOAT, this->Entries.data());
+      columns, static_cast<unsigned int>(this->Last.size()), 4, VTK_FLOAT, this->Entries.data());
   }
 }
 

@@ -10,7 +10,9 @@
 #include "vtkType.h"
 
 #include <array>
+#include <cstddef>
 #include <string>
+#include <tuple>
 #include <vector>
 
 class vtkColorTransferFunction;
@@ -27,7 +29,7 @@ struct vtkTextureSliceDomain
   bool Native = false;
 };
 
-/// The functions of one row; pointers are compared and read, not kept alive.
+/// The functions of one row.
 struct vtkTextureSliceRow
 {
   /// Colour: one of the two, or neither for white.
@@ -39,11 +41,6 @@ struct vtkTextureSliceRow
   vtkTextureSliceDomain OpacityDomain;
   /// Whether the texture holds optical depths in place of opacities.
   bool OpticalDepth = false;
-
-  /// Time of the last change of the functions.
-  vtkMTimeType GetTime() const;
-  /// The functions and ranges are the same, changed or not.
-  bool IsLike(const vtkTextureSliceRow& other) const;
 };
 
 /**
@@ -79,24 +76,24 @@ public:
     return this->Entries.data() + row * this->GetWidth() * 4;
   }
   /// Entries of a row.
-  std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Rows.size()); }
+  std::size_t GetWidth() const { return this->Entries.size() / (4 * this->Last.size()); }
   /// Sets NAMEScale and NAMEBias: the texture coordinate of a scalar that is s of the way through
   /// its domain (0 to 1) is s * scale + bias (Formulas R2).
   void SetUniforms(const std::string& name, vtkShaderProgram* program) const;
 
 private:
-  bool NeedsUpdate(
-    vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows) const;
-  void Fill(int width);
-  void Upload(std::size_t width);
+  /// What a row is made from; pointers are compared, never followed.
+  using Key = std::tuple<std::array<const void*, 3>, std::array<vtkMTimeType, 3>,
+    std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
+  static Key MakeKey(const vtkTextureSliceRow& row);
+  void Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width);
+  void Upload();
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   vtkTimeStamp FillTime;
-
-  std::vector<vtkTextureSliceRow> Rows; ///< what the texture was made from
-  vtkMTimeType RowsTime = 0;            ///< and when those were changed last
+  std::vector<Key> Last; ///< one for each row that the texture was made from
 };
 
 #endif

@@ -11,16 +11,6 @@
 namespace
 {
 
-vtkMTimeType LatestTime(const std::vector<vtkImageData*>& images)
-{
-  vtkMTimeType time = 0;
-  for (vtkImageData* image : images)
-  {
-    time = std::max(time, image->GetMTime());
-  }
-  return time;
-}
-
 /// Four floats a point, in one plane.
 bool IsTable(vtkImageData* image)
 {
@@ -59,23 +49,23 @@ bool vtkTextureSliceTable2D::Update(vtkOpenGLRenderWindow* window,
       std::to_string(limit) + " wide and together as high";
     return false;
   }
+  std::vector<std::pair<const void*, vtkMTimeType>> key;
+  for (vtkImageData* image : images)
+  {
+    key.emplace_back(image, image->GetMTime());
+  }
+  const bool current = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
   this->Texture->SetContext(window);
-  if (this->NeedsUpdate(window, images) && !this->Upload(images))
+  if ((!current || key != this->Last) && !this->Upload(images))
   {
     error = "OpenGL could not make a texture of the two-dimensional transfer functions";
     return false;
   }
+  this->Last = key;
   const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
   this->Texture->SetMagnificationFilter(filter);
   this->Texture->SetMinificationFilter(filter);
   return true;
-}
-
-bool vtkTextureSliceTable2D::NeedsUpdate(
-  vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images) const
-{
-  return this->Texture->GetHandle() == 0 || this->Texture->GetContext() != window ||
-         this->Last != images || LatestTime(images) > this->LastTime;
 }
 
 bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)
@@ -90,8 +80,6 @@ bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)
   this->Rows = size[1];
   this->Width = size[0];
   this->IndexOpacities(entries, images.size());
-  this->Last = images;
-  this->LastTime = LatestTime(images);
   this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
   this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   return this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),

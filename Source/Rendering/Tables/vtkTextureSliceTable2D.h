@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <string>
+#include <utility>
 #include <vector>
 
 class vtkImageData;
@@ -47,7 +48,6 @@ public:
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
 
 private:
-  bool NeedsUpdate(vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images) const;
   bool Upload(const std::vector<vtkImageData*>& images);
   void IndexOpacities(const std::vector<float>& entries, std::size_t images);
 
@@ -56,8 +56,8 @@ private:
   int Width = 0;
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each image
   vtkTimeStamp FillTime;
-  std::vector<vtkImageData*> Last; ///< pointers are compared, never followed
-  vtkMTimeType LastTime = 0;
+  /// The images and when they changed; pointers are compared, never followed.
+  std::vector<std::pair<const void*, vtkMTimeType>> Last;
 };
 
 #endif

@@ -15,13 +15,21 @@ namespace
 
 using Range = vtkTextureSliceBricks::Range;
 
-/// Intervals along a brick's edge: small bricks follow the data closely, but more than 64 of them
-/// along an axis cost more to look at than they save.
-int ChooseEdge(int longest)
+/// Intervals along a brick's edges: small bricks follow the data closely, but more than 64 of them
+/// along an axis cost more to look at than they save. Along an axis where voxels are flat, twice as
+/// many are as good.
+std::array<int, 3> ChooseEdges(
+  const std::array<int, 3>& intervals, const std::array<double, 3>& spacing)
 {
   constexpr int least = 4;
   constexpr int mostBricks = 64;
-  return std::max(least, (longest + mostBricks - 1) / mostBricks);
+  const int longest = *std::max_element(intervals.begin(), intervals.end());
+  const int edge = std::max(least, (longest + mostBricks - 1) / mostBricks);
+  const double widest = *std::max_element(spacing.begin(), spacing.end());
+  std::array<int, 3> edges{};
+  std::transform(spacing.begin(), spacing.end(), edges.begin(),
+    [&](double width) { return 2.0 * width <= widest ? 2 * edge : edge; });
+  return edges;
 }
 
 /// Finds the ranges of one row of bricks after another.
@@ -29,9 +37,10 @@ template <typename Scalar>
 class RowScanner
 {
 public:
-  RowScanner(const vtkTextureSliceScalars& source, int edge, const std::array<int, 3>& count)
+  RowScanner(const vtkTextureSliceScalars& source, const std::array<int, 3>& edges,
+    const std::array<int, 3>& count)
     : Source(source)
-    , Edge(edge)
+    , Edges(edges)
     , Count(count)
     , Rows(source)
     , Marks(Rows.Length)
@@ -74,10 +83,24 @@ private:
   /// The first texel that samples inside a brick can reach along an axis, and the end of them.
   std::array<int, 2> Reach(int brick, std::size_t axis) const
   {
-    // Point scalars stand on the bricks' faces, cell scalars half a cell inside of them.
-    const int first = brick * this->Edge;
-    const int before = this->Source.CellData ? 1 : 0;
-    return {std::max(0, first - before), std::min(this->Source.Size[axis], first + this->Edge + 1)};
+    int first = brick * this->Edges[axis]; // interval between points
+    int end = first + this->Edges[axis];
+    const std::vector<double>& places = this->Source.Places[axis];
+    if (!places.empty())
+    {
+      // The intervals that an equal part of the box touches.
+      constexpr double margin = 1.0 / 1024; // what the shaders' places may be off at most
+      const double edge = this->Edges[axis] / static_cast<double>(places.size() - 1);
+      const auto low =
+        std::upper_bound(places.begin() + 1, places.end() - 1, brick * edge - margin);
+      const auto high =
+        std::lower_bound(places.begin() + 1, places.end() - 1, (brick + 1) * edge + margin);
+      first = static_cast<int>(low - places.begin()) - 1;
+      end = static_cast<int>(high - places.begin());
+    }
+    // Point scalars stand at the intervals' ends, cell scalars half a cell inside of them.
+    return {std::max(0, this->Source.CellData ? first - 1 : first),
+      std::min(this->Source.Size[axis], end + 1)};
   }
 
   /// Takes one component of a row of texels into the extremes of the columns.
@@ -117,7 +140,7 @@ private:
   }
 
   const vtkTextureSliceScalars& Source;
-  int Edge;
+  const std::array<int, 3>& Edges;
   const std::array<int, 3>& Count;
   vtkTextureSlice::Rows<Scalar> Rows;
   std::vector<unsigned char> Marks; ///< 1 for texels of a row that count
@@ -146,11 +169,11 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
   std::array<int, 3> intervals = source.Size; // between the texels that the box spans
   std::for_each(intervals.begin(), intervals.end(),
     [&source](int& count) { count -= source.CellData ? 0 : 1; });
-  const int edge = ChooseEdge(*std::max_element(intervals.begin(), intervals.end()));
+  const std::array<int, 3> edges = ChooseEdges(intervals, source.Spacing);
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    this->Count[axis] = (intervals[axis] + edge - 1) / edge;
-    this->Edge[axis] = double(edge) / intervals[axis];
+    this->Count[axis] = (intervals[axis] + edges[axis] - 1) / edges[axis];
+    this->Edge[axis] = double(edges[axis]) / intervals[axis];
   }
   const vtkIdType rows = static_cast<vtkIdType>(this->Count[1]) * this->Count[2];
   const vtkIdType rangesOfRow =
@@ -162,7 +185,7 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
     vtkSMPTools::For(0, rows,
       [&](vtkIdType begin, vtkIdType end)
       {
-        RowScanner<decltype(scalar)> scanner(source, edge, this->Count);
+        RowScanner<decltype(scalar)> scanner(source, edges, this->Count);
         for (vtkIdType row = begin; row < end; ++row)
         {
           const bool found =

@@ -12,7 +12,8 @@
 #include <vector>
 
 /**
- * A volume cut into small cubes of voxels (the last ones along an axis may be shorter), and for
+ * A volume cut into small bricks of voxels (the last ones along an axis may be shorter; those of a
+ * rectilinear grid are equal parts of its box, and touch as many voxels as lie there), and for
  * each the least and the greatest scalar that a sample inside it can meet: those on its faces, or
  * just outside where cell scalars are interpolated across them, count as well. Points (or cells)
  * that are hidden, or of which a component is not finite, do not count.
@@ -25,6 +26,11 @@ public:
   {
     double Low = std::numeric_limits<double>::infinity();
     double High = -std::numeric_limits<double>::infinity();
+
+    bool operator==(const Range& other) const
+    {
+      return this->Low == other.Low && this->High == other.High;
+    }
   };
 
   /// Goes once over all scalars, on several threads.

@@ -17,7 +17,7 @@ vtkTextureSliceChecksums::Key vtkTextureSliceChecksums::MakeKey(
 {
   return {source.Scalars, source.Scalars->GetMTime(), source.Ghosts,
     source.Ghosts != nullptr ? source.Ghosts->GetMTime() : 0, source.Size, source.CellData,
-    source.Codes};
+    source.Codes, source.Places};
 }
 
 void vtkTextureSliceChecksums::Build(const vtkTextureSliceScalars& source)

@@ -30,7 +30,7 @@ public:
 
   /// All that a checksum is made from; pointers are compared, never followed.
   using Key = std::tuple<const void*, vtkMTimeType, const void*, vtkMTimeType, std::array<int, 3>,
-    bool, std::optional<vtkTextureSliceCodes>>;
+    bool, std::optional<vtkTextureSliceCodes>, std::array<std::vector<double>, 3>>;
   static Key MakeKey(const vtkTextureSliceScalars& source);
 
   /**

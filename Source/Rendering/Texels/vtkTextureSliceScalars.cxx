@@ -7,6 +7,8 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <cmath>
+
 std::array<int, 3> vtkTextureSliceScalars::GetSize(vtkImageData* image, bool cellData)
 {
   std::array<int, 3> size;
@@ -18,19 +20,21 @@ std::array<int, 3> vtkTextureSliceScalars::GetSize(vtkImageData* image, bool cel
   return size;
 }
 
+vtkUnsignedCharArray* vtkTextureSliceScalars::FindGhosts(vtkImageData* image, bool ofCells)
+{
+  vtkDataSetAttributes* attributes =
+    ofCells ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
+  const vtkIdType count = ofCells ? image->GetNumberOfCells() : image->GetNumberOfPoints();
+  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
+    attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
+  return ghosts != nullptr && ghosts->GetNumberOfTuples() == count ? ghosts : nullptr;
+}
+
 vtkTextureSliceScalars vtkTextureSliceScalars::Find(
   vtkImageData* image, vtkDataArray* scalars, bool cellData)
 {
-  vtkTextureSliceScalars found;
-  found.Scalars = scalars;
-  found.Size = GetSize(image, cellData);
-  found.CellData = cellData;
-  found.Codes = vtkTextureSliceCodes::Find(image, scalars);
-  vtkDataSetAttributes* attributes =
-    cellData ? static_cast<vtkDataSetAttributes*>(image->GetCellData()) : image->GetPointData();
-  auto* ghosts = vtkUnsignedCharArray::SafeDownCast(
-    attributes->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  const vtkIdType texels = cellData ? image->GetNumberOfCells() : image->GetNumberOfPoints();
-  found.Ghosts = ghosts != nullptr && ghosts->GetNumberOfTuples() == texels ? ghosts : nullptr;
-  return found;
+  const double* spacing = image->GetSpacing();
+  return {scalars, GetSize(image, cellData), cellData, FindGhosts(image, cellData),
+    vtkTextureSliceCodes::Find(image, scalars),
+    {std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2])}};
 }

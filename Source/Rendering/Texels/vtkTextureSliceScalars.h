@@ -7,6 +7,7 @@
 
 #include <array>
 #include <optional>
+#include <vector>
 
 class vtkDataArray;
 class vtkImageData;
@@ -23,9 +24,15 @@ struct vtkTextureSliceScalars
   vtkUnsignedCharArray* Ghosts = nullptr;
   /// What the scalars stand for where they are codes.
   std::optional<vtkTextureSliceCodes> Codes = {};
+  /// Data lengths of a voxel's edges; they decide on the shape of bricks alone.
+  std::array<double, 3> Spacing{1.0, 1.0, 1.0};
+  /// Where the points of a rectilinear grid lie in the box, 0 to 1 along each axis; empty: evenly.
+  std::array<std::vector<double>, 3> Places = {};
 
-  /// Texels along each axis.
+  /// Texels of an image along each axis.
   static std::array<int, 3> GetSize(vtkImageData* image, bool cellData);
+  /// The ghost array of an image's points or cells if it has one flag for each; or nullptr.
+  static vtkUnsignedCharArray* FindGhosts(vtkImageData* image, bool ofCells);
   /// An array of an image, with the image's ghost array if that has one flag for each texel.
   static vtkTextureSliceScalars Find(vtkImageData* image, vtkDataArray* scalars, bool cellData);
 };
