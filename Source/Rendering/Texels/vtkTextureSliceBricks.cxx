@@ -15,21 +15,13 @@ namespace
 
 using Range = vtkTextureSliceBricks::Range;
 
-/// Intervals along a brick's edges: small bricks follow the data closely, but more than 64 of them
-/// along an axis cost more to look at than they save. Along an axis where voxels are flat, twice as
-/// many are as good.
-std::array<int, 3> ChooseEdges(
-  const std::array<int, 3>& intervals, const std::array<double, 3>& spacing)
+/// Intervals along a brick's edge: small bricks follow the data closely, but more than 64 of them
+/// along an axis cost more to look at than they save.
+int ChooseEdge(int longest)
 {
   constexpr int least = 4;
   constexpr int mostBricks = 64;
-  const int longest = *std::max_element(intervals.begin(), intervals.end());
-  const int edge = std::max(least, (longest + mostBricks - 1) / mostBricks);
-  const double widest = *std::max_element(spacing.begin(), spacing.end());
-  std::array<int, 3> edges{};
-  std::transform(spacing.begin(), spacing.end(), edges.begin(),
-    [&](double width) { return 2.0 * width <= widest ? 2 * edge : edge; });
-  return edges;
+  return std::max(least, (longest + mostBricks - 1) / mostBricks);
 }
 
 /// Finds the ranges of one row of bricks after another.
@@ -37,10 +29,9 @@ template <typename Scalar>
 class RowScanner
 {
 public:
-  RowScanner(const vtkTextureSliceScalars& source, const std::array<int, 3>& edges,
-    const std::array<int, 3>& count)
+  RowScanner(const vtkTextureSliceScalars& source, int edge, const std::array<int, 3>& count)
     : Source(source)
-    , Edges(edges)
+    , Edge(edge)
     , Count(count)
     , Rows(source)
     , Marks(Rows.Length)
@@ -83,14 +74,14 @@ private:
   /// The first texel that samples inside a brick can reach along an axis, and the end of them.
   std::array<int, 2> Reach(int brick, std::size_t axis) const
   {
-    int first = brick * this->Edges[axis]; // interval between points
-    int end = first + this->Edges[axis];
+    int first = brick * this->Edge; // interval between points
+    int end = first + this->Edge;
     const std::vector<double>& places = this->Source.Places[axis];
     if (!places.empty())
     {
       // The intervals that an equal part of the box touches.
       constexpr double margin = 1.0 / 1024; // what the shaders' places may be off at most
-      const double edge = this->Edges[axis] / static_cast<double>(places.size() - 1);
+      const double edge = this->Edge / static_cast<double>(places.size() - 1);
       const auto low =
         std::upper_bound(places.begin() + 1, places.end() - 1, brick * edge - margin);
       const auto high =
@@ -140,7 +131,7 @@ private:
   }
 
   const vtkTextureSliceScalars& Source;
-  const std::array<int, 3>& Edges;
+  int Edge;
   const std::array<int, 3>& Count;
   vtkTextureSlice::Rows<Scalar> Rows;
   std::vector<unsigned char> Marks; ///< 1 for texels of a row that count
@@ -169,11 +160,11 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
   std::array<int, 3> intervals = source.Size; // between the texels that the box spans
   std::for_each(intervals.begin(), intervals.end(),
     [&source](int& count) { count -= source.CellData ? 0 : 1; });
-  const std::array<int, 3> edges = ChooseEdges(intervals, source.Spacing);
+  const int edge = ChooseEdge(*std::max_element(intervals.begin(), intervals.end()));
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    this->Count[axis] = (intervals[axis] + edges[axis] - 1) / edges[axis];
-    this->Edge[axis] = double(edges[axis]) / intervals[axis];
+    this->Count[axis] = (intervals[axis] + edge - 1) / edge;
+    this->Edge[axis] = double(edge) / intervals[axis];
   }
   const vtkIdType rows = static_cast<vtkIdType>(this->Count[1]) * this->Count[2];
   const vtkIdType rangesOfRow =
@@ -185,7 +176,7 @@ void vtkTextureSliceBricks::Build(const vtkTextureSliceScalars& source)
     vtkSMPTools::For(0, rows,
       [&](vtkIdType begin, vtkIdType end)
       {
-        RowScanner<decltype(scalar)> scanner(source, edges, this->Count);
+        RowScanner<decltype(scalar)> scanner(source, edge, this->Count);
         for (vtkIdType row = begin; row < end; ++row)
         {
           const bool found =

@@ -7,8 +7,6 @@
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
 
-#include <cmath>
-
 std::array<int, 3> vtkTextureSliceScalars::GetSize(vtkImageData* image, bool cellData)
 {
   std::array<int, 3> size;
@@ -33,8 +31,6 @@ vtkUnsignedCharArray* vtkTextureSliceScalars::FindGhosts(vtkImageData* image, bo
 vtkTextureSliceScalars vtkTextureSliceScalars::Find(
   vtkImageData* image, vtkDataArray* scalars, bool cellData)
 {
-  const double* spacing = image->GetSpacing();
   return {scalars, GetSize(image, cellData), cellData, FindGhosts(image, cellData),
-    vtkTextureSliceCodes::Find(image, scalars),
-    {std::abs(spacing[0]), std::abs(spacing[1]), std::abs(spacing[2])}};
+    vtkTextureSliceCodes::Find(image, scalars)};
 }

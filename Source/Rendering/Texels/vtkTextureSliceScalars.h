@@ -24,8 +24,6 @@ struct vtkTextureSliceScalars
   vtkUnsignedCharArray* Ghosts = nullptr;
   /// What the scalars stand for where they are codes.
   std::optional<vtkTextureSliceCodes> Codes = {};
-  /// Data lengths of a voxel's edges; they decide on the shape of bricks alone.
-  std::array<double, 3> Spacing{1.0, 1.0, 1.0};
   /// Where the points of a rectilinear grid lie in the box, 0 to 1 along each axis; empty: evenly.
   std::array<std::vector<double>, 3> Places = {};
 
