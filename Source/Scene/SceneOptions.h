@@ -68,7 +68,7 @@ struct SceneOptions
   bool preIntegration = true; ///< vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration
   bool linearInterpolation =
     true;         ///< between voxels; else each place has its nearest voxel's value
-  int slices = 0; ///< or samples along the longest ray; 0: about two for every five voxels along
+  int slices = 0; ///< or samples along the longest ray; 0: about three for every eight voxels along
                   ///< the view
   std::optional<double> opacityDistance; ///< km of the scene to which opacities belong, above 0;
                                          ///< empty: OpacityDistanceOf the echo

@@ -111,7 +111,7 @@ vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preI
 
 int SlicesFor(vtkImageData* placed)
 {
-  constexpr double voxelsForEach = 2.5; // a slab integrates over what lies between its faces
+  constexpr double voxelsForEach = 8.0 / 3.0; // a slab integrates over what lies between its faces
   constexpr double fewest = 128.0;
   constexpr double most = 1024.0;
   const CameraView view;

@@ -23,7 +23,7 @@ namespace nexrad::scene
 /// A mapper of that kind; pre-integration is of the slices alone.
 vtkSmartPointer<vtkVolumeMapper> MakeVolumeMapper(MapperChoice choice, bool preIntegration);
 
-/// About two slices for every five voxels that the usual view meets one behind the other, of the
+/// About three slices for every eight voxels that the usual view meets one behind the other, of the
 /// volume as it stands in the scene: 128 to 1024.
 int SlicesFor(vtkImageData* placed);
 

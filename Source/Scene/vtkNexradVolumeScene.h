@@ -321,8 +321,8 @@ public:
 
   ///@{
   /**
-   * Slices, or samples along the longest ray. From 1 to 16384; 0, the default, takes about two for
-   * every five voxels along the view.
+   * Slices, or samples along the longest ray. From 1 to 16384; 0, the default, takes about three
+   * for every eight voxels along the view.
    */
   vtkSetClampMacro(NumberOfSlices, int, 0, 16384);
   vtkGetMacro(NumberOfSlices, int);

@@ -243,7 +243,7 @@ void AddPictureOptions(CLI::App& command, std::array<int, 2>& size, scene::Scene
     "linear")
     ->group(group);
   AddNumberOption(command, "--slices", options.slices, 0, 16384, "NUMBER",
-    "Slices, or samples along the longest ray, up to 16384; 0: about two for every five voxels "
+    "Slices, or samples along the longest ray, up to 16384; 0: about three for every eight voxels "
     "along the view")
     ->group(group);
   AddAppearanceOptions(command, options);
