@@ -11,7 +11,7 @@
 namespace
 {
 
-constexpr unsigned char most = vtkTextureSliceDistanceMap::MostDistance;
+constexpr unsigned char Most = vtkTextureSliceDistanceMap::MostDistance;
 
 /// One row of bricks.
 struct Row
@@ -29,7 +29,7 @@ void FillRow(const Row& row, const std::array<const unsigned char*, 3>& beside,
   unsigned char* nearest, unsigned char* limits)
 {
   const auto [besideY, besideZ, besideBoth] = beside;
-  nearest[0] = nearest[row.Length + 1] = most;
+  nearest[0] = nearest[row.Length + 1] = Most;
   for (int x = 0; x < row.Length; ++x)
   {
     nearest[x + 1] = std::min(std::min(besideY[x], besideZ[x]), besideBoth[x]);
@@ -37,10 +37,10 @@ void FillRow(const Row& row, const std::array<const unsigned char*, 3>& beside,
   for (int x = 0; x < row.Length; ++x)
   {
     const unsigned char clear = std::min(nearest[x + 1], nearest[x + 1 + row.ToNext]);
-    const auto further = static_cast<unsigned char>(clear + (clear < most ? 1 : 0));
+    const auto further = static_cast<unsigned char>(clear + (clear < Most ? 1 : 0));
     limits[x] = row.Visible[x] != 0 ? static_cast<unsigned char>(0) : further;
   }
-  int distance = most;
+  int distance = Most;
   int x = row.ToNext > 0 ? row.Length - 1 : 0;
   for (int i = 0; i < row.Length; ++i, x -= row.ToNext)
   {
@@ -65,9 +65,10 @@ void vtkTextureSliceDistanceMap::Build(const std::array<int, 3>& count,
         this->Fill(static_cast<unsigned int>(octant), visible);
       }
     });
-  const auto hidden = std::count(visible.begin(), visible.end(), 0);
+  const auto seen =
+    visible.size() - static_cast<std::size_t>(std::count(visible.begin(), visible.end(), 0));
   this->VisibleShare =
-    visible.empty() ? 0.0 : 1.0 - static_cast<double>(hidden) / static_cast<double>(visible.size());
+    static_cast<double>(seen) / static_cast<double>(std::max<std::size_t>(1, visible.size()));
   this->Uploaded = false;
 }
 
@@ -79,7 +80,7 @@ void vtkTextureSliceDistanceMap::Fill(
   const auto along = [octant](unsigned int axis) { return (octant >> axis & 1) != 0 ? -1 : 1; };
   const auto begin = [this](int y, int z)
   { return static_cast<std::size_t>(z * this->Count[1] + y) * this->Count[0]; };
-  const std::vector<unsigned char> outside(static_cast<std::size_t>(length), most);
+  const std::vector<unsigned char> outside(static_cast<std::size_t>(length), Most);
   const auto rowAt = [&](int y, int z)
   {
     const bool inside = y >= 0 && y < this->Count[1] && z >= 0 && z < this->Count[2];
