@@ -63,6 +63,7 @@ def rows_of(pictures):
 
 def write_sheet(text, sheet, maps):
     import matplotlib
+    from PIL import Image
 
     matplotlib.use("Agg")
     from matplotlib import pyplot
@@ -72,7 +73,9 @@ def write_sheet(text, sheet, maps):
     figure = pyplot.figure(figsize=(width / 100, (height + CAPTION) / 100), dpi=100, facecolor="black")
     figure.figimage(pixels)
     figure.text(12 / width, 1 - CAPTION / 2 / (height + CAPTION), text, color="white", fontsize=11, va="center")
-    figure.savefig(sheet, facecolor="black")
+    figure.canvas.draw()
+    # Without the opacity of each pixel, which is 1.
+    Image.fromarray(numpy.asarray(figure.canvas.buffer_rgba())).convert("RGB").save(sheet, optimize=True)
 
 
 MAP_PART = (0.14, 0.115, 0.875, 0.89)  # left, upper, right and lower edge of a square map in a picture of 8 : 7
