@@ -28,7 +28,9 @@ endif()
 # Targets of this project call this; code of other projects is not held to our warnings.
 function(nexrad_warnings target)
   target_compile_options(${target} PRIVATE
-    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wshadow -Wnon-virtual-dtor -Wold-style-cast>
+    $<$<COMPILE_LANGUAGE:CXX>:-Wall -Wextra -Wpedantic -Wnon-virtual-dtor -Wold-style-cast>
+    # Where files are joined, a name outside of functions is seen by the files after its own.
+    $<$<COMPILE_LANGUAGE:CXX>:$<IF:$<BOOL:${VTKNexrad_JOIN_SOURCES}>,-Wno-subobject-linkage,-Wshadow>>
     $<$<AND:$<COMPILE_LANGUAGE:CXX>,$<BOOL:${VTKNexrad_STRICT}>>:-Werror>)
 endfunction()
 

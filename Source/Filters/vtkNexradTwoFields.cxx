@@ -53,7 +53,7 @@ std::optional<std::pair<nexrad::MomentName, std::string>> SplitName(const std::s
            : std::nullopt;
 }
 
-vtkDataArray* FindArray(vtkImageData* image, const std::string& name)
+vtkDataArray* FindFieldArray(vtkImageData* image, const std::string& name)
 {
   vtkDataArray* array = image->GetPointData()->GetArray(name.c_str());
   if (!array || array->GetNumberOfComponents() != 1)
@@ -193,9 +193,9 @@ void vtkNexradTwoFields::Combine(vtkImageData* image)
   vtkDataArray* scalars = image->GetPointData()->GetScalars();
   const std::string active = scalars && scalars->GetName() ? scalars->GetName() : "";
   const std::string opacityName = this->OpacityArrayName.empty() ? active : this->OpacityArrayName;
-  std::vector<float> colors = ValuesOf(FindArray(image, this->ColorArrayName));
+  std::vector<float> colors = ValuesOf(FindFieldArray(image, this->ColorArrayName));
   MarkMissing(image, this->ColorArrayName, colors);
-  const std::vector<float> opacities = ValuesOf(FindArray(image, opacityName));
+  const std::vector<float> opacities = ValuesOf(FindFieldArray(image, opacityName));
   if (opacityName != active)
   {
     SetGhosts(image, opacityName);

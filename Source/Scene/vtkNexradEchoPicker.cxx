@@ -35,11 +35,6 @@ namespace
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 // The scene is up to date, and shows a volume.
-const SceneFrame& FrameOf(vtkNexradVolumeScene* scene)
-{
-  return *scene->GetSceneFrame();
-}
-
 // The distance at which the ray meets the ground of the domain.
 std::optional<double> DistanceToGround(const SceneFrame& frame, const ViewRay& ray)
 {
@@ -145,7 +140,7 @@ int vtkNexradEchoPicker::Look(double x, double y, vtkRenderer* renderer, bool fo
   }
   const ViewRay ray =
     nexrad::scene::RayThrough(renderer->GetActiveCamera(), {size[0], size[1]}, {x, y});
-  const SceneFrame frame = FrameOf(this->Scene);
+  const SceneFrame frame = *this->Scene->GetSceneFrame();
   std::optional<double> distance;
   if (forEcho && this->Scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN)
   {

@@ -47,11 +47,6 @@ ScenePoint AtDepth(vtkCamera* camera, const ViewRay& ray, double depth)
 }
 
 // The scene is up to date, and shows a volume.
-const SceneFrame& FrameOf(vtkNexradVolumeScene* scene)
-{
-  return *scene->GetSceneFrame();
-}
-
 ViewRay RayAt(vtkRenderer* renderer, double x, double y)
 {
   const int* size = renderer->GetSize();
@@ -101,7 +96,7 @@ void vtkNexradNavigator::FindPoint(double x, double y, double point[3])
     return;
   }
   vtkCamera* camera = renderer->GetActiveCamera();
-  const std::array<double, 6> box = FrameOf(this->Scene).Framed();
+  const std::array<double, 6> box = this->Scene->GetSceneFrame()->Framed();
   const double middle[3] = {
     (box[0] + box[1]) / 2.0, (box[2] + box[3]) / 2.0, (box[4] + box[5]) / 2.0};
   const ScenePoint found = AtDepth(camera, RayAt(renderer, x, y), DepthOf(camera, middle));
@@ -121,7 +116,7 @@ void vtkNexradNavigator::KeepAt(const double point[3], double x, double y)
   {
     middle[axis] += point[axis] - there[axis];
   }
-  const std::array<double, 3> place = FrameOf(this->Scene).ToVolume(middle);
+  const std::array<double, 3> place = this->Scene->GetSceneFrame()->ToVolume(middle);
   this->Scene->SetLookAt(place[0], place[1], place[2]);
   this->Moved = true;
 }
@@ -220,7 +215,7 @@ bool vtkNexradNavigator::FindPivot(double point[3])
     this->Scene->Update();
     this->Scene->GetLookAt(place);
   }
-  const ScenePoint found = FrameOf(this->Scene).ToScene({place[0], place[1], place[2]});
+  const ScenePoint found = this->Scene->GetSceneFrame()->ToScene({place[0], place[1], place[2]});
   std::copy(found.begin(), found.end(), point);
   return true;
 }

@@ -14,10 +14,6 @@ namespace nexrad::testing
 namespace
 {
 
-constexpr std::uint8_t startOfCut = 0;
-constexpr std::uint8_t startOfVolume = 3;
-constexpr std::uint8_t endOfVolume = 4;
-
 void AddMoment(RadarVolume& volume, Ray& ray, const HandMadeMoment& moment, int rayIndex)
 {
   auto words = std::make_shared<std::vector<std::uint8_t>>();
@@ -55,7 +51,8 @@ Sweep MakeSweep(RadarVolume& volume, const HandMadeSweep& source, int number, Ti
     }
     sweep.rays.push_back(ray);
   }
-  sweep.rays.front().radialStatus = number == 1 ? startOfVolume : startOfCut;
+  sweep.rays.front().radialStatus =
+    number == 1 ? RadialStatus::StartOfVolume : RadialStatus::StartOfCut;
   return sweep;
 }
 
@@ -96,7 +93,7 @@ RadarVolume MakeRadarVolume(const HandMadeVolume& source)
   }
   if (source.complete)
   {
-    volume.sweeps.back().rays.back().radialStatus = endOfVolume;
+    volume.sweeps.back().rays.back().radialStatus = RadialStatus::EndOfVolume;
   }
   return volume;
 }

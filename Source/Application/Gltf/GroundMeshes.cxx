@@ -18,12 +18,6 @@ namespace
 
 using Meshes = std::vector<GlbMesh>;
 
-std::array<double, 4> Rectangle(const SceneFrame& frame)
-{
-  const auto& bounds = frame.Bounds();
-  return {bounds[0], bounds[1], bounds[2], bounds[3]};
-}
-
 double WidthOf(const SceneFrame& frame)
 {
   return frame.Bounds()[1] - frame.Bounds()[0];

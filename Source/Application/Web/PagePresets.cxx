@@ -24,8 +24,7 @@ using Json = nlohmann::ordered_json;
 constexpr int samplesPerByte = 2; // as in Scripts/table.js
 constexpr int samples = 255 * samplesPerByte + 1;
 constexpr double searchStep = 0.01; // of the range of a preset
-constexpr int colourDigits = 4;
-constexpr int opacityDigits = 5; // low opacities add up along a ray
+constexpr int opacityDigits = 5;    // low opacities add up along a ray
 
 Json MakeSamples(vtkNexradTransferFunction* function, const PageCode& code)
 {
@@ -39,7 +38,7 @@ Json MakeSamples(vtkNexradTransferFunction* function, const PageCode& code)
     colours->GetColor(value, colour.data());
     for (const double part : colour)
     {
-      json.push_back(Rounded(part, colourDigits));
+      json.push_back(Rounded(part, ColourDigits));
     }
     json.push_back(
       Rounded(function->Evaluate(vtkNexradTransferFunction::OPACITY, value), opacityDigits));
@@ -54,7 +53,7 @@ Json MakeSurfaces(vtkNexradTransferFunction* function)
   {
     const double value = function->GetIsoValue(i);
     const double opacity = function->Evaluate(vtkNexradTransferFunction::OPACITY, value);
-    json.push_back({value, Rounded(opacity, colourDigits)});
+    json.push_back({value, Rounded(opacity, ColourDigits)});
   }
   return json;
 }
@@ -64,7 +63,7 @@ Json MakeColour(const scene::Colour& colour)
   Json json = Json::array();
   for (const double part : colour)
   {
-    json.push_back(Rounded(part, colourDigits));
+    json.push_back(Rounded(part, ColourDigits));
   }
   return json;
 }

@@ -16,6 +16,9 @@ class vtkNexradTransferFunction;
 namespace nexrad::application
 {
 
+/// Decimals of a part of a colour, or of an opacity that stands alone, in the page.
+constexpr int ColourDigits = 4;
+
 struct PageCode;
 
 /// One of the presets that a page offers.

@@ -10,6 +10,7 @@
 #include "Scene/Map/PlacedMap.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/VolumeAppearance.h"
+#include "Web/PagePresets.h"
 #include "Web/RoundedNumber.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
@@ -30,8 +31,7 @@ namespace
 
 using Json = nlohmann::ordered_json;
 
-constexpr int placeDigits = 2; // of km
-constexpr int colourDigits = 4;
+constexpr int placeDigits = 2;    // of km
 constexpr int groundTexels = 512; // along the longer side
 
 GriddedVolume VolumeOf(vtkImageData* image)

@@ -11,10 +11,10 @@ namespace nexrad
 namespace
 {
 
-constexpr std::size_t sectors = 72;
-constexpr std::size_t raysPerSector = TiltMeans::Sectors / sectors;
-constexpr std::size_t rings = LayerShares::Rings;
-constexpr double ringWidth = LayerShares::RingWidth;
+constexpr std::size_t shareSectors = 72;
+constexpr std::size_t raysPerSector = TiltMeans::Sectors / shareSectors;
+constexpr std::size_t shareRings = LayerShares::Rings;
+constexpr double shareRingWidth = LayerShares::RingWidth;
 constexpr std::size_t stepsPerRing = 2;
 
 // Whether echo lies in layers is a matter of the weather and not of single gates: the differences
@@ -59,11 +59,12 @@ float EchoAt(const TiltMeans& tilt, std::size_t sector, float place)
 
 Differences Compare(const TiltMeans& lower, const TiltMeans& upper, const BeamModel& beam)
 {
-  Differences sums{std::vector<float>(sectors * rings), std::vector<float>(sectors * rings)};
+  Differences sums{
+    std::vector<float>(shareSectors * shareRings), std::vector<float>(shareSectors * shareRings)};
   std::vector<ComparedPlaces> places;
-  for (std::size_t step = 0; step < rings * stepsPerRing; ++step)
+  for (std::size_t step = 0; step < shareRings * stepsPerRing; ++step)
   {
-    const double distance = (static_cast<double>(step) + 0.5) * ringWidth / stepsPerRing;
+    const double distance = (static_cast<double>(step) + 0.5) * shareRingWidth / stepsPerRing;
     places.push_back(FindPlaces(static_cast<double>(lower.Elevation()),
       static_cast<double>(upper.Elevation()), distance, beam));
   }
@@ -85,7 +86,7 @@ Differences Compare(const TiltMeans& lower, const TiltMeans& upper, const BeamMo
       const float level = EchoAt(upper, ray, at.upper) - EchoAt(lower, ray, at.lower);
       if (!std::isnan(vertical + level))
       {
-        const std::size_t cell = ray / raysPerSector * rings + step / stepsPerRing;
+        const std::size_t cell = ray / raysPerSector * shareRings + step / stepsPerRing;
         sums.vertical[cell] += vertical * vertical;
         sums.level[cell] += level * level;
       }
@@ -98,14 +99,14 @@ Differences Compare(const TiltMeans& lower, const TiltMeans& upper, const BeamMo
 std::vector<float> SumAround(const std::vector<float>& from)
 {
   std::vector<float> alongRings(from.size());
-  constexpr auto count = static_cast<std::ptrdiff_t>(rings);
-  for (std::size_t sector = 0; sector < sectors; ++sector)
+  constexpr auto count = static_cast<std::ptrdiff_t>(shareRings);
+  for (std::size_t sector = 0; sector < shareSectors; ++sector)
   {
-    const float* row = from.data() + sector * rings;
+    const float* row = from.data() + sector * shareRings;
     for (std::ptrdiff_t ring = 0; ring < count; ++ring)
     {
       const std::ptrdiff_t end = std::min(ring + ringsBeside + 1, count);
-      float& sum = alongRings[sector * rings + static_cast<std::size_t>(ring)];
+      float& sum = alongRings[sector * shareRings + static_cast<std::size_t>(ring)];
       for (std::ptrdiff_t each = std::max<std::ptrdiff_t>(ring - ringsBeside, 0); each < end;
            ++each)
       {
@@ -114,15 +115,16 @@ std::vector<float> SumAround(const std::vector<float>& from)
     }
   }
   std::vector<float> around(from.size());
-  for (std::size_t sector = 0; sector < sectors; ++sector)
+  for (std::size_t sector = 0; sector < shareSectors; ++sector)
   {
     for (std::ptrdiff_t off = -sectorsBeside; off <= sectorsBeside; ++off)
     {
-      const auto turned = static_cast<std::ptrdiff_t>(sector + sectors) + off;
-      const float* row = alongRings.data() + static_cast<std::size_t>(turned) % sectors * rings;
-      std::transform(around.begin() + static_cast<std::ptrdiff_t>(sector * rings),
-        around.begin() + static_cast<std::ptrdiff_t>((sector + 1) * rings), row,
-        around.begin() + static_cast<std::ptrdiff_t>(sector * rings), std::plus<>());
+      const auto turned = static_cast<std::ptrdiff_t>(sector + shareSectors) + off;
+      const float* row =
+        alongRings.data() + static_cast<std::size_t>(turned) % shareSectors * shareRings;
+      std::transform(around.begin() + static_cast<std::ptrdiff_t>(sector * shareRings),
+        around.begin() + static_cast<std::ptrdiff_t>((sector + 1) * shareRings), row,
+        around.begin() + static_cast<std::ptrdiff_t>(sector * shareRings), std::plus<>());
     }
   }
   return around;
@@ -170,7 +172,7 @@ LayerShares::LayerShares(const std::vector<TiltMeans>& tilts, const BeamModel& b
         AddTo(pooled.level, differences[beside].level);
       }
     }
-    std::vector<float> ofGap(sectors * rings);
+    std::vector<float> ofGap(shareSectors * shareRings);
     std::transform(
       pooled.vertical.begin(), pooled.vertical.end(), pooled.level.begin(), ofGap.begin(), ShareOf);
     shares.push_back(std::move(ofGap));
@@ -179,7 +181,7 @@ LayerShares::LayerShares(const std::vector<TiltMeans>& tilts, const BeamModel& b
 
 const float* LayerShares::Row(std::size_t gap, std::size_t sector) const
 {
-  return shares[gap].data() + sector / raysPerSector * rings;
+  return shares[gap].data() + sector / raysPerSector * shareRings;
 }
 
 } // namespace nexrad

@@ -17,12 +17,6 @@ namespace
 
 constexpr std::size_t startSize = 8; // magic and header length
 
-std::uint32_t LittleEndian(const std::uint8_t* bytes)
-{
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
 std::uint64_t BytesOf(NxvType type)
 {
   return type == NxvType::Float32 ? 4 : type == NxvType::UInt16 ? 2 : 1;
@@ -62,6 +56,12 @@ void CheckLengths(const NxvInput& file, const NxvContent& content)
 }
 
 } // namespace
+
+std::uint32_t LittleEndian(const std::uint8_t* bytes)
+{
+  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
+         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
+}
 
 void RefuseNxv(std::uint64_t offset, const std::string& what)
 {

@@ -15,6 +15,9 @@
 namespace nexrad
 {
 
+/// The number that four bytes of an .nxv file stand for.
+std::uint32_t LittleEndian(const std::uint8_t* bytes);
+
 /// A file that is read in pieces, its length known from the start.
 class NxvInput
 {

@@ -30,12 +30,6 @@ namespace
 
 using Bytes = std::vector<std::uint8_t>;
 
-std::uint32_t LittleEndian(const std::uint8_t* bytes)
-{
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
-
 template <typename Work>
 auto NamingTheFile(const fs::path& path, const Work& work)
 {

@@ -21,11 +21,6 @@ constexpr int deepestNesting = 3;
 constexpr std::size_t windowBytes = std::size_t(1) << 16;
 constexpr std::size_t largestStepBytes = std::size_t(1) << 20;
 
-std::string TooLarge(std::size_t maximumBytes)
-{
-  return "more than " + std::to_string(maximumBytes) + " bytes when decompressed; the rest is left";
-}
-
 unsigned SmallCount(std::size_t count)
 {
   return static_cast<unsigned>(std::min<std::size_t>(count, std::numeric_limits<int>::max()));
@@ -207,6 +202,11 @@ std::string ExplainBzip2(int status)
 }
 
 } // namespace
+
+std::string TooLarge(std::uint64_t maximumBytes)
+{
+  return "more than " + std::to_string(maximumBytes) + " bytes when decompressed; the rest is left";
+}
 
 StreamFormat DetectStream(ByteView bytes)
 {

@@ -27,6 +27,9 @@ enum class StreamFormat
 /// The format that the first bytes announce.
 StreamFormat DetectStream(ByteView bytes);
 
+/// The problem of a stream that holds more than it may.
+std::string TooLarge(std::uint64_t maximumBytes);
+
 /// What bzip2 made of some compressed bytes.
 struct Bunzipped
 {

@@ -3,7 +3,6 @@
 
 #include "nexrad/System/Error.h"
 
-#define ZLIB_CONST // zlib's input pointer is then const
 #include <zlib.h>
 
 #include <algorithm>

@@ -103,11 +103,6 @@ private:
   bz_stream stream{};
 };
 
-std::string TooLarge(std::uint64_t maximumBytes)
-{
-  return "more than " + std::to_string(maximumBytes) + " bytes when decompressed; the rest is left";
-}
-
 template <typename Steps>
 std::string Unpack(
   const PieceReader& read, const PieceReceiver& receive, std::uint64_t maximumBytes)

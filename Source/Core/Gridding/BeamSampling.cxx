@@ -558,8 +558,8 @@ inline float RatioOver(float tangent, const ColumnDirection& column)
 // The same the other way round: tan(elevation).
 inline float TangentTo(float ratio, const ColumnDirection& column)
 {
-  constexpr float smallestHalfTangent = 1e-7F; // straight above the antenna there is no answer
-  const float t = std::max(column.halfTangent, smallestHalfTangent);
+  constexpr float leastHalfTangent = 1e-7F; // straight above the antenna there is no answer
+  const float t = std::max(column.halfTangent, leastHalfTangent);
   return ratio * (1.0F + t * t) / (2.0F * t) - t;
 }
 

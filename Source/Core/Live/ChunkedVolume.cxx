@@ -16,7 +16,8 @@ namespace
 // volume).
 bool EndsCut(const Ray& ray)
 {
-  return ray.radialStatus == 2 || ray.radialStatus == 4;
+  return ray.radialStatus == RadialStatus::EndOfCut ||
+         ray.radialStatus == RadialStatus::EndOfVolume;
 }
 
 } // namespace

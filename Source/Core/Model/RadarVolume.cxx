@@ -138,10 +138,8 @@ void SetCuts(const std::vector<VolumeCuts>& cuts, std::vector<RadarVolume>& cycl
 
 bool BeginsCycle(const Sweep& before, const Sweep& sweep)
 {
-  constexpr std::uint8_t startOfVolume = 3;
-  constexpr std::uint8_t endOfVolume = 4;
-  return sweep.rays.front().radialStatus == startOfVolume ||
-         before.rays.back().radialStatus == endOfVolume ||
+  return sweep.rays.front().radialStatus == RadialStatus::StartOfVolume ||
+         before.rays.back().radialStatus == RadialStatus::EndOfVolume ||
          sweep.elevationNumber < before.elevationNumber;
 }
 

@@ -17,6 +17,17 @@
 namespace nexrad
 {
 
+/// Where in the scan a radial stands (ICD 2620002, radial status), other than within a cut, which
+/// is 1.
+namespace RadialStatus
+{
+constexpr std::uint8_t StartOfCut = 0;
+constexpr std::uint8_t EndOfCut = 2;
+constexpr std::uint8_t StartOfVolume = 3;
+constexpr std::uint8_t EndOfVolume = 4;
+constexpr std::uint8_t StartOfLastCut = 5;
+} // namespace RadialStatus
+
 /// One radial: what the antenna saw in one direction.
 struct Ray
 {
@@ -27,8 +38,7 @@ struct Ray
   float unambiguousRange = 0.0F; ///< m, c·PRT/2: echo from beyond comes back after the next pulse.
                                  ///< In a batch cut that of the pulses that measure velocity. 0
                                  ///< when unknown
-  std::uint8_t radialStatus = 1; ///< 0 start of cut, 1 within, 2 end of cut, 3 start of volume, 4
-                                 ///< end of volume, 5 start of last cut
+  std::uint8_t radialStatus = 1; ///< 1 within a cut, or one of RadialStatus
   std::uint8_t elevationNumber = 0; ///< number of the cut in the coverage pattern, from 1
   std::array<MomentRow, MomentCount> moments;
 

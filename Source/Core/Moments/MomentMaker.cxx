@@ -20,7 +20,7 @@ namespace nexrad
 namespace
 {
 
-GateState StateOf(VelocityState state)
+GateState GateStateOf(VelocityState state)
 {
   return state == VelocityState::Unknown ? GateState::NotSampled : static_cast<GateState>(state);
 }
@@ -56,7 +56,7 @@ void SetValues(const VelocitySweep& velocities, const std::vector<float>& values
   states.reserve(values.size());
   for (std::size_t index = 0; index < values.size(); ++index)
   {
-    const GateState state = StateOf(velocities.states[index]);
+    const GateState state = GateStateOf(velocities.states[index]);
     states.push_back(
       state == GateState::Valid && std::isnan(values[index]) ? GateState::NotSampled : state);
   }

@@ -21,7 +21,7 @@ constexpr std::uint8_t still = SpeedCode(1.0); // m/s: below, they may be ground
 constexpr std::uint8_t slow = SpeedCode(4.0);  // m/s
 constexpr std::int8_t surelyGone = 15;         // dB a degree
 
-struct Region
+struct GroundRegion
 {
   std::size_t gates = 0;
   std::size_t sure = 0;
@@ -31,7 +31,8 @@ struct Region
   std::size_t slow = 0;   // those that move slowly
 };
 
-void AddBeside(const SweepJudgement& sweep, std::size_t place, std::size_t gate, Region& region)
+void AddBeside(
+  const SweepJudgement& sweep, std::size_t place, std::size_t gate, GroundRegion& region)
 {
   if (place >= sweep.grid->Rays() || gate >= sweep.judged)
   {
@@ -45,7 +46,7 @@ void AddBeside(const SweepJudgement& sweep, std::size_t place, std::size_t gate,
   }
 }
 
-void AddRun(const SweepJudgement& sweep, const GateRun& run, Region& region)
+void AddRun(const SweepJudgement& sweep, const GateRun& run, GroundRegion& region)
 {
   for (std::size_t gate = run.begin; gate < run.end; ++gate)
   {
@@ -67,7 +68,7 @@ void AddRun(const SweepJudgement& sweep, const GateRun& run, Region& region)
   }
 }
 
-bool IsGround(const Region& region)
+bool IsGround(const GroundRegion& region)
 {
   if (fewestSure * region.sure < region.gates)
   {
@@ -97,7 +98,7 @@ EchoReason ReasonOf(const SweepJudgement& sweep, std::size_t index, bool polarim
 void FindGround(SweepJudgement& sweep, bool polarimetric)
 {
   const GateRegions regions(*sweep.grid, sweep.signs);
-  std::vector<Region> all(regions.Count());
+  std::vector<GroundRegion> all(regions.Count());
   for (const GateRun& run : regions.Runs())
   {
     AddRun(sweep, run, all[run.region]);

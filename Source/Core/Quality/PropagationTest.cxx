@@ -16,15 +16,15 @@ namespace nexrad
 namespace
 {
 
-constexpr double highestTilt = 1.0;    // degrees: above, the air hardly bends a beam to earth
-constexpr float weakestEcho = 5.0F;    // dBZ of the gates of a region
-constexpr double about = 1000.0;       // m along the ray: the tilt above has echo near to a gate
-constexpr std::size_t widestGap = 3;   // km along the ray, within a region
-constexpr float steepest = 0.012F;     // dB a metre of height by which weather becomes weaker
-constexpr float poorest = -4.0F;       // dBZ at 50 km that the poorest of 38 real files has
-constexpr float overNoise = 5.0F;      // dB over the weakest echo of the sweep
-constexpr double fewestTelling = 20.0; // gates of 1 km × 1° that the tilt above would see
-constexpr double leastTelling = 0.03;  // the same, of all gates of a region
+constexpr double highestTilt = 1.0; // degrees: above, the air hardly bends a beam to earth
+constexpr float weakestEcho = 5.0F; // dBZ of the gates of a region
+constexpr double about = 1000.0;    // m along the ray: the tilt above has echo near to a gate
+constexpr std::size_t widestGapAlongRay = 3; // km along the ray, within a region
+constexpr float steepest = 0.012F;           // dB a metre of height by which weather becomes weaker
+constexpr float poorest = -4.0F;             // dBZ at 50 km that the poorest of 38 real files has
+constexpr float overNoise = 5.0F;            // dB over the weakest echo of the sweep
+constexpr double fewestTelling = 20.0;       // gates of 1 km × 1° that the tilt above would see
+constexpr double leastTelling = 0.03;        // the same, of all gates of a region
 
 // What a region is like, at least, and how much of its outline is beside echo that the tilt above
 // has, at most. Roughness is the mean squared difference over 1 km along the ray, dB².
@@ -37,7 +37,7 @@ constexpr double largeArea = 100.0;  // gates of 1 km × 1°
 constexpr double surelyStrong = 0.1; // side lobes of the tilt above see ground so strong and rough
 constexpr double mostSureEdge = 0.3;
 
-struct Region
+struct PropagationRegion
 {
   std::size_t gates = 0;
   std::size_t telling = 0;
@@ -144,8 +144,8 @@ private:
     return isConfirmed ? Confirmed : Alone;
   }
 
-  // Gates that are alone, and the gaps of two rays and of widestGap between such gates: propagation
-  // comes in patches.
+  // Gates that are alone, and the gaps of two rays and of widestGapAlongRay between such gates:
+  // propagation comes in patches.
   std::vector<std::uint8_t> Members() const
   {
     std::vector<std::uint8_t> along(marks.size(), 0);
@@ -156,7 +156,7 @@ private:
       std::size_t reach = 0; // gates that a gate before still makes members
       for (std::size_t gate = 0; gate < sweep.judged; ++gate)
       {
-        reach = marks[first + gate] == Alone ? widestGap * step + 1 : reach;
+        reach = marks[first + gate] == Alone ? widestGapAlongRay * step + 1 : reach;
         along[first + gate] = reach > 0 && marks[first + gate] != Confirmed ? 1 : 0;
         reach -= reach > 0 ? 1 : 0;
       }
@@ -180,7 +180,7 @@ private:
   void JudgeRegions()
   {
     const GateRegions regions(grid, this->Members());
-    std::vector<Region> all(regions.Count());
+    std::vector<PropagationRegion> all(regions.Count());
     for (const GateRun& run : regions.Runs())
     {
       this->AddRun(run, all[run.region]);
@@ -206,7 +206,7 @@ private:
     }
   }
 
-  void AddRun(const GateRun& run, Region& region) const
+  void AddRun(const GateRun& run, PropagationRegion& region) const
   {
     const float* row = grid.Row(run.place);
     const std::size_t first = sweep.Index(run.place, 0);
@@ -232,7 +232,7 @@ private:
     }
   }
 
-  void AddOutline(std::size_t place, std::size_t gate, Region& region) const
+  void AddOutline(std::size_t place, std::size_t gate, PropagationRegion& region) const
   {
     bool isOutline = false;
     bool isEdge = false;
@@ -258,7 +258,7 @@ private:
            static_cast<double>(grid.Rays());
   }
 
-  bool IsPropagation(const Region& region) const
+  bool IsPropagation(const PropagationRegion& region) const
   {
     const auto gates = static_cast<double>(region.gates);
     const auto telling = static_cast<double>(region.telling);

@@ -2,6 +2,7 @@
 #include "nexrad/Simulation/BeamSampler.h"
 
 #include "nexrad/Simulation/Beam/BeamPattern.h"
+#include "nexrad/Simulation/StormElement.h"
 
 #include <algorithm>
 #include <array>
@@ -14,7 +15,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double partLength = 40'000.0; // m, over which storms are looked for first
 constexpr double blockLength = 4'000.0; // m, over which they are looked for among those
 
@@ -116,14 +116,14 @@ void BeamSampler::SampleBlock(const StormSnapshot& snapshot, const GateLayout& l
     EchoSpread& spread = spreads[static_cast<std::size_t>(gate)];
     const double z = candidates.empty() ? this->MeanClearAirZ(snapshot, range, spread)
                                         : this->MeanStormZ(snapshot, range, half / Root3, spread);
-    reflectivity[static_cast<std::size_t>(gate)] = z > 0.0 ? 10.0 * std::log10(z) : nothing;
+    reflectivity[static_cast<std::size_t>(gate)] = z > 0.0 ? 10.0 * std::log10(z) : NoReflectivity;
   }
 }
 
 void BeamSampler::Sample(
   const StormSnapshot& snapshot, const GateLayout& layout, std::vector<double>& reflectivity)
 {
-  reflectivity.assign(static_cast<std::size_t>(layout.gates), nothing);
+  reflectivity.assign(static_cast<std::size_t>(layout.gates), NoReflectivity);
   spreads.assign(static_cast<std::size_t>(layout.gates), {});
   const int partGates = std::max(1, static_cast<int>(partLength / layout.gateSpacing));
   const int blockGates = std::max(1, static_cast<int>(blockLength / layout.gateSpacing));

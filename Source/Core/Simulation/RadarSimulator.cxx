@@ -278,11 +278,11 @@ void MarkEnds(std::vector<Sweep>& sweeps)
 {
   for (Sweep& sweep : sweeps)
   {
-    sweep.rays.front().radialStatus = 0;
-    sweep.rays.back().radialStatus = 2;
+    sweep.rays.front().radialStatus = RadialStatus::StartOfCut;
+    sweep.rays.back().radialStatus = RadialStatus::EndOfCut;
   }
-  sweeps.front().rays.front().radialStatus = 3;
-  sweeps.back().rays.back().radialStatus = 4;
+  sweeps.front().rays.front().radialStatus = RadialStatus::StartOfVolume;
+  sweeps.back().rays.back().radialStatus = RadialStatus::EndOfVolume;
 }
 
 // The pattern as message 5 describes it: without super-resolution where it is not scanned so.

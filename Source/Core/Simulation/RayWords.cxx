@@ -4,6 +4,7 @@
 #include "nexrad/Simulation/Basis/CounterNoise.h"
 #include "nexrad/Simulation/Echo/AddedEcho.h"
 #include "nexrad/Simulation/ScanStrategy.h"
+#include "nexrad/Simulation/StormElement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +16,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double overlayThreshold = 5.0; // dB by which one of two overlaid echoes must be stronger
 constexpr double velocityNoise = 1.2;    // m/s, standard deviation
 constexpr double widthNoise = 0.9;       // m/s, standard deviation
@@ -70,12 +70,12 @@ public:
     const int nearest = this->NearestGate(range);
     if (nearest < 0 || nearest >= layout.gates)
     {
-      return nothing;
+      return NoReflectivity;
     }
     double here = power[static_cast<std::size_t>(nearest)];
     if (!std::isfinite(here))
     {
-      return nothing; // whatever the neighbour holds: there is nothing to interpolate from
+      return NoReflectivity; // whatever the neighbour holds: there is nothing to interpolate from
     }
     const int other = gate < nearest ? nearest - 1 : nearest + 1;
     if (other >= 0 && other < layout.gates)
@@ -83,14 +83,14 @@ public:
       const double there = power[static_cast<std::size_t>(other)];
       here += std::isfinite(there) ? std::abs(gate - nearest) * (there - here) : 0.0;
     }
-    return here < weakest ? nothing : here;
+    return here < weakest ? NoReflectivity : here;
   }
 
   /// The strongest of the echoes that reach the receiver together with the one at `range`.
   double StrongestOverlay(double range, double unambiguousRange) const
   {
     const double farthest = layout.Range(layout.gates - 1);
-    double strongest = nothing;
+    double strongest = NoReflectivity;
     const double trip = std::floor(range / unambiguousRange);
     double other = range - trip * unambiguousRange;
     while (other <= farthest)
@@ -215,8 +215,8 @@ void WriteDopplerWords(const RayEcho& echo, const GateLayout& doppler, double un
     const auto index = static_cast<std::size_t>(gate);
     words.velocity[index] = words.width[index] = belowThreshold;
     const double range = doppler.Range(gate);
-    const double power = range > 0.0 ? received.At(range) : nothing;
-    if (power == nothing)
+    const double power = range > 0.0 ? received.At(range) : NoReflectivity;
+    if (power == NoReflectivity)
     {
       continue;
     }

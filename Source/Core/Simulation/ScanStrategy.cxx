@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/ScanStrategy.h"
 
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 
 #include <algorithm>
@@ -212,8 +213,7 @@ int FineGates(double elevation)
 {
   constexpr double height = 21'000.0;
   constexpr double radius = 6'371'000.0 * 4.0 / 3.0;
-  constexpr double degree = 3.14159265358979323846 / 180.0;
-  const double rise = radius * std::sin(elevation * degree);
+  const double rise = radius * std::sin(elevation * RadiansPerDegree);
   const double range = std::sqrt(rise * rise + height * (2.0 * radius + height)) - rise;
   return std::min(1832, static_cast<int>((range - 2'125.0) / 250.0) + 1);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/StormDay.h"
 
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Simulation/Basis/CounterNoise.h"
 
 #include <cmath>
@@ -10,9 +11,6 @@ namespace nexrad
 
 namespace
 {
-
-constexpr double dayLength = 86'400.0;
-constexpr double degree = 3.14159265358979323846 / 180.0;
 
 // The box that the storms' middles are spread over, m in the plane: where the radars are.
 constexpr double west = -440'000.0;
@@ -43,7 +41,7 @@ constexpr Population populations[] = {
 double ActivityBefore(double day)
 {
   constexpr double swing = 0.5;
-  constexpr double turn = 360.0 * degree;
+  constexpr double turn = 360.0 * RadiansPerDegree;
   constexpr double peak = 20.0 / 24.0;
   return day + swing / turn * (std::sin(turn * (day - peak)) + std::sin(turn * peak));
 }
@@ -83,14 +81,16 @@ std::vector<StormLife> MakeStormDay(std::uint32_t seed)
 
       StormLife storm;
       storm.kind = population.kind;
-      storm.middleTime = dayLength * TimeOfShare((index + between(0.0, 1.0)) / population.count);
+      storm.middleTime =
+        SecondsPerDay * TimeOfShare((index + between(0.0, 1.0)) / population.count);
       storm.lifetime = between(population.leastLife, population.mostLife);
       // An additive sequence of two irrational steps fills the box evenly in any stretch of it.
       storm.x = west + (east - west) * Fraction(Uniform(kindKey, 1'000'001) + index * 0.7548776662);
       storm.y =
         south + (north - south) * Fraction(Uniform(kindKey, 1'000'002) + index * 0.5698402910);
       const double speed = between(population.leastSpeed, population.mostSpeed);
-      const double bearing = between(population.leastBearing, population.mostBearing) * degree;
+      const double bearing =
+        between(population.leastBearing, population.mostBearing) * RadiansPerDegree;
       storm.east = speed * std::sin(bearing);
       storm.north = speed * std::cos(bearing);
       storm.peak = between(population.leastPeak, population.mostPeak);
@@ -99,7 +99,7 @@ std::vector<StormLife> MakeStormDay(std::uint32_t seed)
       constexpr double jitter = 40'000.0; // m
       storm.x += between(-jitter, jitter);
       storm.y += between(-jitter, jitter);
-      storm.downshear = between(52.0, 76.0) * degree;
+      storm.downshear = between(52.0, 76.0) * RadiansPerDegree;
       storm.anvilLength = between(0.75, 1.25);
       storm.trailingExtent = between(0.6, 1.35);
       storms.push_back(storm);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/StormLife.h"
 
+#include "nexrad/Geometry/Angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +12,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double dayLength = 86'400.0;
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double deadLoss = 70.0; // dB below full strength at birth and death
 
 constexpr double coreShoulder = 4'500.0; // m, height of a supercell's strongest echo
@@ -125,7 +125,7 @@ void AddHook(ElementBuilder& builder, double peak, double strength)
   constexpr double centreLeft = -7'500.0;
   for (int blob = 0; blob < blobs; ++blob)
   {
-    const double angle = (70.0 + 22.0 * blob) * degree;
+    const double angle = (70.0 + 22.0 * blob) * RadiansPerDegree;
     StormElement& element = builder.Add(centreAlong + radius * std::cos(angle),
       centreLeft + radius * std::sin(angle), 2'000.0, 2'000.0, strength);
     SetTower(element, peak - 10.0 - 0.75 * blob, 1'800.0, 5'500.0);
@@ -210,7 +210,7 @@ void AddElements(const StormLife& storm, double seconds, std::vector<StormElemen
 {
   // The nearest of the days' repetitions; std::remainder is many times slower.
   const double apart = seconds - storm.middleTime;
-  const double sinceMiddle = apart - dayLength * std::floor(apart / dayLength + 0.5);
+  const double sinceMiddle = apart - SecondsPerDay * std::floor(apart / SecondsPerDay + 0.5);
   constexpr double longest = 0.8; // of a lifetime, from the middle to the end of what outlives it
   if (std::abs(sinceMiddle) > longest * storm.lifetime)
   {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/StormSnapshot.h"
 
+#include "nexrad/Simulation/StormElement.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,8 +12,6 @@ namespace nexrad
 
 namespace
 {
-
-constexpr double nothing = -std::numeric_limits<double>::infinity();
 
 // Insects and eddies of the boundary layer: a weak return everywhere near the ground, seen by a
 // radar for some tens of kilometres. It stays below 0 dBZ, so that it is never a storm.
@@ -140,18 +140,18 @@ double StormSnapshot::Reflectivity(const PlanePoint& point) const
 double StormSnapshot::Reflectivity(
   const PlanePoint& point, const std::vector<int>& candidates) const
 {
-  double strongest = nothing;
+  double strongest = NoReflectivity;
   for (const int index : candidates)
   {
     strongest = std::max(strongest, elements[static_cast<std::size_t>(index)].Reflectivity(point));
   }
-  const double clearAir = point.z < ClearAirTop() ? ClearAir(point.z) : nothing;
+  const double clearAir = point.z < ClearAirTop() ? ClearAir(point.z) : NoReflectivity;
   if (std::max(strongest, clearAir) < MinimumReflectivity)
   {
-    return nothing;
+    return NoReflectivity;
   }
   const double texture = this->Texture(point);
-  return std::max(strongest < MinimumReflectivity ? nothing : strongest + texture,
+  return std::max(strongest < MinimumReflectivity ? NoReflectivity : strongest + texture,
     clearAir + clearAirTexture * texture);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/VelocitySampler.h"
 
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Simulation/Beam/BeamPattern.h"
 
 #include <algorithm>
@@ -13,10 +14,9 @@ namespace nexrad
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
-constexpr double blockLength = 4'000.0; // m, over which storms are looked for together
-constexpr int blocksOfPart = 10;        // over which they are looked for first
-constexpr double closeRadii = 1.5;      // core radii from an axis within which the beam is averaged
+constexpr double windBlockLength = 4'000.0; // m, over which storms are looked for together
+constexpr int blocksOfPart = 10;            // over which they are looked for first
+constexpr double closeRadii = 1.5; // core radii from an axis within which the beam is averaged
 
 // Mean and spread of weighted velocities, from their sums.
 struct VelocitySums
@@ -47,12 +47,13 @@ VelocitySampler::VelocitySampler(const BeamTrace& trace, const StormSnapshot& sn
   for (std::size_t side = 0; side < headings.size(); ++side)
   {
     const double azimuth = trace.Azimuth() + SmoothNodes[side].position * trace.Sigma() /
-                                               std::cos(trace.Elevation() * degree);
-    headings[side] = {std::sin(azimuth * degree), std::cos(azimuth * degree)};
+                                               std::cos(trace.Elevation() * RadiansPerDegree);
+    headings[side] = {std::sin(azimuth * RadiansPerDegree), std::cos(azimuth * RadiansPerDegree)};
   }
   for (std::size_t up = 0; up < levels.size(); ++up)
   {
-    levels[up] = std::cos((trace.Elevation() + LayerNodes()[up].position * trace.Sigma()) * degree);
+    levels[up] =
+      std::cos((trace.Elevation() + LayerNodes()[up].position * trace.Sigma()) * RadiansPerDegree);
   }
 }
 
@@ -62,7 +63,7 @@ void VelocitySampler::EnterBlock(int number)
   if (number / blocksOfPart != part)
   {
     part = number / blocksOfPart;
-    constexpr double partLength = blocksOfPart * blockLength;
+    constexpr double partLength = blocksOfPart * windBlockLength;
     storms.FindVortices(
       beam.Span(part * partLength, (part + 1) * partLength), StormVortex::Reach, nearby);
   }
@@ -72,7 +73,7 @@ void VelocitySampler::EnterBlock(int number)
   {
     return;
   }
-  const Cylinder reach = beam.Span(number * blockLength, (number + 1) * blockLength);
+  const Cylinder reach = beam.Span(number * windBlockLength, (number + 1) * windBlockLength);
   std::copy_if(nearby.begin(), nearby.end(), std::back_inserter(vortices),
     [&](int index)
     {
@@ -90,7 +91,7 @@ void VelocitySampler::EnterBlock(int number)
 BeamVelocity VelocitySampler::AtCentre(double range, const EchoSpread& echo) const
 {
   const double direction = beam.Elevation() + echo.lift * beam.Sigma();
-  const double level = std::cos(direction * degree);
+  const double level = std::cos(direction * RadiansPerDegree);
   const PathPoint point = beam.At(range, direction);
   const double height = point.height + beam.SiteAltitude();
   const WindVector mean = MeanWind(height);
@@ -100,7 +101,7 @@ BeamVelocity VelocitySampler::AtCentre(double range, const EchoSpread& echo) con
     storms.AddVortices(wind, beam.Place(point), vortices);
   }
   // What changes in the beam is the mean wind with height, and its component with the azimuth.
-  const double rise = echo.width * beam.Sigma() * degree * range * level;
+  const double rise = echo.width * beam.Sigma() * RadiansPerDegree * range * level;
   const WindVector above = MeanWind(height + rise);
   const WindVector below = MeanWind(height - rise);
   const Heading& ahead = headings[1];
@@ -108,7 +109,7 @@ BeamVelocity VelocitySampler::AtCentre(double range, const EchoSpread& echo) con
     level * (ahead.east * (above.east - below.east) + ahead.north * (above.north - below.north)) /
     2.0;
   const double sideways =
-    beam.Sigma() * degree * (ahead.north * mean.east - ahead.east * mean.north);
+    beam.Sigma() * RadiansPerDegree * (ahead.north * mean.east - ahead.east * mean.north);
   return {level * (ahead.east * wind.east + ahead.north * wind.north),
     std::sqrt(upwards * upwards + sideways * sideways)};
 }
@@ -163,7 +164,7 @@ BeamVelocity VelocitySampler::OverBeam(double range, const EchoSpread& echo) con
 
 BeamVelocity VelocitySampler::Sample(double range, const EchoSpread& echo)
 {
-  const int number = std::max(static_cast<int>(range / blockLength), 0);
+  const int number = std::max(static_cast<int>(range / windBlockLength), 0);
   if (number != block)
   {
     this->EnterBlock(number);

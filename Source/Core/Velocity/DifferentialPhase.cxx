@@ -18,8 +18,8 @@ namespace
 constexpr std::size_t medianReach = 2; // gates to both sides
 constexpr std::size_t shortReach = 4;
 constexpr std::size_t longReach = 12;
-constexpr std::size_t widestGap = 4; // gates without a phase within a stretch
-constexpr float strongEcho = 40.0F;  // dBZ
+constexpr std::size_t widestGapOfPhase = 4; // gates without a phase within a stretch
+constexpr float strongEcho = 40.0F;         // dBZ
 constexpr float none = std::numeric_limits<float>::quiet_NaN();
 
 struct Span
@@ -86,7 +86,7 @@ std::vector<Span> FindStretches(const std::vector<float>& phase)
     {
       continue;
     }
-    if (end == 0 || gate - end > widestGap)
+    if (end == 0 || gate - end > widestGapOfPhase)
     {
       finish();
       begin = gate;

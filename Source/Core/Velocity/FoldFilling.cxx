@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int turns = 4;
-constexpr float leastShare = 0.6F; // of the votes of the gates about one
+constexpr float leastShareAbout = 0.6F; // of the votes of the gates about one
 // How near a gate is to those about it, 1 for the same velocity and 0 for one a Nyquist velocity
 // away: in the mean of all, or in a smaller mean when it is as near to one beside it on its ray. In
 // a vortex most are farther.
@@ -110,7 +110,8 @@ Fold ClearFold(const NeighbourVotes& about)
   const float votes = about.votes.Of(best);
   const bool isNear = votes >= nearMean * about.most ||
                       (votes >= farMean * about.most && about.beside.Of(best) >= nearMean);
-  return votes > 0.0F && votes >= leastShare * about.votes.Total() && isNear ? Fold(best) : NoFold;
+  return votes > 0.0F && votes >= leastShareAbout * about.votes.Total() && isNear ? Fold(best)
+                                                                                  : NoFold;
 }
 
 std::vector<OpenGate> FindOpenGates(const SweepFolds& sweep)

@@ -25,10 +25,11 @@ constexpr std::size_t fewestFileGates = 10;  // one in so many gates of a broad 
 constexpr std::size_t fewestBorderGates = 3; // one in so many of a narrow patch is at a broad one
 constexpr float nearOthers = 12.0F;          // m/s from velocities of other sweeps, and
 constexpr float closeOthers = 0.25F;         // at least this mean closeness to them
-constexpr double windReach = 4'000.0; // m above and below the profile that its ends tell something
-constexpr float nearWind = 14.0F;     // m/s from the profile's wind, in the mean of a patch
-constexpr float nearEnds = 10.0F;     // m/s from that of the profile's end, where it does not reach
-constexpr float leastOthers = 0.1F;   // mean weight of other sweeps at a patch
+constexpr double reachOfProfile =
+  4'000.0;                          // m above and below the profile that its ends tell something
+constexpr float nearWind = 14.0F;   // m/s from the profile's wind, in the mean of a patch
+constexpr float nearEnds = 10.0F;   // m/s from that of the profile's end, where it does not reach
+constexpr float leastOthers = 0.1F; // mean weight of other sweeps at a patch
 
 // A patch: connected gates of one sweep with like unfolded velocities, all of them broad or none.
 struct Patch
@@ -91,7 +92,7 @@ private:
     {
       GateWind wind;
       wind.height = beam.Locate(ring.RangeOf(gate), ring.elevation).height;
-      if (const std::optional<Wind> there = profile.At(wind.height, windReach))
+      if (const std::optional<Wind> there = profile.At(wind.height, reachOfProfile))
       {
         wind.east = static_cast<float>(level * there->east);
         wind.north = static_cast<float>(level * there->north);

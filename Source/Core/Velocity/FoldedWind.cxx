@@ -21,7 +21,7 @@ constexpr std::size_t layerCount = 40;
 constexpr std::size_t sectorCount = 36;
 constexpr double nearest = 5'000.0; // m: closer in, the beam's side lobes see the ground
 constexpr double farthest = 120'000.0;
-constexpr float fewestGates = 6.0F; // of a sector
+constexpr float fewestGatesOfSector = 6.0F; // of a sector
 constexpr float enoughGates = 40.0F;
 constexpr float leastRays = 0.6F;     // of the rays of a sector: interference fills a few degrees
 constexpr double highestSpeed = 80.0; // m/s
@@ -106,7 +106,7 @@ void AddSectors(const SweepRing& ring, float nyquist, std::vector<Layer>& layers
   for (std::size_t place = 0; place < sums.size(); ++place)
   {
     const PhaseSum& sum = sums[place];
-    if (sum.count < fewestGates || sum.rays < leastRays * rays[place % sectorCount])
+    if (sum.count < fewestGatesOfSector || sum.rays < leastRays * rays[place % sectorCount])
     {
       continue;
     }

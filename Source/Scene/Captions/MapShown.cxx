@@ -14,7 +14,7 @@ namespace
 {
 
 // A value of a map, to two digits that count.
-std::string Text(double value)
+std::string SmallText(double value)
 {
   constexpr double least = 0.01;
   std::ostringstream text;
@@ -65,8 +65,8 @@ std::string WordsForProduct(
   }
   const double highest = found.highest * scale.factor + scale.offset;
   return std::string(found.shown > 0.0 ? "Hardly any " : "No ") + NameOf(plan.level) + " above " +
-         Text(scale.bins.front().from) + " " + scale.unit + "; values up to " + Text(highest) +
-         " " + scale.unit;
+         SmallText(scale.bins.front().from) + " " + scale.unit + "; values up to " +
+         SmallText(highest) + " " + scale.unit;
 }
 
 // What the volume has in other voxels than those of a map without a value.

@@ -4,14 +4,12 @@
 namespace
 {
 
-using Preset = vtkNexradMomentPreset;
-
 // Towards the radar green, away from it red, a light grey within 1 m/s of zero; from 32 m/s on,
 // which few radars measure unfolded, blue and yellow. Steps of the same speed have the same
 // lightness, and both sides become lighter from 1 m/s on, so that a couplet looks like one. The
 // green is bluish, which those who do not tell red from green see. The steps are narrow at small
 // speeds, where the wind relative to a storm lies. The fast is opaque.
-Preset RadialVelocity(const char* name, const char* array)
+vtkNexradMomentPreset RadialVelocity(const char* name, const char* array)
 {
   return {name, array,
     {{-60.0, 0xD9EEFE}, {-50.0, 0x85E5FF}, {-40.0, 0x09DDDB}, {-32.0, 0x22CDA8}, {-25.0, 0x02B86F},
@@ -25,7 +23,7 @@ Preset RadialVelocity(const char* name, const char* array)
 }
 
 // Widths of 4 m/s and more mean shear or turbulence.
-Preset SpectrumWidth()
+vtkNexradMomentPreset SpectrumWidth()
 {
   return {"spectrum width", "SW",
     {{0.0, 0x4A4A4A}, {1.0, 0x666666}, {2.0, 0x3F6FB0}, {3.0, 0x3A93D0}, {4.0, 0x2DB08C},
@@ -37,7 +35,7 @@ Preset SpectrumWidth()
 }
 
 // Drizzle, hail and dry snow lie about 0 dB (grey), rain above; violet below.
-Preset DifferentialReflectivity()
+vtkNexradMomentPreset DifferentialReflectivity()
 {
   return {"differential reflectivity", "ZDR",
     {{-4.0, 0x3D2B56}, {-2.0, 0x55407A}, {-1.0, 0x6F6390}, {-0.5, 0x8A86A0}, {0.0, 0xB4B4B4},
@@ -50,7 +48,7 @@ Preset DifferentialReflectivity()
 }
 
 // Once round in twelve colours.
-Preset DifferentialPhase()
+vtkNexradMomentPreset DifferentialPhase()
 {
   return {"differential phase", "PHI",
     {{0.0, 0x5B2D86}, {30.0, 0x3F3FB0}, {60.0, 0x2F74D0}, {90.0, 0x28A8D8}, {120.0, 0x25B89A},
@@ -61,7 +59,7 @@ Preset DifferentialPhase()
 }
 
 // Rain and snow lie above 0.95, in steps of 0.01; what is no weather far below, and is opaque.
-Preset CorrelationCoefficient()
+vtkNexradMomentPreset CorrelationCoefficient()
 {
   return {"correlation coefficient", "RHO",
     {{0.2, 0x3C3C3C}, {0.45, 0x5A5A6E}, {0.65, 0x39398A}, {0.75, 0x2F5FD0}, {0.8, 0x2F9FE0},
@@ -72,7 +70,7 @@ Preset CorrelationCoefficient()
       {1.0, 0.008}, {1.05, 0.008}}};
 }
 
-Preset ClutterPower()
+vtkNexradMomentPreset ClutterPower()
 {
   return {"clutter power", "CFP",
     {{0.0, 0x5A5A5A}, {2.0, 0x4A6A9A}, {5.0, 0x3A93D0}, {10.0, 0x2DB08C}, {15.0, 0x38B83C},
@@ -85,7 +83,7 @@ Preset ClutterPower()
 // Anticlockwise shear from yellow through red to white, clockwise shear blue; a light grey below
 // 0.002/s. What is below 0.004/s is the shear of the wind and noise, and nearly transparent;
 // mesocyclones lie above 0.01/s.
-Preset AzimuthalShear()
+vtkNexradMomentPreset AzimuthalShear()
 {
   return {"azimuthal shear", "AZSHEAR",
     {{-0.03, 0x9FE3FF}, {-0.02, 0x4FB4F0}, {-0.015, 0x2F86D8}, {-0.01, 0x2C5FB4},
@@ -98,7 +96,7 @@ Preset AzimuthalShear()
 }
 
 // Air that flows apart is warm, air that flows together cold.
-Preset RadialDivergence()
+vtkNexradMomentPreset RadialDivergence()
 {
   return {"radial divergence", "DIV",
     {{-0.03, 0xB0F0FF}, {-0.02, 0x50C8F0}, {-0.015, 0x2898DC}, {-0.01, 0x2868BC},
@@ -110,7 +108,7 @@ Preset RadialDivergence()
 }
 
 // Rain has about 0.3 degrees/km at 40 dBZ and 3 at 53 dBZ; drizzle, snow and dry hail have about 0.
-Preset SpecificPhase()
+vtkNexradMomentPreset SpecificPhase()
 {
   return {"specific differential phase", "KDP",
     {{-2.0, 0x4A4A5A}, {-1.0, 0x646478}, {-0.5, 0x8C8C8C}, {0.25, 0x5A78A8}, {0.5, 0x3A93D0},
@@ -131,10 +129,10 @@ vtkNexradColorMap::Color vtkNexradColorOf(unsigned code)
 
 const std::vector<vtkNexradMomentPreset>& vtkNexradMomentPresets()
 {
-  static const std::vector<Preset> presets = {RadialVelocity("velocity", "VEL"), SpectrumWidth(),
-    DifferentialReflectivity(), DifferentialPhase(), CorrelationCoefficient(), ClutterPower(),
-    RadialVelocity("storm-relative velocity", "SRV"), AzimuthalShear(), RadialDivergence(),
-    SpecificPhase()};
+  static const std::vector<vtkNexradMomentPreset> presets = {RadialVelocity("velocity", "VEL"),
+    SpectrumWidth(), DifferentialReflectivity(), DifferentialPhase(), CorrelationCoefficient(),
+    ClutterPower(), RadialVelocity("storm-relative velocity", "SRV"), AzimuthalShear(),
+    RadialDivergence(), SpecificPhase()};
   return presets;
 }
 

@@ -14,7 +14,7 @@
 namespace
 {
 
-constexpr double highestByte = 255.0;
+constexpr double fullByte = 255.0;
 
 using Statement = vtkNexradPaletteStatement;
 
@@ -45,14 +45,14 @@ using Numbers = std::vector<double>::const_iterator;
 
 bool AreBytes(Numbers from, Numbers to)
 {
-  return std::all_of(from, to, [](double byte) { return byte >= 0.0 && byte <= highestByte; });
+  return std::all_of(from, to, [](double byte) { return byte >= 0.0 && byte <= fullByte; });
 }
 
 Statement::Color ColorOf(Numbers from, std::size_t channels)
 {
   Statement::Color color{0.0, 0.0, 0.0, 1.0};
   std::transform(from, from + static_cast<std::ptrdiff_t>(channels), color.begin(),
-    [](double byte) { return byte / highestByte; });
+    [](double byte) { return byte / fullByte; });
   return color;
 }
 

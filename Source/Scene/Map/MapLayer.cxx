@@ -26,12 +26,6 @@ namespace
 // Pixels, indexed by MapLineKind.
 constexpr std::array<double, 3> lineWidths = {1.3, 1.3, 1.0};
 
-std::array<double, 4> Rectangle(const SceneFrame& frame)
-{
-  const auto& bounds = frame.Bounds();
-  return {bounds[0], bounds[1], bounds[2], bounds[3]};
-}
-
 std::vector<ScenePoint> Raised(const GroundLine& line, double height)
 {
   std::vector<ScenePoint> points;
@@ -69,11 +63,6 @@ void AddMapLines(SceneLayer& layer, const SceneFrame& frame, const Theme& theme)
     }
     layer.props.push_back(builder.MakeActor(ColourOf(ofLines, theme), lineWidths[kind]));
   }
-}
-
-bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& box)
-{
-  return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3];
 }
 
 void AddSite(SceneLayer& layer, const SceneFrame& frame, const std::string& name,

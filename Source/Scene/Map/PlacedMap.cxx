@@ -30,12 +30,6 @@ GroundLine Circle(const std::array<double, 2>& centre, double radius)
   return points;
 }
 
-std::array<double, 4> Rectangle(const SceneFrame& frame)
-{
-  const auto& bounds = frame.Bounds();
-  return {bounds[0], bounds[1], bounds[2], bounds[3]};
-}
-
 bool Touches(const MapLine& line, const GeographicBounds& reach)
 {
   return std::any_of(line.points.begin(), line.points.end(),
@@ -46,12 +40,19 @@ bool Touches(const MapLine& line, const GeographicBounds& reach)
     });
 }
 
-bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& box)
+} // namespace
+
+std::array<double, 4> Rectangle(const SceneFrame& frame)
 {
-  return place[0] >= box[0] && place[0] <= box[1] && place[1] >= box[2] && place[1] <= box[3];
+  const auto& bounds = frame.Bounds();
+  return {bounds[0], bounds[1], bounds[2], bounds[3]};
 }
 
-} // namespace
+bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& rectangle)
+{
+  return place[0] >= rectangle[0] && place[0] <= rectangle[1] && place[1] >= rectangle[2] &&
+         place[1] <= rectangle[3];
+}
 
 // Lines of the rest of the world need not be projected. A quarter of the box is added for the
 // curvature of its edges.

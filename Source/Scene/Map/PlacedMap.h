@@ -15,6 +15,12 @@ namespace nexrad::scene
 /// A line on the ground: x and y of its points in the scene.
 using GroundLine = std::vector<std::array<double, 2>>;
 
+/// The west, east, south and north edge of the domain in the scene.
+std::array<double, 4> Rectangle(const SceneFrame& frame);
+
+/// Whether a place lies in a rectangle (west, east, south, north).
+bool IsWithin(const std::array<double, 2>& place, const std::array<double, 4>& rectangle);
+
 /// The parts of a line that lie over a rectangle (west, east, south, north).
 std::vector<GroundLine> ClipLine(const GroundLine& line, const std::array<double, 4>& rectangle);
 

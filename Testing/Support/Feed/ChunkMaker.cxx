@@ -40,9 +40,8 @@ RadarVolume VolumeOfSweeps(const Site& site, Time start, int sweeps, double refl
       each.time = start + Duration(Duration(length).count() * static_cast<std::int64_t>(ray++) /
                                    static_cast<std::int64_t>(volume.RayCount()));
     }
-    constexpr std::uint8_t endOfCut = 2;
-    constexpr std::uint8_t endOfVolume = 4;
-    sweep.rays.back().radialStatus = &sweep == &volume.sweeps.back() ? endOfVolume : endOfCut;
+    sweep.rays.back().radialStatus =
+      &sweep == &volume.sweeps.back() ? RadialStatus::EndOfVolume : RadialStatus::EndOfCut;
   }
   return volume;
 }

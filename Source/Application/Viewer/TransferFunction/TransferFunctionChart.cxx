@@ -35,7 +35,6 @@ namespace
 {
 
 constexpr int samples = 512; // of the curves, and colours of the bars
-constexpr std::array<const char*, 4> channelNames = {"Red", "Green", "Blue", "Opacity"};
 constexpr int letters = 13;  // points
 constexpr float thin = 1.3F; // pixels
 constexpr float thick = 2.6F;
@@ -131,14 +130,14 @@ void TransferFunctionChart::MakePlots()
   bars->ScalarVisibilityOn();
   bars->EnableOpacityMappingOn();
   for (const char* column :
-    {"value", channelNames[0], channelNames[1], channelNames[2], channelNames[3]})
+    {"value", ChannelNames[0], ChannelNames[1], ChannelNames[2], ChannelNames[3]})
   {
     Column(curveTable, column, samples)->FillValue(0.0);
   }
   for (std::size_t i = 0; i < curves.size(); ++i)
   {
     curves[i] = chart->AddPlot(vtkChart::LINE);
-    curves[i]->SetInputData(curveTable, "value", channelNames[i]);
+    curves[i]->SetInputData(curveTable, "value", ChannelNames[i]);
   }
   chart->AddPlot(points);
 }
@@ -286,7 +285,7 @@ void TransferFunctionChart::FollowCurves()
   for (int each = 0; each < 4; ++each)
   {
     vtkDoubleArray* levels =
-      Column(curveTable, channelNames[static_cast<std::size_t>(each)], samples);
+      Column(curveTable, ChannelNames[static_cast<std::size_t>(each)], samples);
     for (int i = 0; i < samples; ++i)
     {
       levels->SetValue(i, function ? function->Evaluate(each, values->GetValue(i)) : 0.0);
@@ -303,7 +302,7 @@ void TransferFunctionChart::FollowColours()
   std::array<vtkDoubleArray*, 3> levels{};
   for (std::size_t each = 0; each < levels.size(); ++each)
   {
-    levels[each] = vtkDoubleArray::SafeDownCast(curveTable->GetColumnByName(channelNames[each]));
+    levels[each] = vtkDoubleArray::SafeDownCast(curveTable->GetColumnByName(ChannelNames[each]));
   }
   for (int i = 0; i < samples; ++i)
   {
@@ -329,7 +328,7 @@ void TransferFunctionChart::StylePlots()
   const scene::Colour& rim = look.skyBottom;
   SetColour(points->GetPen(), colour, 1.0);
   points->GetBrush()->SetColorF(rim[0], rim[1], rim[2], 1.0);
-  chart->GetAxis(vtkAxis::LEFT)->SetTitle(channelNames[static_cast<std::size_t>(channel)]);
+  chart->GetAxis(vtkAxis::LEFT)->SetTitle(ChannelNames[static_cast<std::size_t>(channel)]);
   this->DrawSoon();
 }
 

@@ -24,6 +24,9 @@ class vtkTable;
 namespace nexrad::viewer
 {
 
+/// The curves of a colour map, in the order of vtkNexradTransferFunction's channels.
+constexpr std::array<const char*, 4> ChannelNames = {"Red", "Green", "Blue", "Opacity"};
+
 class SplinePointsItem;
 
 /// The four splines of a transfer function over the values of a moment, with a histogram behind

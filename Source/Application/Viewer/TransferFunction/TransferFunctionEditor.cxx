@@ -53,7 +53,6 @@ using Function = vtkNexradTransferFunction;
 constexpr vtkIdType mostVoxels = 1 << 23;
 constexpr char changed[] = ", changed";
 constexpr int histogramPause = 200; // ms
-constexpr std::array<const char*, 4> channelNames = {"Red", "Green", "Blue", "Opacity"};
 
 QString UnitOfArray(const std::string& array)
 {
@@ -212,7 +211,7 @@ void TransferFunctionEditor::AddChannels(QBoxLayout* column)
   channels = new QButtonGroup(this);
   for (int channel = 0; channel < 4; ++channel)
   {
-    const QString name = channelNames[static_cast<std::size_t>(channel)];
+    const QString name = ChannelNames[static_cast<std::size_t>(channel)];
     auto* button = this->AddButton(row, name, name + " channel",
       "Edit the points of the thick curve: " + name.toLower() + ", from 0 to 1",
       [this, channel] { this->ChooseChannel(channel); });

@@ -16,11 +16,9 @@ bool AreOfOneCut(const ArrivedRay& a, const ArrivedRay& b)
 
 bool StartsCut(const Ray& ray)
 {
-  constexpr std::uint8_t startOfCut = 0;
-  constexpr std::uint8_t startOfVolume = 3;
-  constexpr std::uint8_t startOfLastCut = 5;
-  return ray.radialStatus == startOfCut || ray.radialStatus == startOfVolume ||
-         ray.radialStatus == startOfLastCut;
+  return ray.radialStatus == RadialStatus::StartOfCut ||
+         ray.radialStatus == RadialStatus::StartOfVolume ||
+         ray.radialStatus == RadialStatus::StartOfLastCut;
 }
 
 bool IsNext(const ArrivedRay& before, const ArrivedRay& after)

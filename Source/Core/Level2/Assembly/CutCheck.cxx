@@ -13,8 +13,6 @@ namespace nexrad
 namespace
 {
 
-constexpr std::uint8_t startOfVolume = 3;
-constexpr std::uint8_t endOfVolume = 4;
 constexpr double fullTurn = 360.0; // degrees
 
 int NumberOf(const ArrivedSweep& sweep)
@@ -63,7 +61,7 @@ public:
 
   void Check()
   {
-    cuts.begun = cycle[0].rays.front()->ray.radialStatus == startOfVolume;
+    cuts.begun = cycle[0].rays.front()->ray.radialStatus == RadialStatus::StartOfVolume;
     this->CheckNumbers();
     this->CheckSweepEnds();
     this->CheckEnd();
@@ -86,7 +84,8 @@ private:
       scanned += NumberOf(cycle[i]) != before ? 1 : 0;
       before = NumberOf(cycle[i]);
     }
-    return 2 * scanned < before && cycle.Last().rays.back()->ray.radialStatus == endOfVolume;
+    return 2 * scanned < before &&
+           cycle.Last().rays.back()->ray.radialStatus == RadialStatus::EndOfVolume;
   }
 
   // Cuts that the numbers of the sweeps leave out.
@@ -152,7 +151,7 @@ private:
     const ArrivedSweep& last = cycle.Last();
     const std::vector<int> rest =
       NumbersFrom(NumberOf(last) + 1, cuts.expected.value_or(NumberOf(last)));
-    if (last.rays.back()->ray.radialStatus == endOfVolume)
+    if (last.rays.back()->ray.radialStatus == RadialStatus::EndOfVolume)
     {
       cuts.end = rest.empty() ? VolumeEnd::LastCut : VolumeEnd::Early;
       cuts.notScanned = rest;
@@ -184,7 +183,7 @@ private:
   bool IsBrokenOffBy(const ArrivedRay& next, Duration left) const
   {
     return IsBrokenOff(left, next.ray.time - cycle.Last().rays.back()->ray.time,
-      next.ray.radialStatus == startOfVolume);
+      next.ray.radialStatus == RadialStatus::StartOfVolume);
   }
 
   // What the rest of the volume takes, as fast as the last sweep; 0 where that tells no speed.

@@ -127,7 +127,6 @@ struct GroupPlaces
 
 GroupPlaces PlacesOf(const RayList& rays, const TimeGroup& group)
 {
-  constexpr std::uint8_t startOfVolume = 3;
   GroupPlaces places;
   places.first = rays.size();
   for (std::size_t i = 0; i < rays.size(); ++i)
@@ -136,7 +135,8 @@ GroupPlaces PlacesOf(const RayList& rays, const TimeGroup& group)
     {
       places.first = std::min(places.first, i);
       places.last = i;
-      places.startsVolume = places.startsVolume || rays[i]->ray.radialStatus == startOfVolume;
+      places.startsVolume =
+        places.startsVolume || rays[i]->ray.radialStatus == RadialStatus::StartOfVolume;
     }
   }
   return places;

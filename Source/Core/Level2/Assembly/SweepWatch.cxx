@@ -10,9 +10,6 @@ namespace nexrad
 namespace
 {
 
-constexpr std::uint8_t endOfCut = 2;
-constexpr std::uint8_t endOfVolume = 4;
-
 } // namespace
 
 double SweepWatch::TurnTo(float azimuth) const
@@ -56,8 +53,8 @@ void SweepWatch::Count(std::size_t lost, float from, const ArrivedRay& behind)
 bool SweepWatch::IsCutOff() const
 {
   constexpr double almostFull = 358.0; // a full turn less one ray at each end
-  return last != nullptr && last->ray.radialStatus != endOfCut &&
-         last->ray.radialStatus != endOfVolume && std::abs(turned) < almostFull;
+  return last != nullptr && last->ray.radialStatus != RadialStatus::EndOfCut &&
+         last->ray.radialStatus != RadialStatus::EndOfVolume && std::abs(turned) < almostFull;
 }
 
 std::string SweepWatch::Describe(std::size_t sweepIndex, int elevationNumber) const

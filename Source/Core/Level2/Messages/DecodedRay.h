@@ -11,6 +11,10 @@
 namespace nexrad
 {
 
+/// What a code of messages 1 and 31 stands for: m/s of the Nyquist velocity, m of a range.
+constexpr double NyquistPerCode = 0.01;
+constexpr float RangePerCode = 100.0F;
+
 /// Why a message gives no ray: one line without the place.
 class MessageError : public std::runtime_error
 {

@@ -8,8 +8,6 @@ namespace
 {
 
 constexpr double degreesPerCode = 180.0 / 32768.0;
-constexpr double nyquistPerCode = 0.01; // m/s
-constexpr float rangePerCode = 100.0F;  // m
 
 struct MomentLayout
 {
@@ -72,7 +70,7 @@ DecodedRay DecodeMessage1(ByteView body)
   DecodedRay decoded;
   Ray& ray = decoded.ray;
   ray.time = CheckedTime(body.U16(4), body.U32(0));
-  ray.unambiguousRange = body.U16(6) * rangePerCode;
+  ray.unambiguousRange = body.U16(6) * RangePerCode;
   ray.azimuth = static_cast<float>(body.U16(8) * degreesPerCode);
   decoded.azimuthNumber = body.U16(10);
   ray.elevation = DecodeElevation(body.U16(14));
@@ -83,7 +81,7 @@ DecodedRay DecodeMessage1(ByteView body)
   ray.elevationNumber = static_cast<std::uint8_t>(elevationNumber > 255 ? 255 : elevationNumber);
   CheckRay(ray);
   decoded.coveragePatternNumber = body.U16(44);
-  ray.nyquist = static_cast<float>(body.U16(60) * nyquistPerCode);
+  ray.nyquist = static_cast<float>(body.U16(60) * NyquistPerCode);
   for (const MomentLayout& layout : layouts)
   {
     DecodeMoment(layout, body, decoded);

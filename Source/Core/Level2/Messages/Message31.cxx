@@ -16,8 +16,6 @@ constexpr unsigned mostBlocks = 16; // the format has ten; room for new ones
 constexpr std::size_t momentHeaderBytes = 28;
 constexpr std::size_t volumeBlockBytes = 42; // up to and with the coverage pattern
 constexpr std::size_t radialBlockBytes = 18; // up to and with the Nyquist velocity
-constexpr double nyquistPerCode = 0.01;      // m/s
-constexpr float rangePerCode = 100.0F;       // m
 
 std::string BlockName(ByteView block)
 {
@@ -108,8 +106,8 @@ void DecodeBlock(ByteView block, DecodedRay& decoded)
   }
   else if (name == "RAD" && block.Has(0, radialBlockBytes))
   {
-    decoded.ray.unambiguousRange = block.U16(6) * rangePerCode;
-    decoded.ray.nyquist = static_cast<float>(block.U16(16) * nyquistPerCode);
+    decoded.ray.unambiguousRange = block.U16(6) * RangePerCode;
+    decoded.ray.nyquist = static_cast<float>(block.U16(16) * NyquistPerCode);
   }
 }
 

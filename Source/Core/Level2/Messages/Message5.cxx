@@ -7,9 +7,9 @@ namespace nexrad
 namespace
 {
 
-constexpr std::size_t headerBytes = 22;
+constexpr std::size_t patternHeaderBytes = 22;
 constexpr std::size_t cutBytes = 46;
-constexpr double degreesPerCode = 180.0 / 32768.0;
+constexpr double degreesPerAngleCode = 180.0 / 32768.0;
 constexpr double rateOfHighestBit = 22.5; // degrees a second, bit 14; bit 15 is the sign
 constexpr double ratePerCode = rateOfHighestBit / 16384.0;
 constexpr unsigned halfDegreeAzimuths = 1;
@@ -17,7 +17,7 @@ constexpr unsigned halfDegreeAzimuths = 1;
 CoverageCut DecodeCut(ByteView cut)
 {
   CoverageCut result;
-  const double angle = cut.U16(0) * degreesPerCode;
+  const double angle = cut.U16(0) * degreesPerAngleCode;
   result.elevation = angle > 180.0 ? angle - 360.0 : angle;
   const unsigned waveform = cut.U8(3);
   result.waveform = waveform <= static_cast<unsigned>(Waveform::StaggeredPulsePair)
@@ -32,13 +32,13 @@ CoverageCut DecodeCut(ByteView cut)
 
 std::optional<CoveragePattern> DecodeMessage5(ByteView body)
 {
-  if (!body.Has(0, headerBytes))
+  if (!body.Has(0, patternHeaderBytes))
   {
     return std::nullopt;
   }
   const unsigned cuts = body.U16(6);
-  if (cuts == 0 || body.U16(4) == 0 || !body.Has(headerBytes, cutBytes * cuts) ||
-      std::size_t(2) * body.U16(0) < headerBytes + cutBytes * cuts)
+  if (cuts == 0 || body.U16(4) == 0 || !body.Has(patternHeaderBytes, cutBytes * cuts) ||
+      std::size_t(2) * body.U16(0) < patternHeaderBytes + cutBytes * cuts)
   {
     return std::nullopt;
   }
@@ -46,7 +46,7 @@ std::optional<CoveragePattern> DecodeMessage5(ByteView body)
   pattern.number = body.U16(4);
   for (unsigned index = 0; index < cuts; ++index)
   {
-    pattern.cuts.push_back(DecodeCut(body.Sub(headerBytes + cutBytes * index, cutBytes)));
+    pattern.cuts.push_back(DecodeCut(body.Sub(patternHeaderBytes + cutBytes * index, cutBytes)));
   }
   return pattern;
 }

@@ -28,8 +28,10 @@ bool RayCosts::MayBeginSweep(const Ray& ray)
   constexpr double longestTurn = 360.0; // less than that of a sweep
   turned += std::abs(std::remainder(static_cast<double>(ray.azimuth) - azimuth, 360.0));
   azimuth = static_cast<double>(ray.azimuth);
-  const bool begins = ray.elevationNumber != elevationNumber || ray.radialStatus == 0 ||
-                      ray.radialStatus == 3 || ray.radialStatus == 5 || turned > longestTurn;
+  const bool begins = ray.elevationNumber != elevationNumber ||
+                      ray.radialStatus == RadialStatus::StartOfCut ||
+                      ray.radialStatus == RadialStatus::StartOfVolume ||
+                      ray.radialStatus == RadialStatus::StartOfLastCut || turned > longestTurn;
   elevationNumber = ray.elevationNumber;
   turned = begins ? 0.0 : turned;
   return begins;

@@ -10,8 +10,8 @@ namespace nexrad
 namespace
 {
 
-constexpr float alike = 3.0F;    // dB
-constexpr float weakest = -5.0F; // dBZ that a tilt without echo counts as
+constexpr float smallDifference = 3.0F; // dB
+constexpr float weakest = -5.0F;        // dBZ that a tilt without echo counts as
 
 float Mean(float sum, float count)
 {
@@ -79,7 +79,7 @@ void CountAlike(const float* own, const float* row, std::ptrdiff_t offset, const
   {
     const float other = row[i + offset];
     abouts[i - first] += IsNumber(other) ? 1.0F : 0.0F;
-    likes[i - first] += std::abs(other - own[i]) < alike ? 1.0F : 0.0F;
+    likes[i - first] += std::abs(other - own[i]) < smallDifference ? 1.0F : 0.0F;
   }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/Basis/StormPlane.h"
 
+#include "nexrad/Geometry/Angles.h"
+
 #include <cmath>
 
 namespace nexrad
@@ -9,7 +11,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double sphereRadius = 6'371'000.0; // m
 constexpr double referenceLatitude = 39.0;   // degrees
 constexpr double referenceLongitude = -91.5; // degrees
@@ -18,14 +19,14 @@ constexpr double referenceLongitude = -91.5; // degrees
 
 PlanePoint StormPlane::FromGeographic(double longitude, double latitude, double height)
 {
-  static const double eastScale = std::cos(referenceLatitude * degree);
-  return {sphereRadius * eastScale * (longitude - referenceLongitude) * degree,
-    sphereRadius * (latitude - referenceLatitude) * degree, height};
+  static const double eastScale = std::cos(referenceLatitude * RadiansPerDegree);
+  return {sphereRadius * eastScale * (longitude - referenceLongitude) * RadiansPerDegree,
+    sphereRadius * (latitude - referenceLatitude) * RadiansPerDegree, height};
 }
 
 double StormPlane::EastwardScale(double latitude)
 {
-  return std::cos(referenceLatitude * degree) / std::cos(latitude * degree);
+  return std::cos(referenceLatitude * RadiansPerDegree) / std::cos(latitude * RadiansPerDegree);
 }
 
 } // namespace nexrad

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/Beam/BeamTrace.h"
 
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Simulation/Beam/BeamPattern.h"
 
 #include <GeographicLib/Geodesic.hpp>
@@ -15,7 +16,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double degree = 3.14159265358979323846 / 180.0;
 constexpr double elevationMargin = 0.5; // degrees that a ray may lie off its cut
 
 // Newton's forward differences of equally spaced values, each divided by the factorial of its
@@ -78,7 +78,7 @@ void BeamTrace::Point(double rayAzimuth, double rayElevation)
 {
   azimuth = rayAzimuth;
   elevation = rayElevation;
-  const double side = Root3 * sigma / std::cos(elevation * degree);
+  const double side = Root3 * sigma / std::cos(elevation * RadiansPerDegree);
   tracks = {this->TraceGround(azimuth - side), this->TraceGround(azimuth),
     this->TraceGround(azimuth + side)};
 }
@@ -94,7 +94,7 @@ Cylinder BeamTrace::Span(double nearest, double end) const
   constexpr double slack = 100.0; // m, for what curves between the ends
   const PlanePoint middle = this->Centre((nearest + end) / 2.0);
   const double stretch = StormPlane::EastwardScale(site.latitude + farthest / 111'000.0);
-  const double width = Root3 * sigma * degree * end;
+  const double width = Root3 * sigma * RadiansPerDegree * end;
   Cylinder bounds{
     middle.x, middle.y, std::max(stretch, 1.0) * ((end - nearest) / 2.0 + width) + slack, 0.0, 0.0};
   const double low = elevation - FarthestNode * sigma;

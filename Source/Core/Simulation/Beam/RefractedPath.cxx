@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/Beam/RefractedPath.h"
 
+#include "nexrad/Geometry/Angles.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -11,9 +13,8 @@ namespace
 {
 
 constexpr double earthRadius = 6'371'000.0; // m
-constexpr double degree = 3.14159265358979323846 / 180.0;
-constexpr double rayStep = 0.1;       // degrees between traced rays
-constexpr double rangeStep = 1'000.0; // m between points of a ray
+constexpr double rayStep = 0.1;             // degrees between traced rays
+constexpr double rangeStep = 1'000.0;       // m between points of a ray
 
 // Where a ray is, and its angle above the local horizon in rad.
 struct RayState
@@ -62,7 +63,7 @@ RefractedPath::RefractedPath(double effectiveRadiusFactor, double lowestElevatio
   points.reserve(steps * rays);
   for (std::size_t ray = 0; ray < rays; ++ray)
   {
-    RayState state{0.0, 0.0, (lowest + rayStep * static_cast<double>(ray)) * degree};
+    RayState state{0.0, 0.0, (lowest + rayStep * static_cast<double>(ray)) * RadiansPerDegree};
     for (std::size_t step = 0; step < steps; ++step)
     {
       points.push_back({state.height, state.distance});

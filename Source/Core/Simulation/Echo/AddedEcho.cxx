@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/Echo/AddedEcho.h"
 
+#include "nexrad/Geometry/Angles.h"
 #include "nexrad/Simulation/Basis/CounterNoise.h"
+#include "nexrad/Simulation/StormElement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,9 +14,6 @@ namespace nexrad
 
 namespace
 {
-
-constexpr double degree = 3.14159265358979323846 / 180.0;
-constexpr double nothing = -std::numeric_limits<double>::infinity();
 
 // Numbers of the noise streams within a ray.
 constexpr std::uint64_t groundStream = 16U << 16;
@@ -58,10 +57,10 @@ double AddedEcho::Biological(const BeamTrace& beam, const SeenPlace& place) cons
   const double height = beam.At(place.range, place.elevation).height;
   if (height > highest)
   {
-    return nothing;
+    return NoReflectivity;
   }
   const WindVector flight = OwnFlight();
-  const double aside = place.azimuth * degree - std::atan2(flight.east, flight.north);
+  const double aside = place.azimuth * RadiansPerDegree - std::atan2(flight.east, flight.north);
   return strongest - fall * height * height / (depth * depth) - 3.0 * std::cos(2.0 * aside);
 }
 
@@ -71,7 +70,7 @@ double AddedEcho::Sun(const SeenPlace& place) const
   constexpr double elevation = 0.9;
   constexpr double power = -1.0; // dBZ at 50 km
   const double aside =
-    std::remainder(place.azimuth - azimuth, 360.0) * std::cos(place.elevation * degree);
+    std::remainder(place.azimuth - azimuth, 360.0) * std::cos(place.elevation * RadiansPerDegree);
   const double above = place.elevation - elevation;
   return OfPower(power, place.range) - 12.0 * (aside * aside + above * above) / (width * width);
 }
@@ -108,13 +107,13 @@ double AddedEcho::ValueOf(EchoKind kind, const BeamTrace& beam, const RayPlace& 
   case EchoKind::Interference:
     return this->IsInterference(beam, ray)
              ? OfPower(12.0, place.range) + Normal(ray.key, powerStream + gate)
-             : nothing;
+             : NoReflectivity;
   case EchoKind::Speckle:
     return Uniform(ray.key, speckleStream + gate) < speckleShare
              ? OfPower(-3.5 + 20.0 * Uniform(ray.key, speckleStrengthStream + gate), place.range)
-             : nothing;
+             : NoReflectivity;
   default:
-    return nothing;
+    return NoReflectivity;
   }
 }
 
@@ -137,7 +136,7 @@ void AddedEcho::AddTo(const BeamTrace& beam, const RayPlace& place, const GateLa
         kinds[index] = kind;
       }
     }
-    reflectivity[index] = sum > 0.0 ? 10.0 * std::log10(sum) : nothing;
+    reflectivity[index] = sum > 0.0 ? 10.0 * std::log10(sum) : NoReflectivity;
   }
 }
 

@@ -2,6 +2,7 @@
 #include "nexrad/Simulation/Echo/GroundEcho.h"
 
 #include "nexrad/Simulation/Basis/CounterNoise.h"
+#include "nexrad/Simulation/StormElement.h"
 
 #include <algorithm>
 #include <cmath>
@@ -13,7 +14,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double nothing = -std::numeric_limits<double>::infinity();
 constexpr double cellLength = 250.0;  // m
 constexpr double targetSpread = 8.0;  // dB, standard deviation of the targets
 constexpr int areas = 3;              // ridges, and patches
@@ -93,7 +93,7 @@ double GroundEcho::Clutter(const SeenPlace& place) const
   const std::uint64_t cell = CellKey(key, place);
   if (share < 1e-3 || Uniform(cell, ClutterPresence) > share)
   {
-    return nothing;
+    return NoReflectivity;
   }
   const double target = 0.4 * Uniform(cell, TargetHeight);
   return strength + targetSpread * Normal(cell, ClutterStrength) -
@@ -114,7 +114,7 @@ double GroundEcho::AnomalousPropagation(const SeenPlace& place) const
              decline * std::max(place.elevation - highest, 0.0);
     }
   }
-  return nothing;
+  return NoReflectivity;
 }
 
 } // namespace nexrad

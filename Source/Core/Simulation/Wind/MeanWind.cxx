@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/Wind/MeanWind.h"
 
+#include "nexrad/Geometry/Angles.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -16,9 +18,8 @@ constexpr double step = 500.0; // m between the heights of the table
 // The wind blows away from where it comes from.
 WindVector Components(const WindLevel& level)
 {
-  constexpr double degree = 3.14159265358979323846 / 180.0;
-  return {-level.speed * std::sin(level.direction * degree),
-    -level.speed * std::cos(level.direction * degree)};
+  return {-level.speed * std::sin(level.direction * RadiansPerDegree),
+    -level.speed * std::cos(level.direction * RadiansPerDegree)};
 }
 
 // The wind at equal steps of height, so that a height finds its levels without a search.
