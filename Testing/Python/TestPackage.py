@@ -33,7 +33,7 @@ def day_reader():
 class Classes(unittest.TestCase):
     concrete = (
         "vtkNexradLevel2Reader", "vtkNexradSeriesReader", "vtkNexradVolumeReader",
-        "vtkNexradVolumeWriter", "vtkNexradNetCDFReader", "vtkNexradNetCDFWriter", "vtkNexradDayReader",
+        "vtkNexradVolumeWriter", "vtkNexradNetCDFWriter", "vtkNexradDayReader",
         "vtkOpenGLTextureSliceVolumeMapper",
         "vtkNexradTransferFunction", "vtkTextureSliceObjectFactory", "vtkNexradVolumeScene",
         "vtkNexradSession")
