@@ -254,17 +254,6 @@ TEST(GridCommand, TheFilesDoNotDependOnTheNumberOfThreads)
   }
 }
 
-TEST(GridCommand, VtiOnRequest)
-{
-  NEXRAD_REQUIRE_TEST_DATA(data);
-  const TemporaryFolder folder;
-  const ProgramRun run = RunNexrad3d({"grid", data / "level2" / "run-kbgm-20050821", "-o",
-    folder.Path(), "--dims", "16x16x8", "--format", "vti", "--end", "2005-08-21T02:46"});
-  EXPECT_EQ(run.status, 0) << run.errors;
-  const std::set<std::string> expected = {"20050821T024500Z.vti", "volumes.vti.series"};
-  EXPECT_EQ(NamesIn(folder.Path()), expected);
-}
-
 TEST(GridCommand, DamageIsNamedAndTheDayStillMade)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
@@ -334,7 +323,7 @@ TEST(GridCommand, TimesWithoutAnyRadarAreAFailure)
 TEST(GridCommand, AFullDiskLeavesNothingHalfWritten)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
-  for (const char* format : {"nxv", "vti", "nc"})
+  for (const char* format : {"nxv", "nc"})
   {
     const TemporaryFolder folder;
     const FileSizeLimit limit(2'000);

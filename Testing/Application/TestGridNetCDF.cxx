@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Comparison/VolumeComparison.h"
+#include "Comparison/NetCDFContent.h"
 #include "ProgramRun.h"
 #include "TestData.h"
 #include "nexrad/Codec/NxvFile.h"
-#include "vtkNexradNetCDFInput.h"
 
 #include <gtest/gtest.h>
 
@@ -52,21 +51,16 @@ TEST(GridNetCDF, HasWhatExactVolumesHave)
   ASSERT_EQ(GridThreeRadars(data, one, {"--format", "nc", "--one-file"}).status, 0);
   EXPECT_TRUE(fs::exists(each / "volumes.nc.series"));
   EXPECT_EQ(std::distance(fs::directory_iterator(one), {}), 1);
-  ASSERT_EQ(vtkNexradReadNetCDFContents(one / "volumes.nc").Times.size(), 2);
-  vtkNexradNetCDFRequest request;
+  const NetCDFContent all(one / "volumes.nc");
+  ASSERT_EQ(all.Numbers("time").size(), 2);
+  std::size_t time = 0;
   for (const char* name : {"20100911T011500Z", "20100911T012000Z"})
   {
     const GriddedVolume expected = ReadNxv(exact / (name + std::string(".nxv")));
     EXPECT_EQ(expected.sitePositions.size(), 3);
-    const GriddedVolume alone = vtkNexradReadNetCDF(each / (name + std::string(".nc")));
-    const GriddedVolume among = vtkNexradReadNetCDF(one / "volumes.nc", request);
-    ++request.Time;
-    for (const GriddedVolume* volume : {&alone, &among})
-    {
-      ExpectSameVolume(*volume, expected);
-      ASSERT_EQ(volume->further.size(), 1);
-      ExpectSameVolume(volume->further.front(), expected.further.front());
-    }
+    EXPECT_EQ(expected.further.size(), 1);
+    ExpectVolume(NetCDFContent(each / (name + std::string(".nc"))), 0, expected);
+    ExpectVolume(all, time++, expected);
   }
 }
 
@@ -79,7 +73,7 @@ TEST(GridNetCDF, OneFileIsReplacedAsAWhole)
   ASSERT_EQ(GridThreeRadars(data, folder.Path(), options).status, 0);
   ASSERT_EQ(GridThreeRadars(data, folder.Path(), options).status, 0);
   EXPECT_EQ(std::distance(fs::directory_iterator(folder.Path()), {}), 1);
-  EXPECT_EQ(vtkNexradReadNetCDFContents(folder.Path() / "volumes.nc").Times.size(), 2);
+  EXPECT_EQ(NetCDFContent(folder.Path() / "volumes.nc").Numbers("time").size(), 2);
 }
 
 // Nothing in a file tells when it was written.

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Comparison/NetCDFContent.h"
 #include "ProgramRun.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/RadarView.h"
-#include "vtkNexradNetCDFInput.h"
 #include "vtkNexradVolumeReader.h"
 
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
-#include "vtk_netcdf.h"
 
 #include <gtest/gtest.h>
 
@@ -67,19 +66,17 @@ TEST(GridPerRadar, VolumesAreThoseOfEachRadarAlone)
     ASSERT_EQ(GridRadars(data, {file}, own, {"--ancillary", "--code", "exact"}).status, 0);
     const GriddedVolume alone = ReadNxv(own / "20100911T011500Z.nxv");
     EXPECT_EQ(ReadNxvSeries(nxv / (radar + ".nxv.series")).size(), 1);
-    for (const GriddedVolume& volume :
-      {ReadNxv(nxv / (radar + "_20100911T011500Z.nxv")), vtkNexradReadNetCDF(nc / (radar + ".nc"))})
-    {
-      EXPECT_TRUE(volume.ofOneRadar);
-      EXPECT_EQ(volume.sites, std::vector<std::string>{radar});
-      EXPECT_EQ(volume.sitePositions, alone.sitePositions);
-      EXPECT_EQ(volume.grid, alone.grid);
-      EXPECT_EQ(volume.values, alone.values);
-      EXPECT_EQ(volume.states, alone.states);
-      EXPECT_EQ(volume.ancillary.age, alone.ancillary.age);
-      ASSERT_EQ(volume.further.size(), 1);
-      EXPECT_EQ(volume.further.front().values, alone.further.front().values);
-    }
+    const GriddedVolume volume = ReadNxv(nxv / (radar + "_20100911T011500Z.nxv"));
+    EXPECT_TRUE(volume.ofOneRadar);
+    EXPECT_EQ(volume.sites, std::vector<std::string>{radar});
+    EXPECT_EQ(volume.sitePositions, alone.sitePositions);
+    EXPECT_EQ(volume.grid, alone.grid);
+    EXPECT_EQ(volume.values, alone.values);
+    EXPECT_EQ(volume.states, alone.states);
+    EXPECT_EQ(volume.ancillary.age, alone.ancillary.age);
+    ASSERT_EQ(volume.further.size(), 1);
+    EXPECT_EQ(volume.further.front().values, alone.further.front().values);
+    ExpectVolume(NetCDFContent(nc / (radar + ".nc")), 0, volume);
   }
 }
 
@@ -96,19 +93,13 @@ TEST(GridPerRadar, FilesHaveTheRadarsView)
   vtkNew<vtkNexradVolumeReader> reader;
   reader->SetFileName(path.c_str());
   reader->Update();
-  int file = -1;
-  ASSERT_EQ(nc_open(fs::path(path).replace_extension(".nc").c_str(), NC_NOWRITE, &file), NC_NOERR);
+  const NetCDFContent file(fs::path(path).replace_extension(".nc"));
   const auto compare = [&](const std::string& name, const std::vector<float>& expected)
   {
     vtkDataArray* array = reader->GetOutput()->GetPointData()->GetArray(name.c_str());
     ASSERT_NE(array, nullptr) << name;
-    std::vector<double> packed(expected.size());
-    int variable = -1;
-    double terms[2] = {};
-    ASSERT_EQ(nc_inq_varid(file, name.c_str(), &variable), NC_NOERR);
-    ASSERT_EQ(nc_get_var_double(file, variable, packed.data()), NC_NOERR);
-    nc_get_att_double(file, variable, "scale_factor", &terms[0]);
-    nc_get_att_double(file, variable, "add_offset", &terms[1]);
+    const std::vector<double> packed = file.Numbers(name);
+    const double terms[2] = {file.Number(name, "scale_factor"), file.Number(name, "add_offset")};
     double largest = 0.0;
     for (std::size_t i = 0; i < expected.size(); ++i)
     {
@@ -122,5 +113,4 @@ TEST(GridPerRadar, FilesHaveTheRadarsView)
       "Largest error of " + name + " in a NetCDF file, degrees or m");
   };
   ForEachArray(view, compare);
-  nc_close(file);
 }

@@ -166,6 +166,30 @@ TEST_F(InterruptedGrid, TwentyKillsEndWithTheBytesOfAnUndisturbedRun)
   EXPECT_FALSE(fs::exists(disturbed / ".grid.part"));
 }
 
+// The volumes that were made stay, and the second run appends all of them.
+TEST_F(InterruptedGrid, OneFileOfAllTimesIsWhole)
+{
+  const fs::path whole = folder.Path() / "whole";
+  const fs::path disturbed = folder.Path() / "disturbed";
+  const auto command = [this](const fs::path& output)
+  {
+    std::vector<std::string> words = this->Command(output, "40x40x10");
+    words.insert(words.end(), {"--format", "nc", "--one-file"});
+    return words;
+  };
+  ASSERT_EQ(RunNexrad3d(command(whole)).status, 0);
+  InterruptProgram(
+    Nexrad3dPath(), command(disturbed),
+    [&] { return Volumes(disturbed / ".grid.part").size() >= 9; }, SIGKILL);
+  const auto made = Volumes(disturbed / ".grid.part");
+  EXPECT_GE(made.size(), 9U);
+  EXPECT_FALSE(fs::exists(disturbed / "volumes.nc"));
+  const ProgramRun again = RunNexrad3d(command(disturbed));
+  EXPECT_EQ(again.status, 0) << again.errors;
+  EXPECT_TRUE(Contents(disturbed) == Contents(whole));
+  EXPECT_EQ(Contents(whole).size(), 1U);
+}
+
 // Over a folder that is complete: until all new volumes are there, the old ones stay.
 TEST_F(InterruptedGrid, AKilledRunOverAnotherLeavesTheOldVolumes)
 {

@@ -130,13 +130,13 @@ TEST_F(MemoryAndThreads, AncillaryArraysAndMomentsTakeWhatIsEstimated)
   ExpectEstimate(options, {}, {"--moment", "REF,VEL", "--ancillary"});
 }
 
-TEST_F(MemoryAndThreads, ImageDataTakeWhatIsEstimated)
+TEST_F(MemoryAndThreads, NetCDFTakesWhatIsEstimated)
 {
   MergeOptions options;
-  options.grid.dimensions = {400, 400, 128};
+  options.grid.dimensions = {256, 256, 64};
   VolumeFiles written;
-  written.format = VolumeFormat::Vti;
-  ExpectEstimate(options, written, {"--format", "vti"});
+  written.format = VolumeFormat::NetCDF;
+  ExpectEstimate(options, written, {"--format", "nc"});
 }
 
 TEST_F(MemoryAndThreads, TheMethodOfTheThesisTakesWhatIsEstimated)

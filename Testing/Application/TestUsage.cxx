@@ -113,7 +113,7 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage({"grid", "a", "-o", "b", "--frobnicate"}, {"--frobnicate"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--code", "raw"}, {"--code", "radar, thesis or exact"});
   ExpectWrongUsage(
-    {"grid", "a", "-o", "b", "--code", "exact", "--format", "vti"}, {"--code", "nxv alone"});
+    {"grid", "a", "-o", "b", "--code", "exact", "--format", "nc"}, {"--code", "nxv alone"});
   ExpectWrongUsage(
     {"grid", "a", "-o", "b", "--code", "thesis", "--moment", "VEL"}, {"--code", "REF alone"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--moment", "VEL", "--overlap", "mean"},
@@ -140,7 +140,7 @@ TEST(Usage, WrongOptionsAreNamed)
   ExpectWrongUsage({"grid", "a", "-o", "b", "--motion", "90,-130"}, {"--motion", "150 m/s"});
   ExpectWrongUsage(
     {"grid", "a", "-o", "b", "--motion", "1,2", "--method", "thesis"}, {"--motion", "beam"});
-  ExpectWrongUsage({"grid", "a", "-o", "b", "--format", "hdf"}, {"--format", "nxv", "vti", "nc"});
+  ExpectWrongUsage({"grid", "a", "-o", "b", "--format", "hdf"}, {"--format", "nxv", "nc"});
   ExpectWrongUsage({"grid", "a", "-o", "b", "--one-file"}, {"--one-file", "nc alone"});
   ExpectWrongUsage(
     {"grid", "a", "-o", "b", "--per-radar", "--method", "thesis"}, {"--per-radar", "beam"});

@@ -40,7 +40,7 @@ struct GridCommandOptions
 VolumeFormat ParseFormat(const std::string& text)
 {
   constexpr std::pair<const char*, VolumeFormat> names[] = {
-    {"nxv", VolumeFormat::Nxv}, {"vti", VolumeFormat::Vti}, {"nc", VolumeFormat::NetCDF}};
+    {"nxv", VolumeFormat::Nxv}, {"nc", VolumeFormat::NetCDF}};
   for (const auto& [name, format] : names)
   {
     if (text == name)
@@ -48,7 +48,7 @@ VolumeFormat ParseFormat(const std::string& text)
       return format;
     }
   }
-  throw Error("'" + text + "' is no format of volumes; write nxv, vti or nc");
+  throw Error("'" + text + "' is no format of volumes; write nxv or nc");
 }
 
 NxvEncoding ParseCode(const std::string& text)
@@ -196,8 +196,7 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
     ->type_name("DIR");
   AddParsedOption(*command, "--format", options->job.written.format, ParseFormat, "NAME",
     "nxv: compressed volumes of this project; nc: NetCDF with the CF conventions, for other "
-    "programs; "
-    "vti: VTK XML image data",
+    "programs",
     "nxv");
   command->add_flag("--one-file", options->job.oneFile,
     "Write all times into one file, volumes.nc (default: a file for each time); of --format nc");

@@ -3,7 +3,6 @@
 
 #include "Output/OutputFile.h"
 #include "Volumes/UnfinishedRun.h"
-#include "Volumes/VtiFile.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
@@ -31,11 +30,6 @@ constexpr const char* hiddenName = ".watch";
 // A file that is given up for the last status where the disk is full.
 constexpr const char* roomName = "room";
 constexpr std::size_t roomBytes = std::size_t(1) << 18; // a status of hundreds of radars
-
-std::string Extension(VolumeFormat format)
-{
-  return VolumeFileName(Time(), format).extension().string();
-}
 
 std::string Text(const nlohmann::json& json)
 {
@@ -75,11 +69,8 @@ std::pair<Site, double> RadarIn(const nlohmann::json& json)
 
 } // namespace
 
-LiveFolder::LiveFolder(fs::path theFolder, VolumeFormat theFormat,
-  const NxvWriteOptions& nxvOptions, std::string theRecipe)
+LiveFolder::LiveFolder(fs::path theFolder, std::string theRecipe)
   : folder(std::move(theFolder))
-  , format(theFormat)
-  , nxv(nxvOptions)
   , recipe(std::move(theRecipe))
 {
   MakeFolder(folder);
@@ -163,33 +154,28 @@ void LiveFolder::ReadState()
 
 fs::path LiveFolder::NewestVolume() const
 {
-  return folder / ("newest" + Extension(format));
+  return folder / "newest.nxv";
 }
 
 fs::path LiveFolder::Index() const
 {
-  return folder / ("volumes" + Extension(format) + ".series");
-}
-
-void LiveFolder::WriteVolume(const fs::path& path, const GriddedVolume& volume) const
-{
-  format == VolumeFormat::Nxv ? WriteNxv(path, volume, nxv) : WriteVti(path, volume);
+  return folder / "volumes.nxv.series";
 }
 
 void LiveFolder::WriteNewest(const GriddedVolume& volume) const
 {
-  this->WriteVolume(this->NewestVolume(), volume);
+  WriteNxv(this->NewestVolume(), volume);
 }
 
 void LiveFolder::WriteStep(const GriddedVolume& volume) const
 {
-  this->WriteVolume(folder / VolumeFileName(volume.time, format), volume);
+  WriteNxv(folder / VolumeFileName(volume.time), volume);
 }
 
 void LiveFolder::RemoveStep(Time time) const
 {
   std::error_code ignored;
-  fs::remove(folder / VolumeFileName(time, format), ignored);
+  fs::remove(folder / VolumeFileName(time), ignored);
 }
 
 void LiveFolder::WriteIndex(const std::vector<Time>& steps) const
@@ -197,7 +183,7 @@ void LiveFolder::WriteIndex(const std::vector<Time>& steps) const
   NxvSeries index;
   for (const Time time : steps)
   {
-    index.emplace_back(VolumeFileName(time, format).string(), ToSeconds(time));
+    index.emplace_back(VolumeFileName(time).string(), ToSeconds(time));
   }
   WriteNxvSeries(this->Index(), index);
 }

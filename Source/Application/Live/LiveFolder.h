@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Volumes/StepWriter.h"
-#include "nexrad/Codec/NxvWriter.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Model/Site.h"
 #include "nexrad/System/FileLock.h"
@@ -31,8 +30,7 @@ class LiveFolder
 public:
   /// Makes the folder when it does not exist. Throws Error when it cannot be written to, and when
   /// another run writes into it.
-  LiveFolder(std::filesystem::path folder, VolumeFormat format, const NxvWriteOptions& nxv,
-    std::string recipe);
+  LiveFolder(std::filesystem::path folder, std::string recipe);
   ~LiveFolder();
   LiveFolder(const LiveFolder&) = delete;
   LiveFolder& operator=(const LiveFolder&) = delete;
@@ -63,11 +61,8 @@ private:
   void Lock();
   void Unlock();
   void ReadState();
-  void WriteVolume(const std::filesystem::path& path, const GriddedVolume& volume) const;
 
   const std::filesystem::path folder;
-  const VolumeFormat format;
-  const NxvWriteOptions nxv;
   const std::string recipe;
   FileDescriptor lock;     ///< among runs of watch
   FileDescriptor gridLock; ///< among runs of grid, and this one

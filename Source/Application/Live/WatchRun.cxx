@@ -332,10 +332,10 @@ void WatchRun::FollowGrid(const std::optional<GridSpecification>& before)
     std::set<std::string> own;
     for (const Time step : book.Made())
     {
-      own.insert(VolumeFileName(step, job.format).string());
+      own.insert(VolumeFileName(step).string());
     }
     own.insert(folder.NewestVolume().filename().string());
-    RequireSameGrid(job.output, job.format, own, series.Grid());
+    RequireSameGrid(job.output, own, series.Grid());
   }
   else if (*before != series.Grid())
   {
@@ -575,7 +575,7 @@ WatchReport WatchFolders(const WatchJob& job, const std::function<void(const std
   const std::function<void(const std::string&)>& complain)
 {
   const LiveClock clock(job.replay);
-  LiveFolder folder(job.output, job.format, job.nxv, job.recipe);
+  LiveFolder folder(job.output, job.recipe);
   LiveStatus status;
   try
   {

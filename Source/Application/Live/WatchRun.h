@@ -4,7 +4,6 @@
 #include "Live/LiveClock.h"
 #include "Live/LiveIntake.h"
 #include "Volumes/StepWriter.h"
-#include "nexrad/Codec/NxvWriter.h"
 #include "nexrad/Merging/MergeOptions.h"
 
 #include <chrono>
@@ -22,8 +21,6 @@ struct WatchJob
 {
   std::vector<std::filesystem::path> folders; ///< into which volumes or chunks arrive
   std::filesystem::path output;               ///< made when it does not exist
-  VolumeFormat format = VolumeFormat::Nxv;
-  NxvWriteOptions nxv;
   MergeOptions options;
   std::string recipe; ///< all that decides what the volumes contain, beside the files, as text
   IntakeRules intake;

@@ -9,13 +9,16 @@
 #include "Viewer/MainWindow.h"
 #include "Viewer/Parts/Playback.h"
 #include "Viewer/Parts/SceneView.h"
-#include "Volumes/VtiFile.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradMessages.h"
 
 #include <vtkImageData.h>
+#include <vtkNew.h>
 #include <vtkNexradVolumeScene.h>
+#include <vtkXMLImageDataWriter.h>
 
 #include <QAction>
 #include <QApplication>
@@ -51,13 +54,34 @@ fs::path WriteColours(const std::string& colours, const fs::path& folder, const 
   return path;
 }
 
+// As VTK XML image data. The file appears whole or not at all.
+void WriteVti(const fs::path& path, const GriddedVolume& volume)
+{
+  vtkNew<vtkImageData> image;
+  vtkNexradVolumeToImage(volume, image);
+  vtkNexradAddRadarView(image);
+  vtkNew<vtkXMLImageDataWriter> writer;
+  vtkNexradMessages messages;
+  messages.Watch(writer);
+  writer->SetInputData(image);
+  // To memory first: VTK's writer leaves a cut file behind when the disk is full.
+  writer->WriteToOutputStringOn();
+  writer->Write();
+  if (!messages.Errors().empty())
+  {
+    throw FileError(path, messages.Errors().front());
+  }
+  const std::string bytes = writer->GetOutputString();
+  application::WriteFile(path, reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size());
+}
+
 // Done on another thread: conversion and compression take longer than a window may wait.
 void WriteVolume(vtkImageData* volume, const fs::path& path)
 {
   const GriddedVolume values = vtkNexradImageToVolume(volume);
   if (path.extension() == ".vti")
   {
-    application::WriteVti(path, values);
+    WriteVti(path, values);
   }
   else
   {

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/OtherVolumes.h"
 
-#include "Volumes/VtiFile.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/System/Error.h"
-#include "vtkNexradNetCDFInput.h"
 
 #include <optional>
 #include <system_error>
@@ -17,20 +15,11 @@ namespace nexrad::application
 namespace
 {
 
-std::optional<GridSpecification> GridIn(const fs::path& file, VolumeFormat format)
+std::optional<GridSpecification> GridIn(const fs::path& file)
 {
   try
   {
-    switch (format)
-    {
-    case VolumeFormat::Nxv:
-      return ReadNxvHeader(file).grid;
-    case VolumeFormat::Vti:
-      return ReadVtiGrid(file);
-    case VolumeFormat::NetCDF:
-      return vtkNexradReadNetCDFContents(file).Grid;
-    }
-    return std::nullopt;
+    return ReadNxvHeader(file).grid;
   }
   catch (const Error&)
   {
@@ -39,9 +28,8 @@ std::optional<GridSpecification> GridIn(const fs::path& file, VolumeFormat forma
 }
 
 // Names of the volume files in a folder.
-std::set<std::string> VolumesIn(const fs::path& folder, VolumeFormat format)
+std::set<std::string> VolumesIn(const fs::path& folder)
 {
-  const fs::path extension = ExtensionOf(format);
   std::set<std::string> names;
   std::error_code failure;
   for (fs::directory_iterator entry(folder, failure), end; !failure && entry != end;
@@ -49,7 +37,7 @@ std::set<std::string> VolumesIn(const fs::path& folder, VolumeFormat format)
   {
     const fs::path name = entry->path().filename();
     std::error_code ignored;
-    if (name.extension() == extension && name.string().front() != '.' &&
+    if (name.extension() == ".nxv" && name.string().front() != '.' &&
         entry->is_regular_file(ignored))
     {
       names.insert(name.string());
@@ -60,12 +48,12 @@ std::set<std::string> VolumesIn(const fs::path& folder, VolumeFormat format)
 
 } // namespace
 
-void RequireSameGrid(const fs::path& folder, VolumeFormat format, const std::set<std::string>& own,
-  const GridSpecification& grid)
+void RequireSameGrid(
+  const fs::path& folder, const std::set<std::string>& own, const GridSpecification& grid)
 {
-  for (const std::string& name : VolumesIn(folder, format))
+  for (const std::string& name : VolumesIn(folder))
   {
-    const auto other = own.count(name) == 0 ? GridIn(folder / name, format) : std::nullopt;
+    const auto other = own.count(name) == 0 ? GridIn(folder / name) : std::nullopt;
     if (other && *other != grid)
     {
       throw Error(folder.string() + ": holds " + name + " with " + GridText(*other) +

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Volumes/StepWriter.h"
 
-#include "Volumes/VtiFile.h"
 #include "nexrad/Merging/MemoryNeed.h"
 #include "vtkNexradNetCDFOutput.h"
 
@@ -14,17 +13,13 @@ namespace
 
 void WriteVolume(const fs::path& path, const GriddedVolume& volume, const VolumeFiles& files)
 {
-  switch (files.format)
+  if (files.format == VolumeFormat::Nxv)
   {
-  case VolumeFormat::Nxv:
     WriteNxv(path, volume, files.nxv);
-    break;
-  case VolumeFormat::Vti:
-    WriteVti(path, volume);
-    break;
-  case VolumeFormat::NetCDF:
+  }
+  else
+  {
     vtkNexradWriteNetCDF(path, volume, files.history);
-    break;
   }
 }
 
@@ -32,7 +27,7 @@ void WriteVolume(const fs::path& path, const GriddedVolume& volume, const Volume
 
 const char* ExtensionOf(VolumeFormat format)
 {
-  return format == VolumeFormat::Nxv ? ".nxv" : format == VolumeFormat::Vti ? ".vti" : ".nc";
+  return format == VolumeFormat::Nxv ? ".nxv" : ".nc";
 }
 
 fs::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar)

@@ -17,7 +17,6 @@ namespace nexrad::application
 enum class VolumeFormat
 {
   Nxv,   ///< this project's compressed volumes (Documentation/Formats/nxv.md)
-  Vti,   ///< VTK XML image data
   NetCDF ///< NetCDF that follows the CF conventions (Documentation/Formats/netcdf.md)
 };
 
@@ -29,11 +28,12 @@ struct VolumeFiles
   std::string history; ///< of VolumeFormat::NetCDF: the command that makes the volumes
 };
 
-/// ".nxv", ".vti" or ".nc".
+/// ".nxv" or ".nc".
 const char* ExtensionOf(VolumeFormat format);
 
 /// "20060312T180500Z.nxv"; of one radar alone "KEAX_20060312T180500Z.nxv".
-std::filesystem::path VolumeFileName(Time time, VolumeFormat format, const std::string& radar = {});
+std::filesystem::path VolumeFileName(
+  Time time, VolumeFormat format = VolumeFormat::Nxv, const std::string& radar = {});
 
 /// What becomes of the merged volumes that StepWriter writes: the one before, and what is made of
 /// it for its file.

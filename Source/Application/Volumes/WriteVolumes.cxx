@@ -2,14 +2,12 @@
 #include "Volumes/WriteVolumes.h"
 
 #include "Volumes/OtherVolumes.h"
-#include "Volumes/RunFiles.h"
 #include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Series/SharedScan.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
-#include "vtkNexradNetCDFInput.h"
 #include "vtkNexradNetCDFOutput.h"
 #include "vtkNexradThreads.h"
 
@@ -27,6 +25,74 @@ namespace nexrad::application
 {
 namespace
 {
+
+// Names of the files that a run makes in its folder: for each time one of all radars, or one of
+// each radar; and what has all times, which is an index or one file. Where it is one file, those of
+// the times are `.nxv` files of which it is made.
+class RunFiles
+{
+public:
+  // `radars`: names of those that get files of their own; empty: one for all of them. `oneFile`:
+  // all times in one file.
+  RunFiles(VolumeFormat format, const std::vector<std::string>& radars, bool oneFile);
+
+  // "20060312T180500Z.nxv", or "KEAX_20060312T180500Z.nxv" of each radar.
+  std::vector<std::string> At(Time time) const;
+
+  // The files of one radar, or of all.
+  struct Series
+  {
+    // "volumes.nxv.series", "KEAX.nxv.series"; of one file "volumes.nc", "KEAX.nc".
+    std::string name;
+    std::vector<std::string> files; // one for each time
+  };
+  std::vector<Series> SeriesOf(const std::vector<Time>& times) const;
+
+private:
+  VolumeFormat format;
+  VolumeFormat ofTimes;
+  std::vector<std::string> radars; // "" for all of them
+  bool oneFile;
+};
+
+RunFiles::RunFiles(
+  VolumeFormat theFormat, const std::vector<std::string>& theRadars, bool isOneFile)
+  : format(theFormat)
+  , ofTimes(isOneFile ? VolumeFormat::Nxv : theFormat)
+  , radars(theRadars)
+  , oneFile(isOneFile)
+{
+  if (radars.empty())
+  {
+    radars.emplace_back();
+  }
+}
+
+std::vector<std::string> RunFiles::At(Time time) const
+{
+  std::vector<std::string> names;
+  for (const std::string& radar : radars)
+  {
+    names.push_back(VolumeFileName(time, ofTimes, radar).string());
+  }
+  return names;
+}
+
+std::vector<RunFiles::Series> RunFiles::SeriesOf(const std::vector<Time>& times) const
+{
+  std::vector<Series> all;
+  for (const std::string& radar : radars)
+  {
+    Series series{(radar.empty() ? "volumes" : radar) + ExtensionOf(format), {}};
+    series.name += oneFile ? "" : ".series";
+    for (const Time time : times)
+    {
+      series.files.push_back(VolumeFileName(time, ofTimes, radar).string());
+    }
+    all.push_back(std::move(series));
+  }
+  return all;
+}
 
 // What one process makes, or all of them together.
 struct Block
@@ -58,6 +124,19 @@ RunFiles FilesOf(const GridJob& job, const SeriesMerger& merger)
     job.written.format, job.perRadar ? merger.Sites() : std::vector<std::string>(), job.oneFile};
 }
 
+// How the volume of each time is written. One NetCDF file of all times is made of exact volumes at
+// the end of the run: such a file that a killed run left could not be continued.
+VolumeFiles FilesOfTimes(const GridJob& job)
+{
+  VolumeFiles files = job.written;
+  if (job.oneFile)
+  {
+    files.format = VolumeFormat::Nxv;
+    files.nxv.encoding = NxvEncoding::Float;
+  }
+  return files;
+}
+
 // Merges and writes the steps of this process that are not there.
 class BlockWriter
 {
@@ -67,7 +146,7 @@ public:
     , merger(theMerger)
     , run(theRun)
     , files(FilesOf(theJob, theMerger))
-    , writer(theRun, theJob.written)
+    , writer(theRun, FilesOfTimes(theJob))
   {
   }
 
@@ -210,15 +289,17 @@ void WriteIndex(
   WriteNxvSeries(path, index);
 }
 
-// The files of all times, which wait in the run's folder, as one in their place. Returns its size
-// in bytes.
+// Appends the volumes of all times, which wait in the run's folder, to one file in their place.
+// Returns its size in bytes.
 std::uintmax_t JoinFiles(
   const RunFiles::Series& series, const std::string& history, const UnfinishedRun& run)
 {
   vtkNexradNetCDFOutput joined(run.PlaceFor(series.name), history);
+  NxvReadOptions options;
+  options.loop = vtkNexradRangeLoop();
   for (const std::string& file : series.files)
   {
-    joined.Add(vtkNexradReadNetCDF(run.PlaceFor(file)));
+    joined.Add(ReadNxv(run.PlaceFor(file), options));
   }
   joined.Commit();
   for (const std::string& file : series.files)
@@ -296,13 +377,17 @@ GridReport Conclude(const GridJob& job, const SeriesMerger& merger, const Block&
 // Throws Error where the volumes would stand beside others of another grid.
 void RequireRoom(const GridJob& job, const SeriesMerger& merger)
 {
+  if (job.written.format != VolumeFormat::Nxv)
+  {
+    return;
+  }
   std::set<std::string> own;
   for (const RunFiles::Series& series : FilesOf(job, merger).SeriesOf(merger.Times()))
   {
     own.insert(series.files.begin(), series.files.end());
     own.insert(series.name);
   }
-  RequireSameGrid(job.folder, job.written.format, own, merger.Grid());
+  RequireSameGrid(job.folder, own, merger.Grid());
 }
 
 void RequireDone(bool done)
@@ -321,7 +406,7 @@ GridReport WriteVolumes(const GridJob& job, const Progress& progress, const Proc
   setup.loop = vtkNexradRangeLoop();
   setup.threads = vtkNexradThreadCount();
   setup.processes = processes;
-  setup.use = UseOfWriting(job.written, job.options);
+  setup.use = UseOfWriting(FilesOfTimes(job), job.options);
   MergeOptions options = job.options;
   options.compareRadars = true;
   SeriesMerger merger(job.inputs, options, setup);

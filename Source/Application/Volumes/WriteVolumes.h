@@ -48,18 +48,17 @@ struct GridReport
 };
 
 /// Writes one volume for each time step, named by its time in UTC as 20060312T180500Z.nxv, and an
-/// index of them, volumes.nxv.series (or .vti, volumes.vti.series; .nc, volumes.nc.series), in the
-/// form that ParaView uses for series; or, of NetCDF, one file of all times in place of both. Each
-/// radar has a series of its own where they are not merged (RunFiles). Each file appears whole or
-/// not at all; the index comes last. Volumes and index that were there before are replaced only
-/// when all new ones are there, so that a run which fails changes none of them. A run that was
-/// interrupted, by an error or by the end of the process, is continued by the next one with the
-/// same recipe (UnfinishedRun): it makes the volumes that are not there. Files are decoded and
-/// volumes written while others are merged, in memory that does not grow with the number of steps;
-/// files that no step needs are not decoded. Several processes make a part of the times each, with
-/// the same files as one alone; the first writes the index when all are done, and all get the same
-/// report. Throws Error when no input holds a ray or a file cannot be written: in all processes
-/// when it fails in one.
+/// index of them, volumes.nxv.series (or .nc, volumes.nc.series), in the form that ParaView uses
+/// for series; or, of NetCDF, one file of all times in place of both. Each radar has a series of
+/// its own where they are not merged. Each file appears whole or not at all; the index comes last.
+/// Volumes and index that were there before are replaced only when all new ones are there, so that
+/// a run which fails changes none of them. A run that was interrupted, by an error or by the end of
+/// the process, is continued by the next one with the same recipe (UnfinishedRun): it makes the
+/// volumes that are not there. Files are decoded and volumes written while others are merged, in
+/// memory that does not grow with the number of steps; files that no step needs are not decoded.
+/// Several processes make a part of the times each, with the same files as one alone; the first
+/// writes the index when all are done, and all get the same report. Throws Error when no input
+/// holds a ray or a file cannot be written: in all processes when it fails in one.
 GridReport WriteVolumes(
   const GridJob& job, const Progress& progress = {}, const Processes& processes = Processes());
 

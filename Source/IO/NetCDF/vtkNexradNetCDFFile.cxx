@@ -2,7 +2,6 @@
 #include "vtkNexradNetCDFFile.h"
 
 #include "nexrad/System/MessageText.h"
-#include "nexrad/System/OrdinaryFile.h"
 
 #include "vtk_netcdf.h"
 
@@ -51,9 +50,6 @@ std::recursive_mutex& LibraryMutex()
   return mutex;
 }
 
-// Longest text of an attribute that is read, bytes.
-constexpr std::size_t LongestText = std::size_t(1) << 20;
-
 } // namespace
 
 vtkNexradNetCDFLock::vtkNexradNetCDFLock()
@@ -62,22 +58,15 @@ vtkNexradNetCDFLock::vtkNexradNetCDFLock()
   SilenceThread();
 }
 
-vtkNexradNetCDFFile::vtkNexradNetCDFFile(
-  const std::filesystem::path& path, Mode mode, std::string shown)
+vtkNexradNetCDFFile::vtkNexradNetCDFFile(const std::filesystem::path& path, std::string shown)
   : Shown(std::move(shown))
 {
-  const bool create = mode == Mode::Create;
-  if (!create)
-  {
-    nexrad::RequireOrdinaryFile(path);
-  }
-  const int status = create ? nc_create(path.c_str(), NC_NETCDF4 | NC_NOCLOBBER, &this->Identifier)
-                            : nc_open(path.c_str(), NC_NOWRITE, &this->Identifier);
+  const int status = nc_create(path.c_str(), NC_NETCDF4 | NC_NOCLOBBER, &this->Identifier);
   if (status != NC_NOERR)
   {
     this->Identifier = -1;
   }
-  this->Check(status, create ? "cannot be written" : "cannot be read as NetCDF");
+  this->Check(status, "cannot be written");
 }
 
 vtkNexradNetCDFFile::~vtkNexradNetCDFFile()
@@ -141,80 +130,4 @@ void vtkNexradNetCDFFile::SetShort(int variable, const std::string& name, short 
 {
   this->Check(
     nc_put_att_short(this->Identifier, variable, name.c_str(), NC_SHORT, 1, &number), name);
-}
-
-std::optional<std::string> vtkNexradNetCDFFile::Text(int variable, const std::string& name) const
-{
-  nc_type type = NC_NAT;
-  std::size_t length = 0;
-  if (nc_inq_att(this->Identifier, variable, name.c_str(), &type, &length) != NC_NOERR ||
-      type != NC_CHAR || length > LongestText)
-  {
-    return std::nullopt;
-  }
-  std::string text(length, '\0');
-  this->Check(nc_get_att_text(this->Identifier, variable, name.c_str(), text.data()), name);
-  return text;
-}
-
-std::optional<double> vtkNexradNetCDFFile::Number(int variable, const std::string& name) const
-{
-  nc_type type = NC_NAT;
-  std::size_t length = 0;
-  double number = 0.0;
-  if (nc_inq_att(this->Identifier, variable, name.c_str(), &type, &length) != NC_NOERR ||
-      type == NC_CHAR || type == NC_STRING || length != 1 ||
-      nc_get_att_double(this->Identifier, variable, name.c_str(), &number) != NC_NOERR)
-  {
-    return std::nullopt;
-  }
-  return number;
-}
-
-std::optional<int> vtkNexradNetCDFFile::FindVariable(const std::string& name) const
-{
-  int variable = -1;
-  return nc_inq_varid(this->Identifier, name.c_str(), &variable) == NC_NOERR
-           ? std::optional(variable)
-           : std::nullopt;
-}
-
-std::vector<std::size_t> vtkNexradNetCDFFile::ShapeOf(int variable) const
-{
-  int count = 0;
-  this->Check(nc_inq_varndims(this->Identifier, variable, &count), "dimensions");
-  std::vector<int> dimensions(static_cast<std::size_t>(count));
-  this->Check(nc_inq_vardimid(this->Identifier, variable, dimensions.data()), "dimensions");
-  std::vector<std::size_t> shape;
-  for (const int dimension : dimensions)
-  {
-    std::size_t length = 0;
-    this->Check(nc_inq_dimlen(this->Identifier, dimension, &length), "dimensions");
-    shape.push_back(length);
-  }
-  return shape;
-}
-
-std::vector<std::string> vtkNexradNetCDFFile::Texts(int variable) const
-{
-  nc_type type = NC_NAT;
-  this->Check(nc_inq_vartype(this->Identifier, variable, &type), "type");
-  const std::vector<std::size_t> shape = this->ShapeOf(variable);
-  if (type != NC_STRING || shape.size() != 1)
-  {
-    this->Fail("a list of names has another type than string");
-  }
-  std::vector<char*> texts(shape[0], nullptr);
-  if (texts.empty())
-  {
-    return {};
-  }
-  this->Check(nc_get_var_string(this->Identifier, variable, texts.data()), "names");
-  std::vector<std::string> names;
-  for (const char* text : texts)
-  {
-    names.emplace_back(text != nullptr ? text : "");
-  }
-  nc_free_string(texts.size(), texts.data());
-  return names;
 }

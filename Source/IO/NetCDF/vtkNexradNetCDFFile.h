@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file   vtkNexradNetCDFFile.h
- * @brief  an open NetCDF file, its errors as nexrad::Error
+ * @brief  a NetCDF file that is being written, its errors as nexrad::Error
  */
 #ifndef vtkNexradNetCDFFile_h
 #define vtkNexradNetCDFFile_h
 
-#include <cstddef>
 #include <filesystem>
 #include <mutex>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,29 +24,23 @@ private:
 };
 
 /**
- * An open NetCDF file. Whoever calls a member, the constructor and the destructor among them, holds
- * a vtkNexradNetCDFLock. All members throw nexrad::Error, naming the file, what could not be done,
- * and what the library reports.
+ * A NetCDF file that is being written. Whoever calls a member, the constructor and the destructor
+ * among them, holds a vtkNexradNetCDFLock. All members throw nexrad::Error, naming the file, what
+ * could not be done, and what the library reports.
  */
 class vtkNexradNetCDFFile
 {
 public:
-  enum class Mode
-  {
-    Read,
-    Create, ///< a new NetCDF-4 file; the path must not exist
-  };
-
   /**
-   * `shown` is the name of the file in messages.
+   * Makes a new NetCDF-4 file; the path must not exist. `shown` is the name of the file in
+   * messages.
    */
-  vtkNexradNetCDFFile(const std::filesystem::path& path, Mode mode, std::string shown);
+  vtkNexradNetCDFFile(const std::filesystem::path& path, std::string shown);
   ~vtkNexradNetCDFFile();
   vtkNexradNetCDFFile(const vtkNexradNetCDFFile&) = delete;
   vtkNexradNetCDFFile& operator=(const vtkNexradNetCDFFile&) = delete;
 
   int Id() const { return this->Identifier; }
-  const std::string& Name() const { return this->Shown; }
 
   /**
    * Throws nexrad::Error when `status`, which a function of the library returned, is an error.
@@ -72,29 +64,6 @@ public:
   void SetFloat(int variable, const std::string& name, float number) const;
   void SetShort(int variable, const std::string& name, short number) const;
   ///@}
-
-  ///@{
-  /**
-   * Reads an attribute; empty when there is none of that name and kind.
-   */
-  std::optional<std::string> Text(int variable, const std::string& name) const;
-  std::optional<double> Number(int variable, const std::string& name) const;
-  ///@}
-
-  /**
-   * The number of a variable; empty when the file has none of that name.
-   */
-  std::optional<int> FindVariable(const std::string& name) const;
-
-  /**
-   * The lengths of a variable's dimensions.
-   */
-  std::vector<std::size_t> ShapeOf(int variable) const;
-
-  /**
-   * Reads texts (NC_STRING) of a variable with one dimension.
-   */
-  std::vector<std::string> Texts(int variable) const;
 
 private:
   std::string Shown;

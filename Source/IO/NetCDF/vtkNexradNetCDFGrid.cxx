@@ -2,12 +2,11 @@
 #include "vtkNexradNetCDFGrid.h"
 
 #include "vtkNexradNetCDFFile.h"
-#include "vtkNexradNetCDFTerms.h"
 
 #include "vtk_netcdf.h"
 
-#include <cmath>
-#include <limits>
+#include <array>
+#include <charconv>
 #include <string>
 #include <vector>
 
@@ -99,41 +98,78 @@ void WritePlaces(const vtkNexradNetCDFFile& file, const vtkNexradNetCDFDimension
   WriteColumns(file, dimensions, TermsOf(GridAxes::Geographic, 1), latitudes);
 }
 
-// The number of a variable with one dimension, and its length.
-std::pair<int, std::size_t> RequireAxis(const vtkNexradNetCDFFile& file, const std::string& name)
+// Of WGS84, as EPSG 7030 has them.
+constexpr double SemiMajorAxis = 6'378'137.0; // m
+constexpr double InverseFlattening = 298.257223563;
+
+constexpr char DatumText[] =
+  R"(["WGS 84",DATUM["World Geodetic System 1984",ELLIPSOID["WGS 84",6378137,298.257223563,)"
+  R"(LENGTHUNIT["metre",1]]],PRIMEM["Greenwich",0,ANGLEUNIT["degree",0.0174532925199433]])";
+
+// The shortest text that reads back as the same number, independent of the locale.
+std::string ToText(double value)
 {
-  const std::optional<int> variable = file.FindVariable(name);
-  const std::vector<std::size_t> shape =
-    variable ? file.ShapeOf(*variable) : std::vector<std::size_t>();
-  if (shape.size() != 1 || shape[0] < 1)
-  {
-    file.Fail("has no coordinate variable " + name + ": it is no file of merged volumes");
-  }
-  return {*variable, shape[0]};
+  std::array<char, 32> text{};
+  const auto result = std::to_chars(text.data(), text.data() + text.size(), value);
+  return {text.data(), result.ptr};
 }
 
-void ReadAxis(const vtkNexradNetCDFFile& file, std::size_t axis, GridSpecification& grid)
+// A parameter of the projection; `rest` is its unit and its number in the register of EPSG.
+std::string Parameter(const std::string& name, double value, const std::string& rest)
 {
-  const std::string name = TermsOf(grid.axes, axis).Name;
-  const auto [variable, length] = RequireAxis(file, name);
-  double ends[2] = {0.0, 0.0};
-  const std::size_t last = length - 1;
-  const std::size_t first = 0;
-  file.Check(nc_get_var1_double(file.Id(), variable, &first, &ends[0]), name);
-  file.Check(nc_get_var1_double(file.Id(), variable, &last, &ends[1]), name);
-  const double between = last > 0 ? (ends[1] - ends[0]) / static_cast<double>(last) : 1.0;
-  const double voxels = static_cast<double>(length) * static_cast<double>(grid.VoxelCount());
-  if (voxels > std::numeric_limits<int>::max())
+  return "PARAMETER[\"" + name + "\"," + ToText(value) + "," + rest + "],";
+}
+
+// The projection as well-known text 2 (ISO 19162:2015).
+std::string WellKnownText(const GridSpecification& grid)
+{
+  const std::string datum = DatumText;
+  if (grid.axes == GridAxes::Geographic)
   {
-    file.Fail("has more than 2^31 - 1 voxels");
+    return "GEODCRS" + datum +
+           R"(,CS[ellipsoidal,2],AXIS["longitude",east,ORDER[1]],AXIS["latitude",north,ORDER[2]],)"
+           R"(ANGLEUNIT["degree",0.0174532925199433]])";
   }
-  grid.dimensions[axis] = static_cast<int>(length);
-  grid.origin[axis] = ends[0];
-  grid.spacing[axis] = file.Number(variable, SpacingName).value_or(between);
-  if (!std::isfinite(ends[0]) || !std::isfinite(grid.spacing[axis]) || grid.spacing[axis] <= 0.0)
+  const std::string degree = R"(ANGLEUNIT["degree",0.0174532925199433],ID["EPSG",)";
+  const std::string metre = R"(LENGTHUNIT["metre",1],ID["EPSG",)";
+  const std::string conversion =
+    R"(CONVERSION["unnamed",METHOD["Modified Azimuthal Equidistant",ID["EPSG",9832]],)" +
+    Parameter("Latitude of natural origin", grid.centreLatitude, degree + "8801]") +
+    Parameter("Longitude of natural origin", grid.centreLongitude, degree + "8802]") +
+    Parameter("False easting", 0.0, metre + "8806]") +
+    Parameter("False northing", 0.0, metre + "8807]");
+  return R"(PROJCRS["Azimuthal equidistant about the centre of the grid",BASEGEODCRS)" + datum +
+         "]," + conversion.substr(0, conversion.size() - 1) +
+         R"(],CS[Cartesian,2],AXIS["easting",east,ORDER[1]],AXIS["northing",north,)"
+         R"(ORDER[2]],LENGTHUNIT["metre",1]])";
+}
+
+// Writes the parameters of the projection into the grid mapping variable.
+void WriteProjection(const vtkNexradNetCDFFile& file, int variable, const GridSpecification& grid)
+{
+  const bool projected = grid.axes == GridAxes::Projected;
+  file.SetText(
+    variable, "grid_mapping_name", projected ? "azimuthal_equidistant" : "latitude_longitude");
+  file.SetText(variable, "long_name",
+    projected ? "azimuthal equidistant projection of WGS84 about the centre of the grid"
+              : "longitude and latitude on WGS84");
+  if (projected)
   {
-    file.Fail("the coordinates " + name + " must be finite and ascend");
+    file.SetNumbers(variable, "latitude_of_projection_origin", {grid.centreLatitude});
+    file.SetNumbers(variable, "longitude_of_projection_origin", {grid.centreLongitude});
+    file.SetNumbers(variable, "false_easting", {0.0});
+    file.SetNumbers(variable, "false_northing", {0.0});
   }
+  else // for a reader of this project alone
+  {
+    file.SetNumbers(variable, "centre_latitude", {grid.centreLatitude});
+    file.SetNumbers(variable, "centre_longitude", {grid.centreLongitude});
+  }
+  file.SetNumbers(variable, "semi_major_axis", {SemiMajorAxis});
+  file.SetNumbers(variable, "inverse_flattening", {InverseFlattening});
+  file.SetNumbers(variable, "longitude_of_prime_meridian", {0.0});
+  file.SetText(variable, "crs_wkt", WellKnownText(grid));
+  file.SetText(variable, "proj4", grid.Projection());
 }
 
 } // namespace
@@ -156,41 +192,10 @@ vtkNexradNetCDFDimensions vtkNexradWriteGrid(
   int mapping = -1;
   file.Check(nc_def_var(file.Id(), vtkNexradGridMapping, NC_INT, 0, nullptr, &mapping),
     vtkNexradGridMapping);
-  vtkNexradWriteProjection(file, mapping, grid);
+  WriteProjection(file, mapping, grid);
   if (grid.axes == GridAxes::Projected)
   {
     WritePlaces(file, dimensions, grid);
   }
   return dimensions;
-}
-
-GridSpecification vtkNexradReadGrid(const vtkNexradNetCDFFile& file)
-{
-  GridSpecification grid;
-  grid.dimensions = {1, 1, 1};
-  const std::optional<int> mapping = file.FindVariable(vtkNexradGridMapping);
-  const std::string name = mapping ? file.Text(*mapping, "grid_mapping_name").value_or("") : "";
-  if (name != "azimuthal_equidistant" && name != "latitude_longitude")
-  {
-    file.Fail("the variable projection must have the grid_mapping_name azimuthal_equidistant or "
-              "latitude_longitude, and has \"" +
-              name + "\"");
-  }
-  const bool projected = name == "azimuthal_equidistant";
-  grid.axes = projected ? GridAxes::Projected : GridAxes::Geographic;
-  for (std::size_t axis = 0; axis < 3; ++axis)
-  {
-    ReadAxis(file, axis, grid);
-  }
-  grid.centreLatitude =
-    file.Number(*mapping, projected ? "latitude_of_projection_origin" : "centre_latitude")
-      .value_or(0.0);
-  grid.centreLongitude =
-    file.Number(*mapping, projected ? "longitude_of_projection_origin" : "centre_longitude")
-      .value_or(0.0);
-  if (!(std::abs(grid.centreLatitude) <= 90.0) || !std::isfinite(grid.centreLongitude))
-  {
-    file.Fail("the centre of its projection is at no latitude and longitude");
-  }
-  return grid;
 }

@@ -30,11 +30,5 @@ constexpr char vtkNexradGridMapping[] = "projection";
 vtkNexradNetCDFDimensions vtkNexradWriteGrid(
   const vtkNexradNetCDFFile& file, const nexrad::GridSpecification& grid);
 
-/**
- * The grid of a file. Throws nexrad::Error for a file without one, and for a grid of more than
- * 2^31 - 1 voxels.
- */
-nexrad::GridSpecification vtkNexradReadGrid(const vtkNexradNetCDFFile& file);
-
 #endif
 // VTK-HeaderTest-Exclude: vtkNexradNetCDFGrid.h

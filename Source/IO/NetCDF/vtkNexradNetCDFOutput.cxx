@@ -7,7 +7,6 @@
 #include "vtkNexradNetCDFFile.h"
 #include "vtkNexradNetCDFGrid.h"
 #include "vtkNexradNetCDFRadars.h"
-#include "vtkNexradNetCDFTerms.h"
 #include "vtkNexradNetCDFVoxels.h"
 
 #include "vtk_netcdf.h"
@@ -22,6 +21,10 @@ namespace fs = std::filesystem;
 
 namespace
 {
+
+// Of this layout of NetCDF files, in the attribute of that name.
+constexpr int Version = 1;
+constexpr char VersionName[] = "vtk_nexrad_netcdf_version";
 
 // Bytes of what does not depend on the number of voxels.
 constexpr std::size_t ofAnyFile = std::size_t(4) << 20;
@@ -51,6 +54,48 @@ std::size_t MostBytes(const nexrad::GriddedVolume& volume)
   return volume.values.size() * ofVoxel * (1 + volume.further.size());
 }
 
+std::string Joined(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const std::string& name : names)
+  {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+// The attributes of the file: conventions, title, where the data come from.
+void WriteProvenance(
+  const vtkNexradNetCDFFile& file, const nexrad::GriddedVolume& volume, const std::string& history)
+{
+  const std::string radars = Joined(volume.sites);
+  const auto set = [&file](const char* name, const std::string& text)
+  { file.SetText(NC_GLOBAL, name, text); };
+  set("Conventions", "CF-1.8");
+  set("title",
+    std::string(volume.synthetic ? "SYNTHETIC: " : "") + "weather radar volumes on a regular grid");
+  set("institution", volume.synthetic
+                       ? "none: the radar data are SYNTHETIC, made by nexrad3d simulate"
+                       : "radar data: the weather radars of the United States (NEXRAD, TDWR)");
+  set("source", std::string(volume.synthetic ? "SYNTHETIC radar files" : "NEXRAD Level II files") +
+                  (radars.empty() ? "" : " of " + radars) +
+                  ", gridded by vtk-nexrad with the method " + volume.method);
+  set("history", history);
+  set("references",
+    "vtk-nexrad, Documentation/Formats/netcdf.md; cfconventions.org (CF Metadata Conventions 1.8)");
+  set("comment",
+    "Where there is no value, the variable of a moment whose name ends in _state says why: no "
+    "echo, range folded, not scanned, or filtered.");
+  set("method", volume.method);
+  if (volume.ofOneRadar)
+  {
+    set("one_radar", "yes");
+  }
+  set("synthetic", volume.synthetic ? "yes" : "no");
+  set("sharpened", volume.sharpened ? "yes" : "no");
+  file.SetNumbers(NC_GLOBAL, VersionName, {Version});
+}
+
 } // namespace
 
 /// The library locks the files that it writes, and so does AtomicFile. So the library writes a file
@@ -61,7 +106,7 @@ public:
   Parts(const fs::path& path, const std::string& theHistory)
     : target(path)
     , written(MakeRoomBeside(target))
-    , file(written, vtkNexradNetCDFFile::Mode::Create, path.string())
+    , file(written, path.string())
     , history(theHistory)
   {
   }
@@ -117,7 +162,7 @@ private:
   {
     first.grid = volume.grid;
     first.method = volume.method;
-    vtkNexradWriteProvenance(file, volume, history);
+    WriteProvenance(file, volume, history);
     const vtkNexradNetCDFDimensions dimensions = vtkNexradWriteGrid(file, volume.grid);
     file.Check(
       nc_def_var(file.Id(), "time", NC_DOUBLE, 1, &dimensions.Time, &timeVariable), "time");

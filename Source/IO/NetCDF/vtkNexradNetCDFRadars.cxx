@@ -8,7 +8,6 @@
 #include "vtk_netcdf.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 namespace
@@ -119,45 +118,6 @@ std::vector<short> vtkNexradNetCDFRadars::Add(
   {
     const auto place = static_cast<short>(radar);
     this->WriteUse(index, radar, std::find(places.begin(), places.end(), place) != places.end());
-  }
-  return places;
-}
-
-std::vector<int> vtkNexradReadRadars(
-  const vtkNexradNetCDFFile& file, std::size_t index, nexrad::GriddedVolume& volume)
-{
-  volume.sites.clear();
-  volume.sitePositions.clear();
-  const std::optional<int> nameVariable = file.FindVariable(NamesName);
-  const std::optional<int> usedVariable = file.FindVariable(UsedName);
-  const std::vector<std::string> names =
-    nameVariable ? file.Texts(*nameVariable) : std::vector<std::string>();
-  std::vector<int> places(names.size(), -1);
-  bool placed = true;
-  for (std::size_t radar = 0; radar < names.size(); ++radar)
-  {
-    const std::size_t start[2] = {index, radar};
-    signed char used = 0;
-    if (!usedVariable || file.ShapeOf(*usedVariable).size() != 2 ||
-        nc_get_var1_schar(file.Id(), *usedVariable, start, &used) != NC_NOERR || used != 1)
-    {
-      continue;
-    }
-    double numbers[3] = {};
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      const std::optional<int> variable = file.FindVariable(Coordinates[i].Name);
-      placed = placed && variable && file.ShapeOf(*variable).size() == 1 &&
-               nc_get_var1_double(file.Id(), *variable, &radar, &numbers[i]) == NC_NOERR &&
-               std::isfinite(numbers[i]);
-    }
-    places[radar] = static_cast<int>(volume.sites.size());
-    volume.sites.push_back(names[radar]);
-    volume.sitePositions.push_back({numbers[0], numbers[1], numbers[2]});
-  }
-  if (!placed)
-  {
-    volume.sitePositions.clear();
   }
   return places;
 }

@@ -51,12 +51,5 @@ private:
   int UsedVariable = -1;
 };
 
-/**
- * Sets the sites of a volume that is read, with their positions where all are known. Returns the
- * places of the file's radars among them; -1 for a radar that took no part.
- */
-std::vector<int> vtkNexradReadRadars(
-  const vtkNexradNetCDFFile& file, std::size_t index, nexrad::GriddedVolume& volume);
-
 #endif
 // VTK-HeaderTest-Exclude: vtkNexradNetCDFRadars.h

@@ -4,7 +4,6 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/RadarView.h"
 #include "vtkNexradNetCDFFile.h"
-#include "vtkNexradNetCDFTerms.h"
 #include "vtkNexradThreads.h"
 
 #include "vtk_netcdf.h"
@@ -14,7 +13,6 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
 namespace
 {
@@ -31,6 +29,33 @@ constexpr char FillName[] = "no_echo_value"; // what volumes have where the stat
 std::string StateName(MomentName moment)
 {
   return std::string(nexrad::ToString(moment)) + "_state";
+}
+
+// The standard name of a moment; empty: the table has none.
+std::string StandardNameOf(MomentName moment)
+{
+  switch (moment)
+  {
+  case MomentName::REF:
+    return "equivalent_reflectivity_factor";
+  case MomentName::VEL:
+    return "radial_velocity_of_scatterers_away_from_instrument";
+  default:
+    return {};
+  }
+}
+
+// The unit of a moment as UDUNITS writes it.
+std::string UnitsOf(MomentName moment)
+{
+  const std::string unit = nexrad::UnitOf(moment);
+  return unit == "m/s"          ? "m s-1"
+         : unit == "1/s"        ? "s-1"
+         : unit == "dB"         ? "0.1 lg(re 1)" // UDUNITS has no name for it
+         : unit == "degrees"    ? "degree"
+         : unit == "degrees/km" ? "degree km-1"
+         : unit.empty()         ? "1"
+                                : unit;
 }
 
 // What the CF conventions call an ancillary array.
@@ -240,7 +265,7 @@ void vtkNexradNetCDFVoxels::DefineAncillary(const GriddedVolume& moment, std::st
 void vtkNexradNetCDFVoxels::Define(const GriddedVolume& moment)
 {
   const std::string name = nexrad::ToString(moment.moment);
-  const std::string standardName = vtkNexradStandardName(moment.moment);
+  const std::string standardName = StandardNameOf(moment.moment);
   const int values = this->DefineVariable(name, NC_FLOAT, LayersOf(this->Shape, 4));
   const int states =
     this->DefineVariable(StateName(moment.moment), NC_BYTE, LayersOf(this->Shape, 1));
@@ -252,7 +277,7 @@ void vtkNexradNetCDFVoxels::Define(const GriddedVolume& moment)
     this->File.SetText(states, "standard_name", standardName + " status_flag");
   }
   this->File.SetText(values, "long_name", nexrad::TitleOf(moment.moment));
-  this->File.SetText(values, "units", vtkNexradUnitsOf(moment.moment));
+  this->File.SetText(values, "units", UnitsOf(moment.moment));
   this->File.SetText(values, "ancillary_variables", others);
   this->File.SetFloat(values, "_FillValue", NoValue);
   this->File.SetFloat(values, FillName, moment.fill);
@@ -346,198 +371,4 @@ void vtkNexradNetCDFVoxels::NameRadars(const std::vector<std::string>& names) co
       this->File.SetText(variable, "flag_meanings", meanings);
     }
   }
-}
-
-std::vector<MomentName> vtkNexradReadNetCDFMoments(const vtkNexradNetCDFFile& file)
-{
-  int count = 0;
-  file.Check(nc_inq_nvars(file.Id(), &count), "variables");
-  std::vector<MomentName> moments;
-  for (int variable = 0; variable < count; ++variable)
-  {
-    std::array<char, NC_MAX_NAME + 1> name{};
-    file.Check(nc_inq_varname(file.Id(), variable, name.data()), "variables");
-    const auto moment = nexrad::ParseMomentName(name.data());
-    if (moment && file.FindVariable(StateName(*moment)))
-    {
-      moments.push_back(*moment);
-    }
-  }
-  if (moments.empty())
-  {
-    file.Fail("has no moment with its states, as REF and REF_state");
-  }
-  return moments;
-}
-
-std::vector<std::string> vtkNexradReadNetCDFAncillaryNames(
-  const vtkNexradNetCDFFile& file, MomentName moment)
-{
-  std::vector<std::string> names;
-  for (const AncillaryTerms& terms : AllAncillaryTerms)
-  {
-    const std::string name = nexrad::AncillaryArrayName(moment, terms.Name);
-    if (file.FindVariable(name))
-    {
-      names.push_back(name);
-    }
-  }
-  return names;
-}
-
-namespace
-{
-
-// Reads the arrays of one moment at one time.
-class VoxelReader
-{
-public:
-  VoxelReader(const vtkNexradNetCDFFile& theFile, std::size_t index, GriddedVolume& theVolume)
-    : file(theFile)
-    , start{index, 0, 0, 0}
-    , shape{1, static_cast<std::size_t>(theVolume.grid.dimensions[2]),
-        static_cast<std::size_t>(theVolume.grid.dimensions[1]),
-        static_cast<std::size_t>(theVolume.grid.dimensions[0])}
-    , volume(theVolume)
-  {
-  }
-
-  void ReadValues()
-  {
-    const std::string name = nexrad::ToString(volume.moment);
-    const int variable = this->Require(name, NC_FLOAT);
-    volume.fill = static_cast<float>(file.Number(variable, FillName).value_or(volume.fill));
-    volume.values.resize(volume.grid.VoxelCount());
-    file.Check(nc_get_vara_float(file.Id(), variable, start, shape, volume.values.data()), name);
-    const std::vector<signed char> states = this->ReadStates();
-    volume.states.clear();
-    for (std::size_t i = 0; i < states.size(); ++i)
-    {
-      if (states[i] < 0 || states[i] >= static_cast<int>(nexrad::VoxelStateCount))
-      {
-        this->Fail(StateName(volume.moment), i, "a state is 0 to 4");
-      }
-      volume.states.push_back(static_cast<VoxelState>(states[i]));
-      const bool echo = volume.states[i] == VoxelState::Echo;
-      if (echo && !std::isfinite(volume.values[i]))
-      {
-        this->Fail(name, i, "its state is echo, and it has no value");
-      }
-      volume.values[i] = echo ? volume.values[i] : volume.fill;
-    }
-  }
-
-  void ReadAncillary(const std::vector<int>& places, const std::vector<std::string>& leaveOut)
-  {
-    const auto read = [&](const char* ancillary, auto& values)
-    {
-      const std::string name = nexrad::AncillaryArrayName(volume.moment, ancillary);
-      const bool wanted = std::find(leaveOut.begin(), leaveOut.end(), name) == leaveOut.end();
-      if (!wanted || !file.FindVariable(name))
-      {
-        return;
-      }
-      values.resize(volume.grid.VoxelCount());
-      if constexpr (sizeof(values[0]) == sizeof(float))
-      {
-        this->ReadFloats(name, values);
-      }
-      else
-      {
-        this->ReadShorts(name, std::string(ancillary) == "site", places, values);
-      }
-    };
-    nexrad::ForEachAncillaryArray(volume.ancillary, read);
-  }
-
-private:
-  [[noreturn]] void Fail(
-    const std::string& name, std::size_t voxel, const std::string& problem) const
-  {
-    file.Fail(name + ": voxel " + std::to_string(voxel) + ": " + problem);
-  }
-
-  // The number of a variable of that type with a value for each time and voxel.
-  int Require(const std::string& name, nc_type wanted) const
-  {
-    const std::optional<int> variable = file.FindVariable(name);
-    nc_type type = NC_NAT;
-    if (variable)
-    {
-      file.Check(nc_inq_vartype(file.Id(), *variable, &type), name);
-    }
-    const std::vector<std::size_t> has =
-      variable ? file.ShapeOf(*variable) : std::vector<std::size_t>();
-    if (type != wanted || has.size() != 4 || has[0] <= start[0] ||
-        !std::equal(has.begin() + 1, has.end(), shape + 1))
-    {
-      file.Fail("the variable " + name +
-                " must have the dimensions time, z, y and x, and the type " +
-                (wanted == NC_FLOAT   ? "float"
-                  : wanted == NC_BYTE ? "byte"
-                                      : "short"));
-    }
-    return *variable;
-  }
-
-  std::vector<signed char> ReadStates() const
-  {
-    const std::string name = StateName(volume.moment);
-    std::vector<signed char> states(volume.grid.VoxelCount());
-    const int variable = this->Require(name, NC_BYTE);
-    file.Check(nc_get_vara_schar(file.Id(), variable, start, shape, states.data()), name);
-    return states;
-  }
-
-  void ReadFloats(const std::string& name, std::vector<float>& values) const
-  {
-    const int variable = this->Require(name, NC_FLOAT);
-    file.Check(nc_get_vara_float(file.Id(), variable, start, shape, values.data()), name);
-    for (std::size_t i = 0; i < values.size(); ++i)
-    {
-      values[i] = std::isnan(values[i]) ? 0.0F : values[i];
-      if (!std::isfinite(values[i]) || values[i] < 0.0F)
-      {
-        this->Fail(name, i, "must be 0 or more, and finite");
-      }
-    }
-  }
-
-  void ReadShorts(const std::string& name, bool sites, const std::vector<int>& places,
-    std::vector<std::uint8_t>& values) const
-  {
-    std::vector<short> numbers(values.size());
-    const int variable = this->Require(name, NC_SHORT);
-    file.Check(nc_get_vara_short(file.Id(), variable, start, shape, numbers.data()), name);
-    for (std::size_t i = 0; i < numbers.size(); ++i)
-    {
-      const auto number = static_cast<std::size_t>(numbers[i]);
-      if (sites && numbers[i] == NoRadar)
-      {
-        values[i] = nexrad::AncillaryArrays::NoSite;
-        continue;
-      }
-      const int value = !sites ? numbers[i] : number < places.size() ? places[number] : -1;
-      if (value < 0 || value > std::numeric_limits<std::uint8_t>::max())
-      {
-        this->Fail(name, i, std::to_string(numbers[i]) + " is no radar of this time");
-      }
-      values[i] = static_cast<std::uint8_t>(value);
-    }
-  }
-
-  const vtkNexradNetCDFFile& file;
-  const std::size_t start[4];
-  const std::size_t shape[4];
-  GriddedVolume& volume;
-};
-
-} // namespace
-
-void vtkNexradReadNetCDFVoxels(const vtkNexradNetCDFFile& file, std::size_t index,
-  const std::vector<int>& places, const std::vector<std::string>& leaveOut, GriddedVolume& volume)
-{
-  VoxelReader reader(file, index, volume);
-  reader.ReadValues();
-  reader.ReadAncillary(places, leaveOut);
 }

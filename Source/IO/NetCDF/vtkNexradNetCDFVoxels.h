@@ -2,6 +2,9 @@
 /**
  * @file   vtkNexradNetCDFVoxels.h
  * @brief  the voxels of merged volumes in a NetCDF file: values, states and ancillary arrays
+ *
+ * Source of the names: NetCDF Climate and Forecast (CF) Metadata Conventions 1.8; its standard name
+ * table; Documentation/Formats/netcdf.md.
  */
 #ifndef vtkNexradNetCDFVoxels_h
 #define vtkNexradNetCDFVoxels_h
@@ -18,9 +21,8 @@ class vtkNexradNetCDFFile;
 
 namespace nexrad
 {
-enum class MomentName : unsigned char;
 struct GriddedVolume;
-} // namespace nexrad
+}
 
 /**
  * The variables of a file's moments, while volumes are added to it.
@@ -64,26 +66,6 @@ private:
   std::map<std::string, int> Variables;
   std::map<int, std::vector<short>> View; ///< codes of the radar's view, by variable
 };
-
-/**
- * The moments that a file has, in their order.
- */
-std::vector<nexrad::MomentName> vtkNexradReadNetCDFMoments(const vtkNexradNetCDFFile& file);
-
-/**
- * Names of the ancillary arrays that a file has of a moment.
- */
-std::vector<std::string> vtkNexradReadNetCDFAncillaryNames(
-  const vtkNexradNetCDFFile& file, nexrad::MomentName moment);
-
-/**
- * Reads values and states of a moment, and the ancillary arrays that `leaveOut` does not name, into
- * a volume that has grid, moment and sites. `places` as vtkNexradReadRadars returns them. Throws
- * nexrad::Error for an array of another shape or with a number that has no meaning.
- */
-void vtkNexradReadNetCDFVoxels(const vtkNexradNetCDFFile& file, std::size_t index,
-  const std::vector<int>& places, const std::vector<std::string>& leaveOut,
-  nexrad::GriddedVolume& volume);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkNexradNetCDFVoxels.h

@@ -10,7 +10,6 @@
 
 #include "nexrad/Grid/GridSpecification.h"
 
-#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,7 +19,6 @@ struct vtkNexradVolumeStep
 {
   double Time; ///< s since 1970-01-01T00:00:00Z
   std::filesystem::path File;
-  std::size_t Index = 0; ///< of the time in the file
 };
 
 /// The volumes that a file name stands for, and what the first of them holds.
