@@ -13,7 +13,7 @@ endif()
 # What the modules, the program and the tests link.
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore FiltersExtraction FiltersSources
+  FiltersCore FiltersSources
   ImagingCore IOCore IOGeometry IOImage IONetCDF IOXML IOOggTheora
   ParallelCore
   InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2
