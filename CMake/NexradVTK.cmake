@@ -13,11 +13,11 @@ endif()
 # What the modules, the program and the tests link.
 find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath CommonSystem CommonTransforms
-  FiltersCore FiltersExtraction FiltersSources
+  FiltersCore FiltersSources
   ImagingCore IOCore IOGeometry IOImage IONetCDF IOXML IOOggTheora
   ParallelCore
   InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2
-  RenderingUI RenderingVolume RenderingVolumeOpenGL2
+  RenderingVolume RenderingVolumeOpenGL2
   netcdf tiff vtksys
   OPTIONAL_COMPONENTS ParallelMPI ${nexrad_vtk_for_python} ${nexrad_vtk_for_qt})
 

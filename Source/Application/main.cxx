@@ -5,7 +5,6 @@
 #include "Commands/WindCommand.h"
 
 #ifdef NEXRAD_WITH_VTK
-#include "Commands/BenchCommand.h"
 #include "Commands/DemoCommand.h"
 #include "Commands/GridCommand.h"
 #include "Commands/RenderCommand.h"
@@ -33,7 +32,6 @@ int main(int argc, char** argv)
       AddWatchCommand,
       AddWebCommand,
       AddDemoCommand,
-      AddBenchCommand,
 #endif
     });
 #ifdef NEXRAD_WITH_VTK

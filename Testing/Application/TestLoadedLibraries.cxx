@@ -50,16 +50,3 @@ TEST(LoadedLibraries, OnlyDrawingLoadsRendering)
   // The library is loaded before it looks for its inputs.
   EXPECT_TRUE(LoadsRendering(LinkerReport({"render", "/nonexistent", "-o", "/nonexistent.png"})));
 }
-
-// What measures is for who measures.
-TEST(LoadedLibraries, TheBenchmarkAloneLoadsWhatMeasures)
-{
-  const std::string measures = "nexrad3d-bench";
-  EXPECT_EQ(LinkerReport({"info", "/dev/null"}).find(measures), std::string::npos);
-  EXPECT_EQ(LinkerReport({"--help"}).find(measures), std::string::npos);
-  EXPECT_EQ(LinkerReport({"render", "/nonexistent", "-o", "/nonexistent.png"}).find(measures),
-    std::string::npos);
-  const std::string bench = LinkerReport({"bench", "/nonexistent"});
-  EXPECT_NE(bench.find(measures + ".so"), std::string::npos);
-  EXPECT_FALSE(LoadsRendering(bench)) << "it would be in the memory that the tables state";
-}

@@ -5,11 +5,11 @@
 // of three simulated radars (SYNTHETIC), 256 x 256 x 128, five minutes apart.
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
-#include "Report/Measurement.h"
 #include "Scene/RadarSession.h"
 #include "Scene/Series/VolumeFiles.h"
 #include "StepTimes.h"
-#include "Tables/WorkFolder.h"
+#include "Tables/Measurement.h"
+#include "TestData.h"
 #include "Volumes/WriteVolumes.h"
 #include "nexrad/System/Error.h"
 
@@ -196,7 +196,7 @@ void Print(int slices, const Play& play)
 void Measure(std::vector<std::filesystem::path> inputs)
 {
   RequireDisplay();
-  std::optional<WorkFolder> folder;
+  std::optional<nexrad::testing::TemporaryFolder> folder;
   if (inputs.empty())
   {
     inputs = {WriteSyntheticSeries(folder.emplace().Path())};

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Report/BenchTable.h"
-#include "Report/Measurement.h"
 #include "Tables/BareDecompression.h"
-#include "Tables/BareSeries.h"
+#include "Tables/BenchTable.h"
+#include "Tables/Measurement.h"
 #include "Tables/PeakMemory.h"
 #include "TestData.h"
 #include "Tolerance.h"

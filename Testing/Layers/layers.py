@@ -18,7 +18,6 @@ MAY_INCLUDE = {
     "Filters": ["Core", "IO"],
     "Scene": ["Core", "IO", "Filters", "Rendering"],
     "Application": ["Core", "IO", "Filters", "Rendering", "Scene"],
-    "Benchmarks": ["Core", "IO", "Filters", "Rendering", "Scene", "Application"],
     "Python": [],
     "Plugins": ["Core", "IO", "Filters", "Rendering", "Scene"],
 }
