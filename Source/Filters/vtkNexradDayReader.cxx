@@ -381,7 +381,8 @@ int vtkNexradDayReader::RequestInformation(
     this->Sites->InsertNextValue(site);
   }
   vtkInformation* info = output->GetInformationObject(0);
-  this->SetOutputExtent(info);
+  vtkNexradOfferExtent(info, this->Dimensions);
+  vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
   info->Set(vtkDataObject::ORIGIN(), merger.Grid().origin.data(), 3);
   info->Set(vtkDataObject::SPACING(), merger.Grid().spacing.data(), 3);
   const vtkIdType count = this->TimeSteps->GetNumberOfValues();
@@ -419,7 +420,9 @@ int vtkNexradDayReader::RequestData(
     this->ReportProblems();
     if (merged)
     {
-      FillOutput(*merged, grid, block, time, image);
+      vtkNexradVolumeToImage(*merged, image);
+      vtkNexradPlaceBlock(grid, block, image);
+      image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), time);
     }
   }
   catch (const nexrad::Error& error)

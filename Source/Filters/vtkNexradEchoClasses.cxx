@@ -19,7 +19,9 @@
 #include "vtkStructuredGrid.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <mutex>
 #include <string>
 #include <vector>
@@ -117,6 +119,16 @@ void AddArrays(const vtkNexradSweepOrigin& origin, std::size_t gates,
   AddNames(grid->GetFieldData());
 }
 
+// The one of the same radar and the same start; one without sweeps where there is none.
+nexrad::PolarVolume SameVolume(
+  const std::vector<nexrad::PolarVolume>& volumes, const nexrad::PolarVolume& volume)
+{
+  const auto found = std::find_if(volumes.begin(), volumes.end(),
+    [&](const nexrad::PolarVolume& each)
+    { return each.site.name == volume.site.name && each.start == volume.start; });
+  return found == volumes.end() ? nexrad::PolarVolume() : *found;
+}
+
 // False when `progress` asked to stop.
 bool ClassifySweeps(
   vtkPartitionedDataSetCollection* sweeps, const std::function<bool(double)>& progress)
@@ -124,7 +136,7 @@ bool ClassifySweeps(
   std::vector<std::vector<vtkNexradSweepOrigin>> origins;
   const std::vector<nexrad::PolarVolume> volumes =
     vtkNexradSweepsToPolar(sweeps, nexrad::MomentName::REF, &origins);
-  vtkNexradPolarVolumes others(sweeps);
+  std::map<nexrad::MomentName, std::vector<nexrad::PolarVolume>> others;
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
     const nexrad::PolarVolume& volume = volumes[i];
@@ -132,7 +144,12 @@ bool ClassifySweeps(
     const auto measured = [&](nexrad::MomentName moment, const nexrad::WantedRange&)
     {
       const std::lock_guard<std::mutex> lock(oneAtATime);
-      return others.Find(moment, volume);
+      const auto [found, isNew] = others.try_emplace(moment);
+      if (isNew)
+      {
+        found->second = vtkNexradSweepsToPolar(sweeps, moment);
+      }
+      return SameVolume(found->second, volume);
     };
     const nexrad::EchoClassification found =
       nexrad::ClassifyEcho(volume, measured, vtkNexradRangeLoop());

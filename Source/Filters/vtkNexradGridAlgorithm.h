@@ -31,10 +31,6 @@ namespace nexrad
 enum class MomentName : unsigned char;
 struct GridRequest;
 struct MergeOptions;
-struct GridSpecification;
-struct GriddedVolume;
-struct PolarVolume;
-struct VoxelBlock;
 } // namespace nexrad
 
 class VTKNEXRADFILTERS_EXPORT vtkNexradGridAlgorithm : public vtkImageAlgorithm
@@ -321,11 +317,6 @@ protected:
    */
   std::vector<nexrad::MomentName> CheckMoments() const;
 
-  /**
-   * The moment. Throws nexrad::Error also when several are set.
-   */
-  nexrad::MomentName CheckMoment() const;
-
   nexrad::GridRequest MakeGridRequest() const;
 
   /**
@@ -333,52 +324,6 @@ protected:
    * a Bias that is none.
    */
   nexrad::MergeOptions MakeMergeOptions() const;
-
-  /**
-   * The volumes with the moment in the sweeps of all inputs, as nexrad::MomentMaker makes it. Warns
-   * of a derived moment that has no values. Throws nexrad::Error as CheckMoment and
-   * vtkNexradSweepsToPolar do.
-   */
-  std::vector<nexrad::PolarVolume> ReadSweeps(vtkInformationVector* inputs);
-
-  /**
-   * Merges volumes at a time, in seconds since 1970-01-01T00:00:00Z, on the grid about their
-   * radars, into the part of the output that is asked for; `maximumGap` in seconds. After an abort
-   * the output stays empty. Throws nexrad::Error for a radar without a position, and as the merge
-   * does.
-   */
-  void MergeSweeps(const std::vector<nexrad::PolarVolume>& volumes, double time, double maximumGap,
-    vtkInformationVector* output);
-
-  /**
-   * The begin of RequestData: forgets what was before. Returns the output, empty.
-   */
-  vtkImageData* BeginOutput(vtkInformationVector* output);
-
-  /**
-   * Fills the output with the block of a merged volume on the grid.
-   */
-  static void FillOutput(const nexrad::GriddedVolume& merged, const nexrad::GridSpecification& grid,
-    const nexrad::VoxelBlock& block, double time, vtkImageData* image);
-
-  /**
-   * Inputs are sweeps, as vtkNexradLevel2Reader gives them.
-   */
-  int FillInputPortInformation(int port, vtkInformation* info) override;
-  int RequestInformation(
-    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
-
-  /**
-   * Asks the inputs for all that they have, whatever part of the output is asked for: their sweeps
-   * cross it as they please.
-   */
-  int RequestUpdateExtent(
-    vtkInformation*, vtkInformationVector** input, vtkInformationVector*) override;
-
-  /**
-   * Sets the output's extent from Dimensions, where the sites are not known before the data are.
-   */
-  void SetOutputExtent(vtkInformation* outputInformation) const;
 
   /**
    * Sets the error code and gives the error. Returns 0, for a request that failed.

@@ -146,7 +146,6 @@ nexrad::PolarSweep ToPolarSweep(
   vtkDataArray* azimuths = source.RayArray("RayAzimuth", rays);
   vtkDataArray* elevations = source.RayArray("RayElevation", rays);
   vtkDataArray* ranges = source.OptionalRayArray("UnambiguousRange", rays);
-  vtkDataArray* nyquists = source.OptionalRayArray("NyquistVelocity", rays);
   int dimensions[3];
   source.Grid->GetDimensions(dimensions);
   if (rays > dimensions[1] || dimensions[2] != 1)
@@ -170,8 +169,7 @@ nexrad::PolarSweep ToPolarSweep(
     const nexrad::PolarRay ray = {static_cast<float>(azimuths->GetComponent(i, 0)),
       static_cast<float>(elevations->GetComponent(i, 0)),
       ranges ? static_cast<float>(ranges->GetComponent(i, 0)) : 0.0F,
-      nexrad::FromSeconds(times->GetComponent(i, 0)),
-      nyquists ? static_cast<float>(nyquists->GetComponent(i, 0)) : 0.0F};
+      nexrad::FromSeconds(times->GetComponent(i, 0))};
     const vtkIdType first = i * dimensions[0];
     if (AppendRay(sweep, gates, ray, values->GetPointer(first), states->GetPointer(first)))
     {
@@ -191,15 +189,8 @@ nexrad::PolarVolume DescribeVolume(const SweepGrid& source, nexrad::MomentName m
   nexrad::PolarVolume volume;
   const std::vector<std::string> names = vtkNexradGetTexts(source.Field, "Site");
   volume.site.name = names.empty() ? std::string() : names[0];
-  if (source.Field->HasArray("Position"))
-  {
-    volume.site.position = nexrad::Position{
-      source.Value("Position", 0), source.Value("Position", 1), source.Value("Position", 2)};
-  }
   volume.moment = moment;
   volume.start = nexrad::FromSeconds(source.Value("StartTime"));
-  volume.end = nexrad::FromSeconds(source.Value("EndTime"));
-  volume.synthetic = vtkNexradGetValue(source.Field, "Synthetic").value_or(0.0) != 0.0;
   return volume;
 }
 
@@ -253,32 +244,4 @@ std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(vtkPartitionedDataSetCol
     *origins = std::move(found);
   }
   return volumes;
-}
-
-vtkNexradPolarVolumes::vtkNexradPolarVolumes(vtkPartitionedDataSetCollection* sweeps)
-  : Sweeps(sweeps)
-{
-}
-
-const std::vector<nexrad::PolarVolume>& vtkNexradPolarVolumes::Of(nexrad::MomentName moment)
-{
-  const auto [found, isNew] = this->Volumes.try_emplace(moment);
-  if (isNew)
-  {
-    found->second = vtkNexradSweepsToPolar(this->Sweeps, moment);
-  }
-  return found->second;
-}
-
-nexrad::PolarVolume vtkNexradPolarVolumes::Find(
-  nexrad::MomentName moment, const nexrad::PolarVolume& volume)
-{
-  for (const nexrad::PolarVolume& each : this->Of(moment))
-  {
-    if (each.site.name == volume.site.name && each.start == volume.start)
-    {
-      return each;
-    }
-  }
-  return {};
 }

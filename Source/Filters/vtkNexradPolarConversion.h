@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file   vtkNexradPolarConversion.h
- * @brief  from the readers' sweeps back to the rays that gridding takes
+ * @brief  from the readers' sweeps back to the rays that the classes of echo are found of
  *
  * The inverse of vtkNexradSweepConversion.h: times, angles and gate geometry come from the field
  * data, so that nothing is lost on the way through the points' coordinates. The values of a sweep
@@ -13,7 +13,6 @@
 
 #include "nexrad/Polar/PolarVolume.h"
 
-#include <map>
 #include <vector>
 
 class vtkPartitionedDataSetCollection;
@@ -30,35 +29,15 @@ struct vtkNexradSweepOrigin
 
 /**
  * The volumes whose sweeps are in the collection: those of one site with one start time make one
- * volume. Grids without the moment are passed over, and so are, in each grid, rays that it has no
- * gate of. What decides which sweeps and gates count (`Waveform`, `UnambiguousRange`) may be
- * absent; then all do. So may `NyquistVelocity`, without which no velocity is unfolded. The moment
- * is a measured one. Throws nexrad::Error, naming the sweep and the array, for a grid with the
- * moment that lacks its field data, or in which they do not fit its dimensions. `origins`, when
- * given, takes those of all sweeps of all volumes, in the order of the result.
+ * volume, which has its site's name, its start and its sweeps alone. Grids without the moment are
+ * passed over, and so are, in each grid, rays that it has no gate of. What decides which gates
+ * count (`Waveform`, `UnambiguousRange`) may be absent; then all do. The moment is a measured one.
+ * Throws nexrad::Error, naming the sweep and the array, for a grid with the moment that lacks its
+ * field data, or in which they do not fit its dimensions. `origins`, when given, takes those of all
+ * sweeps of all volumes, in the order of the result.
  */
 std::vector<nexrad::PolarVolume> vtkNexradSweepsToPolar(vtkPartitionedDataSetCollection* sweeps,
   nexrad::MomentName moment, std::vector<std::vector<vtkNexradSweepOrigin>>* origins = nullptr);
-
-/**
- * The volumes of one collection by measured moment. Each moment is converted once.
- */
-class vtkNexradPolarVolumes
-{
-public:
-  /// The collection must outlive this object.
-  explicit vtkNexradPolarVolumes(vtkPartitionedDataSetCollection* sweeps);
-
-  /// As vtkNexradSweepsToPolar gives them.
-  const std::vector<nexrad::PolarVolume>& Of(nexrad::MomentName moment);
-
-  /// The volume of the same radar and the same start; one without sweeps where it lacks the moment.
-  nexrad::PolarVolume Find(nexrad::MomentName moment, const nexrad::PolarVolume& volume);
-
-private:
-  vtkPartitionedDataSetCollection* Sweeps;
-  std::map<nexrad::MomentName, std::vector<nexrad::PolarVolume>> Volumes;
-};
 
 #endif
 // VTK-HeaderTest-Exclude: vtkNexradPolarConversion.h

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "EventCounter.h"
 #include "HandMadeVolume.h"
+#include "Scans/TwoRadars.h"
 #include "TestData.h"
 #include "Tolerance.h"
 
@@ -24,6 +25,7 @@
 #include "vtkInformation.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkSmartPointer.h"
 #include "vtkStreamingDemandDrivenPipeline.h"
 #include "vtkStringArray.h"
 
@@ -542,6 +544,111 @@ TEST(DayReaderOnRealFiles, GivesTheMergeOfTheVolumesAboutTheTime)
   EXPECT_EQ(volume.states, expected->states);
   EXPECT_AT_LEAST(std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo), 6'000,
     "voxels of echo");
+}
+
+vtkSmartPointer<vtkNexradDayReader> SmallDayOf(const std::filesystem::path& file)
+{
+  auto reader = vtkSmartPointer<vtkNexradDayReader>::New();
+  reader->SetDimensions(48, 48, 12);
+  reader->AddFileName(file.c_str());
+  return reader;
+}
+
+GriddedVolume FirstVolumeOf(vtkNexradDayReader* reader)
+{
+  reader->UpdateInformation();
+  reader->UpdateTimeStep(reader->GetTimeSteps()->GetValue(0));
+  return vtkNexradImageToVolume(reader->GetOutput());
+}
+
+// The reader keeps what it made with one setting apart from what it makes with another.
+TEST(DayReaderOnRealFiles, DealiasesAsAsked)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const auto reader = SmallDayOf(data / "level2/legacy/KTLX19990503_235621.gz");
+  reader->SetMoment("VEL");
+  EXPECT_TRUE(reader->GetDealiasing());
+  const std::vector<float> unfolded = FirstVolumeOf(reader).values;
+  reader->DealiasingOff();
+  EXPECT_NE(FirstVolumeOf(reader).values, unfolded);
+  reader->DealiasingOn();
+  EXPECT_EQ(FirstVolumeOf(reader).values, unfolded);
+}
+
+TEST(DayReaderOnRealFiles, DerivesMoments)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const auto reader = SmallDayOf(data / "level2/legacy/KTLX19990503_235621.gz");
+  reader->UseGeographicBoundsOn();
+  reader->SetGeographicBounds(-97.75, 35.21, -97.65, 35.29); // where the tornado is
+  reader->SetMoment("AZSHEAR");
+  const GriddedVolume shear = FirstVolumeOf(reader);
+  EXPECT_AT_LEAST(*std::max_element(shear.values.begin(), shear.values.end()), 0.025,
+    "merged azimuthal shear of the tornado, per second");
+  EXPECT_STREQ(reader->GetOutput()->GetPointData()->GetScalars()->GetName(), "AZSHEAR");
+  reader->SetMoment("SRV");
+  const std::vector<float> estimated = FirstVolumeOf(reader).values;
+  reader->UseStormMotionOn();
+  reader->SetStormMotion(12.0, 8.0);
+  EXPECT_NE(FirstVolumeOf(reader).values, estimated);
+}
+
+// Of two radars that differ by 4 dB: neither, one, or half of it of each.
+TEST(DayReaderOfTwoRadars, TakesBiasesOff)
+{
+  const nexrad::testing::TemporaryFolder folder;
+  nexrad::testing::WriteTwoRadars(folder.Path(), 30.0, 34.0);
+  const auto reader = SmallDayOf(folder.Path());
+  reader->SharpeningOff();
+  const auto largestWith = [&](const char* bias)
+  {
+    reader->SetBias(bias);
+    const std::vector<float> values = FirstVolumeOf(reader).values;
+    return *std::max_element(values.begin(), values.end());
+  };
+  EXPECT_EQ(reader->GetBias(), "off");
+  EXPECT_NEAR(largestWith("off"), 34.0F, 1e-4F);
+  EXPECT_NEAR(largestWith("KTWO:4"), 30.0F, 1e-4F);
+  EXPECT_NEAR(largestWith("auto"), 32.0F, 1e-4F);
+  EXPECT_EQ(
+    reader->GetRadarComparison()->GetValue(0).find("KONE - KTWO: median -4.00 dB"), std::size_t{0});
+  EXPECT_EQ(reader->GetRadarComparison()->GetNumberOfValues(), 3);
+  vtkNew<EventCounter> events;
+  events->Observe(reader);
+  events->Observe(reader->GetExecutive());
+  reader->SetBias("KABR:1");
+  reader->Update();
+  EXPECT_TRUE(AnyHolds(events->errors, "a bias is given for KABR"));
+}
+
+// The motion that is found, one that is given and none make three volumes; no speed is none.
+TEST(DayReaderOnRealFiles, MovesEchoAsAsked)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  const std::filesystem::path run = data / "level2/run-kbgm-20050821";
+  const auto reader = SmallDayOf(run / "KBGM20050821_024910.gz");
+  reader->AddFileName((run / "KBGM20050821_030047.gz").c_str());
+  reader->SetBeginTime(nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:55:00Z")));
+  EXPECT_EQ(reader->GetTimeInterpolation(), vtkNexradGridAlgorithm::MOTION);
+  const std::vector<float> found = FirstVolumeOf(reader).values;
+  reader->SetTimeInterpolationToLinear();
+  const std::vector<float> linear = FirstVolumeOf(reader).values;
+  EXPECT_NE(found, linear);
+  reader->SetGivenMotion(0.0, 0.0);
+  reader->UseGivenMotionOn();
+  reader->SetTimeInterpolationToMotion();
+  EXPECT_EQ(FirstVolumeOf(reader).values, linear);
+  reader->SetGivenMotion(20.0, 5.0);
+  const std::vector<float> given = FirstVolumeOf(reader).values;
+  EXPECT_NE(given, linear);
+  EXPECT_NE(given, found);
+  vtkNew<EventCounter> events;
+  events->Observe(reader);
+  events->Observe(reader->GetExecutive());
+  reader->SetGivenMotion(200.0, 0.0);
+  reader->Update();
+  EXPECT_EQ(reader->GetErrorCode(), vtkErrorCode::UserError);
+  EXPECT_TRUE(AnyHolds(events->errors, "150 m/s"));
 }
 
 } // namespace

@@ -6,9 +6,7 @@
 #include "vtkNexradDayReader.h"
 #include "vtkNexradLevel2Reader.h"
 #include "vtkNexradSeriesReader.h"
-#include "vtkNexradSiteMerge.h"
 #include "vtkNexradVolumeReader.h"
-#include "vtkNexradVolumeResampler.h"
 #include "vtkNexradVolumeWriter.h"
 
 #include "nexrad/Grid/VoxelBlock.h"
@@ -143,36 +141,19 @@ TEST(Pieces, OfAMergeAlongTheMotionWithAncillaryArrays)
   ExpectPiecesMakeTheWhole(alone, inPieces, time, 3, LookAway);
 }
 
-TEST(Pieces, OfTheFiltersAndOfVolumeFiles)
+TEST(Pieces, OfVolumeFiles)
 {
   NEXRAD_REQUIRE_TEST_DATA(data);
   const std::filesystem::path file = data / "level2/run-kbgm-20050821/KBGM20050821_025458.gz";
   const double time = nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:56:00Z"));
-  vtkNew<vtkNexradLevel2Reader> sweeps;
-  sweeps->SetFileName(file.c_str());
-  vtkNew<vtkNexradSiteMerge> merged;
-  vtkNew<vtkNexradSiteMerge> mergedInPieces;
-  for (vtkNexradSiteMerge* merge : {merged.Get(), mergedInPieces.Get()})
-  {
-    merge->SetInputConnection(sweeps->GetOutputPort());
-    merge->SetDimensions(33, 29, 10);
-    merge->SetTime(time);
-  }
-  ExpectPiecesMakeTheWhole(merged, mergedInPieces, time, 3, LookAway);
-  vtkNew<vtkNexradVolumeResampler> resampled;
-  vtkNew<vtkNexradVolumeResampler> resampledInPieces;
-  for (vtkNexradVolumeResampler* resample : {resampled.Get(), resampledInPieces.Get()})
-  {
-    resample->SetInputConnection(sweeps->GetOutputPort());
-    resample->SetDimensions(33, 29, 10);
-    resample->AncillaryArraysOn();
-  }
-  ExpectPiecesMakeTheWhole(resampled, resampledInPieces, time, 4, LookAway);
-
+  vtkNew<vtkNexradDayReader> day;
+  day->AddFileName(file.c_str());
+  day->SetDimensions(33, 29, 10);
+  day->AncillaryArraysOn();
   const nexrad::testing::TemporaryFolder folder;
   const std::string path = folder.Path() / "volume.nxv";
   vtkNew<vtkNexradVolumeWriter> writer;
-  writer->SetInputConnection(resampled->GetOutputPort());
+  writer->SetInputConnection(day->GetOutputPort());
   writer->SetFileName(path.c_str());
   ASSERT_EQ(writer->Write(), 1);
   vtkNew<vtkNexradVolumeReader> read;

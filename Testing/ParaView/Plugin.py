@@ -18,8 +18,6 @@ SOURCES = {
     "NexradLevel2Reader": "vtkNexradLevel2Reader",
 }
 FILTERS = {
-    "NexradVolumeResampler": "vtkNexradVolumeResampler",
-    "NexradSiteMerge": "vtkNexradSiteMerge",
     "NexradEchoClasses": "vtkNexradEchoClasses",
     "NexradEchoOnly": "vtkNexradEchoOnly",
     "NexradTwoFields": "vtkNexradTwoFields",

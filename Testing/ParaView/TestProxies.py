@@ -95,8 +95,7 @@ class Settings(unittest.TestCase):
 
     def test_every_proxy_is_a_name_of_paraview_simple(self):
         for name in ("NEXRADRadarDay", "NEXRADLevelIISeries", "NEXRADLevelIIReader",
-                     "NEXRADVolumeResampler", "NEXRADSiteMerge", "NEXRADTwoFields", "NEXRADVolumeReader", "NEXRADEchoOnly",
-                     "NEXRADMap", "NEXRADTime"):
+                     "NEXRADTwoFields", "NEXRADVolumeReader", "NEXRADEchoOnly", "NEXRADMap", "NEXRADTime"):
             self.assertTrue(hasattr(simple, name), name)
 
 

@@ -162,27 +162,6 @@ class Merging(PipelineTest):
                 simple.SaveData(os.path.join(folder, "volumes.nxv.series"), proxy=day)
                 self.assertEqual(content_of(folder), made)
 
-    def test_resampler_is_the_class(self):
-        path = SyntheticFiles.files()[0]
-        reader = vtknexrad.vtkNexradLevel2Reader()
-        reader.SetFileName(path)
-        resampler = vtknexrad.vtkNexradVolumeResampler()
-        resampler.SetInputConnection(reader.GetOutputPort())
-        resampler.SetDimensions(*GRID)
-        resampler.SetMethodToThesis()
-        proxy = simple.NEXRADVolumeResampler(
-            Input=simple.NEXRADLevelIIReader(FileName=path), Dimensions=GRID, Method="Thesis")
-        self.assertSameVolume(Plugin.fetch(proxy), vtknexrad.update(resampler))
-
-    def test_site_merge_is_the_radar_day(self):
-        files = Plugin.real_files("multisite-20100911")
-        day = simple.NEXRADRadarDay(FileNames=files, Dimensions=GRID, MaximumGap=3600)
-        time = day.TimestepValues[len(day.TimestepValues) // 2]
-        merge = simple.NEXRADSiteMerge(
-            Input=[simple.NEXRADLevelIIReader(FileName=path) for path in files],
-            Dimensions=GRID, MaximumGap=3600, Time=time)
-        self.assertSameVolume(Plugin.fetch(merge), Plugin.fetch(day, time))
-
 
 class Files(PipelineTest):
     def setUp(self):

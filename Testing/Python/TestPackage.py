@@ -33,8 +33,8 @@ def day_reader():
 class Classes(unittest.TestCase):
     concrete = (
         "vtkNexradLevel2Reader", "vtkNexradSeriesReader", "vtkNexradVolumeReader",
-        "vtkNexradVolumeWriter", "vtkNexradNetCDFReader", "vtkNexradNetCDFWriter", "vtkNexradDayReader", "vtkNexradSiteMerge",
-        "vtkNexradVolumeResampler", "vtkOpenGLTextureSliceVolumeMapper",
+        "vtkNexradVolumeWriter", "vtkNexradNetCDFReader", "vtkNexradNetCDFWriter", "vtkNexradDayReader",
+        "vtkOpenGLTextureSliceVolumeMapper",
         "vtkNexradTransferFunction", "vtkTextureSliceObjectFactory", "vtkNexradVolumeScene",
         "vtkNexradSession")
 

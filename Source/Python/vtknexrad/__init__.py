@@ -16,10 +16,9 @@ KLSX, from which KLSX20060312_180145 is taken, and `nexrad3d grid KLSX -o volume
 the folder volumes.
 
 Below them are the VTK classes. Readers and writers: vtkNexradLevel2Reader, vtkNexradSeriesReader,
-vtkNexradVolumeReader, vtkNexradVolumeWriter. Merging: vtkNexradDayReader, vtkNexradSiteMerge,
-vtkNexradVolumeResampler. Drawing: vtkOpenGLTextureSliceVolumeMapper, vtkNexradTransferFunction,
-vtkTextureSliceObjectFactory. The whole picture that nexrad3d draws: vtkNexradSession,
-vtkNexradVolumeScene. They work beside VTK's own modules; help() of a class has its units,
+vtkNexradVolumeReader, vtkNexradVolumeWriter. Merging: vtkNexradDayReader. Drawing:
+vtkOpenGLTextureSliceVolumeMapper, vtkNexradTransferFunction, vtkTextureSliceObjectFactory. The
+whole picture that nexrad3d draws: vtkNexradSession, vtkNexradVolumeScene. They work beside VTK's own modules; help() of a class has its units,
 defaults and errors. vtknexrad.data has what a script needs to get from them to numpy: update,
 time_steps, array, axes, sweep, echo_classes. They are names of vtknexrad as well.
 
