@@ -53,7 +53,7 @@ TEST(SessionFile, IsReadAsItWasWritten)
   session.drawing.scene.preset = "storm cores";
   session.drawing.scene.heightWalls = false;
   session.drawing.size = {900, 600};
-  session.drawing.merging = {{"--dims", "64x64x32"}};
+  session.drawing.input.grid.grid.dimensions = {64, 64, 32};
   session.shown = ParseIso8601("2006-03-12T18:35:00.250");
   session.interval = std::chrono::milliseconds(40);
   session.colours = R"([{"Name":"mine"}])";

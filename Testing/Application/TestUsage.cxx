@@ -163,8 +163,7 @@ TEST(Usage, WrongOptionsOfTheMethodBeamAreNamed)
   expect({"--linear-reflectivity", "--no-sharpening"}, {"--no-sharpening", "dBZ"});
   expect({"--memory", "lots"}, {"--memory", "512MiB"});
   const std::vector<Arguments> ofBeam = {{"--overlap", "mean"}, {"--overlap-length", "50km"},
-    {"--fill-columns"}, {"--fill"}, {"--linear-reflectivity"}, {"--no-sharpening"}, {"--ancillary"},
-    {"--companions"}};
+    {"--fill-columns"}, {"--linear-reflectivity"}, {"--no-sharpening"}, {"--ancillary"}};
   for (Arguments options : ofBeam)
   {
     const std::string name = options.front();

@@ -89,10 +89,11 @@ void CheckFormat(const GridJob& job)
 }
 
 // All options that decide what the volumes contain.
-std::string RecipeOf(const CLI::App& command, const std::string& format, const std::string& code)
+std::string RecipeOf(
+  const MergeOptions& options, const std::string& format, const std::string& code)
 {
   std::string recipe = "nexrad3d " NEXRAD_VERSION "\n--format " + format + "\n--code " + code;
-  for (const OptionText& option : GivenGridOptions(command))
+  for (const OptionText& option : ToTexts(MergeSettings(), options))
   {
     recipe += '\n' + option.name + ' ' + option.value;
   }
@@ -219,7 +220,7 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
       options->job.options.beam.ancillary |= options->job.perRadar;
       const auto written = [command](const char* name)
       { return command->count(name) > 0 ? command->get_option(name)->as<std::string>() : ""; };
-      options->job.recipe = RecipeOf(*command, written("--format"), written("--code"));
+      options->job.recipe = RecipeOf(options->job.options, written("--format"), written("--code"));
       options->job.recipe += options->job.oneFile ? "\n--one-file" : "";
       options->job.recipe += options->job.perRadar ? "\n--per-radar" : "";
       options->job.written.history = HistoryOf(*command);

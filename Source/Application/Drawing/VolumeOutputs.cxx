@@ -30,12 +30,6 @@ bool HasFreeTime(const InputRequest& input)
   return !input.time && !input.grid.begin && !input.grid.end && !input.grid.step;
 }
 
-bool IsGiven(const RenderRequest& request, const char* option)
-{
-  return std::any_of(request.merging.begin(), request.merging.end(),
-    [option](const application::OptionText& each) { return each.name == option; });
-}
-
 } // namespace
 
 std::unique_ptr<VolumeSeries> OpenForPictures(RenderRequest& request, RenderReport& report)
@@ -52,7 +46,7 @@ std::unique_ptr<VolumeSeries> OpenForPictures(RenderRequest& request, RenderRepo
   request.input.time = MiddleTime(look->first, look->last);
   MergeOptions& merging = request.input.grid;
   const Duration half = look->last - *request.input.time;
-  if (!IsGiven(request, "--max-gap"))
+  if (!request.maxGapGiven)
   {
     merging.maximumGap = std::max(merging.maximumGap, half + std::chrono::seconds(1));
   }

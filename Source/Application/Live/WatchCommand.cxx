@@ -105,10 +105,10 @@ std::vector<std::string> DrawingWords(const std::string& text)
 }
 
 // All options that decide what the volumes contain.
-std::string RecipeOf(const CLI::App& command)
+std::string RecipeOf(const MergeOptions& options)
 {
   std::string recipe = "nexrad3d watch";
-  for (const OptionText& option : GivenGridOptions(command))
+  for (const OptionText& option : ToTexts(MergeSettings(), options))
   {
     recipe += '\n' + option.name + ' ' + option.value;
   }
@@ -179,7 +179,7 @@ void AddWatchCommand(CLI::App& program, CommandAction& action)
     [options, &action, command]
     {
       WatchJob& given = options->job;
-      given.recipe = RecipeOf(*command);
+      given.recipe = RecipeOf(given.options);
       given.intake.idle = given.stale;
       given.intake.longestPause = std::max(LongestPause, given.late);
       given.intake.level2.siteName = given.options.siteName;

@@ -459,7 +459,7 @@ void FinishDrawingOptions(const CLI::App& command, scene::DrawingRequest& reques
   request.input.grid.beam.sharpen = request.input.grid.beam.sharpen && !options.plan;
   request.input.momentNamed = command.count("--moment") > 0;
   request.input.colourBy = options.colourBy;
-  request.merging = GivenGridOptions(command);
+  request.maxGapGiven = command.count("--max-gap") > 0;
 }
 
 } // namespace nexrad::application

@@ -10,28 +10,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 
 namespace nexrad::application
 {
 namespace
 {
-
-// The shortest text without an exponent, which the options do not have, that is read as the same
-// number.
-std::string TextOf(double value)
-{
-  std::array<char, 400> buffer{}; // room for every double
-  return {buffer.data(),
-    std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed)
-      .ptr};
-}
-
-std::string LengthTextOf(double metres)
-{
-  return std::fmod(metres, 1000.0) == 0.0 ? TextOf(metres / 1000.0) + "km" : TextOf(metres) + "m";
-}
 
 class OptionList
 {
@@ -48,7 +32,7 @@ public:
   {
     if (value != usual)
     {
-      this->Add(name, TextOf(value));
+      this->Add(name, NumberText(value));
     }
   }
   void AddIfAny(const std::string& name, const std::string& value)
@@ -71,13 +55,13 @@ std::string MapTextOf(const scene::PlanOptions& plan)
   case scene::PlanLevel::Lowest:
     return "lowest";
   case scene::PlanLevel::Height:
-    return LengthTextOf(plan.height);
+    return LengthText(plan.height);
   case scene::PlanLevel::EchoTop:
-    return "echo-top:" + TextOf(plan.threshold);
+    return "echo-top:" + NumberText(plan.threshold);
   case scene::PlanLevel::Liquid:
     return "vil";
   case scene::PlanLevel::LiquidDensity:
-    return "vil-density:" + TextOf(plan.threshold);
+    return "vil-density:" + NumberText(plan.threshold);
   default:
     return "composite";
   }
@@ -88,8 +72,8 @@ std::string IsoValuesTextOf(const std::vector<scene::IsoValue>& isoValues)
   std::string text;
   for (const scene::IsoValue& isoValue : isoValues)
   {
-    text += (text.empty() ? "" : ",") + TextOf(isoValue.value);
-    text += isoValue.opacity ? ":" + TextOf(*isoValue.opacity) : "";
+    text += (text.empty() ? "" : ",") + NumberText(isoValue.value);
+    text += isoValue.opacity ? ":" + NumberText(*isoValue.opacity) : "";
   }
   return text;
 }
@@ -104,7 +88,7 @@ void AddCamera(const scene::CameraView& camera, bool map, OptionList& options)
   {
     const auto& [longitude, latitude, height] = camera.lookAt->place;
     options.Add(
-      "--look-at", TextOf(latitude) + "," + TextOf(longitude) + "," + LengthTextOf(height));
+      "--look-at", NumberText(latitude) + "," + NumberText(longitude) + "," + LengthText(height));
   }
   options.AddFlag("--parallel", !map && camera.parallel);
   options.AddFlag("--perspective", map && !camera.parallel);
@@ -133,7 +117,7 @@ void AddVolume(const scene::SceneOptions& scene, OptionList& options)
   }
   if (scene.opacityDistance)
   {
-    options.Add("--opacity-distance", LengthTextOf(metresPerKilometre * *scene.opacityDistance));
+    options.Add("--opacity-distance", LengthText(metresPerKilometre * *scene.opacityDistance));
   }
   if (scene.framing == scene::FrameChoice::Domain)
   {
@@ -156,7 +140,7 @@ void AddVolume(const scene::SceneOptions& scene, OptionList& options)
   const scene::LightDirection& usualFrom = usual.light.direction;
   if (from.azimuth != usualFrom.azimuth || from.elevation != usualFrom.elevation)
   {
-    options.Add("--light", TextOf(from.azimuth) + "," + TextOf(from.elevation));
+    options.Add("--light", NumberText(from.azimuth) + "," + NumberText(from.elevation));
   }
 }
 
@@ -164,11 +148,11 @@ void AddSurroundings(const scene::SceneOptions& scene, OptionList& options)
 {
   if (scene.exaggeration)
   {
-    options.Add("--exaggeration", TextOf(*scene.exaggeration));
+    options.Add("--exaggeration", NumberText(*scene.exaggeration));
   }
   if (scene.ringSpacing > 0.0)
   {
-    options.Add("--rings", LengthTextOf(scene.ringSpacing));
+    options.Add("--rings", LengthText(scene.ringSpacing));
   }
   if (scene.theme == scene::ThemeChoice::Dark)
   {
@@ -183,24 +167,11 @@ void AddSurroundings(const scene::SceneOptions& scene, OptionList& options)
   }
 }
 
-// Lengths, or degrees where x and y of the places are degrees.
-template <typename Places>
-std::string PlacesTextOf(const Places& places, PlaceUnit unit)
-{
-  std::string text;
-  for (const double place : places)
-  {
-    text += text.empty() ? "" : ",";
-    text += unit == PlaceUnit::Degrees ? TextOf(place) + "deg" : LengthTextOf(place);
-  }
-  return text;
-}
-
 // Of a direction that was computed from an angle with few digits.
 std::string AngleTextOf(double radians)
 {
   constexpr double digits = 1e9;
-  return TextOf(std::round(digits * radians / RadiansPerDegree) / digits);
+  return NumberText(std::round(digits * radians / RadiansPerDegree) / digits);
 }
 
 std::string ClipTextOf(const scene::CutPlane& plane, PlaceUnit unit)
@@ -209,9 +180,9 @@ std::string ClipTextOf(const scene::CutPlane& plane, PlaceUnit unit)
   const auto& [east, north, up] = plane.normal;
   const double metres = unit == PlaceUnit::Degrees ? MetresPerDegree : 1.0;
   const std::string upright =
-    PlacesTextOf(std::array{x, y}, unit) + "," + AngleTextOf(std::atan2(east, north));
+    PlacesText(std::array{x, y}, unit) + "," + AngleTextOf(std::atan2(east, north));
   return up == 0.0 ? upright
-                   : upright + "," + LengthTextOf(height) + "," +
+                   : upright + "," + LengthText(height) + "," +
                        AngleTextOf(std::atan2(metres * up, std::hypot(east, north)));
 }
 
@@ -220,8 +191,8 @@ void AddCut(const scene::CutOptions& cut, OptionList& options)
   if (cut.box)
   {
     const auto& [west, east, south, north, bottom, top] = *cut.box;
-    options.Add("--crop", PlacesTextOf(std::array{west, east, south, north}, cut.unit) + "," +
-                            LengthTextOf(bottom) + "," + LengthTextOf(top));
+    options.Add("--crop", PlacesText(std::array{west, east, south, north}, cut.unit) + "," +
+                            LengthText(bottom) + "," + LengthText(top));
   }
   if (cut.plane)
   {
@@ -230,7 +201,7 @@ void AddCut(const scene::CutOptions& cut, OptionList& options)
   if (cut.section)
   {
     const auto& [from, to] = *cut.section;
-    options.Add("--section", PlacesTextOf(std::array{from[0], from[1], to[0], to[1]}, cut.unit));
+    options.Add("--section", PlacesText(std::array{from[0], from[1], to[0], to[1]}, cut.unit));
   }
 }
 
@@ -242,31 +213,33 @@ void AddBox(const scene::InputRequest& input, OptionList& options)
   }
   const bool given = input.boxUnit != PlaceUnit::OfVolume;
   const PlaceUnit unit = given ? input.boxUnit : PlaceUnitOf(input.grid.grid.axes);
-  options.Add("--box", PlacesTextOf(input.box->faces, unit));
+  options.Add("--box", PlacesText(input.box->faces, unit));
   if (input.box->followedFrom)
   {
     options.Add("--follow-from", FormatIso8601(*input.box->followedFrom));
   }
 }
 
-// The moments may have been chosen after the other options of merging were given: options that are
-// not of them, and which `render` would refuse, are left out.
+// What a map makes of the settings by itself is left out (FinishDrawingOptions). The moments of
+// volume files are those of the files, unless they are named.
 void AddMerging(const scene::DrawingRequest& request, OptionList& options)
 {
-  const std::vector<MomentName> chosen = request.input.grid.Moments();
-  for (const OptionText& text : request.merging)
+  MergeOptions merging = request.input.grid;
+  const std::optional<scene::PlanOptions>& plan = request.scene.plan;
+  merging.beam.sharpen = merging.beam.sharpen || plan;
+  const bool ofMap = plan && !plan->array.empty() && plan->array != ToString(merging.moment);
+  merging.beam.ancillary = merging.beam.ancillary && !ofMap;
+  for (const OptionText& text : ToTexts(MergeSettings(), merging))
   {
-    if (text.name != "--moment" && RefusalFor(text.name, chosen).empty())
+    if (text.name != "--moment")
     {
       options.Add(text.name, text.value);
     }
   }
-  std::string moments;
-  for (const MomentName moment : chosen)
+  if (request.input.momentNamed)
   {
-    moments += (moments.empty() ? "" : ",") + std::string(ToString(moment));
+    options.Add("--moment", MomentsValue().text(merging.Moments()));
   }
-  options.AddIfAny("--moment", request.input.momentNamed ? moments : "");
 }
 
 // CLI11 would take a value that begins with a minus for an option.

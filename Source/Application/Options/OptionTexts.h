@@ -2,6 +2,7 @@
 #pragma once
 
 #include "Requests/DrawingRequest.h"
+#include "nexrad/Settings/Setting.h"
 
 #include <filesystem>
 #include <string>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Requests/OptionText.h"
 #include "Scene/Frame/CameraView.h"
 #include "Scene/SceneOptions.h"
 #include "Scene/Series/InputSeries.h"
@@ -16,8 +15,8 @@ namespace nexrad::scene
 struct DrawingRequest
 {
   InputRequest input;
-  std::vector<application::OptionText> merging; ///< the options that `input.grid` was given by
-  std::array<int, 2> size = {1280, 720};        ///< pixels
+  bool maxGapGiven = false;              ///< `input.grid` has a largest gap that somebody chose
+  std::array<int, 2> size = {1280, 720}; ///< pixels
   CameraView camera;
   SceneOptions scene;
 };

@@ -88,9 +88,8 @@ application::Session WithMapOf(application::Session shown, const std::string& ar
   }
   if (!array.empty() && !shown.drawing.input.grid.beam.ancillary)
   {
-    // The command says so too: captions state the ages of data, also once the volume is back.
+    // Captions state the ages of data, also once the volume is back.
     shown.drawing.input.grid.beam.ancillary = true;
-    shown.drawing.merging.push_back({"--ancillary", ""});
   }
   return shown;
 }

@@ -2,6 +2,7 @@
 #include "nexrad/Merging/TimeMerge.h"
 
 #include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/Model/SiteKey.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
@@ -98,14 +99,17 @@ bool LooksForMotion(const MergeRequest& request, MomentName moment)
          request.interpolation == TimeInterpolationMethod::AlongMotion && !request.motion;
 }
 
+// Whether a merger with one of them serves for the other.
 bool AreSame(const BeamMergeOptions& a, const BeamMergeOptions& b)
 {
-  return a.strategy == b.strategy && a.overlapLength == b.overlapLength &&
-         a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
-         a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
-         a.linearReflectivity == b.linearReflectivity && a.fillColumns == b.fillColumns &&
-         a.ancillary == b.ancillary && a.sharpen == b.sharpen && a.means == b.means &&
-         a.trend == b.trend && a.biases == b.biases;
+  MergeOptions settings;
+  settings.beam = a;
+  MergeOptions others;
+  others.beam = b;
+  const bool sameInCode = a.maximumGap == b.maximumGap && a.beamWidth == b.beamWidth &&
+                          a.beam.EffectiveRadius() == b.beam.EffectiveRadius() &&
+                          a.means == b.means && a.trend == b.trend; // are no settings
+  return sameInCode && AreSame(MergeSettings(), settings, others);
 }
 
 std::vector<ReadyVolume> OfMoment(const std::vector<ReadyVolume>& volumes, MomentName moment)

@@ -81,7 +81,6 @@ TEST_F(WindowCommandTest, TheCommandOfAnotherMomentIsNotRefused)
   request.input.grid.beam.sharpen = false;
   // Rays that hold one value are a fault of the receiver.
   request.input.grid.quality.level = QualityLevel::Off;
-  request.merging = {{"--dims", "32x32x16"}, {"--no-sharpening", ""}, {"--quality", "off"}};
   this->OpenWindow();
   ASSERT_TRUE(this->Wait([&] { return this->Scene()->GetVolume() != nullptr; }));
   this->WaitForPicture();

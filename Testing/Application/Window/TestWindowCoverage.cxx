@@ -59,7 +59,6 @@ protected:
     request.input.grid.grid.range = 110e3;
     // Rays that hold one value are a fault of the receiver.
     request.input.grid.quality.level = QualityLevel::Off;
-    request.merging = {{"--dims", "64x64x16"}, {"--range", "110km"}, {"--quality", "off"}};
     this->OpenFirst(place);
   }
 

@@ -186,7 +186,6 @@ TEST_F(WindowFilesTest, TheCopiedCommandMergesRadarFiles)
   request.input.grid.grid.dimensions = {32, 32, 16};
   // Rays that hold one value are a fault of the receiver.
   request.input.grid.quality.level = QualityLevel::Off;
-  request.merging = {{"--dims", "32x32x16"}, {"--quality", "off"}};
   this->OpenWindow();
   ASSERT_TRUE(this->Wait([&] { return window->View()->Scene()->GetVolume() != nullptr; }));
   this->WaitForPicture();
@@ -202,7 +201,6 @@ TEST_F(WindowFilesTest, TheCopiedCommandAndAMovieHaveTheBox)
     radar.Path(), "KEAX", *ParseIso8601("2006-03-12T18:00:00Z"), std::chrono::minutes(12));
   request.input.inputs = {radar.Path()};
   request.input.grid.grid.dimensions = {64, 64, 32};
-  request.merging = {{"--dims", "64x64x32"}};
   request.input.box = BoxRequest{{0.0, 50e3, 0.0, 50e3}};
   request.input.box->followedFrom = *ParseIso8601("2006-03-12T18:05:00Z");
   this->OpenWindow();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Options/UnitOptions.h"
+#include "nexrad/Settings/ValueTexts.h"
 
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/System/Error.h"
@@ -7,9 +7,8 @@
 #include <gtest/gtest.h>
 
 using namespace nexrad;
-using namespace nexrad::application;
 
-TEST(UnitOptions, DurationsHaveUnits)
+TEST(ValueTexts, DurationsHaveUnits)
 {
   using namespace std::chrono_literals;
   EXPECT_EQ(ParseDuration("5min"), 5min);
@@ -22,7 +21,7 @@ TEST(UnitOptions, DurationsHaveUnits)
   EXPECT_EQ(ParseDuration("0.0006"), 1ms);
 }
 
-TEST(UnitOptions, DurationsThatAreNone)
+TEST(ValueTexts, DurationsThatAreNone)
 {
   for (const char* text : {"", "min", "5 min", "5minutes", "-5min", "5m", "1e3", "1.2.3s", "nan",
          "inf", "99999999999d", "0x5"})
@@ -31,7 +30,7 @@ TEST(UnitOptions, DurationsThatAreNone)
   }
 }
 
-TEST(UnitOptions, LengthsAreMetres)
+TEST(ValueTexts, LengthsAreMetres)
 {
   EXPECT_EQ(ParseLength("230km"), 230'000.0);
   EXPECT_EQ(ParseLength("500m"), 500.0);
@@ -45,7 +44,7 @@ TEST(UnitOptions, LengthsAreMetres)
 }
 
 // 230 could be kilometres to one and metres to another.
-TEST(UnitOptions, ALengthWithoutAUnitSaysWhatToWrite)
+TEST(ValueTexts, ALengthWithoutAUnitSaysWhatToWrite)
 {
   const auto message = [](auto parse, const char* text)
   {
@@ -63,7 +62,7 @@ TEST(UnitOptions, ALengthWithoutAUnitSaysWhatToWrite)
   EXPECT_EQ(message(ParseHeightRange, "0,20"), "'0,20' has no unit; write 0,20km or 0,20m");
 }
 
-TEST(UnitOptions, MemoryIsBytes)
+TEST(ValueTexts, MemoryIsBytes)
 {
   EXPECT_EQ(ParseMemory("512MiB"), 536'870'912U);
   EXPECT_EQ(ParseMemory("1.5GiB"), 1'610'612'736U);
@@ -75,7 +74,7 @@ TEST(UnitOptions, MemoryIsBytes)
   }
 }
 
-TEST(UnitOptions, OneUnitCountsForBothHeights)
+TEST(ValueTexts, OneUnitCountsForBothHeights)
 {
   EXPECT_EQ(ParseHeightRange("0,20km"), std::make_pair(0.0, 20'000.0));
   EXPECT_EQ(ParseHeightRange("1,20km"), std::make_pair(1'000.0, 20'000.0));
@@ -88,7 +87,7 @@ TEST(UnitOptions, OneUnitCountsForBothHeights)
   }
 }
 
-TEST(UnitOptions, Dimensions)
+TEST(ValueTexts, Dimensions)
 {
   EXPECT_EQ(ParseDimensions("256x128x1"), (std::array<int, 3>{256, 128, 1}));
   for (const char* text : {"", "256", "256x256", "256x256x128x1", "0x256x128", "-1x2x3", "2x2x2.5",
@@ -98,7 +97,7 @@ TEST(UnitOptions, Dimensions)
   }
 }
 
-TEST(UnitOptions, PictureSizes)
+TEST(ValueTexts, PictureSizes)
 {
   EXPECT_EQ(ParsePictureSize("1280x720"), (std::array<int, 2>{1280, 720}));
   for (const char* text : {"1280", "15x720", "1280x16385", "1280x720x3"})
@@ -107,7 +106,7 @@ TEST(UnitOptions, PictureSizes)
   }
 }
 
-TEST(UnitOptions, MotionIsEastAndNorth)
+TEST(ValueTexts, MotionIsEastAndNorth)
 {
   EXPECT_EQ(ParseMotion("12,-7.5").east, 12.0);
   EXPECT_EQ(ParseMotion("12,-7.5").north, -7.5);
@@ -118,7 +117,7 @@ TEST(UnitOptions, MotionIsEastAndNorth)
   }
 }
 
-TEST(UnitOptions, BoundsAreWestSouthEastNorth)
+TEST(ValueTexts, BoundsAreWestSouthEastNorth)
 {
   const GeographicBounds bounds = ParseBounds("-97.5,36,-86,43");
   EXPECT_EQ(bounds.west, -97.5);
@@ -132,7 +131,7 @@ TEST(UnitOptions, BoundsAreWestSouthEastNorth)
   }
 }
 
-TEST(UnitOptions, PlacesOfOneThingShareAUnit)
+TEST(ValueTexts, PlacesOfOneThingShareAUnit)
 {
   PlaceUnit metres = PlaceUnit::OfVolume;
   EXPECT_EQ(ParsePlace("0", metres), 0.0);
@@ -154,7 +153,7 @@ TEST(UnitOptions, PlacesOfOneThingShareAUnit)
   }
 }
 
-TEST(UnitOptions, BoxesHaveFacesAboveTheOppositeOnes)
+TEST(ValueTexts, BoxesHaveFacesAboveTheOppositeOnes)
 {
   PlaceUnit unit = PlaceUnit::OfVolume;
   EXPECT_EQ(
@@ -174,7 +173,7 @@ TEST(UnitOptions, BoxesHaveFacesAboveTheOppositeOnes)
   EXPECT_THROW(ParseBoxWithHeights("-98deg,-97deg,35deg,36deg,0,1deg", unit), Error);
 }
 
-TEST(UnitOptions, ListsHaveCommas)
+TEST(ValueTexts, ListsHaveCommas)
 {
   EXPECT_EQ(SplitAtCommas(""), std::vector<std::string>{""});
   EXPECT_EQ(SplitAtCommas("a,,b"), (std::vector<std::string>{"a", "", "b"}));
@@ -186,7 +185,7 @@ TEST(UnitOptions, ListsHaveCommas)
   }
 }
 
-TEST(UnitOptions, ErrorsSayWhatWouldBeRight)
+TEST(ValueTexts, ErrorsSayWhatWouldBeRight)
 {
   try
   {

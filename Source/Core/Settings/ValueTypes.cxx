@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "nexrad/Settings/ValueTypes.h"
+
+#include <charconv>
+
+namespace nexrad
+{
+
+ValueType<Duration> DurationValue()
+{
+  return {{"duration", "DURATION", {}}, ParseDuration, DurationText};
+}
+
+ValueType<Time> TimeValue()
+{
+  return {{"time", "TIME", {}}, ParseTime, [](Time time) { return FormatIso8601(time); }};
+}
+
+ValueType<double> LengthValue()
+{
+  return {{"length", "LENGTH", {}}, ParseLength, LengthText};
+}
+
+ValueType<std::array<int, 3>> DimensionsValue()
+{
+  return {{"dimensions", "XxYxZ", {}}, ParseDimensions, DimensionsText};
+}
+
+ValueType<GeographicBounds> BoundsValue()
+{
+  return {{"bounds", "W,S,E,N", {}}, ParseBounds, BoundsText};
+}
+
+ValueType<std::tuple<double, double>> HeightRangeValue()
+{
+  return {{"heights", "LOWER,UPPER", {}}, ParseHeightRange,
+    [](const std::tuple<double, double>& range)
+    { return HeightRangeText(std::get<0>(range), std::get<1>(range)); }};
+}
+
+ValueType<Velocity> MotionValue()
+{
+  return {{"motion", "EAST,NORTH", {}}, ParseMotion, MotionText};
+}
+
+ValueType<std::vector<MomentName>> MomentsValue()
+{
+  const auto parse = [](const std::string& text)
+  {
+    std::vector<MomentName> moments = ParseMomentNames(text);
+    if (moments.empty())
+    {
+      throw Error("'" + text + "' is no moment; write " + MomentNameList() +
+                  ", or several of them as in REF,VEL");
+    }
+    return moments;
+  };
+  const auto write = [](const std::vector<MomentName>& moments)
+  {
+    std::string text;
+    for (const MomentName moment : moments)
+    {
+      text += (text.empty() ? "" : ",") + std::string(ToString(moment));
+    }
+    return text;
+  };
+  return {{"moments", "NAME,...", {}}, parse, write};
+}
+
+ValueType<bool> FlagValue()
+{
+  const auto parse = [](const std::string& text)
+  {
+    const bool on = text == "on" || text == "1" || text == "true";
+    if (!on && text != "off" && text != "0" && text != "false")
+    {
+      throw Error("'" + text + "' is neither on nor off");
+    }
+    return on;
+  };
+  return {{"flag", "", {}}, parse, [](bool on) { return on ? "on" : "off"; }};
+}
+
+ValueType<int> NumberValue(int least, int most)
+{
+  const auto parse = [least, most](const std::string& text)
+  {
+    int number = 0;
+    const char* end = text.data() + text.size();
+    const auto [stop, failure] = std::from_chars(text.data(), end, number);
+    if (failure != std::errc() || stop != end || number < least || number > most)
+    {
+      throw Error("'" + text + "' is no number from " + std::to_string(least) + " to " +
+                  std::to_string(most));
+    }
+    return number;
+  };
+  return {{"number", "NUMBER", {}}, parse, [](int number) { return std::to_string(number); }};
+}
+
+std::string ListOfChoices(const std::vector<std::string>& names)
+{
+  std::string list;
+  for (std::size_t i = 0; i < names.size(); ++i)
+  {
+    list += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+  }
+  return list;
+}
+
+} // namespace nexrad
