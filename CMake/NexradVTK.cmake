@@ -17,7 +17,7 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   ImagingCore IOCore IOGeometry IOImage IONetCDF IOXML IOOggTheora
   ParallelCore
   InteractionStyle RenderingCore RenderingFreeType RenderingOpenGL2
-  RenderingUI RenderingVolume RenderingVolumeOpenGL2
+  RenderingVolume RenderingVolumeOpenGL2
   netcdf tiff vtksys
   OPTIONAL_COMPONENTS ParallelMPI ${nexrad_vtk_for_python} ${nexrad_vtk_for_qt})
 

@@ -221,6 +221,29 @@ TEST(Usage, WrongOptionsOfRenderAreNamed)
   ExpectWrongUsage({"render", "a", "-o", "b.ogv", "--fps", "0"}, {"--fps"});
 }
 
+TEST(Usage, WrongOptionsOfViewAreNamed)
+{
+  ExpectWrongUsage({"view", "a", "--interval", "0.001s"}, {"no interval"});
+  ExpectWrongUsage({"view", "a", "--preset", "rainbow"}, {"storm cores"});
+  ExpectWrongUsage({"view", "a", "--pictures", "/nonexistent"}, {"--pictures"});
+}
+
+// As a build without Qt leaves it: the program alone, without the library of the window.
+TEST(Usage, WithoutTheLibraryOfTheWindowViewSaysWhatItNeeds)
+{
+  const TemporaryFolder folder;
+  const fs::path program = folder.Path() / "bin" / "nexrad3d";
+  fs::create_directory(program.parent_path());
+  fs::copy_file(Nexrad3dPath(), program);
+  const fs::path libraries = fs::path(Nexrad3dPath()).parent_path() / ".." / "lib";
+  setenv("LD_LIBRARY_PATH", libraries.c_str(), 1);
+  const ProgramRun run = RunProgram(program, {"view", "a"});
+  unsetenv("LD_LIBRARY_PATH");
+  EXPECT_EQ(run.status, 1);
+  EXPECT_TRUE(IsOneLine(run.errors)) << run.errors;
+  EXPECT_NE(run.errors.find("nexrad3d-window, which needs Qt 5"), std::string::npos) << run.errors;
+}
+
 TEST(Usage, InputsThatDoNotExist)
 {
   const TemporaryFolder folder;

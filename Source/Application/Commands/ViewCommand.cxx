@@ -4,7 +4,6 @@
 #include "Libraries/SceneLibrary.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
-#include "Options/SessionFile.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
@@ -12,7 +11,6 @@
 
 #include <CLI/CLI.hpp>
 
-#include <algorithm>
 #include <iostream>
 #include <memory>
 
@@ -24,46 +22,12 @@ namespace
 struct ViewOptions
 {
   scene::ViewRequest request;
-  bool plain = false;
   bool quiet = false;
 };
 
-// What is read before a plain window opens shows its progress in the terminal; the other window
-// shows its own.
-scene::ViewReport Show(ViewOptions& options)
+int RunView(const ViewOptions& options)
 {
-  if (!options.plain)
-  {
-    return WindowWithLibrary(options.request);
-  }
-  ProgressBar bar("opening", options.quiet);
-  options.request.progress = [&bar](double fraction)
-  {
-    const bool goOn = bar.Update(fraction);
-    if (fraction >= 1.0)
-    {
-      bar.Clear();
-    }
-    return goOn;
-  };
-  return ViewWithLibrary(options.request);
-}
-
-void RequireInputsOfPlainWindow(const std::vector<std::filesystem::path>& inputs)
-{
-  if (inputs.empty())
-  {
-    throw CLI::RequiredError("input");
-  }
-  if (std::any_of(inputs.begin(), inputs.end(), IsSessionFile))
-  {
-    throw CLI::ValidationError("input", "the plain window opens no sessions");
-  }
-}
-
-int RunView(ViewOptions& options)
-{
-  const scene::ViewReport report = Show(options);
+  const scene::ViewReport report = WindowWithLibrary(options.request);
   if (!options.quiet)
   {
     for (const auto& path : report.pictures)
@@ -91,9 +55,6 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
   CLI::App* command = program.add_subcommand(
     "view", "Show volumes, radar files, or a session that was saved (.nxsession), in a window");
   AddInputOptions(*command, request.input, false);
-  command->add_flag("--plain", options->plain,
-    "A window without menus and panels, which lists its keys; the only one where the program was "
-    "built without Qt");
   AddQuietOption(*command, options->quiet);
   AddDrawingOptions(*command, request);
   AddParsedOption(*command, "--interval", request.interval, ParseInterval, "DURATION",
@@ -107,11 +68,6 @@ void AddViewCommand(CLI::App& program, CommandAction& action)
   AddThreadsOption(*command);
   const auto run = [options, command, &action]
   {
-    options->plain = options->plain || !HasWindowLibrary();
-    if (options->plain)
-    {
-      RequireInputsOfPlainWindow(options->request.input.inputs);
-    }
     FinishDrawingOptions(*command, options->request);
     action = [options] { return RunView(*options); };
   };

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/Render.h"
-#include "Drawing/View.h"
 #include "Libraries/LibraryCall.h"
 #include "Web/WebPage.h"
 
@@ -9,12 +8,6 @@ extern "C" __attribute__((visibility("default"))) void nexrad3dRender(
   const nexrad::scene::RenderRequest* request, nexrad::scene::RenderReport* report)
 {
   nexrad::application::AnswerCall(nexrad::scene::Render, request, report);
-}
-
-extern "C" __attribute__((visibility("default"))) void nexrad3dView(
-  const nexrad::scene::ViewRequest* request, nexrad::scene::ViewReport* report)
-{
-  nexrad::application::AnswerCall(nexrad::scene::View, request, report);
 }
 
 extern "C" __attribute__((visibility("default"))) void nexrad3dWeb(

@@ -53,9 +53,4 @@ AnyFunction LoadProgramFunction(const std::string& library, const std::string& f
   return reinterpret_cast<AnyFunction>(found);
 }
 
-bool HasProgramLibrary(const std::string& library)
-{
-  return fs::exists(PlaceOf(library));
-}
-
 } // namespace nexrad::application

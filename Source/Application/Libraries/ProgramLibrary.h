@@ -16,7 +16,4 @@ using AnyFunction = void (*)();
 AnyFunction LoadProgramFunction(const std::string& library, const std::string& function,
   const std::string& does, const std::string& target);
 
-/// Whether such a library was built or installed with this program.
-bool HasProgramLibrary(const std::string& library);
-
 } // namespace nexrad::application

@@ -9,8 +9,8 @@ namespace
 {
 
 constexpr LibraryName library = {"nexrad3d-scene.so", "draws", "nexrad3d-scene"};
-constexpr LibraryName windowLibrary = {
-  "nexrad3d-window.so", "has the window of view", "nexrad3d-window"};
+constexpr LibraryName windowLibrary = {"nexrad3d-window.so", "has the window of view",
+  "nexrad3d-window, which needs Qt 5 and VTK's module GUISupportQt"};
 
 } // namespace
 
@@ -19,19 +19,9 @@ scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request)
   return CallLibrary<scene::RenderReport>(library, scene::renderFunctionName, request);
 }
 
-scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request)
-{
-  return CallLibrary<scene::ViewReport>(library, scene::viewFunctionName, request);
-}
-
 scene::WebReport WebWithLibrary(const scene::WebRequest& request)
 {
   return CallLibrary<scene::WebReport>(library, scene::webFunctionName, request);
-}
-
-bool HasWindowLibrary()
-{
-  return HasProgramLibrary(windowLibrary.file);
 }
 
 scene::ViewReport WindowWithLibrary(const scene::ViewRequest& request)

@@ -12,13 +12,10 @@ namespace nexrad::application
 /// Throws Error when the library is not where the program was built or installed, and for what the
 /// drawing itself fails at.
 scene::RenderReport RenderWithLibrary(const scene::RenderRequest& request);
-scene::ViewReport ViewWithLibrary(const scene::ViewRequest& request);
 scene::WebReport WebWithLibrary(const scene::WebRequest& request);
 
-/// Whether this program was built with the window of Qt.
-bool HasWindowLibrary();
-
-/// Shows a window with menus, time line and panels until the user closes it. As ViewWithLibrary.
+/// Shows a window with menus, time line and panels until the user closes it. Throws Error when the
+/// program was built without Qt, too.
 scene::ViewReport WindowWithLibrary(const scene::ViewRequest& request);
 
 } // namespace nexrad::application

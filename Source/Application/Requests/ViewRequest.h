@@ -2,7 +2,6 @@
 #pragma once
 
 #include "Requests/DrawingRequest.h"
-#include "nexrad/System/Progress.h"
 
 #include <filesystem>
 #include <string>
@@ -11,12 +10,11 @@
 namespace nexrad::scene
 {
 
-/// What the view command asks of the scene library. The size is that of the window at first.
+/// What the view command asks of the library of the window. The size is that of the window at first.
 struct ViewRequest : DrawingRequest
 {
   Duration interval = std::chrono::milliseconds(500); ///< from one step to the next in playing
   std::filesystem::path pictures = ".";               ///< folder that takes screenshots
-  Progress progress;
 };
 
 /// What came of it when the window was closed.
@@ -28,9 +26,7 @@ struct ViewReport
   std::string error;                 ///< why there was no window; "" when all went well
 };
 
-/// Name and type of the function by which the program calls the scene library.
-constexpr char viewFunctionName[] = "nexrad3dView";
-/// The same of the library that has the window with Qt.
+/// Name and type of the function by which the program calls the library of the window.
 constexpr char windowFunctionName[] = "nexrad3dWindow";
 using ViewFunction = void (*)(const ViewRequest* request, ViewReport* report);
 

@@ -29,10 +29,6 @@ scene::ViewReport RunWindow(const scene::ViewRequest& request)
   std::setlocale(LC_NUMERIC, "C");
   MainWindow window(request);
   window.show();
-  if (request.progress)
-  {
-    request.progress(1.0);
-  }
   QApplication::exec();
   scene::ViewReport report;
   report.pictures = window.Pictures();

@@ -2,13 +2,13 @@
 #include "Viewer/Parts/SceneView.h"
 
 #include "Drawing/PictureWindow.h"
-#include "Drawing/ViewerStyle.h"
 #include "Export/SceneState.h"
 #include "Libraries/VtkErrors.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/SceneOptions.h"
 #include "Viewer/Parts/CameraMouse.h"
 #include "Viewer/Parts/Soon.h"
+#include "Viewer/Parts/TurnAndZoom.h"
 
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkImageData.h>
@@ -80,7 +80,7 @@ private:
 
 SceneView::SceneView(QWidget* parent)
   : QVTKOpenGLNativeWidget(parent)
-  , style(vtkSmartPointer<scene::ViewerStyle>::New())
+  , style(vtkSmartPointer<TurnAndZoom>::New())
   , drawing(new Soon(this, [this] { this->Draw(); }))
 {
   this->setObjectName("scene");
@@ -91,7 +91,6 @@ SceneView::SceneView(QWidget* parent)
   this->setRenderWindow(window.Get());
   style->turn = [this](double azimuth, double tilt) { this->Turn(azimuth, tilt); };
   style->zoom = [this](double factor) { this->Zoom(factor); };
-  style->press = [](const std::string&) {};
   window->GetInteractor()->SetInteractorStyle(style);
   navigator->SetScene(scene);
   new CameraMouse(*this);

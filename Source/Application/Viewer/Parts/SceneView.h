@@ -18,13 +18,13 @@ class vtkNexradVolumeScene;
 namespace nexrad::scene
 {
 struct SceneOptions;
-class ViewerStyle;
 } // namespace nexrad::scene
 
 namespace nexrad::viewer
 {
 
 class Soon;
+class TurnAndZoom;
 
 /// The part of the window that shows the scene. Dragging with the left button turns and tilts it,
 /// with the right button, or turning the wheel, zooms.
@@ -81,7 +81,7 @@ private:
   vtkNew<vtkNexradVolumeScene> scene;
   vtkNew<vtkNexradNavigator> navigator;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
-  vtkSmartPointer<scene::ViewerStyle> style;
+  vtkSmartPointer<TurnAndZoom> style;
   Soon* drawing;
   scene::CameraView first;
   int drawn = 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Drawing/ViewerStyle.h"
+#include "Viewer/Parts/TurnAndZoom.h"
 
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindowInteractor.h>
@@ -8,14 +8,13 @@
 #include <array>
 #include <cmath>
 
-namespace nexrad::scene
+namespace nexrad::viewer
 {
 namespace
 {
 
 constexpr double turnOfWidth = 180.0; // degrees, of a drag across the window
 constexpr double zoomOfHeight = 4.0;  // factor, of a drag over its height
-constexpr double zoomOfWheel = 1.1;   // factor, of one click
 
 // From the place before to that now, as parts of the window.
 std::array<double, 2> Dragged(vtkRenderWindowInteractor* interactor)
@@ -29,29 +28,29 @@ std::array<double, 2> Dragged(vtkRenderWindowInteractor* interactor)
 
 } // namespace
 
-vtkStandardNewMacro(ViewerStyle);
+vtkStandardNewMacro(TurnAndZoom);
 
-void ViewerStyle::OnLeftButtonDown()
+void TurnAndZoom::OnLeftButtonDown()
 {
   this->StartRotate();
 }
 
-void ViewerStyle::OnLeftButtonUp()
+void TurnAndZoom::OnLeftButtonUp()
 {
   this->EndRotate();
 }
 
-void ViewerStyle::OnRightButtonDown()
+void TurnAndZoom::OnRightButtonDown()
 {
   this->StartDolly();
 }
 
-void ViewerStyle::OnRightButtonUp()
+void TurnAndZoom::OnRightButtonUp()
 {
   this->EndDolly();
 }
 
-void ViewerStyle::OnMouseMove()
+void TurnAndZoom::OnMouseMove()
 {
   const std::array<double, 2> way = Dragged(this->Interactor);
   if (this->State == VTKIS_ROTATE)
@@ -64,22 +63,4 @@ void ViewerStyle::OnMouseMove()
   }
 }
 
-void ViewerStyle::OnMouseWheelForward()
-{
-  this->zoom(zoomOfWheel);
-}
-
-void ViewerStyle::OnMouseWheelBackward()
-{
-  this->zoom(1.0 / zoomOfWheel);
-}
-
-void ViewerStyle::OnKeyPress()
-{
-  const char* key = this->Interactor->GetKeySym();
-  this->press(key != nullptr ? key : "");
-}
-
-void ViewerStyle::OnChar() {}
-
-} // namespace nexrad::scene
+} // namespace nexrad::viewer
