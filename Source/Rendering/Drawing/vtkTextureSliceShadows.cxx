@@ -89,7 +89,7 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
   const auto make = [&](const vtkTextureSliceTable& table, std::size_t row, std::size_t component,
                       const vtkTextureSliceSurface& surface, double weight)
   {
-    Function function{component, components[component].Range, table.GetAlphas(row)};
+    Function function{component, components[component].Range, table.GetOpacities(row)};
     const float scale = static_cast<float>(density * std::log(2.0) * weight) *
                         surface.InverseUnitDistance * surface.Weight;
     for (float& entry : function.Entries)
@@ -138,19 +138,19 @@ std::optional<vtkTextureSliceLightCells::Cut> FindCut(const Source& source)
   return whole ? std::nullopt : std::optional(cut);
 }
 
-/// The opacity of a surface as the shader looks it up in the first row of the table.
+/// The opacity of a surface.
 double FindOpacity(const Source& source, double value)
 {
-  const auto last = static_cast<double>(source.Table->GetWidth() - 1);
+  const std::vector<float>& entries = source.Table->GetOpacities(0);
   const std::array<double, 2>& range = source.Texture->GetComponents().back().Range;
   const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
-  const double entry = std::clamp((value - range[0]) / width, 0.0, 1.0) * last;
+  const double entry = std::clamp((value - range[0]) / width, 0.0, 1.0) *
+                       static_cast<double>(entries.size() - 1);
   const auto low = static_cast<std::size_t>(entry);
-  const std::size_t high = std::min(low + 1, source.Table->GetWidth() - 1);
+  const std::size_t high = std::min(low + 1, entries.size() - 1);
   const double part = entry - static_cast<double>(low);
-  const float* entries = source.Table->GetEntries(0);
-  return (1.0 - part) * static_cast<double>(entries[4 * low + 3]) +
-         part * static_cast<double>(entries[4 * high + 3]);
+  return (1.0 - part) * static_cast<double>(entries[low]) +
+         part * static_cast<double>(entries[high]);
 }
 
 /// The isosurfaces as light crosses them; none in other blend modes.

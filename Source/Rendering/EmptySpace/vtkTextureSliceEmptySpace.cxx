@@ -60,13 +60,19 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
     return;
   }
   this->Last = std::move(key);
+  const std::vector<unsigned char> before = this->Visible;
   this->FindVisible(source);
   if (source.Frame->NeedsCropTest())
   {
     this->HideCropped(source);
   }
   const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
-  this->Distances.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
+  if (this->Visible == before && bricks.GetEdge() == this->Edge)
+  {
+    return; // another colour, or another opacity of what is visible
+  }
+  this->Edge = bricks.GetEdge();
+  this->Distances.Build(bricks.GetCount(), this->Edge, this->Visible);
   this->Seen = this->Distances.FindSeen();
 }
 

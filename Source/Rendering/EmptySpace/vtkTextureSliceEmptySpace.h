@@ -63,6 +63,7 @@ private:
   void HideCropped(const Source& source);
 
   Key Last;
+  std::array<double, 3> Edge{}; ///< of the bricks that the distances are of
   vtkTextureSliceDistanceMap Distances;
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   std::vector<unsigned char> Visible; ///< not 0 where a brick counts
