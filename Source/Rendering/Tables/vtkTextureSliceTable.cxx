@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
 #include <cmath>
@@ -181,9 +182,7 @@ void vtkTextureSliceTable::Update(
     this->FillOpacities(window, rows);
     this->Upload();
   }
-  const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-  this->Texture->SetMagnificationFilter(filter);
-  this->Texture->SetMinificationFilter(filter);
+  vtkTextureSliceSetSampling(this->Texture, nearest);
 }
 
 void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width)
@@ -226,8 +225,6 @@ void vtkTextureSliceTable::Upload()
   {
     this->Texture->ReleaseGraphicsResources(this->Texture->GetContext());
   }
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   const auto columns = static_cast<unsigned int>(this->GetWidth());
   if (dimensions == 1)
   {
@@ -246,9 +243,4 @@ void vtkTextureSliceTable::SetUniforms(const std::string& name, vtkShaderProgram
   const auto texel = static_cast<float>(1.0 / static_cast<double>(this->GetWidth()));
   program->SetUniformf((name + "Scale").c_str(), 1.0f - texel);
   program->SetUniformf((name + "Bias").c_str(), 0.5f * texel);
-}
-
-void vtkTextureSliceTable::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
 }

@@ -19,7 +19,6 @@ class vtkColorTransferFunction;
 class vtkOpenGLRenderWindow;
 class vtkPiecewiseFunction;
 class vtkShaderProgram;
-class vtkWindow;
 
 /// A function over the range of a component, and whether its own range clamps the scalar first
 /// (vtkGPUVolumeRayCastMapper::NATIVE).
@@ -57,7 +56,6 @@ public:
    */
   void Update(
     vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest);
-  void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Where a row's opacity is above 0, over its domain as 0 to 1.
