@@ -248,6 +248,9 @@ std::string vtkOpenGLTextureSliceVolumeMapper::UpdateVolume(
   {
     return unsupported;
   }
+  parts.CropFlags = this->CroppingRegionFlags;
+  parts.LabelWeight = this->MaskBlendFactor;
+  parts.MaskValues = this->FindMaskValues();
   parts.Frame.SetVolume(parts.Image, cellData, volume);
   if (parts.Frame.IsFlat())
   {
@@ -362,8 +365,7 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseImageSampleDistance(double allow
 bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()
 {
   vtkTextureSliceParts& parts = *this->Parts;
-  parts.EmptySpace.Update({&parts.Request, &parts.Texture, &parts.Table, &parts.LabelTable,
-    &parts.Table2D, &parts.Frame, this->CroppingRegionFlags});
+  parts.EmptySpace.Update(parts);
   parts.Frame.SetPlane(parts.Request.GetSlicePlane());
   vtkTextureSliceView view = parts.Frame.GetView();
   view.NumberOfSlices = this->NumberOfSlices;
@@ -490,11 +492,7 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows()
   settings.Interactive =
     this->AutoAdjustSampleDistances != 0 &&
     vtkTextureSliceResolution::IsInteractive(1.0 / parts.Window->GetDesiredUpdateRate());
-  parts.Shadows.Update(parts.Window,
-    {&parts.Request, parts.Image, parts.Scalars, &parts.Texture, &parts.Table, &parts.LabelTable,
-      this->FindMaskValues(), &parts.Frame, this->CroppingRegionFlags,
-      static_cast<double>(this->MaskBlendFactor)},
-    settings);
+  parts.Shadows.Update(parts.Window, parts, settings);
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::UpdateLight(vtkRenderer* renderer, vtkVolume* volume)
@@ -545,7 +543,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
   }
   vtkTextureSliceParts& parts = *this->Parts;
   const bool cellData = this->CellFlag == 1;
-  vtkDataArray* values = this->FindMaskValues();
+  vtkDataArray* values = parts.MaskValues;
   if (values == nullptr || values->GetDataType() != VTK_UNSIGNED_CHAR ||
       values->GetNumberOfComponents() != 1 ||
       vtkTextureSliceScalars::GetSize(this->MaskInput, cellData) !=
@@ -555,8 +553,8 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
             (cellData ? "cell" : "point") + " scalars of one unsigned char";
     return false;
   }
-  return parts.UpdateArray(
-    parts.Mask, vtkTextureSliceScalars::Find(this->MaskInput, values, cellData), true, error);
+  return parts.Mask.Update(
+    parts.Window, vtkTextureSliceScalars::Find(this->MaskInput, values, cellData), true, error);
 }
 
 std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
@@ -598,8 +596,6 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   parts.Seen = this->FindSeen();
   parts.Distances = &parts.EmptySpace.GetDistances();
   parts.GeometryDepth = parts.Target.GetGeometryDepth();
-  parts.LabelWeight = this->MaskBlendFactor;
-  parts.CropFlags = this->CroppingRegionFlags;
   parts.Surfaces = parts.Request.MakeSurfaces();
   parts.IsoValues = parts.Request.FindIsoValues(parts.Texture.GetComponents());
 }

@@ -24,20 +24,16 @@ void vtkTextureSliceParts::Release(vtkOpenGLRenderWindow* window)
     return;
   }
   window->PushContext();
-  this->Texture.ReleaseGraphicsResources(window);
-  this->Table.ReleaseGraphicsResources(window);
-  this->Table2D.ReleaseGraphicsResources(window);
-  this->Mask.ReleaseGraphicsResources(window);
-  this->SecondArray.ReleaseGraphicsResources(window);
-  this->Blanks.ReleaseGraphicsResources(window);
-  this->Coordinates.ReleaseGraphicsResources(window);
-  this->LabelTable.ReleaseGraphicsResources(window);
-  this->Shadows.ReleaseGraphicsResources(window);
-  this->Integrals.ReleaseGraphicsResources(window);
-  this->LabelIntegrals.ReleaseGraphicsResources(window);
+  for (vtkTextureObject* texture : {this->Texture.GetTexture(), this->Table.GetTexture(),
+         this->Table2D.GetTexture(), this->Mask.GetTexture(), this->SecondArray.GetTexture(),
+         this->Blanks.GetTexture(), this->Coordinates.GetTexture(), this->LabelTable.GetTexture(),
+         this->Shadows.GetTexture(), this->Integrals.GetTexture(),
+         this->LabelIntegrals.GetTexture(), this->EmptySpace.GetDistances().GetTexture()})
+  {
+    texture->ReleaseGraphicsResources(window);
+  }
   this->Target.ReleaseGraphicsResources(window);
   this->Ways.ReleaseGraphicsResources(window);
-  this->EmptySpace.GetDistances().ReleaseGraphicsResources(window);
   window->PopContext();
   this->Window = nullptr;
 }
@@ -52,17 +48,6 @@ void vtkTextureSliceParts::Use(vtkOpenGLRenderWindow* window)
   window->MakeCurrent();
 }
 
-bool vtkTextureSliceParts::UpdateArray(vtkTextureSliceTexture& texture,
-  const vtkTextureSliceScalars& source, bool nearest, std::string& error)
-{
-  if (!texture.Update(this->Window, source, error))
-  {
-    return false;
-  }
-  texture.SetNearest(nearest);
-  return true;
-}
-
 bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std::string& error)
 {
   // As in VTK's ray caster, "nearest" holds for the tables as well as for the volume.
@@ -73,10 +58,10 @@ bool vtkTextureSliceParts::UpdateVolume(bool cellData, vtkDataArray* second, std
   }
   auto source = vtkTextureSliceScalars::Find(this->Image, this->Scalars, cellData);
   source.Places = this->Coordinates.GetPlaces();
-  return this->UpdateArray(this->Texture, source, nearest, error) &&
+  return this->Texture.Update(this->Window, source, nearest, error) &&
          this->Blanks.Update(this->Window, this->Image, cellData, error) &&
          (second == nullptr ||
-           this->UpdateArray(this->SecondArray,
+           this->SecondArray.Update(this->Window,
              vtkTextureSliceScalars::Find(this->Image, second, cellData), nearest, error)) &&
          this->UpdateTables(nearest, error);
 }

@@ -10,13 +10,11 @@
 #include "vtkTextureSliceUniforms.h"
 #include "vtkTextureSliceWays.h"
 
-#include "vtkSmartPointer.h"
 #include "vtkWeakPointer.h"
 
 #include <string>
 
 class vtkDataArray;
-class vtkImageData;
 class vtkOpenGLRenderWindow;
 
 /**
@@ -26,9 +24,6 @@ class vtkOpenGLRenderWindow;
 class vtkTextureSliceParts : public vtkTextureSliceUniforms
 {
 public:
-  /// The volume of this frame; of a rectilinear grid, an image of its points or cells.
-  vtkSmartPointer<vtkImageData> Image;
-  vtkDataArray* Scalars = nullptr;
   vtkTextureSliceEmptySpace EmptySpace;
   vtkTextureSliceResolution Resolution;
   vtkTextureSliceTarget Target;
@@ -55,9 +50,6 @@ public:
   /// @param second of two-dimensional functions; or nullptr
   /// @return false with one line in @a error
   bool UpdateVolume(bool cellData, vtkDataArray* second, std::string& error);
-  /// The same for one texture.
-  bool UpdateArray(vtkTextureSliceTexture& texture, const vtkTextureSliceScalars& source,
-    bool nearest, std::string& error);
   /// Draws the slices into the target. @return false with one line in @a error
   bool Draw(std::string& error);
   /// Hands the picture to the window. @a colorScale, @a colorBias: the final window and level

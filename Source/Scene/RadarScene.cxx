@@ -31,6 +31,7 @@
 #include <vtkMath.h>
 #include <vtkPointData.h>
 #include <vtkPropCollection.h>
+#include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkVolume.h>
@@ -284,9 +285,12 @@ void RadarScene::UpdateShadows()
     return;
   }
   const bool shown = volume->GetVisibility() != 0 && options.light.HasShadows();
+  // The coarse light of an interaction is followed by that of the next picture at rest.
+  vtkRenderWindow* window = renderer->GetRenderWindow();
+  const bool moves = window != nullptr && window->GetDesiredUpdateRate() > 1.0;
   groundShadow.Show(vtkActor::SafeDownCast(ground.front()),
     shown ? UpdateLight(mapper, renderer, volume) : nullptr, options.light,
-    vtkImageData::SafeDownCast(mapper->GetDataSetInput()));
+    vtkImageData::SafeDownCast(mapper->GetDataSetInput()), moves);
 }
 
 void RadarScene::SetCut(const CutOptions& cut)

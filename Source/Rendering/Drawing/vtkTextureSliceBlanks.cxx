@@ -16,11 +16,6 @@ bool vtkTextureSliceBlanks::Update(
   }
   const auto size = vtkTextureSliceScalars::GetSize(image, !cellData);
   const auto texels = vtkTextureSliceScalars::GetSize(image, cellData);
-  if (!this->Texture.Update(window, {flags, size}, error))
-  {
-    return false;
-  }
-  this->Texture.SetNearest(true);
   // Scalars of points: half a texel before the first cell. Scalars of cells: half a point after.
   const float offset = cellData ? 0.5f : -0.5f;
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -28,7 +23,7 @@ bool vtkTextureSliceBlanks::Update(
     this->Scale[axis] = static_cast<float>(texels[axis]) / static_cast<float>(size[axis]);
     this->Bias[axis] = offset / static_cast<float>(size[axis]);
   }
-  return true;
+  return this->Texture.Update(window, {flags, size}, true, error);
 }
 
 void vtkTextureSliceBlanks::SetUniforms(vtkShaderProgram* program) const

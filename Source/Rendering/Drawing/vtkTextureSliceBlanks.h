@@ -12,7 +12,6 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkWindow;
 
 /**
  * A sample is left out where the cell that it lies in, or the point that is nearest to it, has a
@@ -32,10 +31,6 @@ public:
   bool IsUsed() const { return this->Used; }
   vtkTextureObject* GetTexture() const { return this->Texture.GetTexture(); }
   void SetUniforms(vtkShaderProgram* program) const;
-  void ReleaseGraphicsResources(vtkWindow* window)
-  {
-    this->Texture.ReleaseGraphicsResources(window);
-  }
 
 private:
   vtkTextureSliceTexture Texture;

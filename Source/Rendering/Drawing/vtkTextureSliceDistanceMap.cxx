@@ -5,6 +5,7 @@
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
+#include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
 
@@ -136,21 +137,11 @@ void vtkTextureSliceDistanceMap::Upload(vtkOpenGLRenderWindow* window)
     return;
   }
   this->Texture->SetContext(window);
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  vtkTextureSliceSetSampling(this->Texture, true);
   this->Texture->Create3DFromRaw(static_cast<unsigned int>(this->Count[0]),
     static_cast<unsigned int>(this->Count[1]), static_cast<unsigned int>(Octants * this->Count[2]),
     1, VTK_UNSIGNED_CHAR, this->Distances.data());
   this->Uploaded = true;
-}
-
-void vtkTextureSliceDistanceMap::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-  this->Uploaded = false;
 }
 
 void vtkTextureSliceDistanceMap::SetUniforms(

@@ -13,7 +13,6 @@
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureSliceFrame;
-class vtkWindow;
 
 /**
  * For each octant of directions, a brick has the edge, in bricks, of the largest cube without a
@@ -48,7 +47,6 @@ public:
 
   /// Brings the texture up to date.
   void Upload(vtkOpenGLRenderWindow* window);
-  void ReleaseGraphicsResources(vtkWindow* window);
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Sets what TextureSliceSkippingFS reads.
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceFrame& frame) const;

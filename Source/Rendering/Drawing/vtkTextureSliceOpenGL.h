@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// OpenGL's functions and constants, under whichever loader this VTK was built with.
+// OpenGL's functions and constants, under whichever loader this VTK was built with, and how
+// textures are read.
 #ifndef vtkTextureSliceOpenGL_h
 #define vtkTextureSliceOpenGL_h
 
@@ -8,5 +9,18 @@
 #else
 #include "vtk_glew.h"
 #endif
+
+#include "vtkTextureObject.h"
+
+/// Between texels there is the nearest one, or what is linear; beyond them there are the last ones.
+inline void vtkTextureSliceSetSampling(vtkTextureObject* texture, bool nearest)
+{
+  const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
+  texture->SetMagnificationFilter(filter);
+  texture->SetMinificationFilter(filter);
+  texture->SetWrapS(vtkTextureObject::ClampToEdge);
+  texture->SetWrapT(vtkTextureObject::ClampToEdge);
+  texture->SetWrapR(vtkTextureObject::ClampToEdge);
+}
 
 #endif

@@ -8,11 +8,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
-#include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkTextureSliceRequest.h"
-#include "vtkTextureSliceTable.h"
-#include "vtkTextureSliceTexture.h"
 #include "vtkTextureSliceUniforms.h"
 #include "vtkVolumeMapper.h"
 
@@ -25,7 +21,7 @@ namespace
 
 using Function = vtkTextureSliceLightCells::Function;
 using Lights = vtkTextureSliceLightVolume::Lights;
-using Source = vtkTextureSliceShadows::Source;
+using Source = vtkTextureSliceUniforms;
 
 /// As many cells as a volume of 256 x 256 x 128 voxels has at half its resolution.
 constexpr std::size_t MostCells = 1048576;
@@ -62,7 +58,7 @@ Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& set
   lights.ToLight = {};
   if (lights.Shadow)
   {
-    lights.ToLight = source.Frame->GetDataDirection(settings.ToLight);
+    lights.ToLight = source.Frame.GetDataDirection(settings.ToLight);
   }
   if (lights.Occlusion)
   {
@@ -71,9 +67,9 @@ Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& set
     std::array<double, 3> zenith = settings.Zenith;
     vtkMath::Normalize(zenith.data());
     vtkMath::Perpendiculars(zenith.data(), east, north, 0.0);
-    lights.Sky = {source.Frame->GetDataDirection({east[0], east[1], east[2]}),
-      source.Frame->GetDataDirection({north[0], north[1], north[2]}),
-      source.Frame->GetDataDirection(zenith)};
+    lights.Sky = {source.Frame.GetDataDirection({east[0], east[1], east[2]}),
+      source.Frame.GetDataDirection({north[0], north[1], north[2]}),
+      source.Frame.GetDataDirection(zenith)};
   }
   return lights;
 }
@@ -82,14 +78,14 @@ Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& set
 /// weight says.
 std::vector<std::vector<Function>> MakeFunctions(const Source& source, double density)
 {
-  const vtkTextureSliceFeatures features = source.Request->GetFeatures();
-  const auto& components = source.Texture->GetComponents();
-  const std::vector<vtkTextureSliceSurface> surfaces = source.Request->MakeSurfaces();
+  const vtkTextureSliceFeatures features = source.Request.GetFeatures();
+  const auto& components = source.Texture.GetComponents();
+  const std::vector<vtkTextureSliceSurface> surfaces = source.Request.MakeSurfaces();
   // The table has halvings of a unit distance.
   const auto make = [&](const vtkTextureSliceTable& table, std::size_t row, std::size_t component,
                       const vtkTextureSliceSurface& surface, double weight)
   {
-    Function function{component, components[component].Range, table.GetAlphas(row)};
+    Function function{component, components[component].Range, table.GetOpacities(row)};
     const float scale = static_cast<float>(density * std::log(2.0) * weight) *
                         surface.InverseUnitDistance * surface.Weight;
     for (float& entry : function.Entries)
@@ -104,13 +100,14 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
   {
     // One function for each component, or that of the opacity.
     const std::size_t component = count > 1 ? i : components.size() - 1;
-    functions.back().push_back(make(*source.Table, i, component, surfaces[i], 1.0));
+    functions.back().push_back(make(source.Table, i, component, surfaces[i], 1.0));
   }
   for (int label = 0; label < features.Labels; ++label)
   {
     const auto row = static_cast<std::size_t>(label);
-    functions.push_back({make(*source.LabelTable, row, 0, surfaces[0], source.LabelWeight),
-      make(*source.Table, 0, 0, surfaces[0], 1.0 - source.LabelWeight)});
+    functions.push_back(
+      {make(source.LabelTable, row, 0, surfaces[0], static_cast<double>(source.LabelWeight)),
+        make(source.Table, 0, 0, surfaces[0], 1.0 - static_cast<double>(source.LabelWeight))});
   }
   return functions;
 }
@@ -118,7 +115,7 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
 /// What cropping and clipping planes leave of the box; nothing: all of it.
 std::optional<vtkTextureSliceLightCells::Cut> FindCut(const Source& source)
 {
-  const vtkTextureSliceFrame& frame = *source.Frame;
+  const vtkTextureSliceFrame& frame = source.Frame;
   vtkTextureSliceLightCells::Cut cut{frame.GetView().Part, frame.GetView().ClippingPlanes};
   if (frame.NeedsCropTest())
   {
@@ -138,26 +135,26 @@ std::optional<vtkTextureSliceLightCells::Cut> FindCut(const Source& source)
   return whole ? std::nullopt : std::optional(cut);
 }
 
-/// The opacity of a surface as the shader looks it up in the first row of the table.
+/// The opacity of a surface.
 double FindOpacity(const Source& source, double value)
 {
-  const auto last = static_cast<double>(source.Table->GetWidth() - 1);
-  const std::array<double, 2>& range = source.Texture->GetComponents().back().Range;
+  const std::vector<float>& entries = source.Table.GetOpacities(0);
+  const std::array<double, 2>& range = source.Texture.GetComponents().back().Range;
   const double width = range[1] > range[0] ? range[1] - range[0] : 1.0;
-  const double entry = std::clamp((value - range[0]) / width, 0.0, 1.0) * last;
+  const double entry =
+    std::clamp((value - range[0]) / width, 0.0, 1.0) * static_cast<double>(entries.size() - 1);
   const auto low = static_cast<std::size_t>(entry);
-  const std::size_t high = std::min(low + 1, source.Table->GetWidth() - 1);
+  const std::size_t high = std::min(low + 1, entries.size() - 1);
   const double part = entry - static_cast<double>(low);
-  const float* entries = source.Table->GetEntries(0);
-  return (1.0 - part) * static_cast<double>(entries[4 * low + 3]) +
-         part * static_cast<double>(entries[4 * high + 3]);
+  return (1.0 - part) * static_cast<double>(entries[low]) +
+         part * static_cast<double>(entries[high]);
 }
 
 /// The isosurfaces as light crosses them; none in other blend modes.
 std::vector<vtkTextureSliceLightCells::Surface> MakeSurfaces(const Source& source, double density)
 {
   std::vector<vtkTextureSliceLightCells::Surface> surfaces;
-  for (const double value : source.Request->GetIsoValues())
+  for (const double value : source.Request.GetIsoValues())
   {
     const double opacity = FindOpacity(source, value);
     const double depth = opacity < 1.0 ? -std::log(1.0 - opacity) : MostDepthOfASurface / density;
@@ -169,11 +166,11 @@ std::vector<vtkTextureSliceLightCells::Surface> MakeSurfaces(const Source& sourc
 
 vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density)
 {
-  const vtkTextureSliceFeatures features = source.Request->GetFeatures();
+  const vtkTextureSliceFeatures features = source.Request.GetFeatures();
   vtkTextureSliceLightCells::Source made;
   made.Scalars =
-    vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame->IsOfCells());
-  made.Masked = source.Texture->IsMasked();
+    vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame.IsOfCells());
+  made.Masked = source.Texture.IsMasked();
   if (features.HasMask())
   {
     made.Mask = static_cast<const unsigned char*>(source.MaskValues->GetVoidPointer(0));
@@ -181,7 +178,7 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
   if (HasSurfaces(features))
   {
     made.Surfaces = MakeSurfaces(source, density);
-    made.Component = source.Texture->GetComponents().size() - 1;
+    made.Component = source.Texture.GetComponents().size() - 1;
   }
   else
   {
@@ -198,7 +195,7 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
 void vtkTextureSliceShadows::Update(
   vtkOpenGLRenderWindow* window, const Source& source, const vtkTextureSliceShadowSettings& asked)
 {
-  const vtkTextureSliceFeatures features = source.Request->GetFeatures();
+  const vtkTextureSliceFeatures features = source.Request.GetFeatures();
   const bool surfaces = HasSurfaces(features);
   vtkTextureSliceShadowSettings settings = asked;
   if (surfaces)
@@ -213,7 +210,7 @@ void vtkTextureSliceShadows::Update(
     return;
   }
   this->HalfScattering = static_cast<float>(settings.Scattering / 2.0);
-  Key key{{source.Texture->GetBricks().GetBuildTime(),
+  Key key{{source.Texture.GetBricks().GetBuildTime(),
             features.HasMask() ? source.MaskValues->GetMTime() : 0},
     MakeCells(source, settings.Density), FindLights(source, settings)};
   // The shader weakens by surfaces themselves, too: not without a light, or a sky.
@@ -227,11 +224,11 @@ void vtkTextureSliceShadows::Update(
       key.Cells, key.From, settings.Interactive ? MostCellsOfInteraction : MostCells);
     this->Coarse = settings.Interactive;
     this->Last = std::move(key);
-    this->MakeImage(source.Image, source.Frame->IsOfCells());
+    this->MakeImage(source.Image, source.Frame.IsOfCells());
     this->Texture->ReleaseGraphicsResources(window);
   }
   // Surfaces and shading weigh shadow and occlusion apart.
-  const bool apart = surfaces || source.Request->IsShaded();
+  const bool apart = surfaces || source.Request.IsShaded();
   const std::array<float, 2> joined = apart ? std::array<float, 2>{} : this->Strength;
   const auto exposure = static_cast<float>(settings.Exposure);
   if (this->Texture->GetHandle() == 0 || joined != this->Joined || exposure != this->Exposure)
@@ -252,11 +249,7 @@ void vtkTextureSliceShadows::Upload(vtkOpenGLRenderWindow* window)
   this->Texture->ResetFormatAndType();
   // A software renderer converts texels of 16 bits whenever it reads them.
   this->Texture->SetInternalFormat(apart ? GL_RG16 : GL_R32F);
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
+  vtkTextureSliceSetSampling(this->Texture, false);
   this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
     static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), apart ? 2 : 1,
     VTK_FLOAT, apart ? this->Volume.GetLight()->GetPointer(0) : joined.data());
@@ -342,9 +335,4 @@ void vtkTextureSliceShadows::SetSurfaces(
   program->SetUniform3f("lightCell", cell.data());
   program->SetUniform2fv("lightSurfaces", static_cast<int>(surfaces.size() / 2),
     reinterpret_cast<const float(*)[2]>(surfaces.data()));
-}
-
-void vtkTextureSliceShadows::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
 }

@@ -11,15 +11,9 @@
 #include <array>
 #include <vector>
 
-class vtkDataArray;
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureSliceFrame;
-class vtkTextureSliceTable;
-class vtkTextureSliceTexture;
-class vtkWindow;
-struct vtkTextureSliceRequest;
 struct vtkTextureSliceUniforms;
 
 /// Where light comes from, in world coordinates, and how much it matters.
@@ -46,24 +40,9 @@ struct vtkTextureSliceShadowSettings
 class vtkTextureSliceShadows
 {
 public:
-  /// What the volume is made from; all of it must be up to date.
-  struct Source
-  {
-    const vtkTextureSliceRequest* Request = nullptr;
-    vtkImageData* Image = nullptr;
-    vtkDataArray* Scalars = nullptr;
-    const vtkTextureSliceTexture* Texture = nullptr;
-    const vtkTextureSliceTable* Table = nullptr;
-    const vtkTextureSliceTable* LabelTable = nullptr; ///< used where the request has labels
-    vtkDataArray* MaskValues = nullptr;               ///< used where the request has a mask
-    const vtkTextureSliceFrame* Frame = nullptr;      ///< knows the volume's matrix and the cuts
-    int CropFlags = 0;
-    double LabelWeight = 1.0; ///< how much the label's functions count
-  };
-
-  void Update(vtkOpenGLRenderWindow* window, const Source& source,
+  /// @param source volume, functions, mask and cuts; all of it must be up to date.
+  void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& source,
     const vtkTextureSliceShadowSettings& asked);
-  void ReleaseGraphicsResources(vtkWindow* window);
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
   bool IsUsed() const { return this->Used; }

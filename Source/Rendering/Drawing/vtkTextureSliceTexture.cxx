@@ -63,9 +63,10 @@ bool Check(const vtkTextureSliceScalars& source, std::string& error)
 
 } // namespace
 
-bool vtkTextureSliceTexture::Update(
-  vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, std::string& error)
+bool vtkTextureSliceTexture::Update(vtkOpenGLRenderWindow* window,
+  const vtkTextureSliceScalars& source, bool nearest, std::string& error)
 {
+  vtkTextureSliceSetSampling(this->Texture, nearest);
   const vtkTextureSliceChecksums::Key key = vtkTextureSliceChecksums::MakeKey(source);
   const bool there = this->Texture->GetHandle() != 0 && this->Texture->GetContext() == window;
   if (there && this->Checksum != nullptr && key == this->Last)
@@ -141,9 +142,6 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Texture->ResetFormatAndType();
   this->Texture->SetInternalFormat(format);
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapR(vtkTextureObject::ClampToEdge);
   ForgetErrors();
   const bool created = this->Texture->Create3DFromRaw(static_cast<unsigned int>(size[0]),
     static_cast<unsigned int>(size[1]), static_cast<unsigned int>(size[2]), channels, scalarType,
@@ -156,17 +154,4 @@ bool vtkTextureSliceTexture::Allocate(
   }
   this->Allocated = wanted;
   return true;
-}
-
-void vtkTextureSliceTexture::SetNearest(bool nearest)
-{
-  const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-  this->Texture->SetMagnificationFilter(filter);
-  this->Texture->SetMinificationFilter(filter);
-}
-
-void vtkTextureSliceTexture::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
-  this->Checksum = nullptr;
 }

@@ -14,7 +14,6 @@
 #include <vector>
 
 class vtkOpenGLRenderWindow;
-class vtkWindow;
 
 /**
  * One to four components of scalars of any type, one texel for each point (or cell), as
@@ -31,12 +30,11 @@ class vtkTextureSliceTexture
 public:
   /**
    * Uploads the scalars if they, the ghost array, the dimensions or the window changed.
+   * @param nearest whether scalars are not interpolated.
    * @return false, with one line in @a error, if the volume does not fit.
    */
-  bool Update(
-    vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, std::string& error);
-  void SetNearest(bool nearest);
-  void ReleaseGraphicsResources(vtkWindow* window);
+  bool Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceScalars& source, bool nearest,
+    std::string& error);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// The scalars' ranges in small parts of the volume; after an Update without error.

@@ -32,8 +32,6 @@ void SetFrame(vtkShaderProgram* program, const vtkTextureSliceFrame& frame)
 {
   program->SetUniform3f("textureScale", frame.GetTextureScale().data());
   program->SetUniform3f("textureBias", frame.GetTextureBias().data());
-  program->SetUniform3f("placeScale", frame.GetTextureScale().data());
-  program->SetUniform3f("placeBias", frame.GetTextureBias().data());
   program->SetUniform3f("cropLow", frame.GetCropLow().data());
   program->SetUniform3f("cropHigh", frame.GetCropHigh().data());
   program->SetUniform3f("voxelStep", frame.GetVoxelStep().data());

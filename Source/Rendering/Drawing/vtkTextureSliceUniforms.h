@@ -3,6 +3,7 @@
 #ifndef vtkTextureSliceUniforms_h
 #define vtkTextureSliceUniforms_h
 
+#include "vtkSmartPointer.h"
 #include "vtkTextureSliceBlanks.h"
 #include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceFrame.h"
@@ -21,6 +22,8 @@
 #include <utility>
 #include <vector>
 
+class vtkDataArray;
+class vtkImageData;
 class vtkShaderProgram;
 class vtkTextureObject;
 class vtkTextureSliceDistanceMap;
@@ -31,6 +34,10 @@ class vtkTextureSliceDistanceMap;
  */
 struct vtkTextureSliceUniforms
 {
+  /// The volume of this frame; of a rectilinear grid, an image of its points or cells.
+  vtkSmartPointer<vtkImageData> Image;
+  vtkDataArray* Scalars = nullptr;
+  vtkDataArray* MaskValues = nullptr; ///< nullptr: there is no mask
   vtkTextureSliceRequest Request;
   vtkTextureSliceFrame Frame;
   vtkTextureSlicePlanes Planes;

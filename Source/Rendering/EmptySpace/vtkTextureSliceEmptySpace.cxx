@@ -2,19 +2,123 @@
 #include "vtkTextureSliceEmptySpace.h"
 
 #include "vtkSMPTools.h"
-#include "vtkTextureSliceBrickTests.h"
-#include "vtkTextureSliceFrame.h"
-#include "vtkTextureSliceRequest.h"
-#include "vtkTextureSliceTable.h"
-#include "vtkTextureSliceTable2D.h"
-#include "vtkTextureSliceTexture.h"
+#include "vtkTextureSliceUniforms.h"
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <limits>
 
 namespace
 {
+
+using Range = vtkTextureSliceBricks::Range;
+using Source = vtkTextureSliceUniforms;
+
+/// Whether a brick counts, by the ranges of its scalars, one for each component.
+using Test = std::function<bool(const Range* ranges)>;
+
+constexpr double Unbounded = std::numeric_limits<double>::infinity();
+
+/// What the graphics hardware may err by in a scalar.
+double FindScalarError(const vtkTextureSliceComponent& component)
+{
+  return 1e-5 * (component.Range[1] - component.Range[0]);
+}
+
+/// How far from its scalars a sample looks at the table, of the width of the functions' domain.
+double FindMargin(const Source& source, const vtkTextureSliceFeatures& features)
+{
+  if (features.Table2D)
+  {
+    // Its entries lie in the middle of equal parts of the domain.
+    return 0.5 / static_cast<double>(std::max(2, source.Table2D.GetWidth()) - 1);
+  }
+  if (!features.Slabs)
+  {
+    return 0.0;
+  }
+  const std::size_t width = features.Labels > 0
+                              ? std::min(source.Table.GetWidth(), source.LabelTable.GetWidth())
+                              : source.Table.GetWidth();
+  return 1.0 / static_cast<double>(vtkTextureSliceIntegralTable::ChooseWidth(width) - 1);
+}
+
+/// The opacities of one component of a brick are above 0 somewhere.
+Test MakeOpacityTest(const Source& source, const vtkTextureSliceFeatures& features, std::size_t row)
+{
+  const auto& components = source.Texture.GetComponents();
+  // Dependent components take their opacity from the last one.
+  const std::size_t component = features.Functions > 1 ? row : components.size() - 1;
+  std::vector<const vtkTextureSliceVisibility*> visibilities{
+    features.Table2D ? &source.Table2D.GetVisibility(row) : &source.Table.GetVisibility(row)};
+  for (std::size_t label = 0; label < static_cast<std::size_t>(features.Labels); ++label)
+  {
+    visibilities.push_back(&source.LabelTable.GetVisibility(label));
+  }
+  const auto [least, most] = components[component].Range;
+  // A brick of which all scalars are invisible may still hide a lesser extreme that is visible; it
+  // is without effect only if everything below (or above) its scalars is invisible too.
+  const double below =
+    features.BlendMode == vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND ? Unbounded : 0.0;
+  const double above =
+    features.BlendMode == vtkVolumeMapper::MINIMUM_INTENSITY_BLEND ? Unbounded : 0.0;
+  return [=, begin = least, margin = FindMargin(source, features),
+           scale = least < most ? 1.0 / (most - least) : 1.0](const Range* ranges)
+  {
+    const Range& range = ranges[component];
+    const double low = (range.Low - below - begin) * scale - margin;
+    const double high = (range.High + above - begin) * scale + margin;
+    return range.Low <= range.High && std::any_of(visibilities.begin(), visibilities.end(),
+                                        [&](const vtkTextureSliceVisibility* visibility)
+                                        { return visibility->IsVisible(low, high); });
+  };
+}
+
+/// The brick has samples that an average counts.
+Test MakeAverageTest(const Source& source, const vtkTextureSliceFeatures& features)
+{
+  // Of several components with functions of their own, an average counts all samples.
+  const double error =
+    features.Functions > 1 ? Unbounded : FindScalarError(source.Texture.GetComponents().front());
+  const auto [low, high] = source.Request.AverageRange;
+  return [least = low - error, most = high + error](const Range* ranges)
+  { return ranges->Low <= ranges->High && ranges->High >= least && ranges->Low <= most; };
+}
+
+/// A surface passes through the brick.
+Test MakeSurfaceTest(const Source& source)
+{
+  const std::size_t component = source.Texture.GetComponents().size() - 1;
+  const double error = FindScalarError(source.Texture.GetComponents()[component]);
+  return [component, error, values = source.Request.GetIsoValues()](const Range* ranges)
+  {
+    const Range& range = ranges[component];
+    const auto next = std::lower_bound(values.begin(), values.end(), range.Low - error);
+    return range.Low <= range.High && next != values.end() && *next <= range.High + error;
+  };
+}
+
+/// A brick counts if one of these is true.
+std::vector<Test> MakeTests(const Source& source)
+{
+  const vtkTextureSliceFeatures features = source.Request.GetFeatures();
+  if (features.BlendMode == vtkVolumeMapper::AVERAGE_INTENSITY_BLEND)
+  {
+    return {MakeAverageTest(source, features)};
+  }
+  if (features.BlendMode == vtkVolumeMapper::ISOSURFACE_BLEND)
+  {
+    return {MakeSurfaceTest(source)};
+  }
+  std::vector<Test> tests;
+  for (std::size_t row = 0; row < static_cast<std::size_t>(features.Functions); ++row)
+  {
+    tests.push_back(MakeOpacityTest(source, features, row));
+  }
+  return tests;
+}
 
 /// For each brick along an axis, the regions (one bit each) between the
 /// cropping planes that it touches, whatever the other axes.
@@ -45,10 +149,10 @@ std::vector<unsigned int> FindRegions(
 
 vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& source)
 {
-  return {source.Texture->GetBricks().GetBuildTime(), source.Table->GetFillTime(),
-    source.LabelTable->GetFillTime(), source.Table2D->GetFillTime(), source.Request->AverageRange,
-    source.Request->GetIsoValues(), source.Request->GetFeatures().GetDefines(),
-    source.Frame->NeedsCropTest(), source.Frame->GetCropLow(), source.Frame->GetCropHigh(),
+  return {source.Texture.GetBricks().GetBuildTime(), source.Table.GetFillTime(),
+    source.LabelTable.GetFillTime(), source.Table2D.GetFillTime(), source.Request.AverageRange,
+    source.Request.GetIsoValues(), source.Request.GetFeatures().GetDefines(),
+    source.Frame.NeedsCropTest(), source.Frame.GetCropLow(), source.Frame.GetCropHigh(),
     source.CropFlags};
 }
 
@@ -60,22 +164,28 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
     return;
   }
   this->Last = std::move(key);
+  const std::vector<unsigned char> before = this->Visible;
   this->FindVisible(source);
-  if (source.Frame->NeedsCropTest())
+  if (source.Frame.NeedsCropTest())
   {
     this->HideCropped(source);
   }
-  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
-  this->Distances.Build(bricks.GetCount(), bricks.GetEdge(), this->Visible);
+  const vtkTextureSliceBricks& bricks = source.Texture.GetBricks();
+  if (this->Visible == before && bricks.GetEdge() == this->Edge)
+  {
+    return; // another colour, or another opacity of what is visible
+  }
+  this->Edge = bricks.GetEdge();
+  this->Distances.Build(bricks.GetCount(), this->Edge, this->Visible);
   this->Seen = this->Distances.FindSeen();
 }
 
 void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
 {
-  const std::vector<vtkTextureSliceBricks::Range>& ranges = source.Texture->GetBricks().GetRanges();
-  const std::size_t components = source.Texture->GetComponents().size();
+  const std::vector<vtkTextureSliceBricks::Range>& ranges = source.Texture.GetBricks().GetRanges();
+  const std::size_t components = source.Texture.GetComponents().size();
   this->Visible.resize(ranges.size() / components);
-  const auto tests = vtkTextureSliceBrickTests::Make(source);
+  const auto tests = MakeTests(source);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Visible.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -90,8 +200,8 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
           this->Visible[brick] = this->Visible[brick - 1];
           continue;
         }
-        const bool visible = std::any_of(tests.begin(), tests.end(),
-          [own](const vtkTextureSliceBrickTests::Test& test) { return test(own); });
+        const bool visible =
+          std::any_of(tests.begin(), tests.end(), [own](const Test& test) { return test(own); });
         this->Visible[brick] = visible ? 1 : 0;
       }
     });
@@ -99,10 +209,10 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
 
 void vtkTextureSliceEmptySpace::HideCropped(const Source& source)
 {
-  const vtkTextureSliceBricks& bricks = source.Texture->GetBricks();
-  const auto alongX = FindRegions(*source.Frame, bricks, 0);
-  const auto alongY = FindRegions(*source.Frame, bricks, 1);
-  const auto alongZ = FindRegions(*source.Frame, bricks, 2);
+  const vtkTextureSliceBricks& bricks = source.Texture.GetBricks();
+  const auto alongX = FindRegions(source.Frame, bricks, 0);
+  const auto alongY = FindRegions(source.Frame, bricks, 1);
+  const auto alongZ = FindRegions(source.Frame, bricks, 2);
   auto visible = this->Visible.begin();
   for (const unsigned int z : alongZ)
   {

@@ -11,33 +11,24 @@
 #include <tuple>
 #include <vector>
 
-class vtkTextureSliceFrame;
-class vtkTextureSliceTable;
-class vtkTextureSliceTable2D;
-class vtkTextureSliceTexture;
-struct vtkTextureSliceRequest;
+struct vtkTextureSliceUniforms;
 
 /**
  * Marks the bricks of a volume that can add to the picture. Changes of the functions alone cost a
- * look at each brick, not at each voxel.
+ * look at each brick, not at each voxel. What counts depends on the blend mode:
+ *
+ * - composite: the opacities of the functions, or of a label's, are above 0 somewhere in the range
+ *   of a brick's scalars; of two-dimensional functions, at some gradient;
+ * - maximum, minimum: the same, of all that a brick's scalars could hide;
+ * - additive: the same as composite; a sample without opacity adds 0;
+ * - average: the scalars that the average counts, whatever their opacity;
+ * - isosurface: an iso-value is in the range.
  */
 class vtkTextureSliceEmptySpace
 {
 public:
-  /// What decides on a brick.
-  struct Source
-  {
-    const vtkTextureSliceRequest* Request = nullptr;
-    const vtkTextureSliceTexture* Texture = nullptr;
-    const vtkTextureSliceTable* Table = nullptr;
-    const vtkTextureSliceTable* LabelTable = nullptr; ///< used where the request has labels
-    const vtkTextureSliceTable2D* Table2D = nullptr;  ///< used where the request has such functions
-    const vtkTextureSliceFrame* Frame = nullptr;      ///< knows the cropping planes
-    int CropFlags = 0;
-  };
-
-  /// Does nothing where nothing has changed.
-  void Update(const Source& source);
+  /// Does nothing where nothing has changed of the scalars, the functions and the cropping.
+  void Update(const vtkTextureSliceUniforms& source);
 
   /// How far it is to the next visible brick.
   vtkTextureSliceDistanceMap& GetDistances() { return this->Distances; }
@@ -57,12 +48,13 @@ private:
   using Key =
     std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
       std::vector<double>, std::string, bool, std::array<float, 3>, std::array<float, 3>, int>;
-  static Key MakeKey(const Source& source);
+  static Key MakeKey(const vtkTextureSliceUniforms& source);
 
-  void FindVisible(const Source& source);
-  void HideCropped(const Source& source);
+  void FindVisible(const vtkTextureSliceUniforms& source);
+  void HideCropped(const vtkTextureSliceUniforms& source);
 
   Key Last;
+  std::array<double, 3> Edge{}; ///< of the bricks that the distances are of
   vtkTextureSliceDistanceMap Distances;
   std::array<double, 6> Seen{0, 1, 0, 1, 0, 1};
   std::vector<unsigned char> Visible; ///< not 0 where a brick counts

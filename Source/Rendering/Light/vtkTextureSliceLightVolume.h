@@ -7,7 +7,6 @@
 #include "vtkNexradRenderingModule.h" // for the export macro
 #include "vtkSmartPointer.h"
 #include "vtkTextureSliceLightCells.h"
-#include "vtkTextureSliceLightGrid.h"
 
 #include <array>
 #include <cstddef>

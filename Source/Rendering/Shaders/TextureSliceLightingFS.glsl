@@ -4,9 +4,6 @@
 // Ambient, diffuse, specular and specular power of each component.
 uniform vec4 material[TEXTURE_SLICE_COMPONENTS];
 uniform bool twoSided;
-// From the box (0 to 1 along each axis) to texture coordinates.
-uniform vec3 textureScale;
-uniform vec3 textureBias;
 
 vec3 UnitOrZero(vec3 v)
 {

@@ -4,6 +4,9 @@
 // its way to the next one, as texture coordinates.
 uniform mat3 placeOfPixel;
 uniform mat3 stepOfPixel;
+// From the box (0 to 1 along each axis) to texture coordinates.
+uniform vec3 textureScale;
+uniform vec3 textureBias;
 // From texture coordinates to data lengths along the axes, in the first component's unit distances.
 uniform vec3 stepToUnits;
 // The part of the box that is drawn.

@@ -11,17 +11,15 @@ uniform vec4 scalarBias;
 uniform sampler1D coordinateTable;
 // From 0 to 1 to the centres of the first and the last entry.
 uniform vec2 coordinateScaleAndBias;
-// From the box to texture coordinates.
-uniform vec3 placeScale;
-uniform vec3 placeBias;
 
 // Texture coordinates where the points are of equal distances to those of the texture.
 vec3 Place(vec3 at)
 {
-  vec3 entry = (at - placeBias) / placeScale * coordinateScaleAndBias.x + coordinateScaleAndBias.y;
+  vec3 entry =
+    (at - textureBias) / textureScale * coordinateScaleAndBias.x + coordinateScaleAndBias.y;
   vec3 part = vec3(textureLod(coordinateTable, entry.x, 0.0).x, textureLod(coordinateTable, entry.y, 0.0).y,
     textureLod(coordinateTable, entry.z, 0.0).z);
-  return part * placeScale + placeBias;
+  return part * textureScale + textureBias;
 }
 #else
 vec3 Place(vec3 at)

@@ -8,6 +8,7 @@
 #include "vtkPointData.h"
 #include "vtkRectilinearGrid.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
 #include <cmath>
@@ -134,9 +135,7 @@ void vtkTextureSliceCoordinates::Update(vtkOpenGLRenderWindow* window)
   std::vector<float> entries;
   this->Fill(entries);
   this->Texture->SetContext(window);
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Linear);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Linear);
+  vtkTextureSliceSetSampling(this->Texture, false);
   this->Texture->Create1DFromRaw(
     static_cast<unsigned int>(this->Width), 4, VTK_FLOAT, entries.data());
   this->Filled = true;
@@ -147,9 +146,4 @@ void vtkTextureSliceCoordinates::SetUniforms(vtkShaderProgram* program) const
   const auto entry = static_cast<float>(1.0 / static_cast<double>(this->Width));
   const std::array<float, 2> scaleAndBias{1.0f - entry, 0.5f * entry};
   program->SetUniform2f("coordinateScaleAndBias", scaleAndBias.data());
-}
-
-void vtkTextureSliceCoordinates::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
 }

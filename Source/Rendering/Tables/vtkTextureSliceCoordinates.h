@@ -15,7 +15,6 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkRectilinearGrid;
 class vtkShaderProgram;
-class vtkWindow;
 
 /**
  * The slices draw a rectilinear grid as an image of the same arrays in the same bounds. Wherever
@@ -39,7 +38,6 @@ public:
 
   /// Makes the table of all axes for a window.
   void Update(vtkOpenGLRenderWindow* window);
-  void ReleaseGraphicsResources(vtkWindow* window);
   /// One channel for each axis: from the place in the box to the part of the intervals before it.
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Sets how a place in the box becomes one in the table.

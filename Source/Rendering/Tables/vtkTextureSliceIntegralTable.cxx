@@ -3,6 +3,7 @@
 
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureSliceOpenGL.h"
 #include "vtkTextureSliceTable.h"
 
 #include <algorithm>
@@ -91,10 +92,7 @@ void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
   {
     Integrate(table.GetEntries(row), width, mostDepth, &integrals[row * this->Width * 4]);
   }
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  this->Texture->SetMagnificationFilter(vtkTextureObject::Nearest);
-  this->Texture->SetMinificationFilter(vtkTextureObject::Nearest);
+  vtkTextureSliceSetSampling(this->Texture, true);
   const auto columns = static_cast<unsigned int>(this->Width);
   if (dimensions == 1)
   {
@@ -110,9 +108,4 @@ void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
 void vtkTextureSliceIntegralTable::SetUniforms(const char* name, vtkShaderProgram* program) const
 {
   program->SetUniformf(name, static_cast<float>(this->Width) - 1.0f);
-}
-
-void vtkTextureSliceIntegralTable::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
 }

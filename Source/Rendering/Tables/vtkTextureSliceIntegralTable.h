@@ -14,7 +14,6 @@
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureSliceTable;
-class vtkWindow;
 
 /**
  * The tables of pre-integrated classification (Formulas L1), one row for each of the first rows of
@@ -38,7 +37,6 @@ public:
    */
   void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceTable& table, int rows,
     int dimensions, double mostDepth);
-  void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Sets the number of the last entry of a row.

@@ -5,6 +5,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
 #include <cmath>
@@ -136,6 +137,26 @@ double ToOpticalDepth(double opacity)
   return std::clamp(-std::log2(1.0 - opacity), 0.0, most);
 }
 
+/// Opacities of the entries of a row become optical depths where these are asked for.
+void ToOpticalDepths(const vtkTextureSliceRow& row, int width, float* entries)
+{
+  for (int i = 0; row.OpticalDepth && i < width; ++i)
+  {
+    entries[4 * i + 3] =
+      static_cast<float>(ToOpticalDepth(static_cast<double>(entries[4 * i + 3])));
+  }
+}
+
+std::vector<float> GetAlphas(const float* entries, std::size_t width)
+{
+  std::vector<float> alphas(width);
+  for (std::size_t i = 0; i < width; ++i)
+  {
+    alphas[i] = entries[4 * i + 3];
+  }
+  return alphas;
+}
+
 } // namespace
 
 vtkTextureSliceTable::Key vtkTextureSliceTable::MakeKey(const vtkTextureSliceRow& row)
@@ -158,11 +179,10 @@ void vtkTextureSliceTable::Update(
     this->Texture->SetContext(window);
     this->Last = keys;
     this->Fill(rows, ChooseWidth(window, rows));
+    this->FillOpacities(window, rows);
     this->Upload();
   }
-  const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-  this->Texture->SetMagnificationFilter(filter);
-  this->Texture->SetMinificationFilter(filter);
+  vtkTextureSliceSetSampling(this->Texture, nearest);
 }
 
 void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width)
@@ -173,24 +193,29 @@ void vtkTextureSliceTable::Fill(const std::vector<vtkTextureSliceRow>& rows, std
   {
     float* const entries = this->Entries.data() + row * width * 4;
     FillRow(rows[row], static_cast<int>(width), entries);
-    this->Visibilities.emplace_back(this->GetAlphas(row));
-    for (std::size_t i = 0; rows[row].OpticalDepth && i < width; ++i)
-    {
-      entries[4 * i + 3] =
-        static_cast<float>(ToOpticalDepth(static_cast<double>(entries[4 * i + 3])));
-    }
+    this->Visibilities.emplace_back(GetAlphas(entries, width));
+    ToOpticalDepths(rows[row], static_cast<int>(width), entries);
   }
   this->FillTime.Modified();
 }
 
-std::vector<float> vtkTextureSliceTable::GetAlphas(std::size_t row) const
+void vtkTextureSliceTable::FillOpacities(
+  vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows)
 {
-  std::vector<float> alphas(this->GetWidth());
-  for (std::size_t i = 0; i < alphas.size(); ++i)
+  for (vtkTextureSliceRow& row : rows)
   {
-    alphas[i] = this->GetEntries(row)[4 * i + 3];
+    row.Color = nullptr;
+    row.Gray = nullptr;
   }
-  return alphas;
+  const std::size_t width = ChooseWidth(window, rows);
+  std::vector<float> entries(4 * width);
+  this->Opacities.clear();
+  for (const vtkTextureSliceRow& row : rows)
+  {
+    FillRow(row, static_cast<int>(width), entries.data());
+    ToOpticalDepths(row, static_cast<int>(width), entries.data());
+    this->Opacities.push_back(GetAlphas(entries.data(), width));
+  }
 }
 
 void vtkTextureSliceTable::Upload()
@@ -200,8 +225,6 @@ void vtkTextureSliceTable::Upload()
   {
     this->Texture->ReleaseGraphicsResources(this->Texture->GetContext());
   }
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   const auto columns = static_cast<unsigned int>(this->GetWidth());
   if (dimensions == 1)
   {
@@ -220,9 +243,4 @@ void vtkTextureSliceTable::SetUniforms(const std::string& name, vtkShaderProgram
   const auto texel = static_cast<float>(1.0 / static_cast<double>(this->GetWidth()));
   program->SetUniformf((name + "Scale").c_str(), 1.0f - texel);
   program->SetUniformf((name + "Bias").c_str(), 0.5f * texel);
-}
-
-void vtkTextureSliceTable::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
 }

@@ -19,7 +19,6 @@ class vtkColorTransferFunction;
 class vtkOpenGLRenderWindow;
 class vtkPiecewiseFunction;
 class vtkShaderProgram;
-class vtkWindow;
 
 /// A function over the range of a component, and whether its own range clamps the scalar first
 /// (vtkGPUVolumeRayCastMapper::NATIVE).
@@ -57,7 +56,6 @@ public:
    */
   void Update(
     vtkOpenGLRenderWindow* window, const std::vector<vtkTextureSliceRow>& rows, bool nearest);
-  void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Where a row's opacity is above 0, over its domain as 0 to 1.
@@ -65,9 +63,9 @@ public:
   {
     return this->Visibilities[row];
   }
-  /// Opacities, or optical depths of a unit distance for each factor of 2 that it weakens what is
-  /// behind (Formulas R1), of the entries of a row.
-  std::vector<float> GetAlphas(std::size_t row) const;
+  /// Opacities of a row over its domain, or optical depths of a unit distance for each factor of 2
+  /// that it weakens what is behind (Formulas R1). Their number does not depend on colours.
+  const std::vector<float>& GetOpacities(std::size_t row) const { return this->Opacities[row]; }
   /// When the rows were filled last.
   vtkMTimeType GetFillTime() const { return this->FillTime.GetMTime(); }
   /// RGBA of the entries of a row as they are in the texture.
@@ -87,10 +85,12 @@ private:
     std::array<double, 2>, bool, std::array<double, 2>, bool, bool>;
   static Key MakeKey(const vtkTextureSliceRow& row);
   void Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width);
+  void FillOpacities(vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows);
   void Upload();
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;
+  std::vector<std::vector<float>> Opacities;           ///< one for each row
   std::vector<vtkTextureSliceVisibility> Visibilities; ///< one for each row
   vtkTimeStamp FillTime;
   std::vector<Key> Last; ///< one for each row that the texture was made from

@@ -5,6 +5,7 @@
 #include "vtkImageData.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkPointData.h"
+#include "vtkTextureSliceOpenGL.h"
 
 #include <algorithm>
 
@@ -62,9 +63,7 @@ bool vtkTextureSliceTable2D::Update(vtkOpenGLRenderWindow* window,
     return false;
   }
   this->Last = key;
-  const int filter = nearest ? vtkTextureObject::Nearest : vtkTextureObject::Linear;
-  this->Texture->SetMagnificationFilter(filter);
-  this->Texture->SetMinificationFilter(filter);
+  vtkTextureSliceSetSampling(this->Texture, nearest);
   return true;
 }
 
@@ -80,8 +79,6 @@ bool vtkTextureSliceTable2D::Upload(const std::vector<vtkImageData*>& images)
   this->Rows = size[1];
   this->Width = size[0];
   this->IndexOpacities(entries, images.size());
-  this->Texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  this->Texture->SetWrapT(vtkTextureObject::ClampToEdge);
   return this->Texture->Create2DFromRaw(static_cast<unsigned int>(size[0]),
     static_cast<unsigned int>(size[1]) * static_cast<unsigned int>(images.size()), 4, VTK_FLOAT,
     entries.data());
@@ -102,9 +99,4 @@ void vtkTextureSliceTable2D::IndexOpacities(const std::vector<float>& entries, s
     this->Visibilities.emplace_back(most);
   }
   this->FillTime.Modified();
-}
-
-void vtkTextureSliceTable2D::ReleaseGraphicsResources(vtkWindow* window)
-{
-  this->Texture->ReleaseGraphicsResources(window);
 }

@@ -16,7 +16,6 @@
 
 class vtkImageData;
 class vtkOpenGLRenderWindow;
-class vtkWindow;
 
 /**
  * Two-dimensional transfer functions as vtkVolumeProperty holds them: images of four floats (red,
@@ -32,7 +31,6 @@ public:
    */
   bool Update(vtkOpenGLRenderWindow* window, const std::vector<vtkImageData*>& images, bool nearest,
     std::string& error);
-  void ReleaseGraphicsResources(vtkWindow* window);
 
   vtkTextureObject* GetTexture() const { return this->Texture; }
   /// Rows of one image.

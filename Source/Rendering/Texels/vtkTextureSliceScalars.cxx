@@ -2,10 +2,117 @@
 #include "vtkTextureSliceScalars.h"
 
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkDataSetAttributes.h"
+#include "vtkFieldData.h"
 #include "vtkImageData.h"
 #include "vtkPointData.h"
 #include "vtkUnsignedCharArray.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace
+{
+
+/// An array of one number for each code; nullptr where there is none.
+vtkDataArray* FindTable(vtkImageData* image, vtkDataArray* scalars, const char* ending)
+{
+  const char* name = scalars->GetName();
+  vtkDataArray* table = name != nullptr
+                          ? image->GetFieldData()->GetArray((std::string(name) + ending).c_str())
+                          : nullptr;
+  const bool fits = table != nullptr && table->GetNumberOfComponents() == 1 &&
+                    table->GetNumberOfTuples() == vtkIdType{vtkTextureSliceCodes::Count};
+  return fits ? table : nullptr;
+}
+
+} // namespace
+
+std::optional<vtkTextureSliceCodes> vtkTextureSliceCodes::Find(
+  vtkImageData* image, vtkDataArray* scalars)
+{
+  vtkDataArray* values = FindTable(image, scalars, "_code_values");
+  if (scalars->GetDataType() != VTK_UNSIGNED_CHAR || scalars->GetNumberOfComponents() != 1 ||
+      values == nullptr)
+  {
+    return std::nullopt;
+  }
+  vtkDataArray* ghosts = FindTable(image, scalars, "_code_ghosts");
+  std::array<double, Count> valueOf;
+  std::array<unsigned char, Count> hidden;
+  for (std::size_t code = 0; code < Count; ++code)
+  {
+    const auto tuple = static_cast<vtkIdType>(code);
+    valueOf[code] = values->GetComponent(tuple, 0);
+    hidden[code] = ghosts != nullptr && ghosts->GetComponent(tuple, 0) != 0.0 ? 1 : 0;
+  }
+  return vtkTextureSliceCodes(valueOf, hidden);
+}
+
+vtkTextureSliceCodes::vtkTextureSliceCodes(
+  const std::array<double, Count>& values, const std::array<unsigned char, Count>& hidden)
+  : Values(values)
+{
+  std::vector<double> seen;
+  for (std::size_t code = 0; code < Count; ++code)
+  {
+    if (!std::isfinite(values[code]))
+    {
+      this->Values[code] = std::numeric_limits<double>::infinity(); // equals itself, unlike NaN
+    }
+    else if (hidden[code] == 0)
+    {
+      this->Visible[code] = 1;
+      seen.push_back(values[code]);
+    }
+  }
+  this->Ascending = std::is_sorted(seen.begin(), seen.end());
+  std::sort(seen.begin(), seen.end());
+  seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+  if (!seen.empty())
+  {
+    this->WholeRange = {seen.front(), seen.back()};
+    this->FindBytes(seen);
+  }
+}
+
+void vtkTextureSliceCodes::FindBytes(const std::vector<double>& seen)
+{
+  // The least distance of two values, of which all others must be a multiple. Values may be rounded
+  // to floats: it is made exact by the whole range.
+  constexpr double tolerance = 1e-3;
+  const double width = seen.back() - seen.front();
+  double least = width > 0.0 ? width : 1.0;
+  for (std::size_t i = 1; i < seen.size(); ++i)
+  {
+    least = std::min(least, seen[i] - seen[i - 1]);
+  }
+  const double steps = std::round(width / least);
+  const double step = steps > 0.0 ? width / steps : 1.0;
+  const auto place = [&](double value) { return (value - seen.front()) / step; };
+  const bool even = std::all_of(seen.begin(), seen.end(),
+    [&](double value) { return std::abs(place(value) - std::round(place(value))) < tolerance; });
+  if (steps > 255.0 || !even)
+  {
+    return;
+  }
+  this->Step = step;
+  this->Base = seen.front();
+  for (std::size_t code = 0; code < Count; ++code)
+  {
+    this->Bytes[code] =
+      this->IsHidden(code) ? 0 : static_cast<unsigned char>(std::lround(place(this->Values[code])));
+  }
+}
+
+std::array<double, 2> vtkTextureSliceCodes::GetRange(std::size_t low, std::size_t high) const
+{
+  return this->Ascending ? std::array<double, 2>{this->Values[low], this->Values[high]}
+                         : this->WholeRange;
+}
 
 std::array<int, 3> vtkTextureSliceScalars::GetSize(vtkImageData* image, bool cellData)
 {

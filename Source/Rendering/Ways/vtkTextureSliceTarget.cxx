@@ -88,10 +88,7 @@ void Prepare(vtkTextureObject* texture, vtkOpenGLRenderWindow* window)
 {
   texture->SetContext(window);
   texture->ResetFormatAndType();
-  texture->SetWrapS(vtkTextureObject::ClampToEdge);
-  texture->SetWrapT(vtkTextureObject::ClampToEdge);
-  texture->SetMinificationFilter(vtkTextureObject::Nearest);
-  texture->SetMagnificationFilter(vtkTextureObject::Nearest);
+  vtkTextureSliceSetSampling(texture, true);
 }
 
 std::string MakeCompositeShader(const vtkTextureSliceFeatures& features)
@@ -224,9 +221,7 @@ void vtkTextureSliceTarget::Composite(bool smooth, const vtkTextureSliceUniforms
   const vtkTextureSliceFeatures& features = uniforms.Features;
   vtkShaderProgram* program = this->Box.Ready(
     this->Window, features.GetDefines(), [&features] { return MakeCompositeShader(features); });
-  const int filter = smooth ? vtkTextureObject::Linear : vtkTextureObject::Nearest;
-  this->Color->SetMinificationFilter(filter);
-  this->Color->SetMagnificationFilter(filter);
+  vtkTextureSliceSetSampling(this->Color, !smooth);
   this->Color->Activate();
   program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
   const std::array<float, 4> toPicture{1.0f / static_cast<float>(this->Viewport[2]),

@@ -57,8 +57,8 @@ GroundShadow::GroundShadow()
 
 GroundShadow::~GroundShadow() = default;
 
-void GroundShadow::Show(
-  vtkActor* ground, vtkImageData* light, const LightOptions& options, vtkImageData* volume)
+void GroundShadow::Show(vtkActor* ground, vtkImageData* light, const LightOptions& options,
+  vtkImageData* volume, bool keeps)
 {
   const bool newGround = ground->GetTexture() != texture && ground->GetTexture() != lit;
   if (newGround)
@@ -70,8 +70,9 @@ void GroundShadow::Show(
     ground->SetTexture(lit);
     return;
   }
-  if (newGround || light->GetMTime() != made || options.shadow != shadow ||
-      options.occlusion != occlusion)
+  const bool changed = light->GetMTime() != made || options.shadow != shadow ||
+                       options.occlusion != occlusion;
+  if (newGround || (changed && !keeps))
   {
     this->Fill(light, options, volume);
     made = light->GetMTime();

@@ -25,9 +25,9 @@ public:
   /// Brings the shadow up to date and puts it on the ground, which has its picture
   /// (MakeGroundPicture) as texture, with coordinates 0 to 1 over the voxels. `light`:
   /// vtkOpenGLTextureSliceVolumeMapper::GetLightVolume; nullptr: there is no shadow. `volume`: what
-  /// the mapper draws.
-  void Show(
-    vtkActor* ground, vtkImageData* light, const LightOptions& options, vtkImageData* volume);
+  /// the mapper draws. `keeps`: the shadow that is there already stays.
+  void Show(vtkActor* ground, vtkImageData* light, const LightOptions& options,
+    vtkImageData* volume, bool keeps = false);
 
 private:
   void Fill(vtkImageData* light, const LightOptions& options, vtkImageData* volume);

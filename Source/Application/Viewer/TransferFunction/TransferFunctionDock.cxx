@@ -3,7 +3,10 @@
 
 #include "Viewer/Parts/LookPanel.h"
 #include "Viewer/Parts/SceneView.h"
+#include "Viewer/TransferFunction/TransferFunctionChart.h"
 #include "Viewer/TransferFunction/TransferFunctionEditor.h"
+
+#include <vtkRenderWindow.h>
 
 #include <QAction>
 #include <QDockWidget>
@@ -14,6 +17,11 @@ namespace nexrad::viewer
 {
 namespace
 {
+
+// Pictures a second that are asked for. While a point is dragged, light comes in larger cells, and
+// pixels become larger only where a picture takes half a second.
+constexpr double rateOfDrag = 2.0;
+constexpr double rateOfRest = 0.0001; // that of a window in which nothing moves
 
 // A dock behind another one is not hidden for Qt, but is for the user.
 void ShowOrHide(QDockWidget* dock)
@@ -50,7 +58,13 @@ TransferFunctionEditor* MakeTransferFunctionDock(
     });
   auto* shortcut = new QShortcut(QKeySequence("T"), &window);
   QObject::connect(shortcut, &QShortcut::activated, dock, [dock] { ShowOrHide(dock); });
-  QObject::connect(editor, &TransferFunctionEditor::Changed, &view, &SceneView::DrawSoon);
+  QObject::connect(editor, &TransferFunctionEditor::Changed, &view,
+    [editor, &view]
+    {
+      const bool held = editor->Chart()->IsHeld();
+      view.renderWindow()->SetDesiredUpdateRate(held ? rateOfDrag : rateOfRest);
+      view.DrawSoon();
+    });
   QObject::connect(editor, &TransferFunctionEditor::PresetChanged, &look, &LookPanel::Follow);
   return editor;
 }

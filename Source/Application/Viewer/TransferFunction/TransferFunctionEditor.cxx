@@ -130,8 +130,12 @@ TransferFunctionEditor::TransferFunctionEditor(vtkNexradVolumeScene* shownScene,
       emit Changed();
       this->FollowSoon();
     });
-  connect(
-    chart, &TransferFunctionChart::EditFinished, this, [this] { this->Finish("Move point"); });
+  connect(chart, &TransferFunctionChart::EditFinished, this,
+    [this]
+    {
+      this->Finish("Move point");
+      emit Changed();
+    });
   auto* deletes = new QShortcut(QKeySequence::Delete, chart);
   deletes->setContext(Qt::WidgetShortcut);
   connect(deletes, &QShortcut::activated, this, &TransferFunctionEditor::DeletePoint);
