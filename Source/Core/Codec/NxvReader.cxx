@@ -6,8 +6,6 @@
 #include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/NxvInput.h"
-#include "nexrad/Codec/NxvPayload.h"
-#include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/HugePages.h"
@@ -29,12 +27,6 @@ namespace
 {
 
 using Bytes = std::vector<std::uint8_t>;
-
-std::uint32_t LittleEndian(const std::uint8_t* bytes)
-{
-  return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8 |
-         static_cast<std::uint32_t>(bytes[2]) << 16 | static_cast<std::uint32_t>(bytes[3]) << 24;
-}
 
 template <typename Work>
 auto NamingTheFile(const fs::path& path, const Work& work)
@@ -506,24 +498,6 @@ std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
       }
       return names;
     });
-}
-
-GriddedVolume ReadRaw(const fs::path& path, GriddedVolume description,
-  const NxvWriteOptions& options, std::size_t maximumBytes)
-{
-  const auto codes = NamingTheFile(path,
-    [&]
-    {
-      CheckMemory(description.grid, 0, maximumBytes);
-      NxvInput file(path);
-      NxvArray whole;
-      whole.length = file.Length();
-      Bytes bytes(description.grid.VoxelCount());
-      ReadByteCodes(file, 0, whole, bytes.data(), bytes.size(), {});
-      return bytes;
-    });
-  Quantizer{options.offset, options.scale, options.maximum}.DecodeAll(codes, description);
-  return description;
 }
 
 } // namespace nexrad
