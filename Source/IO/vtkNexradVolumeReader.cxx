@@ -2,28 +2,99 @@
 #include "vtkNexradVolumeReader.h"
 
 #include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/System/Error.h"
+#include "nexrad/System/Progress.h"
 #include "vtkNexradArrayChoice.h"
+#include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradVolumeFile.h"
-#include "vtkNexradVolumeSteps.h"
 
+#include "vtkDataArraySelection.h"
 #include "vtkErrorCode.h"
 #include "vtkImageData.h"
+#include "vtkInformation.h"
+#include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkStreamingDemandDrivenPipeline.h"
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
 #include <fstream>
 #include <string>
+#include <tuple>
+#include <vector>
 
 vtkStandardNewMacro(vtkNexradVolumeReader);
 
-vtkNexradVolumeReader::vtkNexradVolumeReader() = default;
+/// One volume.
+struct vtkNexradVolumeReader::Step
+{
+  double Time; ///< s since 1970-01-01T00:00:00Z
+  std::filesystem::path File;
+};
 
-vtkNexradVolumeReader::~vtkNexradVolumeReader() = default;
+/// The volumes that the file name stands for, and what the first of them holds.
+struct vtkNexradVolumeReader::Contents
+{
+  std::vector<Step> Steps; ///< at least one, ascending
+  nexrad::GridSpecification Grid;
+  std::vector<std::string> Arrays; ///< names of the ancillary arrays, as REF_age
+  bool AsCodes = false;            ///< the active scalars are given as codes of one byte
+
+  /// The latest at or before the time that is asked for; before the first, and without a time, the
+  /// first.
+  const Step& RequestedStep(vtkInformation* info) const;
+};
+
+const vtkNexradVolumeReader::Step& vtkNexradVolumeReader::Contents::RequestedStep(
+  vtkInformation* info) const
+{
+  if (!info->Has(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()))
+  {
+    return this->Steps.front();
+  }
+  const auto next = std::upper_bound(this->Steps.begin(), this->Steps.end(),
+    info->Get(vtkStreamingDemandDrivenPipeline::UPDATE_TIME_STEP()),
+    [](double wanted, const Step& step) { return wanted < step.Time; });
+  return next == this->Steps.begin() ? this->Steps.front() : *(next - 1);
+}
+
+namespace
+{
+
+bool IsIndex(const std::filesystem::path& path)
+{
+  return path.extension() == ".series";
+}
+
+// Of an index. Throws nexrad::Error for one that cannot be read, and for one that names no file.
+nexrad::NxvSeries FilesIn(const std::filesystem::path& index)
+{
+  nexrad::NxvSeries files = nexrad::ReadNxvSeries(index);
+  if (files.empty())
+  {
+    throw nexrad::Error(index.string() + ": the index names no file");
+  }
+  std::sort(files.begin(), files.end(),
+    [](const auto& a, const auto& b)
+    { return std::tie(a.second, a.first) < std::tie(b.second, b.first); });
+  return files;
+}
+
+} // namespace
+
+vtkNexradVolumeReader::vtkNexradVolumeReader()
+{
+  this->SetNumberOfInputPorts(0);
+}
+
+vtkNexradVolumeReader::~vtkNexradVolumeReader()
+{
+  this->SetFileName(nullptr);
+}
 
 int vtkNexradVolumeReader::CanReadFile(const char* path)
 {
@@ -33,9 +104,9 @@ int vtkNexradVolumeReader::CanReadFile(const char* path)
   }
   try
   {
-    if (vtkNexradIsIndex(path))
+    if (IsIndex(path))
     {
-      vtkNexradListedSteps(path);
+      FilesIn(path);
       return 1;
     }
   }
@@ -48,52 +119,38 @@ int vtkNexradVolumeReader::CanReadFile(const char* path)
   return std::string(magic.data(), magic.size()) == "NXV1" ? 1 : 0;
 }
 
-// What the file name stands for when it is a bare stream, without values.
-nexrad::GriddedVolume vtkNexradVolumeReader::BareVolume() const
-{
-  nexrad::GriddedVolume volume;
-  std::copy_n(this->RawDimensions, 3, volume.grid.dimensions.begin());
-  std::copy_n(this->RawOrigin, 3, volume.grid.origin.begin());
-  std::copy_n(this->RawSpacing, 3, volume.grid.spacing.begin());
-  volume.fill = 0.0F;
-  return volume;
-}
-
-vtkNexradVolumeSteps vtkNexradVolumeReader::ListSteps()
+vtkNexradVolumeReader::Contents vtkNexradVolumeReader::ReadContents() const
 {
   const std::filesystem::path path = this->FileName;
-  vtkNexradVolumeSteps steps;
-  if (this->RawStream)
+  Contents contents;
+  if (IsIndex(path))
   {
-    steps.Steps.push_back({0.0, path});
-    steps.HasTimes = false;
-    steps.Grid = this->BareVolume().grid;
-    return steps;
+    for (const auto& [name, time] : FilesIn(path))
+    {
+      contents.Steps.push_back({time, path.parent_path() / name});
+    }
   }
-  steps.Steps = vtkNexradListedSteps(path);
-  const std::filesystem::path firstFile = steps.Steps.front().File;
+  const std::filesystem::path firstFile = IsIndex(path) ? contents.Steps.front().File : path;
   const nexrad::GriddedVolume first = nexrad::ReadNxvHeader(firstFile);
-  if (!vtkNexradIsIndex(path))
+  if (!IsIndex(path))
   {
-    steps.Steps.front().Time = nexrad::ToSeconds(first.time);
+    contents.Steps.push_back({nexrad::ToSeconds(first.time), path});
   }
-  steps.Grid = first.grid;
-  steps.OfOneRadar = first.ofOneRadar;
-  steps.Ancillary = nexrad::ReadNxvAncillaryArrayNames(firstFile);
+  contents.Grid = first.grid;
+  contents.Arrays = nexrad::ReadNxvAncillaryArrayNames(firstFile);
+  if (first.ofOneRadar)
+  {
+    contents.Arrays.insert(contents.Arrays.end(), {"azimuth", "elevation", "slant_range"});
+  }
   nexrad::NxvReadOptions options;
   options.moments = vtkNexradMomentsToRead(this->Moments);
-  steps.AsCodes = this->ScalarsAsCodes && nexrad::HasNxvCodes(firstFile, options);
-  return steps;
+  contents.AsCodes = this->ScalarsAsCodes && nexrad::HasNxvCodes(firstFile, options);
+  return contents;
 }
 
-void vtkNexradVolumeReader::ReadStep(const vtkNexradVolumeStep& step, vtkImageData* image)
+void vtkNexradVolumeReader::ReadStep(const Step& step, vtkImageData* image)
 {
-  if (this->RawStream)
-  {
-    vtkNexradVolumeToImage(nexrad::ReadRaw(step.File, this->BareVolume()), image);
-    return;
-  }
-  if (nexrad::ReadNxvHeader(step.File).grid != this->OpenedSteps().Grid)
+  if (nexrad::ReadNxvHeader(step.File).grid != this->Opened->Grid)
   {
     throw nexrad::Error(
       step.File.string() + ": its grid is not that of the first volume of the series");
@@ -104,15 +161,112 @@ void vtkNexradVolumeReader::ReadStep(const vtkNexradVolumeStep& step, vtkImageDa
     image);
 }
 
+vtkDataArraySelection* vtkNexradVolumeReader::GetAncillaryArraySelection()
+{
+  return this->AncillaryArraySelection;
+}
+
+vtkMTimeType vtkNexradVolumeReader::GetMTime()
+{
+  return std::max(this->Superclass::GetMTime(), this->AncillaryArraySelection->GetMTime());
+}
+
+int vtkNexradVolumeReader::Fail(unsigned long code, const std::string& line)
+{
+  this->SetErrorCode(code);
+  // What is wrong with a file that an index names is said of the index.
+  const std::string name = this->FileName != nullptr ? this->FileName : "";
+  return vtkNexradFail(this, line.rfind(name, 0) == 0 ? line : name + ": " + line);
+}
+
+int vtkNexradVolumeReader::RequestInformation(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  this->SetErrorCode(vtkErrorCode::NoError);
+  this->Opened.reset();
+  const unsigned long pathError = vtkNexradPathError(this->FileName);
+  if (pathError != vtkErrorCode::NoError)
+  {
+    return this->Fail(pathError, vtkNexradPathErrorText(pathError, this->FileName));
+  }
+  try
+  {
+    this->Opened = std::make_unique<Contents>(this->ReadContents());
+  }
+  catch (const nexrad::Error& error)
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, error.what());
+  }
+  vtkNexradListArrays(this->Opened->Arrays, this->AncillaryArraySelection);
+  this->Describe(output->GetInformationObject(0));
+  return 1;
+}
+
+// Says what the output will be.
+void vtkNexradVolumeReader::Describe(vtkInformation* info) const
+{
+  const nexrad::GridSpecification& grid = this->Opened->Grid;
+  vtkNexradOfferExtent(info, grid.dimensions.data());
+  info->Set(vtkDataObject::ORIGIN(), grid.origin.data(), 3);
+  info->Set(vtkDataObject::SPACING(), grid.spacing.data(), 3);
+  vtkDataObject::SetPointDataActiveScalarInfo(
+    info, this->Opened->AsCodes ? VTK_UNSIGNED_CHAR : VTK_FLOAT, 1);
+  std::vector<double> times;
+  for (const Step& step : this->Opened->Steps)
+  {
+    times.push_back(step.Time);
+  }
+  const double range[2] = {times.front(), times.back()};
+  info->Set(
+    vtkStreamingDemandDrivenPipeline::TIME_STEPS(), times.data(), static_cast<int>(times.size()));
+  info->Set(vtkStreamingDemandDrivenPipeline::TIME_RANGE(), range, 2);
+}
+
+int vtkNexradVolumeReader::RequestData(
+  vtkInformation*, vtkInformationVector**, vtkInformationVector* output)
+{
+  if (!this->Opened)
+  {
+    return 0; // the information request failed, and said why
+  }
+  this->SetErrorCode(vtkErrorCode::NoError);
+  vtkNexradForgetAbort(this);
+  vtkInformation* info = output->GetInformationObject(0);
+  const Step& step = this->Opened->RequestedStep(info);
+  const nexrad::Progress progress = vtkNexradProgress(this);
+  vtkImageData* image = vtkImageData::GetData(output);
+  image->Initialize();
+  const nexrad::VoxelBlock block = vtkNexradRequestedBlock(info, this->Opened->Grid);
+  if (block.VoxelCount() == 0 || !progress(0.0))
+  {
+    return 1;
+  }
+  try
+  {
+    this->ReadStep(step, image);
+    const int extent[6] = {block.begin[0], block.end[0] - 1, block.begin[1], block.end[1] - 1,
+      block.begin[2], block.end[2] - 1};
+    image->Crop(extent);
+    vtkNexradAddRadarView(image, vtkNexradNamesToLeaveOut(this->AncillaryArraySelection));
+  }
+  catch (const nexrad::Error& error)
+  {
+    return this->Fail(vtkErrorCode::FileFormatError, error.what());
+  }
+  image->GetInformation()->Set(vtkDataObject::DATA_TIME_STEP(), step.Time);
+  if (!progress(0.9))
+  {
+    image->Initialize();
+  }
+  return 1;
+}
+
 void vtkNexradVolumeReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
+  os << indent << "Moments: " << this->Moments << "\n";
   os << indent << "ScalarsAsCodes: " << this->ScalarsAsCodes << "\n";
-  os << indent << "RawStream: " << this->RawStream << "\n";
-  os << indent << "RawDimensions: " << this->RawDimensions[0] << ", " << this->RawDimensions[1]
-     << ", " << this->RawDimensions[2] << "\n";
-  os << indent << "RawOrigin: " << this->RawOrigin[0] << ", " << this->RawOrigin[1] << ", "
-     << this->RawOrigin[2] << "\n";
-  os << indent << "RawSpacing: " << this->RawSpacing[0] << ", " << this->RawSpacing[1] << ", "
-     << this->RawSpacing[2] << "\n";
+  os << indent << "AncillaryArraySelection:\n";
+  this->AncillaryArraySelection->PrintSelf(os, indent.GetNextIndent());
 }

@@ -13,11 +13,10 @@
  * (or in degrees, when the volume was made so). vtkNexradImageConversion.h lists arrays and field
  * data.
  *
- * A .nxv file is one time step. An index gives the time steps of its files. FileName is the path of
- * either, or of a bare stream.
- *
- * With RawStream on, the file is the bare run-length stream of the codes, which knows nothing of
- * its grid: RawDimensions, RawOrigin and RawSpacing say it. Its values are whole dBZ.
+ * A .nxv file is one time step. An index gives the time steps of its files, which must all have the
+ * grid of the first. A requested time shows the latest volume at or before it (before the first,
+ * the first). A pipeline may ask for any box of the voxels (UPDATE_EXTENT); all are read for it,
+ * and the rest let go.
  *
  * Errors name the file and the byte offset; error codes are NoFileNameError, FileNotFoundError,
  * CannotOpenFileError and FileFormatError. Source: Documentation/Formats/nxv.md.
@@ -25,19 +24,20 @@
 #ifndef vtkNexradVolumeReader_h
 #define vtkNexradVolumeReader_h
 
+#include "vtkImageAlgorithm.h"
+#include "vtkNew.h"            // For members
 #include "vtkNexradIOModule.h" // For export macro
-#include "vtkNexradStepReader.h"
 
-namespace nexrad
-{
-struct GriddedVolume;
-}
+#include <memory> // For members
+#include <string> // For members
 
-class VTKNEXRADIO_EXPORT vtkNexradVolumeReader : public vtkNexradStepReader
+class vtkDataArraySelection;
+
+class VTKNEXRADIO_EXPORT vtkNexradVolumeReader : public vtkImageAlgorithm
 {
 public:
   static vtkNexradVolumeReader* New();
-  vtkTypeMacro(vtkNexradVolumeReader, vtkNexradStepReader);
+  vtkTypeMacro(vtkNexradVolumeReader, vtkImageAlgorithm);
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
@@ -47,57 +47,68 @@ public:
 
   ///@{
   /**
+   * Path of the file, or of the index.
+   */
+  vtkSetFilePathMacro(FileName);
+  vtkGetFilePathMacro(FileName);
+  ///@}
+
+  ///@{
+  /**
+   * Names of the moments to read of a file that has several, as "VEL,REF": the first gives the
+   * active scalars and the ghost flags. Empty, the default: all, in the order of the file.
+   */
+  vtkSetMacro(Moments, std::string);
+  vtkGetMacro(Moments, std::string);
+  ///@}
+
+  /**
+   * Which of the ancillary arrays (`REF_age`, `REF_radars`, `REF_weight`, `REF_site`; of a volume
+   * of one radar alone also `azimuth`, `elevation`, `slant_range`, which are computed) are given.
+   * It lists those of the file, of a series those of its first volume, once the information is up
+   * to date; all are on by default.
+   */
+  vtkDataArraySelection* GetAncillaryArraySelection();
+
+  ///@{
+  /**
    * Give the scalars as the file's codes, one byte a voxel, with what they stand for in the field
    * data (vtkNexradImageConversion.h): vtkOpenGLTextureSliceVolumeMapper draws them as it draws
    * values, and they are read several times as fast and take a sixth of the memory. Files whose
-   * codes take two bytes, files of floats and bare streams give values all the same. Off by
-   * default.
+   * codes take two bytes, and files of floats, give values all the same. Off by default.
    */
   vtkSetMacro(ScalarsAsCodes, bool);
   vtkGetMacro(ScalarsAsCodes, bool);
   vtkBooleanMacro(ScalarsAsCodes, bool);
   ///@}
 
-  ///@{
-  /**
-   * Read a bare run-length stream. Off by default.
-   */
-  vtkSetMacro(RawStream, bool);
-  vtkGetMacro(RawStream, bool);
-  vtkBooleanMacro(RawStream, bool);
-  ///@}
-
-  ///@{
-  /**
-   * Grid of a bare stream: voxels along x, y, z (256, 256, 128 by default), centre of the first
-   * voxel (0, 0, 0) and distance between centres (1, 1, 1) in metres.
-   */
-  vtkSetVector3Macro(RawDimensions, int);
-  vtkGetVector3Macro(RawDimensions, int);
-  vtkSetVector3Macro(RawOrigin, double);
-  vtkGetVector3Macro(RawOrigin, double);
-  vtkSetVector3Macro(RawSpacing, double);
-  vtkGetVector3Macro(RawSpacing, double);
-  ///@}
+  vtkMTimeType GetMTime() override;
 
 protected:
   vtkNexradVolumeReader();
   ~vtkNexradVolumeReader() override;
 
-  vtkNexradVolumeSteps ListSteps() override;
-  void ReadStep(const vtkNexradVolumeStep& step, vtkImageData* image) override;
+  int RequestInformation(
+    vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
+  int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector* output) override;
 
+  char* FileName = nullptr;
+  std::string Moments;
   bool ScalarsAsCodes = false;
-  bool RawStream = false;
-  int RawDimensions[3] = {256, 256, 128};
-  double RawOrigin[3] = {0.0, 0.0, 0.0};
-  double RawSpacing[3] = {1.0, 1.0, 1.0};
 
 private:
   vtkNexradVolumeReader(const vtkNexradVolumeReader&) = delete;
   void operator=(const vtkNexradVolumeReader&) = delete;
 
-  nexrad::GriddedVolume BareVolume() const;
+  struct Step;
+  struct Contents;
+  Contents ReadContents() const;
+  void ReadStep(const Step& step, vtkImageData* image);
+  int Fail(unsigned long code, const std::string& line);
+  void Describe(vtkInformation* info) const;
+
+  vtkNew<vtkDataArraySelection> AncillaryArraySelection;
+  std::unique_ptr<Contents> Opened; ///< none: the information request failed
 };
 
 #endif

@@ -14,31 +14,6 @@ vtkNexradVolumeWriter::vtkNexradVolumeWriter() = default;
 
 vtkNexradVolumeWriter::~vtkNexradVolumeWriter() = default;
 
-nexrad::NxvWriteOptions vtkNexradVolumeWriter::MakeOptions() const
-{
-  nexrad::NxvWriteOptions options;
-  options.offset = this->CodeOffset;
-  options.scale = this->CodeScale;
-  switch (this->Encoding)
-  {
-  case RADAR_STEPS:
-    options.encoding = nexrad::NxvEncoding::RadarSteps;
-    break;
-  case RUN_LENGTH:
-    options.encoding = nexrad::NxvEncoding::RunLength;
-    break;
-  case RUN_LENGTH_DEFLATED:
-    options.encoding = nexrad::NxvEncoding::RunLengthDeflated;
-    break;
-  case FLOAT:
-    options.encoding = nexrad::NxvEncoding::Float;
-    break;
-  default:
-    break;
-  }
-  return options;
-}
-
 void vtkNexradVolumeWriter::BeginSteps()
 {
   this->Index.clear();
@@ -49,23 +24,17 @@ void vtkNexradVolumeWriter::WriteVolume(const nexrad::GriddedVolume& volume)
   std::filesystem::path path = this->FileName;
   if (this->IsSeries())
   {
-    if (this->RawStream)
-    {
-      throw nexrad::Error("a series of bare streams cannot be written: name one file");
-    }
     const std::string name = nexrad::FormatForFileName(volume.time) + ".nxv";
     path = path.parent_path() / name;
-    Attempt([&]() { nexrad::WriteNxv(path, volume, this->MakeOptions()); });
     this->Index.emplace_back(name, nexrad::ToSeconds(volume.time));
   }
-  else if (this->RawStream)
+  nexrad::NxvWriteOptions options;
+  if (this->Encoding != AUTOMATIC)
   {
-    Attempt([&]() { nexrad::WriteRaw(path, volume, this->MakeOptions()); });
+    options.encoding =
+      this->Encoding == FLOAT ? nexrad::NxvEncoding::Float : nexrad::NxvEncoding::RadarSteps;
   }
-  else
-  {
-    Attempt([&]() { nexrad::WriteNxv(path, volume, this->MakeOptions()); });
-  }
+  Attempt([&]() { nexrad::WriteNxv(path, volume, options); });
   this->Written.push_back(path.string());
 }
 
@@ -82,7 +51,4 @@ void vtkNexradVolumeWriter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Encoding: " << this->Encoding << "\n";
-  os << indent << "CodeScale: " << this->CodeScale << "\n";
-  os << indent << "CodeOffset: " << this->CodeOffset << "\n";
-  os << indent << "RawStream: " << this->RawStream << "\n";
 }

@@ -25,11 +25,6 @@
 #include <utility> // For members
 #include <vector>  // For members
 
-namespace nexrad
-{
-struct NxvWriteOptions;
-}
-
 class VTKNEXRADIO_EXPORT vtkNexradVolumeWriter : public vtkNexradStepWriter
 {
 public:
@@ -38,46 +33,24 @@ public:
   void PrintSelf(ostream& os, vtkIndent indent) override;
 
   /**
-   * AUTOMATIC: RUN_LENGTH for volumes of the method "thesis", else RADAR_STEPS. RADAR_STEPS: codes
-   * of 8 or 16 bits in the steps in which the radar sends the moment (half dBZ from -32 to 94.5 for
-   * reflectivity), deflated. RUN_LENGTH: 7-bit codes in the thesis's stream as it stands.
-   * RUN_LENGTH_DEFLATED: the same, deflated. FLOAT: exact values and states, deflated.
+   * AUTOMATIC: for reflectivity of the method "thesis" the thesis's code (whole dBZ from 1 to 80),
+   * else RADAR_STEPS. RADAR_STEPS: codes of 8 or 16 bits in the steps in which the radar sends the
+   * moment (half dBZ from -32 to 94.5 for reflectivity), deflated. FLOAT: exact values and states,
+   * deflated.
    */
   enum EncodingType
   {
     AUTOMATIC = 0,
-    RUN_LENGTH = 1,
-    RUN_LENGTH_DEFLATED = 2,
-    FLOAT = 3,
-    RADAR_STEPS = 4
+    RADAR_STEPS = 1,
+    FLOAT = 2
   };
 
   ///@{
   /**
    * How the values are stored. AUTOMATIC by default.
    */
-  vtkSetClampMacro(Encoding, int, AUTOMATIC, RADAR_STEPS);
+  vtkSetClampMacro(Encoding, int, AUTOMATIC, FLOAT);
   vtkGetMacro(Encoding, int);
-  ///@}
-
-  ///@{
-  /**
-   * Of the two RUN_LENGTH encodings: width of a 7-bit code in the moment's unit (1 dBZ by default)
-   * and the value of code 0 (0).
-   */
-  vtkSetMacro(CodeScale, double);
-  vtkGetMacro(CodeScale, double);
-  vtkSetMacro(CodeOffset, double);
-  vtkGetMacro(CodeOffset, double);
-  ///@}
-
-  ///@{
-  /**
-   * Write the bare run-length stream without a header. Off by default; not for an index.
-   */
-  vtkSetMacro(RawStream, bool);
-  vtkGetMacro(RawStream, bool);
-  vtkBooleanMacro(RawStream, bool);
   ///@}
 
 protected:
@@ -90,15 +63,10 @@ protected:
   void EndSteps() override;
 
   int Encoding = AUTOMATIC;
-  double CodeScale = 1.0;
-  double CodeOffset = 0.0;
-  bool RawStream = false;
 
 private:
   vtkNexradVolumeWriter(const vtkNexradVolumeWriter&) = delete;
   void operator=(const vtkNexradVolumeWriter&) = delete;
-
-  nexrad::NxvWriteOptions MakeOptions() const;
 
   std::vector<std::pair<std::string, double>> Index; ///< volumes written so far
 };

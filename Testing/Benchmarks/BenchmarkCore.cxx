@@ -3,8 +3,7 @@
 // Usage: BenchmarkCore [options of Google Benchmark, for example --benchmark_filter=Decode]
 #include "TestData.h"
 #include "nexrad/Codec/NxvFile.h"
-#include "nexrad/Codec/Quantizer.h"
-#include "nexrad/Codec/RunLength.h"
+#include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/ParallelBunzip.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Level2/Level2File.h"
@@ -234,11 +233,10 @@ BENCHMARK(MergeAsTheThesis)->Arg(128)->Arg(256)->Unit(benchmark::kMillisecond);
 
 void EncodeRuns(benchmark::State& state)
 {
-  const Bytes codes = Quantizer().EncodeAll(MergedVolume(256));
+  const Bytes codes = ThesisCode::EncodeAll(MergedVolume(256));
   for (auto _ : state)
   {
-    benchmark::DoNotOptimize(
-      EncodeRunLength(codes.data(), codes.size(), RunLengthThreshold::Compact));
+    benchmark::DoNotOptimize(EncodeRunLength(codes));
   }
   SetBytes(state, codes.size());
 }
@@ -246,8 +244,8 @@ BENCHMARK(EncodeRuns)->Unit(benchmark::kMillisecond);
 
 void DecodeRuns(benchmark::State& state)
 {
-  Bytes codes = Quantizer().EncodeAll(MergedVolume(256));
-  const Bytes stream = EncodeRunLength(codes.data(), codes.size(), RunLengthThreshold::Compact);
+  Bytes codes = ThesisCode::EncodeAll(MergedVolume(256));
+  const Bytes stream = EncodeRunLength(codes);
   for (auto _ : state)
   {
     DecodeRunLength(stream.data(), stream.size(), codes.data(), codes.size());

@@ -69,8 +69,7 @@ bool IsZlibStream(const Bytes& bytes)
 // The payload of an array, deflated where the header says so and it is not.
 Bytes PayloadOf(const Json& array, const Bytes& bytes)
 {
-  const bool deflated = array.value("encoding", Json()) == "deflate" ||
-                        array.value("encoding", Json()) == "rle+deflate";
+  const bool deflated = array.value("encoding", Json()) == "deflate";
   return deflated && !IsZlibStream(bytes) ? DeflateBytes(bytes.data(), bytes.size()) : bytes;
 }
 
@@ -273,10 +272,9 @@ std::vector<Bytes> FuzzSeeds()
   geographic.grid.spacing = {0.01, 0.01, 500.0};
   GriddedVolume several = plain;
   several.further.push_back(velocity);
-  std::vector<Bytes> seeds = {Written(plain, NxvEncoding::RunLength),
-    Written(plain, NxvEncoding::RunLengthDeflated), Written(rich, NxvEncoding::RadarSteps),
-    Written(rich, NxvEncoding::Float), Written(several, NxvEncoding::RadarSteps),
-    Written(geographic, NxvEncoding::Float)};
+  std::vector<Bytes> seeds = {Written(plain, NxvEncoding::Thesis),
+    Written(rich, NxvEncoding::RadarSteps), Written(rich, NxvEncoding::Float),
+    Written(several, NxvEncoding::RadarSteps), Written(geographic, NxvEncoding::Float)};
   for (std::size_t i = 1, count = seeds.size(); i < count; ++i)
   {
     seeds.push_back(Inflated(seeds[i]));

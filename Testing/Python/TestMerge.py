@@ -173,7 +173,7 @@ class Refusals(unittest.TestCase):
             series.write(path)
         with self.assertRaisesRegex(vtknexrad.Error, "there are no volumes to write"):
             series[5:5].write(path_of("none"))
-        with self.assertRaisesRegex(ValueError, "^code is 'zip'; it must be one of automatic, thesis, exact, radar$"):
+        with self.assertRaisesRegex(ValueError, "^code is 'zip'; it must be one of automatic, radar, exact$"):
             series.write(path_of("none"), code="zip")
 
 

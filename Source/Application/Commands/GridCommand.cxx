@@ -53,8 +53,8 @@ VolumeFormat ParseFormat(const std::string& text)
 
 NxvEncoding ParseCode(const std::string& text)
 {
-  constexpr std::pair<const char*, NxvEncoding> names[] = {{"radar", NxvEncoding::RadarSteps},
-    {"thesis", NxvEncoding::RunLength}, {"exact", NxvEncoding::Float}};
+  constexpr std::pair<const char*, NxvEncoding> names[] = {
+    {"radar", NxvEncoding::RadarSteps}, {"exact", NxvEncoding::Float}};
   for (const auto& [name, encoding] : names)
   {
     if (text == name)
@@ -62,10 +62,10 @@ NxvEncoding ParseCode(const std::string& text)
       return encoding;
     }
   }
-  throw Error("'" + text + "' is no code of volumes; write radar, thesis or exact");
+  throw Error("'" + text + "' is no code of volumes; write radar or exact");
 }
 
-// Which formats have which options; and the codes of the thesis are whole dBZ.
+// Which formats have which options.
 void CheckFormat(const GridJob& job)
 {
   if (job.written.nxv.encoding && job.written.format != VolumeFormat::Nxv)
@@ -79,12 +79,6 @@ void CheckFormat(const GridJob& job)
   if (job.oneFile && job.written.format != VolumeFormat::NetCDF)
   {
     throw CLI::ValidationError("--one-file", "is of --format nc alone");
-  }
-  const bool reflectivityAlone =
-    job.options.moment == MomentName::REF && job.options.furtherMoments.empty();
-  if (job.written.nxv.encoding == NxvEncoding::RunLength && !reflectivityAlone)
-  {
-    throw CLI::ValidationError("--code", "'thesis' is of --moment REF alone");
   }
 }
 
@@ -206,8 +200,8 @@ void AddGridCommand(CLI::App& program, CommandAction& action)
     "and "
     "age, as multi-Doppler analysis needs them (default: merge the radars)");
   AddParsedOption(*command, "--code", options->job.written.nxv.encoding, ParseCode, "NAME",
-    "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), thesis (REF "
-    "alone, whole dBZ from 1 to 80), or exact (default: as --method, radar for beam)");
+    "How nxv stores values: radar (the steps that the radar sends; half dBZ for REF), or exact "
+    "(default: radar; of the method thesis its own code, whole dBZ from 1 to 80)");
   command->add_flag(
     "--json", options->json, "Print what was made as JSON (default: lines of text)");
   AddQuietOption(*command, options->quiet);

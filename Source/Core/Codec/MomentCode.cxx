@@ -2,11 +2,12 @@
 #include "nexrad/Codec/MomentCode.h"
 
 #include "nexrad/Codec/EchoVoxels.h"
-#include "nexrad/Codec/Quantizer.h"
+#include "nexrad/System/Error.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 namespace nexrad
 {
@@ -133,6 +134,17 @@ void MomentCode::DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume
     const unsigned code = codes[i] | higher << 8;
     volume.values[i] = values[code];
     volume.states[i] = StateOf(code);
+  }
+}
+
+void CheckVoxelCount(const GriddedVolume& volume)
+{
+  const std::size_t voxels = volume.grid.VoxelCount();
+  if (voxels == 0 || volume.values.size() != voxels || volume.states.size() != voxels)
+  {
+    throw Error("a volume of " + std::to_string(voxels) + " voxels with " +
+                std::to_string(volume.values.size()) + " values and " +
+                std::to_string(volume.states.size()) + " states cannot be stored");
   }
 }
 

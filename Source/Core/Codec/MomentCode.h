@@ -46,4 +46,7 @@ struct MomentCode
   void DecodeAll(const std::vector<std::uint8_t>& codes, GriddedVolume& volume) const;
 };
 
+/// Throws Error unless the volume has one value and one state for each voxel of its grid.
+void CheckVoxelCount(const GriddedVolume& volume);
+
 } // namespace nexrad

@@ -25,9 +25,8 @@ using Json = nlohmann::ordered_json;
 // Last key of the text; its CRC-32 covers the text before this.
 constexpr std::string_view checksumKey = ",\"header_crc32\":";
 
-constexpr std::array<std::pair<NxvStorage, const char*>, 3> storageNames = {
-  {{NxvStorage::RunLength, "rle"}, {NxvStorage::RunLengthDeflated, "rle+deflate"},
-    {NxvStorage::Deflated, "deflate"}}};
+constexpr std::array<std::pair<NxvStorage, const char*>, 2> storageNames = {
+  {{NxvStorage::RunLength, "rle"}, {NxvStorage::Deflated, "deflate"}}};
 
 constexpr std::array<std::pair<NxvType, const char*>, 4> typeNames = {{{NxvType::UInt7, "uint7"},
   {NxvType::UInt8, "uint8"}, {NxvType::UInt16, "uint16"}, {NxvType::Float32, "float32"}}};

@@ -13,9 +13,8 @@ namespace nexrad
 /// How the bytes of one array of a volume file are made (Documentation/Formats/nxv.md).
 enum class NxvStorage
 {
-  RunLength,         ///< "rle"
-  RunLengthDeflated, ///< "rle+deflate"
-  Deflated           ///< "deflate"
+  RunLength, ///< "rle"
+  Deflated   ///< "deflate"
 };
 
 /// What the bytes stand for when they are unpacked.

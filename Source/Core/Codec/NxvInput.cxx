@@ -2,6 +2,8 @@
 #include "nexrad/Codec/NxvInput.h"
 
 #include "nexrad/Codec/JsonText.h"
+#include "nexrad/Codec/MomentCode.h"
+#include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
 
@@ -159,6 +161,56 @@ void CheckNxvPayloads(NxvInput& file, const NxvContent& content)
     }
     offset += array.length;
   }
+}
+
+void ReadDeflated(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* target,
+  std::size_t size, const RangeLoop& loop)
+{
+  const auto stream = file.ReadAll(offset, array.length);
+  if (array.pieces.empty())
+  {
+    InflateBytes(stream.data(), stream.size(), target, size);
+  }
+  else
+  {
+    InflatePieces(stream.data(), array.pieces, array.pieceBytes, target, size, loop);
+  }
+}
+
+bool HasByteCodes(const NxvArray& array)
+{
+  return array.type == NxvType::UInt7 || array.type == NxvType::UInt8;
+}
+
+void ReadByteCodes(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* codes,
+  std::size_t voxels, const RangeLoop& loop)
+{
+  if (array.storage == NxvStorage::Deflated)
+  {
+    ReadDeflated(file, offset, array, codes, voxels, loop);
+    return;
+  }
+  const auto stream = file.ReadAll(offset, array.length);
+  DecodeRunLength(stream.data(), stream.size(), codes, voxels, loop);
+}
+
+VoxelCodes ByteCodesOf(const NxvArray& array, float fill)
+{
+  const bool sevenBits = array.type == NxvType::UInt7;
+  const MomentCode momentCode{1, array.offset, array.scale};
+  VoxelCodes meaning;
+  for (unsigned code = 0; code < VoxelCodes::Count; ++code)
+  {
+    const auto byte = static_cast<std::uint8_t>(code);
+    VoxelState& state = meaning.states[code];
+    state = sevenBits ? ThesisCode::StateOf(byte) : MomentCode::StateOf(code);
+    if (sevenBits && code > ThesisCode::NotScannedCode)
+    {
+      state = VoxelState::NotScanned; // no voxel has such a code
+    }
+    meaning.values[code] = state == VoxelState::Echo ? momentCode.ValueOf(code) : fill;
+  }
+  return meaning;
 }
 
 } // namespace nexrad

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Codec/CodedVolume.h"
 #include "nexrad/Codec/NxvHeader.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <array>
 #include <cstddef>
@@ -39,6 +41,9 @@ private:
   std::array<char, 64 * 1024> buffer;
 };
 
+/// The number that four bytes of a file are.
+std::uint32_t LittleEndian(const std::uint8_t* bytes);
+
 /// A header, and where the payloads begin.
 struct NxvContent
 {
@@ -54,5 +59,19 @@ NxvContent OpenNxv(NxvInput& file);
 
 /// Throws Error when a payload differs from its CRC-32.
 void CheckNxvPayloads(NxvInput& file, const NxvContent& content);
+
+/// Inflates an array that must give exactly `size` bytes into `target`. Throws Error.
+void ReadDeflated(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* target,
+  std::size_t size, const RangeLoop& loop);
+
+/// Whether an array of a moment has codes of one byte.
+bool HasByteCodes(const NxvArray& array);
+
+/// Unpacks such an array. Throws Error unless it gives exactly `voxels` codes.
+void ReadByteCodes(NxvInput& file, std::uint64_t offset, const NxvArray& array, std::uint8_t* codes,
+  std::size_t voxels, const RangeLoop& loop);
+
+/// What its codes stand for in a volume of this fill.
+VoxelCodes ByteCodesOf(const NxvArray& array, float fill);
 
 } // namespace nexrad

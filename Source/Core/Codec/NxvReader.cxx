@@ -6,8 +6,6 @@
 #include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/NxvInput.h"
-#include "nexrad/Codec/NxvPayload.h"
-#include "nexrad/Codec/Quantizer.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/HugePages.h"
@@ -500,24 +498,6 @@ std::vector<std::string> ReadNxvAncillaryArrayNames(const fs::path& path)
       }
       return names;
     });
-}
-
-GriddedVolume ReadRaw(const fs::path& path, GriddedVolume description,
-  const NxvWriteOptions& options, std::size_t maximumBytes)
-{
-  const auto codes = NamingTheFile(path,
-    [&]
-    {
-      CheckMemory(description.grid, 0, maximumBytes);
-      NxvInput file(path);
-      NxvArray whole;
-      whole.length = file.Length();
-      Bytes bytes(description.grid.VoxelCount());
-      ReadByteCodes(file, 0, whole, bytes.data(), bytes.size(), {});
-      return bytes;
-    });
-  Quantizer{options.offset, options.scale, options.maximum}.DecodeAll(codes, description);
-  return description;
 }
 
 } // namespace nexrad

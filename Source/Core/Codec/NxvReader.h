@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Codec/CodedVolume.h"
-#include "nexrad/Codec/NxvWriter.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/RangeLoop.h"
 
@@ -54,11 +53,5 @@ std::vector<MomentName> ReadNxvMoments(const std::filesystem::path& path);
 /// Names of the ancillary arrays of all moments in the file, as `REF_age`, in the order of the
 /// file.
 std::vector<std::string> ReadNxvAncillaryArrayNames(const std::filesystem::path& path);
-
-/// Reads a bare stream. What it does not hold (grid, time, fill, …) comes from `description`,
-/// offset and scale from the options. Throws Error for a stream that does not give exactly the
-/// grid's voxels, or a grid larger than `maximumBytes`.
-GriddedVolume ReadRaw(const std::filesystem::path& path, GriddedVolume description,
-  const NxvWriteOptions& options = {}, std::size_t maximumBytes = std::size_t(4) << 30);
 
 } // namespace nexrad

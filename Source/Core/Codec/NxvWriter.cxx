@@ -5,15 +5,13 @@
 #include "nexrad/Codec/MomentCode.h"
 #include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
-#include "nexrad/Codec/Quantizer.h"
-#include "nexrad/Codec/RunLength.h"
+#include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 
@@ -140,25 +138,6 @@ void AddFloats(FileContent& content, const GriddedVolume& volume)
   AddFiltered(content, volume);
 }
 
-// The run-length stream of a volume's codes, made by pieces that stay in the processor's cache.
-Bytes EncodeRuns(
-  const GriddedVolume& volume, const Quantizer& quantizer, const NxvWriteOptions& options)
-{
-  constexpr std::size_t stretch = 16'384;
-  const bool thesisRuns = options.thesisRuns.value_or(volume.method == "thesis");
-  quantizer.Check(volume);
-  RunLengthEncoder encoder(thesisRuns ? RunLengthThreshold::Thesis : RunLengthThreshold::Compact);
-  std::array<std::uint8_t, stretch> codes;
-  const std::size_t count = volume.values.size();
-  for (std::size_t begin = 0; begin < count; begin += stretch)
-  {
-    const std::size_t end = std::min(count, begin + stretch);
-    quantizer.EncodeSome(volume, begin, end, codes.data());
-    encoder.Feed(codes.data(), end - begin);
-  }
-  return encoder.Finish();
-}
-
 // The states that the 7-bit codes stand for, but range folded where the volume has it. The echoes
 // that became code 0 are no echo, with the array of states as without.
 Bytes StatesOfCodes(const Bytes& codes, const std::vector<VoxelState>& states)
@@ -168,26 +147,18 @@ Bytes StatesOfCodes(const Bytes& codes, const std::vector<VoxelState>& states)
   {
     const bool folded = states[i] == VoxelState::RangeFolded;
     bytes[i] =
-      static_cast<std::uint8_t>(folded ? VoxelState::RangeFolded : Quantizer::StateOf(codes[i]));
+      static_cast<std::uint8_t>(folded ? VoxelState::RangeFolded : ThesisCode::StateOf(codes[i]));
   }
   return bytes;
 }
 
-void AddRunLengths(FileContent& content, const GriddedVolume& volume,
-  const NxvWriteOptions& options, NxvStorage storage)
+void AddThesisStream(FileContent& content, const GriddedVolume& volume)
 {
-  const Quantizer quantizer{options.offset, options.scale, options.maximum};
-  NxvArray array = MomentArray(volume);
-  array.offset = options.offset;
-  array.scale = options.scale;
-  array.storage = storage;
-  Bytes stream = EncodeRuns(volume, quantizer, options);
-  content.Add(array, storage == NxvStorage::RunLengthDeflated
-                       ? DeflateBytes(stream.data(), stream.size())
-                       : std::move(stream));
+  const Bytes codes = ThesisCode::EncodeAll(volume);
+  content.Add(MomentArray(volume), EncodeRunLength(codes));
   if (Holds(volume.states, VoxelState::RangeFolded))
   {
-    AddStates(content, volume.moment, StatesOfCodes(quantizer.EncodeAll(volume), volume.states));
+    AddStates(content, volume.moment, StatesOfCodes(codes, volume.states));
   }
   AddFiltered(content, volume);
 }
@@ -293,19 +264,15 @@ void AddAncillary(FileContent& content, const GriddedVolume& volume, bool exact)
   ForEachAncillaryArray(volume.ancillary, add);
 }
 
-void AddMoment(FileContent& content, const GriddedVolume& volume, const NxvWriteOptions& options,
-  NxvEncoding encoding)
+void AddMoment(FileContent& content, const GriddedVolume& volume, NxvEncoding encoding)
 {
   switch (encoding)
   {
   case NxvEncoding::RadarSteps:
     AddRadarSteps(content, volume);
     break;
-  case NxvEncoding::RunLength:
-    AddRunLengths(content, volume, options, NxvStorage::RunLength);
-    break;
-  case NxvEncoding::RunLengthDeflated:
-    AddRunLengths(content, volume, options, NxvStorage::RunLengthDeflated);
+  case NxvEncoding::Thesis:
+    AddThesisStream(content, volume);
     break;
   case NxvEncoding::Float:
     AddFloats(content, volume);
@@ -346,22 +313,14 @@ void WriteNxv(
   FileContent content;
   content.header.volume = WithoutVoxels(volume);
   const bool asTheThesis = volume.method == "thesis" && volume.moment == MomentName::REF;
-  const NxvEncoding usual = asTheThesis ? NxvEncoding::RunLength : NxvEncoding::RadarSteps;
-  AddMoment(content, volume, options, options.encoding.value_or(usual));
+  const NxvEncoding usual = asTheThesis ? NxvEncoding::Thesis : NxvEncoding::RadarSteps;
+  AddMoment(content, volume, options.encoding.value_or(usual));
   const bool exact = options.encoding == NxvEncoding::Float;
   for (const GriddedVolume& further : volume.further)
   {
-    AddMoment(content, further, options, exact ? NxvEncoding::Float : NxvEncoding::RadarSteps);
+    AddMoment(content, further, exact ? NxvEncoding::Float : NxvEncoding::RadarSteps);
   }
   WriteContent(path, content);
-}
-
-void WriteRaw(
-  const std::filesystem::path& path, const GriddedVolume& volume, const NxvWriteOptions& options)
-{
-  const Quantizer quantizer{options.offset, options.scale, options.maximum};
-  const Bytes stream = EncodeRuns(volume, quantizer, options);
-  WriteFileAtomically(path, stream.data(), stream.size());
 }
 
 } // namespace nexrad

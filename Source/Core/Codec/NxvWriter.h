@@ -12,24 +12,16 @@ namespace nexrad
 /// How the moment is stored in a volume file.
 enum class NxvEncoding
 {
-  RadarSteps,        ///< codes of 8 or 16 bits in the radar's own steps (MomentCode.h), deflated
-  RunLength,         ///< 7-bit codes, the thesis's stream as it stands
-  RunLengthDeflated, ///< the same, deflated
-  Float              ///< exact float32 and the states, deflated
+  RadarSteps, ///< codes of 8 or 16 bits in the radar's own steps (MomentCode.h), deflated
+  Thesis,     ///< the thesis's codes of 7 bits and run lengths (ThesisStream.h), of REF alone
+  Float       ///< exact float32 and the states, deflated
 };
 
 struct NxvWriteOptions
 {
-  /// Default: RunLength for REF of the method "thesis", else RadarSteps. Further moments of a
-  /// volume have no run lengths: they are RadarSteps or Float.
+  /// Default: Thesis for REF of the method "thesis", else RadarSteps. Further moments of a volume
+  /// are RadarSteps or Float.
   std::optional<NxvEncoding> encoding;
-  /// Write every run from two on, not from six on. Default: true for the method "thesis".
-  std::optional<bool> thesisRuns;
-
-  // Of the 7-bit codes.
-  double offset = 0.0;   ///< value = offset + scale × code; codes 0…126
-  double scale = 1.0;    ///< dBZ a code
-  double maximum = 80.0; ///< dBZ; what is above is stored as this. The codes end at 126 as well
 };
 
 /// Writes one volume, with its further moments (Documentation/Formats/nxv.md), under a temporary
@@ -41,11 +33,6 @@ struct NxvWriteOptions
 /// are; ages and weights in 255 steps, of 1 s and 0.01 or as many more (2, 5, 10, … times) as the
 /// largest value needs, but exact when Float is asked for.
 void WriteNxv(const std::filesystem::path& path, const GriddedVolume& volume,
-  const NxvWriteOptions& options = {});
-
-/// Writes the first moment's bare run-length stream (Formulas T8), without any header. `encoding`
-/// of the options has no effect. Range folded and filtered become no echo.
-void WriteRaw(const std::filesystem::path& path, const GriddedVolume& volume,
   const NxvWriteOptions& options = {});
 
 } // namespace nexrad

@@ -14,7 +14,7 @@ from .vtkNexradIO import vtkNexradLevel2Reader, vtkNexradVolumeReader, vtkNexrad
 Path = Union[str, "os.PathLike[str]"]
 
 #: What the parameter `code` can be, and the encoding of vtkNexradVolumeWriter that it means.
-CODES = {"automatic": 0, "thesis": 2, "exact": 3, "radar": 4}
+CODES = {"automatic": 0, "radar": 1, "exact": 2}
 
 
 def existing(path: Path) -> str:

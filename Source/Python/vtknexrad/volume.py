@@ -206,8 +206,8 @@ class Volume:
     def write(self, path: Path, code: str = "automatic") -> None:
         """Writes a .nxv file.
 
-        code: how values are stored: "radar" in the steps that radars send, "thesis" in whole dBZ (REF
-            alone), "exact" as floats; "automatic" is "thesis" for the method thesis, else "radar".
+        code: how values are stored: "radar" in the steps that radars send, "exact" as floats;
+            "automatic" is "radar", but whole dBZ for the method thesis.
 
         Raises Error when the file cannot be written.
         """

@@ -6,6 +6,7 @@
 #include "Tables/ThesisFigures.h"
 #include "Volumes/WriteVolumes.h"
 #include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradThreads.h"
 
@@ -62,20 +63,16 @@ struct Outcome
 };
 
 // Of a long series some tell enough, each reading and writing again.
-double MeanThesisBytes(const GridReport& report, const std::filesystem::path& folder)
+double MeanThesisBytes(const GridReport& report)
 {
   constexpr std::size_t enough = 48;
   const std::size_t stride = (report.files.size() + enough - 1) / enough;
-  const std::filesystem::path raw = folder / "thesis.raw";
-  NxvWriteOptions options;
-  options.thesisRuns = true;
   std::vector<double> sizes;
   for (std::size_t i = 0; i < report.files.size(); i += stride)
   {
-    WriteRaw(raw, ReadNxv(report.files[i]), options);
-    sizes.push_back(static_cast<double>(std::filesystem::file_size(raw)));
+    const GriddedVolume volume = ReadNxv(report.files[i]);
+    sizes.push_back(static_cast<double>(EncodeRunLength(ThesisCode::EncodeAll(volume)).size()));
   }
-  std::filesystem::remove(raw);
   return std::accumulate(sizes.begin(), sizes.end(), 0.0) / static_cast<double>(sizes.size());
 }
 
@@ -88,7 +85,7 @@ SeriesOfSize Describe(const Outcome& outcome, const GridJob& job, const Measurem
   size.seconds = seconds;
   size.volumes = report.files.size();
   size.bytes = static_cast<double>(report.bytes) / static_cast<double>(report.files.size());
-  size.thesisBytes = MeanThesisBytes(report, job.folder);
+  size.thesisBytes = MeanThesisBytes(report);
   return size;
 }
 

@@ -104,12 +104,11 @@ std::vector<std::string> GoodFiles()
   GriddedVolume volume = MakeGriddedVolume({3, 2, 2});
   volume.states[1] = VoxelState::RangeFolded;
   std::vector<std::string> files;
-  for (const auto encoding : {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated,
-         NxvEncoding::Float, NxvEncoding::RadarSteps})
+  for (const auto encoding : {NxvEncoding::Thesis, NxvEncoding::Float, NxvEncoding::RadarSteps})
   {
     NxvWriteOptions options;
     options.encoding = encoding;
-    if (encoding == NxvEncoding::RunLengthDeflated)
+    if (encoding == NxvEncoding::Float)
     {
       AddAncillary(volume);
     }
@@ -188,8 +187,6 @@ TEST(NxvDamage, ADeflatedStreamCannotGrowBeyondTheGrid)
   const Damaged file;
   const std::string bomb = Deflated(std::string(4 << 20, '\0'));
   NxvHeader header = SmallHeader();
-  header.arrays[0].storage = NxvStorage::RunLengthDeflated;
-  EXPECT_NE(file.ErrorOf(FileOf(header, {bomb})), "");
   header.arrays[0].type = NxvType::Float32;
   header.arrays[0].storage = NxvStorage::Deflated;
   EXPECT_NE(file.ErrorOf(FileOf(header, {bomb})).find("more than 16 bytes"), std::string::npos);
@@ -444,6 +441,18 @@ TEST(NxvDamage, HeadersOutOfRangeAreErrors)
   EXPECT_NE(errorAfter([](NxvHeader& header) { header.arrays[0].fill = 1e300; }), "");
   EXPECT_NE(
     errorAfter([](NxvHeader& header) { header.arrays[0].storage = NxvStorage::Deflated; }), "");
+}
+
+// Earlier versions could deflate the thesis's stream.
+TEST(NxvDamage, AnEncodingOfEarlierVersionsIsNamed)
+{
+  const Damaged file;
+  std::string content = FileOf(SmallHeader(), {"\x81\x82\x83\x84"});
+  content.replace(content.find("\"rle\""), 5, "\"rle+deflate\"");
+  content.replace(content.find("\"header_crc32\""), 14, "\"other\"");
+  content[4] = static_cast<char>(content[4] + 8 - 7);
+  EXPECT_NE(file.ErrorOf(content).find("encoding \"rle+deflate\" is not known"), std::string::npos)
+    << file.ErrorOf(content);
 }
 
 TEST(NxvDamage, HeadersThatAreNoHeadersAreErrors)

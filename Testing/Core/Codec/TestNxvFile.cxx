@@ -4,7 +4,7 @@
 
 #include "TestData.h"
 #include "VolumeMaker.h"
-#include "nexrad/Codec/Quantizer.h"
+#include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/RangeLoop.h"
 
@@ -39,11 +39,17 @@ NxvWriteOptions With(NxvEncoding encoding)
   return options;
 }
 
-// What a volume is after it went through the codes.
-GriddedVolume Quantized(const GriddedVolume& volume, const Quantizer& quantizer = {})
+// What a volume is after it went through the thesis's codes.
+GriddedVolume Quantized(const GriddedVolume& volume)
 {
   GriddedVolume rounded = volume;
-  quantizer.DecodeAll(quantizer.EncodeAll(volume), rounded);
+  const std::vector<std::uint8_t> codes = ThesisCode::EncodeAll(volume);
+  for (std::size_t i = 0; i < codes.size(); ++i)
+  {
+    rounded.states[i] = ThesisCode::StateOf(codes[i]);
+    rounded.values[i] =
+      rounded.states[i] == VoxelState::Echo ? static_cast<float>(codes[i]) : volume.fill;
+  }
   return rounded;
 }
 
@@ -113,19 +119,7 @@ TEST(NxvFile, ReadsAFileMadeByHand)
 TEST(NxvFile, CodesRoundTripToTheWholeDecibel)
 {
   const GriddedVolume volume = MakeGriddedVolume();
-  for (const NxvEncoding encoding : {NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated})
-  {
-    ExpectSameVoxels(RoundTrip(volume, With(encoding)), Quantized(volume));
-  }
-}
-
-TEST(NxvFile, FinerCodesRoundTrip)
-{
-  NxvWriteOptions options = With(NxvEncoding::RunLength);
-  options.offset = -33.0;
-  options.scale = 0.5;
-  const GriddedVolume volume = MakeGriddedVolume();
-  ExpectSameVoxels(RoundTrip(volume, options), Quantized(volume, {-33.0, 0.5}));
+  ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::Thesis)), Quantized(volume));
 }
 
 TEST(NxvFile, FloatsAndStatesAreExact)
@@ -179,7 +173,7 @@ TEST(NxvFile, RangeFoldedSurvivesTheCodes)
   GriddedVolume expected = Quantized(volume);
   expected.states[1] = VoxelState::RangeFolded;
   EXPECT_EQ(expected.states[3], VoxelState::NoEcho);
-  ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::RunLength)), expected);
+  ExpectSameVoxels(RoundTrip(volume, With(NxvEncoding::Thesis)), expected);
   expected.states[3] = VoxelState::Echo;
   expected.values[3] = -12.0F;
   const GriddedVolume steps = RoundTrip(volume, {});
@@ -203,8 +197,7 @@ TEST(NxvFile, EmptyFullAndRandomVolumesRoundTrip)
                              ? static_cast<float>(1 + random() % 80)
                              : volume.fill;
       }
-      for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength,
-             NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+      for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis, NxvEncoding::Float})
       {
         ExpectSameVoxels(RoundTrip(volume, With(encoding)), volume);
       }
@@ -216,8 +209,7 @@ TEST(NxvFile, AncillaryArraysComeBack)
 {
   GriddedVolume volume = MakeGriddedVolume({40, 30, 20});
   AddAncillary(volume);
-  for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength,
-         NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+  for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis, NxvEncoding::Float})
   {
     const GriddedVolume read = RoundTrip(volume, With(encoding));
     EXPECT_EQ(read.ancillary.radars, volume.ancillary.radars);
@@ -320,12 +312,11 @@ TEST(NxvFile, LargeArraysHavePiecesThatAnyReaderCanPassOver)
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "a.nxv";
   const GriddedVolume volume = MakeLargeVolume();
-  for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength, NxvEncoding::Float})
+  for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis, NxvEncoding::Float})
   {
     WriteNxv(path, volume, With(encoding));
     const std::string content = FileContent(path);
-    EXPECT_EQ(
-      content.find("\"pieces\":[") == std::string::npos, encoding == NxvEncoding::RunLength);
+    EXPECT_EQ(content.find("\"pieces\":[") == std::string::npos, encoding == NxvEncoding::Thesis);
     ExpectSameVoxels(ReadNxv(path), volume);
     NxvReadOptions options;
     options.loop = ThreadLoop(3);
@@ -355,8 +346,7 @@ TEST(NxvFile, CodesAreReadAsTheyAre)
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "a.nxv";
   const GriddedVolume volume = MakeLargeVolume();
-  for (const auto encoding :
-    {NxvEncoding::RadarSteps, NxvEncoding::RunLength, NxvEncoding::RunLengthDeflated})
+  for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis})
   {
     WriteNxv(path, volume, With(encoding));
     EXPECT_TRUE(HasNxvCodes(path, {}, true));
@@ -411,8 +401,7 @@ TEST(NxvFile, FilteredVoxelsComeBackInAllEncodings)
       volume.states[6] = VoxelState::RangeFolded;
       volume.values[6] = volume.fill;
     }
-    for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::RunLength,
-           NxvEncoding::RunLengthDeflated, NxvEncoding::Float})
+    for (const auto encoding : {NxvEncoding::RadarSteps, NxvEncoding::Thesis, NxvEncoding::Float})
     {
       WriteNxv(path, volume, With(encoding));
       const GriddedVolume read = ReadNxv(path);
@@ -433,33 +422,10 @@ TEST(NxvFile, TheThesisWritesRunsOfTwo)
   volume.states.assign(3, VoxelState::Echo);
   volume.values = {30.0F, 30.0F, 40.0F};
   const TemporaryFolder folder;
-  WriteRaw(folder.Path() / "beam", volume);
-  EXPECT_EQ(FileContent(folder.Path() / "beam"), std::string("\x9E\x9E\xA8"));
   volume.method = "thesis";
-  WriteRaw(folder.Path() / "thesis", volume);
-  EXPECT_EQ(FileContent(folder.Path() / "thesis"), std::string("\x1E\2\0\0\0\xA8", 6));
-  EXPECT_EQ(FileContent(folder.Path() / "thesis"),
-    [&]
-    {
-      WriteNxv(folder.Path() / "a.nxv", volume);
-      const std::string whole = FileContent(folder.Path() / "a.nxv");
-      return whole.substr(whole.size() - 6);
-    }())
-    << "the payload of a volume file is the bare stream";
-}
-
-TEST(NxvFile, TheBareStreamRoundTrips)
-{
-  const GriddedVolume volume = MakeGriddedVolume();
-  const TemporaryFolder folder;
-  WriteRaw(folder.Path() / "bare", volume);
-  GriddedVolume description = volume;
-  description.values.clear();
-  description.states.clear();
-  ExpectSameVoxels(ReadRaw(folder.Path() / "bare", description), Quantized(volume));
-  description.grid.dimensions[0] += 1;
-  EXPECT_THROW(ReadRaw(folder.Path() / "bare", description), Error);
-  EXPECT_THROW(ReadRaw(folder.Path() / "bare", volume, {}, 100), Error);
+  WriteNxv(folder.Path() / "a.nxv", volume);
+  const std::string whole = FileContent(folder.Path() / "a.nxv");
+  EXPECT_EQ(whole.substr(whole.size() - 6), std::string("\x1E\2\0\0\0\xA8", 6));
 }
 
 TEST(NxvFile, GeographicAxesComeBack)

@@ -128,7 +128,7 @@ TEST(NxvMoments, FurtherOnesHaveNoRunLengths)
   const TemporaryFolder folder;
   const fs::path path = folder.Path() / "all.nxv";
   NxvWriteOptions options;
-  options.encoding = NxvEncoding::RunLength;
+  options.encoding = NxvEncoding::Thesis;
   WriteNxv(path, JoinMoments(MakeMoments()), options);
   const GriddedVolume read = ReadNxv(path);
   EXPECT_EQ(read.values[3], 2.0F); // 1.75 dBZ in whole dBZ

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Codec/RunLength.h"
+#include "nexrad/Codec/ThesisStream.h"
 
+#include "VolumeMaker.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <random>
+#include <vector>
 
 using namespace nexrad;
 
@@ -14,11 +18,6 @@ namespace
 {
 
 using Bytes = std::vector<std::uint8_t>;
-
-Bytes Encode(const Bytes& codes, RunLengthThreshold threshold = RunLengthThreshold::Thesis)
-{
-  return EncodeRunLength(codes.data(), codes.size(), threshold);
-}
 
 Bytes Decode(const Bytes& stream, std::size_t count)
 {
@@ -56,26 +55,14 @@ TEST(RunLengthT8, TheThesisStreamByteForByte)
   const Bytes codes = {127, 127, 127, 127, 0, 0, 0, 35, 35, 36, 0, 0, 0, 0, 80, 0};
   const Bytes stream = {
     0x7F, 4, 0, 0, 0, 0x00, 3, 0, 0, 0, 0x23, 2, 0, 0, 0, 0xA4, 0x00, 4, 0, 0, 0, 0xD0, 0x80};
-  EXPECT_EQ(Encode(codes), stream);
+  EXPECT_EQ(EncodeRunLength(codes), stream);
   EXPECT_EQ(Decode(stream, codes.size()), codes);
-}
-
-// The same volume when a run must be six long: no run is, sixteen literals.
-TEST(RunLengthT8, ShortRunsAreLiteralsByDefault)
-{
-  const Bytes codes = {127, 127, 127, 127, 0, 0, 0, 35, 35, 36, 0, 0, 0, 0, 80, 0};
-  const Bytes stream = {
-    0xFF, 0xFF, 0xFF, 0xFF, 0x80, 0x80, 0x80, 0xA3, 0xA3, 0xA4, 0x80, 0x80, 0x80, 0x80, 0xD0, 0x80};
-  EXPECT_EQ(Encode(codes, RunLengthThreshold::Compact), stream);
-  EXPECT_EQ(Decode(stream, codes.size()), codes);
-  EXPECT_EQ(Encode(Bytes(5, 9), RunLengthThreshold::Compact), Bytes(5, 0x89));
-  EXPECT_EQ(Encode(Bytes(6, 9), RunLengthThreshold::Compact), (Bytes{9, 6, 0, 0, 0}));
 }
 
 // 70 000 = 0x00011170: every byte of the length counts, least significant first.
 TEST(RunLengthT8, LengthsAreLittleEndian)
 {
-  EXPECT_EQ(Encode(Bytes(70'000, 1)), (Bytes{0x01, 0x70, 0x11, 0x01, 0x00}));
+  EXPECT_EQ(EncodeRunLength(Bytes(70'000, 1)), (Bytes{0x01, 0x70, 0x11, 0x01, 0x00}));
   EXPECT_EQ(Decode({0x01, 0x70, 0x11, 0x01, 0x00}, 70'000), Bytes(70'000, 1));
 }
 
@@ -94,26 +81,8 @@ TEST(RunLengthT8, RoundTripsRandomEmptyFullAndSingle)
   }
   for (const Bytes& codes : volumes)
   {
-    for (const auto threshold : {RunLengthThreshold::Thesis, RunLengthThreshold::Compact})
-    {
-      EXPECT_EQ(Decode(Encode(codes, threshold), codes.size()), codes);
-    }
-    EXPECT_LE(Encode(codes, RunLengthThreshold::Compact).size(), codes.size() + 4);
+    EXPECT_EQ(Decode(EncodeRunLength(codes), codes.size()), codes);
   }
-}
-
-TEST(RunLengthT8, APieceAtATimeIsTheSame)
-{
-  const Bytes codes = {5, 5, 5, 5, 5, 5, 5, 9, 9, 1};
-  const Bytes stream = Encode(codes);
-  Bytes decoded(codes.size());
-  RunLengthDecoder decoder(decoded.data(), decoded.size());
-  for (const std::uint8_t byte : stream)
-  {
-    decoder.Feed(&byte, 1);
-  }
-  decoder.Finish();
-  EXPECT_EQ(decoded, codes);
 }
 
 TEST(RunLengthT8, DamageIsNamedWithItsOffset)
@@ -136,34 +105,11 @@ TEST(RunLengthT8, DamageIsNamedWithItsOffset)
 
 TEST(RunLengthT8, RefusesCodesOfEightBits)
 {
-  EXPECT_THROW(Encode({1, 128}), Error);
-}
-
-TEST(RunLengthT8, PiecesGiveTheStreamOfTheWhole)
-{
-  std::mt19937 random(3);
-  Bytes codes;
-  while (codes.size() < 20'000)
-  {
-    codes.insert(codes.end(), 1 + random() % 40, static_cast<std::uint8_t>(random() % 128));
-  }
-  for (const auto threshold : {RunLengthThreshold::Thesis, RunLengthThreshold::Compact})
-  {
-    RunLengthEncoder encoder(threshold);
-    for (std::size_t begin = 0; begin < codes.size();)
-    {
-      const std::size_t size = std::min<std::size_t>(random() % 50, codes.size() - begin);
-      encoder.Feed(codes.data() + begin, size);
-      begin += size;
-    }
-    const Bytes stream = encoder.Finish();
-    EXPECT_EQ(stream, Encode(codes, threshold));
-    EXPECT_EQ(Decode(stream, codes.size()), codes);
-  }
+  EXPECT_THROW(EncodeRunLength({1, 128}), Error);
 }
 
 // A stream long enough to be decoded in parts: runs and literals of every length about the parts'
-// ends, by one thread and by three, beside the decoder that takes byte after byte.
+// ends, by one thread and by three. Readers take runs of one and literals that a run would hold.
 TEST(RunLengthT8, PartsGiveTheCodesOfTheWhole)
 {
   std::mt19937 random(5);
@@ -174,12 +120,7 @@ TEST(RunLengthT8, PartsGiveTheCodesOfTheWhole)
     const std::size_t length = choice == 0 ? random() % 300'000 : choice < 30 ? random() % 40 : 1;
     codes.insert(codes.end(), length, static_cast<std::uint8_t>(random() % 128));
   }
-  const Bytes stream = Encode(codes);
-  Bytes expected(codes.size());
-  RunLengthDecoder decoder(expected.data(), expected.size());
-  decoder.Feed(stream.data(), stream.size());
-  decoder.Finish();
-  EXPECT_TRUE(expected == codes);
+  const Bytes stream = EncodeRunLength(codes);
   for (const unsigned threads : {1U, 3U})
   {
     Bytes decoded(codes.size());
@@ -189,4 +130,67 @@ TEST(RunLengthT8, PartsGiveTheCodesOfTheWhole)
   }
   EXPECT_NE(ErrorOf(stream, codes.size() - 1), "");
   EXPECT_NE(ErrorOf(stream, codes.size() + 1), "");
+}
+
+TEST(ThesisCode, IsTheWholeDecibel)
+{
+  const auto code = [](float value)
+  { return static_cast<int>(ThesisCode::Encode(value, VoxelState::Echo)); };
+  EXPECT_EQ(code(35.0F), 35);
+  EXPECT_EQ(code(35.49F), 35);
+  EXPECT_EQ(code(35.5F), 36);
+  EXPECT_EQ(code(80.0F), 80);
+  EXPECT_EQ(code(94.5F), 80) << "0 to 80 dBZ";
+  EXPECT_EQ(code(0.4F), 0);
+  EXPECT_EQ(code(-20.0F), 0) << "an echo at or below 0 dBZ is no echo";
+}
+
+TEST(ThesisCode, StatesHaveCodes)
+{
+  EXPECT_EQ(ThesisCode::Encode(50.0F, VoxelState::NoEcho), 0);
+  EXPECT_EQ(ThesisCode::Encode(50.0F, VoxelState::RangeFolded), 0);
+  EXPECT_EQ(ThesisCode::Encode(50.0F, VoxelState::NotScanned), 127);
+  EXPECT_EQ(ThesisCode::StateOf(0), VoxelState::NoEcho);
+  EXPECT_EQ(ThesisCode::StateOf(1), VoxelState::Echo);
+  EXPECT_EQ(ThesisCode::StateOf(80), VoxelState::Echo);
+  EXPECT_EQ(ThesisCode::StateOf(127), VoxelState::NotScanned);
+}
+
+TEST(ThesisCode, NumbersThatAreNoneDoNoHarm)
+{
+  constexpr float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(ThesisCode::Encode(std::nanf(""), VoxelState::Echo), 127);
+  EXPECT_EQ(ThesisCode::Encode(infinity, VoxelState::Echo), 80);
+  EXPECT_EQ(ThesisCode::Encode(-infinity, VoxelState::Echo), 0);
+}
+
+TEST(ThesisCode, RefusesWhatCannotBeUsed)
+{
+  const GriddedVolume volume = nexrad::testing::MakeGriddedVolume();
+  GriddedVolume shorter = volume;
+  shorter.states.pop_back();
+  EXPECT_THROW(ThesisCode::EncodeAll(shorter), Error);
+}
+
+TEST(ThesisCode, AllVoxelsAreRoundedAsEachIs)
+{
+  GriddedVolume volume = nexrad::testing::MakeGriddedVolume();
+  volume.grid.dimensions = {97, 11, 3};
+  volume.values.clear();
+  volume.states.clear();
+  std::mt19937 random(11);
+  Bytes expected;
+  while (expected.size() < volume.grid.VoxelCount())
+  {
+    // Sixteenths, so that halves are met exactly.
+    const float value = static_cast<float>(random() % 1'600) / 16.0F - 5.0F;
+    const auto state = static_cast<VoxelState>(random() % 4);
+    volume.values.push_back(value);
+    volume.states.push_back(state);
+    const float rounded = std::clamp(std::round(value), 0.0F, 80.0F);
+    expected.push_back(state == VoxelState::Echo         ? static_cast<std::uint8_t>(rounded)
+                       : state == VoxelState::NotScanned ? ThesisCode::NotScannedCode
+                                                         : ThesisCode::NoEchoCode);
+  }
+  EXPECT_EQ(ThesisCode::EncodeAll(volume), expected);
 }

@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Codec/RunLength.h"
+#include "nexrad/Codec/ThesisStream.h"
 
+#include "nexrad/Codec/EchoVoxels.h"
+#include "nexrad/Codec/MomentCode.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <limits>
 #include <string>
-#include <utility>
 
 namespace nexrad
 {
@@ -16,6 +18,21 @@ namespace
 {
 
 constexpr std::uint8_t literalBit = 0x80;
+constexpr std::size_t runSize = 5; // bytes of a run in the stream
+
+// The code of an echo.
+inline std::uint8_t CodeOf(float value)
+{
+  if (std::isnan(value))
+  {
+    return ThesisCode::NotScannedCode;
+  }
+  const double code =
+    std::clamp(static_cast<double>(value), 0.0, static_cast<double>(ThesisCode::LargestCode));
+  // std::round, which costs a call, for what is not negative.
+  const auto below = static_cast<std::uint8_t>(code);
+  return code - below < 0.5 ? below : static_cast<std::uint8_t>(below + 1);
+}
 
 [[noreturn]] void Refuse(std::uint64_t offset, const std::string& what)
 {
@@ -56,68 +73,68 @@ std::size_t RunLengthAt(const std::uint8_t* codes, std::size_t longest)
 
 } // namespace
 
-std::vector<std::uint8_t> EncodeRunLength(
-  const std::uint8_t* codes, std::size_t count, RunLengthThreshold threshold)
+std::uint8_t ThesisCode::Encode(float value, VoxelState state)
 {
-  RunLengthEncoder encoder(threshold);
-  encoder.Feed(codes, count);
-  return encoder.Finish();
-}
-
-RunLengthEncoder::RunLengthEncoder(RunLengthThreshold threshold)
-  : shortest(static_cast<std::size_t>(threshold))
-{
-}
-
-void RunLengthEncoder::Feed(const std::uint8_t* codes, std::size_t count)
-{
-  for (std::size_t begin = 0; begin < count;)
+  switch (state)
   {
-    const std::size_t more = RunLengthAt(codes + begin, count - begin);
-    if (codes[begin] != code)
-    {
-      this->PutRun();
-      code = codes[begin];
-      if (code >= literalBit)
-      {
-        throw Error("code " + std::to_string(code) + " of voxel " + std::to_string(fed) +
-                    ": the run-length code holds 0 to 127");
-      }
-    }
-    length += more;
-    begin += more;
+  case VoxelState::Echo:
+    return CodeOf(value);
+  case VoxelState::NotScanned:
+    return NotScannedCode;
+  default:
+    return NoEchoCode;
   }
 }
 
-void RunLengthEncoder::PutRun()
+VoxelState ThesisCode::StateOf(std::uint8_t code)
+{
+  if (code == NotScannedCode)
+  {
+    return VoxelState::NotScanned;
+  }
+  return code == NoEchoCode ? VoxelState::NoEcho : VoxelState::Echo;
+}
+
+std::vector<std::uint8_t> ThesisCode::EncodeAll(const GriddedVolume& volume)
+{
+  CheckVoxelCount(volume);
+  std::vector<std::uint8_t> codes(volume.states.size());
+  std::transform(volume.states.begin(), volume.states.end(), codes.begin(),
+    [](VoxelState state) { return state == VoxelState::NotScanned ? NotScannedCode : NoEchoCode; });
+  ForEachEcho(volume.states.data(), codes.size(),
+    [&](std::size_t i) { codes[i] = CodeOf(volume.values[i]); });
+  return codes;
+}
+
+std::vector<std::uint8_t> EncodeRunLength(const std::vector<std::uint8_t>& codes)
 {
   constexpr std::size_t longest = std::numeric_limits<std::uint32_t>::max();
-  fed += length;
-  while (length > 0)
+  std::vector<std::uint8_t> stream;
+  for (std::size_t begin = 0; begin < codes.size();)
   {
-    const std::size_t piece = std::min(length, longest);
-    if (piece >= shortest)
+    const std::uint8_t code = codes[begin];
+    if (code >= literalBit)
     {
-      AppendRun(stream, code, static_cast<std::uint32_t>(piece));
+      throw Error("code " + std::to_string(code) + " of voxel " + std::to_string(begin) +
+                  ": the run-length code holds 0 to 127");
+    }
+    const std::size_t length =
+      RunLengthAt(codes.data() + begin, std::min(codes.size() - begin, longest));
+    if (length > 1)
+    {
+      AppendRun(stream, code, static_cast<std::uint32_t>(length));
     }
     else
     {
-      stream.insert(stream.end(), piece, static_cast<std::uint8_t>(literalBit | code));
+      stream.push_back(literalBit | code);
     }
-    length -= piece;
+    begin += length;
   }
-}
-
-std::vector<std::uint8_t> RunLengthEncoder::Finish()
-{
-  this->PutRun();
-  return std::move(stream);
+  return stream;
 }
 
 namespace
 {
-
-constexpr std::size_t runSize = 5; // bytes of a run in the stream
 
 std::uint32_t LengthOfRun(const std::uint8_t* run)
 {
@@ -255,52 +272,6 @@ void DecodeRunLength(const std::uint8_t* stream, std::size_t length, std::uint8_
           stream + places[i].byte, places[i + 1].byte - places[i].byte, codes + places[i].code);
       }
     });
-}
-
-RunLengthDecoder::RunLengthDecoder(std::uint8_t* target, std::size_t size)
-  : codes(target)
-  , count(size)
-{
-}
-
-void RunLengthDecoder::Feed(const std::uint8_t* bytes, std::size_t size)
-{
-  for (std::size_t i = 0; i < size; ++i)
-  {
-    this->TakeByte(bytes[i]);
-    ++offset;
-  }
-}
-
-void RunLengthDecoder::TakeByte(std::uint8_t byte)
-{
-  if (decoded == count)
-  {
-    Refuse(offset, "more bytes after the last of " + std::to_string(count) + " voxels");
-  }
-  if (runBytes == 0 && (byte & literalBit) != 0)
-  {
-    codes[decoded++] = byte & 0x7F;
-    return;
-  }
-  run[runBytes++] = byte;
-  if (runBytes == run.size())
-  {
-    runBytes = 0;
-    const std::uint32_t length = LengthOfRun(run.data());
-    CheckRun(offset + 1 - run.size(), length, count - decoded);
-    std::fill_n(codes + decoded, length, run[0]);
-    decoded += length;
-  }
-}
-
-void RunLengthDecoder::Finish() const
-{
-  if (runBytes != 0)
-  {
-    Refuse(offset, "the stream ends within a run");
-  }
-  CheckEnd(offset, decoded, count);
 }
 
 } // namespace nexrad
