@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/WindCommand.h"
+#include "Commands/Command.h"
 
 #include "Commands/WindReport.h"
 #include "Output/ExplainedRead.h"

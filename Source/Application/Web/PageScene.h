@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Requests/WebRequest.h"
+#include "Web/WebPage.h"
 #include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Web/PageCode.h"
