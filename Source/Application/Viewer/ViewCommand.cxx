@@ -35,14 +35,8 @@ int RunView(const ViewOptions& options)
       std::cout << path.string() << '\n';
     }
   }
-  for (const std::string& note : report.notes)
-  {
-    PrintMessage(note);
-  }
-  for (const std::string& problem : report.problems)
-  {
-    PrintMessage(problem);
-  }
+  PrintMessages(report.notes);
+  PrintMessages(report.problems);
   return report.problems.empty() ? Done : DoneWithDamage;
 }
 

@@ -50,14 +50,8 @@ int RunWeb(WebOptions& options)
     std::cout << report.page.string() << ": " << Counted(report.times, "time") << ", "
               << Counted(report.bytes, "byte") << '\n';
   }
-  for (const std::string& note : report.notes)
-  {
-    PrintMessage(note);
-  }
-  for (const std::string& problem : report.problems)
-  {
-    PrintMessage(problem);
-  }
+  PrintMessages(report.notes);
+  PrintMessages(report.problems);
   return report.problems.empty() ? Done : DoneWithDamage;
 }
 
