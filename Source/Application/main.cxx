@@ -1,17 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/CommandLine.h"
-#include "Commands/InfoCommand.h"
-#include "Commands/SimulateCommand.h"
-#include "Commands/WindCommand.h"
 
 #ifdef NEXRAD_WITH_VTK
-#include "Commands/DemoCommand.h"
-#include "Commands/GridCommand.h"
-#include "Commands/RenderCommand.h"
-#include "Commands/ViewCommand.h"
+#include "Commands/LoadedCommands.h"
 #include "Libraries/VtkErrors.h"
-#include "Live/WatchCommand.h"
-#include "Web/WebCommand.h"
 #endif
 
 int main(int argc, char** argv)

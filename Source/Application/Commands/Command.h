@@ -8,9 +8,7 @@ namespace CLI
 class App;
 }
 
-/// The program nexrad3d. Each command adds itself to the command line in a function
-/// `Add<Name>Command(CLI::App&, CommandAction&)` declared in `<Name>Command.h`, and main.cxx lists
-/// these functions.
+/// The program nexrad3d. Each command adds itself to the command line; main.cxx lists them.
 namespace nexrad::application
 {
 
@@ -27,5 +25,29 @@ enum ExitStatus
 /// and run after it. Returns an ExitStatus. A nexrad::Error that leaves it is printed as one line
 /// and becomes Failed.
 using CommandAction = std::function<int()>;
+
+/// Radar files of any number of sites to one merged volume for each time step.
+void AddGridCommand(CLI::App& program, CommandAction& action);
+
+/// What is in Level II files and folders of chunks, as a table or as JSON. Damage goes to standard
+/// error, one line each: "file: offset N: what".
+void AddInfoCommand(CLI::App& program, CommandAction& action);
+
+/// The synthetic storm day as Level II files.
+void AddSimulateCommand(CLI::App& program, CommandAction& action);
+
+/// Folders into which volumes or chunks arrive to the newest merged volume, its picture and a
+/// series that grows.
+void AddWatchCommand(CLI::App& program, CommandAction& action);
+
+/// The wind profile of each volume, as a table or JSON.
+void AddWindCommand(CLI::App& program, CommandAction& action);
+
+/// Options and work of the commands that draw. They are in libraries, which LoadedCommands.cxx
+/// loads when such a command is called, so that the others start without VTK's rendering and Qt.
+void AddDemoOptions(CLI::App& command, CommandAction& action);
+void AddRenderOptions(CLI::App& command, CommandAction& action);
+void AddViewOptions(CLI::App& command, CommandAction& action);
+void AddWebOptions(CLI::App& command, CommandAction& action);
 
 } // namespace nexrad::application

@@ -2,8 +2,8 @@
 #include "Commands/CommandLine.h"
 
 #include "Output/MessageOutput.h"
-#include "Output/PrintableOutput.h"
 #include "Parallel/LaunchedProcess.h"
+#include "nexrad/System/MessageText.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,8 +11,11 @@
 #include <csignal>
 #include <exception>
 #include <iostream>
+#include <memory>
 #include <new>
 #include <optional>
+#include <ostream>
+#include <streambuf>
 #include <string>
 #include <system_error>
 #include <unistd.h>
@@ -21,6 +24,80 @@ namespace nexrad::application
 {
 namespace
 {
+
+/// As long as it lives, control characters that are written to a stream appear as text: a file's
+/// name can neither move the cursor nor colour or clear the terminal. "\x1b" takes the place of the
+/// escape character. Line ends, tabs and carriage returns, and all bytes of other characters, stay.
+class PrintableOutput
+{
+public:
+  /// `stream` is not owned, and must outlive this.
+  explicit PrintableOutput(std::ostream& stream);
+  ~PrintableOutput();
+  PrintableOutput(const PrintableOutput&) = delete;
+  PrintableOutput& operator=(const PrintableOutput&) = delete;
+
+private:
+  std::ostream& stream;
+  std::streambuf* const before;
+  const std::unique_ptr<std::streambuf> filter;
+};
+
+class PrintableBuffer : public std::streambuf
+{
+public:
+  explicit PrintableBuffer(std::streambuf* theTarget)
+    : target(theTarget)
+  {
+  }
+
+protected:
+  int_type overflow(int_type value) override
+  {
+    if (traits_type::eq_int_type(value, traits_type::eof()))
+    {
+      return traits_type::not_eof(value);
+    }
+    const auto byte = static_cast<unsigned char>(traits_type::to_char_type(value));
+    const bool layout = byte == '\n' || byte == '\r' || byte == '\t';
+    const bool control = !layout && IsControlByte(byte, before);
+    before = byte;
+    return (control ? this->PutCode(byte) : this->PutByte(byte)) ? value : traits_type::eof();
+  }
+
+  int sync() override { return target->pubsync(); }
+
+private:
+  bool PutByte(unsigned char byte)
+  {
+    const int_type put = target->sputc(static_cast<char>(byte));
+    return !traits_type::eq_int_type(put, traits_type::eof());
+  }
+
+  bool PutCode(unsigned char byte)
+  {
+    const std::string code = ControlText(byte);
+    const auto length = static_cast<std::streamsize>(code.size());
+    return target->sputn(code.data(), length) == length;
+  }
+
+  std::streambuf* const target;
+  unsigned char before = 0;
+};
+
+PrintableOutput::PrintableOutput(std::ostream& theStream)
+  : stream(theStream)
+  , before(theStream.rdbuf())
+  , filter(std::make_unique<PrintableBuffer>(before))
+{
+  stream.rdbuf(filter.get());
+}
+
+PrintableOutput::~PrintableOutput()
+{
+  stream.flush();
+  stream.rdbuf(before);
+}
 
 // "nexrad3d grid": what the user called.
 std::string CalledName(const CLI::App& program)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/GridCommand.h"
+#include "Commands/Command.h"
 
 #include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"

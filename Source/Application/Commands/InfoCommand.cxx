@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/InfoCommand.h"
+#include "Commands/Command.h"
 
 #include "Commands/InfoReport.h"
 #include "Output/BiasOutput.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/SimulateCommand.h"
+#include "Commands/Command.h"
 
 #include "Commands/SimulatedFiles.h"
 #include "Options/UnitOptions.h"

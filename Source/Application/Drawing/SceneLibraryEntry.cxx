@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Drawing/Render.h"
-#include "Libraries/LibraryCall.h"
-#include "Web/WebPage.h"
+#include "Commands/LoadedCommands.h"
 
-/// The functions that the program looks for in this library.
-extern "C" __attribute__((visibility("default"))) void nexrad3dRender(
-  const nexrad::scene::RenderRequest* request, nexrad::scene::RenderReport* report)
-{
-  nexrad::application::AnswerCall(nexrad::scene::Render, request, report);
-}
+#include <string>
 
-extern "C" __attribute__((visibility("default"))) void nexrad3dWeb(
-  const nexrad::scene::WebRequest* request, nexrad::scene::WebReport* report)
+/// The function that the program looks for in this library.
+extern "C" __attribute__((visibility("default"))) void nexrad3dAddOptions(
+  const char* name, CLI::App* command, nexrad::application::CommandAction* action)
 {
-  nexrad::application::AnswerCall(nexrad::application::MakeWebPage, request, report);
+  using namespace nexrad::application;
+  const auto add = std::string("demo") == name  ? AddDemoOptions
+                   : std::string("web") == name ? AddWebOptions
+                                                : AddRenderOptions;
+  add(*command, *action);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Requests/RenderRequest.h"
+#include "Drawing/Render.h"
 
 namespace nexrad::scene
 {

@@ -1,20 +1,47 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gltf/GroundMeshes.h"
 
-#include "Gltf/GroundText.h"
 #include "Gltf/MeshBuilder.h"
 #include "Scene/Elements/Theme.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/Map/PlacedMap.h"
 
+#include <vtkNew.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
+#include <vtkSmartPointer.h>
+#include <vtkTriangleFilter.h>
+#include <vtkVectorText.h>
 
 #include <array>
+#include <string>
 
 namespace nexrad::scene
 {
 namespace
 {
+
+/// A line of text that lies flat, in letters that an eye above it reads with north up: triangles in
+/// the plane of that height. `corner`: lower left corner of the text, x and y; `size`: height of a
+/// capital letter. All in the unit of the scene. ASCII alone.
+vtkSmartPointer<vtkPolyData> MakeGroundText(
+  const std::string& text, const std::array<double, 2>& corner, double height, double size)
+{
+  vtkNew<vtkVectorText> letters; // whose capitals are 1 high
+  letters->SetText(text.c_str());
+  vtkNew<vtkTriangleFilter> triangles;
+  triangles->SetInputConnection(letters->GetOutputPort());
+  triangles->Update();
+  vtkSmartPointer<vtkPolyData> flat = triangles->GetOutput();
+  vtkNew<vtkPoints> placed;
+  for (vtkIdType i = 0; i < flat->GetNumberOfPoints(); ++i)
+  {
+    const double* letter = flat->GetPoint(i);
+    placed->InsertNextPoint(corner[0] + size * letter[0], corner[1] + size * letter[1], height);
+  }
+  flat->SetPoints(placed);
+  return flat;
+}
 
 using Meshes = std::vector<GlbMesh>;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Live/WatchCommand.h"
+#include "Commands/Command.h"
 
 #include "Live/WatchRun.h"
 #include "Options/GridOptions.h"

@@ -13,4 +13,12 @@ void PrintMessage(const std::string& message)
   std::cerr << MessageLine(message) + '\n' << std::flush;
 }
 
+void PrintMessages(const std::vector<std::string>& messages)
+{
+  for (const std::string& message : messages)
+  {
+    PrintMessage(message);
+  }
+}
+
 } // namespace nexrad::application

@@ -2,7 +2,6 @@
 #include "Parallel/JoinedProcesses.h"
 
 #include "Libraries/ProgramLibrary.h"
-#include "Parallel/JoinFunction.h"
 #include "Parallel/LaunchedProcess.h"
 #include "vtkNexradProcesses.h"
 
@@ -10,6 +9,15 @@
 
 namespace nexrad::application
 {
+namespace
+{
+
+/// The function that the program looks for in nexrad3d-mpi: starts MPI and gives a controller of
+/// all processes, which the caller finalizes and deletes.
+using JoinFunction = vtkMultiProcessController* (*)();
+constexpr char joinFunctionName[] = "nexrad3dJoinProcesses";
+
+} // namespace
 
 JoinedProcesses::JoinedProcesses()
 {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Options/SessionFile.h"
-#include "Requests/ViewRequest.h"
+#include "Viewer/RunWindow.h"
 
 #include <QList>
 #include <QMainWindow>

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Libraries/LibraryCall.h"
-#include "Viewer/RunWindow.h"
+#include "Commands/LoadedCommands.h"
 
 /// The function that the program looks for in this library.
-extern "C" __attribute__((visibility("default"))) void nexrad3dWindow(
-  const nexrad::scene::ViewRequest* request, nexrad::scene::ViewReport* report)
+extern "C" __attribute__((visibility("default"))) void nexrad3dAddOptions(
+  const char*, CLI::App* command, nexrad::application::CommandAction* action)
 {
-  nexrad::application::AnswerCall(nexrad::viewer::RunWindow, request, report);
+  nexrad::application::AddViewOptions(*command, *action);
 }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Requests/WebRequest.h"
 #include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Web/PageCode.h"
 #include "Web/PagePresets.h"
+#include "Web/WebPage.h"
 
 #include <vtkSmartPointer.h>
 

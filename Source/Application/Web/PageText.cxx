@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Web/PageText.h"
 
-#include "Web/Base64.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/OrdinaryFile.h"
 
 #include <nlohmann/json.hpp>
+#include <vtksys/Base64.h>
 
 #include <cstddef>
 #include <fstream>
@@ -135,6 +135,13 @@ std::string EscapeHtml(const std::string& text)
     }
   }
   return escaped;
+}
+
+std::string FormatBase64(const std::vector<std::uint8_t>& bytes)
+{
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  vtksysBase64_Encode(bytes.data(), bytes.size(), reinterpret_cast<unsigned char*>(text.data()), 0);
+  return text;
 }
 
 } // namespace nexrad::application

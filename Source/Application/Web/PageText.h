@@ -40,4 +40,7 @@ std::set<std::string> ReadWrittenFiles(const std::filesystem::path& page);
 /// Text with the letters that mean something in HTML as entities.
 std::string EscapeHtml(const std::string& text);
 
+/// Bytes as text of the letters of base64 (RFC 4648, section 4), without line breaks.
+std::string FormatBase64(const std::vector<std::uint8_t>& bytes);
+
 } // namespace nexrad::application

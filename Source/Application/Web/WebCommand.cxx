@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Web/WebCommand.h"
+#include "Commands/Command.h"
 
-#include "Libraries/SceneLibrary.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/Counted.h"
 #include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
+#include "Web/WebPage.h"
 
 #include <CLI/CLI.hpp>
 
@@ -43,47 +43,39 @@ int RunWeb(WebOptions& options)
 {
   ProgressBar bar("making the page", options.quiet);
   options.request.progress = [&bar](double fraction) { return bar.Update(fraction); };
-  const scene::WebReport report = WebWithLibrary(options.request);
+  const scene::WebReport report = MakeWebPage(options.request);
   bar.Clear();
   if (!options.quiet)
   {
     std::cout << report.page.string() << ": " << Counted(report.times, "time") << ", "
               << Counted(report.bytes, "byte") << '\n';
   }
-  for (const std::string& note : report.notes)
-  {
-    PrintMessage(note);
-  }
-  for (const std::string& problem : report.problems)
-  {
-    PrintMessage(problem);
-  }
+  PrintMessages(report.notes);
+  PrintMessages(report.problems);
   return report.problems.empty() ? Done : DoneWithDamage;
 }
 
 } // namespace
 
-void AddWebCommand(CLI::App& program, CommandAction& action)
+void AddWebOptions(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<WebOptions>();
   scene::WebRequest& request = options->request;
-  CLI::App* command = program.add_subcommand(
-    "web", "Make a page that turns and plays volumes, or radar files, in a browser");
-  AddTimedInputs(*command, request.input);
-  AddParsedOption(*command, "-o,--output", request.output, ParsePage, "PAGE",
+  AddTimedInputs(command, request.input);
+  AddParsedOption(command, "-o,--output", request.output, ParsePage, "PAGE",
     "One file (.html) that opens without a server or a network; or a folder, for a page that reads "
     "volume files beside it from a server, and follows a series that grows")
     ->required();
-  AddQuietOption(*command, options->quiet);
-  AddCameraOptions(*command, request.camera);
-  AddAppearanceOptions(*command, request.scene);
-  AddGridOptions(*command, request.input.grid);
-  const auto run = [options, command, &action]
+  AddQuietOption(command, options->quiet);
+  AddCameraOptions(command, request.camera);
+  AddAppearanceOptions(command, request.scene);
+  AddGridOptions(command, request.input.grid);
+  const auto run = [options, &command, &action]
   {
-    options->request.input.momentNamed = command->count("--moment") > 0;
+    options->request.input.momentNamed = command.count("--moment") > 0;
     action = [options] { return RunWeb(*options); };
   };
-  command->callback(run);
+  command.callback(run);
 }
 
 } // namespace nexrad::application

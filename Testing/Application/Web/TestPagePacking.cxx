@@ -2,9 +2,9 @@
 #include "PageParts.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
-#include "Web/Base64.h"
 #include "Web/ColumnPacking.h"
 #include "Web/PageCode.h"
+#include "Web/PageText.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>

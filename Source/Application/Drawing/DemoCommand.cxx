@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/DemoCommand.h"
+#include "Commands/Command.h"
 
 #include "Commands/SimulatedFiles.h"
-#include "Libraries/SceneLibrary.h"
+#include "Drawing/Render.h"
 #include "Options/UnitOptions.h"
 #include "Output/OutputFile.h"
 #include "Output/ProgressBar.h"
@@ -107,7 +107,7 @@ void DrawStage(const DemoOptions& options, scene::RenderRequest request, const s
 {
   Stage stage("drawing", options.quiet);
   request.progress = stage.GetProgress();
-  const scene::RenderReport report = RenderWithLibrary(request);
+  const scene::RenderReport report = scene::Render(request);
   stage.Finish(report.outputs.size(), things, fs::file_size(request.output), request.output);
 }
 
@@ -166,23 +166,20 @@ Duration ParseLengthOfDemo(const std::string& text)
 
 } // namespace
 
-void AddDemoCommand(CLI::App& program, CommandAction& action)
+void AddDemoOptions(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<DemoOptions>();
-  CLI::App* command = program.add_subcommand("demo",
-    "Simulate storms over Missouri and Illinois as three radars scan them from 18:00 UTC on, merge "
-    "the files, and draw pictures and a movie; all are marked SYNTHETIC");
-  command->add_option("folder", options->folder, "Folder that takes everything; made when missing")
+  command.add_option("folder", options->folder, "Folder that takes everything; made when missing")
     ->required()
     ->type_name("DIR");
-  AddParsedOption(*command, "--length", options->length, ParseLengthOfDemo, "DURATION",
+  AddParsedOption(command, "--length", options->length, ParseLengthOfDemo, "DURATION",
     "Time simulated, in min or h", "1h");
-  AddParsedOption(*command, "--dims", options->dimensions, ParseDimensions, "XxYxZ",
+  AddParsedOption(command, "--dims", options->dimensions, ParseDimensions, "XxYxZ",
     "Voxels to the east, to the north and upward", "256x256x128");
-  AddParsedOption(*command, "--size", options->size, ParsePictureSize, "WxH",
+  AddParsedOption(command, "--size", options->size, ParsePictureSize, "WxH",
     "Width and height of the pictures in pixels; the movie has three quarters", "1280x720");
-  AddQuietOption(*command, options->quiet);
-  command->callback([options, &action] { action = [options] { return RunDemo(*options); }; });
+  AddQuietOption(command, options->quiet);
+  command.callback([options, &action] { action = [options] { return RunDemo(*options); }; });
 }
 
 } // namespace nexrad::application

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/RenderCommand.h"
+#include "Commands/Command.h"
 
-#include "Libraries/SceneLibrary.h"
+#include "Drawing/Render.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
@@ -81,7 +81,7 @@ int RunRender(RenderOptions& options)
   WatchStopSignals();
   ProgressBar bar("drawing", options.quiet);
   options.request.progress = [&bar](double fraction) { return bar.Update(fraction); };
-  const scene::RenderReport report = RenderWithLibrary(options.request);
+  const scene::RenderReport report = scene::Render(options.request);
   bar.Clear();
   if (!options.quiet)
   {
@@ -90,44 +90,36 @@ int RunRender(RenderOptions& options)
       std::cout << path.string() << '\n';
     }
   }
-  for (const std::string& note : report.notes)
-  {
-    PrintMessage(note);
-  }
-  for (const std::string& problem : report.problems)
-  {
-    PrintMessage(problem);
-  }
+  PrintMessages(report.notes);
+  PrintMessages(report.problems);
   return report.problems.empty() ? Done : DoneWithDamage;
 }
 
 } // namespace
 
-void AddRenderCommand(CLI::App& program, CommandAction& action)
+void AddRenderOptions(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<RenderOptions>();
   scene::RenderRequest& request = options->request;
-  CLI::App* command =
-    program.add_subcommand("render", "Draw volumes, or radar files, as pictures or a movie");
-  AddInputOptions(*command, request.input);
-  AddParsedOption(*command, "-o,--output", request.output, ParseOutput, "FILE",
+  AddInputOptions(command, request.input);
+  AddParsedOption(command, "-o,--output", request.output, ParseOutput, "FILE",
     "Picture (.png; one for each time, with the time in its name, when there are several, and one "
     "of all radars where each has one file) or movie "
     "(.ogv, or .mp4 where ffmpeg is installed); the surfaces of --iso-values as glTF (.glb); with "
     "--map also a GeoTIFF of its numbers (.tif)")
     ->required();
-  AddQuietOption(*command, options->quiet);
-  AddDrawingOptions(*command, request);
-  AddMovie(*command, request);
-  AddGridOptions(*command, request.input.grid);
-  AddThreadsOption(*command);
-  const auto run = [options, command, &action]
+  AddQuietOption(command, options->quiet);
+  AddDrawingOptions(command, request);
+  AddMovie(command, request);
+  AddGridOptions(command, request.input.grid);
+  AddThreadsOption(command);
+  const auto run = [options, &command, &action]
   {
-    FinishDrawingOptions(*command, options->request);
+    FinishDrawingOptions(command, options->request);
     CheckOutput(options->request);
     action = [options] { return RunRender(*options); };
   };
-  command->callback(run);
+  command.callback(run);
 }
 
 } // namespace nexrad::application

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/ViewCommand.h"
+#include "Commands/Command.h"
 
-#include "Libraries/SceneLibrary.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
+#include "Viewer/RunWindow.h"
 
 #include <CLI/CLI.hpp>
 
@@ -27,7 +27,7 @@ struct ViewOptions
 
 int RunView(const ViewOptions& options)
 {
-  const scene::ViewReport report = WindowWithLibrary(options.request);
+  const scene::ViewReport report = viewer::RunWindow(options.request);
   if (!options.quiet)
   {
     for (const auto& path : report.pictures)
@@ -35,43 +35,35 @@ int RunView(const ViewOptions& options)
       std::cout << path.string() << '\n';
     }
   }
-  for (const std::string& note : report.notes)
-  {
-    PrintMessage(note);
-  }
-  for (const std::string& problem : report.problems)
-  {
-    PrintMessage(problem);
-  }
+  PrintMessages(report.notes);
+  PrintMessages(report.problems);
   return report.problems.empty() ? Done : DoneWithDamage;
 }
 
 } // namespace
 
-void AddViewCommand(CLI::App& program, CommandAction& action)
+void AddViewOptions(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<ViewOptions>();
   scene::ViewRequest& request = options->request;
-  CLI::App* command = program.add_subcommand(
-    "view", "Show volumes, radar files, or a session that was saved (.nxsession), in a window");
-  AddInputOptions(*command, request.input, false);
-  AddQuietOption(*command, options->quiet);
-  AddDrawingOptions(*command, request);
-  AddParsedOption(*command, "--interval", request.interval, ParseInterval, "DURATION",
+  AddInputOptions(command, request.input, false);
+  AddQuietOption(command, options->quiet);
+  AddDrawingOptions(command, request);
+  AddParsedOption(command, "--interval", request.interval, ParseInterval, "DURATION",
     "Time from one step to the next in playing", "0.5s");
   command
-    ->add_option("--pictures", request.pictures, "Folder that takes the pictures that key s writes")
+    .add_option("--pictures", request.pictures, "Folder that takes the pictures that key s writes")
     ->check(CLI::Validator(CLI::ExistingDirectory).description(""))
     ->type_name("DIR")
     ->capture_default_str();
-  AddGridOptions(*command, request.input.grid);
-  AddThreadsOption(*command);
-  const auto run = [options, command, &action]
+  AddGridOptions(command, request.input.grid);
+  AddThreadsOption(command);
+  const auto run = [options, &command, &action]
   {
-    FinishDrawingOptions(*command, options->request);
+    FinishDrawingOptions(command, options->request);
     action = [options] { return RunView(*options); };
   };
-  command->callback(run);
+  command.callback(run);
 }
 
 } // namespace nexrad::application
