@@ -252,24 +252,27 @@ vtkStringArray* vtkNexradDayReader::GetSites()
 nexrad::MergeOptions vtkNexradDayReader::MakeDayOptions() const
 {
   nexrad::MergeOptions options = this->MakeMergeOptions();
-  options.maximumGap = nexrad::DurationOf(this->MaximumGap);
-  options.step = nexrad::DurationOf(this->TimeStep);
+  if (options.maximumGap == nexrad::MergeOptions().maximumGap)
+  {
+    options.maximumGap = nexrad::DurationOf(this->MaximumGap);
+  }
+  options.step = options.step.value_or(nexrad::DurationOf(this->TimeStep));
   options.atLeastOne = true;
-  if (this->BeginTime > VTK_DOUBLE_MIN)
+  if (!options.begin && this->BeginTime > VTK_DOUBLE_MIN)
   {
     options.begin = nexrad::FromSeconds(this->BeginTime);
   }
-  if (this->EndTime < VTK_DOUBLE_MAX)
+  if (!options.end && this->EndTime < VTK_DOUBLE_MAX)
   {
     options.end = nexrad::FromSeconds(this->EndTime);
   }
   options.memory = static_cast<std::size_t>(this->MemoryLimit);
-  options.siteName = this->SiteName;
+  options.siteName = options.siteName.empty() ? this->SiteName : options.siteName;
   options.compareRadars = true;
   return options;
 }
 
-nexrad::MergerSetup vtkNexradDayReader::MakeSetup() const
+nexrad::MergerSetup vtkNexradDayReader::MakeSetup(const std::array<int, 3>& dimensions) const
 {
   vtkMultiProcessController* controller = this->Controller;
   if (!controller && this->UseGlobalController)
@@ -284,15 +287,15 @@ nexrad::MergerSetup vtkNexradDayReader::MakeSetup() const
   // The pipeline may ask one process alone for an output, which then must know all volumes.
   setup.scanFirst = setup.processes.Count() > 1;
   // VTK shares a volume out along its longest axis; of x and y alike, along y.
-  setup.order = this->Dimensions[1] >= this->Dimensions[0] ? nexrad::ScanOrder::ByLatitude
-                                                           : nexrad::ScanOrder::ByLongitude;
+  setup.order =
+    dimensions[1] >= dimensions[0] ? nexrad::ScanOrder::ByLatitude : nexrad::ScanOrder::ByLongitude;
   return setup;
 }
 
 bool vtkNexradDayReader::Open()
 {
   const nexrad::MergeOptions options = this->MakeDayOptions();
-  const Day::Origin from = {this->FileNames, this->Moment, this->SiteName, this->MemoryLimit,
+  const Day::Origin from = {this->FileNames, this->GetMoment(), options.siteName, this->MemoryLimit,
     nexrad::MomentOptionsOf(options), options.measureBiases};
   if (this->Opened && this->Opened->From == from)
   {
@@ -300,7 +303,7 @@ bool vtkNexradDayReader::Open()
   }
   this->Damage->Initialize();
   this->LeftOut->Initialize();
-  this->Opened = std::make_unique<Day>(from, options, this->MakeSetup());
+  this->Opened = std::make_unique<Day>(from, options, this->MakeSetup(options.grid.dimensions));
   if (!this->Opened->Merger.Open(vtkNexradProgress(this)))
   {
     this->Opened.reset();
@@ -381,7 +384,7 @@ int vtkNexradDayReader::RequestInformation(
     this->Sites->InsertNextValue(site);
   }
   vtkInformation* info = output->GetInformationObject(0);
-  vtkNexradOfferExtent(info, this->Dimensions);
+  vtkNexradOfferExtent(info, merger.Grid().dimensions.data());
   vtkDataObject::SetPointDataActiveScalarInfo(info, VTK_FLOAT, 1);
   info->Set(vtkDataObject::ORIGIN(), merger.Grid().origin.data(), 3);
   info->Set(vtkDataObject::SPACING(), merger.Grid().spacing.data(), 3);

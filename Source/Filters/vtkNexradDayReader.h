@@ -50,6 +50,7 @@
 #include "vtkNexradGridAlgorithm.h"
 #include "vtkSmartPointer.h" // For members
 
+#include <array>  // For dimensions
 #include <memory> // For members
 #include <string> // For members
 #include <vector> // For members
@@ -250,7 +251,7 @@ private:
   void operator=(const vtkNexradDayReader&) = delete;
 
   nexrad::MergeOptions MakeDayOptions() const;
-  nexrad::MergerSetup MakeSetup() const;
+  nexrad::MergerSetup MakeSetup(const std::array<int, 3>& dimensions) const;
   /**
    * Finds the files, or sets the options of those that are known. False after an abort. Throws
    * nexrad::Error.

@@ -15,7 +15,7 @@
  * The field data of these grids and of the collection have the names of the numbers: string arrays
  * `EchoClassNames` and `EchoReasonNames`.
  *
- * Nothing is taken out of `REF`; vtkNexradGridAlgorithm::SetQuality does that before it merges, by
+ * Nothing is taken out of `REF`; vtkNexradDayReader does that before it merges, by
  * the same classes. The tests look at all moments of a volume (Formulas Q1 to Q4): a moment that
  * the reader leaves out is not looked at.
  */
@@ -56,7 +56,7 @@ public:
 
   /**
    * Whether quality control at a level takes out gates of a class before a merge. The levels are
-   * those of vtkNexradGridAlgorithm::SetQuality: 0 off, 1 standard, 2 strict. False for another
+   * those of the option "quality" of the merge: 0 off, 1 standard, 2 strict. False for another
    * level or class.
    */
   static bool IsTakenOut(int quality, int echoClass);

@@ -23,13 +23,11 @@
 #include "vtkImageAlgorithm.h"
 #include "vtkNexradFiltersModule.h" // For export macro
 
+#include <map>    // For members
 #include <string> // For members
-#include <vector> // For moments and volumes
 
 namespace nexrad
 {
-enum class MomentName : unsigned char;
-struct GridRequest;
 struct MergeOptions;
 } // namespace nexrad
 
@@ -51,19 +49,6 @@ public:
   };
 
   /**
-   * What becomes of a voxel that several radars scanned (Formulas W1 to W4). MEAN: all count alike.
-   * NEAREST: the nearest radar alone. MAXIMUM: the largest value. DISTANCE: weights that fall with
-   * the distance.
-   */
-  enum OverlapStrategyType
-  {
-    MEAN = 0,
-    NEAREST = 1,
-    MAXIMUM = 2,
-    DISTANCE = 3
-  };
-
-  /**
    * Interpolation between two observations of a radar. LINEAR: without a shift (Formulas A1).
    * MOTION: along the motion of the echo (A2a).
    */
@@ -73,49 +58,41 @@ public:
     MOTION = 1
   };
 
-  /**
-   * What quality control takes out of REF, see SetQuality.
-   */
-  enum QualityLevelType
-  {
-    QUALITY_OFF = 0,
-    QUALITY_STANDARD = 1,
-    QUALITY_STRICT = 2
-  };
-
-  /**
-   * PROJECTED: metres east and north of the domain's centre in the azimuthal equidistant
-   * projection of WGS84. GEOGRAPHIC: degrees of longitude and latitude, as the thesis has them.
-   */
-  enum AxesType
-  {
-    PROJECTED = 0,
-    GEOGRAPHIC = 1
-  };
-
   ///@{
+  /**
+   * Sets an option of the merge, and says what it is. The keys and texts are those of `nexrad3d
+   * grid` (user guide, chapter 3): "overlap-length" and "80km". A flag is "on" or "off", and its
+   * key has no "no-" before it: "sharpening". An empty text is the default. A number is metres,
+   * seconds, 0 or 1 of a flag, or the place of a name among those of a choice, from 0. An unknown
+   * key gives an error, and changes nothing; a wrong text is an error of the next update
+   * (UserError).
+   */
+  void SetOption(const char* key, const char* text);
+  void SetOption(const char* key, double number);
+  std::string GetOption(const char* key) const;
+  ///@}
+
+  /**
+   * What the options are, as a JSON array with an object for each: key, kind, choices, default, and
+   * a sentence ("says").
+   */
+  static std::string GetOptionTable();
+
   /**
    * Voxels along x, y and z. 256, 256, 128 by default; each at least 1.
    */
-  vtkSetVector3Macro(Dimensions, int);
-  vtkGetVector3Macro(Dimensions, int);
-  ///@}
+  void SetDimensions(int x, int y, int z);
+  void SetDimensions(const int dimensions[3]);
 
-  ///@{
   /**
    * Radius in metres of the circle about each site that the grid must hold. 230 000 by default.
    */
-  vtkSetMacro(Range, double);
-  vtkGetMacro(Range, double);
-  ///@}
+  void SetRange(double metres);
 
-  ///@{
   /**
    * Lower and upper face of the grid in metres above mean sea level. 0 and 20 000 by default.
    */
-  vtkSetVector2Macro(HeightRange, double);
-  vtkGetVector2Macro(HeightRange, double);
-  ///@}
+  void SetHeightRange(double lower, double upper);
 
   ///@{
   /**
@@ -131,12 +108,12 @@ public:
 
   ///@{
   /**
-   * What x and y mean. PROJECTED by default.
+   * What x and y mean. Projected by default: metres east and north of the domain's centre in the
+   * azimuthal equidistant projection of WGS84. Geographic: degrees of longitude and latitude, as
+   * the thesis has them.
    */
-  vtkSetClampMacro(Axes, int, PROJECTED, GEOGRAPHIC);
-  vtkGetMacro(Axes, int);
-  void SetAxesToProjected() { this->SetAxes(PROJECTED); }
-  void SetAxesToGeographic() { this->SetAxes(GEOGRAPHIC); }
+  void SetAxesToProjected() { this->SetOption("axes", "projected"); }
+  void SetAxesToGeographic() { this->SetOption("axes", "geographic"); }
   ///@}
 
   ///@{
@@ -144,12 +121,12 @@ public:
    * Name of the moment: "REF" (the default), "VEL", "SW", "ZDR", "PHI", "RHO" or "CFP", or one that
    * is derived of them: "SRV" (radial velocity relative to the storm, m/s), "AZSHEAR" (azimuthal
    * shear, 1/s), "DIV" (radial divergence, 1/s) or "KDP" (specific differential phase, degrees/km;
-   * nexrad::MomentMaker). THESIS knows REF alone. vtkNexradDayReader also takes several, as
-   * "REF,VEL": each file is decoded once for all of them, and the first gives the active scalars
-   * and the ghost flags (vtkNexradImageConversion.h).
+   * nexrad::MomentMaker). THESIS knows REF alone. Several, as "REF,VEL", are merged in one run:
+   * each file is decoded once for all of them, and the first gives the active scalars and the ghost
+   * flags (vtkNexradImageConversion.h).
    */
-  vtkSetMacro(Moment, std::string);
-  vtkGetMacro(Moment, std::string);
+  void SetMoment(const std::string& names) { this->SetOption("moment", names.c_str()); }
+  std::string GetMoment() const { return this->GetOption("moment"); }
   ///@}
 
   ///@{
@@ -157,35 +134,22 @@ public:
    * The method, BEAM by default. An unknown one is refused with an error, and the method stays.
    */
   void SetMethod(int method);
-  vtkGetMacro(Method, int);
+  int GetMethod() const { return this->GetOption("method") == "thesis" ? THESIS : BEAM; }
   void SetMethodToThesis() { this->SetMethod(THESIS); }
   void SetMethodToBeam() { this->SetMethod(BEAM); }
   ///@}
 
   ///@{
   /**
-   * Takes out gates whose value stands nearly alone, before anything is merged: those of which
-   * fewer than this many of the 26 neighbours in ray, gate and tilt have a value. Such a gate
-   * carries no weight, and does not say that there is no echo. 0…26; 0, which takes out none, by
-   * default.
+   * What quality control takes out of REF before it is merged (Formulas Q1 to Q5). Standard (the
+   * default): ground clutter and anomalous propagation, spikes of the sun and of other
+   * transmitters, receiver faults and speckle. Strict: birds and insects too. Off: nothing. Gates
+   * that are taken out carry no weight; a voxel that no other radar saw has the state 4, filtered.
+   * For BEAM; THESIS takes out nothing.
    */
-  vtkSetClampMacro(FewestNeighbours, int, 0, 26);
-  vtkGetMacro(FewestNeighbours, int);
-  ///@}
-
-  ///@{
-  /**
-   * What quality control takes out of REF before it is merged (Formulas Q1 to Q5).
-   * QUALITY_STANDARD: ground clutter and anomalous propagation, spikes of the sun and of other
-   * transmitters, receiver faults and speckle. QUALITY_STRICT: birds and insects too. QUALITY_OFF:
-   * nothing. Gates that are taken out carry no weight; a voxel that no other radar saw has the
-   * state 4, filtered. For BEAM; THESIS takes out nothing. QUALITY_STANDARD by default.
-   */
-  vtkSetClampMacro(Quality, int, QUALITY_OFF, QUALITY_STRICT);
-  vtkGetMacro(Quality, int);
-  void SetQualityToOff() { this->SetQuality(QUALITY_OFF); }
-  void SetQualityToStandard() { this->SetQuality(QUALITY_STANDARD); }
-  void SetQualityToStrict() { this->SetQuality(QUALITY_STRICT); }
+  void SetQualityToOff() { this->SetOption("quality", "off"); }
+  void SetQualityToStandard() { this->SetOption("quality", "standard"); }
+  void SetQualityToStrict() { this->SetOption("quality", "strict"); }
   ///@}
 
   ///@{
@@ -195,8 +159,7 @@ public:
    * within the Nyquist velocity of its ray. SRV, AZSHEAR and DIV are made of unfolded velocities
    * either way. On by default.
    */
-  vtkSetMacro(Dealiasing, bool);
-  vtkGetMacro(Dealiasing, bool);
+  void SetDealiasing(bool on) { this->SetOption("dealiasing", on ? "on" : "off"); }
   vtkBooleanMacro(Dealiasing, bool);
   ///@}
 
@@ -211,37 +174,6 @@ public:
   vtkSetMacro(UseStormMotion, bool);
   vtkGetMacro(UseStormMotion, bool);
   vtkBooleanMacro(UseStormMotion, bool);
-  ///@}
-
-  ///@{
-  /**
-   * For BEAM and reflectivity: the biases of radars that are taken off before anything is merged
-   * (Formulas Q6). "off" (the default): none. "auto": those that the comparison of the radars finds
-   * where two of them see the same places; vtkNexradDayReader then decodes all files first. Else
-   * names of radars, and how many dB they measure too high, -20 to 20: "KLSX:2,KILX:-1.5". A
-   * radar that is none of the inputs' is an error.
-   */
-  vtkSetMacro(Bias, std::string);
-  vtkGetMacro(Bias, std::string);
-  ///@}
-
-  ///@{
-  /**
-   * For BEAM: how radars that scanned the same voxel are put together. DISTANCE by default.
-   * Velocity, divergence, spectrum width and differential phase always take the nearest, azimuthal
-   * shear always the largest value.
-   */
-  vtkSetClampMacro(OverlapStrategy, int, MEAN, DISTANCE);
-  vtkGetMacro(OverlapStrategy, int);
-  ///@}
-
-  ///@{
-  /**
-   * For BEAM and DISTANCE: the distance in metres at which a radar's weight has fallen to 1/e of
-   * that at the radar. 100 000 by default; must be above 0.
-   */
-  vtkSetMacro(OverlapLength, double);
-  vtkGetMacro(OverlapLength, double);
   ///@}
 
   ///@{
@@ -274,28 +206,8 @@ public:
    * For BEAM: take back from reflectivity in dBZ what the width of the beam did to it (Formulas
    * G9). Off leaves the values as the radars measured them. On by default.
    */
-  vtkSetMacro(Sharpening, bool);
-  vtkGetMacro(Sharpening, bool);
+  void SetSharpening(bool on) { this->SetOption("sharpening", on ? "on" : "off"); }
   vtkBooleanMacro(Sharpening, bool);
-  ///@}
-
-  ///@{
-  /**
-   * For BEAM: interpolate and average reflectivity as Z in place of dBZ. Off by default.
-   */
-  vtkSetMacro(LinearReflectivity, bool);
-  vtkGetMacro(LinearReflectivity, bool);
-  vtkBooleanMacro(LinearReflectivity, bool);
-  ///@}
-
-  ///@{
-  /**
-   * For BEAM: fill each column between and below what was scanned, as THESIS always does. Off by
-   * default.
-   */
-  vtkSetMacro(ColumnFilling, bool);
-  vtkGetMacro(ColumnFilling, bool);
-  vtkBooleanMacro(ColumnFilling, bool);
   ///@}
 
   ///@{
@@ -303,8 +215,7 @@ public:
    * For BEAM: add the ancillary arrays `REF_age`, `REF_radars`,
    * `REF_weight` and `REF_site` (vtkNexradImageConversion.h). Off by default.
    */
-  vtkSetMacro(AncillaryArrays, bool);
-  vtkGetMacro(AncillaryArrays, bool);
+  void SetAncillaryArrays(bool on) { this->SetOption("ancillary", on ? "on" : "off"); }
   vtkBooleanMacro(AncillaryArrays, bool);
   ///@}
 
@@ -313,15 +224,8 @@ protected:
   ~vtkNexradGridAlgorithm() override;
 
   /**
-   * The moments. Throws nexrad::Error for one that the method does not know.
-   */
-  std::vector<nexrad::MomentName> CheckMoments() const;
-
-  nexrad::GridRequest MakeGridRequest() const;
-
-  /**
-   * What the properties ask of merged volumes. Throws nexrad::Error as CheckMoments does, and for
-   * a Bias that is none.
+   * What the options ask of merged volumes. Throws nexrad::Error for a text that is wrong, and for
+   * a moment that the method does not know.
    */
   nexrad::MergeOptions MakeMergeOptions() const;
 
@@ -330,33 +234,19 @@ protected:
    */
   int Fail(unsigned long code, const std::string& line);
 
-  int Dimensions[3] = {256, 256, 128};
-  double Range = 230000.0;
-  double HeightRange[2] = {0.0, 20000.0};
   double GeographicBounds[4] = {0.0, 0.0, 0.0, 0.0};
   bool UseGeographicBounds = false;
-  int Axes = PROJECTED;
-  std::string Moment = "REF";
-  int Method = BEAM;
-  int FewestNeighbours = 0;
-  int Quality = QUALITY_STANDARD;
-  bool Dealiasing = true;
   double StormMotion[2] = {0.0, 0.0};
   bool UseStormMotion = false;
-  std::string Bias = "off";
-  int OverlapStrategy = DISTANCE;
-  double OverlapLength = 100000.0;
   int TimeInterpolation = MOTION;
   double GivenMotion[2] = {0.0, 0.0};
   bool UseGivenMotion = false;
-  bool LinearReflectivity = false;
-  bool Sharpening = true;
-  bool ColumnFilling = false;
-  bool AncillaryArrays = false;
 
 private:
   vtkNexradGridAlgorithm(const vtkNexradGridAlgorithm&) = delete;
   void operator=(const vtkNexradGridAlgorithm&) = delete;
+
+  std::map<std::string, std::string> Texts; // of the options that were set
 };
 
 #endif

@@ -324,7 +324,7 @@ TEST_F(DayReader, TakesOutGatesWithFewNeighbours)
 {
   const auto echoes = [this](int fewest)
   {
-    reader->SetFewestNeighbours(fewest);
+    reader->SetOption("despeckle", fewest);
     const GriddedVolume volume = this->At(start + 3min);
     return std::count(volume.states.begin(), volume.states.end(), VoxelState::Echo);
   };
@@ -334,8 +334,8 @@ TEST_F(DayReader, TakesOutGatesWithFewNeighbours)
   EXPECT_LT(echoes(8), all);
   EXPECT_AT_LEAST(echoes(8), 700, "voxels of echo without speckle");
   EXPECT_EQ(echoes(9), 0);
-  reader->SetFewestNeighbours(100);
-  EXPECT_EQ(reader->GetFewestNeighbours(), 26);
+  reader->SetOption("despeckle", 100);
+  this->ExpectFailure(vtkErrorCode::UserError, "despeckle: '100' is no number from 0 to 26");
 }
 
 TEST_F(DayReader, LittleMemoryGivesTheSameVolumes)
@@ -394,6 +394,24 @@ TEST_F(DayReader, RequestsThatCannotBeMetAreErrors)
   this->ExpectFailure(vtkErrorCode::NoFileNameError, "no file name");
   reader->AddFileName((folder.Path() / "absent").c_str());
   this->ExpectFailure(vtkErrorCode::FileNotFoundError, "absent: no such file or folder");
+}
+
+// Options by their keys are those of the program, and count before the properties.
+TEST_F(DayReader, TakesOptionsByTheirKeys)
+{
+  reader->SetOption("height", "1km,9km");
+  reader->SetOption("dims", "8x6x4");
+  const GriddedVolume volume = this->At(start + 3min);
+  EXPECT_EQ(volume.grid.dimensions, (std::array<int, 3>{8, 6, 4}));
+  EXPECT_EQ(volume.grid.origin[2], 2000.0);
+  reader->SetOption("overlap", 0.0);
+  EXPECT_EQ(reader->GetOption("overlap"), "mean");
+  reader->SetOption("overlap-length", 80e3);
+  EXPECT_EQ(reader->GetOption("overlap-length"), "80000m");
+  EXPECT_EQ(reader->GetOption("max-gap"), "15min");
+  EXPECT_TRUE(events->errors.empty());
+  reader->SetOption("colour", "red");
+  EXPECT_TRUE(AnyHolds(events->errors, "there is no option colour"));
 }
 
 // A list of moments gives an array for each; a file without one of them still takes part.
@@ -511,7 +529,7 @@ TEST_F(DayReader, PrintsItsState)
   std::ostringstream text;
   reader->Print(text);
   EXPECT_NE(text.str().find("TimeStep: 60"), std::string::npos);
-  EXPECT_NE(text.str().find("Dimensions: 48, 24, 8"), std::string::npos);
+  EXPECT_NE(text.str().find("dims: 48x24x8"), std::string::npos);
 }
 
 // The whole way on real files against the core's own: scan, choice of volumes and merge.
@@ -567,7 +585,7 @@ TEST(DayReaderOnRealFiles, DealiasesAsAsked)
   NEXRAD_REQUIRE_TEST_DATA(data);
   const auto reader = SmallDayOf(data / "level2/legacy/KTLX19990503_235621.gz");
   reader->SetMoment("VEL");
-  EXPECT_TRUE(reader->GetDealiasing());
+  EXPECT_EQ(reader->GetOption("dealiasing"), "on");
   const std::vector<float> unfolded = FirstVolumeOf(reader).values;
   reader->DealiasingOff();
   EXPECT_NE(FirstVolumeOf(reader).values, unfolded);
@@ -602,11 +620,11 @@ TEST(DayReaderOfTwoRadars, TakesBiasesOff)
   reader->SharpeningOff();
   const auto largestWith = [&](const char* bias)
   {
-    reader->SetBias(bias);
+    reader->SetOption("bias", bias);
     const std::vector<float> values = FirstVolumeOf(reader).values;
     return *std::max_element(values.begin(), values.end());
   };
-  EXPECT_EQ(reader->GetBias(), "off");
+  EXPECT_EQ(reader->GetOption("bias"), "off");
   EXPECT_NEAR(largestWith("off"), 34.0F, 1e-4F);
   EXPECT_NEAR(largestWith("KTWO:4"), 30.0F, 1e-4F);
   EXPECT_NEAR(largestWith("auto"), 32.0F, 1e-4F);
@@ -616,7 +634,7 @@ TEST(DayReaderOfTwoRadars, TakesBiasesOff)
   vtkNew<EventCounter> events;
   events->Observe(reader);
   events->Observe(reader->GetExecutive());
-  reader->SetBias("KABR:1");
+  reader->SetOption("bias", "KABR:1");
   reader->Update();
   EXPECT_TRUE(AnyHolds(events->errors, "a bias is given for KABR"));
 }

@@ -5,14 +5,16 @@ import datetime
 import filecmp
 import functools
 import glob
+import inspect
 import os
 import pathlib
 import subprocess
 import unittest
+from xml.etree import ElementTree
 
 import numpy
 import vtknexrad
-from vtknexrad import State
+from vtknexrad import State, merging
 from vtkmodules.vtkCommonDataModel import vtkImageData
 
 import Geodesy
@@ -20,6 +22,7 @@ import SyntheticFiles
 from Tolerance import at_most
 
 DIMS = (40, 36, 16)
+IN_METRES = {"range": "230000m", "overlap_length": "100000m", "height": "0m,20000m"}
 
 
 def path_of(name):
@@ -130,7 +133,7 @@ class Refusals(unittest.TestCase):
     def test_parameters_that_cannot_be(self):
         self.refuse("quality is 'good'; it must be one of off, standard, strict", quality="good")
         self.refuse("method is 'mean'; it must be one of beam, thesis", method="mean")
-        self.refuse("overlap is 1; it must be one of distance, nearest, mean, maximum", overlap=1)
+        self.refuse("overlap is 1; it must be one of mean, nearest, maximum, distance", overlap=1)
         self.refuse("axes is 'km'; it must be one of projected, geographic", axes="km")
         self.refuse("motion is 'off'; it must be one of estimated, none", motion="off")
         self.refuse("motion has 3 numbers; it must have 2: m/s to the east, m/s to the north", motion=(1, 2, 3))
@@ -142,6 +145,10 @@ class Refusals(unittest.TestCase):
         self.refuse("range is nan; it must be above 0", range=float("nan"))
         self.refuse("max_gap is -1 s; it must not be negative", max_gap=-1)
         self.refuse("'noon' is no time; write it as 2006-03-12T18:05", begin="noon")
+
+    def test_parameters_that_are_none(self):
+        with self.assertRaisesRegex(TypeError, r"^merge\(\) has no parameter smoothing$"):
+            vtknexrad.merge(SyntheticFiles.files(), smoothing=True)
 
     def test_no_files(self):
         with self.assertRaisesRegex(ValueError, "^there are no files to merge$"):
@@ -175,6 +182,32 @@ class Refusals(unittest.TestCase):
             series[5:5].write(path_of("none"))
         with self.assertRaisesRegex(ValueError, "^code is 'zip'; it must be one of automatic, radar, exact$"):
             series.write(path_of("none"), code="zip")
+
+
+class Options(unittest.TestCase):
+    def test_the_signature_has_the_defaults_of_the_table(self):
+        for name, parameter in inspect.signature(vtknexrad.merge).parameters.items():
+            option = merging.OPTIONS.get(name)
+            if option and name not in merging.TIMES and parameter.default is not None:
+                self.assertEqual(merging.text_of(name, parameter.default),
+                                 IN_METRES.get(name, option["default"]), name)
+
+    def test_paraview_s_properties_have_the_names_and_defaults_of_the_table(self):
+        grid = pathlib.Path(__file__).resolve().parents[2] / "Plugins" / "ParaView" / "Grid.xml"
+        properties = [each for each in ElementTree.parse(grid).iter() if "initial_string" in each.attrib]
+        self.assertGreater(len(properties), 5)
+        for each in properties:
+            self.assertEqual(each.get("command"), "SetOption")
+            option = merging.OPTIONS[each.get("initial_string").replace("-", "_")]
+            entries = each.findall("EnumerationDomain/Entry")
+            names = [entry.get("text").partition(" ")[0].lower() for entry in entries]
+            self.assertEqual(names, option["choices"])
+            self.assertEqual([int(entry.get("value")) for entry in entries], list(range(len(entries))))
+            day = vtknexrad.vtkNexradDayReader()
+            value = each.get("default_values")
+            day.SetOption(each.get("initial_string"), value if each.tag[:6] == "String" else float(value))
+            self.assertEqual(day.GetOption(each.get("initial_string")),
+                             IN_METRES.get(each.get("initial_string").replace("-", "_"), option["default"]))
 
 
 class Volumes(unittest.TestCase):

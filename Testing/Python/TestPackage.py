@@ -138,9 +138,9 @@ class Arrays(unittest.TestCase):
     def test_a_bias_is_taken_off_and_what_is_none_is_refused(self):
         day = day_reader()
         measured = vtknexrad.array(vtknexrad.update(day), "REF").max()
-        day.SetBias("KLSX:2")
+        day.SetOption("bias", "KLSX:2")
         self.assertAlmostEqual(vtknexrad.array(vtknexrad.update(day), "REF").max(), measured - 2.0, delta=0.5)
-        day.SetBias("KLSX")
+        day.SetOption("bias", "KLSX")
         with self.assertRaisesRegex(Exception, "write auto, off, or radars"):
             vtknexrad.update(day)
 
@@ -172,10 +172,10 @@ class Arrays(unittest.TestCase):
 
     def test_quality_control_can_be_switched_off(self):
         day = day_reader()
-        self.assertEqual(day.GetQuality(), 1)
+        self.assertEqual(day.GetOption("quality"), "standard")
         states = {}
         for quality in (0, 1):
-            day.SetQuality(quality)
+            day.SetOption("quality", quality)
             states[quality] = vtknexrad.array(vtknexrad.update(day), "REF_state").copy()
         self.assertNotIn(4, states[0])
         self.assertFalse(numpy.array_equal(states[0], states[1]))

@@ -77,6 +77,15 @@ def wrong_commands(text):
     return wrong
 
 
+def rows_of_merging():
+    """The table of the options of merging, as `grid --help` describes them."""
+    group = help_of("grid").partition("\nMerging radar files:\n")[2].partition("\n\n")[0]
+    lines = re.sub(r"\n {10,}", "   ", group)  # a sentence begins a line of its own after a long option
+    found = re.findall(r"^  (--[a-z-]+)(?: [A-Zx][A-Zx.,]*(?:=(\S+))?)?(?: Excludes: \S+)? +(\S.*)$", lines,
+                       re.MULTILINE)
+    return [f"| `{option}` | {default} | {sentence} |" for option, default, sentence in found]
+
+
 class Documents(unittest.TestCase):
     def each(self, faults):
         self.assertGreater(len(documents()), 15)
@@ -92,6 +101,11 @@ class Documents(unittest.TestCase):
 
     def test_commands(self):
         self.each(lambda document: wrong_commands(document.read_text()))
+
+    def test_the_table_of_merging_is_that_of_the_program(self):
+        page = (ROOT / "Documentation" / "User" / "3-merging.md").read_text()
+        self.assertGreater(len(rows_of_merging()), 15)
+        self.assertIn("\n".join(rows_of_merging()), page)
 
     def test_pages_begin_with_what_they_are_for(self):
         """A heading, then a paragraph: no list, table, picture or second heading."""

@@ -19,10 +19,9 @@ void AddOption(CLI::App& command, const Setting<MergeOptions>& setting, MergeOpt
                                              setting.Option(), [take] { take(""); }, setting.says)
                                          : AddTextOption(command, setting.Option(), take,
                                              setting.value.unit, setting.says);
-  const std::string& shown = setting.shown.empty() ? setting.usual : setting.shown;
-  if (!setting.IsFlag() && !shown.empty())
+  if (!setting.IsFlag() && !setting.Default().empty())
   {
-    option->default_str(shown);
+    option->default_str(setting.Default());
   }
   if (!setting.excludes.empty())
   {

@@ -18,8 +18,9 @@ std::string SettingsJson(const std::vector<SettingRow>& rows)
   for (const SettingRow& row : rows)
   {
     json.push_back({{"key", row.key}, {"option", row.Option()}, {"kind", row.value.kind},
-      {"choices", row.value.choices}, {"default", row.shown.empty() ? row.usual : row.shown},
-      {"excludes", row.excludes}, {"use", uses[static_cast<int>(row.use)]}, {"says", row.says}});
+      {"choices", row.value.choices}, {"least", row.value.least}, {"most", row.value.most},
+      {"default", row.Default()}, {"excludes", row.excludes},
+      {"use", uses[static_cast<int>(row.use)]}, {"says", row.says}});
   }
   return json.dump(1);
 }

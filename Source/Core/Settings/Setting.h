@@ -43,6 +43,8 @@ struct SettingRow
   bool IsFlag() const { return value.unit.empty(); }
   /// "--overlap-length"; of a flag that is on by default "--no-sharpening".
   std::string Option() const;
+  /// The default that help texts show.
+  const std::string& Default() const { return shown.empty() ? usual : shown; }
 };
 
 /// A row, and how the setting is read and written in a struct.
@@ -85,6 +87,20 @@ const Setting<Settings>* FindSetting(const SettingTable<Settings>& table, const 
   const auto found = std::find_if(table.begin(), table.end(),
     [&key](const Setting<Settings>& setting) { return setting.key == key; });
   return found == table.end() ? nullptr : &*found;
+}
+
+/// Sets a value by its text. Throws Error, with the key of the setting, for a text that is wrong.
+template <typename Settings>
+void SetText(const Setting<Settings>& setting, const std::string& text, Settings& settings)
+{
+  try
+  {
+    setting.set(settings, text);
+  }
+  catch (const Error& error)
+  {
+    throw Error(setting.key + ": " + error.what());
+  }
 }
 
 /// Sets what an option says; the text of a flag is empty.
@@ -146,7 +162,8 @@ bool AreSame(const SettingTable<Settings>& table, const Settings& a, const Setti
     [&](const Setting<Settings>& setting) { return setting.text(a) == setting.text(b); });
 }
 
-/// The rows as a JSON array, an object for each: key, option, kind, choices, default, excludes, use
+/// The rows as a JSON array, an object for each: key, option, kind, choices, least,
+/// most, default, excludes, use
 /// ("result", "machine", "library") and says.
 std::string SettingsJson(const std::vector<SettingRow>& rows);
 

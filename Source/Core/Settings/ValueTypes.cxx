@@ -95,7 +95,8 @@ ValueType<int> NumberValue(int least, int most)
     }
     return number;
   };
-  return {{"number", "NUMBER", {}}, parse, [](int number) { return std::to_string(number); }};
+  return {{"number", "NUMBER", {}, least, most}, parse,
+    [](int number) { return std::to_string(number); }};
 }
 
 std::string ListOfChoices(const std::vector<std::string>& names)

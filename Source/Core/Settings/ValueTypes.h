@@ -23,6 +23,8 @@ struct ValueDescription
   std::string kind;                 ///< "length", "duration", "time", "choice", "flag", …
   std::string unit;                 ///< placeholder in help texts, as "LENGTH"; empty for a flag
   std::vector<std::string> choices; ///< the names of a choice, in the order of its numbers
+  int least = 0;                    ///< of a number
+  int most = 0;                     ///< of a number
 };
 
 /// How a value is read of a text and written as one. `parse` throws Error, saying what is wrong

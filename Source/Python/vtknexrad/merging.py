@@ -3,8 +3,11 @@
 
 from __future__ import annotations
 
+import json
 import os
 from typing import Any, Iterable, Mapping, Optional, Union
+
+import numpy
 
 from . import files
 from .files import Path, one_of
@@ -12,12 +15,11 @@ from .series import VolumeSeries
 from .times import Duration, Time, duration_of, seconds_of
 from .vtkNexradFilters import vtkNexradDayReader
 
-METHODS = {"beam": vtkNexradDayReader.BEAM, "thesis": vtkNexradDayReader.THESIS}
-OVERLAPS = {"distance": vtkNexradDayReader.DISTANCE, "nearest": vtkNexradDayReader.NEAREST,
-            "mean": vtkNexradDayReader.MEAN, "maximum": vtkNexradDayReader.MAXIMUM}
-QUALITIES = {"off": vtkNexradDayReader.QUALITY_OFF, "standard": vtkNexradDayReader.QUALITY_STANDARD,
-             "strict": vtkNexradDayReader.QUALITY_STRICT}
-AXES = {"projected": vtkNexradDayReader.PROJECTED, "geographic": vtkNexradDayReader.GEOGRAPHIC}
+OPTIONS = {option["key"].replace("-", "_"): option for option in json.loads(vtkNexradDayReader.GetOptionTable())}
+QUALITIES = {name: number for number, name in enumerate(OPTIONS["quality"]["choices"])}
+TIMES = ("step", "begin", "end", "max_gap", "memory", "site")  # are properties of the reader
+MEANINGS = {"bounds": ("west", "south", "east", "north"), "heights": ("lower face", "upper face"),
+            "motion": ("m/s to the east", "m/s to the north"), "echo motion": ("m/s to the east", "m/s to the north")}
 
 Motion = tuple[float, float]
 
@@ -47,7 +49,8 @@ def merge(paths: Union[Path, Iterable[Path]], *,
           ancillary: bool = False,
           motion: Union[str, Motion] = "estimated",
           memory: int = 1 << 30,
-          site: str = "") -> VolumeSeries:
+          site: str = "",
+          **further: Any) -> VolumeSeries:
     """Merges the files of any number of radars; gives one volume for each time step.
 
     The files are looked at now, the volumes are merged when they are asked for. The parameters are the
@@ -79,6 +82,7 @@ def merge(paths: Union[Path, Iterable[Path]], *,
     motion: of the echo between two scans: "estimated", "none", or m/s to the east and to the north.
     memory: bytes for rays that are kept for further volumes.
     site: name of the radar in place of those in the files; all then count as this one's.
+    further: options of `nexrad3d grid` that are not named here, with _ for -.
 
     Raises ValueError for a parameter that cannot be, FileNotFoundError for a path that does not exist,
     and Error for files that hold no ray and a request that cannot be met. Warns with DamageWarning of
@@ -91,23 +95,15 @@ def merge(paths: Union[Path, Iterable[Path]], *,
     >>> volume.moments, volume["VEL"].unit
     (('REF', 'VEL'), 'm/s')
     """
+    given = {**locals(), **further}
+    if not further.keys() <= OPTIONS.keys():
+        raise TypeError(f"merge() has no parameter {', '.join(sorted(further.keys() - OPTIONS.keys()))}")
     day = _day_reader(paths)
-    day.SetMoment(moments if isinstance(moments, str) else ",".join(moments))
+    day.SetOption("moment", moments if isinstance(moments, str) else ",".join(moments))
     _set_times(day, step, begin, end, max_gap)
-    _set_grid(day, dims, range, bounds, height, axes)
-    day.SetMethod(one_of("method", method, METHODS))
-    day.SetQuality(one_of("quality", quality, QUALITIES))
-    day.SetFewestNeighbours(_whole("despeckle", despeckle, 0, 26))
-    day.SetDealiasing(dealiasing)
-    day.SetBias(bias if isinstance(bias, str) else
-                ",".join(f"{name}:{value:g}" for name, value in bias.items()) or "off")
-    day.SetOverlapStrategy(one_of("overlap", overlap, OVERLAPS))
-    day.SetOverlapLength(_positive("overlap_length", overlap_length))
-    day.SetColumnFilling(fill_columns)
-    day.SetLinearReflectivity(linear_reflectivity)
-    day.SetSharpening(sharpening)
-    day.SetAncillaryArrays(ancillary)
-    _set_motions(day, motion, storm_motion)
+    for name in OPTIONS:
+        if name in given and name not in TIMES and given[name] is not None:
+            day.SetOption(OPTIONS[name]["key"], text_of(name, given[name]))
     day.SetMemoryLimit(int(memory))
     day.SetSiteName(site)
     return VolumeSeries(files.Output(day))
@@ -135,29 +131,29 @@ def _set_times(day: Any, step: Duration, begin: Optional[Time], end: Optional[Ti
     day.SetMaximumGap(gap)
 
 
-def _set_grid(day: Any, dims: tuple[int, int, int], radius: float,
-              bounds: Optional[tuple[float, float, float, float]], height: tuple[float, float], axes: str) -> None:
-    if len(dims) != 3:
-        raise ValueError(f"dims has {len(dims)} numbers; it must have three: voxels to the east, north and upward")
-    day.SetDimensions(*(_whole("a number of dims", number, 1, 1 << 30) for number in dims))
-    day.SetRange(_positive("range", radius))
-    if bounds is not None:
-        day.SetGeographicBounds(*_numbers("bounds", bounds, "west", "south", "east", "north"))
-        day.SetUseGeographicBounds(True)
-    day.SetHeightRange(*_numbers("height", height, "lower face", "upper face"))
-    day.SetAxes(one_of("axes", axes, AXES))
-
-
-def _set_motions(day: Any, motion: Union[str, Motion], storm_motion: Optional[Motion]) -> None:
-    if isinstance(motion, str):
-        linear = one_of("motion", motion, {"estimated": 0, "none": 1})
-        day.SetTimeInterpolation(day.LINEAR if linear else day.MOTION)
-    else:
-        day.SetGivenMotion(*_numbers("motion", motion, "m/s to the east", "m/s to the north"))
-        day.SetUseGivenMotion(True)
-    if storm_motion is not None:
-        day.SetStormMotion(*_numbers("storm_motion", storm_motion, "m/s to the east", "m/s to the north"))
-        day.SetUseStormMotion(True)
+def text_of(name: str, value: Any) -> str:
+    """The text of an option. Raises ValueError for a value that it cannot have."""
+    option = OPTIONS[name]
+    kind = option["kind"]
+    if kind == "choice" or (option["choices"] and isinstance(value, str)):
+        one_of(name, value, dict.fromkeys(option["choices"], 0))
+        return str(value)
+    if isinstance(value, str):
+        return value
+    if kind == "flag":
+        return "on" if value else "off"
+    if kind == "number":
+        return str(_whole(name, value, option["least"], option["most"]))
+    if kind == "length":
+        return numpy.format_float_positional(_positive(name, value), trim="-") + "m"
+    if kind == "bias":
+        return ",".join(f"{radar}:{bias:g}" for radar, bias in value.items()) or "off"
+    if kind == "dimensions":
+        if len(value) != 3:
+            raise ValueError(f"dims has {len(value)} numbers; it must have three: voxels to the east, north and upward")
+        return "x".join(str(_whole("a number of dims", number, 1, 1 << 30)) for number in value)
+    numbers = [numpy.format_float_positional(number, trim="-") for number in _numbers(name, value, *MEANINGS[kind])]
+    return ",".join(number + "m" for number in numbers) if kind == "heights" else ",".join(numbers)
 
 
 def _whole(name: str, value: Any, least: int, most: int) -> int:
