@@ -22,8 +22,9 @@ SceneOptions SampledOptions()
 
 ScenePictures::ScenePictures(const CameraView& view, const std::array<int, 2>& size)
   : scene(SampledOptions())
-  , window(scene, size)
+  , window(scene.GetRenderer(), size)
 {
+  scene.SetPictureSize(size);
   scene.SetCamera(view);
 }
 

@@ -36,7 +36,9 @@ Sheet DrawSlicesSheet(const SheetSource& source)
   pictures.Scene().SetVolume(source.MergeAtTime(dimensions)->Load(0, {}));
   const auto draw = [&pictures](int slices)
   {
-    pictures.Scene().SetSlices(slices);
+    SceneOptions options = pictures.Scene().Options();
+    options.slices = slices;
+    pictures.Scene().Follow(options);
     return pictures.Draw();
   };
   const auto reference = draw(manySlices);
