@@ -440,13 +440,6 @@ bool vtkNexradDayReader::MergeBox(double time, const double faces[4], vtkImageDa
   return this->Merge(time, {{faces[0], faces[1], faces[2], faces[3]}}, box);
 }
 
-bool vtkNexradDayReader::MergeCoarse(double time, vtkImageData* volume)
-{
-  this->UpdateInformation();
-  return this->Opened &&
-         this->Merge(time, nexrad::CoarseDomain(this->Opened->Merger.Grid()), volume);
-}
-
 bool vtkNexradDayReader::Merge(double time, const nexrad::BoxRequest& request, vtkImageData* image)
 {
   this->UpdateInformation();

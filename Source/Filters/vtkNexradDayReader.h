@@ -177,13 +177,6 @@ public:
   bool MergeBox(double time, const double faces[4], vtkImageData* box);
 
   /**
-   * Merges the whole domain at a time in larger voxels, in which it can be seen where echo is: at
-   * most 128 x 128 columns of voxels that are at least 312.5 m high. False after an error, as of
-   * MergeBox.
-   */
-  bool MergeCoarse(double time, vtkImageData* volume);
-
-  /**
    * How many times this process decoded a file for its outputs. A file whose rays are still in
    * memory is not decoded again. Of several processes, the files that they scan together do not
    * count.
@@ -229,6 +222,11 @@ public:
   vtkGetMacro(LastRay, std::string);
   ///@}
 
+#ifndef __VTK_WRAP__
+  /// The settings as Core has them. Throws nexrad::Error for some that no merge can have.
+  nexrad::MergeOptions MakeDayOptions() const;
+#endif
+
 protected:
   vtkNexradDayReader();
   ~vtkNexradDayReader() override;
@@ -250,7 +248,6 @@ private:
   vtkNexradDayReader(const vtkNexradDayReader&) = delete;
   void operator=(const vtkNexradDayReader&) = delete;
 
-  nexrad::MergeOptions MakeDayOptions() const;
   nexrad::MergerSetup MakeSetup(const std::array<int, 3>& dimensions) const;
   /**
    * Finds the files, or sets the options of those that are known. False after an abort. Throws

@@ -120,21 +120,21 @@ std::optional<EchoExtent> MeasureSeries(
   return all;
 }
 
-SceneFrame FrameVolume(
-  vtkImageData* volume, const std::optional<EchoExtent>& echo, const SceneOptions& options)
+SceneFrame FrameVolume(vtkImageData* volume, const VolumeInformation& information,
+  const std::optional<EchoExtent>& echo, const SceneOptions& options)
 {
-  const SceneFrame toScale(volume, 1.0);
+  const SceneFrame toScale(volume, information, 1.0);
   const bool aboutEcho = echo && options.framing == FrameChoice::Echo && !options.plan;
-  const Box box =
-    aboutEcho ? Around(*echo, toScale, ReadVolumeInformation(volume).sites) : toScale.Bounds();
+  const Box box = aboutEcho ? Around(*echo, toScale, information.sites) : toScale.Bounds();
   SceneFrame framed = toScale;
   const auto lower = toScale.ToVolume({box[0], box[2], box[4]});
   const auto upper = toScale.ToVolume({box[1], box[3], box[5]});
   const Box inVolume = {lower[0], upper[0], lower[1], upper[1], lower[2], upper[2]};
   framed.SetFramed(inVolume);
   const auto& [west, east, south, north, bottom, top] = framed.Framed();
-  SceneFrame frame(volume, options.exaggeration.value_or(DefaultExaggeration(
-                             std::sqrt((east - west) * (north - south)), top - bottom)));
+  SceneFrame frame(volume, information,
+    options.exaggeration.value_or(
+      DefaultExaggeration(std::sqrt((east - west) * (north - south)), top - bottom)));
   frame.SetFramed(inVolume);
   frame.SetOpacityDistance(options.opacityDistance.value_or(
     echo && !options.plan ? OpacityDistanceOf(*echo, frame.Exaggeration()) : OpacityUnitDistance));

@@ -29,7 +29,7 @@ std::optional<EchoExtent> MeasureSeries(
 
 /// The frame of a volume: about the echo and the radars near it, or about the domain, with the
 /// stretch of heights and the distance of opacities that the options have, or that suit it.
-SceneFrame FrameVolume(
-  vtkImageData* volume, const std::optional<EchoExtent>& echo, const SceneOptions& options);
+SceneFrame FrameVolume(vtkImageData* volume, const VolumeInformation& information,
+  const std::optional<EchoExtent>& echo, const SceneOptions& options);
 
 } // namespace nexrad::scene

@@ -133,11 +133,7 @@ vtkNexradTransferFunction* RadarScene::TransferFunction()
 
 void RadarScene::SetColours(const SceneOptions& other)
 {
-  SceneOptions wanted = options;
-  wanted.preset = other.preset;
-  wanted.colours = other.colours;
-  wanted.opacities = other.opacities;
-  wanted.isoValues = other.isoValues;
+  SceneOptions wanted = WithColoursOf(options, other);
   transferFunction = MakeTransferFunction(wanted, array);
   const bool otherPreset = wanted.preset != options.preset;
   options = std::move(wanted);
@@ -212,10 +208,32 @@ void RadarScene::FillProperty()
   }
 }
 
-void RadarScene::SetSlices(int count)
+bool RadarScene::CanFollow(const SceneOptions& other) const
 {
-  options.slices = count;
-  this->UpdateSlices();
+  SceneOptions same = other;
+  same.slices = options.slices;
+  same.light = options.light;
+  same.cut = options.cut;
+  const bool oneArray = other.colourBy.empty() && options.colourBy.empty();
+  return (oneArray ? WithColoursOf(same, options) : same) == options;
+}
+
+void RadarScene::Follow(const SceneOptions& other)
+{
+  if (other.slices != options.slices)
+  {
+    options.slices = other.slices;
+    this->UpdateSlices();
+  }
+  if (!(other.light == options.light))
+  {
+    options.light = other.light;
+    this->FollowIsoValues();
+  }
+  if (other.cut != options.cut)
+  {
+    this->SetCut(other.cut);
+  }
 }
 
 void RadarScene::UpdateSlices()
@@ -226,7 +244,7 @@ void RadarScene::UpdateSlices()
   {
     return; // before the first volume
   }
-  slices = options.slices > 0 ? options.slices : SlicesFor(image);
+  const int slices = options.slices > 0 ? options.slices : SlicesFor(image);
   for (vtkVolumeMapper* mapper : this->Mappers())
   {
     const double edge = vtkImageData::SafeDownCast(mapper->GetDataSetInput())->GetSpacing()[0];
@@ -249,13 +267,14 @@ void RadarScene::HoldEcho(const std::optional<EchoExtent>& held)
 }
 
 // The frame of a volume. It follows the echo only as far as it must: a series does not pump.
-SceneFrame RadarScene::FollowEcho(vtkImageData* newData)
+SceneFrame RadarScene::FollowEcho(vtkImageData* newData, const VolumeInformation& read)
 {
   if (!holdsEcho)
   {
-    const bool sameGrid = shownData != nullptr && ArrayOf(newData) == array &&
-                          ReadVolumeInformation(newData).projection == information.projection &&
-                          SceneFrame(newData, frame.Exaggeration()).Bounds() == frame.Bounds();
+    const bool sameGrid =
+      shownData != nullptr && ArrayOf(newData) == array &&
+      read.projection == information.projection &&
+      SceneFrame(newData, read, frame.Exaggeration()).Bounds() == frame.Bounds();
     const auto found = MeasureEcho(newData, options);
     if (!sameGrid || !echo)
     {
@@ -266,13 +285,7 @@ SceneFrame RadarScene::FollowEcho(vtkImageData* newData)
       echo->box = Join(*echo, *found).box;
     }
   }
-  return FrameVolume(newData, echo, options);
-}
-
-void RadarScene::SetLight(const LightOptions& light)
-{
-  options.light = light;
-  this->FollowIsoValues();
+  return FrameVolume(newData, read, echo, options);
 }
 
 // The ground is drawn before the volume.
@@ -372,6 +385,7 @@ void RadarScene::SetPictureSize(const std::array<int, 2>& pictureSize)
   this->DrawGround();
   this->DrawSection();
   this->DrawScales();
+  this->DrawMark();
   this->DrawCaptions();
   this->Aim();
 }
@@ -426,6 +440,7 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   RequireVoxels(newVolume, options);
   CheckCutUnit(options.cut, newVolume);
   const vtkSmartPointer<vtkImageData> drawn = AsDrawn(newVolume, options);
+  VolumeInformation read = ReadVolumeInformation(drawn);
   std::optional<PlanView> planView;
   if (options.plan)
   {
@@ -434,13 +449,13 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   std::optional<ColourField> newField;
   if (!options.plan && !options.colourBy.empty())
   {
-    newField = MakeColourField(options, drawn, ReadVolumeInformation(drawn));
+    newField = MakeColourField(options, drawn, read);
   }
   if (view.lookAt)
   {
-    SceneFrame(drawn, 1.0).PlaceOf(*view.lookAt); // throws before anything changes
+    SceneFrame(drawn, read, 1.0).PlaceOf(*view.lookAt); // throws before anything changes
   }
-  SceneFrame newFrame = this->FollowEcho(drawn);
+  SceneFrame newFrame = this->FollowEcho(drawn, read);
   note = ScaleText(newFrame.Exaggeration());
   note += newField && !newField->note.empty() ? "; " + newField->note : "";
   if (options.plan)
@@ -459,7 +474,7 @@ void RadarScene::SetVolume(vtkImageData* newVolume)
   frame = newFrame;
   shownData = newVolume;
   volume->GetProperty()->SetScalarOpacityUnitDistance(frame.OpacityDistance());
-  information = ReadVolumeInformation(drawn);
+  information = std::move(read);
   ages = AgesOfData(drawn, array, information.sites.size());
   this->LookForEcho();
 
@@ -504,12 +519,6 @@ void RadarScene::FollowArray(vtkImageData* data)
   }
 }
 
-bool RadarScene::Upload()
-{
-  auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper());
-  return mapper != nullptr && scene::Upload(mapper, renderer, volume);
-}
-
 void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 {
   if (!sameMapper)
@@ -526,6 +535,10 @@ void RadarScene::DrawVolume(vtkImageData* placed, bool sameMapper)
 
 void RadarScene::SetDetail(vtkImageData* newDetail)
 {
+  if (newDetail == detailData)
+  {
+    return;
+  }
   if (newDetail != nullptr)
   {
     RequireVoxels(newDetail, options);
@@ -568,8 +581,11 @@ void RadarScene::PlaceDetail()
 
 void RadarScene::MarkBox(const std::optional<std::array<double, 4>>& faces)
 {
-  markFaces = faces;
-  this->DrawMark();
+  if (faces != markFaces)
+  {
+    markFaces = faces;
+    this->DrawMark();
+  }
 }
 
 void RadarScene::DrawMark()
@@ -624,7 +640,8 @@ void RadarScene::DrawPlan(const PlanView& shown, vtkImageData* placed)
   scale = ScaleFor(shown, *options.plan, information.sites, ScaleOf(array, transferFunction));
   const std::string key = PlanKey(shown, scale);
   note = shown.where + (key.empty() ? "" : "; " + key);
-  nothing = WordsForMap(shown, *options.plan, scale, shownData, NamesOfPresets(options));
+  nothing = WordsForMap(
+    shown, *options.plan, scale, shownData, information.biologicalShare, NamesOfPresets(options));
   this->Replace(
     plan, {MakePlanLayer(shown, scale, placed, HeightOf(frame, GroundLevel::Picture), theme)});
 }

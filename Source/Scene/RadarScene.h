@@ -79,10 +79,6 @@ public:
   /// stay.
   void ShowVolume(bool shown);
 
-  /// Brings the volume into texture memory now, rather than when it is drawn; the renderer must be
-  /// in a window. False when it cannot be drawn.
-  bool Upload();
-
   /// Name of the array that is shown, as "REF"; empty before the first volume.
   const std::string& Array() const { return array; }
 
@@ -101,20 +97,17 @@ public:
   void SetLetters(TextPictures letters) { pictures = std::move(letters); }
   void TransferFunctionChanged();
 
-  /// Slices, or samples along the longest ray, at least 1, as the options or the volume ask for.
-  int Slices() const { return slices; }
-  /// 0: as many as the volume asks for.
-  void SetSlices(int slices);
+  const SceneOptions& Options() const { return options; }
+  /// Whether SetColours and Follow bring the scene to other options: its volume stays in texture
+  /// memory. Else it has to be made anew.
+  bool CanFollow(const SceneOptions& other) const;
+  /// Takes over the number of slices, the light that the volume stands in, what is cut away, and
+  /// the line of a section on the ground, where they differ. Throws Error for a cut that cannot be.
+  void Follow(const SceneOptions& other);
 
   /// Frames that echo, whatever the volumes from the next on show. Nothing: that of the first
   /// volume of a grid and a moment, which grows where the echo of another leaves it.
   void HoldEcho(const std::optional<EchoExtent>& held);
-
-  /// The light that the volume stands in.
-  void SetLight(const LightOptions& light);
-  /// What is cut away, and the line of a section on the ground. Throws Error for a cut that cannot
-  /// be, and then changes nothing.
-  void SetCut(const CutOptions& cut);
 
   /// x and y of the volume where a line of sight meets the ground, which may be beyond the domain;
   /// nothing where it meets the sky. The pixel counts from the lower left corner.
@@ -130,7 +123,7 @@ public:
 private:
   using Props = std::vector<vtkSmartPointer<vtkProp>>;
 
-  SceneFrame FollowEcho(vtkImageData* data);
+  SceneFrame FollowEcho(vtkImageData* data, const VolumeInformation& read);
   void Replace(Props& group, Props replacement);
   void OrderProps();
   void FollowArray(vtkImageData* data);
@@ -139,6 +132,7 @@ private:
   void DrawSection();
   void DrawScales();
   void FillProperty();
+  void SetCut(const CutOptions& cut);
   void UpdateSlices();
   double PixelsOf(double length) const;
   void DrawVolume(vtkImageData* placed, bool sameMapper);
@@ -162,7 +156,6 @@ private:
   std::optional<EchoExtent> echo;
   bool holdsEcho = false;                  ///< and measures none
   vtkSmartPointer<vtkImageData> shownData; ///< as it was given
-  int slices = 256;                        ///< that are drawn
   VolumeInformation information;
   vtkSmartPointer<vtkRenderer> renderer;
   unsigned long startTag = 0; ///< of the observer of the renderer

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <vector>
 
 namespace nexrad::scene
@@ -81,7 +82,30 @@ struct SceneOptions
   LightOptions light;
   std::optional<PlanOptions> plan;
   CutOptions cut;
+
+  bool operator==(const SceneOptions& other) const
+  {
+    const auto all = [](const SceneOptions& of)
+    {
+      return std::tie(of.preset, of.colours, of.opacities, of.isoValues, of.colourBy,
+        of.exaggeration, of.mapper, of.scalarsAsCodes, of.preIntegration, of.linearInterpolation,
+        of.slices, of.opacityDistance, of.framing, of.ringSpacing, of.theme, of.heightWalls,
+        of.placeNames, of.namesOptions, of.light, of.plan, of.cut);
+    };
+    return all(*this) == all(other);
+  }
 };
+
+/// Options with the colours and opacities of others.
+inline SceneOptions WithColoursOf(SceneOptions options, const SceneOptions& others)
+{
+  options.preset = others.preset;
+  options.colours = others.colours;
+  options.opacities = others.opacities;
+  options.isoValues = others.isoValues;
+  options.colourBy = others.colourBy;
+  return options;
+}
 
 /// The look of earlier versions: a dark, unlit scene about the whole domain, stretched eight times.
 inline void UseClassicLook(SceneOptions& options)

@@ -199,16 +199,6 @@ vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVol
                                                                     : nullptr;
 }
 
-bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume)
-{
-  if (auto* slicer = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(mapper))
-  {
-    return slicer->PreLoadData(renderer, volume);
-  }
-  auto* caster = vtkOpenGLGPUVolumeRayCastMapper::SafeDownCast(mapper);
-  return caster != nullptr && caster->PreLoadData(renderer, volume);
-}
-
 std::vector<IsoValue> WithOpacities(std::vector<IsoValue> isoValues)
 {
   std::sort(isoValues.begin(), isoValues.end(),

@@ -51,9 +51,6 @@ void SetLight(vtkVolumeMapper* mapper, const LightOptions& light);
 /// vtkOpenGLTextureSliceVolumeMapper::GetLightVolume has it; nullptr: there are no shadows.
 vtkImageData* UpdateLight(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
 
-/// Brings the mapper's input into texture memory. False when it cannot.
-bool Upload(vtkVolumeMapper* mapper, vtkRenderer* renderer, vtkVolume* volume);
-
 /// Colours and opacities (where another array gives the colours, opacities) as the options ask for,
 /// for the moment of that array ("REF"; the preset of
 /// any other array is that of reflectivity). Throws Error for a preset that does not exist or is of

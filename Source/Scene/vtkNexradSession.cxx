@@ -2,9 +2,10 @@
 #include "vtkNexradSession.h"
 
 #include "Scene/EchoFraming.h"
-#include "Scene/PlayAhead.h"
-#include "Scene/SceneSettings.h"
-#include "Scene/Series/DayVolumes.h"
+#include "Scene/Frame/VolumeInformation.h"
+#include "Scene/SceneOptions.h"
+#include "Scene/Series/BackgroundSeries.h"
+#include "Scene/Series/RadarFiles.h"
 #include "Scene/Series/VolumeFiles.h"
 #include "nexrad/System/Error.h"
 
@@ -13,6 +14,7 @@
 #include "vtkNexradDayReader.h"
 #include "vtkNexradVolumeScene.h"
 #include "vtkObjectFactory.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkSmartPointer.h"
 #include "vtkStringArray.h"
 
@@ -22,41 +24,24 @@
 #include <filesystem>
 #include <numeric>
 
+using nexrad::scene::BackgroundSeries;
+using nexrad::scene::SceneOptions;
 using nexrad::scene::VolumeSeries;
 
-// The series of the inputs, and when the settings were made that it was opened with.
+// The series that is shown, and what loads it ahead.
 struct vtkNexradSession::Opened
 {
-  vtkMTimeType time = 0;
-  nexrad::scene::SceneOptions options; ///< of the scene, as far as reading depends on them
-  std::unique_ptr<VolumeSeries> volumes;
-  std::optional<nexrad::scene::SceneOptions> framed; ///< what the frame was measured with
+  std::shared_ptr<VolumeSeries> volumes;
+  std::vector<std::size_t> steps; ///< indices of the volumes that take part
+  std::optional<nexrad::BoxRequest> box;
+  bool given = false;                 ///< by SetSeries: the file names do not count
+  vtkMTimeType time = 0;              ///< of the settings that it was opened with
+  std::optional<SceneOptions> framed; ///< what the frame was measured with
+  std::unique_ptr<BackgroundSeries> ahead;
 };
 
 namespace
 {
-
-// What of the scene decides on how volumes are read.
-nexrad::scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene, bool scalarsAsCodes)
-{
-  nexrad::scene::SceneOptions options;
-  options.scalarsAsCodes = scalarsAsCodes;
-  options.mapper = scene->GetMapper() == vtkNexradVolumeScene::RAY_CAST
-                     ? nexrad::scene::MapperChoice::RayCast
-                     : nexrad::scene::MapperChoice::TextureSlice;
-  options.colourBy = scene->GetColorArray();
-  if (scene->GetPlan() != vtkNexradVolumeScene::NO_PLAN)
-  {
-    options.plan.emplace();
-  }
-  return options;
-}
-
-bool AreReadAlike(const nexrad::scene::SceneOptions& a, const nexrad::scene::SceneOptions& b)
-{
-  return a.scalarsAsCodes == b.scalarsAsCodes && a.mapper == b.mapper &&
-         a.colourBy.empty() == b.colourBy.empty() && a.plan.has_value() == b.plan.has_value();
-}
 
 std::vector<std::size_t> AllSteps(const VolumeSeries& volumes)
 {
@@ -65,11 +50,18 @@ std::vector<std::size_t> AllSteps(const VolumeSeries& volumes)
   return steps;
 }
 
-bool AreFramedAlike(const nexrad::scene::SceneOptions& a, const nexrad::scene::SceneOptions& b)
+bool AreFramedAlike(const SceneOptions& a, const SceneOptions& b)
 {
   return a.preset == b.preset && a.framing == b.framing &&
          a.opacityDistance.has_value() == b.opacityDistance.has_value() &&
          a.plan.has_value() == b.plan.has_value();
+}
+
+// Does for each volume what the slices need of it before they are drawn, after the one before it.
+std::function<void(vtkImageData*)> PrepareInTurn()
+{
+  return [before = vtkSmartPointer<vtkObject>()](vtkImageData* volume) mutable
+  { before = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(volume, before); };
 }
 
 } // namespace
@@ -124,41 +116,84 @@ void vtkNexradSession::Open()
   {
     throw nexrad::Error("no file name is set");
   }
-  if (nexrad::scene::AreVolumes(paths))
+  this->Series->volumes = nexrad::scene::AreVolumes(paths) ? nexrad::scene::OpenVolumeFiles(paths)
+                                                           : nexrad::scene::OpenRadarFiles(paths,
+                                                               this->DayReader->MakeDayOptions());
+  this->Series->steps = AllSteps(*this->Series->volumes);
+}
+
+void vtkNexradSession::SetSeries(std::unique_ptr<VolumeSeries> series,
+  std::vector<std::size_t> steps, const std::optional<nexrad::BoxRequest>& box)
+{
+  this->Forget();
+  this->Series->given = true;
+  this->Series->volumes = std::move(series);
+  this->Series->steps = std::move(steps);
+  this->Series->box = box;
+  this->ListTimes();
+}
+
+void vtkNexradSession::Forget()
+{
+  this->Series = std::make_unique<Opened>();
+  this->TimeSteps->Initialize();
+  this->TimeStepIndex = -1;
+}
+
+void vtkNexradSession::ListTimes()
+{
+  for (const std::size_t index : this->Series->steps)
   {
-    auto files = nexrad::scene::OpenVolumeFiles(paths);
-    const std::vector<std::size_t> order = AllSteps(*files);
-    this->Series->volumes =
-      nexrad::scene::PlayAhead(std::move(files), order, this->Series->options);
-    return;
+    this->TimeSteps->InsertNextValue(nexrad::ToSeconds(this->Series->volumes->Times()[index]));
   }
-  this->Series->volumes = nexrad::scene::OpenDayVolumes(this->DayReader);
 }
 
 // The frame holds the echo of all times, as the scene's preset shows it.
 void vtkNexradSession::MeasureFrame()
 {
-  const nexrad::scene::SceneOptions options = nexrad::scene::SettingsOf(this->Scene);
+  const SceneOptions options = this->Scene->GetOptions();
   if (!this->Series->framed || !AreFramedAlike(*this->Series->framed, options))
   {
     this->Series->framed = options;
-    VolumeSeries& volumes = *this->Series->volumes;
-    this->Scene->HoldEcho(nexrad::scene::MeasureSeries(volumes, AllSteps(volumes), options));
+    this->Series->ahead.reset(); // one thread at a time uses the series
+    this->Scene->HoldEcho(
+      nexrad::scene::MeasureSeries(*this->Series->volumes, this->Series->steps, options));
+  }
+}
+
+// Of what is drawn, the slices of one moment alone know codes, and what is prepared.
+void vtkNexradSession::LoadAhead()
+{
+  constexpr std::size_t memory = std::size_t(512) << 20;
+  Opened& series = *this->Series;
+  const SceneOptions options = this->Scene->GetOptions();
+  const bool slices = options.mapper == nexrad::scene::MapperChoice::TextureSlice &&
+                      !options.plan && options.colourBy.empty();
+  if (series.volumes->AllowCodes(this->ScalarsAsCodes && slices))
+  {
+    series.ahead.reset();
+    this->TimeStepIndex = -1; // the volume that is shown is another one now
+  }
+  if (!series.ahead)
+  {
+    nexrad::scene::BackgroundSeriesOptions loading;
+    loading.open = [volumes = series.volumes](const nexrad::Progress&) { return volumes; };
+    loading.choose = [steps = series.steps](const VolumeSeries&) { return steps; };
+    loading.prepare = slices && series.steps.size() > 1 ? PrepareInTurn() : nullptr;
+    loading.memory = memory;
+    series.ahead = std::make_unique<BackgroundSeries>(std::move(loading));
+    series.ahead->SetBox(series.box);
   }
 }
 
 bool vtkNexradSession::UpdateInformation()
 {
-  const nexrad::scene::SceneOptions options = OptionsOf(this->Scene, this->ScalarsAsCodes);
-  if (this->Series->volumes && AreReadAlike(options, this->Series->options) &&
-      this->Series->time >= std::max(this->GetMTime(), this->DayReader->GetMTime()))
+  const vtkMTimeType now = std::max(this->GetMTime(), this->DayReader->GetMTime());
+  if (this->Series->given || (this->Series->volumes && this->Series->time >= now))
   {
     return true;
   }
-  this->Series = std::make_unique<Opened>();
-  this->Series->options = options;
-  this->TimeSteps->Initialize();
-  this->TimeStepIndex = -1;
+  this->Forget();
   try
   {
     this->Open();
@@ -168,11 +203,8 @@ bool vtkNexradSession::UpdateInformation()
     vtkErrorMacro(<< error.what());
     return false;
   }
-  for (const nexrad::Time time : this->Series->volumes->Times())
-  {
-    this->TimeSteps->InsertNextValue(nexrad::ToSeconds(time));
-  }
-  this->Series->time = std::max(this->GetMTime(), this->DayReader->GetMTime());
+  this->ListTimes();
+  this->Series->time = now;
   return true;
 }
 
@@ -182,16 +214,53 @@ vtkDoubleArray* vtkNexradSession::GetTimeSteps()
   return this->TimeSteps;
 }
 
-void vtkNexradSession::Load(int index)
+bool vtkNexradSession::Load(int index, const nexrad::Progress& progress)
 {
-  const auto count = static_cast<int>(this->Series->volumes->Times().size());
+  const vtkIdType count = this->TimeSteps->GetNumberOfValues();
   if (index < 0 || index >= count)
   {
     throw nexrad::Error("there is no time step " + std::to_string(index) + "; there are " +
                         std::to_string(count) + ", counted from 0");
   }
-  this->Scene->SetVolume(this->Series->volumes->Load(static_cast<std::size_t>(index), {}));
+  const auto step = static_cast<std::size_t>(index);
+  const auto volume = this->Series->ahead->Wait(step, progress);
+  if (!volume)
+  {
+    return false;
+  }
+  this->Scene->SetVolume(volume);
   this->TimeStepIndex = index;
+  if (this->Series->box)
+  {
+    const auto box = this->Series->ahead->Box(step);
+    const auto [west, east, south, north] = nexrad::scene::SidesOf(box);
+    this->Scene->SetDetail(box);
+    this->Scene->MarkBox(west, east, south, north);
+  }
+  return true;
+}
+
+bool vtkNexradSession::Show(int step, const nexrad::Progress& progress)
+{
+  this->MeasureFrame();
+  this->LoadAhead();
+  const vtkSmartPointer<vtkImageData> shown = this->Scene->GetVolume();
+  const int shownStep = this->TimeStepIndex;
+  if (step != this->TimeStepIndex && !this->Load(step, progress))
+  {
+    return false;
+  }
+  try
+  {
+    this->Scene->Draw();
+  }
+  catch (...)
+  {
+    this->Scene->SetVolume(shown);
+    this->TimeStepIndex = shownStep;
+    throw;
+  }
+  return true;
 }
 
 bool vtkNexradSession::ShowTimeStep(int index)
@@ -200,28 +269,15 @@ bool vtkNexradSession::ShowTimeStep(int index)
   {
     return false;
   }
-  const vtkSmartPointer<vtkImageData> shown = this->Scene->GetVolume();
-  const int shownIndex = this->TimeStepIndex;
   try
   {
-    this->MeasureFrame();
-    if (index != this->TimeStepIndex)
-    {
-      this->Load(index);
-    }
+    return this->Show(index);
   }
   catch (const std::exception& error)
   {
     vtkErrorMacro(<< error.what());
     return false;
   }
-  if (!this->Scene->Update())
-  {
-    this->Scene->SetVolume(shown);
-    this->TimeStepIndex = shownIndex;
-    return false;
-  }
-  return true;
 }
 
 bool vtkNexradSession::ShowTime(double time)
@@ -236,15 +292,19 @@ bool vtkNexradSession::ShowTime(double time)
   return this->ShowTimeStep(static_cast<int>(nearest - first));
 }
 
+std::vector<std::string> vtkNexradSession::Problems() const
+{
+  return this->Series->ahead     ? this->Series->ahead->Get().damage
+         : this->Series->volumes ? this->Series->volumes->Problems()
+                                 : std::vector<std::string>();
+}
+
 vtkStringArray* vtkNexradSession::GetDamage()
 {
   this->Damage->Initialize();
-  if (this->Series->volumes)
+  for (const std::string& line : this->Problems())
   {
-    for (const std::string& line : this->Series->volumes->Problems())
-    {
-      this->Damage->InsertNextValue(line);
-    }
+    this->Damage->InsertNextValue(line);
   }
   return this->Damage;
 }

@@ -15,9 +15,10 @@
  *   window.Render()
  * ```
  *
- * Merged volumes that follow the one shown are read ahead on another thread, so that a series plays
- * on without waiting. The frame of the scene holds the echo of all time steps, of many that of
- * eight. It is measured when a time step is shown for the first time, and with each other preset.
+ * The volumes that follow the one shown are read, or merged, ahead on another thread, so that a
+ * series plays on without waiting. The frame of the scene holds the echo of all time steps, of many
+ * that of eight. It is measured when a time step is shown for the first time, and with each other
+ * preset.
  *
  * Errors: an input that does not exist or cannot be used, volumes mixed with radar files, a volume
  * that cannot be read or merged, and those of vtkNexradVolumeScene. After an error the scene shows
@@ -30,12 +31,25 @@
 #include "vtkNexradSceneModule.h" // For export macro
 #include "vtkObject.h"
 
-#include <memory> // For members
+#include <functional> // For arguments
+#include <memory>     // For members
+#include <optional>   // For arguments
+#include <string>     // For arguments
+#include <vector>     // For arguments
 
 class vtkDoubleArray;
 class vtkNexradDayReader;
 class vtkNexradVolumeScene;
 class vtkStringArray;
+
+namespace nexrad
+{
+struct BoxRequest;
+namespace scene // as VTK's wrapper reads it
+{
+class VolumeSeries;
+} // namespace scene
+} // namespace nexrad
 
 class VTKNEXRADSCENE_EXPORT vtkNexradSession : public vtkObject
 {
@@ -55,8 +69,8 @@ public:
   ///@}
 
   /**
-   * The reader that merges radar files: set the grid, the method, the moment and the time steps
-   * there. Its file names are those of the session. Not used for merged volumes.
+   * Says how radar files are merged: set the grid, the method, the moment and the time steps there.
+   * Its file names are those of the session. Not used for merged volumes.
    */
   vtkNexradDayReader* GetDayReader() const;
 
@@ -108,6 +122,19 @@ public:
    */
   vtkStringArray* GetDamage();
 
+#ifndef __VTK_WRAP__
+  /// Shows volumes of a series that is open, in place of files: the indices of those that take
+  /// part, in the order in which they are shown. `box`: is merged in finer voxels with each of
+  /// them.
+  void SetSeries(std::unique_ptr<nexrad::scene::VolumeSeries> series,
+    std::vector<std::size_t> steps, const std::optional<nexrad::BoxRequest>& box);
+  /// As ShowTimeStep, for a series that is open, but throws Error where ShowTimeStep reports one.
+  /// False when `progress` asked to stop; then the scene stays as it is.
+  bool Show(int step, const std::function<bool(double)>& progress = {});
+  /// The lines of GetDamage.
+  std::vector<std::string> Problems() const;
+#endif
+
 protected:
   vtkNexradSession();
   ~vtkNexradSession() override;
@@ -120,8 +147,11 @@ private:
   void operator=(const vtkNexradSession&) = delete;
 
   void Open();
-  void Load(int index);
+  void Forget();
+  void ListTimes();
   void MeasureFrame();
+  void LoadAhead();
+  bool Load(int index, const std::function<bool(double)>& progress);
 
   vtkNew<vtkNexradDayReader> DayReader;
   vtkNew<vtkNexradVolumeScene> Scene;

@@ -3,7 +3,6 @@
 
 #include "Scene/EchoFraming.h"
 #include "Scene/RadarScene.h"
-#include "Scene/SceneSettings.h"
 #include "nexrad/System/Error.h"
 
 #include "vtkCamera.h"
@@ -17,76 +16,41 @@
 #include <array>
 #include <cmath>
 #include <exception>
+#include <filesystem>
+#include <iterator>
 #include <optional>
 #include <utility>
+#include <vector>
 
 using nexrad::scene::CameraView;
 using nexrad::scene::EchoExtent;
-using nexrad::scene::LightOptions;
+using nexrad::scene::FrameChoice;
 using nexrad::scene::LookAt;
+using nexrad::scene::MapperChoice;
+using nexrad::scene::PlanLevel;
+using nexrad::scene::PlanOptions;
 using nexrad::scene::RadarScene;
 using nexrad::scene::SceneFrame;
 using nexrad::scene::SceneOptions;
+using nexrad::scene::ThemeChoice;
 
-namespace
+// What is asked of the scene.
+struct vtkNexradVolumeScene::Settings
 {
+  SceneOptions options; // but the map, and what is cut away
+  int plan = NO_PLAN;
+  PlanOptions map; // once `plan` asks for one
+  CameraView view;
+  std::optional<std::array<double, 4>> mark; // west, east, south, north
+};
 
-bool SameColors(const SceneOptions& a, const SceneOptions& b)
-{
-  return a.preset == b.preset && a.colours == b.colours && a.opacities == b.opacities &&
-         a.isoValues == b.isoValues && a.colourBy == b.colourBy;
-}
-
-bool SamePlan(const SceneOptions& a, const SceneOptions& b)
-{
-  return a.plan.has_value() == b.plan.has_value() &&
-         (!a.plan || (a.plan->level == b.plan->level && a.plan->height == b.plan->height &&
-                       a.plan->array == b.plan->array && a.plan->threshold == b.plan->threshold));
-}
-
-bool SameLight(const LightOptions& a, const LightOptions& b)
-{
-  return a.shadow == b.shadow && a.occlusion == b.occlusion &&
-         a.direction.azimuth == b.direction.azimuth &&
-         a.direction.elevation == b.direction.elevation;
-}
-
-// The number of slices, the light, what is cut away and the colours of the moment that is shown can
-// be changed in a scene that is there: its volume stays in texture memory.
-bool SameButForWhatCanChange(const SceneOptions& a, const SceneOptions& b)
-{
-  return a.colourBy == b.colourBy && (a.colourBy.empty() || SameColors(a, b)) && SamePlan(a, b) &&
-         a.exaggeration == b.exaggeration && a.framing == b.framing &&
-         a.opacityDistance == b.opacityDistance && a.mapper == b.mapper &&
-         a.preIntegration == b.preIntegration && a.linearInterpolation == b.linearInterpolation &&
-         a.ringSpacing == b.ringSpacing && a.theme == b.theme && a.heightWalls == b.heightWalls &&
-         a.placeNames == b.placeNames;
-}
-
-bool SamePlace(const std::optional<LookAt>& a, const std::optional<LookAt>& b)
-{
-  return a.has_value() == b.has_value() &&
-         (!a || (a->place == b->place && a->geographic == b->geographic));
-}
-
-bool SameView(const CameraView& a, const CameraView& b)
-{
-  return a.azimuth == b.azimuth && a.tilt == b.tilt && a.zoom == b.zoom &&
-         a.parallel == b.parallel && SamePlace(a.lookAt, b.lookAt);
-}
-
-} // namespace
-
-// What the renderer holds, and the settings that it was made with.
+// What the renderer holds.
 struct vtkNexradVolumeScene::Drawing
 {
-  SceneOptions options;
   CameraView view;
   std::array<int, 2> size = {1280, 720}; // of the renderer, once it is known
   vtkImageData* volume = nullptr;        // compared, never followed
   vtkMTimeType volumeTime = 0;
-  vtkSmartPointer<vtkImageData> detail;
-  std::optional<std::array<double, 4>> mark;
   vtkMTimeType colorTime = 0;
   bool remakeColors = false;
   std::optional<EchoExtent> held; // of AddToFrame
@@ -94,70 +58,46 @@ struct vtkNexradVolumeScene::Drawing
   vtkMTimeType tried = 0; // time of the settings that the last update was for
   bool succeeded = true;
 
-  void Update(vtkNexradVolumeScene* self);
-  static SceneOptions OptionsOf(vtkNexradVolumeScene* self);
-  static CameraView ViewOf(const vtkNexradVolumeScene* self);
-  void Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted);
+  void Update(const vtkNexradVolumeScene* self);
+  void Rebuild(const vtkNexradVolumeScene* self, const SceneOptions& wanted);
   void ShowVolume(vtkImageData* newVolume);
   void HoldEcho();
-  void MakeColors(const SceneOptions& wanted);
   void FollowColors();
-  void FollowBox(const vtkNexradVolumeScene* self, bool anew);
 };
 
-SceneOptions vtkNexradVolumeScene::Drawing::OptionsOf(vtkNexradVolumeScene* self)
+// Throws Error, and leaves the old scene as it is, for what the volume cannot be drawn with.
+void vtkNexradVolumeScene::Drawing::Rebuild(
+  const vtkNexradVolumeScene* self, const SceneOptions& wanted)
 {
-  SceneOptions options = nexrad::scene::SettingsOf(self);
-  options.namesOptions = false;
-  for (const std::array<double, 2>& isoValue : self->IsoValues)
-  {
-    options.isoValues.push_back(
-      {isoValue[0], isoValue[1] < 0.0 ? std::nullopt : std::optional(isoValue[1])});
-  }
-  return options;
-}
-
-// Throws Error for a place that the volume cannot have.
-CameraView vtkNexradVolumeScene::Drawing::ViewOf(const vtkNexradVolumeScene* self)
-{
-  CameraView view{self->Azimuth, self->Tilt, self->Zoom, self->ParallelProjection, {}};
-  if (self->LooksAtPlace)
-  {
-    view.lookAt = LookAt{{self->Place[0], self->Place[1], self->Place[2]}, self->PlaceIsGeographic};
-    SceneFrame(self->Volume, 1.0).PlaceOf(*view.lookAt);
-  }
-  return view;
-}
-
-// An error leaves the old scene as it is.
-void vtkNexradVolumeScene::Drawing::Rebuild(vtkNexradVolumeScene* self, const SceneOptions& wanted)
-{
-  RadarScene::Check(wanted, self->Volume);
   vtkSmartPointer<vtkNexradTransferFunction> colors;
   std::string array;
-  if (scene && SameColors(wanted, options) && !remakeColors)
-  {
-    colors = scene->TransferFunction();
-    array = scene->Array();
-  }
   nexrad::scene::TextPictures letters;
   if (scene)
   {
+    RadarScene::Check(wanted, self->Volume);
+    if (WithColoursOf(scene->Options(), wanted) == scene->Options() && !remakeColors)
+    {
+      colors = scene->TransferFunction();
+      array = scene->Array();
+    }
     letters = scene->TakeLetters();
+    scene.reset(); // it fills the same renderer
   }
-  scene.reset();
-  scene = std::make_unique<RadarScene>(wanted, self->Renderer);
-  scene->SetLetters(std::move(letters));
+  auto made = std::make_unique<RadarScene>(wanted, self->Renderer);
+  made->SetLetters(std::move(letters));
   if (colors)
   {
-    scene->SetTransferFunction(colors, array);
+    made->SetTransferFunction(colors, array);
   }
-  scene->HoldEcho(held);
-  scene->SetCamera(view);
-  scene->SetPictureSize(size);
-  this->ShowVolume(self->Volume);
-  this->FollowBox(self, true);
-  options = wanted;
+  made->HoldEcho(held);
+  made->SetCamera(view);
+  made->SetPictureSize(size);
+  made->SetVolume(self->Volume);
+  scene = std::move(made);
+  volume = self->Volume;
+  volumeTime = volume->GetMTime();
+  scene->MarkBox(self->Wanted->mark);
+  scene->SetDetail(self->Detail);
   remakeColors = false;
   colorTime = scene->TransferFunction()->GetMTime();
 }
@@ -178,35 +118,6 @@ void vtkNexradVolumeScene::Drawing::HoldEcho()
   }
 }
 
-void vtkNexradVolumeScene::Drawing::MakeColors(const SceneOptions& wanted)
-{
-  scene->SetColours(wanted);
-  options.preset = wanted.preset;
-  options.colours = wanted.colours;
-  options.opacities = wanted.opacities;
-  options.isoValues = wanted.isoValues;
-  remakeColors = false;
-}
-
-// The finer volume, and the edges of a box. `anew`: the scene has neither of them.
-void vtkNexradVolumeScene::Drawing::FollowBox(const vtkNexradVolumeScene* self, bool anew)
-{
-  const double* faces = self->MarkedFaces;
-  const std::optional<std::array<double, 4>> wanted =
-    self->MarksBox ? std::optional(std::array<double, 4>{faces[0], faces[1], faces[2], faces[3]})
-                   : std::nullopt;
-  if (anew || mark != wanted)
-  {
-    mark = wanted;
-    scene->MarkBox(mark);
-  }
-  if (anew || detail != self->Detail)
-  {
-    scene->SetDetail(self->Detail);
-    detail = self->Detail;
-  }
-}
-
 // Changes that the user made to the colours and opacities in use.
 void vtkNexradVolumeScene::Drawing::FollowColors()
 {
@@ -215,22 +126,27 @@ void vtkNexradVolumeScene::Drawing::FollowColors()
   {
     colorTime = time;
     scene->TransferFunctionChanged();
-    if (options.plan)
+    if (scene->Options().plan)
     {
       scene->SetVolume(volume);
     }
   }
 }
 
-void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
+void vtkNexradVolumeScene::Drawing::Update(const vtkNexradVolumeScene* self)
 {
-  const SceneOptions wanted = OptionsOf(self);
-  const CameraView camera = ViewOf(self);
-  const bool sameView = SameView(camera, view);
-  view = camera;
-  const bool otherColors = remakeColors || (scene && !SameColors(wanted, options));
+  const SceneOptions wanted = self->GetOptions();
+  const CameraView& wantedView = self->Wanted->view;
+  if (wantedView.lookAt)
+  {
+    SceneFrame(self->Volume, 1.0).PlaceOf(*wantedView.lookAt); // throws where it cannot have it
+  }
+  const bool sameView = wantedView == view;
+  view = wantedView;
+  const bool otherColors =
+    scene && (remakeColors || !(WithColoursOf(scene->Options(), wanted) == scene->Options()));
   const bool otherVolume = self->Volume != volume || self->Volume->GetMTime() != volumeTime;
-  if (!scene || !SameButForWhatCanChange(wanted, options) || (otherColors && otherVolume))
+  if (!scene || !scene->CanFollow(wanted) || (otherColors && otherVolume))
   {
     this->Rebuild(self, wanted); // another volume may be of another moment, with other presets
     return;
@@ -241,37 +157,190 @@ void vtkNexradVolumeScene::Drawing::Update(vtkNexradVolumeScene* self)
   }
   if (otherColors)
   {
-    this->MakeColors(wanted);
+    scene->SetColours(wanted);
+    remakeColors = false;
   }
-  this->FollowBox(self, false);
+  scene->MarkBox(self->Wanted->mark);
+  scene->SetDetail(self->Detail);
   this->FollowColors();
-  if (wanted.slices != options.slices)
-  {
-    scene->SetSlices(wanted.slices);
-    options.slices = wanted.slices;
-  }
-  if (!SameLight(wanted.light, options.light))
-  {
-    scene->SetLight(wanted.light);
-    options.light = wanted.light;
-  }
-  if (wanted.cut != options.cut)
-  {
-    scene->SetCut(wanted.cut);
-    options.cut = wanted.cut;
-  }
+  scene->Follow(wanted);
   if (!sameView)
   {
     scene->SetCamera(view);
   }
 }
 
+namespace
+{
+
+double ValueOf(const std::optional<double>& held)
+{
+  return held.value_or(0.0);
+}
+std::string ValueOf(const std::filesystem::path& held)
+{
+  return held.string();
+}
+template <typename Held>
+const Held& ValueOf(const Held& held)
+{
+  return held;
+}
+
+// 0: it is found by the volume.
+std::optional<double> Automatic(double value)
+{
+  return value > 0.0 ? std::optional(std::min(value, 1000.0)) : std::nullopt;
+}
+
+template <typename Choice>
+Choice ChoiceOf(int value, int last)
+{
+  return static_cast<Choice>(std::clamp(value, 0, last));
+}
+
+} // namespace
+
+template <typename Held, typename Value>
+void vtkNexradVolumeScene::Set(Held& held, const Value& value)
+{
+  if (!(held == Held(value)))
+  {
+    held = Held(value);
+    this->Modified();
+  }
+}
+
+// Each setting: its name, its type in VTK, where it is held, and what becomes of a `value`.
+// clang-format off
+#define NEXRAD_SCENE_SETTINGS(SETTING) \
+  SETTING(Azimuth, double, view.azimuth, value) \
+  SETTING(Tilt, double, view.tilt, std::clamp(value, -90.0, 90.0)) \
+  SETTING(Zoom, double, view.zoom, std::clamp(value, 0.01, 1000.0)) \
+  SETTING(ParallelProjection, bool, view.parallel, value) \
+  SETTING(Preset, std::string, options.preset, value) \
+  SETTING(ColorFileName, std::string, options.colours, value) \
+  SETTING(OpacityFileName, std::string, options.opacities, value) \
+  SETTING(ColorArray, std::string, options.colourBy, value) \
+  SETTING(Exaggeration, double, options.exaggeration, Automatic(value)) \
+  SETTING(Framing, int, options.framing, ChoiceOf<FrameChoice>(value, DOMAIN)) \
+  SETTING(OpacityDistance, double, options.opacityDistance, Automatic(value)) \
+  SETTING(Mapper, int, options.mapper, ChoiceOf<MapperChoice>(value, RAY_CAST)) \
+  SETTING(PreIntegration, bool, options.preIntegration, value) \
+  SETTING(LinearInterpolation, bool, options.linearInterpolation, value) \
+  SETTING(NumberOfSlices, int, options.slices, std::clamp(value, 0, 16384)) \
+  SETTING(ShadowStrength, double, options.light.shadow, std::clamp(value, 0.0, 1.0)) \
+  SETTING(OcclusionStrength, double, options.light.occlusion, std::clamp(value, 0.0, 1.0)) \
+  SETTING(LightAzimuth, double, options.light.direction.azimuth, value) \
+  SETTING(LightElevation, double, options.light.direction.elevation, std::clamp(value, -90.0, 90.0)) \
+  SETTING(Theme, int, options.theme, ChoiceOf<ThemeChoice>(value, LIGHT)) \
+  SETTING(HeightWalls, bool, options.heightWalls, value) \
+  SETTING(PlaceNames, bool, options.placeNames, value) \
+  SETTING(Plan, int, plan, std::clamp<int>(value, NO_PLAN, LIQUID_DENSITY)) \
+  SETTING(PlanHeight, double, map.height, value) \
+  SETTING(EchoTopThreshold, double, map.threshold, value) \
+  SETTING(PlanArray, std::string, map.array, value)
+// clang-format on
+
+#define NEXRAD_SET_AND_GET(name, type, held, wanted)                                               \
+  void vtkNexradVolumeScene::Set##name(type value)                                                 \
+  {                                                                                                \
+    this->Set(this->Wanted->held, wanted);                                                         \
+  }                                                                                                \
+  type vtkNexradVolumeScene::Get##name() const                                                     \
+  {                                                                                                \
+    return static_cast<type>(ValueOf(this->Wanted->held));                                         \
+  }
+NEXRAD_SCENE_SETTINGS(NEXRAD_SET_AND_GET)
+
+double vtkNexradVolumeScene::GetRingSpacing() const
+{
+  return this->Wanted->options.ringSpacing;
+}
+
+int vtkNexradVolumeScene::GetNumberOfIsoValues() const
+{
+  return static_cast<int>(this->Wanted->options.isoValues.size());
+}
+
+SceneOptions vtkNexradVolumeScene::GetOptions() const
+{
+  SceneOptions options = this->Wanted->options;
+  if (this->Wanted->plan != NO_PLAN)
+  {
+    options.plan = this->Wanted->map;
+    options.plan->level = static_cast<PlanLevel>(this->Wanted->plan - COMPOSITE);
+  }
+  if (this->Cropping)
+  {
+    std::copy(
+      std::begin(this->CropBounds), std::end(this->CropBounds), options.cut.box.emplace().begin());
+  }
+  if (this->Clipping)
+  {
+    const auto& [x, y, z] = this->ClipOrigin;
+    const auto& [east, north, up] = this->ClipNormal;
+    options.cut.plane = {{x, y, z}, {east, north, up}};
+  }
+  if (this->Section)
+  {
+    options.cut.section = {
+      {this->SectionA[0], this->SectionA[1]}, {this->SectionB[0], this->SectionB[1]}};
+  }
+  return options;
+}
+
+void vtkNexradVolumeScene::SetOptions(const SceneOptions& options)
+{
+  this->Wanted->options = options;
+  this->Wanted->options.plan.reset();
+  this->Wanted->options.cut = {};
+  this->Wanted->options.cut.unit = options.cut.unit;
+  this->Wanted->plan = NO_PLAN;
+  if (options.plan)
+  {
+    this->Wanted->plan = COMPOSITE + static_cast<int>(options.plan->level);
+    this->Wanted->map = *options.plan;
+  }
+  const nexrad::scene::CutOptions& cut = options.cut;
+  this->Cropping = cut.box.has_value();
+  if (cut.box)
+  {
+    std::copy(cut.box->begin(), cut.box->end(), this->CropBounds);
+  }
+  this->Clipping = cut.plane.has_value();
+  if (cut.plane)
+  {
+    std::copy(cut.plane->origin.begin(), cut.plane->origin.end(), this->ClipOrigin);
+    std::copy(cut.plane->normal.begin(), cut.plane->normal.end(), this->ClipNormal);
+  }
+  this->Section = cut.section.has_value();
+  if (cut.section)
+  {
+    std::copy(cut.section->from.begin(), cut.section->from.end(), this->SectionA);
+    std::copy(cut.section->to.begin(), cut.section->to.end(), this->SectionB);
+  }
+  this->Modified();
+}
+
+void vtkNexradVolumeScene::SetView(const CameraView& view)
+{
+  this->Set(this->Wanted->view, view);
+}
+
+const CameraView& vtkNexradVolumeScene::GetView() const
+{
+  return this->Wanted->view;
+}
+
 vtkStandardNewMacro(vtkNexradVolumeScene);
 
 vtkNexradVolumeScene::vtkNexradVolumeScene()
   : Renderer(vtkSmartPointer<vtkRenderer>::New())
+  , Wanted(std::make_unique<Settings>())
   , Drawn(std::make_unique<Drawing>())
 {
+  this->Wanted->options.namesOptions = false;
   this->ObserveRenderer();
 }
 
@@ -344,22 +413,12 @@ vtkImageData* vtkNexradVolumeScene::GetDetail() const
 
 void vtkNexradVolumeScene::MarkBox(double west, double east, double south, double north)
 {
-  const std::array<double, 4> faces = {west, east, south, north};
-  if (!this->MarksBox || !std::equal(faces.begin(), faces.end(), this->MarkedFaces))
-  {
-    this->MarksBox = true;
-    std::copy(faces.begin(), faces.end(), this->MarkedFaces);
-    this->Modified();
-  }
+  this->Set(this->Wanted->mark, std::array{west, east, south, north});
 }
 
 void vtkNexradVolumeScene::MarkNoBox()
 {
-  if (this->MarksBox)
-  {
-    this->MarksBox = false;
-    this->Modified();
-  }
+  this->Set(this->Wanted->mark, std::nullopt);
 }
 
 void vtkNexradVolumeScene::SetRingSpacing(double spacing)
@@ -369,11 +428,7 @@ void vtkNexradVolumeScene::SetRingSpacing(double spacing)
     vtkErrorMacro("ring spacing " << spacing << ": set 0 for no rings, or at least 1000 m");
     return;
   }
-  if (this->RingSpacing != spacing)
-  {
-    this->RingSpacing = spacing;
-    this->Modified();
-  }
+  this->Set(this->Wanted->options.ringSpacing, spacing);
 }
 
 void vtkNexradVolumeScene::AddIsoValue(double value, double opacity)
@@ -384,17 +439,14 @@ void vtkNexradVolumeScene::AddIsoValue(double value, double opacity)
                                << ": set a finite value, and an opacity up to 1");
     return;
   }
-  this->IsoValues.push_back({value, opacity});
+  this->Wanted->options.isoValues.push_back(
+    {value, opacity < 0.0 ? std::nullopt : std::optional(opacity)});
   this->Modified();
 }
 
 void vtkNexradVolumeScene::RemoveAllIsoValues()
 {
-  if (!this->IsoValues.empty())
-  {
-    this->IsoValues.clear();
-    this->Modified();
-  }
+  this->Set(this->Wanted->options.isoValues, std::vector<nexrad::scene::IsoValue>());
 }
 
 void vtkNexradVolumeScene::AddToFrame(vtkImageData* volume)
@@ -402,7 +454,7 @@ void vtkNexradVolumeScene::AddToFrame(vtkImageData* volume)
   try
   {
     const std::optional<EchoExtent>& held = this->Drawn->held;
-    const auto echo = nexrad::scene::MeasureEcho(volume, Drawing::OptionsOf(this));
+    const auto echo = nexrad::scene::MeasureEcho(volume, this->GetOptions());
     this->HoldEcho(held && echo ? nexrad::scene::Join(*held, *echo) : (echo ? echo : held));
   }
   catch (const std::exception& error)
@@ -439,52 +491,34 @@ void vtkNexradVolumeScene::ResetTransferFunction()
   this->Modified();
 }
 
-void vtkNexradVolumeScene::SetPlace(bool geographic, double x, double y, double height)
-{
-  if (!this->LooksAtPlace || this->PlaceIsGeographic != geographic || this->Place[0] != x ||
-      this->Place[1] != y || this->Place[2] != height)
-  {
-    this->LooksAtPlace = true;
-    this->PlaceIsGeographic = geographic;
-    this->Place[0] = x;
-    this->Place[1] = y;
-    this->Place[2] = height;
-    this->Modified();
-  }
-}
-
 void vtkNexradVolumeScene::SetLookAt(double x, double y, double height)
 {
-  this->SetPlace(false, x, y, height);
+  this->Set(this->Wanted->view.lookAt, LookAt{{x, y, height}, false});
 }
 
 void vtkNexradVolumeScene::SetLookAtGeographic(double latitude, double longitude, double height)
 {
-  this->SetPlace(true, longitude, latitude, height);
+  this->Set(this->Wanted->view.lookAt, LookAt{{longitude, latitude, height}, true});
 }
 
 void vtkNexradVolumeScene::LookAtDomain()
 {
-  if (this->LooksAtPlace)
-  {
-    this->LooksAtPlace = false;
-    this->Modified();
-  }
+  this->Set(this->Wanted->view.lookAt, std::nullopt);
 }
 
 bool vtkNexradVolumeScene::GetLookAt(double place[3])
 {
-  if (!this->LooksAtPlace || this->Volume == nullptr)
+  const std::optional<LookAt>& lookAt = this->Wanted->view.lookAt;
+  if (!lookAt || this->Volume == nullptr)
   {
     return false;
   }
   const SceneFrame frame(this->Volume, 1.0);
-  if (this->PlaceIsGeographic && !frame.HasMap())
+  if (lookAt->geographic && !frame.HasMap())
   {
     return false;
   }
-  const std::array<double, 3> found =
-    frame.PlaceOf({{this->Place[0], this->Place[1], this->Place[2]}, this->PlaceIsGeographic});
+  const std::array<double, 3> found = frame.PlaceOf(*lookAt);
   std::copy(found.begin(), found.end(), place);
   return true;
 }
@@ -568,35 +602,43 @@ void vtkNexradVolumeScene::SetCameraFromAbove()
   this->ParallelProjectionOn();
 }
 
-bool vtkNexradVolumeScene::Update()
+// The newest of the settings, the volume, and the colours and opacities in use.
+vtkMTimeType vtkNexradVolumeScene::TimeOfSettings()
+{
+  auto* colors = this->GetTransferFunction();
+  return std::max({this->GetMTime(), this->Volume->GetMTime(),
+    colors != nullptr ? colors->GetMTime() : vtkMTimeType(0)});
+}
+
+void vtkNexradVolumeScene::Draw()
 {
   if (this->Volume == nullptr)
   {
     this->Drawn = std::make_unique<Drawing>();
-    return true;
+    return;
   }
-  vtkMTimeType time = std::max(this->GetMTime(), this->Volume->GetMTime());
-  if (auto* colors = this->GetTransferFunction())
-  {
-    time = std::max(time, colors->GetMTime());
-  }
-  if (time == this->Drawn->tried)
+  this->FollowSize();
+  this->Drawn->succeeded = false;
+  this->Drawn->tried = this->TimeOfSettings();
+  this->Drawn->Update(this);
+  this->Drawn->succeeded = true;
+  this->Drawn->tried = this->TimeOfSettings(); // of other colours, perhaps
+}
+
+bool vtkNexradVolumeScene::Update()
+{
+  if (this->Volume != nullptr && this->TimeOfSettings() == this->Drawn->tried)
   {
     return this->Drawn->succeeded; // an error is reported once
   }
   try
   {
-    this->Drawn->Update(this);
-    this->Drawn->succeeded = true;
+    this->Draw();
   }
   catch (const std::exception& error)
   {
-    this->Drawn->succeeded = false;
     vtkErrorMacro(<< error.what());
   }
-  this->Drawn->tried =
-    std::max(time, this->GetTransferFunction() != nullptr ? this->GetTransferFunction()->GetMTime()
-                                                          : vtkMTimeType(0));
   return this->Drawn->succeeded;
 }
 
@@ -645,50 +687,13 @@ void vtkNexradVolumeScene::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Renderer: " << this->Renderer.Get() << "\n";
   os << indent << "Volume: " << this->Volume.Get() << "\n";
   os << indent << "Detail: " << this->Detail.Get() << "\n";
-  os << indent << "MarksBox: " << this->MarksBox << "\n";
-  os << indent << "Azimuth: " << this->Azimuth << "\n";
-  os << indent << "Tilt: " << this->Tilt << "\n";
-  os << indent << "Zoom: " << this->Zoom << "\n";
-  os << indent << "ParallelProjection: " << this->ParallelProjection << "\n";
-  os << indent << "LookAt: ";
-  if (this->LooksAtPlace)
-  {
-    os << this->Place[0] << ", " << this->Place[1] << ", " << this->Place[2]
-       << (this->PlaceIsGeographic ? " (longitude, latitude, m)\n" : " (of the volume)\n");
-  }
-  else
-  {
-    os << "the domain\n";
-  }
-  os << indent << "Preset: " << this->Preset << "\n";
-  os << indent << "ColorFileName: " << this->ColorFileName << "\n";
-  os << indent << "OpacityFileName: " << this->OpacityFileName << "\n";
-  os << indent << "IsoValues:";
-  for (const std::array<double, 2>& isoValue : this->IsoValues)
-  {
-    os << " " << isoValue[0] << ":" << isoValue[1];
-  }
-  os << "\n";
-  os << indent << "ColorArray: " << this->ColorArray << "\n";
-  os << indent << "Exaggeration: " << this->Exaggeration << "\n";
-  os << indent << "Framing: " << this->Framing << "\n";
-  os << indent << "OpacityDistance: " << this->OpacityDistance << "\n";
-  os << indent << "Mapper: " << this->Mapper << "\n";
-  os << indent << "PreIntegration: " << (this->PreIntegration ? "On" : "Off") << "\n";
-  os << indent << "LinearInterpolation: " << (this->LinearInterpolation ? "On" : "Off") << "\n";
-  os << indent << "NumberOfSlices: " << this->NumberOfSlices << "\n";
-  os << indent << "ShadowStrength: " << this->ShadowStrength << "\n";
-  os << indent << "OcclusionStrength: " << this->OcclusionStrength << "\n";
-  os << indent << "LightAzimuth: " << this->LightAzimuth << "\n";
-  os << indent << "LightElevation: " << this->LightElevation << "\n";
-  os << indent << "RingSpacing: " << this->RingSpacing << "\n";
-  os << indent << "Theme: " << this->Theme << "\n";
-  os << indent << "HeightWalls: " << this->HeightWalls << "\n";
-  os << indent << "PlaceNames: " << this->PlaceNames << "\n";
-  os << indent << "Plan: " << this->Plan << "\n";
-  os << indent << "PlanHeight: " << this->PlanHeight << "\n";
-  os << indent << "EchoTopThreshold: " << this->EchoTopThreshold << "\n";
-  os << indent << "PlanArray: " << this->PlanArray << "\n";
+#define NEXRAD_PRINT(name, type, held, wanted)                                                     \
+  os << indent << #name << ": " << this->Get##name() << "\n";
+  NEXRAD_SCENE_SETTINGS(NEXRAD_PRINT)
+  os << indent << "RingSpacing: " << this->GetRingSpacing() << "\n";
+  os << indent << "IsoValues: " << this->GetNumberOfIsoValues() << "\n";
+  os << indent << "MarksBox: " << this->Wanted->mark.has_value() << "\n";
+  os << indent << "LooksAtPlace: " << this->Wanted->view.lookAt.has_value() << "\n";
   os << indent << "Cropping: " << (this->Cropping ? "On" : "Off") << "\n";
   os << indent << "CropBounds:";
   for (const double bound : this->CropBounds)

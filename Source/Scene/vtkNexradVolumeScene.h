@@ -36,11 +36,9 @@
 #include "vtkObject.h"
 #include "vtkSmartPointer.h" // For members
 
-#include <array>    // For members
 #include <memory>   // For members
-#include <optional> // For members
-#include <string>   // For members
-#include <vector>   // For members
+#include <optional> // For arguments
+#include <string>   // For arguments
 
 class vtkCamera;
 class vtkImageData;
@@ -52,7 +50,9 @@ namespace nexrad
 namespace scene // as VTK's wrapper reads it
 {
 class SceneFrame;
+struct CameraView;
 struct EchoExtent;
+struct SceneOptions;
 } // namespace scene
 } // namespace nexrad
 
@@ -159,8 +159,8 @@ public:
    * Direction from the centre of the domain to the camera, in degrees clockwise from north: 180
    * looks north. 200 by default.
    */
-  vtkSetMacro(Azimuth, double);
-  vtkGetMacro(Azimuth, double);
+  void SetAzimuth(double degrees);
+  double GetAzimuth() const;
   ///@}
 
   ///@{
@@ -168,24 +168,24 @@ public:
    * Elevation of the camera above the horizon in degrees, -90 to 90; 90 looks straight down. 35 by
    * default.
    */
-  vtkSetClampMacro(Tilt, double, -90.0, 90.0);
-  vtkGetMacro(Tilt, double);
+  void SetTilt(double degrees);
+  double GetTilt() const;
   ///@}
 
   ///@{
   /**
    * Magnification: 1 shows the whole domain, 2 half of its width. From 0.01 to 1000; 1 by default.
    */
-  vtkSetClampMacro(Zoom, double, 0.01, 1000.0);
-  vtkGetMacro(Zoom, double);
+  void SetZoom(double zoom);
+  double GetZoom() const;
   ///@}
 
   ///@{
   /**
    * Parallel in place of perspective projection. Off by default.
    */
-  vtkSetMacro(ParallelProjection, bool);
-  vtkGetMacro(ParallelProjection, bool);
+  void SetParallelProjection(bool on);
+  bool GetParallelProjection() const;
   vtkBooleanMacro(ParallelProjection, bool);
   ///@}
 
@@ -194,8 +194,8 @@ public:
    * Name of a preset of vtkNexradTransferFunction, as "storm cores". Empty by default: the first
    * preset of the moment that is shown.
    */
-  vtkSetMacro(Preset, std::string);
-  vtkGetMacro(Preset, std::string);
+  void SetPreset(std::string name);
+  std::string GetPreset() const;
   ///@}
 
   ///@{
@@ -203,8 +203,8 @@ public:
    * A file that vtkNexradTransferFunction reads: its colours, and its opacities if it has any, in
    * place of those of the preset. Empty by default: no file.
    */
-  vtkSetMacro(ColorFileName, std::string);
-  vtkGetMacro(ColorFileName, std::string);
+  void SetColorFileName(std::string path);
+  std::string GetColorFileName() const;
   ///@}
 
   ///@{
@@ -212,8 +212,8 @@ public:
    * A file that vtkNexradTransferFunction reads: its opacities in place of those of the preset and
    * of ColorFileName. Error: a file without opacities. Empty by default: no file.
    */
-  vtkSetMacro(OpacityFileName, std::string);
-  vtkGetMacro(OpacityFileName, std::string);
+  void SetOpacityFileName(std::string path);
+  std::string GetOpacityFileName() const;
   ///@}
 
   ///@{
@@ -225,7 +225,7 @@ public:
    */
   void AddIsoValue(double value, double opacity = -1.0);
   void RemoveAllIsoValues();
-  int GetNumberOfIsoValues() const { return static_cast<int>(this->IsoValues.size()); }
+  int GetNumberOfIsoValues() const;
   ///@}
 
   ///@{
@@ -235,8 +235,8 @@ public:
    * ColorFileName; an ancillary array those that a plan view of it has. Brown stands for no value.
    * Empty by default: the moment gives both. A plan view does not use it.
    */
-  vtkSetMacro(ColorArray, std::string);
-  vtkGetMacro(ColorArray, std::string);
+  void SetColorArray(std::string name);
+  std::string GetColorArray() const;
   ///@}
 
   /**
@@ -256,8 +256,8 @@ public:
    * How many times heights are stretched; the picture states it. 0, the default, goes by the size
    * of what is framed: 3 times for what one radar sees, up to 8 for many radars.
    */
-  vtkSetClampMacro(Exaggeration, double, 0.0, 1000.0);
-  vtkGetMacro(Exaggeration, double);
+  void SetExaggeration(double times);
+  double GetExaggeration() const;
   ///@}
 
   ///@{
@@ -266,8 +266,8 @@ public:
    * the echo of the first volume, and grows where that of another volume of its grid and moment
    * leaves it. A plan view shows the domain.
    */
-  vtkSetClampMacro(Framing, int, ECHO, DOMAIN);
-  vtkGetMacro(Framing, int);
+  void SetFraming(int framing);
+  int GetFraming() const;
   ///@}
 
   ///@{
@@ -284,16 +284,16 @@ public:
    * The length along a ray to which the opacities belong, in km of the scene. 0, the default,
    * chooses it by the echo, so that what is seen is neither faint nor solid.
    */
-  vtkSetClampMacro(OpacityDistance, double, 0.0, 1000.0);
-  vtkGetMacro(OpacityDistance, double);
+  void SetOpacityDistance(double kilometres);
+  double GetOpacityDistance() const;
   ///@}
 
   ///@{
   /**
    * How the volume is drawn. TEXTURE_SLICE by default.
    */
-  vtkSetClampMacro(Mapper, int, TEXTURE_SLICE, RAY_CAST);
-  vtkGetMacro(Mapper, int);
+  void SetMapper(int mapper);
+  int GetMapper() const;
   void SetMapperToTextureSlice() { this->SetMapper(TEXTURE_SLICE); }
   void SetMapperToRayCast() { this->SetMapper(RAY_CAST); }
   ///@}
@@ -304,8 +304,8 @@ public:
    * place of taking one sample: narrow colour steps and iso-values leave no rings. See
    * vtkOpenGLTextureSliceVolumeMapper::SetPreIntegration. On by default; RAY_CAST ignores it.
    */
-  vtkSetMacro(PreIntegration, bool);
-  vtkGetMacro(PreIntegration, bool);
+  void SetPreIntegration(bool on);
+  bool GetPreIntegration() const;
   vtkBooleanMacro(PreIntegration, bool);
   ///@}
 
@@ -314,8 +314,8 @@ public:
    * Whether values are interpolated linearly between voxels. On by default. Off: each place has the
    * value of the nearest voxel, so that voxels are seen as boxes.
    */
-  vtkSetMacro(LinearInterpolation, bool);
-  vtkGetMacro(LinearInterpolation, bool);
+  void SetLinearInterpolation(bool on);
+  bool GetLinearInterpolation() const;
   vtkBooleanMacro(LinearInterpolation, bool);
   ///@}
 
@@ -324,8 +324,8 @@ public:
    * Slices, or samples along the longest ray. From 1 to 16384; 0, the default, takes about three
    * for every eight voxels along the view.
    */
-  vtkSetClampMacro(NumberOfSlices, int, 0, 16384);
-  vtkGetMacro(NumberOfSlices, int);
+  void SetNumberOfSlices(int slices);
+  int GetNumberOfSlices() const;
   ///@}
 
   ///@{
@@ -333,8 +333,8 @@ public:
    * How strong the shadows are that the volume casts on itself and on the ground, 0 (none) to 1;
    * 0.5 by default. The ray caster draws none.
    */
-  vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
-  vtkGetMacro(ShadowStrength, double);
+  void SetShadowStrength(double strength);
+  double GetShadowStrength() const;
   ///@}
 
   ///@{
@@ -342,8 +342,8 @@ public:
    * How strong ambient occlusion is: how much darker the volume and the ground are where they see
    * little of the sky, 0 (none) to 1; 0.4 by default. The ray caster draws none.
    */
-  vtkSetClampMacro(OcclusionStrength, double, 0.0, 1.0);
-  vtkGetMacro(OcclusionStrength, double);
+  void SetOcclusionStrength(double strength);
+  double GetOcclusionStrength() const;
   ///@}
 
   ///@{
@@ -351,8 +351,8 @@ public:
    * Direction from the volume to the light that casts the shadows, in degrees clockwise from north.
    * 250 by default: on the left behind a viewer at the default azimuth.
    */
-  vtkSetMacro(LightAzimuth, double);
-  vtkGetMacro(LightAzimuth, double);
+  void SetLightAzimuth(double degrees);
+  double GetLightAzimuth() const;
   ///@}
 
   ///@{
@@ -360,8 +360,8 @@ public:
    * Elevation of that light above the horizon of the stretched scene in degrees, -90 to 90; 45 by
    * default.
    */
-  vtkSetClampMacro(LightElevation, double, -90.0, 90.0);
-  vtkGetMacro(LightElevation, double);
+  void SetLightElevation(double degrees);
+  double GetLightElevation() const;
   ///@}
 
   ///@{
@@ -370,15 +370,15 @@ public:
    * the default, draws none; at least 1000 otherwise.
    */
   void SetRingSpacing(double spacing);
-  vtkGetMacro(RingSpacing, double);
+  double GetRingSpacing() const;
   ///@}
 
   ///@{
   /**
    * Colours beside those of the data. LIGHT by default.
    */
-  vtkSetClampMacro(Theme, int, DARK, LIGHT);
-  vtkGetMacro(Theme, int);
+  void SetTheme(int theme);
+  int GetTheme() const;
   void SetThemeToDark() { this->SetTheme(DARK); }
   void SetThemeToLight() { this->SetTheme(LIGHT); }
   ///@}
@@ -387,8 +387,8 @@ public:
   /**
    * Lines of equal height on the two walls of the domain that are behind the volume. On by default.
    */
-  vtkSetMacro(HeightWalls, bool);
-  vtkGetMacro(HeightWalls, bool);
+  void SetHeightWalls(bool on);
+  bool GetHeightWalls() const;
   vtkBooleanMacro(HeightWalls, bool);
   ///@}
 
@@ -396,8 +396,8 @@ public:
   /**
    * Names of states and provinces on the map, where they cover no other letters. Off by default.
    */
-  vtkSetMacro(PlaceNames, bool);
-  vtkGetMacro(PlaceNames, bool);
+  void SetPlaceNames(bool on);
+  bool GetPlaceNames() const;
   vtkBooleanMacro(PlaceNames, bool);
   ///@}
 
@@ -406,32 +406,32 @@ public:
    * Shows a plan view in place of the volume. NO_PLAN by default. A plan view is usually seen from
    * above: SetCameraFromAbove.
    */
-  vtkSetClampMacro(Plan, int, NO_PLAN, LIQUID_DENSITY);
-  vtkGetMacro(Plan, int);
+  void SetPlan(int plan);
+  int GetPlan() const;
   ///@}
 
   ///@{
   /**
    * For AT_HEIGHT: the height in metres above mean sea level. 0 by default.
    */
-  vtkSetMacro(PlanHeight, double);
-  vtkGetMacro(PlanHeight, double);
+  void SetPlanHeight(double metres);
+  double GetPlanHeight() const;
   ///@}
 
   ///@{
   /**
    * For ECHO_TOP and LIQUID_DENSITY: the threshold in dBZ. 18 by default.
    */
-  vtkSetMacro(EchoTopThreshold, double);
-  vtkGetMacro(EchoTopThreshold, double);
+  void SetEchoTopThreshold(double threshold);
+  double GetEchoTopThreshold() const;
   ///@}
 
   ///@{
   /**
    * For a plan view: name of the array that it shows, as "REF_age". Empty by default: the moment.
    */
-  vtkSetMacro(PlanArray, std::string);
-  vtkGetMacro(PlanArray, std::string);
+  void SetPlanArray(std::string name);
+  std::string GetPlanArray() const;
   ///@}
 
   ///@{
@@ -547,6 +547,15 @@ public:
   ///@}
 
 #ifndef __VTK_WRAP__
+  ///@{
+  /// All settings of the scene, and those of the camera, as one value.
+  void SetOptions(const nexrad::scene::SceneOptions& options);
+  nexrad::scene::SceneOptions GetOptions() const;
+  void SetView(const nexrad::scene::CameraView& view);
+  const nexrad::scene::CameraView& GetView() const;
+  ///@}
+  /// As Update, but throws Error where Update reports one.
+  void Draw();
   /// How the volume stands in the scene; for the parts of this module. Null before the first volume
   /// is shown.
   const nexrad::scene::SceneFrame* GetSceneFrame() const;
@@ -563,37 +572,6 @@ protected:
   vtkNexradVolumeScene();
   ~vtkNexradVolumeScene() override;
 
-  double Azimuth = 200.0;
-  double Tilt = 35.0;
-  double Zoom = 1.0;
-  bool ParallelProjection = false;
-  bool LooksAtPlace = false;
-  bool PlaceIsGeographic = false;
-  double Place[3] = {0.0, 0.0, 0.0}; // x, y of the volume, or longitude, latitude; height
-  std::string Preset;
-  std::string ColorFileName;
-  std::string OpacityFileName;
-  std::vector<std::array<double, 2>> IsoValues; // with their opacities
-  std::string ColorArray;
-  double Exaggeration = 0.0;
-  int Mapper = TEXTURE_SLICE;
-  bool PreIntegration = true;
-  bool LinearInterpolation = true;
-  int NumberOfSlices = 0;
-  double ShadowStrength = 0.5;
-  double OcclusionStrength = 0.4;
-  int Framing = ECHO;
-  double OpacityDistance = 0.0;
-  double LightAzimuth = 250.0;
-  double LightElevation = 45.0;
-  double RingSpacing = 0.0;
-  int Theme = LIGHT;
-  bool HeightWalls = true;
-  bool PlaceNames = false;
-  int Plan = NO_PLAN;
-  double PlanHeight = 0.0;
-  double EchoTopThreshold = 18.0;
-  std::string PlanArray;
   bool Cropping = false;
   double CropBounds[6] = {-1e7, 1e7, -1e7, 1e7, -1e7, 1e7};
   bool Clipping = false;
@@ -607,7 +585,9 @@ private:
   vtkNexradVolumeScene(const vtkNexradVolumeScene&) = delete;
   void operator=(const vtkNexradVolumeScene&) = delete;
 
-  void SetPlace(bool geographic, double x, double y, double height);
+  vtkMTimeType TimeOfSettings();
+  template <typename Held, typename Value>
+  void Set(Held& held, const Value& value);
   void ObserveRenderer();
   void ForgetRenderer();
   void FollowRendering(); // before each picture
@@ -618,8 +598,8 @@ private:
   unsigned long RendererTag = 0;
   vtkSmartPointer<vtkImageData> Volume;
   vtkSmartPointer<vtkImageData> Detail;
-  bool MarksBox = false;
-  double MarkedFaces[4] = {0.0, 0.0, 0.0, 0.0}; // west, east, south, north
+  struct Settings;
+  std::unique_ptr<Settings> Wanted;
   struct Drawing;
   std::unique_ptr<Drawing> Drawn;
 };

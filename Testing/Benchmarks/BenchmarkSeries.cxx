@@ -5,7 +5,7 @@
 // of three simulated radars (SYNTHETIC), 256 x 256 x 128, five minutes apart.
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
-#include "Scene/RadarSession.h"
+#include "Scene/Series/BackgroundSeries.h"
 #include "Scene/Series/VolumeFiles.h"
 #include "StepTimes.h"
 #include "Tables/Measurement.h"
@@ -15,6 +15,8 @@
 
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkNexradVolumeScene.h>
+#include <vtkOpenGLTextureSliceVolumeMapper.h>
 #include <vtkRenderWindow.h>
 
 #include <chrono>
@@ -79,8 +81,7 @@ public:
   {
   }
   const std::vector<Time>& Times() const override { return this->Source->Times(); }
-  bool CanLoadAhead() const override { return this->Source->CanLoadAhead(); }
-  void AllowCodes(bool allowed) override { this->Source->AllowCodes(allowed); }
+  bool AllowCodes(bool allowed) override { return this->Source->AllowCodes(allowed); }
   vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress& progress) override
   {
     this->Loads.Begin();
@@ -123,33 +124,38 @@ class Player
 public:
   Player(const std::vector<std::filesystem::path>& inputs, int slices)
   {
-    SceneOptions options;
-    options.slices = slices;
-    auto series = std::make_unique<TimedSeries>(OpenVolumeFiles(inputs), this->Loads);
-    std::vector<std::size_t> all(series->Times().size());
-    std::iota(all.begin(), all.end(), std::size_t(0));
-    this->Session.emplace(std::move(series), std::move(all), options);
+    this->Scene->SetNumberOfSlices(slices);
+    BackgroundSeriesOptions options;
+    options.open = [this, &inputs](const Progress&)
+    {
+      auto series = std::make_shared<TimedSeries>(OpenVolumeFiles(inputs), this->Loads);
+      series->AllowCodes(true);
+      return series;
+    };
+    options.prepare = [before = vtkSmartPointer<vtkObject>()](vtkImageData* volume) mutable
+    { before = vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(volume, before); };
+    options.memory = std::size_t(512) << 20;
+    this->Series = std::make_unique<BackgroundSeries>(std::move(options));
     this->Window->SetOffScreenRendering(1);
     this->Window->SetMultiSamples(0);
     this->Window->SetSize(796, 532);
-    this->Window->AddRenderer(this->Session->Scene().GetRenderer());
-    this->Session->Scene().SetPictureSize({796, 532});
-    MeasureStep(*this->Session, 0, this->Window); // shaders, storage
+    this->Window->AddRenderer(this->Scene->GetRenderer());
+    MeasureStep(*this->Series, 0, this->Scene, this->Window); // shaders, storage
   }
 
-  std::size_t Count() const { return this->Session->Count(); }
+  std::size_t Count() const { return this->Series->Get().times.size(); }
 
   Play Run()
   {
     Play play;
     for (std::size_t step = 1; step < this->Count(); ++step)
     {
-      this->Session->Show(step);
+      this->Scene->SetVolume(this->Series->Wait(step));
       this->Loads.WaitUntilIdle();
       MeasureFrame(this->Window);
       play.Still.push_back(MeasureFrame(this->Window));
     }
-    this->Session->Show(0);
+    this->Scene->SetVolume(this->Series->Wait(0));
     MeasureFrame(this->Window);
     this->Loads.Take();
     play.Whole = SecondsOf([&] { this->Measure(play); });
@@ -162,7 +168,7 @@ private:
   {
     for (std::size_t step = 1; step < this->Count(); ++step)
     {
-      const StepTimes times = MeasureStep(*this->Session, step, this->Window);
+      const StepTimes times = MeasureStep(*this->Series, step, this->Scene, this->Window);
       play.Load.push_back(times.load);
       play.Upload.push_back(times.upload);
       play.Draw.push_back(times.draw);
@@ -170,7 +176,8 @@ private:
   }
 
   LoadTimes Loads;
-  std::optional<RadarSession> Session;
+  std::unique_ptr<BackgroundSeries> Series;
+  vtkNew<vtkNexradVolumeScene> Scene;
   vtkNew<vtkRenderWindow> Window;
 };
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StepTimes.h"
 
-#include "Scene/RadarSession.h"
+#include "Scene/Series/BackgroundSeries.h"
 #include "nexrad/System/Error.h"
 
+#include <vtkNexradVolumeScene.h>
+#include <vtkOpenGLTextureSliceVolumeMapper.h>
 #include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkVolume.h>
+#include <vtkVolumeCollection.h>
 
 #include <chrono>
 
@@ -32,17 +37,22 @@ private:
 
 } // namespace
 
-StepTimes MeasureStep(RadarSession& session, std::size_t step, vtkRenderWindow* window)
+StepTimes MeasureStep(
+  BackgroundSeries& series, std::size_t step, vtkNexradVolumeScene* scene, vtkRenderWindow* window)
 {
   window->MakeCurrent();
   window->WaitForCompletion();
   StepTimes times;
   StopWatch watch;
-  session.Load(step);
+  const auto image = series.Wait(step);
   times.load = watch.Lap();
-  session.Show(step);
+  scene->SetVolume(image);
+  scene->Draw();
   const double captions = watch.Lap();
-  if (!session.Scene().Upload())
+  vtkRenderer* renderer = scene->GetRenderer();
+  auto* volume = vtkVolume::SafeDownCast(renderer->GetVolumes()->GetItemAsObject(0));
+  auto* mapper = vtkOpenGLTextureSliceVolumeMapper::SafeDownCast(volume->GetMapper());
+  if (!mapper->PreLoadData(renderer, volume))
   {
     throw Error("the volume cannot be brought into texture memory");
   }

@@ -3,12 +3,13 @@
 
 #include <cstddef>
 
+class vtkNexradVolumeScene;
 class vtkRenderWindow;
 
 namespace nexrad::scene
 {
 
-class RadarSession;
+class BackgroundSeries;
 
 /// What a step of a series costs whoever draws it, in seconds by the clock on the wall: the times
 /// of the thesis's table 4.2.
@@ -19,9 +20,10 @@ struct StepTimes
   double draw = 0.0;   ///< t3: until the frame is drawn, with the captions that change
 };
 
-/// Shows a step of the session in a window that holds its scene, and measures. Each part runs to
-/// its end before the next begins. Throws Error when the step cannot be loaded or drawn.
-StepTimes MeasureStep(RadarSession& session, std::size_t step, vtkRenderWindow* window);
+/// Shows a step of a series in a window that holds the scene, and measures. Each part runs to its
+/// end before the next begins. Throws Error when the step cannot be loaded or drawn.
+StepTimes MeasureStep(
+  BackgroundSeries& series, std::size_t step, vtkNexradVolumeScene* scene, vtkRenderWindow* window);
 
 /// Draws what the window shows once more. Seconds until the frame is drawn.
 double MeasureFrame(vtkRenderWindow* window);

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a window sees of a series that another thread opens and loads.
 #include "Scene/Series/BackgroundSeries.h"
+#include "Scene/Series/RadarFiles.h"
 
+#include "TestData.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
@@ -12,6 +14,8 @@
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
+#include <cstring>
+#include <filesystem>
 #include <mutex>
 #include <set>
 #include <thread>
@@ -119,7 +123,7 @@ private:
   std::vector<Time> times;
 };
 
-class BackgroundSeriesTest : public testing::Test
+class BackgroundSeriesTest : public ::testing::Test
 {
 protected:
   void Open(const Plan& plan, std::size_t memory = std::size_t(1) << 30)
@@ -226,6 +230,71 @@ TEST_F(BackgroundSeriesTest, LoadsTheStepThatIsShownAndThenThoseAfterIt)
     ASSERT_NE(series->Show(step), nullptr) << "all are in memory";
   }
   EXPECT_EQ(notes.loaded.size(), 5U);
+}
+
+// As a command does, which has nothing else to do.
+TEST_F(BackgroundSeriesTest, WhoeverWaitsGetsTheStep)
+{
+  this->Open({});
+  for (const std::size_t step : {0, 1, 2, 3, 0, 2, 1, 1, 3, 4, 0})
+  {
+    EXPECT_EQ(series->Wait(step)->GetOrigin()[0], static_cast<double>(step));
+  }
+  EXPECT_EQ(notes.loaded.size(), 5U) << "each once";
+  EXPECT_EQ(notes.threads.count(std::this_thread::get_id()), 0U);
+}
+
+TEST_F(BackgroundSeriesTest, WhoeverWaitsIsToldHowFarItIsAndMayStop)
+{
+  Plan plan;
+  plan.slow = 1;
+  this->Open(plan);
+  series->Wait(0);
+  double told = 0.0;
+  const auto stop = [&told](double fraction)
+  {
+    told = fraction;
+    return fraction < 0.5;
+  };
+  EXPECT_EQ(series->Wait(1, stop), nullptr);
+  EXPECT_EQ(told, 0.5);
+  EXPECT_EQ(series->Wait(3)->GetOrigin()[0], 3.0) << "what is loaded in vain is stopped";
+}
+
+TEST_F(BackgroundSeriesTest, WhoeverWaitsForAFailureIsToldAndMayTryAgain)
+{
+  Plan plan;
+  plan.broken = 1;
+  this->Open(plan);
+  EXPECT_THROW(series->Wait(1), Error);
+  EXPECT_THROW(series->Wait(1), Error);
+  EXPECT_EQ(series->Wait(2)->GetOrigin()[0], 2.0);
+  EXPECT_GE(std::count(notes.loaded.begin(), notes.loaded.end(), std::size_t(1)), 2);
+  plan.opens = false;
+  this->Open(plan);
+  EXPECT_THROW(series->Wait(0), Error);
+}
+
+TEST_F(BackgroundSeriesTest, RadarFilesMergeAheadToTheSameVolumes)
+{
+  NEXRAD_REQUIRE_TEST_DATA(data);
+  MergeOptions grid;
+  grid.grid.dimensions = {32, 32, 16};
+  const std::vector<std::filesystem::path> inputs = {data / "level2" / "run-kbgm-20050821"};
+  const auto direct = OpenRadarFiles(inputs, grid);
+  ASSERT_GE(direct->Times().size(), 3U);
+  options.open = [&](const Progress& progress) { return OpenRadarFiles(inputs, grid, progress); };
+  BackgroundSeries ahead(options);
+  for (const std::size_t index : {0, 1, 2, 0, 2, 1})
+  {
+    const auto volume = ahead.Wait(index);
+    const auto expected = direct->Load(index, {});
+    const auto bytes = static_cast<std::size_t>(32 * 32 * 16) * sizeof(float);
+    ASSERT_EQ(volume->GetNumberOfPoints(), 32 * 32 * 16);
+    EXPECT_EQ(std::memcmp(volume->GetScalarPointer(), expected->GetScalarPointer(), bytes), 0)
+      << "volume " << index;
+  }
+  EXPECT_EQ(ahead.Get().damage, direct->Problems());
 }
 
 TEST_F(BackgroundSeriesTest, SaysTimesAndDamage)

@@ -219,7 +219,8 @@ std::string SaidOfMap(const GriddedVolume& volume, PlanLevel level = PlanLevel::
   vtkNexradVolumeToImage(volume, image);
   const PlanView view = MakePlanView(SourceOf(image), plan);
   const ColourScale scale = ScaleFor(view, plan, volume.sites, ScaleOf(array, look));
-  return WordsForMap(view, plan, scale, image, PresetWords::Option);
+  return WordsForMap(
+    view, plan, scale, image, static_cast<double>(volume.biologicalShare), PresetWords::Option);
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include "Scene/EchoFraming.h"
 #include "Scene/Frame/SceneFrame.h"
+#include "Scene/Frame/VolumeInformation.h"
 #include "Scene/VolumeAppearance.h"
 #include "StormVolume.h"
 #include "vtkNexradImageConversion.h"
@@ -114,7 +115,8 @@ TEST(EchoExtent, NothingIsFoundWithoutVisibleEcho)
   vtkNew<vtkImageData> image;
   vtkNexradVolumeToImage(weak, image);
   EXPECT_FALSE(MeasureEcho(image, SceneOptions()));
-  const SceneFrame frame = FrameVolume(image, std::nullopt, SceneOptions());
+  const SceneFrame frame =
+    FrameVolume(image, ReadVolumeInformation(image), std::nullopt, SceneOptions());
   EXPECT_EQ(frame.Framed(), frame.Bounds());
   EXPECT_EQ(frame.OpacityDistance(), OpacityUnitDistance);
 }

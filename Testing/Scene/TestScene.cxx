@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Elements/Theme.h"
 #include "Scene/RadarScene.h"
-#include "Scene/RadarSession.h"
 #include "Scene/Series/VolumeFiles.h"
 #include "Scene/VolumeAppearance.h"
 #include "ScenePicture.h"
@@ -11,7 +10,9 @@
 
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
+#include "vtkNexradSession.h"
 #include "vtkNexradTransferFunction.h"
+#include "vtkNexradVolumeScene.h"
 
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
@@ -356,10 +357,12 @@ TEST(Scene, AFileIsDrawnFromItsCodesAsFromItsValues)
 
   const Picture expected = Draw(values, "OfValues");
   EXPECT_GT(Count(expected, withoutBar, IsStrongEcho), 300);
-  RadarSession session(OpenVolumeFiles({index}), {0}, Classic());
-  ASSERT_TRUE(session.Show(0));
-  session.Scene().SetPictureSize(size);
-  const Picture ofSession = OffScreenWindow(session.Scene().GetRenderer(), size).Draw();
+  vtkNew<vtkNexradSession> session;
+  session->GetScene()->SetOptions(Classic());
+  session->AddFileName(index.c_str());
+  ASSERT_TRUE(session->ShowTimeStep(0));
+  EXPECT_EQ(session->GetScene()->GetVolume()->GetScalarType(), VTK_UNSIGNED_CHAR);
+  const Picture ofSession = OffScreenWindow(session->GetScene()->GetRenderer(), size).Draw();
   for (const Picture& drawn : {Draw(codes, "OfCodes"), ofSession})
   {
     EXPECT_AT_MOST(LargestDifference(drawn, expected), 1,
@@ -402,26 +405,6 @@ TEST(Scene, TheLitSideKeepsItsBrightness)
   const double ratio =
     brightest(Draw(volume, "Lit", dark)) / brightest(Draw(volume, "Unlit", unlit));
   EXPECT_AT_LEAST(ratio, 0.9, "brightness of the lit half of the echo, part of that without light");
-}
-
-// The frame holds the echo of all times from the first picture on, and stays.
-TEST(Scene, TheFrameOfASeriesStays)
-{
-  const TemporaryFolder folder;
-  const std::filesystem::path index = WriteStormFiles(folder.Path(), 4);
-  RadarSession session(OpenVolumeFiles({index}), {0, 1, 2, 3}, {});
-  ASSERT_TRUE(session.Show(0));
-  const auto framed = session.Scene().Frame().Framed();
-  const double distance = session.Scene().Frame().OpacityDistance();
-  RadarSession first(OpenVolumeFiles({index}), {0}, {});
-  ASSERT_TRUE(first.Show(0));
-  EXPECT_GT(framed[1], first.Scene().Frame().Framed()[1] + 40.0) << "the storm moves 60 km east";
-  for (std::size_t step = 1; step < 4; ++step)
-  {
-    ASSERT_TRUE(session.Show(step));
-    EXPECT_EQ(session.Scene().Frame().Framed(), framed) << step;
-    EXPECT_EQ(session.Scene().Frame().OpacityDistance(), distance) << step;
-  }
 }
 
 // Of a series whose end nobody knows, the frame grows when the echo leaves it, and does not shrink.

@@ -2,6 +2,7 @@
 #include "vtkNexradFraming.h"
 
 #include "Scene/EchoFraming.h"
+#include "Scene/Frame/VolumeInformation.h"
 #include "Scene/VolumeAppearance.h"
 #include "WholeVolume.h"
 #include "nexrad/Geometry/Angles.h"
@@ -72,7 +73,7 @@ int vtkNexradFraming::RequestData(
 {
   vtkInformation* asked = output->GetInformationObject(0);
   const auto volume = DescribeWhole(input[0]->GetInformationObject(0));
-  const SceneFrame frame = FrameVolume(volume,
+  const SceneFrame frame = FrameVolume(volume, nexrad::scene::ReadVolumeInformation(volume),
     EchoOf(vtkImageData::GetData(input[0]), volume,
       asked->Get(vtkStreamingDemandDrivenPipeline::UPDATE_NUMBER_OF_PIECES())),
     nexrad::scene::SceneOptions());

@@ -34,15 +34,14 @@ void RequireDisplay()
   XCloseDisplay(display);
 }
 
-PictureWindow::PictureWindow(RadarScene& scene, const std::array<int, 2>& size)
+PictureWindow::PictureWindow(vtkRenderer* renderer, const std::array<int, 2>& size)
 {
   RequireDisplay();
   window = vtkSmartPointer<vtkRenderWindow>::New();
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(4);
   window->SetSize(size[0], size[1]);
-  window->AddRenderer(scene.GetRenderer());
-  scene.SetPictureSize(size);
+  window->AddRenderer(renderer);
 }
 
 PictureWindow::~PictureWindow() = default;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/RadarScene.h"
 #include "nexrad/Model/Time.h"
 
 #include <vtkSmartPointer.h>
@@ -11,6 +10,7 @@
 
 class vtkImageData;
 class vtkRenderWindow;
+class vtkRenderer;
 
 namespace nexrad::scene
 {
@@ -18,12 +18,12 @@ namespace nexrad::scene
 /// Throws Error when there is no X display to draw on. VTK would end the program.
 void RequireDisplay();
 
-/// An off-screen window for one scene.
+/// An off-screen window for the renderer of one scene.
 class PictureWindow
 {
 public:
   /// Throws Error when there is no display.
-  PictureWindow(RadarScene& scene, const std::array<int, 2>& size);
+  PictureWindow(vtkRenderer* renderer, const std::array<int, 2>& size);
   ~PictureWindow();
   PictureWindow(const PictureWindow&) = delete;
   PictureWindow& operator=(const PictureWindow&) = delete;

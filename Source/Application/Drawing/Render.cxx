@@ -2,11 +2,11 @@
 #include "Drawing/Render.h"
 
 #include "Drawing/MapFiles.h"
-#include "Drawing/MovieOutput.h"
+#include "Drawing/MovieWriter.h"
 #include "Drawing/PictureWindow.h"
-#include "Drawing/SurfaceFiles.h"
 #include "Drawing/VolumeOutputs.h"
-#include "Scene/RadarSession.h"
+#include "Gltf/SurfaceScene.h"
+#include "Output/OutputFile.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Error.h"
@@ -14,10 +14,14 @@
 #include "nexrad/System/Progress.h"
 
 #include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkNexradSession.h>
+#include <vtkNexradVolumeScene.h>
 
 #include <memory>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace fs = std::filesystem;
 
@@ -47,40 +51,59 @@ vtkSmartPointer<vtkImageData> DrawFor(const fs::path& file, PictureWindow& windo
   }
 }
 
-void DrawPictures(const RenderRequest& request, RadarSession& session, RenderReport& report)
+// What is drawn: a session, and the times of its steps.
+struct Shown
 {
-  PictureWindow window(session.Scene(), request.size);
+  vtkNew<vtkNexradSession> session;
+  std::vector<Time> times;
+};
+
+void DrawPictures(const RenderRequest& request, Shown& shown, RenderReport& report)
+{
+  PictureWindow window(shown.session->GetScene()->GetRenderer(), request.size);
   const Progress drawing = ShareOf(request.progress, ScanShare, 1.0);
-  for (std::size_t i = 0; i < session.Count(); ++i)
+  const std::size_t count = shown.times.size();
+  for (std::size_t i = 0; i < count; ++i)
   {
-    const Progress part = ShareOf(drawing, i, session.Count());
-    session.Show(i, part);
-    const fs::path name = PictureName(request.output, session.TimeAt(i), session.Count() > 1);
+    const Progress part = ShareOf(drawing, i, count);
+    shown.session->Show(static_cast<int>(i), part);
+    const fs::path name = PictureName(request.output, shown.times[i], count > 1);
     WritePng(DrawFor(name, window), name);
     report.outputs.push_back(name);
     GoOn(part);
   }
 }
 
-void DrawMovie(const RenderRequest& request, RadarSession& session, RenderReport& report)
+void DrawMovie(const RenderRequest& request, Shown& shown, RenderReport& report)
 {
-  const std::size_t frames =
-    request.frames > 0 ? static_cast<std::size_t>(request.frames) : session.Count();
-  PictureWindow window(session.Scene(), request.size);
+  const std::size_t count = shown.times.size();
+  const std::size_t frames = request.frames > 0 ? static_cast<std::size_t>(request.frames) : count;
+  vtkNexradVolumeScene* scene = shown.session->GetScene();
+  PictureWindow window(scene->GetRenderer(), request.size);
   const Progress drawing = ShareOf(request.progress, ScanShare, 1.0);
   const auto writer = MakeMovieWriter(request.output, request.size, request.framesPerSecond);
   for (std::size_t frame = 0; frame < frames; ++frame)
   {
     const Progress part = ShareOf(drawing, frame, frames);
-    session.Show(frame * session.Count() / frames, part);
     CameraView view = request.camera;
     view.azimuth += request.turn * static_cast<double>(frame) / static_cast<double>(frames);
-    session.Scene().SetCamera(view);
+    scene->SetView(view);
+    shown.session->Show(static_cast<int>(frame * count / frames), part);
     writer->AddFrame(DrawFor(request.output, window));
     GoOn(part);
   }
   writer->Finish();
   report.outputs.push_back(request.output);
+}
+
+RenderReport WriteSurfaces(const RenderRequest& request)
+{
+  const auto write = [&request](const fs::path& path, vtkImageData* volume)
+  {
+    const std::vector<unsigned char> bytes = MakeGlb(MakeSurfaceScene(volume, request.scene));
+    application::WriteFile(path, bytes.data(), bytes.size());
+  };
+  return WriteEachVolume(request, write);
 }
 
 } // namespace
@@ -103,18 +126,24 @@ RenderReport Render(const RenderRequest& asked)
   auto series =
     pictures ? OpenForPictures(request, report) : OpenInputs(request.input, request.progress);
   std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
-  RadarSession session(std::move(series), std::move(chosen), request.scene, request.input.box);
-  session.Scene().SetCamera(request.camera);
+  Shown shown;
+  for (const std::size_t index : chosen)
+  {
+    shown.times.push_back(series->Times()[index]);
+  }
+  shown.session->SetSeries(std::move(series), std::move(chosen), request.input.box);
+  shown.session->GetScene()->SetOptions(request.scene);
+  shown.session->GetScene()->SetView(request.camera);
   if (pictures)
   {
-    DrawPictures(request, session, report);
+    DrawPictures(request, shown, report);
     SayThatThereAreSeveral(request, report);
   }
   else
   {
-    DrawMovie(request, session, report);
+    DrawMovie(request, shown, report);
   }
-  report.problems = session.Problems();
+  report.problems = shown.session->Problems();
   return report;
 }
 

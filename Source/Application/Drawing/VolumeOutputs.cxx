@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/VolumeOutputs.h"
 
-#include "Drawing/MovieOutput.h"
+#include "Drawing/MovieWriter.h"
 #include "Scene/Series/InputSeries.h"
 #include "Scene/Series/VolumeSeries.h"
 #include "Scene/VolumeAppearance.h"

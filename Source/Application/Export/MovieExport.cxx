@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Export/MovieExport.h"
 
-#include "Drawing/MovieOutput.h"
+#include "Drawing/MovieWriter.h"
 #include "Drawing/PictureWindow.h"
 #include "Export/SceneState.h"
-#include "Scene/RadarScene.h"
+#include "Scene/Frame/VolumeInformation.h"
 
 #include <vtkImageData.h>
+#include <vtkNexradVolumeScene.h>
 
 #include <QTimer>
 
@@ -57,16 +58,12 @@ MovieExport::~MovieExport()
 
 void MovieExport::Begin()
 {
-  scene::SceneOptions options = job.shown.drawing.scene;
+  const scene::DrawingRequest& drawing = job.shown.drawing;
+  scene::SceneOptions options = drawing.scene;
   options.namesOptions = false; // as in the window
-  if (!job.shown.colours.empty())
-  {
-    colours = WriteTemporaryColours(job.shown.colours);
-    UseColours(colours->fileName().toStdString(), options);
-  }
-  scene = std::make_unique<scene::RadarScene>(options);
-  scene->SetCamera(job.shown.drawing.camera);
-  window = std::make_unique<scene::PictureWindow>(*scene, job.shown.drawing.size);
+  scene->SetOptions(options);
+  scene->SetView(drawing.camera);
+  window = std::make_unique<scene::PictureWindow>(scene->GetRenderer(), drawing.size);
   if (!IsPicture(job.output))
   {
     writer = scene::MakeMovieWriter(
@@ -104,8 +101,14 @@ bool MovieExport::Write()
   scene->SetVolume(volume);
   if (box)
   {
+    const auto [west, east, south, north] = scene::SidesOf(box);
     scene->SetDetail(box);
-    scene->MarkBox(scene::SidesOf(box));
+    scene->MarkBox(west, east, south, north);
+  }
+  scene->Draw();
+  if (frame == 0)
+  {
+    SetColours(job.shown.colours, {}, scene);
   }
   const vtkSmartPointer<vtkImageData> picture = window->Draw();
   const auto name = scene::PictureName(job.output, job.times[frame], job.times.size() > 1);
@@ -120,7 +123,7 @@ void MovieExport::Turn()
 {
   try
   {
-    if (!scene)
+    if (!window)
     {
       this->Begin();
     }

@@ -4,8 +4,8 @@
 #include "Options/SessionFile.h"
 
 #include <QObject>
-#include <QTemporaryFile>
 
+#include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
 #include <cstddef>
@@ -16,12 +16,12 @@
 #include <vector>
 
 class vtkImageData;
+class vtkNexradVolumeScene;
 
 namespace nexrad::scene
 {
 class MovieWriter;
 class PictureWindow;
-class RadarScene;
 } // namespace nexrad::scene
 
 namespace nexrad::viewer
@@ -66,8 +66,7 @@ private:
   bool Write();
 
   const MovieJob job;
-  std::unique_ptr<QTemporaryFile> colours; ///< those that were edited
-  std::unique_ptr<scene::RadarScene> scene;
+  vtkNew<vtkNexradVolumeScene> scene;
   std::unique_ptr<scene::PictureWindow> window;
   std::unique_ptr<scene::MovieWriter> writer; ///< none for pictures
   std::future<void> writing;                  ///< of a frame, or of the end

@@ -2,7 +2,6 @@
 #include "Export/SceneState.h"
 
 #include "Scene/Frame/VolumeInformation.h"
-#include "Scene/SceneSettings.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/System/Error.h"
 
@@ -11,11 +10,6 @@
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
 
-#include <QDir>
-#include <QTemporaryFile>
-
-#include <array>
-#include <map>
 #include <vector>
 
 namespace nexrad::viewer
@@ -54,52 +48,9 @@ std::vector<scene::IsoValue> EditedIsoValues(
 
 } // namespace
 
-void SetPlan(const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
-{
-  if (!options.plan)
-  {
-    scene->SetPlan(vtkNexradVolumeScene::NO_PLAN);
-    return;
-  }
-  const std::map<scene::PlanLevel, int> plans = {
-    {scene::PlanLevel::Composite, vtkNexradVolumeScene::COMPOSITE},
-    {scene::PlanLevel::Lowest, vtkNexradVolumeScene::LOWEST},
-    {scene::PlanLevel::Height, vtkNexradVolumeScene::AT_HEIGHT},
-    {scene::PlanLevel::EchoTop, vtkNexradVolumeScene::ECHO_TOP},
-    {scene::PlanLevel::Liquid, vtkNexradVolumeScene::LIQUID},
-    {scene::PlanLevel::LiquidDensity, vtkNexradVolumeScene::LIQUID_DENSITY}};
-  scene->SetPlan(plans.at(options.plan->level));
-  scene->SetPlanHeight(options.plan->height);
-  scene->SetPlanArray(options.plan->array);
-  scene->SetEchoTopThreshold(options.plan->threshold);
-}
-
-void SetCut(const scene::CutOptions& cut, vtkNexradVolumeScene* scene)
-{
-  scene->SetCropping(cut.box.has_value());
-  if (cut.box)
-  {
-    std::array<double, 6> box = *cut.box;
-    scene->SetCropBounds(box.data());
-  }
-  scene->SetClipping(cut.plane.has_value());
-  if (cut.plane)
-  {
-    const auto& plane = *cut.plane;
-    scene->SetClipOrigin(plane.origin[0], plane.origin[1], plane.origin[2]);
-    scene->SetClipNormal(plane.normal[0], plane.normal[1], plane.normal[2]);
-  }
-  scene->SetSection(cut.section.has_value());
-  if (cut.section)
-  {
-    scene->SetSectionA(cut.section->from[0], cut.section->from[1]);
-    scene->SetSectionB(cut.section->to[0], cut.section->to[1]);
-  }
-}
-
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)
 {
-  scene::SceneOptions options = scene::SettingsOf(scene);
+  scene::SceneOptions options = scene->GetOptions();
   if (vtkImageData* volume = scene->GetVolume())
   {
     options.cut.unit = scene::PlaceUnitOf(volume);
@@ -117,8 +68,8 @@ scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene)
 
 scene::CameraView CameraOf(vtkNexradVolumeScene* scene)
 {
-  scene::CameraView camera{
-    scene->GetAzimuth(), scene->GetTilt(), scene->GetZoom(), scene->GetParallelProjection(), {}};
+  scene::CameraView camera = scene->GetView();
+  camera.lookAt.reset();
   double place[3];
   if (scene->GetLookAtGeographic(place))
   {
@@ -151,18 +102,6 @@ void UseColours(const std::filesystem::path& file, scene::SceneOptions& options)
   (options.colourBy.empty() ? options.colours : options.opacities) = file;
 }
 
-std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours)
-{
-  auto file = std::make_unique<QTemporaryFile>(QDir::temp().filePath("colours-XXXXXX.json"));
-  const auto size = static_cast<qint64>(colours.size());
-  if (!file->open() || file->write(colours.data(), size) != size || !file->flush())
-  {
-    throw Error("no temporary file for colours: " + file->errorString().toStdString());
-  }
-  file->close();
-  return file;
-}
-
 void SetColours(const std::string& colours, const std::vector<scene::IsoValue>& isoValues,
   vtkNexradVolumeScene* scene)
 {
@@ -180,7 +119,7 @@ void SetColours(const std::string& colours, const std::vector<scene::IsoValue>& 
   messages.Watch(used);
   if (!colours.empty())
   {
-    used->ReadFile(WriteTemporaryColours(colours)->fileName().toLocal8Bit().constData());
+    used->ParseJSON(colours);
   }
   messages.ThrowFirstError();
   if (!isoValues.empty())

@@ -5,24 +5,15 @@
 #include "Scene/SceneOptions.h"
 
 #include <filesystem>
-#include <memory>
 #include <string>
 #include <vector>
 
-class QTemporaryFile;
-class vtkImageData;
 class vtkNexradVolumeScene;
 
 /// What a scene of the window shows, as the options of the program say it. SceneView::Apply is the
 /// way there.
 namespace nexrad::viewer
 {
-
-/// Sets the map that a scene shows in place of its volume, if any.
-void SetPlan(const scene::SceneOptions& options, vtkNexradVolumeScene* scene);
-
-/// Sets what a scene cuts away, and the line of its section.
-void SetCut(const scene::CutOptions& cut, vtkNexradVolumeScene* scene);
 
 /// The settings of a scene, with the iso-values of its colour map where these were edited.
 scene::SceneOptions OptionsOf(vtkNexradVolumeScene* scene);
@@ -35,9 +26,6 @@ std::string EditedColours(vtkNexradVolumeScene* scene);
 /// Draws with the edited colours and opacities that a file has: with its opacities alone where
 /// another array gives the colours.
 void UseColours(const std::filesystem::path& file, scene::SceneOptions& options);
-
-/// A file with such a text, for what reads colours from files; it goes with the object.
-std::unique_ptr<QTemporaryFile> WriteTemporaryColours(const std::string& colours);
 
 /// Gives a scene that shows a volume the colours and opacities of such a text, and then surfaces at
 /// iso-values; each where there are some. Throws Error for a text that is no colour map.

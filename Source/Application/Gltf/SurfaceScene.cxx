@@ -145,8 +145,8 @@ GlbScene MakeSurfaceScene(vtkImageData* volume, const SceneOptions& options)
   {
     throw Error("the volume's active scalars are no radar moment: '" + array + "'");
   }
-  const SceneFrame frame = FrameVolume(volume, MeasureEcho(volume, options), options);
   const VolumeInformation information = ReadVolumeInformation(volume);
+  const SceneFrame frame = FrameVolume(volume, information, MeasureEcho(volume, options), options);
   const std::string caption = CaptionOf(*moment, information.time);
   std::vector<GlbMesh> surfaces = MakeSurfaces(volume, *moment, options, frame);
   GlbScene scene;

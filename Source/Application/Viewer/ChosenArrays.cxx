@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/ChosenArrays.h"
 
-#include "Export/SceneState.h"
 #include "Scene/Cutting/VolumeCut.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "nexrad/System/Error.h"
@@ -38,7 +37,7 @@ scene::PlanOptions PlanOf(scene::PlanOptions plan, MomentName moment)
 std::string FitMap(const scene::SceneOptions& options, vtkNexradVolumeScene* scene)
 {
   vtkImageData* volume = scene->GetVolume();
-  scene::SceneOptions found = OptionsOf(scene);
+  scene::SceneOptions found = scene->GetOptions();
   const std::string shown = scene::ArrayOf(volume);
   const std::optional<MomentName> moment = ParseMomentName(shown);
   if (!found.plan || !moment)
@@ -50,7 +49,7 @@ std::string FitMap(const scene::SceneOptions& options, vtkNexradVolumeScene* sce
   const std::string wanted = found.plan->array;
   const bool has = wanted.empty() || HasArray(volume, wanted);
   found.plan->array = has ? wanted : "";
-  SetPlan(found, scene);
+  scene->SetOptions(found);
   return has ? "" : "the volume has no array " + wanted + "; the map shows " + shown;
 }
 
@@ -108,7 +107,9 @@ std::string FitToVolume(const scene::SceneOptions& options, vtkNexradVolumeScene
   }
   catch (const Error& error)
   {
-    SetCut({}, scene);
+    scene->CroppingOff();
+    scene->ClippingOff();
+    scene->SectionOff();
     return problem + (problem.empty() ? "" : "; ") + error.what();
   }
   return problem;

@@ -6,6 +6,7 @@
 #include "Scene/Captions/EchoShown.h"
 #include "Scene/EchoFraming.h"
 #include "Scene/Elements/Theme.h"
+#include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Map/GroundPicture.h"
 #include "Scene/Map/PlacedMap.h"
 #include "Scene/Scales/ColourScale.h"
@@ -115,8 +116,8 @@ PageScene::PageScene(const scene::WebRequest& webRequest, vtkImageData* image,
   : request(webRequest)
   , volume(VolumeOf(image))
 {
-  frame = scene::FrameVolume(
-    image, echo ? echo : scene::MeasureEcho(image, request.scene), request.scene);
+  frame = scene::FrameVolume(image, scene::ReadVolumeInformation(image),
+    echo ? echo : scene::MeasureEcho(image, request.scene), request.scene);
   box = frame.Bounds();
   framed = frame.Framed();
   for (std::array<double, 6>* each : {&box, &framed})

@@ -42,7 +42,7 @@ EchoShown AllEchoOf(vtkImageData* volume)
 }
 
 // Why no column has a value of a product.
-std::string WhyNone(const PlanOptions& plan, vtkImageData* volume)
+std::string WhyNone(const PlanOptions& plan, vtkImageData* volume, double biologicalShare)
 {
   const EchoShown all = AllEchoOf(volume);
   if (all.echo == 0)
@@ -53,15 +53,15 @@ std::string WhyNone(const PlanOptions& plan, vtkImageData* volume)
   std::ostringstream threshold;
   threshold << plan.threshold;
   return none + (all.highest < plan.threshold ? ": no echo of " + threshold.str() + " dBZ" : "") +
-         "; " + EchoUpTo(all, ReadVolumeInformation(volume).biologicalShare);
+         "; " + EchoUpTo(all, biologicalShare);
 }
 
-std::string WordsForProduct(
-  const EchoShown& found, const PlanOptions& plan, const ColourScale& scale, vtkImageData* volume)
+std::string WordsForProduct(const EchoShown& found, const PlanOptions& plan,
+  const ColourScale& scale, vtkImageData* volume, double biologicalShare)
 {
   if (found.echo == 0)
   {
-    return WhyNone(plan, volume);
+    return WhyNone(plan, volume, biologicalShare);
   }
   const double highest = found.highest * scale.factor + scale.offset;
   return std::string(found.shown > 0.0 ? "Hardly any " : "No ") + NameOf(plan.level) + " above " +
@@ -70,7 +70,7 @@ std::string WordsForProduct(
 }
 
 // What the volume has in other voxels than those of a map without a value.
-std::string WordsForOtherVoxels(PlanLevel level, vtkImageData* volume)
+std::string WordsForOtherVoxels(PlanLevel level, vtkImageData* volume, double biologicalShare)
 {
   const EchoShown all = AllEchoOf(volume);
   if (level == PlanLevel::Composite || all.echo == 0)
@@ -78,9 +78,8 @@ std::string WordsForOtherVoxels(PlanLevel level, vtkImageData* volume)
     return {};
   }
   const std::string array = ArrayOf(volume);
-  const std::string what = array == ToString(MomentName::REF)
-                             ? EchoUpTo(all, ReadVolumeInformation(volume).biologicalShare)
-                             : array;
+  const std::string what =
+    array == ToString(MomentName::REF) ? EchoUpTo(all, biologicalShare) : array;
   return level == PlanLevel::Height ? " at this height; " + what + " at others"
                                     : " in the lowest voxels; " + what + " above them";
 }
@@ -102,7 +101,7 @@ EchoShown FindMapShown(const PlanView& view, const ColourScale& scale)
 }
 
 std::string WordsForMap(const PlanView& view, const PlanOptions& plan, const ColourScale& scale,
-  vtkImageData* volume, PresetWords presets)
+  vtkImageData* volume, double biologicalShare, PresetWords presets)
 {
   const EchoShown found = FindMapShown(view, scale);
   const std::string array = ArrayOf(volume);
@@ -112,13 +111,13 @@ std::string WordsForMap(const PlanView& view, const PlanOptions& plan, const Col
   }
   if (IsColumnProduct(plan.level))
   {
-    return WordsForProduct(found, plan, scale, volume);
+    return WordsForProduct(found, plan, scale, volume, biologicalShare);
   }
   const bool ofMoment = plan.array.empty() || plan.array == array;
   if (found.echo == 0)
   {
     return WordsForNone(found, ofMoment ? WordFor(array) : plan.array) +
-           (found.scanned ? WordsForOtherVoxels(plan.level, volume) : "");
+           (found.scanned ? WordsForOtherVoxels(plan.level, volume, biologicalShare) : "");
   }
   if (!ofMoment)
   {
@@ -127,8 +126,7 @@ std::string WordsForMap(const PlanView& view, const PlanOptions& plan, const Col
   const auto leastShown =
     scale.openBelow ? std::nullopt
                     : std::optional((scale.bins.front().from - scale.offset) / scale.factor);
-  return WordsForNothing(
-    found, array, leastShown, ReadVolumeInformation(volume).biologicalShare, presets);
+  return WordsForNothing(found, array, leastShown, biologicalShare, presets);
 }
 
 } // namespace nexrad::scene

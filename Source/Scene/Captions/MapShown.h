@@ -19,6 +19,6 @@ EchoShown FindMapShown(const PlanView& view, const ColourScale& scale);
 /// of its scale, or none at all, and what there is in the volume that it is of. Empty where
 /// something is to be seen.
 std::string WordsForMap(const PlanView& view, const PlanOptions& plan, const ColourScale& scale,
-  vtkImageData* volume, PresetWords presets);
+  vtkImageData* volume, double biologicalShare, PresetWords presets);
 
 } // namespace nexrad::scene

@@ -653,6 +653,30 @@ bool vtkNexradTransferFunction::ReadFile(const char* path)
   {
     vtkWarningMacro(<< path << ": passed over: " << line);
   }
+  if (map.Name.empty())
+  {
+    map.Name = std::filesystem::path(path).stem().string();
+  }
+  this->TakeOver(std::move(map));
+  return true;
+}
+
+bool vtkNexradTransferFunction::ParseJSON(const std::string& text)
+{
+  vtkNexradColorMap map;
+  const std::string problem = vtkNexradColorMapText::ParseJSON(text, map);
+  if (!problem.empty())
+  {
+    vtkErrorMacro(<< problem);
+    return false;
+  }
+  this->TakeOver(std::move(map));
+  return true;
+}
+
+// Of a map without opacities the colours alone.
+void vtkNexradTransferFunction::TakeOver(vtkNexradColorMap map)
+{
   if (map.Channels[OPACITY].empty())
   {
     map.Channels[OPACITY] = this->Internal->Channel(OPACITY);
@@ -663,13 +687,8 @@ bool vtkNexradTransferFunction::ReadFile(const char* path)
       BeginAt(map.Bins.front().From, map.Channels[OPACITY]);
     }
   }
-  if (map.Name.empty())
-  {
-    map.Name = std::filesystem::path(path).stem().string();
-  }
   this->Internal->Map = std::move(map);
   this->Modified();
-  return true;
 }
 
 std::string vtkNexradTransferFunction::FormatJSON()

@@ -28,6 +28,7 @@
 class vtkColorTransferFunction;
 class vtkPiecewiseFunction;
 class vtkVolumeProperty;
+struct vtkNexradColorMap;
 
 class VTKNEXRADSCENE_EXPORT vtkNexradTransferFunction : public vtkObject
 {
@@ -207,10 +208,14 @@ public:
   bool WriteFile(const char* path);
   ///@}
 
+  ///@{
   /**
-   * The text that WriteFile puts into a .json file: a list of one colour map.
+   * The text that WriteFile puts into a .json file: a list of one colour map. ParseJSON takes it
+   * over as ReadFile does; false, with an error, for a text that is none.
    */
   std::string FormatJSON();
+  bool ParseJSON(const std::string& text);
+  ///@}
 
 protected:
   vtkNexradTransferFunction();
@@ -220,6 +225,7 @@ private:
   vtkNexradTransferFunction(const vtkNexradTransferFunction&) = delete;
   void operator=(const vtkNexradTransferFunction&) = delete;
 
+  void TakeOver(vtkNexradColorMap map);
   struct Internals;
   std::unique_ptr<Internals> Internal;
 };

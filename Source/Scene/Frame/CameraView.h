@@ -16,6 +16,11 @@ struct LookAt
   std::array<double, 3> place{}; ///< x and y of the volume, or longitude and latitude in degrees;
                                  ///< height in m above mean sea level
   bool geographic = false;       ///< whether it is longitude and latitude
+
+  bool operator==(const LookAt& other) const
+  {
+    return place == other.place && geographic == other.geographic;
+  }
 };
 
 /// From where the scene is looked at.
@@ -28,6 +33,12 @@ struct CameraView
   bool parallel = false;  ///< parallel in place of perspective projection
   std::optional<LookAt> lookAt = {}; ///< what is in the middle of the picture, once the camera has
                                      ///< moved sideways to it; empty: the domain fills the picture
+
+  bool operator==(const CameraView& other) const
+  {
+    return azimuth == other.azimuth && tilt == other.tilt && zoom == other.zoom &&
+           parallel == other.parallel && lookAt == other.lookAt;
+  }
 };
 
 /// The part of the picture that the scene may fill, each −1 (left, bottom) … 1 (right, top).

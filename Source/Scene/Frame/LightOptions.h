@@ -20,6 +20,13 @@ struct LightOptions
   LightDirection direction;
 
   bool HasShadows() const { return shadow > 0.0 || occlusion > 0.0; }
+
+  bool operator==(const LightOptions& other) const
+  {
+    return shadow == other.shadow && occlusion == other.occlusion &&
+           direction.azimuth == other.direction.azimuth &&
+           direction.elevation == other.direction.elevation;
+  }
 };
 
 } // namespace nexrad::scene

@@ -31,13 +31,18 @@ std::optional<double> Parameter(const std::string& projection, const std::string
 } // namespace
 
 SceneFrame::SceneFrame(vtkImageData* volume, double verticalExaggeration)
+  : SceneFrame(volume, ReadVolumeInformation(volume), verticalExaggeration)
+{
+}
+
+SceneFrame::SceneFrame(
+  vtkImageData* volume, const VolumeInformation& information, double verticalExaggeration)
   : exaggeration(verticalExaggeration)
 {
   double cells[6];
   volume->GetBounds(cells);
   const double* spacing = volume->GetSpacing();
-  const std::string projection = ReadVolumeInformation(volume).projection;
-  if (IsGeographic(volume))
+  if (information.IsGeographic())
   {
     centre = {(cells[0] + cells[1]) / 2.0, (cells[2] + cells[3]) / 2.0};
     // Equirectangular, on a sphere: that only has to look right.
@@ -46,11 +51,11 @@ SceneFrame::SceneFrame(vtkImageData* volume, double verticalExaggeration)
     map.emplace();
     map->axes = GridAxes::Geographic;
   }
-  else if (const auto latitude = Parameter(projection, "lat_0"))
+  else if (const auto latitude = Parameter(information.projection, "lat_0"))
   {
     map.emplace();
     map->centreLatitude = *latitude;
-    map->centreLongitude = Parameter(projection, "lon_0").value_or(0.0);
+    map->centreLongitude = Parameter(information.projection, "lon_0").value_or(0.0);
   }
   const std::array<double, 3> scale = {kilometres[0], kilometres[1], exaggeration / 1000.0};
   for (int axis = 0; axis < 3; ++axis)

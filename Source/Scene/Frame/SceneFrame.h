@@ -12,6 +12,8 @@ class vtkImageData;
 namespace nexrad::scene
 {
 
+struct VolumeInformation;
+
 /// The length along a ray that the opacities of presets belong to, in scene units: km along the
 /// ground.
 constexpr double OpacityUnitDistance = 5.0;
@@ -27,6 +29,8 @@ public:
   /// The frame of a merged volume. `exaggeration` is above 0. A volume without a projection in its
   /// field data has no map: HasMap is then false.
   SceneFrame(vtkImageData* volume, double exaggeration);
+  /// The same, where the volume's information was read.
+  SceneFrame(vtkImageData* volume, const VolumeInformation& information, double exaggeration);
 
   /// Outer faces of the volume: west, east, south, north, bottom, top.
   const std::array<double, 6>& Bounds() const { return bounds; }

@@ -58,7 +58,7 @@ VolumeInformation ReadVolumeInformation(vtkImageData* volume)
 
 bool IsGeographic(vtkImageData* volume)
 {
-  return ReadVolumeInformation(volume).projection.find("+proj=longlat") != std::string::npos;
+  return ReadVolumeInformation(volume).IsGeographic();
 }
 
 PlaceUnit PlaceUnitOf(vtkImageData* volume)

@@ -29,6 +29,9 @@ struct VolumeInformation
   /// Part of the echo that quality control calls biological, 0…1; 0 when unknown.
   double biologicalShare = 0.0;
   std::vector<std::string> notes; ///< GriddedVolume::notes
+
+  /// Whether x and y are longitude and latitude in degrees; else they are m.
+  bool IsGeographic() const { return projection.find("+proj=longlat") != std::string::npos; }
 };
 
 VolumeInformation ReadVolumeInformation(vtkImageData* volume);

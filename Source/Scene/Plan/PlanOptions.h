@@ -25,6 +25,12 @@ struct PlanOptions
   std::string array;   ///< which of the volume's arrays, as "REF_age"; empty: the moment. Products
                        ///< of whole columns have none
   double threshold = 18.0; ///< dBZ, of PlanLevel::EchoTop and LiquidDensity
+
+  bool operator==(const PlanOptions& other) const
+  {
+    return level == other.level && height == other.height && array == other.array &&
+           threshold == other.threshold;
+  }
 };
 
 /// Whether a map is computed of the reflectivity of all voxels of a column; other maps show one

@@ -74,6 +74,43 @@ vtkSmartPointer<vtkImageData> BackgroundSeries::Show(std::size_t step)
   return found->second.volume;
 }
 
+// Whether there is nothing to wait for any more.
+bool BackgroundSeries::IsDone(std::size_t step) const
+{
+  return state.phase == Phase::Failed || (state.phase == Phase::Open && !this->Lacks(step));
+}
+
+vtkSmartPointer<vtkImageData> BackgroundSeries::Wait(std::size_t step, const Progress& progress)
+{
+  constexpr auto pause = std::chrono::milliseconds(50); // between reports
+  std::unique_lock<std::mutex> lock(mutex);
+  const auto found = kept.find(step);
+  if (found != kept.end() && !found->second.volume)
+  {
+    kept.erase(found); // it is tried again
+  }
+  lock.unlock();
+  this->Show(step);
+  lock.lock();
+  while (!changed.wait_for(lock, pause, [this, step] { return this->IsDone(step); }))
+  {
+    const double fraction = state.fraction;
+    lock.unlock();
+    if (progress && !progress(fraction))
+    {
+      return nullptr;
+    }
+    lock.lock();
+  }
+  if (state.phase == Phase::Failed)
+  {
+    throw Error(state.failure);
+  }
+  lock.unlock();
+  this->Box(step); // throws why there is none
+  return this->Show(step);
+}
+
 void BackgroundSeries::SetBox(const std::optional<BoxRequest>& wanted)
 {
   {
@@ -203,6 +240,7 @@ bool BackgroundSeries::Open()
     }
     state = news;
   }
+  changed.notify_all();
   this->Wake();
   return news.phase == Phase::Open;
 }
@@ -433,6 +471,7 @@ void BackgroundSeries::Run()
       continue;
     }
     lock.unlock();
+    changed.notify_all(); // those who wait for a step
     this->Wake();
     lock.lock();
   }

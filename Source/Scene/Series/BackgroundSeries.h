@@ -19,8 +19,9 @@ namespace nexrad::scene
 
 struct BackgroundSeriesOptions
 {
-  /// Opens the series, on the other thread, as OpenInputs does.
-  std::function<std::unique_ptr<VolumeSeries>(const Progress& progress)> open;
+  /// Opens the series, on the other thread, as OpenInputs does. As long as the other thread is
+  /// there, nobody else may use the series.
+  std::function<std::shared_ptr<VolumeSeries>(const Progress& progress)> open;
   /// Indices of the volumes that take part, in the order in which they are shown, asked for on the
   /// other thread once the series is open. Empty: all.
   std::function<std::vector<std::size_t>(const VolumeSeries& series)> choose;
@@ -34,10 +35,10 @@ struct BackgroundSeriesOptions
   std::size_t memory = std::size_t(1) << 30;
 };
 
-/// A series that another thread opens and loads, for a window that must not wait: no call waits for
-/// more than a mutex that is held for a moment, apart from the end. A step is a place in the order
-/// in which the volumes are shown. The step that is shown is loaded first, then those that follow
-/// it, the first after the last, as long as there is memory for them.
+/// A series that another thread opens and loads. A window must not wait: no call waits for more
+/// than a mutex that is held for a moment, apart from Wait and the end. A step is a place in the
+/// order in which the volumes are shown. The step that is shown is loaded first, then those that
+/// follow it, the first after the last, as long as there is memory for them.
 class BackgroundSeries
 {
 public:
@@ -73,6 +74,11 @@ public:
   /// is called when it is there. Throws Error when it cannot be loaded.
   vtkSmartPointer<vtkImageData> Show(std::size_t step);
 
+  /// The same, waited for, with its box where one is set. Nothing when `progress`, which is told
+  /// how far the loading is, asked to stop. Throws Error also when the series, or the box, cannot
+  /// be made.
+  vtkSmartPointer<vtkImageData> Wait(std::size_t step, const Progress& progress = {});
+
   /// Merges a box of the domain again for each step, after its volume; nothing: of none any more.
   /// The box of the step that is shown comes first. `wake` is called when it is there.
   void SetBox(const std::optional<BoxRequest>& box);
@@ -93,7 +99,7 @@ private:
   /// A series, and the steps that are shown of it.
   struct Opened
   {
-    std::unique_ptr<VolumeSeries> series;
+    std::shared_ptr<VolumeSeries> series;
     std::vector<std::size_t> order; ///< indices of the steps
   };
   struct Kept
@@ -115,6 +121,7 @@ private:
   std::vector<std::string> Damage() const;
   std::optional<std::size_t> NextStep() const;
   bool Lacks(std::size_t step) const;
+  bool IsDone(std::size_t step) const;
   Kept Load(std::size_t step);
   Kept LoadBox(std::size_t step, const BoxRequest& request);
   void Keep(std::size_t step, Kept loaded);

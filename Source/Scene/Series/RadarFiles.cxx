@@ -55,7 +55,6 @@ public:
   }
 
   const std::vector<Time>& Times() const override { return merger.Times(); }
-  bool CanLoadAhead() const override { return true; }
   std::vector<MomentName> Moments() const override { return merger.Moments(); }
   bool MakesAncillaryArrays() const override { return beam; }
 

@@ -18,6 +18,7 @@
 #include <vtkXMLImageDataReader.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -234,8 +235,7 @@ public:
   }
 
   const std::vector<Time>& Times() const override { return times; }
-  bool CanLoadAhead() const override { return true; }
-  void AllowCodes(bool allowed) override { codes = allowed; }
+  bool AllowCodes(bool allowed) override { return codes.exchange(allowed) != allowed; }
   std::vector<MomentName> Moments() const override
   {
     return NamingTheIndex(files.front(), [](const fs::path& first)
@@ -275,7 +275,7 @@ private:
   TimedFiles files;
   const MomentRequest request;
   std::vector<Time> times;
-  bool codes = false;
+  std::atomic<bool> codes = false;
 };
 
 } // namespace

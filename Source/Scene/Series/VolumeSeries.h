@@ -47,11 +47,9 @@ public:
   }
 
   /// Whether Load may give codes in place of values (vtkNexradImageConversion.h), which are read
-  /// and uploaded faster. No by default; a series that knows no codes takes no notice.
-  virtual void AllowCodes(bool) {}
-
-  /// True when Load may run on another thread while nothing else is asked of the series.
-  virtual bool CanLoadAhead() const { return false; }
+  /// and uploaded faster. No by default; a series that knows no codes takes no notice. True when
+  /// Load gives other volumes than before. May be asked while another thread loads.
+  virtual bool AllowCodes(bool) { return false; }
 
   /// What the volume of a time is made of, as text: where it is the same in two series, their
   /// volumes are. Empty where that is not known.

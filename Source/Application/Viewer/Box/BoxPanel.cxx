@@ -3,16 +3,39 @@
 
 #include "Viewer/Box/BoxMouse.h"
 #include "Viewer/Parts/NamedWidget.h"
+#include "Viewer/Parts/Playback.h"
+#include "Viewer/Parts/SceneView.h"
 
 #include <QAction>
 #include <QCheckBox>
+#include <QDockWidget>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QMainWindow>
 #include <QToolButton>
 #include <QVBoxLayout>
 
 namespace nexrad::viewer
 {
+namespace
+{
+
+/// The box in finer voxels as buttons, a switch, and what it is: its size, voxels and time.
+class BoxPanel : public QWidget
+{
+public:
+  /// `box` must outlive it.
+  explicit BoxPanel(BoxMouse& box, QWidget* parent = nullptr);
+
+private:
+  QToolButton* ButtonOf(QAction* action);
+  void Follow();
+
+  BoxMouse& box;
+  QLabel* text = nullptr;
+};
+
+} // namespace
 
 BoxPanel::BoxPanel(BoxMouse& boxMouse, QWidget* parent)
   : QWidget(parent)
@@ -51,6 +74,18 @@ QToolButton* BoxPanel::ButtonOf(QAction* action)
 void BoxPanel::Follow()
 {
   text->setText(box.Text());
+}
+
+BoxMouse* MakeBoxDock(QMainWindow& window, SceneView& view, Playback& playback, QDockWidget* behind)
+{
+  auto* box = new BoxMouse(view, playback);
+  auto* dock = new QDockWidget("Box", &window);
+  dock->setObjectName("box dock");
+  dock->setWidget(new BoxPanel(*box, dock));
+  window.addDockWidget(Qt::RightDockWidgetArea, dock);
+  window.tabifyDockWidget(behind, dock);
+  behind->raise();
+  return box;
 }
 
 } // namespace nexrad::viewer

@@ -1,32 +1,19 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <QWidget>
-
-class QAction;
-class QLabel;
-class QToolButton;
+class QDockWidget;
+class QMainWindow;
 
 namespace nexrad::viewer
 {
 
 class BoxMouse;
+class Playback;
+class SceneView;
 
-/// The box in finer voxels as buttons, a switch, and what it is: its size, voxels and time.
-class BoxPanel : public QWidget
-{
-  Q_OBJECT
-
-public:
-  /// `box` must outlive it.
-  explicit BoxPanel(BoxMouse& box, QWidget* parent = nullptr);
-
-private:
-  QToolButton* ButtonOf(QAction* action);
-  void Follow();
-
-  BoxMouse& box;
-  QLabel* text = nullptr;
-};
+/// Adds the box in finer voxels to a window: its mouse, and its panel behind another one. The view
+/// owns the mouse.
+BoxMouse* MakeBoxDock(
+  QMainWindow& window, SceneView& view, Playback& playback, QDockWidget* behind);
 
 } // namespace nexrad::viewer

@@ -18,6 +18,7 @@
 #include <vtkNexradVolumeScene.h>
 #include <vtkPointData.h>
 
+#include <QAction>
 #include <QDoubleSpinBox>
 #include <QHBoxLayout>
 #include <QHideEvent>
@@ -268,6 +269,25 @@ void SectionPanel::Tell(const QPoint& pixel)
                      .arg((*place)[0] / 1000.0, 0, 'f', 1)
                      .arg((*place)[1] / 1000.0, 0, 'f', 2)
                      .arg(text));
+}
+
+SectionDock::SectionDock(const ShownScene& view, QWidget* parent)
+  : QDockWidget("Section", parent)
+  , panel(new SectionPanel(view, this))
+  , draw(new QAction("Draw a &section", this))
+{
+  this->setObjectName("section dock");
+  this->setFeatures(QDockWidget::DockWidgetClosable); // a chart of OpenGL stays in its window
+  this->setWidget(panel);
+  this->hide();
+  draw->setShortcut(QKeySequence("X"));
+  draw->setToolTip("Drag on the ground from A to B: the vertical section along that line");
+  connect(draw, &QAction::triggered, this,
+    [this]
+    {
+      this->show();
+      panel->DrawLine(true);
+    });
 }
 
 } // namespace nexrad::viewer

@@ -2,7 +2,6 @@
 #include "Viewer/Parts/SceneView.h"
 
 #include "Drawing/PictureWindow.h"
-#include "Export/SceneState.h"
 #include "Libraries/VtkErrors.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/SceneOptions.h"
@@ -103,53 +102,20 @@ SceneView::~SceneView()
 
 void SceneView::Apply(const scene::SceneOptions& options, const scene::CameraView& camera)
 {
-  scene->SetPreset(options.preset);
-  scene->SetColorFileName(options.colours.string());
-  scene->SetOpacityFileName(options.opacities.string());
-  scene->RemoveAllIsoValues();
-  for (const scene::IsoValue& isoValue : options.isoValues)
-  {
-    scene->AddIsoValue(isoValue.value, isoValue.opacity.value_or(-1.0));
-  }
-  scene->SetColorArray(options.colourBy);
-  scene->SetExaggeration(options.exaggeration.value_or(0.0));
-  scene->SetMapper(options.mapper == scene::MapperChoice::RayCast
-                     ? vtkNexradVolumeScene::RAY_CAST
-                     : vtkNexradVolumeScene::TEXTURE_SLICE);
-  scene->SetPreIntegration(options.preIntegration);
-  scene->SetLinearInterpolation(options.linearInterpolation);
-  scene->SetNumberOfSlices(options.slices);
-  scene->SetOpacityDistance(options.opacityDistance.value_or(0.0));
-  scene->SetFraming(options.framing == scene::FrameChoice::Domain ? vtkNexradVolumeScene::DOMAIN
-                                                                  : vtkNexradVolumeScene::ECHO);
-  scene->SetShadowStrength(options.light.shadow);
-  scene->SetOcclusionStrength(options.light.occlusion);
-  scene->SetLightAzimuth(options.light.direction.azimuth);
-  scene->SetLightElevation(options.light.direction.elevation);
-  scene->SetRingSpacing(options.ringSpacing);
-  scene->SetTheme(options.theme == scene::ThemeChoice::Light ? vtkNexradVolumeScene::LIGHT
-                                                             : vtkNexradVolumeScene::DARK);
-  scene->SetHeightWalls(options.heightWalls);
-  scene->SetPlaceNames(options.placeNames);
-  SetPlan(options, scene);
+  scene::SceneOptions shown = options;
+  shown.namesOptions = false;           // captions name settings of the window
+  shown.cut.unit = PlaceUnit::OfVolume; // checked once the first volume is there
+  scene->SetOptions(shown);
   scene->SetParallelProjection(camera.parallel);
-  SetCut(options.cut, scene);
   first = camera;
   this->ResetCamera();
 }
 
 void SceneView::ResetCamera()
 {
-  scene->SetAzimuth(first.azimuth);
-  scene->SetTilt(first.tilt);
-  scene->SetZoom(first.zoom);
-  scene->LookAtDomain();
-  if (first.lookAt)
-  {
-    const auto& [x, y, height] = first.lookAt->place;
-    first.lookAt->geographic ? scene->SetLookAtGeographic(y, x, height)
-                             : scene->SetLookAt(x, y, height);
-  }
+  scene::CameraView view = first;
+  view.parallel = scene->GetParallelProjection();
+  scene->SetView(view);
   this->DrawSoon();
 }
 

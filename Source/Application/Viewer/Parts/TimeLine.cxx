@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Parts/TimeLine.h"
 
-#include "Viewer/Parts/LoadedSteps.h"
 #include "Viewer/Parts/Playback.h"
 
 #include <QAction>
 #include <QHBoxLayout>
 #include <QLabel>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
@@ -14,8 +14,61 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
+#include <vector>
+
 namespace nexrad::viewer
 {
+
+/// A thin bar that is filled where the steps of a series are in memory.
+class LoadedSteps : public QWidget
+{
+public:
+  explicit LoadedSteps(QWidget* parent = nullptr);
+
+  void Set(const std::vector<bool>& steps);
+  QSize sizeHint() const override { return {100, 4}; }
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  std::vector<bool> loaded;
+};
+
+LoadedSteps::LoadedSteps(QWidget* parent)
+  : QWidget(parent)
+{
+  this->setFixedHeight(4);
+  this->setAccessibleName("Times that are loaded");
+}
+
+void LoadedSteps::Set(const std::vector<bool>& steps)
+{
+  if (steps != loaded)
+  {
+    loaded = steps;
+    const auto count = std::count(loaded.begin(), loaded.end(), true);
+    this->setToolTip(QString("%1 of %2 times are loaded").arg(count).arg(loaded.size()));
+    this->update();
+  }
+}
+
+void LoadedSteps::paintEvent(QPaintEvent*)
+{
+  QPainter painter(this);
+  painter.fillRect(this->rect(), this->palette().color(QPalette::Mid));
+  const double width = static_cast<double>(this->width()) / std::max<std::size_t>(1, loaded.size());
+  for (std::size_t i = 0; i < loaded.size(); ++i)
+  {
+    if (loaded[i])
+    {
+      painter.fillRect(QRectF(static_cast<double>(i) * width, 0.0, width, this->height()),
+        this->palette().color(QPalette::Highlight));
+    }
+  }
+}
+
 namespace
 {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Drawing/TheoraWriter.h"
+#include "Drawing/MovieWriter.h"
 
+#include "Drawing/FfmpegWriter.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradMessages.h"
@@ -14,6 +15,8 @@
 #include <fstream>
 #include <iterator>
 #include <string>
+
+namespace fs = std::filesystem;
 
 namespace nexrad::scene
 {
@@ -109,10 +112,21 @@ private:
 
 } // namespace
 
-std::unique_ptr<MovieWriter> MakeTheoraWriter(
-  const std::filesystem::path& path, int framesPerSecond)
+fs::path PictureName(const fs::path& output, Time time, bool several)
 {
-  return std::make_unique<TheoraWriter>(path, framesPerSecond);
+  if (!several)
+  {
+    return output;
+  }
+  return output.parent_path() /
+         (output.stem().string() + "-" + FormatForFileName(time) + output.extension().string());
+}
+
+std::unique_ptr<MovieWriter> MakeMovieWriter(
+  const fs::path& output, const std::array<int, 2>& size, int framesPerSecond)
+{
+  return output.extension() == ".mp4" ? MakeFfmpegWriter(output, size.data(), framesPerSecond)
+                                      : std::make_unique<TheoraWriter>(output, framesPerSecond);
 }
 
 } // namespace nexrad::scene
