@@ -457,21 +457,6 @@ void vtkOpenGLTextureSliceVolumeMapper::GetDepthImage(vtkImageData* output)
   output->DeepCopy(this->Parts->Images.Depth);
 }
 
-void vtkOpenGLTextureSliceVolumeMapper::FollowScattering(
-  vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings)
-{
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-  if (property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f)
-  {
-    settings.Scattering = static_cast<double>(this->VolumetricScatteringBlending);
-    settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
-  }
-#else
-  static_cast<void>(property);
-  static_cast<void>(settings);
-#endif
-}
-
 void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows()
 {
   vtkTextureSliceParts& parts = *this->Parts;
@@ -481,7 +466,13 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows()
   {
     settings.Shadow = this->ShadowStrength;
     settings.Occlusion = this->OcclusionStrength;
-    this->FollowScattering(parts.Request.Property, settings);
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
+    if (parts.Request.Property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f)
+    {
+      settings.Scattering = static_cast<double>(this->VolumetricScatteringBlending);
+      settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
+    }
+#endif
   }
   settings.Density = this->ShadowDensity;
   settings.Exposure = this->Exposure;

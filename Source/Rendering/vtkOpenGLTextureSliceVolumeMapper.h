@@ -68,7 +68,6 @@ class vtkDataSet;
 class vtkImageData;
 class vtkTextureSliceParts;
 struct vtkTextureSliceRequest;
-struct vtkTextureSliceShadowSettings;
 
 class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper
 {
@@ -336,7 +335,6 @@ private:
   double ChooseImageSampleDistance(double allowedTime);
   double ChooseSampleDistance();
   void UpdateShadows();
-  void FollowScattering(vtkVolumeProperty* property, vtkTextureSliceShadowSettings& settings);
   /// @return false where nothing is to be seen
   bool PlaceSlices();
   /// The part of the box whose pixels are drawn.

@@ -126,6 +126,7 @@ std::vector<std::pair<const char*, vtkTextureObject*>> vtkTextureSliceUniforms::
 
 void vtkTextureSliceUniforms::SetParts(vtkShaderProgram* program) const
 {
+  // What a shader does not have, VTK passes over.
   const vtkTextureSliceFeatures& features = this->Features;
   this->Request.SetUniforms(this->Texture.GetComponents(), program);
   program->SetUniformi("cropFlags", this->CropFlags);
@@ -135,20 +136,14 @@ void vtkTextureSliceUniforms::SetParts(vtkShaderProgram* program) const
   if (features.Labels > 0)
   {
     this->LabelTable.SetUniforms("labelTable", program);
-    program->SetUniformf("labelWeight", this->LabelWeight);
   }
-  if (features.Table2D)
-  {
-    program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
-  }
-  if (features.Rectilinear)
-  {
-    this->Coordinates.SetUniforms(program);
-  }
-  if (features.SecondArray > 0)
-  {
-    vtkTextureSliceRequest::SetSecondArray(this->SecondArray.GetComponents(), program);
-  }
+  program->SetUniformf("labelWeight", this->LabelWeight);
+  program->SetUniformf("table2DRows", static_cast<float>(this->Table2D.GetNumberOfRows()));
+  this->Coordinates.SetUniforms(program);
+  vtkTextureSliceRequest::SetSecondArray(this->SecondArray.GetComponents(), program);
+  program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
+  this->Integrals.SetUniforms("lastIntegral", program);
+  this->LabelIntegrals.SetUniforms("lastLabelIntegral", program);
   if (features.Lights >= 0)
   {
     this->Lights.SetUniforms(program, this->Frame);
@@ -160,12 +155,6 @@ void vtkTextureSliceUniforms::SetParts(vtkShaderProgram* program) const
   if (features.Peel > 0)
   {
     this->Peeling.SetUniforms(program);
-  }
-  if (features.Slabs)
-  {
-    program->SetUniformi("slabsOfPiece", vtkTextureSliceFeatures::SlabsOfPiece);
-    this->Integrals.SetUniforms("lastIntegral", program);
-    this->LabelIntegrals.SetUniforms("lastLabelIntegral", program);
   }
 }
 

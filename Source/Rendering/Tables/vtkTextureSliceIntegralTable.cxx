@@ -81,10 +81,6 @@ void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
   }
   this->Last = key;
   this->Texture->SetContext(window);
-  if (this->Texture->GetNumberOfDimensions() != dimensions)
-  {
-    this->Texture->ReleaseGraphicsResources(window);
-  }
   const std::size_t width = table.GetWidth();
   this->Width = ChooseWidth(width);
   std::vector<float> integrals(static_cast<std::size_t>(rows) * this->Width * 4);
@@ -93,16 +89,8 @@ void vtkTextureSliceIntegralTable::Update(vtkOpenGLRenderWindow* window,
     Integrate(table.GetEntries(row), width, mostDepth, &integrals[row * this->Width * 4]);
   }
   vtkTextureSliceSetSampling(this->Texture, true);
-  const auto columns = static_cast<unsigned int>(this->Width);
-  if (dimensions == 1)
-  {
-    this->Texture->Create1DFromRaw(columns, 4, VTK_FLOAT, integrals.data());
-  }
-  else
-  {
-    this->Texture->Create2DFromRaw(
-      columns, static_cast<unsigned int>(rows), 4, VTK_FLOAT, integrals.data());
-  }
+  vtkTextureSliceTable::Upload(
+    this->Texture, dimensions, static_cast<std::size_t>(rows), integrals);
 }
 
 void vtkTextureSliceIntegralTable::SetUniforms(const char* name, vtkShaderProgram* program) const

@@ -180,7 +180,7 @@ void vtkTextureSliceTable::Update(
     this->Last = keys;
     this->Fill(rows, ChooseWidth(window, rows));
     this->FillOpacities(window, rows);
-    this->Upload();
+    Upload(this->Texture, rows.size() == 1 ? 1 : 2, rows.size(), this->Entries);
   }
   vtkTextureSliceSetSampling(this->Texture, nearest);
 }
@@ -218,23 +218,18 @@ void vtkTextureSliceTable::FillOpacities(
   }
 }
 
-void vtkTextureSliceTable::Upload()
+void vtkTextureSliceTable::Upload(
+  vtkTextureObject* texture, int dimensions, std::size_t rows, const std::vector<float>& texels)
 {
-  const int dimensions = this->Last.size() == 1 ? 1 : 2;
-  if (this->Texture->GetNumberOfDimensions() != dimensions)
+  if (texture->GetNumberOfDimensions() != dimensions)
   {
-    this->Texture->ReleaseGraphicsResources(this->Texture->GetContext());
+    texture->ReleaseGraphicsResources(texture->GetContext());
   }
-  const auto columns = static_cast<unsigned int>(this->GetWidth());
-  if (dimensions == 1)
-  {
-    this->Texture->Create1DFromRaw(columns, 4, VTK_FLOAT, this->Entries.data());
-  }
-  else
-  {
-    this->Texture->Create2DFromRaw(
-      columns, static_cast<unsigned int>(this->Last.size()), 4, VTK_FLOAT, this->Entries.data());
-  }
+  const auto columns = static_cast<unsigned int>(texels.size() / (4 * rows));
+  auto* first = const_cast<float*>(texels.data()); // which VTK only reads
+  dimensions == 1
+    ? texture->Create1DFromRaw(columns, 4, VTK_FLOAT, first)
+    : texture->Create2DFromRaw(columns, static_cast<unsigned int>(rows), 4, VTK_FLOAT, first);
 }
 
 void vtkTextureSliceTable::SetUniforms(const std::string& name, vtkShaderProgram* program) const

@@ -50,6 +50,10 @@ struct vtkTextureSliceRow
 class vtkTextureSliceTable
 {
 public:
+  /// Brings rows of RGBA texels into a texture of one dimension (of a single row) or two.
+  static void Upload(
+    vtkTextureObject* texture, int dimensions, std::size_t rows, const std::vector<float>& texels);
+
   /**
    * Fills and uploads the table if the functions, the ranges or the window changed.
    * @param nearest whether entries are not interpolated.
@@ -86,7 +90,6 @@ private:
   static Key MakeKey(const vtkTextureSliceRow& row);
   void Fill(const std::vector<vtkTextureSliceRow>& rows, std::size_t width);
   void FillOpacities(vtkOpenGLRenderWindow* window, std::vector<vtkTextureSliceRow> rows);
-  void Upload();
 
   vtkNew<vtkTextureObject> Texture;
   std::vector<float> Entries;

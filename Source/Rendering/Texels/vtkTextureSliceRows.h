@@ -9,6 +9,7 @@
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
@@ -29,6 +30,8 @@ public:
     , Scalars(static_cast<const Scalar*>(source.Scalars->GetVoidPointer(0)))
     , Ghosts(source.Ghosts != nullptr ? source.Ghosts->GetPointer(0) : nullptr)
     , VisibleCodes(source.Codes ? source.Codes->GetVisible() : nullptr)
+    , CodeInterval(
+        source.Codes ? source.Codes->FindInterval() : std::array<unsigned char, 2>{255, 0})
   {
   }
 
@@ -51,9 +54,16 @@ public:
     std::fill_n(visible, count, static_cast<unsigned char>(1));
     if constexpr (std::is_same_v<Scalar, unsigned char>)
     {
-      // A copy of the pointer, because bytes that are written could be the member.
+      // Copies of members, because bytes that are written could be these.
       const unsigned char* const ofCode = this->VisibleCodes;
-      for (std::size_t i = 0; ofCode != nullptr && i < count; ++i)
+      const auto [first, last] = this->CodeInterval;
+      // Two comparisons are done for many texels at a time, look-ups are not.
+      const bool compares = first <= last;
+      for (std::size_t i = 0; compares && i < count; ++i)
+      {
+        visible[i] = scalars[i] >= first && scalars[i] <= last ? 1 : 0;
+      }
+      for (std::size_t i = 0; !compares && ofCode != nullptr && i < count; ++i)
       {
         visible[i] = ofCode[scalars[i]];
       }
@@ -99,6 +109,7 @@ private:
   const Scalar* const Scalars;
   const unsigned char* const Ghosts;
   const unsigned char* const VisibleCodes; ///< nullptr: the scalars are no codes
+  const std::array<unsigned char, 2> CodeInterval;
 };
 
 } // namespace vtkTextureSlice

@@ -108,6 +108,18 @@ void vtkTextureSliceCodes::FindBytes(const std::vector<double>& seen)
   }
 }
 
+std::array<unsigned char, 2> vtkTextureSliceCodes::FindInterval() const
+{
+  const auto begin = this->Visible.begin();
+  const auto first = std::find(begin, this->Visible.end(), 1);
+  const auto end = std::find(first, this->Visible.end(), 0);
+  if (first == end || std::find(end, this->Visible.end(), 1) != this->Visible.end())
+  {
+    return {255, 0};
+  }
+  return {static_cast<unsigned char>(first - begin), static_cast<unsigned char>(end - begin - 1)};
+}
+
 std::array<double, 2> vtkTextureSliceCodes::GetRange(std::size_t low, std::size_t high) const
 {
   return this->Ascending ? std::array<double, 2>{this->Values[low], this->Values[high]}

@@ -41,6 +41,8 @@ public:
   bool IsHidden(std::size_t code) const { return this->Visible[code] == 0; }
   /// 1 for each code that is seen, else 0.
   const unsigned char* GetVisible() const { return this->Visible.data(); }
+  /// The first and the last code that is seen, where all between them are seen; else {255, 0}.
+  std::array<unsigned char, 2> FindInterval() const;
   double GetValue(std::size_t code) const { return this->Values[code]; }
   /// Least and greatest value of the codes from `low` to `high` that are seen. Exact where the
   /// values ascend with the codes; else those of all codes that are seen.

@@ -8,7 +8,6 @@
 #include "vtkTextureSliceUniforms.h"
 
 #include "TextureSliceCompositeFS.h"
-#include "TextureSlicePeelCompositeFS.h"
 
 #include <algorithm>
 #include <cmath>
@@ -95,8 +94,6 @@ std::string MakeCompositeShader(const vtkTextureSliceFeatures& features)
 {
   std::string shader = TextureSliceCompositeFS;
   vtkShaderProgram::Substitute(shader, "//VTK::TextureSlice::Defines", features.GetDefines());
-  vtkShaderProgram::Substitute(
-    shader, "//VTK::TextureSlice::PeelComposite", TextureSlicePeelCompositeFS);
   return shader;
 }
 
