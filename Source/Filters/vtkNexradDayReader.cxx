@@ -7,7 +7,6 @@
 #include "nexrad/Model/TimeLimits.h"
 #include "nexrad/Series/InputError.h"
 #include "nexrad/System/Error.h"
-#include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradProcesses.h"

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradEchoClasses.h"
 
+#include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Quality/EchoClassification.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradPipeline.h"
-#include "vtkNexradPolarConversion.h"
 #include "vtkNexradThreads.h"
 
+#include "vtkCompositeDataSet.h"
 #include "vtkErrorCode.h"
+#include "vtkFloatArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
@@ -21,6 +23,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <iterator>
 #include <map>
 #include <mutex>
 #include <string>
@@ -28,6 +31,249 @@
 
 namespace
 {
+
+// From the readers' sweeps back to the rays that the classes are found of, the inverse of
+// vtkNexradSweepConversion.h: times, angles and gate geometry come from the field data, so that
+// nothing is lost on the way through the points' coordinates. The values of a sweep are rounded to
+// steps of a power of two, at most 1/32000 of their range (0.002 dB of 60 dB). The half decibels
+// that files hold are multiples of such a step, and stay exact.
+
+// Where a polar sweep comes from: its grid, and of each of its rays the row in it.
+struct SweepOrigin
+{
+  vtkStructuredGrid* Grid = nullptr;
+  std::vector<int> Rows;
+};
+
+constexpr auto NotSampled = static_cast<unsigned char>(nexrad::GateState::NotSampled);
+
+/// One grid of one sweep, with what its arrays must have.
+class SweepGrid
+{
+public:
+  SweepGrid(vtkStructuredGrid* theGrid, std::string theName)
+    : Grid(theGrid)
+    , Field(theGrid->GetFieldData())
+    , Name(std::move(theName))
+  {
+  }
+
+  double Value(const char* name, int component = 0) const
+  {
+    const std::optional<double> value = vtkNexradGetValue(this->Field, name, component);
+    if (!value)
+    {
+      this->Refuse(name, "is missing from the field data");
+    }
+    return *value;
+  }
+
+  vtkDataArray* RayArray(const char* name, vtkIdType rays) const
+  {
+    vtkDataArray* array = this->Field->GetArray(name);
+    if (!array || array->GetNumberOfComponents() != 1 ||
+        (rays >= 0 && array->GetNumberOfTuples() != rays))
+    {
+      this->Refuse(name, "must be in the field data, with one value a ray");
+    }
+    return array;
+  }
+
+  // nullptr where the field data do not have it.
+  vtkDataArray* OptionalRayArray(const char* name, vtkIdType rays) const
+  {
+    return this->Field->HasArray(name) ? this->RayArray(name, rays) : nullptr;
+  }
+
+  template <class Array>
+  Array* PointArray(const std::string& name) const
+  {
+    Array* array = Array::SafeDownCast(this->Grid->GetPointData()->GetArray(name.c_str()));
+    if (!array || array->GetNumberOfComponents() != 1 ||
+        array->GetNumberOfTuples() != this->Grid->GetNumberOfPoints())
+    {
+      vtkNew<Array> wanted;
+      this->Refuse(
+        name, std::string("must be in the point data, of type ") + wanted->GetDataTypeAsString());
+    }
+    return array;
+  }
+
+  [[noreturn]] void Refuse(const std::string& array, const std::string& why) const
+  {
+    throw nexrad::Error(this->Name + ": the array " + array + " " + why);
+  }
+
+  vtkStructuredGrid* Grid;
+  vtkFieldData* Field;
+
+private:
+  std::string Name;
+};
+
+/// The gates of a sweep's rays, as numbers.
+struct SweepGates
+{
+  std::vector<float> Values;
+  std::vector<nexrad::GateState> States;
+};
+
+/// Copies one ray's gates unless none of them was sampled; whether it did.
+bool AppendRay(nexrad::PolarSweep& sweep, SweepGates& gates, const nexrad::PolarRay& ray,
+  const float* values, const unsigned char* states)
+{
+  const bool sampled = std::any_of(
+    states, states + sweep.gates, [&](unsigned char each) { return each < NotSampled; });
+  if (!sampled)
+  {
+    return false;
+  }
+  sweep.rays.push_back(ray);
+  gates.Values.insert(gates.Values.end(), values, values + sweep.gates);
+  std::transform(states, states + sweep.gates, std::back_inserter(gates.States),
+    [&](unsigned char each) { return static_cast<nexrad::GateState>(std::min(each, NotSampled)); });
+  return true;
+}
+
+/// The gates up to the last that some ray reaches: another moment of the grid may go on farther.
+std::size_t SampledGates(vtkUnsignedCharArray* states, vtkIdType columns)
+{
+  vtkIdType gates = 0;
+  for (vtkIdType i = 0; i < states->GetNumberOfTuples(); ++i)
+  {
+    if (states->GetValue(i) < NotSampled)
+    {
+      gates = std::max(gates, i % columns + 1);
+    }
+  }
+  return static_cast<std::size_t>(gates);
+}
+
+/// Of the cut; Unknown where the field data do not say, or have no such number.
+nexrad::Waveform WaveformOf(const SweepGrid& source)
+{
+  const double number = vtkNexradGetValue(source.Field, "Waveform").value_or(0.0);
+  const bool known =
+    number >= 1.0 && number <= static_cast<double>(nexrad::Waveform::StaggeredPulsePair);
+  return known ? static_cast<nexrad::Waveform>(static_cast<int>(number))
+               : nexrad::Waveform::Unknown;
+}
+
+nexrad::PolarSweep ToPolarSweep(
+  const SweepGrid& source, nexrad::MomentName moment, std::vector<int>& rows)
+{
+  const std::string name = nexrad::ToString(moment);
+  auto* values = source.PointArray<vtkFloatArray>(name);
+  auto* states = source.PointArray<vtkUnsignedCharArray>(name + "_state");
+  const vtkIdType rays = source.RayArray("RayTime", -1)->GetNumberOfTuples();
+  vtkDataArray* times = source.RayArray("RayTime", rays);
+  vtkDataArray* azimuths = source.RayArray("RayAzimuth", rays);
+  vtkDataArray* elevations = source.RayArray("RayElevation", rays);
+  vtkDataArray* ranges = source.OptionalRayArray("UnambiguousRange", rays);
+  int dimensions[3];
+  source.Grid->GetDimensions(dimensions);
+  if (rays > dimensions[1] || dimensions[2] != 1)
+  {
+    source.Refuse("RayTime", "has more rays than the grid");
+  }
+  if (dimensions[0] > nexrad::GateRows::MostGates)
+  {
+    source.Refuse(name, "has more gates in a ray than the " +
+                          std::to_string(nexrad::GateRows::MostGates) + " that a ray can have");
+  }
+  nexrad::PolarSweep sweep;
+  sweep.elevationNumber = static_cast<int>(source.Value("ElevationNumber"));
+  sweep.firstGate = source.Value("GateGeometry", 0);
+  sweep.gateSpacing = source.Value("GateGeometry", 1);
+  sweep.gates = SampledGates(states, dimensions[0]);
+  sweep.waveform = WaveformOf(source);
+  SweepGates gates;
+  for (vtkIdType i = 0; i < rays; ++i)
+  {
+    const nexrad::PolarRay ray = {static_cast<float>(azimuths->GetComponent(i, 0)),
+      static_cast<float>(elevations->GetComponent(i, 0)),
+      ranges ? static_cast<float>(ranges->GetComponent(i, 0)) : 0.0F,
+      nexrad::FromSeconds(times->GetComponent(i, 0))};
+    const vtkIdType first = i * dimensions[0];
+    if (AppendRay(sweep, gates, ray, values->GetPointer(first), states->GetPointer(first)))
+    {
+      rows.push_back(static_cast<int>(i));
+    }
+  }
+  nexrad::SetGates(sweep, gates.Values, gates.States);
+  if (moment == nexrad::MomentName::REF)
+  {
+    nexrad::LimitReach(sweep);
+  }
+  return sweep;
+}
+
+nexrad::PolarVolume DescribeVolume(const SweepGrid& source, nexrad::MomentName moment)
+{
+  nexrad::PolarVolume volume;
+  const std::vector<std::string> names = vtkNexradGetTexts(source.Field, "Site");
+  volume.site.name = names.empty() ? std::string() : names[0];
+  volume.moment = moment;
+  volume.start = nexrad::FromSeconds(source.Value("StartTime"));
+  return volume;
+}
+
+void AppendGrid(std::vector<nexrad::PolarVolume>& volumes,
+  std::vector<std::vector<SweepOrigin>>& origins, const SweepGrid& source,
+  nexrad::MomentName moment)
+{
+  if (!source.Grid->GetPointData()->HasArray(nexrad::ToString(moment)))
+  {
+    return;
+  }
+  nexrad::PolarVolume description = DescribeVolume(source, moment);
+  auto own = std::find_if(volumes.begin(), volumes.end(),
+    [&](const nexrad::PolarVolume& each)
+    { return each.site.name == description.site.name && each.start == description.start; });
+  if (own == volumes.end())
+  {
+    volumes.push_back(std::move(description));
+    origins.emplace_back();
+    own = volumes.end() - 1;
+  }
+  std::vector<int> rows;
+  own->sweeps.push_back(ToPolarSweep(source, moment, rows));
+  origins[static_cast<std::size_t>(own - volumes.begin())].push_back(
+    {source.Grid, std::move(rows)});
+}
+
+// The volumes whose sweeps are in the collection: those of one site with one start time make one
+// volume, which has its site's name, its start and its sweeps alone. Grids without the moment are
+// passed over, and so are, in each grid, rays that it has no gate of. What decides which gates
+// count (`Waveform`, `UnambiguousRange`) may be absent; then all do. The moment is a measured one.
+// Throws nexrad::Error, naming the sweep and the array, for a grid with the moment that lacks its
+// field data, or in which they do not fit its dimensions. `origins`, when given, takes those of all
+// sweeps of all volumes, in the order of the result.
+std::vector<nexrad::PolarVolume> SweepsToPolar(vtkPartitionedDataSetCollection* sweeps,
+  nexrad::MomentName moment, std::vector<std::vector<SweepOrigin>>* origins = nullptr)
+{
+  std::vector<nexrad::PolarVolume> volumes;
+  std::vector<std::vector<SweepOrigin>> found;
+  for (unsigned int i = 0; i < sweeps->GetNumberOfPartitionedDataSets(); ++i)
+  {
+    const char* name =
+      sweeps->HasMetaData(i) ? sweeps->GetMetaData(i)->Get(vtkCompositeDataSet::NAME()) : nullptr;
+    vtkPartitionedDataSet* grids = sweeps->GetPartitionedDataSet(i);
+    for (unsigned int j = 0; grids && j < grids->GetNumberOfPartitions(); ++j)
+    {
+      auto* grid = vtkStructuredGrid::SafeDownCast(grids->GetPartition(j));
+      if (grid)
+      {
+        AppendGrid(volumes, found, {grid, name ? name : "data set " + std::to_string(i)}, moment);
+      }
+    }
+  }
+  if (origins)
+  {
+    *origins = std::move(found);
+  }
+  return volumes;
+}
 
 constexpr int classCount = static_cast<int>(nexrad::EchoClassCount);
 constexpr int reasonCount = static_cast<int>(nexrad::EchoReasonCount);
@@ -90,8 +336,8 @@ void RepeatFirstRow(vtkStructuredGrid* grid, vtkIdType rays, vtkUnsignedCharArra
 }
 
 // `reasons` of the gates of a sweep, in the order of its rays.
-void AddArrays(const vtkNexradSweepOrigin& origin, std::size_t gates,
-  const std::vector<nexrad::EchoReason>& reasons)
+void AddArrays(
+  const SweepOrigin& origin, std::size_t gates, const std::vector<nexrad::EchoReason>& reasons)
 {
   vtkStructuredGrid* grid = origin.Grid;
   int dimensions[3];
@@ -133,9 +379,9 @@ nexrad::PolarVolume SameVolume(
 bool ClassifySweeps(
   vtkPartitionedDataSetCollection* sweeps, const std::function<bool(double)>& progress)
 {
-  std::vector<std::vector<vtkNexradSweepOrigin>> origins;
+  std::vector<std::vector<SweepOrigin>> origins;
   const std::vector<nexrad::PolarVolume> volumes =
-    vtkNexradSweepsToPolar(sweeps, nexrad::MomentName::REF, &origins);
+    SweepsToPolar(sweeps, nexrad::MomentName::REF, &origins);
   std::map<nexrad::MomentName, std::vector<nexrad::PolarVolume>> others;
   for (std::size_t i = 0; i < volumes.size(); ++i)
   {
@@ -147,7 +393,7 @@ bool ClassifySweeps(
       const auto [found, isNew] = others.try_emplace(moment);
       if (isNew)
       {
-        found->second = vtkNexradSweepsToPolar(sweeps, moment);
+        found->second = SweepsToPolar(sweeps, moment);
       }
       return SameVolume(found->second, volume);
     };

@@ -3,10 +3,9 @@
 
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Model/Moment.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/Progress.h"
-#include "vtkNexradArrayChoice.h"
-#include "vtkNexradExtent.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradPipeline.h"
 #include "vtkNexradVolumeFile.h"
@@ -84,6 +83,50 @@ nexrad::NxvSeries FilesIn(const std::filesystem::path& index)
   return files;
 }
 
+// The moments of a text as "VEL,REF"; empty: all that a file has. Throws nexrad::Error for another
+// text.
+std::vector<nexrad::MomentName> MomentsToRead(const std::string& names)
+{
+  std::vector<nexrad::MomentName> moments = nexrad::ParseMomentNames(names);
+  if (moments.empty() && !names.empty())
+  {
+    throw nexrad::Error("moments " + names + " are unknown: set names as in REF,VEL");
+  }
+  return moments;
+}
+
+// Names of the arrays that are off.
+std::vector<std::string> NamesToLeaveOut(vtkDataArraySelection* selection)
+{
+  std::vector<std::string> names;
+  for (int i = 0; i < selection->GetNumberOfArrays(); ++i)
+  {
+    if (selection->GetArraySetting(i) == 0)
+    {
+      names.emplace_back(selection->GetArrayName(i));
+    }
+  }
+  return names;
+}
+
+// Makes a selection list these names: those that it knows keep what the user chose for them, new
+// ones are on.
+void ListArrays(const std::vector<std::string>& names, vtkDataArraySelection* selection)
+{
+  for (int i = selection->GetNumberOfArrays(); i-- > 0;)
+  {
+    const std::string known = selection->GetArrayName(i);
+    if (std::find(names.begin(), names.end(), known) == names.end())
+    {
+      selection->RemoveArrayByIndex(i);
+    }
+  }
+  for (const std::string& name : names)
+  {
+    selection->AddArray(name.c_str());
+  }
+}
+
 } // namespace
 
 vtkNexradVolumeReader::vtkNexradVolumeReader()
@@ -143,7 +186,7 @@ vtkNexradVolumeReader::Contents vtkNexradVolumeReader::ReadContents() const
     contents.Arrays.insert(contents.Arrays.end(), {"azimuth", "elevation", "slant_range"});
   }
   nexrad::NxvReadOptions options;
-  options.moments = vtkNexradMomentsToRead(this->Moments);
+  options.moments = MomentsToRead(this->Moments);
   contents.AsCodes = this->ScalarsAsCodes && nexrad::HasNxvCodes(firstFile, options);
   return contents;
 }
@@ -155,9 +198,8 @@ void vtkNexradVolumeReader::ReadStep(const Step& step, vtkImageData* image)
     throw nexrad::Error(
       step.File.string() + ": its grid is not that of the first volume of the series");
   }
-  vtkNexradReadVolumeFile(
-    {step.File.string(), vtkNexradNamesToLeaveOut(this->GetAncillaryArraySelection()),
-      vtkNexradMomentsToRead(this->Moments), this->ScalarsAsCodes},
+  vtkNexradReadVolumeFile({step.File.string(), NamesToLeaveOut(this->GetAncillaryArraySelection()),
+                            MomentsToRead(this->Moments), this->ScalarsAsCodes},
     image);
 }
 
@@ -197,7 +239,7 @@ int vtkNexradVolumeReader::RequestInformation(
   {
     return this->Fail(vtkErrorCode::FileFormatError, error.what());
   }
-  vtkNexradListArrays(this->Opened->Arrays, this->AncillaryArraySelection);
+  ListArrays(this->Opened->Arrays, this->AncillaryArraySelection);
   this->Describe(output->GetInformationObject(0));
   return 1;
 }
@@ -247,7 +289,7 @@ int vtkNexradVolumeReader::RequestData(
     const int extent[6] = {block.begin[0], block.end[0] - 1, block.begin[1], block.end[1] - 1,
       block.begin[2], block.end[2] - 1};
     image->Crop(extent);
-    vtkNexradAddRadarView(image, vtkNexradNamesToLeaveOut(this->AncillaryArraySelection));
+    vtkNexradAddRadarView(image, NamesToLeaveOut(this->AncillaryArraySelection));
   }
   catch (const nexrad::Error& error)
   {

@@ -3,6 +3,7 @@
 
 #include "nexrad/Grid/GriddedVolume.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -59,5 +60,13 @@ std::string FormatNxvHeader(const NxvHeader& header);
 /// Reads the JSON text. Throws Error (without the file's name) when a key is missing, of the wrong
 /// type or out of range, or when the text differs from its CRC-32.
 NxvHeader ParseNxvHeader(const std::string& text);
+
+/// Checks the values of an ancillary array of a volume of `sites` sites; `name` as
+/// ForEachAncillaryArray has it. Throws Error, naming the voxel, for an age or weight that is
+/// negative or not finite, and for a site that the volume does not have.
+void CheckAncillaryArray(
+  const std::string& name, const std::vector<float>& values, std::size_t sites);
+void CheckAncillaryArray(
+  const std::string& name, const std::vector<std::uint8_t>& values, std::size_t sites);
 
 } // namespace nexrad

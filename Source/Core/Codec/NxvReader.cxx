@@ -3,7 +3,6 @@
 
 #include "nexrad/Codec/JsonText.h"
 #include "nexrad/Codec/MomentCode.h"
-#include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/NxvInput.h"
 #include "nexrad/Grid/VolumeMoments.h"

@@ -3,7 +3,6 @@
 
 #include "nexrad/Codec/EchoVoxels.h"
 #include "nexrad/Codec/MomentCode.h"
-#include "nexrad/Codec/NxvAncillary.h"
 #include "nexrad/Codec/NxvHeader.h"
 #include "nexrad/Codec/ThesisStream.h"
 #include "nexrad/Compression/Deflate.h"

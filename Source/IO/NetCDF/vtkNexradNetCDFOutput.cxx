@@ -2,17 +2,19 @@
 #include "vtkNexradNetCDFOutput.h"
 
 #include "nexrad/Grid/GriddedVolume.h"
+#include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradNetCDFFile.h"
 #include "vtkNexradNetCDFGrid.h"
-#include "vtkNexradNetCDFRadars.h"
 #include "vtkNexradNetCDFVoxels.h"
 
 #include "vtk_netcdf.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
+#include <limits>
 #include <system_error>
 #include <utility>
 #include <vector>
@@ -21,6 +23,138 @@ namespace fs = std::filesystem;
 
 namespace
 {
+
+constexpr char NamesName[] = "radar_name";
+constexpr char UsedName[] = "radar_used";
+
+struct CoordinateTerms
+{
+  const char* Name;
+  const char* StandardName;
+  const char* LongName;
+  const char* Units;
+};
+constexpr CoordinateTerms Coordinates[3] = {
+  {"radar_latitude", "latitude", "latitude of the radar", "degrees_north"},
+  {"radar_longitude", "longitude", "longitude of the radar", "degrees_east"},
+  {"radar_altitude", "altitude", "height of the antenna above mean sea level", "m"}};
+
+// A variable that grows along the dimension `radar`.
+int DefineRadarVariable(const vtkNexradNetCDFFile& file, const std::string& name, nc_type type,
+  const std::vector<int>& dimensions)
+{
+  // As many as the radars of the continent.
+  const std::vector<std::size_t> chunk(dimensions.size(), 256);
+  int variable = -1;
+  file.Check(nc_def_var(file.Id(), name.c_str(), type, static_cast<int>(dimensions.size()),
+               dimensions.data(), &variable),
+    name);
+  file.Check(nc_def_var_chunking(file.Id(), variable, NC_CHUNKED, chunk.data()), name);
+  return variable;
+}
+
+// The radars that a file names while volumes are added to it: names, positions, and which of them
+// took part at each time.
+class Radars
+{
+public:
+  // Defines the variables. `time` is the number of the dimension.
+  Radars(const vtkNexradNetCDFFile& file, int time);
+
+  // Writes those of a volume, `index` being its place among the times. Returns the places of its
+  // sites among the radars of the file.
+  std::vector<short> Add(const nexrad::GriddedVolume& volume, std::size_t index);
+
+  // Of all volumes so far.
+  const std::vector<std::string>& Names() const { return this->Known; }
+
+private:
+  void WriteUse(std::size_t index, std::size_t radar, bool used);
+  void AddRadar(const std::string& name, const nexrad::Position* position);
+
+  const vtkNexradNetCDFFile& File;
+  std::vector<std::string> Known;
+  int NameVariable = -1;
+  int PositionVariables[3] = {-1, -1, -1}; // latitude, longitude, altitude
+  int UsedVariable = -1;
+};
+
+Radars::Radars(const vtkNexradNetCDFFile& file, int time)
+  : File(file)
+{
+  int radar = -1;
+  file.Check(nc_def_dim(file.Id(), "radar", NC_UNLIMITED, &radar), "radar");
+  this->NameVariable = DefineRadarVariable(file, NamesName, NC_STRING, {radar});
+  file.SetText(this->NameVariable, "long_name", "identifier of the radar");
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    this->PositionVariables[i] = DefineRadarVariable(file, Coordinates[i].Name, NC_DOUBLE, {radar});
+    const int variable = this->PositionVariables[i];
+    file.SetText(variable, "standard_name", Coordinates[i].StandardName);
+    file.SetText(variable, "long_name", Coordinates[i].LongName);
+    file.SetText(variable, "units", Coordinates[i].Units);
+    file.SetNumbers(variable, "_FillValue", {std::numeric_limits<double>::quiet_NaN()});
+  }
+  file.SetText(this->PositionVariables[2], "positive", "up");
+  this->UsedVariable = DefineRadarVariable(file, UsedName, NC_BYTE, {time, radar});
+  file.SetText(this->UsedVariable, "long_name", "whether the radar's data are in the volume");
+  file.SetBytes(this->UsedVariable, "flag_values", {0, 1});
+  file.SetText(this->UsedVariable, "flag_meanings", "no yes");
+}
+
+void Radars::AddRadar(const std::string& name, const nexrad::Position* position)
+{
+  const std::size_t place = this->Known.size();
+  const char* text = name.c_str();
+  this->File.Check(
+    nc_put_var1_string(this->File.Id(), this->NameVariable, &place, &text), NamesName);
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double numbers[3] = {position ? position->latitude : unknown,
+    position ? position->longitude : unknown, position ? position->altitude : unknown};
+  for (std::size_t i = 0; i < 3; ++i)
+  {
+    this->File.Check(
+      nc_put_var1_double(this->File.Id(), this->PositionVariables[i], &place, &numbers[i]),
+      Coordinates[i].Name);
+  }
+  this->Known.push_back(name);
+}
+
+void Radars::WriteUse(std::size_t index, std::size_t radar, bool used)
+{
+  const std::size_t start[2] = {index, radar};
+  const auto flag = static_cast<signed char>(used ? 1 : 0);
+  this->File.Check(nc_put_var1_schar(this->File.Id(), this->UsedVariable, start, &flag), UsedName);
+}
+
+std::vector<short> Radars::Add(const nexrad::GriddedVolume& volume, std::size_t index)
+{
+  const bool placed = volume.sitePositions.size() == volume.sites.size();
+  std::vector<short> places;
+  for (std::size_t i = 0; i < volume.sites.size(); ++i)
+  {
+    const std::string& name = volume.sites[i];
+    const auto known = std::find(this->Known.begin(), this->Known.end(), name);
+    places.push_back(static_cast<short>(known - this->Known.begin()));
+    if (known == this->Known.end())
+    {
+      const nexrad::KnownSite* listed = nexrad::FindSite(name);
+      this->AddRadar(name, placed   ? &volume.sitePositions[i]
+                           : listed ? &listed->position
+                                    : nullptr);
+      for (std::size_t before = 0; before < index; ++before)
+      {
+        this->WriteUse(before, this->Known.size() - 1, false);
+      }
+    }
+  }
+  for (std::size_t radar = 0; radar < this->Known.size(); ++radar)
+  {
+    const auto place = static_cast<short>(radar);
+    this->WriteUse(index, radar, std::find(places.begin(), places.end(), place) != places.end());
+  }
+  return places;
+}
 
 // Of this layout of NetCDF files, in the attribute of that name.
 constexpr int Version = 1;
@@ -173,7 +307,7 @@ private:
     file.SetText(timeVariable, "units", "seconds since 1970-01-01T00:00:00Z");
     file.SetText(timeVariable, "calendar", "standard");
     file.SetText(timeVariable, "axis", "T");
-    radars = std::make_unique<vtkNexradNetCDFRadars>(file, dimensions.Time);
+    radars = std::make_unique<Radars>(file, dimensions.Time);
     voxels = std::make_unique<vtkNexradNetCDFVoxels>(file, dimensions, volume);
   }
 
@@ -196,7 +330,7 @@ private:
   const fs::path written;
   vtkNexradNetCDFFile file;
   const std::string history;
-  std::unique_ptr<vtkNexradNetCDFRadars> radars;
+  std::unique_ptr<Radars> radars;
   std::unique_ptr<vtkNexradNetCDFVoxels> voxels;
   int timeVariable = -1;
   std::size_t count = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @file   vtkNexradPipeline.h
- * @brief  progress, abort and error codes, the same way in every class
+ * @brief  progress, abort, error codes and pieces of volumes, the same way in every class
  *
  * Plain functions for the readers, writers and filters of this project.
  */
@@ -14,7 +14,14 @@
 #include <string>
 
 class vtkAlgorithm;
+class vtkImageData;
 class vtkInformation;
+
+namespace nexrad
+{
+struct GridSpecification;
+struct VoxelBlock;
+} // namespace nexrad
 
 /**
  * Whether the algorithm was asked to stop: CheckAbort where VTK has it (which also looks at the
@@ -61,6 +68,29 @@ VTKNEXRADIO_EXPORT unsigned long vtkNexradPathError(const char* path);
  * One line for such an error code.
  */
 VTKNEXRADIO_EXPORT std::string vtkNexradPathErrorText(unsigned long code, const char* path);
+
+// Pieces of a merged volume: a pipeline that runs in several processes, or that streams, asks for
+// boxes of the voxels (UPDATE_EXTENT). Origin and spacing of an image are those of the whole grid;
+// its extent says which part it is.
+
+/**
+ * Says in an output's information that there are so many voxels along each axis, of which any box
+ * can be asked for.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradOfferExtent(
+  vtkInformation* outputInformation, const int dimensions[3]);
+
+/**
+ * The voxels of the grid that a request asks for: all where it does not say it; it may be none.
+ */
+VTKNEXRADIO_EXPORT nexrad::VoxelBlock vtkNexradRequestedBlock(
+  vtkInformation* outputInformation, const nexrad::GridSpecification& grid);
+
+/**
+ * Makes an image of the block alone the block's part of an image of the grid.
+ */
+VTKNEXRADIO_EXPORT void vtkNexradPlaceBlock(
+  const nexrad::GridSpecification& grid, const nexrad::VoxelBlock& block, vtkImageData* image);
 
 #endif
 // VTK-HeaderTest-Exclude: vtkNexradPipeline.h

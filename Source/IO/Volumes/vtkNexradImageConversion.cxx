@@ -7,15 +7,16 @@
 #include "nexrad/System/Error.h"
 #include "vtkNexradFieldData.h"
 #include "vtkNexradThreads.h"
-#include "vtkNexradVoxelArray.h"
 
 #include "vtkDataSetAttributes.h"
 #include "vtkFloatArray.h"
 #include "vtkImageData.h"
 #include "vtkInformation.h"
 #include "vtkMatrix3x3.h"
+#include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkSmartPointer.h"
+#include "vtkTypeTraits.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
@@ -23,12 +24,65 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <mutex>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
 namespace
 {
+
+// The arrays of a merged volume, whose range is found fast: without infinite values, of one
+// component. ParaView asks twice for the range of each array whenever it gets another volume. VTK's
+// own loop takes 24 ns a value, together 1.2 s for the values, states and ghost flags of
+// 256x256x128 voxels on one core, which is more than merging them takes; the loop here takes a
+// twentieth.
+template <class Array>
+class VoxelArray : public Array
+{
+public:
+  using ValueType = typename Array::ValueType;
+
+  static VoxelArray* New() { VTK_STANDARD_NEW_BODY(VoxelArray<Array>); }
+
+protected:
+  using Array::ComputeFiniteScalarRange;
+  using Array::ComputeScalarRange;
+
+  bool ComputeScalarRange(double* range) override { return this->FindRange(range); }
+  bool ComputeFiniteScalarRange(double* range) override { return this->FindRange(range); }
+
+private:
+  // As VTK's loop: of an array without a number, the largest and the least that VTK knows.
+  bool FindRange(double* range)
+  {
+    constexpr vtkIdType stretch = vtkIdType(1) << 18;
+    const vtkIdType count = this->GetNumberOfTuples();
+    const ValueType* const values = this->GetPointer(0);
+    ValueType least = vtkTypeTraits<ValueType>::Max();
+    ValueType most = vtkTypeTraits<ValueType>::Min();
+    std::mutex mutex;
+    vtkNexradRangeLoop()(static_cast<int>((count + stretch - 1) / stretch),
+      [&](int first, int last)
+      {
+        ValueType low = vtkTypeTraits<ValueType>::Max();
+        ValueType high = vtkTypeTraits<ValueType>::Min();
+        const vtkIdType end = std::min(count, last * stretch);
+        for (vtkIdType i = first * stretch; i < end; ++i)
+        {
+          // What is not a number compares as neither.
+          low = values[i] < low ? values[i] : low;
+          high = values[i] > high ? values[i] : high;
+        }
+        const std::lock_guard<std::mutex> lock(mutex);
+        least = std::min(least, low);
+        most = std::max(most, high);
+      });
+    range[0] = static_cast<double>(least);
+    range[1] = static_cast<double>(most);
+    return count > 0;
+  }
+};
 
 std::string StateName(nexrad::MomentName moment)
 {
@@ -106,9 +160,9 @@ unsigned char GhostTypeOf(nexrad::VoxelState state, nexrad::MomentName moment)
 // The point data of a volume, to be filled.
 struct VoxelArrays
 {
-  vtkNew<vtkNexradVoxelArray<vtkFloatArray>> Values;
-  vtkNew<vtkNexradVoxelArray<vtkUnsignedCharArray>> States;
-  vtkNew<vtkNexradVoxelArray<vtkUnsignedCharArray>> Ghosts;
+  vtkNew<VoxelArray<vtkFloatArray>> Values;
+  vtkNew<VoxelArray<vtkUnsignedCharArray>> States;
+  vtkNew<VoxelArray<vtkUnsignedCharArray>> Ghosts;
 
   VoxelArrays(nexrad::MomentName moment, vtkIdType count)
   {
@@ -252,7 +306,7 @@ void AddAncillary(const nexrad::GriddedVolume& volume, vtkPointData* points)
     {
       return;
     }
-    vtkNew<vtkNexradVoxelArray<ArrayFor<decltype(values)>>> array;
+    vtkNew<VoxelArray<ArrayFor<decltype(values)>>> array;
     array->SetName(nexrad::AncillaryArrayName(volume.moment, name).c_str());
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
     std::copy(values.begin(), values.end(), array->GetPointer(0));
@@ -479,7 +533,7 @@ void vtkNexradAddRadarView(vtkImageData* image, const std::vector<std::string>& 
     {
       return;
     }
-    vtkNew<vtkNexradVoxelArray<vtkFloatArray>> array;
+    vtkNew<VoxelArray<vtkFloatArray>> array;
     array->SetName(name);
     array->SetNumberOfTuples(static_cast<vtkIdType>(values.size()));
     std::copy(values.begin(), values.end(), array->GetPointer(0));

@@ -38,8 +38,6 @@
 #ifndef vtkNexradSweepConversion_h
 #define vtkNexradSweepConversion_h
 
-#include "vtkNexradGatePlacement.h"
-
 #include "nexrad/Model/RadarVolume.h"
 #include "nexrad/System/Progress.h"
 
@@ -49,6 +47,13 @@
 #include <vector>
 
 class vtkPartitionedDataSetCollection;
+
+enum class vtkNexradCoordinates
+{
+  Local,      ///< m east, north and up of the antenna
+  Geographic, ///< degrees east and north, m above mean sea level
+  Projected   ///< m east and north of a centre, m above mean sea level, as in a merged volume
+};
 
 struct vtkNexradSweepOptions
 {
