@@ -263,6 +263,9 @@ TEST_F(Shadows, LightIsMadeAnewForTheVolumeItsFunctionsAndTheLightAloneNotForThe
   EXPECT_FALSE(isMadeAnew([&] { this->Stage->GetWindow()->SetSize(100, 90); }));
   EXPECT_FALSE(
     isMadeAnew([&] { property->GetRGBTransferFunction()->AddRGBPoint(33.0, 1.0, 0.0, 0.0); }));
+  // Colours so close to each other need a table of more entries.
+  EXPECT_FALSE(
+    isMadeAnew([&] { property->GetRGBTransferFunction()->AddRGBPoint(33.001, 0.0, 1.0, 0.0); }));
   EXPECT_FALSE(isMadeAnew([&] { property->GetScalarOpacity()->Modified(); }));
   EXPECT_TRUE(isMadeAnew([&] { this->Mapper->SetLightDirection(1.0, 0.0, 1.0); }));
   EXPECT_TRUE(isMadeAnew([&] { this->Mapper->SetZenith(0.0, 1.0, 1.0); }));

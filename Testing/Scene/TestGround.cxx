@@ -16,9 +16,11 @@
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
+#include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
+#include <vtkPointData.h>
 #include <vtkSmartPointer.h>
 #include <vtkStringArray.h>
 #include <vtkTexture.h>
@@ -247,6 +249,12 @@ TEST(GroundShadow, DarkensThePictureOfTheGround)
   EXPECT_EQ(ColourAt(shown, 0, 0)[0], 100);
   EXPECT_EQ(ColourAt(shown, 1, 1)[0], 125) << "a quarter of the way between the texels";
   EXPECT_EQ(ColourAt(shown, 3, 1)[2], 200);
+  light->GetPointData()->GetScalars()->Fill(1.0);
+  light->Modified();
+  shadow.Show(ground, light, options, light, true);
+  EXPECT_EQ(ColourAt(shown, 0, 0)[0], 100) << "the shadow stays while the user drags";
+  shadow.Show(ground, light, options, light);
+  EXPECT_EQ(ColourAt(shown, 0, 0)[0], 200);
   shadow.Show(ground, nullptr, options, light);
   EXPECT_EQ(ground->GetTexture(), own.Get());
 }

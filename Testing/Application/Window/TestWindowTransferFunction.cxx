@@ -14,6 +14,7 @@
 #include <vtkNexradTransferFunction.h>
 #include <vtkNexradVolumeScene.h>
 #include <vtkPointData.h>
+#include <vtkRenderWindow.h>
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -183,6 +184,11 @@ TEST_F(WindowTransferFunction, DraggingAPointOfOpacityChangesThePicture)
   EXPECT_WITHIN(this->Node(core)[1], 0.5, onePixel, "opacity of a dragged point", halfPixel);
   EXPECT_EQ(this->Find<QSpinBox>("Point")->value(), core + 1) << "it is selected";
   EXPECT_EQ(this->Find<QComboBox>("Transfer function preset")->currentText(), "all echo, changed");
+  vtkRenderWindow* view = window->View()->renderWindow();
+  EXPECT_LT(view->GetDesiredUpdateRate(), 1.0) << "light has all of its cells again";
+  this->Mouse(QEvent::MouseButtonPress, this->PlaceOf(this->Node(core)), Qt::LeftButton);
+  EXPECT_GT(view->GetDesiredUpdateRate(), 1.0) << "fewer cells while a point is held";
+  this->Mouse(QEvent::MouseButtonRelease, this->PlaceOf(this->Node(core)), Qt::LeftButton);
   this->Undo();
   EXPECT_EQ(this->Node(core), before) << "one step for the whole drag";
   this->Redo();
