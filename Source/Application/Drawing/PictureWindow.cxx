@@ -41,6 +41,9 @@ PictureWindow::PictureWindow(vtkRenderer* renderer, const std::array<int, 2>& si
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(4);
   window->SetSize(size[0], size[1]);
+  // Else VTK chooses it by the depth buffer, and otherwise where the renderer is in no window yet.
+  constexpr double nearest = 0.01; // of the distance that is seen
+  renderer->SetNearClippingPlaneTolerance(nearest);
   window->AddRenderer(renderer);
 }
 
