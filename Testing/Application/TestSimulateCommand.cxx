@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/CommandLine.h"
 #include "Commands/Command.h"
+#include "Commands/CommandLine.h"
 #include "Commands/SimulatedFiles.h"
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"

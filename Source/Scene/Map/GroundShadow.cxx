@@ -70,8 +70,8 @@ void GroundShadow::Show(vtkActor* ground, vtkImageData* light, const LightOption
     ground->SetTexture(lit);
     return;
   }
-  const bool changed = light->GetMTime() != made || options.shadow != shadow ||
-                       options.occlusion != occlusion;
+  const bool changed =
+    light->GetMTime() != made || options.shadow != shadow || options.occlusion != occlusion;
   if (newGround || (changed && !keeps))
   {
     this->Fill(light, options, volume);
