@@ -2,9 +2,9 @@
 #include "nexrad/Simulation/RayWords.h"
 
 #include "nexrad/Simulation/Basis/CounterNoise.h"
+#include "nexrad/Simulation/Basis/GateLayout.h"
 #include "nexrad/Simulation/Echo/AddedEcho.h"
 #include "nexrad/Simulation/ScanStrategy.h"
-#include "nexrad/Simulation/StormElement.h"
 
 #include <algorithm>
 #include <cmath>

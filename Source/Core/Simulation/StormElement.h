@@ -4,16 +4,12 @@
 #include "nexrad/Simulation/Basis/StormPlane.h"
 
 #include <cmath>
-#include <limits>
 
 namespace nexrad
 {
 
 /// Weakest reflectivity that the field has; what is weaker is no echo, dBZ.
 constexpr double MinimumReflectivity = -15.0;
-
-/// That of a point without echo, dBZ.
-constexpr double NoReflectivity = -std::numeric_limits<double>::infinity();
 
 /// Most that the texture adds or takes away, dB.
 constexpr double TextureAmplitude = 3.5;

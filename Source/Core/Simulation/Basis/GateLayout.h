@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
+
 namespace nexrad
 {
+
+/// Reflectivity where there is no echo, dBZ.
+constexpr double NoReflectivity = -std::numeric_limits<double>::infinity();
 
 /// Gates of one moment along a ray.
 struct GateLayout

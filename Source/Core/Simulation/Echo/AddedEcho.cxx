@@ -3,7 +3,7 @@
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Simulation/Basis/CounterNoise.h"
-#include "nexrad/Simulation/StormElement.h"
+#include "nexrad/Simulation/Basis/GateLayout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 #include "nexrad/Simulation/Echo/GroundEcho.h"
 
 #include "nexrad/Simulation/Basis/CounterNoise.h"
-#include "nexrad/Simulation/StormElement.h"
+#include "nexrad/Simulation/Basis/GateLayout.h"
 
 #include <algorithm>
 #include <cmath>
