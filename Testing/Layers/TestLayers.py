@@ -30,9 +30,6 @@ class ThisTree(unittest.TestCase):
     def test_folders_include_each_other_in_no_circle(self):
         self.expect_none(layers.check_circles)
 
-    def test_no_folder_is_too_full(self):
-        self.expect_none(layers.check_full_folders)
-
     def test_sources_have_headers_of_their_names(self):
         self.expect_none(layers.check_own_headers)
 
@@ -83,7 +80,7 @@ class MadeUpTrees(unittest.TestCase):
 
     def test_without_a_fault(self):
         for check in (layers.check_core_order, layers.check_core_without_vtk, layers.check_modules,
-                      layers.check_circles, layers.check_full_folders, layers.check_own_headers):
+                      layers.check_circles, layers.check_own_headers):
             with self.subTest(check.__name__):
                 self.assertEqual(check(self.root), [])
 
@@ -119,13 +116,6 @@ class MadeUpTrees(unittest.TestCase):
     def test_a_circle_of_three_folders(self):
         self.write("Source/Core/System/Error.h", '#include "nexrad/Motion/Field.h"')
         self.expect_one(layers.check_circles, "Source/Core/Model, Source/Core/Motion, Source/Core/System")
-
-    def test_a_full_folder(self):
-        for number in range(layers.MOST_FILES):
-            self.write(f"Testing/Core/Test{number}.cxx")
-        self.assertEqual(layers.check_full_folders(self.root), [])
-        self.write("Testing/Core/OneMore.h")
-        self.expect_one(layers.check_full_folders, "Testing/Core", str(layers.MOST_FILES + 1))
 
     def test_a_source_without_its_header(self):
         self.write("Source/Core/Model/Day.cxx", '#include "nexrad/Model/Site.h"')

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: BSD-3-Clause
-"""Checks the folders of the sources: who includes whom, how full a folder is, how a source is named.
+"""Checks the folders of the sources: who includes whom, and how a source is named.
 
 Each check takes the root of a source tree and returns the faults that it finds, a line each.
 """
@@ -21,8 +21,6 @@ MAY_INCLUDE = {
     "Python": [],
     "Plugins": ["Core", "IO", "Filters", "Rendering", "Scene"],
 }
-
-MOST_FILES = 26
 
 # Sources without a header of their own name, and why: the first pattern that fits the path counts.
 NO_HEADER = {
@@ -152,12 +150,6 @@ def check_circles(root):
             examples = [text for one in circle for other, text in sorted(arrows[one].items()) if other in circle]
             faults.append(f"{', '.join(circle)}: include each other in a circle: {'; '.join(examples)}")
     return faults
-
-
-def check_full_folders(root):
-    counts = collections.Counter(map(folder_of, source_files(root, "Source", "Plugins", "Testing")))
-    return [f"{folder}: holds {count} sources; more than {MOST_FILES} in one folder is too many"
-            for folder, count in sorted(counts.items()) if count > MOST_FILES]
 
 
 def sources_without_header(root):
