@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Subjects of VTK's own tests of its GPU ray caster that no other file here has, on synthetic
-// volumes; rendering.md lists all of them.
+// volumes.
 #include "RayCasterComparison.h"
 #include "Scenes.h"
 #include "Tolerance.h"
