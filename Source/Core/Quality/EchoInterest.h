@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Quality/Evidence/GateEvidence.h"
+#include "nexrad/Quality/GateEvidence.h"
 
 #include <vector>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Quality/GroundSearch.h"
 
-#include "nexrad/Quality/Evidence/GateRegions.h"
-#include "nexrad/Quality/Evidence/Textures.h"
+#include "nexrad/Quality/GateRegions.h"
+#include "nexrad/Quality/Textures.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Quality/GroundTest.h"
 
-#include "nexrad/Quality/Evidence/GateRegions.h"
+#include "nexrad/Quality/GateRegions.h"
 
 #include <cstddef>
 #include <cstdint>

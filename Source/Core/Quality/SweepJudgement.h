@@ -2,10 +2,10 @@
 #pragma once
 
 #include "nexrad/Quality/EchoClass.h"
+#include "nexrad/Quality/EchoGrid.h"
 #include "nexrad/Quality/EchoInterest.h"
-#include "nexrad/Quality/Evidence/EchoGrid.h"
-#include "nexrad/Quality/Evidence/GateEvidence.h"
-#include "nexrad/Quality/Evidence/SplitCuts.h"
+#include "nexrad/Quality/GateEvidence.h"
+#include "nexrad/Quality/SplitCuts.h"
 
 #include <cstddef>
 #include <cstdint>

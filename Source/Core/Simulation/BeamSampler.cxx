@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/BeamSampler.h"
 
-#include "nexrad/Simulation/Basis/GateLayout.h"
-#include "nexrad/Simulation/Beam/BeamPattern.h"
+#include "nexrad/Simulation/BeamPattern.h"
+#include "nexrad/Simulation/GateLayout.h"
 
 #include <algorithm>
 #include <array>

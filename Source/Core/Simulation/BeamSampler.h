@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/Basis/GateLayout.h"
-#include "nexrad/Simulation/Beam/BeamTrace.h"
+#include "nexrad/Simulation/BeamTrace.h"
+#include "nexrad/Simulation/GateLayout.h"
 #include "nexrad/Simulation/StormSnapshot.h"
 
 #include <array>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/RayWords.h"
 
-#include "nexrad/Simulation/Basis/CounterNoise.h"
-#include "nexrad/Simulation/Basis/GateLayout.h"
-#include "nexrad/Simulation/Echo/AddedEcho.h"
+#include "nexrad/Simulation/AddedEcho.h"
+#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/GateLayout.h"
 #include "nexrad/Simulation/ScanStrategy.h"
 
 #include <algorithm>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/Echo/DualPolarisation.h"
+#include "nexrad/Simulation/DualPolarisation.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/Simulation/VelocitySampler.h"
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/Model/CoveragePattern.h"
-#include "nexrad/Simulation/Basis/GateLayout.h"
+#include "nexrad/Simulation/GateLayout.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/Echo/EchoKind.h"
+#include "nexrad/Simulation/EchoKind.h"
 
 #include <vector>
 

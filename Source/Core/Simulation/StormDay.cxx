@@ -2,7 +2,7 @@
 #include "nexrad/Simulation/StormDay.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Simulation/Basis/CounterNoise.h"
+#include "nexrad/Simulation/CounterNoise.h"
 
 #include <cmath>
 

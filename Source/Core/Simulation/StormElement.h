@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/Basis/StormPlane.h"
+#include "nexrad/Simulation/StormPlane.h"
 
 #include <cmath>
 

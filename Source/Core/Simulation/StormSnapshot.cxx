@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/StormSnapshot.h"
 
-#include "nexrad/Simulation/Basis/GateLayout.h"
+#include "nexrad/Simulation/GateLayout.h"
 #include "nexrad/Simulation/StormElement.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/Simulation/StormElement.h"
-#include "nexrad/Simulation/Wind/StormVortex.h"
+#include "nexrad/Simulation/StormVortex.h"
 
 #include <array>
 #include <vector>

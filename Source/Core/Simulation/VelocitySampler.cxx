@@ -2,7 +2,7 @@
 #include "nexrad/Simulation/VelocitySampler.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Simulation/Beam/BeamPattern.h"
+#include "nexrad/Simulation/BeamPattern.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,7 +3,7 @@
 
 #include "Scans/SimulatedVelocities.h"
 #include "Tolerance.h"
-#include "nexrad/Simulation/Wind/MeanWind.h"
+#include "nexrad/Simulation/MeanWind.h"
 
 #include <gtest/gtest.h>
 

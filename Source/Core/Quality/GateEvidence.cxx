@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Quality/Evidence/GateEvidence.h"
+#include "nexrad/Quality/GateEvidence.h"
 
 #include <algorithm>
 #include <cmath>

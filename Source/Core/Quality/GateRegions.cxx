@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Quality/Evidence/GateRegions.h"
+#include "nexrad/Quality/GateRegions.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/Basis/StormPlane.h"
-#include "nexrad/Simulation/Wind/MeanWind.h"
+#include "nexrad/Simulation/MeanWind.h"
+#include "nexrad/Simulation/StormPlane.h"
 
 #include <cmath>
 

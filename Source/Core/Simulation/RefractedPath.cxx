@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/Beam/RefractedPath.h"
+#include "nexrad/Simulation/RefractedPath.h"
 
 #include "nexrad/Geometry/Angles.h"
 

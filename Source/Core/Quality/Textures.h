@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Quality/Evidence/EchoGrid.h"
-#include "nexrad/Quality/Evidence/SplitCuts.h"
+#include "nexrad/Quality/EchoGrid.h"
+#include "nexrad/Quality/SplitCuts.h"
 
 #include <algorithm>
 #include <array>

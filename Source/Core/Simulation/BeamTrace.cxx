@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/Beam/BeamTrace.h"
+#include "nexrad/Simulation/BeamTrace.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Simulation/Beam/BeamPattern.h"
+#include "nexrad/Simulation/BeamPattern.h"
 
 #include <GeographicLib/Geodesic.hpp>
 #include <GeographicLib/GeodesicLine.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Quality/Evidence/Textures.h"
+#include "nexrad/Quality/Textures.h"
 
 #include <algorithm>
 #include <cmath>

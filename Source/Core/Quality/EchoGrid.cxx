@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Quality/Evidence/EchoGrid.h"
+#include "nexrad/Quality/EchoGrid.h"
 
 #include "nexrad/Geometry/Angles.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/Echo/GroundEcho.h"
+#include "nexrad/Simulation/GroundEcho.h"
 
-#include "nexrad/Simulation/Basis/CounterNoise.h"
-#include "nexrad/Simulation/Basis/GateLayout.h"
+#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/GateLayout.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Quality/Evidence/EchoGrid.h"
+#include "nexrad/Quality/EchoGrid.h"
 
 #include <cstddef>
 #include <cstdint>

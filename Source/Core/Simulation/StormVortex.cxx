@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/Wind/StormVortex.h"
+#include "nexrad/Simulation/StormVortex.h"
 
 #include <algorithm>
 #include <cmath>

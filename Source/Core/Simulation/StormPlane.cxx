@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/Basis/StormPlane.h"
+#include "nexrad/Simulation/StormPlane.h"
 
 #include "nexrad/Geometry/Angles.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Quality/Evidence/EchoGrid.h"
-#include "nexrad/Quality/Evidence/SplitCuts.h"
-#include "nexrad/Quality/Evidence/Textures.h"
+#include "nexrad/Quality/EchoGrid.h"
+#include "nexrad/Quality/SplitCuts.h"
+#include "nexrad/Quality/Textures.h"
 
 #include <array>
 #include <cstddef>

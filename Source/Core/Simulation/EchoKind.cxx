@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/Echo/EchoKind.h"
+#include "nexrad/Simulation/EchoKind.h"
 
 #include "nexrad/System/Error.h"
 

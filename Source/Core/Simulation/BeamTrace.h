@@ -2,8 +2,8 @@
 #pragma once
 
 #include "nexrad/Model/Site.h"
-#include "nexrad/Simulation/Basis/StormPlane.h"
-#include "nexrad/Simulation/Beam/RefractedPath.h"
+#include "nexrad/Simulation/RefractedPath.h"
+#include "nexrad/Simulation/StormPlane.h"
 
 #include <array>
 

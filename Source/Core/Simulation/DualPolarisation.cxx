@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/Echo/DualPolarisation.h"
+#include "nexrad/Simulation/DualPolarisation.h"
 
-#include "nexrad/Simulation/Basis/CounterNoise.h"
-#include "nexrad/Simulation/Basis/StormPlane.h"
-#include "nexrad/Simulation/Beam/BeamPattern.h"
+#include "nexrad/Simulation/BeamPattern.h"
+#include "nexrad/Simulation/CounterNoise.h"
+#include "nexrad/Simulation/StormPlane.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Simulation/Wind/MeanWind.h"
+#include "nexrad/Simulation/MeanWind.h"
 
 #include "nexrad/Geometry/Angles.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/Basis/GateLayout.h"
-#include "nexrad/Simulation/Beam/BeamTrace.h"
-#include "nexrad/Simulation/Echo/EchoKind.h"
+#include "nexrad/Simulation/BeamTrace.h"
+#include "nexrad/Simulation/EchoKind.h"
+#include "nexrad/Simulation/GateLayout.h"
 
 #include <cstdint>
 #include <vector>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/Basis/GateLayout.h"
-#include "nexrad/Simulation/Beam/BeamTrace.h"
-#include "nexrad/Simulation/Echo/EchoKind.h"
-#include "nexrad/Simulation/Echo/GroundEcho.h"
-#include "nexrad/Simulation/Wind/MeanWind.h"
+#include "nexrad/Simulation/BeamTrace.h"
+#include "nexrad/Simulation/EchoKind.h"
+#include "nexrad/Simulation/GateLayout.h"
+#include "nexrad/Simulation/GroundEcho.h"
+#include "nexrad/Simulation/MeanWind.h"
 
 #include <cstdint>
 #include <optional>

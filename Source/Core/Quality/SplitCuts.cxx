@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Quality/Evidence/SplitCuts.h"
+#include "nexrad/Quality/SplitCuts.h"
 
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Polar/SweepPairing.h"
