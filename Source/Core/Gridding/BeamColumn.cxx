@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Gridding/BeamColumn.h"
 
-#include "nexrad/Beams/TiltGap.h"
+#include "nexrad/Beams/TiltEdges.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/FileDecoder.h"
 
-#include "nexrad/Compression/ParallelBunzip.h"
-#include "nexrad/Level2/Messages/Message1.h"
-#include "nexrad/Level2/Messages/Message2.h"
-#include "nexrad/Level2/Messages/Message31.h"
-#include "nexrad/Level2/Messages/Message5.h"
-#include "nexrad/Level2/Messages/SyntheticMark.h"
+#include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/Messages/MetadataMessages.h"
+#include "nexrad/Level2/Messages/RadialMessages.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 
 #include <algorithm>

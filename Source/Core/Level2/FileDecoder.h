@@ -5,8 +5,8 @@
 #include "nexrad/Compression/Container.h"
 #include "nexrad/Compression/DecodingBudget.h"
 #include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/Messages/DecodedRay.h"
 #include "nexrad/Level2/Messages/MessageStream.h"
-#include "nexrad/Level2/Messages/RayCosts.h"
 #include "nexrad/Level2/VolumeAssembler.h"
 
 #include <cstdint>

@@ -3,7 +3,6 @@
 
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Quality/BiologicalTest.h"
-#include "nexrad/Quality/GroundSearch.h"
 #include "nexrad/Quality/GroundTest.h"
 #include "nexrad/Quality/PropagationTest.h"
 #include "nexrad/Quality/SpeckleTest.h"

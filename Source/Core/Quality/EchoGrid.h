@@ -20,6 +20,9 @@ inline bool IsNumber(float value)
   return value > 0.5F * NoNumber;
 }
 
+/// Degrees between two rays that are neighbours, at most.
+constexpr double WidestGap = 1.9;
+
 /// Reflectivity of one sweep in dBZ, a row for each ray, in the order of azimuths.
 class EchoGrid
 {
@@ -45,7 +48,7 @@ public:
   /// The row nearest to an azimuth; Rays() where none is within 1.5°.
   std::size_t PlaceAt(double azimuth) const;
   /// The row after (`step` above 0) or before another, round the circle; Rays() across a gap of
-  /// more than 1.9° between two rays on the way.
+  /// more than WidestGap between two rays on the way.
   std::size_t Beside(std::size_t place, int step) const;
 
   /// Gates() numbers; NoNumber where there is no value.
@@ -66,6 +69,36 @@ private:
   std::vector<float> values;
   std::vector<float> empty;
   std::vector<GateRange> held;
+};
+
+/// Gates of one row that follow each other, from `begin` up to `end`, and the region they are of.
+struct GateRun
+{
+  std::uint32_t place = 0; ///< the row, as EchoGrid counts them
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  std::uint32_t region = 0;
+};
+
+/// The connected regions of some gates of a sweep. Gates are connected along the ray, and with the
+/// three nearest ones of the neighbouring rays.
+class GateRegions
+{
+public:
+  /// `members`: rays × gates, in the order of the rays of the sweep; other than 0 for the gates
+  /// that count.
+  GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& members);
+
+  const std::vector<GateRun>& Runs() const { return runs; }
+  std::size_t Count() const { return count; }
+
+private:
+  std::uint32_t RootOf(std::uint32_t run);
+  void Join(std::size_t first, std::size_t second, const std::vector<std::size_t>& firstRuns);
+
+  std::vector<GateRun> runs;
+  std::vector<std::uint32_t> parents;
+  std::size_t count = 0;
 };
 
 } // namespace nexrad

@@ -2,13 +2,84 @@
 #pragma once
 
 #include "nexrad/Model/Site.h"
-#include "nexrad/Simulation/RefractedPath.h"
 #include "nexrad/Simulation/StormPlane.h"
 
 #include <array>
+#include <cmath>
+#include <cstddef>
+#include <vector>
 
 namespace nexrad
 {
+
+/// A direction off the beam's middle, in standard deviations of the two-way pattern, and its
+/// weight.
+struct QuadratureNode
+{
+  double position;
+  double weight;
+};
+
+constexpr double Root3 = 1.7320508075688772;
+
+/// The Gauss-Hermite rule of three nodes: for what is smooth across the beam.
+constexpr std::array<QuadratureNode, 3> SmoothNodes = {
+  {{-Root3, 1.0 / 6.0}, {0.0, 2.0 / 3.0}, {Root3, 1.0 / 6.0}}};
+
+/// How far LayerNodes reach.
+constexpr double FarthestNode = 2.4;
+
+/// Equal steps weighted with the pattern: storms are layered, so that the beam meets more change
+/// upwards than sideways.
+inline const std::array<QuadratureNode, 7>& LayerNodes()
+{
+  static const std::array<QuadratureNode, 7> layerNodes = []
+  {
+    std::array<QuadratureNode, 7> nodes{};
+    double sum = 0.0;
+    for (std::size_t index = 0; index < nodes.size(); ++index)
+    {
+      const double position = FarthestNode * (static_cast<double>(index) - 3.0) / 3.0;
+      nodes[index] = {position, std::exp(-position * position / 2.0)};
+      sum += nodes[index].weight;
+    }
+    for (QuadratureNode& node : nodes)
+    {
+      node.weight /= sum;
+    }
+    return nodes;
+  }();
+  return layerNodes;
+}
+
+/// A point of a simulated beam: height above the antenna and distance along the ground, m.
+struct PathPoint
+{
+  double height = 0.0;
+  double groundDistance = 0.0;
+};
+
+/// Rays traced step by step through a spherical atmosphere whose refractive index falls linearly in
+/// its logarithm with height. The gradient is the one that an effective earth of k times the
+/// radius stands for: (1/k − 1)/a, a = 6 371 000 m. It shares nothing with BeamModel, so that the
+/// geometry of the gridding is not tested against itself.
+class RefractedPath
+{
+public:
+  /// Traces all elevations (degrees) in a span, up to a slant range in m.
+  RefractedPath(double effectiveRadiusFactor, double lowestElevation, double highestElevation,
+    double farthestRange);
+
+  /// Interpolated; outside the span the nearest traced ray and range count. Errs by less than
+  /// 0.1 m.
+  PathPoint At(double range, double elevation) const;
+
+private:
+  double lowest;
+  std::size_t steps;             // points of a traced ray
+  std::vector<PathPoint> points; // one ray after another
+  std::size_t rays;
+};
 
 /// What the sampler needs to know of a radar and its air.
 struct BeamSamplerOptions

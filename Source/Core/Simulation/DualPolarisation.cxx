@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/DualPolarisation.h"
 
-#include "nexrad/Simulation/BeamPattern.h"
+#include "nexrad/Simulation/BeamTrace.h"
 #include "nexrad/Simulation/CounterNoise.h"
 #include "nexrad/Simulation/StormPlane.h"
 

@@ -4,10 +4,8 @@
 #include "nexrad/Simulation/AddedEcho.h"
 #include "nexrad/Simulation/BeamSampler.h"
 #include "nexrad/Simulation/CounterNoise.h"
-#include "nexrad/Simulation/RayBlocks.h"
 #include "nexrad/Simulation/RayWords.h"
 #include "nexrad/Simulation/ScanStrategy.h"
-#include "nexrad/Simulation/VelocitySampler.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>

@@ -2,7 +2,6 @@
 // Ground that is looked for about gates that stand still, and ground that is looked for everywhere.
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"
-#include "nexrad/Quality/GroundSearch.h"
 #include "nexrad/Quality/GroundTest.h"
 #include "nexrad/Quality/SplitCuts.h"
 #include "nexrad/System/ThreadGroup.h"

@@ -1,13 +1,26 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "nexrad/Compression/BigEndian.h"
+#include "nexrad/Model/CoveragePattern.h"
+#include "nexrad/Model/RadarVolume.h"
+
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <optional>
 #include <string_view>
 
 namespace nexrad
 {
+
+/// Reads the body of message 2, what the radar says of itself (ICD 2620002, table IV). Empty when
+/// the body is too short.
+std::optional<RadarStatus> DecodeMessage2(ByteView body);
+
+/// Reads the body of message 5, the volume coverage pattern (ICD 2620002, table XI). Empty when the
+/// message holds none: before 2006 it was sent filled with zeros.
+std::optional<CoveragePattern> DecodeMessage5(ByteView body);
 
 /// How a file says that it was simulated: its metadata record holds a console message (type 4 of
 /// ICD 2620002, table II) with the text below. Real decoders pass over console messages.
