@@ -4,7 +4,7 @@
 #include "nexrad/Grid/VoxelBlock.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Merging/VolumeCache.h"
-#include "nexrad/Model/TimeLimits.h"
+#include "nexrad/Model/Time.h"
 #include "nexrad/Series/InputError.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"

@@ -3,6 +3,7 @@
 
 #include "nexrad/Model/RadarVolume.h"
 #include "nexrad/Simulation/EchoKind.h"
+#include "nexrad/Simulation/ScanStrategy.h"
 #include "nexrad/Simulation/StormField.h"
 
 #include <cstdint>
@@ -32,12 +33,6 @@ struct ScanTruth
 {
   std::vector<std::vector<RayTruth>> sweeps;
 };
-
-/// The coverage patterns that the simulator can scan (11, 12, 21, 31, 32, 35, 121, 212, 215), as
-/// message 5 of real files has them; nullptr for others.
-const CoveragePattern* FindCoveragePattern(int number);
-/// Their numbers, ascending.
-std::vector<int> KnownCoveragePatterns();
 
 struct SimulatorOptions
 {

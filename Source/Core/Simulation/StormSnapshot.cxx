@@ -112,13 +112,12 @@ constexpr double textureNorth = 12.0;
 // wavelengths a day, so that the day repeats without a jump.
 std::array<double, textureWaves.size()> TexturePhases(double seconds)
 {
-  constexpr double dayLength = 86'400.0;
   std::array<double, textureWaves.size()> phases{};
   for (std::size_t index = 0; index < phases.size(); ++index)
   {
     const TextureWave& wave = textureWaves[index];
-    const double turns = std::round((wave.x * textureEast + wave.y * textureNorth) * dayLength);
-    phases[index] = -turns * seconds / dayLength;
+    const double turns = std::round((wave.x * textureEast + wave.y * textureNorth) * SecondsPerDay);
+    phases[index] = -turns * seconds / SecondsPerDay;
   }
   return phases;
 }

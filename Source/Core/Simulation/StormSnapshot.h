@@ -11,6 +11,8 @@
 namespace nexrad
 {
 
+constexpr double SecondsPerDay = 86'400.0;
+
 /// Weakest reflectivity that the field has; what is weaker is no echo, dBZ.
 constexpr double MinimumReflectivity = -15.0;
 
