@@ -82,6 +82,17 @@ private:
 
 } // namespace
 
+std::size_t VolumeSummary::MemoryBytes() const
+{
+  std::size_t bytes = sizeof(*this);
+  for (const PackedComposite* packed : {&composite, &lowest})
+  {
+    bytes +=
+      packed->picture.size() * sizeof(float) + packed->tilts.size() * sizeof(VolumeComposite::Tilt);
+  }
+  return bytes;
+}
+
 VolumeSummary MakeSummary(const BeamVolume& volume)
 {
   return {0.0, Pack(volume.composite), Pack(volume.lowest)};

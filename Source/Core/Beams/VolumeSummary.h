@@ -29,6 +29,8 @@ struct VolumeSummary
   double reach = 0.0;        ///< m, slant range of the outer edge of the farthest gate of any sweep
   PackedComposite composite; ///< that of BeamVolume
   PackedComposite lowest;    ///< that of BeamVolume
+
+  std::size_t MemoryBytes() const;
 };
 
 /// The summary of a volume; without pictures for other moments than REF.

@@ -65,22 +65,6 @@ VelocityVolume MakeVelocityVolume(const PolarVolume& volume)
   return velocities;
 }
 
-void FoldVelocities(VelocitySweep& sweep, float nyquist)
-{
-  if (!(nyquist > 0.0F))
-  {
-    throw Error("a Nyquist velocity of " + std::to_string(nyquist) + " m/s; it must be above 0");
-  }
-  for (VelocityRay& ray : sweep.rays)
-  {
-    ray.nyquist = nyquist;
-  }
-  for (float& value : sweep.values)
-  {
-    value = std::remainder(value, 2.0F * nyquist); // NaN stays NaN
-  }
-}
-
 namespace
 {
 

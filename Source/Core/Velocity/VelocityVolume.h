@@ -73,10 +73,6 @@ VelocityVolume MakeVelocityVolume(const RadarVolume& volume);
 /// gates.
 VelocityVolume MakeVelocityVolume(const PolarVolume& volume);
 
-/// Folds the velocities of a sweep into −nyquist…nyquist, m/s, as a radar of that Nyquist velocity
-/// would measure them; each ray then has that Nyquist velocity. Throws Error unless it is above 0.
-void FoldVelocities(VelocitySweep& sweep, float nyquist);
-
 /// Folds of gates or regions: the whole number n of Formulas V1.
 using Fold = std::int8_t;
 constexpr Fold NoFold = std::numeric_limits<Fold>::min(); ///< not known

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Grid/VolumePart.h"
+#include "VolumePart.h"
 
 #include <algorithm>
 #include <utility>
 
-namespace nexrad
+namespace nexrad::testing
 {
 
 namespace
@@ -48,4 +48,4 @@ GriddedVolume TakePart(GriddedVolume volume, const VoxelBlock& block)
   return volume;
 }
 
-} // namespace nexrad
+} // namespace nexrad::testing

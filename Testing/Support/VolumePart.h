@@ -4,10 +4,10 @@
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Grid/VoxelBlock.h"
 
-namespace nexrad
+namespace nexrad::testing
 {
 
 /// The part of a volume that stands in a block of its grid. Throws Error as PartOf does.
 GriddedVolume TakePart(GriddedVolume volume, const VoxelBlock& block);
 
-} // namespace nexrad
+} // namespace nexrad::testing
