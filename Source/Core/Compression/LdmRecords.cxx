@@ -2,7 +2,7 @@
 #include "nexrad/Compression/LdmRecords.h"
 
 #include "nexrad/Compression/DecodingBudget.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <algorithm>
 #include <array>

@@ -5,8 +5,8 @@
 #include "nexrad/Quality/Despeckling.h"
 #include "nexrad/Quality/EchoClassification.h"
 #include "nexrad/Velocity/Dealiasing.h"
-#include "nexrad/Velocity/VelocityAzimuthDisplay.h"
 #include "nexrad/Velocity/VelocityDerivatives.h"
+#include "nexrad/Velocity/WindProfile.h"
 
 #include <cmath>
 #include <cstddef>

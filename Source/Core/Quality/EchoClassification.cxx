@@ -10,7 +10,7 @@
 #include "nexrad/Quality/SplitCuts.h"
 #include "nexrad/Quality/SweepJudgement.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <algorithm>
 #include <array>

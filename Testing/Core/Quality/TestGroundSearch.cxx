@@ -4,7 +4,7 @@
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Quality/GroundTest.h"
 #include "nexrad/Quality/SplitCuts.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <gtest/gtest.h>
 

@@ -9,7 +9,7 @@
 #include "nexrad/System/Error.h"
 #include "nexrad/Velocity/Dealiasing.h"
 #include "nexrad/Velocity/FoldedWind.h"
-#include "nexrad/Velocity/VelocityAzimuthDisplay.h"
+#include "nexrad/Velocity/WindProfile.h"
 
 #include <gtest/gtest.h>
 
