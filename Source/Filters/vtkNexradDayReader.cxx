@@ -2,9 +2,10 @@
 #include "vtkNexradDayReader.h"
 
 #include "nexrad/Grid/VoxelBlock.h"
+#include "nexrad/Merging/MergeSettings.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/Merging/VolumeCache.h"
-#include "nexrad/Model/TimeLimits.h"
+#include "nexrad/Model/Time.h"
 #include "nexrad/Series/InputError.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
@@ -64,9 +65,27 @@ std::optional<double> SecondsOf(const std::string& text, double none)
   return IsTime(seconds) ? seconds : none;
 }
 
-std::string TextOf(double seconds)
+std::string TimeText(double seconds)
 {
   return IsTime(seconds) ? nexrad::FormatIso8601(nexrad::FromSeconds(seconds)) : std::string();
+}
+
+using Setting = nexrad::Setting<nexrad::MergeOptions>;
+
+std::string TextOf(const Setting& setting, double number)
+{
+  const std::string& kind = setting.value.kind;
+  const auto index = static_cast<std::size_t>(number);
+  if (kind == "choice" && number >= 0.0 && index < setting.value.choices.size())
+  {
+    return setting.value.choices[index];
+  }
+  if (kind == "flag")
+  {
+    return number != 0.0 ? "on" : "off";
+  }
+  const char* unit = kind == "length" ? "m" : kind == "duration" ? "s" : "";
+  return nexrad::NumberText(number) + unit;
 }
 
 } // namespace
@@ -126,6 +145,74 @@ vtkNexradDayReader::vtkNexradDayReader()
 
 vtkNexradDayReader::~vtkNexradDayReader() = default;
 
+void vtkNexradDayReader::SetOption(const char* key, const char* text)
+{
+  if (nexrad::FindSetting(nexrad::MergeSettings(), key) == nullptr)
+  {
+    vtkErrorMacro("there is no option " << key << "; GetOptionTable lists them");
+    return;
+  }
+  std::string& known = this->Texts[key];
+  if (known != text)
+  {
+    known = text;
+    this->Modified();
+  }
+}
+
+void vtkNexradDayReader::SetOption(const char* key, double number)
+{
+  const Setting* setting = nexrad::FindSetting(nexrad::MergeSettings(), key);
+  this->SetOption(key, setting ? TextOf(*setting, number).c_str() : "");
+}
+
+std::string vtkNexradDayReader::GetOption(const char* key) const
+{
+  const auto text = this->Texts.find(key);
+  if (text != this->Texts.end() && !text->second.empty())
+  {
+    return text->second;
+  }
+  const Setting* setting = nexrad::FindSetting(nexrad::MergeSettings(), key);
+  return setting ? setting->Default() : "";
+}
+
+std::string vtkNexradDayReader::GetOptionTable()
+{
+  return nexrad::SettingsJson({nexrad::MergeSettings().begin(), nexrad::MergeSettings().end()});
+}
+
+void vtkNexradDayReader::SetDimensions(int x, int y, int z)
+{
+  this->SetOption("dims", nexrad::DimensionsText({x, y, z}).c_str());
+}
+
+void vtkNexradDayReader::SetDimensions(const int dimensions[3])
+{
+  this->SetDimensions(dimensions[0], dimensions[1], dimensions[2]);
+}
+
+void vtkNexradDayReader::SetRange(double metres)
+{
+  this->SetOption("range", metres);
+}
+
+void vtkNexradDayReader::SetHeightRange(double lower, double upper)
+{
+  this->SetOption("height", nexrad::HeightRangeText(lower, upper).c_str());
+}
+
+void vtkNexradDayReader::SetMethod(int method)
+{
+  if (method != THESIS && method != BEAM)
+  {
+    vtkErrorMacro("method " << method << " is unknown: it can be THESIS (" << THESIS
+                            << ") or BEAM (" << BEAM << ")");
+    return;
+  }
+  this->SetOption("method", method == THESIS ? "thesis" : "beam");
+}
+
 void vtkNexradDayReader::AddFileName(const char* path)
 {
   if (path && *path)
@@ -168,7 +255,7 @@ void vtkNexradDayReader::SetBeginTimeText(const std::string& text)
 
 std::string vtkNexradDayReader::GetBeginTimeText() const
 {
-  return TextOf(this->BeginTime);
+  return TimeText(this->BeginTime);
 }
 
 void vtkNexradDayReader::SetEndTimeText(const std::string& text)
@@ -183,7 +270,7 @@ void vtkNexradDayReader::SetEndTimeText(const std::string& text)
 
 std::string vtkNexradDayReader::GetEndTimeText() const
 {
-  return TextOf(this->EndTime);
+  return TimeText(this->EndTime);
 }
 
 int vtkNexradDayReader::CanReadFile(const char* path)
@@ -248,6 +335,42 @@ vtkStringArray* vtkNexradDayReader::GetSites()
   return this->Sites;
 }
 
+nexrad::MergeOptions vtkNexradDayReader::MakeMergeOptions() const
+{
+  nexrad::MergeOptions options;
+  options.grid.range = nexrad::DefaultRange; // of a terminal radar as well
+  for (const Setting& setting : nexrad::MergeSettings())
+  {
+    const auto text = this->Texts.find(setting.key);
+    if (text != this->Texts.end() && !text->second.empty())
+    {
+      nexrad::SetText(setting, text->second, options);
+    }
+  }
+  if (this->UseGeographicBounds)
+  {
+    options.grid.bounds = nexrad::GeographicBounds{this->GeographicBounds[0],
+      this->GeographicBounds[1], this->GeographicBounds[2], this->GeographicBounds[3]};
+  }
+  if (this->UseStormMotion)
+  {
+    options.stormMotion = nexrad::Wind{this->StormMotion[0], this->StormMotion[1]};
+  }
+  if (this->UseGivenMotion)
+  {
+    options.motion = nexrad::Velocity{this->GivenMotion[0], this->GivenMotion[1]};
+  }
+  if (this->TimeInterpolation == LINEAR)
+  {
+    options.interpolation = nexrad::TimeInterpolationMethod::Linear;
+  }
+  for (const nexrad::MomentName moment : options.Moments())
+  {
+    nexrad::RequireMoment(options.method, moment);
+  }
+  return options;
+}
+
 nexrad::MergeOptions vtkNexradDayReader::MakeDayOptions() const
 {
   nexrad::MergeOptions options = this->MakeMergeOptions();
@@ -289,6 +412,12 @@ nexrad::MergerSetup vtkNexradDayReader::MakeSetup(const std::array<int, 3>& dime
   setup.order =
     dimensions[1] >= dimensions[0] ? nexrad::ScanOrder::ByLatitude : nexrad::ScanOrder::ByLongitude;
   return setup;
+}
+
+int vtkNexradDayReader::Fail(unsigned long code, const std::string& line)
+{
+  this->SetErrorCode(code);
+  return vtkNexradFail(this, line);
 }
 
 bool vtkNexradDayReader::Open()
@@ -463,6 +592,19 @@ bool vtkNexradDayReader::Merge(double time, const nexrad::BoxRequest& request, v
 void vtkNexradDayReader::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  for (const Setting& setting : nexrad::MergeSettings())
+  {
+    os << indent << setting.key << ": " << this->GetOption(setting.key.c_str()) << "\n";
+  }
+  os << indent << "UseGeographicBounds: " << this->UseGeographicBounds << "\n";
+  os << indent << "GeographicBounds: " << this->GeographicBounds[0] << ", "
+     << this->GeographicBounds[1] << ", " << this->GeographicBounds[2] << ", "
+     << this->GeographicBounds[3] << "\n";
+  os << indent << "UseStormMotion: " << this->UseStormMotion << "\n";
+  os << indent << "StormMotion: " << this->StormMotion[0] << ", " << this->StormMotion[1] << "\n";
+  os << indent << "TimeInterpolation: " << this->TimeInterpolation << "\n";
+  os << indent << "UseGivenMotion: " << this->UseGivenMotion << "\n";
+  os << indent << "GivenMotion: " << this->GivenMotion[0] << ", " << this->GivenMotion[1] << "\n";
   os << indent << "TimeStep: " << this->TimeStep << "\n";
   os << indent << "BeginTime: " << this->BeginTime << "\n";
   os << indent << "EndTime: " << this->EndTime << "\n";

@@ -4,7 +4,7 @@
 #include "TestData.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Codec/ThesisStream.h"
-#include "nexrad/Compression/ParallelBunzip.h"
+#include "nexrad/Compression/LdmRecords.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"

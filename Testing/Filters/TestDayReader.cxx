@@ -647,7 +647,7 @@ TEST(DayReaderOnRealFiles, MovesEchoAsAsked)
   const auto reader = SmallDayOf(run / "KBGM20050821_024910.gz");
   reader->AddFileName((run / "KBGM20050821_030047.gz").c_str());
   reader->SetBeginTime(nexrad::ToSeconds(*nexrad::ParseIso8601("2005-08-21T02:55:00Z")));
-  EXPECT_EQ(reader->GetTimeInterpolation(), vtkNexradGridAlgorithm::MOTION);
+  EXPECT_EQ(reader->GetTimeInterpolation(), vtkNexradDayReader::MOTION);
   const std::vector<float> found = FirstVolumeOf(reader).values;
   reader->SetTimeInterpolationToLinear();
   const std::vector<float> linear = FirstVolumeOf(reader).values;

@@ -4,6 +4,7 @@
 // arrays may stand in the input as they are; they are deflated then.
 #include "FuzzTarget.h"
 
+#include "Level2Bytes.h"
 #include "VolumeMaker.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Compression/Deflate.h"
@@ -240,9 +241,7 @@ Bytes Inflated(const Bytes& file)
     }
     else
     {
-      Inflater inflater([&payload](const std::uint8_t* data, std::size_t size)
-        { payload.insert(payload.end(), data, data + size); });
-      inflater.Feed(&*rest, static_cast<std::size_t>(end - rest));
+      payload = InflateStream(Bytes(rest, end)).value();
     }
     array["length"] = payload.size();
     payloads.insert(payloads.end(), payload.begin(), payload.end());

@@ -6,7 +6,7 @@
 #include "ScenePicture.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
-#include "nexrad/Grid/VolumePart.h"
+#include "VolumePart.h"
 #include "vtkNexradImageConversion.h"
 
 #include <vtkCamera.h>
@@ -32,7 +32,7 @@ vtkSmartPointer<vtkImageData> CutTower()
 {
   auto tower = vtkSmartPointer<vtkImageData>::New();
   vtkNexradVolumeToImage(
-    nexrad::TakePart(MakeStorm(true), nexrad::VoxelBlock{{8, 8, 0}, {25, 25, 16}}), tower);
+    nexrad::testing::TakePart(MakeStorm(true), nexrad::VoxelBlock{{8, 8, 0}, {25, 25, 16}}), tower);
   return tower;
 }
 

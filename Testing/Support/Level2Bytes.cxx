@@ -358,4 +358,21 @@ Bytes Compress(const Bytes& content, unsigned maximumWidth)
   return Join({{0x1F, 0x9D, static_cast<std::uint8_t>(0x80 | maximumWidth)}, codes.bytes});
 }
 
+std::optional<Bytes> InflateStream(const Bytes& stream)
+{
+  Bytes bytes(1024);
+  while (true)
+  {
+    auto size = static_cast<uLong>(bytes.size());
+    auto used = static_cast<uLong>(stream.size());
+    const int status = uncompress2(bytes.data(), &size, stream.data(), &used);
+    if (status != Z_BUF_ERROR || size < bytes.size())
+    {
+      bytes.resize(size);
+      return status == Z_OK && used == stream.size() ? std::optional(bytes) : std::nullopt;
+    }
+    bytes.resize(2 * bytes.size());
+  }
+}
+
 } // namespace nexrad::testing

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -98,5 +99,8 @@ Bytes MakeLdmRecord(const Bytes& content, bool last = false, int level = 9);
 /// The Unix program compress, with codes of 9 to `maximumWidth` (10 to 16) bits; clears its table
 /// when full.
 Bytes Compress(const Bytes& content, unsigned maximumWidth = 16);
+
+/// What a zlib stream holds; nothing when it is damaged, or does not end where the bytes do.
+std::optional<Bytes> InflateStream(const Bytes& stream);
 
 } // namespace nexrad::testing

@@ -3,7 +3,7 @@
  * @class   vtkNexradFraming
  * @brief   how the scene of nexrad3d would show a merged volume where nobody chose
  *
- * Input: a vtkImageData of vtkNexradGridAlgorithm or of a .nxv file. The output is empty; what was
+ * Input: a vtkImageData of vtkNexradDayReader or of a .nxv file. The output is empty; what was
  * found is in the properties, which are those of nexrad::scene::FrameVolume with its default
  * options, in the terms of a prop that draws the volume. Processes that have parts of a volume find
  * the same.

@@ -3,7 +3,7 @@
  * @class   vtkNexradMap
  * @brief   the map under a merged volume, as polygonal data in the volume's coordinates
  *
- * Input: a vtkImageData of vtkNexradGridAlgorithm or of a .nxv file, whose field data name its
+ * Input: a vtkImageData of vtkNexradDayReader or of a .nxv file, whose field data name its
  * projection and its radars. Output: the borders of countries, states and counties that lie under
  * the volume, names of towns, and for each of its radars a disc, its name and rings of range.
  * Everything lies at the volume's lower face, in its units of x and y, and is cut at its outer

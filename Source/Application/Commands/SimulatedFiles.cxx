@@ -2,7 +2,7 @@
 #include "Commands/SimulatedFiles.h"
 
 #include "nexrad/System/Error.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include "Output/OutputFile.h"
 

@@ -4,9 +4,8 @@
 #include "Output/ExplainedRead.h"
 #include "Output/InputSubjects.h"
 #include "Output/MessageOutput.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 #include "nexrad/Velocity/Dealiasing.h"
-#include "nexrad/Velocity/VelocityAzimuthDisplay.h"
 #include "nexrad/Velocity/WindProfile.h"
 
 #include <CLI/CLI.hpp>

@@ -4,7 +4,7 @@
 #include "Volumes/StepWriter.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/Model/Site.h"
-#include "nexrad/System/FileLock.h"
+#include "nexrad/System/AtomicFile.h"
 
 #include <filesystem>
 #include <string>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Quality/EchoClass.h"
-#include "nexrad/Quality/QualityOptions.h"
 
 #include <nlohmann/json_fwd.hpp>
 

@@ -3,7 +3,6 @@
 
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/FileLock.h"
 
 #include <fcntl.h>
 #include <poll.h>

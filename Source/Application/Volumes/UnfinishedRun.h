@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/System/FileLock.h"
+#include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Processes.h"
 
 #include <cstdint>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Archives/Archive.h"
 
-#include "nexrad/Archives/TarHeader.h"
+#include "nexrad/Archives/TarMembers.h"
 #include "nexrad/Compression/PiecewiseUnpack.h"
 #include "nexrad/System/Error.h"
 

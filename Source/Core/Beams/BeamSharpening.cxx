@@ -2,7 +2,6 @@
 #include "nexrad/Beams/BeamSharpening.h"
 
 #include "nexrad/Beams/BeamSweep.h"
-#include "nexrad/Beams/SweepPlaces.h"
 #include "nexrad/Model/Elevation.h"
 
 #include <algorithm>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "nexrad/Beams/SweepMeans.h"
+#include "nexrad/Geometry/Beam.h"
 #include "nexrad/Model/Time.h"
 #include "nexrad/Polar/GateCode.h"
 #include "nexrad/Polar/GateRows.h"
@@ -64,5 +65,30 @@ struct BeamSweep
   /// Outer edge of the last gate, m.
   float Reach() const { return firstGate + (static_cast<float>(gates) - 0.5F) / gatesPerMetre; }
 };
+
+struct BeamSweep;
+
+/// The entry of a sweep nearest to an azimuth, 0 ≤ azimuth < 360 degrees; −1 where it has no ray
+/// there.
+int NearestEntry(const BeamSweep& sweep, float azimuth);
+
+/// The least and the largest code of a value in a sweep.
+struct CodeRange
+{
+  std::uint16_t least = GateCode::Last;
+  std::uint16_t most = 0;
+
+  bool IsEmpty() const { return most < GateCode::FirstValue; }
+};
+CodeRange FindValueCodes(const BeamSweep& sweep);
+
+/// Slant range of the middle of a gate, m.
+double RangeOf(const BeamSweep& sweep, int gate);
+
+/// Slant range, m, at which a sweep stands over a ground distance, m.
+double RangeOver(const BeamSweep& sweep, double groundDistance, const BeamModel& beam);
+
+/// For each gate of `other`, the gate of `sweep` over the same place; −1 where it has none.
+std::vector<int> GatesOver(const BeamSweep& sweep, const BeamSweep& other, const BeamModel& beam);
 
 } // namespace nexrad

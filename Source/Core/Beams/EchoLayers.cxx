@@ -2,9 +2,7 @@
 #include "nexrad/Beams/EchoLayers.h"
 
 #include "nexrad/Beams/BeamSweep.h"
-#include "nexrad/Beams/LayerShares.h"
 #include "nexrad/Beams/TiltEdges.h"
-#include "nexrad/Beams/TiltGap.h"
 #include "nexrad/Beams/TiltMeans.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"

@@ -2,7 +2,6 @@
 #include "nexrad/Beams/SweepMeans.h"
 
 #include "nexrad/Beams/BeamSweep.h"
-#include "nexrad/Beams/SweepPlaces.h"
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "nexrad/Polar/GateCode.h"
-#include "nexrad/Polar/ValueRule.h"
 
 #include <cstddef>
 #include <cstdint>

@@ -2,7 +2,6 @@
 #include "nexrad/Beams/VolumeComposite.h"
 
 #include "nexrad/Beams/BeamSweep.h"
-#include "nexrad/Beams/SweepPlaces.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Model/Elevation.h"
 

@@ -4,7 +4,7 @@
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Polar/CutRays.h"
+#include "nexrad/Polar/SweepPairing.h"
 #include "nexrad/System/Error.h"
 
 #include <nlohmann/json.hpp>

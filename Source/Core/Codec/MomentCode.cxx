@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Codec/MomentCode.h"
 
-#include "nexrad/Codec/EchoVoxels.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>

@@ -5,10 +5,31 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace nexrad
 {
+
+/// Calls `visit(i)` for each of the `count` voxels that is an echo, in ascending order. Few voxels
+/// hold an echo; the library looks for the next one many at a time.
+template <class Visit>
+void ForEachEcho(const VoxelState* states, std::size_t count, const Visit& visit)
+{
+  const auto nextEcho = [states, count](std::size_t from)
+  {
+    const void* found =
+      std::memchr(states + from, static_cast<int>(VoxelState::Echo), count - from);
+    return found ? static_cast<std::size_t>(static_cast<const VoxelState*>(found) - states) : count;
+  };
+  for (std::size_t i = nextEcho(0); i < count; i = nextEcho(i))
+  {
+    for (; i < count && states[i] == VoxelState::Echo; ++i)
+    {
+      visit(i);
+    }
+  }
+}
 
 /// Codes of 8 or 16 bits for the voxels of a volume: 0 no echo, 1 not scanned, from 2 on an echo of
 /// offset + scale × code. The steps are those of the words of message 31 (ICD 2620002, table

@@ -7,7 +7,7 @@
 #include "nexrad/Codec/NxvInput.h"
 #include "nexrad/Grid/VolumeMoments.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/HugePages.h"
+#include "nexrad/System/MachineMemory.h"
 #include "nexrad/System/MessageText.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "nexrad/Codec/NxvSeries.h"
 
 #include "nexrad/Codec/JsonText.h"
-#include "nexrad/Model/TimeLimits.h"
+#include "nexrad/Model/Time.h"
 #include "nexrad/System/AtomicFile.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MessageText.h"

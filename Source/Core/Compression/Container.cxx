@@ -78,8 +78,7 @@ private:
       result.problem = TooLarge(maximum);
       return false;
     }
-    // zlib's interface takes input that it does not change as non-const.
-    stream.next_in = const_cast<Bytef*>(stored.Data() + position);
+    stream.next_in = stored.Data() + position;
     stream.avail_in = SmallCount(stored.Size() - position);
     stream.next_out = window.data();
     stream.avail_out = static_cast<unsigned>(room);

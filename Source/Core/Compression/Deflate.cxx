@@ -42,11 +42,6 @@ struct Deflater
   Deflater& operator=(const Deflater&) = delete;
 };
 
-} // namespace
-
-namespace
-{
-
 // Compresses `size` bytes more, and appends what comes of it. Z_FINISH ends the stream,
 // Z_FULL_FLUSH a piece.
 void Deflate(Deflater& deflater, const std::uint8_t* data, std::size_t size, int flush,
@@ -244,67 +239,6 @@ void InflatePieces(const std::uint8_t* stream, const std::vector<std::uint64_t>&
     {
       std::rethrow_exception(problem);
     }
-  }
-}
-
-struct Inflater::Stream
-{
-  z_stream state{};
-  std::array<std::uint8_t, outputSize> output{};
-  bool ended = false;
-};
-
-Inflater::Inflater(Receiver receiver)
-  : stream(std::make_unique<Stream>())
-  , receive(std::move(receiver))
-{
-  if (inflateInit(&stream->state) != Z_OK)
-  {
-    throw std::bad_alloc();
-  }
-}
-
-Inflater::~Inflater()
-{
-  inflateEnd(&stream->state);
-}
-
-void Inflater::Feed(const std::uint8_t* data, std::size_t size)
-{
-  z_stream& state = stream->state;
-  while (size > 0)
-  {
-    if (stream->ended)
-    {
-      throw Error("bytes after the end of the deflated stream");
-    }
-    const std::size_t piece = std::min(size, largestPiece);
-    state.next_in = data;
-    state.avail_in = static_cast<uInt>(piece);
-    // Until the input is used up and no full buffer of output hints at more.
-    do
-    {
-      state.next_out = stream->output.data();
-      state.avail_out = static_cast<uInt>(outputSize);
-      const int status = inflate(&state, Z_NO_FLUSH);
-      if (status != Z_OK && status != Z_STREAM_END && status != Z_BUF_ERROR)
-      {
-        throw Error("the deflated stream is damaged");
-      }
-      receive(stream->output.data(), outputSize - state.avail_out);
-      stream->ended = status == Z_STREAM_END;
-    } while (!stream->ended && (state.avail_in > 0 || state.avail_out == 0));
-    const std::size_t used = piece - state.avail_in;
-    data += used;
-    size -= used;
-  }
-}
-
-void Inflater::Finish() const
-{
-  if (!stream->ended)
-  {
-    throw Error("the deflated stream ends too early");
   }
 }
 

@@ -5,8 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <vector>
 
 namespace nexrad
@@ -46,27 +44,6 @@ void InflateBytes(
 /// caller has one of the stream.
 void InflatePieces(const std::uint8_t* stream, const std::vector<std::uint64_t>& lengths,
   std::size_t pieceSize, std::uint8_t* target, std::size_t size, const RangeLoop& loop = {});
-
-/// Decompresses a zlib stream piece by piece, so that what comes out is checked before more is
-/// made: the receiver throws when it has had enough.
-class Inflater
-{
-public:
-  using Receiver = std::function<void(const std::uint8_t*, std::size_t)>;
-
-  explicit Inflater(Receiver receiver);
-  ~Inflater();
-
-  /// Throws Error when the bytes are no zlib stream or go on after its end.
-  void Feed(const std::uint8_t* data, std::size_t size);
-  /// Throws Error when the stream has not ended.
-  void Finish() const;
-
-private:
-  struct Stream;
-  std::unique_ptr<Stream> stream;
-  Receiver receive;
-};
 
 /// CRC-32 (that of zlib and PNG) of bytes, or of more bytes after those that gave `before`.
 std::uint32_t Crc32(const std::uint8_t* data, std::size_t size, std::uint32_t before = 0);

@@ -2,9 +2,11 @@
 #pragma once
 
 #include "nexrad/Compression/BigEndian.h"
+#include "nexrad/Compression/Container.h"
 #include "nexrad/Compression/DamageList.h"
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 namespace nexrad
@@ -33,5 +35,17 @@ std::vector<LdmRecord> FindLdmRecords(
 /// A thousand times as many as volumes have. Without a limit a small compressed file of empty
 /// records takes minutes.
 constexpr std::size_t MostLdmRecords = 100'000;
+
+/// Takes what a record holds; false to stop, and then no further record comes.
+using RecordReceiver = std::function<bool(std::size_t index, Bunzipped&& content)>;
+
+/// Decompresses records that do not depend on each other, on `threads` threads, this one among them
+/// (0: as many as the machine has cores), and hands them to `receive` on this thread, in their
+/// order, each as soon as it and those before it are there. At most sixteen records are in memory
+/// before they are received. A record gives at most `maximumRecordBytes`, and no more than 4 MiB
+/// and a hundred times its stored bytes. What `receive` throws, or a decompressor for want of
+/// memory, ends the work and is thrown here.
+void BunzipInParallel(const std::vector<LdmRecord>& records, std::size_t maximumRecordBytes,
+  const RecordReceiver& receive, unsigned threads = 0);
 
 } // namespace nexrad

@@ -3,8 +3,8 @@
 
 #include "nexrad/Beams/EchoLayers.h"
 #include "nexrad/Beams/TiltEdges.h"
+#include "nexrad/Grid/GridSpecification.h"
 #include "nexrad/Grid/GriddedVolume.h"
-#include "nexrad/Grid/SiteLevels.h"
 #include "nexrad/Gridding/BeamSampling.h"
 
 #include <cstddef>
@@ -13,6 +13,21 @@
 
 namespace nexrad
 {
+
+/// The levels of a grid as one radar sees them.
+struct SiteLevels
+{
+  /// `altitude` of the antenna, m above mean sea level; `effectiveRadius` of the beams' path, m;
+  /// `overlapLength` is L of Formulas W4, m; 0 for equal weights.
+  SiteLevels(
+    const GridSpecification& grid, double altitude, double effectiveRadius, double overlapLength);
+
+  float radius = 0.0F;       ///< a_e, m
+  float bottom = 0.0F;       ///< m above the antenna, of the lowest level
+  float perMetre = 0.0F;     ///< levels in a metre
+  std::vector<float> ratio;  ///< h/(a_e + h) of each level
+  std::vector<float> weight; ///< exp(−(h/L)²) of each level; 1 without a length
+};
 
 /// What is made of a voxel that several radars scanned.
 enum class OverlapStrategy

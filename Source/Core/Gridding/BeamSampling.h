@@ -3,8 +3,7 @@
 
 #include "nexrad/Grid/SiteGeometry.h"
 #include "nexrad/Gridding/BeamTilts.h"
-#include "nexrad/Gridding/TiltSample.h"
-#include "nexrad/Polar/ValueRule.h"
+#include "nexrad/Polar/GateCode.h"
 
 #include <cstddef>
 #include <optional>

@@ -1,16 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/FileDecoder.h"
 
-#include "nexrad/Compression/ParallelBunzip.h"
-#include "nexrad/Level2/Messages/Message1.h"
-#include "nexrad/Level2/Messages/Message2.h"
-#include "nexrad/Level2/Messages/Message31.h"
-#include "nexrad/Level2/Messages/Message5.h"
-#include "nexrad/Level2/Messages/SyntheticMark.h"
+#include "nexrad/Compression/LdmRecords.h"
+#include "nexrad/Level2/Messages/MetadataMessages.h"
+#include "nexrad/Level2/Messages/RadialMessages.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 namespace nexrad
 {
@@ -229,6 +227,47 @@ void FileDecoder::DecodeRay(
   {
     this->AddDamage(storedOffset, "a ray's message is too short");
   }
+}
+
+ChunkDecoder::ChunkDecoder(const Level2Options& theOptions)
+  : options(theOptions)
+  , assembler(theOptions)
+  , decoder(assembler, theOptions)
+{
+}
+
+void ChunkDecoder::Begin(int number, const std::string& name)
+{
+  assembler.BeginPiece(name);
+  if (number > expected)
+  {
+    const int missing = number - expected;
+    assembler.AddDamage(0,
+      std::to_string(missing) + (missing == 1 ? " chunk" : " chunks") + " missing before this one");
+  }
+  expected = number + 1;
+}
+
+void ChunkDecoder::AddOther(const std::string& name)
+{
+  assembler.BeginPiece(name);
+  assembler.AddDamage(0, "a chunk of another volume, left out");
+}
+
+void ChunkDecoder::Decode(std::vector<std::uint8_t> stored)
+{
+  size = stored.size();
+  if (stored.size() >= options.maximumFileBytes)
+  {
+    assembler.AddDamage(stored.size(), FileCapText(options));
+  }
+  decoder.Decode(std::move(stored));
+}
+
+RadarVolume ChunkDecoder::VolumeSoFar(const std::string& name) const
+{
+  VolumeAssembler copy = assembler;
+  return copy.Finish(name, size);
 }
 
 } // namespace nexrad

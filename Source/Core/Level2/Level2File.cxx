@@ -5,7 +5,6 @@
 #include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Compression/Container.h"
 #include "nexrad/Compression/LdmRecords.h"
-#include "nexrad/Level2/ChunkDecoder.h"
 #include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/Level2/FileDecoder.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Compression/DecodingBudget.h"
+#include "nexrad/Level2/Level2Options.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 #include "nexrad/Model/RadarVolume.h"
 
@@ -14,17 +14,6 @@
 
 namespace nexrad
 {
-
-/// What the reader may assume, and how much memory a file may take.
-struct Level2Options
-{
-  std::string siteName;             ///< replaces the name in the file when not empty
-  std::optional<Position> position; ///< replaces the position in the file
-  std::size_t maximumRecordBytes = std::size_t(64) << 20; ///< cap of one decompressed LDM record
-  std::size_t maximumFileBytes = std::size_t(1) << 30;    ///< cap of one file, and of its decoding
-  std::size_t freeBytes = DecodingBudget::FreeBytes; ///< that decoding may cost whatever is stored
-  unsigned threads = 0; ///< that decompress the records of one file; 0: as many as there are cores
-};
 
 /// Reads a Level II file, or a folder of real-time chunks, in any container that the archive uses
 /// (Documentation/Formats/level2.md lists them). Every ray that can be read is in the result; what

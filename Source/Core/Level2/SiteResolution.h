@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Level2/Level2Options.h"
 #include "nexrad/Level2/Messages/DecodedRay.h"
 #include "nexrad/Model/RadarVolume.h"
 

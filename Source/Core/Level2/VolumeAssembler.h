@@ -4,7 +4,7 @@
 #include "nexrad/Compression/DamageList.h"
 #include "nexrad/Level2/Assembly/ArrivedRay.h"
 #include "nexrad/Level2/Assembly/SweepBuilder.h"
-#include "nexrad/Level2/Level2File.h"
+#include "nexrad/Level2/Level2Options.h"
 #include "nexrad/Level2/Messages/VolumeHeader.h"
 #include "nexrad/Model/RadarVolume.h"
 

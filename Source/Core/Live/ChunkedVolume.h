@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Level2/ChunkDecoder.h"
+#include "nexrad/Level2/FileDecoder.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/RadarVolume.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Live/StepBook.h"
 
-#include "nexrad/Model/TimeLimits.h"
+#include "nexrad/Model/Time.h"
 #include "nexrad/Series/VolumeSelection.h"
 #include "nexrad/System/Error.h"
 

@@ -5,7 +5,7 @@
 #include "nexrad/Merging/TimeMerge.h"
 #include "nexrad/Series/FileList.h"
 #include "nexrad/Series/ScannedFile.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <atomic>
 #include <condition_variable>

@@ -36,4 +36,9 @@ Time FromSeconds(double seconds);
 /// A duration of so many seconds, to the millisecond.
 Duration DurationOf(double seconds);
 
+/// The first and the last millisecond of the years 1 to 9999, which ISO 8601 writes with four
+/// digits. Readers refuse other times: sums with them would overflow.
+constexpr Time EarliestTime{Duration(-62'135'596'800'000)};
+constexpr Time LatestTime{Duration(253'402'300'799'999)};
+
 } // namespace nexrad

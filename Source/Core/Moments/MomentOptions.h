@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Quality/QualityOptions.h"
+#include "nexrad/Quality/EchoClass.h"
 #include "nexrad/Velocity/WindProfile.h"
 
 #include <optional>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Motion/AreaMotion.h"
 
-#include "nexrad/Motion/MotionSolver.h"
+#include "nexrad/Motion/MotionEstimate.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Motion/MotionEstimate.h"
 
-#include "nexrad/Motion/MotionSolver.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace nexrad
 {
@@ -61,6 +61,339 @@ MotionField EstimateMotion(
     solver.Refine(ImagesOf(pairs, level, mean));
   }
   return solver.Motion(mean);
+}
+
+namespace
+{
+
+// Gauss–Newton steps on each pair of images, and passes over the nodes in each step. The field is
+// near its solution from the image before, so that few are needed.
+constexpr int steps = 3;
+constexpr int passes = 60;
+// A difference of this many dBZ is as likely growth or decay as motion.
+constexpr double tolerance = 10.0;
+// What holds a node without echo near to the prevailing motion, as a part of the stiffness.
+constexpr double anchor = 0.01;
+constexpr double kilometre = 1000.0;
+
+// Mean square difference of the pixels that both images have at one displacement.
+struct Match
+{
+  double difference = 0.0; // dBZ²
+  double pixels = 0.0;     // compared
+};
+
+Match MatchAt(const std::vector<ImagePair>& pairs, int columns, int rows)
+{
+  double sum = 0.0;
+  double compared = 0.0;
+  for (const ImagePair& pair : pairs)
+  {
+    const MotionImage& before = *pair.before;
+    const MotionImage& after = *pair.after;
+    const int dx = static_cast<int>(std::lround(pair.part * columns));
+    const int dy = static_cast<int>(std::lround(pair.part * rows));
+    for (int row = std::max(0, -dy); row < before.rows - std::max(0, dy); ++row)
+    {
+      for (int column = std::max(0, -dx); column < before.columns - std::max(0, dx); ++column)
+      {
+        const std::size_t from = before.Index(column, row);
+        const std::size_t to = after.Index(column + dx, row + dy);
+        if (before.scanned[from] != 0 && after.scanned[to] != 0)
+        {
+          const double difference =
+            static_cast<double>(after.values[to]) - static_cast<double>(before.values[from]);
+          sum += difference * difference;
+          compared += 1.0;
+        }
+      }
+    }
+  }
+  return {compared > 0.0 ? sum / compared : 0.0, compared};
+}
+
+// Marks what lies within `by` places of a mark along one axis: `count` places, `stride` apart.
+void Widen(
+  std::vector<std::uint8_t>& marks, std::size_t first, std::size_t stride, int count, int by)
+{
+  std::vector<int> marked;
+  for (int i = 0; i < count; ++i)
+  {
+    if (marks[first + static_cast<std::size_t>(i) * stride] != 0)
+    {
+      marked.push_back(i);
+    }
+  }
+  for (const int place : marked)
+  {
+    for (int i = std::max(place - by, 0); i <= std::min(place + by, count - 1); ++i)
+    {
+      marks[first + static_cast<std::size_t>(i) * stride] = 1;
+    }
+  }
+}
+
+} // namespace
+
+Displacement SearchDisplacement(
+  const std::vector<ImagePair>& pairs, const GridSpecification& grid, double farthest)
+{
+  const std::array<double, 2> voxel = VoxelExtent(grid, 0.5 * (grid.dimensions[1] - 1));
+  const double width = voxel[0] * pairs.front().before->scale[0];
+  const double depth = voxel[1] * pairs.front().before->scale[1];
+  int columns = 0;
+  int rows = 0;
+  for (const ImagePair& pair : pairs)
+  {
+    columns = std::max(columns, pair.before->columns);
+    rows = std::max(rows, pair.before->rows);
+  }
+  // Limited before it becomes a whole number: the farthest may be anything above 0.
+  const auto most = [farthest](double pixel, int pixels)
+  { return static_cast<int>(std::min(farthest / pixel, static_cast<double>(pixels - 1))); };
+  const int mostX = most(width, columns);
+  const int mostY = most(depth, rows);
+  // No motion is the answer that any other must beat, so that empty images stand still.
+  const Match still = MatchAt(pairs, 0, 0);
+  double least = still.difference;
+  Displacement best = {0.0, 0.0};
+  for (int dy = -mostY; dy <= mostY; ++dy)
+  {
+    for (int dx = -mostX; dx <= mostX; ++dx)
+    {
+      const Match match = MatchAt(pairs, dx, dy);
+      if (match.difference < least && match.pixels >= 0.5 * still.pixels)
+      {
+        least = match.difference;
+        best = {dx * width, dy * depth};
+      }
+    }
+  }
+  return best;
+}
+
+MotionSolver::MotionSolver(const GridSpecification& gridOfImages, const MotionOptions& options,
+  const Displacement& prevailingDisplacement, double farthestDisplacement)
+  : grid(gridOfImages)
+  , lattice(MakeMotionLattice(gridOfImages, options.spacing))
+  , stiffness(options.smoothness / (kilometre * kilometre))
+  , farthest(farthestDisplacement)
+  , prevailing(prevailingDisplacement)
+  , displacements(lattice.NodeCount(), prevailingDisplacement)
+{
+}
+
+void MotionSolver::Refine(const std::vector<ImagePair>& pairs)
+{
+  std::vector<Demand> counts(lattice.NodeCount());
+  std::vector<std::vector<EchoPixel>> pixels;
+  for (const ImagePair& pair : pairs)
+  {
+    this->CountPixels(*pair.before, counts);
+    pixels.push_back(this->FindEcho(pair));
+  }
+  for (int step = 0; step < steps; ++step)
+  {
+    std::vector<Demand> demands = counts;
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+    {
+      this->AddDemands(pairs[i], pixels[i], demands);
+    }
+    this->FindPrevailing(demands);
+    this->Solve(demands);
+  }
+}
+
+MotionField MotionSolver::Motion(double seconds) const
+{
+  MotionField field;
+  field.lattice = lattice;
+  field.velocities.clear();
+  for (const Displacement& displacement : displacements)
+  {
+    field.velocities.push_back({displacement[0] / seconds, displacement[1] / seconds});
+  }
+  return field;
+}
+
+Displacement MotionSolver::At(const MotionLattice::Corners& corners) const
+{
+  Displacement sum = {0.0, 0.0};
+  for (std::size_t i = 0; i < corners.node.size(); ++i)
+  {
+    sum[0] += corners.share[i] * displacements[corners.node[i]][0];
+    sum[1] += corners.share[i] * displacements[corners.node[i]][1];
+  }
+  return sum;
+}
+
+std::vector<MotionSolver::EchoPixel> MotionSolver::FindEcho(const ImagePair& pair) const
+{
+  const MotionImage& image = *pair.before;
+  std::vector<std::uint8_t> near(image.values.size());
+  for (std::size_t i = 0; i < near.size(); ++i)
+  {
+    near[i] = image.values[i] > 0.0F || pair.after->values[i] > 0.0F ? 1 : 0;
+  }
+  // Half of the way, and a pixel beside it.
+  const auto reach = [&](double pixel, int pixels)
+  {
+    const double most = std::ceil(0.5 * pair.part * farthest / pixel) + 1.0;
+    return static_cast<int>(std::min(most, static_cast<double>(pixels)));
+  };
+  const std::array<double, 2> voxel = VoxelExtent(grid, 0.5 * (grid.dimensions[1] - 1));
+  const int columns = reach(voxel[0] * image.scale[0], image.columns);
+  const int rows = reach(voxel[1] * image.scale[1], image.rows);
+  const auto width = static_cast<std::size_t>(image.columns);
+  for (int row = 0; row < image.rows; ++row)
+  {
+    Widen(near, image.Index(0, row), 1, image.columns, columns);
+  }
+  for (int column = 0; column < image.columns; ++column)
+  {
+    Widen(near, image.Index(column, 0), width, image.rows, rows);
+  }
+  std::vector<EchoPixel> pixels;
+  for (int row = 0; row < image.rows; ++row)
+  {
+    for (int column = 0; column < image.columns; ++column)
+    {
+      if (near[image.Index(column, row)] != 0)
+      {
+        pixels.push_back(
+          {column, row, lattice.Around(image.ToVoxel(0, column), image.ToVoxel(1, row))});
+      }
+    }
+  }
+  return pixels;
+}
+
+// How many pixels each node answers for, with echo or without.
+void MotionSolver::CountPixels(const MotionImage& image, std::vector<Demand>& demands) const
+{
+  for (int row = 0; row < image.rows; ++row)
+  {
+    for (int column = 0; column < image.columns; ++column)
+    {
+      const auto corners = lattice.Around(image.ToVoxel(0, column), image.ToVoxel(1, row));
+      for (std::size_t i = 0; i < corners.node.size(); ++i)
+      {
+        demands[corners.node[i]].pixels += corners.share[i];
+      }
+    }
+  }
+}
+
+// The two images are compared at the middle of the time between them, where the error of either
+// end of the displacement weighs the same.
+void MotionSolver::AddDemands(
+  const ImagePair& pair, const std::vector<EchoPixel>& pixels, std::vector<Demand>& demands) const
+{
+  const MotionImage& before = *pair.before;
+  for (const EchoPixel& pixel : pixels)
+  {
+    const std::array<double, 2> voxel = VoxelExtent(grid, before.ToVoxel(1, pixel.row));
+    const double width = voxel[0] * before.scale[0];
+    const double depth = voxel[1] * before.scale[1];
+    const Displacement moved = this->At(pixel.corners);
+    const double dx = 0.5 * pair.part * moved[0] / width;
+    const double dy = 0.5 * pair.part * moved[1] / depth;
+    const auto first = SampleImage(before, pixel.column - dx, pixel.row - dy);
+    const auto second = SampleImage(*pair.after, pixel.column + dx, pixel.row + dy);
+    if (!first || !second)
+    {
+      continue;
+    }
+    const double difference = second->value - first->value;
+    const double x = 0.5 * pair.part * (first->perColumn + second->perColumn) / width;
+    const double y = 0.5 * pair.part * (first->perRow + second->perRow) / depth;
+    const double excess = difference / tolerance;
+    const double trust = 1.0 / ((1.0 + excess * excess) * (1.0 + excess * excess));
+    for (std::size_t i = 0; i < pixel.corners.node.size(); ++i)
+    {
+      Demand& demand = demands[pixel.corners.node[i]];
+      const double weight = pixel.corners.share[i] * trust;
+      demand.xx += weight * x * x;
+      demand.xy += weight * x * y;
+      demand.yy += weight * y * y;
+      demand.x -= weight * x * difference;
+      demand.y -= weight * y * difference;
+    }
+  }
+}
+
+// The mean over the nodes, each by how much the echo about it says. Without echo it stays.
+void MotionSolver::FindPrevailing(const std::vector<Demand>& demands)
+{
+  Displacement sum = {0.0, 0.0};
+  double weights = 0.0;
+  for (std::size_t i = 0; i < demands.size(); ++i)
+  {
+    const double weight = demands[i].xx + demands[i].yy;
+    sum[0] += weight * displacements[i][0];
+    sum[1] += weight * displacements[i][1];
+    weights += weight;
+  }
+  if (weights > 0.0)
+  {
+    prevailing = {sum[0] / weights, sum[1] / weights};
+  }
+}
+
+void MotionSolver::Solve(const std::vector<Demand>& demands)
+{
+  previous = displacements;
+  for (int pass = 0; pass < passes; ++pass)
+  {
+    for (int row = 0; row < lattice.nodes[1]; ++row)
+    {
+      for (int column = 0; column < lattice.nodes[0]; ++column)
+      {
+        this->Relax(demands, column, row);
+      }
+    }
+  }
+}
+
+// One Gauss–Seidel update: the best displacement of a node while its neighbours keep theirs.
+void MotionSolver::Relax(const std::vector<Demand>& demands, int column, int row)
+{
+  const auto width = static_cast<std::size_t>(lattice.nodes[0]);
+  const std::size_t index =
+    static_cast<std::size_t>(row) * width + static_cast<std::size_t>(column);
+  const Demand& demand = demands[index];
+  const double perPixel = demand.pixels > 0.0 ? 1.0 / demand.pixels : 0.0;
+  const double xx = demand.xx * perPixel;
+  const double xy = demand.xy * perPixel;
+  const double yy = demand.yy * perPixel;
+  const Displacement& about = previous[index];
+  double x = demand.x * perPixel + xx * about[0] + xy * about[1];
+  double y = demand.y * perPixel + xy * about[0] + yy * about[1];
+
+  double pull = anchor * stiffness;
+  x += pull * prevailing[0];
+  y += pull * prevailing[1];
+  const auto lean = [&](bool exists, std::size_t neighbour)
+  {
+    if (exists)
+    {
+      pull += stiffness;
+      x += stiffness * displacements[neighbour][0];
+      y += stiffness * displacements[neighbour][1];
+    }
+  };
+  lean(column > 0, index - 1);
+  lean(column + 1 < lattice.nodes[0], index + 1);
+  lean(row > 0, index - width);
+  lean(row + 1 < lattice.nodes[1], index + width);
+
+  // Positive: the pull is, and the demand's own determinant is no less than 0.
+  const double determinant = (xx + pull) * (yy + pull) - xy * xy;
+  const double east = ((yy + pull) * x - xy * y) / determinant;
+  const double north = ((xx + pull) * y - xy * x) / determinant;
+  const double length = std::hypot(east, north);
+  const double limit = length > farthest ? farthest / length : 1.0;
+  displacements[index] = {east * limit, north * limit};
 }
 
 } // namespace nexrad

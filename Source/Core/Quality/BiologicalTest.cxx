@@ -2,7 +2,7 @@
 #include "nexrad/Quality/BiologicalTest.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Quality/Evidence/GateRegions.h"
+#include "nexrad/Quality/EchoGrid.h"
 
 #include <algorithm>
 #include <cstdint>

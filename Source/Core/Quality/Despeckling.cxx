@@ -3,6 +3,7 @@
 
 #include "nexrad/Geometry/Angles.h"
 #include "nexrad/Model/Elevation.h"
+#include "nexrad/Quality/EchoGrid.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
@@ -20,7 +21,6 @@ namespace nexrad
 namespace
 {
 
-constexpr double widestGap = 1.9; // degrees between two rays that are neighbours
 constexpr std::size_t noRay = std::numeric_limits<std::size_t>::max();
 
 // A ray and those beside it, as places in the order of azimuths; noRay where there is none.
@@ -79,7 +79,7 @@ public:
     const std::size_t before = (after + count - 1) % count;
     const bool nearerBefore = this->Apart(before, azimuth) < this->Apart(after, azimuth);
     const std::size_t nearest = nearerBefore ? before : after;
-    if (this->Apart(nearest, azimuth) > widestGap)
+    if (this->Apart(nearest, azimuth) > WidestGap)
     {
       return {noRay, noRay, noRay};
     }
@@ -93,8 +93,8 @@ public:
     const std::size_t after = (place + 1) % count;
     const double azimuth = order[place].first;
     const bool several = count > 2; // else the ray before is the one after
-    return {several && this->Apart(before, azimuth) <= widestGap ? before : noRay, place,
-      several && this->Apart(after, azimuth) <= widestGap ? after : noRay};
+    return {several && this->Apart(before, azimuth) <= WidestGap ? before : noRay, place,
+      several && this->Apart(after, azimuth) <= WidestGap ? after : noRay};
   }
 
   // How many of the nine gates about a gate of these rays have a value.

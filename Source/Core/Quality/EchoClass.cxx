@@ -1,8 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Quality/EchoClass.h"
 
+#include <array>
+
 namespace nexrad
 {
+
+const char* ToString(QualityLevel level)
+{
+  constexpr std::array<const char*, 3> names = {"off", "standard", "strict"};
+  return names[static_cast<std::size_t>(level)];
+}
 
 EchoClass ClassOf(EchoReason reason)
 {

@@ -4,9 +4,37 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 namespace nexrad
 {
+
+/// What quality control takes out of reflectivity.
+enum class QualityLevel : std::uint8_t
+{
+  Off,      ///< nothing
+  Standard, ///< ground echo, spikes, receiver faults and speckle
+  Strict    ///< the same, and biological echo
+};
+
+/// "off", "standard", "strict".
+const char* ToString(QualityLevel level);
+
+/// What is taken out of a volume before it is merged.
+struct QualityOptions
+{
+  QualityLevel level = QualityLevel::Off; ///< see RemovesClass
+
+  /// A gate with a value stays when as many of its 26 neighbours (ray, gate and tilt) have one;
+  /// 0…26, 0 keeps all. See Despeckle.
+  int neighbours = 0;
+
+  bool operator==(const QualityOptions& other) const
+  {
+    return level == other.level && neighbours == other.neighbours;
+  }
+};
 
 /// What the echo of a gate comes from, as quality control finds it. The numbers are those of the
 /// `REF_class` arrays.

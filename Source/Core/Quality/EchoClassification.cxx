@@ -3,15 +3,14 @@
 
 #include "nexrad/Model/Elevation.h"
 #include "nexrad/Quality/BiologicalTest.h"
-#include "nexrad/Quality/Evidence/SplitCuts.h"
-#include "nexrad/Quality/GroundSearch.h"
 #include "nexrad/Quality/GroundTest.h"
 #include "nexrad/Quality/PropagationTest.h"
 #include "nexrad/Quality/SpeckleTest.h"
 #include "nexrad/Quality/SpikeTest.h"
+#include "nexrad/Quality/SplitCuts.h"
 #include "nexrad/Quality/SweepJudgement.h"
 #include "nexrad/System/Error.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,6 @@
 
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/Quality/EchoClass.h"
-#include "nexrad/Quality/QualityOptions.h"
 #include "nexrad/System/RangeLoop.h"
 
 #include <vector>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Quality/SpeckleTest.h"
 
-#include "nexrad/Quality/Evidence/GateRegions.h"
+#include "nexrad/Quality/EchoGrid.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/Quality/EchoClass.h"
-#include "nexrad/Quality/Evidence/EchoGrid.h"
+#include "nexrad/Quality/EchoGrid.h"
 
 #include <vector>
 

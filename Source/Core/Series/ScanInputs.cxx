@@ -2,7 +2,7 @@
 #include "nexrad/Series/ScanInputs.h"
 
 #include "nexrad/Series/SharedScan.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <algorithm>
 #include <atomic>

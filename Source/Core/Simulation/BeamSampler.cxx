@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/BeamSampler.h"
 
-#include "nexrad/Simulation/Basis/GateLayout.h"
-#include "nexrad/Simulation/Beam/BeamPattern.h"
+#include "nexrad/Geometry/Angles.h"
+#include "nexrad/Simulation/BeamTrace.h"
+#include "nexrad/Simulation/GateLayout.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace nexrad
@@ -142,6 +144,167 @@ void BeamSampler::Sample(
       this->SampleBlock(snapshot, layout, first, std::min(first + blockGates, end), reflectivity);
     }
   }
+}
+
+namespace
+{
+
+constexpr double windBlockLength = 4'000.0; // m, over which storms are looked for together
+constexpr int blocksOfPart = 10;            // over which they are looked for first
+constexpr double closeRadii = 1.5; // core radii from an axis within which the beam is averaged
+
+// Mean and spread of weighted velocities, from their sums.
+struct VelocitySums
+{
+  double weight = 0.0;
+  double first = 0.0;
+  double second = 0.0;
+
+  void Add(double share, double velocity)
+  {
+    weight += share;
+    first += share * velocity;
+    second += share * velocity * velocity;
+  }
+  BeamVelocity Moments() const
+  {
+    const double mean = first / weight;
+    return {mean, std::sqrt(std::max(second / weight - mean * mean, 0.0))};
+  }
+};
+
+} // namespace
+
+VelocitySampler::VelocitySampler(const BeamTrace& trace, const StormSnapshot& snapshot)
+  : beam(trace)
+  , storms(snapshot)
+{
+  for (std::size_t side = 0; side < headings.size(); ++side)
+  {
+    const double azimuth = trace.Azimuth() + SmoothNodes[side].position * trace.Sigma() /
+                                               std::cos(trace.Elevation() * RadiansPerDegree);
+    headings[side] = {std::sin(azimuth * RadiansPerDegree), std::cos(azimuth * RadiansPerDegree)};
+  }
+  for (std::size_t up = 0; up < levels.size(); ++up)
+  {
+    levels[up] =
+      std::cos((trace.Elevation() + LayerNodes()[up].position * trace.Sigma()) * RadiansPerDegree);
+  }
+}
+
+void VelocitySampler::EnterBlock(int number)
+{
+  block = number;
+  if (number / blocksOfPart != part)
+  {
+    part = number / blocksOfPart;
+    constexpr double partLength = blocksOfPart * windBlockLength;
+    storms.FindVortices(
+      beam.Span(part * partLength, (part + 1) * partLength), StormVortex::Reach, nearby);
+  }
+  vortices.clear();
+  isClose = false;
+  if (nearby.empty())
+  {
+    return;
+  }
+  const Cylinder reach = beam.Span(number * windBlockLength, (number + 1) * windBlockLength);
+  std::copy_if(nearby.begin(), nearby.end(), std::back_inserter(vortices),
+    [&](int index)
+    {
+      const StormVortex& vortex = storms.Vortices()[static_cast<std::size_t>(index)];
+      return vortex.Touches(reach, StormVortex::Reach);
+    });
+  isClose = std::any_of(vortices.begin(), vortices.end(),
+    [&](int index)
+    {
+      const StormVortex& vortex = storms.Vortices()[static_cast<std::size_t>(index)];
+      return vortex.Touches(reach, closeRadii * vortex.RadiusAt(reach.top));
+    });
+}
+
+BeamVelocity VelocitySampler::AtCentre(double range, const EchoSpread& echo) const
+{
+  const double direction = beam.Elevation() + echo.lift * beam.Sigma();
+  const double level = std::cos(direction * RadiansPerDegree);
+  const PathPoint point = beam.At(range, direction);
+  const double height = point.height + beam.SiteAltitude();
+  const WindVector mean = MeanWind(height);
+  WindVector wind = mean;
+  if (!vortices.empty())
+  {
+    storms.AddVortices(wind, beam.Place(point), vortices);
+  }
+  // What changes in the beam is the mean wind with height, and its component with the azimuth.
+  const double rise = echo.width * beam.Sigma() * RadiansPerDegree * range * level;
+  const WindVector above = MeanWind(height + rise);
+  const WindVector below = MeanWind(height - rise);
+  const Heading& ahead = headings[1];
+  const double upwards =
+    level * (ahead.east * (above.east - below.east) + ahead.north * (above.north - below.north)) /
+    2.0;
+  const double sideways =
+    beam.Sigma() * RadiansPerDegree * (ahead.north * mean.east - ahead.east * mean.north);
+  return {level * (ahead.east * wind.east + ahead.north * wind.north),
+    std::sqrt(upwards * upwards + sideways * sideways)};
+}
+
+std::array<WindVector, 3> VelocitySampler::WindsAcross(
+  const std::array<PlanePoint, 3>& places, double height) const
+{
+  const WindVector mean = MeanWind(height);
+  std::array<WindVector, 3> winds = {mean, mean, mean};
+  for (const int index : vortices)
+  {
+    const VortexSlice slice = storms.Vortices()[static_cast<std::size_t>(index)].At(height);
+    if (slice.IsStill())
+    {
+      continue;
+    }
+    for (std::size_t side = 0; side < winds.size(); ++side)
+    {
+      slice.AddTo(winds[side], places[side].x, places[side].y);
+    }
+  }
+  return winds;
+}
+
+BeamVelocity VelocitySampler::OverBeam(double range, const EchoSpread& echo) const
+{
+  const double middle = beam.At(range, beam.Elevation()).groundDistance;
+  const BeamTrace::GateTracks straight = beam.TracksAt(middle);
+  const auto& layers = LayerNodes();
+  VelocitySums sums;
+  for (std::size_t up = 0; up < layers.size(); ++up)
+  {
+    const PathPoint point = beam.At(range, beam.Elevation() + layers[up].position * beam.Sigma());
+    const double forward = point.groundDistance - middle;
+    const double height = point.height + beam.SiteAltitude();
+    std::array<PlanePoint, 3> places;
+    for (std::size_t side = 0; side < places.size(); ++side)
+    {
+      const BeamTrace::StraightTrack& track = straight[side];
+      places[side] = {track.start.x + forward * track.x, track.start.y + forward * track.y, height};
+    }
+    const std::array<WindVector, 3> winds = this->WindsAcross(places, height);
+    for (std::size_t side = 0; side < winds.size(); ++side)
+    {
+      sums.Add(static_cast<double>(echo.shares[up][side]),
+        levels[up] *
+          (headings[side].east * winds[side].east + headings[side].north * winds[side].north));
+    }
+  }
+  return sums.Moments();
+}
+
+BeamVelocity VelocitySampler::Sample(double range, const EchoSpread& echo)
+{
+  const int number = std::max(static_cast<int>(range / windBlockLength), 0);
+  if (number != block)
+  {
+    this->EnterBlock(number);
+  }
+  return isClose && echo.bySide ? this->OverBeam(range, echo) : this->AtCentre(range, echo);
 }
 
 } // namespace nexrad

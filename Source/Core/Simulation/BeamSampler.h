@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Simulation/Basis/GateLayout.h"
-#include "nexrad/Simulation/Beam/BeamTrace.h"
+#include "nexrad/Simulation/BeamTrace.h"
+#include "nexrad/Simulation/GateLayout.h"
 #include "nexrad/Simulation/StormSnapshot.h"
 
 #include <array>
@@ -67,6 +67,62 @@ private:
   double MeanStormZ(
     const StormSnapshot& snapshot, double range, double offset, EchoSpread& spread) const;
   double MeanClearAirZ(const StormSnapshot& snapshot, double range, EchoSpread& spread) const;
+};
+
+/// The radial velocities that the beam meets in a gate, weighted with Z and the beam's pattern,
+/// m/s.
+struct BeamVelocity
+{
+  double mean = 0.0;      ///< positive away from the radar; not folded
+  double deviation = 0.0; ///< standard deviation: the shear within the beam
+};
+
+/// Radial velocities along one ray: the wind's component along the beam, u·sin φ·cos θ +
+/// w·cos φ·cos θ with the azimuth φ and the elevation θ of the direction at the antenna,
+/// positive away from the radar.
+///
+/// Near the axis of a vortex (one and a half core radii and less) a gate is the mean over the
+/// points of the beam that BeamSampler uses, weighted with their Z. Elsewhere the wind changes so
+/// evenly that its value where the echo of the gate is centred stands for the mean.
+class VelocitySampler
+{
+public:
+  /// For the ray that the trace points along. Both must outlive the sampler.
+  VelocitySampler(const BeamTrace& trace, const StormSnapshot& snapshot);
+
+  /// A gate: its range in m, and how its echo is spread over the beam.
+  BeamVelocity Sample(double range, const EchoSpread& echo);
+
+  /// The component of a motion along the middle of the beam, m/s.
+  double Along(const WindVector& motion) const
+  {
+    return levels[3] * (headings[1].east * motion.east + headings[1].north * motion.north);
+  }
+
+private:
+  // The horizontal direction of a side of the beam, east and north.
+  struct Heading
+  {
+    double east;
+    double north;
+  };
+
+  const BeamTrace& beam;
+  const StormSnapshot& storms;
+  std::array<Heading, 3> headings{}; // left of the beam, in its middle, right of it
+  std::array<double, 7> levels{};    // cosines of the elevations of LayerNodes
+  int block = -1;                    // that `vortices` are of
+  int part = -1;                     // that `nearby` is of
+  std::vector<int> nearby;           // vortices in reach of a part of the ray
+  bool isClose = false;              // the beam meets a vortex's core or what is next to it
+  std::vector<int> vortices;         // in reach
+
+  void EnterBlock(int number);
+  BeamVelocity AtCentre(double range, const EchoSpread& echo) const;
+  /// At the three sides of the beam, at one height.
+  std::array<WindVector, 3> WindsAcross(
+    const std::array<PlanePoint, 3>& places, double height) const;
+  BeamVelocity OverBeam(double range, const EchoSpread& echo) const;
 };
 
 } // namespace nexrad

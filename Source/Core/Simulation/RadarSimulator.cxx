@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Simulation/RadarSimulator.h"
 
-#include "nexrad/Simulation/Basis/CounterNoise.h"
+#include "nexrad/Simulation/AddedEcho.h"
 #include "nexrad/Simulation/BeamSampler.h"
-#include "nexrad/Simulation/Echo/AddedEcho.h"
-#include "nexrad/Simulation/RayBlocks.h"
+#include "nexrad/Simulation/CounterNoise.h"
 #include "nexrad/Simulation/RayWords.h"
 #include "nexrad/Simulation/ScanStrategy.h"
-#include "nexrad/Simulation/VelocitySampler.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>

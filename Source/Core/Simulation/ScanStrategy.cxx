@@ -2,7 +2,6 @@
 #include "nexrad/Simulation/ScanStrategy.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Simulation/RadarSimulator.h"
 
 #include <algorithm>
 #include <cmath>

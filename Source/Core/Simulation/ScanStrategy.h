@@ -2,13 +2,19 @@
 #pragma once
 
 #include "nexrad/Model/CoveragePattern.h"
-#include "nexrad/Simulation/Basis/GateLayout.h"
+#include "nexrad/Simulation/GateLayout.h"
 
 #include <cstdint>
 #include <vector>
 
 namespace nexrad
 {
+
+/// The coverage patterns that the simulator can scan (11, 12, 21, 31, 32, 35, 121, 212, 215), as
+/// message 5 of real files has them; nullptr for others.
+const CoveragePattern* FindCoveragePattern(int number);
+/// Their numbers, ascending.
+std::vector<int> KnownCoveragePatterns();
 
 /// A cut as the simulator scans it.
 struct ScanCut

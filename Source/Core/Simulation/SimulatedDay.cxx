@@ -2,7 +2,7 @@
 #include "nexrad/Simulation/SimulatedDay.h"
 
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Simulation/Basis/CounterNoise.h"
+#include "nexrad/Simulation/CounterNoise.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>

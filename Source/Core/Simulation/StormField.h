@@ -11,6 +11,10 @@
 namespace nexrad
 {
 
+/// All storms of a day. Their times and places are spread evenly, so that the activity is much the
+/// same whatever the seed.
+std::vector<StormLife> MakeStormDay(std::uint32_t seed);
+
 /// The synthetic storm day: an analytic reflectivity field of several supercells that are born,
 /// move, grow and decay over Missouri and Illinois on 2006-03-12, with weaker cells and rain areas
 /// between them. Activity is greatest from 18:00 to midnight UTC; other dates have the same day. A

@@ -8,8 +8,6 @@
 namespace nexrad
 {
 
-constexpr double SecondsPerDay = 86'400.0;
-
 enum class StormKind
 {
   Supercell,

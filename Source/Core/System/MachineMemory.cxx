@@ -5,6 +5,9 @@
 #ifdef __GLIBC__
 #include <malloc.h>
 #endif
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 #include <algorithm>
 #include <array>
@@ -13,6 +16,7 @@
 #include <cstdio>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <sstream>
 
 namespace fs = std::filesystem;
@@ -60,6 +64,20 @@ std::optional<std::size_t> PhysicalMemory()
 }
 
 } // namespace
+
+#ifdef __linux__
+void UseHugePages(void* memory, std::size_t size)
+{
+  constexpr std::size_t hugePage = std::size_t(1) << 21;
+  if (std::align(hugePage, hugePage, memory, size))
+  {
+    // A system that declines gives small pages.
+    static_cast<void>(madvise(memory, size / hugePage * hugePage, MADV_HUGEPAGE));
+  }
+}
+#else
+void UseHugePages(void*, std::size_t) {}
+#endif
 
 std::optional<std::size_t> ControlGroupMemory(const std::string& membership, const fs::path& root)
 {

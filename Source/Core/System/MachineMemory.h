@@ -9,6 +9,11 @@
 namespace nexrad
 {
 
+/// Asks the system to back memory that was not touched yet by large pages: a volume then costs a
+/// page fault for each 2 MiB in place of each 4 KiB. Does nothing where the system has no such
+/// call.
+void UseHugePages(void* memory, std::size_t size);
+
 /// Bytes of memory that this process can have at most: those of the machine or, where that is less,
 /// of the control group that it runs in (as a container does). Empty where the system does not
 /// tell.

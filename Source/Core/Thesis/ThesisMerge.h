@@ -6,6 +6,7 @@
 #include "nexrad/Polar/PolarVolume.h"
 #include "nexrad/System/Progress.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -13,6 +14,13 @@
 
 namespace nexrad
 {
+
+/// Fills the gaps of the columns `begin` to `end` − 1 of a grid (Formulas T7): between two known
+/// voxels linearly in height, below the lowest known one with its value; above the highest nothing
+/// is filled. NaN marks a voxel that is not known. A column's number is x + y × width; columns do
+/// not touch each other, so ranges of them can be filled side by side. Throws nothing.
+void FillColumns(std::vector<float>& values, const std::array<int, 3>& dimensions,
+  std::size_t begin, std::size_t end);
 
 /// The volumes of one site about a time. One of them may be missing (nullptr): the other is then
 /// used unchanged. The volumes are not owned.

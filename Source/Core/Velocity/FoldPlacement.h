@@ -3,8 +3,8 @@
 
 #include "nexrad/System/RangeLoop.h"
 #include "nexrad/Velocity/RegionMerging.h"
-#include "nexrad/Velocity/SweepRing.h"
 #include "nexrad/Velocity/VelocityRegions.h"
+#include "nexrad/Velocity/VelocityVolume.h"
 #include "nexrad/Velocity/WindProfile.h"
 
 #include <cstddef>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/System/RangeLoop.h"
-#include "nexrad/Velocity/SweepRing.h"
+#include "nexrad/Velocity/VelocityVolume.h"
 #include "nexrad/Velocity/WindProfile.h"
 
 #include <vector>

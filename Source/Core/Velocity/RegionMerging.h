@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "nexrad/Velocity/SweepRing.h"
+#include "nexrad/Velocity/VelocityVolume.h"
 
 #include <algorithm>
 #include <array>

@@ -2,7 +2,7 @@
 #include "nexrad/Velocity/VelocityDerivatives.h"
 
 #include "nexrad/Geometry/Angles.h"
-#include "nexrad/Velocity/SweepRing.h"
+#include "nexrad/Velocity/VelocityVolume.h"
 
 #include <algorithm>
 #include <cmath>

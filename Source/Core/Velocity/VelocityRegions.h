@@ -2,7 +2,7 @@
 #pragma once
 
 #include "nexrad/Velocity/RegionMerging.h"
-#include "nexrad/Velocity/SweepRing.h"
+#include "nexrad/Velocity/VelocityVolume.h"
 
 #include <algorithm>
 #include <cstddef>

@@ -4,8 +4,10 @@
 #include "nexrad/Model/RadarVolume.h"
 #include "nexrad/Polar/PolarVolume.h"
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace nexrad
@@ -71,8 +73,63 @@ VelocityVolume MakeVelocityVolume(const RadarVolume& volume);
 /// gates.
 VelocityVolume MakeVelocityVolume(const PolarVolume& volume);
 
-/// Folds the velocities of a sweep into −nyquist…nyquist, m/s, as a radar of that Nyquist velocity
-/// would measure them; each ray then has that Nyquist velocity. Throws Error unless it is above 0.
-void FoldVelocities(VelocitySweep& sweep, float nyquist);
+/// Folds of gates or regions: the whole number n of Formulas V1.
+using Fold = std::int8_t;
+constexpr Fold NoFold = std::numeric_limits<Fold>::min(); ///< not known
+constexpr int MostFolds = 3; ///< folds lie in −3…3: no wind goes beyond seven Nyquist velocities
+
+/// The folded velocities of a sweep in the order of azimuths, so that rows beside each other are
+/// rays beside each other; the last row is beside the first.
+struct SweepRing
+{
+  std::size_t rows = 0;
+  std::size_t gates = 0;
+  double elevation = 0.0;           ///< degrees
+  double firstGate = 0.0;           ///< m
+  double gateSpacing = 0.0;         ///< m
+  std::vector<std::size_t> ray;     ///< of each row: its ray in the sweep
+  std::vector<float> azimuth;       ///< of each row, degrees, 0…360, ascending
+  std::vector<float> nyquist;       ///< of each row, m/s; 0 when unknown
+  std::vector<std::uint8_t> beside; ///< of each row: 1 when no ray is missing before the next row
+  std::vector<float> velocity; ///< m/s, rows × gates; NaN without a value or a Nyquist velocity
+
+  bool HasValue(std::size_t index) const { return !std::isnan(velocity[index]); }
+  std::size_t NextRow(std::size_t row) const { return row + 1 == rows ? 0 : row + 1; }
+  std::size_t PreviousRow(std::size_t row) const { return row == 0 ? rows - 1 : row - 1; }
+  /// Whether two rows fold alike: a fold of one means as many m/s as a fold of the other.
+  bool FoldAlike(std::size_t a, std::size_t b) const
+  {
+    return std::abs(nyquist[a] - nyquist[b]) < 0.05F;
+  }
+  double RangeOf(std::size_t gate) const
+  {
+    return firstGate + gateSpacing * static_cast<double>(gate);
+  }
+};
+
+SweepRing MakeSweepRing(const VelocitySweep& sweep);
+
+/// A difference of two folded velocities, brought into −nyquist…nyquist. `difference` in
+/// −3·nyquist…3·nyquist, both m/s.
+inline float FoldDifference(float difference, float nyquist)
+{
+  return difference > nyquist    ? difference - 2.0F * nyquist
+         : difference < -nyquist ? difference + 2.0F * nyquist
+                                 : difference;
+}
+
+/// Finds the row of a ring that points in a direction.
+class RowFinder
+{
+public:
+  explicit RowFinder(const SweepRing& ring);
+
+  static constexpr std::size_t None = std::numeric_limits<std::size_t>::max();
+  /// The row nearest to an azimuth, 0…360 degrees, to half a degree; None where there is a gap.
+  std::size_t RowAt(float azimuth) const;
+
+private:
+  std::vector<std::size_t> rowOfBin;
+};
 
 } // namespace nexrad

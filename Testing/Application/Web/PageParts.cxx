@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "PageParts.h"
 
-#include "nexrad/Compression/Deflate.h"
-#include "nexrad/System/Error.h"
+#include "Level2Bytes.h"
 
 #include <algorithm>
 
@@ -105,23 +104,7 @@ std::optional<Bytes> ReadPagePart(const std::string& page, const std::string& id
   }
   const std::size_t text = first + begin.size();
   const auto stream = ParseBase64(page.substr(text, page.find('<', text) - text));
-  Bytes bytes;
-  if (!stream)
-  {
-    return std::nullopt;
-  }
-  try
-  {
-    Inflater inflater([&](const std::uint8_t* data, std::size_t size)
-      { bytes.insert(bytes.end(), data, data + size); });
-    inflater.Feed(stream->data(), stream->size());
-    inflater.Finish();
-  }
-  catch (const Error&)
-  {
-    return std::nullopt;
-  }
-  return bytes;
+  return stream ? InflateStream(*stream) : std::nullopt;
 }
 
 } // namespace nexrad::testing

@@ -2,7 +2,7 @@
 // Formulas G11: reflectivity between two tilts, against values worked out by hand.
 #include "BeamScene.h"
 #include "Tolerance.h"
-#include "nexrad/Beams/TiltGap.h"
+#include "nexrad/Beams/TiltEdges.h"
 
 #include <gtest/gtest.h>
 

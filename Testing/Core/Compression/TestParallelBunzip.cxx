@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Compression/ParallelBunzip.h"
+#include "nexrad/Compression/LdmRecords.h"
 
 #include "Level2Bytes.h"
 

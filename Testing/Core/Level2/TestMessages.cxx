@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Level2/Messages/Message1.h"
-#include "nexrad/Level2/Messages/Message2.h"
-#include "nexrad/Level2/Messages/Message31.h"
-#include "nexrad/Level2/Messages/Message5.h"
 #include "nexrad/Level2/Messages/MessageStream.h"
+#include "nexrad/Level2/Messages/MetadataMessages.h"
+#include "nexrad/Level2/Messages/RadialMessages.h"
 
 #include "Level2Bytes.h"
 #include "Tolerance.h"

@@ -5,7 +5,7 @@
 #include "Scans/SyntheticScans.h"
 #include "TestData.h"
 #include "Tolerance.h"
-#include "nexrad/Simulation/StormDay.h"
+#include "nexrad/Simulation/StormField.h"
 
 #include <gtest/gtest.h>
 

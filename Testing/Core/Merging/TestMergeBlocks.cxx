@@ -9,7 +9,7 @@
 #include "MovingEcho.h"
 #include "TestData.h"
 #include "Tolerance.h"
-#include "nexrad/Grid/VolumePart.h"
+#include "VolumePart.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>

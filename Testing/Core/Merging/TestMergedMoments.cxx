@@ -4,8 +4,8 @@
 
 #include "HandMadeVolume.h"
 #include "TestData.h"
+#include "VolumePart.h"
 #include "nexrad/Grid/VolumeMoments.h"
-#include "nexrad/Grid/VolumePart.h"
 #include "nexrad/System/Error.h"
 
 #include <gtest/gtest.h>
@@ -191,7 +191,7 @@ TEST_F(MergingMoments, ABlockIsAPartOfTheWhole)
   for (const int half : {0, 12})
   {
     const VoxelBlock block = {{half, 0, 0}, {half + 12, 12, 4}};
-    const GriddedVolume expected = TakePart(all, block);
+    const GriddedVolume expected = testing::TakePart(all, block);
     const GriddedVolume made = *blocks->Merge(start + 12min, {}, block);
     ExpectSame(made, expected);
     ExpectSame(made.further.at(0), expected.further.at(0));

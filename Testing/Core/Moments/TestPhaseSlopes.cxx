@@ -7,7 +7,7 @@
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Moments/PhaseSlopes.h"
-#include "nexrad/Simulation/Echo/DualPolarisation.h"
+#include "nexrad/Simulation/DualPolarisation.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 
 #include <gtest/gtest.h>

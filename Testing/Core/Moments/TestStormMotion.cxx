@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Moments/StormMotion.h"
+#include "nexrad/Moments/MomentMaker.h"
 
 #include "Scans/SimulatedVelocities.h"
 #include "Tolerance.h"
-#include "nexrad/Simulation/Wind/MeanWind.h"
+#include "nexrad/Simulation/StormWind.h"
 
 #include <gtest/gtest.h>
 

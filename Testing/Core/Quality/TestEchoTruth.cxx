@@ -4,7 +4,7 @@
 #include "Tolerance.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Quality/EchoClassification.h"
-#include "nexrad/Simulation/Echo/AddedEcho.h"
+#include "nexrad/Simulation/AddedEcho.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 
 #include <gtest/gtest.h>

@@ -2,10 +2,9 @@
 // Ground that is looked for about gates that stand still, and ground that is looked for everywhere.
 #include "TestData.h"
 #include "nexrad/Level2/Level2File.h"
-#include "nexrad/Quality/Evidence/SplitCuts.h"
-#include "nexrad/Quality/GroundSearch.h"
 #include "nexrad/Quality/GroundTest.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/Quality/SplitCuts.h"
+#include "nexrad/System/RangeLoop.h"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 // Echo that is not weather: each kind by itself, against what is true of each gate.
 #include "Tolerance.h"
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Simulation/Echo/AddedEcho.h"
+#include "nexrad/Simulation/AddedEcho.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/Simulation/ScanStrategy.h"
 #include "nexrad/System/Error.h"

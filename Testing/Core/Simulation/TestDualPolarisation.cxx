@@ -4,7 +4,7 @@
 #include "nexrad/Level2/Encoding/Level2Encoder.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Simulation/Echo/DualPolarisation.h"
+#include "nexrad/Simulation/DualPolarisation.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/Simulation/RayWords.h"
 #include "nexrad/System/Error.h"

@@ -6,7 +6,6 @@
 #include "nexrad/Simulation/BeamSampler.h"
 #include "nexrad/Simulation/RadarSimulator.h"
 #include "nexrad/Simulation/ScanStrategy.h"
-#include "nexrad/Simulation/VelocitySampler.h"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 #include "nexrad/Geometry/Beam.h"
 #include "nexrad/Grid/MakeGrid.h"
 #include "nexrad/Model/SiteTable.h"
-#include "nexrad/Simulation/StormDay.h"
+#include "nexrad/Simulation/StormField.h"
 
 #include <GeographicLib/Geodesic.hpp>
 #include <gtest/gtest.h>

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/System/ThreadGroup.h"
 
 #include "Faults/Unprivileged.h"
 #include "nexrad/System/Error.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "nexrad/Thesis/ColumnFilling.h"
+#include "nexrad/Thesis/ThesisMerge.h"
 
 #include <gtest/gtest.h>
 

@@ -4,6 +4,7 @@
 #include "FoldScore.h"
 #include "TestData.h"
 #include "Tolerance.h"
+#include "VelocityScan.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Velocity/Dealiasing.h"
 

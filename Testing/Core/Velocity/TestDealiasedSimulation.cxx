@@ -4,7 +4,7 @@
 #include "FoldScore.h"
 #include "Scans/SimulatedVelocities.h"
 #include "Tolerance.h"
-#include "nexrad/System/ThreadGroup.h"
+#include "nexrad/System/RangeLoop.h"
 #include "nexrad/Velocity/Dealiasing.h"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 #include "Tolerance.h"
 #include "VelocityScan.h"
 #include "nexrad/Level2/Level2File.h"
+#include "nexrad/Moments/PhaseSlopes.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Velocity/Dealiasing.h"
-#include "nexrad/Velocity/DifferentialPhase.h"
 #include "nexrad/Velocity/VelocityDerivatives.h"
 
 #include <gtest/gtest.h>

@@ -55,17 +55,3 @@ TEST(VelocityVolume, HoldsNumbersAndStates)
   EXPECT_EQ(sweep.states[first + 4], VelocityState::NotSampled);
   EXPECT_TRUE(std::isnan(sweep.values[first + 4]));
 }
-
-TEST(VelocityVolume, FoldsIntoTheNyquistInterval)
-{
-  VelocityVolume volume = MakeVelocityVolume(MakeRadarVolume(Example()));
-  VelocitySweep& sweep = volume.sweeps[0];
-  sweep.values[sweep.Index(0, 2)] = 30.0F;
-  sweep.values[sweep.Index(0, 3)] = -45.0F;
-  FoldVelocities(sweep, 20.0F);
-  EXPECT_EQ(sweep.values[sweep.Index(0, 2)], -10.0F);
-  EXPECT_EQ(sweep.values[sweep.Index(0, 3)], -5.0F);
-  EXPECT_EQ(sweep.rays[0].nyquist, 20.0F);
-  EXPECT_TRUE(std::isnan(sweep.values[sweep.Index(0, 0)]));
-  EXPECT_THROW(FoldVelocities(sweep, 0.0F), Error);
-}

@@ -5,11 +5,11 @@
 #include "VelocityScan.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/RadarSimulator.h"
-#include "nexrad/Simulation/Wind/MeanWind.h"
+#include "nexrad/Simulation/StormWind.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/Velocity/Dealiasing.h"
 #include "nexrad/Velocity/FoldedWind.h"
-#include "nexrad/Velocity/VelocityAzimuthDisplay.h"
+#include "nexrad/Velocity/WindProfile.h"
 
 #include <gtest/gtest.h>
 

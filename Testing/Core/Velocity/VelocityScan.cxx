@@ -73,6 +73,18 @@ VelocityVolume ScanVelocities(const VelocityScan& scan)
   return volume;
 }
 
+void FoldVelocities(VelocitySweep& sweep, float nyquist)
+{
+  for (VelocityRay& ray : sweep.rays)
+  {
+    ray.nyquist = nyquist;
+  }
+  for (float& value : sweep.values)
+  {
+    value = std::remainder(value, 2.0F * nyquist); // NaN stays NaN
+  }
+}
+
 VelocityVolume FoldedAt(VelocityVolume volume, float nyquist)
 {
   for (VelocitySweep& sweep : volume.sweeps)

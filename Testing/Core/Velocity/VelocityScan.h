@@ -36,6 +36,10 @@ struct VelocityScan
 /// same in each run. The rays have no Nyquist velocity yet (FoldVelocities sets it).
 VelocityVolume ScanVelocities(const VelocityScan& scan);
 
+/// Folds the velocities of a sweep into −nyquist…nyquist, m/s, as a radar of that Nyquist velocity
+/// would measure them; each ray then has that Nyquist velocity.
+void FoldVelocities(VelocitySweep& sweep, float nyquist);
+
 /// The same volume with velocities folded at one Nyquist velocity, m/s.
 VelocityVolume FoldedAt(VelocityVolume volume, float nyquist);
 

@@ -3,7 +3,6 @@
 
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/Simulation/RadarSimulator.h"
-#include "nexrad/Simulation/ScanTruth.h"
 
 #include <cmath>
 #include <cstddef>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/Assembly/RayOrder.h"
 
-#include "nexrad/Level2/Assembly/RayClock.h"
+#include "nexrad/Level2/Assembly/ArrivedRay.h"
 #include "nexrad/Level2/Assembly/RayDates.h"
-#include "nexrad/Level2/Assembly/RayStretches.h"
 
 #include <algorithm>
 #include <chrono>

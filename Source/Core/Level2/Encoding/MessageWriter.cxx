@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/Encoding/MessageWriter.h"
 
-#include "nexrad/Level2/Encoding/BigEndianWriter.h"
 #include "nexrad/System/Error.h"
 
 namespace nexrad

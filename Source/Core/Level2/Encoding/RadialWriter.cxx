@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "nexrad/Level2/Encoding/RadialWriter.h"
 
-#include "nexrad/Level2/Encoding/BigEndianWriter.h"
+#include "nexrad/Level2/Encoding/MessageWriter.h"
 #include "nexrad/System/Error.h"
 
 #include <algorithm>

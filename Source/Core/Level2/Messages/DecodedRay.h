@@ -3,6 +3,7 @@
 
 #include "nexrad/Model/RadarVolume.h"
 
+#include <cstddef>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -48,5 +49,23 @@ void CheckRay(const Ray& ray);
 
 /// The instant of a ray. Throws MessageError when the day or the time of day cannot be.
 Time CheckedTime(std::uint32_t day, std::uint32_t milliseconds);
+
+/// What rays cost of a DecodingBudget beside RayCost, told from a ray and the one decoded before.
+class RayCosts
+{
+public:
+  /// The cost of the next ray: that of a sweep where it can begin one; of its gates
+  /// that quality control or dealiasing judges; of its damage; and the bytes of its words that
+  /// exceed the `newBytes` of its message, because moments share them, or because they belong to
+  /// another message too.
+  std::size_t Of(const DecodedRay& decoded, std::size_t newBytes);
+
+private:
+  bool MayBeginSweep(const Ray& ray);
+
+  unsigned elevationNumber = 0; ///< of the ray before
+  double azimuth = 0.0;         ///< degrees, of the ray before
+  double turned = 0.0;          ///< degrees to and fro since the last sweep began, at least
+};
 
 } // namespace nexrad

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "nexrad/Polar/PolarVolume.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace nexrad
+{
+
+/// In place of a number where a gate has none: it differs from every value by more than any
+/// threshold does.
+constexpr float NoNumber = -1000.0F;
+
+/// Whether a gate has a number.
+inline bool IsNumber(float value)
+{
+  return value > 0.5F * NoNumber;
+}
+
+/// Degrees between two rays that are neighbours, at most.
+constexpr double WidestGap = 1.9;
+
+/// Reflectivity of one sweep in dBZ, a row for each ray, in the order of azimuths.
+class EchoGrid
+{
+public:
+  /// Reads a sweep, which must outlive the grid and have rays and gates.
+  explicit EchoGrid(const PolarSweep& sweep);
+
+  std::size_t Rays() const { return order.size(); }
+  std::size_t Gates() const { return gates; }
+  /// Degrees, the median of the rays.
+  double Elevation() const { return elevation; }
+  double GateSpacing() const { return spacing; }
+  /// Slant range of a gate's centre, m.
+  double RangeOf(std::size_t gate) const { return first + spacing * static_cast<double>(gate); }
+  /// The gate nearest to a slant range in m; it need not exist.
+  std::ptrdiff_t GateAt(double range) const;
+  /// Gates of every ray whose centre lies within a slant range, m.
+  std::size_t GatesWithin(double range) const;
+
+  /// The ray of the sweep that a row is of, and its azimuth in degrees, 0…360.
+  std::size_t RayAt(std::size_t place) const { return order[place]; }
+  double AzimuthAt(std::size_t place) const { return azimuths[place]; }
+  /// The row nearest to an azimuth; Rays() where none is within 1.5°.
+  std::size_t PlaceAt(double azimuth) const;
+  /// The row after (`step` above 0) or before another, round the circle; Rays() across a gap of
+  /// more than WidestGap between two rays on the way.
+  std::size_t Beside(std::size_t place, int step) const;
+
+  /// Gates() numbers; NoNumber where there is no value.
+  const float* Row(std::size_t place) const { return values.data() + place * gates; }
+  /// The same of `Beside`; a row without any number where there is none.
+  const float* RowBeside(std::size_t place, int step) const;
+  /// Of a row the gates from the first to behind the last that has a value.
+  GateRange Held(std::size_t place) const { return held[place]; }
+
+private:
+  double elevation;
+  double first;
+  double spacing;
+  std::size_t gates;
+  std::vector<std::size_t> order;
+  std::vector<double> azimuths;
+  std::vector<std::uint8_t> linked; // whether the row after each is its neighbour
+  std::vector<float> values;
+  std::vector<float> empty;
+  std::vector<GateRange> held;
+};
+
+/// Gates of one row that follow each other, from `begin` up to `end`, and the region they are of.
+struct GateRun
+{
+  std::uint32_t place = 0; ///< the row, as EchoGrid counts them
+  std::uint32_t begin = 0;
+  std::uint32_t end = 0;
+  std::uint32_t region = 0;
+};
+
+/// The connected regions of some gates of a sweep. Gates are connected along the ray, and with the
+/// three nearest ones of the neighbouring rays.
+class GateRegions
+{
+public:
+  /// `members`: rays × gates, in the order of the rays of the sweep; other than 0 for the gates
+  /// that count.
+  GateRegions(const EchoGrid& grid, const std::vector<std::uint8_t>& members);
+
+  const std::vector<GateRun>& Runs() const { return runs; }
+  std::size_t Count() const { return count; }
+
+private:
+  std::uint32_t RootOf(std::uint32_t run);
+  void Join(std::size_t first, std::size_t second, const std::vector<std::size_t>& firstRuns);
+
+  std::vector<GateRun> runs;
+  std::vector<std::uint32_t> parents;
+  std::size_t count = 0;
+};
+
+} // namespace nexrad
