@@ -2,10 +2,7 @@
 #pragma once
 
 #include "Scene/ColourField.h"
-#include "Scene/Detail/DetailVolume.h"
-#include "Scene/Elements/Label.h"
-#include "Scene/Elements/TextPicture.h"
-#include "Scene/Elements/Theme.h"
+#include "Scene/DetailVolume.h"
 #include "Scene/Frame/CameraView.h"
 #include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
@@ -13,6 +10,8 @@
 #include "Scene/Map/GroundShadow.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/SceneOptions.h"
+#include "Scene/Shapes/Letters.h"
+#include "Scene/Shapes/Theme.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Elements/Theme.h"
 #include "Scene/RadarScene.h"
 #include "Scene/Series/VolumeFiles.h"
+#include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeAppearance.h"
 #include "ScenePicture.h"
 #include "StormVolume.h"

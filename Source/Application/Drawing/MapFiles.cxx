@@ -4,7 +4,7 @@
 #include "Drawing/GeoTiff.h"
 #include "Drawing/VolumeOutputs.h"
 #include "Scene/Frame/VolumeInformation.h"
-#include "Scene/Plan/PlanScale.h"
+#include "Scene/Plan/PlanLayer.h"
 #include "Scene/Plan/PlanView.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/Model/Moment.h"

@@ -2,9 +2,9 @@
 #include "Gltf/GroundMeshes.h"
 
 #include "Gltf/MeshBuilder.h"
-#include "Scene/Elements/Theme.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/Map/PlacedMap.h"
+#include "Scene/Shapes/Theme.h"
 
 #include <vtkNew.h>
 #include <vtkPoints.h>

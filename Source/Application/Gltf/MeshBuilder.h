@@ -2,8 +2,8 @@
 #pragma once
 
 #include "Gltf/Glb.h"
-#include "Scene/Elements/LineBuilder.h"
 #include "Scene/Map/PlacedMap.h"
+#include "Scene/Shapes/Shapes.h"
 
 #include <cstddef>
 #include <cstdint>

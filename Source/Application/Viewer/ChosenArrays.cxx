@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/ChosenArrays.h"
 
-#include "Scene/Cutting/VolumeCut.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/VolumeCut.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/MapLayer.h"
 
-#include "Scene/Elements/LineBuilder.h"
-#include "Scene/Elements/Marker.h"
 #include "Scene/Map/GroundPicture.h"
-#include "Scene/Map/MapLines.h"
-#include "Scene/Map/MapNames.h"
+#include "Scene/Map/MapData.h"
 #include "Scene/Map/PlacedMap.h"
+#include "Scene/Shapes/Shapes.h"
 
 #include <vtkActor.h>
 #include <vtkImageData.h>

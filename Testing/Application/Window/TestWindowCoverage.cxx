@@ -2,7 +2,7 @@
 // Which radars saw a place, and how old their data are: the arrays that the window shows as maps
 // and as colours, and merges again for where the inputs are radar files.
 #include "HandMadeVolume.h"
-#include "Scene/Plan/PlanScale.h"
+#include "Scene/Plan/PlanLayer.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/ChosenArrays.h"

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Cutting/SectionChart.h"
 
-#include "Scene/Elements/TextPicture.h"
-#include "Scene/Elements/Theme.h"
 #include "Scene/Plan/PlanLayer.h"
-#include "Scene/Scales/ColourBar.h"
 #include "Scene/Scales/ColourScale.h"
+#include "Scene/Shapes/Letters.h"
+#include "Scene/Shapes/Theme.h"
 #include "nexrad/Grid/GriddedVolume.h"
 
 #include <vtkAxis.h>

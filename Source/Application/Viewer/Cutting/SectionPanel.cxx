@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/Cutting/SectionPanel.h"
 
-#include "Scene/Elements/Theme.h"
 #include "Scene/Scales/ColourScale.h"
+#include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeAppearance.h"
 #include "Viewer/Cutting/SectionChart.h"
 #include "Viewer/Cutting/SectionTool.h"

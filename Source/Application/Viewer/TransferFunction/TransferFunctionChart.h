@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Elements/Theme.h"
+#include "Scene/Shapes/Theme.h"
 
 #include <QVTKOpenGLNativeWidget.h>
 

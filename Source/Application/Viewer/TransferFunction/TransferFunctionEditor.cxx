@@ -2,8 +2,8 @@
 #include "Viewer/TransferFunction/TransferFunctionEditor.h"
 
 #include "Options/DrawingOptions.h"
-#include "Scene/Elements/Theme.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeAppearance.h"
 #include "Viewer/Parts/NamedWidget.h"
 #include "Viewer/Parts/Soon.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Elements/Theme.h"
+#include "Scene/Shapes/Theme.h"
 
 namespace nexrad::scene
 {

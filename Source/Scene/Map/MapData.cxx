@@ -1,11 +1,24 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Map/MapBytes.h"
+#include "Scene/Map/MapData.h"
 
 #include "nexrad/System/Error.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <cstring>
+#include <locale>
+#include <sstream>
 #include <utility>
+
+namespace nexrad::embedded
+{
+extern const unsigned char mapLines[];
+extern const std::size_t mapLinesSize;
+extern const unsigned char mapNames[];
+extern const std::size_t mapNamesSize;
+extern const unsigned char mapTowns[];
+extern const std::size_t mapTownsSize;
+} // namespace nexrad::embedded
 
 namespace nexrad::scene
 {
@@ -114,6 +127,63 @@ std::vector<MapPolyline> ReadMapPolylines(
     bytes.Fail("bytes after the last line");
   }
   return lines;
+}
+
+std::vector<MapLine> ParseMapLines(const unsigned char* bytes, std::size_t size)
+{
+  constexpr std::uint8_t kinds = 3;
+  std::vector<MapLine> lines;
+  for (MapPolyline& line : ReadMapPolylines(MapBytes(bytes, size, "map lines"), "NXMAP1\n", kinds))
+  {
+    lines.push_back({static_cast<MapLineKind>(line.kind), std::move(line.points)});
+  }
+  return lines;
+}
+
+const std::vector<MapLine>& EmbeddedMapLines()
+{
+  static const std::vector<MapLine> lines =
+    ParseMapLines(embedded::mapLines, embedded::mapLinesSize);
+  return lines;
+}
+
+std::vector<MapName> ParseMapNames(const std::string& text)
+{
+  std::vector<MapName> names;
+  std::istringstream lines(text);
+  std::string line;
+  std::getline(lines, line); // the heading
+  for (int number = 2; std::getline(lines, line); ++number)
+  {
+    MapName name;
+    const std::size_t comma = line.find(',');
+    name.name = line.substr(0, comma);
+    std::istringstream place(comma == std::string::npos ? "" : line.substr(comma + 1));
+    place.imbue(std::locale::classic());
+    char separator = '\0';
+    place >> name.longitude >> separator >> name.latitude;
+    if (!place || name.name.empty() || separator != ',' || !(place >> std::ws).eof())
+    {
+      throw Error("map names: line " + std::to_string(number) + ": '" + line +
+                  "' must hold a name, a longitude and a latitude");
+    }
+    names.push_back(name);
+  }
+  return names;
+}
+
+const std::vector<MapName>& EmbeddedMapNames()
+{
+  static const std::vector<MapName> names =
+    ParseMapNames(std::string(embedded::mapNames, embedded::mapNames + embedded::mapNamesSize));
+  return names;
+}
+
+const std::vector<MapName>& EmbeddedTowns()
+{
+  static const std::vector<MapName> towns =
+    ParseMapNames(std::string(embedded::mapTowns, embedded::mapTowns + embedded::mapTownsSize));
+  return towns;
 }
 
 } // namespace nexrad::scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Elements/ColourTable.h"
+#include "Scene/Shapes/Theme.h"
 
 #include <vtkSmartPointer.h>
 
@@ -10,6 +10,7 @@
 
 class vtkActor;
 class vtkPolyData;
+class vtkProp;
 
 namespace nexrad::scene
 {
@@ -40,5 +41,9 @@ private:
 /// the segment from its first point. False when none does.
 bool ClipToRectangle(const std::array<double, 2>& from, const std::array<double, 2>& to,
   const std::array<double, 4>& rectangle, double& enters, double& leaves);
+
+/// A disc at a point of the scene with a thin rim, drawn over everything. `radius` in pixels.
+vtkSmartPointer<vtkProp> MakeMarker(
+  const ScenePoint& point, double radius, const Colour& colour, const Colour& rim);
 
 } // namespace nexrad::scene

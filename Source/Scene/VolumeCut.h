@@ -1,11 +1,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Frame/SceneFrame.h"
+#include "Scene/Shapes/Letters.h"
+#include "Scene/Shapes/Theme.h"
 #include "nexrad/Grid/PlaceUnit.h"
 #include "nexrad/Products/VerticalSection.h"
 
+#include <vtkSmartPointer.h>
+
 #include <array>
 #include <optional>
+
+class vtkImageData;
+class vtkPlaneCollection;
+class vtkVolumeMapper;
 
 namespace nexrad::scene
 {
@@ -40,5 +49,23 @@ struct CutOptions
   }
   bool operator!=(const CutOptions& other) const { return !(*this == other); }
 };
+
+/// Throws Error for a box whose upper bounds are not above the lower ones, for a plane whose normal
+/// is 0, and for numbers that are not finite.
+void CheckCut(const CutOptions& cut);
+
+/// Throws Error for cuts in another unit than that of the volume's x and y.
+void CheckCutUnit(const CutOptions& cut, vtkImageData* volume);
+
+/// The planes of the scene that the box and the plane are. What all their normals point to is left.
+vtkSmartPointer<vtkPlaneCollection> CutPlanesOf(const CutOptions& cut, const SceneFrame& frame);
+
+/// Lets the mapper draw the part of the volume that the box and the plane leave.
+void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame& frame);
+
+/// The line of a section on the ground, with discs at its ends, and their names A and B. `height`:
+/// of the ground in the scene.
+SceneLayer MakeSectionMark(const SectionLine& line, const SceneFrame& frame, double height,
+  int textSize, const Theme& theme);
 
 } // namespace nexrad::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Detail/DetailVolume.h"
+#include "Scene/DetailVolume.h"
 
 #include <vtkCamera.h>
 #include <vtkImageData.h>

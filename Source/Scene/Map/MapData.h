@@ -53,4 +53,47 @@ struct MapPolyline
 std::vector<MapPolyline> ReadMapPolylines(
   MapBytes bytes, const std::string& magic, std::uint8_t kinds);
 
+/// What a line of the map separates.
+enum class MapLineKind : std::uint8_t
+{
+  Country = 0, ///< coasts, shores of lakes, borders of countries
+  State = 1,   ///< or province
+  County = 2
+};
+
+/// A polyline on the map.
+struct MapLine
+{
+  MapLineKind kind = MapLineKind::Country;
+  std::vector<std::array<double, 2>> points; ///< longitude and latitude, degrees; at least two
+};
+
+/// Reads a file of map lines (Documentation/Formats/map-lines.md). Throws Error, naming the byte
+/// offset, for a wrong magic, an unknown kind, a line of fewer than two points, a number that is
+/// too large, bytes that end too early or do not end with the last line.
+std::vector<MapLine> ParseMapLines(const unsigned char* bytes, std::size_t size);
+
+/// The lines that are compiled in (Data/map_lines.bin): within 8° of each radar.
+const std::vector<MapLine>& EmbeddedMapLines();
+
+/// A name on the map.
+struct MapName
+{
+  std::string name;
+  double longitude = 0.0; ///< degrees
+  double latitude = 0.0;
+};
+
+/// Reads lines "name,longitude,latitude" below a heading. Throws Error, naming the line, for one
+/// that is none.
+std::vector<MapName> ParseMapNames(const std::string& text);
+
+/// The names that are compiled in (Data/map_names.csv): states and territories of the United States
+/// and provinces of Canada, each at a point far from its borders.
+const std::vector<MapName>& EmbeddedMapNames();
+
+/// The towns that are compiled in (Data/map_towns.csv): those within 8° of each radar, the largest
+/// first.
+const std::vector<MapName>& EmbeddedTowns();
+
 } // namespace nexrad::scene
