@@ -7,8 +7,8 @@
 #include "Options/SessionFile.h"
 #include "Output/OutputFile.h"
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MessageText.h"
@@ -42,7 +42,7 @@ namespace
 {
 
 constexpr char sessionFilter[] = "Sessions (*.nxsession)";
-constexpr char nothingOpen[] = "The files are not open yet: wait for their first time";
+constexpr char notOpenYet[] = "The files are not open yet: wait for their first time";
 constexpr char syntheticFolder[] = "synthetic-hour";
 
 // Colours that were edited go into a file, which the command names.
@@ -141,7 +141,7 @@ void FileActions::CopyCommand()
   application::Session session = window.Shown();
   if (!session.shown)
   {
-    window.Announce(nothingOpen);
+    window.Announce(notOpenYet);
     return;
   }
   const std::string time = FormatForFileName(*session.shown);
@@ -175,7 +175,7 @@ void FileActions::AskToSaveSession()
   const application::Session session = window.Shown();
   if (!session.shown)
   {
-    window.Announce(nothingOpen);
+    window.Announce(notOpenYet);
     return;
   }
   const QString typed =
@@ -259,7 +259,7 @@ void FileActions::AskToSaveMovie()
 {
   if (window.Player()->State().times.empty())
   {
-    window.Announce(nothingOpen);
+    window.Announce(notOpenYet);
     return;
   }
   const QString path = QFileDialog::getSaveFileName(

@@ -6,7 +6,7 @@
 #include "Scene/EchoFraming.h"
 #include "Scene/Series/InputSeries.h"
 #include "Scene/VolumeAppearance.h"
-#include "Web/ColumnPacking.h"
+#include "Web/PageCode.h"
 #include "Web/PageScene.h"
 #include "Web/PageText.h"
 #include "nexrad/Codec/NxvFile.h"
@@ -230,7 +230,7 @@ public:
   {
   }
 
-  scene::WebReport MakeSinglePage()
+  Outcome MakeSinglePage()
   {
     PageText text = MakePageWithLetters();
     for (std::size_t i = 0; i < chosen.size(); ++i)
@@ -239,20 +239,17 @@ public:
       text.AddPart("ends-" + std::to_string(i), packed.ends);
       text.AddPart("codes-" + std::to_string(i), packed.codes);
     }
-    return this->Finish(std::move(text), request.output, {});
+    return this->Finish(std::move(text), request.output, {}, times.size());
   }
 
-  scene::WebReport MakeFolder()
+  Outcome MakeFolder()
   {
     const NamedFiles files = FindVolumeFiles(request.input.inputs);
     this->Load(0); // fails for a preset that the volumes cannot have before anything is written
     const VolumeFolder volumes = FillVolumeFolder(files, request.output);
     PageText text = MakePageWithLetters();
     text.AddWrittenFiles(volumes.written);
-    scene::WebReport report =
-      this->Finish(std::move(text), request.output / PageName, volumes.index);
-    report.times = volumes.times;
-    return report;
+    return this->Finish(std::move(text), request.output / PageName, volumes.index, volumes.times);
   }
 
 private:
@@ -277,20 +274,20 @@ private:
     return PackColumns(page->Size(), page->Encode(image));
   }
 
-  scene::WebReport Finish(PageText text, const fs::path& path, const std::string& index)
+  // `count`: times in the page, or in the index beside it.
+  Outcome Finish(PageText text, const fs::path& path, const std::string& index, std::size_t count)
   {
     text.AddTextPart("scene", page->MakeText(times, index));
     text.AddPart("ground", page->GroundTexels());
     ThrowVtkErrors();
     const std::string html = text.Make(page->Title(times));
     WriteFile(path, reinterpret_cast<const unsigned char*>(html.data()), html.size());
-    scene::WebReport report;
-    report.page = path;
-    report.bytes = html.size();
-    report.times = times.size();
-    report.notes = scene::LinesPassedOver(request.scene);
-    report.problems = series->Problems();
-    return report;
+    Outcome outcome;
+    outcome.made = {
+      path.string() + ": " + Counted(count, "time") + ", " + Counted(html.size(), "byte")};
+    outcome.notes = scene::LinesPassedOver(request.scene);
+    outcome.problems = series->Problems();
+    return outcome;
   }
 
   const scene::WebRequest& request;
@@ -309,7 +306,7 @@ bool IsSinglePage(const fs::path& output)
   return isPage && !fs::is_directory(output);
 }
 
-scene::WebReport MakeWebPage(const scene::WebRequest& request)
+Outcome MakeWebPage(const scene::WebRequest& request)
 {
   PageMaker maker(request);
   return IsSinglePage(request.output) ? maker.MakeSinglePage() : maker.MakeFolder();
