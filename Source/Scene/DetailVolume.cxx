@@ -123,8 +123,7 @@ void DetailVolume::Follow(vtkVolume* whole)
   const RegionsAbout regions = DivideAbout(box, renderer->GetActiveCamera());
   Crop(vtkVolumeMapper::SafeDownCast(whole->GetMapper()), box, regions.behind);
   Crop(vtkVolumeMapper::SafeDownCast(front->GetMapper()), box, regions.before);
-  inner->SetVisibility(whole->GetVisibility());
-  front->SetVisibility(regions.before != 0 ? whole->GetVisibility() : 0);
+  front->SetVisibility(regions.before != 0);
 }
 
 } // namespace nexrad::scene

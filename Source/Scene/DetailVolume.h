@@ -38,7 +38,7 @@ public:
   /// Draws the whole of the other volume again.
   void Hide(vtkVolume* whole);
 
-  /// Divides the other volume, as the camera sees it, and follows its visibility.
+  /// Divides the other volume, as the camera sees it.
   void Follow(vtkVolume* whole);
 
 private:

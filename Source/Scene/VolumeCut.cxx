@@ -103,11 +103,6 @@ vtkSmartPointer<vtkPlaneCollection> CutPlanesOf(const CutOptions& cut, const Sce
   return planes;
 }
 
-void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame& frame)
-{
-  mapper->SetClippingPlanes(CutPlanesOf(cut, frame));
-}
-
 namespace
 {
 

@@ -60,9 +60,6 @@ void CheckCutUnit(const CutOptions& cut, vtkImageData* volume);
 /// The planes of the scene that the box and the plane are. What all their normals point to is left.
 vtkSmartPointer<vtkPlaneCollection> CutPlanesOf(const CutOptions& cut, const SceneFrame& frame);
 
-/// Lets the mapper draw the part of the volume that the box and the plane leave.
-void CutVolume(vtkVolumeMapper* mapper, const CutOptions& cut, const SceneFrame& frame);
-
 /// The line of a section on the ground, with discs at its ends, and their names A and B. `height`:
 /// of the ground in the scene.
 SceneLayer MakeSectionMark(const SectionLine& line, const SceneFrame& frame, double height,
