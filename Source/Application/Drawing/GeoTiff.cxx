@@ -312,8 +312,7 @@ std::vector<std::array<unsigned char, 4>> ColoursOf(
     }
     if (colour)
     {
-      std::transform(colour->begin(), colour->end(), colours[i].begin(),
-        [](double part) { return static_cast<unsigned char>(std::lround(255.0 * part)); });
+      std::transform(colour->begin(), colour->end(), colours[i].begin(), ToByte);
       colours[i][3] = 255;
     }
   }

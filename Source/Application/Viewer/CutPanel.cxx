@@ -289,26 +289,10 @@ CutPanel::CutPanel(SceneView& sceneView, QWidget* parent)
 
 CutPanel::~CutPanel() = default;
 
-QCheckBox* CutPanel::MakeSwitch(const QString& name, const QString& tip)
-{
-  return Named(new QCheckBox(name, this), name, tip);
-}
-
-QDoubleSpinBox* CutPanel::MakeNumber(const QString& tip)
-{
-  auto* box = new QDoubleSpinBox(this);
-  box->setObjectName(tip);
-  box->setAccessibleName(tip);
-  box->setToolTip(tip);
-  box->setRange(-2000.0, 2000.0);
-  box->setDecimals(1);
-  box->setKeyboardTracking(false);
-  return box;
-}
-
 void CutPanel::AddBox(QFormLayout* form)
 {
-  crop = this->MakeSwitch("Crop", "Show the part of the volume within the box alone");
+  crop =
+    Named(new QCheckBox("Crop", this), "Crop", "Show the part of the volume within the box alone");
   const std::array<const char*, 6> names = {"West", "East", "South", "North", "Bottom", "Top"};
   auto* whole = new QPushButton("Whole volume", this);
   whole->setObjectName("Whole volume");
@@ -318,7 +302,8 @@ void CutPanel::AddBox(QFormLayout* form)
   {
     const QString where = i < 4 ? "km east or north of the centre, or degrees on geographic axes"
                                 : "km above mean sea level";
-    faces[i] = this->MakeNumber(QString("%1 face of the crop box, %2").arg(names[i]).arg(where));
+    faces[i] =
+      MakeCoordinate(QString("%1 face of the crop box, %2").arg(names[i]).arg(where), this);
     connect(faces[i], qOverload<double>(&QDoubleSpinBox::valueChanged), this, &CutPanel::TakeBox);
   }
   // In pairs, so that the page is no higher than a small screen.
@@ -339,20 +324,23 @@ void CutPanel::AddBox(QFormLayout* form)
 
 void CutPanel::AddPlane(QFormLayout* form)
 {
-  clip = this->MakeSwitch("Clip", "Show the part of the volume on one side of the plane alone");
+  clip = Named(new QCheckBox("Clip", this), "Clip",
+    "Show the part of the volume on one side of the plane alone");
   form->addRow(clip);
-  origin = {this->MakeNumber("A point of the clip plane: km east of the centre"),
-    this->MakeNumber("A point of the clip plane: km north of the centre"),
-    this->MakeNumber("A point of the clip plane: km above mean sea level")};
+  origin = {MakeCoordinate("A point of the clip plane: km east of the centre", this),
+    MakeCoordinate("A point of the clip plane: km north of the centre", this),
+    MakeCoordinate("A point of the clip plane: km above mean sea level", this)};
   form->addRow("East, north", SideBySide(origin[0], origin[1]));
   form->addRow("Height", origin[2]);
-  azimuth = this->MakeNumber("Direction to the part that is shown, degrees clockwise from north");
+  azimuth =
+    MakeCoordinate("Direction to the part that is shown, degrees clockwise from north", this);
   form->addRow("Shown towards", azimuth);
   azimuth->setRange(0.0, 359.9);
   azimuth->setWrapping(true);
-  elevation = this->MakeNumber(
+  elevation = MakeCoordinate(
     "Elevation of that direction in degrees, for heights that are not stretched; 0: the plane is "
-    "vertical");
+    "vertical",
+    this);
   form->addRow("and upwards", elevation);
   elevation->setRange(-90.0, 90.0);
   for (QDoubleSpinBox* box : {origin[0], origin[1], origin[2], azimuth, elevation})

@@ -33,8 +33,6 @@ public slots:
   void FollowSoon();
 
 private:
-  QCheckBox* MakeSwitch(const QString& name, const QString& tip);
-  QDoubleSpinBox* MakeNumber(const QString& tip);
   void AddBox(QFormLayout* form);
   void AddPlane(QFormLayout* form);
   void SwitchCrop(bool on);

@@ -47,9 +47,7 @@ enum class WithoutBin
 
 vtkColor4ub Bytes(const scene::Colour& colour)
 {
-  const auto byte = [](double part)
-  { return static_cast<unsigned char>(std::lround(255.0 * part)); };
-  return {byte(colour[0]), byte(colour[1]), byte(colour[2]), 255};
+  return {scene::ToByte(colour[0]), scene::ToByte(colour[1]), scene::ToByte(colour[2]), 255};
 }
 
 vtkSmartPointer<vtkLookupTable> TableOf(

@@ -273,11 +273,8 @@ QWidget* SectionPanel::MakeRow()
   row->setContentsMargins(0, 0, 0, 0);
   const auto add = [&](const QString& name, const QString& tip)
   {
-    auto* button = new QToolButton(this);
+    auto* button = Named(new QToolButton(this), name, tip);
     button->setText(name);
-    button->setObjectName(name);
-    button->setAccessibleName(name);
-    button->setToolTip(tip);
     button->setFocusPolicy(Qt::NoFocus);
     row->addWidget(button);
     return button;
@@ -307,14 +304,9 @@ QDoubleSpinBox* SectionPanel::AddNumber(QBoxLayout* row, const QString& name, co
   {
     row->addWidget(new QLabel(name, this));
   }
-  auto* box = new QDoubleSpinBox(this);
-  box->setObjectName(tip);
-  box->setAccessibleName(tip);
+  QDoubleSpinBox* box = MakeCoordinate(tip, this);
   box->setToolTip(tip + " of the centre of the projection, in kilometres; on geographic axes the "
                         "longitude or latitude in degrees");
-  box->setRange(-2000.0, 2000.0);
-  box->setDecimals(1);
-  box->setKeyboardTracking(false);
   row->addWidget(box);
   connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &SectionPanel::TakeNumbers);
   return box;

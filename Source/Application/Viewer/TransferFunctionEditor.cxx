@@ -482,11 +482,6 @@ void TransferFunctionEditor::FollowPresets()
   {
     names << name;
   }
-  QStringList shown;
-  for (int i = 0; i < presets->count(); ++i)
-  {
-    shown << presets->itemText(i);
-  }
   const QString preset = QString::fromStdString(scene->GetPreset());
   auto index = std::max<int>(0, static_cast<int>(names.indexOf(preset)));
   if (this->Shown() != nullptr && index < names.size() && !IsPreset(this->Shown(), names[index]))
@@ -494,11 +489,7 @@ void TransferFunctionEditor::FollowPresets()
     names.prepend(names[index] + changed);
     index = 0;
   }
-  if (names != shown)
-  {
-    presets->clear();
-    presets->addItems(names);
-  }
+  SetEntries(presets, names);
   presets->setCurrentIndex(index);
 }
 

@@ -9,6 +9,7 @@
 #include <QAbstractSpinBox>
 #include <QComboBox>
 #include <QCoreApplication>
+#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QScrollBar>
 #include <QStandardItemModel>
@@ -45,6 +46,15 @@ HorizontalUnit HorizontalUnitOf(vtkImageData* volume)
 {
   const bool geographic = volume != nullptr && scene::IsGeographic(volume);
   return geographic ? HorizontalUnit{1.0, MetresPerDegree, "°", 3} : HorizontalUnit{};
+}
+
+QDoubleSpinBox* MakeCoordinate(const QString& tip, QWidget* parent)
+{
+  auto* box = Named(new QDoubleSpinBox(parent), tip, tip);
+  box->setRange(-2000.0, 2000.0);
+  box->setDecimals(1);
+  box->setKeyboardTracking(false);
+  return box;
 }
 
 namespace

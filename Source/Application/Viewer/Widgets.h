@@ -12,6 +12,7 @@
 #include <functional>
 
 class QComboBox;
+class QDoubleSpinBox;
 class vtkImageData;
 class vtkPointData;
 
@@ -65,6 +66,9 @@ struct HorizontalUnit
 
 /// `volume` may be nullptr.
 HorizontalUnit HorizontalUnitOf(vtkImageData* volume);
+
+/// A number for a coordinate, whose name is its tool tip. It tells of a change once it is typed.
+QDoubleSpinBox* MakeCoordinate(const QString& tip, QWidget* parent);
 
 /// What may stand in place of the moment that is shown.
 struct OfferedArrays

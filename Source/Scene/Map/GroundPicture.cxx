@@ -241,7 +241,7 @@ void Paint(unsigned char*& texel, const Colour& colour, double brightness)
 {
   for (const double part : colour)
   {
-    *texel++ = static_cast<unsigned char>(std::lround(255.0 * std::min(part * brightness, 1.0)));
+    *texel++ = ToByte(std::min(part * brightness, 1.0));
   }
 }
 

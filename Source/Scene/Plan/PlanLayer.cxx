@@ -252,7 +252,7 @@ vtkSmartPointer<vtkProp> MakePlanLayer(const PlanView& view, const ColourScale& 
     const std::optional<Colour> colour = ColourOf(view, scale, column, theme);
     for (const double component : colour.value_or(Colour()))
     {
-      *pixel++ = static_cast<unsigned char>(std::lround(255.0 * component));
+      *pixel++ = ToByte(component);
     }
     *pixel++ = colour ? 255 : 0;
   }

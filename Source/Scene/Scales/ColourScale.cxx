@@ -228,7 +228,7 @@ void AddColour(const Colour& colour, vtkUnsignedCharArray* colours)
 {
   for (const double component : colour)
   {
-    colours->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * component)));
+    colours->InsertNextValue(ToByte(component));
   }
 }
 

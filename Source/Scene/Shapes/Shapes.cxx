@@ -124,7 +124,7 @@ void AddDisc(vtkPolyData* discs, vtkUnsignedCharArray* colours, double radius, c
   }
   for (const double component : colour)
   {
-    colours->InsertNextValue(static_cast<unsigned char>(std::lround(255.0 * component)));
+    colours->InsertNextValue(ToByte(component));
   }
 }
 

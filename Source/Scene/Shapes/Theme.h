@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <optional>
 #include <vector>
 
@@ -10,6 +11,12 @@ namespace nexrad::scene
 
 /// Red, green and blue, 0…1.
 using Colour = std::array<double, 3>;
+
+/// A part of a colour, 0…1, as a byte.
+inline unsigned char ToByte(double part)
+{
+  return static_cast<unsigned char>(std::lround(255.0 * part));
+}
 
 /// Where a ramp of colours ends, and in which.
 struct ColourEnd
