@@ -120,7 +120,7 @@ private:
 
 bool IsFailed(const viewer::Playback& playback)
 {
-  return playback.State().phase == scene::BackgroundSeries::Phase::Failed;
+  return playback.State().phase == BackgroundSeries::Phase::Failed;
 }
 
 // Until the first volume is on the screen. False when the inputs cannot be opened.

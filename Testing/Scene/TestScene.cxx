@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include "Filters/Series/VolumeFiles.h"
 #include "Scene/Frame/SceneFrame.h"
-#include "Scene/Series/VolumeFiles.h"
 #include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeAppearance.h"
 #include "ScenePicture.h"

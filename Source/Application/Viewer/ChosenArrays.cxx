@@ -57,7 +57,7 @@ std::string FitMap(const scene::SceneOptions& options, vtkNexradVolumeScene* sce
 
 application::Session WithMoment(application::Session shown, MomentName moment)
 {
-  scene::InputRequest& input = shown.drawing.input;
+  InputRequest& input = shown.drawing.input;
   input.grid.moment = moment;
   input.grid.furtherMoments.clear();
   input.momentNamed = true;

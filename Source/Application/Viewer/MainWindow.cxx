@@ -61,13 +61,13 @@ constexpr char recentKey[] = "recent";
 constexpr char syntheticTitle[] = "synthetic day";
 
 // Writes the synthetic files, as the first quarter of the work, and opens them.
-std::unique_ptr<scene::VolumeSeries> OpenSimulated(
-  scene::InputRequest input, const std::filesystem::path& folder, const Progress& progress)
+std::unique_ptr<VolumeSeries> OpenSimulated(
+  InputRequest input, const std::filesystem::path& folder, const Progress& progress)
 {
   constexpr double part = 0.25;
   const SimulatedDayOptions hour = application::DemoDay(std::chrono::hours(1));
   input.inputs = application::WriteSimulatedFiles(hour, folder, ShareOf(progress, 0.0, part)).files;
-  return scene::OpenInputs(input, ShareOf(progress, part, 1.0));
+  return OpenInputs(input, ShareOf(progress, part, 1.0));
 }
 
 // Whether two volumes show the same part of the earth.
@@ -112,7 +112,13 @@ MainWindow::MainWindow(const ViewRequest& viewRequest)
   , watch(new InputWatch(this))
   , view(new SceneView(this))
 {
-  files = new FileActions(*this);
+  files = new FileActions(
+    this, *view, *playback, [this] { return this->Shown(); }, request.pictures);
+  connect(files, &FileActions::Said, this, &MainWindow::Announce);
+  connect(files, &FileActions::Failed, this, &MainWindow::Report);
+  connect(
+    files, &FileActions::PathWanted, this, [this](const QString& path) { this->Open({path}); });
+  connect(files, &FileActions::SessionRead, this, &MainWindow::Show);
   this->setObjectName("nexrad3d");
   this->setWindowTitle("nexrad3d");
   this->setAcceptDrops(true);
@@ -360,7 +366,7 @@ application::Session MainWindow::NewSession() const
 application::Session MainWindow::Shown() const
 {
   application::Session session = opened;
-  const scene::BackgroundSeries::State& state = playback->State();
+  const BackgroundSeries::State& state = playback->State();
   session.shown.reset();
   if (playback->Step() < state.times.size())
   {
@@ -432,8 +438,8 @@ void MainWindow::OpenInputs(
   first = true;
   other = otherInputs;
   failures.clear();
-  scene::BackgroundSeriesOptions options;
-  const scene::InputRequest input = session.drawing.input;
+  BackgroundSeriesOptions options;
+  const InputRequest input = session.drawing.input;
   auto folder = session.synthetic ? std::make_shared<QTemporaryDir>() : nullptr;
   if (folder && !folder->isValid())
   {
@@ -444,12 +450,11 @@ void MainWindow::OpenInputs(
   options.open = [input, folder](const Progress& done)
   {
     auto series = folder ? OpenSimulated(input, folder->path().toStdString(), done)
-                         : scene::OpenInputs(input, done);
+                         : nexrad::OpenInputs(input, done);
     series->AllowCodes(true);
     return series;
   };
-  options.choose = [input](const scene::VolumeSeries& series)
-  { return scene::ChooseTimes(series, input); };
+  options.choose = [input](const VolumeSeries& series) { return ChooseTimes(series, input); };
   options.prepare = [](vtkImageData* volume)
   { vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(volume, nullptr); };
   playback->Open(std::move(options), session.shown);
@@ -496,8 +501,8 @@ void MainWindow::ShowVolume(vtkImageData* volume)
 
 void MainWindow::FollowPlayback()
 {
-  using Phase = scene::BackgroundSeries::Phase;
-  const scene::BackgroundSeries::State& state = playback->State();
+  using Phase = BackgroundSeries::Phase;
+  const BackgroundSeries::State& state = playback->State();
   const bool opening = playback->HasSeries() && state.phase == Phase::Opening;
   const bool busy = opening || state.loads.has_value();
   progress->setVisible(busy);
@@ -532,8 +537,8 @@ void MainWindow::FollowPlayback()
 // What could not be opened shows nothing of what was open before it.
 void MainWindow::FollowEmptiness()
 {
-  using Phase = scene::BackgroundSeries::Phase;
-  const scene::BackgroundSeries::State& state = playback->State();
+  using Phase = BackgroundSeries::Phase;
+  const BackgroundSeries::State& state = playback->State();
   const bool failed = playback->HasSeries() && state.phase == Phase::Failed;
   if (failed && view->Scene()->GetVolume() != nullptr)
   {
@@ -614,7 +619,7 @@ void MainWindow::AskForFolder()
 
 void MainWindow::AskForPicture()
 {
-  const scene::BackgroundSeries::State& state = playback->State();
+  const BackgroundSeries::State& state = playback->State();
   const bool timed = playback->Step() < state.times.size();
   const QString name = timed ? QString::fromStdString(
                                  scene::FreePictureName({}, state.times[playback->Step()]).string())
@@ -628,7 +633,7 @@ void MainWindow::AskForPicture()
 
 void MainWindow::TakePicture()
 {
-  const scene::BackgroundSeries::State& state = playback->State();
+  const BackgroundSeries::State& state = playback->State();
   if (view->Scene()->GetVolume() != nullptr && playback->Step() < state.times.size())
   {
     this->WritePicture(scene::FreePictureName(request.pictures, state.times[playback->Step()]));

@@ -56,8 +56,6 @@ public:
   QStringList Problems() const;
   /// Pictures that were written.
   const std::vector<std::filesystem::path>& Pictures() const { return pictures; }
-  /// Folder that takes the pictures without a name of their own.
-  const std::filesystem::path& PictureFolder() const { return request.pictures; }
   /// What is shown now, and how.
   application::Session Shown() const;
   /// Opens a session in place of what is open.

@@ -44,7 +44,7 @@ void Playback::Dismiss()
     std::async(std::launch::async, [old = std::move(series)]() mutable { old.reset(); }));
 }
 
-void Playback::Open(scene::BackgroundSeriesOptions options, std::optional<Time> first)
+void Playback::Open(BackgroundSeriesOptions options, std::optional<Time> first)
 {
   this->Dismiss();
   begin = first;
@@ -72,29 +72,29 @@ void Playback::Open(scene::BackgroundSeriesOptions options, std::optional<Time> 
   boxWaiting = false;
   emit BoxLoaded(nullptr);
   state = {};
-  series = std::make_unique<scene::BackgroundSeries>(std::move(options));
+  series = std::make_unique<BackgroundSeries>(std::move(options));
   emit Changed();
 }
 
 void Playback::TakeNews()
 {
-  const scene::BackgroundSeries::State before = std::exchange(state, series->Get());
-  if (before.phase == scene::BackgroundSeries::Phase::Open && before.times != state.times)
+  const BackgroundSeries::State before = std::exchange(state, series->Get());
+  if (before.phase == BackgroundSeries::Phase::Open && before.times != state.times)
   {
     this->FollowTimes(before.times);
   }
-  if (state.phase == scene::BackgroundSeries::Phase::Failed && before.phase != state.phase)
+  if (state.phase == BackgroundSeries::Phase::Failed && before.phase != state.phase)
   {
     waiting = false;
     emit Failed(QString::fromStdString(state.failure));
   }
-  if (state.phase == scene::BackgroundSeries::Phase::Open && waiting)
+  if (state.phase == BackgroundSeries::Phase::Open && waiting)
   {
     this->FindFirst();
     this->Show();
     return; // which says that it changed
   }
-  if (boxWaiting && state.phase == scene::BackgroundSeries::Phase::Open)
+  if (boxWaiting && state.phase == BackgroundSeries::Phase::Open)
   {
     this->ShowBox();
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Series/BackgroundSeries.h"
+#include "Filters/Series/BackgroundSeries.h"
 
 #include <QElapsedTimer>
 #include <QObject>
@@ -31,11 +31,11 @@ public:
   /// Opens a series in place of the one that is open, whose thread is asked to stop. `wake` of the
   /// options is set here. The first step is shown when it is loaded.
   /// `first`: the time that is shown first; empty: the first step.
-  void Open(scene::BackgroundSeriesOptions options, std::optional<Time> first = std::nullopt);
+  void Open(BackgroundSeriesOptions options, std::optional<Time> first = std::nullopt);
 
   bool HasSeries() const { return series != nullptr; }
   /// Of the series: what is new comes with Changed.
-  const scene::BackgroundSeries::State& State() const { return state; }
+  const BackgroundSeries::State& State() const { return state; }
   /// The step that is shown, or will be as soon as it is loaded.
   std::size_t Step() const { return step; }
   /// The volume of a step, which is not shown for that. Nothing as long as it is not loaded; then
@@ -90,9 +90,9 @@ private:
   void Dismiss();
   void FindFirst();
 
-  std::unique_ptr<scene::BackgroundSeries> series;
+  std::unique_ptr<BackgroundSeries> series;
   std::vector<std::future<void>> ending; ///< of series that are not shown any more
-  scene::BackgroundSeries::State state;
+  BackgroundSeries::State state;
   unsigned generation = 0;   ///< of the series: news of an older one are not heard
   std::optional<Time> begin; ///< the time that is shown first, until the series is open
   std::size_t step = 0;

@@ -158,7 +158,7 @@ QAction* TimeLine::AddButton(
 
 void TimeLine::Follow()
 {
-  const scene::BackgroundSeries::State& state = playback.State();
+  const BackgroundSeries::State& state = playback.State();
   const bool any = !state.times.empty();
   this->setEnabled(any);
   for (QAction* action : {back, play, on, loop})

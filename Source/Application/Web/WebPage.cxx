@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Web/WebPage.h"
 
+#include "Filters/Series/InputSeries.h"
 #include "Libraries/VtkErrors.h"
 #include "Output/OutputFile.h"
 #include "Scene/EchoFraming.h"
-#include "Scene/Series/InputSeries.h"
 #include "Scene/VolumeAppearance.h"
 #include "Web/PageCode.h"
 #include "Web/PageScene.h"
@@ -224,8 +224,8 @@ class PageMaker
 public:
   explicit PageMaker(const scene::WebRequest& webRequest)
     : request(webRequest)
-    , series(scene::OpenInputs(webRequest.input, webRequest.progress))
-    , chosen(scene::ChooseTimes(*series, webRequest.input))
+    , series(OpenInputs(webRequest.input, webRequest.progress))
+    , chosen(ChooseTimes(*series, webRequest.input))
     , echo(scene::MeasureSeries(*series, chosen, webRequest.scene))
   {
   }
@@ -291,7 +291,7 @@ private:
   }
 
   const scene::WebRequest& request;
-  std::unique_ptr<scene::VolumeSeries> series;
+  std::unique_ptr<VolumeSeries> series;
   std::vector<std::size_t> chosen;
   std::optional<scene::EchoExtent> echo; ///< of all times, where there are several
   std::optional<PageScene> page;         ///< once the first volume is there

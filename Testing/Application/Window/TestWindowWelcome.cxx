@@ -37,7 +37,7 @@ using namespace nexrad;
 using namespace nexrad::viewer;
 using namespace nexrad::testing;
 
-using Phase = scene::BackgroundSeries::Phase;
+using Phase = BackgroundSeries::Phase;
 
 namespace
 {

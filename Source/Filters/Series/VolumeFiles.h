@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Series/VolumeSeries.h"
+#include "Filters/Series/VolumeSeries.h"
 #include "nexrad/Model/Moment.h"
 
 #include <filesystem>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace nexrad::scene
+namespace nexrad
 {
 
 /// True when a path names merged volumes: .nxv, .nxv.series, .vti, or a folder that holds .nxv or
@@ -32,4 +32,4 @@ struct MomentRequest
 std::unique_ptr<VolumeSeries> OpenVolumeFiles(
   const std::vector<std::filesystem::path>& inputs, const MomentRequest& request = {{}, {}, true});
 
-} // namespace nexrad::scene
+} // namespace nexrad

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Series/VolumeFiles.h"
+#include "Filters/Series/VolumeFiles.h"
 
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/Grid/GridText.h"
@@ -26,8 +26,7 @@
 #include <utility>
 
 namespace fs = std::filesystem;
-
-namespace nexrad::scene
+namespace nexrad
 {
 namespace
 {
@@ -332,4 +331,4 @@ std::unique_ptr<VolumeSeries> OpenVolumeFiles(
   return std::make_unique<VolumeFiles>(std::move(files), request);
 }
 
-} // namespace nexrad::scene
+} // namespace nexrad

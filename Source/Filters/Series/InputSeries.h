@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Series/VolumeSeries.h"
+#include "Filters/Series/VolumeSeries.h"
 #include "nexrad/Grid/FinerBox.h"
 #include "nexrad/Grid/PlaceUnit.h"
 #include "nexrad/Merging/MergeOptions.h"
@@ -12,8 +12,13 @@
 #include <optional>
 #include <vector>
 
-namespace nexrad::scene
+namespace nexrad
 {
+
+/// Merges radar files and folders of them. Throws Error when no input holds a ray, or none at the
+/// times that the options name.
+std::unique_ptr<VolumeSeries> OpenRadarFiles(const std::vector<std::filesystem::path>& inputs,
+  const MergeOptions& options, const Progress& progress = {});
 
 /// What a user wants to see: files, and of them which times.
 struct InputRequest
@@ -35,4 +40,4 @@ std::unique_ptr<VolumeSeries> OpenInputs(
 /// Indices of the volumes that the request names. Throws Error when there is none.
 std::vector<std::size_t> ChooseTimes(const VolumeSeries& series, const InputRequest& request);
 
-} // namespace nexrad::scene
+} // namespace nexrad

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Series/VolumeSeries.h"
+#include "Filters/Series/VolumeSeries.h"
 
 #include <condition_variable>
 #include <cstddef>
@@ -14,7 +14,7 @@
 #include <thread>
 #include <vector>
 
-namespace nexrad::scene
+namespace nexrad
 {
 
 struct BackgroundSeriesOptions
@@ -146,4 +146,4 @@ private:
   std::thread thread;
 };
 
-} // namespace nexrad::scene
+} // namespace nexrad

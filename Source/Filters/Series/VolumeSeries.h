@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-namespace nexrad::scene
+namespace nexrad
 {
 
 /// Merged volumes in the order of their times, wherever they come from.
@@ -70,4 +70,4 @@ public:
   virtual std::vector<std::string> Problems() const { return {}; }
 };
 
-} // namespace nexrad::scene
+} // namespace nexrad

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Series/BackgroundSeries.h"
+#include "Filters/Series/BackgroundSeries.h"
 
 #include "nexrad/System/Error.h"
 
@@ -11,7 +11,7 @@
 #include <numeric>
 #include <utility>
 
-namespace nexrad::scene
+namespace nexrad
 {
 namespace
 {
@@ -477,4 +477,4 @@ void BackgroundSeries::Run()
   }
 }
 
-} // namespace nexrad::scene
+} // namespace nexrad
