@@ -109,17 +109,6 @@ namespace
 constexpr double lineWidth = 2.5; // pixels
 constexpr double rimWidth = 5.0;
 
-Label EndLabel(const char* name, const ScenePoint& point, double gap, const TextStyle& style)
-{
-  Label label;
-  label.text = name;
-  label.point = point;
-  label.style = style;
-  label.sides = {LabelSide::Above, LabelSide::Right, LabelSide::Left, LabelSide::Below};
-  label.gap = gap;
-  return label;
-}
-
 } // namespace
 
 SceneLayer MakeSectionMark(
@@ -142,7 +131,9 @@ SceneLayer MakeSectionMark(
   for (const auto& [name, point] : {std::pair{"A", a}, std::pair{"B", b}})
   {
     layer.props.push_back(MakeMarker(point, radius, theme.warning, theme.rim));
-    layer.labels.push_back(EndLabel(name, point, radius + 0.25 * textSize, style));
+    layer.labels.push_back(
+      {name, point, style, {LabelSide::Above, LabelSide::Right, LabelSide::Left, LabelSide::Below},
+        radius + 0.25 * textSize});
   }
   return layer;
 }
