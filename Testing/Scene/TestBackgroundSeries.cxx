@@ -22,7 +22,6 @@
 #include <utility>
 
 using namespace nexrad;
-using namespace nexrad::scene;
 
 namespace
 {
