@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradArraySettings.h"
 
-#include "Scene/Elements/Theme.h"
 #include "Scene/SceneOptions.h"
+#include "Scene/Shapes/Theme.h"
 #include "nexrad/Model/Moment.h"
 #include "vtkNexradTransferFunction.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradFirstView.h"
 
-#include "Scene/Elements/Theme.h"
 #include "Scene/Frame/CameraView.h"
 #include "Scene/SceneOptions.h"
+#include "Scene/Shapes/Theme.h"
 
 #include "vtkCamera.h"
 #include "vtkMath.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/ColourField.h"
 
-#include "Scene/Plan/PlanScale.h"
+#include "Scene/Plan/PlanLayer.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/Grid/GriddedVolume.h"
 #include "nexrad/System/Error.h"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/EchoFraming.h"
 
+#include "Filters/Series/VolumeSeries.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Map/PlacedMap.h"
-#include "Scene/Series/VolumeSeries.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradTransferFunction.h"

@@ -11,10 +11,13 @@
 
 class vtkImageData;
 
+namespace nexrad
+{
+class VolumeSeries;
+} // namespace nexrad
+
 namespace nexrad::scene
 {
-
-class VolumeSeries;
 
 /// The echo of a volume, as the preset of the options shows it (that of its moment where it has
 /// none, or draws surfaces alone). Colours and opacities from files do not count: an edited look

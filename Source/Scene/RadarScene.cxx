@@ -2,21 +2,16 @@
 #include "Scene/RadarScene.h"
 
 #include "Scene/Captions/Captions.h"
-#include "Scene/Captions/DataAge.h"
 #include "Scene/Captions/EchoShown.h"
-#include "Scene/Captions/MapShown.h"
-#include "Scene/Cutting/SectionMark.h"
-#include "Scene/Cutting/VolumeCut.h"
 #include "Scene/EchoFraming.h"
-#include "Scene/Elements/Marker.h"
-#include "Scene/Frame/Framing.h"
-#include "Scene/Frame/LabelLayout.h"
+#include "Scene/Frame/PictureLayout.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/Plan/PlanLayer.h"
-#include "Scene/Plan/PlanScale.h"
-#include "Scene/Scales/ColourBar.h"
+#include "Scene/Scales/ColourScale.h"
 #include "Scene/Scales/ScaleLayer.h"
+#include "Scene/Shapes/Shapes.h"
 #include "Scene/VolumeAppearance.h"
+#include "Scene/VolumeCut.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradImageConversion.h"
 #include "vtkNexradThreads.h"
@@ -88,8 +83,7 @@ PresetWords NamesOfPresets(const SceneOptions& options)
 RadarScene::RadarScene(const SceneOptions& sceneOptions, vtkRenderer* filled)
   : options(sceneOptions)
   , theme(ThemeOf(sceneOptions.theme))
-  , renderer(filled != nullptr ? vtkSmartPointer<vtkRenderer>(filled)
-                               : vtkSmartPointer<vtkRenderer>::New())
+  , renderer(filled)
   , detail(renderer)
   , transferFunction(MakeTransferFunction(sceneOptions, ""))
 {
@@ -111,11 +105,6 @@ RadarScene::~RadarScene()
   renderer->RemoveVolume(volume);
 }
 
-vtkRenderer* RadarScene::GetRenderer()
-{
-  return renderer;
-}
-
 int RadarScene::TextSize() const
 {
   return std::max(9, std::min(size[1] / 45, size[0] / 50));
@@ -124,11 +113,6 @@ int RadarScene::TextSize() const
 TextStyle RadarScene::NoteStyle() const
 {
   return {this->TextSize(), theme.scale, theme.rim};
-}
-
-vtkNexradTransferFunction* RadarScene::TransferFunction()
-{
-  return transferFunction;
 }
 
 void RadarScene::SetColours(const SceneOptions& other)
@@ -150,13 +134,6 @@ void RadarScene::SetTransferFunction(
   transferFunction = function;
   array = ofArray;
   this->TransferFunctionChanged();
-}
-
-void RadarScene::ShowVolume(bool shown)
-{
-  volume->SetVisibility(shown ? 1 : 0);
-  this->LookForEcho();
-  this->DrawCaptions();
 }
 
 void RadarScene::TransferFunctionChanged()
@@ -297,12 +274,11 @@ void RadarScene::UpdateShadows()
   {
     return;
   }
-  const bool shown = volume->GetVisibility() != 0 && options.light.HasShadows();
   // The coarse light of an interaction is followed by that of the next picture at rest.
   vtkRenderWindow* window = renderer->GetRenderWindow();
   const bool moves = window != nullptr && window->GetDesiredUpdateRate() > 1.0;
   groundShadow.Show(vtkActor::SafeDownCast(ground.front()),
-    shown ? UpdateLight(mapper, renderer, volume) : nullptr, options.light,
+    options.light.HasShadows() ? UpdateLight(mapper, renderer, volume) : nullptr, options.light,
     vtkImageData::SafeDownCast(mapper->GetDataSetInput()), moves);
 }
 
@@ -312,13 +288,9 @@ void RadarScene::SetCut(const CutOptions& cut)
   const bool sameSection = cut.section == options.cut.section;
   const bool sameBox = cut.box == options.cut.box;
   options.cut = cut;
-  if (auto* mapper = vtkVolumeMapper::SafeDownCast(volume->GetMapper()))
+  for (vtkVolumeMapper* mapper : this->Mappers())
   {
-    CutVolume(mapper, cut, frame);
-  }
-  for (vtkVolumeMapper* mapper : detail.Mappers())
-  {
-    CutVolume(mapper, cut, frame);
+    mapper->SetClippingPlanes(CutPlanesOf(cut, frame));
   }
   if (!sameSection && !ground.empty())
   {
@@ -333,8 +305,7 @@ void RadarScene::SetCut(const CutOptions& cut)
   }
 }
 
-// An empty box says why it is empty; where the volume is hidden, it is not seen for another reason.
-// A map has its words from DrawPlan.
+// An empty box says why it is empty. A map has its words from DrawPlan.
 void RadarScene::LookForEcho()
 {
   if (options.plan)
@@ -342,7 +313,7 @@ void RadarScene::LookForEcho()
     return;
   }
   nothing.clear();
-  if (shownData && volume->GetVisibility() != 0)
+  if (shownData)
   {
     nothing =
       WordsForNothing(FindEchoShown(shownData, options.cut.box, OpacitiesOf(transferFunction)),

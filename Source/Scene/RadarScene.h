@@ -2,10 +2,7 @@
 #pragma once
 
 #include "Scene/ColourField.h"
-#include "Scene/Detail/DetailVolume.h"
-#include "Scene/Elements/Label.h"
-#include "Scene/Elements/TextPicture.h"
-#include "Scene/Elements/Theme.h"
+#include "Scene/DetailVolume.h"
 #include "Scene/Frame/CameraView.h"
 #include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
@@ -13,6 +10,8 @@
 #include "Scene/Map/GroundShadow.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/SceneOptions.h"
+#include "Scene/Shapes/Letters.h"
+#include "Scene/Shapes/Theme.h"
 
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
@@ -40,18 +39,12 @@ struct PlanView;
 class RadarScene
 {
 public:
-  /// `renderer`: the one to fill; nullptr: one of its own.
-  explicit RadarScene(const SceneOptions& options, vtkRenderer* renderer = nullptr);
+  /// Fills the renderer.
+  RadarScene(const SceneOptions& options, vtkRenderer* renderer);
   /// Takes out of the renderer what it put in.
   ~RadarScene();
   RadarScene(const RadarScene&) = delete;
   RadarScene& operator=(const RadarScene&) = delete;
-
-  /// The renderer to put into a window.
-  vtkRenderer* GetRenderer();
-
-  /// Colours beside those of the data, for what others draw into the renderer.
-  const Theme& GetTheme() const { return theme; }
 
   /// Size of the picture in pixels; letters grow with its height.
   void SetPictureSize(const std::array<int, 2>& size);
@@ -75,17 +68,13 @@ public:
   /// Throws Error for whatever a scene with these options would throw for in SetVolume.
   static void Check(const SceneOptions& options, vtkImageData* volume);
 
-  /// Hides the volume and the words where no echo is seen, and shows them again; map and captions
-  /// stay.
-  void ShowVolume(bool shown);
-
   /// Name of the array that is shown, as "REF"; empty before the first volume.
   const std::string& Array() const { return array; }
 
   /// Colours and opacities (where another array gives the colours, its opacities alone are used),
   /// those of another moment from the volume on that is the first of it;
   /// after a change of them TransferFunctionChanged brings the scene up to date.
-  vtkNexradTransferFunction* TransferFunction();
+  vtkNexradTransferFunction* TransferFunction() const { return transferFunction; }
   /// Makes them anew, for the moment that is shown, of the preset, the file and the iso-values of
   /// other options; TransferFunctionChanged draws them. Throws Error, and changes nothing, for what
   /// MakeTransferFunction throws for.

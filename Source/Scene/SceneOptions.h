@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Cutting/CutOptions.h"
-#include "Scene/Elements/Theme.h"
 #include "Scene/Frame/LightOptions.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Plan/PlanOptions.h"
+#include "Scene/Shapes/Theme.h"
+#include "Scene/VolumeCut.h"
 
 #include <filesystem>
 #include <optional>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Elements/ColourTable.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/SceneOptions.h"
+#include "Scene/Shapes/Theme.h"
 
 #include <vtkSmartPointer.h>
 

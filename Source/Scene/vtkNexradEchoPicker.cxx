@@ -1,12 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradEchoPicker.h"
 
+#include "Scene/EchoSearch.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
-#include "Scene/Pointing/EchoSearch.h"
-#include "Scene/Pointing/NearestRadar.h"
-#include "Scene/Pointing/ViewRay.h"
-#include "Scene/Pointing/VoxelReader.h"
 #include "Scene/VolumeAppearance.h"
 #include "vtkNexradVolumeScene.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradNavigator.h"
 
+#include "Scene/EchoSearch.h"
 #include "Scene/Frame/SceneFrame.h"
-#include "Scene/Pointing/ViewRay.h"
 #include "vtkNexradEchoPicker.h"
 #include "vtkNexradVolumeScene.h"
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradSession.h"
 
+#include "Filters/Series/BackgroundSeries.h"
+#include "Filters/Series/InputSeries.h"
+#include "Filters/Series/VolumeFiles.h"
 #include "Scene/EchoFraming.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/SceneOptions.h"
-#include "Scene/Series/BackgroundSeries.h"
-#include "Scene/Series/RadarFiles.h"
-#include "Scene/Series/VolumeFiles.h"
 #include "nexrad/System/Error.h"
 
 #include "vtkDoubleArray.h"
@@ -24,9 +24,9 @@
 #include <filesystem>
 #include <numeric>
 
-using nexrad::scene::BackgroundSeries;
+using nexrad::BackgroundSeries;
 using nexrad::scene::SceneOptions;
-using nexrad::scene::VolumeSeries;
+using nexrad::VolumeSeries;
 
 // The series that is shown, and what loads it ahead.
 struct vtkNexradSession::Opened
@@ -116,8 +116,8 @@ void vtkNexradSession::Open()
   {
     throw nexrad::Error("no file name is set");
   }
-  this->Series->volumes = nexrad::scene::AreVolumes(paths) ? nexrad::scene::OpenVolumeFiles(paths)
-                                                           : nexrad::scene::OpenRadarFiles(paths,
+  this->Series->volumes = nexrad::AreVolumes(paths) ? nexrad::OpenVolumeFiles(paths)
+                                                           : nexrad::OpenRadarFiles(paths,
                                                                this->DayReader->MakeDayOptions());
   this->Series->steps = AllSteps(*this->Series->volumes);
 }
@@ -176,7 +176,7 @@ void vtkNexradSession::LoadAhead()
   }
   if (!series.ahead)
   {
-    nexrad::scene::BackgroundSeriesOptions loading;
+    nexrad::BackgroundSeriesOptions loading;
     loading.open = [volumes = series.volumes](const nexrad::Progress&) { return volumes; };
     loading.choose = [steps = series.steps](const VolumeSeries&) { return steps; };
     loading.prepare = slices && series.steps.size() > 1 ? PrepareInTurn() : nullptr;

@@ -44,11 +44,8 @@ class vtkStringArray;
 
 namespace nexrad
 {
-struct BoxRequest;
-namespace scene // as VTK's wrapper reads it
-{
 class VolumeSeries;
-} // namespace scene
+struct BoxRequest;
 } // namespace nexrad
 
 class VTKNEXRADSCENE_EXPORT vtkNexradSession : public vtkObject
@@ -126,7 +123,7 @@ public:
   /// Shows volumes of a series that is open, in place of files: the indices of those that take
   /// part, in the order in which they are shown. `box`: is merged in finer voxels with each of
   /// them.
-  void SetSeries(std::unique_ptr<nexrad::scene::VolumeSeries> series,
+  void SetSeries(std::unique_ptr<nexrad::VolumeSeries> series,
     std::vector<std::size_t> steps, const std::optional<nexrad::BoxRequest>& box);
   /// As ShowTimeStep, for a series that is open, but throws Error where ShowTimeStep reports one.
   /// False when `progress` asked to stop; then the scene stays as it is.

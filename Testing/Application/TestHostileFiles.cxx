@@ -2,8 +2,8 @@
 // The program with files that were made to do harm, within a limit of memory. The folder is beside
 // the real files (NEXRAD_TEST_DATA/hostile); TestHostileBytes makes the like of them in code.
 #include "Faults/HostileFiles.h"
+#include "Filters/Series/VolumeFiles.h"
 #include "ProgramRun.h"
-#include "Scene/Series/VolumeFiles.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/System/Error.h"
@@ -173,7 +173,7 @@ TEST_F(HostileFiles, VolumesAreRefusedWithOneLine)
   {
     try
     {
-      nexrad::scene::OpenVolumeFiles({file})->Load(0, {});
+      nexrad::OpenVolumeFiles({file})->Load(0, {});
       ADD_FAILURE() << file;
     }
     catch (const nexrad::Error& problem)

@@ -3,8 +3,8 @@
 #include "Volumes/WriteVolumes.h"
 
 #include "DirectMerge.h"
+#include "Filters/Series/VolumeFiles.h"
 #include "HandMadeVolume.h"
-#include "Scene/Series/VolumeFiles.h"
 #include "TestData.h"
 #include "Tolerance.h"
 #include "nexrad/Codec/NxvFile.h"
@@ -272,7 +272,7 @@ TEST_F(WritingVolumes, AFolderWithTwoGridsIsNotDrawn)
     fs::copy_options::recursive | fs::copy_options::skip_existing);
   try
   {
-    scene::OpenVolumeFiles({folder.Path() / "first"});
+    OpenVolumeFiles({folder.Path() / "first"});
     FAIL() << "opened two grids as one series";
   }
   catch (const Error& error)
@@ -282,7 +282,7 @@ TEST_F(WritingVolumes, AFolderWithTwoGridsIsNotDrawn)
     EXPECT_NE(text.find("20060312T182100Z.nxv has 20x24x10"), std::string::npos) << text;
   }
   EXPECT_EQ(
-    scene::OpenVolumeFiles({folder.Path() / "first" / "volumes.nxv.series"})->Times().size(), 4U);
+    OpenVolumeFiles({folder.Path() / "first" / "volumes.nxv.series"})->Times().size(), 4U);
 }
 
 // 681 million voxels in 500 bytes; the picture of them would take ten gigabytes.
@@ -308,7 +308,7 @@ TEST(OpeningVolumes, AVolumeTooLargeToDrawIsRefused)
     start[4 + byte] = static_cast<char>(text.size() >> (8 * byte) & 0xFF);
   }
   std::ofstream(path, std::ios::binary) << start << text << run;
-  const auto series = scene::OpenVolumeFiles({path});
+  const auto series = OpenVolumeFiles({path});
   try
   {
     series->Load(0, {});

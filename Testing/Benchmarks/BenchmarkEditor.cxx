@@ -7,8 +7,8 @@
 // Usage: BenchmarkEditor INPUT, a volume as `nexrad3d grid` writes it, for example with
 // `--dims 256x256x128`. Needs an X server.
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/SceneView.h"
-#include "Viewer/TransferFunction/TransferFunctionChart.h"
+#include "Viewer/SceneView.h"
+#include "Viewer/TransferFunctionChart.h"
 
 #include <vtkAlgorithm.h>
 #include <vtkImageData.h>
@@ -237,7 +237,7 @@ int main(int argc, char* argv[])
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   QApplication application(argc, argv);
   QCoreApplication::setOrganizationName("nexrad3d-benchmark");
-  nexrad::scene::ViewRequest request;
+  nexrad::viewer::ViewRequest request;
   request.input.inputs = {argv[1]};
   request.size = {1180, 640};
   MainWindow window(request);

@@ -3,8 +3,8 @@
 // anything but drawing: while the inputs are opened and loaded, and while they are played. Usage:
 // BenchmarkOpening INPUT...
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 
 #include <vtkCallbackCommand.h>
 #include <vtkCommand.h>
@@ -120,7 +120,7 @@ private:
 
 bool IsFailed(const viewer::Playback& playback)
 {
-  return playback.State().phase == scene::BackgroundSeries::Phase::Failed;
+  return playback.State().phase == BackgroundSeries::Phase::Failed;
 }
 
 // Until the first volume is on the screen. False when the inputs cannot be opened.
@@ -184,7 +184,7 @@ int main(int count, char* arguments[])
     std::fprintf(stderr, "usage: BenchmarkOpening INPUT...\n");
     return 2;
   }
-  scene::ViewRequest request;
+  viewer::ViewRequest request;
   request.input.inputs.assign(arguments + 1, arguments + count);
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
   TimedApplication application(count, arguments);

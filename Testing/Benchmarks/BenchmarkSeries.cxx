@@ -5,8 +5,8 @@
 // of three simulated radars (SYNTHETIC), 256 x 256 x 128, five minutes apart.
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/PictureWindow.h"
-#include "Scene/Series/BackgroundSeries.h"
-#include "Scene/Series/VolumeFiles.h"
+#include "Filters/Series/BackgroundSeries.h"
+#include "Filters/Series/VolumeFiles.h"
 #include "StepTimes.h"
 #include "Tables/Measurement.h"
 #include "TestData.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "StepTimes.h"
 
-#include "Scene/Series/BackgroundSeries.h"
+#include "Filters/Series/BackgroundSeries.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkNexradVolumeScene.h>

@@ -6,10 +6,13 @@
 class vtkNexradVolumeScene;
 class vtkRenderWindow;
 
+namespace nexrad
+{
+class BackgroundSeries;
+} // namespace nexrad
+
 namespace nexrad::scene
 {
-
-class BackgroundSeries;
 
 /// What a step of a series costs whoever draws it, in seconds by the clock on the wall: the times
 /// of the thesis's table 4.2.

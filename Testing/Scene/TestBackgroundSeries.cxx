@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What a window sees of a series that another thread opens and loads.
-#include "Scene/Series/BackgroundSeries.h"
-#include "Scene/Series/RadarFiles.h"
+#include "Filters/Series/BackgroundSeries.h"
+#include "Filters/Series/InputSeries.h"
 
 #include "TestData.h"
 #include "nexrad/System/Error.h"
@@ -22,7 +22,6 @@
 #include <utility>
 
 using namespace nexrad;
-using namespace nexrad::scene;
 
 namespace
 {

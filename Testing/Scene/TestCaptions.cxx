@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Captions/Captions.h"
-#include "Scene/Captions/DataAge.h"
 #include "Scene/Captions/EchoShown.h"
-#include "Scene/Captions/MapShown.h"
-#include "Scene/Plan/PlanScale.h"
+#include "Scene/Plan/PlanLayer.h"
 #include "Scene/VolumeAppearance.h"
 #include "StormVolume.h"
 #include "TestData.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // A finer volume in place of a part of the volume.
-#include "Scene/Detail/DetailVolume.h"
+#include "Scene/DetailVolume.h"
 #include "vtkNexradVolumeScene.h"
 
 #include "ScenePicture.h"

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Which echo a ray shows, in volumes whose answer is known.
-#include "Scene/Frame/Framing.h"
-#include "Scene/Pointing/EchoSearch.h"
-#include "Scene/Pointing/NearestRadar.h"
-#include "Scene/Pointing/ViewRay.h"
-#include "Scene/Pointing/VoxelReader.h"
+#include "Scene/EchoSearch.h"
+#include "Scene/Frame/PictureLayout.h"
 
 #include "StormVolume.h"
 #include "TestData.h"

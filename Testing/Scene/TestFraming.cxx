@@ -2,10 +2,8 @@
 // Where the parts of a picture stand: the scene within the picture and off the captions, labels off
 // each other. Needs no display.
 #include "Scene/Captions/Captions.h"
-#include "Scene/Frame/Framing.h"
-#include "Scene/Frame/LabelLayout.h"
+#include "Scene/Frame/PictureLayout.h"
 #include "Scene/Map/MapLayer.h"
-#include "Scene/Scales/HeightWalls.h"
 #include "Scene/Scales/ScaleLayer.h"
 #include "StormVolume.h"
 #include "Tolerance.h"

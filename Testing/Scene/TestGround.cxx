@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Frame/LabelLayout.h"
+#include "Scene/Frame/PictureLayout.h"
 #include "Scene/Map/Elevations.h"
 #include "Scene/Map/GroundPicture.h"
 #include "Scene/Map/GroundShadow.h"
-#include "Scene/Map/MapAreas.h"
+#include "Scene/Map/MapData.h"
 #include "Scene/Map/MapLayer.h"
-#include "Scene/Map/MapNames.h"
-#include "Scene/Map/Relief.h"
 #include "Tolerance.h"
 
 #include "nexrad/Compression/Deflate.h"

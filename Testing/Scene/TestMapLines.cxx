@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Map/MapLines.h"
-#include "Scene/Map/MapNames.h"
+#include "Scene/Map/MapData.h"
 #include "Tolerance.h"
 
 #include "nexrad/System/Error.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Plan/PlanLayer.h"
-#include "Scene/Plan/PlanScale.h"
 #include "Scene/Plan/PlanView.h"
 #include "Scene/Scales/ColourScale.h"
 #include "Scene/VolumeAppearance.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Elements/Theme.h"
-#include "Scene/RadarScene.h"
-#include "Scene/Series/VolumeFiles.h"
+#include "Filters/Series/VolumeFiles.h"
+#include "Scene/Frame/SceneFrame.h"
+#include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeAppearance.h"
 #include "ScenePicture.h"
 #include "StormVolume.h"
@@ -49,11 +49,11 @@ SceneOptions Classic()
 Picture Draw(vtkImageData* volume, const std::string& name, const SceneOptions& options = Classic(),
   const CameraView& view = {})
 {
-  RadarScene scene(options);
-  scene.SetCamera(view);
-  scene.SetPictureSize(size);
-  scene.SetVolume(volume);
-  const Picture picture = OffScreenWindow(scene.GetRenderer(), size).Draw();
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetOptions(options);
+  scene->SetView(view);
+  scene->SetVolume(volume);
+  const Picture picture = OffScreenWindow(scene->GetRenderer(), size).Draw();
   KeepPicture(picture, "Scene" + name);
   return picture;
 }
@@ -301,28 +301,12 @@ TEST(Scene, AMapShowsTheTablesColoursAndWhatWasNotScanned)
 
 TEST(Scene, AVolumeThatChangesIsDrawnAnew)
 {
-  RadarScene scene{SceneOptions()};
-  scene.SetVolume(MakeStormVolume(false));
-  scene.SetPictureSize(size);
-  OffScreenWindow window(scene.GetRenderer(), size);
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(MakeStormVolume(false));
+  OffScreenWindow window(scene->GetRenderer(), size);
   EXPECT_AT_LEAST(Count(window.Draw(), withoutBar, IsStrongEcho), 1'000, "pixels of strong echo");
-  scene.SetVolume(MakeEmptyVolume());
+  scene->SetVolume(MakeEmptyVolume());
   EXPECT_EQ(Count(window.Draw(), withoutBar, IsStrongEcho), 0);
-}
-
-// Words say why an empty volume shows nothing; where the volume is hidden, they would be wrong.
-TEST(Scene, AHiddenVolumeIsNotCalledEmpty)
-{
-  RadarScene scene{Classic()};
-  scene.SetPictureSize(size);
-  scene.SetVolume(MakeEmptyVolume());
-  OffScreenWindow window(scene.GetRenderer(), size);
-  const Picture said = window.Draw();
-  scene.ShowVolume(false);
-  const Picture silent = window.Draw();
-  EXPECT_GT(LargestDifference(said, silent), 100);
-  scene.ShowVolume(true);
-  EXPECT_EQ(LargestDifference(said, window.Draw()), 0);
 }
 
 // An empty map and one with a storm have the words in the middle that tell them apart.
@@ -331,10 +315,10 @@ TEST(Scene, AMapWithoutAValueSaysSo)
   SceneOptions options = Classic();
   options.plan = PlanOptions();
   options.plan->level = PlanLevel::LiquidDensity;
-  RadarScene scene{options};
-  scene.SetPictureSize(size);
-  scene.SetVolume(MakeEmptyVolume());
-  OffScreenWindow window(scene.GetRenderer(), size);
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetOptions(options);
+  scene->SetVolume(MakeEmptyVolume());
+  OffScreenWindow window(scene->GetRenderer(), size);
   constexpr PictureArea middle = {0.25, 0.7, 0.5, 0.6};
   const auto isBright = [](const std::array<int, 3>& rgb) { return rgb[0] > 200 && rgb[2] > 200; };
   const Picture said = window.Draw();
@@ -412,21 +396,23 @@ TEST(Scene, AFrameGrowsOnlyWhenEchoLeavesIt)
 {
   const TemporaryFolder folder;
   const auto series = OpenVolumeFiles({WriteStormFiles(folder.Path(), 4)});
-  RadarScene scene{SceneOptions()};
-  scene.SetVolume(series->Load(0, {}));
-  const auto first = scene.Frame().Framed();
-  scene.SetVolume(series->Load(3, {}));
-  const auto grown = scene.Frame().Framed();
+  vtkNew<vtkNexradVolumeScene> scene;
+  const auto framed = [&](std::size_t step)
+  {
+    scene->SetVolume(series->Load(step, {}));
+    scene->Draw();
+    return scene->GetSceneFrame()->Framed();
+  };
+  const auto first = framed(0);
+  const auto grown = framed(3);
   EXPECT_GT(grown[1], first[1]);
   EXPECT_LE(grown[0], first[0] + 1.0);
-  scene.SetVolume(series->Load(0, {}));
-  EXPECT_EQ(scene.Frame().Framed(), grown);
+  EXPECT_EQ(framed(0), grown);
 }
 
 TEST(Scene, NothingToDrawIsAnError)
 {
-  RadarScene scene{SceneOptions()};
-  vtkNew<vtkImageData> empty;
-  EXPECT_THROW(scene.SetVolume(empty), Error);
-  EXPECT_THROW(scene.SetVolume(nullptr), Error);
+  vtkNew<vtkNexradVolumeScene> scene;
+  scene->SetVolume(vtkNew<vtkImageData>());
+  EXPECT_THROW(scene->Draw(), Error);
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Scene/Elements/LineBuilder.h"
+#include "Filters/Series/InputSeries.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Scales/ScaleLayer.h"
-#include "Scene/Series/InputSeries.h"
+#include "Scene/Shapes/Shapes.h"
 
 #include "StormVolume.h"
 #include "Tolerance.h"

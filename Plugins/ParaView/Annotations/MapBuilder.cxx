@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "MapBuilder.h"
 
-#include "Scene/Elements/Theme.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/SceneOptions.h"
+#include "Scene/Shapes/Theme.h"
 #include "nexrad/Geometry/Angles.h"
 #include "vtkNexradMap.h"
 

@@ -3,7 +3,7 @@
 
 #include "MapBuilder.h"
 #include "Scene/Frame/VolumeInformation.h"
-#include "Scene/Map/MapNames.h"
+#include "Scene/Map/MapData.h"
 #include "Scene/Map/PlacedMap.h"
 #include "WholeVolume.h"
 

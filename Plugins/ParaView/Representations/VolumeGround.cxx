@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "VolumeGround.h"
 
-#include "Scene/Elements/Theme.h"
 #include "Scene/Frame/VolumeInformation.h"
 #include "Scene/Map/MapLayer.h"
 #include "Scene/SceneOptions.h"
+#include "Scene/Shapes/Theme.h"
 #include "Scene/VolumeAppearance.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 

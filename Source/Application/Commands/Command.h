@@ -43,11 +43,4 @@ void AddWatchCommand(CLI::App& program, CommandAction& action);
 /// The wind profile of each volume, as a table or JSON.
 void AddWindCommand(CLI::App& program, CommandAction& action);
 
-/// Options and work of the commands that draw. They are in libraries, which LoadedCommands.cxx
-/// loads when such a command is called, so that the others start without VTK's rendering and Qt.
-void AddDemoOptions(CLI::App& command, CommandAction& action);
-void AddRenderOptions(CLI::App& command, CommandAction& action);
-void AddViewOptions(CLI::App& command, CommandAction& action);
-void AddWebOptions(CLI::App& command, CommandAction& action);
-
 } // namespace nexrad::application

@@ -5,11 +5,9 @@
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/BiasOutput.h"
-#include "Output/Counted.h"
 #include "Output/EchoReport.h"
 #include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
-#include "Output/StopSignal.h"
 #include "Parallel/JoinedProcesses.h"
 #include "Volumes/WriteVolumes.h"
 

@@ -3,9 +3,7 @@
 
 #include "Commands/InfoReport.h"
 #include "Output/BiasOutput.h"
-#include "Output/Counted.h"
 #include "Output/ExplainedRead.h"
-#include "Output/InputSubjects.h"
 #include "Output/MessageOutput.h"
 #include "nexrad/Model/SiteTable.h"
 

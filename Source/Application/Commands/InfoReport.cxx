@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Commands/InfoReport.h"
 
-#include "Output/Counted.h"
 #include "Output/EchoReport.h"
+#include "Output/MessageOutput.h"
 #include "nexrad/Level2/Level2File.h"
 #include "nexrad/Model/MomentLimits.h"
 #include "nexrad/Model/MomentSummary.h"

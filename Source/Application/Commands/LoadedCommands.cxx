@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include <string>
+
 namespace nexrad::application
 {
 namespace
@@ -30,9 +32,9 @@ void AddLoadedCommand(CLI::App& program, CommandAction& action, const LibraryNam
   {
     try
     {
-      const auto add = reinterpret_cast<AddOptionsFunction>(
-        LoadProgramFunction(library.file, addOptionsFunctionName, library.does, library.target));
-      add(name, command, &action);
+      const auto add = reinterpret_cast<AddOptionsFunction>(LoadProgramFunction(
+        library.file, std::string("nexrad3dAddOptions_") + name, library.does, library.target));
+      add(*command, action);
     }
     catch (const Error& error)
     {

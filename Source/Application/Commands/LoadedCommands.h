@@ -12,9 +12,10 @@ void AddRenderCommand(CLI::App& program, CommandAction& action);
 void AddViewCommand(CLI::App& program, CommandAction& action);
 void AddWebCommand(CLI::App& program, CommandAction& action);
 
-/// The function by which the program calls such a library: it adds the options to the command of
-/// that name, whose callback then sets the action.
-using AddOptionsFunction = void (*)(const char* name, CLI::App* command, CommandAction* action);
-constexpr char addOptionsFunctionName[] = "nexrad3dAddOptions";
+/// The function of a command in such a library, by which the program calls it: it adds the options
+/// to the command, whose callback then sets the action.
+using AddOptionsFunction = void (*)(CLI::App& command, CommandAction& action);
+#define NEXRAD_ADD_OPTIONS(command)                                                                \
+  extern "C" __attribute__((visibility("default"))) void nexrad3dAddOptions_##command
 
 } // namespace nexrad::application

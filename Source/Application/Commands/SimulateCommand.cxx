@@ -3,9 +3,8 @@
 
 #include "Commands/SimulatedFiles.h"
 #include "Options/UnitOptions.h"
-#include "Output/Counted.h"
+#include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
-#include "Output/StopSignal.h"
 #include "nexrad/Calibration/RadarBiases.h"
 #include "nexrad/Model/SiteTable.h"
 #include "nexrad/System/Error.h"

@@ -2,7 +2,6 @@
 #include "Commands/Command.h"
 
 #include "Output/ExplainedRead.h"
-#include "Output/InputSubjects.h"
 #include "Output/MessageOutput.h"
 #include "nexrad/System/RangeLoop.h"
 #include "nexrad/Velocity/Dealiasing.h"

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
-
+#include "Commands/LoadedCommands.h"
 #include "Commands/SimulatedFiles.h"
 #include "Drawing/Render.h"
 #include "Options/UnitOptions.h"
 #include "Output/OutputFile.h"
 #include "Output/ProgressBar.h"
-#include "Output/StopSignal.h"
 #include "Volumes/WriteVolumes.h"
 #include "nexrad/System/Error.h"
 
@@ -107,8 +105,8 @@ void DrawStage(const DemoOptions& options, scene::RenderRequest request, const s
 {
   Stage stage("drawing", options.quiet);
   request.progress = stage.GetProgress();
-  const scene::RenderReport report = scene::Render(request);
-  stage.Finish(report.outputs.size(), things, fs::file_size(request.output), request.output);
+  const Outcome outcome = scene::Render(request);
+  stage.Finish(outcome.made.size(), things, fs::file_size(request.output), request.output);
 }
 
 void DrawStages(const DemoOptions& options, const GridReport& volumes)
@@ -166,7 +164,7 @@ Duration ParseLengthOfDemo(const std::string& text)
 
 } // namespace
 
-void AddDemoOptions(CLI::App& command, CommandAction& action)
+NEXRAD_ADD_OPTIONS(demo)(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<DemoOptions>();
   command.add_option("folder", options->folder, "Folder that takes everything; made when missing")

@@ -14,6 +14,7 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <X11/Xlib.h>
+#undef None // a word of enumerations, in the files that are compiled with this one
 
 #include <cstdlib>
 #include <string>

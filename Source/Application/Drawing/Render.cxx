@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Drawing/Render.h"
 
-#include "Drawing/MapFiles.h"
+#include "Drawing/GeoTiff.h"
 #include "Drawing/MovieWriter.h"
 #include "Drawing/PictureWindow.h"
-#include "Drawing/VolumeOutputs.h"
+#include "Filters/Series/InputSeries.h"
+#include "Filters/Series/VolumeSeries.h"
 #include "Gltf/SurfaceScene.h"
-#include "Output/OutputFile.h"
 #include "Scene/VolumeAppearance.h"
 #include "nexrad/Merging/SeriesMerger.h"
 #include "nexrad/System/Error.h"
@@ -17,8 +17,14 @@
 #include <vtkNew.h>
 #include <vtkNexradSession.h>
 #include <vtkNexradVolumeScene.h>
+#include <vtkSmartPointer.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cstddef>
+#include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,8 +33,86 @@ namespace fs = std::filesystem;
 
 namespace nexrad::scene
 {
+
+using application::Outcome;
+
 namespace
 {
+
+// Whether the user leaves the times to the program.
+bool HasFreeTime(const InputRequest& input)
+{
+  return !input.time && !input.grid.begin && !input.grid.end && !input.grid.step;
+}
+
+// Opens the inputs of a request whose output is a file for each time. Files of several radars, one
+// of each and within an hour, make one file of all, unless the request names times: then the
+// request gets the middle of their times, and takes rays as far from there as the farthest is, and
+// the outcome gets a note.
+std::unique_ptr<VolumeSeries> OpenForPictures(RenderRequest& request, Outcome& report)
+{
+  constexpr Duration longestLook = std::chrono::hours(1);
+  auto series = OpenInputs(request.input, request.progress);
+  const std::optional<TimeSpan> look = series->OneLook();
+  if (!look || series->Times().size() < 2 || !HasFreeTime(request.input) ||
+      look->last - look->first > longestLook)
+  {
+    return series;
+  }
+  series.reset(); // its memory is needed once
+  request.input.time = MiddleTime(look->first, look->last);
+  MergeOptions& merging = request.input.grid;
+  const Duration half = look->last - *request.input.time;
+  if (!request.maxGapGiven)
+  {
+    merging.maximumGap = std::max(merging.maximumGap, half + std::chrono::seconds(1));
+  }
+  report.notes.push_back(request.output.string() + ": one picture of all radars, at " +
+                         FormatIso8601(*request.input.time) + "; their rays are up to " +
+                         std::to_string(std::chrono::ceil<std::chrono::minutes>(half).count()) +
+                         " min older or newer; --time or --step chooses other times");
+  return OpenInputs(request.input, request.progress);
+}
+
+// Adds a note where several times made several files of one name.
+void SayThatThereAreSeveral(const RenderRequest& request, Outcome& report)
+{
+  if (report.made.size() > 1)
+  {
+    report.notes.push_back(request.output.string() + ": " + std::to_string(report.made.size()) +
+                           " times make as many pictures, each with its time in its name; --time "
+                           "draws one, and a name in .ogv or .mp4 makes a movie");
+  }
+}
+
+// Writes a file for each time that a request asks for, with the time in its name where there are
+// several. Draws nothing, and needs no display.
+Outcome WriteEachVolume(const RenderRequest& asked,
+  void (*write)(const fs::path& path, vtkImageData* volume, const SceneOptions& options))
+{
+  RenderRequest request = asked;
+  Outcome report;
+  report.notes = LinesPassedOver(request.scene);
+  auto series = OpenForPictures(request, report);
+  const std::vector<std::size_t> chosen = ChooseTimes(*series, request.input);
+  const Progress writing = ShareOf(request.progress, ScanShare, 1.0);
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+  {
+    const Progress part = ShareOf(writing, i, chosen.size());
+    const vtkSmartPointer<vtkImageData> volume = series->Load(chosen[i], part);
+    if (!volume || (part && !part(1.0)))
+    {
+      throw Error("stopped before all files were written");
+    }
+    const Time time = series->Times()[chosen[i]];
+    const fs::path name = PictureName(request.output, time, chosen.size() > 1);
+    write(name, volume, request.scene);
+    report.made.push_back(name.string());
+  }
+  SayThatThereAreSeveral(request, report);
+  report.problems = series->Problems();
+  return report;
+}
 
 void GoOn(const Progress& progress)
 {
@@ -58,7 +142,7 @@ struct Shown
   std::vector<Time> times;
 };
 
-void DrawPictures(const RenderRequest& request, Shown& shown, RenderReport& report)
+void DrawPictures(const RenderRequest& request, Shown& shown, Outcome& report)
 {
   PictureWindow window(shown.session->GetScene()->GetRenderer(), request.size);
   const Progress drawing = ShareOf(request.progress, ScanShare, 1.0);
@@ -69,12 +153,12 @@ void DrawPictures(const RenderRequest& request, Shown& shown, RenderReport& repo
     shown.session->Show(static_cast<int>(i), part);
     const fs::path name = PictureName(request.output, shown.times[i], count > 1);
     WritePng(DrawFor(name, window), name);
-    report.outputs.push_back(name);
+    report.made.push_back(name.string());
     GoOn(part);
   }
 }
 
-void DrawMovie(const RenderRequest& request, Shown& shown, RenderReport& report)
+void DrawMovie(const RenderRequest& request, Shown& shown, Outcome& report)
 {
   const std::size_t count = shown.times.size();
   const std::size_t frames = request.frames > 0 ? static_cast<std::size_t>(request.frames) : count;
@@ -93,34 +177,24 @@ void DrawMovie(const RenderRequest& request, Shown& shown, RenderReport& report)
     GoOn(part);
   }
   writer->Finish();
-  report.outputs.push_back(request.output);
-}
-
-RenderReport WriteSurfaces(const RenderRequest& request)
-{
-  const auto write = [&request](const fs::path& path, vtkImageData* volume)
-  {
-    const std::vector<unsigned char> bytes = MakeGlb(MakeSurfaceScene(volume, request.scene));
-    application::WriteFile(path, bytes.data(), bytes.size());
-  };
-  return WriteEachVolume(request, write);
+  report.made.push_back(request.output.string());
 }
 
 } // namespace
 
-RenderReport Render(const RenderRequest& asked)
+Outcome Render(const RenderRequest& asked)
 {
   RenderRequest request = asked;
   if (request.output.extension() == ".tif")
   {
-    return WriteMaps(request);
+    return WriteEachVolume(request, WriteGeoTiff);
   }
   if (request.output.extension() == ".glb")
   {
-    return WriteSurfaces(request);
+    return WriteEachVolume(request, WriteSurfaces);
   }
   RequireDisplay();
-  RenderReport report;
+  Outcome report;
   report.notes = LinesPassedOver(request.scene);
   const bool pictures = request.output.extension() == ".png";
   auto series =

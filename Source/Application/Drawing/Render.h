@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Output/MessageOutput.h"
 #include "Requests/DrawingRequest.h"
 #include "nexrad/System/Progress.h"
 
 #include <filesystem>
-#include <string>
-#include <vector>
 
 namespace nexrad::scene
 {
@@ -21,15 +20,8 @@ struct RenderRequest : DrawingRequest
   Progress progress;
 };
 
-/// What was made of it.
-struct RenderReport
-{
-  std::vector<std::filesystem::path> outputs;
-  std::vector<std::string> problems; ///< inputs that were damaged or left out, a line each
-  std::vector<std::string> notes;    ///< what else is to be said, a line each
-};
-
-/// Draws the pictures or the movie. Throws Error when that cannot be done.
-RenderReport Render(const RenderRequest& request);
+/// Draws the pictures or the movie, or writes a file of numbers for each time. The outcome names
+/// the files. Throws Error when that cannot be done.
+application::Outcome Render(const RenderRequest& request);
 
 } // namespace nexrad::scene

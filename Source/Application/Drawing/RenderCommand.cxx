@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
-
+#include "Commands/LoadedCommands.h"
 #include "Drawing/Render.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
@@ -8,14 +7,12 @@
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
-#include "Output/StopSignal.h"
 
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iostream>
 #include <locale>
 #include <memory>
 #include <sstream>
@@ -81,23 +78,15 @@ int RunRender(RenderOptions& options)
   WatchStopSignals();
   ProgressBar bar("drawing", options.quiet);
   options.request.progress = [&bar](double fraction) { return bar.Update(fraction); };
-  const scene::RenderReport report = scene::Render(options.request);
+  const Outcome outcome = scene::Render(options.request);
   bar.Clear();
-  if (!options.quiet)
-  {
-    for (const auto& path : report.outputs)
-    {
-      std::cout << path.string() << '\n';
-    }
-  }
-  PrintMessages(report.notes);
-  PrintMessages(report.problems);
-  return report.problems.empty() ? Done : DoneWithDamage;
+  PrintOutcome(outcome, options.quiet);
+  return outcome.problems.empty() ? Done : DoneWithDamage;
 }
 
 } // namespace
 
-void AddRenderOptions(CLI::App& command, CommandAction& action)
+NEXRAD_ADD_OPTIONS(render)(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<RenderOptions>();
   scene::RenderRequest& request = options->request;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Gltf/IsoSurface.h"
 
-#include "Scene/Plan/PlanSource.h"
+#include "Scene/Plan/PlanView.h"
 #include "nexrad/Products/VoxelLines.h"
 #include "vtkNexradThreads.h"
 

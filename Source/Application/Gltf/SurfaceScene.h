@@ -1,19 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Gltf/Glb.h"
 #include "Scene/SceneOptions.h"
+
+#include <filesystem>
 
 class vtkImageData;
 
 namespace nexrad::scene
 {
 
-/// What a binary glTF file shows of a merged volume (Documentation/Formats/gltf.md): the surfaces
-/// of the options' iso-values (without any, of those of the preset "iso-values"), over the ground
-/// with the lines of the map, rings of range and the radars. Heights are stretched as a scene with
-/// these options stretches them. Throws Error as RadarScene::SetVolume does, and for another moment
-/// than REF without iso-values.
-GlbScene MakeSurfaceScene(vtkImageData* volume, const SceneOptions& options);
+/// Writes the surfaces of a merged volume as binary glTF (Documentation/Formats/gltf.md): those of
+/// the options' iso-values (without any, of those of the preset "iso-values"), over the ground with
+/// the lines of the map, rings of range and the radars. Heights are stretched as a scene with these
+/// options stretches them. Draws nothing, and needs no display. Throws Error for what a scene
+/// cannot show, for another moment than REF without iso-values, and when the file cannot be
+/// written.
+void WriteSurfaces(
+  const std::filesystem::path& path, vtkImageData* volume, const SceneOptions& options);
 
 } // namespace nexrad::scene

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Live/LiveIntake.h"
 
-#include "Output/Counted.h"
+#include "Output/MessageOutput.h"
 #include "nexrad/Archives/StoredFiles.h"
 #include "nexrad/Level2/ChunkFolder.h"
 #include "nexrad/System/Error.h"

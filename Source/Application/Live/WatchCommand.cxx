@@ -5,10 +5,8 @@
 #include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
-#include "Output/Counted.h"
 #include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
-#include "Output/StopSignal.h"
 #include "nexrad/System/Error.h"
 #include "vtkNexradThreads.h"
 

@@ -4,7 +4,7 @@
 #include "Live/LiveFolder.h"
 #include "Live/LiveStatus.h"
 #include "Live/PictureProcess.h"
-#include "Output/StopSignal.h"
+#include "Output/ProgressBar.h"
 #include "Volumes/OtherVolumes.h"
 #include "nexrad/Grid/GridText.h"
 #include "nexrad/Live/AwaitedEnds.h"

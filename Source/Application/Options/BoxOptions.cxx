@@ -13,14 +13,14 @@ namespace nexrad::application
 namespace
 {
 
-BoxRequest& BoxOf(scene::InputRequest& request)
+BoxRequest& BoxOf(InputRequest& request)
 {
   return request.box ? *request.box : request.box.emplace();
 }
 
 } // namespace
 
-void AddBoxOptions(CLI::App& command, scene::InputRequest& request)
+void AddBoxOptions(CLI::App& command, InputRequest& request)
 {
   constexpr char group[] = "Box in finer voxels";
   const auto takeFaces = [&request](const std::string& text)

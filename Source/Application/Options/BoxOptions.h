@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Series/InputSeries.h"
+#include "Filters/Series/InputSeries.h"
 
 namespace CLI
 {
@@ -12,6 +12,6 @@ namespace nexrad::application
 {
 
 /// Adds the options of the box that is merged again in finer voxels: --box and --follow-from.
-void AddBoxOptions(CLI::App& command, scene::InputRequest& request);
+void AddBoxOptions(CLI::App& command, InputRequest& request);
 
 } // namespace nexrad::application

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Cutting/CutOptions.h"
+#include "Scene/VolumeCut.h"
 
 namespace CLI
 {

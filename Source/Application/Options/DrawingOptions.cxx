@@ -350,7 +350,7 @@ std::vector<scene::IsoValue> ParseIsoValues(const std::string& text)
   return isoValues;
 }
 
-void AddTimedInputs(CLI::App& command, scene::InputRequest& request, bool required)
+void AddTimedInputs(CLI::App& command, InputRequest& request, bool required)
 {
   command
     .add_option("input", request.inputs,
@@ -361,7 +361,7 @@ void AddTimedInputs(CLI::App& command, scene::InputRequest& request, bool requir
     "Draw this time alone, in UTC, as in 2006-03-12T18:00");
 }
 
-void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required)
+void AddInputOptions(CLI::App& command, InputRequest& request, bool required)
 {
   AddTimedInputs(command, request, required);
   AddBoxOptions(command, request);

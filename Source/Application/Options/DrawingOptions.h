@@ -21,10 +21,10 @@ constexpr double MapAzimuth = 180.0;
 constexpr double MapTilt = 90.0;
 
 /// What is drawn, and which time of it. `required`: whether an input must be named.
-void AddTimedInputs(CLI::App& command, scene::InputRequest& request, bool required = true);
+void AddTimedInputs(CLI::App& command, InputRequest& request, bool required = true);
 
 /// The same, with a box of it that is merged again in finer voxels.
-void AddInputOptions(CLI::App& command, scene::InputRequest& request, bool required = true);
+void AddInputOptions(CLI::App& command, InputRequest& request, bool required = true);
 
 /// From where.
 void AddCameraOptions(CLI::App& command, scene::CameraView& camera);

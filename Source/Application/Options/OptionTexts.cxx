@@ -205,7 +205,7 @@ void AddCut(const scene::CutOptions& cut, OptionList& options)
   }
 }
 
-void AddBox(const scene::InputRequest& input, OptionList& options)
+void AddBox(const InputRequest& input, OptionList& options)
 {
   if (!input.box)
   {
@@ -274,7 +274,7 @@ void ParseOptionTexts(const std::vector<OptionText>& texts, scene::DrawingReques
 {
   CLI::App command;
   command.set_help_flag();
-  scene::InputRequest input = request.input;
+  InputRequest input = request.input;
   AddInputOptions(command, input, false);
   AddDrawingOptions(command, request);
   AddGridOptions(command, input.grid);

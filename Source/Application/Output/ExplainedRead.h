@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Output/InputSubjects.h"
 #include "nexrad/Level2/Level2File.h"
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace nexrad::application
 {
+
+/// A file of the output, and how much is said of it.
+struct InputSubject
+{
+  std::string file;
+  bool ofFolder = false; ///< one of many: a line in the table
+};
+
+/// Each argument, with the radar files in it in place of a folder that is none of chunks, or of a
+/// tar archive. What is wrong with a folder is said, and the folder stays as what cannot be read.
+/// `leftOut` becomes true for a file in a folder that is no radar file.
+std::vector<InputSubject> FindSubjects(const std::vector<std::string>& arguments, bool& leftOut);
 
 /// Reads files (or folders of chunks) one after the other: every ray that can be read. The damage
 /// is written to standard error, a line each. What cannot be read at all comes back as a volume

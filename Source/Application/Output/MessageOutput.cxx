@@ -3,6 +3,7 @@
 
 #include "nexrad/System/MessageText.h"
 
+#include <cstddef>
 #include <iostream>
 
 namespace nexrad::application
@@ -19,6 +20,16 @@ void PrintMessages(const std::vector<std::string>& messages)
   {
     PrintMessage(message);
   }
+}
+
+void PrintOutcome(const Outcome& outcome, bool quiet)
+{
+  for (std::size_t i = 0; !quiet && i < outcome.made.size(); ++i)
+  {
+    std::cout << outcome.made[i] << '\n';
+  }
+  PrintMessages(outcome.notes);
+  PrintMessages(outcome.problems);
 }
 
 } // namespace nexrad::application

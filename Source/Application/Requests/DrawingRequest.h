@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Filters/Series/InputSeries.h"
 #include "Scene/Frame/CameraView.h"
 #include "Scene/SceneOptions.h"
-#include "Scene/Series/InputSeries.h"
 
 #include <array>
 #include <vector>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Viewer/ChosenArrays.h"
 
-#include "Scene/Cutting/VolumeCut.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/VolumeCut.h"
 #include "nexrad/System/Error.h"
 
 #include <vtkImageData.h>
@@ -57,7 +57,7 @@ std::string FitMap(const scene::SceneOptions& options, vtkNexradVolumeScene* sce
 
 application::Session WithMoment(application::Session shown, MomentName moment)
 {
-  scene::InputRequest& input = shown.drawing.input;
+  InputRequest& input = shown.drawing.input;
   input.grid.moment = moment;
   input.grid.furtherMoments.clear();
   input.momentNamed = true;

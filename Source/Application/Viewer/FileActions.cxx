@@ -6,9 +6,8 @@
 #include "Options/OptionTexts.h"
 #include "Options/SessionFile.h"
 #include "Output/OutputFile.h"
-#include "Viewer/MainWindow.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 #include "nexrad/Codec/NxvFile.h"
 #include "nexrad/System/Error.h"
 #include "nexrad/System/MessageText.h"
@@ -42,7 +41,7 @@ namespace
 {
 
 constexpr char sessionFilter[] = "Sessions (*.nxsession)";
-constexpr char nothingOpen[] = "The files are not open yet: wait for their first time";
+constexpr char notOpenYet[] = "The files are not open yet: wait for their first time";
 constexpr char syntheticFolder[] = "synthetic-hour";
 
 // Colours that were edited go into a file, which the command names.
@@ -101,9 +100,14 @@ fs::path WithEnding(const QString& path, const std::vector<std::string>& endings
 
 } // namespace
 
-FileActions::FileActions(MainWindow& mainWindow)
-  : QObject(&mainWindow)
+FileActions::FileActions(QWidget* mainWindow, SceneView& sceneView, Playback& thePlayback,
+  std::function<application::Session()> shownNow, std::filesystem::path pictureFolder)
+  : QObject(mainWindow)
   , window(mainWindow)
+  , view(sceneView)
+  , playback(thePlayback)
+  , shown(std::move(shownNow))
+  , pictures(std::move(pictureFolder))
 {
 }
 
@@ -138,10 +142,10 @@ QList<QAction*> FileActions::AddTo(QMenu* menu)
 
 void FileActions::CopyCommand()
 {
-  application::Session session = window.Shown();
+  application::Session session = shown();
   if (!session.shown)
   {
-    window.Announce(nothingOpen);
+    emit Said(notOpenYet);
     return;
   }
   const std::string time = FormatForFileName(*session.shown);
@@ -152,7 +156,7 @@ void FileActions::CopyCommand()
     drawing.input.time = session.shown;
     if (!session.colours.empty())
     {
-      UseColours(WriteColours(session.colours, window.PictureFolder(), time), drawing.scene);
+      UseColours(WriteColours(session.colours, pictures, time), drawing.scene);
     }
     if (session.synthetic)
     {
@@ -162,24 +166,24 @@ void FileActions::CopyCommand()
     }
     QApplication::clipboard()->setText(QString::fromStdString(
       before + application::RenderCommandOf(drawing, "nexrad3d-" + time + ".png")));
-    window.Announce("The command that draws this picture is on the clipboard");
+    emit Said("The command that draws this picture is on the clipboard");
   }
   catch (const Error& error)
   {
-    window.Report(error.what());
+    emit Failed(error.what());
   }
 }
 
 void FileActions::AskToSaveSession()
 {
-  const application::Session session = window.Shown();
+  const application::Session session = shown();
   if (!session.shown)
   {
-    window.Announce(nothingOpen);
+    emit Said(notOpenYet);
     return;
   }
   const QString typed =
-    QFileDialog::getSaveFileName(&window, "Save session", "nexrad3d.nxsession", sessionFilter);
+    QFileDialog::getSaveFileName(window, "Save session", "nexrad3d.nxsession", sessionFilter);
   if (typed.isEmpty())
   {
     return;
@@ -188,20 +192,20 @@ void FileActions::AskToSaveSession()
   try
   {
     application::WriteSession(path, session);
-    window.Announce("wrote " + QString::fromStdString(path.string()));
+    emit Said("wrote " + QString::fromStdString(path.string()));
   }
   catch (const Error& error)
   {
-    window.Report(error.what());
+    emit Failed(error.what());
   }
 }
 
 void FileActions::AskForSession()
 {
-  const QString path = QFileDialog::getOpenFileName(&window, "Open session", "", sessionFilter);
+  const QString path = QFileDialog::getOpenFileName(window, "Open session", "", sessionFilter);
   if (!path.isEmpty())
   {
-    window.Open({path});
+    emit PathWanted(path);
   }
 }
 
@@ -209,18 +213,19 @@ void FileActions::OpenSession(const fs::path& path)
 {
   try
   {
-    window.Show(application::ReadSession(path), QString::fromStdString(path.filename().string()));
+    emit SessionRead(
+      application::ReadSession(path), QString::fromStdString(path.filename().string()));
   }
   catch (const Error& error)
   {
-    window.Report(error.what());
+    emit Failed(error.what());
   }
 }
 
 void FileActions::AskToSaveVolume()
 {
   const QString path = QFileDialog::getSaveFileName(
-    &window, "Save volume", "nexrad3d.nxv", "Volumes (*.nxv);;VTK image data (*.vti)");
+    window, "Save volume", "nexrad3d.nxv", "Volumes (*.nxv);;VTK image data (*.vti)");
   if (!path.isEmpty())
   {
     this->SaveVolume(WithEnding(path, {".nxv", ".vti"}));
@@ -229,7 +234,7 @@ void FileActions::AskToSaveVolume()
 
 void FileActions::SaveVolume(const fs::path& path)
 {
-  const vtkSmartPointer<vtkImageData> volume = window.View()->Scene()->GetVolume();
+  const vtkSmartPointer<vtkImageData> volume = view.Scene()->GetVolume();
   if (writing.valid())
   {
     writing.wait(); // for the volume before
@@ -248,8 +253,8 @@ void FileActions::SaveVolume(const fs::path& path)
       }
       const auto report = [this, path, problem]
       {
-        problem.isEmpty() ? window.Announce("wrote " + QString::fromStdString(path.string()))
-                          : window.Report(problem);
+        problem.isEmpty() ? this->Said("wrote " + QString::fromStdString(path.string()))
+                          : this->Failed(problem);
       };
       QMetaObject::invokeMethod(this, report, Qt::QueuedConnection);
     });
@@ -257,13 +262,13 @@ void FileActions::SaveVolume(const fs::path& path)
 
 void FileActions::AskToSaveMovie()
 {
-  if (window.Player()->State().times.empty())
+  if (playback.State().times.empty())
   {
-    window.Announce(nothingOpen);
+    emit Said(notOpenYet);
     return;
   }
   const QString path = QFileDialog::getSaveFileName(
-    &window, "Save movie", "nexrad3d.ogv", "Movies (*.ogv *.mp4);;A picture of each time (*.png)");
+    window, "Save movie", "nexrad3d.ogv", "Movies (*.ogv *.mp4);;A picture of each time (*.png)");
   if (!path.isEmpty())
   {
     this->SaveMovie(WithEnding(path, {".ogv", ".mp4", ".png"}));
@@ -274,46 +279,46 @@ void FileActions::SaveMovie(const fs::path& path)
 {
   MovieJob job;
   job.output = path;
-  job.shown = window.Shown();
-  job.times = window.Player()->State().times;
+  job.shown = shown();
+  job.times = playback.State().times;
   job.volume = [this, times = job.times](std::size_t frame)
   {
-    if (window.Player()->State().times != times)
+    if (playback.State().times != times)
     {
       throw Error("something else was opened: the movie is not finished");
     }
-    return window.Player()->Volume(frame);
+    return playback.Volume(frame);
   };
-  if (window.Player()->HasBox())
+  if (playback.HasBox())
   {
     job.box = [this](std::size_t frame)
     {
-      if (!window.Player()->HasBox())
+      if (!playback.HasBox())
       {
         throw Error("the box was taken away: the movie is not finished");
       }
-      return window.Player()->VolumeOfBox(frame);
+      return playback.VolumeOfBox(frame);
     };
   }
   const QString name = QString::fromStdString(path.string());
   delete progress;
-  progress = new QProgressDialog(
-    "Drawing " + name, "Cancel", 0, static_cast<int>(job.times.size()), &window);
+  progress =
+    new QProgressDialog("Drawing " + name, "Cancel", 0, static_cast<int>(job.times.size()), window);
   progress->setObjectName("movie");
   progress->setAutoReset(false);
   progress->setMinimumDuration(0);
   movie = std::make_unique<MovieExport>(std::move(job));
   connect(movie.get(), &MovieExport::Advanced, progress, &QProgressDialog::setValue);
-  const auto makeCurrent = [view = window.View()] { view->makeCurrent(); };
-  connect(movie.get(), &MovieExport::Advanced, window.View(), makeCurrent);
-  connect(movie.get(), &QObject::destroyed, window.View(), makeCurrent);
+  const auto makeCurrent = [this] { view.makeCurrent(); };
+  connect(movie.get(), &MovieExport::Advanced, &view, makeCurrent);
+  connect(movie.get(), &QObject::destroyed, &view, makeCurrent);
   connect(movie.get(), &MovieExport::Ended, this,
     [this, name](const QString& problem) { this->EndMovie(name, problem); });
   connect(progress, &QProgressDialog::canceled, this,
     [this, name]
     {
       this->CloseMovie();
-      window.Announce("cancelled: " + name + " is not written");
+      emit Said("cancelled: " + name + " is not written");
     });
   progress->show();
 }
@@ -329,7 +334,7 @@ void FileActions::CloseMovie()
 void FileActions::EndMovie(const QString& path, const QString& problem)
 {
   this->CloseMovie();
-  problem.isEmpty() ? window.Announce("wrote " + path) : window.Report(problem);
+  problem.isEmpty() ? this->Said("wrote " + path) : this->Failed(problem);
 }
 
 } // namespace nexrad::viewer

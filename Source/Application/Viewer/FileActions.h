@@ -1,22 +1,27 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Options/SessionFile.h"
+
 #include <QList>
 #include <QObject>
 
 #include <filesystem>
+#include <functional>
 #include <future>
 #include <memory>
 
 class QAction;
 class QMenu;
 class QProgressDialog;
+class QWidget;
 
 namespace nexrad::viewer
 {
 
-class MainWindow;
 class MovieExport;
+class Playback;
+class SceneView;
 
 /// What the menu File does with what is shown, beside pictures: the command that draws it,
 /// sessions, the volume, and movies.
@@ -25,8 +30,10 @@ class FileActions : public QObject
   Q_OBJECT
 
 public:
-  /// A child of the window.
-  explicit FileActions(MainWindow& window);
+  /// A child of the window; what is given must outlive it. `shown`: what is shown now, and how;
+  /// `pictures`: the folder that takes what has no name of its own.
+  FileActions(QWidget* window, SceneView& view, Playback& playback,
+    std::function<application::Session()> shown, std::filesystem::path pictures);
   /// Waits for the volume that is being written; a movie that is not finished leaves no file.
   ~FileActions() override;
 
@@ -35,6 +42,16 @@ public:
 
   /// Opens a session in place of what is open; reports what is wrong with the file.
   void OpenSession(const std::filesystem::path& path);
+
+signals:
+  /// What was done, or why nothing is.
+  void Said(const QString& text);
+  /// What could not be done.
+  void Failed(const QString& problem);
+  /// A path is to be opened in place of what is open.
+  void PathWanted(const QString& path);
+  /// A session is to be shown in place of what is open.
+  void SessionRead(const application::Session& session, const QString& name);
 
 private:
   void CopyCommand();
@@ -47,7 +64,11 @@ private:
   void CloseMovie();
   void EndMovie(const QString& path, const QString& problem);
 
-  MainWindow& window;
+  QWidget* window;
+  SceneView& view;
+  Playback& playback;
+  std::function<application::Session()> shown;
+  std::filesystem::path pictures;
   std::future<void> writing;           ///< of a volume
   std::unique_ptr<MovieExport> movie;  ///< while it is made
   QProgressDialog* progress = nullptr; ///< of the movie

@@ -5,28 +5,28 @@
 #include "Drawing/PictureWindow.h"
 #include "Export/SceneState.h"
 #include "Scene/Frame/VolumeInformation.h"
-#include "Viewer/Box/BoxMouse.h"
-#include "Viewer/Box/BoxPanel.h"
+#include "Viewer/BoxMouse.h"
 #include "Viewer/ChosenArrays.h"
-#include "Viewer/Cutting/CutPanel.h"
-#include "Viewer/Cutting/SectionPanel.h"
+#include "Viewer/CutPanel.h"
 #include "Viewer/FileActions.h"
 #include "Viewer/HelpPage.h"
-#include "Viewer/Parts/InputWatch.h"
-#include "Viewer/Parts/LookPanel.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/PointerReadout.h"
-#include "Viewer/Parts/SceneView.h"
-#include "Viewer/Parts/SettingsScroll.h"
-#include "Viewer/Parts/TimeLine.h"
-#include "Viewer/TransferFunction/TransferFunctionDock.h"
-#include "Viewer/TransferFunction/TransferFunctionEditor.h"
-#include "Viewer/Welcome/WelcomePage.h"
+#include "Viewer/InputWatch.h"
+#include "Viewer/LookPanel.h"
+#include "Viewer/Playback.h"
+#include "Viewer/PointerReadout.h"
+#include "Viewer/SceneView.h"
+#include "Viewer/SectionPanel.h"
+#include "Viewer/TimeLine.h"
+#include "Viewer/TransferFunctionChart.h"
+#include "Viewer/TransferFunctionEditor.h"
+#include "Viewer/WelcomePage.h"
+#include "Viewer/Widgets.h"
 #include "nexrad/System/Error.h"
 #include "vtkOpenGLTextureSliceVolumeMapper.h"
 
 #include <vtkImageData.h>
 #include <vtkNexradVolumeScene.h>
+#include <vtkRenderWindow.h>
 
 #include <QAction>
 #include <QDockWidget>
@@ -40,6 +40,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSettings>
+#include <QShortcut>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTimer>
@@ -60,13 +61,13 @@ constexpr char recentKey[] = "recent";
 constexpr char syntheticTitle[] = "synthetic day";
 
 // Writes the synthetic files, as the first quarter of the work, and opens them.
-std::unique_ptr<scene::VolumeSeries> OpenSimulated(
-  scene::InputRequest input, const std::filesystem::path& folder, const Progress& progress)
+std::unique_ptr<VolumeSeries> OpenSimulated(
+  InputRequest input, const std::filesystem::path& folder, const Progress& progress)
 {
   constexpr double part = 0.25;
   const SimulatedDayOptions hour = application::DemoDay(std::chrono::hours(1));
   input.inputs = application::WriteSimulatedFiles(hour, folder, ShareOf(progress, 0.0, part)).files;
-  return scene::OpenInputs(input, ShareOf(progress, part, 1.0));
+  return OpenInputs(input, ShareOf(progress, part, 1.0));
 }
 
 // Whether two volumes show the same part of the earth.
@@ -87,15 +88,37 @@ QString RecentFolder()
   return paths.isEmpty() ? QString() : QFileInfo(paths.front()).absolutePath();
 }
 
+// Pictures a second that are asked for. While a point is dragged, light comes in larger cells, and
+// pixels become larger only where a picture takes half a second.
+constexpr double rateOfDrag = 2.0;
+constexpr double rateOfRest = 0.0001; // that of a window in which nothing moves
+
+// A dock behind another one is not hidden for Qt, but is for the user.
+void ShowOrHide(QDockWidget* dock)
+{
+  const bool seen = dock->isVisible() && !dock->visibleRegion().isEmpty();
+  dock->setVisible(!seen);
+  if (!seen)
+  {
+    dock->raise();
+  }
+}
+
 } // namespace
 
-MainWindow::MainWindow(const scene::ViewRequest& viewRequest)
+MainWindow::MainWindow(const ViewRequest& viewRequest)
   : request(viewRequest)
   , playback(new Playback(this))
   , watch(new InputWatch(this))
   , view(new SceneView(this))
 {
-  files = new FileActions(*this);
+  files = new FileActions(
+    this, *view, *playback, [this] { return this->Shown(); }, request.pictures);
+  connect(files, &FileActions::Said, this, &MainWindow::Announce);
+  connect(files, &FileActions::Failed, this, &MainWindow::Report);
+  connect(
+    files, &FileActions::PathWanted, this, [this](const QString& path) { this->Open({path}); });
+  connect(files, &FileActions::SessionRead, this, &MainWindow::Show);
   this->setObjectName("nexrad3d");
   this->setWindowTitle("nexrad3d");
   this->setAcceptDrops(true);
@@ -137,19 +160,26 @@ MainWindow::~MainWindow()
   playback = nullptr;
 }
 
+QDockWidget* MainWindow::AddDock(
+  const QString& title, const QString& name, QWidget* widget, Qt::DockWidgetArea area)
+{
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(name);
+  dock->setWidget(widget);
+  this->addDockWidget(area, dock);
+  return dock;
+}
+
 void MainWindow::MakeDocks()
 {
   look = new LookPanel(view->Scene(), this);
   auto* scroll = new SettingsScroll(look, this);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setMinimumWidth(look->sizeHint().width() + 24);
-  auto* lookDock = new QDockWidget("Look", this);
-  lookDock->setObjectName("look");
-  lookDock->setWidget(scroll);
-  this->addDockWidget(Qt::RightDockWidgetArea, lookDock);
+  QDockWidget* lookDock = this->AddDock("Look", "look", scroll);
   connect(look, &LookPanel::Changed, view, &SceneView::DrawSoon);
   connect(view, &SceneView::DrawingFailed, this, &MainWindow::Report);
-  colours = MakeTransferFunctionDock(*this, *view, *look, lookDock);
+  this->MakeTransferFunction(lookDock);
   connect(look, &LookPanel::MomentChosen, this, &MainWindow::ShowMoment);
   connect(look, &LookPanel::ColoursChosen, this, &MainWindow::ColourBy);
   connect(look, &LookPanel::MapArrayChosen, this, &MainWindow::ShowMapOf);
@@ -158,29 +188,52 @@ void MainWindow::MakeDocks()
   damage->setObjectName("damage");
   damage->setAccessibleName("Files that were damaged or left out");
   damage->setWordWrap(true);
-  damageDock = new QDockWidget("Damaged or left out", this);
-  damageDock->setObjectName("damage dock");
-  damageDock->setWidget(damage);
-  this->addDockWidget(Qt::BottomDockWidgetArea, damageDock);
+  damageDock =
+    this->AddDock("Damaged or left out", "damage dock", damage, Qt::BottomDockWidgetArea);
   damageDock->hide();
+}
+
+// The editor of colours and opacities is a dock behind that of the settings, hidden at first.
+void MainWindow::MakeTransferFunction(QDockWidget* lookDock)
+{
+  colours = new TransferFunctionEditor(view->Scene(), this);
+  QDockWidget* dock = this->AddDock("Transfer function", "transfer function", colours);
+  this->tabifyDockWidget(lookDock, dock);
+  dock->hide();
+  // The menu names the key, which is not the action's: the action hides a dock that is behind.
+  dock->toggleViewAction()->setText("Transfer function\tT");
+  connect(dock->toggleViewAction(), &QAction::triggered, dock,
+    [dock](bool on)
+    {
+      if (on)
+      {
+        dock->raise();
+      }
+    });
+  connect(new QShortcut(QKeySequence("T"), this), &QShortcut::activated, dock,
+    [dock] { ShowOrHide(dock); });
+  connect(colours, &TransferFunctionEditor::Changed, view,
+    [this]
+    {
+      const bool held = colours->Chart()->IsHeld();
+      view->renderWindow()->SetDesiredUpdateRate(held ? rateOfDrag : rateOfRest);
+      view->DrawSoon();
+    });
+  connect(colours, &TransferFunctionEditor::PresetChanged, look, &LookPanel::Follow);
 }
 
 void MainWindow::MakeCutting()
 {
-  const ShownScene shown{view, view->Scene(), [this] { view->DrawSoon(); }};
-  section = new SectionDock(shown, this);
+  section = new SectionDock(*view, this);
   this->addDockWidget(Qt::BottomDockWidgetArea, section);
   connect(look, &LookPanel::Changed, section->Panel(), &SectionPanel::FollowSoon);
   connect(playback, &Playback::Loaded, section->Panel(), &SectionPanel::FollowSoon);
-  auto* cut = new CutPanel(shown, this);
-  auto* scroll = new SettingsScroll(cut, this);
-  auto* cutDock = new QDockWidget("Cut", this);
-  cutDock->setObjectName("cut dock");
-  cutDock->setWidget(scroll);
+  auto* cut = new CutPanel(*view, this);
   auto* lookDock = this->findChild<QDockWidget*>("look");
-  this->tabifyDockWidget(lookDock, cutDock);
+  box = new BoxMouse(*view, *playback);
+  this->tabifyDockWidget(lookDock, this->AddDock("Cut", "cut dock", new SettingsScroll(cut, this)));
+  this->tabifyDockWidget(lookDock, this->AddDock("Box", "box dock", MakeBoxPanel(*box)));
   lookDock->raise();
-  box = MakeBoxDock(*this, *view, *playback, lookDock);
   connect(box, &BoxMouse::Said, this, &MainWindow::Announce);
   // A drag on the ground makes the box or draws the line.
   QAction* make = box->MakeAction();
@@ -313,7 +366,7 @@ application::Session MainWindow::NewSession() const
 application::Session MainWindow::Shown() const
 {
   application::Session session = opened;
-  const scene::BackgroundSeries::State& state = playback->State();
+  const BackgroundSeries::State& state = playback->State();
   session.shown.reset();
   if (playback->Step() < state.times.size())
   {
@@ -385,8 +438,8 @@ void MainWindow::OpenInputs(
   first = true;
   other = otherInputs;
   failures.clear();
-  scene::BackgroundSeriesOptions options;
-  const scene::InputRequest input = session.drawing.input;
+  BackgroundSeriesOptions options;
+  const InputRequest input = session.drawing.input;
   auto folder = session.synthetic ? std::make_shared<QTemporaryDir>() : nullptr;
   if (folder && !folder->isValid())
   {
@@ -397,12 +450,11 @@ void MainWindow::OpenInputs(
   options.open = [input, folder](const Progress& done)
   {
     auto series = folder ? OpenSimulated(input, folder->path().toStdString(), done)
-                         : scene::OpenInputs(input, done);
+                         : nexrad::OpenInputs(input, done);
     series->AllowCodes(true);
     return series;
   };
-  options.choose = [input](const scene::VolumeSeries& series)
-  { return scene::ChooseTimes(series, input); };
+  options.choose = [input](const VolumeSeries& series) { return ChooseTimes(series, input); };
   options.prepare = [](vtkImageData* volume)
   { vtkOpenGLTextureSliceVolumeMapper::PrepareScalars(volume, nullptr); };
   playback->Open(std::move(options), session.shown);
@@ -449,8 +501,8 @@ void MainWindow::ShowVolume(vtkImageData* volume)
 
 void MainWindow::FollowPlayback()
 {
-  using Phase = scene::BackgroundSeries::Phase;
-  const scene::BackgroundSeries::State& state = playback->State();
+  using Phase = BackgroundSeries::Phase;
+  const BackgroundSeries::State& state = playback->State();
   const bool opening = playback->HasSeries() && state.phase == Phase::Opening;
   const bool busy = opening || state.loads.has_value();
   progress->setVisible(busy);
@@ -485,8 +537,8 @@ void MainWindow::FollowPlayback()
 // What could not be opened shows nothing of what was open before it.
 void MainWindow::FollowEmptiness()
 {
-  using Phase = scene::BackgroundSeries::Phase;
-  const scene::BackgroundSeries::State& state = playback->State();
+  using Phase = BackgroundSeries::Phase;
+  const BackgroundSeries::State& state = playback->State();
   const bool failed = playback->HasSeries() && state.phase == Phase::Failed;
   if (failed && view->Scene()->GetVolume() != nullptr)
   {
@@ -567,7 +619,7 @@ void MainWindow::AskForFolder()
 
 void MainWindow::AskForPicture()
 {
-  const scene::BackgroundSeries::State& state = playback->State();
+  const BackgroundSeries::State& state = playback->State();
   const bool timed = playback->Step() < state.times.size();
   const QString name = timed ? QString::fromStdString(
                                  scene::FreePictureName({}, state.times[playback->Step()]).string())
@@ -581,7 +633,7 @@ void MainWindow::AskForPicture()
 
 void MainWindow::TakePicture()
 {
-  const scene::BackgroundSeries::State& state = playback->State();
+  const BackgroundSeries::State& state = playback->State();
   if (view->Scene()->GetVolume() != nullptr && playback->Step() < state.times.size())
   {
     this->WritePicture(scene::FreePictureName(request.pictures, state.times[playback->Step()]));

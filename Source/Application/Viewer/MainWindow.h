@@ -2,12 +2,13 @@
 #pragma once
 
 #include "Options/SessionFile.h"
-#include "Viewer/RunWindow.h"
+#include "Requests/DrawingRequest.h"
 
 #include <QList>
 #include <QMainWindow>
 #include <QStringList>
 
+#include <chrono>
 #include <filesystem>
 #include <vector>
 
@@ -32,6 +33,13 @@ class SectionDock;
 class TransferFunctionEditor;
 class WelcomePage;
 
+/// What the view command asks for. The size is that of the window at first.
+struct ViewRequest : scene::DrawingRequest
+{
+  Duration interval = std::chrono::milliseconds(500); ///< from one step to the next in playing
+  std::filesystem::path pictures = ".";               ///< folder that takes screenshots
+};
+
 /// The window of `nexrad3d view`: a radar day in its time line, its scene and its settings.
 class MainWindow : public QMainWindow
 {
@@ -39,7 +47,7 @@ class MainWindow : public QMainWindow
 
 public:
   /// Opens the inputs of the request, if there are any.
-  explicit MainWindow(const scene::ViewRequest& request);
+  explicit MainWindow(const ViewRequest& request);
   ~MainWindow() override;
 
   SceneView* View() const { return view; }
@@ -48,8 +56,6 @@ public:
   QStringList Problems() const;
   /// Pictures that were written.
   const std::vector<std::filesystem::path>& Pictures() const { return pictures; }
-  /// Folder that takes the pictures without a name of their own.
-  const std::filesystem::path& PictureFolder() const { return request.pictures; }
   /// What is shown now, and how.
   application::Session Shown() const;
   /// Opens a session in place of what is open.
@@ -70,8 +76,11 @@ protected:
   void dropEvent(QDropEvent* event) override;
 
 private:
+  QDockWidget* AddDock(const QString& title, const QString& name, QWidget* widget,
+    Qt::DockWidgetArea area = Qt::RightDockWidgetArea);
   void MakeMenus();
   void MakeDocks();
+  void MakeTransferFunction(QDockWidget* lookDock);
   void MakeCutting();
   void MakeStatus();
   void MakeWelcome();
@@ -95,7 +104,7 @@ private:
   QString OpeningText() const;
   void ShowVolume(vtkImageData* volume);
 
-  scene::ViewRequest request;
+  ViewRequest request;
   application::Session opened; ///< its inputs, and what is done when their first volume is shown
   Playback* playback = nullptr;
   InputWatch* watch = nullptr;

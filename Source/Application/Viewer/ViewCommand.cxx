@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
-
+#include "Commands/LoadedCommands.h"
+#include "Drawing/PictureWindow.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
 #include "Options/ThreadOptions.h"
 #include "Options/UnitOptions.h"
 #include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
-#include "Viewer/RunWindow.h"
+#include "Scene/VolumeAppearance.h"
+#include "Viewer/MainWindow.h"
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <clocale>
+#include <filesystem>
 #include <memory>
 
 namespace nexrad::application
@@ -21,31 +27,53 @@ namespace
 
 struct ViewOptions
 {
-  scene::ViewRequest request;
+  viewer::ViewRequest request;
   bool quiet = false;
 };
 
+// Shows the window until the user closes it.
+Outcome RunWindow(const viewer::ViewRequest& request)
+{
+  scene::RequireDisplay();
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QCoreApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QCoreApplication::setOrganizationName("nexrad3d");
+  QCoreApplication::setApplicationName("nexrad3d");
+  int count = 1;
+  char name[] = "nexrad3d";
+  char* arguments[] = {name, nullptr};
+  QApplication application(count, arguments);
+  // Qt takes the user's locale, in which numbers in files may have a comma.
+  std::setlocale(LC_NUMERIC, "C");
+  viewer::MainWindow window(request);
+  window.show();
+  QApplication::exec();
+  Outcome outcome;
+  for (const std::filesystem::path& picture : window.Pictures())
+  {
+    outcome.made.push_back(picture.string());
+  }
+  outcome.notes = scene::LinesPassedOver(request.scene);
+  for (const QString& line : window.Problems())
+  {
+    outcome.problems.push_back(line.toStdString());
+  }
+  return outcome;
+}
+
 int RunView(const ViewOptions& options)
 {
-  const scene::ViewReport report = viewer::RunWindow(options.request);
-  if (!options.quiet)
-  {
-    for (const auto& path : report.pictures)
-    {
-      std::cout << path.string() << '\n';
-    }
-  }
-  PrintMessages(report.notes);
-  PrintMessages(report.problems);
-  return report.problems.empty() ? Done : DoneWithDamage;
+  const Outcome outcome = RunWindow(options.request);
+  PrintOutcome(outcome, options.quiet);
+  return outcome.problems.empty() ? Done : DoneWithDamage;
 }
 
 } // namespace
 
-void AddViewOptions(CLI::App& command, CommandAction& action)
+NEXRAD_ADD_OPTIONS(view)(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<ViewOptions>();
-  scene::ViewRequest& request = options->request;
+  viewer::ViewRequest& request = options->request;
   AddInputOptions(command, request.input, false);
   AddQuietOption(command, options->quiet);
   AddDrawingOptions(command, request);

@@ -11,6 +11,22 @@
 namespace nexrad::application
 {
 
+/// The codes of a volume as a page holds them, before they are deflated
+/// (Documentation/Formats/web-page.md). Echo is found column by column; most columns have a few
+/// layers of it, and a code is mostly that of the voxel below.
+struct PackedColumns
+{
+  std::vector<std::uint8_t> ends;  ///< where echo begins and ends in each column
+  std::vector<std::uint8_t> codes; ///< of the voxels with echo, as differences
+};
+
+/// Largest number of layers of a volume that can be packed: an end is a byte.
+constexpr int MostPackedLayers = 254;
+
+/// Packs a code for each voxel (x fastest, then y, then z upward); 0 stands for no echo. Throws
+/// Error when there are not as many codes as voxels, and for more than MostPackedLayers layers.
+PackedColumns PackColumns(const std::array<int, 3>& size, const std::vector<std::uint8_t>& codes);
+
 /// How a page holds the values of a moment. Its textures have a byte for each voxel: `first` +
 /// `step` × byte. The volumes in the page have fewer codes, each of which stands for one byte; 0 is
 /// no echo.

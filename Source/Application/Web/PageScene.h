@@ -1,26 +1,62 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Requests/DrawingRequest.h"
 #include "Scene/Frame/EchoExtent.h"
 #include "Scene/Frame/SceneFrame.h"
+#include "Scene/SceneOptions.h"
 #include "Web/PageCode.h"
-#include "Web/PagePresets.h"
-#include "Web/WebPage.h"
 
 #include <vtkSmartPointer.h>
 
 #include <nlohmann/json_fwd.hpp>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 class vtkImageData;
+class vtkNexradTransferFunction;
 
 namespace nexrad::application
 {
+
+/// Decimals of a part of a colour, or of an opacity that stands alone, in the page.
+constexpr int ColourDigits = 4;
+
+struct PageCode;
+
+/// One of the presets that a page offers.
+struct PagePreset
+{
+  std::string name;
+  vtkSmartPointer<vtkNexradTransferFunction> function;
+};
+
+/// The presets of a moment ("REF"), and which of them the page shows first.
+struct PagePresets
+{
+  std::vector<PagePreset> all; ///< at least one
+  std::size_t first = 0;
+};
+
+/// The presets of the moment and, before them, "own" where the options have colours, opacities or
+/// iso-values of their own. Throws Error as scene::MakeTransferFunction does.
+PagePresets PresetsOf(const scene::SceneOptions& options, const std::string& array);
+
+/// The least value at which a preset has an opacity above 0, or the least of its iso-values.
+double LeastVisible(vtkNexradTransferFunction* function);
+
+/// The least value that the preset of the options shows, or the first preset of its moment.
+double LeastVisible(const PagePresets& presets);
+
+/// The presets as the page's script takes them; without those that show values below the floor of
+/// the code.
+nlohmann::ordered_json MakePresetsJson(
+  const PagePresets& presets, const std::string& array, const PageCode& code);
 
 /// What the captions of a page say of one of its times.
 struct PageTime
@@ -38,7 +74,7 @@ public:
   /// `volume`: the first one of the page. `echo`: what the frame holds; that of the volume where
   /// there is none. Throws Error for a preset or a place to look at that it
   /// cannot have, and for a volume without voxels or without a moment.
-  PageScene(const scene::WebRequest& request, vtkImageData* volume,
+  PageScene(const scene::DrawingRequest& request, vtkImageData* volume,
     const std::optional<scene::EchoExtent>& echo);
 
   const PageCode& Code() const { return code; }
@@ -64,7 +100,7 @@ private:
   nlohmann::ordered_json MakeRadars(const std::vector<PageTime>& times) const;
   nlohmann::ordered_json MakeCamera() const;
 
-  const scene::WebRequest& request;
+  const scene::DrawingRequest& request;
   scene::SceneFrame frame;
   vtkSmartPointer<vtkImageData> ground;
   std::array<double, 6> box{};    ///< of the domain; km, with heights as they are

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "Commands/Command.h"
-
+#include "Commands/LoadedCommands.h"
 #include "Options/DrawingOptions.h"
 #include "Options/GridOptions.h"
 #include "Options/UnitOptions.h"
-#include "Output/Counted.h"
 #include "Output/MessageOutput.h"
 #include "Output/ProgressBar.h"
 #include "Web/WebPage.h"
 
 #include <CLI/CLI.hpp>
 
-#include <iostream>
 #include <memory>
 
 namespace nexrad::application
@@ -43,21 +40,15 @@ int RunWeb(WebOptions& options)
 {
   ProgressBar bar("making the page", options.quiet);
   options.request.progress = [&bar](double fraction) { return bar.Update(fraction); };
-  const scene::WebReport report = MakeWebPage(options.request);
+  const Outcome outcome = MakeWebPage(options.request);
   bar.Clear();
-  if (!options.quiet)
-  {
-    std::cout << report.page.string() << ": " << Counted(report.times, "time") << ", "
-              << Counted(report.bytes, "byte") << '\n';
-  }
-  PrintMessages(report.notes);
-  PrintMessages(report.problems);
-  return report.problems.empty() ? Done : DoneWithDamage;
+  PrintOutcome(outcome, options.quiet);
+  return outcome.problems.empty() ? Done : DoneWithDamage;
 }
 
 } // namespace
 
-void AddWebOptions(CLI::App& command, CommandAction& action)
+NEXRAD_ADD_OPTIONS(web)(CLI::App& command, CommandAction& action)
 {
   const auto options = std::make_shared<WebOptions>();
   scene::WebRequest& request = options->request;

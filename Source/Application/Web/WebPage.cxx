@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Web/WebPage.h"
 
+#include "Filters/Series/InputSeries.h"
 #include "Libraries/VtkErrors.h"
 #include "Output/OutputFile.h"
 #include "Scene/EchoFraming.h"
-#include "Scene/Series/InputSeries.h"
 #include "Scene/VolumeAppearance.h"
-#include "Web/ColumnPacking.h"
+#include "Web/PageCode.h"
 #include "Web/PageScene.h"
 #include "Web/PageText.h"
 #include "nexrad/Codec/NxvFile.h"
@@ -224,13 +224,13 @@ class PageMaker
 public:
   explicit PageMaker(const scene::WebRequest& webRequest)
     : request(webRequest)
-    , series(scene::OpenInputs(webRequest.input, webRequest.progress))
-    , chosen(scene::ChooseTimes(*series, webRequest.input))
+    , series(OpenInputs(webRequest.input, webRequest.progress))
+    , chosen(ChooseTimes(*series, webRequest.input))
     , echo(scene::MeasureSeries(*series, chosen, webRequest.scene))
   {
   }
 
-  scene::WebReport MakeSinglePage()
+  Outcome MakeSinglePage()
   {
     PageText text = MakePageWithLetters();
     for (std::size_t i = 0; i < chosen.size(); ++i)
@@ -239,20 +239,17 @@ public:
       text.AddPart("ends-" + std::to_string(i), packed.ends);
       text.AddPart("codes-" + std::to_string(i), packed.codes);
     }
-    return this->Finish(std::move(text), request.output, {});
+    return this->Finish(std::move(text), request.output, {}, times.size());
   }
 
-  scene::WebReport MakeFolder()
+  Outcome MakeFolder()
   {
     const NamedFiles files = FindVolumeFiles(request.input.inputs);
     this->Load(0); // fails for a preset that the volumes cannot have before anything is written
     const VolumeFolder volumes = FillVolumeFolder(files, request.output);
     PageText text = MakePageWithLetters();
     text.AddWrittenFiles(volumes.written);
-    scene::WebReport report =
-      this->Finish(std::move(text), request.output / PageName, volumes.index);
-    report.times = volumes.times;
-    return report;
+    return this->Finish(std::move(text), request.output / PageName, volumes.index, volumes.times);
   }
 
 private:
@@ -277,24 +274,24 @@ private:
     return PackColumns(page->Size(), page->Encode(image));
   }
 
-  scene::WebReport Finish(PageText text, const fs::path& path, const std::string& index)
+  // `count`: times in the page, or in the index beside it.
+  Outcome Finish(PageText text, const fs::path& path, const std::string& index, std::size_t count)
   {
     text.AddTextPart("scene", page->MakeText(times, index));
     text.AddPart("ground", page->GroundTexels());
     ThrowVtkErrors();
     const std::string html = text.Make(page->Title(times));
     WriteFile(path, reinterpret_cast<const unsigned char*>(html.data()), html.size());
-    scene::WebReport report;
-    report.page = path;
-    report.bytes = html.size();
-    report.times = times.size();
-    report.notes = scene::LinesPassedOver(request.scene);
-    report.problems = series->Problems();
-    return report;
+    Outcome outcome;
+    outcome.made = {
+      path.string() + ": " + Counted(count, "time") + ", " + Counted(html.size(), "byte")};
+    outcome.notes = scene::LinesPassedOver(request.scene);
+    outcome.problems = series->Problems();
+    return outcome;
   }
 
   const scene::WebRequest& request;
-  std::unique_ptr<scene::VolumeSeries> series;
+  std::unique_ptr<VolumeSeries> series;
   std::vector<std::size_t> chosen;
   std::optional<scene::EchoExtent> echo; ///< of all times, where there are several
   std::optional<PageScene> page;         ///< once the first volume is there
@@ -309,7 +306,7 @@ bool IsSinglePage(const fs::path& output)
   return isPage && !fs::is_directory(output);
 }
 
-scene::WebReport MakeWebPage(const scene::WebRequest& request)
+Outcome MakeWebPage(const scene::WebRequest& request)
 {
   PageMaker maker(request);
   return IsSinglePage(request.output) ? maker.MakeSinglePage() : maker.MakeFolder();

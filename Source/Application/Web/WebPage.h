@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Output/MessageOutput.h"
 #include "Requests/DrawingRequest.h"
 #include "nexrad/System/Progress.h"
 
@@ -20,16 +21,6 @@ struct WebRequest : DrawingRequest
   Progress progress;
 };
 
-/// What was made of it.
-struct WebReport
-{
-  std::filesystem::path page;
-  std::uintmax_t bytes = 0;          ///< of the page
-  std::size_t times = 0;             ///< in the page, or in the index beside it
-  std::vector<std::string> problems; ///< inputs that were damaged or left out, a line each
-  std::vector<std::string> notes;    ///< what else is to be said, a line each
-};
-
 } // namespace nexrad::scene
 
 namespace nexrad::application
@@ -39,8 +30,8 @@ namespace nexrad::application
 /// a folder. Any other name is.
 bool IsSinglePage(const std::filesystem::path& output);
 
-/// Makes a page that draws merged volumes in a browser. Throws Error for inputs that cannot be
-/// opened, and volumes that are not of one series.
-scene::WebReport MakeWebPage(const scene::WebRequest& request);
+/// Makes a page that draws merged volumes in a browser. The outcome names the page. Throws Error
+/// for inputs that cannot be opened, and volumes that are not of one series.
+Outcome MakeWebPage(const scene::WebRequest& request);
 
 } // namespace nexrad::application

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Elements/TextPicture.h"
-#include "Scene/Elements/Theme.h"
 #include "Scene/Frame/VolumeInformation.h"
+#include "Scene/Shapes/Letters.h"
+#include "Scene/Shapes/Theme.h"
 
 #include <vtkSmartPointer.h>
 
@@ -12,10 +12,18 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkProp;
 
 namespace nexrad::scene
 {
+
+/// Age of the data of each radar of a merged volume, in the order of its `Sites`: the median, in
+/// minutes, of the ancillary array `_age` over the voxels that this radar alone scanned. Nothing
+/// for a radar without such voxels. Empty when the volume lacks the arrays that tell: `_age`, and
+/// of several radars `_radars` and `_site` as well.
+std::vector<std::optional<double>> AgesOfData(
+  vtkImageData* volume, const std::string& array, std::size_t sites);
 
 /// What the captions of a picture say.
 struct CaptionTexts

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include "Scene/Plan/PlanView.h"
+#include "Scene/Scales/ColourScale.h"
 #include "nexrad/Grid/GriddedVolume.h"
 
 #include <array>
@@ -71,5 +73,14 @@ enum class PresetWords
 /// something is to be seen.
 std::string WordsForNothing(const EchoShown& found, const std::string& array,
   const std::optional<double>& leastShown, double biologicalShare, PresetWords presets);
+
+/// The values of a map's columns, and how many of them have a colour of its scale.
+EchoShown FindMapShown(const PlanView& view, const ColourScale& scale);
+
+/// What a map that shows nothing, or next to nothing, says: that it has no value above the first
+/// of its scale, or none at all, and what there is in the volume that it is of. Empty where
+/// something is to be seen.
+std::string WordsForMap(const PlanView& view, const PlanOptions& plan, const ColourScale& scale,
+  vtkImageData* volume, double biologicalShare, PresetWords presets);
 
 } // namespace nexrad::scene

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTransferFunction.h"
 
+#include "nexrad/System/AtomicFile.h"
+#include "nexrad/System/Error.h"
 #include "vtkNexradColorMapJSON.h"
 #include "vtkNexradColorMapPalette.h"
 #include "vtkNexradTransferFunctionPresets.h"
@@ -18,7 +20,6 @@
 #include <fstream>
 #include <iterator>
 #include <limits>
-#include <random>
 #include <string>
 
 namespace
@@ -153,30 +154,6 @@ void BeginAt(double first, Nodes& nodes)
 std::string EndingOf(const char* path)
 {
   return path != nullptr ? std::filesystem::path(path).extension().string() : std::string();
-}
-
-// What was there before stays until all is written. Nobody can foresee the temporary name, and so
-// plant a link there. (This module does without Core and its AtomicFile.)
-bool WriteWhole(const std::filesystem::path& path, const std::string& text)
-{
-  std::random_device random;
-  std::filesystem::path part = path;
-  part += ".part-" + std::to_string(random()) + std::to_string(random());
-  std::ofstream stream(part, std::ios::binary);
-  stream << text;
-  stream.close();
-  std::error_code failure;
-  if (stream)
-  {
-    std::filesystem::rename(part, path, failure);
-  }
-  if (!stream || failure)
-  {
-    std::error_code ignored;
-    std::filesystem::remove(part, ignored);
-    return false;
-  }
-  return true;
 }
 
 } // namespace
@@ -710,10 +687,14 @@ bool vtkNexradTransferFunction::WriteFile(const char* path)
                              ? this->FormatJSON()
                              : vtkNexradColorMapText::FormatPalette(
                                  this->Internal->Map, SamplesOf(this, this->Internal->Map));
-  const bool written = WriteWhole(path, text);
-  if (!written)
+  try
+  {
+    nexrad::WriteFileAtomically(path, text.data(), text.size());
+    return true;
+  }
+  catch (const nexrad::Error&)
   {
     vtkErrorMacro(<< path << ": cannot be written");
+    return false;
   }
-  return written;
 }

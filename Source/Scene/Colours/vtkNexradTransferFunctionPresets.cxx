@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "vtkNexradTransferFunctionPresets.h"
 
+#include "vtkNexradColorMap.h"
 #include "vtkNexradColorMapPalette.h"
-#include "vtkNexradMomentPresets.h"
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
 
 namespace nexrad::embedded
 {
@@ -15,6 +16,170 @@ extern const std::size_t reflectivityColoursSize;
 
 namespace
 {
+
+/// Colours in steps from value to value, and opacities.
+struct vtkNexradMomentPreset
+{
+  struct Step
+  {
+    double From;    ///< unit of the moment
+    unsigned Color; ///< 0xRRGGBB
+  };
+
+  const char* Name;
+  const char* Array; ///< the moment's, as "VEL"
+  std::vector<Step> Steps;
+  double End; ///< of the last step
+  std::vector<vtkNexradColorMap::Node> Opacity;
+};
+
+// Towards the radar green, away from it red, a light grey within 1 m/s of zero; from 32 m/s on,
+// which few radars measure unfolded, blue and yellow. Steps of the same speed have the same
+// lightness, and both sides become lighter from 1 m/s on, so that a couplet looks like one. The
+// green is bluish, which those who do not tell red from green see. The steps are narrow at small
+// speeds, where the wind relative to a storm lies. The fast is opaque.
+vtkNexradMomentPreset RadialVelocity(const char* name, const char* array)
+{
+  return {name, array,
+    {{-60.0, 0xD9EEFE}, {-50.0, 0x85E5FF}, {-40.0, 0x09DDDB}, {-32.0, 0x22CDA8}, {-25.0, 0x02B86F},
+      {-20.0, 0x00A065}, {-15.0, 0x038857}, {-10.0, 0x00754C}, {-6.0, 0x006140}, {-3.0, 0x0A5136},
+      {-1.0, 0x8C8C8C}, {1.0, 0x82252C}, {3.0, 0x9C2B33}, {6.0, 0xB9353A}, {10.0, 0xD73F41},
+      {15.0, 0xF4534C}, {20.0, 0xFF7766}, {25.0, 0xFF9C83}, {32.0, 0xFFB781}, {40.0, 0xFFCF8C},
+      {50.0, 0xFEEC8A}},
+    60.0,
+    {{-50.0, 0.8}, {-32.0, 0.6}, {-20.0, 0.3}, {-10.0, 0.1}, {-5.0, 0.04}, {-2.0, 0.012},
+      {0.0, 0.008}, {2.0, 0.012}, {5.0, 0.04}, {10.0, 0.1}, {20.0, 0.3}, {32.0, 0.6}, {50.0, 0.8}}};
+}
+
+// Widths of 4 m/s and more mean shear or turbulence.
+vtkNexradMomentPreset SpectrumWidth()
+{
+  return {"spectrum width", "SW",
+    {{0.0, 0x4A4A4A}, {1.0, 0x666666}, {2.0, 0x3F6FB0}, {3.0, 0x3A93D0}, {4.0, 0x2DB08C},
+      {5.0, 0x38B83C}, {6.0, 0x9ACB2E}, {8.0, 0xF2E033}, {10.0, 0xF5A623}, {12.0, 0xEC5A24},
+      {15.0, 0xD0202A}, {20.0, 0xE65BD8}},
+    25.0,
+    {{0.0, 0.004}, {1.0, 0.006}, {2.0, 0.02}, {4.0, 0.08}, {6.0, 0.2}, {8.0, 0.4}, {12.0, 0.7},
+      {20.0, 0.85}}};
+}
+
+// Drizzle, hail and dry snow lie about 0 dB (grey), rain above; violet below.
+vtkNexradMomentPreset DifferentialReflectivity()
+{
+  return {"differential reflectivity", "ZDR",
+    {{-4.0, 0x3D2B56}, {-2.0, 0x55407A}, {-1.0, 0x6F6390}, {-0.5, 0x8A86A0}, {0.0, 0xB4B4B4},
+      {0.25, 0x8FA8C8}, {0.5, 0x4F8FDC}, {1.0, 0x2BB0C0}, {1.5, 0x20B070}, {2.0, 0x3CC83C},
+      {2.5, 0xA5DC32}, {3.0, 0xF5E632}, {4.0, 0xF8B028}, {5.0, 0xF0641E}, {6.0, 0xDC1E28},
+      {8.0, 0xFA8CD2}},
+    10.0,
+    {{-4.0, 0.3}, {-1.0, 0.08}, {0.0, 0.01}, {0.5, 0.012}, {1.0, 0.03}, {2.0, 0.1}, {3.0, 0.25},
+      {4.0, 0.45}, {6.0, 0.7}, {8.0, 0.8}}};
+}
+
+// Once round in twelve colours.
+vtkNexradMomentPreset DifferentialPhase()
+{
+  return {"differential phase", "PHI",
+    {{0.0, 0x5B2D86}, {30.0, 0x3F3FB0}, {60.0, 0x2F74D0}, {90.0, 0x28A8D8}, {120.0, 0x25B89A},
+      {150.0, 0x3CB84A}, {180.0, 0x9ACB2E}, {210.0, 0xECE132}, {240.0, 0xF5B028}, {270.0, 0xF0741E},
+      {300.0, 0xDC2A28}, {330.0, 0xE66AB4}},
+    360.0,
+    {{0.0, 0.01}, {60.0, 0.015}, {120.0, 0.05}, {180.0, 0.12}, {270.0, 0.25}, {360.0, 0.35}}};
+}
+
+// Rain and snow lie above 0.95, in steps of 0.01; what is no weather far below, and is opaque.
+vtkNexradMomentPreset CorrelationCoefficient()
+{
+  return {"correlation coefficient", "RHO",
+    {{0.2, 0x3C3C3C}, {0.45, 0x5A5A6E}, {0.65, 0x39398A}, {0.75, 0x2F5FD0}, {0.8, 0x2F9FE0},
+      {0.85, 0x28B8A0}, {0.9, 0x3CB83C}, {0.93, 0x9AD02E}, {0.95, 0xF2E632}, {0.96, 0xF5B428},
+      {0.97, 0xF0781E}, {0.98, 0xDC2323}, {0.99, 0xA01428}, {1.0, 0xC878C8}},
+    1.06,
+    {{0.2, 0.5}, {0.5, 0.4}, {0.7, 0.3}, {0.8, 0.2}, {0.9, 0.1}, {0.95, 0.03}, {0.98, 0.012},
+      {1.0, 0.008}, {1.05, 0.008}}};
+}
+
+vtkNexradMomentPreset ClutterPower()
+{
+  return {"clutter power", "CFP",
+    {{0.0, 0x5A5A5A}, {2.0, 0x4A6A9A}, {5.0, 0x3A93D0}, {10.0, 0x2DB08C}, {15.0, 0x38B83C},
+      {20.0, 0x9ACB2E}, {25.0, 0xF2E033}, {30.0, 0xF5A623}, {40.0, 0xEC5A24}, {50.0, 0xD0202A},
+      {60.0, 0xE65BD8}},
+    75.0,
+    {{0.0, 0.006}, {5.0, 0.02}, {10.0, 0.06}, {20.0, 0.2}, {30.0, 0.4}, {50.0, 0.7}, {60.0, 0.8}}};
+}
+
+// Anticlockwise shear from yellow through red to white, clockwise shear blue; a light grey below
+// 0.002/s. What is below 0.004/s is the shear of the wind and noise, and nearly transparent;
+// mesocyclones lie above 0.01/s.
+vtkNexradMomentPreset AzimuthalShear()
+{
+  return {"azimuthal shear", "AZSHEAR",
+    {{-0.03, 0x9FE3FF}, {-0.02, 0x4FB4F0}, {-0.015, 0x2F86D8}, {-0.01, 0x2C5FB4},
+      {-0.006, 0x35497F}, {-0.004, 0x4A5268}, {-0.002, 0x8C8C8C}, {0.002, 0x7A6A3C},
+      {0.004, 0xA88A28}, {0.006, 0xE0C020}, {0.008, 0xF8A020}, {0.01, 0xF07018}, {0.015, 0xE03020},
+      {0.02, 0xC01048}, {0.03, 0xE658C8}, {0.04, 0xFFD8F4}},
+    0.05,
+    {{-0.03, 0.5}, {-0.01, 0.12}, {-0.006, 0.02}, {-0.004, 0.0}, {0.004, 0.0}, {0.006, 0.03},
+      {0.008, 0.12}, {0.01, 0.4}, {0.015, 0.75}, {0.03, 0.9}}};
+}
+
+// Air that flows apart is warm, air that flows together cold.
+vtkNexradMomentPreset RadialDivergence()
+{
+  return {"radial divergence", "DIV",
+    {{-0.03, 0xB0F0FF}, {-0.02, 0x50C8F0}, {-0.015, 0x2898DC}, {-0.01, 0x2868BC},
+      {-0.006, 0x304C8C}, {-0.004, 0x46506E}, {-0.002, 0x8C8C8C}, {0.002, 0x76603C},
+      {0.004, 0x986828}, {0.006, 0xC07820}, {0.01, 0xE89828}, {0.015, 0xF8C040}, {0.02, 0xFCE078}},
+    0.03,
+    {{-0.03, 0.8}, {-0.015, 0.5}, {-0.01, 0.25}, {-0.006, 0.06}, {-0.004, 0.006}, {0.0, 0.003},
+      {0.004, 0.006}, {0.006, 0.06}, {0.01, 0.25}, {0.015, 0.5}, {0.03, 0.8}}};
+}
+
+// Rain has about 0.3 degrees/km at 40 dBZ and 3 at 53 dBZ; drizzle, snow and dry hail have about 0.
+vtkNexradMomentPreset SpecificPhase()
+{
+  return {"specific differential phase", "KDP",
+    {{-2.0, 0x4A4A5A}, {-1.0, 0x646478}, {-0.5, 0x8C8C8C}, {0.25, 0x5A78A8}, {0.5, 0x3A93D0},
+      {1.0, 0x2DB08C}, {1.5, 0x38B83C}, {2.0, 0x9ACB2E}, {2.5, 0xF2E033}, {3.0, 0xF5A623},
+      {4.0, 0xEC5A24}, {5.0, 0xD0202A}, {7.0, 0xE65BD8}},
+    10.0,
+    {{-2.0, 0.05}, {-1.0, 0.01}, {-0.5, 0.004}, {0.25, 0.004}, {0.5, 0.02}, {1.0, 0.1}, {2.0, 0.3},
+      {3.0, 0.5}, {5.0, 0.8}}};
+}
+
+// The colour of a code 0xRRGGBB.
+vtkNexradColorMap::Color vtkNexradColorOf(unsigned code)
+{
+  const auto part = [code](unsigned shift) { return (code >> shift & 0xFFU) / 255.0; };
+  return {part(16), part(8), part(0)};
+}
+
+const std::vector<vtkNexradMomentPreset>& vtkNexradMomentPresets()
+{
+  static const std::vector<vtkNexradMomentPreset> presets = {RadialVelocity("velocity", "VEL"),
+    SpectrumWidth(), DifferentialReflectivity(), DifferentialPhase(), CorrelationCoefficient(),
+    ClutterPower(), RadialVelocity("storm-relative velocity", "SRV"), AzimuthalShear(),
+    RadialDivergence(), SpecificPhase()};
+  return presets;
+}
+
+// The colour map of a preset.
+vtkNexradColorMap vtkNexradMakeColorMap(const vtkNexradMomentPreset& preset)
+{
+  vtkNexradColorMap map;
+  map.Name = preset.Name;
+  map.Array = preset.Array;
+  for (std::size_t i = 0; i < preset.Steps.size(); ++i)
+  {
+    const double end = i + 1 < preset.Steps.size() ? preset.Steps[i + 1].From : preset.End;
+    const vtkNexradColorMap::Color color = vtkNexradColorOf(preset.Steps[i].Color);
+    map.Bins.push_back({preset.Steps[i].From, end, color, color});
+  }
+  map.MakeColorNodesFromBins();
+  map.Channels[3] = preset.Opacity;
+  return map;
+}
 
 using Nodes = std::vector<vtkNexradColorMap::Node>;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/Elevations.h"
 
-#include "Scene/Map/MapBytes.h"
+#include "Scene/Map/MapData.h"
 #include "nexrad/Compression/Deflate.h"
 #include "nexrad/System/Error.h"
 

@@ -1,18 +1,229 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/GroundPicture.h"
 
+#include "Scene/Frame/SceneFrame.h"
 #include "Scene/Map/Elevations.h"
-#include "Scene/Map/MapAreas.h"
-#include "Scene/Map/Relief.h"
+#include "Scene/Map/MapData.h"
+#include "Scene/Map/PlacedMap.h"
+#include "nexrad/Geometry/Angles.h"
 
 #include <vtkImageData.h>
+#include <vtkSMPTools.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
+
+namespace nexrad::embedded
+{
+extern const unsigned char mapAreas[];
+extern const std::size_t mapAreasSize;
+} // namespace nexrad::embedded
 
 namespace nexrad::scene
 {
+namespace
+{
+
+// The cells of a picture whose middles lie in a ring.
+class RingPainter
+{
+public:
+  RingPainter(std::vector<std::uint8_t>& theCells, int theColumns, int theRows)
+    : cells(theCells)
+    , columns(theColumns)
+    , rows(theRows)
+    , crossings(static_cast<std::size_t>(theRows))
+  {
+  }
+
+  // The ring's points are in cells from the corner of the picture.
+  void Paint(const GroundLine& ring, std::uint8_t value)
+  {
+    for (std::size_t i = 0; i < ring.size(); ++i)
+    {
+      this->Cross(ring[i], ring[(i + 1) % ring.size()]);
+    }
+    for (int row = 0; row < rows; ++row)
+    {
+      this->Fill(row, value);
+    }
+  }
+
+private:
+  int FirstMiddle(double place, int count) const
+  {
+    return static_cast<int>(std::ceil(std::clamp(place - 0.5, 0.0, static_cast<double>(count))));
+  }
+
+  void Cross(const std::array<double, 2>& from, const std::array<double, 2>& to)
+  {
+    const auto [low, high] = std::minmax(from[1], to[1]);
+    for (int row = this->FirstMiddle(low, rows); row < this->FirstMiddle(high, rows); ++row)
+    {
+      const double share = (row + 0.5 - from[1]) / (to[1] - from[1]);
+      crossings[static_cast<std::size_t>(row)].push_back(from[0] + share * (to[0] - from[0]));
+    }
+  }
+
+  void Fill(int row, std::uint8_t value)
+  {
+    auto& places = crossings[static_cast<std::size_t>(row)];
+    std::sort(places.begin(), places.end());
+    const auto first = cells.begin() + static_cast<std::ptrdiff_t>(row) * columns;
+    for (std::size_t i = 0; i + 1 < places.size(); i += 2)
+    {
+      std::fill(first + this->FirstMiddle(places[i], columns),
+        first + this->FirstMiddle(places[i + 1], columns), value);
+    }
+    places.clear();
+  }
+
+  std::vector<std::uint8_t>& cells;
+  int columns;
+  int rows;
+  std::vector<std::vector<double>> crossings; ///< of each row
+};
+
+bool Touches(const MapArea& area, const GeographicBounds& reach)
+{
+  GeographicBounds box{1e9, 1e9, -1e9, -1e9};
+  for (const auto& [longitude, latitude] : area.ring)
+  {
+    box = {std::min(box.west, longitude), std::min(box.south, latitude),
+      std::max(box.east, longitude), std::max(box.north, latitude)};
+  }
+  return box.west <= reach.east && box.east >= reach.west && box.south <= reach.north &&
+         box.north >= reach.south;
+}
+
+} // namespace
+
+std::vector<MapArea> ParseMapAreas(const unsigned char* bytes, std::size_t size)
+{
+  constexpr std::uint8_t kinds = 2;
+  std::vector<MapArea> areas;
+  for (MapPolyline& line : ReadMapPolylines(MapBytes(bytes, size, "map areas"), "NXAREA1\n", kinds))
+  {
+    areas.push_back({line.kind == 1, std::move(line.points)});
+  }
+  return areas;
+}
+
+const std::vector<MapArea>& EmbeddedMapAreas()
+{
+  static const std::vector<MapArea> areas =
+    ParseMapAreas(embedded::mapAreas, embedded::mapAreasSize);
+  return areas;
+}
+
+std::vector<std::uint8_t> PaintLand(
+  const SceneFrame& frame, const std::vector<MapArea>& areas, int columns, int rows)
+{
+  std::vector<std::uint8_t> land(static_cast<std::size_t>(columns) * rows, 0);
+  RingPainter painter(land, columns, rows);
+  const auto& box = frame.Bounds();
+  const GeographicBounds reach = ReachOf(frame);
+  for (const MapArea& area : areas)
+  {
+    if (!Touches(area, reach))
+    {
+      continue;
+    }
+    GroundLine ring;
+    for (const auto& [longitude, latitude] : area.ring)
+    {
+      const auto place = frame.Place(longitude, latitude);
+      ring.push_back({columns * (place[0] - box[0]) / (box[1] - box[0]),
+        rows * (place[1] - box[2]) / (box[3] - box[2])});
+    }
+    painter.Paint(ring, area.land ? 1 : 0);
+  }
+  return land;
+}
+
+namespace
+{
+
+constexpr double stretch = 15.0; // of heights
+constexpr double gain = 3.0;     // of the change in brightness, before it is compressed
+
+// Rise a length towards the east and the north.
+struct Slope
+{
+  double east;
+  double north;
+};
+
+// Between the neighbours on both sides; at the edge, between the cell and its neighbour.
+Slope SlopeAt(const HeightGrid& ground, int column, int row)
+{
+  const auto at = [&](int i, int j)
+  { return ground.heights[static_cast<std::size_t>(j) * ground.columns + i]; };
+  const int west = std::max(column - 1, 0);
+  const int east = std::min(column + 1, ground.columns - 1);
+  const int south = std::max(row - 1, 0);
+  const int north = std::min(row + 1, ground.rows - 1);
+  const double metres = 1000.0;
+  return {(at(east, row) - at(west, row)) / (metres * ground.cellWidth * std::max(east - west, 1)),
+    (at(column, north) - at(column, south)) /
+      (metres * ground.cellHeight * std::max(north - south, 1))};
+}
+
+} // namespace
+
+HeightGrid MakeHeightGrid(
+  const SceneFrame& frame, const Elevations& elevations, int columns, int rows)
+{
+  const auto& box = frame.Bounds();
+  HeightGrid ground{columns, rows, (box[1] - box[0]) / columns, (box[3] - box[2]) / rows, {}};
+  ground.heights.resize(static_cast<std::size_t>(columns) * rows);
+  const auto fillRow = [&](vtkIdType row)
+  {
+    for (int column = 0; column < columns; ++column)
+    {
+      const auto [longitude, latitude] =
+        frame.Geographic(box[0] + (column + 0.5) * ground.cellWidth,
+          box[2] + (static_cast<double>(row) + 0.5) * ground.cellHeight);
+      ground.heights[static_cast<std::size_t>(row) * columns + column] =
+        elevations.At(longitude, latitude).value_or(0.0);
+    }
+  };
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType first, vtkIdType last)
+    {
+      for (vtkIdType row = first; row < last; ++row)
+      {
+        fillRow(row);
+      }
+    });
+  return ground;
+}
+
+std::vector<float> ShadeRelief(const HeightGrid& ground, const LightDirection& light)
+{
+  const double azimuth = light.azimuth * RadiansPerDegree;
+  const double elevation = light.elevation * RadiansPerDegree;
+  const std::array<double, 3> towards = {std::sin(azimuth) * std::cos(elevation),
+    std::cos(azimuth) * std::cos(elevation), std::sin(elevation)};
+  std::vector<float> shades;
+  shades.reserve(ground.heights.size());
+  for (int row = 0; row < ground.rows; ++row)
+  {
+    for (int column = 0; column < ground.columns; ++column)
+    {
+      const Slope slope = SlopeAt(ground, column, row);
+      const double east = stretch * slope.east;
+      const double north = stretch * slope.north;
+      const double lit = (towards[2] - east * towards[0] - north * towards[1]) /
+                         std::sqrt(1.0 + east * east + north * north);
+      shades.push_back(static_cast<float>(std::tanh(gain * (lit - towards[2]))));
+    }
+  }
+  return shades;
+}
+
 namespace
 {
 
@@ -30,7 +241,7 @@ void Paint(unsigned char*& texel, const Colour& colour, double brightness)
 {
   for (const double part : colour)
   {
-    *texel++ = static_cast<unsigned char>(std::lround(255.0 * std::min(part * brightness, 1.0)));
+    *texel++ = ToByte(std::min(part * brightness, 1.0));
   }
 }
 

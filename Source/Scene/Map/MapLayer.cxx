@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/MapLayer.h"
 
-#include "Scene/Elements/LineBuilder.h"
-#include "Scene/Elements/Marker.h"
 #include "Scene/Map/GroundPicture.h"
-#include "Scene/Map/MapLines.h"
-#include "Scene/Map/MapNames.h"
+#include "Scene/Map/MapData.h"
 #include "Scene/Map/PlacedMap.h"
+#include "Scene/Shapes/Shapes.h"
 
 #include <vtkActor.h>
 #include <vtkImageData.h>
@@ -96,50 +94,42 @@ void AddSites(SceneLayer& layer, const SceneFrame& frame, const MapContents& con
   layer.props.push_back(rings.MakeActor(theme.ring, 1.0));
 }
 
-void AddNames(SceneLayer& layer, const SceneFrame& frame, int textSize, const Theme& theme)
+// The labels of those places that lie in the domain, at most so many, each as `like`.
+void AddPlaces(SceneLayer& layer, const SceneFrame& frame, const std::vector<MapName>& places,
+  std::size_t most, const Label& like)
 {
-  const int letters = std::max(9, textSize * 5 / 6);
-  for (const MapName& name : EmbeddedMapNames())
+  const std::size_t before = layer.labels.size();
+  for (const MapName& name : places)
   {
     const auto place = frame.Place(name.longitude, name.latitude);
-    if (IsWithin(place, Rectangle(frame)))
+    if (IsWithin(place, Rectangle(frame)) && layer.labels.size() < before + most)
     {
-      Label label;
-      label.text = name.name;
-      label.point = {place[0], place[1], HeightOf(frame, GroundLevel::Markers)};
-      label.style = {letters, theme.placeName, theme.rim};
-      label.sides = {LabelSide::Centre, LabelSide::Above, LabelSide::Below};
-      label.optional = true;
-      layer.labels.push_back(label);
+      layer.labels.push_back(like);
+      layer.labels.back().text = name.name;
+      layer.labels.back().point = {place[0], place[1], HeightOf(frame, GroundLevel::Markers)};
     }
   }
 }
 
-// The largest towns of the domain; the layout of the labels leaves out those for which a picture
-// has no room.
-void AddTowns(SceneLayer& layer, const SceneFrame& frame, int textSize, const Theme& theme)
+// Names of states where they are asked for, and the largest towns of the domain; the layout of the
+// labels leaves out those for which a picture has no room.
+void AddNames(
+  SceneLayer& layer, const SceneFrame& frame, bool states, int textSize, const Theme& theme)
 {
-  constexpr std::size_t most = 60; // that are tried
-  const std::size_t before = layer.labels.size();
-  const int letters = std::max(9, textSize * 5 / 6);
-  const double dot = std::max(1.5, 0.1 * textSize); // pixels
-  for (const MapName& town : EmbeddedTowns())
+  constexpr std::size_t mostTowns = 60; // that are tried
+  Label label;
+  label.style = {std::max(9, textSize * 5 / 6), theme.placeName, theme.rim};
+  label.optional = true;
+  if (states)
   {
-    const auto place = frame.Place(town.longitude, town.latitude);
-    if (IsWithin(place, Rectangle(frame)) && layer.labels.size() < before + most)
-    {
-      Label label;
-      label.text = town.name;
-      label.point = {place[0], place[1], HeightOf(frame, GroundLevel::Markers)};
-      label.style = {letters, theme.placeName, theme.rim};
-      label.sides = {LabelSide::Right, LabelSide::Left, LabelSide::Above, LabelSide::Below};
-      label.gap = dot + 0.2 * textSize;
-      label.optional = true;
-      label.room = 7.0 * textSize;
-      label.dot = dot;
-      layer.labels.push_back(label);
-    }
+    label.sides = {LabelSide::Centre, LabelSide::Above, LabelSide::Below};
+    AddPlaces(layer, frame, EmbeddedMapNames(), EmbeddedMapNames().size(), label);
   }
+  label.sides = {LabelSide::Right, LabelSide::Left, LabelSide::Above, LabelSide::Below};
+  label.dot = std::max(1.5, 0.1 * textSize); // pixels
+  label.gap = label.dot + 0.2 * textSize;
+  label.room = 7.0 * textSize;
+  AddPlaces(layer, frame, EmbeddedTowns(), mostTowns, label);
 }
 
 } // namespace
@@ -207,11 +197,7 @@ SceneLayer MakeMapLayer(
   {
     AddMapLines(layer, frame, theme);
     AddSites(layer, frame, contents, textSize, theme);
-    if (contents.names)
-    {
-      AddNames(layer, frame, textSize, theme);
-    }
-    AddTowns(layer, frame, textSize, theme);
+    AddNames(layer, frame, contents.names, textSize, theme);
   }
   return layer;
 }

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "Scene/Elements/Label.h"
-#include "Scene/Elements/Theme.h"
 #include "Scene/Frame/SceneFrame.h"
-#include "Scene/Map/MapLines.h"
+#include "Scene/Map/MapData.h"
+#include "Scene/Shapes/Letters.h"
+#include "Scene/Shapes/Theme.h"
 
 #include <vtkSmartPointer.h>
 

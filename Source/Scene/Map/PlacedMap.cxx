@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "Scene/Map/PlacedMap.h"
 
-#include "Scene/Elements/LineBuilder.h"
+#include "Scene/Shapes/Shapes.h"
 #include "nexrad/Model/SiteTable.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "Scene/Frame/SceneFrame.h"
-#include "Scene/Map/MapLines.h"
+#include "Scene/Map/MapData.h"
 #include "nexrad/Grid/MakeGrid.h"
 
 #include <array>

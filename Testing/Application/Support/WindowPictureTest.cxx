@@ -2,7 +2,7 @@
 #include "WindowPictureTest.h"
 
 #include "ProgramRun.h"
-#include "Viewer/Parts/Playback.h"
+#include "Viewer/Playback.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -83,7 +83,7 @@ void WindowPictureTest::Reopen()
   AnswerDialog(path);
   QTest::keyClick(window.get(), Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
   ASSERT_TRUE(std::filesystem::exists(path));
-  scene::ViewRequest reopened;
+  viewer::ViewRequest reopened;
   reopened.input.inputs = {path};
   request = reopened;
   this->OpenWindow({960, 640});

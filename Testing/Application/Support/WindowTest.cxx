@@ -2,8 +2,8 @@
 #include "WindowTest.h"
 
 #include "StormVolume.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 
 #include <QComboBox>
 #include <QFileDialog>

@@ -56,7 +56,7 @@ protected:
   static std::unique_ptr<QApplication> application;
   static std::unique_ptr<QTemporaryDir> settings;
   TemporaryFolder folder;
-  scene::ViewRequest request;
+  viewer::ViewRequest request;
   std::unique_ptr<viewer::MainWindow> window;
 };
 

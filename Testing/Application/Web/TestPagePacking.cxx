@@ -2,7 +2,6 @@
 #include "PageParts.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
-#include "Web/ColumnPacking.h"
 #include "Web/PageCode.h"
 #include "Web/PageText.h"
 #include "nexrad/System/Error.h"

@@ -3,8 +3,8 @@
 #include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 #include "WindowTest.h"
 
 #include <vtkNexradVolumeScene.h>
@@ -37,7 +37,7 @@ using namespace nexrad;
 using namespace nexrad::viewer;
 using namespace nexrad::testing;
 
-using Phase = scene::BackgroundSeries::Phase;
+using Phase = BackgroundSeries::Phase;
 
 TEST_F(WindowTest, OpensWithTheFirstTimeAndItsSettings)
 {

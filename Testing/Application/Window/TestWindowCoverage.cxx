@@ -2,12 +2,12 @@
 // Which radars saw a place, and how old their data are: the arrays that the window shows as maps
 // and as colours, and merges again for where the inputs are radar files.
 #include "HandMadeVolume.h"
-#include "Scene/Plan/PlanScale.h"
+#include "Scene/Plan/PlanLayer.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/ChosenArrays.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 #include "WindowPictureTest.h"
 #include "nexrad/Codec/NxvFile.h"
 

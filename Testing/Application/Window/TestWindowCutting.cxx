@@ -4,10 +4,10 @@
 #include "Scene/VolumeAppearance.h"
 #include "StormVolume.h"
 #include "Tolerance.h"
-#include "Viewer/Cutting/SectionChart.h"
-#include "Viewer/Cutting/SectionPanel.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
+#include "Viewer/SectionChart.h"
+#include "Viewer/SectionPanel.h"
 #include "WindowTest.h"
 
 #include <vtkDataArray.h>

@@ -7,8 +7,8 @@
 #include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 #include "WindowPictureTest.h"
 #include "nexrad/Codec/NxvFile.h"
 

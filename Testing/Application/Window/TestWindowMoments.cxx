@@ -4,8 +4,8 @@
 #include "TestData.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 #include "WindowTest.h"
 
 #include <vtkDataArray.h>

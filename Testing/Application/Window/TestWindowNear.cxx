@@ -5,9 +5,8 @@
 #include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/CameraMouse.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
 #include "WindowTest.h"
 
 #include <vtkDataArray.h>

@@ -4,9 +4,9 @@
 #include "StormVolume.h"
 #include "Tolerance.h"
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
-#include "Viewer/TransferFunction/TransferFunctionChart.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
+#include "Viewer/TransferFunctionChart.h"
 #include "WindowTest.h"
 
 #include <vtkDataArray.h>

@@ -3,9 +3,9 @@
 // what was chosen, behind the user's back.
 #include "StormVolume.h"
 #include "Viewer/MainWindow.h"
-#include "Viewer/Parts/Playback.h"
-#include "Viewer/Parts/SceneView.h"
-#include "Viewer/Welcome/WelcomePage.h"
+#include "Viewer/Playback.h"
+#include "Viewer/SceneView.h"
+#include "Viewer/WelcomePage.h"
 #include "WindowTest.h"
 #include "nexrad/Codec/NxvFile.h"
 
@@ -37,7 +37,7 @@ using namespace nexrad;
 using namespace nexrad::viewer;
 using namespace nexrad::testing;
 
-using Phase = scene::BackgroundSeries::Phase;
+using Phase = BackgroundSeries::Phase;
 
 namespace
 {

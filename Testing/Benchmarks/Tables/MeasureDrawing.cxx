@@ -2,10 +2,10 @@
 #include "Tables/MeasureDrawing.h"
 
 #include "Drawing/PictureWindow.h"
+#include "Filters/Series/VolumeFiles.h"
 #include "Scene/Frame/CameraView.h"
 #include "Scene/Frame/SceneFrame.h"
 #include "Scene/SceneOptions.h"
-#include "Scene/Series/VolumeFiles.h"
 #include "Scene/VolumeAppearance.h"
 #include "Tables/BenchReport.h"
 #include "Tables/Measurement.h"

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Viewer/LookPanel.h"
+
+#include "Export/SceneState.h"
+#include "Scene/Frame/VolumeInformation.h"
+#include "Viewer/Widgets.h"
+
+#include <vtkImageData.h>
+#include <vtkNexradTransferFunction.h>
+#include <vtkNexradVolumeScene.h>
+#include <vtkPointData.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSignalBlocker>
+#include <QStandardItemModel>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace nexrad::viewer
+{
+namespace
+{
+
+constexpr std::array<int, 5> sliceCounts = {64, 128, 256, 512, 1024};
+
+// The nearest of the slice counts, after the automatic one.
+int PlaceOf(int slices)
+{
+  if (slices == 0)
+  {
+    return 0;
+  }
+  const auto nearest = std::min_element(sliceCounts.begin(), sliceCounts.end(),
+    [slices](int a, int b) { return std::abs(a - slices) < std::abs(b - slices); });
+  return 1 + static_cast<int>(nearest - sliceCounts.begin());
+}
+
+// What the choice of views offers, in its order.
+constexpr std::array<int, 7> plans = {vtkNexradVolumeScene::NO_PLAN,
+  vtkNexradVolumeScene::COMPOSITE, vtkNexradVolumeScene::LOWEST, vtkNexradVolumeScene::ECHO_TOP,
+  vtkNexradVolumeScene::LIQUID, vtkNexradVolumeScene::LIQUID_DENSITY,
+  vtkNexradVolumeScene::AT_HEIGHT};
+constexpr double usualHeight = 3.0; // km, of a map at a height that was not set
+
+// −1 for a plan that it does not offer.
+int PlaceOfPlan(int plan)
+{
+  const auto place = std::find(plans.begin(), plans.end(), plan);
+  return place == plans.end() ? -1 : static_cast<int>(place - plans.begin());
+}
+
+constexpr char nothingOpen[] = "Nothing open";
+
+// Computed of the reflectivity of all voxels of a column; other maps show one voxel of it.
+bool IsProduct(int plan)
+{
+  return plan == vtkNexradVolumeScene::ECHO_TOP || plan == vtkNexradVolumeScene::LIQUID ||
+         plan == vtkNexradVolumeScene::LIQUID_DENSITY;
+}
+
+} // namespace
+
+LookPanel::LookPanel(vtkNexradVolumeScene* shownScene, QWidget* parent)
+  : QWidget(parent)
+  , scene(shownScene)
+{
+  auto* column = new QVBoxLayout(this);
+  this->AddDrawing(AddGroup(column, "Volume"));
+  this->AddLight(AddGroup(column, "Light"));
+  this->AddSurroundings(AddGroup(column, "Surroundings"));
+  column->addStretch(1);
+  this->Follow();
+}
+
+QComboBox* LookPanel::AddChoice(QFormLayout* form, const QString& name, const QString& tip,
+  const std::vector<QString>& entries, const std::function<int()>& get,
+  const std::function<void(int)>& set)
+{
+  auto* box = Named(new QComboBox(this), name, tip);
+  for (const QString& entry : entries)
+  {
+    box->addItem(entry);
+  }
+  form->addRow(name, box);
+  connect(box, qOverload<int>(&QComboBox::activated), this,
+    [this, set](int index)
+    {
+      set(index);
+      emit Changed();
+    });
+  follow.push_back([box, get] { box->setCurrentIndex(get()); });
+  return box;
+}
+
+QCheckBox* LookPanel::AddSwitch(QFormLayout* form, const QString& name, const QString& tip,
+  const std::function<bool()>& get, const std::function<void(bool)>& set)
+{
+  auto* box = Named(new QCheckBox(name, this), name, tip);
+  form->addRow(box);
+  connect(box, &QCheckBox::clicked, this,
+    [this, set](bool on)
+    {
+      set(on);
+      emit Changed();
+    });
+  follow.push_back([box, get] { box->setChecked(get()); });
+  return box;
+}
+
+QDoubleSpinBox* LookPanel::AddNumber(QFormLayout* form, const QString& name, const QString& tip,
+  double least, double most, double step, const QString& suffix, const QString& automatic,
+  const std::function<double()>& get, const std::function<void(double)>& set)
+{
+  auto* box = Named(new QDoubleSpinBox(this), name, tip);
+  box->setRange(least, most);
+  box->setSingleStep(step);
+  box->setDecimals(step < 1.0 ? 2 : 0);
+  box->setSuffix(suffix);
+  box->setKeyboardTracking(false);
+  if (!automatic.isEmpty())
+  {
+    box->setSpecialValueText(automatic); // for the least value
+  }
+  form->addRow(name, box);
+  connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this,
+    [this, set](double value)
+    {
+      set(value);
+      emit Changed();
+    });
+  follow.push_back(
+    [box, get]
+    {
+      const QSignalBlocker quiet(box);
+      box->setValue(get());
+    });
+  return box;
+}
+
+void LookPanel::AddMoments(QFormLayout* form)
+{
+  shownMoment = this->AddChoice(
+    form, "Moment",
+    "Which moment of the radars is shown, of those in the files: REF reflectivity, VEL radial "
+    "velocity, SW spectrum width, ZDR, PHI and RHO of two polarisations",
+    {}, [] { return 0; }, [this](int) { emit MomentChosen(shownMoment->currentText()); });
+  follow.back() = [this] { this->FollowMoments(); };
+  colourArray = this->AddChoice(
+    form, "Colours of",
+    "Another array gives the colours; the moment then gives the opacities alone", {},
+    [] { return 0; }, [this](int) { emit ColoursChosen(ChosenArray(colourArray)); });
+  follow.pop_back(); // FollowMoments does both
+  KeepNarrow(shownMoment);
+  KeepNarrow(colourArray);
+}
+
+void LookPanel::AddDrawing(QFormLayout* form)
+{
+  this->AddMoments(form);
+  presets = this->AddChoice(
+    form, "Preset", "Colours and opacities of the moment that is shown; iso-values draws surfaces",
+    {}, [] { return 0; }, [this](int) { scene->SetPreset(presets->currentText().toStdString()); });
+  follow.back() = [this] { this->FollowPresets(); };
+  std::vector<QString> counts = {"automatic"};
+  for (const int count : sliceCounts)
+  {
+    counts.push_back(QString::number(count));
+  }
+  this->AddChoice(
+    form, "Slices", "Slices through the volume: more are finer, and take longer", counts,
+    [this] { return PlaceOf(scene->GetNumberOfSlices()); },
+    [this](int index) {
+      scene->SetNumberOfSlices(index == 0 ? 0 : sliceCounts[static_cast<std::size_t>(index - 1)]);
+    });
+  this->AddSwitch(
+    form, "Pre-integrated",
+    "Integrate colours and opacities between two slices: narrow steps of colour leave no rings",
+    [this] { return scene->GetPreIntegration(); },
+    [this](bool on) { scene->SetPreIntegration(on); });
+  this->AddSwitch(
+    form, "Interpolated",
+    "Interpolate values linearly between voxels; else each place has that of its nearest voxel",
+    [this] { return scene->GetLinearInterpolation(); },
+    [this](bool on) { scene->SetLinearInterpolation(on); });
+  this->AddChoice(
+    form, "Drawn by", "The slices of this program, or VTK's GPU ray caster for comparison",
+    {"Slices", "VTK's ray caster"}, [this] { return scene->GetMapper(); },
+    [this](int index) { scene->SetMapper(index); });
+  this->AddNumber(
+    form, "Stretch", "How many times heights are stretched; 0: automatic, by the size of the frame",
+    0.0, 50.0, 0.5, " ×", "automatic", [this] { return scene->GetExaggeration(); },
+    [this](double times) { scene->SetExaggeration(times); });
+  this->AddChoice(
+    form, "Frame", "What fills the view at a magnification of 1: the echo, or the whole domain",
+    {"Echo", "Domain"}, [this] { return scene->GetFraming(); },
+    [this](int index) { scene->SetFraming(index); });
+  this->AddChoice(
+    form, "Projection", "Perspective, or parallel lines of sight", {"Perspective", "Parallel"},
+    [this] { return scene->GetParallelProjection() ? 1 : 0; },
+    [this](int index) { scene->SetParallelProjection(index == 1); });
+  this->AddMaps(form);
+}
+
+void LookPanel::AddMaps(QFormLayout* form)
+{
+  views = this->AddChoice(
+    form, "View", "The volume, or a map of one value of each column",
+    {"Volume", "Largest value of each column", "Lowest value that was scanned",
+      "Echo top at 18 dBZ", "Vertically integrated liquid (VIL)", "VIL density", "At a height"},
+    [this] { return PlaceOfPlan(scene->GetPlan()); },
+    [this](int index) { this->ChooseView(plans[static_cast<std::size_t>(index)]); });
+  mapArray = this->AddChoice(
+    form, "Map of",
+    "What a map shows of the voxel of each column: the moment, or how the radars saw the voxel", {},
+    [] { return 0; }, [this](int) { emit MapArrayChosen(ChosenArray(mapArray)); });
+  follow.pop_back(); // FollowMoments does it
+  KeepNarrow(mapArray);
+  mapHeight = this->AddNumber(
+    form, "Map height", "Height of the map at a height, km above mean sea level", 0.0, 30.0, 0.5,
+    " km", "", [] { return 0.0; },
+    [this](double kilometres) { scene->SetPlanHeight(kilometre * kilometres); });
+  follow.back() = [this] { this->FollowMaps(); };
+}
+
+void LookPanel::ChooseView(int plan)
+{
+  if (IsProduct(plan))
+  {
+    scene->SetPlanArray("");
+  }
+  if (plan == vtkNexradVolumeScene::AT_HEIGHT && scene->GetPlanHeight() == 0.0)
+  {
+    this->FollowMaps(); // which knows the heights of the volume
+    scene->SetPlanHeight(kilometre * std::min(usualHeight, mapHeight->maximum()));
+  }
+  this->PlaceCamera(plan);
+  scene->SetPlan(plan);
+  this->Follow();
+}
+
+// A map is seen from above. The volume is seen after it as it was before, unless the camera was
+// turned in the meantime.
+void LookPanel::PlaceCamera(int plan)
+{
+  constexpr double fromAbove = 90.0; // degrees
+  if (plan != vtkNexradVolumeScene::NO_PLAN)
+  {
+    if (scene->GetPlan() == vtkNexradVolumeScene::NO_PLAN)
+    {
+      before = CameraOf(scene);
+    }
+    scene->SetCameraFromAbove();
+  }
+  else if (before && scene->GetTilt() == fromAbove)
+  {
+    scene->SetAzimuth(before->azimuth);
+    scene->SetTilt(before->tilt);
+    scene->SetParallelProjection(before->parallel);
+  }
+}
+
+// Echo tops and liquid are computed of reflectivity alone.
+void LookPanel::FollowMaps()
+{
+  auto* entries = qobject_cast<QStandardItemModel*>(views->model());
+  vtkImageData* volume = scene->GetVolume();
+  const bool reflectivity = scene::ArrayOf(volume) == "REF";
+  for (std::size_t i = 0; i < plans.size(); ++i)
+  {
+    entries->item(static_cast<int>(i))->setEnabled(!IsProduct(plans[i]) || reflectivity);
+  }
+  const int plan = scene->GetPlan();
+  mapArray->setEnabled(plan != vtkNexradVolumeScene::NO_PLAN && !IsProduct(plan));
+  const QSignalBlocker quiet(mapHeight);
+  if (volume != nullptr)
+  {
+    const std::array<double, 6> faces = scene::FacesOf(volume);
+    mapHeight->setRange(faces[4] / kilometre, faces[5] / kilometre);
+  }
+  mapHeight->setValue(scene->GetPlanHeight() / kilometre);
+  mapHeight->setEnabled(plan == vtkNexradVolumeScene::AT_HEIGHT);
+}
+
+void LookPanel::AddLight(QFormLayout* form)
+{
+  this->AddNumber(
+    form, "Shadow", "How strong the volume's shadows are, 0 (none) to 1", 0.0, 1.0, 0.05, "", "",
+    [this] { return scene->GetShadowStrength(); },
+    [this](double strength) { scene->SetShadowStrength(strength); });
+  this->AddNumber(
+    form, "Occlusion", "How much darker it is where little of the sky is seen, 0 (none) to 1", 0.0,
+    1.0, 0.05, "", "", [this] { return scene->GetOcclusionStrength(); },
+    [this](double strength) { scene->SetOcclusionStrength(strength); });
+  this->AddNumber(
+    form, "From", "Direction to the light in degrees clockwise from north", 0.0, 359.0, 5.0, "°",
+    "", [this] { return scene->GetLightAzimuth(); },
+    [this](double degrees) { scene->SetLightAzimuth(degrees); });
+  this->AddNumber(
+    form, "Height", "Elevation of the light above the horizon in degrees", -90.0, 90.0, 5.0, "°",
+    "", [this] { return scene->GetLightElevation(); },
+    [this](double degrees) { scene->SetLightElevation(degrees); });
+}
+
+void LookPanel::AddSurroundings(QFormLayout* form)
+{
+  this->AddChoice(
+    form, "Theme", "Light letters over a grey ground, or dark letters over a pale one",
+    {"Dark", "Light"}, [this] { return scene->GetTheme(); },
+    [this](int index) { scene->SetTheme(index); });
+  this->AddSwitch(
+    form, "Height walls", "Lines of equal height on the walls behind the volume",
+    [this] { return scene->GetHeightWalls(); }, [this](bool on) { scene->SetHeightWalls(on); });
+  this->AddSwitch(
+    form, "Names", "Names of states and provinces on the map",
+    [this] { return scene->GetPlaceNames(); }, [this](bool on) { scene->SetPlaceNames(on); });
+  this->AddNumber(
+    form, "Rings", "Distance between rings of range about each radar in kilometres; 0: none", 0.0,
+    230.0, 10.0, " km", "none", [this] { return scene->GetRingSpacing() / 1000.0; },
+    [this](double kilometres) { scene->SetRingSpacing(1000.0 * kilometres); });
+}
+
+// The entries are the moments of the inputs, and of the volume what may give colours.
+void LookPanel::FollowMoments()
+{
+  vtkImageData* volume = scene->GetVolume();
+  vtkPointData* arrays = volume != nullptr ? volume->GetPointData() : nullptr;
+  const auto shown = QString::fromStdString(scene::ArrayOf(volume));
+  QStringList names;
+  for (const MomentName moment : moments)
+  {
+    names << ToString(moment);
+  }
+  if (!shown.isEmpty() && !names.contains(shown))
+  {
+    names.prepend(shown);
+  }
+  shownMoment->setEnabled(volume != nullptr);
+  colourArray->setEnabled(volume != nullptr);
+  if (volume == nullptr)
+  {
+    SetEntries(shownMoment, {nothingOpen});
+    SetEntries(colourArray, {nothingOpen});
+    return;
+  }
+  SetEntries(shownMoment, names);
+  shownMoment->setCurrentText(shown);
+  names.removeAll(shown);
+  OfferedArrays offered{shown, names, arrays, makesAncillary};
+  OfferArrays(offered, QString::fromStdString(scene->GetColorArray()), colourArray);
+  offered.moments.clear();
+  OfferArrays(offered, QString::fromStdString(scene->GetPlanArray()), mapArray);
+}
+
+void LookPanel::FollowPresets()
+{
+  vtkImageData* volume = scene->GetVolume();
+  const std::string moment = scene::ArrayOf(volume);
+  QStringList names;
+  for (int i = 0; const char* name = vtkNexradTransferFunction::FindPreset(moment.c_str(), i); ++i)
+  {
+    names << name;
+  }
+  SetEntries(presets, volume != nullptr ? names : QStringList(nothingOpen));
+  presets->setEnabled(volume != nullptr);
+  presets->setCurrentIndex(
+    std::max<int>(0, static_cast<int>(names.indexOf(QString::fromStdString(scene->GetPreset())))));
+}
+
+void LookPanel::Follow()
+{
+  for (const std::function<void()>& each : follow)
+  {
+    each();
+  }
+}
+
+} // namespace nexrad::viewer

@@ -1,0 +1,480 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Filters/Series/BackgroundSeries.h"
+
+#include "nexrad/System/Error.h"
+
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <numeric>
+#include <utility>
+
+namespace nexrad
+{
+namespace
+{
+
+std::size_t BytesOf(vtkImageData* volume)
+{
+  constexpr std::size_t kibibyte = 1024;
+  return volume != nullptr ? kibibyte * volume->GetActualMemorySize() : 0;
+}
+
+std::vector<Time> TimesOf(const VolumeSeries& series, const std::vector<std::size_t>& order)
+{
+  std::vector<Time> times;
+  for (const std::size_t index : order)
+  {
+    times.push_back(series.Times()[index]);
+  }
+  return times;
+}
+
+} // namespace
+
+BackgroundSeries::BackgroundSeries(BackgroundSeriesOptions theOptions)
+  : options(std::move(theOptions))
+  , thread([this] { this->Run(); })
+{
+}
+
+BackgroundSeries::~BackgroundSeries()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    ended = true;
+  }
+  changed.notify_all();
+  thread.join();
+}
+
+BackgroundSeries::State BackgroundSeries::Get() const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  return state;
+}
+
+vtkSmartPointer<vtkImageData> BackgroundSeries::Show(std::size_t step)
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  shown = step;
+  const auto found = kept.find(step);
+  interrupted = found == kept.end() && state.loads && *state.loads != step;
+  changed.notify_all(); // what follows the step may be another than before
+  if (found == kept.end())
+  {
+    return nullptr;
+  }
+  if (!found->second.volume)
+  {
+    throw Error(found->second.failure);
+  }
+  return found->second.volume;
+}
+
+// Whether there is nothing to wait for any more.
+bool BackgroundSeries::IsDone(std::size_t step) const
+{
+  return state.phase == Phase::Failed || (state.phase == Phase::Open && !this->Lacks(step));
+}
+
+vtkSmartPointer<vtkImageData> BackgroundSeries::Wait(std::size_t step, const Progress& progress)
+{
+  constexpr auto pause = std::chrono::milliseconds(50); // between reports
+  std::unique_lock<std::mutex> lock(mutex);
+  const auto found = kept.find(step);
+  if (found != kept.end() && !found->second.volume)
+  {
+    kept.erase(found); // it is tried again
+  }
+  lock.unlock();
+  this->Show(step);
+  lock.lock();
+  while (!changed.wait_for(lock, pause, [this, step] { return this->IsDone(step); }))
+  {
+    const double fraction = state.fraction;
+    lock.unlock();
+    if (progress && !progress(fraction))
+    {
+      return nullptr;
+    }
+    lock.lock();
+  }
+  if (state.phase == Phase::Failed)
+  {
+    throw Error(state.failure);
+  }
+  lock.unlock();
+  this->Box(step); // throws why there is none
+  return this->Show(step);
+}
+
+void BackgroundSeries::SetBox(const std::optional<BoxRequest>& wanted)
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    box = wanted;
+    ++boxNumber;
+    for (auto& [step, each] : kept)
+    {
+      bytes -= BytesOf(each.box);
+      each.bytes -= BytesOf(each.box);
+      each.box = nullptr;
+      each.boxFailure.clear();
+    }
+    interrupted = state.loads && kept.count(shown) > 0; // the box of what is shown comes first
+  }
+  changed.notify_all();
+}
+
+vtkSmartPointer<vtkImageData> BackgroundSeries::Box(std::size_t step) const
+{
+  const std::lock_guard<std::mutex> lock(mutex);
+  const auto found = kept.find(step);
+  if (found == kept.end())
+  {
+    return nullptr;
+  }
+  if (!found->second.boxFailure.empty())
+  {
+    throw Error(found->second.boxFailure);
+  }
+  return found->second.box;
+}
+
+void BackgroundSeries::Pause(bool paused)
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    state.paused = paused;
+    interrupted = paused && state.loads && *state.loads != shown;
+  }
+  changed.notify_all();
+}
+
+void BackgroundSeries::Wake()
+{
+  if (options.wake)
+  {
+    options.wake();
+  }
+}
+
+// Takes over how far the work is, and stops what is not wanted any more.
+Progress BackgroundSeries::ReportTo()
+{
+  using Clock = std::chrono::steady_clock;
+  static constexpr auto shortest = std::chrono::milliseconds(20);
+  return [this, last = Clock::now()](double fraction) mutable
+  {
+    bool goOn = false;
+    {
+      const std::lock_guard<std::mutex> lock(mutex);
+      state.fraction = fraction;
+      const bool stopsOpening = state.phase == Phase::Opening && state.paused;
+      goOn = !ended && !interrupted && !stopsOpening;
+    }
+    const auto now = Clock::now();
+    if (now - last >= shortest)
+    {
+      last = now;
+      this->Wake();
+    }
+    return goOn;
+  };
+}
+
+void BackgroundSeries::Reopen()
+{
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    reopens = true;
+  }
+  changed.notify_all();
+}
+
+BackgroundSeries::Opened BackgroundSeries::OpenInputs()
+{
+  Opened inputs;
+  inputs.series = options.open(this->ReportTo());
+  if (options.choose)
+  {
+    inputs.order = options.choose(*inputs.series);
+  }
+  else
+  {
+    inputs.order.resize(inputs.series->Times().size());
+    std::iota(inputs.order.begin(), inputs.order.end(), std::size_t(0));
+  }
+  return inputs;
+}
+
+bool BackgroundSeries::Open()
+{
+  State news;
+  try
+  {
+    opened = this->OpenInputs();
+    news.times = TimesOf(*opened.series, opened.order);
+    news.loaded.assign(opened.order.size(), false);
+    news.damage = this->Damage();
+    news.moments = opened.series->Moments();
+    news.makesAncillary = opened.series->MakesAncillaryArrays();
+    news.phase = Phase::Open;
+  }
+  catch (const std::exception& error)
+  {
+    news.failure = error.what();
+    news.phase = Phase::Failed;
+  }
+  {
+    const std::lock_guard<std::mutex> lock(mutex);
+    news.paused = state.paused;
+    if (news.paused && news.phase == Phase::Open) // too late to stop it
+    {
+      news = State();
+      news.phase = Phase::Failed;
+      news.failure = "stopped before it was opened";
+    }
+    state = news;
+  }
+  changed.notify_all();
+  this->Wake();
+  return news.phase == Phase::Open;
+}
+
+void BackgroundSeries::OpenAgain(std::unique_lock<std::mutex>& lock)
+{
+  reopens = false;
+  lock.unlock();
+  Opened again;
+  reopenFailure.clear();
+  try
+  {
+    again = this->OpenInputs();
+  }
+  catch (const std::exception& error)
+  {
+    reopenFailure = error.what();
+  }
+  lock.lock();
+  if (reopenFailure.empty())
+  {
+    this->TakeOver(std::move(again));
+  }
+  state.damage = this->Damage();
+}
+
+// Exchanges the steps; the step that is shown stays the one of its time.
+void BackgroundSeries::TakeOver(Opened again)
+{
+  std::map<std::string, std::size_t> before;
+  for (const auto& [step, each] : kept)
+  {
+    before[each.contents] = step;
+  }
+  const std::vector<Time> times = TimesOf(*again.series, again.order);
+  if (shown < state.times.size())
+  {
+    const auto same = std::find(times.begin(), times.end(), state.times[shown]);
+    shown = same != times.end() ? static_cast<std::size_t>(same - times.begin()) : 0;
+  }
+  std::map<std::size_t, Kept> still;
+  bytes = 0;
+  state.loaded.assign(times.size(), false);
+  for (std::size_t step = 0; step < times.size(); ++step)
+  {
+    const std::string contents = again.series->Contents(again.order[step]);
+    const auto found = contents.empty() ? before.end() : before.find(contents);
+    if (found != before.end())
+    {
+      Kept& each = still[step] = std::move(kept[found->second]);
+      bytes += each.bytes;
+      state.loaded[step] = each.volume != nullptr;
+    }
+  }
+  kept = std::move(still);
+  opened = std::move(again);
+  state.times = times;
+  state.moments = opened.series->Moments();
+  state.makesAncillary = opened.series->MakesAncillaryArrays();
+}
+
+std::vector<std::string> BackgroundSeries::Damage() const
+{
+  std::vector<std::string> lines = opened.series->Problems();
+  if (!reopenFailure.empty())
+  {
+    lines.push_back(reopenFailure);
+  }
+  return lines;
+}
+
+// Whether a step, or the box of it, is to be loaded.
+bool BackgroundSeries::Lacks(std::size_t step) const
+{
+  const auto found = kept.find(step);
+  return found == kept.end() ||
+         (box && found->second.volume && !found->second.box && found->second.boxFailure.empty());
+}
+
+// The step to load next; nothing where all are loaded, or there is no memory for more.
+std::optional<std::size_t> BackgroundSeries::NextStep() const
+{
+  const std::size_t count = opened.order.size();
+  if (shown < count && this->Lacks(shown))
+  {
+    return shown;
+  }
+  std::size_t largest = 0;
+  for (const auto& [step, each] : kept)
+  {
+    largest = std::max(largest, each.bytes);
+  }
+  std::size_t following = 0; // bytes of the step that is shown and of those after it
+  for (std::size_t i = 0; i < count && !state.paused; ++i)
+  {
+    const std::size_t step = (shown + i) % count;
+    const auto found = kept.find(step);
+    if (following + largest > options.memory)
+    {
+      return std::nullopt;
+    }
+    if (this->Lacks(step))
+    {
+      return step;
+    }
+    following += found->second.bytes;
+  }
+  return std::nullopt;
+}
+
+BackgroundSeries::Kept BackgroundSeries::Load(std::size_t step)
+{
+  Kept loaded;
+  loaded.contents = opened.series->Contents(opened.order[step]); // it may change while it is read
+  try
+  {
+    loaded.volume = opened.series->Load(opened.order[step], this->ReportTo());
+    if (loaded.volume && options.prepare)
+    {
+      options.prepare(loaded.volume);
+    }
+    loaded.bytes = BytesOf(loaded.volume);
+  }
+  catch (const std::exception& error)
+  {
+    loaded.failure = error.what();
+  }
+  return loaded;
+}
+
+// The box of a step whose volume is kept.
+BackgroundSeries::Kept BackgroundSeries::LoadBox(std::size_t step, const BoxRequest& request)
+{
+  Kept loaded;
+  try
+  {
+    loaded.box = opened.series->LoadBox(opened.order[step], request, this->ReportTo());
+    if (loaded.box && options.prepare)
+    {
+      options.prepare(loaded.box);
+    }
+    loaded.bytes = BytesOf(loaded.box);
+  }
+  catch (const std::exception& error)
+  {
+    loaded.boxFailure = error.what();
+  }
+  return loaded;
+}
+
+// Takes over a volume, or a box of a volume that is kept; nothing after a stop.
+void BackgroundSeries::Keep(std::size_t step, Kept loaded)
+{
+  this->MakeRoom(loaded.bytes);
+  if (loaded.volume || !loaded.failure.empty())
+  {
+    bytes += loaded.bytes;
+    state.loaded[step] = loaded.volume != nullptr;
+    kept[step] = std::move(loaded);
+    return;
+  }
+  const auto found = kept.find(step);
+  if (found != kept.end()) // else there was no room, or the loading was stopped
+  {
+    bytes += loaded.bytes;
+    found->second.box = loaded.box;
+    found->second.boxFailure = loaded.boxFailure;
+    found->second.bytes += loaded.bytes;
+  }
+}
+
+// Forgets the volumes that are shown last until so many bytes fit; not the one that is shown.
+void BackgroundSeries::MakeRoom(std::size_t wanted)
+{
+  const std::size_t count = opened.order.size();
+  for (std::size_t i = count; i-- > 1 && bytes + wanted > options.memory;)
+  {
+    const auto found = kept.find((shown + i) % count);
+    if (found != kept.end())
+    {
+      bytes -= found->second.bytes;
+      state.loaded[found->first] = false;
+      kept.erase(found);
+    }
+  }
+}
+
+void BackgroundSeries::LoadNext(std::size_t step, std::unique_lock<std::mutex>& lock)
+{
+  state.loads = step;
+  state.fraction = 0.0;
+  const std::optional<BoxRequest> wantedBox = kept.count(step) > 0 ? box : std::nullopt;
+  const unsigned wantedNumber = boxNumber;
+  lock.unlock();
+  Kept loaded = wantedBox ? this->LoadBox(step, *wantedBox) : this->Load(step);
+  std::vector<std::string> damage = this->Damage();
+  lock.lock();
+  state.loads.reset();
+  state.damage = std::move(damage);
+  interrupted = false;
+  if (!wantedBox || wantedNumber == boxNumber)
+  {
+    this->Keep(step, std::move(loaded));
+  }
+}
+
+void BackgroundSeries::Run()
+{
+  if (!this->Open())
+  {
+    return;
+  }
+  std::unique_lock<std::mutex> lock(mutex);
+  while (!ended)
+  {
+    const std::optional<std::size_t> step = this->NextStep();
+    if (reopens)
+    {
+      this->OpenAgain(lock);
+    }
+    else if (step)
+    {
+      this->LoadNext(*step, lock);
+    }
+    else
+    {
+      changed.wait(lock);
+      continue;
+    }
+    lock.unlock();
+    changed.notify_all(); // those who wait for a step
+    this->Wake();
+    lock.lock();
+  }
+}
+
+} // namespace nexrad

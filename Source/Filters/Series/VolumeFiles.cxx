@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "Filters/Series/VolumeFiles.h"
+
+#include "nexrad/Codec/NxvFile.h"
+#include "nexrad/Grid/GridText.h"
+#include "nexrad/Grid/VolumeMoments.h"
+#include "nexrad/System/Error.h"
+#include "nexrad/System/MessageText.h"
+#include "vtkNexradFieldData.h"
+#include "vtkNexradImageConversion.h"
+#include "vtkNexradMessages.h"
+#include "vtkNexradVolumeFile.h"
+
+#include <vtkFieldData.h>
+#include <vtkImageData.h>
+#include <vtkNew.h>
+#include <vtkPointData.h>
+#include <vtkXMLImageDataReader.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace fs = std::filesystem;
+namespace nexrad
+{
+namespace
+{
+
+bool EndsWith(const fs::path& path, const std::string& ending)
+{
+  const std::string name = path.filename().string();
+  return name.size() > ending.size() &&
+         name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+}
+
+bool IsVolumeFile(const fs::path& path)
+{
+  return EndsWith(path, ".nxv") || EndsWith(path, ".vti");
+}
+
+bool IsIndex(const fs::path& path)
+{
+  return EndsWith(path, ".nxv.series");
+}
+
+vtkSmartPointer<vtkImageData> ReadVti(const fs::path& path)
+{
+  vtkNew<vtkXMLImageDataReader> reader;
+  vtkNexradMessages messages;
+  messages.Watch(reader);
+  reader->SetFileName(path.c_str());
+  if (!fs::is_regular_file(path) || reader->CanReadFile(path.c_str()) == 0)
+  {
+    throw Error(path.string() + ": not a VTK XML image file");
+  }
+  reader->Update();
+  if (!messages.Errors().empty())
+  {
+    throw FileError(path, messages.Errors().front());
+  }
+  return reader->GetOutput();
+}
+
+// What has to be known of a volume file before it is drawn. A .vti has to be read for it.
+struct VolumeDescription
+{
+  Time time;
+  GridSpecification grid;
+};
+
+VolumeDescription Describe(const fs::path& path)
+{
+  if (EndsWith(path, ".nxv"))
+  {
+    const GriddedVolume header = ReadNxvHeader(path);
+    return {header.time, header.grid};
+  }
+  const auto image = ReadVti(path);
+  const auto seconds = vtkNexradGetValue(image->GetFieldData(), "TimeValue");
+  if (!seconds)
+  {
+    throw Error(path.string() + ": has no time (field data TimeValue); merge with nexrad3d grid");
+  }
+  return {FromSeconds(*seconds), vtkNexradImageToGrid(image)};
+}
+
+// What drawing an image makes of a voxel: the words of its texture, before and behind their way to
+// the graphics memory.
+constexpr std::size_t pictureBytesPerVoxel = 4;
+
+// A volume file, and the index that names it; without one, an empty path.
+struct TimedFile
+{
+  Time time;
+  fs::path path;
+  fs::path index;
+};
+using TimedFiles = std::vector<TimedFile>;
+
+// Does what reads a file. An error names the file, and before it the index that the user named.
+template <typename Work>
+auto NamingTheIndex(const TimedFile& file, const Work& work)
+{
+  try
+  {
+    return work(file.path);
+  }
+  catch (const Error& problem)
+  {
+    std::string line = problem.what();
+    const std::string path = file.path.string();
+    line = line.rfind(path, 0) == 0 ? line : path + ": " + line;
+    throw Error(file.index.empty() ? line : file.index.string() + ": " + line);
+  }
+}
+
+void AddIndex(TimedFiles& files, const fs::path& index)
+{
+  for (const auto& [name, seconds] : ReadNxvSeries(index))
+  {
+    files.push_back({FromSeconds(seconds), index.parent_path() / name, index});
+  }
+}
+
+void AddFolder(TimedFiles& files, const fs::path& folder)
+{
+  std::set<fs::path> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+  {
+    const fs::path name = entry.path().filename();
+    if (IsVolumeFile(name) && name.string().front() != '.')
+    {
+      names.insert(entry.path());
+    }
+  }
+  std::optional<GridSpecification> grid;
+  for (const fs::path& name : names)
+  {
+    const VolumeDescription volume = Describe(name);
+    if (grid && *grid != volume.grid)
+    {
+      throw Error(folder.string() + ": holds volumes of different runs: " +
+                  names.begin()->filename().string() + " has " + GridText(*grid) + ", " +
+                  name.filename().string() + " has " + GridText(volume.grid) +
+                  "; name the index of one run (volumes.nxv.series), or its volumes");
+    }
+    grid = volume.grid;
+    files.push_back({volume.time, name, {}});
+  }
+}
+
+// Of the moments that a file has, those that are read, the one that is shown first.
+std::vector<MomentName> ChooseMoments(
+  const MomentRequest& request, const std::vector<MomentName>& own)
+{
+  std::vector<MomentName> chosen = request.moments;
+  const auto add = [&chosen](MomentName moment)
+  {
+    if (std::find(chosen.begin(), chosen.end(), moment) == chosen.end())
+    {
+      chosen.push_back(moment);
+    }
+  };
+  if (chosen.empty())
+  {
+    add(own.front());
+  }
+  if (request.colours)
+  {
+    add(*request.colours);
+  }
+  for (std::size_t i = 0; request.all && i < own.size(); ++i)
+  {
+    add(own[i]);
+  }
+  return chosen;
+}
+
+// Those of an image's arrays that are moments.
+std::vector<MomentName> MomentsOf(vtkImageData* image)
+{
+  std::vector<MomentName> moments;
+  for (const MomentName moment : KnownMoments)
+  {
+    if (image->GetPointData()->HasArray(ToString(moment)) != 0)
+    {
+      moments.push_back(moment);
+    }
+  }
+  return moments;
+}
+
+// An image with the first of the moments as its first, where that is another one.
+vtkSmartPointer<vtkImageData> Showing(
+  const std::vector<MomentName>& wanted, vtkSmartPointer<vtkImageData> image)
+{
+  vtkDataArray* scalars = image->GetPointData()->GetScalars();
+  const std::string first = scalars && scalars->GetName() ? scalars->GetName() : "";
+  if (wanted.empty() || first == ToString(wanted.front()))
+  {
+    return image;
+  }
+  std::vector<GriddedVolume> moments = SplitMoments(vtkNexradImageToVolume(image));
+  const auto shown = std::find_if(moments.begin(), moments.end(),
+    [&](const GriddedVolume& moment) { return moment.moment == wanted.front(); });
+  if (shown == moments.end())
+  {
+    throw Error("the volume has no " + std::string(ToString(wanted.front())));
+  }
+  std::rotate(moments.begin(), shown, moments.end());
+  auto turned = vtkSmartPointer<vtkImageData>::New();
+  vtkNexradVolumeToImage(JoinMoments(std::move(moments)), turned);
+  return turned;
+}
+
+class VolumeFiles : public VolumeSeries
+{
+public:
+  VolumeFiles(TimedFiles timedFiles, MomentRequest momentRequest)
+    : files(std::move(timedFiles))
+    , request(std::move(momentRequest))
+  {
+    std::stable_sort(
+      files.begin(), files.end(), [](const auto& a, const auto& b) { return a.time < b.time; });
+    for (const TimedFile& file : files)
+    {
+      times.push_back(file.time);
+    }
+  }
+
+  const std::vector<Time>& Times() const override { return times; }
+  bool AllowCodes(bool allowed) override { return codes.exchange(allowed) != allowed; }
+  std::vector<MomentName> Moments() const override
+  {
+    return NamingTheIndex(files.front(), [](const fs::path& first)
+      { return EndsWith(first, ".nxv") ? ReadNxvMoments(first) : MomentsOf(ReadVti(first)); });
+  }
+
+  vtkSmartPointer<vtkImageData> Load(std::size_t index, const Progress&) override
+  {
+    return NamingTheIndex(
+      files[index], [this](const fs::path& path) { return this->LoadFile(path); });
+  }
+
+  std::string Contents(std::size_t index) const override
+  {
+    const fs::path& path = files[index].path;
+    std::error_code gone;
+    const auto written = fs::last_write_time(path, gone).time_since_epoch().count();
+    const std::uintmax_t bytes = gone ? 0 : fs::file_size(path, gone);
+    return gone ? std::string()
+                : path.string() + ' ' + std::to_string(written) + ' ' + std::to_string(bytes);
+  }
+
+private:
+  vtkSmartPointer<vtkImageData> LoadFile(const fs::path& path) const
+  {
+    if (EndsWith(path, ".vti"))
+    {
+      return Showing(request.moments, ReadVti(path));
+    }
+    auto image = vtkSmartPointer<vtkImageData>::New();
+    vtkNexradReadVolumeFile({path.string(), {}, ChooseMoments(request, ReadNxvMoments(path)), codes,
+                              pictureBytesPerVoxel},
+      image);
+    return image;
+  }
+
+  TimedFiles files;
+  const MomentRequest request;
+  std::vector<Time> times;
+  std::atomic<bool> codes = false;
+};
+
+} // namespace
+
+bool HoldsVolumes(const fs::path& path)
+{
+  std::error_code ignored;
+  if (!fs::is_directory(path, ignored))
+  {
+    return IsVolumeFile(path) || IsIndex(path);
+  }
+  const fs::directory_iterator entries(path, ignored);
+  return std::any_of(begin(entries), end(entries),
+    [](const fs::directory_entry& entry) { return IsVolumeFile(entry.path()); });
+}
+
+bool AreVolumes(const std::vector<fs::path>& paths)
+{
+  const auto count = std::count_if(paths.begin(), paths.end(), HoldsVolumes);
+  if (count != 0 && count != static_cast<std::ptrdiff_t>(paths.size()))
+  {
+    throw Error("the inputs are volumes and radar files; draw one or the other");
+  }
+  return count != 0;
+}
+
+std::unique_ptr<VolumeSeries> OpenVolumeFiles(
+  const std::vector<fs::path>& inputs, const MomentRequest& request)
+{
+  TimedFiles files;
+  for (const fs::path& input : inputs)
+  {
+    if (!fs::exists(input))
+    {
+      throw Error(input.string() + ": does not exist");
+    }
+    if (fs::is_directory(input))
+    {
+      AddFolder(files, input);
+    }
+    else if (IsIndex(input))
+    {
+      AddIndex(files, input);
+    }
+    else
+    {
+      files.push_back({Describe(input).time, input, {}});
+    }
+  }
+  if (files.empty())
+  {
+    throw Error(inputs.front().string() + ": lists no volume");
+  }
+  return std::make_unique<VolumeFiles>(std::move(files), request);
+}
+
+} // namespace nexrad
