@@ -466,13 +466,6 @@ void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows()
   {
     settings.Shadow = this->ShadowStrength;
     settings.Occlusion = this->OcclusionStrength;
-#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 2, 0)
-    if (parts.Request.Property->GetShade(0) != 0 && this->VolumetricScatteringBlending > 0.0f)
-    {
-      settings.Scattering = static_cast<double>(this->VolumetricScatteringBlending);
-      settings.Reach = static_cast<double>(this->GlobalIlluminationReach);
-    }
-#endif
   }
   settings.Density = this->ShadowDensity;
   settings.Exposure = this->Exposure;
@@ -573,7 +566,6 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   features.Cropped = parts.Frame.NeedsCropTest();
   features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   features.Shadows = parts.Shadows.IsUsed();
-  features.Scattering = parts.Shadows.IsScattering();
   features.Peel = parts.Peeling.GetStage();
   features.ClippingPlanes = static_cast<int>(parts.Frame.GetClippingPlanesInTexture().size() / 4);
   features.Skipping = parts.EmptySpace.IsSkippingWorthwhile() && features.Contours == 0;

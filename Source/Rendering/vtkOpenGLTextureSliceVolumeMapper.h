@@ -48,9 +48,9 @@
  * the range, volumes larger than the largest 3-D texture, and a 2-D image, which has no thickness.
  * Refused with an error when it is met: four components with hidden points, render passes that peel
  * volumes in a way that is not VTK's, and VTK's peeling in a window with multisamples, which draws
- * nothing translucent. What is refused or ignored is said once, not in each frame. Jittering is
- * ignored; user shaders are ignored with a warning. A hardware selection finds the volume, not its
- * voxels.
+ * nothing translucent. What is refused or ignored is said once, not in each frame. Jittering and
+ * VolumetricScatteringBlending are ignored; user shaders are ignored with a warning. A hardware
+ * selection finds the volume, not its voxels.
  */
 #ifndef vtkOpenGLTextureSliceVolumeMapper_h
 #define vtkOpenGLTextureSliceVolumeMapper_h
@@ -96,12 +96,6 @@ public:
    * from the scalars' opacity alone, gradient opacity does not count. Light that crosses an
    * isosurface loses the opacity of its value. Rectilinear grids have none. What is cropped or
    * clipped away, hidden or masked out casts no shadow.
-   *
-   * From VTK 9.2 on, VolumetricScatteringBlending asks for shadows too: with shading on, it mixes
-   * the light that surfaces return with light that the volume scatters alike into all directions,
-   * by the formula of VTK's ray caster. What is scattered is shadowed in full, and
-   * GlobalIlluminationReach says how much of the way from a sample to the face of the volume casts
-   * shadows. VTK's ray caster follows each light of the renderer there, this mapper LightDirection.
    */
   vtkSetClampMacro(ShadowStrength, double, 0.0, 1.0);
   vtkGetMacro(ShadowStrength, double);

@@ -27,7 +27,6 @@ struct vtkTextureSliceFeatures
   int Labels = 0;          ///< labels that have functions of their own
   bool Selection = false;  ///< what is seen gets the one colour that a hardware selection asks for
   bool Shadows = false;    ///< the light volume says how much light arrives
-  bool Scattering = false; ///< a part of the light is scattered, and shadowed in full
   int Lights = -1;         ///< -1: unlit; 0: a single headlight; else the number of lights
   int IsoValues = 0;
   int Contours = 0; ///< rays begin at the first contour of these values; 0: where they enter

@@ -51,10 +51,8 @@ bool IsDirection(const std::array<double, 3>& vector)
 Lights FindLights(const Source& source, const vtkTextureSliceShadowSettings& settings)
 {
   Lights lights;
-  lights.Shadow =
-    (settings.Shadow > 0.0 || settings.Scattering > 0.0) && IsDirection(settings.ToLight);
+  lights.Shadow = settings.Shadow > 0.0 && IsDirection(settings.ToLight);
   lights.Occlusion = settings.Occlusion > 0.0 && IsDirection(settings.Zenith);
-  lights.Reach = settings.Reach;
   lights.ToLight = {};
   if (lights.Shadow)
   {
@@ -193,23 +191,15 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
 } // namespace
 
 void vtkTextureSliceShadows::Update(
-  vtkOpenGLRenderWindow* window, const Source& source, const vtkTextureSliceShadowSettings& asked)
+  vtkOpenGLRenderWindow* window, const Source& source, const vtkTextureSliceShadowSettings& settings)
 {
   const vtkTextureSliceFeatures features = source.Request.GetFeatures();
   const bool surfaces = HasSurfaces(features);
-  vtkTextureSliceShadowSettings settings = asked;
-  if (surfaces)
-  {
-    settings.Scattering = 0.0; // as in VTK's ray caster
-    settings.Reach = 1.0;
-  }
-  this->Used = (settings.Shadow > 0.0 || settings.Occlusion > 0.0 || settings.Scattering > 0.0) &&
-               CanShow(features);
+  this->Used = (settings.Shadow > 0.0 || settings.Occlusion > 0.0) && CanShow(features);
   if (!this->Used)
   {
     return;
   }
-  this->HalfScattering = static_cast<float>(settings.Scattering / 2.0);
   Key key{{source.Texture.GetBricks().GetBuildTime(),
             features.HasMask() ? source.MaskValues->GetMTime() : 0},
     MakeCells(source, settings.Density), FindLights(source, settings)};
@@ -297,7 +287,6 @@ void vtkTextureSliceShadows::SetUniforms(
 {
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
-  program->SetUniformf("scattering", this->HalfScattering);
   if (!this->Last.Cells.Surfaces.empty())
   {
     this->SetSurfaces(program, uniforms);

@@ -21,13 +21,10 @@ struct vtkTextureSliceShadowSettings
 {
   double Shadow = 0.0;    ///< strength, 0 to 1
   double Occlusion = 0.0; ///< strength, 0 to 1
-  /// As VolumetricScatteringBlending of VTK 9.2: 0 (none) to 2 (all light is scattered).
-  double Scattering = 0.0;
   std::array<double, 3> ToLight{0, 0, 1};
   std::array<double, 3> Zenith{0, 0, 1};
   double Density = 1.0;  ///< extinction for the light over that for the viewer
   double Exposure = 1.0; ///< times what shadow and occlusion leave of a colour, up to all of it
-  double Reach = 1.0;    ///< as vtkTextureSliceLightVolume::Lights
   /// Whether the frame is one of an interaction: a change then asks for a coarse volume.
   bool Interactive = false;
 };
@@ -42,12 +39,10 @@ class vtkTextureSliceShadows
 public:
   /// @param source volume, functions, mask and cuts; all of it must be up to date.
   void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& source,
-    const vtkTextureSliceShadowSettings& asked);
+    const vtkTextureSliceShadowSettings& settings);
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
   bool IsUsed() const { return this->Used; }
-  /// Whether a part of the light is scattered, too.
-  bool IsScattering() const { return this->Used && this->HalfScattering > 0.0f; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
   void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
 
@@ -77,7 +72,6 @@ private:
   /// without shading; (0, 0): it has them in two, as they are.
   std::array<float, 2> Joined{};
   float Exposure = 1.0f; ///< that the texture has
-  float HalfScattering = 0.0f;
   vtkNew<vtkTextureObject> Texture;
   vtkNew<vtkImageData> Image;
 };

@@ -31,16 +31,13 @@ public:
     bool Shadow = false;    ///< whether the first component is asked for
     bool Occlusion = false; ///< whether the second one is
     std::array<double, 3> ToLight{0, 0, 1};
-    /// How much of the way from a cell to the face of the volume can cast a shadow on it, 0 to 1;
-    /// at least one cell does.
-    double Reach = 1.0;
     /// The columns of a matrix from directions about the sky's zenith (0, 0, 1).
     std::array<std::array<double, 3>, 3> Sky{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 
     bool operator==(const Lights& other) const
     {
-      return std::tie(this->Shadow, this->Occlusion, this->ToLight, this->Reach, this->Sky) ==
-             std::tie(other.Shadow, other.Occlusion, other.ToLight, other.Reach, other.Sky);
+      return std::tie(this->Shadow, this->Occlusion, this->ToLight, this->Sky) ==
+             std::tie(other.Shadow, other.Occlusion, other.ToLight, other.Sky);
     }
   };
 

@@ -100,34 +100,14 @@ vec2 FindTransmittance(vec3 gradient)
 #endif
 
 #ifdef TEXTURE_SLICE_LIGHTS
-#ifdef TEXTURE_SLICE_SCATTERING
-// How much of the light is scattered within the volume, as VTK 9.2's ray caster mixes it: the more,
-// the less a place is like a surface.
-float ScatteredPart(float gradient, float opacity)
-{
-  float fading = 2.0 * exp(-2.0 * scattering * gradient * opacity);
-  return scattering < 0.5 ? scattering * fading
-                          : (1.0 - scattering) * fading + 2.0 * scattering - 1.0;
-}
-#endif
-
 // The light and the sky's light that arrive: the sky lights what is ambient, the light the rest.
-vec3 LightAndShade(vec4 color, vec4 gradient, vec4 surface)
+vec3 LightAndShade(vec4 color, vec3 gradient, vec4 surface)
 {
 #ifdef TEXTURE_SLICE_SHADOWS
-  vec2 transmittance = FindTransmittance(gradient.xyz);
-  vec2 arriving = Weaken(transmittance);
-  vec4 shadowed = vec4(surface.xyz * arriving.yxx, surface.w);
-  vec3 lit = clamp(Light(color.rgb, gradient.xyz, shadowed), 0.0, 1.0);
-#ifdef TEXTURE_SLICE_SCATTERING
-  surface.xy *= vec2(arriving.y, transmittance.x);
-  vec3 scattered = clamp(Scatter(color.rgb, surface), 0.0, 1.0);
-  lit = mix(lit, scattered, ScatteredPart(gradient.w, color.a));
+  vec2 arriving = Weaken(FindTransmittance(gradient));
+  surface.xyz *= arriving.yxx;
 #endif
-  return lit;
-#else
-  return clamp(Light(color.rgb, gradient.xyz, surface), 0.0, 1.0);
-#endif
+  return clamp(Light(color.rgb, gradient, surface), 0.0, 1.0);
 }
 #endif
 
@@ -140,7 +120,7 @@ vec4 Finish(vec4 color, vec4 scalars, int component, int label)
   color.a = WeakenOpacity(color.a, GradientOpacity(gradient.w, component, label));
 #endif
 #ifdef TEXTURE_SLICE_LIGHTS
-  color.rgb = LightAndShade(color, gradient, material[component]);
+  color.rgb = LightAndShade(color, gradient.xyz, material[component]);
 #endif
 #endif
 #if defined TEXTURE_SLICE_SHADOWS && !defined TEXTURE_SLICE_LIGHTS

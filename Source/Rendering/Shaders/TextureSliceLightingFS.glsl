@@ -55,14 +55,6 @@ vec3 Light(vec3 color, vec3 gradient, vec4 surface)
   return color * (surface.x + surface.y * returned.x * lightDiffuse) +
     surface.z * returned.y * lightSpecular;
 }
-
-#ifdef TEXTURE_SLICE_SCATTERING
-// What a cloud scatters alike into all directions.
-vec3 Scatter(vec3 color, vec4 surface)
-{
-  return color * (surface.x + surface.y * lightDiffuse);
-}
-#endif
 #else
 // Any lights, in camera coordinates.
 uniform mat4 boxToCamera;
@@ -96,15 +88,10 @@ vec4 Beam(int light, vec3 place)
   return vec4(direction, arriving);
 }
 
-vec3 PlaceInCamera()
-{
-  vec3 box = (textureCoordinate - textureBias) / textureScale;
-  return (boxToCamera * vec4(box, 1.0)).xyz;
-}
-
 vec3 Light(vec3 color, vec3 gradient, vec4 surface)
 {
-  vec3 place = PlaceInCamera();
+  vec3 box = (textureCoordinate - textureBias) / textureScale;
+  vec3 place = (boxToCamera * vec4(box, 1.0)).xyz;
 #ifdef TEXTURE_SLICE_PARALLEL
   vec3 away = vec3(0.0, 0.0, -1.0);
 #else
@@ -123,19 +110,5 @@ vec3 Light(vec3 color, vec3 gradient, vec4 surface)
   }
   return surface.x * lightAmbient + surface.y * diffuse * color + surface.z * specular;
 }
-
-#ifdef TEXTURE_SLICE_SCATTERING
-// What a cloud scatters alike into all directions.
-vec3 Scatter(vec3 color, vec4 surface)
-{
-  vec3 place = PlaceInCamera();
-  vec3 diffuse = vec3(0.0);
-  for (int light = 0; light < TEXTURE_SLICE_LIGHTS; ++light)
-  {
-    diffuse += Beam(light, place).w * lightDiffuse[light];
-  }
-  return surface.x * lightAmbient + surface.y * diffuse * color;
-}
-#endif
 #endif
 #endif

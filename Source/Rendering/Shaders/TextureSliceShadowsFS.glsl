@@ -18,11 +18,6 @@ float FetchLight()
 // How strong shadow and occlusion are, 0 to 1.
 uniform vec2 lightStrength;
 
-#ifdef TEXTURE_SLICE_SCATTERING
-// Half of VolumetricScatteringBlending.
-uniform float scattering;
-#endif
-
 // Of the light, and of the sky's, with shadow and occlusion at full strength.
 vec2 FetchTransmittance()
 {
