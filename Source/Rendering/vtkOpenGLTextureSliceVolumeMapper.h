@@ -191,8 +191,8 @@ public:
    * compute shader does the same (OpenGL 4.3, or 4.2 with ARB_compute_shader). Polygons: one
    * for each slice, the outline of the volume, blended, which is slow and shows how slices work;
    * composite blending without PreIntegration alone, else as AUTOMATIC. AUTOMATIC (the default)
-   * draws the first frame by fragments; with the second one it times both once for each card, and
-   * goes on by compute shaders where these are twice as fast; polygons where no other shader
+   * draws by fragments; with the second frame it times both once for each card, and then goes on by
+   * compute shaders where these are twice as fast; polygons where no other shader
    * compiles. A way that the context does not have is replaced with a warning. The environment
    * variable VTK_TEXTURE_SLICE_WAY (automatic, fragments, compute, polygons) takes precedence.
    */

@@ -4,8 +4,6 @@
 #define vtkTextureSliceParts_h
 
 #include "vtkTextureSliceEmptySpace.h"
-#include "vtkTextureSliceImages.h"
-#include "vtkTextureSliceResolution.h"
 #include "vtkTextureSliceTarget.h"
 #include "vtkTextureSliceUniforms.h"
 #include "vtkTextureSliceWays.h"

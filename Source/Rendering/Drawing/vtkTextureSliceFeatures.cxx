@@ -2,7 +2,6 @@
 #include "vtkTextureSliceFeatures.h"
 
 #include "vtkTextureSlicePeeling.h"
-
 #include "vtkVersionMacros.h"
 #include "vtkVolumeMapper.h"
 

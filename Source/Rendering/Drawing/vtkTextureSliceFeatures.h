@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What the shaders of one frame must be able to do.
+// What the shaders of one frame must be able to do, and the shaders.
 #ifndef vtkTextureSliceFeatures_h
 #define vtkTextureSliceFeatures_h
 

@@ -4,7 +4,7 @@
 #define vtkTextureSliceRequest_h
 
 #include "vtkTextureSliceFeatures.h"
-#include "vtkTextureSliceTable.h"
+#include "vtkTextureSliceTables.h"
 #include "vtkTextureSliceTexture.h"
 
 #include "vtkType.h"

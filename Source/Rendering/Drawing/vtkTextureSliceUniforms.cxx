@@ -3,7 +3,7 @@
 
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
-#include "vtkTextureSliceDistanceMap.h"
+#include "vtkTextureSliceEmptySpace.h"
 
 #include <algorithm>
 #include <cmath>

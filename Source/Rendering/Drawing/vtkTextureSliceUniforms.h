@@ -4,18 +4,14 @@
 #define vtkTextureSliceUniforms_h
 
 #include "vtkSmartPointer.h"
-#include "vtkTextureSliceBlanks.h"
+#include "vtkTextureSliceTexture.h"
 #include "vtkTextureSliceCoordinates.h"
 #include "vtkTextureSliceFrame.h"
-#include "vtkTextureSliceIntegralTable.h"
+#include "vtkTextureSliceTables.h"
 #include "vtkTextureSliceLights.h"
 #include "vtkTextureSlicePeeling.h"
-#include "vtkTextureSlicePlanes.h"
 #include "vtkTextureSliceRequest.h"
 #include "vtkTextureSliceShadows.h"
-#include "vtkTextureSliceTable.h"
-#include "vtkTextureSliceTable2D.h"
-#include "vtkTextureSliceTexture.h"
 
 #include <array>
 #include <functional>

@@ -5,7 +5,6 @@
 
 #include "vtkObject.h"
 #include "vtkSmartPointer.h"
-#include "vtkTextureSliceBlocks.h"
 #include "vtkTextureSliceBricks.h"
 #include "vtkTextureSliceScalars.h"
 #include "vtkTextureSliceTexels.h"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Formulas L2: how much light arrives in the cells of volumes whose shadows are known.
-#include "vtkTextureSliceLightSweep.h"
 #include "vtkTextureSliceLightVolume.h"
 
 #include "vtkFloatArray.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The scalars of a volume as a 3-D texture.
+// The scalars of a volume, and flags that hide parts of it, as 3-D textures.
 #ifndef vtkTextureSliceTexture_h
 #define vtkTextureSliceTexture_h
 
@@ -13,7 +13,9 @@
 #include <string>
 #include <vector>
 
+class vtkImageData;
 class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
 
 /**
  * One to four components of scalars of any type, one texel for each point (or cell), as
@@ -57,6 +59,33 @@ private:
   vtkSmartPointer<vtkTextureSliceChecksums> Checksum;
   vtkTextureSliceChecksums::Key Last;
   std::array<int, 4> Allocated{}; ///< size and internal format
+};
+
+/**
+ * A sample is left out where the cell that it lies in, or the point that is nearest to it, has a
+ * flag. Flags that belong to the scalars themselves are part of vtkTextureSliceTexture.
+ */
+class vtkTextureSliceBlanks
+{
+public:
+  /**
+   * Uploads the flags if they or the window changed.
+   * @param cellData whether the scalars are those of cells.
+   * @return false, with one line in @a error, if they do not fit a texture.
+   */
+  bool Update(
+    vtkOpenGLRenderWindow* window, vtkImageData* image, bool cellData, std::string& error);
+  /// Whether there is a flag that hides something.
+  bool IsUsed() const { return this->Used; }
+  vtkTextureObject* GetTexture() const { return this->Texture.GetTexture(); }
+  void SetUniforms(vtkShaderProgram* program) const;
+
+private:
+  vtkTextureSliceTexture Texture;
+  bool Used = false;
+  /// From texture coordinates of the scalars to those of the flags.
+  std::array<float, 3> Scale{};
+  std::array<float, 3> Bias{};
 };
 
 #endif
