@@ -195,7 +195,7 @@ double vtkOpenGLTextureSliceVolumeMapper::ChooseSampleDistance()
 {
   if (this->AutoAdjustSampleDistances)
   {
-    return this->Parts->Frame.GetShortestVoxelEdge();
+    return this->Parts->Frame.ShortestVoxelEdge;
   }
   vtkImageData* image = this->Parts->Image;
   return this->LockSampleDistanceToInputSpacing
@@ -367,12 +367,12 @@ bool vtkOpenGLTextureSliceVolumeMapper::PlaceSlices()
   vtkTextureSliceParts& parts = *this->Parts;
   parts.EmptySpace.Update(parts);
   parts.Frame.SetPlane(parts.Request.GetSlicePlane());
-  vtkTextureSliceView view = parts.Frame.GetView();
+  vtkTextureSliceView view = parts.Frame.View;
   view.NumberOfSlices = this->NumberOfSlices;
   view.SampleDistance = this->ChooseSampleDistance();
   if (parts.Request.IsNearest())
   {
-    view.Faces = parts.Frame.GetIntervals();
+    view.Faces = parts.Frame.Intervals;
     view.FirstFace = parts.Frame.GetFirstFace();
   }
   view.Viewport = vtkTextureSliceTarget::GetSize(parts.Window, parts.PixelSize);
@@ -406,8 +406,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
     }
     else if (error.empty())
     {
-      parts.Composite(
-        1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
+      parts.Target.Composite(
+        parts, 1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
     }
   }
   parts.Window->GetState()->Pop();
@@ -428,7 +428,7 @@ std::string vtkOpenGLTextureSliceVolumeMapper::TakeImages(bool isDrawn)
     parts.Features.Slabs = false;
     parts.Features.BlendMode =
       parts.Request.ShowsPlaces() ? this->BlendMode : static_cast<int>(COMPOSITE_BLEND);
-    parts.Seen = parts.Frame.GetView().Part;
+    parts.Seen = parts.Frame.View.Part;
     std::string error;
     if (!parts.Draw(error))
     {
@@ -543,7 +543,7 @@ bool vtkOpenGLTextureSliceVolumeMapper::UpdateMask(std::string& error)
 
 std::array<double, 6> vtkOpenGLTextureSliceVolumeMapper::FindSeen() const
 {
-  std::array<double, 6> seen = this->Parts->Frame.GetView().Part;
+  std::array<double, 6> seen = this->Parts->Frame.View.Part;
   // A sum is black wherever there are samples.
   for (std::size_t axis = 0; axis < 3 && this->BlendMode != ADDITIVE_BLEND; ++axis)
   {
@@ -563,7 +563,7 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   features.SecondMasked = features.SecondArray > 0 && parts.SecondArray.IsMasked();
   features.Rectilinear = parts.Coordinates.IsUsed();
   features.Blanked = parts.Blanks.IsUsed();
-  features.Cropped = parts.Frame.NeedsCropTest();
+  features.Cropped = parts.Frame.CropTest;
   features.Parallel = renderer->GetActiveCamera()->GetParallelProjection() != 0;
   features.Shadows = parts.Shadows.IsUsed();
   features.Peel = parts.Peeling.GetStage();
@@ -577,8 +577,6 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
     selector->GetPropColorValue(parts.SelectionColor.data());
   }
   parts.Seen = this->FindSeen();
-  parts.Distances = &parts.EmptySpace.GetDistances();
-  parts.GeometryDepth = parts.Target.GetGeometryDepth();
   parts.Surfaces = parts.Request.MakeSurfaces();
   parts.IsoValues = parts.Request.FindIsoValues(parts.Texture.GetComponents());
 }

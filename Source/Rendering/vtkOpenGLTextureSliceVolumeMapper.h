@@ -66,7 +66,7 @@
 class vtkDataArray;
 class vtkDataSet;
 class vtkImageData;
-class vtkTextureSliceParts;
+struct vtkTextureSliceParts;
 struct vtkTextureSliceRequest;
 
 class VTKNEXRADRENDERING_EXPORT vtkOpenGLTextureSliceVolumeMapper : public vtkGPUVolumeRayCastMapper

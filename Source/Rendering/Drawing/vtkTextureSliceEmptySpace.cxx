@@ -6,7 +6,7 @@
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkTextureSliceUniforms.h"
+#include "vtkTextureSliceParts.h"
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
@@ -56,7 +56,7 @@ void FillRow(const Row& row, const std::array<const unsigned char*, 3>& beside,
 }
 
 using Range = vtkTextureSliceBricks::Range;
-using Source = vtkTextureSliceUniforms;
+using Source = vtkTextureSliceParts;
 
 /// Whether a brick counts, by the ranges of its scalars, one for each component.
 using Test = std::function<bool(const Range* ranges)>;
@@ -170,10 +170,10 @@ std::vector<unsigned int> FindRegions(
   constexpr std::array<std::array<unsigned int, 3>, 3> parts{
     {{0x1249249, 0x2492492, 0x4924924}, {0x1C0E07, 0xE07038, 0x70381C0},
       {0x1FF, 0x3FE00, 0x7FC0000}}}; // of 27 bits, those of the lower, middle and upper part
-  const double scale = static_cast<double>(frame.GetTextureScale()[axis]);
-  const double bias = static_cast<double>(frame.GetTextureBias()[axis]);
-  const double low = static_cast<double>(frame.GetCropLow()[axis]);
-  const double high = static_cast<double>(frame.GetCropHigh()[axis]);
+  const double scale = static_cast<double>(frame.TextureScale[axis]);
+  const double bias = static_cast<double>(frame.TextureBias[axis]);
+  const double low = static_cast<double>(frame.CropLow[axis]);
+  const double high = static_cast<double>(frame.CropHigh[axis]);
   constexpr double margin = 1e-5; // what a sample's position may err by
   std::vector<unsigned int> regions;
   for (int brick = 0; brick < bricks.GetCount()[axis]; ++brick)
@@ -289,8 +289,8 @@ void vtkTextureSliceDistanceMap::SetUniforms(
   std::array<float, 3> last{};
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    scale[axis] = 1.0f / (static_cast<float>(this->Edge[axis]) * frame.GetTextureScale()[axis]);
-    bias[axis] = -frame.GetTextureBias()[axis] * scale[axis];
+    scale[axis] = 1.0f / (static_cast<float>(this->Edge[axis]) * frame.TextureScale[axis]);
+    bias[axis] = -frame.TextureBias[axis] * scale[axis];
     last[axis] = static_cast<float>(this->Count[axis] - 1);
   }
   program->SetUniform3f("brickScale", scale.data());
@@ -303,7 +303,7 @@ vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& 
   return {source.Texture.GetBricks().GetBuildTime(), source.Table.GetFillTime(),
     source.LabelTable.GetFillTime(), source.Table2D.GetFillTime(), source.Request.AverageRange,
     source.Request.GetIsoValues(), source.Request.GetFeatures().GetDefines(),
-    source.Frame.NeedsCropTest(), source.Frame.GetCropLow(), source.Frame.GetCropHigh(),
+    source.Frame.CropTest, source.Frame.CropLow, source.Frame.CropHigh,
     source.CropFlags};
 }
 
@@ -317,7 +317,7 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
   this->Last = std::move(key);
   const std::vector<unsigned char> before = this->Visible;
   this->FindVisible(source);
-  if (source.Frame.NeedsCropTest())
+  if (source.Frame.CropTest)
   {
     this->HideCropped(source);
   }

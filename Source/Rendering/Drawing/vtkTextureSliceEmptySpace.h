@@ -15,8 +15,8 @@
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-class vtkTextureSliceFrame;
-struct vtkTextureSliceUniforms;
+struct vtkTextureSliceFrame;
+struct vtkTextureSliceParts;
 
 /**
  * For each octant of directions, a brick has the edge, in bricks, of the largest cube without a
@@ -81,7 +81,7 @@ class vtkTextureSliceEmptySpace
 {
 public:
   /// Does nothing where nothing has changed of the scalars, the functions and the cropping.
-  void Update(const vtkTextureSliceUniforms& source);
+  void Update(const vtkTextureSliceParts& source);
 
   /// How far it is to the next visible brick.
   vtkTextureSliceDistanceMap& GetDistances() { return this->Distances; }
@@ -101,10 +101,10 @@ private:
   using Key =
     std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
       std::vector<double>, std::string, bool, std::array<float, 3>, std::array<float, 3>, int>;
-  static Key MakeKey(const vtkTextureSliceUniforms& source);
+  static Key MakeKey(const vtkTextureSliceParts& source);
 
-  void FindVisible(const vtkTextureSliceUniforms& source);
-  void HideCropped(const vtkTextureSliceUniforms& source);
+  void FindVisible(const vtkTextureSliceParts& source);
+  void HideCropped(const vtkTextureSliceParts& source);
 
   Key Last;
   std::array<double, 3> Edge{}; ///< of the bricks that the distances are of

@@ -100,12 +100,12 @@ private:
 };
 
 /**
- * The box is the volume's bounds, 0 to 1 along each of its axes; data coordinates are the image's
- * own, world coordinates those after the actor's matrix.
+ * Every coordinate system of one frame. The box is the volume's bounds, 0 to 1 along each of its
+ * axes; data coordinates are the image's own, world coordinates those after the actor's matrix.
+ * What is below the functions is valid after the setters.
  */
-class vtkTextureSliceFrame
+struct vtkTextureSliceFrame
 {
-public:
   vtkTextureSliceFrame();
   ~vtkTextureSliceFrame();
 
@@ -118,42 +118,19 @@ public:
 
   /// A plane in world coordinates as a, b, c, d of a*x + b*y + c*z + d in box coordinates.
   std::array<double, 4> ToBox(vtkPlane* plane) const;
-
   /// Whether the volume has no extent along some axis.
   bool IsFlat() const;
-
-  /// The view for the slices, without their number and distance. Valid after the setters above.
-  const vtkTextureSliceView& GetView() const { return this->View; }
-  /// Box to clip coordinates, column by column as OpenGL reads it.
-  vtkMatrix4x4* GetBoxToClip() const { return this->BoxToClip; }
-  /// Box to texture coordinates: p * scale + bias (Formulas R2).
-  const std::array<float, 3>& GetTextureScale() const { return this->TextureScale; }
-  const std::array<float, 3>& GetTextureBias() const { return this->TextureBias; }
-
-  /// Whether samples must be tested against the cropping regions: the part alone does not do it.
-  bool NeedsCropTest() const { return this->CropTest; }
-  const std::array<float, 3>& GetCropLow() const { return this->CropLow; }
-  const std::array<float, 3>& GetCropHigh() const { return this->CropHigh; }
-
   /// A direction in world coordinates as data lengths along the box's axes, towards higher indices.
   std::array<double, 3> GetDataDirection(const std::array<double, 3>& world) const;
-  /// Whether the scalars are those of the image's cells.
-  bool IsOfCells() const { return this->CellData; }
   /// A plane in box coordinates as one in texture coordinates.
   std::array<float, 4> ToTexture(const std::array<double, 4>& box) const;
   /// The clipping planes that cut something of the part off, four numbers each, in texture
   /// coordinates; what is below 0 is cut away.
   std::vector<float> GetClippingPlanesInTexture() const;
-
   /// Signed data length of the box's edges.
   std::array<float, 3> GetEdges() const;
   /// Where the camera stands.
   std::array<float, 3> GetEyeInBox() const;
-  /// One voxel along each axis as texture coordinates, as wide as VTK's ray caster takes it for
-  /// differences.
-  const std::array<float, 3>& GetVoxelStep() const { return this->VoxelStep; }
-  /// The mean spacing over twice the (signed) spacing along each axis.
-  const std::array<float, 3>& GetInverseAspect() const { return this->InverseAspect; }
   /// One voxel along its shortest edge as texture coordinates, and how many of them make half of
   /// its longest edge: 0 for cubes, 4 at most.
   std::array<float, 4> GetStair() const;
@@ -161,29 +138,31 @@ public:
   /// coordinates, column by column as OpenGL reads them.
   std::array<float, 16> GetBoxToCameraColumns() const;
   std::array<float, 9> GetGradientToCameraColumns() const;
-
-  /// Voxels' edges in the box, and where the first face between two voxels is, along each axis.
-  const std::array<double, 3>& GetIntervals() const { return this->Intervals; }
+  /// Where the first face between two voxels is in the box, along each axis.
   std::array<double, 3> GetFirstFace() const;
-  /// World length of the shortest edge of a voxel.
-  double GetShortestVoxelEdge() const { return this->ShortestVoxelEdge; }
 
-private:
   vtkNew<vtkMatrix4x4> BoxToWorld;
+  /// Column by column as OpenGL reads it.
   vtkNew<vtkMatrix4x4> BoxToClip;
+  /// For the slices, without their number and distance.
   vtkTextureSliceView View;
   std::array<double, 3> Origin{};
   std::array<double, 3> Edge{}; ///< signed data length of the box's edges
+  /// Box to texture coordinates: p * scale + bias (Formulas R2).
   std::array<float, 3> TextureScale{};
   std::array<float, 3> TextureBias{};
+  /// One voxel along each axis as texture coordinates, as wide as VTK's ray caster takes it for
+  /// differences.
   std::array<float, 3> VoxelStep{};
+  /// The mean spacing over twice the (signed) spacing along each axis.
   std::array<float, 3> InverseAspect{};
-  bool CellData = false;
+  bool CellData = false; ///< whether the scalars are those of the image's cells
+  /// Whether samples must be tested against the cropping regions: the part alone does not do it.
   bool CropTest = false;
   std::array<float, 3> CropLow{};
   std::array<float, 3> CropHigh{};
-  std::array<double, 3> Intervals{};
-  double ShortestVoxelEdge = 1.0;
+  std::array<double, 3> Intervals{};  ///< voxels' edges in the box
+  double ShortestVoxelEdge = 1.0;     ///< world length
 };
 
 #endif

@@ -9,7 +9,7 @@
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkTextureSliceUniforms.h"
+#include "vtkTextureSliceParts.h"
 #include "vtkVolumeMapper.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace
 
 using Function = vtkTextureSliceLightCells::Function;
 using Lights = vtkTextureSliceLightVolume::Lights;
-using Source = vtkTextureSliceUniforms;
+using Source = vtkTextureSliceParts;
 
 /// As many cells as a volume of 256 x 256 x 128 voxels has at half its resolution.
 constexpr std::size_t MostCells = 1048576;
@@ -114,19 +114,19 @@ std::vector<std::vector<Function>> MakeFunctions(const Source& source, double de
 std::optional<vtkTextureSliceLightCells::Cut> FindCut(const Source& source)
 {
   const vtkTextureSliceFrame& frame = source.Frame;
-  vtkTextureSliceLightCells::Cut cut{frame.GetView().Part, frame.GetView().ClippingPlanes};
-  if (frame.NeedsCropTest())
+  vtkTextureSliceLightCells::Cut cut{frame.View.Part, frame.View.ClippingPlanes};
+  if (frame.CropTest)
   {
     cut.CropFlags = source.CropFlags;
     for (std::size_t axis = 0; axis < 3; ++axis)
     {
       const auto toBox = [&](float texture)
       {
-        return static_cast<double>(texture - frame.GetTextureBias()[axis]) /
-               static_cast<double>(frame.GetTextureScale()[axis]);
+        return static_cast<double>(texture - frame.TextureBias[axis]) /
+               static_cast<double>(frame.TextureScale[axis]);
       };
-      cut.CropLow[axis] = toBox(frame.GetCropLow()[axis]);
-      cut.CropHigh[axis] = toBox(frame.GetCropHigh()[axis]);
+      cut.CropLow[axis] = toBox(frame.CropLow[axis]);
+      cut.CropHigh[axis] = toBox(frame.CropHigh[axis]);
     }
   }
   const bool whole = cut == vtkTextureSliceLightCells::Cut();
@@ -167,7 +167,7 @@ vtkTextureSliceLightCells::Source MakeCells(const Source& source, double density
   const vtkTextureSliceFeatures features = source.Request.GetFeatures();
   vtkTextureSliceLightCells::Source made;
   made.Scalars =
-    vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame.IsOfCells());
+    vtkTextureSliceScalars::Find(source.Image, source.Scalars, source.Frame.CellData);
   made.Masked = source.Texture.IsMasked();
   if (features.HasMask())
   {
@@ -214,7 +214,7 @@ void vtkTextureSliceShadows::Update(
       key.Cells, key.From, settings.Interactive ? MostCellsOfInteraction : MostCells);
     this->Coarse = settings.Interactive;
     this->Last = std::move(key);
-    this->MakeImage(source.Image, source.Frame.IsOfCells());
+    this->MakeImage(source.Image, source.Frame.CellData);
     this->Texture->ReleaseGraphicsResources(window);
   }
   // Surfaces and shading weigh shadow and occlusion apart.
@@ -283,7 +283,7 @@ void vtkTextureSliceShadows::MakeImage(vtkImageData* volume, bool cellData)
 }
 
 void vtkTextureSliceShadows::SetUniforms(
-  vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const
+  vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const
 {
   program->SetUniform3f("lightTextureScale", this->Volume.GetGrid().GetTextureScale().data());
   program->SetUniform2f("lightStrength", this->Strength.data());
@@ -294,7 +294,7 @@ void vtkTextureSliceShadows::SetUniforms(
 }
 
 void vtkTextureSliceShadows::SetSurfaces(
-  vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const
+  vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const
 {
   const vtkTextureSliceLightGrid& grid = this->Volume.GetGrid();
   std::array<double, 3> toLight = this->Last.From.ToLight;
@@ -304,7 +304,7 @@ void vtkTextureSliceShadows::SetSurfaces(
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     // The gradient is the change over two voxels, times the signed aspect of the shader.
-    const float aspect = uniforms.Frame.GetInverseAspect()[axis];
+    const float aspect = uniforms.Frame.InverseAspect[axis];
     const float sign = aspect < 0.0f ? -1.0f : 1.0f;
     toLight[axis] /= grid.CellEdge[axis];
     gradientToCells[axis] = sign * static_cast<float>(grid.CellEdge[axis]);

@@ -14,7 +14,7 @@
 class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
-struct vtkTextureSliceUniforms;
+struct vtkTextureSliceParts;
 
 /// Where light comes from, in world coordinates, and how much it matters.
 struct vtkTextureSliceShadowSettings
@@ -38,13 +38,13 @@ class vtkTextureSliceShadows
 {
 public:
   /// @param source volume, functions, mask and cuts; all of it must be up to date.
-  void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& source,
+  void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceParts& source,
     const vtkTextureSliceShadowSettings& settings);
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
   bool IsUsed() const { return this->Used; }
   vtkTextureObject* GetTexture() const { return this->Texture; }
-  void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
+  void SetUniforms(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const;
 
   /// The volume in data coordinates, of two components; nullptr if not used.
   vtkImageData* GetImage() const { return this->Used ? this->Image.Get() : nullptr; }
@@ -58,7 +58,7 @@ private:
     vtkTextureSliceLightVolume::Lights From;
   };
 
-  void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceUniforms& uniforms) const;
+  void SetSurfaces(vtkShaderProgram* program, const vtkTextureSliceParts& uniforms) const;
   void Upload(vtkOpenGLRenderWindow* window);
   std::vector<float> Join() const;
   void MakeImage(vtkImageData* volume, bool cellData);

@@ -10,7 +10,8 @@
 #include "vtkTextureObject.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkTextureSliceUniforms.h"
+#include "vtkTextureSliceParts.h"
+#include "vtkVolumeMapper.h"
 
 #include "TextureSliceCompositeFS.h"
 
@@ -112,13 +113,13 @@ vtkDataArray* Allocate(vtkImageData* image, const std::array<int, 2>& size, int 
 /// The depth in the window, 0 to 1, of a place as texture coordinates.
 double FindDepth(const vtkTextureSliceFrame& frame, const float* place)
 {
-  const std::array<double, 16>& toClip = frame.GetView().BoxToClip;
+  const std::array<double, 16>& toClip = frame.View.BoxToClip;
   double z = toClip[11];
   double w = toClip[15];
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
     const auto box = static_cast<double>(
-      (place[axis] - frame.GetTextureBias()[axis]) / frame.GetTextureScale()[axis]);
+      (place[axis] - frame.TextureBias[axis]) / frame.TextureScale[axis]);
     z += toClip[8 + axis] * box;
     w += toClip[12 + axis] * box;
   }
@@ -269,12 +270,25 @@ void vtkTextureSliceTarget::End()
   state->vtkglViewport(this->Viewport[0], this->Viewport[1], this->Viewport[2], this->Viewport[3]);
 }
 
-void vtkTextureSliceTarget::Composite(bool smooth, const vtkTextureSliceUniforms& uniforms,
-  const std::function<void(vtkShaderProgram*)>& setUniforms)
+void vtkTextureSliceTarget::Composite(vtkTextureSliceParts& parts, float scale, float bias)
 {
-  const vtkTextureSliceFeatures& features = uniforms.Features;
+  const vtkTextureSliceFeatures& features = parts.Features;
+  vtkOpenGLState* state = this->Window->GetState();
+  // Associated colour over the window; identifiers as they are.
+  state->vtkglBlendEquation(GL_FUNC_ADD);
+  state->vtkglBlendFuncSeparate(GL_ONE, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+  state->SetEnumState(GL_BLEND, !features.Selection);
   vtkShaderProgram* program = this->Box.Ready(
     this->Window, features.GetDefines(), [&features] { return MakeCompositeShader(features); });
+  if (features.Peel > 0)
+  {
+    parts.Peeling.SetBlending(state);
+    parts.Peeling.SetUniforms(program);
+  }
+  // Between an extreme and no sample at all there is nothing.
+  const bool smooth = parts.PixelSize != 1.0 &&
+                      features.BlendMode != vtkVolumeMapper::MAXIMUM_INTENSITY_BLEND &&
+                      features.BlendMode != vtkVolumeMapper::MINIMUM_INTENSITY_BLEND;
   vtkTextureSliceSetSampling(this->Color, !smooth);
   this->Color->Activate();
   program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
@@ -283,8 +297,10 @@ void vtkTextureSliceTarget::Composite(bool smooth, const vtkTextureSliceUniforms
     -static_cast<float>(this->Viewport[0]) / static_cast<float>(this->Viewport[2]),
     -static_cast<float>(this->Viewport[1]) / static_cast<float>(this->Viewport[3])};
   program->SetUniform4f("toPicture", toPicture.data());
-  setUniforms(program);
-  this->Box.Draw(uniforms.Frame, uniforms.Seen);
+  program->SetUniformf("colorScale", scale);
+  program->SetUniformf("colorBias", bias);
+  program->SetUniform3f("selectionColor", parts.SelectionColor.data());
+  this->Box.Draw(parts.Frame, parts.Seen);
   this->Color->Deactivate();
 }
 

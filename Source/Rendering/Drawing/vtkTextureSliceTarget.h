@@ -10,7 +10,6 @@
 #include "vtkTextureSliceWays.h"
 
 #include <array>
-#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,8 +17,8 @@ class vtkImageData;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkTextureObject;
-class vtkTextureSliceFrame;
-struct vtkTextureSliceUniforms;
+struct vtkTextureSliceFrame;
+struct vtkTextureSliceParts;
 class vtkWindow;
 
 /**
@@ -74,13 +73,9 @@ public:
   /// Directs drawing back to where it went before Begin.
   void End();
 
-  /**
-   * Blends the picture over the viewport of the last Begin.
-   * @param smooth whether to interpolate between its pixels if it has another size.
-   * @param setUniforms sets what that shader reads besides the picture.
-   */
-  void Composite(bool smooth, const vtkTextureSliceUniforms& uniforms,
-    const std::function<void(vtkShaderProgram*)>& setUniforms);
+  /// Blends the picture over the viewport of the last Begin.
+  /// @param scale, bias the final window and level.
+  void Composite(vtkTextureSliceParts& parts, float scale, float bias);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

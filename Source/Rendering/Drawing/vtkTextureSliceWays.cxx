@@ -11,7 +11,7 @@
 #include "vtkTextureObject.h"
 #include "vtkTextureSliceFrame.h"
 #include "vtkTextureSliceOpenGL.h"
-#include "vtkTextureSliceUniforms.h"
+#include "vtkTextureSliceParts.h"
 #include "vtkVolumeMapper.h"
 
 #include "TextureSliceBoxVS.h"
@@ -198,7 +198,7 @@ vtkShaderProgram* vtkTextureSliceBox::Ready(vtkOpenGLRenderWindow* window, const
 void vtkTextureSliceBox::Draw(
   const vtkTextureSliceFrame& frame, const std::array<double, 6>& seen, int times)
 {
-  vtkMatrix4x4* boxToClip = frame.GetBoxToClip();
+  vtkMatrix4x4* boxToClip = frame.BoxToClip;
   std::array<float, 3> low{};
   std::array<float, 3> high{};
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -283,7 +283,7 @@ void vtkTextureSliceCompute::ReleaseGraphicsResources(vtkOpenGLRenderWindow* win
 vtkTextureSlicePixels vtkTextureSliceCompute::FindPixels(const vtkTextureSliceFrame& frame,
   const std::array<double, 6>& part, const std::array<int, 2>& size)
 {
-  const auto& m = frame.GetView().BoxToClip;
+  const auto& m = frame.View.BoxToClip;
   std::array<double, 4> limits{1.0, 1.0, -1.0, -1.0}; // of the window, -1 to 1
   for (std::size_t corner = 0; corner < 8; ++corner)
   {
@@ -340,9 +340,8 @@ vtkTextureSliceWays::Way vtkTextureSliceWays::ChooseByTrial()
   return known != IsComputeFaster.end() && known->second ? Compute : Fragments;
 }
 
-void vtkTextureSliceWays::RunTrial(vtkOpenGLRenderWindow* window,
-  const vtkTextureSliceUniforms& uniforms, vtkTextureObject* picture,
-  const vtkTextureSlicePixels& pixels)
+void vtkTextureSliceWays::RunTrial(
+  vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels)
 {
   vtkTextureSlicePixels part = pixels;
   for (std::size_t axis = 0; axis < 2; ++axis)
@@ -355,19 +354,19 @@ void vtkTextureSliceWays::RunTrial(vtkOpenGLRenderWindow* window,
   // use the machine as well.
   const std::array<Way, 2> ways{Fragments, Compute};
   std::array<double, 2> milliseconds{1e30, 1e30};
-  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState* state = parts.Window->GetState();
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(part[0], part[1], part[2] - part[0], part[3] - part[1]);
   bool compiles = true;
   for (int i = 0; i < 2 * RoundsOfTrial && compiles; ++i)
   {
     const Way way = ways[i % 2];
-    compiles = this->Ready(way, window, uniforms, "fragments draw the volume");
+    compiles = this->Ready(way, parts, "fragments draw the volume");
     if (compiles)
     {
       glFinish();
       const auto begin = std::chrono::steady_clock::now();
-      this->DrawPixels(way, uniforms, picture, part);
+      this->DrawPixels(way, parts, part);
       glFinish();
       const std::chrono::duration<double, std::milli> time =
         std::chrono::steady_clock::now() - begin;
@@ -377,22 +376,22 @@ void vtkTextureSliceWays::RunTrial(vtkOpenGLRenderWindow* window,
   state->vtkglDisable(GL_SCISSOR_TEST);
   IsComputeFaster[GetRendererName()] =
     compiles && milliseconds[1] < MostOfFragments * milliseconds[0];
-  this->Ready(this->Drawn, window, uniforms, "");
+  this->Ready(this->Drawn, parts, "");
 }
 
-bool vtkTextureSliceWays::Ready(Way way, vtkOpenGLRenderWindow* window,
-  const vtkTextureSliceUniforms& uniforms, const char* instead)
+bool vtkTextureSliceWays::Ready(
+  Way way, const vtkTextureSliceParts& parts, const char* instead)
 {
   const char* main = way == Compute ? TextureSliceCS : TextureSliceFS;
   const std::string defines =
-    uniforms.Features.GetDefines() + (way == Polygons ? "#define TEXTURE_SLICE_POLYGONS 1\n" : "");
+    parts.Features.GetDefines() + (way == Polygons ? "#define TEXTURE_SLICE_POLYGONS 1\n" : "");
   const std::string key = Names[way] + defines;
   const auto make = [main, &defines] { return MakeShader(main, defines); };
   this->Program = nullptr;
   if (this->Failed.count(key) == 0)
   {
-    this->Program = way == Compute ? this->ComputeShaders.Ready(window, key, make)
-                                   : this->Box.Ready(window, key, make);
+    this->Program = way == Compute ? this->ComputeShaders.Ready(parts.Window, key, make)
+                                   : this->Box.Ready(parts.Window, key, make);
   }
   if (this->Program == nullptr)
   {
@@ -402,13 +401,12 @@ bool vtkTextureSliceWays::Ready(Way way, vtkOpenGLRenderWindow* window,
   return this->Program != nullptr;
 }
 
-bool vtkTextureSliceWays::Choose(
-  vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms)
+bool vtkTextureSliceWays::Choose(const vtkTextureSliceParts& parts)
 {
   this->Fallback.clear();
   this->IsTrialDue = false;
-  const bool canBePolygons = CanBePolygons(uniforms.Features);
-  Way way = uniforms.Features.Places ? Fragments : this->FindAsked();
+  const bool canBePolygons = CanBePolygons(parts.Features);
+  Way way = parts.Features.Places ? Fragments : this->FindAsked();
   if (way == Automatic || (way == Polygons && !canBePolygons))
   {
     way = this->ChooseByTrial();
@@ -418,39 +416,38 @@ bool vtkTextureSliceWays::Choose(
     this->Fallback = "the context has no compute shaders (OpenGL 4.3): fragments draw the volume";
     way = Fragments;
   }
-  if (way == Compute && !this->Ready(Compute, window, uniforms, "fragments draw the volume"))
+  if (way == Compute && !this->Ready(Compute, parts, "fragments draw the volume"))
   {
     way = Fragments;
   }
-  if (way == Fragments && !this->Ready(Fragments, window, uniforms, "polygons draw the volume"))
+  if (way == Fragments && !this->Ready(Fragments, parts, "polygons draw the volume"))
   {
     way = Polygons;
   }
   this->Drawn = way;
   return way != Polygons ||
-         (canBePolygons && this->Ready(Polygons, window, uniforms, "nothing is drawn"));
+         (canBePolygons && this->Ready(Polygons, parts, "nothing is drawn"));
 }
 
-void vtkTextureSliceWays::DrawPixels(Way way, const vtkTextureSliceUniforms& uniforms,
-  vtkTextureObject* picture, const vtkTextureSlicePixels& pixels)
+void vtkTextureSliceWays::DrawPixels(
+  Way way, vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels)
 {
-  uniforms.Use(this->Program,
+  parts.DrawWith(this->Program,
     [&]
     {
       if (way == Compute)
       {
-        this->ComputeShaders.Dispatch(picture, pixels);
+        this->ComputeShaders.Dispatch(parts.Target.GetPicture(), pixels);
         return;
       }
-      const int times = way == Polygons ? uniforms.Planes.GetNumberOfSlices() : 1;
-      this->Box.Draw(uniforms.Frame, uniforms.Seen, times);
+      const int times = way == Polygons ? parts.Planes.GetNumberOfSlices() : 1;
+      this->Box.Draw(parts.Frame, parts.Seen, times);
     });
 }
 
-void vtkTextureSliceWays::Draw(
-  vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms, vtkTextureObject* picture)
+void vtkTextureSliceWays::Draw(vtkTextureSliceParts& parts)
 {
-  vtkOpenGLState* state = window->GetState();
+  vtkOpenGLState* state = parts.Window->GetState();
   state->SetEnumState(GL_BLEND, this->Drawn == Polygons);
   if (this->Drawn == Polygons)
   {
@@ -458,13 +455,14 @@ void vtkTextureSliceWays::Draw(
     state->vtkglBlendEquation(GL_FUNC_ADD);
     state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   }
-  const auto pixels = vtkTextureSliceCompute::FindPixels(uniforms.Frame, uniforms.Seen,
+  vtkTextureObject* picture = parts.Target.GetPicture();
+  const auto pixels = vtkTextureSliceCompute::FindPixels(parts.Frame, parts.Seen,
     {static_cast<int>(picture->GetWidth()), static_cast<int>(picture->GetHeight())});
   if (std::exchange(this->IsTrialDue, false))
   {
-    this->RunTrial(window, uniforms, picture, pixels);
+    this->RunTrial(parts, pixels);
   }
-  this->DrawPixels(this->Drawn, uniforms, picture, pixels);
+  this->DrawPixels(this->Drawn, parts, pixels);
 }
 
 void vtkTextureSliceWays::ReleaseGraphicsResources(vtkOpenGLRenderWindow* window)

@@ -16,8 +16,8 @@ class vtkOpenGLRenderWindow;
 class vtkOpenGLVertexArrayObject;
 class vtkShaderProgram;
 class vtkTextureObject;
-class vtkTextureSliceFrame;
-struct vtkTextureSliceUniforms;
+struct vtkTextureSliceFrame;
+struct vtkTextureSliceParts;
 
 /// A fragment shader that runs for each pixel of the volume's box.
 class vtkTextureSliceBox
@@ -113,7 +113,7 @@ public:
    * Chooses the way of the next picture and makes its shader ready.
    * @return false if there is none whose shaders compile
    */
-  bool Choose(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms);
+  bool Choose(const vtkTextureSliceParts& parts);
   /// That of the last picture; Automatic: there was none.
   Way GetDrawn() const { return this->Drawn; }
   /// Why the last picture was not drawn as asked for, in one line; or an empty text.
@@ -122,8 +122,7 @@ public:
   /// after the other.
   bool NeedsFullPrecision() const { return this->Drawn == Polygons; }
   /// After Choose: draws the picture, which is bound.
-  void Draw(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms,
-    vtkTextureObject* picture);
+  void Draw(vtkTextureSliceParts& parts);
 
   void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 
@@ -133,14 +132,11 @@ private:
   /// yet, because a trial takes longer than a program with one picture can gain by it.
   Way ChooseByTrial();
   /// @param instead says what draws the volume where the shader of that way does not compile.
-  bool Ready(Way way, vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms,
-    const char* instead);
+  bool Ready(Way way, const vtkTextureSliceParts& parts, const char* instead);
   /// Draws those pixels by the shader that is ready.
-  void DrawPixels(Way way, const vtkTextureSliceUniforms& uniforms, vtkTextureObject* picture,
-    const vtkTextureSlicePixels& pixels);
+  void DrawPixels(Way way, vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels);
   /// Times fragments and compute with a part of the picture that is drawn next.
-  void RunTrial(vtkOpenGLRenderWindow* window, const vtkTextureSliceUniforms& uniforms,
-    vtkTextureObject* picture, const vtkTextureSlicePixels& pixels);
+  void RunTrial(vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels);
 
   vtkTextureSliceBox Box; ///< of fragments and polygons
   vtkTextureSliceCompute ComputeShaders;
