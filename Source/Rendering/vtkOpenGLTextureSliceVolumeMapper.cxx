@@ -3,7 +3,6 @@
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
-#include "vtkContourValues.h"
 #include "vtkDataArray.h"
 #include "vtkHardwareSelector.h"
 #include "vtkImageData.h"
@@ -109,6 +108,7 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
   vtkVolumeProperty* property, vtkDataSet* input, vtkDataArray* scalars, bool cellData)
 {
   vtkTextureSliceRequest request;
+  request.Mapper = this;
   request.Property = property;
   request.BlendMode = this->BlendMode;
   if (scalars != nullptr)
@@ -116,25 +116,11 @@ vtkTextureSliceRequest vtkOpenGLTextureSliceVolumeMapper::MakeRequest(
     request.Components = scalars->GetNumberOfComponents();
     request.ScalarType = scalars->GetDataType();
   }
-  request.PreIntegration = this->PreIntegration;
-  if (this->UseDepthPass && this->BlendMode == COMPOSITE_BLEND)
-  {
-    vtkContourValues* contours = this->GetDepthPassContourValues();
-    request.Contours.assign(
-      contours->GetValues(), contours->GetValues() + contours->GetNumberOfContours());
-  }
-  request.AverageRange = {this->AverageIPScalarRange[0], this->AverageIPScalarRange[1]};
-  request.NativeColor = this->ColorRangeType == NATIVE;
-  request.NativeOpacity = this->ScalarOpacityRangeType == NATIVE;
-  request.NativeGradientOpacity = this->GradientOpacityRangeType == NATIVE;
-  request.BinaryMask = this->MaskInput != nullptr && this->MaskType == BinaryMaskType;
-  request.SmoothGradient = this->SmoothGradient;
   if (this->Transfer2DYAxisArray != nullptr && input != nullptr)
   {
     vtkDataArray* second = this->FindSecondArray(input, cellData);
     request.SecondArray = second != nullptr ? second->GetNumberOfComponents() : -1;
   }
-  request.LabelMap = this->MaskInput != nullptr && this->MaskType == LabelMapMaskType;
   return request;
 }
 
@@ -394,7 +380,6 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
   parts.Lights.Update(renderer);
   this->UpdateShadows();
   this->SetUniforms(renderer);
-  parts.Ways.SetAsked(this->Way);
   std::string error;
   parts.Window->GetState()->Push();
   for (int picture = 0; picture < parts.Peeling.CountPictures() && error.empty(); ++picture)
@@ -406,8 +391,8 @@ std::string vtkOpenGLTextureSliceVolumeMapper::DrawSlices(vtkRenderer* renderer)
     }
     else if (error.empty())
     {
-      parts.Target.Composite(
-        parts, 1.0f / this->FinalColorWindow, 0.5f - this->FinalColorLevel / this->FinalColorWindow);
+      parts.Target.Composite(parts, 1.0f / this->FinalColorWindow,
+        0.5f - this->FinalColorLevel / this->FinalColorWindow);
     }
   }
   parts.Window->GetState()->Pop();
@@ -460,23 +445,12 @@ void vtkOpenGLTextureSliceVolumeMapper::GetDepthImage(vtkImageData* output)
 void vtkOpenGLTextureSliceVolumeMapper::UpdateShadows()
 {
   vtkTextureSliceParts& parts = *this->Parts;
-  vtkTextureSliceShadowSettings settings;
-  // The light is computed in cells of one size.
-  if (!parts.Coordinates.IsUsed())
-  {
-    settings.Shadow = this->ShadowStrength;
-    settings.Occlusion = this->OcclusionStrength;
-  }
-  settings.Density = this->ShadowDensity;
-  settings.Exposure = this->Exposure;
-  std::copy(this->LightDirection, this->LightDirection + 3, settings.ToLight.begin());
-  std::copy(this->Zenith, this->Zenith + 3, settings.Zenith.begin());
   // The same border as for the image sample distance; the window's own rate, because the time of a
   // prop is shared out only while a frame is drawn.
-  settings.Interactive =
+  const bool interactive =
     this->AutoAdjustSampleDistances != 0 &&
     vtkTextureSliceResolution::IsInteractive(1.0 / parts.Window->GetDesiredUpdateRate());
-  parts.Shadows.Update(parts.Window, parts, settings);
+  parts.Shadows.Update(parts, interactive);
 }
 
 bool vtkOpenGLTextureSliceVolumeMapper::UpdateLight(vtkRenderer* renderer, vtkVolume* volume)
@@ -578,7 +552,6 @@ void vtkOpenGLTextureSliceVolumeMapper::SetUniforms(vtkRenderer* renderer)
   }
   parts.Seen = this->FindSeen();
   parts.Surfaces = parts.Request.MakeSurfaces();
-  parts.IsoValues = parts.Request.FindIsoValues(parts.Texture.GetComponents());
 }
 
 void vtkOpenGLTextureSliceVolumeMapper::ReleaseGraphicsResources(vtkWindow* window)

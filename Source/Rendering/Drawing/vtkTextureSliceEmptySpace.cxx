@@ -2,6 +2,7 @@
 #include "vtkTextureSliceEmptySpace.h"
 
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkSMPTools.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureSliceFrame.h"
@@ -124,8 +125,8 @@ Test MakeAverageTest(const Source& source, const vtkTextureSliceFeatures& featur
   // Of several components with functions of their own, an average counts all samples.
   const double error =
     features.Functions > 1 ? Unbounded : FindScalarError(source.Texture.GetComponents().front());
-  const auto [low, high] = source.Request.AverageRange;
-  return [least = low - error, most = high + error](const Range* ranges)
+  const double* range = source.Request.Mapper->GetAverageIPScalarRange();
+  return [least = range[0] - error, most = range[1] + error](const Range* ranges)
   { return ranges->Low <= ranges->High && ranges->High >= least && ranges->Low <= most; };
 }
 
@@ -160,31 +161,6 @@ std::vector<Test> MakeTests(const Source& source)
     tests.push_back(MakeOpacityTest(source, features, row));
   }
   return tests;
-}
-
-/// For each brick along an axis, the regions (one bit each) between the
-/// cropping planes that it touches, whatever the other axes.
-std::vector<unsigned int> FindRegions(
-  const vtkTextureSliceFrame& frame, const vtkTextureSliceBricks& bricks, std::size_t axis)
-{
-  constexpr std::array<std::array<unsigned int, 3>, 3> parts{
-    {{0x1249249, 0x2492492, 0x4924924}, {0x1C0E07, 0xE07038, 0x70381C0},
-      {0x1FF, 0x3FE00, 0x7FC0000}}}; // of 27 bits, those of the lower, middle and upper part
-  const double scale = static_cast<double>(frame.TextureScale[axis]);
-  const double bias = static_cast<double>(frame.TextureBias[axis]);
-  const double low = static_cast<double>(frame.CropLow[axis]);
-  const double high = static_cast<double>(frame.CropHigh[axis]);
-  constexpr double margin = 1e-5; // what a sample's position may err by
-  std::vector<unsigned int> regions;
-  for (int brick = 0; brick < bricks.GetCount()[axis]; ++brick)
-  {
-    const double begin = brick * bricks.GetEdge()[axis] * scale + bias - margin;
-    const double end = (brick + 1) * bricks.GetEdge()[axis] * scale + bias + margin;
-    regions.push_back((begin < low ? parts[axis][0] : 0U) |
-                      (end >= low && begin <= high ? parts[axis][1] : 0U) |
-                      (end > high ? parts[axis][2] : 0U));
-  }
-  return regions;
 }
 
 } // namespace
@@ -301,10 +277,10 @@ void vtkTextureSliceDistanceMap::SetUniforms(
 vtkTextureSliceEmptySpace::Key vtkTextureSliceEmptySpace::MakeKey(const Source& source)
 {
   return {source.Texture.GetBricks().GetBuildTime(), source.Table.GetFillTime(),
-    source.LabelTable.GetFillTime(), source.Table2D.GetFillTime(), source.Request.AverageRange,
-    source.Request.GetIsoValues(), source.Request.GetFeatures().GetDefines(),
-    source.Frame.CropTest, source.Frame.CropLow, source.Frame.CropHigh,
-    source.CropFlags};
+    source.LabelTable.GetFillTime(), source.Table2D.GetFillTime(),
+    {source.Request.Mapper->GetAverageIPScalarRange()[0],
+      source.Request.Mapper->GetAverageIPScalarRange()[1]},
+    source.Request.GetIsoValues(), source.Request.GetFeatures().GetDefines()};
 }
 
 void vtkTextureSliceEmptySpace::Update(const Source& source)
@@ -317,10 +293,6 @@ void vtkTextureSliceEmptySpace::Update(const Source& source)
   this->Last = std::move(key);
   const std::vector<unsigned char> before = this->Visible;
   this->FindVisible(source);
-  if (source.Frame.CropTest)
-  {
-    this->HideCropped(source);
-  }
   const vtkTextureSliceBricks& bricks = source.Texture.GetBricks();
   if (this->Visible == before && bricks.GetEdge() == this->Edge)
   {
@@ -356,25 +328,4 @@ void vtkTextureSliceEmptySpace::FindVisible(const Source& source)
         this->Visible[brick] = visible ? 1 : 0;
       }
     });
-}
-
-void vtkTextureSliceEmptySpace::HideCropped(const Source& source)
-{
-  const vtkTextureSliceBricks& bricks = source.Texture.GetBricks();
-  const auto alongX = FindRegions(source.Frame, bricks, 0);
-  const auto alongY = FindRegions(source.Frame, bricks, 1);
-  const auto alongZ = FindRegions(source.Frame, bricks, 2);
-  auto visible = this->Visible.begin();
-  for (const unsigned int z : alongZ)
-  {
-    for (const unsigned int y : alongY)
-    {
-      for (const unsigned int x : alongX)
-      {
-        const bool kept = (x & y & z & static_cast<unsigned int>(source.CropFlags)) != 0;
-        *visible = kept ? *visible : 0;
-        ++visible;
-      }
-    }
-  }
 }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// What of a volume a request leaves invisible, and how far rays may go until there is something to see.
+// What of a volume a request leaves invisible, and how far rays may go until there is something to
+// see.
 #ifndef vtkTextureSliceEmptySpace_h
 #define vtkTextureSliceEmptySpace_h
 
@@ -80,7 +81,7 @@ private:
 class vtkTextureSliceEmptySpace
 {
 public:
-  /// Does nothing where nothing has changed of the scalars, the functions and the cropping.
+  /// Does nothing where nothing has changed of the scalars and the functions.
   void Update(const vtkTextureSliceParts& source);
 
   /// How far it is to the next visible brick.
@@ -98,13 +99,11 @@ public:
 
 private:
   /// All that the answers depend on, the order that of MakeKey.
-  using Key =
-    std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType, std::array<double, 2>,
-      std::vector<double>, std::string, bool, std::array<float, 3>, std::array<float, 3>, int>;
+  using Key = std::tuple<vtkMTimeType, vtkMTimeType, vtkMTimeType, vtkMTimeType,
+    std::array<double, 2>, std::vector<double>, std::string>;
   static Key MakeKey(const vtkTextureSliceParts& source);
 
   void FindVisible(const vtkTextureSliceParts& source);
-  void HideCropped(const vtkTextureSliceParts& source);
 
   Key Last;
   std::array<double, 3> Edge{}; ///< of the bricks that the distances are of

@@ -405,43 +405,6 @@ std::array<float, 3> vtkTextureSliceFrame::GetEdges() const
     static_cast<float>(this->Edge[2])};
 }
 
-std::array<float, 3> vtkTextureSliceFrame::GetEyeInBox() const
-{
-  vtkNew<vtkMatrix4x4> cameraToBox;
-  vtkMatrix4x4::Invert(this->View.BoxToCamera.data(), cameraToBox->GetData());
-  return {static_cast<float>(cameraToBox->GetElement(0, 3)),
-    static_cast<float>(cameraToBox->GetElement(1, 3)),
-    static_cast<float>(cameraToBox->GetElement(2, 3))};
-}
-
-std::array<float, 16> vtkTextureSliceFrame::GetBoxToCameraColumns() const
-{
-  std::array<float, 16> columns{};
-  for (std::size_t i = 0; i < 16; ++i)
-  {
-    columns[i] = static_cast<float>(this->View.BoxToCamera[4 * (i % 4) + i / 4]);
-  }
-  return columns;
-}
-
-std::array<float, 9> vtkTextureSliceFrame::GetGradientToCameraColumns() const
-{
-  // Normals go the other way about: by the transposed matrix from camera to box coordinates, and
-  // from data to box lengths by the edges.
-  vtkNew<vtkMatrix4x4> cameraToBox;
-  vtkMatrix4x4::Invert(this->View.BoxToCamera.data(), cameraToBox->GetData());
-  std::array<float, 9> columns{};
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int row = 0; row < 3; ++row)
-    {
-      columns[static_cast<std::size_t>(3 * axis + row)] = static_cast<float>(
-        cameraToBox->GetElement(axis, row) * this->Edge[static_cast<std::size_t>(axis)]);
-    }
-  }
-  return columns;
-}
-
 bool vtkTextureSliceFrame::IsFlat() const
 {
   return *std::min_element(this->View.EdgeLength.begin(), this->View.EdgeLength.end()) <= 0.0 ||

@@ -129,15 +129,9 @@ struct vtkTextureSliceFrame
   std::vector<float> GetClippingPlanesInTexture() const;
   /// Signed data length of the box's edges.
   std::array<float, 3> GetEdges() const;
-  /// Where the camera stands.
-  std::array<float, 3> GetEyeInBox() const;
   /// One voxel along its shortest edge as texture coordinates, and how many of them make half of
   /// its longest edge: 0 for cubes, 4 at most.
   std::array<float, 4> GetStair() const;
-  /// Box to camera coordinates, and gradients in data coordinates to normals in camera
-  /// coordinates, column by column as OpenGL reads them.
-  std::array<float, 16> GetBoxToCameraColumns() const;
-  std::array<float, 9> GetGradientToCameraColumns() const;
   /// Where the first face between two voxels is in the box, along each axis.
   std::array<double, 3> GetFirstFace() const;
 
@@ -161,8 +155,8 @@ struct vtkTextureSliceFrame
   bool CropTest = false;
   std::array<float, 3> CropLow{};
   std::array<float, 3> CropHigh{};
-  std::array<double, 3> Intervals{};  ///< voxels' edges in the box
-  double ShortestVoxelEdge = 1.0;     ///< world length
+  std::array<double, 3> Intervals{}; ///< voxels' edges in the box
+  double ShortestVoxelEdge = 1.0;    ///< world length
 };
 
 #endif

@@ -162,8 +162,7 @@ void vtkTextureSliceParts::SetUniforms(vtkShaderProgram* program)
   }
 }
 
-void vtkTextureSliceParts::DrawWith(
-  vtkShaderProgram* program, const std::function<void()>& draw)
+void vtkTextureSliceParts::DrawWith(vtkShaderProgram* program, const std::function<void()>& draw)
 {
   const auto textures = this->FindTextures();
   for (const auto& [sampler, texture] : textures)

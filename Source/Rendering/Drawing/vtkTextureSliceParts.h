@@ -31,8 +31,8 @@ class vtkTextureObject;
 class vtkTextureSliceDistanceMap;
 
 /**
- * What vtkOpenGLTextureSliceVolumeMapper works with, one job each. Each part decides for itself what
- * a change makes it do anew; the rest is set anew in each frame.
+ * What vtkOpenGLTextureSliceVolumeMapper works with, one job each. Each part decides for itself
+ * what a change makes it do anew; the rest is set anew in each frame.
  */
 struct vtkTextureSliceParts
 {
@@ -68,7 +68,6 @@ struct vtkTextureSliceParts
   double PixelSize = 1.0;                       ///< pixels of the viewport for one of the picture
   float LabelWeight = 1.0f;                     ///< how much the label's functions count
   std::vector<vtkTextureSliceSurface> Surfaces; ///< one for each component
-  std::vector<float> IsoValues; ///< of isosurfaces, ascending, 0 to 1 as the scalars are
   int CropFlags = 0;
   std::array<float, 3> SelectionColor{}; ///< used if Features.Selection
 

@@ -16,19 +16,6 @@ class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 struct vtkTextureSliceParts;
 
-/// Where light comes from, in world coordinates, and how much it matters.
-struct vtkTextureSliceShadowSettings
-{
-  double Shadow = 0.0;    ///< strength, 0 to 1
-  double Occlusion = 0.0; ///< strength, 0 to 1
-  std::array<double, 3> ToLight{0, 0, 1};
-  std::array<double, 3> Zenith{0, 0, 1};
-  double Density = 1.0;  ///< extinction for the light over that for the viewer
-  double Exposure = 1.0; ///< times what shadow and occlusion leave of a colour, up to all of it
-  /// Whether the frame is one of an interaction: a change then asks for a coarse volume.
-  bool Interactive = false;
-};
-
 /**
  * Keeps a vtkTextureSliceLightVolume up to date with scalars, transfer functions, mask, cuts and
  * directions of light, and in texture memory. A change of the camera or of a strength above 0
@@ -37,9 +24,10 @@ struct vtkTextureSliceShadowSettings
 class vtkTextureSliceShadows
 {
 public:
-  /// @param source volume, functions, mask and cuts; all of it must be up to date.
-  void Update(vtkOpenGLRenderWindow* window, const vtkTextureSliceParts& source,
-    const vtkTextureSliceShadowSettings& settings);
+  /// @param source all of it must be up to date: the mapper's settings, volume, functions, mask and
+  /// cuts.
+  /// @param interactive whether a change asks for a coarse volume.
+  void Update(const vtkTextureSliceParts& source, bool interactive);
 
   /// Whether the last Update was asked for shadow or occlusion, and the blend mode has them.
   bool IsUsed() const { return this->Used; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// The transfer functions as tables: colour and opacity, their integrals, and which scalars they show.
+// The transfer functions as tables: colour and opacity, their integrals, and which scalars they
+// show.
 #ifndef vtkTextureSliceTables_h
 #define vtkTextureSliceTables_h
 

@@ -118,8 +118,8 @@ double FindDepth(const vtkTextureSliceFrame& frame, const float* place)
   double w = toClip[15];
   for (std::size_t axis = 0; axis < 3; ++axis)
   {
-    const auto box = static_cast<double>(
-      (place[axis] - frame.TextureBias[axis]) / frame.TextureScale[axis]);
+    const auto box =
+      static_cast<double>((place[axis] - frame.TextureBias[axis]) / frame.TextureScale[axis]);
     z += toClip[8 + axis] * box;
     w += toClip[12 + axis] * box;
   }

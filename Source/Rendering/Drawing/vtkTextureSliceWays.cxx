@@ -6,6 +6,7 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
+#include "vtkOpenGLTextureSliceVolumeMapper.h"
 #include "vtkOpenGLVertexArrayObject.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
@@ -312,19 +313,19 @@ vtkTextureSlicePixels vtkTextureSliceCompute::FindPixels(const vtkTextureSliceFr
   return pixels;
 }
 
-vtkTextureSliceWays::Way vtkTextureSliceWays::FindAsked()
+vtkTextureSliceWays::Way vtkTextureSliceWays::FindAsked(Way asked)
 {
   const char* value = std::getenv(Variable);
   if (value == nullptr)
   {
-    return this->Asked;
+    return asked;
   }
   const auto* const name = std::find(Names.begin(), Names.end(), std::string(value));
   if (name == Names.end())
   {
     this->Fallback = std::string(Variable) + " is \"" + value +
                      "\", not automatic, fragments, compute or polygons";
-    return this->Asked;
+    return asked;
   }
   return static_cast<Way>(name - Names.begin());
 }
@@ -340,8 +341,7 @@ vtkTextureSliceWays::Way vtkTextureSliceWays::ChooseByTrial()
   return known != IsComputeFaster.end() && known->second ? Compute : Fragments;
 }
 
-void vtkTextureSliceWays::RunTrial(
-  vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels)
+void vtkTextureSliceWays::RunTrial(vtkTextureSliceParts& parts, const vtkTextureSlicePixels& pixels)
 {
   vtkTextureSlicePixels part = pixels;
   for (std::size_t axis = 0; axis < 2; ++axis)
@@ -379,8 +379,7 @@ void vtkTextureSliceWays::RunTrial(
   this->Ready(this->Drawn, parts, "");
 }
 
-bool vtkTextureSliceWays::Ready(
-  Way way, const vtkTextureSliceParts& parts, const char* instead)
+bool vtkTextureSliceWays::Ready(Way way, const vtkTextureSliceParts& parts, const char* instead)
 {
   const char* main = way == Compute ? TextureSliceCS : TextureSliceFS;
   const std::string defines =
@@ -406,7 +405,9 @@ bool vtkTextureSliceWays::Choose(const vtkTextureSliceParts& parts)
   this->Fallback.clear();
   this->IsTrialDue = false;
   const bool canBePolygons = CanBePolygons(parts.Features);
-  Way way = parts.Features.Places ? Fragments : this->FindAsked();
+  Way way = parts.Features.Places
+              ? Fragments
+              : this->FindAsked(static_cast<Way>(parts.Request.Mapper->GetWay()));
   if (way == Automatic || (way == Polygons && !canBePolygons))
   {
     way = this->ChooseByTrial();
@@ -425,8 +426,7 @@ bool vtkTextureSliceWays::Choose(const vtkTextureSliceParts& parts)
     way = Polygons;
   }
   this->Drawn = way;
-  return way != Polygons ||
-         (canBePolygons && this->Ready(Polygons, parts, "nothing is drawn"));
+  return way != Polygons || (canBePolygons && this->Ready(Polygons, parts, "nothing is drawn"));
 }
 
 void vtkTextureSliceWays::DrawPixels(

@@ -106,9 +106,6 @@ public:
     Polygons ///< what they cannot draw is drawn as by Automatic
   };
 
-  /// What the environment variable VTK_TEXTURE_SLICE_WAY names takes precedence.
-  void SetAsked(int way) { this->Asked = static_cast<Way>(way); }
-
   /**
    * Chooses the way of the next picture and makes its shader ready.
    * @return false if there is none whose shaders compile
@@ -127,7 +124,8 @@ public:
   void ReleaseGraphicsResources(vtkOpenGLRenderWindow* window);
 
 private:
-  Way FindAsked();
+  /// What the environment variable VTK_TEXTURE_SLICE_WAY names takes precedence over @a asked.
+  Way FindAsked(Way asked);
   /// What Automatic stands for. The first picture is drawn by fragments where there was no trial
   /// yet, because a trial takes longer than a program with one picture can gain by it.
   Way ChooseByTrial();
@@ -141,7 +139,6 @@ private:
   vtkTextureSliceBox Box; ///< of fragments and polygons
   vtkTextureSliceCompute ComputeShaders;
   vtkShaderProgram* Program = nullptr; ///< that is ready
-  Way Asked = Automatic;
   Way Drawn = Automatic;
   bool IsTrialDue = false; ///< with the next picture
   std::string Fallback;
